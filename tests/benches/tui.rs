@@ -168,15 +168,15 @@ fn idle() {
     row("idle for 3 s", &format!("{} B, {percent:.1} % CPU", pty.count() - count), "0 B, 0 % CPU");
 }
 
-/// Keys on a line of 9600 baud, alone and while a film plays.
+/// Keys on a line of 9600 baud, alone and while an animation plays.
 fn slow_line() {
-    for film in [false, true] {
+    for animation in [false, true] {
         let mut pty = open(Some("vibration/modal-analysis"), |launch| launch.baud(9600));
         let silence = Duration::from_millis(700);
         quiet(&pty, silence);
-        if film {
+        if animation {
             pty.types("]]]<tab>n<tab>");
-            // The film plays from now on: nothing is ever silent again.
+            // The animation plays from now on: nothing is ever silent again.
             thread::sleep(Duration::from_secs(12));
         }
         let before = pty.count();
@@ -191,13 +191,13 @@ fn slow_line() {
             }
             assert!(start.elapsed() < PATIENCE, "the key does nothing:\n{}", pty.screen());
             times.push(start.elapsed());
-            // Not always at the same frame of the film.
+            // Not always at the same frame of the animation.
             thread::sleep(Duration::from_millis(370));
-            if !film {
+            if !animation {
                 quiet(&pty, Duration::from_millis(200));
             }
         }
-        let what = if film { "while a film plays" } else { "alone" };
+        let what = if animation { "while an animation plays" } else { "alone" };
         let rate = (pty.count() - before) as f64 / begin.elapsed().as_secs_f64();
         row(&format!("key to screen at 9600 baud, {what}"), &p95(times), "p95 ≤ 1.5 s");
         row("  bytes a second meanwhile", &format!("{rate:.0} B/s"), "");

@@ -21,10 +21,10 @@ use dalembert_core::{Language, find, registry};
 use dalembert_plugins as _;
 use dalembert_tui::{
     Msg,
-    bench::Tab,
     glyphs::{Capabilities, Colors, Glyphs, PlotMarker},
+    harness::Harness,
     keys::notation::keys_of,
-    stage::Stage,
+    tab::Tab,
 };
 use ratatui::{
     buffer::Cell,
@@ -34,7 +34,7 @@ use ratatui::{
 
 /// A person at a screen.
 pub struct Person {
-    stage: Stage,
+    harness: Harness,
     capabilities: Capabilities,
 }
 
@@ -66,7 +66,7 @@ impl Person {
     }
 
     fn before(columns: u16, rows: u16, language: Language, capabilities: Capabilities) -> Self {
-        Self { stage: Stage::new(registry(), (columns, rows), language, capabilities), capabilities }
+        Self { harness: Harness::new(registry(), (columns, rows), language, capabilities), capabilities }
     }
 
     /// Before a list of these analyses alone, not of all that are linked.
@@ -74,21 +74,21 @@ impl Person {
     pub fn knows(mut self, ids: &[&str]) -> Self {
         let entries: Vec<_> = ids.iter().map(|id| find(id).expect("the analysis is linked")).collect();
         let (size, language) = (self.model.size, self.model.locale.language);
-        self.stage = Stage::new(&entries, size, language, self.capabilities);
+        self.harness = Harness::new(&entries, size, language, self.capabilities);
         self
     }
 
     /// Opens the first case of an analysis.
     #[must_use]
     pub fn opens(mut self, id: &str) -> Self {
-        self.stage.begins(None, Some(find(id).expect("the analysis is linked")));
+        self.harness.begins(None, Some(find(id).expect("the analysis is linked")));
         self
     }
 
     /// Opens a problem file.
     #[must_use]
     pub fn opens_file(mut self, path: impl Into<PathBuf>) -> Self {
-        self.stage.begins(Some(path.into()), None);
+        self.harness.begins(Some(path.into()), None);
         self
     }
 
@@ -107,19 +107,19 @@ impl Person {
 
     /// Drags the window to another size.
     pub fn resizes(&mut self, columns: u16, rows: u16) -> &mut Self {
-        self.stage.resizes(columns, rows);
+        self.harness.resizes(columns, rows);
         self
     }
 
     /// Something happens.
     pub fn happens(&mut self, msg: Msg) -> &mut Self {
-        self.stage.happens(msg);
+        self.harness.happens(msg);
         self
     }
 
     /// The screen as text.
     pub fn sees(&mut self) -> String {
-        self.stage.text()
+        self.harness.text()
     }
 
     /// The colours and attributes of the screen: a letter for each cell, and below what the letters mean. Plain cells are
@@ -190,15 +190,15 @@ fn ink(cell: &Cell) -> String {
 }
 
 impl Deref for Person {
-    type Target = Stage;
+    type Target = Harness;
 
-    fn deref(&self) -> &Stage {
-        &self.stage
+    fn deref(&self) -> &Harness {
+        &self.harness
     }
 }
 
 impl DerefMut for Person {
-    fn deref_mut(&mut self) -> &mut Stage {
-        &mut self.stage
+    fn deref_mut(&mut self) -> &mut Harness {
+        &mut self.harness
     }
 }

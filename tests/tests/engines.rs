@@ -51,7 +51,7 @@ fn other_programs_find_the_same() {
             );
         }
         let script = path.with_file_name(document["script"].as_str().unwrap());
-        assert!(script.is_file(), "{} is not there", script.display());
+        assert!(script.is_file(), "{} not found", script.display());
         for row in document["row"].as_array_of_tables().unwrap() {
             found.hold(program, row);
         }

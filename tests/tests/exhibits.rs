@@ -183,7 +183,7 @@ fn a_view_is_turned_round_and_up() {
     assert!(near(front.point([1.0, 2.0, 3.0]), (2.0, 3.0)), "x points at the viewer");
     assert!(
         near(front.turned(-FRAC_PI_2, FRAC_PI_2).point([1.0, 2.0, 3.0]), (1.0, 2.0)),
-        "the plan, from above"
+        "the plan, top view"
     );
     assert!(near(front.turned(PI, 0.0).point([1.0, 2.0, 3.0]), (-2.0, 3.0)), "from behind");
     assert_eq!(front.turned(0.0, 9.0).elevation, FRAC_PI_2, "never over the top");
@@ -211,10 +211,10 @@ fn a_scene_in_space_is_turned_by_keys_and_keeps_its_side() {
     let above = person.types(&"<up>".repeat(20)).sees();
     assert_eq!(person.types("<up>").sees(), above, "not over the top");
     assert_eq!(person.types("i").sees(), usual);
-    // A change of the inputs is seen from the same side; a film as well.
+    // A change of the inputs is seen from the same side; an animation as well.
     let mut person = Person::at(120, 40).opens("rigid-body/heavy-top");
     person.types("<tab>");
-    while person.model.bench.as_ref().is_some_and(|bench| bench.tab != dalembert_tui::bench::Tab::Drawing) {
+    while person.model.bench.as_ref().is_some_and(|bench| bench.tab != dalembert_tui::tab::Tab::Drawing) {
         person.types("]");
     }
     person.types("<up><right>");
@@ -223,7 +223,7 @@ fn a_scene_in_space_is_turned_by_keys_and_keeps_its_side() {
     assert!(view.is_some());
     assert_eq!(person.model.bench.as_ref().and_then(|bench| bench.view), view);
     let mut flat = Person::at(120, 40).opens("vibration/rotating-unbalance");
-    assert!(flat.types("<tab>]]]<right>").sees().contains("this drawing is flat"), "{}", flat.sees());
+    assert!(flat.types("<tab>]]]<right>").sees().contains("this drawing is planar"), "{}", flat.sees());
 }
 
 /// What is seen is what is written: the window, the decibels, the cursor; the side of a scene.
@@ -232,9 +232,9 @@ fn what_is_seen_is_exported() {
     let folder = tempfile::tempdir().expect("a folder");
     let name = |name: &str| folder.path().join(name).display().to_string();
     let mut person = Person::at(120, 40).opens("vibration/rotating-unbalance");
-    assert!(person.types("P").sees().contains("no plot or drawing is on the screen"), "{}", person.sees());
+    assert!(person.types("P").sees().contains("no plot or drawing on the screen"), "{}", person.sees());
     person.types("<tab>]]aa<right>++P").types(&name("seen.csv")).types("<enter>");
-    assert!(person.sees().contains("what is seen is in"), "{}", person.sees());
+    assert!(person.sees().contains("plot or drawing written to"), "{}", person.sees());
     let csv = std::fs::read_to_string(name("seen.csv")).expect("it is written");
     assert!(csv.starts_with("series,speed of the machine [rpm],") && csv.contains("dB over 1 mm"), "{csv}");
     let speeds: Vec<f64> =

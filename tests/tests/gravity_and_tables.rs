@@ -277,7 +277,7 @@ fn a_frequency_response_without_a_heading_is_in_hertz_and_says_so() {
     assert!((number(&bare, "mass") - mass).abs() < 0.01, "{}", number(&bare, "mass"));
     let warned = warnings(&bare);
     assert!(
-        warned.iter().any(|warning| warning.ends_with("no unit in the heading: taken as Hz, m/N")),
+        warned.iter().any(|warning| warning.ends_with("no unit in the heading; Hz, m/N assumed")),
         "{warned:?}"
     );
     for heading in ["f / Hz;H / (m/N)\n", "f_Hz;H [m/N]\n", "f in Hz;H in m/N\n", "f;H\nHz;m/N\n"] {

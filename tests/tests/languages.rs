@@ -240,8 +240,8 @@ impl Sentences {
                     }
                 }
                 Exhibit::Drawing(drawing) => self.drawing(of, &drawing.title, &drawing.shapes),
-                Exhibit::Film(film) => {
-                    film.frames.iter().for_each(|frame| self.drawing(of, &film.title, frame));
+                Exhibit::Animation(animation) => {
+                    animation.frames.iter().for_each(|frame| self.drawing(of, &animation.title, frame));
                 }
                 Exhibit::Scene(scene) => (0..scene.frames.len()).for_each(|frame| {
                     let drawing = scene.seen(frame, scene.view);

@@ -1,7 +1,7 @@
 //! The mouse: a click goes there, a second one enters, the wheel moves what is under the pointer.
 
 use dalembert_tests::person::Person;
-use dalembert_tui::{bench::Tab, keys::Place, look::Theme};
+use dalembert_tui::{keys::Place, look::Theme, tab::Tab};
 use ratatui::crossterm::event::{MouseButton, MouseEventKind};
 
 const FAN: &str = "vibration/rotating-unbalance";
@@ -40,9 +40,9 @@ fn a_click_goes_there_and_a_second_one_enters() {
 fn a_dialog_is_chosen_from_and_left_by_the_mouse() {
     let mut person = fan(90, 30);
     person.types(":");
-    person.clicks("empty the field");
-    assert!(person.sees().contains("▸ empty the field"), "{}", person.sees());
-    person.clicks("empty the field");
+    person.clicks("clear and edit");
+    assert!(person.sees().contains("▸ clear and edit"), "{}", person.sees());
+    person.clicks("clear and edit");
     assert_eq!(person.model.place(), Place::Edit);
     person.types("<esc>?");
     let before = person.sees();
@@ -138,7 +138,7 @@ fn inputs_and_answers_of_the_sensitivity_are_clicked() {
     assert!(person.sees().contains("◀ Natural frequency"), "{}", person.sees());
     // What all of them do together is no input.
     let place = person.model.bench.as_ref().map(|bench| bench.ask.sensitivity.cursor);
-    person.clicks("all tolerances together");
+    person.clicks("all tolerances:");
     assert_eq!(person.model.bench.as_ref().map(|bench| bench.ask.sensitivity.cursor), place);
     let mut low = fan(90, 12);
     low.turns_to(Tab::Sensitivity);
@@ -152,13 +152,13 @@ fn cells_of_a_study_are_clicked() {
     let mut person = fan(90, 30);
     person.turns_to(Tab::Study).clicks("Range to");
     assert!(person.sees().contains("▸ Range to"), "{}", person.sees());
-    person.clicks("Range to").types("<c-u>80 kg").clicks("Spread");
-    assert!(person.sees().contains("▸ Spread") && person.sees().contains("80 kg"), "{}", person.sees());
-    person.clicks("Spread");
-    assert!(person.sees().contains("by equal ratios"), "{}", person.sees());
+    person.clicks("Range to").types("<c-u>80 kg").clicks("Spacing");
+    assert!(person.sees().contains("▸ Spacing") && person.sees().contains("80 kg"), "{}", person.sees());
+    person.clicks("Spacing");
+    assert!(person.sees().contains("logarithmic"), "{}", person.sees());
     // Its curve is no cell.
-    person.clicks("as it stands");
-    assert!(person.sees().contains("▸ Spread"), "{}", person.sees());
+    person.clicks("current value");
+    assert!(person.sees().contains("▸ Spacing"), "{}", person.sees());
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 use dalembert_core::{Entry, registry};
 use dalembert_tests::person::Person;
-use dalembert_tui::{bench::Tab, keys::Place};
+use dalembert_tui::{keys::Place, tab::Tab};
 use insta::assert_snapshot;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
@@ -55,14 +55,14 @@ fn every_pane_of_the_fan_at_every_size() {
     }
 }
 
-/// What the fan has none of: tables, rows within rows, what turns in space, films, polar diagrams, marks of weights.
+/// What the fan has none of: tables, rows within rows, what turns in space, animations, polar diagrams, marks of weights.
 #[test]
 fn every_other_pane_at_every_size() {
     for (name, id, keys) in [
         ("table", "vibration/modal-analysis", "]]]]<tab>"),
         ("rows", "vibration/rotor-dynamics", "<down><down><down><enter>"),
         ("scene", "rigid-body/free-triaxial", "]]]<tab>i<right>"),
-        ("film", "virtual-work/engine", "]]]<tab> ."),
+        ("animation", "virtual-work/engine", "]]]<tab> ."),
         ("polar", "balancing/two-plane", "]]<tab>"),
         ("field_job", "balancing/field", "<tab>"),
     ] {

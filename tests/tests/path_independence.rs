@@ -1,4 +1,4 @@
-//! A plot and the answers do not contradict each other: every curve that is over an input, and every film, is at each of
+//! A plot and the answers do not contradict each other: every curve that is over an input, and every animation, is at each of
 //! its points what a direct solve with that input gives. What cannot be over an input stands in `plots/listed.txt` with
 //! the reason.
 
@@ -9,14 +9,14 @@ use std::{
 };
 
 use dalembert_core::{
-    AnswerValue, DrawnShape, Entry, Exhibit, Film, Ink, Number, Over, Plot, Record, Scale, Series, Solution,
-    Stop, cases, registry, vary,
+    Animation, AnswerValue, DrawnShape, Entry, Exhibit, Ink, Number, Over, Plot, Record, Scale, Series,
+    Solution, Stop, cases, registry, vary,
 };
 use dalembert_plugins as _;
 use dalembert_tests::times;
 use itertools::Itertools as _;
 
-/// The points of a curve, and the frames of a film, that are solved for.
+/// The points of a curve, and the frames of an animation, that are solved for.
 const ABSCISSAS: usize = 29;
 /// Of these the most that a direct solve may refuse: dead centres, the moment zero, the end of a range.
 const REFUSED: usize = 4;
@@ -56,7 +56,7 @@ const LISTED: &str = include_str!("plots/listed.txt");
 /// Analysis, title and curve.
 type Key = (String, String, String);
 
-/// What the plots and films of a family are over.
+/// What the plots and animations of a family are over.
 #[derive(Default)]
 struct Met {
     named: BTreeSet<Key>,
@@ -279,27 +279,33 @@ impl Case<'_> {
         Some([abscissa, ordinate].map(|found| found.unwrap_or([f64::NAN; 2])))
     }
 
-    fn film(&self, film: &Film, met: &mut Met) {
-        let key = self.key(&film.title.template, "film");
-        let Some((input, values)) = &film.over else {
+    fn animation(&self, animation: &Animation, met: &mut Met) {
+        let key = self.key(&animation.title.template, "animation");
+        let Some((input, values)) = &animation.over else {
             met.unnamed.insert(key);
             return;
         };
         met.named.insert(key);
-        assert_eq!(values.len(), film.frames.len(), "{}: {}", self.entry.about.id, film.title.english());
+        assert_eq!(
+            values.len(),
+            animation.frames.len(),
+            "{}: {}",
+            self.entry.about.id,
+            animation.title.english()
+        );
         for n in spread(values.len()) {
             let changed = vary::changed(self.record, input, values[n]).expect("the path is that of an input");
             let solution = self.entry.solve(&changed, &Stop::new());
             let direct =
                 solution.iter().flat_map(|solution| &solution.exhibits).find_map(|other| match other {
-                    Exhibit::Film(other) if other.title.template == film.title.template => {
+                    Exhibit::Animation(other) if other.title.template == animation.title.template => {
                         other.frames.first()
                     }
                     _ => None,
                 });
             let wrong = match direct {
-                None => Some("has no film".to_owned()),
-                Some(direct) => differ(&film.frames[n], direct),
+                None => Some("has no animation".to_owned()),
+                Some(direct) => differ(&animation.frames[n], direct),
             };
             if let Some(why) = wrong {
                 let at = format!("frame {n}, {input} = {:e}", values[n]);
@@ -307,12 +313,12 @@ impl Case<'_> {
                     "{} ({}): {}: {at}: {why}",
                     self.entry.about.id,
                     self.title,
-                    film.title.english()
+                    animation.title.english()
                 ));
                 return;
             }
             met.points += 1;
-            met.held.insert(self.key(&film.title.template, "film"));
+            met.held.insert(self.key(&animation.title.template, "animation"));
         }
     }
 }
@@ -362,7 +368,7 @@ fn differ(one: &[DrawnShape], other: &[DrawnShape]) -> Option<String> {
     })
 }
 
-/// All cases of a family. `least` is how many curves and films have to name their input.
+/// All cases of a family. `least` is how many curves and animations have to name their input.
 fn held((name, least): (&str, usize)) {
     let mut met = Met::default();
     for entry in registry().iter().filter(|entry| entry.family() == name) {
@@ -376,16 +382,16 @@ fn held((name, least): (&str, usize)) {
             for exhibit in &solution.exhibits {
                 match exhibit {
                     Exhibit::Plot(plot) => case.plot(plot, &mut met),
-                    Exhibit::Film(film) => case.film(film, &mut met),
+                    Exhibit::Animation(animation) => case.animation(animation, &mut met),
                     Exhibit::Scene(scene) if scene.frames.len() > 1 => {
-                        met.unnamed.insert(case.key(&scene.title.template, "film"));
+                        met.unnamed.insert(case.key(&scene.title.template, "animation"));
                     }
                     Exhibit::Scene(_) | Exhibit::Table(_) | Exhibit::Drawing(_) => {}
                 }
             }
         }
     }
-    println!("{name}: {} curves and films held at {} points", met.named.len(), met.points);
+    println!("{name}: {} curves and animations held at {} points", met.named.len(), met.points);
     let wrong = [met.wrong.clone(), unlisted(&met, name)].concat();
     assert!(wrong.is_empty(), "{} wrong:\n{}", wrong.len(), wrong.join("\n"));
     assert!(met.named.len() >= least, "{name}: {} curves name their input", met.named.len());
@@ -411,7 +417,7 @@ fn unlisted(met: &Met, family: &str) -> Vec<String> {
     let missing = missing.map(|key| (key, "names no input and answer, and is not listed"));
     let used: BTreeSet<Key> = met.unnamed.iter().filter_map(of).collect();
     let stale = listed.keys().filter(|key| !used.contains(key));
-    let stale = stale.map(|key| (key, "is listed, and is not there or names its input"));
+    let stale = stale.map(|key| (key, "is listed, and not found or names its input"));
     let idle =
         met.named.difference(&met.held).map(|key| (key, "is never held to a direct solve that notices it"));
     let twice =

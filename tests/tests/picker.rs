@@ -28,7 +28,7 @@ const ROD: &str = "rigid-body/rod-on-shaft";
 fn several_problems_are_open_at_once() {
     let mut person = Person::at(100, 30).opens(FAN);
     assert!(!person.sees().contains("1/1"), "one is not counted:\n{}", person.sees());
-    assert!(person.types("b").sees().contains("no other problem is open"));
+    assert!(person.types("b").sees().contains("no other open problem"));
     person.types("<end><del>1500 rpm<enter>");
     // Nothing is asked, nothing is lost.
     let mut person = person.opens(PENDULUM).opens(ROD);
@@ -58,7 +58,7 @@ fn closing_asks_for_unsaved_work_alone() {
     assert!(person.sees().contains("1001 rpm"));
     person.types("B<down><enter>");
     assert!(person.sees().contains("List of analyses") && person.kept.is_empty(), "{}", person.sees());
-    assert!(person.types("b").sees().contains("no problem is open"));
+    assert!(person.types("b").sees().contains("no open problem"));
 }
 
 #[test]
@@ -69,7 +69,7 @@ fn the_end_names_everything_that_is_not_saved_and_saves_it() {
     let mut person = person.opens(PENDULUM).opens(ROD);
     person.types("b").types("b").types("<del>2.5 m<enter>q");
     let screen = person.sees();
-    assert!(screen.contains("2 problems have changes") && !person.has_left, "{screen}");
+    assert!(screen.contains("2 problems have unsaved") && !person.has_left, "{screen}");
     assert_eq!(person.kept.len(), 2);
     // One after the other, each under its name.
     person.types("<enter>");
@@ -96,7 +96,7 @@ fn nine_problems_are_open_at_most_and_none_with_work_in_it_gives_way() {
     assert!(person.sees().contains("9/9"), "{}", person.sees());
     person.types("T").types("number 9<enter>");
     let mut person = person.opens(PENDULUM);
-    assert!(person.sees().contains("9 problems are open already"), "{}", person.sees());
+    assert!(person.sees().contains("9 problems are open"), "{}", person.sees());
     assert_eq!(person.model.problems().iter().map(|bench| bench.title.len()).min(), Some(8));
 }
 
@@ -109,7 +109,7 @@ fn a_file_is_open_once() {
     person.types("<end>+");
     let mut person = person.opens(ROD).opens_file(&path);
     assert!(
-        person.sees().contains("open already") && person.sees().contains("1001 rpm"),
+        person.sees().contains("already open") && person.sees().contains("1001 rpm"),
         "{}",
         person.sees()
     );
@@ -185,13 +185,10 @@ fn the_state_of_an_exercise_stands_behind_the_longest_title() {
     let mut person = Person::at(80, 30);
     let lists = Row::Heading(Heading::Exercises);
     let at = person.model.picker.rows(person.model.contents()).iter().position(|row| *row == lists);
-    person
-        .types("<home>")
-        .types(&"<down>".repeat(at.expect("there are lists of exercises")))
-        .types("<right><down>");
+    person.types("<home>").types(&"<down>".repeat(at.expect("lists of exercises"))).types("<right><down>");
     let shown = person.sees();
     let exercises = shown.lines().filter(|line| line.contains("• ")).count();
-    assert!(exercises > 3 && shown.matches("not begun").count() == exercises, "{shown}");
+    assert!(exercises > 3 && shown.matches("not started").count() == exercises, "{shown}");
 }
 
 /// These screens are of these analyses, so that another analysis changes no snapshot. They are more than a few: the
@@ -358,7 +355,7 @@ fn pinned_and_recent_analyses_head_the_list() {
     let mut person = Person::at(80, 24).knows(&SOME);
     person.types("/heavy top<enter><esc><esc>*");
     let screen = person.sees();
-    let place = |text: &str| screen.find(text).unwrap_or_else(|| panic!("{text} is not there:\n{screen}"));
+    let place = |text: &str| screen.find(text).unwrap_or_else(|| panic!("{text} not found:\n{screen}"));
     assert!(place("Pinned") < place("Exercise lists"), "{screen}");
     assert_eq!(chosen(&person), Some("rigid-body/heavy-top"), "the cursor stays:\n{screen}");
     person.types("/rotunb<enter><esc><esc>");
@@ -377,7 +374,7 @@ fn exercises_are_opened_and_marked() {
     let mut person = Person::at(120, 36);
     let lists = Row::Heading(Heading::Exercises);
     let at = person.model.picker.rows(person.model.contents()).iter().position(|row| *row == lists);
-    person.types("<home>").types(&"<down>".repeat(at.expect("there are lists of exercises")));
+    person.types("<home>").types(&"<down>".repeat(at.expect("lists of exercises")));
     person.types("<right><down><right>");
     let screen = person.sees();
     assert!(screen.contains("Exercise lists") && screen.contains("0/"), "{screen}");
@@ -439,7 +436,7 @@ fn what_is_pinned_and_recent_outlives_the_session() {
     pty.types("<esc>");
     pty.expect("▾ Harmonic excitation");
     pty.types("*");
-    pty.expect("pinned: it stands at the head of the list");
+    pty.expect("pinned at the top of the list");
     pty.types("q");
     assert_eq!(pty.exit_code(), Some(0));
     let file = home.path().join("dalembert/remembered.toml");
@@ -460,7 +457,7 @@ fn what_is_pinned_and_recent_outlives_the_session() {
     // A broken file is told about, and left.
     fs::write(&file, "pinned = [").expect("written");
     let mut pty = started("vibration/large-pendulum");
-    pty.expect("cannot be understood");
+    pty.expect("cannot be read and is left");
     to_list(&mut pty);
     pty.types("*q");
     assert_eq!(pty.exit_code(), Some(0));
@@ -502,7 +499,7 @@ fn two_edited_problems_are_offered_after_a_crash() {
     let both = seen + &pty.screen();
     assert!(both.contains("1234 rpm") && both.contains("2.345 m"), "{both}");
     pty.types("q");
-    pty.expect("2 problems have changes");
+    pty.expect("2 problems have unsaved");
     pty.types("<down><enter>");
     assert_eq!(pty.exit_code(), Some(0));
     assert_eq!(fs::read_dir(home.path().join("dalembert/autosave")).expect("there").count(), 0);

@@ -108,7 +108,7 @@ fn a_file_that_changed_on_disk_is_never_written_over_unasked() {
     // Another problem under the same name asks too.
     let mut person = fan(80, 24);
     person.types("s<c-u>").types(path.to_str().expect("a readable path")).types("<enter>");
-    assert!(person.sees().contains("exists already"), "{}", person.sees());
+    assert!(person.sees().contains("already exists"), "{}", person.sees());
     assert!(fs::read_to_string(&path).expect("the file is there").contains("801 rpm"));
 }
 
@@ -143,7 +143,7 @@ fn what_cannot_be_opened_or_saved_says_why_and_asks_again() {
     let missing = folder.path().join("nothing.toml");
     let mut person = Person::at(80, 24);
     person.types("o").types(missing.to_str().expect("a readable path")).types("<enter>");
-    assert!(person.sees().contains("there is no file"), "{}", person.sees());
+    assert!(person.sees().contains("not found: check"), "{}", person.sees());
     person.types("<esc>o").types(folder.path().to_str().expect("a readable path")).types("<enter>");
     assert!(person.sees().contains("is a folder"), "{}", person.sees());
     person.types("<esc>");
@@ -175,13 +175,10 @@ fn the_title_of_a_file_cannot_drive_the_terminal() {
 fn every_question_shows_its_answers_however_small_the_screen() {
     let questions: [(Asked, &[&str]); 3] = [
         (|person| _ = person.types("<end>+q"), &["save and quit", "quit without", "stay"]),
-        (
-            |person| is_refused(person, FileError::Exists(DEEP.into())),
-            &["save under", "write over it", "stay"],
-        ),
+        (|person| is_refused(person, FileError::Exists(DEEP.into())), &["save under", "overwrite", "stay"]),
         (
             |person| is_refused(person, FileError::Changed(DEEP.into())),
-            &["save under", "read it again", "write over it", "stay"],
+            &["save under", "reload the file", "overwrite", "stay"],
         ),
     ];
     for (columns, rows) in [(20, 6), (30, 8), (40, 12), (80, 24)] {

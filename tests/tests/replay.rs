@@ -59,9 +59,9 @@ fn what_is_not_on_the_screen_fails_the_session() {
 fn what_cannot_be_played_is_bad_input() {
     let folder = tempfile::tempdir().expect("a folder");
     for (text, words) in [
-        ("screen wide\n", "line 1: `wide` is no size"),
+        ("screen wide\n", "line 1: `wide` is not a size"),
         ("open vibration/no-such-thing\n", "neither the id of an analysis nor a file"),
-        ("type q\ntype x\n", "line 2: the program has ended already"),
+        ("type q\ntype x\n", "line 2: the program has already ended"),
     ] {
         let output = played(&written(folder.path(), text), &[]);
         let error = String::from_utf8_lossy(&output.stderr).into_owned();
@@ -121,7 +121,7 @@ fn what_is_recorded_can_be_played() {
 
     // A file that is there is not written over, and that is said before the terminal is taken.
     for (name, words) in
-        [(path.clone(), "exists already"), (folder.path().join("none/x.replay"), "there is no such folder")]
+        [(path.clone(), "already exists"), (folder.path().join("none/x.replay"), "folder not found")]
     {
         let launch = Launch::new(pty::program()).argument("--record").argument(name.as_os_str());
         let mut pty = launch.start();
@@ -159,7 +159,7 @@ fn a_session_that_is_played_writes_nothing_and_does_not_end_the_program() {
             .argument("20")
             .env("XDG_STATE_HOME", folder.path().join("state").to_str().expect("a readable path"))
             .start();
-        pty.expect("the keys are yours");
+        pty.expect("keyboard is active again");
         assert!(pty.screen().contains("read-only") && pty.screen().contains("41 kg"), "{}", pty.screen());
         pty.types("q");
         assert_eq!(pty.exit_code(), Some(0), "{keys}");
@@ -179,7 +179,7 @@ fn a_session_is_played_in_the_terminal_until_a_key_takes_over() {
     };
     let mut pty = play(&session);
     pty.expect("4,5535");
-    pty.expect("as teclas são suas");
+    pty.expect("teclado está ativo");
     pty.types("L");
     pty.expect("4.5535");
 
@@ -189,7 +189,7 @@ fn a_session_is_played_in_the_terminal_until_a_key_takes_over() {
     // The Enter that ends the field comes a moment later.
     pty.idle(Duration::from_millis(400));
     pty.types("L");
-    pty.expect("a sessão parou");
+    pty.expect("reprodução interrompida");
     assert!(!pty.sees("Inputs", Duration::from_millis(300)), "the key that stops it does no more");
     pty.types("L");
     assert!(pty.sees("Inputs", PATIENCE), "{}", pty.screen());

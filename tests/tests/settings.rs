@@ -53,14 +53,14 @@ fn sentences_name_the_keys_that_hold() {
         "[keys]\ntoggle = \"f5\"\nenter = \"f6\"\nunit-of-answer = \"w\"\nright = \"f7\"\nreveal = \"f8\"\n";
     let mut person = fan_with(keys);
     for (typed, said) in [
-        ("<down><down>3", "F6 opens the choices"),
-        ("<tab>", "w another unit of an answer, D its digits"),
-        ("<f6>", "F6 loads a case in the sources"),
+        ("<down><down>3", "F6 opens the options"),
+        ("<tab>", "w unit of an answer, D digits"),
+        ("<f6>", "F6 loads a case in Sources"),
         ("[", "↑ ↓ choose a case; F6 loads it"),
         ("[[", "← F7 another answer"),
-        ("t", "F8 in the working reveals"),
-        ("[[[[", "covered; F8 in this tab"),
-        ("<esc><esc><f5>", "F5 marks an exercise"),
+        ("t", "F8 in Working reveals"),
+        ("[[[[", "hidden; F8 in this tab"),
+        ("<esc><esc><f5>", "F5 ticks an exercise"),
     ] {
         let screen = person.types(typed).sees();
         assert!(screen.contains(said), "{typed}: {said}\n{screen}");
@@ -137,7 +137,7 @@ fn what_is_edited_outside_is_here_and_can_be_taken_back() {
     assert!(broken.contains("cannot be read") && broken.contains("line 5"), "{broken}");
     assert!(person.types("<down><enter>").sees().contains("19.456"), "nothing is lost");
     person.editor = str::to_owned;
-    assert!(person.types("E").sees().contains("nothing was changed"));
+    assert!(person.types("E").sees().contains("no changes"));
 }
 
 fn started(launch: Launch) -> Pty {
@@ -177,7 +177,7 @@ fn broken_settings_are_named_by_line_and_the_rest_holds() {
     let home = home_with("theme = \"drak\"\n[keys]\nnext-tab = \"f6\"\nquit = \"Q\"\nsave = \"esc\"\n");
     let mut pty = started(configured(&home));
     pty.expect("line 1: `theme` cannot be `drak`; did you mean `dark`?");
-    pty.expect("line 5: `esc` always means `back`");
+    pty.expect("line 5: `esc` is reserved for `back`");
     pty.types("<esc>");
     pty.expect("[ F6 tabs");
     pty.types("Q");
@@ -195,7 +195,7 @@ fn the_mouse_is_taken_and_left_by_the_terminal_s_own_sequences() {
     pty.send(format!("\x1b[<0;{column};{}M\x1b[<0;{column};{}m", row + 1, row + 1).as_bytes());
     pty.expect("symbols");
     pty.types(":mouse<enter>");
-    pty.expect("the terminal's own again");
+    pty.expect("mouse left to the terminal");
     assert!(String::from_utf8_lossy(&pty.raw()).contains("\x1b[?1000l"));
     pty.types("q");
     assert_eq!((pty.exit_code(), pty.leftovers()), (Some(0), vec![]));
@@ -249,7 +249,7 @@ fn the_problem_is_edited_in_the_person_s_editor() {
     let mut pty = opening(&path, "", Launch::new(pty::program()).env("EDITOR", &command));
     pty.types("E");
     pty.expect("1500 rpm");
-    pty.expect("is read again");
+    pty.expect("reloaded");
     assert!(String::from_utf8_lossy(&pty.raw()).contains("the editor is here"));
     assert!(
         fs::read_to_string(&path).is_ok_and(|text| text.contains("1500 rpm") && text.contains("# its plate"))
@@ -270,7 +270,7 @@ fn what_the_editor_spoils_is_named_and_edited_again() {
     pty.expect("cannot be read");
     pty.expect("inputz");
     pty.types("<enter>");
-    pty.expect("nothing was changed");
+    pty.expect("no changes");
     pty.types("q");
     assert_eq!(pty.exit_code(), Some(0));
 }
@@ -280,7 +280,7 @@ fn an_editor_that_fails_is_named() {
     let mut pty = started(Launch::new(pty::program()).env("VISUAL", "false"));
     pty.expect("19.456 mm");
     pty.types("E");
-    pty.expect("`false` did not end well");
+    pty.expect("`false` failed");
     pty.types("<c-c>");
     assert_eq!(pty.exit_code(), Some(0));
 }
@@ -320,7 +320,7 @@ fn an_interrupt_in_the_editor_is_the_editor_s() {
     pty.types("E");
     pty.expect("waiting");
     pty.types("<c-c>");
-    pty.expect("did not end well");
+    pty.expect("` failed: set");
     pty.types("q");
     assert_eq!((pty.exit_code(), pty.leftovers()), (Some(0), vec![]));
 }
@@ -335,11 +335,11 @@ fn a_file_that_another_program_changes_is_read_again_or_asked_about() {
         fs::write(&path, text.replace(from, to)).expect("written");
     };
     change("1000 rpm", "1200 rpm");
-    pty.expect("is read again");
+    pty.expect("reloaded");
     pty.expect("1200 rpm");
     pty.types("<end><del>900 rpm<enter>");
     change("40 kg", "50 kg");
-    pty.expect("keep what is here");
+    pty.expect("keep this version");
     pty.types("<down><enter>");
     pty.expect("50 kg");
     pty.expect("1200 rpm");
@@ -374,7 +374,7 @@ fn read_only_writes_nothing_at_all() {
     pty.expect("900 rpm");
     for keys in ["s", "S", "X", "E"] {
         pty.types(keys);
-        pty.expect("nothing is saved: the program was started read-only");
+        pty.expect("not saved: the program is read-only");
         pty.types("<esc><tab><tab>");
         pty.expect("? help");
     }
@@ -396,7 +396,7 @@ fn read_only_writes_nothing_at_all() {
 fn an_action_without_a_key_is_reached_by_its_name() {
     let mut person = fan(90, 30);
     person.types(":mouse<enter>");
-    assert!(person.model.mouse && person.sees().contains("needs Shift"), "{}", person.sees());
+    assert!(person.model.mouse && person.sees().contains("with Shift"), "{}", person.sees());
     let unkeyed =
         |action| Place::Form.bindings().any(|binding| binding.action == action && binding.keys.is_empty());
     assert!(unkeyed(Action::Mouse) && unkeyed(Action::Theme));
@@ -430,9 +430,9 @@ fn info_names_every_path_and_what_is_not_taken() {
     };
     let info = run("info").split_whitespace().collect::<Vec<_>>().join(" ");
     let home = home.path().display();
-    assert!(info.contains(&format!("{home}/dalembert/settings.toml (is there)")), "{info}");
-    assert!(info.contains(&format!("{home}/state/dalembert/autosave (is not there)")), "{info}");
-    assert!(info.contains("line 1: there is no setting `thme`; did you mean `theme`?"), "{info}");
+    assert!(info.contains(&format!("{home}/dalembert/settings.toml (found)")), "{info}");
+    assert!(info.contains(&format!("{home}/state/dalembert/autosave (not found)")), "{info}");
+    assert!(info.contains("line 1: unknown setting `thme`; did you mean `theme`?"), "{info}");
     let file = run("settings");
     assert_eq!(settings::parse(&file), (settings::Settings::default(), Vec::new()), "{file}");
 }
@@ -441,10 +441,10 @@ fn info_names_every_path_and_what_is_not_taken() {
 fn a_key_that_does_nothing_here_says_why() {
     let mut person = fan(90, 30);
     for (keys, said) in [
-        ("<home><space>", "this is no yes or no"),
-        ("a", "there is no list here"),
-        ("<tab><enter>", "there is nothing to open here"),
-        ("p", "no film is on the screen"),
+        ("<home><space>", "Space has no effect on this field"),
+        ("a", "not in a list"),
+        ("<tab><enter>", "nothing to open here"),
+        ("p", "no animation on the screen"),
     ] {
         assert!(person.types(keys).sees().contains(said), "{keys}: {}", person.sees());
     }

@@ -18,8 +18,8 @@ use dalembert_tests::person::Person;
 use dalembert_tui::{
     Effect, Msg,
     ask::Question,
-    bench::Tab,
     keys::{Place, notation::keys_of},
+    tab::Tab,
     update,
 };
 use insta::assert_snapshot;
@@ -160,7 +160,7 @@ fn an_answer_that_does_not_change_is_said_to_be_so() {
     };
     let found = study::study(fan.entry, &fan.record, &plan, &Stop::new()).unwrap();
     let said: Vec<String> = found.says.iter().map(dalembert_core::Text::english).collect();
-    assert_eq!(said, ["Stiffness of the support does not change with Mass of the machine"]);
+    assert_eq!(said, ["Stiffness of the support does not depend on Mass of the machine"]);
     assert!(found.numbers.is_empty());
 }
 
@@ -172,7 +172,7 @@ fn a_family_is_of_another_input() {
     let offered: Vec<String> = (0..12)
         .map(|_| {
             let screen = person.types("<enter>").sees();
-            screen.lines().find(|line| line.contains("A curve for each")).unwrap_or_default().to_owned()
+            screen.lines().find(|line| line.contains("Parameter")).unwrap_or_default().to_owned()
         })
         .collect();
     assert!(offered.iter().any(|line| line.contains("Unbalance")), "{offered:#?}");
@@ -197,7 +197,7 @@ fn a_value_that_is_found_gives_the_wanted_answer() {
     let nowhere = Plan::Find { input: "speed".into(), range, answer: "amplitude".into(), wanted: 1.0 };
     let found = study::study(fan.entry, &fan.record, &nowhere, &Stop::new()).unwrap();
     assert!(
-        found.numbers.is_empty() && found.says[0].english().contains("no value in the range"),
+        found.numbers.is_empty() && found.says[0].english().contains("target not reached in the range"),
         "{:?}",
         found.says
     );
@@ -310,22 +310,25 @@ fn escape_stops_what_is_asked_and_turning_to_it_asks_again() {
         person.types(keys);
         assert!(matches!(presses(&mut person, change)[..], [Effect::Ask(_)]), "{tab:?}");
         let screen = person.sees();
-        assert!(screen.contains("solving; Esc stops it"), "{screen}");
-        assert!(screen.matches("solving").count() > 1 || screen.contains("looking for a slip"), "{screen}");
+        assert!(screen.contains("solving; Esc cancels"), "{screen}");
+        assert!(
+            screen.matches("solving").count() > 1 || screen.contains("searching for a common error"),
+            "{screen}"
+        );
         // What is typed ends first.
         if person.model.place() == Place::Cell {
             assert!(matches!(presses(&mut person, "<esc>")[..], []), "{tab:?}");
-            assert!(person.sees().contains("solving; Esc stops it"), "{}", person.sees());
+            assert!(person.sees().contains("solving; Esc cancels"), "{}", person.sees());
         }
         assert!(matches!(presses(&mut person, "<esc>")[..], [Effect::Cancel]), "{tab:?}");
         let screen = person.sees();
-        assert!(screen.contains(&format!("{} is stopped", tab.name())), "{screen}");
-        assert!(!screen.contains("solving") && !screen.contains("looking for"), "{screen}");
-        assert!(screen.contains(if tab == Tab::Check { "not right" } else { " stopped " }), "{screen}");
+        assert!(screen.contains(&format!("{} cancelled", tab.name())), "{screen}");
+        assert!(!screen.contains("solving") && !screen.contains("searching for"), "{screen}");
+        assert!(screen.contains(if tab == Tab::Check { "incorrect" } else { " cancelled" }), "{screen}");
         person.types("[]");
         let screen = person.sees();
-        assert!(!screen.contains("stopped"), "{screen}");
-        let found = ["no slip we know", "all tolerances together", "as it stands", "wanted"];
+        assert!(!screen.contains("cancelled"), "{screen}");
+        let found = ["No common error", "all tolerances:", "current value", "target"];
         assert!(found.iter().any(|words| screen.contains(words)), "{screen}");
         // The next one goes back to the inputs.
         person.types("<esc>");
@@ -338,15 +341,15 @@ fn what_another_tab_waited_for_is_asked_again() {
     let mut person = at(Person::at(120, 36).opens(FAN), Tab::Sensitivity);
     presses(&mut person, "<right>");
     person.types("]");
-    assert!(person.sees().contains("as it stands"), "{}", person.sees());
+    assert!(person.sees().contains("current value"), "{}", person.sees());
     person.types("[");
-    assert!(person.sees().contains("all tolerances together"), "{}", person.sees());
+    assert!(person.sees().contains("all tolerances:"), "{}", person.sees());
     // Of a problem that was put aside as well.
     presses(&mut person, "<right>");
     let mut person = person.opens("vibration/free-vibration");
     person.types("b");
     let screen = person.sees();
-    assert!(screen.contains("all tolerances together") && !screen.contains("solving"), "{screen}");
+    assert!(screen.contains("all tolerances:") && !screen.contains("solving"), "{screen}");
 }
 
 #[test]
@@ -438,7 +441,7 @@ fn cell(person: &mut Person, name: &str) -> String {
 
 #[test]
 fn sensitivity_and_study_begin_with_the_input_under_the_cursor() {
-    let about = |person: &mut Person| (cell(person, "Over the input"), cell(person, "Answer"));
+    let about = |person: &mut Person| (cell(person, "Variable"), cell(person, "Answer"));
     let pair = |input: &str, answer: &str| (input.to_owned(), answer.to_owned());
     // The stiffness of the support does not rest on the mass that it carries, nor does the natural frequency on the
     // speed.
@@ -486,11 +489,11 @@ fn a_study_of_an_input_that_is_zero_has_a_range() {
     let mut person = Person::at(120, 36).opens("vibration/base-excitation");
     person.types("]]]]]]<tab>").types(&"<down>".repeat(7));
     for _ in 0..12 {
-        if cell(&mut person, "A curve for each").contains("Damping ratio") {
+        if cell(&mut person, "Parameter").contains("Damping ratio") {
             break;
         }
         person.types("<right>");
     }
-    assert_eq!(cell(&mut person, "Its values"), "0; 0.5; 1.5", "{}", person.sees());
+    assert_eq!(cell(&mut person, "Parameter values"), "0; 0.5; 1.5", "{}", person.sees());
     assert!(!person.sees().contains("no answer"), "{}", person.sees());
 }

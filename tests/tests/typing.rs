@@ -62,17 +62,17 @@ fn a_number_alone_keeps_the_unit_of_its_field() {
     }
     let mut person = fan();
     let screen = person.types("<end>12").sees();
-    assert!(screen.contains("= 12 rpm · a number alone: rpm"), "{screen}");
+    assert!(screen.contains("= 12 rpm · default unit rpm"), "{screen}");
     assert!(person.types("<esc>").pastes("1200").sees().contains("1200 rpm"));
     let mut person = Person::in_portuguese(100, 30).opens(FAN);
     let screen = person.types("<end>12").sees();
-    assert!(screen.contains("= 12 rpm · um número sozinho: rpm"), "{screen}");
+    assert!(screen.contains("= 12 rpm · unidade padrão rpm"), "{screen}");
 }
 
 #[test]
 fn a_narrow_screen_says_the_unit_of_a_field_whatever_else_it_cuts() {
     let mut person = Person::at(60, 24).opens(FAN);
-    assert!(person.types("<end><up>").sees().contains("a number alone: mm"), "{}", person.sees());
+    assert!(person.types("<end><up>").sees().contains("default unit mm"), "{}", person.sees());
 }
 
 #[test]
@@ -80,9 +80,9 @@ fn the_line_below_speaks_of_the_cell_that_is_typed_in() {
     let mut person = fan();
     person.types("]]]]<tab><home>");
     let screen = person.types("4").sees();
-    assert!(screen.contains("a number alone: kN/m · Stiffness of the support"), "{screen}");
+    assert!(screen.contains("default unit kN/m · Stiffness of the support"), "{screen}");
     let screen = person.types("<esc>]]<home><down><down><down>5").sees();
-    assert!(screen.contains("a number alone: ") && screen.contains(" · Range from"), "{screen}");
+    assert!(screen.contains("default unit ") && screen.contains(" · Range from"), "{screen}");
     assert!(!screen.contains("· Speed of the machine"), "{screen}");
     // A vector has a form.
     let mut seen = false;
@@ -97,7 +97,7 @@ fn the_line_below_speaks_of_the_cell_that_is_typed_in() {
         });
         let Some(at) = at else { continue };
         let bench = person.model.bench.as_mut().expect("open");
-        bench.tab = dalembert_tui::bench::Tab::Check;
+        bench.tab = dalembert_tui::tab::Tab::Check;
         bench.focus = dalembert_tui::bench::Focus::Pane;
         person.types("<home>").types(&"<down>".repeat(at)).types("(");
         let screen = person.sees();
@@ -177,7 +177,7 @@ fn an_unknown_unit_is_told_of_one_that_fits() {
 #[test]
 fn the_help_of_the_list_says_what_its_marks_mean() {
     let screen = Person::at(100, 60).types("?<end>").sees();
-    assert!(screen.contains("○ ") && screen.contains("≠ a printed answer is disputed"), "{screen}");
+    assert!(screen.contains("○ ") && screen.contains("≠ a published value is disputed"), "{screen}");
     let screen = Person::in_portuguese(100, 60).types("?<end>").sees();
-    assert!(screen.contains("≠ uma resposta impressa é contestada"), "{screen}");
+    assert!(screen.contains("≠ um valor publicado é contestado"), "{screen}");
 }

@@ -33,7 +33,7 @@ fn fan() -> Plot {
     let curve = (0..=400).map(|n| 0.65 * f64::from(n)).map(|speed| (speed, amplitude(speed))).collect();
     let speed = 1000.0 * std::f64::consts::TAU / 60.0;
     Plot::new(
-        "Steady amplitude against speed",
+        "Steady-state amplitude against speed",
         Axis::linear("speed", "rpm"),
         Axis::linear("amplitude", "mm"),
         vec![Series::line("X", curve)],
@@ -447,7 +447,7 @@ fn doubts_and_faults_are_not_passed_over() {
     });
     let shown = text(&results::lines(&solution, &UNICODE, &Locale::english(), 70));
     let place = |words: &str| shown.find(words).unwrap_or_else(|| panic!("{words} in\n{shown}"));
-    assert!(place("✗ A fault of the program") < place("k is in m·kg·s⁻²"));
+    assert!(place("✗ Internal error") < place("k is in m·kg·s⁻²"));
     assert!(place("k is in m·kg·s⁻²") < place("Stiffness of the support"));
     assert!(place("≤ 113.4 mm") < place("· the first critical speed"));
     assert!(
@@ -460,14 +460,14 @@ fn doubts_and_faults_are_not_passed_over() {
         &Locale::english(),
         70,
     );
-    assert_eq!(stale[0].to_string(), "! of the last valid inputs");
+    assert_eq!(stale[0].to_string(), "! results for the previous, complete inputs");
 }
 
 #[test]
 fn a_refusal_is_said_in_words() {
     let error = SolveError::Refused(Refusal::NoAnswer("there is no steady state".into()));
     let shown = text(&results::refusal(None, &error, &UNICODE, &Locale::english(), 40));
-    assert_eq!(shown, "There is no answer\n\nthere is no steady state");
+    assert_eq!(shown, "No solution\n\nthere is no steady state");
     let (entry, _) = solved();
     let mut draft = cases::first(entry).unwrap().draft;
     if let Draft::Group(fields) = &mut draft {
@@ -481,10 +481,10 @@ fn a_refusal_is_said_in_words() {
 #[test]
 fn cases_are_shown_with_their_verdicts() {
     let (entry, _) = solved();
-    let cases: Vec<sources::Judged> = cases::cases(entry)
+    let cases: Vec<sources::CheckedCase> = cases::cases(entry)
         .unwrap()
         .into_iter()
-        .map(|case| sources::Judged { verdicts: Some(case.verify(entry)), case })
+        .map(|case| sources::CheckedCase { verdicts: Some(case.verify(entry)), case })
         .collect();
     let page = sources::lines(entry, &cases, Some(0), Some(&[]), &UNICODE, &Locale::english(), 90);
     let shown = text(&page.lines);
@@ -501,7 +501,7 @@ fn cases_are_shown_with_their_verdicts() {
             text(&page.lines)
         );
     }
-    let waiting = sources::Judged { verdicts: None, ..cases[0].clone() };
+    let waiting = sources::CheckedCase { verdicts: None, ..cases[0].clone() };
     let shown =
         text(&sources::lines(entry, &[waiting], None, Some(&[]), &UNICODE, &Locale::english(), 90).lines);
     assert!(shown.contains("not solved yet"));
@@ -544,7 +544,7 @@ fn every_block_of_a_table_names_its_rows() {
         title: "".into(),
         columns: [
             vec![names],
-            ["Greatest amplitude", "Least amplitude", "Mean amplitude"].map(column).into(),
+            ["Maximum amplitude", "Minimum amplitude", "Mean amplitude"].map(column).into(),
         ]
         .concat(),
         rows: vec![vec!["Newton's second law".into(), 1.0.into(), 2.0.into(), 3.0.into()]],
@@ -558,7 +558,7 @@ fn every_block_of_a_table_names_its_rows() {
         let named = shown.lines().filter(|line| line.starts_with("Newton's se")).count();
         assert_eq!(named, headings, "{width}:\n{shown}");
         assert!(lines.iter().all(|line| line.width() <= width.into()), "{width}:\n{shown}");
-        for heading in ["Greatest", "Least", "Mean"] {
+        for heading in ["Maximum", "Minimum", "Mean"] {
             assert!(shown.contains(heading), "{heading} at {width}:\n{shown}");
         }
     }
@@ -611,7 +611,7 @@ fn verdicts_are_written_as_everything_else_is() {
     let case = cases::first(entry).unwrap();
     let mut verdicts = case.verify(entry).unwrap();
     (verdicts[0].printed, verdicts[0].ours) = ("-1.5e-3 m s^-1".into(), "−1.5004 m/s".into());
-    let judged = [sources::Judged { verdicts: Some(Ok(verdicts)), case }];
+    let judged = [sources::CheckedCase { verdicts: Some(Ok(verdicts)), case }];
     let shown = |look: &Look, locale: &Locale| {
         text(&sources::lines(entry, &judged, None, Some(&solution.answers), look, locale, 100).lines)
     };
@@ -626,7 +626,7 @@ fn verdicts_are_written_as_everything_else_is() {
 
 #[test]
 fn long_titles_go_on_in_a_second_line() {
-    let title = "Steady amplitude of the machine against the speed of its motor";
+    let title = "Steady-state amplitude of the machine against the speed of its motor";
     let plot = Plot { title: title.into(), ..fan() };
     let drawing = Drawing { title: title.into(), shapes: vec![DrawnShape::Pin((0.0, 0.0))] };
     let whole = |screen: &str| {
@@ -670,28 +670,31 @@ fn the_panes_speak_portuguese() {
     });
     let shown =
         text(&results::stale(results::lines(&solution, &UNICODE, &locale, 90), &UNICODE, &locale, 90));
-    for words in ["! dos últimos dados válidos", "✗ Falha do programa", "outro método difere em 3×10⁻⁴"]
-    {
+    for words in [
+        "! resultados dos dados anteriores, completos",
+        "✗ Erro interno do programa",
+        "outro método difere em 3×10⁻⁴",
+    ] {
         assert!(shown.contains(words), "{words} in\n{shown}");
     }
     let error = SolveError::Refused(Refusal::NoAnswer("k".into()));
-    assert!(text(&results::refusal(None, &error, &UNICODE, &locale, 40)).starts_with("Não há resposta"));
+    assert!(text(&results::refusal(None, &error, &UNICODE, &locale, 40)).starts_with("Sem solução"));
     let nothing = Plot::new("", Axis::linear("", ""), Axis::linear("", ""), Vec::new());
     assert!(drawn(&nothing, &State::default(), &UNICODE, &locale, (40, 5)).contains("nada a desenhar"));
     for words in [
         "verified by a second method",
         "verified by a second method (relative difference {difference})",
-        "Not every input can be read",
-        "The solution was stopped.",
+        "Some inputs cannot be read",
+        "Solution cancelled.",
         "Published cases",
         "Books and notes",
         "not solved yet",
         "published",
         "closed form",
-        "by another program",
-        "our own earlier value",
-        "printed",
-        "ours",
+        "other program",
+        "regression value",
+        "published",
+        "computed",
         "agreed",
         "disputed",
         "differing",

@@ -1,7 +1,7 @@
 # What the core says: inputs, files, answers.
 
 ## Reading quantities
-found-cannot-stand-here-expected-is-expected = `{ $found }` não pode estar aqui: espera-se { $expected }
+unexpected-found-expected-expected = `{ $found }` inesperado: espera-se { $expected }
 symbol-must-stand-after-after-write-a-single-value-for-example-example = `{ $symbol }` deve vir depois de { $after }: escreva um único valor, por exemplo { $example }
 text-divides-by-zero-write-another-divisor = `{ $text }` divide por zero: escreva outro divisor
 text-has-a-unit-with-some-components-only-write-one-unit-after-the-brackets-as-in-300-200-m-s = `{ $text }` tem unidade só em algumas componentes: escreva uma unidade depois dos parênteses, como em `(300; 200) m/s`
@@ -9,15 +9,15 @@ text-has-two-decimal-marks-write-first-or-second = `{ $text }` tem dois sinais d
 text-has-a-gap-between-digits-write-first-or-second = `{ $text }` tem um espaço entre algarismos: escreva `{ $first }` ou `{ $second }`
 text-can-be-read-in-two-ways-write-first-or-second = `{ $text }` pode ser lido de dois modos: escreva `{ $first }` ou `{ $second }`
 text-is-neither-yes-nor-no = `{ $text }` não é nem sim nem não
-text-is-no-exponent-of-a-unit-write-a-whole-number-other-than-0-from-limit-to-limit = `{ $text }` não é expoente de uma unidade: escreva um número inteiro diferente de 0, de -{ $limit } a { $limit }
-text-is-not-a-count-write-a-whole-number-for-example-4 = `{ $text }` não é uma contagem: escreva um número inteiro, por exemplo 4
+unexpected-text-after-the-unit-an-exponent-is-an-integer-other-than-0-from-limit-to-limit = `{ $text }` inesperado depois da unidade: um expoente é um inteiro diferente de 0, de -{ $limit } a { $limit }
+text-is-not-a-count-enter-an-integer-for-example-4 = `{ $text }` não é uma contagem: digite um inteiro, por exemplo 4
 text-is-not-a-number-write-digits-for-example-example = `{ $text }` não é um número: escreva algarismos, por exemplo { $example }
 text-is-not-a-real-number-write-a-root-of-a-positive-number = `{ $text }` não é um número real: escreva a raiz de um número positivo
 text-is-too-close-to-zero-write-a-number-above-1e-300 = `{ $text }` está perto demais de zero: escreva um número acima de 1e-300
 text-is-too-large-write-a-number-below-1e300 = `{ $text }` é grande demais: escreva um número abaixo de 1e300
-text-is-found-expected-is-expected-for-example-in-example = `{ $text }` é { $found }; espera-se { $expected }, por exemplo em { $example }
-text-is-found-expected-is-expected-for-example-in-example-hint = `{ $text }` é { $found }; espera-se { $expected }, por exemplo em { $example }; { $hint }
-text-stops-too-early-expected-is-expected = `{ $text }` termina cedo demais: espera-se { $expected }
+text-is-found-expected-expected-e-g-in-example = `{ $text }` é { $found }; espera-se { $expected }, por exemplo em { $example }
+text-is-found-expected-expected-e-g-in-example-hint = `{ $text }` é { $found }; espera-se { $expected }, por exemplo em { $example }; { $hint }
+text-is-incomplete-expected-expected = `{ $text }` está incompleto: espera-se { $expected }
 a-level = um nível
 a-number-without-a-unit = um número sem unidade
 a-quantity-in-unit = uma grandeza em { $unit }
@@ -25,13 +25,13 @@ an-amplitude-in-unit = uma amplitude em { $unit }
 a-value-is-needed-for-example-example = falta um valor, por exemplo { $example }
 a-mass-is-weight-g-write-weight-9-81-kg = massa é peso / g: escreva `{ $weight }/9.81 kg`
 a-weight-is-mass-g-write-9-81-mass-n-or-mass-kgf = peso é massa × g: escreva `9.81*{ $mass } N` ou `{ $mass } kgf`
-brackets-roots-powers-and-signs-nest-more-than-limit-deep-write-a-simpler-expression = parênteses, raízes, potências e sinais se encaixam mais de { $limit } vezes: escreva uma expressão mais simples
+more-than-limit-nested-brackets-roots-powers-and-signs-write-a-simpler-expression = mais de { $limit } níveis de parênteses, raízes, potências e sinais: escreva uma expressão mais simples
 g-is-the-gram-write-number-g0-for-multiples-of-standard-gravity = g é o grama: escreva `{ $number } g0` para múltiplos da gravidade padrão
 lb-is-a-mass-write-number-lbf = lb é uma massa: escreva `{ $number } lbf`
 peak-peak-to-peak-and-rms-belong-to-amplitudes-write-the-unit-alone = pico, pico a pico e rms são de amplitudes: escreva só a unidade
 the-marks-and-are-minutes-and-seconds-of-arc-write-text = os sinais ' e " são minutos e segundos de arco: escreva `{ $text }`
 the-square-root-of-dim-is-not-a-unit-write-a-root-of-an-even-power-such-as-sqrt-4-m-2 = a raiz quadrada de { $dim } não é uma unidade: escreva a raiz de uma potência par, como sqrt(4 m^2)
-the-text-holds-the-control-or-invisible-character-code-delete-it = o texto contém o caractere de controle ou invisível { $code }: apague-o
+the-text-contains-the-control-or-invisible-character-code-delete-it = o texto contém o caractere de controle ou invisível { $code }: apague-o
 the-text-is-longer-than-limit-characters-write-a-single-value = o texto passa de { $limit } caracteres: escreva um único valor
 unknown-unit-symbol-did-you-mean-nearest = unidade desconhecida `{ $symbol }`: seria { $nearest }?
 unknown-unit-symbol-write-a-unit-such-as-m-kg-s-n-pa-or-rpm = unidade desconhecida `{ $symbol }`: escreva uma unidade como m, kg, s, N, Pa ou rpm
@@ -48,14 +48,14 @@ must-be-above-limit-you-wrote-text = deve ser maior que { $limit }; foi escrito 
 must-be-limit-or-more-you-wrote-text = deve ser { $limit } ou mais; foi escrito { $text }
 must-be-below-limit-you-wrote-text = deve ser menor que { $limit }; foi escrito { $text }
 must-be-limit-or-less-you-wrote-text = deve ser { $limit } ou menos; foi escrito { $text }
-count-is-outside-the-limits-write-a-whole-number-from-min-to-max = { $count } está fora dos limites; escreva um número inteiro de { $min } a { $max }
+count-is-outside-the-limits-enter-an-integer-from-min-to-max = { $count } está fora dos limites; digite um inteiro de { $min } a { $max }
 at-least-one-row-is-needed = é necessária ao menos uma linha
 at-least-min-rows-are-needed-so-far-have = são necessárias ao menos { $min } linhas; até agora: { $have }
 row-first-is-called-name-too-and-an-input-refers-to-that-name-give-each-its-own = a linha { $first } também se chama `{ $name }`, e uma entrada se refere a esse nome: dê a cada uma o seu
-there-is-one-row-the-next-is-next = há uma linha; a próxima é { $next }
+there-is-only-one-row-the-next-is-next = há só uma linha; a próxima é { $next }
 did-you-mean-text = seria `{ $text }`?
 the-character-code-cannot-be-typed-here-remove-it = o caractere { $code } não pode ser digitado aqui; remova-o
-this-text-has-have-characters-at-most-most-are-read = este texto tem { $have } caracteres; são lidos no máximo { $most }
+have-characters-at-most-most-are-accepted = { $have } caracteres: são aceitos no máximo { $most }
 
 ## Fields and paths
 is-missing = está faltando
@@ -74,7 +74,7 @@ one-value-is-needed-here = aqui é necessário um único valor
 one-alternative-is-needed-here-known = aqui é necessária uma das alternativas: { $known }
 holds-several-inputs-name-one-of-them-as-in-masses-1-radius = contém vários dados; nomeie um deles, como em masses[1].radius
 is-a-list-name-a-row-as-in-masses-1 = é uma lista; nomeie uma linha, como em masses[1]
-is-not-part-of-the-problem-as-it-stands = não faz parte do problema como está
+is-not-an-input-of-the-problem-with-its-present-options = não é um dado do problema com as opções atuais
 is-not-a-quantity-of-this-problem-so-it-cannot-be-varied = não é uma grandeza deste problema, portanto não pode ser variada
 is-not-a-number-among-the-answers = não é um número entre as respostas
 a-name-is-missing-write-a-path-such-as-masses-1-radius = falta um nome; escreva um caminho como masses[1].radius
@@ -93,12 +93,12 @@ the-heading-gives-unit-for-column-write-a-unit-like-own = o cabeçalho dá { $un
 no-row-of-numbers-follows-the-heading-in-line-line-write-one-row-a-line-columns = nenhuma linha de números segue o cabeçalho na linha { $line }; escreva uma linha de dados por linha: { $columns }
 the-table-is-empty-write-one-row-a-line-columns = a tabela está vazia; escreva uma linha de dados por linha: { $columns }
 line-line-and-more-more-why = linha { $line } e mais { $more }: { $why }
-there-are-have-columns-set-apart-by-separator-instead-of-want-columns = há { $have } colunas, separadas por { $separator }, em vez de { $want }: { $columns }
-there-is-one-column-instead-of-want-columns-set-them-apart-by-semicolons-tabs-blanks-or-commas = há uma coluna em vez de { $want }: { $columns }; separe-as por ponto e vírgula, tabulações, espaços ou vírgulas
+have-columns-separated-by-separator-instead-of-want-columns = { $have } colunas separadas por { $separator } em vez de { $want }: { $columns }
+one-column-instead-of-want-columns-separate-them-by-semicolons-tabs-spaces-or-commas = uma coluna em vez de { $want }: { $columns }; separe-as por ponto e vírgula, tabulações, espaços ou vírgulas
 column-after = { $column }; { $after }
 semicolons = ponto e vírgula
-tabulators = tabulações
 blanks = espaços
+spaces = espaços
 commas = vírgulas
 this-table-has-have-bytes-at-most-most-are-read = esta tabela tem { $have } bytes; são lidos no máximo { $most }
 
@@ -109,11 +109,11 @@ the-analysis-is-not-named-write-analysis-family-name-at-the-top = a análise nã
 the-analysis-must-be-a-text-such-as-vibration-rotating-unbalance = a análise deve ser um texto como "vibration/rotating-unbalance"
 there-is-no-analysis-id-did-you-mean-near = não há análise `{ $id }`; seria `{ $near }`?
 there-is-no-analysis-id-see-dalembert-list = não há análise `{ $id }`; veja `dalembert list`
-this-file-is-of-format-found-this-program-reads-formats-up-to-known-update-it = este arquivo é do formato { $found }; este programa lê formatos até { $known }: atualize-o
+this-file-has-format-found-this-program-reads-formats-up-to-known-update-the-program = este arquivo tem o formato { $found }; este programa lê formatos até { $known }: atualize o programa
 this-is-not-a-format-write-format-known = isto não é um formato; escreva `format = { $known }`
-path-is-left-out-value-the-default-of-files-without-format-2 = { $path } não foi informado: { $value }, o padrão dos arquivos sem `format = 2`
-the-key-key-stands-here-a-second-time-keep-one-of-the-two = a chave `{ $key }` aparece aqui pela segunda vez: mantenha uma das duas
-the-file-nests-too-deeply-to-be-a-problem-a-problem-has-a-handful-of-levels = o arquivo tem níveis demais para ser um problema: um problema tem poucos níveis
+path-omitted-value-assumed-the-default-of-files-without-format-2 = { $path } omitido: supõe-se { $value }, o padrão de arquivos sem `format = 2`
+duplicate-key-key-keep-one-of-the-two = chave repetida `{ $key }`: mantenha uma das duas
+the-file-is-nested-too-deeply-to-be-a-problem-file = níveis de aninhamento demais para um arquivo de problema
 a-unit-must-be-a-text-such-as-mm = uma unidade deve ser um texto como "mm"
 
 ## Answers
@@ -171,10 +171,10 @@ a-component-along-i-j-or-k = uma componente ao longo de i, j ou k
 each-axis-once = cada eixo uma só vez
 
 ## Universal files
-stands-between-datasets = está entre conjuntos de dados
+is-between-datasets = está entre conjuntos de dados
 a-dataset-begins-and-the-file-ends = um conjunto de dados começa e o arquivo termina
-dataset-number-is-no-function = o conjunto de dados { $number } não é uma função
-this-is-no-number-of-a-dataset = isto não é o número de um conjunto de dados
+dataset-number-is-not-a-function = o conjunto de dados { $number } não é uma função
+not-a-dataset-number = isto não é um número de conjunto de dados
 the-function-ends-before-its-values = a função termina antes dos seus valores
 the-form-of-the-values-cannot-be-read = a forma dos valores não pode ser lida
 values-of-type-found-are-not-read-types-2-4-5-and-6-are = valores do tipo { $found } não são lidos; os tipos 2, 4, 5 e 6 são
@@ -182,12 +182,12 @@ count-points-are-announced-1-to-most-are-read = são anunciados { $count } ponto
 the-abscissas-are-evenly-spaced-without-a-step = as abscissas são igualmente espaçadas sem um passo
 point-n-of-the-function-is-not-finite = o ponto { $n } da função não é finito
 the-file-ends-within-the-function = o arquivo termina dentro da função
-line-is-no-row-of-numbers = `{ $line }` não é uma linha de números
-the-function-has-have-numbers-of-wanted-announced = a função tem { $have } números dos { $wanted } anunciados
+line-is-not-a-row-of-numbers = `{ $line }` não é uma linha de números
+the-function-has-have-numbers-its-header-announces-wanted = a função tem { $have } números; seu cabeçalho anuncia { $wanted }
 byte-order-order-is-not-read-1-and-2-are = a ordem de bytes { $order } não é lida; 1 e 2 são
 floating-point-format-format-is-not-read-write-the-file-in-format-2-ieee-754 = o formato de ponto flutuante { $format } não é lido; grave o arquivo no formato 2, IEEE 754
-the-bytes-of-the-function-are-not-as-many-as-its-points-need = os bytes da função não são tantos quantos os seus pontos precisam
-the-end-of-the-dataset-does-not-follow-its-bytes = o fim do conjunto de dados não vem depois dos seus bytes
+the-function-has-too-few-bytes-for-its-points = a função tem bytes de menos para seus pontos
+end-of-dataset-missing-after-its-bytes = falta o fim do conjunto depois dos bytes
 this-universal-file-has-no-function-that-can-be-read-line-line-why = este arquivo universal não tem função que possa ser lida; linha { $line }: { $why }
 this-universal-file-has-no-function-that-can-be-read = este arquivo universal não tem função que possa ser lida
 there-is-no-function-which-this-universal-file-has-have = não há função { $which }; este arquivo universal tem { $have }
@@ -199,94 +199,99 @@ the-function-is-in-unit-the-table-asks-for-column-in-a-unit-like-own = a funçã
 # Conferir uma resposta
 outside-the-limits-of-this-input = fora dos limites desta entrada
 write-it-as-in-example = escreva como em `{ $example }`
-this-is-no-finite-number = isto não é um número finito
+not-a-finite-number = não é um número finito
 all-next = { $all }, { $next }
-it-follows-from-your-own-answer-to-answers = decorre da sua própria resposta a: { $answers }
-this-is-the-answer-to-another-question-answer = esta é a resposta a outra pergunta: { $answer }
+consistent-with-your-earlier-answer-to-answers-error-carried-forward = coerente com a sua resposta a { $answers } (erro propagado)
+this-is-the-value-of-another-answer-answer = este é o valor de outra resposta: { $answer }
 input-change = { $input }: { $change }
-interchanged-first-and-second = trocados entre si: { $first } e { $second }
-in-the-step-for-symbol-change = no passo de { $symbol }: { $change }
+first-and-second-interchanged = { $first } e { $second } trocados
+computing-symbol-change = no cálculo de { $symbol }: { $change }
 label-place = { $label } { $place }
 label-whose = { $label }, { $whose }
-it-has-the-other-sign = está com o sinal contrário
-the-number-is-in-taken-not-in-is = o número está em { $taken }, não em { $is }
-it-is-the-square-a-root-is-missing = é o quadrado: falta uma raiz
-it-is-the-root-a-square-is-missing = é a raiz: falta um quadrado
-it-is-one-divided-by-the-answer = é um dividido pela resposta
-the-angle-is-measured-from-another-axis-or-the-other-way-round = o ângulo foi medido de outro eixo, ou no outro sentido
-taken-with-the-other-sign = tomado com o sinal contrário
-the-number-is-in-is-and-was-taken-in-taken = o número está em { $is } e foi tomado em { $taken }
-diameter-and-radius-or-the-whole-and-its-half-were-mixed-up = confundiu-se diâmetro com raio, ou o todo com a metade
-taken-as-gravity = tomada como { $gravity }
-not-taken-into-account = não levado em conta
-measured-from-another-axis-or-the-other-way-round = medido de outro eixo, ou no outro sentido
+sign-error = erro de sinal
+the-number-is-in-taken-not-is = o número está em { $taken }, não em { $is }
+squared-value-a-square-root-was-omitted = valor ao quadrado: uma raiz quadrada foi omitida
+square-root-of-the-value-a-square-was-omitted = raiz do valor: um quadrado foi omitido
+reciprocal-of-the-answer = inverso da resposta
+angle-measured-from-another-axis-or-in-the-opposite-sense = ângulo medido a partir de outro eixo ou no sentido oposto
+is-used-as-taken = { $is } usado como { $taken }
+diameter-and-radius-or-a-whole-and-its-half-confused = confusão entre diâmetro e raio (ou entre o todo e a metade)
+gravity-used = usado { $gravity }
+omitted = omitido
+measured-from-another-axis-or-in-the-opposite-sense = medido a partir de outro eixo ou no sentido oposto
 the-other-sign = o sinal contrário
-the-sign-of-a-term = o sinal de um termo
-a-term-is-missing = falta um termo
-a-power-is-missing = falta uma potência
-a-root-is-missing = falta uma raiz
-sine-and-cosine-are-interchanged = seno e cosseno estão trocados
-divided-instead-of-multiplied-or-the-other-way-round = dividiu-se em vez de multiplicar, ou o contrário
+sign-error-in-a-term = erro de sinal em um termo
+a-term-omitted = um termo omitido
+an-exponent-omitted = um expoente omitido
+a-square-root-omitted = uma raiz quadrada omitida
+sine-and-cosine-interchanged = seno e cosseno trocados
+division-and-multiplication-interchanged = divisão e multiplicação trocadas
 factor-times-too-large = { $factor } vezes maior
 factor-times-too-small = { $factor } vezes menor
 taken-otherwise = tomado de outro modo
-this-is-right = está certo
-nearly-off-off-so-something-was-rounded-too-early = quase: difere em { $off }, algo foi arredondado cedo demais
-it-fits-but-give-more-digits-to-be-sure = confere, mas dê mais algarismos para ter certeza
+different-interpretation = outra interpretação
+correct = correto
+close-off-off-rounding-of-an-intermediate-result-or-a-small-term = próximo (diferença de { $off }): arredondamento intermediário, ou um termo pequeno
+agrees-to-the-digits-given-enter-more-digits-to-confirm = concorda até os algarismos dados; digite mais para confirmar
 not-right = não está certo
+incorrect = incorreto
 
 # Sensibilidade e estudos
-a-tolerance-is-not-negative-it-holds-to-both-sides = uma tolerância não é negativa: vale para os dois lados
-this-answer-is-no-single-number = esta resposta não é um único número
-this-input-is-no-number-of-the-problem-as-it-stands = esta entrada não é um número do problema como está
-the-range-has-no-width-write-two-different-ends = o intervalo não tem largura: escreva dois extremos diferentes
+a-tolerance-cannot-be-negative-it-applies-to-both-sides = uma tolerância não pode ser negativa; vale para os dois lados
+this-answer-is-not-a-scalar = esta resposta não é um escalar
+this-input-is-not-a-number-of-the-problem-with-its-present-options = este dado não é um número do problema com as opções atuais
+the-range-is-empty-enter-two-different-limits = a faixa é vazia: digite dois limites diferentes
 this-input-cannot-be-varied = esta entrada não pode ser variada
 input-value = { $input } = { $value }
-no-value-in-the-range-gives-it-the-answer-runs-from-least-at-at-least-to-most-at-at-most = nenhum valor do intervalo a dá: a resposta vai de { $least } (em { $at_least }) a { $most } (em { $at_most })
-there-is-no-answer-anywhere-in-the-range = não há resposta em nenhum ponto do intervalo
-answer-over-input = { $answer } em função de { $input }
+target-not-reached-in-the-range-the-answer-lies-between-least-at-at-least-and-most-at-at-most = alvo não atingido na faixa: a resposta fica entre { $least } (em { $at_least }) e { $most } (em { $at_most })
+no-answer-in-the-whole-range = nenhuma resposta em toda a faixa
+answer-against-input = { $answer } em função de { $input }
 no-answer-from-from-to-to-why = sem resposta de { $from } a { $to }: { $why }
-not-told = sem explicação
+no-reason-reported = sem motivo informado
 as-it-stands = como está
+current-value = valor atual
 wanted = desejado
+target = alvo
 mean-mean-standard-deviation-deviation = média { $mean }, desvio padrão { $deviation }
-n-95-lie-between-low-and-high = 95 % ficam entre { $low } e { $high }
+n-95-interval-low-to-high = intervalo de 95 %: { $low } a { $high }
 refused-of-all-have-no-answer = { $refused } de { $all } não têm resposta
-how-answer-scatters = Como { $answer } se dispersa
-share-of-the-samples = parcela das amostras
-a-thread-of-this-study-failed = uma parte deste estudo falhou
-the-printed-value-cannot-be-compared-with-ours = o valor impresso não pode ser comparado com o nosso
-this-dispute-is-stale-the-printed-value-is-ours = esta divergência caducou: o valor impresso é o nosso
-it-needs-title = precisa de `title = "…"`
-it-needs-one-exercise-at-least-with-analysis-family-name = precisa de ao menos um `[[exercise]]`, com `analysis = "família/nome"`
-an-exercise-needs-analysis-family-name = um exercício precisa de `analysis = "família/nome"`
+distribution-of-answer = Distribuição de { $answer }
+relative-frequency = frequência relativa
+the-study-failed-internal-error = o estudo falhou (erro interno do programa)
+the-published-value-cannot-be-compared-with-the-computed-one = o valor publicado não pode ser comparado com o calculado
+outdated-dispute-the-published-value-agrees = contestação desatualizada: o valor publicado concorda
+title-is-required = falta `title = "…"`
+at-least-one-exercise-with-analysis-family-name-is-required = falta ao menos um `[[exercise]]` com `analysis = "family/name"`
+an-exercise-requires-analysis-family-name = um exercício exige `analysis = "family/name"`
 key-is-neither-analysis-nor-case = `{ $key }` não é `analysis` nem `case`
 analysis-has-no-case-name-did-you-mean-near = { $analysis } não tem o caso `{ $name }`; seria `{ $near }`?
 analysis-has-no-case-name-dalembert-show-analysis-lists-them = { $analysis } não tem o caso `{ $name }`; `dalembert show { $analysis }` os lista
-answer-does-not-change-with-input = { $answer } não muda com { $input }
+answer-does-not-depend-on-input = { $answer } não depende de { $input }
 the-heading-gives-unit-for-column-which-has-no-unit = o cabeçalho dá { $unit } para { $column }, que não tem unidade
 line-line-the-unit-of-column-is-known-above-and-unit-here = linha { $line }: a unidade de { $column } é { $known } acima e { $unit } aqui
-the-heading-says-word-but-does-not-part-into-the-columns-write-a-heading-of-as-many-cells-such-as-own = o cabeçalho diz { $word }, mas não se divide nas colunas: escreva um cabeçalho com o mesmo número de células, como { $own }
-the-heading-of-column-says-word-which-is-not-taken-for-its-unit-write-the-unit-in-brackets-such-as = o cabeçalho de { $column } diz { $word }, que não é tomado como a unidade da coluna: escreva a unidade entre colchetes, como [{ $own }]
-the-heading-of-column-says-word-did-you-mean-meant = o cabeçalho de { $column } diz { $word }: seria [{ $meant }]?
+the-heading-contains-word-but-has-not-one-cell-per-column-write-one-such-as-own = o cabeçalho contém { $word }, mas não tem uma célula por coluna: escreva um como { $own }
+the-heading-of-column-contains-word-not-recognised-as-its-unit-write-the-unit-in-brackets-such-as-own = o cabeçalho de { $column } contém { $word }, não reconhecido como unidade: escreva a unidade entre colchetes, como [{ $own }]
+the-heading-of-column-contains-word-did-you-mean-meant = o cabeçalho de { $column } contém { $word }: seria [{ $meant }]?
 column-unit = { $column } [{ $unit }]
 two-values-of-gravity-in-one-problem-first-at-path-second-at-other = dois valores da gravidade em um problema: { $first } em { $path }, { $second } em { $other }
-table-no-unit-in-the-heading-taken-as-units = { $table }: sem unidade no cabeçalho: tomado como { $units }
-path-no-unit-in-the-heading-taken-as-units-as-in-files-without-format-2 = { $path }: sem unidade no cabeçalho: tomado como { $units }, como em arquivos sem `format = 2`
+table-no-unit-in-the-heading-units-assumed = { $table }: sem unidade no cabeçalho; supõe-se { $units }
+path-no-unit-in-the-heading-units-assumed-as-in-files-without-format-2 = { $path }: sem unidade no cabeçalho; supõe-se { $units }, como em arquivos sem `format = 2`
 this-row-has-no-column-a-row-has-columns = esta linha não tem { $column }; uma linha tem { $columns }
 write-a-table-as-lines-of-text-with-the-heading-heading-or-as-a-list-of-rows-row = escreva uma tabela como linhas de texto com o cabeçalho "{ $heading }", ou como uma lista de linhas { $row }
-at-most-most-rows-are-read-here-there-are-have = no máximo { $most } linhas são lidas aqui; há { $have }
+have-rows-at-most-most-are-accepted-here = { $have } linhas: aqui são aceitas no máximo { $most }
 write-one-of-known = escreva um destes: { $known }
-no-unit-taken-as-unit = sem unidade; tomado em { $unit }
+no-unit-unit-assumed = sem unidade; supõe-se { $unit }
 there-is-no-name = não há `{ $name }`
 path-text-read-as-value-as-in-every-file-without-format-2 = { $path } = { $text }: lido como { $value }, como em todo arquivo sem `format = 2`
 show-is-a-table-of-answers-and-their-units-as-in-show-amplitude-mm-6-digits = `show` é uma tabela de respostas e suas unidades, como em [show] amplitude = "mm; 6 digits"
 count-digits-write-from-1-to-17-digits = `{ $count } digits`: escreva de 1 a 17 algarismos
-a-check-of-the-solution-fails = uma verificação da solução falha
-the-right-value-beside-the-disputed-one-is-right = o valor certo ao lado do contestado é { $right }
+a-check-of-the-solution-failed = uma verificação da solução falhou
+the-computed-value-in-place-of-the-disputed-one-is-right = o valor calculado, em lugar do contestado, é { $right }
 
 ## Coverage of answers by checks
-its-own-definition-there-is-no-second-way-to-it = a própria definição: não há um segundo caminho até ela
+definition-no-independent-check-exists = definição: não há verificação independente
 it-is-counted-not-measured = é contada, não medida
-a-list-or-a-set-its-numbers-have-no-steps-that-could-be-followed = uma lista ou um conjunto: seus números não têm passos que se possam seguir
+a-count = uma contagem
+a-list-or-set-its-numbers-have-no-traced-steps = lista ou conjunto: seus números não têm passos rastreados
 a-standard-or-an-empirical-rule-gives-it = dada por uma norma ou uma regra empírica
+given-by-a-standard-or-an-empirical-rule = dado por uma norma ou regra empírica

@@ -166,7 +166,7 @@ impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Refusal::NoAnswer(why) => f.write_str(&why.english()),
-            Refusal::Stopped => f.write_str("stopped"),
+            Refusal::Stopped => f.write_str("cancelled"),
         }
     }
 }
@@ -252,7 +252,9 @@ fn forget_absent(exhibits: &mut [Exhibit], problem: Value) {
                     series.of = series.of.take().filter(|_| is_asked);
                 }
             }
-            Exhibit::Film(film) => film.over = film.over.take().filter(|(input, _)| has(input)),
+            Exhibit::Animation(animation) => {
+                animation.over = animation.over.take().filter(|(input, _)| has(input))
+            }
             _ => {}
         }
     }

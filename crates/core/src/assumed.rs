@@ -10,7 +10,7 @@ pub(crate) fn warnings(record: &Record) -> Vec<Text> {
         let taken = table.units.iter().zip(&table.assumed).filter(|(_, assumed)| **assumed);
         let taken: Vec<String> = taken.map(|(unit, _)| unit.pretty()).collect();
         if !taken.is_empty() {
-            let warning = Text::new("{table}: no unit in the heading: taken as {units}");
+            let warning = Text::new("{table}: no unit in the heading; {units} assumed");
             warnings.push(warning.with_text("table", field.label).with("units", taken.join(", ")));
         }
     });

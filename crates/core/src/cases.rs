@@ -195,7 +195,7 @@ impl Seen {
             Seen::Book => "book",
             Seen::Companion => "companion",
             Seen::Site => "site",
-            Seen::Recalled => "recalled",
+            Seen::Recalled => "from memory",
         }
     }
 }
@@ -297,16 +297,18 @@ fn verdict(expected: &Expected, solution: &Solution) -> Verdict {
     };
     let (outcome, why) = match (&expected.how, near) {
         (Hold::Disputed { ours, .. }, Some(false)) if !right(ours) => {
-            let why = Text::new("the right value beside the disputed one is {right}");
+            let why = Text::new("the computed value in place of the disputed one is {right}");
             (Outcome::Differing, why.with("right", ours))
         }
         (Hold::Disputed { why, .. }, Some(false)) => (Outcome::Disputed, why.clone()),
         (Hold::Disputed { .. }, Some(true)) => {
-            (Outcome::Differing, Text::from("this dispute is stale: the printed value is ours"))
+            (Outcome::Differing, Text::from("outdated dispute: the published value agrees"))
         }
         (Hold::Within(_, why), Some(true)) => (Outcome::Agreed, why.clone()),
         (_, Some(true)) => (Outcome::Agreed, Text::from("")),
-        (_, None) => (Outcome::Differing, Text::from("the printed value cannot be compared with ours")),
+        (_, None) => {
+            (Outcome::Differing, Text::from("the published value cannot be compared with the computed one"))
+        }
         _ => (Outcome::Differing, Text::from("")),
     };
     Verdict { answer: expected.answer.clone(), printed: expected.printed.clone(), ours, outcome, why }
@@ -319,7 +321,7 @@ fn failed_checks(solution: &Solution) -> impl Iterator<Item = Verdict> {
         printed: check.what.english(),
         ours: format!("{:e}", check.residual),
         outcome: Outcome::Differing,
-        why: Text::from("a check of the solution fails"),
+        why: Text::from("a check of the solution failed"),
     })
 }
 

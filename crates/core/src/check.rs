@@ -5,6 +5,7 @@
 
 mod candidates;
 mod search;
+mod wrong;
 
 use std::f64::consts::TAU;
 
@@ -33,7 +34,7 @@ pub enum Verdict {
 
 /// What may have gone wrong.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Slip {
+pub enum Mistake {
     /// It follows from the person's own answers of these names, which are wrong.
     Follows(Vec<String>),
     /// Our answer was changed at the end.
@@ -137,7 +138,7 @@ fn read(answer: &Answer, typed: &str) -> Result<Quantity, Text> {
     let read = units::read_quantity(typed, &answer.unit, Kind::of(&answer.unit));
     let mut read = read.map_err(|error| reading::text(&error))?;
     read.last_place *= ambiguous_zeros(typed);
-    if read.si.is_finite() { Ok(read) } else { Err(Text::new("this is no finite number")) }
+    if read.si.is_finite() { Ok(read) } else { Err(Text::new("not a finite number")) }
 }
 
 /// Zeros at the end of a whole number may be digits or may stand for them: what one unit of the last sure digit is.
@@ -178,7 +179,7 @@ pub fn example(answer: &Answer) -> String {
     format!("{numbers} {}", answer.unit.pretty()).trim().to_owned()
 }
 
-impl Slip {
+impl Mistake {
     /// What may have gone wrong, in words that do not say our number.
     pub fn text(&self, solution: &Solution) -> Text {
         let label = |name: &str| match solution.answer(name) {
@@ -186,27 +187,27 @@ impl Slip {
             None => Text::new(name.to_owned()),
         };
         match self {
-            Slip::Follows(names) => {
+            Mistake::Follows(names) => {
                 let all = names.iter().map(|name| label(name)).reduce(|all, next| {
                     Text::new("{all}, {next}").with_text("all", all).with_text("next", next)
                 });
-                Text::new("it follows from your own answer to: {answers}")
+                Text::new("consistent with your earlier answer to {answers} (error carried forward)")
                     .with_text("answers", all.unwrap_or_else(|| Text::from("")))
             }
-            Slip::Other(name) => {
-                Text::new("this is the answer to another question: {answer}").with_text("answer", label(name))
+            Mistake::Other(name) => {
+                Text::new("this is the value of another answer: {answer}").with_text("answer", label(name))
             }
-            Slip::Answer(change) => of_answer(change),
-            Slip::Input(_, input, change) => Text::new("{input}: {change}")
+            Mistake::Answer(change) => of_answer(change),
+            Mistake::Input(_, input, change) => Text::new("{input}: {change}")
                 .with_text("input", input.clone())
                 .with_text("change", of_input(change)),
-            Slip::Interchanged(pair) => {
+            Mistake::Interchanged(pair) => {
                 let [(_, first), (_, second)] = &**pair;
-                Text::new("interchanged: {first} and {second}")
+                Text::new("{first} and {second} interchanged")
                     .with_text("first", first.clone())
                     .with_text("second", second.clone())
             }
-            Slip::Step(_, symbol, change) => Text::new("in the step for {symbol}: {change}")
+            Mistake::Step(_, symbol, change) => Text::new("computing {symbol}: {change}")
                 .with("symbol", printer::symbol(symbol))
                 .with_text("change", of_step(change)),
         }
@@ -215,41 +216,39 @@ impl Slip {
 
 fn of_answer(change: &Change) -> Text {
     match change {
-        Change::Sign => Text::new("it has the other sign"),
+        Change::Sign => Text::new("sign error"),
         Change::Unit { taken, is } => {
-            Text::new("the number is in {taken}, not in {is}").with("taken", taken).with("is", is)
+            Text::new("the number is in {taken}, not {is}").with("taken", taken).with("is", is)
         }
-        Change::Squared => Text::new("it is the square: a root is missing"),
-        Change::Rooted => Text::new("it is the root: a square is missing"),
-        Change::Inverted => Text::new("it is one divided by the answer"),
-        Change::Complement(_) => Text::new("the angle is measured from another axis, or the other way round"),
+        Change::Squared => Text::new("squared value: a square root was omitted"),
+        Change::Rooted => Text::new("square root of the value: a square was omitted"),
+        Change::Inverted => Text::new("reciprocal of the answer"),
+        Change::Complement(_) => Text::new("angle measured from another axis or in the opposite sense"),
         other => times(other),
     }
 }
 
 fn of_input(change: &Change) -> Text {
     match change {
-        Change::Sign => Text::new("taken with the other sign"),
-        Change::Unit { taken, is } => {
-            Text::new("the number is in {is} and was taken in {taken}").with("is", is).with("taken", taken)
-        }
-        Change::Diameter => Text::new("diameter and radius, or the whole and its half, were mixed up"),
-        Change::Gravity(si) => Text::new("taken as {gravity}").with_quantity("gravity", *si, "m/s^2"),
-        Change::LeftOut => Text::new("not taken into account"),
-        Change::Complement(_) => Text::new("measured from another axis, or the other way round"),
+        Change::Sign => Text::new("sign error"),
+        Change::Unit { taken, is } => Text::new("{is} used as {taken}").with("is", is).with("taken", taken),
+        Change::Diameter => Text::new("diameter and radius (or a whole and its half) confused"),
+        Change::Gravity(si) => Text::new("{gravity} used").with_quantity("gravity", *si, "m/s^2"),
+        Change::LeftOut => Text::new("omitted"),
+        Change::Complement(_) => Text::new("measured from another axis or in the opposite sense"),
         other => times(other),
     }
 }
 
 fn of_step(change: &Change) -> Text {
     match change {
-        Change::Sign => Text::new("the other sign"),
-        Change::TermSign => Text::new("the sign of a term"),
-        Change::TermLeftOut => Text::new("a term is missing"),
-        Change::PowerLeftOut => Text::new("a power is missing"),
-        Change::RootLeftOut => Text::new("a root is missing"),
-        Change::SineForCosine => Text::new("sine and cosine are interchanged"),
-        Change::DividedForMultiplied => Text::new("divided instead of multiplied, or the other way round"),
+        Change::Sign => Text::new("sign error"),
+        Change::TermSign => Text::new("sign error in a term"),
+        Change::TermLeftOut => Text::new("a term omitted"),
+        Change::PowerLeftOut => Text::new("an exponent omitted"),
+        Change::RootLeftOut => Text::new("a square root omitted"),
+        Change::SineForCosine => Text::new("sine and cosine interchanged"),
+        Change::DividedForMultiplied => Text::new("division and multiplication interchanged"),
         other => times(other),
     }
 }
@@ -260,7 +259,7 @@ fn times(change: &Change) -> Text {
             Text::new("{factor} times too large").with("factor", written)
         }
         Change::Times(_, written) => Text::new("{factor} times too small").with("factor", written),
-        _ => Text::new("taken otherwise"),
+        _ => Text::new("different interpretation"),
     }
 }
 
@@ -268,13 +267,13 @@ impl Verdict {
     /// What it says.
     pub fn text(&self) -> Text {
         match self {
-            Verdict::Right => Text::new("this is right"),
+            Verdict::Right => Text::new("correct"),
             Verdict::RoundedEarly(off) => Text {
-                template: "nearly: {off} off, so something was rounded too early".into(),
+                template: "close ({off} off): rounding of an intermediate result, or a small term".into(),
                 args: vec![("off", Arg::Quantity(*off, "%"))],
             },
-            Verdict::TooFewDigits => Text::new("it fits, but give more digits to be sure"),
-            Verdict::Wrong => Text::new("not right"),
+            Verdict::TooFewDigits => Text::new("agrees to the digits given; enter more digits to confirm"),
+            Verdict::Wrong => Text::new("incorrect"),
             Verdict::Unread(why) => why.clone(),
         }
     }

@@ -295,10 +295,10 @@ impl Reason {
     /// The reason in words.
     pub fn words(self) -> Text {
         Text::from(match self {
-            Reason::Definition => "its own definition: there is no second way to it",
-            Reason::Count => "it is counted, not measured",
-            Reason::List => "a list or a set: its numbers have no steps that could be followed",
-            Reason::Rule => "a standard or an empirical rule gives it",
+            Reason::Definition => "definition: no independent check exists",
+            Reason::Count => "a count",
+            Reason::List => "a list or set: its numbers have no traced steps",
+            Reason::Rule => "given by a standard or an empirical rule",
         })
     }
 }

@@ -3,12 +3,12 @@
 //! Form, file and command line all make a draft; [`Draft::read`] is the one way from there to a [`Record`],
 //! and reports every error at once.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use dalembert_units::{self as units, Style};
 
 use crate::{
-    Field, FieldError, Limit, Measure, Record, Shape, Text, Value, gravity, names,
+    Field, FieldError, Limit, Measure, Record, Shape, Text, Value, gravity,
     path::{segments, step, unknown},
     reading, table,
 };
@@ -107,7 +107,7 @@ impl Draft {
             return Err(vec![FieldError::new("", "a group of inputs is needed")]);
         };
         let lists = lists(&record);
-        errors.extend(names::ambiguous(&lists, &record));
+        errors.extend(ambiguous(&lists, &record));
         resolve_record(&mut record, &lists, "", &mut errors);
         if errors.is_empty() { Ok(record) } else { Err(errors) }
     }
@@ -121,7 +121,12 @@ impl Draft {
             draft = match draft {
                 Draft::OneOf(chosen, fields) if *chosen == at => fields,
                 Draft::Group(all) | Draft::Rows(all) => all.get(at).ok_or_else(|| no_row(path, all.len()))?,
-                _ => return Err(FieldError::new(path, "is not part of the problem as it stands")),
+                _ => {
+                    return Err(FieldError::new(
+                        path,
+                        "is not an input of the problem with its present options",
+                    ));
+                }
             };
             shape = inner;
         }
@@ -176,7 +181,7 @@ impl Draft {
                 let rows = all.len();
                 all.get_mut(at).ok_or_else(|| no_row(path, rows))
             }
-            _ => Err(FieldError::new(path, "is not part of the problem as it stands")),
+            _ => Err(FieldError::new(path, "is not an input of the problem with its present options")),
         }
     }
 
@@ -257,7 +262,7 @@ fn without_unit(draft: &Draft, shape: &Shape, path: &str, found: &mut Vec<FieldE
         (Shape::Quantity(measure) | Shape::Vector(measure, _), Draft::Leaf(text)) => {
             let own = measure.own_unit();
             if !own.text.is_empty() && is_bare(text, shape) {
-                let why = Text::new("no unit; taken as {unit}").with("unit", own.ascii());
+                let why = Text::new("no unit; {unit} assumed").with("unit", own.ascii());
                 found.push(FieldError::new(path, why));
             }
         }
@@ -276,12 +281,12 @@ fn is_bare(text: &str, shape: &Shape) -> bool {
 
 /// The refusal of a list that is too long.
 pub(crate) fn too_many_rows(have: usize, most: usize) -> Text {
-    Text::new("at most {most} rows are read here; there are {have}").with("most", most).with("have", have)
+    Text::new("{have} rows: at most {most} are accepted here").with("most", most).with("have", have)
 }
 
 fn no_row(path: &str, rows: usize) -> FieldError {
     let why = match rows {
-        1 => Text::new("there is one row; the next is {next}"),
+        1 => Text::new("there is only one row; the next is {next}"),
         rows => Text::new("there are {rows} rows; the next is {next}").with("rows", rows),
     };
     let why = why.with("next", rows + 1);
@@ -362,7 +367,7 @@ fn leaf(text: &str, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> 
     };
     if !matches!(shape, Shape::Table(_)) {
         if text.len() > LONGEST_LINE {
-            let why = Text::new("this text has {have} characters; at most {most} are read");
+            let why = Text::new("{have} characters: at most {most} are accepted");
             return fail(why.with("have", text.chars().count()).with("most", LONGEST_LINE), None);
         }
         if let Some(control) = text.chars().find(|c| c.is_control()) {
@@ -393,8 +398,7 @@ fn leaf(text: &str, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> 
         Shape::Count { min, max } => match units::read_count(text) {
             Ok(count) if (*min..=*max).contains(&count) => Value::Count(count),
             Ok(count) => {
-                let why =
-                    Text::new("{count} is outside the limits; write a whole number from {min} to {max}");
+                let why = Text::new("{count} is outside the limits; enter an integer from {min} to {max}");
                 fail(why.with("count", count).with("min", min).with("max", max), None)
             }
             Err(err) => fail(reading::text(&err), err.span()),
@@ -524,4 +528,37 @@ fn find_row(lists: &[List], list: &str, name: &str, suggest: bool) -> Result<usi
 
 fn join(path: &str, name: &str) -> String {
     if path.is_empty() { name.to_owned() } else { format!("{path}.{name}") }
+}
+
+/// Rows of the same name where an input refers to one of them by it.
+fn ambiguous(lists: &[List], record: &Record) -> Vec<FieldError> {
+    let mut used: HashSet<(&str, &str)> = HashSet::new();
+    record.leaves(&mut |_, field, value| {
+        if let (Some(list), Value::Reference { name, .. }) = (refers_to(&field.shape), value) {
+            used.insert((list, name));
+        }
+    });
+    let mut errors = Vec::new();
+    for list in lists {
+        for (row, name) in list.names.iter().enumerate().filter(|(_, name)| !name.is_empty()) {
+            let Some(first) = list.row_of(name).filter(|first| *first < row) else { continue };
+            if used.contains(&(list.field, name)) {
+                let why = Text::new(
+                    "row {first} is called `{name}` too, and an input refers to that name: give each its own",
+                );
+                let why = why.with("first", first + 1).with("name", name);
+                errors.push(FieldError::new(format!("{}[{}].name", list.field, row + 1), why));
+            }
+        }
+    }
+    errors
+}
+
+/// The list that a reference names a row of.
+fn refers_to(shape: &Shape) -> Option<&'static str> {
+    match shape.present() {
+        Shape::Reference(list) => Some(list),
+        Shape::Rows { item, .. } => refers_to(item()),
+        _ => None,
+    }
 }

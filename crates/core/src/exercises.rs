@@ -22,15 +22,15 @@ use crate::{
 
 /// The text of a list that comes with the program.
 #[doc(hidden)]
-pub struct Shipped(pub &'static str);
+pub struct Bundled(pub &'static str);
 
-inventory::collect!(Shipped);
+inventory::collect!(Bundled);
 
 /// Adds a list of exercises, a TOML file beside the code, to those that everybody is offered.
 #[macro_export]
 macro_rules! exercises {
     ($path:literal) => {
-        $crate::inventory::submit! { $crate::exercises::Shipped(include_str!($path)) }
+        $crate::inventory::submit! { $crate::exercises::Bundled(include_str!($path)) }
     };
 }
 
@@ -73,11 +73,11 @@ pub fn read(text: &str) -> Result<Exercises, Vec<FileError>> {
     let mut errors = Vec::new();
     let title = word(table.get("title"));
     if title.is_none() {
-        errors.push(FileError { why: Text::new("it needs `title = \"…\"`"), span: None });
+        errors.push(FileError { why: Text::new("`title = \"…\"` is required"), span: None });
     }
     let exercises = tables(&document);
     if exercises.is_empty() {
-        let why = Text::new("it needs one `[[exercise]]` at least, with `analysis = \"family/name\"`");
+        let why = Text::new("at least one `[[exercise]]` with `analysis = \"family/name\"` is required");
         errors.push(FileError { why, span: None });
     }
     let mut list = Vec::new();
@@ -91,7 +91,7 @@ pub fn read(text: &str) -> Result<Exercises, Vec<FileError>> {
                 list.push(Exercise { analysis, case: word(exercise.get("case")).unwrap_or_default() });
             }
             None => {
-                let why = Text::new("an exercise needs `analysis = \"family/name\"`");
+                let why = Text::new("an exercise requires `analysis = \"family/name\"`");
                 errors.push(FileError { why, span: exercise.span() });
             }
         }
@@ -141,7 +141,7 @@ fn tables<'d>(document: &'d Document<&str>) -> Vec<&'d Table> {
 
 /// The lists that come with the program, in the order of their English titles.
 pub fn shipped() -> Vec<Result<Exercises, Vec<FileError>>> {
-    let mut all: Vec<_> = inventory::iter::<Shipped>().map(|shipped| read(shipped.0)).collect();
+    let mut all: Vec<_> = inventory::iter::<Bundled>().map(|shipped| read(shipped.0)).collect();
     all.sort_by(|a, b| {
         let title = |one: &Result<Exercises, _>| one.as_ref().map(|one| one.title.clone()).ok();
         title(a).cmp(&title(b))

@@ -6,7 +6,7 @@ mod space;
 use std::{borrow::Cow, fmt};
 
 pub use self::clip::clipped;
-pub use self::space::{Scene, SpacePoint, SpaceShape, View};
+pub use self::space::{Point3, Scene, Shape3, View};
 use crate::Text;
 
 /// Something to look at.
@@ -20,7 +20,7 @@ pub enum Exhibit {
     /// A sketch of the machine.
     Drawing(Drawing),
     /// A sketch that moves.
-    Film(Film),
+    Animation(Animation),
     /// A sketch in space, which can be seen from every side.
     Scene(Scene),
 }
@@ -170,10 +170,10 @@ pub struct Drawing {
 
 /// A sketch that moves: its frames, all in the same coordinates, shown one after another and again.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Film {
+pub struct Animation {
     /// What it shows.
     pub title: Text,
-    /// Its frames; the first one stands for the film where nothing can move.
+    /// Its frames; the first one stands for the animation where nothing can move.
     pub frames: Vec<Vec<DrawnShape>>,
     /// The time of all frames on the screen, in seconds.
     pub period: f64,
@@ -278,13 +278,13 @@ impl Plot {
     }
 }
 
-impl Film {
-    /// A film that runs over no input.
+impl Animation {
+    /// An animation that runs over no input.
     pub fn new(title: impl Into<Text>, frames: Vec<Vec<DrawnShape>>, period: f64) -> Self {
         Self { title: title.into(), frames, period, over: None }
     }
 
-    /// The same film over the input at a path, with its value at every frame: the first frame of a solve with that value
+    /// The same animation over the input at a path, with its value at every frame: the first frame of a solve with that value
     /// is the same.
     #[must_use]
     pub fn over(self, input: impl fmt::Display, values: Vec<f64>) -> Self {
@@ -328,16 +328,17 @@ impl Drawing {
 impl Exhibit {
     /// What is to be drawn at that frame, where it is a sketch; the frames of one that moves repeat without end.
     pub fn sketch(&self, frame: usize) -> Option<Cow<'_, Drawing>> {
-        self.sketch_seen(frame, None)
+        self.projected(frame, None)
     }
 
     /// The same, a scene in space as it is seen from a side; `None` for its usual one.
-    pub fn sketch_seen(&self, frame: usize, view: Option<View>) -> Option<Cow<'_, Drawing>> {
+    pub fn projected(&self, frame: usize, view: Option<View>) -> Option<Cow<'_, Drawing>> {
         match self {
             Exhibit::Drawing(drawing) => Some(Cow::Borrowed(drawing)),
-            Exhibit::Film(film) => {
-                let shapes = film.frames.get(frame % film.frames.len().max(1)).cloned().unwrap_or_default();
-                Some(Cow::Owned(Drawing { title: film.title.clone(), shapes }))
+            Exhibit::Animation(animation) => {
+                let shapes =
+                    animation.frames.get(frame % animation.frames.len().max(1)).cloned().unwrap_or_default();
+                Some(Cow::Owned(Drawing { title: animation.title.clone(), shapes }))
             }
             Exhibit::Scene(scene) => Some(Cow::Owned(scene.seen(frame, view.unwrap_or(scene.view)))),
             Exhibit::Plot(_) | Exhibit::Table(_) => None,
@@ -347,7 +348,7 @@ impl Exhibit {
     /// How many frames a sketch has, and the time of all of them in seconds.
     pub fn frames(&self) -> (usize, f64) {
         match self {
-            Exhibit::Film(film) => (film.frames.len(), film.period),
+            Exhibit::Animation(animation) => (animation.frames.len(), animation.period),
             Exhibit::Scene(scene) => (scene.frames.len(), scene.period),
             Exhibit::Drawing(_) => (1, 0.0),
             Exhibit::Plot(_) | Exhibit::Table(_) => (0, 0.0),

@@ -104,13 +104,13 @@ pub struct Variant {
 /// Which list of fields or alternatives stands inside a shape. Two shapes with the same insides are described once;
 /// a type that contains itself meets its own again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Insides {
+pub struct ChildList {
     place: *const (),
     /// How many fields or alternatives there are.
     pub parts: usize,
 }
 
-impl Insides {
+impl ChildList {
     fn of<T>(list: &'static [T]) -> Self {
         Self { place: list.as_ptr().cast(), parts: list.len() }
     }
@@ -157,10 +157,10 @@ impl Shape {
     }
 
     /// What is inside a group, a table or a one-of.
-    pub fn insides(&self) -> Option<Insides> {
+    pub fn insides(&self) -> Option<ChildList> {
         match self {
-            Shape::Group(fields) | Shape::Table(fields) => Some(Insides::of(fields())),
-            Shape::OneOf(variants) => Some(Insides::of(variants())),
+            Shape::Group(fields) | Shape::Table(fields) => Some(ChildList::of(fields())),
+            Shape::OneOf(variants) => Some(ChildList::of(variants())),
             _ => None,
         }
     }

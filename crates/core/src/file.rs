@@ -206,11 +206,9 @@ pub(crate) fn document(text: &str) -> Result<Document<&str>, Vec<FileError>> {
     Document::parse(text).map_err(|err| {
         let key = err.span().and_then(|span| text.get(span)).unwrap_or_default().to_owned();
         let why = match err.message() {
-            "duplicate key" => {
-                Text::new("the key `{key}` stands here a second time: keep one of the two").with("key", key)
-            }
+            "duplicate key" => Text::new("duplicate key `{key}`: keep one of the two").with("key", key),
             nested if nested.contains("recurse") => {
-                Text::new("the file nests too deeply to be a problem: a problem has a handful of levels")
+                Text::new("the file is nested too deeply to be a problem file")
             }
             // The words of the TOML reader.
             other => Text::new(other.to_owned()),

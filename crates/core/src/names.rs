@@ -1,45 +1,9 @@
 //! Names of rows: those that others refer to by them, and references that follow a name.
 
-use std::collections::HashSet;
-
 use crate::{
-    Draft, FieldError, Record, Shape, Text, Value,
-    draft::List,
+    Draft, FieldError, Shape,
     path::{Segment, segments},
 };
-
-/// Rows of the same name where an input refers to one of them by it.
-pub(crate) fn ambiguous(lists: &[List], record: &Record) -> Vec<FieldError> {
-    let mut used: HashSet<(&str, &str)> = HashSet::new();
-    record.leaves(&mut |_, field, value| {
-        if let (Some(list), Value::Reference { name, .. }) = (refers_to(&field.shape), value) {
-            used.insert((list, name));
-        }
-    });
-    let mut errors = Vec::new();
-    for list in lists {
-        for (row, name) in list.names.iter().enumerate().filter(|(_, name)| !name.is_empty()) {
-            let Some(first) = list.row_of(name).filter(|first| *first < row) else { continue };
-            if used.contains(&(list.field, name)) {
-                let why = Text::new(
-                    "row {first} is called `{name}` too, and an input refers to that name: give each its own",
-                );
-                let why = why.with("first", first + 1).with("name", name);
-                errors.push(FieldError::new(format!("{}[{}].name", list.field, row + 1), why));
-            }
-        }
-    }
-    errors
-}
-
-/// The list that a reference names a row of.
-fn refers_to(shape: &Shape) -> Option<&'static str> {
-    match shape.present() {
-        Shape::Reference(list) => Some(list),
-        Shape::Rows { item, .. } => refers_to(item()),
-        _ => None,
-    }
-}
 
 impl Draft {
     /// Writes the text of a leaf. Where it is the name of a row that others refer to, they follow: to the new name, or to

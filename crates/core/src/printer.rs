@@ -198,7 +198,7 @@ struct Writer<'s> {
 
 /// How tightly a text holds together: what may stand beside it without brackets.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
-enum Tight {
+enum Precedence {
     Sum,
     Product,
     Factor,
@@ -528,20 +528,23 @@ impl<'s> Writer<'s> {
                 continue;
             }
             let (product, negative) = self.signed_product(id, false);
-            let product =
-                if self.tightness(id) == Tight::Sum { format!("({})", self.expression(id)) } else { product };
+            let product = if self.tightness(id) == Precedence::Sum {
+                format!("({})", self.expression(id))
+            } else {
+                product
+            };
             text += self.sign(text.is_empty(), negative);
             text += &format!("{product} {axis}");
         }
         if text.is_empty() { "0".into() } else { text }
     }
 
-    fn tightness(&self, id: Id) -> Tight {
+    fn tightness(&self, id: Id) -> Precedence {
         match self.op(id) {
-            Op::Add(..) | Op::Sub(..) => Tight::Sum,
-            Op::Sum(all) if all.len() <= LONGEST_SUM => Tight::Sum,
-            Op::Mul(..) | Op::Div(..) | Op::Neg(_) => Tight::Product,
-            _ => Tight::Factor,
+            Op::Add(..) | Op::Sub(..) => Precedence::Sum,
+            Op::Sum(all) if all.len() <= LONGEST_SUM => Precedence::Sum,
+            Op::Mul(..) | Op::Div(..) | Op::Neg(_) => Precedence::Product,
+            _ => Precedence::Factor,
         }
     }
 
@@ -567,7 +570,7 @@ impl<'s> Writer<'s> {
     /// A term with its innermost row replaced by the index of summation.
     fn general(&self, id: Id) -> String {
         let writer = Self { values: false, general: true, ..*self };
-        if self.tightness(id) == Tight::Sum { writer.factor(id) } else { writer.expression(id) }
+        if self.tightness(id) == Precedence::Sum { writer.factor(id) } else { writer.expression(id) }
     }
 
     /// The terms of every long sum below `id`, each with its value.

@@ -14,7 +14,7 @@ pub(crate) fn text(error: &ReadError) -> Text {
             Text::new("the text is longer than {limit} characters: write a single value").with("limit", limit)
         }
         ReadError::Control { code, .. } => {
-            Text::new("the text holds the control or invisible character {code}: delete it")
+            Text::new("the text contains the control or invisible character {code}: delete it")
                 .with("code", format!("U+{code:04X}"))
         }
         ReadError::NotANumber { text, example, .. } => {
@@ -44,21 +44,21 @@ pub(crate) fn text(error: &ReadError) -> Text {
             .with("symbol", symbol)
             .with("nearest", nearest.iter().map(|near| format!("`{near}`")).collect::<Vec<_>>().join(", ")),
         ReadError::Unexpected { found, expected, .. } => {
-            Text::new("`{found}` cannot stand here: {expected} is expected")
+            Text::new("unexpected `{found}`: {expected} expected")
                 .with("found", found)
                 .with_text("expected", *expected)
         }
         ReadError::Unfinished { text, expected, .. } => {
-            Text::new("`{text}` stops too early: {expected} is expected")
+            Text::new("`{text}` is incomplete: {expected} expected")
                 .with("text", text)
                 .with_text("expected", *expected)
         }
         ReadError::TooDeep { limit, .. } => {
-            Text::new("brackets, roots, powers and signs nest more than {limit} deep: write a simpler expression")
+            Text::new("more than {limit} nested brackets, roots, powers and signs: write a simpler expression")
                 .with("limit", limit)
         }
         ReadError::Exponent { text, limit, .. } => {
-            Text::new("`{text}` is no exponent of a unit: write a whole number other than 0 from -{limit} to {limit}")
+            Text::new("unexpected `{text}` after the unit: an exponent is an integer other than 0 from -{limit} to {limit}")
                 .with("text", text)
                 .with("limit", limit)
         }
@@ -95,7 +95,7 @@ pub(crate) fn text(error: &ReadError) -> Text {
         )
         .with("text", text),
         ReadError::NotACount { text, .. } => {
-            Text::new("`{text}` is not a count: write a whole number, for example 4").with("text", text)
+            Text::new("`{text}` is not a count: enter an integer, for example 4").with("text", text)
         }
     }
 }
@@ -115,11 +115,9 @@ fn wrong_kind(wrong: &WrongKind) -> Text {
         _ => bare.ascii(),
     };
     let sentence = match hint {
-        None => Text::new("`{text}` is {found}; {expected} is expected, for example in {example}"),
-        Some(hint) => {
-            Text::new("`{text}` is {found}; {expected} is expected, for example in {example}; {hint}")
-                .with_text("hint", self::hint(hint))
-        }
+        None => Text::new("`{text}` is {found}; {expected} expected, e.g. in {example}"),
+        Some(hint) => Text::new("`{text}` is {found}; {expected} expected, e.g. in {example}; {hint}")
+            .with_text("hint", self::hint(hint)),
     };
     sentence
         .with("text", text)

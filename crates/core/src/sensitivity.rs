@@ -4,7 +4,7 @@ use dalembert_units::Unit;
 
 use crate::{
     Entry, Record, Refusal, SolveError, Stop, Text,
-    vary::{self, Again, Input},
+    vary::{self, Input, Perturbed},
 };
 
 /// The step of the derivative, as a share of the input: the error of a central difference is then about 10⁻⁸.
@@ -63,9 +63,9 @@ pub fn sensitivity(
     (tolerances, usual): (&[(String, f64)], f64),
     stop: &Stop,
 ) -> Result<Sensitivity, SolveError> {
-    let mut again = Again::new(entry, record, vary::inputs(record), vec![answer.to_owned()])?;
+    let mut again = Perturbed::new(entry, record, vary::inputs(record), vec![answer.to_owned()])?;
     if again.answers.is_empty() {
-        return Err(Refusal::because("this answer is no single number").into());
+        return Err(Refusal::because("this answer is not a scalar").into());
     }
     let value = again.with(&[], stop)?[0];
     let mut influences = Vec::new();
@@ -100,7 +100,7 @@ pub(crate) fn tolerance(input: &Input, given: &[(String, f64)], usual: f64) -> f
 
 /// The ends that raise or lower the answer most are put together one by one, the most influential first: exact where the
 /// answer runs to one side with each input, and near a peak no end is taken that leads back down.
-fn together(again: &mut Again, value: f64, all: &[Influence], stop: &Stop) -> Result<Spread, Refusal> {
+fn together(again: &mut Perturbed, value: f64, all: &[Influence], stop: &Stop) -> Result<Spread, Refusal> {
     let mut order: Vec<usize> = (0..all.len()).collect();
     order.sort_by(|a, b| all[*b].within_tolerance(value).total_cmp(&all[*a].within_tolerance(value)));
     let mut farthest = |sign: f64| -> Result<f64, Refusal> {

@@ -12,7 +12,7 @@ use dalembert_mechanics::{Real, Vector, intervals::IntervalSet};
 use dalembert_units::{self as units, Dim, Unit};
 use nalgebra::Vector3;
 
-pub use self::{term::Term, vect::Vect};
+pub use self::{term::Term, vect::VectorTerm};
 use crate::{
     Answer, Check, Exhibit, Locale, Name, Refusal, Sides, Solution, Step, Stop, Symbol, Text, Value, Why,
     Worksheet, derive_support, printer,
@@ -208,16 +208,16 @@ impl<'a> Sheet<'a> {
 
 impl<'s> Worksheet for &'s Sheet<'s> {
     type Num = Term<'s>;
-    type Vec = Vect<'s>;
+    type Vec = VectorTerm<'s>;
 
     fn given(self, input: Given<'_>, si: f64) -> Term<'s> {
         let (unit, op) = self.input(&input);
         Term::Node(self, self.push(Number::Scalar(si), unit.dim, op))
     }
 
-    fn given_vector(self, input: Given<'_>, si: Vector3<f64>) -> Vect<'s> {
+    fn given_vector(self, input: Given<'_>, si: Vector3<f64>) -> VectorTerm<'s> {
         let (unit, op) = self.input(&input);
-        Vect::Node(self, self.push(Number::Vector(si.into()), unit.dim, op))
+        VectorTerm::Node(self, self.push(Number::Vector(si.into()), unit.dim, op))
     }
 
     fn step(
@@ -234,10 +234,10 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         self,
         symbol: impl Into<Symbol>,
         unit: &'static str,
-        value: Vect<'s>,
+        value: VectorTerm<'s>,
         why: impl Into<Why>,
-    ) -> Vect<'s> {
-        Vect::Node(self, self.write_step(symbol.into(), unit, value.on(self), why.into()))
+    ) -> VectorTerm<'s> {
+        VectorTerm::Node(self, self.write_step(symbol.into(), unit, value.on(self), why.into()))
     }
 
     fn found(self, symbol: impl Into<Symbol>, unit: &'static str, si: f64, how: impl Into<Why>) -> Term<'s> {
@@ -266,8 +266,8 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         unit: &'static str,
         si: Vector3<f64>,
         how: impl Into<Why>,
-    ) -> Vect<'s> {
-        Vect::Node(self, self.write_found(symbol.into(), unit, Number::Vector(si.into()), how.into()))
+    ) -> VectorTerm<'s> {
+        VectorTerm::Node(self, self.write_found(symbol.into(), unit, Number::Vector(si.into()), how.into()))
     }
 
     fn check(self, what: impl Into<Text>, left: Term<'s>, right: Term<'s>) {
@@ -287,8 +287,8 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         self.hold_to_zero(what.into(), residual, scale, error);
     }
 
-    fn check_vector(self, what: impl Into<Text>, left: Vect<'s>, right: Vect<'s>) {
-        if let (Vect::Node(_, a), Vect::Node(_, b)) = (left, right) {
+    fn check_vector(self, what: impl Into<Text>, left: VectorTerm<'s>, right: VectorTerm<'s>) {
+        if let (VectorTerm::Node(_, a), VectorTerm::Node(_, b)) = (left, right) {
             self.same_dim(a, b);
         }
         let error = self.error_between(left.node(), right.node());
@@ -302,7 +302,7 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         self.give_number(name.into(), label, id);
     }
 
-    fn answer_vector(self, name: impl Into<Name>, label: &'static str, value: Vect<'s>) {
+    fn answer_vector(self, name: impl Into<Name>, label: &'static str, value: VectorTerm<'s>) {
         let id = value.on(self);
         self.give_number(name.into(), label, id);
     }

@@ -15,7 +15,7 @@ use dalembert_units::{Kind, Unit};
 pub use self::scatter::Distribution;
 use crate::{
     Answer, Axis, Entry, Plot, Record, Refusal, Scale, Series, SolveError, Stop, Text,
-    vary::{self, Again, Input},
+    vary::{self, Input, Perturbed},
 };
 
 /// So many points are looked at when a value is sought.
@@ -96,7 +96,7 @@ pub fn study(entry: &Entry, record: &Record, plan: &Plan, stop: &Stop) -> Result
     let name = match plan {
         Plan::Sweep { answer, .. } | Plan::Find { answer, .. } | Plan::Scatter { answer, .. } => answer,
     };
-    let no_number = || SolveError::from(Refusal::because("this answer is no single number"));
+    let no_number = || SolveError::from(Refusal::because("this answer is not a scalar"));
     let answer = solution.answer(name).filter(|answer| answer.si().is_some()).ok_or_else(no_number)?;
     match plan {
         Plan::Sweep { input, range, points, scale, family, .. } => {
@@ -134,10 +134,12 @@ impl<'a> Curve<'a> {
     ) -> Result<Self, SolveError> {
         let inputs = vary::inputs(record);
         let at = inputs.iter().position(|known| known.path == input);
-        let at = at.ok_or_else(|| Refusal::because("this input is no number of the problem as it stands"))?;
+        let at = at.ok_or_else(|| {
+            Refusal::because("this input is not a number of the problem with its present options")
+        })?;
         let range = [range[0].min(range[1]), range[0].max(range[1])];
         if !range.iter().all(|end| end.is_finite()) || range[0] == range[1] {
-            return Err(Refusal::because("the range has no width: write two different ends").into());
+            return Err(Refusal::because("the range is empty: enter two different limits").into());
         }
         Ok(Self { entry, record, answer, inputs, at, range })
     }
@@ -146,10 +148,10 @@ impl<'a> Curve<'a> {
         &self.inputs[self.at]
     }
 
-    fn again(&self) -> Result<Again, SolveError> {
+    fn again(&self) -> Result<Perturbed, SolveError> {
         let path = self.input().path.clone();
         let again =
-            Again::new(self.entry, self.record, self.inputs.clone(), vec![self.answer.name.to_string()])?;
+            Perturbed::new(self.entry, self.record, self.inputs.clone(), vec![self.answer.name.to_string()])?;
         if again.answers.is_empty() || !again.inputs.iter().any(|known| known.path == path) {
             return Err(Refusal::because("this input cannot be varied").into());
         }
@@ -168,7 +170,7 @@ impl<'a> Curve<'a> {
 
     fn values(
         &self,
-        again: &mut Again,
+        again: &mut Perturbed,
         places: &[f64],
         other: Option<(usize, f64)>,
         stop: &Stop,
@@ -228,7 +230,7 @@ impl<'a> Curve<'a> {
         let mut plot = self.plot(series);
         plot.x.scale = if self.range[0] > 0.0 { scale } else { Scale::Linear };
         if family.is_none() {
-            plot = plot.mark("as it stands", (self.input().si, self.answer.si().unwrap_or(f64::NAN)));
+            plot = plot.mark("current value", (self.input().si, self.answer.si().unwrap_or(f64::NAN)));
         }
         Ok(Studied { says, plot: Some(plot), numbers: Vec::new() })
     }
@@ -243,7 +245,7 @@ impl<'a> Curve<'a> {
         if let Some(first) = values.first()
             && values.iter().all(|value| (value - first).abs() <= ROUNDING * first.abs())
         {
-            let says = Text::new("{answer} does not change with {input}")
+            let says = Text::new("{answer} does not depend on {input}")
                 .with_text("answer", self.answer.title())
                 .with_text("input", self.input().label.clone());
             return Ok(Studied { says: vec![says], plot: None, numbers: Vec::new() });
@@ -276,18 +278,18 @@ impl<'a> Curve<'a> {
             let most = ends.max_by(|a, b| a.1.total_cmp(b.1));
             says.push(match least.zip(most) {
                 Some((least, most)) => Text::new(
-                    "no value in the range gives it: the answer runs from {least} (at {at_least}) to {most} (at {at_most})",
+                    "target not reached in the range: the answer lies between {least} (at {at_least}) and {most} (at {at_most})",
                 )
                 .with_quantity("least", *least.1, y_unit)
                 .with_quantity("at_least", *least.0, x_unit)
                 .with_quantity("most", *most.1, y_unit)
                 .with_quantity("at_most", *most.0, x_unit),
-                None => Text::new("there is no answer anywhere in the range"),
+                None => Text::new("no answer in the whole range"),
             });
         }
         says.extend(self.gaps(&again, None, &places, &values, stop));
         let points = places.iter().copied().zip(values).collect();
-        let mut plot = self.plot(vec![Series::line(self.answer.title(), points)]).level("wanted", wanted);
+        let mut plot = self.plot(vec![Series::line(self.answer.title(), points)]).level("target", wanted);
         plot.x.scale = scale;
         for x in &found {
             plot = plot.mark("", (*x, wanted));
@@ -296,7 +298,7 @@ impl<'a> Curve<'a> {
     }
 
     fn plot(&self, series: Vec<Series>) -> Plot {
-        let title = Text::new("{answer} over {input}")
+        let title = Text::new("{answer} against {input}")
             .with_text("answer", self.answer.title())
             .with_text("input", self.input().label.clone());
         let x = Axis::linear(self.input().label.clone(), fixed(&self.input().unit));
@@ -306,7 +308,7 @@ impl<'a> Curve<'a> {
     /// Where there is no answer, with another input changed too, and why.
     fn gaps(
         &self,
-        again: &Again,
+        again: &Perturbed,
         other: Option<(usize, f64)>,
         places: &[f64],
         values: &[f64],
@@ -333,13 +335,13 @@ impl<'a> Curve<'a> {
             Text::new("no answer from {from} to {to}: {why}")
                 .with_quantity("from", places[first], unit)
                 .with_quantity("to", places[last], unit)
-                .with_text("why", why.unwrap_or_else(|| Text::new("not told")))
+                .with_text("why", why.unwrap_or_else(|| Text::new("no reason reported")))
         });
         told.collect()
     }
 }
 
-fn place_of(again: &Again, path: &str) -> usize {
+fn place_of(again: &Perturbed, path: &str) -> usize {
     again.inputs.iter().position(|input| input.path == path).unwrap_or(0)
 }
 

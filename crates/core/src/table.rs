@@ -207,8 +207,8 @@ impl Separator {
     fn name(self) -> &'static str {
         match self {
             Separator::Semicolon => "semicolons",
-            Separator::Tab => "tabulators",
-            Separator::Blank => "blanks",
+            Separator::Tab => "tabs",
+            Separator::Blank => "spaces",
             Separator::Comma => "commas",
         }
     }
@@ -256,13 +256,11 @@ impl Miscount {
     fn text(&self, columns: &'static [Field]) -> Text {
         let why = match self.cells {
             1 => Text::new(
-                "there is one column instead of {want}: {columns}; set them apart by semicolons, tabs, blanks or commas",
+                "one column instead of {want}: {columns}; separate them by semicolons, tabs, spaces or commas",
             ),
-            _ => {
-                Text::new("there are {have} columns, set apart by {separator}, instead of {want}: {columns}")
-                    .with("have", self.cells)
-                    .with_text("separator", self.separator.name())
-            }
+            _ => Text::new("{have} columns separated by {separator} instead of {want}: {columns}")
+                .with("have", self.cells)
+                .with_text("separator", self.separator.name()),
         };
         let why = why.with("want", columns.len()).with_text("columns", names(columns));
         let text = match self.more {

@@ -83,7 +83,7 @@ pub fn functions(bytes: &[u8]) -> (Vec<Function>, Vec<Skipped>) {
         }
         let begin = lines.number;
         if opening.trim_start_matches('\u{FEFF}').trim() != "-1" {
-            skipped.push(Skipped { line: begin, why: Text::new("stands between datasets") });
+            skipped.push(Skipped { line: begin, why: Text::new("is between datasets") });
             continue;
         }
         let Some(header) = lines.next().map(text) else {
@@ -94,9 +94,9 @@ pub fn functions(bytes: &[u8]) -> (Vec<Function>, Vec<Skipped>) {
             Some(58) => function(&header, &mut lines, begin),
             Some(number) => Err(Skipped {
                 line: begin,
-                why: Text::new("dataset {number} is no function").with("number", number),
+                why: Text::new("dataset {number} is not a function").with("number", number),
             }),
-            None => Err(Skipped { line: begin + 1, why: Text::new("this is no number of a dataset") }),
+            None => Err(Skipped { line: begin + 1, why: Text::new("not a dataset number") }),
         };
         match read {
             Ok(function) => found.push(function),
@@ -303,13 +303,13 @@ fn written(layout: &Layout, lines: &mut Lines<'_>, begin: usize) -> Result<Vec<f
         let by_blanks: Option<Vec<f64>> = line.split_whitespace().map(number).collect();
         let read = by_blanks.or_else(|| by_columns(&line, &columns, values.len()));
         let Some(read) = read else {
-            let why = Text::new("`{line}` is no row of numbers").with("line", column(line.trim(), 0, 40));
+            let why = Text::new("`{line}` is not a row of numbers").with("line", column(line.trim(), 0, 40));
             return Err(Skipped { line: lines.number, why });
         };
         values.extend(read);
     }
     if values.len() < wanted {
-        let why = Text::new("the function has {have} numbers of {wanted} announced");
+        let why = Text::new("the function has {have} numbers; its header announces {wanted}");
         return Err(Skipped { line: begin, why: why.with("have", values.len()).with("wanted", wanted) });
     }
     values.truncate(wanted);
@@ -357,7 +357,7 @@ fn binary(header: &str, layout: &Layout, lines: &mut Lines<'_>, begin: usize) ->
         .find(|size| lines.ends_after(*size))
         .or_else(|| sizes.iter().copied().find(|size| Some(*size) == announced));
     let Some(length) = found else {
-        return fail(Text::new("the bytes of the function are not as many as its points need"));
+        return fail(Text::new("the function has too few bytes for its points"));
     };
     let Some(bytes) = lines.take(length) else {
         return fail(Text::new("the file ends within the function"));
@@ -393,5 +393,5 @@ fn binary(header: &str, layout: &Layout, lines: &mut Lines<'_>, begin: usize) ->
             break;
         }
     }
-    fail(Text::new("the end of the dataset does not follow its bytes"))
+    fail(Text::new("end of dataset missing after its bytes"))
 }

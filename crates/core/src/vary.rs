@@ -29,7 +29,7 @@ pub struct Input {
 }
 
 /// A problem that is solved again and again with other numbers.
-pub struct Again {
+pub struct Perturbed {
     /// The inputs that can be changed.
     pub inputs: Vec<Input>,
     /// The names of the answers that are found each time.
@@ -161,7 +161,7 @@ impl Input {
         if width >= 0.0 {
             Ok(width)
         } else {
-            Err(Text::new("a tolerance is not negative: it holds to both sides"))
+            Err(Text::new("a tolerance cannot be negative; it applies to both sides"))
         }
     }
 
@@ -186,7 +186,7 @@ impl Input {
     }
 }
 
-impl Again {
+impl Perturbed {
     /// Ready to solve the problem with other numbers at `inputs` for these answers. Inputs that the analysis cannot
     /// change, and answers that are no single numbers, are dropped.
     ///
@@ -240,9 +240,9 @@ impl Again {
     }
 }
 
-impl std::fmt::Debug for Again {
+impl std::fmt::Debug for Perturbed {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Again")
+        f.debug_struct("Perturbed")
             .field("inputs", &self.inputs)
             .field("answers", &self.answers)
             .finish_non_exhaustive()

@@ -193,7 +193,7 @@ fn every_error_names_its_field() {
         errors,
         [
             "bodies[1].mass: must be above zero; you wrote -3 kg",
-            "terms: 21 is outside the limits; write a whole number from 1 to 20",
+            "terms: 21 is outside the limits; enter an integer from 1 to 20",
             "friction: `maybe` is neither yes nor no",
             "loads[1].body: there is no `crnk`; did you mean `crank`?",
         ]
@@ -271,7 +271,7 @@ fn a_heading_gives_each_column_its_unit() {
     // One cell too many is told as such, whatever other marks stand in its line.
     let faults = points_of("2; 1,5e-3\n3; 1,1e-4; 7").unwrap_err();
     let told = faults[0].why.english();
-    assert!(told.starts_with("line 2: there are 3 columns, set apart by semicolons"), "{told}");
+    assert!(told.starts_with("line 2: 3 columns separated by semicolons"), "{told}");
 }
 
 #[test]
@@ -348,7 +348,7 @@ fn a_list_takes_no_more_rows_than_it_declares() {
         draft.set(&shape, &format!("radii[{row}]"), "1 mm").unwrap();
     }
     let error = draft.set(&shape, "radii[3]", "1 mm").unwrap_err();
-    assert_eq!(error.to_string(), "radii[3]: at most 2 rows are read here; there are 3");
+    assert_eq!(error.to_string(), "radii[3]: 3 rows: at most 2 are accepted here");
 }
 
 #[test]
@@ -359,7 +359,7 @@ fn numbers_without_a_unit_are_found() {
         draft.set(&shape, path, text).unwrap();
     }
     let found: Vec<String> = draft.without_unit(&shape).iter().map(ToString::to_string).collect();
-    assert_eq!(found, ["radii[1]: no unit; taken as mm", "place: no unit; taken as m"]);
+    assert_eq!(found, ["radii[1]: no unit; mm assumed", "place: no unit; m assumed"]);
     for (path, text) in [("radii[1]", "2 mm"), ("place", "(0; 0; 0)")] {
         draft.set(&shape, path, text).unwrap();
     }
@@ -415,7 +415,7 @@ fn text_that_is_no_problem_file_is_refused_with_its_place() {
         ("analysis = 3", "must be a text"),
         ("title = \"x\"", "the analysis is not named"),
         ("analysis = \"no/such\"", "there is no analysis `no/such`"),
-        ("analysis = \"a\"\nanalysis = \"b\"", "the key `analysis` stands here a second time"),
+        ("analysis = \"a\"\nanalysis = \"b\"", "duplicate key `analysis`"),
         ("a = [[[[[[", ""),
     ] {
         let errors = file::parse(text).unwrap_err();

@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
 use dalembert_core::{
-    Field, Limit, Locale, Measure, Refusal, Shape, Sheet, Solution, Stop, Term, Trail, Vect, Worksheet,
+    Field, Limit, Locale, Measure, Refusal, Shape, Sheet, Solution, Stop, Term, Trail, VectorTerm, Worksheet,
     printer, worksheet::Given,
 };
 use dalembert_mechanics::{Real, Vector};
@@ -16,8 +16,8 @@ struct Bench<'s> {
     b: Term<'s>,
     t: Term<'s>,
     angle: Term<'s>,
-    force: Vect<'s>,
-    arm: Vect<'s>,
+    force: VectorTerm<'s>,
+    arm: VectorTerm<'s>,
 }
 
 /// An input of that symbol in that unit.
@@ -128,7 +128,7 @@ fn vectors_are_written_as_vectors() {
     );
     assert_eq!(
         written(|s| {
-            s.sheet.step_vector("p", "m", Vect::from_components(s.a, Term::from(0.0), -s.b), "why");
+            s.sheet.step_vector("p", "m", VectorTerm::from_components(s.a, Term::from(0.0), -s.b), "why");
         }),
         "a i − b k | 3 m i − (−2 m) k | (3 i + 2 k) m"
     );

@@ -17,19 +17,19 @@ pub(crate) struct Arguments {
     /// A problem file or the id of an analysis, to open in the workbench
     #[arg(value_name = "FILE")]
     pub(crate) problem: Option<String>,
-    /// Open the file without a way to save over it
+    /// Open the file read-only
     #[arg(long)]
     pub(crate) readonly: bool,
-    /// Write what is done in the workbench to a new file, for `dalembert replay`
+    /// Record the session to a new file, for `dalembert replay`
     #[arg(long, value_name = "FILE")]
     pub(crate) record: Option<PathBuf>,
-    /// The language of everything that is printed
+    /// Language of the output
     #[arg(long, global = true, value_name = "LANGUAGE", value_parser = ["en", "pt-BR"])]
     pub(crate) lang: Option<String>,
-    /// Print ASCII characters alone
+    /// Print ASCII characters only
     #[arg(long, global = true)]
     pub(crate) ascii: bool,
-    /// For serial lines and screen readers: ASCII, no colours, no frames, no mouse, films held
+    /// For serial lines and screen readers: ASCII, no colours, no frames, no mouse, animations paused
     #[arg(long)]
     pub(crate) basic: bool,
     /// Leave the mouse to the terminal
@@ -43,29 +43,29 @@ pub(crate) struct Arguments {
 pub(crate) enum Command {
     /// List the analyses
     List(List),
-    /// Show what an analysis asks for and answers
+    /// Show the inputs and answers of an analysis
     Show(Show),
     /// Solve a problem and print its worked solution
     Solve(Solve),
-    /// Hold every published answer against ours
+    /// Check all published answers
     Verify(Verify),
     /// Print the JSON Schema of a problem file, for an editor
     Schema(Schema),
-    /// Play a recorded or written session of the workbench
+    /// Replay a recorded or written session of the workbench
     Replay(Replay),
-    /// Print a script that completes the arguments in a shell
+    /// Print a completion script for a shell
     Completions(Completions),
     /// Print the manual page
-    Man(Man),
-    /// Show the version, the files and folders, and what the terminal can do
+    Man(ManPage),
+    /// Show version, files and folders, and the capabilities of the terminal
     Info,
-    /// Print a file of settings that says what can be set, to begin one's own with
+    /// Print a settings template
     Settings,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct List {
-    /// Words that the id, the title, the summary or the keywords contain
+    /// Words to find in id, title, summary or keywords
     pub(crate) filter: Vec<String>,
     /// Print JSON
     #[arg(long)]
@@ -86,13 +86,14 @@ pub(crate) struct Solve {
     /// The id of an analysis, or a problem file
     #[arg(value_name = "ID|FILE")]
     pub(crate) problem: String,
-    /// Begin with the inputs of this published case, counted from 1; without it, --set begins with empty inputs, and an id alone solves case 1
+    /// Start from the inputs of this published case, counted from 1; without it, --set starts from empty
+    /// inputs, and an id alone solves case 1
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub(crate) case: Option<u32>,
     /// Change an input: mass="40 kg", masses[2].radius="0.1 m"; a table can be read from a file: samples=@data.csv
     #[arg(long, value_name = "PATH=VALUE")]
     pub(crate) set: Vec<String>,
-    /// What is printed; without it, what the ending of the file asks for, else text
+    /// Output format; default: by the file extension, otherwise text
     #[arg(long, value_enum)]
     pub(crate) format: Option<Format>,
     /// The table to print as CSV: answers, inputs, steps, checks, table-1, plot-1
@@ -101,16 +102,16 @@ pub(crate) struct Solve {
     /// Write to a new file; Markdown and Typst write their figures beside it
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
-    /// Write over files that are there; never over a problem file
+    /// Overwrite existing files; never a problem file
     #[arg(long, requires = "output")]
     pub(crate) force: bool,
-    /// Refuse a number without a unit where one is needed, instead of saying in which unit it is taken
+    /// Refuse a number without a unit where one is needed, instead of assuming one with a warning
     #[arg(long)]
     pub(crate) strict: bool,
-    /// Show so many significant digits
+    /// Number of significant digits
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(crate) digits: Option<u8>,
-    /// Show an answer in this unit: amplitude=um
+    /// Unit of an answer: amplitude=um
     #[arg(long, value_name = "ANSWER=UNIT")]
     pub(crate) unit: Vec<String>,
 }
@@ -135,7 +136,7 @@ pub(crate) enum Format {
 
 #[derive(Debug, Args)]
 pub(crate) struct Verify {
-    /// Words that the id, the title, the summary or the keywords contain
+    /// Words to find in id, title, summary or keywords
     pub(crate) filter: Vec<String>,
     /// List the answers that no check covers, each with the reason
     #[arg(long)]
@@ -153,15 +154,15 @@ pub(crate) struct Schema {
 
 #[derive(Debug, Args)]
 pub(crate) struct Replay {
-    /// The session, as --record writes it
+    /// Session file, as written by --record
     pub(crate) file: PathBuf,
-    /// So many times as fast as a person types
+    /// Speed factor relative to the typing speed
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = speed)]
     pub(crate) speed: f64,
-    /// Play at once, without a terminal, and print the screens that the session marks, or the last one
+    /// Replay at once without a terminal and print the marked screens, or the last one
     #[arg(long)]
     pub(crate) headless: bool,
-    /// Write the marked screens to this folder as SVG, instead of printing them
+    /// Write the marked screens as SVG to this folder instead of printing them
     #[arg(long, value_name = "FOLDER", requires = "headless")]
     pub(crate) pictures: Option<PathBuf>,
 }
@@ -181,8 +182,8 @@ pub(crate) struct Completions {
 }
 
 #[derive(Debug, Args)]
-pub(crate) struct Man {
-    /// The subcommand; without it, the whole program
+pub(crate) struct ManPage {
+    /// Subcommand; default: the whole program
     pub(crate) command: Option<String>,
 }
 

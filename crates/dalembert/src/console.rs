@@ -3,6 +3,7 @@
 use std::{
     ffi::OsString,
     io::{self, IsTerminal, Write},
+    process::ExitCode,
 };
 
 use dalembert_core::{Language, Locale, Text, ascii};
@@ -76,6 +77,28 @@ impl Console {
     pub(crate) fn plain(&self, words: &str) -> String {
         let safe = filter_untrusted(words);
         if self.locale.style.ascii { ascii(&safe) } else { safe.into_owned() }
+    }
+
+    /// Reports a failure on the error stream; the exit status that goes with it.
+    pub(crate) fn report(&self, failure: &Failure) -> ExitCode {
+        let say = |text: Text| self.plain(&text.render(&self.locale));
+        let error = |why: String| say(Text::new("error: {why}").with("why", why));
+        let (lines, status) = match failure {
+            Failure::Input(all) => {
+                (all.iter().map(|why| error(why.render(&self.locale))).collect::<Vec<_>>().join("\n"), 2)
+            }
+            Failure::InFile(shown) => (shown.clone(), 2),
+            Failure::File(err) => (error(err.text().render(&self.locale)), 2),
+            Failure::Refused(why) => (say(Text::new("no answer: {why}").with_text("why", why.clone())), 1),
+            Failure::Unmet(why) => (error(why.render(&self.locale)), 1),
+            Failure::Fault(what) => {
+                (say(Text::new("internal error, not caused by your input: {what}").with("what", what)), 2)
+            }
+            Failure::Output(err) => (error(err.to_string()), 2),
+        };
+        // Nobody is left to be told when the error stream itself is closed.
+        let _ = writeln!(io::stderr(), "{lines}");
+        ExitCode::from(status)
     }
 }
 

@@ -39,7 +39,7 @@ pub fn main() -> ExitCode {
         Ok(arguments) => {
             let console = Console::of_process(language, arguments.ascii);
             let set = Set { path, settings, faults };
-            run(&arguments, set, &console).unwrap_or_else(|failure| failure.report(&console))
+            run(&arguments, set, &console).unwrap_or_else(|failure| console.report(&failure))
         }
         Err(err) => {
             // Help and version are no errors to clap either: it knows the stream and the status.
@@ -64,7 +64,7 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         || arguments.record.is_some();
     if arguments.command.is_some() && for_workbench {
         return Err(Failure::input(
-            "what the workbench is to do and a subcommand cannot stand together; write one of them",
+            "options of the workbench and a subcommand cannot be combined; use one of them",
         ));
     }
     match &arguments.command {

@@ -20,7 +20,7 @@ pub(crate) fn allowed(path: &Path, problem: &Path, force: bool) -> Result<(), Fa
     if force {
         Ok(())
     } else {
-        refuse("{file} exists already: write another name, or --force to write over it")
+        refuse("{file} already exists: choose another name, or use --force to overwrite")
     }
 }
 

@@ -115,7 +115,10 @@ fn of_analysis(entry: &'static Entry, asked: &Asked<'_>, console: &Console) -> R
         }),
         _ => {
             if is_incomplete && asked.case.is_none() {
-                errors.push("an input that is not set is not filled in; --case 1 begins with those of the first published case".into());
+                errors.push(
+                    "inputs that are not set stay empty; --case 1 starts from the first published case"
+                        .into(),
+                );
             }
             Err(Failure::Input(errors))
         }

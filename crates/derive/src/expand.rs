@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream as Tokens};
 use quote::format_ident;
 use syn::{Data, DataEnum, DeriveInput, Error, Fields, FieldsNamed, Ident, Result, Visibility};
 
-use crate::field::{Arguments, Asks, documentation};
+use crate::field::{Arguments, FieldKind, documentation};
 
 pub(crate) fn expand(item: &DeriveInput) -> Result<Tokens> {
     if !item.generics.params.is_empty() {
@@ -25,7 +25,7 @@ struct Group {
     /// `Field { … }, …`
     described: Vec<Tokens>,
     names: Vec<Ident>,
-    asks: Vec<Asks>,
+    asks: Vec<FieldKind>,
     /// The symbols; of a nested struct or enum, the index of the symbols inside.
     symbols: Vec<String>,
 }
@@ -44,7 +44,7 @@ impl Group {
                 return Err(Error::new_spanned(field, why));
             }
             let arguments = Arguments::of(&field.attrs)?;
-            let asks = Asks::of(&field.ty, &arguments)?;
+            let asks = FieldKind::of(&field.ty, &arguments)?;
             let (name, symbol) = (ident.to_string(), arguments.symbol());
             let shape = asks.shape(&arguments)?;
             let (default, before) = (arguments.text("default"), arguments.text("default_before"));

@@ -7,15 +7,15 @@ use syn::{
 };
 
 /// What the type of a field asks for.
-pub(crate) enum Asks {
+pub(crate) enum FieldKind {
     Quantity,
     Vector,
     Text,
     Flag,
     Count(Type),
     Reference,
-    Optional(Box<Asks>),
-    Rows(Box<Asks>),
+    Optional(Box<FieldKind>),
+    Rows(Box<FieldKind>),
     Table(Type),
     Nested(Type),
 }
@@ -28,7 +28,7 @@ pub(crate) struct Arguments {
     span: Option<proc_macro2::Span>,
 }
 
-impl Asks {
+impl FieldKind {
     /// What a field of this type, with these arguments, asks for.
     pub(crate) fn of(ty: &Type, arguments: &Arguments) -> Result<Self> {
         let Type::Path(path) = ty else {
@@ -48,33 +48,37 @@ impl Asks {
             _ => Err(Error::new_spanned(ty, "the type inside is missing")),
         };
         Ok(match last.ident.to_string().as_str() {
-            "f64" => Asks::Quantity,
-            "Vector3" => Asks::Vector,
-            "String" => Asks::Text,
-            "bool" => Asks::Flag,
-            "u32" | "u64" | "usize" => Asks::Count(ty.clone()),
-            "Reference" => Asks::Reference,
-            "Option" => Asks::Optional(Box::new(Asks::of(&inner()?, arguments)?)),
-            "Vec" if arguments.has("table") => Asks::Table(inner()?),
-            "Vec" => Asks::Rows(Box::new(Asks::of(&inner()?, arguments)?)),
-            _ => Asks::Nested(ty.clone()),
+            "f64" => FieldKind::Quantity,
+            "Vector3" => FieldKind::Vector,
+            "String" => FieldKind::Text,
+            "bool" => FieldKind::Flag,
+            "u32" | "u64" | "usize" => FieldKind::Count(ty.clone()),
+            "Reference" => FieldKind::Reference,
+            "Option" => FieldKind::Optional(Box::new(FieldKind::of(&inner()?, arguments)?)),
+            "Vec" if arguments.has("table") => FieldKind::Table(inner()?),
+            "Vec" => FieldKind::Rows(Box::new(FieldKind::of(&inner()?, arguments)?)),
+            _ => FieldKind::Nested(ty.clone()),
         })
     }
 
     /// Whether the field stands in `NameGiven`.
     pub(crate) fn is_lifted(&self) -> bool {
         match self {
-            Asks::Quantity | Asks::Vector | Asks::Nested(_) => true,
-            Asks::Optional(inner) | Asks::Rows(inner) => inner.is_lifted(),
-            Asks::Text | Asks::Flag | Asks::Count(_) | Asks::Reference | Asks::Table(_) => false,
+            FieldKind::Quantity | FieldKind::Vector | FieldKind::Nested(_) => true,
+            FieldKind::Optional(inner) | FieldKind::Rows(inner) => inner.is_lifted(),
+            FieldKind::Text
+            | FieldKind::Flag
+            | FieldKind::Count(_)
+            | FieldKind::Reference
+            | FieldKind::Table(_) => false,
         }
     }
 
     /// Whether its symbols are those of another type.
     pub(crate) fn is_nested(&self) -> bool {
         match self {
-            Asks::Nested(_) => true,
-            Asks::Optional(inner) | Asks::Rows(inner) => inner.is_nested(),
+            FieldKind::Nested(_) => true,
+            FieldKind::Optional(inner) | FieldKind::Rows(inner) => inner.is_nested(),
             _ => false,
         }
     }
@@ -82,33 +86,33 @@ impl Asks {
     /// A `Shape`.
     pub(crate) fn shape(&self, arguments: &Arguments) -> Result<Tokens> {
         Ok(match self {
-            Asks::Quantity => {
+            FieldKind::Quantity => {
                 let measure = arguments.measure()?;
                 code! { dalembert_core::Shape::Quantity(#measure) }
             }
-            Asks::Vector => {
+            FieldKind::Vector => {
                 let measure = arguments.measure()?;
                 let len: usize = if arguments.has("planar") { 2 } else { 3 };
                 code! { dalembert_core::Shape::Vector(#measure, #len) }
             }
-            Asks::Text => code! { dalembert_core::Shape::Text },
-            Asks::Flag => code! { dalembert_core::Shape::Flag },
-            Asks::Count(_) => {
+            FieldKind::Text => code! { dalembert_core::Shape::Text },
+            FieldKind::Flag => code! { dalembert_core::Shape::Flag },
+            FieldKind::Count(_) => {
                 let min = arguments.value("min").map_or_else(|| code! { 0 }, |min| code! { #min });
                 let max = arguments.value("max").map_or_else(|| code! { 1_000_000 }, |max| code! { #max });
                 code! { dalembert_core::Shape::Count { min: #min, max: #max } }
             }
-            Asks::Reference => {
+            FieldKind::Reference => {
                 let rows = arguments.value("rows").ok_or_else(|| {
                     arguments.error("a reference names the list it points into: #[input(rows = \"bodies\")]")
                 })?;
                 code! { dalembert_core::Shape::Reference(#rows) }
             }
-            Asks::Optional(inner) => {
+            FieldKind::Optional(inner) => {
                 let inner = inner.shape(arguments)?;
                 code! { dalembert_core::Shape::Optional(|| { const SHAPE: &dalembert_core::Shape = &#inner; SHAPE }) }
             }
-            Asks::Rows(inner) => {
+            FieldKind::Rows(inner) => {
                 let min = arguments.value("min").map_or_else(|| code! { 0 }, |min| code! { #min });
                 let most = arguments.value("most").map_or_else(|| code! { 1_000 }, |most| code! { #most });
                 let inner = inner.shape(arguments)?;
@@ -120,53 +124,53 @@ impl Asks {
                     }
                 }
             }
-            Asks::Table(row) => code! {
+            FieldKind::Table(row) => code! {
                 dalembert_core::Shape::Table(|| <#row as dalembert_core::Inputs>::SHAPE.fields(None))
             },
             // Behind a function, so that a type may contain itself.
-            Asks::Nested(ty) => code! { <#ty as dalembert_core::Inputs>::SHAPE },
+            FieldKind::Nested(ty) => code! { <#ty as dalembert_core::Inputs>::SHAPE },
         })
     }
 
     /// An expression of `Option<Self>`, from `value: &Value` and `trail: &Trail`, noting faults in `errors`.
     pub(crate) fn read(&self) -> Tokens {
         match self {
-            Asks::Quantity => code! { support::quantity(value, trail, errors) },
-            Asks::Vector => code! { support::vector(value, trail, errors) },
-            Asks::Text => code! { support::text(value, trail, errors) },
-            Asks::Flag => code! { support::flag(value, trail, errors) },
-            Asks::Count(ty) => code! {
+            FieldKind::Quantity => code! { support::quantity(value, trail, errors) },
+            FieldKind::Vector => code! { support::vector(value, trail, errors) },
+            FieldKind::Text => code! { support::text(value, trail, errors) },
+            FieldKind::Flag => code! { support::flag(value, trail, errors) },
+            FieldKind::Count(ty) => code! {
                 support::count(value, trail, errors).and_then(|count| <#ty>::try_from(count).ok())
             },
-            Asks::Reference => code! { support::reference(value, trail, errors) },
-            Asks::Optional(inner) => {
+            FieldKind::Reference => code! { support::reference(value, trail, errors) },
+            FieldKind::Optional(inner) => {
                 let inner = inner.read();
                 code! { support::optional(value, errors, |value, errors| #inner) }
             }
-            Asks::Rows(inner) => {
+            FieldKind::Rows(inner) => {
                 let inner = inner.read();
                 code! { support::rows(value, trail, errors, |value, trail, errors| #inner) }
             }
-            Asks::Table(row) => code! {
+            FieldKind::Table(row) => code! {
                 support::table(value, trail, errors, |numbers| support::table_row::<#row>(numbers))
             },
-            Asks::Nested(ty) => code! { <#ty as dalembert_core::Inputs>::read(value, trail, errors) },
+            FieldKind::Nested(ty) => code! { <#ty as dalembert_core::Inputs>::read(value, trail, errors) },
         }
     }
 
     /// The same of the field of a group, from its `value`, `trail` and `errors`: by a function that is compiled once.
     pub(crate) fn read_in_group(&self, at: &Literal, name: &str) -> Option<Tokens> {
-        let function = |asks: &Asks| match asks {
-            Asks::Quantity => Some(code! { support::quantity }),
-            Asks::Vector => Some(code! { support::vector }),
-            Asks::Text => Some(code! { support::text }),
-            Asks::Flag => Some(code! { support::flag }),
-            Asks::Reference => Some(code! { support::reference }),
-            Asks::Nested(ty) => Some(code! { <#ty as dalembert_core::Inputs>::read }),
+        let function = |asks: &FieldKind| match asks {
+            FieldKind::Quantity => Some(code! { support::quantity }),
+            FieldKind::Vector => Some(code! { support::vector }),
+            FieldKind::Text => Some(code! { support::text }),
+            FieldKind::Flag => Some(code! { support::flag }),
+            FieldKind::Reference => Some(code! { support::reference }),
+            FieldKind::Nested(ty) => Some(code! { <#ty as dalembert_core::Inputs>::read }),
             _ => None,
         };
         match self {
-            Asks::Optional(inner) => {
+            FieldKind::Optional(inner) => {
                 let read = function(inner)?;
                 Some(code! { support::read_optional(value, #at, #name, trail, errors, #read) })
             }
@@ -180,17 +184,17 @@ impl Asks {
     /// The type in `NameGiven<W>`.
     pub(crate) fn given_type(&self) -> Tokens {
         match self {
-            Asks::Quantity => code! { W::Num },
-            Asks::Vector => code! { W::Vec },
-            Asks::Optional(inner) => {
+            FieldKind::Quantity => code! { W::Num },
+            FieldKind::Vector => code! { W::Vec },
+            FieldKind::Optional(inner) => {
                 let inner = inner.given_type();
                 code! { ::std::option::Option<#inner> }
             }
-            Asks::Rows(inner) => {
+            FieldKind::Rows(inner) => {
                 let inner = inner.given_type();
                 code! { ::std::vec::Vec<#inner> }
             }
-            Asks::Nested(ty) => code! { <#ty as dalembert_core::Inputs>::Given<W> },
+            FieldKind::Nested(ty) => code! { <#ty as dalembert_core::Inputs>::Given<W> },
             _ => code! { () },
         }
     }
@@ -198,13 +202,13 @@ impl Asks {
     /// An expression of the lifted value, from `this: &T`, `lift: Lift<W>` and `field: &'static Field`.
     pub(crate) fn given(&self) -> Tokens {
         match self {
-            Asks::Quantity => code! { support::given(lift, field, *this) },
-            Asks::Vector => code! { support::given_vector(lift, field, *this) },
-            Asks::Optional(inner) => {
+            FieldKind::Quantity => code! { support::given(lift, field, *this) },
+            FieldKind::Vector => code! { support::given_vector(lift, field, *this) },
+            FieldKind::Optional(inner) => {
                 let inner = inner.given();
                 code! { this.as_ref().map(|this| #inner) }
             }
-            Asks::Rows(inner) => {
+            FieldKind::Rows(inner) => {
                 let inner = inner.given();
                 code! {
                     this.iter().enumerate().map(|(n, this)| {
@@ -216,7 +220,7 @@ impl Asks {
                     }).collect()
                 }
             }
-            Asks::Nested(_) => code! { dalembert_core::Inputs::given(this, lift) },
+            FieldKind::Nested(_) => code! { dalembert_core::Inputs::given(this, lift) },
             _ => code! { () },
         }
     }
@@ -224,9 +228,9 @@ impl Asks {
     /// The same for a number or a vector, perhaps an optional one, in the group of `lift`, whose fields are `fields`.
     pub(crate) fn given_in_group(&self, at: &Literal) -> Option<Tokens> {
         match self {
-            Asks::Quantity => Some(code! { support::field_given(lift, fields, #at, *this) }),
-            Asks::Vector => Some(code! { support::field_given_vector(lift, fields, #at, *this) }),
-            Asks::Optional(inner) if matches!(**inner, Asks::Quantity | Asks::Vector) => {
+            FieldKind::Quantity => Some(code! { support::field_given(lift, fields, #at, *this) }),
+            FieldKind::Vector => Some(code! { support::field_given_vector(lift, fields, #at, *this) }),
+            FieldKind::Optional(inner) if matches!(**inner, FieldKind::Quantity | FieldKind::Vector) => {
                 let inner = inner.given_in_group(at)?;
                 Some(code! { this.as_ref().map(|this| #inner) })
             }
@@ -237,19 +241,19 @@ impl Asks {
     /// An expression of `Option<&mut f64>`, from `this: &mut T` and `rest: &[usize]`.
     pub(crate) fn slot(&self) -> Tokens {
         match self {
-            Asks::Quantity => code! { if rest.is_empty() { Some(this) } else { None } },
-            Asks::Vector => code! { if let [axis] = rest { this.get_mut(*axis) } else { None } },
-            Asks::Optional(inner) => {
+            FieldKind::Quantity => code! { if rest.is_empty() { Some(this) } else { None } },
+            FieldKind::Vector => code! { if let [axis] = rest { this.get_mut(*axis) } else { None } },
+            FieldKind::Optional(inner) => {
                 let inner = inner.slot();
                 code! { this.as_mut().and_then(|this| #inner) }
             }
-            Asks::Rows(inner) => {
+            FieldKind::Rows(inner) => {
                 let inner = inner.slot();
                 code! {
                     rest.split_first().and_then(|(row, rest)| this.get_mut(*row).and_then(|this| #inner))
                 }
             }
-            Asks::Nested(_) => code! { dalembert_core::Inputs::slot(this, rest) },
+            FieldKind::Nested(_) => code! { dalembert_core::Inputs::slot(this, rest) },
             _ => code! { { let _ = (this, rest); None } },
         }
     }

@@ -24,11 +24,11 @@ pub fn agm(mut a: f64, mut b: f64) -> f64 {
 ///
 /// Abramowitz and Stegun, §17.6.3: `K = π/(2 agm(1, √(1 − k²)))`.
 pub fn complete(modulus: f64) -> f64 {
-    complete_of(complement(modulus))
+    ellip_k(complement(modulus))
 }
 
 /// The same from `m₁ = 1 − k²`; infinite for `m₁ = 0`.
-pub fn complete_of(complement: f64) -> f64 {
+pub fn ellip_k(complement: f64) -> f64 {
     FRAC_PI_2 / agm(1.0, complement.sqrt())
 }
 
@@ -48,7 +48,7 @@ pub fn jacobi_of(u: f64, complement: f64) -> (f64, f64, f64) {
     (sn, cn, (complement + (1.0 - complement) * cn * cn).sqrt())
 }
 
-/// Jacobi's amplitude `φ = am u`, the inverse of [`first_kind_of`]; it grows by `π` with every `2 K`.
+/// Jacobi's amplitude `φ = am u`, the inverse of [`ellip_f`]; it grows by `π` with every `2 K`.
 ///
 /// Abramowitz and Stegun, §16.4; for `m₁ = 0` Gudermann's function.
 pub fn amplitude_of(u: f64, complement: f64) -> f64 {
@@ -79,11 +79,11 @@ pub fn amplitude_of(u: f64, complement: f64) -> f64 {
 /// Incomplete elliptic integral of the first kind `F = ∫₀^φ dφ/√(1 − k² sin²φ)`, from `m₁ = 1 − k²`.
 ///
 /// Carlson's form; for `m₁ = 0` only `|φ| < π/2` has a finite value.
-pub fn first_kind_of(amplitude: f64, complement: f64) -> f64 {
+pub fn ellip_f(amplitude: f64, complement: f64) -> f64 {
     let (turns, rest) = half_turns(amplitude);
     let (sin, cos) = rest.sin_cos();
     let part = sin * carlson_first(cos * cos, cos * cos + complement * sin * sin, 1.0);
-    if turns == 0.0 { part } else { 2.0 * turns * complete_of(complement) + part }
+    if turns == 0.0 { part } else { 2.0 * turns * ellip_k(complement) + part }
 }
 
 /// Incomplete elliptic integral of the third kind `Π = ∫₀^φ dφ/((1 − n sin²φ) √(1 − k² sin²φ))`, from `1 − n > 0` and
@@ -91,21 +91,21 @@ pub fn first_kind_of(amplitude: f64, complement: f64) -> f64 {
 ///
 /// Carlson's form, for large negative `n` after the transformation of Abramowitz and Stegun, §17.7.15, which has no
 /// differences of near numbers; for `m₁ = 0` only `|φ| < π/2` has a finite value.
-pub fn third_kind_of(amplitude: f64, characteristic_complement: f64, complement: f64) -> f64 {
+pub fn ellip_pi(amplitude: f64, characteristic_complement: f64, complement: f64) -> f64 {
     let (turns, rest) = half_turns(amplitude);
-    let of = |angle| third_kind_within(angle, characteristic_complement, complement);
+    let of = |angle| ellip_pi_within(angle, characteristic_complement, complement);
     if turns == 0.0 { of(rest) } else { 2.0 * turns * of(FRAC_PI_2) + of(rest) }
 }
 
-/// [`third_kind_of`] for an amplitude within a quarter turn.
-fn third_kind_within(angle: f64, rest: f64, complement: f64) -> f64 {
+/// [`ellip_pi`] for an amplitude within a quarter turn.
+fn ellip_pi_within(angle: f64, rest: f64, complement: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
     let (cos_squared, sin_squared) = (cos * cos, sin * sin);
     let y = cos_squared + complement * sin_squared;
     let first = sin * carlson_first(cos_squared, y, 1.0);
     if rest > 2.0 {
         let below = rest - complement;
-        let within = third_kind_within(angle, complement / rest, complement);
+        let within = ellip_pi_within(angle, complement / rest, complement);
         let steepness = ((rest - 1.0) * below / rest).sqrt();
         return complement * (rest - 1.0) / (rest * below) * within
             + (1.0 - complement) / below * first
@@ -248,7 +248,7 @@ mod tests {
         for complement in [1.0, 0.5, 1e-3, 1e-8, 1e-14] {
             for n in -40..=40 {
                 let u = f64::from(n) * 0.37 + 0.01;
-                let back = first_kind_of(amplitude_of(u, complement), complement);
+                let back = ellip_f(amplitude_of(u, complement), complement);
                 // Near a quarter turn the integral is as steep as 1/√m₁.
                 let steep = 1e-15 / jacobi_of(u, complement).2;
                 assert!((back - u).abs() < 1e-13 * u.abs() + 10.0 * steep, "{complement} {u} {back}");
@@ -262,14 +262,13 @@ mod tests {
     fn the_third_integral_is_that_of_its_integrand() {
         for rest in [0.01, 0.5, 1.0, 7.0] {
             let closed = (f64::sqrt(rest) * 1.1f64.tan()).atan() / f64::sqrt(rest);
-            assert!((third_kind_of(1.1, rest, 1.0) / closed - 1.0).abs() < 1e-14);
+            assert!((ellip_pi(1.1, rest, 1.0) / closed - 1.0).abs() < 1e-14);
             assert!(
-                (third_kind_of(1.1 + 3.0 * PI, rest, 1.0) - closed - 3.0 * PI / f64::sqrt(rest)).abs()
-                    < 1e-12
+                (ellip_pi(1.1 + 3.0 * PI, rest, 1.0) - closed - 3.0 * PI / f64::sqrt(rest)).abs() < 1e-12
             );
             for (angle, complement) in [(0.3, 0.2), (1.4, 1e-6), (4.0, 0.6), (-9.0, 0.9)] {
                 let h = 1e-4;
-                let of = |angle| third_kind_of(angle, rest, complement);
+                let of = |angle| ellip_pi(angle, rest, complement);
                 let slope = (8.0 * (of(angle + h) - of(angle - h)) - of(angle + 2.0 * h)
                     + of(angle - 2.0 * h))
                     / (12.0 * h);
@@ -281,7 +280,7 @@ mod tests {
         }
         // Far below zero, where two large numbers would nearly cancel: π/(2 √(1 − n)) for k = 0.
         for rest in [3.0, 1e6, 4e12] {
-            let off = third_kind_of(FRAC_PI_2, rest, 1.0) * f64::sqrt(rest) / FRAC_PI_2 - 1.0;
+            let off = ellip_pi(FRAC_PI_2, rest, 1.0) * f64::sqrt(rest) / FRAC_PI_2 - 1.0;
             assert!(off.abs() < 1e-14, "{rest} {off:e}");
         }
     }

@@ -28,6 +28,7 @@ mod reaction;
 mod simulate;
 mod sweep;
 mod system;
+mod vectors;
 
 pub use balance::{Dynamics, LoadId, LoadPower};
 pub use centre::InstantCentre;

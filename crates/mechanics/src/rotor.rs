@@ -122,7 +122,7 @@ pub enum RotorError {
         speed: f64,
     },
     /// Somebody asked to stop.
-    #[error("stopped")]
+    #[error("cancelled")]
     Stopped,
     /// A decomposition failed.
     #[error(transparent)]

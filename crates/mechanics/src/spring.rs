@@ -92,7 +92,7 @@ pub fn pendulum_torsional<S: Real>(mass: S, gravity: S, distance: S) -> S {
 /// Body hung on parallel wires of length `l` at the radius `r` from its axis (two, three or more), turned about
 /// that axis, `k = m g r²/l`, N·m/rad.
 #[inline]
-pub fn hung_on_wires<S: Real>(mass: S, gravity: S, radius: S, length: S) -> S {
+pub fn bifilar_stiffness<S: Real>(mass: S, gravity: S, radius: S, length: S) -> S {
     mass * gravity * radius.powi(2) / length
 }
 
@@ -111,7 +111,7 @@ pub fn u_tube<S: Real>(density: S, gravity: S, area: S) -> S {
 /// A spring whose own deflection is `ratio` times that of the point where it is felt, `k' = r² k`: lever arms
 /// `a/b`, the cosine of an inclination, a gear ratio. Both store the same energy.
 #[inline]
-pub fn felt_through<S: Real>(stiffness: S, ratio: S) -> S {
+pub fn reflected_stiffness<S: Real>(stiffness: S, ratio: S) -> S {
     ratio.powi(2) * stiffness
 }
 

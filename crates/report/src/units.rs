@@ -12,10 +12,8 @@ pub fn show_answer_in(solution: &mut Solution, name: &str, unit: &str) -> Result
     let Some(at) = solution.answers.iter().position(|answer| answer.name.is(name)) else {
         let known: Vec<String> = solution.answers.iter().map(|answer| answer.name.to_string()).collect();
         let why = match nearest(name, known.iter().map(String::as_str)) {
-            Some(near) => Text::new("there is no answer `{name}`; did you mean `{near}`?").with("near", near),
-            None => {
-                Text::new("there is no answer `{name}`; write one of {known}").with("known", known.join(", "))
-            }
+            Some(near) => Text::new("no answer `{name}`; did you mean `{near}`?").with("near", near),
+            None => Text::new("no answer `{name}`; use one of {known}").with("known", known.join(", ")),
         };
         return Err(why.with("name", name));
     };

@@ -78,7 +78,7 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
         blocks.push(Block::Items(solution.warnings.iter().map(|warning| warning.render(locale)).collect()));
     }
     if !solution.defects.is_empty() {
-        blocks.push(Block::Heading(say("Faults of the program")));
+        blocks.push(Block::Heading(say("Internal errors")));
         blocks.push(Block::Items(solution.defects.clone()));
     }
     if !solution.steps.is_empty() {
@@ -93,7 +93,7 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
             Exhibit::Table(table) => blocks.push(Block::Table(written_table(table, locale))),
             Exhibit::Plot(plot) => blocks.extend(plotted(plot, locale)),
             // A drawing has no words of its own.
-            Exhibit::Drawing(_) | Exhibit::Film(_) | Exhibit::Scene(_) => {}
+            Exhibit::Drawing(_) | Exhibit::Animation(_) | Exhibit::Scene(_) => {}
         }
     }
     if !solution.checks.is_empty() {
@@ -102,11 +102,9 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
             let text = match (check.passed, check.limit > 1e-9) {
                 (true, false) => Text::new("{what}: relative difference {gap}"),
                 (true, true) => {
-                    Text::new("{what}: relative difference {gap}, where rounding explains up to {limit}")
+                    Text::new("{what}: relative difference {gap}, within rounding (up to {limit})")
                 }
-                (false, _) => {
-                    Text::new("{what}: FAILED, relative difference {gap}, where {limit} is allowed")
-                }
+                (false, _) => Text::new("{what}: FAILED, relative difference {gap}, limit {limit}"),
             };
             let number = |x: f64| units::write_number(x, units::Style { digits: 2, ..locale.style });
             let (gap, limit) = (number(check.residual), number(check.limit));

@@ -16,10 +16,11 @@ use dalembert_core::{Entry, Language, Text, registry};
 
 use self::watch::Watched;
 use crate::{
+    dialog::{After, Editing},
     files::{self, Autosave, Memory},
     glyphs::{Capabilities, Colors, Environment, Glyphs, PlotMarker},
     look::Look,
-    model::{After, EditError, Editing, Effect, Model, Msg},
+    model::{EditError, Effect, Model, Msg},
     replay::{Player, Recorder, Replay},
     settings::{self, Settings},
     solver::{Solver, judges},
@@ -34,14 +35,14 @@ const PATIENCE: Duration = Duration::from_millis(12);
 const KEEP_AFTER: Duration = Duration::from_secs(1);
 /// While a person goes on typing, so often.
 const KEEP_WHILE_TYPING: Duration = Duration::from_secs(10);
-/// Bytes a second that films may send: on this machine, and where a line lies between.
+/// Bytes a second that animations may send: on this machine, and where a line lies between.
 const FILM_BYTES: (f64, f64) = (64e3, 8e3);
-/// Of the time of a line that is slower still, films take at most one part of so many.
+/// Of the time of a line that is slower still, animations take at most one part of so many.
 const FILM_SHARE: u32 = 4;
 /// Nothing is expected: until then the loop sleeps.
 const LONG: Duration = Duration::from_hours(24);
 /// What is said when a session that was played has come to its end.
-const ENDED: &str = "the session has ended: the keys are yours; the replay is read-only";
+const ENDED: &str = "replay ended: the keyboard is active again; the replay is read-only";
 /// The exit code when the terminal cannot be had.
 const NO_TERMINAL: u8 = 2;
 
@@ -80,7 +81,7 @@ pub fn run(options: Options) -> ExitCode {
 }
 
 /// What effects act on.
-struct World {
+struct Runtime {
     session: Session,
     solver: Solver,
     /// What is asked beside the results never holds them up.
@@ -140,7 +141,7 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     model.readonly = readonly;
     model.played = replay.is_some();
     model.faults = Fault::allowed();
-    let judges = judges(teller(&sender, &session, |(id, cases)| Msg::Judged(id, cases)));
+    let judges = judges(teller(&sender, &session, |(id, cases)| Msg::CheckedCase(id, cases)));
     let mut faulty: Vec<_> = faults.into_iter().filter(|(_, faults)| !faults.is_empty()).collect();
     if let Some(folder) = files::sets_path() {
         let (sets, wrong) = files::sets(&folder);
@@ -148,7 +149,7 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         faulty.extend(wrong);
     }
     let (memory, forgetful) = recall(&mut model, teller(&sender, &session, Msg::Trouble));
-    let mut world = World {
+    let mut world = Runtime {
         session,
         solver,
         asker,
@@ -177,7 +178,7 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         return Ok(());
     }
     if analysis.is_some() && model.notice.is_none() {
-        model.say("Esc leads to the list of all analyses");
+        model.say("Esc: list of analyses");
     }
     if let Some(error) = trouble {
         update(&mut model, Msg::Trouble(error));
@@ -196,9 +197,9 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     world.run(&mut model, &messages)
 }
 
-impl World {
+impl Runtime {
     fn run(&mut self, model: &mut Model, messages: &mpsc::Receiver<Msg>) -> Result<(), TerminalError> {
-        // A frame is drawn only after something happened, or for a film: an idle screen costs nothing.
+        // A frame is drawn only after something happened, or for an animation: an idle screen costs nothing.
         let mut stale = true;
         let rate = if is_remote() { FILM_BYTES.1 } else { FILM_BYTES.0 };
         let rate = terminal::line_rate().map_or(rate, |line| rate.min(line / f64::from(FILM_SHARE)));
@@ -228,7 +229,7 @@ impl World {
                 stale = false;
                 took = drawn.elapsed();
             }
-            let film = tempo(model).map(|tempo| {
+            let animation = tempo(model).map(|tempo| {
                 let sending = Duration::from_secs_f64(self.session.frame_bytes() as f64 / rate);
                 drawn + tempo.max(sending).max(took * FILM_SHARE)
             });
@@ -236,7 +237,7 @@ impl World {
             let look = Watched::follow(&mut self.watched, model).map(|watched| watched.next);
             // A session without anything left to do has ended now.
             let played = self.player.as_ref().map(|player| player.due().unwrap_or_else(Instant::now));
-            let next = film.into_iter().chain(keep).chain(look).chain(played).min();
+            let next = animation.into_iter().chain(keep).chain(look).chain(played).min();
             let wait = next.map_or(LONG, |next| next.saturating_duration_since(Instant::now()));
             let mut inputs = self.session.next_events(wait)?;
             if self.player.is_some() {
@@ -247,8 +248,8 @@ impl World {
                     return Ok(());
                 }
             }
-            // Keys come first: a film waits for them.
-            if inputs.is_empty() && film.is_some_and(|film| film <= Instant::now()) {
+            // Keys come first: an animation waits for them.
+            if inputs.is_empty() && animation.is_some_and(|animation| animation <= Instant::now()) {
                 stale = true;
                 update(model, Msg::Tick);
             }
@@ -301,7 +302,7 @@ impl World {
         let said = match &mut self.player {
             Some(_) if inputs.iter().any(typed) => {
                 inputs.retain(|input| !typed(input));
-                "the session has stopped: the keys are yours; the replay is read-only"
+                "replay stopped: the keyboard is active again; the replay is read-only"
             }
             Some(player) if player.due().is_none() => ENDED,
             Some(player) => return (player.next(model), false),
@@ -536,7 +537,7 @@ fn teller<T>(
 }
 
 fn not_recorded(model: &mut Model, error: &io::Error) {
-    model.complain(Text::new("the session is not recorded: {error}").with("error", error));
+    model.complain(Text::new("recording failed: {error}").with("error", error));
 }
 
 /// `~/` at the beginning of a path is the person's home.

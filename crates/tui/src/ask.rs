@@ -9,14 +9,14 @@ use std::{borrow::Borrow, collections::BTreeSet};
 
 use dalembert_core::{
     Answer, Entry, Record, Refusal, Solution, SolveError, Stop,
-    check::{self, Slip, Verdict},
+    check::{self, Mistake, Verdict},
     sensitivity::{self, Influence},
     study::{Plan, Studied},
     vary,
 };
 use tui_input::Input;
 
-use crate::bench::Tab;
+use crate::tab::Tab;
 
 pub use self::study::{Cell, Kind, Study, Subject};
 
@@ -45,7 +45,7 @@ pub struct Check {
     /// The answers that the person asked to see.
     pub seen: BTreeSet<String>,
     /// The slips that give what was typed, for each wrong answer; `None` while they are looked for.
-    pub slips: Option<Vec<(String, Vec<Slip>)>>,
+    pub slips: Option<Vec<(String, Vec<Mistake>)>>,
     /// Whether it was said that everything is right.
     pub praised: bool,
 }
@@ -105,7 +105,7 @@ pub enum Question {
 #[derive(Clone, Debug)]
 pub enum Reply {
     /// For each wrong answer the slips that give it.
-    Slips(Vec<(String, Vec<Slip>)>),
+    Slips(Vec<(String, Vec<Mistake>)>),
     /// How much each input matters.
     Sensitivity(Result<sensitivity::Sensitivity, SolveError>),
     /// What a study found.

@@ -12,9 +12,10 @@ use crate::{
     files::Fingerprint,
     form::Form,
     keys::Place,
-    panes::{sources::Judged, working::Reading},
+    panes::{sources::CheckedCase, working::Reading},
     plot,
     solver::Failure,
+    tab::Tab,
 };
 
 /// A problem that is worked on.
@@ -45,7 +46,7 @@ pub struct Bench {
     /// The result that every later one is compared with.
     pub pinned: Option<Solution>,
     /// Its published cases.
-    pub cases: Vec<Judged>,
+    pub cases: Vec<CheckedCase>,
     /// Whether they are compared with what was printed, or about to be.
     pub judging: bool,
     /// The case under the cursor of the tab of sources.
@@ -62,7 +63,7 @@ pub struct Bench {
     pub plot: usize,
     /// The drawing that is shown, of several.
     pub drawing: usize,
-    /// The frame that is shown of a film.
+    /// The frame that is shown of an animation.
     pub frame: usize,
     /// From where a scene in space is seen, where it was turned.
     pub view: Option<View>,
@@ -142,78 +143,9 @@ pub enum Focus {
     Pane,
 }
 
-/// What is shown of what was found.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Tab {
-    /// Answers, checks and warnings.
-    #[default]
-    Results,
-    /// The worked solution.
-    Working,
-    /// Plots.
-    Plot,
-    /// Sketches of the machine.
-    Drawing,
-    /// Tables.
-    Table,
-    /// The person's own answers.
-    Check,
-    /// Which input matters.
-    Sensitivity,
-    /// Ranges of inputs.
-    Study,
-    /// Books and published cases.
-    Sources,
-}
-
-impl Tab {
-    /// Every tab, from left to right.
-    pub const ALL: [Tab; 9] = [
-        Tab::Results,
-        Tab::Working,
-        Tab::Plot,
-        Tab::Drawing,
-        Tab::Table,
-        Tab::Check,
-        Tab::Sensitivity,
-        Tab::Study,
-        Tab::Sources,
-    ];
-
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Tab::Results => "Results",
-            Tab::Working => "Working",
-            Tab::Plot => "Plot",
-            Tab::Drawing => "Drawing",
-            Tab::Table => "Table",
-            Tab::Check => "Check",
-            Tab::Sensitivity => "Sensitivity",
-            Tab::Study => "Study",
-            Tab::Sources => "Sources",
-        }
-    }
-
-    /// Whether it has cells to type in.
-    pub fn has_cells(self) -> bool {
-        matches!(self, Tab::Check | Tab::Sensitivity | Tab::Study)
-    }
-
-    /// Whether it stands alone in its column on a wide screen.
-    pub fn is_alone(self) -> bool {
-        matches!(self, Tab::Table | Tab::Sources) || self.has_cells()
-    }
-
-    /// Whether it shows a picture: on a wide screen these have a column of their own.
-    pub fn is_picture(self) -> bool {
-        matches!(self, Tab::Plot | Tab::Drawing)
-    }
-}
-
 impl Bench {
     /// A problem of an analysis, filled in.
-    pub fn new(entry: &'static Entry, title: String, draft: Draft, cases: Vec<Judged>) -> Self {
+    pub fn new(entry: &'static Entry, title: String, draft: Draft, cases: Vec<CheckedCase>) -> Self {
         Self {
             number: 0,
             entry,
@@ -356,8 +288,10 @@ impl Bench {
     pub fn to_do(&self) -> Option<Text> {
         match (self.wrong.len(), self.needed.len()) {
             (0, 0) => None,
-            (0, needed) => Some(Text::new("{count} to be filled in").with("count", needed)),
-            (wrong, _) => Some(Text::new("{count} to be put right").with("count", wrong)),
+            (0, 1) => Some(Text::new("1 value missing")),
+            (0, needed) => Some(Text::new("{count} values missing").with("count", needed)),
+            (1, _) => Some(Text::new("1 error")),
+            (wrong, _) => Some(Text::new("{count} errors").with("count", wrong)),
         }
     }
 
@@ -454,12 +388,12 @@ impl Bench {
         Some((plot, pinned))
     }
 
-    /// The drawings, films and scenes of the newest solution.
+    /// The drawings, animations and scenes of the newest solution.
     pub fn drawings(&self) -> impl Iterator<Item = &Exhibit> {
         self.exhibits().filter(|exhibit| exhibit.frames().0 > 0)
     }
 
-    /// The drawing, film or scene that is shown.
+    /// The drawing, animation or scene that is shown.
     pub fn sketch(&self) -> Option<&Exhibit> {
         Self::nth(self.drawings(), self.drawing)
     }
@@ -467,7 +401,7 @@ impl Bench {
     /// What is drawn of it: the frame that is shown, from the side that it was turned to; while the results are
     /// covered, without what they add.
     pub fn drawing_seen(&self) -> Option<Cow<'_, Drawing>> {
-        let drawing = self.sketch()?.sketch_seen(self.frame, self.view)?;
+        let drawing = self.sketch()?.projected(self.frame, self.view)?;
         Some(if self.reading.revealed.is_some() { Cow::Owned(drawing.unsolved()) } else { drawing })
     }
 

@@ -5,25 +5,16 @@ mod names;
 use std::path::PathBuf;
 
 use dalembert_core::Text;
-use nucleo_matcher::{
-    Config, Matcher, Utf32Str,
-    pattern::{CaseMatching, Normalization, Pattern},
-};
 use tui_input::Input;
 
 pub use names::Names;
 
-use crate::{
-    files::Crashed,
-    keys::{Bound, Place},
-    look::Theme,
-    model::{After, Editing, Model, Screen},
-};
+use crate::{files::Crashed, keys::Place, look::Theme};
 
 /// What lies over a screen.
 #[derive(Debug)]
 pub enum Dialog {
-    /// What keys do.
+    /// Keyboard shortcuts.
     Help {
         /// The first line that is shown.
         scroll: usize,
@@ -201,50 +192,27 @@ impl Dialog {
     }
 }
 
-/// The places of a problem.
-const BENCH: [Place; 6] =
-    [Place::Form, Place::Pane, Place::Working, Place::Plot, Place::Drawing, Place::Cells];
+/// What is done once unsaved work is saved or given up.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum After {
+    /// Nothing more.
+    #[default]
+    Stay,
+    /// The program ends.
+    Quit,
+    /// The problem is closed.
+    Close,
+}
 
-/// The bindings that the palette offers for what is typed, the best first, and the place each belongs to.
-pub fn offered<'m>(model: &'m Model, typed: &str) -> Vec<(Place, &'m Bound)> {
-    // What is done where the keys are now comes before the same thing elsewhere.
-    let places: Vec<Place> = match (model.screen, &model.bench) {
-        (Screen::Bench, Some(bench)) => [bench.place()].into_iter().chain(BENCH).collect(),
-        _ => vec![Place::Picker],
-    };
-    let mut all: Vec<(Place, &'m Bound)> = Vec::new();
-    for place in places.into_iter().filter(|place| !place.is_text()) {
-        for bound in model.keys.bindings(place) {
-            let same = |other: &Bound| {
-                other.binding.action == bound.binding.action || other.binding.name == bound.binding.name
-            };
-            if !all.iter().any(|(_, other)| same(other)) {
-                all.push((place, bound));
-            }
-        }
-    }
-    let typed = typed.trim();
-    if typed.is_empty() {
-        return all;
-    }
-    let mut matcher = Matcher::new(Config::DEFAULT);
-    let pattern = Pattern::parse(typed, CaseMatching::Ignore, Normalization::Smart);
-    let mut scored: Vec<(u32, (Place, &'m Bound))> = all
-        .into_iter()
-        .filter_map(|(place, bound)| {
-            let binding = bound.binding;
-            let name = Text::from(binding.name).render(&model.locale);
-            // English names do in every language, so that instructions can be followed.
-            let score = [name.as_str(), binding.name]
-                .into_iter()
-                .filter_map(|name| pattern.score(Utf32Str::new(name, &mut Vec::new()), &mut matcher))
-                .max()?;
-            let exact = if binding.name == typed || name == typed { 1_000 } else { 0 };
-            Some((score + exact, (place, bound)))
-        })
-        .collect();
-    scored.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
-    scored.into_iter().map(|(_, offered)| offered).collect()
+/// What is edited outside of the program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Editing {
+    /// The file of the problem.
+    Own(PathBuf),
+    /// A copy of the problem, of this text: it has no file, or is not what its file says.
+    Text(String),
+    /// Such a copy, at this place.
+    Copy(PathBuf),
 }
 
 impl Sheet {

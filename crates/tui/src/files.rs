@@ -37,13 +37,13 @@ const MOST_NAMES: usize = 1_000;
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
     /// There is no such file.
-    #[error("there is no file `{}`: check the name and the folder", shown(.0))]
+    #[error("file `{}` not found: check its name and folder", shown(.0))]
     Missing(PathBuf),
     /// The folder that a file is to be written into is missing.
-    #[error("there is no folder `{}`: make it, or name another one", shown(.0))]
+    #[error("folder `{}` not found: create it or choose another one", shown(.0))]
     NoFolder(PathBuf),
     /// It is a folder.
-    #[error("`{}` is a folder: name a file in it", shown(.0))]
+    #[error("`{}` is a folder: give a file in it", shown(.0))]
     Folder(PathBuf),
     /// A pipe, a device or a socket.
     #[error("`{}` is a {kind}: only ordinary files are read and written", shown(.path))]
@@ -54,13 +54,13 @@ pub enum FileError {
         kind: &'static str,
     },
     /// It holds more than [`LARGEST`].
-    #[error("`{}` is larger than {} MiB: it is no problem file, or holds data that belong in a file of their own", shown(.0), LARGEST / (1024 * 1024))]
+    #[error("`{}` is larger than {} MiB: not a problem file, or holds data that belong in a file of their own", shown(.0), LARGEST / (1024 * 1024))]
     TooLarge(PathBuf),
     /// It is to be read into a table, and holds more than [`LARGEST`].
-    #[error("`{}` is too large for a table: at most {} MiB are read; keep every tenth row, or the range that matters", shown(.0), LARGEST / (1024 * 1024))]
+    #[error("`{}` is too large for a table (limit {} MiB): keep every tenth row, or the range of interest", shown(.0), LARGEST / (1024 * 1024))]
     TooLargeForTable(PathBuf),
     /// It is not UTF-8.
-    #[error("`{}` is not UTF-8 text: byte {byte}, in line {line}, begins no character{}", shown(.path), if *utf16 { ", and the file looks like UTF-16; save it as UTF-8" } else { "; save it as UTF-8" })]
+    #[error("`{}` is not UTF-8 text: invalid byte {byte} in line {line}{}", shown(.path), if *utf16 { ", and the file looks like UTF-16; save it as UTF-8" } else { "; save it as UTF-8" })]
     NotUtf8 {
         /// Its path.
         path: PathBuf,
@@ -84,10 +84,10 @@ pub enum FileError {
     #[error("`{}` exists already: choose another name, or overwrite it", shown(.0))]
     Exists(PathBuf),
     /// The system has no place for a program's state.
-    #[error("unsaved work is not kept against a crash: {0}; save often")]
+    #[error("no automatic backup of unsaved work: {0}; save often")]
     NoAutosave(String),
     /// It is ours, and cannot be understood.
-    #[error("`{}` cannot be understood and is left as it is: {why}", shown(.path))]
+    #[error("`{}` cannot be read and is left unchanged: {why}", shown(.path))]
     Broken {
         /// Its path.
         path: PathBuf,
@@ -119,29 +119,29 @@ impl FileError {
     pub fn text(&self) -> Text {
         match self {
             FileError::Missing(path) => {
-                Text::new("there is no file {file}: check the name and the folder").with("file", shown(path))
+                Text::new("file {file} not found: check its name and folder").with("file", shown(path))
             }
             FileError::NoFolder(path) => {
-                Text::new("there is no folder {file}: make it, or name another one").with("file", shown(path))
+                Text::new("folder {file} not found: create it or choose another one").with("file", shown(path))
             }
             FileError::Folder(path) => {
-                Text::new("{file} is a folder: name a file in it").with("file", shown(path))
+                Text::new("{file} is a folder: give a file in it").with("file", shown(path))
             }
             FileError::NotOrdinary { path, kind } => {
                 Text::new("{file} is a {kind}: only ordinary files are read and written")
                     .with("file", shown(path))
                     .with_text("kind", *kind)
             }
-            FileError::TooLarge(path) => Text::new("{file} is larger than {most} MiB: it is no problem file")
+            FileError::TooLarge(path) => Text::new("{file} is larger than {most} MiB: not a problem file")
                 .with("file", shown(path))
                 .with("most", LARGEST >> 20),
             FileError::TooLargeForTable(path) => {
-                Text::new("{file} is too large for a table: at most {most} MiB are read; keep every tenth row, or the range that matters")
+                Text::new("{file} is too large for a table (limit {most} MiB): keep every tenth row, or the range of interest")
                     .with("file", shown(path))
                     .with("most", LARGEST >> 20)
             }
             FileError::NotUtf8 { path, byte, line, .. } => {
-                Text::new("{file} is not UTF-8 text: byte {byte}, in line {line}, begins no character")
+                Text::new("{file} is not UTF-8 text: invalid byte {byte} in line {line}")
                     .with("file", shown(path))
                     .with("byte", byte)
                     .with("line", line)
@@ -153,12 +153,12 @@ impl FileError {
                 Text::new("{file} was changed by another program since it was opened.")
                     .with("file", shown(path))
             }
-            FileError::Exists(path) => Text::new("{file} exists already.").with("file", shown(path)),
+            FileError::Exists(path) => Text::new("{file} already exists.").with("file", shown(path)),
             FileError::NoAutosave(why) => {
-                Text::new("unsaved work is not kept against a crash: {why}; save often").with("why", why)
+                Text::new("no automatic backup of unsaved work: {why}; save often").with("why", why)
             }
             FileError::Broken { path, why } => {
-                Text::new("{file} cannot be understood and is left as it is: {why}")
+                Text::new("{file} cannot be read and is left unchanged: {why}")
                     .with("file", shown(path))
                     .with("why", filter_untrusted(why))
             }

@@ -71,11 +71,11 @@ pub enum Action {
     NextSpread,
     /// The horizontal axis linear or logarithmic.
     NextSpreadAcross,
-    /// Lets films move, or holds them.
+    /// Lets animations move, or holds them.
     Play,
-    /// Holds the film at the frame before.
+    /// Holds the animation at the frame before.
     PreviousFrame,
-    /// Holds the film at the next frame.
+    /// Holds the animation at the next frame.
     NextFrame,
     /// Covers what was found, to be found by hand first, or covers it no more.
     TryByHand,
@@ -191,7 +191,7 @@ pub enum Place {
     Working,
     /// A plot.
     Plot,
-    /// A drawing or a film.
+    /// A drawing or an animation.
     Drawing,
     /// A list to choose from.
     List,
@@ -258,9 +258,9 @@ impl Place {
             Place::Plot => "Plot",
             Place::Drawing => "Drawing",
             Place::List => "Lists",
-            Place::Prompt => "Asked for a text",
-            Place::Sheet => "Text of many lines",
-            Place::Help => "In this list of keys",
+            Place::Prompt => "Text prompt",
+            Place::Sheet => "Multi-line text",
+            Place::Help => "In this list",
             Place::Cells => "Check, sensitivity, study",
             Place::Cell => "While typing in a cell",
         }

@@ -67,7 +67,7 @@ pub enum Glyph {
     Bar,
     /// A line across: `─`.
     Rule,
-    /// A film that is held: `‖`.
+    /// An animation that is held: `‖`.
     Held,
 }
 

@@ -11,11 +11,11 @@ use ratatui::crossterm::event::{KeyEvent, MouseEvent};
 
 use crate::{
     bench::Bench,
-    dialog::Dialog,
+    dialog::{After, Dialog, Editing},
     files::{Before, Crashed, FileError, Fingerprint, Opened},
     keys::{Action, KeyMap, Place},
     look::Look,
-    panes::sources::Judged,
+    panes::sources::CheckedCase,
     picker::{Contents, Heading, Leaf, Listing, Picker, Row},
     plot::Marker,
     remembered::{Change, Remembered},
@@ -63,10 +63,10 @@ pub struct Model {
     pub mouse: bool,
     /// The column that a plot is held at by the mouse.
     pub held: Option<u16>,
-    /// Whether films move.
+    /// Whether animations move.
     pub playing: bool,
     /// How many times as fast as they are made.
-    pub film_speed: f64,
+    pub animation_speed: f64,
     /// Columns and rows of the screen.
     pub size: (u16, u16),
     /// Nothing is saved.
@@ -104,29 +104,6 @@ pub struct Notice {
     pub wrong: bool,
 }
 
-/// What is done once unsaved work is saved or given up.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum After {
-    /// Nothing more.
-    #[default]
-    Stay,
-    /// The program ends.
-    Quit,
-    /// The problem is closed.
-    Close,
-}
-
-/// What is edited outside of the program.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Editing {
-    /// The file of the problem.
-    Own(PathBuf),
-    /// A copy of the problem, of this text: it has no file, or is not what its file says.
-    Text(String),
-    /// Such a copy, at this place.
-    Copy(PathBuf),
-}
-
 /// Why nothing comes back from the editor.
 #[derive(Debug, thiserror::Error)]
 pub enum EditError {
@@ -153,7 +130,7 @@ pub enum Msg {
     /// A job is done.
     Solved(Outcome),
     /// The cases of an analysis were compared with what was printed.
-    Judged(&'static str, Vec<Judged>),
+    CheckedCase(&'static str, Vec<CheckedCase>),
     /// A file was written, or not.
     Saved {
         /// Where.
@@ -204,7 +181,7 @@ pub enum Msg {
         /// What it says now.
         result: Result<Opened, FileError>,
     },
-    /// The next frame of a film is due.
+    /// The next frame of an animation is due.
     Tick,
     /// Earlier sessions ended without saving.
     Crashed(Vec<Crashed>),
@@ -225,7 +202,7 @@ pub enum Effect {
     Ask(Job),
     /// Stop solving: nobody waits for the outcome any more.
     Cancel,
-    /// Compare the cases of an analysis with what was printed; [`Msg::Judged`].
+    /// Compare the cases of an analysis with what was printed; [`Msg::CheckedCase`].
     Judge(&'static Entry),
     /// Write a file; [`Msg::Saved`].
     Save {
@@ -331,7 +308,7 @@ impl Model {
             mouse: false,
             held: None,
             playing: true,
-            film_speed: 1.0,
+            animation_speed: 1.0,
             size: (80, 24),
             readonly: false,
             played: false,
@@ -351,8 +328,8 @@ impl Model {
         self.marker = settings.marker.filter(|_| !self.look.ascii).unwrap_or(self.marker);
         self.decimal = settings.decimal;
         self.locale.style.digits = settings.digits;
-        if settings.film_speed > 0.0 {
-            self.film_speed = settings.film_speed;
+        if settings.animation_speed > 0.0 {
+            self.animation_speed = settings.animation_speed;
         } else {
             self.playing = false;
         }

@@ -16,7 +16,7 @@ use tui_input::Input;
 
 use self::filter::Index;
 use crate::{
-    panes::sources::Judged,
+    panes::sources::CheckedCase,
     remembered::{Progress, Remembered},
 };
 
@@ -31,7 +31,7 @@ pub struct Listing {
     /// Its published cases; read when somebody first asks for them, or the first screen would wait for all.
     cases: OnceCell<Vec<Case>>,
     /// They compared with what was printed, once that is done.
-    pub judged: Option<Vec<Judged>>,
+    pub judged: Option<Vec<CheckedCase>>,
     /// Everything that the filter looks in; made when somebody types the first filter.
     index: OnceCell<Index>,
 }

@@ -58,7 +58,7 @@ impl Progress {
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
-            Progress::NotBegun => "not begun",
+            Progress::NotBegun => "not started",
             Progress::Opened => "opened",
             Progress::Solved => "solved by hand",
             Progress::Done => "done",

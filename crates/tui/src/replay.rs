@@ -21,7 +21,7 @@
 //! | `type KEYS` | keys, as [`keys_of`] reads them |
 //! | `paste "TEXT"` | a text, with `\n`, `\t`, `\"` and `\\` |
 //! | `resize COLUMNSxROWS` | the window has another size |
-//! | `wait MILLISECONDS ms`, `wait solved` | lets time pass; films move |
+//! | `wait MILLISECONDS ms`, `wait solved` | lets time pass; animations move |
 //! | `picture NAME` | the screen is to be kept |
 //! | `expect TEXT` | the text stands on the screen, or the session fails |
 
@@ -88,8 +88,7 @@ pub struct Unreadable {
 }
 
 /// What is said of a line that begins with another word.
-const UNKNOWN: &str = "`{word}` is nothing that can be done: write screen, language, look, open, type, paste, resize, \
-                       wait, picture or expect";
+const UNKNOWN: &str = "unknown command `{word}`: write screen, language, look, open, type, paste, resize, wait, picture or expect";
 
 /// The looks, by their names.
 const LOOKS: [(&str, Capabilities); 3] = [
@@ -141,7 +140,7 @@ impl Replay {
         let quoting = |template: &'static str, word: &str| Text::new(template).with("word", word);
         let act = match word {
             "screen" | "language" | "look" | "open" if !self.acts.is_empty() => {
-                return Err(quoting("`{word}` stands before everything that is done", word));
+                return Err(quoting("`{word}` must come before the first action", word));
             }
             "screen" => {
                 self.screen = size(rest)?;
@@ -151,13 +150,14 @@ impl Replay {
                 self.language = match rest {
                     "en" => Language::English,
                     "pt-BR" => Language::Portuguese,
-                    _ => return Err(quoting("`{word}` is no language: write `en` or `pt-BR`", rest)),
+                    _ => return Err(quoting("`{word}` is not a language: write `en` or `pt-BR`", rest)),
                 };
                 return Ok(());
             }
             "look" => {
                 let known = LOOKS.iter().find(|(name, _)| *name == rest);
-                let unknown = || quoting("`{word}` is no look: write `colour`, `plain` or `ascii`", rest);
+                let unknown =
+                    || quoting("`{word}` is not a display mode: write `colour`, `plain` or `ascii`", rest);
                 self.look = known.ok_or_else(unknown)?.1;
                 return Ok(());
             }
@@ -167,7 +167,7 @@ impl Replay {
                 return Ok(());
             }
             "type" => Act::Type(
-                keys_of(rest).map_err(|name| quoting("{word} is no key; `<lt>` is `<` itself", &name))?,
+                keys_of(rest).map_err(|name| quoting("{word} is not a key; write `<lt>` for `<`", &name))?,
             ),
             "paste" => Act::Paste(unquoted(rest)?),
             "resize" => {
@@ -177,7 +177,7 @@ impl Replay {
             "wait" if rest == "solved" => Act::UntilSolved,
             "wait" => Act::Wait(milliseconds(rest)?),
             "picture" => Act::Picture(name(rest)?),
-            "expect" if rest.is_empty() => return Err("write the text that is expected".into()),
+            "expect" if rest.is_empty() => return Err("give the expected text".into()),
             "expect" => Act::Expect(rest.to_owned()),
             _ => return Err(quoting(UNKNOWN, word)),
         };
@@ -190,13 +190,16 @@ fn size(text: &str) -> Result<(u16, u16), Text> {
     let (columns, rows) = text.split_once(['x', '×']).unwrap_or_default();
     match (columns.parse(), rows.parse()) {
         (Ok(columns @ 1..=1000), Ok(rows @ 1..=1000)) => Ok((columns, rows)),
-        _ => Err(Text::new("`{text}` is no size: write columns and rows, as in `120x36`").with("text", text)),
+        _ => {
+            Err(Text::new("`{text}` is not a size: write columns and rows, as in `120x36`")
+                .with("text", text))
+        }
     }
 }
 
 fn milliseconds(text: &str) -> Result<Duration, Text> {
     let number = text.strip_suffix("ms").unwrap_or(text).trim();
-    let wrong = |_| Text::new("`{text}` is no time: write `400 ms`, or `solved`").with("text", text);
+    let wrong = |_| Text::new("`{text}` is not a duration: write `400 ms` or `solved`").with("text", text);
     number.parse().map(Duration::from_millis).map_err(wrong)
 }
 
@@ -206,7 +209,7 @@ fn name(text: &str) -> Result<String, Text> {
     if !text.is_empty() && text.len() <= 64 && text.chars().all(fits) {
         return Ok(text.to_owned());
     }
-    Err(Text::new("`{text}` is no name of a picture: write letters, digits, `-` and `_`").with("text", text))
+    Err(Text::new("`{text}` is not a screenshot name: use letters, digits, `-` and `_`").with("text", text))
 }
 
 /// A text as it stands between quotes.
@@ -226,7 +229,7 @@ fn quoted(text: &str) -> String {
 fn unquoted(text: &str) -> Result<String, Text> {
     let inner = text.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
     let mut characters =
-        inner.ok_or_else(|| Text::new("`{text}` has no quotes round it").with("text", text))?.chars();
+        inner.ok_or_else(|| Text::new("`{text}` is not in quotes").with("text", text))?.chars();
     let mut read = String::new();
     while let Some(character) = characters.next() {
         read.push(match character {
@@ -236,10 +239,10 @@ fn unquoted(text: &str) -> Result<String, Text> {
                 Some(other @ ('"' | '\\')) => other,
                 other => {
                     let other = other.map_or(String::new(), String::from);
-                    return Err(Text::new("`\\{word}` means nothing").with("word", other));
+                    return Err(Text::new("unknown escape `\\{word}`").with("word", other));
                 }
             },
-            '"' => return Err("a quote within the text is written with `\\` before it".into()),
+            '"' => return Err("write `\\` before a quote within the text".into()),
             _ => character,
         });
     }

@@ -42,8 +42,8 @@ pub struct Settings {
     pub decimal: Option<Decimal>,
     /// Significant digits of results.
     pub digits: u8,
-    /// How many times as fast as they are made films move; at 0 they are held until a key lets them move.
-    pub film_speed: f64,
+    /// How many times as fast as they are made animations move; at 0 they are held until a key lets them move.
+    pub animation_speed: f64,
     /// The command that edits a file; `None`: that of `$VISUAL` or `$EDITOR`.
     pub editor: Option<String>,
     /// What keys mean.
@@ -77,8 +77,18 @@ impl Fault {
 }
 
 /// The settings at the top of the file, in its order.
-const KEYS: [&str; 10] =
-    ["language", "theme", "ascii", "mouse", "marker", "decimal", "digits", "film-speed", "editor", "keys"];
+const KEYS: [&str; 10] = [
+    "language",
+    "theme",
+    "ascii",
+    "mouse",
+    "marker",
+    "decimal",
+    "digits",
+    "animation-speed",
+    "editor",
+    "keys",
+];
 /// Names of languages, as in `--lang`.
 const LANGUAGES: [(&str, Language); 2] = [("en", Language::English), ("pt-BR", Language::Portuguese)];
 /// Names of markers.
@@ -90,7 +100,7 @@ const MARKERS: [(&str, Marker); 4] = [
 ];
 /// Names of decimal marks.
 const DECIMALS: [(&str, Decimal); 2] = [("point", Decimal::Point), ("comma", Decimal::Comma)];
-/// The fastest film.
+/// The fastest animation.
 const FASTEST: f64 = 100.0;
 
 impl Default for Settings {
@@ -103,7 +113,7 @@ impl Default for Settings {
             marker: None,
             decimal: None,
             digits: Style::default().digits,
-            film_speed: 1.0,
+            animation_speed: 1.0,
             editor: None,
             keys: KeyMap::default(),
         }
@@ -130,7 +140,7 @@ pub fn parse(text: &str) -> (Settings, Vec<Fault>) {
     let document = match Document::parse(text) {
         Ok(document) => document,
         Err(error) => {
-            let why = Text::new("this is no TOML: {why}").with("why", error.message().replace('\n', "; "));
+            let why = Text::new("not valid TOML: {why}").with("why", error.message().replace('\n', "; "));
             return (Settings::default(), vec![Fault { line: line_of(text, error.span()), why }]);
         }
     };
@@ -140,7 +150,8 @@ pub fn parse(text: &str) -> (Settings, Vec<Fault>) {
         match (key, item.as_table_like()) {
             ("keys", Some(table)) => reader.keys(table, None, &mut changes),
             ("keys", None) => {
-                let why = Text::new("`keys` is a table: write [keys] and below it such as save = \"ctrl-s\"");
+                let why =
+                    Text::new("`keys` is a table: write [keys] and, below it, for example save = \"ctrl-s\"");
                 reader.fault(span_in(document.as_table(), key), why);
             }
             _ => {
@@ -182,12 +193,14 @@ impl Reader<'_> {
             "decimal" => settings.decimal = Some(one_of(key, item, &DECIMALS)?),
             "digits" => match item.as_integer().and_then(|digits| u8::try_from(digits).ok()) {
                 Some(digits @ 1..=17) => settings.digits = digits,
-                _ => return Err(Text::new("`digits` is a whole number from 1 to 17")),
+                _ => return Err(Text::new("`digits` is an integer from 1 to 17")),
             },
-            "film-speed" => match item.as_float().or_else(|| item.as_integer().map(|whole| whole as f64)) {
-                Some(speed) if (0.0..=FASTEST).contains(&speed) => settings.film_speed = speed,
-                _ => return Err(Text::new("`film-speed` is a number from 0 (held) to 100")),
-            },
+            "animation-speed" | "film-speed" => {
+                match item.as_float().or_else(|| item.as_integer().map(|whole| whole as f64)) {
+                    Some(speed) if (0.0..=FASTEST).contains(&speed) => settings.animation_speed = speed,
+                    _ => return Err(Text::new("`animation-speed` is a number from 0 (paused) to 100")),
+                }
+            }
             "editor" => match item.as_str().map(str::trim) {
                 Some(command) if !command.is_empty() => settings.editor = Some(command.to_owned()),
                 _ => {
@@ -271,12 +284,12 @@ fn flag(key: &str, item: &Item) -> Result<bool, Text> {
 fn unknown(kind: &'static str, name: &str, known: &[&str]) -> Text {
     let near = nearest(name, known.iter().copied());
     let text = match (kind, near.is_some()) {
-        ("setting", true) => Text::new("there is no setting `{name}`; did you mean `{near}`?"),
-        ("setting", false) => Text::new("there is no setting `{name}`; `dalembert settings` lists them"),
-        ("place", true) => Text::new("there is no place `{name}`; did you mean `{near}`?"),
-        ("place", false) => Text::new("there is no place `{name}`; `dalembert settings` lists them"),
-        (_, true) => Text::new("there is no action `{name}`; did you mean `{near}`?"),
-        (_, false) => Text::new("there is no action `{name}`; `dalembert settings` lists them"),
+        ("setting", true) => Text::new("unknown setting `{name}`; did you mean `{near}`?"),
+        ("setting", false) => Text::new("unknown setting `{name}`; `dalembert settings` lists them"),
+        ("place", true) => Text::new("unknown table `{name}`; did you mean `{near}`?"),
+        ("place", false) => Text::new("unknown table `{name}`; `dalembert settings` lists them"),
+        (_, true) => Text::new("unknown command `{name}`; did you mean `{near}`?"),
+        (_, false) => Text::new("unknown command `{name}`; `dalembert settings` lists them"),
     };
     let text = text.with("name", name.chars().take(60).collect::<String>());
     match near {

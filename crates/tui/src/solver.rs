@@ -10,7 +10,7 @@ use dalembert_core::{Entry, Record, Refusal, Solution, SolveError, Stop, cases, 
 
 use crate::{
     ask::{Question, Reply},
-    panes::sources::Judged,
+    panes::sources::CheckedCase,
     terminal::{Fault, contained, fault},
 };
 
@@ -62,7 +62,7 @@ pub enum Failure {
 /// The threads that solve.
 #[derive(Debug)]
 pub struct Solver {
-    desk: Arc<Desk>,
+    desk: Arc<Queue>,
     report: Arc<dyn Report>,
 }
 
@@ -78,7 +78,7 @@ impl std::fmt::Debug for dyn Report {
 }
 
 #[derive(Debug, Default)]
-struct Desk {
+struct Queue {
     state: Mutex<State>,
     changed: Condvar,
 }
@@ -137,7 +137,7 @@ impl Drop for Solver {
     }
 }
 
-impl Desk {
+impl Queue {
     fn lock(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -169,11 +169,11 @@ pub fn solve(job: &Job, stop: &Stop) -> Option<Outcome> {
 }
 
 /// The cases of an analysis, each compared with what was printed.
-pub fn judge(entry: &'static Entry) -> Vec<Judged> {
+pub fn judge(entry: &'static Entry) -> Vec<CheckedCase> {
     let judged = |case: Case| {
         // A panic shows in the tab of results as well; here the case stays without a verdict.
         let verdicts = contained(|| case.verify(entry)).ok();
-        Judged { case, verdicts }
+        CheckedCase { case, verdicts }
     };
     cases::cases(entry).unwrap_or_default().into_iter().map(judged).collect()
 }
@@ -181,7 +181,7 @@ pub fn judge(entry: &'static Entry) -> Vec<Judged> {
 /// A thread that compares cases with what was printed; `report` is called from it. The newest wish comes first, and of
 /// old ones only a few are kept: the others are wished again when somebody looks.
 pub fn judges(
-    report: impl Fn((&'static str, Vec<Judged>)) + Send + 'static,
+    report: impl Fn((&'static str, Vec<CheckedCase>)) + Send + 'static,
 ) -> io::Result<mpsc::Sender<&'static Entry>> {
     let (wishes, incoming) = mpsc::channel::<&'static Entry>();
     thread::Builder::new().name("cases".into()).spawn(move || {
@@ -199,7 +199,7 @@ pub fn judges(
     Ok(wishes)
 }
 
-fn work(desk: &Desk, report: &dyn Report) {
+fn work(desk: &Queue, report: &dyn Report) {
     let mut state = desk.lock();
     loop {
         if state.closed {

@@ -22,11 +22,11 @@ use self::remembering::remember;
 pub use self::remembering::remember_done;
 use crate::{
     bench::{Bench, State},
-    dialog::{Dialog, Purpose},
+    dialog::{After, Dialog, Purpose},
     form,
     keys::{Action, Place},
-    model::{After, Effect, Model, Msg, Notice, Screen},
-    panes::sources::Judged,
+    model::{Effect, Model, Msg, Notice, Screen},
+    panes::sources::CheckedCase,
     solver::{Failure, Outcome},
 };
 
@@ -76,7 +76,7 @@ fn take(model: &mut Model, msg: Msg) -> Vec<Effect> {
             ask::take(model, outcome);
             Vec::new()
         }
-        Msg::Judged(id, judged) => {
+        Msg::CheckedCase(id, judged) => {
             if let Some(listing) = model.listings.iter_mut().find(|listing| listing.entry.about.id == id) {
                 listing.judged = Some(judged.clone());
             }
@@ -201,19 +201,19 @@ fn open_case(model: &mut Model, entry: &'static Entry, case: usize) -> Vec<Effec
 }
 
 /// The cases of an analysis, compared with what was printed if they were before.
-fn judged_later(model: &Model, entry: &'static Entry) -> Vec<Judged> {
+fn judged_later(model: &Model, entry: &'static Entry) -> Vec<CheckedCase> {
     let known = model.listings.iter().find(|listing| listing.entry.about.id == entry.about.id);
     if let Some(judged) = known.and_then(|listing| listing.judged.clone()) {
         return judged;
     }
     let cases =
         known.map_or_else(|| cases::cases(entry).unwrap_or_default(), |listing| listing.cases().to_vec());
-    cases.into_iter().map(|case| Judged { case, verdicts: None }).collect()
+    cases.into_iter().map(|case| CheckedCase { case, verdicts: None }).collect()
 }
 
 fn solved(model: &mut Model, outcome: Outcome) -> Vec<Effect> {
     if let Err(Failure::Fault(panic)) = &outcome.result {
-        let text = "this analysis failed (a fault of the program); your inputs are kept".into();
+        let text = "this analysis failed (internal error); your inputs are kept".into();
         model.notice = Some(Notice { text, detail: panic.clone(), wrong: true });
     }
     let awaited = State::Solving(outcome.generation);
@@ -254,7 +254,7 @@ fn paste(model: &mut Model, text: &str) -> Vec<Effect> {
 }
 
 fn too_long() -> Text {
-    Text::new("the pasted text was cut: a line holds at most {most} characters").with("most", form::LONGEST)
+    Text::new("pasted text truncated: a line takes at most {most} characters").with("most", form::LONGEST)
 }
 
 /// Types in the text that has the keys.

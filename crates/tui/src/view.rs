@@ -5,7 +5,7 @@ mod dialog;
 mod form;
 mod pane;
 mod picker;
-mod spot;
+mod target;
 mod text;
 
 use std::time::Duration;
@@ -23,13 +23,13 @@ use ratatui::{
 pub(crate) use self::{
     dialog::longest_scroll_of_help,
     pane::{area_of_tab, page},
-    spot::{Spot, spot},
+    target::{HitTarget, spot},
 };
 use crate::{
-    bench::Tab,
     layout,
     look::{Glyph, Look},
     model::Model,
+    tab::Tab,
 };
 
 /// The least screen that shows more than a name.
@@ -86,19 +86,19 @@ pub(crate) fn shows(model: &Model, tab: Tab) -> bool {
     })
 }
 
-/// How long each frame of a film stands; `None` while none moves on the screen.
+/// How long each frame of an animation stands; `None` while none moves on the screen.
 pub fn tempo(model: &Model) -> Option<Duration> {
-    let (frames, period) = film(model).filter(|_| model.playing && model.dialog.is_none())?;
-    Duration::try_from_secs_f64(period / (frames as f64 * model.film_speed)).ok()
+    let (frames, period) = animation(model).filter(|_| model.playing && model.dialog.is_none())?;
+    Duration::try_from_secs_f64(period / (frames as f64 * model.animation_speed)).ok()
 }
 
 /// The frames and the time of what can move on the screen.
-pub(crate) fn film(model: &Model) -> Option<(usize, f64)> {
+pub(crate) fn animation(model: &Model) -> Option<(usize, f64)> {
     let bench = model.shown_bench().filter(|bench| !bench.is_stale())?;
-    let film = bench.sketch()?.frames();
+    let animation = bench.sketch()?.frames();
     let area = Rect::new(0, 0, model.size.0, model.size.1);
     let areas = layout::bench(area, bench.focus, bench.expanded || model.look.basic);
-    (film.0 > 1 && pane::shows_drawing(bench, &areas)).then_some(film)
+    (animation.0 > 1 && pane::shows_drawing(bench, &areas)).then_some(animation)
 }
 
 /// Where what has the focus begins: a screen reader follows the cursor.

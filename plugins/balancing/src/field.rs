@@ -51,23 +51,22 @@ const WIDE: f64 = 0.3;
 /// Runs, conventions, and how the weights are chosen.
 #[derive(Clone, Debug, Inputs)]
 pub struct Field {
-    /// What was measured.
+    /// Measured quantity.
     pub measured: Measured,
     /// Phase.
-    /// What the instrument counts; with a strobe and a protractor on the rotor, take lead.
+    /// Phase convention of the instrument; with a strobe and a protractor on the rotor, use lead.
     pub phase: PhaseSense,
     /// Angles of weights.
-    /// Counted from the mark that the phase is read with. Where the sensors stand does not matter: their angles
-    /// cancel.
+    /// Measured from the phase reference mark. The positions of the sensors do not matter: their angles cancel.
     pub angles: WeightSense,
-    /// How the weights are chosen.
+    /// Method for the correction masses.
     pub method: Method,
     /// Radius of the weights.
-    /// The same for trial weights and corrections; with it the unbalances are answered too.
+    /// The same for trial weights and corrections; if given, the unbalances are calculated too.
     #[input("r", "mm", positive)]
     pub radius: Option<f64>,
     /// Uncertainty of an amplitude.
-    /// Standard uncertainty, over the amplitude: how far repeated runs differ.
+    /// Relative standard uncertainty: scatter of repeated runs.
     #[input("u_A", "%", nonnegative, max = 50.0, default = "1 %")]
     pub amplitude_uncertainty: f64,
     /// Uncertainty of a phase.
@@ -94,7 +93,7 @@ pub enum WeightSense {
     Against,
 }
 
-/// How the weights are chosen.
+/// Method for the correction masses.
 #[derive(Clone, Debug, Inputs)]
 pub enum Method {
     /// Least squares of all readings
@@ -102,13 +101,13 @@ pub enum Method {
     /// Least squares with weighting factors
     Weighted {
         /// Factors.
-        /// One for each reading of the first run, in its order.
+        /// One for each reading of the initial run, in the same order.
         #[input(min = 1)]
         factors: Vec<Factor>,
     },
-    /// The largest reading as small as possible
+    /// Minimax: the largest reading is minimised
     MinMax {
-        /// Largest weight allowed in a plane.
+        /// Maximum correction mass per plane.
         #[input("m_max", "g", positive)]
         limit: Option<f64>,
     },
@@ -136,7 +135,7 @@ impl Analysis for Field {
         id: "balancing/field",
         title: "Field balancing",
         topic: "Field balancing",
-        summary: "Correction weights from measured vibrations, by influence coefficients: runs with trial weights, any number of planes, sensors and speeds, with error bars.",
+        summary: "Correction masses from measured vibrations, by influence coefficients: runs with trial weights, any number of planes, sensors and speeds, with uncertainties.",
         keywords: "balanceamento em campo balanceamento no local coeficientes de influência peso de prova massa de teste \
                    influence coefficients trial weight single plane two plane least squares min-max trim vector fase \
                    balancear ventilador exaustor ventoinha rebolo turbina fan balancing blower in situ on site",
@@ -166,7 +165,7 @@ impl Analysis for Field {
                 for (n, (found, kernel)) in (1..).zip(corrections.iter().zip(&squares.weights)) {
                     let apart = Complex::from_polar(found.mass.value(), found.angle.value()) - kernel;
                     sheet.check_zero(
-                        Text::new("weight of plane {n} from all equations at once, by orthogonal factors")
+                        Text::new("correction mass of plane {n} from all equations simultaneously, by orthogonal factorisation")
                             .with("n", n),
                         apart.norm().into(),
                         squares.weights.iter().map(|w| w.norm()).fold(0.0, f64::max),
@@ -199,7 +198,7 @@ impl Field {
         match &self.method {
             Method::Weighted { factors } if factors.len() != readings => Err(Refusal::because(
                 Text::new(
-                    "there are {have} weighting factors and {want} readings in the first run; write one for each",
+                    "{have} weighting factors are given and {want} readings in the initial run; enter one for each",
                 )
                 .with("have", factors.len())
                 .with("want", readings),
@@ -216,9 +215,9 @@ impl Field {
     fn by_least_squares<W: Worksheet>(&self, solved: &influence::Weights, sheet: W) -> Vec<Found<W::Num>> {
         let how = match self.method {
             Method::Weighted { .. } => {
-                "Weight that makes the weighted sum of the squares of all readings least"
+                "Correction mass that minimises the weighted sum of squares of all readings"
             }
-            _ => "Weight that makes the sum of the squares of all readings least",
+            _ => "Correction mass that minimises the sum of squares of all readings",
         };
         let found = |(n, weight): (usize, &Complex<f64>)| Found {
             mass: sheet.found(("m_c", n), "g", weight.norm(), (how, GOODMAN.at("pp. 273–277"))),
@@ -241,7 +240,7 @@ impl Field {
         let solved =
             min_max(&numbers.alpha, &numbers.first, limit).map_err(|error| refusal(error, &numbers.alpha))?;
         let how = (
-            "Weight that makes the largest reading least, by the barrier of the second-order cones",
+            "Correction mass that minimises the largest reading, by a second-order-cone barrier method",
             BOYD.at("§11.6"),
         );
         let found = |(n, weight): (usize, &Complex<f64>)| Found {
@@ -255,7 +254,7 @@ impl Field {
         };
         let corrections = (1..).zip(&solved.weights).map(found).collect();
         sheet.check_zero(
-            "no permitted weights can bring the largest reading lower: bound from the multipliers",
+            "lower bound of the largest reading for the permitted masses, from the multipliers",
             (solved.largest - solved.bound).into(),
             numbers.first.iter().map(|v| v.norm()).fold(0.0, f64::max),
         );
@@ -274,7 +273,7 @@ impl Field {
         let mut existing = Vec::new();
         let estimated = !matches!(self.method, Method::MinMax { .. });
         for (n, found) in (1..).zip(corrections) {
-            sheet.answer(("correction", n), "Correction weight in plane", found.mass);
+            sheet.answer(("correction", n), "Correction mass in plane", found.mass);
             sheet.answer(("correction_angle", n), "Angle of the correction in plane", found.angle);
             if estimated {
                 let angle = found.angle.value();
@@ -283,9 +282,9 @@ impl Field {
                     ("θ_e", n),
                     "deg",
                     opposite,
-                    "The existing unbalance lies opposite to the correction",
+                    "The initial unbalance is opposite to the correction",
                 );
-                sheet.answer(("existing_angle", n), "Angle of the existing unbalance in plane", angle);
+                sheet.answer(("existing_angle", n), "Angular position of the heavy spot in plane", angle);
                 existing.push(Complex::from_polar(found.mass.value(), angle.value()));
             }
             if let Some(radius) = radius {
@@ -313,7 +312,7 @@ impl Field {
                     .map(|((row, a), g)| g * a.norm() * numbers.reach(row, &weights))
                     .sum();
                 sheet.check_zero(
-                    Text::new("the existing unbalances explain all that plane {n} can do")
+                    Text::new("residual of the initial-unbalance fit is orthogonal to the influence vector of plane {n}")
                         .with("n", plane + 1),
                     product.norm().into(),
                     size,
@@ -341,11 +340,11 @@ impl Field {
             "r_max",
             unit,
             largest,
-            "Largest reading to expect with the corrections: first reading plus influence times weights",
+            "Maximum predicted residual vibration: initial reading plus influence coefficients times corrections",
         );
-        let mean = sheet.found("r_rms", unit, mean, "Root of the mean square of all readings to expect");
-        sheet.answer("largest_residual", "Largest reading to expect", largest);
-        sheet.answer("rms_residual", "Root mean square of the readings to expect", mean);
+        let mean = sheet.found("r_rms", unit, mean, "Root mean square of all predicted residual readings");
+        sheet.answer("largest_residual", "Maximum predicted residual vibration", largest);
+        sheet.answer("rms_residual", "RMS of the predicted residual vibration", mean);
         sheet.verify(|| {
             let (mut most, mut sum, mut reach) = (0.0f64, 0.0, 0.0f64);
             for (row, (reading, kept)) in numbers.first.iter().zip(&left).enumerate() {
@@ -361,11 +360,11 @@ impl Field {
                     sum += squared;
                 }
             }
-            let what = "squares of the readings to expect by the law of cosines over readings and effects";
+            let what = "squares of the predicted readings by the law of cosines over readings and effects";
             sheet.check_sum(what, largest.powi(2), most.into(), reach);
             sheet.check_sum(what, mean.powi(2), (sum / left.len() as f64).into(), reach);
         });
-        sheet.answer_list("residual", "Readings to expect", unit, &sizes);
+        sheet.answer_list("residual", "Predicted residual vibration", unit, &sizes);
         left
     }
 }
@@ -412,7 +411,7 @@ fn orthogonal<W: Worksheet>(
             (terms().iter().sum(), terms().iter().map(|term| term.norm()).sum())
         };
         sheet.check_zero(
-            Text::new("what is left is perpendicular to all that plane {n} can do").with("n", plane + 1),
+            Text::new("the residual is orthogonal to the influence vector of plane {n}").with("n", plane + 1),
             product(left).0.norm().into(),
             product(first).1,
         );
@@ -434,7 +433,7 @@ fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) {
             ("m_a", n),
             "g",
             trim.norm(),
-            "Weight to add while all trial weights stay on: the correction less the trial weights in this plane",
+            "Mass to add with all trial weights retained: the correction minus the trial weights in this plane",
         );
         let angle = sheet.found(
             ("θ_a", n),
@@ -442,8 +441,8 @@ fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) {
             balance::marked_angle_found(trim.arg()),
             "Its angle from the mark",
         );
-        sheet.answer(("trim", n), "Weight to add with the trial weights left on, plane", mass);
-        sheet.answer(("trim_angle", n), "Angle of the weight to add, plane", angle);
+        sheet.answer(("trim", n), "Mass to add with the trial weights retained, plane", mass);
+        sheet.answer(("trim_angle", n), "Angle of the mass to add, plane", angle);
         added.push(Complex::from_polar(mass.value(), angle.value()));
     }
     sheet.verify(|| {
@@ -455,7 +454,7 @@ fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) {
         let again = influence::residuals(&numbers.alpha, &last.readings, &added);
         for (row, (left, again)) in left.iter().zip(&again).enumerate() {
             let size = last.readings[row].norm() + numbers.reach(row, weights) + numbers.reach(row, &added);
-            let what = "last readings with all trial weights on, and the weights to add";
+            let what = "last readings with all trial weights retained, and the masses to add";
             sheet.check_zero(what, (left - again).norm().into(), size);
         }
     });
@@ -463,7 +462,7 @@ fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) {
 
 fn condition<W: Worksheet>(condition: f64, numbers: &Numbers, factors: &[f64], sheet: W) {
     let how =
-        "Condition number of the influence coefficients: how many times an error of the readings may grow";
+        "Condition number of the influence coefficients: maximum amplification of errors of the readings";
     let condition = sheet.found("κ", "1", condition, how);
     sheet.answer("condition", "Condition number", condition);
     sheet.verify(|| {
@@ -502,21 +501,20 @@ fn ranges<W: Worksheet>(
     let Some(ranges) = spread::ranges(&measured, weights, SAMPLES, threads) else { return };
     let between = |[low, high]: [f64; 2]| IntervalSet::interval(Bound::Included(low), Bound::Included(high));
     for (n, (size, angle)) in (1..).zip(ranges.sizes.iter().zip(&ranges.angles)) {
-        let label = "95 % range of the correction weight in plane";
+        let label = "95 % interval of the correction mass in plane";
         sheet.answer_set(("correction_range", n), label, "g", &between(*size), Vec::new());
         // Both ends positive, as angles are marked: 350° to 370° about the mark.
         let turn = if angle[0] < 0.0 { TAU } else { 0.0 };
         let any = angle[1] - angle[0] > TAU * (1.0 - 1e-9);
         let angles = if any { IntervalSet::all() } else { between(angle.map(|a| a + turn)) };
-        let label = "95 % range of the angle of the correction in plane";
+        let label = "95 % interval of the angle of the correction in plane";
         sheet.answer_set(("angle_range", n), label, "deg", &angles, Vec::new());
         let weight = weights[n - 1].norm();
         let width = size[1] - size[0];
         if width > WIDE * weight && width <= weight {
             sheet.warn(|| {
                 Text::new(
-                    "the range of the weight of plane {n} is wide beside the weight itself: fewer than 95 of 100 such \
-                     jobs lie within their ranges (87 of simulated ones); repeat the runs, or take a larger trial weight",
+                    "the interval of the correction in plane {n} is wide compared with the correction itself: fewer than 95 of 100 such jobs lie within their intervals (87 of simulated ones); repeat the runs, or use a larger trial weight",
                 )
                 .with("n", n)
             });
@@ -524,8 +522,7 @@ fn ranges<W: Worksheet>(
         if width > weight {
             sheet.warn(|| {
                 Text::new(
-                    "the uncertainty of the readings leaves the weight of plane {n} anywhere from {low} to {high}: \
-                     take a larger trial weight or steadier readings before the next start",
+                    "the uncertainty of the readings allows a correction in plane {n} from {low} to {high}: use a larger trial weight or more stable readings before the next start",
                 )
                 .with("n", n)
                 .with_quantity("low", size[0], "g")
@@ -533,5 +530,10 @@ fn ranges<W: Worksheet>(
             });
         }
     }
-    sheet.answer_list("residual_limit", "Readings that 95 % stay below", unit, &ranges.residuals);
+    sheet.answer_list(
+        "residual_limit",
+        "95 % upper limit of the residual vibration",
+        unit,
+        &ranges.residuals,
+    );
 }

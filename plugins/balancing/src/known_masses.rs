@@ -20,10 +20,10 @@ mod state;
 #[derive(Clone, Debug, Inputs)]
 pub struct KnownMasses {
     /// Masses on the rotor.
-    /// What a complete balance shall find is left empty.
+    /// In a complete balance, leave the unknown quantities empty.
     #[input(min = 1)]
     pub masses: Vec<RotorMass>,
-    /// Angles count.
+    /// Angle convention.
     pub angles: Angles,
     /// Task.
     pub task: Task,
@@ -34,21 +34,21 @@ pub struct KnownMasses {
     /// Bearings and speed.
     /// For the forces on the bearings.
     pub bearings: Option<Bearings>,
-    /// Two planes to tell the unbalance in.
-    /// Any two planes: the unbalance of the masses as two vectors, and as a static and a couple part.
+    /// Planes for the equivalent unbalance.
+    /// Any two planes: the unbalance of the masses as two vectors, and as a static and a couple component.
     pub equivalent: Option<EquivalentPlanes>,
 }
 
 /// A mass on a rotor.
 #[derive(Clone, Debug, Inputs)]
 pub struct RotorMass {
-    /// Amount.
+    /// Quantity given.
     pub amount: Amount,
     /// Radius.
     #[input("r", "mm", nonnegative)]
     pub radius: Option<f64>,
     /// Angle.
-    /// The answers count in the same sense.
+    /// The answers use the same sense.
     #[input("θ", "deg")]
     pub angle: Option<f64>,
     /// Position.
@@ -72,9 +72,9 @@ pub enum Amount {
         #[input("W", "N", positive)]
         weight: Option<f64>,
     },
-    /// Mass times radius
+    /// Mass–radius product
     Product {
-        /// Mass times radius.
+        /// Mass–radius product.
         #[input("U", "kg*mm", positive)]
         product: Option<f64>,
     },
@@ -89,16 +89,16 @@ pub enum Task {
         /// Correction planes.
         #[input(min = 1)]
         planes: Vec<CorrectionPlane>,
-        /// Way of correcting.
+        /// Correction method.
         way: Way,
     },
-    /// Complete balance: four quantities left empty are found
+    /// Complete balance: four unknown quantities, left empty
     /// Neither a rotating force nor a rotating couple remains.
     Complete,
-    /// Static balance: two quantities left empty are found
+    /// Static balance: two unknown quantities, left empty
     /// No rotating force remains; a couple may.
     Static,
-    /// The rotor as it is
+    /// The rotor without corrections
     State,
 }
 
@@ -126,7 +126,7 @@ pub struct Bearings {
     #[input("ω", "rpm", positive)]
     pub speed: f64,
     /// The rotor as a whole.
-    /// For the loads with its weight, and to tell static from quasi-static unbalance.
+    /// For the loads with its weight, and to distinguish static from quasi-static unbalance.
     pub rotor: Option<WholeRotor>,
 }
 
@@ -317,7 +317,7 @@ impl KnownMasses {
                 (Angles::Absolute, angle) => angle,
                 (Angles::Successive, None) => {
                     return Err(Refusal::because(
-                        "successive angles cannot be counted over one that is left empty; give the angles from the mark",
+                        "relative angles cannot be counted past an empty one; give the angles from the mark",
                     ));
                 }
                 (Angles::Successive, Some(angle)) => Some(match before {
@@ -357,7 +357,7 @@ impl KnownMasses {
                 "z₀",
                 "mm",
                 (bearings.first + bearings.second) / 2.0,
-                "Couples are told about the middle of the bearings",
+                "Reference point for moments: midway between the bearings",
             ),
         }))
     }
@@ -415,4 +415,11 @@ fn shown<N: Real>(
         ink: Ink::Result,
     });
     of_masses.chain(of_planes).collect()
+}
+
+/// The square of the resultant of masses at arms by the law of cosines over all pairs, and the square of the sum of their
+/// sizes.
+fn by_pairs<N: Real>(masses: &[Unbalance<N>], arm: &dyn Fn(&Unbalance<N>) -> f64) -> (f64, f64) {
+    let all = masses.iter().map(|u| (u.size() * arm(u), u.y.value().atan2(u.x.value())));
+    crate::rotor::by_pairs(&all.collect::<Vec<_>>())
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, DrawnShape, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series,
+    About, Analysis, Animation, Axis, Cell, Column, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series,
     TableExhibit, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
@@ -33,7 +33,7 @@ pub struct LinkageBalance {
     #[input("R_2", "mm", positive)]
     pub crank_radius: f64,
     /// Radius of the other counterweight.
-    /// That of the rocker, from its fixed pin; on a slider-crank that of the rod, from the crank pin.
+    /// For the rocker, measured from its fixed pin; on a slider-crank for the rod, from the crank pin.
     #[input("R_c", "mm", positive)]
     pub other_radius: f64,
 }
@@ -55,7 +55,7 @@ pub enum Mechanism {
         /// Frame.
         #[input("d", "mm", positive)]
         frame: f64,
-        /// Closing of the loop.
+        /// Loop closure.
         closing: Closing,
         /// Masses of the crank.
         #[input("2")]
@@ -127,7 +127,7 @@ impl Analysis for LinkageBalance {
         id: "balancing/linkage-balance",
         title: "Force balance of a linkage",
         topic: "Engines and linkages",
-        summary: "Counterweights that leave a four-bar linkage or a slider-crank without shaking force, and what they do to shaking moment and torque.",
+        summary: "Counterweights that eliminate the shaking force of a four-bar linkage or a slider-crank, and their effect on shaking moment and torque.",
         keywords: "balanceamento de mecanismos quatro barras biela-manivela contrapeso força de trepidação momento torque \
                    berkof lowen four-bar slider-crank shaking force shaking moment counterweight",
         sources: &[&BERKOF, &NORTON],
@@ -141,7 +141,7 @@ impl Analysis for LinkageBalance {
         let force_before = largest(&before, size);
         if force_before == 0.0 {
             return Err(Refusal::because(
-                "no moving link has a mass, so nothing shakes; give a mass to at least one",
+                "no moving link has a mass, so there is no shaking force; give a mass to at least one",
             ));
         }
         sheet.keep_going()?;
@@ -176,14 +176,15 @@ impl Analysis for LinkageBalance {
             MechanismGiven::SliderCrank { crank, rod, crank_body, rod_body, slider, .. } => {
                 let (two, three) = (crank_body, rod_body);
                 let why =
-                    "Rod: with its counterweight, rod and slider have their centre of mass at the crank pin";
+                    "Rod: its counterweight brings the centre of mass of rod and slider to the crank pin";
                 let x = -(three.mass * three.distance * three.offset.cos() + *slider * *rod);
                 let x = sheet.step("U_3x", "kg*mm", x, (why, BERKOF.at("")));
                 let y = -(three.mass * three.distance * three.offset.sin());
                 let y = sheet.step("U_3y", "kg*mm", y, (why, BERKOF.at("")));
                 let on_rod = counterweight(sheet, 1, (x, y), given.other_radius, &ROD);
                 let added = balance::correction_mass(x, y, given.other_radius);
-                let why = ("Crank: its own moment and all that hangs on the crank pin", BERKOF.at(""));
+                let why =
+                    ("Crank: its own moment and that of the masses carried at the crank pin", BERKOF.at(""));
                 let hanging = three.mass + *slider + added;
                 let x = -(two.mass * two.distance * two.offset.cos() + hanging * *crank);
                 let x = sheet.step("U_2x", "kg*mm", x, why);
@@ -201,7 +202,7 @@ impl Analysis for LinkageBalance {
                 .map(|s| (s.first_moment[0] - still[0]).hypot(s.first_moment[1] - still[1]))
                 .fold(0.0, f64::max);
             let speed = self.speed * self.speed;
-            sheet.check_zero("the centre of mass stands still", wander.into(), effort / speed);
+            sheet.check_zero("the centre of mass remains at rest", wander.into(), effort / speed);
             self.check_torque(&linkage, &poses, &before, sheet);
             let gap = |s: &Shaking| {
                 let [crank, _, _, follower] = s.joints;
@@ -210,12 +211,12 @@ impl Analysis for LinkageBalance {
             };
             let gaps = largest(&before, gap).max(largest(&after, gap));
             let most = before.iter().chain(&after).flat_map(|s| s.joints).map(|[x, y]| x.hypot(y));
-            let what = "the forces of the frame on crank and follower are the shaking force turned round";
+            let what = "the forces of the frame on crank and output link equal the reversed shaking force";
             sheet.check_zero(what, gaps.into(), most.fold(effort, f64::max));
         });
         let found =
             |symbol, unit, si, why: &'static str| sheet.found(symbol, unit, si, (why, NORTON.at("ch. 12")));
-        let why_force = "Largest shaking force over a turn";
+        let why_force = "Maximum shaking force over a revolution";
         let weights = [&[], counterweights.as_slice()];
         // The largest of a number before and after, and the same by the equations of all links at the crank angle of each.
         let most = |of: &dyn Fn(&Shaking) -> f64| {
@@ -240,31 +241,31 @@ impl Analysis for LinkageBalance {
         let at = most(&size);
         let first = found("F_before", "N", at[0].value, why_force);
         let last = left(&linkage, &poses, &counterweights, &after, effort, sheet);
-        sheet.answer("shaking_force", "Largest shaking force before", first);
-        sheet.answer("shaking_force_after", "Largest shaking force after", last);
+        sheet.answer("shaking_force", "Maximum shaking force before", first);
+        sheet.answer("shaking_force_after", "Maximum shaking force after", last);
         sheet.verify(|| sheet.check_zero("no shaking force is left", last.value().into(), effort));
-        let what = "shaking force there by Newton's and Euler's equations of all links at once";
+        let what = "shaking force at that angle by the Newton–Euler equations of all links";
         again(what, [first, last], at, 1.0, &|felt| felt.force[0].hypot(felt.force[1]));
-        let why_moment = "Largest shaking moment about the crank pivot over a turn";
+        let why_moment = "Maximum shaking moment about the crank pivot over a revolution";
         let reach = linkage.crank + linkage.coupler;
         let at = most(&|s| s.moment.abs());
         let [first, last] = [("M_before", at[0]), ("M_after", at[1])]
             .map(|(symbol, at)| found(symbol, "N*m", at.value, why_moment));
-        let what = "shaking moment there by Newton's and Euler's equations of all links at once";
+        let what = "shaking moment at that angle by the Newton–Euler equations of all links";
         again(what, [first, last], at, reach, &|felt| felt.moment.abs());
-        sheet.answer("shaking_moment", "Largest shaking moment before", first);
-        sheet.answer("shaking_moment_after", "Largest shaking moment after", last);
-        let why_torque = "Largest torque on the crank over a turn";
+        sheet.answer("shaking_moment", "Maximum shaking moment before", first);
+        sheet.answer("shaking_moment_after", "Maximum shaking moment after", last);
+        let why_torque = "Maximum crank torque over a revolution";
         let at = most(&|s| s.torque.abs());
         let [first, last] = [("T_before", at[0]), ("T_after", at[1])]
             .map(|(symbol, at)| found(symbol, "N*m", at.value, why_torque));
-        let what = "torque there by Newton's and Euler's equations of all links at once";
+        let what = "torque at that angle by the Newton–Euler equations of all links";
         again(what, [first, last], at, reach, &|felt| felt.torque.abs());
-        sheet.answer("torque", "Largest torque on the crank before", first);
-        sheet.answer("torque_after", "Largest torque on the crank after", last);
+        sheet.answer("torque", "Maximum crank torque before", first);
+        sheet.answer("torque_after", "Maximum crank torque after", last);
         if last.value() > 1.05 * first.value() {
             sheet.warn(|| {
-                Text::new("the counterweights make the largest torque {times} times what it was")
+                Text::new("the maximum torque with the counterweights is {times} times its initial value")
                     .with("times", format!("{:.1}", last.value() / first.value()))
             });
         }
@@ -275,8 +276,9 @@ impl Analysis for LinkageBalance {
         for (joint, label) in names.into_iter().enumerate() {
             let of = move |s: &Shaking| s.joints[joint][0].hypot(s.joints[joint][1]);
             let why = |when: &'static str| {
-                let why =
-                    Text::new("Largest force over a turn, {when}: {joint}, from the balance of each link");
+                let why = Text::new(
+                    "Maximum force over a revolution, {when}: {joint}, from the equilibrium of each link",
+                );
                 (why.with_text("when", when).with_text("joint", label), NORTON.at("ch. 11"))
             };
             let at = most(&of);
@@ -284,7 +286,7 @@ impl Analysis for LinkageBalance {
             let last = sheet.found(("P_after", joint + 1), "N", at[1].value, why("after"));
             sheet.answer(("joint_force", joint + 1), label, first);
             sheet.answer(("joint_force_after", joint + 1), label, last);
-            let what = "force in a joint there by Newton's and Euler's equations of all links at once";
+            let what = "force in a joint at that angle by the Newton–Euler equations of all links";
             again(what, [first, last], at, 1.0, &|felt| felt.joints[joint][0].hypot(felt.joints[joint][1]));
         }
         sheet.show(|| Exhibit::Table(joint_forces(names, &before, &after)));
@@ -306,7 +308,7 @@ impl Analysis for LinkageBalance {
                 ))
             });
         }
-        sheet.show(|| Exhibit::Film(film(&poses, &counterweights, linkage.follower)));
+        sheet.show(|| Exhibit::Animation(animation(&poses, &counterweights, linkage.follower)));
         Ok(())
     }
 }
@@ -332,7 +334,7 @@ fn joint_forces(names: [&'static str; 4], before: &[Shaking], after: &[Shaking])
         Cell::Number(largest(all, |s| s.joints[joint][0].hypot(s.joints[joint][1])))
     };
     TableExhibit {
-        title: "Largest forces in the joints".into(),
+        title: "Maximum joint forces".into(),
         columns: vec![
             Column { heading: "Joint".into(), unit: "" },
             Column { heading: "before".into(), unit: "N" },
@@ -355,21 +357,21 @@ struct Names {
 
 const CRANK: Names = Names {
     symbols: ["U_2", "ψ_2", "M_2"],
-    size: ("crank_unbalance", "Mass times radius of the counterweight of the crank"),
+    size: ("crank_unbalance", "Mass–radius product of the counterweight of the crank"),
     angle: ("crank_angle", "Angle of the counterweight from the crank"),
     mass: ("crank_mass", "Mass of the counterweight of the crank"),
 };
 
 const ROCKER: Names = Names {
     symbols: ["U_4", "ψ_4", "M_4"],
-    size: ("rocker_unbalance", "Mass times radius of the counterweight of the rocker"),
+    size: ("rocker_unbalance", "Mass–radius product of the counterweight of the rocker"),
     angle: ("rocker_angle", "Angle of the counterweight from the rocker"),
     mass: ("rocker_mass", "Mass of the counterweight of the rocker"),
 };
 
 const ROD: Names = Names {
     symbols: ["U_3", "ψ_3", "M_3"],
-    size: ("rod_unbalance", "Mass times radius of the counterweight of the rod"),
+    size: ("rod_unbalance", "Mass–radius product of the counterweight of the rod"),
     angle: ("rod_angle", "Angle of the counterweight from the rod"),
     mass: ("rod_mass", "Mass of the counterweight of the rod"),
 };
@@ -382,7 +384,8 @@ fn counterweight<W: Worksheet>(
     names: &Names,
 ) -> Counterweight {
     let [size_symbol, angle_symbol, mass_symbol] = names.symbols;
-    let size = sheet.step(size_symbol, "kg*mm", balance::magnitude(x, y), "Size of the counterweight");
+    let size =
+        sheet.step(size_symbol, "kg*mm", balance::magnitude(x, y), "Counterweight mass–radius product");
     sheet.answer(names.size.0, names.size.1, size);
     let mut angle = 0.0;
     if size.value() > 0.0 {
@@ -442,7 +445,7 @@ impl LinkageBalance {
             let angle = TAU * n as f64 / PLACES as f64;
             linkage.pose(angle, self.speed).ok_or_else(|| {
                 Refusal::because(
-                    Text::new("the loop does not close at the crank angle {angle}, so the crank cannot turn round; make it shorter, or the coupler longer")
+                    Text::new("the loop does not close at the crank angle {angle}, so the crank cannot rotate fully; make it shorter, or the coupler longer")
                         .with_quantity("angle", angle, "deg"),
                 )
             })
@@ -530,11 +533,11 @@ fn left<W: Worksheet>(
         // What is rounding beside the forces that cancel is none.
         let (one, other) = (own[axis], added[axis]);
         let other = if (one + other).abs() < 1e-9 * effort { -one } else { other };
-        let why = "Force of the moving links on the frame, at the crank angle where most is left";
+        let why = "Force of the moving links on the frame, at the crank angle of maximum residual force";
         let one = sheet.found(names[axis][0], "N", one, why);
-        one + sheet.found(names[axis][1], "N", other, "Force of the counterweights there")
+        one + sheet.found(names[axis][1], "N", other, "Force of the counterweights at that crank angle")
     });
-    let why = ("Largest shaking force over a turn", NORTON.at("ch. 12"));
+    let why = ("Maximum shaking force over a revolution", NORTON.at("ch. 12"));
     sheet.step("F_after", "N", balance::magnitude(x, y), why)
 }
 
@@ -553,7 +556,7 @@ fn linkage_effort(linkage: &Linkage, counterweights: &[Counterweight], speed: f6
 }
 
 /// The linkage over a turn, with its counterweights.
-fn film(poses: &[Pose], counterweights: &[Counterweight], follower: Follower) -> Film {
+fn animation(poses: &[Pose], counterweights: &[Counterweight], follower: Follower) -> Animation {
     let every = PLACES / 24;
     let frame = |pose: &Pose| {
         let [crank_pin, coupler_pin, end] = pose.pins.map(|[x, y]| (x, y));
@@ -589,5 +592,9 @@ fn film(poses: &[Pose], counterweights: &[Counterweight], follower: Follower) ->
         }
         shapes
     };
-    Film::new("The linkage with its counterweights", poses.iter().step_by(every).map(frame).collect(), 3.0)
+    Animation::new(
+        "The linkage with its counterweights",
+        poses.iter().step_by(every).map(frame).collect(),
+        3.0,
+    )
 }

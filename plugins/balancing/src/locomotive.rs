@@ -65,7 +65,7 @@ pub enum Balance {
         #[input("c", "1", min = 0.0, max = 1.0)]
         fraction: f64,
     },
-    /// Hammer blow given, fraction wanted
+    /// Hammer blow given, fraction required
     HammerBlow {
         /// Hammer blow of a wheel.
         #[input("H", "kN", positive)]
@@ -88,7 +88,7 @@ pub enum Running {
         #[input("ω", "rpm", positive)]
         speed: f64,
     },
-    /// At the speed where a wheel begins to lift
+    /// At the speed at which a wheel begins to lift
     Limit,
 }
 
@@ -132,7 +132,7 @@ impl Analysis for Locomotive {
         let crank = match given.throw {
             ThrowGiven::Radius { radius } => radius,
             ThrowGiven::Stroke { stroke } => {
-                sheet.step("r", "mm", stroke / 2.0, "The crank is half the stroke")
+                sheet.step("r", "mm", stroke / 2.0, "The crank radius is half the stroke")
             }
         };
         let cite = BEVAN.at("ch. 14");
@@ -144,7 +144,7 @@ impl Analysis for Locomotive {
         // Balance of unit masses at the cranks, from the first crank.
         let of_wheels = [(near, far), (far, near)];
         let (x, y) = (far * between.cos() + near, far * between.sin());
-        let why = "What a wheel feels of equal masses at both cranks, over that of one";
+        let why = "Effect on one wheel of equal masses at both cranks, relative to that of one";
         let share = sheet.step("e", "1", balance::magnitude(x, y), (why, cite));
         if share.value() <= 1e-12 {
             return Err(Refusal::because(
@@ -160,7 +160,7 @@ impl Analysis for Locomotive {
             (BalanceGiven::HammerBlow { blow }, Some(speed)) => {
                 let whole = product * share * speed.powi(2);
                 let fraction = if axles == 1.0 { *blow / whole } else { *blow * axles / whole };
-                let why = ("Fraction whose vertical part makes the hammer blow", KHURMI.at("ch. 22"));
+                let why = ("Fraction whose vertical component causes the hammer blow", KHURMI.at("ch. 22"));
                 sheet.step("c", "1", fraction, why)
             }
             (BalanceGiven::HammerBlow { .. }, None) => {
@@ -172,7 +172,7 @@ impl Analysis for Locomotive {
         if fraction.value() > 1.0 {
             return Err(Refusal::because(
                 Text::new(
-                    "the hammer blow would need {times} times the whole reciprocating mass balanced; give a smaller one, or a higher speed",
+                    "the hammer blow would require balancing {times} times the whole reciprocating mass; give a smaller one, or a higher speed",
                 )
                 .with("times", format!("{:.3}", fraction.value())),
             ));
@@ -192,7 +192,7 @@ impl Analysis for Locomotive {
         let blow = product * fraction * share * speed.powi(2);
         let blow = if axles == 1.0 { blow } else { blow / axles };
         let why = (
-            "Hammer blow: the vertical part of the balance of the reciprocating masses has nothing against it",
+            "Hammer blow: the vertical component of the balance of the reciprocating masses is not opposed",
             KHURMI.at("ch. 22"),
         );
         let blow = sheet.step("H_max", "N", blow, why);
@@ -206,14 +206,14 @@ impl Analysis for Locomotive {
         sheet.verify(|| {
             let (_, most) = reciprocating::greatest(|at| [vertical(at), 0.0]);
             let scale = most * (1.0 + self.cylinders / self.wheels) / share.value();
-            let what = "vertical force of the balance masses at its greatest over a turn";
+            let what = "maximum vertical force of the balance masses over a revolution";
             sheet.check_sum(what, blow, most.into(), scale);
         });
         if let Some(load) = given.load {
-            let most = sheet.step("R_max", "N", load + blow, "Greatest load of a wheel on the rail");
-            let least = sheet.step("R_min", "N", load - blow, "Least load of a wheel on the rail");
-            sheet.answer("load_max", "Greatest load of a wheel on the rail", most);
-            sheet.answer("load_min", "Least load of a wheel on the rail", least);
+            let most = sheet.step("R_max", "N", load + blow, "Maximum load of a wheel on the rail");
+            let least = sheet.step("R_min", "N", load - blow, "Minimum load of a wheel on the rail");
+            sheet.answer("load_max", "Maximum load of a wheel on the rail", most);
+            sheet.answer("load_min", "Minimum load of a wheel on the rail", least);
             sheet.verify(|| {
                 let (at, _) = reciprocating::greatest(|at| [vertical(at), 0.0]);
                 let parts = [vertical(at), vertical(at + PI)];
@@ -222,39 +222,35 @@ impl Analysis for Locomotive {
                 let above = load.value() + parts[0].max(parts[1]);
                 sheet.check_sum("load of a wheel where that force is greatest", most, above.into(), scale);
                 let below = load.value() + parts[0].min(parts[1]);
-                sheet.check_sum("load of a wheel half a turn from there", least, below.into(), scale);
+                sheet.check_sum("load of a wheel 180° from that position", least, below.into(), scale);
             });
             if least.value() < -1e-9 * load.value() {
                 sheet.warn(|| {
                     Text::new(
-                        "the hammer blow is larger than the dead load: the wheel leaves the rail once a turn",
+                        "the hammer blow exceeds the dead load: the wheel leaves the rail once per revolution",
                     )
                 });
             }
         }
         let unbalanced = (W::Num::from(1.0) - fraction) * product * speed.powi(2);
-        let why = "Reciprocating force of a cylinder that is left unbalanced";
+        let why = "Unbalanced reciprocating force of a cylinder";
         let unbalanced = sheet.step("F_u", "N", unbalanced, (why, KHURMI.at("ch. 22")));
         let tractive = unbalanced * engine::sum_of_cranks(between);
-        let why = ("Greatest of (1 − c) m r ω² (cos θ + cos(θ + α)) over a turn", KHURMI.at("ch. 22"));
+        let why = ("Maximum of (1 − c) m r ω² (cos θ + cos(θ + α)) over a revolution", KHURMI.at("ch. 22"));
         let tractive = sheet.step("F_T", "N", tractive, why);
-        sheet.answer("tractive", "Variation of tractive effort, plus or minus", tractive);
-        let sway = unbalanced * given.cylinders / 2.0 * engine::difference_of_cranks(between);
-        let why = ("Greatest of (1 − c) m r ω² (a/2)(cos θ − cos(θ + α)) over a turn", KHURMI.at("ch. 22"));
+        sheet.answer("tractive", "Variation of tractive effort (±)", tractive);
+        let sway = unbalanced * given.cylinders / 2.0 * engine::crank_difference(between);
+        let why =
+            ("Maximum of (1 − c) m r ω² (a/2)(cos θ − cos(θ + α)) over a revolution", KHURMI.at("ch. 22"));
         let sway = sheet.step("C_S", "N*m", sway, why);
-        sheet.answer("sway", "Swaying couple, plus or minus", sway);
+        sheet.answer("sway", "Swaying couple (±)", sway);
         let (force, apart, angle) = (unbalanced.value(), self.cylinders, self.between);
         sheet.verify(|| {
             let (_, most) = reciprocating::greatest(|at| [engine::tractive_effort(force, at, angle), 0.0]);
-            sheet.check_sum(
-                "tractive effort at its greatest over a turn",
-                tractive,
-                most.into(),
-                2.0 * force,
-            );
+            sheet.check_sum("maximum tractive effort over a revolution", tractive, most.into(), 2.0 * force);
             let (_, most) =
                 reciprocating::greatest(|at| [engine::swaying_couple(force, apart, at, angle), 0.0]);
-            sheet.check_sum("swaying couple at its greatest over a turn", sway, most.into(), apart * force);
+            sheet.check_sum("maximum swaying couple over a revolution", sway, most.into(), apart * force);
         });
         let blow = blow.value();
         sheet.show(|| Exhibit::Plot(over_a_turn(force, angle)));
@@ -288,7 +284,7 @@ impl Locomotive {
                 Ok(Some(sheet.step("ω", "rad/s", *speed / (diameter / 2.0), why)))
             }
             (RunningGiven::Train { .. }, None) => Err(Refusal::because(
-                "the speed of the train turns into that of the wheels with their diameter; give it, or the speed of the wheels",
+                "the speed of the train is converted to that of the wheels with their diameter; give it, or the speed of the wheels",
             )),
             (RunningGiven::Limit {}, _) => Ok(None),
         }
@@ -308,7 +304,7 @@ impl Locomotive {
         if fraction.value() <= 0.0 {
             sheet.warn(|| {
                 Text::new(
-                    "nothing of the reciprocating masses is balanced: no hammer blow, no limit of speed",
+                    "no part of the reciprocating masses is balanced: no hammer blow, no limiting speed",
                 )
             });
             return None;
@@ -378,11 +374,14 @@ impl Locomotive {
                     let cranks = mass * crank * of_cranks[axis];
                     of_rods.map_or(-cranks, |rods| -(cranks + rods[axis]))
                 };
-                let why = ("Balance of this wheel against what it feels of both cranks", BEVAN.at("ch. 14"));
+                let why = (
+                    "Balance mass of this wheel opposes the unbalance received from both cranks",
+                    BEVAN.at("ch. 14"),
+                );
                 let x = sheet.step((names.x, row), "kg*m", felt(0), why);
                 let y = sheet.step((names.y, row), "kg*m", felt(1), why);
                 let size =
-                    sheet.step((names.size, row), "kg*m", balance::magnitude(x, y), "Mass times radius");
+                    sheet.step((names.size, row), "kg*m", balance::magnitude(x, y), "Mass–radius product");
                 sheet.answer((names.product, row), names.labels[0], size);
                 let scale = mass.value() * crank.value() + rods.map_or(0.0, |(product, ..)| product.value());
                 if size.value() <= 1e-12 * scale {
@@ -394,7 +393,7 @@ impl Locomotive {
                     sheet.answer((names.mass, row), names.labels[1], mass);
                     mass.value() * radius.value()
                 });
-                let why = "Angle from the first crank, in the sense from the first crank to the second";
+                let why = "Angle from the first crank, positive towards the second crank";
                 let angle =
                     sheet.step((names.angle_symbol, row), "deg", balance::marked_direction(x, y), why);
                 sheet.answer((names.angle, row), names.labels[2], angle);
@@ -478,7 +477,7 @@ const DRIVING: WheelNames = WheelNames {
     mass: "mass",
     angle: "angle",
     labels: [
-        "Mass times radius of the balance in driving wheel",
+        "Mass–radius product of the balance mass in driving wheel",
         "Balance mass in driving wheel",
         "Angle of the balance mass from the first crank, driving wheel",
     ],
@@ -495,7 +494,7 @@ const COUPLED: WheelNames = WheelNames {
     mass: "coupled_mass",
     angle: "coupled_angle",
     labels: [
-        "Mass times radius of the balance in coupled wheel",
+        "Mass–radius product of the balance mass in coupled wheel",
         "Balance mass in coupled wheel",
         "Angle of the balance mass from the first crank, coupled wheel",
     ],
@@ -509,14 +508,19 @@ fn over_a_turn(force: f64, between: f64) -> Plot {
     let x = Axis::linear("Angle of the wheels", "deg");
     let y = Axis::linear("Variation of tractive effort", "kN");
     let points = curve(|angle| engine::tractive_effort(force, angle, between));
-    Plot::new("Variation of tractive effort over a turn", x, y, vec![Series::line("tractive effort", points)])
+    Plot::new(
+        "Variation of tractive effort over a revolution",
+        x,
+        y,
+        vec![Series::line("tractive effort", points)],
+    )
 }
 
 fn swaying(force: f64, apart: f64, between: f64) -> Plot {
     let x = Axis::linear("Angle of the wheels", "deg");
     let y = Axis::linear("Swaying couple", "kN*m");
     let points = curve(|angle| engine::swaying_couple(force, apart, angle, between));
-    Plot::new("Swaying couple over a turn", x, y, vec![Series::line("swaying couple", points)])
+    Plot::new("Swaying couple over a revolution", x, y, vec![Series::line("swaying couple", points)])
 }
 
 fn against_speed(blow: f64, speed: f64, load: Option<f64>, limit: Option<f64>) -> Plot {
@@ -527,7 +531,7 @@ fn against_speed(blow: f64, speed: f64, load: Option<f64>, limit: Option<f64>) -
     let series = vec![Series::line("hammer blow", points.collect()).of("hammer_blow")];
     let plot = Plot::new("Hammer blow against speed", x, y, series)
         .over("running.wheel.speed")
-        .mark("running", (speed, blow));
+        .mark("operating speed", (speed, blow));
     match load {
         Some(load) => plot.level("dead load", load),
         None => plot,

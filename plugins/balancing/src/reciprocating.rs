@@ -34,7 +34,7 @@ pub struct Reciprocating {
     /// Balance shafts.
     /// A pair that turns in opposite senses.
     pub shafts: Option<Shafts>,
-    /// Point about which couples are told.
+    /// Reference point for moments.
     /// Along the shaft; left out, the middle between the first and the last cylinder.
     #[input("z₀", "mm")]
     pub reference: Option<f64>,
@@ -53,7 +53,7 @@ pub enum Terms {
 /// Where the cylinders are.
 #[derive(Clone, Debug, Inputs)]
 pub enum Arrangement {
-    /// In line
+    /// In-line
     Inline {
         /// Every cylinder.
         every: Every,
@@ -83,7 +83,7 @@ pub enum Arrangement {
         spacing: Spacing,
         /// Cranks.
         cranks: Cranks,
-        /// Split of a crank pin.
+        /// Splay angle of a crank pin.
         /// From one bank to the next.
         #[input("δ", "deg", default = "0 deg")]
         split: f64,
@@ -148,7 +148,7 @@ pub struct Every {
     /// Crank.
     pub throw: Throw,
     /// Length of the rod.
-    /// Left out, only primary forces are told.
+    /// If omitted, only primary forces are reported.
     #[input("l", "mm", positive)]
     pub rod: Option<f64>,
 }
@@ -175,7 +175,7 @@ pub enum Throw {
 pub enum Spacing {
     /// Equal distances
     Pitch {
-        /// Distance between neighbours.
+        /// Distance between adjacent cranks.
         #[input("p", "mm", positive)]
         pitch: f64,
     },
@@ -204,7 +204,7 @@ pub enum Cranks {
         /// Strokes of a cycle.
         strokes: Strokes,
     },
-    /// Even firing, in the order with the least couples
+    /// Even firing, in the order with the smallest couples
     Best {
         /// Strokes of a cycle.
         strokes: Strokes,
@@ -233,7 +233,7 @@ pub struct Cylinder {
     #[input("r", "mm", positive)]
     pub radius: f64,
     /// Length of the rod.
-    /// Left out, only primary forces are told.
+    /// If omitted, only primary forces are reported.
     #[input("l", "mm", positive)]
     pub rod: Option<f64>,
     /// Crank angle.
@@ -291,7 +291,7 @@ impl Analysis for Reciprocating {
             {
                 return Err(Refusal::because(
                     Text::new(
-                        "the rod of {rod} must be longer than the crank of {crank}, or the crank cannot go round; give a rod of at least 1.01 crank radii",
+                        "the rod of {rod} must be longer than the crank of {crank}, or the crank cannot rotate fully; give a rod of at least 1.01 crank radii",
                     )
                     .with_quantity("rod", rod.value(), "mm")
                     .with_quantity("crank", c.crank.value(), "mm"),
@@ -333,12 +333,13 @@ impl Analysis for Reciprocating {
         let at = about.map_or(0.0, Real::value);
         let (_, greatest) = engine::greatest(|angle| engine::shaking(&pistons, motion, at, angle).0);
         let greatest = if greatest < 1e-11 * scale { 0.0 } else { greatest };
-        let whole = sheet.found("F_max", "N", greatest, "Greatest shaking force of all orders over a turn");
-        sheet.answer("greatest_force", "Greatest shaking force over a turn", whole);
+        let whole =
+            sheet.found("F_max", "N", greatest, "Maximum shaking force of all orders over a revolution");
+        sheet.answer("greatest_force", "Maximum shaking force over a revolution", whole);
         sheet.verify(|| {
             let again = orders::greatest_again(&found, &pistons, motion);
             sheet.check_zero(
-                "the greatest force from the vectors of the orders, or from the slider-crank as a mechanism",
+                "the maximum force from the vectors of the orders, or from the slider-crank as a mechanism",
                 (whole.value() - again).into(),
                 scale,
             );
@@ -354,7 +355,7 @@ impl Analysis for Reciprocating {
         }
         sheet.show(|| Exhibit::Drawing(pictures::ellipse(&pistons, motion, at)));
         sheet.show(|| Exhibit::Table(pictures::table(&found)));
-        sheet.show(|| Exhibit::Film(pictures::stars(&pistons, orders)));
+        sheet.show(|| Exhibit::Animation(pictures::stars(&pistons, orders)));
         Ok(())
     }
 }

@@ -10,19 +10,19 @@ use crate::sources::RIUL;
 /// What is put on a rotor, or taken off it.
 #[derive(Clone, Debug, Inputs)]
 pub enum Correction {
-    /// Radius given, mass wanted
+    /// Radius given, mass required
     Radius {
         /// Radius.
         #[input("r_c", "mm", positive)]
         radius: f64,
     },
-    /// Mass given, radius wanted
+    /// Mass given, radius required
     Mass {
         /// Mass.
         #[input("m_c", "kg", positive)]
         mass: f64,
     },
-    /// Only mass times radius is wanted
+    /// Only the mass–radius product is required
     Product,
 }
 
@@ -83,7 +83,7 @@ pub(crate) fn correct<W: Worksheet>(
     gravity: W::Num,
     scale: f64,
 ) {
-    let why = ("Size of the correction", RIUL.at("eq. 16"));
+    let why = ("Magnitude of the correction", RIUL.at("eq. 16"));
     let size = sheet.step((symbols.size, row), "kg*mm", balance::magnitude(x, y), why);
     sheet.answer((keys.size.0, row), keys.size.1, size);
     if size.value() <= 1e-12 * scale {
@@ -115,8 +115,12 @@ pub(crate) fn correct<W: Worksheet>(
     };
     let angle = sheet.step((symbols.angle, row), "deg", direction, (why, RIUL.at("eq. 19")));
     let other = if angle.value() > 1e-11 { -angle + TAU } else { -angle };
-    let other =
-        sheet.step((symbols.other_angle, row), "deg", other, "The same place, counted the other way round");
+    let other = sheet.step(
+        (symbols.other_angle, row),
+        "deg",
+        other,
+        "The same position, measured in the opposite sense",
+    );
     sheet.answer((keys.angle.0, row), keys.angle.1, angle);
     sheet.answer((keys.other_angle.0, row), keys.other_angle.1, other);
     sheet.verify(|| {

@@ -15,11 +15,11 @@ pub struct SinglePlane {
     /// Eccentric masses.
     #[input(min = 1)]
     pub masses: Vec<PlaneMass>,
-    /// Angles count.
+    /// Angle convention.
     pub angles: Angles,
     /// Correction.
     pub correction: Correction,
-    /// Way of correcting.
+    /// Correction method.
     pub way: Way,
     /// Gravity.
     /// Only turns masses into weights; the balance does not depend on it.
@@ -34,13 +34,13 @@ pub struct SinglePlane {
 /// A mass of a disc that is not on the axis.
 #[derive(Clone, Debug, Inputs)]
 pub struct PlaneMass {
-    /// Amount.
+    /// Quantity given.
     pub amount: Amount,
     /// Radius.
     #[input("r", "mm", nonnegative)]
     pub radius: f64,
     /// Angle.
-    /// The answers count in the same sense.
+    /// The answers use the same sense.
     #[input("θ", "deg")]
     pub angle: f64,
 }
@@ -72,7 +72,7 @@ const KEYS: Keys = Keys {
     mass: ("mass", "Mass of the correction"),
     radius: ("radius", "Radius of the correction"),
     angle: ("angle", "Angle of the correction"),
-    other_angle: ("other_angle", "Angle of the correction the other way round"),
+    other_angle: ("other_angle", "Angle of the correction in the opposite sense"),
     weight: ("weight", "Weight of the correction"),
 };
 
@@ -121,7 +121,7 @@ impl Analysis for SinglePlane {
         };
         let x = along(balance::component_x, "U_x", "Unbalance of each mass along x");
         let y = along(balance::component_y, "U_y", "Unbalance of each mass along y");
-        let why = ("The sum with the correction vanishes", RIUL.at("eqs. 9–11"));
+        let why = ("The sum including the correction is zero", RIUL.at("eqs. 9–11"));
         let in_x = sheet.step("U_cx", "kg*mm", balance::single_plane_correction(x.iter().copied()), why);
         let in_y = sheet.step("U_cy", "kg*mm", balance::single_plane_correction(y.iter().copied()), why);
         let correction = (in_x, in_y);
@@ -154,7 +154,7 @@ impl Analysis for SinglePlane {
                 squared += products.iter().zip(&angles).map(|(v, b)| u * v * (a - b).cos()).sum::<f64>();
             }
             sheet.check_zero(
-                "the size by the law of cosines over all pairs",
+                "the magnitude by the law of cosines over all pairs",
                 (size.value().powi(2) - squared).into(),
                 scale * scale,
             );

@@ -21,7 +21,7 @@ pub struct Splitting {
 /// A task of the workshop.
 #[derive(Clone, Debug, Inputs)]
 pub enum Task {
-    /// Split a weight between two places
+    /// Split a weight between two positions
     Split {
         /// Weight.
         #[input("m", "g", positive)]
@@ -31,8 +31,8 @@ pub enum Task {
         angle: f64,
         /// Places.
         places: Places,
-        /// Weights at hand.
-        /// Where they are given, the best one for each place is chosen, or none.
+        /// Available weights.
+        /// If given, the best one for each position is chosen, or none.
         available: Vec<Available>,
     },
     /// Combine several weights into one
@@ -63,22 +63,22 @@ pub enum Task {
 /// Where weights can be put.
 #[derive(Clone, Debug, Inputs)]
 pub enum Places {
-    /// Two places
+    /// Two positions
     Two {
-        /// Angle of the first place.
+        /// Angle of the first position.
         #[input("θ₁", "deg")]
         first: f64,
-        /// Angle of the second place.
+        /// Angle of the second position.
         #[input("θ₂", "deg")]
         second: f64,
     },
     /// Holes or blades all around
-    /// The weight is split between the two neighbours.
+    /// The weight is split between the two adjacent positions.
     Around {
-        /// Number of places.
+        /// Number of positions.
         #[input(min = 3, max = 1000)]
         count: usize,
-        /// Angle of place number 1.
+        /// Angle of position number 1.
         #[input("θ₀", "deg", default = "0 deg")]
         start: f64,
     },
@@ -110,7 +110,7 @@ impl Analysis for Splitting {
         id: "balancing/splitting",
         title: "Splitting and combining balance weights",
         topic: "Rigid rotors",
-        summary: "A correction split between two holes or blades, made of available weights, several combined into one, or the depth to drill.",
+        summary: "Splitting a correction between two holes or blades or into available weights, combining several weights into one, and the drilling depth.",
         keywords: "divisão de massas furos palhetas combinar pesos furação profundidade split weights holes blades combine drilling depth",
         sources: &[&RIUL],
         cases: include_str!("../cases/splitting.toml"),
@@ -163,30 +163,30 @@ fn places_of<W: Worksheet>(
                 "δ",
                 "deg",
                 pitch,
-                "Angle between neighbouring places: a full turn over their number",
+                "Angle between adjacent positions: 360° divided by their number",
             );
             let place = |symbol: &'static str, number: f64, why: &'static str| {
                 sheet.step(symbol, "deg", *start + step * (number - 1.0), why)
             };
-            let first = place("θ₁", number, "Angle of the place before the weight");
-            let second = place("θ₂", next, "Angle of the place behind the weight");
+            let first = place("θ₁", number, "Angle of the position before the weight");
+            let second = place("θ₂", next, "Angle of the position after the weight");
             let numbers = [
-                ("first_place", "Number of the first place", number),
-                ("second_place", "Number of the second place", next),
+                ("first_place", "Number of the first position", number),
+                ("second_place", "Number of the second position", next),
             ];
             for (name, label, number) in numbers {
                 let number = sheet.found(
                     if name == "first_place" { "N₁" } else { "N₂" },
                     "1",
                     number,
-                    "Number of the place, counted from 1",
+                    "Number of the position, counted from 1",
                 );
                 sheet.answer(name, label, number);
             }
             Ok([first, second])
         }
         (Places::Two { .. }, PlacesGiven::Two { first, second }) => Ok([*first, *second]),
-        _ => Err(Refusal::because("the places cannot be read")),
+        _ => Err(Refusal::because("the positions cannot be read")),
     }
 }
 
@@ -199,29 +199,29 @@ fn split<W: Worksheet>(
     let between = (second - first).value();
     if between.sin().abs() < 1e-9 {
         return Err(Refusal::because(
-            "both places lie on one line through the shaft, so they cannot hold a weight of another direction; choose places that do not",
+            "both positions lie on one line through the shaft and cannot replace a weight in another direction; choose other positions",
         ));
     }
-    let why = "The two weights have the sum of the one: law of sines in the parallelogram";
+    let why = "The two weights are the components of the given one: law of sines in the parallelogram";
     let one = balance::split_first(mass, angle, first, second);
     let one = sheet.step("m₁", "g", one, why);
     let two = balance::split_second(mass, angle, first, second);
     let two = sheet.step("m₂", "g", two, why);
-    sheet.answer("first", "Weight at the first place", one);
-    sheet.answer("second", "Weight at the second place", two);
+    sheet.answer("first", "Weight at the first position", one);
+    sheet.answer("second", "Weight at the second position", two);
     let sum = Phasor::polar(one, first).plus(Phasor::polar(two, second)).minus(Phasor::polar(mass, angle));
     let scale = mass.value() + one.value().abs() + two.value().abs();
-    sheet.check_zero("both weights together are the one, along the mark", sum.x, scale);
-    sheet.check_zero("both weights together are the one, across the mark", sum.y, scale);
+    sheet.check_zero("the two weights add up to the given one, along the mark", sum.x, scale);
+    sheet.check_zero("the two weights add up to the given one, transverse to the mark", sum.y, scale);
     // What rounding leaves at a place that needs nothing is no weight to take off.
     let small = -1e-9 * mass.value();
     if one.value() < small || two.value() < small {
         sheet.warn(|| {
-            "a negative weight has to be taken off, not added: the direction does not lie between the two places".into()
+            "a negative mass would have to be removed, not added: the direction does not lie between the two positions".into()
         });
     } else if one.value() + two.value() > 1.5 * mass.value() {
         sheet.warn(|| {
-            Text::new("the two weights together are {times} times the one; nearer places would need less")
+            Text::new("the two weights together are {times} times the given one; positions closer to it would need less")
                 .with("times", format!("{:.2}", (one.value() + two.value()) / mass.value()))
         });
     }
@@ -256,28 +256,28 @@ fn choose<W: Worksheet>(
         .flat_map(|one| near(parts[1].value()).into_iter().map(move |two| (one, two)))
         .min_by(|a, b| remains(a.0, a.1).total_cmp(&remains(b.0, b.1)))
         .unwrap_or_default();
-    let why = "Of the weights at hand, the pair that leaves least";
+    let why = "Among the available weights, the pair with the smallest residual";
     let one = sheet.found("m_h₁", "g", one, why);
     let two = sheet.found("m_h₂", "g", two, why);
     let along = one * first.cos() + two * second.cos() - mass * angle.cos();
     let across = one * first.sin() + two * second.sin() - mass * angle.sin();
-    let left = sheet.step("m_r", "g", balance::magnitude(along, across), "Weight that stays uncorrected");
-    sheet.answer("first_at_hand", "Weight at hand for the first place", one);
-    sheet.answer("second_at_hand", "Weight at hand for the second place", two);
-    sheet.answer("uncorrected", "Weight that stays uncorrected", left);
+    let left = sheet.step("m_r", "g", balance::magnitude(along, across), "Uncorrected residual weight");
+    sheet.answer("first_at_hand", "Available weight for the first position", one);
+    sheet.answer("second_at_hand", "Available weight for the second position", two);
+    sheet.answer("uncorrected", "Uncorrected residual weight", left);
     sheet.verify(|| {
         let chosen = [one.value(), two.value()];
         let scale = wanted.size() + chosen[0] + chosen[1];
         let far = |weight: f64| sizes().map(|size| (size - weight).abs()).fold(f64::INFINITY, f64::min);
-        sheet.check_zeros("the weights are of those at hand", chosen.map(far), wanted.size());
+        sheet.check_zeros("the weights are among the available ones", chosen.map(far), wanted.size());
         let least = sizes().fold(f64::INFINITY, |least, size| {
             least.min(remains(size, chosen[1])).min(remains(chosen[0], size))
         });
         let more = (remains(chosen[0], chosen[1]) - least).max(0.0);
-        sheet.check_zero("no other weight at either place leaves less", more.into(), scale);
+        sheet.check_zero("no other weight at either position gives a smaller residual", more.into(), scale);
         let vectors = [(chosen[0], at[0]), (chosen[1], at[1]), (-mass.value(), angle.value())];
         let (again, scale) = rotor::along_first(&vectors);
-        let what = "what stays, by components along the first place and across it";
+        let what = "residual, by components along the first position and across it";
         sheet.check_sum(what, left, again.into(), scale);
     });
 }
@@ -291,18 +291,22 @@ fn combine<W: Worksheet>(weights: &[WeightGiven<W>], sheet: W) -> Result<(), Ref
     let scale: f64 = weights.iter().map(|w| w.mass.value()).sum();
     if x.value().hypot(y.value()) < 1e-12 * scale {
         return Err(Refusal::because(
-            "the weights balance each other, so nothing has to be put in their place: take them all off",
+            "the weights balance each other, so no replacement is needed: remove them all",
         ));
     }
-    let mass = sheet.step("m", "g", balance::magnitude(x, y), "Size of the one weight");
+    let mass = sheet.step("m", "g", balance::magnitude(x, y), "Magnitude of the sum");
     let angle = sheet.step("θ", "deg", balance::marked_direction(x, y), "Its angle");
-    sheet.answer("mass", "Weight in place of all", mass);
+    sheet.answer("mass", "Combined weight", mass);
     sheet.answer("angle", "Angle of the weight", angle);
     // Seen from the one weight, the others have nothing across it.
     let seen = |w: &WeightGiven<W>| Phasor::polar(w.mass, w.angle - angle);
     let turned = total(weights.iter().map(seen));
-    sheet.check_zero("seen along the one weight, all together are as large", turned.x - mass, scale);
-    sheet.check_zero("seen along the one weight, nothing is left across it", turned.y, scale);
+    sheet.check_zero(
+        "component along the combined weight: the sum has the same magnitude",
+        turned.x - mass,
+        scale,
+    );
+    sheet.check_zero("component transverse to the combined weight: zero", turned.y, scale);
     Ok(())
 }
 
@@ -328,9 +332,14 @@ fn drill<W: Worksheet>([mass, diameter, point, density]: [W::Num; 4], sheet: W) 
         sheet.answer("wall", "Depth of full diameter", wall);
         sheet.step("h", "mm", wall + tip, "Depth to the tip of the drill")
     } else {
-        sheet.warn(|| "the weight is less than the drill's point removes: a smaller drill is surer".into());
+        sheet.warn(|| "the weight is less than the drill point removes: use a smaller drill".into());
         let depth = tip * (volume / cone).root(3);
-        sheet.step("h", "mm", depth, "A part of the point alone: volumes are as the cubes of the depths")
+        sheet.step(
+            "h",
+            "mm",
+            depth,
+            "Only part of the drill point cuts: volumes are proportional to the cubes of the depths",
+        )
     };
     sheet.answer("depth", "Depth to the tip of the drill", depth);
     // Thin discs from the tip upwards: within a disc the area grows linearly or quadratically, which Simpson's rule

@@ -16,7 +16,7 @@ use crate::{
 /// Two vectors.
 #[derive(Clone, Debug, Inputs)]
 pub struct StaticCouple {
-    /// What is decomposed.
+    /// Vectors to decompose.
     pub vectors: Vectors,
 }
 
@@ -88,9 +88,9 @@ const SPEEDS: &str = "the two readings were taken at different speeds; read both
 impl Analysis for StaticCouple {
     const ABOUT: About = About {
         id: "balancing/static-couple",
-        title: "Static and couple parts of two readings",
+        title: "Static and couple components of two readings",
         topic: "Rigid rotors",
-        summary: "The part that two bearings or planes have in common and the part that is opposite in them, from two vectors.",
+        summary: "Static component (common to two bearings or planes) and couple component (opposite in them), from two vectors.",
         keywords: "decomposição estático-conjugado parcela estática parcela de conjugado static couple derived in phase out of phase modal",
         sources: &[&RIUL],
         cases: include_str!("../cases/static_couple.toml"),
@@ -148,36 +148,37 @@ fn decompose<W: Worksheet>(
     };
     let one = vector(["V_1x", "V_1y"], first);
     let two = vector(["V_2x", "V_2y"], second);
-    let why = "Static part: what both have in common, half the sum";
+    let why = "Static component: half the sum of the vectors";
     let common = Phasor {
         x: sheet.step("S_x", unit, balance::static_part(one.x, two.x), why),
         y: sheet.step("S_y", unit, balance::static_part(one.y, two.y), why),
     };
-    let why = "Couple part: what is opposite in them, half the difference; it stands in the first, its opposite in the second";
+    let why =
+        "Couple component: half the difference of the vectors; shown for the first, opposite in the second";
     let opposite = Phasor {
         x: sheet.step("C_x", unit, balance::couple_part(one.x, two.x), why),
         y: sheet.step("C_y", unit, balance::couple_part(one.y, two.y), why),
     };
-    let size = sheet.step("S", unit, common.size(), "Size of the static part");
-    sheet.answer("static", "Static part", size);
-    let couple = sheet.step("C", unit, opposite.size(), "Size of the couple part");
-    sheet.answer("couple", "Couple part", couple);
+    let size = sheet.step("S", unit, common.size(), "Magnitude of the static component");
+    sheet.answer("static", "Static component", size);
+    let couple = sheet.step("C", unit, opposite.size(), "Magnitude of the couple component");
+    sheet.answer("couple", "Couple component", couple);
     // A part that is only rounding has no direction.
     let mut polar = [Phasor { x: W::Num::from(0.0), y: W::Num::from(0.0) }; 2];
     if size.value() > 1e-12 * scale {
         let angle = sheet.step("σ", "deg", common.marked_angle(), "Its angle");
-        sheet.answer("static_angle", "Angle of the static part", angle);
+        sheet.answer("static_angle", "Angle of the static component", angle);
         polar[0] = Phasor::polar(size, angle);
     }
     if couple.value() > 1e-12 * scale {
         let angle = sheet.step("γ", "deg", opposite.marked_angle(), "Its angle in the first vector");
-        sheet.answer("couple_angle", "Angle of the couple part in the first vector", angle);
+        sheet.answer("couple_angle", "Angle of the couple component in the first vector", angle);
         polar[1] = Phasor::polar(couple, angle);
     }
     let [in_common, in_opposite] = polar;
     for (what, parts, (size, angle)) in [
-        ("static and couple part give the first vector again", in_common.plus(in_opposite), first),
-        ("static less couple part gives the second vector again", in_common.minus(in_opposite), second),
+        ("static plus couple component reproduces the first vector", in_common.plus(in_opposite), first),
+        ("static minus couple component reproduces the second vector", in_common.minus(in_opposite), second),
     ] {
         // Seen along the vector, the parts are as large, and nothing is left across it.
         let (along, across) = (angle.cos(), angle.sin());
@@ -186,7 +187,7 @@ fn decompose<W: Worksheet>(
     }
     // The parallelogram law: S² + C² = (V₁² + V₂²)/2.
     sheet.check(
-        "squares of both parts against those of the vectors",
+        "squares of both components compared with those of the vectors",
         size.powi(2) + couple.powi(2),
         (first.0.powi(2) + second.0.powi(2)) / 2.0,
     );
@@ -220,5 +221,5 @@ fn drawing(vectors: [(f64, f64); 2], common: (f64, f64), opposite: (f64, f64)) -
         let beside = (f64::midpoint(middle.0, tip.0), f64::midpoint(middle.1, tip.1));
         shapes.push(DrawnShape::Label(beside, Text::new(name)));
     }
-    Drawing { title: "Static part S and couple part C".into(), shapes }
+    Drawing { title: "Static component S and couple component C".into(), shapes }
 }

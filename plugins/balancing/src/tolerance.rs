@@ -21,7 +21,7 @@ use crate::{
 /// The rotor, its speed, and what is demanded of it.
 #[derive(Clone, Debug, Inputs)]
 pub struct Tolerance {
-    /// What is demanded.
+    /// Requirement.
     pub criterion: Criterion,
     /// Mass of the rotor.
     #[input("m", "kg", positive)]
@@ -33,10 +33,10 @@ pub struct Tolerance {
     pub planes: Planes,
     /// Residual unbalance that was measured.
     pub residual: Residual,
-    /// Trial mass.
+    /// Trial weight.
     pub trial: Option<Trial>,
     /// Gravity.
-    /// For the weight that forces are compared with.
+    /// Reference weight for the forces.
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
     pub gravity: f64,
 }
@@ -68,7 +68,7 @@ pub enum Criterion {
         #[input("U", "g*mm", positive)]
         unbalance: f64,
     },
-    /// US Navy, MIL-STD-167-1: so many ounce-inches for a pound at one turn a minute
+    /// US Navy, MIL-STD-167-1: ounce-inches per pound at one revolution per minute
     /// U = 4 W/N above 1000 rpm.
     Navy {
         /// Constant.
@@ -86,7 +86,7 @@ pub enum Machine {
         #[input("G", "mm/s", positive, default = "0.4 mm/s")]
         grade: f64,
     },
-    /// Drives of grinding machines, sound and picture
+    /// Drives of grinding machines, audio and video drives
     Grinding {
         /// Grade.
         #[input("G", "mm/s", positive, default = "1 mm/s")]
@@ -152,7 +152,7 @@ pub enum Machine {
 #[derive(Clone, Debug, Inputs)]
 pub enum Planes {
     /// One plane
-    /// A disc between near bearings: its couple is not judged.
+    /// A disc between closely spaced bearings: the couple unbalance is not assessed.
     One,
     /// Both bearing planes
     /// The centre of mass may lie between the bearings or outside.
@@ -169,7 +169,7 @@ pub enum Planes {
     },
 }
 
-/// What was measured.
+/// Measured quantity.
 #[derive(Clone, Debug, Inputs)]
 pub enum Residual {
     /// Nothing
@@ -197,7 +197,7 @@ pub enum Residual {
         #[input("K", "g*mm^2", nonnegative)]
         couple: f64,
         /// Angle of the couple.
-        /// That of its unbalance on the side of bearing B.
+        /// Angle of its unbalance on the side of bearing B.
         #[input("θ_K", "deg", default = "0 deg")]
         couple_angle: f64,
     },
@@ -224,7 +224,7 @@ pub struct Trial {
     /// Its force over the weight that its plane carries.
     #[input("q", "%", positive, default = "10 %")]
     pub share: f64,
-    /// Radius where it is put.
+    /// Radius of its position.
     #[input("r_t", "mm", positive)]
     pub radius: f64,
 }
@@ -236,7 +236,7 @@ impl Analysis for Tolerance {
         id: "balancing/tolerance",
         title: "Balance tolerances",
         topic: "Rigid rotors",
-        summary: "The unbalance that may remain by the quality grades of ISO 21940-11, its shares in two planes, and the verdict on what was measured.",
+        summary: "Permissible residual unbalance by the balance quality grades of ISO 21940-11, its allocation to two planes, and the conformity of a measured residual unbalance.",
         keywords: "iso 1940 21940 grau de qualidade de balanceamento G 2.5 G 6.3 desbalanceamento residual admissível tolerância \
                    permissible residual unbalance quality grade oz in 4W/N mil-std-167 api trial mass massa de teste",
         sources: &[&ISO_TOLERANCES, &MIL_STD_167],
@@ -248,7 +248,7 @@ impl Analysis for Tolerance {
             && first == second
         {
             return Err(Refusal::because(
-                "both bearings are at the same position; give them different positions, or judge one plane",
+                "both bearings are at the same position; give them different positions, or use one plane",
             ));
         }
         let (total, displacement) = permissible(given, sheet);
@@ -266,9 +266,9 @@ impl Analysis for Tolerance {
         let force = balance::centrifugal_force(total, given.speed);
         let force = sheet.step("F", "N", force, "Rotating force of the permissible unbalance");
         let ratio =
-            sheet.step("F_W", "1", force / (given.mass * given.gravity), "That force over the weight");
+            sheet.step("F_W", "1", force / (given.mass * given.gravity), "This force over the weight");
         sheet.answer("force", "Rotating force of the permissible unbalance", force);
-        sheet.answer("force_ratio", "That force over the weight", ratio);
+        sheet.answer("force_ratio", "This force over the weight", ratio);
         sheet.check("the force from mass, grade and speed", force, given.mass * grade * given.speed);
         sheet.check(
             "acceleration of the centre of mass over gravity",
@@ -292,9 +292,9 @@ impl Analysis for Tolerance {
                 "Its force is that share of the weight"
             };
             let unbalance = sheet.step("U_t", "g*mm", unbalance, why);
-            let mass = sheet.step("m_t", "g", unbalance / trial.radius, "Trial mass at its radius");
+            let mass = sheet.step("m_t", "g", unbalance / trial.radius, "Trial weight at its radius");
             sheet.answer("trial_unbalance", "Trial unbalance", unbalance);
-            sheet.answer("trial_mass", "Trial mass", mass);
+            sheet.answer("trial_mass", "Trial weight", mass);
             sheet.check(
                 "trial unbalance over the permissible one, as their forces over the weight",
                 mass * trial.radius * ratio,
@@ -331,14 +331,14 @@ fn permissible<W: Worksheet>(given: &ToleranceGiven<W>, sheet: W) -> (W::Num, W:
         CriterionGiven::Grade { grade } => by_grade(*grade),
         CriterionGiven::Machine { machine } => by_grade(machine.grade()),
         CriterionGiven::Specific { displacement } => {
-            whole(sheet.step("e_per", "µm", *displacement * 1.0, "Specific unbalance as demanded"))
+            whole(sheet.step("e_per", "µm", *displacement * 1.0, "Required specific unbalance"))
         }
         CriterionGiven::Total { unbalance } => {
-            let total = sheet.step("U_per", "g*mm", *unbalance * 1.0, "Unbalance as demanded");
+            let total = sheet.step("U_per", "g*mm", *unbalance * 1.0, "Required unbalance");
             (total, sheet.step("e_per", "µm", total / given.mass, "Unbalance over mass"))
         }
         CriterionGiven::Navy { constant } => {
-            let why = ("So much for each pound, less the faster it turns", MIL_STD_167.at(""));
+            let why = ("Ounce-inches per pound, inversely proportional to the speed", MIL_STD_167.at(""));
             let total = sheet.step("U_per", "g*mm", *constant * given.mass / given.speed, why);
             (total, sheet.step("e_per", "µm", total / given.mass, "Unbalance over mass"))
         }
@@ -377,13 +377,13 @@ fn shares<W: Worksheet>(
         let share = (arm / span).abs();
         let (value, why) = if share.value() < 0.3 {
             limited = true;
-            (total * 0.3, "A plane is given no less than 0.3 of the whole")
+            (total * 0.3, "At least 0.3 of the total for a plane")
         } else if share.value() > most {
             limited = true;
             let why = if inside {
-                "A plane between bearings is given no more than 0.7 of the whole"
+                "At most 0.7 of the total for a plane between the bearings"
             } else {
-                "A plane of an overhung rotor is given no more than 1.3 of the whole"
+                "At most 1.3 of the total for a plane of an overhung rotor"
             };
             (total * most, why)
         } else {
@@ -403,10 +403,10 @@ fn shares<W: Worksheet>(
             Text::new("the centre of mass is near a bearing or outside: a limit of the shares applies")
         });
     } else if inside {
-        sheet.check("the shares make up the whole", in_first + in_second, total);
+        sheet.check("the sum of the shares is the total", in_first + in_second, total);
     } else {
         let difference = (in_first.value() - in_second.value()).abs();
-        sheet.check("the shares differ by the whole", difference.into(), total.value().into());
+        sheet.check("the difference of the shares is the total", difference.into(), total.value().into());
     }
     [in_first, in_second]
 }
@@ -471,9 +471,9 @@ impl Tolerance {
                     }
                     let (one_symbol, other_symbol) =
                         if axis == 0 { ("U_Ax", "U_Bx") } else { ("U_Ay", "U_By") };
-                    let why = "The measured unbalances told at bearing A";
+                    let why = "Measured unbalances transferred to bearing plane A";
                     let one = sheet.step(one_symbol, "g*mm", one, why);
-                    let why = "The measured unbalances told at bearing B";
+                    let why = "Measured unbalances transferred to bearing plane B";
                     (one, sheet.step(other_symbol, "g*mm", other, why))
                 });
                 let size = |symbol, x, y, why: &'static str| {
@@ -548,7 +548,7 @@ impl Tolerance {
             let Ok(corrections) = balance::balance_two_planes(&all, [first, second]) else { return };
             for (size, [u, v]) in sizes.into_iter().zip([corrections.in_a, corrections.in_b]) {
                 sheet.check_sum(
-                    "what is told at a bearing is as large as what would correct it there",
+                    "the unbalance transferred to a bearing plane has the magnitude of the correction needed there",
                     size,
                     u.hypot(v).into(),
                     scale * reach / (second - first).abs(),
@@ -559,7 +559,7 @@ impl Tolerance {
                 let theirs = [corrections.in_a[axis], corrections.in_b[axis]];
                 for (ours, correction) in ours.into_iter().zip(theirs) {
                     sheet.check_zero(
-                        "what is told at the bearings is what would correct it there, reversed",
+                        "the unbalance transferred to the bearing planes is the opposite of the correction needed there",
                         (ours + correction).into(),
                         scale * reach / (second - first).abs(),
                     );
@@ -614,7 +614,7 @@ impl Judged {
                 column("", ""),
                 column("residual unbalance", "g*mm"),
                 column("permissible", "g*mm"),
-                column("verdict", ""),
+                column("conformity", ""),
             ],
             rows,
             foot: Vec::new(),
@@ -625,7 +625,7 @@ impl Judged {
 /// Grades, mm/s, and the machines they are customary for.
 const GRADES: [(f64, &str); 11] = [
     (0.4, "Gyroscopes, spindles and drives of high precision"),
-    (1.0, "Drives of grinding machines, sound and picture"),
+    (1.0, "Drives of grinding machines, audio and video drives"),
     (2.5, "Steam and gas turbines, compressors, machine-tool drives, larger motors above 950 rpm"),
     (6.3, "Fans, pumps, gears, general machinery, small motors, water turbines, turbochargers"),
     (16.0, "Agricultural machines, crushers, cardan shafts, balanced and rigidly mounted crankshafts"),

@@ -31,7 +31,7 @@ pub struct TwoPlane {
     /// Correction in plane B.
     #[input("B")]
     pub correction_b: Correction,
-    /// Way of correcting.
+    /// Correction method.
     pub way: Way,
     /// Gravity.
     /// Only turns masses into weights; the balance does not depend on it.
@@ -65,13 +65,13 @@ pub struct EccentricMass {
 /// What is known of a correction.
 #[derive(Clone, Debug, Inputs)]
 pub enum Correction {
-    /// Radius given, mass wanted
+    /// Radius given, mass required
     Radius {
         /// Radius.
         #[input("r", "mm", positive)]
         radius: f64,
     },
-    /// Mass given, radius wanted
+    /// Mass given, radius required
     Mass {
         /// Mass.
         #[input("m", "kg", positive)]
@@ -88,7 +88,7 @@ impl Analysis for TwoPlane {
         id: "balancing/two-plane",
         title: "Balancing in two planes",
         topic: "Rigid rotors",
-        summary: "The corrections in two planes that leave a rigid rotor with neither a rotating force nor a rotating couple.",
+        summary: "Corrections in two planes that cancel both the rotating force and the rotating couple of a rigid rotor.",
         keywords: "balanceamento dinâmico dois planos rotor correção dynamic balancing correction planes example 2",
         sources: &[&RIUL, &MABIE],
         cases: include_str!("../cases/two_plane.toml"),
@@ -206,7 +206,7 @@ impl TwoPlane {
             unbalance,
             "kg*mm",
             balance::magnitude(x, y),
-            ("Size of the correction", RIUL.at("eq. 16")),
+            ("Magnitude of the correction", RIUL.at("eq. 16")),
         );
         let (wanted, mass, product) = match known {
             CorrectionGiven::Radius { radius } => {
@@ -323,7 +323,7 @@ fn weights<W: Worksheet>(
 ) {
     let zero = || W::Num::from(0.0);
     let product = |x: W::Num, y: W::Num| W::Vec::from_components(x, y, zero()) * gravity;
-    let why = ("Weight times radius, as textbooks write it", RIUL.at("eqs. 12–20"));
+    let why = ("Weight–radius product, as in textbooks", RIUL.at("eqs. 12–20"));
     let sum = sheet.step_vector("ΣW r", "N*mm", product(x.resultant(), y.resultant()), why);
     let at_b = sheet.step_vector("W_B r_B", "N*mm", product(x.in_b, y.in_b), why);
     let at_a = sheet.step_vector("W_A r_A", "N*mm", product(x.in_a, y.in_a), why);
@@ -331,9 +331,9 @@ fn weights<W: Worksheet>(
     let weight_b = sheet.step("W_B", "N", mass_b * gravity, "Weight of the correction");
     sheet.answer("weight_a", "Weight in plane A", weight_a);
     sheet.answer("weight_b", "Weight in plane B", weight_b);
-    sheet.answer_vector("weight_moments", "Weight times radius of the masses together", sum);
-    sheet.answer_vector("weight_moment_b", "Weight times radius in plane B", at_b);
-    sheet.answer_vector("weight_moment_a", "Weight times radius in plane A", at_a);
+    sheet.answer_vector("weight_moments", "Weight–radius product of all masses", sum);
+    sheet.answer_vector("weight_moment_b", "Weight–radius product in plane B", at_b);
+    sheet.answer_vector("weight_moment_a", "Weight–radius product in plane A", at_a);
 }
 
 /// The rotating force and couple that the bearings carry before balancing.

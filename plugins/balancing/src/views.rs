@@ -99,7 +99,7 @@ pub(crate) fn polar(shown: &[Shown]) -> Drawing {
         shapes.push(DrawnShape::Arrow((0.0, 0.0), tip, s.ink));
         shapes.push(DrawnShape::Label((1.12 * tip.0, 1.12 * tip.1), Text::new(s.label.clone())));
     }
-    Drawing { title: "Unbalances and corrections along the shaft".into(), shapes }
+    Drawing { title: "End view: unbalances and corrections".into(), shapes }
 }
 
 /// The shaft from the side: planes, masses and corrections at their positions.

@@ -24,7 +24,7 @@ pub struct WithoutPhase {
     /// The same in every run, taken off after each.
     #[input("m", "g", positive)]
     pub trial: f64,
-    /// What was measured.
+    /// Measured quantity.
     pub measured: Sizes,
 }
 
@@ -50,7 +50,7 @@ macro_rules! kind_of_amplitude {
             #[input("θ", "deg")]
             pub angle: f64,
             /// Amplitudes.
-            /// The same sensors in the same order as in the first run.
+            /// The same sensors in the same order as in the initial run.
             #[input(min = 1)]
             pub readings: Vec<$amplitude>,
         }
@@ -62,12 +62,12 @@ kind_of_amplitude!(VelocitySize, VelocityTrial, "mm/s", "Velocity");
 kind_of_amplitude!(AccelerationSize, AccelerationTrial, "m/s^2", "Acceleration");
 kind_of_amplitude!(NumberSize, NumberTrial, "1", "Ratio");
 
-/// What was measured.
+/// Measured quantity.
 #[derive(Clone, Debug, Inputs)]
 pub enum Sizes {
     /// Displacement
     Displacement {
-        /// First run, without the trial weight.
+        /// Initial run, without the trial weight.
         /// A row for each sensor; as many sensors as planes at least.
         #[input("O", min = 1)]
         first: Vec<DisplacementSize>,
@@ -78,7 +78,7 @@ pub enum Sizes {
     },
     /// Velocity
     Velocity {
-        /// First run, without the trial weight.
+        /// Initial run, without the trial weight.
         /// A row for each sensor; as many sensors as planes at least.
         #[input("O", min = 1)]
         first: Vec<VelocitySize>,
@@ -89,7 +89,7 @@ pub enum Sizes {
     },
     /// Acceleration
     Acceleration {
-        /// First run, without the trial weight.
+        /// Initial run, without the trial weight.
         /// A row for each sensor; as many sensors as planes at least.
         #[input("O", min = 1)]
         first: Vec<AccelerationSize>,
@@ -100,7 +100,7 @@ pub enum Sizes {
     },
     /// Numbers without a unit: divisions, volts
     Number {
-        /// First run, without the trial weight.
+        /// Initial run, without the trial weight.
         /// A row for each sensor; as many sensors as planes at least.
         #[input("O", min = 1)]
         first: Vec<NumberSize>,
@@ -133,7 +133,7 @@ impl Analysis for WithoutPhase {
         id: "balancing/without-phase",
         title: "Balancing without phase: four and seven runs",
         topic: "Field balancing",
-        summary: "Correction weights from amplitudes alone, with a trial weight at three angles or more in each plane, and how well the amplitudes agree.",
+        summary: "Correction masses from amplitudes alone, with a trial weight at three or more angles in each plane, and the consistency of the amplitudes.",
         keywords: "balanceamento sem fase quatro corridas quatro medições sete corridas método dos círculos four run method \
                    three circles seven run amplitude only no phase",
         sources: &[&RAO],
@@ -146,11 +146,9 @@ impl Analysis for WithoutPhase {
         let effects = job.effects(planes)?;
         for (plane, sensor, effect) in each(&effects) {
             sheet.check_zero(
-                Text::new(
-                    "no other effect of plane {plane} comes nearer to the amplitudes of sensor {sensor}",
-                )
-                .with("plane", plane)
-                .with("sensor", sensor),
+                Text::new("no other effect of plane {plane} fits the amplitudes of sensor {sensor} better")
+                    .with("plane", plane)
+                    .with("sensor", sensor),
                 effect.gradient.into(),
                 1.0,
             );
@@ -217,7 +215,7 @@ impl<N: Real> Job<N> {
         let sensors = self.first.len();
         if let Some(dead) = self.first.iter().position(|size| size.value() == 0.0) {
             return Err(Refusal::because(
-                Text::new("the amplitude of sensor {n} in the first run is 0; without a first amplitude its effects cannot be compared")
+                Text::new("the amplitude of sensor {n} in the initial run is 0; without an initial amplitude its effects cannot be compared")
                     .with("n", dead + 1),
             ));
         }
@@ -225,7 +223,7 @@ impl<N: Real> Job<N> {
             if run.sizes.len() != sensors {
                 return Err(Refusal::because(
                     Text::new(
-                        "trial run {run} has {have} readings and the first run {want}; write the same sensors in the same order",
+                        "trial run {run} has {have} readings and the initial run {want}; write the same sensors in the same order",
                     )
                     .with("run", n)
                     .with("have", run.sizes.len())
@@ -256,7 +254,7 @@ impl<N: Real> Job<N> {
                 runs.map(|run| (run.angle.value(), run.sizes[sensor].value() / first)).collect();
             effect(&runs).map_err(|error| match error {
                 LinalgError::Singular { .. } => Refusal::because(
-                    Text::new("the trial weight of plane {plane} stood at fewer than three different angles; spread them over the full turn")
+                    Text::new("the trial weight of plane {plane} was used at fewer than three different angles; distribute them over the full circle")
                         .with("plane", plane + 1),
                 ),
                 _ => Refusal::because("these amplitudes are beyond the range of numbers that can be balanced"),
@@ -277,11 +275,11 @@ fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect
     });
     let (x, y, square) = if even {
         let squares = || job.runs.iter().map(|run| run.sizes[0].powi(2));
-        let why = "S² = O² + T² + 2 O T cos(θ − ψ): the part that follows the cosine of the angle, T cos ψ";
+        let why = "S² = O² + T² + 2 O T cos(θ − ψ): the cosine component T cos ψ";
         let x = W::Num::sum(squares().zip(&job.runs).map(|(s, run)| s * run.angle.cos())) / (first * count);
         let x = sheet.step("T_x", job.unit, x, why);
         let y = W::Num::sum(squares().zip(&job.runs).map(|(s, run)| s * run.angle.sin())) / (first * count);
-        let y = sheet.step("T_y", job.unit, y, "The part that follows the sine of the angle, T sin ψ");
+        let y = sheet.step("T_y", job.unit, y, "The sine component T sin ψ");
         (x, y, W::Num::sum(squares()) / count - first.powi(2))
     } else {
         let size = first.value();
@@ -296,14 +294,18 @@ fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect
         x - first * effect.linear.re,
         first.value(),
     );
-    let by_phase =
-        sheet.step("T_p", job.unit, balance::magnitude(x, y), "Effect of the trial weight from both parts");
+    let by_phase = sheet.step(
+        "T_p",
+        job.unit,
+        balance::magnitude(x, y),
+        "Effect of the trial weight from both components",
+    );
     let unbalance =
-        sheet.step("ψ", "deg", balance::marked_direction(x, y), "Angle of the existing unbalance");
-    sheet.answer("existing_angle", "Angle of the existing unbalance from both parts", unbalance);
+        sheet.step("ψ", "deg", balance::marked_direction(x, y), "Angular position of the heavy spot");
+    sheet.answer("existing_angle", "Angular position of the heavy spot from both components", unbalance);
     sheet.verify(|| {
         // The effect over the first vibration is z, and ψ turns against its angle.
-        let what = "effect of the trial weight towards the existing unbalance, by linear least squares";
+        let what = "effect of the trial weight towards the initial unbalance, by linear least squares";
         let size = first.value() * (1.0 + effect.linear.norm());
         let (toward, across) = (by_phase * unbalance.cos(), by_phase * unbalance.sin());
         sheet.check_sum(what, toward, first * effect.linear.re, size);
@@ -311,12 +313,12 @@ fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect
     });
     let mut by_parts = None;
     if by_phase.value() > 0.0 {
-        let mass = sheet.step("m_p", "g", trial * first / by_phase, "Correction weight by the two parts");
-        sheet.answer("correction_by_parts", "Correction weight by the two parts", mass);
+        let mass = sheet.step("m_p", "g", trial * first / by_phase, "Correction mass by the two components");
+        sheet.answer("correction_by_parts", "Correction mass by the two components", mass);
         by_parts = Some(mass);
         sheet.verify(|| {
             let size = trial.value() * (1.0 + 1.0 / effect.linear.norm());
-            let what = "the weight by the two parts has an effect as large as the first vibration";
+            let what = "the effect of the mass by the two components equals the initial vibration";
             sheet.check_sum(what, mass * effect.linear.norm(), trial, size);
         });
     }
@@ -327,8 +329,8 @@ fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect
             square.sqrt(),
             "Effect of the trial weight from the mean square: T² = mean of S² − O²",
         );
-        let mass = sheet.step("m_m", "g", trial * first / size, "Correction weight by the mean square");
-        sheet.answer("correction_by_mean_square", "Correction weight by the mean square", mass);
+        let mass = sheet.step("m_m", "g", trial * first / size, "Correction mass by the mean square");
+        sheet.answer("correction_by_mean_square", "Correction mass by the mean square", mass);
         sheet.verify(|| {
             let what = "square of trial weight over correction, by linear least squares of the squares";
             let ratio = (trial / mass).powi(2);
@@ -339,28 +341,26 @@ fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect
             "q",
             "%",
             apart,
-            "How far the two ways are apart: 0 where the circles meet in a point",
+            "Difference between the two methods: 0 if the circles intersect in one point",
         );
-        sheet.answer("disagreement", "Disagreement of the two ways", apart);
+        sheet.answer("disagreement", "Difference between the two methods", apart);
         if let Some(by_parts) = by_parts {
             // A weight is as much smaller as its effect is larger.
             let of_weights = (mass / by_parts - 1.0).abs();
-            let what = "disagreement of the two correction weights";
+            let what = "difference between the two correction masses";
             sheet.check_sum(what, apart, of_weights, 1.0 + apart.value());
         }
         if apart.value() > 0.1 {
             sheet.warn(|| {
                 Text::new(
-                    "the circles miss each other: two ways to the effect of the trial weight differ by {share} %; repeat the \
-                     runs at a steady speed",
+                    "the circles do not intersect: two methods for the effect of the trial weight differ by {share} %; repeat the runs at a steady speed",
                 )
                 .with("share", format!("{:.0}", 100.0 * apart.value()))
             });
         }
     } else {
         sheet.warn(|| {
-            "the mean square of the runs is not above that of the first run: no vibration has such amplitudes. \
-             Repeat the runs at a steady speed"
+            "the mean square of the runs does not exceed that of the initial run: no vibration has such amplitudes. Repeat the runs at a steady speed"
                 .into()
         });
     }
@@ -398,16 +398,16 @@ fn correct<W: Worksheet>(
             ("w", n),
             "1",
             weight.norm(),
-            "Correction over trial weight: the effects that come nearest to all amplitudes, and with them the weights that leave least",
+            "Correction over trial weight: best fit of the effects to all amplitudes, with the masses that minimise the residual vibration",
         );
-        let mass = sheet.step(("m_c", n), "g", ratio * trial, "Correction weight");
+        let mass = sheet.step(("m_c", n), "g", ratio * trial, "Correction mass");
         let angle = sheet.found(
             ("θ_c", n),
             "deg",
             balance::marked_angle_found(weight.arg()),
-            "Angle of the correction, counted as that of the trial weight",
+            "Angle of the correction, in the convention of the trial weight",
         );
-        sheet.answer(("correction", n), "Correction weight in plane", mass);
+        sheet.answer(("correction", n), "Correction mass in plane", mass);
         sheet.answer(("correction_angle", n), "Angle of the correction in plane", angle);
         weights.push(Complex::from_polar(mass.value() / trial.value(), angle.value()));
     }
@@ -416,7 +416,7 @@ fn correct<W: Worksheet>(
         let product: Complex<f64> = alpha.column(plane).iter().zip(&left).map(|(a, r)| a.conj() * r).sum();
         let size: f64 = alpha.column(plane).iter().map(|a| a.norm()).sum();
         sheet.check_zero(
-            Text::new("what is left is perpendicular to all that plane {n} can do").with("n", plane + 1),
+            Text::new("the residual is orthogonal to the influence vector of plane {n}").with("n", plane + 1),
             product.norm().into(),
             size,
         );
@@ -440,9 +440,9 @@ fn misfit<W: Worksheet>(job: &Job<W::Num>, effects: &[Vec<Effect>], sheet: W) {
         "e",
         job.unit,
         worst,
-        "The largest difference between an amplitude and what the effects found give",
+        "Maximum difference between the amplitudes and those calculated from the identified effects",
     );
-    sheet.answer("misfit", "Largest misfit of an amplitude", misfit);
+    sheet.answer("misfit", "Maximum residual of an amplitude", misfit);
     sheet.verify(|| {
         let mut again = 0.0f64;
         for (plane, sensor, effect) in each(effects) {
@@ -457,12 +457,13 @@ fn misfit<W: Worksheet>(job: &Job<W::Num>, effects: &[Vec<Effect>], sheet: W) {
         let again = if again < 1e-9 * largest { 0.0 } else { again };
         let reach =
             largest * (1.0 + each(effects).map(|(_, _, effect)| effect.best.norm()).fold(0.0, f64::max));
-        let what = "largest misfit from the triangles of first vibration and effect, by the law of cosines";
+        let what =
+            "maximum residual from the triangles of initial vibration and effect, by the law of cosines";
         sheet.check_sum(what, misfit, again.into(), reach);
     });
     if share > 0.1 {
         sheet.warn(|| {
-            Text::new("the amplitudes do not belong together: one is off by {share} % of the first; repeat the runs at a steady speed")
+            Text::new("the amplitudes are inconsistent: one deviates by {share} % of the first; repeat the runs at a steady speed")
                 .with("share", format!("{:.0}", 100.0 * share))
         });
     }
@@ -532,5 +533,5 @@ fn polar(weights: &[Complex<f64>]) -> Drawing {
         shapes.push(DrawnShape::Arrow((0.0, 0.0), (tip.re, tip.im), Ink::Result));
         shapes.push(DrawnShape::Label((1.12 * tip.re, 1.12 * tip.im), Text::new(format!("W{n}"))));
     }
-    Drawing { title: "Corrections around the shaft, the circle being the trial weight".into(), shapes }
+    Drawing { title: "End view of the corrections; circle: trial weight".into(), shapes }
 }

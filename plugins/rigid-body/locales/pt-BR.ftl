@@ -7,6 +7,7 @@ couple = binário
 couple-about-z = binário em torno de z
 kinetic-energy = Energia cinética
 rate-of-change-owed-to-the-turning-of-the-axes-h = Variação devida ao giro dos eixos: Ω × H
+transport-term-h = Termo de transporte Ω × H
 
 # rigid-body/body
 moment-of-inertia-about-an-axis-through-g-that-turns-in-a-principal-plane = Momento de inércia em relação a um eixo por G que gira em um plano principal
@@ -17,10 +18,11 @@ axis-3-to-axis-1 = do eixo 3 ao eixo 1
 number-name = { $number }, { $name }
 first-end = Primeira extremidade
 last-end = Última extremidade
+second-end = Segunda extremidade
 a-hole = Um furo
 a-line = Uma reta
-a-line-has-no-moment-of-inertia-about-itself-nor-a-particle-about-its-place = Uma linha não tem momento de inércia em relação a si mesma, nem uma partícula em relação ao seu lugar
-about-its-mass-centre-the-origin = Em relação ao seu centro de massa, a origem.
+a-line-has-no-moment-of-inertia-about-itself-nor-a-particle-about-its-own-position = Uma linha não tem momento de inércia em relação a si mesma, nem uma partícula em relação à sua posição
+about-its-centre-of-mass-the-origin = Em relação ao seu centro de massa, a origem.
 about-its-own-z-axis-from-its-apex-open-at-the-base = Em torno do seu eixo z, a partir do vértice, aberta na base.
 about-its-own-z-axis-from-its-apex = Em torno do seu eixo z, a partir do vértice.
 about-its-own-z-axis-from-its-centre-open-at-both-ends = Em torno do seu eixo z, a partir do centro, aberto nas duas extremidades.
@@ -30,23 +32,23 @@ about-its-own-z-axis-y-0-from-the-middle-of-the-axis-of-the-circle = Em torno do
 about-its-own-z-axis-z-0-from-the-centre-of-the-circle-open-there = Em torno do seu eixo z, z ≥ 0, a partir do centro do círculo, aberta ali.
 about-its-own-z-axis-z-0-from-the-centre-of-the-circle = Em torno do seu eixo z, z ≥ 0, a partir do centro do círculo.
 about-its-own-z-axis = Em torno do seu eixo z.
-about-principal-axes-through-its-mass-centre-the-origin = Em relação aos eixos principais pelo seu centro de massa, a origem.
+about-principal-axes-through-its-centre-of-mass-the-origin = Em relação aos eixos principais pelo seu centro de massa, a origem.
 all-parts-lie-on-the-axis = Todas as partes estão sobre o eixo
 along-its-own-x-y-and-z-axes-from-their-common-corner = Ao longo dos seus eixos x, y e z, a partir do canto comum.
 along-its-own-z-axis-from-its-middle = Ao longo do seu eixo z, a partir do meio.
 along-x-y-and-z = Ao longo de x, y e z
 amount = Quantidade
 angle-of-the-arc = Ângulo do arco
-angle-right-handed-about-it = Ângulo, pela regra da mão direita em torno dele
+angle-positive-by-the-right-hand-rule = Ângulo, positivo pela regra da mão direita
 another-point = Outro ponto
 any-vector-along-it = Qualquer vetor ao longo dela
 any-vector-along-the-axis = Qualquer vetor ao longo do eixo
-any-vector-along-the-own-z-axis = Qualquer vetor ao longo do eixo z próprio
-any-vector-on-the-side-of-the-own-x-axis = Qualquer vetor do lado do eixo x próprio
-any-by-its-inertia-matrix = Qualquer uma, pela matriz de inércia
-any-by-its-radii-of-gyration = Qualquer uma, pelos raios de giração
+any-vector-along-its-z-axis = Qualquer vetor ao longo do seu eixo z
+any-vector-on-the-side-of-its-x-axis = Qualquer vetor do lado do seu eixo x
+any-shape-by-its-inertia-matrix = Qualquer forma, pela matriz de inércia
+any-shape-by-its-radii-of-gyration = Qualquer forma, pelos raios de giração
 area-of-name = Área de { $name }
-as-told-with-the-shape-the-apex-of-a-cone-the-centre-of-a-sphere-of-a-plate-or-of-a-circle = Como dito com a forma: o vértice de um cone, o centro de uma esfera, de uma placa ou de um círculo.
+as-defined-for-the-shape-the-apex-of-a-cone-the-centre-of-a-sphere-of-a-plate-or-of-a-circle = Como definido para a forma: o vértice de um cone, o centro de uma esfera, de uma placa ou de um círculo.
 box = Paralelepípedo
 cone = Cone
 cylinder = Cilindro
@@ -54,21 +56,21 @@ density = Massa específica
 direction-cosines-of-the-line = Cossenos diretores da reta
 direction-of-the-axes-of-the-shape = Direção dos eixos da forma
 direction-of-the-axis-of-name = Direção do eixo de { $name }
-direction-of-the-own-x-axis-of-name = Direção do eixo x próprio de { $name }
-direction-of-the-own-y-axis-of-name = Direção do eixo y próprio de { $name }
-direction-of-the-own-z-axis-of-name = Direção do eixo z próprio de { $name }
+direction-of-the-x-axis-of-name = Direção do eixo x de { $name }
+direction-of-the-y-axis-of-name = Direção do eixo y de { $name }
+direction-of-the-z-axis-of-name = Direção do eixo z de { $name }
 distance-of-g-from-the-line = Distância de G à reta
 edge-along-x = Aresta ao longo de x
 edge-along-y = Aresta ao longo de y
 edge-along-z = Aresta ao longo de z
 ellipsoid = Elipsoide
 euler-angles = Ângulos de Euler
-for-shapes-of-revolution-and-rods-other-shapes-are-turned-there-by-the-shortest-way = Para formas de revolução e hastes; as demais são giradas até lá pelo caminho mais curto.
+for-shapes-of-revolution-and-rods-other-shapes-are-rotated-there-through-the-smallest-angle = Para formas de revolução e hastes; as demais são giradas até lá pelo menor ângulo.
 from-a-to-g = De A a G
-from-g-to-the-mass-centre-of-name = De G ao centro de massa de { $name }
+from-g-to-the-centre-of-mass-of-name = De G ao centro de massa de { $name }
 from-its-centre = A partir do seu centro.
 from-the-given-point-to-g = Do ponto dado a G
-from-the-reference-point-of-name-to-its-mass-centre-in-its-own-axes = Do ponto de referência de { $name } ao seu centro de massa, nos eixos próprios
+from-the-reference-point-of-name-to-its-centre-of-mass-in-its-own-axes = Do ponto de referência de { $name } ao seu centro de massa, nos eixos próprios
 half-axis-along-x = Semieixo ao longo de x
 half-axis-along-y = Semieixo ao longo de y
 half-axis-along-z = Semieixo ao longo de z
@@ -77,7 +79,7 @@ height = Altura
 hemisphere = Semiesfera
 hollow-cylinder = Cilindro vazado
 hollow-sphere = Esfera oca
-i-xy-xy-dm-in-the-inertia-matrix-they-stand-with-a-minus-sign = I_xy = ∫ xy dm; na matriz de inércia entram com sinal negativo.
+i-xy-xy-dm-in-the-inertia-matrix-they-appear-with-a-minus-sign = I_xy = ∫ xy dm; na matriz de inércia entram com sinal negativo.
 in-its-own-xy-plane-about-the-origin-from-the-x-axis-towards-y = No seu plano xy em torno da origem, do eixo x para y.
 in-its-own-xy-plane-from-its-centre = No seu plano xy, a partir do centro.
 in-its-own-xy-plane-legs-along-x-and-y-from-the-right-angle = No seu plano xy, catetos ao longo de x e y a partir do ângulo reto.
@@ -90,29 +92,31 @@ its-axis-the-direction-u-in-which-i-u-u = Seu eixo: a direção u em que I u = �
 its-corner = Seu canto
 its-far-end = Sua extremidade final
 its-mass-centre = Seu centro de massa
-its-mass-is-taken-away-from-the-rest = Sua massa é subtraída do resto.
+its-centre-of-mass = Seu centro de massa
+its-mass-is-subtracted-from-the-rest = Sua massa é subtraída do resto.
 its-near-end = Sua extremidade inicial
 i-m-k-and-so-on-the-axes-are-principal-ones = Iₓ = m kₓ² e assim por diante; os eixos são principais.
 it-is = É
-known-by-its-inertia-matrix = Conhecido pela matriz de inércia
-known-by-its-radii-of-gyration = Conhecido pelos raios de giração
+defined-by-its-inertia-matrix = Definido pela matriz de inércia
+defined-by-its-radii-of-gyration = Definido pelos raios de giração
 leg-along-x = Cateto ao longo de x
 leg-along-y = Cateto ao longo de y
 length = Comprimento
 length-of-name = Comprimento de { $name }
-mass-centre-g-the-mean-of-the-mass-centres-weighted-with-the-masses = Centro de massa G: a média dos centros de massa, ponderada pelas massas
-mass-centre-of-name = Centro de massa de { $name }
-mass-centre-moments-and-products-of-inertia-principal-axes-of-a-body-put-together-from-parts-about = Centro de massa, momentos e produtos de inércia e eixos principais de um corpo composto de partes, em relação a qualquer ponto e reta.
+centre-of-mass-g-the-mean-of-the-centres-of-mass-weighted-with-the-masses = Centro de massa G: a média dos centros de massa, ponderada pelas massas
+centre-of-mass-of-name = Centro de massa de { $name }
+centre-of-mass-moments-and-products-of-inertia-principal-axes-of-a-composite-body-about-any-point-and = Centro de massa, momentos e produtos de inércia e eixos principais de um corpo composto, em relação a qualquer ponto e reta.
 mass-of-all-parts = Massa de todas as partes
 mass-of-this-body = Massa deste corpo
 mass-of-name = Massa de { $name }
-mass-of-name-which-is-taken-away = Massa de { $name }, que é retirada
+mass-of-name-subtracted = Massa de { $name }, subtraída
 mass-per-area = Massa por área
 mass-per-length = Massa por comprimento
 mass-mass-centre-and-inertia-of-a-body = Massa, centro de massa e inércia de um corpo
+mass-centre-of-mass-and-inertia-of-a-body = Massa, centro de massa e inércia de um corpo
 material = Material
 moment-of-inertia-about-an-axis-of-the-body-through-g = Momento de inércia em relação a um eixo do corpo por G
-moment-of-inertia-about-an-axis-through-g-those-of-the-parts-moved-by-parallel-axes = Momento de inércia em relação a um eixo por G: os das partes, transportados por eixos paralelos
+moment-of-inertia-about-an-axis-through-g-those-of-the-parts-by-the-parallel-axis-theorem = Momento de inércia em relação a um eixo por G: os das partes, pelo teorema dos eixos paralelos
 moment-of-inertia-about-the-line = Momento de inércia em relação à reta
 moment-of-inertia-about-the-parallel-line-through-g = Momento de inércia em relação à reta paralela por G
 moment-of-inertia-about-the-x-axis-through-a = Momento de inércia em relação ao eixo x por A
@@ -123,22 +127,22 @@ moment-of-inertia-about-the-z-axis-through-a = Momento de inércia em relação 
 moment-of-inertia-about-the-z-axis-through-g = Momento de inércia em relação ao eixo z por G
 moment-of-inertia-as-given-about-an-axis-through-g = Momento de inércia dado, em relação a um eixo por G
 moment-of-inertia-from-its-radius-of-gyration = Momento de inércia a partir do raio de giração
-moment-of-inertia-of-name-about-an-axis-of-its-own-through-its-mass-centre = Momento de inércia de { $name } em relação a um eixo próprio pelo seu centro de massa
-moment-of-inertia-of-name-about-an-axis-of-the-body-through-its-mass-centre-from-its-direction = Momento de inércia de { $name } em relação a um eixo do corpo pelo seu centro de massa, pelos cossenos diretores
-moment-of-inertia-of-name-about-any-axis-through-its-mass-centre = Momento de inércia de { $name } em relação a qualquer eixo pelo seu centro de massa
+moment-of-inertia-of-name-about-one-of-its-own-axes-through-its-centre-of-mass = Momento de inércia de { $name } em relação a um dos seus eixos pelo seu centro de massa
+moment-of-inertia-of-name-about-an-axis-of-the-body-through-its-centre-of-mass-from-its-direction = Momento de inércia de { $name } em relação a um eixo do corpo pelo seu centro de massa, pelos cossenos diretores
+moment-of-inertia-of-name-about-any-axis-through-its-centre-of-mass = Momento de inércia de { $name } em relação a qualquer eixo pelo seu centro de massa
 moment-of-inertia-of-name-about-its-own-axis = Momento de inércia de { $name } em relação ao seu próprio eixo
-moment-of-inertia-of-name-across-its-axis-about-its-mass-centre = Momento de inércia de { $name } transversal ao seu eixo, em relação ao seu centro de massa
+transverse-moment-of-inertia-of-name-about-its-centre-of-mass = Momento de inércia transversal de { $name }, em relação ao seu centro de massa
 moments-of-inertia-i-i-y-i-z = Momentos de inércia Iₓ, I_y, I_z
 no-product-of-inertia-the-axes-through-g-are-principal = Nenhum produto de inércia: os eixos por G são principais
 nutation = Nutação
 outer-radius = Raio externo
-own-z-axis-along = Eixo z próprio ao longo de
-own-z-axis-along-one-vector-own-x-axis-towards-another = Eixo z próprio ao longo de um vetor, eixo x próprio para o lado de outro
+its-z-axis-along = Seu eixo z ao longo de
+its-z-axis-along-one-vector-its-x-axis-towards-another = Seu eixo z ao longo de um vetor, seu eixo x para o lado de outro
 paraboloid = Paraboloide
-parallel-axes-back-to-g-less-m-times-the-square-of-the-distance-of-the-axes = Eixos paralelos, de volta a G: menos m vezes o quadrado da distância entre os eixos
-parallel-axes-moment-of-inertia-about-an-axis-through-a = Eixos paralelos: momento de inércia em relação a um eixo por A
-parallel-axes-moment-of-inertia-about-the-line = Eixos paralelos: momento de inércia em relação à reta
-parallel-axes-product-of-inertia-about-a = Eixos paralelos: produto de inércia em relação a A
+parallel-axis-theorem-back-to-g-less-m-times-the-square-of-the-distance-between-the-axes = Teorema dos eixos paralelos, de volta a G: menos m vezes o quadrado da distância entre os eixos
+parallel-axis-theorem-moment-of-inertia-about-an-axis-through-a = Teorema dos eixos paralelos: momento de inércia em relação a um eixo por A
+parallel-axis-theorem-moment-of-inertia-about-the-line = Teorema dos eixos paralelos: momento de inércia em relação à reta
+parallel-axis-theorem-product-of-inertia-about-a = Teorema dos eixos paralelos: produto de inércia em relação a A
 particle = Partícula
 parts = Partes
 position-of-a-point-a = Posição de um ponto A
@@ -154,14 +158,15 @@ product-of-inertia-i-yz-about-a = Produto de inércia I_yz em relação a A
 product-of-inertia-i-yz-about-g = Produto de inércia I_yz em relação a G
 product-of-inertia-i-zx-about-a = Produto de inércia I_zx em relação a A
 product-of-inertia-i-zx-about-g = Produto de inércia I_zx em relação a G
-product-of-inertia-about-g-i-xy-xy-dm-in-the-inertia-matrix-it-stands-with-a-minus-sign = Produto de inércia em relação a G, I_xy = ∫ xy dm; na matriz de inércia entra com sinal negativo
+product-of-inertia-about-g-i-xy-xy-dm-it-enters-the-inertia-matrix-with-a-minus-sign = Produto de inércia em relação a G, I_xy = ∫ xy dm; na matriz de inércia entra com sinal negativo
 product-of-inertia-as-given = Produto de inércia dado
 product-of-inertia-in-the-axes-of-the-body-through-g = Produto de inércia nos eixos do corpo por G
 product-of-inertia-of-name-in-its-own-axes-through-its-mass-centre = Produto de inércia de { $name } nos seus eixos próprios pelo seu centro de massa
 product-of-inertia-of-name-in-the-same-way = Produto de inércia de { $name }, do mesmo modo
-product-of-inertia-back-to-g-in-the-same-way = Produto de inércia, de volta a G do mesmo modo
+product-of-inertia-transferred-to-g-in-the-same-way = Produto de inércia, transferido a G do mesmo modo
 products-of-inertia-i-yz-i-zx-i-xy = Produtos de inércia I_yz, I_zx, I_xy
 put-together-from-parts = Composto de partes
+composed-of-parts = Composto de partes
 radii-of-gyration = Raios de giração
 radii-of-gyration-about-the-axes-through-g = Raios de giração em relação aos eixos por G
 radius-of-gyration-about-the-line = Raio de giração em relação à reta
@@ -173,6 +178,7 @@ radius-of-the-circle-through-the-middle-of-the-section = Raio do círculo pelo m
 radius-of-the-section = Raio da seção
 reference-point = Ponto de referência
 rod-bent-to-an-arc-of-a-circle = Haste curvada em arco de círculo
+rod-bent-into-a-circular-arc = Haste curvada em arco de círculo
 shape = Forma
 side-along-x = Lado ao longo de x
 side-along-y = Lado ao longo de y
@@ -183,17 +189,17 @@ slender-rod-between-two-points = Haste delgada entre dois pontos
 sphere = Esfera
 spin = Rotação própria
 tetrahedron-with-three-edges-at-right-angles = Tetraedro com três arestas em ângulo reto
-that-with-the-least-coordinates-in-its-own-axes = O de menores coordenadas nos eixos próprios.
+the-corner-with-the-smallest-coordinates-in-its-own-axes = O canto de menores coordenadas nos eixos próprios.
 the-body = No corpo
 the-body-its-axes-and-its-principal-axes-at-g = O corpo, seus eixos e seus eixos principais em G
-the-inertia-is-also-wanted-about-the-axes-through-it = Deseja-se também a inércia em relação aos eixos por ele.
+the-inertia-about-the-axes-through-it-is-also-calculated = Calcula-se também a inércia em relação aos eixos por ele.
 the-mass-centre = O centro de massa
-the-moment-of-inertia-about-it-is-wanted = Deseja-se o momento de inércia em relação a ela.
+the-moment-of-inertia-about-it-is-calculated = Calcula-se o momento de inércia em relação a ela.
 the-next-root = A raiz seguinte
 the-origin-of-its-own-axes = A origem dos seus eixos próprios
 the-parts-and-the-whole = As partes e o todo
-the-points-as-seen-from-the-reference-point = Os pontos vistos a partir do ponto de referência.
-they-are-taken-about = Tomados em relação a
+the-points-relative-to-the-reference-point = Os pontos em relação ao ponto de referência.
+taken-about = Tomados em relação a
 thin-conical-shell = Casca cônica fina
 thin-disc-with-a-hole = Disco fino com furo
 thin-elliptical-plate = Placa elíptica fina
@@ -205,41 +211,41 @@ thin-right-angled-triangular-plate = Placa fina em triângulo retângulo
 thin-spherical-shell = Casca esférica fina
 thin-tube = Tubo fino
 torus = Toro
-turned-about-an-axis = Girada em torno de um eixo
-turned-about-z-by-then-about-the-new-x-axis-by-then-about-the-new-z-axis-by = Girada de φ em torno de z, depois de θ em torno do novo eixo x, depois de ψ em torno do novo eixo z.
+rotated-about-an-axis = Girada em torno de um eixo
+rotated-about-z-by-then-about-the-new-x-axis-by-then-about-the-new-z-axis-by = Girada de φ em torno de z, depois de θ em torno do novo eixo x, depois de ψ em torno do novo eixo z.
 volume-of-name = Volume de { $name }
 where-its-own-z-axis-enters-it-where-an-arc-begins = Onde seu eixo z entra nela; onde um arco começa.
 where-its-own-z-axis-leaves-it-where-an-arc-ends = Onde seu eixo z sai dela; onde um arco termina.
 a-direction-of-name-has-no-length-write-any-vector-along-it = uma direção de { $name } não tem comprimento: escreva qualquer vetor ao longo dela
 all-principal-moments-are-equal-every-axis-through-g-is-a-principal-axis = todos os momentos principais são iguais: todo eixo por G é eixo principal
 part = parte
-the-body-is-not-described = o corpo não está descrito
+the-body-is-not-defined = o corpo não está definido
 the-direction-of-name-has-no-length-write-any-vector-along-it-such-as-1-0-0 = a direção de { $name } não tem comprimento: escreva qualquer vetor ao longo dela, como (1; 0; 0)
-the-holes-leave-name-a-mass-of-mass-make-them-smaller = os furos deixam { $name } com massa de { $mass }: diminua-os
+with-its-holes-name-would-have-a-mass-of-mass-make-them-smaller = com os furos, { $name } teria massa de { $mass }: diminua-os
 the-inertia-about-a-from-the-tensor-i-m-d-1-d-d = a inércia em relação a A pelo tensor I + m (d² 1 − d dᵀ)
-the-inertia-matrix-from-the-sum-of-the-turned-and-shifted-tensors-r-i-r-m-d-1-d-d = a matriz de inércia pela soma dos tensores girados e transportados R I Rᵀ + m (d² 1 − d dᵀ)
+the-inertia-matrix-from-the-sum-of-the-rotated-and-shifted-tensors-r-i-r-m-d-1-d-d = a matriz de inércia pela soma dos tensores girados e transportados R I Rᵀ + m (d² 1 − d dᵀ)
 the-inertia-matrix-of-name-is-not-symmetric = a matriz de inércia de { $name } não é simétrica
 the-inner-radius-of-name-is-not-smaller-than-its-outer-radius-write-the-smaller-one-as-the-inner = o raio interno de { $name } não é menor que o externo: escreva o menor como interno
 the-largest-principal-moment-is-the-sum-of-the-others-the-body-is-flat = o maior momento principal é a soma dos outros: o corpo é plano
 the-line-has-no-direction-write-any-vector-along-it-such-as-1-0-0 = a reta não tem direção: escreva qualquer vetor ao longo dela, como (1; 0; 0)
 the-mass-centre-from-the-tensors = o centro de massa pelos tensores
-the-mass-of-the-parts-together = a massa das partes juntas
-the-masses-or-dimensions-of-name-are-too-large-for-any-body-look-at-their-units = as massas ou dimensões de { $name } são grandes demais para qualquer corpo: verifique suas unidades
+the-total-mass-of-the-parts = a massa total das partes
+the-masses-or-dimensions-of-name-are-too-large-for-any-body-check-their-units = as massas ou dimensões de { $name } são grandes demais para qualquer corpo: verifique suas unidades
 the-moment-about-the-line-from-the-tensor-about-a-point-of-it-i = o momento em relação à reta pelo tensor em relação a um dos seus pontos, λ · I λ
 the-moment-of-inertia-of-name-about-the-axis-axis-through-its-mass-centre-would-be-moment-and-none-is = o momento de inércia de { $name } em relação ao eixo { $axis } pelo seu centro de massa seria { $moment }, e nenhum é negativo: verifique seus momentos, produtos e furos
-the-moment-of-inertia-of-name-about-the-principal-axis-axis-would-be-moment-more-than-the-others-of = o momento de inércia de { $name } em relação ao eixo principal { $axis } seria { $moment }, mais que os { $others } dos outros dois juntos, e nenhum corpo é assim: verifique seus momentos e produtos
+the-moment-of-inertia-of-name-about-the-principal-axis-axis-would-be-moment-more-than-the-others-of = o momento de inércia de { $name } em relação ao eixo principal { $axis } seria { $moment }, mais que os { $others } dos outros dois juntos, o que viola a desigualdade triangular: verifique seus momentos e produtos
 the-principal-axis-from-i-u-u-0 = o eixo principal por I u − λ u = 0
 the-principal-moments-from-their-sum-which-is-i-i-y-i-z = os momentos principais pela sua soma, que é Iₓ + I_y + I_z
 the-section-of-the-torus-name-is-larger-than-its-circle-make-its-radius-smaller = a seção do toro { $name } é maior que o seu círculo: diminua o raio dela
-the-two-ends-of-name-tell-its-direction-leave-that-along-x-y-and-z = as duas extremidades de { $name } já dão sua direção: deixe-a ao longo de x, y e z
+the-two-ends-of-name-define-its-direction-leave-that-along-x-y-and-z = as duas extremidades de { $name } já dão sua direção: deixe-a ao longo de x, y e z
 the-two-vectors-for-the-axes-of-name-lie-along-one-line-give-another-for-the-own-x-axis = os dois vetores dos eixos de { $name } estão sobre uma mesma reta: dê outro para o eixo x próprio
 the-whole = o todo
 this-body = este corpo
-two-principal-moments-are-equal-every-axis-through-g-at-right-angles-to-the-principal-axis-n-is-a = dois momentos principais são iguais: todo eixo por G perpendicular ao eixo principal { $n } é eixo principal
+two-principal-moments-are-equal-every-axis-through-g-normal-to-the-principal-axis-n-is-a-principal = dois momentos principais são iguais: todo eixo por G perpendicular ao eixo principal { $n } é eixo principal
 name-has-neither-length-area-nor-volume-give-its-mass = { $name } não tem comprimento, área nem volume: dê sua massa
 name-has-no-corner-to-be-placed-by-use-the-origin-of-its-own-axes-or-its-mass-centre = { $name } não tem canto pelo qual se posicione: use a origem dos eixos próprios ou o centro de massa
 name-has-no-ends-to-be-placed-by-use-the-origin-of-its-own-axes-or-its-mass-centre = { $name } não tem extremidades pelas quais se posicione: use a origem dos eixos próprios ou o centro de massa
-name-has-no-moment-of-inertia-about-the-axis-axis-nothing-holds-its-turning-there-give-it-a-thickness = { $name } não tem momento de inércia em relação ao eixo { $axis }: nada se opõe ao seu giro ali; dê-lhe uma espessura
+name-has-no-moment-of-inertia-about-the-axis-axis-nothing-resists-its-rotation-there-give-it-a = { $name } não tem momento de inércia em relação ao eixo { $axis }: nada se opõe ao seu giro ali; dê-lhe uma espessura
 name-is-a-line-give-its-mass-or-its-mass-per-length = { $name } é uma linha: dê sua massa ou sua massa por comprimento
 name-is-a-surface-give-its-mass-or-its-mass-per-area = { $name } é uma superfície: dê sua massa ou sua massa por área
 name-is-solid-give-its-mass-or-its-density = { $name } é sólido: dê sua massa ou sua densidade
@@ -248,44 +254,46 @@ name-is-solid-give-its-mass-or-its-density = { $name } é sólido: dê sua massa
 above = De cima
 amplitude-of-the-harmonic-motion-half-of-the-depth = Amplitude do movimento harmônico: metade da profundidade
 angular-velocity-of-the-wheels = Velocidade angular das rodas
-angular-velocity-of-the-wheels-which-roll = Velocidade angular das rodas, que rolam
-change-of-the-wheel-load-that-goes-with-it = Variação correspondente da carga das rodas
-circular-frequency-the-whole-dip-is-one-period = Frequência angular: o rebaixo inteiro é um período
+angular-velocity-of-the-wheels-rolling-without-slipping = Velocidade angular das rodas, que rolam sem deslizar
+corresponding-change-of-the-wheel-load = Variação correspondente da carga das rodas
+angular-frequency-the-whole-dip-is-one-period = Frequência angular: o rebaixo inteiro é um período
 couple-that-tilts-the-pair-of-wheels = Binário que inclina o rodeiro
 depth-of-the-dip = Profundidade do rebaixo
 diameter-of-the-wheels = Diâmetro das rodas
 distance-between-the-wheels = Distância entre as rodas
-effect-while-the-left-wheel-sinks-the-pair-of-wheels-tends-to-turn-to-the-left-while-it-rises-to-the = Efeito: enquanto a roda esquerda desce, o rodeiro tende a virar para a esquerda; enquanto sobe, para a direita
-effect-while-the-right-wheel-sinks-the-pair-of-wheels-tends-to-turn-to-the-right-while-it-rises-to = Efeito: enquanto a roda direita desce, o rodeiro tende a virar para a direita; enquanto sobe, para a esquerda
+effect-while-the-left-wheel-descends-the-pair-of-wheels-tends-to-turn-to-the-left-while-it-rises-to = Efeito: enquanto a roda esquerda desce, o rodeiro tende a virar para a esquerda; enquanto sobe, para a direita
+effect-while-the-right-wheel-descends-the-pair-of-wheels-tends-to-turn-to-the-right-while-it-rises-to = Efeito: enquanto a roda direita desce, o rodeiro tende a virar para a direita; enquanto sobe, para a esquerda
 for-the-couple-that-lifts-and-lowers-it = Para o binário que o levanta e abaixa.
 force-between-each-wheel-and-its-rail = Força entre cada roda e seu trilho
 force-between-each-wheel-and-its-rail-along-the-track-opposite-on-both-sides = Força entre cada roda e seu trilho, ao longo da via, oposta nos dois lados
 given = Dado
 gyroscopic-couple = Binário giroscópico
-gyroscopic-couple-of-a-locomotive-s-pair-of-wheels-when-one-rail-dips-and-the-forces-that-it-puts = Binário giroscópico do rodeiro de uma locomotiva quando um dos trilhos tem um rebaixo, e as forças que ele causa entre rodas e trilhos.
+gyroscopic-couple-of-a-locomotive-s-pair-of-wheels-when-one-rail-dips-and-the-resulting-forces = Binário giroscópico do rodeiro de uma locomotiva quando um dos trilhos tem um rebaixo, e as forças resultantes entre rodas e trilhos.
 gyroscopic-couple-over-the-dip = Binário giroscópico ao longo do rebaixo
-how-long-the-dip-is = Extensão do rebaixo
+extent-of-the-dip = Extensão do rebaixo
 in-length = Em comprimento
+by-length = Por comprimento
 in-time = Em tempo
-largest-angular-acceleration-of-the-axle-at-the-top-and-at-the-bottom-of-the-dip = Aceleração angular máxima do eixo, no alto e no fundo do rebaixo
-largest-angular-acceleration-of-the-tilting-axle = Aceleração angular máxima do eixo que se inclina
-largest-angular-velocity-of-the-tilting-axle = Velocidade angular máxima do eixo que se inclina
-largest-angular-velocity-with-which-the-axle-tilts = Velocidade angular máxima com que o eixo se inclina
-largest-change-of-each-wheel-load = Variação máxima da carga de cada roda
-largest-couple-that-tilts-the-pair-of-wheels = Binário máximo que inclina o rodeiro
-largest-gyroscopic-couple = Binário giroscópico máximo
-largest-gyroscopic-couple-about-the-vertical = Binário giroscópico máximo, em torno da vertical
-largest-speed-of-the-sinking-wheel-half-way-down = Velocidade máxima da roda que desce, a meia descida
+by-duration = Por duração
+maximum-angular-acceleration-of-the-axle-at-the-top-and-at-the-bottom-of-the-dip = Aceleração angular máxima do eixo, no alto e no fundo do rebaixo
+maximum-angular-acceleration-of-the-tilting-axle = Aceleração angular máxima do eixo que se inclina
+maximum-angular-velocity-of-the-tilting-axle = Velocidade angular máxima do eixo que se inclina
+maximum-angular-velocity-with-which-the-axle-tilts = Velocidade angular máxima com que o eixo se inclina
+maximum-change-of-each-wheel-load = Variação máxima da carga de cada roda
+maximum-couple-that-tilts-the-pair-of-wheels = Binário máximo que inclina o rodeiro
+maximum-gyroscopic-couple = Binário giroscópico máximo
+maximum-gyroscopic-couple-about-the-vertical = Binário giroscópico máximo, em torno da vertical
+maximum-speed-of-the-descending-wheel-half-way-down = Velocidade máxima da roda que desce, a meia descida
 left = Esquerda
 length-along-the-rail = Comprimento ao longo do trilho
 moment-of-inertia = Momento de inércia
 moment-of-inertia-of-the-pair-of-wheels-about-its-axle = Momento de inércia do rodeiro em relação ao seu eixo
-moment-of-inertia-of-the-pair-of-wheels-across-its-axle = Momento de inércia do rodeiro transversal ao seu eixo
+transverse-moment-of-inertia-of-the-pair-of-wheels = Momento de inércia transversal do rodeiro
 pair-of-wheels-on-a-dipping-rail = Rodeiro sobre um trilho com rebaixo
-rail-that-dips = Trilho com rebaixo
+dipping-rail = Trilho com rebaixo
 right = Direita
-the-pair-of-wheels-from-behind-on-the-way-down = O rodeiro visto de trás, na descida
-time-from-its-beginning-to-its-end = Tempo do seu começo ao seu fim
+the-wheel-pair-seen-from-behind-descending = O rodeiro visto de trás, na descida
+time-from-beginning-to-end = Tempo do início ao fim
 time-to-pass-the-dip = Tempo para passar o rebaixo
 track = Bitola
 turn = Curva
@@ -294,7 +302,7 @@ wheel-load = Carga da roda
 effect = efeito
 half-way-down = a meia descida
 largest = maior
-wheels-that-stand-still-never-pass-a-dip-of-a-given-length-write-a-speed-above-zero-or-the-time-of = rodas paradas nunca passam um rebaixo de dado comprimento: escreva uma velocidade acima de zero, ou o tempo do rebaixo
+wheels-at-rest-never-pass-a-dip-of-a-given-length-write-a-speed-above-zero-or-the-time-of-the-dip = rodas paradas nunca passam um rebaixo de dado comprimento: escreva uma velocidade acima de zero, ou o tempo do rebaixo
 
 # rigid-body/edge-mill
 acceleration-of-gravity = Aceleração da gravidade
@@ -302,18 +310,18 @@ arm = Braço
 below = De baixo
 carrier = Veículo que leva o rotor
 crushing-force-against-the-speed-of-the-shaft = Força de moagem em função da rotação do eixo
-crushing-force-of-a-roller-that-is-driven-round-on-a-pan-with-its-gyroscopic-share-the-pull-of-the = Força de moagem de um rolo levado em volta sobre um prato, com a parcela giroscópica, a tração do braço e a rotação para uma força desejada.
+crushing-force-of-a-roller-driven-round-on-a-pan-with-its-gyroscopic-component-the-pull-of-the-arm = Força de moagem de um rolo levado em volta sobre um prato, com a parcela giroscópica, a tração do braço e a rotação para uma força desejada.
 edge-mill = Moinho de galgas
-for-the-sliding-at-its-edges-which-grinds = Para o escorregamento nas bordas, que mói.
+for-the-slip-at-its-edges-which-does-the-grinding = Para o escorregamento nas bordas, que mói.
 force-as-a-multiple-of-the-weight = Força como múltiplo do peso
 force-between-roller-and-pan-moments-about-the-hinge = Força entre rolo e prato: momentos em relação à articulação
 force-of-a-roller-on-the-pan = Força de um rolo sobre o prato
 force-of-all-rollers-on-the-pan = Força de todos os rolos sobre o prato
 force-of-one-roller-on-the-pan = Força de um só rolo sobre o prato
 from-the-shaft-to-the-middle-of-the-roller = Do eixo ao meio do rolo.
-gyroscopic-couple-the-arm-turns-the-angular-momentum-i-a-of-the-spin-at-the-rate = Binário giroscópico: o braço gira o momento angular I_a ω da rotação própria com a velocidade angular Ω
-gyroscopic-share-of-the-force = Parcela giroscópica da força
-gyroscopic-share-of-the-force-the-pan-exerts-the-couple-about-the-hinge-with-the-arm-r = Parcela giroscópica da força: o prato exerce o binário em relação à articulação com o braço R
+gyroscopic-couple-the-arm-rotates-the-spin-angular-momentum-i-a-at-the-rate = Binário giroscópico: o braço gira o momento angular I_a ω da rotação própria com a velocidade angular Ω
+gyroscopic-component-of-the-force = Parcela giroscópica da força
+gyroscopic-component-of-the-force-the-pan-exerts-the-couple-about-the-hinge-with-the-lever-arm-r = Parcela giroscópica da força: o prato exerce o binário em relação à articulação com o braço R
 mass = Massa
 mass-of-a-roller = Massa de um rolo
 moment-of-inertia-about-the-axis-from-the-radius-of-gyration = Momento de inércia em relação ao eixo, pelo raio de giração
@@ -321,35 +329,36 @@ moment-of-inertia-of-a-solid-roller-about-its-axis = Momento de inércia de um r
 moment-of-inertia-of-the-roller-about-its-axis = Momento de inércia do rolo em relação ao seu eixo
 number-of-rollers = Número de rolos
 pull-of-the-arm = Tração do braço
-pull-of-the-arm-which-holds-the-roller-on-its-circle = Tração do braço, que mantém o rolo na sua circunferência
+pull-of-the-arm-which-keeps-the-roller-on-its-circle = Tração do braço, que mantém o rolo na sua circunferência
 radius = Raio
 radius-of-a-roller = Raio de um rolo
 radius-of-gyration = Raio de giração
-sliding-at-the-edges-of-the-roller-only-its-middle-rolls-purely = Escorregamento nas bordas do rolo: só o seu meio rola sem escorregar
+sliding-at-the-edges-of-the-roller-only-its-middle-rolls-without-slipping = Escorregamento nas bordas do rolo: só o seu meio rola sem escorregar
 sliding-speed-at-the-edges = Velocidade de escorregamento nas bordas
 solid-disc-or-cylinder = Disco ou cilindro maciço
-speed-of-the-roller-on-its-axis = Velocidade angular do rolo em torno do seu eixo
+angular-speed-of-the-roller-about-its-axis = Velocidade angular do rolo em torno do seu eixo
 speed-of-the-shaft = Velocidade do eixo
-speed-of-the-shaft-the-gyroscopic-share-of-the-force-is-i-a-r = Velocidade do eixo: a parcela giroscópica da força é I_a Ω²/r
+speed-of-the-shaft-the-gyroscopic-component-of-the-force-is-i-a-r = Velocidade do eixo: a parcela giroscópica da força é I_a Ω²/r
 the-roller-rolls-its-centre-moves-at-r-r = O rolo rola: seu centro se move a Ω R = ω r
 the-rollers-on-the-pan = Os rolos sobre o prato
 vertical-force-of-the-hinge-on-the-arm-positive-upwards-it-holds-the-arm-down = Força vertical da articulação sobre o braço, positiva para cima: ela segura o braço para baixo
 vertical-force-of-the-hinge-on-the-arm-upwards = Força vertical da articulação sobre o braço, para cima
-wanted-crushing-force = Força de moagem desejada
+required-crushing-force = Força de moagem desejada
 weight-of-the-roller = Peso do rolo
 width-of-the-roller = Largura do rolo
 at-this-speed = nesta rotação
 force-of-a-roller = força de um rolo
-the-force-at-that-speed-is-the-wanted-one = a força nessa rotação é a desejada
+the-force-at-that-speed-is-the-required-one = a força nessa rotação é a desejada
 the-moments-about-the-hinge-from-the-difference-quotient-of-the-angular-momentum = os momentos em relação à articulação pelo quociente de diferenças do momento angular
 the-roller-is-so-wide-that-it-reaches-the-shaft = o rolo é tão largo que alcança o eixo
-the-wanted-force-is-below-the-weight-of-the-roller-which-presses-that-much-at-rest-write-a-larger-one = a força desejada é menor que o peso do rolo, que já pressiona isso em repouso: escreva uma maior
+the-required-force-is-below-the-weight-of-the-roller-which-already-acts-at-rest-write-a-larger-one = a força desejada é menor que o peso do rolo, que já pressiona isso em repouso: escreva uma maior
 this-speed = esta velocidade
 weight = Peso
 without = sem
+without-wheels-and-engine = sem rodas e motor
 
 # rigid-body/free-axisymmetric
-about-the-axis-as-seen-by-someone-who-goes-around-with-it-its-sense-follows-from-the-body = Em torno do eixo, como a vê quem o acompanha. O sentido resulta do corpo.
+about-the-axis-relative-to-the-precessing-frame-its-sense-depends-on-the-body = Em torno do eixo, relativa ao referencial que precessiona. O sentido depende do corpo.
 about-the-direction-of-the-angular-momentum = Em torno da direção do momento angular.
 angle-between-angular-momentum-and-axis = Ângulo entre o momento angular e o eixo
 angle-between-angular-velocity-and-angular-momentum-the-half-angle-of-the-space-cone = Ângulo entre a velocidade angular e o momento angular, a semiabertura do cone do espaço
@@ -359,124 +368,127 @@ angle-between-axis-and-angular-velocity = Ângulo entre o eixo e a velocidade an
 angle-between-the-axis-and-the-angular-momentum-tan-h-t-h-a-t-r-a = Ângulo entre o eixo e o momento angular: tan θ = H_t/H_a = ω_t/(r ω_a)
 angle-between-the-axis-and-the-angular-velocity = Ângulo entre o eixo e a velocidade angular
 angle-of-the-precession = Ângulo da precessão
-angle-of-the-spin-seen-from-the-body-the-angular-velocity-goes-back-by-it = Ângulo da rotação própria; vista do corpo, a velocidade angular recua desse ângulo
+spin-angle-relative-to-the-body-the-angular-velocity-rotates-backwards-by-it = Ângulo da rotação própria; em relação ao corpo, a velocidade angular gira esse ângulo em sentido contrário
 angular-momentum-about-the-mass-centre = Momento angular em relação ao centro de massa
-angular-momentum-about-the-mass-centre-which-stays = Momento angular em relação ao centro de massa, que se conserva
+angular-momentum-about-the-centre-of-mass = Momento angular em relação ao centro de massa
+angular-momentum-about-the-centre-of-mass-which-is-conserved = Momento angular em relação ao centro de massa, que se conserva
 angular-momentum-across-the-axis = Momento angular transversal ao eixo
+transverse-angular-momentum = Momento angular transversal
 angular-momentum-and-its-angle-to-the-axis = Momento angular e seu ângulo com o eixo
 angular-velocity-about-the-axis = Velocidade angular em torno do eixo
 angular-velocity-about-the-axis-h-a-i-a = Velocidade angular em torno do eixo, H_a/I_a
 angular-velocity-about-the-axis-i-a-a-h-g-cos-with-h-g-i-t = Velocidade angular em torno do eixo: I_a ω_a = H_G cos θ, com H_G = I_t φ̇
-angular-velocity-about-the-axis-1-r-a-solved-for-it = Velocidade angular em torno do eixo: ψ̇ = (1 − r) ω_a resolvida para ela
-angular-velocity-across-the-axis = Velocidade angular transversal ao eixo
-angular-velocity-across-the-axis-h-t-i-t = Velocidade angular transversal ao eixo, H_t/I_t
-angular-velocity-across-the-axis-tan-t-r-a = Velocidade angular transversal ao eixo: tan θ = ω_t/(r ω_a)
-angular-velocity-across-the-axis-the-share-of-the-precession = Velocidade angular transversal ao eixo: a parcela da precessão
+angular-velocity-about-the-axis-from-1-r-a = Velocidade angular em torno do eixo, a partir de ψ̇ = (1 − r) ω_a
+transverse-angular-velocity = Velocidade angular transversal
+transverse-angular-velocity-h-t-i-t = Velocidade angular transversal, H_t/I_t
+transverse-angular-velocity-tan-t-r-a = Velocidade angular transversal: tan θ = ω_t/(r ω_a)
+transverse-angular-velocity-the-component-of-the-precession = Velocidade angular transversal: a componente da precessão
 angular-velocity-and-its-angle-to-the-axis = Velocidade angular e seu ângulo com o eixo
-angular-velocity-at-the-instant-axes-of-the-body = Velocidade angular no instante, eixos do corpo
-angular-velocity-at-the-start-axes-of-the-body = Velocidade angular inicial, eixos do corpo
+angular-velocity-at-the-instant-body-axes = Velocidade angular no instante, eixos do corpo
+angular-velocity-at-the-start-body-axes = Velocidade angular inicial, eixos do corpo
 angular-velocity-in-axes-of-the-body = Velocidade angular nos eixos do corpo
+angular-velocity-in-body-axes = Velocidade angular nos eixos do corpo
 at-most-2-for-a-thin-plate-small-for-a-long-rod = No máximo 2, para uma placa fina; pequena para uma haste longa.
-attitude-as-a-unit-quaternion-the-product-of-the-turns-about-h-and-about-the-axis-its-scalar-part = A atitude como quatérnio unitário, o produto dos giros φ em torno de h e ψ em torno do eixo: sua parte escalar
+attitude-as-a-unit-quaternion-the-product-of-the-rotations-about-h-and-about-the-axis-its-scalar-part = A atitude como quatérnio unitário, o produto das rotações φ em torno de h e ψ em torno do eixo: sua parte escalar
 body-cone-about-z-and-space-cone-about-h-in-section-direct-precession = Cone do corpo (em torno de z) e cone do espaço (em torno de H) em corte: precessão direta
 body-cone-about-z-and-space-cone-about-h-in-section-retrograde-precession = Cone do corpo (em torno de z) e cone do espaço (em torno de H) em corte: precessão retrógrada
 body-of-revolution-in-free-motion = Corpo de revolução em movimento livre
 components-of-the-angular-velocity = Componentes da velocidade angular
-direction-of-the-angular-momentum-in-the-axes-of-the-start = Direção do momento angular nos eixos do início
-euler-s-equations-without-a-moment = as equações de Euler sem momento
+direction-of-the-angular-momentum-in-the-initial-axes = Direção do momento angular nos eixos iniciais
+euler-s-equations-with-zero-moment = as equações de Euler com momento nulo
 half-angle-of-the-body-cone = Semiabertura do cone do corpo
-half-angle-of-the-body-cone-which-the-angular-velocity-draws-around-the-axis = Semiabertura do cone do corpo, que a velocidade angular descreve em torno do eixo
-half-angle-of-the-space-cone-which-it-draws-around-the-angular-momentum-the-angle-between-the-two = Semiabertura do cone do espaço, que ela descreve em torno do momento angular: o ângulo entre os dois
+half-angle-of-the-body-cone-traced-by-the-angular-velocity-about-the-axis = Semiabertura do cone do corpo, que a velocidade angular descreve em torno do eixo
+half-angle-of-the-space-cone-traced-by-the-angular-velocity-about-the-angular-momentum-the-angle = Semiabertura do cone do espaço, que a velocidade angular descreve em torno do momento angular: o ângulo entre os dois
 instant = Instante
-its-component-across-the-axis = Sua componente transversal ao eixo
-its-part-along-x = Sua parte em x
-its-part-along-y = Sua parte em y
-its-part-along-z = Sua parte em z
+its-transverse-component = Sua componente transversal
+its-component-along-x = Sua componente em x
+its-component-along-y = Sua componente em y
+its-component-along-z = Sua componente em z
 its-rate = Sua taxa
-kinetic-energy-of-rotation-which-stays = Energia cinética de rotação, que se conserva
-kinetic-energy-of-rotation-which-stays-too = Energia cinética de rotação, que também se conserva
+its-rate-of-change = Sua taxa de variação
+kinetic-energy-of-rotation-which-is-conserved = Energia cinética de rotação, que se conserva
+kinetic-energy-of-rotation-which-is-also-conserved = Energia cinética de rotação, que também se conserva
 mass-and-radii-of-gyration = Massa e raios de giração
-moment-about-the-axis-over-that-across-it = Momento axial sobre o momento transversal
-moment-of-inertia-about-the-axis = Momento de inércia em torno do eixo
+ratio-of-axial-to-transverse-moment-of-inertia = Razão entre os momentos de inércia axial e transversal
+moment-of-inertia-about-the-axis = Momento de inércia em relação ao eixo
 moment-of-inertia-about-the-axis-from-its-radius-of-gyration = Momento de inércia em relação ao eixo, por seu raio de giração
-moment-of-inertia-across-the-axis = Momento de inércia transversal ao eixo
 precession-and-angle-to-the-angular-momentum = Precessão e ângulo com o momento angular
 precession-angle = Ângulo de precessão
 precession-of-the-axis-about-the-angular-momentum-h-g-i-t = Precessão do eixo em torno do momento angular, H_G/I_t
-precessions-for-each-turn-of-the-spin = Precessões por volta da rotação própria
-quaternion-of-the-attitude-part-along-x = Quatérnio da atitude, parte em x
-quaternion-of-the-attitude-part-along-y = Quatérnio da atitude, parte em y
-quaternion-of-the-attitude-part-along-z = Quatérnio da atitude, parte em z
-quaternion-of-the-attitude-scalar-part = Quatérnio da atitude, parte escalar
+precession-revolutions-per-spin-revolution = Voltas de precessão por volta da rotação própria
+attitude-quaternion-x-component = Quatérnio de atitude, componente x
+attitude-quaternion-y-component = Quatérnio de atitude, componente y
+attitude-quaternion-z-component = Quatérnio de atitude, componente z
+attitude-quaternion-scalar-part = Quatérnio de atitude, parte escalar
 radius-of-gyration-about-the-axis = Raio de giração em torno do eixo
-radius-of-gyration-across-the-axis = Raio de giração transversal ao eixo
+transverse-radius-of-gyration = Raio de giração transversal
 ratio-of-the-moments-of-inertia = Razão entre os momentos de inércia
 ratio-of-the-moments-of-inertia-above-1-for-a-flat-body-below-1-for-a-long-one = Razão entre os momentos de inércia: acima de 1 para um corpo achatado, abaixo de 1 para um corpo alongado
-size-of-the-angular-velocity = Módulo da velocidade angular
-size-of-the-spin = Módulo da rotação própria
-spin-about-the-axis-the-body-is-flat-r-1-retrograde-precession-the-spin-turns-against-the-precession = Rotação própria em torno do eixo. O corpo é achatado, r > 1: precessão retrógrada, a rotação própria é contrária à precessão, e o cone do corpo rola em volta do cone do espaço, que fica dentro dele
-spin-about-the-axis-the-body-is-long-r-1-direct-precession-spin-and-precession-turn-the-same-way-and = Rotação própria em torno do eixo. O corpo é alongado, r < 1: precessão direta, rotação própria e precessão têm o mesmo sentido, e o cone do corpo rola por fora do cone do espaço
-spin-about-the-axis-none-since-with-r-1-every-axis-is-like-every-other-and-the-body-turns-about-its = Rotação própria em torno do eixo: nenhuma, pois com r = 1 todos os eixos são iguais e o corpo gira em torno do momento angular
+magnitude-of-the-spin = Módulo da rotação própria
+spin-about-the-axis-the-body-is-flat-r-1-retrograde-precession-spin-and-precession-have-opposite = Rotação própria em torno do eixo. O corpo é achatado, r > 1: precessão retrógrada, rotação própria e precessão têm sentidos opostos, e o cone do corpo rola em volta do cone do espaço, que fica dentro dele
+spin-about-the-axis-the-body-is-long-r-1-direct-precession-spin-and-precession-have-the-same-sense = Rotação própria em torno do eixo. O corpo é alongado, r < 1: precessão direta, rotação própria e precessão têm o mesmo sentido, e o cone do corpo rola por fora do cone do espaço
+spin-about-the-axis-zero-since-with-r-1-all-axes-are-equivalent-and-the-body-rotates-about-its = Rotação própria em torno do eixo: nula, pois com r = 1 todos os eixos são equivalentes e o corpo gira em torno do momento angular
 spin-and-angle-to-the-angular-momentum = Rotação própria e ângulo com o momento angular
 spin-in-direct-precession = Rotação própria, na precessão direta
 spin-in-retrograde-precession = Rotação própria, na precessão retrógrada
 the-body-cone-rolls-on-the-space-cone = O cone do corpo rola sobre o cone do espaço
-their-ratio-alone = Só a razão entre eles
-time-in-which-the-angular-velocity-goes-around-the-axis-seen-from-the-body = Tempo em que a velocidade angular dá a volta ao eixo, vista do corpo
-time-of-one-precession = Tempo de uma precessão
-time-of-one-precession-what-one-sees-from-outside = Tempo de uma precessão: o que se vê de fora
-time-of-the-angular-velocity-around-the-axis = Tempo da velocidade angular em volta do eixo
+their-ratio-only = Só a razão entre eles
+period-of-the-angular-velocity-about-the-axis-relative-to-the-body = Período da velocidade angular em torno do eixo, em relação ao corpo
+precession-period = Período de precessão
+precession-period-seen-by-a-fixed-observer = Período de precessão, visto por um observador fixo
+period-of-the-angular-velocity-about-the-axis = Período da velocidade angular em torno do eixo
 torque-free-motion-of-a-body-of-revolution-precession-and-spin-direct-or-retrograde-body-and-space = Movimento de um corpo de revolução livre de momentos: precessão e rotação própria, direta ou retrógrada, cones do corpo e do espaço, velocidade angular e atitude em um instante.
 transverse-moment-of-inertia-from-its-radius-of-gyration = Momento de inércia transversal, por seu raio de giração
-what-is-known-of-the-motion = O que se conhece do movimento
-where-it-is-given-angular-velocity-and-attitude-at-this-time-after-the-start-are-answered-too = Se informado, respondem-se também a velocidade angular e a atitude neste tempo após o início.
+known-quantity-of-the-motion = Grandeza conhecida do movimento
+if-given-the-angular-velocity-and-attitude-at-this-time-after-the-start-are-also-calculated = Se informado, calculam-se também a velocidade angular e a atitude neste tempo após o início.
 a-body-whose-moments-of-inertia-are-equal-does-not-spin-about-its-axis-give-the-precession-or-the = um corpo de momentos de inércia iguais não tem rotação própria: informe a precessão ou a velocidade angular
 energy = Energia
-no-body-has-a-moment-about-its-axis-above-twice-that-across-it-a-thin-plate-has-just-twice = nenhum corpo tem momento axial acima do dobro do transversal: uma placa fina tem exatamente o dobro
-the-angular-momentum-tells-the-motion-only-together-with-the-moments-of-inertia-give-them-or-the = o momento angular só determina o movimento junto com os momentos de inércia: informe-os, ou a velocidade angular
-the-angular-velocity-put-together-again-from-precession-and-spin = a velocidade angular recomposta da precessão e da rotação própria
-the-attitude-from-its-rate-the-difference-quotient-of-r-against-r = a atitude por sua taxa: o quociente de diferenças de R contra ω × R
+no-body-has-a-moment-about-its-axis-above-twice-its-transverse-moment-a-thin-plate-has-exactly-twice = nenhum corpo tem momento axial acima do dobro do transversal: uma placa fina tem exatamente o dobro
+the-angular-momentum-defines-the-motion-only-together-with-the-moments-of-inertia-give-them-or-the = o momento angular só determina o movimento junto com os momentos de inércia: informe-os, ou a velocidade angular
+the-angular-velocity-recomposed-from-precession-and-spin = a velocidade angular recomposta da precessão e da rotação própria
+the-attitude-from-its-rate-the-difference-quotient-of-r-compared-with-r = a atitude por sua taxa: o quociente de diferenças de R comparado com ω × R
 the-body-does-not-turn-give-an-angular-velocity = o corpo não gira: informe uma velocidade angular
-the-same-turn-by-matrices = o mesmo giro por matrizes
+the-same-rotation-by-matrices = a mesma rotação por matrizes
 
 # rigid-body/free-triaxial
 along-the-axis = Ao longo do eixo.
-angular-momentum-about-the-mass-centre-at-the-start-which-stays-as-it-is-in-fixed-axes = Momento angular inicial em relação ao centro de massa, que se conserva em eixos fixos
+angular-momentum-about-the-centre-of-mass-at-the-start-which-is-constant-in-fixed-axes = Momento angular inicial em relação ao centro de massa, constante em eixos fixos
 angular-velocity-at-the-instant-fixed-axes = Velocidade angular no instante, eixos fixos
 angular-velocity-at-the-instant-principal-axes = Velocidade angular no instante, eixos principais
 angular-velocity-at-the-instant-principal-axes-a-cn-a-sn-and-a-dn-with-their-signs = Velocidade angular no instante, eixos principais: A cn τ, A sn τ e A dn τ com seus sinais
 angular-velocity-at-the-start-principal-axes = Velocidade angular inicial, eixos principais
 angular-velocity-in-principal-axes = Velocidade angular nos eixos principais
 angular-velocity-of-the-permanent-rotation = Velocidade angular da rotação permanente
-attitude-nutation-from-h-along-the-axis-precession-by-the-integral-of-the-third-kind = Atitude: a nutação pela componente de H no eixo, a precessão pela integral de terceira espécie
+attitude-nutation-from-the-axial-component-of-h-precession-by-the-integral-of-the-third-kind = Atitude: a nutação pela componente de H no eixo, a precessão pela integral de terceira espécie
 complete-elliptic-integral-of-the-first-kind-of-this-modulus-by-the-arithmetic-geometric-mean = Integral elíptica completa de primeira espécie deste módulo, pela média aritmético-geométrica
-euler-s-equations-without-a-moment-by-difference-quotients = as equações de Euler sem momento, por quocientes de diferenças
+euler-s-equations-with-zero-moment-by-difference-quotients = as equações de Euler com momento nulo, por quocientes de diferenças
 free-motion-of-any-body = Movimento livre de um corpo qualquer
-growth-of-a-small-disturbance-of-the-rotation-about-axis-the-middle-axis-e-t = Crescimento de uma pequena perturbação da rotação em torno de { $axis }, o eixo intermediário, e^(λt)
-growth-rate-beside-the-middle-axis = Taxa de crescimento junto ao eixo intermediário
-h-is-along-the-body-turns-about-a-principal-axis-for-ever-as-it-does-now = H está na direção de ω: o corpo gira em torno de um eixo principal, e assim continua para sempre
+growth-of-a-small-disturbance-of-the-rotation-about-axis-the-intermediate-axis-e-t = Crescimento de uma pequena perturbação da rotação em torno de { $axis }, o eixo intermediário, e^(λt)
+growth-rate-near-the-intermediate-axis = Taxa de crescimento junto ao eixo intermediário
+h-is-parallel-to-the-body-is-in-permanent-rotation-about-a-principal-axis = H é paralelo a ω: o corpo está em rotação permanente em torno de um eixo principal
 herpolhode-the-tip-of-the-angular-velocity-seen-along-the-angular-momentum = Herpolódia: a ponta da velocidade angular, vista ao longo do momento angular
 homogeneous-box = Paralelepípedo homogêneo
-how-far-the-axis-axis-goes-about-the-angular-momentum-in-one-period-h-i-t-and-an-elliptic-integral-of = Quanto o eixo { $axis } avança em torno do momento angular em um período: H/I t e uma integral elíptica de terceira espécie
-h-2-t-i-with-the-middle-moment-the-body-creeps-from-one-end-of-the-middle-axis-to-the-other-once-and = H² = 2 T I com o momento intermediário: o corpo passa lentamente de uma ponta do eixo intermediário à outra, uma só vez e para sempre, como tanh(p t)
-h-2t-is-above-the-middle-moment-the-polhode-goes-around-axis-the-axis-of-the-largest-moment = H²/2T está acima do momento intermediário: a polódia circunda { $axis }, o eixo do maior momento
-h-2t-is-below-the-middle-moment-the-polhode-goes-around-axis-the-axis-of-the-smallest-moment = H²/2T está abaixo do momento intermediário: a polódia circunda { $axis }, o eixo do menor momento
-h-2t-to-be-held-against-the-middle-moment = H²/2T, a comparar com o momento intermediário
+advance-of-the-axis-axis-about-the-angular-momentum-in-one-period-h-i-t-and-an-elliptic-integral-of = Avanço do eixo { $axis } em torno do momento angular em um período: H/I t e uma integral elíptica de terceira espécie
+h-2-t-i-with-the-intermediate-moment-asymptotic-motion-along-the-separatrix-from-one-end-of-the = H² = 2 T I com o momento intermediário: movimento assintótico na separatriz, de uma ponta do eixo intermediário à outra, uma só vez, como tanh(p t)
+h-2t-is-above-the-intermediate-moment-the-polhode-encircles-axis-the-axis-of-the-largest-moment = H²/2T está acima do momento intermediário: a polódia circunda { $axis }, o eixo do maior momento
+h-2t-is-below-the-intermediate-moment-the-polhode-encircles-axis-the-axis-of-the-smallest-moment = H²/2T está abaixo do momento intermediário: a polódia circunda { $axis }, o eixo do menor momento
+h-2t-to-be-compared-with-the-intermediate-moment = H²/2T, a comparar com o momento intermediário
 its-size = Seu módulo
-largest-component-of-the-angular-velocity-along-x = Maior componente da velocidade angular em x
-largest-component-of-the-angular-velocity-along-y = Maior componente da velocidade angular em y
-largest-component-of-the-angular-velocity-along-z = Maior componente da velocidade angular em z
-largest-axis-from-energy-and-angular-momentum-axis-a-axis-function = Maior ω_{ $axis }, pela energia e pelo momento angular: ω_{ $axis } = ± A_{ $axis } { $function } τ
+its-magnitude = Seu módulo
+maximum-component-of-the-angular-velocity-along-x = Componente máxima da velocidade angular em x
+maximum-component-of-the-angular-velocity-along-y = Componente máxima da velocidade angular em y
+maximum-component-of-the-angular-velocity-along-z = Componente máxima da velocidade angular em z
+maximum-axis-from-energy-and-angular-momentum-axis-a-axis-function = Valor máximo de ω_{ $axis }, pela energia e pelo momento angular: ω_{ $axis } = ± A_{ $axis } { $function } τ
 moment-of-inertia-about-x = Momento de inércia em relação a x
 moment-of-inertia-about-y = Momento de inércia em relação a y
 moment-of-inertia-about-z = Momento de inércia em relação a z
-pace-of-the-argument-p-t = Ritmo do argumento, τ = τ₀ + p t
-pace-of-the-elliptic-functions = Ritmo das funções elípticas
-period-of-the-angular-velocity-in-axes-of-the-body-4-k-p = Período da velocidade angular nos eixos do corpo, 4 K/p
-period-of-the-angular-velocity-in-the-body = Período da velocidade angular no corpo
-poinsot-the-inertia-ellipsoid-rolls-on-the-plane-across-h = Poinsot: o elipsoide de inércia rola sobre o plano normal a H
-precession-in-one-period = Precessão em um período
-precession-on-average = Precessão média
+rate-of-the-argument-p-t = Taxa do argumento, τ = τ₀ + p t
+rate-of-the-elliptic-function-argument = Taxa do argumento das funções elípticas
+period-of-the-angular-velocity-in-body-axes-4-k-p = Período da velocidade angular nos eixos do corpo, 4 K/p
+period-of-the-angular-velocity-in-body-axes = Período da velocidade angular nos eixos do corpo
+poinsot-the-inertia-ellipsoid-rolls-on-the-plane-normal-to-h = Poinsot: o elipsoide de inércia rola sobre o plano normal a H
+precession-angle-per-period = Ângulo de precessão por período
+mean-precession = Precessão média
 principal-axis-x-at-the-instant-fixed-axes = Eixo principal x no instante, eixos fixos
 principal-axis-y-at-the-instant-fixed-axes = Eixo principal y no instante, eixos fixos
 principal-axis-z-at-the-instant-fixed-axes = Eixo principal z no instante, eixos fixos
@@ -486,64 +498,65 @@ principal-moments-of-inertia = Momentos principais de inércia
 radius-of-gyration-about-x = Raio de giração em relação a x
 radius-of-gyration-about-y = Raio de giração em relação a y
 radius-of-gyration-about-z = Raio de giração em relação a z
-rate-of-creeping-to-the-middle-axis = Taxa de aproximação ao eixo intermediário
-size-of-the-angular-momentum = Módulo do momento angular
+asymptotic-rate-towards-the-intermediate-axis = Taxa de aproximação assintótica ao eixo intermediário
 square-of-the-modulus = Quadrado do módulo
 square-of-the-modulus-of-the-elliptic-functions = Quadrado do módulo das funções elípticas
 the-same-in-fixed-axes-by-the-attitude-of-the-body = A mesma em eixos fixos, pela atitude do corpo
 time-between-flips = Tempo entre inversões
-time-between-two-changes-of-sign-along-the-middle-axis-flips = Tempo entre duas trocas de sinal no eixo intermediário: inversões
+time-between-two-sign-changes-along-the-intermediate-axis-flips = Tempo entre duas trocas de sinal no eixo intermediário: inversões
 time-until-the-first-flip = Tempo até a primeira inversão
 torque-free-motion-of-a-body-with-three-different-moments-of-inertia-by-jacobi-s-elliptic-functions = Movimento livre de momentos de um corpo com três momentos de inércia diferentes pelas funções elípticas de Jacobi: polódia, períodos, inversões em torno do eixo intermediário, velocidade angular e atitude em um instante.
-when-the-component-along-the-middle-axis-is-zero-for-the-first-time-sn-0 = Quando a componente no eixo intermediário se anula pela primeira vez: sn τ = 0
+first-time-at-which-the-component-along-the-intermediate-axis-is-zero-sn-0 = Primeiro instante em que a componente no eixo intermediário se anula: sn τ = 0
 across-h = normal a H
-across-h-and-the-first = normal a H e ao primeiro
+normal-to-h = normal a H
+normal-to-h-and-to-the-first = normal a H e ao primeiro
 angular-momentum-in-fixed-axes-a-little-later = o momento angular em eixos fixos um pouco depois
 first-flip = primeira inversão
 herpolhode = herpolódia
 kinetic-energy-a-little-later = a energia cinética um pouco depois
-no-body-has-a-moment-of-inertia-i-axis-that-is-larger-than-the-sum-of-the-other-two-check-the-moments = nenhum corpo tem um momento de inércia I_{ $axis } maior que a soma dos outros dois: confira os momentos
-on-average = em média
+the-triangle-inequality-excludes-a-moment-of-inertia-i-axis-that-is-larger-than-the-sum-of-the-other = a desigualdade triangular exclui um momento de inércia I_{ $axis } maior que a soma dos outros dois: confira os momentos
+mean = média
 slow = lenta
-the-body-turns-exactly-about-the-axis-of-the-middle-moment-where-the-least-disturbance-grows = o corpo gira exatamente em torno do eixo do momento intermediário, onde a menor perturbação cresce
-the-complete-integral-by-equal-weights = a integral completa por pesos iguais
-the-component-along-the-middle-axis-at-that-time = a componente no eixo intermediário nesse instante
+the-body-rotates-exactly-about-the-axis-of-the-intermediate-moment-where-the-smallest-disturbance = o corpo gira exatamente em torno do eixo do momento intermediário, onde a menor perturbação cresce
+the-complete-integral-by-equal-weight-quadrature = a integral completa por quadratura de pesos iguais
+the-component-along-the-intermediate-axis-at-that-time = a componente no eixo intermediário nesse instante
 the-moment-of-inertia-i-axis-is-out-of-range = o momento de inércia I_{ $axis } está fora da faixa
 the-motion-is-beyond-the-range-of-numbers-check-the-sizes-of-what-is-given = o movimento sai da faixa dos números: confira as grandezas dos dados
-the-motion-is-on-the-separatrix-the-least-disturbance-decides-what-it-will-do = o movimento está sobre a separatriz: a menor perturbação decide o que ele fará
-the-pace-by-the-kernel = o ritmo pelo cálculo numérico
-the-precession-of-a-period-by-equal-weights = a precessão de um período por pesos iguais
+the-motion-exceeds-the-numerical-range-check-the-magnitudes-of-the-inputs = o movimento excede a faixa numérica: confira as grandezas dos dados
+the-motion-is-on-the-separatrix-the-smallest-disturbance-determines-what-follows = o movimento está sobre a separatriz: a menor perturbação determina o que se segue
+the-rate-of-the-argument-by-the-numerical-kernel = a taxa do argumento pelo núcleo numérico
+the-precession-angle-per-period-by-equal-weight-quadrature = o ângulo de precessão por período, por quadratura de pesos iguais
 
 # rigid-body/gyroscopic-couple
 a-frame = Uma estrutura
-a-lies-behind-g-for-an-axle-across-the-carrier-on-its-right-for-an-upright-axle-below-negative-where = A fica atrás de G; com o eixo transversal ao veículo, à direita; com o eixo vertical, abaixo. Negativa se ficar do outro lado.
-a-turn-to-the-left-is-seen-from-above-counter-clockwise-points-up-to-the-right-down = Vista de cima, uma curva à esquerda é anti-horária: Ω aponta para cima; à direita, para baixo
-about-an-axis-through-g-across-the-axle-it-matters-where-the-carrier-turns-about-an-axis-that-is-not = Em torno de um eixo por G, transversal ao do rotor. Importa quando o veículo gira em torno de um eixo que não é normal ao do rotor, e nos extremos de um movimento harmônico.
+a-lies-behind-g-for-a-transverse-axle-on-its-right-for-a-vertical-axle-below-negative-where-it-lies = A fica atrás de G; com o eixo transversal ao veículo, à direita; com o eixo vertical, abaixo. Negativa se ficar do outro lado.
+seen-from-above-a-turn-to-the-left-is-counter-clockwise-points-up-to-the-right-down = Vista de cima, uma curva à esquerda é anti-horária: Ω aponta para cima; à direita, para baixo
+about-an-axis-through-g-transverse-to-the-axle-it-matters-where-the-carrier-turns-about-an-axis-that = Em torno de um eixo por G, transversal ao do rotor. Importa quando o veículo gira em torno de um eixo que não é normal ao do rotor, e nos extremos de um movimento harmônico.
 ahead-bow-nose-front = De frente: proa, nariz, dianteira
 aircraft = Aeronave
-angular-momentum-about-g-of-the-spin-and-of-the-turning-carrier = Momento angular em relação a G: da rotação própria e do giro do veículo
+angular-momentum-about-g-due-to-the-spin-and-to-the-rotation-of-the-carrier = Momento angular em relação a G: da rotação própria e do giro do veículo
 angular-momentum-of-the-rotor = Momento angular do rotor
 angular-momentum-of-the-spin = Momento angular da rotação própria
 angular-velocity-of-the-carrier = Velocidade angular do veículo
 angular-velocity-of-the-carrier-on-its-curve = Velocidade angular do veículo na curva
-angular-velocity-of-the-pitching = Velocidade angular da arfagem
+pitch-angular-velocity = Velocidade angular de arfagem
 angular-velocity-of-the-precession = Velocidade angular da precessão
-angular-velocity-of-the-rolling = Velocidade angular do balanço
+roll-angular-velocity = Velocidade angular de balanço
 any-angular-velocity = Velocidade angular qualquer
 b-lies-ahead-of-g-on-its-left-or-above = B fica à frente de G; à esquerda, ou acima.
 bearings = Mancais
 behind-stern-tail-rear = De trás: popa, cauda, traseira
 bow-or-nose = Proa ou nariz
-bow-or-nose-in-the-middle-of-the-swing = Proa ou nariz, no meio do balanço
-circular-frequency-of-the-harmonic-motion = Frequência angular do movimento harmônico
+bow-or-nose-in-the-middle-of-the-oscillation = Proa ou nariz, no meio da oscilação
+angular-frequency-of-the-harmonic-motion = Frequência angular do movimento harmônico
 clockwise = Horário
 components-forward-to-the-left-and-up = Componentes para a frente, para a esquerda e para cima.
 counter-clockwise = Anti-horário
-couple-of-a-spinning-rotor-whose-carrier-turns-pitches-or-rolls-its-reaction-on-the-carrier-with-the = Binário de um rotor cujo veículo faz curva, arfa ou balança, sua reação sobre o veículo com o efeito em palavras, e as reações dos mancais.
+couple-on-a-spinning-rotor-whose-carrier-turns-pitches-or-rolls-its-reaction-on-the-carrier-with-the = Binário sobre um rotor cujo veículo faz curva, arfa ou balança, sua reação sobre o veículo com o efeito em palavras, e as reações dos mancais.
 couple-on-the-rotor = Binário sobre o rotor
 couple-on-the-rotor-forward-left-up = Binário sobre o rotor (frente, esquerda, cima)
-couple-on-the-rotor-h-keeps-its-components-in-axes-that-turn-with-the-carrier-so-dh-dt-h = Binário sobre o rotor: H mantém suas componentes nos eixos que giram com o veículo, logo dH/dt = Ω × H
-couple-that-speeds-the-rotor-up-and-down-with-its-carrier-largest-where-the-gyroscopic-one-is-zero = Binário que acelera e freia o rotor junto com o veículo, máximo onde o giroscópico é nulo
+couple-on-the-rotor-the-components-of-h-are-constant-in-axes-that-turn-with-the-carrier-so-dh-dt-h = Binário sobre o rotor: as componentes de H são constantes nos eixos que giram com o veículo, logo dH/dt = Ω × H
+couple-that-accelerates-and-decelerates-the-rotor-with-its-carrier-maximum-where-the-gyroscopic = Binário que acelera e freia o rotor junto com o veículo, máximo onde o giroscópico é nulo
 distance-of-g-from-the-support = Distância de G ao apoio
 distance-of-bearing-a-from-g = Distância do mancal A a G
 distance-of-bearing-b-from-g = Distância do mancal B a G
@@ -554,10 +567,10 @@ effect-lowers-the-bow-and-raises-the-stern = Efeito: abaixa a proa e levanta a p
 effect-lowers-the-left-wing-and-raises-the-right-one = Efeito: abaixa a asa esquerda e levanta a direita
 effect-lowers-the-nose-and-raises-the-tail = Efeito: abaixa o nariz e levanta a cauda
 effect-lowers-the-right-wing-and-raises-the-left-one = Efeito: abaixa a asa direita e levanta a esquerda
-effect-presses-on-the-front-wheels-and-relieves-the-rear-ones = Efeito: carrega as rodas dianteiras e alivia as traseiras
-effect-presses-on-the-left-wheels-and-relieves-the-right-ones = Efeito: carrega as rodas esquerdas e alivia as direitas
-effect-presses-on-the-rear-wheels-and-relieves-the-front-ones = Efeito: carrega as rodas traseiras e alivia as dianteiras
-effect-presses-on-the-right-wheels-and-relieves-the-left-ones = Efeito: carrega as rodas direitas e alivia as esquerdas
+effect-loads-the-front-wheels-and-unloads-the-rear-wheels = Efeito: carrega as rodas dianteiras e alivia as traseiras
+effect-loads-the-left-wheels-and-unloads-the-right-wheels = Efeito: carrega as rodas esquerdas e alivia as direitas
+effect-loads-the-rear-wheels-and-unloads-the-front-wheels = Efeito: carrega as rodas traseiras e alivia as dianteiras
+effect-loads-the-right-wheels-and-unloads-the-left-wheels = Efeito: carrega as rodas direitas e alivia as esquerdas
 effect-raises-the-bow-and-lowers-the-stern = Efeito: levanta a proa e abaixa a popa
 effect-raises-the-nose-and-lowers-the-tail = Efeito: levanta o nariz e abaixa a cauda
 effect-tips-the-frame-backward = Efeito: tomba a estrutura para trás
@@ -575,28 +588,28 @@ effect-turns-the-nose-to-the-right-and-the-tail-to-the-left = Efeito: vira o nar
 falling = Descendo
 force-of-bearing-a-on-the-rotor-forward-left-up = Força do mancal A sobre o rotor (frente, esquerda, cima)
 force-of-bearing-b-on-the-rotor-forward-left-up = Força do mancal B sobre o rotor (frente, esquerda, cima)
-force-on-the-rotor-across-its-axle-against-the-weight-and-towards-the-centre-of-the-curve = Força sobre o rotor, transversal ao seu eixo: contra o peso, e para o centro da curva
+transverse-force-on-the-rotor-against-the-weight-and-towards-the-centre-of-the-curve = Força transversal sobre o rotor: contra o peso, e para o centro da curva
 gyroscopic-couple-against-the-radius-of-the-turn = Binário giroscópico em função do raio da curva
 gyroscopic-couple-on-a-ship-an-aircraft-or-a-vehicle = Binário giroscópico em navio, aeronave ou veículo
-gyroscopic-couple-over-two-swings-from-the-middle-of-the-first = Binário giroscópico em dois balanços, a partir do meio do primeiro
-half-of-the-whole-swing = Metade do balanço total.
-largest-angular-acceleration-of-the-carrier = Aceleração angular máxima do veículo
-largest-angular-acceleration-at-the-ends-of-the-swing = Aceleração angular máxima, nos extremos do balanço
-largest-angular-velocity-in-the-middle-of-the-swing = Velocidade angular máxima, no meio do balanço
-largest-inertia-couple-at-the-ends-of-the-swing = Binário de inércia máximo, nos extremos do balanço
+gyroscopic-couple-over-two-oscillations-from-the-middle-of-the-first = Binário giroscópico em duas oscilações, a partir do meio da primeira
+half-of-the-total-oscillation = Metade da oscilação total.
+maximum-angular-acceleration-of-the-carrier = Aceleração angular máxima do veículo
+maximum-angular-acceleration-at-the-ends-of-the-oscillation = Aceleração angular máxima, nos extremos da oscilação
+maximum-angular-velocity-in-the-middle-of-the-oscillation = Velocidade angular máxima, no meio da oscilação
+maximum-inertia-couple-at-the-ends-of-the-oscillation = Binário de inércia máximo, nos extremos da oscilação
 left-port = Esquerda, bombordo
-level-axle-held-at-one-end-the-weight-turns-it = Eixo nivelado apoiado em uma ponta: o peso o faz girar
+level-axle-supported-at-one-end-precession-due-to-the-weight = Eixo nivelado apoiado em uma ponta: precessão devida ao peso
 mass-and-radius-of-gyration = Massa e raio de giração
 moment-of-inertia-about-the-axle = Momento de inércia em relação ao eixo do rotor
 moment-of-inertia-about-the-axle-from-the-radius-of-gyration = Momento de inércia em relação ao eixo do rotor, pelo raio de giração
 moment-of-inertia-of-a-disc-about-its-axle = Momento de inércia de um disco em relação ao seu eixo
 moment-of-the-weight-about-the-support = Momento do peso em relação ao apoio
 the-moment-of-the-weight-about-the-support = o momento do peso em relação ao apoio
-moments-about-bearing-a-the-forces-of-the-bearings-make-up-the-couple-m-about-g = Momentos em relação ao mancal A: as forças dos mancais compõem o binário M em relação a G
+moments-about-bearing-a-the-bearing-forces-produce-the-couple-m-about-g = Momentos em relação ao mancal A: as forças dos mancais produzem o binário M em relação a G
 motion-of-the-carrier = Movimento do veículo
-on-the-side-that-the-spin-points-to-by-the-right-hand-rule-negative-on-the-other-side = Do lado para onde aponta a rotação própria, pela regra da mão direita; negativa do outro lado.
-only-the-bearings-and-the-weight-need-it = Só os mancais e o peso precisam dela.
-pitching-at-a-rate = Arfagem com uma velocidade angular
+on-the-side-of-the-spin-vector-by-the-right-hand-rule-negative-on-the-other-side = Do lado para onde aponta o vetor da rotação própria, pela regra da mão direita; negativa do outro lado.
+required-only-for-the-bearings-and-the-weight = Necessária só para os mancais e o peso.
+pitching-at-a-given-rate = Arfagem com velocidade angular dada
 pitching-in-simple-harmonic-motion = Arfagem em movimento harmônico simples
 precession = Precessão
 radius-of-gyration-about-the-axle = Raio de giração em relação ao eixo do rotor
@@ -606,116 +619,117 @@ reaction-of-the-rotor-on-its-carrier-equal-and-opposite = Reação do rotor sobr
 relative-to-the-carrier = Relativa ao veículo.
 right-starboard = Direita, boreste
 rising = Subindo
-rolling-at-a-rate = Balanço com uma velocidade angular
+rolling-at-a-given-rate = Balanço com velocidade angular dada
 rolling-in-simple-harmonic-motion = Balanço em movimento harmônico simples
 rotor = Rotor
 seen-from = Visto
 sense = Sentido
 sense-of-the-rotor = Sentido do rotor
 ship = Navio
-side-that-goes-down = Lado que desce
-side-that-goes-down-in-the-middle-of-the-swing = Lado que desce, no meio do balanço
-size-of-the-angular-velocity-of-the-carrier = Módulo da velocidade angular do veículo
+descending-side = Lado que desce
+descending-side-at-mid-position = Lado que desce, na posição média
+magnitude-of-the-angular-velocity-of-the-carrier = Módulo da velocidade angular do veículo
 speed-of-the-rotor = Velocidade do rotor
 steady-turn = Curva em regime permanente
-the-axle-goes-round-the-upright-through-its-support = O eixo gira em torno da vertical do apoio
-the-bow-rises-about-the-axis-to-the-right-points-there-it-falls-about-the-axis-to-the-left = A proa sobe em torno do eixo para a direita: Ω aponta para lá; desce em torno do eixo para a esquerda
-the-couple-turns-h-at-the-rate-of-the-precession-m-i-a-p = O binário gira H com a velocidade angular da precessão: M = I_a ω ω_p
+the-axle-precesses-about-the-vertical-through-its-support = O eixo precessiona em torno da vertical do apoio
+when-the-bow-rises-points-to-the-right-when-it-falls-to-the-left = Quando a proa sobe, Ω aponta para a direita; quando desce, para a esquerda
+the-couple-rotates-h-at-the-precession-rate-m-i-a-p = O binário gira H com a velocidade angular da precessão: M = I_a ω ω_p
 the-forces-of-both-bearings-add-up-to-p = As forças dos dois mancais somam P
 the-left-hand-side-port = Da esquerda, bombordo
-the-right-hand-side-goes-down-about-the-axis-forward-points-there-the-left-hand-side-backward = O lado direito desce em torno do eixo para a frente: Ω aponta para lá; o esquerdo, para trás
+when-the-right-hand-side-descends-points-forward-when-the-left-hand-side-descends-backward = Quando o lado direito desce, Ω aponta para a frente; quando o esquerdo desce, para trás
 the-right-hand-side-starboard = Da direita, boreste
 the-rotor-its-rotations-and-the-couple = O rotor, suas rotações e o binário
 thin-disc = Disco fino
 transverse-moment-of-inertia-of-the-rotor = Momento de inércia transversal do rotor
 unit-vector-of-the-axle-from-bearing-a-to-bearing-b = Versor do eixo do mancal A ao mancal B
-unit-vector-of-the-spin-clockwise-it-points-away-from-who-looks-counter-clockwise-towards = Versor da rotação própria: horária, afasta-se de quem olha; anti-horária, aproxima-se
+unit-vector-of-the-spin-away-from-the-viewer-if-clockwise-towards-the-viewer-if-counter-clockwise = Versor da rotação própria: afasta-se do observador se horária, aponta para ele se anti-horária
 vehicle = Veículo
 vertical-reaction-at-a-positive-upwards = Reação vertical em A, positiva para cima
 vertical-reaction-at-a-upwards = Reação vertical em A, para cima
 vertical-reaction-at-b-positive-upwards = Reação vertical em B, positiva para cima
 vertical-reaction-at-b-upwards = Reação vertical em B, para cima
-where-somebody-stands-who-looks-along-the-axle-and-sees-that-sense = Onde está quem olha ao longo do eixo do rotor e vê esse sentido.
+position-of-the-viewer-who-looks-along-the-axle-and-sees-that-sense = Posição do observador que olha ao longo do eixo do rotor e vê esse sentido.
 a-rotor-without-spin-falls-and-does-not-precess-write-a-speed-above-zero = um rotor sem rotação própria cai e não precessiona: escreva uma velocidade acima de zero
 an-axle-held-at-one-end-has-no-two-bearings-leave-the-bearings-out = um eixo apoiado em uma ponta não tem dois mancais: deixe os mancais de fora
-an-upright-axle-needs-no-couple-to-stay-so-choose-a-viewpoint-from-which-the-axle-is-level = um eixo vertical não precisa de binário para ficar assim: escolha um ponto de vista em que o eixo fique nivelado
+a-vertical-axle-needs-no-couple-to-remain-vertical-choose-a-viewpoint-from-which-the-axle-is = um eixo vertical não precisa de binário para permanecer vertical: escolha um ponto de vista em que o eixo fique horizontal
 bearing-b-does-not-lie-ahead-of-bearing-a-the-sum-of-their-distances-from-g-must-be-above-zero = o mancal B não fica à frente do mancal A: a soma das suas distâncias a G deve ser maior que zero
 here = aqui
-the-bearings-also-carry-the-weight-of-the-rotor-write-its-mass-or-0-kg-for-the-share-of-the-couple = os mancais também suportam o peso do rotor: escreva a massa, ou 0 kg para a parcela do binário sozinho
-the-carrier-does-not-turn-across-the-axle-or-the-rotor-stands-still-there-is-no-gyroscopic-couple-and = o veículo não gira transversalmente ao eixo do rotor, ou o rotor está parado: não há binário giroscópico, nem efeito
-the-carrier-turns-about-an-axis-that-is-not-normal-to-the-axle-without-the-transverse-moment-of = o veículo gira em torno de um eixo que não é normal ao do rotor: sem o momento de inércia transversal falta ao binário a parcela (I_a − I_t) Ω² sen θ cos θ
+the-bearings-also-carry-the-weight-of-the-rotor-write-its-mass-or-0-kg-for-the-contribution-of-the = os mancais também suportam o peso do rotor: escreva a massa, ou 0 kg para a contribuição do binário sozinho
+the-carrier-does-not-turn-about-an-axis-normal-to-the-axle-or-the-rotor-is-at-rest-there-is-no = o veículo não gira em torno de um eixo normal ao do rotor, ou o rotor está parado: não há binário giroscópico, nem efeito
+the-carrier-turns-about-an-axis-that-is-not-normal-to-the-axle-without-the-transverse-moment-of = o veículo gira em torno de um eixo que não é normal ao do rotor: sem o momento de inércia transversal falta ao binário o termo (I_a − I_t) Ω² sen θ cos θ
 the-moments-of-the-bearing-forces-about-g-make-up-the-couple = os momentos das forças dos mancais em relação a G compõem o binário
 the-weight-makes-the-axle-precess-write-the-mass-of-the-rotor = o peso faz o eixo precessionar: escreva a massa do rotor
 this-turn = esta curva
 
 # rigid-body/heavy-top
 about-the-axis-and-about-the-fixed-point = Em relação ao eixo e ao ponto fixo
-about-the-axis-and-about-the-mass-centre = Em relação ao eixo e ao centro de massa
+about-the-axis-and-about-the-centre-of-mass = Em relação ao eixo e ao centro de massa
 about-the-axis-only-a-top-that-spins-fast = Só em relação ao eixo: pião rápido
 angle-of-the-axis-to-the-vertical = Ângulo do eixo com a vertical
 angular-frequency-of-small-nutations = Frequência angular das pequenas nutações
 angular-frequency-of-small-nutations-about-this-motion-the-second-derivative-of-the-effective = Frequência angular das pequenas nutações em torno deste movimento: a segunda derivada do potencial efetivo
 angular-momentum-about-the-axis = Momento angular em torno do eixo
 angular-velocity-about-the-axis-in-fast-precession = Velocidade angular em torno do eixo na precessão rápida
-angular-velocity-about-the-axis-spin-and-the-share-of-the-precession = Velocidade angular em torno do eixo: a rotação própria e a parcela da precessão
-as-seen-by-someone-who-goes-around-with-the-axis = Como a vê quem acompanha o eixo.
+angular-velocity-about-the-axis-spin-plus-the-component-of-the-precession = Velocidade angular em torno do eixo: rotação própria mais a componente da precessão
+relative-to-the-frame-that-precesses-with-the-axis = Relativa ao referencial que precessiona com o eixo.
 discriminant-of-the-quadratic = Discriminante da equação do segundo grau
-distance-of-the-mass-centre-from-the-fixed-point = Distância do centro de massa ao ponto fixo
+distance-of-the-centre-of-mass-from-the-fixed-point = Distância do centro de massa ao ponto fixo
 error-of-the-formula-for-fast-tops = Erro da fórmula do pião rápido
 fast-precession = Precessão rápida
 fast-precession-the-other-root = Precessão rápida: a outra raiz
-formula-for-fast-tops-k-sin-turns-the-angular-momentum-i-a-sin-across-the-vertical-the-angle-drops = Fórmula do pião rápido: K sen θ gira o momento angular I_a ψ̇ sen θ, transversal à vertical; o ângulo se cancela
-from-the-upward-vertical-90-with-the-axis-level-more-for-a-top-that-hangs = A partir da vertical para cima: 90° com o eixo na horizontal, mais para um pião pendurado.
+formula-for-fast-tops-the-moment-k-sin-rotates-the-component-i-a-sin-of-the-angular-momentum-normal = Fórmula do pião rápido: o momento K sen θ gira a componente I_a ψ̇ sen θ do momento angular, normal à vertical; o ângulo se cancela
+from-the-upward-vertical-90-with-the-axis-level-more-for-a-hanging-top = A partir da vertical para cima: 90° com o eixo na horizontal, mais para um pião pendurado.
 heavy-top-steady-precession = Pião: precessão estacionária
 its-angular-momentum-about-the-axis = Seu momento angular em torno do eixo
 its-root-with-the-sign-of-h = Sua raiz, com o sinal de H
-least-angular-velocity-about-the-axis-with-which-the-top-stays-upright-a-sleeping-top = Menor velocidade angular em torno do eixo com que o pião fica em pé: pião adormecido
-least-rate-for-a-steady-precession = Menor rotação para uma precessão estacionária
-least-rate-for-a-steady-precession-at-this-angle-the-discriminant-h-4-a-k-is-zero = Menor rotação para uma precessão estacionária neste ângulo: o discriminante H² − 4 A K é nulo
-least-of-a-sleeping-top = Menor ω₃ de um pião adormecido
+minimum-angular-velocity-about-the-axis-with-which-the-top-stays-upright-a-sleeping-top = Velocidade angular mínima em torno do eixo com que o pião fica em pé: pião adormecido
+minimum-rate-for-a-steady-precession = Rotação mínima para uma precessão estacionária
+minimum-rate-for-a-steady-precession-at-this-angle-the-discriminant-h-4-a-k-is-zero = Rotação mínima para uma precessão estacionária neste ângulo: o discriminante H² − 4 A K é nulo
+minimum-of-a-sleeping-top = Valor mínimo de ω₃ de um pião adormecido
 moment-of-the-weight-about-the-fixed-point-with-the-axis-level-at-the-angle-it-is-k-sin = Momento do peso em relação ao ponto fixo com o eixo na horizontal; no ângulo θ ele é K sen θ
 precession-against-spin-at-this-angle = Precessão em função da rotação própria, neste ângulo
-precession-by-the-formula-for-fast-tops = Precessão pela fórmula do pião rápido
-slow-and-fast-precession-of-a-top-under-its-weight-the-spin-it-needs-the-threshold-of-sleeping-and = Precessão lenta e rápida de um pião sob seu peso, a rotação própria necessária, o limiar do pião adormecido, e a fórmula do pião rápido ao lado da exata.
+precession-by-the-fast-top-formula = Precessão pela fórmula do pião rápido
+slow-and-fast-precession-of-a-top-under-its-weight-the-required-spin-the-sleeping-threshold-and-the = Precessão lenta e rápida de um pião sob seu peso, a rotação própria necessária, o limiar do pião adormecido e a fórmula do pião rápido comparada com a exata.
 slow-precession = Precessão lenta
 slow-precession-the-root-that-stays-finite-when-a-vanishes = Precessão lenta: a raiz que permanece finita quando A se anula
-spin-and-the-share-of-the-precession-cos-what-stays-constant-whatever-the-axis-does = A rotação própria e a parcela da precessão, ψ̇ + φ̇ cos θ: o que se conserva, faça o eixo o que fizer.
+spin-plus-the-axial-component-of-the-precession-cos-constant-for-any-motion-of-the-axis = Rotação própria mais a componente axial da precessão, ψ̇ + φ̇ cos θ: constante em qualquer movimento do eixo.
 spin-for-this-precession = Rotação própria para esta precessão
-spin-for-this-precession-by-the-formula-for-fast-tops = Rotação própria para esta precessão, pela fórmula do pião rápido
+spin-for-this-precession-by-the-fast-top-formula = Rotação própria para esta precessão, pela fórmula do pião rápido
 spin-in-slow-precession = Rotação própria na precessão lenta
-spin-in-slow-precession-what-the-precession-leaves-of = Rotação própria na precessão lenta: o que a precessão deixa de ω₃
+spin-in-slow-precession-less-the-axial-component-of-the-precession = Rotação própria na precessão lenta: ω₃ menos a componente axial da precessão
 spin-relative-to-the-precessing-axis = Rotação própria, em relação ao eixo que precessa
-spin-that-keeps-this-precession-m-h-solved-for-it = Rotação própria que mantém esta precessão: ΣM = Ω × H resolvida para ela
+spin-that-maintains-this-precession-m-h-solved-for-it = Rotação própria que mantém esta precessão: ΣM = Ω × H resolvida para ela
 spin-of-the-top = rotação própria do pião
 steady-precession-a-h-k-0-with-a-i-t-i-a-cos-and-h-i-a = Precessão estacionária: A φ̇² − H φ̇ + K = 0, com A = (I_t − I_a) cos θ e H = I_a ψ̇
 steady-precession-a-h-k-0-with-a-i-t-cos-and-h-i-a = Precessão estacionária: A φ̇² − H φ̇ + K = 0, com A = I_t cos θ e H = I_a ω₃
-the-precession-that-is-wanted = A precessão desejada
+the-required-precession = A precessão desejada
 the-top = O pião
 the-top-in-steady-precession = O pião em precessão estacionária
-time-of-one-turn-of-the-axis-around-the-vertical = Tempo de uma volta do eixo em torno da vertical
+time-for-one-revolution-of-the-axis-about-the-vertical = Tempo de uma volta do eixo em torno da vertical
 transverse-moment-of-inertia-about-the-fixed-point = Momento de inércia transversal em relação ao ponto fixo
-transverse-moment-of-inertia-about-the-fixed-point-parallel-axes = Momento de inércia transversal em relação ao ponto fixo: eixos paralelos
+transverse-moment-of-inertia-about-the-fixed-point-parallel-axis-theorem = Momento de inércia transversal em relação ao ponto fixo: teorema dos eixos paralelos
 transverse-moment-of-inertia-about-the-mass-centre = Momento de inércia transversal em relação ao centro de massa
 transverse-radius-of-gyration-about-the-fixed-point = Raio de giração transversal em relação ao ponto fixo
-what-the-formula-for-fast-tops-is-off-by = O erro da fórmula do pião rápido
+relative-error-of-the-fast-top-formula = Erro relativo da fórmula do pião rápido
 a-top-that-does-not-spin-has-no-steady-precession-it-falls-give-a-spin = um pião sem rotação própria não tem precessão estacionária: ele cai; informe uma rotação
-a-top-whose-axis-does-not-go-around-falls-the-precession-must-not-be-zero = um pião cujo eixo não dá a volta cai: a precessão não pode ser nula
-angle-to-the-vertical = ângulo com a vertical
+a-top-whose-axis-does-not-precess-falls-the-precession-must-not-be-zero = um pião cujo eixo não precessiona cai: a precessão não pode ser nula
+angle-to-the-vertical = Ângulo com a vertical
 effective-potential = potencial efetivo
 fast = rápida
 formula-for-fast-tops = fórmula do pião rápido
+fast-top-formula = fórmula do pião rápido
 the-moment-of-the-weight-from-the-motion-of-the-tip-of-h = o momento do peso pelo movimento da ponta de H
 the-moment-of-the-weight-from-the-whole-h-about-the-fixed-point = o momento do peso por todo o Ω × H em relação ao ponto fixo
-the-root-put-back-into-the-quadratic = a raiz substituída na equação do segundo grau
-the-top-is-not-fast-the-formula-for-fast-tops-is-off-by-error = o pião não é rápido: a fórmula do pião rápido erra em { $error }
+the-root-substituted-into-the-quadratic = a raiz substituída na equação do segundo grau
+the-top-is-not-fast-the-error-of-the-fast-top-formula-is-error = o pião não é rápido: o erro da fórmula do pião rápido é { $error }
 the-top-is-too-slow-for-a-steady-precession-at-this-angle-its-spin-must-be-at-least-least = o pião é lento demais para uma precessão estacionária neste ângulo: sua rotação própria deve ser no mínimo { $least }
 the-top-is-too-slow-for-a-steady-precession-at-this-angle-must-be-at-least-least = o pião é lento demais para uma precessão estacionária neste ângulo: ω₃ deve ser no mínimo { $least }
 this-top = este pião
 too-slow = lento demais
-without-the-transverse-moment-of-inertia-only-the-formula-for-fast-tops-can-be-used = sem o momento de inércia transversal só se pode usar a fórmula do pião rápido
+without-the-transverse-moment-of-inertia-only-the-fast-top-formula-can-be-used = sem o momento de inércia transversal só se pode usar a fórmula do pião rápido
 
 # rigid-body/motion
-a-body-that-turns-freely-about-a-fixed-point-under-gravity-or-under-torques-attitude-and-angular = Um corpo que gira livremente, em torno de um ponto fixo sob a gravidade, ou sob torques: atitude e velocidade angular ao longo do tempo, com o desvio da energia e do momento angular.
+a-body-that-rotates-freely-about-a-fixed-point-under-gravity-or-under-torques-attitude-and-angular = Um corpo que gira livremente, em torno de um ponto fixo sob a gravidade, ou sob torques: atitude e velocidade angular ao longo do tempo, com o desvio da energia e do momento angular.
 a-component-of-the-angular-velocity-changes-its-sign = Uma componente da velocidade angular muda de sinal
 a-fixed-point = Um ponto fixo
 about-its-axis-z = Em torno do seu eixo z
@@ -723,191 +737,198 @@ about-x = Em torno de x
 about-y = Em torno de y
 about-z = Em torno de z
 acceleration-of-gravity-along-z = Aceleração da gravidade, no sentido de −Z
-acceleration-of-the-mass-centre-at-the-start = Aceleração do centro de massa no início
-acceleration-of-the-mass-centre-at-the-start-r-r-in-the-axes-of-the-body = Aceleração do centro de massa no início: α × r + ω × (ω × r), nos eixos do corpo
-across-its-axis = Transversal ao seu eixo
+acceleration-of-the-centre-of-mass-at-the-start = Aceleração do centro de massa no início
+acceleration-of-the-centre-of-mass-at-the-start-r-r-in-body-axes = Aceleração do centro de massa no início: α × r + ω × (ω × r), nos eixos do corpo
+transverse-to-its-axis = Transversal ao seu eixo
 angle-to-z = Ângulo com Z
-angular-acceleration-at-the-start-axes-of-the-body = Aceleração angular no início, eixos do corpo
-angular-acceleration-at-the-start-from-euler-s-equations-m-j-j-in-the-axes-of-the-body = Aceleração angular no início, pelas equações de Euler M = J α + ω × (J ω), nos eixos do corpo
+angular-acceleration-at-the-start-body-axes = Aceleração angular no início, eixos do corpo
+angular-acceleration-at-the-start-from-euler-s-equations-m-j-j-in-body-axes = Aceleração angular no início, pelas equações de Euler M = J α + ω × (J ω), nos eixos do corpo
 angular-frequency = Frequência angular
 angular-momentum-about-the-point-at-the-end-in-the-fixed-axes = Momento angular em relação ao ponto no fim, nos eixos fixos
 angular-momentum-about-the-point-at-the-start-h-j = Momento angular em relação ao ponto no início: H = J ω
 angular-momentum-at-the-end-fixed-axes = Momento angular no fim, eixos fixos
-angular-momentum-at-the-start-axes-of-the-body = Momento angular no início, eixos do corpo
-angular-momentum-kept-to-within = Momento angular conservado a menos de
-angular-velocity-at-the-end-axes-of-the-body = Velocidade angular no fim, eixos do corpo
+angular-momentum-at-the-start-body-axes = Momento angular no início, eixos do corpo
+angular-momentum-conserved-to-within = Momento angular conservado a menos de
+angular-velocity-at-the-end-body-axes = Velocidade angular no fim, eixos do corpo
 angular-velocity-at-the-end-fixed-axes = Velocidade angular no fim, eixos fixos
-angular-velocity-at-the-end-in-the-axes-of-the-body = Velocidade angular no fim, nos eixos do corpo
+angular-velocity-at-the-end-in-body-axes = Velocidade angular no fim, nos eixos do corpo
 angular-velocity-at-the-end-in-the-fixed-axes = Velocidade angular no fim, nos eixos fixos
 angular-velocity-at-the-start = Velocidade angular inicial
-angular-velocity-at-the-start-in-the-axes-of-the-body = Velocidade angular no início, nos eixos do corpo
+angular-velocity-at-the-start-in-body-axes = Velocidade angular no início, nos eixos do corpo
 angular-velocity-in-the-axes-of-the-body = Velocidade angular nos eixos do corpo
 angular-velocity-in-the-fixed-axes = Velocidade angular nos eixos fixos
-as-the-fixed-axes = Igual à dos eixos fixos
-attitude-a-unit-quaternion-and-angular-momentum-are-followed-by-the-method-of-dormand-and-prince-of = A atitude (um quatérnio unitário) e o momento angular são integrados pelo método de Dormand e Prince de ordem 8, cujo passo limita o erro; para um corpo de revolução, em eixos que não giram com ele
+aligned-with-the-fixed-axes = Alinhada com os eixos fixos
+attitude-a-unit-quaternion-and-angular-momentum-are-integrated-by-the-dormand-prince-method-of-order = A atitude (um quatérnio unitário) e o momento angular são integrados pelo método de Dormand–Prince de ordem 8, com controle de passo; para um corpo de revolução, em eixos que não giram com ele
 attitude-at-the-end-as-a-unit-quaternion-its-real-part = Atitude no fim como quatérnio unitário: sua parte real
 attitude-at-the-end-unit-quaternion-real-part = Atitude no fim, quatérnio unitário, parte real
 attitude-at-the-end-unit-quaternion-the-other-parts = Atitude no fim, quatérnio unitário, as outras partes
 attitude-at-the-start = Atitude no início
 axis-of-any-length = Eixo, de qualquer comprimento
-axis-of-the-body-that-is-followed = Eixo do corpo que é acompanhado
+tracked-axis-of-the-body = Eixo do corpo a acompanhar
 body-of-revolution-about-z = Corpo de revolução em torno de z
-bound-of-h-m-dt-h-over-the-motion-in-parts-of-the-largest-h = Limite de |H − ∫M dt − H₀| no movimento, em partes do maior |H|
-bound-of-h-z-m-z-dt-h-z0-over-the-motion-in-parts-of-the-largest-h-the-weight-has-no-moment-about-the = Limite de |H_Z − ∫M_Z dt − H_Z0| no movimento, em partes do maior |H|: o peso não tem momento em relação à vertical
-bound-of-t-v-w-e-over-the-motion-in-parts-of-the-largest-energy = Limite de |T + V − W − E₀| no movimento, em partes da maior energia
+bound-on-h-m-dt-h-over-the-motion-relative-to-the-maximum-h = Limite de |H − ∫M dt − H₀| no movimento, em relação ao máximo |H|
+bound-on-h-z-m-z-dt-h-z0-over-the-motion-relative-to-the-maximum-h-the-weight-has-no-moment-about-the = Limite de |H_Z − ∫M_Z dt − H_Z0| no movimento, em relação ao máximo |H|: o peso não tem momento em relação à vertical
+bound-on-t-v-w-e-over-the-motion-relative-to-the-maximum-energy = Limite de |T + V − W − E₀| no movimento, em relação à energia máxima
 component-in-the-axes-of-the-body = Componente nos eixos do corpo
 constant = Constante
 direction-of-the-axis-at-the-end = Direção do eixo no fim
-direction-of-the-followed-axis-of-the-body-at-the-end = Direção do eixo acompanhado do corpo no fim
+direction-of-the-tracked-axis-of-the-body-at-the-end = Direção do eixo acompanhado do corpo no fim
 drift-of-energy-and-angular-momentum = Desvio da energia e do momento angular
 duration = Duração
-energy-and-angular-momentum-are-not-kept-to-nine-digits-the-last-digits-of-the-motion-are-doubtful = a energia e o momento angular não se conservam com nove algarismos: os últimos algarismos do movimento são duvidosos
+energy-and-angular-momentum-are-not-conserved-to-nine-digits-the-last-digits-of-the-motion-are = a energia e o momento angular não se conservam com nove algarismos: os últimos algarismos do movimento são duvidosos
 energy-at-the-start = Energia inicial
-energy-kept-to-within = Energia conservada a menos de
+energy-conserved-to-within = Energia conservada a menos de
 euler-s-angles = Ângulos de Euler
 euler-s-equations-at-the-start = as equações de Euler no início
 factor = Fator
-for-an-attitude-given-in-euler-s-angles = Para uma atitude dada em ângulos de Euler.
+for-an-attitude-given-by-euler-angles = Para uma atitude dada em ângulos de Euler.
 harmonic = Harmônico
 horizon = horizonte
-in-free-flight-or-held-there-the-weight-does-not-turn-it = Em voo livre, ou apoiado nele; o peso não o faz girar.
+in-free-flight-or-supported-there-the-weight-has-no-moment = Em voo livre, ou apoiado nele; o peso não tem momento.
 in-the-axes-of-the-body = Nos eixos do corpo
+in-body-axes = Nos eixos do corpo
 in-the-fixed-axes = Nos eixos fixos
-it-keeps-its-direction-in = Mantém a direção
+direction-fixed-in = Direção fixa
 its-course = Seu andamento
+its-time-history = Sua evolução no tempo
 kinetic = Cinética
 kinetic-energy-at-the-end = Energia cinética no fim
-kinetic-energy-of-the-turning-at-the-end = Energia cinética da rotação no fim
-kinetic-energy-of-the-turning-at-the-start-t-h-2 = Energia cinética da rotação no início: T = ω · H/2
-largest-angle-of-the-axis-to-the-vertical-z-on-the-way = Maior ângulo do eixo com a vertical Z no percurso
-largest-angle-of-the-axis-to-z = Maior ângulo do eixo com Z
-least-angle-of-the-axis-to-the-vertical-z-on-the-way = Menor ângulo do eixo com a vertical Z no percurso
-least-angle-of-the-axis-to-z = Menor ângulo do eixo com Z
-mass-centre-at-the-end-fixed-axes = Centro de massa no fim, eixos fixos
-mass-centre-at-the-end-from-the-fixed-point = Centro de massa no fim, a partir do ponto fixo
-mass-centre-from-the-fixed-point-in-the-axes-of-the-body = Centro de massa, a partir do ponto fixo, nos eixos do corpo
-moment-of-weight-and-torques-about-the-point-at-the-start-in-the-axes-of-the-body = Momento do peso e dos torques em relação ao ponto no início, nos eixos do corpo
+kinetic-energy-of-rotation-at-the-end = Energia cinética da rotação no fim
+kinetic-energy-of-rotation-at-the-start-t-h-2 = Energia cinética da rotação no início: T = ω · H/2
+maximum-angle-of-the-axis-to-the-vertical-z-over-the-motion = Ângulo máximo do eixo com a vertical Z no movimento
+maximum-angle-of-the-axis-to-z = Ângulo máximo do eixo com Z
+minimum-angle-of-the-axis-to-the-vertical-z-over-the-motion = Ângulo mínimo do eixo com a vertical Z no movimento
+minimum-angle-of-the-axis-to-z = Ângulo mínimo do eixo com Z
+centre-of-mass-at-the-end-fixed-axes = Centro de massa no fim, eixos fixos
+centre-of-mass-at-the-end-from-the-fixed-point = Centro de massa no fim, a partir do ponto fixo
+centre-of-mass-from-the-fixed-point-in-body-axes = Centro de massa, a partir do ponto fixo, nos eixos do corpo
+moment-of-weight-and-torques-about-the-point-at-the-start-in-body-axes = Momento do peso e dos torques em relação ao ponto no início, nos eixos do corpo
 moments-and-products-of-inertia = Momentos e produtos de inércia
 motion-of-a-rigid-body-in-space = Movimento de um corpo rígido no espaço
 nothing = Nada
-parallel-axes-the-moment-about-the-fixed-point-is-larger-by-m-d-across-the-line-to-the-mass-centre = Eixos paralelos: o momento em relação ao ponto fixo é maior em m d² transversalmente à linha do centro de massa, e o mesmo ao longo dela
+parallel-axis-theorem-the-moment-of-inertia-about-the-fixed-point-is-larger-by-m-d-transverse-to-the = Teorema dos eixos paralelos: o momento de inércia em relação ao ponto fixo é maior em m d² transversalmente à linha do centro de massa, e o mesmo ao longo dela
 part-of-the-largest = parte do maior valor
+relative-to-the-maximum = relativo ao máximo
 phase = Fase
 potential = Potencial
-potential-energy-at-the-start-from-the-level-of-the-fixed-point = Energia potencial no início, a partir do nível do ponto fixo
+potential-energy-at-the-start-relative-to-the-level-of-the-fixed-point = Energia potencial no início, em relação ao nível do ponto fixo
 precession-about-z-nutation-about-the-new-x-spin-about-the-new-z = Precessão em torno de Z, nutação em torno do novo x, rotação própria em torno do novo z.
 principal-axes = Eixos principais
 product-xy-dm = Produto ∫xy dm
 product-yz-dm = Produto ∫yz dm
 product-zx-dm = Produto ∫zx dm
-rates-of-euler-s-angles = Taxas dos ângulos de Euler
+euler-angle-rates = Taxas dos ângulos de Euler
 row-of-the-inertia-tensor-about-the-point-j-j-g-m-r-1-r-r = Linha do tensor de inércia em relação ao ponto: J = J_G + m (r² 1 − r rᵀ)
 space = No espaço
 table = Tabela
-the-attitude-at-the-end-by-the-method-of-dormand-and-prince = a atitude no fim pelo método de Dormand e Prince
+the-attitude-at-the-end-by-the-dormand-prince-method = a atitude no fim pelo método de Dormand–Prince
 the-axis-of-the-attitude-has-no-length-give-any-vector-along-it = o eixo da atitude não tem comprimento; dê qualquer vetor ao longo dele
 the-axis-reaches-an-angle-to-z = O eixo atinge um ângulo com Z
 the-balance-of-angular-momentum-over-the-motion = o balanço do momento angular no movimento
 the-body-turns-about = O corpo gira em torno de
+the-body-rotates-about = O corpo gira em torno de
 the-energy-balance-t-v-w-over-the-motion = o balanço de energia T + V − W ao longo do movimento
 the-fixed-point = O ponto fixo
-the-moment-of-inertia-of-the-mass-about-the-fixed-point-is-too-large-for-a-number = o momento de inércia da massa em relação ao ponto fixo é grande demais para um número
+the-moment-of-inertia-of-the-mass-about-the-fixed-point-exceeds-the-numerical-range = o momento de inércia da massa em relação ao ponto fixo excede a faixa numérica
 the-moments-of-inertia-are-about = Os momentos de inércia são em relação a
 the-momentum-in-the-body-follows-h-by-the-gauss-method-of-order-6-which-keeps-energy-and-h-the = O momento angular no corpo segue Ḣ = H × ω pelo método de Gauss de ordem 6, que conserva a energia e |H|; a atitude segue por exponenciais da velocidade angular média
-the-motion-asks-for-too-many-steps-the-body-turns-too-often-in-this-duration-make-it-shorter = o movimento exige passos demais: o corpo gira vezes demais nesta duração; encurte-a
-the-motion-cannot-be-followed-with-these-numbers-they-are-too-large-or-too-small-beside-each-other = o movimento não pode ser integrado com estes números: são grandes ou pequenos demais uns ao lado dos outros
+the-motion-requires-too-many-steps-the-body-makes-too-many-revolutions-in-this-duration-make-it = o movimento exige passos demais: o corpo dá voltas demais nesta duração; encurte-a
+the-motion-cannot-be-integrated-with-these-values-they-are-too-large-or-too-small-relative-to-each = o movimento não pode ser integrado com estes valores: são grandes ou pequenos demais uns em relação aos outros
 the-motion-does-not-come-to-its-end-within-the-duration-make-this-longer = o movimento não chega ao seu fim dentro da duração; aumente-a
-the-other-three-parts-of-that-quaternion = As outras três partes desse quatérnio
-the-rates-of-euler-s-angles-need-an-attitude-in-euler-s-angles-give-it-so-or-give-the-angular = as taxas dos ângulos de Euler exigem uma atitude em ângulos de Euler; dê-a assim, ou dê a velocidade angular como vetor
-the-torque-times-a-factor-with-straight-lines-between-the-times = O torque vezes um fator, com retas entre os instantes.
+the-other-three-components-of-that-quaternion = As outras três componentes desse quatérnio
+the-euler-angle-rates-need-an-attitude-in-euler-angles-give-it-so-or-give-the-angular-velocity-as-a = as taxas dos ângulos de Euler exigem uma atitude em ângulos de Euler; dê-a assim, ou dê a velocidade angular como vetor
+the-torque-times-a-factor-linearly-interpolated-between-the-times = O torque vezes um fator, com interpolação linear entre os instantes.
 the-torque-times-sin-t = O torque vezes sen(Ω t + φ).
-the-turning-body = O corpo em rotação
+the-rotating-body = O corpo em rotação
 the-upward-vertical-at-the-start-in-the-axes-of-the-body = A vertical para cima no início, nos eixos do corpo
 these-are-not-the-moments-of-inertia-of-a-body-the-principal-moments-must-all-be-positive-correct-the = estes não são os momentos de inércia de um corpo: os momentos principais devem ser todos positivos; corrija os momentos ou os produtos de inércia
 time-at-the-end = Tempo no fim
 times-and-factors = Instantes e fatores
-torque-about-the-point-that-the-body-turns-about = Torque, em relação ao ponto em torno do qual o corpo gira
+torque-about-the-point-of-rotation = Torque em relação ao ponto de rotação
 torques = Torques
 trace-of-the-axis-axis-on-the-unit-sphere-seen-from-above = Traço do eixo { $axis } na esfera unitária, visto de cima
 what-ends-the-motion-before = O que encerra o movimento antes
+early-stop-condition = Condição de parada antecipada
 work-done = Trabalho realizado
-mass-of-the-body-as-it-is-described = Massa do corpo tal como foi descrito
-mass-centre-of-the-body-as-it-is-described-from-its-origin = Centro de massa do corpo tal como foi descrito, a partir da sua origem
+mass-of-the-body-as-described = Massa do corpo tal como foi descrito
+centre-of-mass-of-the-body-as-described-from-its-origin = Centro de massa do corpo tal como foi descrito, a partir da sua origem
 the-origin-of-its-description = A origem da sua descrição
-for-a-body-that-is-described-as-a-whole = Para um corpo descrito por inteiro.
-body-described-as-a-whole = Corpo descrito por inteiro
-it-turns-about-its-mass-centre-or-about-the-origin-of-its-description = Gira em torno do seu centro de massa ou da origem da sua descrição.
+for-a-body-that-is-defined-as-a-whole = Para um corpo definido por inteiro.
+body-defined-as-a-whole = Corpo definido por inteiro
+it-rotates-about-its-centre-of-mass-or-about-the-origin-of-its-description = Gira em torno do seu centro de massa ou da origem da sua descrição.
 body = Corpo
-a-body-described-as-a-whole-brings-its-mass-and-its-mass-centre-let-it-turn-about-the-origin-of-its = um corpo descrito por inteiro traz sua massa e seu centro de massa; faça-o girar em torno da origem da sua descrição ou do seu centro de massa
-only-a-body-described-as-a-whole-has-an-origin-let-the-body-turn-about-a-fixed-point-and-give-its = só um corpo descrito por inteiro tem uma origem; faça o corpo girar em torno de um ponto fixo e dê sua massa e seu centro de massa
+a-body-defined-as-a-whole-includes-its-mass-and-its-mass-centre-let-it-rotate-about-the-origin-of-its = um corpo definido por inteiro já inclui sua massa e seu centro de massa; faça-o girar em torno da origem da sua descrição ou do seu centro de massa
+only-a-body-defined-as-a-whole-has-an-origin-let-the-body-turn-about-a-fixed-point-and-give-its-mass = só um corpo definido por inteiro tem uma origem; faça o corpo girar em torno de um ponto fixo e dê sua massa e seu centro de massa
 
 # rigid-body/rolling-cone
 cone-rolling-on-a-plane-about-its-apex = Cone que rola em um plano em torno do seu vértice
-angular-velocity-angular-momentum-and-kinetic-energy-of-a-cone-that-rolls-about-its-apex-where-the = Velocidade angular, momento angular e energia cinética de um cone que rola em torno do seu vértice, onde atua a força normal, o atrito de que precisa e a precessão em que tomba.
+angular-velocity-angular-momentum-and-kinetic-energy-of-a-cone-that-rolls-about-its-apex-position-of = Velocidade angular, momento angular e energia cinética de um cone que rola em torno do seu vértice, posição da força normal, atrito necessário e a precessão em que tomba.
 a-thin-shell-without-a-base = Uma casca fina sem base
 angular-momentum-about-the-apex = Momento angular em relação ao vértice
-angular-momentum-about-the-apex-for-along-x-i-a-a-along-the-axis-i-t-t-across-it = Momento angular em relação ao vértice, para ω em +x: I_a ω_a ao longo do eixo, I_t ω_t transversal a ele
+angular-momentum-about-the-apex-for-along-x-axial-i-a-a-transverse-i-t-t = Momento angular em relação ao vértice, para ω em +x: axial I_a ω_a, transversal I_t ω_t
 angular-velocity-of-the-cone = Velocidade angular do cone
 angular-velocity-of-the-cone-along-the-line-of-contact = Velocidade angular do cone, ao longo da linha de contato
 angular-velocity-of-the-line-of-contact = Velocidade angular da linha de contato
-coefficient-of-friction-that-this-needs-with-nothing-but-friction-at-the-apex = Coeficiente de atrito de que isto precisa, sem nada além de atrito no vértice
-component-of-across-the-axis = Componente de ω transversal ao eixo
+coefficient-of-friction-required-for-this-motion-with-only-friction-at-the-apex = Coeficiente de atrito necessário para este movimento, só com atrito no vértice
+transverse-component-of = Componente transversal de ω
 component-of-along-the-axis-of-the-cone = Componente de ω ao longo do eixo do cone
-couple-over-the-square-of-the-precession-i-a-cos-i-t-sin-cot = Binário sobre o quadrado da precessão: |Ḣ|/φ̇² = (I_a cos² α + I_t sin² α) cot α
+couple-divided-by-the-square-of-the-precession-rate-i-a-cos-i-t-sin-cot = Binário dividido pelo quadrado da precessão: |Ḣ|/φ̇² = (I_a cos² α + I_t sin² α) cot α
 distance-from-the-apex = distância do vértice
 edge-of-the-base = borda da base
 half-the-angle-at-the-apex = Metade do ângulo no vértice
 horizontal-force-on-the-cone-towards-the-vertical-through-the-apex = Força horizontal sobre o cone, para a vertical pelo vértice
 horizontal-force-towards-the-axis = Força horizontal para o eixo
-kinetic-energy-the-apex-rests = Energia cinética: o vértice está em repouso
+kinetic-energy-the-apex-is-at-rest = Energia cinética: o vértice está em repouso
 known = Conhecido
 length-of-the-line-of-contact = Comprimento da linha de contato
-mass-centre-along-the-line-of-contact = Centro de massa, ao longo da linha de contato
-mass-centre-from-the-apex-on-the-axis = Centro de massa a partir do vértice, no eixo
-mass-centre-of-a-conical-shell-from-the-apex = Centro de massa de uma casca cônica, a partir do vértice
-mass-centre-of-a-solid-cone-from-the-apex = Centro de massa de um cone maciço, a partir do vértice
-moment-of-inertia-across-the-axis-through-the-apex = Momento de inércia transversal ao eixo, pelo vértice
+centre-of-mass-along-the-line-of-contact = Centro de massa, ao longo da linha de contato
+centre-of-mass-from-the-apex-on-the-axis = Centro de massa a partir do vértice, no eixo
+centre-of-mass-of-a-conical-shell-from-the-apex = Centro de massa de uma casca cônica, a partir do vértice
+centre-of-mass-of-a-solid-cone-from-the-apex = Centro de massa de um cone maciço, a partir do vértice
+transverse-moment-of-inertia-about-the-apex = Momento de inércia transversal, em relação ao vértice
 moment-of-inertia-of-a-conical-shell-about-its-axis = Momento de inércia de uma casca cônica em relação ao seu eixo
-moment-of-inertia-of-a-conical-shell-across-its-axis-through-the-apex = Momento de inércia de uma casca cônica transversal ao seu eixo, pelo vértice
+transverse-moment-of-inertia-of-a-conical-shell-about-the-apex = Momento de inércia transversal de uma casca cônica, em relação ao vértice
 moment-of-inertia-of-a-solid-cone-about-its-axis = Momento de inércia de um cone maciço em relação ao seu eixo
-moment-of-inertia-of-a-solid-cone-across-its-axis-through-the-apex = Momento de inércia de um cone maciço transversal ao seu eixo, pelo vértice
+transverse-moment-of-inertia-of-a-solid-cone-about-the-apex = Momento de inércia transversal de um cone maciço, em relação ao vértice
 normal-force = Força normal
-normal-force-of-the-plane-all-of-it = Força normal do plano, por inteiro
+total-normal-force-of-the-plane = Força normal total do plano
 precession-at-which-it-tips = Precessão em que tomba
-precession-at-which-the-normal-force-comes-to-the-edge-of-the-base-x-n-s-beyond-it-the-apex-would = Precessão em que a força normal chega à borda da base, x_N = s: além dela o vértice se levantaria
-rate-of-change-in-the-axes-that-turn-with-the-line-of-contact-h-is-constant-so-h-with-k = Taxa de variação: nos eixos que giram com a linha de contato H é constante, logo Ω × H com Ω = −φ̇ k
+precession-at-tipping = Precessão no limite de tombamento
+precession-at-which-the-normal-force-reaches-the-edge-of-the-base-x-n-s-above-it-the-apex-would-lift = Precessão em que a força normal atinge a borda da base, x_N = s: acima dela o vértice se levantaria
+rate-of-change-h-is-constant-in-axes-rotating-with-the-line-of-contact-so-h-with-k = Taxa de variação: nos eixos que giram com a linha de contato H é constante, logo Ω × H com Ω = −φ̇ k
 rate-of-change-of-the-angular-momentum = Taxa de variação do momento angular
 solid = Maciça
-the-couple-from-its-share-of = o binário pela sua parte em φ̇²
+the-couple-from-its-coefficient-of = o binário pelo seu coeficiente de φ̇²
 the-kinetic-energy-in-closed-form-3-m-h-1-5-cos-40 = a energia cinética em forma fechada, 3 m h² φ̇² (1 + 5 cos² α)/40
-the-line-of-contact-rests-lies-along-it-and-the-mass-centre-moves-with-l-cos-l-sin = A linha de contato está em repouso: ω está ao longo dela, e o centro de massa se move com φ̇ l cos α = ω l sin α
-the-line-of-contact-rests-the-mass-centre-moves-with-l-cos-l-sin = A linha de contato está em repouso: o centro de massa se move com φ̇ l cos α = ω l sin α
-the-normal-force-would-have-to-act-beyond-the-base-the-cone-tips-about-its-edge-and-cannot-roll-so = a força normal teria de atuar além da base: o cone tomba sobre a borda e não pode rolar assim
-the-rate-from-the-difference-quotient-of-j-with-the-tensor-turned = a taxa pelo quociente de diferenças de J ω, com o tensor girado
+the-line-of-contact-is-at-rest-lies-along-it-and-the-mass-centre-moves-with-l-cos-l-sin = A linha de contato está em repouso: ω está ao longo dela, e o centro de massa se move com φ̇ l cos α = ω l sin α
+the-line-of-contact-is-at-rest-the-mass-centre-moves-with-l-cos-l-sin = A linha de contato está em repouso: o centro de massa se move com φ̇ l cos α = ω l sin α
+the-normal-force-would-have-to-act-beyond-the-base-the-cone-tips-about-its-edge-and-cannot-roll-in = a força normal teria de atuar além da base: o cone tomba sobre a borda e não pode rolar desse modo
+the-rate-from-the-difference-quotient-of-j-with-the-tensor-rotated = a taxa pelo quociente de diferenças de J ω, com o tensor girado
 the-rolling-cone = O cone que rola
-where-the-normal-force-acts = Onde atua a força normal
-where-the-normal-force-acts-from-the-apex = Onde atua a força normal, a partir do vértice
-where-the-normal-force-acts-from-the-apex-moments-about-y-m-g-x-g-n-x-n-y = Onde atua a força normal, a partir do vértice: momentos em relação a y, m g x_G − N x_N = Ḣ_y
+position-of-the-normal-force = Posição da força normal
+distance-of-the-normal-force-from-the-apex = Distância da força normal ao vértice
+distance-of-the-normal-force-from-the-apex-moments-about-y-m-g-x-g-n-x-n-y = Distância da força normal ao vértice: momentos em relação a y, m g x_G − N x_N = Ḣ_y
 
 # rigid-body/rolling-motion
 motion-of-a-rolling-disc-or-coin = Movimento de um disco ou moeda que rola
-path-of-the-contact-angle-normal-force-and-friction-over-time-of-a-disc-hoop-or-coin-that-rolls = Trajetória do contato, ângulo, força normal e atrito ao longo do tempo de um disco, aro ou moeda que rola sem deslizar, até que fique deitado, salte ou deslize.
-angle-of-its-plane-to-the-floor-at-the-end = Ângulo do seu plano com o piso no fim
-angle-of-its-plane-to-the-floor-at-the-start = Ângulo do seu plano com o piso no início
+contact-path-angle-normal-force-and-friction-against-time-for-a-disc-hoop-or-coin-rolling-without = Trajetória do contato, ângulo, força normal e atrito em função do tempo de um disco, aro ou moeda que rola sem deslizar, até deitar, perder o contato ou deslizar.
+angle-between-its-plane-and-the-floor-at-the-end = Ângulo entre o seu plano e o piso no fim
+angle-between-its-plane-and-the-floor-at-the-start = Ângulo entre o seu plano e o piso no início
 angle-to-the-floor = Ângulo com o piso
-angle-to-the-floor-at-which-it-counts-as-flat = Ângulo com o piso em que conta como deitado
+angle-to-the-floor-below-which-it-is-taken-as-flat = Ângulo com o piso abaixo do qual se considera deitado
 angular-acceleration-of-the-tilt-at-the-start = Aceleração angular da inclinação no início
-angular-acceleration-of-the-tilt-at-the-start-moments-about-the-tangent-at-the-contact-which-has-no = Aceleração angular da inclinação no início: momentos em relação à tangente no contato, em que a força normal e o atrito não têm momento
+angular-acceleration-of-the-tilt-at-the-start-moments-about-the-tangent-at-the-contact-about-which = Aceleração angular da inclinação no início: momentos em relação à tangente no contato, em relação à qual a força normal e o atrito não têm momento
 angular-velocity-along-the-axis-the-spin-and-the-precession-along-it = Velocidade angular ao longo do eixo: a rotação própria e a precessão ao longo dele
 angular-velocity-along-the-diameter-through-the-contact-the-precession-along-it = Velocidade angular ao longo do diâmetro pelo contato: a precessão ao longo dele
 angular-velocity-along-the-horizontal-diameter = Velocidade angular ao longo do diâmetro horizontal
 angular-velocity-at-the-end-axes-123 = Velocidade angular no fim, eixos 123
 angular-velocity-at-the-end-in-the-axes-123 = Velocidade angular no fim, nos eixos 123
 angular-velocity-in-the-axes-123 = Velocidade angular nos eixos 123
-bound-of-t-v-e-over-the-motion-in-parts-of-the-energy-rolling-does-no-work = Limite de |T + V − E₀| no movimento, em partes da energia: o rolamento não realiza trabalho
+bound-on-t-v-e-over-the-motion-relative-to-the-energy-rolling-does-no-work = Limite de |T + V − E₀| no movimento, em relação à energia: o rolamento não realiza trabalho
 centre = centro
-coefficient-of-friction-between-it-and-the-floor = Coeficiente de atrito com o piso
+coefficient-of-friction-with-the-floor = Coeficiente de atrito com o piso
 coefficient-of-friction-needed = Coeficiente de atrito necessário
+required-coefficient-of-friction = Coeficiente de atrito necessário
 contact = contato
 contact-at-the-end-along-x = Contato no fim, ao longo de X
 contact-at-the-end-along-y = Contato no fim, ao longo de Y
@@ -915,17 +936,17 @@ contact-at-the-end-x = Contato no fim, X
 contact-at-the-end-y = Contato no fim, Y
 direction-of-its-horizontal-diameter-at-the-start-from-x = Direção do seu diâmetro horizontal no início, a partir de X
 force = Força
-friction-over-normal-force = Atrito sobre força normal
+ratio-of-friction-to-normal-force = Razão entre atrito e força normal
 it-is-a = É um
-it-leaves-the-floor-after-time-the-normal-force-would-have-to-pull = deixa o piso após { $time }: a força normal teria de puxar
+it-leaves-the-floor-after-time-the-normal-force-would-become-negative = deixa o piso após { $time }: a força normal ficaria negativa
 it-lies-flat-after-time = fica deitado após { $time }
 it-lies-flat-from-the-start-give-a-larger-angle-to-the-floor-or-a-smaller-angle-at-which-it-counts-as = está deitado desde o início; dê um ângulo maior com o piso, ou um ângulo menor em que conta como deitado
-it-slips-after-time-the-friction-that-rolling-needs-is-more-than-n = desliza após { $time }: o atrito de que o rolamento precisa é maior que μ N
-largest-angle-on-the-way = Maior ângulo no percurso
-largest-angle-on-the-way-at-a-turning-point-or-at-an-end = Maior ângulo no percurso: em um ponto de retorno ou em um extremo
-largest-friction-over-normal-force-on-the-way = Maior atrito sobre força normal no percurso
-least-angle-on-the-way = Menor ângulo no percurso
-least-angle-on-the-way-at-a-turning-point-or-at-an-end = Menor ângulo no percurso: em um ponto de retorno ou em um extremo
+it-slips-after-time-the-friction-required-for-rolling-exceeds-n = desliza após { $time }: o atrito necessário ao rolamento excede μ N
+maximum-angle-over-the-motion = Ângulo máximo no movimento
+maximum-angle-over-the-motion-at-a-turning-point-or-at-an-end = Ângulo máximo no movimento: em um ponto de retorno ou em um extremo
+maximum-ratio-of-friction-to-normal-force = Razão máxima entre atrito e força normal
+minimum-angle-over-the-motion = Ângulo mínimo no movimento
+minimum-angle-over-the-motion-at-a-turning-point-or-at-an-end = Ângulo mínimo no movimento: em um ponto de retorno ou em um extremo
 moment-of-inertia-about-the-contact-along-the-axis = Momento de inércia em relação ao contato, ao longo do eixo
 moment-of-inertia-about-the-tangent-at-the-contact = Momento de inércia em relação à tangente no contato
 moments-of-inertia-given = Momentos de inércia dados
@@ -940,38 +961,39 @@ radii-of-gyration-given = Raios de giração dados
 radius-of-the-circle-that-touches-the-floor = Raio da circunferência que toca o piso
 rate-of-tilting-at-the-start = Taxa de inclinação no início
 spin-at-the-start = Rotação própria no início
-the-energy-is-not-kept-to-nine-digits-the-last-digits-of-the-motion-are-doubtful = a energia não se conserva com nove algarismos: os últimos algarismos do movimento são duvidosos
+the-energy-is-not-conserved-to-nine-digits-the-last-digits-of-the-motion-are-unreliable = a energia não se conserva com nove algarismos: os últimos algarismos do movimento são duvidosos
 the-energy-t-v-over-the-motion = a energia T + V no movimento
-the-equations-i-d-i-t-cot-i-c-m-g-r-cos-i-t-i-a-i-t-cot-i-c-m-r-and-the-path-of-the-contact-r-along-1 = As equações I_d ω̇₁ = I_t ω₂² cot θ − I_c ω₂ ω₃ − m g r cos θ, I_t ω̇₂ = (I_a ω₃ − I_t ω₂ cot θ) ω₁, I_c ω̇₃ = m r² ω₁ ω₂ e a trajetória do contato, −r ψ̇ ao longo de 1, são integradas pelo método de Dormand e Prince de ordem 8
-the-motion-asks-for-too-many-steps-the-disc-turns-or-wobbles-too-fast-for-this-duration-make-it = o movimento exige passos demais: o disco gira ou oscila rápido demais para esta duração; encurte-a
+the-equations-i-d-i-t-cot-i-c-m-g-r-cos-i-t-i-a-i-t-cot-i-c-m-r-and-the-path-of-the-contact-r-along-1 = As equações I_d ω̇₁ = I_t ω₂² cot θ − I_c ω₂ ω₃ − m g r cos θ, I_t ω̇₂ = (I_a ω₃ − I_t ω₂ cot θ) ω₁, I_c ω̇₃ = m r² ω₁ ω₂ e a trajetória do contato, −r ψ̇ ao longo de 1, são integradas pelo método de Dormand–Prince de ordem 8
+the-motion-requires-too-many-steps-the-disc-rotates-or-oscillates-too-fast-for-this-duration-make-it = o movimento exige passos demais: o disco gira ou oscila rápido demais para esta duração; encurte-a
 the-normal-force-at-the-end = a força normal no fim
 the-rolling-disc = O disco que rola
 the-tilt-by-the-equations-in-the-axes-123 = a inclinação pelas equações nos eixos 123
 thin-hoop = Aro fino
 through-the-mass-centre-which-is-the-centre-of-the-circle = Pelo centro de massa, que é o centro da circunferência.
-without-one-the-floor-is-rough-enough = Sem ele, o piso é áspero o bastante.
+if-omitted-the-floor-is-assumed-to-be-rough-enough = Se omitido, supõe-se o piso áspero o bastante.
 
 # rigid-body/rolling-stability
 stability-of-an-upright-rolling-or-spinning-disc = Estabilidade de um disco em pé que rola ou gira
-least-speed-at-which-an-upright-disc-or-hoop-rolls-on-or-least-spin-with-which-it-stays-on-the-spot = Menor velocidade com que um disco ou aro em pé segue rolando, ou menor rotação com que permanece no lugar; crescimento ou oscilação a uma velocidade dada.
-angular-frequency-of-the-wobble = Frequência angular da oscilação
-angular-velocity-to-be-judged = Velocidade angular, a avaliar
+minimum-speed-at-which-an-upright-disc-or-hoop-keeps-rolling-or-minimum-spin-with-which-it-stays = Velocidade mínima com que um disco ou aro em pé segue rolando, ou rotação mínima com que permanece em pé no lugar; crescimento ou oscilação a uma velocidade dada.
+angular-frequency-of-the-oscillation = Frequência angular da oscilação
+angular-velocity-to-be-assessed = Velocidade angular, a avaliar
 growth = crescimento
-growth-or-wobble-of-a-small-tilt = Crescimento ou oscilação de uma pequena inclinação
-least-angular-velocity-about-the-vertical = Menor velocidade angular em torno da vertical
-least-speed-of-the-centre = Menor velocidade do centro
+growth-or-oscillation-of-a-small-tilt = Crescimento ou oscilação de uma pequena inclinação
+minimum-angular-velocity-about-the-vertical = Velocidade angular mínima em torno da vertical
+minimum-speed-of-the-centre = Velocidade mínima do centro
 limit = Limite
-motion = movimento
+motion = Movimento
 rate = taxa
-rate-of-growth-a-tilt-grows-as-e-t = Taxa de crescimento: uma inclinação cresce como e^σt
-rate-of-growth-of-a-tilt = Taxa de crescimento de uma inclinação
+growth-rate-a-tilt-grows-as-e-t = Taxa de crescimento: uma inclinação cresce como e^σt
+growth-rate-of-a-tilt = Taxa de crescimento de uma inclinação
 rolling-straight-on = Rolando em linha reta
+rolling-in-a-straight-line = Rolando em linha reta
 small-tilts-at-i-a-m-r-m-r-and-i-t-m-r-m-g-r-i-t-i-a-m-r-the-tilt-grows-below-this-spin = Pequenas inclinações ε com ω₂ = Ω: (I_a + m r²) ω̇₃ = m r² Ω ε̇ e (I_t + m r²) ε̈ = (m g r − I_t Ω²) ε − (I_a + m r²) Ω ω₃; a inclinação cresce abaixo desta rotação
 small-tilts-follow-k-0-stable-when-k-is-positive = Pequenas inclinações seguem ε̈ + K ε = 0: estável quando K é positivo
 small-tilts-with-v-r-i-t-i-a-and-i-t-m-r-m-g-r-i-a-m-r-the-tilt-grows-below-this-speed = Pequenas inclinações ε, com ω₃ = −v/r: I_t ω̇₂ = I_a ω₃ ε̇ e (I_t + m r²) ε̈ = m g r ε − (I_a + m r²) ω₂ ω₃; a inclinação cresce abaixo desta velocidade
-speed-in-parts-of-the-least-one = Velocidade em partes da menor
-speed-of-the-centre-to-be-judged = Velocidade do centro, a avaliar
-speed-over-the-least-one = Velocidade sobre a menor
+speed-divided-by-the-minimum-speed = Velocidade dividida pela velocidade mínima
+speed-of-the-centre-to-be-assessed = Velocidade do centro, a avaliar
+ratio-of-speed-to-minimum-speed = Razão entre a velocidade e a mínima
 spinning-about-its-vertical-diameter = Girando em torno do seu diâmetro vertical
 stiffness-of-small-tilts = Rigidez de pequenas inclinações
 the-eigenvalues-of-the-linearised-equations-squared = os autovalores das equações linearizadas, ao quadrado
@@ -979,32 +1001,33 @@ the-general-equation-of-small-oscillations = a equação geral das pequenas osci
 the-general-equation-of-small-oscillations-is-at-its-limit-there = a equação geral das pequenas oscilações está no seu limite ali
 unstable-it-falls-over-however-small-the-tilt = instável: ele tomba, por menor que seja a inclinação
 wobble = oscilação
+oscillation = oscilação
 
 # rigid-body/spinning-disc-on-arm
 disc-spinning-on-a-turning-arm = Disco que gira em um braço giratório
-angular-momentum-of-a-thin-disc-that-spins-on-a-turning-arm-its-rate-of-change-and-the-couple-that = Momento angular de um disco fino que gira em um braço giratório, sua taxa de variação e o binário exercido pelo braço.
+angular-momentum-of-a-thin-disc-that-spins-on-a-rotating-arm-its-rate-of-change-and-the-couple-that = Momento angular de um disco fino que gira em um braço giratório, sua taxa de variação e o binário exercido pelo braço.
 mass-of-the-disc = Massa do disco
 radius-of-the-disc = Raio do disco
 angular-velocity-of-the-arm = Velocidade angular do braço
 about-the-y-axis = Em torno do eixo y.
 spin-of-the-disc-relative-to-the-arm = Rotação própria do disco em relação ao braço
-about-the-z-axis-as-seen-by-someone-who-turns-with-the-arm = Em torno do eixo z, como a vê quem gira com o braço.
+about-the-z-axis-relative-to-the-arm = Em torno do eixo z, relativa ao braço.
 angular-acceleration-of-the-arm = Aceleração angular do braço
 rate-of-change-of-the-spin = Taxa de variação da rotação própria
 angle-of-the-arm = Ângulo do braço
-from-the-fixed-axes-to-those-that-turn-with-the-arm-about-y = Dos eixos fixos aos que giram com o braço, em torno de y.
+from-the-fixed-axes-to-the-axes-rotating-with-the-arm-about-y = Dos eixos fixos aos que giram com o braço, em torno de y.
 distance-of-the-disc-s-centre-from-the-axis-of-the-arm = Distância do centro do disco ao eixo do braço
-for-the-kinetic-energy-of-the-whole-motion-it-does-not-enter-the-angular-momentum-about-a = Para a energia cinética do movimento completo; não entra no momento angular em relação a A.
+for-the-kinetic-energy-of-the-complete-motion-it-does-not-affect-the-angular-momentum-about-a = Para a energia cinética do movimento completo; não afeta o momento angular em relação a A.
 moment-of-inertia-about-a-diameter-i-i-y = Momento de inércia em relação a um diâmetro: Iₓ = I_y
 moment-of-inertia-about-a-diameter = Momento de inércia em relação a um diâmetro
 moment-of-inertia-about-the-axis-of-the-disc = Momento de inércia em relação ao eixo do disco
-the-axes-xyz-turn-with-the-arm = Os eixos xyz giram com o braço
-angular-velocity-of-the-disc-the-turning-of-the-arm-and-the-spin-relative-to-it-add = Velocidade angular do disco: somam-se o giro do braço e a rotação própria em relação a ele
+the-axes-xyz-rotate-with-the-arm = Os eixos xyz giram com o braço
+angular-velocity-of-the-disc-rotation-of-the-arm-plus-the-spin-relative-to-it = Velocidade angular do disco: rotação do braço mais a rotação própria em relação a ele
 angular-velocity-of-the-disc = Velocidade angular do disco
-rates-of-the-components-of-in-the-axes-that-turn-with-the-arm = Taxas de variação das componentes de ω nos eixos que giram com o braço
+rates-of-change-of-the-components-of-in-axes-rotating-with-the-arm = Taxas de variação das componentes de ω nos eixos que giram com o braço
 angular-acceleration-of-the-disc = Aceleração angular do disco
-angular-momentum-about-the-centre-x-y-and-z-are-principal-axes-however-far-the-disc-has-spun = Momento angular em relação ao centro: x, y e z são eixos principais, qualquer que seja o giro próprio do disco
-rate-of-change-seen-by-someone-who-turns-with-the-arm = Variação vista por quem gira com o braço
+angular-momentum-about-the-centre-x-y-and-z-are-principal-axes-whatever-the-spin-angle-of-the-disc = Momento angular em relação ao centro: x, y e z são eixos principais, qualquer que seja o ângulo de rotação própria do disco
+rate-of-change-relative-to-axes-rotating-with-the-arm = Taxa de variação relativa aos eixos que giram com o braço
 couple-that-the-arm-exerts-on-the-disc-m-dh-dt = Binário exercido pelo braço sobre o disco: ΣM = dH/dt
 gyroscopic-couple-its-component-along-x-in-closed-form = Binário giroscópico: sua componente em x, em forma fechada
 gyroscopic-couple-about-x = Binário giroscópico em torno de x
@@ -1016,169 +1039,182 @@ couple-on-the-disc-axes-of-the-arm = Binário sobre o disco, eixos do braço
 angular-momentum-about-the-centre-fixed-axes = Momento angular em relação ao centro, eixos fixos
 couple-on-the-disc-fixed-axes = Binário sobre o disco, eixos fixos
 speed-of-the-centre-on-its-circle-about-the-axis-of-the-arm = Velocidade do centro na sua circunferência em torno do eixo do braço
-kinetic-energy-of-the-whole-motion = Energia cinética do movimento completo
+kinetic-energy-of-the-complete-motion = Energia cinética do movimento completo
 speed-of-the-centre = Velocidade do centro
 the-couple-from-euler-s-equations-in-axes-fixed-in-the-disc = o binário pelas equações de Euler em eixos fixos ao disco
-the-angular-momentum-from-the-inertia-tensor-turned-with-the-disc-r-i-r = o momento angular pelo tensor de inércia girado com o disco: R I Rᵀ ω
+the-angular-momentum-from-the-inertia-tensor-rotated-with-the-disc-r-i-r = o momento angular pelo tensor de inércia girado com o disco: R I Rᵀ ω
 the-couple-from-the-difference-quotient-of-r-i-r = o binário pelo quociente de diferenças de R I Rᵀ ω
-couple-on-the-disc-in-fixed-axes-over-a-turn-of-the-arm = Binário sobre o disco em eixos fixos, em uma volta do braço
+couple-on-the-disc-in-fixed-axes-over-a-revolution-of-the-arm = Binário sobre o disco em eixos fixos, em uma volta do braço
 m-x-at-this-angle = M_X neste ângulo
 m-z-at-this-angle = M_Z neste ângulo
 the-disc-on-its-arm-seen-along-the-x-axis = O disco no braço, visto ao longo do eixo x
 # rigid-body/impulse
-from-the-mass-centre-after-to-name = Do centro de massa depois a { $name }
-parallel-axes-moment-of-inertia-about-an-axis-through-the-point-that-is-held = Eixos paralelos: momento de inércia em relação a um eixo pelo ponto preso
-parallel-axes-product-of-inertia-about-the-point-that-is-held = Eixos paralelos: produto de inércia em relação ao ponto preso
+from-the-centre-of-mass-after-impact-to-name = Do centro de massa após o impacto a { $name }
+parallel-axis-theorem-moment-of-inertia-about-an-axis-through-the-newly-fixed-point = Teorema dos eixos paralelos: momento de inércia em relação a um eixo pelo ponto fixado
+parallel-axis-theorem-product-of-inertia-about-the-newly-fixed-point = Teorema dos eixos paralelos: produto de inércia em relação ao ponto fixado
 a-ball-and-socket-a-hook-any-rotation-about-it-is-free = Uma junta esférica, um gancho: qualquer rotação em torno dele é livre.
-a-hinge-a-shaft-an-edge-that-is-seized = Uma dobradiça, um eixo, uma aresta que é presa.
+a-hinge-a-shaft-or-an-edge-that-is-suddenly-fixed = Uma dobradiça, um eixo ou uma aresta que é fixada subitamente.
 a-point-hits-a-smooth-surface = Um ponto choca-se com uma superfície lisa
-a-point-is-held-fast = Um ponto é preso
-about-an-axis-from-rest-the-mass-is-found-with-which-the-body-in-the-same-shape-turns-as-fast = Em torno de um eixo, a partir do repouso: acha-se a massa com que o corpo, na mesma forma, gira a essa velocidade.
-an-axis-is-held-fast = Um eixo é preso
+point-suddenly-fixed = Ponto fixado subitamente
+about-an-axis-from-rest-calculates-the-mass-for-which-the-body-with-the-same-shape-reaches-this-speed = Em torno de um eixo, a partir do repouso: calcula-se a massa com que o corpo, com a mesma forma, atinge essa velocidade.
+axis-suddenly-fixed = Eixo fixado subitamente
 angle-between-the-axis-and-h-the-nutation = Ângulo entre o eixo e H: a nutação
 angle-between-the-axis-and = Ângulo entre o eixo e ω
 angle-between-the-axis-of-the-body-and-h = Ângulo entre o eixo do corpo e H
 angle-between-the-axis-of-the-body-and = Ângulo entre o eixo do corpo e ω
-angular-momentum-about-g-after-without-what-the-supports-give-h-g-r-j = Momento angular em relação a G depois, sem a contribuição dos apoios: H_G + Σ r × J
+angular-momentum-about-g-after-impact-excluding-the-support-reactions-h-g-r-j = Momento angular em relação a G após o impacto, sem as reações dos apoios: H_G + Σ r × J
 angular-momentum-about-g-before = Momento angular em relação a G antes
-angular-momentum-about-g-it-keeps-its-direction-about-which-the-axis-now-precesses = Momento angular em relação a G: mantém sua direção, em torno da qual o eixo passa a precessionar
-angular-momentum-about-the-axis-what-holds-it-has-no-moment-about-it = Momento angular em relação ao eixo: o que o prende não tem momento em relação a ele
-angular-momentum-about-the-point-on-the-axis-without-what-the-axis-gives = Momento angular em relação ao ponto do eixo, sem a contribuição do eixo
-angular-momentum-about-the-point-that-is-held-the-impulse-there-has-no-moment-about-it = Momento angular em relação ao ponto preso: o impulso ali não tem momento em relação a ele
-angular-speed-just-after = Velocidade angular (módulo) logo depois
-angular-speed-that-is-wanted-after = Velocidade angular desejada depois
-angular-velocity-just-after = Velocidade angular logo depois
-angular-velocity-just-after-h-i-along-the-axis = Velocidade angular logo depois: H_λ = I_λ ω′ ao longo do eixo
+angular-momentum-about-g-before-impact = Momento angular em relação a G antes do impacto
+angular-momentum-about-g-its-direction-is-constant-and-the-axis-now-precesses-about-it = Momento angular em relação a G: sua direção é constante, e em torno dela o eixo passa a precessionar
+angular-momentum-about-the-axis-the-constraint-has-no-moment-about-it = Momento angular em relação ao eixo: a reação do vínculo não tem momento em relação a ele
+angular-momentum-about-the-point-on-the-axis-excluding-the-reaction-of-the-axis = Momento angular em relação ao ponto do eixo, sem a reação do eixo
+angular-momentum-about-the-newly-fixed-point-the-impulse-there-has-no-moment-about-it = Momento angular em relação ao ponto fixado: o impulso ali não tem momento em relação a ele
+angular-speed-immediately-after-impact = Velocidade angular (módulo) imediatamente após o impacto
+required-angular-speed-after-impact = Velocidade angular desejada após o impacto
+angular-velocity-immediately-after-impact = Velocidade angular imediatamente após o impacto
+angular-velocity-immediately-after-impact-h-i-along-the-axis = Velocidade angular imediatamente após o impacto: H_λ = I_λ ω′ ao longo do eixo
 any-vector-normal-to-the-surface-out-of-it = Qualquer vetor normal à superfície, para fora dela
 blows = Golpes
+impulses = Impulsos
 change-of-the-kinetic-energy = Variação da energia cinética
 coefficient-of-restitution = Coeficiente de restituição
 direction-cosines-of-the-axis = Cossenos diretores do eixo
 direction-of-the-instantaneous-axis = Direção do eixo instantâneo
-force-for-a-short-time = Força durante um tempo curto
-from-g-to-the-point-that-hits = De G ao ponto que se choca
-from-the-mass-centre-after-to-that-before = Do centro de massa depois ao de antes
+force-of-short-duration = Força de curta duração
+from-g-to-the-point-of-impact = De G ao ponto de impacto
+from-the-centre-of-mass-after-impact-to-that-before = Do centro de massa após o impacto ao de antes
 from-the-point-on-the-axis-to-g = Do ponto do eixo a G
-from-the-point-that-is-held-to-g = Do ponto preso a G
+from-the-newly-fixed-point-to-g = Do ponto fixado a G
 how-hard = Intensidade
+magnitude = Intensidade
 impulse = Impulso
 impulse-of-the-surface = Impulso da superfície
-impulse-of-the-surface-the-point-leaves-with-times-the-velocity-of-its-approach = Impulso da superfície: o ponto afasta-se com ε vezes a velocidade de aproximação
+impulse-of-the-surface-the-separation-velocity-of-the-point-is-times-its-approach-velocity = Impulso da superfície: a velocidade de afastamento do ponto é ε vezes a de aproximação
 impulse-of-what-holds-the-body = Impulso do que prende o corpo
+impulsive-reaction-of-the-constraint = Reação impulsiva do vínculo
 impulse-of-name-mean-force-times-duration = Impulso de { $name }: força média vezes duração
 impulse-on-a-body-in-space = Impulso sobre um corpo no espaço
-impulsive-couple-of-the-axis-what-the-angular-momentum-about-the-point-on-it-gains = Binário impulsivo do eixo: o que ganha o momento angular em relação ao seu ponto
-impulsive-couple-of-what-holds-the-axis = Binário impulsivo do que prende o eixo
-impulsive-reaction-what-the-linear-momentum-still-lacks = Reação impulsiva: o que ainda falta à quantidade de movimento
-inertia-about-the-mass-centre-after-by-parallel-axes = Inércia em relação ao centro de massa depois, por eixos paralelos
-its-mass-afterwards = Sua massa depois
-its-momentum-counts-its-mass-and-its-inertia-do-not = Conta sua quantidade de movimento; sua massa e sua inércia, não.
+impulsive-reaction-couple-of-the-axis-change-of-the-angular-momentum-about-its-point = Binário de reação impulsiva do eixo: variação do momento angular em relação ao seu ponto
+impulsive-reaction-couple-of-the-axis = Binário de reação impulsiva do eixo
+impulsive-reaction-change-of-the-linear-momentum-not-due-to-the-applied-impulses = Reação impulsiva: variação da quantidade de movimento não devida aos impulsos aplicados
+inertia-about-the-centre-of-mass-after-impact-by-the-parallel-axis-theorem = Inércia em relação ao centro de massa após o impacto, pelo teorema dos eixos paralelos
+its-mass-after-impact = Sua massa após o impacto
+its-momentum-is-included-its-mass-and-inertia-are-not = Inclui-se sua quantidade de movimento, mas não sua massa nem sua inércia.
 its-motion-before = Seu movimento antes
 its-rotation-before = Sua rotação antes
 kinetic-energy-after = Energia cinética depois
+kinetic-energy-after-impact = Energia cinética após o impacto
 kinetic-energy-before = Energia cinética antes
-kinetic-energy-before-with-that-of-the-projectiles = Energia cinética antes, com a dos projéteis
-lever-of-an-impulse-along-the-normal = Braço de um impulso ao longo da normal
-linear-momentum-after-without-what-the-supports-give-l-j = Quantidade de movimento depois, sem a contribuição dos apoios: L + Σ J
+kinetic-energy-before-impact = Energia cinética antes do impacto
+kinetic-energy-before-impact-including-that-of-the-projectiles = Energia cinética antes do impacto, incluída a dos projéteis
+lever-arm-of-an-impulse-along-the-normal = Braço de um impulso ao longo da normal
+linear-momentum-after-impact-excluding-the-support-reactions-l-j = Quantidade de movimento após o impacto, sem as reações dos apoios: L + Σ J
 linear-momentum-before = Quantidade de movimento antes
-linear-momentum-that-name-brings = Quantidade de movimento trazida por { $name }
-mass-centre-with-the-projectiles = Centro de massa com os projéteis
-mass-for-the-wanted-angular-speed = Massa para a velocidade angular desejada
-mass-with-the-projectiles = Massa com os projéteis
-mass-with-which-the-body-in-the-same-shape-turns-as-fast-as-is-wanted-goes-with-1-m = Massa com que o corpo, na mesma forma, gira à velocidade desejada: ω′ varia com 1/m
+linear-momentum-before-impact = Quantidade de movimento antes do impacto
+linear-momentum-added-by-name = Quantidade de movimento acrescentada por { $name }
+centre-of-mass-including-the-projectiles = Centro de massa com os projéteis
+mass-for-the-required-angular-speed = Massa para a velocidade angular desejada
+mass-including-the-projectiles = Massa com os projéteis
+mass-for-which-the-body-with-the-same-shape-reaches-the-required-angular-speed-is-proportional-to-1-m = Massa com que o corpo, com a mesma forma, atinge a velocidade desejada: ω′ é proporcional a 1/m
 mean-force = Força média
 moment-of-inertia-about-this-axis = Momento de inércia em relação a esse eixo
-moment-of-inertia-across-it = Momento de inércia transversal a ele
-motion-of-a-body-just-after-a-blow-a-projectile-that-sticks-or-a-constraint-that-takes-hold-impulsive = Movimento de um corpo logo depois de um golpe, de um projétil que se incrusta ou de um vínculo súbito; reações impulsivas e energia.
+transverse-moment-of-inertia = Momento de inércia transversal
+motion-of-a-body-immediately-after-an-impulse-the-impact-of-a-projectile-that-sticks-or-a-sudden = Movimento de um corpo imediatamente após um impulso, o impacto de um projétil que se incrusta ou um vínculo súbito; reações impulsivas e energia.
 neglected = Desprezada
 part-of-the-body = Parte do corpo
 point-of-the-instantaneous-axis-nearest-to-g-r-g-v-g = Ponto do eixo instantâneo mais próximo de G: r_G + ω × v_G/ω²
 point-of-the-instantaneous-axis-nearest-to-the-mass-centre = Ponto do eixo instantâneo mais próximo do centro de massa
-position-of-the-point-that-is-struck = Posição do ponto golpeado
-position-of-the-point-that-it-hits = Posição do ponto atingido
+position-of-the-struck-point = Posição do ponto golpeado
+position-of-the-point-of-impact = Posição do ponto de impacto
 projectiles-that-stick = Projéteis que se incrustam
 rate-of-precession = Velocidade de precessão
 rate-of-precession-about-h = Velocidade de precessão em torno de H
 rate-of-spin = Velocidade de rotação própria
 rate-of-spin-about-the-axis-a-cos = Velocidade de rotação própria em torno do eixo, ψ̇ = ω_a − φ̇ cos θ
 speed-of-the-mass-centre-before = Velocidade (módulo) do centro de massa antes
+speed-of-the-mass-centre-before-impact = Velocidade (módulo) do centro de massa antes do impacto
 speed-of-the-mass-centre-just-after = Velocidade (módulo) do centro de massa logo depois
+speed-of-the-mass-centre-just-after-impact = Velocidade (módulo) do centro de massa logo após o impacto
 the-axes-are-principal-each-component-over-its-moment-of-inertia = Os eixos são principais: cada componente dividida pelo seu momento de inércia
 the-body-the-impulses-on-it-and-its-motion-just-after = O corpo, os impulsos sobre ele e seu movimento logo depois
+the-body-the-impulses-on-it-and-its-motion-just-after-impact = O corpo, os impulsos sobre ele e seu movimento logo após o impacto
 the-three-equations-i-h-about-g-with-the-products-of-inertia = As três equações I ω = H em relação a G, com os produtos de inércia
-the-three-equations-i-h-about-the-point-that-is-held-with-the-products-of-inertia = As três equações I ω = H em relação ao ponto preso, com os produtos de inércia
+the-three-equations-i-h-about-the-constrained-point-with-the-products-of-inertia = As três equações I ω = H em relação ao ponto preso, com os produtos de inércia
 two-principal-moments-are-equal-the-axis-of-the-third-in-the-sense-of-the-spin = Dois momentos principais são iguais: o eixo do terceiro, no sentido da rotação própria
 unit-normal-of-the-surface = Normal unitária da superfície
 velocity = Velocidade
 velocity-along-the-instantaneous-axis = Velocidade ao longo do eixo instantâneo
 velocity-of-sliding-along-the-instantaneous-axis = Velocidade de deslizamento ao longo do eixo instantâneo
 velocity-of-the-mass-centre-just-after = Velocidade do centro de massa logo depois
-velocity-of-the-mass-centre-just-after-g-turns-about-the-point-that-is-held = Velocidade do centro de massa logo depois: G gira em torno do ponto preso
-velocity-of-the-point-along-the-normal-before-the-surface-acts = Velocidade do ponto ao longo da normal, antes da ação da superfície
-velocity-that-a-unit-impulse-along-the-normal-gives-to-the-point = Velocidade que um impulso unitário ao longo da normal dá ao ponto
-what-holds-it-from-then-on = O que o prende a partir daí
+velocity-of-the-mass-centre-just-after-impact = Velocidade do centro de massa logo após o impacto
+velocity-of-the-mass-centre-just-after-impact-g-rotates-about-the-constrained-point = Velocidade do centro de massa logo após o impacto: G gira em torno do ponto preso
+velocity-of-the-point-along-the-normal-before-impact = Velocidade do ponto ao longo da normal, antes do impacto
+velocity-of-the-point-per-unit-impulse-along-the-normal = Velocidade do ponto por impulso unitário ao longo da normal
+constraint-after-the-impact = Vínculo após o impacto
 from-then-on-the-axis-precesses-against-the-spin-retrograde-precession-the-axial-moment-of-inertia-is = a partir daí o eixo precessiona contra a rotação própria (precessão retrógrada: o momento de inércia axial é o maior)
 from-then-on-the-axis-precesses-in-the-sense-of-the-spin-direct-precession-the-axial-moment-of = a partir daí o eixo precessiona no sentido da rotação própria (precessão direta: o momento de inércia axial é o menor)
 the-angular-momentum-about-o-after-before-r-j-with-all-reactions = o momento angular em relação a O: depois − antes = Σ r × J com todas as reações
-the-angular-velocity-put-together-from-precession-and-spin = a velocidade angular composta de precessão e rotação própria
-the-body-has-no-moment-of-inertia-about-the-axis-that-is-held-how-fast-it-turns-there-stays-open-give = o corpo não tem momento de inércia em relação ao eixo preso: fica indeterminado com que velocidade gira ali; dê-lhe uma espessura
+the-angular-velocity-composed-of-precession-and-spin = a velocidade angular composta de precessão e rotação própria
+the-body-has-no-moment-of-inertia-about-the-axis-that-is-held-its-angular-speed-there-is = o corpo não tem momento de inércia em relação ao eixo fixado: sua velocidade angular ali é indeterminada; dê-lhe uma espessura
 the-change-of-the-kinetic-energy-from-the-work-of-the-impulses-j-v-v-2 = a variação da energia cinética pelo trabalho dos impulsos, J · (v + v′)/2
-the-mass-for-an-angular-speed-is-found-for-a-body-at-rest-that-is-held-by-an-axis-and-struck-by-blows = a massa para uma velocidade angular é achada para um corpo em repouso, preso por um eixo e golpeado: nos demais casos, deixe em branco a velocidade angular desejada
-the-point-does-not-move-towards-the-surface-look-at-its-normal-which-points-out-of-the-surface-and-at = o ponto não se move em direção à superfície: verifique a normal, que aponta para fora da superfície, e o movimento antes
-the-solution-put-into-i-h = a solução substituída em I ω = H
-the-velocity-of-the-point-that-is-held-which-is-zero = a velocidade do ponto preso, que é zero
+the-mass-for-a-required-angular-speed-is-calculated-only-for-a-body-at-rest-that-is-held-by-an-axis = a massa para uma velocidade angular desejada só é calculada para um corpo em repouso, preso por um eixo e golpeado: nos demais casos, deixe em branco a velocidade angular desejada
+the-point-does-not-move-towards-the-surface-check-its-normal-which-points-out-of-the-surface-and-the = o ponto não se move em direção à superfície: verifique a normal, que aponta para fora da superfície, e o movimento antes do impacto
+the-solution-substituted-into-i-h = a solução substituída em I ω = H
+the-velocity-of-the-constrained-point-which-is-zero = a velocidade do ponto preso, que é zero
 
 # rigid-body/momentum
 a-point-is-fixed = Um ponto é fixo
 about-an-axis = Em torno de um eixo
 along-the-arm-from-its-fixed-point-to-g = Ao longo do braço, do seu ponto fixo a G
-angle-between-h-g-and-none-where-lies-along-a-principal-axis = Ângulo entre H_G e ω: nulo onde ω está em um eixo principal
+angle-between-h-g-and-zero-where-lies-along-a-principal-axis = Ângulo entre H_G e ω: nulo onde ω está em um eixo principal
 angle-between-the-angular-momentum-about-a-point-of-the-line-and-the-line = Ângulo entre o momento angular em relação a um ponto da reta e a reta
 angle-between-the-angular-momentum-and-the-angular-velocity = Ângulo entre o momento angular e a velocidade angular
 angle-between-this-angular-momentum-and-the-line = Ângulo entre esse momento angular e a reta
 angular-momentum = Momento angular
 angular-momentum-about-a = Momento angular em relação a A
-angular-momentum-about-a-that-about-g-and-the-moment-of-the-linear-momentum-at-g = Momento angular em relação a A: o relativo a G mais o momento da quantidade de movimento em G
+angular-momentum-about-a-that-about-g-plus-the-moment-of-the-linear-momentum-at-g = Momento angular em relação a A: o relativo a G mais o momento da quantidade de movimento em G
 angular-momentum-about-g = Momento angular em relação a G
 angular-momentum-about-g-the-inertia-matrix-times = Momento angular em relação a G: a matriz de inércia vezes ω
 angular-momentum-about-a-point-of-the-line = Momento angular em relação a um ponto da reta
 angular-momentum-about-the-line = Momento angular em relação à reta
 angular-speed-about-the-axis-of-the-largest-moment-with-the-same-angular-momentum = Velocidade angular em torno do eixo do maior momento, com o mesmo momento angular
-angular-speed-right-handed-about-it = Velocidade angular, pela regra da mão direita em torno dele
+angular-speed-positive-by-the-right-hand-rule = Velocidade angular, positiva pela regra da mão direita
 angular-velocity-from-h-g-i = Velocidade angular a partir de H_G = I ω
 angular-velocity-along-its-axis = Velocidade angular, ao longo do seu eixo
 angular-velocity-along-the-instantaneous-axis-with-the-given-component-along-the-axis-of-the-body = Velocidade angular: ao longo do eixo instantâneo, com a componente dada ao longo do eixo do corpo
 any-vector-along-an-axis-of-the-body = Qualquer vetor ao longo de um eixo do corpo
-carried-by-an-arm-that-turns-about-a-point = Levado por um braço que gira em torno de um ponto
+carried-by-an-arm-rotating-about-a-point = Levado por um braço que gira em torno de um ponto
 component-of-the-angular-velocity-along-it = Componente da velocidade angular ao longo dele
-fallen-from-rest = Caído a partir do repouso
+dropped-from-rest = Solto a partir do repouso
 from-the-fixed-point-to-g = Do ponto fixo a G
 from-the-point-to-g = Do ponto a G
 height-of-the-fall = Altura da queda
-it-turns-about-the-line-through-them-a-disc-rolling-on-the-floor-about-a-fixed-point-of-its-axle = Gira em torno da reta que os une: um disco que rola no piso em torno de um ponto fixo do seu eixo.
+it-rotates-about-the-line-through-them-a-disc-rolling-on-the-floor-about-a-fixed-point-of-its-axle = Gira em torno da reta que os une: um disco que rola no piso em torno de um ponto fixo do seu eixo.
 its-motion = Seu movimento
 its-rotation = Sua rotação
 its-velocity = Sua velocidade
 kinetic-energy-of-the-motion-of-g = Energia cinética do movimento de G
-kinetic-energy-of-the-motion-of-the-mass-centre = Energia cinética do movimento do centro de massa
+kinetic-energy-of-the-motion-of-the-centre-of-mass = Energia cinética do movimento do centro de massa
 kinetic-energy-of-the-rotation-about-g = Energia cinética da rotação em torno de G
-kinetic-energy-of-the-rotation-about-the-mass-centre = Energia cinética da rotação em torno do centro de massa
-largest-principal-moment-of-inertia = Maior momento principal de inércia
-linear-and-angular-momentum-of-a-body-in-space-about-its-mass-centre-a-point-and-a-line-and-its = Quantidade de movimento e momento angular de um corpo no espaço em relação ao centro de massa, a um ponto e a uma reta, e sua energia cinética.
+kinetic-energy-of-the-rotation-about-the-centre-of-mass = Energia cinética da rotação em torno do centro de massa
+maximum-principal-moment-of-inertia = Momento principal de inércia máximo
+linear-and-angular-momentum-of-a-body-in-space-about-its-centre-of-mass-a-point-and-a-line-and-its = Quantidade de movimento e momento angular de um corpo no espaço em relação ao centro de massa, a um ponto e a uma reta, e sua energia cinética.
 linear-momentum = Quantidade de movimento
 magnitude-of-the-angular-momentum-about-a = Módulo do momento angular em relação a A
 magnitude-of-the-angular-momentum-about-g = Módulo do momento angular em relação a G
 magnitude-of-the-linear-momentum = Módulo da quantidade de movimento
 momentum-and-kinetic-energy-of-a-body = Quantidade de movimento e energia cinética de um corpo
 position-of-the-first = Posição do primeiro
+position-of-the-first-point = Posição do primeiro ponto
 position-of-the-second = Posição do segundo
-share-of-the-kinetic-energy-of-rotation-lost-by-then = Fração da energia cinética de rotação perdida até então
-share-of-the-kinetic-energy-of-rotation-that-is-lost-by-then = Fração da energia cinética de rotação que se perde até então
+position-of-the-second-point = Posição do segundo ponto
+fraction-of-the-rotational-kinetic-energy-lost-by-then = Fração da energia cinética de rotação perdida até então
+fraction-of-the-rotational-kinetic-energy-that-is-lost-by-then = Fração da energia cinética de rotação que se perde até então
 speed-after-the-fall-from-m-g-h-m-v-2 = Velocidade depois da queda, de m g h = m v²/2
 speed-of-the-mass-centre = Velocidade (módulo) do centro de massa
-the-angular-momentum-about-it-is-wanted = Deseja-se o momento angular em relação a ela.
-the-angular-momentum-is-also-wanted-about-it = Deseja-se também o momento angular em relação a ele.
-the-body-may-spin-on-the-arm-as-it-likes-the-arm-alone-moves-its-mass-centre = O corpo pode girar sobre o braço como quiser: só o braço move seu centro de massa.
+the-angular-momentum-about-it-is-calculated = Calcula-se o momento angular em relação a ela.
+the-angular-momentum-about-it-is-also-calculated = Calcula-se também o momento angular em relação a ele.
+the-body-rotates-freely-relative-to-the-arm-only-the-arm-moves-its-mass-centre = O corpo gira livremente em relação ao braço: só o braço move seu centro de massa.
 the-body-its-angular-velocity-and-its-angular-momentum = O corpo, sua velocidade angular e seu momento angular
 the-instantaneous-axis-the-line-through-the-two-points-at-rest = O eixo instantâneo: a reta pelos dois pontos em repouso
 two-of-its-points-are-at-rest = Dois dos seus pontos estão em repouso
@@ -1186,21 +1222,21 @@ velocity-of-a-point = Velocidade de um ponto
 velocity-of-the-mass-centre = Velocidade do centro de massa
 velocity-of-the-mass-centre-along-gravity = Velocidade do centro de massa, na direção da gravidade
 velocity-of-the-mass-centre-from-that-of-the-point = Velocidade do centro de massa, a partir da do ponto
-velocity-of-the-mass-centre-which-turns-with-the-arm = Velocidade do centro de massa, que gira com o braço
-velocity-of-the-mass-centre-g-turns-about-the-fixed-point = Velocidade do centro de massa: G gira em torno do ponto fixo
-where-energy-is-lost-inside-the-body-and-no-couple-acts-h-g-stays-the-rotation-ends-about-the-axis-of = Quando se perde energia dentro do corpo e nenhum binário atua, H_G se conserva: a rotação acaba em torno do eixo do maior momento
+velocity-of-the-mass-centre-which-rotates-with-the-arm = Velocidade do centro de massa, que gira com o braço
+velocity-of-the-mass-centre-g-rotates-about-the-fixed-point = Velocidade do centro de massa: G gira em torno do ponto fixo
+if-energy-is-dissipated-inside-the-body-and-no-couple-acts-h-g-is-conserved-the-rotation-ends-about = Se há dissipação de energia dentro do corpo e nenhum binário atua, H_G se conserva: a rotação acaba em torno do eixo de momento de inércia máximo
 a-direction-has-no-length-write-any-vector-along-it-such-as-0-0-1 = uma direção não tem comprimento: escreva qualquer vetor ao longo dela, como (0; 0; 1)
 the-angular-momentum-about-a-from-the-inertia-about-a-i-a-d-m-v-a = o momento angular em relação a A pela inércia em relação a A: I_A ω + d × m v_A
-the-body-turns-about-the-axis-of-its-largest-moment-no-energy-can-be-lost-while-the-angular-momentum = o corpo gira em torno do eixo do seu maior momento: nenhuma energia pode ser perdida com o momento angular conservado
+the-body-rotates-about-the-axis-of-its-largest-moment-no-energy-can-be-lost-at-constant-angular = o corpo gira em torno do eixo do seu maior momento: nenhuma energia pode ser perdida com o momento angular conservado
 the-kinetic-energy-from-the-velocity-of-a-and-the-inertia-about-a = a energia cinética pela velocidade de A e pela inércia em relação a A
 the-kinetic-energy-of-rotation-from-the-principal-moments = a energia cinética de rotação pelos momentos principais
-the-line-through-the-two-resting-points-is-at-right-angles-to-the-axis-of-the-body-an-angular = a reta pelos dois pontos em repouso é perpendicular ao eixo do corpo: uma velocidade angular ao longo dela não tem componente ali; verifique os pontos ou dê a própria velocidade angular
-the-motion-of-the-body-is-not-described = o movimento do corpo não está descrito
-the-rotation-is-not-described = a rotação não está descrita
+the-line-through-the-two-points-at-rest-is-at-right-angles-to-the-axis-of-the-body-an-angular = a reta pelos dois pontos em repouso é perpendicular ao eixo do corpo: uma velocidade angular ao longo dela não tem componente ali; verifique os pontos ou dê a própria velocidade angular
+the-motion-of-the-body-is-not-defined = o movimento do corpo não está definido
+the-rotation-is-not-defined = a rotação não está definida
 
 # rigid-body/rod-on-shaft
-slender-rod-welded-to-a-turning-shaft = Haste delgada soldada a um eixo giratório
-angular-momentum-of-an-inclined-rod-that-turns-with-a-shaft-its-rate-of-change-and-the-couple-that = Momento angular de uma haste inclinada que gira com um eixo, sua taxa de variação e o binário exercido pelo eixo.
+slender-rod-welded-to-a-rotating-shaft = Haste delgada soldada a um eixo giratório
+angular-momentum-of-an-inclined-rod-that-rotates-with-a-shaft-its-rate-of-change-and-the-couple-that = Momento angular de uma haste inclinada que gira com um eixo, sua taxa de variação e o binário exercido pelo eixo.
 mass-of-the-rod = Massa da haste
 half-the-length-of-the-rod = Metade do comprimento da haste
 the-rod-is-2b-long-and-welded-at-its-middle = A haste tem comprimento 2b e é soldada no ponto médio.
@@ -1212,33 +1248,33 @@ angle-to-the-shaft = Ângulo com o eixo
 angular-velocity-of-the-shaft = Velocidade angular do eixo
 angular-acceleration-of-the-shaft = Aceleração angular do eixo
 angle-of-the-shaft = Ângulo do eixo
-from-the-fixed-axes-to-those-that-turn-with-the-shaft-about-y = Dos eixos fixos aos que giram com o eixo, em torno de y.
-moment-of-inertia-across-the-rod-i-y-i-z-along-it-i-0 = Momento de inércia transversal à haste, I_y′ = I_z′; ao longo dela, Iₓ′ = 0
-moment-of-inertia-across-the-rod = Momento de inércia transversal à haste
+from-the-fixed-axes-to-the-axes-rotating-with-the-shaft-about-y = Dos eixos fixos aos que giram com o eixo, em torno de y.
+transverse-moment-of-inertia-of-the-rod-i-y-i-z-along-it-i-0 = Momento de inércia transversal da haste, I_y′ = I_z′; ao longo dela, Iₓ′ = 0
+transverse-moment-of-inertia-of-the-rod = Momento de inércia transversal da haste
 component-of-the-angular-velocity-along-the-rod = Componente da velocidade angular ao longo da haste
-component-of-the-angular-velocity-across-the-rod = Componente da velocidade angular transversal à haste
-angular-momentum-in-the-axes-of-the-rod-only-y-adds-to-it = Momento angular nos eixos da haste: só ω_y′ contribui
-angular-momentum-in-the-axes-that-turn-with-the-shaft = Momento angular nos eixos que giram com o eixo
+component-of-the-angular-velocity-transverse-to-the-rod = Componente da velocidade angular transversal à haste
+angular-momentum-in-the-axes-of-the-rod-only-y-contributes = Momento angular nos eixos da haste: só ω_y′ contribui
+angular-momentum-in-the-axes-rotating-with-the-shaft = Momento angular nos eixos que giram com o eixo
 magnitude-of-the-angular-momentum = Módulo do momento angular
 component-of-the-angular-momentum-along-the-shaft = Componente do momento angular ao longo do eixo
-the-axes-xyz-turn-with-the-shaft = Os eixos xyz giram com o eixo
-rate-of-change-seen-by-someone-who-turns-with-the-shaft = Variação vista por quem gira com o eixo
+the-axes-xyz-rotate-with-the-shaft = Os eixos xyz giram com o eixo
+rate-of-change-relative-to-axes-rotating-with-the-shaft = Taxa de variação relativa aos eixos que giram com o eixo
 couple-that-the-shaft-exerts-on-the-rod-m-dh-dt = Binário exercido pelo eixo sobre a haste: ΣM = dH/dt
 the-couple-that-tilts-the-shaft-in-closed-form = O binário que inclina o eixo, em forma fechada
-kinetic-energy-g-stands-still = Energia cinética: G está em repouso
-angular-momentum-about-the-middle-axes-of-the-shaft = Momento angular em relação ao ponto médio, eixos que giram com o eixo
+kinetic-energy-g-is-at-rest = Energia cinética: G está em repouso
+angular-momentum-about-the-midpoint-axes-of-the-shaft = Momento angular em relação ao ponto médio, eixos que giram com o eixo
 dh-dt-relative-to-the-axes-of-the-shaft = (dH/dt) relativa aos eixos que giram com o eixo
 couple-on-the-rod-axes-of-the-shaft = Binário sobre a haste, eixos que giram com o eixo
 couple-on-the-rod-about-z = Binário sobre a haste em torno de z
-angular-momentum-about-the-middle-fixed-axes = Momento angular em relação ao ponto médio, eixos fixos
+angular-momentum-about-the-midpoint-fixed-axes = Momento angular em relação ao ponto médio, eixos fixos
 couple-on-the-rod-fixed-axes = Binário sobre a haste, eixos fixos
 at-this-angle-the-shaft-is-a-principal-axis-of-the-rod-no-couple-is-needed-to-keep-the-rod-there = neste ângulo o eixo de rotação é eixo principal da haste: não é preciso binário para mantê-la na posição
 h-and-1-6-m-b-sin-2 = Ω × H e −(1/6) m b² ω² sen 2β
 the-component-along-the-shaft-is-the-inertia-about-the-shaft-times = a componente ao longo do eixo é o momento de inércia em relação ao eixo vezes ω
-the-angular-momentum-from-the-inertia-tensor-of-the-turned-rod = o momento angular pelo tensor de inércia da haste girada
+the-angular-momentum-from-the-inertia-tensor-of-the-rotated-rod = o momento angular pelo tensor de inércia da haste girada
 the-couple-from-the-difference-quotient-of-that-angular-momentum = o binário pelo quociente de diferenças desse momento angular
 couple-on-the-rod-against-its-angle = Binário sobre a haste em função do seu ângulo
-the-rod-in-the-plane-that-turns-with-the-shaft = A haste no plano que gira com o eixo
+the-rod-in-the-plane-rotating-with-the-shaft = A haste no plano que gira com o eixo
 
 # rigid-body/rotation-chain
 chain-of-rotations = Cadeia de rotações
@@ -1248,44 +1284,45 @@ points = Pontos
 axes-of-the-answers = Eixos das respostas
 name = Nome
 frame-that-carries-it = Referencial que o carrega
-place-in-the-axes-of-that-frame = Posição, nos eixos desse referencial
+frame-to-which-it-is-attached = Referencial a que está fixado
+position-in-the-axes-of-that-frame = Posição, nos eixos desse referencial
 fixed-axes = Eixos fixos
 axes-of-a-frame = Eixos de um referencial
 frame-of-the-chain = Referencial da cadeia
 name-of-the-joint-and-of-the-frame-after-it = Nome da junta e do referencial depois dela
 axis = Eixo
-any-vector-along-it-in-the-frame-before-the-joint-angles-are-positive-right-handed-about-it = Qualquer vetor ao longo dele, no referencial antes da junta; os ângulos são positivos pela regra da mão direita.
+any-vector-along-it-in-the-preceding-frame-angles-are-positive-by-the-right-hand-rule = Qualquer vetor ao longo dele, no referencial anterior; os ângulos são positivos pela regra da mão direita.
 how-it-turns = Como gira
+motion-of-the-joint = Movimento da junta
 origin-of-the-frame-after-the-joint = Origem do referencial depois da junta
-in-the-axes-of-the-frame-before-it = Nos eixos do referencial anterior.
-as-given-at-this-moment = Como dado neste instante
+in-the-axes-of-the-preceding-frame = Nos eixos do referencial anterior.
+values-at-this-instant = Valores neste instante
 angle = Ângulo
 angular-velocity = Velocidade angular
 angular-acceleration = Aceleração angular
-relative-to-the-frame-before = Relativa ao referencial anterior.
-harmonic-swing-pitch-or-roll = Oscilação harmônica: arfagem ou balanço
+relative-to-the-preceding-frame = Relativa ao referencial anterior.
+harmonic-oscillation-pitch-or-roll = Oscilação harmônica: arfagem ou balanço
 amplitude = Amplitude
 period = Período
-time-since-it-passed-the-middle-upwards = Tempo desde a passagem ascendente pelo meio
-angle-of-the-middle = Ângulo do meio
+time-since-the-upward-passage-through-mid-position = Tempo desde a passagem ascendente pela posição média
+mean-angle = Ângulo médio
 turn-of-a-vehicle-on-a-circle = Curva de um veículo em um círculo
 speed = Velocidade
-positive-for-a-turn-right-handed-about-the-axis = Positiva para um giro em torno do eixo pela regra da mão direita.
+positive-by-the-right-hand-rule-about-the-axis = Positiva pela regra da mão direita em torno do eixo.
 radius-of-the-circle = Raio da circunferência
 acceleration-along-the-path = Aceleração ao longo da trajetória
-angle-turned-so-far = Ângulo girado até agora
+angle-of-rotation-so-far = Ângulo girado até este instante
 the-axis-of-name-has-no-length-write-any-vector-along-it-such-as-0-0-1 = o eixo de { $name } não tem comprimento: escreva qualquer vetor ao longo dele, como (0; 0; 1)
-the-motion-of-name-is-too-fast-to-be-a-number-look-at-its-units = o movimento de { $name } é rápido demais para ser um número: confira as unidades
-unit-vector-along-the-axis-of-name-in-the-frame-before-it = Versor ao longo do eixo de { $name }, no referencial anterior
-axis-of-name-in-axes-turned-by-by = Eixo de { $name }, nos eixos girados por { $by }
+the-motion-of-name-exceeds-the-numerical-range-check-its-units = o movimento de { $name } excede a faixa numérica: confira as unidades
+unit-vector-along-the-axis-of-name-in-the-preceding-frame = Versor ao longo do eixo de { $name }, no referencial anterior
+axis-of-name-in-axes-rotated-by-by = Eixo de { $name }, nos eixos girados por { $by }
 angular-velocity-of-name-relative-angular-velocities-add = Velocidade angular de { $name }: as velocidades angulares relativas se somam
 angular-acceleration-of-name-about-its-fixed-axis = Aceleração angular de { $name }, em torno do seu eixo fixo
-angular-acceleration-of-name-the-axis-of-the-joint-is-itself-turned-by-the-frame-before-it = Aceleração angular de { $name }: o próprio eixo da junta é girado pelo referencial anterior
-circular-frequency-of-the-swing = Frequência circular da oscilação
-angle-of-the-swing-at-this-time = Ângulo da oscilação neste instante
-angular-velocity-of-the-swing = Velocidade angular da oscilação
-angular-acceleration-of-the-swing = Aceleração angular da oscilação
-the-vehicle-turns-once-for-each-time-round-the-circle = O veículo dá um giro a cada volta do círculo
+angular-acceleration-of-name-the-joint-axis-is-itself-rotated-by-the-preceding-frame = Aceleração angular de { $name }: o próprio eixo da junta é girado pelo referencial anterior
+angle-of-the-oscillation-at-this-time = Ângulo da oscilação neste instante
+angular-velocity-of-the-oscillation = Velocidade angular da oscilação
+angular-acceleration-of-the-oscillation = Aceleração angular da oscilação
+the-vehicle-rotates-once-per-lap-of-the-circle = O veículo dá um giro por volta da circunferência
 angular-acceleration-of-the-vehicle = Aceleração angular do veículo
 angular-velocity-of-the-frame = Velocidade angular do referencial
 angular-acceleration-of-the-frame = Aceleração angular do referencial
@@ -1295,20 +1332,20 @@ angular-velocity-of-the-last-frame = Velocidade angular do último referencial
 angular-acceleration-of-the-last-frame = Aceleração angular do último referencial
 magnitude-of-the-angular-velocity = Módulo da velocidade angular
 magnitude-of-the-angular-acceleration = Módulo da aceleração angular
-place-of-the-origin-of-name-in-the-frame-before-it-in-axes-turned-by-by = Posição da origem de { $name } no referencial anterior, nos eixos girados por { $by }
+position-of-the-origin-of-name-in-the-preceding-frame-in-axes-rotated-by-by = Posição da origem de { $name } no referencial anterior, nos eixos girados por { $by }
 velocity-of-the-origin-of-name = Velocidade da origem de { $name }
 acceleration-of-the-origin-of-name = Aceleração da origem de { $name }
-place-of-name-in-its-frame-in-axes-turned-by-by = Posição de { $name } no seu referencial, nos eixos girados por { $by }
+position-of-name-in-its-frame-in-axes-rotated-by-by = Posição de { $name } no seu referencial, nos eixos girados por { $by }
 velocity-of-name = Velocidade de { $name }
 acceleration-of-name = Aceleração de { $name }
 velocity-of-the-point = Velocidade do ponto
 acceleration-of-the-point = Aceleração do ponto
 the-angular-velocity-from-the-difference-quotients-of-the-axes-of-the-last-frame = a velocidade angular pelas razões incrementais dos eixos do último referencial
 the-angular-acceleration-from-the-difference-quotient-of-the-angular-velocity = a aceleração angular pela razão incremental da velocidade angular
-the-velocity-of-name-from-the-difference-quotient-of-its-place = a velocidade de { $name } pela razão incremental da sua posição
+the-velocity-of-name-from-the-difference-quotient-of-its-position = a velocidade de { $name } pela razão incremental da sua posição
 the-acceleration-of-name-from-the-difference-quotient-of-its-velocity = a aceleração de { $name } pela razão incremental da sua velocidade
 the-frames-of-the-chain = Os referenciais da cadeia
-angular-velocity-of-the-last-frame-with-the-accelerations-kept = Velocidade angular do último referencial, mantidas as acelerações
+angular-velocity-of-the-last-frame-with-the-given-accelerations = Velocidade angular do último referencial, com as acelerações dadas
 time = tempo
 x-of-name = x de { $name }
 y-of-name = y de { $name }
@@ -1317,127 +1354,130 @@ direction-cosines-of-the-axes-of-the-frames = Cossenos diretores dos eixos dos r
 
 # rigid-body/steady-rolling
 disc-or-hoop-rolling-steadily-on-a-circle = Disco ou aro que rola em regime permanente em um círculo
-precession-angle-or-circle-of-a-disc-or-hoop-that-rolls-without-slip-inclined-to-the-floor-spin = Precessão, ângulo ou círculo de um disco ou aro que rola sem deslizar, inclinado em relação ao piso: rotação própria, força normal, o atrito de que precisa e se o movimento é estável.
+precession-angle-or-circle-of-a-disc-or-hoop-rolling-without-slipping-inclined-to-the-floor-spin = Precessão, ângulo ou círculo de um disco ou aro que rola sem deslizar, inclinado em relação ao piso: rotação própria, força normal, atrito necessário e estabilidade do movimento.
 angle-and-circle-of-the-centre = Ângulo e círculo do centro
 angle-and-circle-on-the-floor = Ângulo e círculo no piso
 angle-and-precession = Ângulo e precessão
 angle-of-its-plane-to-the-floor = Ângulo do seu plano com o piso
+angle-between-its-plane-and-the-floor = Ângulo entre o seu plano e o piso
 angle-of-the-plane-to-the-floor = ângulo do plano com o piso
-circle-of-the-centre-and-its-speed = Círculo do centro e sua velocidade
-coefficient-of-friction-that-this-needs = Coeficiente de atrito de que isto precisa
+circle-and-speed-of-the-centre = Círculo e velocidade do centro
+coefficient-of-friction-required-for-this-motion = Coeficiente de atrito necessário para este movimento
 component-of-the-angular-velocity-along-the-diameter-through-the-contact = Componente da velocidade angular ao longo do diâmetro pelo contato
 friction-towards-the-axis-of-the-circle = Atrito, para o eixo do círculo
-friction-towards-the-axis-of-the-circle-it-turns-the-velocity-of-the-centre = Atrito, para o eixo do círculo: ele gira a velocidade do centro
-it-would-slip-the-motion-needs-a-coefficient-of-friction-of-needed = deslizaria: o movimento precisa de um coeficiente de atrito de { $needed }
-lean-from-the-vertical-what-is-left-to-90 = Inclinação a partir da vertical: o que falta para 90°
-moments-about-the-horizontal-diameter-i-a-m-r-i-t-cos-m-g-r-cos-0-with-sin-and-a-r = Momentos em relação ao diâmetro horizontal: (I_a + m r²) ω₂ ω₃ − I_t ω₂ φ̇ cos θ + m g r cos θ = 0 com ω₂ = φ̇ sin θ e ω₃ = −φ̇ a/r
+friction-towards-the-axis-of-the-circle-it-changes-the-direction-of-the-velocity-of-the-centre = Atrito, para o eixo do círculo: ele muda a direção da velocidade do centro
+it-would-slip-the-motion-requires-a-coefficient-of-friction-of-needed = deslizaria: o movimento requer um coeficiente de atrito de { $needed }
+lean-angle-from-the-vertical-complement-to-90 = Ângulo de inclinação em relação à vertical: o complemento de 90°
+moments-about-the-horizontal-diameter-i-a-m-r-i-t-cos-m-g-r-cos-0-with-sin-and-a-r = Momentos em relação ao diâmetro horizontal: (I_a + m r²) ω₂ ω₃ − I_t ω₂ φ̇ cos θ + m g r cos θ = 0 com ω₂ = φ̇ sen θ e ω₃ = −φ̇ a/r
 moments-about-the-horizontal-diameter-solved-for-the-circle-of-the-centre = Momentos em relação ao diâmetro horizontal, resolvidos para o círculo do centro
-no-angle-was-found-at-which-it-rolls-so-the-speed-is-too-small-or-too-large-beside-the-circle = não se encontrou ângulo em que role assim; a velocidade é pequena ou grande demais para o círculo
-no-slip-the-contact-rests-v-r-along-1 = Sem deslizar: o contato está em repouso, v = −r ω₃ ao longo de 1
-normal-force-the-centre-keeps-its-height = Força normal: o centro mantém a altura
+no-angle-was-found-for-this-rolling-motion-the-speed-is-too-small-or-too-large-for-the-circle = não se encontrou ângulo para este rolamento; a velocidade é pequena ou grande demais para o círculo
+no-slip-the-contact-point-is-at-rest-v-r-along-1 = Sem deslizamento: o ponto de contato está em repouso, v = −r ω₃ ao longo de 1
+normal-force-the-height-of-the-centre-is-constant = Força normal: a altura do centro é constante
 precession-over-the-angle-on-the-same-circle-of-the-centre = Precessão em função do ângulo, no mesmo círculo do centro
+precession-against-the-angle-for-the-same-circle-of-the-centre = Precessão em função do ângulo, para o mesmo círculo do centro
 radius-of-the-circle-of-the-centre = Raio do círculo do centro
 radius-of-the-circle-on-the-floor = Raio do círculo no piso
-radius-of-the-circle-on-the-floor-the-contact-stands-outwards-of-the-centre = Raio do círculo no piso: o contato fica para fora do centro
-small-oscillations-of-the-angle-k-0-the-slope-of-the-moments-about-the-tangent-at-the-contact-over-i = Pequenas oscilações do ângulo, ε̈ + K ε = 0: a inclinação dos momentos em relação à tangente no contato, sobre I_t + m r²
-what-does-as-the-disc-tilts-i-t-i-a-i-t-cot = O que ω₂ faz quando o disco se inclina: I_t ω̇₂ = (I_a ω₃ − I_t ω₂ cot θ) θ̇
-what-does-as-the-disc-tilts-i-a-m-r-m-r = O que ω₃ faz quando o disco se inclina: (I_a + m r²) ω̇₃ = m r² ω₂ θ̇
-spin-against-the-axes-that-precess-cos = Rotação própria, em relação aos eixos que precessionam: ω₃ = ψ̇ + φ̇ cos θ
-stable-angular-frequency-of-the-wobble = Estável: frequência angular da oscilação
+radius-of-the-circle-on-the-floor-the-contact-lies-outward-of-the-centre = Raio do círculo no piso: o contato fica para fora do centro
+small-oscillations-of-the-angle-k-0-derivative-of-the-moments-about-the-tangent-at-the-contact = Pequenas oscilações do ângulo, ε̈ + K ε = 0: derivada dos momentos em relação à tangente no contato, dividida por I_t + m r²
+variation-of-as-the-disc-tilts-i-t-i-a-i-t-cot = Variação de ω₂ quando o disco se inclina: I_t ω̇₂ = (I_a ω₃ − I_t ω₂ cot θ) θ̇
+variation-of-as-the-disc-tilts-i-a-m-r-m-r = Variação de ω₃ quando o disco se inclina: (I_a + m r²) ω̇₃ = m r² ω₂ θ̇
+spin-relative-to-the-precessing-axes-cos = Rotação própria, em relação aos eixos que precessionam: ω₃ = ψ̇ + φ̇ cos θ
+stable-angular-frequency-of-the-oscillation = Estável: frequência angular da oscilação
 stiffness-of-small-oscillations = Rigidez das pequenas oscilações
-the-centre-goes-round-once-in-2-a-v = O centro dá uma volta em 2π a/v
-the-centre-stands-inwards-of-the-contact-by-r-cos = O centro fica para dentro do contato em r cos θ
+the-centre-completes-one-revolution-in-2-a-v = O centro dá uma volta em 2π a/v
+the-centre-lies-inward-of-the-contact-by-r-cos = O centro fica para dentro do contato em r cos θ
 the-circle-on-the-floor-is-so-small-that-the-centre-would-be-beyond-its-axis-make-the-circle-or-the = o círculo no piso é tão pequeno que o centro ficaria além do seu eixo; aumente o círculo ou o ângulo
 the-disc-seen-along-its-horizontal-diameter = O disco visto ao longo do seu diâmetro horizontal
-the-equations-of-the-rolling-disc-leave-the-angle-as-it-is = as equações do disco que rola deixam o ângulo como está
+the-equations-of-the-rolling-disc-keep-the-angle-constant = as equações do disco que rola mantêm o ângulo constante
 the-friction-from-m-a-g = o atrito por m a_G
 the-normal-force-from-m-a-g = a força normal por m a_G
 the-precession-is-so-fast-that-the-centre-circles-on-the-far-side-of-the-axis-the-radius-a-is = a precessão é tão rápida que o centro circula do outro lado do eixo: o raio a é negativo
-the-steady-motion-is-unstable-the-angle-runs-away-from-it = o movimento permanente é instável: o ângulo se afasta dele
+the-steady-motion-is-unstable-the-angle-diverges-from-it = o movimento permanente é instável: o ângulo diverge dele
 this-motion = este movimento
 zero-of-the-moments-about-the-horizontal-diameter-sin-i-a-m-r-a-r-i-t-cos-m-g-r-cos = Zero dos momentos em relação ao diâmetro horizontal: φ̇² sin θ ((I_a + m r²) a/r + I_t cos θ) = m g r cos θ
 
 # rigid-body/top-nutation
-a-heavy-top-let-go-with-any-motion-the-limits-of-its-nutation-its-period-the-precession-on-average = Um pião solto com um movimento qualquer: os limites da nutação, seu período, a precessão média, cúspides, laços ou ondas, e a atitude em um instante.
+a-heavy-top-released-with-any-initial-motion-limits-and-period-of-its-nutation-mean-precession-cusps = Um pião solto com um movimento inicial qualquer: os limites da nutação, seu período, a precessão média, cúspides, laços ou ondas, e a atitude em um instante.
 angle-of-the-axis-to-the-vertical-at-the-start = Ângulo inicial do eixo com a vertical
 angle-to-the-vertical-at-the-instant = Ângulo com a vertical no instante
-angular-momentum-about-the-axis-the-weight-has-no-moment-about-it-it-stays = Momento angular em torno do eixo: o peso não tem momento em relação a ele, e ele se conserva
+angular-momentum-about-the-axis-the-weight-has-no-moment-about-it-so-it-is-conserved = Momento angular em torno do eixo: o peso não tem momento em relação a ele, logo ele se conserva
 angular-momentum-about-the-vertical = Momento angular em torno da vertical
-angular-momentum-about-the-vertical-the-weight-has-no-moment-about-that-either = Momento angular em torno da vertical: o peso também não tem momento em relação a ela
+angular-momentum-about-the-vertical-the-weight-has-no-moment-about-it-either = Momento angular em torno da vertical: o peso também não tem momento em relação a ela
 angular-velocity-of-the-axis-away-from-the-vertical-at-the-start = Velocidade angular inicial com que o eixo se afasta da vertical
 complete-elliptic-integral-of-the-first-kind-of-the-modulus-k-u-u-u-u-k = Integral elíptica completa de primeira espécie, de módulo k = √((u₁ − u₂)/(u₃ − u₂)) = { $k }
 effective-potential-against-the-angle-of-the-axis = Potencial efetivo em função do ângulo do eixo
-energy-without-that-of-the-spin = Energia sem a da rotação própria
-energy-without-that-of-the-spin-i-a-which-stays-by-itself-heights-from-the-fixed-point = Energia sem a da rotação própria, ½ I_a ω₃², que se conserva à parte; alturas a partir do ponto fixo
+energy-excluding-that-of-the-spin = Energia sem a da rotação própria
+energy-excluding-that-of-the-spin-i-a-which-is-conserved-separately-heights-from-the-fixed-point = Energia sem a da rotação própria, ½ I_a ω₃², que se conserva à parte; alturas a partir do ponto fixo
 frequency-of-the-nutation = Frequência da nutação
 heavy-top-nutation = Pião: nutação
 highest-position-of-the-axis-angle-to-the-vertical = Posição mais alta do eixo, ângulo com a vertical
 highest-position-of-the-axis-there-0-with-u-cos-e-k-u-1-u-h-z-h-u-2-i-t-a-cubic-in-u = Posição mais alta do eixo. Ali θ̇ = 0: com u = cos θ, (E − K u)(1 − u²) = (H_z − H₃ u)²/(2 I_t), uma cúbica em u
 its-frequency = Sua frequência
-its-rate-at-the-instant = Sua taxa no instante
-its-rate-h-z-h-cos-i-t-sin = Sua taxa, (H_z − H₃ cos θ)/(I_t sen²θ)
+its-rate-of-change-at-the-instant = Sua taxa de variação no instante
+its-rate-of-change-h-z-h-cos-i-t-sin = Sua taxa de variação, (H_z − H₃ cos θ)/(I_t sen²θ)
 lowest-position-of-the-axis-angle-to-the-vertical = Posição mais baixa do eixo, ângulo com a vertical
 lowest-position-of-the-axis-the-next-zero-of-the-cubic = Posição mais baixa do eixo: o zero seguinte da cúbica
-pace-of-the-elliptic-functions-cos-goes-as-sn-p-t-between-its-limits = Ritmo das funções elípticas: cos θ vai como sn²(p t) entre seus limites
+rate-of-the-elliptic-function-argument-cos-varies-as-sn-p-t-between-its-limits = Taxa do argumento das funções elípticas: cos θ varia como sn²(p t) entre seus limites
 period-of-the-nutation = Período da nutação
-period-of-the-nutation-time-from-one-lowest-position-to-the-next = Período da nutação: tempo entre duas posições mais baixas seguidas
-precession-at-the-highest-position-it-has-the-other-sign-at-the-lowest-one-the-axis-draws-loops = Precessão na posição mais alta. Na mais baixa ela tem o outro sinal: o eixo descreve laços
-precession-at-the-highest-position-it-has-the-same-sign-at-the-lowest-one-the-axis-draws-waves = Precessão na posição mais alta. Na mais baixa ela tem o mesmo sinal: o eixo descreve ondas
-precession-at-the-highest-position-the-axis-stands-still-there-it-draws-cusps = Precessão na posição mais alta. Ali o eixo para: ele descreve cúspides
+period-of-the-nutation-time-from-one-lowest-position-to-the-next = Período da nutação: intervalo entre duas posições mais baixas consecutivas
+precession-at-the-highest-position-it-has-the-opposite-sign-at-the-lowest-position-the-axis-traces = Precessão na posição mais alta. Na mais baixa ela tem o sinal oposto: o eixo descreve laços
+precession-at-the-highest-position-it-has-the-same-sign-at-the-lowest-position-the-axis-traces-waves = Precessão na posição mais alta. Na mais baixa ela tem o mesmo sinal: o eixo descreve ondas
+precession-at-the-highest-position-the-axis-is-momentarily-at-rest-there-it-traces-cusps = Precessão na posição mais alta. Ali o eixo fica momentaneamente em repouso: ele descreve cúspides
 precession-at-the-highest-position-cusps = Precessão na posição mais alta: cúspides
 precession-at-the-highest-position-loops = Precessão na posição mais alta: laços
 precession-at-the-highest-position-waves = Precessão na posição mais alta: ondas
 precession-at-the-instant = Precessão no instante
 precession-at-the-lowest-position = Precessão na posição mais baixa
-precession-in-one-nutation = Precessão em uma nutação
-precession-in-one-nutation-over-time-two-elliptic-integrals-of-the-third-kind = Precessão em uma nutação: φ̇ ao longo do tempo, duas integrais elípticas de terceira espécie
+precession-angle-per-nutation = Ângulo de precessão por nutação
+precession-angle-per-nutation-integrated-over-time-two-elliptic-integrals-of-the-third-kind = Ângulo de precessão por nutação: φ̇ integrada no tempo, duas integrais elípticas de terceira espécie
 precession-since-the-start = Precessão desde o início
 precession-since-the-start-by-elliptic-integrals-of-the-third-kind = Precessão desde o início, por integrais elípticas de terceira espécie
-precession-which-is-steady = Precessão, que é estacionária
-precession-stays-the-top-precesses-steadily = Precessão: θ se mantém, o pião precessa de modo estacionário
+precession-steady = Precessão (estacionária)
+precession-is-constant-the-top-precesses-steadily = Precessão: θ é constante, o pião tem precessão estacionária
 spin-relative-to-the-axis-at-the-start = Rotação própria inicial
 spin-since-the-start = Rotação própria desde o início
-spin-since-the-start-t-less-the-shares-of-the-precession = Rotação própria desde o início: ω₃ t menos as parcelas da precessão
-the-axis-on-its-way-and-what-its-tip-draws = O eixo em movimento, e o que sua ponta descreve
+spin-since-the-start-t-less-the-contributions-of-the-precession = Rotação própria desde o início: ω₃ t menos as contribuições da precessão
+motion-of-the-axis-and-path-of-its-tip = Movimento do eixo e trajetória da sua ponta
 third-zero-of-the-cubic-in-cos = Terceiro zero da cúbica em cos θ
-third-zero-of-the-cubic-above-1-where-no-angle-is = Terceiro zero da cúbica, acima de 1, onde não há ângulo
+third-zero-of-the-cubic-above-1-to-which-no-real-angle-corresponds = Terceiro zero da cúbica, acima de 1, ao qual não corresponde ângulo real
 tip-along-x = ponta ao longo de X
 tip-along-y = ponta ao longo de Y
 tip-of-the-axis-seen-from-above = Ponta do eixo, vista de cima
-what-is-known-of-the-spin = O que se conhece da rotação própria
-where-it-is-given-the-attitude-at-this-time-after-the-start-is-answered-too = Se informado, responde-se também a atitude neste tempo após o início.
-zero-for-a-top-whose-axis-is-held-still-and-let-go = Zero para um pião cujo eixo é segurado parado e solto.
+known-quantity-of-the-spin = Grandeza conhecida da rotação própria
+if-given-the-attitude-at-this-time-after-the-start-is-also-calculated = Se informado, calcula-se também a atitude neste tempo após o início.
+zero-for-a-top-released-with-its-axis-at-rest = Zero para um pião solto com o eixo em repouso.
 angle-about-the-vertical = ângulo em torno da vertical
 cos-u-u-u-sn-p-t-t-from-the-lowest-position-on = cos θ = u₂ + (u₁ − u₂) sn² p(t − t₂), a partir da posição mais baixa
 energy-at-the-instant-is-that-at-the-start = a energia no instante é a do início
 highest = mais alta
 lowest = mais baixa
 nutation-needs-the-transverse-moment-of-inertia-give-it-about-the-fixed-point-or-the-mass-centre = a nutação requer o momento de inércia transversal: informe-o em relação ao ponto fixo ou ao centro de massa
-so-is-the-angular-momentum-about-the-vertical = também o momento angular em torno da vertical
+the-angular-momentum-about-the-vertical-is-that-at-the-start = o momento angular em torno da vertical é o do início
 the-angle-at-the-start-by-the-elliptic-functions = o ângulo inicial pelas funções elípticas
 the-axis-creeps-up-to-the-vertical-for-ever-change-the-spin-or-the-start-a-little = o eixo sobe para a vertical sem nunca a alcançar: mude um pouco a rotação ou o início
+the-axis-approaches-the-vertical-asymptotically-change-the-spin-or-the-initial-state-a-little = o eixo se aproxima assintoticamente da vertical: mude um pouco a rotação ou o estado inicial
 the-axis-starts-on-the-vertical-where-precession-is-not-defined-start-a-little-beside-it = o eixo parte da vertical, onde a precessão não é definida: comece um pouco ao lado
-the-limit-put-back-into-the-cubic = o limite substituído na cúbica
-the-precession-in-one-nutation-by-equal-weights = a precessão em uma nutação por pesos iguais
+the-axis-starts-on-the-vertical-where-precession-is-not-defined-start-slightly-off-it = o eixo parte da vertical, onde a precessão não é definida: comece um pouco ao lado
+the-limit-substituted-into-the-cubic = o limite substituído na cúbica
+the-precession-angle-per-nutation-by-equal-weight-quadrature = o ângulo de precessão por nutação, por quadratura de pesos iguais
 the-sum-of-the-three-zeros-e-k-h-2-i-t-k = a soma dos três zeros, E/K + H₃²/(2 I_t K)
 tip-of-a-unit-axis = ponta de um eixo unitário
 # rigid-body/steady-rolling
-small-oscillations-of-the-angle-k-0-with-d-d-i-a-i-t-cot-and-d-d-m-r-i-a-m-r = Pequenas oscilações do ângulo, ε̈ + K ε = 0, com dω₂/dθ = (I_a/I_t) ω₃ − ω₂ cot θ e dω₃/dθ = m r² ω₂/(I_a + m r²)
 # rigid-body/spinning-disc-on-arm
 
 # rigid-body/turn-indicator
-angle-of-a-yoke-with-a-spinning-rotor-and-two-springs-in-a-level-turn-or-the-rate-of-turn-that-an = Ângulo do garfo com um rotor girante e duas molas em uma curva nivelada, ou a velocidade angular da curva que um ângulo indica.
+angle-of-a-yoke-with-a-spinning-rotor-and-two-springs-in-a-level-turn-or-the-rate-of-turn-indicated = Ângulo do garfo com um rotor girante e duas molas em uma curva nivelada, ou a velocidade angular da curva que um ângulo indica.
 angle-of-the-yoke = Ângulo do garfo
 angle-of-the-yoke-against-the-rate-of-turn = Ângulo do garfo em função da velocidade angular da curva
 angular-velocity-of-the-aircraft-about-the-vertical = Velocidade angular da aeronave em torno da vertical
-couple-of-the-two-springs-on-the-yoke-k-sin-cos-for-their-ends-move-by-d-2-sin-at-arms-of-d-2-cos = Binário das duas molas sobre o garfo: K sen θ cos θ, pois suas pontas se deslocam (d/2) sen θ com braços (d/2) cos θ
+couple-of-the-two-springs-on-the-yoke-k-sin-cos-since-their-ends-move-by-d-2-sin-with-lever-arms-of-d = Binário das duas molas sobre o garfo: K sen θ cos θ, pois suas pontas se deslocam (d/2) sen θ com braços (d/2) cos θ
 distance-between-the-springs = Distância entre as molas
-each-acts-at-half-of-it-from-the-axis-of-the-yoke = Cada uma atua à metade dela do eixo do garfo.
+each-acts-at-half-this-distance-from-the-axis-of-the-yoke = Cada uma atua à metade dessa distância do eixo do garfo.
 force-of-each-spring = Força de cada mola
 force-of-each-spring-one-is-longer-by-d-2-sin-the-other-shorter = Força de cada mola: uma se alonga (d/2) sen θ, a outra se encurta
 gyroscopic-couple-on-the-tilted-rotor = Binário giroscópico sobre o rotor inclinado
 gyroscopic-couple-with-the-axle-level = Binário giroscópico com o eixo do rotor nivelado
-moment-of-inertia-across-the-axle = Momento de inércia transversal ao eixo do rotor
+moment-of-inertia-transverse-to-the-axle = Momento de inércia transversal ao eixo do rotor
 moment-of-inertia-of-a-disc-about-a-diameter = Momento de inércia de um disco em relação a um diâmetro
 moments-of-inertia = Momentos de inércia
 rate-of-turn = Velocidade angular da curva
@@ -1449,128 +1489,134 @@ speed-and-radius = Velocidade e raio
 speed-of-the-aircraft = Velocidade da aeronave
 stiffness-of-each-spring = Rigidez de cada mola
 the-indicator-shows-an-angle = O indicador mostra um ângulo
-the-yoke-from-behind = O garfo visto de trás
+the-yoke-seen-from-behind = O garfo visto de trás
 turn-indicator-of-an-aircraft = Indicador de curva de uma aeronave
 no-rate-of-turn-holds-the-yoke-at-that-angle-the-springs-are-too-stiff-for-the-rotor = nenhuma velocidade angular da curva mantém o garfo nesse ângulo: as molas são rígidas demais para o rotor
 the-couple-of-the-springs = o binário das molas
-the-springs-are-too-soft-the-rotor-turns-the-yoke-over-until-its-axle-is-upright-a-slower-rotor-a = as molas são flexíveis demais: o rotor vira o garfo até seu eixo ficar vertical; um rotor mais lento, molas mais afastadas ou mais rígidas o seguram
+the-springs-are-too-soft-the-rotor-tilts-the-yoke-until-its-axle-is-vertical-a-slower-rotor-a-wider = as molas são flexíveis demais: o rotor vira o garfo até seu eixo ficar vertical; um rotor mais lento, molas mais afastadas ou mais rígidas o seguram
 
 # rigid-body/two-bladed-rotor
-amplitude-of-the-part-that-pulses-twice-in-each-turn = Amplitude da parcela que pulsa duas vezes por volta
+amplitude-of-the-component-at-twice-per-revolution = Amplitude da parcela que pulsa duas vezes por volta
 amplitude-of-the-pulsating-part = Amplitude da parcela pulsante
 angle-of-the-blades = Ângulo das pás
 at-an-angular-velocity = Com uma velocidade angular
-couple-about-the-axis-of-the-precession = Binário em torno do eixo de precessão
-couple-about-the-axis-of-the-spin = Binário em torno do eixo de rotação própria
-couple-about-the-axis-of-the-spin-which-books-neglect-it-keeps-the-spin-constant = Binário em torno do eixo de rotação própria, que os livros desprezam: mantém a rotação constante
+couple-about-the-precession-axis = Binário em torno do eixo de precessão
+couple-about-the-spin-axis = Binário em torno do eixo de rotação própria
+couple-about-the-spin-axis-which-books-neglect-it-keeps-the-spin-constant = Binário em torno do eixo de rotação própria, que os livros desprezam: mantém a rotação constante
 couple-about-the-normal-to-spin-and-precession = Binário em torno da normal à rotação própria e à precessão
-couple-about-the-normal-to-spin-and-precession-euler-s-equations-in-the-axes-of-the-blades-turned = Binário em torno da normal à rotação própria e à precessão: equações de Euler nos eixos das pás, giradas de volta por χ
-couple-of-a-rotor-with-two-blades-whose-carrier-turns-its-parts-about-spin-precession-and-their = Binário de um rotor de duas pás cujo veículo gira: suas componentes segundo a rotação própria, a precessão e a normal a ambas, como pulsam com o ângulo das pás, e a média.
+couple-about-the-normal-to-spin-and-precession-euler-s-equations-in-the-axes-of-the-blades-rotated = Binário em torno da normal à rotação própria e à precessão: equações de Euler nos eixos das pás, giradas de volta por χ
+couple-on-a-two-bladed-rotor-whose-carrier-turns-components-about-the-spin-axis-the-precession-axis = Binário sobre um rotor de duas pás cujo veículo gira: componentes segundo a rotação própria, a precessão e a normal a ambas, variação com o ângulo das pás, e média.
 couple-on-the-rotor-spin-precession-normal = Binário sobre o rotor (rotação própria, precessão, normal)
-couple-on-the-rotor-over-a-turn-of-the-blades = Binário sobre o rotor em uma volta das pás
-from-the-axis-of-the-precession-in-the-sense-of-the-spin = A partir do eixo de precessão, no sentido da rotação própria.
+couple-on-the-rotor-over-a-revolution-of-the-blades = Binário sobre o rotor em uma volta das pás
+from-the-precession-axis-in-the-sense-of-the-spin = A partir do eixo de precessão, no sentido da rotação própria.
 gyroscopic-couple-of-a-two-bladed-propeller = Binário giroscópico de uma hélice de duas pás
-largest-resultant-in-a-turn = Maior resultante em uma volta
-largest-resultant-twice-in-each-turn-with-slender-blades-where-they-lie-along-the-axis-of-the = Maior resultante, duas vezes por volta: com pás delgadas, onde elas ficam ao longo do eixo de precessão
-least-resultant-in-a-turn = Menor resultante em uma volta
-least-resultant-a-quarter-of-a-turn-later = Menor resultante, um quarto de volta depois
+maximum-resultant-over-a-revolution = Resultante máxima em uma volta
+maximum-resultant-twice-per-revolution-with-slender-blades-where-they-lie-along-the-precession-axis = Resultante máxima, duas vezes por volta: com pás delgadas, onde elas ficam ao longo do eixo de precessão
+minimum-resultant-over-a-revolution = Resultante mínima em uma volta
+minimum-resultant-a-quarter-of-a-revolution-later = Resultante mínima, um quarto de volta depois
 length-from-tip-to-tip = Comprimento de ponta a ponta
 mass-of-both-blades = Massa das duas pás
 mean-couple = Binário médio
-mean-over-a-turn-the-couple-of-a-symmetric-rotor-with-the-same-moment-of-inertia-about-its-axis = Média em uma volta: o binário de um rotor simétrico com o mesmo momento de inércia em relação ao seu eixo
-moment-of-inertia-about-the-axis-of-the-spin = Momento de inércia em relação ao eixo de rotação própria
+mean-over-a-revolution-the-couple-of-a-symmetric-rotor-with-the-same-moment-of-inertia-about-its-axis = Média em uma volta: o binário de um rotor simétrico com o mesmo momento de inércia em relação ao seu eixo
+moment-of-inertia-about-the-spin-axis = Momento de inércia em relação ao eixo de rotação própria
 moment-of-inertia-about-the-line-across-the-blades = Momento de inércia em relação à linha transversal às pás
 moment-of-inertia-about-the-line-of-the-blades = Momento de inércia em relação à linha das pás
-moment-of-inertia-of-the-rod-about-the-axis-of-the-spin-and-across-the-blades-along-them-it-is-zero = Momento de inércia da haste em relação ao eixo de rotação própria, e transversal às pás; ao longo delas é nulo
+moment-of-inertia-of-the-rod-about-the-spin-axis-and-across-the-blades-along-them-it-is-zero = Momento de inércia da haste em relação ao eixo de rotação própria, e transversal às pás; ao longo delas é nulo
 on-a-curve = Em uma curva
 radius-of-the-curve = Raio da curva
 reaction-on-the-carrier-spin-precession-normal = Reação sobre o veículo (rotação própria, precessão, normal)
 reaction-on-the-carrier-equal-and-opposite = Reação sobre o veículo: igual e oposta
 relative-to-the-carrier-about-x = Relativa ao veículo, em torno de x.
-resultant-across-the-axle = Resultante transversal ao eixo
-resultant-of-the-couple-across-the-axle-it-bends-the-shaft = Resultante do binário transversal ao eixo: flete o eixo
+resultant-normal-to-the-axle = Resultante normal ao eixo do rotor
+resultant-of-the-couple-normal-to-the-axle-it-bends-the-shaft = Resultante do binário normal ao eixo do rotor: flete o eixo
 slender-blades = Pás delgadas
-the-blades-over-a-turn-the-axle-x-the-precession-about-y = As pás em uma volta: eixo em x, precessão em torno de y
+blades-over-one-revolution-axle-along-x-precession-about-y = As pás em uma volta: eixo ao longo de x, precessão em torno de y
 the-moment-of-inertia-along-them-is-neglected = O momento de inércia ao longo delas é desprezado.
 three-principal-moments-of-inertia = Três momentos principais de inércia
 uniform-slender-rod = Haste delgada uniforme
-how-much-larger-the-moment-of-inertia-across-the-blades-is-than-that-along-them = Quanto o momento de inércia transversal às pás excede o longitudinal
-no-body-has-these-moments-of-inertia-name-is-larger-than-the-sum-of-the-other-two = nenhum corpo tem esses momentos de inércia: { $name } é maior que a soma dos outros dois
+difference-between-the-moments-of-inertia-across-and-along-the-blades = Diferença entre os momentos de inércia transversal e longitudinal às pás
+these-moments-of-inertia-violate-the-triangle-inequality-name-is-larger-than-the-sum-of-the-other-two = estes momentos de inércia violam a desigualdade triangular: { $name } é maior que a soma dos outros dois
 
 # rigid-body/two-wheeler-lean
 against-the-wheels = Ao contrário das rodas
-angle-at-which-a-motorcycle-leans-into-a-turn-with-the-gyroscopic-couples-of-wheels-and-engine-the = Ângulo com que uma motocicleta se inclina na curva, com os binários giroscópicos das rodas e do motor, o atrito de que precisa e a velocidade para uma dada inclinação.
+opposite-to-the-wheels = Contrário ao das rodas
+lean-angle-of-a-motorcycle-in-a-turn-with-the-gyroscopic-couples-of-wheels-and-engine-the-required = Ângulo com que uma motocicleta se inclina na curva, com os binários giroscópicos das rodas e do motor, o atrito necessário e a velocidade para uma dada inclinação.
 angular-velocity-of-the-turn = Velocidade angular da curva
 asked-for = Pede-se
+required-result = Resultado pedido
 axles = Eixos
-couple-of-the-centrifugal-force = Binário da força centrífuga
-couple-of-the-centrifugal-force-about-the-line-of-contact = Momento da força centrífuga em relação à linha de contato
-couple-of-the-weight = Momento do peso
-couple-of-the-weight-which-balances-both = Momento do peso, que equilibra os dois
+moment-of-the-centrifugal-force = Momento da força centrífuga
+moment-of-the-centrifugal-force-about-the-line-of-contact = Momento da força centrífuga em relação à linha de contato
+moment-of-the-weight = Momento do peso
+moment-of-the-weight-which-balances-both = Momento do peso, que equilibra os dois
 engine = Motor
 friction-coefficient = Coeficiente de atrito
 friction-coefficient-of-the-tyres = Coeficiente de atrito dos pneus
-friction-coefficient-that-the-tyres-need = Coeficiente de atrito de que os pneus precisam
-friction-that-the-tyres-need-centripetal-force-over-weight-which-the-lean-does-not-change = Atrito de que os pneus precisam: força centrípeta sobre o peso, que a inclinação não altera
+required-friction-coefficient-of-the-tyres = Coeficiente de atrito necessário nos pneus
+required-friction-of-the-tyres-ratio-of-centripetal-force-to-weight-independent-of-the-lean = Atrito necessário nos pneus: razão entre a força centrípeta e o peso, independente da inclinação
 from-behind-in-a-turn-to-the-right = Visto de trás, em uma curva à direita
 gear-ratio = Relação de transmissão
-gyroscopic-couple-which-lifts-the-vehicle-out-of-its-lean = Binário giroscópico, que endireita o veículo
+gyroscopic-couple-which-tends-to-right-the-vehicle = Binário giroscópico, que tende a endireitar o veículo
 height-of-the-centre-of-mass = Altura do centro de massa
 lean-against-speed = Inclinação em função da velocidade
-lean-from-the-vertical = Inclinação em relação à vertical
-lean-from-the-vertical-searched-for-the-couples-that-must-balance-depend-on-the-lean-itself = Inclinação em relação à vertical, procurada numericamente: os momentos que devem se equilibrar dependem dela
+lean-angle-against-speed = Ângulo de inclinação em função da velocidade
+lean-angle-from-the-vertical = Ângulo de inclinação em relação à vertical
+lean-angle-from-the-vertical-found-numerically-the-couples-to-be-balanced-depend-on-the-lean-itself = Ângulo de inclinação em relação à vertical, obtido numericamente: os momentos a equilibrar dependem da própria inclinação
 yaw-less-pitch-moment-of-inertia-of-the-whole-vehicle = Momento de inércia de guinada menos o de arfagem do veículo inteiro
-with-its-wheels-and-rider-about-axes-through-g-the-one-upright-in-the-vehicle-less-the-one-across-it = Com rodas e piloto, em relação a eixos por G: o do eixo normal do veículo menos o do transversal. Os livros o omitem; é pequeno diante de m h².
-couple-of-the-turning-of-the-leaning-vehicle-itself-as-of-a-rotor-without-spin = Binário do giro do próprio veículo inclinado, como o de um rotor sem rotação própria
-couple-of-the-turning-of-the-leaning-vehicle-itself = Binário do giro do próprio veículo inclinado
+with-wheels-and-rider-about-axes-through-g-the-one-about-the-vehicle-s-own-vertical-axis-less-the-one = Com rodas e piloto, em relação a eixos por G: o do eixo normal do veículo menos o do transversal. Os livros o desprezam; é pequeno diante de m h².
+couple-due-to-the-turning-of-the-leaning-vehicle-itself-as-for-a-rotor-without-spin = Binário devido ao giro do próprio veículo inclinado, como o de um rotor sem rotação própria
+couple-due-to-the-turning-of-the-leaning-vehicle-itself = Binário devido ao giro do próprio veículo inclinado
 the-gyroscopic-couples-from-the-difference-quotient-of-the-angular-momentum = os binários giroscópicos pelo quociente de diferenças do momento angular
 lean-of-a-two-wheeler-in-a-turn = Inclinação de um veículo de duas rodas na curva
-lean-of-a-vehicle-without-turning-parts-on-the-same-circle = Inclinação de um veículo sem partes girantes na mesma circunferência
-lean-without-the-gyroscopic-couples = Inclinação sem os binários giroscópicos
+lean-angle-of-a-vehicle-without-rotating-parts-on-the-same-circle = Ângulo de inclinação de um veículo sem partes girantes no mesmo círculo
+lean-angle-without-the-gyroscopic-couples = Ângulo de inclinação sem os binários giroscópicos
 like-the-wheels = Como as rodas
+same-sense-as-the-wheels = No mesmo sentido das rodas
 mass-with-rider = Massa com o piloto
 moment-of-inertia-of-each-wheel = Momento de inércia de cada roda
-moment-of-inertia-of-its-turning-parts = Momento de inércia das suas partes girantes
+moment-of-inertia-of-its-rotating-parts = Momento de inércia das suas partes girantes
 of-the-centre-of-mass = Do centro de massa.
 radius-of-the-circle-of-the-centre-of-mass = Raio da circunferência do centro de massa
 radius-of-the-wheels = Raio das rodas
 speed-at-which-the-tyres-slide = Velocidade em que os pneus deslizam
 speed-at-which-the-tyres-slide-on-that-circle = Velocidade em que os pneus deslizam nessa circunferência
 speed-for-that-lean = Velocidade para essa inclinação
-speed-of-the-engine-over-that-of-the-wheels = Rotação do motor sobre a das rodas.
+engine-speed-divided-by-wheel-speed = Rotação do motor dividida pela das rodas.
 speed-of-the-wheels = Velocidade das rodas
 square-of-the-speed-m-g-h-sin-m-r-g-h-i-v-r-cos-with-v-r = Quadrado da velocidade: m g h sen θ = (m Ω² R_G h + I v Ω/r) cos θ com Ω = v/R
-standing-upright = Na posição vertical.
+with-the-vehicle-upright = Com o veículo na vertical.
 tangent-of-the-lean-m-g-h-sin-m-v-h-r-i-v-r-r-cos = Tangente da inclinação: m g h sen θ = (m v² h/R + I v²/(r R)) cos θ
-that-radius-is-measured = Esse raio é medido
+radius-measured = Raio medido
 the-centre-of-mass-then-runs-on-the-smaller-circle-of-radius-r-h-sin = O centro de massa percorre então a circunferência menor, de raio R − h sen θ.
 the-lean-at-a-speed = A inclinação a uma velocidade
+the-lean-at-a-given-speed = A inclinação para uma velocidade dada
 the-speed-at-a-lean = A velocidade para uma inclinação
+the-speed-for-a-given-lean = A velocidade para uma inclinação dada
 to-the-centre-of-mass = Até o centro de massa
-to-the-track-of-the-wheels = Até o rastro das rodas
-turning-parts-reduced-to-the-speed-of-the-wheels-their-angular-momentum-is-i-v-r = Partes girantes, reduzidas à rotação das rodas: seu momento angular é I v/r
+to-the-wheel-path = Até a trajetória das rodas
+rotating-parts-referred-to-the-wheel-speed-their-angular-momentum-is-i-v-r = Partes girantes, referidas à rotação das rodas: seu momento angular é I v/r
 at-that-lean-the-centre-of-mass-is-over-the-centre-of-the-turn-write-a-larger-radius = com essa inclinação o centro de massa fica sobre o centro da curva: escreva um raio maior
 lean = Inclinação
 no-lean-balances-the-couples-the-speed-is-too-high-for-this-radius = nenhuma inclinação equilibra os binários: a velocidade é alta demais para este raio
 the-couples-about-the-line-of-contact-balance = os momentos em relação à linha de contato se equilibram
-the-engine-turns-so-hard-against-the-wheels-that-the-vehicle-would-lean-outwards-no-speed-gives-that = o motor gira tão forte ao contrário das rodas que o veículo se inclinaria para fora: nenhuma velocidade dá essa inclinação
-the-radius-of-the-track-must-be-above-the-height-of-the-centre-of-mass-which-would-lean-over-the = o raio do rastro deve ser maior que a altura do centro de massa, que se inclinaria sobre o centro da curva
-the-tyres-slide-they-need-a-friction-coefficient-of-needed-and-have-friction = os pneus deslizam: precisam de um coeficiente de atrito de { $needed } e têm { $friction }
+the-angular-momentum-of-the-engine-opposes-that-of-the-wheels-so-strongly-that-the-vehicle-would-lean = o momento angular do motor é tão contrário ao das rodas que o veículo se inclinaria para fora: nenhuma velocidade dá essa inclinação
+the-radius-of-the-wheel-path-must-be-above-the-height-of-the-centre-of-mass-which-would-otherwise = o raio da trajetória das rodas deve ser maior que a altura do centro de massa, que de outro modo se inclinaria sobre o centro da curva
+the-tyres-slide-required-friction-coefficient-needed-available-friction = os pneus deslizam: coeficiente de atrito necessário { $needed }, disponível { $friction }
 with-wheels-and-engine = com rodas e motor
 
 # rigid-body/wheel-loads
-about-an-axis-across-the-axle-it-matters-on-a-banked-road-alone-and-little = Em torno de um eixo transversal ao das rodas. Só importa em pista inclinada, e pouco.
+about-an-axis-transverse-to-the-axle-it-matters-only-on-a-banked-road-and-little = Em torno de um eixo transversal ao das rodas. Só importa em pista inclinada, e pouco.
 above-the-road-normal-to-it = Acima da pista, na direção normal a ela.
-across-turning-against-the-wheels = Transversal, girando ao contrário das rodas
-across-turning-like-the-wheels = Transversal, girando como as rodas
-all-wheel-loads-together-normal-to-the-road = Soma das cargas das rodas, normal à pista
-along-clockwise-seen-from-the-front = Longitudinal, horário visto de frente
-along-clockwise-seen-from-the-rear = Longitudinal, horário visto de trás
+transverse-opposite-to-the-wheels = Transversal, em sentido contrário ao das rodas
+transverse-same-sense-as-the-wheels = Transversal, no mesmo sentido das rodas
+sum-of-the-wheel-loads-normal-to-the-road = Soma das cargas das rodas, normal à pista
+longitudinal-clockwise-seen-from-the-front = Longitudinal, horário visto de frente
+longitudinal-clockwise-seen-from-the-rear = Longitudinal, horário visto de trás
 angle-of-the-road-or-the-track-which-falls-to-the-inside-the-superelevation-of-a-railway = Ângulo da pista ou da via, que desce para o lado interno; a superelevação de uma ferrovia.
 angular-velocity-of-the-engine = Velocidade angular do motor
 angular-velocity-of-the-vehicle-on-its-curve = Velocidade angular do veículo na sua curva
 bank = Inclinação da pista
-couple-that-tilts-outwards-per-square-of-speed-c-k-v-less-m-g-h-sin-on-a-bank = Binário que tomba para fora, por quadrado da velocidade: C = K v² (menos m g h sen β em pista inclinada)
+overturning-couple-per-square-of-speed-c-k-v-less-m-g-h-sin-on-a-bank = Binário de tombamento por quadrado da velocidade: C = K v² (menos m g h sen β em pista inclinada)
 distance-between-the-left-and-the-right-wheels-the-gauge-of-a-railway = Distância entre as rodas esquerdas e direitas; na ferrovia, a bitola.
 distance-of-the-centre-of-mass-behind-the-front-axle = Distância do centro de massa atrás do eixo dianteiro
 each-pair-with-its-axle-mass-and-radius-of-gyration = Cada rodeiro: massa e raio de giração
@@ -1578,14 +1624,14 @@ each-pair-with-its-axle-moment-of-inertia = Cada rodeiro: momento de inércia
 each-wheel-mass-and-radius-of-gyration = Cada roda: massa e raio de giração
 each-wheel-moment-of-inertia = Cada roda: momento de inércia
 engine-or-motors = Motor ou motores
-four-wheels-on-a-stiff-body-leave-it-open-one-half-if-nothing-is-known-else-as-the-springs-share-it = Com quatro rodas e carroceria rígida fica indeterminada: metade se nada se sabe; senão, como as molas a repartem.
+with-four-wheels-on-a-rigid-body-it-is-indeterminate-one-half-if-nothing-is-known-otherwise-as = Com quatro rodas e carroceria rígida fica indeterminada: metade se nada se sabe; senão, conforme a distribuição pelas molas.
 gyroscopic-couple-of-the-engine = Binário giroscópico do motor
 gyroscopic-couple-of-the-engine-which-adds-to-that-of-the-wheels = Binário giroscópico do motor, que se soma ao das rodas
-gyroscopic-couple-of-the-engine-which-takes-from-that-of-the-wheels = Binário giroscópico do motor, que se subtrai do das rodas
-gyroscopic-couple-of-the-engine-in-this-turn-it-presses-on-the-front-axle-and-relieves-the-rear-one = Binário giroscópico do motor: nesta curva carrega o eixo dianteiro e alivia o traseiro
-gyroscopic-couple-of-the-engine-in-this-turn-it-presses-on-the-rear-axle-and-relieves-the-front-one = Binário giroscópico do motor: nesta curva carrega o eixo traseiro e alivia o dianteiro
+gyroscopic-couple-of-the-engine-which-is-subtracted-from-that-of-the-wheels = Binário giroscópico do motor, que se subtrai do das rodas
+gyroscopic-couple-of-the-engine-in-this-turn-it-loads-the-front-axle-and-unloads-the-rear-one = Binário giroscópico do motor: nesta curva carrega o eixo dianteiro e alivia o traseiro
+gyroscopic-couple-of-the-engine-in-this-turn-it-loads-the-rear-axle-and-unloads-the-front-one = Binário giroscópico do motor: nesta curva carrega o eixo traseiro e alivia o dianteiro
 gyroscopic-couple-of-the-wheels = Binário giroscópico das rodas
-gyroscopic-couple-of-the-wheels-it-tilts-the-vehicle-outwards-about-its-long-axis = Binário giroscópico das rodas: tomba o veículo para fora, em torno do seu eixo longitudinal
+gyroscopic-couple-of-the-wheels-it-tilts-the-vehicle-outwards-about-its-longitudinal-axis = Binário giroscópico das rodas: tomba o veículo para fora, em torno do seu eixo longitudinal
 load-of-each-inner-wheel = Carga de cada roda interna
 load-of-each-outer-wheel = Carga de cada roda externa
 load-of-the-front-axle-moments-about-the-rear-one = Carga do eixo dianteiro: momentos em relação ao traseiro
@@ -1594,11 +1640,11 @@ load-of-the-front-outer-wheel = Carga da roda dianteira externa
 load-of-the-rear-axle = Carga do eixo traseiro
 load-of-the-rear-inner-wheel = Carga da roda traseira interna
 load-of-the-rear-outer-wheel = Carga da roda traseira externa
-load-of-the-wheel-that-lifts-first-at-rest = Carga em repouso da primeira roda a levantar
-load-on-each-outer-wheel-from-the-couple-of-the-wheels = Carga em cada roda externa devida ao binário das rodas
-load-that-goes-from-the-inner-to-the-outer-side = Carga transferida do lado interno para o externo
-load-that-goes-from-the-inner-to-the-outer-side-all-wheels-of-a-side-together = Carga transferida do lado interno para o externo, soma das rodas de um lado
-load-that-the-couple-of-the-wheels-alone-puts-on-each-outer-wheel = Carga que o binário das rodas sozinho põe em cada roda externa
+static-load-of-the-first-wheel-to-lift = Carga estática da primeira roda a levantar
+load-on-each-outer-wheel-due-to-the-couple-of-the-wheels = Carga em cada roda externa devida ao binário das rodas
+load-transfer-from-the-inner-to-the-outer-side = Transferência de carga do lado interno para o externo
+load-transfer-from-the-inner-to-the-outer-side-sum-of-all-wheels-of-a-side = Transferência de carga do lado interno para o externo, soma das rodas de um lado
+load-on-each-outer-wheel-due-to-the-couple-of-the-wheels-alone = Carga em cada roda externa devida só ao binário das rodas
 loads-on-the-wheels-of-a-car-a-trolley-or-a-rail-axle-in-a-level-or-banked-curve-with-the-gyroscopic = Cargas nas rodas de um automóvel, de um bonde ou de um rodeiro em curva plana ou inclinada, com os binários giroscópicos das rodas e do motor, e as velocidades em que uma roda levanta ou o veículo desliza.
 mass-of-a-pair = Massa de um rodeiro
 mass-of-a-wheel = Massa de uma roda
@@ -1606,18 +1652,18 @@ moment-of-inertia-of-a-pair = Momento de inércia de um rodeiro
 moment-of-inertia-of-a-wheel = Momento de inércia de uma roda
 moment-of-inertia-of-all-wheels-about-their-axles = Momento de inércia de todas as rodas em relação aos seus eixos
 moment-of-inertia-of-the-wheels = Momento de inércia das rodas
-of-all-parts-that-turn-at-the-same-speed = De todas as partes que giram com a mesma rotação.
+of-all-parts-that-rotate-at-the-same-speed = De todas as partes que giram com a mesma rotação.
 one-axle = Um eixo
 overturning-couple-of-the-side-force = Momento de tombamento da força lateral
 overturning-couple-of-the-side-force-the-centrifugal-force-at-the-height-h = Momento de tombamento da força lateral: a força centrífuga à altura h
 radius-of-gyration-of-a-pair = Raio de giração de um rodeiro
 radius-of-gyration-of-a-wheel = Raio de giração de uma roda
 shaft-and-sense = Eixo e sentido
-share-of-the-front-axle = Parcela do eixo dianteiro
-share-of-the-front-axle-in-the-couple-that-tilts-the-vehicle = Parcela do eixo dianteiro no binário que tomba o veículo
+load-transfer-at-the-front-axle = Transferência de carga no eixo dianteiro
+share-of-the-overturning-couple-carried-by-the-front-axle = Parcela do eixo dianteiro no binário de tombamento
 side-force-of-the-road = Força lateral da pista
-side-force-of-the-road-along-it-towards-the-inside = Força lateral da pista, ao longo dela, para o lado interno
-speed-at-which-nothing-is-left-n-n-v = Velocidade em que nada resta: N₀ = n v²
+side-force-of-the-road-parallel-to-its-surface-towards-the-inside = Força lateral da pista, paralela à sua superfície, para o lado interno
+speed-at-which-the-load-vanishes-n-n-v = Velocidade em que a carga se anula: N₀ = n v²
 speed-at-which-the-front-inner-wheel-lifts = Velocidade em que a roda dianteira interna levanta
 speed-at-which-the-front-outer-wheel-lifts = Velocidade em que a roda dianteira externa levanta
 speed-at-which-the-inner-wheels-lift = Velocidade em que as rodas internas levantam
@@ -1626,37 +1672,39 @@ speed-at-which-the-rear-inner-wheel-lifts = Velocidade em que a roda traseira in
 speed-at-which-the-rear-outer-wheel-lifts = Velocidade em que a roda traseira externa levanta
 speed-at-which-the-side-force-reaches-the-friction-s-p = Velocidade em que a força lateral atinge o atrito: S = µ P
 speed-at-which-the-vehicle-slides-outwards = Velocidade em que o veículo desliza para fora
-the-vehicle-from-behind-turning-to-the-side-of-the-arrow = O veículo visto de trás, virando para o lado da seta
+the-vehicle-seen-from-behind-turning-in-the-direction-of-the-arrow = O veículo visto de trás, virando para o lado da seta
 transverse-moment-of-inertia-of-each-pair-of-wheels = Momento de inércia transversal de cada rodeiro
 two-axles-centre-of-mass-given = Dois eixos, centro de massa dado
 two-axles-centre-of-mass-in-the-middle = Dois eixos, centro de massa no meio
 what-it-loses-per-square-of-speed = O que ela perde, por quadrado da velocidade
+load-reduction-per-unit-of-speed-squared = Redução da carga por quadrado da velocidade
 wheel-loads-against-speed = Cargas das rodas em função da velocidade
 wheel-loads-in-a-turn = Cargas das rodas na curva
 wheelbase = Distância entre eixos
-without-it-only-the-limits-are-answered = Sem ela, só os limites são respondidos.
+if-omitted-only-the-limits-are-calculated = Se omitida, calculam-se só os limites.
 a-wheel-has-lifted-the-road-cannot-pull-and-the-loads-are-those-that-would-keep-it-down = uma roda levantou: a pista não pode puxar, e as cargas são as que a manteriam no chão
 a-wheel-lifts = uma roda levanta
 a-wheel-lifts-before-the-vehicle-slides-it-overturns = uma roda levanta antes que o veículo deslize: ele tomba
 an-engine-along-the-vehicle-shifts-load-between-the-axles-choose-two-axles-with-the-centre-of-mass = um motor longitudinal transfere carga entre os eixos: escolha dois eixos com o centro de massa dado, e escreva a distância entre eixos
-no-load-is-left-at-the-speed-of-lifting = nenhuma carga resta na velocidade em que a roda levanta
+the-load-is-zero-at-the-lifting-speed = a carga é nula na velocidade em que a roda levanta
 no-wheel-lifts-at-any-speed = nenhuma roda levanta, a velocidade alguma
-on-this-bank-the-vehicle-slides-outwards-at-no-speed = nesta inclinação o veículo não desliza para fora a velocidade alguma
+on-this-bank-the-vehicle-does-not-slide-outwards-at-any-speed = nesta inclinação o veículo não desliza para fora a velocidade alguma
 the-bank-is-so-steep-that-the-vehicle-tips-over-to-the-inside-at-rest = a pista é tão inclinada que o veículo em repouso tomba para dentro
 the-centre-of-mass-is-not-between-the-axles-so-the-vehicle-tips-over-at-rest-write-its-distance = o centro de massa não está entre os eixos, e o veículo tomba em repouso: escreva sua distância atrás do eixo dianteiro, de zero à distância entre eixos
 the-couple-of-the-wheels-from-the-difference-quotient-of-r-i-r = o binário das rodas pelo quociente de diferenças de R I Rᵀ ω
 the-moments-of-the-wheel-loads-about-the-long-axis-balance-the-couples = os momentos das cargas das rodas em relação ao eixo longitudinal equilibram os binários
 the-side-force-is-above-the-friction-the-vehicle-slides-at-this-speed = a força lateral excede o atrito: o veículo desliza a esta velocidade
-the-wheel-loads-make-up-the-whole = as cargas das rodas somam o total
+the-wheel-loads-sum-to-the-total = as cargas das rodas somam o total
 
 # rigid-body/rate-of-change
 given-name = { $given_name }
 rate-of-change-of-angular-momentum = Taxa de variação do momento angular
-dh-dt-dh-dt-relative-h-of-a-body-on-a-chain-of-joints-in-a-chosen-moving-frame-and-the-force-and = dH/dt = (dH/dt) relativa + Ω × H de um corpo em uma cadeia de juntas, em um referencial móvel escolhido, e a força e o binário de inércia em qualquer ponto.
+dh-dt-dh-dt-relative-h-of-a-body-on-a-chain-of-joints-in-a-chosen-moving-frame-and-the-inertia-force = dH/dt = (dH/dt) relativa + Ω × H de um corpo em uma cadeia de juntas, em um referencial móvel escolhido, e a força e o binário de inércia em qualquer ponto.
 joints-that-move-it = Juntas que o movem
 moving-frame = Referencial móvel
-its-axes-are-those-of-all-vectors = Seus eixos são os de todos os vetores.
+all-vectors-are-resolved-along-its-axes = Todos os vetores são decompostos nos seus eixos.
 point-of-the-moments = Ponto dos momentos
+reference-point-for-moments = Ponto de referência dos momentos
 the-mass-centre-g = O centro de massa G
 the-fixed-origin-o = A origem fixa O
 another-fixed-point-a = Outro ponto fixo A
@@ -1664,63 +1712,66 @@ position-from-o-in-the-axes-of-the-moving-frame = Posição a partir de O, nos e
 mass-of-the-whole-body = Massa do corpo inteiro
 moment-of-inertia-of-the-body-about-g = Momento de inércia do corpo em relação a G
 product-of-inertia-of-the-body-about-g-such-as-i-xy-xy-dm = Produto de inércia do corpo em relação a G, como I_xy = ∫ xy dm
-mass-centre-g-from-the-origin-of-the-last-frame-in-the-axes-of-the-moving-frame = Centro de massa G a partir da origem do último referencial, nos eixos do referencial móvel
+centre-of-mass-g-from-the-origin-of-the-last-frame-in-the-axes-of-the-moving-frame = Centro de massa G a partir da origem do último referencial, nos eixos do referencial móvel
 acceleration-of-the-mass-centre = Aceleração do centro de massa
-mass-centre-g-from-the-point-of-the-moments = Centro de massa G a partir do ponto dos momentos
+acceleration-of-the-centre-of-mass = Aceleração do centro de massa
+centre-of-mass-g-from-the-reference-point-for-moments = Centro de massa G a partir do ponto de referência dos momentos
 angular-momentum-about-the-point = Momento angular em relação ao ponto
 moment-of-all-forces-about-the-point-dh-dt-with-the-point-fixed = Momento de todas as forças em relação ao ponto: dH/dt com o ponto fixo
-inertia-force-against-the-acceleration-of-g = Força de inércia, oposta à aceleração de G
-inertia-couple-that-goes-with-it-at-the-point = Binário de inércia que a acompanha no ponto
+inertia-force-opposite-to-the-acceleration-of-g = Força de inércia, oposta à aceleração de G
+corresponding-inertia-couple-at-the-point = Binário de inércia correspondente no ponto
 angular-momentum-along-the-axis-of-the-last-joint = Momento angular ao longo do eixo da última junta
 magnitude-of-the-moment = Módulo do momento
 moment-of-all-forces-about-the-point = Momento de todas as forças em relação ao ponto
 dh-dt-about-g = dH/dt em relação a G
 inertia-force = Força de inércia
 inertia-couple-at-the-point = Binário de inércia no ponto
-over-half-a-turn-the-part-across-the-axis-is-turned-round = Em meia volta a parte transversal ao eixo se inverte
-change-of-the-angular-momentum-over-half-a-turn = Variação do momento angular em meia volta
+over-half-a-revolution-the-transverse-component-reverses = Em meia volta a componente transversal se inverte
+change-of-the-angular-momentum-over-half-a-revolution = Variação do momento angular em meia volta
 dh-dt-about-g-from-euler-s-equations-i-h = dH/dt em relação a G pelas equações de Euler: I α + ω × H
-rates-of-the-components-of-in-the-axes-of-the-moving-frame = Taxas de variação das componentes de ω nos eixos do referencial móvel
+rates-of-change-of-the-components-of-in-the-axes-of-the-moving-frame = Taxas de variação das componentes de ω nos eixos do referencial móvel
 angular-velocity-of-the-body-relative-to-the-moving-frame = Velocidade angular do corpo relativa ao referencial móvel
-what-the-change-of-the-moments-and-products-of-inertia-in-these-axes-adds-nothing-for-a-body-of = O que a variação dos momentos e produtos de inércia nesses eixos acrescenta; nada para um corpo de revolução em torno do próprio eixo
-rate-of-change-seen-by-someone-who-turns-with-the-moving-frame = Variação vista por quem gira com o referencial móvel
+contribution-of-the-changing-moments-and-products-of-inertia-in-these-axes-zero-for-a-body-of = Contribuição da variação dos momentos e produtos de inércia nesses eixos; nula para um corpo de revolução em torno do próprio eixo
+rate-of-change-relative-to-the-moving-frame = Taxa de variação relativa ao referencial móvel
 dh-dt-relative-to-the-moving-frame-about-g = (dH/dt) relativa ao referencial móvel, em relação a G
 rate-of-change-of-the-angular-momentum-about-g-in-fixed-axes = Taxa de variação do momento angular em relação a G em eixos fixos
-the-angular-momentum-from-the-inertia-tensor-turned-with-the-body-r-i-r = o momento angular pelo tensor de inércia girado com o corpo: R I Rᵀ ω
+the-angular-momentum-from-the-inertia-tensor-rotated-with-the-body-r-i-r = o momento angular pelo tensor de inércia girado com o corpo: R I Rᵀ ω
 dh-dt-from-the-difference-quotient-of-r-i-r = dH/dt pela razão incremental de R I Rᵀ ω
-dh-dt-about-g-in-the-fixed-axes-over-a-turn-of-the-first-joint = dH/dt em relação a G nos eixos fixos ao longo de uma volta da primeira junta
+dh-dt-about-g-in-the-fixed-axes-over-one-revolution-of-the-first-joint = dH/dt em relação a G nos eixos fixos ao longo de uma volta da primeira junta
 angular-momentum-and-its-rate-of-change = Momento angular e sua taxa de variação
 
 # rigid-body/reactions
-reactions-on-a-turning-body = Reações em um corpo que gira
+reactions-on-a-rotating-body = Reações em um corpo em rotação
 forces-and-couples-of-bearings-hinges-welds-wires-and-contacts-on-a-body-that-turns-about-a-shaft-or = Forças e binários de mancais, articulações, engastes, fios e contatos em um corpo que gira em torno de um eixo ou em uma cadeia de juntas, por d'Alembert.
-one-for-a-body-on-a-shaft-for-a-body-carried-by-something-that-moves-a-chain = Uma para um corpo em um eixo; para um corpo levado por algo que se move, uma cadeia.
+one-for-a-body-on-a-shaft-a-chain-for-a-body-carried-by-a-moving-support = Uma para um corpo em um eixo; uma cadeia para um corpo levado por um suporte móvel.
 drive-of-the-last-joint = Acionamento da última junta
 axes-of-supports-loads-and-reactions = Eixos dos apoios, cargas e reações
 supports = Apoios
 loads = Cargas
 acceleration-of-gravity-in-the-fixed-axes = Aceleração da gravidade, nos eixos fixos
-zero-when-the-weight-does-not-count = Zero quando o peso não conta.
-motion-as-given-its-couple-is-found = Movimento como dado; acha-se o seu binário
-couple-about-the-axis-given-the-acceleration-is-found = Binário em torno do eixo dado; acha-se a aceleração
+zero-to-neglect-the-weight = Zero para desprezar o peso.
+given-motion-its-couple-is-calculated = Movimento dado; calcula-se o seu binário
+given-couple-about-the-axis-the-acceleration-is-calculated = Binário dado em torno do eixo; calcula-se a aceleração
 couple-about-the-axis-of-the-last-joint = Binário em torno do eixo da última junta
 zero-for-a-body-that-turns-freely = Zero para um corpo que gira livremente.
 what-acts = O que age
+type-of-load = Tipo de carga
 a-force = uma força
 a-couple = Um binário
 point-that-it-acts-on = Ponto em que atua
+point-of-application = Ponto de aplicação
 moment = Momento
 point = Ponto
 from-the-origin-of-the-axes-of-the-supports = A partir da origem dos eixos dos apoios.
 kind-of-support = Tipo de apoio
 bearing = Mancal
-two-forces-across-the-shaft = Duas forças transversais ao eixo.
+two-forces-normal-to-the-shaft = Duas forças transversais ao eixo.
 direction-of-the-shaft = Direção do eixo
-bearing-that-takes-the-axial-force-too = Mancal que também recebe a força axial
+bearing-that-also-carries-the-axial-force = Mancal que também recebe a força axial
 three-forces = Três forças.
 ball-and-socket = Rótula
 clevis = Articulação com pino
-three-forces-and-couples-across-its-pin = Três forças e binários transversais ao pino.
+three-forces-and-couples-normal-to-its-pin = Três forças e binários transversais ao pino.
 direction-of-the-pin = Direção do pino
 weld = Solda
 three-forces-and-three-couples = Três forças e três binários.
@@ -1732,132 +1783,136 @@ one-force-tilted-from-the-normal-by-the-friction = Uma força, inclinada da norm
 normal-of-the-plane-towards-the-body = Normal do plano, voltada para o corpo
 coefficient-of-friction = Coeficiente de atrito
 direction-in-which-the-body-slides = Direção em que o corpo desliza
-of-no-account-without-friction = Não importa sem atrito.
-contact-with-a-plane-that-does-not-slide = Contato com um plano sem deslizar
-three-forces-how-much-friction-it-needs-is-answered = Três forças; responde-se quanto atrito é necessário.
+no-effect-without-friction = Sem efeito na ausência de atrito.
+contact-with-a-plane-without-sliding = Contato com um plano, sem deslizamento
+three-forces-the-required-friction-is-calculated = Três forças; calcula-se o atrito necessário.
 couple-about-a-direction = Binário em torno de uma direção
 a-drive-or-a-key-that-lets-the-point-move = Um acionamento ou uma chaveta que deixa o ponto mover-se.
 direction = Direção
-acceleration-of-gravity-in-axes-turned-by-by = Aceleração da gravidade nos eixos girados por { $by }
-acceleration-of-the-mass-centre-without-that-of-the-last-joint = Aceleração do centro de massa sem a da última junta
-acceleration-of-the-mass-centre-with-that-of-the-last-joint = Aceleração do centro de massa, com a da última junta
-angular-acceleration-of-the-body-with-that-of-the-last-joint = Aceleração angular do corpo, com a da última junta
+acceleration-of-gravity-in-axes-rotated-by-by = Aceleração da gravidade nos eixos girados por { $by }
+acceleration-of-the-centre-of-mass-excluding-that-of-the-last-joint = Aceleração do centro de massa, excluída a da última junta
+acceleration-of-the-centre-of-mass-including-that-of-the-last-joint = Aceleração do centro de massa, incluída a da última junta
+angular-acceleration-of-the-body-including-that-of-the-last-joint = Aceleração angular do corpo, incluída a da última junta
 angular-acceleration-of-the-last-joint = Aceleração angular da última junta
-coefficient-of-friction-that-name-needs-not-to-slide = Coeficiente de atrito de que { $name } precisa para não deslizar
+coefficient-of-friction-required-to-keep-name-from-sliding = Coeficiente de atrito necessário para { $name } não deslizar
 couple-of-the-drive = Binário do acionamento
-couple-of-the-drive-about-the-axis-of-the-last-joint-from-the-same-equations = Binário do acionamento em torno do eixo da última junta, pelas mesmas equações
-couple-of-the-support = Binário do apoio
+driving-torque = Torque motor
+driving-torque-about-the-axis-of-the-last-joint-from-the-same-equations = Torque motor em torno do eixo da última junta, pelas mesmas equações
+support-couple = Binário do apoio
 couple-of-name-from-the-same-equations = Binário de { $name }, pelas mesmas equações
 dynamic-reaction = Reação dinâmica
 static-reaction = Reação estática
-forces-and-couples-of-the-supports = Forças e binários dos apoios
-forces-that-the-supports-must-balance = Forças que os apoios devem equilibrar
+support-reactions = Reações dos apoios
+forces-to-be-balanced-by-the-supports = Forças a equilibrar pelos apoios
 friction-force-of-name = Força de atrito de { $name }
 inertia-couple = Binário de inércia
-inertia-couple-against-the-change-of-the-angular-momentum = Binário de inércia, oposto à variação do momento angular
+inertia-couple-opposite-to-the-rate-of-change-of-the-angular-momentum = Binário de inércia, oposto à taxa de variação do momento angular
 inertia-force-at-g = Força de inércia em G
 magnitude-of-the-reaction = Módulo da reação
 magnitude-of-the-reaction-of-name = Módulo da reação de { $name }
 magnitudes-of-the-reactions-against-the-speed = Módulos das reações em função da velocidade
-mass-centre-g-from-the-origin-of-the-axes-of-the-supports = Centro de massa G a partir da origem dos eixos dos apoios
-mass-centre-g-from-the-origin-of-the-last-frame-in-the-axes-of-the-supports = Centro de massa G a partir da origem do último referencial, nos eixos dos apoios
+centre-of-mass-g-from-the-origin-of-the-axes-of-the-supports = Centro de massa G a partir da origem dos eixos dos apoios
+centre-of-mass-g-from-the-origin-of-the-last-frame-in-the-axes-of-the-supports = Centro de massa G a partir da origem do último referencial, nos eixos dos apoios
 moment-of-inertia-about-the-axis-of-the-last-joint = Momento de inércia em relação ao eixo da última junta
 moment-of-weight-and-loads-about-the-origin-of-the-axes-of-the-supports = Momento do peso e das cargas em relação à origem dos eixos dos apoios
-moments-about-the-axis-of-the-last-joint-to-which-no-support-adds-t-m-e-m-a-j = Momentos em torno do eixo da última junta, para os quais nenhum apoio contribui: T + M − e · (Ḣ + ρ × m a) = J θ̈
-moments-that-the-supports-must-balance-about-the-origin-of-their-axes = Momentos que os apoios devem equilibrar, em relação à origem dos seus eixos
+moments-about-the-axis-of-the-last-joint-about-which-the-supports-exert-none-t-m-e-m-a-j = Momentos em torno do eixo da última junta, em torno do qual os apoios não exercem nenhum: T + M − e · (Ḣ + ρ × m a) = J θ̈
+moments-to-be-balanced-by-the-supports-about-the-origin-of-their-axes = Momentos a equilibrar pelos apoios, em relação à origem dos seus eixos
 normal-force-of-name = Força normal de { $name }
 origin-of-the-last-frame-in-the-axes-of-the-supports = Origem do último referencial, nos eixos dos apoios
 rate-of-change-of-the-angular-momentum-about-g-without-that-acceleration = Taxa de variação do momento angular em relação a G sem essa aceleração
-rate-of-change-seen-by-someone-who-turns-with-the-body = Variação vista por quem gira com o corpo
-rate-of-change-of-the-angular-momentum-about-g-with-h-for-axes-that-turn-with-the-body = Taxa de variação do momento angular em relação a G, com Ω × H para eixos que giram com o corpo
+rate-of-change-relative-to-axes-rotating-with-the-body = Taxa de variação relativa aos eixos que giram com o corpo
+rate-of-change-of-the-angular-momentum-about-g-with-h-for-axes-rotating-with-the-body = Taxa de variação do momento angular em relação a G, com Ω × H para eixos que giram com o corpo
 reaction = Reação
 reaction-in-the-fixed-axes = Reação nos eixos fixos
 reaction-of-name-in-the-fixed-axes = Reação de { $name } nos eixos fixos
-reaction-of-name-to-weight-and-loads-at-rest-with-the-body-held-by-a-couple-about-the-last-axis = Reação de { $name } ao peso e às cargas em repouso, com o corpo retido por um binário em torno do último eixo
+reaction-of-name-to-weight-and-loads-at-rest-with-the-body-restrained-by-a-couple-about-the-last-axis = Reação de { $name } ao peso e às cargas em repouso, com o corpo retido por um binário em torno do último eixo
 reaction-of-name-from-the-six-equations-of-equilibrium-with-the-inertia-force-and-couple = Reação de { $name }, pelas seis equações de equilíbrio com a força e o binário de inércia
-reactions-in-the-fixed-axes-over-a-turn-of-name = Reações nos eixos fixos ao longo de uma volta de { $name }
+reactions-in-the-fixed-axes-over-one-revolution-of-name = Reações nos eixos fixos ao longo de uma volta de { $name }
 sum-of-weight-and-loads = Soma do peso e das cargas
 support = Apoio
 tension = Tração
 tension-of-name = Tração de { $name }
 the-body-on-its-supports = O corpo em seus apoios
 weight-of-the-body-at-g = Peso do corpo, em G
-what-the-motion-adds-to-the-reaction-of-name = O que o movimento acrescenta à reação de { $name }
+dynamic-part-of-the-reaction-of-name = Parcela dinâmica da reação de { $name }
 a-direction-of-the-support-name-has-no-length-write-any-vector-along-it-such-as-1-0-0 = uma direção do apoio { $name } não tem comprimento: escreva qualquer vetor ao longo dela, como (1; 0; 0)
-all-forces-are-the-difference-quotient-of-the-momentum = todas as forças são a razão incremental da quantidade de movimento
-all-moments-are-the-difference-quotient-of-the-angular-momentum = todos os momentos são a razão incremental do momento angular
-the-body-has-no-moment-of-inertia-about-the-axis-of-the-last-joint-a-couple-cannot-tell-its = o corpo não tem momento de inércia em relação ao eixo da última junta: um binário não define a sua aceleração
-the-contact-name-would-have-to-pull-it-is-lost-and-the-motion-is-another = o contato { $name } teria de puxar: ele se perde, e o movimento é outro
-the-couple-of-the-drive-is-given-and-the-acceleration-of-the-last-joint-too-leave-that-at-zero-or-let = são dados o binário do acionamento e também a aceleração da última junta: deixe esta em zero, ou deixe achar o binário
+the-resultant-of-all-forces-equals-the-difference-quotient-of-the-momentum = a resultante de todas as forças é igual à razão incremental da quantidade de movimento
+the-sum-of-all-moments-equals-the-difference-quotient-of-the-angular-momentum = a soma de todos os momentos é igual à razão incremental do momento angular
+the-body-has-no-moment-of-inertia-about-the-axis-of-the-last-joint-a-couple-cannot-determine-its = o corpo não tem momento de inércia em relação ao eixo da última junta: um binário não determina a sua aceleração
+the-contact-name-would-have-to-pull-contact-is-lost-and-the-motion-changes = o contato { $name } teria de puxar: perde-se o contato e o movimento muda
+the-driving-torque-is-given-and-the-acceleration-of-the-last-joint-too-leave-that-at-zero-or-let-the = são dados o torque motor e também a aceleração da última junta: deixe esta em zero, ou deixe o torque ser calculado
 the-forces-of-the-supports-balance-all-others = as forças dos apoios equilibram todas as outras
 the-moments-of-the-supports-balance-all-others = os momentos dos apoios equilibram todos os outros
-the-positions-or-the-loads-are-too-large-to-be-numbers-look-at-their-units = as posições ou as cargas são grandes demais para serem números: confira as unidades
-the-supports-are-statically-indeterminate-count-of-their-unknowns-unknowns-are-too-many-for-the-six = os apoios são estaticamente indeterminados: { $count } das suas { $unknowns } incógnitas são demais para as seis equações, e { $names } podem tensionar-se mutuamente sem carga alguma; deixe um deles ceder, como uma força axial ou um binário
-the-supports-hold-the-body-against-turning-about-name-let-the-motion-be-as-given-with-its = os apoios impedem o corpo de girar em torno de { $name }: deixe o movimento como dado, com a sua aceleração
-the-supports-leave-the-body-free-to-move-along-axis-and-this-motion-with-these-loads-needs-a-force = os apoios deixam o corpo livre para mover-se ao longo de { $axis }, e este movimento com estas cargas precisa ali de uma força: acrescente um apoio que a receba
-the-supports-leave-the-body-free-to-turn-about-axis-and-this-motion-with-these-loads-needs-a-moment = os apoios deixam o corpo livre para girar em torno de { $axis }, e este movimento com estas cargas precisa ali de um momento: acrescente um apoio ou um acionamento, ou deixe achar a aceleração
-the-supports-leave-count-of-the-six-motions-free-no-load-works-in-them-now-but-nothing-would-hold-the = os apoios deixam livres { $count } dos seis movimentos: nenhuma carga trabalha neles agora, mas nada seguraria o corpo ali
-the-wire-name-would-have-to-push-it-goes-slack-and-the-motion-is-another = o fio { $name } teria de empurrar: ele afrouxa, e o movimento é outro
+the-positions-or-the-loads-exceed-the-numerical-range-check-their-units = as posições ou as cargas excedem a faixa numérica: confira as unidades
+the-supports-are-statically-indeterminate-count-of-their-unknowns-unknowns-are-too-many-for-the-six = os apoios são estaticamente indeterminados: { $count } das suas { $unknowns } incógnitas são demais para as seis equações, e { $names } podem tensionar-se mutuamente sem carga alguma; libere um deles, como uma força axial ou um binário
+the-supports-hold-the-body-against-turning-about-name-use-the-given-motion-with-its-acceleration = os apoios impedem o corpo de girar em torno de { $name }: use o movimento dado, com a sua aceleração
+the-supports-leave-the-body-free-to-move-along-axis-and-this-motion-with-these-loads-requires-a-force = os apoios deixam o corpo livre para mover-se ao longo de { $axis }, e este movimento com estas cargas requer uma força ali: acrescente um apoio que resista a ela
+the-supports-leave-the-body-free-to-turn-about-axis-and-this-motion-with-these-loads-requires-a = os apoios deixam o corpo livre para girar em torno de { $axis }, e este movimento com estas cargas requer um momento ali: acrescente um apoio ou um acionamento, ou deixe a aceleração ser calculada
+the-supports-leave-count-of-the-six-motions-free-no-load-does-work-in-them-now-but-nothing-restrains = os apoios deixam livres { $count } dos seis movimentos: nenhuma carga realiza trabalho neles agora, mas nada restringe o corpo ali
+the-wire-name-would-have-to-push-it-goes-slack-and-the-motion-changes = o fio { $name } teria de empurrar: ele afrouxa e o movimento muda
 
 # rigid-body/dynamic-equilibrium
-hinged-body-on-a-turning-shaft = Corpo articulado em um eixo que gira
-the-angle-at-which-a-rod-plate-or-particle-hinged-to-a-turning-shaft-stands-out-by-itself-or-the = O ângulo em que uma haste, placa ou partícula articulada a um eixo que gira se mantém por si, ou a velocidade para um ângulo; sua estabilidade e as forças da articulação.
+hinged-body-on-a-rotating-shaft = Corpo articulado em um eixo que gira
+equilibrium-angle-of-a-rod-plate-or-particle-hinged-to-a-rotating-shaft-or-the-speed-for-a-given = Ângulo de equilíbrio de uma haste, placa ou partícula articulada a um eixo giratório, ou a velocidade para um ângulo dado; sua estabilidade e as forças na articulação.
 forces-grow-with-it-angle-and-speed-do-not-depend-on-it = As forças crescem com ela; ângulo e velocidade não dependem dela.
 distance-of-the-pin-from-the-axis-of-the-shaft = Distância do pino ao eixo de rotação
 what-is-known = O que é conhecido
+known-quantity = Grandeza conhecida
 slender-rod-or-plate-hung-by-an-edge = Haste delgada, ou placa suspensa por uma aresta
 particle-on-a-light-rod = Partícula em uma haste leve
 body-symmetrical-about-the-line-from-the-pin-to-g = Corpo simétrico em relação à linha do pino a G
 distance-of-g-from-the-pin = Distância de G ao pino
 radius-of-gyration-along-the-line-m-k-dm-from-the-pin = Raio de giração ao longo da linha: m k² = ∫ ξ² dm a partir do pino
-radius-of-gyration-across-the-line-m-k-dm = Raio de giração transversal à linha: m k² = ∫ η² dm
+radius-of-gyration-normal-to-the-line-m-k-dm = Raio de giração transversal à linha: m k² = ∫ η² dm
 angle-of-the-body = Ângulo do corpo
 the-inertia-forces-grow-with-dm-dm = As forças de inércia crescem com ∫ ξ² dm − ∫ η² dm
-largest-moment-of-the-weight-about-the-pin = Maior momento do peso em relação ao pino
-speed-from-which-the-body-leaves-the-vertical-cos-1 = Velocidade a partir da qual o corpo deixa a vertical: cos θ = 1
-speed-from-which-the-body-leaves-the-vertical = Velocidade a partir da qual o corpo deixa a vertical
+maximum-moment-of-the-weight-about-the-pin = Momento máximo do peso em relação ao pino
+speed-above-which-the-body-leaves-the-vertical-cos-1 = Velocidade acima da qual o corpo deixa a vertical: cos θ = 1
+speed-above-which-the-body-leaves-the-vertical = Velocidade acima da qual o corpo deixa a vertical
 distance-of-g-from-the-axis-of-the-shaft = Distância de G ao eixo de rotação
-force-of-the-pin-towards-the-shaft-it-holds-g-on-its-circle = Força do pino em direção ao eixo: mantém G em seu círculo
+force-of-the-pin-towards-the-shaft-it-keeps-g-on-its-circle = Força do pino em direção ao eixo: mantém G em seu círculo
 force-of-the-pin-upwards = Força do pino para cima
 force-of-the-pin-towards-the-shaft = Força do pino em direção ao eixo
 the-moments-of-the-inertia-forces-and-of-the-weight-about-the-pin = os momentos das forças de inércia e do peso em relação ao pino
-the-potential-of-weight-and-centrifugal-forces-has-no-slope-there = o potencial do peso e das forças centrífugas não tem inclinação ali
+the-potential-of-weight-and-centrifugal-forces-is-stationary-there = o potencial do peso e das forças centrífugas é estacionário ali
 dm-along-the-line-from-the-pin = ∫ ξ² dm ao longo da linha, a partir do pino
-dm-across-the-line = ∫ η² dm transversal à linha
-the-lengths-and-the-speed-are-too-far-apart-for-an-angle-to-be-found = os comprimentos e a velocidade são díspares demais para se achar um ângulo
+dm-normal-to-the-line = ∫ η² dm transversal à linha
+the-lengths-and-the-speed-are-too-disparate-for-an-angle-to-be-found = os comprimentos e a velocidade são díspares demais para se achar um ângulo
 a-body-hinged-on-the-axis-itself-hangs-straight-down-at-every-speed-give-another-angle-or-the-speed = um corpo articulado no próprio eixo pende na vertical em qualquer velocidade: dê outro ângulo, ou a velocidade
-moment-of-the-inertia-forces-about-the-pin-for-each = Momento das forças de inércia em relação ao pino, para cada ω²
-no-speed-holds-the-body-at-this-angle-the-inertia-forces-lift-it-away-from-the-shaft-and-never-to-the = nenhuma velocidade mantém o corpo neste ângulo: as forças de inércia o afastam do eixo, e nunca até o nível do pino
+moment-of-the-inertia-forces-about-the-pin-per-unit = Momento das forças de inércia em relação ao pino, por unidade de ω²
+no-speed-holds-the-body-at-this-angle-the-inertia-forces-lift-it-away-from-the-shaft-but-never-to-the = nenhuma velocidade mantém o corpo neste ângulo: as forças de inércia o afastam do eixo, mas nunca até o nível do pino
 speed-at-which-the-moments-about-the-pin-cancel = Velocidade em que os momentos em relação ao pino se cancelam
-moments-about-the-pin-d-sin-cos-m-g-r-sin-so-this-is-cos = Momentos em relação ao pino: D ω² sen θ cos θ = m g r sen θ, logo isto é cos θ
+moments-about-the-pin-d-sin-cos-m-g-r-sin-which-gives-cos = Momentos em relação ao pino: D ω² sen θ cos θ = m g r sen θ, o que dá cos θ
 angle-at-which-the-body-stands-out = Ângulo em que o corpo se mantém
-too-slow-to-leave-the-vertical-cos-would-be-more-than-1 = Lento demais para deixar a vertical: cos θ seria maior que 1
-root-of-m-a-r-cos-d-sin-cos-m-g-r-sin-between-hanging-and-level = Raiz de ω² (m a r cos θ + D sen θ cos θ) = m g r sen θ entre pendente e horizontal
-how-fast-the-moment-grows-that-brings-the-body-back = Quão depressa cresce o momento que traz o corpo de volta
-circular-frequency-of-small-swings-about-this-angle-with-the-speed-kept = Frequência circular das pequenas oscilações em torno deste ângulo, mantida a velocidade
+equilibrium-angle-of-the-body = Ângulo de equilíbrio do corpo
+too-slow-to-leave-the-vertical-cos-would-exceed-1 = Lento demais para deixar a vertical: cos θ seria maior que 1
+root-of-m-a-r-cos-d-sin-cos-m-g-r-sin-between-the-downward-vertical-and-the-horizontal = Raiz de ω² (m a r cos θ + D sen θ cos θ) = m g r sen θ entre a vertical descendente e a horizontal
+stiffness-of-the-restoring-moment = Rigidez do momento restaurador
+angular-frequency-of-small-oscillations-about-this-angle-at-constant-speed = Frequência angular das pequenas oscilações em torno deste ângulo, com a rotação constante
 circular-frequency-of-small-swings = Frequência circular das pequenas oscilações
+angular-frequency-of-small-oscillations = Frequência angular das pequenas oscilações
 the-body-does-not-stay-at-this-angle-a-small-push-drives-it-further-away = o corpo não permanece neste ângulo: um pequeno empurrão o afasta ainda mais
 the-body-and-the-shaft = O corpo e o eixo
-couple-that-would-hold-the-body-at-an-angle = Binário que manteria o corpo em um ângulo
+couple-required-to-hold-the-body-at-an-angle = Binário necessário para manter o corpo em um ângulo
 equilibrium = Equilíbrio
 angle-against-the-speed-of-the-shaft = Ângulo em função da velocidade do eixo
 
 # rigid-body/rate-of-change, rigid-body/rotation-chain
-how-the-turning-of-the-body-relative-to-the-moving-frame-carries-along = Como o giro do corpo relativo ao referencial móvel arrasta ω
+transport-term-of-due-to-the-rotation-of-the-body-relative-to-the-moving-frame = Termo de transporte de ω devido à rotação do corpo em relação ao referencial móvel
 angular-velocity-of-name-about-its-fixed-axis = Velocidade angular de { $name }, em torno do seu eixo fixo
 
 # rigid-body/reactions
-speed-at-which-name-carries-nothing-its-force-is-a-part-at-rest-and-one-that-grows-with = Velocidade em que { $name } nada suporta: sua força tem uma parte em repouso e outra que cresce com ω²
-speed-at-which-the-support-carries-nothing = Velocidade em que o apoio nada suporta
-the-force-of-name-at-the-speed-at-which-it-carries-nothing = a força de { $name } na velocidade em que nada suporta
+speed-at-which-the-force-of-name-is-zero-its-static-part-plus-a-part-proportional-to = Velocidade em que a força de { $name } se anula: parte estática mais parte proporcional a ω²
+speed-at-which-the-support-force-is-zero = Velocidade em que a força no apoio se anula
+the-force-of-name-at-the-speed-at-which-it-vanishes = a força de { $name } na velocidade em que se anula
 
 # Topics
 inertia-and-momentum = Inércia e quantidade de movimento
 motion-in-space = Movimento no espaço
-bodies-on-turning-shafts = Corpos em eixos que giram
+bodies-on-rotating-shafts = Corpos em rotação em torno de um eixo
 gyroscopes-and-vehicles = Giroscópios e veículos
 free-bodies-and-tops = Corpos livres e piões
-rolling-bodies = Corpos que rolam
+rolling-bodies = Rolamento sem deslizamento
 
 ### Published cases
 
@@ -1878,10 +1933,10 @@ closed-form-cos-3-g-2-l-as-in-the-entrance-examination-of-the-jee = forma fechad
 l-0-6-m-at-7-rad-s-cos-14-715-29-4-0-500510-it-leaves-the-vertical-at-3-g-2l-4-95227-rad-s = L = 0,6 m a 7 rad/s: cos θ = 14,715/29,4 = 0,500510; deixa a vertical a √(3 g/2L) = 4,95227 rad/s.
 the-same-rod-below-its-critical-speed = A mesma haste abaixo da sua velocidade crítica
 closed-form-it-hangs-straight-down-when-3-g-2-l = forma fechada: pende na vertical quando ω² < 3 g/(2 L)
-small-swings-at-p-3-g-2-l-24-525-16-s = Pequenas oscilações com p² = 3 g/(2 L) − ω² = 24,525 − 16 s⁻².
+small-oscillations-at-p-3-g-2-l-24-525-16-s = Pequenas oscilações com p² = 3 g/(2 L) − ω² = 24,525 − 16 s⁻².
 speed-for-a-rod-at-60 = Velocidade para uma haste a 60°
 closed-form-3-g-2-l-cos = forma fechada: ω² = 3 g/(2 L cos θ)
-l-0-6-m-2-24-525-small-swings-at-p-sin = L = 0,6 m: ω² = 2 · 24,525; pequenas oscilações com p² = ω² sen² θ.
+l-0-6-m-2-24-525-small-oscillations-with-p-sin = L = 0,6 m: ω² = 2 · 24,525; pequenas oscilações com p² = ω² sen² θ.
 conical-pendulum = Pêndulo cônico
 closed-form-cos-g-l = forma fechada: cos θ = g/(ω² L)
 l-0-981-m-so-that-l-2-g-at-20-rad-s-60 = L = 0,981 m, de modo que ω² L = 2 g a √20 rad/s: θ = 60°.
@@ -1889,69 +1944,69 @@ chair-of-a-merry-go-round = Cadeira de um carrossel
 closed-form-tan-a-l-sin-g = forma fechada: tan θ = ω² (a + L sen θ)/g
 a-4-m-l-5-m-at-45-9-81-4-3-535534 = a = 4 m, L = 5 m a 45°: ω² = 9,81/(4 + 3,535534).
 chair-of-a-merry-go-round-from-its-speed = Cadeira de um carrossel, a partir da velocidade
-the-case-before-it-there-and-back-9-81-4-5-2 = O caso anterior, ida e volta: ω² = 9,81/(4 + 5/√2).
+inverse-of-the-preceding-case-9-81-4-5-2 = Inverso do caso anterior: ω² = 9,81/(4 + 5/√2).
 thick-bar-on-the-axis = Barra grossa sobre o eixo
 closed-form-cos-g-r-k-k = forma fechada: cos θ = g r/(ω² (k_ξ² − k_η²))
 r-0-2-m-k-0-06-m-k-0-01-m-at-8-rad-s-cos-1-962-3-2 = r = 0,2 m, k_ξ² = 0,06 m², k_η² = 0,01 m² a 8 rad/s: cos θ = 1,962/3,2.
 angle-above-the-level-of-the-pin = Ângulo acima do nível do pino
 closed-form-cos-3-g-2-l-is-positive = forma fechada: cos θ = 3 g/(2 ω² L) é positivo
 rod-on-the-axis-hanging-down = Haste sobre o eixo, pendente na vertical
-closed-form-every-speed-keeps-it-there = forma fechada: qualquer velocidade o mantém ali
+closed-form-it-remains-there-at-any-speed = forma fechada: permanece ali a qualquer velocidade
 
 # edge_mill.toml
 roller-of-350-kg = Rolo de 350 kg
 edge-runner-chile-mill-in-closed-form-n-m-g-m-r-2 = moinho de galgas (moinho chileno) em forma fechada: N = m g + m r Ω²/2
-the-disc-presses-with-3433-5-492-1875-n-whatever-the-arm = O disco pressiona com 3433,5 + 492,1875 N, qualquer que seja o braço.
+the-contact-force-of-the-disc-is-3433-5-492-1875-n-for-any-arm = A força de contato do disco é 3433,5 + 492,1875 N para qualquer braço.
 twice-the-weight = O dobro do peso
 closed-form-m-g-i-a-r = forma fechada: m g = I_a Ω²/r
-for-a-solid-roller-2-g-r-19-62-0-5-rad-s-two-rollers-press-with-4-m-g-the-edges-slide-at-b-2 = Para um rolo maciço Ω = √(2 g/r): √(19,62/0,5) rad/s. Dois rolos pressionam com 4 m g; as bordas escorregam a Ω b/2.
+for-a-solid-roller-2-g-r-19-62-0-5-rad-s-two-rollers-press-with-4-m-g-the-edges-slip-at-b-2 = Para um rolo maciço Ω = √(2 g/r): √(19,62/0,5) rad/s. Dois rolos pressionam com 4 m g; as bordas escorregam a Ω b/2.
 mill-at-rest = Moinho em repouso
-closed-form-at-rest-the-roller-presses-with-its-weight = forma fechada: em repouso o rolo pressiona com seu peso
+closed-form-at-rest-the-contact-force-equals-the-weight-of-the-roller = forma fechada: em repouso a força de contato é igual ao peso do rolo
 less-than-the-weight = Menos que o peso
 the-force-is-m-g-i-a-r = a força é m g + I_a Ω²/r
 
 # free_axisymmetric.toml
 flat-body-8-rad-s-at-25 = Corpo achatado, 8 rad/s a 25°
 tan-t-r-a-h-g-i-t-1-r-a-beer-johnston-dynamics-18-3 = tan θ = ω_t/(r ω_a), φ̇ = H_G/I_t, ψ̇ = (1 − r) ω_a: Beer & Johnston, Dynamics, §18.3
-the-spin-turns-against-the-precession-retrograde = A rotação própria é contrária à precessão: retrógrada.
+spin-and-precession-have-opposite-senses-retrograde = Rotação própria e precessão têm sentidos opostos: retrógrada.
 satellite-hit-by-a-meteorite-the-motion-after = Satélite atingido por um meteorito: o movimento depois
 beer-johnston-dynamics-sample-problem-18-6 = Beer & Johnston, Dynamics, problema resolvido 18.6
 two-thin-discs-of-0-8-m-each-m-2-on-a-light-rod-of-1-6-m-i-a-0-32-m-and-i-t-0-8-m-in-m-r-0-4-spinning = Dois discos finos de 0,8 m, cada um com m/2, em uma haste leve de 1,6 m: I_a = 0,32 m e I_t = 0,8 m em m², r = 0,4. Girando a 60 rpm, recebe m₀ v₀ a = 1,6 m: ω_t = 2 rad/s.
 plate-thrown-at-45 = Placa lançada a 45°
-g-r-fowles-g-l-cassiday-analytical-mechanics-problem-9-9-thin-square-plate-at-45-to-its-axis-one-turn = G. R. Fowles, G. L. Cassiday, Analytical Mechanics, problema 9.9: placa quadrada fina, ω a 45° do seu eixo, uma volta por segundo
+g-r-fowles-g-l-cassiday-analytical-mechanics-problem-9-9-thin-square-plate-at-45-to-its-axis-one = G. R. Fowles, G. L. Cassiday, Analytical Mechanics, problema 9.9: placa quadrada fina, ω a 45° do seu eixo, uma volta por segundo
 the-earth = A Terra
 g-r-fowles-g-l-cassiday-analytical-mechanics-problem-9-13-i-s-i-1-00327-at-0-2-to-the-axis = G. R. Fowles, G. L. Cassiday, Analytical Mechanics, problema 9.13: I_s/I = 1,00327, ω a 0,2″ do eixo
-euler-s-period-of-a-rigid-earth-1-0-00327-days-the-real-one-of-chandler-is-longer-since-the-earth = Período de Euler de uma Terra rígida, 1/0,00327 dias; o real, de Chandler, é mais longo, pois a Terra cede.
+euler-s-period-of-a-rigid-earth-1-0-00327-days-the-actual-chandler-period-is-longer-since-the-earth = Período de Euler de uma Terra rígida, 1/0,00327 dias; o período real, de Chandler, é mais longo, pois a Terra não é rígida.
 capsule-of-2-mg = Cápsula de 2 Mg
 r-c-hibbeler-engineering-mechanics-dynamics-12th-ed-problem-21-71-by-tan-t-r-a-h-g-i-t-1-r-a = R. C. Hibbeler, Engineering Mechanics: Dynamics, 12ª ed., problema 21-71, por tan θ = ω_t/(r ω_a), φ̇ = H_G/I_t, ψ̇ = (1 − r) ω_a
 space-station-of-four-shells-at-20 = Estação espacial de quatro cascas, a 20°
 j-l-meriam-l-g-kraige-engineering-mechanics-dynamics-sample-problem-7-9 = J. L. Meriam, L. G. Kraige, Engineering Mechanics: Dynamics, problema resolvido 7/9
 four-thin-shells-of-mass-m-and-radius-r-2-r-from-the-hub-i-zz-56-3-m-r-and-i-xx-32-3-m-r-here-m-1-kg = Quatro cascas finas de massa m e raio r, a 2 r do cubo: I_zz = 56/3 m r² e I_xx = 32/3 m r²; aqui m = 1 kg e r = 1 m. A estação dá uma volta de rotação própria em 4 s.
 space-station-of-four-shells-hardly-tilted = Estação espacial de quatro cascas, quase sem inclinação
-wobbles-for-each-turn-of-the-spin-at-a-small-tilt-i-zz-i-xx-i-zz-the-sign-says-that-they-go-against = Oscilações do eixo para cada volta da rotação própria, com pequena inclinação, φ̇/ψ̇ = I_zz/(I_xx − I_zz); o sinal diz que têm sentidos contrários.
+precession-revolutions-per-spin-revolution-at-a-small-tilt-i-zz-i-xx-i-zz-the-sign-shows-that-their = Voltas de precessão por volta da rotação própria, com pequena inclinação, φ̇/ψ̇ = I_zz/(I_xx − I_zz); o sinal mostra que têm sentidos opostos.
 free-body-of-a-regression-test = Corpo livre de um teste de regressão
 kynema-fmb-regression-test-of-a-precessing-body-i-1-1-0-5-0-5-0-5-1-attitude-after-5-s = Kynema-FMB, teste de regressão de um corpo em precessão: I = (1; 1; 0,5), ω₀ = (0,5; 0,5; 1), atitude após 5 s
-the-closed-form-a-turn-about-h-after-a-turn-about-the-axis-agrees-with-integration-to-twelve-digits = A forma fechada, um giro em torno de H depois de um giro em torno do eixo, concorda com a integração em doze algarismos.
-a-stored-value-of-a-method-of-the-second-order-with-steps-of-0-01-s-the-closed-form-is-0-630514 = Valor guardado de um método de segunda ordem com passos de 0,01 s; a forma fechada é −0,630514.
-a-stored-value-of-a-method-of-the-second-order-with-steps-of-0-01-s-the-closed-form-is-0-604805 = Valor guardado de um método de segunda ordem com passos de 0,01 s; a forma fechada é 0,604805.
-a-stored-value-of-a-method-of-the-second-order-with-steps-of-0-01-s-the-closed-form-is-0-303124 = Valor guardado de um método de segunda ordem com passos de 0,01 s; a forma fechada é −0,303124.
+the-closed-form-a-rotation-about-h-after-a-rotation-about-the-axis-agrees-with-integration-to-twelve = A forma fechada, uma rotação em torno de H depois de uma rotação em torno do eixo, concorda com a integração em doze algarismos.
+stored-value-from-a-second-order-method-with-steps-of-0-01-s-the-closed-form-is-0-630514 = Valor guardado de um método de segunda ordem com passos de 0,01 s; a forma fechada é −0,630514.
+stored-value-from-a-second-order-method-with-steps-of-0-01-s-the-closed-form-is-0-604805 = Valor guardado de um método de segunda ordem com passos de 0,01 s; a forma fechada é 0,604805.
+stored-value-from-a-second-order-method-with-steps-of-0-01-s-the-closed-form-is-0-303124 = Valor guardado de um método de segunda ordem com passos de 0,01 s; a forma fechada é −0,303124.
 the-same-body-by-its-closed-form = O mesmo corpo, pela forma fechada
 rotation-by-h-t-i-t-about-h-after-rotation-by-1-r-z-t-about-z = rotação de |H| t/I_t em torno de H, depois da rotação de (1 − r) ω_z t em torno de z
 spacecraft-of-9000-kg-m-5-s-later = Espaçonave de 9000 kg·m², 5 s depois
-pennsylvania-state-university-aersp-309-homework-11-problem-1-numbers-by-the-closed-form = Pennsylvania State University, AERSP 309, lista 11, problema 1; números pela forma fechada
-seen-from-the-body-goes-around-the-axis-at-r-1-a-2-16-rad-s-the-spin-with-the-other-sign = Vista do corpo, ω dá a volta ao eixo a (r − 1) ω_a = 2,16 rad/s, a rotação própria com o outro sinal.
+pennsylvania-state-university-aersp-309-homework-11-problem-1-values-from-the-closed-form = Pennsylvania State University, AERSP 309, lista 11, problema 1; valores pela forma fechada
+relative-to-the-body-precesses-about-the-axis-at-r-1-a-2-16-rad-s-the-spin-with-the-opposite-sign = Em relação ao corpo, ω precessiona em torno do eixo a (r − 1) ω_a = 2,16 rad/s, a rotação própria com o sinal oposto.
 the-flat-body-by-its-angular-momentum = O corpo achatado, pelo momento angular
 the-first-case-with-h-g-i-t = o primeiro caso, com H_G = I_t φ̇
 the-flat-body-by-its-precession = O corpo achatado, pela precessão
-the-first-case-read-backwards = o primeiro caso, lido ao contrário
+inverse-of-the-first-case = inverso do primeiro caso
 ball = Esfera
 with-equal-moments-of-inertia-is-along-h = com momentos de inércia iguais, ω fica ao longo de H
 flatter-than-flat = Mais plano que o plano
 i-z-i-x-i-y-for-a-thin-plate-and-less-for-every-other-body = I_z = I_x + I_y para uma placa fina, e menor para qualquer outro corpo
 spin-of-a-ball = Rotação própria de uma esfera
-a-ball-does-not-spin-about-an-axis-while-it-turns-about-h = uma esfera não tem rotação própria em torno de um eixo enquanto gira em torno de H
+a-sphere-does-not-spin-about-an-axis-while-it-rotates-about-h = uma esfera não tem rotação própria em torno de um eixo enquanto gira em torno de H
 angular-momentum-of-a-ratio = Momento angular a partir de uma razão
-h-g-without-the-moments-of-inertia-tells-no-angular-velocity = H_G sem os momentos de inércia não determina velocidade angular alguma
+h-g-without-the-moments-of-inertia-does-not-determine-the-angular-velocity = H_G sem os momentos de inércia não determina a velocidade angular
 
 # free_triaxial.toml
 body-of-1-2-and-3-kg-m = Corpo de 1, 2 e 3 kg·m²
@@ -1959,20 +2014,20 @@ l-d-landau-e-m-lifshitz-mechanics-37-the-solution-by-elliptic-functions = L. D. 
 integration-agrees-to-twelve-digits = A integração concorda em doze algarismos.
 flips-about-the-middle-axis = Inversões em torno do eixo intermediário
 growth-rate-i-i-i-i-i-i-and-half-period-2-k-k-p-landau-lifshitz-mechanics-37 = taxa de crescimento ω₂ √((I₂ − I₁)(I₃ − I₂)/(I₁ I₃)) e meio período 2 K(k)/p: Landau & Lifshitz, Mechanics, §37
-spun-about-the-middle-axis-with-a-disturbance-of-0-001-rad-s-about-the-other-two-what-a-racket-does = Girado em torno do eixo intermediário com uma perturbação de 0,001 rad/s em torno dos outros dois: o que faz uma raquete, ou uma porca borboleta.
+spun-about-the-intermediate-axis-with-a-disturbance-of-0-001-rad-s-about-the-other-two-like-a-tennis = Girado em torno do eixo intermediário com uma perturbação de 0,001 rad/s em torno dos outros dois, como uma raquete ou uma porca borboleta.
 beside-the-unstable-axis-10-s = Ao lado do eixo instável, 10 s
 taylor-series-to-thirty-digits = série de Taylor com trinta algarismos
 beside-the-unstable-axis-100-s = Ao lado do eixo instável, 100 s
 telephone-thrown-flat = Telefone lançado deitado
 growth-rate-of-a-homogeneous-box-i-b-i-a-i-c-i-b-i-a-i-c = taxa de crescimento de um paralelepípedo homogêneo, ω √((I_b − I_a)(I_c − I_b)/(I_a I_c))
-n-0-2-kg-75-mm-by-150-mm-by-8-mm-spun-about-its-middle-axis-the-short-one-in-its-plane-once-and-a = 0,2 kg, 75 mm por 150 mm por 8 mm, girado em torno do eixo intermediário, o mais curto do seu plano, a uma volta e meia por segundo.
+n-0-2-kg-75-mm-by-150-mm-by-8-mm-spun-about-its-intermediate-axis-the-shorter-one-in-its-plane-at-one = 0,2 kg, 75 mm por 150 mm por 8 mm, girado em torno do eixo intermediário, o mais curto do seu plano, a uma volta e meia por segundo.
 body-of-revolution = Corpo de revolução
 with-i-x-i-y-the-elliptic-functions-are-circular-period-2-1-r-z = com I_x = I_y as funções elípticas são circulares: período 2π/|ψ̇|, ψ̇ = (1 − r) ω_z
-the-free-body-of-rigid-body-free-axisymmetric-at-5-s-is-turned-by-2-5-rad-about-z-the-wrong-way-round = O corpo livre de rigid-body/free-axisymmetric: ω em 5 s está girada de 2,5 rad em torno de z, no sentido contrário.
+the-free-body-of-rigid-body-free-axisymmetric-at-5-s-is-rotated-by-2-5-rad-about-z-in-the-opposite = O corpo livre de rigid-body/free-axisymmetric: ω em 5 s está girada de 2,5 rad em torno de z, no sentido contrário.
 permanent-rotation = Rotação permanente
-a-body-spun-exactly-about-a-principal-axis-goes-on-so = um corpo posto a girar exatamente em torno de um eixo principal continua assim
+a-body-spinning-exactly-about-a-principal-axis-continues-to-do-so = um corpo posto a girar exatamente em torno de um eixo principal continua assim
 separatrix = Separatriz
-h-2-t-i-with-the-middle-moment-6-2-2-12-4-1 = H² = 2 T I com o momento intermediário: 6 · 2 · 2² = 12 · 4 · 1²
+h-2-t-i-with-the-intermediate-moment-6-2-2-12-4-1 = H² = 2 T I com o momento intermediário: 6 · 2 · 2² = 12 · 4 · 1²
 y-goes-from-a-to-a-as-a-hyperbolic-tangent-a-1-6-6-2-8-4-5-5-and-p-4-6-6-8-a-z-with-a-z-1-8-2-12-6-11 = ω_y vai de −A a A como uma tangente hiperbólica: A² = 1 + 6 · 6 · 2²/(8 · 4) = 5,5 e p = √(4 · 6/(6 · 8)) A_z com A_z² = 1 + 8 · 2/(12 · 6) = 11/9.
 no-body = Corpo impossível
 each-moment-of-inertia-is-at-most-the-sum-of-the-other-two = cada momento de inércia é no máximo a soma dos outros dois
@@ -2004,10 +2059,10 @@ flywheel-on-a-ship = Volante em um navio
 irodov-problems-in-general-physics-ship-with-a-flywheel-on-a-fore-and-aft-shaft = Irodov, Problems in General Physics, navio com um volante em um eixo longitudinal
 bearings-of-a-ship-s-turbine = Mancais da turbina de um navio
 meriam-kraige-dynamics-sample-problem-7-8 = Meriam & Kraige, Dynamics, problema resolvido 7/8
-counter-clockwise-seen-from-the-stern-turn-to-port-at-25-knots-12-85-m-s-a-is-the-bearing-aft-0-6-m = Anti-horário visto da popa, curva para bombordo a 25 nós, 12,85 m/s. A é o mancal de trás, a 0,6 m de G, como mostram os sinais impressos.
+counter-clockwise-seen-from-the-stern-turn-to-port-at-25-knots-12-85-m-s-a-is-the-bearing-aft-0-6-m = Anti-horário visto da popa, curva para bombordo a 25 nós, 12,85 m/s. A é o mancal de trás, a 0,6 m de G, como mostram os sinais publicados.
 the-book-rounds-both-shares-to-three-digits = o livro arredonda as duas parcelas a três algarismos
 disc-between-bearings = Disco entre mancais
-disc-in-the-middle-of-100-mm-precession-of-60-rpm-about-the-upright-the-sense-is-the-one-for-which-a = Disco no meio de 100 mm, precessão de 60 rpm em torno da vertical. O sentido é aquele em que A empurra para cima e B para baixo.
+disc-at-the-middle-of-a-100-mm-span-precession-of-60-rpm-about-the-vertical-the-sense-is-the-one-for = Disco no meio de um vão de 100 mm, precessão de 60 rpm em torno da vertical. O sentido é aquele em que A empurra para cima e B para baixo.
 the-book-rounds-the-moment-of-inertia-to-0-014-kg-m = o livro arredonda o momento de inércia para 0,014 kg·m²
 disc-on-an-axle-held-at-one-end = Disco em um eixo apoiado em uma ponta
 precession-about-an-axis-at-60-to-the-axle = Precessão em torno de um eixo a 60° do eixo do rotor
@@ -2017,51 +2072,50 @@ engine-across-a-rolling-ship = Motor transversal em um navio que balança
 closed-form-i-a-a-2-t-and-i-t-a-2-t = forma fechada: I_a ω A 2π/T e I_t A (2π/T)²
 a-0-1-rad-t-2-s-p-0-1-rad-s-and-0-1-rad-s-100-200-0-1-n-m-and-60-0-1-n-m = A = 0,1 rad, T = 2π s: ω_p = 0,1 rad/s e α = 0,1 rad/s²; 100 · 200 · 0,1 N·m e 60 · 0,1 N·m.
 no-spin-and-no-second-support = Sem rotação própria e sem segundo apoio
-the-sum-of-moments-only-a-turning-angular-momentum-holds-the-axle-up = a soma dos momentos: só um momento angular que gira sustenta o eixo
+the-sum-of-moments-only-a-rotating-angular-momentum-supports-the-axle = a soma dos momentos: só um momento angular que gira sustenta o eixo
 bearings-without-a-mass = Mancais sem massa informada
-the-forces-of-the-bearings-contain-the-weight = as forças dos mancais contêm o peso
+the-bearing-forces-include-the-weight = as forças nos mancais incluem o peso
 
 # heavy_top.toml
 top-of-0-5-kg-at-35-160-rad-s = Pião de 0,5 kg a 35°, 160 rad/s
 the-quadratic-of-steady-precession-i-t-i-a-cos-i-a-k-0-beer-johnston-dynamics-18-3 = a equação do segundo grau da precessão estacionária (I_t − I_a) cos θ φ̇² − I_a ψ̇ φ̇ + K = 0, Beer & Johnston, Dynamics, §18.3
-moments-of-inertia-about-the-tip-the-equations-of-motion-integrated-from-either-precession-keep-the = Momentos de inércia em relação à ponta. As equações do movimento, integradas a partir de qualquer das duas precessões, mantêm o ângulo.
+moments-of-inertia-about-the-tip-in-the-equations-of-motion-integrated-from-either-precession-the = Momentos de inércia em relação à ponta. Nas equações do movimento, integradas a partir de qualquer das duas precessões, o ângulo permanece constante.
 the-same-top-by-its-angular-velocity-about-the-axis = O mesmo pião, pela velocidade angular em torno do eixo
 the-quadratic-of-steady-precession-i-t-cos-i-a-k-0-goldstein-classical-mechanics-5-7 = a equação do segundo grau da precessão estacionária I_t cos θ φ̇² − I_a ω₃ φ̇ + K = 0, Goldstein, Classical Mechanics, §5-7
 sleeping-top = Pião adormecido
 stability-of-the-upright-top-i-a-4-i-t-k-goldstein-classical-mechanics-5-7 = estabilidade do pião em pé, I_a² ω₃² ≥ 4 I_t K: Goldstein, Classical Mechanics, §5-7
-a-hundredth-of-a-degree-off-the-vertical-stands-for-upright-what-happens-5-above-and-below-the = Um centésimo de grau fora da vertical vale como em pé. O que acontece 5 % acima e abaixo do limiar está entre os casos de rigid-body/top-nutation.
+a-hundredth-of-a-degree-off-the-vertical-represents-the-upright-position-what-happens-5-above-and = Um centésimo de grau fora da vertical representa a posição vertical. O que acontece 5 % acima e abaixo do limiar está entre os casos de rigid-body/top-nutation.
 spin-for-a-precession-of-5-228-rad-s = Rotação própria para uma precessão de 5,228 rad/s
 top-of-30-rev-s-fast = Pião de 30 rev/s, rápido
-clockwise-seen-from-above-is-negative-the-precession-has-the-sense-of-the-spin-with-g-9-8-m-s-it-is-2 = O sentido horário visto de cima é negativo; a precessão tem o sentido da rotação própria. Com g = 9,8 m/s² é −2,08 rad/s.
 axis-level = Eixo na horizontal
 at-90-the-quadratic-is-linear-k-i-a = com θ = 90° a equação do segundo grau é linear: φ̇ = K/(I_a ψ̇)
-the-formula-for-fast-tops-is-exact-here-the-transverse-moment-is-given-about-the-mass-centre-4-10-0-5 = A fórmula do pião rápido é exata aqui. O momento transversal é dado em relação ao centro de massa: 4·10⁻⁴ + 0,5 · 0,06² kg·m².
+the-fast-top-formula-is-exact-here-the-transverse-moment-is-given-about-the-mass-centre-4-10-0-5-0-06 = A fórmula do pião rápido é exata aqui. O momento transversal é dado em relação ao centro de massa: 4·10⁻⁴ + 0,5 · 0,06² kg·m².
 without-spin-i-a-i-t-cos-k = sem rotação própria (I_a − I_t) cos θ φ̇² = K
-a-top-that-hangs-may-go-around-without-spin-either-way = Um pião pendurado pode dar a volta sem rotação própria, nos dois sentidos.
+a-hanging-top-can-precess-without-spin-in-either-sense = Um pião pendurado pode precessionar sem rotação própria, nos dois sentidos.
 the-first-case-with-80-rad-s-the-threshold-is-104-16-rad-s = o primeiro caso com 80 rad/s: o limiar é 104,16 rad/s
 no-spin = Sem rotação própria
 a-top-that-does-not-spin-falls = um pião sem rotação própria cai
 no-precession = Sem precessão
-a-top-whose-axis-does-not-go-around-falls = um pião cujo eixo não dá a volta cai
+a-top-whose-axis-does-not-precess-falls = um pião cujo eixo não precessiona cai
 
 # impulse.toml
 meteorite-that-hits-a-spinning-satellite = Meteorito que atinge um satélite em rotação
-the-satellite-counts-as-two-thin-discs-of-radius-a-800-mm-each-of-half-its-mass-joined-by-a-light-rod = O satélite conta como dois discos finos de raio a = 800 mm, cada um com metade da sua massa, unidos por uma haste leve de comprimento 2a; gira a 60 rpm. O meteorito, de um milésimo da sua massa, bate com um braço a em relação a G a 2000 m/s, e sua massa é desprezada depois. m = 1000 kg é escolhida aqui; ela se cancela.
+the-satellite-is-modelled-as-two-thin-discs-of-radius-a-800-mm-each-of-half-its-mass-joined-by-a = O satélite é modelado como dois discos finos de raio a = 800 mm, cada um com metade da sua massa, unidos por uma haste leve de comprimento 2a; gira a 60 rpm. O meteorito, de um milésimo da sua massa, bate com um braço a em relação a G a 2000 m/s, e sua massa é desprezada depois. m = 1000 kg é escolhida aqui; ela se cancela.
 hanging-plate-struck-at-a-corner = Placa suspensa golpeada em um canto
 beer-johnston-dynamics-sample-problem-18-1 = Beer & Johnston, Dynamics, problema resolvido 18.1
-the-plate-hangs-from-two-wires-and-is-struck-at-right-angles-to-itself-the-wires-hold-nothing-in-that = A placa pende de dois fios e é golpeada perpendicularmente a si mesma; os fios nada seguram nessa direção. O livro dá letras: v_G = −F Δt/m k, |ω_x| = 6 F Δt/(m b), |ω_y| = 6 F Δt/(m a); m = 12 kg, a = 0,5 m, b = 0,3 m, F Δt = 4 N·s são escolhidos aqui. Os sinais dependem do canto.
+the-plate-hangs-from-two-wires-and-is-struck-at-right-angles-to-itself-the-wires-exert-no-impulse-in = A placa pende de dois fios e é golpeada perpendicularmente a si mesma; os fios não exercem impulso nessa direção. O livro dá letras: v_G = −F Δt/m k, |ω_x| = 6 F Δt/(m b), |ω_y| = 6 F Δt/(m a); m = 12 kg, a = 0,5 m, b = 0,3 m, F Δt = 4 N·s são escolhidos aqui. Os sinais dependem do canto.
 disc-that-falls-on-a-hook = Disco que cai sobre um gancho
 hibbeler-engineering-mechanics-dynamics-11th-ed-problem-21-30 = Hibbeler, Engineering Mechanics: Dynamics, 11ª ed., problema 21-30
-n-19-lb-1-5-ft-in-diameter-falls-flat-by-2-5-ft-a-hook-takes-hold-of-its-rim-g-32-2-ft-s-as-in-the = 19 lb, 1,5 ft de diâmetro, cai deitado de uma altura de 2,5 ft; um gancho o prende pela borda. g = 32,2 ft/s² como no livro.
+n-19-lb-1-5-ft-in-diameter-falls-flat-from-a-height-of-2-5-ft-a-hook-catches-its-rim-g-32-2-ft-s-as = 19 lb, 1,5 ft de diâmetro, cai deitado de uma altura de 2,5 ft; um gancho o prende pela borda. g = 32,2 ft/s² como no livro.
 plate-on-a-ball-and-socket-struck-at-a-corner = Placa sobre rótula golpeada em um canto
 hibbeler-engineering-mechanics-dynamics-11th-ed-problem-21-31 = Hibbeler, Engineering Mechanics: Dynamics, 11ª ed., problema 21-31
-square-plate-of-4-kg-and-200-mm-hanging-by-a-corner-o-60-n-s-along-x-at-the-corner-beside-it-the-blow = Placa quadrada de 4 kg e 200 mm, pendurada por um canto O; 60 N·s ao longo de −x no canto ao lado. O golpe em si não está na página disponível; seu valor decorre da reação impressa.
+square-plate-of-4-kg-and-200-mm-hanging-by-a-corner-o-60-n-s-along-x-at-the-adjacent-corner-the = Placa quadrada de 4 kg e 200 mm, pendurada por um canto O; 60 N·s ao longo de −x no canto adjacente. O impulso em si não está na página disponível; seu valor decorre da reação publicada.
 square-plate-seized-along-an-edge = Placa quadrada presa de repente por uma aresta
 huston-liu-dynamics-of-mechanical-systems-9-12 = Huston & Liu, Dynamics of Mechanical Systems, §9.12
-the-plate-turns-about-its-diagonal-then-an-edge-is-held-with-m-1-kg-a-1-m-1-rad-s-the-speed-after-is = A placa gira em torno da diagonal; depois uma aresta é presa. Com m = 1 kg, a = 1 m, Ω = 1 rad/s, a velocidade depois é a razão √2/8, e o momento angular em relação à aresta é o fator √2/24 de m a² Ω.
+the-plate-turns-about-its-diagonal-then-an-edge-is-suddenly-fixed-with-m-1-kg-a-1-m-1-rad-s-the-speed = A placa gira em torno da diagonal; depois uma aresta é fixada de repente. Com m = 1 kg, a = 1 m, Ω = 1 rad/s, a velocidade depois é a razão √2/8, e o momento angular em relação à aresta é o coeficiente √2/24 de m a² Ω.
 weight-of-a-hollow-cube-that-is-pushed = Peso de um cubo oco que é empurrado
 beer-johnston-dynamics-sculpture-cube-of-18-1 = Beer & Johnston, Dynamics, cubo (escultura) do §18.1
-a-hollow-cube-of-six-sheets-of-5-ft-turns-about-its-vertical-diagonal-12-5-lbf-for-1-2-s-at-a-corner = Um cubo oco de seis chapas de 5 ft gira em torno da sua diagonal vertical. 12,5 lbf durante 1,2 s em um canto, perpendicularmente ao plano da diagonal e do canto; depois uma volta leva 5 s, 12 rpm. Seu raio de giração é a √(5/18) = 2,635231 ft em relação a todo eixo por G; as 100 lb se cancelam.
+a-hollow-cube-of-six-sheets-of-5-ft-rotates-about-its-vertical-diagonal-12-5-lbf-for-1-2-s-at-a = Um cubo oco de seis chapas de 5 ft gira em torno da sua diagonal vertical. 12,5 lbf durante 1,2 s em um canto, perpendicularmente ao plano da diagonal e do canto; depois uma volta leva 5 s, 12 rpm. Seu raio de giração é a √(5/18) = 2,635231 ft em relação a todo eixo por G; as 100 lb se cancelam.
 rod-struck-at-its-end = Haste golpeada na extremidade
 closed-form-v-g-j-m-6-j-m-l-the-instantaneous-axis-lies-l-6-beyond-the-middle = forma fechada: v_G = J/m, ω = 6 J/(m L); o eixo instantâneo fica L/6 além do meio
 level-rod-whose-end-hits-a-smooth-floor = Haste horizontal cuja extremidade bate em um piso liso
@@ -2071,7 +2125,7 @@ ball-that-bounces-with-0-8 = Bola que quica com ε = 0,8
 closed-form-v-v = forma fechada: v′ = ε v
 putty-that-sticks-to-the-end-of-a-rod = Massa de vidraceiro que gruda na extremidade de uma haste
 closed-form-momenta-of-rod-and-putty-together = forma fechada: quantidades de movimento da haste e da massa de vidraceiro juntas
-rod-of-2-kg-and-1-2-m-putty-of-0-5-kg-at-10-m-s-across-its-end-g-moves-by-0-12-m-i-0-384-kg-m-h-2-4 = Haste de 2 kg e 1,2 m, massa de vidraceiro de 0,5 kg a 10 m/s, transversal à extremidade da haste: G desloca-se 0,12 m, I = 0,384 kg·m², H = 2,4 kg·m²/s.
+rod-of-2-kg-and-1-2-m-struck-at-its-end-by-0-5-kg-of-putty-at-10-m-s-normal-to-the-rod-g-moves-by-0 = Haste de 2 kg e 1,2 m, atingida na extremidade por 0,5 kg de massa de vidraceiro a 10 m/s, na direção normal à haste: G desloca-se 0,12 m, I = 0,384 kg·m², H = 2,4 kg·m²/s.
 surface-that-the-point-leaves = Superfície da qual o ponto se afasta
 rod-held-along-itself = Haste presa ao longo de si mesma
 mass-for-a-speed-without-an-axis = Massa para uma velocidade, sem eixo
@@ -2102,11 +2156,11 @@ hemispherical-shell-about-its-centre = Casca semiesférica em relação ao centr
 paraboloid-about-its-vertex = Paraboloide em relação ao vértice
 tetrahedron-about-its-corner = Tetraedro em relação ao canto
 bent-plate = Placa dobrada
-meriam-kraige-dynamics-sample-problem-7-6-the-moments-of-its-working = Meriam & Kraige, Dynamics, problema resolvido 7/6: os momentos da sua resolução
+meriam-kraige-dynamics-sample-problem-7-6-the-moments-used-in-its-solution = Meriam & Kraige, Dynamics, problema resolvido 7/6: os momentos da sua resolução
 part-a-125-mm-by-100-mm-in-the-plane-yz-part-b-75-mm-by-150-mm-parallel-to-xz-at-y-125-mm-70-kg-m-i = Parte A, 125 mm por 100 mm, no plano yz; parte B, 75 mm por 150 mm, paralela a xz em y = 125 mm; 70 kg/m². I_xy = m_B · 37,5 mm · 125 mm.
 hollow-cube-of-six-sheets = Cubo oco de seis chapas
 beer-johnston-dynamics-sculpture-cube-of-18-1-i-0-2778-m-a-about-any-line-through-g = Beer & Johnston, Dynamics, cubo (escultura) do §18.1: I = 0,2778 m a² em relação a qualquer reta por G
-with-m-1-kg-and-a-1-m-the-numbers-are-those-of-m-a-all-axes-through-g-are-alike-5-18-m-a = Com m = 1 kg e a = 1 m os números são os de m a². Todos os eixos por G são iguais: 5/18 m a².
+with-m-1-kg-and-a-1-m-the-numbers-are-those-of-m-a-all-axes-through-g-are-equivalent-5-18-m-a = Com m = 1 kg e a = 1 m os números são os de m a². Todos os eixos por G são equivalentes: 5/18 m a².
 hollow-box-of-six-plates = Caixa oca de seis placas
 beer-johnston-dynamics-problem-18-7-the-box-of-problem-18-6-made-of-plates = Beer & Johnston, Dynamics, problema 18.7: o paralelepípedo do problema 18.6, feito de placas
 base-0-3-m-by-0-3-m-height-0-6-m-5-kg-over-10-a-of-plate-i-37-60-m-a-and-i-z-3-10-m-a = Base de 0,3 m por 0,3 m, altura de 0,6 m, 5 kg em 10 a² de placa. Iₓ = 37/60 m a² e I_z = 3/10 m a².
@@ -2128,7 +2182,7 @@ triangle-on-its-edge = Triângulo em pé sobre um lado
 closed-form-the-triangular-plate-in-the-plane-zx-its-legs-along-z-and-x = forma fechada: a placa triangular no plano zx, com os catetos ao longo de z e x
 leg-a-along-z-leg-b-along-x-i-zx-m-a-b-36-about-g-and-m-a-b-12-about-the-right-angle = Cateto a ao longo de z, cateto b ao longo de x: I_zx = −m a b/36 em relação a G e m a b/12 em relação ao ângulo reto.
 known-about-a-point-wanted-about-g = Inércia conhecida em relação a um ponto, procurada em relação a G
-closed-form-theorem-of-parallel-axes-back-to-g = forma fechada: teorema dos eixos paralelos, de volta a G
+closed-form-parallel-axis-theorem-back-to-g = forma fechada: teorema dos eixos paralelos, de volta a G
 m-10-kg-d-0-2-0-2-0-2-m-each-moment-loses-0-8-each-product-0-4-kg-m = m = 10 kg, d = (0,2; 0,2; 0,2) m: cada momento perde 0,8, cada produto 0,4 kg·m².
 known-by-radii-of-gyration = Inércia conhecida pelos raios de giração
 closed-form-i-m-k = forma fechada: I = m k²
@@ -2149,10 +2203,10 @@ beer-johnston-dynamics-sample-problem-18-2 = Beer & Johnston, Dynamics, problema
 disc-of-radius-r-at-the-end-of-an-axle-og-of-length-l-which-is-pivoted-at-o-the-disc-spins-at-about = Disco de raio r na ponta de um eixo OG de comprimento L, articulado em O; o disco gira a ω₁ em torno do eixo e rola no piso: O e o ponto de contato estão em repouso. O livro dá letras; m = 3 kg, r = 150 mm, L = 400 mm, ω₁ = 20 rad/s são escolhidos aqui: ω_y = −r ω₁/L, H_Oz = 0, T = m r² (6 + r²/L²) ω₁²/8.
 box-turning-about-its-diagonal = Paralelepípedo que gira em torno da diagonal
 beer-johnston-dynamics-problem-18-6-9th-to-12th-ed = Beer & Johnston, Dynamics, problema 18.6 (9ª à 12ª ed.)
-solid-box-a-by-a-by-2a-with-m-1-kg-a-1-m-and-1-rad-s-the-magnitude-is-the-factor-of-m-a = Paralelepípedo maciço de a por a por 2a. Com m = 1 kg, a = 1 m e ω = 1 rad/s, o módulo é o fator de m a² ω.
+solid-box-a-by-a-by-2a-with-m-1-kg-a-1-m-and-1-rad-s-the-magnitude-is-the-coefficient-of-m-a = Paralelepípedo maciço de a por a por 2a. Com m = 1 kg, a = 1 m e ω = 1 rad/s, o módulo é o coeficiente de m a² ω.
 hollow-box-turning-about-its-diagonal = Caixa oca que gira em torno da diagonal
 beer-johnston-dynamics-problem-18-7-the-box-of-problem-18-6-made-of-six-plates = Beer & Johnston, Dynamics, problema 18.7: o paralelepípedo do problema 18.6, feito de seis placas
-no-printed-answer-i-i-y-37-60-m-a-i-z-3-10-m-a-h-g-m-a-2-37-60-6-10-6-its-angle-to-the-diagonal = Sem resposta impressa. Iₓ = I_y = 37/60 m a², I_z = 3/10 m a²: |H_G| = m a² ω √(2 (37/60)² + (6/10)²)/√6, seu ângulo com a diagonal arccos((37/60 · 2 + 6/10 · 2)/(√6 √(2 (37/60)² + (6/10)²))).
+no-published-answer-i-i-y-37-60-m-a-i-z-3-10-m-a-h-g-m-a-2-37-60-6-10-6-its-angle-to-the-diagonal = Sem resposta publicada. Iₓ = I_y = 37/60 m a², I_z = 3/10 m a²: |H_G| = m a² ω √(2 (37/60)² + (6/10)²)/√6, seu ângulo com a diagonal arccos((37/60 · 2 + 6/10 · 2)/(√6 √(2 (37/60)² + (6/10)²))).
 bent-plate-on-a-shaft = Placa dobrada em um eixo
 meriam-kraige-dynamics-sample-problem-7-6 = Meriam & Kraige, Dynamics, problema resolvido 7/6
 part-a-in-the-plane-yz-part-b-parallel-to-xz-at-y-125-mm-70-kg-m-30-rad-s-about-z-h-o-i-zx-i-yz-i-z = Parte A no plano yz, parte B paralela a xz em y = 125 mm, 70 kg/m², 30 rad/s em torno de z. H_O = (−I_zx; −I_yz; I_z) ω.
@@ -2163,12 +2217,12 @@ three-particles-on-a-shaft-linear-momentum = Três partículas em um eixo: quant
 the-page-prints-2-m-b-its-own-lines-give-2-m-b-here-m-1-kg-b-1-m-and-1-rad-s = A página imprime √2 m b ω²; suas próprias linhas dão √2 m b ω. Aqui m = 1 kg, b = 1 m e ω = 1 rad/s.
 disc-on-an-arm-welded-to-a-shaft = Disco em um braço soldado a um eixo
 beer-johnston-statics-and-dynamics-8th-ed-problem-18-46 = Beer & Johnston, Statics and Dynamics, 8ª ed., problema 18.46
-the-disc-spins-at-16-rad-s-about-y-on-the-arm-the-shaft-turns-at-8-rad-s-about-x-the-sheet-writes-15 = O disco gira a 16 rad/s em torno de y no braço, o eixo gira a 8 rad/s em torno de x. A folha escreve uma vez 15 rad/s; só 16 rad/s dá os seus 23,5 J (15 daria 22,3 J).
+the-disc-spins-at-16-rad-s-about-y-on-the-arm-the-shaft-turns-at-8-rad-s-about-x-the-sheet-states-15 = O disco gira a 16 rad/s em torno de y no braço, o eixo gira a 8 rad/s em torno de x. A folha escreve uma vez 15 rad/s; só 16 rad/s dá os seus 23,5 J (15 daria 22,3 J).
 beer-johnston-dynamics-10th-11th-ed-disc-of-problems-18-5-18-99-and-18-105 = Beer & Johnston, Dynamics, 10ª/11ª ed., disco dos problemas 18.5, 18.99 e 18.105
 i-m-r-4-0-0225-i-z-m-r-2-0-045-kg-m-h-c-i-j-i-z-k = Iₓ = m r²/4 = 0,0225, I_z = m r²/2 = 0,045 kg·m²: H_C = Iₓ ω₁ j + I_z ω₂ k.
 slender-satellite-that-ends-in-a-flat-spin = Satélite esbelto que acaba girando transversalmente
 major-axis-rule-energy-is-lost-at-constant-angular-momentum-explorer-1 = regra do eixo maior: perde-se energia com o momento angular constante (Explorer 1)
-f-1-2-10-6-rad-s-share-of-energy-lost-1-1-2-6-tables-print-the-speed-as-1-9999999999999998-which-is = ω_f = 1,2 · 10/6 rad/s; parcela da energia perdida 1 − 1,2/6. As tabelas imprimem a velocidade como 1,9999999999999998, que é o arredondamento de 2.
+f-1-2-10-6-rad-s-fraction-of-the-energy-lost-1-1-2-6-tables-print-the-speed-as-1-9999999999999998 = ω_f = 1,2 · 10/6 rad/s; fração da energia perdida 1 − 1,2/6. As tabelas imprimem a velocidade como 1,9999999999999998, que é o arredondamento de 2.
 angular-velocity-from-the-angular-momentum = Velocidade angular a partir do momento angular
 closed-form-i-with-one-product-of-inertia = forma fechada: I⁻¹ com um produto de inércia
 i-2-i-y-3-i-z-4-i-xy-1-kg-m-3-5-1-5-5-5-2-5-5-2-4-3-2-rad-s = Iₓ = 2, I_y = 3, I_z = 4, I_xy = 1 kg·m²: ω = ((3 · 5 + 1 · 5)/5; (5 + 2 · 5)/5; 2) = (4; 3; 2) rad/s.
@@ -2183,67 +2237,67 @@ resting-points-across-the-axis = Pontos em repouso transversais ao eixo
 heavy-top-after-2-s = Pião após 2 s
 br-ls-cardona-arnold-2012-heavy-top-benchmark-with-the-reference-values-that-kynema-prints = Brüls, Cardona & Arnold (2012), problema de referência do pião, com os valores de referência que o Kynema imprime
 the-mass-centre-is-1-m-along-y-from-the-fixed-point-and-the-moments-are-about-the-mass-centre-kynema = O centro de massa está a 1 m do ponto fixo ao longo de y, e os momentos são em relação ao centro de massa. O Kynema integra com um método de segunda ordem e passos de 2 µs: sua posição erra por 1,6e-6 m. Aceleração angular em relação ao ponto fixo e aceleração do centro de massa em t = 0: um teste irmão parte, em vez disso, de −692,307 rad/s² e −0,654 m/s², que são ω_y ω_z e −g/15, e não as acelerações deste pião.
-the-printed-position-is-that-of-a-method-of-second-order = A posição impressa é a de um método de segunda ordem.
+the-published-position-comes-from-a-second-order-method = A posição publicada vem de um método de segunda ordem.
 angular-velocity-of-the-heavy-top-after-2-s = Velocidade angular do pião após 2 s
 br-ls-cardona-arnold-2012-heavy-top-benchmark-converged-value-of-exudyn-explicit-lie-group = Brüls, Cardona & Arnold (2012), problema de referência do pião, valor convergido do EXUDYN (integradores explícitos em grupos de Lie)
-published-is-the-component-along-y-converged-to-2e-9-rad-s-the-other-two-stand-here-as-found = O valor publicado é a componente em Y, convergida até 2e-9 rad/s; as outras duas figuram aqui como foram obtidas.
+the-y-component-is-published-converged-to-2e-9-rad-s-the-other-two-are-listed-here-as-computed = O valor publicado é a componente em Y, convergida até 2e-9 rad/s; as outras duas constam aqui como calculadas.
 angular-velocity-of-the-heavy-top-after-10-ms = Velocidade angular do pião após 10 ms
-published-is-the-component-along-y-the-other-two-stand-here-as-found = O valor publicado é a componente em Y; as outras duas figuram aqui como foram obtidas.
+the-y-component-is-published-the-other-two-are-listed-here-as-computed = O valor publicado é a componente em Y; as outras duas constam aqui como calculadas.
 fast-top-let-go-at-0-05-rad = Pião rápido solto a 0,05 rad
-simo-wong-1991-heavy-symmetrical-top-as-the-validation-manual-of-solfec-gives-it = Simo & Wong (1991), pião simétrico pesado, como o dá o manual de validação do Solfec
-the-axis-starts-at-rest-and-nutates-between-0-05-rad-cos-0-99875-as-printed-and-a-root-of-the-cubic = O eixo parte do repouso e nuta entre 0,05 rad (cos θ = 0,99875, como impresso) e uma raiz da cúbica da integral da energia, 0,0545516902 rad. Nenhum corpo tem 5 kg·m² em relação a um ponto a 1 m dos seus 20 kg; o movimento depende só de m g l.
+simo-wong-1991-heavy-symmetrical-top-as-given-in-the-solfec-validation-manual = Simo & Wong (1991), pião simétrico pesado, conforme o manual de validação do Solfec
+the-axis-starts-at-rest-and-nutates-between-0-05-rad-cos-0-99875-as-published-and-a-root-of-the-cubic = O eixo parte do repouso e nuta entre 0,05 rad (cos θ = 0,99875, como publicado) e uma raiz da cúbica da integral da energia, 0,0545516902 rad. Nenhum corpo real de 20 kg com o centro de massa a 1 m do ponto tem 5 kg·m² em relação a ele; o movimento depende só de m g l.
 free-body-of-revolution-after-5-s = Corpo de revolução livre após 5 s
-closed-form-a-turn-by-h-t-i-t-about-h-after-one-by-1-i-a-i-t-z-t-about-z = forma fechada: um giro de |H| t/I_t em torno de H, depois de um de (1 − I_a/I_t) ω_z t em torno de z
+closed-form-a-rotation-by-h-t-i-t-about-h-after-one-by-1-i-a-i-t-z-t-about-z = forma fechada: uma rotação de |H| t/I_t em torno de H, depois de uma de (1 − I_a/I_t) ω_z t em torno de z
 with-i-t-1-i-a-0-5-kg-m-and-0-5-0-5-1-rad-s = Com I_t = 1, I_a = 0,5 kg·m² e ω = (0,5; 0,5; 1) rad/s.
 free-body-of-revolution-after-5-s-by-a-coarse-run = Corpo de revolução livre após 5 s, por um cálculo grosseiro
 kynema-regression-test-of-a-precessing-free-body-test-precession = Kynema, teste de regressão de um corpo livre em precessão (test_precession)
 the-moments-are-1-1-and-0-5-kg-m = Os momentos são 1, 1 e 0,5 kg·m².
-printed-is-what-a-method-of-second-order-gives-with-steps-of-10-ms-kept-to-notice-changes-the-closed = O valor impresso é o que dá um método de segunda ordem com passos de 10 ms, guardado para notar mudanças; a forma fechada dá −0,630514.
-printed-is-what-a-method-of-second-order-gives-with-steps-of-10-ms-the-closed-form-gives-0-604805-0 = O valor impresso é o que dá um método de segunda ordem com passos de 10 ms; a forma fechada dá 0,604805; −0,303124; −0,380498.
+the-published-value-comes-from-a-second-order-method-with-10-ms-steps-and-is-kept-as-a-regression = O valor publicado vem de um método de segunda ordem com passos de 10 ms e é mantido como valor de regressão; a forma fechada dá −0,630514.
+the-published-values-come-from-a-second-order-method-with-10-ms-steps-the-closed-form-gives-0-604805 = Os valores publicados vêm de um método de segunda ordem com passos de 10 ms; a forma fechada dá 0,604805; −0,303124; −0,380498.
 spinning-up-about-the-axis-of-revolution = Aceleração em torno do eixo de revolução
-closed-form-z-z0-m-t-i-a-and-the-part-across-the-axis-turns-by-i-a-i-t-i-t-z-dt = forma fechada: ω_z = ω_z0 + M t/I_a, e a parte transversal ao eixo gira de (I_a − I_t)/I_t ∫ω_z dt
-the-question-of-an-examination-manchester-1999-with-numbers-chosen-here = A questão de um exame (Manchester, 1999) com números escolhidos aqui.
+closed-form-z-z0-m-t-i-a-and-the-transverse-component-rotates-by-i-a-i-t-i-t-z-dt = forma fechada: ω_z = ω_z0 + M t/I_a, e a componente transversal gira de (I_a − I_t)/I_t ∫ω_z dt
+examination-question-manchester-1999-with-numbers-chosen-here = Questão de exame (Manchester, 1999) com números escolhidos aqui.
 body-near-its-unstable-axis-after-10-s = Corpo perto do seu eixo instável após 10 s
 euler-s-equations-by-a-taylor-series-in-30-digits = equações de Euler por uma série de Taylor com 30 algarismos
-moments-1-2-and-3-kg-m-turning-about-the-middle-axis-with-a-little-about-the-others = Momentos 1, 2 e 3 kg·m², girando em torno do eixo intermediário com um pouco em torno dos outros.
+moments-1-2-and-3-kg-m-rotating-about-the-intermediate-axis-with-small-components-about-the-others = Momentos 1, 2 e 3 kg·m², girando em torno do eixo intermediário com pequenas componentes em torno dos outros.
 compound-pendulum-let-go-level = Pêndulo físico solto na horizontal
 closed-form-2-m-g-a-sin-j-for-a-fall-by = forma fechada: ω² = 2 m g a sen φ/J para uma queda de φ
 ends-when-its-line-has-fallen-by-60-at-150-to-the-upward-vertical = Termina quando sua linha caiu 60°, a 150° da vertical para cima.
 harmonic-torque-about-a-principal-axis = Torque harmônico em torno de um eixo principal
 closed-form-m-i-1-cos-t = forma fechada: ω = M/(I Ω) (1 − cos Ω t)
-from-rest-with-m-0-8-n-m-i-2-kg-m-3-rad-s-t-2-s-the-phase-of-0-makes-the-torque-a-sine-given-with = A partir do repouso, com M = 0,8 N·m, I = 2 kg·m², Ω = 3 rad/s, t = 2 s; a fase de 0 faz do torque um seno. Dado com produtos de inércia nulos.
+from-rest-with-m-0-8-n-m-i-2-kg-m-3-rad-s-t-2-s-with-phase-0-the-torque-is-a-sine-entered-with-zero = A partir do repouso, com M = 0,8 N·m, I = 2 kg·m², Ω = 3 rad/s, t = 2 s; com fase 0 o torque é um seno. Dado com produtos de inércia nulos.
 products-of-inertia-that-no-body-has = Produtos de inércia que nenhum corpo tem
 closed-form-the-moments-1-2-of-the-plane-xy-are-not-both-positive = forma fechada: os momentos 1 ± 2 do plano xy não são ambos positivos
 rod-let-go-level-about-its-end = Haste solta na horizontal, em torno da extremidade
 closed-form-3-g-sin-l-for-a-fall-by = forma fechada: ω² = 3 g sen φ/l para uma queda de φ
-the-rod-is-described-as-a-whole-along-x-from-its-end-at-the-origin-it-ends-fallen-by-60-with-3-9-81 = A haste é descrita como um todo, ao longo de x a partir da extremidade na origem; termina caída 60°, com ω² = 3 · 9,81 · sen 60°/0,8.
+the-rod-is-defined-as-a-whole-along-x-from-its-end-at-the-origin-at-the-end-it-has-fallen-through-60 = A haste é definida por inteiro, ao longo de x a partir da extremidade na origem; no fim ela caiu 60°, com ω² = 3 · 9,81 · sen 60°/0,8.
 
 # rate_of_change.toml
 dumbbell-on-a-vertical-axis = Haltere em um eixo vertical
 university-of-manchester-pc167-sheet-4-question-1 = University of Manchester, PC167, folha 4, questão 1
-particles-of-1-5-kg-at-0-4-m-either-way-on-a-light-rod-50-from-the-axis-z-at-12-rad-s-h-2-m-l-sin-m-2 = Partículas de 1,5 kg a 0,4 m de cada lado em uma haste leve, a 50° do eixo z, a 12 rad/s: H = 2 m l² ω sen θ, M = 2 m l² ω² sen θ cos θ. Posições no plano xz.
+particles-of-1-5-kg-at-0-4-m-on-either-side-on-a-light-rod-50-from-the-z-axis-at-12-rad-s-h-2-m-l-sin = Partículas de 1,5 kg a 0,4 m de cada lado em uma haste leve, a 50° do eixo z, a 12 rad/s: H = 2 m l² ω sen θ, M = 2 m l² ω² sen θ cos θ. Posições no plano xz.
 oblique-rod-on-an-axle = Haste oblíqua em um eixo
-irodov-problems-in-general-physics-oblique-rod-turning-on-an-axle = Irodov, Problems in General Physics, haste oblíqua que gira em um eixo
-printed-in-symbols-m-1-12-m-l-sin-along-the-axle-m-sin-change-over-half-a-turn-1-12-m-l-sin-2-moment = Impresso em símbolos: M = (1/12) m l² ω sen θ, ao longo do eixo M sen θ, variação em meia volta (1/12) m l² ω sen 2θ, momento (1/24) m l² ω² sen 2θ. Aqui m = 2 kg, l = 0,8 m, θ = 65°, ω = 10 rad/s.
+irodov-problems-in-general-physics-oblique-rod-rotating-on-an-axle = Irodov, Problems in General Physics, haste oblíqua que gira em um eixo
+published-in-symbols-m-1-12-m-l-sin-along-the-axle-m-sin-change-over-half-a-revolution-1-12-m-l-sin-2 = Publicado em símbolos: M = (1/12) m l² ω sen θ, ao longo do eixo M sen θ, variação em meia volta (1/12) m l² ω sen 2θ, momento (1/24) m l² ω² sen 2θ. Aqui m = 2 kg, l = 0,8 m, θ = 65°, ω = 10 rad/s.
 rod-of-example-4 = Haste do exemplo 4
 riul-unit-ii-example-4 = Riul, Unidade II, exemplo 4
 m-2-kg-b-0-4-m-10-rad-s-the-rod-25-below-the-horizontal-towards-x-m-z-1-6-m-b-sin-50 = m = 2 kg, b = 0,4 m, ω = 10 rad/s, a haste 25° abaixo da horizontal, no sentido de x: M_z = −(1/6) m b² ω² sen 50°.
 disc-on-an-arm-r-0-203-m = Disco em um braço, r = 0,203 m
 riul-unit-ii-example-3 = Riul, Unidade II, exemplo 3
-here-r-0-203-m-the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-stands-on-a-figure-that-is-lost-of = Aqui r = 0,203 m: as notas imprimem H = 3,63 r² j + 21,78 r² k; o raio está em uma figura que se perdeu, de cujos números só se conhece 0,406 m.
+here-r-0-203-m-the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-is-given-in-a-lost-figure-of-which = Aqui r = 0,203 m: as notas imprimem H = 3,63 r² j + 21,78 r² k; o raio está em uma figura perdida, da qual só se conhece a cota 0,406 m.
 disc-on-an-arm-r-0-1015-m = Disco em um braço, r = 0,1015 m
-here-r-0-1015-m-the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-stands-on-a-figure-that-is-lost-of = Aqui r = 0,1015 m: as notas imprimem H = 3,63 r² j + 21,78 r² k; o raio está em uma figura que se perdeu, de cujos números só se conhece 0,406 m.
+here-r-0-1015-m-the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-is-given-in-a-lost-figure-of-which = Aqui r = 0,1015 m: as notas imprimem H = 3,63 r² j + 21,78 r² k; o raio está em uma figura perdida, da qual só se conhece a cota 0,406 m.
 disc-on-an-arm-r-0-406-m = Disco em um braço, r = 0,406 m
-here-r-0-406-m-the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-stands-on-a-figure-that-is-lost-of = Aqui r = 0,406 m: as notas imprimem H = 3,63 r² j + 21,78 r² k; o raio está em uma figura que se perdeu, de cujos números só se conhece 0,406 m.
+here-r-0-406-m-the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-is-given-in-a-lost-figure-of-which = Aqui r = 0,406 m: as notas imprimem H = 3,63 r² j + 21,78 r² k; o raio está em uma figura perdida, da qual só se conhece a cota 0,406 m.
 plate-welded-to-a-shaft-that-speeds-up = Placa soldada a um eixo que acelera
 university-homework-square-plate-on-a-vertical-shaft-at-30 = Lista de exercícios universitária, placa quadrada em um eixo vertical a 30°
-a-plate-of-1-kg-and-side-2-m-is-welded-by-the-middle-o-of-an-edge-y-along-its-middle-line-30-from-the = Uma placa de 1 kg e lado 2 m é soldada pelo meio O de uma borda, y ao longo de sua linha média, a 30° do eixo; 3 rad/s, crescendo a 5 rad/s².
+a-plate-of-1-kg-and-side-2-m-is-welded-at-the-midpoint-o-of-an-edge-y-along-its-centre-line-30-from = Uma placa de 1 kg e lado 2 m é soldada pelo meio O de uma borda, y ao longo de sua linha média, a 30° do eixo; 3 rad/s, crescendo a 5 rad/s².
 the-same-disc-from-axes-fixed-in-it = O mesmo disco, em eixos fixos nele
 closed-form-i-z-turned-by-90-about-z = forma fechada: I_z ω₁ω₂ girado de 90° em torno de z
-disc-of-4-kg-and-0-2-m-on-an-arm-at-5-rad-s-spinning-at-10-rad-s-a-quarter-turn-on-the-couple-4-i-of = Disco de 4 kg e 0,2 m em um braço a 5 rad/s, girando a 10 rad/s, um quarto de volta depois: o binário 4 i do braço é −4 j do disco.
+disc-of-4-kg-and-0-2-m-on-an-arm-at-5-rad-s-spinning-at-10-rad-s-a-quarter-of-a-revolution-later-the = Disco de 4 kg e 0,2 m em um braço a 5 rad/s, girando a 10 rad/s, um quarto de volta depois: o binário 4 i do braço é −4 j do disco.
 four-boxes-on-precession-nutation-and-spin = Quatro paralelepípedos em precessão, nutação e rotação própria
-this-program-four-boxes-on-the-chain-3-1-3-with-accelerations-held-to-the-difference-quotient-of-r-i = este programa: quatro paralelepípedos na cadeia 3-1-3 com acelerações, comparados com a razão incremental de R I Rᵀ ω
-no-printed-answer-in-axes-that-are-neither-fixed-nor-those-of-the-body-about-the-fixed-origin = Sem resposta impressa. Em eixos que não são nem os fixos nem os do corpo, em relação à origem fixa.
+this-program-four-boxes-on-the-chain-3-1-3-with-accelerations-checked-against-the-difference-quotient = este programa: quatro paralelepípedos na cadeia 3-1-3 com acelerações, comparados com a razão incremental de R I Rᵀ ω
+no-published-answer-in-axes-that-are-neither-the-fixed-axes-nor-the-body-axes-about-the-fixed-origin = Sem resposta publicada. Em eixos que não são nem os fixos nem os do corpo, em relação à origem fixa.
 the-same-four-boxes-in-fixed-axes = Os mesmos quatro paralelepípedos nos eixos fixos
 this-program-the-components-of-the-same-vectors-in-the-fixed-axes = este programa: as componentes dos mesmos vetores nos eixos fixos
 axis-without-length = Eixo sem comprimento
@@ -2252,18 +2306,18 @@ an-axis-must-have-a-direction = um eixo deve ter uma direção
 # reactions.toml
 shaft-with-one-branch-that-swings-down = Eixo com um ramo que cai
 hibbeler-engineering-mechanics-dynamics-14th-ed-problem-21-46-21-41-of-the-12th = Hibbeler, Engineering Mechanics: Dynamics, 14ª ed., problema 21-46 (21-41 da 12ª)
-rods-of-5-kg-m-a-shaft-of-3-m-between-a-which-takes-the-axial-force-too-and-b-and-a-branch-of-1-m-at = Hastes de 5 kg/m: um eixo de 3 m entre A, que recebe também a força axial, e B, e um ramo de 1 m a 1 m de A, nivelado neste instante, com o eixo girando livremente a 2 rad/s. O livro imprime os módulos das forças transversais; elas apontam do ramo para o eixo, aqui ao longo de −y.
+rods-of-5-kg-m-a-shaft-of-3-m-between-a-which-also-takes-the-axial-force-and-b-and-a-branch-of-1-m-at = Hastes de 5 kg/m: um eixo de 3 m entre A, que recebe também a força axial, e B, e um ramo de 1 m a 1 m de A, horizontal neste instante, com o eixo girando livremente a 2 rad/s. O livro dá os módulos das forças transversais; elas apontam do ramo para o eixo, aqui ao longo de −y.
 two-spheres-on-opposite-arms = Duas esferas em braços opostos
 meriam-kraige-dynamics-4th-ed-problem-7-75 = Meriam & Kraige, Dynamics, 4ª ed., problema 7/75
-printed-in-symbols-m-r-3-at-each-bearing-in-opposite-senses-here-m-2-kg-r-0-25-m-40-rad-s-shaft-of-0 = Impresso em símbolos: m R ω²/3 em cada mancal, em sentidos opostos. Aqui m = 2 kg, R = 0,25 m, ω = 40 rad/s, eixo de 0,9 m.
+published-in-symbols-m-r-3-at-each-bearing-in-opposite-senses-here-m-2-kg-r-0-25-m-40-rad-s-shaft-of = Publicado em símbolos: m R ω²/3 em cada mancal, em sentidos opostos. Aqui m = 2 kg, R = 0,25 m, ω = 40 rad/s, eixo de 0,9 m.
 plate-that-turns-about-its-diagonal = Placa que gira em torno da diagonal
 analytic-couple-m-a-b-b-a-12-a-b-forces-couple-a-b-of-the-kind-of-manchester-pc167-sheet-4 = analítico: binário m a b (b² − a²) ω²/12(a² + b²), forças binário/√(a² + b²); do tipo de Manchester PC167, folha 4
 plate-of-4-kg-0-3-m-by-0-5-m-on-bearings-at-the-ends-of-a-diagonal-at-25-rad-s = Placa de 4 kg, 0,3 m por 0,5 m, em mancais nas extremidades de uma diagonal, a 25 rad/s.
 disc-out-of-square-on-its-shaft = Disco fora de esquadro em seu eixo
-disc-of-30-kg-and-0-6-m-diameter-1-out-of-square-at-1200-rev-min-the-shaft-holds-it-like-a-weld = Disco de 30 kg e 0,6 m de diâmetro, 1° fora de esquadro, a 1200 rev/min. O eixo o prende como uma solda.
+disc-of-30-kg-and-0-6-m-diameter-1-out-of-square-at-1200-rev-min-it-is-rigidly-fixed-to-the-shaft = Disco de 30 kg e 0,6 m de diâmetro, 1° fora de esquadro, a 1200 rev/min. É fixado rigidamente ao eixo.
 ship-s-rotor-in-a-turn = Rotor de navio em curva
 course-handout-on-gyroscopes-example-4-3 = Apostila de curso sobre giroscópios, exemplo 4.3
-rotor-of-1000-kg-the-statement-says-100-the-solution-takes-1000-k-200-mm-5000-rev-min-clockwise-seen = Rotor de 1000 kg (o enunciado diz 100, a solução toma 1000), k = 200 mm, 5000 rev/min, horário visto de trás, em uma curva para a esquerda de 500 m a 30 m/s; mancais afastados de 1,2 m. x para a frente, y para bombordo, z para cima; o rotor no meio dos eixos da curva, pois a apostila omite a força centrípeta. Qual mancal tem a maior força é resposta nossa: o de trás.
+rotor-of-1000-kg-the-statement-says-100-the-solution-takes-1000-k-200-mm-5000-rev-min-clockwise-seen = Rotor de 1000 kg (o enunciado diz 100, a solução toma 1000), k = 200 mm, 5000 rev/min, horário visto de trás, em uma curva para a esquerda de 500 m a 30 m/s; mancais afastados de 1,2 m. x para a frente, y para bombordo, z para cima; o rotor é posto sobre o eixo da curva, pois a apostila omite a força centrípeta. O mancal com a maior força é calculado aqui: o de trás.
 plate-of-1-kg-and-side-2-m-welded-by-the-middle-o-of-an-edge-y-along-its-middle-line-30-from-the = Placa de 1 kg e lado de 2 m soldada pelo meio O de uma aresta; y ao longo da sua linha média, a 30° do eixo, z normal a ela; 3 rad/s, crescendo a 5 rad/s²; sem peso. Nos eixos da placa.
 rod-held-at-60-by-a-wire = Haste mantida a 60° por um fio
 beer-johnston-dynamics-sample-problem-18-3 = Beer & Johnston, Dynamics, problema resolvido 18.3
@@ -2274,27 +2328,27 @@ beer-johnston-dynamics-sample-problem-18-4-with-its-layout-assumed = Beer & John
 rods-of-100-mm-and-300-g-on-a-light-shaft-of-600-mm-along-y-at-a-quarter-of-it-along-z-at-three = Hastes de 100 mm e 300 g em um eixo leve de 600 mm: ao longo de y a um quarto dele, ao longo de z a três quartos; 6 N·m; as forças do movimento a 1200 rev/min. À mão: α = 6/(2 · 0,3 · 0,1²/3) = 3000 rad/s², m r ω² = 236,87 N e m r α = 45 N repartidos na razão 3 : 1.
 disc-on-an-axle-that-rolls-on-the-floor = Disco em um eixo, rolando no piso
 beer-johnston-dynamics-sample-problems-18-2-and-18-5 = Beer & Johnston, Dynamics, problemas resolvidos 18.2 e 18.5
-disc-of-3-kg-and-150-mm-on-a-light-axle-of-400-mm-with-a-ball-and-socket-at-o-rolling-on-a-level = Disco de 3 kg e 150 mm em um eixo leve de 400 mm com uma rótula em O, rolando em um piso nivelado a 20 rad/s em torno do eixo: dá a volta a r ω₁/L = 7,5 rad/s. A velocidade constante, o piso exerce só uma força normal.
+disc-of-3-kg-and-150-mm-on-a-light-axle-of-400-mm-with-a-ball-and-socket-at-o-rolling-on-a-level = Disco de 3 kg e 150 mm em um eixo leve de 400 mm com uma rótula em O, rolando em um piso nivelado a 20 rad/s em torno do eixo: precessiona a r ω₁/L = 7,5 rad/s. A velocidade constante, o piso exerce só uma força normal.
 rod-of-example-4-as-a-weld = Haste do exemplo 4, como solda
 unbalanced-rotor-between-bearings-a-quarter-turn-on = Rotor desbalanceado entre mancais, um quarto de volta depois
 closed-form-m-g-2-and-m-e-2-at-each-bearing = forma fechada: m g/2 e m e ω²/2 em cada mancal
 n-10-kg-at-1-mm-from-the-axis-100-rad-s-with-its-heavy-side-up-49-05-n-from-the-weight-and-50-n-from = 10 kg a 1 mm do eixo, 100 rad/s, com o lado pesado para cima: 49,05 N do peso e 50 N do movimento em cada mancal.
 box-on-a-turntable = Caixa em uma plataforma giratória
 closed-form-r-g = forma fechada: µ = ω² r/g
-at-0-3-m-from-the-axis-and-3-rad-s-it-needs-a-friction-of-2-7-9-81-not-to-slide = A 0,3 m do eixo e 3 rad/s, precisa de um atrito de 2,7/9,81 para não deslizar.
+at-0-3-m-from-the-axis-and-3-rad-s-it-requires-a-friction-of-2-7-9-81-not-to-slide = A 0,3 m do eixo e 3 rad/s, precisa de um atrito de 2,7/9,81 para não deslizar.
 sled-pulled-over-a-sliding-floor = Trenó puxado, deslizando sobre um piso
 closed-form-n-m-g-friction-n-against-the-sliding = forma fechada: N = m g, atrito µ N contra o deslizamento
-a-force-of-10-n-at-the-contact-on-a-particle-of-2-kg-that-a-table-turns-at-0-rad-s-the-wire-takes = Uma força de 10 N no contato, sobre uma partícula de 2 kg que uma mesa gira a 0 rad/s; o fio recebe o que o atrito de 0,2 deixa.
+a-force-of-10-n-at-the-contact-on-a-particle-of-2-kg-that-a-table-rotates-at-0-rad-s-the-wire-carries = Uma força de 10 N no contato, sobre uma partícula de 2 kg que uma mesa gira a 0 rad/s; o fio suporta o que o atrito de 0,2 não equilibra.
 hanging-rod-held-in-by-a-wire = Haste pendente retida por um fio
-closed-form-the-wire-carries-nothing-at-3-g-2-l-cos-and-m-l-3-sin-m-g-tan-2-at-another-speed = forma fechada: o fio nada suporta com ω² = 3 g/(2 L cos θ), e m L ω²/3 · sen θ − m g tan θ/2 a outra velocidade
-rod-of-1-kg-and-0-6-m-hinged-on-the-axis-60-from-hanging-with-a-level-wire-to-the-shaft-at-its-end-at = Haste de 1 kg e 0,6 m articulada sobre o eixo, a 60° da posição pendente, com um fio horizontal da sua ponta ao eixo; a 10 rad/s, 17,320508 − 8,495709 N.
+closed-form-the-wire-force-is-zero-at-3-g-2-l-cos-and-m-l-3-sin-m-g-tan-2-at-another-speed = forma fechada: a força no fio é nula com ω² = 3 g/(2 L cos θ), e m L ω²/3 · sen θ − m g tan θ/2 a outra velocidade
+rod-of-1-kg-and-0-6-m-hinged-on-the-axis-60-from-the-downward-vertical-with-a-horizontal-wire-from = Haste de 1 kg e 0,6 m articulada sobre o eixo, a 60° da vertical descendente, com um fio horizontal da sua ponta ao eixo; a 10 rad/s, 17,320508 − 8,495709 N.
 shaft-kept-from-turning-by-a-key = Eixo impedido de girar por uma chaveta
 closed-form-the-couple-of-the-key-is-m-g-e = forma fechada: o binário da chaveta é m g e
 n-10-kg-at-0-1-m-to-the-side-of-the-shaft-at-rest-10-9-81-0-1-n-m-about-x = 10 kg a 0,1 m ao lado do eixo, em repouso: 10 · 9,81 · 0,1 N·m em torno de x.
 two-bearings-that-both-take-the-axial-force = Dois mancais que recebem ambos a força axial
 closed-form-one-equation-along-the-shaft-for-two-forces = forma fechada: uma só equação ao longo do eixo para duas forças
 overhung-rotor-on-one-bearing = Rotor em balanço em um só mancal
-closed-form-nothing-takes-the-moment-across = forma fechada: nada recebe o momento transversal
+closed-form-no-support-resists-the-transverse-moment = forma fechada: nenhum apoio resiste ao momento transversal
 free-couple-on-a-welded-plate = Binário livre em uma placa soldada
 closed-form-a-weld-does-not-let-it-turn = forma fechada: uma solda não o deixa girar
 
@@ -2302,11 +2356,11 @@ closed-form-a-weld-does-not-let-it-turn = forma fechada: uma solda não o deixa 
 rod-welded-to-a-vertical-shaft-at-30 = Haste soldada a um eixo vertical, a 30°
 the-notes-print-m-1-6-m-b-sin-2-k-and-h-g-1-3-m-b-cos-sin-i-cos-j-in-symbols-the-numbers-are-chosen = As notas imprimem M = −(1/6) m b² ω² sen 2β k e H_G = (1/3) m b² ω cos β (sen β i + cos β j) em símbolos; os números são escolhidos aqui. Com m b² = 0,54 kg·m² e ω = 20 rad/s: M_z = −36 sen 60° N·m, H_G = 1,8 √3 (1/2 i + √3/2 j) kg·m²/s. O ângulo é medido a partir da horizontal.
 rod-at-25-to-the-horizontal = Haste a 25° da horizontal
-the-printed-formula-with-m-2-kg-b-0-4-m-10-rad-s-m-z-16-3-sin-50-n-m = A fórmula impressa com m = 2 kg, b = 0,4 m, ω = 10 rad/s: M_z = −(16/3) sen 50° N·m.
-printed-in-symbols-with-the-angle-from-the-axle-and-the-length-l-2b-m-1-12-m-l-sin-along-the-axle-m = Impresso em símbolos, com o ângulo θ a partir do eixo e o comprimento l = 2b: M = (1/12) m l² ω sen θ, ao longo do eixo M sen θ, momento sobre o eixo (1/24) m l² ω² sen 2θ. Aqui m = 2 kg, l = 0,8 m, θ = 65°, ω = 10 rad/s.
+the-published-formula-with-m-2-kg-b-0-4-m-10-rad-s-m-z-16-3-sin-50-n-m = A fórmula publicada com m = 2 kg, b = 0,4 m, ω = 10 rad/s: M_z = −(16/3) sen 50° N·m.
+published-in-symbols-with-the-angle-from-the-axle-and-the-length-l-2b-m-1-12-m-l-sin-along-the-axle-m = Publicado em símbolos, com o ângulo θ a partir do eixo e o comprimento l = 2b: M = (1/12) m l² ω sen θ, ao longo do eixo M sen θ, momento sobre o eixo (1/24) m l² ω² sen 2θ. Aqui m = 2 kg, l = 0,8 m, θ = 65°, ω = 10 rad/s.
 horizontal-rod-speeding-up = Haste horizontal que acelera
 closed-form-m-i-j-for-a-principal-axis = forma fechada: M = I α j para um eixo principal
-at-0-the-shaft-is-a-principal-axis-no-couple-tilts-it-and-i-0-18-50-n-m-speeds-the-rod-up = Com β = 0 o eixo de rotação é um eixo principal: nenhum binário o inclina, e I α = 0,18 · 50 N·m acelera a haste.
+at-0-the-shaft-is-a-principal-axis-no-couple-tilts-it-and-i-0-18-50-n-m-accelerates-the-rod = Com β = 0 o eixo de rotação é um eixo principal: nenhum binário o inclina, e I α = 0,18 · 50 N·m acelera a haste.
 
 # rolling_cone.toml
 solid-cone-of-25-rolling-at-2-2-rad-s = Cone maciço de 25° rolando a 2,2 rad/s
@@ -2321,19 +2375,19 @@ the-solid-cone-of-25-at-the-precession-that-brings-the-normal-force-to-the-edge-
 
 # rolling_motion.toml
 rolling-coin-after-0-5-s = Moeda que rola, após 0,5 s
-rill-schaeffer-2010-rolling-coin-with-the-value-that-the-test-of-exudyn-prints = Rill & Schaeffer (2010), moeda que rola, com o valor que o teste do EXUDYN imprime
-thin-disc-of-10-mm-tilted-by-1-from-the-vertical-let-go-with-1800-s-about-the-vertical-exudyn-calls = Disco fino de 10 mm inclinado de 1° da vertical, solto com 1800°/s em torno da vertical. O EXUDYN chama os seus momentos (1/2; 1/4; 1/4) m r² de momentos de um anel; são os de um disco fino. Seu valor é o de um cálculo com amortecimento numérico; convergido, x = 2,004947 mm, y = 2,596923 mm.
-the-printed-value-is-that-of-a-run-with-numerical-damping-converged-it-is-0-002004947-m = O valor impresso é o de um cálculo com amortecimento numérico; convergido, é 0,002004947 m.
+rill-schaeffer-2010-rolling-coin-with-the-value-published-in-the-exudyn-test = Rill & Schaeffer (2010), moeda que rola, com o valor publicado no teste do EXUDYN
+thin-disc-of-10-mm-tilted-by-1-from-the-vertical-released-with-1800-s-about-the-vertical-exudyn-calls = Disco fino de 10 mm inclinado de 1° da vertical, solto com 1800°/s em torno da vertical. O EXUDYN chama os seus momentos (1/2; 1/4; 1/4) m r² de momentos de um anel; são os de um disco fino. Seu valor vem de um cálculo com amortecimento numérico; convergido, x = 2,004947 mm, y = 2,596923 mm.
+the-published-value-comes-from-a-run-with-numerical-damping-the-converged-value-is-0-002004947-m = O valor publicado vem de um cálculo com amortecimento numérico; o valor convergido é 0,002004947 m.
 the-same-coin-to-all-digits = A mesma moeda, com todos os algarismos
-the-equations-of-the-rolling-disc-by-a-method-of-runge-and-kutta-with-5000-steps = as equações do disco que rola, por um método de Runge e Kutta com 5000 passos
+the-equations-of-the-rolling-disc-by-a-runge-kutta-method-with-5000-steps = as equações do disco que rola, por um método de Runge–Kutta com 5000 passos
 disc-on-a-steady-circle = Disco em círculo, em regime permanente
-closed-form-g-cos-sin-3-a-2-r-cos-4-here-over-half-a-turn = forma fechada: φ̇² = g cos θ/(sen θ (3 a/2 + r cos θ/4)), aqui ao longo de meia volta
-r-0-3-m-a-2-m-70-1-086320525-rad-s-a-r-cos-after-half-a-turn-the-contact-is-2-a-r-cos-4-2052121-m-to = r = 0,3 m, a = 2 m, θ = 70°: φ̇ = 1,086320525 rad/s, ψ̇ = −φ̇ (a/r + cos θ). Após meia volta o contato está 2 (a + r cos θ) = 4,2052121 m à esquerda de onde começou.
+closed-form-g-cos-sin-3-a-2-r-cos-4-here-over-half-a-revolution = forma fechada: φ̇² = g cos θ/(sen θ (3 a/2 + r cos θ/4)), aqui ao longo de meia volta
+r-0-3-m-a-2-m-70-1-086320525-rad-s-a-r-cos-after-half-a-revolution-the-contact-is-2-a-r-cos-4-2052121 = r = 0,3 m, a = 2 m, θ = 70°: φ̇ = 1,086320525 rad/s, ψ̇ = −φ̇ (a/r + cos θ). Após meia volta o contato está 2 (a + r cos θ) = 4,2052121 m à esquerda de onde começou.
 upright-disc-rolling-straight-on = Disco em pé rolando em linha reta
 closed-form-x-v-t = forma fechada: x = v t
-at-2-m-s-twice-the-least-speed-nothing-tilts-it = A 2 m/s, o dobro da menor velocidade, nada o inclina.
+at-2-m-s-twice-the-minimum-speed-nothing-tilts-it = A 2 m/s, o dobro da velocidade mínima, nada o inclina.
 disc-that-falls-over-from-rest-and-lifts-off = Disco que tomba do repouso e salta
-closed-form-a-disc-let-go-on-its-edge-falls-about-the-tangent-at-the-contact-m-g-r-cos-i-t-m-r = forma fechada: um disco solto apoiado na borda tomba em torno da tangente no contato, θ̈ = −m g r cos θ/(I_t + m r²)
+closed-form-a-disc-released-on-its-edge-falls-about-the-tangent-at-the-contact-m-g-r-cos-i-t-m-r = forma fechada: um disco solto apoiado na borda tomba em torno da tangente no contato, θ̈ = −m g r cos θ/(I_t + m r²)
 with-i-t-m-r-4-4-5-g-cos-80-r-at-the-start-then-8-5-g-r-sin-80-sin-the-normal-force-m-g-z-is-gone = Com I_t = m r²/4: θ̈ = −(4/5) g cos 80°/r no início, depois θ̇² = (8/5)(g/r)(sen 80° − sen θ). A força normal m (g + z̈) se anula onde 0,2 + 2,4 sen² θ = 1,6 sen 80° sen θ, em 28,98°, muito antes de ele ficar deitado.
 disc-that-lies-flat-from-the-start = Disco deitado desde o início
 closed-form-3-is-below-the-angle-that-counts-as-flat = forma fechada: 3° está abaixo do ângulo que conta como deitado
@@ -2344,7 +2398,7 @@ closed-form-v-g-r-3-for-a-thin-disc-routh = forma fechada: v² = g r/3 para um d
 the-eigenvalues-of-the-equations-linearised-by-differences-are-at-their-limit-there-too = Os autovalores das equações, linearizadas por diferenças, também estão no seu limite ali.
 disc-spinning-on-the-spot = Disco girando no lugar
 closed-form-g-5-r-4-for-a-thin-disc = forma fechada: Ω² = g/(5 r/4) para um disco fino
-stable-from-5-1147-rad-s-on-at-4-rad-s-a-tilt-grows = Estável de 5,1147 rad/s em diante; a 4 rad/s uma inclinação cresce.
+stable-above-5-1147-rad-s-at-4-rad-s-a-tilt-grows = Estável acima de 5,1147 rad/s; a 4 rad/s uma inclinação cresce.
 hoop-spinning-on-the-spot = Aro girando no lugar
 closed-form-g-3-r-2-for-a-thin-hoop = forma fechada: Ω² = g/(3 r/2) para um aro fino
 hoop-rolling-straight-on-by-its-radii-of-gyration = Aro rolando em linha reta, pelos raios de giração
@@ -2365,19 +2419,19 @@ arm-and-disc-of-example-3 = Braço e disco do exemplo 3
 the-arm-turns-at-4-rad-s-about-y-the-disc-at-12-rad-s-about-the-z-axis-of-the-arm-4-j-12-k-4-j-12-k = O braço gira a 4 rad/s em torno de y, o disco a 12 rad/s em torno do eixo z do braço: ω = 4 j + 12 k, α = 4 j × 12 k = 48 i rad/s².
 precession-nutation-and-spin-in-the-axes-of-the-body = Precessão, nutação e rotação própria nos eixos do corpo
 closed-form-sin-sin-cos-y-sin-cos-sin-z-cos-and-their-rates = forma fechada: ωₓ = φ̇ sen θ sen ψ + θ̇ cos ψ, ω_y = φ̇ sen θ cos ψ − θ̇ sen ψ, ω_z = φ̇ cos θ + ψ̇, e suas taxas de variação
-euler-angles-about-z-x-and-z-the-components-of-in-axes-fixed-in-the-body-are-the-rates-of-those-of-0 = Ângulos de Euler em torno de z, x′ e z″; as componentes de α nos eixos fixos no corpo são as derivadas das de ω. φ = 0,3 rad não entra.
+euler-angles-about-z-x-and-z-the-components-of-in-axes-fixed-in-the-body-are-the-derivatives-of-those = Ângulos de Euler em torno de z, x′ e z″; as componentes de α nos eixos fixos no corpo são as derivadas das de ω. φ = 0,3 rad não influi.
 rotor-of-a-ship-that-pitches = Rotor de um navio que arfa
 closed-form-a-p-cos-pt-a-p-sin-pt-j-j-i = forma fechada: θ̇ = A p cos pt, θ̈ = −A p² sen pt, α = θ̈ j + θ̇ j × Ω i
-pitch-of-6-either-way-in-20-s-2-s-after-the-middle-the-rotor-turns-at-2000-rev-min-about-the-fore-and = Arfagem de 6° para cada lado em 20 s, 2 s depois do meio; o rotor gira a 2000 rev/min em torno do eixo longitudinal. Visto do navio.
+pitching-of-6-with-a-period-of-20-s-2-s-after-mid-position-the-rotor-turns-at-2000-rev-min-about-the = Arfagem de ±6° com período de 20 s, 2 s depois da posição média; o rotor gira a 2000 rev/min em torno do eixo longitudinal. Visto do navio.
 wheel-of-a-car-in-a-bend = Roda de um automóvel em curva
 closed-form-v-r-k-i = forma fechada: α = v/R k × ω i
-n-80-km-h-round-a-circle-of-50-m-to-the-left-the-wheel-turning-at-600-rev-min-about-the-axis-that = 80 km/h em um círculo de 50 m para a esquerda, a roda girando a 600 rev/min em torno do eixo que aponta para a esquerda, y. Seu centro move-se com o carro, a 50 m do centro da curva.
+n-80-km-h-on-a-circle-of-50-m-to-the-left-the-wheel-rotating-at-600-rev-min-about-the-axis-that = 80 km/h em um círculo de 50 m para a esquerda, a roda girando a 600 rev/min em torno do eixo que aponta para a esquerda, y. Seu centro move-se com o carro, a 50 m do centro da curva.
 
 # spinning_disc_on_arm.toml
 disc-on-an-arm-m-3-63-kg = Disco em um braço, m = 3,63 kg
-the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-stands-on-a-figure-that-is-lost-of-its-numbers-only-0 = As notas imprimem H = 3,63 r² j + 21,78 r² k. O raio está em uma figura que se perdeu (dos seus números só se conhece 0,406 m): supõe-se aqui 0,203 m, a metade disso. Com ele r² = 0,041209 m².
+the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-is-given-in-a-figure-that-is-no-longer-available-only = As notas imprimem H = 3,63 r² j + 21,78 r² k. O raio é dado em uma figura que não está mais disponível (dela só se conhece 0,406 m): supõe-se aqui 0,203 m, a metade disso. Com ele r² = 0,041209 m².
 disc-of-150-mm-on-arm-abc = Disco de 150 mm no braço ABC
-the-printed-moments-of-inertia-a-quarter-and-a-half-of-m-r = Os momentos de inércia impressos; um quarto e metade de m r².
+the-published-moments-of-inertia-a-quarter-and-a-half-of-m-r = Os momentos de inércia publicados; um quarto e metade de m r².
 kinetic-energy-of-a-disc-on-a-shaft-and-arm = Energia cinética de um disco em eixo e braço
 there-the-shaft-turns-about-x-and-the-disc-spins-about-y-here-these-axes-are-called-y-and-z-the = Lá o eixo gira em torno de x e o disco em torno de y; aqui esses eixos chamam-se y e z. O centro está afastado do eixo 180 mm em cada uma de duas direções: √2 · 180 mm.
 disc-of-example-3-a-quarter-turn-later-spinning-up = Disco do exemplo 3 um quarto de volta depois, acelerando
@@ -2386,32 +2440,32 @@ with-m-r-0-16-kg-m-i-d-0-04-and-i-z-0-08-kg-m-at-90-the-x-axis-of-the-arm-points
 
 # steady_rolling.toml
 thin-hoop-at-62-on-a-circle-of-0-9-m = Aro fino a 62° em um círculo de 0,9 m
-hibbeler-dynamics-11th-ed-problem-21-69-manual-of-solutions-the-numbers-are-chosen-here = Hibbeler, Dynamics, 11ª ed., problema 21-69, manual de soluções; os números são escolhidos aqui
+hibbeler-dynamics-11th-ed-problem-21-69-solutions-manual-the-numbers-are-chosen-here = Hibbeler, Dynamics, 11ª ed., problema 21-69, manual de soluções; os números são escolhidos aqui
 the-manual-gives-a-formula-its-own-moment-equation-m-a-r-sin-m-g-r-cos-m-r-2-a-r-cos-r-sin-m-r-2-a-r = O manual dá uma fórmula. A sua própria equação dos momentos, m a φ̇² r sen θ − m g r cos θ = −(m r²/2) ((a + r cos θ)/r) φ̇² sen θ − (m r²/2)(a/r) φ̇² sen θ, leva a 2 g cos θ = φ̇² sen θ (4 a + r cos θ); a linha impressa em seguida só conserva (a + r cos θ).
-an-algebra-slip-between-two-printed-lines-4a-r-cos-became-a-r-cos-with-the-moment-equation-as-printed = Um deslize de álgebra entre duas linhas impressas: 4a + r cos θ virou a + r cos θ. Com a equação dos momentos como impressa, φ̇ = 1,6752 rad/s, que também deixa θ em repouso nas equações do aro que rola; e em um círculo grande tan(inclinação) = 2 v²/(g a), como deve ser para um aro.
+an-algebra-error-between-two-printed-lines-4a-r-cos-became-a-r-cos-with-the-moment-equation-as = Um erro de álgebra entre duas linhas impressas: 4a + r cos θ virou a + r cos θ. Com a equação dos momentos como impressa, φ̇ = 1,6752 rad/s, que também deixa θ em repouso nas equações do aro que rola; e em um círculo grande tan(inclinação) = 2 v²/(g a), como deve ser para um aro.
 the-same-hoop-by-its-moment-equation = O mesmo aro, pela equação dos momentos
 closed-form-2-g-cos-sin-4-a-r-cos-for-a-hoop = forma fechada: φ̇² = 2 g cos θ/(sen θ (4 a + r cos θ)) para um aro
 disc-at-70-from-its-speed = Disco a 70°, a partir da velocidade
 closed-form-g-cos-sin-3-a-2-r-cos-4-for-a-disc = forma fechada: φ̇² = g cos θ/(sen θ (3 a/2 + r cos θ/4)) para um disco
-the-speed-is-that-which-the-formula-gives-for-70 = A velocidade é a que a fórmula dá para θ = 70°.
+the-speed-is-the-value-given-by-the-formula-for-70 = A velocidade é o valor dado pela fórmula para θ = 70°.
 coin-that-wobbles-about-a-resting-centre-at-10 = Moeda que bamboleia com o centro em repouso, a 10°
-closed-form-with-the-centre-at-rest-a-disc-precesses-with-4-g-r-sin = forma fechada: com o centro em repouso, um disco precessa com φ̇² = 4 g/(r sen θ)
-the-last-motion-of-a-coin-on-a-table-the-radius-being-37-5-mm = O último movimento de uma moeda em uma mesa, com raio de 37,5 mm.
+closed-form-with-the-centre-at-rest-a-disc-precesses-with-4-g-r-sin = forma fechada: com o centro em repouso, um disco precessiona com φ̇² = 4 g/(r sen θ)
+final-stage-of-the-motion-of-a-coin-on-a-table-radius-37-5-mm = Fase final do movimento de uma moeda em uma mesa, raio de 37,5 mm.
 hoop-on-a-large-circle = Aro em um círculo grande
 closed-form-tan-lean-2-v-g-a-for-a-hoop-whose-circle-is-much-larger-than-itself = forma fechada: tan(inclinação) = 2 v²/(g a) para um aro cujo círculo é muito maior que ele mesmo
-at-a-lean-of-10-on-a-circle-of-3-km-v-g-a-tan-10-2-to-a-part-in-10 = Com inclinação de 10° em um círculo de 3 km: v² = g a tan 10°/2, a uma parte em 10⁵.
+at-a-lean-of-10-on-a-circle-of-3-km-v-g-a-tan-10-2-to-one-part-in-10 = Com inclinação de 10° em um círculo de 3 km: v² = g a tan 10°/2, a uma parte em 10⁵.
 
 # top_nutation.toml
 axis-held-at-35-and-let-go = Eixo segurado a 35° e solto
 zeros-of-the-cubic-of-energy-and-angular-momenta-goldstein-classical-mechanics-5-7 = zeros da cúbica da energia e dos momentos angulares, Goldstein, Classical Mechanics, §5-7
-the-axis-stands-still-at-its-highest-position-cusps-for-a-fast-top-the-frequency-would-be-i-a-2-i-t-4 = O eixo para na sua posição mais alta: cúspides. Para um pião rápido a frequência seria I_a ω₃/(2π I_t) = 4,63 Hz; aqui fica bem abaixo.
+the-axis-is-momentarily-at-rest-at-its-highest-position-cusps-for-a-fast-top-the-frequency-would-be-i = O eixo fica momentaneamente em repouso na sua posição mais alta: cúspides. Para um pião rápido a frequência seria I_a ω₃/(2π I_t) = 4,63 Hz; aqui fica bem abaixo.
 loops = Laços
 zeros-of-the-cubic-period-and-precession-by-quadrature-to-twenty-digits = zeros da cúbica; período e precessão por quadratura com vinte algarismos
 loops-from-any-start = Laços, a partir de um início qualquer
-let-go-downwards-and-backwards = Solto para baixo e para trás.
+released-downwards-and-backwards = Solto para baixo e para trás.
 waves = Ondas
 sleeping-top-5-above-its-threshold = Pião adormecido, 5 % acima do limiar
-let-go-0-1-mrad-off-the-vertical-the-same-from-the-integrated-equations = solto a 0,1 mrad da vertical; o mesmo pelas equações integradas
+released-0-1-mrad-off-the-vertical-the-same-from-the-integrated-equations = solto a 0,1 mrad da vertical; o mesmo pelas equações integradas
 sleeping-top-5-below-its-threshold = Pião adormecido, 5 % abaixo do limiar
 it-wakes-up-falls-to-36-and-comes-back = Ele desperta, cai até 36° e volta.
 top-of-simo-and-wong = Pião de Simo e Wong
@@ -2419,9 +2473,9 @@ j-c-simo-k-k-wong-unconditionally-stable-algorithms-for-rigid-body-dynamics-int-
 m-20-g-1-and-l-1-moments-of-inertia-5-and-1-about-the-fixed-point-cosine-of-the-angle-after-10-s-0 = M = 20, g = 1 e l = 1, momentos de inércia 5 e 1 em relação ao ponto fixo. Cosseno do ângulo após 10 s: 0,998530450481.
 fast-top-of-the-multibody-benchmarks-2-s = Pião rápido dos problemas de referência de multicorpos, 2 s
 o-br-ls-a-cardona-m-arnold-lie-group-generalized-time-integration-of-constrained-flexible-multibody = O. Brüls, A. Cardona, M. Arnold, Lie group generalized-α time integration of constrained flexible multibody systems, Mechanism and Machine Theory 48 (2012), pião; altura do centro de massa em 2 s por integração com treze algarismos, −0,673022269560 m
-i-a-0-46875-and-i-t-0-234375-15-1-kg-m-let-go-level-with-precession-4-61538-rad-s-its-axis-passes-0 = I_a = 0,46875 e I_t = 0,234375 + 15 · 1² kg·m². Solto na horizontal com precessão de −4,61538 rad/s: seu eixo passa a 0,00004° do ponto mais baixo.
+i-a-0-46875-and-i-t-0-234375-15-1-kg-m-released-with-its-axis-level-with-precession-4-61538-rad-s-its = I_a = 0,46875 e I_t = 0,234375 + 15 · 1² kg·m². Solto na horizontal com precessão de −4,61538 rad/s: seu eixo passa a 0,00004° do ponto mais baixo.
 a-top-that-does-not-turn-swings-as-a-pendulum = Um pião que não gira oscila como um pêndulo
-half-the-period-of-a-pendulum-let-go-level-4-k-1-2-l-g-2 = metade do período de um pêndulo solto na horizontal, 4 K(1/√2) √(l/g)/2
+half-the-period-of-a-pendulum-released-from-the-horizontal-4-k-1-2-l-g-2 = metade do período de um pêndulo solto na horizontal, 4 K(1/√2) √(l/g)/2
 steady-precession = Precessão estacionária
 the-slow-root-of-i-t-cos-i-a-k-0 = a raiz lenta de I_t cos θ φ̇² − I_a ω₃ φ̇ + K = 0
 transverse-moment-unknown = Momento transversal desconhecido
@@ -2432,7 +2486,7 @@ level-turn-at-800-km-h = Curva nivelada a 800 km/h
 disc-of-200-g-40-mm-10-000-rpm-the-springs-of-500-n-m-100-mm-apart-and-the-radius-of-600-m-complete = Disco de 200 g, 40 mm, 10 000 rpm; as molas de 500 N/m, afastadas de 100 mm, e o raio de 600 m completam os dados.
 level-turn-our-value = Curva nivelada, nosso valor
 closed-form-sin-i-a-2-k-d-2-i-a-i-t = forma fechada: sen θ = I_a ω Ω/(2 k (d/2)² − (I_a − I_t) Ω²)
-the-gyroscopic-couple-with-the-axle-level-is-0-062056-n-m-the-part-i-a-i-t-changes-the-angle-in-the = O binário giroscópico com o eixo do rotor nivelado é 0,062056 N·m. A parte (I_a − I_t) Ω² altera o ângulo no quinto algarismo.
+the-gyroscopic-couple-with-the-axle-horizontal-is-0-062056-n-m-the-part-i-a-i-t-changes-the-angle-in = O binário giroscópico com o eixo do rotor horizontal é 0,062056 N·m. A parte (I_a − I_t) Ω² altera o ângulo no quinto algarismo.
 the-indicator-shows-30 = O indicador mostra 30°
 closed-form-with-i-a-i-t-i-a-k-sin = forma fechada: com I_a = I_t, I_a ω Ω = K sen θ
 n-0-001-100-2-100-0-05-0-5-n-m = 0,001 · 100 · Ω = 2 · 100 · 0,05² · 0,5 N·m.
@@ -2441,15 +2495,15 @@ sin-cannot-be-above-1 = sen θ não pode ser maior que 1
 
 # two_bladed_rotor.toml
 airscrew-with-two-blades = Hélice de duas pás
-n-250-lb-ft-with-g-32-2-ft-s-1600-rpm-150-mph-on-500-ft-the-book-measures-the-blades-from-the-axis-of = 250 lb·ft² com g = 32,2 ft/s², 1600 rpm, 150 mph em 500 ft. O livro mede as pás a partir do eixo do binário (37°); aqui elas estão a 53° do eixo da precessão: T (1 − cos 2·37°) e T sen 2·37°.
+n-250-lb-ft-with-g-32-2-ft-s-1600-rpm-150-mph-on-500-ft-the-book-measures-the-blade-angle-from-the = 250 lb·ft² com g = 32,2 ft/s², 1600 rpm, 150 mph em 500 ft. O livro mede as pás a partir do eixo do binário (37°); aqui elas estão a 53° do eixo da precessão: T (1 − cos 2·37°) e T sen 2·37°.
 the-small-part-about-the-axle = A pequena parcela em torno do eixo do rotor
 closed-form-i-sin-2-2-which-the-book-neglects = forma fechada: I Ω² sen 2χ / 2, que o livro despreza
-the-same-airscrew-0-44-rad-s = A mesma hélice, 0,44 rad/s.
+the-same-propeller-0-44-rad-s = A mesma hélice, 0,44 rad/s.
 rod-of-12-kg = Haste de 12 kg
-closed-form-a-uniform-rod-blades-along-and-across-the-precession = forma fechada: uma haste uniforme, com as pás ao longo da precessão e transversais a ela
+closed-form-a-uniform-rod-blades-parallel-and-normal-to-the-precession-axis = forma fechada: uma haste uniforme, com as pás paralelas e normais ao eixo de precessão
 m-l-12-4-kg-m-100-rad-s-and-0-5-rad-s-2-200-n-m-with-the-blades-along-the-axis-of-the-precession-0 = m L²/12 = 4 kg·m², 100 rad/s e 0,5 rad/s: 2 · 200 N·m com as pás ao longo do eixo de precessão, 0 com elas transversais a ele; 200 · √2 a 45°.
 symmetric-rotor-as-a-limit = Rotor simétrico como caso-limite
-closed-form-with-i-b-i-c-nothing-pulses = forma fechada: com I_b = I_c nada pulsa
+closed-form-with-i-b-i-c-there-is-no-pulsation = forma fechada: com I_b = I_c não há pulsação
 moments-that-no-body-has = Momentos que nenhum corpo tem
 i-a-i-b-i-c-for-every-body = I_a ≤ I_b + I_c para todo corpo
 
@@ -2460,34 +2514,34 @@ closed-form-v-g-r-1-i-m-r-h = forma fechada: v² = g R/(1 + I/(m r h))
 i-m-r-h-3-5-45-with-the-same-motorcycle-v-490-5-1-7-90-m-s = I/(m r h) = 3,5/45 com a mesma motocicleta: v = √(490,5/(1 + 7/90)) m/s.
 without-turning-parts = Sem partes girantes
 closed-form-tan-v-g-r = forma fechada: tan θ = v²/(g R)
-v-g-r-45-and-the-tyres-need-1 = v² = g R: 45°, e os pneus precisam de µ = 1.
+v-g-r-45-and-the-tyres-require-1 = v² = g R: 45°, e os pneus precisam de µ = 1.
 radius-to-the-track = Raio até o rastro
-closed-form-the-speed-for-a-lean-put-back = forma fechada: a velocidade para uma inclinação, substituída de volta
-at-30-the-centre-of-mass-runs-on-10-0-5-m-v-g-tan-30-10-9-5-without-turning-parts = A 30° o centro de massa percorre 10 − 0,5 m: v² = g tan 30° · 10²/9,5; sem partes girantes.
+closed-form-the-speed-for-a-lean-substituted-back = forma fechada: a velocidade para uma inclinação, substituída de volta
+at-30-the-centre-of-mass-moves-on-a-radius-of-10-0-5-m-v-g-tan-30-10-9-5-without-rotating-parts = A 30° o centro de massa percorre um raio de 10 − 0,5 m: v² = g tan 30° · 10²/9,5; sem partes girantes.
 engine-that-turns-against-the-wheels = Motor que gira ao contrário das rodas
 closed-form-i-2-i-w-g-i-e-0-leaves-the-lean-of-a-particle = forma fechada: I = 2 I_w − G I_e = 0 deixa a inclinação de uma partícula
 with-the-moments-of-inertia-of-the-whole-vehicle = Com os momentos de inércia do veículo inteiro
-closed-form-m-g-h-sin-m-v-h-r-i-v-r-r-cos-j-sin-cos-put-back = forma fechada: m g h sen θ = (m v² h/R + I v²/(r R)) cos θ + J Ω² sen θ cos θ, substituída de volta
+closed-form-m-g-h-sin-m-v-h-r-i-v-r-r-cos-j-sin-cos-substituted-back = forma fechada: m g h sen θ = (m v² h/R + I v²/(r R)) cos θ + J Ω² sen θ cos θ, substituída de volta
 n-45-j-10-kg-m-v-m-g-h-m-h-r-i-r-r-10-sin-45-r-with-m-h-150-kg-m-i-3-5-kg-m = θ = 45°, J = −10 kg·m²: v² = m g h/(m h/R + I/(r R) − 10 sen 45°/R²) com m h = 150 kg·m, I = 3,5 kg·m².
 track-within-the-height-of-the-centre-of-mass = Rastro de raio menor que a altura do centro de massa
 the-centre-of-mass-must-stay-on-its-side-of-the-turn = o centro de massa deve ficar do seu lado da curva
 
 # wheel_loads.toml
 car-that-turns-to-the-right = Automóvel em curva para a direita
-wheels-1-and-3-are-the-inner-ones-1-and-2-in-front-engine-train-of-75-kg-k-100-mm-at-four-times-the = As rodas 1 e 3 são as internas, 1 e 2 as da frente. Conjunto do motor de 75 kg, k = 100 mm, a quatro vezes a rotação das rodas, horário visto de frente. Nossas cargas suportam os binários C_W + C_O = 4666,7 N·m; as impressas, só 2334 N·m.
+wheels-1-and-3-are-the-inner-ones-1-and-2-in-front-engine-train-of-75-kg-k-100-mm-at-four-times-the = As rodas 1 e 3 são as internas, 1 e 2 as da frente. Conjunto do motor de 75 kg, k = 100 mm, a quatro vezes a rotação das rodas, horário visto de frente. As cargas calculadas equilibram os binários C_W + C_O = 4666,7 N·m; as publicadas, só 2334 N·m.
 the-companion-halves-every-load-twice-c-2w-is-already-the-share-of-one-wheel-with-both-sides-at-2-c = o complemento divide cada carga ao meio duas vezes: C/(2w) já é a parcela de uma só roda; com os dois lados em 2 · C/(2w) os momentos em relação ao eixo longitudinal se equilibram
 the-companion-halves-every-load-twice = o complemento divide cada carga ao meio duas vezes
 car-that-turns-to-the-right-our-loads = Automóvel em curva para a direita, nossas cargas
 moments-about-the-long-and-the-cross-axis-of-khurmi-gupta-example-14-12 = momentos em relação aos eixos longitudinal e transversal de Khurmi & Gupta, exemplo 14.12
 trolley-car-with-motors-against-the-wheels = Bonde com motores que giram ao contrário das rodas
-two-axles-of-18-kg-m-two-motors-of-12-kg-m-at-five-times-their-speed-the-other-way-round-the-printed = Dois eixos de 18 kg·m², dois motores de 12 kg·m² a cinco vezes a sua rotação, em sentido contrário. As cargas impressas diferem das nossas em metade da parcela giroscópica.
+two-axles-of-18-kg-m-two-motors-of-12-kg-m-at-five-times-their-speed-in-the-opposite-sense-the = Dois eixos de 18 kg·m², dois motores de 12 kg·m² a cinco vezes a sua rotação, em sentido contrário. As cargas publicadas diferem das calculadas em metade da parcela giroscópica.
 the-companion-halves-the-gyroscopic-share-twice-and-the-centrifugal-one-once-7131-74-n-holds-the = o complemento divide a parcela giroscópica ao meio duas vezes e a centrífuga uma; 7131,74 N mantém os momentos em equilíbrio
 the-companion-halves-the-gyroscopic-share-twice-and-the-centrifugal-one-once-5130-76-n-holds-the = o complemento divide a parcela giroscópica ao meio duas vezes e a centrífuga uma; 5130,76 N mantém os momentos em equilíbrio
 trolley-car-our-loads = Bonde, nossas cargas
 moments-about-the-long-axis-of-khurmi-gupta-example-14-10 = momentos em relação ao eixo longitudinal de Khurmi & Gupta, exemplo 14.10
 m-g-4-3333-33-331-85-n-m-2-1-5-m = m g/4 ± (3333,33 − 331,85) N·m/(2 · 1,5 m).
 car-with-its-engine-in-the-rear-the-limit = Automóvel com motor traseiro: o limite
-engine-at-three-times-the-speed-of-the-wheels-in-their-sense-across-the-car = Motor a três vezes a rotação das rodas, no sentido delas, transversal ao automóvel.
+engine-at-three-times-the-speed-of-the-wheels-in-the-same-sense-transverse-to-the-car = Motor a três vezes a rotação das rodas, no sentido delas, transversal ao automóvel.
 rail-axle-on-a-banked-curve = Rodeiro em curva inclinada
 pair-of-wheels-of-200-kg-with-2000-kg-on-it-superelevation-8 = Rodeiro de 200 kg com 2000 kg sobre ele; superelevação de 8°.
 rail-axle-with-its-transverse-moment-of-inertia = Rodeiro com seu momento de inércia transversal
@@ -2496,10 +2550,10 @@ with-i-t-i-a-2-the-couple-falls-from-381-961-to-381-650-n-m = Com I_t = I_a/2 o 
 extra-load-from-the-spin-of-the-wheels = Carga adicional devida à rotação das rodas
 beer-johnston-dynamics-wheel-of-a-car-on-a-flat-curve-ch-18 = Beer & Johnston, Dynamics, roda de um automóvel em curva plana, cap. 18
 each-wheel-22-kg-575-mm-across-k-225-mm-95-km-h-on-150-m-the-mass-of-1200-kg-and-the-height-of-0-5-m = Cada roda com 22 kg, 575 mm de diâmetro, k = 225 mm; 95 km/h em 150 m. A massa de 1200 kg e a altura de 0,5 m completam os dados e não entram na resposta.
-the-solution-rounds-on-the-way = a solução arredonda no caminho
+the-solution-rounds-an-intermediate-result = a solução arredonda um resultado intermediário
 sliding-or-overturning = Deslizamento ou tombamento
 closed-form-v-g-r-w-2h-and-v-g-r = forma fechada: v² = g R w/(2h) e v² = µ g R
-without-turning-parts-the-wheels-lift-at-9-81-100-1-5-m-s-and-slide-at-0-64-981-m-s = Sem partes girantes as rodas levantam a √(9,81 · 100 · 1,5) m/s e deslizam a √(0,64 · 981) m/s.
+without-rotating-parts-the-wheels-lift-at-9-81-100-1-5-m-s-and-slide-at-0-64-981-m-s = Sem partes girantes as rodas levantam a √(9,81 · 100 · 1,5) m/s e deslizam a √(0,64 · 981) m/s.
 bank-without-side-force = Pista inclinada sem força lateral
 closed-form-at-tan-v-g-r-the-road-pushes-along-its-normal-alone = forma fechada: com tan β = v²/(g R) a pista empurra apenas ao longo da sua normal
 n-45-v-g-r-all-loads-are-equal-m-g-2-4 = β = 45°, v² = g R: todas as cargas são iguais, m g √2/4.
@@ -2507,16 +2561,16 @@ centre-of-mass-behind-the-rear-axle = Centro de massa atrás do eixo traseiro
 a-vehicle-at-rest-needs-its-centre-of-mass-between-its-axles = um veículo em repouso precisa ter o centro de massa entre os eixos
 c-i-for-a-ship-with-a-rotor-of-2-2-t-and-320-mm-at-200-rpm = C = I ω Ω, para um navio com rotor de 2,2 t e 320 mm a 200 rpm
 a-rotor-that-turns-clockwise-seen-from-aft-lowers-the-bow-in-a-turn-to-the-right-its-reaction-points = Um rotor que gira no sentido horário visto da popa abaixa a proa em uma curva para a direita: sua reação aponta para bombordo, +y.
-the-ship-turns-to-starboard-for-the-reaction-points-down = O navio vira para boreste, pois a reação aponta para baixo.
-the-ship-rolls-about-an-axis-along-the-axle-so-there-is-no-couple = O navio balança em torno de um eixo ao longo do eixo do rotor: não há conjugado.
+the-ship-turns-to-starboard-since-the-reaction-points-down = O navio vira para boreste, pois a reação aponta para baixo.
+the-ship-rolls-about-an-axis-along-the-axle-so-there-is-no-couple = O navio balança em torno de um eixo ao longo do eixo do rotor: não há binário.
 m-g-l-i-a-for-a-top-of-0-50-kg-at-30-rev-s = φ̇ = m g l/(I_a ψ̇), para um pião de 0,50 kg a 30 rev/s
 clockwise-seen-from-above-is-negative-the-precession-has-the-sense-of-the-spin = Horário visto de cima é negativo; a precessão tem o sentido da rotação própria.
 i-2-k-d-2-sin-for-the-data-of-a-problem-of-beer-johnston-dynamics = I ω Ω = 2 k (d/2)² sen θ, para os dados de um problema de Beer & Johnston, Dynamics
-the-mass-centre-lies-beyond-the-edge-of-the-base-seen-along-the-line-of-contact-the-cone-tips-at-rest = o centro de massa está além da borda da base, visto ao longo da geratriz de contato: o cone tomba parado; escreva um centro de massa mais próximo do vértice
+the-mass-centre-lies-beyond-the-edge-of-the-base-measured-along-the-line-of-contact-the-cone-tips-at = o centro de massa está além da borda da base, medido ao longo da geratriz de contato: o cone tomba parado; escreva um centro de massa mais próximo do vértice
 wheels-by-mass-and-radius-of-gyration-engine-seen-from-the-rear = Rodas por massa e raio de giração, motor visto de trás
 c-w-4-m-k-v-r-r-c-e-i-g-v-r-r-sides-share-m-v-h-r-c-w-w-axles-c-e-l = C_w = 4 m k² v²/(r R), C_e = I G v²/(r R): os lados repartem (m v² h/R + C_w)/w, os eixos C_e/L
 counter-clockwise-seen-from-ahead-in-a-turn = Anti-horário visto da frente, em uma curva
-the-reaction-on-the-carrier-is-i-with-towards-who-sees-it-counter-clockwise = a reação sobre o veículo é I ω × Ω, com ω para quem o vê no sentido anti-horário
+the-reaction-on-the-carrier-is-i-with-towards-the-viewer-who-sees-it-counter-clockwise = a reação sobre o veículo é I ω × Ω, com ω para o observador que o vê no sentido anti-horário
 clockwise-seen-from-the-right-in-a-turn = Horário visto da direita, em uma curva
 counter-clockwise-seen-from-above-bow-rising = Anti-horário visto de cima, proa subindo
 counter-clockwise-seen-from-below-left-side-falling = Anti-horário visto de baixo, lado esquerdo descendo
@@ -2527,15 +2581,15 @@ plates-m-r-r-4-m-r-4-and-xy-dm-m-r-2-about-the-corner-g-at-4r-3-m-b-4-and-m-a-4 
 hollow-sphere-hemisphere-and-ellipsoid-of-one-density = Esfera oca, hemisfério e elipsoide de mesma densidade
 n-2-5-m-r-r-r-r-83-320-m-r-and-2-5-m-r-m-b-c-5-masses-by-the-volumes = 2/5 m(R⁵ − r⁵)/(R³ − r³); 83/320 m R² e 2/5 m R²; m(b² + c²)/5; massas pelos volumes
 tube-shell-rod-by-its-far-end-and-two-parts-that-are-given = Tubo, casca, barra pela extremidade distante, e duas partes dadas
-m-r-2-h-12-and-m-r-2-3-m-r-m-l-12-at-l-2-before-the-end-m-k-the-matrix-parallel-axes = m(R²/2 + h²/12) e m R²; 2/3 m R²; m l²/12 a l/2 antes da extremidade; m k²; a matriz; eixos paralelos
+m-r-2-h-12-and-m-r-2-3-m-r-m-l-12-at-l-2-before-the-end-m-k-the-matrix-parallel-axis-theorem = m(R²/2 + h²/12) e m R²; 2/3 m R²; m l²/12 a l/2 antes da extremidade; m k²; a matriz; teorema dos eixos paralelos
 gate-on-a-hinge-struck-by-a-short-force-and-a-bullet-that-falls-off = Portão em uma dobradiça, atingido por uma força curta e uma bala que cai
-i-i-x-f-t-x-p-m-p-v-p-the-mass-of-the-bullet-does-not-count-afterwards = I ω = I ω₀ + x F Δt + x_p m_p v_p; a massa da bala não conta depois
+i-i-x-f-t-x-p-m-p-v-p-the-mass-of-the-bullet-is-neglected-afterwards = I ω = I ω₀ + x F Δt + x_p m_p v_p; a massa da bala é desprezada depois
 roller-of-a-given-moment-of-inertia = Rolo de momento de inércia dado
 no-slip-r-r-c-i-n-m-g-c-r = sem deslizamento: ω = Ω R/r, C = I ω Ω, N = m g + C/R
 wheel-of-given-moments-on-a-circle-of-the-floor = Roda de momentos dados em um círculo do piso
 a-r-r-cos-sin-1-a-r-cos-g-cos-with-i-a-m-r-i-t-m-r = a = R − r cos θ, φ̇² sen θ ((1 + α) a + β r cos θ) = g cos θ com I_a = α m r², I_t = β m r²
 body-with-two-points-at-rest = Corpo com dois pontos em repouso
-e-s-e-a-along-the-line-e-of-the-resting-points-h-i-v-r-t-m-v-h-2 = ω = e s/(e·a) ao longo da reta e dos pontos em repouso; H = I ω, v = ω × r, T = (m v² + ω·H)/2
+e-s-e-a-along-the-line-e-of-the-points-at-rest-h-i-v-r-t-m-v-h-2 = ω = e s/(e·a) ao longo da reta e dos pontos em repouso; H = I ω, v = ω × r, T = (m v² + ω·H)/2
 rate-of-turn-given = Taxa de curva dada
 sin-i-a-k-d-2-i-a-i-t = sen θ = I_a ω Ω/(k d²/2 − (I_a − I_t) Ω²)
 particle-on-a-turning-arm-moments-about-another-fixed-point = Partícula em um braço giratório, momentos em relação a outro ponto fixo
@@ -2565,115 +2619,116 @@ the-gyroscopic-couple-is-the-component-of-the-couple-along-x = o binário girosc
 the-kinetic-energy-of-rotation-from-the-squares-of-both-speeds = a energia cinética de rotação pelos quadrados das duas velocidades
 the-kinetic-energy-from-the-moment-of-inertia-about-the-axis-of-the-arm = a energia cinética pelo momento de inércia em torno do eixo do braço
 the-resultant-from-its-mean-and-its-pulsating-part-by-the-law-of-cosines = a resultante pela média e pela parte pulsante, com a lei dos cossenos
-the-product-of-the-largest-and-the-least-resultant = o produto da maior e da menor resultante
+the-product-of-the-maximum-and-the-minimum-resultant = o produto da resultante máxima pela mínima
 the-principal-axis-n-has-length-one = o eixo principal { $n } tem comprimento um
 the-radii-of-gyration-from-the-trace-of-the-tensor = os raios de giração pelo traço do tensor
 the-radius-of-gyration-about-the-line-from-that-tensor = o raio de giração em torno da reta por esse tensor
 the-point-on-the-instantaneous-axis-only-slides-along-it = o ponto do eixo instantâneo apenas desliza ao longo dele
-the-angular-momentum-about-the-line-from-the-arm-across-it = a quantidade de movimento angular em torno da reta pelo braço perpendicular a ela
+the-angular-momentum-about-the-line-from-the-perpendicular-arm = o momento angular em torno da reta pelo braço perpendicular a ela
 the-angle-to-the-line-from-its-cosine = o ângulo com a reta pelo seu cosseno
-the-kinetic-energy-that-is-left-is-half-of-h = a energia cinética que resta é a metade de H ω
+the-remaining-kinetic-energy-is-half-of-h = a energia cinética restante é a metade de H ω
 twice-the-kinetic-energy-of-rotation-is-h-cos = o dobro da energia cinética de rotação é |ω| |H| cos γ
-at-the-speed-of-tipping-the-couple-brings-the-normal-force-to-the-edge = na velocidade de tombamento o binário leva a força normal até a borda
-the-length-rolled-over-on-the-floor-is-that-on-the-rim = o comprimento rolado no chão é o do aro
-the-friction-bends-the-path-of-the-centre-f-a-m-v = o atrito curva a trajetória do centro, F a = m v²
+at-the-tipping-speed-the-couple-brings-the-normal-force-to-the-edge = na velocidade de tombamento o binário leva a força normal até a borda
+the-length-rolled-on-the-floor-equals-that-on-the-rim = o comprimento rolado no piso é igual ao do aro
+the-friction-supplies-the-centripetal-force-of-the-centre-f-a-m-v = o atrito fornece a força centrípeta do centro, F a = m v²
 the-stiffness-from-differences-of-the-equations-of-the-rolling-disc = a rigidez por diferenças das equações do disco que rola
 the-energy-at-a-limit-where-all-of-it-is-in-the-precession-and-the-height = a energia em um limite, onde toda ela está na precessão e na altura
-the-quaternion-has-norm-one = o quatérnion tem norma um
-the-angular-velocity-turned-from-the-axes-of-the-body = a velocidade angular, girada a partir dos eixos do corpo
-the-angular-momentum-is-r-j-r = a quantidade de movimento angular é R J Rᵀ ω
+the-quaternion-has-unit-norm = o quatérnio tem norma unitária
+the-angular-velocity-rotated-from-the-body-axes = a velocidade angular, girada a partir dos eixos do corpo
+the-angular-momentum-is-r-j-r = o momento angular é R J Rᵀ ω
 the-kinetic-energy-is-half-of-h = a energia cinética é a metade de ω · H
-the-followed-axis-turned-from-the-axes-of-the-body = o eixo acompanhado, girado a partir dos eixos do corpo
-euler-s-equations-of-a-growing-disturbance = equações de Euler de uma perturbação que cresce
-h-over-2t-where-the-component-along-the-middle-axis-is-zero = H² sobre 2T onde a componente ao longo do eixo intermediário é nula
+the-tracked-axis-rotated-from-the-body-axes = o eixo acompanhado, girado a partir dos eixos do corpo
+euler-s-equations-for-a-growing-disturbance = equações de Euler para uma perturbação que cresce
+h-over-2t-where-the-component-along-the-intermediate-axis-is-zero = H² sobre 2T onde a componente ao longo do eixo intermediário é nula
 lagrange-s-equation-of-with-the-angular-momentum-about-the-axis = equação de Lagrange de θ com o momento angular em torno do eixo
-a-little-slower-or-faster-precession-needs-more = uma precessão um pouco mais lenta ou mais rápida precisa de mais
+a-slightly-slower-or-faster-precession-requires-more = uma precessão um pouco mais lenta ou mais rápida requer mais
 angle-and-its-rate-after-one-nutation = ângulo e sua taxa depois de uma nutação
 angular-momentum-about-the-axis-for-each-spin = momento angular em torno do eixo para cada rotação própria
-angular-momentum-about-the-axis-from-its-size-and-angle = momento angular em torno do eixo a partir do módulo e do ângulo
-angular-momentum-across-the-axis-from-its-size-and-angle = momento angular transversal ao eixo a partir do módulo e do ângulo
-angular-velocity-after-half-of-a-period-across-the-axis-reversed = velocidade angular depois de meio período, invertida transversalmente ao eixo
+angular-momentum-about-the-axis-from-its-magnitude-and-angle = momento angular em torno do eixo a partir do módulo e do ângulo
+transverse-angular-momentum-from-its-magnitude-and-angle = momento angular transversal a partir do módulo e do ângulo
+angular-velocity-after-half-a-period-transverse-component-reversed = velocidade angular depois de meio período, com a componente transversal invertida
 angular-velocity-after-one-period = velocidade angular depois de um período
-equation-of-small-circles-about-the-upright-at-the-threshold = equação dos pequenos círculos em torno da vertical no limiar
+equation-of-small-circles-about-the-vertical-at-the-threshold = equação dos pequenos círculos em torno da vertical no limiar
 kinetic-energy-where-sn-is-1 = energia cinética onde sn τ é 1
 precession-after-one-nutation-at-its-mean-rate = precessão depois de uma nutação com sua taxa média
 precession-and-spin-along-the-angular-velocity = precessão e rotação própria ao longo da velocidade angular
-precession-and-spin-have-no-component-across-the-angular-velocity = precessão e rotação própria não têm componente transversal à velocidade angular
+precession-and-spin-have-no-component-normal-to-the-angular-velocity = precessão e rotação própria não têm componente normal à velocidade angular
 precession-as-the-integral-of-its-rate = precessão como integral de sua taxa
 spin-as-the-integral-of-its-rate = rotação própria como integral de sua taxa
 square-of-the-frequency-from-the-slope-of-the-effective-potential = quadrado da frequência a partir da inclinação do potencial efetivo
-the-attitude-after-one-period-a-turn-about-the-angular-momentum = a atitude depois de um período, uma rotação em torno do momento angular
+the-attitude-after-one-period-a-rotation-about-the-angular-momentum = a atitude depois de um período, uma rotação em torno do momento angular
 the-cones-roll-on-each-other-without-sliding = os cones rolam um sobre o outro sem deslizar
-the-rate-that-the-precession-with-the-least-one-needs = a taxa que a precessão com a menor precisa
+the-rate-required-by-the-precession-of-minimum-rate = a rotação requerida pela precessão de rotação mínima
 twice-the-energy-as-angular-momentum-times-angular-velocity-along-it = o dobro da energia como momento angular vezes a velocidade angular ao longo dele
 twice-the-kinetic-energy-as-h = o dobro da energia cinética como H ω
 n-2-kg-at-0-1-m-beside-the-axis-level-with-it-1-n-m-for-the-acceleration-and-1-962-n-m-against-the = 2 kg a 0,1 m do eixo, na mesma altura: 1 N·m para a aceleração e 1,962 N·m contra o peso.
 eccentric-mass-that-is-speeded-up = Massa excêntrica que é acelerada
-over-half-a-turn-all-of-it-is-turned-round-but-for-the-angular-momentum-about-the-axis = Em meia volta tudo se inverte, menos o momento angular em torno do eixo
-acceleration-of-the-centre-of-mass-at-that-speed-by-differences-of-its-place = aceleração do centro de massa nessa velocidade, por diferenças de sua posição
-acceleration-of-the-mass-centre-by-differences-of-its-place = aceleração do centro de massa por diferenças de sua posição
-all-of-the-reaction-of-name-is-along-it = toda a reação de { $name } é ao longo dele
+over-half-a-revolution-everything-reverses-except-the-angular-momentum-about-the-axis = Em meia volta tudo se inverte, menos o momento angular em torno do eixo
+acceleration-of-the-centre-of-mass-at-that-speed-by-finite-differences-of-its-position = aceleração do centro de massa nessa velocidade, por diferenças finitas de sua posição
+acceleration-of-the-mass-centre-by-finite-differences-of-its-position = aceleração do centro de massa por diferenças finitas de sua posição
+the-whole-reaction-of-name-acts-along-it = toda a reação de { $name } atua ao longo dele
 angular-momentum-about-the-axis-from-the-motion-just-after = momento angular em torno do eixo a partir do movimento logo depois
+angular-momentum-about-the-axis-from-the-motion-just-after-impact = momento angular em torno do eixo a partir do movimento logo após o impacto
 angular-momentum-at-the-start-from-the-tensor-about-the-point = momento angular no início a partir do tensor em relação ao ponto
 angular-momentum-of-that-mass-about-the-axis-and-the-moments-of-the-blows = momento angular dessa massa em torno do eixo, e os momentos das percussões
 change-of-the-angular-momentum-about-the-track-at-the-top-of-the-dip-by-differences = variação do momento angular em torno da via no alto do rebaixo, por diferenças
 closed-form-m-e-m-g-e-about-the-shaft = forma fechada: m e² α + m g e em torno do eixo
 couple-of-the-engine-from-the-difference-quotient-of-its-angular-momentum = binário do motor a partir do quociente de diferenças de seu momento angular
 couple-of-the-spin-from-the-kinetic-energy-by-lagrange-s-equation = binário da rotação própria a partir da energia cinética pela equação de Lagrange
-curvature-of-the-potential-of-weight-and-centrifugal-forces = curvatura do potencial do peso e das forças centrífugas
+second-derivative-of-the-potential-of-weight-and-centrifugal-forces = segunda derivada do potencial do peso e das forças centrífugas
 difference-quotient-of-the-angle-of-the-axle-half-way-down = quociente de diferenças do ângulo do eixo a meio caminho da descida
 difference-quotient-of-the-angular-momentum-about-the-axis-of-the-swing = quociente de diferenças do momento angular em torno do eixo da oscilação
 energy-at-the-end-less-the-work-of-the-torques = energia no fim, menos o trabalho dos torques
 force-of-the-road-towards-the-centre-of-the-curve = força da pista na direção do centro da curva
 force-of-the-road-upwards = força da pista para cima
-how-far-the-centre-stands-inwards-of-the-contact-from-the-lean = quanto o centro fica para dentro do contato, a partir da inclinação
+inward-offset-of-the-centre-from-the-contact-from-the-lean = deslocamento do centro para dentro do contato, a partir da inclinação
 load-of-the-wheel-that-lifts-first-at-that-speed-from-moments-about-the-others = carga da roda que se levanta primeiro nessa velocidade, a partir dos momentos em torno das outras
-mass-times-the-acceleration-of-g-by-differences-of-its-place = massa vezes a aceleração de G, por diferenças de sua posição
-mass-times-the-acceleration-of-the-centre-by-differences-of-its-place = massa vezes a aceleração do centro, por diferenças de sua posição
-mass-times-the-acceleration-of-the-mass-centre-by-differences-of-its-place = massa vezes a aceleração do centro de massa, por diferenças de sua posição
+mass-times-the-acceleration-of-g-by-finite-differences-of-its-position = massa vezes a aceleração de G, por diferenças finitas de sua posição
+mass-times-the-acceleration-of-the-centre-by-finite-differences-of-its-position = massa vezes a aceleração do centro, por diferenças finitas de sua posição
+mass-times-the-acceleration-of-the-mass-centre-by-finite-differences-of-its-position = massa vezes a aceleração do centro de massa, por diferenças finitas de sua posição
 moment-of-inertia-about-the-axis-from-the-tensor-about-the-point-on-it = momento de inércia em torno do eixo a partir do tensor em relação ao ponto sobre ele
 moment-of-inertia-of-the-disc-ring-by-ring = momento de inércia do disco, anel por anel
-moment-of-inertia-of-the-rod-piece-by-piece = momento de inércia da barra, pedaço por pedaço
+moment-of-inertia-of-the-rod-piece-by-piece = momento de inércia da haste, pedaço por pedaço
 moment-of-the-changes-of-both-wheel-loads = momento das variações das cargas das duas rodas
 moment-of-the-forces-of-both-rails-from-the-same-difference-quotient = momento das forças dos dois trilhos a partir do mesmo quociente de diferenças
 moments-of-centrifugal-force-and-weight-at-g-about-the-road = momentos da força centrífuga e do peso em G em relação à pista
 moments-of-the-force-of-the-pin-and-of-the-inertia-couple-about-g = momentos da força do pino e do binário de inércia em torno de G
 moments-of-the-loads-from-the-couple-of-the-wheels-from-the-same-difference-quotient = momentos das cargas devidas ao binário das rodas a partir do mesmo quociente de diferenças
 moments-of-the-weight-and-of-the-normal-force-about-the-apex = momentos do peso e da força normal em torno do vértice
-no-angle-on-the-way-is-beyond-the-least-and-the-largest = nenhum ângulo no caminho passa do menor e do maior
-no-tilt-on-the-way-is-beyond-the-least-and-the-largest = nenhuma inclinação no caminho passa da menor e da maior
+no-angle-during-the-motion-lies-outside-the-minimum-and-the-maximum = nenhum ângulo durante o movimento sai do intervalo entre o mínimo e o máximo
+no-tilt-during-the-motion-lies-outside-the-minimum-and-the-maximum = nenhuma inclinação durante o movimento sai do intervalo entre a mínima e a máxima
 normal-force-and-friction-make-up-the-reaction-of-name = força normal e atrito compõem a reação de { $name }
-points-of-the-instantaneous-axis-have-no-velocity-against-each-other = os pontos do eixo instantâneo não têm velocidade uns em relação aos outros
+points-of-the-instantaneous-axis-have-no-relative-velocity = os pontos do eixo instantâneo não têm velocidade relativa entre si
 second-difference-quotient-of-the-angle-at-the-end-of-the-swing = segundo quociente de diferenças do ângulo no fim da oscilação
 second-difference-quotient-of-the-angle-of-the-axle-at-the-top = segundo quociente de diferenças do ângulo do eixo no alto
 side-force-and-friction-at-that-speed = força lateral e atrito nessa velocidade
-speed-on-the-curve-by-differences-of-the-place = velocidade na curva, por diferenças da posição
+speed-on-the-curve-by-finite-differences-of-the-position = velocidade na curva, por diferenças finitas da posição
 speed-over-the-pan-at-the-edge-less-that-of-the-rim = velocidade sobre o prato na borda menos a da periferia
-square-of-the-wobble-from-the-same-differences = quadrado da oscilação a partir das mesmas diferenças
-square-of-the-wobble-or-of-the-growth-by-the-general-equation = quadrado da oscilação ou do crescimento pela equação geral
-the-angle-at-the-end-followed-on-from-the-moment-before = o ângulo no fim, seguido desde o momento anterior
+square-of-the-oscillation-frequency-from-the-same-differences = quadrado da frequência de oscilação a partir das mesmas diferenças
+square-of-the-oscillation-frequency-or-growth-rate-by-the-general-equation = quadrado da frequência de oscilação ou da taxa de crescimento pela equação geral
+the-angle-at-the-end-continued-from-the-previous-instant = o ângulo no fim, continuado a partir do instante anterior
 the-angles-of-and-h-from-the-axis-tan-i-t-i-a-tan = os ângulos de ω e H com o eixo, tan θ = (I_t/I_a) tan γ
 the-angular-momentum-r-i-r-along-the-axis-of-the-last-joint = o momento angular R I Rᵀ ω ao longo do eixo da última junta
-the-angular-momentum-r-i-r-half-a-turn-later = o momento angular R I Rᵀ ω meia volta depois
-the-angular-velocity-at-the-end-followed-on-from-the-moment-before = a velocidade angular no fim, seguida desde o momento anterior
-the-attitude-at-the-end-followed-on-from-the-moment-before = a atitude no fim, seguida desde o momento anterior
+the-angular-momentum-r-i-r-half-a-revolution-later = o momento angular R I Rᵀ ω meia volta depois
+the-angular-velocity-at-the-end-continued-from-the-previous-instant = a velocidade angular no fim, continuada a partir do instante anterior
+the-attitude-at-the-end-continued-from-the-previous-instant = a atitude no fim, continuada a partir do instante anterior
 the-circle-on-the-floor-is-the-given-one = a circunferência no piso é a dada
-the-contact-at-the-end-followed-on-from-the-moment-before = o contato no fim, seguido desde o momento anterior
-the-couple-of-the-drive-from-the-six-equations = o binário do acionamento a partir das seis equações
-the-couple-of-the-springs-from-how-far-their-ends-move = o binário das molas a partir do deslocamento de suas pontas
-the-couple-with-the-axle-level-and-what-the-tilt-adds = o binário com o eixo nivelado, e o que a inclinação acrescenta
+the-contact-at-the-end-continued-from-the-previous-instant = o contato no fim, continuado a partir do instante anterior
+the-driving-torque-from-the-six-equations = o torque motor a partir das seis equações
+the-couple-of-the-springs-from-the-displacement-of-their-ends = o binário das molas a partir do deslocamento de suas pontas
+the-couple-with-the-axle-horizontal-and-the-contribution-of-the-tilt = o binário com o eixo horizontal, e a contribuição da inclinação
 the-direction-is-of-length-one = a direção tem comprimento um
 the-dynamic-reactions-from-inertia-force-and-couple-alone = as reações dinâmicas a partir da força e do binário de inércia sozinhos
 the-inertia-force-from-the-difference-quotient-of-the-momentum = a força de inércia a partir do quociente de diferenças da quantidade de movimento
-the-least-and-the-largest-angle-followed-on-from-the-moment-before = o menor e o maior ângulo, seguidos desde o momento anterior
-the-least-and-the-largest-tilt-followed-on-from-the-moment-before = a menor e a maior inclinação, seguidas desde o momento anterior
+the-minimum-and-maximum-angle-continued-from-the-previous-instant = o ângulo mínimo e o máximo, continuados a partir do instante anterior
+the-minimum-and-maximum-tilt-continued-from-the-previous-instant = a inclinação mínima e a máxima, continuadas a partir do instante anterior
 the-line-of-contact-by-pythagoras = a linha de contato por Pitágoras
-the-mass-centre-turned-from-the-axes-of-the-body = o centro de massa, girado dos eixos do corpo
-the-potential-of-a-hanging-body-has-no-curvature-at-that-speed = o potencial de um corpo pendente não tem curvatura nessa velocidade
-the-reactions-in-the-fixed-axes-and-all-other-forces-are-the-same-difference-quotient = as reações nos eixos fixos e todas as outras forças são o mesmo quociente de diferenças
+the-mass-centre-rotated-from-the-body-axes = o centro de massa, girado dos eixos do corpo
+the-second-derivative-of-the-potential-of-a-hanging-body-is-zero-at-that-speed = a segunda derivada do potencial de um corpo pendente é nula nessa velocidade
+the-reactions-in-the-fixed-axes-plus-all-other-forces-equal-the-same-difference-quotient = as reações nos eixos fixos mais todas as outras forças são iguais ao mesmo quociente de diferenças
 the-static-reactions-balance-weight-and-loads = as reações estáticas equilibram o peso e as cargas
 velocity-of-the-point-of-the-wheel-on-the-rail = velocidade do ponto da roda sobre o trilho
-weight-and-centrifugal-force-balance-at-the-lean-without-turning-parts = peso e força centrífuga se equilibram na inclinação sem partes girantes
+weight-and-centrifugal-force-balance-at-the-lean-without-rotating-parts = peso e força centrífuga se equilibram na inclinação sem partes girantes
 time-to-that-angle-by-quadrature-over-the-nutation = tempo até esse ângulo por quadratura sobre a nutação
 the-same-hoop-from-its-precession = O mesmo aro a partir da sua precessão
 closed-form-2-g-cos-sin-4-a-r-cos-for-a-hoop-solved-for-the-circle-of-the-centre = forma fechada: φ̇² = 2 g cos θ/(sen θ (4 a + r cos θ)) para um aro, resolvida para o círculo do centro

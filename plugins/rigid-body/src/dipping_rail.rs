@@ -20,7 +20,7 @@ pub struct DippingRail {
     /// Moment of inertia of the pair of wheels about its axle.
     #[input("I_a", "kg*m^2", positive)]
     pub axial_inertia: f64,
-    /// Moment of inertia of the pair of wheels across its axle.
+    /// Transverse moment of inertia of the pair of wheels.
     /// For the couple that lifts and lowers it.
     #[input("I_t", "kg*m^2", positive)]
     pub transverse_inertia: Option<f64>,
@@ -36,22 +36,22 @@ pub struct DippingRail {
     /// Depth of the dip.
     #[input("δ", "m", nonnegative)]
     pub depth: f64,
-    /// How long the dip is.
+    /// Extent of the dip.
     pub length: Length,
-    /// Rail that dips.
+    /// Dipping rail.
     pub rail: Rail,
 }
 
 /// How long the whole dip is.
 #[derive(Clone, Debug, Inputs)]
 pub enum Length {
-    /// In time
+    /// By duration
     Time {
-        /// Time from its beginning to its end.
+        /// Time from beginning to end.
         #[input("t", "s", positive)]
         time: f64,
     },
-    /// In length
+    /// By length
     Along {
         /// Length along the rail.
         #[input("λ", "m", positive)]
@@ -75,7 +75,7 @@ impl Analysis for DippingRail {
         id: "rigid-body/dipping-rail",
         title: "Pair of wheels on a dipping rail",
         topic: "Gyroscopes and vehicles",
-        summary: "Gyroscopic couple of a locomotive's pair of wheels when one rail dips, and the forces that it puts between wheels and rails.",
+        summary: "Gyroscopic couple of a locomotive's pair of wheels when one rail dips, and the resulting forces between wheels and rails.",
         keywords: "locomotive wheel axle rail dip gyroscopic locomotiva rodeiro trilho rebaixo desnível giroscópico",
         sources: &[&KHURMI],
         cases: include_str!("../cases/dipping_rail.toml"),
@@ -84,14 +84,14 @@ impl Analysis for DippingRail {
     fn solve<W: Worksheet>(&self, given: &DippingRailGiven<W>, sheet: W) -> Result<(), Refusal> {
         if self.speed == 0.0 && matches!(self.length, Length::Along { .. }) {
             return Err(Refusal::because(
-                "wheels that stand still never pass a dip of a given length: write a speed above zero, or the time of the dip",
+                "wheels at rest never pass a dip of a given length: write a speed above zero, or the time of the dip",
             ));
         }
         let spin = sheet.step(
             "ω",
             "rad/s",
             given.speed * 2.0 / given.diameter,
-            "Angular velocity of the wheels, which roll",
+            "Angular velocity of the wheels, rolling without slipping",
         );
         let time = match given.length {
             LengthGiven::Time { time } => time,
@@ -105,25 +105,25 @@ impl Analysis for DippingRail {
             "p",
             "rad/s",
             W::Num::from(TAU) / time,
-            "Circular frequency: the whole dip is one period",
+            "Angular frequency: the whole dip is one period",
         );
         let fall = sheet.step(
             "V",
             "m/s",
             amplitude * frequency,
-            "Largest speed of the sinking wheel, half way down",
+            "Maximum speed of the descending wheel, half way down",
         );
         let rate = sheet.step(
             "ω_p",
             "rad/s",
             fall / given.gauge,
-            "Largest angular velocity with which the axle tilts",
+            "Maximum angular velocity with which the axle tilts",
         );
         let couple = sheet.step(
             "C",
             "N*m",
             gyroscope::right_angled_couple(given.axial_inertia, spin, rate),
-            ("Largest gyroscopic couple, about the vertical", KHURMI.at("example 14.14")),
+            ("Maximum gyroscopic couple, about the vertical", KHURMI.at("example 14.14")),
         );
         let force = sheet.step(
             "P",
@@ -138,24 +138,23 @@ impl Analysis for DippingRail {
             "α",
             "rad/s^2",
             amplitude * frequency.powi(2) / given.gauge,
-            "Largest angular acceleration of the axle, at the top and at the bottom of the dip",
+            "Maximum angular acceleration of the axle, at the top and at the bottom of the dip",
         );
-        sheet.answer("couple", "Largest gyroscopic couple", couple);
+        sheet.answer("couple", "Maximum gyroscopic couple", couple);
         sheet.answer("rail_force", "Force between each wheel and its rail", force);
-        sheet.answer("tilting_rate", "Largest angular velocity of the tilting axle", rate);
+        sheet.answer("tilting_rate", "Maximum angular velocity of the tilting axle", rate);
         sheet.answer(
             "tilting_acceleration",
-            "Largest angular acceleration of the tilting axle",
+            "Maximum angular acceleration of the tilting axle",
             acceleration,
         );
         sheet.answer("wheel_speed", "Angular velocity of the wheels", spin);
         if let Some(transverse) = given.transverse_inertia {
             let tilting =
                 sheet.step("C_α", "N*m", transverse * acceleration, "Couple that tilts the pair of wheels");
-            let load =
-                sheet.step("ΔN", "N", tilting / given.gauge, "Change of the wheel load that goes with it");
-            sheet.answer("tilting_couple", "Largest couple that tilts the pair of wheels", tilting);
-            sheet.answer("load_change", "Largest change of each wheel load", load);
+            let load = sheet.step("ΔN", "N", tilting / given.gauge, "Corresponding change of the wheel load");
+            sheet.answer("tilting_couple", "Maximum couple that tilts the pair of wheels", tilting);
+            sheet.answer("load_change", "Maximum change of each wheel load", load);
             sheet.verify(|| {
                 let Some(tilting_rate) = second_slope(|t| self.tilt(t, time.value()), time.value()) else {
                     return;
@@ -171,10 +170,10 @@ impl Analysis for DippingRail {
         // Ω × H points down, its reaction up.
         let words = match self.rail {
             Rail::Left => {
-                "Effect: while the left wheel sinks, the pair of wheels tends to turn to the left; while it rises, to the right"
+                "Effect: while the left wheel descends, the pair of wheels tends to turn to the left; while it rises, to the right"
             }
             Rail::Right => {
-                "Effect: while the right wheel sinks, the pair of wheels tends to turn to the right; while it rises, to the left"
+                "Effect: while the right wheel descends, the pair of wheels tends to turn to the right; while it rises, to the left"
             }
         };
         let effect = sheet.step("C_z", "N*m", couple.abs(), words);
@@ -270,7 +269,7 @@ impl DippingRail {
         };
         let label = at(0.0, 0.25);
         Drawing {
-            title: "The pair of wheels from behind, on the way down".into(),
+            title: "The wheel pair seen from behind, descending".into(),
             shapes: vec![
                 rail(-1.0),
                 rail(1.0),

@@ -32,7 +32,7 @@ pub struct DynamicEquilibrium {
     /// Distance of the pin from the axis of the shaft.
     #[input("a", "m", nonnegative, default = "0 m")]
     pub offset: f64,
-    /// What is known.
+    /// Known quantity.
     pub known: Known,
     /// Acceleration of gravity.
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
@@ -62,7 +62,7 @@ pub enum Hanging {
         /// Radius of gyration along the line: m k² = ∫ ξ² dm from the pin.
         #[input("k_ξ", "m", positive)]
         along: f64,
-        /// Radius of gyration across the line: m k² = ∫ η² dm.
+        /// Radius of gyration normal to the line: m k² = ∫ η² dm.
         #[input("k_η", "m", nonnegative, default = "0 m")]
         across: f64,
     },
@@ -90,9 +90,9 @@ register!(DynamicEquilibrium);
 impl Analysis for DynamicEquilibrium {
     const ABOUT: About = About {
         id: "rigid-body/dynamic-equilibrium",
-        title: "Hinged body on a turning shaft",
-        topic: "Bodies on turning shafts",
-        summary: "The angle at which a rod, plate or particle hinged to a turning shaft stands out by itself, or the speed for an angle; its stability and the forces of the hinge.",
+        title: "Hinged body on a rotating shaft",
+        topic: "Bodies on rotating shafts",
+        summary: "Equilibrium angle of a rod, plate or particle hinged to a rotating shaft, or the speed for a given angle; its stability and the hinge forces.",
         keywords: "dynamic equilibrium conical pendulum hinged rod governor rotating frame equilíbrio dinâmico relativo pêndulo cônico haste \
                    articulada eixo vertical regulador velocidade crítica ângulo",
         sources: &[&RIUL, &BEER],
@@ -111,7 +111,7 @@ impl Analysis for DynamicEquilibrium {
             "G_m",
             "N*m",
             given.mass * given.gravity * centre,
-            "Largest moment of the weight about the pin",
+            "Maximum moment of the weight about the pin",
         );
         let (speed, angle) = match given.known {
             KnownGiven::Angle { angle } => {
@@ -124,13 +124,13 @@ impl Analysis for DynamicEquilibrium {
                 "ω_c",
                 "rad/s",
                 (weight / out).sqrt(),
-                "Speed from which the body leaves the vertical: cos θ = 1",
+                "Speed above which the body leaves the vertical: cos θ = 1",
             );
-            sheet.answer("critical_speed", "Speed from which the body leaves the vertical", critical);
+            sheet.answer("critical_speed", "Speed above which the body leaves the vertical", critical);
             sheet.verify(|| {
                 let potential = |angle: f64| self.potential(critical.value(), angle);
                 let Some(bend) = second_slope(potential, PI) else { return };
-                let what = "the potential of a hanging body has no curvature at that speed";
+                let what = "the second derivative of the potential of a hanging body is zero at that speed";
                 sheet.check_zero(what, bend.into(), weight.value());
             });
         }
@@ -148,7 +148,7 @@ impl Analysis for DynamicEquilibrium {
             "R_x",
             "N",
             given.mass * speed.powi(2) * radius,
-            ("Force of the pin towards the shaft: it holds G on its circle", RIUL.at("eqs. 22–23")),
+            ("Force of the pin towards the shaft: it keeps G on its circle", RIUL.at("eqs. 22–23")),
         );
         let upright = sheet.step("R_y", "N", given.mass * given.gravity, "Force of the pin upwards");
         sheet.answer("force_towards_the_shaft", "Force of the pin towards the shaft", level);
@@ -167,7 +167,7 @@ impl Analysis for DynamicEquilibrium {
                 Vector3::new(cos, sin, 0.0) * radius.value()
             };
             if let Some(acceleration) = second_rate(at, 2.0 * PI / speed.value().abs()) {
-                let what = "mass times the acceleration of G, by differences of its place";
+                let what = "mass times the acceleration of G, by finite differences of its position";
                 let size = level.value().abs() + self.mass * speed.value().powi(2) * self.offset;
                 sheet.check_sum(what, level, (-self.mass * acceleration.x).into(), size);
             }
@@ -181,7 +181,7 @@ impl Analysis for DynamicEquilibrium {
             let potential = |t: f64| Vector3::x() * self.potential(speed.value(), angle.value() + t);
             if let Ok(slope) = rigid::numerical_rate(potential, PI) {
                 sheet.check_zero(
-                    "the potential of weight and centrifugal forces has no slope there",
+                    "the potential of weight and centrifugal forces is stationary there",
                     W::Num::from(slope.x),
                     weight.value() + (speed.powi(2) * along).value().abs(),
                 );
@@ -207,8 +207,9 @@ fn shape<W: Worksheet>(given: &DynamicEquilibriumGiven<W>, sheet: W) -> (W::Num,
         HangingGiven::Particle { length } => (length, along_the_line(given.mass * length.powi(2)), None),
         HangingGiven::Symmetric { centre, along, across } => {
             let along = along_the_line(given.mass * along.powi(2));
-            let across = (across.value() != 0.0)
-                .then(|| sheet.step("J_η", "kg*m^2", given.mass * across.powi(2), "∫ η² dm across the line"));
+            let across = (across.value() != 0.0).then(|| {
+                sheet.step("J_η", "kg*m^2", given.mass * across.powi(2), "∫ η² dm normal to the line")
+            });
             (centre, along, across)
         }
     }
@@ -255,7 +256,7 @@ impl DynamicEquilibrium {
         let size = self.mass * (self.gravity * centre).max(speed.powi(2) * (along + self.offset * centre));
         let moment = |angle: f64| self.moment(speed, angle) / size;
         roots::find(moment, [0.0, FRAC_PI_2], |_| ControlFlow::Continue(())).map_err(|_| {
-            Refusal::because("the lengths and the speed are too far apart for an angle to be found")
+            Refusal::because("the lengths and the speed are too disparate for an angle to be found")
         })
     }
 
@@ -280,12 +281,12 @@ impl DynamicEquilibrium {
             } else {
                 given.mass * given.offset * centre * cos + out * sin * cos
             },
-            ("Moment of the inertia forces about the pin, for each ω²", RIUL.at("eqs. 22–23")),
+            ("Moment of the inertia forces about the pin, per unit ω²", RIUL.at("eqs. 22–23")),
         );
         let square = weight.value() * sin.value() / outwards.value();
         if !(square.is_finite() && square >= 0.0) || outwards.value().abs() <= 1e-14 * out.value().abs() {
             return Err(Refusal::because(
-                "no speed holds the body at this angle: the inertia forces lift it away from the shaft, and never to the level of the pin",
+                "no speed holds the body at this angle: the inertia forces lift it away from the shaft, but never to the level of the pin",
             ));
         }
         let speed = sheet.step(
@@ -312,16 +313,16 @@ impl DynamicEquilibrium {
                 "1",
                 weight / (out * speed.powi(2)),
                 (
-                    "Moments about the pin: D ω² sin θ cos θ = m g r sin θ, so this is cos θ",
+                    "Moments about the pin: D ω² sin θ cos θ = m g r sin θ, which gives cos θ",
                     RIUL.at("eqs. 22–23"),
                 ),
             );
-            sheet.step("θ", "deg", cosine.acos(), "Angle at which the body stands out")
+            sheet.step("θ", "deg", cosine.acos(), "Equilibrium angle of the body")
         } else if self.offset == 0.0 {
-            let how = "Too slow to leave the vertical: cos θ would be more than 1";
+            let how = "Too slow to leave the vertical: cos θ would exceed 1";
             sheet.found("θ", "deg", 0.0, how)
         } else {
-            let how = "Root of ω² (m a r cos θ + D sin θ cos θ) = m g r sin θ between hanging and level";
+            let how = "Root of ω² (m a r cos θ + D sin θ cos θ) = m g r sin θ between the downward vertical and the horizontal";
             sheet.found("θ", "deg", found, (how, RIUL.at("eqs. 22–23")))
         };
         sheet.answer("angle", "Angle to the vertical", angle);
@@ -346,7 +347,7 @@ impl DynamicEquilibrium {
             "k_θ",
             "N*m",
             weight * cos + speed.powi(2) * turning,
-            "How fast the moment grows that brings the body back",
+            "Stiffness of the restoring moment",
         );
         let size = weight.value().abs() + (speed.powi(2) * out).value().abs();
         if stiffness.value() > 1e-12 * size {
@@ -355,13 +356,13 @@ impl DynamicEquilibrium {
                 "p",
                 "rad/s",
                 (stiffness / inertia).sqrt(),
-                "Circular frequency of small swings about this angle, with the speed kept",
+                "Angular frequency of small oscillations about this angle, at constant speed",
             );
-            sheet.answer("swing_frequency", "Circular frequency of small swings", frequency);
+            sheet.answer("swing_frequency", "Angular frequency of small oscillations", frequency);
             sheet.verify(|| {
                 let potential = |off: f64| self.potential(speed.value(), angle.value() + off);
                 let Some(bend) = second_slope(potential, PI) else { return };
-                let what = "curvature of the potential of weight and centrifugal forces";
+                let what = "second derivative of the potential of weight and centrifugal forces";
                 let size = weight.value()
                     + speed.value().powi(2)
                         * (along.value() + self.offset.abs() * self.mass * centre.value());
@@ -405,7 +406,7 @@ impl DynamicEquilibrium {
             (angle, -self.moment(speed, angle))
         };
         Plot::new(
-            "Couple that would hold the body at an angle",
+            "Couple required to hold the body at an angle",
             Axis::linear("angle to the vertical", "deg"),
             Axis::linear("couple", "N*m"),
             vec![Series::line("M", (-120..=120).map(at).collect())],

@@ -41,7 +41,7 @@ pub struct EdgeMill {
     /// Speed.
     pub speed: Speed,
     /// Width of the roller.
-    /// For the sliding at its edges, which grinds.
+    /// For the slip at its edges, which does the grinding.
     #[input("b", "m", positive)]
     pub width: Option<f64>,
     /// Acceleration of gravity.
@@ -68,7 +68,7 @@ pub enum RollerInertia {
     },
 }
 
-/// What is known of the motion.
+/// Known quantity of the motion.
 #[derive(Clone, Debug, Inputs)]
 pub enum Speed {
     /// Speed of the shaft
@@ -77,7 +77,7 @@ pub enum Speed {
         #[input("Ω", "rad/s", nonnegative)]
         speed: f64,
     },
-    /// Wanted crushing force
+    /// Required crushing force
     CrushingForce {
         /// Force of one roller on the pan.
         #[input("N", "N", positive)]
@@ -91,8 +91,8 @@ impl Analysis for EdgeMill {
     const ABOUT: About = About {
         id: "rigid-body/edge-mill",
         title: "Edge mill",
-        topic: "Bodies on turning shafts",
-        summary: "Crushing force of a roller that is driven round on a pan, with its gyroscopic share, the pull of the arm, and the speed for a wanted force.",
+        topic: "Bodies on rotating shafts",
+        summary: "Crushing force of a roller driven round on a pan, with its gyroscopic component, the pull of the arm, and the speed for a required force.",
         keywords: "edge runner mill Chile mill pan roller crushing grinding gyroscopic moinho moenda galga rolo moagem giroscópico",
         sources: &[&BEER],
         cases: include_str!("../cases/edge_mill.toml"),
@@ -120,14 +120,14 @@ impl Analysis for EdgeMill {
             SpeedGiven::CrushingForce { force } => {
                 if force.value() < weight.value() {
                     return Err(Refusal::because(
-                        "the wanted force is below the weight of the roller, which presses that much at rest: write a larger one",
+                        "the required force is below the weight of the roller, which already acts at rest: write a larger one",
                     ));
                 }
                 let omega = sheet.step(
                     "Ω",
                     "rad/s",
                     ((force - weight) * given.radius / inertia).sqrt(),
-                    "Speed of the shaft: the gyroscopic share of the force is I_a Ω²/r",
+                    "Speed of the shaft: the gyroscopic component of the force is I_a Ω²/r",
                 );
                 sheet.answer("shaft_speed", "Speed of the shaft", omega);
                 (omega, Some(force))
@@ -144,7 +144,7 @@ impl Analysis for EdgeMill {
             "N*m",
             gyroscope::right_angled_couple(inertia, spin, omega),
             (
-                "Gyroscopic couple: the arm turns the angular momentum I_a ω of the spin at the rate Ω",
+                "Gyroscopic couple: the arm rotates the spin angular momentum I_a ω at the rate Ω",
                 BEER.at("§18.3"),
             ),
         );
@@ -152,7 +152,7 @@ impl Analysis for EdgeMill {
             "N_g",
             "N",
             couple / given.arm,
-            "Gyroscopic share of the force: the pan exerts the couple about the hinge with the arm R",
+            "Gyroscopic component of the force: the pan exerts the couple about the hinge with the lever arm R",
         );
         let force = sheet.step(
             "N",
@@ -165,7 +165,7 @@ impl Analysis for EdgeMill {
             "S",
             "N",
             given.mass * omega.powi(2) * given.arm,
-            "Pull of the arm, which holds the roller on its circle",
+            "Pull of the arm, which keeps the roller on its circle",
         );
         let lift = sheet.step(
             "V",
@@ -175,9 +175,9 @@ impl Analysis for EdgeMill {
         );
         sheet.answer("crushing_force", "Force of a roller on the pan", force);
         sheet.answer("force_ratio", "Force as a multiple of the weight", ratio);
-        sheet.answer("gyroscopic_force", "Gyroscopic share of the force", share);
+        sheet.answer("gyroscopic_force", "Gyroscopic component of the force", share);
         sheet.answer("couple", "Gyroscopic couple", couple);
-        sheet.answer("spin", "Speed of the roller on its axis", spin);
+        sheet.answer("spin", "Angular speed of the roller about its axis", spin);
         sheet.answer("arm_pull", "Pull of the arm", pull);
         sheet.answer("hinge_force", "Vertical force of the hinge on the arm, upwards", lift);
         if self.rollers > 1 {
@@ -190,7 +190,7 @@ impl Analysis for EdgeMill {
                 "v_s",
                 "m/s",
                 omega * width / 2.0,
-                "Sliding at the edges of the roller: only its middle rolls purely",
+                "Sliding at the edges of the roller: only its middle rolls without slipping",
             );
             sheet.answer("edge_sliding", "Sliding speed at the edges", sliding);
             if width.value() >= 2.0 * self.arm {
@@ -201,12 +201,12 @@ impl Analysis for EdgeMill {
         let (omega, inertia) = (omega.value(), inertia.value());
         sheet.verify(|| {
             if let Some(wanted) = wanted {
-                sheet.check("the force at that speed is the wanted one", force, wanted);
+                sheet.check("the force at that speed is the required one", force, wanted);
             }
             let centre =
                 |t: f64| Rotation3::from_scaled_axis(Vector3::z() * (omega * t)) * Vector3::x() * self.arm;
             if let Some(acceleration) = second_rate(centre, TAU / omega) {
-                let what = "mass times the acceleration of the centre, by differences of its place";
+                let what = "mass times the acceleration of the centre, by finite differences of its position";
                 sheet.check(what, pull, (self.mass * acceleration.norm()).into());
             }
             if let Some(sliding) = sliding {
@@ -227,7 +227,7 @@ impl Analysis for EdgeMill {
             }
         });
         sheet.show(|| Exhibit::Plot(self.force_over_speed(inertia, omega, force.value())));
-        sheet.show(|| self.film());
+        sheet.show(|| self.animation());
         Ok(())
     }
 }
@@ -270,11 +270,11 @@ impl EdgeMill {
     }
 
     /// The rollers on the pan over a turn of the shaft, with the radius of the roller and the arm to scale.
-    fn film(&self) -> Exhibit {
+    fn animation(&self) -> Exhibit {
         let size = self.arm.max(self.radius);
         let (arm, radius) = (self.arm / size, self.radius / size);
         let count = self.rollers.min(4);
-        scene::film("The rollers on the pan", 4.0, |t| {
+        scene::animation("The rollers on the pan", 4.0, |t| {
             let mut scene = Scene::new();
             scene.circle(Vector3::zeros(), Vector3::z(), arm, Ink::Faint);
             scene.circle(Vector3::zeros(), Vector3::z(), 1.3 * arm, Ink::Body);

@@ -25,10 +25,10 @@ use crate::{
 pub struct FreeAxisymmetric {
     /// Moments of inertia.
     pub inertia: AxisymmetricInertia,
-    /// What is known of the motion.
+    /// Known quantity of the motion.
     pub motion: FreeMotion,
     /// Instant.
-    /// Where it is given, angular velocity and attitude at this time after the start are answered too.
+    /// If given, the angular velocity and attitude at this time after the start are also calculated.
     #[input("t", "s", nonnegative)]
     pub instant: Option<f64>,
 }
@@ -41,7 +41,7 @@ pub enum AxisymmetricInertia {
         /// Moment of inertia about the axis.
         #[input("I_a", "kg*m^2", positive)]
         axial: f64,
-        /// Moment of inertia across the axis.
+        /// Transverse moment of inertia.
         #[input("I_t", "kg*m^2", positive)]
         transverse: f64,
     },
@@ -53,20 +53,20 @@ pub enum AxisymmetricInertia {
         /// Radius of gyration about the axis.
         #[input("k_a", "m", positive)]
         axial: f64,
-        /// Radius of gyration across the axis.
+        /// Transverse radius of gyration.
         #[input("k_t", "m", positive)]
         transverse: f64,
     },
-    /// Their ratio alone
+    /// Their ratio only
     Ratio {
-        /// Moment about the axis over that across it.
+        /// Ratio of axial to transverse moment of inertia.
         /// At most 2, for a thin plate; small for a long rod.
         #[input("r", "1", positive)]
         ratio: f64,
     },
 }
 
-/// What is known of the motion.
+/// Known quantity of the motion.
 #[derive(Clone, Debug, Inputs)]
 pub enum FreeMotion {
     /// Angular velocity and its angle to the axis
@@ -80,13 +80,13 @@ pub enum FreeMotion {
     },
     /// Components of the angular velocity
     Components {
-        /// Angular velocity at the start, axes of the body.
+        /// Angular velocity at the start, body axes.
         #[input("ω₀", "rad/s")]
         velocity: Vector3<f64>,
     },
     /// Angular momentum and its angle to the axis
     Momentum {
-        /// Angular momentum about the mass centre.
+        /// Angular momentum about the centre of mass.
         #[input("H_G", "kg*m^2/s", positive)]
         momentum: f64,
         /// Angle between angular momentum and axis.
@@ -105,8 +105,8 @@ pub enum FreeMotion {
     },
     /// Spin and angle to the angular momentum
     Spin {
-        /// Size of the spin.
-        /// About the axis, as seen by someone who goes around with it. Its sense follows from the body.
+        /// Magnitude of the spin.
+        /// About the axis, relative to the precessing frame. Its sense depends on the body.
         #[input("ψ̇", "rad/s", positive)]
         spin: f64,
         /// Angle between angular momentum and axis.
@@ -132,7 +132,7 @@ impl Analysis for FreeAxisymmetric {
         let body = Body::of(&given.inertia, sheet);
         if body.ratio.value() > 2.0 * (1.0 + 1e-9) {
             return Err(Refusal::because(
-                "no body has a moment about its axis above twice that across it: a thin plate has just twice",
+                "no body has a moment about its axis above twice its transverse moment: a thin plate has exactly twice",
             ));
         }
         let ratio = body.ratio;
@@ -168,11 +168,11 @@ impl Analysis for FreeAxisymmetric {
             torque_free::spin(ratio, axial),
             (
                 if r < 1.0 {
-                    "Spin about the axis. The body is long, r < 1: direct precession, spin and precession turn the same way, and the body cone rolls outside on the space cone"
+                    "Spin about the axis. The body is long, r < 1: direct precession, spin and precession have the same sense, and the body cone rolls on the outside of the space cone"
                 } else if r > 1.0 {
-                    "Spin about the axis. The body is flat, r > 1: retrograde precession, the spin turns against the precession, and the body cone rolls around the space cone inside it"
+                    "Spin about the axis. The body is flat, r > 1: retrograde precession, spin and precession have opposite senses, and the body cone rolls around the space cone inside it"
                 } else {
-                    "Spin about the axis: none, since with r = 1 every axis is like every other and the body turns about its angular momentum"
+                    "Spin about the axis: zero, since with r = 1 all axes are equivalent and the body rotates about its angular momentum"
                 },
                 BEER.at("§18.3"),
             ),
@@ -181,19 +181,19 @@ impl Analysis for FreeAxisymmetric {
             "γ_b",
             "deg",
             transverse.atan2(axial.abs()),
-            "Half-angle of the body cone, which the angular velocity draws around the axis",
+            "Half-angle of the body cone, traced by the angular velocity about the axis",
         );
         let space_cone = sheet.step(
             "γ_s",
             "deg",
             (beta - theta).abs(),
-            "Half-angle of the space cone, which it draws around the angular momentum: the angle between the two",
+            "Half-angle of the space cone, traced by the angular velocity about the angular momentum: the angle between the two",
         );
         let wobble = sheet.step(
             "T_φ",
             "s",
             W::Num::from(TAU) / precession,
-            "Time of one precession: what one sees from outside",
+            "Precession period, seen by a fixed observer",
         );
         sheet.answer("nutation", "Angle between axis and angular momentum", theta);
         sheet.answer("velocity_angle", "Angle between axis and angular velocity", beta);
@@ -212,18 +212,18 @@ impl Analysis for FreeAxisymmetric {
             "Angle between angular velocity and angular momentum, the half-angle of the space cone",
             space_cone,
         );
-        sheet.answer("precession_period", "Time of one precession", wobble);
+        sheet.answer("precession_period", "Precession period", wobble);
         let speed = sheet.step(
             "|ω|",
             "rad/s",
             (axial.powi(2) + transverse.powi(2)).sqrt(),
-            "Size of the angular velocity",
+            "Magnitude of the angular velocity",
         );
         sheet.answer("speed", "Angular velocity", speed);
         sheet.verify(|| {
             let size = precession.value() + spin.value().abs();
             sheet.check_zero(
-                "precession and spin have no component across the angular velocity",
+                "precession and spin have no component normal to the angular velocity",
                 precession * (theta - beta).sin() - spin * beta.sin(),
                 size,
             );
@@ -246,11 +246,12 @@ impl Analysis for FreeAxisymmetric {
                 "T_b",
                 "s",
                 W::Num::from(TAU) / spin.abs(),
-                "Time in which the angular velocity goes around the axis, seen from the body",
+                "Period of the angular velocity about the axis, relative to the body",
             );
-            let wobbles = sheet.step("n", "1", precession / spin, "Precessions for each turn of the spin");
-            sheet.answer("body_period", "Time of the angular velocity around the axis", around);
-            sheet.answer("wobbles_per_turn", "Precessions for each turn of the spin", wobbles);
+            let wobbles =
+                sheet.step("n", "1", precession / spin, "Precession revolutions per spin revolution");
+            sheet.answer("body_period", "Period of the angular velocity about the axis", around);
+            sheet.answer("wobbles_per_turn", "Precession revolutions per spin revolution", wobbles);
             sheet.verify(|| {
                 // I_t φ̇ cos θ and I_a ω_a are the angular momentum about the axis.
                 let of_axis = wobbles * (W::Num::from(1.0) - ratio) * theta.cos();
@@ -263,31 +264,27 @@ impl Analysis for FreeAxisymmetric {
                 "H_G",
                 "kg*m^2/s",
                 transverse_moment * precession,
-                ("Angular momentum about the mass centre, which stays", BEER.at("§18.3")),
+                ("Angular momentum about the centre of mass, which is conserved", BEER.at("§18.3")),
             );
-            let across = sheet.step(
-                "H_t",
-                "kg*m^2/s",
-                transverse_moment * transverse,
-                "Its component across the axis",
-            );
-            sheet.answer("transverse_momentum", "Angular momentum across the axis", across);
+            let across =
+                sheet.step("H_t", "kg*m^2/s", transverse_moment * transverse, "Its transverse component");
+            sheet.answer("transverse_momentum", "Transverse angular momentum", across);
             let energy = sheet.step(
                 "T",
                 "J",
                 (axial_moment * axial.powi(2) + transverse_moment * transverse.powi(2)) / 2.0,
-                "Kinetic energy of rotation, which stays too",
+                "Kinetic energy of rotation, which is also conserved",
             );
-            sheet.answer("angular_momentum", "Angular momentum about the mass centre", momentum);
+            sheet.answer("angular_momentum", "Angular momentum about the centre of mass", momentum);
             sheet.answer("rotational_energy", "Kinetic energy of rotation", energy);
             sheet.check_sum(
-                "angular momentum across the axis from its size and angle",
+                "transverse angular momentum from its magnitude and angle",
                 momentum * theta.sin(),
                 across,
                 momentum.value(),
             );
             sheet.check_sum(
-                "angular momentum about the axis from its size and angle",
+                "angular momentum about the axis from its magnitude and angle",
                 momentum * theta.cos(),
                 axial_moment * axial,
                 momentum.value(),
@@ -302,7 +299,7 @@ impl Analysis for FreeAxisymmetric {
         sheet.verify(|| {
             let zero = W::Num::from(0.0);
             sheet.check_vector(
-                "the angular velocity put together again from precession and spin",
+                "the angular velocity recomposed from precession and spin",
                 W::Vec::from_components(precession * theta.sin(), zero, precession * theta.cos() + spin),
                 W::Vec::from_components(transverse, zero, axial),
             );
@@ -315,7 +312,7 @@ impl Analysis for FreeAxisymmetric {
                 W::Vec::from_components(spin * y, -(spin * x), zero),
             );
             sheet.check_zero(
-                "Euler's equations without a moment",
+                "Euler's equations with zero moment",
                 moment.magnitude(),
                 x.value().hypot(y.value()) * (z.value().abs() + transverse.value()),
             );
@@ -372,7 +369,7 @@ fn velocities<W: Worksheet>(
     sheet: W,
 ) -> Result<(W::Num, W::Num, W::Vec), Refusal> {
     const ALONG: &str = "Angular velocity about the axis";
-    const ACROSS: &str = "Angular velocity across the axis";
+    const ACROSS: &str = "Transverse angular velocity";
     let along = |value, why: &'static str| sheet.step("ω_a", "rad/s", value, why);
     let across = |value, why: &'static str| sheet.step("ω_t", "rad/s", value, why);
     let ratio = body.ratio;
@@ -389,12 +386,12 @@ fn velocities<W: Worksheet>(
         FreeMotionGiven::Momentum { momentum, angle } => {
             let Some((axial, transverse)) = body.moments else {
                 return Err(Refusal::because(
-                    "the angular momentum tells the motion only together with the moments of inertia: give them, or the angular velocity",
+                    "the angular momentum defines the motion only together with the moments of inertia: give them, or the angular velocity",
                 ));
             };
             (
                 along(*momentum * angle.cos() / axial, "Angular velocity about the axis, H_a/I_a"),
-                across(*momentum * angle.sin() / transverse, "Angular velocity across the axis, H_t/I_t"),
+                across(*momentum * angle.sin() / transverse, "Transverse angular velocity, H_t/I_t"),
             )
         }
         FreeMotionGiven::Precession { precession, angle } => (
@@ -402,10 +399,7 @@ fn velocities<W: Worksheet>(
                 *precession * angle.cos() / ratio,
                 "Angular velocity about the axis: I_a ω_a = H_G cos θ with H_G = I_t φ̇",
             ),
-            across(
-                *precession * angle.sin(),
-                "Angular velocity across the axis: the share of the precession",
-            ),
+            across(*precession * angle.sin(), "Transverse angular velocity: the component of the precession"),
         ),
         FreeMotionGiven::Spin { spin, angle } => {
             if ratio.value() == 1.0 {
@@ -415,12 +409,9 @@ fn velocities<W: Worksheet>(
             }
             let axial = along(
                 *spin / (W::Num::from(1.0) - ratio).abs(),
-                "Angular velocity about the axis: ψ̇ = (1 − r) ω_a solved for it",
+                "Angular velocity about the axis, from ψ̇ = (1 − r) ω_a",
             );
-            (
-                axial,
-                across(ratio * axial * angle.tan(), "Angular velocity across the axis: tan θ = ω_t/(r ω_a)"),
-            )
+            (axial, across(ratio * axial * angle.tan(), "Transverse angular velocity: tan θ = ω_t/(r ω_a)"))
         }
     };
     Ok((axial, transverse, W::Vec::from_components(transverse, W::Num::from(0.0), axial)))
@@ -441,22 +432,22 @@ fn at_instant<W: Worksheet>(
         "ψ",
         "rad",
         spin * instant,
-        "Angle of the spin; seen from the body the angular velocity goes back by it",
+        "Spin angle; relative to the body the angular velocity rotates backwards by it",
     );
     let velocity = sheet.step_vector(
         "ω",
         "rad/s",
         rigid::to_rotating_axes(rigid::Axis::Z, back, start),
-        ("Angular velocity at the instant, axes of the body", GOLDSTEIN.at("§5-6")),
+        ("Angular velocity at the instant, body axes", GOLDSTEIN.at("§5-6")),
     );
-    sheet.answer_vector("velocity", "Angular velocity at the instant, axes of the body", velocity);
+    sheet.answer_vector("velocity", "Angular velocity at the instant, body axes", velocity);
     let turn = sheet.step("φ", "rad", precession * instant, "Angle of the precession");
     let [along_x, along_y, along_z] = [x, y, ratio * z].map(|part| part / precession);
     let along = sheet.step_vector(
         "h",
         "1",
         W::Vec::from_components(along_x, along_y, along_z),
-        "Direction of the angular momentum in the axes of the start",
+        "Direction of the angular momentum in the initial axes",
     );
     let [h_x, h_y, h_z] = along.components();
     let (cos_turn, sin_turn) = ((turn / 2.0).cos(), (turn / 2.0).sin());
@@ -468,16 +459,16 @@ fn at_instant<W: Worksheet>(
         cos_turn * sin_spin + h_z * sin_turn * cos_spin,
     ];
     const WHY: [&str; 4] = [
-        "Attitude as a unit quaternion, the product of the turns φ about h and ψ about the axis: its scalar part",
-        "Its part along x",
-        "Its part along y",
-        "Its part along z",
+        "Attitude as a unit quaternion, the product of the rotations φ about h and ψ about the axis: its scalar part",
+        "Its component along x",
+        "Its component along y",
+        "Its component along z",
     ];
     const LABELS: [&str; 4] = [
-        "Quaternion of the attitude, scalar part",
-        "Quaternion of the attitude, part along x",
-        "Quaternion of the attitude, part along y",
-        "Quaternion of the attitude, part along z",
+        "Attitude quaternion, scalar part",
+        "Attitude quaternion, x component",
+        "Attitude quaternion, y component",
+        "Attitude quaternion, z component",
     ];
     let mut shown = [0.0; 4];
     for (n, part) in parts.into_iter().enumerate() {
@@ -494,7 +485,7 @@ fn at_instant<W: Worksheet>(
         let period = TAU / (precession.value() + spin.value().abs());
         if let Ok(rate) = rigid::numerical_rate(|time| side(t + time), period) {
             sheet.check_zero(
-                "the attitude from its rate: the difference quotient of R against ω × R",
+                "the attitude from its rate: the difference quotient of R compared with ω × R",
                 W::Num::from((rate - now.cross(side(t))).norm()),
                 omega.norm().max(1e-3 * t / period / period),
             );
@@ -503,7 +494,7 @@ fn at_instant<W: Worksheet>(
         let [w, x, y, z] = shown;
         let by_quaternion = nalgebra::UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(w, x, y, z));
         let gap = attitude * omega - by_quaternion * omega;
-        sheet.check_zero("the same turn by matrices", W::Num::from(gap.norm()), omega.norm());
+        sheet.check_zero("the same rotation by matrices", W::Num::from(gap.norm()), omega.norm());
     });
 }
 
@@ -556,7 +547,7 @@ fn rolling_cones(ratio: f64, omega: Vector3<f64>) -> Exhibit {
     let precession = torque_free::precession(ratio, omega.z, omega.xy().norm());
     let spin = torque_free::spin(ratio, omega.z.abs());
     let about = |axis, angle| Rotation3::from_axis_angle(&axis, angle);
-    scene::film("The body cone rolls on the space cone", 6.0, |part| {
+    scene::animation("The body cone rolls on the space cone", 6.0, |part| {
         let nodes = about(Vector3::z_axis(), TAU * part) * about(Vector3::x_axis(), theta);
         let turn = nodes * about(Vector3::z_axis(), TAU * part * spin / precession);
         let (axis, line) = (nodes * Vector3::z(), nodes * Vector3::new(0.0, beta.sin(), beta.cos()));
@@ -583,7 +574,7 @@ fn components(ratio: f64, omega: Vector3<f64>) -> Plot {
             .collect::<Vec<_>>()
     };
     Plot::new(
-        "Angular velocity in axes of the body",
+        "Angular velocity in body axes",
         Axis::linear("time", "s"),
         Axis::linear("angular velocity", "rad/s"),
         ["ω_x", "ω_y", "ω_z"]

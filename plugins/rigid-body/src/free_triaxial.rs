@@ -26,7 +26,7 @@ pub struct FreeTriaxial {
     #[input("ω₀", "rad/s")]
     pub velocity: Vector3<f64>,
     /// Instant.
-    /// Where it is given, angular velocity and attitude at this time after the start are answered too.
+    /// If given, the angular velocity and attitude at this time after the start are also calculated.
     #[input("t", "s", nonnegative)]
     pub instant: Option<f64>,
 }
@@ -89,7 +89,7 @@ impl Analysis for FreeTriaxial {
         id: "rigid-body/free-triaxial",
         title: "Free motion of any body",
         topic: "Free bodies and tops",
-        summary: "Torque-free motion of a body with three different moments of inertia by Jacobi's elliptic functions: polhode, periods, flips about the middle axis, angular velocity and attitude at an instant.",
+        summary: "Torque-free motion of a body with three different moments of inertia by Jacobi's elliptic functions: polhode, periods, flips about the intermediate axis, angular velocity and attitude at an instant.",
         keywords: "torque-free Euler Jacobi Dzhanibekov tennis racket intermediate axis polhode herpolhode Poinsot eixo intermediário polódia herpolódia raquete",
         sources: &[&LANDAU, &GOLDSTEIN],
         cases: include_str!("../cases/free_triaxial.toml"),
@@ -109,17 +109,17 @@ impl Analysis for FreeTriaxial {
             "T",
             "J",
             W::Num::sum((0..3).map(|n| inertia[n] * omega[n].powi(2))) / 2.0,
-            "Kinetic energy of rotation, which stays",
+            "Kinetic energy of rotation, which is conserved",
         );
         let momentum = sheet.step_vector(
             "H",
             "kg*m^2/s",
             rigid::angular_momentum(inertia, velocity),
-            "Angular momentum about the mass centre at the start, which stays as it is in fixed axes",
+            "Angular momentum about the centre of mass at the start, which is constant in fixed axes",
         );
-        let size = sheet.step("H_G", "kg*m^2/s", momentum.magnitude(), "Its size");
+        let size = sheet.step("H_G", "kg*m^2/s", momentum.magnitude(), "Its magnitude");
         sheet.answer("rotational_energy", "Kinetic energy of rotation", doubled);
-        sheet.answer("angular_momentum", "Size of the angular momentum", size);
+        sheet.answer("angular_momentum", "Magnitude of the angular momentum", size);
         let order = body.order();
         let triaxial = order.map(|n| plain[n]).windows(2).all(|pair| pair[0] != pair[1]);
         if triaxial {
@@ -130,13 +130,13 @@ impl Analysis for FreeTriaxial {
                 ((b - a) * (c - b) / (a * c)).sqrt() * omega[order[1]].abs(),
                 (
                     Text::new(
-                        "Growth of a small disturbance of the rotation about {axis}, the middle axis, e^(λt)",
+                        "Growth of a small disturbance of the rotation about {axis}, the intermediate axis, e^(λt)",
                     )
                     .with("axis", AXES[order[1]]),
                     LANDAU.at("§37"),
                 ),
             );
-            sheet.answer("growth_rate", "Growth rate beside the middle axis", growth);
+            sheet.answer("growth_rate", "Growth rate near the intermediate axis", growth);
             sheet.verify(|| growing(plain, order, growth, start[order[1]], sheet));
         }
         match body.polhode() {
@@ -150,16 +150,16 @@ impl Analysis for FreeTriaxial {
                     "p",
                     "1/s",
                     pace,
-                    "H² = 2 T I with the middle moment: the body creeps from one end of the middle axis to the other, once and for ever, as tanh(p t)",
+                    "H² = 2 T I with the intermediate moment: asymptotic motion along the separatrix, from one end of the intermediate axis to the other, once only, as tanh(p t)",
                 );
-                sheet.answer("separatrix_rate", "Rate of creeping to the middle axis", pace);
+                sheet.answer("separatrix_rate", "Asymptotic rate towards the intermediate axis", pace);
                 sheet.verify(|| {
                     // At either end the body turns about the middle axis with all of H.
                     let end = size.value() / plain[order[1]];
                     growing(plain, order, pace, end, sheet);
                 });
                 sheet.warn(|| {
-                    "the motion is on the separatrix: the least disturbance decides what it will do".into()
+                    "the motion is on the separatrix: the smallest disturbance determines what follows".into()
                 });
             }
         }
@@ -213,19 +213,19 @@ impl FreeTriaxial {
             momentum.powi(2) / (energy * 2.0),
             (
                 Text::new(if i_c.value() >= i_b.value() {
-                    "H²/2T is above the middle moment: the polhode goes around {axis}, the axis of the largest moment"
+                    "H²/2T is above the intermediate moment: the polhode encircles {axis}, the axis of the largest moment"
                 } else {
-                    "H²/2T is below the middle moment: the polhode goes around {axis}, the axis of the smallest moment"
+                    "H²/2T is below the intermediate moment: the polhode encircles {axis}, the axis of the smallest moment"
                 })
                 .with("axis", AXES[axis]),
                 LANDAU.at("§37"),
             ),
         );
-        sheet.answer("poinsot_moment", "H²/2T, to be held against the middle moment", ratio);
+        sheet.answer("poinsot_moment", "H²/2T, to be compared with the intermediate moment", ratio);
         let why = |function: &'static str, n: usize| {
             (
                 Text::new(
-                    "Largest ω_{axis}, from energy and angular momentum: ω_{axis} = ± A_{axis} {function} τ",
+                    "Maximum ω_{axis}, from energy and angular momentum: ω_{axis} = ± A_{axis} {function} τ",
                 )
                 .with("axis", AXES[n])
                 .with("function", function),
@@ -256,7 +256,7 @@ impl FreeTriaxial {
             "p",
             "rad/s",
             ((i_c - i_b) * (i_c - i_a) / (i_a * i_b)).sqrt() * size_c,
-            ("Pace of the argument, τ = τ₀ + p t", LANDAU.at("§37")),
+            ("Rate of the argument, τ = τ₀ + p t", LANDAU.at("§37")),
         );
         let modulus_squared = sheet.step(
             "k²",
@@ -275,32 +275,32 @@ impl FreeTriaxial {
             "T_ω",
             "s",
             quarter * 4.0 / pace,
-            ("Period of the angular velocity in axes of the body, 4 K/p", LANDAU.at("§37")),
+            ("Period of the angular velocity in body axes, 4 K/p", LANDAU.at("§37")),
         );
         let half = sheet.step(
             "T_f",
             "s",
             period / 2.0,
-            "Time between two changes of sign along the middle axis: flips",
+            "Time between two sign changes along the intermediate axis: flips",
         );
         for (n, size) in [(a, size_a), (b, size_b), (c, size_c)] {
             sheet.answer(("amplitude", n + 1), LARGEST[n], size);
         }
-        sheet.answer("pace", "Pace of the elliptic functions", pace);
+        sheet.answer("pace", "Rate of the elliptic-function argument", pace);
         sheet.answer("modulus_squared", "Square of the modulus", modulus_squared);
-        sheet.answer("period", "Period of the angular velocity in the body", period);
+        sheet.answer("period", "Period of the angular velocity in body axes", period);
         sheet.answer("flip_interval", "Time between flips", half);
         if let Some(first) = body.first_flip() {
             let first = sheet.found(
                 "t₁",
                 "s",
                 first,
-                "When the component along the middle axis is zero for the first time: sn τ = 0",
+                "First time at which the component along the intermediate axis is zero: sn τ = 0",
             );
             sheet.answer("first_flip", "Time until the first flip", first);
             sheet.verify(|| {
                 sheet.check_zero(
-                    "the component along the middle axis at that time",
+                    "the component along the intermediate axis at that time",
                     W::Num::from(body.velocity(first.value())[b]),
                     size_b.value(),
                 );
@@ -311,19 +311,19 @@ impl FreeTriaxial {
             "deg",
             body.advance(),
             (
-                Text::new("How far the axis {axis} goes about the angular momentum in one period: H/I t and an elliptic integral of the third kind")
+                Text::new("Advance of the axis {axis} about the angular momentum in one period: H/I t and an elliptic integral of the third kind")
                     .with("axis", AXES[axis]),
                 LANDAU.at("§37"),
             ),
         );
-        sheet.answer("advance", "Precession in one period", advance);
-        let mean = sheet.step("Ω", "rad/s", advance / period, "Precession on average");
-        sheet.answer("mean_precession", "Precession on average", mean);
+        sheet.answer("advance", "Precession angle per period", advance);
+        let mean = sheet.step("Ω", "rad/s", advance / period, "Mean precession");
+        sheet.answer("mean_precession", "Mean precession", mean);
         sheet.verify(|| {
             // Where sn τ is 0 and the other two are at their largest.
             let (h_a, h_c) = (i_a * size_a, i_c * size_c);
             sheet.check(
-                "H² over 2T where the component along the middle axis is zero",
+                "H² over 2T where the component along the intermediate axis is zero",
                 (h_a.powi(2) + h_c.powi(2)) / (h_a * size_a + h_c * size_c),
                 ratio,
             );
@@ -339,7 +339,7 @@ impl FreeTriaxial {
             let error = f64::EPSILON * body.pace() * body.period() * start.norm();
             for (what, off) in [
                 ("angular velocity after one period", whole),
-                ("angular velocity after half of a period, across the axis reversed", turned - start),
+                ("angular velocity after half a period, transverse component reversed", turned - start),
             ] {
                 sheet.check_residual(what, off.norm().into(), start.norm(), error);
             }
@@ -348,17 +348,21 @@ impl FreeTriaxial {
                 let turned = Rotation3::from_axis_angle(&about, mean.value() * period.value());
                 let off = body.attitude(period.value()).matrix() - turned.matrix();
                 let error = f64::EPSILON * (advance.value().abs() + body.pace() * body.period());
-                let what = "the attitude after one period, a turn about the angular momentum";
+                let what = "the attitude after one period, a rotation about the angular momentum";
                 sheet.check_residual(what, off.norm().into(), 1.0, error);
             }
         });
         sheet.verify(|| {
-            sheet.check("the pace by the kernel", W::Num::from(body.pace()), W::Num::from(pace.value()));
+            sheet.check(
+                "the rate of the argument by the numerical kernel",
+                W::Num::from(body.pace()),
+                W::Num::from(pace.value()),
+            );
             // Equal weights over the period of the amplitude converge geometrically; near the separatrix slowly.
             if complement > 1e-4 {
                 let k = |sine: f64| (1.0 - (1.0 - complement) * sine * sine).sqrt().recip();
                 sheet.check(
-                    "the complete integral by equal weights",
+                    "the complete integral by equal-weight quadrature",
                     W::Num::from(FRAC_PI_2 * mean_of(|angle| k(angle.sin()))),
                     quarter,
                 );
@@ -373,7 +377,7 @@ impl FreeTriaxial {
                 let even = |a: f64, b: f64| a / b > 1e-4 && b / a > 1e-4;
                 if even(i_a * size_a.value(), i_b * size_b.value()) && i_c > 0.0 {
                     sheet.check(
-                        "the precession of a period by equal weights",
+                        "the precession angle per period by equal-weight quadrature",
                         W::Num::from(mean_of(rate) * period * FRAC_PI_2 / quarter.value()),
                         advance,
                     );
@@ -384,9 +388,9 @@ impl FreeTriaxial {
 }
 
 const LARGEST: [&str; 3] = [
-    "Largest component of the angular velocity along x",
-    "Largest component of the angular velocity along y",
-    "Largest component of the angular velocity along z",
+    "Maximum component of the angular velocity along x",
+    "Maximum component of the angular velocity along y",
+    "Maximum component of the angular velocity along z",
 ];
 
 /// The mean of a function over a turn.
@@ -442,7 +446,7 @@ fn growing<W: Worksheet>(inertia: [f64; 3], [a, b, c]: [usize; 3], rate: W::Num,
         (moment.norm(), moments.amax() * about.abs() * beside.norm())
     });
     let [(one, scale), (other, _)] = off;
-    sheet.check_zero("Euler's equations of a growing disturbance", one.min(other).into(), scale);
+    sheet.check_zero("Euler's equations for a growing disturbance", one.min(other).into(), scale);
 }
 
 /// A rotation about a principal axis goes on for ever, about the middle one only in theory.
@@ -456,13 +460,13 @@ fn permanent<W: Worksheet>(
         "ω",
         "rad/s",
         start.norm(),
-        "H is along ω: the body turns about a principal axis, for ever as it does now",
+        "H is parallel to ω: the body is in permanent rotation about a principal axis",
     );
     sheet.answer("permanent_speed", "Angular velocity of the permanent rotation", speed);
     sheet.check("twice the kinetic energy as H ω", momentum * speed, energy * 2.0);
     if about_the_middle {
         sheet.warn(|| {
-            "the body turns exactly about the axis of the middle moment, where the least disturbance grows".into()
+            "the body rotates exactly about the axis of the intermediate moment, where the smallest disturbance grows".into()
         });
     }
 }
@@ -497,7 +501,7 @@ fn at_instant<W: Worksheet>(body: &FreeBody, inertia: Vector3<f64>, t: f64, shee
             symbol,
             "1",
             attitude.matrix().column(n).into_owned(),
-            "Attitude: nutation from H along the axis, precession by the integral of the third kind",
+            "Attitude: nutation from the axial component of H, precession by the integral of the third kind",
         );
         sheet.answer_vector(name, label, axis);
         axes.set_column(n, &axis.value());
@@ -511,7 +515,7 @@ fn at_instant<W: Worksheet>(body: &FreeBody, inertia: Vector3<f64>, t: f64, shee
         // Times are good to rounding: a difference quotient over a short part of a long time is not better.
         let late = 1.0 + 1e-4 * t / period;
         sheet.check_zero(
-            "Euler's equations without a moment, by difference quotients",
+            "Euler's equations with zero moment, by difference quotients",
             W::Num::from(moment.norm()),
             inertia.amax() * speed * speed * late,
         );
@@ -520,7 +524,7 @@ fn at_instant<W: Worksheet>(body: &FreeBody, inertia: Vector3<f64>, t: f64, shee
                 return;
             };
             sheet.check_zero(
-                "the attitude from its rate: the difference quotient of R against ω × R",
+                "the attitude from its rate: the difference quotient of R compared with ω × R",
                 W::Num::from((rate - fixed.value().cross(axes * side)).norm()),
                 speed * late,
             );
@@ -531,14 +535,14 @@ fn at_instant<W: Worksheet>(body: &FreeBody, inertia: Vector3<f64>, t: f64, shee
 fn refused(error: FreeBodyError) -> Refusal {
     Refusal::because(match error {
         FreeBodyError::Triangle { axis } => Text::new(
-            "no body has a moment of inertia I_{axis} that is larger than the sum of the other two: check the moments",
+            "the triangle inequality excludes a moment of inertia I_{axis} that is larger than the sum of the other two: check the moments",
         )
         .with("axis", AXES[axis]),
         FreeBodyError::Moment { axis } => {
             Text::new("the moment of inertia I_{axis} is out of range").with("axis", AXES[axis])
         }
         FreeBodyError::NotFinite => {
-            "the motion is beyond the range of numbers: check the sizes of what is given".into()
+            "the motion exceeds the numerical range: check the magnitudes of the inputs".into()
         }
     })
 }

@@ -28,7 +28,8 @@ pub struct GyroscopicCouple {
     /// Rotor.
     pub rotor: Rotor,
     /// Transverse moment of inertia of the rotor.
-    /// About an axis through G across the axle. It matters where the carrier turns about an axis that is not normal to the axle, and at the ends of a harmonic motion.
+    /// About an axis through G transverse to the axle. It matters where the carrier turns about an axis that is not
+    /// normal to the axle, and at the ends of a harmonic motion.
     #[input("I_t", "kg*m^2", positive)]
     pub transverse_inertia: Option<f64>,
     /// Speed of the rotor.
@@ -38,7 +39,7 @@ pub struct GyroscopicCouple {
     /// Sense of the rotor.
     pub sense: Sense,
     /// Seen from.
-    /// Where somebody stands who looks along the axle and sees that sense.
+    /// Position of the viewer who looks along the axle and sees that sense.
     pub seen_from: Viewpoint,
     /// Motion of the carrier.
     pub motion: Motion,
@@ -86,7 +87,7 @@ pub enum Rotor {
         #[input("I_a", "kg*m^2", positive)]
         inertia: f64,
         /// Mass.
-        /// Only the bearings and the weight need it.
+        /// Required only for the bearings and the weight.
         #[input("m", "kg", nonnegative)]
         mass: Option<f64>,
     },
@@ -132,44 +133,44 @@ pub enum Motion {
         /// Turn to.
         towards: Side,
     },
-    /// Pitching at a rate
+    /// Pitching at a given rate
     Pitching {
-        /// Angular velocity of the pitching.
+        /// Pitch angular velocity.
         #[input("ω_p", "rad/s", nonnegative)]
         rate: f64,
         /// Bow or nose.
         bow: Bow,
     },
-    /// Rolling at a rate
+    /// Rolling at a given rate
     Rolling {
-        /// Angular velocity of the rolling.
+        /// Roll angular velocity.
         #[input("ω_p", "rad/s", nonnegative)]
         rate: f64,
-        /// Side that goes down.
+        /// Descending side.
         falling: Side,
     },
     /// Pitching in simple harmonic motion
     HarmonicPitching {
         /// Amplitude.
-        /// Half of the whole swing.
+        /// Half of the total oscillation.
         #[input("A", "rad", nonnegative)]
         amplitude: f64,
         /// Period.
         #[input("T", "s", positive)]
         period: f64,
-        /// Bow or nose, in the middle of the swing.
+        /// Bow or nose, in the middle of the oscillation.
         bow: Bow,
     },
     /// Rolling in simple harmonic motion
     HarmonicRolling {
         /// Amplitude.
-        /// Half of the whole swing.
+        /// Half of the total oscillation.
         #[input("A", "rad", nonnegative)]
         amplitude: f64,
         /// Period.
         #[input("T", "s", positive)]
         period: f64,
-        /// Side that goes down, in the middle of the swing.
+        /// Descending side, at mid-position.
         falling: Side,
     },
     /// Any angular velocity
@@ -179,10 +180,10 @@ pub enum Motion {
         #[input("Ω", "rad/s")]
         precession: Vector3<f64>,
     },
-    /// Level axle held at one end: the weight turns it
+    /// Level axle supported at one end: precession due to the weight
     HeldAtOneEnd {
         /// Distance of G from the support.
-        /// On the side that the spin points to, by the right-hand rule; negative on the other side.
+        /// On the side of the spin vector, by the right-hand rule; negative on the other side.
         #[input("L", "m")]
         arm: f64,
         /// Acceleration of gravity.
@@ -213,7 +214,8 @@ pub enum Bow {
 #[derive(Clone, Debug, Inputs)]
 pub struct Bearings {
     /// Distance of bearing A from G.
-    /// A lies behind G; for an axle across the carrier on its right, for an upright axle below. Negative where it lies on the other side.
+    /// A lies behind G; for a transverse axle on its right, for a vertical axle below. Negative where it lies on the
+    /// other side.
     #[input("a", "m")]
     pub behind: f64,
     /// Distance of bearing B from G.
@@ -232,7 +234,7 @@ impl Analysis for GyroscopicCouple {
         id: "rigid-body/gyroscopic-couple",
         title: "Gyroscopic couple on a ship, an aircraft or a vehicle",
         topic: "Gyroscopes and vehicles",
-        summary: "Couple of a spinning rotor whose carrier turns, pitches or rolls, its reaction on the carrier with the effect in words, and the bearing reactions.",
+        summary: "Couple on a spinning rotor whose carrier turns, pitches or rolls, its reaction on the carrier with the effect in words, and the bearing reactions.",
         keywords: "gyroscope gyroscopic ship aeroplane turbine propeller precession pitching rolling giroscópio giroscópico navio avião precessão arfagem balanço proa popa mancais",
         sources: &[&KHURMI, &BEER, &MERIAM, &IRODOV],
         cases: include_str!("../cases/gyroscopic_couple.toml"),
@@ -244,7 +246,7 @@ impl Analysis for GyroscopicCouple {
             "u",
             "1",
             direction::<W>(self.spin_direction()),
-            "Unit vector of the spin: clockwise, it points away from who looks; counter-clockwise, towards",
+            "Unit vector of the spin: away from the viewer if clockwise, towards the viewer if counter-clockwise",
         );
         let (precession, rate) = self.precession(given, axial, mass, sheet)?;
         let momentum = match given.transverse_inertia {
@@ -252,7 +254,10 @@ impl Analysis for GyroscopicCouple {
                 "H",
                 "kg*m^2/s",
                 gyroscope::momentum(axial, transverse, given.spin, axle, precession),
-                ("Angular momentum about G: of the spin and of the turning carrier", BEER.at("§18.3")),
+                (
+                    "Angular momentum about G: due to the spin and to the rotation of the carrier",
+                    BEER.at("§18.3"),
+                ),
             ),
             None => sheet.step_vector(
                 "H",
@@ -266,7 +271,7 @@ impl Analysis for GyroscopicCouple {
             "N*m",
             rigid::transport_rate(precession, momentum),
             (
-                "Couple on the rotor: H keeps its components in axes that turn with the carrier, so dH/dt = Ω × H",
+                "Couple on the rotor: the components of H are constant in axes that turn with the carrier, so dH/dt = Ω × H",
                 BEER.at("§18.2"),
             ),
         );
@@ -275,7 +280,7 @@ impl Analysis for GyroscopicCouple {
         sheet.answer_vector("angular_momentum", "Angular momentum of the rotor", momentum);
         sheet.answer_vector("couple_on_rotor", "Couple on the rotor (forward, left, up)", couple);
         let harmonic = self.harmonic().is_some();
-        let label = if harmonic { "Largest gyroscopic couple" } else { "Gyroscopic couple" };
+        let label = if harmonic { "Maximum gyroscopic couple" } else { "Gyroscopic couple" };
         sheet.answer("couple", label, size);
         if matches!(self.motion, Motion::HeldAtOneEnd { .. }) {
             self.check_fall(given, mass, axle, couple, sheet);
@@ -293,7 +298,7 @@ impl Analysis for GyroscopicCouple {
         if let (Some(bearings), Some(given_bearings)) = (&self.bearings, &given.bearings) {
             let mass = mass.ok_or_else(|| {
                 Refusal::because(
-                    "the bearings also carry the weight of the rotor: write its mass, or 0 kg for the share of the couple alone",
+                    "the bearings also carry the weight of the rotor: write its mass, or 0 kg for the contribution of the couple alone",
                 )
             })?;
             self.bearing_reactions(bearings, given, given_bearings, mass, axle, couple, sheet)?;
@@ -303,7 +308,7 @@ impl Analysis for GyroscopicCouple {
             self.check_by_rotation(axial.value(), momentum.value(), precession.value(), couple, sheet);
         });
         let (couple, precession) = (couple.value(), precession.value());
-        sheet.show(|| self.film(couple, precession));
+        sheet.show(|| self.animation(couple, precession));
         if let Some(plot) = self.plot(size.value()) {
             sheet.show(|| plot);
         }
@@ -380,13 +385,13 @@ impl GyroscopicCouple {
                 "p",
                 "rad/s",
                 W::Num::from(TAU) / period,
-                "Circular frequency of the harmonic motion",
+                "Angular frequency of the harmonic motion",
             );
             sheet.step(
                 "ω_p",
                 "rad/s",
                 amplitude * frequency,
-                ("Largest angular velocity, in the middle of the swing", KHURMI.at("§14.7")),
+                ("Maximum angular velocity, in the middle of the oscillation", KHURMI.at("§14.7")),
             )
         };
         let (rate, along, why) = match (&self.motion, &given.motion) {
@@ -395,7 +400,7 @@ impl GyroscopicCouple {
                     "ω_p",
                     "rad/s",
                     precession.magnitude(),
-                    "Size of the angular velocity of the carrier",
+                    "Magnitude of the angular velocity of the carrier",
                 );
                 return Ok((*precession, rate));
             }
@@ -410,7 +415,7 @@ impl GyroscopicCouple {
                 (
                     rate,
                     up,
-                    "A turn to the left is seen from above counter-clockwise: Ω points up; to the right, down",
+                    "Seen from above, a turn to the left is counter-clockwise: Ω points up; to the right, down",
                 )
             }
             (Motion::Pitching { bow, .. }, MotionGiven::Pitching { rate, .. }) => (*rate, pitch(*bow), PITCH),
@@ -436,7 +441,7 @@ impl GyroscopicCouple {
                 }
                 if self.spin_direction().z != 0.0 {
                     return Err(Refusal::because(
-                        "an upright axle needs no couple to stay so: choose a viewpoint from which the axle is level",
+                        "a vertical axle needs no couple to remain vertical: choose a viewpoint from which the axle is horizontal",
                     ));
                 }
                 let moment = sheet.step(
@@ -449,9 +454,9 @@ impl GyroscopicCouple {
                     "ω_p",
                     "rad/s",
                     gyroscope::precession_rate(moment, axial, given.spin),
-                    ("The couple turns H at the rate of the precession: M = I_a ω ω_p", KHURMI.at("§14.3")),
+                    ("The couple rotates H at the precession rate: M = I_a ω ω_p", KHURMI.at("§14.3")),
                 );
-                (rate, Vector3::z(), "The axle goes round the upright through its support")
+                (rate, Vector3::z(), "The axle precesses about the vertical through its support")
             }
             _ => unreachable!("the given motion is the motion"),
         };
@@ -470,9 +475,9 @@ impl GyroscopicCouple {
             "α",
             "rad/s^2",
             *amplitude * (W::Num::from(TAU) / *period).powi(2),
-            ("Largest angular acceleration, at the ends of the swing", KHURMI.at("§14.7")),
+            ("Maximum angular acceleration, at the ends of the oscillation", KHURMI.at("§14.7")),
         );
-        sheet.answer("angular_acceleration", "Largest angular acceleration of the carrier", acceleration);
+        sheet.answer("angular_acceleration", "Maximum angular acceleration of the carrier", acceleration);
         let swing = |t: f64| amplitude.value() * (TAU * t / period.value()).cos();
         sheet.verify(|| {
             let Some(found) = second_slope(swing, period.value()) else { return };
@@ -488,9 +493,9 @@ impl GyroscopicCouple {
                 "C_α",
                 "N*m",
                 transverse * acceleration,
-                "Couple that speeds the rotor up and down with its carrier, largest where the gyroscopic one is zero",
+                "Couple that accelerates and decelerates the rotor with its carrier, maximum where the gyroscopic couple is zero",
             );
-            sheet.answer("inertia_couple", "Largest inertia couple, at the ends of the swing", couple);
+            sheet.answer("inertia_couple", "Maximum inertia couple, at the ends of the oscillation", couple);
             sheet.verify(|| {
                 // What the angular momentum about the axis of the swing changes by, where it is zero.
                 let momentum = |t: f64| {
@@ -532,7 +537,7 @@ impl GyroscopicCouple {
         let across = Vector::cross(precession, self.spin_direction()).norm();
         if self.transverse_inertia.is_none() && along > 1e-9 * size && across > 1e-9 * size {
             sheet.warn(|| {
-                "the carrier turns about an axis that is not normal to the axle: without the transverse moment of inertia the couple lacks its part (I_a − I_t) Ω² sin θ cos θ".into()
+                "the carrier turns about an axis that is not normal to the axle: without the transverse moment of inertia the term (I_a − I_t) Ω² sin θ cos θ of the couple is missing".into()
             });
         }
     }
@@ -566,10 +571,9 @@ impl GyroscopicCouple {
     }
 }
 
-const PITCH: &str =
-    "The bow rises about the axis to the right: Ω points there; it falls about the axis to the left";
+const PITCH: &str = "When the bow rises, Ω points to the right; when it falls, to the left";
 const ROLL: &str =
-    "The right-hand side goes down about the axis forward: Ω points there; the left-hand side, backward";
+    "When the right-hand side descends, Ω points forward; when the left-hand side descends, backward";
 
 /// Direction of the angular velocity of a pitching carrier.
 fn pitch(bow: Bow) -> Vector3<f64> {

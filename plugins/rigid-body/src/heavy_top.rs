@@ -26,10 +26,10 @@ pub struct HeavyTop {
     /// The top.
     pub body: TopBody,
     /// Angle of the axis to the vertical.
-    /// From the upward vertical: 90° with the axis level, more for a top that hangs.
+    /// From the upward vertical: 90° with the axis level, more for a hanging top.
     #[input("θ", "deg", positive, below = 180)]
     pub nutation: f64,
-    /// What is known of the motion.
+    /// Known quantity of the motion.
     pub motion: TopMotion,
 }
 
@@ -39,18 +39,18 @@ pub enum TopMotion {
     /// Spin relative to the precessing axis
     Spin {
         /// Spin.
-        /// As seen by someone who goes around with the axis.
+        /// Relative to the frame that precesses with the axis.
         #[input("ψ̇", "rad/s")]
         spin: f64,
     },
     /// Angular velocity about the axis
     AxialVelocity {
         /// Angular velocity about the axis.
-        /// Spin and the share of the precession, ψ̇ + φ̇ cos θ: what stays constant whatever the axis does.
+        /// Spin plus the axial component of the precession, ψ̇ + φ̇ cos θ: constant for any motion of the axis.
         #[input("ω₃", "rad/s")]
         axial_velocity: f64,
     },
-    /// The precession that is wanted
+    /// The required precession
     Precession {
         /// Precession.
         #[input("φ̇", "rad/s")]
@@ -68,7 +68,7 @@ impl Analysis for HeavyTop {
         id: "rigid-body/heavy-top",
         title: "Heavy top: steady precession",
         topic: "Free bodies and tops",
-        summary: "Slow and fast precession of a top under its weight, the spin it needs, the threshold of sleeping, and the formula for fast tops beside the exact one.",
+        summary: "Slow and fast precession of a top under its weight, the required spin, the sleeping threshold, and the fast-top formula compared with the exact one.",
         keywords: "gyroscope spinning top precession sleeping pião giroscópio precessão rotação própria",
         sources: &[&BEER, &GOLDSTEIN],
         cases: include_str!("../cases/heavy_top.toml"),
@@ -86,7 +86,7 @@ impl Analysis for HeavyTop {
             "rad/s",
             top::sleeping_threshold(axial, transverse, couple),
             (
-                "Least angular velocity about the axis with which the top stays upright: a sleeping top",
+                "Minimum angular velocity about the axis with which the top stays upright: a sleeping top",
                 GOLDSTEIN.at("§5-7"),
             ),
         );
@@ -99,7 +99,7 @@ impl Analysis for HeavyTop {
                     "ψ̇",
                     "rad/s",
                     top::spin_for(axial, transverse, couple, *precession, theta),
-                    ("Spin that keeps this precession: ΣM = Ω × H solved for it", BEER.at("§18.3")),
+                    ("Spin that maintains this precession: ΣM = Ω × H solved for it", BEER.at("§18.3")),
                 );
                 let velocity = self.axial_velocity(spin, *precession, theta, "ω₃", sheet);
                 sheet.answer("spin", "Spin for this precession", spin);
@@ -145,7 +145,7 @@ impl Analysis for HeavyTop {
                     "ψ̇",
                     "rad/s",
                     *axial_velocity - slow * theta.cos(),
-                    "Spin in slow precession: what the precession leaves of ω₃",
+                    "Spin in slow precession: ω₃ less the axial component of the precession",
                 );
                 sheet.answer("spin", "Spin in slow precession", spin);
                 (spin, *axial_velocity, slow)
@@ -174,9 +174,9 @@ impl Analysis for HeavyTop {
             "T_φ",
             "s",
             W::Num::from(TAU) / precession.abs(),
-            "Time of one turn of the axis around the vertical",
+            "Time for one revolution of the axis about the vertical",
         );
-        sheet.answer("precession_period", "Time of one precession", period);
+        sheet.answer("precession_period", "Precession period", period);
         let ratio = sheet.step("r", "1", axial / transverse, "Ratio of the moments of inertia");
         let nutation = sheet.step(
             "ω_n",
@@ -188,12 +188,12 @@ impl Analysis for HeavyTop {
             ),
         );
         sheet.answer("nutation_frequency", "Angular frequency of small nutations", nutation);
-        sheet.answer("sleeping_threshold", "Least ω₃ of a sleeping top", threshold);
+        sheet.answer("sleeping_threshold", "Minimum ω₃ of a sleeping top", threshold);
         sheet.verify(|| {
             // Beside the upright x″ = K x/I_t turned by the spin: two circles of one frequency at the threshold.
             let turning = axial * threshold / (transverse * 2.0);
             sheet.check(
-                "equation of small circles about the upright at the threshold",
+                "equation of small circles about the vertical at the threshold",
                 transverse * turning.powi(2) + couple,
                 axial * threshold * turning,
             );
@@ -226,7 +226,7 @@ impl Analysis for HeavyTop {
             precession: precession.value(),
         };
         sheet.show(|| Exhibit::Plot(self.over_spin(&plain)));
-        sheet.show(|| self.film(plain.precession, plain.spin));
+        sheet.show(|| self.animation(plain.precession, plain.spin));
         Ok(())
     }
 }
@@ -296,7 +296,7 @@ impl HeavyTop {
             symbol,
             "rad/s",
             top::axial_velocity(spin, precession, theta),
-            ("Angular velocity about the axis: spin and the share of the precession", BEER.at("§18.3")),
+            ("Angular velocity about the axis: spin plus the component of the precession", BEER.at("§18.3")),
         )
     }
 
@@ -320,7 +320,7 @@ impl HeavyTop {
                 if of == Rate::Spin { "ψ̇_min" } else { "ω₃_min" },
                 "rad/s",
                 (square * couple).sqrt() * 2.0 / axial,
-                "Least rate for a steady precession at this angle: the discriminant H² − 4 A K is zero",
+                "Minimum rate for a steady precession at this angle: the discriminant H² − 4 A K is zero",
             )
         });
         let momentum = sheet.step("H", "kg*m^2/s", axial * rate, "Its angular momentum about the axis");
@@ -357,17 +357,17 @@ impl HeavyTop {
             fast
         });
         if let Some(least) = least {
-            sheet.answer("least_rate", "Least rate for a steady precession", least);
+            sheet.answer("least_rate", "Minimum rate for a steady precession", least);
             sheet.verify(|| {
                 // The rate that a precession needs, (K + A φ̇²)/(I_a φ̇), is least where both terms are alike.
                 let needed =
                     |precession: W::Num| (couple + square * precession.powi(2)) / (axial * precession);
                 let best = (couple / square).sqrt();
-                sheet.check("the rate that the precession with the least one needs", needed(best), least);
+                sheet.check("the rate required by the precession of minimum rate", needed(best), least);
                 let beside = needed(best * 0.9).value().min(needed(best * 1.1).value());
                 let more = (least.value() - beside).max(0.0);
                 sheet.check_zero(
-                    "a little slower or faster precession needs more",
+                    "a slightly slower or faster precession requires more",
                     more.into(),
                     least.value(),
                 );
@@ -377,7 +377,7 @@ impl HeavyTop {
             for root in [Some(slow), fast].into_iter().flatten() {
                 let terms = [square * root.powi(2), -(momentum * root), couple];
                 let scale = terms.iter().map(|term| term.value().abs()).fold(0.0, f64::max);
-                sheet.check_zero("the root put back into the quadratic", W::Num::sum(terms), scale);
+                sheet.check_zero("the root substituted into the quadratic", W::Num::sum(terms), scale);
             }
         });
         Ok((slow, fast))
@@ -395,18 +395,14 @@ impl HeavyTop {
             return;
         }
         let first = self.first_order(spin, moments, sheet);
-        let error = sheet.step(
-            "ε",
-            "%",
-            (first - precession) / precession,
-            "What the formula for fast tops is off by",
-        );
-        sheet.answer("first_order_precession", "Precession by the formula for fast tops", first);
+        let error =
+            sheet.step("ε", "%", (first - precession) / precession, "Relative error of the fast-top formula");
+        sheet.answer("first_order_precession", "Precession by the fast-top formula", first);
         sheet.answer("first_order_error", "Error of the formula for fast tops", error);
         let error = error.value().abs();
         if error > 0.05 {
             sheet.warn(|| {
-                Text::new("the top is not fast: the formula for fast tops is off by {error}")
+                Text::new("the top is not fast: the error of the fast-top formula is {error}")
                     .with_quantity("error", error, "%")
             });
         }
@@ -418,7 +414,7 @@ impl HeavyTop {
             "rad/s",
             top::first_order_precession(moments.couple, moments.axial, spin),
             (
-                "Formula for fast tops: K sin θ turns the angular momentum I_a ψ̇ sin θ across the vertical; the angle drops out",
+                "Formula for fast tops: the moment K sin θ rotates the component I_a ψ̇ sin θ of the angular momentum, normal to the vertical; the angle cancels",
                 BEER.at("§18.3"),
             ),
         )
@@ -431,9 +427,8 @@ impl HeavyTop {
         moments: &TopMoments<W::Num>,
         sheet: W,
     ) -> Result<(), Refusal> {
-        sheet.warn(|| {
-            "without the transverse moment of inertia only the formula for fast tops can be used".into()
-        });
+        sheet
+            .warn(|| "without the transverse moment of inertia only the fast-top formula can be used".into());
         let (spin, precession) = match &given.motion {
             TopMotionGiven::Spin { spin: rate } | TopMotionGiven::AxialVelocity { axial_velocity: rate } => {
                 if rate.value() == 0.0 {
@@ -442,7 +437,7 @@ impl HeavyTop {
                     ));
                 }
                 let precession = self.first_order(*rate, moments, sheet);
-                sheet.answer("first_order_precession", "Precession by the formula for fast tops", precession);
+                sheet.answer("first_order_precession", "Precession by the fast-top formula", precession);
                 (*rate, precession)
             }
             TopMotionGiven::Precession { precession } => {
@@ -451,7 +446,7 @@ impl HeavyTop {
                     "ψ̇",
                     "rad/s",
                     top::first_order_precession(moments.couple, moments.axial, *precession),
-                    "Spin for this precession, by the formula for fast tops",
+                    "Spin for this precession, by the fast-top formula",
                 );
                 sheet.answer("spin", "Spin for this precession", spin);
                 (spin, *precession)
@@ -461,9 +456,9 @@ impl HeavyTop {
             "T_φ",
             "s",
             W::Num::from(TAU) / precession.abs(),
-            "Time of one turn of the axis around the vertical",
+            "Time for one revolution of the axis about the vertical",
         );
-        sheet.answer("precession_period", "Time of one precession", period);
+        sheet.answer("precession_period", "Precession period", period);
         sheet.verify(|| {
             // The tip of H, at the radius H sin θ, is moved by the moment of the weight.
             let level = moments.axial * spin * given.nutation.sin();
@@ -474,7 +469,7 @@ impl HeavyTop {
             );
         });
         let (spin, precession) = (spin.value(), precession.value());
-        sheet.show(|| self.film(precession, spin));
+        sheet.show(|| self.animation(precession, spin));
         Ok(())
     }
 
@@ -503,7 +498,7 @@ impl HeavyTop {
         if !fast.is_empty() {
             series.push(Series::line("fast", fast).of("fast_precession"));
         }
-        series.push(Series::line("formula for fast tops", first).of("first_order_precession"));
+        series.push(Series::line("fast-top formula", first).of("first_order_precession"));
         let plot = Plot::new(
             "Precession against spin at this angle",
             Axis::linear("spin of the top", "rad/s"),
@@ -516,9 +511,9 @@ impl HeavyTop {
     }
 
     /// The top on its way around the vertical.
-    fn film(&self, precession: f64, spin: f64) -> Exhibit {
+    fn animation(&self, precession: f64, spin: f64) -> Exhibit {
         let (around, about) = (precession.signum(), spin.signum());
-        scene::film("The top in steady precession", 4.0, |part| {
+        scene::animation("The top in steady precession", 4.0, |part| {
             let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), around * TAU * part)
                 * Rotation3::from_axis_angle(&Vector3::x_axis(), self.nutation)
                 * Rotation3::from_axis_angle(&Vector3::z_axis(), about * 3.0 * TAU * part);
@@ -541,7 +536,7 @@ impl HeavyTop {
 fn goes_around<N: Real>(precession: N) -> Result<(), Refusal> {
     if precession.value() == 0.0 {
         return Err(Refusal::because(
-            "a top whose axis does not go around falls: the precession must not be zero",
+            "a top whose axis does not precess falls: the precession must not be zero",
         ));
     }
     Ok(())

@@ -23,15 +23,15 @@ pub struct Impulse {
     /// Its motion before.
     #[input(default = "mass-centre")]
     pub going: Going,
-    /// Blows.
+    /// Impulses.
     pub blows: Vec<Blow>,
     /// Projectiles that stick.
     pub projectiles: Vec<Projectile>,
-    /// What holds it from then on.
+    /// Constraint after the impact.
     #[input(default = "nothing")]
     pub hold: Hold,
-    /// Angular speed that is wanted after.
-    /// About an axis, from rest: the mass is found with which the body, in the same shape, turns as fast.
+    /// Required angular speed after impact.
+    /// About an axis, from rest: calculates the mass for which the body, with the same shape, reaches this speed.
     #[input("ω*", "rad/s", positive)]
     pub wanted_speed: Option<f64>,
 }
@@ -41,10 +41,10 @@ pub struct Impulse {
 pub struct Blow {
     /// Name.
     pub name: String,
-    /// Position of the point that is struck.
+    /// Position of the struck point.
     #[input("r_J", "m")]
     pub point: Vector3<f64>,
-    /// How hard.
+    /// Magnitude.
     pub strength: Strength,
 }
 
@@ -57,7 +57,7 @@ pub enum Strength {
         #[input("J", "N*s")]
         impulse: Vector3<f64>,
     },
-    /// Force for a short time
+    /// Force of short duration
     Force {
         /// Mean force.
         #[input("F", "N")]
@@ -79,10 +79,10 @@ pub struct Projectile {
     /// Velocity.
     #[input("v_p", "m/s")]
     pub velocity: Vector3<f64>,
-    /// Position of the point that it hits.
+    /// Position of the point of impact.
     #[input("r_p", "m")]
     pub point: Vector3<f64>,
-    /// Its mass afterwards.
+    /// Its mass after impact.
     #[input(default = "kept")]
     pub mass_after: MassAfter,
 }
@@ -93,7 +93,7 @@ pub enum MassAfter {
     /// Part of the body
     Kept,
     /// Neglected
-    /// Its momentum counts, its mass and its inertia do not.
+    /// Its momentum is included, its mass and inertia are not.
     Neglected,
 }
 
@@ -102,15 +102,15 @@ pub enum MassAfter {
 pub enum Hold {
     /// Nothing
     Nothing,
-    /// A point is held fast
+    /// Point suddenly fixed
     /// A ball-and-socket, a hook: any rotation about it is free.
     Point {
         /// Position of the point.
         #[input("r_C", "m", default = "(0; 0; 0) m")]
         point: Vector3<f64>,
     },
-    /// An axis is held fast
-    /// A hinge, a shaft, an edge that is seized.
+    /// Axis suddenly fixed
+    /// A hinge, a shaft or an edge that is suddenly fixed.
     Axis {
         /// Position of a point on it.
         #[input("r_C", "m", default = "(0; 0; 0) m")]
@@ -140,7 +140,7 @@ impl Analysis for Impulse {
         id: "rigid-body/impulse",
         title: "Impulse on a body in space",
         topic: "Inertia and momentum",
-        summary: "Motion of a body just after a blow, a projectile that sticks or a constraint that takes hold; impulsive reactions and energy.",
+        summary: "Motion of a body immediately after an impulse, the impact of a projectile that sticks or a sudden constraint; impulsive reactions and energy.",
         keywords: "impulse impact blow sudden constraint projectile meteorite impulsive reaction instantaneous axis screw torque-free precession \
                    impulso impacto choque percussão projétil reação impulsiva eixo instantâneo precessão",
         sources: &[&BEER, &HIBBELER, &MERIAM, &RIUL],

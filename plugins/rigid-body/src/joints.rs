@@ -17,13 +17,13 @@ pub struct Joint {
     /// Name of the joint and of the frame after it.
     pub name: String,
     /// Axis.
-    /// Any vector along it, in the frame before the joint; angles are positive right-handed about it.
+    /// Any vector along it, in the preceding frame; angles are positive by the right-hand rule.
     #[input("a", "1")]
     pub axis: Vector3<f64>,
-    /// How it turns.
+    /// Motion of the joint.
     pub motion: Turning,
     /// Origin of the frame after the joint.
-    /// In the axes of the frame before it.
+    /// In the axes of the preceding frame.
     #[input("d", "m", default = "(0; 0; 0) m")]
     pub offset: Vector3<f64>,
 }
@@ -31,21 +31,21 @@ pub struct Joint {
 /// How a joint turns.
 #[derive(Clone, Debug, Inputs)]
 pub enum Turning {
-    /// As given at this moment
+    /// Values at this instant
     Now {
         /// Angle.
         #[input("θ", "rad", default = "0 deg")]
         angle: f64,
         /// Angular velocity.
-        /// Relative to the frame before.
+        /// Relative to the preceding frame.
         #[input("θ̇", "rad/s", default = "0 rad/s")]
         rate: f64,
         /// Angular acceleration.
-        /// Relative to the frame before.
+        /// Relative to the preceding frame.
         #[input("θ̈", "rad/s^2", default = "0 rad/s^2")]
         acceleration: f64,
     },
-    /// Harmonic swing: pitch or roll
+    /// Harmonic oscillation: pitch or roll
     Harmonic {
         /// Amplitude.
         #[input("A", "rad")]
@@ -53,17 +53,17 @@ pub enum Turning {
         /// Period.
         #[input("T", "s", positive)]
         period: f64,
-        /// Time since it passed the middle upwards.
+        /// Time since the upward passage through mid-position.
         #[input("t", "s", default = "0 s")]
         time: f64,
-        /// Angle of the middle.
+        /// Mean angle.
         #[input("θ_m", "rad", default = "0 deg")]
         middle: f64,
     },
     /// Turn of a vehicle on a circle
     Circle {
         /// Speed.
-        /// Positive for a turn right-handed about the axis.
+        /// Positive by the right-hand rule about the axis.
         #[input("v", "m/s")]
         speed: f64,
         /// Radius of the circle.
@@ -72,7 +72,7 @@ pub enum Turning {
         /// Acceleration along the path.
         #[input("v̇", "m/s^2", default = "0 m/s^2")]
         acceleration: f64,
-        /// Angle turned so far.
+        /// Angle of rotation so far.
         #[input("θ", "rad", default = "0 deg")]
         angle: f64,
     },
@@ -111,7 +111,7 @@ pub(crate) fn frames(joints: &[Joint]) -> Result<Vec<chain::Frame>, Refusal> {
                         "the axis of {name} has no length: write any vector along it, such as (0; 0; 1)"
                     }
                     RigidError::NotFinite => {
-                        "the motion of {name} is too fast to be a number: look at its units"
+                        "the motion of {name} exceeds the numerical range: check its units"
                     }
                 })
                 .with("name", &joint.name),
@@ -180,7 +180,7 @@ impl<'a, W: Worksheet> Worked<'a, W> {
                 }
                 let along = given.axis / given.axis.magnitude();
                 let why =
-                    Named("Unit vector along the axis of {name}, in the frame before it", &joint.name, None);
+                    Named("Unit vector along the axis of {name}, in the preceding frame", &joint.name, None);
                 sheet.step_vector(("u", n + 1), "1", along, why)
             })
             .collect();
@@ -197,7 +197,7 @@ impl<'a, W: Worksheet> Worked<'a, W> {
                 this.own[n],
                 from,
                 (["e", "e′", "e″", "e‴"], n + 1, "1"),
-                ("Axis of {name}, in axes turned by {by}", &joint.name),
+                ("Axis of {name}, in axes rotated by {by}", &joint.name),
                 sheet,
             );
             this.last_axis = axis;
@@ -235,7 +235,7 @@ impl<'a, W: Worksheet> Worked<'a, W> {
                     if n == 0 {
                         "Angular acceleration of {name}, about its fixed axis"
                     } else {
-                        "Angular acceleration of {name}: the axis of the joint is itself turned by the frame before it"
+                        "Angular acceleration of {name}: the joint axis is itself rotated by the preceding frame"
                     },
                     &joint.name,
                     Some(BEER.at("§15.5A")),
@@ -257,7 +257,7 @@ impl<'a, W: Worksheet> Worked<'a, W> {
                     n,
                     (["δ", "δ′", "δ″", "δ‴"], n + 1, "m"),
                     (
-                        "Place of the origin of {name} in the frame before it, in axes turned by {by}",
+                        "Position of the origin of {name} in the preceding frame, in axes rotated by {by}",
                         &joint.name,
                     ),
                     sheet,
@@ -344,33 +344,28 @@ fn motion<W: Worksheet>(n: usize, given: &JointGiven<W>, sheet: W) -> [W::Num; 3
         TurningGiven::Now { angle, rate, acceleration } => [angle, rate, acceleration],
         TurningGiven::Harmonic { amplitude, period, time, middle } => {
             let turn = W::Num::from(TAU);
-            let speed = sheet.step(("p", n), "rad/s", turn / period, "Circular frequency of the swing");
+            let speed = sheet.step(("p", n), "rad/s", turn / period, "Angular frequency of the oscillation");
             let phase = turn * time / period;
             let swing = amplitude * phase.sin();
             [
-                sheet.step(("θ", n), "deg", middle + swing, "Angle of the swing at this time"),
+                sheet.step(("θ", n), "deg", middle + swing, "Angle of the oscillation at this time"),
                 sheet.step(
                     ("θ̇", n),
                     "rad/s",
                     amplitude * speed * phase.cos(),
-                    "Angular velocity of the swing",
+                    "Angular velocity of the oscillation",
                 ),
                 sheet.step(
                     ("θ̈", n),
                     "rad/s^2",
                     -(speed.powi(2) * swing),
-                    "Angular acceleration of the swing",
+                    "Angular acceleration of the oscillation",
                 ),
             ]
         }
         TurningGiven::Circle { speed, radius, acceleration, angle } => [
             angle,
-            sheet.step(
-                ("θ̇", n),
-                "rad/s",
-                speed / radius,
-                "The vehicle turns once for each time round the circle",
-            ),
+            sheet.step(("θ̇", n), "rad/s", speed / radius, "The vehicle rotates once per lap of the circle"),
             sheet.step(("θ̈", n), "rad/s^2", acceleration / radius, "Angular acceleration of the vehicle"),
         ],
     }

@@ -27,11 +27,11 @@ pub struct MassProperties {
     /// Body.
     pub body: Body,
     /// Position of a point A.
-    /// The inertia is also wanted about the axes through it.
+    /// The inertia about the axes through it is also calculated.
     #[input("r_A", "m", default = "(0; 0; 0) m")]
     pub point: Vector3<f64>,
     /// A line.
-    /// The moment of inertia about it is wanted.
+    /// The moment of inertia about it is calculated.
     pub line: Option<Line>,
 }
 
@@ -40,9 +40,9 @@ register!(MassProperties);
 impl Analysis for MassProperties {
     const ABOUT: About = About {
         id: "rigid-body/mass-properties",
-        title: "Mass, mass centre and inertia of a body",
+        title: "Mass, centre of mass and inertia of a body",
         topic: "Inertia and momentum",
-        summary: "Mass centre, moments and products of inertia, principal axes of a body put together from parts, about any point and line.",
+        summary: "Centre of mass, moments and products of inertia, principal axes of a composite body, about any point and line.",
         keywords: "moment of inertia product of inertia tensor matrix principal axes centroid centre of mass composite steiner parallel axis \
                    radius of gyration momento de inércia produto de inércia centro de massa eixos principais raio de giração teorema dos eixos paralelos corpo composto",
         sources: &[&MERIAM, &BEER, &RIUL],
@@ -123,8 +123,8 @@ const ABOUT_A: [&str; 6] = [
 
 const POINT_A: AboutPoint = AboutPoint {
     symbols: ["I_Ax", "I_Ay", "I_Az", "I_Ayz", "I_Azx", "I_Axy"],
-    moment: "Parallel axes: moment of inertia about an axis through A",
-    product: "Parallel axes: product of inertia about A",
+    moment: "Parallel-axis theorem: moment of inertia about an axis through A",
+    product: "Parallel-axis theorem: product of inertia about A",
 };
 
 /// Principal moments and axes.
@@ -170,7 +170,7 @@ fn show_principal<W: Worksheet>(body: &Worked<W>, principal: &Principal, sheet: 
         sheet.warn(|| Text::new("all principal moments are equal: every axis through G is a principal axis"));
     } else if let Some(alone) = principal.symmetry_axis() {
         sheet.warn(|| {
-            Text::new("two principal moments are equal: every axis through G at right angles to the principal axis {n} is a principal axis")
+            Text::new("two principal moments are equal: every axis through G normal to the principal axis {n} is a principal axis")
                 .with("n", alone + 1)
         });
     }
@@ -255,7 +255,7 @@ impl Line {
             "I_L",
             "kg*m^2",
             through_g + body.mass * distance.powi(2),
-            ("Parallel axes: moment of inertia about the line", MERIAM.at("App. B/1")),
+            ("Parallel-axis theorem: moment of inertia about the line", MERIAM.at("App. B/1")),
         );
         sheet.answer("line_inertia", "Moment of inertia about the line", about);
         let radius = if about.value() > 1e-14 * body.properties.inertia.amax() {

@@ -21,11 +21,11 @@ pub struct Momentum {
     #[input(default = "mass-centre")]
     pub going: Going,
     /// Position of a point A.
-    /// The angular momentum is also wanted about it.
+    /// The angular momentum about it is also calculated.
     #[input("r_A", "m", default = "(0; 0; 0) m")]
     pub point: Vector3<f64>,
     /// A line.
-    /// The angular momentum about it is wanted.
+    /// The angular momentum about it is calculated.
     pub line: Option<Line>,
 }
 
@@ -36,7 +36,7 @@ impl Analysis for Momentum {
         id: "rigid-body/momentum",
         title: "Momentum and kinetic energy of a body",
         topic: "Inertia and momentum",
-        summary: "Linear and angular momentum of a body in space about its mass centre, a point and a line, and its kinetic energy.",
+        summary: "Linear and angular momentum of a body in space about its centre of mass, a point and a line, and its kinetic energy.",
         keywords: "angular momentum linear momentum kinetic energy inertia matrix major axis rule energy sink rolling disc \
                    momento angular quantidade de movimento energia cinética corpo rígido regra do eixo maior",
         sources: &[&RIUL, &BEER, &MERIAM],
@@ -76,7 +76,7 @@ impl Analysis for Momentum {
                 "γ",
                 "deg",
                 omega.cross(about_g).magnitude().atan2(omega.dot(about_g)),
-                "Angle between H_G and ω: none where ω lies along a principal axis",
+                "Angle between H_G and ω: zero where ω lies along a principal axis",
             );
             sheet.answer(
                 "momentum_angle",
@@ -92,7 +92,7 @@ impl Analysis for Momentum {
             "kg*m^2/s",
             about_g + arm.cross(linear),
             (
-                "Angular momentum about A: that about G, and the moment of the linear momentum at G",
+                "Angular momentum about A: that about G plus the moment of the linear momentum at G",
                 BEER.at("§18.1A"),
             ),
         );
@@ -125,8 +125,8 @@ impl Analysis for Momentum {
                 omega.value().norm() * about_g.value().norm(),
             );
         }
-        sheet.answer("translation_energy", "Kinetic energy of the motion of the mass centre", translation);
-        sheet.answer("rotation_energy", "Kinetic energy of the rotation about the mass centre", rotation);
+        sheet.answer("translation_energy", "Kinetic energy of the motion of the centre of mass", translation);
+        sheet.answer("rotation_energy", "Kinetic energy of the rotation about the centre of mass", rotation);
         sheet.answer("kinetic_energy", "Kinetic energy", total);
         self.energy_sink(&body, about_g, rotation, sheet)?;
 
@@ -197,7 +197,7 @@ fn line_momentum<W: Worksheet>(
         let moment = (arm - way * way.dot(arm)).cross(speed).dot(way);
         let second = moment + about_g.value().dot(way);
         sheet.check_sum(
-            "the angular momentum about the line from the arm across it",
+            "the angular momentum about the line from the perpendicular arm",
             component,
             second.into(),
             about_g.value().norm() + arm.norm() * speed.norm(),
@@ -241,28 +241,28 @@ impl Momentum {
             "I_max",
             "kg*m^2",
             principal.moments.z,
-            ("Largest principal moment of inertia", MERIAM.at("App. B/2")),
+            ("Maximum principal moment of inertia", MERIAM.at("App. B/2")),
         );
         let rate = sheet.step(
             "ω_f",
             "rad/s",
             about_g.magnitude() / largest,
-            "Where energy is lost inside the body and no couple acts, H_G stays: the rotation ends about the axis of the largest moment",
+            "If energy is dissipated inside the body and no couple acts, H_G is conserved: the rotation ends about the axis of maximum moment of inertia",
         );
         let lost = sheet.step(
             "ΔT/T",
             "1",
             W::Num::from(1.0) - largest * rate.powi(2) / 2.0 / rotation,
-            "Share of the kinetic energy of rotation that is lost by then",
+            "Fraction of the rotational kinetic energy that is lost by then",
         );
         sheet.answer(
             "final_speed",
             "Angular speed about the axis of the largest moment, with the same angular momentum",
             rate,
         );
-        sheet.answer("energy_lost", "Share of the kinetic energy of rotation lost by then", lost);
+        sheet.answer("energy_lost", "Fraction of the rotational kinetic energy lost by then", lost);
         sheet.check_sum(
-            "the kinetic energy that is left is half of H ω",
+            "the remaining kinetic energy is half of H ω",
             about_g.magnitude() * rate / 2.0,
             rotation - rotation * lost,
             rotation.value(),
@@ -280,7 +280,7 @@ impl Momentum {
         });
         if lost.value().abs() <= 1e-9 {
             sheet.warn(|| {
-                Text::new("the body turns about the axis of its largest moment: no energy can be lost while the angular momentum stays")
+                Text::new("the body rotates about the axis of its largest moment: no energy can be lost at constant angular momentum")
             });
         }
         Ok(())

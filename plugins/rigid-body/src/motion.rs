@@ -47,7 +47,7 @@ impl Analysis for Motion {
         id: "rigid-body/motion",
         title: "Motion of a rigid body in space",
         topic: "Motion in space",
-        summary: "A body that turns freely, about a fixed point under gravity, or under torques: attitude and angular velocity over time, with the drift of energy and angular momentum.",
+        summary: "A body that rotates freely, about a fixed point under gravity, or under torques: attitude and angular velocity over time, with the drift of energy and angular momentum.",
         keywords: "simulation simulação free body corpo livre fixed point ponto fixo heavy top pião torque torque-free Euler quaternion movimento atitude giroscópio polhode tumbling",
         sources: &[&GOLDSTEIN, &HAIRER_LUBICH_WANNER, &HAIRER, &BRULS],
         cases: include_str!("../cases/motion.toml"),
@@ -100,19 +100,15 @@ impl Motion {
         loads: &Loads,
         from: &Turning,
     ) -> Result<W::Num, Refusal> {
-        let omega = sheet.found_vector(
-            "ω",
-            "rad/s",
-            from.omega_body,
-            "Angular velocity at the start, in the axes of the body",
-        );
+        let omega =
+            sheet.found_vector("ω", "rad/s", from.omega_body, "Angular velocity at the start, in body axes");
         let principal = self.principal(given, sheet);
         let momentum = momentum(sheet, body, principal, omega);
         let kinetic = sheet.step(
             "T_0",
             "J",
             rigid::rotational_energy(omega, momentum),
-            ("Kinetic energy of the turning at the start: T = ω · H/2", GOLDSTEIN.at("§5.3")),
+            ("Kinetic energy of rotation at the start: T = ω · H/2", GOLDSTEIN.at("§5.3")),
         );
         let moment = body.inertia * body.acceleration(from, loads).map_err(|error| refusal(&error))?
             + from.omega_body.cross(body.inertia * from.omega_body);
@@ -120,11 +116,11 @@ impl Motion {
             "M",
             "N*m",
             clean(moment, moment.norm()),
-            "Moment of weight and torques about the point at the start, in the axes of the body",
+            "Moment of weight and torques about the point at the start, in body axes",
         );
         let alpha = principal.map(|moments| euler_acceleration(moments, omega, about));
         let why = (
-            "Angular acceleration at the start, from Euler's equations M = J α + ω × (J ω), in the axes of the body",
+            "Angular acceleration at the start, from Euler's equations M = J α + ω × (J ω), in body axes",
             GOLDSTEIN.at("§5.5"),
         );
         let alpha = match alpha {
@@ -148,8 +144,8 @@ impl Motion {
             PivotGiven::MassCentre {} => None,
             PivotGiven::FixedPoint { mass, centre, gravity, .. } => Some((mass, centre, gravity)),
             PivotGiven::Origin { gravity } => {
-                let mass = sheet.found("m", "kg", body.mass, "Mass of the body as it is described");
-                let reason = "Mass centre of the body as it is described, from its origin";
+                let mass = sheet.found("m", "kg", body.mass, "Mass of the body as described");
+                let reason = "Centre of mass of the body as described, from its origin";
                 let centre = sheet.found_vector("r_G", "m", clean(body.arm, body.arm.norm()), reason);
                 Some((mass, centre, gravity))
             }
@@ -162,7 +158,7 @@ impl Motion {
                 "V_0",
                 "J",
                 mass * gravity * centre.dot(up),
-                "Potential energy at the start, from the level of the fixed point",
+                "Potential energy at the start, relative to the level of the fixed point",
             );
             let energy = sheet.step("E", "J", kinetic + potential, "Energy at the start");
             sheet.answer("energy", "Energy at the start", energy);
@@ -171,11 +167,11 @@ impl Motion {
                 "a_G",
                 "m/s^2",
                 alpha.cross(centre) + omega.cross(omega.cross(centre)),
-                "Acceleration of the mass centre at the start: α × r + ω × (ω × r), in the axes of the body",
+                "Acceleration of the centre of mass at the start: α × r + ω × (ω × r), in body axes",
             );
             sheet.answer_vector(
                 "initial_acceleration",
-                "Acceleration of the mass centre at the start",
+                "Acceleration of the centre of mass at the start",
                 acceleration,
             );
             sheet.verify(|| {
@@ -184,15 +180,15 @@ impl Motion {
                     |t: f64| Rotation3::from_scaled_axis(omega * t + alpha * (t * t / 2.0)) * body.arm;
                 let speed = omega.norm() + alpha.norm().sqrt();
                 let Some(found) = second_rate(place, TAU / speed) else { return };
-                let what = "acceleration of the mass centre by differences of its place";
+                let what = "acceleration of the mass centre by finite differences of its position";
                 let size = speed.powi(2) * body.arm.norm();
                 sheet.check_zero(what, (found - acceleration.value()).norm().into(), size);
             });
         } else {
             sheet.answer("energy", "Energy at the start", kinetic);
         }
-        sheet.answer_vector("momentum_body", "Angular momentum at the start, axes of the body", momentum);
-        sheet.answer_vector("alpha_body", "Angular acceleration at the start, axes of the body", alpha);
+        sheet.answer_vector("momentum_body", "Angular momentum at the start, body axes", momentum);
+        sheet.answer_vector("alpha_body", "Angular acceleration at the start, body axes", alpha);
         Ok(whole)
     }
 
@@ -217,9 +213,9 @@ impl Motion {
                     "d",
                     "m",
                     centre.magnitude(),
-                    "Distance of the mass centre from the fixed point",
+                    "Distance of the centre of mass from the fixed point",
                 );
-                let reason = "Parallel axes: the moment about the fixed point is larger by m d² across the line to the mass centre, and the same along it";
+                let reason = "Parallel-axis theorem: the moment of inertia about the fixed point is larger by m d² transverse to the line to the centre of mass, and the same along it";
                 let symbols = ["J_x", "J_y", "J_z"];
                 Some(array::from_fn(|n| {
                     let along = centre.value()[n] != 0.0;
@@ -251,7 +247,7 @@ impl Motion {
         } else {
             (
                 Text::new(
-                    "Attitude (a unit quaternion) and angular momentum are followed by the method of Dormand and Prince of order 8, whose step holds the error; for a body of revolution in axes that do not spin with it",
+                    "Attitude (a unit quaternion) and angular momentum are integrated by the Dormand–Prince method of order 8 with step-size control; for a body of revolution, in axes that do not spin with it",
                 ),
                 HAIRER.at("§II.5"),
             )
@@ -269,9 +265,9 @@ impl Motion {
             "ω_xyz",
             "rad/s",
             clean(last.turning.omega_body, fastest),
-            "Angular velocity at the end, in the axes of the body",
+            "Angular velocity at the end, in body axes",
         );
-        sheet.answer_vector("omega_body", "Angular velocity at the end, axes of the body", in_body);
+        sheet.answer_vector("omega_body", "Angular velocity at the end, body axes", in_body);
         let in_space = vector(
             "ω_XYZ",
             "rad/s",
@@ -291,19 +287,19 @@ impl Motion {
             sheet.found("q0", "1", quaternion.w, "Attitude at the end as a unit quaternion: its real part");
         sheet.answer("quaternion_real", "Attitude at the end, unit quaternion, real part", scalar);
         let parts =
-            vector("q", "1", clean(quaternion.imag(), 1.0), "The other three parts of that quaternion");
+            vector("q", "1", clean(quaternion.imag(), 1.0), "The other three components of that quaternion");
         sheet.answer_vector("quaternion", "Attitude at the end, unit quaternion, the other parts", parts);
         let followed = last.turning.attitude * self.axis.vector();
         let axis =
-            vector("a", "1", clean(followed, 1.0), "Direction of the followed axis of the body at the end");
+            vector("a", "1", clean(followed, 1.0), "Direction of the tracked axis of the body at the end");
         sheet.answer_vector("axis", "Direction of the axis at the end", axis);
         if let Some(tilts) = moved.angles {
-            let why = "Least angle of the axis to the vertical Z on the way";
+            let why = "Minimum angle of the axis to the vertical Z over the motion";
             let least = sheet.found("θ_min", "deg", clean_angle(tilts.least.value), why);
-            sheet.answer("least_tilt", "Least angle of the axis to Z", least);
-            let why = "Largest angle of the axis to the vertical Z on the way";
+            sheet.answer("least_tilt", "Minimum angle of the axis to Z", least);
+            let why = "Maximum angle of the axis to the vertical Z over the motion";
             let largest = sheet.found("θ_max", "deg", clean_angle(tilts.greatest.value), why);
-            sheet.answer("largest_tilt", "Largest angle of the axis to Z", largest);
+            sheet.answer("largest_tilt", "Maximum angle of the axis to Z", largest);
             sheet.verify(|| {
                 let axis = self.axis.vector();
                 second_ways::tilts(
@@ -324,24 +320,24 @@ impl Motion {
                 "r_G",
                 "m",
                 clean(centre, body.arm.norm()),
-                "Mass centre at the end, from the fixed point",
+                "Centre of mass at the end, from the fixed point",
             );
-            sheet.answer_vector("centre", "Mass centre at the end, fixed axes", centre);
+            sheet.answer_vector("centre", "Centre of mass at the end, fixed axes", centre);
             centre_shown = Some(centre.value());
         }
-        let kinetic = sheet.found("T", "J", last.kinetic, "Kinetic energy of the turning at the end");
+        let kinetic = sheet.found("T", "J", last.kinetic, "Kinetic energy of rotation at the end");
         sheet.answer("kinetic_energy", "Kinetic energy at the end", kinetic);
         sheet.verify(|| {
             let parts = parts.value();
             let attitude = Quaternion::new(scalar.value(), parts.x, parts.y, parts.z);
-            sheet.check("the quaternion has norm one", W::Num::from(attitude.norm()), W::Num::from(1.0));
+            sheet.check("the quaternion has unit norm", W::Num::from(attitude.norm()), W::Num::from(1.0));
             let attitude = UnitQuaternion::new_normalize(attitude);
             if let Some(centre) = centre_shown {
-                let what = "the mass centre, turned from the axes of the body";
+                let what = "the mass centre, rotated from the body axes";
                 sheet.check_zero(what, (attitude * body.arm - centre).norm().into(), body.arm.norm());
             }
             if let Some(end) = second_ways::followed(body, loads, run, moved, time.value()) {
-                let what = "the attitude at the end, followed on from the moment before";
+                let what = "the attitude at the end, continued from the previous instant";
                 let off = end.attitude.angle_to(&attitude);
                 sheet.check_residual(what, off.into(), 1.0, second_ways::FOLLOWED);
             }
@@ -354,7 +350,7 @@ impl Motion {
             sheet.check_residual(what, (energy.value() - left).into(), size, lost);
             let (turns, spin) = (in_space.value(), in_body.value());
             sheet.check_zero(
-                "the angular velocity, turned from the axes of the body",
+                "the angular velocity, rotated from the body axes",
                 (attitude * spin - turns).norm().into(),
                 fastest,
             );
@@ -371,7 +367,7 @@ impl Motion {
                 turns.norm() * held.norm(),
             );
             sheet.check_zero(
-                "the followed axis, turned from the axes of the body",
+                "the tracked axis, rotated from the body axes",
                 (attitude * self.axis.vector() - axis.value()).norm().into(),
                 1.0,
             );
@@ -387,18 +383,18 @@ impl Motion {
             "δ_E",
             "1",
             next_power(energy),
-            "Bound of |T + V − W − E₀| over the motion, in parts of the largest energy",
+            "Bound on |T + V − W − E₀| over the motion, relative to the maximum energy",
         );
-        sheet.answer("energy_drift", "Energy kept to within", bound);
+        sheet.answer("energy_drift", "Energy conserved to within", bound);
         let reason = if weight.is_some() {
-            "Bound of |H_Z − ∫M_Z dt − H_Z0| over the motion, in parts of the largest |H|: the weight has no moment about the vertical"
+            "Bound on |H_Z − ∫M_Z dt − H_Z0| over the motion, relative to the maximum |H|: the weight has no moment about the vertical"
         } else {
-            "Bound of |H − ∫M dt − H₀| over the motion, in parts of the largest |H|"
+            "Bound on |H − ∫M dt − H₀| over the motion, relative to the maximum |H|"
         };
         let bound = sheet.found("δ_H", "1", next_power(momentum), reason);
-        sheet.answer("momentum_drift", "Angular momentum kept to within", bound);
+        sheet.answer("momentum_drift", "Angular momentum conserved to within", bound);
         if energy.max(momentum) > 1e-9 {
-            sheet.warn(|| "energy and angular momentum are not kept to nine digits: the last digits of the motion are doubtful".into());
+            sheet.warn(|| "energy and angular momentum are not conserved to nine digits: the last digits of the motion are unreliable".into());
         } else {
             sheet.check_zero("the energy balance T + V − W over the motion", energy.into(), 1.0);
             sheet.check_zero("the balance of angular momentum over the motion", momentum.into(), 1.0);
@@ -434,7 +430,7 @@ impl Motion {
                 return;
             };
             sheet.check_residual(
-                "the attitude at the end by the method of Dormand and Prince",
+                "the attitude at the end by the Dormand–Prince method",
                 last.turning.attitude.angle_to(&other).into(),
                 1.0,
                 changed.angle_to(&other) / CHANGE * run.tolerance * (omega.norm() * self.duration).max(1.0),
@@ -498,10 +494,10 @@ fn refusal(error: &SimulateError) -> Refusal {
             "these are not the moments of inertia of a body: the principal moments must all be positive; correct the moments or the products of inertia",
         ),
         SimulateError::Motion(OdeError::TooManySteps { .. }) => Refusal::because(
-            "the motion asks for too many steps: the body turns too often in this duration; make it shorter",
+            "the motion requires too many steps: the body makes too many revolutions in this duration; make it shorter",
         ),
         SimulateError::NotFinite | SimulateError::Step { .. } | SimulateError::Motion(_) => Refusal::because(
-            "the motion cannot be followed with these numbers: they are too large or too small beside each other",
+            "the motion cannot be integrated with these values: they are too large or too small relative to each other",
         ),
     }
 }

@@ -32,9 +32,9 @@ pub struct RateOfChange {
     #[input(min = 1)]
     pub joints: Vec<Joint>,
     /// Moving frame.
-    /// Its axes are those of all vectors.
+    /// All vectors are resolved along its axes.
     pub frame: Axes,
-    /// Point of the moments.
+    /// Reference point for moments.
     pub about: Point,
 }
 
@@ -60,7 +60,7 @@ impl Analysis for RateOfChange {
         id: "rigid-body/rate-of-change",
         title: "Rate of change of angular momentum",
         topic: "Inertia and momentum",
-        summary: "dH/dt = (dH/dt) relative + Ω × H of a body on a chain of joints, in a chosen moving frame, and the force and couple of its inertia at any point.",
+        summary: "dH/dt = (dH/dt) relative + Ω × H of a body on a chain of joints, in a chosen moving frame, and the inertia force and couple at any point.",
         keywords: "angular momentum rate Euler equations inertia couple d'Alembert momento angular taxa de variação equações de Euler \
                    força e binário de inércia referencial móvel haltere dumbbell",
         sources: &[&RIUL, &BEER, &IRODOV],
@@ -84,7 +84,7 @@ impl Analysis for RateOfChange {
             "ρ_G",
             "m",
             turned.centre,
-            "Mass centre G from the origin of the last frame, in the axes of the moving frame",
+            "Centre of mass G from the origin of the last frame, in the axes of the moving frame",
         );
         let (velocity, acceleration) =
             joints::carried(worked.origins(&given.joints, sheet)[last], omega, alpha, arm);
@@ -94,7 +94,7 @@ impl Analysis for RateOfChange {
             "a_G",
             "m/s^2",
             acceleration,
-            ("Acceleration of the mass centre", BEER.at("§15.5B")),
+            ("Acceleration of the centre of mass", BEER.at("§15.5B")),
         );
         let centre = seen_from(frame, frames[last].point(body.centre).place);
         let from = match &self.about {
@@ -105,7 +105,12 @@ impl Analysis for RateOfChange {
         let (about, moment) = match from.filter(|from| *from != Vector3::zeros()) {
             None => (momentum, rate),
             Some(from) => {
-                let from = sheet.found_vector("r", "m", from, "Mass centre G from the point of the moments");
+                let from = sheet.found_vector(
+                    "r",
+                    "m",
+                    from,
+                    "Centre of mass G from the reference point for moments",
+                );
                 (
                     sheet.step_vector(
                         "H_A",
@@ -129,13 +134,13 @@ impl Analysis for RateOfChange {
             "F_in",
             "N",
             -(acceleration * mass),
-            ("Inertia force, against the acceleration of G", RIUL.at("eqs. 22–23")),
+            ("Inertia force, opposite to the acceleration of G", RIUL.at("eqs. 22–23")),
         );
         let couple = sheet.step_vector(
             "C_in",
             "N*m",
             -moment,
-            ("Inertia couple that goes with it at the point", RIUL.at("eqs. 22–23")),
+            ("Corresponding inertia couple at the point", RIUL.at("eqs. 22–23")),
         );
         let size = sheet.step("H", "kg*m^2/s", about.magnitude(), "Magnitude of the angular momentum");
         let along = sheet.step(
@@ -161,14 +166,14 @@ impl Analysis for RateOfChange {
             let (turning, why) = if beside {
                 let about_axis = axis.dot(momentum + arm.cross(velocity * mass));
                 let why =
-                    "Over half a turn all of it is turned round, but for the angular momentum about the axis";
+                    "Over half a revolution everything reverses except the angular momentum about the axis";
                 ((about - axis * about_axis).magnitude(), why)
             } else {
-                let why = "Over half a turn the part across the axis is turned round";
+                let why = "Over half a revolution the transverse component reverses";
                 (axis.cross(about).magnitude(), why)
             };
             let change = sheet.step("ΔH", "kg*m^2/s", turning * 2.0, (why, IRODOV.at("")));
-            sheet.answer("half_turn_change", "Change of the angular momentum over half a turn", change);
+            sheet.answer("half_turn_change", "Change of the angular momentum over half a revolution", change);
             change
         });
         sheet.verify(|| {
@@ -197,7 +202,7 @@ impl Analysis for RateOfChange {
                 let mut turned = now;
                 turned[0].angle += PI;
                 let Some(at_last) = self.momentum_at(&body, &turned, point) else { return };
-                let what = "the angular momentum R I Rᵀ ω half a turn later";
+                let what = "the angular momentum R I Rᵀ ω half a revolution later";
                 sheet.check_sum(what, change, (at_last - at_first).norm().into(), at_first.norm());
             }
         });
@@ -227,7 +232,7 @@ impl RateOfChange {
                 "ω̇",
                 "rad/s^2",
                 alpha - turning.cross(omega),
-                "Rates of the components of ω in the axes of the moving frame",
+                "Rates of change of the components of ω in the axes of the moving frame",
             )
         };
         let mut seen = inertia.times(component_rates);
@@ -246,13 +251,13 @@ impl RateOfChange {
                 "ε",
                 "rad/s^2",
                 relative.cross(omega),
-                "How the turning of the body relative to the moving frame carries ω along",
+                "Transport term of ω due to the rotation of the body relative to the moving frame",
             );
             let changing = sheet.step_vector(
                 "Ḣ_I",
                 "N*m",
                 relative.cross(momentum) - inertia.times(across),
-                "What the change of the moments and products of inertia in these axes adds; nothing for a body of revolution about its own axis",
+                "Contribution of the changing moments and products of inertia in these axes; zero for a body of revolution about its own axis",
             );
             seen = seen + changing;
         }
@@ -260,7 +265,7 @@ impl RateOfChange {
             "Ḣ_rel",
             "N*m",
             seen,
-            ("Rate of change seen by someone who turns with the moving frame", RIUL.at("eq. 47")),
+            ("Rate of change relative to the moving frame", RIUL.at("eq. 47")),
         );
         sheet.answer_vector("relative_rate", "(dH/dt) relative to the moving frame, about G", seen);
         if axes == 0 {
@@ -270,7 +275,7 @@ impl RateOfChange {
             "Ḣ_turn",
             "N*m",
             rigid::transport_rate(turning, momentum),
-            ("Rate of change owed to the turning of the axes: Ω × H", RIUL.at("eqs. 42–44")),
+            ("Transport term Ω × H", RIUL.at("eqs. 42–44")),
         );
         sheet.answer_vector("transport_rate", "Ω × H", transport);
         sheet.step_vector(
@@ -318,7 +323,7 @@ impl RateOfChange {
         let off =
             |ours: W::Vec, other: Vector3<f64>| W::Num::from((frame.rotation * ours.value() - other).norm());
         sheet.check_zero(
-            "the angular momentum from the inertia tensor turned with the body: R I Rᵀ ω",
+            "the angular momentum from the inertia tensor rotated with the body: R I Rᵀ ω",
             off(about, at(0.0)),
             size.max(about.value().norm()),
         );
@@ -370,7 +375,7 @@ impl RateOfChange {
         }
         let [x, y, z] = curves;
         Plot::new(
-            "dH/dt about G in the fixed axes over a turn of the first joint",
+            "dH/dt about G in the fixed axes over one revolution of the first joint",
             Axis::linear("angle", "deg"),
             Axis::linear("couple", "N*m"),
             vec![

@@ -32,7 +32,7 @@ pub struct Reactions {
     /// Body.
     pub body: Body,
     /// Joints that move it.
-    /// One for a body on a shaft; for a body carried by something that moves, a chain.
+    /// One for a body on a shaft; a chain for a body carried by a moving support.
     #[input(min = 1)]
     pub joints: Vec<Joint>,
     /// Drive of the last joint.
@@ -45,7 +45,7 @@ pub struct Reactions {
     /// Loads.
     pub loads: Vec<Load>,
     /// Acceleration of gravity, in the fixed axes.
-    /// Zero when the weight does not count.
+    /// Zero to neglect the weight.
     #[input("g", "m/s^2", default = "(0; 0; -9.81) m/s^2")]
     pub gravity: Vector3<f64>,
 }
@@ -53,9 +53,9 @@ pub struct Reactions {
 /// What is known of the drive.
 #[derive(Clone, Debug, Inputs)]
 pub enum Drive {
-    /// Motion as given; its couple is found
+    /// Given motion; its couple is calculated
     Motion,
-    /// Couple about the axis given; the acceleration is found
+    /// Given couple about the axis; the acceleration is calculated
     Couple {
         /// Couple about the axis of the last joint.
         /// Zero for a body that turns freely.
@@ -69,7 +69,7 @@ pub enum Drive {
 pub struct Load {
     /// Name.
     pub name: String,
-    /// What acts.
+    /// Type of load.
     pub acts: Acts,
 }
 
@@ -81,7 +81,7 @@ pub enum Acts {
         /// Force.
         #[input("F", "N")]
         force: Vector3<f64>,
-        /// Point that it acts on.
+        /// Point of application.
         #[input("r_F", "m")]
         at: Vector3<f64>,
     },
@@ -98,8 +98,8 @@ register!(Reactions);
 impl Analysis for Reactions {
     const ABOUT: About = About {
         id: "rigid-body/reactions",
-        title: "Reactions on a turning body",
-        topic: "Bodies on turning shafts",
+        title: "Reactions on a rotating body",
+        topic: "Bodies on rotating shafts",
         summary: "Forces and couples of bearings, hinges, welds, wires and contacts on a body that turns about a shaft or on a chain of joints, by d'Alembert.",
         keywords: "dynamic reactions bearings unbalance shaft plate rod reações dinâmicas mancais mancal rótula pino engaste cabo fio contato \
                    d'Alembert binário motor giroscópico desbalanceamento estática isostático hiperestático",
@@ -114,7 +114,7 @@ impl Analysis for Reactions {
             && self.joints.last().is_some_and(|joint| joint.plain().acceleration != 0.0)
         {
             return Err(Refusal::because(
-                "the couple of the drive is given, and the acceleration of the last joint too: leave that at zero, or let the couple be found",
+                "the driving torque is given, and the acceleration of the last joint too: leave that at zero, or let the torque be calculated",
             ));
         }
         let axes = self.axes.place();
@@ -204,12 +204,12 @@ impl Reactions {
             "ρ_G",
             "m",
             turned.centre,
-            "Mass centre G from the origin of the last frame, in the axes of the supports",
+            "Centre of mass G from the origin of the last frame, in the axes of the supports",
         );
         let centre = if origin == Vector3::zeros() {
             arm
         } else {
-            let why = "Mass centre G from the origin of the axes of the supports";
+            let why = "Centre of mass G from the origin of the axes of the supports";
             sheet.found_vector("r_G", "m", turned.centre + origin, why)
         };
         let inertia = Inertia::found(&turned.inertia, sheet);
@@ -223,9 +223,9 @@ impl Reactions {
             "m/s^2",
             acceleration,
             match self.drive {
-                Drive::Motion => ("Acceleration of the mass centre", BEER.at("§15.5B")),
+                Drive::Motion => ("Acceleration of the centre of mass", BEER.at("§15.5B")),
                 Drive::Couple { .. } => {
-                    ("Acceleration of the mass centre without that of the last joint", BEER.at("§15.5B"))
+                    ("Acceleration of the centre of mass excluding that of the last joint", BEER.at("§15.5B"))
                 }
             },
         );
@@ -242,7 +242,7 @@ impl Reactions {
                 given.gravity,
                 0,
                 (["g′", "g″", "g‴", "g⁗"], 0, "m/s^2"),
-                ("Acceleration of gravity in axes turned by {by}", ""),
+                ("Acceleration of gravity in axes rotated by {by}", ""),
                 sheet,
             );
             let weight = sheet.step_vector("W", "N", gravity * motion.mass, "Weight of the body, at G");
@@ -289,7 +289,7 @@ impl Reactions {
                     symbols[0],
                     "N*m",
                     motion.inertia.times(alpha),
-                    ("Rate of change seen by someone who turns with the body", RIUL.at("eq. 47")),
+                    ("Rate of change relative to axes rotating with the body", RIUL.at("eq. 47")),
                 );
                 seen + turned
             };
@@ -297,7 +297,7 @@ impl Reactions {
         };
         let rate_with = |alpha: W::Vec| {
             let why =
-                "Rate of change of the angular momentum about G, with Ω × H for axes that turn with the body";
+                "Rate of change of the angular momentum about G, with Ω × H for axes rotating with the body";
             sum(["Ḣ_rel", "Ḣ_G"], alpha, why)
         };
         let last = &self.joints[self.joints.len() - 1];
@@ -311,7 +311,7 @@ impl Reactions {
         };
         if held.against_the_drive() {
             return Err(Refusal::NoAnswer(
-                Text::new("the supports hold the body against turning about {name}: let the motion be as given, with its acceleration")
+                Text::new("the supports hold the body against turning about {name}: use the given motion, with its acceleration")
                     .with("name", &last.name),
             ));
         }
@@ -331,7 +331,7 @@ impl Reactions {
             <= 1e-14 * (motion.inertia.size() + motion.mass.value() * arm.value().norm_squared())
         {
             return Err(Refusal::because(
-                "the body has no moment of inertia about the axis of the last joint: a couple cannot tell its acceleration",
+                "the body has no moment of inertia about the axis of the last joint: a couple cannot determine its acceleration",
             ));
         }
         // Loads about a point of the axis: the origin of the last frame.
@@ -354,11 +354,11 @@ impl Reactions {
             "rad/s^2",
             (moment - inertia) / about_axis,
             (
-                "Moments about the axis of the last joint, to which no support adds: T + M − e · (Ḣ + ρ × m a) = J θ̈",
+                "Moments about the axis of the last joint, about which the supports exert none: T + M − e · (Ḣ + ρ × m a) = J θ̈",
                 BEER.at("§18.2"),
             ),
         );
-        let name = "Angular acceleration of the body, with that of the last joint";
+        let name = "Angular acceleration of the body, including that of the last joint";
         let alpha = if motion.alpha.value() == Vector3::zeros() {
             axis * joint_acceleration
         } else {
@@ -369,7 +369,7 @@ impl Reactions {
             "a_G",
             "m/s^2",
             motion.acceleration + (axis * joint_acceleration).cross(arm),
-            "Acceleration of the mass centre, with that of the last joint",
+            "Acceleration of the centre of mass, including that of the last joint",
         );
         let rate = rate_with(alpha);
         sheet.answer("angular_acceleration", "Angular acceleration of the last joint", joint_acceleration);
@@ -391,19 +391,19 @@ impl Reactions {
             "F_in",
             "N",
             -(moved.acceleration * motion.mass),
-            ("Inertia force, against the acceleration of G", RIUL.at("eqs. 22–23")),
+            ("Inertia force, opposite to the acceleration of G", RIUL.at("eqs. 22–23")),
         );
         let couple = sheet.step_vector(
             "C_in",
             "N*m",
             -moved.rate,
-            ("Inertia couple, against the change of the angular momentum", RIUL.at("eqs. 22–23")),
+            ("Inertia couple, opposite to the rate of change of the angular momentum", RIUL.at("eqs. 22–23")),
         );
         let all = sheet.step_vector(
             "ΣF",
             "N",
             loads.force.map_or(force, |loads| loads + force),
-            "Forces that the supports must balance",
+            "Forces to be balanced by the supports",
         );
         let mut moments: Vec<W::Vec> = loads.moment.into_iter().collect();
         if motion.centre.value() != Vector3::zeros() {
@@ -415,7 +415,7 @@ impl Reactions {
             "ΣM",
             "N*m",
             W::Vec::sum(moments),
-            "Moments that the supports must balance, about the origin of their axes",
+            "Moments to be balanced by the supports, about the origin of their axes",
         );
         let known = Wrench { force: all.value(), moment: moment.value() };
         let axis = motion.worked.last_axis;
@@ -456,7 +456,7 @@ impl Reactions {
                 let own = of.moment_about(support.at);
                 let how = "Couple of {name}, from the same equations";
                 let couple = sheet.found_vector(("C", n + 1), "N*m", own, Named(how, &support.name, None));
-                sheet.answer_vector(("reaction_couple", n + 1), "Couple of the support", couple);
+                sheet.answer_vector(("reaction_couple", n + 1), "Support couple", couple);
                 sheet.whose(("reaction_couple", n + 1), &support.name);
                 turning = turning + couple;
             }
@@ -466,10 +466,10 @@ impl Reactions {
             held.own_numbers(n, of, reaction, &given.supports[n], sheet);
         }
         if let (Some(drive), None) = (drive, moved.couple) {
-            let how = "Couple of the drive about the axis of the last joint, from the same equations";
+            let how = "Driving torque about the axis of the last joint, from the same equations";
             // Not −0.
             let drive = sheet.found("T", "N*m", drive + 0.0, how);
-            sheet.answer("drive_couple", "Couple of the drive", drive);
+            sheet.answer("drive_couple", "Driving torque", drive);
             turning = turning + motion.worked.last_axis * drive;
         }
         sheet.answer_vector("inertia_force", "Inertia force at G", force);
@@ -493,7 +493,7 @@ impl Reactions {
         if let (Some(without), Some(couple)) = (&without, moved.couple)
             && let Ok((_, Some(drive))) = held.reactions(without, true)
         {
-            let what = "the couple of the drive from the six equations";
+            let what = "the driving torque from the six equations";
             sheet.check_sum(what, couple, drive.into(), largest_moment);
         }
         if let Some((still, holding)) = &at_rest {
@@ -528,13 +528,13 @@ impl Reactions {
         let name = &self.supports[n].name;
         if let Some(at_rest) = at_rest.filter(|_| self.gravity != Vector3::zeros() || !self.loads.is_empty())
         {
-            let how = "Reaction of {name} to weight and loads at rest, with the body held by a couple about the last axis";
+            let how = "Reaction of {name} to weight and loads at rest, with the body restrained by a couple about the last axis";
             let static_part = sheet.found_vector(("R_s", n + 1), "N", at_rest.force, Named(how, name, None));
             let dynamic = sheet.step_vector(
                 ("R_d", n + 1),
                 "N",
                 reaction - static_part,
-                Named("What the motion adds to the reaction of {name}", name, None),
+                Named("Dynamic part of the reaction of {name}", name, None),
             );
             sheet.answer_vector(("static_reaction", n + 1), "Static reaction", static_part);
             sheet.whose(("static_reaction", n + 1), name);

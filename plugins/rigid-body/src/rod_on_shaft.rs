@@ -34,7 +34,7 @@ pub struct RodOnShaft {
     #[input("α", "rad/s^2", default = "0 rad/s^2")]
     pub acceleration: f64,
     /// Angle of the shaft.
-    /// From the fixed axes to those that turn with the shaft, about y.
+    /// From the fixed axes to the axes rotating with the shaft, about y.
     #[input("φ", "rad", default = "0 deg")]
     pub shaft_angle: f64,
 }
@@ -61,9 +61,9 @@ register!(RodOnShaft);
 impl Analysis for RodOnShaft {
     const ABOUT: About = About {
         id: "rigid-body/rod-on-shaft",
-        title: "Slender rod welded to a turning shaft",
-        topic: "Bodies on turning shafts",
-        summary: "Angular momentum of an inclined rod that turns with a shaft, its rate of change, and the couple that the shaft exerts.",
+        title: "Slender rod welded to a rotating shaft",
+        topic: "Bodies on rotating shafts",
+        summary: "Angular momentum of an inclined rod that rotates with a shaft, its rate of change, and the couple that the shaft exerts.",
         keywords: "rod shaft couple weld haste eixo binário soldada inclinada momento angular exemplo 4",
         sources: &[&RIUL, &BEER, &IRODOV],
         cases: include_str!("../cases/rod_on_shaft.toml"),
@@ -80,7 +80,7 @@ impl Analysis for RodOnShaft {
             "I",
             "kg*m^2",
             rigid::rod_inertia_half_length(given.mass, given.half_length),
-            ("Moment of inertia across the rod, I_y′ = I_z′; along it, Iₓ′ = 0", RIUL.at("eq. 4.2")),
+            ("Transverse moment of inertia of the rod, I_y′ = I_z′; along it, Iₓ′ = 0", RIUL.at("eq. 4.2")),
         );
         sheet.step(
             "ωₓ′",
@@ -92,19 +92,19 @@ impl Analysis for RodOnShaft {
             "ω_y′",
             "rad/s",
             given.speed * across_shaft,
-            ("Component of the angular velocity across the rod", RIUL.at("eq. 4.3")),
+            ("Component of the angular velocity transverse to the rod", RIUL.at("eq. 4.3")),
         );
         let across = sheet.step(
             "H_y′",
             "kg*m^2/s",
             inertia * omega_across,
-            ("Angular momentum in the axes of the rod: only ω_y′ adds to it", RIUL.at("eqs. 4.1, 4.4")),
+            ("Angular momentum in the axes of the rod: only ω_y′ contributes", RIUL.at("eqs. 4.1, 4.4")),
         );
         let momentum = sheet.step_vector(
             "H_G",
             "kg*m^2/s",
             W::Vec::from_components(across * along_shaft, across * across_shaft, zero),
-            ("Angular momentum in the axes that turn with the shaft", RIUL.at("eq. 4.6")),
+            ("Angular momentum in the axes rotating with the shaft", RIUL.at("eq. 4.6")),
         );
         let size = sheet.step("H", "kg*m^2/s", across.abs(), "Magnitude of the angular momentum");
         let axial = sheet.step(
@@ -117,20 +117,20 @@ impl Analysis for RodOnShaft {
             "Ω",
             "rad/s",
             W::Vec::from_components(zero, given.speed, zero),
-            ("The axes xyz turn with the shaft", RIUL.at("eq. 4.7")),
+            ("The axes xyz rotate with the shaft", RIUL.at("eq. 4.7")),
         );
         let across_rate = inertia * given.acceleration * across_shaft;
         let seen = sheet.step_vector(
             "Ḣ_rel",
             "N*m",
             W::Vec::from_components(across_rate * along_shaft, across_rate * across_shaft, zero),
-            ("Rate of change seen by someone who turns with the shaft", RIUL.at("eqs. 4.9, 47")),
+            ("Rate of change relative to axes rotating with the shaft", RIUL.at("eqs. 4.9, 47")),
         );
         let turned = sheet.step_vector(
             "Ḣ_turn",
             "N*m",
             rigid::transport_rate(axes, momentum),
-            ("Rate of change owed to the turning of the axes: Ω × H", RIUL.at("eq. 4.7")),
+            ("Transport term Ω × H", RIUL.at("eq. 4.7")),
         );
         let couple = sheet.step_vector(
             "M_G",
@@ -160,12 +160,12 @@ impl Analysis for RodOnShaft {
             "T",
             "J",
             rigid::rotational_energy(axes, momentum),
-            ("Kinetic energy: G stands still", BEER.at("§18.1C")),
+            ("Kinetic energy: G is at rest", BEER.at("§18.1C")),
         );
-        sheet.answer("inertia", "Moment of inertia across the rod", inertia);
+        sheet.answer("inertia", "Transverse moment of inertia of the rod", inertia);
         sheet.answer_vector(
             "angular_momentum",
-            "Angular momentum about the middle, axes of the shaft",
+            "Angular momentum about the midpoint, axes of the shaft",
             momentum,
         );
         sheet.answer("angular_momentum_size", "Magnitude of the angular momentum", size);
@@ -176,7 +176,7 @@ impl Analysis for RodOnShaft {
         sheet.answer("tilting_couple", "Couple on the rod about z", closed);
         sheet.answer_vector(
             "fixed_angular_momentum",
-            "Angular momentum about the middle, fixed axes",
+            "Angular momentum about the midpoint, fixed axes",
             fixed_momentum,
         );
         sheet.answer_vector("fixed_couple", "Couple on the rod, fixed axes", fixed_couple);
@@ -222,7 +222,7 @@ impl RodOnShaft {
         };
         let inertia = rigid::rod_inertia_half_length(self.mass, self.half_length);
         sheet.check_zero(
-            "the angular momentum from the inertia tensor of the turned rod",
+            "the angular momentum from the inertia tensor of the rotated rod",
             W::Num::from((momentum_at(0.0) - momentum.value()).norm()),
             inertia * self.speed.abs(),
         );
@@ -299,6 +299,6 @@ impl RodOnShaft {
         };
         shapes.push(DrawnShape::Arc((0.0, 0.0), 0.5, from, to, Ink::Faint));
         shapes.push(DrawnShape::Label((0.6 * at.cos(), 0.6 * at.sin()), Text::from("β")));
-        Drawing { title: "The rod in the plane that turns with the shaft".into(), shapes }
+        Drawing { title: "The rod in the plane rotating with the shaft".into(), shapes }
     }
 }

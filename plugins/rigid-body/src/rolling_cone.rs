@@ -46,19 +46,19 @@ pub enum Cone {
     Shell,
     /// Given
     Given {
-        /// Mass centre from the apex, on the axis.
+        /// Centre of mass from the apex, on the axis.
         #[input("l", "m", positive)]
         centre: f64,
         /// Moment of inertia about the axis.
         #[input("I_a", "kg*m^2", positive)]
         axial: f64,
-        /// Moment of inertia across the axis, through the apex.
+        /// Transverse moment of inertia, about the apex.
         #[input("I_t", "kg*m^2", positive)]
         transverse: f64,
     },
 }
 
-/// What is known of the motion.
+/// Known quantity of the motion.
 #[derive(Clone, Debug, Inputs)]
 pub enum Known {
     /// Precession
@@ -82,7 +82,7 @@ impl Analysis for RollingCone {
         id: "rigid-body/rolling-cone",
         title: "Cone rolling on a plane about its apex",
         topic: "Rolling bodies",
-        summary: "Angular velocity, angular momentum and kinetic energy of a cone that rolls about its apex, where the normal force acts, the friction it needs, and the precession at which it tips.",
+        summary: "Angular velocity, angular momentum and kinetic energy of a cone that rolls about its apex, position of the normal force, required friction, and the precession at which it tips.",
         keywords: "cone rolling apex precession tipping cone rolamento vértice geratriz precessão tombamento landau",
         sources: &[&LANDAU, &BEER],
         cases: include_str!("../cases/rolling_cone.toml"),
@@ -96,7 +96,7 @@ impl Analysis for RollingCone {
         let (centre, axial, transverse) = match given.cone {
             ConeGiven::Given { centre, axial, transverse } => (centre, axial, transverse),
             ConeGiven::Solid {} => (
-                sheet.step("l", "m", height * 3.0 / 4.0, "Mass centre of a solid cone, from the apex"),
+                sheet.step("l", "m", height * 3.0 / 4.0, "Centre of mass of a solid cone, from the apex"),
                 sheet.step(
                     "I_a",
                     "kg*m^2",
@@ -107,11 +107,11 @@ impl Analysis for RollingCone {
                     "I_t",
                     "kg*m^2",
                     mass * (radius.powi(2) / 4.0 + height.powi(2)) * 3.0 / 5.0,
-                    "Moment of inertia of a solid cone across its axis, through the apex",
+                    "Transverse moment of inertia of a solid cone, about the apex",
                 ),
             ),
             ConeGiven::Shell {} => (
-                sheet.step("l", "m", height * 2.0 / 3.0, "Mass centre of a conical shell, from the apex"),
+                sheet.step("l", "m", height * 2.0 / 3.0, "Centre of mass of a conical shell, from the apex"),
                 sheet.step(
                     "I_a",
                     "kg*m^2",
@@ -122,14 +122,13 @@ impl Analysis for RollingCone {
                     "I_t",
                     "kg*m^2",
                     mass * (radius.powi(2) / 4.0 + height.powi(2) / 2.0),
-                    "Moment of inertia of a conical shell across its axis, through the apex",
+                    "Transverse moment of inertia of a conical shell, about the apex",
                 ),
             ),
         };
         if (centre * cos).value() > slant.value() {
             return Err(Refusal::because(
-                "the mass centre lies beyond the edge of the base, seen along the line of contact: the cone tips at rest; write a \
-                 mass centre nearer to the apex",
+                "the mass centre lies beyond the edge of the base, measured along the line of contact: the cone tips at rest; write a mass centre nearer to the apex",
             ));
         }
         let (precession, omega) = match given.known {
@@ -139,7 +138,7 @@ impl Analysis for RollingCone {
                     "rad/s",
                     rolling::cone_angular_velocity(precession, angle),
                     (
-                        "The line of contact rests: ω lies along it, and the mass centre moves with φ̇ l cos α = ω l sin α",
+                        "The line of contact is at rest: ω lies along it, and the mass centre moves with φ̇ l cos α = ω l sin α",
                         LANDAU.at("§32, problem 7"),
                     ),
                 );
@@ -151,7 +150,7 @@ impl Analysis for RollingCone {
                     "rad/s",
                     omega * tan,
                     (
-                        "The line of contact rests: the mass centre moves with φ̇ l cos α = ω l sin α",
+                        "The line of contact is at rest: the mass centre moves with φ̇ l cos α = ω l sin α",
                         LANDAU.at("§32, problem 7"),
                     ),
                 );
@@ -159,12 +158,12 @@ impl Analysis for RollingCone {
             }
         };
         let along = sheet.step("ω_a", "rad/s", omega * cos, "Component of ω along the axis of the cone");
-        let across = sheet.step("ω_t", "rad/s", omega * sin, "Component of ω across the axis");
+        let across = sheet.step("ω_t", "rad/s", omega * sin, "Transverse component of ω");
         let energy = sheet.step(
             "T",
             "J",
             (axial * along.powi(2) + transverse * across.powi(2)) / 2.0,
-            ("Kinetic energy: the apex rests", BEER.at("§18.1C")),
+            ("Kinetic energy: the apex is at rest", BEER.at("§18.1C")),
         );
         // The axis of the cone is (cos α; 0; sin α), the direction across it and down (sin α; 0; −cos α).
         let momentum = sheet.step_vector(
@@ -175,7 +174,7 @@ impl Analysis for RollingCone {
                 W::Num::from(0.0),
                 axial * along * sin - transverse * across * cos,
             ),
-            "Angular momentum about the apex, for ω along +x: I_a ω_a along the axis, I_t ω_t across it",
+            "Angular momentum about the apex, for ω along +x: axial I_a ω_a, transverse I_t ω_t",
         );
         // Rolling with ω along +x, the cone precesses about −z.
         let turning = W::Vec::from_components(W::Num::from(0.0), W::Num::from(0.0), -precession);
@@ -183,16 +182,16 @@ impl Analysis for RollingCone {
             "Ḣ",
             "N*m",
             rigid::transport_rate(turning, momentum),
-            ("Rate of change: in the axes that turn with the line of contact H is constant, so Ω × H with Ω = −φ̇ k", BEER.at("§18.2")),
+            ("Rate of change: H is constant in axes rotating with the line of contact, so Ω × H with Ω = −φ̇ k", BEER.at("§18.2")),
         );
         let [_, couple, _] = rate.components();
-        let normal = sheet.step("N", "N", mass * gravity, "Normal force of the plane, all of it");
-        let lever = sheet.step("x_G", "m", centre * cos, "Mass centre, along the line of contact");
+        let normal = sheet.step("N", "N", mass * gravity, "Total normal force of the plane");
+        let lever = sheet.step("x_G", "m", centre * cos, "Centre of mass, along the line of contact");
         let place = sheet.step(
             "x_N",
             "m",
             lever - couple / normal,
-            "Where the normal force acts, from the apex: moments about y, m g x_G − N x_N = Ḣ_y",
+            "Distance of the normal force from the apex: moments about y, m g x_G − N x_N = Ḣ_y",
         );
         let force = sheet.step(
             "F",
@@ -204,20 +203,20 @@ impl Analysis for RollingCone {
             "μ_min",
             "1",
             force / normal,
-            "Coefficient of friction that this needs, with nothing but friction at the apex",
+            "Coefficient of friction required for this motion, with only friction at the apex",
         );
         // Of the couple all is in the square of the precession.
         let momentum_part = sheet.step(
             "I_c",
             "kg*m^2",
             (axial * cos.powi(2) + transverse * sin.powi(2)) * cos / sin,
-            "Couple over the square of the precession: |Ḣ|/φ̇² = (I_a cos² α + I_t sin² α) cot α",
+            "Couple divided by the square of the precession rate: |Ḣ|/φ̇² = (I_a cos² α + I_t sin² α) cot α",
         );
         let tipping = sheet.step(
             "φ̇_max",
             "rad/s",
             (normal * (slant - lever) / momentum_part).sqrt(),
-            "Precession at which the normal force comes to the edge of the base, x_N = s: beyond it the apex would lift",
+            "Precession at which the normal force reaches the edge of the base, x_N = s: above it the apex would lift",
         );
         match self.known {
             Known::Precession { .. } => sheet.answer("omega", "Angular velocity of the cone", omega),
@@ -227,13 +226,13 @@ impl Analysis for RollingCone {
         sheet.answer_vector("momentum", "Angular momentum about the apex", momentum);
         sheet.answer_vector("momentum_rate", "Rate of change of the angular momentum", rate);
         sheet.answer("normal", "Normal force", normal);
-        sheet.answer("normal_place", "Where the normal force acts, from the apex", place);
+        sheet.answer("normal_place", "Distance of the normal force from the apex", place);
         sheet.answer("slant", "Length of the line of contact", slant);
         sheet.answer("friction", "Horizontal force towards the axis", force);
-        sheet.answer("friction_needed", "Coefficient of friction needed", demand);
-        sheet.answer("tipping", "Precession at which it tips", tipping);
+        sheet.answer("friction_needed", "Required coefficient of friction", demand);
+        sheet.answer("tipping", "Precession at tipping", tipping);
         if place.value() > slant.value() {
-            sheet.warn(|| "the normal force would have to act beyond the base: the cone tips about its edge and cannot roll so".into());
+            sheet.warn(|| "the normal force would have to act beyond the base: the cone tips about its edge and cannot roll in this way".into());
         }
         sheet.verify(|| {
             if matches!(self.cone, Cone::Solid) {
@@ -254,19 +253,24 @@ impl Analysis for RollingCone {
             let centre = Vector3::new(lever.value(), 0.0, (centre * sin).value());
             let at = |t: f64| Rotation3::from_scaled_axis(about * t) * centre;
             if let Some(acceleration) = second_rate(at, TAU / precession.value()) {
-                let what = "mass times the acceleration of the mass centre, by differences of its place";
+                let what =
+                    "mass times the acceleration of the mass centre, by finite differences of its position";
                 sheet.check(what, force, (-self.mass * acceleration.x).into());
             }
-            sheet.check("the couple from its share of φ̇²", couple.abs(), momentum_part * precession.powi(2));
             sheet.check(
-                "at the speed of tipping the couple brings the normal force to the edge",
+                "the couple from its coefficient of φ̇²",
+                couple.abs(),
+                momentum_part * precession.powi(2),
+            );
+            sheet.check(
+                "at the tipping speed the couple brings the normal force to the edge",
                 couple.abs() * (tipping / precession).powi(2),
                 normal * (slant - lever),
             );
             let (a, t) = (axial.value(), transverse.value());
             self.check_by_rotation(sheet, [a, t], precession.value(), rate.value());
         });
-        sheet.show(|| self.film());
+        sheet.show(|| self.animation());
         let [part, normal, lever, slant] = [momentum_part, normal, lever, slant].map(Real::value);
         let (now, tips) = (precession.value(), tipping.value());
         sheet.show(|| {
@@ -276,7 +280,7 @@ impl Analysis for RollingCone {
                 (speed, lever + part * speed * speed / normal)
             };
             let plot = Plot::new(
-                "Where the normal force acts",
+                "Position of the normal force",
                 Axis::linear("precession", "rad/s"),
                 Axis::linear("distance from the apex", "mm"),
                 vec![Series::line("x_N", (0..=200).map(at).collect()).of("normal_place")],
@@ -320,17 +324,17 @@ impl RollingCone {
         let period = TAU / precession;
         let Ok(found) = rigid::numerical_rate(momentum_at, period) else { return };
         sheet.check_zero(
-            "the rate from the difference quotient of J ω, with the tensor turned",
+            "the rate from the difference quotient of J ω, with the tensor rotated",
             W::Num::from((found - rate).norm()),
             momentum_at(0.0).norm() * precession,
         );
     }
 
     /// One turn about the vertical.
-    fn film(&self) -> Exhibit {
+    fn animation(&self) -> Exhibit {
         let (sin, cos) = self.half_angle.sin_cos();
         let slant = self.height / cos;
-        scene::film("The rolling cone", 6.0, |part| {
+        scene::animation("The rolling cone", 6.0, |part| {
             let turn = -TAU * part;
             let line = Vector3::new(turn.cos(), turn.sin(), 0.0);
             let axis = line * cos + Vector3::z() * sin;

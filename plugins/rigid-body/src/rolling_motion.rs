@@ -36,7 +36,7 @@ pub struct RollingMotion {
     pub radius: f64,
     /// It is a.
     pub wheel: Wheel,
-    /// Angle of its plane to the floor at the start.
+    /// Angle between its plane and the floor at the start.
     #[input("θ", "deg", above = 0, below = 180, default = "80 deg")]
     pub inclination: f64,
     /// Direction of its horizontal diameter at the start, from X.
@@ -52,11 +52,11 @@ pub struct RollingMotion {
     /// Positive spin rolls it against the direction of its horizontal diameter.
     #[input("ψ̇", "rad/s", default = "0 rad/s")]
     pub spin: f64,
-    /// Coefficient of friction between it and the floor.
-    /// Without one the floor is rough enough.
+    /// Coefficient of friction with the floor.
+    /// If omitted, the floor is assumed to be rough enough.
     #[input("μ", "1", nonnegative)]
     pub friction: Option<f64>,
-    /// Angle to the floor at which it counts as flat.
+    /// Angle to the floor below which it is taken as flat.
     #[input("θ_f", "deg", above = 0, below = 45, default = "1 deg")]
     pub flat: f64,
     /// Duration.
@@ -77,7 +77,7 @@ impl Analysis for RollingMotion {
         id: "rigid-body/rolling-motion",
         title: "Motion of a rolling disc or coin",
         topic: "Rolling bodies",
-        summary: "Path of the contact, angle, normal force and friction over time of a disc, hoop or coin that rolls without slip, until it lies flat, lifts or slips.",
+        summary: "Contact path, angle, normal force and friction against time for a disc, hoop or coin rolling without slipping, until it lies flat, lifts or slips.",
         keywords: "rolling disc coin hoop simulation non-holonomic Euler disk moeda disco aro rolando não holonômico simulação contato atrito",
         sources: &[&ROUTH, &HAIRER],
         cases: include_str!("../cases/rolling_motion.toml"),
@@ -125,7 +125,7 @@ impl Analysis for RollingMotion {
                 - mass * gravity * radius * theta.cos())
                 / tilting,
             (
-                "Angular acceleration of the tilt at the start: moments about the tangent at the contact, which has no moment of normal force and friction",
+                "Angular acceleration of the tilt at the start: moments about the tangent at the contact, about which normal force and friction have no moment",
                 ROUTH.at("ch. V"),
             ),
         );
@@ -170,7 +170,7 @@ impl RollingMotion {
             "s",
             last.time,
             (
-                Text::new("The equations I_d ω̇₁ = I_t ω₂² cot θ − I_c ω₂ ω₃ − m g r cos θ, I_t ω̇₂ = (I_a ω₃ − I_t ω₂ cot θ) ω₁, I_c ω̇₃ = m r² ω₁ ω₂ and the path of the contact, −r ψ̇ along 1, are followed by the method of Dormand and Prince of order 8"),
+                Text::new("The equations I_d ω̇₁ = I_t ω₂² cot θ − I_c ω₂ ω₃ − m g r cos θ, I_t ω̇₂ = (I_a ω₃ − I_t ω₂ cot θ) ω₁, I_c ω̇₃ = m r² ω₁ ω₂ and the path of the contact, −r ψ̇ along 1, are integrated by the eighth-order Dormand–Prince method"),
                 HAIRER.at("§II.5"),
             ),
         );
@@ -181,11 +181,11 @@ impl RollingMotion {
                 sheet.warn(|| Text::new("it lies flat after {time}").with_quantity("time", last.time, "s"));
             }
             Ended::Lifts => sheet.warn(|| {
-                Text::new("it leaves the floor after {time}: the normal force would have to pull")
+                Text::new("it leaves the floor after {time}: the normal force would become negative")
                     .with_quantity("time", last.time, "s")
             }),
             Ended::Slips => sheet.warn(|| {
-                Text::new("it slips after {time}: the friction that rolling needs is more than μ N")
+                Text::new("it slips after {time}: the friction required for rolling exceeds μ N")
                     .with_quantity("time", last.time, "s")
             }),
         }
@@ -200,22 +200,22 @@ impl RollingMotion {
         sheet.answer("contact_x", "Contact at the end, X", x);
         let y = found("y_C", "mm", y, "Contact at the end, along Y");
         sheet.answer("contact_y", "Contact at the end, Y", y);
-        let angle = found("θ_e", "deg", last.inclination, "Angle of its plane to the floor at the end");
-        sheet.answer("inclination", "Angle of its plane to the floor at the end", angle);
+        let angle = found("θ_e", "deg", last.inclination, "Angle between its plane and the floor at the end");
+        sheet.answer("inclination", "Angle between its plane and the floor at the end", angle);
         let least = found(
             "θ_min",
             "deg",
             rolled.inclination.least.value,
-            "Least angle on the way: at a turning point, or at an end",
+            "Minimum angle over the motion: at a turning point, or at an end",
         );
-        sheet.answer("least_inclination", "Least angle on the way", least);
+        sheet.answer("least_inclination", "Minimum angle over the motion", least);
         let most_inclined = found(
             "θ_max",
             "deg",
             rolled.inclination.greatest.value,
-            "Largest angle on the way: at a turning point, or at an end",
+            "Maximum angle over the motion: at a turning point, or at an end",
         );
-        sheet.answer("largest_inclination", "Largest angle on the way", most_inclined);
+        sheet.answer("largest_inclination", "Maximum angle over the motion", most_inclined);
         let fastest = rolled.moments.iter().flat_map(|m| m.omega).fold(0.0, |most: f64, x| most.max(x.abs()));
         let omega = sheet.found_vector(
             "ω_e",
@@ -229,8 +229,8 @@ impl RollingMotion {
         // Where it lifts off no friction is enough.
         if let Some(demand) = rolled.demand {
             let most = clean(demand.greatest.value, 1.0);
-            let most = found("μ_min", "1", most, "Largest friction over normal force on the way");
-            sheet.answer("friction_needed", "Coefficient of friction needed", most);
+            let most = found("μ_min", "1", most, "Maximum ratio of friction to normal force");
+            sheet.answer("friction_needed", "Required coefficient of friction", most);
         }
         let drift = rolled.energy_drift();
         let bound = (-12..0).map(|power| 10.0_f64.powi(power)).find(|bound| drift <= *bound).unwrap_or(1.0);
@@ -238,12 +238,13 @@ impl RollingMotion {
             "δ_E",
             "1",
             bound,
-            "Bound of |T + V − E₀| over the motion, in parts of the energy: rolling does no work",
+            "Bound on |T + V − E₀| over the motion, relative to the energy: rolling does no work",
         );
-        sheet.answer("energy_drift", "Energy kept to within", bound);
+        sheet.answer("energy_drift", "Energy conserved to within", bound);
         if drift > 1e-9 {
             sheet.warn(|| {
-                "the energy is not kept to nine digits: the last digits of the motion are doubtful".into()
+                "the energy is not conserved to nine digits: the last digits of the motion are unreliable"
+                    .into()
             });
         } else {
             sheet.check_zero("the energy T + V over the motion", drift.into(), 1.0);
@@ -260,25 +261,29 @@ impl RollingMotion {
             let again = |time: f64| followed(disc, &rolled.moments, time, self.flat, cancelled);
             if let Some(end) = again(time.value()) {
                 let place = (end.contact[0] - x.value()).hypot(end.contact[1] - y.value());
-                let what = "the contact at the end, followed on from the moment before";
+                let what = "the contact at the end, continued from the previous instant";
                 sheet.check_residual(what, place.into(), reach, FOLLOWED * reach);
-                let what = "the angle at the end, followed on from the moment before";
+                let what = "the angle at the end, continued from the previous instant";
                 sheet.check_residual(what, (end.inclination - angle.value()).into(), 1.0, FOLLOWED);
-                let what = "the angular velocity at the end, followed on from the moment before";
+                let what = "the angular velocity at the end, continued from the previous instant";
                 let off = Vector3::from(end.omega) - omega.value();
                 sheet.check_residual(what, off.norm().into(), fastest, FOLLOWED * fastest);
             }
             let extremes = [rolled.inclination.least.time, rolled.inclination.greatest.time];
             for (shown, at) in [least, most_inclined].into_iter().zip(extremes) {
                 let Some(there) = again(at) else { continue };
-                let what = "the least and the largest angle, followed on from the moment before";
+                let what = "the minimum and maximum angle, continued from the previous instant";
                 sheet.check_residual(what, (there.inclination - shown.value()).into(), 1.0, FOLLOWED);
             }
             let beyond = rolled
                 .moments
                 .iter()
                 .map(|m| (least.value() - m.inclination).max(m.inclination - most_inclined.value()).max(0.0));
-            sheet.check_zeros("no angle on the way is beyond the least and the largest", beyond, 1.0);
+            sheet.check_zeros(
+                "no angle during the motion lies outside the minimum and the maximum",
+                beyond,
+                1.0,
+            );
         });
     }
 
@@ -291,7 +296,7 @@ impl RollingMotion {
             let plot = Plot::new(title, Axis::linear("Time", "s"), Axis::linear(label, unit), series);
             Exhibit::Plot(plot.over("duration"))
         };
-        sheet.show(|| self.film(moments));
+        sheet.show(|| self.animation(moments));
         sheet.show(|| {
             let contact = moments.iter().map(|moment| (moment.contact[0], moment.contact[1])).collect();
             let centre = moments.iter().map(|moment| self.centre(moment)).map(|c| (c.x, c.y)).collect();
@@ -330,7 +335,7 @@ impl RollingMotion {
         sheet.show(|| {
             let series = vec![line("F/N", &|m| m.demand().min(1e3))];
             let plot = Plot::new(
-                "Friction over normal force",
+                "Ratio of friction to normal force",
                 Axis::linear("Time", "s"),
                 Axis::linear("F/N", "1"),
                 series,
@@ -354,13 +359,13 @@ impl RollingMotion {
         Vector3::new(moment.contact[0], moment.contact[1], 0.0) + Self::axes(moment).column(1) * self.radius
     }
 
-    fn film(&self, moments: &[Moment]) -> Exhibit {
+    fn animation(&self, moments: &[Moment]) -> Exhibit {
         let points = moments.iter().map(|m| Vector3::new(m.contact[0], m.contact[1], 0.0));
         let path: Vec<Vector3<f64>> = points.collect();
         let low = path.iter().fold(Vector3::repeat(f64::INFINITY), |low, p| low.inf(p));
         let high = path.iter().fold(Vector3::repeat(f64::NEG_INFINITY), |high, p| high.sup(p));
         let (middle, half) = ((low + high) / 2.0, ((high - low).amax() / 2.0 + 1.3 * self.radius));
-        scene::film("The rolling disc", 5.0, |part| {
+        scene::animation("The rolling disc", 5.0, |part| {
             let moment = &moments[((moments.len() - 1) as f64 * part).round() as usize];
             let axes = Self::axes(moment);
             let spin = nalgebra::Rotation3::from_axis_angle(&Vector3::z_axis(), moment.spin);
@@ -409,10 +414,10 @@ fn followed(
 fn refusal(error: &RollingError) -> Refusal {
     match error {
         RollingError::Motion(OdeError::TooManySteps { .. } | OdeError::TooShort { .. }) => Refusal::because(
-            "the motion asks for too many steps: the disc turns or wobbles too fast for this duration; make it shorter",
+            "the motion requires too many steps: the disc rotates or oscillates too fast for this duration; make it shorter",
         ),
         RollingError::Input | RollingError::Motion(_) => Refusal::because(
-            "the motion cannot be followed with these numbers: they are too large or too small beside each other",
+            "the motion cannot be integrated with these values: they are too large or too small relative to each other",
         ),
     }
 }

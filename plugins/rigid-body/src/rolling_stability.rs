@@ -35,15 +35,15 @@ pub struct RollingStability {
 /// How an upright disc moves.
 #[derive(Clone, Debug, Inputs)]
 pub enum Upright {
-    /// Rolling straight on
+    /// Rolling in a straight line
     Rolling {
-        /// Speed of the centre, to be judged.
+        /// Speed of the centre, to be assessed.
         #[input("v", "m/s", nonnegative)]
         speed: Option<f64>,
     },
     /// Spinning about its vertical diameter
     Spinning {
-        /// Angular velocity, to be judged.
+        /// Angular velocity, to be assessed.
         #[input("Ω", "rad/s", nonnegative)]
         spin: Option<f64>,
     },
@@ -56,7 +56,7 @@ impl Analysis for RollingStability {
         id: "rigid-body/rolling-stability",
         title: "Stability of an upright rolling or spinning disc",
         topic: "Rolling bodies",
-        summary: "Least speed at which an upright disc or hoop rolls on, or least spin with which it stays on the spot; growth or wobble at a given speed.",
+        summary: "Minimum speed at which an upright disc or hoop keeps rolling, or minimum spin with which it stays upright on the spot; growth or oscillation at a given speed.",
         keywords: "rolling spinning stability critical speed disc hoop wheel coin estabilidade velocidade crítica disco aro roda moeda rolamento giro",
         sources: &[&ROUTH],
         cases: include_str!("../cases/rolling_stability.toml"),
@@ -89,7 +89,7 @@ impl Analysis for RollingStability {
                         ROUTH.at("ch. V"),
                     ),
                 );
-                sheet.answer("critical_speed", "Least speed of the centre", critical);
+                sheet.answer("critical_speed", "Minimum speed of the centre", critical);
                 let judged = speed.map(|speed| {
                     let tangent = tangent(sheet);
                     let contact = axial + mass * radius.powi(2);
@@ -108,7 +108,7 @@ impl Analysis for RollingStability {
                         ROUTH.at("ch. V"),
                     ),
                 );
-                sheet.answer("critical_spin", "Least angular velocity about the vertical", critical);
+                sheet.answer("critical_spin", "Minimum angular velocity about the vertical", critical);
                 let judged = spin.map(|spin| {
                     let tangent = tangent(sheet);
                     (spin, spin.powi(2) - mass * gravity * radius / tangent)
@@ -131,15 +131,15 @@ impl Analysis for RollingStability {
         if let Some((at, k)) = judged {
             let k = sheet.step("K", "1/s^2", k, "Small tilts follow ε̈ + K ε = 0: stable when K is positive");
             sheet.answer("stiffness", "Stiffness of small tilts", k);
-            let ratio = sheet.step("s", "1", at / critical, "Speed in parts of the least one");
-            sheet.answer("margin", "Speed over the least one", ratio);
+            let ratio = sheet.step("s", "1", at / critical, "Speed divided by the minimum speed");
+            sheet.answer("margin", "Ratio of speed to minimum speed", ratio);
             let square = if k.value() > 0.0 {
-                let wobble = sheet.step("ω_n", "rad/s", k.sqrt(), "Angular frequency of the wobble");
-                sheet.answer("wobble", "Angular frequency of the wobble", wobble);
+                let wobble = sheet.step("ω_n", "rad/s", k.sqrt(), "Angular frequency of the oscillation");
+                sheet.answer("wobble", "Angular frequency of the oscillation", wobble);
                 wobble.value().powi(2)
             } else {
-                let growth = sheet.step("σ", "1/s", k.abs().sqrt(), "Rate of growth: a tilt grows as e^σt");
-                sheet.answer("growth", "Rate of growth of a tilt", growth);
+                let growth = sheet.step("σ", "1/s", k.abs().sqrt(), "Growth rate: a tilt grows as e^σt");
+                sheet.answer("growth", "Growth rate of a tilt", growth);
                 sheet.warn(|| "unstable: it falls over, however small the tilt".into());
                 -growth.value().powi(2)
             };
@@ -150,7 +150,7 @@ impl Analysis for RollingStability {
                 sheet.check_zero("the general equation of small oscillations", other, size);
                 let other = W::Num::from(general([second, third]) - square);
                 sheet.check_zero(
-                    "square of the wobble or of the growth by the general equation",
+                    "square of the oscillation frequency or growth rate by the general equation",
                     other,
                     size,
                 );
@@ -211,10 +211,10 @@ fn over_speed(disc: &Rolling, rolls: bool, critical: f64, at: Option<f64>) -> Pl
         ("angular velocity", "rad/s", "motion.spinning.spin")
     };
     let plot = Plot::new(
-        "Growth or wobble of a small tilt",
+        "Growth or oscillation of a small tilt",
         Axis::linear(label, unit),
         Axis::linear("rate", "1/s"),
-        vec![Series::line("growth", growth).of("growth"), Series::line("wobble", wobble).of("wobble")],
+        vec![Series::line("growth", growth).of("growth"), Series::line("oscillation", wobble).of("wobble")],
     )
     .over(input)
     .mark("limit", (critical, 0.0));

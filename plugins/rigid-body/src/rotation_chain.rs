@@ -41,10 +41,10 @@ pub struct RotationChain {
 pub struct Spot {
     /// Name.
     pub name: String,
-    /// Frame that carries it.
+    /// Frame to which it is attached.
     #[input(rows = "joints")]
     pub frame: Reference,
-    /// Place, in the axes of that frame.
+    /// Position, in the axes of that frame.
     #[input("r", "m")]
     pub place: Vector3<f64>,
 }
@@ -72,7 +72,7 @@ impl Axes {
     }
 }
 
-/// Time of the film on the screen, s.
+/// Time of the animation on the screen, s.
 const SHOWN: f64 = 6.0;
 
 register!(RotationChain);
@@ -131,7 +131,7 @@ impl Analysis for RotationChain {
         let points = self.points(given, &worked, sheet);
         sheet.verify(|| self.check_by_differences(&frames, &worked, &points, sheet));
         sheet.show(|| Exhibit::Table(orientation(&self.joints, &frames, axes)));
-        sheet.show(|| self.film(&frames));
+        sheet.show(|| self.animation(&frames));
         sheet.show(|| Exhibit::Plot(self.over_time(&frames[axes], axes)));
         Ok(())
     }
@@ -156,7 +156,7 @@ impl RotationChain {
                 this.place,
                 frame,
                 (["ρ", "ρ′", "ρ″", "ρ‴"], n + 1, "m"),
-                ("Place of {name} in its frame, in axes turned by {by}", &point.name),
+                ("Position of {name} in its frame, in axes rotated by {by}", &point.name),
                 sheet,
             );
             let (velocity, acceleration) =
@@ -222,7 +222,7 @@ impl RotationChain {
             let reach = place(0.0).norm() + point.place.norm();
             let name = |what: &'static str| Text::new(what).with("name", &point.name);
             sheet.check_zero(
-                name("the velocity of {name} from the difference quotient of its place"),
+                name("the velocity of {name} from the difference quotient of its position"),
                 off(*velocity, first),
                 reach * TAU / period,
             );
@@ -263,9 +263,9 @@ impl RotationChain {
     }
 
     /// The frames while the joints go on with their accelerations.
-    fn film(&self, now: &[chain::Frame]) -> Exhibit {
+    fn animation(&self, now: &[chain::Frame]) -> Exhibit {
         let span = chain::period(&joints::later(&self.joints, 0.0));
-        scene::film("The frames of the chain", SHOWN, |part| {
+        scene::animation("The frames of the chain", SHOWN, |part| {
             let later = chain::frames(&joints::later(&self.joints, part * span));
             self.scene(later.as_deref().unwrap_or(now))
         })
@@ -284,7 +284,7 @@ impl RotationChain {
         }
         let [x, y, z] = curves;
         Plot::new(
-            "Angular velocity of the last frame, with the accelerations kept",
+            "Angular velocity of the last frame, with the given accelerations",
             Axis::linear("time", "s"),
             Axis::linear("angular velocity", "rad/s"),
             vec![Series::line("ωₓ", x), Series::line("ω_y", y), Series::line("ω_z", z)],

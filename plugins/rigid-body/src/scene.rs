@@ -5,10 +5,10 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Exhibit, Ink, SpacePoint, SpaceShape, Text, View, exhibit};
+use dalembert_core::{Exhibit, Ink, Point3, Shape3, Text, View, exhibit};
 use nalgebra::{Matrix3, Vector3};
 
-/// Frames of a film.
+/// Frames of an animation.
 pub const FRAMES: usize = 24;
 /// Straight parts of a drawn circle.
 const PARTS: usize = 36;
@@ -18,7 +18,7 @@ const PARTS: usize = 36;
 pub struct Scene {
     view: View,
     y_up: bool,
-    shapes: Vec<SpaceShape>,
+    shapes: Vec<Shape3>,
 }
 
 impl Scene {
@@ -50,19 +50,19 @@ impl Scene {
     /// Straight lines from point to point.
     pub fn line(&mut self, points: impl IntoIterator<Item = Vector3<f64>>, ink: Ink) {
         let points = points.into_iter().map(|point| self.place(point)).collect();
-        self.shapes.push(SpaceShape::Polyline(points, ink));
+        self.shapes.push(Shape3::Polyline(points, ink));
     }
 
     /// Words beside a point.
     pub fn label(&mut self, at: Vector3<f64>, words: impl Into<Text>) {
-        self.shapes.push(SpaceShape::Label(self.place(at), words.into()));
+        self.shapes.push(Shape3::Label(self.place(at), words.into()));
     }
 
     /// A named arrow along a vector; none for a vector without length.
     pub fn arrow(&mut self, tail: Vector3<f64>, along: Vector3<f64>, ink: Ink, name: impl Into<Text>) {
         if along.norm() > 0.0 {
             let head = tail + along;
-            self.shapes.push(SpaceShape::Arrow(self.place(tail), self.place(head), ink));
+            self.shapes.push(Shape3::Arrow(self.place(tail), self.place(head), ink));
             self.label(head + along * 0.06, name);
         }
     }
@@ -128,7 +128,7 @@ impl Scene {
 
     /// A sphere: its outline, and its circles normal to the axes.
     pub fn sphere(&mut self, centre: Vector3<f64>, radius: f64, ink: Ink) {
-        self.shapes.push(SpaceShape::Sphere(self.place(centre), radius, ink));
+        self.shapes.push(Shape3::Sphere(self.place(centre), radius, ink));
         for axis in [Vector3::x(), Vector3::y(), Vector3::z()] {
             self.circle(centre, axis, radius, ink);
         }
@@ -150,14 +150,14 @@ impl Scene {
     }
 
     /// A point with the coordinates of the scene: the axis that points up comes last.
-    fn place(&self, point: Vector3<f64>) -> SpacePoint {
+    fn place(&self, point: Vector3<f64>) -> Point3 {
         let [x, y, z] = point.into();
         if self.y_up { [z, x, y] } else { [x, y, z] }
     }
 }
 
-/// A film of scenes that are each drawn for a part of the whole, from 0 to 1.
-pub fn film(title: impl Into<Text>, period: f64, mut frame: impl FnMut(f64) -> Scene) -> Exhibit {
+/// An animation of scenes that are each drawn for a part of the whole, from 0 to 1.
+pub fn animation(title: impl Into<Text>, period: f64, mut frame: impl FnMut(f64) -> Scene) -> Exhibit {
     let scenes: Vec<Scene> = (0..FRAMES).map(|k| frame(k as f64 / (FRAMES - 1) as f64)).collect();
     let view = scenes.first().map_or_else(View::default, |scene| scene.view);
     let frames = scenes.into_iter().map(|scene| scene.shapes).collect();

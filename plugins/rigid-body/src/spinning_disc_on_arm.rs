@@ -28,7 +28,7 @@ pub struct SpinningDiscOnArm {
     #[input("ω₁", "rad/s")]
     pub arm_speed: f64,
     /// Spin of the disc relative to the arm.
-    /// About the z axis, as seen by someone who turns with the arm.
+    /// About the z axis, relative to the arm.
     #[input("ω₂", "rad/s")]
     pub spin: f64,
     /// Angular acceleration of the arm.
@@ -38,11 +38,11 @@ pub struct SpinningDiscOnArm {
     #[input("α₂", "rad/s^2", default = "0 rad/s^2")]
     pub spin_acceleration: f64,
     /// Angle of the arm.
-    /// From the fixed axes to those that turn with the arm, about y.
+    /// From the fixed axes to the axes rotating with the arm, about y.
     #[input("φ", "rad", default = "0 deg")]
     pub arm_angle: f64,
     /// Distance of the disc's centre from the axis of the arm.
-    /// For the kinetic energy of the whole motion; it does not enter the angular momentum about A.
+    /// For the kinetic energy of the complete motion; it does not affect the angular momentum about A.
     #[input("d", "m", nonnegative)]
     pub centre_distance: Option<f64>,
 }
@@ -53,8 +53,8 @@ impl Analysis for SpinningDiscOnArm {
     const ABOUT: About = About {
         id: "rigid-body/spinning-disc-on-arm",
         title: "Disc spinning on a turning arm",
-        topic: "Bodies on turning shafts",
-        summary: "Angular momentum of a thin disc that spins on a turning arm, its rate of change, and the couple that the arm exerts.",
+        topic: "Bodies on rotating shafts",
+        summary: "Angular momentum of a thin disc that spins on a rotating arm, its rate of change, and the couple that the arm exerts.",
         keywords: "gyroscope gyroscopic couple disc arm giroscópio giroscópico disco braço momento angular exemplo 3",
         sources: &[&RIUL, &BEER],
         cases: include_str!("../cases/spinning_disc_on_arm.toml"),
@@ -79,14 +79,14 @@ impl Analysis for SpinningDiscOnArm {
             "Ω",
             "rad/s",
             W::Vec::from_components(zero, given.arm_speed, zero),
-            ("The axes xyz turn with the arm", RIUL.at("eq. 44")),
+            ("The axes xyz rotate with the arm", RIUL.at("eq. 44")),
         );
         let omega = sheet.step_vector(
             "ω",
             "rad/s",
             W::Vec::from_components(zero, given.arm_speed, given.spin),
             (
-                "Angular velocity of the disc: the turning of the arm and the spin relative to it add",
+                "Angular velocity of the disc: rotation of the arm plus the spin relative to it",
                 RIUL.at("example 3"),
             ),
         );
@@ -94,7 +94,7 @@ impl Analysis for SpinningDiscOnArm {
             "ω̇",
             "rad/s^2",
             W::Vec::from_components(zero, given.arm_acceleration, given.spin_acceleration),
-            "Rates of the components of ω in the axes that turn with the arm",
+            "Rates of change of the components of ω in axes rotating with the arm",
         );
         let alpha = sheet.step_vector(
             "α",
@@ -107,7 +107,7 @@ impl Analysis for SpinningDiscOnArm {
             "kg*m^2/s",
             rigid::angular_momentum(inertia, omega),
             (
-                "Angular momentum about the centre: x, y and z are principal axes, however far the disc has spun",
+                "Angular momentum about the centre: x, y and z are principal axes, whatever the spin angle of the disc",
                 RIUL.at("eqs. 45–46"),
             ),
         );
@@ -115,13 +115,13 @@ impl Analysis for SpinningDiscOnArm {
             "Ḣ_rel",
             "N*m",
             rigid::relative_rate(inertia, relative),
-            ("Rate of change seen by someone who turns with the arm", RIUL.at("eq. 47")),
+            ("Rate of change relative to axes rotating with the arm", RIUL.at("eq. 47")),
         );
         let turned = sheet.step_vector(
             "Ḣ_turn",
             "N*m",
             rigid::transport_rate(axes, momentum),
-            ("Rate of change owed to the turning of the axes: Ω × H", RIUL.at("eq. 44")),
+            ("Transport term Ω × H", RIUL.at("eq. 44")),
         );
         let couple = sheet.step_vector(
             "M_A",
@@ -197,7 +197,7 @@ impl Analysis for SpinningDiscOnArm {
                 "T",
                 "J",
                 given.mass * speed.powi(2) / 2.0 + rotation_energy,
-                ("Kinetic energy of the whole motion", BEER.at("§18.1C")),
+                ("Kinetic energy of the complete motion", BEER.at("§18.1C")),
             );
             sheet.answer("centre_speed", "Speed of the centre", speed);
             sheet.answer("kinetic_energy", "Kinetic energy", energy);
@@ -239,7 +239,7 @@ impl SpinningDiscOnArm {
             rigid::turned(&tensor, &disc) * omega
         };
         sheet.check_zero(
-            "the angular momentum from the inertia tensor turned with the disc: R I Rᵀ ω",
+            "the angular momentum from the inertia tensor rotated with the disc: R I Rᵀ ω",
             W::Num::from((momentum_at(0.0) - momentum.value()).norm()),
             momentum.value().norm(),
         );
@@ -262,7 +262,7 @@ impl SpinningDiscOnArm {
         };
         let here = self.arm_angle.rem_euclid(TAU);
         Plot::new(
-            "Couple on the disc in fixed axes over a turn of the arm",
+            "Couple on the disc in fixed axes over a revolution of the arm",
             Axis::linear("angle of the arm", "deg"),
             Axis::linear("couple", "N*m"),
             vec![

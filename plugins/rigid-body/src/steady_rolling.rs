@@ -32,7 +32,7 @@ pub struct SteadyRolling {
     pub wheel: Wheel,
     /// Known.
     pub known: Known,
-    /// Coefficient of friction between it and the floor.
+    /// Coefficient of friction with the floor.
     #[input("μ", "1", nonnegative)]
     pub friction: Option<f64>,
     /// Acceleration of gravity.
@@ -40,12 +40,12 @@ pub struct SteadyRolling {
     pub gravity: f64,
 }
 
-/// What is known of the motion.
+/// Known quantity of the motion.
 #[derive(Clone, Debug, Inputs)]
 pub enum Known {
     /// Angle and circle of the centre
     CentreCircle {
-        /// Angle of its plane to the floor.
+        /// Angle between its plane and the floor.
         #[input("θ", "deg", above = 0, below = 90)]
         inclination: f64,
         /// Radius of the circle of the centre.
@@ -54,7 +54,7 @@ pub enum Known {
     },
     /// Angle and circle on the floor
     FloorCircle {
-        /// Angle of its plane to the floor.
+        /// Angle between its plane and the floor.
         #[input("θ", "deg", above = 0, below = 90)]
         inclination: f64,
         /// Radius of the circle on the floor.
@@ -63,14 +63,14 @@ pub enum Known {
     },
     /// Angle and precession
     Precession {
-        /// Angle of its plane to the floor.
+        /// Angle between its plane and the floor.
         #[input("θ", "deg", above = 0, below = 90)]
         inclination: f64,
         /// Precession.
         #[input("Ω", "rad/s", positive)]
         precession: f64,
     },
-    /// Circle of the centre and its speed
+    /// Circle and speed of the centre
     Speed {
         /// Radius of the circle of the centre.
         #[input("a", "m", positive)]
@@ -88,7 +88,7 @@ impl Analysis for SteadyRolling {
         id: "rigid-body/steady-rolling",
         title: "Disc or hoop rolling steadily on a circle",
         topic: "Rolling bodies",
-        summary: "Precession, angle or circle of a disc or hoop that rolls without slip, inclined to the floor: spin, normal force, the friction it needs, and whether the motion is stable.",
+        summary: "Precession, angle or circle of a disc or hoop rolling without slipping, inclined to the floor: spin, normal force, required friction and stability of the motion.",
         keywords: "rolling disc hoop coin wheel circle precession lean rolamento disco aro moeda roda circunferência precessão inclinação sem deslizamento hibbeler 21-69",
         sources: &[&ROUTH, &HIBBELER],
         cases: include_str!("../cases/steady_rolling.toml"),
@@ -126,7 +126,7 @@ impl Analysis for SteadyRolling {
                     "a",
                     "m",
                     floor - radius * inclination.cos(),
-                    "The centre stands inwards of the contact by r cos θ",
+                    "The centre lies inward of the contact by r cos θ",
                 );
                 if centre.value() < 0.0 {
                     return Err(Refusal::because(
@@ -154,11 +154,11 @@ impl Analysis for SteadyRolling {
             }
             KnownGiven::Speed { radius: centre, speed } => {
                 let precession =
-                    sheet.step("φ̇", "rad/s", speed / centre, "The centre goes round once in 2π a/v");
+                    sheet.step("φ̇", "rad/s", speed / centre, "The centre completes one revolution in 2π a/v");
                 let found = disc.steady_inclinations(centre.value(), precession.value());
                 let Some(&angle) = found.first() else {
                     return Err(Refusal::because(
-                        "no angle was found at which it rolls so; the speed is too small or too large beside the circle",
+                        "no angle was found for this rolling motion; the speed is too small or too large for the circle",
                     ));
                 };
                 let inclination = sheet.found(
@@ -174,20 +174,20 @@ impl Analysis for SteadyRolling {
             "λ",
             "deg",
             FRAC_PI_2 - inclination.value(),
-            "Lean from the vertical: what is left to 90°",
+            "Lean angle from the vertical: complement to 90°",
         );
         let floor = sheet.step(
             "R",
             "m",
             centre + radius * inclination.cos(),
-            "Radius of the circle on the floor: the contact stands outwards of the centre",
+            "Radius of the circle on the floor: the contact lies outward of the centre",
         );
         let speed = sheet.step("v", "m/s", (centre * precession).abs(), "Speed of the centre");
         let third = sheet.step(
             "ω₃",
             "rad/s",
             -(precession * centre / radius),
-            "No slip: the contact rests, v = −r ω₃ along 1",
+            "No slip: the contact point is at rest, v = −r ω₃ along 1",
         );
         let second = sheet.step(
             "ω₂",
@@ -199,37 +199,42 @@ impl Analysis for SteadyRolling {
             "ψ̇",
             "rad/s",
             third - precession * inclination.cos(),
-            "Spin, against the axes that precess: ω₃ = ψ̇ + φ̇ cos θ",
+            "Spin relative to the precessing axes: ω₃ = ψ̇ + φ̇ cos θ",
         );
-        let normal = sheet.step("N", "N", mass * gravity, "Normal force: the centre keeps its height");
+        let normal =
+            sheet.step("N", "N", mass * gravity, "Normal force: the height of the centre is constant");
         let force = sheet.step(
             "F",
             "N",
             mass * centre * precession.powi(2),
-            "Friction, towards the axis of the circle: it turns the velocity of the centre",
+            "Friction, towards the axis of the circle: it changes the direction of the velocity of the centre",
         );
-        let demand =
-            sheet.step("μ_min", "1", force.abs() / normal, "Coefficient of friction that this needs");
+        let demand = sheet.step(
+            "μ_min",
+            "1",
+            force.abs() / normal,
+            "Coefficient of friction required for this motion",
+        );
         let slopes = rolling::tilting_slopes(mass, radius, moments, inclination, [second, third]);
         let slopes = [
             sheet.step(
                 "ω₂′",
                 "1/s",
                 slopes[0],
-                "What ω₂ does as the disc tilts: I_t ω̇₂ = (I_a ω₃ − I_t ω₂ cot θ) θ̇",
+                "Variation of ω₂ as the disc tilts: I_t ω̇₂ = (I_a ω₃ − I_t ω₂ cot θ) θ̇",
             ),
             sheet.step(
                 "ω₃′",
                 "1/s",
                 slopes[1],
-                "What ω₃ does as the disc tilts: (I_a + m r²) ω̇₃ = m r² ω₂ θ̇",
+                "Variation of ω₃ as the disc tilts: (I_a + m r²) ω̇₃ = m r² ω₂ θ̇",
             ),
         ];
         let stiffness = sheet.step(
             "K",
             "1/s^2",
             rolling::tilting_stiffness(mass, radius, moments, gravity, inclination, [second, third], slopes),
-            "Small oscillations of the angle, ε̈ + K ε = 0: the slope of the moments about the tangent at the contact, over I_t + m r²",
+            "Small oscillations of the angle, ε̈ + K ε = 0: derivative of the moments about the tangent at the contact, divided by I_t + m r²",
         );
         match self.known {
             Known::Precession { .. } => {}
@@ -238,10 +243,10 @@ impl Analysis for SteadyRolling {
             }
             Known::Speed { .. } => {
                 sheet.answer("precession", "Precession", precession);
-                sheet.answer("inclination", "Angle of its plane to the floor", inclination);
+                sheet.answer("inclination", "Angle between its plane and the floor", inclination);
             }
         }
-        sheet.answer("lean", "Lean from the vertical", lean);
+        sheet.answer("lean", "Lean angle from the vertical", lean);
         if matches!(self.known, Known::FloorCircle { .. } | Known::Precession { .. }) {
             sheet.answer("centre_radius", "Radius of the circle of the centre", centre);
         }
@@ -251,20 +256,20 @@ impl Analysis for SteadyRolling {
         sheet.answer("axial_omega", "Angular velocity about the axis", third);
         sheet.answer("normal", "Normal force", normal);
         sheet.answer("friction", "Friction towards the axis of the circle", force);
-        sheet.answer("friction_needed", "Coefficient of friction needed", demand);
+        sheet.answer("friction_needed", "Required coefficient of friction", demand);
         sheet.answer("stiffness", "Stiffness of small oscillations", stiffness);
         let mut wobble = None;
         if stiffness.value() > 0.0 {
             let period =
-                sheet.step("ω_n", "rad/s", stiffness.sqrt(), "Stable: angular frequency of the wobble");
-            sheet.answer("wobble", "Angular frequency of the wobble", period);
+                sheet.step("ω_n", "rad/s", stiffness.sqrt(), "Stable: angular frequency of the oscillation");
+            sheet.answer("wobble", "Angular frequency of the oscillation", period);
             wobble = Some(period);
         } else {
-            sheet.warn(|| "the steady motion is unstable: the angle runs away from it".into());
+            sheet.warn(|| "the steady motion is unstable: the angle diverges from it".into());
         }
         if self.friction.is_some_and(|friction| friction < demand.value()) {
             sheet.warn(|| {
-                Text::new("it would slip: the motion needs a coefficient of friction of {needed}")
+                Text::new("it would slip: the motion requires a coefficient of friction of {needed}")
                     .with_quantity("needed", demand.value(), "1")
             });
         }
@@ -273,18 +278,18 @@ impl Analysis for SteadyRolling {
             let rates = disc.accelerations(inclination.value(), omega);
             let scale = self.gravity / self.radius + second.value().powi(2) + third.value().powi(2);
             sheet.check_zero(
-                "the equations of the rolling disc leave the angle as it is",
+                "the equations of the rolling disc keep the angle constant",
                 rates[0].into(),
                 scale,
             );
             sheet.check_sum(
-                "the length rolled over on the floor is that on the rim",
+                "the length rolled on the floor equals that on the rim",
                 floor * precession,
                 -(radius * spin),
                 (radius * spin).value().abs() + (centre * precession).value().abs(),
             );
             sheet.check(
-                "the friction bends the path of the centre, F a = m v²",
+                "the friction supplies the centripetal force of the centre, F a = m v²",
                 force * centre,
                 mass * speed.powi(2),
             );
@@ -304,14 +309,14 @@ impl Analysis for SteadyRolling {
             );
             if let Some(wobble) = wobble {
                 sheet.check_sum(
-                    "square of the wobble from the same differences",
+                    "square of the oscillation frequency from the same differences",
                     wobble.powi(2),
                     (-slope).into(),
                     scale / inclination.value().sin().powi(2),
                 );
             }
             sheet.check_sum(
-                "how far the centre stands inwards of the contact, from the lean",
+                "inward offset of the centre from the contact, from the lean",
                 radius * lean.sin(),
                 floor - centre,
                 floor.value().abs() + centre.value().abs(),
@@ -352,7 +357,7 @@ fn precessions(disc: &Rolling, angle: f64, circle: f64, precession: f64) -> Plot
         (angle, squared.sqrt())
     };
     Plot::new(
-        "Precession over the angle, on the same circle of the centre",
+        "Precession against the angle, for the same circle of the centre",
         Axis::linear("angle of the plane to the floor", "deg"),
         Axis::linear("precession", "rad/s"),
         vec![Series::line("φ̇", (18..=178).map(at).collect()).of("precession")],

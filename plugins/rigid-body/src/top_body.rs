@@ -11,7 +11,7 @@ pub struct TopBody {
     /// Mass.
     #[input("m", "kg", positive)]
     pub mass: f64,
-    /// Distance of the mass centre from the fixed point.
+    /// Distance of the centre of mass from the fixed point.
     /// Along the axis.
     #[input("l", "mm", positive)]
     pub distance: f64,
@@ -34,7 +34,7 @@ pub enum TopInertia {
         #[input("I_t", "kg*m^2", positive)]
         transverse: f64,
     },
-    /// About the axis and about the mass centre
+    /// About the axis and about the centre of mass
     AboutCentre {
         /// Moment of inertia about the axis.
         #[input("I_a", "kg*m^2", positive)]
@@ -87,7 +87,10 @@ impl<W: Worksheet> TopBodyGiven<W> {
                     "I_t",
                     "kg*m^2",
                     rigid::parallel_axis(*transverse, self.mass, self.distance),
-                    ("Transverse moment of inertia about the fixed point: parallel axes", BEER.at("app. B")),
+                    (
+                        "Transverse moment of inertia about the fixed point: parallel-axis theorem",
+                        BEER.at("app. B"),
+                    ),
                 );
                 (*axial, Some(about_point))
             }

@@ -26,38 +26,38 @@ pub struct TopNutation {
     /// The top.
     pub body: TopBody,
     /// Angle of the axis to the vertical at the start.
-    /// From the upward vertical: 90° with the axis level, more for a top that hangs.
+    /// From the upward vertical: 90° with the axis level, more for a hanging top.
     #[input("θ₀", "deg", positive, below = 180)]
     pub nutation: f64,
     /// Angular velocity of the axis away from the vertical at the start.
     #[input("θ̇₀", "rad/s", default = "0 rad/s")]
     pub nutation_rate: f64,
     /// Precession at the start.
-    /// Zero for a top whose axis is held still and let go.
+    /// Zero for a top released with its axis at rest.
     #[input("φ̇₀", "rad/s", default = "0 rad/s")]
     pub precession: f64,
-    /// What is known of the spin.
+    /// Known quantity of the spin.
     pub spin: TopSpin,
     /// Instant.
-    /// Where it is given, the attitude at this time after the start is answered too.
+    /// If given, the attitude at this time after the start is also calculated.
     #[input("t", "s", nonnegative)]
     pub instant: Option<f64>,
 }
 
-/// What is known of the spin.
+/// Known quantity of the spin.
 #[derive(Clone, Debug, Inputs)]
 pub enum TopSpin {
     /// Angular velocity about the axis
     AxialVelocity {
         /// Angular velocity about the axis.
-        /// Spin and the share of the precession, ψ̇ + φ̇ cos θ: what stays constant whatever the axis does.
+        /// Spin plus the axial component of the precession, ψ̇ + φ̇ cos θ: constant for any motion of the axis.
         #[input("ω₃", "rad/s")]
         axial_velocity: f64,
     },
     /// Spin relative to the axis at the start
     Spin {
         /// Spin at the start.
-        /// As seen by someone who goes around with the axis.
+        /// Relative to the frame that precesses with the axis.
         #[input("ψ̇₀", "rad/s")]
         spin: f64,
     },
@@ -75,7 +75,7 @@ impl Analysis for TopNutation {
         id: "rigid-body/top-nutation",
         title: "Heavy top: nutation",
         topic: "Free bodies and tops",
-        summary: "A heavy top let go with any motion: the limits of its nutation, its period, the precession on average, cusps, loops or waves, and the attitude at an instant.",
+        summary: "A heavy top released with any initial motion: limits and period of its nutation, mean precession, cusps, loops or waves, and the attitude at an instant.",
         keywords: "gyroscope spinning top nutation cusp loop pião giroscópio nutação cúspide laço potencial efetivo",
         sources: &[&GOLDSTEIN, &BEER],
         cases: include_str!("../cases/top_nutation.toml"),
@@ -96,7 +96,10 @@ impl Analysis for TopNutation {
                 "ω₃",
                 "rad/s",
                 top::axial_velocity(*spin, phi_rate, theta),
-                ("Angular velocity about the axis: spin and the share of the precession", BEER.at("§18.3")),
+                (
+                    "Angular velocity about the axis: spin plus the component of the precession",
+                    BEER.at("§18.3"),
+                ),
             ),
         };
         let own = sheet.step(
@@ -104,7 +107,7 @@ impl Analysis for TopNutation {
             "kg*m^2/s",
             axial * axial_velocity,
             (
-                "Angular momentum about the axis: the weight has no moment about it, it stays",
+                "Angular momentum about the axis: the weight has no moment about it, so it is conserved",
                 GOLDSTEIN.at("§5-7"),
             ),
         );
@@ -113,7 +116,7 @@ impl Analysis for TopNutation {
             "kg*m^2/s",
             transverse * phi_rate * theta.sin().powi(2) + own * theta.cos(),
             (
-                "Angular momentum about the vertical: the weight has no moment about that either",
+                "Angular momentum about the vertical: the weight has no moment about it either",
                 GOLDSTEIN.at("§5-7"),
             ),
         );
@@ -123,7 +126,7 @@ impl Analysis for TopNutation {
             transverse * (theta_rate.powi(2) + (phi_rate * theta.sin()).powi(2)) / 2.0
                 + couple * theta.cos(),
             (
-                "Energy without that of the spin, ½ I_a ω₃², which stays by itself; heights from the fixed point",
+                "Energy excluding that of the spin, ½ I_a ω₃², which is conserved separately; heights from the fixed point",
                 GOLDSTEIN.at("§5-7"),
             ),
         );
@@ -147,7 +150,7 @@ impl Analysis for TopNutation {
             "u₃",
             "1",
             motion.third_zero(),
-            "Third zero of the cubic, above 1, where no angle is",
+            "Third zero of the cubic, above 1, to which no real angle corresponds",
         );
         sheet.answer("highest", "Highest position of the axis, angle to the vertical", high);
         sheet.answer("lowest", "Lowest position of the axis, angle to the vertical", low);
@@ -167,15 +170,15 @@ impl Analysis for TopNutation {
             high,
             rate_high,
             match trace {
-                Trace::Steady => "Precession: θ stays, the top precesses steadily",
+                Trace::Steady => "Precession: θ is constant, the top precesses steadily",
                 Trace::Wave => {
-                    "Precession at the highest position. It has the same sign at the lowest one: the axis draws waves"
+                    "Precession at the highest position. It has the same sign at the lowest position: the axis traces waves"
                 }
                 Trace::Cusp => {
-                    "Precession at the highest position. The axis stands still there: it draws cusps"
+                    "Precession at the highest position. The axis is momentarily at rest there: it traces cusps"
                 }
                 Trace::Loop => {
-                    "Precession at the highest position. It has the other sign at the lowest one: the axis draws loops"
+                    "Precession at the highest position. It has the opposite sign at the lowest position: the axis traces loops"
                 }
             },
         );
@@ -183,7 +186,7 @@ impl Analysis for TopNutation {
         sheet.answer(
             "precession_at_highest",
             match trace {
-                Trace::Steady => "Precession, which is steady",
+                Trace::Steady => "Precession (steady)",
                 Trace::Wave => "Precession at the highest position: waves",
                 Trace::Cusp => "Precession at the highest position: cusps",
                 Trace::Loop => "Precession at the highest position: loops",
@@ -195,7 +198,7 @@ impl Analysis for TopNutation {
             "p",
             "rad/s",
             (couple * (third - low.cos()) / (transverse * 2.0)).sqrt(),
-            "Pace of the elliptic functions: cos θ goes as sn²(p t) between its limits",
+            "Rate of the elliptic-function argument: cos θ varies as sn²(p t) between its limits",
         );
         let quarter = sheet.found(
             "K_k",
@@ -215,16 +218,16 @@ impl Analysis for TopNutation {
             "Δφ",
             "deg",
             motion.advance(),
-            "Precession in one nutation: φ̇ over time, two elliptic integrals of the third kind",
+            "Precession angle per nutation: φ̇ integrated over time, two elliptic integrals of the third kind",
         );
-        let mean = sheet.step("Ω", "rad/s", advance / period, "Precession on average");
+        let mean = sheet.step("Ω", "rad/s", advance / period, "Mean precession");
         sheet.answer("nutation_period", "Period of the nutation", period);
         sheet.answer("nutation_frequency", "Frequency of the nutation", frequency);
-        sheet.answer("advance", "Precession in one nutation", advance);
-        sheet.answer("mean_precession", "Precession on average", mean);
+        sheet.answer("advance", "Precession angle per nutation", advance);
+        sheet.answer("mean_precession", "Mean precession", mean);
         sheet.answer("axial_angular_momentum", "Angular momentum about the axis", own);
         sheet.answer("vertical_angular_momentum", "Angular momentum about the vertical", vertical);
-        sheet.answer("energy", "Energy without that of the spin", energy);
+        sheet.answer("energy", "Energy excluding that of the spin", energy);
         sheet.verify(|| {
             let (start, pace) = (motion.at(0.0), pace.value());
             for time in [period.value(), TAU / frequency.value()] {
@@ -262,7 +265,7 @@ impl Analysis for TopNutation {
         sheet.show(|| Exhibit::Plot(over_time(&motion)));
         sheet.show(|| Exhibit::Plot(precession_over_time(&motion)));
         sheet.show(|| Exhibit::Plot(from_above(&motion)));
-        sheet.show(|| film(&motion));
+        sheet.show(|| animation(&motion));
         Ok(())
     }
 }
@@ -283,7 +286,7 @@ impl TopNutation {
                 let across = vertical - own * cos;
                 let left = 2.0 * body.transverse * (energy - body.couple * cos) * sin * sin;
                 sheet.check_zero(
-                    "the limit put back into the cubic",
+                    "the limit substituted into the cubic",
                     W::Num::from(left - across * across),
                     2.0 * body.transverse * scale + vertical * vertical + own * own,
                 );
@@ -304,7 +307,7 @@ impl TopNutation {
             );
             if let Some([advance, error]) = by_equal_weights(motion, body, own, vertical) {
                 sheet.check_residual(
-                    "the precession in one nutation by equal weights",
+                    "the precession angle per nutation by equal-weight quadrature",
                     (advance - shown_advance).into(),
                     advance.abs().max(motion.period() * motion.precession_at_limits()[1].abs()),
                     error,
@@ -344,18 +347,23 @@ fn at_instant<W: Worksheet>(motion: &Nutation, t: f64, body: Top, invariants: [f
         at.nutation,
         ("cos θ = u₂ + (u₁ − u₂) sn² p(t − t₂), from the lowest position on", GOLDSTEIN.at("§5-7")),
     );
-    let theta_rate = sheet.found("θ̇", "rad/s", at.nutation_rate, "Its rate");
+    let theta_rate = sheet.found("θ̇", "rad/s", at.nutation_rate, "Its rate of change");
     let phi = sheet.found(
         "φ",
         "deg",
         at.precession,
         "Precession since the start, by elliptic integrals of the third kind",
     );
-    let phi_rate = sheet.found("φ̇", "rad/s", at.precession_rate, "Its rate, (H_z − H₃ cos θ)/(I_t sin²θ)");
-    let psi =
-        sheet.found("ψ", "deg", at.spin, "Spin since the start: ω₃ t less the shares of the precession");
+    let phi_rate =
+        sheet.found("φ̇", "rad/s", at.precession_rate, "Its rate of change, (H_z − H₃ cos θ)/(I_t sin²θ)");
+    let psi = sheet.found(
+        "ψ",
+        "deg",
+        at.spin,
+        "Spin since the start: ω₃ t less the contributions of the precession",
+    );
     sheet.answer("angle", "Angle to the vertical at the instant", theta);
-    sheet.answer("angle_rate", "Its rate at the instant", theta_rate);
+    sheet.answer("angle_rate", "Its rate of change at the instant", theta_rate);
     sheet.answer("precession_angle", "Precession since the start", phi);
     sheet.answer("precession_rate", "Precession at the instant", phi_rate);
     sheet.answer("spin_angle", "Spin since the start", psi);
@@ -373,7 +381,7 @@ fn at_instant<W: Worksheet>(motion: &Nutation, t: f64, body: Top, invariants: [f
         }
         let scale = (vertical.abs() + own.abs()).max(f64::MIN_POSITIVE);
         sheet.check_zero(
-            "so is the angular momentum about the vertical",
+            "the angular momentum about the vertical is that at the start",
             W::Num::from(if sin > 1e-4 {
                 body.transverse * rate * sin * sin + own * cos - vertical
             } else {
@@ -413,13 +421,13 @@ fn by_equal_weights(motion: &Nutation, body: Top, own: f64, vertical: f64) -> Op
 fn refused(error: TopError) -> Refusal {
     Refusal::because(match error {
         TopError::Vertical => {
-            "the axis starts on the vertical, where precession is not defined: start a little beside it"
+            "the axis starts on the vertical, where precession is not defined: start slightly off it"
         }
         TopError::Creeps => {
-            "the axis creeps up to the vertical for ever: change the spin or the start a little"
+            "the axis approaches the vertical asymptotically: change the spin or the initial state a little"
         }
         TopError::Body | TopError::NotFinite => {
-            "the motion is beyond the range of numbers: check the sizes of what is given"
+            "the motion exceeds the numerical range: check the magnitudes of the inputs"
         }
     })
 }
@@ -455,7 +463,7 @@ fn precession_over_time(motion: &Nutation) -> Plot {
         vec![
             Series::line("φ", times.clone().map(|t| (t, motion.at(t).precession)).collect())
                 .of("precession_angle"),
-            Series::line("on average", times.map(|t| (t, motion.advance() * t / motion.period())).collect()),
+            Series::line("mean", times.map(|t| (t, motion.advance() * t / motion.period())).collect()),
         ],
     )
     .over("instant")
@@ -484,10 +492,10 @@ fn from_above(motion: &Nutation) -> Plot {
     )
 }
 
-fn film(motion: &Nutation) -> Exhibit {
+fn animation(motion: &Nutation) -> Exhibit {
     let shown = shown_time(motion);
     let trace = tips(motion, 160);
-    scene::film("The axis on its way, and what its tip draws", 8.0, |part| {
+    scene::animation("Motion of the axis and path of its tip", 8.0, |part| {
         let (turn, axis) = tip(motion, shown * part);
         let mut scene = Scene::new();
         for limit in motion.limits() {

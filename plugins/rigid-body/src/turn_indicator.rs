@@ -33,7 +33,7 @@ pub struct TurnIndicator {
     #[input("k", "N/m", positive)]
     pub stiffness: f64,
     /// Distance between the springs.
-    /// Each acts at half of it from the axis of the yoke.
+    /// Each acts at half this distance from the axis of the yoke.
     #[input("d", "m", positive)]
     pub spacing: f64,
     /// Turn.
@@ -57,7 +57,7 @@ pub enum Rotor {
         /// Moment of inertia about the axle.
         #[input("I_a", "kg*m^2", positive)]
         axial: f64,
-        /// Moment of inertia across the axle.
+        /// Moment of inertia transverse to the axle.
         #[input("I_t", "kg*m^2", positive)]
         transverse: f64,
     },
@@ -96,7 +96,7 @@ impl Analysis for TurnIndicator {
         id: "rigid-body/turn-indicator",
         title: "Turn indicator of an aircraft",
         topic: "Gyroscopes and vehicles",
-        summary: "Angle of a yoke with a spinning rotor and two springs in a level turn, or the rate of turn that an angle shows.",
+        summary: "Angle of a yoke with a spinning rotor and two springs in a level turn, or the rate of turn indicated by an angle.",
         keywords: "turn indicator rate gyro yoke springs aircraft giroscópio indicador de curva molas garfo aeronave",
         sources: &[&BEER, &KHURMI],
         cases: include_str!("../cases/turn_indicator.toml"),
@@ -127,7 +127,7 @@ impl Analysis for TurnIndicator {
             "K",
             "N*m",
             given.stiffness * 2.0 * (given.spacing / 2.0).powi(2),
-            "Couple of the two springs on the yoke: K sin θ cos θ, for their ends move by (d/2) sin θ at arms of (d/2) cos θ",
+            "Couple of the two springs on the yoke: K sin θ cos θ, since their ends move by (d/2) sin θ with lever arms of (d/2) cos θ",
         );
         let (rate, sine, angle) = match given.turn {
             TurnGiven::Reading { angle } => {
@@ -167,7 +167,7 @@ impl Analysis for TurnIndicator {
                 );
                 if !(0.0..1.0).contains(&sine.value()) {
                     return Err(Refusal::because(
-                        "the springs are too soft: the rotor turns the yoke over until its axle is upright; a slower rotor, a wider spacing or stiffer springs hold it",
+                        "the springs are too soft: the rotor tilts the yoke until its axle is vertical; a slower rotor, a wider spacing or stiffer springs hold it",
                     ));
                 }
                 (rate, sine, sheet.step("θ", "deg", sine.asin(), "Angle of the yoke"))
@@ -206,13 +206,13 @@ impl Analysis for TurnIndicator {
             sheet.check("the couple of the springs", force * given.spacing * angle.cos(), couple);
             let height = given.spacing / 2.0 * angle.sin();
             sheet.check(
-                "the couple of the springs from how far their ends move",
+                "the couple of the springs from the displacement of their ends",
                 given.stiffness * height * given.spacing * angle.cos(),
                 couple,
             );
             let tilted = (axial_inertia - transverse_inertia) * rate_of_turn.powi(2) * sine;
             sheet.check_sum(
-                "the couple with the axle level, and what the tilt adds",
+                "the couple with the axle horizontal, and the contribution of the tilt",
                 (level + tilted) * angle.cos(),
                 couple,
                 level.value() + tilted.value().abs(),
@@ -268,7 +268,7 @@ fn sketch(angle: f64) -> Drawing {
     let at = |along: f64, up: f64| (along * cos - up * sin, along * sin + up * cos);
     let (left, right) = (at(-1.0, 0.0), at(1.0, 0.0));
     Drawing {
-        title: "The yoke from behind".into(),
+        title: "The yoke seen from behind".into(),
         shapes: vec![
             DrawnShape::Ground((1.3, -1.6), (-1.3, -1.6)),
             DrawnShape::Spring((left.0, -1.6), left),

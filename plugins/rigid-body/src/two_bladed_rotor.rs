@@ -31,7 +31,7 @@ pub struct TwoBladedRotor {
     /// Precession.
     pub precession: Precession,
     /// Angle of the blades.
-    /// From the axis of the precession, in the sense of the spin.
+    /// From the precession axis, in the sense of the spin.
     #[input("χ", "rad", default = "0 deg")]
     pub angle: f64,
 }
@@ -42,7 +42,7 @@ pub enum Blades {
     /// Slender blades
     /// The moment of inertia along them is neglected.
     Slender {
-        /// Moment of inertia about the axis of the spin.
+        /// Moment of inertia about the spin axis.
         #[input("I_a", "kg*m^2", positive)]
         inertia: f64,
     },
@@ -57,7 +57,7 @@ pub enum Blades {
     },
     /// Three principal moments of inertia
     Principal {
-        /// Moment of inertia about the axis of the spin.
+        /// Moment of inertia about the spin axis.
         #[input("I_a", "kg*m^2", positive)]
         axial: f64,
         /// Moment of inertia about the line of the blades.
@@ -95,8 +95,8 @@ impl Analysis for TwoBladedRotor {
     const ABOUT: About = About {
         id: "rigid-body/two-bladed-rotor",
         title: "Gyroscopic couple of a two-bladed propeller",
-        topic: "Bodies on turning shafts",
-        summary: "Couple of a rotor with two blades whose carrier turns: its parts about spin, precession and their normal, how they pulse with the angle of the blades, and the mean.",
+        topic: "Bodies on rotating shafts",
+        summary: "Couple on a two-bladed rotor whose carrier turns: components about the spin axis, the precession axis and their normal, variation with the blade angle, and mean.",
         keywords: "propeller airscrew two blades gyroscopic pulsating hélice duas pás giroscópico pulsante wind turbine aerogerador",
         sources: &[&BEVAN, &BEER],
         cases: include_str!("../cases/two_bladed_rotor.toml"),
@@ -111,9 +111,9 @@ impl Analysis for TwoBladedRotor {
                     "I_a",
                     "kg*m^2",
                     rigid::rod_inertia(mass, length),
-                    "Moment of inertia of the rod about the axis of the spin, and across the blades; along them it is zero",
+                    "Moment of inertia of the rod about the spin axis, and across the blades; along them it is zero",
                 );
-                sheet.answer("axial_inertia", "Moment of inertia about the axis of the spin", inertia);
+                sheet.answer("axial_inertia", "Moment of inertia about the spin axis", inertia);
                 sheet.verify(|| {
                     let half = length.value() / 2.0;
                     let sum = quadrature::integral(|x| x * x, [-half, half], 1) * mass.value() / (2.0 * half);
@@ -127,7 +127,7 @@ impl Analysis for TwoBladedRotor {
                     "D",
                     "kg*m^2",
                     across - along,
-                    "How much larger the moment of inertia across the blades is than that along them",
+                    "Difference between the moments of inertia across and along the blades",
                 );
                 (axial, difference, along)
             }
@@ -143,7 +143,7 @@ impl Analysis for TwoBladedRotor {
                         turned * Vector3::x() * radius.value()
                     };
                     let Ok(velocity) = rigid::numerical_rate(at, TAU / rate.value().abs()) else { return };
-                    let what = "speed on the curve, by differences of the place";
+                    let what = "speed on the curve, by finite differences of the position";
                     sheet.check(what, speed.abs(), velocity.norm().into());
                 });
                 rate
@@ -155,20 +155,20 @@ impl Analysis for TwoBladedRotor {
             "C_m",
             "N*m",
             gyroscope::right_angled_couple(axial_inertia, spin, rate),
-            "Mean over a turn: the couple of a symmetric rotor with the same moment of inertia about its axis",
+            "Mean over a revolution: the couple of a symmetric rotor with the same moment of inertia about its axis",
         );
         let swing = sheet.step(
             "C_p",
             "N*m",
             spin * rate * difference,
-            "Amplitude of the part that pulses twice in each turn",
+            "Amplitude of the component at twice per revolution",
         );
         let normal = sheet.step(
             "M_z",
             "N*m",
             gyroscope::blades_couple_normal(axial_inertia, difference, spin, rate, angle),
             (
-                "Couple about the normal to spin and precession: Euler's equations in the axes of the blades, turned back by χ",
+                "Couple about the normal to spin and precession: Euler's equations in the axes of the blades, rotated back by χ",
                 BEVAN.at("ch. 2"),
             ),
         );
@@ -176,16 +176,13 @@ impl Analysis for TwoBladedRotor {
             "M_y",
             "N*m",
             gyroscope::blades_couple_precession(difference, spin, rate, angle),
-            ("Couple about the axis of the precession", BEVAN.at("ch. 2")),
+            ("Couple about the precession axis", BEVAN.at("ch. 2")),
         );
         let axial = sheet.step(
             "Mₓ",
             "N*m",
             gyroscope::blades_couple_spin(difference, rate, angle),
-            (
-                "Couple about the axis of the spin, which books neglect: it keeps the spin constant",
-                BEER.at("§18.2"),
-            ),
+            ("Couple about the spin axis, which books neglect: it keeps the spin constant", BEER.at("§18.2")),
         );
         let couple = sheet.step_vector(
             "M",
@@ -197,31 +194,31 @@ impl Analysis for TwoBladedRotor {
             "C",
             "N*m",
             (along.powi(2) + normal.powi(2)).sqrt(),
-            "Resultant of the couple across the axle: it bends the shaft",
+            "Resultant of the couple normal to the axle: it bends the shaft",
         );
         let largest = sheet.step(
             "C_max",
             "N*m",
             mean.abs() + swing.abs(),
-            "Largest resultant, twice in each turn: with slender blades, where they lie along the axis of the precession",
+            "Maximum resultant, twice per revolution: with slender blades, where they lie along the precession axis",
         );
         let least = sheet.step(
             "C_min",
             "N*m",
             (mean.abs() - swing.abs()).abs(),
-            "Least resultant, a quarter of a turn later",
+            "Minimum resultant, a quarter of a revolution later",
         );
         let reaction =
             sheet.step_vector("M_R", "N*m", -couple, "Reaction on the carrier: equal and opposite");
         sheet.answer("mean_couple", "Mean couple", mean);
         sheet.answer("pulsation", "Amplitude of the pulsating part", swing);
         sheet.answer("couple_normal", "Couple about the normal to spin and precession", normal);
-        sheet.answer("couple_precession", "Couple about the axis of the precession", along);
-        sheet.answer("couple_spin", "Couple about the axis of the spin", axial);
+        sheet.answer("couple_precession", "Couple about the precession axis", along);
+        sheet.answer("couple_spin", "Couple about the spin axis", axial);
         sheet.answer_vector("couple", "Couple on the rotor (spin, precession, normal)", couple);
-        sheet.answer("resultant", "Resultant across the axle", across);
-        sheet.answer("largest_resultant", "Largest resultant in a turn", largest);
-        sheet.answer("least_resultant", "Least resultant in a turn", least);
+        sheet.answer("resultant", "Resultant normal to the axle", across);
+        sheet.answer("largest_resultant", "Maximum resultant over a revolution", largest);
+        sheet.answer("least_resultant", "Minimum resultant over a revolution", least);
         sheet.answer_vector("reaction", "Reaction on the carrier (spin, precession, normal)", reaction);
         let (along, across_blades) = (along_blades.value(), (along_blades + difference).value());
         let (inertia, rate) = ([axial_inertia.value(), along, across_blades], rate.value());
@@ -235,7 +232,7 @@ impl Analysis for TwoBladedRotor {
                 size,
             );
             sheet.check_sum(
-                "the product of the largest and the least resultant",
+                "the product of the maximum and the minimum resultant",
                 largest * least,
                 (mean.powi(2) - swing.powi(2)).abs(),
                 size,
@@ -257,7 +254,7 @@ impl Analysis for TwoBladedRotor {
             }
         });
         sheet.show(|| Exhibit::Plot(self.couple_over_a_turn(inertia, rate, across.value())));
-        sheet.show(|| film(self.spin));
+        sheet.show(|| animation(self.spin));
         Ok(())
     }
 }
@@ -271,7 +268,7 @@ fn hold_to_triangle([axial, along, across]: [f64; 3]) -> Result<(), Refusal> {
     match broken {
         None => Ok(()),
         Some((name, ..)) => Err(Refusal::because(
-            Text::new("no body has these moments of inertia: {name} is larger than the sum of the other two")
+            Text::new("these moments of inertia violate the triangle inequality: {name} is larger than the sum of the other two")
                 .with("name", name),
         )),
     }
@@ -307,7 +304,7 @@ impl TwoBladedRotor {
         let precession = |angle: f64| gyroscope::blades_couple_precession(difference, self.spin, rate, angle);
         let resultant = |angle: f64| normal(angle).hypot(precession(angle));
         Plot::new(
-            "Couple on the rotor over a turn of the blades",
+            "Couple on the rotor over a revolution of the blades",
             Axis::linear("angle of the blades", "deg"),
             Axis::linear("couple", "N*m"),
             vec![
@@ -322,8 +319,8 @@ impl TwoBladedRotor {
 }
 
 /// The rotor over a turn, seen with its axle towards the viewer's left.
-fn film(spin: f64) -> Exhibit {
-    scene::film("The blades over a turn: the axle x, the precession about y", 4.0, |t| {
+fn animation(spin: f64) -> Exhibit {
+    scene::animation("Blades over one revolution: axle along x, precession about y", 4.0, |t| {
         let mut scene = Scene::y_up();
         let angle = if spin < 0.0 { -TAU * t } else { TAU * t };
         // The scene has y up and z towards the viewer: x, the axle, to the right.

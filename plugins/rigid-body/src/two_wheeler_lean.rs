@@ -26,7 +26,7 @@ pub struct TwoWheelerLean {
     #[input("m", "kg", positive)]
     pub mass: f64,
     /// Height of the centre of mass.
-    /// Standing upright.
+    /// With the vehicle upright.
     #[input("h", "m", positive)]
     pub centre_height: f64,
     /// Radius of the wheels.
@@ -38,15 +38,16 @@ pub struct TwoWheelerLean {
     /// Engine.
     pub engine: Option<Engine>,
     /// Yaw less pitch moment of inertia of the whole vehicle.
-    /// With its wheels and rider, about axes through G: the one upright in the vehicle less the one across it. Books leave it out; it is small beside m h².
+    /// With wheels and rider, about axes through G: the one about the vehicle's own vertical axis less the one about
+    /// its transverse axis. Textbooks neglect it; it is small compared with m h².
     #[input("J", "kg*m^2")]
     pub inertia_difference: Option<f64>,
     /// Radius of the turn.
     #[input("R", "m", positive)]
     pub radius: f64,
-    /// That radius is measured.
+    /// Radius measured.
     pub measured: Measured,
-    /// Asked for.
+    /// Required result.
     pub motion: Motion,
     /// Friction coefficient of the tyres.
     #[input("µ", "1", positive)]
@@ -59,11 +60,11 @@ pub struct TwoWheelerLean {
 /// The turning parts of an engine whose shaft lies across the vehicle.
 #[derive(Clone, Debug, Inputs)]
 pub struct Engine {
-    /// Moment of inertia of its turning parts.
+    /// Moment of inertia of its rotating parts.
     #[input("I_e", "kg*m^2", nonnegative)]
     pub inertia: f64,
     /// Gear ratio.
-    /// Speed of the engine over that of the wheels.
+    /// Engine speed divided by wheel speed.
     #[input("G", "1", nonnegative)]
     pub ratio: f64,
     /// Sense.
@@ -73,9 +74,9 @@ pub struct Engine {
 /// How the engine turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Sense {
-    /// Like the wheels
+    /// Same sense as the wheels
     Like,
-    /// Against the wheels
+    /// Opposite to the wheels
     Against,
 }
 
@@ -84,23 +85,23 @@ pub enum Sense {
 pub enum Measured {
     /// To the centre of mass
     CentreOfMass,
-    /// To the track of the wheels
+    /// To the wheel path
     /// The centre of mass then runs on the smaller circle of radius R − h sin θ.
     Track,
 }
 
-/// What is known of the motion.
+/// Known quantity of the motion.
 #[derive(Clone, Debug, Inputs)]
 pub enum Motion {
-    /// The lean at a speed
+    /// The lean at a given speed
     Speed {
         /// Speed of the wheels.
         #[input("v", "m/s", nonnegative)]
         speed: f64,
     },
-    /// The speed at a lean
+    /// The speed for a given lean
     Lean {
-        /// Lean from the vertical.
+        /// Lean angle from the vertical.
         #[input("θ", "rad", nonnegative, max = 1.5)]
         lean: f64,
     },
@@ -113,7 +114,7 @@ impl Analysis for TwoWheelerLean {
         id: "rigid-body/two-wheeler-lean",
         title: "Lean of a two-wheeler in a turn",
         topic: "Gyroscopes and vehicles",
-        summary: "Angle at which a motorcycle leans into a turn, with the gyroscopic couples of wheels and engine, the friction it needs, and the speed for a given lean.",
+        summary: "Lean angle of a motorcycle in a turn, with the gyroscopic couples of wheels and engine, the required friction, and the speed for a given lean.",
         keywords: "motorcycle bicycle lean heel gyroscopic motocicleta bicicleta inclinação curva giroscópico duas rodas",
         sources: &[&KHURMI, &BEER],
         cases: include_str!("../cases/two_wheeler_lean.toml"),
@@ -133,7 +134,7 @@ impl Analysis for TwoWheelerLean {
             "kg*m^2",
             rotors,
             (
-                "Turning parts, reduced to the speed of the wheels: their angular momentum is I v/r",
+                "Rotating parts, referred to the wheel speed: their angular momentum is I v/r",
                 KHURMI.at("§14.10"),
             ),
         );
@@ -155,7 +156,7 @@ impl Analysis for TwoWheelerLean {
             "C_g",
             "N*m",
             inertia * (speed / given.wheel_radius) * rate * lean.cos(),
-            ("Gyroscopic couple, which lifts the vehicle out of its lean", KHURMI.at("§14.10")),
+            ("Gyroscopic couple, which tends to right the vehicle", KHURMI.at("§14.10")),
         );
         let own = given.inertia_difference.map(|difference| {
             sheet.step(
@@ -163,7 +164,7 @@ impl Analysis for TwoWheelerLean {
                 "N*m",
                 difference * rate.powi(2) * lean.sin() * lean.cos(),
                 (
-                    "Couple of the turning of the leaning vehicle itself, as of a rotor without spin",
+                    "Couple due to the turning of the leaning vehicle itself, as for a rotor without spin",
                     BEER.at("§18.2"),
                 ),
             )
@@ -172,42 +173,40 @@ impl Analysis for TwoWheelerLean {
             "C_c",
             "N*m",
             given.mass * rate.powi(2) * path * given.centre_height * lean.cos(),
-            ("Couple of the centrifugal force about the line of contact", KHURMI.at("§14.10")),
+            ("Moment of the centrifugal force about the line of contact", KHURMI.at("§14.10")),
         );
         let weight = sheet.step(
             "C_w",
             "N*m",
             given.mass * given.gravity * given.centre_height * lean.sin(),
-            ("Couple of the weight, which balances both", KHURMI.at("§14.10")),
+            ("Moment of the weight, which balances both", KHURMI.at("§14.10")),
         );
         let plain = sheet.step(
             "θ₀",
             "deg",
             (rate.powi(2) * path / given.gravity).atan2(W::Num::from(1.0)),
-            "Lean of a vehicle without turning parts on the same circle",
+            "Lean angle of a vehicle without rotating parts on the same circle",
         );
         let needed = sheet.step(
             "µ₀",
             "1",
             rate.powi(2) * path / given.gravity,
-            "Friction that the tyres need: centripetal force over weight, which the lean does not change",
+            "Required friction of the tyres: ratio of centripetal force to weight, independent of the lean",
         );
         sheet.answer("gyroscopic_couple", "Gyroscopic couple", gyroscopic);
         if let Some(own) = own {
-            sheet.answer("own_couple", "Couple of the turning of the leaning vehicle itself", own);
+            sheet.answer("own_couple", "Couple due to the turning of the leaning vehicle itself", own);
         }
-        sheet.answer("centrifugal_couple", "Couple of the centrifugal force", centrifugal);
-        sheet.answer("weight_couple", "Couple of the weight", weight);
-        sheet.answer("lean_without_rotors", "Lean without the gyroscopic couples", plain);
-        sheet.answer("friction_needed", "Friction coefficient that the tyres need", needed);
+        sheet.answer("centrifugal_couple", "Moment of the centrifugal force", centrifugal);
+        sheet.answer("weight_couple", "Moment of the weight", weight);
+        sheet.answer("lean_without_rotors", "Lean angle without the gyroscopic couples", plain);
+        sheet.answer("friction_needed", "Required friction coefficient of the tyres", needed);
         if let Some(friction) = given.friction {
             if needed.value() > friction.value() {
                 sheet.warn(|| {
-                    Text::new(
-                        "the tyres slide: they need a friction coefficient of {needed} and have {friction}",
-                    )
-                    .with_quantity("needed", needed.value(), "1")
-                    .with_quantity("friction", friction.value(), "1")
+                    Text::new("the tyres slide: required friction coefficient {needed}, available {friction}")
+                        .with_quantity("needed", needed.value(), "1")
+                        .with_quantity("friction", friction.value(), "1")
                 });
             }
             let sliding = sheet.step(
@@ -225,7 +224,8 @@ impl Analysis for TwoWheelerLean {
                 let Some(acceleration) = second_rate(place, TAU * self.radius / sliding.value()) else {
                     return;
                 };
-                let what = "acceleration of the centre of mass at that speed, by differences of its place";
+                let what =
+                    "acceleration of the centre of mass at that speed, by finite differences of its position";
                 sheet.check(what, friction * given.gravity, acceleration.norm().into());
             });
         }
@@ -237,7 +237,7 @@ impl Analysis for TwoWheelerLean {
             sheet.check_zero("the couples about the line of contact balance", weight - outwards, size);
             let per_mass = rate.powi(2) * path;
             sheet.check_sum(
-                "weight and centrifugal force balance at the lean without turning parts",
+                "weight and centrifugal force balance at the lean without rotating parts",
                 given.gravity * plain.sin(),
                 per_mass * plain.cos(),
                 self.gravity + per_mass.value().abs(),
@@ -271,12 +271,12 @@ impl TwoWheelerLean {
                         * (inertia / (given.mass * given.wheel_radius * given.centre_height) + 1.0),
                     ("Tangent of the lean: m g h sin θ = (m v² h/R + I v²/(r R)) cos θ", KHURMI.at("§14.10")),
                 );
-                sheet.step("θ", "deg", tangent.atan2(W::Num::from(1.0)), "Lean from the vertical")
+                sheet.step("θ", "deg", tangent.atan2(W::Num::from(1.0)), "Lean angle from the vertical")
             }
             (measured, _) => {
                 if measured == Measured::Track && self.radius <= self.centre_height {
                     return Err(Refusal::because(
-                        "the radius of the track must be above the height of the centre of mass, which would lean over the centre of the turn",
+                        "the radius of the wheel path must be above the height of the centre of mass, which would otherwise lean over the centre of the turn",
                     ));
                 }
                 let square = speed.value().powi(2);
@@ -293,11 +293,11 @@ impl TwoWheelerLean {
                     "θ",
                     "deg",
                     found,
-                    "Lean from the vertical, searched for: the couples that must balance depend on the lean itself",
+                    "Lean angle from the vertical, found numerically: the couples to be balanced depend on the lean itself",
                 )
             }
         };
-        sheet.answer("lean", "Lean from the vertical", lean);
+        sheet.answer("lean", "Lean angle from the vertical", lean);
         Ok(lean)
     }
 
@@ -348,7 +348,7 @@ impl TwoWheelerLean {
         );
         if square.value() < 0.0 {
             return Err(Refusal::because(
-                "the engine turns so hard against the wheels that the vehicle would lean outwards: no speed gives that lean",
+                "the angular momentum of the engine opposes that of the wheels so strongly that the vehicle would lean outwards: no speed gives that lean",
             ));
         }
         let speed = sheet.step("v", "m/s", square.sqrt(), "Speed for that lean");
@@ -389,12 +389,12 @@ impl TwoWheelerLean {
                 .collect()
         };
         Plot::new(
-            "Lean against speed",
+            "Lean angle against speed",
             Axis::linear("speed", "km/h"),
             Axis::linear("lean", "deg"),
             vec![
                 Series::line("with wheels and engine", curve(self, inertia)).of("lean"),
-                Series::line("without", curve(&without, 0.0)).of("lean_without_rotors"),
+                Series::line("without wheels and engine", curve(&without, 0.0)).of("lean_without_rotors"),
             ],
         )
         .over("motion.speed.speed")

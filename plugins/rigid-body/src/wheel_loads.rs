@@ -41,7 +41,7 @@ pub struct WheelLoads {
     /// Moment of inertia of the wheels.
     pub wheels: WheelInertia,
     /// Transverse moment of inertia of each pair of wheels.
-    /// About an axis across the axle. It matters on a banked road alone, and little.
+    /// About an axis transverse to the axle. It matters only on a banked road, and little.
     #[input("I_t", "kg*m^2", positive)]
     pub transverse_inertia: Option<f64>,
     /// Engine or motors.
@@ -57,7 +57,7 @@ pub struct WheelLoads {
     #[input("β", "rad", nonnegative, max = 1.2, default = "0 deg")]
     pub bank: f64,
     /// Speed.
-    /// Without it only the limits are answered.
+    /// If omitted, only the limits are calculated.
     #[input("v", "m/s", nonnegative)]
     pub speed: Option<f64>,
     /// Friction coefficient.
@@ -81,8 +81,9 @@ pub enum Layout {
         /// Distance of the centre of mass behind the front axle.
         #[input("c", "m")]
         behind_front: f64,
-        /// Share of the front axle in the couple that tilts the vehicle.
-        /// Four wheels on a stiff body leave it open: one half if nothing is known, else as the springs share it.
+        /// Share of the overturning couple carried by the front axle.
+        /// With four wheels on a rigid body it is indeterminate: one half if nothing is known, otherwise as distributed
+        /// by the springs.
         #[input("ξ", "1", nonnegative, max = 1.0, default = "0.5")]
         front_share: f64,
     },
@@ -129,11 +130,11 @@ pub enum WheelInertia {
 #[derive(Clone, Debug, Inputs)]
 pub struct Engine {
     /// Moment of inertia.
-    /// Of all parts that turn at the same speed.
+    /// Of all parts that rotate at the same speed.
     #[input("I_e", "kg*m^2", nonnegative)]
     pub inertia: f64,
     /// Gear ratio.
-    /// Speed of the engine over that of the wheels.
+    /// Engine speed divided by wheel speed.
     #[input("G", "1", nonnegative)]
     pub ratio: f64,
     /// Shaft and sense.
@@ -143,13 +144,13 @@ pub struct Engine {
 /// How the shaft of the engine lies and turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Shaft {
-    /// Across, turning like the wheels
+    /// Transverse, same sense as the wheels
     AcrossLikeWheels,
-    /// Across, turning against the wheels
+    /// Transverse, opposite to the wheels
     AcrossAgainstWheels,
-    /// Along, clockwise seen from the front
+    /// Longitudinal, clockwise seen from the front
     AlongClockwiseFromFront,
-    /// Along, clockwise seen from the rear
+    /// Longitudinal, clockwise seen from the rear
     AlongClockwiseFromRear,
 }
 
@@ -264,7 +265,7 @@ impl WheelLoads {
             "N*m",
             wheels,
             (
-                "Gyroscopic couple of the wheels: it tilts the vehicle outwards, about its long axis",
+                "Gyroscopic couple of the wheels: it tilts the vehicle outwards, about its longitudinal axis",
                 KHURMI.at("§14.9"),
             ),
         );
@@ -275,13 +276,14 @@ impl WheelLoads {
         } else {
             given.mass * given.gravity
         };
-        let normal = sheet.step("P", "N", normal, "All wheel loads together, normal to the road");
+        let normal = sheet.step("P", "N", normal, "Sum of the wheel loads, normal to the road");
         let side = if banked {
             given.mass * (speed.powi(2) / given.radius * given.bank.cos() - given.gravity * given.bank.sin())
         } else {
             given.mass * speed.powi(2) / given.radius
         };
-        let side = sheet.step("S", "N", side, "Side force of the road, along it, towards the inside");
+        let side =
+            sheet.step("S", "N", side, "Side force of the road, parallel to its surface, towards the inside");
         let overturning = sheet.step(
             "C_O",
             "N*m",
@@ -302,18 +304,18 @@ impl WheelLoads {
             "ΔN",
             "N",
             couples.tilting / given.track,
-            "Load that goes from the inner to the outer side, all wheels of a side together",
+            "Load transfer from the inner to the outer side, sum of all wheels of a side",
         );
         let each = sheet.step(
             "N_g",
             "N",
             wheels / (given.track * self.axles()),
-            ("Load that the couple of the wheels alone puts on each outer wheel", BEER.at("§18.3")),
+            ("Load on each outer wheel due to the couple of the wheels alone", BEER.at("§18.3")),
         );
         sheet.answer("side_force", "Side force of the road", side);
         sheet.answer("overturning_couple", "Overturning couple of the side force", overturning);
-        sheet.answer("load_transfer", "Load that goes from the inner to the outer side", transfer);
-        sheet.answer("gyroscopic_load", "Load on each outer wheel from the couple of the wheels", each);
+        sheet.answer("load_transfer", "Load transfer from the inner to the outer side", transfer);
+        sheet.answer("gyroscopic_load", "Load on each outer wheel due to the couple of the wheels", each);
         let loads = self.wheel_loads(given, normal, transfer, couples.pitching, sheet);
         for (wheel, load) in &loads {
             sheet.answer(wheel.name, wheel.label, *load);
@@ -348,7 +350,7 @@ impl WheelLoads {
             // Axles that are alike are written once.
             let times = if matches!(self.layout, Layout::TwoEqualAxles) { 2.0 } else { 1.0 };
             let sum = Real::sum(loads.iter().map(|(_, load)| *load)) * times;
-            sheet.check("the wheel loads make up the whole", sum, normal);
+            sheet.check("the wheel loads sum to the total", sum, normal);
             let outer = |(wheel, load): &(Wheel, W::Num)| if wheel.outer { *load } else { -*load };
             let moment = Real::sum(loads.iter().map(outer)) * times * given.track / 2.0;
             sheet.check_zero(
@@ -377,13 +379,13 @@ impl WheelLoads {
         let why = match engine.shaft {
             Shaft::AcrossLikeWheels => "Gyroscopic couple of the engine, which adds to that of the wheels",
             Shaft::AcrossAgainstWheels => {
-                "Gyroscopic couple of the engine, which takes from that of the wheels"
+                "Gyroscopic couple of the engine, which is subtracted from that of the wheels"
             }
             _ if self.engine_sign() > 0.0 => {
-                "Gyroscopic couple of the engine: in this turn it presses on the front axle and relieves the rear one"
+                "Gyroscopic couple of the engine: in this turn it loads the front axle and unloads the rear one"
             }
             _ => {
-                "Gyroscopic couple of the engine: in this turn it presses on the rear axle and relieves the front one"
+                "Gyroscopic couple of the engine: in this turn it loads the rear axle and unloads the front one"
             }
         };
         let couple = sheet.step("C_E", "N*m", couple, (why, KHURMI.at("§14.9")));
@@ -436,7 +438,8 @@ impl WheelLoads {
                 let front =
                     sheet.step("P_f", "N", front, "Load of the front axle: moments about the rear one");
                 let rear = sheet.step("P_r", "N", normal - front, "Load of the rear axle");
-                let shifted = sheet.step("ΔN_f", "N", transfer * front_share, "Share of the front axle");
+                let shifted =
+                    sheet.step("ΔN_f", "N", transfer * front_share, "Load transfer at the front axle");
                 (front, rear, shifted, transfer - shifted)
             }
             LayoutGiven::TwoEqualAxles { .. } => {

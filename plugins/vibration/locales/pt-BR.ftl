@@ -1,14 +1,14 @@
 mass-on-beams-and-springs = Massa sobre vigas e molas
 mass-damping-and-transmitted-force-of-a-mass-on-a-network-of-beams-and-springs-from-its-free-decay = Massa, amortecimento e força transmitida de uma massa sobre uma associação de vigas e molas, a partir do seu decaimento livre.
-the-free-motion-is-slower-than-the-natural-frequency = A vibração livre é mais lenta que a frequência natural
+the-damped-frequency-is-below-the-natural-frequency = A frequência amortecida é menor que a frequência natural
 mass-that-has-this-natural-frequency-on-the-springs = Massa que tem essa frequência natural sobre as molas
 damping-coefficient = Coeficiente de amortecimento
-stiffness-mass-and-damping-give-the-frequency-of-the-free-motion-back = rigidez, massa e amortecimento devolvem a frequência da vibração livre
-the-exponential-decay-gives-the-ratio-of-the-amplitudes-back = o decaimento exponencial devolve a razão das amplitudes
+stiffness-mass-and-damping-reproduce-the-frequency-of-the-free-vibration = rigidez, massa e amortecimento reproduzem a frequência da vibração livre
+the-exponential-decay-reproduces-the-amplitude-ratio = o decaimento exponencial reproduz a razão das amplitudes
 stiffness = Rigidez
 equivalent-stiffness = Rigidez equivalente
 logarithmic-decrement = Decremento logarítmico
-damping-ratio = Razão de amortecimento
+damping-ratio = Fator de amortecimento
 natural-frequency = Frequência natural
 mass = Massa
 damping = Amortecimento
@@ -17,56 +17,61 @@ without-damping-a-force-at-the-natural-frequency-makes-the-motion-grow-without-b
 transmissibility-force-on-the-support-over-force-on-the-mass = Transmissibilidade: força no apoio sobre força na massa
 transmissibility-from-the-dynamic-stiffness = transmissibilidade pela rigidez dinâmica
 transmissibility = Transmissibilidade
-steady-amplitude-under-the-force = Amplitude em regime permanente sob a força
+steady-state-amplitude-under-the-force = Amplitude em regime permanente sob a força
 amplitude-from-the-magnification-of-the-static-deflection = amplitude pela amplificação da deflexão estática
 the-motion-lags-the-force-by = O movimento está atrasado em relação à força de
-amplitude-of-the-force-on-the-support = Amplitude da força no apoio
+amplitude-of-the-force-transmitted-to-the-support = Amplitude da força transmitida ao apoio
 force-on-the-support-from-the-forces-of-springs-and-damper = força no apoio pelas forças das molas e do amortecedor
 amplitude = Amplitude
 steady-amplitude = Amplitude em regime permanente
-phase-lag = Atraso de fase
+steady-state-amplitude = Amplitude em regime permanente
+phase-lag = Ângulo de fase (atraso)
 force-on-the-support = Força no apoio
+force-transmitted-to-the-support = Força transmitida ao apoio
 f-cos-t = F₀ cos ωt
 the-mass-on-its-springs = A massa sobre as suas molas
-free-motion-after-a-first-amplitude-of-one = Vibração livre a partir de uma primeira amplitude unitária
+free-vibration-from-an-initial-amplitude-of-one = Vibração livre a partir de uma amplitude inicial unitária
 time = tempo
 displacement-over-the-first-amplitude = deslocamento sobre a primeira amplitude
 successive-amplitudes = amplitudes sucessivas
 transmissibility-against-frequency = Transmissibilidade em função da frequência
 frequency-of-the-force = Frequência da força
 at-this-frequency = nesta frequência
-the-force-as-it-is = a força tal como é
+applied-force-tr-1 = força aplicada (TR = 1)
 springs = Molas
-a-network-series-and-parallel-may-stand-inside-one-another = Uma associação: série e paralelo podem estar um dentro do outro.
-frequency-of-the-free-motion = Frequência da vibração livre
-that-of-the-decaying-motion-as-it-is-counted-below-the-natural-frequency-where-there-is-damping = A do movimento que decai, tal como é contada; abaixo da frequência natural quando há amortecimento.
+a-network-series-and-parallel-groups-may-be-nested = Uma associação: grupos em série e em paralelo podem ser aninhados.
+frequency-of-the-free-vibration = Frequência da vibração livre
+the-frequency-of-the-decaying-motion-as-counted-below-the-natural-frequency-if-there-is-damping = A frequência do movimento que decai, tal como contada; abaixo da frequência natural quando há amortecimento.
 decay-of-the-free-motion = Decaimento da vibração livre
+decay-of-the-free-vibration = Decaimento da vibração livre
 excitation = Excitação
 a-harmonic-force-on-the-mass = Uma força harmônica sobre a massa.
 amplitude-of-the-force = Amplitude da força
-the-transmissibility-does-not-need-it = A transmissibilidade não precisa dela.
+the-transmissibility-is-independent-of-it = A transmissibilidade não depende dela.
 successive-amplitudes-are-one-cycle-apart = Amplitudes sucessivas estão a um ciclo uma da outra
-damping-ratio-of-that-decrement = Razão de amortecimento desse decremento
-the-damping-ratio-gives-the-decrement-back = a razão de amortecimento devolve o decremento
+damping-ratio-from-that-decrement = Fator de amortecimento por esse decremento
+the-damping-ratio-reproduces-the-decrement = o fator de amortecimento reproduz o decremento
 ratio-of-the-first-amplitude-to-the-last = Razão entre a primeira amplitude e a última
 n-1-stands-for-a-motion-that-does-not-decay = 1 indica um movimento que não decai.
 counted = Contagem
+counted-quantity = Grandeza contada
 cycles-between-the-two-amplitudes = Ciclos entre as duas amplitudes
 number-of-cycles = Número de ciclos
-successive-amplitudes-both-ends-included = Amplitudes sucessivas, incluídas as duas extremas
+successive-amplitudes-including-both-ends = Amplitudes sucessivas, incluindo a primeira e a última
 seven-successive-amplitudes-span-six-cycles = Sete amplitudes sucessivas abrangem seis ciclos.
 number-of-amplitudes = Número de amplitudes
 # equivalent-stiffness
 along-a-line = Ao longo de uma reta
 what-they-carry = O que elas sustentam
-left-out-only-the-stiffness-is-found = Se for omitido, só a rigidez é determinada.
+supported-body = Corpo sustentado
+if-omitted-only-the-stiffness-is-found = Se for omitido, só a rigidez é determinada.
 masses-of-the-springs-themselves = Massas das próprias molas
 between-mass-and-weight = Entre massa e peso.
-turning-about-an-axis = Giro em torno de um eixo
+rotation-about-an-axis = Rotação em torno de um eixo
 torsional-springs = Molas de torção
 moment-of-inertia-of-the-shaft-about-its-axis = Momento de inércia do eixo em relação à sua linha de centro
-a-third-of-it-turns-with-the-body-left-out-for-a-light-shaft = Um terço dele gira com o corpo; omitido para um eixo leve.
-along-a-line-spring-sought = Ao longo de uma reta, mola procurada
+one-third-of-it-rotates-with-the-body-omitted-for-a-light-shaft = Um terço dele gira com o corpo; omitido para um eixo leve.
+along-a-line-spring-unknown = Ao longo de uma reta, mola desconhecida
 the-stiffness-that-gives-a-mass-its-natural-frequency = A rigidez que dá a uma massa a sua frequência natural.
 natural-frequency-required = Frequência natural exigida
 for-the-static-deflection = Para a deflexão estática.
@@ -75,46 +80,48 @@ unknown-mass-static-deflection-known = Massa desconhecida, deflexão estática c
 mass-of-the-spring = Massa da mola
 helical-spring-or-bar-1-3 = Mola helicoidal ou barra: 1/3
 cantilever-load-at-its-tip-33-140 = Viga em balanço, carga na ponta: 33/140
-simply-supported-beam-load-at-its-middle-17-35 = Viga biapoiada, carga no meio: 17/35
-beam-clamped-at-both-ends-load-at-its-middle-13-35 = Viga biengastada, carga no meio: 13/35
+simply-supported-beam-load-at-midspan-17-35 = Viga biapoiada, carga no meio do vão: 17/35
+beam-clamped-at-both-ends-load-at-midspan-13-35 = Viga biengastada, carga no meio do vão: 13/35
 share-given = Parcela dada
-share-of-its-mass = Parcela da sua massa
+given-fraction = Fração dada
+effective-mass-fraction = Fração de massa efetiva
 moment-of-inertia-known = Momento de inércia conhecido
 unknown-natural-frequency-required = Desconhecido, frequência natural exigida
-one-spring-for-a-network-of-springs-beams-or-shafts-what-each-of-them-carries-and-the-natural = Uma mola para uma associação de molas, vigas ou eixos, o que cada um leva, e a frequência natural da massa sobre eles.
-a-third-of-a-helical-spring-or-bar-moves-with-its-end = Um terço de uma mola helicoidal ou barra move-se com a sua extremidade
-n-33-140-of-a-cantilever-moves-with-its-tip = 33/140 de uma viga em balanço movem-se com a sua ponta
-n-17-35-of-a-simply-supported-beam-moves-with-its-middle = 17/35 de uma viga biapoiada movem-se com o seu meio
-n-13-35-of-a-beam-clamped-at-both-ends-moves-with-its-middle = 13/35 de uma viga biengastada movem-se com o seu meio
-part-of-the-spring-that-moves-with-the-load = Parte da mola que se move com a carga
-mass-that-moves-in-all-the-kinetic-energies-add-up = Massa que se move ao todo: as energias cinéticas somam-se
-the-springs-alone-vibrate-more-slowly-than-required-write-a-lower-frequency-or-lighter-springs = as molas sozinhas vibram mais devagar que o exigido: escreva uma frequência menor ou molas mais leves
-what-is-left-for-the-load-beside-the-moving-part-of-the-springs = O que resta para a carga além da parte móvel das molas
+equivalent-spring-of-a-network-of-springs-beams-or-shafts-the-load-on-each-of-them-and-the-natural = Mola equivalente de uma associação de molas, vigas ou eixos, a carga em cada um e a frequência natural da massa sobre eles.
+effective-mass-of-a-helical-spring-or-bar-one-third-of-its-mass-at-the-moving-end = Massa efetiva de uma mola helicoidal ou barra: um terço da sua massa, na extremidade móvel
+effective-mass-of-a-cantilever-33-140-of-its-mass-at-the-tip = Massa efetiva de uma viga em balanço: 33/140 da sua massa, na ponta
+effective-mass-of-a-simply-supported-beam-17-35-of-its-mass-at-midspan = Massa efetiva de uma viga biapoiada: 17/35 da sua massa, no meio do vão
+effective-mass-of-a-beam-clamped-at-both-ends-13-35-of-its-mass-at-midspan = Massa efetiva de uma viga biengastada: 13/35 da sua massa, no meio do vão
+effective-mass-of-the-spring-moving-with-the-load = Massa efetiva da mola, que se move com a carga
+total-moving-mass-the-kinetic-energies-add-up = Massa móvel total: as energias cinéticas se somam
+the-natural-frequency-of-the-springs-alone-is-below-the-required-one-write-a-lower-frequency-or = a frequência natural das molas sozinhas está abaixo da exigida: escreva uma frequência menor ou molas mais leves
+remaining-mass-of-the-load-after-subtracting-the-effective-mass-of-the-springs = Massa restante da carga, descontada a massa efetiva das molas
 mass-of-the-weight = Massa do peso
-mass-whose-weight-deflects-the-springs-so-far = Massa cujo peso causa essa deflexão
+mass-whose-weight-causes-this-deflection = Massa cujo peso causa essa deflexão
 weight-of-the-mass = Peso da massa
-the-largest-kinetic-energy-is-the-largest-elastic-energy = a máxima energia cinética é a máxima energia elástica
+the-maximum-kinetic-energy-equals-the-maximum-elastic-energy = a energia cinética máxima é igual à energia elástica máxima
 natural-frequency-from-the-static-deflection-g-m-m = frequência natural pela deflexão estática, ωₙ² = (g/δ) m/m'
 mass-of-the-load = Massa da carga
 weight-of-the-load = Peso da carga
 natural-frequency-in-cycles = Frequência natural em ciclos
+natural-frequency-in-hertz = Frequência natural em hertz
 equivalent-torsional-stiffness = Rigidez torcional equivalente
-a-third-of-the-shaft-turns-with-its-end = Um terço do eixo gira com a sua extremidade
+effective-inertia-of-the-shaft-one-third-at-the-moving-end = Inércia efetiva do eixo: um terço, na extremidade móvel
 moment-of-inertia-that-has-this-natural-frequency-on-the-springs = Momento de inércia que tem essa frequência natural sobre as molas
-the-shaft-alone-vibrates-more-slowly-than-required-write-a-lower-frequency-or-a-lighter-shaft = o eixo sozinho vibra mais devagar que o exigido: escreva uma frequência menor ou um eixo mais leve
-what-is-left-for-the-body-beside-the-turning-part-of-the-shaft = O que resta para o corpo além da parte do eixo que gira
-moment-of-inertia-that-turns-in-all-the-kinetic-energies-add-up = Momento de inércia que gira ao todo: as energias cinéticas somam-se
+the-natural-frequency-of-the-shaft-alone-is-below-the-required-one-write-a-lower-frequency-or-a = a frequência natural do eixo sozinho está abaixo da exigida: escreva uma frequência menor ou um eixo mais leve
+remaining-inertia-of-the-body-after-subtracting-the-rotating-part-of-the-shaft = Inércia restante do corpo, descontada a parte do eixo que gira
+total-rotating-moment-of-inertia-the-kinetic-energies-add-up = Momento de inércia girante total: as energias cinéticas se somam
 moment-of-inertia-of-the-body = Momento de inércia do corpo
 natural-frequency-from-the-static-deflection = frequência natural pela deflexão estática
 stiffness-of-the-spring = Rigidez da mola
 period-of-the-free-motion = Período da vibração livre
-the-same-frequency-counted-in-cycles = A mesma frequência, contada em ciclos
+the-same-frequency-in-hz = A mesma frequência em Hz
 natural-frequency-against-the-load = Frequência natural em função da carga
 this-load = esta carga
-the-springs-and-what-they-carry = As molas e o que elas sustentam
+the-springs-and-the-body-they-support = As molas e o corpo que sustentam
 # inertia
 moment-of-inertia-given = Momento de inércia dado
-about-the-axis-of-turning = Em relação ao eixo de giro.
+about-the-axis-of-rotation = Em relação ao eixo de rotação.
 weight-times-the-square-of-the-radius-of-gyration = Peso vezes o quadrado do raio de giração
 w-r-of-older-books-with-the-weight-as-a-force-lbf-ft = W R² de livros antigos, com o peso como força: lbf·ft².
 moment-of-inertia-the-weight-over-gravity-is-the-mass = Momento de inércia: o peso sobre a gravidade é a massa
@@ -128,31 +135,32 @@ moment-of-inertia-of-a-ring-about-its-axis = Momento de inércia de um anel em r
 moment-of-inertia-from-the-radius-of-gyration = Momento de inércia pelo raio de giração
 moment-of-inertia-of-a-solid-disc-about-its-axis = Momento de inércia de um disco maciço em relação ao seu eixo
 identification-from-a-frequency-response = Identificação por resposta em frequência
-the-damping-ratio-is-above-0-1-the-textbook-reading-peak-frequency-natural-frequency-is-off-by-more = a razão de amortecimento está acima de 0,1: a leitura dos livros, frequência do pico = frequência natural, erra mais de 1 % na frequência e 2 % na massa
-at-rest-the-springs-alone-hold-the-force-the-receptance-is-1-k = Em repouso só a mola sustenta a força: a receptância é 1/k
-height-of-the-peak-over-the-static-value = Altura do pico sobre o valor estático
+the-damping-ratio-is-above-0-1-the-textbook-method-peak-frequency-natural-frequency-is-in-error-by = o fator de amortecimento está acima de 0,1: o método dos livros, frequência do pico = frequência natural, erra mais de 1 % na frequência e 2 % na massa
+at-rest-only-the-spring-balances-the-force-the-receptance-is-1-k = Em repouso só a mola equilibra a força: a receptância é 1/k
+ratio-of-peak-height-to-static-value = Razão entre a altura do pico e o valor estático
 the-peak-is-not-above-the-static-value-so-there-is-no-resonance-write-the-larger-receptance-as-the = o pico não está acima do valor estático, portanto não há ressonância: escreva a maior receptância como pico
 the-peak-is-1-2-1-a-quadratic-equation-in-its-smaller-root = O pico é 1/(2ζ√(1 − ζ²)), uma equação do segundo grau em ζ²; a sua raiz menor
 the-peak-lies-at-1-2-below-the-natural-frequency = O pico fica em ωₙ√(1 − 2ζ²), abaixo da frequência natural
 mass-that-has-this-natural-frequency = Massa que tem essa frequência natural
 mass-from-the-parabola-of-1-h-over-through-static-value-and-peak = massa pela parábola de 1/H² sobre ω² que passa pelo valor estático e pelo pico
 damping-from-mass-stiffness-and-peak = amortecimento por massa, rigidez e pico
-the-receptance-of-stiffness-mass-and-damping-at-the-peak-is-the-measured-one = a receptância de rigidez, massa e amortecimento no pico é a medida
-the-response-is-level-at-the-peak-k-m-c-2m = a resposta é horizontal no pico: k = m ωₚ² + c²/(2m)
-textbook-reading-the-frequency-of-the-peak-taken-as-the-natural-one = Leitura dos livros: a frequência do pico tomada como frequência natural
-textbook-reading-at-resonance-the-damper-alone-holds-the-force = Leitura dos livros: na ressonância só o amortecedor sustenta a força
-how-far-the-textbook-reading-of-the-mass-is-off = Erro da leitura dos livros para a massa
-how-far-the-textbook-reading-of-the-damping-is-off = Erro da leitura dos livros para o amortecimento
+stiffness-mass-and-damping-reproduce-the-measured-receptance-at-the-peak = rigidez, massa e amortecimento reproduzem a receptância medida no pico
+the-response-curve-has-zero-slope-at-the-peak-k-m-c-2m = a curva de resposta tem inclinação nula no pico: k = m ωₚ² + c²/(2m)
+textbook-approximation-the-peak-frequency-taken-as-the-natural-frequency = Aproximação dos livros: a frequência de pico tomada como frequência natural
+textbook-approximation-at-resonance-only-the-damper-balances-the-force = Aproximação dos livros: na ressonância só o amortecedor equilibra a força
+error-of-the-textbook-estimate-of-the-mass = Erro da estimativa dos livros-texto para a massa
+error-of-the-textbook-estimate-of-the-damping = Erro da estimativa dos livros-texto para o amortecimento
 mass-peak-taken-as-natural-frequency = Massa, com o pico tomado como frequência natural
 damping-peak-taken-as-natural-frequency = Amortecimento, com o pico tomado como frequência natural
 error-of-that-mass = Erro dessa massa
 error-of-that-damping = Erro desse amortecimento
-largest-amplitude-for-each-newton-of-the-force = Maior amplitude para cada newton da força
-amplitude-at-resonance-for-each-unit-of-force = Amplitude na ressonância por unidade de força
-largest-amplitude-under-this-force = Maior amplitude sob esta força
-amplitude-at-the-natural-frequency-where-the-damper-alone-holds-the-force = Amplitude na frequência natural, onde só o amortecedor sustenta a força
+error-of-that-damping-value = Erro desse valor de amortecimento
+maximum-amplitude-per-newton-of-force = Amplitude máxima por newton de força
+amplitude-at-resonance-per-unit-force = Amplitude na ressonância por unidade de força
+maximum-amplitude-under-this-force = Amplitude máxima sob esta força
+amplitude-at-the-natural-frequency-where-only-the-damper-balances-the-force = Amplitude na frequência natural, onde só o amortecedor equilibra a força
 amplitude-at-the-natural-frequency-from-the-static-deflection-over-2 = amplitude na frequência natural pela deflexão estática sobre 2ζ
-largest-amplitude-under-the-force = Maior amplitude sob a força
+maximum-amplitude-under-the-force = Amplitude máxima sob a força
 amplitude-at-the-natural-frequency = Amplitude na frequência natural
 receptance-against-frequency = Receptância em função da frequência
 frequency = Frequência
@@ -161,10 +169,10 @@ identified = identificada
 measured = medida
 peak = pico
 one-degree-of-freedom = Um grau de liberdade
-three-ways-to-read-the-response = Três maneiras de ler a resposta
+three-methods-of-evaluating-the-response = Três métodos de avaliar a resposta
 method = método
 measurement = Medição
-where-it-is-given-the-amplitude-at-resonance-is-answered-in-metres-too = Quando é dada, a amplitude na ressonância é respondida também em metros.
+if-given-the-amplitude-at-resonance-is-also-computed-in-metres = Se for dada, a amplitude na ressonância também é calculada em metros.
 static-value-and-peak = Valor estático e pico
 static-receptance = Receptância estática
 deflection-under-a-constant-force-over-that-force = Deflexão sob uma força constante, dividida por essa força.
@@ -174,48 +182,48 @@ table-of-the-frequency-response = Tabela da resposta em frequência
 points = Pontos
 in-any-order-at-least-five-with-the-peak-among-them-and-not-at-an-end = Em qualquer ordem; pelo menos cinco, com o pico entre eles e não numa extremidade.
 the-table-has-fewer-than-five-points-measure-more-frequencies = a tabela tem menos de cinco pontos: meça mais frequências
-the-largest-receptance-is-the-first-or-the-last-of-the-table-so-the-peak-was-not-measured-go-on = a maior receptância é a primeira ou a última da tabela, portanto o pico não foi medido: meça além dela
+the-largest-receptance-is-the-first-or-the-last-of-the-table-so-the-peak-was-not-measured-continue = a maior receptância é a primeira ou a última da tabela, portanto o pico não foi medido: meça além dela
 least-squares = mínimos quadrados
 peak-and-lowest-frequency = pico e menor frequência
 peak-and-half-power-points = pico e pontos de meia potência
 the-table-does-not-reach-down-to-1-2-of-the-peak-on-both-sides-there-is-no-half-power-reading = a tabela não desce até 1/√2 do pico dos dois lados: não há leitura de meia potência
-the-points-rise-higher-than-any-damping-lets-them-are-they-those-of-one-mass-on-one-spring = os pontos sobem mais do que qualquer amortecimento permite: são de uma só massa sobre uma só mola?
-no-stiffness-and-mass-fit-these-points-are-they-those-of-one-mass-on-one-spring = nenhuma rigidez e massa se ajustam a estes pontos: são de uma só massa sobre uma só mola?
-the-least-squares-find-no-damping-measure-more-points-about-the-peak = os mínimos quadrados não encontram amortecimento: meça mais pontos em torno do pico
+the-points-are-higher-than-any-damping-allows-do-they-belong-to-one-mass-on-one-spring = os pontos são mais altos do que qualquer amortecimento permite: eles são de uma só massa sobre uma só mola?
+no-stiffness-and-mass-fit-these-points-do-they-belong-to-one-mass-on-one-spring = nenhuma rigidez e massa se ajustam a estes pontos: eles são de uma só massa sobre uma só mola?
+the-least-squares-fit-finds-no-damping-measure-more-points-about-the-peak = o ajuste por mínimos quadrados não encontra amortecimento: meça mais pontos em torno do pico
 stiffness-by-least-squares-over-all-points-1-h-k-m-c-is-linear-in-k-c-2km-and-m = Rigidez por mínimos quadrados sobre todos os pontos: 1/H² = (k − m ω²)² + (c ω)² é linear em k², c² − 2km e m²
 mass-by-the-same-least-squares = Massa pelos mesmos mínimos quadrados
 damping-by-the-same-least-squares = Amortecimento pelos mesmos mínimos quadrados
-viscous-damping-alone-the-least-squares-meet-their-normal-equations = só amortecimento viscoso: os mínimos quadrados satisfazem as suas equações normais
-friction-alone-the-least-squares-meet-their-normal-equations = só atrito: os mínimos quadrados satisfazem as suas equações normais
-both-together-the-least-squares-meet-their-normal-equations = ambos: os mínimos quadrados satisfazem as suas equações normais
+viscous-damping-alone-the-least-squares-solution-satisfies-its-normal-equations = só amortecimento viscoso: a solução de mínimos quadrados satisfaz as suas equações normais
+friction-alone-the-least-squares-solution-satisfies-its-normal-equations = só atrito: a solução de mínimos quadrados satisfaz as suas equações normais
+both-together-the-least-squares-solution-satisfies-its-normal-equations = ambos juntos: a solução de mínimos quadrados satisfaz as suas equações normais
 root-mean-square-of-the-relative-differences-between-the-fitted-receptance-and-the-measured-one = Valor quadrático médio das diferenças relativas entre a receptância ajustada e a medida
-scatter-of-the-points-about-the-fit = Dispersão dos pontos em torno do ajuste
+fit-residual-of-the-points = Resíduo do ajuste dos pontos
 the-points-scatter-by-more-than-5-about-the-fit-noise-or-more-than-one-mode-in-this-range = os pontos dispersam-se mais de 5 % em torno do ajuste: ruído, ou mais de um modo nesta faixa
 natural-frequency-without-damping = Frequência natural sem amortecimento
-damping-ratio-damping-over-critical-damping = Razão de amortecimento: amortecimento sobre amortecimento crítico
+damping-ratio-damping-over-critical-damping = Fator de amortecimento: amortecimento sobre amortecimento crítico
 the-fitted-damping-is-so-strong-that-the-response-has-no-peak = o amortecimento ajustado é tão forte que a resposta não tem pico
 peak-of-the-fitted-response = Pico da resposta ajustada
 its-height = A sua altura
 the-measured-peak-vertex-of-the-parabola-of-1-h-over-through-the-highest-point-and-its-neighbours = O pico medido: vértice da parábola de 1/H² sobre ω² que passa pelo ponto mais alto e seus vizinhos
 height-of-the-measured-peak = Altura do pico medido
-lowest-frequency-of-the-table = Menor frequência da tabela
-receptance-there = Receptância nesse ponto
+lowest-frequency-of-the-table = Frequência mínima da tabela
+receptance-at-this-point = Receptância nesse ponto
 mass-from-peak-and-lowest-frequency-1-h-1-h-m-at-every-frequency = Massa pelo pico e pela menor frequência: 1/H² = 1/Hₕ² + m²(ω² − ωₕ²)² em toda frequência
-half-power-frequency-below-the-peak-the-receptance-is-1-2-of-its-height = Frequência de meia potência abaixo do pico: a receptância é 1/√2 da sua altura
+half-power-frequency-below-the-peak-the-receptance-is-1-2-of-the-peak-value = Frequência de meia potência abaixo do pico: a receptância é 1/√2 do valor de pico
 half-power-frequency-above-the-peak = Frequência de meia potência acima do pico
 mass-from-the-half-power-frequencies-there-m-b-1-h-b = Massa pelas frequências de meia potência: nelas m²(ω² − ω_b²)² = 1/H_b²
 frequency-of-the-peak-between-them = Frequência do pico entre elas
-damping-ratio-from-the-half-power-frequencies-alone = razão de amortecimento só pelas frequências de meia potência
-textbook-reading-of-the-bandwidth-for-light-damping = Leitura dos livros para a largura de banda, com amortecimento fraco
-damping-ratio-half-power-points = Razão de amortecimento, pontos de meia potência
-damping-ratio-bandwidth-over-twice-the-peak-frequency = Razão de amortecimento, largura de banda sobre o dobro da frequência do pico
+damping-ratio-from-the-half-power-frequencies-alone = fator de amortecimento só pelas frequências de meia potência
+textbook-approximation-of-the-bandwidth-for-light-damping = Aproximação dos livros para a largura de banda, com amortecimento fraco
+damping-ratio-half-power-points = Fator de amortecimento, pontos de meia potência
+damping-ratio-bandwidth-over-twice-the-peak-frequency = Fator de amortecimento, largura de banda sobre o dobro da frequência do pico
 stiffness-the-same-parabola-at-0-where-1-h-k = Rigidez: a mesma parábola em ω = 0, onde 1/H² = k²
-damping-the-response-is-level-at-the-peak-c-2m-k-m = Amortecimento: a resposta é horizontal no pico, c² = 2m(k − m ω²)
-how-far-the-readings-of-the-damping-ratio-lie-apart = Distância entre as leituras da razão de amortecimento
-spread-of-the-damping-ratio = Dispersão da razão de amortecimento
-the-readings-of-the-damping-ratio-differ-by-spread-the-points-about-the-peak-are-too-few-or-too-noisy = as leituras da razão de amortecimento diferem de { $spread }: os pontos em torno do pico são poucos ou ruidosos, ou não se trata de uma só massa sobre uma só mola
+damping-the-response-has-zero-slope-at-the-peak-c-2m-k-m = Amortecimento: a resposta tem tangente horizontal no pico, c² = 2m(k − m ω²)
+difference-between-the-damping-ratio-readings = Diferença entre as leituras do fator de amortecimento
+spread-of-the-damping-ratio = Dispersão do fator de amortecimento
+the-readings-of-the-damping-ratio-differ-by-spread-the-points-about-the-peak-are-too-few-or-too-noisy = as leituras do fator de amortecimento diferem em { $spread }: os pontos em torno do pico são poucos ou ruidosos, ou não se trata de uma só massa sobre uma só mola
 # mass-on-shaft
-turning-of-the-body = Giro do corpo
+rotation-of-the-body = Rotação do corpo
 for-the-torsional-frequency = Para a frequência torcional.
 fixed-at-one-end-body-at-the-other = Fixo numa extremidade, corpo na outra
 fixed-at-both-ends = Fixo nas duas extremidades
@@ -226,7 +234,7 @@ free-to-turn-and-to-slide-only-the-transverse-frequency-exists = Livre para gira
 from-one-support-to-the-body = De um apoio ao corpo
 from-the-body-to-the-other-support = Do corpo ao outro apoio
 fixed-at-one-end-in-a-bearing-at-the-other = Fixo numa extremidade, em mancal na outra
-the-bearing-lets-the-shaft-turn-and-slide = O mancal deixa o eixo girar e deslizar.
+the-bearing-allows-the-shaft-to-rotate-and-slide = O mancal permite que o eixo gire e deslize.
 from-the-fixed-end-to-the-body = Da extremidade fixa ao corpo
 from-the-body-to-the-bearing = Do corpo ao mancal
 solid = Maciça
@@ -235,11 +243,11 @@ radius-of-gyration-of-the-body = Raio de giração do corpo
 about-the-axis-of-the-shaft = Em relação à linha de centro do eixo.
 mass-on-a-shaft = Massa sobre um eixo
 longitudinal-transverse-and-torsional-natural-frequencies-of-a-mass-or-flywheel-on-a-light-shaft = Frequências naturais longitudinal, transversal e torcional de uma massa ou volante sobre um eixo leve.
-transverse-largest-kinetic-energy-largest-elastic-energy-of-the-bending-moments = transversal: maior energia cinética = maior energia elástica dos momentos fletores
-torsional-largest-kinetic-energy-largest-elastic-energy-of-the-parts-of-the-shaft = torcional: maior energia cinética = maior energia elástica dos trechos do eixo
-longitudinal-largest-kinetic-energy-largest-elastic-energy-of-the-parts-of-the-shaft = longitudinal: maior energia cinética = maior energia elástica dos trechos do eixo
+transverse-maximum-kinetic-energy-maximum-elastic-energy-of-the-bending-moments = transversal: energia cinética máxima = energia elástica máxima dos momentos fletores
+torsional-maximum-kinetic-energy-maximum-elastic-energy-of-the-parts-of-the-shaft = torcional: energia cinética máxima = energia elástica máxima dos trechos do eixo
+longitudinal-maximum-kinetic-energy-maximum-elastic-energy-of-the-parts-of-the-shaft = longitudinal: energia cinética máxima = energia elástica máxima dos trechos do eixo
 stiffness-along-the-shaft = Rigidez ao longo do eixo
-stiffness-along-the-shaft-its-two-parts-are-deflected-alike = Rigidez ao longo do eixo: as suas duas partes têm a mesma deflexão
+stiffness-along-the-shaft-both-parts-have-the-same-deflection = Rigidez ao longo do eixo: as duas partes têm a mesma deflexão
 longitudinal-natural-frequency = Frequência natural longitudinal
 longitudinal-stiffness-from-the-elastic-energy-of-the-parts-of-the-shaft = rigidez longitudinal pela energia elástica das partes do eixo
 longitudinal-stiffness = Rigidez longitudinal
@@ -247,7 +255,7 @@ longitudinal = longitudinal
 longitudinal-frequency = Frequência longitudinal
 transverse = transversal
 torsional = torcional
-nothing-keeps-a-simply-supported-shaft-from-turning-there-is-no-torsional-frequency = nada impede um eixo biapoiado de girar: não há frequência torcional
+a-simply-supported-shaft-can-rotate-freely-there-is-no-torsional-frequency = um eixo biapoiado gira livremente: não há frequência torcional
 second-moment-of-area-of-the-section = Momento de inércia de área da seção
 transverse-stiffness-at-the-tip-of-a-cantilever = Rigidez transversal na ponta de um eixo em balanço
 transverse-stiffness-of-a-simply-supported-shaft-at-the-body = Rigidez transversal de um eixo biapoiado na posição do corpo
@@ -258,7 +266,7 @@ transverse-stiffness-from-the-elastic-energy-of-the-bending-moments = rigidez tr
 transverse-stiffness = Rigidez transversal
 transverse-frequency = Frequência transversal
 polar-second-moment-of-area-of-the-section = Momento polar de inércia da seção
-torsional-stiffness-the-two-parts-of-the-shaft-are-twisted-alike = Rigidez torcional: as duas partes do eixo sofrem a mesma torção
+torsional-stiffness-both-parts-of-the-shaft-have-the-same-twist = Rigidez torcional: as duas partes do eixo têm a mesma torção
 torsional-natural-frequency = Frequência natural torcional
 torsional-stiffness-from-the-elastic-energy-of-the-parts-of-the-shaft = rigidez torcional pela energia elástica das partes do eixo
 torsional-frequency = Frequência torcional
@@ -266,28 +274,29 @@ frequencies-of-the-body-on-the-shaft = Frequências do corpo sobre o eixo
 per-minute = por minuto
 the-body-on-the-shaft = O corpo sobre o eixo
 rotating-unbalance = Desbalanceamento rotativo
-steady-amplitude-phase-and-transmitted-force-of-an-unbalanced-machine-on-an-elastic-damped-support = Amplitude em regime permanente, fase e força transmitida de uma máquina desbalanceada sobre um apoio elástico e amortecido.
-largest-amplitude-as-a-multiple-of-m-e-m = Maior amplitude como múltiplo de m₀e/m
+steady-state-amplitude-phase-and-transmitted-force-of-an-unbalanced-machine-on-an-elastic-damped = Amplitude em regime permanente, fase e força transmitida de uma máquina desbalanceada sobre um apoio elástico e amortecido.
+maximum-amplitude-as-a-multiple-of-m-e-m = Amplitude máxima como múltiplo de m₀e/m
 the-largest-amplitude-is-not-above-m-e-m-so-no-damping-gives-a-peak-at-a-finite-speed = a maior amplitude não está acima de m₀e/m, portanto nenhum amortecimento dá um pico a uma rotação finita
 its-larger-root-lies-above-1-2-where-the-response-has-no-peak-rejected = A raiz maior fica acima de 1/√2, onde a resposta não tem pico: rejeitada
-the-damping-ratio-gives-the-largest-amplitude-back = a razão de amortecimento devolve a maior amplitude
+substituting-reproduces-the-given-peak-amplitude = com esse ζ recupera-se a amplitude máxima dada
 without-damping-the-amplitude-at-the-natural-frequency-grows-without-bound-there-is-no-steady-state = sem amortecimento, a amplitude na frequência natural cresce sem limite: não há regime permanente
-steady-amplitude-at-the-speed-of-the-machine = Amplitude em regime permanente na rotação da máquina
+steady-state-amplitude-at-the-running-speed = Amplitude em regime permanente na rotação de operação
 the-motion-lags-the-unbalance-by = O movimento está atrasado em relação ao desbalanceamento de
-amplitude-of-the-force-on-the-foundation = Amplitude da força na fundação
+amplitude-of-the-force-transmitted-to-the-foundation = Amplitude da força transmitida à fundação
 amplitude-from-the-dynamic-stiffness = amplitude pela rigidez dinâmica
-force-on-the-foundation-from-the-transmissibility-of-the-force-of-the-unbalance = força na fundação pela transmissibilidade da força do desbalanceamento
+transmitted-force-from-the-transmissibility-of-the-unbalance-force = força transmitida à fundação pela transmissibilidade da força de desbalanceamento
 phase-lag-from-stiffness-mass-and-damping = atraso de fase por rigidez, massa e amortecimento
 stiffness-of-the-support = Rigidez do apoio
 amplitude-at-this-speed = Amplitude nesta rotação
-force-on-the-foundation = Força na fundação
-speed-of-the-largest-steady-amplitude = Rotação da maior amplitude em regime permanente
-speed-of-the-largest-amplitude = Rotação da maior amplitude
+force-transmitted-to-the-foundation = Força transmitida à fundação
+speed-of-maximum-steady-state-amplitude = Rotação de máxima amplitude em regime permanente
+peak-response-speed = Velocidade de pico (ressonância)
 largest-steady-amplitude-at-any-speed = Maior amplitude em regime permanente em qualquer rotação
-the-largest-amplitude-from-the-dynamic-stiffness-at-its-speed = a maior amplitude pela rigidez dinâmica na sua rotação
-largest-amplitude-at-any-speed = Maior amplitude em qualquer rotação
+maximum-steady-state-amplitude-at-any-speed = Amplitude máxima em regime permanente em qualquer rotação
+maximum-amplitude-from-the-dynamic-stiffness-at-its-speed = amplitude máxima pela rigidez dinâmica na sua rotação
+maximum-amplitude-at-any-speed = Amplitude máxima em qualquer rotação
 the-machine-runs-within-5-of-its-natural-frequency-with-little-damping-small-errors-of-mass-stiffness = a máquina trabalha a menos de 5 % da sua frequência natural com pouco amortecimento: pequenos erros de massa, rigidez ou rotação mudam muito a amplitude
-steady-amplitude-against-speed = Amplitude em regime permanente em função da rotação
+steady-state-amplitude-against-speed = Amplitude em regime permanente em função da rotação
 at-this-speed = nesta rotação
 the-machine-on-its-support = A máquina sobre o seu apoio
 mass-of-the-machine = Massa da máquina
@@ -295,11 +304,12 @@ unbalance = Desbalanceamento
 the-eccentric-mass-times-its-eccentricity = A massa excêntrica vezes a sua excentricidade.
 support = Apoio
 speed-of-the-machine = Rotação da máquina
-damping-ratio-given = Razão de amortecimento dada
+damping-ratio-given = Fator de amortecimento dado
 zero-for-no-damping = Zero para nenhum amortecimento.
 damping-coefficient-given = Coeficiente de amortecimento dado
-from-the-largest-steady-amplitude-at-any-speed = Pela maior amplitude em regime permanente em qualquer rotação
+from-the-maximum-steady-state-amplitude-at-any-speed = Pela amplitude máxima em regime permanente em qualquer rotação
 largest-steady-amplitude = Maior amplitude em regime permanente
+maximum-steady-state-amplitude = Amplitude máxima em regime permanente
 from-a-free-decay = Por um decaimento livre
 amplitudes = Amplitudes
 second-moment-of-area-of-a-round-section = Momento de inércia de área de uma seção circular
@@ -309,108 +319,115 @@ second-moment-of-area-of-a-rectangle = Momento de inércia de área de um retân
 second-moment-of-area-given = Momento de inércia de área dado
 second-moment-of-area = Momento de inércia de área
 round = Circular
+circular = Circular
 diameter = Diâmetro
 tube = Tubo
 outer-diameter = Diâmetro externo
 inner-diameter = Diâmetro interno
 rectangle = Retângulo
 breadth = Largura
-across-the-plane-of-bending = Transversal ao plano de flexão.
+width = Largura
+perpendicular-to-the-plane-of-bending = Perpendicular ao plano de flexão.
 height = Altura
 in-the-plane-of-bending = No plano de flexão.
 shaft-for-a-rotor-with-clearance = Eixo para um rotor com folga
-distance-of-the-mass-centre-from-the-axis = Distância do centro de massa ao eixo de rotação
+distance-of-the-centre-of-mass-from-the-axis = Distância do centro de massa ao eixo de rotação
 permitted-diameters = Diâmetros permitidos
 largest-stiffness-of-the-soft-branch = Maior rigidez do ramo flexível
-largest-diameter-of-the-soft-branch = Maior diâmetro do ramo flexível
+maximum-stiffness-supercritical-operation = Rigidez máxima, operação supercrítica
+maximum-diameter-supercritical-operation = Diâmetro máximo, operação supercrítica
 smallest-stiffness-of-the-stiff-branch = Menor rigidez do ramo rígido
-smallest-diameter-of-the-stiff-branch = Menor diâmetro do ramo rígido
-largest-amplitude-of-any-shaft-at-any-speed = Maior amplitude de qualquer eixo em qualquer rotação
+minimum-stiffness-subcritical-operation = Rigidez mínima, operação subcrítica
+minimum-diameter-subcritical-operation = Diâmetro mínimo, operação subcrítica
+maximum-amplitude-of-any-shaft-at-any-speed = Amplitude máxima de qualquer eixo em qualquer rotação
 the-lowest-speed-is-above-the-highest-one-write-the-smaller-speed-as-the-lowest = a menor rotação está acima da maior: escreva a rotação mais baixa como menor
-lowest-speed-with-its-margin = Menor rotação, com a sua margem
-highest-speed-with-its-margin = Maior rotação, com a sua margem
-these-numbers-do-not-describe-a-rotor-or-lead-beyond-the-range-of-numbers = estes números não descrevem um rotor, ou levam além da faixa dos números
+minimum-speed-including-the-margin = Rotação mínima, com a margem
+maximum-speed-including-the-margin = Rotação máxima, com a margem
+these-numbers-do-not-describe-a-rotor-or-lead-to-values-outside-the-representable-range = estes números não descrevem um rotor, ou levam a valores fora da faixa representável
 clearance-as-a-multiple-of-the-eccentricity = Folga como múltiplo da excentricidade
-damping-ratio-whose-peak-e-2-1-just-reaches-the-clearance = Razão de amortecimento cujo pico, e/(2ζ√(1 − ζ²)), atinge exatamente a folga
-the-peak-with-that-damping-ratio-is-the-clearance = o pico com essa razão de amortecimento é a folga
-damping-ratio-from-which-no-shaft-touches = Razão de amortecimento a partir da qual nenhum eixo toca
-largest-amplitude-of-any-shaft-at-its-worst-speed-the-peak-does-not-depend-on-the-stiffness = Maior amplitude de qualquer eixo, na sua pior rotação: o pico não depende da rigidez
-the-same-from-the-whirl-amplitude-at-the-frequency-ratio-of-the-peak = o mesmo pela amplitude de precessão na razão de frequências do pico
+damping-ratio-for-which-the-peak-e-2-1-just-reaches-the-clearance = Fator de amortecimento para o qual o pico, e/(2ζ√(1 − ζ²)), atinge exatamente a folga
+the-peak-with-that-damping-ratio-is-the-clearance = o pico com esse fator de amortecimento é igual à folga
+minimum-damping-ratio-for-no-contact-with-any-shaft = Fator de amortecimento mínimo sem contato com nenhum eixo
+maximum-amplitude-of-any-shaft-at-its-worst-case-speed-the-peak-does-not-depend-on-the-stiffness = Amplitude máxima de qualquer eixo, na sua rotação mais desfavorável: o pico não depende da rigidez
+the-same-from-the-whirl-amplitude-at-the-frequency-ratio-of-the-peak = o mesmo pela amplitude de rodopio na razão de frequências do pico
 second-moment-of-area-from-k-3ei-l-of-a-cantilever = Momento de inércia de área, por k = 3EI/L³ de um eixo em balanço
 second-moment-of-area-from-k-48ei-l-of-a-simply-supported-shaft = Momento de inércia de área, por k = 48EI/L³ de um eixo biapoiado
 second-moment-of-area-from-k-192ei-l-of-a-shaft-clamped-at-both-ends = Momento de inércia de área, por k = 192EI/L³ de um eixo biengastado
 second-moment-of-area-from-k-768ei-7l-of-a-clamped-and-pinned-shaft = Momento de inércia de área, por k = 768EI/(7L³) de um eixo engastado e apoiado
-diameter-of-the-solid-round-shaft-with-i-d-64 = Diâmetro do eixo circular maciço com I = πd⁴/64
-the-shaft-of-that-diameter-has-the-stiffness-of-the-limit = o eixo desse diâmetro tem a rigidez do limite
-smallest-diameter-available = Menor diâmetro disponível
-largest-diameter-available = Maior diâmetro disponível
+diameter-of-the-solid-circular-shaft-with-i-d-64 = Diâmetro do eixo circular maciço com I = πd⁴/64
+the-shaft-of-that-diameter-has-the-limiting-stiffness = o eixo desse diâmetro tem a rigidez-limite
+minimum-available-diameter = Diâmetro mínimo disponível
+maximum-available-diameter = Diâmetro máximo disponível
 the-clearance-is-reached-at-the-lowest-speed-speed = a folga é atingida na menor rotação, { $speed }
 the-clearance-is-reached-at-the-highest-speed-speed = a folga é atingida na maior rotação, { $speed }
 the-clearance-is-reached-at-the-peak-of-the-response-at-speed = a folga é atingida no pico da resposta, a { $speed }
-the-limit-is-never-active-with-this-damping-the-rotor-stays-clear-of-the-stator-with-every-diameter = o limite nunca atua: com este amortecimento o rotor não toca o estator com nenhum diâmetro, portanto folga e rotações não decidem o diâmetro; resistência e mancais decidem
-on-the-soft-branch-the-rotor-passes-its-critical-speed-on-the-way-to-the-lowest-speed-run-through-it = no ramo flexível o rotor passa pela sua velocidade crítica a caminho da menor rotação: passe por ela depressa
+the-clearance-is-not-a-constraint-with-this-damping-the-rotor-stays-clear-of-the-stator-at-every = a folga não é restritiva: com este amortecimento o rotor não toca o estator com nenhum diâmetro, portanto folga e rotações não determinam o diâmetro; resistência e mancais determinam
+in-supercritical-operation-the-rotor-passes-its-critical-speed-before-reaching-the-lowest-speed-run = na operação supercrítica o rotor passa pela sua velocidade crítica antes de atingir a menor rotação: passe por ela rapidamente
 no-available-diameter-keeps-the-rotor-clear-change-clearance-unbalance-damping-or-speeds = nenhum diâmetro disponível evita o contato: mude folga, desbalanceamento, amortecimento ou rotações
 stator = estator
 the-rotor-in-its-stator = O rotor dentro do estator
 the-amplitude-with-that-stiffness-is-the-clearance = a amplitude com essa rigidez é a folga
-the-limit-over-the-whole-range-of-speeds-is-the-same = o limite em toda a faixa de rotações é o mesmo
-soft-branch-m-e-m-k-r-worst-at-the-lowest-speed = Ramo flexível, m₀eω²/(mω² − k) = R: o pior caso é a menor rotação
-stiff-branch-m-e-k-m-r-worst-at-the-highest-speed = Ramo rígido, m₀eω²/(k − mω²) = R: o pior caso é a maior rotação
-soft-branch-the-smaller-stiffness-whose-amplitude-at-the-lowest-speed-is-the-clearance = Ramo flexível: a menor rigidez cuja amplitude na menor rotação é a folga
-stiff-branch-the-larger-stiffness-whose-amplitude-at-the-highest-speed-is-the-clearance = Ramo rígido: a maior rigidez cuja amplitude na maior rotação é a folga
-speed-at-which-its-amplitude-is-largest = Rotação em que a sua amplitude é máxima
+same-limit-evaluated-over-the-whole-speed-range = mesmo limite avaliado em toda a faixa de rotações
+supercritical-operation-m-e-m-k-r-worst-case-at-the-lowest-speed = Operação supercrítica, m₀eω²/(mω² − k) = R: o pior caso é a menor rotação
+subcritical-operation-m-e-k-m-r-worst-case-at-the-highest-speed = Operação subcrítica, m₀eω²/(k − mω²) = R: o pior caso é a maior rotação
+supercritical-operation-the-smaller-stiffness-for-which-the-amplitude-at-the-lowest-speed-equals-the = Operação supercrítica: a menor rigidez para a qual a amplitude na menor rotação é igual à folga
+subcritical-operation-the-larger-stiffness-for-which-the-amplitude-at-the-highest-speed-equals-the = Operação subcrítica: a maior rigidez para a qual a amplitude na maior rotação é igual à folga
+speed-of-maximum-amplitude = Rotação de amplitude máxima
 amplitude-at-that-speed = Amplitude nessa rotação
-soft-branch-the-largest-stiffness-with-k-m-c-m-e-r-at-every-speed-of-the-range = Ramo flexível: a maior rigidez com (k − mω²)² + (cω)² ≥ (m₀eω²/R)² em toda rotação da faixa
-stiff-branch-the-smallest-stiffness-with-k-m-c-m-e-r-at-every-speed-of-the-range = Ramo rígido: a menor rigidez com (k − mω²)² + (cω)² ≥ (m₀eω²/R)² em toda rotação da faixa
+supercritical-operation-the-largest-stiffness-with-k-m-c-m-e-r-at-every-speed-of-the-range = Operação supercrítica: a maior rigidez com (k − mω²)² + (cω)² ≥ (m₀eω²/R)² em toda rotação da faixa
+subcritical-operation-the-smallest-stiffness-with-k-m-c-m-e-r-at-every-speed-of-the-range = Operação subcrítica: a menor rigidez com (k − mω²)² + (cω)² ≥ (m₀eω²/R)² em toda rotação da faixa
 mass-of-the-rotor = Massa do rotor
-mass-of-the-rotor-times-the-distance-of-its-mass-centre-from-the-axis = Massa do rotor vezes a distância do seu centro de massa ao eixo de rotação.
+mass-of-the-rotor-times-the-distance-of-its-centre-of-mass-from-the-axis = Massa do rotor vezes a distância do seu centro de massa ao eixo de rotação.
 radial-clearance-between-rotor-and-stator = Folga radial entre rotor e estator
 lowest-speed = Menor rotação
+minimum-speed = Rotação mínima
 highest-speed = Maior rotação
-margin-on-the-speeds = Margem sobre as rotações
+maximum-speed = Rotação máxima
+margin-on-the-speed-range = Margem sobre a faixa de rotações
 taken-off-the-lowest-speed-and-added-to-the-highest = Tirada da menor rotação e somada à maior.
 shaft = Eixo
-a-diameter-to-be-judged = Um diâmetro a ser julgado
+diameter-to-be-checked = Diâmetro a verificar
 undamped = Sem amortecimento
 mounting = Montagem
 length = Comprimento
 of-the-overhang-where-the-rotor-is-at-its-end-of-the-span-otherwise = Do balanço, quando o rotor está na sua extremidade; do vão, nos outros casos.
 young-s-modulus = Módulo de elasticidade
 cantilever-rotor-at-its-end = Em balanço, rotor na extremidade
-simply-supported-rotor-at-the-middle = Biapoiado, rotor no meio
-clamped-at-both-ends-rotor-at-the-middle = Biengastado, rotor no meio
-clamped-and-pinned-rotor-at-the-middle = Engastado e apoiado, rotor no meio
-second-moment-of-area-of-the-shaft-to-be-judged = Momento de inércia de área do eixo a ser julgado
+simply-supported-rotor-at-midspan = Biapoiado, rotor no meio do vão
+clamped-at-both-ends-rotor-at-midspan = Biengastado, rotor no meio do vão
+clamped-and-pinned-rotor-at-midspan = Engastado e apoiado, rotor no meio do vão
+second-moment-of-area-of-the-shaft-to-be-checked = Momento de inércia de área do eixo a verificar
 its-stiffness-at-the-rotor = A sua rigidez no rotor
 its-critical-speed = A sua velocidade crítica
 its-damping-coefficient = O seu coeficiente de amortecimento
-its-worst-speed-the-lowest = A sua pior rotação: a menor
-its-worst-speed-the-highest = A sua pior rotação: a maior
-its-worst-speed-the-peak-of-the-response-within-the-range = A sua pior rotação: o pico da resposta, dentro da faixa
+its-worst-case-speed-the-lowest = A sua rotação mais desfavorável: a menor
+its-worst-case-speed-the-highest = A sua rotação mais desfavorável: a maior
+its-worst-case-speed-the-peak-of-the-response-within-the-range = A sua rotação mais desfavorável: o pico da resposta, dentro da faixa
 its-largest-amplitude = A sua maior amplitude
-largest-amplitude-in-the-range-of-speeds-against-diameter = Maior amplitude na faixa de rotações em função do diâmetro
+its-maximum-amplitude = A sua amplitude máxima
+maximum-amplitude-in-the-range-of-speeds-against-diameter = Amplitude máxima na faixa de rotações em função do diâmetro
 clearance = folga
-end-of-the-soft-branch = fim do ramo flexível
-start-of-the-stiff-branch = início do ramo rígido
+end-of-the-supercritical-range = fim da faixa supercrítica
+start-of-the-subcritical-range = início da faixa subcrítica
 permitted = permitido
 springs-in-series-the-deflections-add-up = Molas em série: as deflexões somam-se
 springs-in-parallel-the-forces-add-up = Molas em paralelo: as forças somam-se
 stiffness-of-a-cantilever-under-a-force-at-its-end = Rigidez de uma viga em balanço com força na extremidade
-stiffness-of-a-simply-supported-beam-at-its-middle = Rigidez de uma viga biapoiada no meio do vão
+midspan-stiffness-of-a-simply-supported-beam = Rigidez de uma viga biapoiada no meio do vão
 stiffness-of-a-simply-supported-beam-at-the-load = Rigidez de uma viga biapoiada no ponto da carga
-stiffness-at-its-middle-of-a-beam-clamped-at-both-ends = Rigidez no meio do vão de uma viga biengastada
+midspan-stiffness-of-a-beam-clamped-at-both-ends = Rigidez no meio do vão de uma viga biengastada
 stiffness-at-the-load-of-a-beam-clamped-at-both-ends = Rigidez no ponto da carga de uma viga biengastada
-stiffness-at-its-middle-of-a-beam-clamped-at-one-end-and-pinned-at-the-other = Rigidez no meio do vão de uma viga engastada e apoiada
+midspan-stiffness-of-a-beam-clamped-at-one-end-and-pinned-at-the-other = Rigidez no meio do vão de uma viga engastada e apoiada
 stiffness-at-the-load-of-a-beam-clamped-at-one-end-and-pinned-at-the-other = Rigidez no ponto da carga de uma viga engastada e apoiada
 stiffness-of-a-beam-at-the-end-of-its-overhang = Rigidez de uma viga na ponta do seu balanço
-stiffness-of-a-column-whose-end-moves-sideways-without-turning = Rigidez de uma coluna cuja extremidade se desloca de lado sem girar
-stiffness-of-a-bar-along-its-axis = Rigidez de uma barra ao longo do seu eixo
+stiffness-of-a-fixed-guided-column = Rigidez de uma coluna engastada–guiada
+axial-stiffness-of-a-bar = Rigidez axial de uma barra
 polar-second-moment-of-area-of-a-round-section = Momento polar de inércia de uma seção circular
 torsional-stiffness-of-the-bar = Rigidez torcional da barra
 stiffness-at-the-end-of-the-lever = Rigidez na ponta da alavanca
 stiffness-of-a-helical-spring = Rigidez de uma mola helicoidal
-the-load-stands-at-or-beyond-the-far-support-of-its-beam-write-a-distance-below-the-span = a carga está no apoio mais distante da viga ou além dele: escreva uma distância menor que o vão
-spring = mola
+the-load-acts-at-or-beyond-the-far-support-of-its-beam-write-a-distance-smaller-than-the-span = a carga atua no apoio mais distante da viga ou além dele: escreva uma distância menor que o vão
+spring = Mola
 cantilever = Viga em balanço
 simply-supported-beam = Viga biapoiada
 clamped-beam = viga biengastada
@@ -423,11 +440,11 @@ helical-spring = Mola helicoidal
 in-series = em série
 in-parallel = em paralelo
 stiffness-given = Rigidez dada
-from-the-clamp-to-the-load-what-lies-beyond-the-load-bends-nothing = Do engaste até a carga; o que fica além da carga não se flexiona.
+from-the-clamp-to-the-load-the-part-beyond-the-load-does-not-bend = Do engaste até a carga; a parte além da carga não se flexiona.
 section = Seção
 span = Vão
 distance-of-the-load-from-a-support = Distância da carga a um apoio
-the-load-is-at-the-middle-where-this-is-left-out = A carga está no meio quando isto é omitido.
+the-load-is-at-midspan-if-this-is-omitted = A carga está no meio do vão se isto for omitido.
 beam-clamped-at-both-ends = Viga biengastada
 distance-of-the-load-from-a-clamp = Distância da carga a um engaste
 beam-clamped-at-one-end-and-pinned-at-the-other = Viga engastada numa extremidade e apoiada na outra
@@ -435,10 +452,10 @@ distance-of-the-load-from-the-clamp = Distância da carga ao engaste
 overhang-of-a-simply-supported-beam = Balanço de uma viga biapoiada
 span-between-the-supports = Vão entre os apoios
 from-the-nearer-support-to-the-load = Do apoio mais próximo até a carga.
-column-whose-end-moves-sideways-without-turning = Coluna cuja extremidade se desloca de lado sem girar
+fixed-guided-column = Coluna engastada–guiada
 bar-pulled-along-its-axis = Barra tracionada ao longo do seu eixo
+bar-in-tension = Barra tracionada
 area-of-the-section = Área da seção
-round-torsion-bar-with-a-lever = Barra de torção circular com alavanca
 shear-modulus = Módulo de elasticidade transversal
 lever = Alavanca
 from-the-axis-of-the-bar-to-the-load-small-angles = Do eixo da barra até a carga; ângulos pequenos.
@@ -449,30 +466,31 @@ series-end-to-end = Série: uma após a outra
 every-member-carries-the-whole-force = Cada membro leva toda a força.
 members = Membros
 parallel-side-by-side = Paralelo: lado a lado
-every-member-is-deflected-alike = Cada membro tem a mesma deflexão.
+all-members-have-the-same-deflection = Todos os membros têm a mesma deflexão.
 the-energy-in-the-members-is-the-energy-in-the-equivalent-spring = a energia nos membros é a energia na mola equivalente
-share-of-the-deflection-in-series-the-force-is-the-same = Parcela da deflexão: em série a força é a mesma
-share-of-the-force-in-parallel-the-deflection-is-the-same = Parcela da força: em paralelo a deflexão é a mesma
+fraction-of-the-deflection-in-series-the-force-is-the-same = Fração da deflexão: em série a força é a mesma
+fraction-of-the-force-in-parallel-the-deflection-is-the-same = Fração da força: em paralelo a deflexão é a mesma
 the-deflections-of-the-members-in-series-add-up = as deflexões dos membros em série somam-se
 the-forces-of-the-members-in-parallel-add-up = as forças dos membros em paralelo somam-se
-kind = tipo
+kind = Tipo
 share-of-the-force = parcela da força
 share-of-the-deflection = parcela da deflexão
 amplitude-of-the-deflection = amplitude da deflexão
-what-each-spring-carries = O que cada mola leva
+force-in-each-spring = Força em cada mola
 beam = viga
 symbol-kind = { $symbol }: { $kind }
 # base-excitation
 inertia = Inércia
-may-be-left-out-where-the-natural-frequency-or-the-static-deflection-is-known-then-no-forces-are = Pode ser omitida quando se conhece a frequência natural ou a deflexão estática; nesse caso as forças não são respondidas.
+may-be-omitted-if-the-natural-frequency-or-the-static-deflection-is-known-the-forces-are-then-not = Pode ser omitida quando se conhece a frequência natural ou a deflexão estática; nesse caso as forças não são calculadas.
 base = Base
 start-from-rest = Partida do repouso
-the-base-sets-in-with-a-sine-the-mass-is-at-rest-until-then = A base começa com um seno; até então a massa está em repouso.
+the-base-motion-starts-as-a-sine-the-mass-is-at-rest-until-then = O movimento da base começa como um seno; até então a massa está em repouso.
 displacement-given = Deslocamento dado
 amplitude-of-the-base = Amplitude da base
 frequency-of-the-base = Frequência da base
 acceleration-given = Aceleração dada
 acceleration-of-the-base = Aceleração da base
+base-acceleration = Aceleração da base
 its-amplitude-zero-to-peak = A sua amplitude, de zero a pico.
 vehicle-on-a-wavy-road = Veículo em estrada ondulada
 amplitude-of-the-road = Amplitude da estrada
@@ -480,14 +498,15 @@ half-the-height-from-trough-to-crest = Metade da altura do vale à crista.
 wavelength = Comprimento de onda
 from-crest-to-crest = De crista a crista.
 speed-of-the-vehicle = Velocidade do veículo
-after-the-base-sets-in = Contado do início do movimento da base.
+from-the-start-of-the-base-motion = Contado do início do movimento da base.
 shaking-base = Excitação pela base
-from-wave-to-wave-at-the-critical-speed-it-takes-a-natural-period = de onda a onda, na velocidade crítica, passa um período natural
+base-excitation = Excitação pela base
+at-the-critical-speed-the-time-from-wave-to-wave-is-the-natural-period = na velocidade crítica o tempo de onda a onda é o período natural
 at-this-speed-the-slope-of-the-transmissibility-is-zero-2-r-r-1 = nesta velocidade a inclinação da transmissibilidade é zero, 2ζ²r⁴ + r² = 1
-absolute-and-relative-motion-acceleration-and-force-of-a-mass-on-a-base-that-shakes-harmonically-a = Movimento absoluto e relativo, aceleração e força de uma massa sobre uma base em movimento harmônico, inclusive uma estrada ondulada.
-the-amplitude-is-unbounded-it-grows-with-t-each-second-by = A amplitude é ilimitada: cresce com t, a cada segundo de
-growth-of-the-amplitude-at-the-frequency-of-the-base = crescimento da amplitude na frequência da base
-growth-of-the-amplitude-with-the-time = Crescimento da amplitude com o tempo
+absolute-and-relative-motion-acceleration-and-force-of-a-mass-under-harmonic-base-excitation = Movimento absoluto e relativo, aceleração e força de uma massa sob excitação harmônica pela base, inclusive uma estrada ondulada.
+the-amplitude-is-unbounded-it-grows-with-t-per-second-by = A amplitude é ilimitada: cresce com t, a cada segundo de
+growth-rate-of-the-amplitude-at-the-base-frequency = taxa de crescimento da amplitude na frequência da base
+growth-of-the-amplitude-with-time = Crescimento da amplitude com o tempo
 undamped-resonance-the-amplitude-is-unbounded-it-grows-with-t-and-there-is-no-steady-state = ressonância sem amortecimento: a amplitude é ilimitada, cresce com t e não há regime permanente
 displacement = deslocamento
 displacement-of-the-mass-at-that-time = Deslocamento da massa nesse instante
@@ -495,24 +514,26 @@ motion-of-the-mass-from-rest = Movimento da massa a partir do repouso
 relative-motion-against-frequency-ratio = Movimento relativo em função da razão de frequências
 relative-motion-over-motion-of-the-base = movimento relativo sobre movimento da base
 amplitude-of-the-base-with-this-acceleration = Amplitude da base com essa aceleração
-frequency-one-wave-of-the-road-for-each-wavelength-travelled = Frequência: uma onda da estrada a cada comprimento de onda percorrido
-critical-speed-the-waves-come-at-the-natural-frequency = Velocidade crítica: as ondas chegam na frequência natural
+frequency-one-road-wave-per-wavelength-travelled = Frequência: uma onda da estrada a cada comprimento de onda percorrido
+critical-speed-the-road-waves-excite-at-the-natural-frequency = Velocidade crítica: as ondas da estrada excitam na frequência natural
 critical-speed = Velocidade crítica
 frequency-ratio-of-the-largest-transmissibility = Razão de frequências da maior transmissibilidade
+frequency-ratio-at-maximum-transmissibility = Razão de frequências na transmissibilidade máxima
 largest-transmissibility = Maior transmissibilidade
+maximum-transmissibility = Transmissibilidade máxima
 at-its-peak-the-transmissibility-is-1-1-r = no pico a transmissibilidade vale 1/√(1 − r⁴)
-largest-transmissibility-at-any-speed = Maior transmissibilidade em qualquer velocidade
+maximum-transmissibility-at-any-speed = Transmissibilidade máxima em qualquer velocidade
 transmissibility-motion-of-the-mass-over-motion-of-the-base = Transmissibilidade: movimento da massa sobre movimento da base
 amplitude-of-the-mass = Amplitude da massa
 the-mass-lags-the-base-by = A massa está atrasada em relação à base de
-amplitude-of-the-motion-relative-to-the-base-the-stroke-of-the-springs = Amplitude do movimento relativo à base: o curso das molas
+amplitude-of-the-motion-relative-to-the-base-travel-of-the-springs = Amplitude do movimento relativo à base: curso das molas
 the-relative-motion-lags-the-base-by = O movimento relativo está atrasado em relação à base de
 acceleration-of-the-mass = Aceleração da massa
 motion-of-the-mass-motion-of-the-base-and-relative-motion-in-phase-with-the-base = movimento da massa = movimento da base e movimento relativo, em fase com a base
-the-same-a-quarter-of-a-cycle-behind = o mesmo, um quarto de ciclo atrás
-phase-lag-of-the-mass = Atraso de fase da massa
+the-same-in-quadrature-90-behind = o mesmo em quadratura (90° atrás)
+phase-lag-of-the-mass = Ângulo de fase (atraso) da massa
 amplitude-of-the-relative-motion = Amplitude do movimento relativo
-phase-lag-of-the-relative-motion = Atraso de fase do movimento relativo
+phase-lag-of-the-relative-motion = Ângulo de fase (atraso) do movimento relativo
 amplitude-of-the-force-in-spring-and-damper-it-accelerates-the-mass = Amplitude da força na mola e no amortecedor: é ela que acelera a massa
 force-from-the-relative-motion = força pelo movimento relativo
 force-on-the-mass = Força na massa
@@ -520,149 +541,158 @@ amplitude-against-speed = Amplitude em função da velocidade
 the-mass-on-its-base = A massa sobre a sua base
 # harmonic-force
 strength = Intensidade
-the-displacement-at-a-time-after-the-force-sets-in = O deslocamento num instante depois do início da força.
+the-displacement-at-a-time-after-the-force-is-applied = O deslocamento num instante após a aplicação da força.
 force-given = Força dada
-amplitude-of-the-motion-given-force-sought = Amplitude do movimento dada, força procurada
+amplitude-of-the-motion-given-force-unknown = Amplitude do movimento dada, força desconhecida
 amplitude-of-the-motion = Amplitude do movimento
-zero-to-peak-unless-the-unit-says-otherwise = De zero a pico, salvo se a unidade disser outra coisa.
+zero-to-peak-unless-the-unit-specifies-otherwise = De zero a pico, salvo se a unidade indicar outra coisa.
 mean-power-given-force-sought = Potência média dada, força procurada
 mean-power = Potência média
-after-the-force-sets-in = Contado do início da força.
+from-the-start-of-the-force = Contado do início da força.
 harmonic-force = Força harmônica
-steady-amplitude-phase-forces-and-power-of-one-mass-under-a-harmonic-force-and-its-motion-from-rest = Amplitude em regime permanente, fase, forças e potência de uma massa sob uma força harmônica, e o seu movimento a partir do repouso.
-work-of-the-force-in-a-cycle-energy-that-the-damper-takes-f-x-sin = trabalho da força em um ciclo = energia que o amortecedor consome, πF₀X sen φ
-largest-acceleration-there-its-slope-over-the-frequency-is-zero-1-2 = maior aceleração: ali a sua inclinação na frequência é zero, (ωₙ/ω)² = 1 − 2ζ²
+steady-state-amplitude-phase-forces-and-power-of-one-mass-under-a-harmonic-force-and-its-motion-from = Amplitude em regime permanente, fase, forças e potência de uma massa sob uma força harmônica, e o seu movimento a partir do repouso.
+work-of-the-force-in-a-cycle-energy-dissipated-by-the-damper-f-x-sin = trabalho da força em um ciclo = energia dissipada pelo amortecedor, πF₀X sen φ
+maximum-acceleration-zero-slope-with-respect-to-frequency-1-2 = aceleração máxima: inclinação nula em relação à frequência, (ωₙ/ω)² = 1 − 2ζ²
 deflection-under-a-constant-force-f = Deflexão sob uma força constante F₀
-the-motion-from-rest-takes-the-hysteretic-damping-as-a-dashpot-that-loses-as-much-in-a-cycle-at-this = o movimento a partir do repouso toma o amortecimento histerético como um amortecedor viscoso que dissipa o mesmo por ciclo nesta frequência
+the-motion-from-rest-represents-hysteretic-damping-by-a-viscous-damper-with-the-same-energy-loss-per = o movimento a partir do repouso representa o amortecimento histerético por um amortecedor viscoso com a mesma perda de energia por ciclo nesta frequência
 displacement-at-that-time = Deslocamento nesse instante
 motion-from-rest = Movimento a partir do repouso
 magnification-of-the-static-deflection = Amplificação da deflexão estática
-magnification = amplificação
-force-that-holds-this-amplitude = Força que mantém essa amplitude
-without-damping-the-steady-motion-takes-no-power-write-some-damping-or-give-the-force = sem amortecimento o regime permanente não consome potência: escreva algum amortecimento ou dê a força
-amplitude-from-the-power-p-c-x-that-the-damper-takes = Amplitude, pela potência P = ½ c ω² X² que o amortecedor consome
+magnification = Amplificação
+force-required-for-this-amplitude = Força necessária para essa amplitude
+without-damping-the-steady-state-motion-requires-no-power-write-some-damping-or-give-the-force = sem amortecimento o regime permanente não consome potência: escreva algum amortecimento ou dê a força
+amplitude-from-the-power-p-c-x-dissipated-by-the-damper = Amplitude, pela potência P = ½ c ω² X² dissipada no amortecedor
 amplitude-of-the-velocity = Amplitude da velocidade
 amplitude-of-the-acceleration = Amplitude da aceleração
 force-in-the-spring = Força na mola
 force-in-the-damper = Força no amortecedor
-spring-damper-and-inertia-close-the-polygon-of-the-forces = mola, amortecedor e inércia fecham o polígono das forças
-force-on-the-foundation-from-the-transmissibility = força na fundação pela transmissibilidade
-energy-that-the-damper-takes-in-a-cycle = Energia que o amortecedor consome por ciclo
-mean-power-that-energy-2-times-a-second = Potência média: essa energia, ω/2π vezes por segundo
+spring-damper-and-inertia-forces-close-the-force-polygon = as forças da mola, do amortecedor e de inércia fecham o polígono de forças
+transmitted-force-from-the-transmissibility = força transmitida à fundação pela transmissibilidade
+energy-dissipated-by-the-damper-per-cycle = Energia dissipada pelo amortecedor por ciclo
+mean-power-that-energy-2-times-per-second = Potência média: essa energia, ω/2π vezes por segundo
 mean-power-from-force-velocity-and-the-angle-between-them = potência média por força, velocidade e o ângulo entre elas
-energy-lost-in-a-cycle = Energia dissipada por ciclo
-with-a-damping-ratio-of-1-2-or-more-the-displacement-has-no-peak-it-is-largest-at-low-frequencies = com razão de amortecimento de 1/√2 ou mais o deslocamento não tem pico: é maior nas baixas frequências
-frequency-of-the-largest-displacement-the-velocity-is-largest-at = Frequência do maior deslocamento; a velocidade é maior em ωₙ
-frequency-of-the-largest-acceleration = Frequência da maior aceleração
-largest-amplitude-at-any-frequency = Maior amplitude em qualquer frequência
-largest-amplitude-from-the-dynamic-stiffness-at-its-frequency = maior amplitude pela rigidez dinâmica na sua frequência
-frequency-of-the-largest-displacement = Frequência do maior deslocamento
-largest-amplitude-at-where-the-loss-of-the-spring-alone-holds-the-force = Maior amplitude, em ωₙ, onde só a perda da mola equilibra a força
+energy-lost-per-cycle = Energia dissipada por ciclo
+with-a-damping-ratio-of-1-2-or-more-the-displacement-has-no-peak-it-is-largest-at-low-frequencies = com fator de amortecimento de 1/√2 ou mais o deslocamento não tem pico: é máximo nas baixas frequências
+frequency-of-maximum-displacement-the-velocity-is-maximum-at = Frequência do deslocamento máximo; a velocidade é máxima em ωₙ
+frequency-of-maximum-acceleration = Frequência da aceleração máxima
+maximum-amplitude-at-any-frequency = Amplitude máxima em qualquer frequência
+maximum-amplitude-from-the-dynamic-stiffness-at-its-frequency = amplitude máxima pela rigidez dinâmica na sua frequência
+frequency-of-maximum-displacement = Frequência do deslocamento máximo
+maximum-amplitude-at-where-only-the-loss-of-the-spring-balances-the-force = Amplitude máxima, em ωₙ, onde só a perda da mola equilibra a força
 without-damping-no-force-is-needed-to-keep-a-motion-at-the-natural-frequency-and-any-force-makes-it = sem amortecimento nenhuma força é necessária para manter um movimento na frequência natural, e qualquer força o faz crescer sem limite: dê a força
-growth-from-the-impulse-of-the-force = crescimento pelo impulso da força
+growth-rate-from-the-impulse-of-the-force = taxa de crescimento pelo impulso da força
 # harmonic-sum
 phase = Fase
 question = Pergunta
 sum-of-harmonic-motions = Soma de movimentos harmônicos
 written-as = Escritos como
 motions = Movimentos
-at-which-the-displacement-is-asked-for = Em que se pede o deslocamento.
+at-which-the-displacement-is-requested = Em que se pede o deslocamento.
 work-of-a-harmonic-force-on-a-harmonic-motion = Trabalho de uma força harmônica num movimento harmônico
 the-force-is-f-sin-t = A força é F₀ sen ωt.
-phase-lag-of-the-motion = Atraso de fase do movimento
+phase-lag-of-the-motion = Ângulo de fase (atraso) do movimento
 the-motion-is-x-sin-t = O movimento é X sen (ωt − φ).
 from-the-beginning-of-the-force = Contado do início da força.
-what-stands-beside-t-positive-for-a-motion-that-is-ahead = O que está ao lado de ωt: positivo para um movimento adiantado.
+the-phase-added-to-t-positive-for-a-leading-motion = A fase somada a ωt: positiva para um movimento adiantado.
 harmonic-motions-added-up = Soma de movimentos harmônicos
-phasor-sum-of-harmonic-motions-beats-of-two-that-nearly-agree-and-the-work-of-a-harmonic-force-on-a = Soma de movimentos harmônicos por fasores, batimento de dois quase iguais, e o trabalho de uma força harmônica num movimento harmônico.
+superposition-of-harmonic-motions = Superposição de movimentos harmônicos
+phasor-sum-of-harmonic-motions-beats-of-two-with-nearly-equal-frequencies-and-the-work-of-a-harmonic = Soma de movimentos harmônicos por fasores, batimento de dois com frequências próximas, e o trabalho de uma força harmônica num movimento harmônico.
 amplitude-of-the-sum = Amplitude da soma
 phase-of-the-sum = Fase da soma
 the-displacement-never-exceeds-the-sum-of-the-amplitudes = O deslocamento nunca passa da soma das amplitudes
 bound-of-the-displacement = Limite do deslocamento
+upper-bound-of-the-displacement = Limite superior do deslocamento
 root-mean-square-over-a-long-time = Valor eficaz num tempo longo
 root-mean-square = Valor eficaz
-the-motions-one-by-one-at-that-time = os movimentos um a um nesse instante
+sum-of-the-individual-motions-at-that-time = soma dos movimentos individuais nesse instante
 mean-square-from-the-products-of-all-pairs = valor quadrático médio pelos produtos de todos os pares
-the-rotating-vectors-of-one-frequency-keep-their-angles-their-components-add-up = Os vetores girantes de mesma frequência mantêm os seus ângulos: as suas componentes se somam
+rotating-vectors-of-the-same-frequency-keep-their-relative-angles-their-components-add-up = Os vetores girantes de mesma frequência mantêm os seus ângulos relativos: as suas componentes se somam
 components-across = Componentes transversais
+transverse-components = Componentes transversais
 length-of-the-resulting-vector = Comprimento do vetor resultante
 its-angle = O seu ângulo
-largest-amplitude-when-the-two-motions-agree = Maior amplitude, quando os dois movimentos concordam
-least-amplitude-when-they-oppose-each-other = Menor amplitude, quando eles se opõem
-beat-frequency-the-faster-vector-overtakes-the-slower-one-so-often = Frequência do batimento: quantas vezes o vetor mais rápido alcança o mais lento
-time-between-two-of-the-largest-amplitudes = Tempo entre duas das maiores amplitudes
-frequency-of-the-motion-within-the-beats = Frequência do movimento dentro do batimento
-largest-and-least-amplitude-give-the-mean-square-of-the-envelope = a maior e a menor amplitude dão o valor quadrático médio da envoltória
+maximum-amplitude-when-the-two-motions-are-in-phase = Amplitude máxima, quando os dois movimentos estão em fase
+minimum-amplitude-when-they-are-in-opposite-phase = Amplitude mínima, quando eles estão em oposição de fase
+beat-frequency-rate-at-which-the-faster-vector-overtakes-the-slower-one = Frequência do batimento: taxa com que o vetor mais rápido ultrapassa o mais lento
+time-between-two-maxima-of-the-amplitude = Tempo entre dois máximos da amplitude
+frequency-of-the-oscillation-within-the-beats = Frequência da oscilação dentro dos batimentos
+maximum-and-minimum-amplitude-give-the-mean-square-of-the-envelope = as amplitudes máxima e mínima dão o valor quadrático médio da envoltória
 largest-amplitude = Maior amplitude
+maximum-amplitude = Amplitude máxima
 least-amplitude = Menor amplitude
+minimum-amplitude = Amplitude mínima
 beat-frequency = Frequência do batimento
 beat-period = Período do batimento
 mean-frequency = Frequência média
-the-frequencies-lie-so-far-apart-that-the-sum-shows-no-beats-the-slower-motion-carries-the-faster-one = as frequências são tão distantes que a soma não mostra batimento: o movimento lento carrega o rápido
+the-frequencies-are-so-far-apart-that-the-sum-shows-no-beats-the-fast-motion-is-superposed-on-the = as frequências são tão distantes que a soma não mostra batimento: o movimento rápido se superpõe ao lento
 envelope = envoltória
 sum-against-time = Soma em função do tempo
 rotating-vectors = Vetores girantes
 work-up-to-that-time-the-integral-of-f-sin-t-x-cos-t = Trabalho até esse instante: a integral de F₀ sen ωt · Xω cos (ωt − φ)
-work-of-a-full-cycle-only-the-part-of-the-force-in-phase-with-the-velocity-does-work = Trabalho de um ciclo completo: só a parte da força em fase com a velocidade realiza trabalho
-mean-power-that-work-2-times-a-second = Potência média: esse trabalho, ω/2π vezes por segundo
-largest-power-at-an-instant-about-the-mean-it-swings-by-f-x-2 = Maior potência instantânea: em torno da média ela oscila F₀Xω/2
+work-per-cycle-only-the-component-of-the-force-in-phase-with-the-velocity-does-work = Trabalho por ciclo: só a componente da força em fase com a velocidade realiza trabalho
+mean-power-that-work-2-times-per-second = Potência média: esse trabalho, ω/2π vezes por segundo
+maximum-instantaneous-power-it-oscillates-about-the-mean-with-amplitude-f-x-2 = Potência instantânea máxima: ela oscila em torno da média com amplitude F₀Xω/2
 work-by-numerical-integration = trabalho por integração numérica
 work-up-to-that-time = Trabalho até esse instante
 work-of-a-cycle = Trabalho de um ciclo
+work-per-cycle = Trabalho por ciclo
 largest-power = Maior potência
+maximum-power = Potência máxima
 power-against-time = Potência em função do tempo
 force-against-displacement = Força em função do deslocamento
 # modal-analysis, frequency-response-matrix, multi-degree-response, bar-on-two-springs, coupled-pendulums, half-car
 k-m-i-c-x-f-at-frequency-place-coordinate-at-the-part-in-phase-with-cos-t = (K − ω²M + iωC) X = F na frequência { $place }, coordenada { $at }: a parte em fase com cos ωt
-a-damping-ratio-for-each-mode = Uma razão de amortecimento para cada modo
-a-string-under-tension-resists-a-small-sideways-step-between-its-ends-by-t-l = Uma corda tracionada resiste a um pequeno desnível lateral entre as suas extremidades com T/l
+a-damping-ratio-for-each-mode = Um fator de amortecimento para cada modo
+a-taut-string-resists-a-small-transverse-offset-between-its-ends-with-t-l = Uma corda tracionada resiste a um pequeno desnível transversal entre as suas extremidades com T/l
 about-its-centre-of-mass = Em relação ao seu centro de massa.
 acceleration-accelerance-for-1-n = Aceleração (acelerância para 1 N)
-all-of-the-same-frequency-a-single-force-of-1-n-gives-a-column-of-the-frequency-response-matrix = Todas de mesma frequência. Uma única força de 1 N dá uma coluna da matriz de resposta em frequência.
+all-at-the-same-frequency-a-single-force-of-1-n-gives-a-column-of-the-frequency-response-matrix = Todas de mesma frequência. Uma única força de 1 N dá uma coluna da matriz de resposta em frequência.
 amplitudes-of-the-damped-mode = Amplitudes do modo amortecido
-at-which-the-motion-is-asked-for = Nos quais se pede o movimento.
-at-which-the-response-is-asked-for = Nas quais se pede a resposta.
+at-which-the-motion-is-requested = Nos quais se pede o movimento.
+at-which-the-response-is-requested = Nas quais se pede a resposta.
 bar-on-two-springs = Barra sobre duas molas
 mode-shape-body-front-body-rear-wheel-front-wheel-rear = Forma modal: carroceria dianteira, carroceria traseira, roda dianteira, roda traseira
-bounce-pitch-and-wheel-hop-of-a-vehicle-seen-from-the-side-natural-frequencies-modes-and-damping = Salto vertical, arfagem e vibração das rodas de um veículo visto de lado: frequências naturais, modos e razões de amortecimento de quatro graus de liberdade.
+bounce-pitch-and-wheel-hop-of-a-vehicle-seen-from-the-side-natural-frequencies-modes-and-damping = Salto vertical, arfagem e vibração das rodas de um veículo visto de lado: frequências naturais, modos e fatores de amortecimento de quatro graus de liberdade.
 equal-masses-springs-and-dampers-in-a-chain = Cadeia de massas, molas e amortecedores iguais
 number-of-masses = Número de massas
 mass-of-each = Massa de cada uma
-damping-coefficient-of-each-damper = Coeficiente de cada amortecedor
+damping-coefficient-of-each-damper = Coeficiente de amortecimento de cada amortecedor
 ends = Extremidades
-a-spring-to-a-wall-at-both-ends = Uma mola à parede em ambas as extremidades
-a-spring-to-a-wall-before-the-first-mass-the-last-one-free = Uma mola à parede antes da primeira massa, a última livre
+springs-to-a-wall-at-both-ends = Molas à parede em ambas as extremidades
+spring-to-a-wall-before-the-first-mass-last-mass-free = Mola à parede antes da primeira massa, última massa livre
 both-ends-free = Ambas as extremidades livres
 chain-of-masses-springs-and-dampers = Cadeia de massas, molas e amortecedores
 coordinate = Coordenada
 coordinates-that-are-not-listed-start-from-rest = As coordenadas que não constam partem do repouso.
 coupled-pendulums = Pêndulos acoplados
 coupling-of-the-two-coordinates = Acoplamento das duas coordenadas
-course-in-time = Variação no tempo
+time-history = Evolução no tempo
 damped-frequency = Frequência amortecida
 damper-to-the-ground = Amortecedor ao solo
-damper-to-the-one-before = Amortecedor à massa anterior
+damper-to-the-previous-mass = Amortecedor à massa anterior
 damper-to-the-wall-on-the-right = Amortecedor à parede da direita
 damping-matrix-c = Matriz de amortecimento C
-damping-of-the-mode-c-m-it-couples-no-modes-so-they-remain = Amortecimento do modo φᵀCφ/φᵀMφ: não acopla modos, que portanto se conservam
+damping-of-the-mode-c-m-c-does-not-couple-the-modes-so-the-mode-shapes-are-unchanged = Amortecimento do modo φᵀCφ/φᵀMφ: C não acopla os modos, de modo que as formas modais não mudam
 damping-of-the-suspension = Amortecimento da suspensão
-damping-ratio-at-the-first-frequency = Razão de amortecimento na primeira frequência
-damping-ratio-at-the-second-frequency = Razão de amortecimento na segunda frequência
-damping-ratio-of-the-damped-mode = Razão de amortecimento do modo amortecido
-damping-ratio-of-the-mode = Razão de amortecimento do modo
-damping-ratios = Razões de amortecimento
+damping-ratio-at-the-first-frequency = Fator de amortecimento na primeira frequência
+damping-ratio-at-the-second-frequency = Fator de amortecimento na segunda frequência
+damping-ratio-of-the-damped-mode = Fator de amortecimento do modo amortecido
+damping-ratio-of-the-mode = Fator de amortecimento do modo
+damping-ratios = Fatores de amortecimento
 displacement-receptance-for-1-n = Deslocamento (receptância para 1 N)
-displacement-of-coordinate-at-at-time-place-the-modes-from-break-to-break-of-the-forces-each-in = Deslocamento da coordenada { $at } no instante { $place }: os modos de quebra a quebra das forças, cada um em forma fechada
+displacement-of-coordinate-at-at-time-place-modal-responses-from-breakpoint-to-breakpoint-of-the = Deslocamento da coordenada { $at } no instante { $place }: respostas modais entre pontos de quebra das forças, cada uma em forma fechada
 distance-from-the-centre-of-mass-of-the-body = Distância ao centro de massa da carroceria
 distance-of-the-spring-from-the-pivot = Distância da mola à articulação
 duration-of-the-curves = Duração das curvas
+time-span-of-the-plots = Intervalo de tempo dos gráficos
 effective-mass = Massa efetiva
-effective-mass-what-of-the-total-mass-moves-with-the-ground-in-this-mode = Massa efetiva: a parte da massa total que acompanha o solo neste modo
+effective-mass-the-part-of-the-total-mass-that-moves-with-the-ground-in-this-mode = Massa efetiva: a parte da massa total que acompanha o solo neste modo
 eigenvalue-root-of-det-k-m-0-found-numerically = Autovalor, λ = ω²: raiz de det(K − λM) = 0, encontrada numericamente
 entries = Elementos
-entry-of-the-stiffness-matrix-the-force-on-the-mass-for-its-own-unit-displacement = Elemento da matriz de rigidez: a força na massa para o seu próprio deslocamento unitário
-exact-motion-of-a-chain-or-of-given-matrices-from-a-start-and-under-steps-pulses-ramps-harmonic = Movimento exato de uma cadeia ou de matrizes dadas, a partir de condições iniciais e sob degraus, pulsos, rampas, forças harmônicas ou tabelas de força, com qualquer amortecimento.
-excitation-by-a-ground-that-moves-all-springs-feet-alike-m1 = Excitação por um solo que move igualmente todos os apoios das molas: φᵀM1
+matrix-entries = Elementos das matrizes
+stiffness-matrix-entry-force-on-the-mass-for-its-own-unit-displacement = Elemento da matriz de rigidez: força na massa para o seu próprio deslocamento unitário
+exact-motion-of-a-chain-or-of-given-matrices-from-initial-conditions-and-under-steps-pulses-ramps = Movimento exato de uma cadeia ou de matrizes dadas, a partir de condições iniciais e sob degraus, pulsos, rampas, forças harmônicas ou tabelas de força, com qualquer amortecimento.
+excitation-by-uniform-motion-of-the-ground-at-all-springs-m1 = Excitação por movimento uniforme do solo em todas as molas: φᵀM1
 first = primeira
 first-entry-is-1 = Primeiro elemento igual a 1
 first-frequency = Primeira frequência
@@ -673,37 +703,38 @@ force-on-the-bar-for-a-unit-displacement-of-its-centre-of-mass = Força na barra
 frequencies = Frequências
 frequency-of-the-beats = Frequência dos batimentos
 frequency-response-of-many-degrees-of-freedom = Resposta em frequência de vários graus de liberdade
+frequency-response-of-multi-degree-of-freedom-systems = Resposta em frequência de sistemas com vários graus de liberdade
 from-left-to-right-each-with-the-length-of-string-before-it = Da esquerda para a direita, cada uma com o comprimento de corda que a antecede.
-from-left-to-right-the-spring-and-the-damper-of-a-mass-join-it-to-the-one-before-it-those-of-the = Da esquerda para a direita. A mola e o amortecedor de uma massa a ligam à anterior; os da primeira massa, à parede da esquerda.
+from-left-to-right-the-spring-and-the-damper-of-a-mass-connect-it-to-the-previous-mass-those-of-the = Da esquerda para a direita. A mola e o amortecedor de uma massa a ligam à massa anterior; os da primeira massa, à parede da esquerda.
 from-the-first-of-the-two-points = Do primeiro dos dois pontos
 from-the-table-of-the-matrices = Da tabela das matrizes
 front-axle = Eixo dianteiro
 front-spring = Mola dianteira
-front-spring-before-the-centre-of-mass = Mola dianteira à frente do centro de massa
+front-spring-ahead-of-the-centre-of-mass = Mola dianteira à frente do centro de massa
 gravity-along-the-pendulums-at-rest = Gravidade ao longo dos pêndulos em repouso
 half-car-model = Modelo de meio veículo
 harmonic-f-cos-t = Harmônica: F cos(Ωt − φ)
-highest-frequency-of-the-curves = Frequência máxima das curvas
-inertia-that-couples-the-two-ends-zero-where-j-m-l-f-l-r-then-front-and-rear-do-not-mix = Inércia que acopla as duas extremidades; nula onde J = m l_f l_r, quando dianteira e traseira não se misturam
+maximum-frequency-of-the-curves = Frequência máxima das curvas
+inertia-coupling-of-the-two-ends-zero-if-j-m-l-f-l-r-front-and-rear-are-then-uncoupled = Acoplamento inercial das duas extremidades; nulo se J = m l_f l_r: dianteira e traseira ficam então desacopladas
 its-duration = Sua duração
 its-imaginary-part-frequency-of-the-damped-motion = Sua parte imaginária: frequência do movimento amortecido
 its-modulus-natural-frequency-of-the-damped-mode = Seu módulo: frequência natural do modo amortecido
 its-start = Seu início
 its-time = Seu instante
-largest-displacement-in-the-time-of-the-curves-of-all-turning-points-of-the-motion-and-its-ends-the = Maior deslocamento no tempo das curvas: de todos os pontos de retorno do movimento, e dos seus extremos, o mais afastado de zero
+maximum-displacement-in-the-plotted-time-the-extremum-farthest-from-zero-end-points-included = Deslocamento máximo no tempo traçado: o extremo mais afastado de zero, incluídos o início e o fim
 the-largest-displacement-of-coordinate-at-is-not-sought-over-so-many-oscillations-shorten-the = o maior deslocamento da coordenada { $at } não é procurado em tantas oscilações: encurte a duração das curvas
-largest-displacement-in-the-time-shown = Maior deslocamento no tempo mostrado
-largest-entry-is-1 = Maior elemento igual a 1
+maximum-displacement-in-the-time-shown = Deslocamento máximo no tempo mostrado
+largest-component-is-1 = Maior componente igual a 1
 last = última
-last-entry-is-1 = Último elemento igual a 1
-left-out-where-they-lie-in-a-horizontal-plane-negative-where-they-stand-upright = Omitida onde estão em um plano horizontal; negativa onde estão invertidos.
+last-component-is-1 = Última componente igual a 1
+omit-if-they-lie-in-a-horizontal-plane-negative-if-they-are-inverted = Omitida se estão em um plano horizontal; negativa se estão invertidos.
 length-after-the-last-mass = Comprimento depois da última massa
 length-of-string-before-it = Comprimento de corda antes dela
 length-of-the-bar = Comprimento da barra
 mass-matrix-m = Matriz de massa M
 mass-of-the-bar = Massa da barra
 mass-of-the-body = Massa da carroceria
-mass-of-the-body-felt-above-an-axle-that-moves-while-the-other-rests-t-m-j-2-with-y-l-r-u-f-l-f-u-r-l = Massa da carroceria sentida sobre um eixo que se move enquanto o outro repousa: T = (m ẏ² + J θ̇²)/2 com y = (l_r u_f + l_f u_r)/l, θ = (u_r − u_f)/l
+effective-body-mass-at-an-axle-that-moves-while-the-other-is-at-rest-t-m-j-2-with-y-l-r-u-f-l-f-u-r-l = Massa efetiva da carroceria em um eixo que se move enquanto o outro está em repouso: T = (m ẏ² + J θ̇²)/2 com y = (l_r u_f + l_f u_r)/l, θ = (u_r − u_f)/l
 mass-of-wheel-and-axle = Massa de roda e eixo
 mass-damping-and-stiffness-matrices = Matrizes de massa, amortecimento e rigidez
 masses = Massas
@@ -711,9 +742,9 @@ masses-on-a-stretched-string = Massas em uma corda tracionada
 modal-analysis = Análise modal
 mode-mode-modal-stiffness-from-the-stiffness-matrix-k = modo { $mode }: rigidez modal pela matriz de rigidez, φᵀKφ
 mode-mode-i-d-is-a-root-of-det-m-c-k-0 = modo { $mode }: −ζω + iω_d é raiz de det(λ²M + λC + K) = 0
-damped-mode-place-powers-of-inertia-damping-and-stiffness-in-its-shape-v-m-c-k-v-0 = modo amortecido { $place }: potências de inércia, amortecimento e rigidez na sua forma, vᵀ(λ²M + λC + K)v = 0
+damped-mode-place-powers-of-inertia-damping-and-stiffness-in-its-mode-shape-v-m-c-k-v-0 = modo amortecido { $place }: potências de inércia, amortecimento e rigidez na sua forma modal, vᵀ(λ²M + λC + K)v = 0
 modal-mass = Massa modal
-nodes-counted-in-masses = Nós, contados em massas
+nodes-position-in-mass-spacings = Nós (posição em espaçamentos de massas)
 from-the-table-of-frequencies = Da tabela de frequências
 dynamic-stiffness-k-m = Rigidez dinâmica
 determinant-of-k-m-zero-at-a-natural-frequency = Determinante de K − ω²M; nulo em uma frequência natural
@@ -721,42 +752,42 @@ displacement-in-phase-with-the-forces-by-cramer-s-rule = Deslocamento em fase co
 displacement-at-at-frequency-place-by-elimination = deslocamento { $at } na frequência { $place } por eliminação
 modal-mass-given = Massa modal dada
 modal-mass-of-every-mode = Massa modal de cada modo
-modal-mass-m-for-the-size-of-the-mode-that-was-chosen = Massa modal φᵀMφ, para a normalização escolhida
+modal-mass-m-for-the-chosen-normalisation = Massa modal φᵀMφ, para a normalização escolhida
 modal-stiffness = Rigidez modal
 modal-stiffness-k-m = Rigidez modal φᵀKφ = ω²φᵀMφ
 mode-shape = Forma modal
-mode-shapes-the-largest-entry-as-1 = Formas modais, com o maior elemento igual a 1
+mode-shapes-largest-component-1 = Formas modais, maior componente = 1
 mode-mode = Modo { $mode }
-moment-for-a-unit-turn = Momento para uma rotação unitária
-moment-for-that-displacement-and-force-for-a-unit-turn-that-lowers-the-front = Momento para esse deslocamento, e força para uma rotação unitária que abaixa a dianteira
+moment-for-a-unit-rotation = Momento para uma rotação unitária
+moment-for-that-displacement-and-force-for-a-unit-rotation-that-lowers-the-front = Momento para esse deslocamento, e força para uma rotação unitária que abaixa a dianteira
 moment-of-inertia-about-the-centre-of-mass = Momento de inércia em relação ao centro de massa
-moment-of-inertia-of-a-slender-uniform-bar-about-its-middle = Momento de inércia de uma barra esbelta uniforme em relação ao seu meio
+moment-of-inertia-of-a-slender-uniform-bar-about-its-centre = Momento de inércia de uma barra esbelta uniforme em relação ao seu centro
 moment-of-inertia-of-the-body-in-pitch = Momento de inércia da carroceria em arfagem
 moment-of-inertia-of-the-rod-about-its-pivot = Momento de inércia da barra em relação à articulação
 moment-of-inertia-of-the-small-mass-about-the-pivot = Momento de inércia da pequena massa em relação à articulação
-moment-of-spring-and-weight-for-a-unit-turn-of-this-pendulum-the-other-held = Momento da mola e do peso para uma rotação unitária deste pêndulo, com o outro fixo
-moment-on-one-for-a-unit-turn-of-the-other-the-spring-pulls-it-along = Momento em um para uma rotação unitária do outro: a mola o arrasta
+moment-of-spring-and-weight-for-a-unit-rotation-of-this-pendulum-the-other-fixed = Momento da mola e do peso para uma rotação unitária deste pêndulo, com o outro fixo
+moment-on-one-for-a-unit-rotation-of-the-other-transmitted-by-the-spring = Momento em um para uma rotação unitária do outro, transmitido pela mola
 motion-of-many-degrees-of-freedom-in-time = Movimento de vários graus de liberdade no tempo
 velocity-at-at-time-place-by-taylor-series-of-m-c-k-x-f-step-by-step = velocidade { $at } no instante { $place } por série de Taylor de M ẍ + C ẋ + K x = f, passo a passo
-the-velocity-at-is-zero-at-its-largest-displacement-by-taylor-series = a velocidade { $at } é zero no seu maior deslocamento, por série de Taylor
-largest-displacement-at-by-taylor-series-of-m-c-k-x-f-to-its-time = maior deslocamento { $at }, por série de Taylor de M ẍ + C ẋ + K x = f até o seu instante
+the-velocity-at-is-zero-at-its-maximum-displacement-by-taylor-series = a velocidade { $at } é zero no seu deslocamento máximo, por série de Taylor
+maximum-displacement-at-by-taylor-series-of-m-c-k-x-f-up-to-its-time = deslocamento máximo { $at }, por série de Taylor de M ẍ + C ẋ + K x = f até o seu instante
 natural-frequencies-of-bounce-and-pitch-of-a-rigid-body-on-two-springs-and-the-nodes-about-which-it = Frequências naturais de salto vertical e arfagem de um corpo rígido sobre duas molas, e os nós em torno dos quais oscila.
 natural-frequencies-amplitude-ratios-and-beats-of-two-rods-or-pendulums-joined-by-a-spring = Frequências naturais, razões de amplitude e batimentos de duas barras ou pêndulos unidos por uma mola.
-natural-frequencies-mode-shapes-modal-masses-participation-and-damping-ratios-of-a-chain-of-masses-on = Frequências naturais, formas modais, massas modais, participação e razões de amortecimento de uma cadeia, de massas em uma corda ou de matrizes dadas.
+natural-frequencies-mode-shapes-modal-masses-participation-and-damping-ratios-of-a-chain-of-masses-on = Frequências naturais, formas modais, massas modais, participação e fatores de amortecimento de uma cadeia, de massas em uma corda ou de matrizes dadas.
 natural-frequency-of-the-damped-mode = Frequência natural do modo amortecido
-negative-where-it-stands-before-it = Negativa onde está à frente dele.
-negative-where-it-stands-behind-it = Negativa onde está atrás dele.
+negative-if-it-is-ahead-of-it = Negativa se está à frente dele.
+negative-if-it-is-behind-it = Negativa se está atrás dele.
 node-behind-the-centre-of-mass = Nó atrás do centro de massa
-node-the-point-behind-the-centre-of-mass-that-rests-y-x-0 = Nó: o ponto atrás do centro de massa que fica em repouso, y + θx = 0
+node-the-point-behind-the-centre-of-mass-that-remains-at-rest-y-x-0 = Nó: o ponto atrás do centro de massa que fica em repouso, y + θx = 0
 nyquist-plot = Diagrama de Nyquist
 observed-coordinates = Coordenadas observadas
-one-a-line-from-the-lowest-mode-up-the-last-one-stands-for-all-higher-modes = Uma por linha, a partir do modo mais baixo; a última vale para todos os modos mais altos.
+one-per-line-from-the-lowest-mode-up-the-last-applies-to-all-higher-modes = Uma por linha, a partir do modo mais baixo; a última vale para todos os modos mais altos.
 phase-against-frequency = Fase em função da frequência
-phase-lag-90-for-a-sine = Atraso de fase; 90° para um seno
+phase-lag-90-for-a-sine = Ângulo de fase (atraso); 90° para um seno
 phase-ahead-of-cos-t = Fase, adiantada em relação a cos ωt
 phases-of-the-damped-mode = Fases do modo amortecido
 radius-of-gyration-given = Raio de giração dado
-ramp-that-ends-in-a-constant-force = Rampa que termina em força constante
+ramp-to-a-constant-force = Rampa até uma força constante
 rayleigh-damping-c-m-k = Amortecimento de Rayleigh C = αM + βK
 rayleigh-damping-at-the-second-point = amortecimento de Rayleigh no segundo ponto
 rayleigh-damping-has-2-2-from-the-two-points = O amortecimento de Rayleigh tem ζ = α/(2ω) + βω/2; dos dois pontos
@@ -764,96 +795,96 @@ rayleigh-damping-through-two-points = Amortecimento de Rayleigh por dois pontos
 rear-axle = Eixo traseiro
 rear-spring = Mola traseira
 rear-spring-behind-the-centre-of-mass = Mola traseira atrás do centro de massa
-receptance-mobility-or-accelerance-of-a-chain-or-of-given-matrices-steady-amplitudes-and-phases-under = Receptância, mobilidade ou acelerância de uma cadeia ou de matrizes dadas: amplitudes e fases em regime permanente sob forças harmônicas em quaisquer massas.
+receptance-mobility-or-accelerance-of-a-chain-or-of-given-matrices-steady-state-amplitudes-and-phases = Receptância, mobilidade ou acelerância de uma cadeia ou de matrizes dadas: amplitudes e fases em regime permanente sob forças harmônicas em quaisquer massas.
 receptances-h-at-the-first-frequency = Receptâncias |Hᵢⱼ| na primeira frequência
 rectangular-pulse = Pulso retangular
 rigid-body-mode-the-system-moves-as-a-whole-no-spring-is-stretched = Modo de corpo rígido: o sistema se move como um todo, nenhuma mola se deforma
-root-of-det-m-c-k-0-of-the-first-order-equations-of-the-state = Raiz de det(λ²M + λC + K) = 0, das equações de estado de primeira ordem
+root-of-det-m-c-k-0-from-the-first-order-state-equations = Raiz de det(λ²M + λC + K) = 0, pelas equações de estado de primeira ordem
 root-without-oscillation = Raiz sem oscilação
 row = Linha
-row-column-mass-damping-stiffness-what-is-not-listed-is-zero-an-entry-beside-the-diagonal-stands-for = Linha, coluna, massa, amortecimento, rigidez. O que não consta é zero; um elemento fora da diagonal vale também para o seu simétrico. Ângulos são escritos em SI como se fossem comprimentos.
+row-column-mass-damping-stiffness-entries-not-listed-are-zero-an-off-diagonal-entry-also-applies-to = Linha, coluna, massa, amortecimento, rigidez. O que não consta é zero; um elemento fora da diagonal vale também para o seu simétrico. Ângulos são escritos em SI como se fossem comprimentos.
 second-frequency = Segunda frequência
 second-pendulum = Segundo pêndulo
-share-of-the-masses = Parcela das massas
-share-of-the-stiffness = Parcela da rigidez
-size-of-the-modes = Normalização dos modos
+mass-proportional-coefficient = Coeficiente proporcional à massa
+stiffness-proportional-coefficient = Coeficiente proporcional à rigidez
+mode-normalisation = Normalização dos modos
 slender-uniform-bar = Barra esbelta uniforme
 slender-uniform-rod-pivoted-at-its-end = Barra esbelta uniforme, articulada na extremidade
 small-mass-on-a-light-rod = Pequena massa em uma haste leve
 spring-to-the-ground = Mola ao solo
-spring-to-the-one-before = Mola à massa anterior
+spring-to-the-previous-mass = Mola à massa anterior
 spring-to-the-wall-on-the-right = Mola à parede da direita
-square-of-the-frequency-of-one-coordinate-alone-the-other-held = Quadrado da frequência de uma coordenada sozinha, com a outra fixa
-step-constant-from-its-start-on = Degrau: constante a partir do seu início
+square-of-the-frequency-of-one-coordinate-alone-the-other-fixed = Quadrado da frequência de uma coordenada sozinha, com a outra fixa
+step-constant-from-its-start = Degrau: constante a partir do seu início
 stiffness-matrix-k = Matriz de rigidez K
 stiffness-of-the-spring-between-them = Rigidez da mola entre eles
 stiffness-of-the-suspension = Rigidez da suspensão
 stiffness-of-the-tyre = Rigidez do pneu
-table-straight-between-its-points-zero-before-and-after = Tabela: retas entre os seus pontos, zero antes e depois
+table-linear-between-its-points-zero-before-and-after = Tabela: linear entre os seus pontos, zero antes e depois
 the-bar-on-its-springs = A barra sobre as suas molas
 the-dampers-of-the-system-if-any = Os amortecedores do sistema, se houver
 the-force-on-a-mass-for-a-unit-displacement-of-its-neighbour = A força em uma massa para um deslocamento unitário da sua vizinha
 the-half-car = O meio veículo
 the-mass-has-this-weight = A massa tem esse peso
-the-motion-goes-over-from-one-pendulum-to-the-other-and-back-beats = O movimento passa de um pêndulo ao outro e volta: batimentos
-the-part-a-quarter-of-a-turn-ahead-of-it-lag-is-negative = A parte adiantada de um quarto de volta; o atraso é negativo
+the-motion-passes-from-one-pendulum-to-the-other-and-back-beats = O movimento passa de um pêndulo ao outro e volta: batimentos
+the-component-leading-by-90-a-lag-is-negative = A componente adiantada de 90°; o atraso é negativo
 the-pendulums-and-their-spring = Os pêndulos e a sua mola
-the-same-damping-ratio-in-every-mode = A mesma razão de amortecimento em todos os modos
+the-same-damping-ratio-in-every-mode = O mesmo fator de amortecimento em todos os modos
 the-smaller-root-the-product-of-the-two-is = A raiz menor: o produto das duas é Λ₁Λ₂ − Γ
 the-system = O sistema
-time-it-takes-to-rise = Tempo de subida
 times = Instantes
 to-the-wall-for-the-first-one = À parede, para a primeira.
-turn-of-the-second-over-that-of-the-first = Rotação do segundo sobre a do primeiro
+angle-of-the-second-over-that-of-the-first = Ângulo do segundo sobre o do primeiro
 velocity-mobility-for-1-n = Velocidade (mobilidade para 1 N)
 wall-on-the-right = Parede à direita
 wheelbase = Distância entre eixos
-without-it-a-little-above-the-highest-natural-frequency = Sem ela, um pouco acima da frequência natural mais alta.
+if-omitted-slightly-above-the-highest-natural-frequency = Se omitida, um pouco acima da frequência natural mais alta.
 a-force-acts-at-the-natural-frequency-mode-without-damping-the-motion-is-unbounded-it-grows-with-t = uma força atua na frequência natural { $mode } sem amortecimento: o movimento é ilimitado, cresce com t
-amplitude-over-the-largest = amplitude sobre a maior
-at-most-50-frequencies-and-50-coordinates-are-answered-at-a-time = são respondidas no máximo 50 frequências e 50 coordenadas de cada vez
-at-most-50-times-and-50-coordinates-are-answered-at-a-time = são respondidos no máximo 50 instantes e 50 coordenadas de cada vez
+amplitude-over-the-maximum-amplitude = amplitude sobre a amplitude máxima
+at-most-50-frequencies-and-50-coordinates-are-computed-at-a-time = calculam-se no máximo 50 frequências e 50 coordenadas de cada vez
+at-most-50-times-and-50-coordinates-are-computed-at-a-time = calculam-se no máximo 50 instantes e 50 coordenadas de cada vez
 at-the-natural-frequency-mode-without-damping-the-motion-is-unbounded-it-grows-with-t-and-there-is-no = na frequência natural { $mode }, sem amortecimento, o movimento é ilimitado: cresce com t e não há regime permanente
 at-this-time = neste instante
-both-springs-resist-a-displacement-of-the-centre-of-mass-without-a-moment-bounce-and-pitch-do-not-mix = as duas molas resistem a um deslocamento do centro de massa sem momento: salto vertical e arfagem não se misturam
+both-springs-resist-a-displacement-of-the-centre-of-mass-without-a-moment-bounce-and-pitch-are = as duas molas resistem a um deslocamento do centro de massa sem momento: translação vertical e arfagem são desacopladas
 coordinate-at = coordenada { $at }
 coordinate-row-has-no-mass-write-a-positive-mass-on-the-diagonal-or-eliminate-it = a coordenada { $row } não tem massa: escreva uma massa positiva na diagonal, ou elimine-a
 det-k-m-0-is-with-its-larger-root = det(K − λM) = 0 é (Λ₁ − λ)(Λ₂ − λ) = Γ, com λ = ω²; a raiz maior
 displacement-at-at-time-place-by-taylor-series-of-m-c-k-x-f-step-by-step = deslocamento { $at } no instante { $place } pela série de Taylor de M ẍ + C ẋ + K x = f, passo a passo
 every-mode-is-overdamped-the-system-returns-without-oscillating = todos os modos são superamortecidos: o sistema retorna sem oscilar
 frequency-mode-from-the-eigenvalues-of-m-k = frequência { $mode } pelos autovalores de M⁻¹K
-masses-springs-and-dampers-differ-so-much-in-size-that-numbers-overflow = massas, molas e amortecedores diferem tanto em grandeza que os números transbordam
+masses-springs-and-dampers-differ-so-much-in-magnitude-that-numbers-overflow = massas, molas e amortecedores diferem tanto em ordem de grandeza que ocorre estouro numérico
 mode-mode-is-overdamped-it-returns-without-oscillating = o modo { $mode } é superamortecido: retorna sem oscilar
-mode-mode-largest-potential-energy-k-2-largest-kinetic-energy-m-2 = modo { $mode }: maior energia potencial φᵀKφ/2 = maior energia cinética ω²φᵀMφ/2
-modes-first-and-second-have-the-same-frequency-any-sum-of-their-shapes-is-a-mode-too = os modos { $first } e { $second } têm a mesma frequência: qualquer soma das suas formas também é um modo
-nothing-holds-the-rigid-body-mode-mode-under-a-constant-force-the-motion-is-unbounded-it-grows-with-t = nada prende o modo de corpo rígido { $mode }: sob uma força constante o movimento é ilimitado, cresce com t²
-one-of-and-is-negative-between-the-two-frequencies-the-damping-fits-beyond-them-it-becomes-negative = um de α e β é negativo: entre as duas frequências o amortecimento se ajusta, além delas torna-se negativo e o movimento cresce
+mode-mode-maximum-potential-energy-k-2-maximum-kinetic-energy-m-2 = modo { $mode }: energia potencial máxima φᵀKφ/2 = energia cinética máxima ω²φᵀMφ/2
+modes-first-and-second-have-the-same-frequency-any-linear-combination-of-their-shapes-is-also-a-mode = os modos { $first } e { $second } têm a mesma frequência: qualquer combinação linear das suas formas também é um modo
+rigid-body-mode-mode-is-unrestrained-under-a-constant-force-the-motion-is-unbounded-it-grows-with-t = o modo de corpo rígido { $mode } não tem restrição: sob uma força constante o movimento é ilimitado, cresce com t²
+or-is-negative-between-the-two-frequencies-the-damping-fits-outside-them-it-becomes-negative-and-the = α ou β é negativo: entre as duas frequências o amortecimento se ajusta, fora delas torna-se negativo e o movimento cresce
 reciprocity-h-h = reciprocidade: Hᵢⱼ = Hⱼᵢ
 shape-mode-from-the-eigenvectors-of-m-k = forma { $mode } pelos autovetores de M⁻¹K
-so-near-to-a-resonance-without-damping-the-response-has-no-digits-it-is-unbounded = tão perto de uma ressonância sem amortecimento a resposta não tem algarismos: é ilimitada
+mode-shape-mode-from-the-eigenvectors-of-m-k = forma modal { $mode } pelos autovetores de M⁻¹K
+so-close-to-an-undamped-resonance-the-response-is-unbounded-and-has-no-significant-digits = tão perto de uma ressonância sem amortecimento a resposta é ilimitada e não tem algarismos significativos
 the-damping-couples-the-modes-without-damping-the-masses-no-longer-pass-through-rest-together-and-the = o amortecimento acopla os modos não amortecidos: as massas já não passam juntas pelo repouso, e os modos amortecidos são complexos
-the-distances-of-the-two-nodes-multiply-to-the-square-of-the-radius-of-gyration = as distâncias dos dois nós têm por produto o quadrado do raio de giração
+the-product-of-the-distances-of-the-two-nodes-is-the-square-of-the-radius-of-gyration = o produto das distâncias dos dois nós é o quadrado do raio de giração
 the-effective-masses-add-up-to-the-total-mass = as massas efetivas somam a massa total
 the-entries-row-column-and-column-row-differ-the-matrices-of-masses-springs-and-dampers-are-symmetric = os elementos ({ $row }, { $column }) e ({ $column }, { $row }) diferem: as matrizes de massas, molas e amortecedores são simétricas
 the-entry-row-column-is-listed-twice-keep-one-line-for-it = o elemento ({ $row }, { $column }) consta duas vezes: mantenha uma linha para ele
 the-lowest-root-of-det-m-c-k-0-lies-at-the-lowest-natural-frequency = a menor raiz de det(λ²M + λC + K) = 0 está na menor frequência natural
 the-mass-matrix-is-not-positive-definite-some-motion-has-no-kinetic-energy-so-it-has-no-frequency = a matriz de massa não é positiva definida: algum movimento não tem energia cinética, portanto não tem frequência
-the-modes-are-orthogonal-in-the-masses-m-0 = os modos são ortogonais nas massas: φᵢᵀMφⱼ = 0
-the-modes-are-orthogonal-in-the-stiffness-k-0 = os modos são ortogonais na rigidez: φᵢᵀKφⱼ = 0
-the-modes-cannot-be-found-to-the-digits-that-an-answer-needs = os modos não podem ser encontrados com os algarismos que uma resposta exige
-the-rear-spring-does-not-stand-behind-the-front-one-nothing-holds-the-pitch-write-distances-whose-sum = a mola traseira não está atrás da dianteira: nada prende a arfagem; escreva distâncias cuja soma esteja acima de zero
+the-modes-are-orthogonal-with-respect-to-the-mass-matrix-m-0 = os modos são ortogonais em relação à matriz de massa: φᵢᵀMφⱼ = 0
+the-modes-are-orthogonal-with-respect-to-the-stiffness-matrix-k-0 = os modos são ortogonais em relação à matriz de rigidez: φᵢᵀKφⱼ = 0
+the-modes-cannot-be-computed-with-sufficient-accuracy = os modos não podem ser calculados com exatidão suficiente
+the-rear-spring-is-not-behind-the-front-one-so-pitch-is-unrestrained-write-distances-whose-sum-is = a mola traseira não está atrás da dianteira e a arfagem fica sem restrição; escreva distâncias cuja soma seja maior que zero
 the-response-as-a-sum-over-the-modes = a resposta como soma sobre os modos
-the-stiffness-matrix-is-indefinite-the-position-of-rest-is-unstable-not-a-vibration = a matriz de rigidez é indefinida: a posição de repouso é instável, não uma vibração
+the-stiffness-matrix-is-indefinite-the-rest-position-is-unstable-and-does-not-vibrate = a matriz de rigidez é indefinida: a posição de repouso é instável e não há vibração
 the-sum-of-all-roots-is-tr-m-c = a soma de todas as raízes é −tr(M⁻¹C)
-the-times-of-a-table-of-force-must-not-go-back-sort-its-lines = os tempos de uma tabela de força não devem voltar atrás: ordene as suas linhas
+the-times-of-a-force-table-must-not-decrease-sort-its-rows = os tempos de uma tabela de força não devem diminuir: ordene as suas linhas
 the-two-frequencies-of-the-rayleigh-damping-are-the-same-write-two-different-ones = as duas frequências do amortecimento de Rayleigh são iguais: escreva duas diferentes
-the-at-coordinate-is-a-node-of-mode-mode-it-cannot-be-made-1-choose-another-size-of-the-modes = a { $at } coordenada é um nó do modo { $mode }: não pode ser feita igual a 1; escolha outra normalização
+the-at-coordinate-is-a-node-of-mode-mode-it-cannot-be-set-to-1-choose-another-mode-normalisation = a { $at } coordenada é um nó do modo { $mode }: não pode ser feita igual a 1; escolha outra normalização dos modos
 there-is-no-coordinate-at-the-system-has-n = não há coordenada { $at }: o sistema tem { $n }
-these-inputs-lead-to-a-damping-that-cannot-be-represented = estas entradas levam a um amortecimento que não pode ser representado
-these-inputs-lead-to-a-motion-that-cannot-be-represented = estas entradas levam a um movimento que não pode ser representado
-two-damped-modes-share-one-root-and-one-shape-critical-damping-change-a-damper-by-a-millionth = dois modos amortecidos têm a mesma raiz e a mesma forma (amortecimento crítico): mude um amortecedor em um milionésimo
-have-degrees-of-freedom-are-more-than-the-most-that-are-solved-at-every-keystroke = { $have } graus de liberdade são mais do que os { $most } que são resolvidos a cada tecla
-number-is-no-row-or-column-of-a-matrix-write-whole-numbers-from-1-to-most = { $number } não é linha nem coluna de uma matriz: escreva números inteiros de 1 a { $most }
+these-inputs-lead-to-a-damping-that-cannot-be-represented = estes dados levam a um amortecimento que não pode ser representado
+these-inputs-lead-to-a-motion-that-cannot-be-represented = estes dados levam a um movimento que não pode ser representado
+two-damped-modes-share-one-root-and-one-mode-shape-critical-damping-change-a-damper-by-a-millionth = dois modos amortecidos têm a mesma raiz e a mesma forma modal (amortecimento crítico): mude um amortecedor em um milionésimo
+have-degrees-of-freedom-exceed-the-limit-of-most-for-interactive-solution = { $have } graus de liberdade excedem o limite de { $most } para a solução interativa
+number-is-not-a-row-or-column-of-a-matrix-write-whole-numbers-from-1-to-most = { $number } não é linha nem coluna de uma matriz: escreva números inteiros de 1 a { $most }
 the-smaller-root-is-zero-a-rigid-body-mode = Λ₁Λ₂ = Γ: a raiz menor é zero, um modo de corpo rígido
 # oscillator
 mass-given = Massa dada
@@ -863,87 +894,87 @@ springs-and-beams = Molas e vigas
 static-deflection-under-the-weight = Deflexão estática sob o peso
 static-deflection = Deflexão estática
 without-damping = Sem amortecimento.
-frequency-of-the-free-damped-motion = Frequência da vibração livre amortecida
 hysteretic-loss-factor-given = Histerético: fator de perda dado
-the-complex-stiffness-k-1-i-the-loss-of-a-cycle-does-not-depend-on-its-frequency = A rigidez complexa k(1 + iη): a perda por ciclo não depende da frequência.
+complex-stiffness-k-1-i-the-energy-loss-per-cycle-is-independent-of-frequency = Rigidez complexa k(1 + iη): a perda de energia por ciclo não depende da frequência.
 loss-factor = Fator de perda
 mass-of-this-weight = Massa desse peso
 natural-frequency-from-the-weight-m-g-k-st = Frequência natural, pelo peso m g = k δ_st
 stiffness-that-gives-the-mass-this-natural-frequency = Rigidez que dá à massa essa frequência natural
-a-damping-coefficient-says-nothing-without-the-mass-write-the-mass-or-the-damping-ratio = um coeficiente de amortecimento nada diz sem a massa: escreva a massa ou a razão de amortecimento
-dashpot-that-loses-as-much-in-a-cycle-at-this-frequency = Amortecedor viscoso que dissipa o mesmo por ciclo nesta frequência
-damping-ratio-of-the-dashpot-that-loses-as-much-in-a-cycle-at-this-frequency = Razão de amortecimento do amortecedor viscoso que dissipa o mesmo por ciclo nesta frequência
+a-damping-coefficient-is-not-sufficient-without-the-mass-write-the-mass-or-the-damping-ratio = um coeficiente de amortecimento não basta sem a massa: escreva a massa, ou o fator de amortecimento
+viscous-damper-with-the-same-energy-loss-per-cycle-at-this-frequency = Amortecedor viscoso com a mesma perda de energia por ciclo nesta frequência
+damping-ratio-of-the-viscous-damper-with-the-same-energy-loss-per-cycle-at-this-frequency = Fator de amortecimento do amortecedor viscoso com a mesma perda de energia por ciclo nesta frequência
 the-natural-frequency-of-these-springs-needs-the-mass-on-them-write-the-mass-or-give-the-natural = a frequência natural dessas molas depende da massa sobre elas: escreva a massa, ou dê a frequência natural ou a deflexão estática
-with-a-damping-ratio-of-1-or-more-the-free-motion-does-not-oscillate-give-the-natural-frequency = com razão de amortecimento de 1 ou mais a vibração livre não oscila: dê a frequência natural
-hysteretic-damping-has-no-damped-frequency-of-its-own-give-the-natural-frequency = o amortecimento histerético não tem frequência amortecida própria: dê a frequência natural
-sine-from-zero = Seno: a partir de zero
-cosine-from-its-full-value = Cosseno: a partir do valor máximo
+with-a-damping-ratio-of-1-or-more-the-free-motion-does-not-oscillate-give-the-natural-frequency = com fator de amortecimento de 1 ou mais a vibração livre não oscila: dê a frequência natural
+hysteretic-damping-has-no-damped-natural-frequency-give-the-undamped-natural-frequency = o amortecimento histerético não tem frequência natural amortecida: dê a frequência natural não amortecida
+sine-starts-at-zero = Seno: começa em zero
+cosine-starts-at-its-maximum = Cosseno: começa no valor máximo
 displacement-from-the-exponential-of-the-matrix-of-the-system = deslocamento pela exponencial da matriz do sistema
 asked = pedido
+requested = pedido
 without-damping-at-the-natural-frequency-the-motion-grows-with-the-time = Sem amortecimento, na frequência natural, o movimento cresce com o tempo
-the-free-motion-begins-where-it-makes-up-for-the-displacement-of-the-steady-one = A vibração livre começa onde compensa o deslocamento da permanente
-and-with-the-velocity-that-makes-up-for-that-of-the-steady-one-rest-together = e com a velocidade que compensa a da permanente: juntas, o repouso
-sine-part-of-the-free-motion = Parte em seno da vibração livre
-displacement-steady-motion-and-dying-free-motion = Deslocamento: movimento permanente e vibração livre que se extingue
-displacement-steady-motion-and-free-motion-which-does-not-die-without-damping = Deslocamento: movimento permanente e vibração livre, que não se extingue sem amortecimento
+the-initial-free-displacement-cancels-that-of-the-steady-state-motion = O deslocamento livre inicial compensa o do regime permanente
+and-the-initial-free-velocity-cancels-that-of-the-steady-state-motion-together-rest = e a velocidade livre inicial compensa a do regime permanente: juntas, o repouso
+sine-component-of-the-free-vibration = Componente em seno da vibração livre
+displacement-steady-state-motion-and-decaying-free-vibration = Deslocamento: movimento permanente e vibração livre que decai
+displacement-steady-state-motion-and-free-vibration-which-does-not-decay-without-damping = Deslocamento: movimento permanente e vibração livre, que não decai sem amortecimento
 growing-part-of-the-critically-damped-free-motion = Parte crescente do movimento livre com amortecimento crítico
-the-slower-and-the-faster-of-the-two-decays-of-the-free-motion = O mais lento e o mais rápido dos dois decaimentos do movimento livre
-the-faster-one = O mais rápido
-share-of-the-slower-decay = Parcela do decaimento mais lento
-share-of-the-faster-decay = Parcela do decaimento mais rápido
+the-slower-and-the-faster-decay-of-the-free-motion = O decaimento mais lento e o mais rápido do movimento livre
+the-faster-decay = O decaimento mais rápido
+coefficient-of-the-slower-decaying-term = Coeficiente do termo de decaimento mais lento
+coefficient-of-the-faster-decaying-term = Coeficiente do termo de decaimento mais rápido
 this-oscillator = este oscilador
 here = aqui
 magnification-against-frequency-ratio = Amplificação em função da razão de frequências
-phase-lag-against-frequency-ratio = Atraso de fase em função da razão de frequências
+phase-lag-against-frequency-ratio = Ângulo de fase (atraso) em função da razão de frequências
 transmissibility-against-frequency-ratio = Transmissibilidade em função da razão de frequências
 rotating-vectors-of-the-forces = Vetores girantes das forças
 # overhung-disc
 overhung-disc-with-gyroscopic-action = Disco em balanço com efeito giroscópico
 natural-frequencies-at-rest-forward-and-backward-whirl-at-a-speed-and-synchronous-critical-speeds-of = Frequências naturais em repouso, precessão direta e retrógrada a uma rotação e velocidades críticas síncronas de um disco em um eixo leve.
-where-it-is-given-the-frequencies-of-whirl-at-this-speed-are-answered-and-how-near-a-critical-speed = Quando dada, respondem-se as frequências de precessão nesta rotação e quão perto está uma velocidade crítica.
+if-given-the-whirl-frequencies-at-this-speed-are-computed-and-the-margin-to-a-critical-speed = Se for dada, calculam-se as frequências de precessão nesta rotação e a margem até uma velocidade crítica.
 cantilever-with-the-disc-at-its-tip = Viga engastada com o disco na ponta
 influence-coefficients-at-the-disc = Coeficientes de influência no disco
 for-any-other-shaft-and-bearings = Para qualquer outro eixo e mancais.
-deflection-for-each-unit-of-force = Deflexão por unidade de força
-slope-for-each-unit-of-force = Inclinação por unidade de força
-the-same-as-the-deflection-for-each-unit-of-moment = Igual à deflexão por unidade de momento.
-slope-for-each-unit-of-moment = Inclinação por unidade de momento
+deflection-per-unit-force = Deflexão por unidade de força
+slope-per-unit-force = Inclinação por unidade de força
+equal-to-the-deflection-per-unit-moment = Igual à deflexão por unidade de momento.
+slope-per-unit-moment = Inclinação por unidade de momento
 mass-radius-of-gyration-and-width = Massa, raio de giração e largura
 radius-of-gyration-about-the-axis = Raio de giração em torno do eixo
 diameter-width-and-density = Diâmetro, largura e massa específica
 natural-frequency-at-rest = Frequência natural em repouso
-whirling-forward-as-fast-as-it-spins-the-disc-tilts-as-if-its-inertia-were = Em precessão direta tão rápida quanto a rotação, o disco inclina como se a sua inércia fosse
+effective-tilting-inertia-of-the-disc-in-synchronous-forward-whirl = Inércia efetiva de inclinação do disco em precessão direta síncrona
 critical-speed-of-forward-whirl = Velocidade crítica da precessão direta
-whirling-backward-as-fast-as-it-spins-the-disc-tilts-as-if-its-inertia-were = Em precessão retrógrada tão rápida quanto a rotação, o disco inclina como se a sua inércia fosse
+effective-tilting-inertia-of-the-disc-in-synchronous-backward-whirl = Inércia efetiva de inclinação do disco em precessão retrógrada síncrona
 critical-speed-of-backward-whirl = Velocidade crítica da precessão retrógrada
 i-p-is-not-below-i-d-gyroscopic-action-stiffens-the-tilting-of-the-disc-faster-than-the-speed-rises = I_p não é menor que I_d: o efeito giroscópico enrijece a inclinação do disco mais depressa do que a rotação sobe, de modo que não há segunda velocidade crítica direta; o desbalanceamento só excita a primeira
 the-speed-is-within-10-of-the-critical-speed-critical = a rotação está a menos de 10 % da velocidade crítica { $critical }
 half-of-the-coefficient-of-in-the-frequency-equation-m-i-d-2p-0 = Metade do coeficiente de ω² na equação de frequências m I_d ω⁴ − 2p ω² + Δ = 0
 lower-natural-frequency-of-the-disc-that-does-not-spin = Menor frequência natural do disco que não gira
-upper-natural-frequency-of-the-disc-that-does-not-spin = Maior frequência natural do disco que não gira
+upper-natural-frequency-of-the-non-rotating-disc = Maior frequência natural do disco sem rotação
 the-natural-frequency-makes-the-determinant-of-the-influence-coefficients-vanish = a frequência natural anula o determinante dos coeficientes de influência
-the-same-with-the-inertia-of-forward-whirl = O mesmo com a inércia da precessão direta
-critical-speed-of-forward-whirl-the-one-that-unbalance-excites = Velocidade crítica da precessão direta: a que o desbalanceamento excita
+the-same-with-the-effective-inertia-in-forward-whirl = O mesmo, com a inércia efetiva da precessão direta
+critical-speed-of-forward-whirl-excited-by-unbalance = Velocidade crítica da precessão direta: excitada pelo desbalanceamento
 second-critical-speed-of-forward-whirl = Segunda velocidade crítica da precessão direta
 the-forward-critical-speed-makes-the-determinant-of-the-influence-coefficients-vanish = a velocidade crítica direta anula o determinante dos coeficientes de influência
-the-same-with-the-inertia-of-backward-whirl = O mesmo com a inércia da precessão retrógrada
+the-same-with-the-effective-inertia-in-backward-whirl = O mesmo, com a inércia efetiva da precessão retrógrada
 first-critical-speed-of-backward-whirl = Primeira velocidade crítica da precessão retrógrada
 second-critical-speed-of-backward-whirl = Segunda velocidade crítica da precessão retrógrada
 the-backward-critical-speed-makes-the-determinant-of-the-influence-coefficients-vanish = a velocidade crítica retrógrada anula o determinante dos coeficientes de influência
-force-at-the-tip-for-each-unit-of-deflection-the-tip-kept-from-tilting = Força na ponta por unidade de deflexão, a ponta impedida de inclinar
-moment-at-the-tip-for-each-unit-of-deflection-the-tip-kept-from-tilting = Momento na ponta por unidade de deflexão, a ponta impedida de inclinar
-moment-at-the-tip-for-each-unit-of-slope-the-tip-kept-in-place = Momento na ponta por unidade de inclinação, a ponta mantida no lugar
+force-at-the-tip-per-unit-deflection-with-the-rotation-of-the-tip-prevented = Força na ponta por unidade de deflexão, com a rotação da ponta impedida
+moment-at-the-tip-per-unit-deflection-with-the-tip-prevented-from-rotating = Momento na ponta por unidade de deflexão, com a ponta impedida de girar
+moment-at-the-tip-per-unit-slope-with-the-tip-held-in-place = Momento na ponta por unidade de inclinação, com a ponta mantida no lugar
 is-not-above-so-the-shaft-would-not-resist-some-load-check-the-influence-coefficients = α γ não é maior que β², de modo que o eixo não resistiria a alguma carga: confira os coeficientes de influência
 determinant-of-the-influence-coefficients = Determinante dos coeficientes de influência
-stiffness-is-the-inverse-of-the-influence-coefficients-force-for-each-unit-of-deflection = A rigidez é a inversa dos coeficientes de influência: força por unidade de deflexão
-moment-for-each-unit-of-deflection = Momento por unidade de deflexão
-moment-for-each-unit-of-slope = Momento por unidade de inclinação
+stiffness-is-the-inverse-of-the-influence-coefficients-force-per-unit-deflection = A rigidez é a inversa dos coeficientes de influência: força por unidade de deflexão
+moment-per-unit-deflection = Momento por unidade de deflexão
+moment-per-unit-slope = Momento por unidade de inclinação
 determinant-of-the-stiffness-of-the-shaft-at-the-disc = Determinante da rigidez do eixo no disco
 the-frequency-equation-at-this-speed-could-not-be-solved-check-units-and-sizes = a equação de frequências nesta rotação não pôde ser resolvida: confira unidades e tamanhos
-the-whirl-satisfies-the-frequency-equation-k-m-k-i-d-i-p-k = a precessão satisfaz a equação de frequências (k₁₁ − mω²)(k₂₂ − I_d ω² ± I_p Ω ω) = k₁₂²
-whirl-with-the-spin-root-of-k-m-k-i-d-i-p-k = Precessão no sentido da rotação: raiz de (k₁₁ − mω²)(k₂₂ − I_d ω² + I_p Ω ω) = k₁₂²
+the-whirl-frequency-satisfies-the-frequency-equation-k-m-k-i-d-i-p-k = a frequência de precessão satisfaz a equação de frequências (k₁₁ − mω²)(k₂₂ − I_d ω² ± I_p Ω ω) = k₁₂²
+forward-whirl-root-of-k-m-k-i-d-i-p-k = Precessão direta: raiz de (k₁₁ − mω²)(k₂₂ − I_d ω² + I_p Ω ω) = k₁₂²
 forward-whirl-at-this-speed = Precessão direta nesta rotação
-whirl-against-the-spin-root-of-k-m-k-i-d-i-p-k = Precessão contra a rotação: raiz de (k₁₁ − mω²)(k₂₂ − I_d ω² − I_p Ω ω) = k₁₂²
+backward-whirl-root-of-k-m-k-i-d-i-p-k = Precessão retrógrada: raiz de (k₁₁ − mω²)(k₂₂ − I_d ω² − I_p Ω ω) = k₁₂²
 backward-whirl-at-this-speed = Precessão retrógrada nesta rotação
 frequency-of-whirl = frequência de precessão
 backward-1 = retrógrada 1
@@ -954,33 +985,33 @@ forward-critical-speed = velocidade crítica direta
 backward-critical-speed = velocidade crítica retrógrada
 the-disc-on-its-bent-shaft = O disco no seu eixo fletido
 # periodic-excitation
-mean-of-the-motion-the-wave-is-as-much-above-zero-as-below = Média do movimento: a onda está tanto acima de zero quanto abaixo
-mean-of-the-motion-that-of-the-wave-is-half-its-height = Média do movimento: a da onda é metade da sua altura
-mean-of-the-motion-that-of-half-a-sine-a-period-is-1-of-its-height = Média do movimento: a de meio seno por período é 1/π da sua altura
-mean-of-the-motion-that-of-an-arch-of-a-sine-is-2-of-its-height = Média do movimento: a de um arco de seno é 2/π da sua altura
-mean-of-the-motion-that-of-the-pulses-is-their-share-of-the-period = Média do movimento: a dos pulsos é a sua parcela do período
+mean-of-the-motion-the-wave-lies-equally-above-and-below-zero = Média do movimento: a onda fica igualmente acima e abaixo de zero
+mean-of-the-motion-the-mean-of-the-wave-is-half-its-height = Média do movimento: a média da onda é metade da sua altura
+mean-of-the-motion-the-mean-of-one-half-sine-per-period-is-1-of-its-height = Média do movimento: a média de um meio seno por período é 1/π da sua altura
+mean-of-the-motion-the-mean-of-a-sine-arch-is-2-of-its-height = Média do movimento: a média de um arco de seno é 2/π da sua altura
+mean-of-the-motion-the-mean-of-the-pulses-is-their-fraction-of-the-period = Média do movimento: a média dos pulsos é a sua fração do período
 table = Tabela
-a-force-needs-it-a-shaking-base-does-not-where-the-natural-frequency-is-known = Uma força precisa dela; uma base em movimento não, quando se conhece a frequência natural.
+required-for-a-force-not-required-for-base-excitation-if-the-natural-frequency-is-known = Necessária para uma força; desnecessária para excitação pela base quando se conhece a frequência natural.
 wave = Onda
 frequency-of-the-wave = Frequência da onda
 once-in-a-period = Uma vez por período.
-after-the-beginning-of-a-period-of-the-steady-motion-the-displacement-there-is-answered = Contado do início de um período do regime permanente; responde-se o deslocamento nesse instante.
+from-the-start-of-a-period-of-the-steady-state-motion-the-displacement-there-is-computed = Contado do início de um período do regime permanente; calcula-se o deslocamento nesse instante.
 height-of-the-wave = Altura da onda
 the-value-that-the-picture-of-the-wave-shows-as-one = O valor que a figura da onda mostra como um.
 motion-of-the-base = Movimento da base
 periodic-force-or-base = Força ou base periódica
-harmonic-n-equation-of-motion-in-phase-with-the-wave = harmônico { $n }: equação de movimento, em fase com a onda
-harmonic-n-equation-of-motion-a-quarter-of-a-turn-ahead = harmônico { $n }: equação de movimento, um quarto de volta à frente
-displacement-at-that-time-by-the-convolution-of-the-wave-with-the-response-to-impulses = deslocamento nesse instante, pela convolução da onda com a resposta a impulsos
-largest-displacement-by-the-convolution-at-the-moment-at-which-the-velocity-changes-its-sign = maior deslocamento: pela convolução, no instante em que a velocidade troca de sinal
-least-displacement-by-the-convolution-at-the-moment-at-which-the-velocity-changes-its-sign = menor deslocamento: pela convolução, no instante em que a velocidade troca de sinal
+harmonic-n-equation-of-motion-component-in-phase-with-the-wave = harmônico { $n }: equação de movimento, componente em fase com a onda
+harmonic-n-equation-of-motion-quadrature-component-90-ahead = harmônico { $n }: equação de movimento, componente em quadratura (90° à frente)
+displacement-at-that-time-by-convolution-of-the-wave-with-the-unit-impulse-response = deslocamento nesse instante, pela convolução da onda com a resposta ao impulso unitário
+maximum-displacement-by-convolution-at-the-instant-at-which-the-velocity-changes-sign = deslocamento máximo: pela convolução, no instante em que a velocidade troca de sinal
+minimum-displacement-by-convolution-at-the-instant-at-which-the-velocity-changes-sign = deslocamento mínimo: pela convolução, no instante em que a velocidade troca de sinal
 damping-coefficient-by-mass-and-natural-frequency-2-m = coeficiente de amortecimento pela massa e pela frequência natural, 2ζmωₙ
-fourier-coefficients-of-a-periodic-force-or-motion-of-the-base-the-steady-response-to-each-harmonic = Coeficientes de Fourier de uma força periódica ou de um movimento periódico da base, a resposta permanente a cada harmônico e a todos eles.
-hysteretic-damping-has-no-equation-of-motion-in-time-give-the-damping-ratio-of-a-dashpot-that-does-as = o amortecimento histerético não tem equação de movimento no tempo: dê a razão de amortecimento de um amortecedor viscoso que faça o mesmo
+fourier-coefficients-of-a-periodic-force-or-base-motion-and-the-steady-state-response-to-each = Coeficientes de Fourier de uma força periódica ou de um movimento periódico da base, e a resposta em regime permanente a cada harmônico e a todos eles.
+hysteretic-damping-has-no-equation-of-motion-in-the-time-domain-give-the-damping-ratio-of-an = o amortecimento histerético não tem equação de movimento no domínio do tempo: dê o fator de amortecimento de um amortecedor viscoso equivalente
 frequency-ratio-of-the-first-harmonic = Razão de frequências do primeiro harmônico
-a-force-moves-a-mass-write-the-mass-or-let-the-base-shake = uma força move uma massa: escreva a massa, ou escolha o movimento da base
-deflection-that-the-height-of-the-wave-would-hold-at-rest = Deflexão que a altura da onda manteria em repouso
-without-damping-harmonic-order-meets-the-natural-frequency-the-motion-is-unbounded-it-grows-with-t = sem amortecimento, o harmônico { $order } coincide com a frequência natural: o movimento é ilimitado, cresce com t
+a-force-moves-a-mass-write-the-mass-or-choose-base-excitation = uma força move uma massa: escreva a massa, ou escolha excitação pela base
+static-deflection-under-the-height-of-the-waveform = Deflexão estática sob a altura da forma de onda
+without-damping-harmonic-order-coincides-with-the-natural-frequency-the-motion-is-unbounded-it-grows = sem amortecimento, o harmônico { $order } coincide com a frequência natural: o movimento é ilimitado, cresce com t
 mean-of-the-wave-from-its-pieces = média da onda pelos seus trechos
 mean-of-the-motion-the-static-deflection-under-the-mean-of-the-wave = Média do movimento: a deflexão estática sob a média da onda
 mean-displacement = Deslocamento médio
@@ -990,42 +1021,45 @@ response-to-this-harmonic-magnified-static-deflection = Resposta a este harmôni
 response-to-this-harmonic-transmitted-motion-of-the-base = Resposta a este harmônico: movimento da base transmitido
 its-lag-behind-this-harmonic-of-the-wave = O seu atraso em relação a este harmônico da onda
 amplitude-of-harmonic = Amplitude do harmônico
-phase-lag-of-the-first-of-them = Atraso de fase do primeiro deles
+phase-lag-of-the-first-of-them = Ângulo de fase (atraso) do primeiro deles
 harmonics-of-the-wave-and-of-the-motion = Harmônicos da onda e do movimento
 motion = movimento
 line-spectrum-of-the-motion = Espectro de linhas do movimento
-the-motion-of-all-harmonics-together-is-not-answered-it-cannot-be-told-exactly = o movimento de todos os harmônicos juntos não é respondido: não se pode dizê-lo com exatidão
+the-total-motion-of-all-harmonics-is-omitted-it-cannot-be-computed-exactly = o movimento total de todos os harmônicos é omitido: não pode ser calculado com exatidão
 root-mean-square-over-the-static-deflection-of-the-exact-motion-piece-by-piece-closed-over-a-period = Valor eficaz sobre a deflexão estática, do movimento exato: trecho por trecho, fechado num período
 mean-square-of-the-exact-motion-half-the-sum-of-the-squares-of-all-harmonics = valor quadrático médio do movimento exato = metade da soma dos quadrados de todos os harmônicos
 root-mean-square-of-the-displacement = Valor eficaz do deslocamento
-largest-displacement-of-the-exact-motion-over-the-static-deflection = Maior deslocamento do movimento exato, sobre a deflexão estática
-least-displacement-of-the-exact-motion-over-the-static-deflection = Menor deslocamento do movimento exato, sobre a deflexão estática
+maximum-displacement-of-the-exact-motion-over-the-static-deflection = Deslocamento máximo do movimento exato, sobre a deflexão estática
+minimum-displacement-of-the-exact-motion-over-the-static-deflection = Deslocamento mínimo do movimento exato, sobre a deflexão estática
 largest-displacement = Maior deslocamento
+maximum-displacement = Deslocamento máximo
 least-displacement = Menor deslocamento
+minimum-displacement = Deslocamento mínimo
 displacement-of-the-exact-motion-at-that-time-over-the-static-deflection = Deslocamento do movimento exato nesse instante, sobre a deflexão estática
-steady-motion-over-two-periods = Movimento em regime permanente em dois períodos
+steady-state-motion-over-two-periods = Movimento em regime permanente em dois períodos
 exact = exato
-harmonics-written-out = harmônicos escritos
+sum-of-the-listed-harmonics = soma dos harmônicos listados
 at-rest-under-the-wave = em repouso sob a onda
 square-wave = Onda quadrada
-up-for-the-first-half-of-the-period-down-as-far-for-the-second = Para cima na primeira metade do período, igual para baixo na segunda.
+positive-for-the-first-half-of-the-period-equally-negative-for-the-second = Positiva na primeira metade do período, igualmente negativa na segunda.
 triangular-wave = Onda triangular
-from-zero-up-down-as-far-below-and-back = De zero para cima, igual para baixo, e de volta.
+rises-from-zero-falls-as-far-below-it-and-returns = Sobe do zero, desce igualmente abaixo dele e volta.
 sawtooth = Dente de serra
-from-zero-up-over-the-period-then-at-once-back-to-zero-a-cam = De zero para cima ao longo do período, depois de súbito a zero: um came.
+rises-from-zero-over-the-period-then-drops-at-once-to-zero-a-cam = Cresce do zero ao longo do período e cai de súbito a zero: um came.
 half-rectified-sine = Seno de meia onda
 the-positive-half-of-a-sine-zero-for-the-second-half-of-the-period = A metade positiva de um seno, zero na segunda metade do período.
 rectified-sine = Seno retificado
 one-arch-after-another-the-period-is-that-of-one-arch = Um arco após o outro; o período é o de um arco.
 rectangular-pulses = Pulsos retangulares
-up-for-a-share-of-the-period-zero-for-the-rest = Para cima numa parcela do período, zero no resto.
+one-for-a-fraction-of-the-period-zero-for-the-rest = Um numa fração do período, zero no resto.
 share-of-the-period = Parcela do período
+fraction-of-the-period = Fração do período
 straight-lines-from-point-to-point-and-from-the-last-to-the-first-of-the-next-period = Retas de ponto a ponto, e do último ao primeiro do período seguinte.
-ascending-two-points-at-one-share-are-a-jump = Crescente; dois pontos na mesma parcela são um salto.
+ascending-two-points-at-the-same-fraction-define-a-step = Crescente; dois pontos na mesma fração definem um degrau.
 value-over-the-height-of-the-wave = Valor sobre a altura da onda
-the-table-has-count-points-at-most-most-are-added-up-thin-it-out = a tabela tem { $count } pontos; no máximo { $most } são somados: reduza-a
-the-table-needs-two-points-or-more-with-shares-of-the-period-that-ascend-from-0-to-100 = a tabela precisa de dois pontos ou mais, com parcelas do período crescentes de 0 a 100 %
-mean-of-the-wave-integrated-line-by-line = Média da onda, integrada reta por reta
+the-table-has-count-points-at-most-most-can-be-summed-reduce-it = a tabela tem { $count } pontos; no máximo { $most } podem ser somados: reduza-a
+the-table-requires-two-points-or-more-with-fractions-of-the-period-ascending-from-0-to-100 = a tabela requer dois pontos ou mais, com frações do período crescentes de 0 a 100 %
+mean-of-the-wave-integrated-segment-by-segment = Média da onda, integrada trecho a trecho
 fourier-coefficient-of-a-square-wave-4-n-for-odd-n = Coeficiente de Fourier de uma onda quadrada: 4/(nπ) para n ímpar
 fourier-coefficient-of-a-triangular-wave-8-n-for-odd-n = Coeficiente de Fourier de uma onda triangular: 8/(nπ)² para n ímpar
 fourier-coefficient-of-a-sawtooth-1-n = Coeficiente de Fourier de um dente de serra: 1/(nπ)
@@ -1033,21 +1067,23 @@ first-harmonic-of-a-half-rectified-sine-half-its-height = Primeiro harmônico de
 fourier-coefficient-of-a-half-rectified-sine-2-n-1-for-even-n = Coeficiente de Fourier de um seno de meia onda: 2/((n² − 1)π) para n par
 fourier-coefficient-of-a-rectified-sine-4-4n-1 = Coeficiente de Fourier de um seno retificado: 4/((4n² − 1)π)
 fourier-coefficient-of-rectangular-pulses-2-sin-n-d-n = Coeficiente de Fourier de pulsos retangulares: 2|sen nπd|/(nπ)
-cosine-coefficient-integrated-line-by-line = Coeficiente do cosseno, integrado reta por reta
-sine-coefficient-integrated-line-by-line = Coeficiente do seno, integrado reta por reta
-cosine-and-sine-together = Cosseno e seno juntos
+cosine-coefficient-integrated-segment-by-segment = Coeficiente do cosseno, integrado trecho a trecho
+sine-coefficient-integrated-segment-by-segment = Coeficiente do seno, integrado trecho a trecho
+amplitude-from-the-cosine-and-sine-coefficients = Amplitude pelos coeficientes do cosseno e do seno
 # rotating-unbalance
-damping-ratio-between-two-values = Razão de amortecimento entre dois valores
-the-amplitude-is-largest-with-the-least-damping-which-everything-else-is-answered-for = A amplitude é maior com o menor amortecimento, para o qual se responde tudo o mais.
+damping-ratio-between-two-values = Fator de amortecimento entre dois valores
+the-amplitude-is-largest-with-the-minimum-damping-for-which-all-other-results-are-computed = A amplitude é maior com o amortecimento mínimo, para o qual se calculam todos os outros resultados.
 least-damping-ratio = Menor razão de amortecimento
-largest-damping-ratio = Maior razão de amortecimento
-the-least-damping-ratio-is-above-the-largest-one-write-the-smaller-one-as-the-least = a menor razão de amortecimento está acima da maior: escreva o menor valor como a menor
-steady-amplitude-with-the-largest-damping = Amplitude em regime permanente com o maior amortecimento
+minimum-damping-ratio = Fator de amortecimento mínimo
+maximum-damping-ratio = Fator de amortecimento máximo
+the-minimum-damping-ratio-exceeds-the-maximum-one-exchange-them = o fator de amortecimento mínimo excede o máximo: troque-os
+steady-state-amplitude-with-the-maximum-damping = Amplitude em regime permanente com o amortecimento máximo
 amplitude-with-the-largest-damping-from-the-dynamic-stiffness = amplitude com o maior amortecimento pela rigidez dinâmica
 amplitude-with-the-largest-damping = Amplitude com o maior amortecimento
-known-by-its-deflection-under-a-load = Conhecida pela deflexão sob uma carga
+amplitude-with-the-maximum-damping = Amplitude com o amortecimento máximo
+from-its-deflection-under-a-load = A partir da deflexão sob uma carga
 deflection = Deflexão
-known-by-the-natural-frequency-of-a-mass-on-it = Conhecida pela frequência natural de uma massa sobre ela
+from-the-natural-frequency-of-a-mass-on-it = A partir da frequência natural de uma massa sobre ela
 mass-on-the-spring = Massa sobre a mola
 stiffness-load-over-deflection = Rigidez: carga sobre deflexão
 stiffness-that-gives-this-mass-this-natural-frequency = Rigidez que dá a esta massa esta frequência natural
@@ -1055,52 +1091,55 @@ stiffness-that-gives-this-mass-this-natural-frequency = Rigidez que dá a esta m
 absorber = Absorvedor
 absorber-by-itself-at-this-frequency-f-g = Absorvedor isolado nesta frequência, f² − g²
 absorber-given = Absorvedor dado
-also-one-that-is-not-tuned-to-the-speed = Também um que não esteja sintonizado na rotação.
+also-for-an-absorber-not-tuned-to-the-speed = Também para um absorvedor não sintonizado na rotação.
 amplitude-of-the-absorber = Amplitude do absorvedor
 amplitude-of-the-main-system-with-and-without-the-absorber = Amplitude do sistema principal, com e sem o absorvedor
 amplitude-without-the-absorber = Amplitude sem o absorvedor
-as-a-part-of-the-natural-frequency = Como fração da frequência natural
+as-a-fraction-of-the-natural-frequency = Como fração da frequência natural
 auxiliary-number = Número auxiliar
-best-damping-by-the-main-frequency-c-2-m-a-m-the-peak-lies-at-the-fixed-point-of-an-undamped-main = Melhor amortecimento em relação à frequência principal, c/(2 m_a ω_m): o pico fica no ponto fixo de um sistema principal sem amortecimento
-best-tuning-and-damping-of-an-absorber-by-the-fixed-points-and-for-the-least-peak-of-a-viscous = Melhor sintonia e amortecimento de um absorvedor pelos pontos fixos e para o menor pico, de um absorvedor viscoso sem mola, e a resposta antes e depois.
-both-resonances-are-to-lie-outside-of-them-with-a-new-absorber-tuned-like-the-trial-one = As duas ressonâncias devem ficar fora delas, com um novo absorvedor sintonizado como o de ensaio.
-both-resonances-at-once-natural-frequency-of-the-main-system-since-the-product-of-the-two-resonances = As duas ressonâncias juntas: frequência natural do sistema principal, pois o produto das duas ressonâncias é o das duas frequências naturais
+optimum-damping-relative-to-the-main-frequency-c-2-m-a-m-the-peak-lies-at-the-invariant-point-of-an = Amortecimento ótimo em relação à frequência principal, c/(2 m_a ω_m): o pico fica no ponto invariante de um sistema principal sem amortecimento
+optimum-tuning-and-damping-of-an-absorber-by-the-invariant-points-and-for-the-minimum-peak-of-a = Sintonia e amortecimento ótimos de um absorvedor pelos pontos invariantes e para o pico mínimo, de um absorvedor viscoso sem mola, e a resposta antes e depois.
+both-resonances-must-lie-outside-this-range-with-a-new-absorber-tuned-like-the-trial-one = As duas ressonâncias devem ficar fora dessa faixa, com um novo absorvedor sintonizado como o de ensaio.
+from-both-resonances-natural-frequency-of-the-main-system-since-the-product-of-the-two-resonances = Pelas duas ressonâncias: frequência natural do sistema principal, pois o produto das duas ressonâncias é igual ao das duas frequências naturais
 by-itself-on-a-fixed-base-the-speed-it-is-tuned-to = Isolado, sobre base fixa: a rotação em que está sintonizado.
 by-itself-without-the-absorber = Isolado, sem o absorvedor.
 damped-vibration-absorber = Absorvedor de vibrações amortecido
 without-the-absorber-the-magnification-where-the-slope-of-the-response-is-zero = sem o absorvedor: a amplificação onde a inclinação da resposta é zero
 the-slope-of-the-response-is-zero-at-the-peak = a inclinação da resposta é zero no pico
-stroke-of-the-absorber-from-the-equations-of-motion-in-full = curso do absorvedor, pelas equações de movimento completas
-motion-of-the-main-mass-at-its-natural-frequency-from-spring-and-damper-in-full = movimento da massa principal na sua frequência natural, por mola e amortecedor completos
-motion-of-the-absorber-at-that-frequency-from-spring-and-damper-in-full = movimento do absorvedor nessa frequência, por mola e amortecedor completos
+stroke-of-the-absorber-from-the-full-equations-of-motion = curso do absorvedor, pelas equações de movimento completas
+main-mass-motion-at-its-natural-frequency-from-the-full-equations-with-spring-and-damper = movimento da massa principal na sua frequência natural, pelas equações completas com mola e amortecedor
+absorber-motion-at-that-frequency-from-the-full-equations-with-spring-and-damper = movimento do absorvedor nessa frequência, pelas equações completas com mola e amortecedor
 amplitude-of-the-main-mass-at-the-peak-from-the-equations-of-motion-in-full = amplitude da massa principal no pico, pelas equações de movimento completas
 damping-coefficient-of-the-absorber = Coeficiente de amortecimento do absorvedor
 damping-coefficient-of-the-absorber-2-m-a-m = Coeficiente de amortecimento do absorvedor, 2 m_a ω_m γ
 damping-of-the-least-peak = Amortecimento do menor pico
-damping-of-the-least-peak-with-this-damping-of-the-main-system-newton-s-method = Amortecimento do menor pico com este amortecimento do sistema principal (método de Newton)
-damping-ratio-by-the-absorber-itself = Razão de amortecimento em relação ao próprio absorvedor
-damping-ratio-by-the-absorber-itself-c-2-m-a-a = Razão de amortecimento em relação ao próprio absorvedor, c/(2 m_a ω_a)
-damping-ratio-by-the-main-frequency = Razão de amortecimento em relação à frequência principal
-damping-ratio-by-the-main-frequency-c-2-m-a-m = Razão de amortecimento em relação à frequência principal, c/(2 m_a ω_m)
-damping-ratio-by-the-main-frequency-c-2-m-a-m-f-a = Razão de amortecimento em relação à frequência principal, c/(2 m_a ω_m) = f ζ_a
-damping-ratio-of-the-main-system = Razão de amortecimento do sistema principal
-damping-the-mean-of-the-squares-of-the-two-that-make-the-response-level-at-one-fixed-point-or-the = Amortecimento: a média dos quadrados dos dois que deixam a resposta com tangente horizontal em um ou no outro ponto fixo
+damping-for-the-minimum-peak = Amortecimento para o pico mínimo
+damping-for-the-minimum-peak-with-this-damping-of-the-main-system-newton-s-method = Amortecimento para o pico mínimo com este amortecimento do sistema principal (método de Newton)
+damping-ratio-relative-to-the-absorber = Fator de amortecimento em relação ao próprio absorvedor
+damping-ratio-relative-to-the-absorber-c-2-m-a-a = Fator de amortecimento em relação ao próprio absorvedor, c/(2 m_a ω_a)
+damping-ratio-relative-to-the-main-frequency = Fator de amortecimento em relação à frequência principal
+damping-ratio-relative-to-the-main-frequency-c-2-m-a-m = Fator de amortecimento em relação à frequência principal, c/(2 m_a ω_m)
+damping-ratio-relative-to-the-main-frequency-c-2-m-a-m-f-a = Fator de amortecimento em relação à frequência principal, c/(2 m_a ω_m) = f ζ_a
+damping-ratio-of-the-main-system = Fator de amortecimento do sistema principal
+damping-mean-square-of-the-two-values-that-give-zero-slope-of-the-response-at-one-or-the-other = Amortecimento: a média dos quadrados dos dois valores que dão tangente horizontal à resposta em um ou no outro ponto invariante
 determinant-of-the-equations-of-both-masses-at-the-speed = Determinante das equações das duas massas na rotação
 determinant-of-the-equations-of-both-masses-real-part = Determinante das equações das duas massas: parte real
 disc-on-a-torsional-spring = Disco sobre mola de torção
 each-by-itself = Cada um isolado.
 fixed-point = Ponto fixo
-for-the-amplitudes-a-limit-of-the-stroke-needs-it = Para as amplitudes; um limite de curso precisa dela.
-force-of-the-unbalance-at-this-speed = Força do desbalanceamento nesta rotação
-frequency-at-which-the-motion-is-asked = Frequência em que se pede o movimento
+invariant-point = Ponto invariante
+for-the-amplitudes-required-for-a-stroke-limit = Para as amplitudes; necessária para um limite de curso.
+unbalance-force-at-this-speed = Força do desbalanceamento nesta rotação
+frequency-at-which-the-motion-is-requested = Frequência em que se pede o movimento
 frequency-given = Frequência dada
 frequency-over-the-natural-frequency-of-the-main-system = Frequência sobre a frequência natural do sistema principal
 frequency-ratio-of-the-fixed-point = Razão de frequências do ponto fixo
-frequency-ratio-of-the-highest-peak-the-response-is-level-there = Razão de frequências do pico mais alto: ali a tangente da resposta é horizontal
+frequency-ratio-of-the-invariant-point = Razão de frequências do ponto invariante
+frequency-ratio-of-the-highest-peak-the-response-has-zero-slope-there = Razão de frequências do pico mais alto: nele a resposta tem tangente horizontal
 frequency-ratio-of-the-peak = Razão de frequências do pico
 from-the-two-resonances-with-a-trial-absorber = A partir das duas ressonâncias com um absorvedor de ensaio
 half-of-their-difference = Metade da sua diferença
-highest-place-of-the-lower-resonance-over-the-speed = Posição mais alta da ressonância inferior, sobre a rotação
+upper-limit-of-the-lower-resonance-as-a-ratio-to-the-speed = Limite superior da ressonância inferior, em relação à rotação
 in-torsion-inertia-over-inertia = Em torção, inércia sobre inércia.
 inertia-given-tuned-to-the-speed = Inércia dada, sintonizado na rotação
 inertia-of-the-absorber = Inércia do absorvedor
@@ -1114,22 +1153,24 @@ inertia-that-tunes-the-absorber-to-the-speed = Inércia que sintoniza o absorved
 inertia-by-the-mean = Inércia, pela média
 inertia-exact = Inércia, exata
 its-damper = O seu amortecedor
-its-damping-ratio-by-the-absorber-itself = A sua razão de amortecimento em relação ao próprio absorvedor
+its-damping-ratio-relative-to-the-absorber-alone = O seu fator de amortecimento, em relação ao absorvedor isolado
 its-stiffness = A sua rigidez
 its-stiffness-tuned-like-the-trial-absorber = A sua rigidez, com a sintonia do absorvedor de ensaio
-largest-amplitude-of-the-absorber = Maior amplitude do absorvedor
-largest-amplitude-of-the-main-mass = Maior amplitude da massa principal
+maximum-amplitude-of-the-absorber = Amplitude máxima do absorvedor
+maximum-amplitude-of-the-main-mass = Amplitude máxima da massa principal
 largest-magnification = Maior amplificação
-largest-magnification-by-the-fixed-points = Maior amplificação pelos pontos fixos
-largest-magnification-with-the-chosen-absorber = Maior amplificação com o absorvedor escolhido
-largest-magnification-with-this-tuning-and-damping-the-peaks-lie-a-little-above-the-fixed-points = Maior amplificação com esta sintonia e este amortecimento: os picos ficam um pouco acima dos pontos fixos
-largest-magnification-without-the-absorber = Maior amplificação sem o absorvedor
-largest-motion-of-the-absorber-relative-to-the-main-mass-over-the-static-deflection-of-the-main-mass = Maior movimento do absorvedor em relação à massa principal, sobre a deflexão estática da massa principal
-largest-relative-motion-over-the-static-deflection = Maior movimento relativo sobre a deflexão estática
-largest-stroke-of-the-absorber = Maior curso do absorvedor
-largest-stroke-of-the-absorber-room-that-it-needs-to-each-side = Maior curso do absorvedor: o espaço de que precisa para cada lado
-least-distance-from-the-speed-as-a-part-of-it = Menor distância da rotação, como fração dela
+maximum-magnification = Amplificação máxima
+maximum-magnification-by-the-fixed-points = Amplificação máxima pelos pontos fixos
+maximum-magnification-with-the-chosen-absorber = Amplificação máxima com o absorvedor escolhido
+maximum-magnification-with-this-tuning-and-damping-the-peaks-lie-a-little-above-the-fixed-points = Amplificação máxima com esta sintonia e este amortecimento: os picos ficam um pouco acima dos pontos fixos
+maximum-magnification-without-the-absorber = Amplificação máxima sem o absorvedor
+maximum-relative-motion-of-the-absorber-over-the-static-deflection-of-the-main-mass = Movimento relativo máximo do absorvedor, dividido pela deflexão estática da massa principal
+maximum-relative-motion-over-the-static-deflection = Movimento relativo máximo dividido pela deflexão estática
+maximum-stroke-of-the-absorber = Curso máximo do absorvedor
+maximum-stroke-of-the-absorber-clearance-required-on-each-side = Curso máximo do absorvedor: folga necessária de cada lado
+minimum-separation-from-the-speed-as-a-fraction-of-it = Separação mínima da rotação, como fração dela
 least-possible-largest-magnification = Menor valor possível da maior amplificação
+minimum-possible-peak-magnification = Valor mínimo possível da amplificação máxima
 limited-stroke = Curso limitado
 lower-end-of-the-range-over-the-frequency-of-the-absorber = Extremo inferior da faixa, sobre a frequência do absorvedor
 lower-end-of-the-range-over-the-speed = Extremo inferior da faixa, sobre a rotação
@@ -1139,21 +1180,23 @@ lower-resonance-measured = Ressonância inferior medida
 lower-resonance-over-the-frequency-of-the-absorber = Ressonância inferior sobre a frequência do absorvedor
 lower-resonance-over-the-speed = Ressonância inferior sobre a rotação
 lower-resonance-as-a-ratio = Ressonância inferior, como razão
-lowest-place-of-the-upper-resonance-over-the-speed = Posição mais baixa da ressonância superior, sobre a rotação
+lower-limit-of-the-upper-resonance-as-a-ratio-to-the-speed = Limite inferior da ressonância superior, em relação à rotação
 machine-on-springs = Máquina sobre molas
 magnification-at-both = Amplificação em ambos
+magnification-at-both-points = Amplificação em ambos os pontos
 magnification-at-the-fixed-point = Amplificação no ponto fixo
 magnification-at-the-fixed-points = Amplificação nos pontos fixos
 magnification-at-this-frequency = Amplificação nesta frequência
-magnification-for-other-dampings-of-the-absorber = Amplificação para outros amortecimentos do absorvedor
+magnification-for-other-values-of-absorber-damping = Amplificação para outros valores de amortecimento do absorvedor
 magnification-of-the-main-mass-at-this-frequency = Amplificação da massa principal nesta frequência
 magnification-of-the-main-system-with-and-without-the-absorber = Amplificação do sistema principal, com e sem o absorvedor
 magnification-there = Amplificação ali
+magnification-at-this-point = Amplificação nesse ponto
 main-mass = Massa principal
 main-system = Sistema principal
 main-system-by-the-mean = Sistema principal pela média
 main-system-that-has-exactly-these-resonances = Sistema principal que tem exatamente estas ressonâncias
-mass-and-spring-of-an-absorber-for-a-limited-stroke-or-for-resonances-kept-away-its-two-resonances = Massa e mola de um absorvedor para um curso limitado ou para ressonâncias afastadas, as suas duas ressonâncias e amplitudes, e um sistema principal a partir de um absorvedor de ensaio.
+mass-and-spring-of-an-absorber-for-a-limited-stroke-or-for-separated-resonances-its-two-resonances = Massa e mola de um absorvedor para um curso limitado ou para ressonâncias afastadas, as suas duas ressonâncias e amplitudes, e um sistema principal a partir de um absorvedor de ensaio.
 mass-given-tuned-to-the-speed = Massa dada, sintonizado na rotação
 mass-of-the-absorber = Massa do absorvedor
 mass-of-the-absorber-over-that-of-the-machine = Massa do absorvedor sobre a da máquina
@@ -1164,30 +1207,30 @@ mass-of-the-new-absorber-exact = Massa do novo absorvedor, exata
 mass-of-the-trial-absorber = Massa do absorvedor de ensaio
 mass-on-a-spring = Massa sobre mola
 mass-ratio = Razão de massas
-mass-ratio-by-the-lower-resonance-were-the-absorber-tuned-to-the-natural-frequency-of-the-main-system = Razão de massas pela ressonância inferior, se o absorvedor estivesse sintonizado na frequência natural do sistema principal
+mass-ratio-by-the-lower-resonance-if-the-absorber-were-tuned-to-the-natural-frequency-of-the-main = Razão de massas pela ressonância inferior, se o absorvedor estivesse sintonizado na frequência natural do sistema principal
 mass-ratio-by-the-upper-resonance = Razão de massas pela ressonância superior
 mass-ratio-given = Razão de massas dada
-mass-ratio-that-puts-the-lower-resonance-at-the-lower-end = Razão de massas que leva a ressonância inferior ao extremo inferior
-mass-ratio-that-puts-the-lower-resonance-there-by-the-frequency-equation = Razão de massas que leva a ressonância inferior até ali, pela equação das frequências
-mass-ratio-that-puts-the-upper-resonance-at-the-upper-end = Razão de massas que leva a ressonância superior ao extremo superior
-mass-ratio-that-puts-the-upper-resonance-there-by-the-frequency-equation = Razão de massas que leva a ressonância superior até ali, pela equação das frequências
+mass-ratio-that-places-the-lower-resonance-at-the-lower-end = Razão de massas que leva a ressonância inferior ao extremo inferior
+mass-ratio-that-places-the-lower-resonance-at-this-limit-by-the-frequency-equation = Razão de massas que leva a ressonância inferior a esse limite, pela equação das frequências
+mass-ratio-that-places-the-upper-resonance-at-the-upper-end = Razão de massas que leva a ressonância superior ao extremo superior
+mass-ratio-that-places-the-upper-resonance-at-this-limit-by-the-frequency-equation = Razão de massas que leva a ressonância superior a esse limite, pela equação das frequências
 without-the-absorber-inertia-and-spring-balance-the-excitation-m-m-x-f = sem o absorvedor: inércia e mola equilibram a excitação, m|ω_m² − ω²|X = F₀
 mass-ratio-from-the-sum-of-the-squares-of-the-two-resonances = Razão de massas, pela soma dos quadrados das duas ressonâncias
 mass-ratio-absorber-over-machine = Razão de massas: absorvedor sobre máquina
 mass-ratio-absorber-over-main-mass = Razão de massas: absorvedor sobre massa principal
-mass-ratio-the-lower-resonance-asks-for-more = Razão de massas: a ressonância inferior exige mais
-mass-ratio-the-upper-resonance-asks-for-more = Razão de massas: a ressonância superior exige mais
+mass-ratio-the-larger-required-by-the-lower-resonance = Razão de massas: a maior, exigida pela ressonância inferior
+mass-ratio-the-larger-required-by-the-upper-resonance = Razão de massas: a maior, exigida pela ressonância superior
 mass-that-tunes-the-absorber-to-the-speed = Massa que sintoniza o absorvedor na rotação
 mass-by-the-mean = Massa, pela média
 mass-exact = Massa, exata
-mean-of-the-two-which-differ-as-the-tuning-is-not-quite-that = Média das duas, que diferem porque a sintonia não é bem essa
-motion-of-the-absorber-relative-to-it-over-the-static-deflection = Movimento do absorvedor em relação a ela, sobre a deflexão estática
+mean-of-the-two-which-differ-because-the-tuning-is-not-exact = Média das duas, que diferem porque a sintonia não é exata
+relative-motion-of-the-absorber-over-the-static-deflection = Movimento relativo do absorvedor, dividido pela deflexão estática
 motion-of-the-absorber-relative-to-the-main-system = Movimento do absorvedor em relação ao sistema principal
 motion-of-the-absorber-along-the-excitation = Movimento do absorvedor, no sentido da excitação
-motion-of-the-absorber-negative-against-the-excitation = Movimento do absorvedor: negativo quando contrário à excitação
+motion-of-the-absorber-negative-if-opposite-to-the-excitation = Movimento do absorvedor: negativo quando contrário à excitação
 motion-of-the-absorber-the-main-system-is-at-rest-and-the-force-of-the-spring-is-opposite-to-the = Movimento do absorvedor: o sistema principal está parado, e a força da mola é oposta à excitação
 motion-of-the-main-system-along-the-excitation = Movimento do sistema principal, no sentido da excitação
-motion-of-the-main-system-negative-against-the-excitation = Movimento do sistema principal: negativo quando contrário à excitação
+motion-of-the-main-system-negative-if-opposite-to-the-excitation = Movimento do sistema principal: negativo quando contrário à excitação
 natural-frequency-of-the-absorber = Frequência natural do absorvedor
 natural-frequency-of-the-absorber-by-itself = Frequência natural do absorvedor isolado
 natural-frequency-of-the-absorber-over-that-of-the-main-system = Frequência natural do absorvedor sobre a do sistema principal
@@ -1216,112 +1259,116 @@ resonances-kept-out-of-a-range-of-speeds = Ressonâncias fora de uma faixa de ro
 rotor-on-a-shaft = Rotor em um eixo
 speed-of-the-excitation = Rotação da excitação
 speed-over-the-natural-frequency-of-the-main-system = Rotação sobre a frequência natural do sistema principal
-speed-as-the-given-part-of-the-natural-frequency = Rotação, como a fração dada da frequência natural
+speed-from-the-given-fraction-of-the-natural-frequency = Rotação, pela fração dada da frequência natural
 speeds-without-resonance = Rotações sem ressonância
 springs-between-absorber-and-rotor = Molas entre absorvedor e rotor
 springs-of-the-machine = Molas da máquina
 springs-of-the-main-mass = Molas da massa principal
-squares-of-the-ratios-of-the-fixed-points-their-mean = Quadrados das razões dos pontos fixos: a sua média
+squares-of-the-ratios-of-the-invariant-points-their-mean = Quadrados das razões dos pontos invariantes: a sua média
 static-deflection-under-the-force = Deflexão estática sob a força
 stiffness-of-each-spring = Rigidez de cada mola
-stiffness-of-each-spring-at-the-radius-a-turn-stretches-it-by-and-its-force-acts-at = Rigidez de cada mola: no raio ρ um giro θ a estica de ρθ, e a sua força age em ρ
+stiffness-of-each-spring-at-radius-a-rotation-stretches-it-by-and-its-force-acts-at = Rigidez de cada mola: no raio ρ uma rotação θ a alonga de ρθ, e a sua força age em ρ
 stiffness-of-the-absorber = Rigidez do absorvedor
 stiffness-of-the-absorber-with-the-main-system-at-rest-its-spring-alone-balances-the-excitation = Rigidez do absorvedor: com o sistema principal parado, só a sua mola equilibra a excitação
-stiffness-of-the-new-absorber-by-the-mean = Rigidez do novo absorvedor, pela média
+stiffness-of-the-new-absorber-from-the-mean = Rigidez do novo absorvedor, pela média
 stiffness-of-the-new-absorber-exact = Rigidez do novo absorvedor, exata
 stiffness-that-gives-the-main-system-its-natural-frequency = Rigidez que dá ao sistema principal a sua frequência natural
-stiffness-that-tunes-the-absorber-to-the-speed = Rigidez que sintoniza o absorvedor na rotação
-stiffness-by-the-mean = Rigidez, pela média
+stiffness-that-tunes-the-absorber-to-the-running-speed = Rigidez que sintoniza o absorvedor na rotação de operação
+stiffness-from-the-mean = Rigidez, pela média
 stiffness-exact = Rigidez, exata
-stiffness-with-the-natural-frequency-of-the-absorber = Rigidez, com a frequência natural do absorvedor
-straight-springs-that-stand-along-the-circumference = Molas retas dispostas ao longo da circunferência.
-sum-of-the-two-resonances-over-the-natural-frequency-of-the-main-system-with-their-product-f-from-the = Soma das duas ressonâncias, sobre a frequência natural do sistema principal: com o seu produto f, pela equação das frequências
+stiffness-from-the-natural-frequency-of-the-absorber = Rigidez, pela frequência natural do absorvedor
+straight-springs-arranged-along-the-circumference = Molas retas dispostas ao longo da circunferência.
+sum-of-the-two-resonances-over-the-natural-frequency-of-the-main-system-from-their-product-f-and-the = Soma das duas ressonâncias, sobre a frequência natural do sistema principal: pelo seu produto f e pela equação das frequências
 the-absorber-is-tuned-to-it = O absorvedor é sintonizado nela.
-the-answers-are-ratios = As respostas são razões.
+the-results-are-ratios = Os resultados são razões.
 the-least-peak = O menor pico
+the-minimum-peak = O pico mínimo
 the-main-system-and-its-absorber = O sistema principal e o seu absorvedor
 the-main-system-and-its-damped-absorber = O sistema principal e o seu absorvedor amortecido
-the-same-damping-by-the-main-frequency-c-2-m-a-m = O mesmo amortecimento em relação à frequência principal, c/(2 m_a ω_m)
-the-softest-and-lightest-absorber-that-does-not-turn-further = O absorvedor mais flexível e mais leve que não gira além disso.
-the-softest-and-lightest-absorber-whose-mass-does-not-move-further = O absorvedor mais flexível e mais leve cuja massa não se move além disso.
+the-same-damping-relative-to-the-main-frequency-c-2-m-a-m = O mesmo amortecimento em relação à frequência principal, c/(2 m_a ω_m)
+the-softest-and-lightest-absorber-that-does-not-exceed-this-rotation = O absorvedor mais flexível e mais leve que não excede esta rotação.
+the-softest-and-lightest-absorber-whose-mass-does-not-exceed-this-displacement = O absorvedor mais flexível e mais leve cuja massa não excede este deslocamento.
 their-difference = A sua diferença
 torsional-stiffness-of-its-springs = Rigidez torcional das suas molas
 trial-absorber = Absorvedor de ensaio
-tuned-by-the-fixed-points-den-hartog = Sintonizado pelos pontos fixos (Den Hartog)
-tuned-for-the-least-peak = Sintonizado para o menor pico
+tuned-by-the-invariant-points-den-hartog = Sintonizado pelos pontos invariantes (Den Hartog)
+tuned-for-the-minimum-peak = Sintonizado para o pico mínimo
 tuning = Sintonia
 tuning-and-damping-given = Sintonia e amortecimento dados
-tuning-by-the-fixed-points = Sintonia pelos pontos fixos
-tuning-by-the-fixed-points-the-two-frequencies-at-which-the-response-is-the-same-for-every-damping = Sintonia pelos pontos fixos: as duas frequências em que a resposta é a mesma para todo amortecimento, levadas à mesma altura
+tuning-by-the-invariant-points = Sintonia pelos pontos invariantes
+tuning-by-the-invariant-points-the-two-frequencies-at-which-the-response-is-independent-of-damping = Sintonia pelos pontos invariantes: as duas frequências em que a resposta não depende do amortecimento, levadas à mesma altura
 tuning-of-the-absorber-to-the-exact-main-system = Sintonia do absorvedor em relação ao sistema principal exato
 tuning-of-the-least-peak = Sintonia do menor pico
-tuning-of-the-least-peak-with-this-damping-of-the-main-system-two-peaks-of-one-height-where-no-change = Sintonia do menor pico com este amortecimento do sistema principal: dois picos da mesma altura, onde nenhuma mudança abaixa os dois (método de Newton)
-tuning-of-the-least-peak-exactly-two-peaks-of-one-height-as-low-as-can-be = Sintonia do menor pico, exata: dois picos da mesma altura, tão baixos quanto possível
-tuning-absorber-over-main-system-each-by-itself = Sintonia: absorvedor sobre sistema principal, cada um isolado
-tuning-the-absorber-at-the-speed-over-the-main-system = Sintonia: o absorvedor, na rotação, sobre o sistema principal
+optimum-tuning-minimum-peak = Sintonia ótima, pico mínimo
+optimum-tuning-with-this-damping-of-the-main-system-two-peaks-of-equal-height-where-no-change-lowers = Sintonia ótima com este amortecimento do sistema principal: dois picos da mesma altura, onde nenhuma mudança abaixa os dois (método de Newton)
+optimum-tuning-exact-two-peaks-of-equal-and-minimum-height = Sintonia ótima, exata: dois picos de altura igual e mínima
+tuning-absorber-frequency-over-main-system-frequency-uncoupled = Sintonia: frequência do absorvedor sobre a do sistema principal, desacoplados
+tuning-absorber-frequency-speed-over-main-system-frequency = Sintonia: frequência do absorvedor (= rotação) sobre a do sistema principal
 undamped-vibration-absorber = Absorvedor de vibrações sem amortecimento
-moment-of-the-springs-about-the-centre-for-a-turn-of-one-one-by-one = momento das molas em torno do centro para uma rotação unitária, uma a uma
+moment-of-the-springs-about-the-centre-for-a-unit-rotation-one-by-one = momento das molas em torno do centro para uma rotação unitária, uma a uma
 main-system-by-the-mean-sum-of-the-squares-of-its-resonances-with-the-trial-absorber-as-eigenvalues = sistema principal pela média: soma dos quadrados das suas ressonâncias com o absorvedor de ensaio, como autovalores
-upper-end-of-the-range-over-the-frequency-of-the-absorber = Extremo superior da faixa, sobre a frequência do absorvedor
-upper-end-of-the-range-over-the-speed = Extremo superior da faixa, sobre a rotação
+upper-limit-of-the-range-over-the-frequency-of-the-absorber = Limite superior da faixa, sobre a frequência do absorvedor
+upper-limit-of-the-range-over-the-speed = Limite superior da faixa, sobre a rotação
 upper-fixed-point = Ponto fixo superior
+upper-invariant-point = Ponto invariante superior
 upper-resonance = Ressonância superior
 upper-resonance-measured = Ressonância superior medida
 upper-resonance-over-the-frequency-of-the-absorber = Ressonância superior sobre a frequência do absorvedor
 upper-resonance-over-the-speed = Ressonância superior sobre a rotação
 upper-resonance-as-a-ratio = Ressonância superior, como razão
-viscous-without-spring-houdaille-best-damping = Viscoso sem mola (Houdaille), melhor amortecimento
+upper-resonance-frequency-ratio = Ressonância superior, razão de frequências
+viscous-without-spring-houdaille-optimum-damping = Viscoso sem mola (Houdaille), amortecimento ótimo
 viscous-without-spring-damping-given = Viscoso sem mola, amortecimento dado
 without-the-absorber = Sem o absorvedor.
 a-stiffness-a-damping-coefficient-or-a-frequency-needs-masses-and-springs-of-the-main-system-write = uma rigidez, um coeficiente de amortecimento ou uma frequência precisam das massas e das molas do sistema principal: escreva-as, ou dê razões
-best-damping-by-newton-s-method = melhor amortecimento pelo método de Newton
-height-of-the-fixed-point-both-masses-moving-as-one = altura do ponto fixo, com as duas massas movendo-se como uma só
-height-of-the-lower-fixed-point-both-masses-moving-as-one = altura do ponto fixo inferior, com as duas massas movendo-se como uma só
-height-of-the-upper-fixed-point-both-masses-moving-as-one = altura do ponto fixo superior, com as duas massas movendo-se como uma só
-least-peak-by-newton-s-method = menor pico pelo método de Newton
+optimum-damping-by-newton-s-method = amortecimento ótimo pelo método de Newton
+height-of-the-fixed-point-with-the-masses-locked-together = altura do ponto fixo, com as massas solidárias
+height-of-the-lower-fixed-point-with-the-masses-locked-together = altura do ponto fixo inferior, com as massas solidárias
+height-of-the-upper-fixed-point-with-the-masses-locked-together = altura do ponto fixo superior, com as massas solidárias
+minimum-peak-by-newton-s-method = pico mínimo pelo método de Newton
 locked = travado
-lower-resonance-as-an-eigenvalue-of-both-masses = ressonância inferior, como autovalor das duas massas
+lower-resonance-as-an-eigenvalue-of-the-two-mass-system = ressonância inferior, como autovalor do sistema de duas massas
 magnification-at-the-peak-from-the-equations-of-both-masses = amplificação no pico pelas equações das duas massas
 magnification-at-this-frequency-from-the-equations-of-both-masses = amplificação nesta frequência pelas equações das duas massas
 motion-of-the-absorber-from-the-equations-of-both-masses = movimento do absorvedor pelas equações das duas massas
-nothing-is-damped-and-this-frequency-is-a-resonance-the-motion-grows-with-time-without-bound = nada é amortecido e esta frequência é uma ressonância: o movimento cresce com o tempo sem limite
-nothing-is-damped-at-both-resonances-the-motion-grows-with-time-without-bound-and-there-is-no-peak = nada é amortecido: nas duas ressonâncias o movimento cresce com o tempo sem limite, e não há pico
+there-is-no-damping-and-this-frequency-is-a-resonance-the-motion-grows-with-time-without-bound = não há amortecimento e esta frequência é uma ressonância: o movimento cresce com o tempo sem limite
+there-is-no-damping-at-both-resonances-the-motion-grows-with-time-without-bound-and-there-is-no-peak = não há amortecimento: nas duas ressonâncias o movimento cresce com o tempo sem limite, e não há pico
 one-resonance-at-the-end-of-the-range-as-an-eigenvalue = uma ressonância no extremo da faixa, como autovalor
 relative-motion-from-the-equations-of-both-masses = movimento relativo pelas equações das duas massas
 relative-motion-over-static-deflection = movimento relativo sobre deflexão estática
 resonance = ressonância
 that-magnification-from-the-equations-of-both-masses = essa amplificação pelas equações das duas massas
-the-absorber-is-not-tuned-to-the-speed-the-main-system-goes-on-moving = o absorvedor não está sintonizado na rotação: o sistema principal continua a se mover
+the-absorber-is-not-tuned-to-the-speed-the-main-system-still-vibrates = o absorvedor não está sintonizado na rotação: o sistema principal continua a vibrar
 the-forces-on-the-main-system-balance = as forças sobre o sistema principal se equilibram
 the-highest-of-all-peaks = o mais alto de todos os picos
-the-least-peak-by-newton-s-method = o menor pico pelo método de Newton
-the-lower-of-the-two-peaks = o primeiro dos dois picos
-the-main-system-is-damped-it-has-no-fixed-points-and-their-formulas-are-those-of-an-undamped-one-the = o sistema principal é amortecido: não tem pontos fixos, e as suas fórmulas são as de um sistema sem amortecimento; o menor pico leva em conta o seu amortecimento
-the-main-system-is-so-damped-that-its-response-with-this-absorber-has-no-peaks-to-be-balanced-write-a = o sistema principal é tão amortecido que a sua resposta com este absorvedor não tem picos a igualar: escreva uma razão de amortecimento menor, ou um absorvedor mais pesado
-the-main-system-is-so-damped-that-there-are-no-two-peaks-to-be-balanced-there-is-no-least-peak = o sistema principal é tão amortecido que não há dois picos a igualar: não existe o menor pico
-the-main-system-stands-still = o sistema principal fica parado
+the-minimum-peak-by-newton-s-method = o pico mínimo pelo método de Newton
+the-lower-frequency-peak = o pico de menor frequência
+the-main-system-is-damped-it-has-no-fixed-points-whose-formulas-hold-only-for-an-undamped-one-the = o sistema principal é amortecido: não tem pontos fixos, cujas fórmulas só valem para um sistema sem amortecimento; o pico mínimo leva em conta o seu amortecimento
+the-main-system-is-so-heavily-damped-that-its-response-with-this-absorber-has-no-peaks-to-equalise = o sistema principal é tão amortecido que a sua resposta com este absorvedor não tem picos a igualar: escreva um fator de amortecimento menor, ou um absorvedor mais pesado
+the-main-system-is-so-heavily-damped-that-there-are-no-two-peaks-to-equalise-there-is-no-minimum-peak = o sistema principal é tão amortecido que não há dois picos a igualar: não existe pico mínimo
+the-main-system-is-at-rest = o sistema principal fica em repouso
 the-mass-ratio-of-the-absorber-is-not-between-0-000001-and-1000000-where-an-absorber-means-something = a razão de massas do absorvedor não está entre 0,000001 e 1000000, onde um absorvedor tem sentido
-the-mean-of-the-squares-of-both-level-dampings = a média dos quadrados dos dois amortecimentos de tangente horizontal
-the-natural-frequency-of-the-absorber-does-not-lie-between-the-two-resonances-where-every-undamped = a frequência natural do absorvedor não fica entre as duas ressonâncias, onde a tem todo absorvedor sem amortecimento: reveja as frequências medidas
-the-range-does-not-hold-the-speed-that-the-absorber-is-tuned-to-between-whose-resonances-it-lies = a faixa não contém a rotação em que o absorvedor está sintonizado, entre cujas ressonâncias ela fica: escreva uma rotação mínima abaixo dela e uma máxima acima dela
+mean-of-the-squares-of-the-two-damping-ratios-with-a-horizontal-tangent-at-a-fixed-point = média dos quadrados dos dois amortecimentos com tangente horizontal num ponto fixo
+the-natural-frequency-of-the-absorber-does-not-lie-between-the-two-resonances-as-it-must-for-any = a frequência natural do absorvedor não fica entre as duas ressonâncias, como deve ser em todo absorvedor sem amortecimento: confira as frequências medidas
+the-range-does-not-contain-the-speed-to-which-the-absorber-is-tuned-whose-resonances-enclose-it-write = a faixa não contém a rotação em que o absorvedor está sintonizado, entre cujas ressonâncias ela fica: escreva uma rotação mínima abaixo dela e uma máxima acima dela
 the-resonances-lie-outside-of-that-range-with-any-absorber-however-light-as-the-natural-frequency-of = as ressonâncias ficam fora dessa faixa com qualquer absorvedor, por mais leve que seja, pois a frequência natural do sistema principal não está nela: dê o curso ou a massa do absorvedor
-the-response-of-the-main-system-has-no-peak-at-rest-it-is-largest = a resposta do sistema principal não tem pico: ela é máxima na frequência zero
+the-response-of-the-main-system-has-no-peak-it-is-largest-at-frequency-zero = a resposta do sistema principal não tem pico: ela é máxima na frequência zero
 the-speed-is-one-of-the-two-resonances-the-motion-with-the-absorber-grows-with-time-without-bound = a rotação é uma das duas ressonâncias: o movimento com o absorvedor cresce com o tempo sem limite
 the-speed-is-the-natural-frequency-without-the-absorber-and-without-damping-the-motion-grows-with = a rotação é a frequência natural: sem o absorvedor e sem amortecimento o movimento cresce com o tempo sem limite
 the-stroke-of-the-absorber-follows-from-the-force-write-the-excitation = o curso do absorvedor decorre da força: escreva a excitação
-the-trial-absorber-is-not-tuned-to-the-natural-frequency-of-the-main-system-the-mean-of-the-mass = o absorvedor de ensaio não está sintonizado na frequência natural do sistema principal: a média das razões de massas erra por { $off }; use o sistema principal exato
-the-upper-of-the-two-peaks = o segundo dos dois picos
-upper-resonance-as-an-eigenvalue-of-both-masses = ressonância superior, como autovalor das duas massas
+the-trial-absorber-is-not-tuned-to-the-natural-frequency-of-the-main-system-the-mean-of-the-mass = o absorvedor de ensaio não está sintonizado na frequência natural do sistema principal: a média das razões de massas erra { $off }; use o sistema principal exato
+the-higher-frequency-peak = o pico de maior frequência
+upper-resonance-as-an-eigenvalue-of-the-two-mass-system = ressonância superior, como autovalor do sistema de duas massas
 with-the-absorber = com o absorvedor
 without-it = sem ele
 without-resonance = sem ressonância
 without-the-absorber-and-without-damping-the-resonance-grows-with-time-without-bound = sem o absorvedor e sem amortecimento a ressonância cresce com o tempo sem limite
-c-2-m-a-m-as-den-hartog-has-it = γ = c/(2 m_a ω_m), como em Den Hartog.
+c-2-m-a-m-as-in-den-hartog = γ = c/(2 m_a ω_m), como em Den Hartog.
 # rotor-dynamics
 rotor-on-bearings-by-finite-elements = Rotor sobre mancais por elementos finitos
-area-of-the-orbit-over-the-squares-of-its-amplitudes-b-a-a-b = área da órbita sobre os quadrados das suas amplitudes, b a/(a² + b²)
-amplitude-and-phase-along-x-the-part-in-phase = amplitude e fase ao longo de x: a parte em fase
-amplitude-and-phase-along-x-a-quarter-turn-ahead = amplitude e fase ao longo de x: um quarto de volta à frente
+area-of-the-orbit-divided-by-the-sum-of-the-squares-of-its-amplitudes-b-a-a-b = área da órbita dividida pela soma dos quadrados das suas amplitudes, b a/(a² + b²)
+amplitude-and-phase-along-x-component-in-phase = amplitude e fase ao longo de x: componente em fase
+amplitude-and-phase-along-x-component-leading-by-90 = amplitude e fase ao longo de x: componente adiantada de 90°
 natural-frequencies-with-direction-of-whirl-and-damping-critical-speeds-unbalance-response-and = Frequências naturais com sentido da precessão e amortecimento, velocidades críticas, resposta ao desbalanceamento e limiar de estabilidade de um eixo escalonado com discos sobre mancais.
 shaft-segments = Trechos do eixo
 from-left-to-right = Da esquerda para a direita.
@@ -1329,28 +1376,31 @@ material-of-the-shaft = Material do eixo
 supports = Apoios
 unbalances = Desbalanceamentos
 highest-speed-of-the-diagrams = Maior rotação dos diagramas
-critical-speeds-and-the-threshold-of-stability-are-looked-for-up-to-it = As velocidades críticas e o limiar de estabilidade são procurados até ela.
+maximum-speed-of-the-diagrams = Rotação máxima dos diagramas
+upper-limit-of-the-search-for-critical-speeds-and-the-stability-threshold = Limite superior da busca das velocidades críticas e do limiar de estabilidade.
 frequency-of-the-excitation-over-the-speed = Frequência da excitação sobre a rotação
-n-1-for-unbalance-2-for-a-shaft-that-is-not-round-the-slope-of-the-line-in-the-campbell-diagram = 1 para desbalanceamento; 2 para um eixo que não é circular; a inclinação da reta no diagrama de Campbell.
-place-of-the-response = Posição da resposta
-distance-from-the-left-end-the-first-unbalance-where-it-is-left-out = Distância à extremidade esquerda; o primeiro desbalanceamento, se omitida.
+n-1-for-unbalance-2-for-a-non-circular-shaft-the-slope-of-the-line-in-the-campbell-diagram = 1 para desbalanceamento; 2 para um eixo que não é circular; a inclinação da reta no diagrama de Campbell.
+position-of-the-response = Posição da resposta
+distance-from-the-left-end-by-default-that-of-the-first-unbalance = Distância à extremidade esquerda; por omissão, a do primeiro desbalanceamento.
 axial-tension-of-the-shaft = Tração axial do eixo
 negative-for-compression = Negativa para compressão.
 bending-of-the-shaft = Flexão do eixo
 elements-in-every-stretch = Elementos em cada intervalo
+elements-per-segment = Elementos por trecho
 between-neighbouring-steps-of-the-shaft-discs-supports-and-unbalances = Entre degraus do eixo, discos, apoios e desbalanceamentos vizinhos.
 length-of-the-segment = Comprimento do trecho
 outer-diameter-at-the-right-end = Diâmetro externo na extremidade direita
 only-for-a-tapered-segment = Somente para um trecho cônico.
-left-out-for-a-solid-shaft = Omitido para um eixo maciço.
-it-also-gives-poisson-s-ratio-of-the-shear-factor = Dele vem também o coeficiente de Poisson do fator de cisalhamento.
+omit-for-a-solid-shaft = Omitido para um eixo maciço.
+also-gives-poisson-s-ratio-for-the-shear-factor = Dá também o coeficiente de Poisson usado no fator de cisalhamento.
 internal-damping = Amortecimento interno
 no-internal-damping = Sem amortecimento interno
 viscous-internal-damping = Amortecimento interno viscoso
-coefficient-of-internal-damping = Coeficiente de amortecimento interno
+coefficient-of-internal-rotating-damping = Coeficiente de amortecimento interno (rotativo)
 stress-e-d-dt = Tensão E (ε + ηᵥ dε/dt).
 hysteretic-internal-damping = Amortecimento interno histerético
 place = Posição
+position = Posição
 distance-from-the-left-end-of-the-shaft = Distância à extremidade esquerda do eixo.
 size-of-the-disc = Tamanho do disco
 diameters-and-width = Diâmetros e largura
@@ -1373,54 +1423,54 @@ stiffness-k-xx = Rigidez k_xx
 stiffness-k-xy = Rigidez k_xy
 stiffness-k-yx = Rigidez k_yx
 stiffness-k-yy = Rigidez k_yy
-force-against-x-from-a-motion-along-y = Força contra x devida a um movimento ao longo de y.
+force-along-x-due-to-motion-along-y = Força ao longo de x devida a um movimento ao longo de y.
 damping-c-xx = Amortecimento c_xx
 damping-c-xy = Amortecimento c_xy
 damping-c-yx = Amortecimento c_yx
 damping-c-yy = Amortecimento c_yy
-table-of-coefficients-over-speed = Tabela de coeficientes por rotação
+table-of-coefficients-against-speed = Tabela de coeficientes em função da rotação
 rows-of-the-table = Linhas da tabela
-by-rising-speed-linear-between-rows-all-speeds-asked-for-must-lie-within-a-single-row-holds-at-all = Por rotação crescente, linear entre linhas; todas as rotações pedidas devem ficar dentro dela. Uma única linha vale para todas.
+in-order-of-increasing-speed-linear-between-rows-all-requested-speeds-must-lie-within-the-table-a = Por rotação crescente, linear entre linhas; todas as rotações pedidas devem ficar dentro da tabela. Uma única linha vale para todas as rotações.
 rigid-free-to-tilt = Rígido, livre para inclinar
 rigid-not-free-to-tilt = Rígido, sem inclinação
-speed-of-the-row = Rotação da linha
+speed-for-this-row = Rotação desta linha
 mass-times-its-distance-from-the-axis = Massa vezes a sua distância ao eixo.
-angle-of-the-unbalance-on-the-shaft = Ângulo do desbalanceamento no eixo
+angle-of-the-unbalance-on-the-shaft = Posição angular do desbalanceamento no eixo
 timoshenko-bending-and-shear = Timoshenko: flexão e cisalhamento
 euler-bernoulli-bending-alone = Euler–Bernoulli: somente flexão
 mass-of-the-segment = Massa do trecho
 mass-of-the-rotor-shaft-and-discs = Massa do rotor: eixo e discos
-mass-of-the-rotor-from-a-sideways-motion-of-all-nodes-in-the-mass-matrix = massa do rotor por um deslocamento lateral de todos os nós na matriz de massa
-no-mode-oscillates-every-motion-is-overdamped-lower-the-damping-of-the-bearings = nenhum modo oscila: todo movimento é superamortecido; diminua o amortecimento dos mancais
+rotor-mass-from-a-lateral-rigid-translation-of-all-nodes-in-the-mass-matrix = massa do rotor por uma translação lateral rígida de todos os nós na matriz de massa
+no-mode-oscillates-all-motions-are-overdamped-reduce-the-bearing-damping = nenhum modo oscila: todos os movimentos são superamortecidos; diminua o amortecimento dos mancais
 the-inner-diameter-of-a-shaft-segment-is-not-below-the-outer-one-write-the-larger-one-as-the-outer = o diâmetro interno de um trecho do eixo não é menor que o externo: escreva o maior como externo
 place-is-not-on-the-shaft-which-is-length-long-place-discs-supports-and-unbalances-on-it = { $place } não está no eixo, que tem { $length } de comprimento: ponha discos, apoios e desbalanceamentos sobre ele
-the-speeds-of-a-bearing-table-must-rise-from-row-to-row-and-there-must-be-one-row-at-least = as rotações da tabela de um mancal devem crescer de linha a linha, e deve haver ao menos uma linha
-damped-natural-frequency-of-mode-n-eigenvalue-i-of-m-c-g-k-shaft-elements-discs-and-supports-added-up = Frequência natural amortecida do modo { $n }: autovalor λ = σ + iω de λ²M + λ(C + ΩG) + K, somados os elementos do eixo, os discos e os apoios
+the-speeds-of-a-bearing-table-must-increase-from-row-to-row-and-at-least-one-row-is-required = as rotações da tabela de um mancal devem crescer de linha a linha, e é necessária ao menos uma linha
+damped-natural-frequency-of-mode-n-eigenvalue-i-of-m-c-g-k-assembled-from-shaft-elements-discs-and = Frequência natural amortecida do modo { $n }: autovalor λ = σ + iω de λ²M + λ(C + ΩG) + K, montado com os elementos do eixo, os discos e os apoios
 the-same-in-hertz = A mesma em hertz
-growth-the-real-part-of-the-eigenvalue-negative-where-the-motion-dies-away = Crescimento: a parte real do autovalor; negativa quando o movimento se extingue
-damping-ratio-from-growth-and-size-of-the-eigenvalue = Razão de amortecimento, do crescimento e do módulo do autovalor
-logarithmic-decrement-what-is-lost-in-one-turn-2 = Decremento logarítmico: o que se perde em um período 2π/ω
-the-decrement-from-the-damping-ratio-2-1 = o decremento pela razão de amortecimento, δ = 2πζ/√(1 − ζ²)
-whirl-short-over-long-axis-of-the-orbit-where-it-is-largest-positive-with-the-spin-the-mode-direction = Precessão: eixo menor sobre eixo maior da órbita onde ela é maior, positivo no sentido da rotação; o modo { $direction }
-short-over-long-axis-of-the-orbit-with-the-spin = Eixo menor sobre eixo maior da órbita, + no sentido da rotação
+growth-rate-real-part-of-the-eigenvalue-negative-if-the-motion-decays = Taxa de crescimento: parte real do autovalor; negativa se o movimento decai
+damping-ratio-from-the-real-part-and-modulus-of-the-eigenvalue = Fator de amortecimento, da parte real e do módulo do autovalor
+logarithmic-decrement-the-decrease-over-one-period-2 = Decremento logarítmico: a redução em um período 2π/ω
+the-decrement-from-the-damping-ratio-2-1 = o decremento pelo fator de amortecimento, δ = 2πζ/√(1 − ζ²)
+whirl-ratio-of-minor-to-major-axis-of-the-orbit-where-it-is-largest-positive-for-forward-whirl-the = Precessão: razão entre o eixo menor e o maior da órbita onde ela é maior, positiva para precessão direta; o modo { $direction }
+whirl-direction-and-ellipticity-forward-backward = Sentido da precessão e elipticidade (+ direta, − retrógrada)
 critical-speed-with-s-free-whirl-obeys-k-m-ig-s-v-0-an-eigenproblem-for-the-whirl-direction = Velocidade crítica: com ω = sΩ a precessão livre obedece a (K − ω²(M − iG/s)) v = 0, um problema de autovalor em ω; a precessão { $direction }
-critical-speed-where-a-damped-natural-frequency-meets-s-the-whirl-direction = Velocidade crítica: onde uma frequência natural amortecida encontra sΩ; a precessão { $direction }
+critical-speed-intersection-of-a-damped-natural-frequency-with-s-the-whirl-direction = Velocidade crítica: interseção de uma frequência natural amortecida com sΩ; a precessão { $direction }
 there-is-no-critical-speed-up-to-the-highest-speed-of-the-diagrams = não há velocidade crítica até a maior rotação dos diagramas
-a-motion-without-swing-grows-the-bearings-push-the-shaft-away-at-some-of-the-speeds = um movimento sem oscilação cresce: os mancais repelem o eixo em algumas das rotações
-mode-n-near-frequency-could-not-be-refined-on-the-equations-of-all-nodes-it-is-not-answered = o modo { $n }, perto de { $frequency }, não pôde ser refinado nas equações de todos os nós: fica sem resposta
-the-frequency-balances-the-powers-of-inertia-rotation-damping-and-stiffness-in-the-shape-of-the-mode = a frequência equilibra as potências de inércia, rotação, amortecimento e rigidez na forma do modo
-the-growth-balances-the-powers-of-inertia-rotation-damping-and-stiffness-in-the-shape-of-the-mode = o crescimento equilibra as potências de inércia, rotação, amortecimento e rigidez na forma do modo
-at-this-speed-a-natural-frequency-of-the-equations-of-all-nodes-is-the-wanted-multiple-of-the-speed = nesta rotação uma frequência natural das equações de todos os nós é o múltiplo pedido da rotação
-the-critical-speed-near-speed-could-not-be-refined-on-the-equations-of-all-nodes-it-is-not-answered = a velocidade crítica perto de { $speed } não pôde ser refinada nas equações de todos os nós: fica sem resposta
-no-mode-can-grow-up-to-the-highest-speed-of-the-diagrams-every-stiffness-is-symmetric-and-damping = nenhum modo pode crescer até a maior rotação dos diagramas: toda rigidez é simétrica, e o amortecimento só retira energia
-the-limit-of-stability-near-speed-could-not-be-refined-on-the-equations-of-all-nodes-it-is-not = o limite de estabilidade perto de { $speed } não pôde ser refinado nas equações de todos os nós: fica sem resposta
+a-non-oscillatory-motion-grows-the-bearings-push-the-shaft-away-at-some-of-the-speeds = um movimento não oscilatório cresce: os mancais repelem o eixo em algumas das rotações
+mode-n-near-frequency-could-not-be-refined-on-the-equations-of-all-nodes-it-is-omitted = o modo { $n }, perto de { $frequency }, não pôde ser refinado nas equações de todos os nós: foi omitido
+at-this-frequency-the-powers-of-inertia-rotation-damping-and-stiffness-balance-for-the-mode-shape = nesta frequência as potências de inércia, rotação, amortecimento e rigidez se equilibram na forma modal
+at-this-growth-rate-the-powers-of-inertia-rotation-damping-and-stiffness-balance-for-the-mode-shape = nesta taxa de crescimento as potências de inércia, rotação, amortecimento e rigidez se equilibram na forma modal
+at-this-speed-a-natural-frequency-from-the-equations-of-all-nodes-is-the-required-multiple-of-the = nesta rotação uma frequência natural das equações de todos os nós é o múltiplo exigido da rotação
+the-critical-speed-near-speed-could-not-be-refined-on-the-equations-of-all-nodes-it-is-omitted = a velocidade crítica perto de { $speed } não pôde ser refinada nas equações de todos os nós: foi omitida
+no-mode-can-grow-up-to-the-highest-speed-of-the-diagrams-every-stiffness-is-symmetric-and-damping = nenhum modo pode crescer até a maior rotação dos diagramas: toda rigidez é simétrica, e o amortecimento só dissipa energia
+the-limit-of-stability-near-speed-could-not-be-refined-on-the-equations-of-all-nodes-it-is-omitted = o limite de estabilidade perto de { $speed } não pôde ser refinado nas equações de todos os nós: foi omitido
 no-mode-grows-at-the-count-speeds-examined-up-to-the-highest-speed-of-the-diagrams = nenhum modo cresce nas { $count } rotações examinadas até a maior rotação dos diagramas
-at-the-limit-of-stability-the-mode-neither-grows-nor-dies-away = no limite de estabilidade o modo não cresce nem se extingue
+at-the-limit-of-stability-the-mode-neither-grows-nor-decays = no limite de estabilidade o modo não cresce nem decai
 uniform-rotor-on-soft-bearings-bending-alone = Rotor uniforme sobre mancais moles, só flexão
 the-same-rotor-with-more-elements = O mesmo rotor com mais elementos
 the-same-rotor-on-bearings-ten-times-as-stiff-at-rest = O mesmo rotor sobre mancais dez vezes mais rígidos, em repouso
 a-thick-shaft-on-soft-bearings-at-rest = Um eixo grosso sobre mancais moles, em repouso
-two-springs-that-pull-back-and-no-compression-it-cannot-be-statically-unstable = Duas molas que puxam de volta e nenhuma compressão: não pode ser estaticamente instável.
+two-restoring-springs-and-no-compression-it-cannot-be-statically-unstable = Duas molas restauradoras e nenhuma compressão: não pode ser estaticamente instável.
 two-discs-on-very-soft-bearings-bending-alone-forty-elements-in-a-stretch = Dois discos sobre mancais muito moles, só flexão, quarenta elementos em cada trecho
 two-discs-on-very-soft-bearings-twenty-elements-in-a-stretch = Dois discos sobre mancais muito moles, vinte elementos em cada trecho
 two-discs-on-damped-bearings = Dois discos sobre mancais amortecidos
@@ -1429,59 +1479,61 @@ a-band-of-instability-between-two-speeds-of-the-diagrams = Uma faixa de instabil
 the-same-rotor-far-below-the-band = O mesmo rotor muito abaixo da faixa
 a-threshold-of-stability-far-below-the-highest-speed-7200-rpm = Um limiar de estabilidade muito abaixo da maior rotação, 7200 rpm
 a-threshold-of-stability-far-below-the-highest-speed-30000-rpm = Um limiar de estabilidade muito abaixo da maior rotação, 30000 rpm
-the-same-elements-added-up-by-crates-mechanics-tests-reference-rotors-py-mpmath-1-4-1-40-digits = Os mesmos elementos montados por crates/mechanics/tests/reference/rotors.py (mpmath 1.4.1, 40 algarismos)
-the-same-elements-added-up-in-closed-form-eigenvalues-by-lapack-numpy-2-4-6 = Os mesmos elementos montados em forma fechada, autovalores por LAPACK (NumPy 2.4.6)
-threshold-of-stability-from-this-speed-on-a-mode-grows-the-whirl-direction = Limiar de estabilidade: a partir desta rotação um modo cresce; a precessão { $direction }
-threshold-of-stability-again = Limiar de estabilidade, de novo
-a-mode-grows-even-at-rest-the-rotor-is-unstable-at-every-speed-examined = um modo cresce mesmo em repouso: o rotor é instável em todas as rotações examinadas
-a-mode-grows-even-at-rest = um modo cresce mesmo em repouso
-upper-end-of-the-instability-above-this-speed-the-mode-dies-away-again-the-whirl-direction = Fim superior da instabilidade: acima desta rotação o modo volta a se extinguir; a precessão { $direction }
-upper-end-of-the-instability = Fim superior da instabilidade
-a-mode-grows-between-from-and-to-the-rotor-is-unstable-there = um modo cresce entre { $from } e { $to }: o rotor é instável ali
-the-search-for-the-modes-of-this-rotor-did-not-converge-that-is-a-limit-of-the-program-not-of-the = a busca dos modos deste rotor não convergiu; isso é um limite do programa, não do rotor: outro número de elementos pode contorná-lo
+the-same-elements-assembled-by-crates-mechanics-tests-reference-rotors-py-mpmath-1-4-1-40-digits = Os mesmos elementos montados por crates/mechanics/tests/reference/rotors.py (mpmath 1.4.1, 40 algarismos)
+the-same-elements-assembled-in-closed-form-eigenvalues-by-lapack-numpy-2-4-6 = Os mesmos elementos montados em forma fechada, autovalores por LAPACK (NumPy 2.4.6)
+stability-threshold-unstable-above-this-speed-whirl-direction = Limiar de estabilidade: acima desta rotação um modo é instável; precessão { $direction }
+further-stability-threshold = Outro limiar de estabilidade
+a-mode-is-unstable-even-at-rest-the-rotor-is-unstable-at-every-speed-examined = um modo é instável mesmo em repouso: o rotor é instável em todas as rotações examinadas
+a-mode-is-unstable-even-at-rest = um modo é instável mesmo em repouso
+upper-limit-of-the-instability-above-this-speed-the-mode-is-stable-again-whirl-direction = Limite superior da instabilidade: acima desta rotação o modo volta a ser estável; precessão { $direction }
+upper-limit-of-the-instability = Limite superior da instabilidade
+a-mode-is-unstable-between-from-and-to-the-rotor-is-unstable-there = um modo é instável entre { $from } e { $to }: o rotor é instável ali
+the-search-for-the-modes-of-this-rotor-did-not-converge-this-is-a-limitation-of-the-program-not-of = a busca dos modos deste rotor não convergiu; isso é uma limitação do programa, não do rotor: outro número de elementos pode evitá-la
 limit-of-stability-0 = limite de estabilidade, δ = 0
 threshold-of-stability = Limiar de estabilidade
-the-speed-lies-above-the-threshold-of-stability-threshold-the-whirl-grows-until-something-else-limits = a rotação está acima do limiar de estabilidade, { $threshold }: a precessão cresce até que outra coisa a limite
+stability-threshold = Limiar de estabilidade
+the-speed-lies-above-the-stability-threshold-threshold-the-whirl-grows-until-another-effect-limits-it = a rotação está acima do limiar de estabilidade, { $threshold }: a precessão cresce até que outro efeito a limite
 unbalance-response-m-i-c-g-k-q-m-e-e-i-motion-along-x-in-phase-with-the-mark-on-the-shaft = Resposta ao desbalanceamento (−Ω²M + iΩ(C + ΩG) + K) q = Ω² m e e^(iδ): movimento ao longo de x em fase com a marca no eixo
-the-same-a-quarter-turn-ahead-of-the-mark = O mesmo, um quarto de volta à frente da marca
+the-same-90-ahead-of-the-mark = O mesmo, 90° à frente da marca
 motion-along-y-in-phase-with-the-mark-on-the-shaft = Movimento ao longo de y em fase com a marca no eixo
-radius-of-the-part-that-turns-with-the-spin = Raio da parte que gira no sentido da rotação
-radius-of-the-part-that-turns-against-the-spin = Raio da parte que gira contra a rotação
-half-of-the-long-axis-of-the-orbit-the-largest-deflection-zero-to-peak = Semieixo maior da órbita: a maior deflexão, zero a pico
-half-of-the-short-axis-negative-where-the-shaft-whirls-against-the-spin = Semieixo menor, negativo onde a precessão é contra a rotação
+radius-of-the-forward-rotating-component = Raio da componente de precessão direta
+radius-of-the-backward-rotating-component = Raio da componente de precessão retrógrada
+semi-major-axis-of-the-orbit-maximum-deflection-zero-to-peak = Semieixo maior da órbita: deflexão máxima, zero a pico
+semi-minor-axis-of-the-orbit-negative-for-backward-whirl = Semieixo menor da órbita, negativo na precessão retrógrada
 amplitude-along-x-zero-to-peak = Amplitude ao longo de x, zero a pico
 amplitude-along-y-zero-to-peak = Amplitude ao longo de y, zero a pico
 the-forces-of-inertia-damping-and-stiffness-of-this-motion-balance-the-unbalance-at-every-node = as forças de inércia, amortecimento e rigidez deste movimento equilibram o desbalanceamento em cada nó
-the-squares-of-the-two-axes-add-up-to-those-of-the-two-amplitudes = os quadrados dos dois semieixos somam o mesmo que os das duas amplitudes
-long-half-axis-of-the-orbit = Semieixo maior da órbita
-short-half-axis-of-the-orbit-with-the-spin = Semieixo menor da órbita, + no sentido da rotação
+the-squares-of-the-two-semi-axes-sum-to-those-of-the-two-amplitudes = os quadrados dos dois semieixos somam o mesmo que os das duas amplitudes
+semi-major-axis-of-the-orbit = Semieixo maior da órbita
+semi-minor-axis-of-the-orbit-forward-backward = Semieixo menor da órbita (+ direta, − retrógrada)
 amplitude-along-x = Amplitude ao longo de x
 amplitude-along-y = Amplitude ao longo de y
-phase-of-the-motion-along-x-ahead-of-the-mark-on-the-shaft = Fase do movimento ao longo de x à frente da marca no eixo
-phase-along-x-ahead-of-the-mark = Fase ao longo de x, à frente da marca
+phase-lead-of-the-motion-along-x-relative-to-the-mark-on-the-shaft = Avanço de fase do movimento ao longo de x em relação à marca no eixo
+phase-lead-along-x-relative-to-the-mark = Avanço de fase ao longo de x, em relação à marca
 the-mesh-is-coarse-with-twice-as-many-elements-a-frequency-changes-by-change-write-more-elements = a malha é grosseira: com o dobro de elementos uma frequência muda { $change }; escreva mais elementos
-count-motions-at-this-speed-are-overdamped-they-creep-back-with-hardly-a-swing-and-are-not-among-the = { $count } movimentos nesta rotação são superamortecidos: voltam quase sem oscilar e não estão entre os modos
-a-mode-grows-at-this-speed-the-rotor-is-unstable-there = um modo cresce nesta rotação: o rotor é instável ali
-a-disc-is-thin-i-p-above-i-d-gyroscopic-action-stiffens-its-forward-tilting-so-much-that-this-has-no = um disco é fino, I_p acima de I_d: o efeito giroscópico enrijece tanto a sua inclinação direta que ela não tem velocidade crítica síncrona; só a precessão retrógrada do disco encontra a reta
+count-motions-at-this-speed-are-overdamped-they-return-almost-without-oscillating-and-are-not-listed = { $count } movimentos nesta rotação são superamortecidos: voltam quase sem oscilar e não constam entre os modos
+a-mode-is-unstable-at-this-speed-the-rotor-is-unstable-there = um modo é instável nesta rotação: o rotor é instável ali
+a-disc-is-thin-i-p-greater-than-i-d-the-gyroscopic-effect-stiffens-its-forward-tilting-so-much-that = um disco é fino, I_p maior que I_d: o efeito giroscópico enrijece tanto a sua inclinação direta que ela não tem velocidade crítica síncrona; só a precessão retrógrada do disco cruza a reta
 a-bearing-has-only-one-of-k-xy-and-k-yx-is-its-partner-missing-an-elastic-support-has-both-alike-a = um mancal tem só um de k_xy e k_yx: falta o outro? um apoio elástico tem os dois iguais, um filme fluido tem os dois com sinais opostos
 the-speed-speed-lies-outside-the-bearing-table-of-support-n-which-goes-from-from-to-to-write-a-speed = a rotação { $speed } está fora da tabela do mancal { $n }, que vai de { $from } a { $to }: escreva uma rotação dentro dela ou acrescente linhas à tabela
 the-highest-speed-of-the-diagrams-speed-lies-outside-the-bearing-table-of-support-n-which-goes-from = a maior rotação dos diagramas, { $speed }, está fora da tabela do mancal { $n }, que vai de { $from } a { $to }: escreva uma rotação dentro dela ou acrescente linhas à tabela
-a-mode-grows-even-at-the-lowest-speed-of-the-bearing-tables-speed-the-threshold-of-stability-lies = um modo cresce já na menor rotação das tabelas dos mancais, { $speed }: o limiar de estabilidade fica abaixo dela
-with-the-spin-n = no sentido da rotação, { $n }
-against-the-spin-n = contra a rotação, { $n }
-at-the-stiffness-given = na rigidez dada
-critical-speeds-over-the-stiffness-of-the-bearings-without-damping = Velocidades críticas pela rigidez dos mancais, sem amortecimento
+a-mode-is-unstable-even-at-the-lowest-speed-of-the-bearing-tables-speed-the-stability-threshold-lies = um modo é instável já na menor rotação das tabelas dos mancais, { $speed }: o limiar de estabilidade fica abaixo dela
+forward-whirl-n = precessão direta, { $n }
+backward-whirl-n = precessão retrógrada, { $n }
+at-the-given-stiffness = na rigidez dada
+undamped-critical-speeds-against-bearing-stiffness = Velocidades críticas não amortecidas em função da rigidez dos mancais
 stiffness-of-the-first-bearing-the-others-in-proportion = rigidez do primeiro mancal, as outras em proporção
-this-model-of-hysteretic-damping-drives-every-forward-whirl-at-every-speed-a-real-shaft-does-so-only = este modelo de amortecimento histerético alimenta toda precessão direta em toda rotação; um eixo real só faz isso acima da velocidade crítica do modo
+this-model-of-hysteretic-damping-destabilises-every-forward-whirl-at-every-speed-in-a-real-shaft-this = este modelo de amortecimento histerético desestabiliza toda precessão direta em toda rotação; em um eixo real isso só ocorre acima da velocidade crítica do modo
 turns-with-the-spin = gira no sentido da rotação
-turns-against-the-spin = gira contra a rotação
-turns-with-the-spin-at-some-places-and-against-it-at-others = gira no sentido da rotação em alguns pontos e contra ela em outros
+rotates-forward = gira no sentido direto
+rotates-backward = gira no sentido retrógrado
+rotates-forward-at-some-points-and-backward-at-others = gira no sentido direto em alguns pontos e no retrógrado em outros
 stays-in-a-plane = fica em um plano
-the-shaft-would-have-more-than-400-elements-write-fewer-elements-in-every-stretch = o eixo teria mais de 400 elementos: escreva menos elementos em cada intervalo
-the-rotor-is-statically-unstable-the-compression-buckles-the-shaft-or-a-bearing-pushes-it-away = o rotor é estaticamente instável: a compressão flamba o eixo ou um mancal o repele
-no-node-of-the-shaft-can-move-write-more-elements-in-every-stretch-or-check-masses-and-densities = nenhum nó do eixo pode se mover: escreva mais elementos em cada intervalo, ou confira massas e massas específicas
+the-shaft-would-have-more-than-400-elements-write-fewer-elements-in-every-segment = o eixo teria mais de 400 elementos: escreva menos elementos em cada trecho
+the-rotor-is-statically-unstable-the-compression-buckles-the-shaft-or-a-bearing-has-negative = o rotor é estaticamente instável: a compressão flamba o eixo, ou um mancal tem rigidez negativa
+no-node-of-the-shaft-can-move-write-more-elements-in-every-segment-or-check-masses-and-densities = nenhum nó do eixo pode se mover: escreva mais elementos em cada trecho, ou confira massas e massas específicas
 speed-is-a-critical-speed-without-damping-the-unbalance-response-is-unbounded-and-grows-with-time = { $speed } é uma velocidade crítica sem amortecimento: a resposta ao desbalanceamento é ilimitada e cresce com o tempo
-the-numbers-of-this-rotor-cannot-be-computed-with-check-units-diameters-and-stiffnesses = não se pode calcular com os números deste rotor: confira unidades, diâmetros e rigidezes
+the-values-of-this-rotor-are-outside-the-range-of-computation-check-units-diameters-and-stiffnesses = os valores deste rotor estão fora da faixa de cálculo: confira unidades, diâmetros e rigidezes
 moment-of-inertia-of-the-disc-about-the-axis = Momento de inércia do disco em torno do eixo
 moment-of-inertia-of-the-disc-about-a-diameter = Momento de inércia do disco em torno de um diâmetro
 the-bore-of-a-disc-is-not-below-its-outer-diameter-write-the-larger-one-as-the-outer = o furo de um disco não é menor que o seu diâmetro externo: escreva o maior como externo
@@ -1494,9 +1546,9 @@ critical-speed-n = velocidade crítica { $n }
 stability-map = Mapa de estabilidade
 mode-n = modo { $n }
 unbalance-response-zero-to-peak = Resposta ao desbalanceamento, zero a pico
-half-axes-of-the-orbit = semieixos da órbita
-long-half-axis = semieixo maior
-short-half-axis = semieixo menor
+semi-axes-of-the-orbit = semieixos da órbita
+semi-major-axis = semieixo maior
+semi-minor-axis = semieixo menor
 phase-of-the-unbalance-response-along-x = Fase da resposta ao desbalanceamento ao longo de x
 phase-ahead-of-the-mark = fase à frente da marca
 the-rotor = O rotor
@@ -1506,112 +1558,115 @@ n = { $n }
 s = sΩ
 n-2 = 2Ω
 # vibration-instrument
-largest-reading-over-true-value-that-is-allowed = Maior leitura sobre valor verdadeiro admitida
+maximum-permitted-ratio-of-reading-to-true-value = Razão máxima permitida entre leitura e valor verdadeiro
 instrument = Instrumento
 allowed-error = Erro admissível
-of-the-amplitude-up-or-down-the-frequencies-within-it-are-answered = Da amplitude, para mais ou para menos: respondem-se as frequências dentro dele.
+of-the-amplitude-up-or-down-the-frequencies-within-it-are-reported = Da amplitude, para mais ou para menos: calculam-se as frequências dentro dele.
 frequency-of-the-motion = Frequência do movimento
-amplitude-and-phase-error-there-are-answered = Respondem-se os erros de amplitude e de fase nessa frequência.
+amplitude-and-phase-errors-are-computed-at-this-frequency = Calculam-se os erros de amplitude e de fase nessa frequência.
 reading = Leitura
-the-true-motion-at-that-frequency-is-answered = Responde-se o movimento verdadeiro nessa frequência.
-vibrometer-or-seismometer-displacement = Vibrômetro ou sismógrafo: deslocamento
-used-above-its-natural-frequency-where-the-seismic-mass-stands-still = Usado acima da sua frequência natural, onde a massa sísmica fica parada.
+the-true-motion-at-that-frequency-is-computed = Calcula-se o movimento verdadeiro nessa frequência.
+vibrometer-or-seismometer-displacement = Vibrômetro ou sismômetro: deslocamento
+used-above-its-natural-frequency-where-the-seismic-mass-remains-at-rest = Usado acima da sua frequência natural, onde a massa sísmica permanece em repouso.
 accelerometer = Acelerômetro
-used-below-its-natural-frequency-where-the-seismic-mass-is-pressed-along = Usado abaixo da sua frequência natural, onde a massa sísmica é levada junto.
-from-the-frequency-of-the-free-damped-motion = Pela frequência da vibração livre amortecida
+used-below-its-natural-frequency-where-the-seismic-mass-follows-the-base = Usado abaixo da sua frequência natural, onde a massa sísmica acompanha a base.
+from-the-frequency-of-the-damped-free-vibration = Pela frequência da vibração livre amortecida
 the-relative-motion-of-the-seismic-mass-as-a-vibrometer-shows-it = O movimento relativo da massa sísmica, como o mostra um vibrômetro.
 amplitude-read = Amplitude lida
+amplitude-reading = Amplitude lida
 zero-to-peak-write-mm-pp-for-a-peak-to-peak-reading = De zero a pico; escreva mm pp para uma leitura de pico a pico.
-as-an-accelerometer-shows-it = Como a mostra um acelerômetro.
+as-indicated-by-an-accelerometer = Como indicada por um acelerômetro.
 acceleration-read = Aceleração lida
+acceleration-reading = Aceleração lida
 vibrometer-and-accelerometer = Vibrômetro e acelerômetro
-the-reading-at-that-frequency-is-off-by-the-allowed-error = a leitura nessa frequência difere pelo erro admissível
-the-error-by-the-force-of-inertia-spring-and-damper-for-a-reading-of-one = o erro pela força de inércia, mola e amortecedor para uma leitura unitária
-largest-reading-there-the-slope-of-the-reading-over-the-frequency-is-zero = maior leitura: ali a inclinação da leitura na frequência é zero
+the-error-of-the-reading-at-that-frequency-equals-the-allowed-error = o erro da leitura nessa frequência é igual ao erro admissível
+the-error-from-the-forces-of-inertia-spring-and-damper-for-a-unit-reading = o erro pelas forças de inércia, da mola e do amortecedor para uma leitura unitária
+maximum-reading-zero-slope-of-the-reading-with-respect-to-frequency = leitura máxima: inclinação nula da leitura em relação à frequência
 equation-of-the-relative-motion-under-the-true-displacement = equação do movimento relativo sob o deslocamento verdadeiro
 equation-of-the-relative-motion-under-the-true-acceleration = equação do movimento relativo sob a aceleração verdadeira
-equation-of-the-relative-motion-so-much-later-in-phase-with-the-motion-of-the-case = equação do movimento relativo com esse atraso: em fase com o movimento da caixa
-equation-of-the-relative-motion-so-much-later-a-quarter-of-a-turn-ahead = equação do movimento relativo com esse atraso: um quarto de volta à frente
-an-instrument-of-the-needed-natural-frequency-reads-this-one-with-the-allowed-error = um instrumento com a frequência natural necessária lê esta frequência com o erro admissível
-usable-frequencies-of-a-seismic-instrument-for-an-allowed-error-its-amplitude-and-phase-error-at-a = Frequências úteis de um instrumento sísmico para um erro admissível, o seu erro de amplitude e de fase numa frequência, e o movimento verdadeiro por trás de uma leitura.
-nothing-is-asked-write-an-allowed-error-the-frequency-of-the-motion-or-its-tones = nada é perguntado: escreva um erro admissível, a frequência do movimento ou os seus tons
-tones-of-a-motion = Tons de um movimento
-how-each-of-them-is-recorded-and-whether-the-record-keeps-their-shape = Como cada um é registrado, e se o registro conserva a forma.
-in-any-one-measure-only-the-shape-matters = Em qualquer medida única: só a forma importa.
+equation-of-relative-motion-with-this-delay-component-in-phase-with-the-motion-of-the-case = equação do movimento relativo com esse atraso: componente em fase com o movimento da caixa
+equation-of-relative-motion-with-this-delay-quadrature-component-90-ahead = equação do movimento relativo com esse atraso: componente em quadratura (90° à frente)
+an-instrument-with-the-required-natural-frequency-reads-this-frequency-with-the-allowed-error = um instrumento com a frequência natural requerida lê esta frequência com o erro admissível
+usable-frequencies-of-a-seismic-instrument-for-an-allowed-error-its-amplitude-and-phase-error-at-a = Frequências úteis de um instrumento sísmico para um erro admissível, o seu erro de amplitude e de fase numa frequência, e o movimento verdadeiro para uma leitura dada.
+no-result-is-requested-write-an-allowed-error-the-frequency-of-the-motion-or-its-tones = nenhum resultado é pedido: escreva um erro admissível, a frequência do movimento ou os seus tons
+harmonic-components-of-a-motion = Componentes harmônicas de um movimento
+how-each-tone-is-recorded-and-whether-the-record-preserves-the-waveform = Como cada tom é registrado e se o registro preserva a forma de onda.
+in-any-one-unit-only-the-shape-matters = Em uma unidade qualquer: só a forma importa.
 write-at-least-one-tone-and-at-most-most = escreva ao menos um tom e no máximo { $most }
 a-tone-of-the-motion-from-the-table = Um tom do movimento, da tabela
-reading-over-true-value-of-this-tone = Leitura sobre valor verdadeiro deste tom
-phase-lag-of-this-tone = Atraso de fase deste tom
-phase-lag-of-this-tone-in-the-record-turned-over-as-a-vibrometer-shows-it = Atraso de fase deste tom no registro invertido, como o mostra um vibrômetro
+ratio-of-reading-to-true-value-of-this-tone = Razão entre leitura e valor verdadeiro deste tom
+phase-lag-of-this-tone = Ângulo de fase (atraso) deste tom
+phase-lag-of-this-tone-in-the-inverted-record-as-a-vibrometer-shows-it = Ângulo de fase (atraso) deste tom no registro invertido, como o mostra um vibrômetro
 delay-of-this-tone = Atraso deste tom
-reading-over-true-value-of-tone = Leitura sobre valor verdadeiro do tom
+ratio-of-reading-to-true-value-of-tone = Razão entre leitura e valor verdadeiro do tom
 delay-of-tone = Atraso do tom
-tone-n-equation-of-the-relative-motion-so-much-later-in-phase = tom { $n }: equação do movimento relativo com esse atraso, em fase
-tone-n-equation-of-the-relative-motion-so-much-later-a-quarter-of-a-turn-ahead = tom { $n }: equação do movimento relativo com esse atraso, um quarto de volta à frente
-phase-distortion-how-far-the-delays-lie-apart = Distorção de fase: quanto os atrasos diferem entre si
+tone-n-equation-of-relative-motion-with-this-delay-in-phase-component = tom { $n }: equação do movimento relativo com esse atraso, componente em fase
+tone-n-equation-of-relative-motion-with-this-delay-quadrature-component-90-ahead = tom { $n }: equação do movimento relativo com esse atraso, componente em quadratura (90° à frente)
+phase-distortion-difference-between-the-delays = Distorção de fase: diferença entre os atrasos
 phase-distortion = Distorção de fase
-tones-of-the-motion-and-of-the-record = Tons do movimento e do registro
+harmonic-components-of-the-motion-and-of-the-record = Componentes harmônicas do movimento e do registro
 true = verdadeiro
 recorded = registrado
 delay = atraso
 motion-and-record = Movimento e registro
-in-the-measure-of-the-table = na medida da tabela
+in-the-unit-of-the-table = na unidade da tabela
 true-motion = movimento verdadeiro
 recorded-motion = movimento registrado
 the-true-motion-behind-a-reading-needs-the-frequency-of-the-motion = o movimento verdadeiro por trás de uma leitura precisa da frequência do movimento
-the-free-damped-motion-is-never-faster-than-the-natural-frequency-write-the-larger-frequency-as-the = a vibração livre amortecida nunca é mais rápida que a frequência natural: escreva a maior frequência como a natural
-damping-ratio-from-d-1 = Razão de amortecimento, de ω_d = ωₙ√(1 − ζ²)
-the-damping-ratio-gives-the-damped-frequency-back = a razão de amortecimento devolve a frequência amortecida
+the-damped-natural-frequency-never-exceeds-the-natural-frequency-write-the-larger-frequency-as-the = a frequência natural amortecida nunca excede a frequência natural: escreva a maior frequência como a natural
+damping-ratio-from-d-1 = Fator de amortecimento, de ω_d = ωₙ√(1 − ζ²)
+the-damping-ratio-reproduces-the-damped-frequency = o fator de amortecimento reproduz a frequência amortecida
 without-damping-the-reading-at-the-natural-frequency-grows-without-bound-there-is-no-steady-state = sem amortecimento, a leitura na frequência natural cresce sem limite: não há regime permanente
-reading-over-true-displacement = Leitura sobre deslocamento verdadeiro
-reading-over-true-acceleration = Leitura sobre aceleração verdadeira
+ratio-of-reading-to-true-displacement = Razão entre leitura e deslocamento verdadeiro
+ratio-of-reading-to-true-acceleration = Razão entre leitura e aceleração verdadeira
 the-same-from-the-square-of-the-frequency-ratio = o mesmo pelo quadrado da razão de frequências
-error-of-the-amplitude-the-reading-is-too-large-where-it-is-positive = Erro da amplitude; a leitura é grande demais onde ele é positivo
+error-of-the-amplitude-where-it-is-positive-the-reading-is-too-high = Erro da amplitude; onde é positivo, a leitura é alta demais
 the-relative-motion-lags-the-motion-by = O movimento relativo está atrasado em relação ao movimento de
-the-record-is-late-by-without-distortion-this-would-be-the-same-at-every-frequency = O registro atrasa; sem distorção, o atraso seria o mesmo em toda frequência
+time-delay-of-the-record-without-distortion-it-would-be-the-same-at-every-frequency = Atraso do registro; sem distorção, seria o mesmo em toda frequência
 reading-over-true-value = Leitura sobre valor verdadeiro
+ratio-of-reading-to-true-value = Razão entre leitura e valor verdadeiro
 error-of-the-amplitude = Erro da amplitude
 delay-of-the-record = Atraso do registro
-true-amplitude-behind-the-reading = Amplitude verdadeira por trás da leitura
+true-amplitude-for-the-given-reading = Amplitude verdadeira para a leitura dada
 its-acceleration = A sua aceleração
 true-amplitude = Amplitude verdadeira
 true-acceleration = Aceleração verdadeira
-true-acceleration-behind-the-reading = Aceleração verdadeira por trás da leitura
+true-acceleration-for-the-given-reading = Aceleração verdadeira para a leitura dada
 amplitude-of-the-motion-with-this-acceleration = Amplitude do movimento com essa aceleração
-a-vibrometer-reads-a-displacement-write-the-reading-as-one = um vibrômetro lê um deslocamento: escreva a leitura como tal
-an-accelerometer-reads-an-acceleration-write-the-reading-as-one = um acelerômetro lê uma aceleração: escreva a leitura como tal
-these-numbers-lead-beyond-the-range-of-numbers = estes valores levam para fora da faixa dos números
+a-vibrometer-reads-a-displacement-write-the-reading-as-a-displacement = um vibrômetro lê um deslocamento: escreva a leitura como deslocamento
+an-accelerometer-reads-an-acceleration-write-the-reading-as-an-acceleration = um acelerômetro lê uma aceleração: escreva a leitura como aceleração
+these-numbers-lead-to-values-outside-the-representable-range = estes números levam a valores fora da faixa representável
 frequency-ratio-at-which-the-allowed-error-is-reached-a-root-of-the-quadratic-equation-in-r-of-the = Razão de frequências em que o erro admissível é atingido: uma raiz da equação do segundo grau em r² do erro
-the-reading-at-that-ratio-is-off-by-the-allowed-error = a leitura nessa razão difere do erro admissível
-lowest-usable-frequency = Menor frequência útil
-lowest-frequency-above-which-the-error-stays-within-what-is-allowed = Menor frequência acima da qual o erro fica dentro do admissível
-highest-usable-frequency = Maior frequência útil
-highest-frequency-below-which-the-error-stays-within-what-is-allowed = Maior frequência abaixo da qual o erro fica dentro do admissível
-natural-frequency-of-an-instrument-of-this-damping-that-just-reads-this-frequency-within-the-error = Frequência natural de um instrumento com este amortecimento que ainda lê esta frequência dentro do erro
+the-error-of-the-reading-at-that-ratio-equals-the-allowed-error = o erro da leitura nessa razão é igual ao erro admissível
+lowest-usable-frequency = Frequência útil mínima
+lowest-frequency-above-which-the-error-stays-within-the-limit = Frequência mínima acima da qual o erro fica dentro do admissível
+highest-usable-frequency = Frequência útil máxima
+highest-frequency-below-which-the-error-stays-within-the-limit = Frequência máxima abaixo da qual o erro fica dentro do admissível
+natural-frequency-of-an-instrument-of-this-damping-that-reads-this-frequency-exactly-at-the-error = Frequência natural de um instrumento com este amortecimento que lê esta frequência exatamente no limite de erro
 natural-frequency-needed-at-this-frequency = Frequência natural necessária nesta frequência
-damping-ratio-of-the-widest-band-the-peak-just-reaches-the-allowed-error = Razão de amortecimento da faixa mais larga: o pico atinge exatamente o erro admissível
+damping-ratio-for-the-widest-band-the-peak-just-reaches-the-allowed-error = Fator de amortecimento para a faixa mais larga: o pico atinge exatamente o erro admissível
 its-peak-is-the-allowed-error = o seu pico é o erro admissível
-damping-ratio-of-the-widest-band = Razão de amortecimento da faixa mais larga
-the-reading-is-too-large-by-the-allowed-error = a leitura é maior que a verdadeira pelo erro admissível
-the-reading-is-too-small-by-the-allowed-error = a leitura é menor que a verdadeira pelo erro admissível
+damping-ratio-for-the-widest-band = Fator de amortecimento para a faixa mais larga
+the-reading-exceeds-the-true-value-by-the-allowed-error = a leitura é maior que a verdadeira pelo erro admissível
+the-reading-is-below-the-true-value-by-the-allowed-error = a leitura é menor que a verdadeira pelo erro admissível
 frequencies-within-the-allowed-error = Frequências dentro do erro admissível
-frequency-of-the-largest-reading = Frequência da maior leitura
-largest-reading-over-true-value = Maior leitura sobre valor verdadeiro
-largest-reading-at-its-frequency = maior leitura na sua frequência
-reading-over-true-value-against-frequency = Leitura sobre valor verdadeiro em função da frequência
+frequency-of-maximum-reading = Frequência da leitura máxima
+maximum-ratio-of-reading-to-true-value = Razão máxima entre leitura e valor verdadeiro
+maximum-reading-at-its-frequency = leitura máxima na sua frequência
+ratio-of-reading-to-true-value-against-frequency = Razão entre leitura e valor verdadeiro em função da frequência
 this-instrument = este instrumento
 usable = útil
 the-seismic-mass-in-its-case = A massa sísmica na sua caixa
 # vibration-isolation
-worst-speed-within-the-band = Pior rotação, dentro da faixa
-frequency-ratio-of-the-largest-force-the-slope-of-r-tr-is-zero-there = Razão de frequências da maior força: ali a inclinação de r² TR é nula
-the-slope-of-the-force-is-zero-there = ali a inclinação da força é nula
-frequency-ratio-of-the-largest-amplitude = Razão de frequências da maior amplitude
+worst-case-speed-within-the-range = Rotação mais desfavorável, dentro da faixa
+frequency-ratio-at-maximum-force-the-slope-of-r-tr-is-zero-there = Razão de frequências na força máxima: nela a inclinação de r² TR é nula
+the-slope-of-the-force-is-zero-at-that-speed = nessa rotação a inclinação da força é nula
+frequency-ratio-at-maximum-amplitude = Razão de frequências na amplitude máxima
 machine = Máquina
 mass-of-the-inertia-block = Massa do bloco de inércia
-a-block-under-the-machine-moves-with-it-less-motion-and-the-same-force-on-the-floor-at-the-same = Um bloco sob a máquina move-se com ela: menos movimento, e a mesma força no piso com a mesma deflexão estática.
+an-inertia-block-under-the-machine-moves-with-it-less-motion-and-the-same-force-on-the-floor-for-the = Um bloco de inércia sob a máquina move-se com ela: menos movimento, e a mesma força no piso com a mesma deflexão estática.
 number-of-mounts = Número de coxins
-all-equal-and-each-with-its-share-of-the-weight = Todos iguais, cada um com a sua parte do peso.
+all-equal-each-carrying-its-share-of-the-weight = Todos iguais, cada um com a sua parte do peso.
 mounts-for-a-required-isolation = Coxins para um isolamento exigido
 required = Exigido
 speeds = Rotações
@@ -1619,216 +1674,227 @@ disturbance = Perturbação
 isolation-of-given-mounts = Isolamento de coxins dados
 mounts = Coxins
 all-of-them-together = Todos juntos.
-the-lowest-speed-at-which-these-mounts-reach-it-is-answered = Responde-se a menor rotação em que estes coxins o alcançam.
+total-of-all-mounts = Total de todos os coxins.
+the-lowest-speed-at-which-these-mounts-reach-it-is-computed = Calcula-se a menor rotação em que estes coxins o alcançam.
 mounts-for-a-shock = Coxins para um choque
 arrival = Chegada
 largest-acceleration = Maior aceleração
-what-the-machine-stands = A que a máquina suporta.
-largest-travel = Maior curso
-what-the-mounts-have-room-for = O espaço que os coxins têm.
-least-isolation = Menor isolamento
+maximum-acceleration = Aceleração máxima
+permitted-for-the-machine = Admissível para a máquina.
+maximum-travel = Curso máximo
+available-space-for-the-mounts = Espaço disponível para os coxins.
+minimum-isolation = Isolamento mínimo
 isolation = Isolamento
-the-share-of-the-force-or-of-the-motion-that-is-kept-away-85-for-a-transmissibility-of-0-15 = A parcela da força, ou do movimento, que não passa: 85 % para uma transmissibilidade de 0,15.
-of-all-mounts-together = De todos os coxins juntos.
-where-the-machine-runs-at-more-than-one = Quando a máquina trabalha em mais de uma.
+the-fraction-of-the-force-or-motion-that-is-not-transmitted-85-for-a-transmissibility-of-0-15 = A fração da força, ou do movimento, que não é transmitida: 85 % para uma transmissibilidade de 0,15.
+for-a-machine-that-runs-at-more-than-one = Quando a máquina trabalha em mais de uma.
 force-of-constant-amplitude = Força de amplitude constante
 piston = Pistão
-mass-that-goes-up-and-down = Massa alternativa
+reciprocating-mass = Massa alternativa
 stroke = Curso
 twice-the-radius-of-the-crank = O dobro do raio da manivela.
 vibration-and-shock-isolation = Isolamento de vibração e choque
-stiffness-and-static-deflection-of-mounts-for-a-required-isolation-over-a-band-of-speeds-the = Rigidez e deflexão estática de coxins para um isolamento exigido numa faixa de rotações, o isolamento de coxins dados, e coxins para um choque.
+stiffness-and-static-deflection-of-mounts-for-a-required-isolation-over-a-speed-range-the-isolation = Rigidez e deflexão estática de coxins para um isolamento exigido numa faixa de rotações, o isolamento de coxins dados, e coxins para um choque.
 mass-on-the-mounts-machine-and-block = Massa sobre os coxins: máquina e bloco
-highest-natural-frequency-the-lowest-speed-is-the-worst-for-above-it-the-transmissibility-falls = Maior frequência natural: a menor rotação é a pior, pois acima dela a transmissibilidade cai
-largest-stiffness-of-all-mounts-together = Maior rigidez de todos os coxins juntos
-damping-coefficient-of-all-mounts-together = Coeficiente de amortecimento de todos os coxins juntos
-frequency-ratio-needed = Razão de frequências necessária
-lowest-speed-at-which-the-mounts-isolate-as-required = Menor rotação em que os coxins isolam como exigido
-lowest-speed-with-the-required-isolation = Menor rotação com o isolamento exigido
+highest-natural-frequency-the-lowest-speed-is-the-worst-case-since-the-transmissibility-falls-above = Maior frequência natural: a menor rotação é o pior caso, pois acima dela a transmissibilidade cai
+maximum-total-stiffness-of-the-mounts = Rigidez total máxima dos coxins
+total-damping-coefficient-of-the-mounts = Coeficiente de amortecimento total dos coxins
+required-frequency-ratio = Razão de frequências necessária
+minimum-speed-at-which-the-mounts-provide-the-required-isolation = Rotação mínima em que os coxins dão o isolamento exigido
+minimum-speed-with-the-required-isolation = Rotação mínima com o isolamento exigido
 static-deflection-under-the-weight-k-st-m-g = Deflexão estática sob o peso, k δ_st = m g
 the-mounts-carry-the-weight = os coxins suportam o peso
 mass-on-the-mounts = Massa sobre os coxins
-stiffness-of-all-mounts-together = Rigidez de todos os coxins juntos
-stiffness-of-each-mount-they-share-the-load = Rigidez de cada coxim: eles dividem a carga
+total-stiffness-of-the-mounts = Rigidez total dos coxins
+stiffness-of-each-mount-the-load-is-shared-equally = Rigidez de cada coxim: a carga se divide por igual
 stiffness-of-each-mount = Rigidez de cada coxim
-without-damping-the-motion-grows-without-bound-at-the-natural-frequency-which-lies-within-the-speeds = sem amortecimento, o movimento cresce sem limite na frequência natural, que está dentro das rotações: escreva algum amortecimento, ou coxins mais macios
-largest-transmissibility-within-the-speeds = Maior transmissibilidade dentro das rotações
-these-mounts-do-not-isolate-as-required-within-these-speeds = estes coxins não isolam como exigido dentro destas rotações
-isolation-what-does-not-pass = Isolamento: o que não passa
-the-mounts-amplify-within-these-speeds-they-isolate-only-from-2-times-the-natural-frequency-on = os coxins amplificam dentro destas rotações: só isolam a partir de √2 vezes a frequência natural
-frequency-ratio-at-the-worst-speed = Razão de frequências na pior rotação
+without-damping-the-motion-grows-without-bound-at-the-natural-frequency-which-lies-within-the-speed = sem amortecimento, o movimento cresce sem limite na frequência natural, que está dentro da faixa de rotações: escreva algum amortecimento, ou coxins mais macios
+maximum-transmissibility-within-the-speed-range = Transmissibilidade máxima na faixa de rotações
+these-mounts-do-not-provide-the-required-isolation-within-this-speed-range = estes coxins não dão o isolamento exigido nesta faixa de rotações
+isolation-the-part-not-transmitted = Isolamento: a parcela não transmitida
+the-mounts-amplify-within-this-speed-range-they-isolate-only-above-2-times-the-natural-frequency = os coxins amplificam nesta faixa de rotações: só isolam acima de √2 vezes a frequência natural
+frequency-ratio-at-the-worst-case-speed = Razão de frequências na pior rotação
 unbalance-of-the-piston-its-mass-times-half-the-stroke = Desbalanceamento do pistão: a sua massa vezes metade do curso
-largest-force-on-the-floor = Maior força no piso
+maximum-force-on-the-floor = Força máxima no piso
 force-on-the-floor = Força no piso
-largest-amplitude-of-the-machine = Maior amplitude da máquina
+maximum-amplitude-of-the-machine = Amplitude máxima da máquina
 amplitude-of-the-machine = Amplitude da máquina
-largest-transmissibility-what-may-pass = Maior transmissibilidade: o que pode passar
-frequency-ratio-needed-from-t-1-r-1 = Razão de frequências necessária, de T = 1/(r² − 1)
+maximum-transmissibility-the-part-that-may-be-transmitted = Transmissibilidade máxima: a parcela que pode ser transmitida
+required-frequency-ratio-from-t-1-r-1 = Razão de frequências necessária, de T = 1/(r² − 1)
 the-transmissibility-is-t-where-r-2b-r-1-t-1 = A transmissibilidade vale T onde r⁴ − 2b r² = 1/T² − 1
-frequency-ratio-needed-the-positive-root = Razão de frequências necessária: a raiz positiva
+required-frequency-ratio-the-positive-root = Razão de frequências necessária: a raiz positiva
 the-transmissibility-at-that-ratio-is-the-required-one = a transmissibilidade nessa razão é a exigida
 these-mounts = estes coxins
 transmissibility-against-speed = Transmissibilidade em função da rotação
 speeds-of-the-machine = rotações da máquina
 the-machine-on-its-mounts = A máquina sobre os seus coxins
 with-a-velocity = Com uma velocidade
+with-an-initial-velocity = Com velocidade inicial
 from-a-height = De uma altura
 velocity = Velocidade
 height-of-the-fall = Altura da queda
-velocity-at-the-end-of-the-fall = Velocidade no fim da queda
+final-velocity-of-the-fall = Velocidade final da queda
 highest-natural-frequency-a-free-vibration-that-begins-with-v-has-the-acceleration-v = Maior frequência natural: uma vibração livre que começa com v₀ tem a aceleração v₀ωₙ
-largest-stiffness-from-the-acceleration = Maior rigidez, pela aceleração
-travel-of-these-mounts-v-the-least-that-is-possible = Curso destes coxins, v₀/ωₙ: o menor possível
-the-energy-of-the-arrival-is-that-of-the-springs-at-the-end-of-the-travel = a energia da chegada é a das molas no fim do curso
-velocity-of-the-arrival = Velocidade de chegada
+maximum-stiffness-from-the-acceleration = Rigidez máxima, pela aceleração
+deflection-of-these-mounts-v-the-minimum-possible = Deflexão destes coxins, v₀/ωₙ: a mínima possível
+the-kinetic-energy-on-arrival-is-stored-in-the-springs-at-the-end-of-the-travel = a energia cinética na chegada é armazenada nas molas no fim do curso
+arrival-velocity = Velocidade de chegada
 highest-natural-frequency = Maior frequência natural
-travel-of-the-stiffest-mounts = Curso dos coxins mais rígidos
-least-stiffness-from-the-travel-k-d-m-v = Menor rigidez, pelo curso: ½ k d² = ½ m v₀²
-least-stiffness-of-all-mounts-together = Menor rigidez de todos os coxins juntos
-the-travel-is-used-up = o curso se esgota
-the-acceleration-is-reached = a aceleração é atingida
-permitted-stiffness-of-all-mounts-together = Rigidez permitida de todos os coxins juntos
-no-stiffness-keeps-both-limits-the-travel-must-be-at-least-travel-with-this-acceleration = nenhuma rigidez respeita os dois limites: o curso deve ser de pelo menos { $travel } com essa aceleração
+deflection-of-the-stiffest-mounts = Deflexão dos coxins mais rígidos
+minimum-stiffness-from-the-travel-k-d-m-v = Rigidez mínima, pelo curso: ½ k d² = ½ m v₀²
+minimum-total-stiffness-of-the-mounts = Rigidez total mínima dos coxins
+travel-limit = limite de curso
+acceleration-limit = limite de aceleração
+permitted-total-stiffness-of-the-mounts = Rigidez total permitida dos coxins
+no-stiffness-satisfies-both-limits-the-travel-must-be-at-least-travel-with-this-acceleration = nenhuma rigidez respeita os dois limites: o curso deve ser de pelo menos { $travel } com essa aceleração
 acceleration-against-stiffness = Aceleração em função da rigidez
 acceleration = aceleração
 
 # coulomb-damping
-amplitude-of-the-first-stroke-about-that-position = Amplitude do primeiro curso em torno dessa posição
-amplitude-to-which-the-fall-is-asked = Amplitude até a qual se pede a queda
+amplitude-of-the-first-half-cycle-about-that-position = Amplitude do primeiro meio ciclo em torno dessa posição
+target-amplitude-of-the-decay = Amplitude final do decaimento
 asked-amplitude = amplitude pedida
-at-rest-static-friction-holds-up-to-this-displacement = Em repouso, o atrito estático segura até este deslocamento
+requested-amplitude = amplitude pedida
+at-rest-static-friction-holds-the-mass-up-to-this-displacement = Em repouso, o atrito estático retém a massa até este deslocamento
 at-the-asked-time = no instante pedido
-beside-viscous-damping-two-amplitudes-do-not-tell-the-friction-use-the-identification-from-a-decay = ao lado do amortecimento viscoso duas amplitudes não revelam o atrito: use a identificação por um registro de decaimento, ou escreva a força de atrito
-by-the-overdamped-motion-about-the-shifted-position-of-rest = Pelo movimento superamortecido em torno da posição de repouso deslocada
+at-the-requested-time = no instante pedido
+with-viscous-damping-present-two-amplitudes-do-not-determine-the-friction-use-the-identification-from = com amortecimento viscoso presente, duas amplitudes não determinam o atrito: use a identificação por um registro de decaimento, ou escreva a força de atrito
+from-the-overdamped-motion-about-the-shifted-equilibrium-position = Pelo movimento superamortecido em torno da posição de equilíbrio deslocada
 coefficient-of-friction = Coeficiente de atrito
 coefficient-of-friction-and-normal-force = Coeficiente de atrito e força normal
-coefficient-of-friction-on-a-level-surface = Coeficiente de atrito sobre superfície horizontal
-constant-of-the-sine-in-that-stroke = Constante do seno nesse curso
+coefficient-of-friction-on-a-horizontal-surface = Coeficiente de atrito sobre superfície horizontal
+sine-coefficient-in-that-half-cycle = Coeficiente do seno nesse meio ciclo
 cycles = ciclos
-cycles-in-which-the-amplitude-falls-to-the-asked-one = Ciclos em que a amplitude cai até a pedida
-cycles-of-that-fall = Ciclos dessa queda
-cycles-of-that-fall-as-a-fraction = Ciclos dessa queda, em fração
-cycles-of-that-fall-whole-strokes = Ciclos dessa queda, em cursos inteiros
+cycles-for-the-amplitude-to-decay-to-the-requested-value = Ciclos para a amplitude cair até o valor pedido
+cycles-of-that-decay = Ciclos desse decaimento
+cycles-of-that-decay-as-a-fraction = Ciclos desse decaimento, em fração
+cycles-of-that-decay-whole-half-cycles = Ciclos desse decaimento, em meios ciclos inteiros
 cycles-to-rest = Ciclos até o repouso
-cycles-two-strokes-each = Ciclos: dois cursos cada
-damping-ratio-of-the-viscous-part = Razão de amortecimento da parte viscosa
+cycles-two-half-cycles-each = Ciclos: dois meios ciclos cada
+viscous-damping-ratio = Fator de amortecimento viscoso
 decay = Decaimento
 displacement-against-time = Deslocamento em função do tempo
-displacement-at-that-time-a-free-vibration-about-the-shifted-position-of-rest = Deslocamento nesse instante: vibração livre em torno da posição de repouso deslocada
+displacement-at-that-time-free-vibration-about-the-shifted-equilibrium-position = Deslocamento nesse instante: vibração livre em torno da posição de equilíbrio deslocada
 displacement-at-the-first-turning-point = Deslocamento no primeiro ponto de retorno
-displacement-at-the-first-turning-point-by-marching = deslocamento no primeiro ponto de retorno por integração passo a passo
+displacement-at-the-first-turning-point-by-step-by-step-integration = deslocamento no primeiro ponto de retorno por integração passo a passo
 displacement-at-the-start = Deslocamento inicial
-displacement-by-marching-through-the-equation-of-motion = deslocamento por integração passo a passo da equação de movimento
+displacement-by-step-by-step-integration-of-the-equation-of-motion = deslocamento por integração passo a passo da equação de movimento
 displacement-there = Deslocamento nesse ponto
+displacement-at-that-instant = Deslocamento nesse instante
 energy-at-the-start = Energia inicial
 energy-at-the-start-energy-at-rest-friction-times-the-way = energia inicial = energia em repouso + atrito vezes o caminho
+initial-energy-energy-at-rest-friction-force-distance-travelled = energia inicial = energia em repouso + força de atrito × distância percorrida
 equivalent-viscous-damping = Amortecimento viscoso equivalente
 equivalent-viscous-damping-at-the-first-amplitude = Amortecimento viscoso equivalente na primeira amplitude
 first-amplitude = Primeira amplitude
 first-turning-point = primeiro ponto de retorno
 first-turning-point-after-the-start = Primeiro ponto de retorno após o início
-first-turning-point-after-the-start-zero-of-the-velocity-of-the-first-stroke = Primeiro ponto de retorno após o início: zero da velocidade do primeiro curso
-for-the-coefficient-of-friction-on-a-level-surface = Para o coeficiente de atrito sobre superfície horizontal.
+first-turning-point-after-the-start-zero-of-the-velocity-in-the-first-half-cycle = Primeiro ponto de retorno após o início: zero da velocidade no primeiro meio ciclo
+for-the-coefficient-of-friction-on-a-horizontal-surface = Para o coeficiente de atrito sobre superfície horizontal.
 free-vibration = Vibração livre
 free-vibration-with-dry-friction = Vibração livre com atrito seco
-frequency-of-the-strokes = Frequência dos cursos
+frequency-of-the-half-cycles = Frequência dos meios ciclos
 friction = Atrito
 friction-force = Força de atrito
 friction-force-given = Força de atrito dada
 friction-holds = o atrito segura
-friction-holds-the-mass-before-it-is-down-to-the-asked-amplitude-write-one-above-the-half-width-of = o atrito segura a massa antes que ela caia à amplitude pedida: escreva uma acima da meia largura da zona de repouso
-friction-shifts-the-position-of-rest-to-this-side-and-that-by-f-k = O atrito desloca a posição de repouso para um lado e para o outro, de F/k
-from-the-fall-of-the-amplitude = Pela queda da amplitude
-from-the-position-in-which-the-spring-is-free-of-force = A partir da posição em que a mola está sem força.
-half-width-of-the-zone-of-rest = Meia largura da zona de repouso
+limit-of-the-sticking-zone = limite da zona de aderência
+friction-stops-the-mass-before-it-decays-to-the-required-amplitude-write-one-above-the-half-width-of = o atrito detém a massa antes que ela decaia à amplitude pedida: escreva uma acima da meia largura da zona de aderência
+friction-shifts-the-equilibrium-position-to-either-side-by-f-k = O atrito desloca a posição de equilíbrio de F/k para um lado ou para o outro
+from-the-decrease-of-the-amplitude = Pela diminuição da amplitude
+from-the-position-in-which-the-spring-is-unloaded = A partir da posição em que a mola está descarregada.
+half-width-of-the-dead-zone = Meia largura da zona morta
 it-rests = Está em repouso
-it-rests-by-then-at-its-position-of-rest = Já está em repouso, na sua posição de repouso
+it-is-at-rest = Está em repouso
+already-at-rest-at-its-rest-position = Já está em repouso, na sua posição de repouso
 last-amplitude = Última amplitude
-loss-of-amplitude-in-a-cycle = Perda de amplitude por ciclo
-loss-of-amplitude-in-a-cycle-4f-k-the-same-in-each = Perda de amplitude por ciclo, 4F/k: a mesma em todos
-loss-of-amplitude-in-a-cycle-the-same-in-each = Perda de amplitude por ciclo: a mesma em todos
-loss-of-amplitude-number-of-cycles-time-and-place-of-rest-and-exact-motion-of-a-mass-that-rubs = Perda de amplitude, número de ciclos, instante e posição de repouso e movimento exato de uma massa com atrito; atrito por um decaimento.
+amplitude-decrease-per-cycle = Redução de amplitude por ciclo
+amplitude-decrease-per-cycle-4f-k-the-same-in-each = Redução de amplitude por ciclo, 4F/k: a mesma em todos
+amplitude-decrease-per-cycle-the-same-in-each = Redução de amplitude por ciclo: a mesma em todos
+amplitude-decrease-number-of-cycles-stopping-time-and-position-and-exact-motion-of-a-mass-with-dry = Redução de amplitude, número de ciclos, instante e posição de parada e movimento exato de uma massa com atrito seco; atrito por um decaimento.
 mass-or-weight = Massa ou peso
 natural-frequency-friction-does-not-change-it = Frequência natural: o atrito não a altera
-no-velocity-at-the-first-turning-point = velocidade nula no primeiro ponto de retorno
+zero-velocity-at-the-first-turning-point = velocidade nula no primeiro ponto de retorno
 normal-force = Força normal
 phase-plane = Plano de fase
-phase-plane-half-turns-about-the-two-shifted-positions-of-rest = Plano de fase: meias voltas em torno das duas posições de repouso deslocadas
+phase-plane-half-turns-about-the-two-shifted-equilibrium-positions = Plano de fase: meias voltas em torno das duas posições de equilíbrio deslocadas
 position-of-rest = Posição de repouso
-position-of-rest-by-marching-through-the-equation-of-motion = posição de repouso por integração passo a passo da equação de movimento
-position-of-rest-shifted-by-friction-against-the-motion = Posição de repouso, deslocada pelo atrito contra o movimento
-position-of-rest-where-friction-holds-at-the-first-turning-point = Posição de repouso, onde o atrito segura no primeiro ponto de retorno
-position-that-it-creeps-to-rest-shifted-by-friction = Posição a que se arrasta: o repouso deslocado pelo atrito
+rest-position = Posição de repouso
+rest-position-by-step-by-step-integration-of-the-equation-of-motion = posição de repouso por integração passo a passo da equação de movimento
+equilibrium-position-shifted-by-friction-against-the-motion = Posição de equilíbrio, deslocada pelo atrito contra o movimento
+rest-position-friction-holds-the-mass-at-the-first-turning-point = Posição de repouso: o atrito segura a massa no primeiro ponto de retorno
+position-approached-asymptotically-equilibrium-shifted-by-friction = Posição de aproximação assintótica: o equilíbrio deslocado pelo atrito
 released-from-rest-the-start-is-a-turning-point = Solta do repouso: o início é um ponto de retorno
 rest = repouso
-share-that-viscous-damping-leaves-in-a-stroke = Fração que o amortecimento viscoso deixa em um curso
+amplitude-ratio-per-half-cycle-due-to-viscous-damping = Razão de amplitudes por meio ciclo devida ao amortecimento viscoso
 start = início
-start-of-the-first-stroke-from-its-shifted-position-of-rest-forward-counted-positive = Início do primeiro curso, a partir da sua posição de repouso deslocada, positivo para a frente
-start-of-the-stroke-from-the-shifted-position-of-rest = Início do curso, a partir da posição de repouso deslocada
-start-of-the-stroke-in-which-the-asked-time-lies = Início do curso em que está o instante pedido
-static-friction-over-friction-in-motion = Atrito estático sobre atrito cinético
-strokes-after-the-first-turning-point = Cursos após o primeiro ponto de retorno
-strokes-to-rest-that-number-rounded-up = Cursos até o repouso: esse número arredondado para cima
-strokes-until-a-turning-point-is-no-farther-out-twice-that-number-rounded-up = Cursos até que um ponto de retorno não esteja mais longe: o dobro desse número, arredondado para cima
-strokes-until-the-turning-point-would-lie-on-the-edge-of-the-zone-in-which-friction-holds = Cursos até que o ponto de retorno ficasse na borda da zona em que o atrito segura
+initial-conditions = Condições iniciais
+start-of-the-first-half-cycle-from-its-shifted-equilibrium-position-positive-forwards = Início do primeiro meio ciclo, a partir da sua posição de equilíbrio deslocada, positivo para a frente
+start-of-the-half-cycle-from-the-shifted-equilibrium-position = Início do meio ciclo, a partir da posição de equilíbrio deslocada
+start-of-the-half-cycle-that-contains-the-requested-time = Início do meio ciclo que contém o instante pedido
+static-friction-over-kinetic-friction = Atrito estático sobre atrito cinético
+half-cycles-after-the-first-turning-point = Meios ciclos após o primeiro ponto de retorno
+half-cycles-to-rest-that-number-rounded-up = Meios ciclos até o repouso: esse número arredondado para cima
+half-cycles-until-a-turning-point-is-no-farther-out-twice-that-number-rounded-up = Meios ciclos até que um ponto de retorno não esteja mais afastado: o dobro desse número, arredondado para cima
+half-cycles-until-the-turning-point-would-reach-the-edge-of-the-sticking-zone = Meios ciclos até que o ponto de retorno atingisse a borda da zona de aderência
 system = Sistema
-the-amplitude-to-which-the-fall-is-asked-is-not-below-the-first-one-write-a-smaller-one = a amplitude até a qual se pede a queda não está abaixo da primeira: escreva uma menor
-the-energy-between-the-two-amplitudes-is-the-work-of-the-friction-on-the-way = a energia entre as duas amplitudes é o trabalho do atrito no caminho
+the-target-amplitude-of-the-decay-is-not-below-the-first-one-write-a-smaller-one = a amplitude-alvo do decaimento não está abaixo da primeira: escreva uma menor
+the-energy-difference-between-the-two-amplitudes-is-the-friction-work-over-the-path = a diferença de energia entre as duas amplitudes é o trabalho do atrito no percurso
 the-last-amplitude-is-not-below-the-first-one-exchange-them = a última amplitude não está abaixo da primeira: troque-as
-the-loss-in-a-cycle-is-4f-k = A perda por ciclo é 4F/k
-the-mass-on-its-spring-rubbing = A massa sobre a mola, com atrito
-the-spring-does-not-overcome-the-friction-at-the-start-the-mass-stays-where-it-is-write-a-larger = a mola não vence o atrito no início: a massa fica onde está; escreva um deslocamento maior, ou uma velocidade
-the-turning-point-is-the-first-one-inside-the-asked-amplitude = o ponto de retorno é o primeiro dentro da amplitude pedida
-the-viscous-damping-is-critical-or-more-the-mass-does-not-swing-and-only-creeps-to-the-edge-of-the = o amortecimento viscoso é crítico ou maior: a massa não oscila, e apenas se arrasta até a borda da zona de repouso
-time-at-which-the-motion-is-asked = Instante em que se pede o movimento
-time-of-a-stroke-from-one-turning-point-to-the-next = Tempo de um curso, de um ponto de retorno ao seguinte
-time-of-that-fall = Tempo dessa queda
+amplitude-decrease-per-cycle-4f-k = Redução de amplitude por ciclo: 4F/k
+the-mass-on-its-spring-with-friction = A massa sobre a mola, com atrito
+the-spring-does-not-overcome-the-friction-at-the-start-the-mass-remains-at-rest-write-a-larger = a mola não vence o atrito no início: a massa permanece em repouso; escreva um deslocamento maior, ou uma velocidade
+the-turning-point-is-the-first-one-within-the-required-amplitude = o ponto de retorno é o primeiro dentro da amplitude pedida
+the-viscous-damping-is-critical-or-higher-the-mass-does-not-oscillate-and-only-approaches-the-edge-of = o amortecimento viscoso é crítico ou maior: a massa não oscila, e apenas se aproxima da borda da zona de aderência
+time-at-which-the-motion-is-required = Instante em que se pede o movimento
+duration-of-a-half-cycle-from-one-turning-point-to-the-next = Duração de um meio ciclo, de um ponto de retorno ao seguinte
+duration-of-that-decay = Duração desse decaimento
 time-of-that-turning-point = Instante desse ponto de retorno
-time-since-the-start-of-the-stroke = Tempo desde o início do curso
-time-until-it-rests = Tempo até o repouso
-time-until-it-rests-end-of-the-first-stroke = Tempo até o repouso: fim do primeiro curso
+time-since-the-start-of-the-half-cycle = Tempo desde o início do meio ciclo
+time-to-rest = Tempo até o repouso
+time-to-rest-end-of-the-first-half-cycle = Tempo até o repouso: fim do primeiro meio ciclo
 turning-points = Pontos de retorno
-turning-points-follow-x-q-x-f-1-q-x-c-then-falls-by-the-share-q-in-each-stroke = Os pontos de retorno seguem Xₙ₊₁ = q Xₙ − f (1 + q); X + C cai então na fração q em cada curso
+turning-points-satisfy-x-q-x-f-1-q-x-c-then-decreases-by-the-factor-q-in-each-half-cycle = Os pontos de retorno satisfazem Xₙ₊₁ = q Xₙ − f (1 + q); X + C então diminui pelo fator q em cada meio ciclo
 velocity-at-that-time = Velocidade nesse instante
 velocity-at-that-time-its-derivative = Velocidade nesse instante: sua derivada
 velocity-at-the-start = Velocidade inicial
-velocity-by-marching-through-the-equation-of-motion = velocidade por integração passo a passo da equação de movimento
+velocity-by-step-by-step-integration-of-the-equation-of-motion = velocidade por integração passo a passo da equação de movimento
 viscous = viscoso
-viscous-damping-beside-the-friction = Amortecimento viscoso ao lado do atrito
-viscous-damping-leaves-this-share-of-the-distance-from-the-shifted-position-of-rest-in-a-stroke = O amortecimento viscoso deixa em um curso esta fração da distância à posição de repouso deslocada
-viscous-damping-that-takes-the-same-energy-in-a-cycle-of-that-amplitude-it-grows-as-the-amplitude = Amortecimento viscoso que retira a mesma energia em um ciclo dessa amplitude; cresce conforme a amplitude cai
-whole-strokes-in-cycles = Cursos inteiros, em ciclos
+viscous-damping-in-addition-to-friction = Amortecimento viscoso além do atrito
+per-half-cycle-viscous-damping-reduces-the-distance-from-the-shifted-equilibrium-position-to-this = Por meio ciclo, o amortecimento viscoso reduz a esta fração a distância à posição de equilíbrio deslocada
+viscous-damping-with-the-same-energy-loss-per-cycle-at-that-amplitude-it-increases-as-the-amplitude = Amortecimento viscoso com a mesma perda de energia por ciclo nessa amplitude; aumenta conforme a amplitude diminui
+whole-half-cycles-in-cycles = Meios ciclos inteiros, em ciclos
 
 # decay-identification
 amplitudes-and-the-three-fits = Amplitudes e os três ajustes
-an-exponential-a-straight-line-and-both-together-fitted-to-a-decay-record-damping-friction-and-which = Uma exponencial, uma reta e as duas juntas ajustadas a um registro de decaimento: amortecimento, atrito e qual deles é.
+exponential-linear-and-combined-fits-to-a-decay-record-viscous-damping-coulomb-friction-and-which-of = Ajustes exponencial, linear e combinado a um registro de decaimento: amortecimento viscoso, atrito de Coulomb e qual deles está presente.
 at-least-four-a-trough-is-half-a-cycle-from-its-peak = Pelo menos quatro; um vale está a meio ciclo do seu pico.
 both = ambos
-both-damping-ratio = Ambos: razão de amortecimento
-both-decrement-of-the-viscous-part = Ambos: decremento da parte viscosa
-both-f-k = Ambos: F/k
+combined-damping-ratio = Combinado: fator de amortecimento
+combined-viscous-decrement = Combinado: decremento viscoso
+combined-f-k = Combinado: F/k
 both-scatter = Ambos: dispersão
-both-together-decrement-of-the-viscous-part = Ambos juntos: decremento da parte viscosa
-both-together-f-k-which-takes-f-1-q-of-the-amplitude-in-half-a-cycle = Ambos juntos: F/k, que retira f (1 + q) da amplitude em meio ciclo
-both-together-loss-in-a-cycle-where-friction-alone-acts = Ambos juntos: perda por ciclo em que só o atrito atua
-both-together-x-x-e-n-d-1-e-n-by-least-squares-its-root-mean-square-difference = Ambos juntos: X = X₀ e^(−δn) − d (1 − e^(−δn))/δ por mínimos quadrados; seu desvio quadrático médio
-coefficient-of-friction-on-a-level-surface-f-mg-and-f-k-f = Coeficiente de atrito sobre superfície horizontal: F = µmg e F/k = f
+combined-fit-residual = Combinado: resíduo do ajuste
+combined-fit-viscous-decrement = Ajuste combinado: decremento viscoso
+combined-fit-f-k-which-reduces-the-amplitude-by-f-1-q-per-half-cycle = Ajuste combinado: F/k, que reduz a amplitude de f (1 + q) por meio ciclo
+combined-fit-amplitude-decrease-per-cycle-with-friction-alone = Ajuste combinado: redução de amplitude por ciclo só com atrito
+combined-fit-by-least-squares-x-x-e-n-d-1-e-n-rms-residual = Ajuste combinado por mínimos quadrados: X = X₀ e^(−δn) − d (1 − e^(−δn))/δ; resíduo eficaz (rms)
+coefficient-of-friction-on-a-horizontal-surface-f-mg-and-f-k-f = Coeficiente de atrito sobre superfície horizontal: F = µmg e F/k = f
 cycles-since-the-first-amplitude = Ciclos desde a primeira amplitude
 damped-natural-frequency = Frequência natural amortecida
 damping-coefficient-c-2-k = Coeficiente de amortecimento: c = 2ζk/ωₙ
-damping-ratio-of-the-viscous-part-from-the-fit-with-both-below = Razão de amortecimento da parte viscosa, do ajuste com ambos abaixo
+viscous-damping-ratio-from-the-combined-fit-below = Fator de amortecimento viscoso, do ajuste combinado abaixo
 decrement = decremento
-for-the-coefficient-of-friction-of-a-mass-on-a-level-surface = Para o coeficiente de atrito de uma massa sobre superfície horizontal.
+for-the-coefficient-of-friction-of-a-mass-on-a-horizontal-surface = Para o coeficiente de atrito de uma massa sobre superfície horizontal.
 for-the-coefficient-of-friction-taken-from-the-record-where-that-has-times = Para o coeficiente de atrito; obtida do registro quando este tem tempos.
 for-the-friction-force-and-the-damping-coefficient = Para a força de atrito e o coeficiente de amortecimento.
 frequency-of-the-decaying-motion = Frequência do movimento que decai
 friction-alone-f-k = Só atrito: F/k
-friction-alone-loss-in-a-cycle = Só atrito: perda por ciclo
-friction-alone-scatter = Só atrito: dispersão
-friction-alone-x-x-x-n-by-least-squares-its-loss-in-a-cycle = Só atrito: X = X₀ − ΔX n por mínimos quadrados; sua perda por ciclo
-in-the-order-of-time-at-least-ten-to-a-cycle = Em ordem de tempo, pelo menos dez por ciclo.
-its-root-mean-square-difference-from-the-amplitudes = Seu desvio quadrático médio em relação às amplitudes
-loss-by-friction-in-a-cycle = perda por atrito em um ciclo
+friction-alone-amplitude-decrease-per-cycle = Só atrito: redução de amplitude por ciclo
+friction-alone-fit-residual = Só atrito: resíduo do ajuste
+friction-alone-x-x-x-n-by-least-squares-its-amplitude-decrease-per-cycle = Só atrito: X = X₀ − ΔX n por mínimos quadrados; sua redução de amplitude por ciclo
+in-time-order-at-least-ten-per-cycle = Em ordem de tempo, pelo menos dez por ciclo.
+its-rms-deviation-from-the-amplitudes = Seu desvio quadrático médio em relação às amplitudes
+friction-loss-per-cycle = perda por atrito em um ciclo
 mean-time-from-one-turning-point-of-the-record-to-the-next = Tempo médio de um ponto de retorno do registro ao seguinte
 natural-frequency-without-damping-above-that-of-the-decay = Frequência natural sem amortecimento, acima da do decaimento
 record = Registro
@@ -1836,62 +1902,64 @@ record-and-its-turning-points = Registro e seus pontos de retorno
 samples = Amostras
 samples-of-the-motion = Amostras do movimento
 scatter = dispersão
-scatter-better-of-the-two-over-both = Dispersão, o melhor dos dois sobre ambos
-scatter-of-the-better-of-the-two-over-that-of-both-together-far-above-1-only-both-explain-the-record = Dispersão do melhor dos dois sobre a de ambos juntos: muito acima de 1, só ambos explicam o registro
-scatter-of-the-exponential-over-that-of-the-straight-line-below-1-the-record-is-rather-viscous-above = Dispersão da exponencial sobre a da reta: abaixo de 1 o registro é antes viscoso, acima de 1 antes atrito; dispersão abaixo de um milionésimo da amplitude conta como isso
-scatter-viscous-over-friction = Dispersão, viscoso sobre atrito
-share-of-the-range-within-which-an-extreme-counts-as-noise = Fração da faixa dentro da qual um extremo conta como ruído
+residual-ratio-best-single-fit-over-combined = Razão de resíduos, melhor ajuste sobre o combinado
+fit-residual-of-the-better-single-model-over-that-of-the-combined-model-well-above-1-only-the = Resíduo do melhor dos dois ajustes sobre o do ajuste combinado: muito acima de 1, só o combinado explica o registro
+fit-residual-of-the-exponential-over-that-of-the-straight-line-below-1-indicates-viscous-damping = Resíduo do ajuste exponencial sobre o da reta: abaixo de 1 indica amortecimento viscoso, acima de 1, atrito; um resíduo abaixo de um milionésimo da amplitude é substituído por esse valor
+residual-ratio-viscous-over-friction = Razão de resíduos, viscoso sobre atrito
+fraction-of-the-range-below-which-an-extremum-counts-as-noise = Fração da faixa abaixo da qual um extremo conta como ruído
 table-of-amplitudes = Tabela de amplitudes
 the-amplitudes-do-not-fall-with-the-cycles = as amplitudes não caem com os ciclos
-the-amplitudes-do-not-stand-at-different-cycles = as amplitudes não estão em ciclos diferentes
-the-loss-in-a-cycle-is-4f-k-f-k = A perda por ciclo é 4F/k; F/k
-the-record-does-not-tell-viscous-damping-from-friction-both-fit-it-nearly-alike-record-it-over-more = o registro não distingue amortecimento viscoso de atrito: ambos o ajustam quase igualmente; registre mais ciclos, até amplitudes menores
-the-record-has-fewer-than-five-turning-points-record-more-cycles-or-more-samples-to-a-cycle = o registro tem menos de cinco pontos de retorno: registre mais ciclos, ou mais amostras por ciclo
-the-times-of-the-samples-do-not-rise-from-row-to-row-put-the-rows-in-the-order-of-time = os tempos das amostras não crescem de linha a linha: ponha as linhas em ordem de tempo
+the-amplitudes-do-not-belong-to-different-cycles = as amplitudes não pertencem a ciclos diferentes
+amplitude-decrease-per-cycle-4f-k-f-k = Redução de amplitude por ciclo: 4F/k; F/k
+the-record-does-not-distinguish-viscous-damping-from-friction-both-fit-it-almost-equally-well-record = o registro não distingue amortecimento viscoso de atrito: os dois se ajustam a ele quase igualmente bem; registre mais ciclos, até amplitudes menores
+the-record-has-fewer-than-five-turning-points-record-more-cycles-or-more-samples-per-cycle = o registro tem menos de cinco pontos de retorno: registre mais ciclos, ou mais amostras por ciclo
+the-times-of-the-samples-do-not-increase-from-row-to-row-sort-the-rows-by-time = os tempos das amostras não crescem de linha a linha: ordene as linhas pelo tempo
 there-are-fewer-than-four-amplitudes-record-more-cycles-or-use-the-logarithmic-decrement = há menos de quatro amplitudes: registre mais ciclos, ou use o decremento logarítmico
 this-one = este
+selected = selecionado
 three-fits-of-the-decay = Três ajustes do decaimento
 verdict = veredicto
-viscous-alone-damping-ratio = Só viscoso: razão de amortecimento
-viscous-alone-decrement = Só viscoso: decremento
-viscous-alone-scatter = Só viscoso: dispersão
-viscous-damping-alone-x-x-e-n-by-least-squares-of-the-amplitudes-its-decrement = Só amortecimento viscoso: X = X₀ e^(−δn) por mínimos quadrados das amplitudes; seu decremento
-viscous-damping-or-friction-from-a-decay = Amortecimento viscoso ou atrito por um decaimento
-what-friction-takes-in-two-strokes-one-after-the-other-is-its-share-of-a-cycle = o que o atrito consome em dois cursos, um após o outro, é a sua parte de um ciclo
-what-a-cycle-leaves-of-a-release-from-rest-with-this-damping-ratio-by-integration-of-the-equation-of = o que um ciclo deixa de uma soltura do repouso com esta razão de amortecimento, por integração da equação de movimento
-viscous-damping-alone-the-differences-have-this-root-mean-square = só amortecimento viscoso: as diferenças têm este valor eficaz
-viscous-damping-alone-the-differences-are-orthogonal-to-the-change-of-the-exponential-with-its = só amortecimento viscoso: as diferenças são ortogonais à variação da exponencial com o seu decremento
+viscous-only-damping-ratio = Só viscoso: fator de amortecimento
+viscous-only-decrement = Só viscoso: decremento
+viscous-only-fit-residual = Só viscoso: resíduo do ajuste
+viscous-damping-only-x-x-e-n-by-least-squares-on-the-amplitudes-its-decrement = Só amortecimento viscoso: X = X₀ e^(−δn) por mínimos quadrados das amplitudes; seu decremento
+viscous-damping-or-friction-from-a-free-decay = Amortecimento viscoso ou atrito por um decaimento livre
+the-friction-losses-of-two-successive-strokes-add-up-to-the-loss-per-cycle = as perdas por atrito de dois cursos sucessivos somam a perda por ciclo
+amplitude-ratio-after-one-cycle-of-a-release-from-rest-with-this-damping-ratio-by-integration-of-the = razão de amplitudes após um ciclo de uma soltura do repouso com este fator de amortecimento, por integração da equação de movimento
+viscous-damping-alone-rms-value-of-the-residuals = só amortecimento viscoso: valor eficaz dos resíduos
+viscous-damping-alone-the-residuals-are-orthogonal-to-the-change-of-the-exponential-with-its = só amortecimento viscoso: os resíduos são ortogonais à variação da exponencial com o seu decremento
 the-natural-frequency-is-the-distance-of-the-complex-root-from-the-origin = a frequência natural é a distância da raiz complexa à origem
-half-a-cycle-what-the-spring-gives-up-is-the-work-of-friction-and-damper-by-quadrature = meio ciclo: o que a mola cede é o trabalho de atrito e amortecedor, por quadratura
-half-a-cycle-of-a-mass-on-a-level-surface-its-energy-is-the-work-of-friction-and-damper = meio ciclo de uma massa sobre uma superfície horizontal: a sua energia é o trabalho de atrito e amortecedor
-from-the-first-turning-point-to-the-last-every-stroke-is-half-a-turn-of-the-damped-motion = do primeiro ponto de retorno ao último, cada curso é meia volta do movimento amortecido
-friction-alone-the-differences-have-this-root-mean-square = só atrito: as diferenças têm este valor eficaz
-friction-alone-the-differences-are-orthogonal-to-the-cycles = só atrito: as diferenças são ortogonais aos ciclos
-both-together-the-differences-have-this-root-mean-square = ambos juntos: as diferenças têm este valor eficaz
-both-together-the-differences-are-orthogonal-to-the-changes-with-decrement-and-friction = ambos juntos: as diferenças são ortogonais às variações com o decremento e o atrito
-what-viscous-damping-leaves-of-the-amplitude-in-half-a-cycle = O que o amortecimento viscoso deixa da amplitude em meio ciclo
+half-cycle-the-energy-released-by-the-spring-is-the-work-of-friction-and-damper-by-quadrature = meio ciclo: a energia liberada pela mola é o trabalho de atrito e amortecedor, por quadratura
+half-cycle-of-a-mass-on-a-level-surface-its-energy-is-the-work-of-friction-and-damper = meio ciclo de uma massa sobre uma superfície horizontal: a sua energia é o trabalho de atrito e amortecedor
+from-the-first-to-the-last-turning-point-every-stroke-is-half-a-cycle-of-the-damped-motion = do primeiro ao último ponto de retorno, cada curso é meio ciclo do movimento amortecido
+friction-alone-rms-value-of-the-residuals = só atrito: valor eficaz dos resíduos
+friction-alone-the-residuals-are-orthogonal-to-the-cycles = só atrito: os resíduos são ortogonais aos ciclos
+both-together-rms-value-of-the-residuals = ambos juntos: valor eficaz dos resíduos
+both-together-the-residuals-are-orthogonal-to-the-changes-with-decrement-and-friction = ambos juntos: os resíduos são ortogonais às variações com o decremento e o atrito
+amplitude-ratio-per-half-cycle-due-to-viscous-damping-alone = Razão de amplitudes por meio ciclo só pelo amortecimento viscoso
 
 # equivalent-damping
 amplitude-against-frequency = Amplitude em função da frequência
 amplitude-at-this-frequency = Amplitude nesta frequência
 amplitude-at-which-it-was-measured = Amplitude em que foi medida
-at-resonance-it-is-twice-the-damping-ratio-zero-for-no-damping = Na ressonância é o dobro da razão de amortecimento; zero para nenhum amortecimento.
+at-resonance-it-is-twice-the-damping-ratio-zero-without-damping = Na ressonância é o dobro do fator de amortecimento; zero sem amortecimento.
 drag-over-the-square-of-the-velocity = Arrasto sobre o quadrado da velocidade
 drag-with-the-square-of-the-velocity = Arrasto com o quadrado da velocidade
-energy-lost-in-a-cycle-the-area-of-the-loop = Energia perdida por ciclo: a área do laço
+drag-proportional-to-the-square-of-the-velocity = Arrasto proporcional ao quadrado da velocidade
+energy-lost-per-cycle-the-area-of-the-loop = Energia dissipada por ciclo: a área do laço
 equivalent-damping = amortecimento equivalente
-equivalent-damping-ratio = Razão de amortecimento equivalente
-equivalent-damping-ratio-for-hysteretic-damping-at-resonance-2 = Razão de amortecimento equivalente; para amortecimento histerético na ressonância, η/2
+equivalent-damping-ratio = Fator de amortecimento equivalente
+equivalent-damping-ratio-for-hysteretic-damping-at-resonance-2 = Fator de amortecimento equivalente; para amortecimento histerético na ressonância, η/2
 equivalent-viscous-damping-8a-x-3 = Amortecimento viscoso equivalente, 8aωX/(3π)
 equivalent-viscous-damping-at-this-frequency = Amortecimento viscoso equivalente nesta frequência
-equivalent-viscous-damping-loss-factor-and-steady-amplitude-of-an-oscillator-whose-damping-is-known = Amortecimento viscoso equivalente, fator de perda e amplitude permanente de um oscilador cujo amortecimento se conhece pelo laço.
+equivalent-viscous-damping-loss-factor-and-steady-state-amplitude-of-an-oscillator-whose-damping-is = Amortecimento viscoso equivalente, fator de perda e amplitude em regime permanente de um oscilador cujo amortecimento é dado pelo laço de histerese.
 hysteretic-and-other-equivalent-damping = Amortecimento histerético e outros equivalentes
 the-loss-factor-at-this-frequency-is-2-r = o fator de perda nesta frequência é 2ζr
-largest-amplitude-from-the-dynamic-stiffness-at-the-natural-frequency = maior amplitude pela rigidez dinâmica na frequência natural
+maximum-amplitude-from-the-dynamic-stiffness-at-the-natural-frequency = amplitude máxima pela rigidez dinâmica na frequência natural
 amplitude-from-the-frequency-ratio-and-the-loss-factor-1-r = amplitude pela razão de frequências e pelo fator de perda, δ/√((1 − r²)² + η²)
-hysteretic-area-of-the-loop-given = Histerético: área do laço dada
-largest-amplitude-exactly-at-the-natural-frequency-unlike-that-of-viscous-damping = Maior amplitude, exatamente na frequência natural, ao contrário do amortecimento viscoso
-loop-of-force-and-displacement-over-a-cycle = Laço de força e deslocamento em um ciclo
+hysteretic-loop-area-given = Histerético: área do laço dada
+maximum-amplitude-exactly-at-the-natural-frequency-unlike-that-of-viscous-damping = Amplitude máxima, exatamente na frequência natural, ao contrário do amortecimento viscoso
+force-displacement-loop-over-one-cycle = Laço força–deslocamento em um ciclo
 loss-factor-at-this-frequency-and-amplitude = Fator de perda nesta frequência e amplitude
 loss-factor-at-this-frequency-the-damping-force-kx-over-the-elastic-one = Fator de perda nesta frequência: a força de amortecimento βωkX sobre a elástica
 loss-factor-the-area-of-the-loop-is-kx = Fator de perda: a área do laço é πηkX²
@@ -1901,317 +1969,330 @@ specific-damping-capacity = Capacidade específica de amortecimento
 specific-damping-capacity-that-energy-over-the-largest-elastic-energy-kx-2 = Capacidade específica de amortecimento: essa energia sobre a maior energia elástica kX²/2
 spring-alone = só a mola
 spring-and-damping = mola e amortecimento
-steady-amplitude-k-x-a-x-f-a-quadratic-equation-in-x = Amplitude permanente: (K X)² + (A X²)² = F₀², equação do segundo grau em X²
-steady-amplitude-spring-and-inertia-on-one-side-damping-on-the-other = Amplitude permanente: mola e inércia de um lado, amortecimento do outro
+steady-state-amplitude-k-x-a-x-f-a-quadratic-equation-in-x = Amplitude em regime permanente: (K X)² + (A X²)² = F₀², equação do segundo grau em X²
+steady-state-amplitude-spring-and-inertia-on-one-side-damping-on-the-other = Amplitude em regime permanente: mola e inércia de um lado, amortecimento do outro
 the-amplitude-of-a-viscous-oscillator-with-the-equivalent-damping = a amplitude de um oscilador viscoso com o amortecimento equivalente
-the-area-of-the-loop-of-force-over-displacement = A área do laço de força sobre deslocamento.
+the-area-of-the-force-displacement-loop = A área do laço força–deslocamento.
 the-area-of-the-loop-summed = a área do laço, somada
-the-damping-force-is-a-share-of-the-elastic-one-whatever-the-frequency-k-1-i = A força de amortecimento é uma fração da elástica, qualquer que seja a frequência: k(1 + iη).
-the-damping-matrix-of-finite-elements-c-k-the-loss-factor-is-that-of-this-frequency = A matriz de amortecimento dos elementos finitos, c = βk; o fator de perda é o desta frequência.
-the-drag-a-v-v-acts-like-a-viscous-damping-8a-x-3-which-takes-the-same-energy-in-a-cycle = O arrasto a v|v| atua como um amortecimento viscoso 8aωX/(3π), que retira a mesma energia em um ciclo
-the-force-brings-in-the-same-energy-f-x-sin = a força introduz a mesma energia, πF₀X sen φ
+area-of-the-hysteresis-loop-by-summation = área do laço de histerese, por soma
+the-damping-force-is-a-fixed-fraction-of-the-elastic-force-at-any-frequency-k-1-i = A força de amortecimento é uma fração fixa da força elástica em qualquer frequência: k(1 + iη).
+the-damping-matrix-of-finite-elements-c-k-the-loss-factor-applies-at-this-frequency = A matriz de amortecimento dos elementos finitos, c = βk; o fator de perda vale nesta frequência.
+the-drag-a-v-v-is-equivalent-to-a-viscous-damping-8a-x-3-which-dissipates-the-same-energy-per-cycle = O arrasto a v|v| equivale a um amortecimento viscoso 8aωX/(3π), que dissipa a mesma energia por ciclo
+the-force-supplies-the-same-energy-f-x-sin = a força fornece a mesma energia, πF₀X sen φ
 this-damping = este amortecimento
 viscous-with-the-same-loss-here = viscoso, com a mesma perda aqui
-what-spring-and-inertia-hold-of-each-metre-of-amplitude = O que mola e inércia sustentam de cada metro de amplitude
+force-of-spring-and-inertia-per-metre-of-amplitude = Força de mola e inércia por metro de amplitude
 
 # forced-coulomb
-a-cycle-of-the-exact-motion = Um ciclo do movimento exato
+one-cycle-of-the-exact-motion = Um ciclo do movimento exato
 amplitude-by-equivalent-damping = Amplitude pelo amortecimento equivalente
 amplitude-by-equivalent-viscous-damping = Amplitude pelo amortecimento viscoso equivalente
 amplitude-exact = Amplitude exata
-amplitude-given-force-asked = Amplitude dada, força pedida
-at-the-natural-frequency-this-force-brings-in-more-energy-in-each-cycle-than-friction-takes-4f-being = na frequência natural esta força introduz em cada ciclo mais energia do que o atrito retira, pois 4F/π está abaixo de F₀: a amplitude cresce com o tempo sem limite
-by-equivalent-damping-there-is-no-steady-motion-with-this-force-4f-is-not-below-f-only-the-exact = pelo amortecimento equivalente não há movimento permanente com esta força: 4F/π não está abaixo de F₀; só se responde o movimento exato, com suas paradas
+amplitude-given-force-unknown = Amplitude dada, força desconhecida
+at-the-natural-frequency-this-force-supplies-more-energy-per-cycle-than-friction-dissipates-since-4f = na frequência natural esta força fornece por ciclo mais energia do que o atrito dissipa, pois 4F/π está abaixo de F₀: a amplitude cresce com o tempo sem limite
+by-equivalent-damping-there-is-no-steady-state-motion-with-this-force-4f-is-not-below-f-only-the = pelo amortecimento equivalente não há movimento em regime permanente com esta força: 4F/π não está abaixo de F₀; só se calcula o movimento exato, com suas paradas
 damping-function = Função de amortecimento
 damping-function-of-the-exact-motion-without-stops = Função de amortecimento do movimento exato sem paradas
-deflection-of-the-spring-under-the-force-at-rest = Deflexão da mola sob a força em repouso
+static-deflection-of-the-spring-under-the-force = Deflexão estática da mola sob a força
 deflection-of-the-spring-under-the-friction-force = Deflexão da mola sob a força de atrito
-equivalent-damping-off-by = Amortecimento equivalente, erro
-exact-amplitude-the-mass-does-not-stop-within-a-half-cycle = Amplitude exata: a massa não para dentro de meio ciclo
-exact-amplitude-the-mass-stops-within-each-half-cycle-so-its-motion-is-followed-slide-by-slide-until = Amplitude exata: a massa para dentro de cada meio ciclo, por isso o movimento é seguido deslizamento a deslizamento até se repetir; metade da sua faixa
+error-of-equivalent-damping = Erro do amortecimento equivalente
+exact-amplitude-the-mass-does-not-stop-within-a-half-cycle = Amplitude exata: a massa não para dentro de um meio ciclo
+exact-amplitude-the-mass-stops-within-each-half-cycle-so-the-motion-is-solved-slip-phase-by-slip = Amplitude exata: a massa para dentro de cada meio ciclo, por isso o movimento é resolvido fase a fase de deslizamento até se tornar periódico; metade da faixa do movimento
 exact-force-x-f-v-k-fu-solved-for-f = Força exata: X² = (F₀V/k)² − (fU)² resolvida para F₀
 exact-motion-without-stops-response-function = Movimento exato sem paradas: função de resposta
 exact-without-stops = exato, sem paradas
 force-by-equivalent-damping = Força pelo amortecimento equivalente
 force-exact = Força exata
-force-given-amplitude-asked = Força dada, amplitude pedida
-force-of-spring-and-friction-over-a-cycle-the-loop-has-the-area-4fx = Força da mola e do atrito em um ciclo: o laço tem a área 4FX
+force-given-amplitude-unknown = Força dada, amplitude desconhecida
+force-of-spring-and-friction-over-one-cycle-the-area-of-the-loop-is-4fx = Força da mola e do atrito em um ciclo: a área do laço é 4FX
 force-on-a-viscous-oscillator-with-that-damping = força sobre um oscilador viscoso com esse amortecimento
 force-over-stiffness = força sobre rigidez
-force-with-the-part-4f-that-the-equivalent-damping-takes-a-quarter-cycle-ahead = Força: com a parte 4F/π que o amortecimento equivalente absorve, um quarto de ciclo adiantada
+force-includes-the-component-4f-balanced-by-the-equivalent-damping-a-quarter-cycle-ahead = Força: inclui a componente 4F/π equilibrada pelo amortecimento equivalente, um quarto de ciclo adiantada
 harmonic-force-with-dry-friction = Força harmônica com atrito seco
-exact-motion-work-of-the-force-in-a-cycle-with-that-lag-is-that-of-the-friction = movimento exato: o trabalho da força em um ciclo, com esse atraso, é o do atrito
-exact-motion-spring-and-inertia-of-its-first-harmonic-are-held-by-the-force-in-phase-with-its = movimento exato: mola e inércia do seu primeiro harmônico são sustentadas pela força em fase com os seus extremos
-equivalent-damping-the-force-brings-in-what-friction-takes-in-a-cycle-f-x-sin-4fx = amortecimento equivalente: a força fornece o que o atrito consome em um ciclo, πF₀X sen φ = 4FX
-equivalent-damping-spring-and-inertia-are-held-by-the-force-in-phase-with-the-motion = amortecimento equivalente: mola e inércia são sustentadas pela força em fase com o movimento
-how-far-the-equivalent-damping-is-off = Erro do amortecimento equivalente
+exact-motion-work-of-the-force-in-a-cycle-with-that-phase-lag-equals-the-friction-work = movimento exato: o trabalho da força em um ciclo, com essa defasagem, é igual ao do atrito
+exact-motion-spring-and-inertia-forces-of-its-first-harmonic-are-balanced-by-the-force-component-in = movimento exato: as forças da mola e de inércia do seu primeiro harmônico são equilibradas pela componente da força em fase com os seus extremos
+equivalent-damping-energy-input-equals-friction-loss-per-cycle-f-x-sin-4fx = amortecimento equivalente: a energia fornecida é igual à perda por atrito em um ciclo, πF₀X sen φ = 4FX
+equivalent-damping-spring-and-inertia-forces-are-balanced-by-the-force-component-in-phase-with-the = amortecimento equivalente: as forças da mola e de inércia são equilibradas pela componente da força em fase com o movimento
+error-of-the-equivalent-damping = Erro do amortecimento equivalente
 lag-of-its-extremes-behind-those-of-the-force = Atraso dos seus extremos em relação aos da força
 lag-of-the-motion-behind-the-force-above-90-beyond-resonance = Atraso do movimento em relação à força, acima de 90° além da ressonância
-part-of-the-force-that-holds-spring-and-inertia = Parte da força que sustenta mola e inércia
-phase-lag-by-equivalent-damping = Atraso de fase pelo amortecimento equivalente
-phase-lag-exact = Atraso de fase exato
+part-of-the-force-that-balances-spring-and-inertia = Parte da força que equilibra mola e inércia
+phase-lag-by-equivalent-damping = Ângulo de fase (atraso) pelo amortecimento equivalente
+phase-lag-exact = Ângulo de fase (atraso) exato
 spring-and-friction = mola e atrito
-steady-amplitude-of-a-mass-that-rubs-by-equivalent-viscous-damping-and-exactly-stops-included-or-the = Amplitude permanente de uma massa com atrito, por amortecimento viscoso equivalente e exata, paradas incluídas; ou a força para uma amplitude.
-stops-in-a-cycle = Paradas por ciclo
-that-force-gives-the-amplitude-back = essa força devolve a amplitude
-the-damping-holds-the-part-4f-of-the-force-sine-of-the-phase = O amortecimento sustenta a parte 4F/π da força: seno da fase
-the-equivalent-damping-is-off-by-off-the-friction-is-too-large-beside-the-force-for-it = o amortecimento equivalente erra { $off }: o atrito é grande demais diante da força para ele
-the-exact-motion-has-too-many-stops-to-be-followed-and-there-is-no-equivalent-one = o movimento exato tem paradas demais para ser seguido, e não há equivalente
+steady-state-amplitude-of-a-mass-with-friction-by-equivalent-viscous-damping-and-exactly-including = Amplitude em regime permanente de uma massa com atrito, por amortecimento viscoso equivalente e exata, incluídas as paradas; ou a força para uma amplitude.
+stops-per-cycle = Paradas por ciclo
+that-force-reproduces-the-amplitude = essa força reproduz a amplitude
+damping-balances-the-part-4f-of-the-force-sine-of-the-phase-angle = O amortecimento equilibra a parte 4F/π da força: seno do ângulo de fase
+the-equivalent-damping-is-in-error-by-off-the-friction-is-too-large-relative-to-the-force = o amortecimento equivalente erra { $off }: o atrito é grande demais em relação à força
+the-exact-motion-has-too-many-stops-to-be-computed-and-there-is-no-equivalent-one = o movimento exato tem paradas demais para ser calculado, e não há equivalente
 the-force-does-not-overcome-the-friction-the-mass-does-not-move-write-a-larger-force = a força não vence o atrito: a massa não se move; escreva uma força maior
-the-force-is-so-slow-beside-the-natural-frequency-that-the-exact-motion-has-too-many-stops-to-be = a força é tão lenta diante da frequência natural que o movimento exato tem paradas demais para ser seguido: só se responde o amortecimento equivalente
-the-work-of-the-force-in-a-cycle-is-the-friction-times-the-way = o trabalho da força em um ciclo é o atrito vezes o caminho
-the-work-of-the-force-in-a-cycle-summed-along-the-exact-motion-is-that-of-the-friction-4fx = o trabalho da força em um ciclo, somado ao longo do movimento exato, é o do atrito, 4FX
-viscous-damping-that-takes-the-same-energy-in-a-cycle-c-x-4fx = Amortecimento viscoso que retira a mesma energia em um ciclo, πcωX² = 4FX
-with-this-amplitude-the-mass-would-stop-within-each-half-cycle-where-the-exact-force-has-no-closed = com esta amplitude a massa pararia dentro de cada meio ciclo, onde a força exata não tem forma fechada: só se responde a equivalente
+the-force-is-so-slow-relative-to-the-natural-frequency-that-the-exact-motion-has-too-many-stops-to-be = a força é tão lenta em relação à frequência natural que o movimento exato tem paradas demais para ser calculado: só se dá o resultado do amortecimento equivalente
+the-work-of-the-force-in-a-cycle-is-the-friction-force-times-the-distance-travelled = o trabalho da força em um ciclo é a força de atrito vezes a distância percorrida
+the-work-of-the-force-in-a-cycle-summed-over-the-exact-motion-equals-the-friction-work-4fx = o trabalho da força em um ciclo, somado ao longo do movimento exato, é igual ao do atrito, 4FX
+viscous-damping-with-the-same-energy-loss-per-cycle-c-x-4fx = Amortecimento viscoso com a mesma perda de energia por ciclo, πcωX² = 4FX
+with-this-amplitude-the-mass-would-stop-within-each-half-cycle-where-the-exact-force-has-no-closed = com esta amplitude a massa pararia dentro de cada meio ciclo, onde a força exata não tem forma fechada: só se dá a equivalente
 
 # free-vibration
 a-negative-one-feeds-energy-into-the-motion = Um valor negativo introduz energia no movimento.
 acceleration-at-that-time = Aceleração nesse instante
 acceleration-at-that-time-from-the-equation-of-motion = Aceleração nesse instante, pela equação de movimento
-amplitude-it-stays = Amplitude: conserva-se
+amplitude-constant = Amplitude: constante
 angle-at-the-start = Ângulo inicial
+initial-angle = Ângulo inicial
 angular-velocity-at-the-start = Velocidade angular inicial
-constant-of-the-motion-c-e-t-c-e-t-from-displacement-and-velocity-at-the-start = Constante do movimento C₁ e^(λ₁t) + C₂ e^(λ₂t), pelo deslocamento e pela velocidade iniciais
-constant-of-the-sine-from-displacement-and-velocity-at-the-start = Constante do seno, pelo deslocamento e pela velocidade iniciais
-constant-of-the-sine-from-the-velocity-at-the-start = Constante do seno, pela velocidade inicial
+constant-of-the-motion-c-e-t-c-e-t-from-the-initial-displacement-and-velocity = Constante do movimento C₁ e^(λ₁t) + C₂ e^(λ₂t), pelo deslocamento e pela velocidade iniciais
+sine-coefficient-from-the-initial-displacement-and-velocity = Coeficiente do seno, pelo deslocamento e pela velocidade iniciais
+sine-coefficient-from-the-initial-velocity = Coeficiente do seno, pela velocidade inicial
 critical = Crítico
 critical-damping = Amortecimento crítico
-critical-damping-the-least-with-which-the-motion-does-not-oscillate = Amortecimento crítico: o menor com que o movimento não oscila
-critically-damped-1-a-double-root-and-the-motion-is-a-b-t-e-t-with-a-the-displacement-at-the-start = Criticamente amortecido, ζ = 1: raiz dupla −ζωₙ, e o movimento é (A + B t) e^(−ζωₙt), sendo A o deslocamento inicial
+critical-damping-the-minimum-damping-for-which-the-motion-does-not-oscillate = Amortecimento crítico: o menor amortecimento com que o movimento não oscila
+critically-damped-1-a-double-root-and-the-motion-is-a-b-t-e-t-with-a-the-initial-displacement = Criticamente amortecido, ζ = 1: raiz dupla −ζωₙ, e o movimento é (A + B t) e^(−ζωₙt), sendo A o deslocamento inicial
 displacement-at-that-turning-point = Deslocamento nesse ponto de retorno
-displacement-at-the-asked-time = Deslocamento no instante pedido
+displacement-at-the-requested-time = Deslocamento no instante pedido
 displacement-by-integration-of-the-equation-of-motion = deslocamento por integração da equação de movimento
-energy-lost-by-that-time = Energia perdida até esse instante
-energy-that-the-damper-has-taken-by-that-time = Energia que o amortecedor retirou até esse instante
+energy-dissipated-up-to-that-time = Energia dissipada até esse instante
+energy-dissipated-by-the-damper-up-to-that-time = Energia dissipada pelo amortecedor até esse instante
 envelope-at-that-time = Envoltória nesse instante
-envelope-at-the-asked-time = Envoltória no instante pedido
+envelope-at-the-requested-time = Envoltória no instante pedido
 envelope-at-the-start = Envoltória no início
+initial-envelope = Envoltória inicial
 faster-root = Raiz mais rápida
-first-displacement-to-the-other-side-as-a-share-of-the-displacement-at-release = Primeiro deslocamento para o outro lado, como fração do deslocamento na soltura.
-first-passage-through-the-position-of-rest = Primeira passagem pela posição de repouso
-first-time-that-the-velocity-is-zero = Primeiro instante em que a velocidade é nula
-from-the-overshoot-of-a-release-from-rest = Pelo sobressinal de uma soltura do repouso
-from-the-time-in-which-the-envelope-settles = Pelo tempo em que a envoltória se acomoda
-half-a-cycle-takes-the-amplitude-from-1-to-the-overshoot-half-the-logarithmic-decrement = Meio ciclo leva a amplitude de 1 ao sobressinal: metade do decremento logarítmico
-imaginary-part = parte imaginária
+first-displacement-to-the-opposite-side-as-a-fraction-of-the-release-displacement = Primeiro deslocamento para o outro lado, como fração do deslocamento na soltura.
+first-passage-through-the-equilibrium-position = Primeira passagem pela posição de equilíbrio
+first-instant-at-which-the-velocity-is-zero = Primeiro instante em que a velocidade é nula
+from-the-overshoot-after-release-from-rest = Pelo sobressinal após uma soltura do repouso
+from-the-settling-time-of-the-envelope = Pelo tempo de acomodação da envoltória
+half-a-cycle-reduces-the-amplitude-from-1-to-the-overshoot-half-the-logarithmic-decrement = Meio ciclo reduz a amplitude de 1 ao sobressinal: metade do decremento logarítmico
+imaginary-part = Parte imaginária
 inertia-torsion-spring-and-damper = Inércia, mola de torção e amortecedor
-it-starts-at-rest-in-its-position-of-equilibrium-so-it-does-not-move-write-a-displacement-or-a = parte do repouso na posição de equilíbrio e por isso não se move: escreva um deslocamento ou uma velocidade inicial
-largest-displacement-of-the-decaying-motion-its-first-turning-point = Maior deslocamento do movimento que decai: seu primeiro ponto de retorno
-largest-displacement-of-the-decaying-motion-its-start = Maior deslocamento do movimento que decai: o início
+the-mass-starts-at-rest-in-its-equilibrium-position-and-does-not-move-write-an-initial-displacement = a massa parte do repouso na posição de equilíbrio e não se move: escreva um deslocamento ou uma velocidade inicial
+maximum-displacement-of-the-decaying-motion-its-first-turning-point = Deslocamento máximo do movimento que decai: seu primeiro ponto de retorno
+maximum-displacement-of-the-decaying-motion-its-start = Deslocamento máximo do movimento que decai: o início
 mass-of-that-weight = Massa desse peso
 mass-spring-and-damper = Massa, mola e amortecedor
 moment-of-inertia = Momento de inércia
-motion-of-one-degree-of-freedom-from-its-start-regime-frequencies-displacement-at-any-time-envelope = Movimento de um grau de liberdade desde o início: regime, frequências, deslocamento em qualquer instante, envoltória, sobressinal, acomodação.
-natural-frequency-and-damping-ratio-given = Frequência natural e razão de amortecimento dadas
+motion-of-one-degree-of-freedom-from-its-initial-conditions-regime-frequencies-displacement-at-any = Movimento de um grau de liberdade a partir das condições iniciais: regime, frequências, deslocamento em qualquer instante, envoltória, sobressinal, acomodação.
+natural-frequency-and-damping-ratio-given = Frequência natural e fator de amortecimento dados
 negative-damping-1-0-complex-roots-i-d-a-growing-oscillation-of-frequency = Amortecimento negativo, −1 < ζ < 0: raízes complexas −ζωₙ ± i ω_d, oscilação crescente de frequência
 oscillator = Oscilador
-overdamped-1-two-real-roots-here-the-larger-in-size = Superamortecido, ζ > 1: duas raízes reais, aqui a de maior módulo
+overdamped-1-two-real-roots-here-the-larger-in-magnitude = Superamortecido, ζ > 1: duas raízes reais, aqui a de maior módulo
 overshoot = Sobressinal
-overshoot-of-a-release-from-rest = Sobressinal de uma soltura do repouso
-envelope-displacement-and-velocity-without-that-of-the-decay-over-d-as-two-legs = envoltória: o deslocamento e a velocidade sem a do decaimento sobre ω_d, como dois catetos
+overshoot-of-a-release-from-rest = Sobressinal na liberação a partir do repouso
+envelope-displacement-and-velocity-without-the-decay-term-d-as-legs-of-a-right-triangle = envoltória: deslocamento e (velocidade sem o termo do decaimento)/ω_d como catetos
 acceleration-as-the-second-derivative-of-the-displacement = aceleração como derivada segunda do deslocamento
 a-release-from-rest-the-displacement-half-a-cycle-later-by-integration-of-the-equation-of-motion = soltura do repouso: o deslocamento meio ciclo depois, por integração da equação de movimento
 a-release-from-rest-the-energy-a-cycle-later-by-integration-of-the-equation-of-motion = soltura do repouso: a energia um ciclo depois, por integração da equação de movimento
 envelope-at-the-start-from-the-motion-a-little-later-by-integration-of-its-equation = envoltória no início: pelo movimento um pouco depois, integrando a sua equação
 displacement-at-the-first-turning-point-by-integration-of-the-equation-of-motion = deslocamento no primeiro ponto de retorno, por integração da equação de movimento
 envelope-at-its-settling-time-by-integration-of-the-equation-of-motion = envoltória no seu tempo de acomodação, por integração da equação de movimento
-energy-that-is-gone-work-of-the-damper-cv-dt-by-quadrature = energia que se foi = trabalho do amortecedor, ∫cv²dt por quadratura
-motions-that-begin-side-by-side-cover-four-times-the-area-of-the-phase-plane-at-the-time-to-double = movimentos que começam lado a lado cobrem quatro vezes a área do plano de fase no tempo de duplicação
-overshoot-of-a-release-from-rest-what-half-a-cycle-leaves-of-the-amplitude = Sobressinal de uma soltura do repouso: o que meio ciclo deixa da amplitude
+energy-dissipated-work-of-the-damper-cv-dt-by-quadrature = energia dissipada = trabalho do amortecedor, ∫cv²dt por quadratura
+neighbouring-motions-cover-four-times-the-phase-plane-area-at-the-doubling-time = movimentos vizinhos cobrem quatro vezes a área do plano de fase no tempo de duplicação
+overshoot-of-a-release-from-rest-fraction-of-the-amplitude-left-after-half-a-cycle = Sobressinal na liberação a partir do repouso: fração da amplitude que resta após meio ciclo
 period = Período
 period-of-the-damped-motion = Período do movimento amortecido
-real-part = parte real
+real-part = Parte real
 roots-of-the-characteristic-equation-as-the-damping-grows-from-zero = Raízes da equação característica conforme o amortecimento cresce a partir de zero
 settling-time = Tempo de acomodação
-settling-time-by-the-envelope = Tempo de acomodação pela envoltória
-settling-time-exact-the-last-time-that-the-displacement-is-the-share-p-of-the-largest-one = Tempo de acomodação exato: o último instante em que o deslocamento é a fração p do maior
-share-of-the-energy-lost-in-a-cycle-energy-goes-with-the-square-of-the-amplitude = Fração da energia perdida por ciclo: a energia varia com o quadrado da amplitude
-share-of-the-largest-displacement-that-counts-as-settled = Fração do maior deslocamento que conta como acomodado
+settling-time-from-the-envelope = Tempo de acomodação pela envoltória
+settling-time-exact-last-instant-at-which-the-displacement-equals-the-fraction-p-of-the-maximum = Tempo de acomodação exato: último instante em que o deslocamento é igual à fração p do máximo
+fraction-of-the-energy-lost-per-cycle-the-energy-is-proportional-to-the-square-of-the-amplitude = Fração da energia perdida por ciclo: a energia é proporcional ao quadrado da amplitude
+fraction-of-the-maximum-displacement-taken-as-settled = Fração do deslocamento máximo considerada acomodada
 slower-root = Raiz mais lenta
 strongly-negative-damping-1-two-real-roots-both-positive-here-the-larger = Amortecimento fortemente negativo, ζ < −1: duas raízes reais, ambas positivas; aqui a maior
 the-damping-is-critical = O amortecimento é crítico
 the-damping-is-negative-it-feeds-energy-into-the-motion-which-grows-until-something-not-in-this-model = o amortecimento é negativo: introduz energia no movimento, que cresce até que algo fora deste modelo o detenha; a posição de repouso é instável
 the-decrement-is-t-d = o decremento é ζ ωₙ T_d
 the-displacement-at-the-settling-time-by-integration-of-the-equation-of-motion = o deslocamento no tempo de acomodação, por integração da equação de movimento
-the-envelope-e-t-has-fallen-to-the-share-that-counts-as-settled = A envoltória e^(−ζωₙt) caiu à fração que conta como acomodada
+the-envelope-e-t-has-decayed-to-the-fraction-taken-as-settled = A envoltória e^(−ζωₙt) decaiu até a fração considerada acomodada
 the-first-passage-through-rest-found-from-the-motion-itself = a primeira passagem pelo repouso obtida do próprio movimento
 the-first-turning-point-found-from-the-motion-itself = o primeiro ponto de retorno obtido do próprio movimento
 the-other-constant = A outra constante
 the-product-of-the-roots-is = O produto das raízes é ωₙ²
 the-square-of-the-damping-is-4-k-m = o quadrado do amortecimento é 4 ζ² k m
 the-sum-of-the-roots-is-2 = a soma das raízes é −2ζωₙ
-the-velocity-written-likewise-its-phase = A velocidade escrita do mesmo modo; sua fase
-time-in-which-the-envelope-falls-to-the-share-p-of-the-largest-displacement = Tempo em que a envoltória cai à fração p do maior deslocamento
-time-in-which-the-envelope-falls-to-the-share-that-counts-as-settled = Tempo em que a envoltória cai à fração que conta como acomodada
-time-in-which-the-envelope-of-the-motion-doubles = Tempo em que a envoltória do movimento dobra
-time-of-the-largest-displacement = Instante do maior deslocamento
+the-velocity-written-in-the-same-form-its-phase = A velocidade escrita na mesma forma; sua fase
+time-for-the-envelope-to-decay-to-the-fraction-p-of-the-maximum-displacement = Tempo em que a envoltória decai à fração p do deslocamento máximo
+time-for-the-envelope-to-decay-to-the-fraction-taken-as-settled = Tempo em que a envoltória decai à fração considerada acomodada
+time-for-the-envelope-of-the-motion-to-double = Tempo em que a envoltória do movimento dobra
+time-of-maximum-displacement = Instante do deslocamento máximo
 time-to-double = Tempo para dobrar
 torsional-damping-coefficient = Coeficiente de amortecimento torcional
 torsional-stiffness = Rigidez torcional
 twice-the-amplitude = O dobro da amplitude
-underdamped-1-complex-roots-i-d-a-decaying-oscillation-of-frequency = Subamortecido, ζ < 1: raízes complexas −ζωₙ ± i ω_d, oscilação que decai de frequência
+underdamped-1-complex-roots-i-d-a-decaying-oscillation-with-frequency = Subamortecido, ζ < 1: raízes complexas −ζωₙ ± i ω_d, oscilação decrescente com frequência
 velocity-by-integration-of-the-equation-of-motion = velocidade por integração da equação de movimento
 without-damping-the-motion-is-harmonic-its-period = Sem amortecimento o movimento é harmônico; seu período
 written-as-r-sin-t-it-is-zero-where-t-is-a-multiple-of-here = Escrito como R sen(ωt + φ), é nulo onde ωt + φ é múltiplo de π; aqui φ
 zero-for-no-damping-a-negative-one-feeds-energy-into-the-motion = Zero para nenhum amortecimento; um valor negativo introduz energia no movimento.
 
 # friction-damper
-always-sticking = sempre aderido
-amplitude-at-the-asked-frequency-where-amplitude-and-dynamic-stiffness-balance-the-force = Amplitude na frequência pedida, em que amplitude e rigidez dinâmica equilibram a força
+continuous-sticking = aderência permanente
+amplitude-at-the-requested-frequency-where-amplitude-and-dynamic-stiffness-balance-the-force = Amplitude na frequência pedida, em que amplitude e rigidez dinâmica equilibram a força
 amplitude-at-the-peak = Amplitude no pico
 amplitude-there = Amplitude nesse ponto
-amplitude-times-dynamic-stiffness-is-the-force = amplitude vezes rigidez dinâmica é a força
-at-this-frequency-the-force-outweighs-slip-and-damping-there-is-no-steady-amplitude = nesta frequência a força supera o deslizamento e o amortecimento: não há amplitude permanente
-both-stiffnesses-together = As duas rigidezes juntas
-displacement-at-which-it-slips = Deslocamento em que desliza
+amplitude-at-that-frequency = Amplitude nessa frequência
+amplitude-times-dynamic-stiffness-equals-the-force = amplitude vezes rigidez dinâmica é igual à força
+at-this-frequency-the-force-exceeds-the-slip-force-and-the-damping-there-is-no-steady-state-amplitude = nesta frequência a força supera o deslizamento e o amortecimento: não há amplitude em regime permanente
+combined-stiffness = Rigidez combinada
+displacement-at-which-slip-begins = Deslocamento em que começa o deslizamento
 displacement-at-which-the-element-begins-to-slip = Deslocamento em que o elemento começa a deslizar
 elastic-dry-friction-damper = Amortecedor elástico de atrito seco
-energy-that-the-element-takes-in-a-cycle-area-of-its-loop = Energia que o elemento retira em um ciclo: área do seu laço
-equivalent-stiffness-by-summing-over-the-loop = rigidez equivalente por soma ao longo do laço
+energy-dissipated-by-the-element-per-cycle-area-of-its-loop = Energia dissipada pelo elemento por ciclo: área do seu laço
+equivalent-stiffness-by-integration-around-the-hysteresis-loop = rigidez equivalente por integração ao longo do laço de histerese
 equivalent-stiffness-of-the-element-first-harmonic-of-its-force-in-phase-with-the-motion = Rigidez equivalente do elemento: primeiro harmônico da sua força em fase com o movimento
-first-harmonic-in-phase-with-the-velocity-for-each-unit-of-amplitude = Primeiro harmônico em fase com a velocidade, por unidade de amplitude
+first-harmonic-in-phase-with-the-velocity-per-unit-amplitude = Primeiro harmônico em fase com a velocidade, por unidade de amplitude
 force-at-which-the-element-slips = Força em que o elemento desliza
+force-at-which-slip-begins = Força em que começa o deslizamento
 force-of-the-element = força do elemento
-frequency-at-which-the-amplitude-is-asked = Frequência em que se pede a amplitude
+frequency-at-which-the-amplitude-is-requested = Frequência em que se pede a amplitude
 loop-of-the-element-at-the-peak = Laço do elemento no pico
-natural-frequency-far-beyond-slip-the-element-only-rubs = Frequência natural muito além do deslizamento: o elemento só atrita
+hysteresis-loop-of-the-element-at-the-peak = Laço de histerese do elemento no pico
+natural-frequency-far-beyond-the-slip-limit-the-element-only-slides = Frequência natural muito além do limite de deslizamento: o elemento só desliza
 natural-frequency-slipping = Frequência natural, deslizando
 natural-frequency-sticking = Frequência natural, aderido
 natural-frequency-while-the-element-sticks-both-springs-act = Frequência natural enquanto o elemento adere: as duas molas atuam
 of-the-spring-in-series-with-its-slider = Da mola em série com o seu deslizador.
-part-of-each-half-cycle-in-which-the-element-sticks-as-an-angle = Parte de cada meio ciclo em que o elemento adere, como ângulo
+sticking-part-of-each-half-cycle-as-an-angle = Parte de cada meio ciclo em que o elemento adere, como ângulo
 peak-of-the-response-and-amplitude-at-a-frequency-of-an-oscillator-with-a-spring-and-slider-damper-by = Pico da resposta e amplitude em uma frequência de um oscilador com amortecedor de mola e deslizador, por um harmônico.
-peak-of-the-response-by-one-harmonic-the-frequency-at-which-that-amplitude-takes-the-least-force = Pico da resposta por um harmônico: a frequência em que essa amplitude exige a menor força
+peak-of-the-response-by-one-harmonic-the-frequency-at-which-that-amplitude-requires-the-least-force = Pico da resposta por um harmônico: a frequência em que essa amplitude exige a menor força
 slip-begins = o deslizamento começa
-stiffness-beside-the-damper = Rigidez ao lado do amortecedor
+onset-of-slip = início do deslizamento
+stiffness-in-parallel-with-the-damper = Rigidez em paralelo com o amortecedor
 stiffness-of-the-friction-element = Rigidez do elemento de atrito
-the-element-sticks-at-this-amplitude-both-springs-act-and-it-takes-no-energy = O elemento adere nesta amplitude: as duas molas atuam, e ele não retira energia
-the-force-brings-in-more-energy-in-each-cycle-than-the-slipping-element-can-take-4f-d-being-below-f = a força introduz em cada ciclo mais energia do que o elemento que desliza pode retirar, pois 4F_d/π está abaixo de F₀, e não há outro amortecimento: a ressonância cresce com o tempo sem limite
-the-least-force-is-level-over-the-frequency = a menor força é estacionária na frequência
+the-element-sticks-at-this-amplitude-both-springs-act-and-no-energy-is-dissipated = O elemento permanece em aderência nesta amplitude: as duas molas atuam e não há dissipação de energia
+the-force-supplies-more-energy-per-cycle-than-the-slipping-element-can-dissipate-since-4f-d-is-below = a força fornece por ciclo mais energia do que o elemento que desliza pode dissipar, pois 4F_d/π está abaixo de F₀, e não há outro amortecimento: a ressonância cresce com o tempo sem limite
+the-minimum-force-has-zero-slope-with-respect-to-frequency = a força mínima tem inclinação nula em relação à frequência
 the-oscillator-and-its-friction-element = O oscilador e o seu elemento de atrito
-the-part-in-phase-with-the-velocity-by-summing-over-the-loop = a parte em fase com a velocidade por soma ao longo do laço
-there-is-more-than-one-amplitude-at-this-frequency-the-largest-is-answered = há mais de uma amplitude nesta frequência; responde-se a maior
-viscous-damping-beside-it = Amortecimento viscoso ao lado dele
+component-in-phase-with-the-velocity-by-integration-around-the-hysteresis-loop = componente em fase com a velocidade, por integração ao longo do laço de histerese
+there-is-more-than-one-amplitude-at-this-frequency-the-largest-is-given = há mais de uma amplitude nesta frequência; dá-se a maior
+additional-viscous-damping = Amortecimento viscoso adicional
 with-the-element = com o elemento
 without-the-element = sem o elemento
 
 # gun-recoil
-critical-damping-the-quickest-return-without-oscillation = Amortecimento crítico: o retorno mais rápido sem oscilação
-displacement-up-to-which-the-return-is-timed = Deslocamento até o qual o retorno é cronometrado
-distance-of-recoil = Distância de recuo
-with-critical-damping-both-roots-c-2m-are = com amortecimento crítico as duas raízes −c/2m valem −ωₙ
-displacement-at-the-end-of-both-by-integration-of-the-return-after-a-quarter-of-the-period = deslocamento no fim de ambos, por integração do retorno depois de um quarto do período
+critical-damping-the-fastest-return-without-oscillation = Amortecimento crítico: o retorno mais rápido sem oscilação
+displacement-up-to-which-the-return-is-timed = Deslocamento até o qual se conta o tempo de retorno
+recoil-distance = Distância de recuo
+with-critical-damping-both-roots-equal-c-2m = com amortecimento crítico as duas raízes valem −c/2m = −ωₙ
+displacement-at-the-end-of-recoil-and-return-by-integration-of-the-return-after-a-quarter-period = deslocamento no fim do recuo e do retorno, por integração do retorno depois de um quarto do período
 end-of-the-recoil = fim do recuo
 end-of-the-timed-return = fim do retorno cronometrado
-mass-or-weight-of-what-recoils = Massa ou peso do que recua
+mass-or-weight-of-the-recoiling-parts = Massa ou peso das partes que recuam
 recoil = Recuo
 recoil-and-critically-damped-return = Recuo e retorno criticamente amortecido
 recoil-and-return = Recuo e retorno
 recoil-and-return-together = Recuo e retorno juntos
 speed-at-the-start-of-the-recoil = Velocidade no início do recuo
-speed-or-distance-of-a-recoil-on-a-spring-the-dashpot-that-brings-it-back-without-oscillation-and-the = Velocidade ou distância de um recuo sobre mola, o amortecedor que o traz de volta sem oscilação e o tempo de ambos.
+speed-or-distance-of-a-recoil-on-a-spring-the-dashpot-that-returns-it-without-oscillation-and-the = Velocidade ou distância de um recuo sobre mola, o amortecedor que o faz retornar sem oscilação e a duração de ambos.
 stiffness-of-the-recoil-spring = Rigidez da mola de recuo
 the-barrel-on-its-recoil-spring = O cano sobre a sua mola de recuo
 the-dashpot-does-not-act-in-recoil-the-amplitude-of-the-harmonic-motion-is-v = O amortecedor não atua no recuo: a amplitude do movimento harmônico é v₀/ωₙ
-the-displacement-up-to-which-the-return-is-timed-is-not-below-the-recoil-write-a-smaller-one = o deslocamento até o qual o retorno é cronometrado não está abaixo do recuo: escreva um menor
+the-displacement-at-which-the-return-time-is-taken-is-not-below-the-recoil-write-a-smaller-one = o deslocamento até o qual o retorno é cronometrado não está abaixo do recuo: escreva um menor
 the-kinetic-energy-at-the-start-is-the-energy-of-the-spring-at-the-end-of-the-recoil = a energia cinética no início é a energia da mola no fim do recuo
 the-motion-is-at-x-at-that-time = o movimento está em x₁ nesse instante
-the-return-to-the-very-position-of-rest-takes-for-ever = O retorno à própria posição de repouso leva um tempo infinito.
+the-return-to-the-exact-equilibrium-position-takes-an-infinite-time = O retorno à posição exata de equilíbrio leva um tempo infinito.
 the-same-by-integration-of-the-equation-of-motion = o mesmo por integração da equação de movimento
-time-of-the-recoil = Tempo do recuo
-time-of-the-recoil-a-quarter-of-the-period = Tempo do recuo: um quarto do período
-time-of-the-return = Tempo do retorno
-time-of-the-return-by-solving-x-r-1-t-e-t-with-critical-damping-from-rest = Tempo do retorno, resolvendo x₁ = R (1 + ωₙt) e^(−ωₙt): com amortecimento crítico, a partir do repouso
+recoil-time = Tempo do recuo
+recoil-time-a-quarter-of-the-period = Tempo do recuo: um quarto do período
+return-time = Tempo de retorno
+return-time-by-solving-x-r-1-t-e-t-with-critical-damping-from-rest = Tempo de retorno, resolvendo x₁ = R (1 + ωₙt) e^(−ωₙt): com amortecimento crítico, a partir do repouso
 
 # logarithmic-decrement
-all-amplitudes-stand-at-the-same-cycle-number-them-0-1-2 = todas as amplitudes estão no mesmo ciclo: numere-as 0, 1, 2, …
-at-least-three-the-cycles-may-leave-some-out-and-a-trough-is-half-a-cycle-from-its-peak = Pelo menos três; os ciclos podem pular alguns, e um vale está a meio ciclo do seu pico.
-cycles-in-which-the-amplitude-falls-by-that-ratio = Ciclos em que a amplitude cai nessa razão
-cycles-in-which-the-amplitude-halves = Ciclos em que a amplitude cai à metade
-damping-ratio-from-damping-stiffness-and-mass = razão de amortecimento por amortecimento, rigidez e massa
-damping-ratio-light-damping-formula = Razão de amortecimento, fórmula de amortecimento fraco
+all-amplitudes-are-at-the-same-cycle-number-them-0-1-2 = todas as amplitudes estão no mesmo ciclo: numere-as 0, 1, 2, …
+at-least-three-some-cycles-may-be-skipped-and-a-trough-is-half-a-cycle-from-its-peak = Pelo menos três; alguns ciclos podem ser omitidos, e um vale está a meio ciclo do seu pico.
+cycles-for-the-amplitude-to-decay-by-that-ratio = Ciclos para a amplitude cair nessa razão
+cycles-to-half-amplitude = Ciclos até a metade da amplitude
+damping-ratio-from-damping-stiffness-and-mass = fator de amortecimento por amortecimento, rigidez e massa
+damping-ratio-light-damping-formula = Fator de amortecimento, fórmula de amortecimento fraco
 decay-over-the-cycles = Decaimento ao longo dos ciclos
 decrement-by-least-squares-the-slope-of-the-straight-line-ln-x-ln-x-n = Decremento por mínimos quadrados: a inclinação da reta ln X = ln X₀ − δ n
-decrement-damping-ratio-and-damping-of-a-decay-from-its-amplitudes-and-the-cycles-and-time-to-fall-to = Decremento, razão de amortecimento e amortecimento de um decaimento por suas amplitudes, e os ciclos e o tempo para cair a uma amplitude.
+decrement-damping-ratio-and-damping-of-a-decay-from-its-amplitudes-and-the-cycles-and-time-to-decay = Decremento, fator de amortecimento e amortecimento de um decaimento por suas amplitudes, e os ciclos e o tempo até uma dada amplitude.
 error-of-that-formula = Erro dessa fórmula
 for-light-damping-2-since-1-is-nearly-1 = Para amortecimento fraco: δ = 2πζ, pois √(1 − ζ²) é quase 1
 half-the-amplitude-the-ratio-of-the-amplitudes-is-2 = Metade da amplitude: a razão das amplitudes é 2
-how-far-that-formula-is-off = Erro dessa fórmula em relação à exata
-how-far-the-measured-period-is-off-that-of-mass-and-stiffness = Quanto o período medido se afasta do de massa e rigidez
-in-any-unit-the-same-for-all-without-its-sign = Em qualquer unidade, a mesma para todas, sem sinal.
+relative-error-of-that-formula = Erro relativo dessa fórmula
+deviation-of-the-measured-period-from-that-of-mass-and-stiffness = Desvio do período medido em relação ao de massa e rigidez
+in-any-unit-the-same-for-all-without-sign = Em qualquer unidade, a mesma para todas, sem sinal.
 inertia-and-torsional-stiffness = Inércia e rigidez torcional
 inertia-on-a-round-shaft = Inércia em um eixo redondo
 logarithmic-decrement-given = Decremento logarítmico dado
 mass-and-period = Massa e período
 mass-and-stiffness = Massa e rigidez
-measured-frequency-off-by = Frequência medida, diferença
+deviation-of-the-measured-frequency = Desvio da frequência medida
 measured-period-for-comparison = Período medido, para comparação
-natural-frequency-of-the-measured-period = Frequência natural do período medido
+natural-frequency-from-the-measured-period = Frequência natural pelo período medido
 nothing-more = Nada mais
+no-further-data = Sem outros dados
 period-of-the-decaying-motion = Período do movimento que decai
-ratio-of-amplitudes-over-which-the-cycles-and-the-time-are-asked = Razão de amplitudes para a qual se pedem os ciclos e o tempo
+amplitude-ratio-for-which-cycles-and-time-are-computed = Razão de amplitudes para o cálculo dos ciclos e do tempo
 ratio-of-successive-amplitudes = Razão de amplitudes sucessivas
 root-mean-square-of-the-relative-differences-between-the-amplitudes-and-the-fitted-decay = Média quadrática das diferenças relativas entre as amplitudes e o decaimento ajustado
-scatter-of-the-amplitudes-about-the-fit = Dispersão das amplitudes em torno do ajuste
+fit-residual-of-the-amplitudes = Resíduo do ajuste das amplitudes
 standard-deviation-of-the-decrement = Desvio padrão do decremento
 stiffness-and-period = Rigidez e período
 sum-of-n-n-ln-x-mean-of-ln-x-over-the-table = Soma de (n − n̄)(ln X − média de ln X) na tabela
 sum-of-n-n-over-the-table = Soma de (n − n̄)² na tabela
 the-amplitudes-do-not-fall-with-the-cycles-are-the-rows-in-the-order-of-time = as amplitudes não caem com os ciclos: as linhas estão em ordem de tempo?
-the-amplitudes-scatter-by-more-than-5-about-an-exponential-decay-noise-or-friction-beside-viscous = as amplitudes se espalham mais de 5 % em torno de um decaimento exponencial: ruído, ou atrito ao lado do amortecimento viscoso
-the-decrement-gives-the-damping-ratio-back = o decremento devolve a razão de amortecimento
+the-amplitudes-scatter-by-more-than-5-about-an-exponential-decay-noise-or-friction-in-addition-to = as amplitudes se dispersam mais de 5 % em torno de um decaimento exponencial: ruído, ou atrito além do amortecimento viscoso
+the-decrement-reproduces-the-damping-ratio = o decremento reproduz o fator de amortecimento
 the-larger-amplitude-over-the-smaller-one = A amplitude maior sobre a menor.
-the-light-damping-formula-2-is-off-by-error-here-use-the-exact-one = a fórmula de amortecimento fraco ζ = δ/2π erra { $error } aqui: use a exata
-the-measured-period-is-off-that-of-mass-and-stiffness-by-off-is-all-of-the-mass-counted = o período medido se afasta { $off } do de massa e rigidez: toda a massa foi contada?
-the-motion-does-not-decay-there-is-no-damping-and-no-amplitude-is-ever-reached = o movimento não decai: não há amortecimento, e nenhuma amplitude é jamais alcançada
+the-light-damping-formula-2-is-in-error-by-error-here-use-the-exact-one = a fórmula de amortecimento fraco ζ = δ/2π erra { $error } aqui: use a exata
+the-measured-period-differs-from-that-of-mass-and-stiffness-by-off-is-the-whole-mass-included = o período medido difere { $off } do de massa e rigidez: toda a massa foi incluída?
+the-motion-does-not-decay-there-is-no-damping-and-no-smaller-amplitude-is-ever-reached = o movimento não decai: não há amortecimento, e nenhuma amplitude menor é jamais alcançada
 the-same-slope-by-orthogonal-decomposition = a mesma inclinação por decomposição ortogonal
 the-same-time-from-the-envelope-e-t = o mesmo tempo pela envoltória e^(−ζωₙt)
 the-table-has-fewer-than-three-amplitudes-measure-more-or-write-their-ratio-as-two-amplitudes = a tabela tem menos de três amplitudes: meça mais, ou escreva a razão delas como duas amplitudes
-time-of-these-cycles = Tempo desses ciclos
+duration-of-these-cycles = Duração desses ciclos
 torsional-stiffness-of-the-shaft = Rigidez torcional do eixo
 two-amplitudes = Duas amplitudes
 two-beams-side-by-side-both-loaded-away-from-their-middles = Duas vigas lado a lado, ambas carregadas fora do meio
-with-a-damping-ratio-of-1-or-more-the-motion-does-not-oscillate-and-has-no-decrement-write-a-ratio = com razão de amortecimento 1 ou maior o movimento não oscila e não tem decremento: escreva uma razão abaixo de 1
+with-a-damping-ratio-of-1-or-more-the-motion-does-not-oscillate-and-has-no-decrement-write-a-ratio = com fator de amortecimento 1 ou maior o movimento não oscila e não tem decremento: escreva um fator abaixo de 1
 # spring
 area-given = Área dada
 torsion-constant-given = Constante de torção dada
-that-of-a-round-section-is-its-polar-second-moment-of-area-of-other-sections-it-is-smaller = A de uma seção circular é o seu momento polar de inércia; a de outras seções é menor.
+for-a-circular-section-its-polar-second-moment-of-area-for-other-sections-it-is-smaller = Para uma seção circular é o seu momento polar de inércia; para outras seções é menor.
 torsion-constant = Constante de torção
 area-of-a-round-section = Área de uma seção circular
+area-of-a-circular-section = Área de uma seção circular
 area-of-a-tube = Área de um tubo
 area-of-a-rectangle = Área de um retângulo
 polar-second-moment-of-area-of-a-tube = Momento polar de inércia de um tubo
-a-stepped-bar-is-its-parts-in-series = Uma barra escalonada são as suas partes em série.
-tapered-round-bar-pulled-along-its-axis = Barra circular cônica tracionada ao longo do seu eixo
+a-stepped-bar-is-a-series-combination-of-its-segments = Uma barra escalonada é a associação em série dos seus trechos.
+tapered-round-bar-in-tension = Barra circular cônica tracionada ao longo do seu eixo
 diameter-at-one-end = Diâmetro numa extremidade
 diameter-at-the-other-end = Diâmetro na outra extremidade
 torsion-bar-with-a-lever = Barra de torção com alavanca
 leaf-spring = Feixe de molas
-semi-elliptic-of-leaves-cut-from-a-plate-of-uniform-strength-friction-between-them-left-out = Semielíptico, de lâminas cortadas de uma chapa de igual resistência; sem o atrito entre elas.
+semi-elliptic-with-leaves-cut-from-a-plate-of-uniform-strength-interleaf-friction-neglected = Semielíptico, de lâminas cortadas de uma chapa de resistência uniforme; desprezado o atrito entre as lâminas.
 leaves = Lâminas
-breadth-of-a-leaf = Largura de uma lâmina
+width-of-a-leaf = Largura de uma lâmina
 thickness-of-a-leaf = Espessura de uma lâmina
 rubber-pad-in-shear = Coxim de borracha em cisalhamento
 bonded-area = Área colada
 thickness = Espessura
 air-spring = Mola a ar
-exponent-of-the-gas = Expoente do gás
+polytropic-exponent = Expoente politrópico
 n-1-4-for-air-and-quick-motions-1-for-slow-ones = 1,4 para ar e movimentos rápidos, 1 para lentos.
 absolute-pressure = Pressão absoluta
 area-of-the-piston = Área do pistão
 volume-of-the-gas = Volume do gás
 taut-string-or-cable-pushed-sideways = Corda ou cabo esticado empurrado de lado
+taut-string-or-cable-under-a-transverse-load = Corda ou cabo esticado sob carga transversal
 tension = Tração
 from-the-load-to-one-end = Da carga a uma extremidade
 from-the-load-to-the-other-end = Da carga à outra extremidade
 pendulum-pushed-sideways = Pêndulo empurrado de lado
-mass-that-hangs = Massa pendurada
+pendulum-gravitational-stiffness = Pêndulo: rigidez gravitacional
+suspended-mass = Massa suspensa
 floating-body = Corpo flutuante
 density-of-the-liquid = Massa específica do líquido
 area-of-the-waterline = Área da linha d'água
 liquid-in-a-u-tube = Líquido num tubo em U
 area-of-the-bore = Área interna do tubo
+internal-area-of-the-tube = Área interna do tubo
 felt-through-a-lever = Sentida através de uma alavanca
+reflected-through-a-lever = Refletida através de uma alavanca
 the-members-stand-side-by-side-on-the-lever-small-angles = Os membros ficam lado a lado na alavanca; ângulos pequenos.
 arm-of-the-springs = Braço das molas
 from-the-pivot = A partir da articulação.
@@ -2219,8 +2300,8 @@ arm-of-the-load = Braço da carga
 inclined-to-the-motion = Inclinada em relação ao movimento
 the-members-stand-side-by-side-small-motions-no-load-at-rest = Os membros ficam lado a lado; movimentos pequenos, sem carga em repouso.
 angle-between-springs-and-motion = Ângulo entre as molas e o movimento
-the-spring-end-of-the-lever-moves-this-much-for-the-load-end = A ponta das molas na alavanca move-se isto para a ponta da carga
-the-springs-take-up-this-much-of-the-motion = As molas acompanham esta parte do movimento
+displacement-of-the-lever-at-the-springs-per-displacement-at-the-load = Deslocamento da alavanca nas molas por deslocamento na carga
+part-of-the-motion-that-the-springs-follow = Parte do movimento que as molas acompanham
 tapered-bar = barra cônica
 rubber-pad = coxim de borracha
 taut-string = corda esticada
@@ -2229,26 +2310,27 @@ buoyancy = empuxo
 liquid-column = coluna de líquido
 through-a-lever = por alavanca
 inclined = inclinada
-stiffness-of-a-tapered-round-bar-along-its-axis = Rigidez de uma barra circular cônica ao longo do seu eixo
-stiffness-of-a-semi-elliptic-leaf-spring-of-uniform-strength = Rigidez de um feixe de molas semielíptico de igual resistência
+axial-stiffness-of-a-tapered-round-bar = Rigidez axial de uma barra circular cônica
+stiffness-of-a-semi-elliptic-leaf-spring-of-uniform-strength = Rigidez de um feixe de molas semielíptico de resistência uniforme
 stiffness-of-a-pad-in-shear = Rigidez de um coxim em cisalhamento
 stiffness-of-a-gas-behind-a-piston = Rigidez de um gás atrás de um pistão
 stiffness-of-a-taut-string-at-the-load = Rigidez de uma corda esticada no ponto da carga
-the-weight-pulls-a-pendulum-back = O peso traz o pêndulo de volta
-the-buoyancy-brings-a-floating-body-back = O empuxo traz o corpo flutuante de volta
-the-weight-of-the-higher-column-brings-the-liquid-back = O peso da coluna mais alta traz o líquido de volta
+the-weight-is-the-restoring-force-of-a-pendulum = O peso é a força restauradora do pêndulo
+buoyancy-is-the-restoring-force-of-a-floating-body = O empuxo é a força restauradora do corpo flutuante
+the-weight-of-the-higher-column-restores-the-liquid-level = O peso da coluna mais alta restaura o nível do líquido
 torsional-springs-in-series-the-angles-of-twist-add-up = Molas de torção em série: os ângulos de torção somam-se
 torsional-springs-in-parallel-the-torques-add-up = Molas de torção em paralelo: os torques somam-se
-both-store-the-same-energy-so-the-stiffness-goes-with-the-square-of-the-ratio = As duas armazenam a mesma energia, de modo que a rigidez segue o quadrado da razão
+both-store-the-same-energy-so-the-stiffness-varies-as-the-square-of-the-ratio = As duas armazenam a mesma energia, de modo que a rigidez varia com o quadrado da razão
 spiral-spring = Mola espiral
 springs-at-an-arm = molas num braço
+springs-on-an-arm = molas num braço
 hung-on-wires = suspenso por fios
 through-gears = por engrenagens
-deflection-behind-the-lever-over-that-of-the-load = Deflexão atrás da alavanca, sobre a da carga
-force-behind-the-lever-over-that-of-the-load = Força atrás da alavanca, sobre a da carga
-share-of-the-twist-in-series-the-torque-is-the-same = Parcela da torção: em série o torque é o mesmo
-share-of-the-torque-in-parallel-the-twist-is-the-same = Parcela do torque: em paralelo a torção é a mesma
-angle-behind-the-gears-over-that-of-the-body = Ângulo atrás das engrenagens, sobre o do corpo
+deflection-beyond-the-lever-over-that-of-the-load = Deflexão além da alavanca, sobre a da carga
+force-beyond-the-lever-over-that-of-the-load = Força além da alavanca, sobre a da carga
+fraction-of-the-twist-in-series-the-torque-is-the-same = Fração da torção: em série o torque é o mesmo
+fraction-of-the-torque-in-parallel-the-twist-is-the-same = Fração do torque: em paralelo a torção é a mesma
+angle-beyond-the-gears-over-that-of-the-body = Ângulo além das engrenagens, sobre o do corpo
 torque-behind-the-gears-over-that-on-the-body = Torque atrás das engrenagens, sobre o do corpo
 the-twists-of-the-members-in-series-add-up = as torções dos membros em série somam-se
 the-torques-of-the-members-in-parallel-add-up = os torques dos membros em paralelo somam-se
@@ -2259,77 +2341,78 @@ amplitude-of-the-twist = amplitude da torção
 torque = torque
 twist = torção
 shaft-in-torsion = Eixo em torção
-a-stepped-shaft-is-its-parts-in-series-two-shafts-from-one-disc-to-two-walls-are-parallel = Um eixo escalonado são as suas partes em série; dois eixos de um disco a duas paredes estão em paralelo.
+a-stepped-shaft-is-a-series-combination-of-its-segments-two-shafts-from-one-disc-to-two-walls-are-in = Um eixo escalonado é a associação em série dos seus trechos; dois eixos de um disco a duas paredes estão em paralelo.
 tapered-round-shaft-in-torsion = Eixo circular cônico em torção
 helical-spring-turned-about-its-axis = Mola helicoidal girada em torno do seu eixo
 length-of-the-strip = Comprimento da fita
-cantilever-turned-at-its-tip = Viga em balanço girada na ponta
-simply-supported-beam-turned-at-one-end = Viga biapoiada girada numa extremidade
-beam-clamped-at-one-end-and-turned-at-its-pinned-end = Viga engastada numa extremidade e girada na extremidade apoiada
+cantilever-moment-at-its-tip = Viga em balanço com momento na ponta
+simply-supported-beam-moment-at-one-end = Viga biapoiada com momento numa extremidade
+beam-clamped-at-one-end-moment-at-its-pinned-end = Viga engastada numa extremidade, com momento na extremidade apoiada
 linear-springs-at-an-arm = Molas lineares num braço
-side-by-side-square-to-the-arm-small-angles = Lado a lado, perpendiculares ao braço; ângulos pequenos.
+side-by-side-perpendicular-to-the-arm-small-angles = Lado a lado, perpendiculares ao braço; ângulos pequenos.
 arm = Braço
 any-body-that-hangs-from-a-pivot-small-angles = Qualquer corpo pendurado numa articulação; ângulos pequenos.
-from-the-pivot-down-to-the-mass-centre = Da articulação até o centro de massa
+from-the-pivot-down-to-the-centre-of-mass = Da articulação até o centro de massa
 hung-on-parallel-wires = Suspenso por fios paralelos
-two-three-or-more-wires-at-one-radius-about-the-mass-centre-small-angles = Dois, três ou mais fios num mesmo raio em torno do centro de massa; ângulos pequenos.
+suspended-on-parallel-wires = Suspenso por fios paralelos
+two-three-or-more-wires-at-the-same-radius-about-the-centre-of-mass-small-angles = Dois, três ou mais fios num mesmo raio em torno do centro de massa; ângulos pequenos.
 from-the-axis-to-the-wires = Do eixo aos fios
 length-of-the-wires = Comprimento dos fios
-felt-through-gears = Sentida através de engrenagens
+reflected-through-gears = Refletida através de engrenagens
 the-members-stand-side-by-side-on-the-other-shaft = Os membros ficam lado a lado no outro eixo.
 speed-of-the-other-shaft-over-that-of-this-one = Rotação do outro eixo sobre a deste
 every-member-carries-the-whole-torque = Cada membro leva todo o torque.
-every-member-is-twisted-alike = Cada membro sofre a mesma torção.
-the-other-shaft-turns-this-much-for-this-one = O outro eixo gira isto para este
+all-members-have-the-same-twist = Todos os membros têm a mesma torção.
+rotation-of-the-other-shaft-per-rotation-of-this-one = Rotação do outro eixo por rotação deste
 torsional-stiffness-of-a-shaft = Rigidez torcional de um eixo
 torsional-stiffness-of-a-tapered-round-shaft = Rigidez torcional de um eixo circular cônico
-a-helical-spring-turned-about-its-axis-bends-its-wire = Uma mola helicoidal girada em torno do seu eixo flexiona o seu arame
+twisting-a-helical-spring-about-its-axis-bends-the-wire = Torcer uma mola helicoidal em torno do seu eixo flexiona o arame
 stiffness-of-a-spiral-spring = Rigidez de uma mola espiral
-a-couple-at-the-tip-of-a-cantilever-turns-it-by-m-l-e-i = Um binário na ponta de uma viga em balanço gira-a de M L/(E I)
-a-couple-at-the-end-of-a-simply-supported-beam-turns-it-by-m-l-3-e-i = Um binário na extremidade de uma viga biapoiada gira-a de M L/(3 E I)
-a-couple-at-the-pinned-end-of-a-beam-clamped-at-the-other-turns-it-by-m-l-4-e-i = Um binário na extremidade apoiada de uma viga engastada na outra gira-a de M L/(4 E I)
-an-angle-moves-the-springs-by-r-and-their-force-has-the-arm-r = Um ângulo θ move as molas de r θ, e a sua força tem o braço r
-the-weight-turns-a-pendulum-back = O peso gira o pêndulo de volta
-the-wires-lean-by-r-l-and-their-tension-the-weight-in-all-turns-the-body-back = Os fios inclinam-se de r θ/l e a sua tração, ao todo o peso, gira o corpo de volta
+a-couple-at-the-tip-of-a-cantilever-rotates-the-tip-by-m-l-e-i = Um binário na ponta de uma viga em balanço gira a ponta de M L/(E I)
+a-couple-at-the-end-of-a-simply-supported-beam-rotates-that-end-by-m-l-3-e-i = Um binário na extremidade de uma viga biapoiada gira essa extremidade de M L/(3 E I)
+a-couple-at-the-pinned-end-of-a-beam-clamped-at-the-other-end-rotates-the-pinned-end-by-m-l-4-e-i = Um binário na extremidade apoiada de uma viga engastada na outra gira a extremidade apoiada de M L/(4 E I)
+a-rotation-deflects-the-springs-by-r-and-their-force-has-the-arm-r = Uma rotação θ deflete as molas de r θ, e a sua força tem o braço r
+the-weight-exerts-the-restoring-moment-of-a-pendulum = O peso exerce o momento restaurador do pêndulo
+the-wires-lean-by-r-l-and-their-tension-in-total-the-weight-restores-the-body = Os fios inclinam-se de r θ/l e a sua tração, no total igual ao peso, restaura o corpo
 torsional-spring = mola de torção
 tapered-shaft = eixo cônico
 # spring-network
 nodes = Nós
-points-that-move-along-one-line-ground-is-there-by-itself = Pontos que se movem ao longo de uma reta; a base já existe por si.
+points-that-move-along-one-line-the-ground-is-already-included = Pontos que se movem ao longo de uma reta; a base já está incluída.
 elements = Elementos
 loaded-node = Nó carregado
 force-on-it = Força nele
-left-out-for-a-constant-force = Omitida para uma força constante.
-left-out-for-a-joint = Omitida para uma junção.
+omit-for-a-constant-force = Omitida para uma força constante.
+omit-for-a-joint = Omitida para uma junção.
 from-node = Do nó
 to-node = Ao nó
-left-out-for-ground = Omitido para a base.
+omit-for-ground = Omitido para a base.
 ground = Base
 a-node = Um nó
 node = Nó
 damper = Amortecedor
-spring-and-damper-side-by-side = Mola e amortecedor lado a lado
+spring-and-damper-in-parallel = Mola e amortecedor em paralelo
 network-of-springs-and-dampers = Rede de molas e amortecedores
-stiffness-at-a-node-of-any-network-of-springs-and-dampers-at-rest-or-shaken-what-each-element-carries = Rigidez num nó de qualquer rede de molas e amortecedores, em repouso ou sob força harmônica, o que cada elemento leva, e como vibram as massas sobre ela.
+stiffness-at-a-node-of-any-network-of-springs-and-dampers-at-rest-or-under-harmonic-forces-what-each = Rigidez em um nó de qualquer rede de molas e amortecedores, em repouso ou sob forças harmônicas, o que cada elemento transmite, e como vibram massas nela.
 there-are-more-than-50-nodes-join-some-of-them = há mais de 50 nós: una alguns deles
 element-element-begins-and-ends-at-node-write-two-different-nodes = o elemento { $element } começa e termina em { $node }: escreva dois nós diferentes
 element = elemento
-no-springs-hold-node-a-constant-force-moves-it-without-end-so-there-is-no-stiffness-at-rest = nenhuma mola segura { $node }: uma força constante move-o sem fim, portanto não há rigidez em repouso
-displacement-under-the-force-at-rest-at-every-node-the-forces-of-the-springs-balance-the-load = Deslocamento sob a força em repouso: em cada nó as forças das molas equilibram a carga
+no-spring-restrains-node-a-constant-force-moves-it-without-bound-so-there-is-no-static-stiffness = nenhuma mola restringe { $node }: uma força constante move-o sem limite, portanto não há rigidez estática
+static-displacement-under-the-force-at-each-node-the-spring-forces-balance-the-load = Deslocamento estático sob a força: em cada nó as forças das molas equilibram a carga
 equivalent-stiffness-at-the-loaded-node-force-over-displacement = Rigidez equivalente no nó carregado: força sobre deslocamento
 force-in-the-spring-positive-from-its-first-node-on = Força na mola, positiva a partir do seu primeiro nó
 stiffness-by-eliminating-the-other-nodes-one-by-one-star-and-mesh = rigidez eliminando os outros nós um a um (estrela e malha)
 the-forces-at-every-node-add-up-to-zero = as forças em cada nó somam zero
 displacement-of-node = Deslocamento do nó
 force-in-element = Força no elemento
-at-this-frequency-nothing-limits-the-motion-it-grows-without-bound-there-is-no-steady-state-add = nesta frequência nada limita o movimento: ele cresce sem limite, não há regime permanente; acrescente amortecimento ou mude a frequência
+the-motion-at-this-frequency-grows-without-bound-and-has-no-steady-state-add-damping-or-change-the = nesta frequência o movimento cresce sem limite e não há regime permanente; acrescente amortecimento ou mude a frequência
 complex-amplitude-of-the-loaded-node-from-the-equilibrium-of-every-node-with-k-i-c-for-each-element = Amplitude complexa do nó carregado, pelo equilíbrio de cada nó com k + iωc para cada elemento e −mω² para cada massa
 its-imaginary-part = A sua parte imaginária
 amplitude-of-the-loaded-node = Amplitude do nó carregado
 real-part-of-the-dynamic-stiffness-f-x-masses-included = Parte real da rigidez dinâmica F/X, com as massas
-imaginary-part-of-the-dynamic-stiffness-what-the-dampers-add = Parte imaginária da rigidez dinâmica: o que os amortecedores acrescentam
+imaginary-part-of-the-dynamic-stiffness-contribution-of-the-dampers = Parte imaginária da rigidez dinâmica: contribuição dos amortecedores
 magnitude-of-the-dynamic-stiffness = Módulo da rigidez dinâmica
-the-power-of-the-force-is-the-power-that-the-dampers-take = a potência da força é a potência que os amortecedores consomem
+the-power-of-the-force-equals-the-power-dissipated-by-the-dampers = a potência da força é igual à potência dissipada pelos amortecedores
 dynamic-stiffness-by-eliminating-the-other-nodes-one-by-one-star-and-mesh = rigidez dinâmica eliminando os outros nós um a um (estrela e malha)
 dynamic-stiffness = Rigidez dinâmica
 real-part-of-the-dynamic-stiffness = Parte real da rigidez dinâmica
@@ -2337,88 +2420,89 @@ imaginary-part-of-the-dynamic-stiffness = Parte imaginária da rigidez dinâmica
 exact-frequency-of-the-motion-e-st-that-meets-the-equations-of-all-nodes = Exata: frequência do movimento e^(st) que satisfaz as equações de todos os nós
 exact-frequency-of-free-vibration = Frequência exata da vibração livre
 its-rate-of-decay = A sua taxa de decaimento
-damping-ratio-of-this-root = Razão de amortecimento dessa raiz
-exact-damping-ratio = Razão de amortecimento exata
-at-the-root-the-dynamic-stiffness-of-the-network-meets-the-inertia-of-the-mass = na raiz, a rigidez dinâmica da rede iguala a inércia da massa
-the-roots-add-up-to-c-m = as raízes somam −Σ c/m
-the-dampers-are-so-strong-that-nothing-oscillates-every-motion-creeps-back = os amortecedores são tão fortes que nada oscila: todo movimento volta lentamente
-nothing-holds-node-join-it-to-ground-directly-or-through-other-elements = nada segura { $node }: ligue-o à base, diretamente ou por outros elementos
-the-stiffnesses-dampings-and-masses-differ-so-much-that-no-digits-are-left-leave-out-the-elements = as rigidezes, os amortecimentos e as massas diferem tanto que não restam algarismos: omita os elementos que quase não cedem e una os seus nós
+damping-ratio-of-this-root = Fator de amortecimento dessa raiz
+exact-damping-ratio = Fator de amortecimento exato
+at-the-root-the-dynamic-stiffness-of-the-network-balances-the-inertia-of-the-mass = na raiz, a rigidez dinâmica da rede equilibra a inércia da massa
+the-sum-of-the-roots-is-c-m = a soma das raízes é −Σ c/m
+the-dampers-are-so-strong-that-nothing-oscillates-every-motion-returns-without-oscillating = os amortecedores são tão fortes que nada oscila: todo movimento retorna sem oscilar
+node-is-unrestrained-join-it-to-ground-directly-or-through-other-elements = { $node } não tem restrição: ligue-o à base, diretamente ou por outros elementos
+the-stiffnesses-dampings-and-masses-differ-so-much-that-no-significant-digits-remain-omit-the-nearly = as rigidezes, os amortecimentos e as massas diferem tanto que não restam algarismos significativos: omita os elementos quase rígidos e una os seus nós
 from = de
 to = a
 elastic-energy = energia elástica
-what-each-element-carries-under-the-harmonic-force = O que cada elemento leva sob a força harmônica
+force-in-each-element-under-the-harmonic-force = Força em cada elemento sob a força harmônica
 receptance-at-the-loaded-node = Receptância no nó carregado
 the-springs-combined-at-the-mass-as-if-there-were-no-dampers = As molas associadas na posição da massa, como se não houvesse amortecedores
 the-displacement-under-a-unit-force-is-1-k = o deslocamento sob uma força unitária é 1/k
 the-dampers-combined-in-the-same-way-as-if-there-were-no-springs = Os amortecedores associados do mesmo modo, como se não houvesse molas
-damping-combined-apart-from-the-springs = Amortecimento, associado à parte das molas
-damping-ratio-springs-and-dampers-combined-apart = Razão de amortecimento, molas e amortecedores associados à parte
-damped-frequency-springs-and-dampers-combined-apart = Frequência amortecida, molas e amortecedores associados à parte
-springs-and-dampers-combined-apart-from-one-another-are-exact-only-where-c-k-is-the-same-in-every = molas e amortecedores associados à parte só são exatos quando c/k é o mesmo em todo elemento; as raízes exatas estão ao lado
-exact-roots-s-of-the-free-motion = Raízes exatas s da vibração livre
+damping-dampers-combined-separately-from-the-springs = Amortecimento, amortecedores associados em separado das molas
+damping-ratio-springs-and-dampers-combined-separately = Fator de amortecimento, molas e amortecedores associados em separado
+damped-frequency-springs-and-dampers-combined-separately = Frequência amortecida, molas e amortecedores associados em separado
+springs-and-dampers-combined-separately-are-exact-only-if-c-k-is-the-same-in-every-element-the-exact = molas e amortecedores associados separadamente só são exatos se c/k é o mesmo em todos os elementos; as raízes exatas também são dadas
+exact-roots-s-of-the-free-vibration = Raízes exatas s da vibração livre
 the-network = A rede
 # torsional-train
 discs = Discos
 discs-between-the-bearings-and-on-the-overhang = Discos entre os mancais e no balanço
-flywheels-rotors-gears-cranks-all-is-reduced-to-the-speed-of-the-first-one = Volantes, rotores, engrenagens, manivelas. Tudo é reduzido à rotação do primeiro.
+flywheels-rotors-gears-cranks-all-are-referred-to-the-speed-of-the-first-one = Volantes, rotores, engrenagens, manivelas. Todos são referidos à rotação do primeiro.
 shafts = Eixos
 without-loops-several-may-start-at-one-disc = Sem malhas fechadas; vários podem partir de um disco.
 gears = Engrenagens
 trial-frequency = Frequência de tentativa
-for-the-holzer-table-at-the-first-natural-frequency-where-it-is-left-out = Para a tabela de Holzer; na primeira frequência natural quando é omitida.
+for-the-holzer-table-if-omitted-the-first-natural-frequency-is-used = Para a tabela de Holzer; se omitida, usa-se a primeira frequência natural.
 harmonic-torques = Torques harmônicos
 light-a-gear-or-a-joint-of-shafts-without-inertia = Leve: uma engrenagem ou junção de eixos sem inércia
-held-fast-a-wall-where-a-shaft-is-fixed = Fixo: uma parede onde um eixo está preso
-a-stepped-shaft-is-its-parts-in-series-from-the-first-disc-to-the-second = Um eixo escalonado são as suas partes em série, do primeiro disco ao segundo.
+fixed-a-wall-in-which-a-shaft-is-clamped = Fixo: uma parede em que um eixo está engastado
+a-stepped-shaft-is-a-series-combination-of-its-segments-from-the-first-disc-to-the-second = Um eixo escalonado é a associação em série dos seus trechos, do primeiro disco ao segundo.
 driving-gear = Engrenagem motora
 driven-gear = Engrenagem movida
 speed-of-the-driving-gear-over-that-of-the-driven-one = Rotação da engrenagem motora sobre a da movida
-each-shaft-line-is-counted-positive-in-its-own-sense-of-running = Cada linha de eixo é contada positiva no seu próprio sentido de rotação.
+each-shaft-line-is-positive-in-its-own-direction-of-rotation = Cada linha de eixo é positiva no seu próprio sentido de rotação.
 torques = Torques
 disc = Disco
 torsional-train = Trem torcional
 natural-frequencies-shapes-and-nodes-of-discs-on-shafts-geared-or-branched-the-holzer-table-and-the = Frequências naturais, formas modais e nós de discos sobre eixos, com engrenagens ou ramos, a tabela de Holzer, e o movimento sob torques harmônicos.
-only-one-disc-has-inertia-and-nothing-holds-it-it-turns-freely-and-does-not-vibrate = só um disco tem inércia e nada o segura: ele gira livremente e não vibra
-nothing-holds-the-train-it-can-turn-as-a-whole-with-frequency-zero-and-no-twist = Nada segura o trem: ele pode girar como um todo, com frequência zero e sem torção
+only-one-disc-has-inertia-and-it-is-unrestrained-it-rotates-freely-and-does-not-vibrate = só um disco tem inércia e não tem restrição: ele gira livremente e não vibra
+the-train-is-unrestrained-it-can-rotate-as-a-rigid-body-with-zero-frequency-and-no-twist = O trem está livre: pode girar como corpo rígido, com frequência zero e sem torção
 mode = Modo
 amplitudes-of-mode = Amplitudes do modo
-two-discs-on-a-shaft-turn-against-each-other = Dois discos sobre um eixo giram um contra o outro
-the-frequency-equation-of-three-discs-is-b-c-0 = A equação de frequências de três discos é ω⁴ − b ω² + c = 0
+two-discs-on-a-shaft-rotate-in-opposite-directions = Dois discos sobre um eixo giram em sentidos opostos
+the-frequency-equation-of-three-discs-is-b-c-0 = A equação das frequências de três discos é ω⁴ − b ω² + c = 0
 its-constant-term = O seu termo constante
 the-larger-root-in = A raiz maior em ω²
 one-node-the-product-of-the-roots-is-c = Um nó: o produto das raízes é c
 two-nodes = Dois nós
-by-holzer-s-method-at-this-trial-frequency-no-torque-is-left-over-at-the-last-disc = Pelo método de Holzer: nesta frequência de tentativa não sobra torque no último disco
+by-holzer-s-method-at-this-trial-frequency-the-residual-torque-at-the-last-disc-is-zero = Pelo método de Holzer: nesta frequência de tentativa o torque residual no último disco é nulo
 shafts-in-series-without-inertia-between-them = Eixos em série, sem inércia entre eles
-torque-left-over-at-the-last-disc-at-the-trial-frequency-the-first-disc-moving-by-1-rad = Torque que sobra no último disco na frequência de tentativa, com o primeiro disco movendo-se 1 rad
+residual-torque-at-the-last-disc-at-the-trial-frequency-with-unit-rotation-1-rad-of-the-first-disc = Torque residual no último disco na frequência de tentativa, com rotação unitária (1 rad) do primeiro disco
 the-inertia-torques-of-the-holzer-table-add-up-to-the-residual = os torques de inércia da tabela de Holzer somam o resíduo
 residual-torque-at-the-trial-frequency = Torque residual na frequência de tentativa
-elastic-energy-over-kinetic-energy-of-the-shape-is = a energia elástica sobre a cinética da forma modal é ω²
+elastic-energy-over-kinetic-energy-of-the-mode-shape-is = a energia elástica sobre a cinética da forma modal é ω²
 the-holzer-residual-vanishes-at-the-natural-frequency = o resíduo de Holzer anula-se na frequência natural
 node-of-the-shaft-from-its-first-end-the-amplitude-falls-from-one-end-to-the-other-as-the-compliance = Nó do eixo, a partir da sua primeira extremidade: a amplitude cai de uma extremidade à outra conforme a flexibilidade se acumula
 both-sides-of-the-node-are-twisted-by-the-same-torque = os dois lados do nó são torcidos pelo mesmo torque
 node-from-the-first-end-of-its-shaft = Nó a partir da primeira extremidade do seu eixo
 no-disc-has-a-moment-of-inertia-write-at-least-one-that-has = nenhum disco tem momento de inércia: escreva ao menos um que tenha
 there-are-more-than-200-discs-join-some-of-them = há mais de 200 discos: una alguns deles
-the-torques-have-a-natural-frequency-of-the-train-without-damping-the-motion-grows-without-bound = os torques têm uma frequência natural do trem: sem amortecimento o movimento cresce sem limite, não há regime permanente
-the-moments-of-inertia-and-stiffnesses-lead-to-numbers-that-cannot-be-represented-write-usual-ones = os momentos de inércia e as rigidezes levam a números que não podem ser representados: escreva valores usuais
+the-frequency-of-the-torques-equals-a-natural-frequency-of-the-train-without-damping-the-motion-grows = a frequência dos torques é igual a uma frequência natural do trem: sem amortecimento o movimento cresce sem limite e não há regime permanente
+the-moments-of-inertia-and-stiffnesses-lead-to-numbers-that-cannot-be-represented-write-realistic = os momentos de inércia e as rigidezes levam a números que não podem ser representados: escreva valores realistas
 the-train = O trem
 mode-mode-angle-of-twist-along-the-shafts = Modo { $mode }: ângulo de torção ao longo dos eixos
 speed-of-the-geared-shaft-over-that-of-the-first-disc = Rotação do eixo engrenado sobre a do primeiro disco
 reduced-to-the-speed-of-the-first-disc-the-kinetic-energy-is-the-same = Reduzido à rotação do primeiro disco: a energia cinética é a mesma
-gears-in-mesh-turn-as-one-their-reduced-moments-of-inertia-add-up = Engrenagens engrenadas giram juntas: os seus momentos de inércia reduzidos somam-se
+meshing-gears-rotate-together-their-reduced-moments-of-inertia-add-up = Engrenagens engrenadas giram juntas: os seus momentos de inércia reduzidos se somam
 reduced-to-the-speed-of-the-first-disc-the-elastic-energy-is-the-same = Reduzida à rotação do primeiro disco: a energia elástica é a mesma
 a-shaft-joins-disc-to-itself-write-two-different-discs = um eixo liga { $disc } a si mesmo: escreva dois discos diferentes
-first-and-second-are-both-held-leave-out-the-shaft-between-them = { $first } e { $second } estão ambos fixos: omita o eixo entre eles
-disc-is-held-so-it-cannot-be-geared-to-another-let-it-turn-or-leave-out-the-gears = { $disc } está fixo, portanto não pode engrenar com outro: deixe-o girar ou omita as engrenagens
+first-and-second-are-both-fixed-omit-the-shaft-between-them = { $first } e { $second } estão ambos fixos: omita o eixo entre eles
+disc-is-fixed-so-it-cannot-be-geared-to-another-let-it-rotate-or-omit-the-gears = { $disc } está fixo, portanto não pode engrenar com outro: deixe-o girar ou omita as engrenagens
 disc-is-geared-to-itself-write-two-different-discs = { $disc } engrena consigo mesmo: escreva dois discos diferentes
-every-disc-is-held-let-at-least-one-turn = todos os discos estão fixos: deixe ao menos um girar
-shafts-and-gears-close-a-loop-at-disc-a-train-has-none-join-parallel-shafts-into-one = eixos e engrenagens fecham uma malha em { $disc }: um trem não tem nenhuma; una eixos paralelos num só
-disc-is-not-joined-to-first-by-shafts-or-gears-that-can-turn-join-it-or-solve-it-on-its-own = { $disc } não está ligado a { $first } por eixos ou engrenagens que possam girar: ligue-o ou resolva-o separadamente
-some-frequencies-are-equal-any-mixture-of-their-shapes-is-a-shape-of-that-frequency-too = algumas frequências são iguais: qualquer combinação das suas formas modais é também uma forma modal dessa frequência
+all-discs-are-fixed-let-at-least-one-rotate = todos os discos estão fixos: deixe ao menos um girar
+shafts-and-gears-form-a-closed-loop-at-disc-which-is-not-allowed-in-a-train-join-parallel-shafts-into = eixos e engrenagens formam uma malha fechada em { $disc }, o que não se admite em um trem; una eixos paralelos num só
+disc-is-not-joined-to-first-by-shafts-or-gears-that-can-rotate-join-it-or-analyse-it-separately = { $disc } não está ligado a { $first } por eixos ou engrenagens que possam girar: ligue-o ou analise-o separadamente
+some-frequencies-are-equal-any-linear-combination-of-their-mode-shapes-is-also-a-mode-shape-of-that = algumas frequências são iguais: qualquer combinação linear das suas formas modais é também uma forma modal dessa frequência
 in-the-same-way = Do mesmo modo
-turns-as-a-whole = gira como um todo
+similarly = Do mesmo modo
+rigid-body-rotation = rotação de corpo rígido
 natural-frequencies-and-amplitudes-of-the-discs = Frequências naturais e amplitudes dos discos
 holzer-table-at-frequency-all-reduced-to-the-speed-of-the-first-disc = Tabela de Holzer em { $frequency }, tudo reduzido à rotação do primeiro disco
 nodes-of-the-shafts = Nós dos eixos
@@ -2426,117 +2510,123 @@ shaft-from = eixo de
 distance-of-the-node = distância do nó
 part-of-the-compliance = parte da flexibilidade
 holzer-residual-against-the-trial-frequency = Resíduo de Holzer em função da frequência de tentativa
-torque-left-over-as-a-part-of-all-inertia-torques = torque que sobra, como parte de todos os torques de inércia
+holzer-residual-torque-against-trial-frequency = Torque residual de Holzer em função da frequência de tentativa
+residual-torque-sum-of-all-inertia-torques = torque residual / soma de todos os torques de inércia
 residual = resíduo
 natural-frequencies = frequências naturais
-nothing-left-over = nada sobra
-a-torque-acts-on-a-disc-that-is-held-so-it-shakes-nothing-write-a-disc-that-turns = um torque atua num disco fixo, portanto nada excita: escreva um disco que gire
-steady-amplitude-each-disc-is-in-equilibrium-with-its-shafts-its-inertia-torque-and-the-torque-on-it = Amplitude em regime permanente: cada disco está em equilíbrio com os seus eixos, o seu torque de inércia e o torque nele; negativa onde se move contra os torques
+zero-residual = resíduo nulo
+a-torque-acts-on-a-fixed-disc-so-it-excites-nothing-write-a-disc-that-can-rotate = um torque atua num disco fixo, portanto nada excita: escreva um disco que possa girar
+steady-state-amplitude-equilibrium-of-each-disc-under-its-shaft-torques-its-inertia-torque-and-the = Amplitude em regime permanente: equilíbrio de cada disco sob os torques dos eixos, o torque de inércia e o torque aplicado; negativa onde se move contra os torques
 amplitude-of-disc = Amplitude do disco
 amplitudes-under-the-torques = Amplitudes sob os torques
-torques-inertia-torques-and-torques-on-the-walls-add-up-to-zero = torques, torques de inércia e torques nas paredes somam zero
+torques-inertia-torques-and-wall-torques-sum-to-zero = torques, torques de inércia e torques nas paredes somam zero
 the-sum-over-all-modes-gives-the-same-amplitudes = a soma sobre todos os modos dá as mesmas amplitudes
 # vibration/frequency-response-identification, shaft-clearance, whirling-shaft
 n-1-stands-for-the-critical-speed-itself = 1 indica a própria velocidade crítica.
 a-force-of-constant-amplitude = Uma força de amplitude constante
 a-quarter-of-the-circle-after-it-upper-half-power-point = Um quarto de círculo depois dela: ponto de meia potência superior
-a-rotating-unbalance = Um desbalanceamento rotativo
-a-stiffness-to-be-judged = Uma rigidez a julgar
-above-the-critical-speed-undamped-the-mass-centre-lies-inside-opposite-to-the-deflection = Acima da velocidade crítica, sem amortecimento: o centro de massa fica para dentro, oposto à deflexão
+a-rotating-unbalance = Um desbalanceamento em rotação
+stiffness-to-be-checked = Rigidez a verificar
+above-the-critical-speed-undamped-the-centre-of-mass-lies-on-the-inside-opposite-to-the-deflection = Acima da velocidade crítica, sem amortecimento: o centro de massa fica para dentro, oposto à deflexão
 accelerance-amplitude-and-phase = Acelerância, amplitude e fase
 accelerance-real-and-imaginary-part = Acelerância, partes real e imaginária
-all-diameters-or-stiffnesses-of-the-shaft-eccentricities-or-speeds-with-which-an-unbalanced-rotor = Todos os diâmetros ou rigidezes do eixo, excentricidades ou velocidades com que um rotor desbalanceado não toca o estator.
+all-shaft-diameters-or-stiffnesses-eccentricities-or-speeds-for-which-an-unbalanced-rotor-does-not = Todos os diâmetros ou rigidezes do eixo, excentricidades ou rotações com que um rotor desbalanceado não toca o estator.
 amplitude-against-frequency-ratio = Amplitude em função da razão de frequências
 amplitude-as-a-multiple-of-m-e-m = Amplitude como múltiplo de m₀e/m
 amplitude-at-resonance = Amplitude na ressonância
 amplitude-at-resonance-over-that-at-another-frequency = Amplitude na ressonância sobre a amplitude em outra frequência
-amplitude-at-the-first-speed = Amplitude na primeira velocidade
+amplitude-at-the-first-speed = Amplitude na primeira rotação
 amplitude-at-the-natural-frequency-over-the-other-amplitude = Amplitude na frequência natural sobre a outra amplitude
 amplitude-at-the-natural-frequency-under-this-force = Amplitude na frequência natural sob esta força
-amplitude-at-the-second-speed = Amplitude na segunda velocidade
+amplitude-at-the-second-speed = Amplitude na segunda rotação
 amplitude-far-above-the-resonance = Amplitude muito acima da ressonância
 amplitude-of-the-receptance = Amplitude da receptância
-as-the-largest-of-all-amplitudes = Como a maior de todas as amplitudes
+as-the-maximum-of-all-amplitudes = Como a máxima de todas as amplitudes
 at-the-natural-frequency = Na frequência natural
 at-the-natural-frequency-the-amplitude-is-m-e-2-m-far-above-it-m-e-m = Na frequência natural a amplitude é m₀e/(2ζm); muito acima dela, m₀e/m
 axis-of-the-shaft = Posição do eixo
-bearing-centre-o-shaft-centre-w-mass-centre-g-a-short-arrow-is-drawn-longer = Centro dos mancais O, centro do eixo W, centro de massa G (uma seta curta é desenhada maior)
-start-of-the-forbidden-band = Início da faixa proibida
-start-of-the-forbidden-band-the-whirl-reaches-the-permitted-amplitude = Início da faixa proibida: o rodopio atinge a amplitude permitida
-below-the-critical-speed-undamped-the-mass-centre-lies-outside-in-line-with-the-deflection = Abaixo da velocidade crítica, sem amortecimento: o centro de massa fica para fora, alinhado com a deflexão
+shaft-orientation = Orientação do eixo
+bearing-centre-o-shaft-centre-w-centre-of-mass-g-a-short-arrow-is-drawn-longer = Centro dos mancais O, centro do eixo W, centro de massa G (uma seta curta é desenhada maior)
+lower-limit-of-the-forbidden-range = Limite inferior da faixa proibida
+lower-limit-of-the-forbidden-range-the-whirl-amplitude-reaches-the-permitted-value = Limite inferior da faixa proibida: a amplitude de precessão atinge o valor admissível
+below-the-critical-speed-undamped-the-centre-of-mass-lies-on-the-outside-in-line-with-the-deflection = Abaixo da velocidade crítica, sem amortecimento: o centro de massa fica para fora, alinhado com a deflexão
 bending-moment-at-the-permitted-stress = Momento fletor na tensão permitida
-critical-speed-of-the-shaft-to-be-judged = Velocidade crítica do eixo a julgar
-critical-speed-whirl-amplitude-and-phase-bearing-force-and-bending-stress-of-an-unbalanced-rotor-and = Velocidade crítica, amplitude e fase do rodopio, força nos mancais e tensão de flexão de um rotor desbalanceado, e as velocidades a evitar.
+critical-speed-of-the-shaft-to-be-checked = Velocidade crítica do eixo a verificar
+critical-speed-whirl-amplitude-and-phase-bearing-force-and-bending-stress-of-an-unbalanced-rotor-and = Velocidade crítica, amplitude e fase da precessão, força nos mancais e tensão de flexão de um rotor desbalanceado, e as velocidades a evitar.
 critical-speed-the-natural-frequency-of-the-rotor-on-its-shaft = Velocidade crítica: a frequência natural do rotor sobre o seu eixo
-damping-ratio-by-the-same-least-squares = Razão de amortecimento pelos mesmos mínimos quadrados
-damping-ratio-from-the-half-power-frequencies-exact-for-one-mode-with-viscous-damping = Razão de amortecimento pelas frequências de meia potência, exata para um modo com amortecimento viscoso
-damping-ratio-from-the-half-power-points-exact-for-the-mobility = Razão de amortecimento pelos pontos de meia potência, exata para a mobilidade
-damping-ratio-circle-fit = Razão de amortecimento, ajuste de círculo
-damping-ratio-from-q-1-r-2-r-2 = Razão de amortecimento, de q² = ((1 − r²)² + (2ζr)²)/(2ζ)²
-damping-ratio-from-q-1-r-2-r-2-r = Razão de amortecimento, de q² = ((1 − r²)² + (2ζr)²)/(2ζr²)²
-damping-ratio-the-same-equation-at-the-first-speed = Razão de amortecimento: a mesma equação na primeira velocidade
-damping-ratio-d-1-and-1-2-so-that-d-1-2-1 = Razão de amortecimento: ω_d = ωₙ√(1 − ζ²) e ωₚ = ωₙ√(1 − 2ζ²), de modo que (ωₚ/ω_d)² = (1 − 2ζ²)/(1 − ζ²)
+damping-ratio-by-the-same-least-squares = Fator de amortecimento pelos mesmos mínimos quadrados
+damping-ratio-from-the-half-power-frequencies-exact-for-one-mode-with-viscous-damping = Fator de amortecimento pelas frequências de meia potência, exato para um modo com amortecimento viscoso
+damping-ratio-from-the-half-power-points-exact-for-the-mobility = Fator de amortecimento pelos pontos de meia potência, exato para a mobilidade
+damping-ratio-circle-fit = Fator de amortecimento, ajuste de círculo
+damping-ratio-from-q-1-r-2-r-2 = Fator de amortecimento, de q² = ((1 − r²)² + (2ζr)²)/(2ζ)²
+damping-ratio-from-q-1-r-2-r-2-r = Fator de amortecimento, de q² = ((1 − r²)² + (2ζr)²)/(2ζr²)²
+damping-ratio-the-same-equation-at-the-first-speed = Fator de amortecimento: a mesma equação na primeira rotação
+damping-ratio-d-1-and-1-2-so-that-d-1-2-1 = Fator de amortecimento: ω_d = ωₙ√(1 − ζ²) e ωₚ = ωₙ√(1 − 2ζ²), de modo que (ωₚ/ω_d)² = (1 − 2ζ²)/(1 − ζ²)
 diameter-of-the-nyquist-circle = Diâmetro do círculo de Nyquist
-diameter-of-the-circle-through-the-mobilities-by-least-squares-of-x-y-ax-by-c = Diâmetro do círculo pelas mobilidades, por mínimos quadrados de x² + y² + ax + by + c
-diameter-of-the-circle-through-the-receptances-by-least-squares-of-x-y-ax-by-c = Diâmetro do círculo pelas receptâncias, por mínimos quadrados de x² + y² + ax + by + c
+diameter-of-the-circle-through-the-mobilities-from-a-least-squares-fit-of-x-y-ax-by-c = Diâmetro do círculo pelas mobilidades, por mínimos quadrados de x² + y² + ax + by + c
+diameter-of-the-circle-through-the-receptances-from-a-least-squares-fit-of-x-y-ax-by-c = Diâmetro do círculo pelas receptâncias, por mínimos quadrados de x² + y² + ax + by + c
 diameter-of-the-shaft = Diâmetro do eixo
-distance-of-the-mass-centre-of-the-rotor-from-the-axis-of-the-shaft = Distância do centro de massa do rotor à linha de centro do eixo.
+distance-of-the-centre-of-mass-of-the-rotor-from-the-shaft-axis = Distância do centro de massa do rotor à linha de centro do eixo.
 eccentricity = Excentricidade
-eccentricity-as-a-share-of-the-permitted-amplitude = Excentricidade como fração da amplitude permitida
+eccentricity-as-a-fraction-of-the-permitted-amplitude = Excentricidade como fração da amplitude admissível
 eccentricity-given = Excentricidade dada
 eccentricity-of-the-rotor = Excentricidade do rotor
-eccentricity-whose-whirl-at-that-speed-has-the-amplitude-of-the-clearance = Excentricidade cujo rodopio nessa velocidade tem a amplitude da folga
-end-of-the-forbidden-band = Fim da faixa proibida
-end-of-the-forbidden-band-the-whirl-is-back-at-the-permitted-amplitude = Fim da faixa proibida: o rodopio volta à amplitude permitida
-first-speed = Primeira velocidade
-force-of-the-bent-shaft-on-its-bearings-together = Força do eixo fletido sobre o conjunto dos mancais
-force-of-the-bent-shaft-which-turns-with-it = Força do eixo fletido, que gira com ele
-force-on-the-rotor-that-gives-this-moment = Força no rotor que dá esse momento
+eccentricity-for-which-the-whirl-amplitude-at-that-speed-equals-the-clearance = Excentricidade para a qual a amplitude de precessão nessa rotação é igual à folga
+upper-limit-of-the-forbidden-range = Limite superior da faixa proibida
+upper-limit-of-the-forbidden-range-the-whirl-amplitude-returns-to-the-permitted-value = Limite superior da faixa proibida: a amplitude de precessão volta ao valor admissível
+first-speed = Primeira rotação
+total-bearing-force-due-to-the-shaft-deflection = Força total nos mancais devida à deflexão do eixo
+force-of-the-deflected-shaft-which-rotates-with-it = Força do eixo fletido, que gira com ele
+force-on-the-rotor-that-produces-this-moment = Força no rotor que produz esse momento
 frequencies-of-free-vibration-and-of-the-forced-peak = Frequências da vibração livre e do pico forçado
 frequency-a-quarter-of-the-circle-before-it-lower-half-power-point = Frequência um quarto de círculo antes dela: ponto de meia potência inferior
 frequency-of-the-free-damped-vibration = Frequência da vibração livre amortecida
-frequency-of-the-largest-amplitude-under-a-force = Frequência da maior amplitude sob uma força
+frequency-of-maximum-amplitude-under-a-force = Frequência da amplitude máxima sob uma força
 frequency-of-the-other-amplitude-over-the-natural-frequency = Frequência da outra amplitude sobre a frequência natural
-frequency-ratio-there = Razão de frequências nela
+frequency-ratio-at-this-speed = Razão de frequências nesta rotação
 frequency-response = Resposta em frequência
-from-the-largest-whirl-amplitude-at-any-speed = Pela maior amplitude de rodopio em qualquer velocidade
-height-of-the-measured-peak-vertex-of-the-parabola-of-1-h-over-through-the-highest-point-and-its = Altura do pico medido: vértice da parábola de 1/H² sobre ω² pelo ponto mais alto e seus vizinhos
-highest-frequency-that-is-read = Maior frequência lida
+from-the-maximum-whirl-amplitude-at-any-speed = Pela amplitude máxima de precessão em qualquer rotação
+height-of-the-measured-peak-vertex-of-the-parabola-of-1-h-against-through-the-highest-point-and-its = Altura do pico medido: vértice da parábola de 1/H² em função de ω² pelo ponto mais alto e seus vizinhos
+highest-frequency-used = Frequência máxima usada
 horizontal-the-weight-bends-the-shaft = Horizontal, o peso flete o eixo
-how-far-the-methods-lie-apart-in-the-damping-ratio = Quanto os métodos diferem na razão de amortecimento
-how-far-the-methods-lie-apart-in-the-natural-frequency = Quanto os métodos diferem na frequência natural
+difference-between-the-methods-in-the-damping-ratio = Diferença entre os métodos no fator de amortecimento
+difference-between-the-methods-in-the-natural-frequency = Diferença entre os métodos na frequência natural
 hysteretic-the-circle-is-that-of-the-receptance = Histerético: o círculo é o da receptância
 imbalance = Desbalanceamento do rotor
+rotor-unbalance = Desbalanceamento do rotor
 kind-of-damping = Tipo de amortecimento
 lag-of-the-deflection-against-speed = Atraso da deflexão em função da velocidade
-lag-of-the-deflection-behind-the-mass-centre = Atraso da deflexão em relação ao centro de massa
-largest-amplitude-as-a-multiple-of-that-far-above-the-resonance = Maior amplitude como múltiplo daquela muito acima da ressonância
-largest-amplitude-in-the-range-of-speeds-against-eccentricity = Maior amplitude na faixa de velocidades em função da excentricidade
-largest-amplitude-in-the-range-of-speeds-against-stiffness = Maior amplitude na faixa de velocidades em função da rigidez
-largest-amplitude-of-the-shaft-to-be-judged = Maior amplitude do eixo a julgar
+lag-of-the-deflection-behind-the-centre-of-mass = Atraso da deflexão em relação ao centro de massa
+maximum-amplitude-as-a-multiple-of-that-far-above-the-resonance = Amplitude máxima como múltiplo daquela muito acima da ressonância
+maximum-amplitude-in-the-range-of-speeds-against-eccentricity = Amplitude máxima na faixa de rotações em função da excentricidade
+maximum-amplitude-in-the-range-of-speeds-against-stiffness = Amplitude máxima na faixa de rotações em função da rigidez
+maximum-amplitude-of-the-shaft-to-be-checked = Amplitude máxima do eixo a verificar
 largest-bending-moment = Maior momento fletor
+maximum-bending-moment = Momento fletor máximo
 largest-bending-stress = Maior tensão de flexão
-largest-bending-stress-of-the-shaft = Maior tensão de flexão do eixo
-largest-bending-stress-32m-d = Maior tensão de flexão, 32M/(πd³)
-largest-force-of-the-whirl-on-the-bearings = Maior força do rodopio nos mancais
-largest-force-on-one-bearing = Maior força em um mancal
-largest-force-on-the-bearings-together-weight-included = Maior força no conjunto dos mancais, peso incluído
-largest-force-once-in-a-turn-the-whirl-points-down-with-the-weight = Maior força: uma vez por volta o rodopio aponta para baixo, com o peso
-largest-permitted-eccentricity = Maior excentricidade permitida
-largest-permitted-force = Maior força permitida
-largest-permitted-stress = Maior tensão permitida
-largest-permitted-unbalance = Maior desbalanceamento permitido
-largest-permitted-whirl-amplitude = Maior amplitude de rodopio permitida
-largest-steady-whirl-at-any-speed = Maior rodopio permanente em qualquer velocidade
-largest-stiffness-available = Maior rigidez disponível
+maximum-bending-stress = Tensão de flexão máxima
+maximum-bending-stress-of-the-shaft = Tensão de flexão máxima do eixo
+maximum-bending-stress-32m-d = Tensão de flexão máxima, 32M/(πd³)
+maximum-force-of-the-whirl-on-the-bearings = Força máxima do rodopio nos mancais
+maximum-force-on-one-bearing = Força máxima em um mancal
+maximum-total-force-on-the-bearings-weight-included = Força total máxima nos mancais, peso incluído
+maximum-force-once-per-revolution-the-whirl-points-down-with-the-weight = Força máxima: uma vez por volta o rodopio aponta para baixo, com o peso
+maximum-permitted-eccentricity = Excentricidade máxima permitida
+maximum-permitted-force = Força máxima permitida
+maximum-permitted-stress = Tensão máxima permitida
+maximum-permitted-unbalance = Desbalanceamento máximo permitido
+maximum-permitted-whirl-amplitude = Amplitude máxima de rodopio permitida
+maximum-steady-state-whirl-at-any-speed = Rodopio máximo em regime permanente em qualquer rotação
+maximum-available-stiffness = Rigidez máxima disponível
 largest-whirl-amplitude = Maior amplitude de rodopio
-largest-whirl-amplitude-as-a-multiple-of-the-eccentricity = Maior amplitude de rodopio como múltiplo da excentricidade
-largest-whirl-amplitude-at-any-speed = Maior amplitude de rodopio em qualquer velocidade
+maximum-whirl-amplitude = Amplitude máxima de rodopio
+maximum-whirl-amplitude-as-a-multiple-of-the-eccentricity = Amplitude máxima de rodopio como múltiplo da excentricidade
+maximum-whirl-amplitude-at-any-speed = Amplitude máxima de rodopio em qualquer rotação
 limit = Limite
 loss-factor-by-the-same-least-squares = Fator de perda pelos mesmos mínimos quadrados
 loss-factor-from-the-half-power-points-exact-for-the-receptance = Fator de perda pelos pontos de meia potência, exato para a receptância
 lower-half-power-frequency-circle-fit = Frequência de meia potência inferior, ajuste de círculo
-lowest-frequency-that-is-read = Menor frequência lida
+lowest-frequency-used = Frequência mínima usada
 mass-residual = Resíduo de massa
 mass-residual-for-the-modes-below = Resíduo de massa, pelos modos abaixo
 mobility-amplitude-and-phase = Mobilidade, amplitude e fase
@@ -2553,209 +2643,214 @@ multiple-of-the-critical-speed = Múltiplo da velocidade crítica
 natural-frequency-by-least-squares-of-the-complex-differences-from-a-2i-r-s = Frequência natural por mínimos quadrados das diferenças complexas para A/(ωₙ² − ω² + 2iζωₙω) + R − S/ω²
 natural-frequency-by-least-squares-of-the-complex-differences-from-a-i-r-s = Frequência natural por mínimos quadrados das diferenças complexas para A/(ωₙ² − ω² + iηωₙ²) + R − S/ω²
 natural-frequency-circle-fit = Frequência natural, ajuste de círculo
-natural-frequency-at-each-speed-2-4-1-1-the-two-less-each-other-leave-alone = Frequência natural: em cada velocidade ωₙ⁴ − 2ωₙ²ω² + 4ζ²ωₙ²ω² = ω⁴(1/Λ² − 1); a diferença das duas deixa só ωₙ⁴
+natural-frequency-at-each-speed-2-4-1-1-subtracting-the-two-leaves-only = Frequência natural: em cada rotação ωₙ⁴ − 2ωₙ²ω² + 4ζ²ωₙ²ω² = ω⁴(1/Λ² − 1); a diferença das duas deixa só ωₙ⁴
 natural-frequency-the-peak-lies-at-1-2 = Frequência natural: o pico fica em ωₙ√(1 − 2ζ²)
 natural-frequency-where-the-points-go-round-the-circle-fastest-by-least-squares-of-their-angles = Frequência natural: onde os pontos percorrem o círculo mais depressa, por mínimos quadrados dos seus ângulos
-negative-where-the-motion-lags-the-force = Negativa quando o movimento está atrasado em relação à força.
+negative-if-the-motion-lags-the-force = Negativa quando o movimento está atrasado em relação à força.
 nyquist-plot-of-the-mobility = Diagrama de Nyquist da mobilidade
 nyquist-plot-of-the-receptance = Diagrama de Nyquist da receptância
 of-the-resistance-of-the-surroundings-at-the-rotor = Da resistência do meio no rotor.
 on-all-bearings-together-without-the-weight = No conjunto dos mancais, sem o peso.
-one-mode-alone = Um modo só
+single-mode = Um único modo
 other-modes = Outros modos
 permitted-eccentricities = Excentricidades permitidas
-permitted-speeds = Velocidades permitidas
+permitted-speeds = Rotações permitidas
 permitted-stiffnesses = Rigidezes permitidas
 permitted-whirl-amplitude = Amplitude de rodopio permitida
 permitted-whirl-amplitude-the-force-of-the-bent-shaft-is-k-a = Amplitude de rodopio permitida: a força do eixo fletido é k A
 phase-of-the-receptance = Fase da receptância
-points-above-it-are-left-out = Pontos acima dela são deixados de fora.
-points-below-it-are-left-out = Pontos abaixo dela são deixados de fora.
+points-above-it-are-ignored = Pontos acima dela são ignorados.
+points-below-it-are-ignored = Pontos abaixo dela são ignorados.
 quality-factor = Fator de qualidade
-read-by-circle-fit-and-by-complex-least-squares-beside-the-readings-of-the-amplitude-alone = Lida por ajuste de círculo e por mínimos quadrados complexos, ao lado das leituras só da amplitude.
+from-a-circle-fit-and-complex-least-squares-compared-with-estimates-from-the-amplitude-alone = Lida por ajuste de círculo e por mínimos quadrados complexos, em comparação com as leituras só da amplitude.
 receptance-of-the-mode-at-its-natural-frequency-a-2 = Receptância do modo na sua frequência natural, A/(2ζωₙ²)
 receptance-amplitude-and-phase = Receptância, amplitude e fase
 receptance-real-and-imaginary-part = Receptância, partes real e imaginária
 root-mean-square-of-the-differences-between-fitted-and-measured-response-over-the-largest-measured = Média quadrática das diferenças entre a resposta ajustada e a medida, sobre a maior medida
 root-mean-square-of-the-distances-of-the-points-from-the-circle-over-its-radius = Média quadrática das distâncias dos pontos ao círculo, sobre o seu raio
-scatter-of-the-points-about-the-circle = Dispersão dos pontos em torno do círculo
-second-moment-of-area-of-the-shaft = Momento de inércia da seção do eixo
+fit-residual-of-the-points-about-the-circle = Resíduo do ajuste dos pontos ao círculo
+second-moment-of-area-of-the-shaft = Momento de inércia de área do eixo
 second-speed = Segunda velocidade
-secondary-critical-speed-of-a-horizontal-shaft-the-weight-turns-the-unbalance-into-two-pulses-in-a = Velocidade crítica secundária de um eixo horizontal: o peso transforma o desbalanceamento em dois pulsos por volta
-secondary-critical-speed-by-the-weight = Velocidade crítica secundária, pelo peso
-share-of-the-more-heavily-loaded-bearing = Parte do mancal mais carregado
-smallest-stiffness-available = Menor rigidez disponível
+secondary-critical-speed-of-a-horizontal-shaft-with-the-weight-the-unbalance-produces-two-pulses-per = Velocidade crítica secundária de um eixo horizontal: com o peso, o desbalanceamento produz dois pulsos por volta
+secondary-critical-speed-gravity-2 = Velocidade crítica secundária (2×), pelo peso
+load-on-the-more-heavily-loaded-bearing = Carga no mancal mais carregado
+minimum-available-stiffness = Rigidez mínima disponível
 solid-round-shaft = Eixo redondo maciço
+solid-circular-shaft = Eixo circular maciço
 sought = Procura-se
+unknown = Incógnita
 speed-given = Velocidade dada
-speed-of-the-largest-steady-whirl = Velocidade do maior rodopio permanente
-speed-of-the-largest-whirl = Velocidade do maior rodopio
+speed-of-maximum-steady-state-whirl-amplitude = Rotação de máxima precessão em regime permanente
+speed-of-maximum-whirl-amplitude = Rotação de máxima precessão
 speed-of-the-rotor = Velocidade do rotor
 speed-of-the-shaft = Velocidade do eixo
 speed-over-critical-speed = Velocidade sobre velocidade crítica
 spread-of-the-natural-frequency = Dispersão da frequência natural
-static-deflection-by-the-weight = Deflexão estática pelo peso
+static-deflection-due-to-the-weight = Deflexão estática devida ao peso
 stiffness-of-the-shaft-at-the-rotor = Rigidez do eixo no rotor
-stiffness-residual = Resíduo de rigidez
-stiffness-residual-for-the-modes-above = Resíduo de rigidez, pelos modos acima
+stiffness-residual = Termo residual de rigidez
+stiffness-residual-for-the-higher-modes = Termo residual de rigidez, dos modos superiores
 stiffness-that-gives-the-natural-frequency = Rigidez que dá a frequência natural
-stiffness-mass-and-damping-of-one-degree-of-freedom-from-a-measured-frequency-response-real-or = Rigidez, massa e amortecimento de um grau de liberdade a partir de uma resposta em frequência medida, real ou complexa, ou de poucos pontos dela.
+stiffness-mass-and-damping-of-one-degree-of-freedom-from-a-measured-frequency-response-real-or = Rigidez, massa e amortecimento de um sistema de um grau de liberdade a partir de uma resposta em frequência medida, real ou complexa, ou de poucos pontos dela.
 table-of-the-complex-frequency-response = Tabela da resposta em frequência complexa
-that-of-the-weight-included = Incluída a do peso.
+including-that-due-to-the-weight = Inclui a devida ao peso.
 the-amplitude-at-resonance-was-read = A amplitude na ressonância foi lida
-the-deflection-lags-the-direction-of-the-mass-centre-by = A deflexão está atrasada em relação à direção do centro de massa de
-the-methods-side-by-side = Os métodos lado a lado
+the-deflection-lags-the-direction-of-the-centre-of-mass-by = A deflexão está atrasada em relação à direção do centro de massa de
+comparison-of-the-methods = Comparação dos métodos
 the-peak-is-e-2-1-a-quadratic-equation-in-its-smaller-root = O pico é e/(2ζ√(1 − ζ²)), uma equação do segundo grau em ζ²; a sua raiz menor
-the-same-as-an-unbalance = O mesmo como desbalanceamento
-the-same-for-every-shaft-so-that-the-coefficient-follows-the-stiffness = A mesma para todos os eixos, de modo que o coeficiente acompanha a rigidez.
+the-corresponding-unbalance = O desbalanceamento correspondente
+the-same-for-every-shaft-so-that-the-coefficient-varies-with-the-stiffness = A mesma para todos os eixos, de modo que o coeficiente varia com a rigidez.
 the-same-for-every-shaft = O mesmo para todos os eixos.
 there-it-is-m-e-m-whatever-the-damping = Ali ela é m₀e/m, qualquer que seja o amortecimento.
 three-at-least-in-any-order-about-one-resonance = Pelo menos três, em qualquer ordem, em torno de uma ressonância.
 unbalance-given = Desbalanceamento dado
 unbalance-amplitudes-at-resonance-and-far-above-it = Desbalanceamento: amplitudes na ressonância e muito acima dela
-unbalance-amplitudes-at-two-speeds = Desbalanceamento: amplitudes em duas velocidades
+unbalance-amplitudes-at-two-speeds = Desbalanceamento: amplitudes em duas rotações
 upper-half-power-frequency-circle-fit = Frequência de meia potência superior, ajuste de círculo
-vertical-or-weight-left-out = Vertical, ou sem considerar o peso
-viscous-damping-ratio-with-the-same-loss-at-the-natural-frequency = Razão de amortecimento viscoso com a mesma perda na frequência natural
+vertical-or-weight-neglected = Vertical, ou peso desprezado
+viscous-damping-ratio-with-the-same-loss-at-the-natural-frequency = Fator de amortecimento viscoso com a mesma perda na frequência natural
 viscous-damping-with-the-same-loss-at-the-natural-frequency-k = Amortecimento viscoso com a mesma perda na frequência natural, ηk/ωₙ
-viscous-the-circle-is-that-of-the-mobility = Viscoso: o círculo é o da mobilidade
+viscous-mobility-circle = Viscoso: círculo da mobilidade
 weight-of-the-rotor = Peso do rotor
-what-the-weight-leaves-of-it-for-the-whirl = O que o peso deixa dela para o rodopio
-where-it-is-given-the-speeds-that-keep-within-it-are-answered-too = Quando é dado, as velocidades que o respeitam são respondidas também.
-whirl-amplitude = Amplitude de rodopio
-whirl-amplitude-against-speed = Amplitude de rodopio em função da velocidade
-whirl-amplitude-the-deflection-of-the-shaft-at-the-rotor = Amplitude de rodopio: a deflexão do eixo no rotor
-whirl-of-a-rotor-on-a-flexible-shaft = Rodopio de um rotor sobre eixo flexível
+part-available-for-the-whirl-after-the-weight = Parte disponível para a precessão, descontado o peso
+if-given-the-speeds-that-satisfy-it-are-also-computed = Se for dado, as rotações que o respeitam também são calculadas.
+whirl-amplitude = Amplitude de precessão
+whirl-amplitude-against-speed = Amplitude de precessão em função da rotação
+whirl-amplitude-the-deflection-of-the-shaft-at-the-rotor = Amplitude de precessão: a deflexão do eixo no rotor
+whirl-of-a-rotor-on-a-flexible-shaft = Precessão de um rotor em eixo flexível
 worst-speed = Pior velocidade
-worst-speed-of-the-shaft-to-be-judged = Pior velocidade do eixo a julgar
-worst-speed-the-highest-below-the-resonance = Pior velocidade: a maior, abaixo da ressonância
-worst-speed-the-lowest-above-the-resonance = Pior velocidade: a menor, acima da ressonância
-worst-speed-the-peak-of-the-response-within-the-range = Pior velocidade: o pico da resposta, dentro da faixa
-a-frequency-stands-in-the-table-twice-frequency-keep-one-point-or-their-mean-for-each-frequency = uma frequência aparece duas vezes na tabela, { $frequency }: fique com um ponto, ou com a média, para cada frequência
-a-limit-of-stress-needs-the-dimensions-of-the-shaft-describe-the-shaft-or-give-a-limit-of-amplitude = um limite de tensão precisa das dimensões do eixo: descreva o eixo, ou dê um limite de amplitude ou de força
-a-slow-run-up-meets-largest-at-speed-a-quick-one-meets-less = uma partida lenta encontra { $largest } em { $speed }; uma rápida encontra menos
-above-the-forbidden-band-the-rotor-has-passed-its-critical-speed-run-through-the-band-quickly = acima da faixa proibida o rotor já passou pela velocidade crítica: atravesse a faixa depressa
+worst-case-speed = Rotação mais desfavorável
+worst-case-speed-of-the-shaft-to-be-checked = Rotação mais desfavorável do eixo a verificar
+worst-case-speed-the-highest-below-the-resonance = Rotação mais desfavorável: a maior, abaixo da ressonância
+worst-case-speed-the-lowest-above-the-resonance = Rotação mais desfavorável: a menor, acima da ressonância
+worst-case-speed-the-peak-of-the-response-within-the-range = Rotação mais desfavorável: o pico da resposta, dentro da faixa
+the-frequency-frequency-appears-twice-in-the-table-keep-one-point-or-the-mean-for-each-frequency = a frequência { $frequency } aparece duas vezes na tabela: fique com um ponto, ou com a média, para cada frequência
+a-stress-limit-needs-the-dimensions-of-the-shaft-describe-the-shaft-or-give-a-limit-of-amplitude-or = um limite de tensão precisa das dimensões do eixo: descreva o eixo, ou dê um limite de amplitude ou de força
+a-slow-run-up-reaches-largest-at-speed-a-fast-one-reaches-less = uma partida lenta atinge { $largest } em { $speed }; uma rápida atinge menos
+above-the-forbidden-range-the-rotor-has-passed-its-critical-speed-run-through-the-range-quickly = acima da faixa proibida o rotor já passou pela velocidade crítica: atravesse a faixa depressa
 amplitude-over-m-e-m = amplitude sobre m₀e/m
 amplitude-over-static-deflection = amplitude sobre deflexão estática
-at-the-natural-frequency-the-damper-alone-holds-the-force-1-c = na frequência natural só o amortecedor sustenta a força: 1/(c ωₙ)
+at-the-natural-frequency-the-damper-alone-balances-the-force-1-c = na frequência natural só o amortecedor equilibra a força: 1/(c ωₙ)
 bending-stress-from-the-deflection-alone = tensão de flexão só pela deflexão
 both-amplitudes-are-those-at-the-natural-frequency-measure-one-at-another-frequency = as duas amplitudes são as da frequência natural: meça uma em outra frequência
 circle-fit = ajuste de círculo
 complex-least-squares = mínimos quadrados complexos
-critical-speed-and-mass-give-the-stiffness-back = velocidade crítica e massa devolvem a rigidez
+critical-speed-and-mass-reproduce-the-stiffness = velocidade crítica e massa reproduzem a rigidez
 critical-speed-from-the-static-deflection-g = velocidade crítica pela deflexão estática, √(g/δ)
 fitted = ajustada
 fitted-circle = círculo ajustado
-forces-across-the-deflection-the-damping-is-m-e-sin = forças perpendiculares à deflexão: o amortecimento é m e ω² sen φ
-forces-along-the-deflection-spring-less-inertia-is-m-e-cos = forças ao longo da deflexão: mola menos inércia é m e ω² cos φ
+forces-perpendicular-to-the-deflection-damping-force-m-e-sin = forças perpendiculares à deflexão: força de amortecimento = m e ω² sen φ
+forces-along-the-deflection-spring-force-minus-inertia-force-m-e-cos = forças ao longo da deflexão: força da mola menos força de inércia = m e ω² cos φ
 lag = atraso
 largest = maior
 lower-half-power-point = ponto de meia potência inferior
 modal-constant-from-the-half-power-frequencies-alone = constante modal só pelas frequências de meia potência
 natural-frequency-from-the-forced-peak = frequência natural pelo pico forçado
 natural-frequency-from-the-half-power-points = frequência natural pelos pontos de meia potência
-no-available-stiffness-keeps-the-rotor-clear-change-clearance-unbalance-damping-or-speeds = nenhuma rigidez disponível mantém o rotor livre: mude a folga, o desbalanceamento, o amortecimento ou as velocidades
-no-damped-mode-fits-these-points-read-a-range-of-frequencies-about-one-resonance-only-and-look = nenhum modo amortecido se ajusta a estes pontos: leia uma faixa de frequências em torno de uma só ressonância e veja se ali a parte imaginária da receptância é negativa
+no-available-stiffness-keeps-the-rotor-clear-change-clearance-unbalance-damping-or-speeds = nenhuma rigidez disponível evita o contato: mude folga, desbalanceamento, amortecimento ou rotações
+no-damped-mode-fits-these-points-choose-a-range-of-frequencies-about-one-resonance-only-and-check = nenhum modo amortecido se ajusta a estes pontos: escolha uma faixa de frequências em torno de uma só ressonância e verifique se ali a parte imaginária da receptância é negativa
 no-damping-gives-an-amplitude-ratio-as-small-as-this-it-must-be-above-least = nenhum amortecimento dá uma razão de amplitudes tão pequena: ela deve estar acima de { $least }
-no-natural-frequency-gives-these-amplitudes-at-these-speeds-are-amplitudes-speeds-and-m-e-m-those-of = nenhuma frequência natural dá estas amplitudes nestas velocidades: amplitudes, velocidades e m₀e/m são de uma só massa sobre uma só mola?
-pairs-of-points-below-and-above-the-natural-frequency-give-dampings-that-differ-by-spread-noise-a = pares de pontos abaixo e acima da frequência natural dão amortecimentos que diferem em { $spread }: ruído, um amortecimento que não é deste tipo, ou outro modo por perto
+no-natural-frequency-gives-these-amplitudes-at-these-speeds-do-amplitudes-speeds-and-m-e-m-belong-to = nenhuma frequência natural dá estas amplitudes nestas velocidades: amplitudes, velocidades e m₀e/m são de uma só massa sobre uma só mola?
+pairs-of-points-below-and-above-the-natural-frequency-give-damping-values-that-differ-by-spread-noise = pares de pontos abaixo e acima da frequência natural dão amortecimentos que diferem em { $spread }: ruído, amortecimento de outro tipo, ou outro modo próximo
 stress-from-the-deflection-under-that-force = tensão pela deflexão sob essa força
-the-amplitude-at-resonance-is-not-above-that-far-beyond-it-so-there-is-no-resonance-write-the-larger = a amplitude na ressonância não está acima daquela muito além dela, portanto não há ressonância: escreva a maior amplitude como a da ressonância
+the-amplitude-at-resonance-does-not-exceed-that-far-above-it-so-there-is-no-resonance-write-the = a amplitude na ressonância não supera a que ocorre muito acima dela, portanto não há ressonância: escreva a maior amplitude como a da ressonância
 the-amplitude-at-the-first-speed = a amplitude na primeira velocidade
 the-amplitude-at-the-second-speed = a amplitude na segunda velocidade
-the-angles-round-the-circle-meet-their-normal-equations = os ângulos em torno do círculo cumprem as suas equações normais
-the-critical-speed-speed-lies-within-the-range-and-there-is-no-damping-the-amplitude-grows-there = a velocidade crítica, { $speed }, está dentro da faixa e não há amortecimento: ali a amplitude cresce sem limite com qualquer excentricidade que não seja zero
-the-damping-ratio-gives-the-amplitude-at-the-natural-frequency-back = a razão de amortecimento devolve a amplitude na frequência natural
-the-damping-ratio-gives-the-amplitude-ratio-back = a razão de amortecimento devolve a razão das amplitudes
-the-damping-ratio-is-above-0-1-half-power-points-are-far-from-the-peak-and-other-modes-reach-into-the = a razão de amortecimento está acima de 0,1: os pontos de meia potência estão longe do pico, e outros modos entram na faixa entre eles
-the-damping-ratio-is-above-0-1-readings-that-take-the-frequency-of-the-peak-as-the-natural-one-are = a razão de amortecimento está acima de 0,1: leituras que tomam a frequência do pico como a natural erram mais de 1 %
-the-end-of-the-band-by-its-other-formula-is-the-same = o fim da faixa pela sua outra fórmula é o mesmo
+the-angles-round-the-circle-satisfy-their-normal-equations = os ângulos em torno do círculo satisfazem as suas equações normais
+the-critical-speed-speed-lies-within-the-range-and-there-is-no-damping-the-amplitude-grows-there = a velocidade crítica, { $speed }, está dentro da faixa e não há amortecimento: ali a amplitude cresce sem limite para qualquer excentricidade não nula
+the-damping-ratio-reproduces-the-amplitude-at-the-natural-frequency = o fator de amortecimento reproduz a amplitude na frequência natural
+the-damping-ratio-reproduces-the-amplitude-ratio = o fator de amortecimento reproduz a razão das amplitudes
+the-damping-ratio-is-above-0-1-the-half-power-points-are-far-from-the-peak-and-other-modes-contribute = o fator de amortecimento está acima de 0,1: os pontos de meia potência estão longe do pico, e outros modos contribuem para a faixa entre eles
+the-damping-ratio-is-above-0-1-readings-that-take-the-peak-frequency-as-the-natural-frequency-are-in = o fator de amortecimento está acima de 0,1: leituras que tomam a frequência do pico como a natural erram mais de 1 %
+end-of-the-band-from-its-other-formula = fim da faixa pela sua outra fórmula
 the-frequencies-of-the-table-are-not-in-ascending-order-they-were-sorted = as frequências da tabela não estão em ordem crescente: foram ordenadas
-the-largest-amplitude-is-the-first-or-the-last-of-the-range-so-the-peak-was-not-measured-there-is-no = a maior amplitude é a primeira ou a última da faixa, portanto o pico não foi medido: não há leitura de pico e pontos de meia potência, e as outras vão além do que foi medido
+the-largest-amplitude-is-the-first-or-the-last-of-the-range-so-the-peak-was-not-measured-the-peak-and = a maior amplitude é a primeira ou a última da faixa, portanto o pico não foi medido: o pico e os pontos de meia potência não podem ser avaliados, e as outras leituras extrapolam além da faixa medida
 the-largest-whirl-amplitude-is-not-above-the-eccentricity-so-no-damping-gives-a-peak-at-a-finite = a maior amplitude de rodopio não está acima da excentricidade, portanto nenhum amortecimento dá um pico em velocidade finita: escreva uma amplitude maior
-the-largest-whirl-from-the-whirl-amplitude-at-its-speed = o maior rodopio pela amplitude de rodopio na sua velocidade
-the-limit-is-never-active-with-this-damping-the-rotor-stays-clear-of-the-stator-with-every-stiffness = o limite nunca atua: com este amortecimento o rotor não toca o estator com nenhuma rigidez
-the-limit-is-never-active-with-this-damping-the-whirl-stays-within-it-at-every-speed = o limite nunca atua: com este amortecimento o rodopio fica dentro dele em qualquer velocidade
+the-maximum-whirl-from-the-whirl-amplitude-at-its-speed = o rodopio máximo pela amplitude de rodopio na sua velocidade
+at-every-stiffness-the-rotor-stays-clear-of-the-stator-with-this-damping-the-clearance-is-not-a = com qualquer rigidez o rotor não toca o estator com este amortecimento: a folga não é restritiva
+the-limit-is-not-a-constraint-with-this-damping-the-whirl-stays-within-it-at-every-speed = o limite não é restritivo: com este amortecimento o rodopio fica dentro dele em qualquer velocidade
 the-limit-is-reached-below-the-critical-speed-speed = o limite é atingido abaixo da velocidade crítica, { $speed }
-the-limit-leads-beyond-the-range-of-numbers = o limite leva além do alcance dos números
-the-lowest-frequency-that-is-read-is-not-below-the-highest-one-exchange-them = a menor frequência lida não está abaixo da maior: troque-as
-the-modal-constant-is-negative-force-and-motion-are-not-those-of-one-point-and-no-mass-is-read-from = a constante modal é negativa: força e movimento não são de um mesmo ponto, e dela não se lê massa
-the-peak-under-a-force-lies-above-the-frequency-of-the-free-vibration-which-no-damping-does-exchange = o pico sob uma força está acima da frequência da vibração livre, o que nenhum amortecimento faz: troque as duas frequências, ou leia o pico como o de um desbalanceamento
-the-point-at-frequency-zero-is-left-out-phase-and-circle-begin-above-it = o ponto na frequência zero é deixado de fora: fase e círculo começam acima dela
-the-points-lie-on-no-circle-of-the-nyquist-plane-look-whether-real-and-imaginary-part-or-amplitude = os pontos não estão em nenhum círculo do plano de Nyquist: veja se as partes real e imaginária, ou amplitude e fase, estão nas suas colunas
+the-limit-leads-to-values-outside-the-representable-range = o limite leva a valores fora da faixa representável
+the-lowest-frequency-of-the-reading-range-is-not-below-the-highest-one-exchange-them = a menor frequência da faixa lida não está abaixo da maior: troque-as
+the-modal-constant-is-negative-force-and-motion-are-not-at-the-same-point-and-no-mass-can-be = a constante modal é negativa: força e movimento não são de um mesmo ponto, e dela não se identifica massa
+the-peak-under-a-force-lies-above-the-frequency-of-the-free-vibration-which-is-impossible-with-any = o pico sob uma força está acima da frequência da vibração livre, o que é impossível com qualquer amortecimento: troque as duas frequências, ou interprete o pico como o de um desbalanceamento
+the-point-at-frequency-zero-is-omitted-phase-and-circle-begin-above-it = o ponto na frequência zero é omitido: fase e círculo começam acima dela
+the-points-do-not-lie-on-a-circle-in-the-nyquist-plane-check-that-real-and-imaginary-part-or = os pontos não estão sobre um círculo no plano de Nyquist: verifique se as partes real e imaginária, ou amplitude e fase, estão nas suas colunas
 the-points-scatter-by-more-than-5-of-the-peak-about-the-fit-noise-or-more-than-one-mode-in-this-range = os pontos se dispersam mais de 5 % do pico em torno do ajuste: ruído, ou mais de um modo nesta faixa
-the-rotor-never-comes-back-within-the-limit-above-its-critical-speed-there-the-amplitude-falls = o rotor não volta ao limite acima da velocidade crítica: ali a amplitude cai em direção à excentricidade, que não está abaixo do limite
-the-shaft-passes-its-critical-speed-on-the-way-to-its-own-and-without-damping-the-amplitude-grows = o eixo passa pela velocidade crítica a caminho da sua, e sem amortecimento a amplitude ali cresce sem limite, proporcional ao tempo: atravesse-a depressa
+the-amplitude-does-not-return-within-the-limit-above-the-critical-speed-there-it-decreases-towards = a amplitude não volta ao limite acima da velocidade crítica: ali ela cai em direção à excentricidade, que não está abaixo do limite
+the-shaft-passes-its-critical-speed-before-reaching-its-running-speed-and-without-damping-the = o eixo passa pela velocidade crítica antes de atingir a rotação de operação, e sem amortecimento a amplitude ali cresce sem limite, proporcional ao tempo: atravesse-a depressa
 the-shaft-to-be-judged-has-its-critical-speed-speed-within-the-range-without-damping-the-amplitude = o eixo a julgar tem a sua velocidade crítica, { $speed }, dentro da faixa: sem amortecimento a amplitude ali cresce sem limite
-the-shaft-to-be-judged-leads-beyond-the-range-of-numbers = o eixo a julgar leva além do alcance dos números
-the-shaft-to-be-judged-lets-the-rotor-touch-amplitude-at-speed = com o eixo a julgar o rotor toca: { $amplitude } em { $speed }
+the-shaft-to-be-judged-leads-to-values-outside-the-representable-range = o eixo a julgar leva a valores fora da faixa representável
+with-the-shaft-to-be-judged-the-rotor-touches-the-stator-amplitude-at-speed = com o eixo a julgar o rotor toca o estator: { $amplitude } em { $speed }
 the-shaft-turns-within-5-of-its-critical-speed-with-little-damping-small-errors-of-mass-stiffness-or = o eixo gira a menos de 5 % da velocidade crítica com pouco amortecimento: pequenos erros de massa, rigidez ou velocidade mudam muito a amplitude
 the-two-frequencies-are-the-same-there-is-no-damping-or-it-is-too-light-to-be-read-from-them = as duas frequências são iguais: não há amortecimento, ou ele é leve demais para ser lido delas
-the-two-frequencies-differ-by-less-than-0-5-the-damping-ratio-follows-from-their-difference-so-that-a = as duas frequências diferem em menos de 0,5 %: a razão de amortecimento vem da diferença, de modo que um pequeno erro de uma delas a muda muito
+the-two-frequencies-differ-by-less-than-0-5-the-damping-ratio-follows-from-their-difference-so-that-a = as duas frequências diferem em menos de 0,5 %: o fator de amortecimento vem da diferença, de modo que um pequeno erro em uma delas o muda muito
 the-two-speeds-are-the-same-measure-at-another-one = as duas velocidades são iguais: meça em outra
-the-weight-of-the-rotor-alone-bends-the-shaft-beyond-the-permitted-stress-give-a-larger-stress-a = só o peso do rotor já flete o eixo além da tensão permitida: dê uma tensão maior, um eixo mais grosso ou um rotor mais leve
-the-whirl-amplitude-is-more-than-a-tenth-of-the-length-of-the-shaft-the-deflections-are-not-small-and = a amplitude de rodopio passa de um décimo do comprimento do eixo: as deflexões não são pequenas, e nenhum eixo resiste a isso
-the-whirl-at-that-speed-has-the-permitted-amplitude = o rodopio nessa velocidade tem a amplitude permitida
-the-whirl-is-back-within-the-limit-above-the-critical-speed-speed = o rodopio volta ao limite acima da velocidade crítica, { $speed }
-the-worst-speed-found-by-comparing-ends-and-peak-is-the-same = a pior velocidade, achada comparando extremos e pico, é a mesma
-there-are-fewer-than-three-frequencies-above-zero-in-the-range-that-is-read-measure-more-or-widen-it = há menos de três frequências acima de zero na faixa lida: meça mais, ou alargue a faixa
+the-weight-of-the-rotor-alone-bends-the-shaft-beyond-the-permitted-stress-give-a-higher-stress-a = só o peso do rotor já flete o eixo além da tensão permitida: dê uma tensão maior, um eixo mais grosso ou um rotor mais leve
+the-whirl-amplitude-exceeds-a-tenth-of-the-shaft-length-the-deflections-are-not-small-and-no-shaft = a amplitude de rodopio passa de um décimo do comprimento do eixo: as deflexões não são pequenas, e nenhum eixo resiste a isso
+the-whirl-amplitude-at-that-speed-equals-the-permitted-value = a amplitude de rodopio nessa velocidade é igual à permitida
+above-the-critical-speed-speed-the-whirl-is-within-the-limit-again = acima da velocidade crítica, { $speed }, o rodopio volta ao limite
+the-worst-case-speed-from-a-comparison-of-range-ends-and-peak = a pior rotação pela comparação dos extremos da faixa com o pico
+there-are-fewer-than-three-frequencies-above-zero-in-the-reading-range-measure-more-or-widen-it = há menos de três frequências acima de zero na faixa lida: meça mais, ou alargue a faixa
 there-are-too-few-frequencies-above-zero-need-at-least-are-needed = há poucas frequências acima de zero: são necessárias pelo menos { $need }
-these-amplitudes-are-larger-than-any-damping-lets-them-are-amplitudes-speeds-and-m-e-m-those-of-one = estas amplitudes são maiores do que qualquer amortecimento permite: amplitudes, velocidades e m₀e/m são de uma só massa sobre uma só mola?
+these-amplitudes-are-larger-than-any-damping-allows-do-amplitudes-speeds-and-m-e-m-belong-to-one-mass = estas amplitudes são maiores do que qualquer amortecimento permite: amplitudes, velocidades e m₀e/m são de uma só massa sobre uma só mola?
 upper-half-power-point = ponto de meia potência superior
 with-that-eccentricity-the-dynamic-stiffness-gives-the-clearance = com essa excentricidade a rigidez dinâmica dá a folga
 without-damping-the-whirl-at-the-critical-speed-grows-without-bound-in-proportion-to-the-time-there = sem amortecimento, o rodopio na velocidade crítica cresce sem limite, proporcional ao tempo: não há regime permanente
-count-points-are-few-the-circle-and-the-fit-pass-through-them-whatever-their-errors-measure-more = { $count } pontos são poucos: o círculo e o ajuste passam por eles quaisquer que sejam os seus erros; meça mais frequências em torno da ressonância
-count-points-stand-in-the-table-a-second-time-with-the-same-values-each-is-taken-once = { $count } pontos aparecem pela segunda vez na tabela, com os mesmos valores: cada um é tomado uma vez
+count-points-are-too-few-the-circle-and-the-fit-pass-through-them-whatever-their-errors-measure-more = { $count } pontos são insuficientes: o círculo e o ajuste passam por eles quaisquer que sejam os seus erros; meça mais frequências em torno da ressonância
+count-points-are-repeated-in-the-table-with-the-same-values-each-is-used-once = { $count } pontos se repetem na tabela com os mesmos valores: cada um é usado uma vez
 
 # vibration/duffing-oscillator
 duffing-oscillator = Oscilador de Duffing
 work-of-the-force-in-a-cycle-work-of-the-damper-fa-sin-c-a = trabalho da força em um ciclo = trabalho do amortecedor, πFA sen φ = πcωA²
 virtual-work-of-spring-and-inertia-over-a-cycle-of-the-cosine-by-summation = trabalho virtual de mola e inércia em um ciclo do cosseno, por soma
-third-harmonic-inertia-spring-and-damper-balance-that-of-the-cube-by-products-of-the-harmonics = terceiro harmônico: inércia, mola e amortecedor equilibram o do cubo, por produtos dos harmônicos
-there-the-force-of-the-spring-is-zero = ali a força da mola é zero
-spring-and-inertia-are-held-by-the-force-in-phase-with-the-motion = mola e inércia são sustentadas pela força em fase com o movimento
+third-harmonic-inertia-spring-and-damper-forces-balance-that-of-the-cubic-term-by-products-of-the = terceiro harmônico: as forças de inércia, da mola e do amortecedor equilibram a do termo cúbico, por produtos dos harmônicos
+at-that-amplitude-the-spring-force-is-zero = nessa amplitude a força da mola é zero
+spring-and-inertia-forces-are-balanced-by-the-force-component-in-phase-with-the-motion = as forças da mola e de inércia são equilibradas pela componente da força em fase com o movimento
 period-at-small-amplitudes-by-quadrature-of-dt-dx-v-from-the-energy = período em pequenas amplitudes pela quadratura de dt = dx/v, da energia
-largest-displacement-where-the-velocity-of-both-harmonics-together-is-zero = maior deslocamento: onde a velocidade dos dois harmônicos juntos é zero
-at-the-jump-spring-inertia-and-damper-balance-the-force = no salto mola, inércia e amortecedor equilibram a força
+maximum-displacement-where-the-total-velocity-of-both-harmonics-is-zero = deslocamento máximo: onde a velocidade total dos dois harmônicos é zero
+at-the-jump-the-spring-inertia-and-damping-forces-balance-the-applied-force = no salto, as forças de mola, de inércia e de amortecimento equilibram a força aplicada
 at-the-jump-a-small-change-of-the-amplitude-needs-no-change-of-the-force = no salto uma pequena variação da amplitude não exige variação da força
-free-period-exactly-or-forced-amplitudes-with-backbone-jumps-and-stability-of-a-mass-on-a-spring-with = Período livre exato, ou amplitudes forçadas com curva dorsal, saltos e estabilidade, de uma massa sobre uma mola com termo cúbico.
+exact-free-period-or-forced-amplitudes-with-backbone-curve-jumps-and-stability-of-a-mass-on-a-spring = Período livre exato, ou amplitudes forçadas com curva dorsal, saltos e estabilidade, de uma massa sobre uma mola com termo cúbico.
 stiffness-at-small-displacements = Rigidez para pequenos deslocamentos
 coefficient-of-the-cube = Coeficiente do termo cúbico
+cubic-stiffness-coefficient = Coeficiente de rigidez cúbica
 the-force-of-the-spring-is-k-x-h-x-positive-for-a-hardening-spring-negative-for-a-softening-one = A força da mola é k x + h x³: positivo para mola que endurece, negativo para mola que amolece.
-free-let-go-at-rest = Livre, solta do repouso
-forced-by-a-harmonic-force-with-viscous-damping = Forçada por uma força harmônica, com amortecimento viscoso
+free-released-from-rest = Livre, solta do repouso
+forced-vibration-under-a-harmonic-force-with-viscous-damping = Vibração forçada por uma força harmônica, com amortecimento viscoso
 natural-frequency-at-small-amplitudes = Frequência natural para pequenas amplitudes
-where-a-softening-spring-gives-way-beyond-it-the-mass-does-not-come-back = Onde a mola que amolece cede: além disso a massa não volta
-amplitude-at-which-the-spring-gives-way = Amplitude em que a mola cede
-at-this-amplitude-the-softening-spring-does-not-pull-back-choose-one-below-k-h = nesta amplitude a mola que amolece não puxa de volta: escolha uma abaixo de √(k/|h|)
-frequency-of-the-cosine-amplitude-that-solves-the-equation = Frequência do cosseno elíptico que resolve a equação
+stability-limit-of-a-softening-spring-beyond-it-the-mass-does-not-return = Limite de estabilidade da mola que amolece: além dele a massa não retorna
+amplitude-of-zero-restoring-force = Amplitude de força restauradora nula
+at-this-amplitude-the-softening-spring-exerts-no-restoring-force-choose-an-amplitude-below-k-h = nesta amplitude a mola que amolece não exerce força restauradora: escolha uma amplitude abaixo de √(k/|h|)
+frequency-of-the-elliptic-cosine-that-satisfies-the-equation = Frequência do cosseno elíptico que satisfaz a equação
 n-1-h-a-2-k-h-a-arithmetic-geometric-mean-of-1-and-this = √(1 − κ²), κ² = h A²/(2(k + h A²)); média aritmético-geométrica de 1 e deste valor
 arithmetic-mean = Média aritmética
 geometric-mean = Média geométrica
-exact-period-four-quarters-k = Período exato, quatro quartos K(κ)/Ω
+exact-period-four-quarter-periods-k = Período exato: quatro quartos de período K(κ)/Ω
 exact-frequency = Frequência exata
 period-by-quadrature-of-dt-dx-v-from-the-energy = período pela quadratura de dt = dx/v, da energia
 harmonic-balance-with-one-term-x-a-cos-t = Balanço harmônico com um termo: x³ ≈ ¾ A³ cos ωt
 period-by-harmonic-balance = Período pelo balanço harmônico
-how-far-harmonic-balance-is-off = Quanto o balanço harmônico erra
+relative-error-of-harmonic-balance = Erro relativo do balanço harmônico
 error-of-harmonic-balance = Erro do balanço harmônico
-no-steady-vibration-could-be-found-these-numbers-are-too-far-apart-look-at-the-units-of-h-and-f = nenhuma vibração permanente foi encontrada: estes números são díspares demais; confira as unidades de h e F
-root-of-the-balance-of-the-first-harmonic-stable-more-amplitude-needs-more-force = Raiz do balanço do primeiro harmônico; estável: mais amplitude pede mais força
-root-of-the-balance-of-the-first-harmonic-unstable-more-amplitude-needs-less-force-so-it-jumps-away = Raiz do balanço do primeiro harmônico; instável: mais amplitude pede menos força, e por isso ela salta
+no-steady-state-vibration-was-found-these-values-differ-too-much-in-magnitude-check-the-units-of-h = nenhuma vibração em regime permanente foi encontrada: estes valores são díspares demais; confira as unidades de h e F
+root-of-the-balance-of-the-first-harmonic-stable-a-larger-amplitude-requires-a-larger-force = Raiz do balanço do primeiro harmônico; estável: amplitude maior exige força maior
+root-of-the-balance-of-the-first-harmonic-unstable-a-larger-amplitude-requires-a-smaller-force-so-it = Raiz do balanço do primeiro harmônico; instável: amplitude maior exige força menor, e por isso ela salta
 spring-inertia-and-damper-balance-the-force = mola, inércia e amortecedor equilibram a força
 amplitude-of-the-first-harmonic = Amplitude do primeiro harmônico
-largest-displacement-with-the-third-harmonic-balanced-too-by-newton-s-method = Maior deslocamento com o terceiro harmônico também equilibrado, pelo método de Newton
-largest-displacement-with-the-third-harmonic = Maior deslocamento com o terceiro harmônico
+maximum-displacement-with-the-third-harmonic-also-balanced-by-newton-s-method = Deslocamento máximo com o terceiro harmônico também equilibrado, pelo método de Newton
+maximum-displacement-with-the-third-harmonic = Deslocamento máximo com o terceiro harmônico
 amplitude-of-the-third-harmonic = Amplitude do terceiro harmônico
-three-steady-vibrations-are-possible-at-this-frequency-which-of-the-two-stable-ones-is-seen-depends = três vibrações permanentes são possíveis nesta frequência: qual das duas estáveis se observa depende de como se chegou a ela
-largest-amplitude-at-any-frequency-where-both-frequencies-of-an-amplitude-meet-ha-k-c-4m-a-f-m-c = Maior amplitude em qualquer frequência, onde as duas frequências de uma amplitude se encontram: ¾hA⁴ + (k − c²/4m)A² = F²m/c²
+three-steady-state-vibrations-are-possible-at-this-frequency-which-of-the-two-stable-ones-occurs = três vibrações em regime permanente são possíveis nesta frequência: qual das duas estáveis ocorre depende de como se chegou a ela
+maximum-amplitude-at-any-frequency-where-both-frequencies-of-an-amplitude-meet-ha-k-c-4m-a-f-m-c = Amplitude máxima em qualquer frequência, onde as duas frequências de uma amplitude se encontram: ¾hA⁴ + (k − c²/4m)A² = F²m/c²
 its-frequency-close-to-the-backbone = A sua frequência, perto da curva dorsal
+its-frequency-close-to-the-backbone-curve = A sua frequência, perto da curva dorsal
 the-largest-amplitude-satisfies-the-balance-of-forces = a maior amplitude satisfaz o equilíbrio das forças
-frequency-of-the-largest-amplitude = Frequência da maior amplitude
-the-response-has-no-largest-amplitude-at-a-frequency-above-zero-the-spring-gives-way-or-the-damping = a resposta não tem maior amplitude em frequência acima de zero: a mola cede, ou o amortecimento é forte demais
-vertical-tangent-of-the-response-here-the-amplitude-jumps = Tangente vertical da resposta: aqui a amplitude salta
+frequency-of-maximum-amplitude = Frequência da amplitude máxima
+the-response-has-no-maximum-amplitude-at-a-frequency-above-zero-the-softening-spring-loses-its = a resposta não tem amplitude máxima em frequência acima de zero: a mola que amolece perde a força restauradora, ou o amortecimento é forte demais
+vertical-tangent-of-the-response-curve-jump-of-the-amplitude = Tangente vertical da curva de resposta: salto da amplitude
 frequency-of-a-jump = Frequência de um salto
-amplitude-from-which-it-jumps = Amplitude a partir da qual salta
+amplitude-at-which-the-jump-occurs = Amplitude em que ocorre o salto
 amplitude-before-the-jump = Amplitude antes do salto
 displacement-over-one-period = Deslocamento em um período
 cosine-of-the-same-period = cosseno de mesmo período
@@ -2769,32 +2864,34 @@ jump = salto
 stable = estável
 unstable = instável
 stability = estabilidade
-steady-vibrations-at-this-frequency = Vibrações permanentes nesta frequência
+steady-state-vibrations-at-this-frequency = Vibrações em regime permanente nesta frequência
 # vibration/large-pendulum
 pendulum-of-large-amplitude = Pêndulo de grande amplitude
-exact-period-and-motion-of-a-pendulum-at-any-amplitude-beside-the-small-angle-value-and-the-series = Período e movimento exatos de um pêndulo em qualquer amplitude, ao lado do valor para pequenos ângulos e da série.
-from-the-pivot-to-the-mass-for-a-rigid-body-j-m-s-its-reduced-length = Do eixo à massa; para um corpo rígido J/(m s), o seu comprimento reduzido.
-angle-at-which-it-is-let-go = Ângulo em que é solto
-from-the-lowest-position-at-180-it-would-stand-for-ever = A partir da posição mais baixa; a 180° ficaria parado para sempre.
+exact-period-and-motion-of-a-pendulum-at-any-amplitude-compared-with-the-small-angle-value-and-the = Período e movimento exatos de um pêndulo em qualquer amplitude, comparados com o valor para pequenos ângulos e com a série.
+from-the-pivot-to-the-mass-for-a-rigid-body-j-m-s-its-equivalent-length = Da articulação à massa; para um corpo rígido J/(m s), o seu comprimento equivalente.
+release-angle = Ângulo de soltura
+from-the-lowest-position-at-180-it-would-remain-at-rest = A partir da posição mais baixa; a 180° ficaria em repouso.
 instant = Instante
-where-it-is-given-the-angle-and-the-angular-velocity-at-this-time-after-it-is-let-go-are-answered-too = Quando dado, respondem-se também o ângulo e a velocidade angular neste tempo depois de solto.
-angular-frequency-of-small-swings = Frequência angular das pequenas oscilações
-period-of-small-swings-which-no-amplitude-changes = Período das pequenas oscilações, que nenhuma amplitude muda
-modulus-of-the-elliptic-integral-of-the-quarter-swing = Módulo da integral elíptica do quarto de oscilação
+if-given-the-angle-and-the-angular-velocity-at-this-time-after-release-are-also-computed = Se for dado, calculam-se também o ângulo e a velocidade angular neste tempo após a soltura.
+angular-frequency-of-small-oscillations = Frequência angular das pequenas oscilações
+period-of-small-oscillations-independent-of-the-amplitude = Período das pequenas oscilações, independente da amplitude
+modulus-of-the-elliptic-integral-of-the-quarter-period = Módulo da integral elíptica do quarto de período
 arithmetic-geometric-mean-of-1-and-cos-2 = Média aritmético-geométrica de 1 e cos(θ₀/2)
-period-that-of-small-swings-over-the-mean = Período: o das pequenas oscilações dividido pela média
-what-the-small-angle-value-is-short-of = Quanto falta ao valor para pequenos ângulos
+period-that-of-small-oscillations-over-the-mean = Período: o das pequenas oscilações dividido pela média
+deficit-of-the-small-angle-value = Quanto falta ao valor de pequenos ângulos
 first-terms-of-the-series-in-the-amplitude = Primeiros termos da série na amplitude
 angular-velocity-at-the-lowest-position-from-l-g-l-1-cos = Velocidade angular na posição mais baixa, de ½ L² Ω² = g L (1 − cos θ₀)
 period-by-quadrature-of-dt-d-with-sin-2-sin-and-tan-sinh-u = período pela quadratura de dt = dθ/θ′, com sen(θ/2) = κ sen φ e tg φ = senh u
 angular-velocity-at-the-lowest-position-from-the-loss-of-height = velocidade angular na posição mais baixa pela perda de altura
 period-of-small-swings = Período das pequenas oscilações
+period-of-small-oscillations = Período das pequenas oscilações
 error-of-the-small-angle-period = Erro do período para pequenos ângulos
 period-by-the-series = Período pela série
 largest-angular-velocity = Maior velocidade angular
+maximum-angular-velocity = Velocidade angular máxima
 sin-2-sn-k-t-with-jacobi-s-function-sn = sen(θ/2) = κ sn(K(κ) + ω₀ t), com a função sn de Jacobi
 energy-at-the-instant-is-that-at-the-start = a energia no instante é a do início
-periods-that-have-passed = Períodos decorridos
+elapsed-periods = Períodos decorridos
 angle-at-the-instant = Ângulo no instante
 angular-velocity-at-the-instant = Velocidade angular no instante
 periods-until-the-instant = Períodos até o instante
@@ -2802,159 +2899,172 @@ angle-against-time = Ângulo em função do tempo
 as-for-small-angles = como para pequenos ângulos
 period-against-amplitude = Período em função da amplitude
 small-swings = pequenas oscilações
+small-oscillations = pequenas oscilações
 the-swing = A oscilação
+the-oscillation = A oscilação
 # vibration/piecewise-spring
 spring-of-two-slopes = Mola de duas inclinações
-exact-free-vibration-of-a-mass-on-a-spring-with-a-gap-a-stop-or-a-limit-of-its-force-largest = Vibração livre exata de uma massa sobre mola com folga, batente ou limite de força: maior deslocamento e período.
+piecewise-linear-spring = Mola linear por partes
+exact-free-vibration-of-a-mass-on-a-spring-with-a-gap-a-stop-or-a-force-limit-maximum-displacement = Vibração livre exata de uma massa sobre mola com folga, batente ou limite de força: deslocamento máximo e período.
 characteristic = Característica
+spring-characteristic = Característica da mola
 saturating-linear-then-a-constant-force = Com saturação: linear, depois força constante
-two-slopes-softer-or-stiffer-beyond-the-corner = Duas inclinações: mais macia ou mais rígida além do canto
-gap-no-force-until-the-spring-is-met = Folga: nenhuma força até encontrar a mola
-stiffness-up-to-the-corner = Rigidez até o canto
-displacement-at-the-corner = Deslocamento no canto
-stiffness-beyond-the-corner = Rigidez além do canto
+bilinear-softer-or-stiffer-beyond-the-breakpoint = Bilinear: mais flexível ou mais rígida além do ponto de quebra
+gap-no-force-until-contact-with-the-spring = Folga: força nula até o contato com a mola
+stiffness-up-to-the-breakpoint = Rigidez até o ponto de quebra
+displacement-at-the-breakpoint = Deslocamento no ponto de quebra
+stiffness-beyond-the-breakpoint = Rigidez além do ponto de quebra
 free-travel-to-each-side = Curso livre para cada lado
-stiffness-of-the-spring-that-is-met = Rigidez da mola que é encontrada
-the-mass-starts-at-rest-where-nothing-pulls-it-give-it-a-displacement-or-a-velocity = a massa parte do repouso onde nada a puxa: dê-lhe um deslocamento ou uma velocidade
-the-mass-starts-at-rest-inside-the-gap-where-nothing-pulls-it-give-it-a-velocity-or-a-displacement = a massa parte do repouso dentro da folga, onde nada a puxa: dê-lhe uma velocidade, ou um deslocamento além da folga
-energy-that-the-spring-holds-at-the-corner = Energia que a mola guarda no canto
-energy-at-the-start-which-is-kept = Energia no início, que se conserva
-largest-displacement-the-corner-is-not-reached-the-vibration-is-that-of-a-linear-spring = Maior deslocamento: o canto não é alcançado, a vibração é a de uma mola linear
-energy-left-at-the-corner = Energia que resta no canto
-displacement-beyond-the-corner-that-stores-it = Deslocamento além do canto que a armazena
-four-quarters-each-of-a-piece-up-to-the-corner-and-a-piece-beyond-it = Quatro quartos, cada um com um trecho até o canto e um trecho além dele
-largest-speed-at-the-middle = Maior velocidade, no meio
+stiffness-of-the-spring-beyond-the-gap = Rigidez da mola além da folga
+the-mass-starts-at-rest-where-no-force-acts-on-it-give-it-a-displacement-or-a-velocity = a massa parte do repouso onde nenhuma força atua: dê-lhe um deslocamento ou uma velocidade
+the-mass-starts-at-rest-inside-the-gap-where-no-force-acts-on-it-give-it-a-velocity-or-a-displacement = a massa parte do repouso dentro da folga, onde nenhuma força atua: dê-lhe uma velocidade, ou um deslocamento além da folga
+energy-stored-in-the-spring-at-the-breakpoint = Energia armazenada na mola no ponto de quebra
+initial-energy-which-is-conserved = Energia inicial, que se conserva
+maximum-displacement-the-corner-is-not-reached-the-vibration-is-that-of-a-linear-spring = Deslocamento máximo: o canto não é alcançado, a vibração é a de uma mola linear
+energy-remaining-at-the-breakpoint = Energia restante no ponto de quebra
+displacement-beyond-the-breakpoint-that-stores-this-energy = Deslocamento além do ponto de quebra que armazena essa energia
+four-quarters-each-with-one-part-up-to-the-breakpoint-and-one-part-beyond-it = Quatro quartos, cada um com um trecho até o ponto de quebra e um trecho além dele
+maximum-velocity-at-the-centre-position = Velocidade máxima, na posição central
 frequency-at-this-amplitude = Frequência nesta amplitude
 energy-stored-at-the-largest-displacement = energia armazenada no maior deslocamento
 period-by-quadrature-of-dt-dx-v = período pela quadratura de dt = dx/v
 largest-speed = Maior velocidade
-force-of-the-spring-there-from-its-characteristic = Força da mola ali, pela sua característica
-largest-force-of-the-spring = Maior força da mola
+maximum-velocity = Velocidade máxima
+spring-force-at-that-displacement-from-the-spring-characteristic = Força da mola nesse deslocamento, pela sua característica
+maximum-force-of-the-spring = Força máxima da mola
 corner = canto
 corner-below = canto inferior
 frequency-against-amplitude = Frequência em função da amplitude
 the-motion-of-the-mass = O movimento da massa
 # vibration/rayleigh-damping
 rayleigh-damping = Amortecimento de Rayleigh
-coefficients-of-damping-proportional-to-mass-and-stiffness-from-the-damping-ratios-of-two-modes-and = Coeficientes do amortecimento proporcional à massa e à rigidez a partir das razões de amortecimento de dois modos, e a razão de amortecimento em qualquer frequência.
+coefficients-of-proportional-rayleigh-damping-from-the-damping-ratios-of-two-modes-and-the-damping = Coeficientes do amortecimento proporcional (de Rayleigh) a partir dos fatores de amortecimento de dois modos, e o fator de amortecimento em qualquer frequência.
 first-mode = Primeiro modo
 second-mode = Segundo modo
-frequency-at-which-the-damping-ratio-is-asked-for = Frequência em que se pede a razão de amortecimento
-both-modes-have-the-same-frequency-two-different-ones-are-needed-to-tell-mass-from-stiffness = os dois modos têm a mesma frequência: são precisas duas diferentes para separar massa de rigidez
-both-modes-satisfy-2-2-the-coefficient-of-the-mass = Ambos os modos satisfazem ζ = α/(2ω) + βω/2: o coeficiente da massa
-the-coefficient-of-the-stiffness = O coeficiente da rigidez
-the-coefficients-give-the-damping-ratio-of-the-first-mode-back = os coeficientes devolvem a razão de amortecimento do primeiro modo
-the-coefficients-give-the-damping-ratio-of-the-second-mode-back = os coeficientes devolvem a razão de amortecimento do segundo modo
+frequency-at-which-the-damping-ratio-is-requested = Frequência em que se pede o fator de amortecimento
+both-modes-have-the-same-frequency-two-different-frequencies-are-needed-to-separate-mass-from = os dois modos têm a mesma frequência: são necessárias duas frequências diferentes para separar massa de rigidez
+both-modes-satisfy-2-2-the-coefficient-of-the-mass = Ambos os modos satisfazem ζ = α/(2ω) + βω/2: o coeficiente proporcional à massa
+the-stiffness-coefficient = O coeficiente da rigidez
+the-coefficients-reproduce-the-damping-ratio-of-the-first-mode = os coeficientes reproduzem o fator de amortecimento do primeiro modo
+the-coefficients-reproduce-the-damping-ratio-of-the-second-mode = os coeficientes reproduzem o fator de amortecimento do segundo modo
 coefficient-of-the-mass = Coeficiente da massa
+mass-proportional-damping-coefficient = Coeficiente de amortecimento proporcional à massa
 coefficient-of-the-stiffness = Coeficiente da rigidez
-frequency-of-the-least-damping-ratio = Frequência da menor razão de amortecimento
-the-least-damping-ratio-where-both-terms-are-equal = A menor razão de amortecimento, onde os dois termos são iguais
-least-damping-ratio-from-the-sum-of-both-terms = menor razão de amortecimento pela soma dos dois termos
-the-damping-ratio-is-the-same-an-octave-above-its-least-one-and-an-octave-below = a razão de amortecimento é a mesma uma oitava acima da mínima e uma oitava abaixo
-frequency-of-the-least-damping = Frequência do menor amortecimento
-damping-ratio-from-the-line-of-2-over-through-both-modes = razão de amortecimento pela reta de 2ζω em função de ω² pelos dois modos
-a-coefficient-is-negative-at-very-low-or-very-high-frequencies-the-damping-ratio-would-be-negative = um coeficiente é negativo: em frequências muito baixas ou muito altas a razão de amortecimento seria negativa e tais modos cresceriam
-damping-ratio-at-the-asked-frequency = Razão de amortecimento na frequência pedida
-damping-ratio-at-the-frequency = Razão de amortecimento na frequência
-at-the-asked-frequency-the-damping-ratio-is-negative-such-a-mode-grows = na frequência pedida a razão de amortecimento é negativa: tal modo cresce
-damping-ratio-against-frequency = Razão de amortecimento em função da frequência
+stiffness-proportional-damping-coefficient = Coeficiente de amortecimento proporcional à rigidez
+frequency-of-minimum-damping-ratio = Frequência do fator de amortecimento mínimo
+the-minimum-damping-ratio-where-both-terms-are-equal = O fator de amortecimento mínimo, onde os dois termos são iguais
+minimum-damping-ratio-from-the-sum-of-both-terms = fator de amortecimento mínimo pela soma dos dois termos
+the-damping-ratio-is-the-same-an-octave-above-and-an-octave-below-its-minimum = o fator de amortecimento é o mesmo uma oitava acima e uma oitava abaixo do seu mínimo
+frequency-of-minimum-damping = Frequência do amortecimento mínimo
+damping-ratio-from-the-line-of-2-over-through-both-modes = fator de amortecimento pela reta de 2ζω em função de ω² pelos dois modos
+a-coefficient-is-negative-at-very-low-or-very-high-frequencies-the-damping-ratio-would-be-negative = um coeficiente é negativo: em frequências muito baixas ou muito altas o fator de amortecimento seria negativo e tais modos seriam instáveis
+damping-ratio-at-the-requested-frequency = Fator de amortecimento na frequência pedida
+damping-ratio-at-the-frequency = Fator de amortecimento na frequência
+at-the-requested-frequency-the-damping-ratio-is-negative-such-a-mode-is-unstable = na frequência pedida o fator de amortecimento é negativo: tal modo é instável
+damping-ratio-against-frequency = Fator de amortecimento em função da frequência
 of-the-mass = da massa
 of-the-stiffness = da rigidez
 # vibration/drop-impact
 body-dropped-on-a-spring = Corpo solto sobre uma mola
-largest-deflection-force-and-deceleration-of-a-body-that-falls-on-a-sprung-pan-or-on-a-cushion = Deflexão, força e desaceleração máximas de um corpo que cai sobre um prato com mola ou sobre uma embalagem.
+maximum-deflection-force-and-deceleration-of-a-body-that-falls-on-a-spring-mounted-pan-or-on-a = Deflexão, força e desaceleração máximas de um corpo que cai sobre um prato com mola ou sobre uma embalagem.
 falling-body = Corpo em queda
 pan = Prato
-it-rests-on-the-spring-and-the-body-stays-on-it-a-cushion-of-no-mass-where-this-is-left-out = Repousa sobre a mola, e o corpo fica sobre ele. Sem ele, um amortecimento de embalagem sem massa.
+rests-on-the-spring-the-body-stays-on-it-if-omitted-a-massless-cushion = Repousa sobre a mola, e o corpo fica sobre ele. Se omitido, uma embalagem sem massa.
 fall = Queda
+drop = Queda
 from-rest-to-the-pan-or-cushion = Do repouso até o prato ou a embalagem.
-speed-at-the-contact = Velocidade no contato
+speed-at-contact = Velocidade no contato
 times-after-the-release = Tempos a partir da soltura
-the-way-fallen-is-answered-at-each-of-them = O caminho percorrido é respondido em cada um deles.
-speed-of-the-free-fall-at-the-contact = Velocidade da queda livre no contato
+the-distance-fallen-is-computed-at-each-of-them = A distância percorrida é calculada em cada um deles.
+free-fall-speed-at-contact = Velocidade de queda livre no contato
 time-of-the-free-fall = Duração da queda livre
+free-fall-time = Duração da queda livre
 time-of-the-free-fall-from-its-height = duração da queda livre pela sua altura
-time-of-the-contact = Instante do contato
-body-and-pan-move-on-together = Corpo e prato seguem juntos
-the-body-sticks-to-the-pan-momentum-is-kept = O corpo fica preso ao prato: a quantidade de movimento se conserva
-speed-of-body-and-pan-after-the-contact = Velocidade de corpo e prato depois do contato
+instant-of-contact = Instante do contato
+body-and-pan-move-together = Corpo e prato movem-se juntos
+the-body-sticks-to-the-pan-momentum-is-conserved = O corpo fica preso ao prato: a quantidade de movimento se conserva
+speed-of-body-and-pan-after-impact = Velocidade do corpo e do prato após o impacto
 natural-frequency-on-the-spring = Frequência natural sobre a mola
-the-weight-of-the-body-would-press-the-spring-down-further-by = O peso do corpo comprimiria a mola ainda em
-the-spring-is-pressed-already-by-the-weight-of-the-pan = A mola já está comprimida pelo peso do prato em
-time-from-the-contact-to-the-largest-deflection-the-first-zero-of-the-velocity = Tempo do contato à deflexão máxima: o primeiro zero da velocidade
-largest-deflection-from-the-rest-of-pan-or-cushion-a-step-of-the-weight-and-the-velocity-at-the = Deflexão máxima a partir do repouso do prato ou da embalagem: um degrau do peso e a velocidade no contato
-largest-deflection-from-the-rest-of-the-pan-or-cushion = Deflexão máxima a partir do repouso do prato ou da embalagem
-the-velocity-is-zero-at-the-largest-deflection = a velocidade é nula na deflexão máxima
-largest-deflection-by-energy-v = deflexão máxima pela energia, δ + √(δ² + (v₀/ωₙ)²)
-largest-deflection-by-the-exact-recurrence = deflexão máxima pela recorrência exata
-time-of-the-largest-deflection-from-the-release = Instante da deflexão máxima, a partir da soltura
-whole-way-of-the-body-from-the-release-to-the-largest-deflection = Caminho total do corpo, da soltura à deflexão máxima
-whole-way-of-the-body = Caminho total do corpo
-largest-value-of-y-2-the-force-of-spring-and-damper-over-the-stiffness = Maior valor de y + 2ζẏ/ωₙ, a força da mola e do amortecedor dividida pela rigidez
-largest-force-of-spring-and-damper-on-the-ground = Força máxima da mola e do amortecedor no solo
-largest-force-on-the-ground = Força máxima no solo
-largest-deceleration-the-force-beyond-the-weight-over-the-mass = Desaceleração máxima: a força além do peso, dividida pela massa
-largest-deceleration-of-the-body = Desaceleração máxima do corpo
+additional-static-compression-of-the-spring-under-the-weight-of-the-body = Compressão estática adicional da mola sob o peso do corpo
+initial-compression-of-the-spring-under-the-weight-of-the-pan = Compressão inicial da mola sob o peso do prato
+time-from-contact-to-maximum-deflection-the-first-zero-of-the-velocity = Tempo do contato à deflexão máxima: o primeiro zero da velocidade
+maximum-deflection-from-the-static-position-of-pan-or-cushion-a-step-of-the-weight-and-the-velocity = Deflexão máxima a partir da posição estática do prato ou da embalagem: um degrau do peso e a velocidade no contato
+maximum-deflection-from-the-static-position-of-the-pan-or-cushion = Deflexão máxima a partir da posição estática do prato ou da embalagem
+the-velocity-is-zero-at-the-maximum-deflection = a velocidade é nula na deflexão máxima
+maximum-deflection-by-energy-v = deflexão máxima pela energia, δ + √(δ² + (v₀/ωₙ)²)
+maximum-deflection-by-the-exact-recurrence = deflexão máxima pela recorrência exata
+time-of-maximum-deflection-from-the-release = Instante da deflexão máxima, a partir da soltura
+total-displacement-of-the-body-from-release-to-maximum-deflection = Deslocamento total do corpo, da soltura à deflexão máxima
+total-displacement-of-the-body = Deslocamento total do corpo
+maximum-value-of-y-2-the-force-of-spring-and-damper-over-the-stiffness = Valor máximo de y + 2ζẏ/ωₙ, a força da mola e do amortecedor dividida pela rigidez
+maximum-force-of-spring-and-damper-on-the-ground = Força máxima da mola e do amortecedor no solo
+maximum-force-on-the-ground = Força máxima no solo
+maximum-deceleration-the-force-beyond-the-weight-over-the-mass = Desaceleração máxima: a força além do peso, dividida pela massa
+maximum-deceleration-of-the-body = Desaceleração máxima do corpo
 energy-lost-in-the-impact = Energia perdida no choque
-time-from-the-contact-until-the-body-is-thrown-off-again-the-force-between-body-and-pan-is-zero = Tempo do contato até o corpo ser lançado de volta: a força entre corpo e prato se anula
+time-from-contact-until-the-body-leaves-the-pan-the-force-between-them-is-zero = Tempo do contato até o corpo deixar o prato: a força entre eles é nula
 the-force-is-zero-then = a força é nula nesse instante
-time-in-contact = Duração do contato
+contact-duration = Duração do contato
 still-in-free-fall = Ainda em queda livre
-way-of-the-body-at-time = Caminho do corpo no tempo
+displacement-of-the-body-at-time = Deslocamento do corpo no tempo
 time-since-the-contact = Tempo desde o contato
-the-body-has-left-the-pan-or-cushion-again-duration-after-the-contact-ask-for-an-earlier-time = o corpo já deixou o prato ou a embalagem { $duration } depois do contato: peça um tempo anterior
-way-of-the-body-the-fall-and-the-deflection = Caminho do corpo: a queda e a deflexão
+the-body-has-already-left-the-pan-or-cushion-duration-after-the-contact-choose-an-earlier-time = o corpo já deixou o prato ou a embalagem { $duration } depois do contato: escolha um instante anterior
+displacement-of-the-body-the-fall-plus-the-deflection = Deslocamento do corpo: a queda mais a deflexão
 deflection-since-the-contact = Deflexão desde o contato
 deflection-by-the-exact-recurrence = deflexão pela recorrência exata
 deflection-after-the-contact = Deflexão depois do contato
-where-the-weight-would-rest = onde o peso repousaria
+static-equilibrium-position = posição de equilíbrio estático
 the-body-above-its-spring = O corpo acima da sua mola
-these-numbers-are-too-large-or-too-small-for-the-motion-to-be-followed-check-their-units = estes números são grandes ou pequenos demais para que o movimento seja acompanhado: confira as unidades
+these-numbers-are-too-large-or-too-small-for-the-motion-to-be-computed-check-their-units = estes números são grandes ou pequenos demais para que o movimento seja calculado: confira as unidades
 
 # vibration/random-chain
 chain-of-masses-on-a-randomly-shaken-base = Cadeia de massas sobre uma base em vibração aleatória
+chain-of-masses-under-random-base-excitation = Cadeia de massas sob excitação aleatória pela base
 root-mean-square-of-displacement-and-acceleration-of-each-mass-of-a-chain-whose-base-moves-with-a = Valor eficaz do deslocamento e da aceleração de cada massa de uma cadeia cuja base se move com uma densidade espectral, com amortecimento modal.
 masses-and-springs = Massas e molas
-from-the-base-on = A partir da base.
+starting-from-the-base = A partir da base.
 stiffness-of-its-spring = Rigidez da sua mola
-towards-the-mass-before-or-the-base = Em direção à massa anterior, ou à base.
-damping-ratio-of-every-mode = Razão de amortecimento de todos os modos
-spectral-density-of-the-acceleration-of-the-base = Densidade espectral da aceleração da base
+towards-the-previous-mass-or-the-base = Em direção à massa anterior, ou à base.
+damping-ratio-of-every-mode = Fator de amortecimento de todos os modos
+power-spectral-density-of-the-base-acceleration = Densidade espectral de potência da aceleração da base
 a-chain-of-more-than-twelve-masses-is-not-written-out-here-join-some-of-them = uma cadeia de mais de doze massas não é desenvolvida aqui: junte algumas delas
 the-modes-of-these-masses-and-springs-were-not-found-check-their-units = os modos destas massas e molas não foram encontrados: confira as unidades
 natural-frequency-of-this-mode-an-eigenvalue-of-the-stiffness-and-mass-matrices-of-the-chain = Frequência natural deste modo: um autovalor das matrizes de rigidez e de massa da cadeia
-the-base-is-at-rest-when-holzer-s-table-walks-the-chain-at-this-frequency = a base fica em repouso quando a tabela de Holzer percorre a cadeia nesta frequência
-share-of-the-mode-in-the-motion-of-this-mass-when-the-base-moves-with-m-m = Parcela do modo no movimento desta massa quando a base se move: Γφ, com Γ = Σmφ/Σmφ²
-the-shares-of-all-modes-in-the-motion-of-a-mass-make-one = as parcelas de todos os modos no movimento de uma massa somam um
-the-effective-masses-of-all-modes-make-the-whole-mass = as massas efetivas de todos os modos somam a massa total
-the-same-in-cycles-a-second = O mesmo em ciclos por segundo
+the-base-is-at-rest-when-holzer-s-table-is-evaluated-along-the-chain-at-this-frequency = a base fica em repouso quando a tabela de Holzer é calculada ao longo da cadeia nesta frequência
+modal-contribution-to-the-motion-of-this-mass-under-base-excitation-with-m-m = Contribuição do modo ao movimento desta massa sob excitação pela base: Γφ, com Γ = Σmφ/Σmφ²
+the-contributions-of-all-modes-to-the-motion-of-a-mass-sum-to-one = as contribuições de todos os modos ao movimento de uma massa somam um
+the-same-in-hz = A mesma em Hz
 effective-mass-of-the-mode-over-the-whole-mass-how-much-of-it-moves-with-the-base = Massa efetiva do modo dividida pela massa total: quanto dela se move com a base
 effective-mass-of-the-mode = Massa efetiva do modo
-displacement-of-this-mass-relative-to-the-base-the-frequency-responses-of-all-modes-are-added-squared = Deslocamento desta massa em relação à base: as respostas em frequência de todos os modos são somadas, elevadas ao quadrado e integradas com a densidade na faixa
+displacement-of-this-mass-relative-to-the-base-the-frequency-responses-of-all-modes-are-summed = Deslocamento desta massa em relação à base: as respostas em frequência de todos os modos são somadas, elevadas ao quadrado e integradas com a densidade espectral na faixa
 acceleration-of-this-mass-relative-to-the-base-by-the-same-integral-with = Aceleração desta massa em relação à base, pela mesma integral com ω⁴
-absolute-acceleration-of-this-mass-the-acceleration-of-the-base-is-added-before-the-square = Aceleração absoluta desta massa: a aceleração da base é somada antes do quadrado
+absolute-acceleration-of-this-mass-the-base-acceleration-is-added-before-squaring = Aceleração absoluta desta massa: a aceleração da base é somada antes de elevar ao quadrado
 mean-square-by-partial-fractions-mode-by-mode-with-their-cross-terms = média quadrática por frações parciais, modo a modo com os termos cruzados
-on-a-base-of-white-acceleration-the-relative-acceleration-has-no-finite-mean-square-it-holds-the = numa base de aceleração branca, a aceleração relativa não tem média quadrática finita: ela contém a aceleração da própria base
+under-white-noise-base-acceleration-the-relative-acceleration-has-no-finite-mean-square-it-contains = sob aceleração da base com ruído branco, a aceleração relativa não tem média quadrática finita: ela contém a própria aceleração da base
 root-mean-square-of-the-relative-displacement-of-mass = Valor eficaz do deslocamento relativo da massa
 root-mean-square-of-the-relative-acceleration-of-mass = Valor eficaz da aceleração relativa da massa
 root-mean-square-of-the-absolute-acceleration-of-mass = Valor eficaz da aceleração absoluta da massa
 spectral-density-of-the-absolute-acceleration = Densidade espectral da aceleração absoluta
+power-spectral-density-of-the-absolute-acceleration = Densidade espectral de potência da aceleração absoluta
 mass-place = massa { $place }
 
 # vibration/random-response
 random-response = Resposta aleatória
-the-square-of-the-rate-of-crossings-is-the-second-moment-of-the-response-over-that-of-order-zero = o quadrado da taxa de cruzamentos é o segundo momento da resposta sobre o de ordem zero
+the-square-of-the-zero-crossing-rate-is-the-second-spectral-moment-of-the-response-over-that-of-order = o quadrado da taxa de cruzamentos por zero é o segundo momento espectral da resposta sobre o de ordem zero
 root-mean-square-of-the-force-k-ic-of-spring-and-damper-on-the-displacement = valor eficaz da força k + icω de mola e amortecedor sobre o deslocamento
 force-of-the-spring-over-the-mass-under-white-noise-by-integration-over-all-frequencies = força da mola sobre a massa sob ruído branco, por integração em todas as frequências
 root-mean-square-of-displacement-and-acceleration-crossing-rate-and-three-sigma-values-of-one-degree = Valor eficaz do deslocamento e da aceleração, taxa de cruzamentos e valores de três sigmas de um grau de liberdade sob uma densidade espectral.
-stationary-gaussian-with-a-mean-of-zero = Estacionária, gaussiana, de média nula.
+stationary-gaussian-zero-mean = Estacionária, gaussiana, de média nula.
 spectral-density = Densidade espectral
+power-spectral-density = Densidade espectral de potência
 spectral-density-of-the-acceleration = Densidade espectral da aceleração
+power-spectral-density-of-the-acceleration = Densidade espectral de potência da aceleração
 spectral-density-of-the-force = Densidade espectral da força
+power-spectral-density-of-the-force = Densidade espectral de potência da força
 white-the-same-at-every-frequency = Branca: a mesma em toda frequência
 level = Nível
 one-sided = Unilateral.
-the-density-for-each-rad-s-1-hz-is-2-rad-s = A densidade para cada rad/s: 1 Hz são 2π rad/s
+the-density-per-rad-s-1-hz-is-2-rad-s = A densidade por rad/s: 1 Hz são 2π rad/s
 level-over-a-band = Nível numa faixa
 zero-outside-it = Zero fora dela.
 between-the-points = Entre os pontos
@@ -2964,8 +3074,8 @@ the-band-ends-before-it-begins-write-its-lower-frequency-first = a faixa termina
 the-table-of-the-density-needs-at-least-two-points = a tabela da densidade precisa de pelo menos dois pontos
 a-log-log-line-cannot-pass-through-zero-write-frequencies-and-densities-above-zero-or-choose-straight = uma reta log-log não pode passar por zero: escreva frequências e densidades acima de zero, ou escolha retas
 the-integral-over-the-frequency-was-not-found-the-damping-is-too-small-or-the-numbers-are-too-large = a integral na frequência não foi encontrada: o amortecimento é pequeno demais, ou os números são grandes demais
-without-damping-a-random-excitation-makes-the-motion-grow-without-bound-as-t-give-a-damping-ratio = sem amortecimento, uma excitação aleatória faz o movimento crescer sem limite, como √t: dê uma razão de amortecimento
-the-natural-frequency-is-outside-the-band-of-the-excitation-there-is-no-resonance-in-it = a frequência natural está fora da faixa da excitação: nela não há ressonância
+without-damping-a-random-excitation-makes-the-motion-grow-without-bound-as-t-give-a-damping-ratio = sem amortecimento, uma excitação aleatória faz o movimento crescer sem limite, como √t: dê um fator de amortecimento
+the-natural-frequency-is-outside-the-band-of-the-excitation-no-resonance-is-excited = a frequência natural está fora da faixa da excitação: nenhuma ressonância é excitada
 root-mean-square-of-the-displacement-relative-to-the-base = Valor eficaz do deslocamento em relação à base
 root-mean-square-of-the-velocity-relative-to-the-base = Valor eficaz da velocidade em relação à base
 root-mean-square-of-the-absolute-acceleration = Valor eficaz da aceleração absoluta
@@ -2976,17 +3086,19 @@ root-mean-square-of-the-acceleration = Valor eficaz da aceleração
 root-mean-square-of-the-force-of-spring-and-damper-over-the-mass = Valor eficaz da força da mola e do amortecedor, dividida pela massa
 root-mean-square-of-the-force-on-the-support = Valor eficaz da força no apoio
 spectral-density-of-the-acceleration-at-the-natural-frequency = Densidade espectral da aceleração na frequência natural
-miles-value-which-takes-the-density-at-the-natural-frequency-as-white-and-leaves-out-4 = Valor de Miles, que toma a densidade na frequência natural como branca e despreza 4ζ²
-how-far-miles-value-is-off = Quanto o valor de Miles se desvia
+power-spectral-density-of-the-acceleration-at-the-natural-frequency = Densidade espectral de potência da aceleração na frequência natural
+miles-value-which-treats-the-density-at-the-natural-frequency-as-white-noise-and-neglects-4 = Valor de Miles, que trata a densidade na frequência natural como ruído branco e despreza 4ζ²
+error-of-miles-value = Erro do valor de Miles
 acceleration-by-miles-formula = Aceleração pela fórmula de Miles
 error-of-miles-formula = Erro da fórmula de Miles
 three-standard-deviations-reached-or-passed-0-27-of-the-time = Três desvios padrão: alcançados ou ultrapassados em 0,27 % do tempo
-three-sigma-relative-displacement = Deslocamento relativo de três sigmas
-three-sigma-absolute-acceleration = Aceleração absoluta de três sigmas
+n-3-relative-displacement = Deslocamento relativo 3σ
+n-3-absolute-acceleration = Aceleração absoluta 3σ
 three-sigma-displacement = Deslocamento de três sigmas
-under-a-white-force-the-acceleration-of-the-mass-has-no-finite-mean-square-it-grows-with-the-width-of = sob uma força branca, a aceleração da massa não tem média quadrática finita: ela cresce com a largura da faixa
-mean-rate-of-crossings-of-zero-upwards-by-rice-the-frequency-at-which-the-motion-seems-to-run = Taxa média de cruzamentos ascendentes do zero, por Rice: a frequência com que o movimento parece ocorrer
-mean-rate-of-upward-crossings-of-zero = Taxa média de cruzamentos ascendentes do zero
+n-3-displacement = Deslocamento 3σ
+under-a-white-noise-force-the-acceleration-of-the-mass-has-no-finite-mean-square-it-grows-with-the = sob uma força com ruído branco, a aceleração da massa não tem média quadrática finita: ela cresce com a largura da faixa
+mean-rate-of-upward-zero-crossings-by-rice-the-apparent-frequency-of-the-motion = Taxa média de cruzamentos ascendentes do zero, por Rice: a frequência aparente do movimento
+mean-rate-of-upward-zero-crossings = Taxa média de cruzamentos ascendentes do zero
 root-mean-square-by-integration-over-all-frequencies = valor eficaz por integração em todas as frequências
 what-the-integral-of-h-s-over-the-frequency-by-adaptive-quadrature = { $what }: a integral de |H|²S na frequência, por quadratura adaptativa
 mean-square-by-partial-fractions-over-the-band = média quadrática por frações parciais na faixa
@@ -2996,24 +3108,24 @@ force-over-mass = força dividida pela massa
 force-on-the-support-over-mass = força no apoio dividida pela massa
 
 # vibration/response-spectrum
-largest-deflection-of-each-mode = Maior deflexão de cada modo
+maximum-deflection-of-each-mode = Deflexão máxima de cada modo
 along-the-beam = ao longo da viga
 count-half-waves = { $count } meias ondas
 largest-displacement-of-each-mode = Maior deslocamento de cada modo
-largest-displacement-of-the-last-mass-in-each-mode = Maior deslocamento da última massa em cada modo
+maximum-displacement-of-each-mode = Deslocamento máximo de cada modo
+maximum-displacement-of-the-last-mass-in-each-mode = Deslocamento máximo da última massa em cada modo
 response-spectrum-analysis = Análise por espectro de resposta
-largest-displacement-acceleration-or-stress-of-a-chain-of-given-modes-or-of-a-beam-on-a-shaking-base = Deslocamento, aceleração ou tensão máximos de uma cadeia, de modos dados ou de uma viga sobre uma base que se move, por ABS, SRSS e CQC.
+maximum-displacement-acceleration-or-stress-of-a-chain-of-given-modes-or-of-a-beam-under-base = Deslocamento, aceleração ou tensão máximos de uma cadeia, de modos dados ou de uma viga sob excitação pela base, por ABS, SRSS e CQC.
 structure = Estrutura
-only-the-complete-quadratic-combination-needs-it-the-spectrum-is-that-of-this-damping = Só a combinação quadrática completa precisa dela; o espectro é o deste amortecimento.
+required-only-for-the-complete-quadratic-combination-the-spectrum-is-that-of-this-damping = Necessária só para a combinação quadrática completa; o espectro é o deste amortecimento.
 response-spectrum-of-the-motion-of-the-base = Espectro de resposta do movimento da base
 chain-of-masses = Cadeia de massas
 modes-given = Modos dados
-simply-supported-beam-both-supports-moving-alike = Viga biapoiada, com os dois apoios movendo-se por igual
-mass-of-each-unit-of-length = Massa por unidade de comprimento
+simply-supported-beam-both-supports-with-the-same-motion = Viga biapoiada, com o mesmo movimento nos dois apoios
 from-the-neutral-axis = A partir da linha neutra.
 number-of-modes = Número de modos
-only-the-symmetric-ones-1-3-5-move-when-both-supports-move-alike = Só os simétricos, 1, 3, 5 …, se movem quando os dois apoios se movem por igual.
-share-of-the-mode-at-the-point-looked-at = Parcela do modo no ponto observado
+only-the-symmetric-ones-1-3-5-respond-when-both-supports-have-the-same-motion = Só os simétricos, 1, 3, 5 …, respondem quando os dois apoios têm o mesmo movimento.
+modal-contribution-at-the-observation-point = Contribuição do modo no ponto observado
 participation-factor-times-mode-shape-the-shares-of-all-modes-make-one = Fator de participação vezes a forma modal, Γφ: as parcelas de todos os modos somam um.
 the-same-displacement-at-every-frequency = O mesmo deslocamento em toda frequência
 spectral-displacement = Deslocamento espectral
@@ -3026,8 +3138,8 @@ spectral-displacement-of-this-mode-from-the-pseudo-velocity = Deslocamento espec
 spectral-displacement-of-this-mode-from-the-pseudo-acceleration = Deslocamento espectral deste modo, pela pseudoaceleração
 the-table-of-the-spectrum-does-not-reach-frequency-add-points-for-every-mode = a tabela do espectro não alcança { $frequency }: acrescente pontos para todos os modos
 the-table-of-the-spectrum-needs-at-least-two-points-with-frequencies-that-ascend-and-values-above = a tabela do espectro precisa de pelo menos dois pontos, com frequências crescentes e valores acima de zero
-largest-displacement-of-this-mass-in-this-mode-s-d = Deslocamento máximo desta massa neste modo, Γφ S_d
-largest-displacement-of-the-point-in-this-mode-s-d = Deslocamento máximo do ponto neste modo, Γφ S_d
+maximum-displacement-of-this-mass-in-this-mode-s-d = Deslocamento máximo desta massa neste modo, Γφ S_d
+maximum-displacement-of-the-point-in-this-mode-s-d = Deslocamento máximo do ponto neste modo, Γφ S_d
 displacement-sum-of-absolute-values-mass = Deslocamento, soma dos valores absolutos, massa
 displacement-root-of-the-sum-of-squares-mass = Deslocamento, raiz da soma dos quadrados, massa
 displacement-complete-quadratic-combination-mass = Deslocamento, combinação quadrática completa, massa
@@ -3035,21 +3147,21 @@ displacement-sum-of-absolute-values = Deslocamento, soma dos valores absolutos
 displacement-root-of-the-sum-of-squares = Deslocamento, raiz da soma dos quadrados
 displacement-complete-quadratic-combination = Deslocamento, combinação quadrática completa
 effective-mass-of-this-mode-m = Massa efetiva deste modo, Γ²Σmφ²
-largest-force-on-the-base-in-this-mode-its-effective-mass-times-its-pseudo-acceleration = Força máxima na base neste modo: a sua massa efetiva vezes a sua pseudoaceleração
+maximum-force-on-the-base-in-this-mode-its-effective-mass-times-its-pseudo-acceleration = Força máxima na base neste modo: a sua massa efetiva vezes a sua pseudoaceleração
 force-on-the-base-sum-of-absolute-values = Força na base, soma dos valores absolutos
 force-on-the-base-root-of-the-sum-of-squares = Força na base, raiz da soma dos quadrados
 force-on-the-base-complete-quadratic-combination = Força na base, combinação quadrática completa
 force-on-the-base-of-a-mode-as-the-force-of-the-first-spring = força na base de um modo, como a força da primeira mola
-the-shares-of-the-modes-make-total-not-one-modes-are-missing-or-and-do-not-belong-together = as parcelas dos modos somam { $total }, e não um: faltam modos, ou Γ e φ não se correspondem
-half-waves-over-the-span-as-an-angle-for-each-unit-of-length = Meias ondas no vão, como ângulo por unidade de comprimento
+the-contributions-of-the-modes-sum-to-total-not-to-one-modes-are-missing-or-and-do-not-correspond = as contribuições dos modos somam { $total }, e não um: faltam modos, ou Γ e φ não se correspondem
+half-waves-over-the-span-as-an-angle-per-unit-length = Meias ondas no vão, como ângulo por unidade de comprimento
 natural-frequency-of-the-mode-with-this-number-of-half-waves = Frequência natural do modo com este número de meias ondas
-share-of-the-mode-in-the-motion-of-the-middle-when-both-supports-move-4-l-with-the-sign-of-sin-l-2 = Parcela do modo no movimento do meio quando os dois apoios se movem: 4/(βL), com o sinal de sen(βL/2)
-share-of-the-mode-by-quadrature-of-its-shape-dx-dx = parcela do modo por quadratura da sua forma, Γ = ∫φ dx/∫φ² dx
-largest-deflection-of-the-middle-in-this-mode-s-d = Deflexão máxima do meio neste modo, Γφ S_d
-bending-stress-at-the-middle-in-this-mode-e-c-times-the-curvature-y = Tensão de flexão no meio neste modo: E c vezes a curvatura β²y
-deflection-of-the-middle-sum-of-absolute-values = Deflexão do meio, soma dos valores absolutos
-deflection-of-the-middle-root-of-the-sum-of-squares = Deflexão do meio, raiz da soma dos quadrados
-deflection-of-the-middle-complete-quadratic-combination = Deflexão do meio, combinação quadrática completa
+modal-contribution-to-the-midspan-motion-when-both-supports-move-4-l-with-the-sign-of-sin-l-2 = Contribuição do modo ao movimento do meio do vão quando os dois apoios se movem: 4/(βL), com o sinal de sen(βL/2)
+modal-participation-factor-by-quadrature-of-the-mode-shape-dx-dx = fator de participação modal por quadratura da forma modal, Γ = ∫φ dx/∫φ² dx
+maximum-deflection-of-the-middle-in-this-mode-s-d = Deflexão máxima do meio neste modo, Γφ S_d
+bending-stress-at-midspan-in-this-mode-e-c-times-the-curvature-y = Tensão de flexão no meio do vão neste modo: E c vezes a curvatura β²y
+midspan-deflection-sum-of-absolute-values = Deflexão no meio do vão, soma dos valores absolutos
+midspan-deflection-root-of-the-sum-of-squares = Deflexão no meio do vão, raiz da soma dos quadrados
+midspan-deflection-complete-quadratic-combination = Deflexão no meio do vão, combinação quadrática completa
 bending-stress-sum-of-absolute-values = Tensão de flexão, soma dos valores absolutos
 bending-stress-root-of-the-sum-of-squares = Tensão de flexão, raiz da soma dos quadrados
 bending-stress-complete-quadratic-combination = Tensão de flexão, combinação quadrática completa
@@ -3058,42 +3170,43 @@ mode-place = modo { $place }
 ratio-of-the-two-natural-frequencies = Razão entre as duas frequências naturais
 correlation-of-the-two-modes = Correlação dos dois modos
 correlation-of-the-two-modes-under-white-noise-by-partial-fractions = correlação dos dois modos sob ruído branco, por frações parciais
-sum-of-the-absolute-values-all-modes-at-their-largest-at-once-an-upper-bound = Soma dos valores absolutos: todos os modos no seu máximo ao mesmo tempo, um limite superior
-root-of-the-sum-of-squares-modes-far-apart-in-frequency = Raiz da soma dos quadrados: modos afastados em frequência
-complete-quadratic-combination-with-the-correlation-of-near-modes-and-the-signs = Combinação quadrática completa: com a correlação dos modos próximos e os sinais
+absolute-sum-all-modes-at-their-maximum-at-the-same-time-an-upper-bound = Soma dos valores absolutos: todos os modos no seu máximo ao mesmo tempo, um limite superior
+square-root-of-the-sum-of-squares-srss-well-separated-modes = Raiz da soma dos quadrados (SRSS): modos bem separados
+complete-quadratic-combination-with-the-correlation-of-closely-spaced-modes-and-the-signs = Combinação quadrática completa: com a correlação dos modos próximos e os sinais
 
 # vibration/shock-response-spectrum
 shock-response-spectrum = Espectro de resposta ao choque
-the-slope-of-the-spectrum-is-zero-at-its-greatest-ordinate = a inclinação do espectro é zero na sua maior ordenada
-residual-by-the-integral-over-unit-impulses-to-its-moment = residual, pela integral sobre impulsos unitários até o seu instante
-primary-by-the-integral-over-unit-impulses-to-its-moment = primária, pela integral sobre impulsos unitários até o seu instante
-greatest-ordinate-by-the-integral-over-unit-impulses-to-its-moment = maior ordenada, pela integral sobre impulsos unitários até o seu instante
-greatest-amplification-by-the-integrals-over-unit-impulses = maior amplificação, pelas integrais sobre impulsos unitários
-change-of-the-velocity-the-acceleration-added-up-piece-by-piece-by-quadrature = variação da velocidade: a aceleração somada trecho a trecho, por quadratura
+the-slope-of-the-spectrum-is-zero-at-its-maximum-ordinate = a inclinação do espectro é zero na sua ordenada máxima
+residual-by-duhamel-s-integral-up-to-its-instant = residual, pela integral de Duhamel até o seu instante
+primary-by-duhamel-s-integral-up-to-its-instant = primário, pela integral de Duhamel até o seu instante
+maximum-ordinate-by-duhamel-s-integral-up-to-its-instant = ordenada máxima, pela integral de Duhamel até o seu instante
+maximum-amplification-by-duhamel-s-integral = amplificação máxima, pela integral de Duhamel
+velocity-change-integral-of-the-acceleration-piece-by-piece-by-quadrature = variação da velocidade: integral da aceleração trecho a trecho, por quadratura
 amplification-by-the-integrals-over-unit-impulses = amplificação, pelas integrais sobre impulsos unitários
-primary-residual-and-maximax-spectrum-of-a-pulse-or-a-recorded-shock-at-asked-frequencies-and-over-a = Espectros primário, residual e maximax de um pulso ou de um choque registrado, em frequências pedidas e numa faixa.
-shock-of-the-base = Choque da base
-damping-ratio-of-the-oscillators = Razão de amortecimento dos osciladores
-n-0-05-q-10-where-nothing-else-is-said = 0,05, Q = 10, quando nada mais é dito.
+primary-residual-and-maximax-spectrum-of-a-pulse-or-a-recorded-shock-at-given-frequencies-and-over-a = Espectros primário, residual e maximax de um pulso ou de um choque registrado, em frequências dadas e numa faixa.
+base-shock = Choque na base
+damping-ratio-of-the-oscillators = Fator de amortecimento dos osciladores
+n-0-05-q-10-unless-stated-otherwise = 0,05, Q = 10, salvo indicação em contrário.
 what-is-plotted = O que é traçado
+quantity-plotted = Grandeza no gráfico
 absolute-acceleration = Aceleração absoluta
 pseudo-acceleration-relative-displacement-times = Pseudoaceleração: deslocamento relativo vezes ωₙ²
-lowest-frequency = Menor frequência
-highest-frequency = Maior frequência
-the-spectrum-is-answered-at-each-of-them = O espectro é respondido em cada uma delas.
+lowest-frequency = Frequência mínima
+highest-frequency = Frequência máxima
+the-spectrum-is-computed-at-each-of-them = O espectro é calculado em cada uma delas.
 pulse = Pulso
 form = Forma
 half-sine = Meio seno
 triangle = Triângulo
-in-the-middle-where-this-is-left-out-the-duration-for-a-terminal-peak-sawtooth = No meio, quando isto é omitido; a duração para um dente de serra de pico final.
+at-the-middle-if-omitted-the-duration-for-a-terminal-peak-sawtooth = No meio, se omitido; a duração para um dente de serra de pico final.
 the-lowest-frequency-is-not-below-the-highest-write-a-range = a menor frequência não está abaixo da maior: escreva uma faixa
-change-of-the-velocity = Variação da velocidade
-change-of-the-velocity-the-area-of-the-half-sine = Variação da velocidade: a área do meio seno
-change-of-the-velocity-the-area-of-the-rectangle = Variação da velocidade: a área do retângulo
-change-of-the-velocity-the-area-of-the-triangle = Variação da velocidade: a área do triângulo
-the-table-holds-no-acceleration-but-zero-there-is-no-shock = a tabela só contém acelerações nulas: não há choque
-largest-response-while-the-shock-lasts-the-motion-is-exact-over-each-piece-of-the-shock-its-peaks-are = Maior resposta enquanto o choque dura: o movimento é exato em cada trecho do choque, e seus picos estão onde a sua taxa se anula
-largest-response-once-the-shock-is-over-by-the-free-motion-from-its-end = Maior resposta depois do choque, pelo movimento livre a partir do seu fim
+velocity-change = Variação da velocidade
+velocity-change-area-of-the-half-sine-pulse = Variação da velocidade: área do pulso meio-seno
+velocity-change-area-of-the-rectangular-pulse = Variação da velocidade: área do pulso retangular
+velocity-change-area-of-the-triangular-pulse = Variação da velocidade: área do pulso triangular
+all-accelerations-in-the-table-are-zero-there-is-no-shock = todas as acelerações da tabela são nulas: não há choque
+maximum-response-during-the-shock-the-motion-is-exact-over-each-piece-of-the-shock-its-peaks-are = Resposta máxima durante o choque: o movimento é exato em cada trecho do choque, e os picos estão onde a sua taxa se anula
+maximum-response-after-the-shock-from-the-free-motion-starting-at-its-end = Resposta máxima depois do choque, pelo movimento livre a partir do seu fim
 the-maximax-is-the-larger-one-the-primary = O maximax é o maior dos dois: o primário
 the-maximax-is-the-larger-one-the-residual = O maximax é o maior dos dois: o residual
 primary-at-frequency = Primário na frequência
@@ -3102,125 +3215,134 @@ maximax-at-frequency = Maximax na frequência
 amplification-at-frequency = Amplificação na frequência
 relative-displacement-by-duhamel-s-integral = deslocamento relativo pela integral de Duhamel
 duration-over-the-natural-period = Duração dividida pelo período natural
-amplification-the-spectrum-over-the-largest-acceleration-of-the-base = Amplificação: o espectro dividido pela aceleração máxima da base
+amplification-the-spectrum-over-the-maximum-base-acceleration = Amplificação: o espectro sobre a aceleração máxima da base
 primary-without-damping-from-its-closed-form = primário sem amortecimento, pela sua forma fechada
 residual-without-damping-from-its-closed-form = residual sem amortecimento, pela sua forma fechada
-greatest-ordinate-of-the-spectrum-over-the-range-where-its-slope-is-zero = Maior ordenada do espectro na faixa, onde a sua inclinação se anula
-greatest-ordinate-of-the-spectrum-among-the-frequencies-that-are-drawn = Maior ordenada do espectro entre as frequências traçadas
+maximum-ordinate-of-the-spectrum-over-the-range-where-its-slope-is-zero = Ordenada máxima do espectro na faixa, onde a sua inclinação se anula
+maximum-ordinate-of-the-spectrum-among-the-plotted-frequencies = Ordenada máxima do espectro entre as frequências traçadas
 greatest-ordinate-over-the-range = Maior ordenada na faixa
-greatest-amplification-over-the-range = Maior amplificação na faixa
+maximum-ordinate-over-the-range = Ordenada máxima na faixa
+maximum-amplification-over-the-range = Amplificação máxima na faixa
 its-natural-frequency = A sua frequência natural
-natural-frequency-of-the-greatest-ordinate = Frequência natural da maior ordenada
-duration-over-the-natural-period-at-the-greatest-ordinate = Duração dividida pelo período natural, na maior ordenada
+natural-frequency-of-the-maximum-ordinate = Frequência natural da ordenada máxima
+duration-over-the-natural-period-at-the-maximum-ordinate = Duração dividida pelo período natural, na ordenada máxima
 duration-over-the-natural-period-there = Duração dividida pelo período natural nesse ponto
-the-spectrum-is-lower-at-both-sides-of-its-greatest-ordinate = o espectro é mais baixo dos dois lados da sua maior ordenada
-the-greatest-ordinate-is-at-an-end-of-the-range-the-spectrum-may-be-higher-beyond-it = a maior ordenada está num extremo da faixa: além dele o espectro pode ser maior
+the-spectrum-is-lower-on-both-sides-of-its-maximum-ordinate = o espectro é mais baixo dos dois lados da sua ordenada máxima
+the-maximum-ordinate-is-at-an-end-of-the-range-the-spectrum-may-be-higher-beyond-it = a ordenada máxima está num extremo da faixa: além dele o espectro pode ser maior
 maximax = maximax
 primary = primário
 shock-response-spectrum-in-numbers = Espectro de resposta ao choque em números
 
 # vibration/transient-response
-only-a-force-on-it-or-stiffness-in-place-of-a-frequency-needs-it = Só uma força sobre ela, ou a rigidez em vez de uma frequência, precisa dela.
-a-loss-factor-describes-steady-vibration-at-one-frequency-not-a-transient-or-random-motion-give-the = um fator de perda descreve a vibração em regime numa frequência, não um movimento transitório ou aleatório: dê a razão de amortecimento, para amortecimento fraco metade do fator de perda
+required-only-for-a-force-on-it-or-if-the-stiffness-is-given-instead-of-a-frequency = Necessária só com uma força sobre ela, ou com a rigidez em vez de uma frequência.
+a-loss-factor-describes-steady-state-vibration-at-one-frequency-not-a-transient-or-random-motion-give = um fator de perda descreve a vibração em regime permanente numa frequência, não um movimento transitório ou aleatório: dê o fator de amortecimento, que para amortecimento fraco é metade do fator de perda
 transient-response = Resposta transitória
-overshoot-of-a-step-what-half-a-cycle-leaves-of-a-release-e-1 = sobressinal de um degrau: o que meio ciclo deixa de uma soltura, e^(−πζ/√(1 − ζ²))
-largest-force-on-the-support-by-the-integral-over-unit-impulses-to-its-moment = maior força no apoio, pela integral sobre impulsos unitários até o seu instante
-largest-acceleration-by-the-integral-over-unit-impulses-to-its-moment = maior aceleração, pela integral sobre impulsos unitários até o seu instante
-displacement-in-time-its-maximum-and-what-remains-of-one-degree-of-freedom-under-a-step-ramp-pulse = Deslocamento no tempo, o seu máximo e o que resta, de um grau de liberdade sob um degrau, rampa, pulso, tabela, impulso ou aceleração da base.
+overshoot-of-a-step-response-amplitude-ratio-after-half-a-cycle-of-free-vibration-e-1 = sobressinal da resposta ao degrau: razão de amplitudes após meio ciclo de vibração livre, e^(−πζ/√(1 − ζ²))
+maximum-force-on-the-support-by-duhamel-s-integral-up-to-its-instant = força máxima no apoio, pela integral de Duhamel até o seu instante
+maximum-acceleration-by-duhamel-s-integral-up-to-its-instant = aceleração máxima, pela integral de Duhamel até o seu instante
+displacement-time-history-its-maximum-and-the-residual-response-of-one-degree-of-freedom-under-a-step = Evolução do deslocamento no tempo, o seu máximo e a resposta residual, de um grau de liberdade sob um degrau, rampa, pulso, tabela, impulso ou aceleração da base.
 natural-frequency-given = Frequência natural dada
 natural-period = Período natural
 frequency-of-the-damped-motion = Frequência do movimento amortecido
 slower-rate-of-decay-of-the-overdamped-motion = Taxa de decaimento mais lenta do movimento superamortecido
 faster-rate-of-decay = Taxa de decaimento mais rápida
-from-rest-unless-an-initial-motion-is-chosen = A partir do repouso, a não ser que se escolha um movimento inicial.
-the-displacement-is-answered-at-each-of-them = O deslocamento é respondido em cada um deles.
+faster-decay-rate = Taxa de decaimento mais rápida
+from-rest-unless-an-initial-motion-is-specified = A partir do repouso, a não ser que se informe um movimento inicial.
+the-displacement-is-computed-at-each-of-them = O deslocamento é calculado em cada um deles.
 distance-of-the-extreme-fibre = Distância da fibra extrema
-from-the-neutral-axis-where-the-spring-is-a-beam-its-largest-bending-stress-is-answered-too = A partir da linha neutra. Quando a mola é uma viga, a sua tensão máxima de flexão também é respondida.
+from-the-neutral-axis-if-the-spring-is-a-beam-its-maximum-bending-stress-is-also-computed = A partir da linha neutra. Quando a mola é uma viga, a sua tensão máxima de flexão também é calculada.
 size = Tamanho
-force-on-the-mass-by-a-table = Força sobre a massa por uma tabela
-straight-between-the-points-zero-before-the-first-and-after-the-last = Reta entre os pontos, zero antes do primeiro e depois do último.
-times-ascend-two-points-at-one-time-are-a-jump = Tempos crescentes; dois pontos no mesmo tempo são um salto.
+magnitude = Intensidade
+force-on-the-mass-from-a-table = Força sobre a massa por uma tabela
+straight-between-the-points-zero-before-the-first-and-after-the-last = Linear entre os pontos, zero antes do primeiro e depois do último.
+a-firing-order-contains-each-cylinder-once = Uma ordem de ignição contém cada cilindro uma vez
+linear-between-the-points-zero-before-the-first-and-after-the-last = Linear entre os pontos, zero antes do primeiro e depois do último.
+increasing-times-two-points-at-the-same-time-define-a-step = Tempos crescentes; dois pontos no mesmo tempo definem um degrau.
 impulse-on-the-mass = Impulso sobre a massa
 impulse = Impulso
 the-displacement-is-that-relative-to-the-base = O deslocamento é o relativo à base.
+the-displacement-is-relative-to-the-base = O deslocamento é relativo à base.
 acceleration-of-the-base-by-a-table = Aceleração da base por uma tabela
 initial-motion = Movimento inicial
 initial-displacement = Deslocamento inicial
 initial-velocity = Velocidade inicial
-largest-force-given = Força máxima dada
+maximum-force-given = Força máxima dada
 largest-force = Força máxima
+maximum-force = Força máxima
 impulse-of-the-whole-pulse-given = Impulso do pulso inteiro dado
 the-area-under-the-force = A área sob a força.
 step = Degrau
-applied-at-once-and-held = Aplicado de uma vez e mantido.
+applied-suddenly-and-held-constant = Aplicado subitamente e mantido constante.
 ramp-that-is-held = Rampa que se mantém
-rises-evenly-and-is-held-from-then-on = Cresce por igual e a partir daí se mantém.
+ramp-then-constant = Rampa, depois constante
+rises-linearly-and-then-stays-constant = Cresce linearmente e depois se mantém constante.
 rise-time = Tempo de subida
 ramp-without-end = Rampa sem fim
-rises-evenly-for-ever = Cresce por igual para sempre.
-time-in-which-it-rises-to-its-size = Tempo em que alcança o seu tamanho
+rises-linearly-without-end = Cresce linearmente sem limite.
+rise-time-to-the-full-value = Tempo de subida até o valor final
 exponential = Exponencial
-applied-at-once-it-falls-as-e-t = Aplicada de uma vez, cai como e^(−t/τ).
+applied-suddenly-it-decays-as-e-t = Aplicada subitamente, decai como e^(−t/τ).
 time-constant = Constante de tempo
 duration = Duração
 triangular-pulse = Pulso triangular
 time-of-the-peak = Instante do pico
-in-the-middle-where-this-is-left-out-0-for-a-blast-the-duration-for-a-sawtooth = No meio, quando isto é omitido; 0 para uma explosão, a duração para um dente de serra.
+at-the-middle-if-omitted-0-for-a-blast-the-duration-for-a-sawtooth = No meio, se omitido; 0 para uma explosão, a duração para um dente de serra.
 half-sine-pulse = Pulso de meio seno
 the-peak-of-the-triangle-comes-after-its-end-write-a-time-of-the-peak-up-to-the-duration = o pico do triângulo vem depois do seu fim: escreva um instante do pico até a duração
-the-times-of-the-table-must-begin-at-zero-or-later-and-ascend-put-its-rows-in-order = os tempos da tabela devem começar em zero ou depois e ser crescentes: ponha as suas linhas em ordem
+the-times-of-the-table-must-begin-at-zero-or-later-and-ascend-sort-its-rows = os tempos da tabela devem começar em zero ou depois e ser crescentes: ordene as suas linhas
 the-table-has-fewer-than-two-points-write-at-least-its-start-and-its-end = a tabela tem menos de dois pontos: escreva ao menos o seu começo e o seu fim
 natural-period-without-damping = Período natural, sem amortecimento
 static-displacement = Deslocamento estático
 displacement-at-time = Deslocamento no tempo
 the-load-rises-without-end-and-the-motion-with-it-there-is-no-largest-displacement = a carga cresce sem fim, e o movimento com ela: não há deslocamento máximo
-time-of-the-largest-displacement-the-first-zero-of-the-velocity-at-which-it-is-reached = Instante do deslocamento máximo: o primeiro zero da velocidade em que ele é alcançado
-the-velocity-is-zero-at-the-largest-displacement = a velocidade é nula no deslocamento máximo
-largest-displacement-over-the-static-one-the-dynamic-load-factor = Deslocamento máximo dividido pelo estático: o fator de carga dinâmica
+time-of-maximum-displacement-the-first-zero-of-the-velocity-at-which-it-is-reached = Instante do deslocamento máximo: o primeiro zero da velocidade em que ele é alcançado
+the-velocity-is-zero-at-the-maximum-displacement = a velocidade é nula no deslocamento máximo
+maximum-displacement-over-the-static-one-the-dynamic-load-factor = Deslocamento máximo dividido pelo estático: o fator de carga dinâmica
 dynamic-load-factor = Fator de carga dinâmica
-how-far-the-largest-displacement-goes-beyond-the-one-that-stays = Quanto o deslocamento máximo vai além do que permanece
-largest-displacement-once-the-load-is-over-by-the-free-motion-from-its-end = Deslocamento máximo depois da carga, pelo movimento livre a partir do seu fim
-without-damping-what-remains-is-the-amplitude-of-the-state-at-the-end-of-the-load = sem amortecimento, o que resta é a amplitude do estado no fim da carga
-largest-displacement-after-the-load = Deslocamento máximo depois da carga
+excess-of-the-maximum-displacement-over-the-final-value = Excesso do deslocamento máximo sobre o valor final
+maximum-displacement-after-the-load-from-the-free-motion-starting-at-its-end = Deslocamento máximo depois da carga, pelo movimento livre a partir do seu fim
+without-damping-the-residual-amplitude-is-that-of-the-state-at-the-end-of-the-load = sem amortecimento, a amplitude residual é a do estado no fim da carga
+maximum-displacement-after-the-load = Deslocamento máximo depois da carga
 dynamic-load-factor-of-a-step-from-its-closed-form-1-e-1 = fator de carga dinâmica de um degrau pela sua forma fechada, 1 + e^(−πζ/√(1 − ζ²))
 dynamic-load-factor-of-the-ramp-from-its-closed-form-1-sin-t-r-t-t-r-t = fator de carga dinâmica da rampa pela sua forma fechada, 1 + |sin(πt_r/T)|/(πt_r/T)
-its-rate-is-zero-there = a sua taxa se anula nesse instante
-largest-acceleration-of-the-mass-itself-2-z-where-its-rate-is-zero = Aceleração máxima da própria massa, −2ζωₙż − ωₙ²z, onde a sua taxa se anula
-largest-absolute-acceleration = Aceleração absoluta máxima
-largest-force-of-spring-and-damper-on-the-support-kx-c-where-its-rate-is-zero = Força máxima da mola e do amortecedor no apoio, kx + cẋ, onde a sua taxa se anula
+its-rate-is-zero-at-that-time = a sua taxa se anula nesse instante
+maximum-acceleration-of-the-mass-itself-2-z-where-its-rate-is-zero = Aceleração máxima da própria massa, −2ζωₙż − ωₙ²z, onde a sua taxa se anula
+maximum-absolute-acceleration = Aceleração absoluta máxima
+maximum-force-of-spring-and-damper-on-the-support-kx-c-where-its-rate-is-zero = Força máxima da mola e do amortecedor no apoio, kx + cẋ, onde a sua taxa se anula
 largest-force-on-the-support = Força máxima no apoio
+maximum-force-on-the-support = Força máxima no apoio
 relative-displacement = deslocamento relativo
-the-load-as-the-displacement-it-would-hold = a carga, como o deslocamento que ela manteria
-displacement-in-time = Deslocamento no tempo
-a-force-moves-a-mass-give-the-mass-beside-the-natural-frequency = uma força move uma massa: dê a massa junto da frequência natural
-displacement-that-the-largest-force-would-hold-statically = Deslocamento que a força máxima manteria estaticamente
-the-mass-seen-from-the-base-moves-as-under-the-force-m-displacement-that-its-largest-value-would-hold = A massa vista da base se move como sob a força −m ÿ: deslocamento que o seu maior valor manteria
-the-impulse-gives-the-mass-its-momentum-at-once = O impulso dá à massa de uma vez a sua quantidade de movimento
+load-as-equivalent-static-displacement = carga, como deslocamento estático equivalente
+displacement-time-history = Evolução do deslocamento no tempo
+a-force-moves-a-mass-give-the-mass-in-addition-to-the-natural-frequency = uma força move uma massa: dê a massa além da frequência natural
+static-displacement-under-the-maximum-force = Deslocamento estático sob a força máxima
+the-mass-relative-to-the-base-moves-as-under-the-force-m-static-displacement-under-its-maximum-value = O movimento da massa relativo à base é o causado pela força −m ÿ: deslocamento estático sob o seu valor máximo
+the-impulse-instantaneously-gives-the-mass-its-momentum = O impulso dá instantaneamente à massa a sua quantidade de movimento
 without-an-initial-displacement-or-velocity-nothing-moves-write-at-least-one-of-them = sem deslocamento nem velocidade iniciais nada se move: escreva ao menos um deles
-the-peak-stands-in-the-middle-of-the-pulse = O pico está no meio do pulso
-frequency-of-the-sine-of-which-the-pulse-is-a-half-wave = Frequência do seno do qual o pulso é meia onda
+the-peak-is-at-the-middle-of-the-pulse = O pico está no meio do pulso
+frequency-of-the-sine-of-which-the-pulse-is-one-half-wave = Frequência do seno do qual o pulso é meia onda
 frequency-ratio-of-that-sine = Razão de frequências desse seno
-largest-force-the-impulse-is-the-area-of-the-rectangle-f-t-d = Força máxima: o impulso é a área do retângulo, F₀t_d
-largest-force-the-impulse-is-the-area-of-the-triangle-f-t-d-2 = Força máxima: o impulso é a área do triângulo, F₀t_d/2
-largest-force-the-impulse-is-the-area-of-the-half-sine-2f-t-d = Força máxima: o impulso é a área do meio seno, 2F₀t_d/π
-largest-force-the-impulse-is-the-area-under-the-exponential-f = Força máxima: o impulso é a área sob a exponencial, F₀τ
-a-load-that-is-held-has-no-finite-impulse-give-its-largest-force-or-choose-a-pulse = uma carga que se mantém não tem impulso finito: dê a sua força máxima, ou escolha um pulso
-displacement-by-the-exact-recurrence-over-the-pieces-of-the-load-each-straight-or-sinusoidal = Deslocamento pela recorrência exata nos trechos da carga, cada um reto ou senoidal
-displacement-the-responses-to-the-steps-ramps-or-waves-that-make-the-load-added-up = Deslocamento: a soma das respostas aos degraus, rampas ou ondas que compõem a carga
-displacement-of-the-free-motion = Deslocamento do movimento livre
+maximum-force-the-impulse-is-the-area-of-the-rectangle-f-t-d = Força máxima: o impulso é a área do retângulo, F₀t_d
+maximum-force-the-impulse-is-the-area-of-the-triangle-f-t-d-2 = Força máxima: o impulso é a área do triângulo, F₀t_d/2
+maximum-force-the-impulse-is-the-area-of-the-half-sine-2f-t-d = Força máxima: o impulso é a área do meio seno, 2F₀t_d/π
+maximum-force-the-impulse-is-the-area-under-the-exponential-f = Força máxima: o impulso é a área sob a exponencial, F₀τ
+a-sustained-load-has-no-finite-impulse-give-its-maximum-force-or-choose-a-pulse = uma carga que se mantém não tem impulso finito: dê a sua força máxima, ou escolha um pulso
+displacement-by-the-exact-recurrence-over-the-segments-of-the-load-each-linear-or-sinusoidal = Deslocamento pela recorrência exata nos trechos da carga, cada um linear ou senoidal
+displacement-sum-of-the-responses-to-the-steps-ramps-or-waves-that-make-up-the-load = Deslocamento: a soma das respostas aos degraus, rampas ou ondas que compõem a carga
+displacement-of-the-free-motion = Deslocamento da vibração livre
 displacement-by-the-exact-recurrence-over-the-pieces-of-the-load = deslocamento pela recorrência exata nos trechos da carga
-displacement-by-duhamel-s-integral-in-numbers = deslocamento pela integral de Duhamel, em números
+displacement-by-duhamel-s-integral-evaluated-numerically = deslocamento pela integral de Duhamel, avaliada numericamente
 time-since-this-part-of-the-load-began = Tempo desde que essa parte da carga começou
-free-motion-from-a-unit-displacement-after-that-time = Movimento livre a partir de um deslocamento unitário, depois desse tempo
-free-motion-from-a-unit-velocity-after-that-time = Movimento livre a partir de uma velocidade unitária, depois desse tempo
-force-that-would-bend-the-beam-as-far-statically = Força que fletiria a viga estaticamente o mesmo tanto
+free-vibration-from-a-unit-displacement-after-that-time = Vibração livre a partir de um deslocamento unitário, depois desse tempo
+free-vibration-from-a-unit-velocity-after-that-time = Vibração livre a partir de uma velocidade unitária, depois desse tempo
+equivalent-static-force-for-the-same-deflection-of-the-beam = Força estática equivalente para a mesma deflexão da viga
 bending-moment-at-the-clamp = Momento fletor no engaste
-bending-moment-at-the-middle-of-the-beam-under-the-mass = Momento fletor no meio da viga, sob a massa
+bending-moment-at-midspan-under-the-mass = Momento fletor no meio do vão, sob a massa
 bending-moment-under-the-mass = Momento fletor sob a massa
-bending-moment-at-the-middle-and-at-the-clamps = Momento fletor no meio e nos engastes
+bending-moment-at-midspan-and-at-the-clamps = Momento fletor no meio do vão e nos engastes
 bending-stress-at-the-extreme-fibre = Tensão de flexão na fibra extrema
 bending-stress-by-the-curvature-of-the-bent-beam-e-c-w = tensão de flexão pela curvatura da viga fletida, E c w″
-the-bending-stress-is-answered-for-a-cantilever-a-simply-supported-beam-and-a-clamped-beam-with-the = a tensão de flexão é respondida para uma viga em balanço, uma biapoiada e uma biengastada com a massa no meio: omita a distância da fibra extrema para outras molas
+the-bending-stress-is-available-for-a-cantilever-a-simply-supported-beam-and-a-clamped-beam-with-the = a tensão de flexão está disponível para uma viga em balanço, uma biapoiada e uma biengastada com a massa no meio: omita a distância da fibra extrema para outras molas
 # continuous
 area-and-second-moment-given = Área e momento de inércia dados
 axial-force = Força axial
@@ -3232,16 +3354,17 @@ free = Livre
 frequency-equation = Equação de frequências
 frequency-function = função de frequência
 from-young-s-modulus-and-poisson-s-ratio = Pelo módulo de elasticidade e pelo coeficiente de Poisson
-in-cycles-for-each-second = Em ciclos por segundo
+in-cycles-per-second = Em ciclos por segundo
 left-end = Extremidade esquerda
 mass-of-each-length = Massa por unidade de comprimento
-mass-of-each-length-given = Massa por unidade de comprimento dada
-mass-of-each-length-density-times-area = Massa por unidade de comprimento: massa específica vezes área
-mass-of-each-length-weight-over-gravity = Massa por unidade de comprimento: peso sobre gravidade
+mass-per-unit-length = Massa por unidade de comprimento
+mass-per-unit-length-given = Massa por unidade de comprimento dada
+mass-per-unit-length-density-times-area = Massa por unidade de comprimento: massa específica vezes área
+mass-per-unit-length-weight-over-gravity = Massa por unidade de comprimento: peso sobre gravidade
 mode-shapes = Modos de vibração
 mode-shapes-in-motion = Modos de vibração em movimento
 at-rest = em repouso
-deflection-over-the-largest = deflexão sobre a maior
+deflection-maximum-deflection = deflexão / deflexão máxima
 distance-from-the-left-end = Distância da extremidade esquerda
 natural-frequency-n = Frequência natural { $n }
 nodes-of-mode = Nós do modo
@@ -3254,14 +3377,15 @@ roots = raízes
 shear-coefficient = Coeficiente de cisalhamento
 shear-coefficient-given = Coeficiente de cisalhamento dado
 shear-coefficient-of-the-section = Coeficiente de cisalhamento da seção
-shear-modulus-given = Módulo de cisalhamento dado
-shear-modulus-of-an-isotropic-material = Módulo de cisalhamento de um material isotrópico
+shear-modulus-given = Módulo de elasticidade transversal dado
+shear-modulus-of-an-isotropic-material = Módulo de elasticidade transversal de um material isotrópico
 shapes-n-and-m-are-orthogonal = os modos { $n } e { $m } são ortogonais
-weight-of-each-length = Peso por unidade de comprimento
-weight-of-each-length-given = Peso por unidade de comprimento dado
+mode-shapes-n-and-m-are-orthogonal = as formas modais { $n } e { $m } são ortogonais
+weight-per-unit-length = Peso por unidade de comprimento
+weight-per-unit-length-given = Peso por unidade de comprimento dado
 zero = zero
-speed-of-waves-along-a-rod = Velocidade das ondas ao longo de uma barra
-the-beam-can-move-as-a-whole-n-such-motions-at-frequency-zero-stand-before-the-first-frequency-and = a viga pode mover-se como um todo: { $n } desses movimentos, com frequência nula, vêm antes da primeira frequência, e alguns livros os contam
+wave-speed-along-a-rod = Velocidade de onda ao longo de uma barra
+the-beam-can-move-as-a-rigid-body-n-such-motions-at-frequency-zero-precede-the-first-frequency-and = a viga pode mover-se como corpo rígido: { $n } desses movimentos, com frequência nula, vêm antes da primeira frequência, e alguns livros os contam
 
 # beam-vibration
 axial-force-over-ei-l = Força axial sobre EI/L²
@@ -3270,21 +3394,21 @@ bending-vibration-of-beams = Vibração de flexão de vigas
 bending-shear-and-rotary-inertia-timoshenko = Flexão, cisalhamento e inércia de rotação (Timoshenko)
 buckling-load = Carga de flambagem
 compression-over-the-buckling-load = Compressão sobre a carga de flambagem
-compression-over-ei-l-at-which-the-lowest-frequency-would-fall-to-zero-the-beam-buckles = Compressão, sobre EI/L², em que a menor frequência cairia a zero: a viga flamba
-cowper-s-shear-coefficient-needs-the-shape-of-the-section-write-the-coefficient-or-choose-a-section = o coeficiente de cisalhamento de Cowper precisa da forma da seção: escreva o coeficiente ou escolha uma seção pela forma
-cowper-s-by-the-section = O de Cowper, pela seção
+compression-over-ei-l-at-which-the-lowest-frequency-becomes-zero-the-beam-buckles = Compressão, sobre EI/L², em que a menor frequência se anula: a viga flamba
+cowper-s-shear-coefficient-requires-the-shape-of-the-section-enter-the-coefficient-or-choose-a = o coeficiente de cisalhamento de Cowper requer a forma da seção: informe o coeficiente ou escolha uma seção pela forma
+cowper-s-for-the-section = O de Cowper, para a seção
 elastic-foundation = Fundação elástica
-flexibility-of-the-beam-in-shear-over-that-in-bending = Flexibilidade da viga ao cisalhamento sobre a de flexão
-force-of-the-ground-on-each-length-of-the-beam-for-each-deflection = Força do solo por unidade de comprimento da viga e por unidade de deflexão.
+shear-flexibility-of-the-beam-over-its-bending-flexibility = Flexibilidade da viga ao cisalhamento sobre a flexibilidade à flexão
+ground-reaction-per-unit-length-of-the-beam-and-unit-deflection = Reação do solo por unidade de comprimento da viga e por unidade de deflexão.
 foundation-over-ei-l = Fundação sobre EI/L⁴
-frequencies-shapes-nodes-and-buckling-load-of-a-uniform-beam-euler-bernoulli-or-timoshenko-on-any = Frequências, modos, nós e carga de flambagem de uma viga uniforme (Euler–Bernoulli ou Timoshenko) com quaisquer apoios, com massas, molas, força axial e fundação elástica.
-guided-deflects-without-turning = Guiada: desloca-se sem girar
+frequencies-mode-shapes-nodes-and-buckling-load-of-a-uniform-beam-euler-bernoulli-or-timoshenko-on = Frequências, formas modais, nós e carga de flambagem de uma viga uniforme (Euler–Bernoulli ou Timoshenko) com quaisquer apoios, com massas, molas, força axial e fundação elástica.
+guided-deflects-without-rotating = Guiada: desloca-se sem girar
 mass-of-the-beam = Massa da viga
 masses-springs-and-supports-along-the-beam = Massas, molas e apoios ao longo da viga
 moment-of-inertia-about-its-centre = Momento de inércia em relação ao seu centro
-motions-as-a-whole-of-a-beam-that-nothing-holds-are-not-among-them = Os movimentos como corpo rígido, de uma viga que nada prende, não estão entre elas.
+rigid-body-motions-of-an-unsupported-beam-are-not-included = Não se incluem os movimentos de corpo rígido de uma viga sem apoios.
 root-of-cos-0 = Raiz de cos β = 0
-root-of-cos-cosh-1-the-equation-of-ends-that-are-alike = Raiz de cos β cosh β = 1, a equação das extremidades iguais
+root-of-cos-cosh-1-the-equation-of-identical-ends = Raiz de cos β cosh β = 1, a equação das extremidades iguais
 root-of-cos-cosh-1-the-equation-of-a-cantilever = Raiz de cos β cosh β = −1, a equação da viga em balanço
 root-of-sin-0 = Raiz de sen β = 0
 root-of-tan-tanh-the-equation-of-a-pinned-end = Raiz de tan β = tanh β, a equação da extremidade apoiada
@@ -3294,116 +3418,119 @@ root-with-ei-m-l = Raiz β com ω = β²√(EI/(m̄L⁴))
 with-ei-m-l = β, com ω = β²√(EI/(m̄L⁴))
 rotary-inertia-of-the-sections-over-m-l = Inércia de rotação das seções sobre m̄L²
 rotation-spring-to-the-ground = Mola de rotação ligada à base
+rotational-spring-to-the-ground = Mola rotacional ligada à base
 rotational-stiffness = Rigidez rotacional
-support-that-lets-the-beam-turn = Apoio que deixa a viga girar
+support-that-allows-rotation-of-the-beam = Apoio que permite a rotação da viga
 tension-is-positive-compression-negative = Tração é positiva, compressão negativa.
 the-frequencies-are-multiples-of-ei-m-l = As frequências são múltiplos de √(EI/(m̄L⁴))
 theory = Teoria
 what-stands-there = O que está ali
+attached-part = Peça acoplada
 root-n-by-the-closed-form-of-a-beam-pinned-at-both-ends = raiz { $n } pela fórmula fechada de uma viga biapoiada
 root-n-satisfies-the-frequency-equation = a raiz { $n } satisfaz a equação de frequências
-something-stands-beyond-the-right-end-of-the-beam-write-a-distance-up-to-its-length = algo está além da extremidade direita da viga: escreva uma distância de até o seu comprimento
+an-item-lies-beyond-the-right-end-of-the-beam-write-a-distance-not-greater-than-its-length = um item está além da extremidade direita da viga: escreva uma distância não maior que o seu comprimento
 the-beam-buckles-under-its-compression-write-a-smaller-one = a viga flamba sob a sua compressão: escreva uma menor
 the-beam-buckles-under-this-compression-write-one-below-load = a viga flamba sob essa compressão: escreva uma abaixo de { $load }
-the-beam-can-move-as-a-whole-so-that-no-compression-can-be-held-add-supports = a viga pode mover-se como um todo, de modo que nenhuma compressão se sustenta: acrescente apoios
-the-beam-is-less-than-ten-times-as-long-as-deep-shear-and-rotary-inertia-lower-its-frequencies-choose = a viga tem menos de dez vezes a altura em comprimento: o cisalhamento e a inércia de rotação baixam as suas frequências; escolha a teoria de Timoshenko
-the-beam-is-so-slender-so-strongly-stretched-or-so-loaded-that-its-bending-cannot-be-told-treat-it-as = a viga é tão esbelta, tão tracionada ou tão carregada que a sua flexão não se distingue: trate-a como corda ou como corpo rígido
-the-frequencies-cannot-be-found-masses-springs-and-forces-are-too-far-from-those-of-the-beam = as frequências não podem ser encontradas: massas, molas e forças estão longe demais das da viga
+the-beam-can-move-as-a-rigid-body-and-cannot-carry-compression-add-supports = a viga pode mover-se como corpo rígido e não suporta compressão: acrescente apoios
+the-length-of-the-beam-is-less-than-ten-times-its-depth-shear-and-rotary-inertia-lower-its = o comprimento da viga é menor que dez vezes a sua altura: o cisalhamento e a inércia de rotação baixam as suas frequências; escolha a teoria de Timoshenko
+the-beam-is-so-slender-so-highly-tensioned-or-so-heavily-loaded-that-its-bending-cannot-be-resolved = a viga é tão esbelta, tão tracionada ou tão carregada que a sua flexão não se distingue: trate-a como corda ou como corpo rígido
+the-frequencies-cannot-be-found-masses-springs-and-forces-differ-too-much-from-those-of-the-beam = as frequências não podem ser encontradas: massas, molas e forças diferem demais das da viga
 
 # rod-impact
 along-its-axis-against-the-wall = Ao longo do seu eixo, contra a parede.
 compressive-stress = Tensão de compressão
 force-on-the-wall = Força na parede
 force-on-the-wall-during-the-contact = Força na parede durante o contato
-in-a-time-dt-the-front-of-the-wave-stops-a-length-c-dt-which-shortens-by-v-dt = Num tempo dt a frente da onda para um comprimento c dt, que encurta v dt
-largest-compressive-stress = Maior tensão de compressão
-largest-shortening = Maior encurtamento
-largest-stress-of-the-material = Maior tensão do material
-largest-stress-largest-shortening-and-time-of-contact-of-a-rod-that-strikes-a-rigid-wall-with-its-end = Maior tensão, maior encurtamento e tempo de contato de uma barra que bate com a ponta numa parede rígida, por ondas.
-rod-that-strikes-a-wall = Barra que bate numa parede
+in-a-time-dt-the-wave-front-brings-a-length-c-dt-to-rest-which-shortens-by-v-dt = Num tempo dt a frente de onda leva ao repouso um comprimento c dt, que encurta v dt
+maximum-compressive-stress = Tensão de compressão máxima
+maximum-shortening = Encurtamento máximo
+strength-of-the-material = Resistência do material
+maximum-stress-maximum-shortening-and-contact-time-of-a-rod-that-strikes-a-rigid-wall-end-on-by-wave = Tensão máxima, encurtamento máximo e tempo de contato de uma barra que bate com a ponta numa parede rígida, por propagação de ondas.
+rod-striking-a-wall = Barra que bate numa parede
 shortening-of-the-rod = Encurtamento da barra
-speed-at-which-the-stress-reaches-that-of-the-material = Velocidade em que a tensão chega à do material
+speed-at-which-the-stress-reaches-the-strength-of-the-material = Velocidade em que a tensão atinge a resistência do material
 speed-of-the-rod = Velocidade da barra
-stress-behind-the-front-of-the-wave-the-largest-in-the-rod = Tensão atrás da frente da onda: a maior da barra
-the-front-reaches-the-free-end-all-of-the-rod-is-at-rest = A frente chega à ponta livre: toda a barra está em repouso
-the-loaded-part-of-the-rod = A parte comprimida da barra
-the-wave-comes-back-and-unloads-the-rod-it-leaves-the-wall = A onda volta e descarrega a barra: ela deixa a parede
-time-of-contact = Tempo de contato
-time-to-the-largest-shortening = Tempo até o maior encurtamento
-until-then-the-free-end-has-gone-on-at-its-speed = Até então a ponta livre seguiu com a sua velocidade
+stress-behind-the-wavefront-the-maximum-in-the-rod = Tensão atrás da frente de onda: a máxima na barra
+the-wavefront-reaches-the-free-end-the-whole-rod-is-at-rest = A frente de onda chega à extremidade livre: toda a barra está em repouso
+the-compressed-part-of-the-rod = A parte comprimida da barra
+the-reflected-wave-unloads-the-rod-it-leaves-the-wall = A onda refletida descarrega a barra: ela deixa a parede
+time-to-maximum-shortening = Tempo até o encurtamento máximo
+until-then-the-free-end-has-continued-at-its-speed = Até então a extremidade livre continuou com a sua velocidade
 wave-speed = Velocidade das ondas
-where-it-is-given-the-force-on-the-wall-is-answered-too = Se for dada, a força na parede também é respondida.
-where-it-is-given-the-speed-that-reaches-it-is-answered-too = Se for dada, a velocidade que a atinge também é respondida.
+if-given-the-force-on-the-wall-is-also-computed = Se for dada, a força na parede também é calculada.
+if-given-the-speed-that-reaches-it-is-also-computed = Se for dada, a velocidade que a atinge também é calculada.
 at-the-middle = no meio
 at-the-wall = na parede
 shortening = encurtamento
-kinetic-energy-before-is-the-strain-energy-of-the-shortened-rod-for-each-volume = a energia cinética de antes é a energia de deformação da barra encurtada, por unidade de volume
-the-momentum-for-each-area-is-turned-round-by-the-stress-at-the-wall-during-the-contact = a quantidade de movimento por unidade de área é invertida pela tensão na parede durante o contato
+initial-kinetic-energy-equals-the-strain-energy-of-the-shortened-rod-per-unit-volume = a energia cinética inicial é igual à energia de deformação da barra encurtada, por unidade de volume
+the-momentum-per-unit-area-is-reversed-by-the-stress-at-the-wall-during-contact = a quantidade de movimento por unidade de área é invertida pela tensão na parede durante o contato
 the-rod-is-as-fast-as-the-waves-in-it-or-faster-no-elastic-wave-can-stop-it-write-a-smaller-speed = a barra é tão rápida quanto as suas ondas, ou mais: nenhuma onda elástica pode pará-la; escreva uma velocidade menor
-the-rod-yields-the-stress-of-an-elastic-rod-would-be-above-that-of-the-material = a barra escoa: a tensão de uma barra elástica ficaria acima da do material
-the-strain-is-above-2-small-deformations-and-most-materials-do-not-reach-it = a deformação passa de 2 %: as pequenas deformações, e a maioria dos materiais, não chegam a ela
+the-rod-yields-the-elastic-stress-would-exceed-the-yield-strength-of-the-material = a barra escoa: a tensão elástica ultrapassaria a tensão de escoamento do material
+the-strain-exceeds-2-this-is-beyond-small-deformations-and-the-range-of-most-materials = a deformação passa de 2 %: isso está além das pequenas deformações e do alcance da maioria dos materiais
 
 # shaft-with-discs
 bearings = Mancais
 clamped-at-the-left-end = Engastado na extremidade esquerda
-deflection-at-one-disc-under-a-force-of-one-at-the-other = Deflexão num disco sob uma força unitária no outro
-deflection-at-the-disc-under-a-force-of-one-there = Deflexão no disco sob uma força unitária nele
+deflection-at-one-disc-due-to-a-unit-force-at-the-other = Deflexão num disco devida a uma força unitária no outro
+deflection-at-the-disc-due-to-a-unit-force-there = Deflexão no disco devida a uma força unitária nele
 distance-between-the-bearings = Distância entre os mancais
 dunkerley = Dunkerley
-dunkerley-off-by = Desvio de Dunkerley
+error-of-dunkerley-s-frequency = Erro da frequência de Dunkerley
 dunkerley-s-frequency-is-never-above-the-exact-one = A frequência de Dunkerley nunca está acima da exata
 dunkerley-s-lower-bound = Limite inferior de Dunkerley
 dunkerley-the-squares-of-the-periods-of-each-mass-alone-are-added = Dunkerley: somam-se os quadrados dos períodos de cada massa sozinha
 exact-lowest-frequency = Menor frequência exata
-exact-1-is-the-largest-eigenvalue-of-the-influence-coefficients-times-the-masses = Exata: 1/ω² é o maior autovalor dos coeficientes de influência vezes as massas
-exact-lowest-root-of-the-dynamic-stiffness-of-the-shaft-with-its-mass-and-the-discs = Exata: menor raiz da rigidez dinâmica do eixo com a sua massa e os discos
+exact-1-is-the-largest-eigenvalue-of-the-product-of-influence-coefficients-and-masses = Exata: 1/ω² é o maior autovalor do produto dos coeficientes de influência pelas massas
+exact-lowest-root-of-the-dynamic-stiffness-of-the-shaft-including-its-mass-and-the-discs = Exata: menor raiz da rigidez dinâmica do eixo, incluindo a sua massa e os discos
 frequency-of-the-shaft-without-discs = Frequência do eixo sem discos
-how-heavy-it-is = Quanto pesa
-lowest-frequency-and-critical-speed-of-a-shaft-with-several-discs-by-dunkerley-rayleigh-and-matrix = Menor frequência e velocidade crítica de um eixo com vários discos por Dunkerley, Rayleigh e iteração matricial, ao lado do valor exato e do limite que cada um dá.
+its-mass-or-weight = Sua massa ou peso
+lowest-frequency-and-critical-speed-of-a-shaft-with-several-discs-by-dunkerley-rayleigh-and-matrix = Menor frequência e velocidade crítica de um eixo com vários discos por Dunkerley, Rayleigh e iteração matricial, com o valor exato e o limite que cada método dá.
 mass-of-the-disc-weight-over-gravity = Massa do disco: peso sobre gravidade
 mass-of-the-shaft-itself = Massa do próprio eixo
 mass-of-the-shaft-times-the-square-of-its-static-deflection-integrated-over-the-length = Massa do eixo vezes o quadrado da sua deflexão estática, integrada no comprimento
 matrix-iteration-from-equal-deflections = Iteração matricial a partir de deflexões iguais
-neglected-where-this-is-left-out = Desprezada quando isto é omitido.
+neglected-if-omitted = Desprezada se omitida.
 rayleigh = Rayleigh
-rayleigh-off-by = Desvio de Rayleigh
+error-of-rayleigh-s-value = Erro do valor de Rayleigh
 rayleigh-s-frequency-is-never-below-the-exact-one = A frequência de Rayleigh nunca está abaixo da exata
 rayleigh-s-upper-bound = Limite superior de Rayleigh
-rayleigh-largest-potential-over-largest-kinetic-energy-of-the-static-deflection = Rayleigh: maior energia potencial sobre maior energia cinética da deflexão estática
+rayleigh-maximum-potential-energy-over-maximum-kinetic-energy-of-the-static-deflection = Rayleigh: energia potencial máxima sobre energia cinética máxima da deflexão estática
 root-of-the-frequency-equation-of-the-shaft-without-discs = Raiz da equação de frequências do eixo sem discos
 shaft-with-several-discs = Eixo com vários discos
 short-bearings-at-both-ends = Mancais curtos nas duas extremidades
 short-bearings-at-the-left-end-and-before-the-right-end = Mancais curtos na extremidade esquerda e antes da direita
-static-deflection-and-exact-shape = Deflexão estática e modo exato
+static-deflection-and-exact-mode-shape = Deflexão estática e forma modal exata
 static-deflection-at-the-disc-under-all-weights = Deflexão estática no disco sob todos os pesos
 the-discs-on-the-shaft = Os discos no eixo
-the-shaft-whirls-with-the-greatest-amplitude-at-its-natural-frequency-the-discs-taken-as-thin = O eixo gira em precessão com a maior amplitude na sua frequência natural, tomados os discos como finos
+the-shaft-whirls-with-maximum-amplitude-at-its-natural-frequency-the-discs-treated-as-thin = O eixo tem precessão de máxima amplitude na sua frequência natural, com os discos tratados como finos
 thin-they-load-the-shaft-without-stiffening-it = Finos: carregam o eixo sem enrijecê-lo.
-three-ways-to-the-lowest-frequency = Três caminhos para a menor frequência
+three-methods-for-the-lowest-frequency = Três métodos para a menor frequência
 weight-of-the-shaft-times-its-static-deflection-integrated-over-the-length = Peso do eixo vezes a sua deflexão estática, integrado no comprimento
-a-disc-stands-at-a-bearing-where-it-cannot-vibrate-leave-it-out-or-move-it = um disco está num mancal, onde não pode vibrar: retire-o ou mude-o de lugar
-a-disc-stands-beyond-the-right-end-of-the-shaft-write-a-distance-up-to-its-length = um disco está além da extremidade direita do eixo: escreva uma distância de até o seu comprimento
+a-disc-is-at-a-bearing-where-it-cannot-vibrate-leave-it-out-or-move-it = um disco está num mancal, onde não pode vibrar: omita-o ou mude a sua posição
+a-disc-lies-beyond-the-right-end-of-the-shaft-write-a-distance-not-greater-than-its-length = um disco está além da extremidade direita do eixo: escreva uma distância não maior que o seu comprimento
 bound = limite
 disc-n = disco { $n }
-discs-in-the-exact-shape = discos no modo exato
+discs-in-the-exact-mode-shape = discos na forma modal exata
 lower-bound = limite inferior
-matrix-iteration-from-equal-deflections-ends-at-the-exact-frequency = a iteração matricial a partir de deflexões iguais termina na frequência exata
-more-than-eight-discs-join-those-that-stand-side-by-side-or-take-the-rotor-by-finite-elements = mais de oito discos: junte os que estão lado a lado, ou trate o rotor por elementos finitos
+matrix-iteration-starting-from-equal-deflections-converges-to-the-exact-frequency = a iteração matricial a partir de deflexões iguais converge para a frequência exata
+more-than-eight-discs-merge-adjacent-discs-or-analyse-the-rotor-by-finite-elements = mais de oito discos: una discos adjacentes, ou analise o rotor por elementos finitos
 off-by = desvio
-strain-energy-over-kinetic-energy-of-the-exact-shape-gives-the-root-back = a energia de deformação sobre a energia cinética do modo exato devolve a raiz
-the-lowest-frequency-cannot-be-found-the-masses-of-discs-and-shaft-are-too-far-from-each-other = a menor frequência não pode ser encontrada: as massas dos discos e do eixo estão longe demais uma da outra
-the-second-bearing-does-not-stand-before-the-end-of-the-shaft-choose-bearings-at-both-ends-or-write-a = o segundo mancal não está antes da extremidade do eixo: escolha mancais nas duas extremidades, ou escreva uma distância menor entre eles
+error = erro
+strain-energy-over-kinetic-energy-of-the-exact-mode-shape-reproduces-the-root = a energia de deformação sobre a energia cinética da forma modal exata reproduz a raiz
+the-lowest-frequency-cannot-be-found-the-masses-of-discs-and-shaft-differ-too-much = a menor frequência não pode ser encontrada: as massas dos discos e do eixo diferem demais
+the-second-bearing-is-not-before-the-end-of-the-shaft-choose-bearings-at-both-ends-or-write-a-shorter = o segundo mancal não está antes da extremidade do eixo: escolha mancais nas duas extremidades, ou escreva uma distância menor entre eles
 upper-bound = limite superior
-work-of-the-shaft-s-weight-on-the-deflection-by-the-discs-is-that-of-the-discs-on-its-own-betti = o trabalho do peso do eixo na deflexão pelos discos é o dos discos na deflexão do eixo (Betti)
+work-of-the-shaft-weight-through-the-deflection-due-to-the-discs-equals-that-of-the-discs-through-the = o trabalho do peso do eixo na deflexão causada pelos discos é igual ao dos discos na deflexão causada pelo peso do eixo (Betti)
 
 # string-rod-shaft
 beam-that-only-shears = Viga que só cisalha
-disc-on-a-torsion-spring-to-the-ground = Disco com mola de torção ligada à base
-frequencies-shapes-and-nodes-of-a-string-under-tension-a-rod-along-its-axis-a-shaft-in-torsion-or-a = Frequências, modos e nós de uma corda tracionada, uma barra ao longo do seu eixo, um eixo em torção ou uma viga que cisalha, com extremidades fixas, livres, com mola ou com massa.
+shear-beam-no-bending = Viga de cisalhamento (sem flexão)
+disc-on-a-torsional-spring-to-the-ground = Disco com mola de torção ligada à base
+frequencies-mode-shapes-and-nodes-of-a-string-under-tension-a-rod-in-axial-vibration-a-shaft-in = Frequências, formas modais e nós de uma corda tracionada, uma barra em vibração axial, um eixo em torção ou uma viga de cisalhamento, com extremidades fixas, livres, com mola ou com massa.
 mass-of-the-string = Massa da corda
 mass-on-a-spring-to-the-ground = Massa com mola ligada à base
 moment-of-inertia-of-the-shaft-i-pl = Momento de inércia do eixo, ρI_pL
-motions-as-a-whole-of-a-body-that-nothing-holds-are-not-among-them = Os movimentos como corpo rígido, de um corpo que nada prende, não estão entre elas.
+rigid-body-motions-of-an-unsupported-body-are-not-included = Não se incluem os movimentos de corpo rígido de um corpo sem apoios.
 needed-with-a-density-only = Necessária só com a massa específica.
 needed-with-a-spring-or-a-mass-at-an-end-only = Necessária só com mola ou massa numa extremidade.
 one-side = Um lado
@@ -3417,61 +3544,65 @@ root-of-sin-cos-0-the-frequency-equation-of-these-ends = Raiz de (κ − μβ²)
 root-of-cos-0-the-frequency-equation-of-these-ends = Raiz de cos β = 0, a equação de frequências destas extremidades
 root-of-sin-0-the-frequency-equation-of-these-ends = Raiz de sen β = 0, a equação de frequências destas extremidades
 root-l-c = Raiz β = ωL/c
-short-and-hollow-so-that-its-bending-does-not-count = Curta e oca, de modo que a flexão não conta.
-speed-of-waves-along-a-string-under-tension = Velocidade das ondas ao longo de uma corda tracionada
-speed-of-waves-of-shear-along-the-beam = Velocidade das ondas de cisalhamento ao longo da viga
-speed-of-waves-of-torsion-along-a-shaft = Velocidade das ondas de torção ao longo de um eixo
-spring-over-the-stiffness-of-the-body = Mola sobre a rigidez do corpo
-stiffness-of-the-beam-in-shear-ga-l = Rigidez da viga ao cisalhamento, κGA/L
+short-and-hollow-so-that-bending-is-negligible = Curta e oca, de modo que a flexão é desprezível.
+wave-speed-along-a-string-under-tension = Velocidade de onda ao longo de uma corda tracionada
+shear-wave-speed-along-the-beam = Velocidade da onda de cisalhamento ao longo da viga
+torsional-wave-speed-along-a-shaft = Velocidade da onda de torção ao longo de um eixo
+spring-stiffness-over-the-stiffness-of-the-body = Rigidez da mola sobre a rigidez do corpo
+shear-stiffness-of-the-beam-ga-l = Rigidez ao cisalhamento da viga, κGA/L
 stiffness-of-the-rod-ea-l = Rigidez da barra, EA/L
 stiffness-of-the-shaft-gj-l = Rigidez do eixo, GJ/L
 stiffness-of-the-string-t-l = Rigidez da corda, T/L
 string-or-cable-under-tension = Corda ou cabo tracionado
 strings-rods-shafts-and-shear-beams = Cordas, barras, eixos e vigas de cisalhamento
-the-inertia-of-each-length-is-times-it = A inércia por unidade de comprimento é ρ vezes ele.
-the-torque-is-g-j-times-the-twist-of-each-length-of-a-round-section-the-polar-second-moment = O torque é G J vezes o ângulo de torção por unidade de comprimento; numa seção circular, o momento polar.
+the-inertia-per-unit-length-is-times-it = A inércia por unidade de comprimento é ρ vezes ele.
+the-torque-is-g-j-times-the-twist-per-unit-length-for-a-circular-section-j-is-the-polar-second-moment = O torque é G J vezes o ângulo de torção por unidade de comprimento; numa seção circular, J é o momento polar.
 thin-walled-round-tube = Tubo circular de parede fina
+thin-walled-circular-tube = Tubo circular de parede fina
 thin-walled-square-tube = Tubo quadrado de parede fina
 torsion-constant-and-polar-second-moment-given = Constante de torção e momento polar dados
 torsion-constant-of-a-rectangle-by-saint-venant-s-series = Constante de torção de um retângulo, pela série de Saint-Venant
 torsion-spring-to-the-ground = Mola de torção ligada à base
-what-the-end-carries-over-the-inertia-of-the-body = O que a extremidade carrega sobre a inércia do corpo
-nothing-holds-the-body-before-the-first-frequency-stands-its-motion-as-a-whole-at-frequency-zero = nada prende o corpo: antes da primeira frequência vem o seu movimento como corpo rígido, de frequência nula, que alguns livros contam como primeiro modo
+attached-inertia-at-the-end-over-the-inertia-of-the-body = Inércia acoplada à extremidade sobre a inércia do corpo
+the-body-is-unrestrained-its-rigid-body-motion-at-frequency-zero-precedes-the-first-frequency-and = o corpo está livre: antes da primeira frequência vem o seu movimento de corpo rígido, de frequência nula, que alguns livros contam como primeiro modo
 the-area-of-the-section-is-needed-here-write-it-since-mass-or-ends-depend-on-it = a área da seção é necessária aqui: escreva-a, pois a massa ou as extremidades dependem dela
-the-frequencies-cannot-be-found-the-spring-or-the-mass-at-an-end-is-too-far-from-that-of-the-body = as frequências não podem ser encontradas: a mola ou a massa de uma extremidade está longe demais da do corpo
+the-frequencies-cannot-be-found-the-spring-or-the-mass-at-an-end-differs-too-much-from-that-of-the = as frequências não podem ser encontradas: a mola ou a massa de uma extremidade difere demais da do corpo
 
 # tapered-beam
 area-of-the-left-end = Área da extremidade esquerda
 bending-vibration-of-tapered-beams = Vibração de flexão de vigas afiladas
-breadth-at-the-left-end = Largura na extremidade esquerda
-breadth-at-the-right-end = Largura na extremidade direita
-breadth-of-the-right-end-over-that-of-the-left = Largura da extremidade direita sobre a da esquerda
+width-at-the-left-end = Largura na extremidade esquerda
+width-at-the-right-end = Largura na extremidade direita
+width-of-the-right-end-over-that-of-the-left = Largura da extremidade direita sobre a da esquerda
 diameter-at-the-left-end = Diâmetro na extremidade esquerda
 diameter-at-the-right-end = Diâmetro na extremidade direita
 diameter-of-the-right-end-over-that-of-the-left = Diâmetro da extremidade direita sobre o da esquerda
-frequencies-and-shapes-of-a-beam-whose-breadth-height-or-diameter-changes-linearly-along-it-wedges = Frequências e modos de uma viga cuja largura, altura ou diâmetro varia linearmente ao longo dela, cunhas e cones entre elas, por Rayleigh–Ritz com a sua convergência.
+frequencies-and-mode-shapes-of-a-beam-with-linearly-varying-width-height-or-diameter-including-wedges = Frequências e formas modais de uma viga de largura, altura ou diâmetro linearmente variável, incluindo cunhas e cones, por Rayleigh–Ritz com a sua convergência.
 frequencies-with-more-terms = Frequências com mais termos
-frequency-above-the-settled-one = Frequência acima da convergida
+frequency-error-relative-to-the-converged-value = Erro da frequência em relação ao valor convergido
 frequency-number-l-a-ei = Número de frequência Λ = ωL²√(ρA₀/(EI₀))
 height-at-the-left-end = Altura na extremidade esquerda
 height-at-the-right-end = Altura na extremidade direita
-height-of-the-right-end-over-that-of-the-left = Altura da extremidade direita sobre a da esquerda
-rayleigh-ritz-with-polynomials-that-satisfy-the-supports-the-least-strain-energy-over-kinetic-energy = Rayleigh–Ritz com polinômios que satisfazem os apoios: a menor energia de deformação sobre energia cinética, um limite superior que convergiu
-second-moment-of-area-of-the-left-end = Momento de inércia da extremidade esquerda
+ratio-of-right-end-to-left-end-height = Razão entre as alturas das extremidades direita e esquerda
+rayleigh-ritz-with-polynomials-that-satisfy-the-supports-the-minimum-of-strain-energy-over-kinetic = Rayleigh–Ritz com polinômios que satisfazem os apoios: o mínimo da energia de deformação sobre a energia cinética, uma cota superior já convergida
+second-moment-of-area-of-the-left-end = Momento de inércia de área da extremidade esquerda
 section-at-both-ends = Seção nas duas extremidades
 the-beam-and-its-taper = A viga e o seu afilamento
 the-frequencies-are-multiples-of-ei-a-l-with-the-section-of-the-left-end = As frequências são múltiplos de √(EI₀/(ρA₀L⁴)), com a seção da extremidade esquerda
 zero-for-a-beam-that-is-triangular-in-plan = Zero para uma viga triangular em planta.
 zero-for-a-cone = Zero para um cone.
 zero-for-a-wedge = Zero para uma cunha.
-a-right-end-that-comes-to-a-point-or-an-edge-cannot-be-held-leave-it-free-or-give-it-a-section = uma extremidade direita que acaba em ponta ou aresta não pode ser presa: deixe-a livre, ou dê-lhe uma seção
+a-right-end-that-tapers-to-a-point-or-an-edge-cannot-be-supported-leave-it-free-or-give-it-a-section = uma extremidade direita que termina em ponta ou aresta não pode ter apoio: deixe-a livre, ou dê-lhe uma seção
 from-above = vista de cima
+top-view = vista de cima
 from-the-side = vista de lado
+side-view = vista lateral
 relative-distance = distância relativa
 shape-n-the-moments-of-its-inertia-forces-store-the-same-energy = modo { $n }: os momentos das suas forças de inércia armazenam a mesma energia
+mode-shape-n-the-moments-of-its-inertia-forces-store-the-same-energy = forma modal { $n }: os momentos das suas forças de inércia armazenam a mesma energia
 terms = termos
 the-frequencies-cannot-be-found-the-taper-is-too-strong = as frequências não podem ser encontradas: o afilamento é forte demais
-the-frequencies-do-not-settle-with-more-terms-the-taper-is-too-strong-ask-for-fewer-of-them = as frequências não convergem com mais termos: o afilamento é forte demais, peça menos delas
+the-frequencies-do-not-converge-with-more-terms-the-taper-is-too-strong-choose-fewer-frequencies = as frequências não convergem com mais termos: o afilamento é forte demais, escolha menos frequências
 
 # beam-with-tip-body
 bending-stiffness-in-the-plane-xy = Rigidez à flexão no plano xy
@@ -3479,38 +3610,40 @@ bending-stiffness-in-the-plane-xz = Rigidez à flexão no plano xz
 bending-shear-and-rotary-inertia-timoshenko-with-cowper-s-shear-coefficient = Flexão, cisalhamento e inércia de rotação (Timoshenko), com o coeficiente de cisalhamento de Cowper
 cantilever-with-a-rigid-body-at-its-tip = Viga em balanço com um corpo rígido na ponta
 the-moments-of-the-masses-about-their-centre-cancel = os momentos das massas em torno do seu centro se anulam
-frequencies-and-coupled-motions-bending-in-two-planes-stretching-torsion-of-a-cantilever-with-masses = Frequências e movimentos acoplados (flexão em dois planos, alongamento, torção) de uma viga em balanço com massas em braços rígidos na ponta.
+frequencies-and-coupled-motions-bending-in-two-planes-axial-torsion-of-a-cantilever-with-masses-on = Frequências e movimentos acoplados (flexão em dois planos, axial, torção) de uma viga em balanço com massas em braços rígidos na ponta.
 mass-centre-of-the-body = Centro de massa do corpo
-mass-centre-of-the-body-what-of-it-stands-beside-the-axis-couples-the-motions = Centro de massa do corpo: o que está fora do eixo acopla os movimentos
+centre-of-mass-of-the-body = Centro de massa do corpo
+centre-of-mass-of-the-body-its-offset-from-the-axis-couples-the-motions = Centro de massa do corpo: o seu afastamento do eixo acopla os movimentos
 mass-of-the-body-at-the-tip = Massa do corpo na ponta
 masses-at-the-tip = Massas na ponta
 moment-of-inertia-of-each-length-about-the-axis = Momento de inércia por unidade de comprimento em torno do eixo
+moment-of-inertia-per-unit-length-about-the-axis = Momento de inércia por unidade de comprimento em torno do eixo
 motion-of-the-tip = Movimento da ponta
 motion-of-the-tip-u-l-in-mode = Movimento da ponta (u, θL) no modo
 on-rigid-arms-without-mass = Em braços rígidos sem massa.
-place-from-the-tip = Posição, a partir da ponta
+position-from-the-tip = Posição, a partir da ponta
 root-of-the-determinant-of-the-exact-stiffness-of-the-beam-at-its-tip-and-of-the-inertia-of-the-body = Raiz do determinante da rigidez exata da viga na ponta e da inércia do corpo, contadas as frequências abaixo dela
 side-along-y = Lado ao longo de y
 side-along-z = Lado ao longo de z
 stiffness-along-the-axis = Rigidez ao longo do eixo
-stiffness-in-torsion = Rigidez à torção
+torsional-rigidity = Rigidez à torção
 the-beam-and-its-body-in-the-plane-xy = A viga e o seu corpo no plano xy
 theory-of-bending = Teoria de flexão
 mass-n = massa { $n }
-the-frequencies-cannot-be-found-the-body-at-the-tip-is-too-far-from-the-mass-or-the-size-of-the-beam = as frequências não podem ser encontradas: o corpo na ponta está longe demais da massa ou do tamanho da viga
-vibration-n-the-forces-of-beam-and-body-at-the-tip-hold-each-other = vibração { $n }: as forças da viga e do corpo na ponta equilibram-se
-x-goes-on-along-the-beam-y-and-z-are-across-it = x segue ao longo da viga, y e z são transversais a ela.
+the-frequencies-cannot-be-found-the-body-at-the-tip-differs-too-much-from-the-mass-or-the-size-of-the = as frequências não podem ser encontradas: o corpo na ponta difere demais da massa ou do tamanho da viga
+vibration-n-the-forces-of-the-beam-and-of-the-body-at-the-tip-balance = vibração { $n }: as forças da viga e do corpo na ponta se equilibram
+x-continues-along-the-beam-axis-y-and-z-are-transverse = x continua ao longo do eixo da viga, y e z são transversais.
 
 # multi-span-beam
-a-span-is-so-slender-so-strongly-stretched-or-so-loaded-that-its-bending-cannot-be-told-treat-it-as-a = um vão é tão esbelto, tão tracionado ou tão carregado que sua flexão não se distingue: trate-o como corda ou como corpo rígido
+a-span-is-so-slender-so-highly-tensioned-or-so-heavily-loaded-that-its-bending-cannot-be-resolved = um vão é tão esbelto, tão tracionado ou tão carregado que a sua flexão não se distingue: trate-o como corda ou como corpo rígido
 beam-over-several-supports = Viga contínua sobre vários apoios
 bending-stiffness-of-the-span = Rigidez à flexão do vão
 elements-in-each-span = elementos em cada vão
-exact-frequencies-shapes-and-nodes-of-a-continuous-beam-of-several-spans-each-with-its-section-axial = Frequências exatas, modos e nós de uma viga contínua de vários vãos, cada um com sua seção, força axial e fundação, sobre apoios, engastes e molas, com massas nos nós; ao lado, elementos finitos.
-finite-elements-upper-bounds-of-the-frequencies = Elementos finitos: cotas superiores das frequências
-free-between-two-spans-nothing-holds-the-beam-there-it-only-changes-its-section = Livre entre dois vãos: nada prende a viga ali, apenas muda a seção.
-from-left-to-right-each-with-what-stands-at-its-right-end = Da esquerda para a direita, cada um com o que está em sua extremidade direita.
-mass-fixed-there = Massa presa ali
+exact-frequencies-mode-shapes-and-nodes-of-a-continuous-beam-of-several-spans-each-with-its-section = Frequências exatas, formas modais e nós de uma viga contínua de vários vãos, cada um com sua seção, força axial e fundação, sobre apoios articulados, engastes e apoios elásticos, com massas nas junções; comparadas com elementos finitos.
+finite-elements-upper-bounds-of-the-frequencies = Elementos finitos: limites superiores das frequências
+unsupported-joint-between-two-spans-only-the-section-of-the-beam-changes = Junção sem apoio entre dois vãos: apenas muda a seção da viga.
+from-left-to-right-each-with-the-element-at-its-right-end = Da esquerda para a direita, cada um com o elemento da sua extremidade direita.
+attached-mass = Massa fixada
 mass-of-the-span = Massa do vão
 moment-of-inertia-of-the-mass-about-its-centre = Momento de inércia da massa em relação ao seu centro
 right-end-of-the-span = Extremidade direita do vão
@@ -3519,39 +3652,41 @@ root-of-the-determinant-of-the-exact-dynamic-stiffness-of-all-spans-with-the-fre
 root-with-ei-m-l-of-the-first-span = Raiz β com ω = β²√(EI₁/(m̄₁L⁴)), do primeiro vão
 spans = Vãos
 the-frequencies-are-written-as-multiples-of-ei-m-l-of-the-first-span-and-the-whole-length = As frequências são escritas como múltiplos de √(EI₁/(m̄₁L⁴)), do primeiro vão e do comprimento total
-the-frequencies-cannot-be-found-spans-masses-springs-and-forces-are-too-far-from-one-another = as frequências não podem ser encontradas: vãos, massas, molas e forças são díspares demais
+the-frequencies-cannot-be-found-spans-masses-springs-and-forces-differ-too-much-in-magnitude = as frequências não podem ser encontradas: vãos, massas, molas e forças diferem demais em ordem de grandeza
 the-whole-length = O comprimento total
-there-are-more-than-40-spans-join-equal-ones-that-nothing-parts = há mais de 40 vãos: junte os iguais que nada separa
-two-frequencies-coincide-any-mixture-of-their-shapes-is-a-shape-one-of-them-is-shown = duas frequências coincidem: qualquer mistura de seus modos é um modo; mostra-se um deles
+total-length = Comprimento total
+there-are-more-than-40-spans-join-equal-adjacent-spans-with-nothing-between-them = há mais de 40 vãos: una vãos iguais adjacentes sem nada entre eles
+two-frequencies-coincide-any-linear-combination-of-their-mode-shapes-is-also-a-mode-shape-one-of-them = duas frequências coincidem: qualquer combinação linear das suas formas modais é também uma forma modal; mostra-se uma delas
 
 # plate-and-membrane
 bending-stiffness-of-the-plate = Rigidez à flexão da placa
-breadth-between-the-other-two-edges = Largura entre as outras duas bordas
+width-between-the-other-two-edges = Largura entre as outras duas bordas
 circle = Círculo
 clamped-edge = Borda engastada
 density-and-thickness = Massa específica e espessura
 edge = Borda
 exact-frequencies-and-nodal-lines-of-rectangular-and-circular-membranes-circular-plates-and = Frequências exatas e linhas nodais de membranas retangulares e circulares, placas circulares e placas retangulares com duas bordas opostas simplesmente apoiadas.
 first-of-the-other-two-edges = Primeira das outras duas bordas
-force-on-each-length-of-its-edge = Força por unidade de comprimento da borda.
+force-per-unit-length-of-the-edge = Força por unidade de comprimento da borda.
 free-edge = Borda livre
-frequencies-by-their-patterns = Frequências e seus padrões
+frequencies-by-nodal-pattern = Frequências por padrão nodal
 frequency-number-a-d = Número de frequência Λ = ωa²√(μ/D)
 frequency-number-r-d = Número de frequência Λ = ωR²√(μ/D)
 frequency-number-the-square-of-the-root = Número de frequência, o quadrado da raiz
 half-waves-along-a = meias ondas ao longo de a
 half-waves-along-a-and-along-b = Meias ondas ao longo de a e de b
 half-waves-along-a-and-number-of-the-shape-across = Meias ondas ao longo de a e número da forma transversal
-held-all-round = Presa em todo o contorno.
-l-vy-w-y-y-sin-m-x-a-leaves-an-ordinary-equation-for-y-a-beam-under-tension-on-a-foundation-its-root = Lévy: w = Y(y) sen({ $m }πx/a) deixa uma equação ordinária para Y, a de uma viga tracionada sobre fundação; sua raiz { $n }, contada exatamente
+fixed-along-the-whole-edge = Fixa em todo o contorno.
+l-vy-w-y-y-sin-m-x-a-gives-an-ordinary-differential-equation-for-y-a-beam-under-tension-on-a = Lévy: w = Y(y) sen({ $m }πx/a) dá uma equação diferencial ordinária para Y, a de uma viga tracionada sobre fundação; sua raiz { $n }, contada exatamente
 length-between-the-two-simply-supported-edges = Comprimento entre as duas bordas simplesmente apoiadas
 m-half-waves-along-a-and-n-along-b-c-m-a-n-b = { $m } meias ondas ao longo de a e { $n } ao longo de b: ω = πc√((m/a)² + (n/b)²)
 mass-of-each-area = Massa por unidade de área
-mass-of-each-area-density-times-thickness = Massa por unidade de área: massa específica vezes espessura
-mass-of-each-area-given = Massa por unidade de área dada
-mass-of-each-area-that-of-the-plate-and-what-it-carries = Massa por unidade de área: a da placa e a do que ela carrega
+mass-per-unit-area = Massa por unidade de área
+mass-per-unit-area-density-times-thickness = Massa por unidade de área: massa específica vezes espessura
+mass-per-unit-area-given = Massa por unidade de área dada
+mass-per-unit-area-that-of-the-plate-and-what-it-carries = Massa por unidade de área: a da placa e a do que ela carrega
 mass-of-the-membrane = Massa da membrana
-membrane-stretched-without-bending-stiffness = Membrana: esticada, sem rigidez à flexão
+membrane-under-tension-without-bending-stiffness = Membrana: tracionada, sem rigidez à flexão
 nodal-circles = circunferências nodais
 nodal-diameters = diâmetros nodais
 nodal-diameters-and-nodal-circles = Diâmetros nodais e circunferências nodais
@@ -3559,7 +3694,7 @@ nodal-lines = Linhas nodais
 number-across = número transversal
 of-what-lies-on-the-plate-and-does-not-stiffen-it = Do que está sobre a placa e não a enrijece.
 one-side-is-more-than-a-hundred-times-the-other-treat-the-strip-as-a-string-or-as-a-beam = um lado é mais de cem vezes o outro: trate a faixa como corda ou como viga
-other-mass-on-each-area = Outra massa por unidade de área
+additional-mass-per-unit-area = Massa adicional por unidade de área
 outline = Contorno
 outline-and-edges = Contorno e bordas
 rectangle-with-two-opposite-edges-simply-supported = Retângulo com duas bordas opostas simplesmente apoiadas
@@ -3568,20 +3703,21 @@ root-s-for-n-n-of-the-condition-that-deflection-and-radial-moment-vanish-at-the-
 root-s-for-n-n-of-the-condition-that-radial-moment-and-edge-force-vanish = Raiz { $s } para n = { $n } da condição de que o momento radial e a força de borda se anulem
 root-s-of-j-n-i-n-i-n-j-n-0-for-n-n-no-deflection-no-slope-at-the-edge = Raiz { $s } de J_n(λ) I_n'(λ) − I_n(λ) J_n'(λ) = 0 para n = { $n }: nem deflexão nem inclinação na borda
 second-of-the-other-two-edges = Segunda das outras duas bordas
-shape-m-n-in-motion = Modo ({ $m }, { $n }) em movimento
-shape-n-the-energy-of-its-bending-and-twisting-over-the-kinetic-energy = modo { $n }: a energia de flexão e torção sobre a energia cinética
-shape-n-the-energy-of-the-tension-over-the-kinetic-energy = modo { $n }: a energia da tração sobre a energia cinética
+mode-m-n-in-motion = Modo ({ $m }, { $n }) em movimento
+mode-shape-n-bending-and-torsion-energy-over-kinetic-energy = forma modal { $n }: energia de flexão e torção sobre energia cinética
+mode-shape-n-energy-of-the-tension-over-kinetic-energy = forma modal { $n }: energia da tração sobre energia cinética
 simply-supported-edge = Borda simplesmente apoiada
 speed-of-waves-on-the-membrane = Velocidade das ondas na membrana
 the-frequencies-are-multiples-of-d-over-the-square-of-the-length = As frequências são múltiplos de √(D/μ) sobre o quadrado do comprimento
 the-frequencies-are-multiples-of-the-speed-over-the-radius = As frequências são múltiplos da velocidade sobre o raio
 the-frequencies-of-the-plate-cannot-be-found = as frequências da placa não podem ser encontradas
-the-plate-can-move-as-a-whole-its-three-motions-at-frequency-zero-are-not-counted = a placa pode mover-se como um todo: seus três movimentos de frequência nula não são contados
-the-plate-is-thicker-than-a-twentieth-of-its-smaller-side-shear-and-rotary-inertia-which-a-thin-plate = a placa é mais espessa que um vigésimo do seu lado menor: o cisalhamento e a inércia de rotação, que a placa fina omite, baixam suas frequências
-the-shapes-across-the-plate-are-too-short-for-its-breadth-ask-for-fewer-frequencies-or-treat-the = as formas transversais da placa são curtas demais para sua largura: peça menos frequências ou trate a faixa como viga
+the-plate-can-move-as-a-rigid-body-its-three-motions-at-frequency-zero-are-not-counted = a placa pode mover-se como corpo rígido: seus três movimentos de frequência nula não são contados
+the-plate-is-thicker-than-one-twentieth-of-its-smaller-side-shear-and-rotary-inertia-neglected-in = a placa é mais espessa que um vigésimo do seu lado menor: o cisalhamento e a inércia de rotação, desprezados na teoria de placas finas, baixam suas frequências
+the-mode-shapes-across-the-plate-are-too-short-for-its-width-choose-fewer-frequencies-or-analyse-the = as formas modais transversais da placa são curtas demais para sua largura: escolha menos frequências ou analise a faixa como viga
 thin-plate = Placa fina
 vibration-of-plates-and-membranes = Vibração de placas e membranas
 what-vibrates = O que vibra
+vibrating-system = Sistema vibrante
 zero-of-the-bessel-function-r-c = Zero da função de Bessel, λ = ωR/c
 zero-s-of-the-bessel-function-j-of-order-n = Zero { $s } da função de Bessel J de ordem { $n }
 
@@ -3590,112 +3726,118 @@ body-of-any-form = Corpo de qualquer forma
 det-k-m-0-is-2s-k-k-0-with = det(K − λM) = 0 é Δλ² − 2sλ + K₁₁K₂₂ = 0, com λ = ω²
 determinant-of-the-masses = Determinante das massas
 distance-from-its-pivot-to-the-centre-of-mass = Distância de sua articulação ao centro de massa
-distance-from-its-pivot-to-the-other-one = Distância de sua articulação à outra
+distance-from-its-pivot-to-the-other-pivot = Distância de sua articulação à outra articulação
 double-pendulum = Pêndulo duplo
-first-row-of-k-m-0-the-angle-of-the-lower-over-that-of-the-upper = Primeira linha de (K − λM) φ = 0: o ângulo do inferior sobre o do superior
-for-small-angles-cos-is-one-the-velocities-of-pivot-and-centre-add-up = Para ângulos pequenos cos(θ₁ − θ₂) é um: as velocidades da articulação e do centro se somam
+first-row-of-k-m-0-angle-of-the-lower-pendulum-over-that-of-the-upper = Primeira linha de (K − λM) φ = 0: o ângulo do pêndulo inferior sobre o do superior
+for-small-angles-cos-1-the-velocities-of-pivot-and-centre-add = Para ângulos pequenos cos(θ₁ − θ₂) = 1: as velocidades da articulação e do centro se somam
 frequency-n-by-the-numerical-eigenvalues-of-k-and-m = frequência { $n } pelos autovalores numéricos de K e M
 its-larger-root-under-the-sign-s-k-k-written-as-a-sum-of-squares = Sua maior raiz; sob o radical, s² − ΔK₁₁K₂₂ escrito como soma de quadrados
 lower-pendulum = Pêndulo inferior
-mode-n-its-energy-of-position-over-that-of-motion = modo { $n }: sua energia potencial sobre a de movimento
+mode-n-potential-energy-over-kinetic-energy = modo { $n }: energia potencial sobre energia cinética
 moment-of-inertia-about-the-pivot-by-the-parallel-axis = Momento de inércia em relação à articulação, pelo eixo paralelo
+moment-of-inertia-about-the-pivot-by-the-parallel-axis-theorem = Momento de inércia em relação à articulação, pelo teorema dos eixos paralelos
 natural-frequencies-and-modes-of-two-pendulums-one-hanging-from-the-other-small-masses-rods-or-bodies = Frequências naturais e modos de dois pêndulos, um pendurado no outro: pequenas massas, barras ou corpos de qualquer forma.
 natural-frequency-in-radians = Frequência natural em radianos
+natural-angular-frequency = Frequência angular natural
 on-the-line-of-the-pivots-positive-downwards = Na linha das articulações, positiva para baixo.
-period-a-whole-turn-of-2-over = Período: uma volta inteira de 2π sobre ω
-second-row-of-k-m-0-the-angle-of-the-lower-over-that-of-the-upper = Segunda linha de (K − λM) φ = 0: o ângulo do inferior sobre o do superior
+period-a-full-cycle-of-2-over = Período: um ciclo completo de 2π sobre ω
+second-row-of-k-m-0-angle-of-the-lower-pendulum-over-that-of-the-upper = Segunda linha de (K − λM) φ = 0: o ângulo do pêndulo inferior sobre o do superior
 slender-uniform-rod = Barra esbelta uniforme
 small-mass-on-a-light-rod-or-string = Pequena massa em haste leve ou fio
 t-m-m-m-the-lower-mass-goes-along-with-the-lower-pivot = T = ½M₁₁θ₁'² + M₁₂θ₁'θ₂' + ½M₂₂θ₂'²: a massa inferior acompanha a articulação inferior
 the-centre-of-mass-of-the-rod-is-at-its-middle = O centro de massa da barra está em seu meio
-the-lower-pendulum-turns-about-its-own-pivot = O pêndulo inferior gira em torno de sua própria articulação
-the-numbers-of-the-pendulums-are-too-far-apart-for-two-frequencies-treat-it-as-one-pendulum = os números dos pêndulos são díspares demais para duas frequências: trate-os como um só pêndulo
+the-lower-pendulum-rotates-about-its-own-pivot = O pêndulo inferior gira em torno de sua própria articulação
+the-values-of-the-pendulums-differ-too-much-for-two-frequencies-treat-them-as-one-pendulum = os valores dos pêndulos diferem demais para duas frequências: trate-os como um só pêndulo
 the-pendulums = Os pêndulos
 the-smaller-root-the-product-of-the-two-is-k-k = A menor raiz: o produto das duas é K₁₁K₂₂/Δ
-the-upper-pendulum-stands-above-its-pivot-more-heavily-than-the-lower-one-hangs-the-position-of-rest = o pêndulo superior pesa mais acima de sua articulação do que o inferior pendurado: a posição de repouso é instável, não há vibração
+the-upper-pendulum-is-top-heavy-and-the-lower-one-does-not-compensate-for-it-the-rest-position-is = o pêndulo superior tem o centro de massa acima da articulação e o inferior não o compensa: a posição de repouso é instável e não há vibração
 the-weight-of-the-lower-pendulum = O peso do pêndulo inferior
-turn-of-the-lower-over-that-of-the-upper-both-from-the-vertical = Giro do inferior sobre o do superior, ambos a partir da vertical
+angle-of-the-lower-over-that-of-the-upper-both-from-the-vertical = Ângulo do inferior sobre o do superior, ambos a partir da vertical
 upper-pendulum = Pêndulo superior
-v-k-k-the-weights-rise-by-the-cosines-of-the-angles-from-the-vertical = V = ½K₁₁θ₁² + ½K₂₂θ₂²: os pesos sobem conforme os cossenos dos ângulos com a vertical
+v-k-k-heights-of-the-weights-from-the-cosines-of-the-angles-with-the-vertical = V = ½K₁₁θ₁² + ½K₂₂θ₂²: alturas dos pesos pelos cossenos dos ângulos com a vertical
 
 # rotating-beam
 angle-between-the-motion-and-the-axis-of-rotation = Ângulo entre o movimento e o eixo de rotação
 at-an-angle-to-the-axis-of-rotation = Em ângulo com o eixo de rotação
 direction-of-the-motion = Direção do movimento
-frequencies-of-a-uniform-blade-on-a-turning-hub-flapwise-or-lagwise-with-the-stiffening-by-the = Frequências de uma pá uniforme em um cubo que gira, em batimento ou em avanço e recuo, com o enrijecimento pela tração centrífuga, os coeficientes de Southwell e o diagrama em função da rotação.
+frequencies-of-a-uniform-blade-on-a-rotating-hub-flapwise-or-edgewise-with-centrifugal-stiffening = Frequências de uma pá uniforme em um cubo girante, em batimento ou no plano de rotação, com enrijecimento centrífugo, coeficientes de Southwell e diagrama de Campbell.
 frequencies-over-the-speed = Frequências em função da rotação
+frequencies-against-speed = Frequências em função da rotação
 frequency-number-of-mode-n-at-rest-over-ei-m-l = Número de frequência do modo { $n } em repouso, ω sobre √(EI/(m̄L⁴))
-frequency-number-out-of-the-plane-f-m-l-ei = Número de frequência fora do plano, ω_f√(m̄L⁴/(EI))
+out-of-plane-frequency-number-f-m-l-ei = Número de frequência fora do plano, ω_f√(m̄L⁴/(EI))
 from-the-axis-to-the-clamped-end = Do eixo à extremidade engastada.
 in-the-plane-of-rotation-lagwise = No plano de rotação (avanço e recuo)
-in-the-plane-of-rotation-the-centrifugal-force-turns-with-the-blade-and-takes-away = No plano de rotação a força centrífuga gira com a pá e retira Ω²
+in-the-plane-of-rotation-the-centrifugal-force-rotates-with-the-blade-and-subtracts = No plano de rotação a força centrífuga gira com a pá e subtrai Ω²
 k-times-the-speed = { $k } vezes a rotação
 length-of-the-blade = Comprimento da pá
 mass-at-the-tip = Massa na ponta
 mass-at-the-tip-over-that-of-the-blade = Massa na ponta sobre a da pá
 mass-of-the-blade = Massa da pá
-mode-n-the-balance-of-moments-at-a-small-speed-rises-by-southwell-s-coefficient = modo { $n }: o equilíbrio de momentos a uma rotação pequena cresce com o coeficiente de Southwell
-n-0-is-flapwise-90-lagwise = 0° é batimento, 90° é avanço e recuo.
+mode-n-the-moment-balance-at-low-speed-rises-by-southwell-s-coefficient = modo { $n }: o equilíbrio de momentos em baixa rotação cresce com o coeficiente de Southwell
+n-0-is-flapwise-90-edgewise = 0° é batimento, 90° é no plano de rotação.
 natural-frequency-n-out-of-the-plane-of-rotation = Frequência natural { $n }, fora do plano de rotação
 out-of-the-plane-of-rotation-flapwise = Fora do plano de rotação (batimento)
 radius-of-the-hub = Raio do cubo
 radius-of-the-hub-over-the-length = Raio do cubo sobre o comprimento
-rayleigh-ritz-with-polynomials-that-satisfy-the-clamp-the-work-of-the-centrifugal-tension-included-an = Rayleigh–Ritz com polinômios que satisfazem o engaste, incluído o trabalho da tração centrífuga: uma cota superior já convergida
+rayleigh-ritz-with-polynomials-that-satisfy-the-clamped-end-the-work-of-the-centrifugal-tension = Rayleigh–Ritz com polinômios que satisfazem o engaste, incluído o trabalho da tração centrífuga: uma cota superior já convergida
 rotating-blade = Pá em rotação
-shape-n-the-moments-of-tension-and-inertia-forces-balance-that-of-bending = modo { $n }: os momentos da tração e das forças de inércia equilibram o de flexão
+mode-shape-n-the-moments-of-tension-and-inertia-forces-balance-the-bending-moment = forma modal { $n }: os momentos da tração e das forças de inércia equilibram o momento fletor
 southwell-s-coefficient-at-this-speed = Coeficiente de Southwell nesta rotação
-southwell-s-coefficient-by-the-shape-at-rest = Coeficiente de Southwell pelo modo em repouso
-southwell-s-coefficient-by-the-shape-at-rest-work-of-the-tension-of-unit-speed-over-the-kinetic = Coeficiente de Southwell pelo modo em repouso: trabalho da tração à rotação unitária sobre a energia cinética
+southwell-s-coefficient-from-the-mode-shape-at-rest = Coeficiente de Southwell pela forma modal em repouso
+southwell-s-coefficient-from-the-mode-shape-at-rest-work-of-the-centrifugal-tension-at-unit-speed = Coeficiente de Southwell pela forma modal em repouso: trabalho da tração centrífuga à rotação unitária sobre a energia cinética
 southwell-s-coefficient-f-s-at-this-speed = Coeficiente de Southwell: ω_f² = ω₀² + S Ω² nesta rotação
-speed-in-this-unit = Rotação nesta unidade
+speed-in-multiples-of-this-unit = Rotação em múltiplos desta unidade
 speed-of-rotation = Velocidade de rotação
-the-blade-is-not-held-in-the-plane-of-rotation-write-a-larger-stiffness = a pá não se mantém no plano de rotação: escreva uma rigidez maior
-the-blade-turns-so-fast-for-its-stiffness-that-its-shapes-do-not-settle-write-a-smaller-speed-or = a pá gira tão depressa para sua rigidez que seus modos não convergem: escreva uma rotação menor ou trate-a como corda
+rotational-speed = Velocidade de rotação
+the-blade-is-unstable-in-the-plane-of-rotation-write-a-larger-stiffness = a pá é instável no plano de rotação: escreva uma rigidez maior
+the-blade-rotates-so-fast-for-its-stiffness-that-its-mode-shapes-do-not-converge-write-a-lower-speed = a pá gira tão depressa para sua rigidez que as formas modais não convergem: escreva uma rotação menor ou analise-a como corda
 the-frequencies-cannot-be-found-speed-hub-and-mass-at-the-tip-are-too-large-for-this-blade = as frequências não podem ser encontradas: a rotação, o cubo e a massa na ponta são grandes demais para esta pá
 
 # engine-orders
 torsional-vibration-of-an-engine = Vibração torcional de um motor
-natural-frequencies-of-crankshaft-and-driven-machine-sums-of-the-phase-vectors-of-each-order-critical = Frequências naturais do virabrequim e da máquina acionada, somas dos fasores de cada ordem, rotações críticas, amplitudes e torques nelas.
+natural-frequencies-of-crankshaft-and-driven-machine-sums-of-the-phase-vectors-of-each-order-critical = Frequências naturais do virabrequim e da máquina acionada, somas dos fasores de cada ordem, rotações críticas com as suas amplitudes e torques.
 cycle = Ciclo
 firing = Ignição
 cranks = Manivelas
 in-front-of-the-cranks = À frente das manivelas
-damper-pulley-pump-from-the-free-end-on = Amortecedor, polia, bomba: a partir da extremidade livre.
+damper-pulley-pump-starting-from-the-free-end = Amortecedor, polia, bomba: a partir da extremidade livre.
 behind-the-cranks = Atrás das manivelas
-flywheel-coupling-what-is-driven-from-the-engine-on-all-reduced-to-the-speed-of-the-crankshaft = Volante, acoplamento, máquina acionada: a partir do motor, tudo reduzido à rotação do virabrequim.
+flywheel-coupling-driven-machine-starting-from-the-engine-all-referred-to-the-crankshaft-speed = Volante, acoplamento, máquina acionada: a partir do motor, tudo referido à rotação do virabrequim.
 torques-of-a-cylinder = Torques de um cilindro
 harmonics-of-the-torque-on-one-crank-all-cylinders-have-the-same = Harmônicos do torque sobre uma manivela; todos os cilindros têm os mesmos.
-modes-looked-at = Modos considerados
-from-the-lowest-on = A partir do mais baixo.
-without-it-the-amplitude-at-a-critical-speed-has-no-bound = Sem ele a amplitude numa rotação crítica não tem limite.
+modes-considered = Modos considerados
+starting-from-the-lowest = A partir do mais baixo.
+without-it-the-amplitude-at-a-critical-speed-is-unbounded = Sem ele a amplitude numa rotação crítica é ilimitada.
 diameter-of-the-crankshaft = Diâmetro do virabrequim
-the-smallest-one-that-carries-the-torque-for-the-shear-stress = O menor que transmite o torque, para a tensão de cisalhamento.
+the-smallest-diameter-that-transmits-the-torque-within-the-shear-stress-limit = O menor diâmetro que transmite o torque dentro do limite da tensão de cisalhamento.
 four-strokes = Quatro tempos
-each-cylinder-fires-once-in-two-turns-half-orders-too = Cada cilindro dispara uma vez em duas voltas: também meias ordens.
+each-cylinder-fires-once-every-two-revolutions-half-orders-too = Cada cilindro tem uma ignição a cada duas voltas: também meias ordens harmônicas.
 two-strokes = Dois tempos
-each-cylinder-fires-once-in-a-turn-whole-orders-alone = Cada cilindro dispara uma vez por volta: só ordens inteiras.
+each-cylinder-fires-once-per-revolution-integer-orders-only = Cada cilindro tem uma ignição por volta: só ordens harmônicas inteiras.
 at-even-intervals = A intervalos iguais
 one-cylinder-to-each-crank = Um cilindro em cada manivela.
 firing-order = Ordem de ignição
 the-numbers-of-the-cylinders-from-the-free-end-such-as-1-5-3-6-2-4 = Os números dos cilindros a partir da extremidade livre, como 1-5-3-6-2-4.
 at-given-angles = Em ângulos dados
-for-uneven-intervals-and-for-v-engines-with-two-cylinders-on-each-crank = Para intervalos desiguais e para motores em V com dois cilindros em cada manivela.
+for-unequal-intervals-and-for-v-engines-with-two-cylinders-per-crank = Para intervalos desiguais e para motores em V com dois cilindros por manivela.
 cylinders = Cilindros
 crank = Manivela
 counted-from-the-free-end = Contada a partir da extremidade livre.
 firing-angle = Ângulo de ignição
-how-far-the-crankshaft-has-turned-since-the-first-cylinder-fired = Quanto o virabrequim girou desde a ignição do primeiro cilindro.
+crank-angle-since-the-first-cylinder-fired = Ângulo do virabrequim desde a ignição do primeiro cilindro.
 all-alike = Todas iguais
+all-equal = Todas iguais
 moment-of-inertia-of-a-crank = Momento de inércia de uma manivela
-throw-big-end-and-half-of-the-mass-that-goes-to-and-fro-at-the-crank-radius = Cotovelo, cabeça da biela e metade da massa alternativa no raio da manivela.
+crank-throw-big-end-and-half-of-the-reciprocating-mass-at-the-crank-radius = Cotovelo, cabeça da biela e metade da massa alternativa, no raio da manivela.
 stiffness-between-two-cranks = Rigidez entre duas manivelas
 one-by-one = Uma a uma
 stiffness-of-the-shaft-to-the-next-crank = Rigidez do eixo até a manivela seguinte
-left-out-for-the-last-crank = Omitida na última manivela.
+omit-for-the-last-crank = Omitida na última manivela.
 shaft-towards-the-engine = Eixo do lado do motor
-from-the-middle-of-the-nearest-crank-or-from-the-part-before = Desde o meio da manivela mais próxima, ou desde a peça anterior.
-the-sums-of-the-phase-vectors-alone = Só as somas dos fasores.
+from-the-middle-of-the-nearest-crank-or-from-the-previous-part = Desde o meio da manivela mais próxima, ou desde a peça anterior.
+only-the-sums-of-the-phase-vectors = Só as somas dos fasores.
 highest-order = Maior ordem
+maximum-order = Ordem máxima
 amplitudes-of-the-torque = Amplitudes do torque
 harmonics = Harmônicos
 amplitudes-of-the-tangential-pressure = Amplitudes da pressão tangencial
@@ -3710,7 +3852,7 @@ damping-at-the-cranks = Amortecimento nas manivelas
 damping-coefficient-of-a-cylinder = Coeficiente de amortecimento de um cilindro
 torque-over-angular-velocity-of-the-vibration = Torque sobre velocidade angular da vibração.
 equivalent-length-given = Comprimento equivalente dado
-a-straight-shaft-that-twists-as-much = Um eixo reto que torce o mesmo tanto.
+a-straight-shaft-with-the-same-twist = Um eixo reto com a mesma torção.
 equivalent-length = Comprimento equivalente
 diameter-of-the-equivalent-shaft = Diâmetro do eixo equivalente
 dimensions-given = Dimensões dadas
@@ -3727,78 +3869,79 @@ radius-of-the-crank = Raio da manivela
 half-of-the-stroke = Metade do curso.
 formula = Fórmula
 carter = Carter
-for-webs-that-bend-more-than-journals-and-crankpin-twist = Para braços que flexionam mais do que munhões e moente torcem.
+for-webs-whose-bending-exceeds-the-twist-of-journals-and-crankpin = Para braços cuja flexão supera a torção de munhões e moente.
 ker-wilson = Ker Wilson
 for-stiff-webs = Para braços rígidos.
 mean-of-both = Média das duas
 the-lowest-speed-is-not-below-the-highest-one-write-the-smaller-one-as-the-lowest = a menor rotação não está abaixo da maior: escreva a menor das duas como a mais baixa
-one-crank-alone-turns-freely-and-does-not-vibrate-write-a-flywheel-or-another-crank = uma manivela sozinha gira livremente e não vibra: escreva um volante ou outra manivela
-sums-of-the-phase-vectors-order-by-order = Somas dos fasores, ordem por ordem
+a-single-crank-rotates-freely-and-does-not-vibrate-write-a-flywheel-or-another-crank = uma manivela sozinha gira livremente e não vibra: escreva um volante ou outra manivela
+sums-of-the-phase-vectors-by-order = Somas dos fasores por ordem harmônica
 major-orders-all-cylinders-push-together = Ordens principais: todos os cilindros agem juntos
-critical-speeds-between-the-lowest-and-the-highest-one-an-order-meets-a-natural-frequency = Rotações críticas entre a menor e a maior: uma ordem coincide com uma frequência natural
+critical-speeds-between-the-lowest-and-the-highest-speed-an-order-coincides-with-a-natural-frequency = Rotações críticas entre a menor e a maior: uma ordem harmônica coincide com uma frequência natural
 number-of-critical-speeds-in-the-range = Número de rotações críticas na faixa
-without-damping-the-amplitude-at-a-critical-speed-is-unbounded-it-grows-with-time-what-is-answered-is = sem amortecimento a amplitude numa rotação crítica não tem limite: cresce com o tempo; o que se responde é a amplitude de equilíbrio
+without-damping-the-amplitude-at-a-critical-speed-is-unbounded-it-grows-with-time-the-equilibrium = sem amortecimento a amplitude numa rotação crítica não tem limite: cresce com o tempo; dá-se em seu lugar a amplitude de equilíbrio
 the-major-order-order-of-the-first-mode-is-critical-at-speed-within-the-range-of-speeds = a ordem principal { $order } do primeiro modo é crítica em { $speed }, dentro da faixa de rotações
-there-are-more-than-100-orders-leave-out-the-highest-ones = há mais de 100 ordens: omita as mais altas
+there-are-more-than-100-orders-omit-the-highest-ones = há mais de 100 ordens: omita as mais altas
 an-order-of-a-four-stroke-engine-is-a-multiple-of-one-half-write-orders-such-as-0-5-1-or-4-5 = uma ordem de um motor de quatro tempos é múltiplo de um meio: escreva ordens como 0.5, 1 ou 4.5
 an-order-of-a-two-stroke-engine-is-a-whole-number-write-orders-such-as-1-2-or-6 = uma ordem de um motor de dois tempos é um número inteiro: escreva ordens como 1, 2 ou 6
-an-order-stands-twice-in-the-table-write-each-order-once = uma ordem aparece duas vezes na tabela: escreva cada ordem uma só vez
-by-holzer-s-method-at-this-frequency-no-torque-is-left-over-at-the-last-mass = Pelo método de Holzer: nesta frequência não sobra torque na última massa
-amplitude-of-the-first-mass-the-measure-of-all-others = Amplitude da primeira massa, a medida de todas as outras
-from-holzer-s-table-amplitude-of-the-mass-before-less-the-twist-between-them = Pela tabela de Holzer: amplitude da massa anterior menos a torção entre elas
+an-order-appears-twice-in-the-table-write-each-order-once = uma ordem aparece duas vezes na tabela: escreva cada ordem uma só vez
+by-holzer-s-method-at-this-frequency-the-residual-torque-at-the-last-mass-is-zero = Pelo método de Holzer: nesta frequência o torque residual na última massa é nulo
+amplitude-of-the-first-mass-the-reference-for-all-others = Amplitude da primeira massa, referência para todas as outras
+from-holzer-s-table-amplitude-of-the-previous-mass-minus-the-twist-between-them = Pela tabela de Holzer: amplitude da massa anterior, menos a torção entre elas
 inertia-of-the-mode-a-disc-at-the-first-mass-with-the-same-kinetic-energy = Inércia do modo: um disco na primeira massa com a mesma energia cinética
-nodes-counted-in-masses-from-the-free-end = Nós, contados em massas a partir da extremidade livre
+nodes-from-the-free-end-position-in-mass-spacings = Nós a partir da extremidade livre (posição em espaçamentos de massas)
 amplitude-of-the-crank-on-which-the-cylinder-works = Amplitude da manivela em que o cilindro age
-a-cylinder-of-four-strokes-fires-once-in-two-turns = Um cilindro de quatro tempos dispara uma vez em duas voltas
-a-cylinder-of-two-strokes-fires-once-in-a-turn = Um cilindro de dois tempos dispara uma vez por volta
-turn-of-the-crankshaft-from-one-firing-to-the-next = Giro do virabrequim de uma ignição à seguinte
+a-four-stroke-cylinder-fires-once-every-two-revolutions = Um cilindro de quatro tempos tem uma ignição a cada duas voltas
+a-two-stroke-cylinder-fires-once-per-revolution = Um cilindro de dois tempos tem uma ignição por volta
+crank-angle-from-one-firing-to-the-next = Ângulo de manivela de uma ignição à seguinte
 firing-angle-by-the-place-in-the-firing-order = Ângulo de ignição, pela posição na ordem de ignição
 there-are-more-than-48-cylinders-write-fewer = há mais de 48 cilindros: escreva menos
-a-cylinder-works-on-crank-crank-and-there-are-count-write-more-cranks-or-another-number = um cilindro age na manivela { $crank }, e há { $count }: escreva mais manivelas ou outro número
-the-firing-order-holds-no-cylinder-or-more-than-24-write-the-numbers-of-the-cylinders-such-as-1-3-4-2 = a ordem de ignição não tem nenhum cilindro, ou tem mais de 24: escreva os números dos cilindros, como 1-3-4-2
-the-firing-order-of-count-cylinders-has-no-place-for-number-write-each-number-from-1-on-once = a ordem de ignição de { $count } cilindros não tem lugar para { $number }: escreva cada número a partir de 1 uma só vez
-the-last-crank-has-no-next-one-leave-out-its-stiffness-and-write-it-with-the-part-behind = a última manivela não tem seguinte: omita a sua rigidez e escreva-a na peça de trás
+a-cylinder-acts-on-crank-crank-but-there-are-only-count-write-more-cranks-or-another-number = um cilindro age na manivela { $crank }, mas há só { $count }: escreva mais manivelas ou outro número
+the-firing-order-contains-no-cylinder-or-more-than-24-write-the-numbers-of-the-cylinders-such-as-1-3 = a ordem de ignição não tem nenhum cilindro, ou tem mais de 24: escreva os números dos cilindros, como 1-3-4-2
+the-firing-order-of-count-cylinders-does-not-include-number-write-each-number-from-1-on-once = a ordem de ignição de { $count } cilindros não inclui { $number }: escreva cada número a partir de 1 uma só vez
+the-last-crank-has-no-next-one-omit-its-stiffness-and-write-it-with-the-part-behind = a última manivela não tem seguinte: omita a sua rigidez e escreva-a na peça de trás
 the-stiffness-from-crank-crank-to-the-next-one-is-missing-write-it = falta a rigidez da manivela { $crank } até a seguinte: escreva-a
 crank-n = manivela { $n }
 there-are-more-than-200-masses-join-some-of-them = há mais de 200 massas: reúna algumas delas
-polar-second-moment-of-area-of-the-equivalent-shaft = Momento polar de segunda ordem da área do eixo equivalente
+polar-second-moment-of-area-of-the-equivalent-shaft = Momento polar de inércia do eixo equivalente
 stiffness-between-two-cranks-that-of-the-equivalent-shaft = Rigidez entre duas manivelas: a do eixo equivalente
-a-bore-is-not-below-the-diameter-around-it-write-a-smaller-bore-or-leave-it-out = um furo não é menor que o diâmetro em torno dele: escreva um furo menor ou omita-o
-share-of-the-journals-length-over-fourth-power-of-the-diameter-with-what-twists-of-the-webs = Parcela dos munhões: comprimento sobre a quarta potência do diâmetro, com o que torce dos braços
-share-of-the-crankpin = Parcela do moente
-share-of-the-webs-which-bend = Parcela dos braços, que flexionam
+a-bore-is-not-smaller-than-the-surrounding-diameter-write-a-smaller-bore-or-leave-it-out = um furo não é menor que o diâmetro em torno dele: escreva um furo menor ou omita-o
+contribution-of-the-journals-length-over-the-fourth-power-of-the-diameter-plus-the-twisting-part-of = Contribuição dos munhões: comprimento sobre a quarta potência do diâmetro, com a parte dos braços que torce
+contribution-of-the-crankpin = Contribuição do moente
+contribution-of-the-webs-in-bending = Contribuição dos braços em flexão
 stiffness-by-carter-s-formula = Rigidez pela fórmula de Carter
 stiffness-by-ker-wilson-s-formula = Rigidez pela fórmula de Ker Wilson
-journal-and-crankpin-overlap-so-far-that-ker-wilson-s-formula-leaves-no-web-choose-carter-s-formula = munhão e moente se sobrepõem tanto que a fórmula de Ker Wilson não deixa braço: escolha a fórmula de Carter
-carter-s-and-ker-wilson-s-formulas-differ-by-more-than-20-measure-the-stiffness-or-reckon-with-both = as fórmulas de Carter e de Ker Wilson diferem em mais de 20 %: meça a rigidez ou calcule com as duas
+journal-and-crankpin-overlap-so-much-that-ker-wilson-s-formula-leaves-no-web-length-choose-carter-s = munhão e moente se sobrepõem tanto que a fórmula de Ker Wilson não deixa comprimento de braço: escolha a fórmula de Carter
+carter-s-and-ker-wilson-s-formulas-differ-by-more-than-20-measure-the-stiffness-or-calculate-with = as fórmulas de Carter e de Ker Wilson diferem em mais de 20 %: meça a rigidez ou calcule com as duas
 mean-of-the-two-formulas = Média das duas fórmulas
-polar-second-moment-of-area-of-a-straight-shaft-as-thick-as-the-journals = Momento polar de segunda ordem da área de um eixo reto da espessura dos munhões
-equivalent-length-a-straight-shaft-that-twists-as-much = Comprimento equivalente: um eixo reto que torce o mesmo tanto
+polar-second-moment-of-area-of-a-straight-shaft-with-the-diameter-of-the-journals = Momento polar de inércia de um eixo reto com o diâmetro dos munhões
+equivalent-length-a-straight-shaft-with-the-same-twist = Comprimento equivalente: um eixo reto com a mesma torção
 equivalent-length-of-a-throw = Comprimento equivalente de um cotovelo
 order-of-a-torque-that-is-critical-in-mode-mode = Ordem de um torque que é crítica no modo { $mode }
-the-order-makes-n-vibrations-in-a-turn-critical-speed = A ordem faz n vibrações por volta: rotação crítica
-phase-vectors-each-cylinder-with-the-amplitude-of-its-crank-turned-by-n-times-its-firing-angle = Fasores: cada cilindro com a amplitude da sua manivela, girado n vezes o seu ângulo de ignição
-their-other-components = As suas outras componentes
+the-order-makes-n-vibrations-per-revolution-critical-speed = A ordem harmônica faz n vibrações por volta: rotação crítica
+phase-vectors-each-cylinder-with-the-amplitude-of-its-crank-rotated-by-n-times-its-firing-angle = Fasores: cada cilindro com a amplitude da sua manivela, girado n vezes o seu ângulo de ignição
+sum-of-their-sine-components = Soma das suas componentes em seno
 sum-of-the-phase-vectors = Soma dos fasores
-square-of-the-sum-from-the-angles-between-every-two-cylinders = quadrado da soma pelos ângulos entre cada dois cilindros
-torque-of-a-cylinder-at-this-order-from-the-table = Torque de um cilindro nesta ordem, pela tabela
-tangential-pressure-at-this-order-from-the-table = Pressão tangencial nesta ordem, pela tabela
-torque-of-a-cylinder-area-of-the-piston-at-the-crank-radius = Torque de um cilindro: área do pistão no raio da manivela
-equilibrium-amplitude-at-the-first-mass-the-torques-held-still-against-the-stiffness-j-of-the-mode = Amplitude de equilíbrio na primeira massa: os torques, em repouso, contra a rigidez ω² J do modo
+sum-of-the-phasors = Soma dos fasores
+square-of-the-sum-from-the-angles-between-each-pair-of-cylinders = quadrado da soma pelos ângulos entre cada par de cilindros
+torque-of-a-cylinder-for-this-order-from-the-table = Torque de um cilindro nesta ordem harmônica, pela tabela
+tangential-pressure-for-this-order-from-the-table = Pressão tangencial desta ordem harmônica, pela tabela
+torque-of-a-cylinder-pressure-times-piston-area-times-crank-radius = Torque de um cilindro: pressão vezes área do pistão vezes raio da manivela
+equilibrium-amplitude-at-the-first-mass-static-torques-over-the-modal-stiffness-j = Amplitude de equilíbrio na primeira massa: torques estáticos sobre a rigidez modal ω² J
 equilibrium-amplitude-of-the-first-mass = Amplitude de equilíbrio da primeira massa
-energy-balance-the-work-t-s-of-the-torques-in-a-cycle-is-what-damping-takes-c = Balanço de energia: o trabalho π T Θ S dos torques num ciclo é o que o amortecimento consome, π c ω Θ² Σ β²
-amplitude-at-resonance-1-2-times-as-large = Amplitude na ressonância, 1/(2 ζ) vezes maior
-amplitude-at-resonance-the-dynamic-magnifier-times-as-large = Amplitude na ressonância: maior pelo fator de amplificação dinâmica
-squares-of-the-amplitudes-of-the-damped-cranks = Quadrados das amplitudes das manivelas amortecidas
+energy-balance-the-work-t-s-of-the-torques-per-cycle-equals-the-energy-c-dissipated-by-damping = Balanço de energia: o trabalho π T Θ S dos torques por ciclo é igual à energia π c ω Θ² Σ β² dissipada pelo amortecimento
+amplitude-at-resonance-larger-by-the-factor-1-2 = Amplitude na ressonância, maior pelo fator 1/(2 ζ)
+amplitude-at-resonance-larger-by-the-dynamic-magnifier = Amplitude na ressonância: maior pelo fator de amplificação dinâmica
+sum-of-the-squared-amplitudes-of-the-damped-cranks = Soma dos quadrados das amplitudes das manivelas amortecidas
 amplitude-of-the-first-mass = Amplitude da primeira massa
-work-of-the-torques-added-up-over-a-cycle-is-what-damping-takes = o trabalho dos torques, somado num ciclo, é o que o amortecimento consome
-largest-torque-of-the-vibration-in-the-crankshaft-behind-mass = Maior torque da vibração no virabrequim, atrás de { $mass }
-largest-torque-in-the-crankshaft = Maior torque no virabrequim
-shear-stress-of-that-torque-in-a-round-shaft = Tensão de cisalhamento desse torque num eixo redondo
+work-of-the-torques-summed-over-a-cycle-equals-the-energy-dissipated-by-damping = o trabalho dos torques, somado num ciclo, é igual à energia dissipada pelo amortecimento
+maximum-vibratory-torque-in-the-crankshaft-behind-mass = Torque vibratório máximo no virabrequim, atrás de { $mass }
+maximum-torque-in-the-crankshaft = Torque máximo no virabrequim
+shear-stress-due-to-that-torque-in-a-circular-shaft = Tensão de cisalhamento devida a esse torque num eixo circular
 shear-stress-in-the-crankshaft = Tensão de cisalhamento no virabrequim
 critical-speeds-in-the-range = Rotações críticas na faixa
 major = principal
-sum-of-phase-vectors = soma dos fasores
+sum-of-phasors = soma dos fasores
 torque-of-a-cylinder = torque de um cilindro
 equilibrium-amplitude = amplitude de equilíbrio
 sums-of-the-phase-vectors = Somas dos fasores
@@ -3810,230 +3953,242 @@ critical-speeds = rotações críticas
 range-of-speeds = faixa de rotações
 interference-diagram = Diagrama de interferência
 amplitudes-along-the-line = Amplitudes ao longo da linha
-mass-counted-from-the-free-end = massa, contada a partir da extremidade livre
-amplitude-that-of-the-first-mass-being-one = amplitude, sendo um a da primeira massa
+mass-number-from-the-free-end = número da massa a partir da extremidade livre
+amplitude-relative-to-that-of-the-first-mass = amplitude relativa à da primeira massa
 amplitude-of-the-first-mass-against-the-speed = Amplitude da primeira massa em função da rotação
-stars-of-the-phase-vectors = Estrelas dos fasores
-stars-of-the-phase-vectors-in-the-first-mode-the-sum-as-a-part-of-all-lengths = Estrelas dos fasores no primeiro modo; a soma como parte de todos os comprimentos
+phase-vector-star-diagrams = Estrelas dos fasores
+phase-vector-star-diagrams-in-the-first-mode-the-sum-as-a-fraction-of-the-total-length = Estrelas dos fasores no primeiro modo; a soma como fração do comprimento total
 not-known = Não conhecidos
+torques-unknown = Torques desconhecidos
 # pendulum-absorber
 pendulum-absorber = Absorvedor pendular
 order-arm-and-mass-of-centrifugal-pendulums-and-rollers-on-a-rotor-their-swing-and-effective-inertia = Ordem, braço e massa de pêndulos centrífugos e roletes num rotor, a sua oscilação e inércia efetiva, e pêndulos sob uma massa que oscila.
 what-the-pendulum-hangs-on = Onde o pêndulo está suspenso
 on-a-rotor = Num rotor
-the-centrifugal-field-brings-the-pendulum-back-so-that-its-frequency-follows-the-speed = O campo centrífugo traz o pêndulo de volta, de modo que a sua frequência acompanha a rotação.
+the-centrifugal-field-restores-the-pendulum-so-its-frequency-is-proportional-to-the-speed = O campo centrífugo restaura o pêndulo, de modo que a sua frequência é proporcional à rotação.
 distance-of-the-pivot-from-the-shaft = Distância do pino ao eixo
-for-rollers-that-of-the-middle-of-the-hole = Para roletes, a do centro do furo.
+for-rollers-measured-to-the-centre-of-the-hole = Para roletes, medida até o centro do furo.
 mass-of-a-pendulum = Massa de um pêndulo
 pendulums = Pêndulos
 without-the-pendulums = Sem os pêndulos.
-stiffness-of-the-shaft-that-holds-the-rotor = Rigidez do eixo que segura o rotor
-left-out-for-a-rotor-that-turns-freely = Omitida para um rotor que gira livremente.
+stiffness-of-the-shaft-supporting-the-rotor = Rigidez do eixo que suporta o rotor
+omit-for-a-rotor-that-turns-freely = Omitida para um rotor que gira livremente.
 order-of-the-torque = Ordem do torque
-left-out-it-is-the-tuned-order = Se for omitida, é a ordem sintonizada.
+if-omitted-it-is-the-tuned-order = Se for omitida, é a ordem sintonizada.
 under-an-oscillating-mass = Sob uma massa que oscila
-gravity-brings-the-pendulum-back-the-mass-moves-sideways = A gravidade traz o pêndulo de volta; a massa move-se lateralmente.
-mass-that-oscillates = Massa que oscila
+suspended-from-an-oscillating-mass = Suspenso de uma massa oscilante
+gravity-is-the-restoring-force-of-the-pendulum-the-mass-moves-sideways = A gravidade é a força restauradora do pêndulo; a massa move-se lateralmente.
+oscillating-mass = Massa oscilante
 stiffness-of-its-springs = Rigidez das suas molas
 length-of-the-pendulum = Comprimento do pêndulo
 mass-of-the-pendulum = Massa do pêndulo
 small-mass-on-an-arm = Massa pequena num braço
-body-on-a-pivot = Corpo num pino
-it-turns-with-its-arm = Gira com o seu braço.
-radius-of-gyration-about-its-mass-centre = Raio de giração em relação ao seu centro de massa
+body-on-a-pivot = Corpo articulado
+it-rotates-with-its-arm = Gira com o seu braço.
+radius-of-gyration-about-its-centre-of-mass = Raio de giração em relação ao seu centro de massa
 bifilar-on-two-pins-in-larger-holes = Bifilar: em dois pinos dentro de furos maiores
-it-does-not-turn-on-the-rotor-the-arm-is-the-diameter-of-the-holes-less-that-of-the-pins = Não gira em relação ao rotor; o braço é o diâmetro dos furos menos o dos pinos.
+it-does-not-rotate-relative-to-the-rotor-the-arm-is-the-hole-diameter-minus-the-pin-diameter = Não gira em relação ao rotor; o braço é o diâmetro dos furos menos o dos pinos.
 roller-in-a-hole = Rolete num furo
-it-rolls-without-slip-the-arm-is-the-radius-of-the-hole-less-that-of-the-roller = Rola sem escorregar; o braço é o raio do furo menos o do rolete.
+it-rolls-without-slipping-the-arm-is-the-hole-radius-minus-the-roller-radius = Rola sem deslizar; o braço é o raio do furo menos o do rolete.
 radius-of-the-roller = Raio do rolete
 shape = Forma
 solid-cylinder = Cilindro maciço
 arm-given = Braço dado
-from-the-pivot-to-the-mass-centre = Do pino ao centro de massa.
-order-to-be-tuned-to = Ordem a sintonizar
-vibrations-in-a-turn-that-the-pendulum-is-to-take-up = Vibrações por volta que o pêndulo deve absorver.
+from-the-pivot-to-the-centre-of-mass = Do pino ao centro de massa.
+order-to-tune-to = Ordem a sintonizar
+vibrations-per-revolution-to-be-absorbed-by-the-pendulum = Vibrações por volta que o pêndulo deve absorver.
 length-given = Comprimento dado
-left-out-for-a-small-mass-on-a-string = Omitido para uma massa pequena num fio.
+omit-for-a-small-mass-on-a-string = Omitido para uma massa pequena num fio.
 tuned-to-the-force = Sintonizado com a força
 a-small-mass-on-a-string = Uma massa pequena num fio.
 limited-swing = Oscilação limitada
-the-lightest-pendulum-that-does-not-swing-further-under-the-load-that-it-takes-up = O pêndulo mais leve que não oscila além disso sob a carga que absorve.
-largest-swing = Maior oscilação
+limited-swing-angle = Ângulo de oscilação limitado
+the-lightest-pendulum-that-does-not-exceed-this-amplitude-under-the-load-it-absorbs = O pêndulo mais leve que não excede esta amplitude sob a carga que absorve.
+maximum-swing-angle = Ângulo máximo de oscilação
 square-of-the-radius-of-gyration-of-a-solid-roller-over-that-of-its-radius = Quadrado do raio de giração de um rolete maciço sobre o do seu raio
 square-of-the-radius-of-gyration-of-a-ring-over-that-of-its-radius = Quadrado do raio de giração de um anel sobre o do seu raio
 radius-of-gyration-of-the-roller = Raio de giração do rolete
-arm-that-tunes-a-roller-to-the-order-from-n-r-r-1-q = Braço que sintoniza um rolete na ordem, por n² = R/(r (1 + q))
+arm-that-tunes-a-roller-to-the-order-from-n-r-r-1-q = Braço que sintoniza um rolete na ordem harmônica, por n² = R/(r (1 + q))
 the-arm-is-a-root-of-r-2-h-r-0-from-n-r-r-r-with-this-h = O braço é uma raiz de r² − 2 h r + κ² = 0, por n² = R r/(r² + κ²), com este h
 no-arm-tunes-this-body-to-the-order-write-a-smaller-radius-of-gyration-or-a-pivot-further-out = nenhum braço sintoniza este corpo na ordem: escreva um raio de giração menor ou um pino mais afastado
-the-larger-root-the-shorter-arm-needs-a-far-larger-swing = A raiz maior: o braço mais curto exige uma oscilação muito maior
-arm-that-tunes-the-pendulum-to-the-order-from-n-r-r = Braço que sintoniza o pêndulo na ordem, por n² = R/r
-inertia-of-the-swing-for-each-kilogram-a-roller-turns-the-faster-the-smaller-it-is = Inércia da oscilação por quilograma: um rolete gira tanto mais depressa quanto menor é
-inertia-of-the-swing-for-each-kilogram-about-the-pivot = Inércia da oscilação por quilograma, em relação ao pino
-coupling-for-each-kilogram-a-roller-turns-against-the-swing-of-its-centre = Acoplamento por quilograma: um rolete gira contra a oscilação do seu centro
-coupling-of-swing-and-rotor-for-each-kilogram = Acoplamento entre oscilação e rotor por quilograma
-the-roller-is-so-large-that-it-turns-against-its-own-swing-and-takes-up-nothing-write-a-smaller-one = o rolete é tão grande que gira contra a sua própria oscilação e nada absorve: escreva um menor
-tuned-order-the-frequency-of-the-swing-over-the-speed-at-every-speed = Ordem sintonizada: a frequência da oscilação sobre a rotação, em qualquer rotação
+the-larger-root-the-shorter-arm-needs-a-much-larger-oscillation = A raiz maior: o braço mais curto exige uma oscilação muito maior
+arm-that-tunes-the-pendulum-to-the-order-from-n-r-r = Braço que sintoniza o pêndulo na ordem harmônica, por n² = R/r
+inertia-of-the-pendulum-motion-per-kilogram-the-smaller-a-roller-the-faster-it-spins = Inércia do movimento pendular por quilograma: quanto menor o rolete, mais depressa ele gira
+inertia-of-the-pendulum-motion-per-kilogram-about-the-pivot = Inércia do movimento pendular por quilograma, em relação ao pino
+coupling-per-kilogram-a-roller-rotates-opposite-to-the-pendulum-motion-of-its-centre = Acoplamento por quilograma: um rolete gira em sentido oposto ao movimento pendular do seu centro
+coupling-of-pendulum-motion-and-rotor-per-kilogram = Acoplamento entre movimento pendular e rotor por quilograma
+the-roller-is-so-large-that-it-rotates-against-its-own-swing-and-absorbs-nothing-write-a-smaller-one = o rolete é tão grande que gira contra a sua própria oscilação e nada absorve: escreva um menor
+tuned-order-frequency-of-the-pendulum-over-the-speed-at-any-speed = Ordem sintonizada: frequência do pêndulo sobre a rotação, em qualquer rotação
 tuned-order = Ordem sintonizada
-frequency-of-the-swing-at-this-speed-there-the-rotor-stands-still = Frequência da oscilação nesta rotação: nela o rotor fica parado
-frequency-at-which-the-rotor-stands-still = Frequência em que o rotor fica parado
+frequency-of-the-pendulum-motion-at-this-speed-at-this-frequency-the-rotor-is-at-rest = Frequência do movimento pendular nesta rotação: nessa frequência o rotor fica em repouso
+frequency-at-which-the-rotor-is-at-rest = Frequência em que o rotor fica em repouso
 the-mass-for-a-limited-swing-follows-from-the-torque-write-its-amplitude = a massa para uma oscilação limitada decorre do torque: escreva a sua amplitude
-mass-of-each-pendulum-swinging-at-its-limit-it-takes-up-the-whole-torque-of-the-tuned-order = Massa de cada pêndulo: oscilando no seu limite absorve todo o torque da ordem sintonizada
-rotor-and-pendulums-held-still-on-it = Rotor e pêndulos, parados sobre ele
-inertia-that-couples-rotor-and-swing = Inércia que acopla rotor e oscilação
+mass-of-each-pendulum-at-its-limit-angle-it-absorbs-the-whole-torque-of-the-tuned-order = Massa de cada pêndulo: no seu ângulo-limite absorve todo o torque da ordem sintonizada
+rotor-with-the-pendulums-locked-to-it = Rotor com os pêndulos travados nele
+inertia-coupling-of-rotor-and-pendulum-motion = Acoplamento inercial entre rotor e movimento pendular
 inertia-of-the-swing = Inércia da oscilação
+inertia-of-the-pendulum-motion = Inércia do movimento pendular
 natural-frequency-of-rotor-and-pendulum = Frequência natural de rotor e pêndulo
-order-that-meets-it-at-this-speed = Ordem que coincide com ela nesta rotação
+order-that-coincides-with-it-at-this-speed = Ordem que coincide com ela nesta rotação
 order-that-resonates-at-this-speed = Ordem que ressoa nesta rotação
 at-the-tuned-order-the-pendulum-acts-like-an-infinite-flywheel-friction-alone-leaves-some-motion = na ordem sintonizada o pêndulo age como um volante infinito; só o atrito deixa algum movimento
-effective-inertia-of-the-pendulums-at-the-order-of-the-torque-negative-beyond-the-tuned-order = Inércia efetiva dos pêndulos na ordem do torque; negativa além da ordem sintonizada
+effective-inertia-of-the-pendulums-at-the-order-of-the-torque-negative-beyond-the-tuned-order = Inércia efetiva dos pêndulos na ordem harmônica do torque; negativa além da ordem sintonizada
 effective-inertia-of-the-pendulums = Inércia efetiva dos pêndulos
-effective-inertia-from-the-swing-that-a-moving-rotor-causes = inércia efetiva pela oscilação que um rotor em movimento causa
+effective-inertia-from-the-pendulum-oscillation-caused-by-a-moving-rotor = inércia efetiva pela oscilação dos pêndulos causada por um rotor em movimento
 frequency-of-the-torque = Frequência do torque
-how-closely-body-and-swing-are-coupled = Quão acoplados estão corpo e oscilação
-nothing-holds-the-rotor-rotor-and-pendulum-swing-against-each-other = Nada segura o rotor: rotor e pêndulo oscilam um contra o outro
-frequency-with-the-pendulum-held-still = Frequência com o pêndulo parado
+coupling-coefficient-of-body-and-pendulum-motion = Coeficiente de acoplamento entre corpo e movimento pendular
+the-rotor-is-unrestrained-rotor-and-pendulum-oscillate-against-each-other = O rotor está livre: rotor e pêndulo oscilam um contra o outro
+frequency-with-the-pendulum-locked = Frequência com o pêndulo travado
 the-larger-root-of-1-p-p-0-with = A raiz maior de (1 − ε) λ² − (p² + ω₀²) λ + p² ω₀² = 0, com λ = ω²
 the-product-of-the-roots-is-p-1 = O produto das raízes é p² ω₀²/(1 − ε)
 upper-natural-frequency = Frequência natural superior
 lower-natural-frequency = frequência natural inferior
 frequency-from-the-matrices-of-the-small-motions = frequência pelas matrizes dos pequenos movimentos
-determinant-of-the-two-equations-of-the-steady-motion = Determinante das duas equações do regime permanente
-the-load-meets-a-natural-frequency-of-body-and-pendulum-without-damping-the-motion-grows-without = a carga coincide com uma frequência natural de corpo e pêndulo: sem amortecimento o movimento cresce sem limite, não há regime permanente
-amplitude-of-the-body-negative-against-the-load = Amplitude do corpo; negativa contra a carga
+determinant-of-the-two-equations-of-the-steady-state-motion = Determinante das duas equações do regime permanente
+the-load-frequency-coincides-with-a-natural-frequency-of-body-and-pendulum-without-damping-the-motion = a frequência da carga coincide com uma frequência natural de corpo e pêndulo: sem amortecimento o movimento cresce sem limite e não há regime permanente
+amplitude-of-the-body-negative-if-opposed-to-the-load = Amplitude do corpo; negativa se oposta à carga
 amplitude-of-the-rotor = Amplitude do rotor
-swing-of-the-pendulum-negative-against-the-load = Oscilação do pêndulo; negativa contra a carga
-swing-of-the-pendulum = Oscilação do pêndulo
+swing-amplitude-of-the-pendulum-negative-if-opposed-to-the-load = Amplitude de oscilação do pêndulo; negativa se oposta à carga
+swing-amplitude-of-the-pendulum = Amplitude de oscilação do pêndulo
 load-inertia-and-springs-are-in-equilibrium-at-the-body = carga, inércia e molas estão em equilíbrio no corpo
-swing-from-the-matrices-of-the-small-motions = oscilação pelas matrizes dos pequenos movimentos
-the-swing-is-above-20-the-frequency-of-a-pendulum-on-a-circle-falls-with-its-swing-and-what-is = a oscilação passa de 20°: a frequência de um pêndulo num arco de círculo cai com a oscilação, e o que se responde vale para oscilações pequenas
+oscillation-from-the-matrices-of-the-small-motions = oscilação pelas matrizes dos pequenos movimentos
+the-swing-angle-is-above-20-the-frequency-of-a-pendulum-on-a-circle-decreases-with-amplitude-and-the = o ângulo de oscilação passa de 20°: a frequência de um pêndulo num arco de círculo diminui com a amplitude, e os resultados valem para oscilações pequenas
 length-that-tunes-the-pendulum-to-the-force-from-g-l = Comprimento que sintoniza o pêndulo com a força, por ω² = g/l
-frequency-of-the-pendulum-on-a-fixed-pivot-there-the-mass-stands-still = Frequência do pêndulo num pino fixo: nela a massa fica parada
-frequency-at-which-the-mass-stands-still = Frequência em que a massa fica parada
+frequency-of-the-pendulum-on-a-fixed-pivot-at-this-frequency-the-mass-is-at-rest = Frequência do pêndulo num pino fixo: nessa frequência a massa fica em repouso
+frequency-at-which-the-mass-is-at-rest = Frequência em que a massa fica em repouso
 the-mass-for-a-limited-swing-follows-from-the-force-write-its-amplitude = a massa para uma oscilação limitada decorre da força: escreva a sua amplitude
-mass-of-the-pendulum-swinging-at-its-limit-at-its-own-frequency-it-takes-up-the-whole-force = Massa do pêndulo: oscilando no seu limite na sua própria frequência absorve toda a força
+mass-of-the-pendulum-at-its-limit-angle-and-its-own-frequency-it-absorbs-the-whole-force = Massa do pêndulo: no seu ângulo-limite e na sua própria frequência absorve toda a força
 mass-and-pendulum-move-sideways-together = Massa e pêndulo movem-se lateralmente juntos
-inertia-that-couples-mass-and-swing = Inércia que acopla massa e oscilação
+inertia-coupling-of-mass-and-pendulum-motion = Acoplamento inercial entre massa e movimento pendular
 moment-of-inertia-of-the-pendulum-about-its-pivot = Momento de inércia do pêndulo em relação ao seu pino
 natural-frequency-of-mass-and-pendulum = Frequência natural de massa e pêndulo
-effective-inertia-of-the-pendulums-against-the-order = Inércia efetiva dos pêndulos em função da ordem
+effective-inertia-of-the-pendulums-against-the-order = Inércia efetiva dos pêndulos em função da ordem harmônica
 effective-inertia = inércia efetiva
-takes-away-the-whole-rotor = anula o rotor inteiro
+cancels-the-rotor-inertia = anula a inércia do rotor
 natural-frequencies-against-the-speed = Frequências naturais em função da rotação
 the-pendulum-on-the-rotor = O pêndulo no rotor
-amplitudes-of-mass-and-end-of-the-pendulum-for-each-newton-of-the-force = Amplitudes da massa e da ponta do pêndulo por newton da força
+amplitudes-of-the-mass-and-of-the-end-of-the-pendulum-per-newton-of-force = Amplitudes da massa e da ponta do pêndulo por newton da força
 amplitude-over-force = amplitude sobre força
-swing-at-the-end-of-the-pendulum = oscilação, na ponta do pêndulo
+oscillation-at-the-end-of-the-pendulum = oscilação na ponta do pêndulo
 this-force = esta força
 the-mass-with-its-pendulum = A massa com o seu pêndulo
 # swing-test
 distance = distância
-moment-of-inertia-from-a-swing-test = Momento de inércia por ensaio de oscilação
+moment-of-inertia-from-an-oscillation-test = Momento de inércia por ensaio de oscilação
 moment-of-inertia-from-the-period-on-a-knife-edge-about-two-points-on-wires-on-a-torsion-wire-or = Momento de inércia pelo período sobre um cutelo, em torno de dois pontos, em fios, num fio de torção ou rolando em trilhos.
 test = Ensaio
-about-one-point-mass-centre-known = Em torno de um ponto, centro de massa conhecido
+about-one-point-centre-of-mass-known = Em torno de um ponto, centro de massa conhecido
 a-compound-pendulum-a-connecting-rod-on-a-knife-edge = Um pêndulo composto: uma biela sobre um cutelo.
-from-the-point-of-suspension-to-the-mass-centre = Do ponto de suspensão ao centro de massa
+from-the-point-of-suspension-to-the-centre-of-mass = Do ponto de suspensão ao centro de massa
 swings = Oscilações
-amplitude-of-the-swings = Amplitude das oscilações
-from-the-lowest-position-left-out-for-small-swings = A partir da posição mais baixa; omitida para oscilações pequenas.
-about-two-points-mass-centre-unknown = Em torno de dois pontos, centro de massa desconhecido
-both-points-and-the-mass-centre-on-one-line = Os dois pontos e o centro de massa numa reta.
+oscillations = Oscilações
+amplitude-of-the-oscillations = Amplitude das oscilações
+from-the-lowest-position-omitted-for-small-oscillations = A partir da posição mais baixa; omitida para oscilações pequenas.
+about-two-points-centre-of-mass-unknown = Em torno de dois pontos, centro de massa desconhecido
+the-two-points-and-the-centre-of-mass-are-collinear = Os dois pontos e o centro de massa são colineares.
 between-the-two-points = Entre os dois pontos
 where-the-mass-centre-is = Onde está o centro de massa
-swings-about-the-first-point = Oscilações em torno do primeiro ponto
-swings-about-the-second-point = Oscilações em torno do segundo ponto
-the-same-for-both-left-out-for-small-swings = A mesma para as duas; omitida para oscilações pequenas.
+position-of-the-centre-of-mass = Posição do centro de massa
+oscillations-about-the-first-point = Oscilações em torno do primeiro ponto
+oscillations-about-the-second-point = Oscilações em torno do segundo ponto
+the-same-for-both-omitted-for-small-oscillations = A mesma para as duas; omitida para oscilações pequenas.
 on-two-three-or-more-parallel-wires = Em dois, três ou mais fios paralelos
-bifilar-trifilar-the-body-turns-about-the-upright-line-through-its-mass-centre = Bifilar, trifilar: o corpo gira em torno da vertical pelo seu centro de massa.
+bifilar-trifilar-the-body-rotates-about-the-vertical-line-through-its-centre-of-mass = Bifilar, trifilar: o corpo gira em torno da vertical pelo seu centro de massa.
 from-the-axis-to-the-wires-at-the-body = Do eixo aos fios, no corpo
 from-the-axis-to-the-wires-at-the-top = Do eixo aos fios, em cima
-left-out-where-the-wires-are-upright = Omitida quando os fios são verticais.
+omit-if-the-wires-are-vertical = Omitida quando os fios são verticais.
 platform = Plataforma
-that-carries-the-body-left-out-where-the-wires-hold-the-body-itself = Que leva o corpo; omitida quando os fios seguram o próprio corpo.
+carries-the-body-omitted-if-the-wires-support-the-body-itself = Sustenta o corpo; omitida quando os fios sustentam o próprio corpo.
 on-a-wire-in-torsion = Num fio em torção
 wire = Fio
-rolling-to-and-fro-in-hollow-rails = Rolando de um lado para o outro em trilhos côncavos
+oscillating-by-rolling-in-concave-rails = Oscilando por rolamento em trilhos côncavos
 on-its-journals = Sobre os seus munhões.
 radius-of-the-journals = Raio dos munhões
 radius-of-the-rails = Raio dos trilhos
 rolling-down-inclined-rails = Descendo trilhos inclinados
 on-its-journals-from-rest-and-without-slip = Sobre os seus munhões, a partir do repouso e sem escorregar.
+on-its-journals-from-rest-and-without-slipping = Sobre os seus munhões, a partir do repouso e sem deslizar.
 slope-of-the-rails = Inclinação dos trilhos
 distance-rolled = Distância percorrida
-time-for-it = Tempo para isso
+time-taken = Tempo gasto
 period-given = Período dado
 there-and-back = Ida e volta.
-time-of-several-swings = Tempo de várias oscilações
-number-of-swings = Número de oscilações
-each-there-and-back = Cada uma de ida e volta.
+a-complete-oscillation = Uma oscilação completa.
+time-of-several-oscillations = Tempo de várias oscilações
+number-of-oscillations = Número de oscilações
+full-oscillations-there-and-back = Oscilações completas (ida e volta).
 time-of-all = Tempo de todas
+total-time = Tempo total
 beyond-the-second-point = Além do segundo ponto
 both-points-on-one-side-of-it-the-second-one-nearer = Os dois pontos de um mesmo lado dele, o segundo mais perto.
 mass-of-the-platform = Massa da plataforma
-swings-of-the-empty-platform = Oscilações da plataforma vazia
-a-known-inertia-added = Uma inércia conhecida acrescentada
-the-body-swings-again-with-it = O corpo oscila outra vez com ela.
-inertia-that-is-added = Inércia acrescentada
-swings-with-it = Oscilações com ela
+oscillations-of-the-empty-platform = Oscilações da plataforma vazia
+known-inertia-added = Inércia conhecida acrescentada
+the-body-is-oscillated-again-with-it = O corpo oscila outra vez com ela.
+added-inertia = Inércia acrescentada
+oscillations-with-it = Oscilações com ela
 a-known-body-instead = Um corpo conhecido no lugar
+known-body-in-its-place = Corpo conhecido no lugar
 inertia-of-the-known-body = Inércia do corpo conhecido
-swings-of-the-known-body-alone = Oscilações do corpo conhecido sozinho
-the-journals-are-not-smaller-than-the-hollow-of-the-rails-write-a-larger-radius-of-the-rails = os munhões não são menores que a concavidade dos trilhos: escreva um raio maior dos trilhos
-the-journal-rolls-without-slip-t-4-r-1-g = O munhão rola sem escorregar: T² = 4π² (R − ρ)(1 + κ²/ρ²)/g
+oscillations-of-the-known-body-alone = Oscilações do corpo conhecido sozinho
+the-journals-are-not-smaller-than-the-curvature-radius-of-the-rails-write-a-larger-rail-radius = os munhões não são menores que o raio de curvatura dos trilhos: escreva um raio maior dos trilhos
+the-journal-rolls-without-slipping-t-4-r-1-g = O munhão rola sem deslizar: T² = 4π² (R − ρ)(1 + κ²/ρ²)/g
 period-from-the-kinetic-and-the-potential-energy = período pelas energias cinética e potencial
 acceleration-of-the-centre-from-rest-s-a-t-2 = Aceleração do centro, a partir do repouso: s = a t²/2
-rolling-without-slip-a-g-sin-1 = Rolamento sem escorregamento: a = g sen α/(1 + κ²/ρ²)
+rolling-without-slipping-a-g-sin-1 = Rolamento sem deslizamento: a = g sen α/(1 + κ²/ρ²)
 kinetic-energy-at-the-end-is-the-work-of-the-weight = a energia cinética no fim é o trabalho do peso
 moment-of-inertia-about-the-axis-of-the-wire = Momento de inércia em relação ao eixo do fio
-period-the-time-over-the-number-of-swings = Período: o tempo sobre o número de oscilações
-period-of-small-swings-large-ones-take-1-agm-1-cos-2-times-as-long = Período de oscilações pequenas: as grandes duram 1/agm(1, cos θ₀/2) vezes mais
-period-of-the-large-swing-by-quadrature = período da oscilação grande por quadratura
+period-the-time-over-the-number-of-oscillations = Período: o tempo sobre o número de oscilações
+period-of-small-oscillations-large-ones-take-1-agm-1-cos-2-times-as-long = Período das pequenas oscilações: o das grandes é esse multiplicado por 1/agm(1, cos θ₀/2)
+period-of-the-large-amplitude-oscillation-by-quadrature = período da oscilação de grande amplitude por quadratura
 the-same-mean-as-for-the-first-point = A mesma média que para o primeiro ponto
-the-body-rolls-faster-than-a-body-without-inertia-the-time-is-too-short-for-these-rails = o corpo rola mais depressa que um corpo sem inércia: o tempo é curto demais para estes trilhos
+the-body-would-roll-faster-than-a-body-without-inertia-the-time-is-too-short-for-these-rails = o corpo rolaria mais depressa que um corpo sem inércia: o tempo é curto demais para estes trilhos
 moment-of-inertia-about-the-axis-of-rolling = Momento de inércia em relação ao eixo de rolamento
-length-of-the-simple-pendulum-that-swings-as-slowly-t-4-g = Comprimento do pêndulo simples que oscila tão devagar quanto ele: T² = 4π² λ/g
-length-of-the-equal-simple-pendulum-to-the-centre-of-percussion = Comprimento do pêndulo simples equivalente, até o centro de percussão
-the-period-is-that-of-a-simple-pendulum-shorter-than-the-distance-to-the-mass-centre-no-body-swings = o período é o de um pêndulo simples mais curto que a distância ao centro de massa: nenhum corpo oscila tão depressa, escreva um período maior ou uma distância menor
+length-of-the-simple-pendulum-of-equal-period-t-4-g = Comprimento do pêndulo simples de mesmo período: T² = 4π² λ/g
+length-of-the-equivalent-simple-pendulum-to-the-centre-of-percussion = Comprimento do pêndulo simples equivalente, até o centro de percussão
+the-period-is-that-of-a-simple-pendulum-shorter-than-the-distance-to-the-centre-of-mass-which-is = o período é o de um pêndulo simples mais curto que a distância ao centro de massa, o que é impossível: escreva um período maior ou uma distância menor
 moment-of-inertia-about-the-point-of-suspension-from-j-o-m-s = Momento de inércia em relação ao ponto de suspensão, por λ = J_O/(m s)
 moment-of-inertia-about-the-point-of-suspension = Momento de inércia em relação ao ponto de suspensão
-parallel-axes-that-about-the-mass-centre-is-smaller-by-m-s = Eixos paralelos: o do centro de massa é menor em m s²
-the-radius-of-gyration-gives-the-period-back = o raio de giração devolve o período
-the-moment-of-inertia-is-a-small-difference-of-large-ones-errors-of-the-distance-and-the-period-are = o momento de inércia é uma diferença pequena entre valores grandes: os erros da distância e do período são multiplicados; suspenda o corpo mais perto do seu centro de massa
-length-of-the-simple-pendulum-that-swings-as-slowly = Comprimento do pêndulo simples que oscila tão devagar quanto ele
-the-two-points-belong-together-like-those-of-a-reversible-pendulum-every-mass-centre-between-them = os dois pontos são conjugados como os de um pêndulo reversível: qualquer centro de massa entre eles serve, escolha outros pontos
-from-the-first-point-to-the-mass-centre-h-h-h-h-with-h-h-l = Do primeiro ponto ao centro de massa: h₁² − λ₁ h₁ = h₂² − λ₂ h₂ = −κ², com h₁ + h₂ = L
-from-the-first-point-to-the-mass-centre-beyond-the-second-one-h-h-h-h-with-h-h-l = Do primeiro ponto ao centro de massa além do segundo: h₁² − λ₁ h₁ = h₂² − λ₂ h₂ = −κ², com h₁ − h₂ = L
-from-the-second-point-to-the-mass-centre = Do segundo ponto ao centro de massa
-no-mass-centre-on-this-side-fits-the-two-periods-look-whether-it-is-between-the-points-or-beyond-the = nenhum centro de massa deste lado concorda com os dois períodos: veja se ele está entre os pontos ou além do segundo
-mass-centre-from-the-first-point = Centro de massa a partir do primeiro ponto
-moment-of-inertia-about-the-mass-centre-m-m-h-h = Momento de inércia em relação ao centro de massa: m κ² = m h₁ (λ₁ − h₁)
-the-swings-about-the-second-point-give-the-same-moment-of-inertia = as oscilações em torno do segundo ponto dão o mesmo momento de inércia
-the-radius-of-gyration-gives-the-second-period-back = o raio de giração devolve o segundo período
-the-two-periods-nearly-belong-to-a-reversible-pendulum-small-errors-of-them-move-the-mass-centre-far = os dois períodos são quase os de um pêndulo reversível: pequenos erros deles deslocam muito o centro de massa
+parallel-axis-theorem-the-moment-of-inertia-about-the-centre-of-mass-is-smaller-by-m-s = Teorema dos eixos paralelos: o momento de inércia em relação ao centro de massa é menor em m s²
+the-radius-of-gyration-reproduces-the-period = o raio de giração reproduz o período
+the-moment-of-inertia-is-a-small-difference-of-large-values-errors-of-distance-and-period-are = o momento de inércia é uma diferença pequena entre valores grandes: os erros da distância e do período são amplificados; suspenda o corpo mais perto do seu centro de massa
+length-of-the-simple-pendulum-of-equal-period = Comprimento do pêndulo simples de mesmo período
+the-two-points-are-conjugate-like-those-of-a-reversible-pendulum-every-centre-of-mass-between-them = os dois pontos são conjugados como os de um pêndulo reversível: qualquer centro de massa entre eles serve, escolha outros pontos
+from-the-first-point-to-the-centre-of-mass-h-h-h-h-with-h-h-l = Do primeiro ponto ao centro de massa: h₁² − λ₁ h₁ = h₂² − λ₂ h₂ = −κ², com h₁ + h₂ = L
+from-the-first-point-to-the-centre-of-mass-beyond-the-second-point-h-h-h-h-with-h-h-l = Do primeiro ponto ao centro de massa além do segundo: h₁² − λ₁ h₁ = h₂² − λ₂ h₂ = −κ², com h₁ − h₂ = L
+from-the-second-point-to-the-centre-of-mass = Do segundo ponto ao centro de massa
+no-centre-of-mass-on-this-side-fits-the-two-periods-check-whether-it-is-between-the-points-or-beyond = nenhum centro de massa deste lado é compatível com os dois períodos: verifique se ele está entre os pontos ou além do segundo
+centre-of-mass-from-the-first-point = Centro de massa a partir do primeiro ponto
+moment-of-inertia-about-the-centre-of-mass-m-m-h-h = Momento de inércia em relação ao centro de massa: m κ² = m h₁ (λ₁ − h₁)
+the-oscillation-about-the-second-point-gives-the-same-moment-of-inertia = a oscilação em torno do segundo ponto dá o mesmo momento de inércia
+the-radius-of-gyration-reproduces-the-second-period = o raio de giração reproduz o segundo período
+the-two-periods-are-almost-those-of-a-reversible-pendulum-small-errors-in-them-shift-the-centre-of = os dois períodos são quase os de um pêndulo reversível: pequenos erros neles deslocam muito o centro de massa
 period-against-the-distance-of-the-point-of-suspension-from-the-mass-centre = Período em função da distância do ponto de suspensão ao centro de massa
+period-against-the-distance-of-the-point-of-suspension-from-the-centre-of-mass = Período em função da distância do ponto de suspensão ao centro de massa
 first-point = primeiro ponto
 second-point = segundo ponto
 shortest-period = menor período
+minimum-period = período mínimo
 the-body-and-its-points-of-suspension = O corpo e os seus pontos de suspensão
 the-wires-are-too-short-to-reach-from-one-circle-to-the-other-write-a-larger-length = os fios são curtos demais para ir de um círculo ao outro: escreva um comprimento maior
-vertical-distance-of-the-two-ends-of-a-wire = Distância vertical entre as duas extremidades de um fio
+vertical-distance-between-the-two-ends-of-a-wire = Distância vertical entre as duas extremidades de um fio
 the-wires-lean-as-the-body-turns-and-lift-it-j-m-g-r-r-h = Os fios inclinam-se quando o corpo gira e o levantam: J ω² = m g r R/h
 moment-of-inertia-of-the-platform-alone = Momento de inércia da plataforma sozinha
-period-of-the-platform-alone-from-the-height-by-which-it-is-lifted-as-it-turns = período da plataforma sozinha pela altura em que se eleva ao girar
+period-of-the-platform-alone-from-its-rise-as-it-rotates = período da plataforma sozinha pela sua elevação ao girar
 moment-of-inertia-of-the-platform = Momento de inércia da plataforma
-the-platform-with-the-body-has-no-larger-moment-of-inertia-than-the-platform-alone-look-at-the = a plataforma com o corpo não tem momento de inércia maior que a plataforma sozinha: confira os períodos
-what-the-body-adds-to-the-platform = O que o corpo acrescenta à plataforma
-period-from-the-height-by-which-the-body-is-lifted-as-it-turns = período pela altura a que o corpo sobe quando gira
-the-period-with-the-added-inertia-is-not-longer-than-without-it-look-which-is-which = o período com a inércia acrescentada não é maior que sem ela: veja qual é qual
+the-moment-of-inertia-of-the-platform-with-the-body-is-not-larger-than-that-of-the-platform-alone = o momento de inércia da plataforma com o corpo não é maior que o da plataforma sozinha: confira os períodos
+contribution-of-the-body-to-the-platform = Contribuição do corpo à plataforma
+period-from-the-rise-of-the-body-as-it-rotates = período pela elevação do corpo ao girar
+the-period-with-the-added-inertia-is-not-longer-than-without-it-check-which-is-which = o período com a inércia acrescentada não é maior que sem ela: verifique qual é qual
 the-stiffness-is-the-same-j-t-j-j-a-t-a-so-that-j-follows-from-the-two-periods = A rigidez é a mesma: J/T² = (J + J_a)/T_a², de modo que J decorre dos dois períodos
-the-stiffness-is-the-same-moments-of-inertia-are-as-the-squares-of-the-periods = A rigidez é a mesma: os momentos de inércia são como os quadrados dos períodos
+the-stiffness-is-the-same-the-moments-of-inertia-are-proportional-to-the-squares-of-the-periods = A rigidez é a mesma: os momentos de inércia são proporcionais aos quadrados dos períodos
 torsional-pendulum-t-4-j-k-t = Pêndulo de torção: T² = 4π² J/k_t
-what-is-known-of-the-wire-is-missing-write-it = falta o que se conhece do fio: escreva-o
+the-properties-of-the-wire-are-missing-write-them = faltam os dados do fio: escreva-os
 period-of-the-body-on-the-stiffness-of-the-wire = período do corpo na rigidez do fio
 torsional-stiffness-of-the-wire = Rigidez torcional do fio
 the-body-on-its-wires = O corpo nos seus fios
 the-body-on-the-wire = O corpo no fio
-the-journal-in-the-hollow-rail = O munhão no trilho côncavo
+the-journal-on-the-concave-rail = O munhão no trilho côncavo
 the-journal-on-the-inclined-rail = O munhão no trilho inclinado
 # Words that several analyses use
 density = Massa específica
@@ -4065,14 +4220,14 @@ springs-at-one-point-exert-no-moment-about-it-the-pitch-is-free = Molas num mesm
 
 # base_excitation.toml
 trailer-on-a-wavy-road = Reboque em estrada ondulada
-the-springs-are-known-by-their-static-deflection-no-damping = As molas são conhecidas pela sua deflexão estática; sem amortecimento.
+the-springs-are-specified-by-their-static-deflection-no-damping = As molas são definidas pela sua deflexão estática; sem amortecimento.
 vehicle-on-a-rough-road = Veículo em estrada irregular
 s-s-rao-mechanical-vibrations-ch-3-vehicle-on-a-rough-road = S. S. Rao, Mechanical Vibrations, cap. 3: veículo em estrada irregular
 the-source-rounds-the-frequency-of-the-road = a fonte arredonda a frequência da estrada
 seismic-mass-at-rest-when-its-base-sets-in = Massa sísmica em repouso quando a base começa a se mover
-free-period-of-0-8-s-the-base-moves-as-18-sin-2-t-mm = Período livre de 0,8 s; a base move-se segundo 18 sen 2πt mm.
+free-period-of-0-8-s-the-base-motion-is-18-sin-2-t-mm = Período livre de 0,8 s; o movimento da base é 18 sen 2πt mm.
 every-damping-meets-at-2 = Todos os amortecimentos se encontram em √2
-at-r-2-the-transmissibility-is-one-for-every-damping-rao-5th-ed-3-6 = Em r = √2 a transmissibilidade é um para qualquer amortecimento (Rao, 5ª ed., §3.6)
+at-r-2-the-transmissibility-is-one-for-any-damping-rao-5th-ed-3-6 = Em r = √2 a transmissibilidade é um para qualquer amortecimento (Rao, 5ª ed., §3.6)
 damped-start-of-the-base = Início do movimento da base, com amortecimento
 x-t-of-4-100x-4-100y-with-y-0-01-sin-10t-by-residues-of-the-laplace-transform = x(t) de ẍ + 4ẋ + 100x = 4ẏ + 100y com y = 0,01 sen 10t, por resíduos da transformada de Laplace
 n-0-2-at-resonance-tr-1-16-0-4 = ζ = 0,2 na ressonância: TR = √1,16/0,4.
@@ -4081,16 +4236,16 @@ x-y-2-sin-t-t-cos-t-at-t-the-amplitude-grows-by-y-2-each-second = x = (Y/2)(sen 
 hysteretic-mounts-at-resonance = Coxins histeréticos na ressonância
 tr-1-at-r-1 = TR = √(1 + η²)/η em r = 1
 a-coefficient-without-a-mass = Um coeficiente sem massa
-a-damping-coefficient-says-nothing-without-a-mass = Um coeficiente de amortecimento nada diz sem uma massa
+a-damping-coefficient-has-no-meaning-without-a-mass = Um coeficiente de amortecimento não tem significado sem uma massa
 
 # beam_and_springs.toml
 mass-on-a-cantilever-and-two-springs = Massa sobre viga em balanço e duas molas
 lists-06-08-list-08-question-4 = Listas 06–08, lista 08, questão 4
-the-figure-is-lost-the-printed-formula-has-the-cantilever-beside-the-spring-of-5e5-n-m-both-in-series = A figura se perdeu. A fórmula impressa tem a viga em balanço em paralelo com a mola de 5e5 N/m, e as duas em série com a de 2e5 N/m. O texto impresso diz E = 120 GPa, mas a rigidez que ele dá à viga, 6,05e5 N/m, exige 210 GPa.
-n-1-1-6-05e5-5e5-1-2e5-is-1-69e5-n-m-a-digit-was-miscopied = 1/(1/(6,05e5 + 5e5) + 1/2e5) é 1,69e5 N/m: um algarismo foi copiado errado.
-follows-from-the-miscopied-stiffness-and-from-the-frequency-of-the-force-22-7-rad-s-in-place-of-the = Decorre da rigidez copiada errada e da frequência da força, 22,7 rad/s, no lugar da frequência natural. Os 180 ciclos por minuto contados e o decaimento dão 18,90 rad/s e m = 474,2 kg.
-the-decay-15-1-was-never-used-the-damping-ratio-was-taken-from-1-1-2-with-227-rad-s-for-22-7-which = O decaimento 15:1 nunca foi usado. A razão de amortecimento foi tirada de ω/ωₙ = 1/√(1 − 2ζ²) com 227 rad/s em vez de 22,7, o que dá ζ² = −72; o sinal foi abandonado. O decremento dá ζ = 0,0716 e c = 1284 N·s/m.
-follows-from-12-and-r-0-0832-with-0-0716-and-r-22-7-18-90-the-force-on-the-support-is-2-14-times-the = Decorre de ζ = 12 e r = 0,0832. Com ζ = 0,0716 e r = 22,7/18,90 a força no apoio é 2,14 vezes a força na massa, qualquer que seja a leitura da figura perdida.
+the-figure-is-lost-the-printed-formula-has-the-cantilever-in-parallel-with-the-spring-of-5e5-n-m-both = A figura se perdeu. A fórmula impressa tem a viga em balanço em paralelo com a mola de 5e5 N/m, e as duas em série com a de 2e5 N/m. O texto impresso diz E = 120 GPa, mas a rigidez que ele dá à viga, 6,05e5 N/m, exige 210 GPa.
+n-1-1-6-05e5-5e5-1-2e5-is-1-69e5-n-m-a-digit-was-copied-incorrectly = 1/(1/(6,05e5 + 5e5) + 1/2e5) é 1,69e5 N/m: um algarismo foi copiado errado.
+follows-from-the-incorrectly-copied-stiffness-and-from-the-frequency-of-the-force-22-7-rad-s-used = Decorre da rigidez copiada errada e do uso da frequência da força, 22,7 rad/s, no lugar da frequência natural. Os 180 ciclos por minuto contados e o decaimento dão 18,90 rad/s e m = 474,2 kg.
+the-decay-ratio-15-1-was-not-used-the-damping-ratio-was-taken-from-1-1-2-with-227-rad-s-instead-of-22 = O decaimento 15:1 não foi usado. O fator de amortecimento foi tirado de ω/ωₙ = 1/√(1 − 2ζ²) com 227 rad/s em vez de 22,7, o que dá ζ² = −72; o sinal foi desprezado. O decremento dá ζ = 0,0716 e c = 1284 N·s/m.
+follows-from-12-and-r-0-0832-with-0-0716-and-r-22-7-18-90-the-force-on-the-support-is-2-14-times-the = Decorre de ζ = 12 e r = 0,0832. Com ζ = 0,0716 e r = 22,7/18,90 a força no apoio é 2,14 vezes a força na massa, qualquer que seja a interpretação da figura perdida.
 the-cantilever-of-question-4-alone = Só a viga em balanço da questão 4
 the-printed-stiffness-of-the-beam-is-right-with-e-210-gpa = A rigidez impressa da viga está certa, com E = 210 GPa.
 question-4-as-it-should-have-come-out = A questão 4 com o resultado correto
@@ -4099,7 +4254,7 @@ seven-amplitudes-read-as-seven-cycles = Sete amplitudes lidas como sete ciclos
 lists-06-08-list-08-question-4-another-reading = Listas 06–08, lista 08, questão 4, outra leitura
 the-transmissibility-changes-by-one-per-cent-only = A transmissibilidade muda apenas um por cento.
 the-figure-read-as-the-cantilever-beside-two-springs-in-series = A figura lida como a viga em balanço ao lado de duas molas em série
-mass-and-damping-follow-the-stiffness-the-transmissibility-does-not-change = Massa e amortecimento acompanham a rigidez; a transmissibilidade não muda.
+mass-and-damping-scale-with-the-stiffness-the-transmissibility-does-not-change = Massa e amortecimento variam com a rigidez; a transmissibilidade não muda.
 e-120-gpa-as-printed = E = 120 GPa, como impresso
 three-springs-in-series-beside-two-in-parallel = Três molas em série ao lado de duas em paralelo
 the-mass-that-gives-10-hz-without-damping = A massa que dá 10 Hz sem amortecimento.
@@ -4107,7 +4262,7 @@ reed-of-a-tachometer-tuned-to-1800-cycles-a-minute = Lâmina de um tacômetro si
 a-thin-cantilever-of-rectangular-section-without-damping = Uma viga em balanço delgada, de seção retangular, sem amortecimento.
 three-helical-springs-of-a-truck-side-by-side = Três molas helicoidais de um caminhão lado a lado
 s-s-rao-mechanical-vibrations-si-ed-2017-ex-1-5 = S. S. Rao, Mechanical Vibrations, ed. SI, 2017, ex. 1.5
-only-the-stiffness-is-asked-frequency-and-decay-are-ours = Pede-se apenas a rigidez; a frequência e o decaimento são nossos.
+only-the-stiffness-is-asked-for-frequency-and-decay-are-computed-values = Pede-se apenas a rigidez; a frequência e o decaimento são valores calculados.
 an-undamped-mass-shaken-at-its-natural-frequency = Massa sem amortecimento excitada na sua frequência natural
 no-steady-state-exists-rao-5th-ed-3-3 = Não existe regime permanente (Rao, 5ª ed., §3.3)
 
@@ -4116,22 +4271,22 @@ cantilever-roots-of-cos-cosh-1-rao-5th-ed-8-5 = Viga em balanço, raízes de cos
 a-steel-strip-of-1-m-40-mm-by-10-mm-f-1-875104-2-ei-m-l-8-3819-hz = Uma lâmina de aço de 1 m, de 40 mm por 10 mm: f₁ = 1,875104²/(2π)·√(EI/(m̄L⁴)) = 8,3819 Hz.
 pinned-and-free-beam = Viga apoiada e livre
 code-aster-validation-manual-document-v2-05-400-roots-of-a-beam-pinned-at-one-end-and-free-at-the = Code_Aster, manual de validação, documento v2.05.400, raízes de uma viga apoiada numa extremidade e livre na outra
-the-turning-of-the-beam-as-a-whole-about-its-pin-is-not-counted = O giro da viga inteira em torno do seu apoio não é contado.
+the-rigid-body-rotation-of-the-beam-about-its-pin-is-not-counted = A rotação de corpo rígido da viga em torno da sua articulação não é contada.
 roots-of-cos-cosh-1-rao-5th-ed-8-5 = Raízes de cos β cosh β = 1 (Rao, 5ª ed., §8.5)
 free-beam = Viga livre
 roots-of-cos-cosh-1-nodes-of-the-first-mode-rao-5th-ed-8-5 = Raízes de cos β cosh β = 1; nós do primeiro modo (Rao, 5ª ed., §8.5)
-the-same-roots-as-clamped-at-both-ends-two-motions-as-a-whole-come-before-them-the-first-mode-is-held = As mesmas raízes da viga biengastada; antes delas vêm dois movimentos como corpo rígido. O primeiro modo fica em repouso a 0,2242 do comprimento a partir de cada extremidade.
+the-same-roots-as-for-clamped-at-both-ends-preceded-by-two-rigid-body-modes-the-nodes-of-the-first = As mesmas raízes da viga biengastada, precedidas por dois modos de corpo rígido. Os nós do primeiro modo estão a 0,2242 do comprimento a partir de cada extremidade.
 roots-of-tan-tanh-rao-5th-ed-8-5 = Raízes de tan β = tanh β (Rao, 5ª ed., §8.5)
 pinned-bar-under-compression = Barra biapoiada sob compressão
 s-timoshenko-vibration-problems-in-engineering-art-59-target-of-the-verification-problem-vm59-of = S. Timoshenko, Vibration Problems in Engineering, art. 59; valor de referência do problema de verificação VM59 do Ansys Mechanical APDL
 a-bar-of-2-in-by-2-in-and-80-in-under-40000-lbf-density-0-000727973-lbf-s-in = Uma barra de 2 in por 2 in e 80 in sob 40000 lbf; massa específica de 0,000727973 lbf·s²/in⁴.
-the-target-cuts-the-digits-after-17-0558-instead-of-rounding-them = o valor de referência trunca os algarismos depois de 17,0558 em vez de arredondá-los
-the-target-cuts-the-digits-after-105-3258-instead-of-rounding-them = o valor de referência trunca os algarismos depois de 105,3258 em vez de arredondá-los
+the-target-value-is-truncated-after-17-0558-instead-of-rounded = o valor de referência está truncado depois de 17,0558 em vez de arredondado
+the-target-value-is-truncated-after-105-3258-instead-of-rounded = o valor de referência está truncado depois de 105,3258 em vez de arredondado
 short-pinned-beam-in-bending = Viga biapoiada curta em flexão
 code-aster-validation-manual-v2-test-sdll01-bending-modes = Code_Aster, manual de validação V2, teste SDLL01, modos de flexão
 n-1-m-long-0-2-m-deep-0-1-m-wide-the-shear-coefficient-is-1-1-17692 = 1 m de comprimento, 0,2 m de altura, 0,1 m de largura; o coeficiente de cisalhamento é 1/1,17692.
-the-manual-cuts-the-series-of-timoshenko-s-frequency-equation = o manual trunca a série da equação das frequências de Timoshenko
-the-manual-cuts-the-series-of-timoshenko-s-frequency-equation-its-own-finite-elements-give-4370-8-hz = o manual trunca a série da equação das frequências de Timoshenko; os seus próprios elementos finitos dão 4370,8 Hz
+the-manual-truncates-the-series-of-timoshenko-s-frequency-equation = o manual trunca a série da equação das frequências de Timoshenko
+the-manual-truncates-the-series-of-timoshenko-s-frequency-equation-its-own-finite-elements-give-4370 = o manual trunca a série da equação das frequências de Timoshenko; os seus próprios elementos finitos dão 4370,8 Hz
 deep-square-beam-in-bending = Viga alta de seção quadrada em flexão
 nafems-test-fv5-bending-modes-target-in-the-verification-problem-vmp09-t5-of-ansys-mechanical-apdl = NAFEMS, teste FV5, modos de flexão; valor de referência no problema de verificação VMP09-T5 do Ansys Mechanical APDL
 n-10-m-long-and-2-m-by-2-m-simply-supported-the-shear-coefficient-is-taken-as-5-6 = 10 m de comprimento e 2 m por 2 m, biapoiada; o coeficiente de cisalhamento é tomado como 5/6.
@@ -4140,7 +4295,7 @@ the-target-lies-0-25-above-the-exact-root-of-timoshenko-s-equation-with-5-6 = o 
 the-target-lies-0-4-above-the-exact-root-of-timoshenko-s-equation-with-5-6 = o valor de referência fica 0,4 % acima da raiz exata da equação de Timoshenko com κ = 5/6
 cantilever-with-a-heavy-mass-at-its-tip = Viga em balanço com massa pesada na ponta
 n-3ei-l-m-33-140-m-b-rao-5th-ed-2-5 = ω² = 3EI/(L³(m + 33/140 m_b)) (Rao, 5ª ed., §2.5)
-the-effective-mass-of-the-cantilever-33-140-is-that-of-the-static-deflection-exact-in-the-limit-of-a = A massa efetiva da viga em balanço, 33/140, é a da deflexão estática: exata no limite de uma ponta pesada. E I = 700 N·m², 100 kg na ponta de uma viga de 3,12 kg.
+the-effective-mass-of-the-cantilever-33-140-is-that-from-the-static-deflection-exact-in-the-limit-of = A massa efetiva da viga em balanço, 33/140, é a da deflexão estática: exata no limite de uma massa grande na ponta. E I = 700 N·m², 100 kg na ponta de uma viga de 3,12 kg.
 continuous-beam-over-three-supports = Viga contínua sobre três apoios
 symmetry-the-first-mode-of-two-equal-spans-is-that-of-one-span-pinned-at-both-ends-the-second-that-of = Simetria: o primeiro modo de dois vãos iguais é o de um vão biapoiado, o segundo o de um vão engastado no apoio do meio
 beam-on-an-elastic-foundation-under-tension = Viga sobre fundação elástica sob tração
@@ -4153,22 +4308,22 @@ euler-s-buckling-load-ei-l-19-74-kn = Carga de flambagem de Euler π²EI/L² = 1
 cantilever-with-two-masses-off-its-axis = Viga em balanço com duas massas fora do seu eixo
 nafems-test-fv4-targets-in-the-verification-problem-vmp09-t4-of-ansys-mechanical-apdl = NAFEMS, teste FV4; valores de referência no problema de verificação VMP09-T4 do Ansys Mechanical APDL
 n-10-m-of-round-bar-10000-kg-at-2-m-and-1000-kg-at-2-m-across-the-axis-on-rigid-arms-without-shear = 10 m de barra circular, 10000 kg a +2 m e 1000 kg a −2 m transversalmente à linha de centro, em braços rígidos. Sem cisalhamento e sem inércia de rotação as frequências são as de elementos de pórtico convergidos: 1,723278; 1,726843; 7,413388; 9,974768; 18,1816 e 26,9855 Hz.
-the-target-stands-between-the-theories-of-euler-bernoulli-9-975-hz-and-timoshenko-9-947-hz = o valor de referência fica entre as teorias de Euler–Bernoulli, 9,975 Hz, e de Timoshenko, 9,947 Hz
-the-target-stands-between-the-theories-of-euler-bernoulli-18-182-hz-and-timoshenko = o valor de referência fica entre as teorias de Euler–Bernoulli, 18,182 Hz, e de Timoshenko
-the-target-stands-between-the-theories-of-euler-bernoulli-26-985-hz-and-timoshenko-26-687-hz = o valor de referência fica entre as teorias de Euler–Bernoulli, 26,985 Hz, e de Timoshenko, 26,687 Hz
+the-target-value-lies-between-the-theories-of-euler-bernoulli-9-975-hz-and-timoshenko-9-947-hz = o valor de referência fica entre as teorias de Euler–Bernoulli, 9,975 Hz, e de Timoshenko, 9,947 Hz
+the-target-value-lies-between-the-theories-of-euler-bernoulli-18-182-hz-and-timoshenko = o valor de referência fica entre as teorias de Euler–Bernoulli, 18,182 Hz, e de Timoshenko
+the-target-value-lies-between-the-theories-of-euler-bernoulli-26-985-hz-and-timoshenko-26-687-hz = o valor de referência fica entre as teorias de Euler–Bernoulli, 26,985 Hz, e de Timoshenko, 26,687 Hz
 the-masses-off-the-axis-by-frame-elements = As massas fora do eixo por elementos de pórtico
-converged-frame-of-euler-bernoulli-elements-with-consistent-masses = Pórtico de elementos de Euler–Bernoulli com massas consistentes, já convergido
+converged-frame-model-of-euler-bernoulli-elements-with-consistent-masses = Modelo de pórtico convergido, de elementos de Euler–Bernoulli com massas consistentes
 next-to-no-body = Quase nenhum corpo
 cantilever-1-875104-and-4-694091-in-both-planes-torsion-c-4l = Viga em balanço: β = 1,875104 e 4,694091 nos dois planos; torção c/(4L)
 n-1-m-of-round-bar-100-mm-ei-m-125-m-s-69-95-hz-twice-438-4-hz-twice-torsion-g-4-775-22-hz = 1 m de barra circular, 100 mm: √(EI/m̄) = 125 m²/s; 69,95 Hz duas vezes, 438,4 Hz duas vezes, torção √(G/ρ)/4 = 775,22 Hz.
 strip-with-a-mass-beside-its-axis = Lâmina com uma massa fora do seu eixo
-exact-stiffness-at-the-tip-the-balance-of-the-forces-there-as-the-second-way = Rigidez exata na ponta; como segundo método, o equilíbrio das forças nela
+exact-stiffness-at-the-tip-verified-by-the-balance-of-the-forces-there = Rigidez exata na ponta; verificada pelo equilíbrio das forças nela
 a-tube-without-a-wall = Um tubo sem parede
 the-inner-diameter-must-be-below-the-outer-one = O diâmetro interno deve ser menor que o externo
 
 # coulomb_damping.toml
 amplitude-of-50-mm-to-be-halved = Amplitude de 50 mm a reduzir à metade
-n-5-kg-on-980-n-m-with-0-025-and-g-9-81-m-s-the-print-counts-whole-cycles = 5 kg sobre 980 N/m com µ = 0,025 e g = 9,81 m/s²; o texto impresso conta ciclos inteiros.
+n-5-kg-on-980-n-m-with-0-025-and-g-9-81-m-s-the-printed-solution-counts-whole-cycles = 5 kg sobre 980 N/m com µ = 0,025 e g = 9,81 m/s²; a solução impressa conta ciclos inteiros.
 block-pulled-by-an-inch-after-0-09-s = Bloco puxado uma polegada, após 0,09 s
 f-s-tse-i-e-morse-and-r-t-hinkle-mechanical-vibrations-p-175-target-of-the-verification-problem-vm73 = F. S. Tse, I. E. Morse e R. T. Hinkle, Mechanical Vibrations, p. 175; valor de referência do problema de verificação VM73 do Ansys Mechanical APDL
 the-block-on-its-way-back-after-0-102-s = O bloco no caminho de volta, após 0,102 s
@@ -4176,37 +4331,37 @@ the-block-after-nearly-a-cycle-0-183-s = O bloco após quase um ciclo, 0,183 s
 the-block-at-rest = O bloco em repouso
 n-1-1-16-1-8-7-5-strokes-rounded-up-x-r-1-8-8-in = n = (1 − 1/16)/(1/8) = 7,5 cursos, arredondado para cima; x_R = ∓(1 − 8/8) in
 a-blow-against-friction = Um golpe contra o atrito
-r-f-v-f-2-mm-v-20-mm-then-2f-4-mm-a-stroke = R = √(f² + (v₀/ωₙ)²), f = 2 mm, v₀/ωₙ = 20 mm; depois 2f = 4 mm por curso
+r-f-v-f-2-mm-v-20-mm-then-2f-4-mm-per-half-cycle = R = √(f² + (v₀/ωₙ)²), f = 2 mm, v₀/ωₙ = 20 mm; depois 2f = 4 mm por meio ciclo
 friction-beside-viscous-damping = Atrito ao lado de amortecimento viscoso
 x-q-x-f-1-q-f-2-mm-0-1-from-50-mm = Xₙ₊₁ = q Xₙ − f (1 + q), f = 2 mm, ζ = 0,1, a partir de 50 mm
 friction-that-the-decay-tells-of = Atrito determinado pelo decaimento
 f-k-x-4-f-m-g-the-numbers-of-grover-s-ex-3-6-1-backwards = F = k ΔX/4, µ = F/(m g): os números do ex. 3.6.1 de Grover, ao contrário
 viscous-damping-above-the-critical-one = Amortecimento viscoso acima do crítico
-the-mass-creeps-to-f-k-2-mm = A massa se arrasta até F/k = 2 mm
+the-mass-approaches-f-k-2-mm-without-oscillation = A massa tende a F/k = 2 mm sem oscilar
 a-spring-too-weak-for-the-friction = Mola fraca demais para o atrito
 k-x-0-1-n-is-below-f-0-2-n = k x₀ = 0,1 N está abaixo de F = 0,2 N
 
 # coupled_pendulums.toml
 two-rods-joined-at-their-free-ends = Duas barras unidas nas suas extremidades livres
-rods-of-5-kg-m-and-0-75-m-and-1-m-without-gravity-the-other-mode-is-a-turn-of-both-with-the-spring = Barras de 5 kg/m com 0,75 m e 1 m; sem gravidade, o outro modo é um giro das duas com a mola indeformada.
+rods-of-5-kg-m-and-0-75-m-and-1-m-without-gravity-the-other-mode-is-a-rotation-of-both-with-the = Barras de 5 kg/m com 0,75 m e 1 m; sem gravidade, o outro modo é um giro das duas com a mola indeformada.
 the-exact-ratio-is-9-16-0-5625 = a razão exata é −9/16 = −0,5625
 two-equal-pendulums-in-step-and-opposed = Dois pêndulos iguais: em fase e em oposição
 g-l-g-l-2ka-ml = ω₁² = g/l, ω₂² = g/l + 2ka²/(ml²)
 two-pendulums-that-stand-upright = Dois pêndulos invertidos
-in-step-the-spring-does-not-help-k-k-mgl-0 = Em fase a mola não ajuda: K₁₁ + K₁₂ = −mgl < 0
+in-phase-the-spring-has-no-effect-k-k-mgl-0 = Em fase a mola não tem efeito: K₁₁ + K₁₂ = −mgl < 0
 
 # damped_absorber.toml
 mass-ratio-of-one-twentieth-by-the-fixed-points = Razão de massas de um vigésimo, pelos pontos fixos
 j-p-den-hartog-mechanical-vibrations-4th-ed-3-3-f-1-1-3-8-1-h-1-2 = J. P. Den Hartog, Mechanical Vibrations, 4ª ed., §3.3: f = 1/(1 + μ), γ² = 3μ/(8(1 + μ)³), H = √(1 + 2/μ)
 c-2-m-a-m-and-a-c-2-m-a-a-differ-by-the-tuning-the-true-peak-with-these-values-lies-0-08-above-the = γ = c/(2 m_a ω_m) e ζ_a = c/(2 m_a ω_a) diferem pela sintonia. O pico verdadeiro com estes valores fica 0,08 % acima dos pontos fixos.
 mass-ratio-of-one-twentieth-for-the-least-peak = Razão de massas de um vigésimo, para o menor pico
-direct-minimisation-of-the-largest-magnification-over-tuning-and-damping = Minimização direta da maior amplificação em relação à sintonia e ao amortecimento
-tuning-and-damping-differ-by-0-001-and-0-24-from-the-fixed-points-the-peak-falls-from-6-408443-to-6 = Sintonia e amortecimento diferem 0,001 % e 0,24 % dos pontos fixos; o pico cai de 6,408443 para 6,40792. Um mínimo é achatado: uma busca direta encontra o pico com todos os seus algarismos, e a sintonia e o amortecimento com poucos. O segundo método é a forma fechada de Nishihara e Asami.
+direct-minimisation-of-the-maximum-magnification-over-tuning-and-damping = Minimização direta da amplificação máxima em relação à sintonia e ao amortecimento
+tuning-and-damping-differ-by-0-001-and-0-24-from-the-invariant-point-values-the-peak-falls-from-6 = Sintonia e amortecimento diferem 0,001 % e 0,24 % dos valores dos pontos invariantes; o pico cai de 6,408443 para 6,40792. Um mínimo é achatado: uma busca direta encontra o pico com precisão total, mas a sintonia e o amortecimento só com poucos algarismos. O segundo método é a forma fechada de Nishihara e Asami.
 found-by-a-direct-search-where-the-minimum-is-flat = encontrado por uma busca direta, onde o mínimo é achatado
 untuned-viscous-damper-with-as-much-inertia-as-the-main-system = Amortecedor viscoso não sintonizado, com inércia igual à do sistema principal
 automotive-chassis-engineering-p-289 = Automotive Chassis Engineering, p. 289
-houdaille-damper-the-best-damping-is-1-12-by-the-main-frequency-and-the-peak-1-2-3 = Amortecedor de Houdaille. O melhor amortecimento é 1/√12 em relação à frequência principal, e o pico é 1 + 2/μ = 3.
-the-book-cuts-the-digits-of-0-28868-off = o livro trunca os algarismos de 0,28868
+houdaille-damper-the-optimum-damping-is-1-12-relative-to-the-main-frequency-and-the-peak-1-2-3 = Amortecedor de Houdaille. O amortecimento ótimo é 1/√12 em relação à frequência principal, e o pico é 1 + 2/μ = 3.
+the-book-truncates-the-digits-of-0-28868 = o livro trunca os algarismos de 0,28868
 the-same-damper-by-its-closed-form = O mesmo amortecedor pela sua fórmula fechada
 n-1-2-1-2-1-12-g-2-3-h-1-2 = γ = 1/√(2(1 + μ)(2 + μ)) = 1/√12, g = √(2/3), H = 1 + 2/μ
 the-least-peak-with-5-3 = O menor pico com μ = 5/3
@@ -4214,13 +4369,13 @@ nishihara-and-asami-with-s-4-3-3-f-6-43-a-165-40-h-43-3-275-3 = Nishihara e Asam
 building-with-an-absorber-of-given-tuning-and-damping = Edifício com absorvedor de sintonia e amortecimento dados
 f-1-0-1-0-1-at-g-1-x-x-st-2i-1-2i-s-1-1-2i = f = 1, γ = 0,1, μ = 0,1 em g = 1: X/X_st = |2iγ/(−μ(1 + 2iγ))|, S = 1/(μ|1 + 2iγ|)
 an-absorber-as-heavy-as-its-main-system-damped-by-the-main-frequency = Absorvedor tão pesado quanto o sistema principal, com amortecimento referido à frequência principal
-n-1-f-1-2-1-4-at-g-1-1-4-i-2-above-3-4-i-2 = μ = 1, f = 1/2, γ = 1/4 em g = 1: Δ = −1/4 − i/2, numerador = −3/4 + i/2
+n-1-f-1-2-1-4-at-g-1-1-4-i-2-numerator-3-4-i-2 = μ = 1, f = 1/2, γ = 1/4 em g = 1: Δ = −1/4 − i/2, numerador = −3/4 + i/2
 viscous-damper-with-a-given-coefficient = Amortecedor viscoso com coeficiente dado
 n-1-2-1-4-at-the-fixed-point-g-2-2-0-8-h-1-2-5-for-every-damping = μ = 1/2, γ = 1/4 no ponto fixo g² = 2/(2 + μ) = 0,8: H = 1 + 2/μ = 5 para qualquer amortecimento
 a-damped-main-system = Sistema principal amortecido
-a-main-system-with-2-of-damping-and-an-absorber-of-5-of-its-mass = Um sistema principal com 2 % de amortecimento e um absorvedor com 5 % da sua massa.
+a-main-system-with-2-damping-and-an-absorber-with-5-of-its-mass = Um sistema principal com 2 % de amortecimento e um absorvedor com 5 % da sua massa.
 a-main-system-that-is-damped-too-much = Sistema principal amortecido demais
-with-0-9-the-response-of-the-main-system-has-no-peak-and-a-light-absorber-does-not-make-two = Com ζ = 0,9 a resposta do sistema principal não tem pico, e um absorvedor leve não produz dois
+with-0-9-the-response-of-the-main-system-has-no-peak-and-a-light-absorber-does-not-produce-two = Com ζ = 0,9 a resposta do sistema principal não tem pico, e um absorvedor leve não produz dois
 
 # decay_identification.toml
 amplitudes-that-halve-in-every-cycle = Amplitudes que caem à metade em cada ciclo
@@ -4231,23 +4386,23 @@ near-the-numbers-of-grover-s-ex-3-6-1-5-kg-on-980-n-m = Próximo dos números do
 both-at-once-by-their-turning-points = Ambos juntos, pelos pontos de retorno
 x-q-x-f-f-in-each-half-cycle-0-02-f-0-5-mm-from-50-mm = Xₙ₊₁ = q (Xₙ − f) − f em cada meio ciclo, ζ = 0,02, f = 0,5 mm, a partir de 50 mm
 both-at-once-by-samples-of-the-motion = Ambos juntos, por amostras do movimento
-exact-motion-stroke-by-stroke-with-0-02-f-k-0-5-mm-and-10-rad-s-released-at-50-mm-sampled-60-times-a = Movimento exato, curso a curso, com ζ = 0,02, F/k = 0,5 mm e ωₙ = 10 rad/s, solto a 50 mm; 60 amostras por segundo
+exact-motion-half-cycle-by-half-cycle-with-0-02-f-k-0-5-mm-and-10-rad-s-released-at-50-mm-sampled-at = Movimento exato, meio ciclo a meio ciclo, com ζ = 0,02, F/k = 0,5 mm e ωₙ = 10 rad/s, solto a 50 mm; 60 amostras por segundo
 the-turning-points-lie-between-the-samples-a-parabola-through-three-of-them-finds-each-to-a-few = Os pontos de retorno ficam entre as amostras: uma parábola por três delas encontra cada um com erro de alguns milésimos.
 the-turning-points-lie-between-the-samples = os pontos de retorno ficam entre as amostras
 three-amplitudes = Três amplitudes
-two-numbers-of-each-fit-leave-too-little-to-tell-them-apart = Com dois números em cada ajuste, resta pouco demais para distingui-los
+with-two-parameters-in-each-fit-too-few-data-remain-to-distinguish-them = Com dois parâmetros em cada ajuste, restam poucos dados para distingui-los
 
 # double_pendulum.toml
 two-equal-small-masses-on-equal-strings = Duas pequenas massas iguais em fios iguais
 n-2-2-g-l-angles-in-the-ratio-2 = ω² = (2 ∓ √2) g/l, ângulos na razão ±√2
-n-1-kg-each-on-1-m = 1 kg e 1 m em cada um.
+n-1-kg-and-1-m-each = 1 kg e 1 m em cada um.
 two-equal-rods = Duas barras iguais
 n-3-6-7-g-l = ω² = (3 ∓ 6/√7) g/l
 n-0-8557-g-l-and-2-2953-g-l = 0,8557 √(g/l) e 2,2953 √(g/l).
 a-body-that-is-a-small-mass-on-a-string = Um corpo que é uma pequena massa num fio
-a-body-without-inertia-of-its-own-is-a-small-mass-2-2-g-l = Um corpo sem inércia própria é uma pequena massa: ω² = (2 ∓ √2) g/l
+a-body-with-zero-moment-of-inertia-is-a-point-mass-2-2-g-l = Um corpo com momento de inércia nulo é uma massa pontual: ω² = (2 ∓ √2) g/l
 a-light-pendulum-under-a-heavy-one = Pêndulo leve sob um pêndulo pesado
-with-m-far-below-m-each-swings-by-itself-g-l = Com m₂ muito menor que m₁ cada um oscila por si: √(g/l)
+with-m-much-smaller-than-m-each-oscillates-independently-g-l = Com m₂ muito menor que m₁ cada um oscila por si: √(g/l)
 a-millionth-of-the-mass-l-2-5-m-l-0-4-m-g-10-m-s = Um milionésimo da massa; l₁ = 2,5 m, l₂ = 0,4 m, g = 10 m/s².
 a-body-balanced-above-its-pivot = Corpo equilibrado acima do seu pivô
 k-m-c-m-l-g-0 = K₁₁ = (m₁c₁ + m₂l₁) g < 0
@@ -4258,15 +4413,15 @@ f-p-beer-and-e-r-johnston-vector-mechanics-for-engineers-p-635-target-of-the-ver
 the-pan-is-at-rest-on-its-spring-the-impact-is-perfectly-plastic-g-9-81-m-s = O prato está em repouso sobre a sua mola; o choque é perfeitamente plástico. g = 9,81 m/s².
 package-on-its-cushion = Produto na sua embalagem
 w-t-thomson-vibration-theory-and-applications-ex-4-6-1-target-of-the-verification-problems-vm65-and = W. T. Thomson, Vibration Theory and Applications, ex. 4.6-1; valor de referência dos problemas de verificação VM65 e VM81 do Ansys Mechanical APDL
-the-ways-are-counted-from-the-release-1-in-above-the-cushion-g-386-in-s = Os caminhos são contados a partir da soltura, 1 in acima da embalagem; g = 386 in/s².
+distances-are-measured-from-the-release-1-in-above-the-cushion-g-386-in-s = As distâncias são medidas a partir da soltura, 1 in acima da embalagem; g = 386 in/s².
 the-printed-speed-is-rounded-up-2-386-27-785 = a velocidade impressa está arredondada para cima: √(2·386) = 27,785
-the-printed-value-is-cut-off-not-rounded = o valor impresso está truncado, não arredondado
+the-printed-value-is-truncated-not-rounded = o valor impresso está truncado, não arredondado
 the-printed-time-is-that-of-the-nearest-time-step = o tempo impresso é o do passo de tempo mais próximo
 the-printed-value-comes-from-time-steps = o valor impresso vem de uma integração com passos de tempo
 the-package-by-energy = O produto, por energia
 mg-h-y-ky-2-y-2-h = mg(h + y) = ky²/2: y = δ + √(δ² + 2δh)
 set-down-without-a-fall = Pousado sem queda
-a-load-that-is-let-go-at-the-height-of-zero-presses-a-spring-down-twice-as-far-as-at-rest = Uma carga solta de altura zero comprime a mola o dobro do que em repouso
+a-load-released-from-zero-height-compresses-a-spring-to-twice-the-static-deflection = Uma carga solta de altura zero comprime a mola o dobro da deflexão estática
 a-cushion-with-damping = Embalagem com amortecimento
 runge-kutta-integration-of-m-c-k-y-m-g = Integração de Runge–Kutta de m ÿ + c ẏ + k y = m g
 the-package-after-it-has-jumped-off-again = O produto depois de saltar de volta
@@ -4284,26 +4439,26 @@ n-200-x-46-752-x-125-cos-t-in-mm-and-s-with-8766-2-s-for-a-mass-of-1-kg = ẍ + 
 printed-to-two-digits = impresso com dois algarismos
 forced-to-its-peak-the-larger-force = Forçada até o pico, com a força maior
 ansys-mechanical-apdl-verification-manual-vm319-forced-duffing-oscillator-f-m-250-mm-s = ANSYS Mechanical APDL Verification Manual, VM319 (oscilador de Duffing forçado), F/m = 250 mm/s²
-the-print-reads-its-peak-from-a-sweep-in-steps = o texto impresso lê o pico de uma varredura em passos
+the-printed-peak-is-read-from-a-stepped-sweep = o pico impresso é lido de uma varredura em passos
 a-softening-spring-at-its-limit = Mola que amolece, no seu limite
-k-h-a-the-spring-does-not-pull-back = k = |h| A²: a mola não puxa de volta
+k-h-a-the-spring-exerts-no-restoring-force = k = |h| A²: a mola não exerce força restauradora
 small-amplitudes-are-linear = Pequenas amplitudes são lineares
 t-2-m-k = T = 2π√(m/k)
 
 # engine_orders.toml
 six-cylinders-with-damper-pulley-and-flywheel = Seis cilindros com polia amortecedora e volante
 eigenvalues-of-the-assembled-matrices-by-jacobi-s-rotations-sums-of-the-phase-vectors-as-complex = Autovalores das matrizes montadas por rotações de Jacobi, somas dos fasores como exponenciais complexas
-four-strokes-firing-order-1-5-3-6-2-4-orders-3-6-9-and-12-are-major-all-cylinders-push-together = Quatro tempos, ordem de ignição 1-5-3-6-2-4. As ordens 3, 6, 9 e 12 são principais: todos os cilindros agem juntos.
+four-stroke-firing-order-1-5-3-6-2-4-orders-3-6-9-and-12-are-major-orders-all-cylinders-act-in-phase = Quatro tempos, ordem de ignição 1-5-3-6-2-4. As ordens harmônicas 3, 6, 9 e 12 são principais: todos os cilindros agem em fase.
 one-cylinder-and-its-flywheel = Um cilindro e o seu volante
 k-j-j-j-j-t-j-j-j-with-an-amplitude-of-j-j-of-the-flywheel = ω = √(k (J₁ + J₂)/(J₁ J₂)), Θ₀ = T/(ω² (J₁ + J₁²/J₂)), com uma amplitude de −J₁/J₂ do volante
 one-cylinder-every-order-is-major-and-the-sum-of-the-phase-vectors-is-one = Um só cilindro: toda ordem é principal e a soma dos fasores é um.
 tangential-pressure-and-damping-at-the-crank = Pressão tangencial, e amortecimento na manivela
 t-c-for-one-cylinder-t-p-b-s-8 = Θ = T/(c ω) para um cilindro, T = p π B² S/8
 two-cylinders-that-swing-against-each-other = Dois cilindros que oscilam um contra o outro
-n-2k-j-amplitudes-1-and-1-cylinders-half-a-turn-apart-help-each-other-at-odd-orders-and-cancel-at = ω = √(2k/J), amplitudes 1 e −1: cilindros defasados de meia volta se reforçam nas ordens ímpares e se cancelam nas pares
-the-even-orders-are-the-major-ones-and-harmless-in-this-mode-the-two-cranks-move-against-each-other = As ordens pares são as principais, e são inofensivas: neste modo as duas manivelas movem-se uma contra a outra.
+n-2k-j-amplitudes-1-and-1-cylinders-half-a-revolution-apart-reinforce-each-other-at-odd-orders-and = ω = √(2k/J), amplitudes 1 e −1: cilindros defasados de meia volta se reforçam nas ordens ímpares e se cancelam nas pares
+the-even-orders-are-the-major-orders-and-harmless-in-this-mode-the-two-cranks-move-in-antiphase = As ordens harmônicas pares são as principais, e inofensivas: neste modo as duas manivelas movem-se em oposição de fase.
 v8-with-crossed-cranks = V8 com manivelas em cruz
-two-cylinders-on-each-crank-an-explosion-every-90-order-4-is-major-order-2-vanishes-in-every-mode = Dois cilindros em cada manivela, uma explosão a cada 90°. A ordem 4 é principal; a ordem 2 anula-se em todos os modos.
+two-cylinders-on-each-crank-firing-every-90-order-4-is-major-order-2-vanishes-in-every-mode = Dois cilindros em cada manivela, com ignição a cada 90°. A ordem 4 é principal; a ordem 2 anula-se em todos os modos.
 stiffness-of-a-throw-by-two-formulas = Rigidez de um cotovelo por duas fórmulas
 carter-l-0-8t-d-0-75l-c-d-c-d-c-1-5r-tw-ker-wilson-l-0-4d-d-l-c-0-4d-c-d-c-d-c-r-0-2-d-d-c-tw-as-in-w = Carter: (Lⱼ + 0,8t)/Dⱼ⁴ + 0,75L_c/(D_c⁴ − d_c⁴) + 1,5R/(tW³); Ker Wilson: (Lⱼ + 0,4Dⱼ)/Dⱼ⁴ + (L_c + 0,4D_c)/(D_c⁴ − d_c⁴) + (R − 0,2(Dⱼ + D_c))/(tW³), como em W. Ker Wilson, Practical Solution of Torsional Vibration Problems
 half-orders-of-two-strokes = Meias ordens em dois tempos
@@ -4319,11 +4474,11 @@ w-kx-0-3-x-f-k-m-k = η = ΔW/(πkX²) = 0,3; X = F₀/√((k − mω²)² + (η
 drag-with-the-square-of-the-velocity-at-resonance = Arrasto com o quadrado da velocidade, na ressonância
 x-3-f-8a-at-the-natural-frequency = X = √(3πF₀/(8aω²)) na frequência natural
 a-spring-that-loses-nothing = Uma mola que nada dissipa
-without-damping-the-amplitude-at-resonance-has-no-bound = Sem amortecimento a amplitude na ressonância não tem limite
+without-damping-the-amplitude-at-resonance-is-unbounded = Sem amortecimento a amplitude na ressonância é ilimitada
 
 # equivalent_stiffness.toml
 the-mass-that-has-a-natural-frequency-of-10-hz = A massa que tem uma frequência natural de 10 Hz.
-the-mass-at-the-tip-of-a-thin-steel-reed-the-reed-itself-is-taken-as-light = A massa na ponta de uma lâmina delgada de aço; a própria lâmina é tomada como leve.
+the-mass-at-the-tip-of-a-thin-steel-reed-the-mass-of-the-reed-is-neglected = A massa na ponta de uma lâmina delgada de aço; a massa da lâmina é desprezada.
 weight-on-a-reed-that-answers-at-50-hz = Peso sobre uma lâmina que responde a 50 Hz
 a-four-inch-steel-reed-the-weight-is-in-pounds-force-with-g-386-in-s = Uma lâmina de aço de quatro polegadas; o peso está em libras-força, com g = 386 in/s².
 weight-of-35-lb-on-a-spring = Peso de 35 lb sobre uma mola
@@ -4336,7 +4491,7 @@ armature-of-a-motor-generator-on-a-short-shaft = Induzido de um motor-gerador nu
 ansys-mechanical-apdl-verification-manual-vm48-w-t-thomson-vibration-theory-and-applications-ex-1-3-3 = ANSYS Mechanical APDL Verification Manual, VM48 (W. T. Thomson, Vibration Theory and Applications, ex. 1.3-3)
 the-shear-modulus-is-e-2-1-with-e-31-2e6-psi-and-0-3 = O módulo de elasticidade transversal é E/(2(1 + ν)) com E = 31,2e6 psi e ν = 0,3.
 torsional-pendulum-on-a-thin-rod = Pêndulo de torção numa haste fina
-the-same-solution-prints-22-57-rad-s-which-is-3-59-hz-the-decimal-point-slipped = A mesma solução imprime ωₙ = 22,57 rad/s, que são 3,59 Hz: a vírgula decimal saiu do lugar.
+the-same-solution-prints-22-57-rad-s-which-is-3-59-hz-misplaced-decimal-point = A mesma solução imprime ωₙ = 22,57 rad/s, que são 3,59 Hz: vírgula decimal fora do lugar.
 spring-for-a-mass-with-a-period-of-one-second = Mola para uma massa com período de um segundo
 code-aster-validation-manual-test-sdld32-v2-01-032 = Code_Aster, manual de validação, teste SDLD32 (V2.01.032)
 the-manual-prints-k-m-2-with-2-rad-s-it-is-4-39-48-n-m = O manual imprime k = m ω₀² = 2π; com ω₀ = 2π rad/s são 4π² = 39,48 N/m.
@@ -4345,30 +4500,30 @@ k-4-m-t = k = 4π² m/T²
 helical-spring-that-is-not-light = Mola helicoidal que não é leve
 k-100-n-m-m-m-s-3-1-kg-10-rad-s = k = 100 N/m, m + m_s/3 = 1 kg: ωₙ = 10 rad/s
 spring-felt-through-a-lever-in-series-with-a-spring-on-its-load = Mola sentida através de uma alavanca, em série com uma mola na sua carga
-the-spring-of-16-kn-m-at-half-of-the-load-s-arm-is-felt-as-4-kn-m-with-4-kn-m-in-series-k-2-kn-m = A mola de 16 kN/m na metade do braço da carga é sentida como 4 kN/m; com 4 kN/m em série k = 2 kN/m
+the-spring-of-16-kn-m-at-half-of-the-load-s-arm-is-equivalent-to-4-kn-m-with-4-kn-m-in-series-k-2-kn = A mola de 16 kN/m na metade do braço da carga equivale a 4 kN/m; com 4 kN/m em série k = 2 kN/m
 stepped-shaft-with-a-geared-branch = Eixo escalonado com um ramo engrenado
-two-equal-lengths-whose-diameters-are-as-1-to-2-have-16-17-of-the-thin-one-s-stiffness-a-spring = Dois trechos iguais com diâmetros na razão de 1 para 2 têm 16/17 da rigidez do mais fino; uma mola atrás de engrenagens de razão 3 conta nove vezes
+two-equal-lengths-with-diameters-in-the-ratio-1-to-2-have-16-17-of-the-stiffness-of-the-thinner-one-a = Dois trechos iguais com diâmetros na razão de 1 para 2 têm 16/17 da rigidez do mais fino; uma mola atrás de engrenagens de razão 3 é multiplicada por nove
 g-j-l-of-the-thin-length-is-80e9-0-02-32-0-5-2513-27-n-m-rad = G J/L do trecho fino é 80e9·π·0,02⁴/32/0,5 = 2513,27 N·m/rad.
 body-on-three-wires = Corpo em três fios
 trifilar-suspension-t-2-j-l-m-g-r-for-a-ring-hung-at-its-own-radius-t-2-l-g = Suspensão trifilar: T = 2π √(J l/(m g r²)); para um anel suspenso no seu próprio raio T = 2π √(l/g)
 a-spring-too-heavy-for-the-frequency = Mola pesada demais para a frequência
-the-moving-third-of-the-spring-alone-gives-10-rad-s = O terço móvel da mola sozinho dá 10 rad/s
+the-effective-third-of-the-spring-mass-alone-gives-10-rad-s = O terço efetivo da massa da mola sozinho dá 10 rad/s
 
 # forced_coulomb.toml
 force-of-19-6-n-at-5-hz = Força de 19,6 N a 5 Hz
-the-print-gives-a-mass-of-8-7-kg-its-numbers-are-those-of-3-7-kg-the-equivalent-damping-is-the = O texto impresso dá uma massa de 8,7 kg; os seus números são os de 3,7 kg. O amortecimento equivalente é a resposta impressa; a amplitude exata é 8 % maior.
+the-book-gives-a-mass-of-8-7-kg-its-numbers-correspond-to-3-7-kg-the-equivalent-damping-gives-the = O livro dá uma massa de 8,7 kg; os seus números correspondem a 3,7 kg. O amortecimento equivalente dá a resposta impressa; a amplitude exata é 8 % maior.
 the-exact-motion-at-5-hz = O movimento exato a 5 Hz
 x-f-v-k-fu-k-with-the-numbers-of-grover-s-ex-4-6-1-a-time-integration-gives-4-675-mm = X = √((F₀V/k)² − (FU/k)²) com os números do ex. 4.6.1 de Grover; uma integração no tempo dá 4,675 mm
 force-for-40-mm-at-2-hz = Força para 40 mm a 2 Hz
 s-s-rao-mechanical-vibrations-problem-of-ch-3-on-forced-vibration-with-coulomb-damping = S. S. Rao, Mechanical Vibrations, problema do cap. 3 sobre vibração forçada com amortecimento de Coulomb
-the-printed-value-is-worked-with-rounded-numbers-g-9-81-m-s-gives-97-9877-n = o valor impresso é calculado com números arredondados; g = 9,81 m/s² dá 97,9877 N
+the-printed-value-is-computed-from-rounded-numbers-g-9-81-m-s-gives-97-9877-n = o valor impresso é calculado com números arredondados; g = 9,81 m/s² dá 97,9877 N
 exact-motion-without-stops-at-twice-the-natural-frequency = Movimento exato sem paradas no dobro da frequência natural
 j-p-den-hartog-forced-vibrations-with-combined-coulomb-and-viscous-friction-1931-v-1-3-u-tan-4-2-1-2 = J. P. Den Hartog, Forced vibrations with combined Coulomb and viscous friction, 1931: V = −1/3, U = tan(π/4)/2 = 1/2 em r = 2
 the-force-of-that-motion = A força desse movimento
-f-k-1-r-x-f-u-the-case-above-backwards = F₀ = k |1 − r²| √(X² + (f U)²), o caso acima ao contrário
+f-k-1-r-x-f-u-the-inverse-of-the-case-above = F₀ = k |1 − r²| √(X² + (f U)²), o inverso do caso acima
 motion-with-stops = Movimento com paradas
-sliding-and-sticking-followed-piece-by-piece-a-time-integration-in-steps-of-20-s-gives-125-159-mm-too = Deslizamento e adesão seguidos trecho a trecho; uma integração no tempo em passos de 20 µs também dá 125,159 mm
-friction-takes-60-of-the-force-the-mass-rests-twice-a-cycle = O atrito absorve 60 % da força; a massa fica parada duas vezes por ciclo.
+slip-and-stick-phases-solved-piecewise-a-time-integration-with-20-s-steps-also-gives-125-159-mm = Fases de deslizamento e aderência resolvidas trecho a trecho; uma integração no tempo com passos de 20 µs também dá 125,159 mm
+friction-balances-60-of-the-force-the-mass-is-at-rest-twice-per-cycle = O atrito equilibra 60 % da força; a massa fica em repouso duas vezes por ciclo.
 resonance-that-friction-cannot-hold = Ressonância que o atrito não consegue conter
 n-4f-1-27-n-is-below-f-10-n = 4F/π = 1,27 N está abaixo de F₀ = 10 N
 a-force-below-the-friction = Força abaixo do atrito
@@ -4377,32 +4532,33 @@ the-mass-does-not-move = A massa não se move
 # free_vibration.toml
 underdamped-release = Soltura com subamortecimento
 w-t-thomson-vibration-theory-and-applications-ex-2-2-1-target-of-the-verification-problem-vm71-of = W. T. Thomson, Vibration Theory and Applications, ex. 2.2-1; valor de referência do problema de verificação VM71 do Ansys Mechanical APDL
-a-weight-of-10-lb-on-30-lbf-in-drawn-out-by-1-in-and-let-go-0-2 = Um peso de 10 lb sobre 30 lbf/in, puxado de 1 in e solto; ζ = 0,2.
-the-print-cuts-its-digits-ours-is-0-521085 = o texto impresso trunca os algarismos; o nosso é -0,521085
+a-weight-of-10-lb-on-30-lbf-in-displaced-by-1-in-and-released-0-2 = Um peso de 10 lb sobre 30 lbf/in, deslocado de 1 in e solto; ζ = 0,2.
+the-printed-value-is-truncated-the-computed-value-is-0-521085 = o valor impresso está truncado; o valor calculado é -0,521085
 overdamped-release = Soltura com superamortecimento
 critically-damped-release = Soltura com amortecimento crítico
 undamped-release = Soltura sem amortecimento
-the-print-cuts-its-digits-ours-is-0-996885 = o texto impresso trunca os algarismos; o nosso é -0,996885
+the-printed-value-is-truncated-the-computed-value-is-0-996885 = o valor impresso está truncado; o valor calculado é -0,996885
 natural-frequency-of-rad-s-with-a-tenth-of-critical-damping = Frequência natural de π rad/s com um décimo do amortecimento crítico
 code-aster-validation-manual-v2-01-034-test-sdld34 = Code_Aster, manual de validação, V2.01.034, teste SDLD34
-a-mass-on-a-spring-released-from-rest-the-frequencies-without-and-with-damping = Uma massa sobre uma mola, solta do repouso; as frequências sem e com amortecimento.
+a-mass-on-a-spring-released-from-rest-the-undamped-and-damped-natural-frequencies = Uma massa sobre uma mola, solta do repouso; as frequências naturais não amortecida e amortecida.
 damping-for-an-overshoot-of-20 = Amortecimento para um sobressinal de 20 %
 ln-5-ln-5 = ζ = ln 5/√(π² + (ln 5)²)
 damping-for-an-envelope-that-settles-in-half-a-second = Amortecimento para uma envoltória que se acomoda em meio segundo
 ln-1-p-t-with-p-2 = ζ = ln(1/p)/(ωₙ tₛ) com p = 2 %
 critically-damped-after-a-blow = Amortecimento crítico após um golpe
 x-v-t-e-t-largest-v-e-at-1 = x = v₀ t e^(−ωₙt), máximo v₀/(e ωₙ) em 1/ωₙ
+x-v-t-e-t-maximum-v-e-at-1 = x = v₀ t e^(−ωₙt), máximo v₀/(e ωₙ) em 1/ωₙ
 torsional-pendulum-with-negative-damping = Pêndulo de torção com amortecimento negativo
 e-0-5-s-t-cos-d-t-0-5-d-sin-d-t-with-5-rad-s-0-1 = θ = θ₀ e^(0,5 s⁻¹ t) (cos ω_d t − (0,5/ω_d) sen ω_d t) com ωₙ = 5 rad/s, ζ = −0,1
-galloping-lines-and-dry-friction-brakes-are-damped-negatively-about-their-position-of-rest = Linhas de transmissão em galope e freios com atrito seco têm amortecimento negativo em torno da sua posição de repouso.
+galloping-lines-and-dry-friction-brakes-have-negative-damping-about-their-equilibrium-position = Linhas de transmissão em galope e freios com atrito seco têm amortecimento negativo em torno da sua posição de equilíbrio.
 at-rest-where-it-belongs = Parado na sua posição de repouso
 without-displacement-or-velocity-there-is-no-motion = Sem deslocamento nem velocidade não há movimento
 
 # frequency_response_identification.toml
 frequency-sweep-of-a-vehicle-suspension = Varredura em frequência de uma suspensão de veículo
 lists-06-08-list-06-question-1 = Listas 06–08, lista 06, questão 1
-static-value-and-peak-are-read-from-the-printed-curve-the-printed-solution-takes-the-frequency-of-the = O valor estático e o pico são lidos da curva impressa. A solução impressa toma a frequência do pico como frequência natural, uma boa leitura com este amortecimento: m sai 0,8 % e c 0,2 % acima. A amplitude na ressonância, que ela pede, fica sem resposta: 1,6 mm por newton.
-the-print-calls-the-frequency-of-the-peak-the-natural-frequency = o texto impresso chama a frequência do pico de frequência natural
+the-static-value-and-peak-are-read-from-the-printed-curve-the-printed-solution-takes-the-peak = O valor estático e o pico são lidos da curva impressa. A solução impressa toma a frequência do pico como frequência natural, boa aproximação com este amortecimento: m sai 0,8 % e c 0,2 % acima. A amplitude na ressonância, que ela pede, fica sem resposta: 1,6 mm por newton.
+the-printed-solution-calls-the-peak-frequency-the-natural-frequency = a solução impressa chama a frequência do pico de frequência natural
 the-suspension-read-exactly-under-100-n = A suspensão lida com exatidão, sob 100 N
 lists-06-08-list-06-question-1-with-the-peak-at-1-2 = Listas 06–08, lista 06, questão 1, com o pico em ωₙ√(1 − 2ζ²)
 the-suspension-as-a-table-of-points = A suspensão como tabela de pontos
@@ -4416,7 +4572,7 @@ a-table-that-ends-at-its-highest-point = Tabela que termina no seu ponto mais al
 a-peak-has-lower-points-on-both-sides = Um pico tem pontos mais baixos dos dois lados
 first-mode-of-a-chain-from-three-complex-receptances = Primeiro modo de uma cadeia a partir de três receptâncias complexas
 code-aster-validation-manual-sdld21-sdld21a-comm-receptance-of-node-n5-frequency-of-sdld02-damping-c = Code_Aster, manual de validação, SDLD21 (sdld21a.comm): receptância do nó N5; frequência do SDLD02, amortecimento C = 5·10⁻⁴ K
-three-points-and-four-unknowns-with-a-real-residual-the-printed-damping-ratio-belongs-to-the-model = Três pontos e quatro incógnitas com um resíduo real. A razão de amortecimento impressa é a do modelo; os pontos têm cinco algarismos e vestígios de sete outros modos.
+three-points-and-four-unknowns-with-a-real-residual-the-printed-damping-ratio-is-that-of-the-model = Três pontos e quatro incógnitas com um resíduo real. O fator de amortecimento impresso é o do modelo; os pontos têm cinco algarismos e vestígios de sete outros modos.
 three-points-of-five-digits-and-modes-that-a-constant-residual-does-not-follow = três pontos de cinco algarismos, e modos que um resíduo constante não acompanha
 the-nyquist-circle-of-the-same-three-receptances = O círculo de Nyquist das mesmas três receptâncias
 code-aster-validation-manual-sdld21-sdld21a-comm-three-points-of-node-n5-the-circle-through-three = Code_Aster, manual de validação, SDLD21 (sdld21a.comm): três pontos do nó N5; o círculo por três pontos é único
@@ -4425,17 +4581,17 @@ i-k-m-ic-with-m-2-kg-10-hz-and-0-02-to-six-digits = iω/(k − mω² + icω) com
 all-readings-should-give-the-same-mode = Todas as leituras devem dar o mesmo modo.
 a-hysteretic-mode-beside-the-stiffness-of-others = Modo histerético ao lado da rigidez de outros
 n-1-k-1-0-04i-m-2-10-m-n-with-m-2-kg-and-10-hz-to-six-digits = 1/(k(1 + 0,04i) − mω²) + 2·10⁻⁶ m/N com m = 2 kg e 10 Hz, com seis algarismos
-the-residual-moves-the-circle-off-the-origin-and-leaves-its-diameter-1-k = O resíduo desloca a circunferência da origem e mantém o seu diâmetro 1/(ηk).
+the-residual-shifts-the-circle-away-from-the-origin-without-changing-its-diameter-1-k = O resíduo desloca a circunferência da origem sem alterar o seu diâmetro 1/(ηk).
 the-residual-is-a-thousandth-of-the-peak-and-the-table-has-six-digits = o resíduo é um milésimo do pico, e a tabela tem seis algarismos
 an-accelerance-with-decimal-commas-out-of-order = Acelerância com vírgulas decimais, fora de ordem
 k-m-ic-10-m-n-with-m-5-kg-25-hz-and-0-05-to-six-digits = −ω²/(k − mω² + icω) − ω²·10⁻⁶ m/N com m = 5 kg, 25 Hz e ζ = 0,05, com seis algarismos
 the-table-has-six-digits = a tabela tem seis algarismos
 free-test-at-9-8-hz-forced-peak-at-9-6-hz = Ensaio livre a 9,8 Hz, pico forçado a 9,6 Hz
-the-book-rounds-on-the-way-d-1-2-1-gives-0-19706 = o livro arredonda no caminho; (ωₚ/ω_d)² = (1 − 2ζ²)/(1 − ζ²) dá 0,19706
+the-book-rounds-intermediate-results-d-1-2-1-gives-0-19706 = o livro arredonda resultados intermediários; (ωₚ/ω_d)² = (1 − 2ζ²)/(1 − ζ²) dá 0,19706
 the-same-test-in-a-companion-to-the-book = O mesmo ensaio num complemento do livro
 fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-2-2 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 4.2.2
-the-companion-takes-d-for-its-square-d-1-2-1-so-that-0-19706-as-the-book-has-it = O complemento toma ωₚ/ω_d pelo seu quadrado: (ωₚ/ω_d)² = (1 − 2ζ²)/(1 − ζ²), de modo que ζ = 0,19706, como está no livro.
-it-follows-from-the-damping-ratio-without-the-square-9-8-hz-1-0-19706-is-9-996-hz = Decorre da razão de amortecimento sem o quadrado; 9,8 Hz/√(1 − 0,19706²) é 9,996 Hz.
+the-companion-confuses-d-with-its-square-d-1-2-1-so-that-0-19706-as-in-the-book = O complemento confunde ωₚ/ω_d com o seu quadrado: (ωₚ/ω_d)² = (1 − 2ζ²)/(1 − ζ²), de modo que ζ = 0,19706, como no livro.
+it-follows-from-the-damping-ratio-without-the-square-9-8-hz-1-0-19706-is-9-996-hz = Decorre do fator de amortecimento sem o quadrado; 9,8 Hz/√(1 − 0,19706²) é 9,996 Hz.
 the-same-test-without-rounding-on-the-way = O mesmo ensaio sem arredondamentos intermediários
 d-2-d-3-88-99-92 = ζ² = (ω_d² − ωₚ²)/(2ω_d² − ωₚ²) = 3,88/99,92
 unbalance-12-mm-at-resonance-1-3-mm-far-above = Desbalanceamento: 12 mm na ressonância, 1,3 mm muito acima dela
@@ -4452,16 +4608,16 @@ n-1-2-is-never-above-n-1 = ω_n√(1 − 2ζ²) nunca está acima de ω_n√(1 �
 two-different-values-at-one-frequency = Dois valores diferentes numa mesma frequência
 a-response-has-one-value-at-each-frequency = Uma resposta tem um único valor em cada frequência
 points-on-a-straight-line = Pontos sobre uma reta
-a-line-is-no-circle = Uma reta não é uma circunferência
+a-line-is-not-a-circle = Uma reta não é uma circunferência
 
 # frequency_response_matrix.toml
 two-masses-with-dampers-to-the-ground-forced-in-phase = Duas massas com amortecedores ao solo, forçadas em fase
 eight-masses-with-dampers-between-them-forced-at-the-fourth = Oito massas com amortecedores entre elas, com força na quarta
 code-aster-validation-manual-v2-test-sdld21 = Manual de validação do Code_Aster, V2, teste SDLD21
-receptance-of-mass-4-under-1-n-at-5-5-5-10-and-40-hz-the-dampers-of-50-n-s-m-stand-beside-all-nine = Receptância da massa 4 sob 1 N, a 5; 5,5; 10 e 40 Hz. Os amortecedores de 50 N·s/m ficam em paralelo com todas as nove molas.
+receptance-of-mass-4-under-1-n-at-5-5-5-10-and-40-hz-the-dampers-of-50-n-s-m-are-in-parallel-with-all = Receptância da massa 4 sob 1 N, a 5; 5,5; 10 e 40 Hz. Os amortecedores de 50 N·s/m ficam em paralelo com todas as nove molas.
 two-masses-near-resonance-and-beyond = Duas massas perto da ressonância e além dela
 ansys-mechanical-apdl-verification-manual-vm183-vierck-vibration-analysis-4-2 = ANSYS Mechanical APDL Verification Manual, VM183 (Vierck, Vibration Analysis, §4-2)
-the-free-mass-is-coordinate-2-here-y1-in-the-manual-the-first-target-stands-0-4-above-the-first = A massa livre é aqui a coordenada 2, y1 no manual. O primeiro valor de referência fica 0,4 % acima da primeira frequência natural, 0,22508 Hz.
+the-free-mass-is-coordinate-2-here-y1-in-the-manual-the-first-target-is-0-4-above-the-first-natural = A massa livre é aqui a coordenada 2, y1 no manual. O primeiro valor de referência está 0,4 % acima da primeira frequência natural, 0,22508 Hz.
 modal-damping-of-one-mass-is-that-of-one-degree-of-freedom = O amortecimento modal de uma massa é o de um grau de liberdade
 x-f-k-m-c-at-f-2-k = X = F/√((k − mω²)² + (cω)²) em ω = ωₙ: F/(2ζk)
 resonance-without-damping = Ressonância sem amortecimento
@@ -4484,19 +4640,19 @@ n-4f-d-is-below-f-and-c-0 = 4F_d/π é menor que F₀ e c = 0
 
 # gun_recoil.toml
 barrel-of-600-kg = Cano de 600 kg
-spring-of-294-kn-m-recoil-of-1-3-m-the-return-is-timed-up-to-50-mm-from-the-position-of-rest = Mola de 294 kN/m, recuo de 1,3 m; o tempo de retorno é contado até 50 mm da posição de repouso.
-the-printed-time-is-that-of-a-table-of-x-t-in-steps-of-0-01-s-read-at-0-22-s-of-the-return-there-the = O tempo impresso é o de uma tabela de x(t) em passos de 0,01 s, lida a 0,22 s do retorno; ali o cano ainda está a 59 mm. Ele passa por 50 mm aos 0,22858 s; 0,29954 s ao todo.
+spring-of-294-kn-m-recoil-of-1-3-m-the-return-is-timed-up-to-50-mm-from-the-equilibrium-position = Mola de 294 kN/m, recuo de 1,3 m; o tempo de retorno é contado até 50 mm da posição de equilíbrio.
+the-printed-time-is-read-from-a-table-of-x-t-in-steps-of-0-01-s-at-0-22-s-of-the-return-there-the = O tempo impresso é o de uma tabela de x(t) em passos de 0,01 s, lida a 0,22 s do retorno; ali o cano ainda está a 59 mm. Ele passa por 50 mm aos 0,22858 s; 0,29954 s ao todo.
 the-barrel-timed-exactly = O cano com os tempos exatos
 x-r-1-t-e-t-with-the-numbers-of-grover-s-ex-3-3-3 = x₁ = R (1 + ωₙt) e^(−ωₙt) com os números do ex. 3.3.3 de Grover
 a-return-that-ends-before-it-begins = Retorno que termina antes de começar
-the-return-goes-from-the-end-of-the-recoil-towards-rest = O retorno vai do fim do recuo em direção ao repouso
+the-return-goes-from-the-end-of-the-recoil-towards-the-equilibrium-position = O retorno vai do fim do recuo em direção à posição de equilíbrio
 
 # half_car.toml
 a-car-whose-front-and-rear-do-not-mix = Carro em que a dianteira e a traseira não se acoplam
 j-m-l-f-l-r-each-end-is-a-body-mass-m-l-r-l-and-m-l-f-l-on-its-own-axle-two-systems-of-two-masses = J = m l_f l_r: cada extremidade é uma massa da carroceria, m l_r/l e m l_f/l, sobre o seu próprio eixo; dois sistemas de duas massas
 front-600-kg-on-18-kn-m-over-a-wheel-of-40-kg-on-160-kn-m-rear-400-kg-on-16-kn-m-over-40-kg-on-160-kn = Dianteira: 600 kg sobre 18 kN/m, acima de uma roda de 40 kg sobre 160 kN/m; traseira: 400 kg sobre 16 kN/m, acima de 40 kg sobre 160 kN/m. Cada par satisfaz (18e3 − 600λ)(178e3 − 40λ) = (18e3)² e (16e3 − 400λ)(176e3 − 40λ) = (16e3)².
 the-same-car-with-dampers = O mesmo carro com amortecedores
-roots-of-600s-1200s-18e3-40s-1200s-178e3-1200s-18e3-in-front-and-of-400s-1000s-16e3-40s-1000s-176e3 = Raízes de (600s² + 1200s + 18e3)(40s² + 1200s + 178e3) = (1200s + 18e3)² na dianteira e de (400s² + 1000s + 16e3)(40s² + 1000s + 176e3) = (1000s + 16e3)² na traseira
+roots-of-600s-1200s-18e3-40s-1200s-178e3-1200s-18e3-at-the-front-and-of-400s-1000s-16e3-40s-1000s = Raízes de (600s² + 1200s + 18e3)(40s² + 1200s + 178e3) = (1200s + 18e3)² na dianteira e de (400s² + 1000s + 16e3)(40s² + 1000s + 176e3) = (1000s + 16e3)² na traseira
 a-body-as-heavy-as-no-number = Carroceria pesada demais para qualquer número
 a-mass-of-10-kg-beside-one-of-40-kg-cannot-be-represented = Uma massa de 10³⁰⁰ kg ao lado de uma de 40 kg não pode ser representada
 
@@ -4504,20 +4660,20 @@ a-mass-of-10-kg-beside-one-of-40-kg-cannot-be-represented = Uma massa de 10³⁰
 oscillator-driven-at-its-natural-frequency = Oscilador excitado na sua frequência natural
 w-t-thomson-theory-of-vibration-with-applications-ex-3-1-2-target-of-the-verification-problem-vm86-of = W. T. Thomson, Theory of Vibration with Applications, ex. 3.1-2; valor de referência do problema de verificação VM86 do Ansys Mechanical APDL
 power-of-a-shaker = Potência de um excitador
-the-oscillator-is-known-by-its-damped-frequency-the-amplitude-is-prescribed-and-the-force-is-sought = O oscilador é conhecido pela sua frequência amortecida; a amplitude é imposta e procura-se a força.
-the-source-puts-the-damped-frequency-for-the-natural-one-in-c-2-m = a fonte põe a frequência amortecida no lugar da natural em c = 2ζωₙm
+the-oscillator-is-specified-by-its-damped-frequency-the-amplitude-is-prescribed-and-the-force-is = O oscilador é definido pela sua frequência amortecida; a amplitude é imposta e a força é a incógnita.
+the-source-uses-the-damped-frequency-instead-of-the-natural-one-in-c-2-m = a fonte usa a frequência amortecida em vez da natural em c = 2ζωₙm
 build-up-of-resonance-with-one-per-cent-of-critical-damping = Crescimento da amplitude na ressonância com um por cento do amortecimento crítico
 code-aster-validation-manual-v2-01-321-sdld321 = Manual de validação do Code_Aster, V2.01.321, SDLD321
-the-oscillator-is-at-rest-until-the-force-f-sin-t-sets-in-at-its-own-natural-frequency-the-printed = O oscilador está em repouso até que a força F₀ sen ωt comece a agir na frequência natural dele. A forma fechada impressa é avaliada em 1 s.
+the-oscillator-is-at-rest-until-the-force-f-sin-t-is-applied-at-its-own-natural-frequency-the-printed = O oscilador está em repouso até que a força F₀ sen ωt seja aplicada na sua frequência natural. A forma fechada impressa é avaliada em 1 s.
 the-same-with-critical-damping = O mesmo com amortecimento crítico
 the-same-without-damping-unbounded = O mesmo sem amortecimento: sem limite
 x-f-2k-sin-t-t-cos-t-at-t-50 = x = F₀/(2k) (sen ωt − ωt cos ωt) em ωt = 50
 heavy-mass-on-a-soft-spring-at-its-natural-frequency = Massa pesada sobre mola macia, na sua frequência natural
 weight-in-oil = Peso imerso em óleo
 w-t-thomson-theory-of-vibration-with-applications-ch-3-free-period-1-80-s-ratio-of-successive = W. T. Thomson, Theory of Vibration with Applications, cap. 3: período livre de 1,80 s, razão de amplitudes sucessivas de 4,2; F = 2 cos 3t; X = F/√((k − mω²)² + (cω)²)
-the-mass-of-2-lb-0-907-kg-is-recalled-it-is-cut-off-in-the-statement-that-was-seen = A massa de 2 lb, 0,907 kg, é citada de memória: está cortada no enunciado consultado.
+the-mass-of-2-lb-0-907-kg-is-quoted-from-memory-it-is-cut-off-in-the-statement-consulted = A massa de 2 lb, 0,907 kg, é citada de memória: está cortada no enunciado consultado.
 hysteretic-spring-at-its-natural-frequency = Mola histerética na sua frequência natural
-x-f-k-90-rao-5th-ed-3-10-energy-k-x-in-a-cycle = X = F₀/(ηk), φ = 90° (Rao, 5ª ed., §3.10); energia π η k X² por ciclo
+x-f-k-90-rao-5th-ed-3-10-energy-k-x-per-cycle = X = F₀/(ηk), φ = 90° (Rao, 5ª ed., §3.10); energia π η k X² por ciclo
 overdamped-start-under-a-cosine-force = Início superamortecido sob uma força cossenoidal
 x-t-by-residues-of-the-laplace-transform-with-poles-5-and-20-rad-s-and-force-8-cos-10t-on-1-kg = x(t) pelos resíduos da transformada de Laplace, com polos em −5 e −20 rad/s e força 8 cos 10t sobre 1 kg
 k-100-n-m-c-25-n-s-m-x-8-250-m-90-so-x-0-032-sin-10t-c-e-5t-c-e-20t-with-c-c-0-32-15 = k = 100 N/m, c = 25 N·s/m: X = 8/250 m, φ = 90°, portanto x = 0,032 sen 10t + C₁e^(−5t) + C₂e^(−20t) com C₁ = −C₂ = −0,32/15.
@@ -4525,7 +4681,7 @@ force-for-a-given-power = Força para uma potência dada
 p-c-x-and-f-x-k-m-c = P = ½ c ω² X² e F₀ = X √((k − mω²)² + (cω)²)
 c-20-n-s-m-30-rad-s-x-0-1-m-p-90-w-k-m-1000-900-100-n-m-f-0-1-100-600-n = c = 20 N·s/m, ω = 30 rad/s, X = 0,1 m: P = 90 W; k − mω² = 1000 − 900 = 100 N/m, F₀ = 0,1 √(100² + 600²) N.
 force-sought-at-an-undamped-resonance = Força procurada numa ressonância sem amortecimento
-any-force-makes-an-undamped-motion-at-the-natural-frequency-grow = Qualquer força faz crescer um movimento sem amortecimento na frequência natural
+any-force-at-the-natural-frequency-makes-an-undamped-motion-grow = Qualquer força na frequência natural faz crescer um movimento sem amortecimento
 
 # harmonic_sum.toml
 beating-of-two-motions = Batimento de dois movimentos
@@ -4536,9 +4692,9 @@ n-3-cos-t-4-cos-t-90-5-cos-t-180-20-cos-t-116-565 = 3 cos ωt + 4 cos(ωt + 90°
 three-motions-of-different-frequencies = Três movimentos de frequências diferentes
 mean-square-half-the-sum-of-the-squares-of-the-amplitudes = Valor quadrático médio: metade da soma dos quadrados das amplitudes
 two-motions-of-one-frequency-beat-with-a-third = Dois movimentos de uma mesma frequência batem com um terceiro
-n-3-and-4-mm-a-quarter-of-a-cycle-apart-make-5-mm-with-6-mm-the-amplitude-goes-between-11-and-1-mm = 3 e 4 mm, a um quarto de ciclo um do outro, dão 5 mm; com 6 mm a amplitude vai de 11 a 1 mm
+n-3-and-4-mm-a-quarter-of-a-cycle-apart-add-up-to-5-mm-with-6-mm-the-amplitude-varies-between-11-and = 3 e 4 mm defasados de um quarto de ciclo somam 5 mm; com 6 mm a amplitude varia entre 11 e 1 mm
 a-force-beyond-the-range-of-numbers = Força além do alcance dos números
-the-work-is-1e399-j-which-no-number-here-can-hold = O trabalho é de 1e399 J, que aqui nenhum número comporta
+the-work-is-1e399-j-beyond-the-range-of-representable-numbers = O trabalho é de 1e399 J, além da faixa dos números representáveis
 
 # large_pendulum.toml
 pendulum-of-100-in-released-at-36-87 = Pêndulo de 100 in solto a 36,87°
@@ -4553,44 +4709,44 @@ t-2-l-g-1-16 = T = 2π√(L/g) (1 + θ₀²/16)
 
 # logarithmic_decrement.toml
 torsional-pendulum-in-a-viscous-fluid = Pêndulo de torção num fluido viscoso
-successive-amplitudes-of-9-6-and-4-degrees-the-period-is-that-in-the-fluid-the-printed-frequency-that = Amplitudes sucessivas de 9, 6 e 4 graus. O período é o medido no fluido; a frequência impressa é a do movimento no ar. O texto impresso dá c em N·m/rad; o correto é N·m·s/rad.
+successive-amplitudes-of-9-6-and-4-degrees-the-period-is-that-in-the-fluid-the-printed-frequency-is = Amplitudes sucessivas de 9, 6 e 4 graus. O período é o medido no fluido; a frequência impressa é a do movimento no ar. O texto impresso dá c em N·m/rad; o correto é N·m·s/rad.
 the-three-amplitudes-by-least-squares = As três amplitudes por mínimos quadrados
 n-9-6-and-4-of-grover-s-ex-3-4-1-are-an-exact-geometric-series-ln-1-5 = 9°, 6° e 4° do ex. 3.4.1 de Grover formam uma progressão geométrica exata: δ = ln 1,5
 machine-of-4000-lb-with-a-measured-decrement = Máquina de 4000 lb com decremento medido
 problem-without-a-printed-answer-tutorsglobe-question-51418516 = Problema sem resposta impressa (TutorsGlobe, questão 51418516)
-w-4000-lbf-on-10-000-lbf-in-0-314-measured-period-0-2025-s-from-mass-and-stiffness-31-068-rad-s-from = W = 4000 lbf sobre 10 000 lbf/in, δ = 0,314, período medido de 0,2025 s. Pela massa e pela rigidez ωₙ = 31,068 rad/s; pelo período medido, 31,067: os dois concordam. Os ciclos e o tempo são os de uma queda de 0,1 in a 0,01 in, com o período da massa e da rigidez.
-the-value-is-worked-with-the-measured-period-0-2025-s-ours-with-that-of-mass-and-stiffness = o valor é calculado com o período medido, 0,2025 s; o nosso, com o da massa e da rigidez
+w-4000-lbf-on-10-000-lbf-in-0-314-measured-period-0-2025-s-from-mass-and-stiffness-31-068-rad-s-from = W = 4000 lbf sobre 10 000 lbf/in, δ = 0,314, período medido de 0,2025 s. Pela massa e pela rigidez ωₙ = 31,068 rad/s; pelo período medido, 31,067: os dois concordam. Os ciclos e o tempo são os de um decaimento de 0,1 in a 0,01 in, com o período dado pela massa e pela rigidez.
+the-printed-value-uses-the-measured-period-0-2025-s-the-computed-value-uses-that-of-mass-and = o valor impresso usa o período medido, 0,2025 s; o calculado, o da massa e da rigidez
 the-machine-by-its-period-alone = A máquina só pelo seu período
 problem-without-a-printed-answer-tutorsglobe-question-51418516-t-n-t-d-n-ln-10 = Problema sem resposta impressa (TutorsGlobe, questão 51418516): t = n T_d, n = ln 10/δ
 decrement-of-a-damping-ratio-of-0-316 = Decremento de uma razão de amortecimento de 0,316
 n-25-4-rad-s-the-decrement-does-not-depend-on-it = ωₙ = 25,4 rad/s; o decremento não depende dela.
-the-print-multiplies-rounded-numbers-t-d-with-a-rounded-period = o texto impresso multiplica números arredondados: ζ ωₙ T_d com um período arredondado
+the-printed-solution-multiplies-rounded-numbers-t-d-with-a-rounded-period = a solução impressa multiplica números arredondados: ζ ωₙ T_d com um período arredondado
 seven-amplitudes-15-1-at-180-cycles-a-minute = Sete amplitudes na razão 15:1 a 180 ciclos por minuto
 lists-06-08-list-08-question-4-with-ln-15-6 = Listas 06–08, lista 08, questão 4, com δ = (ln 15)/6
-seven-successive-amplitudes-are-six-cycles-apart-the-stiffness-is-that-of-the-network-of-the-question = Sete amplitudes sucessivas abrangem seis ciclos; a rigidez é a da associação de molas da questão.
+seven-successive-amplitudes-span-six-cycles-the-stiffness-is-that-of-the-spring-network-in-the = Sete amplitudes sucessivas abrangem seis ciclos; a rigidez é a da associação de molas da questão.
 a-mass-and-a-period = Uma massa e um período
 k-m-2-t-d-1-with-0-6 = k = m (2π/T_d)²/(1 − ζ²) com ζ = 0,6
 a-motion-that-does-not-oscillate = Um movimento que não oscila
-there-is-no-decrement-at-1-and-above = Não há decremento com ζ = 1 ou maior
+the-decrement-is-undefined-for-1-and-above = O decremento não é definido para ζ = 1 ou maior
 amplitudes-that-grow = Amplitudes que crescem
-a-decay-falls = Num decaimento as amplitudes diminuem
+in-a-decay-the-amplitudes-decrease = Num decaimento as amplitudes diminuem
 
 # mass_on_shaft.toml
 flywheel-between-two-fixed-shaft-ends = Volante entre duas extremidades fixas de um eixo
-a-flywheel-of-half-a-ton-on-a-shaft-of-2-in-both-parts-of-the-shaft-hold-it = Um volante de meia tonelada num eixo de 2 in; as duas partes do eixo o sustentam.
-the-printed-value-is-worked-from-a-rounded-static-deflection = o valor impresso é calculado a partir de uma deflexão estática arredondada
+a-half-ton-flywheel-on-a-2-in-shaft-both-parts-of-the-shaft-support-it = Um volante de meia tonelada num eixo de 2 in; as duas partes do eixo o sustentam.
+the-printed-value-is-computed-from-a-rounded-static-deflection = o valor impresso é calculado a partir de uma deflexão estática arredondada
 weight-at-the-free-end-of-a-cantilever-shaft = Peso na extremidade livre de um eixo em balanço
 the-printed-solution-takes-as-3-147-and-f-as-0-4985 = a solução impressa toma π como 3,147 e f como 0,4985/√δ
 body-on-a-simply-supported-shaft = Corpo num eixo biapoiado
 flywheel-on-a-shaft-fixed-at-both-ends = Volante num eixo engastado nas duas extremidades
 the-printed-solution-takes-as-3-147 = a solução impressa toma π como 3,147
 a-bearing-at-the-far-end = Mancal na extremidade oposta
-k-768-e-i-7-l-at-the-middle-along-and-about-the-axis-only-the-fixed-half-holds = k = 768 E I/(7 L³) no meio; ao longo da linha de centro e em torno dela só a metade engastada sustenta
+k-768-e-i-7-l-at-the-middle-along-and-about-the-axis-only-the-clamped-half-contributes = k = 768 E I/(7 L³) no meio; ao longo da linha de centro e em torno dela só a metade engastada contribui
 e-i-200e9-0-04-64-25132-7-n-m-l-1-m-k-2757420-n-m = E I = 200e9·π·0,04⁴/64 = 25132,7 N·m², L = 1 m: k = 2757420 N/m.
 a-hollow-shaft = Eixo oco
-half-of-the-diameter-bored-away-takes-a-sixteenth-of-e-i-and-a-quarter-of-e-a = Um furo com metade do diâmetro retira um dezesseis avos de E I e um quarto de E A
+a-bore-of-half-the-diameter-removes-a-sixteenth-of-e-i-and-a-quarter-of-e-a = Um furo com metade do diâmetro retira um dezesseis avos de E I e um quarto de E A
 a-bore-wider-than-the-shaft = Furo mais largo que o eixo
-there-is-no-such-shaft = Um eixo assim não existe
+no-such-shaft-exists = Um eixo assim não existe
 
 # modal_analysis.toml
 eight-masses-on-nine-springs-between-walls = Oito massas em nove molas entre paredes
@@ -4600,8 +4756,8 @@ w-t-thomson-theory-of-vibration-with-applications-problem-5-2-answer-p-529 = W. 
 the-book-answers-k-m-with-both-masses-in-step-and-3k-m-with-the-masses-opposed-here-with-k-1-n-m-and = O livro responde ω₁² = k/m com as duas massas em fase e ω₂² = 3k/m com as massas em oposição; aqui com k = 1 N/m e m = 1 kg. A figura do livro não estava disponível: a disposição é inferida da resposta.
 two-masses-on-a-stretched-string = Duas massas em uma corda tracionada
 w-t-thomson-theory-of-vibration-with-applications-problem-5-13-answer-p-529 = W. T. Thomson, Theory of Vibration with Applications, problema 5-13, resposta na p. 529
-answered-as-multiples-of-t-ml-here-t-1-n-l-1-m-m-1-kg-the-masses-2m-and-m-are-inferred-from-the = Respondido como múltiplos de √(T/ml); aqui T = 1 N, l = 1 m, m = 1 kg. As massas 2m e m são inferidas da ortogonalidade das formas impressas. O valor exato é ω² = (3 ∓ √3)/2.
-the-exact-ratio-is-1-3-2-1-36603-the-book-cut-a-digit-early = a razão exata é (1 + √3)/2 = 1,36603; o livro truncou um algarismo antes da hora
+given-as-multiples-of-t-ml-here-t-1-n-l-1-m-m-1-kg-the-masses-2m-and-m-are-inferred-from-the = Dado como múltiplos de √(T/ml); aqui T = 1 N, l = 1 m, m = 1 kg. As massas 2m e m são inferidas da ortogonalidade das formas impressas. O valor exato é ω² = (3 ∓ √3)/2.
+the-exact-ratio-is-1-3-2-1-36603-the-book-truncated-one-digit-too-early = a razão exata é (1 + √3)/2 = 1,36603; o livro truncou um algarismo antes da hora
 damping-that-couples-the-modes-of-two-masses = Amortecimento que acopla os modos de duas massas
 vibration-toolbox-test-of-mdof-modes-system-non-proportional-damping = vibration_toolbox, teste de mdof.modes_system (amortecimento não proporcional)
 two-free-masses-and-a-spring = Duas massas livres e uma mola
@@ -4613,7 +4769,7 @@ n-2-2-at-the-frequencies-k-m-4-rad-s-and-3k-m-of-two-masses-rao-5th-ed-6-15 = ζ
 three-equal-masses-in-a-ring-of-two-equal-frequencies = Três massas iguais em anel, com duas frequências iguais
 k-k-3-1-1-1-zero-once-and-3k-m-twice = K = k (3·1 − 1 1ᵀ): zero uma vez e 3k/m duas vezes
 a-spring-that-pushes = Uma mola que empurra
-an-indefinite-stiffness-has-no-position-of-rest = Uma rigidez indefinida não tem posição de repouso
+an-indefinite-stiffness-matrix-has-no-stable-equilibrium-position = Uma matriz de rigidez indefinida não tem posição de equilíbrio estável
 a-matrix-that-is-not-symmetric = Uma matriz que não é simétrica
 maxwell-s-reciprocity = Reciprocidade de Maxwell
 a-coordinate-without-mass = Uma coordenada sem massa
@@ -4629,51 +4785,51 @@ two-free-masses-and-a-constant-force-the-common-motion-goes-on = Duas massas liv
 x-f-t-2-m-m-and-a-relative-vibration-about-rest-at-a-whole-period-of-it-2-2k-m = x = F t²/(2(m₁ + m₂)) e uma vibração relativa em torno do repouso; ao fim de um período inteiro dela, 2π/√(2k/m)
 m-1-kg-each-k-2-n-m-so-2-rad-s-and-the-period-is-s-f-4-n-on-the-first-4-4-9-869604-m-for-both = m = 1 kg cada uma, k = 2 N/m, portanto ω = 2 rad/s e o período é π s; F = 4 N na primeira: π²·4/4 = 9,869604 m para as duas.
 a-damped-chain-with-a-start-and-three-kinds-of-force = Cadeia amortecida com condições iniciais e três tipos de força
-taylor-series-of-the-equations-of-motion-step-by-step-as-the-second-way = Série de Taylor das equações de movimento, passo a passo, como segundo método
+taylor-series-of-the-equations-of-motion-step-by-step-as-a-second-method = Série de Taylor das equações de movimento, passo a passo, como segundo método
 critical-damping-from-a-start = Amortecimento crítico a partir de condições iniciais
 x-x-v-x-t-e-t-rao-5th-ed-2-6-2-rad-s-3-e-at-1-s = x = (x₀ + (v₀ + ωx₀) t) exp(−ωt) (Rao, 5ª ed., §2.6): ω = 2 rad/s, 3 e⁻² em 1 s
 a-table-of-force-whose-times-go-back = Tabela de força cujos tempos retrocedem
-time-does-not = O tempo não volta atrás
+time-cannot-run-backwards = O tempo não volta atrás
 
 # multi_span_beam.toml
 four-equal-spans-on-pins = Quatro vãos iguais sobre apoios simples
 r-d-blevins-formulas-for-natural-frequency-and-mode-shape-ch-8-multispan-beams = R. D. Blevins, Formulas for Natural Frequency and Mode Shape, cap. 8 (vigas de vários vãos)
-of-one-span-is-a-quarter-of-ours-3-1416-3-3932-3-9266-4-4633-then-2-the-stiffnesses-of-a-span-that = O β de um vão é um quarto do nosso: 3,1416; 3,3932; 3,9266; 4,4633; depois 2π; as rigidezes de um vão que gira satisfazem próxima + distante · cos(jπ/4) = 0 nos apoios internos.
+of-one-span-is-a-quarter-of-the-computed-value-3-1416-3-3932-3-9266-4-4633-then-2-the-rotational = O β de um vão é um quarto do valor calculado: 3,1416; 3,3932; 3,9266; 4,4633; depois 2π; as rigidezes rotacionais de um vão satisfazem próxima + distante · cos(jπ/4) = 0 nos apoios internos.
 three-equal-spans-between-clamped-ends = Três vãos iguais entre extremidades engastadas
 near-far-cos-j-3-0-for-j-2-and-1-then-cos-cosh-1 = próxima + distante · cos(jπ/3) = 0 para j = 2 e 1, depois cos β cosh β = 1
 the-third-frequency-is-that-of-a-span-clamped-at-both-ends-the-slopes-at-the-pins-are-zero = A terceira frequência é a de um vão biengastado: as inclinações nos apoios são nulas.
 clamped-between-the-spans-two-beams-of-their-own = Engaste entre os vãos: duas vigas independentes
 roots-of-tan-tanh-each-of-them-twice = Raízes de tan β = tanh β, cada uma delas duas vezes
-a-clamp-parts-the-spans-2-3-926602 = Um engaste separa os vãos: 2 · 3,926602.
+a-clamp-uncouples-the-spans-2-3-926602 = Um engaste desacopla os vãos: 2 · 3,926602.
 a-step-without-a-step = Um degrau sem degrau
 cantilever-in-three-parts-roots-of-cos-cosh-1-rao-5th-ed-8-5 = Viga em balanço em três partes: raízes de cos β cosh β = −1 (Rao, 5ª ed., §8.5)
-the-joints-between-the-spans-hold-nothing-and-change-nothing = As junções entre os vãos nada seguram e nada mudam.
+the-joints-between-the-spans-carry-no-load-and-have-no-effect = As junções entre os vãos não suportam carga e não têm efeito.
 two-spans-of-one-pinned-beam-on-the-ground = Dois vãos de uma mesma viga biapoiada sobre o solo
 ei-n-l-n-n-l-k-m-of-a-beam-pinned-at-both-ends = ω² = (EI(nπ/L)⁴ + N(nπ/L)² + k)/m̄ de uma viga biapoiada
-a-joint-that-holds-nothing-at-0-7-m-2-m-long = Uma junção que nada segura a 0,7 m; 2 m de comprimento.
+an-unsupported-joint-at-0-7-m-2-m-long = Uma junção sem apoio a 0,7 m; 2 m de comprimento.
 a-shaft-that-nothing-holds-in-two-diameters-of-one = Eixo sem nenhum apoio, em dois trechos de mesmo diâmetro
 roots-of-cos-cosh-1-of-a-free-beam-rao-5th-ed-8-5 = Raízes de cos β cosh β = 1 de uma viga livre (Rao, 5ª ed., §8.5)
-the-two-motions-as-a-whole-are-not-counted = Os dois movimentos como corpo rígido não são contados.
+the-two-rigid-body-modes-are-not-counted = Os dois modos de corpo rígido não são contados.
 too-much-compression = Compressão demais
-two-pinned-spans-of-1-m-buckle-at-ei-l-19-74-kn = Dois vãos biapoiados de 1 m flambam com π²EI/L² = 19,74 kN
+two-pinned-spans-of-1-m-buckle-at-ei-l-19-74-kn = Dois vãos articulados de 1 m flambam com π²EI/L² = 19,74 kN
 
 # overhung_disc.toml
 overhung-disc-of-10-kg = Disco em balanço de 10 kg
-the-example-calls-4071-8-and-19509-rpm-critical-speeds-its-frequency-equation-takes-i-d-so-they-are = O exemplo chama 4071,8 e 19509 rpm de velocidades críticas; a sua equação das frequências toma + I_d, portanto são as frequências naturais do disco que não gira. Com o efeito giroscópico, a velocidade que o desbalanceamento excita é 4866 rpm, e não há outra: I_p é maior que I_d.
+the-example-calls-4071-8-and-19509-rpm-critical-speeds-its-frequency-equation-uses-i-d-so-they-are = O exemplo chama 4071,8 e 19509 rpm de velocidades críticas; a sua equação das frequências usa + I_d, portanto são as frequências naturais do disco sem rotação. Com o efeito giroscópico, a velocidade crítica excitada pelo desbalanceamento é 4866 rpm, e é a única: I_p é maior que I_d.
 the-same-disc-synchronous-whirl = O mesmo disco, precessão síncrona
 the-frequency-equation-with-i-d-i-p-and-i-d-i-p-in-the-place-of-i-d-den-hartog-6-6 = A equação das frequências com I_d − I_p e I_d + I_p no lugar de I_d (Den Hartog, §6.6)
 a-disc-so-small-that-it-does-not-tilt = Disco tão pequeno que não inclina
 mass-at-the-tip-of-a-cantilever-3ei-ml-here-3-200e9-1e-7-10-1-6000-s = Massa na ponta de uma viga em balanço, ω² = 3EI/(mL³); aqui 3·200e9·1e-7/(10·1) = 6000 s⁻²
 a-long-disc-between-two-equal-bearings = Disco longo entre dois mancais iguais
-deflection-and-slope-apart-0-1-m-and-the-tilting-has-1-i-d-i-p-forward-1-i-d-i-p-backward = Deflexão e inclinação desacopladas, β = 0: ω = 1/√(α m), e a inclinação tem ω² = 1/(γ (I_d − I_p)) direta, 1/(γ (I_d + I_p)) retrógrada
+deflection-and-slope-uncoupled-0-1-m-and-the-tilting-mode-has-1-i-d-i-p-forward-1-i-d-i-p-backward = Deflexão e inclinação desacopladas, β = 0: ω = 1/√(α m), e o modo de inclinação tem ω² = 1/(γ (I_d − I_p)) direta, 1/(γ (I_d + I_p)) retrógrada
 n-1e-6-m-n-m-25-kg-200-rad-s-1e-4-rad-n-m-i-d-i-p-0-04-kg-m-and-i-d-i-p-0-16-kg-m-500-and-250-rad-s = α = 1e-6 m/N, m = 25 kg: 200 rad/s. γ = 1e-4 rad/(N m), I_d − I_p = 0,04 kg m² e I_d + I_p = 0,16 kg m²: 500 e 250 rad/s. Em repouso I_d = 0,1 kg m²: 316,228 rad/s.
 influence-coefficients-of-no-shaft = Coeficientes de influência de eixo nenhum
-the-elastic-energy-of-any-load-is-positive = A energia elástica de qualquer carga é positiva: α γ > β²
+the-elastic-energy-is-positive-for-any-load = A energia elástica é positiva para qualquer carga: α γ > β²
 
 # pendulum_absorber.toml
 four-pendulums-against-the-third-order = Quatro pêndulos contra a terceira ordem
 r-r-n-and-t-4-m-r-r-r-with-n = r = R/n² e T = 4 m r (R + r) ω₀² φ, com ω₀ = nΩ
-at-the-tuned-order-the-rotor-stands-still-and-the-pendulums-swing-at-their-limit = Na ordem sintonizada o rotor fica parado e os pêndulos oscilam no seu limite.
+at-the-tuned-order-the-rotor-is-at-rest-and-the-pendulums-oscillate-at-their-limit = Na ordem sintonizada o rotor fica em repouso e os pêndulos oscilam no seu limite.
 a-pendulum-below-its-tuned-order-acts-like-a-flywheel = Abaixo da sua ordem sintonizada, um pêndulo age como um volante
 j-e-m-r-r-1-n-r-r-t-j-j-e = J_e = m (R + r)²/(1 − n² r/R), Θ = −T/((J + J_e) ω²)
 a-solid-roller-of-order-four-and-a-half = Rolete maciço de ordem quatro e meio
@@ -4683,7 +4839,7 @@ n-r-2-r-for-a-ring = n² = R/(2 r) para um anel
 a-body-whose-arm-is-the-larger-root = Corpo cujo braço é a raiz maior
 r-75-r-900-0-in-mm-r-60-mm-or-15-mm-from-n-r-r-r = r² − 75 r + 900 = 0 em mm: r = 60 mm ou 15 mm, por n² = R r/(r² + κ²)
 rotor-on-a-shaft-torque-of-the-second-order = Rotor num eixo, torque de segunda ordem
-roots-and-steady-amplitudes-of-the-2-2-matrices-of-the-small-motions = Raízes e amplitudes permanentes das matrizes 2 × 2 dos pequenos movimentos
+roots-and-steady-state-amplitudes-of-the-2-2-matrices-of-the-small-motions = Raízes e amplitudes em regime permanente das matrizes 2 × 2 dos pequenos movimentos
 a-floor-held-still-by-a-weight-on-a-string = Piso mantido imóvel por um peso num fio
 l-g-m-f-l-roots-of-the-2-2-matrices-of-the-small-motions = l = g/ω², m = F₀/(l ω² φ), raízes das matrizes 2 × 2 dos pequenos movimentos
 a-body-with-inertia-of-its-own-under-a-mass = Corpo com inércia própria sob uma massa
@@ -4691,7 +4847,7 @@ g-l-l-and-the-2-2-matrices-of-the-small-motions = ω₀ = √(g l/(l² + κ²)) 
 a-body-too-large-for-its-order = Corpo grande demais para a sua ordem
 r-2-h-r-has-no-real-root-for-h = r² − 2 h r + κ² não tem raiz real para κ > h
 a-limited-swing-without-a-torque = Oscilação limitada sem torque
-the-mass-follows-from-the-torque-that-is-taken-up = A massa decorre do torque que é absorvido
+the-mass-follows-from-the-absorbed-torque = A massa decorre do torque que é absorvido
 
 # periodic_excitation.toml
 square-wave-at-a-third-of-the-natural-frequency = Onda quadrada a um terço da frequência natural
@@ -4700,7 +4856,7 @@ the-third-harmonic-lies-at-0-9-of-the-natural-frequency-and-is-the-largest = O t
 cam-that-lifts-and-drops = Came que levanta e deixa cair
 sawtooth-y-y-t-t-on-spring-and-damper-mean-y-2-harmonics-y-n-transmissibility-of-each = Dente de serra y = Y t/T sobre mola e amortecedor: média Y/2, harmônicos Y/(nπ), transmissibilidade de cada um
 slow-triangular-force = Força triangular lenta
-far-below-the-natural-frequency-the-motion-is-the-force-over-the-stiffness-root-mean-square-1-3-of = Muito abaixo da frequência natural o movimento é a força sobre a rigidez: valor eficaz igual a 1/√3 da altura
+far-below-the-natural-frequency-the-displacement-is-force-over-stiffness-rms-value-1-3-of-the-height = Muito abaixo da frequência natural o deslocamento é a força sobre a rigidez: valor eficaz igual a 1/√3 da altura
 half-rectified-sine-with-damping = Seno de meia onda com amortecimento
 f-f-2-f-2f-n-1-for-even-n-and-the-magnification-of-each = F₁ = F₀/2, Fₙ = 2F₀/((n² − 1)π) para n par, e a amplificação de cada um
 pulses-of-a-quarter-of-the-period = Pulsos de um quarto do período
@@ -4733,14 +4889,14 @@ rectangular-membrane = Membrana retangular
 c-m-a-n-b-rao-5th-ed-8-6 = ω = πc√((m/a)² + (n/b)²) (Rao, 5ª ed., §8.6)
 clamped-circular-plate = Placa circular engastada
 a-w-leissa-vibration-of-plates-nasa-sp-160-table-2-1 = A. W. Leissa, Vibration of Plates, NASA SP-160, tabela 2.1
-of-the-shapes-with-0-1-2-nodal-diameters-then-of-that-with-one-nodal-circle = λ² das formas com 0, 1, 2 diâmetros nodais, depois da forma com uma circunferência nodal.
+of-the-mode-shapes-with-0-1-2-nodal-diameters-then-of-that-with-one-nodal-circle = λ² das formas modais com 0, 1, 2 diâmetros nodais, depois da forma com uma circunferência nodal.
 simply-supported-circular-plate = Placa circular simplesmente apoiada
 roots-of-j-n-1-j-n-i-n-1-i-n-2-1-with-0-3 = Raízes de Jₙ₊₁/Jₙ + Iₙ₊₁/Iₙ = 2λ/(1 − ν) com ν = 0,3
 n-2-2215-for-the-first-of-them-often-printed-as-4-935-leissa-s-table-of-1969-has-4-977 = λ = 2,2215 para a primeira delas; muitas vezes impresso como λ² = 4,935 (a tabela de Leissa de 1969 tem 4,977).
 free-circular-plate = Placa circular livre
 a-w-leissa-vibration-of-plates-nasa-sp-160-table-2-5-0-33 = A. W. Leissa, Vibration of Plates, NASA SP-160, tabela 2.5 (ν = 0,33)
 two-nodal-diameters-one-nodal-circle-three-nodal-diameters = Dois diâmetros nodais, uma circunferência nodal, três diâmetros nodais.
-the-roots-of-the-determinant-are-5-2620-9-0689-and-12-2439-to-which-the-energies-of-the-shapes-give = As raízes do determinante são 5,2620; 9,0689 e 12,2439, que as energias das formas devolvem com nove algarismos; a tabela, compilada de antigos cálculos à mão, erra no terceiro ou no quarto algarismo.
+the-roots-of-the-determinant-are-5-2620-9-0689-and-12-2439-reproduced-by-the-energies-of-the-mode = As raízes do determinante são 5,2620; 9,0689 e 12,2439, reproduzidas pelas energias das formas modais com nove algarismos; a tabela, compilada de antigos cálculos à mão, erra no terceiro ou no quarto algarismo.
 free-circular-plate-with-0-3 = Placa circular livre com ν = 0,3
 later-tables-5-358-for-two-nodal-diameters-9-003-for-one-nodal-circle-12-439 = Tabelas posteriores: λ² = 5,358 para dois diâmetros nodais; 9,003 para uma circunferência nodal; 12,439
 simply-supported-all-round = Simplesmente apoiada em todo o contorno
@@ -4753,8 +4909,8 @@ three-edges-simply-supported-one-free = Três bordas simplesmente apoiadas, uma 
 two-edges-simply-supported-one-clamped-one-free = Duas bordas simplesmente apoiadas, uma engastada, uma livre
 two-edges-simply-supported-two-free = Duas bordas simplesmente apoiadas, duas livres
 a-plate-that-carries-twice-its-mass-besides = Placa que carrega ainda o dobro da sua massa
-frequencies-fall-with-3 = As frequências diminuem com √3
-the-first-number-is-2-of-a-square-plate = O primeiro número é 2π² para uma placa quadrada.
+frequencies-decrease-by-3 = As frequências diminuem por um fator √3
+the-first-number-is-2-for-a-square-plate = O primeiro número é 2π² para uma placa quadrada.
 a-strip = Uma faixa
 one-side-is-200-times-the-other = Um lado é 200 vezes o outro
 
@@ -4765,7 +4921,7 @@ one-sigma-accelerations-relative-to-the-base-in-multiples-of-386-4-in-s = Aceler
 the-printed-value-comes-from-modal-sums-in-steps-of-frequency = o valor impresso vem de somas modais em passos de frequência
 a-chain-of-one-mass-under-white-noise = Cadeia de uma só massa sob ruído branco
 z-s-4-a-s-1-4-4-with-s-per-rad-s = σ_z² = π S/(4ζωₙ³), σ_a² = π S ωₙ(1 + 4ζ²)/(4ζ) com S por rad/s
-as-the-50-hz-mount-of-the-random-response-of-one-mass = Como o coxim de 50 Hz na resposta aleatória de uma só massa.
+same-as-the-50-hz-mount-in-the-random-response-of-one-mass = Igual ao coxim de 50 Hz na resposta aleatória de uma só massa.
 the-variance-of-undamped-modes-under-noise-grows-with-time = A variância de modos sem amortecimento sob ruído cresce com o tempo
 
 # random_response.toml
@@ -4775,10 +4931,10 @@ n-50-hz-q-10-0-04-g-hz-miles-gives-5-605-g = 50 Hz; Q = 10; 0,04 g²/Hz: Miles d
 a-band-about-the-resonance = Faixa em torno da ressonância
 partial-fractions-of-h-over-20-to-2000-hz = Frações parciais de |H|² de 20 a 2000 Hz
 the-same-band-by-its-table = A mesma faixa pela sua tabela
-a-table-of-two-equal-points-is-the-band = Uma tabela de dois pontos iguais é a banda
+a-table-of-two-equal-points-is-equivalent-to-the-band = Uma tabela de dois pontos iguais equivale à banda
 a-test-specification-with-slopes = Especificação de ensaio com rampas
 simpson-s-rule-with-180-000-steps-over-the-log-log-lines = Regra de Simpson com 180 000 passos sobre as retas log-log
-n-3-db-an-octave-up-to-80-hz-level-to-350-hz-3-db-an-octave-down-to-2000-hz = 3 dB por oitava subindo até 80 Hz, constante até 350 Hz, 3 dB por oitava descendo até 2000 Hz.
+n-3-db-octave-up-to-80-hz-constant-up-to-350-hz-3-db-octave-to-2000-hz = +3 dB/oitava até 80 Hz, constante até 350 Hz, −3 dB/oitava até 2000 Hz.
 white-force-on-a-mass = Força branca sobre uma massa
 x-s-2-k-c-with-s-per-rad-s-v-s-2-m-c = σ_x² = π S/(2 k c) com S por rad/s; σ_v² = π S/(2 m c)
 force-in-a-band-far-below-the-resonance = Força numa faixa muito abaixo da ressonância
@@ -4790,7 +4946,7 @@ the-variance-of-an-undamped-oscillator-under-white-noise-grows-with-time = A var
 n-5-at-0-3-hz-and-2-at-1-2-hz = 5 % a 0,3 Hz e 2 % a 1,2 Hz
 technical-note-nts-02-on-rayleigh-damping = Nota técnica NTS-02 sobre amortecimento de Rayleigh
 its-closed-forms-and-its-program-are-right-its-printed-formula-for-the-damping-at-a-frequency-lacks-a = As suas formas fechadas e o seu programa estão certos; na fórmula impressa para o amortecimento em uma frequência falta um fator de um meio no termo da massa.
-the-printed-formula-takes-2-f-where-4-f-f-stands-at-1-hz-the-two-known-modes-leave-0-02107 = A fórmula impressa toma α/(2π f) onde está ζ = α/(4π f) + β π f; a 1 Hz os dois modos conhecidos deixam 0,02107.
+the-printed-formula-uses-2-f-in-4-f-f-at-1-hz-the-two-known-modes-give-0-02107 = A fórmula impressa usa α/(2π f) em ζ = α/(4π f) + β π f; a 1 Hz os dois modos conhecidos dão 0,02107.
 the-same-damping-at-both-frequencies = O mesmo amortecimento nas duas frequências
 n-2-2-2 = α = 2ζω₁ω₂/(ω₁ + ω₂), β = 2ζ/(ω₁ + ω₂), ζ₀ = 2ζ√(ω₁ω₂)/(ω₁ + ω₂)
 two-modes-of-one-frequency = Dois modos de uma mesma frequência
@@ -4800,7 +4956,7 @@ limit-the-two-equations-are-the-same = Limite: as duas equações são a mesma
 beam-on-two-supports-that-follow-one-displacement-spectrum = Viga sobre dois apoios que seguem um mesmo espectro de deslocamento
 j-m-biggs-introduction-to-structural-dynamics-p-262-target-of-the-verification-problem-vm70-of-ansys = J. M. Biggs, Introduction to Structural Dynamics, p. 262; valor de referência do problema de verificação VM70 do Ansys Mechanical APDL
 the-first-mode-alone-0-2-lbf-s-in-of-mass-for-each-inch-of-length-273-9726-in-of-0-00073-lbf-s-in = Somente o primeiro modo; 0,2 lbf s²/in de massa por polegada de comprimento (273,9726 in² de 0,00073 lbf s²/in⁴).
-the-printed-stress-is-cut-off-20158-55 = a tensão impressa está truncada: 20158,55
+the-printed-stress-is-truncated-20158-55 = a tensão impressa está truncada: 20158,55
 the-same-beam-with-three-modes = A mesma viga com três modos
 n-4-n-alternating-in-sign-e-c-n-l-y = Γφ = 4/(nπ), de sinal alternado; σ = E c (nπ/L)² y
 at-a-constant-displacement-the-higher-modes-add-little-to-the-deflection-and-much-to-the-stress = Com deslocamento constante, os modos superiores acrescentam pouco à deflexão e muito à tensão.
@@ -4808,9 +4964,9 @@ two-masses-under-a-constant-acceleration = Duas massas sob aceleração constant
 two-equal-links-3-5-2-k-m-from-the-eigenvectors-1-1-5-2 = Dois elos iguais: ω² = (3 ∓ √5)/2 k/m, Γφ pelos autovetores (1, (1 ± √5)/2)
 two-modes-near-each-other = Dois modos próximos um do outro
 cqc-with-8-1-r-r-r-1-r-4-r-1-r = CQC com ρ = 8ζ²(1 + r)r√r/((1 − r²)² + 4ζ²r(1 + r)²)
-the-modes-work-against-each-other-srss-overstates-the-response = Os modos atuam um contra o outro: a SRSS superestima a resposta.
+the-modes-act-in-opposition-srss-overestimates-the-response = Os modos atuam em oposição: a SRSS superestima a resposta.
 a-mode-outside-the-table = Um modo fora da tabela
-a-spectrum-says-nothing-beyond-its-ends = Um espectro nada diz além das suas extremidades
+a-spectrum-is-not-defined-outside-its-range = Um espectro não é definido fora da sua faixa
 
 # rod_impact.toml
 bar-stopped-at-one-end = Barra detida numa extremidade
@@ -4833,7 +4989,7 @@ roots-of-cos-cosh-1-squared-rao-5th-ed-8-5 = Raízes de cos β cosh β = −1, a
 lagwise-at-5 = Em avanço e recuo, com η = 5
 f-with-the-flapwise-6-4495-of-wright-and-others = ω² = ω_f² − Ω² com o valor 6,4495 de Wright e outros, em batimento
 n-6-4495-25-4-0739 = √(6,4495² − 25) = 4,0739.
-worked-from-the-printed-6-4495 = calculado a partir do valor impresso 6,4495
+computed-from-the-printed-6-4495 = calculado a partir do valor impresso 6,4495
 at-45-degrees = A 45 graus
 f-2 = ω² = ω_f² − Ω²/2
 n-6-4495-12-5-5-3938 = √(6,4495² − 12,5) = 5,3938.
@@ -4843,9 +4999,9 @@ a-blade-without-stiffness-is-a-string = Uma pá sem rigidez é uma corda
 # rotating_unbalance.toml
 fan-on-a-cantilever = Ventilador sobre viga em balanço
 lists-06-08-list-07-question-2 = Listas 06–08, lista 07, questão 2
-the-damping-is-known-only-by-the-largest-steady-amplitude-at-any-speed-20-3-mm = O amortecimento é conhecido apenas pela maior amplitude em regime permanente em qualquer rotação, 20,3 mm.
-the-peak-ratio-is-m-x-max-m-e-8-12-the-printed-solution-puts-20-3e-3-m-in-its-place-finds-no-real = A razão do pico é Λ = m X_max/(m₀e) = 8,12; a solução impressa põe 20,3e-3 m no lugar dela, não encontra raiz real e supõe 0,707. A raiz é ζ = 0,06169.
-follows-from-the-assumed-0-707-with-the-damping-that-the-stated-20-3-mm-fixes-x-19-456-mm = Decorre da hipótese ζ = 0,707. Com o amortecimento que os 20,3 mm do enunciado determinam, X = 19,456 mm.
+the-damping-is-known-only-from-the-maximum-steady-state-amplitude-at-any-speed-20-3-mm = O amortecimento é conhecido apenas pela amplitude máxima em regime permanente em qualquer rotação, 20,3 mm.
+the-peak-ratio-is-m-x-max-m-e-8-12-the-printed-solution-uses-20-3e-3-m-instead-finds-no-real-root-and = A razão do pico é Λ = m X_max/(m₀e) = 8,12; a solução impressa usa 20,3e-3 m em seu lugar, não encontra raiz real e supõe 0,707. A raiz é ζ = 0,06169.
+follows-from-the-assumed-0-707-with-the-damping-determined-by-the-stated-20-3-mm-x-19-456-mm = Decorre da hipótese ζ = 0,707. Com o amortecimento que os 20,3 mm do enunciado determinam, X = 19,456 mm.
 the-fan-as-it-should-have-come-out = O ventilador com o resultado correto
 lists-06-08-list-07-question-2-with-the-smaller-root-of-4-1-1 = Listas 06–08, lista 07, questão 2, com a menor raiz de 4Λ²ζ²(1 − ζ²) = 1
 the-fan-with-the-assumed-damping = O ventilador com o amortecimento adotado
@@ -4853,12 +5009,12 @@ lists-06-08-list-07-question-2-with-0-707-as-the-printed-solution-assumes = List
 the-printed-amplitude-follows-from-the-assumption-only-the-assumption-is-wrong = A amplitude impressa decorre da hipótese; só a hipótese está errada.
 exhaust-fan-on-undamped-springs = Exaustor sobre molas sem amortecimento
 exhaust-fan-problem-with-printed-answers-edu-com-question-1058325 = Problema do exaustor com respostas impressas (edu.com, questão 1058325)
-the-springs-are-known-by-their-static-deflection-of-45-mm-k-m-g-with-g-9-81-m-s = As molas são conhecidas pela sua deflexão estática de 45 mm: k = m g/δ com g = 9,81 m/s².
+the-springs-are-specified-by-their-static-deflection-of-45-mm-k-m-g-with-g-9-81-m-s = As molas são definidas pela sua deflexão estática de 45 mm: k = m g/δ com g = 9,81 m/s².
 the-printed-force-is-computed-from-rounded-numbers = a força impressa é calculada com números arredondados
 motor-with-up-to-a-tenth-of-critical-damping = Motor com até um décimo do amortecimento crítico
-the-stiffness-is-that-of-a-resonance-at-2210-rpm-1-kg-runs-60-mm-off-the-axis-the-amplitude-lies = A rigidez é a de uma ressonância a 2210 rpm; 1 kg gira a 60 mm do eixo de rotação. A amplitude fica entre a de um décimo do amortecimento crítico e a sem amortecimento.
+the-stiffness-gives-a-resonance-at-2210-rpm-1-kg-rotates-at-60-mm-from-the-axis-the-amplitude-lies = A rigidez corresponde a uma ressonância a 2210 rpm; 1 kg gira a 60 mm do eixo de rotação. A amplitude fica entre a com um décimo do amortecimento crítico e a sem amortecimento.
 engine-with-a-piston = Motor com um pistão
-the-piston-of-2-kg-with-a-stroke-of-80-mm-is-an-unbalance-of-2-kg-times-40-mm = O pistão de 2 kg com curso de 80 mm é um desbalanceamento de 2 kg vezes 40 mm.
+the-piston-of-2-kg-with-a-stroke-of-80-mm-is-equivalent-to-an-unbalance-of-2-kg-times-40-mm = O pistão de 2 kg com curso de 80 mm equivale a um desbalanceamento de 2 kg vezes 40 mm.
 exciter-at-its-natural-frequency = Excitador na sua frequência natural
 w-t-thomson-theory-of-vibration-with-applications-2nd-printing-ex-3-3-1-target-of-the-verification = W. T. Thomson, Theory of Vibration with Applications, 2ª impressão, ex. 3.3-1; valor de referência do problema de verificação VM88 do Ansys Mechanical APDL
 two-counter-rotating-weights-the-unbalance-is-the-force-of-2-4-lbf-at-5-415947-hz-over-the-square-of = Dois pesos que giram em sentidos opostos; o desbalanceamento é a força de 2,4 lbf a 5,415947 Hz sobre o quadrado dessa frequência.
@@ -4867,38 +5023,38 @@ shaft-on-two-bearings-with-a-light-disc = Eixo em dois mancais com um disco leve
 turbine-disc-problem-of-rao-ch-9-amplitude-e-r-1-r-2-r-at-6000-rpm = Problema do disco de turbina de Rao, cap. 9: amplitude e r²/√((1 − r²)² + (2ζr)²) a 6000 rpm
 e-207-gpa-is-assumed = Supõe-se E = 207 GPa.
 a-largest-amplitude-below-that-of-a-very-fast-machine = Maior amplitude abaixo da de uma máquina muito rápida
-the-peak-is-never-below-m-e-m-rao-5th-ed-3-7 = O pico nunca está abaixo de m₀e/m (Rao, 5ª ed., §3.7)
+the-peak-is-never-below-m-e-m-rao-5th-ed-3-7 = O pico nunca é menor que m₀e/m (Rao, 5ª ed., §3.7)
 
 # rotor_dynamics.toml
 two-discs-on-isotropic-bearings-at-4000-rpm = Dois discos em mancais isotrópicos a 4000 rpm
 m-i-friswell-et-al-dynamics-of-rotating-machines-ex-5-9-1-as-the-program-ross-asserts-it = M. I. Friswell et al., Dynamics of Rotating Machines, ex. 5.9.1, como o verifica o programa ROSS
-six-timoshenko-elements-ross-lists-650-41-rad-s-too-a-torsional-mode-not-a-lateral-one-the-unbalance = Seis elementos de Timoshenko. O ROSS lista também 650,41 rad/s: um modo torcional, não lateral. O desbalanceamento é nosso.
+six-timoshenko-elements-ross-also-lists-650-41-rad-s-a-torsional-mode-not-a-lateral-one-the-unbalance = Seis elementos de Timoshenko. O ROSS lista também 650,41 rad/s: um modo torcional, não lateral. O desbalanceamento foi escolhido aqui.
 the-same-rotor-at-rest = O mesmo rotor em repouso
-ours-is-716-786-on-the-edge-of-the-printed-place = o nosso é 716,786, no limite da casa impressa
+the-computed-value-is-716-786-at-the-rounding-limit-of-the-last-printed-digit = o valor calculado é 716,786, no limite de arredondamento da última casa impressa
 two-discs-on-softer-bearings-along-y = Dois discos em mancais mais flexíveis ao longo de y
 m-i-friswell-et-al-dynamics-of-rotating-machines-ex-5-9-3-as-the-program-ross-asserts-it = M. I. Friswell et al., Dynamics of Rotating Machines, ex. 5.9.3, como o verifica o programa ROSS
-ross-divides-these-values-by-2-and-compares-them-with-a-tolerance-of-100-taken-as-hertz-they-are = O ROSS divide estes valores por 2π e os compara com uma tolerância de 100 %; tomados como hertz, estão certos.
-the-mesh-behind-the-printed-value-is-another-one-78-745-with-six-elements = a malha por trás do valor impresso é outra: 78,745 com seis elementos
-the-mesh-behind-the-printed-value-is-another-one-120-33-with-six-elements = a malha por trás do valor impresso é outra: 120,33 com seis elementos
+ross-divides-these-values-by-2-and-compares-them-with-a-tolerance-of-100-interpreted-as-hertz-they = O ROSS divide estes valores por 2π e os compara com uma tolerância de 100 %; interpretados como hertz, estão corretos.
+the-printed-value-was-computed-with-another-mesh-78-745-with-six-elements = o valor impresso foi calculado com outra malha: 78,745 com seis elementos
+the-printed-value-was-computed-with-another-mesh-120-33-with-six-elements = o valor impresso foi calculado com outra malha: 120,33 com seis elementos
 two-discs-on-cross-coupled-bearings-as-labelled = Dois discos em mancais com acoplamento cruzado, conforme indicado
 m-i-friswell-et-al-dynamics-of-rotating-machines-ex-5-9-4-as-the-program-ross-asserts-it = M. I. Friswell et al., Dynamics of Rotating Machines, ex. 5.9.4, como o verifica o programa ROSS
 the-second-value-14-80-hz-is-14-79-hz-at-4000-rpm = O segundo valor, 14,80 Hz, é 14,79 Hz a 4000 rpm.
-at-4000-rpm-the-value-is-11-652-hz-the-printed-list-is-labelled-so-but-is-that-of-the-rotor-at-rest = A 4000 rpm o valor é 11,652 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
-at-4000-rpm-the-value-is-33-155-hz-the-printed-list-is-labelled-so-but-is-that-of-the-rotor-at-rest = A 4000 rpm o valor é 33,155 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
-at-4000-rpm-the-value-is-49-686-hz-the-printed-list-is-labelled-so-but-is-that-of-the-rotor-at-rest = A 4000 rpm o valor é 49,686 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
-at-4000-rpm-the-value-is-89-401-hz-the-printed-list-is-labelled-so-but-is-that-of-the-rotor-at-rest = A 4000 rpm o valor é 89,401 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
-at-4000-rpm-the-value-is-133-721-hz-the-printed-list-is-labelled-so-but-is-that-of-the-rotor-at-rest = A 4000 rpm o valor é 133,721 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
+at-4000-rpm-the-value-is-11-652-hz-the-printed-list-is-given-for-that-speed-but-is-that-of-the-rotor = A 4000 rpm o valor é 11,652 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
+at-4000-rpm-the-value-is-33-155-hz-the-printed-list-is-given-for-that-speed-but-is-that-of-the-rotor = A 4000 rpm o valor é 33,155 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
+at-4000-rpm-the-value-is-49-686-hz-the-printed-list-is-given-for-that-speed-but-is-that-of-the-rotor = A 4000 rpm o valor é 49,686 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
+at-4000-rpm-the-value-is-89-401-hz-the-printed-list-is-given-for-that-speed-but-is-that-of-the-rotor = A 4000 rpm o valor é 89,401 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
+at-4000-rpm-the-value-is-133-721-hz-the-printed-list-is-given-for-that-speed-but-is-that-of-the-rotor = A 4000 rpm o valor é 133,721 Hz; a lista impressa traz essa rotação, mas é a do rotor em repouso, com quatro algarismos.
 two-discs-on-cross-coupled-bearings-at-rest = Dois discos em mancais com acoplamento cruzado, em repouso
 the-printed-list-is-labelled-4000-rpm-it-holds-at-rest = A lista impressa está rotulada como de 4000 rpm; ela vale em repouso.
-the-mesh-behind-the-printed-value-is-another-one-97-944-with-six-elements = a malha por trás do valor impresso é outra: 97,944 com seis elementos
-the-mesh-behind-the-printed-value-is-another-one-126-568-with-six-elements = a malha por trás do valor impresso é outra: 126,568 com seis elementos
+the-printed-value-was-computed-with-another-mesh-97-944-with-six-elements = o valor impresso foi calculado com outra malha: 97,944 com seis elementos
+the-printed-value-was-computed-with-another-mesh-126-568-with-six-elements = o valor impresso foi calculado com outra malha: 126,568 com seis elementos
 example-rotor-of-ross-at-100-rad-s = Rotor de exemplo do ROSS a 100 rad/s
 ross-2-3-0-rotor-example = ROSS 2.3.0, rotor_example
 damped-rotor-of-thirty-elements-with-its-unbalance-response = Rotor amortecido de trinta elementos, com a sua resposta ao desbalanceamento
 ross-2-3-0-1-5-m-two-equal-discs-30-elements-at-400-rad-s = ROSS 2.3.0: 1,5 m, dois discos iguais, 30 elementos, a 400 rad/s
 stepped-rotor-of-18-stations-whirl-as-fast-as-it-spins = Rotor escalonado de 18 estações, precessão tão rápida quanto a rotação
 h-d-nelson-and-j-m-mcvaugh-1976-targets-of-the-verification-problem-vm247-of-ansys-mechanical-apdl = H. D. Nelson e J. M. McVaugh (1976); valores de referência do problema de verificação VM247 do Ansys Mechanical APDL
-the-stations-are-those-of-the-input-file-of-vm247-shear-is-left-out-the-first-third-and-fifth-whirl = As estações são as do arquivo de entrada do VM247; o cisalhamento é omitido. O primeiro, o terceiro e o quinto têm precessão contra a rotação.
+the-stations-are-those-of-the-input-file-of-vm247-shear-is-neglected-the-first-third-and-fifth-modes = As estações são as do arquivo de entrada do VM247; o cisalhamento é desprezado. O primeiro, o terceiro e o quinto modos têm precessão retrógrada.
 the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-15486 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 15486 rpm
 the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-17148 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 17148 rpm
 the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-46749 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 46749 rpm
@@ -4914,7 +5070,7 @@ the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-
 the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-20130 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 20130 rpm
 shaft-with-internal-viscous-damping-above-its-first-critical-speed = Eixo com amortecimento viscoso interno acima da sua primeira velocidade crítica
 e-s-zorzi-and-h-d-nelson-1976-targets-of-the-verification-problem-vm261-of-ansys-mechanical-apdl = E. S. Zorzi e H. D. Nelson (1976); valores de referência do problema de verificação VM261 do Ansys Mechanical APDL
-five-elements-of-the-length-bending-alone-the-printed-decrement-is-without-sign = Cinco elementos ao longo do comprimento, somente flexão. O decremento impresso está sem sinal.
+five-elements-over-the-length-bending-only-the-decrement-is-printed-without-its-sign = Cinco elementos ao longo do comprimento, somente flexão. O decremento está impresso sem o sinal.
 the-reference-is-read-off-a-campbell-diagram-forward-whirl-meets-the-line-at-5000-rpm = a referência é lida de um diagrama de Campbell; a precessão direta encontra a reta a 5000 rpm
 the-reference-is-read-off-a-campbell-diagram-forward-whirl-meets-the-line-at-10525-rpm = a referência é lida de um diagrama de Campbell; a precessão direta encontra a reta a 10525 rpm
 read-off-a-figure-the-decrement-of-the-first-forward-mode-at-539-25-rad-s-is-0-0038-the-sign = Lido de uma figura. O decremento do primeiro modo direto a 539,25 rad/s é −0,0038; o sinal, instabilidade acima da primeira velocidade crítica, é o mesmo.
@@ -4924,17 +5080,17 @@ uniform-shaft-on-rigid-bearings = Eixo uniforme em mancais rígidos
 a-1-ik-a-2-ik-eik-with-k-n-l-critical-at-eik-a-1-ik-a-forward-1-3ik-a-backward = ρA(1 + Ik²/A)ω² ∓ 2ρIk²Ωω = EIk⁴ com k = nπ/L; crítica em ω² = EIk⁴/(ρA(1 ∓ Ik²/A)) na precessão direta, 1 + 3Ik²/A na retrógrada
 twelve-elements = doze elementos
 internal-damping-turns-a-shaft-on-rigid-bearings-unstable-at-its-critical-speed = O amortecimento interno torna instável um eixo em mancais rígidos na sua velocidade crítica
-with-v-alone-the-whirl-of-the-damping-is-marginal-where-at-the-forward-critical-speed-4714-72-rpm = Só com η_v, a precessão ω é marginal quanto ao amortecimento onde ω = Ω: na velocidade crítica direta, 4714,72 rpm
+with-v-alone-the-whirl-frequency-is-at-the-damping-stability-limit-where-at-the-forward-critical = Só com η_v, a frequência de precessão ω está no limite de estabilidade do amortecimento onde ω = Ω: na velocidade crítica direta, 4714,72 rpm
 bearings-that-stiffen-with-speed = Mancais que enrijecem com a rotação
 short-stiff-shaft-on-two-bearings-m-2k-with-and-k-10-kn-m-390-kn-m-3000-rpm-m-12-3308-kg = Eixo curto e rígido sobre dois mancais: mω² = 2k(Ω) com ω = Ω e k = 10 kN/m + Ω·390 kN/m/(3000 rpm); m = 12,3308 kg
 the-shaft-is-not-quite-rigid = o eixo não é totalmente rígido
 the-same-bearings-their-table-from-500-rpm-on = Os mesmos mancais, com a tabela a partir de 500 rpm
-the-same-shaft-along-x-half-of-that-line-of-stiffness-over-speed-along-y-all-of-it = O mesmo eixo; na direção x, metade dessa reta da rigidez em função da rotação; na direção y, toda ela
-the-diagrams-begin-where-the-tables-do = Os diagramas começam onde começam as tabelas.
+the-same-shaft-along-x-half-of-that-linear-stiffness-speed-relation-along-y-all-of-it = O mesmo eixo; na direção x, metade dessa relação linear entre rigidez e rotação; na direção y, toda ela
+the-diagrams-start-at-the-first-point-of-the-tables = Os diagramas começam no primeiro ponto das tabelas.
 diagrams-beyond-the-table-of-a-bearing = Diagramas além da tabela de um mancal
-nothing-is-known-of-a-bearing-beyond-the-last-row-of-its-table = Nada se sabe de um mancal além da última linha da sua tabela
+no-bearing-data-are-available-beyond-the-last-row-of-its-table = Não há dados de um mancal além da última linha da sua tabela
 a-disc-beside-the-shaft = Disco fora do eixo
-a-disc-can-only-be-where-the-shaft-is = Um disco só pode estar onde há eixo
+a-disc-must-be-located-on-the-shaft = Um disco deve estar sobre o eixo
 a-shaft-compressed-beyond-buckling = Eixo comprimido além da flambagem
 euler-ei-l-248-05-kn = Euler: π²EI/L² = 248,05 kN
 
@@ -4942,25 +5098,25 @@ euler-ei-l-248-05-kn = Euler: π²EI/L² = 248,05 kN
 francis-turbine-with-a-damping-ratio-of-0-30 = Turbina Francis com razão de amortecimento de 0,30
 lists-06-08-list-08-question-3 = Listas 06–08, lista 08, questão 3
 length-and-young-s-modulus-are-those-of-the-figure-of-rao-s-example-2-m-and-207-gpa-with-0-30-the = O comprimento e o módulo de elasticidade são os da figura do exemplo de Rao, 2 m e 207 GPa. Com ζ = 0,30 a amplitude nunca passa de 0,035 mm, de modo que todo diâmetro é permitido.
-the-printed-solution-puts-the-damping-ratio-in-the-place-of-the-coefficient-c-0-3-n-s-m-which-is-next = A solução impressa põe a razão de amortecimento no lugar do coeficiente, c = 0,3 N·s/m, o que é quase não ter amortecimento, olha apenas a maior rotação e abandona o ramo flexível. Com ζ = 0,30 a maior amplitude de qualquer eixo é 0,0349 mm, contra uma folga de 5 mm: todo diâmetro é permitido.
+the-printed-solution-uses-the-damping-ratio-in-place-of-the-coefficient-c-0-3-n-s-m-which-is-almost = A solução impressa usa o fator de amortecimento no lugar do coeficiente, c = 0,3 N·s/m, o que é quase nenhum amortecimento, considera apenas a maior rotação e omite a operação supercrítica. Com ζ = 0,30 a amplitude máxima de qualquer eixo é 0,0349 mm, contra uma folga de 5 mm: todo diâmetro é permitido.
 the-turbine-with-a-damping-ratio-of-0-30-as-it-should-have-come-out = A turbina com razão de amortecimento de 0,30, com o resultado correto
 lists-06-08-list-08-question-3-with-the-peak-e-2-1 = Listas 06–08, lista 08, questão 3, com o pico e/(2ζ√(1 − ζ²))
 the-turbine-without-damping = A turbina sem amortecimento
 lists-06-08-list-08-question-3-with-k-m-m-e-r-at-480-and-7200-rpm = Listas 06–08, lista 08, questão 3, com k = (m ∓ m₀e/R)ω² a 480 e 7200 rpm
-between-the-two-branches-the-critical-speed-falls-into-the-range = Entre os dois ramos, a velocidade crítica cai dentro da faixa.
+between-supercritical-and-subcritical-operation-the-critical-speed-falls-within-the-range = Entre a operação supercrítica e a subcrítica, a velocidade crítica cai dentro da faixa.
 the-turbine-with-30-read-as-0-3-n-s-m = A turbina com 30 % lido como 0,3 N·s/m
 lists-06-08-list-08-question-3-with-the-coefficient-of-the-printed-solution = Listas 06–08, lista 08, questão 3, com o coeficiente da solução impressa
-the-printed-stiffness-and-diameter-are-those-of-the-stiff-branch-the-soft-one-is-missing = A rigidez e o diâmetro impressos são os do ramo rígido; falta o flexível.
-the-soft-branch-is-missing-diameters-up-to-113-4-mm-keep-the-rotor-clear-as-well-above-its-critical = Falta o ramo flexível: diâmetros de até 113,4 mm também mantêm o rotor sem contato, acima da sua velocidade crítica.
+the-printed-stiffness-and-diameter-are-those-of-subcritical-operation-supercritical-operation-is = A rigidez e o diâmetro impressos são os da operação subcrítica; falta a supercrítica.
+supercritical-operation-is-missing-diameters-up-to-113-4-mm-also-keep-the-rotor-clear-above-its = Falta a operação supercrítica: diâmetros de até 113,4 mm também mantêm o rotor sem contato, acima da sua velocidade crítica.
 the-turbine-of-the-textbook-without-damping-and-margins = A turbina do livro, sem amortecimento nem margens
 s-s-rao-mechanical-vibrations-4th-ed-ex-3-5 = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5
-the-printed-solution-solves-m-e-k-m-r-at-600-rpm-which-is-the-stiff-side-of-the-resonance-there-a = A solução impressa resolve m₀eω²/(k − mω²) = R a 600 rpm, que ali é o lado rígido da ressonância. Um eixo de 127,0 mm tem a sua velocidade crítica em 601 rpm, dentro da faixa. Os eixos flexíveis terminam em 126,74 mm, os rígidos começam em 401,6 mm.
+the-printed-solution-solves-m-e-k-m-r-at-600-rpm-which-there-is-the-subcritical-side-of-the-resonance = A solução impressa resolve m₀eω²/(k − mω²) = R a 600 rpm, que ali é o lado subcrítico da ressonância. Um eixo de 127,0 mm tem a sua velocidade crítica em 601 rpm, dentro da faixa. Os eixos supercríticos terminam em 126,74 mm, os subcríticos começam em 401,6 mm.
 the-textbook-turbine-as-it-should-have-come-out = A turbina do livro com o resultado correto
 s-s-rao-mechanical-vibrations-4th-ed-ex-3-5-with-k-m-m-e-r-at-600-and-6000-rpm = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5, com k = (m ∓ m₀e/R)ω² a 600 e 6000 rpm
 the-turbine-with-next-to-no-damping = A turbina quase sem amortecimento
 k-m-1-2-m-e-m-r-4-1-with-0-001 = k/(m ω²) = 1 − 2ζ² ∓ √((m₀e/(m R))² − 4ζ²(1 − ζ²)) com ζ = 0,001
 the-undamped-turbine-with-shafts-from-150-to-400-mm-only = A turbina sem amortecimento, só com eixos de 150 a 400 mm
-the-permitted-diameters-113-4-mm-and-less-or-439-9-mm-and-more-are-none-of-these = Os diâmetros permitidos, de até 113,4 mm ou a partir de 439,9 mm, não incluem nenhum destes
+the-permitted-diameters-up-to-113-4-mm-or-from-439-9-mm-include-none-of-these = Os diâmetros permitidos, de até 113,4 mm ou a partir de 439,9 mm, não incluem nenhum destes
 a-shaft-on-two-bearings = Eixo em dois mancais
 d-64-k-l-48-e-with-k-m-m-e-r = d = ⁴√(64 k L³/(48 π E)) com k = (m ∓ m₀e/R)ω²
 speeds-in-the-wrong-order = Rotações na ordem errada
@@ -4974,35 +5130,35 @@ no-eccentricity-will-do = Nenhuma excentricidade serve
 an-undamped-rotor-with-its-critical-speed-within-the-range-rao-5th-ed-9-5 = Um rotor sem amortecimento com a velocidade crítica dentro da faixa (Rao, 5ª ed., §9.5)
 speeds-of-the-textbook-turbine-on-its-shaft-of-127-mm = Rotações da turbina do livro no seu eixo de 127 mm
 s-s-rao-mechanical-vibrations-4th-ed-ex-3-5-with-r-r-e = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5, com ω = ωₙ√(R/(R ± e))
-the-band-of-600-to-6000-rpm-begins-inside-the-forbidden-one-the-shaft-of-the-book-touches-the-stator = A faixa de 600 a 6000 rpm começa dentro da proibida: o eixo do livro toca o estator assim que deixa 600 rpm.
+the-range-of-600-to-6000-rpm-begins-inside-the-forbidden-range-the-shaft-of-the-book-touches-the = A faixa de 600 a 6000 rpm começa dentro da faixa proibida: o eixo do livro toca o estator assim que passa de 600 rpm.
 every-speed-of-the-damped-turbine = Qualquer rotação da turbina amortecida
 the-peak-e-2-1-is-below-the-clearance-from-0-002-on = O pico e/(2ζ√(1 − ζ²)) fica abaixo da folga a partir de ζ = 0,002
 stiffnesses-of-the-textbook-turbine-up-to-50-mn-m = Rigidezes da turbina do livro até 50 MN/m
-s-s-rao-mechanical-vibrations-4th-ed-ex-3-5-the-stiff-branch-begins-at-99-09-mn-m = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5: o ramo rígido começa em 99,09 MN/m
+s-s-rao-mechanical-vibrations-4th-ed-ex-3-5-subcritical-operation-begins-at-99-09-mn-m = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5: a operação subcrítica começa em 99,09 MN/m
 
 # shaft_with_discs.toml
 three-loads-on-a-shaft-of-3-m = Três cargas num eixo de 3 m
-the-companion-puts-the-second-load-2000-n-in-the-place-of-the-third-1000-n-with-the-loads-of-the = O complemento põe a segunda carga, 2000 N, no lugar da terceira, 1000 N. Com as cargas do enunciado Dunkerley dá 4,276 Hz; com 2000 N duas vezes dá 4,076 Hz.
+the-companion-uses-the-second-load-2000-n-in-place-of-the-third-1000-n-with-the-loads-of-the = O complemento usa a segunda carga, 2000 N, no lugar da terceira, 1000 N. Com as cargas do enunciado a fórmula de Dunkerley dá 4,276 Hz; com 2000 N duas vezes dá 4,076 Hz.
 the-three-loads-with-the-slip-of-the-companion = As três cargas com o lapso do complemento
-the-printed-frequency-follows-from-the-slip-the-companion-takes-as-3-147-and-f-as-0-4985 = A frequência impressa decorre do engano; o complemento toma π como 3,147 e f como 0,4985/√δ.
+the-printed-frequency-follows-from-the-error-the-companion-takes-as-3-147-and-f-as-0-4985 = A frequência impressa decorre do erro; o complemento toma π como 3,147 e f como 0,4985/√δ.
 one-load-and-a-heavy-shaft = Uma carga e um eixo pesado
 the-density-of-40000-kg-m-is-that-of-the-statement-the-exact-value-is-that-of-the-dynamic-stiffness = A massa específica de 40000 kg/m³ é a do enunciado. O valor exato é o da rigidez dinâmica.
 the-companion-takes-as-3-147-and-f-as-0-4985 = o complemento toma π como 3,147 e f como 0,4985/√δ
 three-masses-and-the-weight-of-the-shaft = Três massas e o peso do eixo
-the-companion-calls-1962-the-weight-of-the-shaft-in-n-its-formula-and-the-density-of-steel-make-it = O complemento chama 1962 de peso do eixo em N; a sua fórmula e a massa específica do aço fazem dele 1962 N por metro.
+the-companion-calls-1962-the-weight-of-the-shaft-in-n-its-formula-and-the-density-of-steel-imply-1962 = O complemento chama 1962 de peso do eixo em N; a sua fórmula e a massa específica do aço implicam 1962 N por metro.
 one-disc-at-the-middle = Um disco no meio
 n-48ei-l-m-rao-5th-ed-2-2-with-one-disc-all-methods-are-exact = ω² = 48EI/(L³m) (Rao, 5ª ed., §2.2): com um só disco todos os métodos são exatos
 e-i-4-kn-m-48-4000-10-138-564-rad-s = E I = 4 kN·m²: ω = √(48·4000/10) = 138,564 rad/s.
 shaft-with-next-to-no-disc = Eixo quase sem disco
-ei-m-l-the-static-deflection-gives-rayleigh-1-00144-of-it-rao-5th-ed-8-5-8-7 = ω = π²√(EI/(m̄L⁴)); com a deflexão estática, Rayleigh dá π²√(1,00144…) disso (Rao, 5ª ed., §§8.5, 8.7)
-e-i-4-kn-m-m-4-kg-m-312-104-rad-s-rayleigh-with-the-deflection-under-its-own-weight-wy-m-y-3024-31-ei = E I = 4 kN·m², m̄ = 4 kg/m: 312,104 rad/s. Rayleigh com a deflexão sob o peso próprio: ω² = (∫wy)/(∫m̄y²) = 3024/31·EI/(m̄L⁴), 312,327 rad/s.
+ei-m-l-with-the-static-deflection-rayleigh-s-quotient-gives-1-00144-times-that-rao-5th-ed-8-5-8-7 = ω = π²√(EI/(m̄L⁴)); com a deflexão estática, Rayleigh dá π²√(1,00144…) disso (Rao, 5ª ed., §§8.5, 8.7)
+e-i-4-kn-m-m-4-kg-m-312-104-rad-s-rayleigh-s-quotient-with-the-deflection-under-self-weight-wy-m-y = E I = 4 kN·m², m̄ = 4 kg/m: 312,104 rad/s. Quociente de Rayleigh com a deflexão sob o peso próprio: ω² = (∫wy)/(∫m̄y²) = 3024/31·EI/(m̄L⁴), 312,327 rad/s.
 e-i-y-by-singularity-functions-unit-loads-one-after-the-other-a-2-66667-a-3-33333-a-2-m-n-det-a-m-1-0 = E I y'' por funções de singularidade, uma carga unitária de cada vez: a₁₁ = 2.66667, a₂₂ = 3.33333, a₁₂ = −2 µm/N; det(A M − 1/ω²) = 0
 disc-on-an-overhang = Disco num trecho em balanço
 n-3ei-c-l-c-m-shigley-table-a-9 = ω² = 3EI/(c²(l + c)m) (Shigley, tabela A-9)
 l-0-8-m-c-0-2-m-e-i-4-kn-m-5-kg-3-4000-0-04-1-5-244-949-rad-s = l = 0,8 m, c = 0,2 m, E I = 4 kN·m², 5 kg: ω = √(3·4000/(0,04·1·5)) = 244,949 rad/s.
-l-0-8-m-c-0-2-m-e-i-4-kn-m-the-weight-of-the-one-disc-lifts-the-other-rayleigh-by-the-static-shape-is = l = 0.8 m, c = 0.2 m, E I = 4 kN·m². O peso de um disco levanta o outro: Rayleigh pela forma estática fica longe.
+l-0-8-m-c-0-2-m-e-i-4-kn-m-the-weight-of-one-disc-lifts-the-other-rayleigh-s-quotient-with-the-static = l = 0.8 m, c = 0.2 m, E I = 4 kN·m². O peso de um disco levanta o outro: o quociente de Rayleigh com a forma estática erra muito.
 cantilever-with-two-discs-and-its-own-mass = Eixo em balanço com dois discos e a sua massa própria
-dynamic-stiffness-with-strain-and-kinetic-energy-of-its-shape-as-the-second-way = Rigidez dinâmica, com as energias de deformação e cinética da sua forma como segundo método
+dynamic-stiffness-verified-with-the-strain-and-kinetic-energy-of-the-mode-shape = Rigidez dinâmica; verificada com as energias de deformação e cinética da forma modal
 a-disc-beyond-the-shaft = Disco além do eixo
 the-disc-must-stand-on-the-shaft = O disco tem de estar sobre o eixo
 
@@ -5010,24 +5166,24 @@ the-disc-must-stand-on-the-shaft = O disco tem de estar sobre o eixo
 half-sine-pulse-on-undamped-oscillators = Pulso de meio seno em osciladores sem amortecimento
 shock-spectrum-of-a-half-sine-pulse-1-77-at-t-d-t-0-81-quoted-in-many-texts-among-them-c-m-harris-and = Espectro de choque de um pulso de meio seno, 1,77 em t_d/T = 0,81: citado em muitos textos, entre eles C. M. Harris e A. G. Piersol, Harris' Shock and Vibration Handbook, cap. 8
 the-same-to-more-digits = O mesmo, com mais algarismos
-the-greatest-primary-of-the-half-sine-sin-2-r-1-r-1-r-with-r-t-2t-d-over-r = O maior valor primário do meio seno, sen(2π r/(1 + r))/(1 − r) com r = T/(2t_d), sobre r
+the-maximum-primary-response-to-the-half-sine-sin-2-r-1-r-1-r-with-r-t-2t-d-over-r = A resposta primária máxima ao meio-seno, sen(2π r/(1 + r))/(1 − r) com r = T/(2t_d), sobre r
 at-100-hz-the-pulse-lasts-1-1-periods-the-residual-is-4n-cos-n-1-4n = A 100 Hz o pulso dura 1,1 período; o residual é 4n cos(πn)/(1 − 4n²).
 amplification-2-sin-n-up-to-n-1-2-2-from-there-on-rao-5th-ed-4-6 = Amplificação 2 sen(πn) até n = 1/2, 2 a partir daí (Rao, 5ª ed., §4.6)
 terminal-peak-sawtooth-with-a-twentieth-of-critical-damping = Dente de serra de pico final com um vigésimo do amortecimento crítico
 runge-kutta-integration-of-the-motion-relative-to-the-base = Integração de Runge–Kutta do movimento relativo à base
 a-record-by-its-table = Um registro pela sua tabela
-the-table-of-a-rectangle-gives-the-rectangle-2-sin-n = A tabela de um retângulo dá o retângulo: 2 sen(πn)
+the-table-of-a-rectangle-reproduces-the-rectangle-2-sin-n = A tabela de um retângulo reproduz o retângulo: 2 sen(πn)
 a-range-without-width = Faixa sem largura
 a-spectrum-needs-a-range = Um espectro precisa de uma faixa
 
 # spring_network.toml
 mass-on-a-rubber-pad-above-a-felt-pad = Massa sobre um coxim de borracha acima de um coxim de feltro
-the-book-combines-springs-and-dampers-each-in-series-the-exact-root-of-the-third-order-equation = O livro associa molas e amortecedores, cada grupo em série; a raiz exata da equação de terceira ordem consta ao lado.
+the-book-combines-the-springs-in-series-and-the-dampers-in-series-the-exact-root-of-the-third-order = O livro associa as molas em série e os amortecedores em série; a raiz exata da equação de terceira ordem é dada ao lado.
 the-two-pads-exactly = Os dois coxins com exatidão
 m-c-c-s-m-k-k-c-c-s-k-c-k-c-s-k-k-0 = m (c₁ + c₂) s³ + (m (k₁ + k₂) + c₁ c₂) s² + (k₁ c₂ + k₂ c₁) s + k₁ k₂ = 0
-a-kelvin-voigt-element-in-series-with-another-is-exact-in-k-cs-only-as-a-spring-and-a-damper-apart-it = Um elemento de Kelvin–Voigt em série com outro só é exato na forma k + cs; como mola e amortecedor separados, desvia-se aqui 0,03 % na frequência.
+for-a-kelvin-voigt-element-in-series-with-another-only-the-form-k-cs-is-exact-treating-spring-and = Para um elemento de Kelvin–Voigt em série com outro só a forma k + cs é exata; tratar mola e amortecedor separadamente dá aqui um erro de 0,03 % na frequência.
 a-bridge-of-springs = Uma ponte de molas
-balanced-bridge-the-spring-across-carries-nothing-and-two-pairs-in-series-stand-side-by-side = Ponte equilibrada: a mola transversal não leva força, e dois pares em série ficam em paralelo
+balanced-bridge-the-cross-spring-carries-no-force-and-two-series-pairs-are-in-parallel = Ponte equilibrada: a mola transversal não transmite força, e dois pares em série ficam em paralelo
 n-3-and-6-kn-m-in-series-are-2-kn-m-6-and-12-kn-m-in-series-are-4-kn-m = 3 e 6 kN/m em série são 2 kN/m, 6 e 12 kN/m em série são 4 kN/m.
 a-spring-beside-a-spring-and-damper-in-series = Mola ao lado de mola e amortecedor em série
 standard-linear-solid-k-i-k-k-i-c-k-i-c = Sólido linear padrão: k(iω) = k₁ + k₂ iωc/(k₂ + iωc)
@@ -5035,7 +5191,7 @@ at-k-c-the-branch-gives-k-1-i-2 = Em ω = k₂/c o ramo dá k₂ (1 + i)/2.
 two-masses-in-a-row = Duas massas em sequência
 equal-masses-and-springs-one-end-fixed-2-k-m-sin-10-and-sin-3-10 = Massas e molas iguais, uma extremidade fixa: ω = 2 √(k/m) sen(π/10) e sen(3π/10)
 a-node-that-nothing-holds = Um nó que nada segura
-there-is-no-such-equilibrium = Um equilíbrio assim não existe
+no-such-equilibrium-exists = Um equilíbrio assim não existe
 a-mass-shaken-at-its-natural-frequency = Massa excitada na sua frequência natural
 
 # string_rod_shaft.toml
@@ -5050,14 +5206,14 @@ w-t-thomson-vibration-theory-and-applications-ex-8-4-5-target-of-the-verificatio
 n-5000-ft-of-tube-fixed-at-the-top-the-collar-of-29-3-lbf-ft-s-at-its-lower-end-density-15-2174-slug = 5000 ft de tubo, fixo no topo, com o colar de 29,3 lbf·ft·s² na extremidade inferior; massa específica de 15,2174 slug/ft³.
 free-rod = Barra livre
 w-t-thomson-vibration-theory-and-applications-ex-8-3-1-target-of-the-verification-problem-vm61-of = W. T. Thomson, Vibration Theory and Applications, ex. 8.3-1; valor de referência do problema de verificação VM61 do Ansys Mechanical APDL
-n-800-in-of-steel-free-at-both-ends-the-source-counts-the-motion-as-a-whole-as-the-first-mode-its = 800 in de aço, livre nas duas extremidades. A fonte conta o movimento como corpo rígido como primeiro modo; a segunda e a terceira frequências dela são aqui a primeira e a segunda.
+n-800-in-of-steel-free-at-both-ends-the-source-counts-the-rigid-body-motion-as-the-first-mode-its = 800 in de aço, livre nas duas extremidades. A fonte conta o movimento como corpo rígido como primeiro modo; a segunda e a terceira frequências dela são aqui a primeira e a segunda.
 tower-of-thin-walls-in-shear = Torre de paredes finas em cisalhamento
 r-d-blevins-formulas-for-natural-frequency-and-mode-shape-target-of-the-verification-problem-vm202-of = R. D. Blevins, Formulas for Natural Frequency and Mode Shape; valor de referência do problema de verificação VM202 do Ansys Mechanical APDL
-a-square-tube-10-m-wide-and-30-m-high-clamped-at-its-foot = Um tubo quadrado, de 10 m de largura e 30 m de altura, engastado na base.
-the-frequencies-of-a-shear-beam-clamped-at-one-end-are-as-1-3-5-so-that-the-first-target-17-375-hz = As frequências de uma viga de cisalhamento engastada numa extremidade são como 1 : 3 : 5, de modo que o primeiro valor de referência, 17,375 Hz, dá 52,126 Hz para o segundo.
+a-square-tube-10-m-wide-and-30-m-high-clamped-at-its-base = Um tubo quadrado, de 10 m de largura e 30 m de altura, engastado na base.
+the-frequencies-of-a-shear-beam-clamped-at-one-end-are-in-the-ratio-1-3-5-so-that-the-first-target-17 = As frequências de uma viga de cisalhamento engastada numa extremidade estão na razão 1 : 3 : 5, de modo que o primeiro valor de referência, 17,375 Hz, dá 52,126 Hz para o segundo.
 deep-square-beam-in-torsion = Viga alta de seção quadrada em torção
 nafems-test-fv5-torsional-modes-target-in-the-verification-problem-vmp09-t5-of-ansys-mechanical-apdl = NAFEMS, teste FV5, modos torcionais; valor de referência no problema de verificação VMP09-T5 do Ansys Mechanical APDL
-n-10-m-long-and-2-m-by-2-m-held-against-turning-at-one-end-only = 10 m de comprimento e 2 m por 2 m; impedido de girar em uma só extremidade.
+n-10-m-long-and-2-m-by-2-m-torsion-is-restrained-at-one-end-only = 10 m de comprimento e 2 m por 2 m; a torção é impedida em uma só extremidade.
 the-target-takes-the-torsion-constant-of-the-square-as-0-1406-a-saint-venant-s-series-gives-0-140577 = o valor de referência toma a constante de torção do quadrado como 0,1406 a⁴; a série de Saint-Venant dá 0,140577 a⁴
 deep-square-beam-in-torsion-with-the-constant-of-the-tables = Viga alta de seção quadrada em torção com a constante das tabelas
 the-torsion-constant-is-0-1406-a = A constante de torção é 0,1406 a⁴.
@@ -5065,28 +5221,28 @@ deep-square-beam-along-its-axis = Viga alta de seção quadrada ao longo do seu 
 nafems-test-fv5-axial-mode-target-in-the-verification-problem-vmp09-t5-of-ansys-mechanical-apdl = NAFEMS, teste FV5, modo axial; valor de referência no problema de verificação VMP09-T5 do Ansys Mechanical APDL
 short-beam-along-its-axis = Viga curta ao longo do seu eixo
 code-aster-validation-manual-v2-test-sdll01-axial-modes = Manual de validação do Code_Aster, V2, teste SDLL01, modos axiais
-held-along-its-axis-at-one-end-only = Preso na direção longitudinal em uma só extremidade.
+axially-fixed-at-one-end-only = Fixo axialmente em uma só extremidade.
 rod-with-its-own-mass-at-its-end = Barra com a sua própria massa na extremidade
 tan-1-for-a-mass-equal-to-that-of-the-rod-rao-5th-ed-8-3 = β tan β = 1 para uma massa igual à da barra (Rao, 5ª ed., §8.3)
 a-spring-as-stiff-as-the-rod = Mola tão rígida quanto a barra
 tan-for-a-rod-fixed-at-one-end-with-a-spring-ea-l-at-the-other = tan β = −β para uma barra fixa numa extremidade, com uma mola EA/L na outra
 a-light-rod-between-two-masses = Barra leve entre duas massas
-two-masses-on-a-spring-ea-l-ea-l-1-m-1-m-where-the-rod-has-next-to-no-mass = Duas massas sobre uma mola EA/L: ω² = (EA/L)(1/m₁ + 1/m₂), quando a barra quase não tem massa
+two-masses-on-a-spring-ea-l-ea-l-1-m-1-m-where-the-mass-of-the-rod-is-negligible = Duas massas sobre uma mola EA/L: ω² = (EA/L)(1/m₁ + 1/m₂), quando a massa da barra é desprezível
 weight-of-a-cable = Peso de um cabo
 c-t-g-w-f-c-2l = c = √(T g/w), f = c/(2L)
 a-cable-of-20-n-m-under-50-kn-c-50000-9-81-20-156-605-m-s = Um cabo de 20 N/m sob 50 kN: c = √(50000·9,81/20) = 156,605 m/s.
 a-density-without-an-area = Massa específica sem área
-the-mass-of-each-length-is-density-times-area = A massa por unidade de comprimento é a massa específica vezes a área
+the-mass-per-unit-length-is-density-times-area = A massa por unidade de comprimento é a massa específica vezes a área
 
 # swing_test.toml
 connecting-rod-on-a-knife-edge = Biela sobre um cutelo
 g-t-4-j-o-m-s-j-m-s-s = λ = g T²/(4π²), J_O = m s λ, J = m s (λ − s)
-fifty-swings-in-85-70-s = Cinquenta oscilações em 85,70 s.
+fifty-oscillations-in-85-70-s = Cinquenta oscilações em 85,70 s.
 a-uniform-bar-gives-its-own-moment-of-inertia = Uma barra uniforme devolve o seu próprio momento de inércia
 j-m-l-12-with-l-1-2-m-t-2-s-g-s-with-s-0-5-m = J = m L²/12 com L = 1,2 m, T = 2π √((κ² + s²)/(g s)) com s = 0,5 m
 the-rod-swings-by-60-degrees-to-each-side = A biela oscila 60 graus para cada lado
 t-t-agm-1-cos-2 = T₀ = T agm(1, cos θ₀/2)
-taken-as-small-these-swings-would-give-a-moment-of-inertia-more-than-half-as-large-again = Tomadas como pequenas, estas oscilações dariam um momento de inércia maior em mais da metade.
+if-treated-as-small-these-oscillations-would-give-a-moment-of-inertia-more-than-50-too-large = Tomadas como pequenas, estas oscilações dariam um momento de inércia maior em mais da metade.
 a-weight-in-pounds = Um peso em libras
 g-t-4-j-m-s-s-m-w-g = λ = g T²/(4π²), J = m s (λ − s), m = W/g
 two-points-the-mass-centre-between-them = Dois pontos, com o centro de massa entre eles
@@ -5110,29 +5266,29 @@ g-sin-t-2-s-1 = κ² = ρ² (g sen α t²/(2 s) − 1)
 a-period-too-short-for-its-distance = Período curto demais para a sua distância
 s-for-every-body = λ > s para todo corpo
 a-reversible-pendulum = Pêndulo reversível
-l-leaves-the-mass-centre-open = λ₁ = λ₂ = L deixa indeterminado o centro de massa
+l-leaves-the-centre-of-mass-indeterminate = λ₁ = λ₂ = L deixa indeterminado o centro de massa
 
 # tapered_beam.toml
 triangular-plate-spring = Mola de lâmina triangular
 s-timoshenko-vibration-problems-in-engineering-art-62-target-of-the-verification-problem-vm62-of = S. Timoshenko, Vibration Problems in Engineering, art. 62; valor de referência do problema de verificação VM62 do Ansys Mechanical APDL
-a-cantilever-of-16-in-4-in-wide-at-the-root-and-pointed-at-the-tip-1-in-thick-density-0-000728-lbf-s = Uma viga em balanço de 16 in, com 4 in de largura na raiz e terminada em ponta, de 1 in de espessura; massa específica de 0,000728 lbf·s²/in⁴.
-the-settled-frequency-number-is-7-1565-which-gives-260-72-hz-rayleigh-ritz-an-upper-bound-and-the = O número de frequência convergido é 7,1565, o que dá 260,72 Hz: Rayleigh–Ritz, um limite superior, e o quociente dos momentos concordam em nove algarismos. O valor de referência está 0,6 % abaixo.
+a-cantilever-16-in-long-4-in-wide-at-the-root-and-tapering-to-a-point-1-in-thick-density-0-000728-lbf = Uma viga em balanço de 16 in, com 4 in de largura na raiz e terminada em ponta, de 1 in de espessura; massa específica de 0,000728 lbf·s²/in⁴.
+the-converged-frequency-number-is-7-1565-which-gives-260-72-hz-rayleigh-ritz-an-upper-bound-and-the = O número de frequência convergido é 7,1565, o que dá 260,72 Hz: Rayleigh–Ritz, um limite superior, e o quociente dos momentos concordam em nove algarismos. O valor de referência está 0,6 % abaixo.
 the-plate-spring-as-it-should-have-come-out = A mola de lâmina com o resultado correto
 finite-elements-260-716-hz-frequency-number-7-156 = Elementos finitos, 260,716 Hz (número de frequência 7,156)
 double-taper-breadth-ratio-4 = Afilamento duplo, razão de larguras 4
 h-h-mabie-and-c-b-rogers-j-acoust-soc-am-51-1972-code-aster-validation-manual-test-sdll09-v2-02-009 = H. H. Mabie e C. B. Rogers, J. Acoust. Soc. Am. 51 (1972); manual de validação do Code_Aster, teste SDLL09 (V2.02.009)
-a-cantilever-whose-height-falls-to-a-quarter-and-whose-breadth-to-a-quarter-the-frequency-numbers-are = Uma viga em balanço cuja altura se reduz a um quarto e cuja largura se reduz a um quarto; os números de frequência são ωL²√(12ρ/E)/h₁ com a altura h₁ da extremidade livre, que aqui é a esquerda.
-the-printed-table-is-0-013-below-the-settled-value-23-2921 = a tabela impressa fica 0,013 % abaixo do valor convergido 23,2921
-the-printed-table-is-0-024-below-the-settled-value-73-918 = a tabela impressa fica 0,024 % abaixo do valor convergido 73,918
-the-printed-table-is-0-032-below-the-settled-value-165-283 = a tabela impressa fica 0,032 % abaixo do valor convergido 165,283
-the-printed-table-is-0-025-below-the-settled-value-299-77 = a tabela impressa fica 0,025 % abaixo do valor convergido 299,77
-the-printed-table-is-0-015-below-the-settled-value-478-17 = a tabela impressa fica 0,015 % abaixo do valor convergido 478,17
+a-cantilever-whose-height-tapers-to-a-quarter-and-whose-width-to-a-quarter-the-frequency-numbers-are = Uma viga em balanço cuja altura se reduz a um quarto e cuja largura se reduz a um quarto; os números de frequência são ωL²√(12ρ/E)/h₁ com a altura h₁ da extremidade livre, que aqui é a esquerda.
+the-printed-table-is-0-013-below-the-converged-value-23-2921 = a tabela impressa fica 0,013 % abaixo do valor convergido 23,2921
+the-printed-table-is-0-024-below-the-converged-value-73-918 = a tabela impressa fica 0,024 % abaixo do valor convergido 73,918
+the-printed-table-is-0-032-below-the-converged-value-165-283 = a tabela impressa fica 0,032 % abaixo do valor convergido 165,283
+the-printed-table-is-0-025-below-the-converged-value-299-77 = a tabela impressa fica 0,025 % abaixo do valor convergido 299,77
+the-printed-table-is-0-015-below-the-converged-value-478-17 = a tabela impressa fica 0,015 % abaixo do valor convergido 478,17
 double-taper-breadth-ratio-5 = Afilamento duplo, razão de larguras 5
-a-cantilever-whose-height-falls-to-a-quarter-and-whose-breadth-to-a-fifth-the-frequency-numbers-are-l = Uma viga em balanço cuja altura se reduz a um quarto e cuja largura se reduz a um quinto; os números de frequência são ωL²√(12ρ/E)/h₁ com a altura h₁ da extremidade livre, que aqui é a esquerda.
-the-printed-table-is-0-012-below-the-settled-value-24-3110 = a tabela impressa fica 0,012 % abaixo do valor convergido 24,3110
-the-printed-table-is-0-022-below-the-settled-value-75-577 = a tabela impressa fica 0,022 % abaixo do valor convergido 75,577
-the-printed-table-is-0-023-below-the-settled-value-167-249 = a tabela impressa fica 0,023 % abaixo do valor convergido 167,249
-the-printed-table-is-0-012-below-the-settled-value-480-46 = a tabela impressa fica 0,012 % abaixo do valor convergido 480,46
+a-cantilever-whose-height-tapers-to-a-quarter-and-whose-width-to-a-fifth-the-frequency-numbers-are-l = Uma viga em balanço cuja altura se reduz a um quarto e cuja largura se reduz a um quinto; os números de frequência são ωL²√(12ρ/E)/h₁ com a altura h₁ da extremidade livre, que aqui é a esquerda.
+the-printed-table-is-0-012-below-the-converged-value-24-3110 = a tabela impressa fica 0,012 % abaixo do valor convergido 24,3110
+the-printed-table-is-0-022-below-the-converged-value-75-577 = a tabela impressa fica 0,022 % abaixo do valor convergido 75,577
+the-printed-table-is-0-023-below-the-converged-value-167-249 = a tabela impressa fica 0,023 % abaixo do valor convergido 167,249
+the-printed-table-is-0-012-below-the-converged-value-480-46 = a tabela impressa fica 0,012 % abaixo do valor convergido 480,46
 double-taper-between-two-bounds = Afilamento duplo entre dois limites
 rayleigh-ritz-from-above-and-the-quotient-of-the-moments-from-below-which-agree-to-twelve-digits = Rayleigh–Ritz por cima e o quociente dos momentos por baixo, que concordam em doze algarismos
 wedge = Cunha
@@ -5141,7 +5297,7 @@ kirchhoff-8-719-ei-a-l-for-a-clamped-cone-timoshenko-art-62 = Kirchhoff: ω = 8,
 no-taper = Sem afilamento
 uniform-cantilever-roots-of-cos-cosh-1-rao-5th-ed-8-5 = Viga em balanço uniforme: Λ = β², raízes de cos β cosh β = −1 (Rao, 5ª ed., §8.5)
 a-point-that-is-to-be-held = Uma ponta aguda que se quer apoiar
-a-section-without-area-carries-nothing = Uma seção sem área nada sustenta
+a-section-without-area-carries-no-load = Uma seção sem área não suporta carga
 
 # torsional_train.toml
 three-rotors-on-one-shaft = Três rotores num mesmo eixo
@@ -5149,39 +5305,39 @@ w-r-is-printed-in-long-tons-times-ft-g-32-2-ft-s = W R² está impresso em tonel
 the-printed-value-follows-from-node-positions-read-to-three-figures = o valor impresso decorre de posições dos nós lidas com três algarismos
 two-rotors-on-a-shaft-of-five-steps = Dois rotores num eixo de cinco degraus
 w-r-is-printed-in-lb-times-ft-g-32-2-ft-s = W R² está impresso em lb vezes ft²; g = 32,2 ft/s².
-the-companion-program-divides-whole-numbers-so-that-3-5-and-3-7-become-zero-and-the-steps-of-5-in-and = O programa complementar faz divisão de números inteiros, de modo que (3/5)⁴ e (3/7)⁴ se tornam zero e os trechos de 5 in e 7 in desaparecem; com eles a frequência é 22,26 Hz.
+the-companion-program-uses-integer-division-so-that-3-5-and-3-7-become-zero-and-the-steps-of-5-in-and = O programa complementar usa divisão inteira, de modo que (3/5)⁴ e (3/7)⁴ se tornam zero e os trechos de 5 in e 7 in desaparecem; com eles a frequência é 22,26 Hz.
 the-five-steps-as-they-should-have-come-out = Os cinco degraus com o resultado correto
 k-j-j-j-j-1-k-32-l-g-d-g-32-2-ft-s = ω = √(k (J₁ + J₂)/(J₁ J₂)), 1/k = Σ 32 l/(π G d⁴), g = 32,2 ft/s²
 two-discs-on-a-long-shaft = Dois discos num eixo longo
-n-58-16595-was-cut-not-rounded = 58,16595 foi truncado, não arredondado
+n-58-16595-was-truncated-not-rounded = 58,16595 foi truncado, não arredondado
 the-two-discs-with-half-of-the-shaft-twice-as-thick = Os dois discos com metade do eixo duas vezes mais grossa
 printed-as-a-ratio-of-1-372-to-the-first-frequency-9-257-hz-12-70-hz = Impresso como razão de 1,372 para a primeira frequência, 9,257 Hz: 12,70 Hz.
 two-equal-flywheels = Dois volantes iguais
 motor-and-pump-through-a-gear-of-three-to-one = Motor e bomba por uma engrenagem de três para um
-the-motor-runs-at-1500-rpm-three-times-as-fast-as-the-pump-the-gears-are-taken-as-light = O motor gira a 1500 rpm, três vezes mais depressa que a bomba; as engrenagens são tomadas como leves.
+the-motor-runs-at-1500-rpm-three-times-the-speed-of-the-pump-the-inertia-of-the-gears-is-neglected = O motor gira a 1500 rpm, três vezes a rotação da bomba; a inércia das engrenagens é desprezada.
 four-discs-under-a-harmonic-torque = Quatro discos sob um torque harmônico
 n-10-kn-m-at-5-rad-s-on-the-second-disc = 10 kN·m a 5 rad/s no segundo disco.
-the-printed-amplitudes-are-worked-with-four-figures = as amplitudes impressas são calculadas com quatro algarismos
-the-torque-of-the-third-shaft-was-summed-without-that-of-the-first-disc-and-the-torque-from-outside = O torque do terceiro eixo foi somado sem o do primeiro disco e sem o torque externo. Os quatro torques de inércia e os 10 kN·m equilibram-se com −1,9604 rad.
+the-printed-amplitudes-are-computed-with-four-significant-figures = as amplitudes impressas são calculadas com quatro algarismos significativos
+the-torque-of-the-third-shaft-was-summed-without-that-of-the-first-disc-and-the-external-torque-the = O torque do terceiro eixo foi somado sem o do primeiro disco e sem o torque externo. Os quatro torques de inércia e os 10 kN·m equilibram-se com −1,9604 rad.
 three-rotors-with-nodes = Três rotores com nós
 a-branched-train-with-geared-sides = Trem ramificado com lados engrenados
-three-equal-branches-on-a-hub-k-j-of-a-branch-twice-and-k-1-j-3-j-h = Três ramos iguais num cubo: ω² = k/J de um ramo, duas vezes, e k (1/J + 3/J_h)
-the-third-branch-stands-behind-gears-of-two-to-one-with-a-quarter-of-the-stiffness-and-the-inertia = O terceiro ramo fica atrás de engrenagens de dois para um, com um quarto da rigidez e da inércia: reduzido, é como os outros.
+three-equal-branches-on-a-hub-k-j-of-a-branch-double-root-and-k-1-j-3-j-h = Três ramos iguais num cubo: ω² = k/J de um ramo, raiz dupla, e k (1/J + 3/J_h)
+the-third-branch-is-behind-2-1-gears-with-a-quarter-of-the-stiffness-and-inertia-reduced-it-is-like = O terceiro ramo está atrás de engrenagens 2:1, com um quarto da rigidez e da inércia: reduzido, é como os outros.
 a-disc-between-two-walls-at-a-trial-frequency = Disco entre duas paredes, a uma frequência de tentativa
-k-k-j-at-30-rad-s-the-walls-ask-for-900-n-m-rad-less-than-the-2500-they-can-give = ω = √((k₁ + k₂)/J); em ω = 30 rad/s as paredes exigem 900 N·m/rad a menos que os 2500 que podem dar
+k-k-j-at-30-rad-s-the-walls-must-supply-900-n-m-rad-less-than-their-capacity-of-2500 = ω = √((k₁ + k₂)/J); em ω = 30 rad/s as paredes devem fornecer 900 N·m/rad a menos que a sua capacidade de 2500
 a-torque-at-a-natural-frequency = Torque numa frequência natural
 two-discs-of-1-kg-m-on-50-n-m-rad-10-rad-s = Dois discos de 1 kg·m² ligados por 50 N·m/rad: ω = 10 rad/s
 a-shaft-that-closes-a-loop = Eixo que fecha uma malha
-a-train-is-a-tree = Um trem torcional é uma árvore
+a-torsional-train-must-be-a-tree-no-closed-loops = Um trem torcional deve ser uma árvore (sem malhas fechadas)
 
 # transient_response.toml
 beam-with-a-load-that-rises-in-75-ms = Viga com carga que sobe em 75 ms
 j-m-biggs-introduction-to-structural-dynamics-p-50-ex-e-target-of-the-verification-problem-vm77-of = J. M. Biggs, Introduction to Structural Dynamics, p. 50, ex. E; valor de referência do problema de verificação VM77 do Ansys Mechanical APDL
-n-20-kip-on-the-mass-in-the-middle-of-a-simply-supported-beam-the-printed-values-are-read-from-a = 20 kip na massa no meio de uma viga biapoiada. Os valores impressos são lidos de um ábaco.
+n-20-kip-on-the-mass-at-midspan-of-a-simply-supported-beam-the-printed-values-are-read-from-a-chart = 20 kip na massa no meio do vão de uma viga biapoiada. Os valores impressos são lidos de um ábaco.
 the-printed-value-is-read-from-a-chart = o valor impresso é lido de um ábaco
 it-follows-from-the-chart = decorre do ábaco
 the-same-beam-by-the-closed-form-of-the-ramp = A mesma viga pela fórmula fechada da rampa
-x-max-1-sin-t-r-t-t-r-t-ramp-that-is-held-rao-5th-ed-4-6 = x_max = δ(1 + |sen(πt_r/T)|/(πt_r/T)), rampa que se mantém (Rao, 5ª ed., §4.6)
+x-max-1-sin-t-r-t-t-r-t-ramp-with-constant-final-value-rao-5th-ed-4-6 = x_max = δ(1 + |sen(πt_r/T)|/(πt_r/T)), rampa com valor final constante (Rao, 5ª ed., §4.6)
 impulse-without-damping = Impulso sem amortecimento
 w-t-thomson-vibration-theory-and-applications-art-4-1-target-of-the-verification-problem-vm74-of = W. T. Thomson, Vibration Theory and Applications, art. 4.1; valor de referência do problema de verificação VM74 do Ansys Mechanical APDL
 impulse-with-seven-tenths-of-critical-damping = Impulso com sete décimos do amortecimento crítico
@@ -5190,17 +5346,17 @@ w-t-thomson-vibration-theory-and-applications-art-4-3-target-of-the-verification
 step-with-half-of-critical-damping = Degrau com metade do amortecimento crítico
 unit-step-on-a-second-order-system = Degrau unitário num sistema de segunda ordem
 c-m-close-and-d-k-frederick-modeling-and-analysis-of-dynamic-systems-p-314-target-of-the-verification = C. M. Close e D. K. Frederick, Modeling and Analysis of Dynamic Systems, p. 314; valor de referência do problema de verificação VME3 do Ansys Mechanical APDL
-the-peak-is-asked-as-a-multiple-of-the-value-that-stays = O pico é pedido como múltiplo do valor que permanece.
+the-peak-is-required-as-a-multiple-of-the-final-value = O pico é pedido como múltiplo do valor final.
 the-peak-is-printed-as-1-5 = o pico está impresso como 1,5
 impulse-in-the-shape-of-a-triangle = Impulso em forma de triângulo
 w-t-thomson-theory-of-vibration-with-applications-prob-4-20 = W. T. Thomson, Theory of Vibration with Applications, probl. 4-20
 no-answer-is-printed-the-triangle-is-symmetric-g-386-in-s-the-value-is-the-sum-of-three-ramps = Nenhuma resposta é impressa. O triângulo é simétrico; g = 386 in/s². O valor é a soma de três rampas.
 the-triangle-s-impulse-given-at-once = O impulso do triângulo aplicado de uma só vez
 x-max-i-m-w-t-thomson-theory-of-vibration-with-applications-prob-4-20-taken-as-an-ideal-impulse = x_max = I/(m ωₙ): W. T. Thomson, Theory of Vibration with Applications, probl. 4-20, tomado como um impulso ideal
-the-triangle-lasts-most-of-a-period-taking-it-as-an-impulse-overstates-the-motion-by-two-thirds = O triângulo dura a maior parte de um período: tomá-lo como impulso superestima o movimento em dois terços.
+the-triangle-lasts-most-of-a-period-treating-it-as-an-impulse-overestimates-the-motion-by-two-thirds = O triângulo dura a maior parte de um período: tomá-lo como impulso superestima o movimento em dois terços.
 half-sine-pulse-in-resonance = Pulso de meio seno em ressonância
-a-half-sine-as-long-as-half-the-period-x-sin-t-t-cos-t-2-which-reaches-2-at-its-end = Um meio seno com a duração de meio período: x = δ(sen ωt − ωt cos ωt)/2, que chega a πδ/2 no seu fim
-the-usual-formula-with-1-r-below-the-line-fails-here = A fórmula usual, com 1 − r² no denominador, falha aqui.
+a-half-sine-pulse-of-half-the-natural-period-x-sin-t-t-cos-t-2-which-reaches-2-at-its-end = Um pulso meio-seno com a duração de meio período natural: x = δ(sen ωt − ωt cos ωt)/2, que chega a πδ/2 no seu fim
+the-usual-formula-with-1-r-in-the-denominator-fails-here = A fórmula usual, com 1 − r² no denominador, falha aqui.
 blast-a-triangle-with-its-peak-at-the-start = Explosão: triângulo com o pico no início
 t-m-2-arctan-t-d-x-1-cos-t-sin-t-t-d-t-t-d-for-a-blast-as-long-as-the-period = t_m = 2 arctan(ω t_d)/ω, x = δ(1 − cos ωt + sen ωt/(ω t_d) − t/t_d), para uma explosão com a duração do período
 rectangular-pulse-shorter-than-half-a-period = Pulso retangular mais curto que meio período
@@ -5214,8 +5370,8 @@ x-e-t-cos-t-sin-t-1-1-its-first-peak = x = δ(e^(−t/τ) − cos ωt + sen(ωt)
 fifty-g-for-eleven-milliseconds-on-a-damped-20-hz-mount = Cinquenta g durante onze milissegundos sobre um coxim amortecido de 20 Hz
 half-sine-base-pulse-integrated-numerically-classical-runge-kutta-400-000-steps-a-second = Pulso de meio seno na base, integrado numericamente (Runge–Kutta clássico, 400 000 passos por segundo)
 a-triangle-by-its-table = Um triângulo pela sua tabela
-the-table-of-the-symmetric-triangle-gives-the-triangle = A tabela do triângulo simétrico dá o triângulo
-as-the-triangle-of-prob-4-20-by-three-points = Como o triângulo do probl. 4-20, por três pontos.
+the-table-of-the-symmetric-triangle-reproduces-the-triangle = A tabela do triângulo simétrico reproduz o triângulo
+same-as-the-triangle-of-prob-4-20-defined-by-three-points = Igual ao triângulo do probl. 4-20, definido por três pontos.
 released-with-a-velocity = Solto com uma velocidade
 free-vibration-x-x-v = Vibração livre: X = √(x₀² + (v₀/ωₙ)²)
 x-t-sin-t-t-r-unbounded-but-known-at-every-time = x = δ(t − sen(ωt)/ω)/t_r: ilimitado, mas conhecido em qualquer instante
@@ -5227,9 +5383,9 @@ machine-of-1500-kg-below-its-resonance = Máquina de 1500 kg abaixo da sua resso
 exercise-on-a-machine-of-1500-kg-physicsforums-com-368412-by-k-a-f-x-a-m-a-k-a-and-the-frequency = Exercício sobre uma máquina de 1500 kg (physicsforums.com 368412), por k_a = F₀/X_a, m_a = k_a/ω² e pela equação das frequências
 the-thread-has-no-answer-the-force-of-200-n-acts-at-80-of-the-natural-frequency-and-the-absorber-may = A discussão não tem resposta. A força de 200 N atua a 80 % da frequência natural, e o absorvedor pode mover-se 10 mm.
 rotor-with-a-torsional-absorber-on-four-springs = Rotor com absorvedor torcional em quatro molas
-both-resonances-are-to-be-at-least-20-away-from-the-speed-the-lower-one-decides-the-book-numbers-the = As duas ressonâncias devem ficar a pelo menos 20 % da rotação; a inferior é a que decide. O livro dá ao absorvedor o número 2: J₂, b₂.
+both-resonances-must-be-at-least-20-away-from-the-speed-the-lower-one-governs-the-book-numbers-the = As duas ressonâncias devem ficar a pelo menos 20 % da rotação; a inferior é a determinante. O livro dá ao absorvedor o número 2: J₂, b₂.
 trial-absorber-of-1-kg-then-a-better-one = Absorvedor de ensaio de 1 kg, depois um melhor
-tuned-to-220-cpm-the-trial-absorber-splits-the-resonance-into-188-and-258-cpm-with-the-new-one-there = Sintonizado em 220 cpm, o absorvedor de ensaio divide a ressonância em 188 e 258 cpm; com o novo não deve haver nenhuma de 150 a 310 cpm. O livro toma a média de duas razões de massas; o complemento chama o segundo par de sistema principal, mas é o novo absorvedor.
+tuned-to-220-cpm-the-trial-absorber-splits-the-resonance-into-188-and-258-cpm-with-the-new-one-there = Sintonizado em 220 cpm, o absorvedor de ensaio divide a ressonância em 188 e 258 cpm; com o novo não deve haver ressonância de 150 a 310 cpm. O livro toma a média de duas razões de massas; o complemento chama o segundo par de sistema principal, mas é o novo absorvedor.
 the-same-trial-both-resonances-met-exactly = O mesmo ensaio, com as duas ressonâncias atendidas com exatidão
 m-a-and-1-p-p-1-on-the-numbers-of-g-k-grover-ex-5-7-2 = ω_m = Ω₁Ω₂/ω_a e μ = (1 − p₁²)(p₂² − 1), com os números de G. K. Grover, ex. 5.7.2
 two-resonances-give-two-unknowns-mass-and-stiffness-the-main-system-has-220-47-cpm-and-not-220 = Duas ressonâncias dão duas incógnitas: massa e rigidez. O sistema principal tem 220,47 cpm e não 220.
@@ -5250,8 +5406,6 @@ s-s-rao-mechanical-vibrations-ch-10-vibrometer-with-4-rad-s-and-0-2 = S. S. Rao,
 the-source-writes-2z-0-0008-m-and-goes-on-with-z-0-004-m-the-record-is-8-mm-from-peak-to-peak = A fonte escreve 2Z = 0,0008 m e continua com Z = 0,004 m; o registro é de 8 mm de pico a pico.
 undamped-vibrometer-at-twice-its-natural-frequency = Vibrômetro sem amortecimento no dobro da sua frequência natural
 accelerometer-far-above-its-natural-frequency = Acelerômetro muito acima da sua frequência natural
-the-reading-is-1-1-16-2-0-1-4-0-0666-of-the-acceleration-the-error-is-93-34 = A leitura é 1/√((1 − 16)² + (2 · 0,1 · 4)²) = 0,0666 da aceleração: o erro é −93,34 %.
-n-1-1-r-2-r-1-01-at-r-0-1005-so-the-error-is-1-at-100-5-hz-at-46-hz-it-is-0-21 = 1/√((1 − r²)² + (2ζr)²) = 1,01 em r = 0,1005, portanto o erro é de 1 % a 100,5 Hz; a 46 Hz é de 0,21 %.
 the-accelerometer-as-it-should-have-come-out = O acelerômetro com o resultado correto
 r-from-1-r-4-r-1-1-01-factor-and-phase-in-closed-form = r por (1 − r²)² + 4ζ²r² = 1/1,01²; fator e fase em forma fechada
 vibrometer-known-by-its-two-natural-frequencies = Vibrômetro conhecido pelas suas duas frequências naturais
@@ -5262,7 +5416,7 @@ with-1-2-the-reading-is-1-1-r = Com ζ = 1/√2 a leitura é 1/√(1 + r⁴)
 n-1-is-reached-at-r-1-0-99-1-at-r-0-2-the-reading-is-1-1-0016 = 1 % é atingido em r⁴ = 1/0,99² − 1; em r = 0,2 a leitura é 1/√1,0016.
 two-tones-on-an-accelerometer-of-seven-tenths-of-critical-damping = Dois tons num acelerômetro com sete décimos do amortecimento crítico
 factor-1-1-r-2-r-and-delay-of-each-tone = Fator 1/√((1 − r²)² + (2ζr)²) e atraso φ/ω de cada tom
-with-0-7-the-lag-is-nearly-proportional-to-the-frequency-the-delays-of-20-hz-and-40-hz-differ-by = Com ζ = 0,7 o atraso de fase é quase proporcional à frequência: os atrasos de 20 Hz e 40 Hz diferem pouco.
+with-0-7-the-phase-lag-is-nearly-proportional-to-the-frequency-the-delays-at-20-hz-and-40-hz-differ = Com ζ = 0,7 o atraso de fase é quase proporcional à frequência: os atrasos de 20 Hz e 40 Hz diferem pouco.
 a-vibrometer-that-reads-an-acceleration = Vibrômetro que lê uma aceleração
 a-vibrometer-reads-displacements = Um vibrômetro lê deslocamentos
 
@@ -5278,20 +5432,20 @@ w-t-thomson-theory-of-vibration-with-applications-prob-3-26-by-f-t-m-e-r-1 = W. 
 the-book-gives-no-answer-g-9-81-m-s = O livro não dá resposta. g = 9,81 m/s².
 the-same-machine-on-a-concrete-block = A mesma máquina sobre um bloco de concreto
 w-t-thomson-theory-of-vibration-with-applications-prob-3-27-by-x-m-e-r-m-r-1 = W. T. Thomson, Theory of Vibration with Applications, probl. 3-27, por X = m₀e r²/(m (r² − 1))
-the-book-gives-no-answer-the-block-of-1136-kg-leaves-the-static-deflection-as-it-was-the-same-force = O livro não dá resposta. O bloco de 1136 kg deixa a deflexão estática como estava: a mesma força no piso, e menos movimento.
+the-book-gives-no-answer-the-1136-kg-block-leaves-the-static-deflection-unchanged-the-same-force-on = O livro não dá resposta. O bloco de 1136 kg não altera a deflexão estática: a mesma força no piso, e menos movimento.
 machine-on-damped-isolators = Máquina sobre isoladores amortecidos
-exercise-on-a-machine-of-100-kg-tutorsglobe-com-5285870-by-the-closed-formulas-of-transmissibility = Exercício sobre uma máquina de 100 kg (tutorsglobe.com 5285870), pelas fórmulas fechadas da transmissibilidade e da amplitude
+exercise-on-a-machine-of-100-kg-tutorsglobe-com-5285870-by-the-closed-form-expressions-of = Exercício sobre uma máquina de 100 kg (tutorsglobe.com 5285870), pelas expressões em forma fechada da transmissibilidade e da amplitude
 the-page-gives-no-answer = A página não dá resposta.
 engine-with-a-piston-on-rubber = Motor com um pistão sobre borracha
 run-up-through-resonance-on-damped-mounts = Partida com passagem pela ressonância sobre coxins amortecidos
-largest-transmissibility-at-r-1-8-1-4-with-0-5-that-is-3-1-and-tr-1-1-r = Maior transmissibilidade em r² = (√(1 + 8ζ²) − 1)/(4ζ²); com ζ = 0,5 isso é √3 − 1, e TR² = 1/(1 − r⁴)
-the-speeds-reach-from-far-below-the-natural-frequency-of-100-rad-s-to-far-above-80-isolation-with = As rotações vão de muito abaixo a muito acima da frequência natural de 100 rad/s; 80 % de isolamento com este amortecimento exige r² = 13 + √193.
+maximum-transmissibility-at-r-1-8-1-4-with-0-5-that-is-3-1-and-tr-1-1-r = Transmissibilidade máxima em r² = (√(1 + 8ζ²) − 1)/(4ζ²); com ζ = 0,5 isso é √3 − 1, e TR² = 1/(1 − r⁴)
+the-speeds-range-from-far-below-to-far-above-the-natural-frequency-of-100-rad-s-80-isolation-with = As rotações vão de muito abaixo a muito acima da frequência natural de 100 rad/s; 80 % de isolamento com este amortecimento exige r² = 13 + √193.
 instrument-in-a-case-that-falls = Instrumento numa caixa que cai
 v-2gh-k-between-m-v-d-and-m-a-v = v₀ = √(2gh), k entre m v₀²/d² e m A²/v₀²
 undamped-mounts-within-the-speeds = Coxins sem amortecimento, com a ressonância entre as rotações
 without-damping-there-is-no-steady-state-at-the-natural-frequency = Sem amortecimento não há regime permanente na frequência natural
 run-up-of-a-lightly-damped-machine-to-just-above-resonance = Partida de uma máquina pouco amortecida até logo acima da ressonância
-largest-of-r-1-4-r-1-r-4-r-within-the-speeds-by-golden-sections = O maior valor de r⁴(1 + 4ζ²r²)/((1 − r²)² + 4ζ²r²) entre as rotações, por seção áurea
+maximum-of-r-1-4-r-1-r-4-r-within-the-speed-range-by-golden-section-search = Máximo de r⁴(1 + 4ζ²r²)/((1 − r²)² + 4ζ²r²) na faixa de rotações, por seção áurea
 damped-mounts-for-nine-tenths-of-isolation = Coxins amortecidos para nove décimos de isolamento
 r-b-b-1-t-1-with-b-1-2-2-t = r² = b + √(b² + 1/T² − 1) com b = 1 − 2ζ² + 2ζ²/T²
 with-0-15-a-transmissibility-of-0-1-needs-r-4-0990-and-not-11-3-3166 = Com ζ = 0,15, uma transmissibilidade de 0,1 exige r = 4,0990 e não √11 = 3,3166.
@@ -5299,54 +5453,56 @@ with-0-15-a-transmissibility-of-0-1-needs-r-4-0990-and-not-11-3-3166 = Com ζ = 
 # whirling_shaft.toml
 turbine-disc-above-its-critical-speed = Disco de turbina acima da sua velocidade crítica
 s-s-rao-mechanical-vibrations-ch-9-problem-of-the-turbine-disc = S. S. Rao, Mechanical Vibrations, cap. 9, problema do disco de turbina
-the-book-prints-no-answer-e-207-gpa-is-assumed-held-to-a-e-r-1-r-2-r-to-k-a-m-g-on-two-bearings-and = O livro não imprime resposta; supõe-se E = 207 GPa. Conferido com A = e r²/√((1 − r²)² + (2ζr)²), com k A + m g sobre dois mancais e com a tensão 6 E d (A + δ)/L².
+the-book-prints-no-answer-e-207-gpa-is-assumed-checked-against-a-e-r-1-r-2-r-k-a-m-g-on-two-bearings = O livro não imprime resposta; supõe-se E = 207 GPa. Conferido com A = e r²/√((1 − r²)² + (2ζr)²), com k A + m g sobre dois mancais e com a tensão 6 E d (A + δ)/L².
 the-turbine-disc-at-its-critical-speed = O disco de turbina na sua velocidade crítica
 s-s-rao-mechanical-vibrations-ch-9-problem-of-the-turbine-disc-with-a-e-2 = S. S. Rao, Mechanical Vibrations, cap. 9, problema do disco de turbina, com A = e/(2ζ)
-a-quarter-of-the-span-no-shaft-stands-this-which-is-the-answer = Um quarto do vão: nenhum eixo suporta isso, e essa é a resposta.
+a-quarter-of-the-span-no-shaft-withstands-this-which-is-the-conclusion = Um quarto do vão: nenhum eixo suporta isso, e essa é a conclusão.
 the-turbine-disc-at-one-and-a-half-times-its-critical-speed = O disco de turbina a uma vez e meia a sua velocidade crítica
 forbidden-band-of-a-vertical-shaft-under-a-stress-limit = Faixa proibida de um eixo vertical sob um limite de tensão
-n-15-kg-in-the-middle-of-a-shaft-of-15-mm-clamped-at-both-ends-the-companion-takes-the-critical = 15 kg no meio de um eixo biengastado de 15 mm. O complemento toma a frequência crítica como 0,4985/√δ em metros e π como 3,147; as suas rotações ficam todas 0,09 % acima.
-the-print-rounds-g-2-to-0-4985 = o texto impresso arredonda √g/(2π) para 0,4985
+n-15-kg-at-midspan-of-a-15-mm-shaft-clamped-at-both-ends-the-companion-takes-the-critical-frequency = 15 kg no meio do vão de um eixo biengastado de 15 mm. O complemento toma a frequência crítica como 0,4985/√δ em metros e π como 3,147; as suas rotações ficam todas 0,09 % acima.
+the-printed-solution-rounds-g-2-to-0-4985 = a solução impressa arredonda √g/(2π) para 0,4985
 the-same-band-without-rounding-on-the-way = A mesma faixa sem arredondamentos intermediários
 b-k-sarkar-theory-of-machines-ch-11-ill-13-with-r-r-e-and-r-l-12ed = B. K. Sarkar, Theory of Machines, cap. 11, il. 13, com ω = ωₙ√(R/(R ± e)) e R = σL²/(12Ed)
 rotor-of-60-kg-at-its-speed-and-on-the-way-to-it = Rotor de 60 kg, na sua rotação e a caminho dela
 tutorsglobe-com-question-51533194 = tutorsglobe.com, questão 51533194
-no-answer-is-printed-held-to-a-e-r-1-r-2-r-and-to-its-peak-e-2-1 = Nenhuma resposta é impressa. Conferido com A = e r²/√((1 − r²)² + (2ζr)²) e com o seu pico e/(2ζ√(1 − ζ²)).
+no-answer-is-printed-checked-against-a-e-r-1-r-2-r-and-its-peak-e-2-1 = Nenhuma resposta é impressa. Conferido com A = e r²/√((1 − r²)² + (2ζr)²) e com o seu pico e/(2ζ√(1 − ζ²)).
 the-same-rotor-its-damping-read-from-the-run-up = O mesmo rotor, com o amortecimento lido na partida
 n-1-1-e-a-2-of-the-peak-a-20-02505-mm = ζ = √((1 − √(1 − (e/A)²))/2) pelo pico A = 20,02505 mm
 so-much-damping-that-the-limit-is-never-reached = Amortecimento tão grande que o limite nunca é atingido
 the-peak-e-2-1-with-0-3-is-1-747-e = O pico e/(2ζ√(1 − ζ²)) com ζ = 0,3 é 1,747 e
 a-limit-below-the-eccentricity = Limite abaixo da excentricidade
-far-above-its-critical-speed-a-rotor-turns-about-its-mass-centre-the-shaft-is-bent-by-e-r-r-e-with-r = Muito acima da sua velocidade crítica um rotor gira em torno do seu centro de massa: o eixo fica fletido de e. ω = ωₙ√(R/(R + e)) com R = e/2 é ωₙ/√3
+far-above-its-critical-speed-a-rotor-rotates-about-its-centre-of-mass-the-shaft-deflects-by-e-r-r-e = Muito acima da sua velocidade crítica um rotor gira em torno do seu centro de massa: a deflexão do eixo é e. ω = ωₙ√(R/(R + e)) com R = e/2 é ωₙ/√3
 an-undamped-rotor-at-its-critical-speed = Rotor sem amortecimento na sua velocidade crítica
 the-whirl-grows-in-proportion-to-the-time-rao-5th-ed-9-5 = A precessão cresce em proporção ao tempo (Rao, 5ª ed., §9.5)
 a-stress-limit-on-a-shaft-without-dimensions = Limite de tensão num eixo sem dimensões
-a-stiffness-alone-tells-no-stress = Uma rigidez sozinha não revela nenhuma tensão
-the-least-squares-meet-their-normal-equations = os mínimos quadrados satisfazem as suas equações normais
+a-stiffness-alone-does-not-determine-a-stress = Uma rigidez sozinha não determina uma tensão
+the-least-squares-solution-satisfies-its-normal-equations = a solução de mínimos quadrados satisfaz as suas equações normais
 the-frequencies-of-the-density-must-ascend-with-two-rows-at-one-frequency-for-a-step-put-the-rows-of = as frequências da densidade devem crescer, com duas linhas em uma mesma frequência para um degrau: ponha as linhas da tabela em ordem
-two-rows-at-one-frequency-are-a-step = Duas linhas em uma mesma frequência são um degrau.
+two-rows-at-the-same-frequency-define-a-step = Duas linhas na mesma frequência definem um degrau.
 interpolation = Interpolação
-how-the-pseudo-acceleration-runs-between-two-points = Como a pseudoaceleração varia entre dois pontos.
-straight-over-the-period = Reta sobre o período
+how-the-pseudo-acceleration-is-interpolated-between-two-points = Como a pseudoaceleração é interpolada entre dois pontos.
+linear-in-period = Linear no período
 straight-over-the-frequency = Reta sobre a frequência
+linear-in-frequency = Linear na frequência
 straight-in-a-log-log-diagram = Reta em um diagrama log-log
+linear-in-log-log-scale = Linear em escala log-log
 pseudo-acceleration-of-this-mode-row-row-of-the-spectrum = Pseudoaceleração deste modo: linha { $row } do espectro
 frequency-of-row-row-of-the-spectrum = Frequência da linha { $row } do espectro
 pseudo-acceleration-of-row-row-of-the-spectrum = Pseudoaceleração da linha { $row } do espectro
 period-of-this-mode = Período deste modo
 period-of-the-row-below-it-in-frequency = Período da linha abaixo dele em frequência
 period-of-the-row-above-it-in-frequency = Período da linha acima dele em frequência
-pseudo-acceleration-of-this-mode-straight-over-the-period-between-two-rows = Pseudoaceleração deste modo, reta sobre o período entre duas linhas
-pseudo-acceleration-of-this-mode-straight-over-the-frequency-between-two-rows = Pseudoaceleração deste modo, reta sobre a frequência entre duas linhas
-pseudo-acceleration-of-this-mode-straight-in-a-log-log-diagram-between-two-rows = Pseudoaceleração deste modo, reta em um diagrama log-log entre duas linhas
-straight-between-the-points-zero-before-the-first-and-after-the-last-the-displacement-is-that = Reta entre os pontos, zero antes do primeiro e depois do último. O deslocamento é o relativo à base.
+pseudo-acceleration-of-this-mode-linear-in-period-between-two-rows = Pseudoaceleração deste modo, linear no período entre duas linhas
+pseudo-acceleration-of-this-mode-linear-in-frequency-between-two-rows = Pseudoaceleração deste modo, linear na frequência entre duas linhas
+pseudo-acceleration-of-this-mode-linear-on-log-log-axes-between-two-rows = Pseudoaceleração deste modo, linear em escala log-log entre duas linhas
+straight-between-the-points-zero-before-the-first-and-after-the-last-the-displacement-is-relative-to = Linear entre os pontos, zero antes do primeiro e depois do último. O deslocamento é relativo à base.
 k-m-and-x-f-c-for-the-data-of-the-test-sdld106-of-code-aster = ωₙ = √(k/m) e X = F/(c ω), para os dados do teste SDLD106 do Code_Aster
 n-1-1-r-2-r-of-an-accelerometer-of-1-khz = 1/√((1 − r²)² + (2ζr)²) de um acelerômetro de 1 kHz
 r-1-r-2-r-1-02-above-the-resonance-with-1-0-8 = r²/√((1 − r²)² + (2ζr)²) = 1,02 acima da ressonância, com ζ = √(1 − 0,8²)
 tip-of-an-overhang = Ponta de um balanço
 k-3ei-a-l-a-by-the-energy-of-bending = k = 3EI/(a²(L + a)), pela energia de flexão
 leaf-spring-of-six-leaves = Feixe de seis molas
-k-8nebt-3l-by-the-energy-of-bending-of-a-lozenge-of-breadth-nb = k = 8nEbt³/(3L³), pela energia de flexão de um losango de largura nb
+k-8nebt-3l-from-the-bending-energy-of-a-lozenge-of-width-nb = k = 8nEbt³/(3L³), pela energia de flexão de um losango de largura nb
 tapered-bar-in-tension = Barra cônica em tração
 k-e-d-d-4l-by-the-integral-of-dx-ea = k = πE d₁d₂/(4L), pela integral de dx/(EA)
 k-ga-h-of-a-pad = k = GA/h de um coxim
@@ -5398,7 +5554,7 @@ n-2-1-c-2-k-j-t-2-1 = δ = 2πζ/√(1 − ζ²), c = 2 ζ √(k J), T = 2π/(ω
 force-of-a-density-in-straight-lines = Força de densidade em linhas retas
 s-f-h-f-df-with-straight-lines-through-4-12-and-20-hz-by-quadrature-in-30-digits = √∫S(f)|H(f)|² df com linhas retas por 4, 12 e 20 Hz, por quadratura com 30 dígitos
 velocity-in-a-uniform-chain-on-a-wall = Velocidade em uma cadeia uniforme em uma parede
-k-i-c-m-x-f-for-three-masses-i-x-by-the-sines-of-a-uniform-chain = (K + iωC − ω²M) X = F para três massas, iωX; ωₙ pelos senos de uma cadeia uniforme
+k-i-c-m-x-f-for-three-masses-velocity-i-x-by-the-sine-formula-of-a-uniform-chain = (K + iωC − ω²M) X = F para três massas, velocidade iωX; ωₙ pela fórmula dos senos de uma cadeia uniforme
 velocity-in-a-free-uniform-chain = Velocidade em uma cadeia uniforme livre
 round-shaft-against-a-torsion-spring = Eixo redondo contra uma mola de torção
 cos-g-j-l-k-sin-0 = β cos β G J/L + k sen β = 0
@@ -5454,11 +5610,11 @@ s-a-2-3-3-1-5-1-m-s-at-3-hz-y-s-a-2-f-and-m-s-a = S_a = 2 + 3 · (3 − 1)/(5 �
 spectrum-straight-in-a-log-log-diagram = Espectro reto em um diagrama log-log
 s-a-2-2-5-ln-3-ln-5-m-s-at-3-hz-y-s-a-2-f-and-m-s-a = S_a = 2 · 2,5^(ln 3/ln 5) m/s² em 3 Hz, y = S_a/(2πf)² e m S_a
 ramp-on-one-of-two-masses-a-damping-ratio-for-each-mode = Rampa em uma de duas massas, um fator de amortecimento para cada modo
-two-modes-1-1-with-k-m-3-k-m-each-the-ramp-t-2-e-t-less-itself-t-r-later = dois modos (1; ±1) com ω² = k/m, 3 k/m; cada um a rampa t − 2ζ/ω + e^(−ζωt)(…) menos ela mesma t_r depois
+two-modes-1-1-with-k-m-3-k-m-each-is-the-ramp-t-2-e-t-minus-the-same-ramp-delayed-by-t-r = dois modos (1; ±1) com ω² = k/m, 3 k/m; cada um é a rampa t − 2ζ/ω + e^(−ζωt)(…) menos a mesma rampa atrasada de t_r
 triangle-on-one-of-two-masses-rayleigh-damping = Triângulo em uma de duas massas, amortecimento de Rayleigh
-n-2-of-both-modes-the-triangle-is-a-ramp-of-0-2-s-less-one-of-0-3-s = ζ = (α/ω + β ω)/2 dos dois modos; o triângulo é uma rampa de 0,2 s menos uma de 0,3 s
+n-2-of-both-modes-the-triangle-is-a-ramp-of-0-2-s-minus-one-of-0-3-s = ζ = (α/ω + β ω)/2 dos dois modos; o triângulo é uma rampa de 0,2 s menos uma de 0,3 s
 base-acceleration-by-a-table = Aceleração da base por uma tabela
-z-2-z-z-a-a-ramp-to-2-m-s-in-0-3-s-that-is-held-its-closed-form-at-0-8-s = z″ + 2ζωz′ + ω²z = −a, uma rampa até 2 m/s² em 0,3 s mantida: a sua forma fechada em 0,8 s
+z-2-z-z-a-a-ramp-to-2-m-s-in-0-3-s-then-constant-closed-form-at-0-8-s = z″ + 2ζωz′ + ω²z = −a, uma rampa até 2 m/s² em 0,3 s, depois constante: forma fechada em 0,8 s
 rotor-on-a-shaft-clamped-and-pinned = Rotor em um eixo engastado e apoiado
 n-768-e-i-7-l-m = ω = √(768 E I/(7 L³ m))
 friction-by-a-normal-force = Atrito por uma força normal
@@ -5471,7 +5627,7 @@ circular-membrane-by-the-mass-of-its-area = Membrana circular pela massa da sua 
 f-j-2-r-t-with-the-zeros-of-j-j-j-j-by-mpmath = f = j/(2πR) √(T/μ) com os zeros de J₀, J₁, J₂, J₀ por mpmath
 j-n-i-n-1-i-n-j-n-1-0-at-f-2-r-d-h = J_n I_(n+1) + I_n J_(n+1) = 0 em λ; f = λ²/(2πR²) √(D/ρh)
 receptance-by-amplitude-and-phase = Receptância por amplitude e fase
-i-q-k-m-ic-with-m-4-kg-20-hz-and-0-03-to-six-digits = (iω)^q/(k − mω² + icω) com m = 4 kg, 20 Hz e ζ = 0,03, com seis dígitos
+i-q-k-m-ic-with-m-4-kg-20-hz-and-0-03-to-six-digits = (iω)^q/(k − mω² + icω) com m = 4 kg, 20 Hz e ζ = 0,03, com seis algarismos
 mobility-by-its-parts = Mobilidade pelas suas partes
 accelerance-by-amplitude-and-phase = Acelerância por amplitude e fase
 disc-on-a-light-shaft-clamped-at-both-ends = Disco em um eixo leve biengastado
@@ -5521,103 +5677,104 @@ fossee-python-companion-to-mclean-nelson-schaum-s-outline-of-engineering-mechani
 fossee-python-companion-to-nelson-best-mclean-schaum-s-outline-of-engineering-mechanics-dynamics = Complemento FOSSEE em Python a Nelson, Best & McLean, Schaum's Outline of Engineering Mechanics: Dynamics, problema 19-20
 fossee-python-companion-to-mclean-nelson-schaum-s-outline-of-engineering-mechanics-ch-19-prob-13 = Complemento FOSSEE em Python a McLean & Nelson, Schaum's Outline of Engineering Mechanics, cap. 19, prob. 13
 j-j-j-k-j-j-j-k-j-j-j-k-k-j-j-j-0-for-a-problem-of-r-s-khurmi = J₁J₂J₃ω⁴ − (k₁J₃(J₁ + J₂) + k₂J₁(J₂ + J₃))ω² + k₁k₂(J₁ + J₂ + J₃) = 0 para um problema de R. S. Khurmi
-the-amplitudes-are-1-1-j-k-and-k-k-j-of-it-the-nodes-divide-each-shaft-as-they-do = As amplitudes são 1, 1 − J₁ω²/k₁ e k₂/(k₂ − J₃ω²) dela; os nós dividem cada eixo como elas.
+the-amplitudes-are-1-1-j-k-and-k-k-j-of-it-the-nodes-divide-each-shaft-in-the-same-ratio = As amplitudes são 1, 1 − J₁ω²/k₁ e k₂/(k₂ − J₃ω²) dela; os nós dividem cada eixo na mesma razão.
 disc-off-the-middle-of-a-clamped-shaft-with-hysteretic-damping = Disco fora do meio de um eixo biengastado com amortecimento histerético
 four-roots-s-of-det-m-s-i-g-s-c-k-0-of-the-disc-c-1-i-1-by-zorzi-and-nelson-k-of-the-clamped-parts = quatro raízes s de det (M s² − i Ω G s + c K) = 0 do disco, c = (1 + η − iη)/√(1 + η²) por Zorzi e Nelson, K das partes engastadas
-shape-n-its-strain-energy-over-its-kinetic-energy-is = modo { $n }: sua energia de deformação sobre sua energia cinética é ω²
-the-modes-are-orthogonal-by-way-of-the-stiffness-k-k-r-r-0 = os modos são ortogonais em relação à rigidez, K₁₁ + K₂₂ r₁ r₂ = 0
-at-that-order-inertia-of-the-rotor-effective-inertia-of-the-pendulums-and-shaft-are-in-balance = nessa ordem a inércia do rotor, a inércia efetiva dos pêndulos e o eixo estão em equilíbrio
+mode-shape-n-strain-energy-over-kinetic-energy-is = forma modal { $n }: energia de deformação sobre energia cinética é ω²
+the-modes-are-orthogonal-with-respect-to-the-stiffness-k-k-r-r-0 = os modos são ortogonais em relação à rigidez, K₁₁ + K₂₂ r₁ r₂ = 0
+at-that-order-the-inertia-of-the-rotor-the-effective-inertia-of-the-pendulums-and-the-shaft-are-in = nessa ordem a inércia do rotor, a inércia efetiva dos pêndulos e o eixo estão em equilíbrio
 series-in-the-amplitude-from-that-of-the-elliptic-integral-in-the-modulus = série na amplitude a partir da série da integral elíptica no módulo
-torque-of-the-equivalent-shaft-from-its-shear-stress-over-the-section-for-a-twist-of-one = torque do eixo equivalente a partir da tensão de cisalhamento na seção, para uma torção unitária
-work-of-that-damper-in-a-cycle-added-up-over-equal-steps-friction-over-the-way-4x = trabalho desse amortecedor em um ciclo, somado em passos iguais = atrito ao longo do percurso 4X
-x-c-is-what-two-strokes-of-each-of-those-cycles-leave-of-x-c = Xₐ + C é o que dois cursos de cada um desses ciclos deixam de X₁ + C
-critical-speed-n-vibrations-in-each-turn-by-rayleigh-s-quotient-k-j = velocidade crítica: n vibrações em cada volta, pelo quociente de Rayleigh Σ k (Δβ)²/Σ J β²
-force-on-the-floor-that-of-springs-and-dampers-in-the-motion-of-the-machine = força no piso: a das molas e dos amortecedores no movimento da máquina
-from-one-of-the-largest-amplitudes-to-the-next-the-faster-vector-gains-one-turn-on-the-slower-one = de uma das maiores amplitudes à seguinte, o vetor mais rápido ganha uma volta sobre o mais lento
-impulse-of-the-wall-the-momentum-of-the-rod-is-turned-round = impulso da parede: a quantidade de movimento da barra é invertida
-kinetic-energy-at-that-speed-is-the-strain-energy-at-the-strength-for-each-volume = a energia cinética nessa velocidade é a energia de deformação na tensão de resistência, por unidade de volume
-largest-amplitude-by-the-magnification-over-the-frequency-ratio = maior amplitude pela amplificação em função da razão de frequências
-largest-power-that-of-the-instant-midway-between-the-extremes-of-force-and-velocity = maior potência: a do instante a meio caminho entre os extremos da força e da velocidade
-largest-shortening-by-d-alembert-s-solution = maior encurtamento pela solução de d'Alembert
-largest-shortening-the-same-strain-in-all-of-the-rod = maior encurtamento: a mesma deformação em toda a barra
-largest-torque-that-of-the-inertia-of-all-masses-before-it-j = maior torque: o da inércia de todas as massas antes dele, ω² Θ Σ J β
+torque-of-the-equivalent-shaft-from-its-shear-stress-over-the-section-for-a-unit-twist = torque do eixo equivalente a partir da tensão de cisalhamento na seção, para uma torção unitária
+work-of-that-damper-in-a-cycle-summed-over-equal-steps-friction-force-times-the-distance-4x = trabalho desse amortecedor em um ciclo, somado em passos iguais = força de atrito vezes a distância 4X
+x-c-results-from-x-c-after-two-half-cycles-of-each-of-those-cycles = Xₐ + C resulta de X₁ + C após dois meios ciclos de cada um desses ciclos
+critical-speed-n-vibrations-per-revolution-by-rayleigh-s-quotient-k-j = velocidade crítica: n vibrações em cada volta, pelo quociente de Rayleigh Σ k (Δβ)²/Σ J β²
+force-on-the-floor-spring-and-damper-forces-for-the-motion-of-the-machine = força no piso: forças das molas e dos amortecedores para o movimento da máquina
+from-one-maximum-of-the-amplitude-to-the-next-the-faster-vector-gains-one-revolution-on-the-slower = de um máximo da amplitude ao seguinte, o vetor mais rápido ganha uma volta sobre o mais lento
+impulse-of-the-wall-it-reverses-the-momentum-of-the-rod = impulso da parede: inverte a quantidade de movimento da barra
+kinetic-energy-at-that-speed-is-the-strain-energy-at-the-strength-per-unit-volume = a energia cinética nessa velocidade é a energia de deformação na tensão de resistência, por unidade de volume
+maximum-amplitude-from-the-magnification-against-the-frequency-ratio = amplitude máxima pela amplificação em função da razão de frequências
+maximum-power-at-the-instant-midway-between-the-extremes-of-force-and-velocity = potência máxima: no instante a meio caminho entre os extremos da força e da velocidade
+maximum-shortening-by-d-alembert-s-solution = encurtamento máximo pela solução de d'Alembert
+maximum-shortening-uniform-strain-in-the-whole-rod = encurtamento máximo: deformação uniforme em toda a barra
+maximum-torque-inertia-torque-of-all-masses-before-it-j = torque máximo: torque de inércia de todas as massas antes dele, ω² Θ Σ J β
 mean-power-half-the-real-part-of-force-times-conjugate-velocity-as-complex-amplitudes = potência média: metade da parte real da força vezes o conjugado da velocidade, como amplitudes complexas
 moment-of-the-shear-stress-which-grows-with-the-radius-summed-over-the-section = momento da tensão de cisalhamento, que cresce com o raio, somado na seção
-no-velocity-at-that-turning-point-by-marching = velocidade nula nesse ponto de retorno, por integração passo a passo
-on-a-rotor-that-stands-still-the-pendulums-at-their-limit-hold-the-torque-j = com o rotor parado, os pêndulos no seu limite equilibram o torque, J₁₂ ω₀² φ
-the-energy-between-the-two-amplitudes-is-the-work-of-the-friction-on-the-way-of-those-cycles = a energia entre as duas amplitudes é o trabalho do atrito no percurso desses ciclos
-the-momentum-for-each-area-is-taken-by-the-stress-until-the-rod-is-at-rest = a quantidade de movimento por unidade de área é absorvida pela tensão até a barra ficar em repouso
-the-pendulum-swings-as-often-as-the-force = o pêndulo oscila na frequência da força
-the-pull-of-the-centrifugal-field-brings-the-pendulum-back-as-often-as-the-order-asks-n-s-r-r = a força do campo centrífugo traz o pêndulo de volta tantas vezes quanto a ordem pede, n² s² = R r
-the-shares-of-all-modes-in-the-whole-mass-make-one = as parcelas de todos os modos na massa total somam um
-time-of-rest-the-middle-of-the-last-stroke-back-from-its-end-and-by-marching-from-the-start = instante do repouso: o meio do último curso, a partir do seu fim e por integração passo a passo desde o início
-transmissibility-at-the-lowest-speed-from-the-dynamic-stiffness = transmissibilidade na menor velocidade, pela rigidez dinâmica
+zero-velocity-at-that-turning-point-by-step-by-step-integration = velocidade nula nesse ponto de retorno, por integração passo a passo
+with-the-rotor-at-rest-the-pendulums-at-their-limit-balance-the-torque-j = com o rotor parado, os pêndulos no seu limite equilibram o torque, J₁₂ ω₀² φ
+the-energy-difference-between-the-two-amplitudes-is-the-friction-work-over-the-path-of-those-cycles = a diferença de energia entre as duas amplitudes é o trabalho do atrito no percurso desses ciclos
+the-momentum-per-unit-area-is-absorbed-by-the-stress-until-the-rod-is-at-rest = a quantidade de movimento por unidade de área é absorvida pela tensão até a barra ficar em repouso
+the-pendulum-frequency-equals-the-force-frequency = a frequência do pêndulo é igual à da força
+the-pendulum-frequency-in-the-centrifugal-field-equals-the-frequency-of-the-order-n-s-r-r = a frequência do pêndulo no campo centrífugo é igual à frequência da ordem, n² s² = R r
+the-contributions-of-all-modes-to-the-total-mass-sum-to-one = as contribuições de todos os modos à massa total somam um
+time-of-rest-the-middle-of-the-last-stroke-backwards-from-its-end-and-by-step-by-step-integration = instante do repouso: o meio do último curso, para trás a partir do seu fim e por integração passo a passo desde o início
+transmissibility-at-the-lowest-speed-from-the-dynamic-stiffness = transmissibilidade na menor rotação, pela rigidez dinâmica
 travel-of-the-softest-mounts-the-amplitude-v-of-the-free-vibration = curso dos coxins mais macios: a amplitude v₀/ωₙ da vibração livre
 tuned-order-of-that-arm = ordem de sintonia desse braço
-two-equal-amplitudes-are-one-of-the-mean-frequency-that-beats-sin-t-sin-t-2-sin-m-t-cos-b-t-2 = dois movimentos de amplitudes iguais são um na frequência média que bate, sen ω₁t + sen ω₂t = 2 sen ω_m t cos(ω_b t/2)
-under-a-mass-that-stands-still-the-pendulum-at-its-limit-holds-the-force-m = com a massa parada, o pêndulo no seu limite equilibra a força, M₁₂ ω₀² φ
+two-motions-of-equal-amplitude-equal-one-beating-motion-at-the-mean-frequency-sin-t-sin-t-2-sin-m-t = dois movimentos de amplitudes iguais equivalem a um movimento com batimento na frequência média, sen ω₁t + sen ω₂t = 2 sen ω_m t cos(ω_b t/2)
+with-the-mass-at-rest-the-pendulum-at-its-limit-balances-the-force-m = com a massa parada, o pêndulo no seu limite equilibra a força, M₁₂ ω₀² φ
 work-of-a-cycle-by-numerical-integration = trabalho de um ciclo por integração numérica
 four-amplitudes-that-scatter = Quatro amplitudes que se dispersam
 least-squares-of-ln-x-by-hand-s-nx-s-nn-with-s-nn-5-s-4-s-2-s-nn = Mínimos quadrados de ln X à mão: δ = −S_nx/S_nn com S_nn = 5, ε = √(S/4), σ_δ = √(S/(2 S_nn))
-after-these-cycles-the-envelope-e-t-stands-at-a-half = depois desses ciclos a envoltória e^(−ζωₙt) está na metade
+after-these-cycles-the-envelope-e-t-has-decayed-to-one-half = depois desses ciclos a envoltória e^(−ζωₙt) decaiu à metade
 bending-stress-from-the-moment-of-the-inertia-forces-at-the-middle = tensão de flexão pelo momento das forças de inércia no meio do vão
-combined-apart-the-product-of-the-roots-is-k-m = combinados à parte: o produto das raízes é k/m
-combined-apart-the-sum-of-the-roots-is-c-m = combinados à parte: a soma das raízes é −c/m
+combined-separately-the-product-of-the-roots-is-k-m = associados separadamente: o produto das raízes é k/m
+combined-separately-the-sum-of-the-roots-is-c-m = associados separadamente: a soma das raízes é −c/m
 complete-quadratic-combination-as-the-length-of-a-sum-of-vectors-their-cosines-the-correlations = combinação quadrática completa como o comprimento de uma soma de vetores, cujos cossenos são as correlações
-dampers-alone-the-power-that-they-take-at-a-unit-speed-is-c = só os amortecedores: a potência que consomem a uma velocidade unitária é c
-damping-ratio-from-the-shape-of-the-motion-c-2-k-m-summed-over-all-elements = razão de amortecimento pela forma do movimento, c/2√(k m) somados sobre todos os elementos
-deflection-of-the-mode-the-beam-holds-its-inertia-forces-e-i-y-m-s-d = flecha do modo: a viga sustenta suas forças de inércia, E I β⁴ y = m̄ ω² Γφ S_d
+dampers-alone-power-dissipated-at-unit-velocity-is-c = só os amortecedores: a potência dissipada a uma velocidade unitária é c
+damping-ratio-from-the-mode-shape-c-2-k-m-summed-over-all-elements = fator de amortecimento pela forma modal, c/2√(k m) somados sobre todos os elementos
+modal-deflection-the-beam-carries-its-inertia-forces-e-i-y-m-s-d = deflexão modal: a viga suporta suas forças de inércia, E I β⁴ y = m̄ ω² Γφ S_d
 deviation-of-the-decrement-the-same-sum-of-squares-over-n-2-degrees-of-freedom = desvio do decremento: a mesma soma de quadrados sobre N − 2 graus de liberdade
+standard-deviation-of-the-decrement-the-same-sum-of-squares-over-n-2-degrees-of-freedom = desvio-padrão do decremento: a mesma soma de quadrados sobre N − 2 graus de liberdade
 displacements-of-a-mode-inertia-and-springs-balance-at-every-mass = deslocamentos de um modo: inércia e molas se equilibram em cada massa
 energies-before-and-after-a-cycle-as-the-squares-of-the-amplitudes = energias antes e depois de um ciclo, como os quadrados das amplitudes
-error-of-the-light-damping-formula-from-the-root-that-it-leaves-out-1-1-1 = erro da fórmula de amortecimento leve pela raiz que ela deixa de fora, 1/√(1 − ζ²) − 1
+error-of-the-light-damping-formula-from-the-neglected-square-root-1-1-1 = erro da fórmula de amortecimento fraco pela raiz quadrada desprezada, 1/√(1 − ζ²) − 1
 imaginary-part-of-the-dynamic-stiffness-from-the-power-of-the-dampers = parte imaginária da rigidez dinâmica pela potência dos amortecedores
-in-the-shape-of-the-motion-its-frequency-meets-m-s-c-s-k-0-summed-over-all-elements = na forma do movimento sua frequência satisfaz m s² + c s + k = 0, somados sobre todos os elementos
-measured-frequency-off-by-as-much-as-the-period = frequência medida, com o mesmo desvio que o período
+for-the-mode-shape-the-frequency-satisfies-m-s-c-s-k-0-summed-over-all-elements = para a forma modal, a frequência satisfaz m s² + c s + k = 0, somados sobre todos os elementos
+measured-frequency-with-the-same-relative-error-as-the-period = frequência medida, com o mesmo erro relativo do período
 period-from-mass-stiffness-and-damping-d-c-2m-k-m = período por massa, rigidez e amortecimento, ω_d² + (c/2m)² = k/m
 ratio-of-successive-amplitudes-from-the-envelope-e-t-over-a-period = razão de amplitudes sucessivas pela envoltória e^(−ζωₙt) em um período
 real-part-of-the-dynamic-stiffness-from-the-energies-of-springs-and-masses = parte real da rigidez dinâmica pelas energias de molas e massas
-scatter-the-sum-of-squares-from-the-orthogonality-of-the-differences-to-the-fitted-line = dispersão: a soma de quadrados pela ortogonalidade das diferenças à reta ajustada
-springs-alone-largest-kinetic-energy-largest-elastic-energy = só as molas: maior energia cinética = maior energia elástica
-the-force-in-phase-with-the-motion-holds-springs-and-masses-f-x-cos-k-x-m-x = a força em fase com o movimento sustenta molas e massas, F X cos φ = Σ k|Δx|² − ω² Σ m|x|²
+scatter-sum-of-squares-from-the-orthogonality-of-the-residuals-to-the-fitted-line = dispersão: soma de quadrados pela ortogonalidade dos resíduos à reta ajustada
+springs-alone-maximum-kinetic-energy-maximum-elastic-energy = só as molas: energia cinética máxima = energia elástica máxima
+the-force-component-in-phase-with-the-motion-balances-spring-and-inertia-forces-f-x-cos-k-x-m-x = a componente da força em fase com o movimento equilibra as forças das molas e de inércia, F X cos φ = Σ k|Δx|² − ω² Σ m|x|²
 the-loss-factor-is-the-tangent-of-the-phase-lag = o fator de perda é a tangente do atraso de fase
-the-root-i-d-of-the-decay-has-the-size = a raiz −ζωₙ + iω_d do decaimento tem o módulo ωₙ
-the-square-of-the-sum-of-absolute-values-the-sum-of-squares-and-all-products-twice = o quadrado da soma dos valores absolutos: a soma dos quadrados e todos os produtos em dobro
-the-squares-of-both-parts-of-the-dynamic-stiffness-make-that-of-its-magnitude = os quadrados das duas partes da rigidez dinâmica somam o de seu módulo
+the-root-i-d-of-the-decay-has-modulus = a raiz −ζωₙ + iω_d do decaimento tem o módulo ωₙ
+square-of-the-sum-of-absolute-values-sum-of-squares-plus-twice-all-products = quadrado da soma dos valores absolutos: soma dos quadrados mais o dobro de todos os produtos
+the-squares-of-the-real-and-imaginary-parts-of-the-dynamic-stiffness-sum-to-the-square-of-its = os quadrados das partes real e imaginária da rigidez dinâmica somam o de seu módulo
 torsional-stiffness-from-the-shear-strain-at-the-rim-16t-gd-over-the-radius = rigidez torcional pela distorção na periferia, 16T/(πGd³), sobre o raio
-overdamped-the-body-creeps-to-its-rest-and-the-largest-deflection-is-that-of-the-weight = Superamortecido: o corpo rasteja até seu repouso, e a deflexão máxima é a do peso
-the-damping-is-so-strong-that-the-body-creeps-to-its-rest-the-largest-deflection-is-approached-but = o amortecimento é tão forte que o corpo rasteja até seu repouso: a deflexão máxima é aproximada, mas nunca ultrapassada, e não tem instante
+overdamped-the-body-approaches-its-rest-position-asymptotically-and-the-maximum-deflection-is-that = Superamortecido: o corpo tende assintoticamente ao repouso, e a deflexão máxima é a devida ao peso
+the-damping-is-so-strong-that-the-body-approaches-rest-without-oscillating-the-maximum-deflection-is = o amortecimento é tão forte que o corpo tende ao repouso sem oscilar: a deflexão máxima é aproximada, mas nunca ultrapassada, e não tem instante
 set-down-on-a-strongly-damped-cushion = Pousado em uma embalagem fortemente amortecida
-overdamped-2-y-1-s-e-s-t-s-e-s-t-s-s-creeps-to-m-g-k-and-never-passes-it = Superamortecido, ζ = 2: y = δ (1 − (s₂ e^(−s₁t) − s₁ e^(−s₂t))/(s₂ − s₁)) rasteja até δ = m g/k e nunca o ultrapassa
+overdamped-2-y-1-s-e-s-t-s-e-s-t-s-s-approaches-m-g-k-asymptotically-and-never-exceeds-it = Superamortecido, ζ = 2: y = δ (1 − (s₂ e^(−s₁t) − s₁ e^(−s₂t))/(s₂ − s₁)) tende assintoticamente a δ = m g/k e nunca o ultrapassa
 newton-s-second-law-at-the-largest-force-f-t-m-t-g-m-t-a = segunda lei de Newton na maior força: F_T − m_t g = m_t aₘ
-area-under-the-characteristic-up-to-the-largest-displacement-is-the-kinetic-energy-at-rest = a área sob a característica até o maior deslocamento é a energia cinética na posição de repouso
-at-the-contact-the-force-that-the-spring-lacks-is-the-weight-of-the-body-m-g-m-t = no contato a força que falta à mola é o peso do corpo: ωₙ² δ = m g/m_t
+area-under-the-characteristic-up-to-the-maximum-displacement-equals-the-kinetic-energy-at-the = a área sob a característica até o deslocamento máximo é igual à energia cinética na posição de equilíbrio
+at-contact-the-force-missing-in-the-spring-is-the-weight-of-the-body-m-g-m-t = no contato a força que falta à mola é o peso do corpo: ωₙ² δ = m g/m_t
 energy-lost-that-of-the-speed-of-approach-in-the-reduced-mass-m-m-p-v-2-m-t = energia perdida: a da velocidade de aproximação na massa reduzida, m m_p v²/(2 m_t)
-the-element-is-what-sticking-adds-to-the-stiffness-m = o elemento é o que a aderência acrescenta à rigidez, m (ω₁² − ω₂²)
-way-by-the-exact-recurrence = caminho pela recorrência exata
-way-in-free-fall-the-height-by-the-square-of-the-share-of-its-time = caminho em queda livre: a altura pelo quadrado da fração de seu tempo
-whole-way-that-of-the-free-fall-in-its-time-and-the-deflection-by-the-exact-recurrence = caminho total: o da queda livre em seu tempo, e a deflexão pela recorrência exata
-dunkerley-the-squares-of-the-periods-of-all-modes-add-up-to-the-same = Dunkerley: a soma dos quadrados dos períodos de todos os modos dá o mesmo
+stiffness-of-the-element-stiffness-added-by-sticking-m = rigidez do elemento = rigidez acrescentada pela aderência, m (ω₁² − ω₂²)
+distance-travelled-by-the-exact-recurrence = distância percorrida pela recorrência exata
+distance-in-free-fall-the-drop-height-times-the-square-of-the-fraction-of-its-time = distância em queda livre: a altura de queda vezes o quadrado da fração de seu tempo
+total-distance-free-fall-in-its-time-plus-the-deflection-by-the-exact-recurrence = distância total: queda livre em seu tempo, mais a deflexão pela recorrência exata
+dunkerley-the-sum-of-the-squared-periods-of-all-modes-gives-the-same-value = Dunkerley: a soma dos quadrados dos períodos de todos os modos dá o mesmo valor
 half-sine-pulse-of-three-half-periods = Pulso de meio seno de três meios períodos
 overdamped-after-an-impulse = Superamortecido após um impulso
 ramp-on-a-damped-mass = Rampa sobre uma massa amortecida
-rayleigh-the-first-round-of-matrix-iteration-from-equal-deflections = Rayleigh: a primeira volta da iteração matricial, a partir de deslocamentos iguais
+rayleigh-the-first-step-of-matrix-iteration-from-equal-deflections = Rayleigh: o primeiro passo da iteração matricial, a partir de deflexões iguais
 released-with-a-velocity-critically-damped = Solto com velocidade, amortecimento crítico
 second-row-of-k-m-0-the-second-amplitude-over-the-first = Segunda linha de (K − λM) φ = 0: a segunda amplitude sobre a primeira
-frequency-n-with-what-the-plane-of-rotation-takes-away-by-the-same-balance = frequência { $n }: com o que o plano de rotação retira, pelo mesmo equilíbrio
+frequency-n-including-the-reduction-in-the-plane-of-rotation-from-the-same-balance = frequência { $n }: incluindo a redução no plano de rotação, pelo mesmo equilíbrio
 just-below-the-buckling-load-all-squares-of-frequencies-are-positive-just-above-it-one-is-not = logo abaixo da carga de flambagem todos os quadrados das frequências são positivos, logo acima um não é
-shape-n-work-of-the-centrifugal-forces-on-the-shortening-of-the-blade-over-its-kinetic-energy = forma { $n }: trabalho das forças centrífugas no encurtamento da pá, sobre a sua energia cinética
+mode-shape-n-work-of-the-centrifugal-forces-through-the-shortening-of-the-blade-over-its-kinetic = forma modal { $n }: trabalho das forças centrífugas no encurtamento da pá, sobre a sua energia cinética
 x-i-e-s-t-e-s-t-m-s-s-with-s-0-5-s-and-s-2-s = x = I(e^(−s₁t) − e^(−s₂t))/(m(s₂ − s₁)) com s₁ = 0,5 s⁻¹ e s₂ = 2 s⁻¹
 x-sin-t-r-sin-t-1-r-with-r-1-3-at-t-150-and-t-450-0-1875 = x = δ(sen Ωt − r sen ωt)/(1 − r²) com r = 1/3, em Ωt = 150° e ωt = 450°: 0,1875 δ
 x-t-2-1-g-h-t-r-g-and-h-the-free-motions-from-a-unit-displacement-and-a-unit-velocity = x = δ(t − 2ζ(1 − g)/ω − h)/t_r, com g e h as vibrações livres de deslocamento unitário e de velocidade unitária
-bandwidth-of-a-mode-with-that-damping-ratio-from-its-half-power-frequencies-in-closed-form = largura de banda de um modo com esse fator de amortecimento, das suas frequências de meia potência em forma fechada
-damping-ratio-from-the-upper-half-power-point-alone-a-quarter-of-the-circle-after-the-natural = fator de amortecimento só do ponto superior de meia potência, um quarto do círculo depois da frequência natural
-error-of-the-textbook-damping-from-the-peak-at-1-2-and-its-height-1-1-2-1 = erro do amortecimento dos livros, do pico em ωₙ√(1 − 2ζ²) e da sua altura: √((1 − ζ²)/(1 − 2ζ²)) − 1
+bandwidth-of-a-mode-with-that-damping-ratio-from-its-half-power-frequencies-in-closed-form = largura de banda de um modo com esse fator de amortecimento, pelas suas frequências de meia potência em forma fechada
+damping-ratio-from-the-upper-half-power-point-alone-a-quarter-of-the-circle-after-the-natural = fator de amortecimento só pelo ponto superior de meia potência, um quarto do círculo além da frequência natural
+error-of-the-textbook-damping-from-the-peak-at-1-2-and-its-height-1-1-2-1 = erro do amortecimento dos livros, pelo pico em ωₙ√(1 − 2ζ²) e sua altura: √((1 − ζ²)/(1 − 2ζ²)) − 1
 error-of-the-textbook-mass-from-the-peak-at-1-2-2-1-2 = erro da massa dos livros, do pico em ωₙ√(1 − 2ζ²): 2ζ²/(1 − 2ζ²)
-largest-amplitude-from-the-dynamic-stiffness-at-the-peak = maior amplitude pela rigidez dinâmica no pico
-scatter-the-relative-differences-of-1-h-are-orthogonal-to-the-fit-so-that-d-d = dispersão: as diferenças relativas de 1/H² são ortogonais ao ajuste, de modo que Σd² = −Σd
+maximum-amplitude-from-the-dynamic-stiffness-at-the-peak = amplitude máxima pela rigidez dinâmica no pico
+scatter-the-relative-residuals-of-1-h-are-orthogonal-to-the-fit-so-that-d-d = dispersão: os resíduos relativos de 1/H² são ortogonais ao ajuste, de modo que Σd² = −Σd
 square-of-the-radius-is-the-mean-square-of-the-distances-of-the-points-from-the-centre = o quadrado do raio é a média dos quadrados das distâncias dos pontos ao centro
-the-complex-differences-are-orthogonal-to-the-derivatives-of-the-fit-by-each-of-its-numbers = as diferenças complexas são ortogonais às derivadas do ajuste em relação a cada um dos seus números
-the-receptance-of-mass-stiffness-and-damping-at-the-lowest-frequency-is-the-measured-one = a receptância de massa, rigidez e amortecimento na frequência mais baixa é a medida
+the-complex-residuals-are-orthogonal-to-the-derivatives-of-the-fit-with-respect-to-each-of-its = os resíduos complexos são ortogonais às derivadas do ajuste em relação a cada um dos seus parâmetros
+mass-stiffness-and-damping-reproduce-the-measured-receptance-at-the-lowest-frequency = massa, rigidez e amortecimento reproduzem a receptância medida na frequência mais baixa
 a-hysteretic-mode-between-others-below-and-above = Um modo histerético entre outros abaixo e acima
 n-0-5-1-0-04i-2-10-0-05-with-10-hz-to-seven-digits = 0,5/(ωₙ²(1 + 0,04i) − ω²) + 2·10⁻⁵ − 0,05/ω² com 10 Hz, com sete algarismos

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Drawing, DrawnShape, Exhibit, Film, Ink, Inputs, Refusal, Text, Worksheet, register,
+    About, Analysis, Animation, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
 };
 use dalembert_mechanics::{Real, vibration::modes::natural_modes};
 use nalgebra::{DMatrix, DVector};
@@ -29,12 +29,12 @@ pub struct BarOnTwoSprings {
     /// Rear spring.
     #[input("k_r", "N/m", positive)]
     pub rear: f64,
-    /// Front spring before the centre of mass.
-    /// Negative where it stands behind it.
+    /// Front spring ahead of the centre of mass.
+    /// Negative if it is behind it.
     #[input("a", "m")]
     pub front_distance: f64,
     /// Rear spring behind the centre of mass.
-    /// Negative where it stands before it.
+    /// Negative if it is ahead of it.
     #[input("b", "m")]
     pub rear_distance: f64,
 }
@@ -89,7 +89,7 @@ impl Analysis for BarOnTwoSprings {
         id: "vibration/bar-on-two-springs",
         title: "Bar on two springs",
         topic: "Free vibration",
-        summary: "Natural frequencies of bounce and pitch of a rigid body on two springs, and the nodes about which it swings.",
+        summary: "Natural frequencies of bounce and pitch of a rigid body on two springs, and the nodes about which it oscillates.",
         keywords: "bounce pitch vehicle car body two degrees coupling node oscillation centre veículo arfagem \
                    quique barra duas molas centro de oscilação dois graus de liberdade",
         sources: &[&RAO],
@@ -99,8 +99,7 @@ impl Analysis for BarOnTwoSprings {
     fn solve<W: Worksheet>(&self, given: &BarOnTwoSpringsGiven<W>, sheet: W) -> Result<(), Refusal> {
         if self.front_distance + self.rear_distance <= 0.0 {
             return Err(Refusal::because(
-                "the rear spring does not stand behind the front one: nothing holds the pitch; write distances whose \
-                 sum is above zero",
+                "the rear spring is not behind the front one, so pitch is unrestrained; write distances whose sum is above zero",
             ));
         }
         let mass = match &given.body {
@@ -118,7 +117,7 @@ impl Analysis for BarOnTwoSprings {
                 "J",
                 "kg*m^2",
                 mass * length.powi(2) / 12.0,
-                "Moment of inertia of a slender uniform bar about its middle",
+                "Moment of inertia of a slender uniform bar about its centre",
             ),
         };
         let (front, rear, a, b) = (given.front, given.rear, given.front_distance, given.rear_distance);
@@ -132,10 +131,10 @@ impl Analysis for BarOnTwoSprings {
             "K₁₂",
             "N/rad",
             rear * b - front * a,
-            "Moment for that displacement, and force for a unit turn that lowers the front",
+            "Moment for that displacement, and force for a unit rotation that lowers the front",
         );
         let turning =
-            sheet.step("K₂₂", "N*m/rad", front * a.powi(2) + rear * b.powi(2), "Moment for a unit turn");
+            sheet.step("K₂₂", "N*m/rad", front * a.powi(2) + rear * b.powi(2), "Moment for a unit rotation");
         let two = two_degrees::solve([mass, moment], [up, mixed, turning], "rad/m", sheet)?;
         for (mode, frequency) in two.frequencies.iter().enumerate() {
             sheet.answer(("frequency", mode + 1), "Natural frequency", *frequency);
@@ -151,7 +150,7 @@ impl Analysis for BarOnTwoSprings {
                         ("x", mode + 1),
                         "m",
                         -W::Num::from(1.0) / ratio,
-                        ("Node: the point behind the centre of mass that rests, y + θx = 0", RAO.at("§5.5")),
+                        ("Node: the point behind the centre of mass that remains at rest, y + θx = 0", RAO.at("§5.5")),
                     );
                     sheet.answer(("node", mode + 1), "Node behind the centre of mass", node);
                     nodes[mode] = Some(node);
@@ -159,15 +158,14 @@ impl Analysis for BarOnTwoSprings {
             }
             None => sheet.warn(|| {
                 Text::new(
-                    "both springs resist a displacement of the centre of mass without a moment: bounce and pitch do \
-                     not mix",
+                    "both springs resist a displacement of the centre of mass without a moment: bounce and pitch are uncoupled",
                 )
             }),
         }
         if let [Some(first), Some(second)] = nodes {
             // The two nodes are centre of oscillation and of suspension to each other.
             sheet.check(
-                "the distances of the two nodes multiply to the square of the radius of gyration",
+                "the product of the distances of the two nodes is the square of the radius of gyration",
                 -(first * second),
                 moment / mass,
             );
@@ -194,7 +192,7 @@ impl Analysis for BarOnTwoSprings {
                     let now = swing * (TAU * f64::from(frame) / 24.0).cos();
                     self.shapes(ends.map(|end| end * now))
                 });
-                Exhibit::Film(Film::new(
+                Exhibit::Animation(Animation::new(
                     Text::new("Mode {mode}").with("mode", mode + 1),
                     frames.collect(),
                     2.0,

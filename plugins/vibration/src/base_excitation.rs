@@ -10,9 +10,8 @@ use dalembert_mechanics::{Real, sdof, vibration::isolation};
 
 use crate::{
     oscillator::{
-        AtFrequency, Damping, Elasticity, Loss, Mass, Suspension,
-        from_rest::{BuildUp, Wave},
-        mass, plots, suspension,
+        AtFrequency, Damping, Elasticity, Loss, Mass, Suspension, mass, plots, suspension,
+        transient_from_rest::{BuildUp, Wave},
     },
     sources::{RAO, THOMSON},
 };
@@ -21,7 +20,7 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct BaseExcitation {
     /// Inertia.
-    /// May be left out where the natural frequency or the static deflection is known; then no forces are answered.
+    /// May be omitted if the natural frequency or the static deflection is known; the forces are then not computed.
     pub mass: Option<Mass>,
     /// Springs.
     pub elasticity: Elasticity,
@@ -30,7 +29,7 @@ pub struct BaseExcitation {
     /// Base.
     pub base: Base,
     /// Start from rest.
-    /// The base sets in with a sine; the mass is at rest until then.
+    /// The base motion starts as a sine; the mass is at rest until then.
     pub start: Option<Start>,
 }
 
@@ -48,7 +47,7 @@ pub enum Base {
     },
     /// Acceleration given
     Acceleration {
-        /// Acceleration of the base.
+        /// Base acceleration.
         /// Its amplitude, zero to peak.
         #[input("A_b", "m/s^2", positive)]
         acceleration: f64,
@@ -76,7 +75,7 @@ pub enum Base {
 #[derive(Clone, Debug, Inputs)]
 pub struct Start {
     /// Time.
-    /// After the base sets in.
+    /// From the start of the base motion.
     #[input("t", "s", nonnegative)]
     pub time: f64,
 }
@@ -86,9 +85,9 @@ register!(BaseExcitation);
 impl Analysis for BaseExcitation {
     const ABOUT: About = About {
         id: "vibration/base-excitation",
-        title: "Shaking base",
+        title: "Base excitation",
         topic: "Harmonic excitation",
-        summary: "Absolute and relative motion, acceleration and force of a mass on a base that shakes harmonically, a wavy road included.",
+        summary: "Absolute and relative motion, acceleration and force of a mass under harmonic base excitation, including a wavy road.",
         keywords: "support motion transmissibility vehicle road ground seismic excitação de base movimento do suporte \
                    transmissibilidade veículo estrada velocidade crítica",
         sources: &[&RAO, &THOMSON],
@@ -111,14 +110,10 @@ impl Analysis for BaseExcitation {
                 "Ẋ",
                 "mm/s",
                 base * suspension.natural / 2.0,
-                ("The amplitude is unbounded: it grows with t, each second by", RAO.at("§3.3")),
+                ("The amplitude is unbounded: it grows with t, per second by", RAO.at("§3.3")),
             );
-            sheet.check(
-                "growth of the amplitude at the frequency of the base",
-                base * frequency / 2.0,
-                growth,
-            );
-            sheet.answer("growth", "Growth of the amplitude with the time", growth);
+            sheet.check("growth rate of the amplitude at the base frequency", base * frequency / 2.0, growth);
+            sheet.answer("growth", "Growth of the amplitude with time", growth);
             sheet.warn(|| {
                 Text::new(
                     "undamped resonance: the amplitude is unbounded, it grows with t and there is no steady state",
@@ -188,7 +183,7 @@ fn base<W: Worksheet>(given: &BaseGiven<W>, sheet: W) -> (W::Num, W::Num) {
             (sheet.step("Y", "mm", *acceleration / frequency.powi(2), why), *frequency)
         }
         BaseGiven::Road { amplitude, wavelength, speed } => {
-            let why = ("Frequency: one wave of the road for each wavelength travelled", RAO.at("§3.6"));
+            let why = ("Frequency: one road wave per wavelength travelled", RAO.at("§3.6"));
             (*amplitude, sheet.step("ω", "rad/s", *speed * 2.0 * PI / *wavelength, why))
         }
     }
@@ -200,11 +195,11 @@ fn critical_speed<W: Worksheet>(suspension: &Suspension<W::Num>, wavelength: W::
         "v_c",
         "km/h",
         suspension.natural * wavelength / (W::Num::from(2.0) * PI),
-        ("Critical speed: the waves come at the natural frequency", RAO.at("§3.6")),
+        ("Critical speed: the road waves excite at the natural frequency", RAO.at("§3.6")),
     );
     sheet.answer("critical_speed", "Critical speed", critical);
     sheet.check(
-        "from wave to wave at the critical speed it takes a natural period",
+        "at the critical speed the time from wave to wave is the natural period",
         wavelength / critical,
         W::Num::from(2.0) * PI / suspension.natural,
     );
@@ -215,10 +210,10 @@ fn critical_speed<W: Worksheet>(suspension: &Suspension<W::Num>, wavelength: W::
             "rₚ",
             "1",
             isolation::transmissibility_peak_ratio(zeta),
-            ("Frequency ratio of the largest transmissibility", RAO.at("§3.6")),
+            ("Frequency ratio at maximum transmissibility", RAO.at("§3.6")),
         );
-        let worst = sheet.step("vₚ", "km/h", peak * critical, "Speed of the largest amplitude");
-        let largest = sheet.step("TRₚ", "1", sdof::transmissibility(peak, zeta), "Largest transmissibility");
+        let worst = sheet.step("vₚ", "km/h", peak * critical, "Peak-response speed");
+        let largest = sheet.step("TRₚ", "1", sdof::transmissibility(peak, zeta), "Maximum transmissibility");
         sheet.check_zero(
             "at its peak the transmissibility is 1/√(1 − r⁴)",
             W::Num::from(1.0) / largest.powi(2) - (W::Num::from(1.0) - peak.powi(4)),
@@ -232,8 +227,8 @@ fn critical_speed<W: Worksheet>(suspension: &Suspension<W::Num>, wavelength: W::
                 1.0,
             );
         });
-        sheet.answer("worst_speed", "Speed of the largest amplitude", worst);
-        sheet.answer("largest_transmissibility", "Largest transmissibility at any speed", largest);
+        sheet.answer("worst_speed", "Peak-response speed", worst);
+        sheet.answer("largest_transmissibility", "Maximum transmissibility at any speed", largest);
     }
 }
 
@@ -263,7 +258,7 @@ fn steady_motion<W: Worksheet>(
         "Z",
         "mm",
         base * sdof::unbalance_magnification(ratio, damping_ratio),
-        ("Amplitude of the motion relative to the base: the stroke of the springs", RAO.at("§3.6")),
+        ("Amplitude of the motion relative to the base: travel of the springs", RAO.at("§3.6")),
     );
     let relative_lag = sheet.step(
         "φ",
@@ -280,7 +275,7 @@ fn steady_motion<W: Worksheet>(
             scale,
         );
         sheet.check_zero(
-            "the same a quarter of a cycle behind",
+            "the same in quadrature (90° behind)",
             amplitude * lag.sin() - relative * relative_lag.sin(),
             scale,
         );

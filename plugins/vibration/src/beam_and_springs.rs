@@ -20,13 +20,13 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct BeamAndSprings {
     /// Springs.
-    /// A network: series and parallel may stand inside one another.
+    /// A network: series and parallel groups may be nested.
     pub springs: Spring,
-    /// Frequency of the free motion.
-    /// That of the decaying motion as it is counted, below the natural frequency where there is damping.
+    /// Frequency of the free vibration.
+    /// The frequency of the decaying motion as counted, below the natural frequency if there is damping.
     #[input("ω_d", "rad/s", positive)]
     pub damped_frequency: f64,
-    /// Decay of the free motion.
+    /// Decay of the free vibration.
     pub decay: Decay,
     /// Excitation.
     /// A harmonic force on the mass.
@@ -40,7 +40,7 @@ pub struct Excitation {
     #[input("ω", "rad/s", positive)]
     pub frequency: f64,
     /// Amplitude of the force.
-    /// The transmissibility does not need it.
+    /// The transmissibility is independent of it.
     #[input("F₀", "N", positive)]
     pub force: Option<f64>,
 }
@@ -67,7 +67,7 @@ impl Analysis for BeamAndSprings {
             "ωₙ",
             "rad/s",
             sdof::natural_frequency_from_damped(given.damped_frequency, zeta),
-            ("The free motion is slower than the natural frequency", RAO.at("§2.6")),
+            ("The damped frequency is below the natural frequency", RAO.at("§2.6")),
         );
         let mass = sheet.step(
             "m",
@@ -82,12 +82,12 @@ impl Analysis for BeamAndSprings {
             ("Damping coefficient", RAO.at("§2.6")),
         );
         sheet.check(
-            "stiffness, mass and damping give the frequency of the free motion back",
+            "stiffness, mass and damping reproduce the frequency of the free vibration",
             (k / mass - (c / (mass * 2.0)).powi(2)).sqrt(),
             given.damped_frequency,
         );
         sheet.check(
-            "the exponential decay gives the ratio of the amplitudes back",
+            "the exponential decay reproduces the amplitude ratio",
             (c / (mass * 2.0) * (cycles * std::f64::consts::TAU / given.damped_frequency)).exp(),
             given.decay.amplitude_ratio,
         );
@@ -158,7 +158,7 @@ fn excite<W: Worksheet>(
         "X",
         "mm",
         sdof::forced_amplitude(force, k, mass, c, frequency),
-        ("Steady amplitude under the force", RAO.at("§3.4")),
+        ("Steady-state amplitude under the force", RAO.at("§3.4")),
     );
     sheet.check(
         "amplitude from the magnification of the static deflection",
@@ -175,17 +175,17 @@ fn excite<W: Worksheet>(
         "F_T",
         "N",
         transmissibility * force,
-        ("Amplitude of the force on the support", RAO.at("§3.6")),
+        ("Amplitude of the force transmitted to the support", RAO.at("§3.6")),
     );
     sheet.check(
         "force on the support from the forces of springs and damper",
         sdof::transmitted_force(amplitude, k, c, frequency),
         transmitted,
     );
-    sheet.answer("amplitude", "Steady amplitude", amplitude);
+    sheet.answer("amplitude", "Steady-state amplitude", amplitude);
     sheet.check("phase lag from stiffness, mass and damping", sdof::phase_lag(k, mass, c, frequency), phase);
     sheet.answer("phase", "Phase lag", phase);
-    sheet.answer("transmitted_force", "Force on the support", transmitted);
+    sheet.answer("transmitted_force", "Force transmitted to the support", transmitted);
     Ok(Some(amplitude.value()))
 }
 
@@ -231,7 +231,7 @@ impl BeamAndSprings {
         };
         let peaks = (0u16..=20).map(f64::from).take_while(|n| *n <= shown);
         Plot::new(
-            "Free motion after a first amplitude of one",
+            "Free vibration from an initial amplitude of one",
             Axis::linear("time", "s"),
             Axis::linear("displacement over the first amplitude", "1"),
             vec![
@@ -259,5 +259,5 @@ fn transmissibility_over_frequency(frequency: f64, natural: f64, zeta: f64) -> P
     )
     .over("excitation.frequency")
     .mark("at this frequency", (frequency, sdof::transmissibility(frequency / natural, zeta)))
-    .level("the force as it is", 1.0)
+    .level("applied force (TR = 1)", 1.0)
 }

@@ -40,13 +40,13 @@ pub struct BeamVibration {
     #[input("N", "N")]
     pub axial: Option<f64>,
     /// Elastic foundation.
-    /// Force of the ground on each length of the beam for each deflection.
+    /// Ground reaction per unit length of the beam and unit deflection.
     #[input("k_f", "N/m^2", nonnegative)]
     pub foundation: Option<f64>,
     /// Masses, springs and supports along the beam.
     pub attachments: Vec<Attachment>,
     /// Number of frequencies.
-    /// Motions as a whole, of a beam that nothing holds, are not among them.
+    /// Rigid-body motions of an unsupported beam are not included.
     #[input(min = 1, max = 10, default = "4")]
     pub modes: usize,
 }
@@ -74,7 +74,7 @@ pub enum ShearCoefficient {
         #[input("κ", "1", positive, max = 1)]
         coefficient: f64,
     },
-    /// Cowper's, by the section
+    /// Cowper's, for the section
     Cowper {
         /// Poisson's ratio.
         #[input("ν", "1", min = 0, max = 0.5)]
@@ -91,7 +91,7 @@ pub enum Support {
     Pinned,
     /// Clamped
     Clamped,
-    /// Guided: deflects without turning
+    /// Guided: deflects without rotating
     Guided,
     /// Springs
     Springs {
@@ -110,7 +110,7 @@ pub struct Attachment {
     /// Distance from the left end.
     #[input("x", "m", nonnegative)]
     pub distance: f64,
-    /// What stands there.
+    /// Attached part.
     pub part: Part,
 }
 
@@ -132,13 +132,13 @@ pub enum Part {
         #[input("k", "N/m", positive)]
         stiffness: f64,
     },
-    /// Rotation spring to the ground
+    /// Rotational spring to the ground
     RotationSpring {
         /// Rotational stiffness.
         #[input("k_t", "N*m/rad", positive)]
         stiffness: f64,
     },
-    /// Support that lets the beam turn
+    /// Support that allows rotation of the beam
     Pin,
 }
 
@@ -149,7 +149,7 @@ impl Analysis for BeamVibration {
         id: "vibration/beam-vibration",
         title: "Bending vibration of beams",
         topic: "Strings, beams and plates",
-        summary: "Frequencies, shapes, nodes and buckling load of a uniform beam (Euler–Bernoulli or Timoshenko) on any supports, with masses, springs, axial force and elastic foundation.",
+        summary: "Frequencies, mode shapes, nodes and buckling load of a uniform beam (Euler–Bernoulli or Timoshenko) on any supports, with masses, springs, axial force and elastic foundation.",
         keywords: "continuous beam natural frequencies mode shapes cantilever tip mass buckling viga frequências \
                    naturais modos engastada biapoiada flambagem contínuo fundação elástica",
         sources: &[&RAO, &BLEVINS, &TIMOSHENKO, &COWPER, &WITTRICK],
@@ -201,7 +201,7 @@ impl Analysis for BeamVibration {
                 beta.powi(2) * unit,
                 Text::new("Natural frequency {n}").with("n", n),
             );
-            let frequency = sheet.step(("f", n), "Hz", omega, "In cycles for each second");
+            let frequency = sheet.step(("f", n), "Hz", omega, "In cycles per second");
             sheet.verify(|| {
                 if why.1 {
                     let residual = classical(&beam, *root).unwrap_or(f64::NAN);
@@ -218,14 +218,14 @@ impl Analysis for BeamVibration {
                     );
                 }
                 sheet.check(
-                    Text::new("shape {n}: its strain energy over its kinetic energy is ω²").with("n", n),
+                    Text::new("mode shape {n}: strain energy over kinetic energy is ω²").with("n", n),
                     bending / (line * length.powi(4)) * shape.rayleigh_quotient(),
                     omega.powi(2),
                 );
                 if let Some(other) = shapes.get(n) {
                     let size = (shape.inertia_product(shape) * other.inertia_product(other)).sqrt();
                     sheet.check_residual(
-                        Text::new("shapes {n} and {m} are orthogonal").with("n", n).with("m", n + 1),
+                        Text::new("mode shapes {n} and {m} are orthogonal").with("n", n).with("m", n + 1),
                         W::Num::from(shape.inertia_product(other)),
                         size,
                         size * (shape.rounding() + other.rounding()),
@@ -275,7 +275,7 @@ impl BeamVibration {
             let at = attachment.distance / length;
             if at > 1.0 + 1e-9 {
                 return Err(Refusal::because(
-                    "something stands beyond the right end of the beam: write a distance up to its length",
+                    "an item lies beyond the right end of the beam: write a distance not greater than its length",
                 ));
             }
             let near = stations.iter().position(|station| (station.at - at).abs() <= 1e-9);
@@ -306,7 +306,7 @@ impl BeamVibration {
         }
         let text = match (&self.left, &self.right) {
             (Support::Free, Support::Free) | (Support::Clamped, Support::Clamped) => {
-                "Root of cos β cosh β = 1, the equation of ends that are alike"
+                "Root of cos β cosh β = 1, the equation of identical ends"
             }
             (Support::Clamped, Support::Free) | (Support::Free, Support::Clamped) => {
                 "Root of cos β cosh β = −1, the equation of a cantilever"
@@ -325,8 +325,7 @@ impl BeamVibration {
         if beam.rigid_motions() > 0 {
             sheet.warn(|| {
                 Text::new(
-                    "the beam can move as a whole: {n} such motions at frequency zero stand before the first \
-                     frequency, and some books count them",
+                    "the beam can move as a rigid body: {n} such motions at frequency zero precede the first frequency, and some books count them",
                 )
                 .with("n", beam.rigid_motions())
             });
@@ -340,8 +339,7 @@ impl BeamVibration {
         if matches!(self.theory, Theory::EulerBernoulli) && depth * 10.0 > self.length {
             sheet.warn(|| {
                 Text::new(
-                    "the beam is less than ten times as long as deep: shear and rotary inertia lower its \
-                     frequencies; choose Timoshenko's theory",
+                    "the length of the beam is less than ten times its depth: shear and rotary inertia lower its frequencies; choose Timoshenko's theory",
                 )
             });
         }
@@ -371,8 +369,7 @@ fn theory<W: Worksheet>(
         ShearCoefficientGiven::Cowper { poisson } => shear_coefficient(&given.section, *poisson, sheet)
             .ok_or_else(|| {
                 Refusal::because(
-                    "Cowper's shear coefficient needs the shape of the section: write the coefficient, or \
-                     choose a section by its shape",
+                    "Cowper's shear coefficient requires the shape of the section: enter the coefficient, or choose a section by its shape",
                 )
             })?,
     };
@@ -382,7 +379,7 @@ fn theory<W: Worksheet>(
         "s",
         "1",
         flexibility,
-        ("Flexibility of the beam in shear over that in bending", TIMOSHENKO.at("ch. 5")),
+        ("Shear flexibility of the beam over its bending flexibility", TIMOSHENKO.at("ch. 5")),
     );
     let rotary = second_moment / (area * length.powi(2));
     let rotary =
@@ -402,7 +399,7 @@ fn buckling<W: Worksheet>(
     let Some(load) = beam.buckling_load().map_err(|err| refusal(&err))? else {
         if force.value() < 0.0 {
             return Err(Refusal::because(
-                "the beam can move as a whole, so that no compression can be held: add supports",
+                "the beam can move as a rigid body and cannot carry compression: add supports",
             ));
         }
         return Ok(());
@@ -411,7 +408,7 @@ fn buckling<W: Worksheet>(
         "p",
         "1",
         load,
-        "Compression, over EI/L², at which the lowest frequency would fall to zero: the beam buckles",
+        "Compression, over EI/L², at which the lowest frequency becomes zero: the beam buckles",
     );
     let critical = sheet.step("N_cr", "kN", ratio * bending / length.powi(2), "Buckling load");
     sheet.answer("buckling_load", "Buckling load", critical);
@@ -489,11 +486,10 @@ fn refusal(err: &BeamError) -> Refusal {
     Refusal::because(match err {
         BeamError::Buckled => "the beam buckles under its compression: write a smaller one",
         BeamError::TooSlender(_) => {
-            "the beam is so slender, so strongly stretched or so loaded that its bending cannot be told: treat it \
-             as a string or as a rigid body"
+            "the beam is so slender, so highly tensioned or so heavily loaded that its bending cannot be resolved: treat it as a string or as a rigid body"
         }
         BeamError::OutOfRange | BeamError::NotConverged => {
-            "the frequencies cannot be found: masses, springs and forces are too far from those of the beam"
+            "the frequencies cannot be found: masses, springs and forces differ too much from those of the beam"
         }
     })
 }

@@ -47,7 +47,7 @@ pub struct BeamWithTipBody {
 /// The cross-section of a beam that bends in two planes and twists.
 #[derive(Clone, Debug, Inputs)]
 pub enum TipSection {
-    /// Round
+    /// Circular
     Round {
         /// Diameter.
         #[input("d", "m", positive)]
@@ -88,8 +88,8 @@ pub struct TipMass {
     /// Mass.
     #[input("m", "kg", positive)]
     pub mass: f64,
-    /// Place, from the tip.
-    /// x goes on along the beam, y and z are across it.
+    /// Position, from the tip.
+    /// x continues along the beam axis, y and z are transverse.
     #[input("r", "m")]
     pub place: Vector3<f64>,
 }
@@ -101,7 +101,7 @@ impl Analysis for BeamWithTipBody {
         id: "vibration/beam-with-tip-body",
         title: "Cantilever with a rigid body at its tip",
         topic: "Strings, beams and plates",
-        summary: "Frequencies and coupled motions (bending in two planes, stretching, torsion) of a cantilever with masses on rigid arms at its tip.",
+        summary: "Frequencies and coupled motions (bending in two planes, axial, torsion) of a cantilever with masses on rigid arms at its tip.",
         keywords: "continuous coupled bending torsion off-centre mass NAFEMS FV4 viga em balanço massa excêntrica \
                    flexão torção acopladas corpo rígido",
         sources: &[&BLEVINS, &WITTRICK, &BEER, &COWPER],
@@ -119,11 +119,11 @@ impl Analysis for BeamWithTipBody {
             ("Shear modulus of an isotropic material", BEER.at("ch. 2")),
         );
         let line =
-            sheet.step("m̄", "kg/m", given.density * shape.area, "Mass of each length: density times area");
+            sheet.step("m̄", "kg/m", given.density * shape.area, "Mass per unit length: density times area");
         let axial = sheet.step("EA", "MN", given.young * shape.area, "Stiffness along the axis");
-        let twisting = sheet.step("GJ", "MN*m^2", shear * shape.torsion, "Stiffness in torsion");
+        let twisting = sheet.step("GJ", "MN*m^2", shear * shape.torsion, "Torsional rigidity");
         let polar = given.density * (shape.moments[0] + shape.moments[1]);
-        let polar = sheet.step("ρI_p", "kg*m", polar, "Moment of inertia of each length about the axis");
+        let polar = sheet.step("ρI_p", "kg*m", polar, "Moment of inertia per unit length about the axis");
         let mut bending = Vec::new();
         for (n, symbol) in [(0, "EI_z"), (1, "EI_y")] {
             let why = ["Bending stiffness in the plane xy", "Bending stiffness in the plane xz"][n];
@@ -132,7 +132,12 @@ impl Analysis for BeamWithTipBody {
             if let Some(kappa) = shape.shear {
                 let s = stiffness / (kappa * shear * shape.area * length.powi(2));
                 flexibility = sheet
-                    .step(["s_z", "s_y"][n], "1", s, "Flexibility of the beam in shear over that in bending")
+                    .step(
+                        ["s_z", "s_y"][n],
+                        "1",
+                        s,
+                        "Shear flexibility of the beam over its bending flexibility",
+                    )
                     .value();
                 let j = shape.moments[n] / (shape.area * length.powi(2));
                 rotary =
@@ -151,7 +156,7 @@ impl Analysis for BeamWithTipBody {
             "r_G",
             "m",
             first / total,
-            "Mass centre of the body: what of it stands beside the axis couples the motions",
+            "Centre of mass of the body: its offset from the axis couples the motions",
         );
         let beam = Cantilever {
             length: length.value(),
@@ -165,7 +170,7 @@ impl Analysis for BeamWithTipBody {
         sheet.keep_going()?;
         let modes = beam.modes(&body, self.modes).map_err(|_| {
             Refusal::because(
-                "the frequencies cannot be found: the body at the tip is too far from the mass or the size of the beam",
+                "the frequencies cannot be found: the body at the tip differs too much from the mass or the size of the beam",
             )
         })?;
         for (n, mode) in (1..).zip(&modes) {
@@ -179,10 +184,10 @@ impl Analysis for BeamWithTipBody {
                     WITTRICK.at("pp. 263–284"),
                 ),
             );
-            let frequency = sheet.step(("f", n), "Hz", omega, "In cycles for each second");
+            let frequency = sheet.step(("f", n), "Hz", omega, "In cycles per second");
             sheet.verify(|| {
                 sheet.check_zero(
-                    Text::new("vibration {n}: the forces of beam and body at the tip hold each other")
+                    Text::new("vibration {n}: the forces of the beam and of the body at the tip balance")
                         .with("n", n),
                     W::Num::from(beam.left_over(&body, omega.value(), &mode.tip).unwrap_or(f64::NAN)),
                     1.0,
@@ -193,7 +198,7 @@ impl Analysis for BeamWithTipBody {
             sheet.answer_list(("tip", n), "Motion of the tip (u, θL) in mode", "1", &tip);
         }
         sheet.answer("mass", "Mass of the body", total);
-        sheet.answer_vector("centre", "Mass centre of the body", centre);
+        sheet.answer_vector("centre", "Centre of mass of the body", centre);
         sheet.verify(|| {
             let about = given.masses.iter().map(|mass| (mass.place - centre) * mass.mass);
             let moment = W::Vec::sum(about).magnitude();

@@ -17,7 +17,7 @@ pub struct Link {
     /// Mass.
     pub mass: Mass,
     /// Stiffness of its spring.
-    /// Towards the mass before, or the base.
+    /// Towards the previous mass, or the base.
     #[input("k", "N/m", positive)]
     pub stiffness: f64,
 }
@@ -64,7 +64,7 @@ pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Ve
         let natural = sheet.found(Symbol::from("ω").row(n + 1), "rad/s", numbers.natural, why);
         let shares = numbers.shape.iter().enumerate().map(|(i, shape)| {
             let why = (
-                "Share of the mode in the motion of this mass when the base moves: Γφ, with Γ = Σmφ/Σmφ²",
+                "Modal contribution to the motion of this mass under base excitation: Γφ, with Γ = Σmφ/Σmφ²",
                 CHOPRA.at("§13.1"),
             );
             let symbol = Symbol::from("Γφ").row(n + 1).row(i + 1);
@@ -76,14 +76,13 @@ pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Ve
     sheet.verify(|| {
         for i in 0..links.len() {
             let shares: f64 = modes.iter().map(|mode| mode.shares[i].value()).sum();
-            let what = "the shares of all modes in the motion of a mass make one";
+            let what = "the contributions of all modes to the motion of a mass sum to one";
             sheet.check(what, shares.into(), W::Num::from(1.0));
         }
     });
     let mut together = W::Num::from(0.0);
     for (n, mode) in modes.iter().enumerate() {
-        let frequency =
-            sheet.step(Symbol::from("f").row(n + 1), "Hz", mode.natural, "The same in cycles a second");
+        let frequency = sheet.step(Symbol::from("f").row(n + 1), "Hz", mode.natural, "The same in Hz");
         sheet.answer(("frequency", n + 1), "Natural frequency", frequency);
         sheet.verify(|| {
             let walk =
@@ -92,7 +91,8 @@ pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Ve
             // All eigenvalues are known to the last places of the largest.
             let doubt = f64::EPSILON * links.len() as f64 * (highest / mode.numbers.natural).powi(2);
             let error = (walk(doubt) - residual).abs().max((walk(-doubt) - residual).abs());
-            let what = "the base is at rest when Holzer's table walks the chain at this frequency";
+            let what =
+                "the base is at rest when Holzer's table is evaluated along the chain at this frequency";
             sheet.check_residual(what, residual.into(), 1.0, error);
         });
         let mass = mode.numbers.participation.powi(2) / total;
@@ -104,7 +104,7 @@ pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Ve
         sheet.answer(("effective_mass", n + 1), "Effective mass of the mode", mass);
         together = together + mass;
     }
-    sheet.check("the shares of all modes in the whole mass make one", together, W::Num::from(1.0));
+    sheet.check("the contributions of all modes to the total mass sum to one", together, W::Num::from(1.0));
     Ok(modes)
 }
 

@@ -1,6 +1,8 @@
 //! What continuous bodies have in common: material, section, mass for each length, and pictures of their shapes.
 
-use dalembert_core::{Axis, DrawnShape, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet};
+use dalembert_core::{
+    Animation, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+};
 use dalembert_mechanics::{Real, section};
 
 use crate::sources::{BEER, COWPER};
@@ -34,15 +36,15 @@ pub enum LineMass {
         #[input("ρ", "kg/m^3", positive)]
         density: f64,
     },
-    /// Mass of each length given
+    /// Mass per unit length given
     PerLength {
-        /// Mass of each length.
+        /// Mass per unit length.
         #[input("m̄", "kg/m", positive)]
         mass: f64,
     },
-    /// Weight of each length given
+    /// Weight per unit length given
     Weight {
-        /// Weight of each length.
+        /// Weight per unit length.
         #[input("w", "N/m", positive)]
         weight: f64,
         /// Gravity.
@@ -63,7 +65,7 @@ pub enum Profile {
         #[input("I", "m^4", positive)]
         second_moment: f64,
     },
-    /// Round
+    /// Circular
     Round {
         /// Diameter.
         #[input("d", "m", positive)]
@@ -80,8 +82,8 @@ pub enum Profile {
     },
     /// Rectangle
     Rectangle {
-        /// Breadth.
-        /// Across the plane of bending.
+        /// Width.
+        /// Perpendicular to the plane of bending.
         #[input("b", "m", positive)]
         breadth: f64,
         /// Height.
@@ -111,9 +113,9 @@ pub(crate) fn line_mass<W: Worksheet>(
 ) -> W::Num {
     let (mass, why) = match given {
         LineMassGiven::PerLength { mass } => return *mass,
-        LineMassGiven::Density { density } => (*density * area, "Mass of each length: density times area"),
+        LineMassGiven::Density { density } => (*density * area, "Mass per unit length: density times area"),
         LineMassGiven::Weight { weight, gravity } => {
-            (*weight / *gravity, "Mass of each length: weight over gravity")
+            (*weight / *gravity, "Mass per unit length: weight over gravity")
         }
     };
     sheet.step(("m̄", row), "kg/m", mass, why)
@@ -200,7 +202,7 @@ pub(crate) fn shapes_plot(shapes: &[Sampled]) -> Exhibit {
         Plot::new(
             "Mode shapes",
             Axis::linear("distance from the left end", "m"),
-            Axis::linear("deflection over the largest", "1"),
+            Axis::linear("deflection / maximum deflection", "1"),
             shapes.iter().take(5).map(line).collect(),
         )
         .level("at rest", 0.0),
@@ -232,5 +234,5 @@ pub(crate) fn shapes_film(
         };
         shapes.iter().take(shown).enumerate().flat_map(row).collect()
     };
-    Exhibit::Film(Film::new("Mode shapes in motion", (0..FRAMES).map(frame).collect(), 2.0))
+    Exhibit::Animation(Animation::new("Mode shapes in motion", (0..FRAMES).map(frame).collect(), 2.0))
 }

@@ -10,7 +10,7 @@ use dalembert_core::{
 use dalembert_mechanics::{
     Real, sdof,
     vibration::{
-        dry_forced,
+        forced_coulomb,
         free::FreeMotion,
         friction::{FrictionDecay, Rest},
     },
@@ -34,23 +34,23 @@ pub struct CoulombDamping {
     pub stiffness: f64,
     /// Friction.
     pub friction: Friction,
-    /// Static friction over friction in motion.
+    /// Static friction over kinetic friction.
     #[input("µₛ/µ", "1", min = 1, default = "1")]
     pub static_ratio: f64,
-    /// Viscous damping beside the friction.
+    /// Viscous damping in addition to friction.
     #[input("c", "N*s/m", nonnegative, default = "0 N*s/m")]
     pub damping: f64,
-    /// Displacement at the start.
-    /// From the position in which the spring is free of force.
+    /// Initial displacement.
+    /// From the position in which the spring is unloaded.
     #[input("x₀", "m")]
     pub displacement: f64,
-    /// Velocity at the start.
+    /// Initial velocity.
     #[input("v₀", "m/s", default = "0 m/s")]
     pub velocity: f64,
-    /// Time at which the motion is asked.
+    /// Time at which the motion is required.
     #[input("t", "s", nonnegative)]
     pub time: Option<f64>,
-    /// Amplitude to which the fall is asked.
+    /// Target amplitude of the decay.
     #[input("Xₐ", "m", positive)]
     pub fall: Option<f64>,
 }
@@ -64,7 +64,7 @@ pub enum Friction {
         #[input("F", "N", positive)]
         force: f64,
     },
-    /// Coefficient of friction on a level surface
+    /// Coefficient of friction on a horizontal surface
     Coefficient {
         /// Coefficient of friction.
         #[input("µ", "1", positive)]
@@ -82,7 +82,7 @@ pub enum Friction {
         #[input("N", "N", positive)]
         normal: f64,
     },
-    /// From the fall of the amplitude
+    /// From the decrease of the amplitude
     Decay {
         /// First amplitude.
         #[input("X₁", "m", positive)]
@@ -90,10 +90,10 @@ pub enum Friction {
         /// Last amplitude.
         #[input("X₂", "m", positive)]
         last_amplitude: f64,
-        /// Counted.
+        /// Counted quantity.
         counted: Counted,
         /// Gravity.
-        /// For the coefficient of friction on a level surface.
+        /// For the coefficient of friction on a horizontal surface.
         #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
         gravity: f64,
     },
@@ -106,7 +106,7 @@ impl Analysis for CoulombDamping {
         id: "vibration/coulomb-damping",
         title: "Free vibration with dry friction",
         topic: "Free vibration",
-        summary: "Loss of amplitude, number of cycles, time and place of rest, and exact motion of a mass that rubs; friction from a decay.",
+        summary: "Amplitude decrease, number of cycles, stopping time and position, and exact motion of a mass with dry friction; friction from a decay.",
         keywords: "coulomb friction dry damping linear decay rest position stop sliding block atrito seco \
                    amortecimento de coulomb decaimento linear parada",
         sources: &[&RAO, &GROVER],
@@ -127,26 +127,26 @@ impl Analysis for CoulombDamping {
             "f",
             "mm",
             force / given.stiffness,
-            ("Friction shifts the position of rest to this side and that, by F/k", RAO.at("§2.9")),
+            ("Friction shifts the equilibrium position to either side by F/k", RAO.at("§2.9")),
         );
         let hold = if self.static_ratio > 1.0 {
             sheet.step(
                 "fₛ",
                 "mm",
                 given.static_ratio * offset,
-                "At rest, static friction holds up to this displacement",
+                "At rest, static friction holds the mass up to this displacement",
             )
         } else {
             offset
         };
         sheet.answer("friction", "Friction force", force);
-        sheet.answer("offset", "Half width of the zone of rest", hold);
+        sheet.answer("offset", "Half-width of the dead zone", hold);
         let zeta = (self.damping > 0.0).then(|| {
             sheet.step(
                 "ζ",
                 "1",
                 sdof::damping_ratio(given.damping, given.stiffness, mass),
-                ("Damping ratio of the viscous part", RAO.at("§2.6")),
+                ("Viscous damping ratio", RAO.at("§2.6")),
             )
         });
         let decay = FrictionDecay {
@@ -162,8 +162,7 @@ impl Analysis for CoulombDamping {
         let rest = decay.rest();
         if rest.strokes == 0.0 {
             return Err(Refusal::because(
-                "the spring does not overcome the friction at the start: the mass stays where it is; write a larger \
-                 displacement, or a velocity",
+                "the spring does not overcome the friction at the start: the mass remains at rest; write a larger displacement, or a velocity",
             ));
         }
         let system = steps::System { mass, natural, force, offset, hold, zeta };
@@ -172,9 +171,9 @@ impl Analysis for CoulombDamping {
             let equivalent = sheet.step(
                 "c_eq",
                 "N*s/m",
-                dry_forced::equivalent_damping(force, natural, first.amplitude),
+                forced_coulomb::equivalent_damping(force, natural, first.amplitude),
                 (
-                    "Viscous damping that takes the same energy in a cycle of that amplitude; it grows as the amplitude falls",
+                    "Viscous damping with the same energy loss per cycle at that amplitude; it increases as the amplitude decreases",
                     RAO.at("§3.8"),
                 ),
             );
@@ -184,7 +183,7 @@ impl Analysis for CoulombDamping {
                 let peak = (first.amplitude * natural).powi(2);
                 let step = W::Num::from(PI / 4.0) / natural;
                 sheet.check(
-                    "work of that damper in a cycle, added up over equal steps = friction over the way 4X",
+                    "work of that damper in a cycle, summed over equal steps = friction force times the distance 4X",
                     equivalent * peak * step * squares,
                     force * first.amplitude * 4.0,
                 );
@@ -225,8 +224,7 @@ fn friction<W: Worksheet>(given: &CoulombDampingGiven<W>, mass: W::Num, sheet: W
         FrictionGiven::Decay { first_amplitude: first, last_amplitude: last, counted, gravity } => {
             if given.damping.value() > 0.0 {
                 return Err(Refusal::because(
-                    "beside viscous damping two amplitudes do not tell the friction: use the identification from a \
-                     decay record, or write the friction force",
+                    "with viscous damping present, two amplitudes do not determine the friction: use the identification from a decay record, or write the friction force",
                 ));
             }
             if first.value() <= last.value() {
@@ -242,19 +240,19 @@ fn friction<W: Worksheet>(given: &CoulombDampingGiven<W>, mass: W::Num, sheet: W
                 "ΔX",
                 "mm",
                 (*first - *last) / cycles,
-                ("Loss of amplitude in a cycle: the same in each", RAO.at("§2.9")),
+                ("Amplitude decrease per cycle: the same in each", RAO.at("§2.9")),
             );
             let force = sheet.step(
                 "F",
                 "N",
                 given.stiffness * loss / 4.0,
-                ("The loss in a cycle is 4F/k", RAO.at("§2.9")),
+                ("Amplitude decrease per cycle: 4F/k", RAO.at("§2.9")),
             );
             let weight = given_weight(&given.mass, *gravity).unwrap_or_else(|| mass * *gravity);
             let coefficient =
-                sheet.step("µ", "1", force / weight, "Coefficient of friction on a level surface");
+                sheet.step("µ", "1", force / weight, "Coefficient of friction on a horizontal surface");
             sheet.check(
-                "the energy between the two amplitudes is the work of the friction on the way",
+                "the energy difference between the two amplitudes is the friction work over the path",
                 given.stiffness * (first.powi(2) - last.powi(2)) / 2.0,
                 coefficient * weight * cycles * (*first + *last) * 2.0,
             );
@@ -301,13 +299,13 @@ fn history(decay: &FrictionDecay, rest: &Rest, asked: Option<f64>) -> Plot {
         series,
     )
     .over("time")
-    .level("friction holds", decay.hold)
-    .level("friction holds", -decay.hold);
+    .level("limit of the sticking zone", decay.hold)
+    .level("limit of the sticking zone", -decay.hold);
     if let Some(time) = rest.time.filter(|time| *time <= span) {
         plot = plot.mark("rest", (time, rest.position));
     }
     if let Some(time) = asked.filter(|time| *time <= span) {
-        plot = plot.mark("at the asked time", (time, decay.state(time)[0]));
+        plot = plot.mark("at the requested time", (time, decay.state(time)[0]));
     }
     plot
 }
@@ -317,7 +315,7 @@ fn phase_plane(decay: &FrictionDecay, rest: &Rest) -> Plot {
     let times: Vec<f64> = (0..=480u16).map(|n| span * f64::from(n) / 480.0).collect();
     let points = times.iter().map(|time| decay.state(*time)).map(|[x, v]| (x, v)).collect();
     Plot::new(
-        "Phase plane: half turns about the two shifted positions of rest",
+        "Phase plane: half-turns about the two shifted equilibrium positions",
         Axis::linear("displacement", "mm"),
         Axis::linear("velocity", "m/s"),
         vec![Series::line("motion", points).of("velocity").at(times)],
@@ -369,5 +367,5 @@ fn drawing(damped: bool) -> Drawing {
         shapes.push(DrawnShape::Damper((-2.4, -0.3), (-0.7, -0.3)));
         shapes.push(DrawnShape::Label((-1.6, -0.15), Text::from("c")));
     }
-    Drawing { title: "The mass on its spring, rubbing".into(), shapes }
+    Drawing { title: "The mass on its spring, with friction".into(), shapes }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Drawing, DrawnShape, Exhibit, Film, Ink, Inputs, Refusal, Text, Worksheet, register,
+    About, Analysis, Animation, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
 };
 use dalembert_mechanics::{Real, vibration::modes::natural_modes};
 use nalgebra::{DMatrix, DVector};
@@ -29,7 +29,7 @@ pub struct CoupledPendulums {
     #[input("k", "N/m", positive)]
     pub spring: f64,
     /// Gravity along the pendulums at rest.
-    /// Left out where they lie in a horizontal plane; negative where they stand upright.
+    /// Omit if they lie in a horizontal plane; negative if they are inverted.
     #[input("g", "m/s^2")]
     pub gravity: Option<f64>,
 }
@@ -111,7 +111,7 @@ impl Analysis for CoupledPendulums {
                 "N*m/rad",
                 own,
                 (
-                    "Moment of spring and weight for a unit turn of this pendulum, the other held",
+                    "Moment of spring and weight for a unit rotation of this pendulum, the other fixed",
                     RAO.at("§5.4"),
                 ),
             );
@@ -123,13 +123,13 @@ impl Analysis for CoupledPendulums {
             "K₁₂",
             "N*m/rad",
             -given.spring * a1 * a2,
-            "Moment on one for a unit turn of the other: the spring pulls it along",
+            "Moment on one for a unit rotation of the other, transmitted by the spring",
         );
         let two = two_degrees::solve([first, second], [k11, k12, k22], "1", sheet)?;
         for (mode, frequency) in two.frequencies.iter().enumerate() {
             sheet.answer(("frequency", mode + 1), "Natural frequency", *frequency);
             if let Some(ratios) = two.ratios {
-                sheet.answer(("ratio", mode + 1), "Turn of the second over that of the first", ratios[mode]);
+                sheet.answer(("ratio", mode + 1), "Angle of the second over that of the first", ratios[mode]);
             }
         }
         let [slow, fast] = two.frequencies;
@@ -138,7 +138,7 @@ impl Analysis for CoupledPendulums {
                 "ω_b",
                 "rad/s",
                 fast - slow,
-                ("The motion goes over from one pendulum to the other and back: beats", RAO.at("§5.4")),
+                ("The motion passes from one pendulum to the other and back: beats", RAO.at("§5.4")),
             );
             sheet.answer("beat_frequency", "Frequency of the beats", beat);
         }
@@ -160,7 +160,7 @@ impl Analysis for CoupledPendulums {
                     let now = 0.35 / largest * (TAU * f64::from(frame) / 24.0).cos();
                     self.shapes(shape.map(|x| x * now))
                 });
-                Exhibit::Film(Film::new(
+                Exhibit::Animation(Animation::new(
                     Text::new("Mode {mode}").with("mode", mode + 1),
                     frames.collect(),
                     2.0,

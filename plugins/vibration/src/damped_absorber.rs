@@ -25,7 +25,7 @@ pub struct DampedAbsorber {
     pub main_damping: f64,
     /// Absorber.
     pub absorber: Absorber,
-    /// Frequency at which the motion is asked.
+    /// Frequency at which the motion is requested.
     pub at: Option<Frequency>,
 }
 
@@ -33,7 +33,7 @@ pub struct DampedAbsorber {
 #[derive(Clone, Debug, Inputs)]
 pub enum Main {
     /// Only the mass ratio
-    /// The answers are ratios.
+    /// The results are ratios.
     Ratio {
         /// Mass of the absorber over the main mass.
         /// In torsion, inertia over inertia.
@@ -59,9 +59,9 @@ pub enum Main {
 /// Which absorber.
 #[derive(Clone, Debug, Inputs)]
 pub enum Absorber {
-    /// Tuned by the fixed points (Den Hartog)
+    /// Tuned by the invariant points (Den Hartog)
     FixedPoints,
-    /// Tuned for the least peak
+    /// Tuned for the minimum peak
     LeastPeak,
     /// Tuning and damping given
     Given {
@@ -70,7 +70,7 @@ pub enum Absorber {
         /// Damping.
         damping: AbsorberDamping,
     },
-    /// Viscous without spring (Houdaille), best damping
+    /// Viscous without spring (Houdaille), optimum damping
     Houdaille,
     /// Viscous without spring, damping given
     Viscous {
@@ -108,15 +108,15 @@ pub enum Tuning {
 /// book prints.
 #[derive(Clone, Debug, Inputs)]
 pub enum AbsorberDamping {
-    /// Damping ratio by the absorber itself
+    /// Damping ratio relative to the absorber
     /// ζ_a = c/(2 m_a ω_a).
     ByAbsorber {
         /// Damping ratio.
         #[input("ζ_a", "1", nonnegative)]
         ratio: f64,
     },
-    /// Damping ratio by the main frequency
-    /// γ = c/(2 m_a ω_m), as Den Hartog has it.
+    /// Damping ratio relative to the main frequency
+    /// γ = c/(2 m_a ω_m), as in Den Hartog.
     ByMain {
         /// Damping ratio.
         #[input("γ", "1", nonnegative)]
@@ -133,7 +133,7 @@ pub enum AbsorberDamping {
 /// What is known of the damper of a viscous absorber.
 #[derive(Clone, Debug, Inputs)]
 pub enum ViscousDamping {
-    /// Damping ratio by the main frequency
+    /// Damping ratio relative to the main frequency
     /// γ = c/(2 m_a ω_m).
     ByMain {
         /// Damping ratio.
@@ -172,7 +172,7 @@ impl Analysis for DampedAbsorber {
         id: "vibration/damped-absorber",
         title: "Damped vibration absorber",
         topic: "Isolation, absorbers and instruments",
-        summary: "Best tuning and damping of an absorber by the fixed points and for the least peak, of a viscous absorber without spring, and the response before and after.",
+        summary: "Optimum tuning and damping of an absorber by the invariant points and for the minimum peak, of a viscous absorber without spring, and the response before and after.",
         keywords: "tuned mass damper TMD Den Hartog Houdaille Lanchester optimum fixed points minimax \
                    absorvedor dinâmico amortecido amortecedor de massa sintonizado ótimo pontos fixos",
         sources: &[&DEN_HARTOG, &BROCK, &NISHIHARA, &RAO],
@@ -232,8 +232,7 @@ struct Chosen<N> {
 
 fn no_peaks() -> Refusal {
     Refusal::because(
-        "the main system is so damped that its response with this absorber has no peaks to be balanced: write a smaller \
-         damping ratio, or a heavier absorber",
+        "the main system is so heavily damped that its response with this absorber has no peaks to equalise: write a smaller damping ratio, or a heavier absorber",
     )
 }
 
@@ -289,7 +288,7 @@ impl<N: Real> System<N> {
         damping: &AbsorberDampingGiven<W>,
         sheet: W,
     ) -> Result<Chosen<N>, Refusal> {
-        let why = ("Tuning: absorber over main system, each by itself", DEN_HARTOG.at("§3.3"));
+        let why = ("Tuning: absorber frequency over main-system frequency, uncoupled", DEN_HARTOG.at("§3.3"));
         let tuning = match tuning {
             TuningGiven::Ratio { ratio } => *ratio,
             TuningGiven::Frequency { frequency } => {
@@ -314,7 +313,7 @@ impl<N: Real> System<N> {
                 "γ",
                 "1",
                 tuning * *ratio,
-                "Damping ratio by the main frequency, c/(2 m_a ω_m) = f ζ_a",
+                "Damping ratio relative to the main frequency, c/(2 m_a ω_m) = f ζ_a",
             ),
             AbsorberDampingGiven::Coefficient { coefficient } => self.by_main(*coefficient, sheet)?,
         };
@@ -337,7 +336,7 @@ impl<N: Real> System<N> {
     fn by_main<W: Worksheet<Num = N>>(&self, coefficient: N, sheet: W) -> Result<N, Refusal> {
         let body = self.body.as_ref().ok_or_else(needs_masses)?;
         let ratio = coefficient / (body.absorber * body.natural * 2.0);
-        Ok(sheet.step("γ", "1", ratio, "Damping ratio by the main frequency, c/(2 m_a ω_m)"))
+        Ok(sheet.step("γ", "1", ratio, "Damping ratio relative to the main frequency, c/(2 m_a ω_m)"))
     }
 }
 
@@ -369,9 +368,9 @@ fn assess<W: Worksheet>(
             let [by_ratios, stroke] = [kernel.magnification(1.0), kernel.relative_motion(1.0)];
             let size = by_ratios.max(stroke);
             if size.is_finite() {
-                let what = "motion of the main mass at its natural frequency, from spring and damper in full";
+                let what = "main-mass motion at its natural frequency, from the full equations with spring and damper";
                 sheet.check_sum(what, W::Num::from(main), W::Num::from(by_ratios), size);
-                let what = "motion of the absorber at that frequency, from spring and damper in full";
+                let what = "absorber motion at that frequency, from the full equations with spring and damper";
                 sheet.check_sum(what, W::Num::from(relative), W::Num::from(stroke), size);
             }
         });
@@ -379,7 +378,7 @@ fn assess<W: Worksheet>(
     }
     if kernel.damping == 0.0 && kernel.main_damping == 0.0 {
         sheet.warn(|| {
-            Text::new("nothing is damped: at both resonances the motion grows with time without bound, and there is no peak")
+            Text::new("there is no damping: at both resonances the motion grows with time without bound, and there is no peak")
         });
     } else {
         peak(system, &kernel, full.as_ref(), sheet);
@@ -400,16 +399,18 @@ fn assess<W: Worksheet>(
 /// The largest motions over all frequencies.
 fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, full: Option<&InFull>, sheet: W) {
     let Some(peak) = kernel.largest_peak() else {
-        sheet.warn(|| Text::new("the response of the main system has no peak: at rest it is largest"));
+        sheet.warn(|| {
+            Text::new("the response of the main system has no peak: it is largest at frequency zero")
+        });
         return;
     };
     let ratio = sheet.found(
         "gₚ",
         "1",
         peak.ratio,
-        "Frequency ratio of the highest peak: the response is level there",
+        "Frequency ratio of the highest peak: the response has zero slope there",
     );
-    let height = sheet.found("Hₚ", "1", peak.height, "Largest magnification with the chosen absorber");
+    let height = sheet.found("Hₚ", "1", peak.height, "Maximum magnification with the chosen absorber");
     sheet.verify(|| {
         let [main, _] = optimum::equations(kernel, peak.ratio);
         sheet.check(
@@ -418,7 +419,7 @@ fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, full: Option<&In
             height,
         );
     });
-    sheet.answer("peak", "Largest magnification", height);
+    sheet.answer("peak", "Maximum magnification", height);
     sheet.answer("peak_ratio", "Frequency ratio of the peak", ratio);
     sheet.verify(|| {
         if let Some([off, error]) = off_level(|g| kernel.magnification(g), ratio.value()) {
@@ -427,9 +428,9 @@ fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, full: Option<&In
     });
     let before = kernel.main_damping;
     if before > 0.0 && before < 0.5f64.sqrt() {
-        let why = ("Largest magnification without the absorber", RAO.at("§3.4"));
+        let why = ("Maximum magnification without the absorber", RAO.at("§3.4"));
         let before = sheet.step("H₀", "1", sdof::peak_magnification(system.zeta), why);
-        sheet.answer("peak_before", "Largest magnification without the absorber", before);
+        sheet.answer("peak_before", "Maximum magnification without the absorber", before);
         sheet.check(
             "without the absorber: the magnification where the slope of the response is zero",
             sdof::magnification(sdof::magnification_peak_ratio(system.zeta), system.zeta),
@@ -442,13 +443,13 @@ fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, full: Option<&In
     }
     let relative = kernel.largest_relative_motion();
     let stroke = relative.map(|relative| {
-        let how = "Largest motion of the absorber relative to the main mass, over the static deflection of the main mass";
+        let how = "Maximum relative motion of the absorber, over the static deflection of the main mass";
         let stroke = sheet.found("Sₚ", "1", relative.height, how);
         sheet.verify(|| {
             let [_, found] = optimum::equations(kernel, relative.ratio);
             sheet.check("relative motion from the equations of both masses", W::Num::from(found), stroke);
         });
-        sheet.answer("stroke_ratio", "Largest relative motion over the static deflection", stroke);
+        sheet.answer("stroke_ratio", "Maximum relative motion over the static deflection", stroke);
         (stroke, relative.ratio)
     });
     if let Some((body, force)) = system.body.as_ref().and_then(|body| Some((body, body.force?))) {
@@ -458,8 +459,8 @@ fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, full: Option<&In
             force / body.stiffness,
             ("Static deflection under the force", RAO.at("§3.3")),
         );
-        let largest = sheet.step("Xₚ", "mm", height * still, "Largest amplitude of the main mass");
-        sheet.answer("amplitude", "Largest amplitude of the main mass", largest);
+        let largest = sheet.step("Xₚ", "mm", height * still, "Maximum amplitude of the main mass");
+        sheet.answer("amplitude", "Maximum amplitude of the main mass", largest);
         let motion = |ratio: f64| {
             full.map(|masses| masses.motion(force.value(), ratio * body.natural.value())).unwrap_or_default()
         };
@@ -473,12 +474,12 @@ fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, full: Option<&In
                 "Yₚ",
                 "mm",
                 stroke * still,
-                "Largest stroke of the absorber: room that it needs to each side",
+                "Maximum stroke of the absorber: clearance required on each side",
             );
-            sheet.answer("stroke", "Largest stroke of the absorber", stroke);
+            sheet.answer("stroke", "Maximum stroke of the absorber", stroke);
             sheet.verify(|| {
                 let [_, relative] = motion(at);
-                let what = "stroke of the absorber, from the equations of motion in full";
+                let what = "stroke of the absorber, from the full equations of motion";
                 sheet.check(what, stroke, W::Num::from(relative));
             });
         }
@@ -503,7 +504,7 @@ fn motion_at<W: Worksheet>(
     };
     if kernel.relative_motion(ratio.value()) > 1e12 {
         return Err(Refusal::because(
-            "nothing is damped and this frequency is a resonance: the motion grows with time without bound",
+            "there is no damping and this frequency is a resonance: the motion grows with time without bound",
         ));
     }
     let (one, square) = (W::Num::from(1.0), ratio.powi(2));
@@ -529,7 +530,7 @@ fn motion_at<W: Worksheet>(
     let size = real.powi(2) + imaginary.powi(2);
     let why = ("Magnification of the main mass at this frequency", DEN_HARTOG.at("§3.3"));
     let main = sheet.step("H", "1", ((spring.powi(2) + damper.powi(2)) / size).sqrt(), why);
-    let why = ("Motion of the absorber relative to it, over the static deflection", DEN_HARTOG.at("§3.3"));
+    let why = ("Relative motion of the absorber, over the static deflection", DEN_HARTOG.at("§3.3"));
     let relative = sheet.step("S", "1", square / size.sqrt(), why);
     sheet.verify(|| {
         let [again, moved] = optimum::equations(kernel, ratio.value());

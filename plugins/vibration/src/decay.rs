@@ -12,7 +12,7 @@ pub struct Decay {
     /// 1 stands for a motion that does not decay.
     #[input("(x₁/xₙ)", "1", min = 1)]
     pub amplitude_ratio: f64,
-    /// Counted.
+    /// Counted quantity.
     pub counted: Counted,
 }
 
@@ -25,7 +25,7 @@ pub enum Counted {
         #[input("N", "1", positive)]
         cycles: f64,
     },
-    /// Successive amplitudes, both ends included
+    /// Successive amplitudes, including both ends
     /// Seven successive amplitudes span six cycles.
     Amplitudes {
         /// Number of amplitudes.
@@ -63,10 +63,10 @@ pub(crate) fn decrement<W: Worksheet>(given: &DecayGiven<W>, sheet: W) -> FreeDe
         "ζ",
         "1",
         sdof::damping_ratio_from_decrement(decrement),
-        ("Damping ratio of that decrement", RAO.at("§2.6.3")),
+        ("Damping ratio from that decrement", RAO.at("§2.6.3")),
     );
     sheet.check(
-        "the damping ratio gives the decrement back",
+        "the damping ratio reproduces the decrement",
         sdof::decrement_from_damping_ratio(damping_ratio),
         decrement,
     );

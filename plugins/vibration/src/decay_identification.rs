@@ -34,7 +34,7 @@ pub struct DecayIdentification {
     #[input("ωₙ", "rad/s", positive)]
     pub natural_frequency: Option<f64>,
     /// Gravity.
-    /// For the coefficient of friction of a mass on a level surface.
+    /// For the coefficient of friction of a mass on a horizontal surface.
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
     pub gravity: f64,
 }
@@ -52,10 +52,10 @@ pub enum DecayRecord {
     /// Samples of the motion
     Samples {
         /// Samples.
-        /// In the order of time, at least ten to a cycle.
+        /// In time order, at least ten per cycle.
         #[input(table)]
         samples: Vec<Sample>,
-        /// Share of the range within which an extreme counts as noise.
+        /// Fraction of the range below which an extremum counts as noise.
         #[input("p", "%", positive, below = 50, default = "2 %")]
         noise: f64,
     },
@@ -91,9 +91,9 @@ const FEWEST: usize = 4;
 impl Analysis for DecayIdentification {
     const ABOUT: About = About {
         id: "vibration/decay-identification",
-        title: "Viscous damping or friction from a decay",
+        title: "Viscous damping or friction from a free decay",
         topic: "Free vibration",
-        summary: "An exponential, a straight line and both together fitted to a decay record: damping, friction, and which of them it is.",
+        summary: "Exponential, linear and combined fits to a decay record: viscous damping, Coulomb friction, and which of them is present.",
         keywords: "coulomb viscous discriminate envelope exponential linear fit decay record identification \
                    identificação decaimento envoltória atrito viscoso",
         sources: &[&RAO, &GROVER],
@@ -109,7 +109,7 @@ impl Analysis for DecayIdentification {
         }
         let fits = decay_fit::fit(&points).map_err(|err| match err {
             DecayFitError::NotDecaying => Refusal::because("the amplitudes do not fall with the cycles"),
-            DecayFitError::Points => Refusal::because("the amplitudes do not stand at different cycles"),
+            DecayFitError::Points => Refusal::because("the amplitudes do not belong to different cycles"),
         })?;
         let natural = ends.map(|ends| period(ends, points.len(), &fits, sheet));
         let count = sheet.found("N", "1", points.len() as f64, "Number of amplitudes");
@@ -147,7 +147,7 @@ impl DecayIdentification {
         };
         if samples.windows(2).any(|pair| pair[1].time <= pair[0].time) {
             return Err(Refusal::because(
-                "the times of the samples do not rise from row to row: put the rows in the order of time",
+                "the times of the samples do not increase from row to row: sort the rows by time",
             ));
         }
         let record: Vec<(f64, f64)> =
@@ -155,7 +155,7 @@ impl DecayIdentification {
         let turning = decay_fit::turning_points(&record, noise);
         if turning.len() < FEWEST + 1 {
             return Err(Refusal::because(
-                "the record has fewer than five turning points: record more cycles, or more samples to a cycle",
+                "the record has fewer than five turning points: record more cycles, or more samples per cycle",
             ));
         }
         // Half the distance from each turning point to the next: free of an offset of the record.
@@ -195,7 +195,7 @@ fn forces<W: Worksheet>(
             sheet.verify(|| {
                 let [natural, damping] = [natural, damping].map(Real::value);
                 sheet.check(
-                    "half a cycle: what the spring gives up is the work of friction and damper, by quadrature",
+                    "half-cycle: the energy released by the spring is the work of friction and damper, by quadrature",
                     W::Num::from(force.value() * half.path + damping * natural * half.squared_rate),
                     W::Num::from(stiffness.value() / 2.0 * half.squares),
                 );
@@ -207,14 +207,14 @@ fn forces<W: Worksheet>(
             "µ",
             "1",
             offset * natural.powi(2) / given.gravity,
-            "Coefficient of friction on a level surface: F = µmg and F/k = f",
+            "Coefficient of friction on a horizontal surface: F = µmg and F/k = f",
         );
         sheet.answer("friction_coefficient", "Coefficient of friction", coefficient);
         sheet.verify(|| {
             let [coefficient, natural, gravity] = [coefficient, natural, given.gravity].map(Real::value);
             let taken = 2.0 * zeta.value() * natural * natural * half.squared_rate;
             sheet.check(
-                "half a cycle of a mass on a level surface: its energy is the work of friction and damper",
+                "half-cycle of a mass on a level surface: its energy is the work of friction and damper",
                 W::Num::from(coefficient * gravity * half.path + taken),
                 W::Num::from(natural * natural / 2.0 * half.squares),
             );
@@ -255,8 +255,7 @@ fn period<W: Worksheet>([first, last]: [f64; 2], strokes: usize, fits: &DecayFit
     let half = sheet.found("T/2", "s", half, "Mean time from one turning point of the record to the next");
     let damped = sheet.step("ω_d", "rad/s", W::Num::from(PI) / half, "Frequency of the decaying motion");
     let zeta = sdof::damping_ratio_from_decrement(fits.both.decrement);
-    let zeta =
-        sheet.found("ζ₀", "1", zeta, "Damping ratio of the viscous part, from the fit with both below");
+    let zeta = sheet.found("ζ₀", "1", zeta, "Viscous damping ratio, from the combined fit below");
     let natural = sheet.step(
         "ωₙ",
         "rad/s",
@@ -267,7 +266,7 @@ fn period<W: Worksheet>([first, last]: [f64; 2], strokes: usize, fits: &DecayFit
     sheet.answer("natural_frequency", "Natural frequency", natural);
     sheet.verify(|| {
         sheet.check(
-            "from the first turning point to the last, every stroke is half a turn of the damped motion",
+            "from the first to the last turning point, every stroke is half a cycle of the damped motion",
             W::Num::from(damped.value() * last - damped.value() * first),
             W::Num::from(strokes * PI),
         );
@@ -290,7 +289,7 @@ fn released<W: Worksheet>(ratio: W::Num, decrement: W::Num, sheet: W) {
     let period = 2.0 * PI / motion.damped_frequency();
     if let Some([left, _]) = motion.integrated(period) {
         sheet.check_sum(
-            "what a cycle leaves of a release from rest with this damping ratio, by integration of the equation of motion",
+            "amplitude ratio after one cycle of a release from rest with this damping ratio, by integration of the equation of motion",
             W::Num::from(left),
             W::Num::from((-decrement.value()).exp()),
             1.0,
@@ -305,12 +304,12 @@ fn viscous<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
         "1",
         fit.decrement,
         (
-            "Viscous damping alone: X = X₀ e^(−δn) by least squares of the amplitudes; its decrement",
+            "Viscous damping only: X = X₀ e^(−δn) by least squares on the amplitudes; its decrement",
             RAO.at("§2.6.3"),
         ),
     );
     sheet.check_zeros(
-        "viscous damping alone: the least squares meet their normal equations",
+        "viscous damping alone: the least-squares solution satisfies its normal equations",
         fit.normal_equations,
         1.0,
     );
@@ -318,17 +317,17 @@ fn viscous<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
         "ζᵥ",
         "1",
         sdof::damping_ratio_from_decrement(decrement),
-        ("Damping ratio of that decrement", RAO.at("§2.6.3")),
+        ("Damping ratio from that decrement", RAO.at("§2.6.3")),
     );
-    let scatter = sheet.found("εᵥ", "mm", fit.scatter, "Its root mean square difference from the amplitudes");
-    sheet.answer("viscous_decrement", "Viscous alone: decrement", decrement);
-    sheet.answer("viscous_ratio", "Viscous alone: damping ratio", ratio);
-    sheet.answer("viscous_scatter", "Viscous alone: scatter", scatter);
+    let scatter = sheet.found("εᵥ", "mm", fit.scatter, "Its rms deviation from the amplitudes");
+    sheet.answer("viscous_decrement", "Viscous only: decrement", decrement);
+    sheet.answer("viscous_ratio", "Viscous only: damping ratio", ratio);
+    sheet.answer("viscous_scatter", "Viscous only: fit residual", scatter);
     sheet.verify(|| {
         released(ratio, decrement, sheet);
         let what = [
-            "viscous damping alone: the differences are orthogonal to the change of the exponential with its decrement",
-            "viscous damping alone: the differences have this root mean square",
+            "viscous damping alone: the residuals are orthogonal to the change of the exponential with its decrement",
+            "viscous damping alone: rms value of the residuals",
         ];
         fitted::check(what, points, [decrement.value(), 0.0], scatter.value(), sheet);
     });
@@ -340,23 +339,23 @@ fn friction<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
         "ΔX",
         "mm",
         fit.loss,
-        ("Friction alone: X = X₀ − ΔX n by least squares; its loss in a cycle", RAO.at("§2.9")),
+        ("Friction alone: X = X₀ − ΔX n by least squares; its amplitude decrease per cycle", RAO.at("§2.9")),
     );
     sheet.check_zeros(
-        "friction alone: the least squares meet their normal equations",
+        "friction alone: the least-squares solution satisfies its normal equations",
         fit.normal_equations,
         1.0,
     );
-    let offset = sheet.step("f_f", "mm", loss / 4.0, ("The loss in a cycle is 4F/k; F/k", RAO.at("§2.9")));
-    let scatter =
-        sheet.found("ε_f", "mm", fit.scatter, "Its root mean square difference from the amplitudes");
-    sheet.answer("friction_loss", "Friction alone: loss in a cycle", loss);
+    let offset =
+        sheet.step("f_f", "mm", loss / 4.0, ("Amplitude decrease per cycle: 4F/k; F/k", RAO.at("§2.9")));
+    let scatter = sheet.found("ε_f", "mm", fit.scatter, "Its rms deviation from the amplitudes");
+    sheet.answer("friction_loss", "Friction alone: amplitude decrease per cycle", loss);
     sheet.answer("friction_offset", "Friction alone: F/k", offset);
-    sheet.answer("friction_scatter", "Friction alone: scatter", scatter);
+    sheet.answer("friction_scatter", "Friction alone: fit residual", scatter);
     sheet.verify(|| {
         let what = [
-            "friction alone: the differences are orthogonal to the cycles",
-            "friction alone: the differences have this root mean square",
+            "friction alone: the residuals are orthogonal to the cycles",
+            "friction alone: rms value of the residuals",
         ];
         fitted::check(what, points, [0.0, loss.value()], scatter.value(), sheet);
     });
@@ -364,7 +363,7 @@ fn friction<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
 
 fn both<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
     sheet.check_zeros(
-        "both together: the least squares meet their normal equations",
+        "both together: the least-squares solution satisfies its normal equations",
         fits.both.normal_equations,
         1.0,
     );
@@ -372,11 +371,11 @@ fn both<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
         "ε",
         "mm",
         fits.both.scatter,
-        "Both together: X = X₀ e^(−δn) − d (1 − e^(−δn))/δ by least squares; its root mean square difference",
+        "Combined fit by least squares: X = X₀ e^(−δn) − d (1 − e^(−δn))/δ; rms residual",
     );
-    sheet.answer("both_scatter", "Both: scatter", scatter);
+    sheet.answer("both_scatter", "Combined: fit residual", scatter);
     sheet.verify(|| {
-        let what = "both together: the differences have this root mean square";
+        let what = "both together: rms value of the residuals";
         fitted::check_scatter(what, points, [fits.both.decrement, fits.both.loss], scatter.value(), sheet);
     });
 }
@@ -384,14 +383,15 @@ fn both<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
 /// Damping ratio and `F/k` of the fit with both.
 fn of_both<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) -> [W::Num; 2] {
     let fit = &fits.both;
-    let decrement = sheet.found("δ", "1", fit.decrement, "Both together: decrement of the viscous part");
+    let decrement = sheet.found("δ", "1", fit.decrement, "Combined fit: viscous decrement");
     let ratio = sheet.step(
         "ζ",
         "1",
         sdof::damping_ratio_from_decrement(decrement),
-        ("Damping ratio of that decrement", RAO.at("§2.6.3")),
+        ("Damping ratio from that decrement", RAO.at("§2.6.3")),
     );
-    let loss = sheet.found("d", "mm", fit.loss, "Both together: loss in a cycle where friction alone acts");
+    let loss =
+        sheet.found("d", "mm", fit.loss, "Combined fit: amplitude decrease per cycle with friction alone");
     let offset = if fit.decrement > 1e-3 {
         // tanh(δ/4) = (1 − q)/(1 + q) with q = e^(−δ/2), what viscous damping leaves in a stroke.
         let one = W::Num::from(1.0);
@@ -399,7 +399,7 @@ fn of_both<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) -> [
             "q",
             "1",
             (-(decrement / 2.0)).exp(),
-            "What viscous damping leaves of the amplitude in half a cycle",
+            "Amplitude ratio per half-cycle due to viscous damping alone",
         );
         loss / decrement * (one - kept) / (one + kept)
     } else {
@@ -410,21 +410,21 @@ fn of_both<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) -> [
         "f",
         "mm",
         offset,
-        "Both together: F/k, which takes f (1 + q) of the amplitude in half a cycle",
+        "Combined fit: F/k, which reduces the amplitude by f (1 + q) per half-cycle",
     );
-    sheet.answer("decrement", "Both: decrement of the viscous part", decrement);
-    sheet.answer("damping_ratio", "Both: damping ratio", ratio);
-    sheet.answer("offset", "Both: F/k", offset);
+    sheet.answer("decrement", "Combined: viscous decrement", decrement);
+    sheet.answer("damping_ratio", "Combined: damping ratio", ratio);
+    sheet.answer("offset", "Combined: F/k", offset);
     sheet.verify(|| {
         released(ratio, decrement, sheet);
-        let what = "both together: the differences are orthogonal to the changes with decrement and friction";
+        let what = "both together: the residuals are orthogonal to the changes with decrement and friction";
         fitted::check_slopes(what, points, [decrement.value(), loss.value()], sheet);
         let [decrement, loss, offset] = [decrement, loss, offset].map(Real::value);
         if decrement > 1e-3 {
             let kept = (-decrement / 2.0).exp();
             let stroke = offset * (1.0 + kept);
             sheet.check(
-                "what friction takes in two strokes, one after the other, is its share of a cycle",
+                "the friction losses of two successive strokes add up to the loss per cycle",
                 W::Num::from(stroke * kept + stroke),
                 W::Num::from(-loss * (-decrement).exp_m1() / decrement),
             );
@@ -453,16 +453,16 @@ fn verdict<W: Worksheet>(fits: &DecayFits, sheet: W) -> Verdict {
         "ρ",
         "1",
         viscous / friction,
-        "Scatter of the exponential over that of the straight line: below 1 the record is rather viscous, above 1 rather friction; a scatter below a millionth of the amplitude counts as that",
+        "Fit residual of the exponential over that of the straight line: below 1 indicates viscous damping, above 1 friction; a residual below one millionth of the amplitude is set to that value",
     );
     let gain = sheet.found(
         "ρ₂",
         "1",
         viscous.min(friction) / both,
-        "Scatter of the better of the two over that of both together: far above 1 only both explain the record",
+        "Fit residual of the better single model over that of the combined model: well above 1, only the combined model explains the record",
     );
-    sheet.answer("scatter_ratio", "Scatter, viscous over friction", ratio);
-    sheet.answer("gain", "Scatter, better of the two over both", gain);
+    sheet.answer("scatter_ratio", "Residual ratio, viscous over friction", ratio);
+    sheet.answer("gain", "Residual ratio, best single fit over combined", gain);
     let verdict = match (ratio.value(), gain.value()) {
         (_, gain) if gain > 2.0 => Verdict::Both,
         (ratio, _) if ratio < 0.67 => Verdict::Viscous,
@@ -472,8 +472,7 @@ fn verdict<W: Worksheet>(fits: &DecayFits, sheet: W) -> Verdict {
     if verdict == Verdict::Open {
         sheet.warn(|| {
             Text::new(
-                "the record does not tell viscous damping from friction: both fit it nearly alike; record it over more \
-                 cycles, down to smaller amplitudes",
+                "the record does not distinguish viscous damping from friction: both fit it almost equally well; record more cycles, down to smaller amplitudes",
             )
         });
     }
@@ -490,7 +489,7 @@ fn side_by_side(fits: &DecayFits, verdict: Verdict) -> TableExhibit {
             Cell::Number(fit.decrement),
             Cell::Number(fit.loss),
             Cell::Number(fit.scatter),
-            if is { Cell::from("this one") } else { Cell::Empty },
+            if is { Cell::from("selected") } else { Cell::Empty },
         ]
     };
     TableExhibit {
@@ -499,7 +498,7 @@ fn side_by_side(fits: &DecayFits, verdict: Verdict) -> TableExhibit {
             column("damping", ""),
             column("first amplitude", "mm"),
             column("decrement", "1"),
-            column("loss by friction in a cycle", "mm"),
+            column("friction loss per cycle", "mm"),
             column("scatter", "mm"),
             column("verdict", ""),
         ],

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Drawing, DrawnShape, Exhibit, Film, Ink, Inputs, Refusal, Text, Worksheet, register,
+    About, Analysis, Animation, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
 };
 use dalembert_mechanics::{Real, vibration::modes::natural_modes};
 use nalgebra::DMatrix;
@@ -53,7 +53,7 @@ pub enum UpperPendulum {
         /// Mass.
         #[input("m", "kg", positive)]
         mass: f64,
-        /// Distance from its pivot to the other one.
+        /// Distance from its pivot to the other pivot.
         #[input("l", "m", positive)]
         length: f64,
         /// Distance from its pivot to the centre of mass.
@@ -135,20 +135,19 @@ impl Analysis for DoublePendulum {
             "M₁₂",
             "kg*m^2",
             m2 * length * c2,
-            "For small angles cos(θ₁ − θ₂) is one: the velocities of pivot and centre add up",
+            "For small angles cos(θ₁ − θ₂) = 1: the velocities of pivot and centre add",
         );
-        let m22 = sheet.step("M₂₂", "kg*m^2", j2, "The lower pendulum turns about its own pivot");
+        let m22 = sheet.step("M₂₂", "kg*m^2", j2, "The lower pendulum rotates about its own pivot");
         let k11 = sheet.step(
             "K₁₁",
             "N*m/rad",
             (m1 * c1 + m2 * length) * gravity,
-            "V = ½K₁₁θ₁² + ½K₂₂θ₂²: the weights rise by the cosines of the angles from the vertical",
+            "V = ½K₁₁θ₁² + ½K₂₂θ₂²: heights of the weights from the cosines of the angles with the vertical",
         );
         let k22 = sheet.step("K₂₂", "N*m/rad", m2 * c2 * gravity, "The weight of the lower pendulum");
         if k11.value() <= 0.0 {
             return Err(Refusal::because(
-                "the upper pendulum stands above its pivot more heavily than the lower one hangs: the position of \
-                 rest is unstable, not a vibration",
+                "the upper pendulum is top-heavy and the lower one does not compensate for it: the rest position is unstable and there is no vibration",
             ));
         }
         let det = sheet.step(
@@ -165,7 +164,7 @@ impl Analysis for DoublePendulum {
         );
         if !(det.value() > 0.0 && half.value() > 0.0) {
             return Err(Refusal::because(
-                "the numbers of the pendulums are too far apart for two frequencies: treat it as one pendulum",
+                "the values of the pendulums differ too much for two frequencies: treat them as one pendulum",
             ));
         }
         // Under the root, s² − ΔK₁₁K₂₂ as a sum of squares.
@@ -185,35 +184,35 @@ impl Analysis for DoublePendulum {
         let mut ratios = Vec::new();
         for (n, square) in [(1, lower), (2, upper)] {
             let omega = sheet.step(("ω", n), "rad/s", square.sqrt(), ("Natural frequency", RAO.at("§5.3")));
-            let frequency = sheet.step(("f", n), "Hz", omega, "In cycles for each second");
+            let frequency = sheet.step(("f", n), "Hz", omega, "In cycles per second");
             let period =
-                sheet.step(("T", n), "s", W::Num::from(TAU) / omega, "Period: a whole turn of 2π over ω");
+                sheet.step(("T", n), "s", W::Num::from(TAU) / omega, "Period: a full cycle of 2π over ω");
             // The row whose difference does not cancel.
             let first = (k11.value() - square.value() * m11.value()).abs() / k11.value();
             let second = (k22.value() - square.value() * m22.value()).abs() / k22.value();
             let (ratio, why) = if first >= second {
                 (
                     (k11 - square * m11) / (square * m12),
-                    "First row of (K − λM) φ = 0: the angle of the lower over that of the upper",
+                    "First row of (K − λM) φ = 0: angle of the lower pendulum over that of the upper",
                 )
             } else {
                 (
                     square * m12 / (k22 - square * m22),
-                    "Second row of (K − λM) φ = 0: the angle of the lower over that of the upper",
+                    "Second row of (K − λM) φ = 0: angle of the lower pendulum over that of the upper",
                 )
             };
             let ratio = sheet.step(("r", n), "1", ratio, (why, RAO.at("§5.3")));
             sheet.answer(("frequency", n), "Natural frequency", frequency);
-            sheet.answer(("angular_frequency", n), "Natural frequency in radians", omega);
+            sheet.answer(("angular_frequency", n), "Natural angular frequency", omega);
             sheet.answer(("period", n), "Period", period);
             sheet.answer(
                 ("ratio", n),
-                "Turn of the lower over that of the upper, both from the vertical",
+                "Angle of the lower over that of the upper, both from the vertical",
                 ratio,
             );
             sheet.verify(|| {
                 sheet.check(
-                    Text::new("mode {n}: its energy of position over that of motion").with("n", n),
+                    Text::new("mode {n}: potential energy over kinetic energy").with("n", n),
                     (k11 + k22 * ratio.powi(2)) / (m11 + m12 * ratio * 2.0 + m22 * ratio.powi(2)),
                     omega.powi(2),
                 );
@@ -226,7 +225,7 @@ impl Analysis for DoublePendulum {
         let modes = natural_modes(&mass, &stiffness).map_err(refusal)?;
         sheet.verify(|| {
             sheet.check(
-                "the modes are orthogonal by way of the stiffness, K₁₁ + K₂₂ r₁ r₂ = 0",
+                "the modes are orthogonal with respect to the stiffness, K₁₁ + K₂₂ r₁ r₂ = 0",
                 k22 * ratios[0] * ratios[1],
                 -k11,
             );
@@ -248,7 +247,11 @@ impl Analysis for DoublePendulum {
                     let now = 0.4 / largest * (TAU * f64::from(frame) / 24.0).cos();
                     self.shapes([now, ratio * now])
                 });
-                Exhibit::Film(Film::new(Text::new("Mode {mode}").with("mode", mode), frames.collect(), 2.0))
+                Exhibit::Animation(Animation::new(
+                    Text::new("Mode {mode}").with("mode", mode),
+                    frames.collect(),
+                    2.0,
+                ))
             });
         }
         Ok(())
@@ -319,6 +322,6 @@ fn rod<W: Worksheet>(n: usize, mass: W::Num, length: W::Num, sheet: W) -> Inerti
 }
 
 fn body<W: Worksheet>(n: usize, mass: W::Num, centre: W::Num, inertia: W::Num, sheet: W) -> Inertia<W::Num> {
-    let why = ("Moment of inertia about the pivot, by the parallel axis", MERIAM.at("app. B"));
+    let why = ("Moment of inertia about the pivot, by the parallel-axis theorem", MERIAM.at("app. B"));
     (mass, centre, sheet.step(("J", n), "kg*m^2", inertia + mass * centre.powi(2), why))
 }

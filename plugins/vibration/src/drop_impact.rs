@@ -23,20 +23,20 @@ pub struct DropImpact {
     /// Falling body.
     pub body: Mass,
     /// Pan.
-    /// It rests on the spring, and the body stays on it. A cushion of no mass where this is left out.
+    /// Rests on the spring; the body stays on it. If omitted, a massless cushion.
     #[input("p")]
     pub pan: Option<Mass>,
     /// Spring.
     pub elasticity: Elasticity,
     /// Damping.
     pub damping: Damping,
-    /// Fall.
+    /// Drop.
     pub fall: Fall,
     /// Acceleration of gravity.
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
     pub gravity: f64,
     /// Times after the release.
-    /// The way fallen is answered at each of them.
+    /// The distance fallen is computed at each of them.
     #[input("t", "s", nonnegative)]
     pub times: Vec<f64>,
 }
@@ -51,9 +51,9 @@ pub enum Fall {
         #[input("h", "m", nonnegative)]
         height: f64,
     },
-    /// Speed at the contact
+    /// Speed at contact
     Speed {
-        /// Speed at the contact.
+        /// Speed at contact.
         #[input("v", "m/s", nonnegative)]
         speed: f64,
     },
@@ -66,7 +66,7 @@ impl Analysis for DropImpact {
         id: "vibration/drop-impact",
         title: "Body dropped on a spring",
         topic: "Shock and impact",
-        summary: "Largest deflection, force and deceleration of a body that falls on a sprung pan or on a cushion.",
+        summary: "Maximum deflection, force and deceleration of a body that falls on a spring-mounted pan or on a cushion.",
         keywords: "drop fall package cushion pan impact deceleration g shock queda pacote embalagem prato impacto \
                    choque amortecida bloco desaceleração",
         sources: &[&RAO, &THOMSON, &MERIAM],
@@ -78,14 +78,14 @@ impl Analysis for DropImpact {
         let gravity = given.gravity;
         let (speed, contact) = match &given.fall {
             FallGiven::Height { height } => {
-                let why = ("Speed of the free fall at the contact", MERIAM.at("§2/2"));
+                let why = ("Free-fall speed at contact", MERIAM.at("§2/2"));
                 let speed = sheet.step("v", "m/s", (gravity * *height * 2.0).sqrt(), why);
                 (speed, Some(*height))
             }
             FallGiven::Speed { speed } => (*speed, None),
         };
         let contact = contact.map(|height| {
-            let why = ("Time of the free fall", MERIAM.at("§2/2"));
+            let why = ("Free-fall time", MERIAM.at("§2/2"));
             let time = sheet.step("t_c", "s", speed / gravity, why);
             sheet.check("time of the free fall from its height", (height * 2.0 / gravity).sqrt(), time);
             (height, time)
@@ -94,7 +94,7 @@ impl Analysis for DropImpact {
             None => (body, None),
             Some(pan) => {
                 let pan = mass(pan, sheet);
-                (sheet.step("m_t", "kg", body + pan, "Body and pan move on together"), Some(pan))
+                (sheet.step("m_t", "kg", body + pan, "Body and pan move together"), Some(pan))
             }
         };
         let system = system(Some(total), &given.elasticity, &given.damping, sheet)?;
@@ -102,19 +102,19 @@ impl Analysis for DropImpact {
         let start = match pan {
             None => speed,
             Some(_) => {
-                let why = ("The body sticks to the pan: momentum is kept", MERIAM.at("§3/12"));
+                let why = ("The body sticks to the pan: momentum is conserved", MERIAM.at("§3/12"));
                 sheet.step("v₀", "m/s", body * speed / total, why)
             }
         };
-        let why = "The weight of the body would press the spring down further by";
+        let why = "Additional static compression of the spring under the weight of the body";
         let sag = sheet.step("δ", "mm", body * gravity / stiffness, why);
         sheet.check(
-            "at the contact the force that the spring lacks is the weight of the body: ωₙ² δ = m g/m_t",
+            "at contact the force missing in the spring is the weight of the body: ωₙ² δ = m g/m_t",
             system.natural.powi(2) * sag,
             body * gravity / total,
         );
         let pan_sag = pan.map(|pan| {
-            let why = "The spring is pressed already by the weight of the pan";
+            let why = "Initial compression of the spring under the weight of the pan";
             sheet.step("δ_p", "mm", pan * gravity / stiffness, why)
         });
 
@@ -126,12 +126,12 @@ impl Analysis for DropImpact {
         .map_err(cannot)?;
         let free = FreeMotion::new(&system, sheet);
         let fall = Drop { body, pan, gravity, speed, sag, start, system, pan_sag, motion, free };
-        sheet.answer("contact_speed", "Speed at the contact", speed);
+        sheet.answer("contact_speed", "Speed at contact", speed);
         if let Some((_, time)) = contact {
-            sheet.answer("contact_time", "Time of the contact", time);
+            sheet.answer("contact_time", "Instant of contact", time);
         }
         if pan.is_some() {
-            sheet.answer("common_speed", "Speed of body and pan after the contact", start);
+            sheet.answer("common_speed", "Speed of body and pan after impact", start);
         }
         sheet.answer("natural_frequency", "Natural frequency on the spring", system.natural);
         let largest = fall.largest(contact, sheet)?;
@@ -175,19 +175,18 @@ impl<N: Real> Drop<N> {
         // A motion that never turns has its greatest value at no time.
         let turns = found.time > 0.0;
         let (after, deflection, by_recurrence) = if turns {
-            let why = "Time from the contact to the largest deflection: the first zero of the velocity";
+            let why = "Time from contact to maximum deflection: the first zero of the velocity";
             let after = sheet.found("τₘ", "s", found.time, why);
             let why = (
-                "Largest deflection from the rest of pan or cushion: a step of the weight and the velocity at the contact",
+                "Maximum deflection from the static position of pan or cushion: a step of the weight and the velocity at contact",
                 RAO.at("§4.5"),
             );
             (Some(after), sheet.step("yₘ", "mm", self.deflection(after), why), found.value)
         } else {
             sheet.warn(|| {
-                Text::new("the damping is so strong that the body creeps to its rest: the largest deflection is approached, but never passed, and has no time")
+                Text::new("the damping is so strong that the body approaches rest without oscillating: the maximum deflection is approached but never passed, and has no time")
             });
-            let why =
-                "Overdamped: the body creeps to its rest, and the largest deflection is that of the weight";
+            let why = "Overdamped: the body approaches its rest position asymptotically, and the maximum deflection is that due to the weight";
             let ratio = self.system.ratio.value();
             // The slower of both motions falls to e⁻⁶⁰.
             let long =
@@ -197,28 +196,32 @@ impl<N: Real> Drop<N> {
         sheet.verify(|| {
             if self.free.is_undamped() {
                 sheet.check(
-                    "largest deflection by energy, δ + √(δ² + (v₀/ωₙ)²)",
+                    "maximum deflection by energy, δ + √(δ² + (v₀/ωₙ)²)",
                     self.sag + (self.sag.powi(2) + (self.start / natural).powi(2)).sqrt(),
                     deflection,
                 );
             } else {
-                sheet.check("largest deflection by the exact recurrence", by_recurrence.into(), deflection);
+                sheet.check("maximum deflection by the exact recurrence", by_recurrence.into(), deflection);
             }
         });
-        sheet.answer("deflection", "Largest deflection from the rest of the pan or cushion", deflection);
+        sheet.answer(
+            "deflection",
+            "Maximum deflection from the static position of the pan or cushion",
+            deflection,
+        );
         let mut since_contact = after;
         if let Some((height, fallen)) = contact {
             if let Some(after) = after {
-                let why = "Time of the largest deflection, from the release";
+                let why = "Time of maximum deflection, from the release";
                 let time = sheet.step("tₘ", "s", fallen + after, why);
-                sheet.answer("time_of_maximum", "Time of the largest deflection, from the release", time);
+                sheet.answer("time_of_maximum", "Time of maximum deflection, from the release", time);
                 since_contact = Some(time - fallen);
             }
-            let why = "Whole way of the body, from the release to the largest deflection";
+            let why = "Total displacement of the body, from release to maximum deflection";
             let way = sheet.step("sₘ", "mm", height + deflection, why);
-            sheet.answer("way", "Whole way of the body", way);
+            sheet.answer("way", "Total displacement of the body", way);
             sheet.check_sum(
-                "whole way: that of the free fall in its time, and the deflection by the exact recurrence",
+                "total distance: free fall in its time, plus the deflection by the exact recurrence",
                 way - self.gravity * fallen.powi(2) / 2.0,
                 by_recurrence.into(),
                 way.value(),
@@ -231,7 +234,7 @@ impl<N: Real> Drop<N> {
                 // The time of a long fall takes digits from what is left after it.
                 let time = since.value() + contact.map_or(0.0, |(_, fallen)| fallen.value());
                 let error = f64::EPSILON * time * natural.value() * scale;
-                let what = "the velocity is zero at the largest deflection";
+                let what = "the velocity is zero at the maximum deflection";
                 sheet.check_residual(what, velocity.into(), scale, error);
             }
         });
@@ -241,16 +244,16 @@ impl<N: Real> Drop<N> {
         let reached = if self.free.is_undamped() {
             deflection
         } else {
-            let why = "Largest value of y + 2ζẏ/ωₙ, the force of spring and damper over the stiffness";
+            let why = "Maximum value of y + 2ζẏ/ωₙ, the force of spring and damper over the stiffness";
             sheet.found("y_F", "mm", support, why)
         };
         let pressed = self.pan_sag.map_or(reached, |pan| reached + pan);
-        let why = "Largest force of spring and damper on the ground";
+        let why = "Maximum force of spring and damper on the ground";
         let force = sheet.step("F_T", "N", stiffness * pressed, why);
-        let why = "Largest deceleration: the force beyond the weight, over the mass";
+        let why = "Maximum deceleration: the force beyond the weight, over the mass";
         let deceleration = sheet.step("aₘ", "m/s^2", natural.powi(2) * (reached - self.sag), why);
-        sheet.answer("force", "Largest force on the ground", force);
-        sheet.answer("deceleration", "Largest deceleration of the body", deceleration);
+        sheet.answer("force", "Maximum force on the ground", force);
+        sheet.answer("deceleration", "Maximum deceleration of the body", deceleration);
         let total = self.system.body.expect("the mass is known").mass;
         sheet.check_sum(
             "Newton's second law at the largest force: F_T − m_t g = m_t aₘ",
@@ -290,10 +293,10 @@ impl<N: Real> Drop<N> {
         let Ok(time) = roots::find(force, [top, bottom.time], |_| ControlFlow::Continue(())) else {
             return Ok(None);
         };
-        let why = "Time from the contact until the body is thrown off again: the force between body and pan is zero";
+        let why = "Time from contact until the body leaves the pan: the force between them is zero";
         let parting = sheet.found("τ_s", "s", time, why);
         sheet.check_zero("the force is zero then", force(parting.value()).into(), found.greatest.value);
-        sheet.answer("contact_duration", "Time in contact", parting);
+        sheet.answer("contact_duration", "Contact duration", parting);
         Ok(Some(parting))
     }
 
@@ -316,10 +319,11 @@ impl<N: Real> Drop<N> {
                 let why = ("Still in free fall", MERIAM.at("§2/2"));
                 let way = sheet.step(symbol, "mm", gravity * time.powi(2) / 2.0, why);
                 if let Some((height, fallen)) = contact.filter(|(_, fallen)| fallen.value() > 0.0) {
-                    let what = "way in free fall: the height by the square of the share of its time";
+                    let what =
+                        "distance in free fall: the drop height times the square of the fraction of its time";
                     sheet.check(what, way, height * (time / fallen).powi(2));
                 }
-                sheet.answer(("way_at", n + 1), "Way of the body at time", way);
+                sheet.answer(("way_at", n + 1), "Displacement of the body at time", way);
                 continue;
             }
             let after = match contact {
@@ -334,13 +338,12 @@ impl<N: Real> Drop<N> {
             {
                 return Err(Refusal::because(
                     Text::new(
-                        "the body has left the pan or cushion again {duration} after the contact: ask for an \
-                         earlier time",
+                        "the body has already left the pan or cushion {duration} after the contact: choose an earlier time",
                     )
                     .with_quantity("duration", parting.value(), "s"),
                 ));
             }
-            let why = "Way of the body: the fall and the deflection";
+            let why = "Displacement of the body: the fall plus the deflection";
             let deflection = self.deflection(after);
             let way = match height {
                 Some(height) => sheet.step(symbol, "mm", height + deflection, why),
@@ -350,10 +353,10 @@ impl<N: Real> Drop<N> {
                 let exact = self.motion.at(after.value()).displacement;
                 let scale = self.sag.value() + (self.start / self.system.natural).value();
                 let height = height.map_or(0.0, Real::value);
-                let what = "way by the exact recurrence";
+                let what = "distance travelled by the exact recurrence";
                 sheet.check_sum(what, way, (height + exact).into(), scale + height);
             });
-            sheet.answer(("way_at", n + 1), "Way of the body at time", way);
+            sheet.answer(("way_at", n + 1), "Displacement of the body at time", way);
         }
         Ok(())
     }
@@ -372,7 +375,7 @@ impl<N: Real> Drop<N> {
             Axis::linear("deflection", "mm"),
             vec![Series::line("y", (0..=400).map(at).collect())],
         )
-        .level("where the weight would rest", self.sag.value());
+        .level("static equilibrium position", self.sag.value());
         match largest {
             Some(largest) => plot.mark("largest", largest),
             None => plot,
@@ -404,6 +407,6 @@ impl DropImpact {
 
 fn cannot<E>(_: E) -> Refusal {
     Refusal::because(
-        "these numbers are too large or too small for the motion to be followed: check their units",
+        "these numbers are too large or too small for the motion to be computed: check their units",
     )
 }

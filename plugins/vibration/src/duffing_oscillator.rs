@@ -24,7 +24,7 @@ pub struct DuffingOscillator {
     /// Stiffness at small displacements.
     #[input("k", "N/m", positive)]
     pub stiffness: f64,
-    /// Coefficient of the cube.
+    /// Cubic stiffness coefficient.
     /// The force of the spring is k x + h x³: positive for a hardening spring, negative for a softening one.
     #[input("h", "N/m^3")]
     pub cubic: f64,
@@ -35,13 +35,13 @@ pub struct DuffingOscillator {
 /// What sets it in motion.
 #[derive(Clone, Debug, Inputs)]
 pub enum Motion {
-    /// Free, let go at rest
+    /// Free, released from rest
     Free {
         /// Amplitude.
         #[input("A", "m", positive, kind = "Amplitude")]
         amplitude: f64,
     },
-    /// Forced by a harmonic force, with viscous damping
+    /// Forced vibration under a harmonic force, with viscous damping
     Forced {
         /// Damping coefficient.
         #[input("c", "N*s/m", positive)]
@@ -62,7 +62,7 @@ impl Analysis for DuffingOscillator {
         id: "vibration/duffing-oscillator",
         title: "Duffing oscillator",
         topic: "Nonlinear vibration",
-        summary: "Free period exactly, or forced amplitudes with backbone, jumps and stability, of a mass on a spring with a cubic term.",
+        summary: "Exact free period, or forced amplitudes with backbone curve, jumps and stability, of a mass on a spring with a cubic term.",
         keywords: "nonlinear hardening softening jump backbone harmonic balance oscilador de Duffing não linear salto \
                    balanço harmônico mola cúbica",
         sources: &[&NAYFEH, &THOMSON, &ABRAMOWITZ],
@@ -119,25 +119,25 @@ impl DuffingOscillator {
                 "A_lim",
                 "mm",
                 (given.stiffness / -given.cubic).sqrt(),
-                "Where a softening spring gives way: beyond it the mass does not come back",
+                "Stability limit of a softening spring: beyond it the mass does not return",
             );
-            sheet.answer("limit_amplitude", "Amplitude at which the spring gives way", limit);
+            sheet.answer("limit_amplitude", "Amplitude of zero restoring force", limit);
             sheet.check_zero(
-                "there the force of the spring is zero",
+                "at that amplitude the spring force is zero",
                 given.stiffness * limit + given.cubic * limit.powi(3),
                 self.stiffness * limit.value(),
             );
         }
         let Some(exact) = oscillator.free_period(a) else {
             return Err(Refusal::because(
-                "at this amplitude the softening spring does not pull back: choose one below √(k/|h|)",
+                "at this amplitude the softening spring exerts no restoring force: choose an amplitude below √(k/|h|)",
             ));
         };
         let turn = sheet.step(
             "Ω",
             "rad/s",
             ((given.stiffness + given.cubic * amplitude.powi(2)) / given.mass).sqrt(),
-            ("Frequency of the cosine amplitude that solves the equation", NAYFEH.at("§2.1")),
+            ("Frequency of the elliptic cosine that satisfies the equation", NAYFEH.at("§2.1")),
         );
         // agm(1, √(1 − κ²)), written out.
         let mut arithmetic = W::Num::from(1.0);
@@ -162,7 +162,7 @@ impl DuffingOscillator {
             "T",
             "s",
             W::Num::from(TAU) / (turn * arithmetic),
-            ("Exact period, four quarters K(κ)/Ω", NAYFEH.at("§2.1")),
+            ("Exact period: four quarter periods K(κ)/Ω", NAYFEH.at("§2.1")),
         );
         let frequency = sheet.step("ω", "rad/s", sdof::angular_frequency(period), "Exact frequency");
         sheet.verify(|| {
@@ -183,8 +183,12 @@ impl DuffingOscillator {
             );
             let balance_period =
                 sheet.step("T′", "s", W::Num::from(TAU) / balance, "Period by harmonic balance");
-            let error =
-                sheet.step("ΔT", "%", (balance_period - period) / period, "How far harmonic balance is off");
+            let error = sheet.step(
+                "ΔT",
+                "%",
+                (balance_period - period) / period,
+                "Relative error of harmonic balance",
+            );
             sheet.answer("balance_period", "Period by harmonic balance", balance_period);
             sheet.verify(|| checks::balance_period(&oscillator, a, balance_period, sheet));
             sheet.answer("balance_error", "Error of harmonic balance", error);
@@ -205,14 +209,14 @@ impl DuffingOscillator {
         let steady = oscillator.steady(f, w);
         if steady.is_empty() {
             return Err(Refusal::because(
-                "no steady vibration could be found: these numbers are too far apart; look at the units of h and F",
+                "no steady-state vibration was found: these values differ too much in magnitude; check the units of h and F",
             ));
         }
         for (n, one) in (1..).zip(&steady) {
             let how = if one.stable {
-                "Root of the balance of the first harmonic; stable: more amplitude needs more force"
+                "Root of the balance of the first harmonic; stable: a larger amplitude requires a larger force"
             } else {
-                "Root of the balance of the first harmonic; unstable: more amplitude needs less force, so it jumps away"
+                "Root of the balance of the first harmonic; unstable: a larger amplitude requires a smaller force, so it jumps away"
             };
             let amplitude = sheet.found(("A", n), "mm", one.amplitude, (how, NAYFEH.at("§4.1")));
             let held =
@@ -236,7 +240,7 @@ impl DuffingOscillator {
                     (self.stiffness + self.mass * w * w + 0.75 * self.cubic.abs() * one.amplitude.powi(2))
                         * one.amplitude;
                 sheet.check_zero(
-                    "spring and inertia are held by the force in phase with the motion",
+                    "spring and inertia forces are balanced by the force component in phase with the motion",
                     held * amplitude - force * lag.cos(),
                     size.max(f),
                 );
@@ -254,13 +258,13 @@ impl DuffingOscillator {
                     "mm",
                     both.amplitude(),
                     (
-                        "Largest displacement with the third harmonic balanced too, by Newton's method",
+                        "Maximum displacement with the third harmonic also balanced, by Newton's method",
                         NAYFEH.at("§2.3"),
                     ),
                 );
                 sheet.answer(
                     ("largest_displacement", n),
-                    "Largest displacement with the third harmonic",
+                    "Maximum displacement with the third harmonic",
                     largest,
                 );
                 let third = sheet.found(("A‴", n), "mm", third, "Amplitude of the third harmonic");
@@ -273,8 +277,7 @@ impl DuffingOscillator {
         if steady.len() > 1 {
             sheet.warn(|| {
                 Text::new(
-                    "three steady vibrations are possible at this frequency: which of the two stable ones is seen \
-                     depends on how it was reached",
+                    "three steady-state vibrations are possible at this frequency: which of the two stable ones occurs depends on how it was reached",
                 )
             });
         }
@@ -287,7 +290,7 @@ impl DuffingOscillator {
                 "mm",
                 (reach * 2.0 / (rest + (rest.powi(2) + given.cubic * reach * 3.0).sqrt())).sqrt(),
                 (
-                    "Largest amplitude at any frequency, where both frequencies of an amplitude meet: ¾hA⁴ + (k − c²/4m)A² = F²m/c²",
+                    "Maximum amplitude at any frequency, where both frequencies of an amplitude meet: ¾hA⁴ + (k − c²/4m)A² = F²m/c²",
                     NAYFEH.at("§4.1"),
                 ),
             );
@@ -298,7 +301,7 @@ impl DuffingOscillator {
                     - damping.powi(2) / (given.mass * 2.0))
                     / given.mass)
                     .sqrt(),
-                "Its frequency, close to the backbone",
+                "Its frequency, close to the backbone curve",
             );
             let held = given.stiffness + given.cubic * largest.powi(2) * 0.75 - given.mass * at.powi(2);
             sheet.check(
@@ -306,11 +309,11 @@ impl DuffingOscillator {
                 (held.powi(2) + (damping * at).powi(2)).sqrt() * largest,
                 force,
             );
-            sheet.answer("peak_amplitude", "Largest amplitude at any frequency", largest);
-            sheet.answer("peak_frequency", "Frequency of the largest amplitude", at);
+            sheet.answer("peak_amplitude", "Maximum amplitude at any frequency", largest);
+            sheet.answer("peak_frequency", "Frequency of maximum amplitude", at);
         } else {
             sheet.warn(|| {
-                Text::new("the response has no largest amplitude at a frequency above zero: the spring gives way, or the damping is too strong")
+                Text::new("the response has no maximum amplitude at a frequency above zero: the softening spring loses its restoring force, or the damping is too strong")
             });
         }
         let jumps = oscillator.jumps(f);
@@ -319,17 +322,17 @@ impl DuffingOscillator {
                 ("ω_J", n),
                 "rad/s",
                 *at,
-                "Vertical tangent of the response: here the amplitude jumps",
+                "Vertical tangent of the response curve: jump of the amplitude",
             );
             sheet.answer(("jump_frequency", n), "Frequency of a jump", at);
-            let amplitude = sheet.found(("A_J", n), "mm", *amplitude, "Amplitude from which it jumps");
+            let amplitude = sheet.found(("A_J", n), "mm", *amplitude, "Amplitude at which the jump occurs");
             sheet.answer(("jump_amplitude", n), "Amplitude before the jump", amplitude);
             sheet.verify(|| {
                 let hardening = given.cubic * amplitude.powi(2) * 0.75;
                 let held = given.stiffness - given.mass * at.powi(2) + hardening;
                 let damped = (damping * at).powi(2);
                 sheet.check(
-                    "at the jump spring, inertia and damper balance the force",
+                    "at the jump, the spring, inertia and damping forces balance the applied force",
                     (held.powi(2) + damped) * amplitude.powi(2),
                     force.powi(2),
                 );
@@ -425,7 +428,7 @@ fn table(steady: &[Steady]) -> TableExhibit {
         vec![Cell::from(one.amplitude), Cell::from(one.lag), Cell::from(word)]
     };
     TableExhibit {
-        title: "Steady vibrations at this frequency".into(),
+        title: "Steady-state vibrations at this frequency".into(),
         columns: vec![
             Column { heading: "amplitude".into(), unit: "mm" },
             Column { heading: "phase lag".into(), unit: "deg" },

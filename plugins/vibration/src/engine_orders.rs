@@ -32,31 +32,31 @@ pub struct EngineOrders {
     /// Cranks.
     pub cranks: Cranks,
     /// In front of the cranks.
-    /// Damper, pulley, pump: from the free end on.
+    /// Damper, pulley, pump: starting from the free end.
     #[input("f")]
     pub front: Vec<Attached>,
     /// Behind the cranks.
-    /// Flywheel, coupling, what is driven: from the engine on, all reduced to the speed of the crankshaft.
+    /// Flywheel, coupling, driven machine: starting from the engine, all referred to the crankshaft speed.
     #[input("r")]
     pub rear: Vec<Attached>,
     /// Torques of a cylinder.
     /// Harmonics of the torque on one crank; all cylinders have the same.
     pub torques: Torques,
-    /// Lowest speed.
+    /// Minimum speed.
     #[input("n_a", "rpm", positive)]
     pub lowest: f64,
-    /// Highest speed.
+    /// Maximum speed.
     #[input("n_b", "rpm", positive)]
     pub highest: f64,
-    /// Modes looked at.
-    /// From the lowest on.
+    /// Modes considered.
+    /// Starting from the lowest.
     #[input(min = 1, max = 4, default = "2")]
     pub modes: u32,
     /// Damping.
-    /// Without it the amplitude at a critical speed has no bound.
+    /// Without it the amplitude at a critical speed is unbounded.
     pub damping: Option<Damping>,
     /// Diameter of the crankshaft.
-    /// The smallest one that carries the torque, for the shear stress.
+    /// The smallest diameter that transmits the torque within the shear stress limit.
     #[input("d", "m", positive)]
     pub diameter: Option<f64>,
 }
@@ -65,10 +65,10 @@ pub struct EngineOrders {
 #[derive(Clone, Debug, Inputs)]
 pub enum Cycle {
     /// Four strokes
-    /// Each cylinder fires once in two turns: half orders too.
+    /// Each cylinder fires once every two revolutions: half orders too.
     Four,
     /// Two strokes
-    /// Each cylinder fires once in a turn: whole orders alone.
+    /// Each cylinder fires once per revolution: integer orders only.
     Two,
 }
 
@@ -83,7 +83,7 @@ pub enum Firing {
         order: String,
     },
     /// At given angles
-    /// For uneven intervals, and for V engines with two cylinders on each crank.
+    /// For unequal intervals, and for V engines with two cylinders per crank.
     Angles {
         /// Cylinders.
         #[input(min = 1)]
@@ -99,7 +99,7 @@ pub struct Cylinder {
     #[input(min = 1, max = 24)]
     pub crank: u32,
     /// Firing angle.
-    /// How far the crankshaft has turned since the first cylinder fired.
+    /// Crank angle since the first cylinder fired.
     #[input("ψ", "deg", nonnegative)]
     pub angle: f64,
 }
@@ -107,10 +107,10 @@ pub struct Cylinder {
 /// The cranks.
 #[derive(Clone, Debug, Inputs)]
 pub enum Cranks {
-    /// All alike
+    /// All equal
     Alike {
         /// Moment of inertia of a crank.
-        /// Throw, big end, and half of the mass that goes to and fro at the crank radius.
+        /// Crank throw, big end, and half of the reciprocating mass, at the crank radius.
         #[input("J_c", "kg*m^2", positive)]
         inertia: f64,
         /// Stiffness between two cranks.
@@ -131,7 +131,7 @@ pub struct Crank {
     #[input("J", "kg*m^2", positive)]
     pub inertia: f64,
     /// Stiffness of the shaft to the next crank.
-    /// Left out for the last crank.
+    /// Omit for the last crank.
     #[input("k", "N*m/rad", positive)]
     pub stiffness: Option<f64>,
 }
@@ -144,17 +144,17 @@ pub struct Attached {
     /// Moment of inertia.
     pub inertia: Inertia,
     /// Shaft towards the engine.
-    /// From the middle of the nearest crank, or from the part before.
+    /// From the middle of the nearest crank, or from the previous part.
     pub shaft: TorsionalSpring,
 }
 
 /// What is known of the torque of a cylinder.
 #[derive(Clone, Debug, Inputs)]
 pub enum Torques {
-    /// Not known
-    /// The sums of the phase vectors alone.
+    /// Torques unknown
+    /// Only the sums of the phase vectors.
     Unknown {
-        /// Highest order.
+        /// Maximum order.
         #[input(min = 1, max = 24, default = "12")]
         highest: u32,
     },
@@ -237,7 +237,7 @@ impl Analysis for EngineOrders {
         id: "vibration/engine-orders",
         title: "Torsional vibration of an engine",
         topic: "Shafts and rotors",
-        summary: "Natural frequencies of crankshaft and driven machine, sums of the phase vectors of each order, critical speeds, amplitudes and torques there.",
+        summary: "Natural frequencies of crankshaft and driven machine, sums of the phase vectors of each order, critical speeds with their amplitudes and torques.",
         keywords: "torsional vibration crankshaft diesel engine firing order phase vector star harmonic order critical speed \
                    Holzer Carter Ker Wilson vibração torcional virabrequim motor ordem de ignição velocidade crítica harmônico",
         sources: &[&DEN_HARTOG, &KER_WILSON],
@@ -257,7 +257,7 @@ impl Analysis for EngineOrders {
         let elastic = &all[1..];
         if elastic.is_empty() {
             return Err(Refusal::because(
-                "one crank alone turns freely and does not vibrate: write a flywheel or another crank",
+                "a single crank rotates freely and does not vibrate: write a flywheel or another crank",
             ));
         }
         let vibrations: Vec<Vibration<W::Num>> = elastic
@@ -272,7 +272,7 @@ impl Analysis for EngineOrders {
             .map(|vibration| orders.iter().map(|order| cylinders.sum(order.order, vibration)).collect())
             .collect();
         for (n, sums) in sums.iter().enumerate() {
-            sheet.answer_list(("phase_sums", n + 1), "Sums of the phase vectors, order by order", "1", sums);
+            sheet.answer_list(("phase_sums", n + 1), "Sums of the phase vectors by order", "1", sums);
         }
         let angles = cylinders.values();
         let major: Vec<f64> = orders
@@ -288,7 +288,7 @@ impl Analysis for EngineOrders {
             "N",
             "1",
             criticals.len() as f64,
-            "Critical speeds between the lowest and the highest one: an order meets a natural frequency",
+            "Critical speeds between the lowest and the highest speed: an order coincides with a natural frequency",
         );
         sheet.answer("critical_speeds", "Number of critical speeds in the range", count);
         for (row, critical) in critical::worst(&criticals, WORKED).into_iter().enumerate() {
@@ -297,8 +297,7 @@ impl Analysis for EngineOrders {
         if self.damping.is_none() && !matches!(self.torques, Torques::Unknown { .. }) {
             sheet.warn(|| {
                 Text::new(
-                    "without damping the amplitude at a critical speed is unbounded: it grows with time; what is answered \
-                     is the equilibrium amplitude",
+                    "without damping the amplitude at a critical speed is unbounded: it grows with time; the equilibrium amplitude is given instead",
                 )
             });
         }
@@ -376,7 +375,7 @@ impl EngineOrders {
             }
         };
         if orders.len() > 100 {
-            return Err(Refusal::because("there are more than 100 orders: leave out the highest ones"));
+            return Err(Refusal::because("there are more than 100 orders: omit the highest ones"));
         }
         let whole = |order: &Order| {
             let parts = order.order / step;
@@ -394,7 +393,7 @@ impl EngineOrders {
         }
         orders.sort_by(|a, b| a.order.total_cmp(&b.order));
         if orders.windows(2).any(|pair| pair[1].order - pair[0].order < 1e-6) {
-            return Err(Refusal::because("an order stands twice in the table: write each order once"));
+            return Err(Refusal::because("an order appears twice in the table: write each order once"));
         }
         Ok(orders)
     }
@@ -431,12 +430,12 @@ fn vibration<W: Worksheet>(
     sheet: W,
 ) -> Vibration<W::Num> {
     let holzer = (
-        "By Holzer's method: at this frequency no torque is left over at the last mass",
+        "By Holzer's method: at this frequency the residual torque at the last mass is zero",
         DEN_HARTOG.at("ch. 5"),
     );
-    let why = if n == 1 { Why::from(holzer) } else { Why::from("In the same way") };
+    let why = if n == 1 { Why::from(holzer) } else { Why::from("Similarly") };
     let frequency = sheet.found(("ω", n), "rad/s", mode.frequency, why);
-    let counted = sheet.step(("fₙ", n), "Hz", frequency, "The same frequency, counted in cycles");
+    let counted = sheet.step(("fₙ", n), "Hz", frequency, "The same frequency in Hz");
     sheet.answer(("frequency", n), "Natural frequency", counted);
     let largest =
         mode.shape.iter().fold(0.0, |largest: f64, x| if x.abs() > largest.abs() { *x } else { largest });
@@ -446,9 +445,9 @@ fn vibration<W: Worksheet>(
     sheet.answer_list(("mode", n), "Amplitudes of mode", "1", &shape);
     let amplitude = |(i, x): (usize, &f64)| {
         let why = if i == 0 {
-            "Amplitude of the first mass, the measure of all others"
+            "Amplitude of the first mass, the reference for all others"
         } else {
-            "From Holzer's table: amplitude of the mass before, less the twist between them"
+            "From Holzer's table: amplitude of the previous mass, minus the twist between them"
         };
         let [first, last] = line.cranks;
         let symbol = match i {
@@ -469,7 +468,7 @@ fn vibration<W: Worksheet>(
     sheet.verify(|| {
         let twist = |(i, stiffness): (usize, &W::Num)| *stiffness * (terms[i] - terms[i + 1]).powi(2);
         sheet.check(
-            "elastic energy over kinetic energy of the shape is ω²",
+            "elastic energy over kinetic energy of the mode shape is ω²",
             W::Num::sum(line.stiffnesses.iter().enumerate().map(twist)) / inertia,
             frequency.powi(2),
         );
@@ -485,7 +484,7 @@ fn vibration<W: Worksheet>(
         .map(|(i, ends)| (i + 1) as f64 + ends[0] / (ends[0] - ends[1]))
         .collect();
     if !nodes.is_empty() {
-        sheet.answer_list(("nodes", n), "Nodes, counted in masses from the free end", "1", &nodes);
+        sheet.answer_list(("nodes", n), "Nodes from the free end (position in mass spacings)", "1", &nodes);
     }
     // Where several cylinders share a crank, each has its amplitude by a name of its own.
     let of_cylinder = |(k, one): (usize, &firing::Cylinder<W::Num>)| {

@@ -35,17 +35,17 @@ pub struct EquivalentDamping {
 #[derive(Clone, Debug, Inputs)]
 pub enum Damping {
     /// Hysteretic: loss factor given
-    /// The damping force is a share of the elastic one, whatever the frequency: k(1 + iη).
+    /// The damping force is a fixed fraction of the elastic force at any frequency: k(1 + iη).
     LossFactor {
         /// Loss factor.
-        /// At resonance it is twice the damping ratio; zero for no damping.
+        /// At resonance it is twice the damping ratio; zero without damping.
         #[input("η", "1", nonnegative)]
         loss_factor: f64,
     },
-    /// Hysteretic: area of the loop given
+    /// Hysteretic: loop area given
     LoopArea {
-        /// Energy lost in a cycle.
-        /// The area of the loop of force over displacement.
+        /// Energy lost per cycle.
+        /// The area of the force–displacement loop.
         #[input("ΔW", "J", positive)]
         energy: f64,
         /// Amplitude at which it was measured.
@@ -53,13 +53,13 @@ pub enum Damping {
         amplitude: f64,
     },
     /// Proportional to the stiffness, by a multiplier
-    /// The damping matrix of finite elements, c = βk; the loss factor is that of this frequency.
+    /// The damping matrix of finite elements, c = βk; the loss factor applies at this frequency.
     StiffnessMultiplier {
         /// Multiplier of the stiffness.
         #[input("β", "s", positive)]
         multiplier: f64,
     },
-    /// Drag with the square of the velocity
+    /// Drag proportional to the square of the velocity
     QuadraticDrag {
         /// Drag over the square of the velocity.
         #[input("a", "N*s^2/m^2", positive)]
@@ -74,7 +74,7 @@ impl Analysis for EquivalentDamping {
         id: "vibration/equivalent-damping",
         title: "Hysteretic and other equivalent damping",
         topic: "Harmonic excitation",
-        summary: "Equivalent viscous damping, loss factor and steady amplitude of an oscillator whose damping is known by its loop.",
+        summary: "Equivalent viscous damping, loss factor and steady-state amplitude of an oscillator whose damping is given by its hysteresis loop.",
         keywords: "structural damping hysteresis loop area loss factor specific damping capacity quadratic drag \
                    amortecimento histerético estrutural fator de perda laço de histerese arrasto quadrático",
         sources: &[&RAO, &THOMSON],
@@ -90,20 +90,21 @@ impl Analysis for EquivalentDamping {
             sdof::natural_frequency(stiffness, mass),
             ("Natural frequency without damping", RAO.at("§2.2")),
         );
-        let why = ("Steady amplitude: spring and inertia on one side, damping on the other", RAO.at("§3.9"));
+        let why =
+            ("Steady-state amplitude: spring and inertia on one side, damping on the other", RAO.at("§3.9"));
         let (loss, amplitude, damping) = match &given.damping {
             DampingGiven::QuadraticDrag { drag } => {
                 let elastic = sheet.step(
                     "K",
                     "N/m",
                     (stiffness - mass * frequency.powi(2)).abs(),
-                    "What spring and inertia hold of each metre of amplitude",
+                    "Force of spring and inertia per metre of amplitude",
                 );
                 let first = sheet.step(
                     "A",
                     "N/m^2",
                     *drag * frequency.powi(2) * 8.0 / (3.0 * PI),
-                    ("The drag a v|v| acts like a viscous damping 8aωX/(3π), which takes the same energy in a cycle", RAO.at("§3.10")),
+                    ("The drag a v|v| is equivalent to a viscous damping 8aωX/(3π), which dissipates the same energy per cycle", RAO.at("§3.10")),
                 );
                 // X² is the positive root of A²X⁴ + K²X² = F₀², without cancellation.
                 let square = force.powi(2) * 2.0
@@ -112,7 +113,7 @@ impl Analysis for EquivalentDamping {
                     "X",
                     "mm",
                     square.sqrt(),
-                    "Steady amplitude: (K X)² + (A X²)² = F₀², a quadratic equation in X²",
+                    "Steady-state amplitude: (K X)² + (A X²)² = F₀², a quadratic equation in X²",
                 );
                 let damping = sheet.step(
                     "c_eq",
@@ -178,10 +179,10 @@ impl Analysis for EquivalentDamping {
             "W",
             "J",
             loss * stiffness * amplitude.powi(2) * PI,
-            ("Energy lost in a cycle: the area of the loop", RAO.at("§2.10")),
+            ("Energy lost per cycle: the area of the loop", RAO.at("§2.10")),
         );
         sheet.check(
-            "the force brings in the same energy, πF₀X sin φ",
+            "the force supplies the same energy, πF₀X sin φ",
             force * amplitude * phase.sin() * PI,
             energy,
         );
@@ -216,7 +217,7 @@ impl Analysis for EquivalentDamping {
         sheet.answer("phase", "Phase lag", phase);
         sheet.answer("equivalent_damping", "Equivalent viscous damping", damping);
         sheet.answer("equivalent_ratio", "Equivalent damping ratio", ratio);
-        sheet.answer("energy", "Energy lost in a cycle", energy);
+        sheet.answer("energy", "Energy lost per cycle", energy);
         sheet.answer("damping_capacity", "Specific damping capacity", capacity);
         if let DampingGiven::LossFactor { .. } | DampingGiven::LoopArea { .. } = &given.damping
             && loss.value() > 0.0
@@ -226,15 +227,15 @@ impl Analysis for EquivalentDamping {
                 "mm",
                 force / (loss * stiffness),
                 (
-                    "Largest amplitude, exactly at the natural frequency, unlike that of viscous damping",
+                    "Maximum amplitude, exactly at the natural frequency, unlike that of viscous damping",
                     RAO.at("§3.9"),
                 ),
             );
-            sheet.answer("largest_amplitude", "Largest amplitude at any frequency", largest);
+            sheet.answer("largest_amplitude", "Maximum amplitude at any frequency", largest);
             sheet.verify(|| {
                 let damping = loss * stiffness / natural;
                 sheet.check(
-                    "largest amplitude from the dynamic stiffness at the natural frequency",
+                    "maximum amplitude from the dynamic stiffness at the natural frequency",
                     sdof::forced_amplitude(force, stiffness, mass, damping, natural),
                     largest,
                 );
@@ -298,7 +299,7 @@ impl EquivalentDamping {
             };
             let half: f64 = (0..=panels).map(|n| weight(n) * at(n)).sum();
             let area = 2.0 * half * PI / f64::from(panels) / 3.0;
-            sheet.check("the area of the loop, summed", W::Num::from(area), energy);
+            sheet.check("area of the hysteresis loop, by summation", W::Num::from(area), energy);
         });
     }
 
@@ -310,7 +311,7 @@ impl EquivalentDamping {
             (x, self.stiffness * x + self.damping_force(amplitude, loss, phase))
         };
         Plot::new(
-            "Loop of force and displacement over a cycle",
+            "Force–displacement loop over one cycle",
             Axis::linear("displacement", "mm"),
             Axis::linear("force", "N"),
             vec![

@@ -32,10 +32,10 @@ pub enum Motion {
     /// Along a line
     Translation {
         /// Springs.
-        /// A network: series and parallel may stand inside one another.
+        /// A network: series and parallel groups may be nested.
         springs: Spring,
-        /// What they carry.
-        /// Left out, only the stiffness is found.
+        /// Supported body.
+        /// If omitted, only the stiffness is found.
         load: Option<Load>,
         /// Masses of the springs themselves.
         spring_masses: Vec<SpringMass>,
@@ -44,20 +44,20 @@ pub enum Motion {
         #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
         gravity: f64,
     },
-    /// Turning about an axis
+    /// Rotation about an axis
     Rotation {
         /// Torsional springs.
-        /// A network: series and parallel may stand inside one another.
+        /// A network: series and parallel groups may be nested.
         springs: TorsionalSpring,
-        /// What they carry.
-        /// Left out, only the stiffness is found.
+        /// Supported body.
+        /// If omitted, only the stiffness is found.
         body: Option<Body>,
         /// Moment of inertia of the shaft about its axis.
-        /// A third of it turns with the body; left out for a light shaft.
+        /// One third of it rotates with the body; omitted for a light shaft.
         #[input("J_s", "kg*m^2", nonnegative)]
         shaft_inertia: Option<f64>,
     },
-    /// Along a line, spring sought
+    /// Along a line, spring unknown
     /// The stiffness that gives a mass its natural frequency.
     Sought {
         /// Mass.
@@ -119,13 +119,13 @@ pub enum Deflected {
     Axial,
     /// Cantilever, load at its tip: 33/140
     Cantilever,
-    /// Simply supported beam, load at its middle: 17/35
+    /// Simply supported beam, load at midspan: 17/35
     SimplySupported,
-    /// Beam clamped at both ends, load at its middle: 13/35
+    /// Beam clamped at both ends, load at midspan: 13/35
     Clamped,
-    /// Share given
+    /// Given fraction
     Share {
-        /// Share of its mass.
+        /// Effective mass fraction.
         #[input("f", "1", nonnegative, max = 1)]
         share: f64,
     },
@@ -154,7 +154,7 @@ impl Analysis for EquivalentStiffness {
         id: "vibration/equivalent-stiffness",
         title: "Equivalent stiffness",
         topic: "Stiffness and inertia",
-        summary: "One spring for a network of springs, beams or shafts, what each of them carries, and the natural frequency of the mass on them.",
+        summary: "Equivalent spring of a network of springs, beams or shafts, the load on each of them, and the natural frequency of the mass on them.",
         keywords: "series parallel spring network natural frequency static deflection effective mass torsional pendulum \
                    rigidez equivalente molas série paralelo frequência natural deflexão estática pêndulo de torção",
         sources: &[&RAO],
@@ -204,20 +204,23 @@ fn translation<W: Worksheet>(
     };
     let moving = |(n, spring): (usize, &SpringMassGiven<W>)| {
         let (share, why) = match &spring.kind {
-            DeflectedGiven::Axial {} => {
-                (spring.mass / 3.0, "A third of a helical spring or bar moves with its end")
-            }
+            DeflectedGiven::Axial {} => (
+                spring.mass / 3.0,
+                "Effective mass of a helical spring or bar: one third of its mass, at the moving end",
+            ),
             DeflectedGiven::Cantilever {} => {
-                (spring.mass * 33.0 / 140.0, "33/140 of a cantilever moves with its tip")
+                (spring.mass * 33.0 / 140.0, "Effective mass of a cantilever: 33/140 of its mass, at the tip")
             }
-            DeflectedGiven::SimplySupported {} => {
-                (spring.mass * 17.0 / 35.0, "17/35 of a simply supported beam moves with its middle")
-            }
-            DeflectedGiven::Clamped {} => {
-                (spring.mass * 13.0 / 35.0, "13/35 of a beam clamped at both ends moves with its middle")
-            }
+            DeflectedGiven::SimplySupported {} => (
+                spring.mass * 17.0 / 35.0,
+                "Effective mass of a simply supported beam: 17/35 of its mass, at midspan",
+            ),
+            DeflectedGiven::Clamped {} => (
+                spring.mass * 13.0 / 35.0,
+                "Effective mass of a beam clamped at both ends: 13/35 of its mass, at midspan",
+            ),
             DeflectedGiven::Share { share } => {
-                (*share * spring.mass, "Part of the spring that moves with the load")
+                (*share * spring.mass, "Effective mass of the spring, moving with the load")
             }
         };
         sheet.step(("m_e", n + 1), "kg", share, (why, RAO.at("§1.8")))
@@ -232,7 +235,7 @@ fn translation<W: Worksheet>(
             "m'",
             "kg",
             W::Num::sum(terms),
-            ("Mass that moves in all: the kinetic energies add up", RAO.at("§1.8")),
+            ("Total moving mass: the kinetic energies add up", RAO.at("§1.8")),
         )
     };
     let (mass, natural) = match load {
@@ -246,10 +249,15 @@ fn translation<W: Worksheet>(
                 let rest = all - W::Num::sum(moving.iter().copied());
                 if rest.value() <= 0.0 {
                     return Err(Refusal::because(
-                        "the springs alone vibrate more slowly than required: write a lower frequency or lighter springs",
+                        "the natural frequency of the springs alone is below the required one: write a lower frequency or lighter springs",
                     ));
                 }
-                sheet.step("m", "kg", rest, "What is left for the load beside the moving part of the springs")
+                sheet.step(
+                    "m",
+                    "kg",
+                    rest,
+                    "Remaining mass of the load, after subtracting the effective mass of the springs",
+                )
             };
             (mass, *natural_frequency)
         }
@@ -263,7 +271,7 @@ fn translation<W: Worksheet>(
                 "m",
                 "kg",
                 k * *static_deflection / gravity,
-                ("Mass whose weight deflects the springs so far", RAO.at("§2.2")),
+                ("Mass whose weight causes this deflection", RAO.at("§2.2")),
             );
             (mass, natural(k, with_springs(mass), sheet))
         }
@@ -280,7 +288,7 @@ fn translation<W: Worksheet>(
     let moving_in_all = W::Num::sum(std::iter::once(mass).chain(moving.iter().copied()));
     sheet.verify(|| {
         sheet.check(
-            "the largest kinetic energy is the largest elastic energy",
+            "the maximum kinetic energy equals the maximum elastic energy",
             moving_in_all * natural.powi(2),
             k,
         );
@@ -323,7 +331,7 @@ fn rotation<W: Worksheet>(
             "J_e",
             "kg*m^2",
             inertia / 3.0,
-            ("A third of the shaft turns with its end", RAO.at("§1.8")),
+            ("Effective inertia of the shaft: one third, at the moving end", RAO.at("§1.8")),
         )
     });
     let (inertia, natural) = match body {
@@ -336,14 +344,14 @@ fn rotation<W: Worksheet>(
                     let rest = sheet.step("J'", "kg*m^2", all, why) - shaft;
                     if rest.value() <= 0.0 {
                         return Err(Refusal::because(
-                            "the shaft alone vibrates more slowly than required: write a lower frequency or a lighter shaft",
+                            "the natural frequency of the shaft alone is below the required one: write a lower frequency or a lighter shaft",
                         ));
                     }
                     sheet.step(
                         "J",
                         "kg*m^2",
                         rest,
-                        "What is left for the body beside the turning part of the shaft",
+                        "Remaining inertia of the body, after subtracting the rotating part of the shaft",
                     )
                 }
             };
@@ -357,7 +365,7 @@ fn rotation<W: Worksheet>(
                     "J'",
                     "kg*m^2",
                     inertia + shaft,
-                    ("Moment of inertia that turns in all: the kinetic energies add up", RAO.at("§1.8")),
+                    ("Total rotating moment of inertia: the kinetic energies add up", RAO.at("§1.8")),
                 ),
             };
             (inertia, natural(k, all, sheet))
@@ -366,7 +374,11 @@ fn rotation<W: Worksheet>(
     answer_frequency(natural, matches!(body, BodyGiven::Frequency { .. }), sheet);
     let turning = shaft.map_or(inertia, |shaft| inertia + shaft);
     sheet.verify(|| {
-        sheet.check("the largest kinetic energy is the largest elastic energy", turning * natural.powi(2), k);
+        sheet.check(
+            "the maximum kinetic energy equals the maximum elastic energy",
+            turning * natural.powi(2),
+            k,
+        );
     });
     shares(&whole, sheet, None);
     sheet.answer("inertia", "Moment of inertia of the body", inertia);
@@ -408,8 +420,8 @@ fn natural<W: Worksheet>(k: W::Num, inertia: W::Num, sheet: W) -> W::Num {
 fn answer_frequency<W: Worksheet>(natural: W::Num, given: bool, sheet: W) {
     sheet.answer("natural_frequency", "Natural frequency", natural);
     if !given {
-        let frequency = sheet.step("fₙ", "Hz", natural, "The same frequency, counted in cycles");
-        sheet.answer("frequency", "Natural frequency in cycles", frequency);
+        let frequency = sheet.step("fₙ", "Hz", natural, "The same frequency in Hz");
+        sheet.answer("frequency", "Natural frequency in hertz", frequency);
     }
     let period = sheet.step("T", "s", W::Num::from(TAU) / natural, "Period of the free motion");
     sheet.answer("period", "Period", period);
@@ -454,5 +466,5 @@ fn sketched<T: Hung>(springs: &T, carried: Option<&'static str>) -> Drawing {
             DrawnShape::Label((0.1, -height - 0.8), Text::from("F")),
         ]),
     }
-    Drawing { title: "The springs and what they carry".into(), shapes }
+    Drawing { title: "The springs and the body they support".into(), shapes }
 }

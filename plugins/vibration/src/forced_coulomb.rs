@@ -9,7 +9,7 @@ use dalembert_core::{
 use dalembert_mechanics::{
     Real, sdof,
     vibration::{
-        dry_forced::{self, DryForced, Steady},
+        forced_coulomb::{self, CoulombOscillator, Steady},
         quadrature::integral,
     },
 };
@@ -45,7 +45,7 @@ pub enum Friction {
         #[input("F", "N", positive)]
         force: f64,
     },
-    /// Coefficient of friction on a level surface
+    /// Coefficient of friction on a horizontal surface
     Coefficient {
         /// Coefficient of friction.
         #[input("µ", "1", positive)]
@@ -68,13 +68,13 @@ pub enum Friction {
 /// What is known of force and motion.
 #[derive(Clone, Debug, Inputs)]
 pub enum Excitation {
-    /// Force given, amplitude asked
+    /// Force given, amplitude unknown
     Force {
         /// Amplitude of the force.
         #[input("F₀", "N", positive)]
         force: f64,
     },
-    /// Amplitude given, force asked
+    /// Amplitude given, force unknown
     Amplitude {
         /// Amplitude of the motion.
         #[input("X", "m", positive, kind = "Amplitude")]
@@ -89,7 +89,7 @@ impl Analysis for ForcedCoulomb {
         id: "vibration/forced-coulomb",
         title: "Harmonic force with dry friction",
         topic: "Harmonic excitation",
-        summary: "Steady amplitude of a mass that rubs, by equivalent viscous damping and exactly, stops included; or the force for an amplitude.",
+        summary: "Steady-state amplitude of a mass with friction, by equivalent viscous damping and exactly, including stops; or the force for an amplitude.",
         keywords: "coulomb friction dry forced equivalent viscous damping den hartog stick slip hysteresis loop atrito \
                    seco forçada amortecimento equivalente",
         sources: &[&RAO, &DEN_HARTOG_1931, &GROVER],
@@ -136,8 +136,11 @@ impl Analysis for ForcedCoulomb {
                 (force_of(&system, *amplitude, sheet), amplitude.value())
             }
         };
-        let shaken =
-            DryForced { ratio: ratio.value(), deflection: force / self.stiffness, offset: offset.value() };
+        let shaken = CoulombOscillator {
+            ratio: ratio.value(),
+            deflection: force / self.stiffness,
+            offset: offset.value(),
+        };
         sheet.show(|| {
             let plot = response(&shaken, natural.value(), self.frequency, amplitude);
             // Of an amplitude that is given, the force at this frequency is kept.
@@ -169,16 +172,16 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
         return Err(stuck());
     }
     let deflection =
-        sheet.step("s", "mm", force / stiffness, "Deflection of the spring under the force at rest");
-    let shaken = DryForced { ratio: ratio.value(), deflection: deflection.value(), offset: offset.value() };
+        sheet.step("s", "mm", force / stiffness, "Static deflection of the spring under the force");
+    let shaken =
+        CoulombOscillator { ratio: ratio.value(), deflection: deflection.value(), offset: offset.value() };
     let steady = shaken.steady();
     if steady == Steady::Stuck {
         return Err(stuck());
     }
     if steady == Steady::Unbounded {
         return Err(Refusal::because(
-            "at the natural frequency this force brings in more energy in each cycle than friction takes, 4F/π being \
-             below F₀: the amplitude grows with time without bound",
+            "at the natural frequency this force supplies more energy per cycle than friction dissipates, since 4F/π is below F₀: the amplitude grows with time without bound",
         ));
     }
     let by_viscous = 4.0 * friction.value() < PI * force.value() && ratio.value() != 1.0;
@@ -186,7 +189,7 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
         let amplitude = sheet.step(
             "X_eq",
             "mm",
-            dry_forced::equivalent_amplitude(deflection, offset, ratio),
+            forced_coulomb::equivalent_amplitude(deflection, offset, ratio),
             ("Amplitude by equivalent viscous damping", RAO.at("§3.8")),
         );
         equivalent_damping(system, amplitude, force, sheet);
@@ -194,7 +197,7 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
             "φ′",
             "deg",
             (friction * 4.0 / (force * PI)).asin(),
-            ("The damping holds the part 4F/π of the force: sine of the phase", RAO.at("§3.8")),
+            ("Damping balances the part 4F/π of the force: sine of the phase angle", RAO.at("§3.8")),
         );
         let lag = if ratio.value() < 1.0 { angle } else { W::Num::from(PI) - angle };
         let lag =
@@ -204,12 +207,12 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
         sheet.verify(|| {
             let one = W::Num::from(1.0);
             sheet.check_zero(
-                "equivalent damping: spring and inertia are held by the force in phase with the motion",
+                "equivalent damping: spring and inertia forces are balanced by the force component in phase with the motion",
                 stiffness * amplitude * (one - ratio.powi(2)) - force * lag.cos(),
                 force.value(),
             );
             sheet.check_sum(
-                "equivalent damping: the force brings in what friction takes in a cycle, πF₀X sin φ = 4FX",
+                "equivalent damping: energy input equals friction loss per cycle, πF₀X sin φ = 4FX",
                 force * amplitude * lag.sin() * PI,
                 friction * amplitude * 4.0,
                 PI * force.value() * amplitude.value(),
@@ -219,8 +222,7 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
     } else {
         sheet.warn(|| {
             Text::new(
-                "by equivalent damping there is no steady motion with this force: 4F/π is not below F₀; only the exact \
-                 motion, with its stops, is answered",
+                "by equivalent damping there is no steady-state motion with this force: 4F/π is not below F₀; only the exact motion, with its stops, is computed",
             )
         });
         None
@@ -230,7 +232,7 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
             let amplitude = sliding(deflection, offset, ratio, sheet);
             sheet.verify(|| {
                 sheet.check(
-                    "the work of the force in a cycle, summed along the exact motion, is that of the friction, 4FX",
+                    "the work of the force in a cycle, summed over the exact motion, equals the friction work, 4FX",
                     W::Num::from(shaken.sliding_work() * stiffness.value()),
                     W::Num::from(4.0 * friction.value() * amplitude.value()),
                 );
@@ -245,7 +247,7 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
                 "X",
                 "mm",
                 *amplitude,
-                "Exact amplitude: the mass stops within each half cycle, so its motion is followed slide by slide until it repeats; half its range",
+                "Exact amplitude: the mass stops within each half-cycle, so the motion is solved slip phase by slip phase until it becomes periodic; half the range of the motion",
             );
             sheet.verify(|| {
                 let work: f64 = slides.iter().map(|slide| shaken.work(slide)).sum();
@@ -253,38 +255,36 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
                 // Each turning point is steady to 1e-12 of the static deflection, however short the way.
                 let size = (offset.value() * way).max(1e-2 * deflection.value().powi(2));
                 sheet.check_sum(
-                    "the work of the force in a cycle is the friction times the way",
+                    "the work of the force in a cycle is the friction force times the distance travelled",
                     W::Num::from(work),
                     W::Num::from(offset.value() * way),
                     size,
                 );
             });
-            let stops = sheet.found("n_s", "1", slides.len() as f64, "Stops in a cycle");
-            sheet.answer("stops", "Stops in a cycle", stops);
+            let stops = sheet.found("n_s", "1", slides.len() as f64, "Stops per cycle");
+            sheet.answer("stops", "Stops per cycle", stops);
             found
         }
         _ => {
             sheet.warn(|| {
                 Text::new(
-                    "the force is so slow beside the natural frequency that the exact motion has too many stops to be \
-                     followed: only the equivalent damping is answered",
+                    "the force is so slow relative to the natural frequency that the exact motion has too many stops to be computed: only the equivalent-damping result is given",
                 )
             });
             return equivalent.map(Real::value).ok_or_else(|| {
                 Refusal::because(
-                    "the exact motion has too many stops to be followed, and there is no equivalent one",
+                    "the exact motion has too many stops to be computed, and there is no equivalent one",
                 )
             });
         }
     };
     sheet.answer("exact_amplitude", "Amplitude, exact", exact);
     if let Some(equivalent) = equivalent {
-        let off =
-            sheet.step("ΔX", "%", (equivalent - exact) / exact, "How far the equivalent damping is off");
-        sheet.answer("difference", "Equivalent damping, off by", off);
+        let off = sheet.step("ΔX", "%", (equivalent - exact) / exact, "Error of the equivalent damping");
+        sheet.answer("difference", "Error of equivalent damping", off);
         if off.value().abs() > 0.05 {
             sheet.warn(|| {
-                Text::new("the equivalent damping is off by {off}: the friction is too large beside the force for it")
+                Text::new("the equivalent damping is in error by {off}: the friction is too large relative to the force")
                     .with_quantity("off", off.value(), "%")
             });
         }
@@ -294,8 +294,8 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
 
 /// Holds the lag of the motion without stops to its first harmonic, by quadrature over a half cycle: in phase, the force
 /// holds spring and inertia, and a quarter of a cycle ahead, it does the work of the friction.
-fn held_by<W: Worksheet>(shaken: &DryForced, lag: f64, sheet: W) {
-    let DryForced { ratio, deflection, offset } = *shaken;
+fn held_by<W: Worksheet>(shaken: &CoulombOscillator, lag: f64, sheet: W) {
+    let CoulombOscillator { ratio, deflection, offset } = *shaken;
     let parts = (8.0 + 8.0 / ratio).ceil();
     if parts.is_nan() || parts > 400.0 {
         return;
@@ -304,14 +304,14 @@ fn held_by<W: Worksheet>(shaken: &DryForced, lag: f64, sheet: W) {
     let cosine = 2.0 * over(&|part| shaken.sliding_at(part) * (PI * part).cos());
     let size = deflection.max((1.0 + ratio * ratio) * cosine.abs());
     sheet.check_zero(
-        "exact motion: spring and inertia of its first harmonic are held by the force in phase with its extremes",
+        "exact motion: spring and inertia forces of its first harmonic are balanced by the force component in phase with its extremes",
         W::Num::from((1.0 - ratio) * (1.0 + ratio) * cosine - deflection * lag.cos()),
         size,
     );
     let work = 2.0 * PI * over(&|part| deflection * (PI * part + lag).sin() * shaken.sliding_at(part));
     let way = 4.0 * shaken.sliding_at(0.0);
     sheet.check_sum(
-        "exact motion: work of the force in a cycle, with that lag, is that of the friction",
+        "exact motion: work of the force in a cycle, with that phase lag, equals the friction work",
         W::Num::from(work),
         W::Num::from(offset * way),
         2.0 * PI * deflection * shaken.sliding_at(0.0),
@@ -329,21 +329,21 @@ fn force_of<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, sheet: W) 
         "F_s",
         "N",
         stiffness * amplitude * (W::Num::from(1.0) - ratio.powi(2)).abs(),
-        ("Part of the force that holds spring and inertia", RAO.at("§3.8")),
+        ("Part of the force that balances spring and inertia", RAO.at("§3.8")),
     );
     let force = sheet.step(
         "F₀",
         "N",
         (spring.powi(2) + (friction * 4.0 / PI).powi(2)).sqrt(),
         (
-            "Force: with the part 4F/π that the equivalent damping takes, a quarter cycle ahead",
+            "Force: includes the component 4F/π balanced by the equivalent damping, a quarter cycle ahead",
             RAO.at("§3.8"),
         ),
     );
     if ratio.value() != 1.0 {
         sheet.check(
-            "that force gives the amplitude back",
-            dry_forced::equivalent_amplitude(force / stiffness, offset, ratio),
+            "that force reproduces the amplitude",
+            forced_coulomb::equivalent_amplitude(force / stiffness, offset, ratio),
             amplitude,
         );
     }
@@ -356,12 +356,13 @@ fn force_of<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, sheet: W) 
     let damping = sheet.step(
         "U",
         "1",
-        dry_forced::damping_function(ratio),
+        forced_coulomb::damping_function(ratio),
         ("Damping function of the exact motion without stops", DEN_HARTOG_1931.at("")),
     );
     let deflection =
         (amplitude.powi(2) + (offset * damping).powi(2)).sqrt() * (W::Num::from(1.0) - ratio.powi(2)).abs();
-    let exact = DryForced { ratio: ratio.value(), deflection: deflection.value(), offset: offset.value() };
+    let exact =
+        CoulombOscillator { ratio: ratio.value(), deflection: deflection.value(), offset: offset.value() };
     if exact.sliding().is_some() {
         let exact_force = sheet.step(
             "F₀′",
@@ -370,9 +371,9 @@ fn force_of<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, sheet: W) 
             ("Exact force: X² = (F₀V/k)² − (fU)² solved for F₀", DEN_HARTOG_1931.at("")),
         );
         sheet.verify(|| {
-            let exact = DryForced { deflection: exact_force.value() / stiffness.value(), ..exact };
+            let exact = CoulombOscillator { deflection: exact_force.value() / stiffness.value(), ..exact };
             sheet.check(
-                "the work of the force in a cycle, summed along the exact motion, is that of the friction, 4FX",
+                "the work of the force in a cycle, summed over the exact motion, equals the friction work, 4FX",
                 W::Num::from(exact.sliding_work() * stiffness.value()),
                 W::Num::from(4.0 * friction.value() * amplitude.value()),
             );
@@ -381,8 +382,7 @@ fn force_of<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, sheet: W) 
     } else {
         sheet.warn(|| {
             Text::new(
-                "with this amplitude the mass would stop within each half cycle, where the exact force has no closed \
-                 form: only the equivalent one is answered",
+                "with this amplitude the mass would stop within each half-cycle, where the exact force has no closed form: only the equivalent one is given",
             )
         });
     }
@@ -395,8 +395,8 @@ fn equivalent_damping<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, 
     let damping = sheet.step(
         "c_eq",
         "N*s/m",
-        dry_forced::equivalent_damping(friction, frequency, amplitude),
-        ("Viscous damping that takes the same energy in a cycle, πcωX² = 4FX", RAO.at("§3.8")),
+        forced_coulomb::equivalent_damping(friction, frequency, amplitude),
+        ("Viscous damping with the same energy loss per cycle, πcωX² = 4FX", RAO.at("§3.8")),
     );
     sheet.check(
         "force on a viscous oscillator with that damping",
@@ -411,33 +411,33 @@ fn sliding<W: Worksheet>(deflection: W::Num, offset: W::Num, ratio: W::Num, shee
     let response = sheet.step(
         "V",
         "1",
-        dry_forced::response_function(ratio),
+        forced_coulomb::response_function(ratio),
         ("Exact motion without stops: response function", DEN_HARTOG_1931.at("")),
     );
     let damping = sheet.step(
         "U",
         "1",
-        dry_forced::damping_function(ratio),
+        forced_coulomb::damping_function(ratio),
         ("Damping function", DEN_HARTOG_1931.at("")),
     );
     sheet.step(
         "X",
         "mm",
-        dry_forced::sliding_amplitude(deflection, offset, response, damping),
-        ("Exact amplitude: the mass does not stop within a half cycle", DEN_HARTOG_1931.at("")),
+        forced_coulomb::sliding_amplitude(deflection, offset, response, damping),
+        ("Exact amplitude: the mass does not stop within a half-cycle", DEN_HARTOG_1931.at("")),
     )
 }
 
 /// Amplitude over frequency, equivalent and exact.
-fn response(shaken: &DryForced, natural: f64, frequency: f64, amplitude: f64) -> Plot {
+fn response(shaken: &CoulombOscillator, natural: f64, frequency: f64, amplitude: f64) -> Plot {
     let last = 2.5f64.max(1.3 * shaken.ratio);
     let points = || (1..=240u16).map(|n| last * f64::from(n) / 240.5);
     let equivalent = |ratio: f64| {
-        let amplitude = dry_forced::equivalent_amplitude(shaken.deflection, shaken.offset, ratio);
+        let amplitude = forced_coulomb::equivalent_amplitude(shaken.deflection, shaken.offset, ratio);
         (ratio * natural, if amplitude > 0.0 { amplitude } else { f64::INFINITY })
     };
     let exact = |ratio: f64| {
-        let found = DryForced { ratio, ..*shaken }.sliding();
+        let found = CoulombOscillator { ratio, ..*shaken }.sliding();
         (ratio * natural, found.map_or(f64::INFINITY, |(amplitude, _)| amplitude))
     };
     Plot::new(
@@ -457,7 +457,7 @@ fn hysteresis(friction: f64, stiffness: f64, amplitude: f64) -> Plot {
     let corner = |x: f64, sign: f64| (x, stiffness * x + sign * friction);
     let x = amplitude;
     Plot::new(
-        "Force of spring and friction over a cycle: the loop has the area 4FX",
+        "Force of spring and friction over one cycle: the area of the loop is 4FX",
         Axis::linear("displacement", "mm"),
         Axis::linear("force", "N"),
         vec![Series::line(
@@ -468,7 +468,7 @@ fn hysteresis(friction: f64, stiffness: f64, amplitude: f64) -> Plot {
 }
 
 /// One cycle of the steady exact motion beside the deflection that the force alone would give.
-fn history(shaken: &DryForced, natural: f64) -> Plot {
+fn history(shaken: &CoulombOscillator, natural: f64) -> Plot {
     let cycle = TAU / shaken.ratio;
     let force = |tau: f64| shaken.deflection * (shaken.ratio * tau).cos();
     let mut motion = Vec::new();
@@ -505,7 +505,7 @@ fn history(shaken: &DryForced, natural: f64) -> Plot {
 
 fn cycle_plot(motion: Vec<(f64, f64)>, push: Vec<(f64, f64)>) -> Plot {
     Plot::new(
-        "A cycle of the exact motion",
+        "One cycle of the exact motion",
         Axis::linear("time", "s"),
         Axis::linear("displacement", "mm"),
         vec![Series::line("x", motion), Series::line("force over stiffness", push)],
@@ -527,5 +527,5 @@ fn drawing() -> Drawing {
         DrawnShape::Arrow((0.0, 1.0), (0.9, 1.0), Ink::Motion),
         DrawnShape::Label((1.0, 1.0), Text::from("x")),
     ];
-    Drawing { title: "The mass on its spring, rubbing".into(), shapes }
+    Drawing { title: "The mass on its spring, with friction".into(), shapes }
 }

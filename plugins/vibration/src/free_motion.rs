@@ -34,8 +34,7 @@ pub(crate) fn system<W: Worksheet>(
     match loss {
         Loss::Viscous(ratio, _) => Ok(System { natural, ratio, body }),
         Loss::Hysteretic(_) => Err(Refusal::because(
-            "a loss factor describes steady vibration at one frequency, not a transient or random motion: give the \
-             damping ratio, for light damping half the loss factor",
+            "a loss factor describes steady-state vibration at one frequency, not a transient or random motion: give the damping ratio, which for light damping is half the loss factor",
         )),
     }
 }
@@ -73,7 +72,7 @@ impl<N: Real> FreeMotion<N> {
             _ => {
                 let why = ("Slower rate of decay of the overdamped motion", RAO.at("§2.6"));
                 let slow = sheet.step("s₁", "1/s", closed::slow_rate(natural, ratio), why);
-                let why = ("Faster rate of decay", RAO.at("§2.6"));
+                let why = ("Faster decay rate", RAO.at("§2.6"));
                 let fast = sheet.step("s₂", "1/s", closed::fast_rate(natural, ratio), why);
                 Regime::Over { slow, fast }
             }

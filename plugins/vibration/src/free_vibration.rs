@@ -24,15 +24,15 @@ use crate::{
 pub struct FreeVibration {
     /// Oscillator.
     pub oscillator: Oscillator,
-    /// Time at which the motion is asked.
+    /// Time at which the motion is required.
     #[input("t", "s", nonnegative)]
     pub time: Option<f64>,
-    /// Share of the largest displacement that counts as settled.
+    /// Fraction of the maximum displacement taken as settled.
     #[input("p", "%", positive, below = 100, default = "2 %")]
     pub settled: f64,
 }
 
-/// What vibrates.
+/// Vibrating system.
 #[derive(Clone, Debug, Inputs)]
 pub enum Oscillator {
     /// Mass, spring and damper
@@ -44,10 +44,10 @@ pub enum Oscillator {
         stiffness: f64,
         /// Damping.
         damping: Damping,
-        /// Displacement at the start.
+        /// Initial displacement.
         #[input("x₀", "m", default = "0 mm")]
         displacement: f64,
-        /// Velocity at the start.
+        /// Initial velocity.
         #[input("v₀", "m/s", default = "0 m/s")]
         velocity: f64,
     },
@@ -61,7 +61,7 @@ pub enum Oscillator {
         stiffness: f64,
         /// Damping.
         damping: TorsionalDamping,
-        /// Angle at the start.
+        /// Initial angle.
         #[input("θ₀", "rad", default = "0 deg")]
         angle: f64,
         /// Angular velocity at the start.
@@ -77,10 +77,10 @@ pub enum Oscillator {
         /// Zero for no damping; a negative one feeds energy into the motion.
         #[input("ζ", "1")]
         ratio: f64,
-        /// Displacement at the start.
+        /// Initial displacement.
         #[input("x₀", "m", default = "0 mm")]
         displacement: f64,
-        /// Velocity at the start.
+        /// Initial velocity.
         #[input("v₀", "m/s", default = "0 m/s")]
         velocity: f64,
     },
@@ -105,16 +105,16 @@ pub enum Damping {
     },
     /// Critical
     Critical,
-    /// From the overshoot of a release from rest
+    /// From the overshoot after release from rest
     Overshoot {
         /// Overshoot.
-        /// First displacement to the other side, as a share of the displacement at release.
+        /// First displacement to the opposite side, as a fraction of the release displacement.
         #[input("s", "%", positive, below = 100)]
         overshoot: f64,
     },
-    /// From the time in which the envelope settles
+    /// From the settling time of the envelope
     Settling {
-        /// Time in which the envelope falls to the share that counts as settled.
+        /// Time for the envelope to decay to the fraction taken as settled.
         #[input("tₛ", "s", positive)]
         time: f64,
     },
@@ -146,7 +146,7 @@ impl Analysis for FreeVibration {
         id: "vibration/free-vibration",
         title: "Free vibration",
         topic: "Free vibration",
-        summary: "Motion of one degree of freedom from its start: regime, frequencies, displacement at any time, envelope, overshoot, settling.",
+        summary: "Motion of one degree of freedom from its initial conditions: regime, frequencies, displacement at any time, envelope, overshoot, settling.",
         keywords: "transient decay underdamped overdamped critically damped undamped initial conditions envelope \
                    overshoot settling phase plane vibração livre subamortecido superamortecido crítico \
                    sobressinal acomodação",
@@ -158,8 +158,7 @@ impl Analysis for FreeVibration {
         let System { natural, zeta, x0, v0, elastic, units } = system(given, sheet);
         if x0.value() == 0.0 && v0.value() == 0.0 {
             return Err(Refusal::because(
-                "it starts at rest in its position of equilibrium, so it does not move: write a displacement or a \
-                 velocity at the start",
+                "the mass starts at rest in its equilibrium position and does not move: write an initial displacement or velocity",
             ));
         }
         let motion = FreeMotion {
@@ -189,7 +188,7 @@ impl Analysis for FreeVibration {
                 "t₂",
                 "s",
                 twice.ln() / (-zeta * natural),
-                "Time in which the envelope of the motion doubles",
+                "Time for the envelope of the motion to double",
             );
             sheet.answer("doubling_time", "Time to double", growth);
             sheet.verify(|| checks::doubling(growth, &motion, sheet));
@@ -236,20 +235,20 @@ fn system<W: Worksheet>(given: &FreeVibrationGiven<W>, sheet: W) -> System<W::Nu
                         "Λ",
                         "1",
                         (one / *overshoot).ln(),
-                        "Half a cycle takes the amplitude from 1 to the overshoot: half the logarithmic decrement",
+                        "Half a cycle reduces the amplitude from 1 to the overshoot: half the logarithmic decrement",
                     );
                     sheet.step(
                         "ζ",
                         "1",
                         sdof::damping_ratio_from_decrement(log * 2.0),
-                        ("Damping ratio of that decrement", RAO.at("§2.6.3")),
+                        ("Damping ratio from that decrement", RAO.at("§2.6.3")),
                     )
                 }
                 DampingGiven::Settling { time } => sheet.step(
                     "ζ",
                     "1",
                     (one / given.settled).ln() / (natural * *time),
-                    "The envelope e^(−ζωₙt) has fallen to the share that counts as settled",
+                    "The envelope e^(−ζωₙt) has decayed to the fraction taken as settled",
                 ),
             };
             match damping {
@@ -327,7 +326,7 @@ fn events<W: Worksheet>(
     if let Some(zero) = motion.first_zero().filter(left) {
         let time = form.first_zero(sheet);
         sheet.check("the first passage through rest found from the motion itself", time, zero.into());
-        sheet.answer("first_zero", "First passage through the position of rest", time);
+        sheet.answer("first_zero", "First passage through the equilibrium position", time);
     }
     let turning = motion.first_turning().map(|turning| {
         let time = form.first_turning(sheet);
@@ -350,11 +349,11 @@ fn events<W: Worksheet>(
                 "Xₘₐₓ",
                 units.displacement,
                 at.abs(),
-                "Largest displacement of the decaying motion: its first turning point",
+                "Maximum displacement of the decaying motion: its first turning point",
             );
             if motion.damping_ratio >= 0.0 {
-                sheet.answer("maximum", "Largest displacement", largest);
-                sheet.answer("maximum_time", "Time of the largest displacement", time);
+                sheet.answer("maximum", "Maximum displacement", largest);
+                sheet.answer("maximum_time", "Time of maximum displacement", time);
             }
             largest
         }
@@ -363,10 +362,10 @@ fn events<W: Worksheet>(
                 "Xₘₐₓ",
                 units.displacement,
                 x0.abs(),
-                "Largest displacement of the decaying motion: its start",
+                "Maximum displacement of the decaying motion: its start",
             );
             if motion.damping_ratio >= 0.0 {
-                sheet.answer("maximum", "Largest displacement", largest);
+                sheet.answer("maximum", "Maximum displacement", largest);
             }
             largest
         }
@@ -382,7 +381,7 @@ fn settling<W: Worksheet>(
     sheet: W,
 ) {
     if let Some(envelope) = form.settling_of_envelope(share * largest, sheet) {
-        sheet.answer("settling_envelope", "Settling time by the envelope", envelope);
+        sheet.answer("settling_envelope", "Settling time from the envelope", envelope);
         sheet.verify(|| checks::settling_of_envelope(envelope, share * largest, motion, sheet));
     }
     let level = share.value() * largest.value();
@@ -391,7 +390,7 @@ fn settling<W: Worksheet>(
         "tₚ",
         "s",
         time,
-        "Settling time, exact: the last time that the displacement is the share p of the largest one",
+        "Settling time, exact: last instant at which the displacement equals the fraction p of the maximum",
     );
     if time > 0.0 {
         let time = settled.value();
@@ -417,7 +416,7 @@ fn at_time<W: Worksheet>(
     if let Some(envelope) = form.envelope(time, units, sheet) {
         sheet.answer("envelope", "Envelope at that time", envelope);
         sheet.verify(|| {
-            let what = "envelope: displacement, and velocity without that of the decay over ω_d, as two legs";
+            let what = "envelope: displacement and (velocity without the decay term)/ω_d as legs of a right triangle";
             sheet.check(what, form.radius_squared([x, v]), envelope.powi(2));
         });
     }
@@ -464,8 +463,8 @@ fn energy<W: Worksheet>(
     let start = sheet.step("E₀", "J", of(x0, v0), ("Energy at the start", RAO.at("§2.2")));
     sheet.answer("energy", "Energy at the start", start);
     let [x, v] = there?;
-    let lost = sheet.step("ΔE", "J", start - of(x, v), "Energy that the damper has taken by that time");
-    sheet.answer("energy_lost", "Energy lost by that time", lost);
+    let lost = sheet.step("ΔE", "J", start - of(x, v), "Energy dissipated by the damper up to that time");
+    sheet.answer("energy_lost", "Energy dissipated up to that time", lost);
     Some([start, lost])
 }
 
@@ -513,7 +512,7 @@ fn history(motion: &FreeMotion, asked: Option<f64>, units: &Units) -> Plot {
     if let Some(time) = asked
         && time <= span
     {
-        plot = plot.mark("at the asked time", (time, motion.state(time)[0]));
+        plot = plot.mark("at the requested time", (time, motion.state(time)[0]));
     }
     plot
 }

@@ -9,6 +9,7 @@ use dalembert_mechanics::{Real, identification, sdof};
 mod circle;
 mod complex;
 mod few_points;
+mod mode;
 mod normal_equations;
 mod plots;
 mod points;
@@ -29,7 +30,7 @@ pub struct FrequencyResponseIdentification {
     /// Measurement.
     pub measurement: Measurement,
     /// Amplitude of the force.
-    /// Where it is given, the amplitude at resonance is answered in metres too.
+    /// If given, the amplitude at resonance is also computed in metres.
     #[input("F₀", "N", positive)]
     pub force: Option<f64>,
 }
@@ -58,7 +59,7 @@ pub enum Measurement {
         points: Vec<MeasuredPoint>,
     },
     /// Table of the complex frequency response
-    /// Read by circle fit and by complex least squares, beside the readings of the amplitude alone.
+    /// From a circle fit and complex least squares, compared with estimates from the amplitude alone.
     Complex {
         /// Frequency response.
         response: ResponseTable,
@@ -66,12 +67,12 @@ pub enum Measurement {
         damping: DampingKind,
         /// Other modes.
         residuals: ResidualKind,
-        /// Lowest frequency that is read.
-        /// Points below it are left out.
+        /// Lowest frequency used.
+        /// Points below it are ignored.
         #[input("ω_min", "Hz", positive)]
         lowest: Option<f64>,
-        /// Highest frequency that is read.
-        /// Points above it are left out.
+        /// Highest frequency used.
+        /// Points above it are ignored.
         #[input("ω_max", "Hz", positive)]
         highest: Option<f64>,
     },
@@ -80,7 +81,7 @@ pub enum Measurement {
         /// Frequency of the free, damped vibration.
         #[input("ω_d", "Hz", positive)]
         damped_frequency: f64,
-        /// Frequency of the largest amplitude under a force.
+        /// Frequency of maximum amplitude under a force.
         #[input("ωₚ", "Hz", positive)]
         peak_frequency: f64,
     },
@@ -194,8 +195,7 @@ impl Analysis for FrequencyResponseIdentification {
         if damping_ratio.value() > 0.1 {
             sheet.warn(|| {
                 Text::new(
-                    "the damping ratio is above 0.1: the textbook reading, peak frequency = natural frequency, is \
-                     off by more than 1 % in frequency and 2 % in mass",
+                    "the damping ratio is above 0.1: the textbook method, peak frequency = natural frequency, is in error by more than 1 % in frequency and 2 % in mass",
                 )
             });
         }
@@ -240,13 +240,13 @@ fn from_points<W: Worksheet>(
         "k",
         "N/m",
         sdof::stiffness_from_static_receptance(static_receptance),
-        ("At rest the springs alone hold the force: the receptance is 1/k", RAO.at("§3.4")),
+        ("At rest only the spring balances the force: the receptance is 1/k", RAO.at("§3.4")),
     );
     let magnification = sheet.step(
         "Mₚ",
         "1",
         peak.receptance / static_receptance,
-        ("Height of the peak over the static value", RAO.at("§3.4")),
+        ("Ratio of peak height to static value", RAO.at("§3.4")),
     );
     let damping_ratio = sdof::damping_ratio_from_peak(magnification).ok_or_else(|| {
         Refusal::because(
@@ -297,12 +297,12 @@ fn from_points<W: Worksheet>(
 fn hold_at_peak<W: Worksheet>(system: &System<W::Num>, sheet: W) {
     let System { stiffness, mass, damping, peak, .. } = *system;
     sheet.check(
-        "the receptance of stiffness, mass and damping at the peak is the measured one",
+        "stiffness, mass and damping reproduce the measured receptance at the peak",
         sdof::receptance(stiffness, mass, damping, peak.frequency),
         peak.receptance,
     );
     sheet.check(
-        "the response is level at the peak: k = m ωₚ² + c²/(2m)",
+        "the response curve has zero slope at the peak: k = m ωₚ² + c²/(2m)",
         mass * peak.frequency.powi(2) + damping.powi(2) / (mass * 2.0),
         stiffness,
     );
@@ -315,25 +315,25 @@ fn textbook<W: Worksheet>(system: &System<W::Num>, sheet: W) {
         "m′",
         "kg",
         sdof::mass_from_natural_frequency(system.stiffness, peak.frequency),
-        ("Textbook reading: the frequency of the peak taken as the natural one", RAO.at("§3.4")),
+        ("Textbook approximation: the peak frequency taken as the natural frequency", RAO.at("§3.4")),
     );
     let damping = sheet.step(
         "c′",
         "N*s/m",
         sdof::damping_from_resonant_receptance(peak.receptance, peak.frequency),
-        ("Textbook reading: at resonance the damper alone holds the force", RAO.at("§3.4")),
+        ("Textbook approximation: at resonance only the damper balances the force", RAO.at("§3.4")),
     );
     let mass_error = sheet.step(
         "Δm",
         "%",
         (mass - system.mass) / system.mass,
-        "How far the textbook reading of the mass is off",
+        "Error of the textbook estimate of the mass",
     );
     let damping_error = sheet.step(
         "Δc",
         "%",
         (damping - system.damping) / system.damping,
-        "How far the textbook reading of the damping is off",
+        "Error of the textbook estimate of the damping",
     );
     sheet.verify(|| {
         let one = W::Num::from(1.0);
@@ -354,7 +354,7 @@ fn textbook<W: Worksheet>(system: &System<W::Num>, sheet: W) {
     sheet.answer("textbook_mass", "Mass, peak taken as natural frequency", mass);
     sheet.answer("textbook_damping", "Damping, peak taken as natural frequency", damping);
     sheet.answer("textbook_mass_error", "Error of that mass", mass_error);
-    sheet.answer("textbook_damping_error", "Error of that damping", damping_error);
+    sheet.answer("textbook_damping_error", "Error of that damping value", damping_error);
 }
 
 /// The amplitude at resonance: for each newton, and for the force where it is given.
@@ -364,21 +364,21 @@ fn resonance<W: Worksheet>(force: Option<W::Num>, system: &System<W::Num>, sheet
         "X/F₀",
         "mm/N",
         peak.receptance,
-        ("Largest amplitude for each newton of the force", RAO.at("§3.4")),
+        ("Maximum amplitude per newton of force", RAO.at("§3.4")),
     );
-    sheet.answer("resonant_receptance", "Amplitude at resonance for each unit of force", for_each_newton);
+    sheet.answer("resonant_receptance", "Amplitude at resonance per unit force", for_each_newton);
     let Some(force) = force else { return };
     let largest = sheet.step(
         "Xₚ",
         "mm",
         peak.receptance * force,
-        ("Largest amplitude under this force", RAO.at("§3.4")),
+        ("Maximum amplitude under this force", RAO.at("§3.4")),
     );
     let natural = sheet.step(
         "Xₙ",
         "mm",
         force / (system.damping * system.natural),
-        ("Amplitude at the natural frequency, where the damper alone holds the force", RAO.at("§3.4")),
+        ("Amplitude at the natural frequency, where only the damper balances the force", RAO.at("§3.4")),
     );
     sheet.check(
         "amplitude at the natural frequency from the static deflection over 2ζ",
@@ -386,11 +386,11 @@ fn resonance<W: Worksheet>(force: Option<W::Num>, system: &System<W::Num>, sheet
         natural,
     );
     sheet.check(
-        "largest amplitude from the dynamic stiffness at the peak",
+        "maximum amplitude from the dynamic stiffness at the peak",
         sdof::forced_amplitude(force, system.stiffness, system.mass, system.damping, peak.frequency),
         largest,
     );
-    sheet.answer("resonant_amplitude", "Largest amplitude under the force", largest);
+    sheet.answer("resonant_amplitude", "Maximum amplitude under the force", largest);
     sheet.answer("natural_amplitude", "Amplitude at the natural frequency", natural);
 }
 
@@ -412,14 +412,14 @@ fn drawing() -> Drawing {
     Drawing { title: "One degree of freedom".into(), shapes }
 }
 
-/// The methods side by side.
+/// Comparison of the methods.
 fn comparison(rows: Vec<(Text, [f64; 5])>) -> TableExhibit {
     let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
     let row = |(method, numbers): (Text, [f64; 5])| {
         std::iter::once(Cell::Text(method)).chain(numbers.map(Cell::Number)).collect()
     };
     TableExhibit {
-        title: "Three ways to read the response".into(),
+        title: "Three methods of evaluating the response".into(),
         columns: vec![
             column("method", ""),
             column("stiffness", "N/m"),

@@ -32,11 +32,11 @@ pub struct FrequencyResponseMatrix {
     /// Damping.
     pub damping: Damping,
     /// Forces.
-    /// All of the same frequency. A single force of 1 N gives a column of the frequency response matrix.
+    /// All at the same frequency. A single force of 1 N gives a column of the frequency response matrix.
     #[input(min = 1)]
     pub forces: Vec<HarmonicForce>,
     /// Frequencies.
-    /// At which the response is asked for.
+    /// At which the response is requested.
     #[input(table)]
     pub frequencies: Vec<AskedFrequency>,
     /// Observed coordinates.
@@ -44,8 +44,8 @@ pub struct FrequencyResponseMatrix {
     pub observed: Vec<Observed>,
     /// Quantity.
     pub quantity: Quantity,
-    /// Highest frequency of the curves.
-    /// Without it, a little above the highest natural frequency.
+    /// Maximum frequency of the curves.
+    /// If omitted, slightly above the highest natural frequency.
     #[input("ω_e", "rad/s", positive)]
     pub highest: Option<f64>,
 }
@@ -126,9 +126,9 @@ register!(FrequencyResponseMatrix);
 impl Analysis for FrequencyResponseMatrix {
     const ABOUT: About = About {
         id: "vibration/frequency-response-matrix",
-        title: "Frequency response of many degrees of freedom",
+        title: "Frequency response of multi-degree-of-freedom systems",
         topic: "Several degrees of freedom",
-        summary: "Receptance, mobility or accelerance of a chain or of given matrices: steady amplitudes and phases under harmonic forces on any masses.",
+        summary: "Receptance, mobility or accelerance of a chain or of given matrices: steady-state amplitudes and phases under harmonic forces on any masses.",
         keywords: "frf receptance mobility accelerance harmonic forced steady state mdof matrix reciprocity Nyquist \
                    receptância mobilidade acelerância resposta em frequência harmônica regime permanente vários \
                    graus de liberdade matriz",
@@ -145,7 +145,7 @@ impl Analysis for FrequencyResponseMatrix {
             return Err(Refusal::because(why.with("at", wrong).with("n", n)));
         }
         if self.frequencies.len() > 50 || self.observed.len() > 50 {
-            return Err(Refusal::because("at most 50 frequencies and 50 coordinates are answered at a time"));
+            return Err(Refusal::because("at most 50 frequencies and 50 coordinates are computed at a time"));
         }
         let found = find(&system, sheet)?;
         let damped =
@@ -201,7 +201,7 @@ impl FrequencyResponseMatrix {
         if let Some(mode) = resonant {
             let why = if frequency == 0.0 {
                 Text::new(
-                    "nothing holds the rigid body mode {mode}: under a constant force the motion is unbounded, it grows with t²",
+                    "rigid-body mode {mode} is unrestrained: under a constant force the motion is unbounded, it grows with t²",
                 )
             } else {
                 Text::new(
@@ -214,10 +214,10 @@ impl FrequencyResponseMatrix {
         receptance::direct(&system.mass, &damped.physical, &system.stiffness, force, frequency).map_err(
             |error| match error {
                 LinalgError::Singular { .. } => Refusal::because(
-                    "so near to a resonance without damping the response has no digits: it is unbounded",
+                    "so close to an undamped resonance the response is unbounded and has no significant digits",
                 ),
                 _ => Refusal::because(
-                    "masses, springs and dampers differ so much in size that numbers overflow",
+                    "masses, springs and dampers differ so much in magnitude that numbers overflow",
                 ),
             },
         )
@@ -309,7 +309,7 @@ impl FrequencyResponseMatrix {
                 symbol("Im"),
                 unit,
                 clean(value.im),
-                "The part a quarter of a turn ahead of it; lag is negative",
+                "The component leading by 90°; a lag is negative",
             );
             let size = sheet.step(symbol("X"), unit, (real.powi(2) + imaginary.powi(2)).sqrt(), "Amplitude");
             sheet.answer(key("amplitude"), "Amplitude", size);

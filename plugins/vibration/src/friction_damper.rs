@@ -21,23 +21,23 @@ use crate::{
 pub struct FrictionDamper {
     /// Mass or weight.
     pub mass: Mass,
-    /// Stiffness beside the damper.
+    /// Stiffness in parallel with the damper.
     #[input("k", "N/m", positive)]
     pub stiffness: f64,
-    /// Viscous damping beside it.
+    /// Additional viscous damping.
     #[input("c", "N*s/m", nonnegative, default = "0 N*s/m")]
     pub damping: f64,
     /// Stiffness of the friction element.
     /// Of the spring in series with its slider.
     #[input("k_d", "N/m", positive)]
     pub element: f64,
-    /// Force at which the element slips.
+    /// Force at which slip begins.
     #[input("F_d", "N", positive)]
     pub slip_force: f64,
     /// Amplitude of the force.
     #[input("F₀", "N", positive)]
     pub force: f64,
-    /// Frequency at which the amplitude is asked.
+    /// Frequency at which the amplitude is requested.
     #[input("ω", "rad/s", positive)]
     pub frequency: Option<f64>,
 }
@@ -82,11 +82,11 @@ impl Analysis for FrictionDamper {
             "ω₂",
             "rad/s",
             sdof::natural_frequency(given.stiffness, mass),
-            "Natural frequency far beyond slip: the element only rubs",
+            "Natural frequency far beyond the slip limit: the element only slides",
         );
-        sheet.answer("slip_displacement", "Displacement at which it slips", slip);
+        sheet.answer("slip_displacement", "Displacement at which slip begins", slip);
         sheet.check_sum(
-            "the element is what sticking adds to the stiffness, m (ω₁² − ω₂²)",
+            "stiffness of the element = stiffness added by sticking, m (ω₁² − ω₂²)",
             mass * (stuck.powi(2) - slipping.powi(2)),
             given.element,
             (given.stiffness + given.element).value(),
@@ -95,17 +95,16 @@ impl Analysis for FrictionDamper {
         sheet.answer("slipping_frequency", "Natural frequency, slipping", slipping);
         let Some(peak) = oscillator.peak() else {
             return Err(Refusal::because(
-                "the force brings in more energy in each cycle than the slipping element can take, 4F_d/π being below \
-                 F₀, and there is no other damping: the resonance grows with time without bound",
+                "the force supplies more energy per cycle than the slipping element can dissipate, since 4F_d/π is below F₀, and there is no other damping: the resonance grows with time without bound",
             ));
         };
         let frequency = sheet.found(
             "ωₚ",
             "rad/s",
             peak.frequency,
-            "Peak of the response by one harmonic: the frequency at which that amplitude takes the least force",
+            "Peak of the response by one harmonic: the frequency at which that amplitude requires the least force",
         );
-        let amplitude = sheet.found("Xₚ", "µm", peak.amplitude, "Amplitude there");
+        let amplitude = sheet.found("Xₚ", "µm", peak.amplitude, "Amplitude at that frequency");
         let [stiffness, quadrature] =
             balance(given, [mass, slip, frequency, amplitude], PEAK, &oscillator, sheet);
         sheet.verify(|| {
@@ -113,7 +112,11 @@ impl Analysis for FrictionDamper {
             let left = mass * frequency * (stiffness - mass * frequency.powi(2)) * 2.0;
             let right = given.damping * (given.damping * frequency + quadrature);
             let scale = mass.value() * frequency.value() * stiffness.value();
-            sheet.check_zero("the least force is level over the frequency", left - right, scale);
+            sheet.check_zero(
+                "the minimum force has zero slope with respect to frequency",
+                left - right,
+                scale,
+            );
         });
         sheet.answer("peak_frequency", "Frequency of the peak", frequency);
         sheet.answer("peak_amplitude", "Amplitude at the peak", amplitude);
@@ -122,19 +125,19 @@ impl Analysis for FrictionDamper {
             let amplitudes = oscillator.amplitudes(given_frequency.value());
             let Some(&largest) = amplitudes.last() else {
                 return Err(Refusal::because(
-                    "at this frequency the force outweighs slip and damping: there is no steady amplitude",
+                    "at this frequency the force exceeds the slip force and the damping: there is no steady-state amplitude",
                 ));
             };
             if amplitudes.len() > 1 {
                 sheet.warn(|| {
-                    Text::new("there is more than one amplitude at this frequency; the largest is answered")
+                    Text::new("there is more than one amplitude at this frequency; the largest is given")
                 });
             }
             let found = sheet.found(
                 "X",
                 "µm",
                 largest,
-                "Amplitude at the asked frequency, where amplitude and dynamic stiffness balance the force",
+                "Amplitude at the requested frequency, where amplitude and dynamic stiffness balance the force",
             );
             balance(given, [mass, slip, given_frequency, found], ASKED, &oscillator, sheet);
             sheet.answer("amplitude", "Amplitude at this frequency", found);
@@ -165,7 +168,7 @@ fn balance<W: Worksheet>(
             whole,
             "N/m",
             given.stiffness + given.element,
-            "The element sticks at this amplitude: both springs act, and it takes no energy",
+            "The element sticks at this amplitude: both springs act, and no energy is dissipated",
         );
         (stiffness, W::Num::from(0.0))
     } else {
@@ -173,7 +176,7 @@ fn balance<W: Worksheet>(
             angle,
             "rad",
             jenkins::elastic_angle(slip, amplitude),
-            "Part of each half cycle in which the element sticks, as an angle",
+            "Sticking part of each half-cycle, as an angle",
         );
         let element = sheet.step(
             element,
@@ -185,28 +188,32 @@ fn balance<W: Worksheet>(
             area,
             "J",
             jenkins::loop_area(given.slip_force, amplitude, slip),
-            "Energy that the element takes in a cycle: area of its loop",
+            "Energy dissipated by the element per cycle: area of its loop",
         );
         let quadrature = sheet.step(
             quadrature,
             "N/m",
             jenkins::quadrature_stiffness(area, amplitude),
-            ("First harmonic in phase with the velocity, for each unit of amplitude", RAO.at("§3.9")),
+            ("First harmonic in phase with the velocity, per unit amplitude", RAO.at("§3.9")),
         );
         sheet.verify(|| {
             let [summed, part] = oscillator.harmonic_by_summation(amplitude.value());
-            sheet.check("equivalent stiffness by summing over the loop", W::Num::from(summed), element);
             sheet.check(
-                "the part in phase with the velocity by summing over the loop",
+                "equivalent stiffness by integration around the hysteresis loop",
+                W::Num::from(summed),
+                element,
+            );
+            sheet.check(
+                "component in phase with the velocity, by integration around the hysteresis loop",
                 W::Num::from(part),
                 quadrature,
             );
         });
-        let stiffness = sheet.step(whole, "N/m", given.stiffness + element, "Both stiffnesses together");
+        let stiffness = sheet.step(whole, "N/m", given.stiffness + element, "Combined stiffness");
         (stiffness, quadrature)
     };
     sheet.check(
-        "amplitude times dynamic stiffness is the force",
+        "amplitude times dynamic stiffness equals the force",
         amplitude
             * ((stiffness - mass * frequency.powi(2)).powi(2)
                 + (given.damping * frequency + quadrature).powi(2))
@@ -244,7 +251,7 @@ fn response(oscillator: &JenkinsOscillator, peak: &ResponsePoint, asked: Option<
     };
     let mut series = vec![Series::line("with the element", curve).of("amplitude")];
     if oscillator.damping > 0.0 {
-        series.push(Series::line("always sticking", linear(oscillator.stiffness + oscillator.element)));
+        series.push(Series::line("continuous sticking", linear(oscillator.stiffness + oscillator.element)));
         series.push(Series::line("without the element", linear(oscillator.stiffness)));
     }
     let mut plot = Plot::new(
@@ -255,7 +262,7 @@ fn response(oscillator: &JenkinsOscillator, peak: &ResponsePoint, asked: Option<
     )
     .over("frequency")
     .mark("peak", (peak.frequency, peak.amplitude))
-    .level("slip begins", oscillator.slip_displacement());
+    .level("onset of slip", oscillator.slip_displacement());
     if let Some(asked) = asked {
         plot = plot.mark("at this frequency", (asked.frequency, asked.amplitude));
     }
@@ -273,7 +280,7 @@ fn hysteresis(oscillator: &JenkinsOscillator, amplitude: f64) -> Plot {
         vec![(-amplitude, -force), (back, force), (amplitude, force), (-back, -force), (-amplitude, -force)]
     };
     Plot::new(
-        "Loop of the element at the peak",
+        "Hysteresis loop of the element at the peak",
         Axis::linear("displacement", "µm"),
         Axis::linear("force", "N"),
         vec![Series::line("force of the element", points)],

@@ -16,7 +16,7 @@ use crate::{
 /// The barrel, its recoil spring, and how far it recoils.
 #[derive(Clone, Debug, Inputs)]
 pub struct GunRecoil {
-    /// Mass or weight of what recoils.
+    /// Mass or weight of the recoiling parts.
     pub mass: Mass,
     /// Stiffness of the recoil spring.
     #[input("k", "N/m", positive)]
@@ -24,7 +24,7 @@ pub struct GunRecoil {
     /// Recoil.
     pub recoil: Recoil,
     /// Displacement up to which the return is timed.
-    /// The return to the very position of rest takes for ever.
+    /// The return to the exact equilibrium position takes an infinite time.
     #[input("x₁", "m", positive)]
     pub remaining: f64,
 }
@@ -32,9 +32,9 @@ pub struct GunRecoil {
 /// What is known of the recoil.
 #[derive(Clone, Debug, Inputs)]
 pub enum Recoil {
-    /// Distance of recoil
+    /// Recoil distance
     Distance {
-        /// Distance of recoil.
+        /// Recoil distance.
         #[input("R", "m", positive)]
         distance: f64,
     },
@@ -53,7 +53,7 @@ impl Analysis for GunRecoil {
         id: "vibration/gun-recoil",
         title: "Recoil and critically damped return",
         topic: "Shock and impact",
-        summary: "Speed or distance of a recoil on a spring, the dashpot that brings it back without oscillation, and the time of both.",
+        summary: "Speed or distance of a recoil on a spring, the dashpot that returns it without oscillation, and the duration of both.",
         keywords: "gun barrel dashpot critical damping return time cannon canhão recuo amortecimento crítico",
         sources: &[&RAO, &GROVER],
         cases: include_str!("../cases/gun_recoil.toml"),
@@ -95,27 +95,23 @@ impl Analysis for GunRecoil {
         let share = given.remaining.value() / distance.value();
         if share >= 1.0 {
             return Err(Refusal::because(
-                "the displacement up to which the return is timed is not below the recoil: write a smaller one",
+                "the displacement at which the return time is taken is not below the recoil: write a smaller one",
             ));
         }
         let critical = sheet.step(
             "c_c",
             "N*s/m",
             sdof::critical_damping(given.stiffness, mass),
-            ("Critical damping: the quickest return without oscillation", RAO.at("§2.6")),
+            ("Critical damping: the fastest return without oscillation", RAO.at("§2.6")),
         );
-        let out = sheet.step(
-            "t₁",
-            "s",
-            W::Num::from(PI) / (natural * 2.0),
-            "Time of the recoil: a quarter of the period",
-        );
+        let out =
+            sheet.step("t₁", "s", W::Num::from(PI) / (natural * 2.0), "Recoil time: a quarter of the period");
         let back = sheet.found(
             "t₂",
             "s",
             return_angle(share) / natural.value(),
             (
-                "Time of the return, by solving x₁ = R (1 + ωₙt) e^(−ωₙt): with critical damping, from rest",
+                "Return time, by solving x₁ = R (1 + ωₙt) e^(−ωₙt): with critical damping, from rest",
                 RAO.at("§2.6"),
             ),
         );
@@ -143,21 +139,21 @@ impl Analysis for GunRecoil {
         let total = sheet.step("t", "s", out + back, "Recoil and return together");
         sheet.answer("natural_frequency", "Natural frequency", natural);
         sheet.answer("speed", "Speed at the start of the recoil", speed);
-        sheet.answer("distance", "Distance of recoil", distance);
+        sheet.answer("distance", "Recoil distance", distance);
         sheet.verify(|| {
-            sheet.check("with critical damping both roots −c/2m are −ωₙ", critical / (mass * 2.0), natural);
+            sheet.check("with critical damping both roots equal −c/2m = −ωₙ", critical / (mass * 2.0), natural);
             let since = total.value() - PI / 2.0 / natural.value();
             if let Some([there, _]) = motion.integrated(since) {
                 sheet.check(
-                    "displacement at the end of both, by integration of the return after a quarter of the period",
+                    "displacement at the end of recoil and return, by integration of the return after a quarter period",
                     W::Num::from(there),
                     given.remaining,
                 );
             }
         });
         sheet.answer("critical_damping", "Critical damping", critical);
-        sheet.answer("recoil_time", "Time of the recoil", out);
-        sheet.answer("return_time", "Time of the return", back);
+        sheet.answer("recoil_time", "Recoil time", out);
+        sheet.answer("return_time", "Return time", back);
         sheet.answer("total_time", "Recoil and return", total);
         let times = [out.value(), total.value()];
         sheet.show(|| Exhibit::Plot(history(&motion, times)));

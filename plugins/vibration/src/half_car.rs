@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Drawing, DrawnShape, Exhibit, Film, Ink, Inputs, Refusal, Text, Worksheet, register,
+    About, Analysis, Animation, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
 };
 use dalembert_mechanics::Real;
 use nalgebra::DMatrix;
@@ -73,8 +73,7 @@ impl Analysis for HalfCar {
     fn solve<W: Worksheet>(&self, given: &HalfCarGiven<W>, sheet: W) -> Result<(), Refusal> {
         let (front, rear) = (&given.front, &given.rear);
         let base = sheet.step("l", "m", front.distance + rear.distance, "Wheelbase");
-        let why = "Mass of the body felt above an axle that moves while the other rests: T = (m ẏ² + J θ̇²)/2 with \
-                   y = (l_r u_f + l_f u_r)/l, θ = (u_r − u_f)/l";
+        let why = "Effective body mass at an axle that moves while the other is at rest: T = (m ẏ² + J θ̇²)/2 with y = (l_r u_f + l_f u_r)/l, θ = (u_r − u_f)/l";
         let own = |symbol: &'static str, distance: W::Num| {
             sheet.step(symbol, "kg", (given.body * distance.powi(2) + given.inertia) / base.powi(2), why)
         };
@@ -85,7 +84,7 @@ impl Analysis for HalfCar {
             "kg",
             (given.body * front.distance * rear.distance - given.inertia) / base.powi(2),
             (
-                "Inertia that couples the two ends; zero where J = m l_f l_r, then front and rear do not mix",
+                "Inertia coupling of the two ends; zero if J = m l_f l_r: front and rear are then uncoupled",
                 RAO.at("§5.5"),
             ),
         );
@@ -160,7 +159,7 @@ impl Analysis for HalfCar {
                         * (TAU * f64::from(frame) / 24.0).cos();
                     self.shapes([0, 1, 2, 3].map(|row| shape[row] * now))
                 });
-                Exhibit::Film(Film::new(
+                Exhibit::Animation(Animation::new(
                     Text::new("Mode {mode}").with("mode", mode + 1),
                     frames.collect(),
                     2.0,

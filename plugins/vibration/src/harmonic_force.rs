@@ -7,9 +7,8 @@ use dalembert_mechanics::{Real, sdof};
 
 use crate::{
     oscillator::{
-        AtFrequency, Body, Damping, Elasticity, Loss, Mass, Suspension,
-        from_rest::{BuildUp, Wave},
-        mass, plots, suspension,
+        AtFrequency, Body, Damping, Elasticity, Loss, Mass, Suspension, mass, plots, suspension,
+        transient_from_rest::{BuildUp, Wave},
     },
     sources::{RAO, THOMSON},
 };
@@ -26,10 +25,10 @@ pub struct HarmonicForce {
     /// Frequency of the force.
     #[input("ω", "rad/s", positive)]
     pub frequency: f64,
-    /// Strength.
+    /// Magnitude.
     pub excitation: Excitation,
     /// Start from rest.
-    /// The displacement at a time after the force sets in.
+    /// The displacement at a time after the force is applied.
     pub start: Option<Start>,
 }
 
@@ -42,10 +41,10 @@ pub enum Excitation {
         #[input("F₀", "N", positive)]
         force: f64,
     },
-    /// Amplitude of the motion given, force sought
+    /// Amplitude of the motion given, force unknown
     Motion {
         /// Amplitude of the motion.
-        /// Zero to peak, unless the unit says otherwise.
+        /// Zero to peak, unless the unit specifies otherwise.
         #[input("X", "m", positive, kind = "Amplitude")]
         amplitude: f64,
     },
@@ -63,7 +62,7 @@ pub struct Start {
     /// Force.
     pub wave: Wave,
     /// Time.
-    /// After the force sets in.
+    /// From the start of the force.
     #[input("t", "s", nonnegative)]
     pub time: f64,
 }
@@ -75,7 +74,7 @@ impl Analysis for HarmonicForce {
         id: "vibration/harmonic-force",
         title: "Harmonic force",
         topic: "Harmonic excitation",
-        summary: "Steady amplitude, phase, forces and power of one mass under a harmonic force, and its motion from rest.",
+        summary: "Steady-state amplitude, phase, forces and power of one mass under a harmonic force, and its motion from rest.",
         keywords: "forced resonance magnification power hysteretic build-up phasor força harmônica ressonância \
                    amplificação potência regime permanente transitório",
         sources: &[&RAO, &THOMSON],
@@ -123,8 +122,7 @@ impl Analysis for HarmonicForce {
             {
                 sheet.warn(|| {
                     Text::new(
-                        "the motion from rest takes the hysteretic damping as a dashpot that loses as much in a cycle \
-                         at this frequency",
+                        "the motion from rest represents hysteretic damping by a viscous damper with the same energy loss per cycle at this frequency",
                     )
                 });
             }
@@ -175,22 +173,22 @@ fn strength<W: Worksheet>(
     );
     sheet.answer("magnification", "Magnification", magnification);
     let sought = |amplitude: W::Num| {
-        let why = ("Force that holds this amplitude", RAO.at("§3.4"));
+        let why = ("Force required for this amplitude", RAO.at("§3.4"));
         sheet.step("F₀", "N", amplitude * k / magnification, why)
     };
     let (force, amplitude) = match &given.excitation {
         ExcitationGiven::Force { force } => {
-            let why = ("Steady amplitude", RAO.at("§3.4"));
+            let why = ("Steady-state amplitude", RAO.at("§3.4"));
             (*force, sheet.step("X", "mm", *force / k * magnification, why))
         }
         ExcitationGiven::Motion { amplitude } => (sought(*amplitude), *amplitude),
         ExcitationGiven::Power { power } => {
             if c.value() == 0.0 {
                 return Err(Refusal::because(
-                    "without damping the steady motion takes no power: write some damping, or give the force",
+                    "without damping the steady-state motion requires no power: write some damping, or give the force",
                 ));
             }
-            let why = ("Amplitude, from the power P = ½ c ω² X² that the damper takes", RAO.at("§2.6"));
+            let why = ("Amplitude, from the power P = ½ c ω² X² dissipated by the damper", RAO.at("§2.6"));
             let amplitude = sheet.step("X", "mm", (*power * 2.0 / c).sqrt() / frequency, why);
             (sought(amplitude), amplitude)
         }
@@ -219,16 +217,16 @@ impl<N: Real> System<N> {
             "F_T",
             "N",
             sdof::transmitted_force(amplitude, k, c, frequency),
-            ("Amplitude of the force on the foundation", RAO.at("§3.6")),
+            ("Amplitude of the force transmitted to the foundation", RAO.at("§3.6")),
         );
         sheet.verify(|| {
             sheet.check(
-                "spring, damper and inertia close the polygon of the forces",
+                "spring, damper and inertia forces close the force polygon",
                 ((spring - mass * acceleration).powi(2) + damper.powi(2)).sqrt(),
                 force,
             );
             sheet.check(
-                "force on the foundation from the transmissibility",
+                "transmitted force from the transmissibility",
                 force * sdof::transmissibility(self.at.ratio, self.at.damping_ratio),
                 transmitted,
             );
@@ -237,7 +235,7 @@ impl<N: Real> System<N> {
         sheet.answer("acceleration", "Amplitude of the acceleration", acceleration);
         sheet.answer("spring_force", "Force in the spring", spring);
         sheet.answer("damper_force", "Force in the damper", damper);
-        sheet.answer("transmitted_force", "Force on the foundation", transmitted);
+        sheet.answer("transmitted_force", "Force transmitted to the foundation", transmitted);
         (velocity, [spring, damper, mass * acceleration].map(Real::value))
     }
 
@@ -247,13 +245,13 @@ impl<N: Real> System<N> {
             "E",
             "J",
             c * frequency * amplitude.powi(2) * PI,
-            ("Energy that the damper takes in a cycle", RAO.at("§2.6")),
+            ("Energy dissipated by the damper per cycle", RAO.at("§2.6")),
         );
         let power = sheet.step(
             "P",
             "W",
             c * (frequency * amplitude).powi(2) / 2.0,
-            ("Mean power: that energy, ω/2π times a second", RAO.at("§2.6")),
+            ("Mean power: that energy, ω/2π times per second", RAO.at("§2.6")),
         );
         let largest = frequency.value() * amplitude.value() * force.value();
         sheet.verify(|| {
@@ -263,13 +261,13 @@ impl<N: Real> System<N> {
                 largest,
             );
             sheet.check_sum(
-                "work of the force in a cycle = energy that the damper takes, πF₀X sin φ",
+                "work of the force in a cycle = energy dissipated by the damper, πF₀X sin φ",
                 force * amplitude * phase.sin() * PI,
                 work,
                 PI * force.value() * amplitude.value(),
             );
         });
-        sheet.answer("work", "Energy lost in a cycle", work);
+        sheet.answer("work", "Energy lost per cycle", work);
         sheet.answer("power", "Mean power", power);
     }
 }
@@ -292,38 +290,38 @@ fn resonances<W: Worksheet>(suspension: &Suspension<W::Num>, body: Body<W::Num>,
                 "ω_x",
                 "rad/s",
                 natural * sdof::magnification_peak_ratio(zeta),
-                ("Frequency of the largest displacement; the velocity is largest at ωₙ", RAO.at("§3.4")),
+                ("Frequency of maximum displacement; the velocity is maximum at ωₙ", RAO.at("§3.4")),
             );
             let acceleration = sheet.step(
                 "ω_a",
                 "rad/s",
                 natural * sdof::unbalance_peak_ratio(zeta),
-                ("Frequency of the largest acceleration", RAO.at("§3.4")),
+                ("Frequency of maximum acceleration", RAO.at("§3.4")),
             );
             let largest = sheet.step(
                 "Xₘₐₓ",
                 "mm",
                 force / body.stiffness * sdof::peak_magnification(zeta),
-                ("Largest amplitude at any frequency", RAO.at("§3.4")),
+                ("Maximum amplitude at any frequency", RAO.at("§3.4")),
             );
             sheet.check(
-                "largest amplitude from the dynamic stiffness at its frequency",
+                "maximum amplitude from the dynamic stiffness at its frequency",
                 sdof::forced_amplitude(force, body.stiffness, body.mass, c, displacement),
                 largest,
             );
-            sheet.answer("displacement_resonance", "Frequency of the largest displacement", displacement);
-            sheet.answer("acceleration_resonance", "Frequency of the largest acceleration", acceleration);
+            sheet.answer("displacement_resonance", "Frequency of maximum displacement", displacement);
+            sheet.answer("acceleration_resonance", "Frequency of maximum acceleration", acceleration);
             sheet.check_zero(
-                "largest acceleration: there its slope over the frequency is zero, (ωₙ/ω)² = 1 − 2ζ²",
+                "maximum acceleration: zero slope with respect to frequency, (ωₙ/ω)² = 1 − 2ζ²",
                 (natural / acceleration).powi(2) + zeta.powi(2) * 2.0 - 1.0,
                 1.0,
             );
-            sheet.answer("largest_amplitude", "Largest amplitude at any frequency", largest);
+            sheet.answer("largest_amplitude", "Maximum amplitude at any frequency", largest);
         }
         Loss::Hysteretic(eta) if eta.value() > 0.0 => {
-            let why = "Largest amplitude, at ωₙ, where the loss of the spring alone holds the force";
+            let why = "Maximum amplitude, at ωₙ, where only the loss of the spring balances the force";
             let largest = sheet.step("Xₘₐₓ", "mm", force / (eta * body.stiffness), (why, RAO.at("§3.10")));
-            sheet.answer("largest_amplitude", "Largest amplitude at any frequency", largest);
+            sheet.answer("largest_amplitude", "Maximum amplitude at any frequency", largest);
         }
         _ => {}
     }
@@ -351,14 +349,14 @@ impl HarmonicForce {
             "Ẋ",
             "mm/s",
             deflection * suspension.natural / 2.0,
-            ("The amplitude is unbounded: it grows with t, each second by", RAO.at("§3.3")),
+            ("The amplitude is unbounded: it grows with t, per second by", RAO.at("§3.3")),
         );
         sheet.check(
-            "growth from the impulse of the force",
+            "growth rate from the impulse of the force",
             *force / (body.mass * suspension.natural * 2.0),
             growth,
         );
-        sheet.answer("growth", "Growth of the amplitude with the time", growth);
+        sheet.answer("growth", "Growth of the amplitude with time", growth);
         sheet.warn(|| {
             Text::new("undamped resonance: the amplitude is unbounded, it grows with t and there is no steady state")
         });

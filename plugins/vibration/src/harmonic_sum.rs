@@ -11,7 +11,7 @@ use dalembert_mechanics::Real;
 mod work;
 
 use crate::{
-    oscillator::{from_rest::Wave, is_one},
+    oscillator::{is_one, transient_from_rest::Wave},
     sources::{RAO, THOMSON},
 };
 
@@ -33,7 +33,7 @@ pub enum Question {
         #[input(min = 1)]
         motions: Vec<Harmonic>,
         /// Time.
-        /// At which the displacement is asked for.
+        /// At which the displacement is requested.
         #[input("t", "s", nonnegative)]
         time: Option<f64>,
     },
@@ -70,7 +70,7 @@ pub struct Harmonic {
     #[input("ω", "rad/s", positive)]
     pub frequency: f64,
     /// Phase.
-    /// What stands beside ωt: positive for a motion that is ahead.
+    /// The phase added to ωt: positive for a leading motion.
     #[input("α", "deg", default = "0 deg")]
     pub phase: f64,
 }
@@ -80,9 +80,9 @@ register!(HarmonicSum);
 impl Analysis for HarmonicSum {
     const ABOUT: About = About {
         id: "vibration/harmonic-sum",
-        title: "Harmonic motions added up",
+        title: "Superposition of harmonic motions",
         topic: "Harmonic excitation",
-        summary: "Phasor sum of harmonic motions, beats of two that nearly agree, and the work of a harmonic force on a harmonic motion.",
+        summary: "Phasor sum of harmonic motions, beats of two with nearly equal frequencies, and the work of a harmonic force on a harmonic motion.",
         keywords: "beat beating phasor rotating vector superposition batimento fasor vetor girante soma harmônica \
                    trabalho",
         sources: &[&RAO, &THOMSON],
@@ -134,7 +134,7 @@ fn sum<W: Worksheet>(
                 largest,
                 "The displacement never exceeds the sum of the amplitudes",
             );
-            sheet.answer("largest", "Bound of the displacement", largest);
+            sheet.answer("largest", "Upper bound of the displacement", largest);
         }
     }
     let half = W::Num::sum(groups.iter().map(|group| group.amplitude.powi(2))) / 2.0;
@@ -154,7 +154,7 @@ fn sum<W: Worksheet>(
         sheet.answer("displacement", "Displacement at that time", x);
         let direct = W::Num::sum(given.iter().map(|one| of(one.amplitude, one.frequency, one.phase, time)));
         let scale: f64 = given.iter().map(|one| one.amplitude.value()).sum();
-        sheet.check_zero("the motions one by one at that time", direct - x, scale);
+        sheet.check_zero("sum of the individual motions at that time", direct - x, scale);
     }
     sheet.verify(|| {
         // Every motion against every other: the mean of their product is cos(α₁ − α₂)/2 where the frequencies agree.
@@ -217,11 +217,11 @@ fn groups<W: Worksheet>(given: &[HarmonicGiven<W>], sheet: W) -> Result<Vec<Resu
             "mm",
             part(W::Num::cos),
             (
-                "The rotating vectors of one frequency keep their angles: their components add up",
+                "Rotating vectors of the same frequency keep their relative angles: their components add up",
                 RAO.at("§1.10"),
             ),
         );
-        let across = sheet.step(symbol("R_y"), "mm", part(W::Num::sin), "Components across");
+        let across = sheet.step(symbol("R_y"), "mm", part(W::Num::sin), "Transverse components");
         let amplitude = sheet.step(
             symbol("R"),
             "mm",
@@ -245,54 +245,53 @@ fn beats<W: Worksheet>(one: Resultant<W::Num>, other: Resultant<W::Num>, sheet: 
         "A_max",
         "mm",
         large.amplitude + small.amplitude,
-        ("Largest amplitude, when the two motions agree", cite()),
+        ("Maximum amplitude, when the two motions are in phase", cite()),
     );
     let least = sheet.step(
         "A_min",
         "mm",
         large.amplitude - small.amplitude,
-        ("Least amplitude, when they oppose each other", cite()),
+        ("Minimum amplitude, when they are in opposite phase", cite()),
     );
     let beat = sheet.step(
         "ω_b",
         "Hz",
         fast.frequency - slow.frequency,
-        ("Beat frequency: the faster vector overtakes the slower one so often", cite()),
+        ("Beat frequency: rate at which the faster vector overtakes the slower one", cite()),
     );
-    let period =
-        sheet.step("T_b", "s", W::Num::from(TAU) / beat, "Time between two of the largest amplitudes");
+    let period = sheet.step("T_b", "s", W::Num::from(TAU) / beat, "Time between two maxima of the amplitude");
     let mean = sheet.step(
         "ω_m",
         "rad/s",
         (fast.frequency + slow.frequency) / 2.0,
-        "Frequency of the motion within the beats",
+        "Frequency of the oscillation within the beats",
     );
     sheet.check(
-        "largest and least amplitude give the mean square of the envelope",
+        "maximum and minimum amplitude give the mean square of the envelope",
         (largest.powi(2) + least.powi(2)) / 2.0,
         one.amplitude.powi(2) + other.amplitude.powi(2),
     );
     let turn = W::Num::from(TAU);
     sheet.check_sum(
-        "from one of the largest amplitudes to the next the faster vector gains one turn on the slower one",
+        "from one maximum of the amplitude to the next the faster vector gains one revolution on the slower one",
         (fast.frequency - slow.frequency) * period,
         turn,
         fast.frequency.value() * period.value(),
     );
     let (a, b) = (W::Num::from(1.0), slow.frequency / fast.frequency);
     sheet.check(
-        "two equal amplitudes are one of the mean frequency that beats, sin ω₁t + sin ω₂t = 2 sin ω_m t cos(ω_b t/2)",
+        "two motions of equal amplitude equal one beating motion at the mean frequency, sin ω₁t + sin ω₂t = 2 sin ω_m t cos(ω_b t/2)",
         a.sin() + b.sin(),
         (mean / fast.frequency).sin() * (beat / fast.frequency / 2.0).cos() * 2.0,
     );
-    sheet.answer("largest", "Largest amplitude", largest);
-    sheet.answer("least", "Least amplitude", least);
+    sheet.answer("largest", "Maximum amplitude", largest);
+    sheet.answer("least", "Minimum amplitude", least);
     sheet.answer("beat_frequency", "Beat frequency", beat);
     sheet.answer("beat_period", "Beat period", period);
     sheet.answer("mean_frequency", "Mean frequency", mean);
     if slow.frequency.value() < 0.7 * fast.frequency.value() {
         sheet.warn(|| {
-            Text::new("the frequencies lie so far apart that the sum shows no beats: the slower motion carries the faster one")
+            Text::new("the frequencies are so far apart that the sum shows no beats: the fast motion is superposed on the slow one")
         });
     }
 }

@@ -9,7 +9,7 @@ pub enum Inertia {
     /// Moment of inertia given
     Given {
         /// Moment of inertia.
-        /// About the axis of turning.
+        /// About the axis of rotation.
         #[input("J", "kg*m^2", positive)]
         inertia: f64,
     },

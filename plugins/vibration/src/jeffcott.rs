@@ -13,11 +13,11 @@ use crate::sources::{BEER, RAO};
 pub enum Mounting {
     /// Cantilever, rotor at its end
     Cantilever,
-    /// Simply supported, rotor at the middle
+    /// Simply supported, rotor at midspan
     SimplySupported,
-    /// Clamped at both ends, rotor at the middle
+    /// Clamped at both ends, rotor at midspan
     Clamped,
-    /// Clamped and pinned, rotor at the middle
+    /// Clamped and pinned, rotor at midspan
     ClampedPinned,
 }
 
@@ -30,7 +30,7 @@ pub enum RotorShaft {
         #[input("k", "N/m", positive)]
         stiffness: f64,
     },
-    /// Solid round shaft
+    /// Solid circular shaft
     Round {
         /// Mounting.
         mounting: Mounting,

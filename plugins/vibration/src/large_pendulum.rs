@@ -3,8 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{
-    About, Analysis, Axis, DrawnShape, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Animation, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text,
+    Worksheet, register,
 };
 use dalembert_mechanics::{Real, elliptic};
 
@@ -14,18 +14,18 @@ use crate::sources::{ABRAMOWITZ, NAYFEH, RAO};
 #[derive(Clone, Debug, Inputs)]
 pub struct LargePendulum {
     /// Length.
-    /// From the pivot to the mass; for a rigid body J/(m s), its reduced length.
+    /// From the pivot to the mass; for a rigid body J/(m s), its equivalent length.
     #[input("L", "m", positive)]
     pub length: f64,
-    /// Angle at which it is let go.
-    /// From the lowest position; at 180° it would stand for ever.
+    /// Release angle.
+    /// From the lowest position; at 180° it would remain at rest.
     #[input("θ₀", "deg", positive, below = 180)]
     pub amplitude: f64,
     /// Acceleration of gravity.
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
     pub gravity: f64,
     /// Instant.
-    /// Where it is given, the angle and the angular velocity at this time after it is let go are answered too.
+    /// If given, the angle and the angular velocity at this time after release are also computed.
     #[input("t", "s", nonnegative)]
     pub instant: Option<f64>,
 }
@@ -37,7 +37,7 @@ impl Analysis for LargePendulum {
         id: "vibration/large-pendulum",
         title: "Pendulum of large amplitude",
         topic: "Nonlinear vibration",
-        summary: "Exact period and motion of a pendulum at any amplitude, beside the small-angle value and the series.",
+        summary: "Exact period and motion of a pendulum at any amplitude, compared with the small-angle value and the series.",
         keywords: "nonlinear elliptic integral pêndulo grandes amplitudes não linear período",
         sources: &[&NAYFEH, &RAO, &ABRAMOWITZ],
         cases: include_str!("../cases/large_pendulum.toml"),
@@ -49,19 +49,19 @@ impl Analysis for LargePendulum {
             "ω₀",
             "rad/s",
             (*gravity / *length).sqrt(),
-            ("Angular frequency of small swings", RAO.at("§2.3")),
+            ("Angular frequency of small oscillations", RAO.at("§2.3")),
         );
         let small_period = sheet.step(
             "T₀",
             "s",
             W::Num::from(TAU) / small,
-            "Period of small swings, which no amplitude changes",
+            "Period of small oscillations, independent of the amplitude",
         );
         let modulus = sheet.step(
             "κ",
             "1",
             (*amplitude / 2.0).sin(),
-            ("Modulus of the elliptic integral of the quarter swing", NAYFEH.at("§2.1")),
+            ("Modulus of the elliptic integral of the quarter period", NAYFEH.at("§2.1")),
         );
         // agm(1, cos θ₀/2), written out: it doubles its digits with every line.
         let mut arithmetic = W::Num::from(1.0);
@@ -83,10 +83,10 @@ impl Analysis for LargePendulum {
             "T",
             "s",
             small_period / arithmetic,
-            ("Period: that of small swings over the mean", ABRAMOWITZ.at("§17.6")),
+            ("Period: that of small oscillations over the mean", ABRAMOWITZ.at("§17.6")),
         );
         let excess =
-            sheet.step("ΔT", "%", (period - small_period) / period, "What the small-angle value is short of");
+            sheet.step("ΔT", "%", (period - small_period) / period, "Deficit of the small-angle value");
         let series = sheet.step(
             "T₂",
             "s",
@@ -121,10 +121,10 @@ impl Analysis for LargePendulum {
             );
         });
         sheet.answer("period", "Period", period);
-        sheet.answer("small_angle_period", "Period of small swings", small_period);
+        sheet.answer("small_angle_period", "Period of small oscillations", small_period);
         sheet.answer("shortfall", "Error of the small-angle period", excess);
         sheet.answer("series_period", "Period by the series", series);
-        sheet.answer("largest_angular_velocity", "Largest angular velocity", fastest);
+        sheet.answer("largest_angular_velocity", "Maximum angular velocity", fastest);
         if let (Some(t), Some(instant)) = (self.instant, instant) {
             let (angle, rate) = self.motion(t);
             let angle = sheet.found(
@@ -139,7 +139,7 @@ impl Analysis for LargePendulum {
                 rate.powi(2) / 2.0 - *gravity / *length * (angle.cos() - amplitude.cos()),
                 fastest.value().powi(2),
             );
-            let turns = sheet.step("n", "1", *instant / period, "Periods that have passed");
+            let turns = sheet.step("n", "1", *instant / period, "Elapsed periods");
             sheet.answer("angle", "Angle at the instant", angle);
             sheet.answer("angular_velocity", "Angular velocity at the instant", rate);
             sheet.answer("swings", "Periods until the instant", turns);
@@ -147,7 +147,7 @@ impl Analysis for LargePendulum {
         let (period, small_period) = (period.value(), small_period.value());
         sheet.show(|| Exhibit::Plot(self.swing(period, small_period)));
         sheet.show(|| Exhibit::Plot(self.period_over_amplitude(period)));
-        sheet.show(|| Exhibit::Film(self.film(period)));
+        sheet.show(|| Exhibit::Animation(self.animation(period)));
         Ok(())
     }
 }
@@ -189,10 +189,10 @@ impl LargePendulum {
         )
         .over("amplitude")
         .mark("at this amplitude", (self.amplitude, period))
-        .level("small swings", small)
+        .level("small oscillations", small)
     }
 
-    fn film(&self, period: f64) -> Film {
+    fn animation(&self, period: f64) -> Animation {
         const FRAMES: u32 = 24;
         let frame = |n: u32| {
             let (angle, _) = self.motion(period * f64::from(n) / f64::from(FRAMES));
@@ -212,7 +212,7 @@ impl LargePendulum {
                 DrawnShape::Label((0.08, -0.3), Text::from("θ")),
             ]
         };
-        Film::new("The swing", (0..FRAMES).map(frame).collect(), 2.0)
+        Animation::new("The oscillation", (0..FRAMES).map(frame).collect(), 2.0)
     }
 }
 

@@ -10,24 +10,24 @@ use dalembert_mechanics::vibration::{
 #[derive(Clone, Debug, Inputs)]
 pub enum Course {
     /// Step
-    /// Applied at once and held.
+    /// Applied suddenly and held constant.
     Step,
-    /// Ramp that is held
-    /// Rises evenly and is held from then on.
+    /// Ramp, then constant
+    /// Rises linearly and then stays constant.
     RampStep {
         /// Rise time.
         #[input("t_r", "s", positive)]
         rise: f64,
     },
     /// Ramp without end
-    /// Rises evenly for ever.
+    /// Rises linearly without end.
     Ramp {
-        /// Time in which it rises to its size.
+        /// Rise time to the full value.
         #[input("t_r", "s", positive)]
         rise: f64,
     },
     /// Exponential
-    /// Applied at once, it falls as e^(−t/τ).
+    /// Applied suddenly, it decays as e^(−t/τ).
     Exponential {
         /// Time constant.
         #[input("τ", "s", positive)]
@@ -45,7 +45,7 @@ pub enum Course {
         #[input("t_d", "s", positive)]
         duration: f64,
         /// Time of the peak.
-        /// In the middle where this is left out; 0 for a blast, the duration for a sawtooth.
+        /// At the middle if omitted; 0 for a blast, the duration for a sawtooth.
         #[input("t_p", "s", nonnegative)]
         peak: Option<f64>,
     },
@@ -119,7 +119,7 @@ pub(crate) fn table(points: &[(f64, f64)]) -> Result<Pieces, Refusal> {
     }
     if points[0].0 < 0.0 || points.windows(2).any(|pair| pair[1].0 < pair[0].0) {
         return Err(Refusal::because(
-            "the times of the table must begin at zero or later and ascend: put its rows in order",
+            "the times of the table must begin at zero or later and ascend: sort its rows",
         ));
     }
     let mut pieces = Vec::new();

@@ -23,7 +23,7 @@ pub struct LogarithmicDecrement {
     pub decay: Known,
     /// System.
     pub system: System,
-    /// Ratio of amplitudes over which the cycles and the time are asked.
+    /// Amplitude ratio for which cycles and time are computed.
     /// The larger amplitude over the smaller one.
     #[input("X₁/X₂", "1", above = 1)]
     pub fall: Option<f64>,
@@ -52,7 +52,7 @@ pub enum Known {
     /// Table of amplitudes
     Peaks {
         /// Amplitudes.
-        /// At least three; the cycles may leave some out, and a trough is half a cycle from its peak.
+        /// At least three; some cycles may be skipped, and a trough is half a cycle from its peak.
         #[input(table)]
         peaks: Vec<MeasuredPeak>,
     },
@@ -65,7 +65,7 @@ pub struct MeasuredPeak {
     #[input("n", "1")]
     pub cycles: f64,
     /// Amplitude.
-    /// In any unit, the same for all, without its sign.
+    /// In any unit, the same for all, without sign.
     #[input("X", "1", positive)]
     pub amplitude: f64,
 }
@@ -73,7 +73,7 @@ pub struct MeasuredPeak {
 /// What is known of the system.
 #[derive(Clone, Debug, Inputs)]
 pub enum System {
-    /// Nothing more
+    /// No further data
     Unknown,
     /// Period of the decaying motion
     Period {
@@ -142,7 +142,7 @@ impl Analysis for LogarithmicDecrement {
         id: "vibration/logarithmic-decrement",
         title: "Logarithmic decrement",
         topic: "Free vibration",
-        summary: "Decrement, damping ratio and damping of a decay from its amplitudes, and the cycles and time to fall to an amplitude.",
+        summary: "Decrement, damping ratio and damping of a decay from its amplitudes, and the cycles and time to decay to a given amplitude.",
         keywords: "decay damping ratio successive amplitudes peaks torsional pendulum cycles least squares \
                    decremento logarítmico decaimento amplitude picos pêndulo de torção",
         sources: &[&RAO, &GROVER],
@@ -156,7 +156,7 @@ impl Analysis for LogarithmicDecrement {
         light(decrement, zeta, sheet);
         if decrement.value() == 0.0 {
             sheet.warn(|| {
-                Text::new("the motion does not decay: there is no damping, and no amplitude is ever reached")
+                Text::new("the motion does not decay: there is no damping, and no smaller amplitude is ever reached")
             });
         } else {
             let kept = sheet.step(
@@ -170,7 +170,7 @@ impl Analysis for LogarithmicDecrement {
                 "%",
                 W::Num::from(1.0) - (-(decrement * 2.0)).exp(),
                 (
-                    "Share of the energy lost in a cycle: energy goes with the square of the amplitude",
+                    "Fraction of the energy lost per cycle: the energy is proportional to the square of the amplitude",
                     RAO.at("§2.6.4"),
                 ),
             );
@@ -180,7 +180,7 @@ impl Analysis for LogarithmicDecrement {
                 W::Num::from(2.0),
                 "Half the amplitude: the ratio of the amplitudes is 2",
             );
-            let half = sheet.step("n½", "1", two.ln() / decrement, "Cycles in which the amplitude halves");
+            let half = sheet.step("n½", "1", two.ln() / decrement, "Cycles to half amplitude");
             sheet.verify(|| {
                 let root = (W::Num::from(1.0) - zeta.powi(2)).sqrt();
                 let fallen = |cycles: W::Num| (zeta * cycles * 2.0 * PI / root).exp();
@@ -194,11 +194,15 @@ impl Analysis for LogarithmicDecrement {
                     W::Num::from(1.0) - kept.powi(-2),
                     lost,
                 );
-                sheet.check("after these cycles the envelope e^(−ζωₙt) stands at a half", fallen(half), two);
+                sheet.check(
+                    "after these cycles the envelope e^(−ζωₙt) has decayed to one half",
+                    fallen(half),
+                    two,
+                );
             });
             sheet.answer("amplitude_ratio", "Ratio of successive amplitudes", kept);
-            sheet.answer("energy_loss", "Energy lost in a cycle", lost);
-            sheet.answer("half_cycles", "Cycles in which the amplitude halves", half);
+            sheet.answer("energy_loss", "Energy lost per cycle", lost);
+            sheet.answer("half_cycles", "Cycles to half amplitude", half);
         }
         let period = system(given, zeta, sheet);
         if let Some(fall) = given.fall
@@ -208,13 +212,13 @@ impl Analysis for LogarithmicDecrement {
                 "n",
                 "1",
                 fall.ln() / decrement,
-                ("Cycles in which the amplitude falls by that ratio", RAO.at("§2.6.3")),
+                ("Cycles for the amplitude to decay by that ratio", RAO.at("§2.6.3")),
             );
-            sheet.answer("fall_cycles", "Cycles of that fall", cycles);
+            sheet.answer("fall_cycles", "Cycles of that decay", cycles);
             if let Some(Oscillation { period, natural }) = period {
-                let time = sheet.step("t", "s", cycles * period, "Time of these cycles");
+                let time = sheet.step("t", "s", cycles * period, "Duration of these cycles");
                 sheet.check("the same time from the envelope e^(−ζωₙt)", fall.ln() / (zeta * natural), time);
-                sheet.answer("fall_time", "Time of that fall", time);
+                sheet.answer("fall_time", "Duration of that decay", time);
             }
         }
         let numbers = (decrement.value(), self.fall);
@@ -260,7 +264,7 @@ impl LogarithmicDecrement {
                     ("Logarithmic decrement", RAO.at("§2.6.3")),
                 );
                 sheet.check(
-                    "the decrement gives the damping ratio back",
+                    "the decrement reproduces the damping ratio",
                     sdof::damping_ratio_from_decrement(decrement),
                     *ratio,
                 );
@@ -304,7 +308,7 @@ impl LogarithmicDecrement {
         if let (Some(n), Some(fall)) = (fallen, fall)
             && n <= last
         {
-            plot = plot.mark("asked amplitude", (n, first / fall));
+            plot = plot.mark("requested amplitude", (n, first / fall));
         }
         plot
     }
@@ -332,22 +336,22 @@ fn system<W: Worksheet>(
                     "Δω",
                     "%",
                     (natural - oscillation.natural) / oscillation.natural,
-                    "How far the measured period is off that of mass and stiffness",
+                    "Deviation of the measured period from that of mass and stiffness",
                 );
                 sheet.check(
-                    "measured frequency, off by as much as the period",
+                    "measured frequency, with the same relative error as the period",
                     oscillation.period / *measured - 1.0,
                     off,
                 );
                 sheet.answer(
                     "measured_natural_frequency",
-                    "Natural frequency of the measured period",
+                    "Natural frequency from the measured period",
                     natural,
                 );
-                sheet.answer("frequency_difference", "Measured frequency, off by", off);
+                sheet.answer("frequency_difference", "Deviation of the measured frequency", off);
                 if off.value().abs() > 0.02 {
                     sheet.warn(|| {
-                        Text::new("the measured period is off that of mass and stiffness by {off}: is all of the mass counted?")
+                        Text::new("the measured period differs from that of mass and stiffness by {off}: is the whole mass included?")
                             .with_quantity("off", off.value(), "%")
                     });
                 }
@@ -427,11 +431,11 @@ fn light<W: Worksheet>(decrement: W::Num, zeta: W::Num, sheet: W) {
     );
     sheet.answer("light_damping_ratio", "Damping ratio, light-damping formula", light);
     if zeta.value() > 0.0 {
-        let error = sheet.step("Δζ", "%", (light - zeta) / zeta, "How far that formula is off");
+        let error = sheet.step("Δζ", "%", (light - zeta) / zeta, "Relative error of that formula");
         sheet.verify(|| {
             let root = (W::Num::from(1.0) - zeta.powi(2)).sqrt();
             sheet.check(
-                "error of the light-damping formula from the root that it leaves out, 1/√(1 − ζ²) − 1",
+                "error of the light-damping formula from the neglected square root, 1/√(1 − ζ²) − 1",
                 zeta.powi(2) / (root * (root + 1.0)),
                 error,
             );
@@ -439,7 +443,7 @@ fn light<W: Worksheet>(decrement: W::Num, zeta: W::Num, sheet: W) {
         sheet.answer("light_error", "Error of that formula", error);
         if error.value() > 0.02 {
             sheet.warn(|| {
-                Text::new("the light-damping formula ζ = δ/2π is off by {error} here: use the exact one")
+                Text::new("the light-damping formula ζ = δ/2π is in error by {error} here: use the exact one")
                     .with_quantity("error", error.value(), "%")
             });
         }
@@ -451,10 +455,10 @@ fn ratio_of<W: Worksheet>(decrement: W::Num, sheet: W) -> W::Num {
         "ζ",
         "1",
         sdof::damping_ratio_from_decrement(decrement),
-        ("Damping ratio of that decrement", RAO.at("§2.6.3")),
+        ("Damping ratio from that decrement", RAO.at("§2.6.3")),
     );
     sheet.check(
-        "the damping ratio gives the decrement back",
+        "the damping ratio reproduces the decrement",
         sdof::decrement_from_damping_ratio(zeta),
         decrement,
     );
@@ -514,7 +518,7 @@ fn natural_of_period<W: Worksheet>(period: W::Num, zeta: W::Num, symbol: &'stati
         ("Natural frequency without damping, above that of the decay", RAO.at("§2.6")),
     );
     sheet.check(
-        "the root −ζωₙ + iω_d of the decay has the size ωₙ",
+        "the root −ζωₙ + iω_d of the decay has modulus ωₙ",
         (zeta * natural).powi(2) + damped.powi(2),
         natural.powi(2),
     );

@@ -20,7 +20,7 @@ pub struct MassOnShaft {
     /// Young's modulus.
     #[input("E", "Pa", positive)]
     pub young: f64,
-    /// Turning of the body.
+    /// Rotation of the body.
     /// For the torsional frequency.
     pub torsion: Option<Torsion>,
 }
@@ -74,7 +74,7 @@ pub enum Support {
         right: f64,
     },
     /// Fixed at one end, in a bearing at the other
-    /// The bearing lets the shaft turn and slide.
+    /// The bearing allows the shaft to rotate and slide.
     ClampedPinned {
         /// From the fixed end to the body.
         #[input("a", "m", positive)]
@@ -161,7 +161,7 @@ impl Analysis for MassOnShaft {
             let why = match held {
                 Held::OneSide(_) => ("Stiffness along the shaft", RAO.at("§1.7")),
                 Held::BothSides(..) => {
-                    ("Stiffness along the shaft: its two parts are deflected alike", RAO.at("§1.7"))
+                    ("Stiffness along the shaft: both parts have the same deflection", RAO.at("§1.7"))
                 }
             };
             let k = sheet.step("k_l", "kN/m", k, why);
@@ -182,7 +182,7 @@ impl Analysis for MassOnShaft {
             sheet.answer("longitudinal_stiffness", "Longitudinal stiffness", k);
             sheet.answer("longitudinal", "Longitudinal frequency", frequency);
             sheet.check(
-                "longitudinal: largest kinetic energy = largest elastic energy of the parts of the shaft",
+                "longitudinal: maximum kinetic energy = maximum elastic energy of the parts of the shaft",
                 mass * frequency.powi(2),
                 given.young * area / held.compliant_length(),
             );
@@ -193,7 +193,7 @@ impl Analysis for MassOnShaft {
             match held(&given.support) {
                 Some(held) => found.push(("torsional", torsional(given, torsion, held, mass, sheet).value())),
                 None => sheet.warn(|| {
-                    Text::new("nothing keeps a simply supported shaft from turning: there is no torsional frequency")
+                    Text::new("a simply supported shaft can rotate freely: there is no torsional frequency")
                 }),
             }
         }
@@ -203,7 +203,7 @@ impl Analysis for MassOnShaft {
     }
 }
 
-const COUNTED: &str = "The same frequency, counted in cycles";
+const COUNTED: &str = "The same frequency in Hz";
 
 /// The parts of a shaft that resist pulling and twisting, by their lengths.
 #[derive(Clone, Copy)]
@@ -309,7 +309,7 @@ fn transverse<W: Worksheet>(given: &MassOnShaftGiven<W>, mass: W::Num, sheet: W)
             k,
         );
         sheet.check(
-            "transverse: largest kinetic energy = largest elastic energy of the bending moments",
+            "transverse: maximum kinetic energy = maximum elastic energy of the bending moments",
             mass * frequency.powi(2),
             young * moment / W::Num::sum(squares.collect::<Vec<_>>()),
         );
@@ -343,7 +343,7 @@ fn torsional<W: Worksheet>(
     let why = match held {
         Held::OneSide(_) => ("Torsional stiffness of the shaft", RAO.at("§1.7")),
         Held::BothSides(..) => {
-            ("Torsional stiffness: the two parts of the shaft are twisted alike", RAO.at("§1.7"))
+            ("Torsional stiffness: both parts of the shaft have the same twist", RAO.at("§1.7"))
         }
     };
     let k = sheet.step("k_t", "N*m/rad", k, why);
@@ -370,7 +370,7 @@ fn torsional<W: Worksheet>(
     sheet.answer("torsional_stiffness", "Torsional stiffness", k);
     sheet.answer("torsional", "Torsional frequency", frequency);
     sheet.check(
-        "torsional: largest kinetic energy = largest elastic energy of the parts of the shaft",
+        "torsional: maximum kinetic energy = maximum elastic energy of the parts of the shaft",
         mass * (torsion.radius * frequency).powi(2),
         shear * polar / held.compliant_length(),
     );

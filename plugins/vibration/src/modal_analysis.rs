@@ -32,18 +32,18 @@ pub struct ModalAnalysis {
     pub system: System,
     /// Damping.
     pub damping: Damping,
-    /// Size of the modes.
+    /// Mode normalisation.
     pub normalisation: Normalisation,
 }
 
 /// What fixes the size of a mode shape.
 #[derive(Clone, Copy, Debug, Inputs)]
 pub enum Normalisation {
-    /// Largest entry is 1
+    /// Largest component is 1
     Largest,
     /// First entry is 1
     First,
-    /// Last entry is 1
+    /// Last component is 1
     Last,
     /// Modal mass given
     ModalMass {
@@ -82,7 +82,7 @@ impl Analysis for ModalAnalysis {
             sheet.answer_list(("mode", mode + 1), "Mode shape", "1", shape);
             let nodes = if system.parallel { nodes(shape) } else { Vec::new() };
             if !nodes.is_empty() {
-                sheet.answer_list(("nodes", mode + 1), "Nodes, counted in masses", "1", &nodes);
+                sheet.answer_list(("nodes", mode + 1), "Nodes (position in mass spacings)", "1", &nodes);
             }
         }
         masses(&system, &found, &shapes, sheet);
@@ -131,7 +131,7 @@ pub(crate) fn masses<W: Worksheet>(
             ("μ", mode + 1),
             "kg",
             shape.dot(&momenta),
-            ("Modal mass φᵀMφ, for the size of the mode that was chosen", RAO.at("§6.11")),
+            ("Modal mass φᵀMφ, for the chosen normalisation", RAO.at("§6.11")),
         );
         sheet.answer(("modal_mass", mode + 1), "Modal mass", mass);
         if frequency.value() > 0.0 {
@@ -151,13 +151,13 @@ pub(crate) fn masses<W: Worksheet>(
                 ("L", mode + 1),
                 "kg",
                 if nothing { 0.0 } else { excitation },
-                "Excitation by a ground that moves all springs' feet alike: φᵀM1",
+                "Excitation by uniform motion of the ground at all springs: φᵀM1",
             );
             let effective = sheet.step(
                 ("m_e", mode + 1),
                 "kg",
                 excited.powi(2) / mass,
-                "Effective mass: what of the total mass moves with the ground in this mode",
+                "Effective mass: the part of the total mass that moves with the ground in this mode",
             );
             effective_sum += effective.value();
             sheet.answer(("effective_mass", mode + 1), "Effective mass", effective);
@@ -179,7 +179,7 @@ pub(crate) fn ratios<W: Worksheet>(found: &Found<W::Num>, damped: &ModalDamping,
             ("γ", mode + 1),
             "1/s",
             damped.decay(mode),
-            ("Damping of the mode φᵀCφ/φᵀMφ: it couples no modes, so they remain", RAO.at("§6.15")),
+            ("Damping of the mode φᵀCφ/φᵀMφ: C does not couple the modes, so the mode shapes are unchanged", RAO.at("§6.15")),
         );
         let ratio = sheet.step(
             ("ζ", mode + 1),
@@ -195,7 +195,7 @@ pub(crate) fn ratios<W: Worksheet>(found: &Found<W::Num>, damped: &ModalDamping,
                 ("ω_d", mode + 1),
                 "rad/s",
                 *frequency * (one - ratio.powi(2)).sqrt(),
-                ("Frequency of the free damped motion", RAO.at("§2.6")),
+                ("Frequency of the free damped vibration", RAO.at("§2.6")),
             );
             sheet.answer(("damped_frequency", mode + 1), "Damped frequency", frequency);
             shown.push((mode + 1, [natural, ratio, frequency].map(Real::value)));
@@ -251,7 +251,7 @@ pub(crate) fn complex<W: Worksheet>(
             ("Re λ", place),
             "1/s",
             mode.root.re,
-            ("Root of det(λ²M + λC + K) = 0, of the first-order equations of the state", EWINS.at("ch. 2")),
+            ("Root of det(λ²M + λC + K) = 0, from the first-order state equations", EWINS.at("ch. 2")),
         );
         if mode.root.im <= 0.0 {
             sheet.answer(("decay_rate", place), "Root without oscillation", real);
@@ -315,7 +315,7 @@ impl ModalAnalysis {
     fn normalised(&self, shapes: &DMatrix<f64>) -> Result<Vec<Vec<f64>>, Refusal> {
         let zero = |at: &'static str| {
             let why = Text::new(
-                "the {at} coordinate is a node of mode {mode}: it cannot be made 1; choose another size of the modes",
+                "the {at} coordinate is a node of mode {mode}: it cannot be set to 1; choose another mode normalisation",
             );
             move |mode: usize| Refusal::because(why.clone().with_text("at", at).with("mode", mode + 1))
         };
@@ -361,9 +361,9 @@ impl ModalAnalysis {
             };
             let series = shapes.iter().take(FILMED).enumerate();
             Exhibit::Plot(Plot::new(
-                "Mode shapes, the largest entry as 1",
+                "Mode shapes, largest component = 1",
                 Axis::linear("coordinate", "1"),
-                Axis::linear("amplitude over the largest", "1"),
+                Axis::linear("amplitude over the maximum amplitude", "1"),
                 series
                     .map(|(mode, shape)| {
                         Series::line(Text::new("mode {mode}").with("mode", mode + 1), points(shape))
@@ -372,7 +372,7 @@ impl ModalAnalysis {
             ))
         });
         for (mode, shape) in shapes.iter().enumerate().take(FILMED) {
-            sheet.show(|| Exhibit::Film(picture::mode(&self.system, mode + 1, &largest_one(shape))));
+            sheet.show(|| Exhibit::Animation(picture::mode(&self.system, mode + 1, &largest_one(shape))));
         }
         sheet.show(|| {
             let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };

@@ -36,19 +36,19 @@ pub struct MultiDegreeResponse {
     pub system: System,
     /// Damping.
     pub damping: Damping,
-    /// Start.
+    /// Initial conditions.
     /// Coordinates that are not listed start from rest.
     pub start: Vec<Start>,
     /// Forces.
     pub forces: Vec<Force>,
     /// Times.
-    /// At which the motion is asked for.
+    /// At which the motion is requested.
     #[input(table)]
     pub times: Vec<AskedTime>,
     /// Observed coordinates.
     #[input(min = 1)]
     pub observed: Vec<Observed>,
-    /// Duration of the curves.
+    /// Time span of the plots.
     #[input("t_e", "s", positive)]
     pub duration: Option<f64>,
 }
@@ -73,14 +73,14 @@ pub struct Force {
     /// Coordinate.
     #[input(min = 1, max = 500)]
     pub coordinate: usize,
-    /// Course in time.
+    /// Time history.
     pub course: Course,
 }
 
 /// How a force changes with time.
 #[derive(Clone, Debug, Inputs)]
 pub enum Course {
-    /// Step: constant from its start on
+    /// Step: constant from its start
     Step {
         /// Force.
         #[input("F", "N")]
@@ -101,12 +101,12 @@ pub enum Course {
         #[input("t_d", "s", positive)]
         duration: f64,
     },
-    /// Ramp that ends in a constant force
+    /// Ramp to a constant force
     Ramp {
         /// Force at its end.
         #[input("F", "N")]
         force: f64,
-        /// Time it takes to rise.
+        /// Rise time.
         #[input("t_r", "s", positive)]
         rise: f64,
     },
@@ -122,7 +122,7 @@ pub enum Course {
         #[input("φ", "rad", default = "0 deg")]
         lag: f64,
     },
-    /// Table: straight between its points, zero before and after
+    /// Table: linear between its points, zero before and after
     Table {
         /// Points.
         #[input(table)]
@@ -164,7 +164,7 @@ impl Analysis for MultiDegreeResponse {
         id: "vibration/multi-degree-response",
         title: "Motion of many degrees of freedom in time",
         topic: "Several degrees of freedom",
-        summary: "Exact motion of a chain or of given matrices from a start and under steps, pulses, ramps, harmonic forces or tables of force, with damping of any kind.",
+        summary: "Exact motion of a chain or of given matrices from initial conditions and under steps, pulses, ramps, harmonic forces or force tables, with any damping.",
         keywords: "transient time response mdof pulse step initial conditions modal superposition state space \
                    transitório resposta no tempo condições iniciais pulso degrau superposição modal vários graus \
                    de liberdade",
@@ -185,7 +185,7 @@ impl Analysis for MultiDegreeResponse {
         let duration = self.duration.unwrap_or_else(|| self.shown(last_asked, &found));
         let poles = Poles::new(&found.modes, &damped.matrix, duration.max(last_asked)).map_err(|_| {
             Refusal::because(
-                "two damped modes share one root and one shape (critical damping): change a damper by a millionth",
+                "two damped modes share one root and one mode shape (critical damping): change a damper by a millionth",
             )
         })?;
         let momentum = found.modes.shapes.transpose() * &system.mass;
@@ -208,7 +208,7 @@ impl MultiDegreeResponse {
             return Err(Refusal::because(why.with("at", wrong).with("n", n)));
         }
         if self.times.len() > 50 || self.observed.len() > 50 {
-            return Err(Refusal::because("at most 50 times and 50 coordinates are answered at a time"));
+            return Err(Refusal::because("at most 50 times and 50 coordinates are computed at a time"));
         }
         let mut excitation = Excitation {
             position: DVector::zeros(n),
@@ -292,8 +292,7 @@ impl MultiDegreeResponse {
                 let at = row.coordinate;
                 let symbol = |base| Symbol::from(base).row(place + 1).row(at);
                 let why = Text::new(
-                    "Displacement of coordinate {at} at time {place}: the modes from break to break of the forces, \
-                     each in closed form",
+                    "Displacement of coordinate {at} at time {place}: modal responses from breakpoint to breakpoint of the forces, each in closed form",
                 );
                 let why = why.with("at", at).with("place", place + 1);
                 let x = finite(poles.displacement(at - 1, &state))?;
@@ -378,11 +377,11 @@ impl MultiDegreeResponse {
                 ("x_m", row.coordinate),
                 "m",
                 finite(farthest.value)?,
-                "Largest displacement in the time of the curves: of all turning points of the motion, and its ends, the farthest from zero",
+                "Maximum displacement in the plotted time: the extremum farthest from zero, end points included",
             );
             let time = sheet.found(("t_m", row.coordinate), "s", farthest.time, "Its time");
-            sheet.answer(("largest", row.coordinate), "Largest displacement in the time shown", largest);
-            sheet.answer(("largest_time", row.coordinate), "Time of the largest displacement", time);
+            sheet.answer(("largest", row.coordinate), "Maximum displacement in the time shown", largest);
+            sheet.answer(("largest_time", row.coordinate), "Time of maximum displacement", time);
             sheet.verify(|| {
                 let at = time.value();
                 if matrices[0].nrows() > 12 {
@@ -392,7 +391,7 @@ impl MultiDegreeResponse {
                 let size = series.amax().max(excitation.position.amax());
                 sheet.check_zero(
                     Text::new(
-                        "largest displacement {at}, by Taylor series of M ẍ + C ẋ + K x = f to its time",
+                        "maximum displacement {at}, by Taylor series of M ẍ + C ẋ + K x = f up to its time",
                     )
                     .with("at", row.coordinate),
                     (largest.value() - series[row.coordinate - 1]).into(),
@@ -400,7 +399,7 @@ impl MultiDegreeResponse {
                 );
                 if farthest.time > 0.0 && farthest.time < duration {
                     sheet.check_zero(
-                        Text::new("the velocity {at} is zero at its largest displacement, by Taylor series")
+                        Text::new("the velocity {at} is zero at its maximum displacement, by Taylor series")
                             .with("at", row.coordinate),
                         rates[row.coordinate - 1].into(),
                         rates.amax().max(size * fastest(poles)),
@@ -442,7 +441,7 @@ fn fastest(poles: &Poles) -> f64 {
 /// The pieces of a table of force.
 fn table(points: &[ForcePoint]) -> Result<Vec<Piece>, Refusal> {
     if points.windows(2).any(|pair| pair[0].time > pair[1].time) {
-        return Err(Refusal::because("the times of a table of force must not go back: sort its lines"));
+        return Err(Refusal::because("the times of a force table must not decrease: sort its rows"));
     }
     let mut pieces: Vec<Piece> = points
         .windows(2)

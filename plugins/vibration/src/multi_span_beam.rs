@@ -24,11 +24,11 @@ pub struct MultiSpanBeam {
     /// Left end.
     pub left: BeamJoint,
     /// Spans.
-    /// From left to right, each with what stands at its right end.
+    /// From left to right, each with the element at its right end.
     #[input(min = 1)]
     pub spans: Vec<BeamSpan>,
     /// Number of frequencies.
-    /// Motions as a whole, of a beam that nothing holds, are not among them.
+    /// Rigid-body motions of an unsupported beam are not included.
     #[input(min = 1, max = 10, default = "4")]
     pub modes: usize,
 }
@@ -51,7 +51,7 @@ pub struct BeamSpan {
     #[input("N", "N")]
     pub axial: Option<f64>,
     /// Elastic foundation.
-    /// Force of the ground on each length of the beam for each deflection.
+    /// Ground reaction per unit length of the beam and unit deflection.
     #[input("k_f", "N/m^2", nonnegative)]
     pub foundation: Option<f64>,
     /// Right end of the span.
@@ -62,9 +62,9 @@ pub struct BeamSpan {
 #[derive(Clone, Debug, Inputs)]
 pub struct BeamJoint {
     /// Support.
-    /// Free between two spans: nothing holds the beam there, it only changes its section.
+    /// Unsupported joint between two spans: only the section of the beam changes.
     pub support: Support,
-    /// Mass fixed there.
+    /// Attached mass.
     #[input("m", "kg", nonnegative)]
     pub mass: Option<f64>,
     /// Moment of inertia of the mass about its centre.
@@ -82,7 +82,7 @@ impl Analysis for MultiSpanBeam {
         id: "vibration/multi-span-beam",
         title: "Beam over several supports",
         topic: "Strings, beams and plates",
-        summary: "Exact frequencies, shapes and nodes of a continuous beam of several spans, each with its section, axial force and foundation, on pins, clamps and springs, with masses at the joints; finite elements beside them.",
+        summary: "Exact frequencies, mode shapes and nodes of a continuous beam of several spans, each with its section, axial force and foundation, on pinned, clamped and elastic supports, with masses at the joints; compared with finite elements.",
         keywords: "continuous beam multi span stepped supports bridge pipe shaft foundation finite elements viga \
                    contínua vários vãos apoios escalonada ponte tubulação fundação elástica elementos finitos",
         sources: &[&WITTRICK, &BLEVINS, &RAO, &BEER],
@@ -91,7 +91,9 @@ impl Analysis for MultiSpanBeam {
 
     fn solve<W: Worksheet>(&self, given: &MultiSpanBeamGiven<W>, sheet: W) -> Result<(), Refusal> {
         if self.spans.len() > MOST_SPANS {
-            return Err(Refusal::because("there are more than 40 spans: join equal ones that nothing parts"));
+            return Err(Refusal::because(
+                "there are more than 40 spans: join equal adjacent spans with nothing between them",
+            ));
         }
         let mut properties = Vec::with_capacity(self.spans.len());
         for (n, span) in (1..).zip(&given.spans) {
@@ -102,7 +104,7 @@ impl Analysis for MultiSpanBeam {
             properties.push((bending, line));
         }
         let length =
-            sheet.step("L", "m", Real::sum(given.spans.iter().map(|span| span.length)), "The whole length");
+            sheet.step("L", "m", Real::sum(given.spans.iter().map(|span| span.length)), "Total length");
         let (bending, line) = properties[0];
         let unit = sheet.step(
             "Ω",
@@ -138,10 +140,10 @@ impl Analysis for MultiSpanBeam {
                 beta.powi(2) * unit,
                 Text::new("Natural frequency {n}").with("n", n),
             );
-            let frequency = sheet.step(("f", n), "Hz", omega, "In cycles for each second");
+            let frequency = sheet.step(("f", n), "Hz", omega, "In cycles per second");
             sheet.verify(|| {
                 sheet.check(
-                    Text::new("shape {n}: its strain energy over its kinetic energy is ω²").with("n", n),
+                    Text::new("mode shape {n}: strain energy over kinetic energy is ω²").with("n", n),
                     bending / (line * length.powi(4)) * shape.rayleigh_quotient(),
                     omega.powi(2),
                 );
@@ -157,7 +159,7 @@ impl Analysis for MultiSpanBeam {
                 {
                     let size = shape.inertia_product(shape) * other.inertia_product(other);
                     sheet.check_zero(
-                        Text::new("shapes {n} and {m} are orthogonal").with("n", n).with("m", n + 1),
+                        Text::new("mode shapes {n} and {m} are orthogonal").with("n", n).with("m", n + 1),
                         W::Num::from(shape.inertia_product(other)),
                         size.sqrt(),
                     );
@@ -173,8 +175,7 @@ impl Analysis for MultiSpanBeam {
         if beam.rigid_motions() > 0 {
             sheet.warn(|| {
                 Text::new(
-                    "the beam can move as a whole: {n} such motions at frequency zero stand before the first \
-                     frequency, and some books count them",
+                    "the beam can move as a rigid body: {n} such motions at frequency zero precede the first frequency, and some books count them",
                 )
                 .with("n", beam.rigid_motions())
             });
@@ -182,7 +183,7 @@ impl Analysis for MultiSpanBeam {
         if (1..roots.len()).any(twins) {
             sheet.warn(|| {
                 Text::new(
-                    "two frequencies coincide: any mixture of their shapes is a shape, one of them is shown",
+                    "two frequencies coincide: any linear combination of their mode shapes is also a mode shape; one of them is shown",
                 )
             });
         }
@@ -267,11 +268,10 @@ fn refusal(err: &BeamError) -> Refusal {
     Refusal::because(match err {
         BeamError::Buckled => "the beam buckles under its compression: write a smaller one",
         BeamError::TooSlender(_) => {
-            "a span is so slender, so strongly stretched or so loaded that its bending cannot be told: treat it \
-             as a string or as a rigid body"
+            "a span is so slender, so highly tensioned or so heavily loaded that its bending cannot be resolved: treat it as a string or as a rigid body"
         }
         BeamError::OutOfRange | BeamError::NotConverged => {
-            "the frequencies cannot be found: spans, masses, springs and forces are too far from one another"
+            "the frequencies cannot be found: spans, masses, springs and forces differ too much in magnitude"
         }
     })
 }

@@ -3,8 +3,8 @@
 use dalembert_core::{Inputs, Refusal, Worksheet};
 use dalembert_mechanics::{Real, sdof};
 
-pub(crate) mod from_rest;
 pub(crate) mod plots;
+pub(crate) mod transient_from_rest;
 
 use crate::{
     decay::{Decay, decrement},
@@ -44,7 +44,7 @@ pub enum Elasticity {
     /// Springs and beams
     Springs {
         /// Springs.
-        /// A network: series and parallel may stand inside one another.
+        /// A network: series and parallel groups may be nested.
         springs: Spring,
     },
     /// Static deflection under the weight
@@ -63,9 +63,9 @@ pub enum Elasticity {
         #[input("ωₙ", "rad/s", positive)]
         frequency: f64,
     },
-    /// Frequency of the free damped motion
+    /// Frequency of the free damped vibration
     DampedFrequency {
-        /// Frequency of the free motion.
+        /// Frequency of the free vibration.
         #[input("ω_d", "rad/s", positive)]
         frequency: f64,
     },
@@ -88,7 +88,7 @@ pub enum Damping {
         coefficient: f64,
     },
     /// Hysteretic: loss factor given
-    /// The complex stiffness k(1 + iη): the loss of a cycle does not depend on its frequency.
+    /// Complex stiffness k(1 + iη): the energy loss per cycle is independent of frequency.
     LossFactor {
         /// Loss factor.
         #[input("η", "1", nonnegative)]
@@ -205,7 +205,7 @@ pub(crate) fn suspension<W: Worksheet>(
         DampingGiven::Coefficient { coefficient } => {
             let Body { mass, stiffness } = body.ok_or_else(|| {
                 Refusal::because(
-                    "a damping coefficient says nothing without the mass: write the mass, or the damping ratio",
+                    "a damping coefficient is not sufficient without the mass: write the mass, or the damping ratio",
                 )
             })?;
             let zeta = sheet.step(
@@ -238,10 +238,10 @@ impl<N: Real> Suspension<N> {
             Loss::Hysteretic(eta) => {
                 let c = self.body.map(|body| {
                     let c = eta * body.stiffness / frequency;
-                    let why = "Dashpot that loses as much in a cycle at this frequency";
+                    let why = "Viscous damper with the same energy loss per cycle at this frequency";
                     sheet.step("c_eq", "N*s/m", c, (why, RAO.at("§3.10")))
                 });
-                let why = "Damping ratio of the dashpot that loses as much in a cycle at this frequency";
+                let why = "Damping ratio of the viscous damper with the same energy loss per cycle at this frequency";
                 (sheet.step("ζ_eq", "1", eta / (ratio * 2.0), (why, RAO.at("§3.10"))), c)
             }
         };
@@ -310,7 +310,7 @@ fn undamped<W: Worksheet>(
     damping: &DampingGiven<W>,
     sheet: W,
 ) -> Result<W::Num, Refusal> {
-    let slower = "The free motion is slower than the natural frequency";
+    let slower = "The damped frequency is below the natural frequency";
     let value = match (damping, zeta) {
         (_, Some(zeta)) if zeta.value() < 1.0 => sdof::natural_frequency_from_damped(damped, zeta),
         (_, Some(_)) => {
@@ -323,7 +323,7 @@ fn undamped<W: Worksheet>(
         }
         _ => {
             return Err(Refusal::because(
-                "hysteretic damping has no damped frequency of its own: give the natural frequency",
+                "hysteretic damping has no damped natural frequency: give the undamped natural frequency",
             ));
         }
     };

@@ -22,7 +22,7 @@ pub struct OverhungDisc {
     /// Disc.
     pub disc: TiltingDisc,
     /// Speed.
-    /// Where it is given, the frequencies of whirl at this speed are answered, and how near a critical speed is.
+    /// If given, the whirl frequencies at this speed are computed, and the margin to a critical speed.
     #[input("Ω", "rpm", nonnegative)]
     pub speed: Option<f64>,
 }
@@ -44,14 +44,14 @@ pub enum LightShaft {
     /// Influence coefficients at the disc
     /// For any other shaft and bearings.
     Influence {
-        /// Deflection for each unit of force.
+        /// Deflection per unit force.
         #[input("α", "m/N", positive)]
         deflection: f64,
-        /// Slope for each unit of force.
-        /// The same as the deflection for each unit of moment.
+        /// Slope per unit force.
+        /// Equal to the deflection per unit moment.
         #[input("β", "rad/N")]
         coupling: f64,
-        /// Slope for each unit of moment.
+        /// Slope per unit moment.
         #[input("γ", "rad/(N*m)", positive)]
         slope: f64,
     },
@@ -138,10 +138,7 @@ impl Analysis for OverhungDisc {
             "J_f",
             "kg*m^2",
             diametral - polar,
-            (
-                "Whirling forward as fast as it spins, the disc tilts as if its inertia were",
-                DEN_HARTOG.at("§6.6"),
-            ),
+            ("Effective tilting inertia of the disc in synchronous forward whirl", DEN_HARTOG.at("§6.6")),
         );
         let forward = whirls(&system, forward_inertia, ["p_f", "Ω_f"], &FORWARD, sheet);
         for (n, speed) in forward.into_iter().flatten().enumerate() {
@@ -151,10 +148,7 @@ impl Analysis for OverhungDisc {
             "J_b",
             "kg*m^2",
             diametral + polar,
-            (
-                "Whirling backward as fast as it spins, the disc tilts as if its inertia were",
-                DEN_HARTOG.at("§6.6"),
-            ),
+            ("Effective tilting inertia of the disc in synchronous backward whirl", DEN_HARTOG.at("§6.6")),
         );
         let backward = whirls(&system, backward_inertia, ["p_b", "Ω_b"], &BACKWARD, sheet);
         for (n, speed) in backward.into_iter().flatten().enumerate() {
@@ -206,21 +200,21 @@ struct Words {
 const AT_REST: Words = Words {
     half_sum: "Half of the coefficient of ω² in the frequency equation m I_d ω⁴ − 2p ω² + Δ = 0",
     lower: "Lower natural frequency of the disc that does not spin",
-    upper: "Upper natural frequency of the disc that does not spin",
+    upper: "Upper natural frequency of the non-rotating disc",
     check: "the natural frequency makes the determinant of the influence coefficients vanish",
     cite: "§6.6",
 };
 
 const FORWARD: Words = Words {
-    half_sum: "The same with the inertia of forward whirl",
-    lower: "Critical speed of forward whirl: the one that unbalance excites",
+    half_sum: "The same, with the effective inertia in forward whirl",
+    lower: "Critical speed of forward whirl: excited by unbalance",
     upper: "Second critical speed of forward whirl",
     check: "the forward critical speed makes the determinant of the influence coefficients vanish",
     cite: "§6.6",
 };
 
 const BACKWARD: Words = Words {
-    half_sum: "The same with the inertia of backward whirl",
+    half_sum: "The same, with the effective inertia in backward whirl",
     lower: "First critical speed of backward whirl",
     upper: "Second critical speed of backward whirl",
     check: "the backward critical speed makes the determinant of the influence coefficients vanish",
@@ -316,11 +310,11 @@ fn held<W: Worksheet>(given: &LightShaftGiven<W>, mass: W::Num, sheet: W) -> Res
         LightShaftGiven::Cantilever { length, young, section } => {
             let moment = second_moment(section, sheet, Symbol::from("I"))?;
             let [k11, k12, k22] = overhung::cantilever(*young, moment, *length);
-            let why = "Force at the tip for each unit of deflection, the tip kept from tilting";
+            let why = "Force at the tip per unit deflection, with the rotation of the tip prevented";
             let k11 = sheet.step("k₁₁", "N/m", k11, (why, DEN_HARTOG.at("§6.6")));
-            let why = "Moment at the tip for each unit of deflection, the tip kept from tilting";
+            let why = "Moment at the tip per unit deflection, with the tip prevented from rotating";
             let k12 = sheet.step("k₁₂", "N", k12, (why, DEN_HARTOG.at("§6.6")));
-            let why = "Moment at the tip for each unit of slope, the tip kept in place";
+            let why = "Moment at the tip per unit slope, with the tip held in place";
             let k22 = sheet.step("k₂₂", "N*m", k22, (why, DEN_HARTOG.at("§6.6")));
             // The deflections of the tables of beams, not the inverse of the stiffness.
             let bending = *young * moment;
@@ -335,11 +329,10 @@ fn held<W: Worksheet>(given: &LightShaftGiven<W>, mass: W::Num, sheet: W) -> Res
                 ));
             }
             let spread = sheet.step("Δ_α", "N^-2", spread, "Determinant of the influence coefficients");
-            let why =
-                "Stiffness is the inverse of the influence coefficients: force for each unit of deflection";
+            let why = "Stiffness is the inverse of the influence coefficients: force per unit deflection";
             let k11 = sheet.step("k₁₁", "N/m", *slope / spread, why);
-            let k12 = sheet.step("k₁₂", "N", -*coupling / spread, "Moment for each unit of deflection");
-            let k22 = sheet.step("k₂₂", "N*m", *deflection / spread, "Moment for each unit of slope");
+            let k12 = sheet.step("k₁₂", "N", -*coupling / spread, "Moment per unit deflection");
+            let k22 = sheet.step("k₂₂", "N*m", *deflection / spread, "Moment per unit slope");
             ([k11, k12, k22], [*deflection, *coupling, *slope])
         }
     };
@@ -405,19 +398,19 @@ fn at_speed<W: Worksheet>(system: &System<W::Num>, speed: W::Num, sheet: W) -> R
             let scale = determinant.value()
                 + (mass * whirl.powi(2)).value() * (k22 + diametral * whirl.powi(2)).value();
             sheet.check_zero(
-                "the whirl satisfies the frequency equation (k₁₁ − mω²)(k₂₂ − I_d ω² ± I_p Ω ω) = k₁₂²",
+                "the whirl frequency satisfies the frequency equation (k₁₁ − mω²)(k₂₂ − I_d ω² ± I_p Ω ω) = k₁₂²",
                 moved * tilted - k12.powi(2),
                 scale,
             );
         });
         whirl
     };
-    let words = "Whirl with the spin: root of (k₁₁ − mω²)(k₂₂ − I_d ω² + I_p Ω ω) = k₁₂²";
+    let words = "Forward whirl: root of (k₁₁ − mω²)(k₂₂ − I_d ω² + I_p Ω ω) = k₁₂²";
     for (n, value) in [f1, f2].into_iter().enumerate() {
         let whirl = root(("ω_f", n + 1), value, words, 1.0);
         sheet.answer(("forward_whirl", n + 1), "Forward whirl at this speed", whirl);
     }
-    let words = "Whirl against the spin: root of (k₁₁ − mω²)(k₂₂ − I_d ω² − I_p Ω ω) = k₁₂²";
+    let words = "Backward whirl: root of (k₁₁ − mω²)(k₂₂ − I_d ω² − I_p Ω ω) = k₁₂²";
     for (n, value) in [-b1, -b2].into_iter().enumerate() {
         let whirl = root(("ω_b", n + 1), value, words, -1.0);
         sheet.answer(("backward_whirl", n + 1), "Backward whirl at this speed", whirl);

@@ -24,12 +24,12 @@ pub struct PendulumAbsorber {
 #[derive(Clone, Debug, Inputs)]
 pub enum Problem {
     /// On a rotor
-    /// The centrifugal field brings the pendulum back, so that its frequency follows the speed.
+    /// The centrifugal field restores the pendulum, so its frequency is proportional to the speed.
     Rotor {
         /// Pendulum.
         pendulum: Pendulum,
         /// Distance of the pivot from the shaft.
-        /// For rollers, that of the middle of the hole.
+        /// For rollers, measured to the centre of the hole.
         #[input("R", "m", positive)]
         pivot: f64,
         /// Arm.
@@ -42,25 +42,25 @@ pub enum Problem {
         /// Inertia of the rotor.
         /// Without the pendulums.
         inertia: Inertia,
-        /// Stiffness of the shaft that holds the rotor.
-        /// Left out for a rotor that turns freely.
+        /// Stiffness of the shaft supporting the rotor.
+        /// Omit for a rotor that turns freely.
         #[input("k", "N*m/rad", positive)]
         stiffness: Option<f64>,
         /// Speed.
         #[input("Ω", "rpm", positive)]
         speed: f64,
         /// Order of the torque.
-        /// Left out, it is the tuned order.
+        /// If omitted, it is the tuned order.
         #[input("n", "1", positive)]
         order: Option<f64>,
         /// Amplitude of the torque.
         #[input("T", "N*m", positive)]
         torque: Option<f64>,
     },
-    /// Under an oscillating mass
-    /// Gravity brings the pendulum back; the mass moves sideways.
+    /// Suspended from an oscillating mass
+    /// Gravity is the restoring force of the pendulum; the mass moves sideways.
     Gravity {
-        /// Mass that oscillates.
+        /// Oscillating mass.
         #[input("M", "kg", positive)]
         body: f64,
         /// Stiffness of its springs.
@@ -88,17 +88,17 @@ pub enum Pendulum {
     /// Small mass on an arm
     Point,
     /// Body on a pivot
-    /// It turns with its arm.
+    /// It rotates with its arm.
     Body {
-        /// Radius of gyration about its mass centre.
+        /// Radius of gyration about its centre of mass.
         #[input("κ", "m", positive)]
         gyration: f64,
     },
     /// Bifilar: on two pins in larger holes
-    /// It does not turn on the rotor; the arm is the diameter of the holes less that of the pins.
+    /// It does not rotate relative to the rotor; the arm is the hole diameter minus the pin diameter.
     Bifilar,
     /// Roller in a hole
-    /// It rolls without slip; the arm is the radius of the hole less that of the roller.
+    /// It rolls without slipping; the arm is the hole radius minus the roller radius.
     Roller {
         /// Radius of the roller.
         #[input("a", "m", positive)]
@@ -123,14 +123,14 @@ pub enum Arm {
     /// Arm given
     Given {
         /// Arm.
-        /// From the pivot to the mass centre.
+        /// From the pivot to the centre of mass.
         #[input("r", "m", positive)]
         arm: f64,
     },
-    /// Order to be tuned to
+    /// Order to tune to
     Tuned {
         /// Order.
-        /// Vibrations in a turn that the pendulum is to take up.
+        /// Vibrations per revolution to be absorbed by the pendulum.
         #[input("n_t", "1", positive)]
         order: f64,
     },
@@ -144,8 +144,8 @@ pub enum Length {
         /// Length.
         #[input("l", "m", positive)]
         length: f64,
-        /// Radius of gyration about its mass centre.
-        /// Left out for a small mass on a string.
+        /// Radius of gyration about its centre of mass.
+        /// Omit for a small mass on a string.
         #[input("κ", "m", positive)]
         gyration: Option<f64>,
     },
@@ -163,10 +163,10 @@ pub enum Mass {
         #[input("m", "kg", positive)]
         mass: f64,
     },
-    /// Limited swing
-    /// The lightest pendulum that does not swing further under the load that it takes up.
+    /// Limited swing angle
+    /// The lightest pendulum that does not exceed this amplitude under the load it absorbs.
     Swing {
-        /// Largest swing.
+        /// Maximum swing angle.
         #[input("φ_a", "deg", positive, below = 60)]
         swing: f64,
     },
@@ -261,7 +261,7 @@ impl PendulumAbsorber {
                                 "no arm tunes this body to the order: write a smaller radius of gyration or a pivot further out",
                             ));
                         }
-                        let why = "The larger root: the shorter arm needs a far larger swing";
+                        let why = "The larger root: the shorter arm needs a much larger oscillation";
                         sheet.step("r", "mm", half + (half.powi(2) - gyration.powi(2)).sqrt(), why)
                     }
                     (None, None) => sheet.step(
@@ -280,19 +280,19 @@ impl PendulumAbsorber {
                 "s²",
                 "cm^2",
                 arm.powi(2) * (share + 1.0),
-                "Inertia of the swing for each kilogram: a roller turns the faster the smaller it is",
+                "Inertia of the pendulum motion per kilogram: the smaller a roller, the faster it spins",
             ),
             (None, Some(gyration)) => sheet.step(
                 "s²",
                 "cm^2",
                 arm.powi(2) + gyration.powi(2),
-                "Inertia of the swing for each kilogram, about the pivot",
+                "Inertia of the pendulum motion per kilogram, about the pivot",
             ),
             (None, None) => sheet.step(
                 "s²",
                 "cm^2",
                 arm.powi(2),
-                "Inertia of the swing for each kilogram, about the pivot",
+                "Inertia of the pendulum motion per kilogram, about the pivot",
             ),
         };
         let coupling = match (rolling, gyration) {
@@ -300,36 +300,36 @@ impl PendulumAbsorber {
                 "c²",
                 "cm^2",
                 arm * (pivot + arm) - share * radius * arm,
-                "Coupling for each kilogram: a roller turns against the swing of its centre",
+                "Coupling per kilogram: a roller rotates opposite to the pendulum motion of its centre",
             ),
             (None, Some(gyration)) => sheet.step(
                 "c²",
                 "cm^2",
                 arm * (pivot + arm) + gyration.powi(2),
-                "Coupling of swing and rotor for each kilogram",
+                "Coupling of pendulum motion and rotor per kilogram",
             ),
-            (None, None) => {
-                sheet.step("c²", "cm^2", arm * (pivot + arm), "Coupling of swing and rotor for each kilogram")
-            }
+            (None, None) => sheet.step(
+                "c²",
+                "cm^2",
+                arm * (pivot + arm),
+                "Coupling of pendulum motion and rotor per kilogram",
+            ),
         };
         if coupling.value() <= 0.0 {
             return Err(Refusal::because(
-                "the roller is so large that it turns against its own swing and takes up nothing: write a smaller one",
+                "the roller is so large that it rotates against its own swing and absorbs nothing: write a smaller one",
             ));
         }
         let tuned = sheet.step(
             "n₀",
             "1",
             tuned_order(pivot, arm, swing),
-            (
-                "Tuned order: the frequency of the swing over the speed, at every speed",
-                DEN_HARTOG.at("ch. 5"),
-            ),
+            ("Tuned order: frequency of the pendulum over the speed, at any speed", DEN_HARTOG.at("ch. 5")),
         );
         sheet.answer("tuned_order", "Tuned order", tuned);
         if let Some(order) = wanted {
             sheet.check(
-                "the pull of the centrifugal field brings the pendulum back as often as the order asks, n² s² = R r",
+                "the pendulum frequency in the centrifugal field equals the frequency of the order, n² s² = R r",
                 order.powi(2) * swing,
                 pivot * arm,
             );
@@ -339,9 +339,9 @@ impl PendulumAbsorber {
             "ω₀",
             "rad/s",
             tuned * speed,
-            "Frequency of the swing at this speed: there the rotor stands still",
+            "Frequency of the pendulum motion at this speed: at this frequency the rotor is at rest",
         );
-        sheet.answer("antiresonance", "Frequency at which the rotor stands still", antiresonance);
+        sheet.answer("antiresonance", "Frequency at which the rotor is at rest", antiresonance);
         let mass = match mass {
             MassGiven::Given { mass } => *mass,
             MassGiven::Swing { swing: limit } => {
@@ -355,7 +355,7 @@ impl PendulumAbsorber {
                     "kg",
                     *torque / (coupling * antiresonance.powi(2) * *limit * count),
                     (
-                        "Mass of each pendulum: swinging at its limit it takes up the whole torque of the tuned order",
+                        "Mass of each pendulum: at its limit angle it absorbs the whole torque of the tuned order",
                         DEN_HARTOG.at("ch. 5"),
                     ),
                 );
@@ -372,14 +372,18 @@ impl PendulumAbsorber {
             "J₁",
             "kg*m^2",
             rotor + mass * carried * count,
-            "Rotor and pendulums, held still on it",
+            "Rotor with the pendulums locked to it",
         );
-        let coupled =
-            sheet.step("J₁₂", "kg*m^2", mass * coupling * count, "Inertia that couples rotor and swing");
-        let swinging = sheet.step("J₂", "kg*m^2", mass * swing * count, "Inertia of the swing");
+        let coupled = sheet.step(
+            "J₁₂",
+            "kg*m^2",
+            mass * coupling * count,
+            "Inertia coupling of rotor and pendulum motion",
+        );
+        let swinging = sheet.step("J₂", "kg*m^2", mass * swing * count, "Inertia of the pendulum motion");
         if let (Some(limit), Some(torque)) = (limit, torque) {
             sheet.check(
-                "on a rotor that stands still the pendulums at their limit hold the torque, J₁₂ ω₀² φ",
+                "with the rotor at rest, the pendulums at their limit balance the torque, J₁₂ ω₀² φ",
                 coupled * antiresonance.powi(2) * limit,
                 *torque,
             );
@@ -395,11 +399,14 @@ impl PendulumAbsorber {
         let pair = motion.pair();
         let own = motion.frequencies(sheet);
         for (row, frequency) in own.iter().enumerate() {
-            let counted =
-                sheet.step(("f", row + 1), "Hz", *frequency, "The same frequency, counted in cycles");
+            let counted = sheet.step(("f", row + 1), "Hz", *frequency, "The same frequency in Hz");
             sheet.answer(("frequency", row + 1), "Natural frequency of rotor and pendulum", counted);
-            let at =
-                sheet.step(("n_r", row + 1), "1", *frequency / speed, "Order that meets it at this speed");
+            let at = sheet.step(
+                ("n_r", row + 1),
+                "1",
+                *frequency / speed,
+                "Order that coincides with it at this speed",
+            );
             sheet.verify(|| {
                 let effective = match stiffness {
                     Some(held) => together - *held / (at * speed).powi(2),
@@ -409,7 +416,7 @@ impl PendulumAbsorber {
                 let held = stiffness.map_or(0.0, |held| held.value() / (at * speed).value().powi(2));
                 let squares = tuned.value().powi(2) + at.value().powi(2);
                 sheet.check_zero(
-                    "at that order inertia of the rotor, effective inertia of the pendulums and shaft are in balance",
+                    "at that order the inertia of the rotor, the effective inertia of the pendulums and the shaft are in balance",
                     terms[0] + terms[1],
                     (together.value() + held) * swinging.value() * squares + terms[1].value(),
                 );
@@ -438,7 +445,7 @@ impl PendulumAbsorber {
                 let square = (order.value() * speed.value()).powi(2);
                 let follow = pair.coupling * square / (pair.back - pair.swing * square);
                 sheet.check(
-                    "effective inertia from the swing that a moving rotor causes",
+                    "effective inertia from the pendulum oscillation caused by a moving rotor",
                     W::Num::from(pair.body + pair.coupling * follow - rotor.value()),
                     effective,
                 );
@@ -462,7 +469,7 @@ impl PendulumAbsorber {
         let over = |plot: Plot, input| Exhibit::Plot(if is_given { plot.over(input) } else { plot });
         sheet.show(|| over(view.effective(), "problem.rotor.order"));
         sheet.show(|| over(view.against_speed(), "problem.rotor.speed"));
-        sheet.show(|| Exhibit::Film(view.film()));
+        sheet.show(|| Exhibit::Animation(view.animation()));
         Ok(())
     }
 }

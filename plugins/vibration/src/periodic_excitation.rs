@@ -29,7 +29,7 @@ const ADDED: u32 = 4000;
 #[derive(Clone, Debug, Inputs)]
 pub struct PeriodicExcitation {
     /// Inertia.
-    /// A force needs it; a shaking base does not where the natural frequency is known.
+    /// Required for a force; not required for base excitation if the natural frequency is known.
     pub mass: Option<Mass>,
     /// Springs.
     pub elasticity: Elasticity,
@@ -44,7 +44,7 @@ pub struct PeriodicExcitation {
     #[input("ω", "rad/s", positive)]
     pub frequency: f64,
     /// Time.
-    /// After the beginning of a period of the steady motion; the displacement there is answered.
+    /// From the start of a period of the steady-state motion; the displacement there is computed.
     #[input("t", "s", nonnegative)]
     pub time: Option<f64>,
 }
@@ -75,7 +75,7 @@ impl Analysis for PeriodicExcitation {
         id: "vibration/periodic-excitation",
         title: "Periodic force or base",
         topic: "Harmonic excitation",
-        summary: "Fourier coefficients of a periodic force or motion of the base, the steady response to each harmonic and to all of them.",
+        summary: "Fourier coefficients of a periodic force or base motion, and the steady-state response to each harmonic and to all of them.",
         keywords: "fourier series square triangle sawtooth rectified cam harmonics spectrum série de fourier onda \
                    quadrada triangular dente de serra retificada came espectro",
         sources: &[&RAO, &THOMSON],
@@ -88,8 +88,7 @@ impl Analysis for PeriodicExcitation {
         suspension.answer(sheet);
         let Loss::Viscous(zeta, _) = suspension.loss else {
             return Err(Refusal::because(
-                "hysteretic damping has no equation of motion in time: give the damping ratio of a dashpot that does \
-                 as much",
+                "hysteretic damping has no equation of motion in the time domain: give the damping ratio of an equivalent viscous damper",
             ));
         };
         if let (Loss::Viscous(zeta, Some(damping)), Some(body)) = (suspension.loss, suspension.body) {
@@ -108,9 +107,9 @@ impl Analysis for PeriodicExcitation {
         let (excited, source, height) = match &given.excitation {
             ExcitationGiven::Force { force } => {
                 let body = suspension.body.ok_or_else(|| {
-                    Refusal::because("a force moves a mass: write the mass, or let the base shake")
+                    Refusal::because("a force moves a mass: write the mass, or choose base excitation")
                 })?;
-                let why = ("Deflection that the height of the wave would hold at rest", RAO.at("§4.2"));
+                let why = ("Static deflection under the height of the waveform", RAO.at("§4.2"));
                 let height = sheet.step("δ", "mm", *force / body.stiffness, why);
                 (Excited::Mass { stiffness: body.stiffness }, *force, height)
             }
@@ -172,8 +171,7 @@ fn refuse_resonance(pieces: &[Piece], ratio: f64, zeta: f64) -> Result<(), Refus
         if is_there(pieces, order) {
             return Err(Refusal::because(
                 Text::new(
-                    "without damping, harmonic {order} meets the natural frequency: the motion is unbounded, it grows \
-                     with t",
+                    "without damping, harmonic {order} coincides with the natural frequency: the motion is unbounded, it grows with t",
                 )
                 .with("order", order),
             ));
@@ -272,10 +270,10 @@ impl<N: Real> System<N> {
                 Excited::Mass { stiffness } => [source / stiffness, N::from(0.0)],
                 Excited::Base => [source, source * self.zeta * ratio * 2.0],
             };
-            let what =
-                Text::new("harmonic {n}: equation of motion, in phase with the wave").with("n", n as usize);
+            let what = Text::new("harmonic {n}: equation of motion, component in phase with the wave")
+                .with("n", n as usize);
             sheet.check_sum(what, in_phase, drive, size);
-            let what = Text::new("harmonic {n}: equation of motion, a quarter of a turn ahead");
+            let what = Text::new("harmonic {n}: equation of motion, quadrature component (90° ahead)");
             let what = what.with("n", n as usize);
             match self.excited {
                 Excited::Mass { .. } => sheet.check_zero(what, across, size),
@@ -381,7 +379,7 @@ impl PeriodicExcitation {
         let whole = steady.and_then(|steady| Some((steady, steady.mean_square()?, steady.extremes()?)));
         let Some((steady, square, [largest, least])) = whole else {
             sheet.warn(|| {
-                Text::new("the motion of all harmonics together is not answered: it cannot be told exactly")
+                Text::new("the total motion of all harmonics is omitted: it cannot be computed exactly")
             });
             return;
         };
@@ -398,19 +396,19 @@ impl PeriodicExcitation {
                 );
             }
         });
-        let why = "Largest displacement of the exact motion, over the static deflection";
+        let why = "Maximum displacement of the exact motion, over the static deflection";
         let largest = sheet.found("q_max", "1", largest, (why, RAO.at("§4.3")));
         let least = sheet.found(
             "q_min",
             "1",
             least,
-            "Least displacement of the exact motion, over the static deflection",
+            "Minimum displacement of the exact motion, over the static deflection",
         );
-        let largest = sheet.step("x_max", "mm", height * largest, "Largest displacement");
-        let least = sheet.step("x_min", "mm", height * least, "Least displacement");
+        let largest = sheet.step("x_max", "mm", height * largest, "Maximum displacement");
+        let least = sheet.step("x_min", "mm", height * least, "Minimum displacement");
         sheet.answer("rms", "Root mean square of the displacement", rms);
-        sheet.answer("largest", "Largest displacement", largest);
-        sheet.answer("least", "Least displacement", least);
+        sheet.answer("largest", "Maximum displacement", largest);
+        sheet.answer("least", "Minimum displacement", least);
         let circle = checks::Circle {
             zeta: system.zeta.value(),
             angle: std::f64::consts::TAU / system.ratio.value(),
@@ -451,12 +449,12 @@ impl PeriodicExcitation {
             };
             let curve = |of: &dyn Fn(f64) -> f64| shares().map(|s| (s * period, height * of(s))).collect();
             Exhibit::Plot(Plot::new(
-                "Steady motion over two periods",
+                "Steady-state motion over two periods",
                 Axis::linear("time", "s"),
                 Axis::linear("displacement", "mm"),
                 vec![
                     Series::line("exact", curve(&|s| steady.displacement(s))),
-                    Series::line("harmonics written out", curve(&few)),
+                    Series::line("sum of the listed harmonics", curve(&few)),
                     Series::line("at rest under the wave", curve(&|s| drive_at(pieces, s))),
                 ],
             ))

@@ -1,8 +1,8 @@
 //! Free vibration on a spring of two slopes: a gap, a stop, a spring that saturates.
 
 use dalembert_core::{
-    About, Analysis, Axis, DrawnShape, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Animation, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text,
+    Worksheet, register,
 };
 use dalembert_mechanics::{Real, sdof, vibration::piecewise::TwoSlopes};
 
@@ -14,12 +14,12 @@ pub struct PiecewiseSpring {
     /// Mass.
     #[input("m", "kg", positive)]
     pub mass: f64,
-    /// Characteristic.
+    /// Spring characteristic.
     pub characteristic: Characteristic,
-    /// Displacement at the start.
+    /// Initial displacement.
     #[input("x₀", "m", default = "0 mm")]
     pub displacement: f64,
-    /// Velocity at the start.
+    /// Initial velocity.
     #[input("v₀", "m/s", default = "0 m/s")]
     pub velocity: f64,
 }
@@ -29,31 +29,31 @@ pub struct PiecewiseSpring {
 pub enum Characteristic {
     /// Saturating: linear, then a constant force
     Saturating {
-        /// Stiffness up to the corner.
+        /// Stiffness up to the breakpoint.
         #[input("k₁", "N/m", positive)]
         stiffness: f64,
-        /// Displacement at the corner.
+        /// Displacement at the breakpoint.
         #[input("y", "m", positive)]
         corner: f64,
     },
-    /// Two slopes: softer or stiffer beyond the corner
+    /// Bilinear: softer or stiffer beyond the breakpoint
     TwoSlopes {
-        /// Stiffness up to the corner.
+        /// Stiffness up to the breakpoint.
         #[input("k₁", "N/m", positive)]
         stiffness: f64,
-        /// Displacement at the corner.
+        /// Displacement at the breakpoint.
         #[input("y", "m", positive)]
         corner: f64,
-        /// Stiffness beyond the corner.
+        /// Stiffness beyond the breakpoint.
         #[input("k₂", "N/m", positive)]
         beyond: f64,
     },
-    /// Gap: no force until the spring is met
+    /// Gap: no force until contact with the spring
     Gap {
         /// Free travel to each side.
         #[input("y", "m", positive)]
         corner: f64,
-        /// Stiffness of the spring that is met.
+        /// Stiffness of the spring beyond the gap.
         #[input("k₂", "N/m", positive)]
         beyond: f64,
     },
@@ -64,9 +64,9 @@ register!(PiecewiseSpring);
 impl Analysis for PiecewiseSpring {
     const ABOUT: About = About {
         id: "vibration/piecewise-spring",
-        title: "Spring of two slopes",
+        title: "Piecewise-linear spring",
         topic: "Nonlinear vibration",
-        summary: "Exact free vibration of a mass on a spring with a gap, a stop or a limit of its force: largest displacement and period.",
+        summary: "Exact free vibration of a mass on a spring with a gap, a stop or a force limit: maximum displacement and period.",
         keywords: "nonlinear gap clearance bilinear stop elastoplastic folga batente mola bilinear não linear",
         sources: &[&THOMSON, &NAYFEH],
         cases: include_str!("../cases/piecewise_spring.toml"),
@@ -77,12 +77,12 @@ impl Analysis for PiecewiseSpring {
         let start = self.mass / 2.0 * self.velocity.powi(2) + spring.energy(self.displacement);
         if self.displacement == 0.0 && self.velocity == 0.0 {
             return Err(Refusal::because(
-                "the mass starts at rest where nothing pulls it: give it a displacement or a velocity",
+                "the mass starts at rest where no force acts on it: give it a displacement or a velocity",
             ));
         }
         if start == 0.0 {
             return Err(Refusal::because(
-                "the mass starts at rest inside the gap, where nothing pulls it: give it a velocity, or a displacement beyond the gap",
+                "the mass starts at rest inside the gap, where no force acts on it: give it a velocity, or a displacement beyond the gap",
             ));
         }
         let zero = W::Num::from(0.0);
@@ -99,7 +99,7 @@ impl Analysis for PiecewiseSpring {
                 "V_y",
                 "J",
                 stiffness * corner.powi(2) / 2.0,
-                ("Energy that the spring holds at the corner", THOMSON.at("§2.4")),
+                ("Energy stored in the spring at the breakpoint", THOMSON.at("§2.4")),
             ),
             None => zero,
         };
@@ -116,7 +116,7 @@ impl Analysis for PiecewiseSpring {
             "E",
             "J",
             kinetic + stored,
-            ("Energy at the start, which is kept", THOMSON.at("§2.4")),
+            ("Initial energy, which is conserved", THOMSON.at("§2.4")),
         );
         let amplitude = if energy.value() <= at_corner.value() && first.is_some() {
             let stiffness = first.unwrap_or(zero);
@@ -124,10 +124,10 @@ impl Analysis for PiecewiseSpring {
                 "A",
                 "mm",
                 (energy * 2.0 / stiffness).sqrt(),
-                "Largest displacement: the corner is not reached, the vibration is that of a linear spring",
+                "Maximum displacement: the corner is not reached, the vibration is that of a linear spring",
             )
         } else {
-            let rest = sheet.step("W", "J", energy - at_corner, "Energy left at the corner");
+            let rest = sheet.step("W", "J", energy - at_corner, "Energy remaining at the breakpoint");
             let beyond = match (first, second) {
                 (Some(stiffness), None) => rest / (stiffness * corner),
                 (None, Some(second)) => (rest * 2.0 / second).sqrt(),
@@ -137,18 +137,26 @@ impl Analysis for PiecewiseSpring {
                 }
                 (None, None) => zero,
             };
-            let beyond = sheet.step("d", "mm", beyond, "Displacement beyond the corner that stores it");
-            sheet.step("A", "mm", corner + beyond, "Largest displacement")
+            let beyond =
+                sheet.step("d", "mm", beyond, "Displacement beyond the breakpoint that stores this energy");
+            sheet.step("A", "mm", corner + beyond, "Maximum displacement")
         };
         let reach = amplitude.value();
         let period = sheet.found(
             "T",
             "s",
             spring.period(self.mass, reach),
-            ("Four quarters, each of a piece up to the corner and a piece beyond it", NAYFEH.at("§2.2")),
+            (
+                "Four quarters, each with one part up to the breakpoint and one part beyond it",
+                NAYFEH.at("§2.2"),
+            ),
         );
-        let speed =
-            sheet.step("V", "m/s", (energy * 2.0 / given.mass).sqrt(), "Largest speed, at the middle");
+        let speed = sheet.step(
+            "V",
+            "m/s",
+            (energy * 2.0 / given.mass).sqrt(),
+            "Maximum velocity, at the centre position",
+        );
         let frequency = sheet.step("f", "Hz", sdof::angular_frequency(period), "Frequency at this amplitude");
         let force = spring.force(reach);
         sheet.verify(|| {
@@ -165,20 +173,24 @@ impl Analysis for PiecewiseSpring {
                 W::Num::from(period.value()),
             );
         });
-        sheet.answer("largest_displacement", "Largest displacement", amplitude);
+        sheet.answer("largest_displacement", "Maximum displacement", amplitude);
         sheet.answer("period", "Period", period);
         sheet.answer("frequency", "Frequency", frequency);
-        sheet.answer("largest_speed", "Largest speed", speed);
-        let largest_force =
-            sheet.found("Fₘₐₓ", "N", force, "Force of the spring there, from its characteristic");
-        sheet.answer("largest_force", "Largest force of the spring", largest_force);
+        sheet.answer("largest_speed", "Maximum velocity", speed);
+        let largest_force = sheet.found(
+            "Fₘₐₓ",
+            "N",
+            force,
+            "Spring force at that displacement, from the spring characteristic",
+        );
+        sheet.answer("largest_force", "Maximum force of the spring", largest_force);
         sheet.verify(|| {
             // Straight lines: from rest to the corner, and on to the largest displacement.
             let (corner, top) = (spring.corner.min(reach), largest_force.value());
             let at_corner = if corner < reach { spring.force(corner) } else { top };
             let area = at_corner * corner / 2.0 + (at_corner + top) * (reach - corner) / 2.0;
             sheet.check(
-                "area under the characteristic up to the largest displacement is the kinetic energy at rest",
+                "area under the characteristic up to the maximum displacement equals the kinetic energy at the equilibrium position",
                 W::Num::from(area),
                 W::Num::from(self.mass * speed.value().powi(2) / 2.0),
             );
@@ -187,7 +199,7 @@ impl Analysis for PiecewiseSpring {
         sheet.show(|| Exhibit::Plot(self.motion(&spring, reach, period)));
         sheet.show(|| Exhibit::Plot(self.backbone(&spring, reach, period)));
         sheet.show(|| Exhibit::Plot(characteristic(&spring, reach)));
-        sheet.show(|| Exhibit::Film(self.film(&spring, reach, period)));
+        sheet.show(|| Exhibit::Animation(self.animation(&spring, reach, period)));
         Ok(())
     }
 }
@@ -297,7 +309,7 @@ impl PiecewiseSpring {
         .mark("at this amplitude", (amplitude, std::f64::consts::TAU / period))
     }
 
-    fn film(&self, spring: &TwoSlopes, amplitude: f64, period: f64) -> Film {
+    fn animation(&self, spring: &TwoSlopes, amplitude: f64, period: f64) -> Animation {
         const FRAMES: u32 = 24;
         let corner = spring.corner / amplitude;
         let frame = |n: u32| {
@@ -313,7 +325,7 @@ impl PiecewiseSpring {
             shapes.push(DrawnShape::Label((-1.6, 0.6), Text::from("x")));
             shapes
         };
-        Film::new("The motion of the mass", (0..FRAMES).map(frame).collect(), 2.0)
+        Animation::new("The motion of the mass", (0..FRAMES).map(frame).collect(), 2.0)
     }
 }
 
@@ -326,5 +338,5 @@ fn characteristic(spring: &TwoSlopes, amplitude: f64) -> Plot {
         Axis::linear("force", "N"),
         vec![Series::line("F", corners.map(|x| (x, spring.force(x))).to_vec())],
     )
-    .mark("largest displacement", (amplitude, spring.force(amplitude)))
+    .mark("maximum displacement", (amplitude, spring.force(amplitude)))
 }

@@ -17,7 +17,7 @@ use crate::sources::{ABRAMOWITZ, LEISSA, RAO};
 /// The body and how many of its frequencies are wanted.
 #[derive(Clone, Debug, Inputs)]
 pub struct PlateAndMembrane {
-    /// What vibrates.
+    /// Vibrating system.
     pub body: Body,
     /// Number of frequencies.
     #[input(min = 1, max = 12, default = "6")]
@@ -27,16 +27,16 @@ pub struct PlateAndMembrane {
 /// A thin body.
 #[derive(Clone, Debug, Inputs)]
 pub enum Body {
-    /// Membrane: stretched, without bending stiffness
+    /// Membrane: under tension, without bending stiffness
     Membrane {
         /// Tension.
-        /// Force on each length of its edge.
+        /// Force per unit length of the edge.
         #[input("T", "N/m", positive)]
         tension: f64,
         /// Mass of the membrane.
         mass: SurfaceMass,
         /// Outline.
-        /// Held all round.
+        /// Fixed along the whole edge.
         outline: MembraneOutline,
     },
     /// Thin plate
@@ -53,7 +53,7 @@ pub enum Body {
         /// Density.
         #[input("ρ", "kg/m^3", positive)]
         density: f64,
-        /// Other mass on each area.
+        /// Additional mass per unit area.
         /// Of what lies on the plate and does not stiffen it.
         #[input("μ₊", "kg/m^2", nonnegative)]
         carried: Option<f64>,
@@ -65,9 +65,9 @@ pub enum Body {
 /// Mass of each area of a membrane.
 #[derive(Clone, Debug, Inputs)]
 pub enum SurfaceMass {
-    /// Mass of each area given
+    /// Mass per unit area given
     PerArea {
-        /// Mass of each area.
+        /// Mass per unit area.
         #[input("μ", "kg/m^2", positive)]
         mass: f64,
     },
@@ -90,7 +90,7 @@ pub enum MembraneOutline {
         /// Length.
         #[input("a", "m", positive)]
         length: f64,
-        /// Breadth.
+        /// Width.
         #[input("b", "m", positive)]
         breadth: f64,
     },
@@ -110,7 +110,7 @@ pub enum PlateOutline {
         /// Length between the two simply supported edges.
         #[input("a", "m", positive)]
         length: f64,
-        /// Breadth between the other two edges.
+        /// Width between the other two edges.
         #[input("b", "m", positive)]
         breadth: f64,
         /// First of the other two edges.
@@ -162,7 +162,7 @@ impl Analysis for PlateAndMembrane {
                 let mass = match mass {
                     SurfaceMassGiven::PerArea { mass } => *mass,
                     SurfaceMassGiven::Density { density, thickness } => {
-                        let why = "Mass of each area: density times thickness";
+                        let why = "Mass per unit area: density times thickness";
                         sheet.step("μ", "kg/m^2", *density * *thickness, why)
                     }
                 };
@@ -197,9 +197,9 @@ impl Analysis for PlateAndMembrane {
                 let own = *density * *thickness;
                 let (mass, why) = match carried {
                     Some(carried) => {
-                        (own + *carried, "Mass of each area: that of the plate and what it carries")
+                        (own + *carried, "Mass per unit area: that of the plate and what it carries")
                     }
-                    None => (own, "Mass of each area: density times thickness"),
+                    None => (own, "Mass per unit area: density times thickness"),
                 };
                 let mass = sheet.step("μ", "kg/m^2", mass, why);
                 let side = match outline {
@@ -223,7 +223,7 @@ impl Analysis for PlateAndMembrane {
         let outline = self.outline();
         sheet.show(|| pictures::nodal_lines(&figures, outline));
         for figure in figures.iter().take(3) {
-            sheet.show(|| pictures::film(figure, outline));
+            sheet.show(|| pictures::animation(figure, outline));
         }
         Ok(())
     }
@@ -258,7 +258,7 @@ impl PlateAndMembrane {
                 let quotient =
                     rectangular_membrane::quotient(m) + rectangular_membrane::quotient(n) * aspect.powi(2);
                 sheet.check(
-                    Text::new("shape {n}: the energy of the tension over the kinetic energy").with("n", k),
+                    Text::new("mode shape {n}: energy of the tension over kinetic energy").with("n", k),
                     W::Num::from(quotient),
                     (omega * length / speed).powi(2),
                 );
@@ -275,7 +275,7 @@ impl PlateAndMembrane {
             PlateOutline::Circle { edge, .. } => {
                 if *edge == PlateEdge::Free {
                     sheet.warn(|| {
-                        Text::new("the plate can move as a whole: its three motions at frequency zero are not counted")
+                        Text::new("the plate can move as a rigid body: its three motions at frequency zero are not counted")
                     });
                 }
                 self.round(Round::Plate { edge: of(edge), poisson }, unit, sheet)
@@ -301,8 +301,7 @@ impl PlateAndMembrane {
                 mode.number,
                 (
                     Text::new(
-                        "Lévy: w = Y(y) sin({m}πx/a) leaves an ordinary equation for Y, a beam under tension on a \
-                         foundation; its root {n}, counted exactly",
+                        "Lévy: w = Y(y) sin({m}πx/a) gives an ordinary differential equation for Y, a beam under tension on a foundation; its root {n}, counted exactly",
                     )
                     .with("m", mode.half_waves)
                     .with("n", mode.place),
@@ -317,8 +316,7 @@ impl PlateAndMembrane {
             sheet.answer(("number", k), "Frequency number Λ = ωa²√(μ/D)", number);
             sheet.verify(|| {
                 sheet.check(
-                    Text::new("shape {n}: the energy of its bending and twisting over the kinetic energy")
-                        .with("n", k),
+                    Text::new("mode shape {n}: bending and torsion energy over kinetic energy").with("n", k),
                     W::Num::from(mode.rayleigh_quotient(plate.aspect)),
                     number.powi(2),
                 );
@@ -378,11 +376,9 @@ impl PlateAndMembrane {
             sheet.answer(("number", k), label, number);
             sheet.verify(|| {
                 let text = match body {
-                    Round::Membrane => {
-                        Text::new("shape {n}: the energy of the tension over the kinetic energy")
-                    }
+                    Round::Membrane => Text::new("mode shape {n}: energy of the tension over kinetic energy"),
                     Round::Plate { .. } => {
-                        Text::new("shape {n}: the energy of its bending and twisting over the kinetic energy")
+                        Text::new("mode shape {n}: bending and torsion energy over kinetic energy")
                     }
                 };
                 let quotient = W::Num::from(mode.rayleigh_quotient());
@@ -418,8 +414,7 @@ impl PlateAndMembrane {
         if 20.0 * thickness > smallest {
             sheet.warn(|| {
                 Text::new(
-                    "the plate is thicker than a twentieth of its smaller side: shear and rotary inertia, which a \
-                     thin plate leaves out, lower its frequencies",
+                    "the plate is thicker than one twentieth of its smaller side: shear and rotary inertia, neglected in thin-plate theory, lower its frequencies",
                 )
             });
         }
@@ -434,7 +429,7 @@ fn frequency<W: Worksheet>(
     label: &'static str,
     sheet: W,
 ) -> W::Num {
-    let frequency = sheet.step(("f", k), "Hz", omega, "In cycles for each second");
+    let frequency = sheet.step(("f", k), "Hz", omega, "In cycles per second");
     sheet.answer(("frequency", k), "Natural frequency", frequency);
     sheet.answer_list(("pattern", k), label, "1", &pattern.map(|count| count as f64));
     frequency
@@ -461,8 +456,7 @@ fn strip(aspect: f64) -> Result<(), Refusal> {
 fn refusal(err: &BeamError) -> Refusal {
     Refusal::because(match err {
         BeamError::TooSlender(_) => {
-            "the shapes across the plate are too short for its breadth: ask for fewer frequencies, or treat the \
-             strip as a beam"
+            "the mode shapes across the plate are too short for its width: choose fewer frequencies, or analyse the strip as a beam"
         }
         _ => "the frequencies of the plate cannot be found",
     })
@@ -480,7 +474,7 @@ fn table(figures: &[Figure]) -> Exhibit {
         vec![number(n), number(a), number(b), Cell::Number(figure.frequency())]
     };
     Exhibit::Table(TableExhibit {
-        title: "Frequencies by their patterns".into(),
+        title: "Frequencies by nodal pattern".into(),
         columns: vec![
             Column { heading: "mode".into(), unit: "" },
             Column { heading: first, unit: "" },

@@ -20,14 +20,14 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct RandomChain {
     /// Masses and springs.
-    /// From the base on.
+    /// Starting from the base.
     #[input(min = 1)]
     pub links: Vec<Link>,
     /// Damping ratio of every mode.
     #[input("ζ", "1", nonnegative, default = "0.02")]
     pub ratio: f64,
-    /// Spectral density of the acceleration of the base.
-    /// Stationary, Gaussian, with a mean of zero.
+    /// Power spectral density of the base acceleration.
+    /// Stationary, Gaussian, zero mean.
     pub density: AccelerationDensity,
 }
 
@@ -36,7 +36,7 @@ register!(RandomChain);
 impl Analysis for RandomChain {
     const ABOUT: About = About {
         id: "vibration/random-chain",
-        title: "Chain of masses on a randomly shaken base",
+        title: "Chain of masses under random base excitation",
         topic: "Random vibration and earthquakes",
         summary: "Root mean square of displacement and acceleration of each mass of a chain whose base moves with a spectral density, with modal damping.",
         keywords: "psd random vibration rms one sigma modal damping multi degree chain vibração aleatória densidade \
@@ -105,8 +105,7 @@ impl Shaken {
             if mass == 0 {
                 sheet.warn(|| {
                     Text::new(
-                        "on a base of white acceleration the relative acceleration has no finite mean square: it \
-                         holds the acceleration of the base itself",
+                        "under white-noise base acceleration the relative acceleration has no finite mean square: it contains the base acceleration itself",
                     )
                 });
             }
@@ -140,14 +139,13 @@ impl Shaken {
             integrate(|omega| self.integrand(mass, response, omega), &points).map_err(not_found)?;
         let why = match response {
             Response::Displacement => {
-                "Displacement of this mass relative to the base: the frequency responses of all modes are added, \
-                 squared and integrated with the density over the band"
+                "Displacement of this mass relative to the base: the frequency responses of all modes are summed, squared and integrated with the spectral density over the band"
             }
             Response::RelativeAcceleration => {
                 "Acceleration of this mass relative to the base, by the same integral with ω⁴"
             }
             Response::AbsoluteAcceleration => {
-                "Absolute acceleration of this mass: the acceleration of the base is added before the square"
+                "Absolute acceleration of this mass: the base acceleration is added before squaring"
             }
         };
         let value =
@@ -246,7 +244,7 @@ impl Shaken {
             series.push(Series::line(label, line(&of)));
         }
         Plot::new(
-            "Spectral density of the absolute acceleration",
+            "Power spectral density of the absolute acceleration",
             Axis::log("frequency", "Hz"),
             Axis::log("density", "m^2/s^4/Hz"),
             series,

@@ -21,28 +21,28 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct RandomResponse {
     /// Mass.
-    /// Only a force on it, or stiffness in place of a frequency, needs it.
+    /// Required only for a force on it, or if the stiffness is given instead of a frequency.
     pub mass: Option<Mass>,
     /// Springs.
     pub elasticity: Elasticity,
     /// Damping.
     pub damping: Damping,
     /// Excitation.
-    /// Stationary, Gaussian, with a mean of zero.
+    /// Stationary, Gaussian, zero mean.
     pub excitation: Excitation,
 }
 
 /// What shakes the mass.
 #[derive(Clone, Debug, Inputs)]
 pub enum Excitation {
-    /// Acceleration of the base
+    /// Base acceleration
     Base {
-        /// Spectral density of the acceleration.
+        /// Power spectral density of the acceleration.
         density: AccelerationDensity,
     },
     /// Force on the mass
     Force {
-        /// Spectral density of the force.
+        /// Power spectral density of the force.
         density: ForceDensity,
     },
 }
@@ -75,7 +75,9 @@ impl Analysis for RandomResponse {
             Excitation::Base { density } => (density.spectrum()?, 1.0),
             Excitation::Force { density } => {
                 let body = system.body.ok_or_else(|| {
-                    Refusal::because("a force moves a mass: give the mass beside the natural frequency")
+                    Refusal::because(
+                        "a force moves a mass: give the mass in addition to the natural frequency",
+                    )
                 })?;
                 (density.spectrum()?, 1.0 / body.mass.value().powi(2))
             }
@@ -83,7 +85,9 @@ impl Analysis for RandomResponse {
         let problem = Random { spectrum, scale, system };
         if !problem.spectrum.reaches(system.natural.value()) {
             sheet.warn(|| {
-                Text::new("the natural frequency is outside the band of the excitation: there is no resonance in it")
+                Text::new(
+                    "the natural frequency is outside the band of the excitation: no resonance is excited",
+                )
             });
         }
         match &given.excitation {
@@ -112,7 +116,7 @@ impl Analysis for RandomResponse {
 }
 
 /// The formulas of white noise count frequencies in rad/s.
-const PER_RADIAN: &str = "The density for each rad/s: 1 Hz is 2π rad/s";
+const PER_RADIAN: &str = "The density per rad/s: 1 Hz is 2π rad/s";
 
 /// A density on an oscillator.
 struct Random<N> {
@@ -166,19 +170,19 @@ impl<N: Real> Random<N> {
         let at_natural = match level {
             Some(level) => Some(level),
             None if self.spectrum.reaches(wn) => {
-                let why = "Spectral density of the acceleration at the natural frequency";
+                let why = "Power spectral density of the acceleration at the natural frequency";
                 Some(sheet.found("S_n", "m^2/s^4/Hz", self.spectrum.at(wn), why))
             }
             None => None,
         };
         if let Some(density) = at_natural {
             let why = (
-                "Miles' value, which takes the density at the natural frequency as white and leaves out 4ζ²",
+                "Miles' value, which treats the density at the natural frequency as white noise and neglects 4ζ²",
                 MILES.at("1954"),
             );
             let miles = sheet.step("σ_M", "m/s^2", random::miles(density, natural, ratio).sqrt(), why);
             let error =
-                sheet.step("ε_M", "%", (miles - acceleration) / acceleration, "How far Miles' value is off");
+                sheet.step("ε_M", "%", (miles - acceleration) / acceleration, "Error of Miles' value");
             sheet.verify(|| {
                 let white = Random { spectrum: Spectrum::White(self.spectrum.at(wn)), scale: 1.0, system: self.system };
                 if let Ok(square) = white.integral(Weight { power: 0, constant: wn.powi(4), square: 0.0 }) {
@@ -192,9 +196,9 @@ impl<N: Real> Random<N> {
         self.crossings(displacement, velocity, sheet);
         let why = "Three standard deviations: reached or passed 0.27 % of the time";
         let three = sheet.step("3σ_z", "mm", displacement * 3.0, why);
-        sheet.answer("three_sigma_displacement", "Three-sigma relative displacement", three);
+        sheet.answer("three_sigma_displacement", "3σ relative displacement", three);
         let three = sheet.step("3σ_a", "m/s^2", acceleration * 3.0, why);
-        sheet.answer("three_sigma_acceleration", "Three-sigma absolute acceleration", three);
+        sheet.answer("three_sigma_acceleration", "3σ absolute acceleration", three);
         Ok(())
     }
 
@@ -242,8 +246,7 @@ impl<N: Real> Random<N> {
         if matches!(self.spectrum, Spectrum::White(_)) {
             sheet.warn(|| {
                 Text::new(
-                    "under a white force the acceleration of the mass has no finite mean square: it grows with the \
-                     width of the band",
+                    "under a white-noise force the acceleration of the mass has no finite mean square: it grows with the bandwidth",
                 )
             });
         } else {
@@ -259,23 +262,23 @@ impl<N: Real> Random<N> {
         self.crossings(displacement, velocity, sheet);
         let why = "Three standard deviations: reached or passed 0.27 % of the time";
         let three = sheet.step("3σ_x", "mm", displacement * 3.0, why);
-        sheet.answer("three_sigma_displacement", "Three-sigma displacement", three);
+        sheet.answer("three_sigma_displacement", "3σ displacement", three);
         Ok(())
     }
 
     /// How often the motion passes zero upwards.
     fn crossings<W: Worksheet<Num = N>>(&self, displacement: N, velocity: N, sheet: W) {
         let why = (
-            "Mean rate of crossings of zero upwards, by Rice: the frequency at which the motion seems to run",
+            "Mean rate of upward zero crossings, by Rice: the apparent frequency of the motion",
             RAO.at("ch. 14"),
         );
         let rate = sheet.step("ν₀", "Hz", velocity / displacement, why);
-        sheet.answer("crossing_rate", "Mean rate of upward crossings of zero", rate);
+        sheet.answer("crossing_rate", "Mean rate of upward zero crossings", rate);
         sheet.verify(|| {
             let moment = |power| self.second(Weight { power, constant: 1.0, square: 0.0 });
             if let (Some(zeroth), Some(second)) = (moment(0), moment(2)) {
                 let what =
-                    "the square of the rate of crossings is the second moment of the response over that of order zero";
+                    "the square of the zero-crossing rate is the second spectral moment of the response over that of order zero";
                 sheet.check(what, (second / zeroth).into(), rate.powi(2));
             }
         });
@@ -390,7 +393,7 @@ impl<N: Real> Random<N> {
             ["force over mass", "force on the support over mass"]
         };
         Plot::new(
-            "Spectral density",
+            "Power spectral density",
             Axis::log("frequency", "Hz"),
             Axis::log("density", "m^2/s^4/Hz"),
             vec![Series::line(labels[0], excitation), Series::line(labels[1], response)],

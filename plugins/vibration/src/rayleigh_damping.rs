@@ -16,7 +16,7 @@ pub struct RayleighDamping {
     /// Second mode.
     #[input("2")]
     pub second: KnownMode,
-    /// Frequency at which the damping ratio is asked for.
+    /// Frequency at which the damping ratio is requested.
     #[input("ω", "Hz", positive)]
     pub asked: Option<f64>,
 }
@@ -39,7 +39,7 @@ impl Analysis for RayleighDamping {
         id: "vibration/rayleigh-damping",
         title: "Rayleigh damping",
         topic: "Several degrees of freedom",
-        summary: "Coefficients of damping proportional to mass and stiffness from the damping ratios of two modes, and the damping ratio at any frequency.",
+        summary: "Coefficients of proportional (Rayleigh) damping from the damping ratios of two modes, and the damping ratio at any frequency.",
         keywords: "proportional damping alpha beta amortecimento proporcional de Rayleigh",
         sources: &[&CLOUGH, &RAO],
         cases: include_str!("../cases/rayleigh_damping.toml"),
@@ -48,7 +48,7 @@ impl Analysis for RayleighDamping {
     fn solve<W: Worksheet>(&self, given: &RayleighDampingGiven<W>, sheet: W) -> Result<(), Refusal> {
         if self.first.frequency == self.second.frequency {
             return Err(Refusal::because(
-                "both modes have the same frequency: two different ones are needed to tell mass from stiffness",
+                "both modes have the same frequency: two different frequencies are needed to separate mass from stiffness",
             ));
         }
         let (first, second) = (&given.first, &given.second);
@@ -64,7 +64,7 @@ impl Analysis for RayleighDamping {
             "β",
             "s",
             rayleigh::stiffness_coefficient(frequencies, ratios),
-            ("The coefficient of the stiffness", CLOUGH.at("§12-6")),
+            ("The stiffness coefficient", CLOUGH.at("§12-6")),
         );
         // Of the two terms of each mode, one may be the smaller difference of the other and ζ.
         let scale = [&self.first, &self.second].map(|mode| {
@@ -76,44 +76,43 @@ impl Analysis for RayleighDamping {
             rayleigh::damping_ratio(alpha, beta, mode.frequency) - mode.damping_ratio
         };
         sheet.check_zero(
-            "the coefficients give the damping ratio of the first mode back",
+            "the coefficients reproduce the damping ratio of the first mode",
             back(first),
             scale[0],
         );
         sheet.check_zero(
-            "the coefficients give the damping ratio of the second mode back",
+            "the coefficients reproduce the damping ratio of the second mode",
             back(second),
             scale[1],
         );
-        sheet.answer("mass_coefficient", "Coefficient of the mass", alpha);
-        sheet.answer("stiffness_coefficient", "Coefficient of the stiffness", beta);
+        sheet.answer("mass_coefficient", "Mass-proportional damping coefficient", alpha);
+        sheet.answer("stiffness_coefficient", "Stiffness-proportional damping coefficient", beta);
         let mut least = None;
         if alpha.value() > 0.0 && beta.value() > 0.0 {
-            let at = sheet.step("ω₀", "Hz", (alpha / beta).sqrt(), "Frequency of the least damping ratio");
+            let at = sheet.step("ω₀", "Hz", (alpha / beta).sqrt(), "Frequency of minimum damping ratio");
             let zeta = sheet.step(
                 "ζ₀",
                 "1",
                 (alpha * beta).sqrt(),
-                "The least damping ratio, where both terms are equal",
+                "The minimum damping ratio, where both terms are equal",
             );
             sheet.check(
-                "least damping ratio from the sum of both terms",
+                "minimum damping ratio from the sum of both terms",
                 rayleigh::damping_ratio(alpha, beta, at),
                 zeta,
             );
             sheet.check(
-                "the damping ratio is the same an octave above its least one and an octave below",
+                "the damping ratio is the same an octave above and an octave below its minimum",
                 rayleigh::damping_ratio(alpha, beta, at * 2.0),
                 rayleigh::damping_ratio(alpha, beta, at / 2.0),
             );
-            sheet.answer("least_frequency", "Frequency of the least damping", at);
-            sheet.answer("least_damping_ratio", "Least damping ratio", zeta);
+            sheet.answer("least_frequency", "Frequency of minimum damping", at);
+            sheet.answer("least_damping_ratio", "Minimum damping ratio", zeta);
             least = Some((at.value(), zeta.value()));
         } else {
             sheet.warn(|| {
                 Text::new(
-                    "a coefficient is negative: at very low or very high frequencies the damping ratio would be \
-                     negative and such modes would grow",
+                    "a coefficient is negative: at very low or very high frequencies the damping ratio would be negative and such modes would be unstable",
                 )
             });
         }
@@ -122,7 +121,7 @@ impl Analysis for RayleighDamping {
                 "ζ",
                 "1",
                 rayleigh::damping_ratio(alpha, beta, asked),
-                ("Damping ratio at the asked frequency", CLOUGH.at("§12-6")),
+                ("Damping ratio at the requested frequency", CLOUGH.at("§12-6")),
             );
             sheet.answer("damping_ratio", "Damping ratio at the frequency", zeta);
             sheet.verify(|| {
@@ -142,7 +141,9 @@ impl Analysis for RayleighDamping {
             });
             if zeta.value() < 0.0 {
                 sheet.warn(|| {
-                    Text::new("at the asked frequency the damping ratio is negative: such a mode grows")
+                    Text::new(
+                        "at the requested frequency the damping ratio is negative: such a mode is unstable",
+                    )
                 });
             }
         }

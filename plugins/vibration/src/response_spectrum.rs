@@ -29,7 +29,7 @@ pub struct ResponseSpectrum {
     /// Structure.
     pub structure: Structure,
     /// Damping ratio of every mode.
-    /// Only the complete quadratic combination needs it; the spectrum is that of this damping.
+    /// Required only for the complete quadratic combination; the spectrum is that of this damping.
     #[input("ζ", "1", positive, below = 1, default = "0.05")]
     pub ratio: f64,
     /// Response spectrum of the motion of the base.
@@ -42,7 +42,7 @@ pub enum Structure {
     /// Chain of masses
     Chain {
         /// Masses and springs.
-        /// From the base on.
+        /// Starting from the base.
         #[input(min = 1)]
         links: Vec<Link>,
     },
@@ -52,7 +52,7 @@ pub enum Structure {
         #[input(min = 1)]
         modes: Vec<GivenMode>,
     },
-    /// Simply supported beam, both supports moving alike
+    /// Simply supported beam, both supports with the same motion
     Beam {
         /// Span.
         #[input("L", "m", positive)]
@@ -62,7 +62,7 @@ pub enum Structure {
         young: f64,
         /// Section.
         section: Section,
-        /// Mass of each unit of length.
+        /// Mass per unit length.
         #[input("m̄", "kg/m", positive)]
         linear_mass: f64,
         /// Distance of the extreme fibre.
@@ -70,7 +70,7 @@ pub enum Structure {
         #[input("c", "m", positive)]
         fibre: f64,
         /// Number of modes.
-        /// Only the symmetric ones, 1, 3, 5 …, move when both supports move alike.
+        /// Only the symmetric ones, 1, 3, 5 …, respond when both supports have the same motion.
         #[input(min = 1, max = 6)]
         modes: usize,
     },
@@ -82,7 +82,7 @@ pub struct GivenMode {
     /// Natural frequency.
     #[input("f", "Hz", positive)]
     pub frequency: f64,
-    /// Share of the mode at the point looked at.
+    /// Modal contribution at the observation point.
     /// Participation factor times mode shape, Γφ: the shares of all modes make one.
     #[input("Γφ", "1")]
     pub share: f64,
@@ -115,7 +115,7 @@ pub enum Demand {
         #[input(table)]
         points: Vec<DemandPoint>,
         /// Interpolation.
-        /// How the pseudo-acceleration runs between two points.
+        /// How the pseudo-acceleration is interpolated between two points.
         #[input(default = "linear-in-period", default_before = "log-log")]
         interpolation: Interpolation,
     },
@@ -124,11 +124,11 @@ pub enum Demand {
 /// How a table of a response spectrum is read between its points.
 #[derive(Clone, Copy, Debug, Inputs)]
 pub enum Interpolation {
-    /// Straight over the period
+    /// Linear in period
     LinearInPeriod,
-    /// Straight over the frequency
+    /// Linear in frequency
     LinearInFrequency,
-    /// Straight in a log-log diagram
+    /// Linear in log-log scale
     LogLog,
 }
 
@@ -150,7 +150,7 @@ impl Analysis for ResponseSpectrum {
         id: "vibration/response-spectrum",
         title: "Response spectrum analysis",
         topic: "Random vibration and earthquakes",
-        summary: "Largest displacement, acceleration or stress of a chain, of given modes or of a beam on a shaking base, by ABS, SRSS and CQC.",
+        summary: "Maximum displacement, acceleration or stress of a chain, of given modes or of a beam under base excitation, by ABS, SRSS and CQC.",
         keywords: "earthquake seismic response spectrum modal combination srss cqc abs participation effective mass \
                    terremoto sismo espectro de resposta combinação modal participação massa efetiva",
         sources: &[&CHOPRA, &BIGGS],
@@ -233,7 +233,7 @@ impl<W: Worksheet> Problem<'_, W> {
         for i in 0..links.len() {
             let mut parts = Vec::new();
             for (n, mode) in modes.iter().enumerate() {
-                let why = ("Largest displacement of this mass in this mode, Γφ S_d", CHOPRA.at("§13.8"));
+                let why = ("Maximum displacement of this mass in this mode, Γφ S_d", CHOPRA.at("§13.8"));
                 let symbol = Symbol::from("x").row(n + 1).row(i + 1);
                 parts.push(sheet.step(symbol, "mm", mode.shares[i] * spectral[n], why));
             }
@@ -257,11 +257,11 @@ impl<W: Worksheet> Problem<'_, W> {
             .zip(&spectral)
             .map(|(mode, s)| (mode.natural.value(), (mode.shares[last].value() * s.value()).abs()));
         let ends: Vec<_> = ends.collect();
-        sheet.show(|| Exhibit::Plot(lines("Largest displacement of the last mass in each mode", ends)));
+        sheet.show(|| Exhibit::Plot(lines("Maximum displacement of the last mass in each mode", ends)));
         let mut shears = Vec::new();
         for (n, mode) in modes.iter().enumerate() {
             let why = (
-                "Largest force on the base in this mode: its effective mass times its pseudo-acceleration",
+                "Maximum force on the base in this mode: its effective mass times its pseudo-acceleration",
                 CHOPRA.at("§13.2"),
             );
             let mass = sheet.found(
@@ -301,12 +301,12 @@ impl<W: Worksheet> Problem<'_, W> {
         let mut parts = Vec::new();
         for (n, mode) in modes.iter().enumerate() {
             let spectral = self.displacement(mode.frequency, n + 1, sheet)?;
-            let why = ("Largest displacement of the point in this mode, Γφ S_d", CHOPRA.at("§13.8"));
+            let why = ("Maximum displacement of the point in this mode, Γφ S_d", CHOPRA.at("§13.8"));
             parts.push(sheet.step(Symbol::from("x").row(n + 1), "mm", mode.share * spectral, why));
         }
         let correlations = self.correlations(&naturals, sheet);
         let sizes: Vec<_> = naturals.iter().zip(&parts).map(|(w, x)| (w.value(), x.value().abs())).collect();
-        sheet.show(|| Exhibit::Plot(lines("Largest displacement of each mode", sizes)));
+        sheet.show(|| Exhibit::Plot(lines("Maximum displacement of each mode", sizes)));
         let all = combined(&parts, &correlations, ["x_A", "x_S", "x_C"], "mm", None, sheet);
         sheet.answer("displacement_abs", "Displacement, sum of absolute values", all.abs);
         sheet.answer("displacement_srss", "Displacement, root of the sum of squares", all.srss);
@@ -314,7 +314,7 @@ impl<W: Worksheet> Problem<'_, W> {
         let total: f64 = modes.iter().map(|mode| mode.share.value()).sum();
         if !(0.9..=1.1).contains(&total) {
             sheet.warn(|| {
-                Text::new("the shares of the modes make {total}, not one: modes are missing, or Γ and φ do not belong together")
+                Text::new("the contributions of the modes sum to {total}, not to one: modes are missing, or Γ and φ do not correspond")
                     .with_quantity("total", total, "1")
             });
         }
@@ -332,16 +332,16 @@ impl<W: Worksheet> Problem<'_, W> {
                 row("β"),
                 "rad/m",
                 W::Num::from(half_waves) * PI / length,
-                "Half waves over the span, as an angle for each unit of length",
+                "Half waves over the span, as an angle per unit length",
             );
             let natural = wave.powi(2) * (young * second_moment / linear_mass).sqrt();
             let natural = sheet.step(row("ω"), "rad/s", natural, why);
-            let frequency = sheet.step(row("f"), "Hz", natural, "The same in cycles a second");
+            let frequency = sheet.step(row("f"), "Hz", natural, "The same in Hz");
             sheet.answer(("frequency", 2 * n + 1), "Natural frequency", frequency);
             let spectral = self.displacement(natural, 2 * n + 1, sheet)?;
             let sign = if n % 2 == 0 { 1.0 } else { -1.0 };
             let why = (
-                "Share of the mode in the motion of the middle when both supports move: 4/(βL), with the sign of sin(βL/2)",
+                "Modal contribution to the midspan motion when both supports move: 4/(βL), with the sign of sin(βL/2)",
                 BIGGS.at("ch. 6"),
             );
             let share = sheet.step(row("Γφ"), "1", W::Num::from(4.0 * sign) / (wave * length), why);
@@ -357,19 +357,19 @@ impl<W: Worksheet> Problem<'_, W> {
                 // The midpoint rule of a half sine is too large by this factor.
                 let step = half_waves * PI / f64::from(2 * parts);
                 let participation = first / second * step.sin() / step;
-                let what = "share of the mode by quadrature of its shape, Γ = ∫φ dx/∫φ² dx";
+                let what = "modal participation factor by quadrature of the mode shape, Γ = ∫φ dx/∫φ² dx";
                 sheet.check(what, (sign * participation).into(), share);
             });
-            let why = ("Largest deflection of the middle in this mode, Γφ S_d", BIGGS.at("ch. 6"));
+            let why = ("Maximum deflection of the middle in this mode, Γφ S_d", BIGGS.at("ch. 6"));
             let deflection = sheet.step(row("y"), "mm", share * spectral, why);
             let why =
-                ("Bending stress at the middle in this mode: E c times the curvature β²y", BEER.at("§4.4"));
+                ("Bending stress at midspan in this mode: E c times the curvature β²y", BEER.at("§4.4"));
             let stress = sheet.step(row("σ"), "MPa", young * fibre * wave.powi(2) * deflection, why);
             sheet.verify(|| {
                 // Inertia forces like sin βx bend a beam on two supports by 1/β² of them, and its deflection by 1/β⁴.
                 let inertia = linear_mass * natural.powi(2) * share * spectral;
                 sheet.check(
-                    "deflection of the mode: the beam holds its inertia forces, E I β⁴ y = m̄ ω² Γφ S_d",
+                    "modal deflection: the beam carries its inertia forces, E I β⁴ y = m̄ ω² Γφ S_d",
                     young * second_moment * wave.powi(4) * deflection,
                     inertia,
                 );
@@ -387,9 +387,9 @@ impl<W: Worksheet> Problem<'_, W> {
         let (length, largest) = (length.value(), deflections.iter().map(|one| one.value().abs()).collect());
         sheet.show(|| Exhibit::Plot(shapes(length, largest)));
         let all = combined(&deflections, &correlations, ["y_A", "y_S", "y_C"], "mm", None, sheet);
-        sheet.answer("deflection_abs", "Deflection of the middle, sum of absolute values", all.abs);
-        sheet.answer("deflection_srss", "Deflection of the middle, root of the sum of squares", all.srss);
-        sheet.answer("deflection_cqc", "Deflection of the middle, complete quadratic combination", all.cqc);
+        sheet.answer("deflection_abs", "Midspan deflection, sum of absolute values", all.abs);
+        sheet.answer("deflection_srss", "Midspan deflection, root of the sum of squares", all.srss);
+        sheet.answer("deflection_cqc", "Midspan deflection, complete quadratic combination", all.cqc);
         let all = combined(&stresses, &correlations, ["σ_A", "σ_S", "σ_C"], "MPa", None, sheet);
         sheet.answer("stress_abs", "Bending stress, sum of absolute values", all.abs);
         sheet.answer("stress_srss", "Bending stress, root of the sum of squares", all.srss);
@@ -492,16 +492,16 @@ fn interpolated<W: Worksheet>(
             let t_u = period("T_u", f_u, "Period of the row above it in frequency");
             (
                 s_l + (s_u - s_l) * (here - t_l) / (t_u - t_l),
-                "Pseudo-acceleration of this mode, straight over the period between two rows",
+                "Pseudo-acceleration of this mode, linear in period between two rows",
             )
         }
         Interpolation::LinearInFrequency => (
             s_l + (s_u - s_l) * (natural - f_l) / (f_u - f_l),
-            "Pseudo-acceleration of this mode, straight over the frequency between two rows",
+            "Pseudo-acceleration of this mode, linear in frequency between two rows",
         ),
         Interpolation::LogLog => (
             s_l * ((natural / f_l).ln() / (f_u / f_l).ln() * (s_u / s_l).ln()).exp(),
-            "Pseudo-acceleration of this mode, straight in a log-log diagram between two rows",
+            "Pseudo-acceleration of this mode, linear on log–log axes between two rows",
         ),
     };
     Ok(sheet.step(symbol, "m/s^2", value, why))
@@ -518,7 +518,7 @@ fn shapes(length: f64, largest: Vec<f64>) -> Plot {
         Series::line(Text::new("{count} half waves").with("count", half_waves), (0..=200).map(at).collect())
     };
     Plot::new(
-        "Largest deflection of each mode",
+        "Maximum deflection of each mode",
         Axis::linear("along the beam", "m"),
         Axis::linear("deflection", "mm"),
         largest.into_iter().enumerate().map(shape).collect(),

@@ -1,8 +1,8 @@
 //! A rod that strikes a rigid wall with its end, by the waves that run through it.
 
 use dalembert_core::{
-    About, Analysis, Axis, DrawnShape, Exhibit, Film, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Animation, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text,
+    Worksheet, register,
 };
 use dalembert_mechanics::{Real, vibration::impact};
 
@@ -25,11 +25,11 @@ pub struct RodImpact {
     #[input("v", "m/s", positive)]
     pub speed: f64,
     /// Area of the section.
-    /// Where it is given, the force on the wall is answered too.
+    /// If given, the force on the wall is also computed.
     #[input("A", "m^2", positive)]
     pub area: Option<f64>,
-    /// Largest stress of the material.
-    /// Where it is given, the speed that reaches it is answered too.
+    /// Strength of the material.
+    /// If given, the speed that reaches it is also computed.
     #[input("σ_y", "Pa", positive)]
     pub strength: Option<f64>,
 }
@@ -39,9 +39,9 @@ register!(RodImpact);
 impl Analysis for RodImpact {
     const ABOUT: About = About {
         id: "vibration/rod-impact",
-        title: "Rod that strikes a wall",
+        title: "Rod striking a wall",
         topic: "Shock and impact",
-        summary: "Largest stress, largest shortening and time of contact of a rod that strikes a rigid wall with its end, by waves.",
+        summary: "Maximum stress, maximum shortening and contact time of a rod that strikes a rigid wall end-on, by wave propagation.",
         keywords: "longitudinal impact wave stress collision bar choque impacto longitudinal barra onda tensão",
         sources: &[&TIMOSHENKO, &RAO],
         cases: include_str!("../cases/rod_impact.toml"),
@@ -50,7 +50,7 @@ impl Analysis for RodImpact {
     fn solve<W: Worksheet>(&self, given: &RodImpactGiven<W>, sheet: W) -> Result<(), Refusal> {
         let RodImpactGiven { length, young, density, speed, .. } = *given;
         let wave =
-            sheet.step("c", "m/s", (young / density).sqrt(), ("Speed of waves along a rod", RAO.at("§8.3")));
+            sheet.step("c", "m/s", (young / density).sqrt(), ("Wave speed along a rod", RAO.at("§8.3")));
         if speed.value() >= wave.value() {
             return Err(Refusal::because(
                 "the rod is as fast as the waves in it, or faster: no elastic wave can stop it; write a smaller speed",
@@ -60,63 +60,63 @@ impl Analysis for RodImpact {
             "ε",
             "1",
             speed / wave,
-            "In a time dt the front of the wave stops a length c dt, which shortens by v dt",
+            "In a time dt the wave front brings a length c dt to rest, which shortens by v dt",
         );
         let stress = sheet.step(
             "σ",
             "MPa",
             young * strain,
-            ("Stress behind the front of the wave: the largest in the rod", TIMOSHENKO.at("ch. 5")),
+            ("Stress behind the wavefront: the maximum in the rod", TIMOSHENKO.at("ch. 5")),
         );
         let whole = sheet.step(
             "t₁",
             "ms",
             length / wave,
-            "The front reaches the free end: all of the rod is at rest",
+            "The wavefront reaches the free end: the whole rod is at rest",
         );
         let shortening =
-            sheet.step("δ", "mm", speed * whole, "Until then the free end has gone on at its speed");
+            sheet.step("δ", "mm", speed * whole, "Until then the free end has continued at its speed");
         let contact = sheet.step(
             "t₂",
             "ms",
             length * 2.0 / wave,
-            "The wave comes back and unloads the rod: it leaves the wall",
+            "The reflected wave unloads the rod: it leaves the wall",
         );
         sheet.verify(|| {
             sheet.check(
-                "kinetic energy before is the strain energy of the shortened rod, for each volume",
+                "initial kinetic energy equals the strain energy of the shortened rod, per unit volume",
                 density * speed.powi(2) / 2.0,
                 stress.powi(2) / (young * 2.0),
             );
             sheet.check(
-                "the momentum for each area is turned round by the stress at the wall during the contact",
+                "the momentum per unit area is reversed by the stress at the wall during contact",
                 density * length * speed * 2.0,
                 stress * contact * impact::stress(0.0, 0.5 * (contact * wave / length).value()),
             );
             sheet.check(
-                "the momentum for each area is taken by the stress until the rod is at rest",
+                "the momentum per unit area is absorbed by the stress until the rod is at rest",
                 density * length * speed,
                 stress * whole,
             );
-            sheet.check("largest shortening: the same strain in all of the rod", shortening, strain * length);
+            sheet.check("maximum shortening: uniform strain in the whole rod", shortening, strain * length);
             let tau = (whole * wave / length).value();
             let moved = impact::displacement(1.0, tau) - impact::displacement(0.0, tau);
             sheet.check(
-                "largest shortening by d'Alembert's solution",
+                "maximum shortening by d'Alembert's solution",
                 shortening,
                 length * speed / wave * moved,
             );
         });
         sheet.answer("wave_speed", "Wave speed", wave);
-        sheet.answer("stress", "Largest compressive stress", stress);
-        sheet.answer("shortening", "Largest shortening", shortening);
-        sheet.answer("shortening_time", "Time to the largest shortening", whole);
-        sheet.answer("contact_time", "Time of contact", contact);
+        sheet.answer("stress", "Maximum compressive stress", stress);
+        sheet.answer("shortening", "Maximum shortening", shortening);
+        sheet.answer("shortening_time", "Time to maximum shortening", whole);
+        sheet.answer("contact_time", "Contact duration", contact);
         if let Some(area) = given.area {
             let force = sheet.step("F", "kN", stress * area, "Force on the wall during the contact");
             sheet.answer("force", "Force on the wall", force);
             sheet.check(
-                "impulse of the wall: the momentum of the rod is turned round",
+                "impulse of the wall: it reverses the momentum of the rod",
                 force * contact,
                 density * length * area * speed * 2.0,
             );
@@ -126,31 +126,31 @@ impl Analysis for RodImpact {
                 "v_y",
                 "m/s",
                 strength / (young * density).sqrt(),
-                ("Speed at which the stress reaches that of the material", TIMOSHENKO.at("ch. 5")),
+                ("Speed at which the stress reaches the strength of the material", TIMOSHENKO.at("ch. 5")),
             );
-            sheet.answer("largest_speed", "Largest speed", limit);
+            sheet.answer("largest_speed", "Maximum velocity", limit);
             sheet.check(
-                "kinetic energy at that speed is the strain energy at the strength, for each volume",
+                "kinetic energy at that speed is the strain energy at the strength, per unit volume",
                 density * limit.powi(2) / 2.0,
                 strength.powi(2) / (young * 2.0),
             );
             if speed.value() > limit.value() {
                 sheet.warn(|| {
                     Text::new(
-                        "the rod yields: the stress of an elastic rod would be above that of the material",
+                        "the rod yields: the elastic stress would exceed the yield strength of the material",
                     )
                 });
             }
         }
         if strain.value() > 0.02 {
             sheet.warn(|| {
-                Text::new("the strain is above 2 %: small deformations, and most materials, do not reach it")
+                Text::new("the strain exceeds 2 %: this is beyond small deformations and the range of most materials")
             });
         }
         let numbers = (wave.value(), stress.value());
         sheet.show(|| Exhibit::Plot(self.free_end(numbers.0)));
         sheet.show(|| Exhibit::Plot(self.stress_at_the_middle(numbers)));
-        sheet.show(Self::film);
+        sheet.show(Self::animation);
         Ok(())
     }
 }
@@ -192,7 +192,7 @@ impl RodImpact {
     }
 
     /// The rod and its loaded part, the shortening enlarged.
-    fn film() -> Exhibit {
+    fn animation() -> Exhibit {
         let frame = |n: u16| {
             let tau = 3.0 * f64::from(n) / 24.0;
             let place = |xi: f64| 5.0 * (xi - 0.15 * impact::displacement(xi, tau));
@@ -205,6 +205,10 @@ impl RodImpact {
             }
             shapes
         };
-        Exhibit::Film(Film::new("The loaded part of the rod", (0..24).map(frame).collect(), 3.0))
+        Exhibit::Animation(Animation::new(
+            "The compressed part of the rod",
+            (0..24).map(frame).collect(),
+            3.0,
+        ))
     }
 }

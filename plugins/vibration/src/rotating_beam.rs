@@ -40,7 +40,7 @@ pub struct RotatingBeam {
     /// Mass at the tip.
     #[input("m_t", "kg", nonnegative)]
     pub tip: Option<f64>,
-    /// Speed of rotation.
+    /// Rotational speed.
     #[input("n", "rpm", nonnegative)]
     pub speed: f64,
     /// Direction of the motion.
@@ -60,7 +60,7 @@ pub enum Direction {
     /// At an angle to the axis of rotation
     Angle {
         /// Angle between the motion and the axis of rotation.
-        /// 0° is flapwise, 90° lagwise.
+        /// 0° is flapwise, 90° edgewise.
         #[input("ψ", "deg", min = 0, max = 90)]
         angle: f64,
     },
@@ -76,7 +76,7 @@ impl Analysis for RotatingBeam {
         id: "vibration/rotating-beam",
         title: "Rotating blade",
         topic: "Strings, beams and plates",
-        summary: "Frequencies of a uniform blade on a turning hub, flapwise or lagwise, with the stiffening by the centrifugal tension, Southwell's coefficients and the diagram over speed.",
+        summary: "Frequencies of a uniform blade on a rotating hub, flapwise or edgewise, with centrifugal stiffening, Southwell's coefficients and the Campbell diagram.",
         keywords: "turbine blade propeller helicopter rotor centrifugal stiffening Southwell Campbell flap lag pá \
                    palheta turbina hélice enrijecimento centrífugo",
         sources: &[&WRIGHT, &SOUTHWELL, &RAO],
@@ -94,8 +94,9 @@ impl Analysis for RotatingBeam {
             (bending / (line * length.powi(4))).sqrt(),
             ("The frequencies are multiples of √(EI/(m̄L⁴))", RAO.at("§8.5")),
         );
-        let speed = sheet.step("Ω", "rad/s", given.speed, "Speed of rotation");
-        let eta = sheet.step("η", "1", speed / unit, ("Speed in this unit", WRIGHT.at("pp. 197–202")));
+        let speed = sheet.step("Ω", "rad/s", given.speed, "Rotational speed");
+        let eta =
+            sheet.step("η", "1", speed / unit, ("Speed in multiples of this unit", WRIGHT.at("pp. 197–202")));
         let hub = sheet.step("r", "1", given.hub / length, "Radius of the hub over the length");
         let tip = given
             .tip
@@ -116,8 +117,7 @@ impl Analysis for RotatingBeam {
         for (n, (lambda, shape)) in (1..).zip(lambdas.iter().zip(&shapes)) {
             if (lambda / before[n - 1] - 1.0).abs() > 1e-9 {
                 return Err(Refusal::because(
-                    "the blade turns so fast for its stiffness that its shapes do not settle: write a smaller \
-                     speed, or treat it as a string",
+                    "the blade rotates so fast for its stiffness that its mode shapes do not converge: write a lower speed, or analyse it as a string",
                 ));
             }
             let still = sheet.found(
@@ -134,8 +134,7 @@ impl Analysis for RotatingBeam {
                 "1",
                 lambda.sqrt(),
                 (
-                    "Rayleigh–Ritz with polynomials that satisfy the clamp, the work of the centrifugal tension \
-                     included: an upper bound that has settled",
+                    "Rayleigh–Ritz with polynomials that satisfy the clamped end, the work of the centrifugal tension included: a converged upper bound",
                     WRIGHT.at("pp. 197–202"),
                 ),
             );
@@ -151,7 +150,7 @@ impl Analysis for RotatingBeam {
                     let square = flap.powi(2) - (speed * share).powi(2);
                     if square.value() <= 0.0 {
                         return Err(Refusal::because(
-                            "the blade is not held in the plane of rotation: write a larger stiffness",
+                            "the blade is unstable in the plane of rotation: write a larger stiffness",
                         ));
                     }
                     sheet.step(
@@ -159,18 +158,18 @@ impl Analysis for RotatingBeam {
                         "rad/s",
                         square.sqrt(),
                         (
-                            "In the plane of rotation the centrifugal force turns with the blade and takes Ω² away",
+                            "In the plane of rotation the centrifugal force rotates with the blade and subtracts Ω²",
                             WRIGHT.at("pp. 197–202"),
                         ),
                     )
                 }
             };
-            let frequency = sheet.step(("f", n), "Hz", omega, "In cycles for each second");
+            let frequency = sheet.step(("f", n), "Hz", omega, "In cycles per second");
             sheet.answer(("frequency", n), "Natural frequency", frequency);
-            sheet.answer(("number", n), "Frequency number out of the plane, ω_f√(m̄L⁴/(EI))", number);
+            sheet.answer(("number", n), "Out-of-plane frequency number, ω_f√(m̄L⁴/(EI))", number);
             sheet.verify(|| {
                 sheet.check(
-                    Text::new("shape {n}: the moments of tension and inertia forces balance that of bending")
+                    Text::new("mode shape {n}: the moments of tension and inertia forces balance the bending moment")
                         .with("n", n),
                     W::Num::from(blade.moment_balance(shape)),
                     number.powi(2),
@@ -178,7 +177,7 @@ impl Analysis for RotatingBeam {
                 let lost = plane.map_or(0.0, |share| (speed * share).value().powi(2));
                 sheet.check(
                     Text::new(
-                        "frequency {n}: with what the plane of rotation takes away, by the same balance",
+                        "frequency {n}: including the reduction in the plane of rotation, from the same balance",
                     )
                     .with("n", n),
                     W::Num::from((frequency.value().powi(2) + lost) / unit.value().powi(2)),
@@ -200,21 +199,19 @@ impl Analysis for RotatingBeam {
                 "1",
                 blade.southwell(still_shape),
                 (
-                    "Southwell's coefficient by the shape at rest: work of the tension of unit speed over the \
-                     kinetic energy",
+                    "Southwell's coefficient from the mode shape at rest: work of the centrifugal tension at unit speed over the kinetic energy",
                     SOUTHWELL.at("R&M 766"),
                 ),
             );
             sheet.answer(
                 ("southwell_at_rest", n),
-                "Southwell's coefficient by the shape at rest",
+                "Southwell's coefficient from the mode shape at rest",
                 coefficient,
             );
             sheet.verify(|| {
                 sheet.check(
                     Text::new(
-                        "shape {n}: work of the centrifugal forces on the shortening of the blade, over its kinetic \
-                         energy",
+                        "mode shape {n}: work of the centrifugal forces through the shortening of the blade, over its kinetic energy",
                     )
                     .with("n", n),
                     W::Num::from(shortening_work(&blade, still_shape)),
@@ -227,7 +224,7 @@ impl Analysis for RotatingBeam {
                 let line = rest.lambdas[n - 1] + creeping.speed.powi(2) * coefficient.value();
                 sheet.check(
                     Text::new(
-                        "mode {n}: the balance of moments at a small speed rises by Southwell's coefficient",
+                        "mode {n}: the moment balance at low speed rises by Southwell's coefficient",
                     )
                     .with("n", n),
                     W::Num::from(slope),
@@ -300,7 +297,7 @@ impl RotatingBeam {
         series.extend([1, 2, 4].map(order));
         Exhibit::Plot(
             Plot::new(
-                "Frequencies over the speed",
+                "Frequencies against speed",
                 Axis::linear("speed of rotation", "rpm"),
                 Axis::linear("natural frequency", "Hz"),
                 series,

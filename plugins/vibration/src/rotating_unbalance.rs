@@ -44,12 +44,12 @@ pub enum Damping {
         ratio: f64,
     },
     /// Damping ratio between two values
-    /// The amplitude is largest with the least damping, which everything else is answered for.
+    /// The amplitude is largest with the minimum damping, for which all other results are computed.
     Between {
-        /// Least damping ratio.
+        /// Minimum damping ratio.
         #[input("ζ", "1", nonnegative)]
         least: f64,
-        /// Largest damping ratio.
+        /// Maximum damping ratio.
         #[input("ζ_b", "1", nonnegative)]
         most: f64,
     },
@@ -59,9 +59,9 @@ pub enum Damping {
         #[input("c", "N*s/m", nonnegative)]
         coefficient: f64,
     },
-    /// From the largest steady amplitude at any speed
+    /// From the maximum steady-state amplitude at any speed
     LargestAmplitude {
-        /// Largest steady amplitude.
+        /// Maximum steady-state amplitude.
         #[input("Xₘₐₓ", "m", positive, kind = "Amplitude")]
         amplitude: f64,
     },
@@ -79,7 +79,7 @@ impl Analysis for RotatingUnbalance {
         id: "vibration/rotating-unbalance",
         title: "Rotating unbalance",
         topic: "Harmonic excitation",
-        summary: "Steady amplitude, phase and transmitted force of an unbalanced machine on an elastic, damped support.",
+        summary: "Steady-state amplitude, phase and transmitted force of an unbalanced machine on an elastic, damped support.",
         keywords: "fan ventilador desbalanceamento desbalanceado cantilever amplitude resonance 07/2",
         sources: &[&RAO, &KELLY, &LISTS],
         cases: include_str!("../cases/rotating_unbalance.toml"),
@@ -99,7 +99,7 @@ impl Analysis for RotatingUnbalance {
             DampingGiven::Between { least, most } => {
                 if least.value() > most.value() {
                     return Err(Refusal::because(
-                        "the least damping ratio is above the largest one: write the smaller one as the least",
+                        "the minimum damping ratio exceeds the maximum one: exchange them",
                     ));
                 }
                 *least
@@ -115,7 +115,7 @@ impl Analysis for RotatingUnbalance {
                     "Λₘₐₓ",
                     "1",
                     *amplitude * given.mass / given.unbalance,
-                    "Largest amplitude as a multiple of m₀e/m",
+                    "Maximum amplitude as a multiple of m₀e/m",
                 );
                 let zeta = sdof::damping_ratio_from_peak(peak).ok_or_else(|| {
                     Refusal::because(
@@ -140,7 +140,7 @@ impl Analysis for RotatingUnbalance {
                     );
                 }
                 sheet.check(
-                    "the damping ratio gives the largest amplitude back",
+                    "substituting ζ reproduces the given peak amplitude",
                     sdof::peak_magnification(zeta),
                     peak,
                 );
@@ -163,7 +163,7 @@ impl Analysis for RotatingUnbalance {
             "X",
             "mm",
             given.unbalance / given.mass * sdof::unbalance_magnification(ratio, zeta),
-            ("Steady amplitude at the speed of the machine", RAO.at("§3.7")),
+            ("Steady-state amplitude at the running speed", RAO.at("§3.7")),
         );
         let phase = sheet.step(
             "φ",
@@ -175,7 +175,7 @@ impl Analysis for RotatingUnbalance {
             "F_T",
             "N",
             sdof::transmitted_force(amplitude, k, c, given.speed),
-            ("Amplitude of the force on the foundation", RAO.at("§3.7")),
+            ("Amplitude of the force transmitted to the foundation", RAO.at("§3.7")),
         );
         // A sweep has no use for the checks: not even for their formulas.
         sheet.verify(|| {
@@ -185,7 +185,7 @@ impl Analysis for RotatingUnbalance {
                 amplitude,
             );
             sheet.check(
-                "force on the foundation from the transmissibility of the force of the unbalance",
+                "transmitted force from the transmissibility of the unbalance force",
                 given.unbalance * given.speed.powi(2) * sdof::transmissibility(ratio, zeta),
                 force,
             );
@@ -202,13 +202,13 @@ impl Analysis for RotatingUnbalance {
         sheet.answer("damping", "Damping coefficient", c);
         sheet.answer("amplitude", "Amplitude at this speed", amplitude);
         sheet.answer("phase", "Phase lag", phase);
-        sheet.answer("transmitted_force", "Force on the foundation", force);
+        sheet.answer("transmitted_force", "Force transmitted to the foundation", force);
         if let DampingGiven::Between { most, .. } = &given.damping {
             let least = sheet.step(
                 "X_b",
                 "mm",
                 given.unbalance / given.mass * sdof::unbalance_magnification(ratio, *most),
-                ("Steady amplitude with the largest damping", RAO.at("§3.7")),
+                ("Steady-state amplitude with the maximum damping", RAO.at("§3.7")),
             );
             sheet.verify(|| {
                 let c = *most * given.mass * natural * 2.0;
@@ -218,29 +218,29 @@ impl Analysis for RotatingUnbalance {
                     least,
                 );
             });
-            sheet.answer("least_amplitude", "Amplitude with the largest damping", least);
+            sheet.answer("least_amplitude", "Amplitude with the maximum damping", least);
         }
         if zeta.value() > 0.0 && zeta.value() < FRAC_1_SQRT_2 {
             let worst = sheet.step(
                 "ωₘₐₓ",
                 "rpm",
                 natural * sdof::unbalance_peak_ratio(zeta),
-                ("Speed of the largest steady amplitude", RAO.at("§3.7")),
+                ("Speed of maximum steady-state amplitude", RAO.at("§3.7")),
             );
-            sheet.answer("worst_speed", "Speed of the largest amplitude", worst);
+            sheet.answer("worst_speed", "Peak-response speed", worst);
             if !matches!(self.damping, Damping::LargestAmplitude { .. }) {
                 let largest = sheet.step(
                     "Xₘₐₓ",
                     "mm",
                     given.unbalance / given.mass * sdof::peak_magnification(zeta),
-                    ("Largest steady amplitude at any speed", RAO.at("§3.7")),
+                    ("Maximum steady-state amplitude at any speed", RAO.at("§3.7")),
                 );
                 sheet.check(
-                    "the largest amplitude from the dynamic stiffness at its speed",
+                    "maximum amplitude from the dynamic stiffness at its speed",
                     sdof::unbalance_amplitude(given.unbalance, k, given.mass, c, worst),
                     largest,
                 );
-                sheet.answer("largest_amplitude", "Largest amplitude at any speed", largest);
+                sheet.answer("largest_amplitude", "Maximum amplitude at any speed", largest);
             }
         }
         if zeta.value() < 0.05 && (ratio.value() - 1.0).abs() < 0.05 {
@@ -266,7 +266,7 @@ impl RotatingUnbalance {
             (speed, self.unbalance / self.mass * sdof::unbalance_magnification(speed / natural, zeta))
         };
         Plot::new(
-            "Steady amplitude against speed",
+            "Steady-state amplitude against speed",
             Axis::linear("speed of the machine", "rpm"),
             Axis::linear("amplitude", "mm"),
             vec![Series::line("X", (0..=400).map(at).collect()).of("amplitude")],

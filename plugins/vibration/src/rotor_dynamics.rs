@@ -50,16 +50,16 @@ pub struct RotorDynamics {
     /// Speed.
     #[input("Ω", "rpm", nonnegative)]
     pub speed: f64,
-    /// Highest speed of the diagrams.
-    /// Critical speeds and the threshold of stability are looked for up to it.
+    /// Maximum speed of the diagrams.
+    /// Upper limit of the search for critical speeds and the stability threshold.
     #[input("Ωₘₐₓ", "rpm", positive)]
     pub highest_speed: f64,
     /// Frequency of the excitation over the speed.
-    /// 1 for unbalance; 2 for a shaft that is not round; the slope of the line in the Campbell diagram.
+    /// 1 for unbalance; 2 for a non-circular shaft; the slope of the line in the Campbell diagram.
     #[input("s", "1", positive, default = "1")]
     pub slope: f64,
-    /// Place of the response.
-    /// Distance from the left end; the first unbalance where it is left out.
+    /// Position of the response.
+    /// Distance from the left end; by default that of the first unbalance.
     #[input("z_R", "m", nonnegative)]
     pub place: Option<f64>,
     /// Axial tension of the shaft.
@@ -68,7 +68,7 @@ pub struct RotorDynamics {
     pub tension: Option<f64>,
     /// Bending of the shaft.
     pub theory: Theory,
-    /// Elements in every stretch.
+    /// Elements per segment.
     /// Between neighbouring steps of the shaft, discs, supports and unbalances.
     #[input(min = 1, max = 40)]
     pub elements: usize,
@@ -131,7 +131,7 @@ impl Analysis for RotorDynamics {
         let all = Assembled::new(&rotor).map_err(refusal)?;
         sheet.verify(|| {
             sheet.check(
-                "mass of the rotor from a sideways motion of all nodes in the mass matrix",
+                "rotor mass from a lateral rigid translation of all nodes in the mass matrix",
                 W::Num::from(translating_mass(&rotor, &all)),
                 whole,
             );
@@ -145,7 +145,7 @@ impl Analysis for RotorDynamics {
         let mut spectrum = reduced.modes(self.speed).map_err(refusal)?;
         if spectrum.modes.is_empty() {
             return Err(Refusal::because(
-                "no mode oscillates: every motion is overdamped; lower the damping of the bearings",
+                "no mode oscillates: all motions are overdamped; reduce the bearing damping",
             ));
         }
         let conservative = rotor.is_conservative();
@@ -316,7 +316,7 @@ impl RotorDynamics {
     ) -> Option<Complex<f64>> {
         let Ok(Polished { mode: exact, rounding }) = modes::polished(all, mode, self.speed) else {
             sheet.warn(|| {
-                Text::new("mode {n}, near {frequency}, could not be refined on the equations of all nodes: it is not answered")
+                Text::new("mode {n}, near {frequency}, could not be refined on the equations of all nodes: it is omitted")
                     .with("n", n)
                     .with_quantity("frequency", mode.frequency(), "Hz")
             });
@@ -330,8 +330,7 @@ impl RotorDynamics {
         let scale = lambda.norm() * (STILL * rounding / AGREEMENT).max(1.0);
         let how = (
             Text::new(
-                "Damped natural frequency of mode {n}: eigenvalue λ = σ + iω of λ²M + λ(C + ΩG) + K, shaft elements, \
-                 discs and supports added up",
+                "Damped natural frequency of mode {n}: eigenvalue λ = σ + iω of λ²M + λ(C + ΩG) + K, assembled from shaft elements, discs and supports",
             )
             .with("n", n),
             FRISWELL.at("ch. 5"),
@@ -341,7 +340,7 @@ impl RotorDynamics {
         let by_energy = by_energy.unwrap_or(Complex::new(f64::NAN, f64::NAN));
         sheet.verify(|| {
             sheet.check_zero(
-                "the frequency balances the powers of inertia, rotation, damping and stiffness in the shape of the mode",
+                "at this frequency the powers of inertia, rotation, damping and stiffness balance for the mode shape",
                 (frequency.value() - by_energy.im).into(),
                 scale,
             );
@@ -352,14 +351,11 @@ impl RotorDynamics {
             ("σ", n),
             "s^-1",
             lambda.re,
-            (
-                "Growth: the real part of the eigenvalue; negative where the motion dies away",
-                FRISWELL.at("ch. 5"),
-            ),
+            ("Growth rate: real part of the eigenvalue; negative if the motion decays", FRISWELL.at("ch. 5")),
         );
         sheet.verify(|| {
             sheet.check_zero(
-                "the growth balances the powers of inertia, rotation, damping and stiffness in the shape of the mode",
+                "at this growth rate the powers of inertia, rotation, damping and stiffness balance for the mode shape",
                 (growth.value() - by_energy.re).into(),
                 scale,
             );
@@ -369,13 +365,13 @@ impl RotorDynamics {
             ("ζ", n),
             "1",
             -growth / natural,
-            ("Damping ratio, from growth and size of the eigenvalue", FRISWELL.at("ch. 5")),
+            ("Damping ratio, from the real part and modulus of the eigenvalue", FRISWELL.at("ch. 5")),
         );
         let decrement = sheet.step(
             ("δ", n),
             "1",
             -(growth / frequency) * TAU,
-            ("Logarithmic decrement: what is lost in one turn 2π/ω", FRISWELL.at("ch. 5")),
+            ("Logarithmic decrement: the decrease over one period 2π/ω", FRISWELL.at("ch. 5")),
         );
         sheet.verify(|| {
             sheet.check_zero(
@@ -394,20 +390,19 @@ impl RotorDynamics {
             let ratio = if orbit.abs() < 1e-9 { 0.0 } else { orbit };
             let how = (
                 Text::new(
-                    "Whirl: short over long axis of the orbit where it is largest, positive with the spin; the mode \
-                     {direction}",
+                    "Whirl: ratio of minor to major axis of the orbit where it is largest, positive for forward whirl; the mode {direction}",
                 )
                 .with_text("direction", in_words(mode.direction())),
                 FRISWELL.at("ch. 3"),
             );
             let whirl = sheet.found(("b/a", n), "1", ratio, how);
-            sheet.answer(("whirl", n), "Short over long axis of the orbit, + with the spin", whirl);
+            sheet.answer(("whirl", n), "Whirl direction and ellipticity (+ forward, − backward)", whirl);
             sheet.verify(|| {
                 let Some((node, _)) = widest else { return };
                 let [x, _, y, _] = exact.shape[node];
                 let (area, squares) = ((x * y.conj()).im, x.norm_sqr() + y.norm_sqr());
                 sheet.check_zero(
-                    "area of the orbit over the squares of its amplitudes, b a/(a² + b²)",
+                    "area of the orbit divided by the sum of the squares of its amplitudes, b a/(a² + b²)",
                     (whirl.value() / (1.0 + whirl.value().powi(2)) - area / squares).into(),
                     1.0,
                 );
@@ -447,7 +442,9 @@ impl RotorDynamics {
                      the whirl {direction}",
                 )
             } else {
-                Text::new("Critical speed: where a damped natural frequency meets sΩ; the whirl {direction}")
+                Text::new(
+                    "Critical speed: intersection of a damped natural frequency with sΩ; the whirl {direction}",
+                )
             };
             let how = (how.with_text("direction", in_words(critical.mode.direction())), NELSON.at(""));
             let speed = sheet.found(("Ω_c", n + 1), "rpm", critical.speed, how);
@@ -460,7 +457,7 @@ impl RotorDynamics {
                 };
                 let rounding = modes::polished(all, &critical.mode, critical.speed).map_or(0.0, |there| there.rounding);
                 sheet.check_zero(
-                    "at this speed a natural frequency of the equations of all nodes is the wanted multiple of the speed",
+                    "at this speed a natural frequency from the equations of all nodes is the required multiple of the speed",
                     (speed.value() * self.slope - there.map_or(f64::NAN, |lambda| lambda.im)).into(),
                     self.slope * critical.speed * (STILL * rounding / AGREEMENT).max(1.0),
                 );
@@ -469,7 +466,7 @@ impl RotorDynamics {
         }
         for &speed in lost {
             sheet.warn(|| {
-                Text::new("the critical speed near {speed} could not be refined on the equations of all nodes: it is not answered")
+                Text::new("the critical speed near {speed} could not be refined on the equations of all nodes: it is omitted")
                     .with_quantity("speed", speed, "rpm")
             });
         }
@@ -491,15 +488,14 @@ impl RotorDynamics {
         if creeps {
             sheet.warn(|| {
                 Text::new(
-                    "a motion without swing grows: the bearings push the shaft away at some of the speeds",
+                    "a non-oscillatory motion grows: the bearings push the shaft away at some of the speeds",
                 )
             });
         }
         if rotor.cannot_grow() {
             sheet.warn(|| {
                 Text::new(
-                    "no mode can grow up to the highest speed of the diagrams: every stiffness is symmetric, and damping \
-                     only takes energy away",
+                    "no mode can grow up to the highest speed of the diagrams: every stiffness is symmetric, and damping only dissipates energy",
                 )
             });
             return Ok(());
@@ -508,7 +504,7 @@ impl RotorDynamics {
             critical::instability(reduced, diagram).map_err(refusal)?;
         for &speed in &lost {
             sheet.warn(|| {
-                Text::new("the limit of stability near {speed} could not be refined on the equations of all nodes: it is not answered")
+                Text::new("the limit of stability near {speed} could not be refined on the equations of all nodes: it is omitted")
                     .with_quantity("speed", speed, "rpm")
             });
         }
@@ -527,7 +523,7 @@ impl RotorDynamics {
             sheet.verify(|| {
                 let there = modes::energy_eigenvalue(all, &edge.mode, speed.value());
                 sheet.check_zero(
-                    "at the limit of stability the mode neither grows nor dies away",
+                    "at the limit of stability the mode neither grows nor decays",
                     W::Num::from(there.map_or(f64::NAN, |lambda| lambda.re)),
                     edge.mode.lambda.norm(),
                 );
@@ -536,34 +532,33 @@ impl RotorDynamics {
         };
         for (n, band) in (1..).zip(bands.iter().take(MOST_BANDS)) {
             if let Some(from) = &band.from {
-                let words = "Threshold of stability: from this speed on a mode grows; the whirl {direction}";
+                let words = "Stability threshold: unstable above this speed; whirl {direction}";
                 let speed = edge(("Ω_s", n), from, words);
                 if n == 1 {
-                    sheet.answer("stability_threshold", "Threshold of stability", speed);
+                    sheet.answer("stability_threshold", "Stability threshold", speed);
                 } else {
-                    sheet.answer(("stability_lost", n), "Threshold of stability, again", speed);
+                    sheet.answer(("stability_lost", n), "Further stability threshold", speed);
                 }
             } else if n == 1 && lost.is_empty() {
                 sheet.warn(|| {
                     let lowest = self.lowest_speed();
                     match (lowest == 0.0, &band.to) {
-                        (true, None) => Text::new("a mode grows even at rest: the rotor is unstable at every speed examined"),
-                        (true, Some(_)) => Text::new("a mode grows even at rest"),
+                        (true, None) => Text::new("a mode is unstable even at rest: the rotor is unstable at every speed examined"),
+                        (true, Some(_)) => Text::new("a mode is unstable even at rest"),
                         (false, _) => Text::new(
-                            "a mode grows even at the lowest speed of the bearing tables, {speed}: the threshold of \
-                             stability lies below it",
+                            "a mode is unstable even at the lowest speed of the bearing tables, {speed}: the stability threshold lies below it",
                         )
                         .with_quantity("speed", lowest, "rpm"),
                     }
                 });
             }
             if let Some(to) = &band.to {
-                let words = "Upper end of the instability: above this speed the mode dies away again; the whirl {direction}";
+                let words = "Upper limit of the instability: above this speed the mode is stable again; whirl {direction}";
                 let speed = edge(("Ω_r", n), to, words);
-                sheet.answer(("stability_regained", n), "Upper end of the instability", speed);
+                sheet.answer(("stability_regained", n), "Upper limit of the instability", speed);
                 if let Some(from) = &band.from {
                     sheet.warn(|| {
-                        Text::new("a mode grows between {from} and {to}: the rotor is unstable there")
+                        Text::new("a mode is unstable between {from} and {to}: the rotor is unstable there")
                             .with_quantity("from", from.speed, "rpm")
                             .with_quantity("to", to.speed, "rpm")
                     });
@@ -575,7 +570,7 @@ impl RotorDynamics {
         let around = bands.iter().find(|band| below(&band.from) && above(&band.to));
         if let Some(threshold) = around.and_then(|band| band.from.as_ref()) {
             sheet.warn(|| {
-                Text::new("the speed lies above the threshold of stability, {threshold}: the whirl grows until something else limits it")
+                Text::new("the speed lies above the stability threshold, {threshold}: the whirl grows until another effect limits it")
                     .with_quantity("threshold", threshold.speed, "rpm")
             });
         }
@@ -608,33 +603,33 @@ impl RotorDynamics {
             "Unbalance response (−Ω²M + iΩ(C + ΩG) + K) q = Ω² m e e^{iδ}: motion along x in phase with the mark on \
              the shaft",
         );
-        let xs = part("X_s", clean(x.im), "The same, a quarter turn ahead of the mark");
+        let xs = part("X_s", clean(x.im), "The same, 90° ahead of the mark");
         let yc = part("Y_c", clean(y.re), "Motion along y in phase with the mark on the shaft");
-        let ys = part("Y_s", clean(y.im), "The same, a quarter turn ahead of the mark");
+        let ys = part("Y_s", clean(y.im), "The same, 90° ahead of the mark");
         let half = |a: W::Num, b: W::Num| (a.powi(2) + b.powi(2)).sqrt() / 2.0;
         let forward = sheet.step(
             "r_f",
             "um",
             half(xc - ys, xs + yc),
-            ("Radius of the part that turns with the spin", FRISWELL.at("ch. 3")),
+            ("Radius of the forward rotating component", FRISWELL.at("ch. 3")),
         );
         let backward = sheet.step(
             "r_b",
             "um",
             half(xc + ys, xs - yc),
-            ("Radius of the part that turns against the spin", FRISWELL.at("ch. 3")),
+            ("Radius of the backward rotating component", FRISWELL.at("ch. 3")),
         );
         let major = sheet.step(
             "a",
             "um",
             forward + backward,
-            "Half of the long axis of the orbit: the largest deflection, zero to peak",
+            "Semi-major axis of the orbit: maximum deflection, zero to peak",
         );
         let minor = sheet.step(
             "b",
             "um",
             forward - backward,
-            "Half of the short axis, negative where the shaft whirls against the spin",
+            "Semi-minor axis of the orbit, negative for backward whirl",
         );
         let along_x =
             sheet.step("X", "um", (xc.powi(2) + xs.powi(2)).sqrt(), "Amplitude along x, zero to peak");
@@ -647,13 +642,13 @@ impl RotorDynamics {
                 1.0,
             );
             sheet.check(
-                "the squares of the two axes add up to those of the two amplitudes",
+                "the squares of the two semi-axes sum to those of the two amplitudes",
                 major.powi(2) + minor.powi(2),
                 along_x.powi(2) + along_y.powi(2),
             );
         });
-        sheet.answer("response_major", "Long half-axis of the orbit", major);
-        sheet.answer("response_minor", "Short half-axis of the orbit, + with the spin", minor);
+        sheet.answer("response_major", "Semi-major axis of the orbit", major);
+        sheet.answer("response_minor", "Semi-minor axis of the orbit (+ forward, − backward)", minor);
         sheet.answer("response_x", "Amplitude along x", along_x);
         sheet.answer("response_y", "Amplitude along y", along_y);
         if along_x.value() > 0.0 {
@@ -661,18 +656,18 @@ impl RotorDynamics {
                 "φ",
                 "deg",
                 xs.atan2(xc),
-                "Phase of the motion along x ahead of the mark on the shaft",
+                "Phase lead of the motion along x relative to the mark on the shaft",
             );
-            sheet.answer("response_phase", "Phase along x, ahead of the mark", phase);
+            sheet.answer("response_phase", "Phase lead along x, relative to the mark", phase);
             let size = along_x.value();
             sheet.check_sum(
-                "amplitude and phase along x: the part in phase",
+                "amplitude and phase along x: component in phase",
                 along_x * phase.cos(),
                 xc,
                 size,
             );
             sheet.check_sum(
-                "amplitude and phase along x: a quarter turn ahead",
+                "amplitude and phase along x: component leading by 90°",
                 along_x * phase.sin(),
                 xs,
                 size,
@@ -702,8 +697,7 @@ impl RotorDynamics {
         if discs.iter().any(|[_, diametral, polar]| polar > diametral) {
             sheet.warn(|| {
                 Text::new(
-                    "a disc is thin, I_p above I_d: gyroscopic action stiffens its forward tilting so much that this \
-                     has no synchronous critical speed; only backward whirl of the disc meets the line",
+                    "a disc is thin, I_p greater than I_d: the gyroscopic effect stiffens its forward tilting so much that this has no synchronous critical speed; only backward whirl of the disc intersects the line",
                 )
             });
         }
@@ -725,8 +719,7 @@ impl RotorDynamics {
         if matches!(self.material.damping, InternalDamping::Hysteretic { loss_factor } if loss_factor > 0.0) {
             sheet.warn(|| {
                 Text::new(
-                    "this model of hysteretic damping drives every forward whirl at every speed; a real shaft does so \
-                     only above the critical speed of the mode",
+                    "this model of hysteretic damping destabilises every forward whirl at every speed; in a real shaft this occurs only above the critical speed of the mode",
                 )
             });
         }
@@ -752,21 +745,21 @@ fn warn_of_mesh<W: Worksheet>(spectrum: &Spectrum, finer: Option<&Spectrum>, she
 fn warn_of_modes<W: Worksheet>(spectrum: &Spectrum, grows: bool, sheet: W) {
     if !spectrum.overdamped.is_empty() {
         sheet.warn(|| {
-            Text::new("{count} motions at this speed are overdamped: they creep back with hardly a swing and are not among the modes")
+            Text::new("{count} motions at this speed are overdamped: they return almost without oscillating and are not listed among the modes")
                 .with("count", spectrum.overdamped.len())
         });
     }
     if grows {
-        sheet.warn(|| Text::new("a mode grows at this speed: the rotor is unstable there"));
+        sheet.warn(|| Text::new("a mode is unstable at this speed: the rotor is unstable there"));
     }
 }
 
 /// The direction of a mode in words.
 pub(super) fn in_words(direction: Direction) -> Text {
     match direction {
-        Direction::Forward => Text::new("turns with the spin"),
-        Direction::Backward => Text::new("turns against the spin"),
-        Direction::Mixed => Text::new("turns with the spin at some places and against it at others"),
+        Direction::Forward => Text::new("rotates forward"),
+        Direction::Backward => Text::new("rotates backward"),
+        Direction::Mixed => Text::new("rotates forward at some points and backward at others"),
         Direction::Planar => Text::new("stays in a plane"),
     }
 }
@@ -780,17 +773,17 @@ fn translating_mass(rotor: &Rotor, all: &Assembled) -> f64 {
 }
 
 fn too_many() -> Refusal {
-    Refusal::because("the shaft would have more than 400 elements: write fewer elements in every stretch")
+    Refusal::because("the shaft would have more than 400 elements: write fewer elements in every segment")
 }
 
 /// Why there is no answer, for a person.
 pub(super) fn refusal(error: RotorError) -> Refusal {
     match error {
         RotorError::Buckled => Refusal::because(
-            "the rotor is statically unstable: the compression buckles the shaft or a bearing pushes it away",
+            "the rotor is statically unstable: the compression buckles the shaft, or a bearing has negative stiffness",
         ),
         RotorError::Rigid => Refusal::because(
-            "no node of the shaft can move: write more elements in every stretch, or check masses and densities",
+            "no node of the shaft can move: write more elements in every segment, or check masses and densities",
         ),
         RotorError::Unbounded { speed } => Refusal::because(
             Text::new(
@@ -799,12 +792,11 @@ pub(super) fn refusal(error: RotorError) -> Refusal {
             .with_quantity("speed", speed, "rpm"),
         ),
         RotorError::Linalg(LinalgError::NotConverged) => Refusal::because(
-            "the search for the modes of this rotor did not converge; that is a limit of the program, not of the rotor: \
-             another number of elements may lead round it",
+            "the search for the modes of this rotor did not converge; this is a limitation of the program, not of the rotor: another number of elements may avoid it",
         ),
         RotorError::Stopped => Refusal::Stopped,
         RotorError::Value { .. } | RotorError::Node { .. } | RotorError::Linalg(_) => Refusal::because(
-            "the numbers of this rotor cannot be computed with: check units, diameters and stiffnesses",
+            "the values of this rotor are outside the range of computation: check units, diameters and stiffnesses",
         ),
     }
 }

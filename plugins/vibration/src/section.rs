@@ -14,7 +14,7 @@ pub enum Section {
         #[input("I", "m^4", positive)]
         second_moment: f64,
     },
-    /// Round
+    /// Circular
     Round {
         /// Diameter.
         #[input("d", "m", positive)]
@@ -31,8 +31,8 @@ pub enum Section {
     },
     /// Rectangle
     Rectangle {
-        /// Breadth.
-        /// Across the plane of bending.
+        /// Width.
+        /// Perpendicular to the plane of bending.
         #[input("b", "m", positive)]
         breadth: f64,
         /// Height.
@@ -51,7 +51,7 @@ pub enum AxialSection {
         #[input("A", "m^2", positive)]
         area: f64,
     },
-    /// Round
+    /// Circular
     Round {
         /// Diameter.
         #[input("d", "m", positive)]
@@ -68,7 +68,7 @@ pub enum AxialSection {
     },
     /// Rectangle
     Rectangle {
-        /// Breadth.
+        /// Width.
         #[input("b", "m", positive)]
         breadth: f64,
         /// Height.
@@ -80,7 +80,7 @@ pub enum AxialSection {
 /// The cross-section of a shaft.
 #[derive(Clone, Debug, Inputs)]
 pub enum ShaftSection {
-    /// Round
+    /// Circular
     Round {
         /// Diameter.
         #[input("d", "m", positive)]
@@ -96,7 +96,7 @@ pub enum ShaftSection {
         inner: f64,
     },
     /// Torsion constant given
-    /// That of a round section is its polar second moment of area; of other sections it is smaller.
+    /// For a circular section, its polar second moment of area; for other sections it is smaller.
     Given {
         /// Torsion constant.
         #[input("I_t", "m^4", positive)]
@@ -138,7 +138,9 @@ pub fn second_moment<W: Worksheet>(
 pub fn area<W: Worksheet>(given: &AxialSectionGiven<W>, sheet: W, symbol: Symbol) -> Result<W::Num, Refusal> {
     let (area, why) = match given {
         AxialSectionGiven::Given { area } => return Ok(*area),
-        AxialSectionGiven::Round { diameter } => (section::round_area(*diameter), "Area of a round section"),
+        AxialSectionGiven::Round { diameter } => {
+            (section::round_area(*diameter), "Area of a circular section")
+        }
         AxialSectionGiven::Tube { outer, inner } => {
             walled(*outer, *inner)?;
             (section::tube_area(*outer, *inner), "Area of a tube")

@@ -36,7 +36,7 @@ pub struct ShaftClearance {
     pub clearance: f64,
     /// Damping.
     pub damping: Damping,
-    /// Sought.
+    /// Unknown.
     pub sought: Sought,
 }
 
@@ -46,38 +46,38 @@ pub enum Sought {
     /// Diameter of the shaft
     Diameter {
         /// Unbalance.
-        /// Mass of the rotor times the distance of its mass centre from the axis.
+        /// Mass of the rotor times the distance of its centre of mass from the axis.
         #[input("m₀e", "kg*m", positive)]
         unbalance: f64,
         /// Speeds.
         speeds: SpeedRange,
         /// Shaft.
         shaft: Shaft,
-        /// Smallest diameter available.
+        /// Minimum available diameter.
         #[input("d_min", "m", positive)]
         smallest_diameter: Option<f64>,
-        /// Largest diameter available.
+        /// Maximum available diameter.
         #[input("d_max", "m", positive)]
         largest_diameter: Option<f64>,
-        /// A diameter to be judged.
+        /// Diameter to be checked.
         #[input("d", "m", positive)]
         diameter: Option<f64>,
     },
     /// Stiffness of the shaft at the rotor
     Stiffness {
         /// Unbalance.
-        /// Mass of the rotor times the distance of its mass centre from the axis.
+        /// Mass of the rotor times the distance of its centre of mass from the axis.
         #[input("m₀e", "kg*m", positive)]
         unbalance: f64,
         /// Speeds.
         speeds: SpeedRange,
-        /// Smallest stiffness available.
+        /// Minimum available stiffness.
         #[input("k_min", "N/m", positive)]
         smallest_stiffness: Option<f64>,
-        /// Largest stiffness available.
+        /// Maximum available stiffness.
         #[input("k_max", "N/m", positive)]
         largest_stiffness: Option<f64>,
-        /// A stiffness to be judged.
+        /// Stiffness to be checked.
         #[input("k", "N/m", positive)]
         stiffness: Option<f64>,
     },
@@ -91,7 +91,7 @@ pub enum Sought {
     /// Speed of the rotor
     Speed {
         /// Unbalance.
-        /// Mass of the rotor times the distance of its mass centre from the axis.
+        /// Mass of the rotor times the distance of its centre of mass from the axis.
         #[input("m₀e", "kg*m", positive)]
         unbalance: f64,
         /// Shaft.
@@ -102,13 +102,13 @@ pub enum Sought {
 /// The speeds at which the rotor runs.
 #[derive(Clone, Debug, Inputs)]
 pub struct SpeedRange {
-    /// Lowest speed.
+    /// Minimum speed.
     #[input("ω_a", "rad/s", nonnegative)]
     pub lowest: f64,
-    /// Highest speed.
+    /// Maximum speed.
     #[input("ω_b", "rad/s", positive)]
     pub highest: f64,
-    /// Margin on the speeds.
+    /// Margin on the speed range.
     /// Taken off the lowest speed and added to the highest.
     #[input("s", "%", nonnegative, below = 100)]
     pub margin: Option<f64>,
@@ -120,7 +120,7 @@ pub enum Damping {
     /// Undamped
     Undamped,
     /// Damping ratio given
-    /// The same for every shaft, so that the coefficient follows the stiffness.
+    /// The same for every shaft, so that the coefficient varies with the stiffness.
     Ratio {
         /// Damping ratio.
         #[input("ζ", "1", nonnegative)]
@@ -156,7 +156,7 @@ impl Analysis for ShaftClearance {
         id: "vibration/shaft-clearance",
         title: "Shaft for a rotor with clearance",
         topic: "Shafts and rotors",
-        summary: "All diameters or stiffnesses of the shaft, eccentricities or speeds with which an unbalanced rotor stays clear of its stator.",
+        summary: "All shaft diameters or stiffnesses, eccentricities or speeds for which an unbalanced rotor does not touch its stator.",
         keywords: "whirl critical speed Francis turbine rotor stator jeffcott eccentricity stiffness turbina eixo \
                    diâmetro rigidez excentricidade folga velocidade crítica 08/3",
         sources: &[&RAO, &BEER, &SHIGLEY, &LISTS],
@@ -218,8 +218,8 @@ impl SpeedRange {
         let Some(margin) = given.margin else { return Ok([given.lowest, given.highest]) };
         let one = W::Num::from(1.0);
         Ok([
-            sheet.step("ω₁", "rpm", given.lowest * (one - margin), "Lowest speed, with its margin"),
-            sheet.step("ω₂", "rpm", given.highest * (one + margin), "Highest speed, with its margin"),
+            sheet.step("ω₁", "rpm", given.lowest * (one - margin), "Minimum speed, including the margin"),
+            sheet.step("ω₂", "rpm", given.highest * (one + margin), "Maximum speed, including the margin"),
         ])
     }
 }
@@ -238,7 +238,7 @@ impl ShaftClearance {
             "e",
             "µm",
             unbalance / given.mass,
-            ("Distance of the mass centre from the axis", RAO.at("§9.5")),
+            ("Distance of the centre of mass from the axis", RAO.at("§9.5")),
         );
         self.largest_amplitude(given, eccentricity, sheet);
         let permitted = self.permitted(unbalance.value(), speeds.map(Real::value))?;
@@ -252,10 +252,10 @@ impl ShaftClearance {
             _ => limits::undamped_limits(&rotor, speeds, &permitted, sheet),
         };
         if let Some(k) = soft {
-            sheet.answer("soft_stiffness", "Largest stiffness of the soft branch", k);
+            sheet.answer("soft_stiffness", "Maximum stiffness, supercritical operation", k);
         }
         if let Some(k) = stiff {
-            sheet.answer("stiff_stiffness", "Smallest stiffness of the stiff branch", k);
+            sheet.answer("stiff_stiffness", "Minimum stiffness, subcritical operation", k);
         }
         Ok(Branches { speeds, permitted, soft, stiff })
     }
@@ -271,7 +271,9 @@ impl ShaftClearance {
             }
         };
         permitted.map_err(|_| {
-            Refusal::because("these numbers do not describe a rotor, or lead beyond the range of numbers")
+            Refusal::because(
+                "these numbers do not describe a rotor, or lead to values outside the representable range",
+            )
         })
     }
 
@@ -296,14 +298,21 @@ impl ShaftClearance {
                 "ζ_R",
                 "1",
                 enough,
-                ("Damping ratio whose peak, e/(2ζ√(1 − ζ²)), just reaches the clearance", RAO.at("§3.7")),
+                (
+                    "Damping ratio for which the peak, e/(2ζ√(1 − ζ²)), just reaches the clearance",
+                    RAO.at("§3.7"),
+                ),
             );
             sheet.check(
                 "the peak with that damping ratio is the clearance",
                 eccentricity * sdof::peak_magnification(enough),
                 given.clearance,
             );
-            sheet.answer("harmless_damping_ratio", "Damping ratio from which no shaft touches", enough);
+            sheet.answer(
+                "harmless_damping_ratio",
+                "Minimum damping ratio for no contact with any shaft",
+                enough,
+            );
         }
         let DampingGiven::Ratio { ratio } = &given.damping else { return };
         if ratio.value() > 0.0 && ratio.value() < FRAC_1_SQRT_2 {
@@ -311,14 +320,14 @@ impl ShaftClearance {
                 "Xₘₐₓ",
                 "mm",
                 eccentricity * sdof::peak_magnification(*ratio),
-                ("Largest amplitude of any shaft, at its worst speed: the peak does not depend on the stiffness", RAO.at("§3.7")),
+                ("Maximum amplitude of any shaft, at its worst-case speed: the peak does not depend on the stiffness", RAO.at("§3.7")),
             );
             sheet.check(
                 "the same from the whirl amplitude at the frequency ratio of the peak",
                 whirl::whirl_amplitude(eccentricity, sdof::unbalance_peak_ratio(*ratio), *ratio),
                 largest,
             );
-            sheet.answer("largest_amplitude", "Largest amplitude of any shaft at any speed", largest);
+            sheet.answer("largest_amplitude", "Maximum amplitude of any shaft at any speed", largest);
         }
     }
 
@@ -431,8 +440,7 @@ fn say_what_limits<W: Worksheet>(
     } else if permitted.soft.is_some() {
         sheet.warn(|| {
             Text::new(
-                "on the soft branch the rotor passes its critical speed on the way to the lowest speed: run \
-                 through it quickly",
+                "in supercritical operation the rotor passes its critical speed before reaching the lowest speed: run through it quickly",
             )
         });
     }

@@ -37,7 +37,7 @@ pub struct ShaftWithDiscs {
     #[input(min = 1)]
     pub discs: Vec<Disc>,
     /// Mass of the shaft itself.
-    /// Neglected where this is left out.
+    /// Neglected if omitted.
     pub own_mass: Option<LineMass>,
     /// Gravity.
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
@@ -65,7 +65,7 @@ pub struct Disc {
     /// Distance from the left end.
     #[input("x", "m", positive)]
     pub distance: f64,
-    /// How heavy it is.
+    /// Its mass or weight.
     pub load: Load,
 }
 
@@ -96,7 +96,7 @@ impl Analysis for ShaftWithDiscs {
         id: "vibration/shaft-with-discs",
         title: "Shaft with several discs",
         topic: "Shafts and rotors",
-        summary: "Lowest frequency and critical speed of a shaft with several discs by Dunkerley, Rayleigh and matrix iteration, beside the exact value and the bound that each gives.",
+        summary: "Lowest frequency and critical speed of a shaft with several discs by Dunkerley, Rayleigh and matrix iteration, with the exact value and the bound each method gives.",
         keywords: "critical speed whirling stodola influence coefficients eixo discos velocidade crítica dunkerley \
                    rayleigh iteração matricial coeficientes de influência",
         sources: &[&RAO, &BEER, &SHIGLEY, &BLEVINS],
@@ -140,14 +140,14 @@ impl Analysis for ShaftWithDiscs {
             "n_c",
             "rpm",
             omega,
-            "The shaft whirls with the greatest amplitude at its natural frequency, the discs taken as thin",
+            "The shaft whirls with maximum amplitude at its natural frequency, the discs treated as thin",
         );
         sheet.answer("dunkerley", "Dunkerley's lower bound", dunkerley);
         sheet.answer("rayleigh", "Rayleigh's upper bound", rayleigh);
         sheet.answer("exact", "Exact lowest frequency", omega);
         sheet.answer("critical_speed", "Critical speed", critical);
-        sheet.answer("dunkerley_error", "Dunkerley off by", below);
-        sheet.answer("rayleigh_error", "Rayleigh off by", above);
+        sheet.answer("dunkerley_error", "Error of Dunkerley's frequency", below);
+        sheet.answer("rayleigh_error", "Error of Rayleigh's value", above);
         sheet.show(|| methods(dunkerley.value(), rayleigh.value(), omega.value()));
         if line.is_none() {
             sheet.show(|| shaft.iteration(&influence));
@@ -178,12 +178,12 @@ impl ShaftWithDiscs {
     fn check(&self) -> Result<(), Refusal> {
         if self.discs.len() > MOST_DISCS {
             return Err(Refusal::because(
-                "more than eight discs: join those that stand side by side, or take the rotor by finite elements",
+                "more than eight discs: merge adjacent discs, or analyse the rotor by finite elements",
             ));
         }
         if self.discs.iter().any(|disc| disc.distance > self.length) {
             return Err(Refusal::because(
-                "a disc stands beyond the right end of the shaft: write a distance up to its length",
+                "a disc lies beyond the right end of the shaft: write a distance not greater than its length",
             ));
         }
         let span = match self.bearings {
@@ -191,8 +191,7 @@ impl ShaftWithDiscs {
             Bearings::Cantilever => return Ok(()),
             Bearings::Overhanging { span } if span >= self.length => {
                 return Err(Refusal::because(
-                    "the second bearing does not stand before the end of the shaft: choose bearings at both ends, \
-                     or write a shorter distance between them",
+                    "the second bearing is not before the end of the shaft: choose bearings at both ends, or write a shorter distance between them",
                 ));
             }
             Bearings::Overhanging { span } => span,
@@ -201,7 +200,7 @@ impl ShaftWithDiscs {
             && self.discs.iter().any(|disc| (disc.distance - span).abs() <= 1e-12 * span)
         {
             return Err(Refusal::because(
-                "a disc stands at a bearing, where it cannot vibrate: leave it out or move it",
+                "a disc is at a bearing, where it cannot vibrate: leave it out or move it",
             ));
         }
         Ok(())
@@ -253,9 +252,9 @@ impl<W: Worksheet> Shaft<'_, W> {
             for (j, load) in self.places.iter().enumerate().skip(i) {
                 let value = coefficient(self.bending, [*place, *load], self.lengths());
                 let why = if i == j {
-                    "Deflection at the disc under a force of one there"
+                    "Deflection at the disc due to a unit force there"
                 } else {
-                    "Deflection at one disc under a force of one at the other"
+                    "Deflection at one disc due to a unit force at the other"
                 };
                 let symbol = Symbol::from("a").row(i + 1).row(j + 1);
                 let value = sheet.step(symbol, "mm/kN", value, (why, SHIGLEY.at("table A-9")));
@@ -341,7 +340,7 @@ impl<W: Worksheet> Shaft<'_, W> {
                         self.masses[n].value() * gravity.value() * own_deflection(bending, weight, place, lengths)
                     });
                     sheet.check(
-                        "work of the shaft's weight on the deflection by the discs is that of the discs on its own (Betti)",
+                        "work of the shaft weight through the deflection due to the discs equals that of the discs through the deflection due to the shaft weight (Betti)",
                         W::Num::from(betti.sum::<f64>() + own),
                         work_found,
                     );
@@ -354,7 +353,7 @@ impl<W: Worksheet> Shaft<'_, W> {
             "Hz",
             (potential / kinetic).sqrt(),
             (
-                "Rayleigh: largest potential over largest kinetic energy of the static deflection",
+                "Rayleigh: maximum potential energy over maximum kinetic energy of the static deflection",
                 RAO.at("§7.3"),
             ),
         )
@@ -413,7 +412,7 @@ impl<W: Worksheet> Shaft<'_, W> {
             "Hz",
             lowest,
             (
-                "Exact: 1/ω² is the largest eigenvalue of the influence coefficients times the masses",
+                "Exact: 1/ω² is the largest eigenvalue of the product of influence coefficients and masses",
                 RAO.at("§6.4"),
             ),
         );
@@ -424,17 +423,17 @@ impl<W: Worksheet> Shaft<'_, W> {
         sheet.verify(|| {
             let squares: f64 = all.iter().map(|frequency| frequency.powi(-2)).sum();
             sheet.check(
-                "Dunkerley: the squares of the periods of all modes add up to the same",
+                "Dunkerley: the sum of the squared periods of all modes gives the same value",
                 W::Num::from(squares.sqrt().recip()),
                 dunkerley,
             );
             sheet.check(
-                "Rayleigh: the first round of matrix iteration, from equal deflections",
+                "Rayleigh: the first step of matrix iteration, from equal deflections",
                 W::Num::from(first.frequency),
                 rayleigh,
             );
             sheet.check(
-                "matrix iteration from equal deflections ends at the exact frequency",
+                "matrix iteration starting from equal deflections converges to the exact frequency",
                 W::Num::from(last.frequency),
                 frequency,
             );
@@ -452,7 +451,7 @@ impl<W: Worksheet> Shaft<'_, W> {
             "1",
             root,
             (
-                "Exact: lowest root of the dynamic stiffness of the shaft with its mass and the discs",
+                "Exact: lowest root of the dynamic stiffness of the shaft, including its mass and the discs",
                 BLEVINS.at("ch. 8"),
             ),
         );
@@ -464,7 +463,7 @@ impl<W: Worksheet> Shaft<'_, W> {
         );
         sheet.verify(|| {
             sheet.check(
-                "strain energy over kinetic energy of the exact shape gives the root back",
+                "strain energy over kinetic energy of the exact mode shape reproduces the root",
                 W::Num::from(shape.rayleigh_quotient()),
                 beta.powi(4),
             );
@@ -550,16 +549,16 @@ impl<W: Worksheet> Shaft<'_, W> {
         let crest = exact.discs.iter().fold(0.0f64, |a, w| a.max(w.abs()));
         let disc = |(place, w): (&W::Num, &f64)| (place.value(), sign.signum() * w / crest * scale);
         Exhibit::Plot(Plot::new(
-            "Static deflection and exact shape",
+            "Static deflection and exact mode shape",
             Axis::linear("distance from the left end", "m"),
-            Axis::linear("deflection over the largest", "1"),
+            Axis::linear("deflection / maximum deflection", "1"),
             vec![
                 Series::line(
                     "static deflection",
                     points.into_iter().map(|(x, y)| (x, y / largest)).collect(),
                 ),
                 Series::dots(
-                    "discs in the exact shape",
+                    "discs in the exact mode shape",
                     self.places.iter().zip(&exact.discs).map(disc).collect(),
                 ),
             ],
@@ -607,8 +606,7 @@ fn own_deflection<N: Real>(bending: N, weight: N, place: N, lengths: Lengths<N>)
     }
 }
 
-const NOT_FOUND: &str =
-    "the lowest frequency cannot be found: the masses of discs and shaft are too far from each other";
+const NOT_FOUND: &str = "the lowest frequency cannot be found: the masses of discs and shaft differ too much";
 
 fn methods(dunkerley: f64, rayleigh: f64, exact: f64) -> Exhibit {
     let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
@@ -616,12 +614,12 @@ fn methods(dunkerley: f64, rayleigh: f64, exact: f64) -> Exhibit {
         vec![method.into(), bound.into(), Cell::Number(value), Cell::Number((value - exact) / exact)]
     };
     Exhibit::Table(TableExhibit {
-        title: "Three ways to the lowest frequency".into(),
+        title: "Three methods for the lowest frequency".into(),
         columns: vec![
             column("method", ""),
             column("bound", ""),
             column("frequency", "Hz"),
-            column("off by", "%"),
+            column("error", "%"),
         ],
         rows: vec![
             row("Dunkerley", "lower bound", dunkerley),

@@ -23,13 +23,13 @@ use crate::{
 /// The shock, the damping, and the frequencies that are looked at.
 #[derive(Clone, Debug, Inputs)]
 pub struct ShockResponseSpectrum {
-    /// Shock of the base.
+    /// Base shock.
     pub shock: Shock,
     /// Damping ratio of the oscillators.
-    /// 0.05, Q = 10, where nothing else is said.
+    /// 0.05, Q = 10, unless stated otherwise.
     #[input("ζ", "1", nonnegative, default = "0.05")]
     pub ratio: f64,
-    /// What is plotted.
+    /// Quantity plotted.
     pub measure: Measure,
     /// Lowest frequency.
     #[input("f₁", "Hz", positive)]
@@ -38,7 +38,7 @@ pub struct ShockResponseSpectrum {
     #[input("f₂", "Hz", positive)]
     pub highest: f64,
     /// Natural frequencies.
-    /// The spectrum is answered at each of them.
+    /// The spectrum is computed at each of them.
     #[input("f", "Hz", positive)]
     pub frequencies: Vec<f64>,
 }
@@ -48,17 +48,17 @@ pub struct ShockResponseSpectrum {
 pub enum Shock {
     /// Pulse
     Pulse {
-        /// Largest acceleration.
+        /// Maximum acceleration.
         #[input("a₀", "m/s^2", positive)]
         acceleration: f64,
         /// Form.
         form: Form,
     },
     /// Table
-    /// Straight between the points, zero before the first and after the last.
+    /// Linear between the points, zero before the first and after the last.
     Table {
         /// Points.
-        /// Times ascend; two points at one time are a jump.
+        /// Increasing times; two points at the same time define a step.
         #[input(table)]
         points: Vec<AccelerationPoint>,
     },
@@ -85,7 +85,7 @@ pub enum Form {
         #[input("t_d", "s", positive)]
         duration: f64,
         /// Time of the peak.
-        /// In the middle where this is left out; the duration for a terminal-peak sawtooth.
+        /// At the middle if omitted; the duration for a terminal-peak sawtooth.
         #[input("t_p", "s", nonnegative)]
         peak: Option<f64>,
     },
@@ -107,7 +107,7 @@ impl Analysis for ShockResponseSpectrum {
         id: "vibration/shock-response-spectrum",
         title: "Shock response spectrum",
         topic: "Shock and impact",
-        summary: "Primary, residual and maximax spectrum of a pulse or a recorded shock, at asked frequencies and over a range.",
+        summary: "Primary, residual and maximax spectrum of a pulse or a recorded shock, at given frequencies and over a range.",
         keywords: "srs shock spectrum primary residual maximax half sine sawtooth pulse drop test espectro de resposta \
                    ao choque meio seno dente de serra pulso primário residual",
         sources: &[&RAO, &HARRIS, &CHOPRA],
@@ -131,19 +131,19 @@ impl Analysis for ShockResponseSpectrum {
         if let (Some((acceleration, duration)), ShockGiven::Pulse { form, .. }) = (pulse, &given.shock) {
             let (change, why) = match form {
                 FormGiven::HalfSine { .. } => {
-                    (acceleration * duration * 2.0 / PI, "Change of the velocity: the area of the half sine")
+                    (acceleration * duration * 2.0 / PI, "Velocity change: area of the half-sine pulse")
                 }
                 FormGiven::Rectangle { .. } => {
-                    (acceleration * duration, "Change of the velocity: the area of the rectangle")
+                    (acceleration * duration, "Velocity change: area of the rectangular pulse")
                 }
                 FormGiven::Triangle { .. } => {
-                    (acceleration * duration / 2.0, "Change of the velocity: the area of the triangle")
+                    (acceleration * duration / 2.0, "Velocity change: area of the triangular pulse")
                 }
             };
             let change = sheet.step("ΔV", "m/s", change, why);
-            sheet.answer("velocity_change", "Change of the velocity", change);
+            sheet.answer("velocity_change", "Velocity change", change);
             sheet.verify(|| {
-                let what = "change of the velocity: the acceleration added up piece by piece, by quadrature";
+                let what = "velocity change: integral of the acceleration piece by piece, by quadrature";
                 sheet.check(what, change, W::Num::from(shock.area()));
             });
         }
@@ -319,7 +319,7 @@ impl ShockResponseSpectrum {
                 let points: Vec<_> = points.iter().map(|point| (point.time, point.acceleration)).collect();
                 if points.iter().all(|point| point.1 == 0.0) {
                     return Err(Refusal::because(
-                        "the table holds no acceleration but zero: there is no shock",
+                        "all accelerations in the table are zero: there is no shock",
                     ));
                 }
                 load::table(&points)?
@@ -348,12 +348,11 @@ impl ShockResponseSpectrum {
         let row = |base: &'static str| dalembert_core::Symbol::from(base).row(n);
         let ordinate = spectrum.at(frequency.value())?;
         let why = (
-            "Largest response while the shock lasts: the motion is exact over each piece of the shock, its peaks are \
-             where its rate is zero",
+            "Maximum response during the shock: the motion is exact over each piece of the shock, its peaks are where its rate is zero",
             HARRIS.at("ch. 8"),
         );
         let primary = sheet.found(row("S_p"), "m/s^2", ordinate.primary, why);
-        let why = "Largest response once the shock is over, by the free motion from its end";
+        let why = "Maximum response after the shock, from the free motion starting at its end";
         let residual = sheet.found(row("S_r"), "m/s^2", ordinate.residual, why);
         let (larger, why) = if ordinate.primary >= ordinate.residual {
             (primary, "The maximax is the larger one: the primary")
@@ -368,8 +367,8 @@ impl ShockResponseSpectrum {
         sheet.verify(|| {
             let Some(integrals) = integrals else { return };
             let what = [
-                "primary, by the integral over unit impulses to its moment",
-                "residual, by the integral over unit impulses to its moment",
+                "primary, by Duhamel's integral up to its instant",
+                "residual, by Duhamel's integral up to its instant",
             ];
             for ((what, shown), other) in what.into_iter().zip([primary, residual]).zip(integrals) {
                 sheet.check_zero(what, W::Num::from(shown.value() - other), ordinate.maximax());
@@ -394,8 +393,7 @@ impl ShockResponseSpectrum {
         if let Some((acceleration, duration)) = pulse {
             let why = "Duration over the natural period";
             let cycles = sheet.step(row("n"), "1", duration * frequency / (2.0 * PI), why);
-            let why =
-                ("Amplification: the spectrum over the largest acceleration of the base", RAO.at("§4.6"));
+            let why = ("Amplification: the spectrum over the maximum base acceleration", RAO.at("§4.6"));
             let amplification = sheet.step(row("A"), "1", maximax / acceleration, why);
             sheet.answer(("amplification", n), "Amplification at frequency", amplification);
             sheet.verify(|| {
@@ -471,33 +469,33 @@ fn largest<W: Worksheet>(
         None => curve[at],
     };
     let why = match peak {
-        Some(_) => "Greatest ordinate of the spectrum over the range, where its slope is zero",
-        None => "Greatest ordinate of the spectrum among the frequencies that are drawn",
+        Some(_) => "Maximum ordinate of the spectrum over the range, where its slope is zero",
+        None => "Maximum ordinate of the spectrum among the plotted frequencies",
     };
     let greatest_value = sheet.found("Sₘ", "m/s^2", greatest.maximax(), why);
-    sheet.answer("largest", "Greatest ordinate over the range", greatest_value);
+    sheet.answer("largest", "Maximum ordinate over the range", greatest_value);
     if let Some((acceleration, _)) = pulse {
-        let why = ("Greatest amplification over the range", RAO.at("§4.6"));
+        let why = ("Maximum amplification over the range", RAO.at("§4.6"));
         let amplification = sheet.step("Aₘ", "1", greatest_value / acceleration, why);
-        sheet.answer("largest_amplification", "Greatest amplification over the range", amplification);
+        sheet.answer("largest_amplification", "Maximum amplification over the range", amplification);
         sheet.verify(|| {
             if let Some([one, other]) = spectrum.by_impulses(&greatest) {
-                let what = "greatest amplification, by the integrals over unit impulses";
+                let what = "maximum amplification, by Duhamel's integral";
                 sheet.check(what, amplification, W::Num::from(one.max(other) / acceleration.value()));
             }
         });
     }
     sheet.verify(|| {
         if let Some([one, other]) = spectrum.by_impulses(&greatest) {
-            let what = "greatest ordinate, by the integral over unit impulses to its moment";
+            let what = "maximum ordinate, by Duhamel's integral up to its instant";
             sheet.check(what, greatest_value, W::Num::from(one.max(other)));
         }
     });
     if let Some([frequency, step]) = peak {
         let frequency = sheet.found("fₘ", "Hz", frequency, "Its natural frequency");
-        sheet.answer("largest_frequency", "Natural frequency of the greatest ordinate", frequency);
+        sheet.answer("largest_frequency", "Natural frequency of the maximum ordinate", frequency);
         if let Some((_, duration)) = pulse {
-            let why = "Duration over the natural period, at the greatest ordinate";
+            let why = "Duration over the natural period, at the maximum ordinate";
             let cycles = sheet.step("nₘ", "1", duration * frequency / (2.0 * PI), why);
             sheet.answer("largest_duration_ratio", "Duration over the natural period there", cycles);
         }
@@ -506,20 +504,20 @@ fn largest<W: Worksheet>(
                 spectrum.at(frequency.value() * part).map_or(f64::INFINITY, |ordinate| ordinate.maximax())
             };
             let higher = beside(0.99).max(beside(1.01)) - greatest.maximax();
-            let what = "the spectrum is lower at both sides of its greatest ordinate";
+            let what = "the spectrum is lower on both sides of its maximum ordinate";
             sheet.check_zero(what, higher.max(0.0).into(), greatest.maximax());
             // With a longer step there is a corner near by, which differences do not see.
             if step < 1e-3
                 && spectrum.is_smooth(frequency.value(), step)
                 && let Some([off, rounding]) = spectrum.off_level(frequency.value(), 0.7 * step)
             {
-                let what = "the slope of the spectrum is zero at its greatest ordinate";
+                let what = "the slope of the spectrum is zero at its maximum ordinate";
                 sheet.check_residual(what, off.into(), 1.0, rounding);
             }
         });
     } else if at == 0 || at + 1 == curve.len() {
         sheet.warn(|| {
-            Text::new("the greatest ordinate is at an end of the range: the spectrum may be higher beyond it")
+            Text::new("the maximum ordinate is at an end of the range: the spectrum may be higher beyond it")
         });
     }
     Ok(())
@@ -539,7 +537,7 @@ fn plot(curve: &[Ordinate], asked: &[f64]) -> Plot {
     let plot = Plot::new(
         "Shock response spectrum",
         Axis::log("natural frequency", "Hz"),
-        Axis::linear("largest acceleration", "m/s^2"),
+        Axis::linear("maximum acceleration", "m/s^2"),
         lines,
     )
     .over("frequencies[1]");
@@ -549,7 +547,7 @@ fn plot(curve: &[Ordinate], asked: &[f64]) -> Plot {
     asked
         .iter()
         .filter_map(|&asked| near(asked))
-        .fold(plot, |plot, ordinate| plot.mark("asked", (ordinate.frequency, ordinate.maximax())))
+        .fold(plot, |plot, ordinate| plot.mark("requested", (ordinate.frequency, ordinate.maximax())))
 }
 
 /// The spectrum in numbers, about a dozen rows of it.
@@ -587,6 +585,6 @@ fn duration<W: Worksheet>(form: &FormGiven<W>) -> W::Num {
 
 fn cannot<E>(_: E) -> Refusal {
     Refusal::because(
-        "these numbers are too large or too small for the motion to be followed: check their units",
+        "these numbers are too large or too small for the motion to be computed: check their units",
     )
 }

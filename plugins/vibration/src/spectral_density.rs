@@ -30,7 +30,7 @@ pub enum AccelerationDensity {
     /// Zero outside it.
     Table {
         /// Points.
-        /// Two rows at one frequency are a step.
+        /// Two rows at the same frequency define a step.
         #[input(table)]
         points: Vec<AccelerationDensityPoint>,
         /// Between the points.
@@ -65,7 +65,7 @@ pub enum ForceDensity {
     /// Zero outside it.
     Table {
         /// Points.
-        /// Two rows at one frequency are a step.
+        /// Two rows at the same frequency define a step.
         #[input(table)]
         points: Vec<ForceDensityPoint>,
         /// Between the points.

@@ -25,7 +25,7 @@ pub enum Spring {
     /// Cantilever
     Cantilever {
         /// Length.
-        /// From the clamp to the load; what lies beyond the load bends nothing.
+        /// From the clamp to the load; the part beyond the load does not bend.
         #[input("L", "m", positive)]
         length: f64,
         /// Young's modulus.
@@ -40,7 +40,7 @@ pub enum Spring {
         #[input("L", "m", positive)]
         length: f64,
         /// Distance of the load from a support.
-        /// The load is at the middle where this is left out.
+        /// The load is at midspan if this is omitted.
         #[input("a", "m", positive)]
         distance: Option<f64>,
         /// Young's modulus.
@@ -55,7 +55,7 @@ pub enum Spring {
         #[input("L", "m", positive)]
         length: f64,
         /// Distance of the load from a clamp.
-        /// The load is at the middle where this is left out.
+        /// The load is at midspan if this is omitted.
         #[input("a", "m", positive)]
         distance: Option<f64>,
         /// Young's modulus.
@@ -70,7 +70,7 @@ pub enum Spring {
         #[input("L", "m", positive)]
         length: f64,
         /// Distance of the load from the clamp.
-        /// The load is at the middle where this is left out.
+        /// The load is at midspan if this is omitted.
         #[input("a", "m", positive)]
         distance: Option<f64>,
         /// Young's modulus.
@@ -94,7 +94,7 @@ pub enum Spring {
         /// Section.
         section: Section,
     },
-    /// Column whose end moves sideways without turning
+    /// Fixed–guided column
     Column {
         /// Height.
         #[input("L", "m", positive)]
@@ -105,8 +105,8 @@ pub enum Spring {
         /// Section.
         section: Section,
     },
-    /// Bar pulled along its axis
-    /// A stepped bar is its parts in series.
+    /// Bar in tension
+    /// A stepped bar is a series combination of its segments.
     Bar {
         /// Length.
         #[input("L", "m", positive)]
@@ -117,7 +117,7 @@ pub enum Spring {
         /// Section.
         section: AxialSection,
     },
-    /// Tapered round bar pulled along its axis
+    /// Tapered round bar in tension
     TaperedBar {
         /// Length.
         #[input("L", "m", positive)]
@@ -162,7 +162,7 @@ pub enum Spring {
         #[input("n", "1", positive)]
         coils: f64,
     },
-    /// Known by its deflection under a load
+    /// From its deflection under a load
     Deflected {
         /// Load.
         #[input("F₁", "N", positive)]
@@ -171,7 +171,7 @@ pub enum Spring {
         #[input("δ₁", "m", positive)]
         deflection: f64,
     },
-    /// Known by the natural frequency of a mass on it
+    /// From the natural frequency of a mass on it
     Tuned {
         /// Mass on the spring.
         #[input("m₁", "kg", positive)]
@@ -181,7 +181,7 @@ pub enum Spring {
         frequency: f64,
     },
     /// Leaf spring
-    /// Semi-elliptic, of leaves cut from a plate of uniform strength; friction between them left out.
+    /// Semi-elliptic, with leaves cut from a plate of uniform strength; interleaf friction neglected.
     Leaf {
         /// Young's modulus.
         #[input("E", "Pa", positive)]
@@ -189,7 +189,7 @@ pub enum Spring {
         /// Leaves.
         #[input("n", "1", positive)]
         leaves: f64,
-        /// Breadth of a leaf.
+        /// Width of a leaf.
         #[input("b", "m", positive)]
         breadth: f64,
         /// Thickness of a leaf.
@@ -213,7 +213,7 @@ pub enum Spring {
     },
     /// Air spring
     Gas {
-        /// Exponent of the gas.
+        /// Polytropic exponent.
         /// 1.4 for air and quick motions, 1 for slow ones.
         #[input("n", "1", positive, default = "1.4")]
         exponent: f64,
@@ -227,7 +227,7 @@ pub enum Spring {
         #[input("V", "m^3", positive)]
         volume: f64,
     },
-    /// Taut string or cable pushed sideways
+    /// Taut string or cable under a transverse load
     TautString {
         /// Tension.
         #[input("T", "N", positive)]
@@ -239,9 +239,9 @@ pub enum Spring {
         #[input("b", "m", positive)]
         right: f64,
     },
-    /// Pendulum pushed sideways
+    /// Pendulum: gravitational stiffness
     Pendulum {
-        /// Mass that hangs.
+        /// Suspended mass.
         #[input("m", "kg", positive)]
         mass: f64,
         /// Length.
@@ -268,14 +268,14 @@ pub enum Spring {
         /// Density of the liquid.
         #[input("ρ", "kg/m^3", positive)]
         density: f64,
-        /// Area of the bore.
+        /// Internal area of the tube.
         #[input("A", "m^2", positive)]
         area: f64,
         /// Gravity.
         #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
         gravity: f64,
     },
-    /// Felt through a lever
+    /// Reflected through a lever
     /// The members stand side by side on the lever; small angles.
     Lever {
         /// Arm of the springs.
@@ -308,7 +308,7 @@ pub enum Spring {
         members: Vec<Spring>,
     },
     /// Parallel: side by side
-    /// Every member is deflected alike.
+    /// All members have the same deflection.
     Parallel {
         /// Members.
         #[input(min = 1)]
@@ -344,13 +344,13 @@ pub(crate) fn network<W: Worksheet>(
         SpringGiven::Parallel { members } => Ok(build.parallel(inside(members)?)),
         SpringGiven::Lever { spring_arm, load_arm, members } => {
             let members = inside(members)?;
-            let why = "The spring end of the lever moves this much for the load end";
-            Ok(build.felt_through(*spring_arm / *load_arm, why, members))
+            let why = "Displacement of the lever at the springs per displacement at the load";
+            Ok(build.reflected_stiffness(*spring_arm / *load_arm, why, members))
         }
         SpringGiven::Inclined { angle, members } => {
             let members = inside(members)?;
-            let why = "The springs take up this much of the motion";
-            Ok(build.felt_through(angle.cos(), why, members))
+            let why = "Part of the motion that the springs follow";
+            Ok(build.reflected_stiffness(angle.cos(), why, members))
         }
         single => Ok(build.alone(single::stiffness(single, sheet, place)?)),
     }

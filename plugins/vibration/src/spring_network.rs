@@ -1,4 +1,4 @@
-//! A network of springs and dampers as a graph: what it gives under a load, at rest, shaken and by itself.
+//! A network of springs and dampers as a graph: what it gives under a load, at rest, under harmonic forces and by itself.
 
 use dalembert_core::{About, Analysis, Exhibit, Inputs, Reference, Refusal, Text, Why, Worksheet, register};
 use dalembert_mechanics::{
@@ -20,7 +20,7 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct SpringNetwork {
     /// Nodes.
-    /// Points that move along one line; ground is there by itself.
+    /// Points that move along one line; the ground is already included.
     #[input(min = 1)]
     pub nodes: Vec<Node>,
     /// Elements.
@@ -33,7 +33,7 @@ pub struct SpringNetwork {
     #[input("F", "N", positive, default = "1 N")]
     pub force: f64,
     /// Frequency of the force.
-    /// Left out for a constant force.
+    /// Omit for a constant force.
     #[input("ω", "rad/s", positive)]
     pub frequency: Option<f64>,
 }
@@ -44,7 +44,7 @@ pub struct Node {
     /// Name.
     pub name: String,
     /// Mass.
-    /// Left out for a joint.
+    /// Omit for a joint.
     #[input("m", "kg", positive)]
     pub mass: Option<f64>,
 }
@@ -56,7 +56,7 @@ pub struct Element {
     #[input(rows = "nodes")]
     pub from: Reference,
     /// To node.
-    /// Left out for ground.
+    /// Omit for ground.
     #[input(rows = "nodes")]
     pub to: Option<Reference>,
     /// Kind.
@@ -77,7 +77,7 @@ pub enum Kind {
         #[input("c", "N*s/m", positive)]
         damping: f64,
     },
-    /// Spring and damper side by side
+    /// Spring and damper in parallel
     KelvinVoigt {
         /// Stiffness.
         #[input("k", "N/m", positive)]
@@ -98,7 +98,7 @@ impl Analysis for SpringNetwork {
         id: "vibration/spring-network",
         title: "Network of springs and dampers",
         topic: "Stiffness and inertia",
-        summary: "Stiffness at a node of any network of springs and dampers, at rest or shaken, what each element carries, and how masses on it vibrate.",
+        summary: "Stiffness at a node of any network of springs and dampers, at rest or under harmonic forces, what each element carries, and how masses on it vibrate.",
         keywords: "graph node series parallel Kelvin-Voigt Maxwell dynamic stiffness bridge rubber felt pad rede de molas \
                    amortecedores nós rigidez dinâmica",
         sources: &[&RAO],
@@ -113,7 +113,7 @@ impl Analysis for SpringNetwork {
         let system = self.system(&elements);
         self.at_rest(given, &system, &elements, sheet)?;
         if let Some(frequency) = given.frequency {
-            self.shaken(given, &system, frequency, sheet)?;
+            self.harmonic_response(given, &system, frequency, sheet)?;
         }
         if self.nodes.iter().any(|node| node.mass.is_some()) {
             self.by_itself(given, &system, sheet)?;
@@ -199,7 +199,7 @@ impl SpringNetwork {
                     return Err(self.refusal(&NetworkError::Loose { node }));
                 }
                 sheet.warn(|| {
-                    Text::new("no springs hold {node}: a constant force moves it without end, so there is no stiffness at rest")
+                    Text::new("no spring restrains {node}: a constant force moves it without bound, so there is no static stiffness")
                         .with("node", &self.nodes[node].name)
                 });
                 return Ok(());
@@ -207,11 +207,11 @@ impl SpringNetwork {
             Err(error) => return Err(self.refusal(&error)),
         };
         let why = (
-            "Displacement under the force at rest: at every node the forces of the springs balance the load",
+            "Static displacement under the force: at each node the spring forces balance the load",
             RAO.at("§1.7"),
         );
         let node = |(n, x): (usize, &f64)| {
-            let why = if n == 0 { Why::from(why) } else { Why::from("In the same way") };
+            let why = if n == 0 { Why::from(why) } else { Why::from("Similarly") };
             sheet.found(("x", n + 1), "mm", *x, why)
         };
         let displacements: Vec<W::Num> = found.iter().enumerate().map(node).collect();
@@ -235,7 +235,7 @@ impl SpringNetwork {
         sheet.verify(|| {
             sheet.check(
                 "stiffness by eliminating the other nodes one by one (star and mesh)",
-                W::Num::from(system.felt_at(loaded, |link| Complex::from(link.stiffness)).re),
+                W::Num::from(system.driving_point_stiffness(loaded, |link| Complex::from(link.stiffness)).re),
                 k,
             );
             let (mut left, mut size) = (self.forces(), self.force);
@@ -263,7 +263,7 @@ impl SpringNetwork {
     }
 
     /// Under the harmonic force.
-    fn shaken<W: Worksheet>(
+    fn harmonic_response<W: Worksheet>(
         &self,
         given: &SpringNetworkGiven<W>,
         system: &Network,
@@ -272,10 +272,9 @@ impl SpringNetwork {
     ) -> Result<(), Refusal> {
         let loaded = self.loaded.0;
         let omega = frequency.value();
-        let moved = system.shaken(&self.forces(), omega).map_err(|_| {
+        let moved = system.harmonic_response(&self.forces(), omega).map_err(|_| {
             Refusal::because(
-                "at this frequency nothing limits the motion: it grows without bound, there is no steady state; add \
-                 damping or change the frequency",
+                "the motion at this frequency grows without bound and has no steady state; add damping or change the frequency",
             )
         })?;
         let x = moved[loaded];
@@ -299,7 +298,7 @@ impl SpringNetwork {
             "k''",
             "kN/m",
             -(given.force * imaginary / square),
-            "Imaginary part of the dynamic stiffness: what the dampers add",
+            "Imaginary part of the dynamic stiffness: contribution of the dampers",
         );
         let dynamic = sheet.step("k_d", "kN/m", given.force / size, "Magnitude of the dynamic stiffness");
         sheet.answer("amplitude", "Amplitude of the loaded node", size);
@@ -316,9 +315,11 @@ impl SpringNetwork {
         sheet.verify(|| {
             let shown =
                 checks::Shown { force: given.force, amplitude: size, lag, storage, loss, dynamic, factor };
-            checks::shaken(system, omega, &moved, &shown, sheet);
+            checks::harmonic_response(system, omega, &moved, &shown, sheet);
             if self.nodes.iter().enumerate().all(|(n, node)| n == loaded || node.mass.is_none()) {
-                let felt = system.felt_at(loaded, |link| Complex::new(link.stiffness, link.damping * omega));
+                let felt = system.driving_point_stiffness(loaded, |link| {
+                    Complex::new(link.stiffness, link.damping * omega)
+                });
                 let whole = felt - system.masses[loaded] * omega.powi(2);
                 let off = (whole * Complex::new(real.value(), imaginary.value()) - self.force).norm();
                 sheet.check_zero(
@@ -379,10 +380,11 @@ impl SpringNetwork {
             }
             if let [only] = heavy[..] {
                 for (root, _) in &shown {
-                    let felt = system.felt_at(only, |link| link.stiffness + link.damping * root);
+                    let felt =
+                        system.driving_point_stiffness(only, |link| link.stiffness + link.damping * root);
                     let inertia = system.masses[only] * root * root;
                     sheet.check_zero(
-                        "at the root the dynamic stiffness of the network meets the inertia of the mass",
+                        "at the root the dynamic stiffness of the network balances the inertia of the mass",
                         W::Num::from((felt + inertia).norm()),
                         inertia.norm(),
                     );
@@ -398,12 +400,12 @@ impl SpringNetwork {
                     .sum();
                 let sum: f64 = roots.iter().map(|root| root.re).sum();
                 let size: f64 = roots.iter().map(|root| root.norm()).sum();
-                sheet.check_zero("the roots add up to −Σ c/m", W::Num::from(sum + traces), size);
+                sheet.check_zero("the sum of the roots is −Σ c/m", W::Num::from(sum + traces), size);
             }
         });
         if oscillations.is_empty() {
             sheet.warn(|| {
-                Text::new("the dampers are so strong that nothing oscillates: every motion creeps back")
+                Text::new("the dampers are so strong that nothing oscillates: every motion returns without oscillating")
             });
         }
         sheet.show(|| Exhibit::Table(exhibits::roots_table(&roots)));
@@ -413,12 +415,11 @@ impl SpringNetwork {
     fn refusal(&self, error: &NetworkError) -> Refusal {
         match error {
             NetworkError::Loose { node } => Refusal::because(
-                Text::new("nothing holds {node}: join it to ground, directly or through other elements")
+                Text::new("{node} is unrestrained: join it to ground, directly or through other elements")
                     .with("node", &self.nodes[*node].name),
             ),
             NetworkError::Linear(_) => Refusal::because(
-                "the stiffnesses, dampings and masses differ so much that no digits are left: leave out the elements \
-                 that hardly give and join their nodes",
+                "the stiffnesses, dampings and masses differ so much that no significant digits remain: omit the nearly rigid elements and join their nodes",
             ),
         }
     }
@@ -426,7 +427,7 @@ impl SpringNetwork {
 
 /// Springs and dampers combined apart from one another, as books do.
 fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W) {
-    let felt = |of: fn(&Link) -> f64| system.felt_at(node, |link| Complex::from(of(link))).re;
+    let felt = |of: fn(&Link) -> f64| system.driving_point_stiffness(node, |link| Complex::from(of(link))).re;
     let (stiffness, damping) = (felt(|link| link.stiffness), felt(|link| link.damping));
     if stiffness <= 0.0 {
         return;
@@ -452,7 +453,7 @@ fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W)
         }
         if let Some(energy) = checks::elastic(system, node) {
             sheet.check(
-                "springs alone: largest kinetic energy = largest elastic energy",
+                "springs alone: maximum kinetic energy = maximum elastic energy",
                 mass * natural.powi(2),
                 W::Num::from(energy),
             );
@@ -475,16 +476,12 @@ fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W)
     );
     sheet.verify(|| {
         if let Some(power) = checks::elastic(&checks::dampers_alone(system), node) {
-            sheet.check(
-                "dampers alone: the power that they take at a unit speed is c",
-                W::Num::from(power),
-                c,
-            );
+            sheet.check("dampers alone: power dissipated at unit velocity is c", W::Num::from(power), c);
         }
-        sheet.check("combined apart: the sum of the roots is −c/m", ratio * natural * 2.0, c / mass);
+        sheet.check("combined separately: the sum of the roots is −c/m", ratio * natural * 2.0, c / mass);
     });
-    sheet.answer("combined_damping", "Damping, combined apart from the springs", c);
-    sheet.answer("combined_damping_ratio", "Damping ratio, springs and dampers combined apart", ratio);
+    sheet.answer("combined_damping", "Damping, dampers combined separately from the springs", c);
+    sheet.answer("combined_damping_ratio", "Damping ratio, springs and dampers combined separately", ratio);
     if ratio.value() < 1.0 {
         let damped = sheet.step(
             "ω_d",
@@ -493,17 +490,20 @@ fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W)
             ("Frequency of the decaying motion", RAO.at("§2.6")),
         );
         sheet.check(
-            "combined apart: the product of the roots is k/m",
+            "combined separately: the product of the roots is k/m",
             (ratio * natural).powi(2) + damped.powi(2),
             k / mass,
         );
-        sheet.answer("combined_frequency", "Damped frequency, springs and dampers combined apart", damped);
+        sheet.answer(
+            "combined_frequency",
+            "Damped frequency, springs and dampers combined separately",
+            damped,
+        );
     }
     if system.links.iter().filter(|link| link.damping > 0.0 || link.stiffness > 0.0).count() > 1 {
         sheet.warn(|| {
             Text::new(
-                "springs and dampers combined apart from one another are exact only where c/k is the same in every \
-                 element; the exact roots stand beside them",
+                "springs and dampers combined separately are exact only if c/k is the same in every element; the exact roots are also given",
             )
         });
     }

@@ -26,7 +26,7 @@ pub struct StringRodShaft {
     #[input("L", "m", positive)]
     pub length: f64,
     /// Number of frequencies.
-    /// Motions as a whole, of a body that nothing holds, are not among them.
+    /// Rigid-body motions of an unsupported body are not included.
     #[input(min = 1, max = 10, default = "3")]
     pub modes: usize,
 }
@@ -87,8 +87,8 @@ pub enum Body {
         #[input("L")]
         right: TurningEnd,
     },
-    /// Beam that only shears
-    /// Short and hollow, so that its bending does not count.
+    /// Shear beam (no bending)
+    /// Short and hollow, so that bending is negligible.
     ShearBeam {
         /// Shear modulus.
         shear: ShearModulus,
@@ -159,7 +159,7 @@ pub enum TurningEnd {
         #[input("J", "kg*m^2", positive)]
         inertia: f64,
     },
-    /// Disc on a torsion spring to the ground
+    /// Disc on a torsional spring to the ground
     SpringAndDisc {
         /// Torsional stiffness.
         #[input("k", "N*m/rad", positive)]
@@ -173,7 +173,7 @@ pub enum TurningEnd {
 /// The cross-section of a shaft in torsion.
 #[derive(Clone, Debug, Inputs)]
 pub enum TorsionSection {
-    /// Round
+    /// Circular
     Round {
         /// Diameter.
         #[input("d", "m", positive)]
@@ -200,11 +200,11 @@ pub enum TorsionSection {
     /// Torsion constant and polar second moment given
     Given {
         /// Torsion constant.
-        /// The torque is G J times the twist of each length; of a round section, the polar second moment.
+        /// The torque is G J times the twist per unit length; for a circular section, J is the polar second moment.
         #[input("J", "m^4", positive)]
         torsion: f64,
         /// Polar second moment of area.
-        /// The inertia of each length is ρ times it.
+        /// The inertia per unit length is ρ times it.
         #[input("I_p", "m^4", positive)]
         polar: f64,
     },
@@ -225,7 +225,7 @@ pub enum ShearCoefficient {
         #[input("ν", "1", min = 0, max = 0.5)]
         poisson: f64,
     },
-    /// Thin-walled round tube
+    /// Thin-walled circular tube
     ThinRoundTube {
         /// Poisson's ratio.
         #[input("ν", "1", min = 0, max = 0.5)]
@@ -237,7 +237,7 @@ pub enum ShearCoefficient {
         #[input("ν", "1", min = 0, max = 0.5)]
         poisson: f64,
     },
-    /// Round
+    /// Circular
     Round {
         /// Poisson's ratio.
         #[input("ν", "1", min = 0, max = 0.5)]
@@ -252,7 +252,7 @@ impl Analysis for StringRodShaft {
         id: "vibration/string-rod-shaft",
         title: "Strings, rods, shafts and shear beams",
         topic: "Strings, beams and plates",
-        summary: "Frequencies, shapes and nodes of a string under tension, a rod along its axis, a shaft in torsion or a beam that shears, with fixed, free, sprung or loaded ends.",
+        summary: "Frequencies, mode shapes and nodes of a string under tension, a rod in axial vibration, a shaft in torsion or a shear beam, with fixed, free, sprung or mass-loaded ends.",
         keywords: "continuous wave equation cable guitar drill pipe longitudinal axial torsional corda cabo barra \
                    eixo torção onda contínuo cisalhamento",
         sources: &[&RAO, &BLEVINS, &COWPER],
@@ -269,7 +269,7 @@ impl Analysis for StringRodShaft {
         });
         let roots = wave::roots(ends, self.modes).map_err(|_| {
             Refusal::because(
-                "the frequencies cannot be found: the spring or the mass at an end is too far from that of the body",
+                "the frequencies cannot be found: the spring or the mass at an end differs too much from that of the body",
             )
         })?;
         sheet.answer("wave_speed", "Wave speed", body.speed);
@@ -284,17 +284,17 @@ impl Analysis for StringRodShaft {
                 beta * body.speed / given.length,
                 Text::new("Natural frequency {n}").with("n", n),
             );
-            let frequency = sheet.step(("f", n), "Hz", omega, "In cycles for each second");
+            let frequency = sheet.step(("f", n), "Hz", omega, "In cycles per second");
             sheet.verify(|| {
                 sheet.check(
-                    Text::new("shape {n}: its strain energy over its kinetic energy is ω²").with("n", n),
+                    Text::new("mode shape {n}: strain energy over kinetic energy is ω²").with("n", n),
                     (body.speed / given.length).powi(2) * shape.rayleigh_quotient(ends),
                     omega.powi(2),
                 );
                 if let Some(other) = shapes.get(n) {
                     let size = shape.inertia_product(shape, ends) * other.inertia_product(other, ends);
                     sheet.check_zero(
-                        Text::new("shapes {n} and {m} are orthogonal").with("n", n).with("m", n + 1),
+                        Text::new("mode shapes {n} and {m} are orthogonal").with("n", n).with("m", n + 1),
                         W::Num::from(shape.inertia_product(other, ends)),
                         size.sqrt(),
                     );
@@ -310,8 +310,7 @@ impl Analysis for StringRodShaft {
         if wave::rigid_motions(ends) > 0 {
             sheet.warn(|| {
                 Text::new(
-                    "nothing holds the body: before the first frequency stands its motion as a whole, at frequency \
-                     zero, which some books count as the first mode",
+                    "the body is unrestrained: its rigid-body motion, at frequency zero, precedes the first frequency, and some books count it as the first mode",
                 )
             });
         }
@@ -365,7 +364,7 @@ fn body<W: Worksheet>(given: &BodyGiven<W>, length: W::Num, sheet: W) -> Result<
                 "c",
                 "m/s",
                 (*tension / line).sqrt(),
-                ("Speed of waves along a string under tension", RAO.at("§8.2")),
+                ("Wave speed along a string under tension", RAO.at("§8.2")),
             );
             let ends = ends([moving(left), moving(right)], sheet, || {
                 let stiffness = sheet.step("S", "N/m", *tension / length, "Stiffness of the string, T/L");
@@ -378,7 +377,7 @@ fn body<W: Worksheet>(given: &BodyGiven<W>, length: W::Num, sheet: W) -> Result<
                 "c",
                 "m/s",
                 (*young / *density).sqrt(),
-                ("Speed of waves along a rod", RAO.at("§8.3")),
+                ("Wave speed along a rod", RAO.at("§8.3")),
             );
             let ends = ends([moving(left), moving(right)], sheet, || {
                 let area = need(*area)?;
@@ -390,7 +389,7 @@ fn body<W: Worksheet>(given: &BodyGiven<W>, length: W::Num, sheet: W) -> Result<
         BodyGiven::Shaft { shear, density, section, left, right } => {
             let modulus = shear_modulus(shear, sheet);
             let (torsion, polar) = torsion_section(section, sheet)?;
-            let why = ("Speed of waves of torsion along a shaft", RAO.at("§8.4"));
+            let why = ("Torsional wave speed along a shaft", RAO.at("§8.4"));
             let speed = match section {
                 TorsionSectionGiven::Round { .. } | TorsionSectionGiven::Tube { .. } => {
                     sheet.step("c", "m/s", (modulus / *density).sqrt(), why)
@@ -413,12 +412,12 @@ fn body<W: Worksheet>(given: &BodyGiven<W>, length: W::Num, sheet: W) -> Result<
                 "c",
                 "m/s",
                 (kappa * modulus / *density).sqrt(),
-                ("Speed of waves of shear along the beam", BLEVINS.at("ch. 8")),
+                ("Shear wave speed along the beam", BLEVINS.at("ch. 8")),
             );
             let ends = ends([moving(left), moving(right)], sheet, || {
                 let area = need(*area)?;
                 let stiffness = kappa * modulus * area / length;
-                let stiffness = sheet.step("S", "N/m", stiffness, "Stiffness of the beam in shear, κGA/L");
+                let stiffness = sheet.step("S", "N/m", stiffness, "Shear stiffness of the beam, κGA/L");
                 Ok((stiffness, sheet.step("M", "kg", *density * area * length, "Mass of the beam")))
             })?;
             Ok(WaveBody { speed, ends })
@@ -478,12 +477,12 @@ fn ends<W: Worksheet>(
     let (stiffness, mass) = whole()?;
     let ratios = |end: Carried<W::Num>, kappa, mu| EndRatios {
         fixed: end.fixed,
-        ratio_of_stiffness: end
-            .stiffness
-            .map(|k| sheet.step(kappa, "1", k / stiffness, "Spring over the stiffness of the body")),
-        ratio_of_mass: end
-            .mass
-            .map(|m| sheet.step(mu, "1", m / mass, "What the end carries over the inertia of the body")),
+        ratio_of_stiffness: end.stiffness.map(|k| {
+            sheet.step(kappa, "1", k / stiffness, "Spring stiffness over the stiffness of the body")
+        }),
+        ratio_of_mass: end.mass.map(|m| {
+            sheet.step(mu, "1", m / mass, "Attached inertia at the end over the inertia of the body")
+        }),
     };
     Ok([ratios(ends[0], "κ₀", "μ₀"), ratios(ends[1], "κ_L", "μ_L")])
 }

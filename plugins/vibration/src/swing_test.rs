@@ -29,44 +29,44 @@ pub struct SwingTest {
 /// How the body swings.
 #[derive(Clone, Debug, Inputs)]
 pub enum Test {
-    /// About one point, mass centre known
+    /// About one point, centre of mass known
     /// A compound pendulum: a connecting rod on a knife edge.
     OnePoint {
         /// Body.
         body: Load,
-        /// From the point of suspension to the mass centre.
+        /// From the point of suspension to the centre of mass.
         #[input("s", "m", positive)]
         distance: f64,
-        /// Swings.
+        /// Oscillations.
         swings: Swings,
-        /// Amplitude of the swings.
-        /// From the lowest position; left out for small swings.
+        /// Amplitude of the oscillations.
+        /// From the lowest position; omitted for small oscillations.
         #[input("θ₀", "deg", positive, below = 120)]
         amplitude: Option<f64>,
     },
-    /// About two points, mass centre unknown
-    /// Both points and the mass centre on one line.
+    /// About two points, centre of mass unknown
+    /// The two points and the centre of mass are collinear.
     TwoPoints {
         /// Body.
         body: Load,
         /// Between the two points.
         #[input("L", "m", positive)]
         distance: f64,
-        /// Where the mass centre is.
+        /// Position of the centre of mass.
         side: Side,
-        /// Swings about the first point.
+        /// Oscillations about the first point.
         #[input("1")]
         first: Swings,
-        /// Swings about the second point.
+        /// Oscillations about the second point.
         #[input("2")]
         second: Swings,
-        /// Amplitude of the swings.
-        /// The same for both; left out for small swings.
+        /// Amplitude of the oscillations.
+        /// The same for both; omitted for small oscillations.
         #[input("θ₀", "deg", positive, below = 120)]
         amplitude: Option<f64>,
     },
     /// On two, three or more parallel wires
-    /// Bifilar, trifilar: the body turns about the upright line through its mass centre.
+    /// Bifilar, trifilar: the body rotates about the vertical line through its centre of mass.
     Wires {
         /// Body.
         body: Load,
@@ -74,26 +74,26 @@ pub enum Test {
         #[input("r", "m", positive)]
         radius: f64,
         /// From the axis to the wires, at the top.
-        /// Left out where the wires are upright.
+        /// Omit if the wires are vertical.
         #[input("R", "m", positive)]
         top: Option<f64>,
         /// Length of the wires.
         #[input("l", "m", positive)]
         length: f64,
-        /// Swings.
+        /// Oscillations.
         swings: Swings,
         /// Platform.
-        /// That carries the body; left out where the wires hold the body itself.
+        /// Carries the body; omitted if the wires support the body itself.
         platform: Option<Platform>,
     },
     /// On a wire in torsion
     Torsion {
-        /// Swings.
+        /// Oscillations.
         swings: Swings,
         /// Wire.
         wire: Wire,
     },
-    /// Rolling to and fro in hollow rails
+    /// Oscillating by rolling in concave rails
     /// On its journals.
     Rails {
         /// Body.
@@ -104,11 +104,11 @@ pub enum Test {
         /// Radius of the rails.
         #[input("R", "m", positive)]
         rails: f64,
-        /// Swings.
+        /// Oscillations.
         swings: Swings,
     },
     /// Rolling down inclined rails
-    /// On its journals, from rest and without slip.
+    /// On its journals, from rest and without slipping.
     Incline {
         /// Body.
         body: Load,
@@ -121,7 +121,7 @@ pub enum Test {
         /// Distance rolled.
         #[input("s", "m", positive)]
         distance: f64,
-        /// Time for it.
+        /// Time taken.
         #[input("t", "s", positive)]
         time: f64,
     },
@@ -133,23 +133,23 @@ pub enum Swings {
     /// Period given
     Period {
         /// Period.
-        /// There and back.
+        /// A complete oscillation.
         #[input("T", "s", positive)]
         period: f64,
     },
-    /// Time of several swings
+    /// Time of several oscillations
     Counted {
-        /// Number of swings.
-        /// Each there and back.
+        /// Number of oscillations.
+        /// Full oscillations (there and back).
         #[input(min = 1, max = 100000)]
         count: u32,
-        /// Time of all.
+        /// Total time.
         #[input("t", "s", positive)]
         time: f64,
     },
 }
 
-/// Where the mass centre is.
+/// Position of the centre of mass.
 #[derive(Clone, Debug, Inputs)]
 pub enum Side {
     /// Between the two points
@@ -165,7 +165,7 @@ pub struct Platform {
     /// Mass of the platform.
     #[input("m₀", "kg", positive)]
     pub mass: f64,
-    /// Swings of the empty platform.
+    /// Oscillations of the empty platform.
     #[input("0")]
     pub swings: Swings,
 }
@@ -179,22 +179,22 @@ pub enum Wire {
         #[input("k_t", "N*m/rad", positive)]
         stiffness: f64,
     },
-    /// A known inertia added
-    /// The body swings again with it.
+    /// Known inertia added
+    /// The body is oscillated again with it.
     Added {
-        /// Inertia that is added.
+        /// Added inertia.
         #[input("a")]
         inertia: Inertia,
-        /// Swings with it.
+        /// Oscillations with it.
         #[input("a")]
         swings: Swings,
     },
-    /// A known body instead
+    /// Known body in its place
     Reference {
         /// Inertia of the known body.
         #[input("k")]
         inertia: Inertia,
-        /// Swings of the known body alone.
+        /// Oscillations of the known body alone.
         #[input("k")]
         swings: Swings,
     },
@@ -205,7 +205,7 @@ register!(SwingTest);
 impl Analysis for SwingTest {
     const ABOUT: About = About {
         id: "vibration/swing-test",
-        title: "Moment of inertia from a swing test",
+        title: "Moment of inertia from an oscillation test",
         topic: "Stiffness and inertia",
         summary: "Moment of inertia from the period on a knife edge, about two points, on wires, on a torsion wire, or rolling on rails.",
         keywords: "compound pendulum bifilar trifilar suspension torsion pendulum connecting rod radius of gyration \
@@ -272,7 +272,7 @@ impl Analysis for SwingTest {
                 let mass = mass(body, gravity, sheet);
                 if journal.value() >= rails.value() {
                     return Err(Refusal::because(
-                        "the journals are not smaller than the hollow of the rails: write a larger radius of the rails",
+                        "the journals are not smaller than the curvature radius of the rails: write a larger rail radius",
                     ));
                 }
                 let period = period(swings, own, "", sheet);
@@ -280,7 +280,7 @@ impl Analysis for SwingTest {
                     "κ²",
                     "cm^2",
                     swing::on_hollow_rails(gravity, *journal, *rails, period),
-                    ("The journal rolls without slip: T² = 4π² (R − ρ)(1 + κ²/ρ²)/g", RAO.at("§2.3")),
+                    ("The journal rolls without slipping: T² = 4π² (R − ρ)(1 + κ²/ρ²)/g", RAO.at("§2.3")),
                 );
                 let inertia = rolled(mass, square, sheet)?;
                 sheet.verify(|| {
@@ -309,7 +309,7 @@ impl Analysis for SwingTest {
                     "κ²",
                     "cm^2",
                     journal.powi(2) * (gravity * slope.sin() / acceleration - 1.0),
-                    "Rolling without slip: a = g sin α/(1 + κ²/ρ²)",
+                    "Rolling without slipping: a = g sin α/(1 + κ²/ρ²)",
                 );
                 let inertia = rolled(mass, square, sheet)?;
                 sheet.verify(|| {
@@ -332,7 +332,7 @@ impl Analysis for SwingTest {
 
 /// Answers the moment of inertia, and the radius of gyration with it.
 fn answer<W: Worksheet>(inertia: W::Num, mass: W::Num, sheet: W) {
-    sheet.answer("inertia", "Moment of inertia about the mass centre", inertia);
+    sheet.answer("inertia", "Moment of inertia about the centre of mass", inertia);
     let gyration = sheet.step("κ", "mm", (inertia / mass).sqrt(), "Radius of gyration");
     sheet.answer("radius_of_gyration", "Radius of gyration", gyration);
 }
@@ -352,7 +352,7 @@ fn period<W: Worksheet>(given: &SwingsGiven<W>, own: &Swings, of: &'static str, 
             Symbol { of, ..Symbol::from("T") },
             "s",
             *time / f64::from(*count),
-            "Period: the time over the number of swings",
+            "Period: the time over the number of oscillations",
         ),
         (SwingsGiven::Period { period }, _) => *period,
         (SwingsGiven::Counted { time }, Swings::Period { .. }) => *time,
@@ -368,7 +368,10 @@ fn small<W: Worksheet>(period: W::Num, amplitude: Option<W::Num>, row: usize, sh
         ("T_s", row),
         "s",
         period * mean,
-        ("Period of small swings: large ones take 1/agm(1, cos θ₀/2) times as long", ABRAMOWITZ.at("§17.6")),
+        (
+            "Period of small oscillations: large ones take 1/agm(1, cos θ₀/2) times as long",
+            ABRAMOWITZ.at("§17.6"),
+        ),
     );
     sheet.verify(|| {
         // The quarter of a swing by equal weights, which converge geometrically.
@@ -378,7 +381,7 @@ fn small<W: Worksheet>(period: W::Num, amplitude: Option<W::Num>, row: usize, sh
             (1.0 - (modulus * (TAU * f64::from(n) / f64::from(POINTS)).sin()).powi(2)).sqrt().recip()
         };
         let longer = (0..POINTS).map(at).sum::<f64>() / f64::from(POINTS);
-        sheet.check("period of the large swing by quadrature", small * longer, period);
+        sheet.check("period of the large-amplitude oscillation by quadrature", small * longer, period);
     });
     small
 }
@@ -412,7 +415,7 @@ fn mean_alone<W: Worksheet>(amplitude: W::Num, sheet: W) -> W::Num {
 fn rolled<W: Worksheet>(mass: W::Num, square: W::Num, sheet: W) -> Result<W::Num, Refusal> {
     if square.value() <= 0.0 {
         return Err(Refusal::because(
-            "the body rolls faster than a body without inertia: the time is too short for these rails",
+            "the body would roll faster than a body without inertia: the time is too short for these rails",
         ));
     }
     Ok(sheet.step("J", "kg*m^2", mass * square, "Moment of inertia about the axis of rolling"))

@@ -17,14 +17,14 @@ const WRITTEN: usize = 3;
 /// The most degrees of freedom of these analyses, which solve again at every keystroke.
 pub(crate) const MOST: usize = 500;
 
-/// What vibrates.
+/// Vibrating system.
 #[derive(Clone, Debug, Inputs)]
 pub enum System {
     /// Chain of masses, springs and dampers
     Chain {
         /// Masses.
-        /// From left to right. The spring and the damper of a mass join it to the one before it, those of the first
-        /// mass to the wall on the left.
+        /// From left to right. The spring and the damper of a mass connect it to the previous mass; those of the first
+        /// mass, to the wall on the left.
         #[input(min = 1)]
         masses: Vec<ChainMass>,
         /// Wall on the right.
@@ -62,9 +62,9 @@ pub enum System {
     },
     /// Mass, damping and stiffness matrices
     Matrices {
-        /// Entries.
-        /// Row, column, mass, damping, stiffness. What is not listed is zero; an entry beside the diagonal stands for
-        /// its mirror image too. Angles are written in SI as if they were lengths.
+        /// Matrix entries.
+        /// Row, column, mass, damping, stiffness. Entries not listed are zero; an off-diagonal entry also applies to its
+        /// mirror image. Angles are written in SI as if they were lengths.
         #[input(table)]
         entries: Vec<Entry>,
     },
@@ -73,9 +73,9 @@ pub enum System {
 /// How the ends of a chain of equal masses are held.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Ends {
-    /// A spring to a wall at both ends
+    /// Springs to a wall at both ends
     BothFixed,
-    /// A spring to a wall before the first mass, the last one free
+    /// Spring to a wall before the first mass, last mass free
     FirstFixed,
     /// Both ends free
     Free,
@@ -87,11 +87,11 @@ pub struct ChainMass {
     /// Mass.
     #[input("m", "kg", positive)]
     pub mass: f64,
-    /// Spring to the one before.
+    /// Spring to the previous mass.
     /// To the wall, for the first one.
     #[input("k", "N/m", nonnegative)]
     pub spring: Option<f64>,
-    /// Damper to the one before.
+    /// Damper to the previous mass.
     #[input("c", "N*s/m", nonnegative)]
     pub damper: Option<f64>,
     /// Spring to the ground.
@@ -224,7 +224,7 @@ pub(crate) fn assemble<W: Worksheet>(
                         "N/m",
                         *tension / length,
                         (
-                            "A string under tension resists a small sideways step between its ends by T/l",
+                            "A taut string resists a small transverse offset between its ends with T/l",
                             RAO.at("§8.2"),
                         ),
                     )),
@@ -278,10 +278,7 @@ fn chain<W: Worksheet>(
                 symbol("K", row, row),
                 "N/m",
                 sum(springs),
-                (
-                    "Entry of the stiffness matrix: the force on the mass for its own unit displacement",
-                    RAO.at("§6.4"),
-                ),
+                ("Stiffness matrix entry: force on the mass for its own unit displacement", RAO.at("§6.4")),
             ));
             if let (Some(spring), true) = (links[row + 1].spring, row + 1 < n) {
                 written.push(sheet.step(
@@ -306,8 +303,9 @@ fn matrices<W: Worksheet>(entries: &[Entry], sheet: W) -> Result<Assembled<W::Nu
         if number.fract() == 0.0 && number >= 1.0 && number <= MOST_DENSE as f64 {
             Ok(number as usize - 1)
         } else {
-            let why =
-                Text::new("{number} is no row or column of a matrix: write whole numbers from 1 to {most}");
+            let why = Text::new(
+                "{number} is not a row or column of a matrix: write whole numbers from 1 to {most}",
+            );
             Err(Refusal::because(why.with("number", number.to_string()).with("most", MOST)))
         }
     };
@@ -359,8 +357,7 @@ fn not_too_many(n: usize) -> Result<(), Refusal> {
     if n <= MOST {
         return Ok(());
     }
-    let why =
-        Text::new("{have} degrees of freedom are more than the {most} that are solved at every keystroke");
+    let why = Text::new("{have} degrees of freedom exceed the limit of {most} for interactive solution");
     Err(Refusal::because(why.with("have", n).with("most", MOST)))
 }
 

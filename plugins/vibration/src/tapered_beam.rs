@@ -36,7 +36,7 @@ pub struct TaperedBeam {
     /// Right end.
     pub right: TaperedSupport,
     /// Number of frequencies.
-    /// Motions as a whole, of a beam that nothing holds, are not among them.
+    /// Rigid-body motions of an unsupported beam are not included.
     #[input(min = 1, max = 6, default = "3")]
     pub modes: usize,
 }
@@ -46,11 +46,11 @@ pub struct TaperedBeam {
 pub enum TaperedSection {
     /// Rectangle
     Rectangle {
-        /// Breadth at the left end.
-        /// Across the plane of bending.
+        /// Width at the left end.
+        /// Perpendicular to the plane of bending.
         #[input("b₀", "m", positive)]
         breadth: f64,
-        /// Breadth at the right end.
+        /// Width at the right end.
         /// Zero for a beam that is triangular in plan.
         #[input("b_L", "m", nonnegative)]
         end_breadth: f64,
@@ -63,7 +63,7 @@ pub enum TaperedSection {
         #[input("h_L", "m", nonnegative)]
         end_height: f64,
     },
-    /// Round
+    /// Circular
     Round {
         /// Diameter at the left end.
         #[input("d₀", "m", positive)]
@@ -96,7 +96,7 @@ impl Analysis for TaperedBeam {
         id: "vibration/tapered-beam",
         title: "Bending vibration of tapered beams",
         topic: "Strings, beams and plates",
-        summary: "Frequencies and shapes of a beam whose breadth, height or diameter changes linearly along it, wedges and cones among them, by Rayleigh–Ritz with its convergence.",
+        summary: "Frequencies and mode shapes of a beam with linearly varying width, height or diameter, including wedges and cones, by Rayleigh–Ritz with its convergence.",
         keywords: "variable section wedge cone triangular plate spring blade rayleigh ritz viga afilada variável \
                    cunha cone triangular pá lâmina",
         sources: &[&RAO, &TIMOSHENKO, &BEER],
@@ -122,7 +122,7 @@ impl Analysis for TaperedBeam {
             let settled = (lambda / before[n - 1] - 1.0).abs() < 1e-7;
             if !(*lambda > 0.0 && settled) {
                 return Err(Refusal::because(
-                    "the frequencies do not settle with more terms: the taper is too strong, ask for fewer of them",
+                    "the frequencies do not converge with more terms: the taper is too strong, choose fewer frequencies",
                 ));
             }
             let number = sheet.found(
@@ -130,17 +130,16 @@ impl Analysis for TaperedBeam {
                 "1",
                 lambda.sqrt(),
                 (
-                    "Rayleigh–Ritz with polynomials that satisfy the supports: the least strain energy over kinetic \
-                     energy, an upper bound that has settled",
+                    "Rayleigh–Ritz with polynomials that satisfy the supports: the minimum of strain energy over kinetic energy, a converged upper bound",
                     RAO.at("§8.8"),
                 ),
             );
             let omega =
                 sheet.step(("ω", n), "rad/s", number * unit, Text::new("Natural frequency {n}").with("n", n));
-            let frequency = sheet.step(("f", n), "Hz", omega, "In cycles for each second");
+            let frequency = sheet.step(("f", n), "Hz", omega, "In cycles per second");
             sheet.verify(|| {
                 sheet.check(
-                    Text::new("shape {n}: the moments of its inertia forces store the same energy")
+                    Text::new("mode shape {n}: the moments of its inertia forces store the same energy")
                         .with("n", n),
                     given.young * second_moment / (given.density * area * given.length.powi(4))
                         * beam.moment_quotient(shape).unwrap_or(f64::NAN),
@@ -157,8 +156,7 @@ impl Analysis for TaperedBeam {
         if beam.rigid_motions() > 0 {
             sheet.warn(|| {
                 Text::new(
-                    "the beam can move as a whole: {n} such motions at frequency zero stand before the first \
-                     frequency, and some books count them",
+                    "the beam can move as a rigid body: {n} such motions at frequency zero precede the first frequency, and some books count them",
                 )
                 .with("n", beam.rigid_motions())
             });
@@ -193,7 +191,7 @@ impl TaperedBeam {
         };
         if pointed && self.right != TaperedSupport::Free {
             return Err(Refusal::because(
-                "a right end that comes to a point or an edge cannot be held: leave it free, or give it a section",
+                "a right end that tapers to a point or an edge cannot be supported: leave it free, or give it a section",
             ));
         }
         Ok([&self.left, &self.right].map(|support| match support {
@@ -227,12 +225,12 @@ impl TaperedBeam {
         };
         let mut shapes = vec![
             DrawnShape::Polyline(outline(0.0, beam.depth), Ink::Body),
-            DrawnShape::Label((width + 0.2, 0.0), Text::from("from the side")),
+            DrawnShape::Label((width + 0.2, 0.0), Text::from("side view")),
         ];
         shapes.extend(self.ends(width, 0.0));
         if beam.width != 1.0 {
             shapes.push(DrawnShape::Polyline(outline(-1.8, beam.width), Ink::Body));
-            shapes.push(DrawnShape::Label((width + 0.2, -1.8), Text::from("from above")));
+            shapes.push(DrawnShape::Label((width + 0.2, -1.8), Text::from("top view")));
         }
         Drawing { title: "The beam and its taper".into(), shapes }
     }
@@ -244,8 +242,8 @@ fn sections<W: Worksheet>(given: &TaperedSectionGiven<W>, sheet: W) -> (W::Num, 
         TaperedSectionGiven::Rectangle { breadth, end_breadth, height, end_height } => (
             section::rectangle_area(*breadth, *height),
             section::rectangle_second_moment(*breadth, *height),
-            sheet.step("β_b", "1", *end_breadth / *breadth, "Breadth of the right end over that of the left"),
-            sheet.step("β_h", "1", *end_height / *height, "Height of the right end over that of the left"),
+            sheet.step("β_b", "1", *end_breadth / *breadth, "Width of the right end over that of the left"),
+            sheet.step("β_h", "1", *end_height / *height, "Ratio of right-end to left-end height"),
         ),
         TaperedSectionGiven::Round { diameter, end_diameter } => {
             let ratio = *end_diameter / *diameter;
@@ -285,7 +283,7 @@ fn distance(series: &[(usize, Vec<f64>)], settled: &[f64]) -> Exhibit {
         Series::line(Text::new("mode {n}").with("n", n + 1), series.iter().filter_map(point).collect())
     };
     Exhibit::Plot(Plot::new(
-        "Frequency above the settled one",
+        "Frequency error relative to the converged value",
         Axis::linear("terms", "1"),
         Axis::log("relative distance", "1"),
         (0..settled.len()).map(line).collect(),

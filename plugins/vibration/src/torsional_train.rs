@@ -25,7 +25,7 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct TorsionalTrain {
     /// Discs.
-    /// Flywheels, rotors, gears, cranks. All is reduced to the speed of the first one.
+    /// Flywheels, rotors, gears, cranks. All are referred to the speed of the first one.
     #[input(min = 1)]
     pub discs: Vec<Disc>,
     /// Shafts.
@@ -35,7 +35,7 @@ pub struct TorsionalTrain {
     /// Gears.
     pub gears: Vec<Gears>,
     /// Trial frequency.
-    /// For the Holzer table; at the first natural frequency where it is left out.
+    /// For the Holzer table; if omitted, the first natural frequency is used.
     #[input("ω", "rad/s", positive)]
     pub trial_frequency: Option<f64>,
     /// Harmonic torques.
@@ -57,7 +57,7 @@ pub enum Inertia {
     /// Moment of inertia given
     Given {
         /// Moment of inertia.
-        /// About the axis of turning.
+        /// About the axis of rotation.
         #[input("J", "kg*m^2", positive)]
         inertia: f64,
     },
@@ -91,7 +91,7 @@ pub enum Inertia {
     },
     /// Light: a gear or a joint of shafts without inertia
     Light,
-    /// Held fast: a wall where a shaft is fixed
+    /// Fixed: a wall in which a shaft is clamped
     Held,
 }
 
@@ -111,7 +111,7 @@ pub struct Shaft {
     #[input(rows = "discs")]
     pub to: Reference,
     /// Stiffness.
-    /// A stepped shaft is its parts in series, from the first disc to the second.
+    /// A stepped shaft is a series combination of its segments, from the first disc to the second.
     pub stiffness: TorsionalSpring,
 }
 
@@ -125,7 +125,7 @@ pub struct Gears {
     #[input(rows = "discs")]
     pub driven: Reference,
     /// Speed of the driving gear over that of the driven one.
-    /// Each shaft line is counted positive in its own sense of running.
+    /// Each shaft line is positive in its own direction of rotation.
     #[input("i", "1", positive)]
     pub ratio: f64,
 }
@@ -179,7 +179,7 @@ impl Analysis for TorsionalTrain {
         let modes = &all[rigid..];
         if modes.is_empty() {
             return Err(Refusal::because(
-                "only one disc has inertia and nothing holds it: it turns freely and does not vibrate",
+                "only one disc has inertia and it is unrestrained: it rotates freely and does not vibrate",
             ));
         }
         if rigid == 1 {
@@ -187,13 +187,12 @@ impl Analysis for TorsionalTrain {
                 "ω₀",
                 "rad/s",
                 0.0,
-                "Nothing holds the train: it can turn as a whole, with frequency zero and no twist",
+                "The train is unrestrained: it can rotate as a rigid body, with zero frequency and no twist",
             );
         }
         let frequencies = natural_frequencies(&reduced, modes, sheet);
         for (n, (frequency, mode)) in frequencies.iter().zip(modes).enumerate() {
-            let counted =
-                sheet.step(("fₙ", n + 1), "Hz", *frequency, "The same frequency, counted in cycles");
+            let counted = sheet.step(("fₙ", n + 1), "Hz", *frequency, "The same frequency in Hz");
             sheet.answer(("frequency", n + 1), "Natural frequency", counted);
             sheet.verify(|| verify_mode(&reduced, mode, *frequency, sheet));
         }
@@ -203,7 +202,7 @@ impl Analysis for TorsionalTrain {
         }
         if modes.windows(2).any(|pair| pair[1].frequency - pair[0].frequency <= 1e-9 * pair[1].frequency) {
             sheet.warn(|| {
-                Text::new("some frequencies are equal: any mixture of their shapes is a shape of that frequency too")
+                Text::new("some frequencies are equal: any linear combination of their mode shapes is also a mode shape of that frequency")
             });
         }
         let nodes = self.nodes(&reduced, modes);
@@ -224,7 +223,7 @@ impl Analysis for TorsionalTrain {
         let layout = drawing::Layout::of(self);
         sheet.show(|| Exhibit::Drawing(layout.drawing(self)));
         for (n, shape) in shapes.iter().take(3).enumerate() {
-            sheet.show(|| Exhibit::Film(layout.film(self, n + 1, shape)));
+            sheet.show(|| Exhibit::Animation(layout.animation(self, n + 1, shape)));
         }
         Ok(())
     }
@@ -237,7 +236,7 @@ fn natural_frequencies<W: Worksheet>(reduced: &Reduced<W::Num>, modes: &[Mode], 
         match (&inertias[..], &stiffnesses[..]) {
             (&[first, second], &[k]) => {
                 let natural = (k * (first + second) / (first * second)).sqrt();
-                let why = ("Two discs on a shaft turn against each other", BEVAN.at("ch. 15"));
+                let why = ("Two discs on a shaft rotate in opposite directions", BEVAN.at("ch. 15"));
                 return vec![sheet.step(("ω", 1), "rad/s", natural, why)];
             }
             (&[first, second, third], &[k, l]) => {
@@ -271,7 +270,7 @@ fn natural_frequencies<W: Worksheet>(reduced: &Reduced<W::Num>, modes: &[Mode], 
         }
     }
     let why = (
-        "By Holzer's method: at this trial frequency no torque is left over at the last disc",
+        "By Holzer's method: at this trial frequency the residual torque at the last disc is zero",
         DEN_HARTOG.at("ch. 5"),
     );
     modes
@@ -279,7 +278,7 @@ fn natural_frequencies<W: Worksheet>(reduced: &Reduced<W::Num>, modes: &[Mode], 
         .take(MOST_FREQUENCIES)
         .enumerate()
         .map(|(n, mode)| {
-            let why = if n == 0 { Why::from(why) } else { Why::from("In the same way") };
+            let why = if n == 0 { Why::from(why) } else { Why::from("Similarly") };
             sheet.found(("ω", n + 1), "rad/s", mode.frequency, why)
         })
         .collect()
@@ -340,7 +339,7 @@ fn residual<W: Worksheet>(reduced: &Reduced<W::Num>, trial: W::Num, sheet: W) {
         "N*m",
         last.shaft_torque,
         (
-            "Torque left over at the last disc at the trial frequency, the first disc moving by 1 rad",
+            "Residual torque at the last disc at the trial frequency, with unit rotation (1 rad) of the first disc",
             DEN_HARTOG.at("ch. 5"),
         ),
     );
@@ -432,7 +431,7 @@ fn verify_mode<W: Worksheet>(reduced: &Reduced<W::Num>, mode: &Mode, frequency: 
         .sum();
     let square = frequency.value().powi(2);
     sheet.check_residual(
-        "elastic energy over kinetic energy of the shape is ω²",
+        "elastic energy over kinetic energy of the mode shape is ω²",
         (elastic / kinetic - square).into(),
         square,
         f64::EPSILON * twist_error / kinetic,
@@ -497,7 +496,7 @@ fn answer_nodes<W: Worksheet>(nodes: &[Node], sheet: W) {
         let place = Symbol::from("z").row(node.mode).row(of_mode.1);
         let why = "Node of the shaft, from its first end: the amplitude falls from one end to the other as the \
                    compliance adds up";
-        let why = if std::mem::take(&mut first) { why } else { "In the same way" };
+        let why = if std::mem::take(&mut first) { why } else { "Similarly" };
         let distance = sheet.found(place, "m", distance, why);
         let [first, second] = node.ends;
         let before = compliance(&node.parts, distance.value());
@@ -519,14 +518,13 @@ fn refusal(error: &TrainError) -> Refusal {
         }
         TrainError::TooMany => "there are more than 200 discs: join some of them",
         TrainError::Resonance => {
-            "the torques have a natural frequency of the train: without damping the motion grows without bound, \
-             there is no steady state"
+            "the frequency of the torques equals a natural frequency of the train: without damping the motion grows without bound and there is no steady state"
         }
         TrainError::NotFinite
         | TrainError::Ends { .. }
         | TrainError::Loop { .. }
         | TrainError::Apart { .. } => {
-            "the moments of inertia and stiffnesses lead to numbers that cannot be represented: write usual ones"
+            "the moments of inertia and stiffnesses lead to numbers that cannot be represented: write realistic ones"
         }
     })
 }

@@ -30,21 +30,21 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct TransientResponse {
     /// Mass.
-    /// Only a force on it, or stiffness in place of a frequency, needs it.
+    /// Required only for a force on it, or if the stiffness is given instead of a frequency.
     pub mass: Option<Mass>,
     /// Springs.
     pub elasticity: Elasticity,
     /// Damping.
     pub damping: Damping,
     /// Excitation.
-    /// From rest, unless an initial motion is chosen.
+    /// From rest, unless an initial motion is specified.
     pub excitation: Excitation,
     /// Times.
-    /// The displacement is answered at each of them.
+    /// The displacement is computed at each of them.
     #[input("t", "s", nonnegative)]
     pub times: Vec<f64>,
     /// Distance of the extreme fibre.
-    /// From the neutral axis. Where the spring is a beam, its largest bending stress is answered too.
+    /// From the neutral axis. If the spring is a beam, its maximum bending stress is also computed.
     #[input("c_f", "m", positive)]
     pub fibre: Option<f64>,
 }
@@ -54,16 +54,16 @@ pub struct TransientResponse {
 pub enum Excitation {
     /// Force on the mass
     Force {
-        /// Size.
+        /// Magnitude.
         size: ForceSize,
-        /// Course in time.
+        /// Time history.
         course: Course,
     },
-    /// Force on the mass by a table
-    /// Straight between the points, zero before the first and after the last.
+    /// Force on the mass from a table
+    /// Linear between the points, zero before the first and after the last.
     ForceTable {
         /// Points.
-        /// Times ascend; two points at one time are a jump.
+        /// Increasing times; two points at the same time define a step.
         #[input(table)]
         points: Vec<ForcePoint>,
     },
@@ -76,18 +76,18 @@ pub enum Excitation {
     /// Acceleration of the base
     /// The displacement is that relative to the base.
     BaseAcceleration {
-        /// Largest acceleration.
+        /// Maximum acceleration.
         #[input("a₀", "m/s^2", positive)]
         acceleration: f64,
-        /// Course in time.
+        /// Time history.
         course: Course,
     },
     /// Acceleration of the base by a table
-    /// Straight between the points, zero before the first and after the last. The displacement is that relative to the
+    /// Straight between the points, zero before the first and after the last. The displacement is relative to the
     /// base.
     BaseTable {
         /// Points.
-        /// Times ascend; two points at one time are a jump.
+        /// Increasing times; two points at the same time define a step.
         #[input(table)]
         points: Vec<AccelerationPoint>,
     },
@@ -105,9 +105,9 @@ pub enum Excitation {
 /// How large a force is.
 #[derive(Clone, Debug, Inputs)]
 pub enum ForceSize {
-    /// Largest force given
+    /// Maximum force given
     Largest {
-        /// Largest force.
+        /// Maximum force.
         #[input("F₀", "N", positive)]
         force: f64,
     },
@@ -149,7 +149,7 @@ impl Analysis for TransientResponse {
         id: "vibration/transient-response",
         title: "Transient response",
         topic: "Shock and impact",
-        summary: "Displacement in time, its maximum and what remains, of one degree of freedom under a step, ramp, pulse, table, impulse or base acceleration.",
+        summary: "Displacement time history, its maximum and the residual response, of one degree of freedom under a step, ramp, pulse, table, impulse or base acceleration.",
         keywords: "step ramp pulse impulse half-sine triangular rectangular shock Duhamel convolution dynamic load \
                    factor overshoot degrau rampa pulso impulso choque transitório resposta transiente convolução \
                    fator de amplificação dinâmica sobressinal",
@@ -213,24 +213,24 @@ impl TransientResponse {
         superposition: &Superposition<W::Num>,
         sheet: W,
     ) -> Result<(), Refusal> {
-        let why = "Time of the largest displacement: the first zero of the velocity at which it is reached";
+        let why = "Time of maximum displacement: the first zero of the velocity at which it is reached";
         let time = sheet.found("tₘ", "s", largest.time, why);
         let x = superposition.displacement(&Instant::largest(time), sheet)?;
         let at = model.motion.at(time.value());
         sheet.check_zero(
-            "the velocity is zero at the largest displacement",
+            "the velocity is zero at the maximum displacement",
             (at.velocity / system.natural.value()).into(),
             superposition.scale(largest.time).max(largest.value.abs()),
         );
-        sheet.answer("maximum", "Largest displacement", x);
-        sheet.answer("time_of_maximum", "Time of the largest displacement", time);
+        sheet.answer("maximum", "Maximum displacement", x);
+        sheet.answer("time_of_maximum", "Time of maximum displacement", time);
         if let Some(size) = model.size {
-            let why = ("Largest displacement over the static one: the dynamic load factor", RAO.at("§4.6"));
+            let why = ("Maximum displacement over the static one: the dynamic load factor", RAO.at("§4.6"));
             let factor = sheet.step("D", "1", x / size, why);
             sheet.answer("amplification", "Dynamic load factor", factor);
             let mut beyond = None;
             if model.is_held {
-                let why = "How far the largest displacement goes beyond the one that stays";
+                let why = "Excess of the maximum displacement over the final value";
                 let overshoot = sheet.step("M_p", "%", (x - size) / size, why);
                 sheet.answer("overshoot", "Overshoot", overshoot);
                 beyond = Some(overshoot);
@@ -240,7 +240,7 @@ impl TransientResponse {
         if let Some(end) = model.end {
             let residual =
                 model.motion.extremes(Output::DISPLACEMENT, [end, f64::INFINITY]).map_err(cannot)?;
-            let why = "Largest displacement once the load is over, by the free motion from its end";
+            let why = "Maximum displacement after the load, from the free motion starting at its end";
             let left = residual.farthest().value.abs();
             // A pulse of whole periods leaves nothing, and its rounding is no displacement.
             let left = if left > 1e-13 * superposition.scale(end) { left } else { 0.0 };
@@ -249,14 +249,14 @@ impl TransientResponse {
                 if system.ratio.value() == 0.0 {
                     let State { displacement, velocity } = model.motion.at(end);
                     sheet.check_sum(
-                        "without damping, what remains is the amplitude of the state at the end of the load",
+                        "without damping, the residual amplitude is that of the state at the end of the load",
                         residual,
                         (displacement.hypot(velocity / system.natural.value())).into(),
                         superposition.scale(end),
                     );
                 }
             });
-            sheet.answer("residual", "Largest displacement after the load", residual);
+            sheet.answer("residual", "Maximum displacement after the load", residual);
         }
         self.support(system, model, sheet)?;
         if let (Some(fibre), Some(body)) = (given.fibre, system.body) {
@@ -284,7 +284,7 @@ impl TransientResponse {
                 );
                 if let Some(overshoot) = overshoot {
                     sheet.check_sum(
-                        "overshoot of a step: what half a cycle leaves of a release, e^(−πζ/√(1 − ζ²))",
+                        "overshoot of a step response: amplitude ratio after half a cycle of free vibration, e^(−πζ/√(1 − ζ²))",
                         overshoot,
                         (-PI * ratio / damped).exp().into(),
                         1.0,
@@ -324,35 +324,34 @@ impl TransientResponse {
             // A jump of the load may be where the largest value is: there the rate jumps too.
             if found.time > 0.0 && !model.jumps_at(found.time) {
                 let scale = found.value.abs() * (1.0 + system.ratio.value());
-                sheet.check_zero("its rate is zero there", rate.into(), scale.max(load.abs()));
+                sheet.check_zero("its rate is zero at that time", rate.into(), scale.max(load.abs()));
             }
         };
         if self.is_relative() {
-            let why = "Largest acceleration of the mass itself, −2ζωₙż − ωₙ²z, where its rate is zero";
+            let why = "Maximum acceleration of the mass itself, −2ζωₙż − ωₙ²z, where its rate is zero";
             let largest = sheet.found("aₘ", "m/s^2", found.value.abs() * natural * natural, why);
             sheet.verify(|| {
                 level(sheet);
                 if let Some(by_impulses) = model.by_impulses(natural, system.ratio.value(), found.time) {
-                    let what = "largest acceleration, by the integral over unit impulses to its moment";
+                    let what = "maximum acceleration, by Duhamel's integral up to its instant";
                     let other = by_impulses.abs() * natural * natural;
                     sheet.check_sum(what, largest, other.into(), scale * natural * natural);
                 }
             });
-            sheet.answer("acceleration", "Largest absolute acceleration", largest);
+            sheet.answer("acceleration", "Maximum absolute acceleration", largest);
         } else if let Some(body) = system.body {
-            let why = "Largest force of spring and damper on the support, kx + cẋ, where its rate is zero";
+            let why = "Maximum force of spring and damper on the support, kx + cẋ, where its rate is zero";
             let largest = sheet.found("F_T", "kN", found.value.abs() * body.stiffness.value(), why);
             sheet.verify(|| {
                 level(sheet);
                 if let Some(by_impulses) = model.by_impulses(natural, system.ratio.value(), found.time) {
-                    let what =
-                        "largest force on the support, by the integral over unit impulses to its moment";
+                    let what = "maximum force on the support, by Duhamel's integral up to its instant";
                     let stiffness = body.stiffness.value();
                     let other = by_impulses.abs() * stiffness;
                     sheet.check_sum(what, largest, other.into(), scale * stiffness);
                 }
             });
-            sheet.answer("support_force", "Largest force on the support", largest);
+            sheet.answer("support_force", "Maximum force on the support", largest);
         }
         Ok(())
     }
@@ -414,11 +413,11 @@ impl TransientResponse {
 /// The words for a motion that cannot be computed.
 fn cannot(err: TransientError) -> Refusal {
     match err {
-        TransientError::Order { .. } => Refusal::because(
-            "the times of the table must begin at zero or later and ascend: put its rows in order",
-        ),
+        TransientError::Order { .. } => {
+            Refusal::because("the times of the table must begin at zero or later and ascend: sort its rows")
+        }
         _ => Refusal::because(
-            "these numbers are too large or too small for the motion to be followed: check their units",
+            "these numbers are too large or too small for the motion to be computed: check their units",
         ),
     }
 }
@@ -434,10 +433,10 @@ impl<N: Real> Model<N> {
         ];
         if self.size.is_some() || self.end.is_some() {
             let load = (0..=480).map(|n| (time(n), self.motion.load(time(n)))).collect();
-            series.push(Series::line("the load, as the displacement it would hold", load));
+            series.push(Series::line("load, as equivalent static displacement", load));
         }
         let plot = Plot::new(
-            "Displacement in time",
+            "Displacement time history",
             Axis::linear("time", "s"),
             Axis::linear("displacement", "mm"),
             series,

@@ -41,7 +41,7 @@ pub enum Problem {
         /// The absorber is tuned to it.
         speed: Speed,
         /// Excitation.
-        /// For the amplitudes; a limit of the stroke needs it.
+        /// For the amplitudes; required for a stroke limit.
         excitation: Option<Excitation>,
         /// Absorber.
         absorber: LinearAbsorber,
@@ -56,13 +56,13 @@ pub enum Problem {
         /// The absorber is tuned to it.
         speed: Speed,
         /// Amplitude of the torque.
-        /// For the amplitudes; a limit of the stroke needs it.
+        /// For the amplitudes; required for a stroke limit.
         #[input("T", "N*m", positive)]
         torque: Option<f64>,
         /// Absorber.
         absorber: TorsionalAbsorber,
         /// Springs between absorber and rotor.
-        /// Straight springs that stand along the circumference.
+        /// Straight springs arranged along the circumference.
         springs: Option<RingOfSprings>,
     },
     /// From the two resonances with a trial absorber
@@ -80,7 +80,7 @@ pub enum Problem {
         #[input("Ω₂", "rad/s", positive)]
         upper: f64,
         /// Speeds without resonance.
-        /// Both resonances are to lie outside of them, with a new absorber tuned like the trial one.
+        /// Both resonances must lie outside this range, with a new absorber tuned like the trial one.
         kept_out: Option<KeptOut>,
     },
 }
@@ -130,7 +130,7 @@ pub enum Speed {
         #[input("ω", "rad/s", positive)]
         speed: f64,
     },
-    /// As a part of the natural frequency
+    /// As a fraction of the natural frequency
     Ratio {
         /// Speed over the natural frequency of the main system.
         #[input("r", "1", positive, default = "1")]
@@ -160,15 +160,15 @@ pub enum Excitation {
 #[derive(Clone, Debug, Inputs)]
 pub enum LinearAbsorber {
     /// Limited stroke
-    /// The softest and lightest absorber whose mass does not move further.
+    /// The softest and lightest absorber whose mass does not exceed this displacement.
     Stroke {
-        /// Largest amplitude of the absorber.
+        /// Maximum amplitude of the absorber.
         #[input("X_a", "m", positive, kind = "Amplitude")]
         stroke: f64,
     },
     /// Resonances kept away from the speed
     Separation {
-        /// Least distance from the speed, as a part of it.
+        /// Minimum separation from the speed, as a fraction of it.
         #[input("s", "%", positive, below = 100)]
         separation: f64,
     },
@@ -190,7 +190,7 @@ pub enum LinearAbsorber {
         mass: f64,
     },
     /// Absorber given
-    /// Also one that is not tuned to the speed.
+    /// Also for an absorber not tuned to the speed.
     Given {
         /// Mass of the absorber.
         #[input("m_a", "kg", positive)]
@@ -205,15 +205,15 @@ pub enum LinearAbsorber {
 #[derive(Clone, Debug, Inputs)]
 pub enum TorsionalAbsorber {
     /// Limited stroke
-    /// The softest and lightest absorber that does not turn further.
+    /// The softest and lightest absorber that does not exceed this rotation.
     Stroke {
-        /// Largest amplitude of the absorber.
+        /// Maximum amplitude of the absorber.
         #[input("θ_a", "rad", positive)]
         stroke: f64,
     },
     /// Resonances kept away from the speed
     Separation {
-        /// Least distance from the speed, as a part of it.
+        /// Minimum separation from the speed, as a fraction of it.
         #[input("s", "%", positive, below = 100)]
         separation: f64,
     },
@@ -235,7 +235,7 @@ pub enum TorsionalAbsorber {
         inertia: f64,
     },
     /// Absorber given
-    /// Also one that is not tuned to the speed.
+    /// Also for an absorber not tuned to the speed.
     Given {
         /// Inertia of the absorber.
         #[input("J_a", "kg*m^2", positive)]
@@ -264,7 +264,7 @@ impl Analysis for VibrationAbsorber {
         id: "vibration/vibration-absorber",
         title: "Undamped vibration absorber",
         topic: "Isolation, absorbers and instruments",
-        summary: "Mass and spring of an absorber for a limited stroke or for resonances kept away, its two resonances and amplitudes, and a main system from a trial absorber.",
+        summary: "Mass and spring of an absorber for a limited stroke or for separated resonances, its two resonances and amplitudes, and a main system from a trial absorber.",
         keywords: "dynamic vibration absorber Frahm tuned mass neutraliser splitting resonance torsional \
                    absorvedor dinâmico de vibrações neutralizador sintonizado ressonância torcional",
         sources: &[&RAO, &DEN_HARTOG, &GROVER],
@@ -287,7 +287,7 @@ impl Analysis for VibrationAbsorber {
                     None => None,
                     Some(ExcitationGiven::Force { force }) => Some(*force),
                     Some(ExcitationGiven::Unbalance { unbalance }) => {
-                        let why = ("Force of the unbalance at this speed", RAO.at("§3.7"));
+                        let why = ("Unbalance force at this speed", RAO.at("§3.7"));
                         Some(sheet.step("F₀", "N", *unbalance * main.speed.powi(2), why))
                     }
                 };
@@ -327,7 +327,7 @@ impl Analysis for VibrationAbsorber {
                     (springs, &self.problem)
                 {
                     let each = stiffness / (given.radius.powi(2) * f64::from(springs.count));
-                    let why = "Stiffness of each spring: at the radius ρ a turn θ stretches it by ρθ, and its force acts at ρ";
+                    let why = "Stiffness of each spring: at radius ρ a rotation θ stretches it by ρθ, and its force acts at ρ";
                     let each = sheet.step("k_s", "N/m", each, why);
                     sheet.answer("stiffness_each", "Stiffness of each spring", each);
                     sheet.verify(|| {
@@ -340,7 +340,7 @@ impl Analysis for VibrationAbsorber {
                             arm[0] * force[1] - arm[1] * force[0]
                         };
                         sheet.check(
-                            "moment of the springs about the centre for a turn of one, one by one",
+                            "moment of the springs about the centre for a unit rotation, one by one",
                             stiffness,
                             W::Num::from((0..springs.count).map(moment).sum::<f64>()),
                         );

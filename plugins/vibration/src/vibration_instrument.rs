@@ -30,18 +30,18 @@ pub struct VibrationInstrument {
     /// Damping.
     pub damping: Damping,
     /// Allowed error.
-    /// Of the amplitude, up or down: the frequencies within it are answered.
+    /// Of the amplitude, up or down: the frequencies within it are reported.
     #[input("p", "%", positive, below = 100)]
     pub allowed_error: Option<f64>,
     /// Frequency of the motion.
-    /// Amplitude and phase error there are answered.
+    /// Amplitude and phase errors are computed at this frequency.
     #[input("ω", "Hz", positive)]
     pub frequency: Option<f64>,
     /// Reading.
-    /// The true motion at that frequency is answered.
+    /// The true motion at that frequency is computed.
     pub reading: Option<Reading>,
-    /// Tones of a motion.
-    /// How each of them is recorded, and whether the record keeps their shape.
+    /// Harmonic components of a motion.
+    /// How each tone is recorded, and whether the record preserves the waveform.
     #[input(table)]
     pub tones: Option<Vec<Tone>>,
 }
@@ -53,7 +53,7 @@ pub struct Tone {
     #[input("ω", "Hz", positive)]
     pub frequency: f64,
     /// True amplitude.
-    /// In any one measure: only the shape matters.
+    /// In any one unit: only the shape matters.
     #[input("Y", "1", nonnegative)]
     pub amplitude: f64,
 }
@@ -62,10 +62,10 @@ pub struct Tone {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Instrument {
     /// Vibrometer or seismometer: displacement
-    /// Used above its natural frequency, where the seismic mass stands still.
+    /// Used above its natural frequency, where the seismic mass remains at rest.
     Vibrometer,
     /// Accelerometer
-    /// Used below its natural frequency, where the seismic mass is pressed along.
+    /// Used below its natural frequency, where the seismic mass follows the base.
     Accelerometer,
 }
 
@@ -79,9 +79,9 @@ pub enum Damping {
         #[input("ζ", "1", nonnegative)]
         ratio: f64,
     },
-    /// From the frequency of the free damped motion
+    /// From the frequency of the damped free vibration
     DampedFrequency {
-        /// Frequency of the free motion.
+        /// Frequency of the free vibration.
         #[input("ω_d", "Hz", positive)]
         frequency: f64,
     },
@@ -93,15 +93,15 @@ pub enum Reading {
     /// Displacement
     /// The relative motion of the seismic mass, as a vibrometer shows it.
     Displacement {
-        /// Amplitude read.
+        /// Amplitude reading.
         /// Zero to peak; write mm pp for a peak-to-peak reading.
         #[input("Z", "m", positive, kind = "Amplitude")]
         amplitude: f64,
     },
     /// Acceleration
-    /// As an accelerometer shows it.
+    /// As indicated by an accelerometer.
     Acceleration {
-        /// Acceleration read.
+        /// Acceleration reading.
         /// Its amplitude, zero to peak.
         #[input("A_r", "m/s^2", positive)]
         acceleration: f64,
@@ -115,7 +115,7 @@ impl Analysis for VibrationInstrument {
         id: "vibration/vibration-instrument",
         title: "Vibrometer and accelerometer",
         topic: "Isolation, absorbers and instruments",
-        summary: "Usable frequencies of a seismic instrument for an allowed error, its amplitude and phase error at a frequency, and the true motion behind a reading.",
+        summary: "Usable frequencies of a seismic instrument for an allowed error, its amplitude and phase error at a frequency, and the true motion for a given reading.",
         keywords: "seismometer seismograph pickup transducer usable range phase distortion vibrômetro acelerômetro \
                    sismógrafo sensor faixa de uso erro de fase",
         sources: &[&RAO, &THOMSON],
@@ -128,7 +128,7 @@ impl Analysis for VibrationInstrument {
         sheet.answer("damping_ratio", "Damping ratio", zeta);
         if given.allowed_error.is_none() && given.frequency.is_none() && self.tones.is_none() {
             return Err(Refusal::because(
-                "nothing is asked: write an allowed error, the frequency of the motion, or its tones",
+                "no result is requested: write an allowed error, the frequency of the motion, or its tones",
             ));
         }
         if given.frequency.is_none() && given.reading.is_some() {
@@ -171,14 +171,13 @@ fn damping_ratio<W: Worksheet>(given: &VibrationInstrumentGiven<W>, sheet: W) ->
             let natural = given.natural_frequency;
             if frequency.value() > natural.value() {
                 return Err(Refusal::because(
-                    "the free damped motion is never faster than the natural frequency: write the larger frequency \
-                     as the natural one",
+                    "the damped natural frequency never exceeds the natural frequency: write the larger frequency as the natural one",
                 ));
             }
             let zeta = (W::Num::from(1.0) - (*frequency / natural).powi(2)).sqrt();
             let zeta = sheet.step("ζ", "1", zeta, ("Damping ratio, from ω_d = ωₙ√(1 − ζ²)", RAO.at("§2.6")));
             sheet.check_zero(
-                "the damping ratio gives the damped frequency back",
+                "the damping ratio reproduces the damped frequency",
                 sdof::damped_frequency(natural, zeta) - *frequency,
                 natural.value(),
             );
@@ -225,8 +224,8 @@ impl VibrationInstrument {
             ));
         }
         let why = match self.instrument {
-            Instrument::Vibrometer => "Reading over true displacement",
-            Instrument::Accelerometer => "Reading over true acceleration",
+            Instrument::Vibrometer => "Ratio of reading to true displacement",
+            Instrument::Accelerometer => "Ratio of reading to true acceleration",
         };
         let factor = sheet.step("M", "1", self.factor(ratio, zeta), (why, RAO.at("§10.3")));
         sheet.verify(|| {
@@ -237,7 +236,7 @@ impl VibrationInstrument {
             "e",
             "%",
             factor - 1.0,
-            "Error of the amplitude; the reading is too large where it is positive",
+            "Error of the amplitude; where it is positive the reading is too high",
         );
         let lag = sheet.step(
             "φ",
@@ -250,18 +249,18 @@ impl VibrationInstrument {
             "ms",
             lag / frequency,
             (
-                "The record is late by; without distortion this would be the same at every frequency",
+                "Time delay of the record; without distortion it would be the same at every frequency",
                 RAO.at("§10.3"),
             ),
         );
         sheet.answer("frequency_ratio", "Frequency ratio", ratio);
-        sheet.answer("factor", "Reading over true value", factor);
+        sheet.answer("factor", "Ratio of reading to true value", factor);
         sheet.answer("error", "Error of the amplitude", error);
         sheet.answer("phase", "Phase lag", lag);
         sheet.answer("delay", "Delay of the record", delay);
         sheet.verify(|| {
             let one = W::Num::from(1.0);
-            let what = "the error by the force of inertia, spring and damper for a reading of one";
+            let what = "the error from the forces of inertia, spring and damper for a unit reading";
             let square = self.factor_of_square(ratio, zeta).powi(2);
             sheet.check(what, (error + 1.0).powi(2), square);
             let drive = match self.instrument {
@@ -269,9 +268,10 @@ impl VibrationInstrument {
                 Instrument::Accelerometer => one,
             };
             let ([in_phase, across], size) = put_up([ratio, zeta], factor, frequency * delay);
-            let what = "equation of the relative motion so much later: in phase with the motion of the case";
+            let what =
+                "equation of relative motion with this delay: component in phase with the motion of the case";
             sheet.check_sum(what, in_phase, drive, size);
-            let what = "equation of the relative motion so much later: a quarter of a turn ahead";
+            let what = "equation of relative motion with this delay: quadrature component (90° ahead)";
             sheet.check_zero(what, across, size);
         });
         let natural = given.natural_frequency;
@@ -285,7 +285,7 @@ impl VibrationInstrument {
         match (&given.reading, self.instrument) {
             (None, _) => {}
             (Some(ReadingGiven::Displacement { amplitude }), Instrument::Vibrometer) => {
-                let why = ("True amplitude behind the reading", RAO.at("§10.3"));
+                let why = ("True amplitude for the given reading", RAO.at("§10.3"));
                 let motion = sheet.step("Y", "mm", *amplitude / factor, why);
                 let why = "Its acceleration";
                 let acceleration = sheet.step("A", "m/s^2", motion * frequency.powi(2), why);
@@ -294,7 +294,7 @@ impl VibrationInstrument {
                 sheet.verify(|| held_to(*amplitude, motion, acceleration));
             }
             (Some(ReadingGiven::Acceleration { acceleration }), Instrument::Accelerometer) => {
-                let why = ("True acceleration behind the reading", RAO.at("§10.3"));
+                let why = ("True acceleration for the given reading", RAO.at("§10.3"));
                 let truth = sheet.step("A", "m/s^2", *acceleration / factor, why);
                 let why = "Amplitude of the motion with this acceleration";
                 let motion = sheet.step("Y", "mm", truth / frequency.powi(2), why);
@@ -303,11 +303,13 @@ impl VibrationInstrument {
                 sheet.verify(|| held_to(*acceleration / natural.powi(2), motion, truth));
             }
             (Some(_), Instrument::Vibrometer) => {
-                return Err(Refusal::because("a vibrometer reads a displacement: write the reading as one"));
+                return Err(Refusal::because(
+                    "a vibrometer reads a displacement: write the reading as a displacement",
+                ));
             }
             (Some(_), Instrument::Accelerometer) => {
                 return Err(Refusal::because(
-                    "an accelerometer reads an acceleration: write the reading as one",
+                    "an accelerometer reads an acceleration: write the reading as an acceleration",
                 ));
             }
         }
@@ -347,7 +349,7 @@ impl VibrationInstrument {
                 .and_then(|first| end(first.upper)),
         };
         let Some(limit) = limit.filter(|r| (r * natural.value()).is_finite()) else {
-            return Err(Refusal::because("these numbers lead beyond the range of numbers"));
+            return Err(Refusal::because("these numbers lead to values outside the representable range"));
         };
         let why = (
             "Frequency ratio at which the allowed error is reached: a root of the quadratic equation in r² of the error",
@@ -356,44 +358,44 @@ impl VibrationInstrument {
         let limit = sheet.found("r_p", "1", limit, why);
         let high = self.factor(limit, zeta).value() > 1.0;
         let reached = if high { error + 1.0 } else { W::Num::from(1.0) - error };
-        let rounding = "the reading at that ratio is off by the allowed error";
+        let rounding = "the error of the reading at that ratio equals the allowed error";
         sheet.check(rounding, self.factor(limit, zeta), reached);
         let (symbol, name, label, why) = match self.instrument {
             Instrument::Vibrometer => (
                 "ω_min",
                 "lowest_frequency",
                 "Lowest usable frequency",
-                "Lowest frequency above which the error stays within what is allowed",
+                "Lowest frequency above which the error stays within the limit",
             ),
             Instrument::Accelerometer => (
                 "ω_max",
                 "highest_frequency",
                 "Highest usable frequency",
-                "Highest frequency below which the error stays within what is allowed",
+                "Highest frequency below which the error stays within the limit",
             ),
         };
         let frequency = sheet.step(symbol, "Hz", limit * natural, why);
         sheet.answer(name, label, frequency);
-        let rounding = "the reading at that frequency is off by the allowed error";
+        let rounding = "the error of the reading at that frequency equals the allowed error";
         sheet.check(rounding, self.factor_of_square(frequency / natural, zeta), reached);
         let needed = given.frequency.map(|frequency| {
-            let why = "Natural frequency of an instrument of this damping that just reads this frequency within the error";
+            let why = "Natural frequency of an instrument of this damping that reads this frequency exactly at the error limit";
             sheet.step("ω_p", "Hz", frequency / limit, why)
         });
         if let Some(needed) = needed {
             sheet.answer("needed_natural_frequency", "Natural frequency needed at this frequency", needed);
         }
         if let (Some(frequency), Some(needed)) = (given.frequency, needed) {
-            let what = "an instrument of the needed natural frequency reads this one with the allowed error";
+            let what = "an instrument with the required natural frequency reads this frequency with the allowed error";
             sheet.check(what, self.factor_of_square(frequency / needed, zeta), reached);
         }
-        let most = sheet.step("Λ", "1", error + 1.0, "Largest reading over true value that is allowed");
+        let most = sheet.step("Λ", "1", error + 1.0, "Maximum permitted ratio of reading to true value");
         let best = sdof::damping_ratio_from_peak(most);
         if let Some(best) = best.filter(|best| best.value().is_finite()) {
-            let why = "Damping ratio of the widest band: the peak just reaches the allowed error";
+            let why = "Damping ratio for the widest band: the peak just reaches the allowed error";
             let best = sheet.step("ζ_p", "1", best, (why, RAO.at("§10.3")));
             sheet.check("its peak is the allowed error", sdof::peak_magnification(best), most);
-            sheet.answer("best_damping_ratio", "Damping ratio of the widest band", best);
+            sheet.answer("best_damping_ratio", "Damping ratio for the widest band", best);
         }
         let frequencies = ratios.map_ascending(|r| r * natural.value());
         let ends = frequencies.intervals().flat_map(|interval| [interval.lower, interval.upper]);
@@ -402,9 +404,9 @@ impl VibrationInstrument {
             .map(|frequency| {
                 let reading = self.factor(frequency / natural.value(), zeta.value());
                 if reading > 1.0 {
-                    Text::new("the reading is too large by the allowed error")
+                    Text::new("the reading exceeds the true value by the allowed error")
                 } else {
-                    Text::new("the reading is too small by the allowed error")
+                    Text::new("the reading is below the true value by the allowed error")
                 }
             })
             .collect();
@@ -427,21 +429,21 @@ impl VibrationInstrument {
             Instrument::Vibrometer => sdof::unbalance_peak_ratio(zeta),
             Instrument::Accelerometer => sdof::magnification_peak_ratio(zeta),
         };
-        let at =
-            sheet.step("ωₚ", "Hz", natural * ratio, ("Frequency of the largest reading", RAO.at("§10.3")));
-        let peak = sheet.step("Mₚ", "1", sdof::peak_magnification(zeta), "Largest reading over true value");
-        sheet.check("largest reading at its frequency", self.factor(at / natural, zeta), peak);
+        let at = sheet.step("ωₚ", "Hz", natural * ratio, ("Frequency of maximum reading", RAO.at("§10.3")));
+        let peak =
+            sheet.step("Mₚ", "1", sdof::peak_magnification(zeta), "Maximum ratio of reading to true value");
+        sheet.check("maximum reading at its frequency", self.factor(at / natural, zeta), peak);
         let square = match self.instrument {
             Instrument::Vibrometer => (natural / at).powi(2),
             Instrument::Accelerometer => (at / natural).powi(2),
         };
         sheet.check_zero(
-            "largest reading: there the slope of the reading over the frequency is zero",
+            "maximum reading: zero slope of the reading with respect to frequency",
             square + zeta.powi(2) * 2.0 - 1.0,
             1.0,
         );
-        sheet.answer("peak_frequency", "Frequency of the largest reading", at);
-        sheet.answer("peak", "Largest reading over true value", peak);
+        sheet.answer("peak_frequency", "Frequency of maximum reading", at);
+        sheet.answer("peak", "Maximum ratio of reading to true value", peak);
     }
 
     fn reading_over_frequency(
@@ -462,7 +464,7 @@ impl VibrationInstrument {
             (r * natural, plots::below(factor, 5.0))
         };
         let mut plot = Plot::new(
-            "Reading over true value against frequency",
+            "Ratio of reading to true value against frequency",
             Axis::linear("frequency", "Hz"),
             Axis::linear("reading over true value", "1"),
             vec![Series::line("this instrument", (0..=300).map(at).map(of).collect()).of("factor")],

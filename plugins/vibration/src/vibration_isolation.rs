@@ -1,18 +1,16 @@
 //! Mounts that keep the vibration of a machine from its floor, or a blow from what is packed.
 
-use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
-};
+use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real, sdof,
     vibration::isolation::{self, Shaking},
 };
 
+mod pictures;
 mod shock;
 
 use crate::{
-    oscillator::{Body, DampingGiven, Elasticity, Loss, Mass, Suspension, mass, plots::below, suspension},
+    oscillator::{Body, DampingGiven, Elasticity, Loss, Mass, Suspension, mass, suspension},
     sources::{RAO, THOMSON},
 };
 
@@ -22,12 +20,12 @@ pub struct VibrationIsolation {
     /// Machine.
     pub mass: Mass,
     /// Mass of the inertia block.
-    /// A block under the machine moves with it: less motion, and the same force on the floor at the same static
-    /// deflection.
+    /// An inertia block under the machine moves with it: less motion, and the same force on the floor for the same
+    /// static deflection.
     #[input("m_b", "kg", positive)]
     pub block: Option<f64>,
     /// Number of mounts.
-    /// All equal, and each with its share of the weight.
+    /// All equal, each carrying its share of the weight.
     #[input(min = 1, max = 1000, default = "4")]
     pub mounts: u32,
     /// Gravity.
@@ -55,7 +53,7 @@ pub enum Question {
     /// Isolation of given mounts
     Judge {
         /// Mounts.
-        /// All of them together.
+        /// Total of all mounts.
         elasticity: Elasticity,
         /// Damping.
         damping: MountDamping,
@@ -64,19 +62,19 @@ pub enum Question {
         /// Disturbance.
         disturbance: Option<Disturbance>,
         /// Required.
-        /// The lowest speed at which these mounts reach it is answered.
+        /// The lowest speed at which these mounts reach it is computed.
         required: Option<Requirement>,
     },
     /// Mounts for a shock
     Shock {
         /// Arrival.
         arrival: shock::Arrival,
-        /// Largest acceleration.
-        /// What the machine stands.
+        /// Maximum acceleration.
+        /// Permitted for the machine.
         #[input("A", "m/s^2", positive)]
         acceleration: f64,
-        /// Largest travel.
-        /// What the mounts have room for.
+        /// Maximum travel.
+        /// Available space for the mounts.
         #[input("d", "m", positive)]
         travel: Option<f64>,
     },
@@ -85,16 +83,16 @@ pub enum Question {
 /// How well the mounts must isolate.
 #[derive(Clone, Debug, Inputs)]
 pub enum Requirement {
-    /// Largest transmissibility
+    /// Maximum transmissibility
     Transmissibility {
         /// Transmissibility.
         #[input("T", "1", positive, below = 1)]
         transmissibility: f64,
     },
-    /// Least isolation
+    /// Minimum isolation
     Isolation {
         /// Isolation.
-        /// The share of the force, or of the motion, that is kept away: 85 % for a transmissibility of 0.15.
+        /// The fraction of the force or motion that is not transmitted: 85 % for a transmissibility of 0.15.
         #[input("I", "%", positive, below = 100)]
         isolation: f64,
     },
@@ -113,7 +111,7 @@ pub enum MountDamping {
     /// Damping coefficient given
     Coefficient {
         /// Damping coefficient.
-        /// Of all mounts together.
+        /// Total of all mounts.
         #[input("c", "N*s/m", nonnegative)]
         coefficient: f64,
     },
@@ -122,11 +120,11 @@ pub enum MountDamping {
 /// The speeds at which the machine runs, or the frequencies at which the base shakes.
 #[derive(Clone, Debug, Inputs)]
 pub struct Speeds {
-    /// Lowest speed.
+    /// Minimum speed.
     #[input("ω₁", "rad/s", positive)]
     pub lowest: f64,
-    /// Highest speed.
-    /// Where the machine runs at more than one.
+    /// Maximum speed.
+    /// For a machine that runs at more than one.
     #[input("ω₂", "rad/s", positive)]
     pub highest: Option<f64>,
 }
@@ -149,7 +147,7 @@ pub enum Disturbance {
     },
     /// Piston
     Piston {
-        /// Mass that goes up and down.
+        /// Reciprocating mass.
         #[input("m₀", "kg", positive)]
         mass: f64,
         /// Stroke.
@@ -166,7 +164,7 @@ impl Analysis for VibrationIsolation {
         id: "vibration/vibration-isolation",
         title: "Vibration and shock isolation",
         topic: "Isolation, absorbers and instruments",
-        summary: "Stiffness and static deflection of mounts for a required isolation over a band of speeds, the isolation of given mounts, and mounts for a shock.",
+        summary: "Stiffness and static deflection of mounts for a required isolation over a speed range, the isolation of given mounts, and mounts for a shock.",
         keywords: "isolator mount transmissibility inertia block static deflection drop packaging isolamento isolador \
                    coxim calço transmissibilidade bloco de inércia deflexão estática choque",
         sources: &[&RAO, &THOMSON],
@@ -236,12 +234,12 @@ impl<N: Real> Band<N> {
     ) -> (N, N) {
         match self.ratios.iter().position(|end| *end == found) {
             Some(end) => {
-                let why = "Frequency ratio at the worst speed";
+                let why = "Frequency ratio at the worst-case speed";
                 (self.speeds[end], sheet.step(ratio, "1", self.speeds[end] / self.natural, why))
             }
             None => {
                 let ratio = within();
-                (sheet.step(speed, "rpm", ratio * self.natural, "Worst speed, within the band"), ratio)
+                (sheet.step(speed, "rpm", ratio * self.natural, "Worst-case speed, within the range"), ratio)
             }
         }
     }
@@ -263,17 +261,17 @@ impl<N: Real> Mounts<N> {
             "ωₙ",
             "rad/s",
             speeds.lowest / ratio,
-            ("Highest natural frequency: the lowest speed is the worst, for above it the transmissibility falls", RAO.at("§9.10")),
+            ("Highest natural frequency: the lowest speed is the worst case, since the transmissibility falls above it", RAO.at("§9.10")),
         );
         let stiffness = sheet.step(
             "k",
             "N/m",
             sdof::stiffness_from_natural_frequency(self.mass, natural),
-            ("Largest stiffness of all mounts together", RAO.at("§2.2")),
+            ("Maximum total stiffness of the mounts", RAO.at("§2.2")),
         );
-        let why = ("Damping coefficient of all mounts together", RAO.at("§2.6"));
+        let why = ("Total damping coefficient of the mounts", RAO.at("§2.6"));
         let damping = sheet.step("c", "N*s/m", sdof::damping_from_ratio(zeta, stiffness, self.mass), why);
-        sheet.answer("required_ratio", "Frequency ratio needed", ratio);
+        sheet.answer("required_ratio", "Required frequency ratio", ratio);
         let known = Known { natural, stiffness, damping, zeta };
         self.answer(&known, sheet);
         self.assess(&known, Some(transmissibility), speeds, disturbance, sheet)
@@ -298,10 +296,10 @@ impl<N: Real> Mounts<N> {
         let wanted = required.map(|required| {
             let transmissibility = wanted(required, sheet);
             let ratio = required_ratio(transmissibility, zeta, sheet);
-            let why = ("Lowest speed at which the mounts isolate as required", RAO.at("§9.10"));
+            let why = ("Minimum speed at which the mounts provide the required isolation", RAO.at("§9.10"));
             let least = sheet.step("ω_min", "rpm", ratio * known.natural, why);
-            sheet.answer("required_ratio", "Frequency ratio needed", ratio);
-            sheet.answer("least_speed", "Lowest speed with the required isolation", least);
+            sheet.answer("required_ratio", "Required frequency ratio", ratio);
+            sheet.answer("least_speed", "Minimum speed with the required isolation", least);
             sheet.check(
                 "transmissibility at the lowest speed, from the dynamic stiffness",
                 (stiffness.powi(2) + (damping * least).powi(2)).sqrt()
@@ -324,15 +322,19 @@ impl<N: Real> Mounts<N> {
         sheet.check("the mounts carry the weight", known.stiffness * deflection, self.mass * self.gravity);
         sheet.answer("mass", "Mass on the mounts", self.mass);
         sheet.answer("natural_frequency", "Natural frequency", known.natural);
-        sheet.answer("stiffness", "Stiffness of all mounts together", known.stiffness);
+        sheet.answer("stiffness", "Total stiffness of the mounts", known.stiffness);
         self.answer_each(known.stiffness, sheet);
         sheet.answer("static_deflection", "Static deflection", deflection);
     }
 
     /// The stiffness of one mount.
     fn answer_each<W: Worksheet<Num = N>>(&self, stiffness: N, sheet: W) {
-        let each =
-            sheet.step("k₁", "N/m", stiffness / self.count, "Stiffness of each mount: they share the load");
+        let each = sheet.step(
+            "k₁",
+            "N/m",
+            stiffness / self.count,
+            "Stiffness of each mount: the load is shared equally",
+        );
         sheet.answer("stiffness_each", "Stiffness of each mount", each);
     }
 
@@ -356,14 +358,13 @@ impl<N: Real> Mounts<N> {
         let band = [lowest, highest].map(|speed| speed.value() / known.natural.value());
         let unbounded = || {
             Refusal::because(
-                "without damping, the motion grows without bound at the natural frequency, which lies within the \
-                 speeds: write some damping, or softer mounts",
+                "without damping, the motion grows without bound at the natural frequency, which lies within the speed range: write some damping, or softer mounts",
             )
         };
         let worst = isolation::worst_transmission(Shaking::Force, zeta, band).ok_or_else(unbounded)?;
         let band = Band { ratios: band, speeds: [lowest, highest], natural: known.natural };
         let peak = || {
-            let why = ("Frequency ratio of the largest transmissibility", RAO.at("§3.6"));
+            let why = ("Frequency ratio at maximum transmissibility", RAO.at("§3.6"));
             sheet.step("r", "1", isolation::transmissibility_peak_ratio(known.zeta), why)
         };
         let (speed, ratio) = band.at(worst, ["ω_T", "r"], peak, sheet);
@@ -371,7 +372,7 @@ impl<N: Real> Mounts<N> {
             "TR",
             "1",
             sdof::transmissibility(ratio, known.zeta),
-            ("Largest transmissibility within the speeds", RAO.at("§9.10")),
+            ("Maximum transmissibility within the speed range", RAO.at("§9.10")),
         );
         sheet.check(
             "transmissibility from the dynamic stiffness",
@@ -380,17 +381,19 @@ impl<N: Real> Mounts<N> {
             transmissibility,
         );
         if required.is_some_and(|required| transmissibility.value() > required.value() * (1.0 + 1e-9)) {
-            sheet.warn(|| Text::new("these mounts do not isolate as required within these speeds"));
+            sheet.warn(|| {
+                Text::new("these mounts do not provide the required isolation within this speed range")
+            });
         }
         let kept =
-            sheet.step("I", "%", W::Num::from(1.0) - transmissibility, "Isolation: what does not pass");
+            sheet.step("I", "%", W::Num::from(1.0) - transmissibility, "Isolation: the part not transmitted");
         sheet.answer("frequency_ratio", "Frequency ratio", ratio);
         sheet.answer("transmissibility", "Transmissibility", transmissibility);
         sheet.answer("isolation", "Isolation", kept);
         if transmissibility.value() > 1.0 {
             sheet.warn(|| {
                 Text::new(
-                    "the mounts amplify within these speeds: they isolate only from √2 times the natural frequency on",
+                    "the mounts amplify within this speed range: they isolate only above √2 times the natural frequency",
                 )
             });
         }
@@ -401,11 +404,11 @@ impl<N: Real> Mounts<N> {
         let numbers = (known.natural.value(), zeta);
         let (level, band) = (required.map(Real::value), [lowest.value(), highest.value()]);
         sheet.show(|| {
-            let plot = over_speed(numbers, level, band);
+            let plot = pictures::over_speed(numbers, level, band);
             // Of a range of speeds the answer is the largest transmissibility.
             Exhibit::Plot(if band[0] == band[1] { plot.over("question.judge.speeds.lowest") } else { plot })
         });
-        sheet.show(|| Exhibit::Drawing(drawing()));
+        sheet.show(|| Exhibit::Drawing(pictures::drawing()));
         Ok(())
     }
 
@@ -437,12 +440,16 @@ impl<N: Real> Mounts<N> {
             passing
         } else {
             let peak = || {
-                let how = "Frequency ratio of the largest force: the slope of r² TR is zero there";
+                let how = "Frequency ratio at maximum force: the slope of r² TR is zero there";
                 let ratio = sheet.found("r_F", "1", worst, how);
                 let (u, a) = (worst * worst, 4.0 * zeta.value() * zeta.value());
                 let terms = [a * u * u * u, 2.0 * a * (a - 2.0) * u * u, (4.0 * a - 2.0) * u, 2.0];
                 let scale = terms.iter().map(|term| term.abs()).sum();
-                sheet.check_zero("the slope of the force is zero there", N::from(terms.iter().sum()), scale);
+                sheet.check_zero(
+                    "the slope of the force is zero at that speed",
+                    N::from(terms.iter().sum()),
+                    scale,
+                );
                 ratio
             };
             let (speed, ratio) = band.at(worst, ["ω_F", "r_F"], peak, sheet);
@@ -453,12 +460,12 @@ impl<N: Real> Mounts<N> {
             "F_T",
             "N",
             force_at(speed) * sdof::transmissibility(ratio, zeta),
-            ("Largest force on the floor", RAO.at("§9.10")),
+            ("Maximum force on the floor", RAO.at("§9.10")),
         );
         sheet.answer("transmitted_force", "Force on the floor", transmitted);
         let Known { stiffness, damping, .. } = *known;
         sheet.check(
-            "force on the floor: that of springs and dampers in the motion of the machine",
+            "force on the floor: spring and damper forces for the motion of the machine",
             sdof::forced_amplitude(force_at(speed), stiffness, self.mass, damping, speed)
                 * (stiffness.powi(2) + (damping * speed).powi(2)).sqrt(),
             transmitted,
@@ -472,7 +479,7 @@ impl<N: Real> Mounts<N> {
                     Shaking::Force => sdof::magnification_peak_ratio(zeta),
                     Shaking::Unbalance => sdof::unbalance_peak_ratio(zeta),
                 };
-                sheet.step("r_X", "1", ratio, ("Frequency ratio of the largest amplitude", RAO.at("§3.7")))
+                sheet.step("r_X", "1", ratio, ("Frequency ratio at maximum amplitude", RAO.at("§3.7")))
             };
             let (speed, ratio) = band.at(worst, ["ω_X", "r_X"], peak, sheet);
             (worst, speed, ratio)
@@ -481,7 +488,7 @@ impl<N: Real> Mounts<N> {
             Shaking::Force => strength / known.stiffness * sdof::magnification(ratio, zeta),
             Shaking::Unbalance => strength / self.mass * sdof::unbalance_magnification(ratio, zeta),
         };
-        let why = ("Largest amplitude of the machine", RAO.at("§3.7"));
+        let why = ("Maximum amplitude of the machine", RAO.at("§3.7"));
         let amplitude = sheet.step("X", "mm", amplitude, why);
         sheet.check(
             "amplitude from the dynamic stiffness",
@@ -497,9 +504,12 @@ impl<N: Real> Mounts<N> {
 fn wanted<W: Worksheet>(required: &RequirementGiven<W>, sheet: W) -> W::Num {
     match required {
         RequirementGiven::Transmissibility { transmissibility } => *transmissibility,
-        RequirementGiven::Isolation { isolation } => {
-            sheet.step("T", "1", W::Num::from(1.0) - *isolation, "Largest transmissibility: what may pass")
-        }
+        RequirementGiven::Isolation { isolation } => sheet.step(
+            "T",
+            "1",
+            W::Num::from(1.0) - *isolation,
+            "Maximum transmissibility: the part that may be transmitted",
+        ),
     }
 }
 
@@ -510,7 +520,7 @@ fn required_ratio<W: Worksheet>(transmissibility: W::Num, zeta: W::Num, sheet: W
             "r_T",
             "1",
             isolation::isolating_ratio_undamped(transmissibility),
-            ("Frequency ratio needed, from T = 1/(r² − 1)", RAO.at("§9.10")),
+            ("Required frequency ratio, from T = 1/(r² − 1)", RAO.at("§9.10")),
         )
     } else {
         let sum = sheet.step(
@@ -523,7 +533,7 @@ fn required_ratio<W: Worksheet>(transmissibility: W::Num, zeta: W::Num, sheet: W
             "r_T",
             "1",
             isolation::isolating_ratio(transmissibility, sum),
-            ("Frequency ratio needed: the positive root", RAO.at("§9.10")),
+            ("Required frequency ratio: the positive root", RAO.at("§9.10")),
         )
     };
     sheet.check(
@@ -532,59 +542,4 @@ fn required_ratio<W: Worksheet>(transmissibility: W::Num, zeta: W::Num, sheet: W
         transmissibility,
     );
     ratio
-}
-
-/// Transmissibility against speed for several dampings, with the speeds of the machine shaded.
-fn over_speed((natural, zeta): (f64, f64), required: Option<f64>, [lowest, highest]: [f64; 2]) -> Plot {
-    let last = (1.25 * highest).max(2.5 * natural);
-    let curve = |zeta: f64| -> Vec<(f64, f64)> {
-        let at = |n: u16| last * f64::from(n) / 150.0;
-        (0..=150)
-            .map(at)
-            .map(|speed| (speed, below(sdof::transmissibility(speed / natural, zeta), 100.0)))
-            .collect()
-    };
-    let mut series = vec![Series::line("these mounts", curve(zeta)).of("transmissibility")];
-    series.extend([0.05, 0.2, 0.5].map(|zeta| {
-        let line = Series::line(Text::new("ζ = {ratio}").with_quantity("ratio", zeta, "1"), curve(zeta));
-        line.of("transmissibility").with("question.judge.damping.ratio.ratio", zeta)
-    }));
-    let plot = Plot::new(
-        "Transmissibility against speed",
-        Axis::linear("speed", "rpm"),
-        Axis::log("transmissibility", "1"),
-        series,
-    );
-    let plot = if highest > lowest {
-        plot.band("speeds of the machine", lowest, highest, true)
-    } else {
-        plot.mark("speed of the machine", (lowest, sdof::transmissibility(lowest / natural, zeta)))
-    };
-    match required {
-        Some(required) => plot.level("required", required),
-        None => plot,
-    }
-}
-
-/// The machine on its mounts.
-fn drawing() -> Drawing {
-    let mount = |x: f64| {
-        [
-            DrawnShape::Spring((x - 0.15, -1.5), (x - 0.15, -0.6)),
-            DrawnShape::Damper((x + 0.2, -1.5), (x + 0.2, -0.6)),
-        ]
-    };
-    let mut shapes = vec![DrawnShape::Ground((-1.6, -1.5), (1.6, -1.5))];
-    shapes.extend(mount(-0.9));
-    shapes.extend(mount(0.9));
-    shapes.extend([
-        DrawnShape::Block((-1.3, -0.6), (1.3, -0.2), Ink::Faint),
-        DrawnShape::Block((-0.8, -0.2), (0.8, 0.7), Ink::Body),
-        DrawnShape::Label((0.0, 0.25), Text::from("m")),
-        DrawnShape::Arrow((1.6, -0.4), (1.6, 0.4), Ink::Motion),
-        DrawnShape::Label((1.7, 0.4), Text::from("X")),
-        DrawnShape::Arrow((0.0, -1.6), (0.0, -2.3), Ink::Force),
-        DrawnShape::Label((0.1, -2.3), Text::from("F_T")),
-    ]);
-    Drawing { title: "The machine on its mounts".into(), shapes }
 }

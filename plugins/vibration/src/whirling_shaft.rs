@@ -23,7 +23,7 @@ pub struct WhirlingShaft {
     /// Mass of the rotor.
     #[input("m", "kg", positive)]
     pub mass: f64,
-    /// Imbalance.
+    /// Rotor unbalance.
     pub imbalance: Imbalance,
     /// Shaft.
     pub shaft: RotorShaft,
@@ -31,10 +31,10 @@ pub struct WhirlingShaft {
     pub damping: Damping,
     /// Speed.
     pub speed: Speed,
-    /// Axis of the shaft.
+    /// Shaft orientation.
     pub axis: ShaftAxis,
     /// Limit.
-    /// Where it is given, the speeds that keep within it are answered too.
+    /// If given, the speeds that satisfy it are also computed.
     pub limit: Option<Limit>,
 }
 
@@ -44,14 +44,14 @@ pub enum Imbalance {
     /// Eccentricity given
     Eccentricity {
         /// Eccentricity.
-        /// Distance of the mass centre of the rotor from the axis of the shaft.
+        /// Distance of the centre of mass of the rotor from the shaft axis.
         #[input("e", "m", positive)]
         eccentricity: f64,
     },
     /// Unbalance given
     Unbalance {
         /// Unbalance.
-        /// Mass of the rotor times the distance of its mass centre from the axis.
+        /// Mass of the rotor times the distance of its centre of mass from the axis.
         #[input("m₀e", "kg*m", positive)]
         unbalance: f64,
     },
@@ -75,9 +75,9 @@ pub enum Damping {
         #[input("c", "N*s/m", nonnegative)]
         coefficient: f64,
     },
-    /// From the largest whirl amplitude at any speed
+    /// From the maximum whirl amplitude at any speed
     LargestAmplitude {
-        /// Largest whirl amplitude.
+        /// Maximum whirl amplitude.
         #[input("Aₘₐₓ", "m", positive, kind = "Amplitude")]
         amplitude: f64,
     },
@@ -104,7 +104,7 @@ pub enum Speed {
 /// Whether the weight of the rotor bends the shaft.
 #[derive(Clone, Debug, Inputs)]
 pub enum ShaftAxis {
-    /// Vertical, or weight left out
+    /// Vertical, or weight neglected
     Vertical,
     /// Horizontal, the weight bends the shaft
     Horizontal {
@@ -117,23 +117,23 @@ pub enum ShaftAxis {
 /// What must not be exceeded.
 #[derive(Clone, Debug, Inputs)]
 pub enum Limit {
-    /// Largest whirl amplitude
+    /// Maximum whirl amplitude
     Amplitude {
-        /// Largest permitted whirl amplitude.
+        /// Maximum permitted whirl amplitude.
         #[input("R", "m", positive, kind = "Amplitude")]
         amplitude: f64,
     },
-    /// Largest bending stress of the shaft
-    /// That of the weight included.
+    /// Maximum bending stress of the shaft
+    /// Including that due to the weight.
     Stress {
-        /// Largest permitted stress.
+        /// Maximum permitted stress.
         #[input("σ_R", "Pa", positive)]
         stress: f64,
     },
-    /// Largest force of the whirl on the bearings
+    /// Maximum force of the whirl on the bearings
     /// On all bearings together, without the weight.
     Force {
-        /// Largest permitted force.
+        /// Maximum permitted force.
         #[input("F_R", "N", positive)]
         force: f64,
     },
@@ -160,7 +160,7 @@ impl Analysis for WhirlingShaft {
                 "e",
                 "mm",
                 *unbalance / given.mass,
-                ("Distance of the mass centre from the axis", RAO.at("§9.5")),
+                ("Distance of the centre of mass from the axis", RAO.at("§9.5")),
             ),
         };
         let k = stiffness(&self.shaft, &given.shaft, sheet);
@@ -200,9 +200,9 @@ impl Analysis for WhirlingShaft {
                 "ω_g",
                 "rpm",
                 natural / 2.0,
-                "Secondary critical speed of a horizontal shaft: the weight turns the unbalance into two pulses in a turn",
+                "Secondary critical speed of a horizontal shaft: with the weight, the unbalance produces two pulses per revolution",
             );
-            sheet.answer("secondary_critical_speed", "Secondary critical speed, by the weight", secondary);
+            sheet.answer("secondary_critical_speed", "Secondary critical speed (gravity), 2×", secondary);
         }
         let limit = match &given.limit {
             Some(limit) => Some(limit::speeds(self, given, limit, &rotor, sheet)?),
@@ -221,8 +221,7 @@ impl Analysis for WhirlingShaft {
         {
             sheet.warn(|| {
                 Text::new(
-                    "the whirl amplitude is more than a tenth of the length of the shaft: the deflections are not \
-                     small, and no shaft stands this",
+                    "the whirl amplitude exceeds a tenth of the shaft length: the deflections are not small, and no shaft withstands this",
                 )
             });
         }
@@ -274,7 +273,7 @@ fn damping_ratio<W: Worksheet>(
                 "Λₘₐₓ",
                 "1",
                 *amplitude / eccentricity,
-                "Largest whirl amplitude as a multiple of the eccentricity",
+                "Maximum whirl amplitude as a multiple of the eccentricity",
             );
             let zeta = sdof::damping_ratio_from_peak(peak).ok_or_else(|| {
                 Refusal::because(
@@ -289,7 +288,7 @@ fn damping_ratio<W: Worksheet>(
                 ("The peak is e/(2ζ√(1 − ζ²)), a quadratic equation in ζ²; its smaller root", RAO.at("§3.7")),
             );
             sheet.check(
-                "the damping ratio gives the largest amplitude back",
+                "substituting ζ reproduces the given peak amplitude",
                 sdof::peak_magnification(zeta),
                 peak,
             );
@@ -314,7 +313,7 @@ fn whirl_at<W: Worksheet>(rotor: &Rotor<W::Num>, speed: W::Num, ratio: W::Num, s
                 "φ",
                 "deg",
                 sdof::phase_lag_from_ratios(ratio, zeta),
-                ("The deflection lags the direction of the mass centre by", RAO.at("§9.5")),
+                ("The deflection lags the direction of the centre of mass by", RAO.at("§9.5")),
             );
             (amplitude, phase, Some(sdof::damping_from_ratio(zeta, stiffness, mass)))
         }
@@ -328,12 +327,12 @@ fn whirl_at<W: Worksheet>(rotor: &Rotor<W::Num>, speed: W::Num, ratio: W::Num, s
             let (lag, how) = if ratio.value() < 1.0 {
                 (
                     0.0,
-                    "Below the critical speed, undamped: the mass centre lies outside, in line with the deflection",
+                    "Below the critical speed, undamped: the centre of mass lies on the outside, in line with the deflection",
                 )
             } else {
                 (
                     PI,
-                    "Above the critical speed, undamped: the mass centre lies inside, opposite to the deflection",
+                    "Above the critical speed, undamped: the centre of mass lies on the inside, opposite to the deflection",
                 )
             };
             (amplitude, sheet.found("φ", "deg", lag, how), None)
@@ -352,13 +351,13 @@ fn whirl_at<W: Worksheet>(rotor: &Rotor<W::Num>, speed: W::Num, ratio: W::Num, s
             amplitude,
         );
         sheet.check_zero(
-            "forces along the deflection: spring less inertia is m e ω² cos φ",
+            "forces along the deflection: spring force minus inertia force = m e ω² cos φ",
             (stiffness - mass * speed.powi(2)) * amplitude - inertia * phase.cos(),
             inertia.value() + (stiffness * amplitude).value(),
         );
         if let Some(damping) = damping {
             sheet.check_zero(
-                "forces across the deflection: the damping is m e ω² sin φ",
+                "forces perpendicular to the deflection: damping force = m e ω² sin φ",
                 damping * speed * amplitude - inertia * phase.sin(),
                 inertia.value(),
             );
@@ -366,7 +365,7 @@ fn whirl_at<W: Worksheet>(rotor: &Rotor<W::Num>, speed: W::Num, ratio: W::Num, s
     });
     sheet.answer("frequency_ratio", "Speed over critical speed", ratio);
     sheet.answer("amplitude", "Whirl amplitude", amplitude);
-    sheet.answer("phase", "Lag of the deflection behind the mass centre", phase);
+    sheet.answer("phase", "Lag of the deflection behind the centre of mass", phase);
     amplitude
 }
 
@@ -376,8 +375,7 @@ fn run_up<W: Worksheet>(rotor: &Rotor<W::Num>, ratio: W::Num, amplitude: W::Num,
         if ratio.value() > 1.0 {
             sheet.warn(|| {
                 Text::new(
-                    "the shaft passes its critical speed on the way to its own, and without damping the amplitude \
-                     grows there without bound, in proportion to the time: run through it quickly",
+                    "the shaft passes its critical speed before reaching its running speed, and without damping the amplitude there grows without bound, in proportion to time: run through it quickly",
                 )
             });
         }
@@ -390,24 +388,24 @@ fn run_up<W: Worksheet>(rotor: &Rotor<W::Num>, ratio: W::Num, amplitude: W::Num,
         "ωₘₐₓ",
         "rpm",
         rotor.natural * sdof::unbalance_peak_ratio(zeta),
-        ("Speed of the largest steady whirl", RAO.at("§3.7")),
+        ("Speed of maximum steady-state whirl amplitude", RAO.at("§3.7")),
     );
     let largest = sheet.step(
         "Aₘₐₓ",
         "mm",
         rotor.eccentricity * sdof::peak_magnification(zeta),
-        ("Largest steady whirl at any speed", RAO.at("§3.7")),
+        ("Maximum steady-state whirl at any speed", RAO.at("§3.7")),
     );
     sheet.check(
-        "the largest whirl from the whirl amplitude at its speed",
+        "the maximum whirl from the whirl amplitude at its speed",
         whirl::whirl_amplitude(rotor.eccentricity, worst / rotor.natural, zeta),
         largest,
     );
-    sheet.answer("worst_speed", "Speed of the largest whirl", worst);
-    sheet.answer("largest_amplitude", "Largest whirl amplitude at any speed", largest);
+    sheet.answer("worst_speed", "Speed of maximum whirl amplitude", worst);
+    sheet.answer("largest_amplitude", "Maximum whirl amplitude at any speed", largest);
     if ratio.value() * rotor.natural.value() > worst.value() && largest.value() > 3.0 * amplitude.value() {
         sheet.warn(|| {
-            Text::new("a slow run-up meets {largest} at {speed}; a quick one meets less")
+            Text::new("a slow run-up reaches {largest} at {speed}; a fast one reaches less")
                 .with_quantity("largest", largest.value(), "mm")
                 .with_quantity("speed", worst.value(), "rpm")
         });
@@ -486,7 +484,7 @@ fn vectors([natural, eccentricity, zeta]: [f64; 3], (speed, amplitude): (f64, f6
         DrawnShape::Label((g.0 + 0.05, g.1 + 0.12), Text::from("G")),
     ];
     Drawing {
-        title: "Bearing centre O, shaft centre W, mass centre G (a short arrow is drawn longer)".into(),
+        title: "Bearing centre O, shaft centre W, centre of mass G (a short arrow is drawn longer)".into(),
         shapes,
     }
 }

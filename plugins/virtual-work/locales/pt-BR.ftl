@@ -1,28 +1,29 @@
 # virtual-work/a-frame
 step-ladder = Escada dupla
-force-at-the-feet-or-tension-of-the-rope-that-holds-two-ladders-against-each-other-or-the-angle-that = Força nos pés ou tração da corda que mantém duas escadas uma contra a outra, ou o ângulo que uma força mantém.
+force-at-the-feet-or-tension-of-the-rope-of-two-ladders-leaning-against-each-other-or-the-equilibrium = Força nos pés ou tração da corda de duas escadas apoiadas uma na outra, ou o ângulo de equilíbrio para uma força dada.
 length-of-each-ladder = Comprimento de cada escada
 weight-of-each-ladder = Peso de cada escada
 load-at-the-hinge = Carga na articulação
 held-by = Mantida por
+restraint-of-the-feet = Contenção dos pés
 horizontal-forces-at-the-feet = Forças horizontais nos pés
 a-rope-between-the-ladders = Uma corda entre as escadas
-where-it-is-tied-from-the-hinge-as-a-part-of-the-length = Onde está amarrada, desde a articulação, como fração do comprimento
-force-at-an-angle = Força em um ângulo
+attachment-point-from-the-hinge-as-a-fraction-of-the-length = Ponto de amarração, a partir da articulação, como fração do comprimento
+force-at-a-given-angle = Força em um ângulo dado
 angle-of-each-ladder-from-the-vertical = Ângulo de cada escada com a vertical
-angle-at-which-a-force-holds = Ângulo em que uma força mantém
+equilibrium-angle-for-a-given-force = Ângulo de equilíbrio para uma força dada
 force-at-each-foot-or-tension-of-the-rope = Força em cada pé, ou tração da corda
-virtual-fall-of-the-hinge-over-from-y-l-cos-that-of-each-mass-centre-is-half-of-it = Descida virtual da articulação em δθ, de y = L cos θ; a de cada centro de massa é a metade
-virtual-growth-of-the-distance-that-is-held-over = Aumento virtual da distância que é mantida, em δθ
-the-virtual-works-of-weights-load-and-holding-force-sum-to-zero-2-w-y-g-q-y-t-x-0 = A soma dos trabalhos virtuais dos pesos, da carga e da força de sustentação é nula: 2 W δy_G + Q δy + T δx = 0
+downward-virtual-displacement-of-the-hinge-per-unit-from-y-l-cos-that-of-each-centre-of-mass-is-half = Deslocamento virtual da articulação para baixo por unidade de δθ, de y = L cos θ; o de cada centro de massa é a metade
+virtual-increase-of-the-restrained-distance-per-unit = Aumento virtual da distância restringida por unidade de δθ
+the-total-virtual-work-of-weights-load-and-holding-force-is-zero-2-w-y-g-q-y-t-x-0 = O trabalho virtual total dos pesos, da carga e da força de sustentação é nulo: 2 W δy_G + Q δy + T δx = 0
 force-at-each-foot = Força em cada pé
 tension-of-the-rope = Tração da corda
 force-of-the-floor-on-each-foot = Força do piso em cada pé
-coefficient-of-friction-that-would-hold-the-feet = Coeficiente de atrito que manteria os pés
+coefficient-of-friction-required-at-the-feet = Coeficiente de atrito necessário nos pés
 the-force-from-the-moments-on-one-ladder-about-the-hinge = a força pelos momentos em uma escada em relação à articulação
-the-force-by-newton-and-euler-for-every-body = a força por Newton e Euler em cada corpo
-the-force-of-the-floor-by-newton-and-euler = a força do piso por Newton e Euler
-the-ladders-lie-nearly-flat-a-small-slip-changes-the-force-greatly = as escadas estão quase deitadas: um pequeno deslize muda muito a força
+the-force-from-the-newton-euler-equations-of-every-body = a força pelas equações de Newton–Euler de cada corpo
+the-force-of-the-floor-from-the-newton-euler-equations = a força do piso pelas equações de Newton–Euler
+the-ladders-are-nearly-horizontal-a-small-sliding-greatly-changes-the-force = as escadas estão quase na horizontal: um pequeno deslizamento muda muito a força
 neither-ladders-nor-hinge-are-loaded-write-a-weight-or-a-load = nem as escadas nem a articulação estão carregadas: escreva um peso ou uma carga
 holding-force-against-the-angle-of-the-ladders = Força de sustentação em função do ângulo das escadas
 angle-from-the-vertical = ângulo com a vertical
@@ -35,9 +36,9 @@ the-hanging-mass-that-holds-a-hinged-bar-at-an-angle-or-all-angles-at-which-a-ma
 distance-of-the-cord-s-end-from-the-pin-along-the-bar = Distância da ponta do cabo à articulação, ao longo da barra
 height-of-the-pulley-above-the-pin = Altura da polia acima da articulação
 hanging-mass = Massa suspensa
-the-angle-of-the-bar-is-taken-upwards-from-the-horizontal = O ângulo θ da barra é medido da horizontal para cima.
+the-angle-of-the-bar-is-measured-upwards-from-the-horizontal = O ângulo θ da barra é medido da horizontal para cima.
 weight-of-the-hanging-mass = Peso da massa suspensa
-virtual-rise-of-the-mass-centre-of-the-bar-over = Subida virtual do centro de massa da barra em δθ
+upward-virtual-displacement-of-the-centre-of-mass-of-the-bar-per-unit = Deslocamento virtual do centro de massa da barra para cima por unidade de δθ
 hanging-weight-for-equilibrium = Peso suspenso para o equilíbrio
 hanging-mass-for-equilibrium = Massa suspensa para o equilíbrio
 the-mass-is-negative-at-this-angle-the-cord-would-have-to-push = a massa é negativa: neste ângulo o cabo teria de empurrar
@@ -45,42 +46,42 @@ the-bar-its-cord-and-its-counterweight = A barra, o cabo e o contrapeso
 
 # virtual-work/compound-lever
 chain-of-levers = Cadeia de alavancas
-force-or-couple-that-balances-the-loads-on-levers-driving-one-another-by-the-ratios-of-their-virtual = Força ou conjugado que equilibra as cargas em alavancas que se acionam em série, pelas razões dos deslocamentos virtuais.
+force-or-couple-that-balances-the-loads-on-levers-connected-in-series-from-the-ratios-of-their = Força ou binário que equilibra as cargas em alavancas ligadas em série, pelas razões dos deslocamentos virtuais.
 links-from-each-lever-to-the-next = Ligações de cada alavanca à seguinte
 none-for-a-single-lever = Nenhuma para uma só alavanca.
 loads = Cargas
 arm-on-the-driving-lever = Braço na alavanca motora
 arm-on-the-driven-lever = Braço na alavanca movida
-negative-where-it-turns-the-other-way = Negativo quando ela gira no sentido contrário.
-lever-that-it-acts-on = Alavanca em que atua
+negative-for-the-opposite-sense-of-rotation = Negativo para o sentido de rotação contrário.
+lever-it-acts-on = Alavanca em que atua
 kind = tipo
 arm = Braço
 couple = binário
 force-on-a-lever = Força em uma alavanca
-couple-on-a-lever = Conjugado em uma alavanca
-virtual-work-of-name-for-a-unit-turn-of-lever-1 = Trabalho virtual de { $name }, para um giro unitário da alavanca 1
+couple-on-a-lever = Binário em uma alavanca
+virtual-work-of-name-for-a-unit-rotation-of-lever-1 = Trabalho virtual de { $name }, para uma rotação unitária da alavanca 1
 virtual-work-of-all-loads = Trabalho virtual de todas as cargas
-with-it-the-virtual-works-sum-to-zero = Com ela a soma dos trabalhos virtuais é nula
-virtual-displacement-of-the-sought-force-for-a-unit-turn-of-lever-1 = Deslocamento virtual da força procurada, para um giro unitário da alavanca 1
-virtual-turn-of-the-lever-for-a-unit-turn-of-lever-1-both-ends-of-the-link-move-alike-b-a = Giro virtual da alavanca para um giro unitário da alavanca 1: as duas pontas da ligação movem-se igualmente, b δφ = a δφ′
-force-in-balance = Força de equilíbrio
-couple-in-balance = Conjugado de equilíbrio
+the-total-virtual-work-is-zero = O trabalho virtual total é nulo
+virtual-displacement-of-the-unknown-force-for-a-unit-rotation-of-lever-1 = Deslocamento virtual da força incógnita, para uma rotação unitária da alavanca 1
+virtual-rotation-of-the-lever-for-a-unit-rotation-of-lever-1-both-ends-of-the-link-have-the-same = Rotação virtual da alavanca para uma rotação unitária da alavanca 1: as duas pontas da ligação têm o mesmo deslocamento, b δφ = a δφ′
+equilibrant-force = Força equilibrante
+equilibrant-couple = Binário equilibrante
 mechanical-advantage = Vantagem mecânica
-mechanical-advantage-one-force-over-the-other = Vantagem mecânica: uma força sobre a outra
-the-balance-by-newton-and-euler-for-every-lever-and-link = o equilíbrio por Newton e Euler em cada alavanca e ligação
-there-is-no-lever-lever-with-links-links-there-are-levers-1-to-last = não há alavanca { $lever }: com { $links } ligações há as alavancas de 1 a { $last }
+mechanical-advantage-ratio-of-the-two-forces = Vantagem mecânica: razão entre as duas forças
+the-balance-from-the-newton-euler-equations-of-every-lever-and-link = o equilíbrio pelas equações de Newton–Euler de cada alavanca e ligação
+lever-lever-does-not-exist-with-links-links-there-are-levers-1-to-last = a alavanca { $lever } não existe: com { $links } ligações há as alavancas de 1 a { $last }
 the-sought-force-has-no-virtual-displacement-its-arm-or-a-ratio-of-the-links-is-zero-so-it-cannot = a força procurada não tem deslocamento virtual: seu braço ou uma razão das ligações é nula, e ela nada pode equilibrar
-link-link-meets-lever-lever-at-its-pivot-write-an-arm-that-is-not-zero = a ligação { $link } encontra a alavanca { $lever } no pivô: escreva um braço diferente de zero
-virtual-works-for-a-unit-turn-of-lever-1 = Trabalhos virtuais para um giro unitário da alavanca 1
+link-link-meets-lever-lever-at-its-pivot-write-a-non-zero-arm = a ligação { $link } encontra a alavanca { $lever } no pivô: escreva um braço diferente de zero
+virtual-work-for-a-unit-rotation-of-lever-1 = Trabalho virtual para uma rotação unitária da alavanca 1
 virtual-work = Trabalho virtual
-the-levers-level-with-upright-links = As alavancas, niveladas, com ligações verticais
+the-levers-horizontal-with-vertical-links = As alavancas na horizontal, com ligações verticais
 
 # virtual-work/engine
 reciprocating-engine = Motor alternativo
-motion-of-the-piston-forces-in-piston-rod-guide-crank-pin-and-bearings-and-the-turning-moment-of-an = Movimento do pistão, forças no pistão, na biela, na guia, no pino da manivela e nos mancais, e o torque de um motor de um cilindro, em um ângulo e ao longo do ciclo.
-the-formulas-of-two-terms-and-of-harmonics-hold-for-a-line-of-stroke-through-the-crankshaft-choose = as fórmulas de dois termos e de harmônicos valem para uma linha de curso que passa pelo eixo da manivela: escolha o movimento exato, ou sem excentricidade
-the-acceleration-of-the-piston-does-not-tell-that-of-the-rod-give-the-speed-or-leave-the-rod-without = a aceleração do pistão não determina a da biela: dê a rotação, ou deixe a biela sem massa e some a parcela dela à massa alternativa
-the-crank-cannot-go-round-with-a-rod-of-rod-crank-and-offset-together-demand-more-than-least = a manivela não dá a volta com uma biela de { $rod }: manivela e excentricidade juntas exigem mais de { $least }
+motion-of-the-piston-forces-in-piston-rod-guide-crank-pin-and-bearings-and-turning-moment-of-a-single = Movimento do pistão, forças no pistão, na biela, na guia, no pino da manivela e nos mancais, e o torque de um motor monocilíndrico, em um ângulo e ao longo do ciclo.
+the-two-term-and-harmonic-formulas-hold-for-a-line-of-stroke-through-the-crankshaft-choose-the-exact = as fórmulas de dois termos e de harmônicos valem para uma linha de curso que passa pelo eixo da manivela: escolha o movimento exato, ou sem excentricidade
+the-acceleration-of-the-piston-does-not-determine-that-of-the-rod-give-the-speed-or-leave-the-rod = a aceleração do pistão não determina a da biela: dê a rotação, ou deixe a biela sem massa e some a parcela dela à massa alternativa
+the-crank-cannot-make-a-full-revolution-with-a-rod-of-rod-crank-and-offset-together-require-more-than = a manivela não dá a volta com uma biela de { $rod }: manivela e excentricidade juntas exigem mais de { $least }
 offset-of-the-line-of-stroke = Excentricidade da linha de curso
 height-above-the-crankshaft-on-the-side-to-which-the-crank-turns-first = Altura acima do eixo da manivela, do lado para o qual a manivela gira primeiro.
 from-the-dead-centre-with-the-piston-farthest-from-the-crankshaft-inner-or-top-dead-centre-in-the = A partir do ponto morto em que o pistão está mais longe do eixo da manivela (ponto morto superior), no sentido de rotação; com excentricidade, a partir da linha de curso.
@@ -92,58 +93,59 @@ force-on-the-piston = Força sobre o pistão
 friction-of-the-piston = Atrito do pistão
 against-its-motion-as-the-crank-turns-forward = Contrário ao movimento do pistão quando a manivela gira para a frente.
 flywheel-and-what-the-engine-drives = Volante e o que o motor aciona
+flywheel-and-driven-load = Volante e carga acionada
 of-an-engine-without-offset-twice-the-crank-radius = De um motor sem excentricidade: o dobro do raio da manivela.
-ratio-to-the-crank-radius = Razão para o raio da manivela
+ratio-to-the-crank-radius = Razão em relação ao raio da manivela
 length-of-the-rod-over-the-crank-radius = Comprimento da biela dividido pelo raio da manivela
-standing-still = Parado
+at-rest = Em repouso
 equilibrium-without-inertia = Equilíbrio sem inércia.
 acceleration-of-the-piston-given = Aceleração do pistão dada
 acceleration-of-the-piston = Aceleração do pistão
 towards-the-crank = Em direção à manivela.
 two-terms = Dois termos
-cos-cos-2-n-as-most-books-work = cos θ + cos 2θ/n, como na maioria dos livros.
+cos-cos-2-n-as-in-most-books = cos θ + cos 2θ/n, como na maioria dos livros.
 harmonics-up-to-an-order = Harmônicos até uma ordem
-only-even-orders-follow-the-first = Depois da primeira só há ordens pares.
-weights-left-out = Sem os pesos
+beyond-the-first-only-even-orders-occur = Além da primeira, só há ordens pares.
+weights-neglected = Pesos desprezados
 vertical-above-the-crankshaft = Vertical, acima do eixo da manivela
 horizontal = Horizontal
 angle-of-the-stroke-above-the-horizontal = Ângulo do curso acima da horizontal
 the-turning-moment-over-the-cycle-cannot-be-represented-check-the-inputs = o torque ao longo do ciclo não pode ser representado: confira os dados
-mean-turning-moment-at-a-steady-speed-integrated-over-the-cycle = Torque médio em rotação constante, integrado ao longo do ciclo
-greatest-turning-moment-of-the-cycle = Maior torque do ciclo
-crank-angle-of-the-greatest-turning-moment = Ângulo da manivela do maior torque
-least-turning-moment-of-the-cycle = Menor torque do ciclo
-crank-angle-of-the-least-turning-moment = Ângulo da manivela do menor torque
+mean-turning-moment-at-constant-speed-integrated-over-the-cycle = Torque médio em rotação constante, integrado ao longo do ciclo
+maximum-turning-moment-of-the-cycle = Torque máximo do ciclo
+crank-angle-at-the-maximum-turning-moment = Ângulo da manivela no torque máximo
+minimum-turning-moment-of-the-cycle = Torque mínimo do ciclo
+crank-angle-at-the-minimum-turning-moment = Ângulo da manivela no torque mínimo
 root-mean-square-of-the-turning-moment = Valor eficaz do torque
 mean-turning-moment-over-the-cycle = Torque médio ao longo do ciclo
-greatest-turning-moment = Maior torque
-least-turning-moment = Menor torque
+maximum-turning-moment = Torque máximo
+minimum-turning-moment = Torque mínimo
 mean-power-at-this-speed = Potência média nesta rotação
-fluctuation-of-energy-what-the-moment-does-above-its-mean-from-the-least-to-the-greatest-sum = Flutuação de energia: o trabalho do torque acima da média, da menor à maior soma
+fluctuation-of-energy-work-of-the-moment-above-its-mean-from-the-minimum-to-the-maximum-sum = Flutuação de energia: o trabalho do torque acima da média, da soma mínima à máxima
 fluctuation-of-energy = Flutuação de energia
-coefficient-of-fluctuation-of-speed-the-range-of-speed-over-its-mean-against-a-constant-resistance = Coeficiente de flutuação de velocidade: a faixa da velocidade dividida pela média, contra uma resistência constante
+coefficient-of-fluctuation-of-speed-speed-range-divided-by-the-mean-speed-against-a-constant = Coeficiente de flutuação de velocidade: faixa de velocidade dividida pela média, contra uma resistência constante
 coefficient-of-fluctuation-of-speed = Coeficiente de flutuação de velocidade
-greatest-turning-moment-from-the-virtual-works-at-its-crank-angle = maior torque pelos trabalhos virtuais no seu ângulo da manivela
-least-turning-moment-from-the-virtual-works-at-its-crank-angle = menor torque pelos trabalhos virtuais no seu ângulo da manivela
+maximum-turning-moment-from-the-virtual-work-at-its-crank-angle = torque máximo pelos trabalhos virtuais no seu ângulo da manivela
+minimum-turning-moment-from-the-virtual-work-at-its-crank-angle = torque mínimo pelos trabalhos virtuais no seu ângulo da manivela
 fluctuation-of-energy-as-the-range-of-the-kinetic-energy-of-piston-and-rod = flutuação de energia como a faixa da energia cinética de pistão e biela
-greatest-turning-moment-from-newton-s-and-euler-s-equations-at-its-crank-angle = maior torque pelas equações de Newton e Euler no seu ângulo da manivela
-least-turning-moment-from-newton-s-and-euler-s-equations-at-its-crank-angle = menor torque pelas equações de Newton e Euler no seu ângulo da manivela
-mean-turning-moment-from-the-work-of-gas-and-friction-in-a-cycle = torque médio pelo trabalho do gás e do atrito em um ciclo
+maximum-turning-moment-from-the-newton-euler-equations-at-its-crank-angle = torque máximo pelas equações de Newton–Euler no seu ângulo da manivela
+minimum-turning-moment-from-the-newton-euler-equations-at-its-crank-angle = torque mínimo pelas equações de Newton–Euler no seu ângulo da manivela
+mean-turning-moment-from-the-work-of-gas-and-friction-per-cycle = torque médio pelo trabalho do gás e do atrito por ciclo
 displacement-of-the-piston = Deslocamento do pistão
 velocity-of-the-piston = Velocidade do pistão
 net-piston-effort = Esforço líquido no pistão
 turning-moment-on-the-crankshaft = Torque no eixo da manivela
-motion-and-moment-in-all-formulas = Movimento e torque em todas as fórmulas
+motion-and-turning-moment-by-all-formulas = Movimento e torque por todas as fórmulas
 acceleration-of-the-piston-at-this-speed = Aceleração do pistão nesta rotação
 acceleration-towards-the-crank = Aceleração, em direção à manivela
 gas = gás
 inertia-weight-and-friction = inércia, peso e atrito
 net-effort = esforço líquido
 forces-along-the-stroke-over-the-cycle = Forças ao longo do curso durante o ciclo
-forces-along-the-stroke-without-the-gas-which-is-known-at-this-angle-alone = Forças ao longo do curso sem o gás, conhecido só neste ângulo
+forces-along-the-stroke-without-the-gas-force-which-is-known-only-at-this-angle = Forças ao longo do curso sem a força do gás, conhecida só neste ângulo
 force-towards-the-crank = Força em direção à manivela
-turning-moment = torque
-turning-moment-without-the-gas-which-is-known-at-this-angle-alone = Torque sem o gás, conhecido só neste ângulo
+turning-moment = Torque na manivela
+turning-moment-without-the-gas-which-is-known-only-at-this-angle = Torque sem o gás, conhecido só neste ângulo
 turning-moment-over-the-cycle = Torque ao longo do ciclo
 mean = média
 force-at-the-crank-pin-in-axes-of-the-crank = Força no pino da manivela, em eixos da manivela
@@ -155,118 +157,123 @@ along-the-stroke-towards-the-cylinder = ao longo do curso, em direção ao cilin
 across-the-stroke = transversal ao curso
 the-engine-at-this-crank-angle-with-its-forces = O motor neste ângulo da manivela, com as suas forças
 the-engine-over-its-cycle-with-its-forces = O motor ao longo do ciclo, com as suas forças
-the-engine-over-a-turn = O motor ao longo de uma volta
+the-engine-over-one-revolution = O motor ao longo de uma volta
 moment-of-inertia-of-the-flywheel = Momento de inércia do volante
-a-power-tells-the-resisting-torque-of-a-running-engine-alone-give-the-torque-or-the-speed = uma potência só determina o torque resistente de um motor em rotação: dê o torque, ou a rotação
-torque-that-takes-the-power-at-this-speed = Torque que absorve a potência nesta rotação
-angular-acceleration-of-the-flywheel-what-the-turning-moment-exceeds-the-resistance-by = Aceleração angular do volante: aquilo em que o torque supera a resistência
+a-power-determines-the-resisting-torque-only-for-a-running-engine-give-the-torque-or-the-speed = uma potência só determina o torque resistente de um motor em rotação: dê o torque, ou a rotação
+torque-that-absorbs-the-power-at-this-speed = Torque que absorve a potência nesta rotação
+angular-acceleration-of-the-flywheel-from-the-excess-of-the-turning-moment-over-the-resistance = Aceleração angular do volante, pelo excesso do torque sobre a resistência
 angular-acceleration-of-the-flywheel = Aceleração angular do volante
 inertia-of-the-flywheel = Inércia do volante
-what-resists = O que resiste
+resisting-load = Carga resistente
 resisting-torque = Torque resistente
 power-at-this-speed = Potência nesta rotação
 gravity-along-the-stroke-towards-the-crank = Gravidade ao longo do curso, em direção à manivela
-gravity-across-the-stroke = Gravidade transversal ao curso
-masses-that-go-to-and-fro-with-the-rod-s-share-at-the-gudgeon-pin = Massas alternativas, com a parcela da biela no pino do pistão
-no-force-of-a-gas = Nenhuma força de gás
-inertia-force-of-the-reciprocating-masses-against-their-acceleration = Força de inércia das massas alternativas, contrária à aceleração
+gravity-transverse-to-the-stroke = Gravidade transversal ao curso
+reciprocating-mass-including-the-rod-s-equivalent-mass-at-the-gudgeon-pin = Massa alternativa, incluindo a massa equivalente da biela no pino do pistão
+inertia-force-of-the-reciprocating-masses-opposite-to-their-acceleration = Força de inércia das massas alternativas, contrária à aceleração
 inertia-force-along-the-stroke-away-from-the-crank = Força de inércia ao longo do curso, afastando-se da manivela
 weight-of-the-reciprocating-masses-along-the-stroke = Peso das massas alternativas ao longo do curso
 weight-along-the-stroke = Peso ao longo do curso
 net-effort-along-the-stroke-towards-the-crank = Esforço líquido ao longo do curso, em direção à manivela
 virtual-work-of-the-weight-of-the-rod-s-share-at-the-crank-pin-for = Trabalho virtual do peso da parcela da biela no pino da manivela, para δθ
-inertia-couple-that-corrects-the-two-masses-of-the-rod = Conjugado de inércia que corrige as duas massas da biela
-correction-couple-of-the-rod = Conjugado de correção da biela
-virtual-work-of-the-correction-couple-for = Trabalho virtual do conjugado de correção, para δθ
+inertia-couple-that-corrects-the-two-masses-of-the-rod = Binário de inércia que corrige as duas massas da biela
+correction-couple-of-the-rod = Binário de correção da biela
+virtual-work-of-the-correction-couple-for = Trabalho virtual do binário de correção, para δθ
 virtual-work-of-the-inertia-of-the-rod-s-share-at-the-crank-pin-for = Trabalho virtual da inércia da parcela da biela no pino da manivela, para δθ
 at-a-dead-centre-no-force-on-the-piston-turns-the-crank-choose-another-crank-angle = em um ponto morto nenhuma força no pistão gira a manivela: escolha outro ângulo da manivela
-virtual-work-f-p-s-t-m-the-effort-that-gives-the-turning-moment = Trabalho virtual F_P δs + ΣT δθ = M δθ: o esforço que dá o torque
+virtual-work-f-p-s-t-m-the-effort-that-produces-the-turning-moment = Trabalho virtual F_P δs + ΣT δθ = M δθ: o esforço que produz o torque
 force-on-the-piston-towards-the-crank = Força sobre o pistão, em direção à manivela
-load-of-the-piston-on-the-gudgeon-pin-without-the-rod-s-share = Carga do pistão sobre o seu pino, sem a parcela da biela
+load-of-the-piston-on-the-gudgeon-pin-without-the-rod-s-equivalent-mass = Carga do pistão sobre o seu pino, sem a massa equivalente da biela
 load-of-the-piston-on-the-gudgeon-pin-along-the-stroke = Carga do pistão sobre o seu pino, ao longo do curso
 virtual-work-of-the-piston-effort-t-f-p-s = Trabalho virtual do esforço no pistão: T δθ = F_P δs
 moment-of-the-piston-effort = Torque do esforço no pistão
-moment-of-the-correction-couple = Torque do conjugado de correção
+moment-of-the-correction-couple = Torque do binário de correção
 moment-of-the-weight-at-the-crank-pin = Torque do peso no pino da manivela
-the-virtual-works-of-all-loads-add-up-to-that-of-the-turning-moment = Os trabalhos virtuais de todas as ações somam o do torque
-force-across-the-stroke-at-the-gudgeon-pin-moments-of-the-rod-about-the-crank-pin = Força transversal ao curso no pino do pistão: momentos da biela em relação ao pino da manivela
-force-at-the-crank-pin-along-its-motion-with-the-loads-of-the-rod-s-share-there = Força no pino da manivela no sentido do movimento, com as ações da parcela da biela ali
+the-virtual-work-of-all-loads-equals-that-of-the-turning-moment = O trabalho virtual de todas as ações é igual ao do torque
+force-transverse-to-the-stroke-at-the-gudgeon-pin-moments-of-the-rod-about-the-crank-pin = Força transversal ao curso no pino do pistão: momentos da biela em relação ao pino da manivela
+force-at-the-crank-pin-in-the-direction-of-its-motion-with-the-loads-of-the-rod-s-equivalent-mass = Força no pino da manivela no sentido do movimento, com as ações da massa equivalente da biela ali
 force-at-the-crank-pin-towards-the-crankshaft = Força no pino da manivela em direção ao eixo
 thrust-in-the-rod-whose-component-along-the-stroke-is-the-effort = Força na biela, cuja componente ao longo do curso é o esforço
 thrust-in-the-rod = Força na biela
 thrust-on-the-guide-the-component-of-the-rod-s-thrust-across-the-stroke = Força na guia: a componente transversal da força na biela
 thrust-on-the-guide = Força na guia
 force-at-the-crank-pin-along-its-motion = Força no pino da manivela no sentido do movimento
+force-at-the-crank-pin-in-the-direction-of-its-motion = Força no pino da manivela no sentido do movimento
 thrust-on-the-bearings-along-the-crank-towards-the-crankshaft = Força nos mancais ao longo da manivela, em direção ao eixo
 tangential-force-at-the-crank-pin = Força tangencial no pino da manivela
 radial-force-at-the-crank-pin-towards-the-crankshaft = Força radial no pino da manivela, em direção ao eixo
-force-at-the-crank-pin-the-main-bearings-carry-it-too-with-a-crank-that-is-balanced = Força no pino da manivela; os mancais principais também a suportam, com a manivela balanceada
+force-at-the-crank-pin-with-a-balanced-crank-also-the-force-on-the-main-bearings = Força no pino da manivela; com a manivela balanceada, também a força nos mancais principais
 force-at-the-crank-pin = Força no pino da manivela
 the-turning-moment-is-the-tangential-force-times-the-crank = o torque é a força tangencial vezes a manivela
-speed-at-which-the-inertia-force-growing-with-takes-up-all-else-the-load-on-the-gudgeon-pin-is-zero = Rotação em que a força de inércia, que cresce com ω², equilibra todo o resto: a carga no pino do pistão é nula
+speed-at-which-the-inertia-force-growing-with-balances-all-other-forces-the-load-on-the-gudgeon-pin = Rotação em que a força de inércia, que cresce com ω², equilibra todas as outras forças: a carga no pino do pistão é nula
 speed-at-which-the-load-on-the-gudgeon-pin-reverses = Rotação em que a carga no pino do pistão se inverte
 no-load-on-the-gudgeon-pin-at-that-speed = nenhuma carga no pino do pistão nessa rotação
-above-the-atmosphere = Acima da atmosfera
-an-absolute-pressure-is-below-zero-write-gauge-pressures-not-further-below-zero-than-the-atmosphere = uma pressão absoluta é negativa: escreva pressões manométricas não mais abaixo de zero que a atmosfera, ou escolha pressões absolutas
+gauge-pressure = Pressão manométrica
+an-absolute-pressure-is-negative-write-gauge-pressures-not-below-minus-the-atmospheric-pressure-or = uma pressão absoluta é negativa: escreva pressões manométricas não inferiores a menos a pressão atmosférica, ou escolha pressões absolutas
 absolute-pressure = Pressão absoluta
-part-of-the-stroke-that-the-piston-has-gone = Fração do curso que o pistão percorreu
-the-side-away-from-the-crankshaft-exhausts = O lado oposto ao eixo da manivela está em escape
-the-side-towards-the-crankshaft-exhausts = O lado do eixo da manivela está em escape
-before-the-cut-off-full-pressure-of-the-admission = Antes do corte: pressão plena de admissão
+fraction-of-the-stroke-travelled-by-the-piston = Fração do curso percorrida pelo pistão
+exhaust-on-the-side-away-from-the-crankshaft = Escape no lado oposto ao eixo da manivela
+exhaust-on-the-side-towards-the-crankshaft = Escape no lado do eixo da manivela
+before-the-cut-off-full-admission-pressure = Antes do corte: pressão plena de admissão
 after-the-cut-off-the-steam-expands = Depois do corte o vapor se expande
-mean-effective-pressure-work-of-a-stroke-over-its-volume-less-the-back-pressure = Pressão média efetiva: o trabalho de um curso dividido pela cilindrada, menos a contrapressão
+mean-effective-pressure-work-per-stroke-over-its-volume-less-the-back-pressure = Pressão média efetiva: o trabalho de um curso dividido pela cilindrada, menos a contrapressão
 mean-effective-pressure = Pressão média efetiva
-work-of-the-steam-in-a-turn = Trabalho do vapor em uma volta
+work-of-the-steam-per-revolution = Trabalho do vapor por volta
 work-of-the-gas-in-a-turn = Trabalho do gás em uma volta
-the-indicator-diagram-needs-at-least-two-rows-by-ascending-part-of-the-stroke-from-0-to-1 = o diagrama indicador precisa de pelo menos duas linhas em ordem crescente da fração do curso, de 0 a 1
-the-indicator-diagram-needs-at-least-two-rows-by-ascending-crank-angle-within-one-cycle = o diagrama indicador precisa de pelo menos duas linhas em ordem crescente do ângulo da manivela, dentro de um ciclo
+work-of-the-gas-per-revolution = Trabalho do gás por volta
+the-indicator-diagram-needs-at-least-two-rows-in-ascending-order-of-the-fraction-of-stroke-from-0-to = o diagrama indicador precisa de pelo menos duas linhas em ordem crescente da fração do curso, de 0 a 1
+the-indicator-diagram-needs-at-least-two-rows-in-ascending-order-of-crank-angle-within-one-cycle = o diagrama indicador precisa de pelo menos duas linhas em ordem crescente do ângulo da manivela, dentro de um ciclo
 gauge-pressure-read-from-the-diagram-between-its-rows = Pressão manométrica, lida no diagrama entre as suas linhas
 force-of-the-gas-on-the-piston-towards-the-crank = Força do gás sobre o pistão, em direção à manivela
 area-of-the-piston = Área do pistão
-the-piston-rod-of-rod-leaves-nothing-of-the-bore-of-bore-make-it-thinner = a haste de { $rod } não deixa nada do cilindro de { $bore }: torne-a mais fina
+the-piston-rod-of-rod-fills-the-whole-bore-of-bore-reduce-its-diameter = a haste de { $rod } ocupa todo o cilindro de { $bore }: reduza o seu diâmetro
 area-of-the-piston-on-the-side-towards-the-crankshaft = Área do pistão do lado do eixo da manivela
 force-given = Força dada
 towards-the-crank-at-this-crank-angle = Em direção à manivela; neste ângulo da manivela.
 sought-the-force-for-a-turning-moment = Procurada: a força para um torque
 turning-moment-of-the-engine = Torque do motor
-what-it-has-to-hold-or-to-drive-in-the-sense-of-rotation = O que ele tem de segurar ou acionar, no sentido de rotação.
+torque-to-be-held-or-driven-in-the-sense-of-rotation = Torque a segurar ou acionar, no sentido de rotação.
 pressures-at-this-crank-angle = Pressões neste ângulo da manivela
 bore = Diâmetro do cilindro
 pressure = Pressão
 on-the-side-away-from-the-crankshaft = Do lado oposto ao eixo da manivela.
+on-the-side-opposite-to-the-crankshaft = Do lado oposto ao eixo da manivela.
 other-side-of-the-piston = Outro lado do pistão
 counted-from = Contadas a partir de
+pressure-reference = Referência das pressões
 admission-cut-off-and-expansion = Admissão, corte e expansão
 of-a-steam-engine-over-the-whole-cycle = De uma máquina a vapor, ao longo de todo o ciclo.
-sides-that-work = Lados que trabalham
+working-sides-of-the-piston = Lados ativos do pistão
 pressure-of-the-admission = Pressão de admissão
+admission-pressure = Pressão de admissão
 pressure-of-the-exhaust = Pressão de escape
+exhaust-pressure = Pressão de escape
 cut-off = Corte da admissão
-part-of-the-stroke-over-which-the-cylinder-is-filled = Fração do curso em que o cilindro é enchido.
+fraction-of-the-stroke-during-which-the-cylinder-is-filled = Fração do curso durante a qual o cilindro é enchido.
 clearance = folga
 closed-form-f-p-b-a-h-p-a-s-a-k-p-a-r-s-0-62646-of-the-return-stroke = forma fechada: F = p_b A_h − p_a ((ε + κ)/(s + κ))ᵏ A_k − p₀ A_r, s = 0.62646 do curso de retorno
-volume-behind-the-piston-at-the-dead-centre-over-the-volume-of-the-stroke = Volume atrás do pistão no ponto morto, dividido pela cilindrada.
-law-of-the-expansion = Lei da expansão
-indicator-diagram-over-the-stroke = Diagrama indicador sobre o curso
+clearance-volume-at-the-dead-centre-divided-by-the-swept-volume = Volume morto, no ponto morto, dividido pela cilindrada.
+expansion-law = Lei da expansão
+indicator-diagram-over-the-stroke = Diagrama indicado em função do curso
 pressures = Pressões
-indicator-diagram-over-the-crank-angle = Diagrama indicador sobre o ângulo da manivela
+indicator-diagram-over-the-crank-angle = Diagrama indicado em função do ângulo da manivela
 the-atmosphere = A atmosfera
 a-pressure = Uma pressão
 on-the-side-towards-the-crankshaft = Do lado do eixo da manivela.
 diameter-of-the-piston-rod = Diâmetro da haste do pistão
 single-acting = De simples efeito
-the-atmosphere-is-on-the-side-towards-the-crankshaft = A atmosfera está do lado do eixo da manivela.
+atmospheric-pressure-acts-on-the-side-towards-the-crankshaft = A pressão atmosférica atua no lado do eixo da manivela.
 double-acting = De duplo efeito
-the-same-on-both-sides-half-a-turn-apart = O mesmo dos dois lados, com meia volta de diferença.
+the-same-on-both-sides-half-a-revolution-apart = O mesmo dos dois lados, com meia volta de diferença.
 the-atmosphere-gauge-pressures = A atmosfera: pressões manométricas
-pressure-of-the-atmosphere = Pressão da atmosfera
+atmospheric-pressure = Pressão atmosférica
 vacuum-absolute-pressures = O vácuo: pressões absolutas
 hyperbolic-p-v-constant = Hiperbólica, p v constante
 polytropic-p-v-constant = Politrópica, p vᵏ constante
 exponent = Expoente
-part-of-the-stroke = Fração do curso
-pressure-on-the-way-to-the-crankshaft = Pressão na ida em direção ao eixo
-pressure-on-the-way-back = Pressão na volta
+fraction-of-the-stroke = Fração do curso
+pressure-on-the-stroke-towards-the-crankshaft = Pressão no curso em direção ao eixo da manivela
+pressure-on-the-return-stroke = Pressão no curso de retorno
 with-an-offset-the-stroke-is-not-twice-the-crank-radius-give-the-crank-radius = com excentricidade o curso não é o dobro do raio da manivela: dê o raio da manivela
 ratio-of-rod-and-crank = Razão entre biela e manivela
 obliquity-of-the-rod-crank-pin-and-gudgeon-pin-are-at-the-ends-of-both = Obliquidade da biela: o pino da manivela e o do pistão estão nas extremidades de ambas
@@ -275,36 +282,36 @@ virtual-displacement-of-the-piston-for-that-of-the-crank-s-h-the-arm-of-the-effo
 arm-of-the-piston-effort-about-the-crankshaft = Braço do esforço no pistão em relação ao eixo da manivela
 distance-of-the-gudgeon-pin-from-the-crankshaft-along-the-stroke = Distância do pino do pistão ao eixo da manivela, ao longo do curso
 distance-of-the-gudgeon-pin-from-the-crankshaft = Distância do pino do pistão ao eixo da manivela
-displacement-of-the-piston-from-the-dead-centre-away-from-the-crankshaft = Deslocamento do pistão a partir do ponto morto mais afastado do eixo da manivela
+displacement-of-the-piston-from-the-dead-centre-farthest-from-the-crankshaft = Deslocamento do pistão a partir do ponto morto mais afastado do eixo da manivela
 amplitude-of-this-order-of-the-acceleration-over-r-by-its-series-in-1-n = Amplitude desta ordem da aceleração dividida por r ω², pela sua série em 1/n
-the-same-amplitude-by-its-fourier-integral-over-a-turn = a mesma amplitude pela sua integral de Fourier em uma volta
-virtual-turn-of-the-rod-for-that-of-the-crank = Rotação virtual da biela para a da manivela, δφ = φ′ δθ
+the-same-amplitude-by-its-fourier-integral-over-one-revolution = a mesma amplitude pela sua integral de Fourier em uma volta
+virtual-rotation-of-the-rod-for-that-of-the-crank = Rotação virtual da biela para a da manivela, δφ = φ′ δθ
 velocity-of-the-piston-towards-the-crank = Velocidade do pistão, em direção à manivela
-angular-acceleration-of-the-rod-in-the-sense-in-which-the-obliquity-grows = Aceleração angular da biela, no sentido em que a obliquidade cresce
+angular-acceleration-of-the-rod-positive-for-increasing-obliquity = Aceleração angular da biela, positiva quando a obliquidade cresce
 acceleration-of-the-piston-towards-the-crank = Aceleração do pistão, em direção à manivela
-crank-angle-on-the-way-to-the-crank-at-which-the-piston-has-no-acceleration-so-the-greatest-velocity = Ângulo da manivela, na ida, em que o pistão não tem aceleração e portanto tem a maior velocidade
-crank-angle-without-acceleration-of-the-piston = Ângulo da manivela sem aceleração do pistão
-sin-n-sin-n-sin-n-0-at-the-angle-without-acceleration = sin⁶θ₀ − n² sin⁴θ₀ − n⁴ sin²θ₀ + n⁴ = 0 no ângulo sem aceleração
-no-acceleration-there-by-the-closure-of-the-slider-crank = ali não há aceleração pelo fechamento do cursor-manivela
-the-harmonics-cancel-at-the-angle-without-acceleration = os harmônicos se cancelam no ângulo sem aceleração
+crank-angle-with-the-piston-moving-towards-the-crank-at-which-its-acceleration-is-zero-and-its = Ângulo da manivela, com o pistão indo em direção a ela, em que a aceleração do pistão é nula e a velocidade é máxima
+crank-angle-at-zero-piston-acceleration = Ângulo da manivela com aceleração nula do pistão
+sin-n-sin-n-sin-n-0-at-the-angle-of-zero-acceleration = sin⁶θ₀ − n² sin⁴θ₀ − n⁴ sin²θ₀ + n⁴ = 0 no ângulo de aceleração nula
+zero-acceleration-there-from-the-loop-closure-of-the-slider-crank = aceleração nula ali pelo fechamento da cadeia do cursor-manivela
+the-harmonics-cancel-at-the-angle-of-zero-acceleration = os harmônicos se cancelam no ângulo de aceleração nula
 mass-of-the-rod = Massa da haste
 distance-of-its-centre-of-mass-from-the-crank-pin = Distância do seu centro de massa ao pino da manivela
-moment-of-inertia-of-two-masses-in-the-pins = Momento de inércia de duas massas nos pinos
+moment-of-inertia-of-two-masses-at-the-pins = Momento de inércia de duas massas nos pinos
 distance-of-the-rod-s-centre-of-mass-from-the-gudgeon-pin = Distância do centro de massa da biela ao pino do pistão
 distance-of-the-rod-s-centre-of-mass-from-the-crank-pin = Distância do centro de massa da biela ao pino da manivela
 the-centre-of-mass-of-the-rod-lies-beyond-its-pins-its-distance-must-not-be-above-the-length-of-the = o centro de massa da biela está além dos seus pinos: a distância não pode passar do comprimento da biela, { $rod }
-share-of-the-rod-s-mass-at-the-gudgeon-pin-so-that-the-centre-of-mass-stays = Parcela da massa da biela no pino do pistão, de modo que o centro de massa se mantenha
+share-of-the-rod-s-mass-at-the-gudgeon-pin-keeping-the-centre-of-mass-unchanged = Parcela da massa da biela no pino do pistão, mantendo o centro de massa
 share-of-the-rod-s-mass-at-the-crank-pin = Parcela da massa da biela no pino da manivela
 moment-of-inertia-of-the-rod = Momento de inércia da biela
-moment-of-inertia-that-the-two-masses-lack-below-zero-that-they-have-too-much = Momento de inércia que falta às duas massas; negativo, que elas têm a mais
-the-centre-of-mass-divides-the-rod-and-its-acceleration-those-of-the-two-pins-towards-the-crank = O centro de massa divide a biela, e a sua aceleração as dos dois pinos: em direção à manivela
-part-of-the-rod-from-the-crank-pin-to-its-centre-of-mass = Fração da biela do pino da manivela ao seu centro de massa
-across-the-stroke-towards-the-line-of-stroke = Transversal ao curso, em direção à linha de curso
+moment-of-inertia-deficit-of-the-two-masses-negative-for-an-excess = Déficit de momento de inércia das duas massas; negativo se houver excesso
+the-acceleration-of-the-centre-of-mass-is-interpolated-between-those-of-the-two-pins-towards-the = A aceleração do centro de massa é interpolada entre as dos dois pinos: em direção à manivela
+fraction-of-the-rod-length-from-the-crank-pin-to-its-centre-of-mass = Fração do comprimento da biela do pino da manivela ao seu centro de massa
+transverse-to-the-stroke-towards-the-line-of-stroke = Transversal ao curso, em direção à linha de curso
 inertia-force-of-the-rod = Força de inércia da biela
 massless = Sem massa
 or-counted-with-the-reciprocating-mass = Ou contada com a massa alternativa.
 a-rigid-body = Um corpo rígido
-where-its-centre-of-mass-is = Onde está o seu centro de massa
+position-of-its-centre-of-mass = Posição do seu centro de massa
 its-moment-of-inertia = O seu momento de inércia
 masses-at-its-two-pins = Massas nos seus dois pinos
 mass-at-the-gudgeon-pin = Massa no pino do pistão
@@ -314,17 +321,17 @@ distance-from-the-crank-pin = Distância ao pino da manivela
 from-the-gudgeon-pin = A partir do pino do pistão
 distance-from-the-gudgeon-pin = Distância ao pino do pistão
 radius-of-gyration-about-the-centre-of-mass = Raio de giração em relação ao centro de massa
-that-of-masses-in-the-two-pins = O de massas nos dois pinos
-the-rod-then-needs-no-correction-couple = A biela então não precisa de conjugado de correção.
-obliquity-of-the-rod-by-the-closure-of-the-slider-crank = obliquidade da biela pelo fechamento do cursor-manivela
-velocity-of-the-piston-by-the-closure-of-the-slider-crank = velocidade do pistão pelo fechamento do cursor-manivela
-acceleration-of-the-piston-by-the-closure-of-the-slider-crank = aceleração do pistão pelo fechamento do cursor-manivela
-acceleration-of-the-piston-as-the-sum-of-a-primary-and-a-secondary-one = aceleração do pistão como soma de uma primária e uma secundária
-velocity-of-the-piston-as-the-slope-of-its-displacement = velocidade do pistão como derivada do seu deslocamento
-turning-moment-from-newton-s-and-euler-s-equations-of-piston-and-rod = torque pelas equações de Newton e Euler do pistão e da biela
-thrust-on-the-guide-from-newton-s-and-euler-s-equations = força na guia pelas equações de Newton e Euler
-load-on-the-gudgeon-pin-from-newton-s-and-euler-s-equations = carga no pino do pistão pelas equações de Newton e Euler
-radial-force-at-the-crank-pin-from-newton-s-and-euler-s-equations = força radial no pino da manivela pelas equações de Newton e Euler
+inertia-of-masses-at-the-two-pins = Inércia das massas nos dois pinos
+the-rod-then-needs-no-correction-couple = A biela então não precisa de binário de correção.
+obliquity-of-the-rod-from-the-loop-closure-of-the-slider-crank = obliquidade da biela pelo fechamento da cadeia do cursor-manivela
+velocity-of-the-piston-from-the-loop-closure-of-the-slider-crank = velocidade do pistão pelo fechamento da cadeia do cursor-manivela
+acceleration-of-the-piston-from-the-loop-closure-of-the-slider-crank = aceleração do pistão pelo fechamento da cadeia do cursor-manivela
+acceleration-of-the-piston-as-the-sum-of-its-primary-and-secondary-components = aceleração do pistão como soma das componentes primária e secundária
+velocity-of-the-piston-as-the-derivative-of-its-displacement = velocidade do pistão como derivada do seu deslocamento
+turning-moment-from-the-newton-euler-equations-of-piston-and-rod = torque pelas equações de Newton–Euler do pistão e da biela
+thrust-on-the-guide-from-the-newton-euler-equations = força na guia pelas equações de Newton–Euler
+load-on-the-gudgeon-pin-from-the-newton-euler-equations = carga no pino do pistão pelas equações de Newton–Euler
+radial-force-at-the-crank-pin-from-the-newton-euler-equations = força radial no pino da manivela pelas equações de Newton–Euler
 moment-of-the-inertia-forces-as-de-d-of-the-kinetic-energy = torque das forças de inércia como −dE/dθ da energia cinética
 the-turning-moment-in-crank-axes-by-the-equilibrium-of-rod-and-piston = o torque em eixos da manivela pelo equilíbrio de biela e pistão
 thrust-on-the-guide-by-the-equilibrium-of-rod-and-piston = força na guia pelo equilíbrio de biela e pistão
@@ -355,28 +362,32 @@ no-force = Nenhuma força
 
 # Equilibria of machines with one freedom
 all-equilibria-in-a-range = Todas as posições de equilíbrio em um intervalo
+all-equilibrium-positions-in-a-range = Todas as posições de equilíbrio em um intervalo
 smallest-angle = Menor ângulo
+minimum-angle = Ângulo mínimo
 largest-angle = Maior ângulo
+maximum-angle = Ângulo máximo
 at-an-angle = Em um ângulo
-one-load-or-stiffness-is-left-out-and-sought-with-none-left-out-the-couple-that-holds-the-machine = Uma carga ou rigidez é deixada em branco e procurada; sem nenhuma em branco, a resposta é o conjugado que mantém a máquina ali.
+at-a-given-angle = Em um ângulo dado
+leave-one-load-or-stiffness-blank-to-solve-for-it-with-none-blank-the-equilibrant-couple-is-computed = Deixe uma carga ou rigidez em branco para calculá-la; sem nenhuma em branco, calcula-se o binário equilibrante.
 stable-equilibrium = Equilíbrio estável
 unstable-equilibrium = Equilíbrio instável
-equilibrium-at-the-limit-of-stability = Equilíbrio no limite de estabilidade
+neutral-critical-equilibrium = Equilíbrio indiferente (crítico)
 curvature-of-the-potential-energy = Curvatura da energia potencial
-curvature-of-the-potential-energy-at-the-stable-equilibrium = Curvatura da energia potencial no equilíbrio estável
-curvature-of-the-potential-energy-at-the-unstable-equilibrium = Curvatura da energia potencial no equilíbrio instável
-curvature-of-the-potential-energy-at-the-limit-of-stability = Curvatura da energia potencial no limite de estabilidade
-curvature-of-the-potential-energy-positive-where-the-equilibrium-is-stable = Curvatura da energia potencial: positiva onde o equilíbrio é estável
-equilibrium-v-0-where-v-changes-its-sign-in-the-range-closed-in-on-by-brent-s-method = Equilíbrio, δV = 0: onde δV/δθ muda de sinal no intervalo, refinado pelo método de Brent
-v-there-the-virtual-works-sum-to-zero = δV/δθ nesse ponto: a soma dos trabalhos virtuais é nula
-d-v-d-0-the-potential-energy-is-least-the-equilibrium-is-stable = d²V/dθ² > 0: a energia potencial é mínima, o equilíbrio é estável
-d-v-d-0-the-potential-energy-is-largest-the-equilibrium-is-unstable = d²V/dθ² < 0: a energia potencial é máxima, o equilíbrio é instável
-d-v-d-0-the-limit-of-stability-which-higher-derivatives-decide = d²V/dθ² = 0: o limite de estabilidade, que as derivadas de ordem superior decidem
-the-slope-of-the-potential-energy-is-zero-in-equilibrium = a derivada da energia potencial é nula no equilíbrio
-nothing-is-needed-to-hold-it-there-by-newton-and-euler-for-every-body = nada é preciso para mantê-la ali, por Newton e Euler em cada corpo
+second-derivative-of-the-potential-energy-at-the-stable-equilibrium = Segunda derivada da energia potencial no equilíbrio estável
+second-derivative-of-the-potential-energy-at-the-unstable-equilibrium = Segunda derivada da energia potencial no equilíbrio instável
+second-derivative-of-the-potential-energy-at-the-critical-equilibrium = Segunda derivada da energia potencial no equilíbrio crítico
+second-derivative-of-the-potential-energy-positive-at-a-stable-equilibrium = Segunda derivada da energia potencial: positiva no equilíbrio estável
+equilibrium-v-0-sign-change-of-v-in-the-range-refined-by-brent-s-method = Equilíbrio, δV = 0: mudança de sinal de δV/δθ no intervalo, refinada pelo método de Brent
+v-there-the-total-virtual-work-is-zero = δV/δθ nesse ponto: o trabalho virtual total é nulo
+d-v-d-0-the-potential-energy-is-a-minimum-the-equilibrium-is-stable = d²V/dθ² > 0: a energia potencial é mínima, o equilíbrio é estável
+d-v-d-0-the-potential-energy-is-a-maximum-the-equilibrium-is-unstable = d²V/dθ² < 0: a energia potencial é máxima, o equilíbrio é instável
+d-v-d-0-critical-equilibrium-decided-by-higher-derivatives = d²V/dθ² = 0: equilíbrio crítico, decidido pelas derivadas de ordem superior
+the-derivative-of-the-potential-energy-is-zero-in-equilibrium = a derivada da energia potencial é nula no equilíbrio
+no-holding-effort-is-needed-there-from-the-newton-euler-equations-of-every-body = nenhum esforço de sustentação é necessário ali, pelas equações de Newton–Euler de cada corpo
 the-range-of-angles-ends-where-it-begins-or-before-write-the-smaller-angle-first = o intervalo de ângulos termina onde começa ou antes: escreva primeiro o menor ângulo
 the-potential-energy-is-not-finite-everywhere-in-the-range-of-angles-choose-a-range-without-the = a energia potencial não é finita em todo o intervalo de ângulos: escolha um intervalo sem a posição singular
-every-position-is-an-equilibrium-the-potential-energy-is-the-same-at-all-angles-and-the-balance-is = toda posição é de equilíbrio: a energia potencial é a mesma em todos os ângulos, e o equilíbrio é indiferente
+every-position-is-an-equilibrium-the-potential-energy-is-the-same-at-all-angles-and-the-equilibrium = toda posição é de equilíbrio: a energia potencial é a mesma em todos os ângulos, e o equilíbrio é indiferente
 the-search-for-equilibria-did-not-converge = a procura das posições de equilíbrio não convergiu
 there-is-no-equilibrium-between-from-and-to-write-a-wider-range-of-angles-or-other-loads = não há equilíbrio entre { $from } e { $to }: escreva um intervalo de ângulos mais largo, ou outras cargas
 there-are-number-equilibria-in-the-range-of-angles-write-a-narrower-one = há { $number } posições de equilíbrio no intervalo de ângulos: escreva um intervalo mais estreito
@@ -387,24 +398,25 @@ potential-energy-and-its-equilibria = Energia potencial e suas posições de equ
 potential-energy = energia potencial
 equilibria-in-the-range = Posições de equilíbrio no intervalo
 its-curvature = Sua curvatura
+second-derivative = Segunda derivada
 equilibrium = Equilíbrio
-a-load-or-stiffness-is-left-out-write-it-or-write-the-angle-at-which-the-machine-is-to-be-in = uma carga ou rigidez está em branco: escreva-a, ou escreva o ângulo em que a máquina deve estar em equilíbrio
-more-than-one-load-or-stiffness-is-left-out-the-angle-tells-only-one-of-them = mais de uma carga ou rigidez está em branco: o ângulo determina apenas uma delas
+a-load-or-stiffness-is-missing-write-it-or-write-the-angle-at-which-the-machine-is-to-be-in = uma carga ou rigidez está em branco: escreva-a, ou escreva o ângulo em que a máquina deve estar em equilíbrio
+more-than-one-load-or-stiffness-is-missing-the-angle-determines-only-one-of-them = mais de uma carga ou rigidez está em branco: o ângulo determina apenas uma delas
 all-known-loads-are-zero-write-down-a-load = todas as cargas conhecidas são nulas: escreva uma carga
-at-this-angle-load-does-no-virtual-work-equilibrium-does-not-tell-it = neste ângulo { $load } não realiza trabalho virtual: o equilíbrio não a determina
-virtual-work-over-load = Trabalho virtual em δθ: { $load }
-with-it-the-virtual-works-of-all-loads-sum-to-zero = Com ela a soma dos trabalhos virtuais de todas as cargas é nula
-couple-on-the-bar-that-holds-the-machine-in-the-sense-of-t-and-the-works-of-all-loads-sum-to-zero = Conjugado na barra que mantém a máquina, no sentido de θ: a soma de T δθ com os trabalhos de todas as cargas é nula
-couple-that-holds-the-machine = Conjugado que mantém a máquina
-the-holding-couple-by-newton-and-euler-for-every-body = o conjugado de sustentação por Newton e Euler em cada corpo
-load-of-equilibrium-against-the-angle = Carga de equilíbrio em função do ângulo
-left-out-it-is-sought-from-the-position = Em branco, é procurada a partir da posição.
-zero-where-there-is-none-left-out-it-is-sought-from-the-position = Zero onde não há; em branco, é procurada a partir da posição.
+at-this-angle-load-does-no-virtual-work-equilibrium-does-not-determine-it = neste ângulo { $load } não realiza trabalho virtual: o equilíbrio não a determina
+virtual-work-per-unit-load = Trabalho virtual por unidade de δθ: { $load }
+the-total-virtual-work-of-all-loads-is-zero = O trabalho virtual total de todas as cargas é nulo
+equilibrant-couple-on-the-bar-in-the-sense-of-t-plus-the-virtual-work-of-all-loads-is-zero = Binário equilibrante na barra, no sentido de θ: a soma de T δθ com os trabalhos virtuais de todas as cargas é nula
+equilibrant-couple-of-the-machine = Binário equilibrante da máquina
+the-holding-couple-from-the-newton-euler-equations-of-every-body = o binário de sustentação pelas equações de Newton–Euler de cada corpo
+equilibrium-load-against-the-angle = Carga de equilíbrio em função do ângulo
+if-left-blank-it-is-computed-from-the-position = Em branco, é calculada a partir da posição.
+zero-if-absent-if-omitted-it-is-calculated-from-the-position = Zero se não houver; se omitida, é calculada a partir da posição.
 uniform-its-weight-acts-in-the-middle = Uniforme: o peso atua no meio.
 weight-of-the-bar = Peso da barra
 weight-of-each-bar = Peso de cada barra
-stretch-of-the-spring-times-its-virtual-change-over = Alongamento da mola vezes sua variação virtual em δθ
-angle-at-which-it-is-unstretched = Ângulo em que não está alongada
+extension-of-the-spring-times-its-virtual-change-per-unit = Alongamento da mola vezes sua variação virtual por unidade de δθ
+angle-at-which-the-spring-is-unstretched = Ângulo com a mola sem deformação
 length-of-each-bar = Comprimento de cada barra
 mass-of-each-bar = Massa de cada barra
 forces-in-the-joints = Forças nas articulações
@@ -431,39 +443,39 @@ upper-end-of-bar-bar = Extremidade superior da barra { $bar }
 
 # virtual-work/equivalent-rod
 equivalent-masses-of-a-connecting-rod = Massas equivalentes de uma biela
-two-masses-that-move-like-a-connecting-rod-the-masses-in-its-two-pins-and-the-couple-that-corrects = Duas massas que se movem como uma biela, as massas nos seus dois pinos e o conjugado que as corrige.
+two-masses-dynamically-equivalent-to-a-connecting-rod-the-masses-at-its-two-pins-and-the-correction = Duas massas dinamicamente equivalentes a uma biela, as massas nos seus dois pinos e o binário de correção.
 the-centre-of-mass-lies-beyond-the-crank-pin-its-distance-must-be-below-the-length-of-the-rod-length = o centro de massa está além do pino da manivela: a distância tem de ser menor que o comprimento da biela, { $length }
 distance-of-the-centre-of-mass-from-the-crank-pin = Distância do centro de massa ao pino da manivela
-length-of-the-simple-pendulum-that-swings-like-the-rod-about-the-gudgeon-pin = Comprimento do pêndulo simples que oscila como a biela em torno do pino do pistão
+length-of-the-simple-pendulum-equivalent-to-the-rod-about-the-gudgeon-pin = Comprimento do pêndulo simples equivalente à biela em torno do pino do pistão
 with-one-mass-at-the-gudgeon-pin-the-other-is-beyond-the-centre-of-mass-where-a-b-k = Com uma massa no pino do pistão, a outra fica além do centro de massa, onde a b′ = k²
-mass-at-the-gudgeon-pin-total-mass-and-centre-of-mass-stay = Massa no pino do pistão: a massa total e o centro de massa se mantêm
+mass-at-the-gudgeon-pin-total-mass-and-centre-of-mass-are-preserved = Massa no pino do pistão: a massa total e o centro de massa se mantêm
 the-other-mass = A outra massa
-mass-at-the-gudgeon-pin-where-the-other-one-is-in-the-crank-pin = Massa no pino do pistão quando a outra está no pino da manivela
-moment-of-inertia-that-masses-in-the-two-pins-lack-below-zero-that-they-have-too-much = Momento de inércia que falta a massas nos dois pinos; negativo, que elas têm a mais
+mass-at-the-gudgeon-pin-when-the-other-is-at-the-crank-pin = Massa no pino do pistão quando a outra está no pino da manivela
+moment-of-inertia-deficit-of-masses-at-the-two-pins-negative-for-an-excess = Déficit de momento de inércia de massas nos dois pinos; negativo se houver excesso
 distance-of-the-second-mass-from-the-centre-of-mass = Distância da segunda massa ao centro de massa
 mass-at-the-gudgeon-pin-of-the-equivalent-rod = Massa no pino do pistão da biela equivalente
 second-mass-of-the-equivalent-rod = Segunda massa da biela equivalente
 mass-at-the-gudgeon-pin-with-the-other-at-the-crank-pin = Massa no pino do pistão, com a outra no pino da manivela
-moment-of-inertia-that-masses-in-the-pins-lack = Momento de inércia que falta a massas nos pinos
+moment-of-inertia-deficit-of-masses-at-the-pins = Déficit de momento de inércia de massas nos pinos
 length-of-the-equivalent-pendulum-about-the-gudgeon-pin = Comprimento do pêndulo equivalente em torno do pino do pistão
-couple-that-has-to-be-added-to-the-inertia-of-masses-in-the-pins = Conjugado a somar à inércia de massas nos pinos
-correction-couple = Conjugado de correção
-the-correction-couple-as-m-a-l-l = o conjugado de correção como m a (l − L) α
-the-two-masses-weigh-what-the-rod-weighs = as duas massas pesam o que pesa a biela
-the-two-masses-have-the-centre-of-mass-of-the-rod = as duas massas têm o centro de massa da biela
-the-two-masses-have-the-moment-of-inertia-of-the-rod = as duas massas têm o momento de inércia da biela
-masses-in-the-pins-and-what-they-lack-have-the-moment-of-inertia-of-the-rod = massas nos pinos e o que lhes falta têm o momento de inércia da biela
+couple-to-be-added-to-the-inertia-of-masses-at-the-pins = Binário a somar à inércia de massas nos pinos
+correction-couple = Binário de correção
+the-correction-couple-as-m-a-l-l = o binário de correção como m a (l − L) α
+the-two-masses-add-up-to-the-mass-of-the-rod = a soma das duas massas é a massa da biela
+the-two-masses-have-the-same-centre-of-mass-as-the-rod = as duas massas têm o mesmo centro de massa da biela
+the-two-masses-have-the-same-moment-of-inertia-as-the-rod = as duas massas têm o mesmo momento de inércia da biela
+moment-of-inertia-of-the-rod-as-that-of-the-masses-at-the-pins-plus-the-difference = momento de inércia da biela como o das massas nos pinos mais a diferença
 length-of-the-simple-pendulum-of-this-period = Comprimento do pêndulo simples deste período
 no-rod-of-this-length-has-these-two-periods-its-centre-of-mass-would-be-beyond-a-pin-check-periods = nenhuma biela deste comprimento tem estes dois períodos: o centro de massa ficaria além de um pino; confira os períodos e o comprimento
-both-oscillations-have-one-radius-of-gyration-a-l-g-a-l-a-l-c-l-a = As duas oscilações têm um só raio de giração: a (L_g − a) = (l − a)(L_c − l + a)
+both-oscillations-give-the-same-radius-of-gyration-a-l-g-a-l-a-l-c-l-a = As duas oscilações dão o mesmo raio de giração: a (L_g − a) = (l − a)(L_c − l + a)
 distance-of-the-centre-of-mass-from-the-gudgeon-pin = Distância do centro de massa ao pino do pistão
-the-rod-swings-faster-than-all-its-mass-at-its-centre-of-mass-would-check-the-period-and-the-distance = a biela oscila mais depressa do que toda a sua massa no centro de massa oscilaria: confira o período e a distância
+the-rod-swings-faster-than-a-simple-pendulum-with-all-its-mass-at-the-centre-of-mass-check-the-period = a biela oscila mais depressa do que um pêndulo simples com toda a massa no centro de massa: confira o período e a distância
 gudgeon-pin = pino do pistão
 crank-pin = pino da manivela
 the-rod-and-its-equivalent-masses = A biela e as suas massas equivalentes
 between-its-pins = Entre os seus pinos.
-what-is-known-of-its-inertia = O que se conhece da sua inércia
-for-the-couple-that-corrects-masses-in-its-pins = Para o conjugado que corrige massas nos seus pinos.
+known-inertia-data = Dados conhecidos da inércia
+for-the-couple-that-corrects-masses-at-its-pins = Para o binário que corrige massas nos seus pinos.
 centre-of-mass-and-radius-of-gyration = Centro de massa e raio de giração
 centre-of-mass-and-moment-of-inertia = Centro de massa e momento de inércia
 centre-of-mass-and-oscillation-about-the-gudgeon-pin = Centro de massa e oscilação em torno do pino do pistão
@@ -473,49 +485,52 @@ period-of-small-oscillations-about-the-crank-pin = Período das pequenas oscila�
 
 # virtual-work/flywheel
 flywheel = Volante
-fluctuation-of-energy-of-a-turning-moment-and-the-inertia-of-a-flywheel-against-the-fluctuation-of = Flutuação de energia de um torque, e a inércia de um volante diante da flutuação de velocidade, uma a partir da outra.
-the-turning-moment-never-leaves-its-mean-no-flywheel-is-needed = o torque nunca se afasta da média: não é preciso volante
-moment-of-inertia-the-energy-i-i-c-s-takes-up-the-fluctuation = Momento de inércia: a energia ½ I (ω₁² − ω₂²) = I ω² C_s absorve a flutuação
+energy-fluctuation-of-a-turning-moment-and-flywheel-inertia-for-a-speed-fluctuation-or-the-speed = Flutuação de energia de um torque, e a inércia do volante para uma flutuação de velocidade, ou a flutuação para uma inércia.
+the-turning-moment-is-constant-and-equal-to-its-mean-no-flywheel-is-needed = o torque é constante e igual à média: não é preciso volante
+moment-of-inertia-the-energy-i-i-c-s-absorbs-the-fluctuation = Momento de inércia: a energia ½ I (ω₁² − ω₂²) = I ω² C_s absorve a flutuação
 mass-of-the-flywheel = Massa do volante
 coefficient-of-fluctuation-of-speed-from-i-c-s-e = Coeficiente de flutuação de velocidade, de I ω² C_s = ΔE
-the-speed-would-vary-by-more-than-half-of-itself-the-turning-moment-at-a-constant-speed-no-longer = a rotação variaria mais da metade de si mesma: o torque em rotação constante já não vale
+the-speed-would-vary-by-more-than-half-its-value-the-turning-moment-at-a-constant-speed-is-no-longer = a rotação variaria mais da metade do seu valor: o torque em rotação constante já não é válido
 greatest-speed = Maior rotação
+maximum-speed = Rotação máxima
 least-speed = Menor rotação
+minimum-speed = Rotação mínima
 the-flywheel-s-kinetic-energies-at-both-speeds-differ-by-the-fluctuation = as energias cinéticas do volante nas duas rotações diferem pela flutuação
 fluctuation-of-energy-from-the-integrals-of-the-harmonics = flutuação de energia pelas integrais dos harmônicos
-the-table-needs-at-least-two-rows-by-ascending-crank-angle-within-one-cycle = a tabela precisa de pelo menos duas linhas em ordem crescente do ângulo da manivela, dentro de um ciclo
+the-table-needs-at-least-two-rows-in-ascending-order-of-crank-angle-within-one-cycle = a tabela precisa de pelo menos duas linhas em ordem crescente do ângulo da manivela, dentro de um ciclo
 mean-turning-moment-from-the-trapezia-between-the-rows = torque médio pelos trapézios entre as linhas
 crank-angles-at-which-the-turning-moment-crosses-its-mean = Ângulos da manivela em que o torque cruza a média
-work-above-the-mean-from-the-start-of-the-cycle-to-the-crossing-where-it-is-greatest-the-speed-is = Trabalho acima da média, do início do ciclo até o cruzamento em que é maior: ali a rotação é máxima
-the-same-where-it-is-least-and-the-speed-with-it = O mesmo onde é menor, e a rotação com ele
-coefficient-of-fluctuation-of-energy-part-of-the-work-of-a-cycle = Coeficiente de flutuação de energia: fração do trabalho de um ciclo
+maximum-work-above-the-mean-from-the-start-of-the-cycle-to-a-crossing-the-speed-is-maximum-there = Trabalho máximo acima da média, do início do ciclo até um cruzamento: ali a rotação é máxima
+minimum-of-the-same-work-the-speed-is-minimum-there = Mínimo do mesmo trabalho: ali a rotação é mínima
+coefficient-of-fluctuation-of-energy-ratio-to-the-work-per-cycle = Coeficiente de flutuação de energia: razão ao trabalho por ciclo
 coefficient-of-fluctuation-of-energy = Coeficiente de flutuação de energia
 one-area-alone-cannot-close-a-cycle-write-all-areas-in-order-with-their-signs = uma só área não fecha um ciclo: escreva todas as áreas em ordem, com os seus sinais
 energy-of-a-square-millimetre-of-the-diagram = Energia de um milímetro quadrado do diagrama
 the-areas-above-and-below-the-mean-differ-by-rest-the-curve-does-not-close-over-the-cycle = as áreas acima e abaixo da média diferem em { $rest }: a curva não se fecha no ciclo
-sum-of-the-areas-up-to-the-crossing-where-it-is-greatest-the-speed-is-greatest-there = Soma das áreas até o cruzamento em que é maior: ali a rotação é máxima
-sum-of-the-areas-up-to-the-crossing-where-it-is-least = Soma das áreas até o cruzamento em que é menor
+maximum-cumulative-area-at-a-crossing-the-speed-is-maximum-there = Área acumulada máxima, em um cruzamento: ali a rotação é máxima
+minimum-cumulative-area-at-a-crossing = Área acumulada mínima, em um cruzamento
 the-fluctuation-from-the-areas-between-the-two-crossings = a flutuação pelas áreas entre os dois cruzamentos
 without-harmonics-the-turning-moment-is-its-mean-write-at-least-one-harmonic = sem harmônicos o torque é a sua média: escreva pelo menos um harmônico
-an-order-is-neither-whole-nor-half-so-the-turning-moment-does-not-repeat-after-two-turns = uma ordem não é inteira nem meia, e o torque não se repete depois de duas voltas
+an-order-is-neither-an-integer-nor-a-half-integer-so-the-turning-moment-is-not-periodic-over-two = uma ordem não é inteira nem semi-inteira, e o torque não é periódico em duas voltas
 crossings-of-the-mean = cruzamentos da média
 mean-speed = Rotação média
 mean-and-harmonics = Média e harmônicos
 mean-turning-moment = Torque médio
-table-over-the-crank-angle = Tabela sobre o ângulo da manivela
-straight-between-its-rows = Reta entre as suas linhas.
+table-against-the-crank-angle = Tabela em função do ângulo da manivela
+linear-interpolation-between-its-rows = Interpolação linear entre as suas linhas.
 areas-between-the-curve-and-its-mean = Áreas entre a curva e a sua média
 in-order-above-the-mean-positive-and-below-it-negative = Em ordem, positivas acima da média e negativas abaixo.
 areas = Áreas
 scale-of-the-moments = Escala dos torques
 scale-of-the-angles = Escala dos ângulos
 fluctuation-of-energy-given = Flutuação de energia dada
-whole-or-half-in-a-cycle-of-two-turns = Inteira, ou meia em um ciclo de duas voltas.
-with-the-sine = Com o seno
+an-integer-or-a-half-integer-in-a-cycle-of-two-revolutions = Inteira, ou semi-inteira em um ciclo de duas voltas.
+sine-coefficient = Coeficiente do seno
 with-the-cosine = Com o cosseno
-inertia-for-a-fluctuation-of-speed = Inércia para uma flutuação de velocidade
-the-greatest-less-the-least-speed-over-the-mean-twice-what-is-given-as-of-the-mean = A maior rotação menos a menor, dividida pela média; o dobro do que se dá como ± da média.
-for-the-mass-of-the-flywheel = Para a massa do volante.
+cosine-coefficient = Coeficiente do cosseno
+inertia-for-a-given-fluctuation-of-speed = Inércia para uma flutuação de velocidade dada
+maximum-minus-minimum-speed-divided-by-the-mean-twice-the-value-stated-as-of-the-mean = Rotação máxima menos a mínima, dividida pela média; o dobro do valor dado como ± da média.
+used-to-find-the-mass-of-the-flywheel = Usado para obter a massa do volante.
 fluctuation-of-speed-of-a-flywheel = Flutuação de velocidade de um volante
 order = Ordem
 sought = Procura-se
@@ -528,45 +543,45 @@ above-the-horizontal-guide = Acima da guia horizontal
 below-the-horizontal-guide = Abaixo da guia horizontal
 vertical-force-at-a-downwards = Força vertical em A, para baixo
 horizontal-force-at-b-towards-the-vertical-guide = Força horizontal em B, em direção à guia vertical
-the-angle-is-that-between-the-bar-and-the-vertical-guide = O ângulo θ é o entre a barra e a guia vertical.
+the-angle-is-measured-between-the-bar-and-the-vertical-guide = O ângulo θ é medido entre a barra e a guia vertical.
 none = nenhuma
 vertical = Vertical
 distance-of-its-end-on-the-bar-from-a = Distância de sua ponta na barra a A
 distance-of-its-end-on-the-bar-from-b = Distância de sua ponta na barra a B
-virtual-rise-of-the-mass-centre-over = Subida virtual do centro de massa em δθ
-virtual-rise-of-a-over = Subida virtual de A em δθ
-virtual-way-of-b-over-away-from-the-vertical-guide = Deslocamento virtual de B em δθ, afastando-se da guia vertical
+upward-virtual-displacement-of-the-centre-of-mass-per-unit = Deslocamento virtual do centro de massa para cima por unidade de δθ
+upward-virtual-displacement-of-a-per-unit = Deslocamento virtual de A para cima por unidade de δθ
+virtual-displacement-of-b-per-unit-away-from-the-vertical-guide = Deslocamento virtual de B por unidade de δθ, afastando-se da guia vertical
 vertical-force-at-a = Força vertical em A
 horizontal-force-at-b = Força horizontal em B
 the-bar-in-its-guides = A barra em suas guias
 
 # virtual-work/hanging-chain
 hanging-chain-of-bars = Cadeia suspensa de barras
-angles-of-a-chain-of-hinged-bars-that-is-pulled-at-its-free-end-with-the-stability-of-every-freedom = Ângulos de uma cadeia de barras articuladas puxada na extremidade livre, com a estabilidade de cada grau de liberdade, ou a força para um ângulo.
+angles-of-a-chain-of-hinged-bars-pulled-at-its-free-end-with-the-stability-in-each-degree-of-freedom = Ângulos de uma cadeia de barras articuladas puxada na extremidade livre, com a estabilidade em cada grau de liberdade, ou a força para um ângulo dado.
 bars-from-the-pin-to-the-free-end = Barras, da articulação fixa à extremidade livre
 vertical-force-at-the-free-end-downwards = Força vertical na extremidade livre, para baixo
 weight = Peso
 uniform-it-acts-in-the-middle = Uniforme: atua no meio.
 angles-under-a-horizontal-force = Ângulos sob uma força horizontal
 horizontal-force-at-the-free-end = Força horizontal na extremidade livre
-horizontal-force-for-the-angle-of-a-bar = Força horizontal para o ângulo de uma barra
-bar-counted-from-the-pin = Barra, contada a partir da articulação fixa
+horizontal-force-for-a-given-angle-of-a-bar = Força horizontal para um ângulo dado de uma barra
+bar-number-from-the-pin = Número da barra, a partir da articulação fixa
 its-angle-from-the-vertical = Seu ângulo com a vertical
 the-chain-has-more-than-30-bars-write-fewer = a cadeia tem mais de 30 barras: escreva menos
-downward-pull-on-the-bar-half-its-own-weight-and-all-below-it-over-it-does-g-l-sin = Tração para baixo na barra, metade do próprio peso e tudo abaixo dela: em δθ realiza −G l sen θ δθ
-there-is-no-bar-bar-the-chain-has-bars = não há barra { $bar }: a cadeia tem { $bars }
-horizontal-force-over-of-this-bar-f-l-cos-g-l-sin-0 = Força horizontal: no δθ desta barra F l cos θ − G l sen θ = 0
-nothing-pulls-at-bar-bar-every-angle-is-an-equilibrium = nada puxa a barra { $bar }: todo ângulo é de equilíbrio
-angle-from-the-vertical-u-f-l-cos-g-l-sin-0-for-the-freedom-of-this-bar-alone-tan-f-g = Ângulo com a vertical: δU = (F l cos θ − G l sen θ) δθ = 0 para o grau de liberdade só desta barra, tan θ = F/G
+downward-force-on-the-bar-half-its-own-weight-plus-everything-below-it-its-virtual-work-is-g-l-sin = Força para baixo na barra, metade do próprio peso mais tudo abaixo dela: o seu trabalho virtual é −G l sen θ δθ
+bar-bar-does-not-exist-the-chain-has-bars = a barra { $bar } não existe: a cadeia tem { $bars }
+horizontal-force-from-a-virtual-rotation-of-this-bar-alone-f-l-cos-g-l-sin-0 = Força horizontal, pela rotação virtual só desta barra: F l cos θ − G l sen θ = 0
+no-force-pulls-on-bar-bar-every-angle-is-an-equilibrium = nenhuma força puxa a barra { $bar }: todo ângulo é de equilíbrio
+angle-from-the-vertical-u-f-l-cos-g-l-sin-0-for-a-virtual-rotation-of-this-bar-alone-tan-f-g = Ângulo com a vertical: δU = (F l cos θ − G l sen θ) δθ = 0 para a rotação virtual só desta barra, tan θ = F/G
 angle-of-bar-from-the-vertical = Ângulo com a vertical da barra
 v-v-is-a-sum-with-one-angle-in-each-term-so-the-hessian-is-diagonal-positive-for-a-stable-equilibrium = ∂²V/∂θ²: V é uma soma com um só ângulo em cada termo, e a Hessiana é diagonal; positiva para um equilíbrio estável
-curvature-of-the-potential-energy-for-bar = Curvatura da energia potencial para a barra
+second-derivative-of-the-potential-energy-for-bar = Segunda derivada da energia potencial para a barra
 distance-of-the-free-end-from-the-vertical-through-the-pin = Distância da extremidade livre à vertical pela articulação fixa
 depth-of-the-free-end-below-the-pin = Profundidade da extremidade livre abaixo da articulação fixa
 upward-reaction-of-the-pin-all-weights-and-the-vertical-force = Reação da articulação para cima: todos os pesos e a força vertical
 upward-reaction-of-the-pin = Reação da articulação para cima
-nothing-is-needed-to-hold-the-bar-there-by-newton-and-euler-for-every-body = nada é preciso para manter a barra ali, por Newton e Euler em cada corpo
-the-upward-reaction-of-the-pin-by-newton-and-euler = a reação da articulação para cima por Newton e Euler
+no-effort-is-needed-to-hold-the-bar-there-from-the-newton-euler-equations-of-every-body = nenhum esforço é necessário para manter a barra ali, pelas equações de Newton–Euler de cada corpo
+the-upward-reaction-of-the-pin-from-the-newton-euler-equations = a reação da articulação para cima pelas equações de Newton–Euler
 the-bars-and-their-lower-ends = As barras e suas extremidades inferiores
 bar = barra
 depth = Profundidade
@@ -575,7 +590,7 @@ the-chain-in-equilibrium = A cadeia em equilíbrio
 
 # virtual-work/lazy-tongs
 lazy-tongs = Tesoura articulada
-reactions-at-the-two-supports-of-a-row-of-crossed-bars-under-vertical-loads-each-by-letting-its = Reações nos dois apoios de uma fileira de barras cruzadas sob cargas verticais, cada uma pela liberação do seu apoio.
+reactions-at-the-two-supports-of-a-row-of-crossed-bars-under-vertical-loads-each-found-by-releasing = Reações nos dois apoios de uma fileira de barras cruzadas sob cargas verticais, cada uma obtida liberando-se o seu apoio.
 squares = Quadrados
 side-of-a-square = Lado de um quadrado
 angle-of-the-bars-from-the-line-ab = Ângulo das barras com a linha AB
@@ -584,23 +599,23 @@ hinge = Articulação
 load-downwards = Carga, para baixo
 upper = Superior
 lower = Inferior
-there-is-no-square-square-there-are-squares = não há quadrado { $square }: há { $squares }
-b-let-go-along-the-line-virtual-rise-of-the-upper-hinges-over-from-y-l-sin-the-lower-ones-fall-by-as = B liberado ao longo da linha: subida virtual das articulações superiores em δθ, de y = l sen θ; as inferiores descem o mesmo tanto
-virtual-approach-of-b-to-a-over-from-x-b-2-n-l-cos = Aproximação virtual de B a A em δθ, de x_B = 2 n l cos θ
-virtual-work-against-the-load-over = Trabalho virtual contra a carga em δθ
-reaction-of-b-towards-a-its-virtual-work-and-those-of-the-loads-sum-to-zero = Reação de B em direção a A: a soma do seu trabalho virtual com os das cargas é nula
-distance-of-the-supports = Distância entre os apoios
-b-let-go-upwards-virtual-work-against-the-load-as-all-turns-about-a-by = B liberado para cima: trabalho virtual contra a carga quando tudo gira δφ em torno de A
-reaction-of-b-upwards-y-b-x-b-and-the-works-of-the-loads-sum-to-zero = Reação de B para cima: a soma de Y_B x_B δφ com os trabalhos das cargas é nula
+square-square-does-not-exist-there-are-squares = o quadrado { $square } não existe: há { $squares }
+b-released-along-the-line-virtual-displacement-y-of-the-upper-hinges-from-y-l-sin-the-lower-ones-move = B liberado ao longo da linha: deslocamento virtual δy/δθ das articulações superiores, de y = l sen θ; as inferiores descem o mesmo tanto
+virtual-approach-of-b-to-a-per-unit-from-x-b-2-n-l-cos = Aproximação virtual de B a A por unidade de δθ, de x_B = 2 n l cos θ
+virtual-work-against-the-load-per-unit = Trabalho virtual contra a carga por unidade de δθ
+reaction-of-b-towards-a-the-total-virtual-work-of-reaction-and-loads-is-zero = Reação de B em direção a A: o trabalho virtual total da reação e das cargas é nulo
+distance-between-the-supports = Distância entre os apoios
+b-released-upwards-virtual-work-against-the-load-when-the-whole-linkage-rotates-about-a-by = B liberado para cima: trabalho virtual contra a carga quando todo o mecanismo gira δφ em torno de A
+reaction-of-b-upwards-the-sum-of-y-b-x-b-and-the-virtual-work-of-the-loads-is-zero = Reação de B para cima: a soma de Y_B x_B δφ com o trabalho virtual das cargas é nula
 reaction-of-a-upwards-both-supports-carry-all-loads = Reação de A para cima: os dois apoios sustentam todas as cargas
 reaction-of-a-towards-b-equal-and-opposite-to-that-of-b = Reação de A em direção a B, igual e oposta à de B
 reaction-of-b-towards-a = Reação de B em direção a A
 reaction-of-b-upwards = Reação de B para cima
 reaction-of-a-upwards = Reação de A para cima
 reaction-of-a-towards-b = Reação de A em direção a B
-the-reaction-of-b-along-the-line-by-newton-and-euler-for-every-bar = a reação de B ao longo da linha por Newton e Euler em cada barra
-the-reaction-of-b-upwards-by-newton-and-euler-for-every-bar = a reação de B para cima por Newton e Euler em cada barra
-the-tongs-are-nearly-stretched-out-the-supports-are-pressed-apart-without-bound-as-they-are = a tesoura está quase esticada: a reação nos apoios cresce sem limite quando ela se estica
+the-reaction-of-b-along-the-line-from-the-newton-euler-equations-of-every-bar = a reação de B ao longo da linha pelas equações de Newton–Euler de cada barra
+the-reaction-of-b-upwards-from-the-newton-euler-equations-of-every-bar = a reação de B para cima pelas equações de Newton–Euler de cada barra
+the-tongs-are-nearly-fully-extended-the-support-reactions-grow-without-bound-near-that-position = a tesoura está quase toda estendida: a reação nos apoios cresce sem limite perto dessa posição
 reaction-along-the-line-against-the-angle-of-the-bars = Reação ao longo da linha em função do ângulo das barras
 angle-of-the-bars = ângulo das barras
 reaction-towards-the-other-support = reação em direção ao outro apoio
@@ -608,24 +623,25 @@ the-tongs-between-their-supports = A tesoura entre os apoios
 
 # virtual-work/mechanism
 plane-mechanism = Mecanismo plano
-motion-driving-efforts-by-virtual-power-and-reactions-of-a-plane-mechanism-of-any-shape-bodies-joints = Movimento, esforços motores por potência virtual e reações de um mecanismo plano de qualquer forma: corpos, juntas, acionamentos e cargas.
+motion-driving-forces-and-torques-by-virtual-power-and-reactions-of-an-arbitrary-plane-mechanism = Movimento, forças e torques motores por potência virtual e reações de um mecanismo plano qualquer: corpos, juntas, acionamentos e cargas.
 points = Pontos
 joints = Juntas
 drivers = Acionamentos
-one-for-each-degree-of-freedom-what-moves-the-mechanism-or-holds-it-where-it-is = Um para cada grau de liberdade: o que move o mecanismo, ou o mantém onde está.
-points-whose-motion-is-asked-for = Pontos cujo movimento se pede
+one-for-each-degree-of-freedom-what-moves-the-mechanism-or-holds-it-in-place = Um para cada grau de liberdade: o que move o mecanismo, ou o mantém na posição.
+points-whose-motion-is-computed = Pontos cujo movimento é calculado
 polytropic-expansion-late-in-the-return-stroke = Expansão politrópica no fim do curso de retorno
 range-of-the-first-driver-in-the-plots = Faixa do primeiro acionamento nos gráficos
 point = Ponto
-one-turn-or-as-far-as-it-goes = Uma volta, ou até onde vai
+one-revolution-or-up-to-the-limit-positions = Uma volta, ou até as posições-limite
 angles = Ângulos
 from = de
 to = a
 lengths = Comprimentos
 this-position-alone = Só esta posição
-angle-of-name-where-all-joints-hold-q-0-found-by-newton-s-method = Ângulo de { $name }: onde todas as juntas fecham, Φ(q) = 0, pelo método de Newton
+this-position-only = Só esta posição
+angle-of-name-joint-constraints-q-0-solved-by-newton-s-method = Ângulo de { $name }: restrições das juntas, Φ(q) = 0, resolvidas pelo método de Newton
 angle-of-the-body = Ângulo do corpo
-angular-velocity-of-name-from-the-joints-and-the-drivers-q-q-t = Velocidade angular de { $name }, pelas juntas e pelos acionamentos, Φ_q q̇ = −Φ_t
+angular-velocity-of-name-from-the-joint-and-driving-constraints-q-q-t = Velocidade angular de { $name }, das restrições das juntas e dos acionamentos, Φ_q q̇ = −Φ_t
 angular-velocity-of-the-body = Velocidade angular do corpo
 angular-acceleration-of-name-from-q-q = Aceleração angular de { $name }, de Φ_q q̈ = γ
 angular-acceleration-of-the-body = Aceleração angular do corpo
@@ -634,28 +650,29 @@ position-of-the-point = Posição do ponto
 velocity-of-name = Velocidade de { $name }
 acceleration-of-name = Aceleração de { $name }
 acceleration-of-the-point = Aceleração do ponto
-the-mechanism-holds-more-than-it-needs-at-joints-it-moves-but-statics-does-not-tell-how-the-joints = o mecanismo tem vínculos de sobra em { $joints }: ele se move, mas a estática não diz como as juntas repartem as forças
-torque-of-name-with-it-the-virtual-powers-of-all-loads-sum-to-zero-t-w-0 = Torque de { $name }: com ele a soma das potências virtuais de todas as cargas é zero, T + Σ W = 0
-force-of-name-with-it-the-virtual-powers-of-all-loads-sum-to-zero-t-w-0 = Força de { $name }: com ela a soma das potências virtuais de todas as cargas é zero, T + Σ W = 0
+redundant-constraints-at-joints-the-mechanism-moves-but-statics-does-not-determine-how-the-joints = vínculos redundantes em { $joints }: o mecanismo se move, mas a estática não determina como as juntas repartem as forças
+torque-of-name-the-total-virtual-power-of-all-loads-is-zero-t-w-0 = Torque de { $name }: a potência virtual total de todas as cargas é nula, T + Σ W = 0
+force-of-name-from-the-principle-of-virtual-power-t-w-0 = Força de { $name }, pelo princípio das potências virtuais, T + Σ W = 0
 effort-of-the-driver = Esforço do acionamento
-virtual-power-and-the-equations-of-newton-and-euler-give-name-the-same-effort = a potência virtual e as equações de Newton e Euler dão a { $name } o mesmo esforço
-what-loads-and-drivers-bring-in-is-the-rate-of-the-kinetic-energy = o que cargas e acionamentos fornecem é a taxa da energia cinética
-how-far-name-turns-when-the-driver-moves-by-one-unit = Quanto { $name } gira quando o acionamento anda uma unidade
-how-far-name-lengthens-when-the-driver-moves-by-one-unit = Quanto { $name } se alonga quando o acionamento anda uma unidade
+driving-force-or-torque = Força ou torque motor
+virtual-power-and-the-newton-euler-equations-give-the-same-effort-for-name = a potência virtual e as equações de Newton–Euler dão o mesmo esforço para { $name }
+the-power-of-loads-and-drivers-equals-the-rate-of-change-of-the-kinetic-energy = a potência das cargas e dos acionamentos é a taxa de variação da energia cinética
+rotation-of-name-per-unit-displacement-of-the-driver = Rotação de { $name } por unidade de deslocamento do acionamento
+elongation-of-name-per-unit-displacement-of-the-driver = Alongamento de { $name } por unidade de deslocamento do acionamento
 virtual-power-of-name = Potência virtual de { $name }
-how-far-the-mass-centre-of-name-moves-when-the-driver-moves-by-one-unit = Quanto o centro de massa de { $name } se desloca quando o acionamento anda uma unidade
-acceleration-of-the-mass-centre-of-name = Aceleração do centro de massa de { $name }
-how-far-the-point-of-name-moves-when-the-driver-moves-by-one-unit = Quanto o ponto de { $name } se desloca quando o acionamento anda uma unidade
-force-name-turned-with-the-part-in-whose-axes-it-is-given = Força { $name }, girada com a peça em cujos eixos é dada
+displacement-of-the-centre-of-mass-of-name-per-unit-displacement-of-the-driver = Deslocamento do centro de massa de { $name } por unidade de deslocamento do acionamento
+acceleration-of-the-centre-of-mass-of-name = Aceleração do centro de massa de { $name }
+displacement-of-the-point-of-name-per-unit-displacement-of-the-driver = Deslocamento do ponto de { $name } por unidade de deslocamento do acionamento
+force-name-rotated-with-the-body-in-whose-axes-it-is-given = Força { $name }, girada com o corpo em cujos eixos é dada
 length-of-name = Comprimento de { $name }
 force-of-name-positive-when-it-pushes-its-ends-apart = Força de { $name }, positiva quando afasta as extremidades
 angle-at-name = Ângulo em { $name }
-couple-of-name = Conjugado de { $name }
-velocity-with-which-name-lengthens = Velocidade com que { $name } se alonga
+couple-of-name = Binário de { $name }
+rate-of-extension-of-name = Velocidade de alongamento de { $name }
 force-of-the-gas-of-name-a-p-l-l-p = Força do gás de { $name }, A (p₁ (L₁/L)ⁿ − p₀)
-virtual-power-of-the-friction-of-name-in-proportion-to-the-force-that-its-joint-carries = Potência virtual do atrito de { $name }, em proporção à força que a junta transmite
-force-that-name-carries-by-the-equations-of-newton-and-euler-m-q-q-q = Força que { $name } transmite, pelas equações de Newton e Euler, M q̈ = Q + Φ_qᵀ λ
-effort-of-name = Esforço de { $name }
+virtual-power-of-the-friction-of-name-proportional-to-the-force-transmitted-by-its-joint = Potência virtual do atrito de { $name }, proporcional à força transmitida pela junta
+force-transmitted-by-name-by-the-equations-of-newton-and-euler-m-q-q-q = Força que { $name } transmite, pelas equações de Newton e Euler, M q̈ = Q + Φ_qᵀ λ
+driving-force-or-torque-of-name = Força ou torque motor de { $name }
 angular-velocities = Velocidades angulares
 speed-of-name = Velocidade escalar de { $name }
 speed = Velocidade
@@ -665,99 +682,104 @@ length-of-the-first-driver = Comprimento do primeiro acionamento
 path-of-name = Trajetória de { $name }
 here = aqui
 virtual-power-of-the-loads = Potência virtual das cargas
-for-a-unit-velocity-of-the-first-driver = Para velocidade unitária do primeiro acionamento
-what-each-joint-exerts-on-its-second-point = O que cada junta exerce sobre o seu segundo ponto
-what-each-joint-exerts-on-each-body-in-the-axes-of-the-body = O que cada junta exerce sobre cada corpo, nos eixos do corpo
+per-unit-velocity-of-the-first-driver = Por velocidade unitária do primeiro acionamento
+reaction-of-each-joint-on-its-second-point = Reação de cada junta sobre o seu segundo ponto
+reaction-of-each-joint-on-each-body-in-body-axes = Reação de cada junta sobre cada corpo, nos eixos do corpo
 along-its-x-axis = No seu eixo x
-across-along-its-y-axis = Transversal, no seu eixo y
+transverse-along-its-y-axis = Transversal, no seu eixo y
 instant-centres = Centros instantâneos
-transmission-angles-of-the-links-between-two-pins = Ângulos de transmissão das peças entre dois pinos
+transmission-angles-of-the-links-between-two-pins = Ângulos de transmissão dos elos entre dois pinos
 link-at-pin = { $link } em { $pin }
-link-and-pin = Peça e pino
+link-and-pin = Elo e pino
 link = Peça
-least-over-the-range = O menor no percurso
-instant-centres-while-the-drivers-move-as-given = Centros instantâneos com os acionamentos no movimento dado
-instant-centres-while-the-first-driver-alone-moves = Centros instantâneos quando só o primeiro acionamento anda
+minimum-over-the-range = Mínimo no percurso
+instant-centres-for-the-given-motion-of-the-drivers = Centros instantâneos para o movimento dado dos acionamentos
+instant-centres-when-only-the-first-driver-moves = Centros instantâneos quando só o primeiro acionamento se move
 one-and-other = { $one } e { $other }
 the-ground = a base
 otherwise = Outro caso
+remark = Observação
 at-infinity-in-the-direction-angle = no infinito, na direção { $angle }
 they-do-not-move-against-each-other = não se movem um em relação ao outro
+they-do-not-move-relative-to-each-other = não se movem um em relação ao outro
 forces-of-the-pins-in-the-axes-of-the-ground = Forças nos pinos, nos eixos da base
 name-on-body = { $name } sobre { $body }
-shaking-force-all-that-the-ground-takes = Força de trepidação: tudo o que a base recebe
+shaking-force-resultant-force-on-the-ground = Força de trepidação: força resultante sobre a base
 joint = Junta
 force-along-x = Força em x
 force-along-y = Força em y
-force-along-its-own-line = Força na própria linha
+force-along-its-own-line = Força na sua própria linha
 mechanism = Mecanismo
-zero-for-a-body-whose-weight-and-inertia-do-not-count = Zero para um corpo cujo peso e inércia não contam.
-mass-centre-in-the-axes-of-the-body = Centro de massa, nos eixos do corpo
-about-at-which-angle-it-lies = Em que ângulo está, aproximadamente
-settles-on-which-side-a-linkage-is-assembled-the-joints-correct-it = Decide de que lado o mecanismo é montado; as juntas o corrigem.
-part-that-carries-it = Peça que o leva
-place-in-the-axes-of-its-part = Lugar, nos eixos da peça
+zero-for-a-body-whose-weight-and-inertia-are-neglected = Zero para um corpo com peso e inércia desprezados.
+centre-of-mass-in-the-axes-of-the-body = Centro de massa, nos eixos do corpo
+initial-guess-of-the-angle = Estimativa inicial do ângulo
+selects-the-side-on-which-a-linkage-is-assembled-the-joints-correct-the-value = Define de que lado o mecanismo é montado; as juntas corrigem o valor.
+body-that-carries-it = Corpo que o leva
+position-in-the-axes-of-its-body = Posição, nos eixos do seu corpo
 ground = Base
 kind-of-joint = Tipo de junta
 pin = Pino
 point-that-is-pinned-to-it = Ponto preso a ele pelo pino
 point-of-the-guide = Ponto da guia
-direction-of-the-guide-in-the-axes-of-its-part = Direção da guia, nos eixos da peça
+direction-of-the-guide-in-the-axes-of-its-body = Direção da guia, nos eixos do seu corpo
 point-that-slides-along-it = Ponto que desliza por ela
-angle-of-the-sliding-body-against-the-part-with-the-guide = Ângulo do corpo que desliza em relação à peça com a guia
+angle-of-the-sliding-body-relative-to-the-body-with-the-guide = Ângulo do corpo que desliza em relação ao corpo com a guia
 pin-in-a-straight-slot = Pino em rasgo reto
 point-of-the-slot = Ponto do rasgo
-direction-of-the-slot-in-the-axes-of-its-part = Direção do rasgo, nos eixos da peça
+direction-of-the-slot-in-the-axes-of-its-body = Direção do rasgo, nos eixos do seu corpo
 distance-of-the-pin-to-the-left-of-the-line = Distância do pino à esquerda da linha
 weld = Solda
 point-that-is-fixed-to-it = Ponto fixado a ele
-angle-of-the-second-part-against-the-first = Ângulo da segunda peça em relação à primeira
+angle-of-the-second-body-relative-to-the-first = Ângulo do segundo corpo em relação ao primeiro
 rod-with-a-pin-at-each-end = Barra com um pino em cada extremidade
 one-end = Uma extremidade
 other-end = Outra extremidade
 length = Comprimento
-gears-in-mesh = Engrenagens engrenadas
+gears-in-mesh = Par de engrenagens
 gear = Engrenagem
 gear-that-it-meshes-with = Engrenagem com que engrena
-part-that-carries-both = Peça que leva as duas
+body-that-carries-both-gears = Corpo que leva as duas engrenagens
 teeth-or-pitch-radius-of-the-first = Dentes ou raio primitivo da primeira
 teeth-or-pitch-radius-of-the-second = Dentes ou raio primitivo da segunda
 the-second-has-its-teeth-inside = A segunda tem dentes internos
+the-second-has-internal-teeth = A segunda tem dentes internos
 wheel-that-rolls-on-a-line-or-pinion-on-a-rack = Roda que rola sobre uma linha, ou pinhão em cremalheira
 point-of-the-line = Ponto da linha
-direction-of-the-line-in-the-axes-of-its-part = Direção da linha, nos eixos da peça
+direction-of-the-line-in-the-axes-of-its-body = Direção da linha, nos eixos do seu corpo
 centre-of-the-wheel-to-the-left-of-the-line = Centro da roda, à esquerda da linha
 radius = Raio
-the-wheel-is-held-at-this-distance-by-the-line-alone = Só a linha mantém a roda a esta distância
+the-line-alone-supports-the-wheel-at-this-distance = Só a linha mantém a roda a esta distância
 no-for-a-pinion-that-has-a-bearing-of-its-own = Não, para um pinhão com mancal próprio.
 cord-over-pulleys-and-drums = Cabo sobre polias e tambores
 straight-runs = Trechos retos
-drums-that-wind-it = Tambores que o enrolam
-cam-a-turning-body-that-moves-a-point = Came: um corpo que gira e move um ponto
+drums-that-wind-the-cord = Tambores que enrolam o cabo
+cam-a-rotating-body-that-moves-a-point = Came: um corpo em rotação que move um ponto
 body-that-turns = Corpo que gira
+cam-body = Corpo da came
 point-of-the-guide-of-the-follower = Ponto da guia do seguidor
-direction-in-which-the-follower-is-moved-in-the-axes-of-the-part-with-the-guide = Direção em que o seguidor se move, nos eixos da peça com a guia
+direction-of-motion-of-the-follower-in-the-axes-of-the-body-with-the-guide = Direção do movimento do seguidor, nos eixos do corpo com a guia
 point-of-the-follower = Ponto do seguidor
-lift-over-the-angle-of-the-cam-for-one-turn = Levantamento em função do ângulo da came, para uma volta
+lift-against-the-cam-angle-over-one-revolution = Levantamento em função do ângulo da came, em uma volta
 angle-of-the-cam = Ângulo da came
 lift = Levantamento
-part-that-turns = Peça que gira
-part-against-which-it-turns = Peça em relação à qual gira
-positive-if-a-turn-counter-clockwise-takes-cord-up = Positivo se uma volta anti-horária recolhe cabo.
+rotating-body = Corpo que gira
+body-relative-to-which-it-turns = Corpo em relação ao qual gira
+positive-if-a-counter-clockwise-rotation-winds-in-the-cord = Positivo se uma rotação anti-horária recolhe o cabo.
 what-is-driven = O que é acionado
+driven-coordinate = Coordenada acionada
 angle-of-a-body = Ângulo de um corpo
 position-of-a-point = Posição de um ponto
 point-from-which-it-is-measured = Ponto a partir do qual se mede
-direction-in-which-it-is-measured-in-the-axes-of-the-part-of-the-first = Direção em que se mede, nos eixos da peça do primeiro
+direction-of-measurement-in-the-axes-of-the-body-of-the-first-point = Direção de medição, nos eixos do corpo do primeiro ponto
 position = Posição
 velocity = Velocidade
-distance-of-two-points-a-cylinder-a-cord-that-is-pulled = Distância de dois pontos: um cilindro, um cabo puxado
+distance-between-two-points-a-cylinder-a-cord-that-is-pulled = Distância entre dois pontos: um cilindro, um cabo puxado
 distance = distância
 kind-of-load = Tipo de carga
 force-at-a-point = Força em um ponto
-part-in-whose-axes-it-is-given = Peça em cujos eixos é dada
-part-that-it-acts-on = Peça sobre a qual age
-part-that-it-reacts-on = Peça sobre a qual reage
+body-in-whose-axes-it-is-given = Corpo em cujos eixos é dada
+body-it-acts-on = Corpo em que atua
+body-that-takes-the-reaction = Corpo que recebe a reação
 force-between-two-points = Força entre dois pontos
 positive-when-it-pushes-them-apart = Positiva quando os afasta.
 spring = mola
@@ -777,17 +799,17 @@ friction-in-a-joint = Atrito em uma junta
 pin-slider-or-slot = Pino, cursor ou rasgo
 coefficient-of-friction = Coeficiente de atrito
 radius-of-the-pin = Raio do pino
-the-lift-of-the-cam-name-needs-at-least-three-points-with-rising-angles-within-one-turn = o levantamento da came { $name } precisa de ao menos três pontos com ângulos crescentes dentro de uma volta
-there-is-no-body-write-down-at-least-one = não há corpos: escreva ao menos um
-the-mechanism-cannot-be-assembled-joint-stays-open-by-gap-look-at-the-lengths-the-driven-values-and = o mecanismo não se monta: { $joint } fica aberta { $gap }; veja os comprimentos, os valores dos acionamentos e os ângulos em que os corpos estão
+the-lift-of-the-cam-name-needs-at-least-three-points-with-increasing-angles-within-one-revolution = o levantamento da came { $name } precisa de ao menos três pontos com ângulos crescentes dentro de uma volta
+no-body-is-given-write-down-at-least-one = nenhum corpo foi dado: escreva ao menos um
+the-mechanism-cannot-be-assembled-joint-remains-open-by-gap-check-the-lengths-the-driver-values-and = o mecanismo não pode ser montado: { $joint } fica aberta em { $gap }; confira os comprimentos, os valores dos acionamentos e os ângulos dos corpos
 the-mechanism-does-not-reach-the-value-of-driver-choose-another = o mecanismo não alcança o valor de { $driver }; escolha outro
 free-degrees-of-freedom-have-no-driver-add-a-driver-or-a-joint-for-each = { $free } graus de liberdade estão sem acionamento: acrescente um acionamento, ou uma junta, para cada
-driver-is-one-driver-too-many-the-joints-and-the-other-drivers-hold-it-already-take-it-out = { $driver } é um acionamento a mais: as juntas e os outros acionamentos já o determinam; retire-o
-driver-comes-to-a-limit-at-at-the-mechanism-goes-no-further = { $driver } chega ao limite em { $at }: o mecanismo não vai além
-driver-is-to-move-too-far-at-once-more-than-some-thirty-turns-choose-a-nearer-value = { $driver } deve ir longe demais de uma vez: mais de umas trinta voltas; escolha um valor mais próximo
-driver-stands-at-a-dead-centre-in-this-position-it-cannot-move-the-mechanism-choose-another-value = { $driver } está em ponto morto: nesta posição não consegue mover o mecanismo; escolha outro valor
-the-friction-in-joint-finds-no-balance-the-mechanism-locks-itself-lower-the-coefficient-of-friction = o atrito em { $joint } não encontra equilíbrio: o mecanismo se trava; diminua o coeficiente de atrito
-load-has-a-number-it-cannot-have-or-is-friction-in-a-joint-without-sliding = { $load } tem um número impossível, ou é atrito em uma junta que não desliza
+driver-is-redundant-the-joints-and-the-other-drivers-already-determine-it-remove-it = { $driver } é redundante: as juntas e os outros acionamentos já o determinam; retire-o
+driver-reaches-a-limit-position-at-at-the-mechanism-does-not-move-further = { $driver } chega à posição-limite em { $at }: o mecanismo não vai além
+driver-would-move-too-far-at-once-more-than-about-thirty-revolutions-choose-a-nearer-value = { $driver } se moveria demais de uma só vez: mais de cerca de trinta voltas; escolha um valor mais próximo
+driver-is-at-a-dead-centre-in-this-position-it-cannot-move-the-mechanism-choose-another-value = { $driver } está em ponto morto: nesta posição não consegue mover o mecanismo; escolha outro valor
+no-equilibrium-was-found-with-the-friction-in-joint-the-mechanism-is-self-locking-lower-the = não se achou equilíbrio com o atrito em { $joint }: ocorre autotravamento do mecanismo; diminua o coeficiente de atrito
+load-has-an-invalid-value-or-is-friction-in-a-joint-without-sliding = { $load } tem um valor inválido, ou é atrito em uma junta que não desliza
 no-equilibrium-was-found-near-the-drawn-position-draw-the-bodies-at-other-angles = nenhum equilíbrio foi encontrado perto da posição desenhada; desenhe os corpos em outros ângulos
 a-length-or-a-result-is-too-large-or-too-small-for-the-mechanism-to-be-computed = um comprimento ou resultado é grande ou pequeno demais para o cálculo do mecanismo
 
@@ -798,7 +820,7 @@ angle-of-name-at-the-end = Ângulo de { $name } no fim
 angular-acceleration-at-the-start = Aceleração angular no início
 angular-acceleration-of-name-at-the-end = Aceleração angular de { $name } no fim
 angular-acceleration-of-name-at-the-start = Aceleração angular de { $name } no início
-angular-acceleration-of-name-at-the-start-of-all-accelerations-a-n-s-that-the-joints-allow-that-with = Aceleração angular de { $name } no início: de todas as acelerações a + N s̈ que as juntas permitem, aquela com (Nᵀ M N) s̈ = Nᵀ (Q − M a), potência virtual em cada movimento livre N
+angular-acceleration-of-name-at-the-start-of-all-accelerations-a-n-s-allowed-by-the-joints-the-one = Aceleração angular de { $name } no início: de todas as acelerações a + N s̈ que as juntas permitem, aquela com (Nᵀ M N) s̈ = Nᵀ (Q − M a), potência virtual em cada movimento livre N
 angular-velocity-of-name-at-the-end = Velocidade angular de { $name } no fim
 energy = Energia
 energy-gained-by-weights-springs-and-constant-forces-since-the-start = Energia ganha por pesos, molas e forças constantes desde o início
@@ -812,66 +834,68 @@ kinetic = Cinética
 kinetic-energy-at-the-end = Energia cinética no fim
 kinetic-energy-at-the-end-t-m-v-i-g-2 = Energia cinética no fim, T = Σ (m v² + I_G ω²)/2
 motion-of-a-plane-mechanism-under-its-loads = Movimento de um mecanismo plano sob suas cargas
-positions-and-velocities-to-start-with-without-any-at-rest-where-the-angles-of-the-bodies-say = Posições e velocidades com que o movimento começa; sem elas, em repouso onde dizem os ângulos dos corpos.
+initial-positions-and-velocities-if-none-are-given-at-rest-at-the-angles-given-for-the-bodies = Posições e velocidades iniciais; se nenhuma for dada, em repouso nos ângulos dados para os corpos.
 stored = Armazenada
-the-equations-of-motion-are-followed-from-the-start-by-the-method-of-dormand-and-prince-of-order-8 = As equações do movimento são integradas desde o início pelo método de Dormand e Prince de ordem 8, cujo passo controla o erro; depois de cada passo as juntas são fechadas de novo
+the-equations-of-motion-are-integrated-from-the-start-by-the-dormand-prince-method-of-order-8-with = As equações do movimento são integradas desde o início pelo método de Dormand–Prince de ordem 8, com passo controlado pelo erro; depois de cada passo as restrições das juntas são reimpostas
 time-at-the-end = Tempo no fim
 two-points-reach-a-distance = Dois pontos atingem uma distância
 what-ends-the-motion-before = O que encerra o movimento antes
 what-is-given = O que é dado
-what-they-do-not-hold-moves-freely-their-accelerations-last = O que eles não seguram move-se livremente; suas acelerações são mantidas.
+given-quantity = Grandeza dada
+undriven-coordinates-move-freely-the-accelerations-of-the-drivers-stay-constant = As coordenadas sem acionamento movem-se livremente; as acelerações dos acionamentos são mantidas.
 work-done = Trabalho realizado
 work-done-since-the-start = Trabalho realizado desde o início
-two-points-come-to-rest-against-one-another = Dois pontos entram em repouso um em relação ao outro
+two-points-come-to-relative-rest = Dois pontos entram em repouso um em relação ao outro
 friction-at-the-start = Atrito no início
-sliding-against-friction-at-the-end = Deslizamento contra o atrito no fim
-name-at-the-start-its-pin-slides-and-is-braked-by-r-times-the-force-that-it-carries-against-the = { $name } no início: o pino desliza e é freado por μ r vezes a força que ele transmite, contra o deslizamento
-name-at-the-start-its-joint-slides-and-is-braked-by-times-the-force-that-it-carries-against-the = { $name } no início: a junta desliza e é freada por μ vezes a força que ela transmite, contra o deslizamento
-the-friction-with-which-the-motion-begins = o atrito com que o movimento começa
-name-at-the-start-positive-along-the-sliding-its-joint-rests-since-no-motion-that-could-begin-would = { $name } no início, positivo no sentido do deslizamento: a junta fica em repouso, pois nenhum movimento que pudesse começar venceria o atrito que encontraria
-sliding-against-name-at-the-end = Deslizamento contra { $name } no fim
-at-the-end-name-holds-its-joint-at-rest = No fim, { $name } mantém a junta em repouso
-at-the-start-several-joints-hold-each-other-at-rest-how-their-friction-is-shared-and-with-it-the = no início várias juntas se mantêm em repouso umas às outras: como o atrito se reparte entre elas, e com ele as forças nas juntas, a estática sozinha não diz
-work-of-the-drivers-dampers-friction-and-turning-forces-since-the-start = Trabalho dos acionamentos, amortecedores, atrito e forças que giram com um corpo desde o início
-nothing-moves-freely-the-drivers-and-joints-hold-it-all-take-a-driver-out-or-use-the-plane-mechanism = nada se move livremente: os acionamentos e as juntas seguram tudo; retire um acionamento ou use o mecanismo plano
-the-accelerations-at-the-end-by-the-equations-of-all-bodies = as acelerações no fim pelas equações de todos os corpos
+sliding-velocity-against-friction-at-the-end = Velocidade de deslizamento contra o atrito no fim
+name-at-the-start-its-pin-slides-with-a-friction-couple-of-r-times-the-joint-force-opposite-to-the = { $name } no início: o pino desliza, com binário de atrito de μ r vezes a força na junta, oposto ao deslizamento
+name-at-the-start-its-joint-slides-with-friction-times-the-joint-force-opposite-to-the-sliding = { $name } no início: a junta desliza, com atrito de μ vezes a força na junta, oposto ao deslizamento
+the-friction-at-the-onset-of-motion = o atrito no início do movimento
+name-at-the-start-positive-in-the-direction-of-sliding-its-joint-sticks-since-no-possible-motion = { $name } no início, positivo no sentido do deslizamento: a junta fica em aderência, pois nenhum movimento possível venceria o atrito que encontraria
+sliding-velocity-against-name-at-the-end = Velocidade de deslizamento contra { $name } no fim
+at-the-end-name-is-sticking-its-joint-does-not-slide = No fim, { $name } está em aderência: a junta não desliza
+at-the-start-several-joints-keep-each-other-at-rest-statics-alone-does-not-determine-how-their = no início várias juntas se mantêm em repouso umas às outras: a estática sozinha não determina como o atrito se reparte entre elas, nem as forças nas juntas
+work-of-the-drivers-dampers-friction-and-follower-forces-since-the-start = Trabalho dos acionamentos, amortecedores, atrito e forças que giram com um corpo desde o início
+no-free-motion-remains-the-drivers-and-joints-determine-everything-remove-a-driver-or-use-the-plane = não resta movimento livre: os acionamentos e as juntas determinam tudo; retire um acionamento ou use o mecanismo plano
+the-accelerations-at-the-end-from-the-equations-of-all-bodies = as acelerações no fim pelas equações de todos os corpos
 the-energy-balance-t-v-w-over-the-motion = o balanço de energia T + V − W ao longo do movimento
-the-energy-balance-is-held-to-left-alone-of-size-at-a-dead-centre-or-change-point-the-motion-hangs-on = o balanço de energia só fecha a menos de { $left }, de { $size }: num ponto morto ou de mudança o movimento depende do que ali se perde
+the-energy-balance-closes-only-to-within-left-of-size-at-a-dead-centre-or-change-point-the-motion = o balanço de energia só fecha a menos de { $left }, de { $size }: num ponto morto ou de mudança o movimento depende de algarismos perdidos ali
 the-motion-does-not-come-to-its-end-within-the-duration-make-this-longer = o movimento não chega ao seu fim dentro da duração; aumente-a
-load-is-friction-in-one-of-so-many-joints-at-rest-that-what-begins-to-move-cannot-be-found-take-some = { $load } é atrito em uma de tantas juntas em repouso que não se pode achar o que começa a se mover; retire parte dele
-body-can-move-freely-but-nothing-that-moves-with-it-has-a-mass-give-it-a-mass-or-drive-it = { $body } pode mover-se livremente, mas nada do que se move com ele tem massa; dê-lhe uma massa ou acione-o
-row-row-of-the-start-follows-from-the-joints-the-drivers-and-the-rows-before-it-take-it-out = a linha { $row } da partida já resulta das juntas, dos acionamentos e das linhas anteriores; retire-a
-the-motion-asks-for-too-many-steps-beyond-time-too-much-happens-in-this-duration-shorten-it = o movimento exige passos demais além de { $time }: acontece demais nesta duração; encurte-a
-the-motion-could-not-be-followed-with-an-error-of-wanted-in-each-step-it-was-followed-with-held-in = o movimento não pôde ser seguido com um erro de { $wanted } em cada passo: foi seguido com { $held }, em partes do tamanho do mecanismo e da sua maior velocidade
-the-motion-cannot-be-followed-beyond-time-something-in-it-is-much-faster-than-the-rest-take-out-what = o movimento não pode ser seguido além de { $time }: algo nele é muito mais rápido que o resto; retire o que for muito rígido ou muito leve, ou encurte a duração
-the-motion-cannot-be-followed-beyond-time-there-the-mechanism-locks-or-its-joints-no-longer-say-how = o movimento não pode ser seguido além de { $time }: ali o mecanismo trava, ou as juntas já não dizem como ele continua; encurte a duração
+the-end-condition-of-the-motion-is-not-reached-within-the-duration-increase-the-duration = a condição de fim do movimento não é atingida dentro da duração; aumente-a
+load-is-friction-in-one-of-the-joints-at-rest-too-many-to-determine-which-one-begins-to-move-remove = { $load } é atrito em uma das juntas em repouso, que são demais para determinar qual começa a se mover; retire parte dele
+body-can-move-freely-but-it-and-all-that-moves-with-it-are-massless-give-it-a-mass-or-drive-it = { $body } pode mover-se livremente, mas nada do que se move com ele tem massa; dê-lhe uma massa ou acione-o
+row-row-of-the-start-is-redundant-it-follows-from-the-joints-the-drivers-and-the-rows-before-it = a linha { $row } da partida é redundante: resulta das juntas, dos acionamentos e das linhas anteriores; retire-a
+the-motion-requires-too-many-steps-beyond-time-the-duration-is-too-long-shorten-it = o movimento exige passos demais além de { $time }: a duração é longa demais; encurte-a
+the-motion-could-not-be-integrated-with-an-error-of-wanted-per-step-held-was-used-relative-to-the = o movimento não pôde ser integrado com um erro de { $wanted } por passo: foi usado { $held }, relativo ao tamanho do mecanismo e à sua velocidade máxima
+the-motion-cannot-be-integrated-beyond-time-one-part-of-it-is-much-faster-than-the-rest-remove-what = o movimento não pode ser integrado além de { $time }: uma parte dele é muito mais rápida que o resto; retire o que for muito rígido ou muito leve, ou encurte a duração
+the-motion-cannot-be-integrated-beyond-time-there-the-mechanism-locks-or-its-joints-no-longer = o movimento não pode ser integrado além de { $time }: ali o mecanismo trava, ou as juntas já não determinam o movimento; encurte a duração
 the-duration-must-be-a-positive-number = a duração precisa ser um número positivo
 
 # virtual-work/rack-press
 rack-press = Prensa de cremalheira
-force-of-the-ram-of-a-rack-press-from-the-force-on-its-handle-or-the-other-way-round-with-the-stroke = Força do êmbolo de uma prensa de cremalheira a partir da força na alavanca, ou o inverso, com o curso por volta.
+ram-force-of-a-rack-press-from-the-force-on-its-handle-or-vice-versa-with-the-stroke-per-revolution = Força do êmbolo de uma prensa de cremalheira a partir da força na alavanca, ou o inverso, com o curso por volta.
 length-of-the-handle = Comprimento da alavanca
 pinion = Pinhão
-by-its-pitch-radius = Pelo raio primitivo
+pitch-radius-given = Raio primitivo dado
 pitch-radius = Raio primitivo
-by-module-and-teeth = Pelo módulo e número de dentes
+module-and-number-of-teeth-given = Módulo e número de dentes dados
 module = Módulo
 number-of-teeth = Número de dentes
-turns-of-the-handle-for-one-of-the-pinion = Voltas da alavanca para uma do pinhão
+turns-of-the-handle-per-turn-of-the-pinion = Voltas da alavanca por volta do pinhão
 efficiency = Rendimento
 force-of-the-ram = Força do êmbolo
 force-on-the-handle = Força na alavanca
-force-on-the-handle-square-to-it = Força na alavanca, perpendicular a ela
-a-pinion-has-a-whole-number-of-teeth-at-least-4-write-such-a-number = um pinhão tem um número inteiro de dentes, pelo menos 4: escreva um número assim
+force-on-the-handle-perpendicular-to-it = Força na alavanca, perpendicular a ela
+a-pinion-must-have-a-whole-number-of-teeth-at-least-4 = um pinhão deve ter um número inteiro de dentes, no mínimo 4
 pitch-radius-of-the-pinion = Raio primitivo do pinhão
-virtual-way-of-the-hand-for-a-unit-turn-of-the-handle = Deslocamento virtual da mão para um giro unitário δψ da alavanca
-virtual-way-of-the-ram-which-rolls-off-the-pinion-over = Deslocamento virtual do êmbolo, que rola sobre o pinhão, em δψ
-ideal-ratio-of-the-forces-ways-of-hand-and-ram-one-over-the-other = Razão ideal das forças: deslocamento da mão sobre o do êmbolo
-the-virtual-work-of-the-hand-less-the-losses-and-that-of-the-ram-sum-to-zero-f-s-q-x = A soma do trabalho virtual da mão, descontadas as perdas, com o do êmbolo é nula: η F δs = Q δx
-mechanical-advantage-force-of-the-ram-over-that-on-the-handle = Vantagem mecânica: força do êmbolo sobre a da alavanca
-way-of-the-ram-for-a-turn-of-the-handle = Curso do êmbolo por volta da alavanca
+virtual-displacement-of-the-hand-for-a-unit-rotation-of-the-handle = Deslocamento virtual da mão para uma rotação unitária δψ da alavanca
+virtual-displacement-of-the-ram-per-unit-its-rack-rolls-on-the-pinion = Deslocamento virtual do êmbolo por unidade de δψ: a cremalheira rola sobre o pinhão
+ideal-force-ratio-displacement-of-the-hand-over-that-of-the-ram = Razão ideal das forças: deslocamento da mão sobre o do êmbolo
+the-virtual-work-of-the-hand-less-the-losses-balances-that-of-the-ram-f-s-q-x = O trabalho virtual da mão, descontadas as perdas, equilibra o do êmbolo: η F δs = Q δx
+mechanical-advantage-ratio-of-ram-force-to-handle-force = Vantagem mecânica: razão entre a força do êmbolo e a da alavanca
+travel-of-the-ram-per-turn-of-the-handle = Curso do êmbolo por volta da alavanca
 torque-on-the-pinion = Torque no pinhão
-the-torque-of-the-hand-less-the-losses-by-newton-and-euler-for-handle-pinion-and-rack = o torque da mão, descontadas as perdas, por Newton e Euler na alavanca, no pinhão e na cremalheira
+the-torque-of-the-hand-less-the-losses-from-the-newton-euler-equations-of-handle-pinion-and-rack = o torque da mão, descontadas as perdas, pelas equações de Newton–Euler da alavanca, do pinhão e da cremalheira
 the-press = A prensa
 
 # virtual-work/rhombus
@@ -881,37 +905,38 @@ load-at-the-lower-corner = Carga no vértice inferior
 direction-of-the-spring = Direção da mola
 between-the-corners-at-the-sides = Entre os vértices laterais
 between-the-upper-and-the-lower-corner = Entre os vértices superior e inferior
-the-angle-of-each-bar-is-taken-from-the-vertical = O ângulo θ de cada barra é medido da vertical.
-virtual-rises-of-the-four-mass-centres-over-together = Subidas virtuais dos quatro centros de massa em δθ, somadas
-virtual-rise-of-the-lower-corner-over = Subida virtual do vértice inferior em δθ
+the-angle-of-each-bar-is-measured-from-the-vertical = O ângulo θ de cada barra é medido da vertical.
+sum-of-the-upward-virtual-displacements-of-the-four-centres-of-mass-per-unit = Soma dos deslocamentos virtuais dos quatro centros de massa para cima por unidade de δθ
+upward-virtual-displacement-of-the-lower-corner-per-unit = Deslocamento virtual do vértice inferior para cima por unidade de δθ
 the-rhombus = O losango
 
 # virtual-work/roberval-balance
 roberval-balance = Balança de Roberval
-couple-that-holds-a-roberval-balance-or-the-mass-that-balances-it-and-what-the-offsets-of-the-masses = Conjugado que mantém uma balança de Roberval, ou a massa que a equilibra, e o que os afastamentos das massas fazem nas suas barras.
+equilibrant-couple-of-a-roberval-balance-or-the-mass-that-balances-it-and-the-effect-of-the-mass = Binário equilibrante de uma balança de Roberval, ou a massa que a equilibra, e o efeito dos afastamentos das massas nas suas barras.
 arm-of-the-beams-on-the-left = Braço das barras à esquerda
 arm-of-the-beams-on-the-right = Braço das barras à direita
 distance-between-the-beams = Distância entre as barras
 mass-on-the-left-pan = Massa no prato esquerdo
 distance-of-the-left-mass-from-its-stem-outwards = Distância da massa esquerda à sua haste, para fora
 mass-on-the-right-pan = Massa no prato direito
-left-out-the-mass-that-balances-is-sought = Em branco, a massa que equilibra é procurada.
+if-left-blank-the-balancing-mass-is-computed = Em branco, a massa que equilibra é calculada.
 distance-of-the-right-mass-from-its-stem-outwards = Distância da massa direita à sua haste, para fora
 inclination-of-the-beams-the-right-side-up = Inclinação das barras, com o lado direito para cima
 weight-on-the-left-pan = Peso no prato esquerdo
 weight-on-the-right-pan = Peso no prato direito
-virtual-fall-of-the-left-pan-over-the-pans-only-move-they-do-not-turn-so-the-offset-does-not-matter = Descida virtual do prato esquerdo em δφ: os pratos só transladam, não giram, e o afastamento não importa
-virtual-rise-of-the-right-pan-over = Subida virtual do prato direito em δφ
-couple-that-holds-the-beams-the-right-side-up-its-virtual-work-and-those-of-the-weights-sum-to-zero = Conjugado que mantém as barras, no sentido de levantar o lado direito: a soma do seu trabalho virtual com os dos pesos é nula
-couple-that-holds-the-beams = Conjugado que mantém as barras
-the-beams-stand-upright-no-weight-does-virtual-work = as barras estão na vertical: nenhum peso realiza trabalho virtual
-weight-on-the-right-pan-the-virtual-works-of-both-weights-sum-to-zero = Peso no prato direito: a soma dos trabalhos virtuais dos dois pesos é nula
+downward-virtual-displacement-of-the-left-pan-per-unit-the-pans-translate-without-rotating-so-the = Deslocamento virtual do prato esquerdo para baixo por unidade de δφ: os pratos transladam sem girar, e o afastamento não importa
+upward-virtual-displacement-of-the-right-pan-per-unit = Deslocamento virtual do prato direito para cima por unidade de δφ
+equilibrant-couple-on-the-beams-raising-the-right-side-its-virtual-work-and-those-of-the-weights-sum = Binário equilibrante nas barras, no sentido de levantar o lado direito: a soma do seu trabalho virtual com os dos pesos é nula
+equilibrant-couple-on-the-beams = Binário equilibrante nas barras
+the-beams-are-vertical-no-weight-does-virtual-work = as barras estão na vertical: nenhum peso realiza trabalho virtual
+weight-on-the-right-pan-the-total-virtual-work-of-both-weights-is-zero = Peso no prato direito: o trabalho virtual total dos dois pesos é nulo
 mass-that-balances = Massa que equilibra
-pull-of-the-left-stem-on-the-upper-beam-and-push-on-the-lower-one-they-hold-the-stem-upright-against = Tração da haste esquerda na barra superior e compressão na inferior: mantêm a haste na vertical contra W₁ e₁
-pull-of-the-right-stem-on-the-upper-beam-and-push-on-the-lower-one-they-hold-the-stem-upright-against = Tração da haste direita na barra superior e compressão na inferior: mantêm a haste na vertical contra W₂ e₂
+balancing-mass = Massa de equilíbrio
+pull-of-the-left-stem-on-the-upper-beam-and-push-on-the-lower-one-they-hold-the-stem-vertical-against = Tração da haste esquerda na barra superior e compressão na inferior: mantêm a haste na vertical contra W₁ e₁
+pull-of-the-right-stem-on-the-upper-beam-and-push-on-the-lower-one-they-hold-the-stem-vertical = Tração da haste direita na barra superior e compressão na inferior: mantêm a haste na vertical contra W₂ e₂
 pull-of-the-left-stem-on-the-beams = Tração da haste esquerda nas barras
 pull-of-the-right-stem-on-the-beams = Tração da haste direita nas barras
-the-couple-on-the-beams-by-newton-and-euler-with-the-masses-at-their-offsets = o conjugado nas barras por Newton e Euler, com as massas em seus afastamentos
+the-couple-on-the-beams-from-the-newton-euler-equations-with-the-masses-at-their-offsets = o binário nas barras pelas equações de Newton–Euler, com as massas em seus afastamentos
 the-balance = A balança
 
 # virtual-work/scissor-lift
@@ -920,40 +945,41 @@ force-of-the-cylinder-of-a-scissor-lift-of-any-number-of-stages-or-the-load-that
 stages = Estágios
 angle-of-the-bars-from-the-horizontal = Ângulo das barras com a horizontal
 frames-side-by-side-each-with-a-cylinder = Quadros lado a lado, cada um com um cilindro
+number-of-frames-side-by-side-each-with-a-cylinder = Número de quadros lado a lado, cada um com um cilindro
 they-share-the-load-evenly = Dividem a carga igualmente.
 lower-end-of-the-cylinder = Extremidade inferior do cilindro
 upper-end-of-the-cylinder = Extremidade superior do cilindro
-speed-at-which-the-cylinder-grows = Velocidade com que o cilindro se alonga
-where-it-is-given-the-speed-of-the-table-is-answered-too = Se dada, a velocidade da mesa também é respondida.
+extension-speed-of-the-cylinder = Velocidade de extensão do cilindro
+if-given-the-speed-of-the-table-is-also-calculated = Se dada, a velocidade da mesa também é calculada.
 on-the-ground = No solo
 distance-to-the-right-of-the-fixed-foot = Distância à direita do pé fixo
-height-over-the-fixed-foot = Altura sobre o pé fixo
+height-above-the-fixed-foot = Altura acima do pé fixo
 on-the-table = Na mesa
 distance-to-the-right-of-the-left-joint = Distância à direita da articulação esquerda
-height-over-the-joints = Altura sobre as articulações
+height-above-the-joints = Altura acima das articulações
 on-a-bar-that-rises-to-the-right = Em uma barra que sobe para a direita
 on-a-bar-that-rises-to-the-left = Em uma barra que sobe para a esquerda
-stage-counted-from-below = Estágio, contado de baixo
+stage-numbered-from-the-bottom = Estágio, numerado de baixo para cima
 distance-from-its-lower-end = Distância à sua extremidade inferior
 force-of-the-cylinder = Força do cilindro
 load-on-the-table = Carga na mesa
 force-of-each-cylinder = Força de cada cilindro
-the-cylinder-is-fixed-to-a-stage-that-the-lift-does-not-have-write-a-smaller-stage-or-more-stages = o cilindro está preso a um estágio que a plataforma não tem: escreva um estágio menor ou mais estágios
-horizontal-distance-of-the-ends-of-the-cylinder = Distância horizontal entre as extremidades do cilindro
-vertical-distance-of-the-ends-of-the-cylinder = Distância vertical entre as extremidades do cilindro
+the-cylinder-is-fixed-to-a-stage-that-the-lift-does-not-have-choose-a-lower-stage-or-more-stages = o cilindro está preso a um estágio que a plataforma não tem: escolha um estágio mais baixo ou mais estágios
+horizontal-distance-between-the-ends-of-the-cylinder = Distância horizontal entre as extremidades do cilindro
+vertical-distance-between-the-ends-of-the-cylinder = Distância vertical entre as extremidades do cilindro
 both-ends-of-the-cylinder-are-at-the-same-point-it-has-no-length = as duas extremidades do cilindro estão no mesmo ponto: ele não tem comprimento
 length-of-the-cylinder = Comprimento do cilindro
-its-virtual-change-over = Sua variação virtual em δθ
-in-this-position-the-length-of-the-cylinder-does-not-change-with-the-height-of-the-table-a-dead = nesta posição o comprimento do cilindro não muda com a altura da mesa: um ponto morto, nenhuma força a levanta
-virtual-growth-of-the-cylinder-over-2-c-c-2-x-x-2-y-y = Alongamento virtual do cilindro em δθ: 2 c δc = 2 Δx δΔx + 2 Δy δΔy
-virtual-rise-of-the-table-over-from-h-n-l-sin = Subida virtual da mesa em δθ, de h = n L sen θ
-virtual-work-against-the-weights-of-the-2-n-bars-of-a-frame-which-rise-by-half-as-much-as-the-table = Trabalho virtual contra os pesos das 2 n barras de um quadro, que em média sobem a metade do que sobe a mesa
-the-virtual-works-of-cylinder-load-and-weights-of-a-frame-sum-to-zero = A soma dos trabalhos virtuais do cilindro, da carga e dos pesos de um quadro é nula
+its-virtual-variation-per = Sua variação virtual por δθ
+in-this-position-the-length-of-the-cylinder-does-not-change-with-the-height-of-the-table-dead-centre = nesta posição o comprimento do cilindro não muda com a altura da mesa (ponto morto): nenhuma força a levanta
+virtual-elongation-of-the-cylinder-per-unit-2-c-c-2-x-x-2-y-y = Alongamento virtual do cilindro por unidade de δθ: 2 c δc = 2 Δx δΔx + 2 Δy δΔy
+upward-virtual-displacement-of-the-table-per-unit-from-h-n-l-sin = Deslocamento virtual da mesa para cima por unidade de δθ, de h = n L sen θ
+virtual-work-against-the-weights-of-the-2-n-bars-of-a-frame-whose-mean-rise-is-half-that-of-the-table = Trabalho virtual contra os pesos das 2 n barras de um quadro, cuja subida média é a metade da subida da mesa
+the-total-virtual-work-of-cylinder-load-and-weights-of-a-frame-is-zero = O trabalho virtual total do cilindro, da carga e dos pesos de um quadro é nulo
 the-cylinder-pulls-it-becomes-shorter-as-the-table-rises = o cilindro puxa: fica mais curto quando a mesa sobe
 height-of-the-table = Altura da mesa
-way-of-the-table-over-way-of-the-cylinder = Deslocamento da mesa sobre o do cilindro
+displacement-ratio-table-over-cylinder = Razão de deslocamentos, mesa sobre cilindro
 speed-of-the-table = Velocidade da mesa
-the-force-of-the-cylinder-by-newton-and-euler-for-every-bar = a força do cilindro por Newton e Euler em cada barra
+the-force-of-the-cylinder-from-the-newton-euler-equations-of-every-bar = a força do cilindro pelas equações de Newton–Euler de cada barra
 fixed-foot = Pé fixo
 sliding-foot = Pé deslizante
 crossing-of-stage-stage = Cruzamento do estágio { $stage }
@@ -971,52 +997,54 @@ screw-jack = Macaco de parafuso
 axial-force-and-torque-of-a-screw-jack-a-rhombus-jack-or-a-scissor-jack-with-friction-efficiency-and = Força axial e torque de um macaco de parafuso, de losango ou de tesoura, com atrito, rendimento e autotravamento.
 frame = Suporte
 screw = Parafuso
-left-out-only-the-axial-force-is-answered = Em branco, só a força axial é respondida.
+if-left-blank-only-the-axial-force-is-computed = Em branco, só a força axial é calculada.
 the-load-stands-on-the-screw = A carga apoia-se no parafuso
+the-load-rests-on-the-screw = A carga apoia-se no parafuso
 rhombus-with-the-screw-across = Losango com o parafuso na diagonal
 length-of-each-link = Comprimento de cada barra
 angle-of-the-links-from-the-horizontal = Ângulo das barras com a horizontal
 scissors-with-the-screw-between-the-feet = Tesoura com o parafuso entre os pés
 mean-diameter-of-the-thread = Diâmetro médio da rosca
-lead = Avanço
-way-of-a-nut-for-one-turn = Deslocamento de uma porca por volta.
+lead = Avanço da rosca
+travel-of-a-nut-per-turn = Deslocamento de uma porca por volta.
 coefficient-of-friction-in-the-thread = Coeficiente de atrito na rosca
-half-the-angle-of-the-thread = Metade do ângulo da rosca
+half-the-thread-angle = Metade do ângulo da rosca
 zero-for-a-square-thread-15-for-a-trapezoidal-one = Zero para rosca quadrada, 15° para trapezoidal.
 threads = Roscas
 mean-diameter-of-the-collar = Diâmetro médio do colar
 coefficient-of-friction-in-the-collar = Coeficiente de atrito no colar
 one-nut = Uma porca
 two-nuts-on-a-right-hand-and-a-left-hand-thread = Duas porcas, em rosca direita e rosca esquerda
-force-and-torque-for-a-load = Força e torque para uma carga
-load-that-a-torque-raises = Carga que um torque levanta
+force-and-torque-for-a-given-load = Força e torque para uma carga dada
+load-raised-by-a-torque = Carga levantada por um torque
 torque-on-the-screw = Torque no parafuso
 load-that-an-axial-force-holds = Carga que uma força axial sustenta
 axial-force-in-the-screw = Força axial no parafuso
-axial-force-in-the-screw-p-y-and-t-x-sum-to-zero = Força axial no parafuso: a soma de P δy e T δx é nula
+axial-force-in-the-screw-from-p-y-t-x-0 = Força axial no parafuso, de P δy + T δx = 0
 a-torque-needs-a-screw-write-its-diameter-and-lead = um torque precisa de um parafuso: escreva seu diâmetro e avanço
-axial-force-that-the-torque-overcomes = Força axial que o torque vence
-the-axial-force-by-newton-and-euler-for-every-link = a força axial por Newton e Euler em cada barra
-the-links-lie-nearly-flat-the-axial-force-grows-without-bound-as-they-do = as barras estão quase na horizontal: a força axial cresce sem limite quando se deitam
-virtual-rise-of-the-load-over-from-y-2-l-sin = Subida virtual da carga em δθ, de y = 2 L sen θ
-virtual-rise-of-the-load-over-from-y-n-l-sin = Subida virtual da carga em δθ, de y = n L sen θ
-virtual-approach-of-the-nuts-over-from-x-2-l-cos = Aproximação virtual das porcas em δθ, de x = 2 L cos θ
-virtual-approach-of-the-feet-over-from-x-l-cos = Aproximação virtual dos pés em δθ, de x = L cos θ
+axial-force-overcome-by-the-torque = Força axial vencida pelo torque
+the-axial-force-from-the-newton-euler-equations-of-every-link = a força axial pelas equações de Newton–Euler de cada barra
+the-links-are-nearly-horizontal-the-axial-force-grows-without-bound-near-that-position = as barras estão quase na horizontal: a força axial cresce sem limite perto dessa posição
+upward-virtual-displacement-of-the-load-per-unit-from-y-2-l-sin = Deslocamento virtual da carga para cima por unidade de δθ, de y = 2 L sen θ
+upward-virtual-displacement-of-the-load-per-unit-from-y-n-l-sin = Deslocamento virtual da carga para cima por unidade de δθ, de y = n L sen θ
+virtual-approach-of-the-nuts-per-unit-from-x-2-l-cos = Aproximação virtual das porcas por unidade de δθ, de x = 2 L cos θ
+virtual-approach-of-the-feet-per-unit-from-x-l-cos = Aproximação virtual dos pés por unidade de δθ, de x = L cos θ
 height-of-the-load = Altura da carga
-axial-force-over-load-ways-of-load-and-screw-one-over-the-other = Força axial sobre carga: deslocamento da carga sobre o do parafuso
+ratio-of-axial-force-to-load-displacement-of-the-load-over-that-of-the-screw = Razão entre força axial e carga: deslocamento da carga sobre o do parafuso
 axial-force-over-load = Força axial sobre carga
-load-p-y-and-t-x-sum-to-zero = Carga: a soma de P δy e T δx é nula
-slope-of-the-thread = Ângulo da hélice
+ratio-of-axial-force-to-load = Razão entre força axial e carga
+load-from-p-y-t-x-0 = Carga, de P δy + T δx = 0
+lead-angle-of-the-thread = Ângulo de hélice da rosca
 angle-of-friction-on-the-flanks-of-the-thread = Ângulo de atrito nos flancos da rosca
 angle-of-friction = Ângulo de atrito
-slope-of-the-thread-and-angle-of-friction-together-reach-90-the-thread-jams-and-no-torque-raises-the = o ângulo da hélice e o de atrito somam 90°: a rosca trava e nenhum torque levanta a carga
-torque-for-a-unit-of-axial-force-raising = Torque por unidade de força axial, ao levantar
-torque-for-a-unit-of-axial-force-lowering-negative-where-the-load-drives-the-screw = Torque por unidade de força axial, ao baixar; negativo onde a carga gira o parafuso
-torque-for-a-unit-of-axial-force-without-friction-m-t-2-for-each-nut = Torque por unidade de força axial sem atrito: M δψ = T ℓ δψ/2π para cada porca
-torque-that-raises-the-load = Torque que levanta a carga
-torque-that-lowers-the-load = Torque que baixa a carga
-efficiency-torque-without-friction-over-torque-with-it = Rendimento: torque sem atrito sobre torque com atrito
-the-screw-does-not-lock-itself-let-go-it-turns-back-under-the-load = o parafuso não é autotravante: solto, gira de volta sob a carga
+lead-angle-and-friction-angle-of-the-thread-together-reach-90-the-thread-jams-and-no-torque-raises = o ângulo de hélice e o de atrito da rosca somam 90°: a rosca trava e nenhum torque levanta a carga
+torque-per-unit-axial-force-raising = Torque por unidade de força axial, ao levantar
+torque-per-unit-axial-force-lowering-negative-where-the-load-drives-the-screw = Torque por unidade de força axial, ao baixar; negativo quando a carga gira o parafuso
+torque-per-unit-axial-force-without-friction-m-t-2-for-each-nut = Torque por unidade de força axial sem atrito: M δψ = T ℓ δψ/2π para cada porca
+torque-to-raise-the-load = Torque para levantar a carga
+torque-to-lower-the-load = Torque para baixar a carga
+efficiency-torque-without-friction-divided-by-the-torque-with-friction = Rendimento: torque sem atrito dividido pelo torque com atrito
+the-screw-is-not-self-locking-when-released-it-turns-back-under-the-load = o parafuso não é autotravante: ao ser solto, gira de volta sob a carga
 the-raising-torque-from-t-d-2-d-d = o torque de levantamento por T d/2 (ℓ + π μ′ d)/(π d − μ′ ℓ)
 axial-force-against-the-angle-of-the-links = Força axial em função do ângulo das barras
 angle-of-the-links = ângulo das barras
@@ -1025,24 +1053,25 @@ the-jack = O macaco
 
 # virtual-work/spring-lever
 arm-with-a-spring = Braço com mola
-all-equilibria-of-a-loaded-arm-held-by-a-spring-and-whether-they-are-stable-or-the-load-or-stiffness = Todas as posições de equilíbrio de um braço carregado e preso por mola, e se são estáveis; ou a carga ou rigidez para um ângulo dado.
+all-equilibria-of-a-loaded-arm-restrained-by-a-spring-with-their-stability-or-the-load-or-stiffness = Todas as posições de equilíbrio de um braço carregado e preso por mola, com a sua estabilidade; ou a carga ou rigidez para um ângulo dado.
 the-arm-at-0 = O braço em θ = 0
 upright = Para cima
+vertical-upwards = Na vertical, para cima
 horizontal-to-the-right = Horizontal, para a direita
-the-load-on-the-arm-goes-down-as-grows = A carga no braço desce quando θ cresce.
+the-load-on-the-arm-moves-down-as-increases = A carga no braço desce quando θ cresce.
 hanging = Pendente
-tilted-from-the-upright-position = Inclinado em relação à posição para cima
-angle-from-the-upright-position-clockwise = Ângulo desde a posição para cima, no sentido horário
+inclined-from-the-vertical-position = Inclinado em relação à posição vertical
+angle-from-the-vertical-inverted-position-clockwise = Ângulo a partir da posição vertical (invertida), no sentido horário
 mass-on-the-arm = Massa no braço
 distance-of-its-centre-from-the-pivot = Distância do seu centro ao pivô
 vertical-force-on-the-arm = Força vertical no braço
 force-downwards = Força, para baixo
 distance-of-its-point-from-the-pivot = Distância do seu ponto ao pivô
-couple-on-the-arm = Conjugado no braço
-couple-in-the-sense-of = Conjugado, no sentido de θ
+couple-on-the-arm = Binário no braço
+couple-in-the-sense-of = Binário, no sentido de θ
 torsion-spring-at-the-pivot = Mola de torção no pivô
-angle-at-which-it-is-untwisted = Ângulo em que não está torcida
-zero-where-it-is-left-out = Zero se deixado em branco.
+angle-at-which-the-spring-is-untwisted = Ângulo com a mola sem torção
+zero-if-omitted = Zero se omitido.
 spring-on-a-cord-around-a-drum = Mola em um cabo ao redor de um tambor
 the-drum-is-fixed-to-the-arm = O tambor é solidário ao braço.
 radius-of-the-drum = Raio do tambor
@@ -1053,87 +1082,89 @@ n-180-on-the-other-side-of-the-pivot = 180° do outro lado do pivô.
 distance-of-its-fixed-end-from-the-pivot = Distância de sua ponta fixa ao pivô
 angle-of-the-fixed-end-from-the-arm-at-0-clockwise = Ângulo da ponta fixa em relação ao braço em θ = 0, no sentido horário
 unstretched = Sem alongamento
-at-an-angle-of-the-arm = Em um ângulo do braço
+at-a-given-angle-of-the-arm = Em um ângulo dado do braço
 angle-of-the-arm = Ângulo do braço
 at-a-length = Em um comprimento
+at-a-given-length = Em um comprimento dado
 unstretched-length = Comprimento natural
 two-springs-one-on-each-side = Duas molas, uma de cada lado
-square-to-the-arm-at-0-unstretched-there-and-so-long-that-they-keep-their-direction = Perpendiculares ao braço em θ = 0, ali sem alongamento, e tão longas que conservam a direção.
+perpendicular-to-the-arm-at-0-unstretched-there-and-long-enough-to-keep-their-direction = Perpendiculares ao braço em θ = 0, ali sem alongamento, e longas o bastante para conservar a direção.
 stiffness-of-each = Rigidez de cada uma
 distance-from-the-pivot = Distância ao pivô
 moment-of-the-load-about-the-pivot-with-the-arm-horizontal = Momento da carga em relação ao pivô com o braço horizontal
 angle-at-the-pivot-between-the-two-ends-of-the-spring-at-0-at-it-is = Ângulo no pivô entre as duas pontas da mola em θ = 0; em θ é θ + ψ₀
 unstretched-length-by-the-law-of-cosines = Comprimento natural, pela lei dos cossenos
 length-of-the-spring-by-the-law-of-cosines = Comprimento da mola, pela lei dos cossenos
-its-virtual-change-over-2-s-s-2-b-d-sin = Sua variação virtual em δθ: 2 s δs = 2 b d sin(θ + ψ₀) δθ
-slope-of-that-change = Derivada dessa variação
-slope-of-the-length-of-the-spring-at-0 = Derivada do comprimento da mola em θ = 0
-stretch-of-the-spring-times-its-virtual-change-over-the-couple-of-the-spring-is-k-u = Alongamento da mola vezes sua variação virtual em δθ: o conjugado da mola é k u′
+its-virtual-variation-per-2-s-s-2-b-d-sin = Sua variação virtual por δθ: 2 s δs = 2 b d sen(θ + ψ₀) δθ
+derivative-of-that-change = Derivada dessa variação
+derivative-of-the-spring-length-at-0 = Derivada do comprimento da mola em θ = 0
+extension-of-the-spring-times-its-virtual-change-per-unit-the-couple-of-the-spring-is-k-u = Alongamento da mola vezes sua variação virtual por unidade de δθ: o binário da mola é k u′
 couple-that-holds-the-arm = Conjugado que mantém o braço
-couple-that-holds-the-arm-in-the-sense-of-t-and-the-works-of-spring-and-load-sum-to-zero = Conjugado que mantém o braço, no sentido de θ: a soma de T δθ com os trabalhos da mola e da carga é nula
-load-whose-virtual-work-is-that-of-the-spring = Carga cujo trabalho virtual é o da mola
+equilibrant-couple-on-the-arm = Binário equilibrante no braço
+equilibrant-couple-on-the-arm-in-the-sense-of-t-plus-the-virtual-work-of-spring-and-load-is-zero = Binário equilibrante no braço, no sentido de θ: a soma de T δθ com os trabalhos virtuais da mola e da carga é nula
+load-whose-virtual-work-balances-that-of-the-spring = Carga cujo trabalho virtual equilibra o da mola
 mass-of-that-weight = Massa desse peso
 mass-for-equilibrium-at-this-angle = Massa para o equilíbrio neste ângulo
 force-for-equilibrium-at-this-angle = Força para o equilíbrio neste ângulo
-couple-for-equilibrium-at-this-angle = Conjugado para o equilíbrio neste ângulo
+couple-for-equilibrium-at-this-angle = Binário para o equilíbrio neste ângulo
 stiffness-for-equilibrium-at-this-angle = Rigidez para o equilíbrio neste ângulo
-stiffness-with-which-the-virtual-work-of-the-spring-is-that-of-the-load = Rigidez com a qual o trabalho virtual da mola é o da carga
-stiffness-at-which-d-v-d-0-at-0-a-larger-one-holds-the-arm-upright = Rigidez em que d²V/dθ² = 0 em θ = 0: uma maior mantém o braço para cima
-load-at-which-d-v-d-0-at-0-a-smaller-one-lets-the-arm-stand-upright = Carga em que d²V/dθ² = 0 em θ = 0: uma menor deixa o braço ficar para cima
-critical-stiffness-of-the-upright-position = Rigidez crítica da posição para cima
-critical-mass-of-the-upright-position = Massa crítica da posição para cima
-critical-force-of-the-upright-position = Força crítica da posição para cima
-the-curvature-of-the-potential-energy-at-0-with-the-critical-stiffness = a curvatura da energia potencial em θ = 0 com a rigidez crítica
-the-holding-couple-by-newton-and-euler = o conjugado de sustentação por Newton e Euler
-load-or-stiffness-is-left-out-write-it-or-write-the-angle-at-which-the-arm-is-to-be-in-equilibrium = a carga ou a rigidez está em branco: escreva-a, ou escreva o ângulo em que o braço deve estar em equilíbrio
-both-load-and-stiffness-are-left-out-the-angle-tells-only-one-of-them = a carga e a rigidez estão ambas em branco: o ângulo determina apenas uma delas
-at-this-angle-the-arm-is-vertical-the-load-does-no-work-so-no-load-can-be-told-from-it = neste ângulo o braço está na vertical: a carga não realiza trabalho, e nenhuma carga pode ser determinada
-at-this-angle-the-spring-is-unstretched-or-pulls-through-the-pivot-no-stiffness-can-be-told-from-it = neste ângulo a mola não está alongada ou puxa através do pivô: nenhuma rigidez pode ser determinada
-the-stiffness-is-negative-at-this-angle-load-and-spring-turn-the-arm-the-same-way = a rigidez é negativa: neste ângulo a carga e a mola giram o braço no mesmo sentido
+stiffness-for-which-the-virtual-work-of-the-spring-equals-that-of-the-load = Rigidez para a qual o trabalho virtual da mola é igual ao da carga
+stiffness-at-which-d-v-d-0-at-0-a-larger-stiffness-holds-the-arm-vertical = Rigidez em que d²V/dθ² = 0 em θ = 0: uma rigidez maior mantém o braço na vertical
+load-at-which-d-v-d-0-at-0-with-a-smaller-load-the-vertical-inverted-position-is-stable = Carga em que d²V/dθ² = 0 em θ = 0: com carga menor a posição vertical (invertida) é estável
+critical-stiffness-of-the-vertical-inverted-position = Rigidez crítica da posição vertical (invertida)
+critical-mass-of-the-vertical-inverted-position = Massa crítica da posição vertical (invertida)
+critical-force-of-the-vertical-inverted-position = Força crítica da posição vertical (invertida)
+the-second-derivative-of-the-potential-energy-at-0-with-the-critical-stiffness = a segunda derivada da energia potencial em θ = 0 com a rigidez crítica
+the-holding-couple-from-the-newton-euler-equations = o binário de sustentação pelas equações de Newton–Euler
+load-or-stiffness-is-missing-write-it-or-write-the-angle-at-which-the-arm-is-to-be-in-equilibrium = a carga ou a rigidez está em branco: escreva-a, ou escreva o ângulo em que o braço deve estar em equilíbrio
+both-load-and-stiffness-are-missing-the-angle-determines-only-one-of-them = a carga e a rigidez estão ambas em branco: o ângulo determina apenas uma delas
+at-this-angle-the-arm-is-vertical-the-load-does-no-work-and-cannot-be-determined = neste ângulo o braço está na vertical: a carga não realiza trabalho e não pode ser determinada
+at-this-angle-the-spring-is-unstretched-or-its-force-passes-through-the-pivot-the-stiffness-cannot-be = neste ângulo a mola não está alongada ou a sua força passa pelo pivô: a rigidez não pode ser determinada
+the-stiffness-is-negative-at-this-angle-load-and-spring-turn-the-arm-in-the-same-sense = a rigidez é negativa: neste ângulo a carga e a mola giram o braço no mesmo sentido
 the-arm-about-its-position = O braço em torno de sua posição
-load-that-the-spring-holds-against-the-angle = Carga que a mola sustenta em função do ângulo
+load-balanced-by-the-spring-against-the-angle = Carga equilibrada pela mola, em função do ângulo
 load-in-equilibrium = carga em equilíbrio
-couple-in-equilibrium = conjugado em equilíbrio
+couple-in-equilibrium = binário em equilíbrio
 held = sustentada
 this-load = esta carga
 angle = Ângulo
 
 # virtual-work/toggle-press
 toggle-press = Prensa de joelho
-thrust-of-a-toggle-press-from-the-force-on-its-knee-or-the-other-way-round-with-the-forces-in-its = Empuxo de uma prensa de joelho a partir da força no joelho, ou o inverso, com as forças em suas barras.
+thrust-of-a-toggle-press-from-the-force-on-its-knee-or-vice-versa-with-the-forces-in-its-links = Empuxo de uma prensa de joelho a partir da força no joelho, ou o inverso, com as forças em suas barras.
 length-of-the-link-at-the-fixed-pin = Comprimento da barra no pino fixo
 length-of-the-link-at-the-ram = Comprimento da barra no êmbolo
 angle-of-the-link-at-the-fixed-pin-from-the-line-of-thrust = Ângulo da barra no pino fixo com a linha de empuxo
 thrust-of-the-ram = Empuxo do êmbolo
-force-on-the-knee-square-to-the-line-of-thrust = Força no joelho, perpendicular à linha de empuxo
+force-on-the-knee-perpendicular-to-the-line-of-thrust = Força no joelho, perpendicular à linha de empuxo
 force-on-the-knee = Força no joelho
-height-of-the-knee-over-the-line-of-thrust = Altura do joelho sobre a linha de empuxo
+height-of-the-knee-above-the-line-of-thrust = Altura do joelho acima da linha de empuxo
 the-link-at-the-ram-does-not-reach-the-line-of-thrust-it-is-short-too-short = a barra no êmbolo não alcança a linha de empuxo: faltam { $short }
-angle-of-the-link-at-the-ram-both-links-end-at-the-knee-l-sin-l-sin = Ângulo da barra no êmbolo: as duas barras terminam no joelho, L₁ sen α = L₂ sen β
-virtual-rise-of-the-knee-over = Subida virtual do joelho em δα
-virtual-turn-of-the-link-at-the-ram-l-cos-l-cos = Giro virtual da barra no êmbolo: L₂ cos β δβ = L₁ cos α δα
-virtual-retreat-of-the-ram-over-from-x-l-cos-l-cos = Recuo virtual do êmbolo em δα, de x = L₁ cos α + L₂ cos β
-mechanical-advantage-ways-of-knee-and-ram-one-over-the-other = Vantagem mecânica: razão dos deslocamentos do joelho e do êmbolo
-p-y-and-q-x-sum-to-zero-force-on-the-knee-and-thrust-have-virtual-works-against-each-other = A soma de P δy e Q δx é nula: a força no joelho e o empuxo têm trabalhos virtuais opostos
-compression-of-the-link-at-the-fixed-pin-from-the-forces-on-the-knee-across-the-line-of-thrust = Compressão da barra no pino fixo, pelas forças no joelho transversais à linha de empuxo
+angle-of-the-link-at-the-ram-both-links-meet-at-the-knee-l-sin-l-sin = Ângulo da barra no êmbolo: as duas barras se encontram no joelho, L₁ sen α = L₂ sen β
+upward-virtual-displacement-of-the-knee-per-unit = Deslocamento virtual do joelho para cima por unidade de δα
+virtual-rotation-of-the-link-at-the-ram-l-cos-l-cos = Rotação virtual da barra no êmbolo: L₂ cos β δβ = L₁ cos α δα
+virtual-retraction-of-the-ram-per-unit-from-x-l-cos-l-cos = Recuo virtual do êmbolo por unidade de δα, de x = L₁ cos α + L₂ cos β
+mechanical-advantage-displacement-of-the-knee-over-that-of-the-ram = Vantagem mecânica: deslocamento do joelho sobre o do êmbolo
+p-y-q-x-0-the-virtual-works-of-the-knee-force-and-of-the-thrust-cancel = P δy + Q δx = 0: os trabalhos virtuais da força no joelho e do empuxo se anulam
+compression-of-the-link-at-the-fixed-pin-from-the-forces-on-the-knee-perpendicular-to-the-line-of = Compressão da barra no pino fixo, pelas forças no joelho perpendiculares à linha de empuxo
 compression-of-the-link-at-the-ram-along-the-line-of-thrust-it-is-q = Compressão da barra no êmbolo: na direção da linha de empuxo é Q
-force-of-the-guide-on-the-ram-across-the-line-of-thrust = Força da guia no êmbolo, transversal à linha de empuxo
-way-of-the-ram-until-the-links-are-in-line = Curso do êmbolo até o alinhamento das barras
+force-of-the-guide-on-the-ram-perpendicular-to-the-line-of-thrust = Força da guia no êmbolo, perpendicular à linha de empuxo
+remaining-stroke-of-the-ram-until-the-links-are-collinear = Curso restante do êmbolo até o alinhamento das barras
 compression-of-the-link-at-the-fixed-pin = Compressão da barra no pino fixo
 compression-of-the-link-at-the-ram = Compressão da barra no êmbolo
 force-of-the-guide-on-the-ram = Força da guia no êmbolo
 the-thrust-from-p-q-tan-tan = o empuxo por P = Q (tan α + tan β)
 the-forces-along-the-line-of-thrust-at-the-knee = as forças no joelho ao longo da linha de empuxo
-the-thrust-by-newton-and-euler-for-every-body = o empuxo por Newton e Euler em cada corpo
-the-force-on-the-fixed-pin-by-newton-and-euler = a força no pino fixo por Newton e Euler
-the-links-are-nearly-in-line-clearances-and-the-stiffness-of-the-frame-not-this-ratio-limit-the = as barras estão quase alinhadas: as folgas e a rigidez da estrutura, e não esta razão, limitam o empuxo
+the-thrust-from-the-newton-euler-equations-of-every-body = o empuxo pelas equações de Newton–Euler de cada corpo
+the-force-on-the-fixed-pin-from-the-newton-euler-equations = a força no pino fixo pelas equações de Newton–Euler
+the-links-are-nearly-collinear-clearances-and-the-stiffness-of-the-frame-not-this-ratio-limit-the = as barras estão quase alinhadas: as folgas e a rigidez da estrutura, e não esta razão, limitam o empuxo
 mechanical-advantage-against-the-angle = Vantagem mecânica em função do ângulo
 angle-of-the-link-at-the-fixed-pin = ângulo da barra no pino fixo
 thrust-over-force-on-the-knee = empuxo sobre força no joelho
 the-press-closing = A prensa fechando
 length-of-the-cord-between-bar-and-pulley-by-the-law-of-cosines = Comprimento do cabo entre a barra e a polia, pela lei dos cossenos
-its-virtual-growth-over-by-which-the-hanging-mass-rises-2-s-s-2-b-h-cos = Seu aumento virtual em δθ, com que a massa suspensa sobe: 2 s δs = −2 b h cos θ δθ
-virtual-rise-of-the-hanging-mass-over = Subida virtual da massa suspensa em δθ
+its-virtual-elongation-per-equal-to-the-rise-of-the-hanging-mass-2-s-s-2-b-h-cos = Seu alongamento virtual por δθ, igual à subida da massa suspensa: 2 s δs = −2 b h cos θ δθ
+upward-virtual-displacement-of-the-hanging-mass-per-unit = Deslocamento virtual da massa suspensa para cima por unidade de δθ
 
 # virtual-work/two-bar-linkage
 two-bars-with-a-sliding-end = Duas barras com extremidade deslizante
@@ -1144,40 +1175,42 @@ above-the-line-ac = Acima da linha AC
 vertical-force-at-the-joint-b-downwards = Força vertical na articulação B, para baixo
 horizontal-force-at-c-away-from-a = Força horizontal em C, afastando-se de A
 spring-between-a-and-c = Mola entre A e C
-the-angle-of-each-bar-is-taken-from-the-line-ac = O ângulo θ de cada barra é medido da linha AC.
-virtual-rises-of-the-two-mass-centres-over-together = Subidas virtuais dos dois centros de massa em δθ, somadas
-virtual-rise-of-b-over = Subida virtual de B em δθ
-virtual-way-of-c-towards-a-over = Deslocamento virtual de C em direção a A em δθ
+the-angle-of-each-bar-is-measured-from-the-line-ac = O ângulo θ de cada barra é medido da linha AC.
+sum-of-the-upward-virtual-displacements-of-the-two-centres-of-mass-per-unit = Soma dos deslocamentos virtuais dos dois centros de massa para cima por unidade de δθ
+upward-virtual-displacement-of-b-per-unit = Deslocamento virtual de B para cima por unidade de δθ
+virtual-displacement-of-c-towards-a-per-unit = Deslocamento virtual de C em direção a A por unidade de δθ
 vertical-force-at-b = Força vertical em B
 horizontal-force-at-c = Força horizontal em C
 the-two-bars = As duas barras
 
 # virtual-work/virtual-power
 virtual-power = Potência virtual
-driving-torque-or-force-of-a-plane-mechanism-with-known-motion-from-the-powers-of-forces-couples = Torque ou força motriz de um mecanismo plano de movimento conhecido, pelas potências de forças, conjugados, pesos e ações de inércia.
+driving-torque-or-force-of-a-plane-mechanism-with-known-motion-from-the-powers-of-forces-couples = Torque ou força motriz de um mecanismo plano de movimento conhecido, pelas potências de forças, binários, pesos e ações de inércia.
 
 # Inputs
 unknown = Incógnita
 acceleration-of-gravity = Aceleração da gravidade
-every-body-weighs-m-g-at-its-mass-centre-zero-for-a-mechanism-in-a-horizontal-plane = Cada corpo pesa m g no centro de massa; zero para um mecanismo em plano horizontal.
+every-body-has-the-weight-m-g-at-its-centre-of-mass-zero-for-a-mechanism-in-a-horizontal-plane = Cada corpo tem o peso m g no centro de massa; zero para um mecanismo em plano horizontal.
 bodies = Corpos
 forces = Forças
-couples = Conjugados
+couples = Binários
 the-mechanism-is-a-slider-crank = O mecanismo é um cursor-manivela
-then-the-given-motion-is-held-against-the-closure-of-its-loop = Então o movimento dado é confrontado com o fechamento da cadeia.
-driving-torque-on-a-link = Torque motor em uma peça
+the-given-motion-is-then-checked-against-loop-closure = O movimento dado é então verificado pelo fechamento da cadeia.
+driving-torque-on-a-link = Torque motor em um elo
 link-that-it-acts-on = Peça em que atua
+link-it-acts-on = Elo em que atua
 driving-force-at-a-point = Força motriz em um ponto
 direction-of-the-force = Direção da força
-any-vector-along-its-line-the-force-is-positive-this-way = Qualquer vetor na sua linha de ação; a força é positiva nesse sentido.
+any-vector-along-its-line-the-force-is-positive-in-this-direction = Qualquer vetor na sua linha de ação; a força é positiva nesse sentido.
 point-that-it-acts-on = Ponto em que atua
 turning-at = Girando com
-angular-velocity-of-the-link = Velocidade angular da peça
+rotating-at = Girando com
+angular-velocity-of-the-link = Velocidade angular do elo
 one-of-the-bodies = Um dos corpos
 body = Corpo
 moving-at = Movendo-se com
 velocity-of-the-point = Velocidade do ponto
-mass-centre-of-a-body = Centro de massa de um corpo
+centre-of-mass-of-a-body = Centro de massa de um corpo
 name = Nome
 given-name = { $given_name }
 mass = Massa
@@ -1196,7 +1229,7 @@ angles-of-crank-and-rod = Ângulos da manivela e da biela
 in-line-the-slider-s-line-passes-through-the-bearing-of-the-crank-the-lengths-follow-from-the = Centrado: a linha do cursor passa pelo mancal da manivela. Os comprimentos resultam da velocidade do cursor.
 angle-of-the-crank = Ângulo da manivela
 angle-of-the-connecting-rod = Ângulo da biela
-negative-where-the-rod-falls-towards-the-slider = Negativo quando a biela desce em direção ao cursor.
+negative-where-the-rod-slopes-down-towards-the-slider = Negativo quando a biela desce em direção ao cursor.
 lengths-and-angle-of-the-crank = Comprimentos e ângulo da manivela
 length-of-the-crank = Comprimento da manivela
 length-of-the-rod = Comprimento da biela
@@ -1206,35 +1239,35 @@ angular-acceleration-of-the-crank = Aceleração angular da manivela
 
 # Powers
 power-of-the-force-name = Potência da força { $name }
-power-of-the-couple-name = Potência do conjugado { $name }
+power-of-the-couple-name = Potência do binário { $name }
 weight-of-name = Peso de { $name }
 power-of-the-weight-of-name = Potência do peso de { $name }
-inertia-force-of-name-against-the-acceleration = Força de inércia de { $name }, contrária à aceleração
+inertia-force-of-name-opposite-to-the-acceleration = Força de inércia de { $name }, contrária à aceleração
 power-of-the-inertia-force-of-name = Potência da força de inércia de { $name }
-inertia-couple-of-name-against-the-angular-acceleration = Conjugado de inércia de { $name }, contrário à aceleração angular
-power-of-the-inertia-couple-of-name = Potência do conjugado de inércia de { $name }
+inertia-couple-of-name-opposite-to-the-angular-acceleration = Binário de inércia de { $name }, contrário à aceleração angular
+power-of-the-inertia-couple-of-name = Potência do binário de inércia de { $name }
 power-of-the-forces = Potência das forças
-power-of-the-couples = Potência dos conjugados
+power-of-the-couples = Potência dos binários
 power-of-the-weights = Potência dos pesos
 power-of-the-inertia-forces = Potência das forças de inércia
-power-of-the-inertia-couples = Potência dos conjugados de inércia
-power-of-all-known-loads = Potência de todas as ações conhecidas
+power-of-the-inertia-couples = Potência dos binários de inércia
+power-of-all-known-loads = Potência de todas as cargas conhecidas
 power-of-the-inertia-force-of-the-rod = Potência da força de inércia da biela
 power-of-the-inertia-force-of-the-slider = Potência da força de inércia do cursor
 
 # The unknown
 driving-torque = Torque motor
 driving-force = Força motriz
-driving-torque-with-it-the-sum-of-all-powers-is-zero-t-t-p-0 = Torque motor: com ele a soma de todas as potências é nula, T ω_T + ΣP = 0
+driving-torque-from-the-principle-of-virtual-power-t-t-p-0 = Torque motor, pelo princípio das potências virtuais, T ω_T + ΣP = 0
 unit-vector-along-the-driving-force = Vetor unitário na direção da força motriz
 velocity-of-its-point-along-the-driving-force = Velocidade do ponto na direção da força motriz
-driving-force-with-it-the-sum-of-all-powers-is-zero-f-v-p-0 = Força motriz: com ela a soma de todas as potências é nula, F v + ΣP = 0
-the-power-of-all-applied-loads-is-the-rate-of-the-kinetic-energy = a potência de todas as ações aplicadas é a taxa de variação da energia cinética
+driving-force-from-the-principle-of-virtual-power-f-v-p-0 = Força motriz, pelo princípio das potências virtuais, F v + ΣP = 0
+the-power-of-all-applied-loads-equals-the-rate-of-change-of-the-kinetic-energy = a potência de todas as ações aplicadas é a taxa de variação da energia cinética
 
 # Refusals
-there-is-no-load-write-down-a-force-a-couple-or-a-body-with-a-mass = não há nenhuma ação: escreva uma força, um conjugado ou um corpo com massa
-the-driven-link-stands-still-its-torque-has-no-power-so-the-sum-of-powers-cannot-tell-it = a peça acionada está parada: seu torque não tem potência, e a soma das potências não pode determiná-lo
-the-driven-point-stands-still-its-force-has-no-power-so-the-sum-of-powers-cannot-tell-it = o ponto acionado está parado: sua força não tem potência, e a soma das potências não pode determiná-la
+no-load-is-given-write-down-a-force-a-couple-or-a-body-with-a-mass = nenhuma ação foi dada: escreva uma força, um binário ou um corpo com massa
+the-driven-link-is-at-rest-its-torque-has-no-power-so-the-sum-of-powers-cannot-determine-it = o elo acionado está parado: seu torque não tem potência, e a soma das potências não pode determiná-lo
+the-driven-point-is-at-rest-its-force-has-no-power-so-the-sum-of-powers-cannot-determine-it = o ponto acionado está parado: sua força não tem potência, e a soma das potências não pode determiná-la
 the-direction-of-the-driving-force-has-no-length-write-any-vector-along-its-line-such-as-1-0 = a direção da força motriz tem comprimento nulo: escreva qualquer vetor na sua linha de ação, como (1; 0)
 the-driving-force-is-perpendicular-to-the-velocity-of-its-point-it-has-no-power-so-the-sum-of-powers = a força motriz é perpendicular à velocidade do seu ponto: não tem potência, e a soma das potências não pode determiná-la
 
@@ -1242,114 +1275,118 @@ the-driving-force-is-perpendicular-to-the-velocity-of-its-point-it-has-no-power-
 powers-of-the-loads = Potências das ações
 load = Ação
 power = Potência
-share-of-the-power-brought-in = Parcela da potência fornecida
+share-of-the-power-input = Parcela da potência fornecida
 total = Total
 force-name = Força { $name }
-couple-name = Conjugado { $name }
+couple-name = Binário { $name }
 inertia-force-of-name = Força de inércia de { $name }
-inertia-couple-of-name = Conjugado de inércia de { $name }
+inertia-couple-of-name = Binário de inércia de { $name }
 
 # Closure of the slider-crank
-angular-velocity-of-the-rod-that-closes-the-loop-in-line = Velocidade angular da biela que fecha a cadeia centrada
-length-of-the-crank-that-gives-the-slider-its-velocity = Comprimento da manivela que dá ao cursor a sua velocidade
-length-of-the-rod-that-closes-the-loop-in-line = Comprimento da biela que fecha a cadeia centrada
-angle-of-the-rod-that-closes-the-loop = Ângulo da biela que fecha a cadeia
-angular-velocity-of-the-rod-that-closes-the-loop = Velocidade angular da biela que fecha a cadeia
+angular-velocity-of-the-rod-from-loop-closure-in-line-mechanism = Velocidade angular da biela pelo fechamento da cadeia centrada
+length-of-the-crank-from-the-velocity-of-the-slider = Comprimento da manivela, pela velocidade do cursor
+length-of-the-rod-from-loop-closure-in-line-mechanism = Comprimento da biela pelo fechamento da cadeia centrada
+angle-of-the-rod-from-loop-closure = Ângulo da biela pelo fechamento da cadeia
+angular-velocity-of-the-rod-from-loop-closure = Velocidade angular da biela pelo fechamento da cadeia
 velocity-of-the-slider-that-closes-the-loop = Velocidade do cursor que fecha a cadeia
-angular-acceleration-of-the-crank-that-goes-with-that-of-the-rod = Aceleração angular da manivela que acompanha a da biela
-angular-acceleration-of-the-rod-that-closes-the-loop = Aceleração angular da biela que fecha a cadeia
-acceleration-of-the-slider-that-closes-the-loop = Aceleração do cursor que fecha a cadeia
-with-these-angles-the-loop-does-not-close-in-line-or-is-at-a-dead-centre-the-given-motion-could-not = com estes ângulos a cadeia centrada não fecha, ou está em ponto morto: o movimento dado não pôde ser confrontado com ela
+angular-acceleration-of-the-crank-corresponding-to-that-of-the-rod = Aceleração angular da manivela correspondente à da biela
+angular-acceleration-of-the-rod-from-loop-closure = Aceleração angular da biela pelo fechamento da cadeia
+acceleration-of-the-slider-from-loop-closure = Aceleração do cursor pelo fechamento da cadeia
+with-these-angles-the-in-line-loop-does-not-close-or-is-at-a-dead-centre-the-given-motion-could-not = com estes ângulos a cadeia centrada não fecha, ou está em ponto morto: o movimento dado não pôde ser verificado com ela
 no-crank-of-positive-length-gives-the-slider-the-given-velocity-at-these-angles = nenhuma manivela de comprimento positivo dá ao cursor a velocidade dada com estes ângulos
-the-rod-does-not-reach-the-slider-s-line-at-this-crank-angle-or-stands-across-it-the-given-motion = neste ângulo da manivela a biela não alcança a linha do cursor, ou está perpendicular a ela: o movimento dado não pôde ser confrontado com a cadeia
+the-rod-does-not-reach-the-slider-s-line-at-this-crank-angle-or-is-perpendicular-to-it-the-given = neste ângulo da manivela a biela não alcança a linha do cursor, ou está perpendicular a ela: o movimento dado não pôde ser verificado pelo fechamento da cadeia
 the-given-vectors-belong-to-no-slider-crank-of-this-geometry-the-sum-of-powers-holds-for-the-vectors = os vetores dados não pertencem a nenhum cursor-manivela desta geometria; a soma das potências vale para os vetores como estão
-what-given-given-the-loop-demands-demanded-they-are-apart-apart-share-of-the-larger = { $what }: dado { $given }, a cadeia exige { $demanded }; a diferença é de { $apart }, { $share } do maior
+what-given-given-loop-closure-requires-demanded-difference-apart-share-of-the-larger = { $what }: dado { $given }, o fechamento da cadeia exige { $demanded } (diferença de { $apart }, { $share } do maior)
 angular-velocity-of-the-rod = velocidade angular da biela
 angular-acceleration-of-the-rod = aceleração angular da biela
-velocity-of-the-slider = velocidade do cursor
+velocity-of-the-slider = Velocidade do cursor
 acceleration-of-the-slider = aceleração do cursor
-velocity-of-the-rod-s-mass-centre-in-magnitude = velocidade do centro de massa da biela, em módulo
-acceleration-of-the-rod-s-mass-centre-in-magnitude = aceleração do centro de massa da biela, em módulo
-the-given-motion-and-what-the-loop-demands = O movimento dado e o que a cadeia exige
+velocity-of-the-rod-s-centre-of-mass-in-magnitude = velocidade do centro de massa da biela, em módulo
+acceleration-of-the-rod-s-centre-of-mass-in-magnitude = aceleração do centro de massa da biela, em módulo
+given-motion-and-motion-required-by-loop-closure = Movimento dado e movimento exigido pelo fechamento da cadeia
 quantity = Grandeza
 given = Dado
 demanded = Exigido
+required = Exigido
 apart = Diferença
+difference = Diferença
 share-of-the-larger = Parcela do maior
+fraction-of-the-larger-value = Fração do valor maior
 the-slider-crank-with-given-velocities-and-forces = O cursor-manivela com as velocidades e forças dadas
 
 # built
 weight-link = Peso: { $link }
 inertia-force-link = Força de inércia: { $link }
-inertia-couple-link = Conjugado de inércia: { $link }
+inertia-couple-link = Binário de inércia: { $link }
 virtual-works = Trabalhos virtuais
-work-for-a-unit-of-the-coordinate = Trabalho por unidade da coordenada
-the-effort-by-the-equations-of-newton-and-euler-of-every-link = o esforço pelas equações de Newton e Euler de cada peça
-the-links-do-not-close-gap-are-missing-change-a-length-or-the-position = as peças não fecham a cadeia: faltam { $gap }; mude um comprimento ou a posição
-in-this-position-the-coordinate-does-not-determine-the-motion-a-dead-centre-move-it-a-little = nesta posição a coordenada não determina o movimento: ponto morto; afaste-a um pouco
-the-friction-finds-no-balance-the-mechanism-jams = o atrito não encontra equilíbrio: o mecanismo trava
-the-numbers-of-this-mechanism-are-too-far-apart-to-be-computed-with = os números deste mecanismo são díspares demais para o cálculo
-the-forces-on-the-whole-mechanism-along-x-are-those-that-its-masses-demand = as forças sobre todo o mecanismo ao longo de x são as que suas massas exigem
-the-forces-on-the-whole-mechanism-along-y-are-those-that-its-masses-demand = as forças sobre todo o mecanismo ao longo de y são as que suas massas exigem
-by-the-equations-of-newton-and-euler-of-every-link-solved-together = Pelas equações de Newton e Euler de todas as peças, resolvidas em conjunto
+virtual-work-of-each-load = Trabalho virtual de cada carga
+work-per-unit-of-the-coordinate = Trabalho por unidade da coordenada
+the-effort-from-the-newton-euler-equations-of-every-link = o esforço pelas equações de Newton–Euler de cada elo
+the-links-do-not-close-the-loop-gap-short-change-a-length-or-the-position = os elos não fecham a cadeia: faltam { $gap }; mude um comprimento ou a posição
+in-this-position-the-coordinate-does-not-determine-the-motion-dead-centre-change-it-slightly = nesta posição a coordenada não determina o movimento (ponto morto); altere-a um pouco
+no-equilibrium-was-found-with-friction-the-mechanism-jams = não se achou equilíbrio com o atrito: o mecanismo trava
+the-numbers-of-this-mechanism-differ-too-much-in-magnitude-to-be-computed-with = os números deste mecanismo têm ordens de grandeza díspares demais para o cálculo
+f-x-m-a-gx-for-the-whole-mechanism = ΣF_x = Σm a_Gx para o mecanismo inteiro
+f-y-m-a-gy-for-the-whole-mechanism = ΣF_y = Σm a_Gy para o mecanismo inteiro
+from-the-equations-of-newton-and-euler-of-every-link-solved-together = Pelas equações de Newton e Euler de todos os elos, resolvidas em conjunto
 force-in-the-joint = Força na junta
 
 # works
 uniform-slender-bar = Barra esbelta uniforme
-its-mass-centre-is-in-the-middle-and-its-moment-of-inertia-m-l-12 = O centro de massa fica no meio e o momento de inércia é m l²/12.
-mass-mass-centre-and-moment-of-inertia = Massa, centro de massa e momento de inércia
-distance-of-the-mass-centre-from-the-first-pin = Distância do centro de massa ao primeiro pino
+its-centre-of-mass-is-in-the-middle-and-its-moment-of-inertia-is-m-l-12 = O centro de massa fica no meio e o momento de inércia é m l²/12.
+mass-centre-of-mass-and-moment-of-inertia = Massa, centro de massa e momento de inércia
+distance-of-the-centre-of-mass-from-the-first-pin = Distância do centro de massa ao primeiro pino
 the-first-pin-of-a-crank-or-rocker-is-the-fixed-one-that-of-a-coupler-is-the-crank-pin = O primeiro pino de uma manivela ou de um balancim é o fixo; o de um acoplador é o pino da manivela.
-angle-of-the-mass-centre-from-the-line-of-the-pins = Ângulo do centro de massa em relação à linha dos pinos
-virtual-displacement-of-point-for-a-unit-of-the-coordinate = Deslocamento virtual de { $point } por unidade da coordenada
+angle-of-the-centre-of-mass-from-the-line-of-the-pins = Ângulo do centro de massa em relação à linha dos pinos
+virtual-displacement-of-point-per-unit-of-the-coordinate = Deslocamento virtual de { $point } por unidade da coordenada
 acceleration-of-point = Aceleração de { $point }
 virtual-work-of-the-force-at-point-force-times-displacement = Trabalho virtual da força em { $point }: força vezes deslocamento
-virtual-work-of-the-couple-on-link-n-couple-times-turn = Trabalho virtual do conjugado na peça { $n }: conjugado vezes giro
-virtual-work-of-the-weight-of-link-n = Trabalho virtual do peso da peça { $n }
-virtual-work-of-the-inertia-force-m-a-of-link-n = Trabalho virtual da força de inércia −m a da peça { $n }
-link-n-is-a-uniform-bar-from-its-first-pin-to-its-middle = A peça { $n } é uma barra uniforme: do primeiro pino ao meio
-moment-of-inertia-of-the-uniform-bar-link-n = Momento de inércia da barra uniforme, peça { $n }
-from-the-first-pin-of-link-n-to-its-mass-centre = Do primeiro pino da peça { $n } ao seu centro de massa
-virtual-work-of-the-inertia-couple-i-of-link-n = Trabalho virtual do conjugado de inércia −I α da peça { $n }
+virtual-work-of-the-couple-on-link-n-couple-times-rotation = Trabalho virtual do binário no elo { $n }: binário vezes rotação
+virtual-work-of-the-weight-of-link-n = Trabalho virtual do peso do elo { $n }
+virtual-work-of-the-inertia-force-m-a-of-link-n = Trabalho virtual da força de inércia −m a do elo { $n }
+link-n-is-a-uniform-bar-from-its-first-pin-to-its-middle = O elo { $n } é uma barra uniforme: do primeiro pino ao meio
+moment-of-inertia-of-the-uniform-bar-link-n = Momento de inércia da barra uniforme, elo { $n }
+from-the-first-pin-of-link-n-to-its-centre-of-mass = Do primeiro pino do elo { $n } ao seu centro de massa
+virtual-work-of-the-inertia-couple-i-of-link-n = Trabalho virtual do binário de inércia −I α do elo { $n }
 virtual-work-of-all-known-loads = Trabalho virtual de todas as ações conhecidas
 
 # dyad
-angle-of-link-n = Ângulo da peça { $n }
+angle-of-link-n = Ângulo do elo { $n }
 angle-of-that-line = Ângulo dessa linha
-angular-acceleration-of-link-n = Aceleração angular da peça { $n }
-angular-velocity-of-link-n = Velocidade angular da peça { $n }
+angular-acceleration-of-link-n = Aceleração angular do elo { $n }
+angular-velocity-of-link-n = Velocidade angular do elo { $n }
 from-from-to-to = De { $from } a { $to }
-how-far-the-line-of-the-slider-is-to-the-left-of-point = Quanto a linha do cursor está à esquerda de { $point }
-law-of-cosines-angle-between-that-line-and-link-n = Lei dos cossenos: ângulo entre essa linha e a peça { $n }
-link-n-has-its-length = a peça { $n } tem o seu comprimento
-link-n-stands-across-the-line-of-its-slider-a-limit-position-move-the-coordinate-a-little = a peça { $n } está perpendicular à linha do seu cursor, posição limite: afaste um pouco a coordenada
-links-one-and-two-are-in-one-line-a-dead-centre-the-coordinate-does-not-determine-their-motion-move = as peças { $one } e { $two } estão alinhadas, ponto morto: a coordenada não determina o seu movimento; afaste-a um pouco
+distance-of-the-slider-s-line-to-the-left-of-point = Distância da linha do cursor à esquerda de { $point }
+law-of-cosines-angle-between-that-line-and-link-n = Lei dos cossenos: ângulo entre essa linha e o elo { $n }
+link-n-has-its-length = o elo { $n } tem o seu comprimento
+link-n-is-perpendicular-to-the-line-of-its-slider-limit-position-change-the-coordinate-slightly = o elo { $n } está perpendicular à linha do seu cursor (posição-limite): altere um pouco a coordenada
+links-one-and-two-are-collinear-dead-centre-the-coordinate-does-not-determine-their-motion-change-it = os elos { $one } e { $two } estão alinhados (ponto morto): a coordenada não determina o seu movimento; altere-a um pouco
 position-of-the-slider-along-its-line = Posição do cursor ao longo da sua linha
-the-loop-does-not-close-from-and-to-are-distance-apart-gap-less-than-links-one-and-two-can-fold-to = a cadeia não fecha: { $from } e { $to } distam { $distance }, { $gap } menos do que as peças { $one } e { $two } conseguem dobrar-se
-the-loop-does-not-close-from-and-to-are-distance-apart-gap-more-than-links-one-and-two-can-span = a cadeia não fecha: { $from } e { $to } distam { $distance }, { $gap } mais do que as peças { $one } e { $two } alcançam
-the-loop-does-not-close-the-line-of-the-slider-is-distance-away-from-point-and-link-n-is-gap-too = a cadeia não fecha: a linha do cursor dista { $distance } de { $point }, e faltam { $gap } à peça { $n }
-vector-of-link-n = Vetor da peça { $n }
-vector-of-link-n-which-closes-the-loop = Vetor da peça { $n }, que fecha a cadeia
-virtual-displacement-of-the-slider-for-a-unit-of-the-coordinate = Deslocamento virtual do cursor por unidade da coordenada
-virtual-turn-of-link-n-both-ways-to-the-common-pin-times-the-vector-of-link-m = Giro virtual da peça { $n }: os dois caminhos até o pino comum, vezes o vetor da peça { $m }
-virtual-turn-of-link-n-the-slider-does-not-leave-its-line = Giro virtual da peça { $n }: o cursor não sai da sua linha
-what-the-angular-accelerations-of-the-pair-must-make-up-for = O que as acelerações angulares do par devem compensar
+the-loop-does-not-close-from-and-to-are-distance-apart-gap-less-than-links-one-and-two-can-fold-to = a cadeia não fecha: { $from } e { $to } distam { $distance }, { $gap } menos do que os elos { $one } e { $two } alcançam dobrados
+the-loop-does-not-close-from-and-to-are-distance-apart-gap-more-than-links-one-and-two-can-span = a cadeia não fecha: { $from } e { $to } distam { $distance }, { $gap } mais do que os elos { $one } e { $two } alcançam
+the-loop-does-not-close-the-line-of-the-slider-is-distance-away-from-point-and-link-n-is-gap-too = a cadeia não fecha: a linha do cursor dista { $distance } de { $point }, e faltam { $gap } ao elo { $n }
+vector-of-link-n = Vetor do elo { $n }
+vector-of-link-n-which-closes-the-loop = Vetor do elo { $n }, que fecha a cadeia
+virtual-displacement-of-the-slider-per-unit-of-the-coordinate = Deslocamento virtual do cursor por unidade da coordenada
+virtual-rotation-of-link-n-displacement-of-the-common-pin-along-both-paths-dotted-with-the-vector-of = Rotação virtual do elo { $n }: deslocamento do pino comum pelos dois caminhos, em produto escalar com o vetor do elo { $m }
+virtual-rotation-of-link-n-the-slider-stays-on-its-line = Rotação virtual do elo { $n }: o cursor permanece na sua linha
+relative-acceleration-to-be-compensated-by-the-angular-accelerations-of-the-pair = Aceleração relativa a compensar pelas acelerações angulares do par
 
 # slider-crank
 angle-of-the-rod-r-sin-2-l-sin-3-e = Ângulo da biela: r sen θ_2 + l sen θ_3 = e
 angular-velocity-of-the-rod-from-the-closure-of-the-loop = velocidade angular da biela pelo fechamento da cadeia
-at-this-angle-the-rod-has-to-bridge-distance-from-the-crank-pin-to-the-line-of-the-slider-it-is-gap = neste ângulo a biela precisa vencer { $distance } do pino da manivela à linha do cursor: faltam { $gap }
-crank-and-rod-are-in-one-line-a-dead-centre-no-force-on-the-slider-can-balance-a-torque-turn-the = manivela e biela estão alinhadas, ponto morto: nenhuma força no cursor equilibra um torque; gire um pouco a manivela
+at-this-angle-the-rod-has-to-span-distance-from-the-crank-pin-to-the-line-of-the-slider-it-is-gap-too = neste ângulo a biela precisa vencer { $distance } do pino da manivela à linha do cursor: faltam { $gap }
+crank-and-rod-are-collinear-dead-centre-no-force-on-the-slider-can-balance-a-torque-rotate-the-crank = manivela e biela estão alinhadas (ponto morto): nenhuma força no cursor equilibra um torque; gire um pouco a manivela
 force-in-the-bearing-of-the-crank = Força no mancal da manivela
 force-in-the-crank-pin = Força no pino da manivela
 force-in-the-pin-of-the-slider = Força no pino do cursor
 force-of-the-guide-on-the-slider = Força da guia sobre o cursor
-force-of-the-guide-on-the-slider-across-its-line-by-the-same-equations = Força da guia sobre o cursor, transversal à sua linha, pelas mesmas equações
+force-of-the-guide-on-the-slider-perpendicular-to-its-line-by-the-same-equations = Força da guia sobre o cursor, perpendicular à sua linha, pelas mesmas equações
 force-on-the-crank-pin = Força aplicada ao pino da manivela
 force-on-the-slider = Força no cursor
-force-on-the-slider-over-force-across-the-crank-at-its-pin-t-r-without-masses = Força no cursor sobre a força transversal à manivela no seu pino, T/r, sem massas
-force-over-the-turn = Força ao longo da volta
-force-with-it-the-sum-of-the-virtual-works-is-zero-f-b-u-b-w-0 = Força: com ela a soma dos trabalhos virtuais é nula, F_B u_B + ΣδW = 0
+ratio-of-the-force-on-the-slider-to-the-force-perpendicular-to-the-crank-at-its-pin-t-r-neglecting = Razão entre a força no cursor e a força perpendicular à manivela no seu pino, T/r, sem massas
+force-over-one-revolution = Força ao longo da volta
+force-from-the-principle-of-virtual-work-f-b-u-b-w-0 = Força, pelo princípio dos trabalhos virtuais, F_B u_B + ΣδW = 0
 from-the-bearing-to-the-crank-pin = Do mancal ao pino da manivela
 from-the-slider-s-line-counter-clockwise = A partir da linha do cursor, no sentido anti-horário.
 it-acts-on-the-crank = Atua na manivela.
@@ -1357,48 +1394,51 @@ mass-of-the-crank = Massa da manivela
 position-of-the-slider = Posição do cursor
 positive-away-from-the-bearing-of-the-crank-along-x = Positiva ao afastar-se do mancal da manivela, ao longo de x.
 positive-counter-clockwise = Positivo no sentido anti-horário.
-the-rod-stands-across-the-line-of-the-slider-a-limit-position-the-angle-of-the-crank-does-not = a biela está perpendicular à linha do cursor, posição limite: o ângulo da manivela não determina o movimento; gire-a um pouco
+the-rod-is-perpendicular-to-the-line-of-the-slider-limit-position-the-crank-angle-does-not-determine = a biela está perpendicular à linha do cursor (posição-limite): o ângulo da manivela não determina o movimento; altere-o um pouco
 the-slider-crank = O cursor-manivela
 torque-on-the-crank-or-force-on-the-slider-of-a-slider-crank-at-rest-or-in-motion-with-masses-by = Torque na manivela ou força no cursor de um cursor-manivela, em repouso ou em movimento com massas, por trabalho virtual; movimento, ângulo de transmissão e reações.
-torque-over-the-turn = Torque ao longo da volta
+torque-over-one-revolution = Torque ao longo da volta
 velocity-of-the-slider-from-the-closure-of-the-loop = velocidade do cursor pelo fechamento da cadeia
 virtual-displacement-of-the-slider-for-2-1-x-b-r-sin-2-2-l-sin-3-3 = Deslocamento virtual do cursor para δθ_2 = 1: δx_B = −r sen θ_2 δθ_2 − l sen θ_3 δθ_3
-virtual-turn-of-the-rod-for-2-1-r-cos-2-2-l-cos-3-3-0 = Giro virtual da biela para δθ_2 = 1: r cos θ_2 δθ_2 + l cos θ_3 δθ_3 = 0
+virtual-rotation-of-the-rod-for-2-1-r-cos-2-2-l-cos-3-3-0 = Rotação virtual da biela para δθ_2 = 1: r cos θ_2 δθ_2 + l cos θ_3 δθ_3 = 0
 virtual-work-of-the-force-on-the-slider = Trabalho virtual da força no cursor
 virtual-work-of-the-torque-for-2-1 = Trabalho virtual do torque para δθ_2 = 1
 zero-for-a-mechanism-in-a-horizontal-plane = Zero para um mecanismo em plano horizontal.
 zero-in-statics = Zero em problemas de estática.
-no-load-does-work-nothing-is-to-be-balanced = Nenhuma ação realiza trabalho: nada há a equilibrar
+no-load-does-work-there-is-nothing-to-balance = Nenhuma carga realiza trabalho: não há o que equilibrar
 
 # four-bar
 angle-of-the-coupler = Ângulo do acoplador
 angle-of-the-rocker = Ângulo do balancim
 angular-acceleration-of-the-coupler = Aceleração angular do acoplador
 angular-acceleration-of-the-coupler-from-the-derivatives-of-the-loop = aceleração angular do acoplador pelas derivadas da cadeia
+angular-acceleration-of-the-coupler-from-the-derivatives-of-the-loop-equation = aceleração angular do acoplador pelas derivadas da equação da cadeia
 angular-acceleration-of-the-rocker = Aceleração angular do balancim
 angular-acceleration-of-the-rocker-from-the-derivatives-of-the-loop = aceleração angular do balancim pelas derivadas da cadeia
+angular-acceleration-of-the-rocker-from-the-derivatives-of-the-loop-equation = aceleração angular do balancim pelas derivadas da equação da cadeia
 angular-accelerations = Acelerações angulares
 angular-velocity-of-the-coupler = Velocidade angular do acoplador
-angular-velocity-of-the-coupler-over-that-of-the-crank = Velocidade angular do acoplador sobre a da manivela
+ratio-of-angular-velocities-coupler-to-crank = Razão de velocidades angulares, acoplador/manivela
 angular-velocity-of-the-rocker = Velocidade angular do balancim
-angular-velocity-of-the-rocker-over-that-of-the-crank = Velocidade angular do balancim sobre a da manivela
-angular-velocity-over-that-of-the-crank = Velocidade angular sobre a da manivela
+ratio-of-angular-velocities-rocker-to-crank = Razão de velocidades angulares, balancim/manivela
+ratio-of-angular-velocity-to-that-of-the-crank = Razão entre a velocidade angular e a da manivela
 between-the-fixed-pins = Entre os pinos fixos.
-change-point-all-links-can-come-into-one-line = ponto de mudança: todas as peças podem alinhar-se
+change-point-all-links-can-become-collinear = ponto de mudança: todos os elos podem ficar colineares
 class-after-grashof = Classe segundo Grashof
+grashof-class = Classe de Grashof
 coupler-curve = Curva do acoplador
-crank-and-coupler-are-in-one-line-and-the-rocker-turns-back-no-torque-on-the-rocker-can-balance-one = manivela e acoplador estão alinhados e o balancim inverte o movimento: nenhum torque no balancim equilibra um na manivela; gire um pouco a manivela
+crank-and-coupler-are-collinear-and-the-rocker-reverses-no-torque-on-the-rocker-can-balance-one-on = manivela e acoplador estão alinhados e o balancim inverte o movimento: nenhum torque no balancim equilibra um na manivela; gire um pouco a manivela
 crank-angle-from = Ângulo da manivela desde
 crank-angle-to = Ângulo da manivela até
 crank-from-o-to-a = Manivela, de O a A
-crank-rocker-the-crank-turns-round = manivela-balancim: a manivela dá a volta completa
+crank-rocker-the-crank-rotates-fully = manivela-balancim: a manivela dá a volta completa
 distance-from-the-crank-pin-along-the-coupler = Distância ao pino da manivela ao longo do acoplador
 distance-from-the-line-of-the-pins-to-its-left = Distância à linha dos pinos, para a sua esquerda
 distance-of-the-crank-pin-from-instant-centre-13 = Distância do pino da manivela ao centro instantâneo 13
 distance-of-the-crank-pin-from-instant-centre-13-a-2-i13-a-3 = Distância do pino da manivela ao centro instantâneo 13: a ω_2 = |I13 A| ω_3
-double-crank-crank-and-rocker-turn-round = dupla manivela: manivela e balancim dão a volta completa
-double-rocker-not-of-grashof-no-link-turns-round = duplo balancim, não Grashof: nenhuma peça dá a volta completa
-double-rocker-of-grashof-the-coupler-turns-round = duplo balancim de Grashof: o acoplador dá a volta completa
+double-crank-crank-and-rocker-rotate-fully = dupla manivela: manivela e balancim dão a volta completa
+non-grashof-double-rocker-no-link-rotates-fully = duplo balancim, não Grashof: nenhum elo dá a volta completa
+grashof-double-rocker-the-coupler-rotates-fully = duplo balancim de Grashof: o acoplador dá a volta completa
 force-in-the-fixed-pin-of-the-crank = Força no pino fixo da manivela
 force-in-the-fixed-pin-of-the-rocker = Força no pino fixo do balancim
 force-in-the-pin-of-coupler-and-rocker = Força no pino entre acoplador e balancim
@@ -1407,56 +1447,57 @@ from-the-crank-pin-to-the-point-of-the-coupler = Do pino da manivela ao ponto do
 instant-centre-24-is-on-the-line-of-the-coupler = o centro instantâneo 24 está na linha do acoplador
 instant-centre-24-on-the-line-of-the-frame-from-o = Centro instantâneo 24 na linha da base, a partir de O
 instant-centre-24-on-the-line-of-the-frame-x-2-x-d-4 = Centro instantâneo 24, na linha da base: x ω_2 = (x − d) ω_4
-largest-angle-of-the-crank-coupler-and-rocker-stretched-out = Maior ângulo da manivela: acoplador e balancim esticados
-largest-angle-of-the-crank-from-the-frame = Maior ângulo da manivela, a partir da base
-least-angle-of-the-crank-coupler-and-rocker-folded = Menor ângulo da manivela: acoplador e balancim dobrados
-least-angle-of-the-crank-from-the-frame = Menor ângulo da manivela, a partir da base
-least-transmission-angle-in-steps-of-the-turn = Menor ângulo de transmissão, em passos da volta
+maximum-angle-of-the-crank-coupler-and-rocker-collinear-extended = Ângulo máximo da manivela: acoplador e balancim colineares (estendidos)
+maximum-angle-of-the-crank-from-the-frame = Ângulo máximo da manivela, a partir da base
+minimum-angle-of-the-crank-coupler-and-rocker-collinear-folded = Ângulo mínimo da manivela: acoplador e balancim colineares (dobrados)
+minimum-angle-of-the-crank-from-the-frame = Ângulo mínimo da manivela, a partir da base
+minimum-transmission-angle-sampled-over-the-revolution = Ângulo de transmissão mínimo, amostrado na volta
 length-of-the-coupler = Comprimento do acoplador
 length-of-the-frame = Comprimento da base
 length-of-the-rocker = Comprimento do balancim
 mass-of-the-coupler = Massa do acoplador
 mass-of-the-rocker = Massa do balancim
-mechanical-advantage-torque-of-the-rocker-over-torque-of-the-crank-without-masses = Vantagem mecânica: torque do balancim sobre torque da manivela, sem massas
+mechanical-advantage-ratio-of-rocker-torque-to-crank-torque-neglecting-masses = Vantagem mecânica: razão entre o torque do balancim e o da manivela, sem massas
 point-of-the-coupler = Ponto do acoplador
 positive-counter-clockwise-as-it-acts-on-the-rocker = Positivo no sentido anti-horário, como atua no balancim.
 property = Propriedade
-rocker-crank-the-driven-link-turns-round-the-crank-swings = balancim-manivela: a peça movida dá a volta completa, a manivela oscila
+rocker-crank-the-driven-link-rotates-fully-the-crank-oscillates = balancim-manivela: o elo movido dá a volta completa, a manivela oscila
 the-four-bar-linkage = O quadrilátero articulado
-the-transmission-angle-is-angle-below-40-a-linkage-runs-hard-and-joints-take-large-forces = o ângulo de transmissão é { $angle }: abaixo de 40° o mecanismo trabalha mal e as juntas recebem forças grandes
+the-transmission-angle-is-angle-below-40-force-transmission-is-poor-and-the-joint-forces-are-large = o ângulo de transmissão é { $angle }: abaixo de 40° a transmissão de força é ruim e as forças nas juntas são grandes
 torque-on-crank-or-rocker-of-a-four-bar-linkage-at-rest-or-in-motion-with-masses-by-virtual-work = Torque na manivela ou no balancim de um quadrilátero articulado, em repouso ou em movimento com massas, por trabalho virtual; curva do acoplador, centros instantâneos, ângulo de transmissão, reações.
 torque-on-the-rocker = Torque no balancim
-torque-on-the-rocker-with-it-the-sum-of-the-virtual-works-is-zero-t-4-h-4-w-0 = Torque no balancim: com ele a soma dos trabalhos virtuais é nula, T_4 h_4 + ΣδW = 0
-torque-with-it-the-sum-of-the-virtual-works-is-zero-t-2-2-w-0 = Torque: com ele a soma dos trabalhos virtuais é nula, T_2 δθ_2 + ΣδW = 0
+torque-on-the-rocker-the-total-virtual-work-is-zero-t-4-h-4-w-0 = Torque no balancim: o trabalho virtual total é nulo, T_4 h_4 + ΣδW = 0
+torque-the-total-virtual-work-is-zero-t-2-2-w-0 = Torque: o trabalho virtual total é nulo, T_2 δθ_2 + ΣδW = 0
 transmission-angle = Ângulo de transmissão
 transmission-angle-the-acute-angle-between-the-rod-and-the-normal-of-the-slider-s-line-90-3 = Ângulo de transmissão: o ângulo agudo entre a biela e a normal à linha do cursor, 90° − |θ_3|
-least-transmission-angle-of-a-turn = Menor ângulo de transmissão da volta
-least-transmission-angle-of-a-turn-the-crank-across-the-slider-s-line-its-pin-farthest-from-it = Menor ângulo de transmissão da volta: manivela transversal à linha do cursor, com o seu pino o mais longe dela
+minimum-transmission-angle-over-a-revolution = Ângulo de transmissão mínimo na volta
+minimum-transmission-angle-over-a-revolution-crank-perpendicular-to-the-slider-s-line-crank-pin = Ângulo de transmissão mínimo na volta: manivela perpendicular à linha do cursor, com o seu pino o mais longe dela
 transmission-angle-the-acute-angle-between-coupler-and-rocker = Ângulo de transmissão: o ângulo agudo entre acoplador e balancim
-turn-of-the-coupler-from-the-derivatives-of-the-loop = giro do acoplador pelas derivadas da cadeia
-turn-of-the-rocker-from-the-derivatives-of-the-loop = giro do balancim pelas derivadas da cadeia
+rotation-of-the-coupler-from-the-derivatives-of-the-loop-equation = rotação do acoplador pelas derivadas da equação da cadeia
+rotation-of-the-rocker-from-the-derivatives-of-the-loop-equation = rotação do balancim pelas derivadas da equação da cadeia
 value = Valor
 velocity-ratios = Razões de velocidades
-what-the-linkage-can-do = O que o mecanismo pode fazer
+kinematic-properties-of-the-linkage = Propriedades cinemáticas do mecanismo
 
 # quick-return
-a-force-across-the-end-of-the-lever = Uma força transversal na ponta da alavanca
+a-force-perpendicular-to-the-lever-at-its-end = Uma força perpendicular à alavanca na sua ponta
 a-slider-through-a-link-shaper = Um cursor por meio de uma biela: plaina limadora
 above-the-pivot-of-the-lever-the-slider-moves-along-x = Acima do pivô da alavanca; o cursor move-se ao longo de x.
 ahead = À frente
 angle-of-the-lever = Ângulo da alavanca
 angular-acceleration-of-the-lever = Aceleração angular da alavanca
 angular-velocity-of-the-lever = Velocidade angular da alavanca
-angular-velocity-of-the-lever-over-that-of-the-crank = Velocidade angular da alavanca sobre a da manivela
+ratio-of-angular-velocities-lever-to-crank = Razão de velocidades angulares, alavanca/manivela
 behind = Atrás
-coriolis-acceleration-of-the-crank-pin-across-the-lever = Aceleração de Coriolis do pino da manivela, transversal à alavanca
+coriolis-acceleration-of-the-crank-pin-perpendicular-to-the-lever = Aceleração de Coriolis do pino da manivela, perpendicular à alavanca
 distance-of-the-crank-pin-from-the-pivot-of-the-lever = Distância do pino da manivela ao pivô da alavanca
 distance-of-the-pivots = Distância entre os pivôs
+distance-between-the-pivots = Distância entre os pivôs
 force-in-the-pivot-of-the-lever = Força no pivô da alavanca
-force-of-the-lever-on-the-crank-pin-across-the-lever = Força da alavanca sobre o pino da manivela, transversal à alavanca
-force-of-the-lever-on-the-crank-pin-across-the-lever-by-the-same-equations = Força da alavanca sobre o pino da manivela, transversal à alavanca, pelas mesmas equações
+force-of-the-lever-on-the-crank-pin-perpendicular-to-the-lever = Força da alavanca sobre o pino da manivela, perpendicular à alavanca
+force-of-the-lever-on-the-crank-pin-perpendicular-to-the-lever-by-the-same-equations = Força da alavanca sobre o pino da manivela, perpendicular à alavanca, pelas mesmas equações
 force-on-the-output = Força na saída
-force-with-it-the-sum-of-the-virtual-works-is-zero-f-u-w-0 = Força: com ela a soma dos trabalhos virtuais é nula, F u + ΣδW = 0
+force-from-the-principle-of-virtual-work-f-u-w-0 = Força, pelo princípio dos trabalhos virtuais, F u + ΣδW = 0
 from-its-pivot-to-its-end = Do pivô à ponta.
 from-the-pivot-of-the-lever-to-the-crank-pin = Do pivô da alavanca ao pino da manivela
 from-the-x-axis-counter-clockwise-at-90-the-crank-points-away-from-the-lever-s-pivot = A partir do eixo x, no sentido anti-horário; a 90° a manivela aponta para longe do pivô da alavanca.
@@ -1466,19 +1507,19 @@ length-of-the-link = Comprimento da biela
 lever-from-c-to-its-end-b = Alavanca, de C à ponta B
 mass-of-the-lever = Massa da alavanca
 mass-of-the-link = Massa da biela
-on-the-slider-along-x-on-the-lever-across-its-end-counter-clockwise = No cursor, ao longo de x; na alavanca, transversal à ponta, no sentido anti-horário.
+on-the-slider-along-x-on-the-lever-perpendicular-to-it-at-its-end-counter-clockwise = No cursor, ao longo de x; na alavanca, perpendicular a ela na ponta, no sentido anti-horário.
 quick-return-mechanism = Mecanismo de retorno rápido
-seen-from-the-end-of-the-lever-along-x = Visto da ponta da alavanca, ao longo de x.
+viewed-from-the-end-of-the-lever-along-x = Visto da ponta da alavanca, ao longo de x.
 side-of-the-slider = Lado do cursor
 swing-of-the-lever = Oscilação da alavanca
-that-of-the-crank-is-above-that-of-the-lever = O da manivela fica acima do da alavanca.
+the-crank-pivot-is-above-the-lever-pivot = O pivô da manivela fica acima do da alavanca.
 the-crank-pin-is-at-the-pivot-of-the-lever-the-lever-has-no-direction-turn-the-crank-or-change-a = o pino da manivela está no pivô da alavanca: a alavanca não tem direção; gire a manivela ou mude um comprimento
-the-lever-stands-across-the-line-of-the-pivots-sin-d-r = A alavanca fica perpendicular à linha dos pivôs: sen ψ = d/r
-the-lever-touches-the-circle-of-the-crank-pin-half-its-swing-sin-r-d = A alavanca tangencia o círculo do pino da manivela: metade da oscilação, sen ψ = r/d
-the-output-turns-back-here-a-dead-centre-no-force-on-it-can-balance-a-torque-on-the-crank-turn-the = a saída inverte aqui o movimento, ponto morto: nenhuma força nela equilibra um torque na manivela; gire um pouco a manivela
+the-lever-is-perpendicular-to-the-line-of-the-pivots-sin-d-r = A alavanca é perpendicular à linha dos pivôs: sen ψ = d/r
+the-lever-is-tangent-to-the-crank-pin-circle-half-its-swing-sin-r-d = A alavanca tangencia o círculo do pino da manivela: metade da oscilação, sen ψ = r/d
+the-output-reverses-here-dead-centre-no-force-on-it-can-balance-a-torque-on-the-crank-rotate-the = a saída inverte aqui o movimento (ponto morto): nenhuma força nela equilibra um torque na manivela; gire um pouco a manivela
 the-quick-return-mechanism = O mecanismo de retorno rápido
-time-forward-over-time-back-at-a-steady-speed-the-crank-angles-between-the-ends = Tempo de ida sobre tempo de volta, a velocidade constante: os ângulos da manivela entre os extremos
-time-ratio-forward-over-back = Razão de tempos, ida sobre volta
+forward-over-return-time-at-constant-speed-from-the-crank-angles-between-the-ends = Tempo de avanço sobre o de retorno, a velocidade constante, pelos ângulos da manivela entre os extremos
+time-ratio-forward-over-return = Razão de tempos, avanço sobre retorno
 torque-or-force-motion-with-coriolis-acceleration-time-ratio-and-reactions-of-crank-and-slotted-lever = Torque ou força, movimento com aceleração de Coriolis, razão de tempos e reações de manivela e alavanca ranhurada, Whitworth e plaina limadora.
 unit-vector-along-the-lever = Vetor unitário ao longo da alavanca
 velocity-of-the-crank-pin-along-the-lever = Velocidade do pino da manivela ao longo da alavanca
@@ -1487,9 +1528,9 @@ velocity-of-the-lever-under-the-crank-pin = Velocidade da alavanca sob o pino da
 velocity-of-the-point-of-the-lever-that-is-under-the-crank-pin = Velocidade do ponto da alavanca que está sob o pino da manivela
 velocity-ratio = Razão de velocidades
 virtual-displacement-of-the-end-of-the-lever-across-it = Deslocamento virtual da ponta da alavanca, transversal a ela
-virtual-turn-of-the-lever-it-goes-with-the-crank-pin-across-its-slot = Giro virtual da alavanca: acompanha o pino da manivela transversalmente à ranhura
+virtual-rotation-of-the-lever-it-follows-the-crank-pin-across-its-slot = Rotação virtual da alavanca: acompanha o pino da manivela transversalmente à ranhura
 virtual-work-of-the-force-on-the-output = Trabalho virtual da força na saída
-what-the-lever-drives = O que a alavanca aciona
+output-of-the-lever = Saída da alavanca
 
 # scotch-yoke
 acceleration-of-the-yoke = Aceleração do garfo
@@ -1497,18 +1538,18 @@ amplitude-of-the-torque-of-the-force = Amplitude do torque da força
 force-of-the-yoke-on-the-crank-pin-along-x = Força do garfo sobre o pino da manivela, ao longo de x
 force-of-the-yoke-on-the-crank-pin-along-x-by-the-same-equations = Força do garfo sobre o pino da manivela, ao longo de x, pelas mesmas equações
 force-on-the-yoke = Força no garfo
-largest-torque-of-a-turn-in-size = Maior torque de uma volta, em módulo
+maximum-torque-over-a-revolution-in-magnitude = Torque máximo na volta, em módulo
 position-of-the-yoke = Posição do garfo
 position-of-the-yoke-that-of-the-crank-pin-along-x = Posição do garfo: a do pino da manivela ao longo de x
 scotch-yoke = Garfo escocês
-the-crank-lies-along-the-line-of-the-yoke-a-dead-centre-no-force-on-the-yoke-can-balance-a-torque = a manivela está na linha do garfo, ponto morto: nenhuma força no garfo equilibra um torque; gire um pouco a manivela
+the-crank-lies-along-the-line-of-the-yoke-dead-centre-no-force-on-the-yoke-can-balance-a-torque = a manivela está na linha do garfo (ponto morto): nenhuma força no garfo equilibra um torque; gire um pouco a manivela
 the-scotch-yoke = O garfo escocês
 torque-on-the-crank-or-force-on-the-yoke-of-a-scotch-yoke-at-rest-or-in-motion-by-virtual-work = Torque na manivela ou força no garfo de um garfo escocês, em repouso ou em movimento, por trabalho virtual; movimento harmônico e reações.
 twice-the-amplitude-of-the-torque-of-the-inertia-force = O dobro da amplitude do torque da força de inércia
 velocity-of-the-yoke = Velocidade do garfo
 virtual-displacement-of-the-yoke-for-2-1-x-r-sin-2-2 = Deslocamento virtual do garfo para δθ_2 = 1: δx = −r sen θ_2 δθ_2
 virtual-work-of-the-force-on-the-yoke = Trabalho virtual da força no garfo
-where-sin-a-b-cos-is-largest-2b-cos-a-cos-b-0-in-size-of-the-cosine = Onde sen θ (A + B cos θ) é máximo: 2B cos² θ + A cos θ − B = 0, em módulo do cosseno
+where-sin-a-b-cos-is-a-maximum-2b-cos-a-cos-b-0-in-magnitude-of-the-cosine = Onde sen θ (A + B cos θ) é máximo: 2B cos² θ + A cos θ − B = 0, em módulo do cosseno
 from-the-line-of-the-yoke-counter-clockwise = A partir da linha do garfo, no sentido anti-horário.
 mass-of-the-yoke = Massa do garfo
 along-x = Ao longo de x.
@@ -1518,12 +1559,13 @@ yoke = garfo
 acceleration-of-the-centre = Aceleração do centro
 acceleration-of-the-centre-of-the-disc = Aceleração do centro do disco
 angle-of-the-rod-r-sin-2-l-sin-3-0 = Ângulo da biela: r sen θ_2 + l sen θ_3 = 0
-crank-and-rod-are-in-one-line-a-dead-centre-no-force-on-the-disc-can-balance-a-torque-turn-the-crank = manivela e biela estão alinhadas, ponto morto: nenhuma força no disco equilibra um torque; gire um pouco a manivela
+crank-and-rod-are-collinear-dead-centre-no-force-on-the-disc-can-balance-a-torque-rotate-the-crank = manivela e biela estão alinhadas (ponto morto): nenhuma força no disco equilibra um torque; gire um pouco a manivela
 disc-rolled-by-a-crank = Disco rolado por uma manivela
+rolling-disc-driven-by-a-crank = Disco em rolamento acionado por manivela
 force-on-the-centre-of-the-disc = Força no centro do disco
 friction-at-the-floor-turns-the-disc-r-f-i-with-a-r-positive-along-x = O atrito no piso gira o disco: R f = I α com α = −a/R, positivo ao longo de x
 friction-force-of-the-floor = Força de atrito do piso
-least-coefficient-of-friction-without-slip = Menor coeficiente de atrito sem escorregamento
+minimum-coefficient-of-friction-to-prevent-slip = Coeficiente de atrito mínimo para não deslizar
 length-of-the-spring = Comprimento da mola
 moment-of-inertia-of-a-thin-ring = Momento de inércia de um anel fino
 moment-of-inertia-of-a-uniform-disc = Momento de inércia de um disco uniforme
@@ -1541,7 +1583,7 @@ velocity-of-the-centre-of-the-disc = Velocidade do centro do disco
 virtual-displacement-of-the-centre-for-2-1 = Deslocamento virtual do centro para δθ_2 = 1
 virtual-work-of-the-damper-c-v-u = Trabalho virtual do amortecedor, −c v u
 virtual-work-of-the-force-on-the-centre-of-the-disc = Trabalho virtual da força no centro do disco
-virtual-work-of-the-inertia-couple-the-disc-turns-by-u-r-a-r = Trabalho virtual do conjugado de inércia: o disco gira de −u/R, α = −a/R
+virtual-work-of-the-inertia-couple-the-disc-turns-by-u-r-a-r = Trabalho virtual do binário de inércia: o disco gira de −u/R, α = −a/R
 virtual-work-of-the-spring-k-s-l-0-u = Trabalho virtual da mola, −k (s − L_0) u
 
 # six-bar
@@ -1549,39 +1591,39 @@ a-force-along-the-line-of-a-slider-or-a-torque-on-a-second-rocker = Uma força a
 a-point-of-its-line = Um ponto da sua linha
 a-second-rocker = Um segundo balancim
 a-slider = Um cursor
-angle-of-link-5 = Ângulo da peça 5
+angle-of-link-5 = Ângulo do elo 5
 angle-of-the-second-rocker = Ângulo do segundo balancim
 angular-acceleration-of-the-second-rocker = Aceleração angular do segundo balancim
 angular-velocity-of-the-second-rocker = Velocidade angular do segundo balancim
-angular-velocity-of-the-second-rocker-over-that-of-the-crank = Velocidade angular do segundo balancim sobre a da manivela
+ratio-of-angular-velocities-second-rocker-to-crank = Razão de velocidades angulares, segundo balancim/manivela
 direction-of-its-line = Direção da sua linha
-displacement-of-the-slider-for-a-unit-turn-of-the-crank = Deslocamento do cursor por giro unitário da manivela
+displacement-of-the-slider-per-unit-rotation-of-the-crank = Deslocamento do cursor por rotação unitária da manivela
 distance-from-the-fixed-pin-along-the-rocker = Distância ao pino fixo, ao longo do balancim
 distance-from-the-line-of-its-pins-to-its-left = Distância à linha dos seus pinos, para a esquerda dela
 force-along-its-line = Força ao longo da sua linha
-force-in-the-pin-that-the-second-pair-hangs-on = Força no pino em que o segundo par se apoia
-from-the-first-pin-of-its-link-to-d = Do primeiro pino da sua peça até D
-from-the-x-axis-counter-clockwise-the-way-that-is-positive-for-the-slider = A partir do eixo x, no sentido anti-horário; o sentido positivo do cursor.
+force-in-the-pin-of-the-second-pair = Força no pino do segundo par
+from-the-first-pin-of-its-link-to-d = Do primeiro pino do seu elo até D
+from-the-x-axis-counter-clockwise-positive-direction-of-the-slider = A partir do eixo x, no sentido anti-horário; sentido positivo do cursor.
 its-fixed-pin = Seu pino fixo
 its-length = Seu comprimento
-length-of-link-5 = Comprimento da peça 5
-link-5 = peça 5
+length-of-link-5 = Comprimento do elo 5
+link-5 = elo 5
 load-on-the-output = Carga na saída
-load-with-it-the-sum-of-the-virtual-works-is-zero = Carga: com ela a soma dos trabalhos virtuais é nula
-mass-of-link-5 = Massa da peça 5
+load-from-the-principle-of-virtual-work = Carga, pelo princípio dos trabalhos virtuais
+mass-of-link-5 = Massa do elo 5
 mass-of-the-second-rocker = Massa do segundo balancim
 on-the-coupler-stephenson = No acoplador: Stephenson
 on-the-rocker-watt = No balancim: Watt
-open-the-pin-of-links-5-and-6-is-to-the-left-of-the-way-from-d-to-e = Aberta: o pino das peças 5 e 6 está à esquerda do caminho de D a E.
+open-the-pin-of-links-5-and-6-is-to-the-left-of-the-line-from-d-to-e = Aberta: o pino dos elos 5 e 6 está à esquerda da linha de D a E.
 output = saída
 point-d-from-the-origin = Ponto D, a partir da origem
 second-rocker = segundo balancim
-seen-from-the-point-that-the-pair-hangs-on-along-the-line = Visto do ponto em que o par se apoia, ao longo da linha.
+viewed-from-the-attachment-point-of-the-pair-along-the-line = Visto do ponto de fixação do par, ao longo da linha.
 six-bar-linkage = Mecanismo de seis barras
 swing-of-the-second-rocker = Oscilação do segundo balancim
 the-output-is-a-rocker-give-its-load-as-a-torque-on-the-second-rocker = a saída é um balancim: dê a sua carga como torque no segundo balancim
 the-output-is-a-slider-give-its-load-as-a-force-on-the-slider = a saída é um cursor: dê a sua carga como força no cursor
-the-output-turns-back-here-a-dead-centre-no-load-on-it-can-balance-a-torque-on-the-crank-turn-the = a saída inverte aqui o movimento, ponto morto: nenhuma carga nela equilibra um torque na manivela; gire um pouco a manivela
+the-output-reverses-here-dead-centre-no-load-on-it-can-balance-a-torque-on-the-crank-rotate-the-crank = a saída inverte aqui o movimento (ponto morto): nenhuma carga nela equilibra um torque na manivela; gire um pouco a manivela
 the-six-bar-linkage = O mecanismo de seis barras
 torque-on-the-second-rocker = Torque no segundo balancim
 torque-or-load-of-watt-and-stephenson-six-bars-with-a-slider-or-a-second-rocker-at-rest-or-in-motion = Torque ou carga de mecanismos de seis barras de Watt e Stephenson com cursor ou segundo balancim, em repouso ou em movimento com massas, por trabalho virtual.
@@ -1589,12 +1631,12 @@ torque-positive-counter-clockwise = Torque, positivo no sentido anti-horário
 unit-vector-along-the-line-of-the-slider = Vetor unitário ao longo da linha do cursor
 unknown-with-a-given-torque-on-the-crank = Incógnita, com torque dado na manivela
 virtual-work-of-the-load-on-the-output = Trabalho virtual da carga na saída
-way-of-the-slider = Curso do cursor
-what-link-5-drives = O que a peça 5 aciona
-where-the-second-pair-hangs = Onde o segundo par se apoia
+displacement-of-the-slider = Deslocamento do cursor
+output-of-link-5 = Saída do elo 5
+attachment-of-the-second-pair = Fixação do segundo par
 
 # rolling-disc, inputs
-along-x-from-the-bearing-of-the-crank-on-the-far-side-from-the-disc-s-way = Ao longo de x, a partir do mancal da manivela; do lado oposto ao percurso do disco.
+along-x-from-the-bearing-of-the-crank-on-the-side-opposite-to-the-travel-of-the-disc = Ao longo de x, a partir do mancal da manivela; do lado oposto ao percurso do disco.
 damper-along-the-floor = Amortecedor ao longo do piso
 free-length = Comprimento livre
 from-the-line-of-the-disc-s-centre-counter-clockwise = A partir da linha do centro do disco, no sentido anti-horário.
@@ -1608,84 +1650,84 @@ uniform-disc = Disco uniforme
 angle-of-the-first-crank = Ângulo da primeira manivela
 angle-of-the-first-rod = Ângulo da primeira biela
 angle-of-the-second-crank = Ângulo da segunda manivela
-each-by-itself-two-freedoms = Cada uma por si: dois graus de liberdade
-geared-together-one-freedom = Engrenadas entre si: um grau de liberdade
+independent-two-degrees-of-freedom = Independentes: dois graus de liberdade
+geared-together-one-degree-of-freedom = Engrenadas entre si: um grau de liberdade
 length-of-the-first-crank = Comprimento da primeira manivela
 length-of-the-first-rod = Comprimento da primeira biela
 length-of-the-second-crank = Comprimento da segunda manivela
 length-of-the-second-rod = Comprimento da segunda biela
 mesh = Engrenamento
-outside-teeth-opposite-senses = Dentes externos: sentidos opostos
+external-teeth-opposite-senses = Dentes externos: sentidos opostos
 path = trajetória
 side-on-which-the-rods-meet = Lado em que as bielas se encontram
 teeth-of-the-gear-on-the-first-crank = Dentes da engrenagem da primeira manivela
 teeth-of-the-gear-on-the-second-crank = Dentes da engrenagem da segunda manivela
-through-an-idler-or-inside-teeth-the-same-sense = Por roda intermediária ou dentes internos: o mesmo sentido
-to-the-left-of-the-way-from-a-to-b = À esquerda do caminho de A a B
-to-the-right-of-the-way-from-a-to-b = À direita do caminho de A a B
+through-an-idler-or-internal-teeth-the-same-sense = Por roda intermediária ou dentes internos: o mesmo sentido
+to-the-left-looking-from-a-to-b = À esquerda, olhando de A para B
+to-the-right-looking-from-a-to-b = À direita, olhando de A para B
 torques-on-the-cranks = Torques nas manivelas
 angle-of-the-second-rod = Ângulo da segunda biela
 b-from-the-origin = B, a partir da origem
-both-cranks-move-the-point-p-along-the-same-line-the-torques-do-not-tell-the-force-across-it-turn-a = as duas manivelas movem o ponto P na mesma linha: os torques não determinam a força transversal a ela; gire um pouco uma manivela
+both-cranks-move-the-point-p-along-the-same-line-the-torques-do-not-determine-the-force-perpendicular = as duas manivelas movem o ponto P na mesma linha: os torques não determinam a força transversal a ela; gire um pouco uma manivela
 determinant-of-the-two-displacements-of-p = Determinante dos dois deslocamentos de P
-displacement-of-p-for-2-1-with-the-first-crank-and-with-the-second-by-the-gears = Deslocamento de P para δθ_2 = 1: com a primeira manivela e, pelas engrenagens, com a segunda
+displacement-of-p-for-2-1-by-the-first-crank-and-through-the-gears-by-the-second = Deslocamento de P para δθ_2 = 1: pela primeira manivela e, por meio das engrenagens, pela segunda
 first-crank = primeira manivela
 first-crank-from-o-to-a = Primeira manivela, de O a A
 first-rod = primeira biela
 five-bar-linkage = Mecanismo de cinco barras
 force-in-the-fixed-pin-of-the-first-crank = Força no pino fixo da primeira manivela
 force-in-the-fixed-pin-of-the-second-crank = Força no pino fixo da segunda manivela
-force-where-the-rods-meet = Força no encontro das bielas
-force-where-the-rods-meet-along-x = Força no encontro das bielas, ao longo de x
-force-where-the-rods-meet-along-y = Força no encontro das bielas, ao longo de y
-holding-torques-of-a-five-bar-linkage-with-two-driven-cranks-or-geared-to-one-freedom-for-a-force = Torques que sustentam um mecanismo de cinco barras com duas manivelas acionadas, ou engrenado com um grau de liberdade, para uma força no encontro das bielas, por trabalho virtual; ou a força pelos torques.
-path-of-the-point-where-the-rods-meet = Trajetória do ponto de encontro das bielas
+force-at-the-common-pin-of-the-rods = Força no pino comum das bielas
+force-at-the-common-pin-of-the-rods-along-x = Força no pino comum das bielas, ao longo de x
+force-at-the-common-pin-of-the-rods-along-y = Força no pino comum das bielas, ao longo de y
+holding-torques-of-a-five-bar-linkage-with-two-driven-cranks-or-geared-to-one-degree-of-freedom-for-a = Torques equilibrantes de um mecanismo de cinco barras com duas manivelas acionadas, ou engrenado com um grau de liberdade, para uma força no pino comum das bielas, por trabalho virtual; ou a força pelos torques.
+path-of-the-common-pin-of-the-rods = Trajetória do pino comum das bielas
 second-crank = segunda manivela
 second-crank-from-c-to-b = Segunda manivela, de C a B
 second-rod = segunda biela
 t-2-f-u-p2-0-and-t-5-f-u-p5-0-solved-for-the-force-along-x = T_2 + F · u_P2 = 0 e T_5 + F · u_P5 = 0, resolvidas para a força ao longo de x
 teeth-as-given = Dentes, como dados
 the-five-bar-linkage = O mecanismo de cinco barras
-the-gears-leave-one-freedom-one-torque-cannot-tell-both-components-of-the-force-give-the-force-and = as engrenagens deixam um grau de liberdade: um torque não determina as duas componentes da força; dê a força e peça o torque
-the-other-rod-moves-the-common-pin-alike = a outra biela move o pino comum da mesma forma
+the-gears-leave-one-degree-of-freedom-one-torque-cannot-determine-both-components-of-the-force-give = as engrenagens deixam um grau de liberdade: um torque não determina as duas componentes da força; dê a força e escolha o torque como incógnita
+the-other-rod-moves-the-common-pin-in-the-same-way = a outra biela move o pino comum da mesma forma
 the-same-two-equations-solved-for-the-force-along-y = As mesmas duas equações, resolvidas para a força ao longo de y
 torque-on-the-first-crank = Torque na primeira manivela
 torque-on-the-first-crank-t-2-2-f-u-p-0 = Torque na primeira manivela: T_2 δθ_2 + F · u_P = 0
-torque-on-the-first-crank-the-second-held-t-2-2-f-u-p2-0 = Torque na primeira manivela, com a segunda parada: T_2 δθ_2 + F · u_P2 = 0
+torque-on-the-first-crank-the-second-fixed-t-2-2-f-u-p2-0 = Torque na primeira manivela, com a segunda fixa: T_2 δθ_2 + F · u_P2 = 0
 torque-on-the-second-crank = Torque na segunda manivela
-torque-on-the-second-crank-the-first-held-t-5-5-f-u-p5-0 = Torque na segunda manivela, com a primeira parada: T_5 δθ_5 + F · u_P5 = 0
-torques-over-the-turn-of-the-first-crank = Torques ao longo da volta da primeira manivela
-virtual-turn-of-the-second-crank-for-2-1-by-the-gears = Giro virtual da segunda manivela para δθ_2 = 1, pelas engrenagens
+torque-on-the-second-crank-the-first-fixed-t-5-5-f-u-p5-0 = Torque na segunda manivela, com a primeira fixa: T_5 δθ_5 + F · u_P5 = 0
+torques-over-one-revolution-of-the-first-crank = Torques ao longo de uma volta da primeira manivela
+virtual-rotation-of-the-second-crank-for-2-1-by-the-gears = Rotação virtual da segunda manivela para δθ_2 = 1, pelas engrenagens
 
 # epicyclic-train
-a-ring-of-ring-teeth-has-no-room-for-the-planets-on-a-sun-of-sun-teeth-give-the-ring-more = uma coroa de { $ring } dentes não tem lugar para os satélites num sol de { $sun } dentes: dê mais dentes à coroa
-both-suns-turn-alike-against-the-arm-so-the-arm-cannot-move-while-one-is-fixed-change-a-number-of = os dois sóis giram igual em relação ao braço, e o braço não se move com um deles fixo: mude um número de dentes
+a-ring-of-ring-teeth-leaves-no-room-for-the-planets-around-a-sun-of-sun-teeth-give-the-ring-more = uma coroa de { $ring } dentes não deixa espaço para os satélites em torno de um sol de { $sun } dentes: dê mais dentes à coroa
+both-suns-have-the-same-speed-relative-to-the-arm-so-the-arm-cannot-move-while-one-is-fixed-change-a = os dois sóis têm a mesma velocidade em relação ao braço, e o braço não se move com um deles fixo: mude um número de dentes
 driving-member = Membro motor
 epicyclic-gear-train = Trem epicicloidal
 fixed-member = Membro fixo
-it-meshes-with-outside-teeth-of-the-driving-member-and-turns-about-a-fixed-axis = Engrena com dentes externos do membro motor e gira em torno de um eixo fixo.
+it-meshes-with-external-teeth-of-the-driving-member-and-turns-about-a-fixed-axis = Engrena com dentes externos do membro motor e gira em torno de um eixo fixo.
 known-torque = Torque conhecido
 load-on-the-driven-member = Carga no membro movido
 no-member-is-left-to-be-driven = não resta membro a ser movido
-outside-teeth-of-the-driving-member = Dentes externos do membro motor
+external-teeth-of-the-driving-member = Dentes externos do membro motor
 pinion-that-drives-the-driving-member = Pinhão que aciona o membro motor
 power-of-the-driving-shaft = Potência do eixo motor
 ratio-of-the-speeds-from-the-meshes-of-the-gears = razão das velocidades pelos engrenamentos
-ratio-with-the-arm-held-ring-or-second-sun-over-sun-each-outside-mesh-turns-the-sense = Razão com o braço parado: coroa (ou segundo sol) sobre sol; cada engrenamento externo inverte o sentido
+ratio-with-the-arm-fixed-ring-or-second-sun-over-sun-each-external-mesh-reverses-the-sense = Razão com o braço fixo: coroa (ou segundo sol) sobre sol; cada engrenamento externo inverte o sentido
 ring-or-second-sun = Coroa, ou segundo sol
 speed-of-the-driven-member = Velocidade do membro movido
 speed-of-the-driven-member-over-that-of-the-driving-shaft = Velocidade do membro movido sobre a do eixo motor
 speed-of-the-driven-member-over-that-of-the-pinion = Velocidade do membro movido sobre a do pinhão
 speed-of-the-driving-shaft = Velocidade do eixo motor
-speed-of-the-planet-against-the-arm = Velocidade do satélite em relação ao braço
-speed-of-the-planet-against-the-arm-it-meshes-with-the-sun = Velocidade do satélite em relação ao braço: engrena com o sol
-speed-of-the-planet-against-the-arm-it-rolls-on-the-fixed-sun = Velocidade do satélite em relação ao braço: rola sobre o sol fixo
+speed-of-the-planet-relative-to-the-arm = Velocidade do satélite em relação ao braço
+speed-of-the-planet-relative-to-the-arm-it-meshes-with-the-sun = Velocidade do satélite em relação ao braço: engrena com o sol
+speed-of-the-planet-relative-to-the-arm-it-rolls-on-the-fixed-sun = Velocidade do satélite em relação ao braço: rola sobre o sol fixo
 speeds-of-all-members-of-an-epicyclic-train-by-willis-s-formula-and-driving-load-and-holding-torques = Velocidades de todos os membros de um trem epicicloidal pela fórmula de Willis, e torques motor, de carga e de retenção por potência virtual.
 ring-and-sun-differ-by-an-odd-number-planets-of-planet-teeth-cannot-be-cut-compound-planets-or = coroa e sol diferem de um número ímpar: satélites de { $planet } dentes não podem ser cortados; são necessários satélites compostos ou perfis deslocados
 sun = Sol
-sun-compound-planets-ring-with-inside-teeth = Sol, satélites compostos, coroa de dentes internos
-sun-planets-ring-with-inside-teeth = Sol, satélites, coroa de dentes internos
-teeth-as-given-or-as-the-distance-of-the-axes-demands = Dentes, como dados ou como a distância dos eixos exige
+sun-compound-planets-ring-with-internal-teeth = Sol, satélites compostos, coroa de dentes internos
+sun-planets-ring-with-internal-teeth = Sol, satélites, coroa de dentes internos
+teeth-as-given-or-as-required-by-the-centre-distance = Dentes, como dados ou como exigidos pela distância entre eixos
 teeth-of-the-first-sun = Dentes do primeiro sol
 teeth-of-the-pinion = Dentes do pinhão
 teeth-of-the-planet-on-the-first-sun = Dentes do satélite no primeiro sol
@@ -1695,18 +1737,18 @@ teeth-of-the-planet-on-the-sun = Dentes do satélite no sol
 teeth-of-the-ring = Dentes da coroa
 teeth-of-the-second-sun = Dentes do segundo sol
 teeth-of-the-sun = Dentes do sol
-that-of-the-pinion-if-there-is-one = A do pinhão, se houver.
+speed-of-the-pinion-if-present = Velocidade do pinhão, se houver.
 the-epicyclic-train = O trem epicicloidal
 the-fixed-member-cannot-drive-choose-two-different-members-of-sun-ring-and-arm = o membro fixo não pode ser motor: escolha dois membros diferentes entre sol, coroa e braço
-the-load-by-the-equations-of-newton-and-euler-of-every-gear = a carga pelas equações de Newton e Euler de cada engrenagem
-the-pinion-turns-the-driving-member-the-other-way = O pinhão gira o membro motor no sentido oposto
-the-second-sun-with-outside-teeth-stands-in-the-place-of-the-ring = O segundo sol, de dentes externos, fica no lugar da coroa.
-the-three-torques-on-sun-ring-and-arm-are-in-balance-torque-that-holds-the-fixed-member = Os três torques em sol, coroa e braço equilibram-se: torque que retém o membro fixo
+the-load-from-the-newton-euler-equations-of-every-gear = a carga pelas equações de Newton–Euler de cada engrenagem
+the-pinion-turns-the-driving-member-in-the-opposite-sense = O pinhão gira o membro motor no sentido oposto
+the-second-sun-with-external-teeth-takes-the-place-of-the-ring = O segundo sol, de dentes externos, ocupa o lugar da coroa.
+equilibrium-of-the-three-torques-on-sun-ring-and-arm-holding-torque-of-the-fixed-member = Equilíbrio dos três torques em sol, coroa e braço: torque de retenção do membro fixo
 torque-of-the-load-on-the-driven-member = Torque da carga no membro movido
 torque-of-the-pinion-on-the-driving-member-the-same-virtual-power = Torque do pinhão no membro motor: a mesma potência virtual
 torque-on-the-driving-member = Torque no membro motor
 torque-on-the-driving-shaft = Torque no eixo motor
-torque-that-holds-the-fixed-member = Torque que retém o membro fixo
+holding-torque-of-the-fixed-member = Torque de retenção do membro fixo
 two-suns-compound-planets = Dois sóis, satélites compostos
 virtual-power-t-in-in-t-out-out-0-torque-of-the-load-on-the-driven-member = Potência virtual, T_in ω_in + T_out ω_out = 0: torque da carga no membro movido
 virtual-power-t-in-in-t-out-out-0-torque-on-the-driving-shaft = Potência virtual, T_in ω_in + T_out ω_out = 0: torque no eixo motor
@@ -1715,54 +1757,54 @@ willis-r-a-e-s-a-with-the-ring-fixed-driven-over-driver = Willis, ω_R − ω_A 
 willis-r-a-e-s-a-with-the-sun-fixed-driven-over-driver = Willis, ω_R − ω_A = e (ω_S − ω_A), com o sol fixo: movido sobre motor
 # virtual-work/equilibrium
 equilibrium-of-a-mechanism = Equilíbrio de um mecanismo
-all-positions-in-which-a-plane-mechanism-of-any-shape-stays-by-itself-by-the-least-of-the-potential = Todas as posições em que um mecanismo plano de qualquer forma fica por si, pela energia potencial, com a sua estabilidade.
+all-equilibrium-positions-of-an-arbitrary-plane-mechanism-from-its-potential-energy-with-their = Todas as posições de equilíbrio de um mecanismo plano qualquer, pela energia potencial, com a sua estabilidade.
 coordinates = Coordenadas
-one-for-each-degree-of-freedom-what-may-move-by-itself = Uma para cada grau de liberdade: o que pode se mover por si.
-where-to-look = Onde procurar
-between-two-angles-of-the-only-coordinate = Entre dois ângulos da única coordenada
-between-two-lengths-of-the-only-coordinate = Entre dois comprimentos da única coordenada
+one-for-each-degree-of-freedom-the-quantity-free-to-vary = Uma para cada grau de liberdade: a grandeza que pode variar.
+search-region = Região de busca
+between-two-angles-of-the-single-coordinate = Entre dois ângulos da única coordenada
+between-two-lengths-of-the-single-coordinate = Entre dois comprimentos da única coordenada
 near-the-values-of-the-coordinates = Perto dos valores das coordenadas
-with-several-coordinates-a-range-cannot-be-searched-look-near-the-values-of-the-coordinates = com várias coordenadas não se percorre uma faixa: procure perto dos valores das coordenadas
-the-range-does-not-fit-the-coordinate-an-angle-wants-angles-a-length-or-a-distance-wants-lengths = a faixa não combina com a coordenada: um ângulo pede ângulos, uma posição ou distância pede comprimentos
-the-mechanism-goes-no-further-than-end-beyond-it-nothing-was-looked-for = o mecanismo não vai além de { $end }: dali em diante nada foi procurado
-there-is-no-equilibrium-in-this-range-the-effort-that-holds-the-mechanism-keeps-its-sign-look-in-a = não há equilíbrio nesta faixa: o esforço que segura o mecanismo não troca de sinal; procure em uma faixa maior
+near-the-given-values-of-the-coordinates = Perto dos valores dados das coordenadas
+with-several-coordinates-a-range-cannot-be-searched-search-near-the-values-of-the-coordinates = com várias coordenadas não se percorre uma faixa: procure perto dos valores das coordenadas
+the-range-does-not-match-the-coordinate-an-angle-requires-angles-a-length-or-a-distance-requires = a faixa não combina com a coordenada: um ângulo exige ângulos, uma posição ou distância exige comprimentos
+the-mechanism-does-not-move-beyond-end-nothing-was-searched-beyond-it = o mecanismo não vai além de { $end }: dali em diante nada foi procurado
+there-is-no-equilibrium-in-this-range-the-holding-effort-does-not-change-sign-search-a-wider-one = não há equilíbrio nesta faixa: o esforço de sustentação não troca de sinal; procure em uma faixa maior
 value-of-name-where-the-virtual-power-of-all-loads-is-zero-q-q-m-dv-dm-0 = Valor de { $name } em que a potência virtual de todas as cargas é zero, −Σ Q ∂q/∂m = dV/dm = 0
-coordinate-in-equilibrium = Coordenada em equilíbrio
-second-derivative-of-the-potential-energy-by-name-stability = Segunda derivada da energia potencial em { $name }: { $stability }
+coordinate-at-equilibrium = Coordenada no equilíbrio
+second-derivative-of-the-potential-energy-with-respect-to-name-stability = Segunda derivada da energia potencial em relação a { $name }: { $stability }
 second-derivative-of-the-potential-energy = Segunda derivada da energia potencial
 lowest-eigenvalue-of-the-matrix-of-second-derivatives-scaled-to-a-diagonal-of-ones-positive-in-a = Menor autovalor da matriz das segundas derivadas, escalada para diagonal unitária: positivo em um equilíbrio estável
 lowest-eigenvalue-of-the-second-derivatives = Menor autovalor das segundas derivadas
-the-potential-energy-has-no-slope-by-name = a energia potencial não tem inclinação em { $name }
-the-differences-of-the-potential-energy-have-the-second-derivative-by-name = as diferenças da energia potencial têm a segunda derivada em { $name }
-stability = estabilidade
+the-derivative-of-the-potential-energy-with-respect-to-name-is-zero = a derivada da energia potencial em relação a { $name } é nula
+finite-differences-of-the-potential-energy-reproduce-the-second-derivative-with-respect-to-name = as diferenças finitas da energia potencial reproduzem a segunda derivada em relação a { $name }
+stability = Estabilidade
 positions-of-equilibrium = Posições de equilíbrio
-effort-that-holds-the-mechanism = Esforço que segura o mecanismo
+equilibrant-force-or-torque-of-the-mechanism = Força ou torque equilibrante do mecanismo
 neutral = indiferente
 
 # oscillating-cylinder
 acceleration-of-the-piston-in-the-cylinder = Aceleração do pistão no cilindro
 angle-of-the-cylinder = Ângulo do cilindro
 angular-acceleration-of-the-cylinder = Aceleração angular do cilindro
-angular-acceleration-of-the-cylinder-less-that-of-coriolis = Aceleração angular do cilindro, descontada a de Coriolis
+angular-acceleration-of-the-cylinder-minus-the-coriolis-term = Aceleração angular do cilindro, descontado o termo de Coriolis
 angular-velocity-of-the-cylinder = Velocidade angular do cilindro
-crank-and-cylinder-are-in-one-line-a-dead-centre-no-force-of-the-cylinder-can-balance-a-torque-turn = manivela e cilindro estão alinhados, ponto morto: nenhuma força do cilindro equilibra um torque; gire um pouco a manivela
+crank-and-cylinder-are-collinear-dead-centre-no-force-of-the-cylinder-can-balance-a-torque-rotate-the = manivela e cilindro estão alinhados (ponto morto): nenhuma força do cilindro equilibra um torque; gire um pouco a manivela
 cylinder = Cilindro
-distance-of-its-mass-centre-from-its-fixed-pin = Distância do seu centro de massa ao pino fixo
-distance-of-its-mass-centre-from-the-crank-pin = Distância do seu centro de massa ao pino da manivela
+distance-of-its-centre-of-mass-from-its-fixed-pin = Distância do seu centro de massa ao pino fixo
 fixed-pin-of-the-cylinder = Pino fixo do cilindro
-force-across-the-crank-at-its-pin-t-r-over-the-force-of-the-cylinder-without-masses = Força transversal à manivela no seu pino, T/r, sobre a força do cilindro, sem massas
+ratio-of-the-force-perpendicular-to-the-crank-at-its-pin-t-r-to-the-force-of-the-cylinder-neglecting = Razão entre a força perpendicular à manivela no seu pino, T/r, e a força do cilindro, sem massas
 force-in-the-fixed-pin-of-the-cylinder = Força no pino fixo do cilindro
 force-of-the-cylinder-pressure-times-area-of-the-bore = Força do cilindro: pressão vezes área do diâmetro interno
-force-of-the-cylinder-with-it-the-sum-of-the-virtual-works-is-zero-f-c-u-s-w-0 = Força do cilindro: com ela a soma dos trabalhos virtuais é nula, F_c u_s + ΣδW = 0
+force-of-the-cylinder-from-the-principle-of-virtual-work-f-c-u-s-w-0 = Força do cilindro, pelo princípio dos trabalhos virtuais, F_c u_s + ΣδW = 0
 from-the-fixed-pin-of-the-cylinder-to-the-crank-pin = Do pino fixo do cilindro ao pino da manivela
 inverted-slider-crank = Cursor-manivela invertido
 length-of-the-cylinder-from-pin-to-pin = Comprimento do cilindro de pino a pino
 piston-with-its-rod = Pistão com a sua haste
 positive-when-it-pushes-the-crank-pin-away-from-the-fixed-pin-of-the-cylinder = Positiva quando afasta o pino da manivela do pino fixo do cilindro.
-pressure-above-that-on-the-other-side-of-the-piston = Pressão acima da do outro lado do pistão
+pressure-relative-to-the-other-side-of-the-piston = Pressão em relação ao outro lado do pistão
 the-crank-pin-is-at-the-fixed-pin-of-the-cylinder-the-cylinder-has-no-direction-turn-the-crank-or = o pino da manivela está no pino fixo do cilindro: o cilindro não tem direção; gire a manivela ou mova o pino
 the-inverted-slider-crank = O cursor-manivela invertido
-torque-of-a-crank-or-lever-moved-by-a-swinging-cylinder-or-the-force-of-the-cylinder-at-rest-or-in = Torque de uma manivela ou alavanca movida por um cilindro oscilante, ou a força do cilindro, em repouso ou em movimento com massas, por trabalho virtual; reações.
+torque-of-a-crank-or-lever-moved-by-an-oscillating-cylinder-or-the-force-of-the-cylinder-at-rest-or = Torque de uma manivela ou alavanca movida por um cilindro oscilante, ou a força do cilindro, em repouso ou em movimento com massas, por trabalho virtual; reações.
 torque-on-the-crank-from-the-force-of-the-cylinder = Torque na manivela, pela força do cilindro
 torque-on-the-crank-from-the-pressure-in-the-cylinder = Torque na manivela, pela pressão no cilindro
 towards-the-crank-pin = Em direção ao pino da manivela.
@@ -1770,7 +1812,7 @@ towards-the-fixed-pin-of-the-cylinder = Em direção ao pino fixo do cilindro.
 unit-vector-from-the-fixed-pin-to-the-crank-pin = Vetor unitário do pino fixo ao pino da manivela
 velocity-of-the-piston-in-the-cylinder = Velocidade do pistão no cilindro
 virtual-change-of-the-length-for-2-1-s-r-a = Variação virtual do comprimento para δθ_2 = 1: δs = ê · δr_A
-virtual-turn-of-the-cylinder-for-2-1 = Giro virtual do cilindro para δθ_2 = 1
+virtual-rotation-of-the-cylinder-for-2-1 = Rotação virtual do cilindro para δθ_2 = 1
 virtual-work-of-the-force-of-the-cylinder = Trabalho virtual da força do cilindro
 
 # Topics
@@ -1786,7 +1828,7 @@ engines-gears-and-wheels = Motores, engrenagens e rodas
 step-ladder-held-at-its-feet = Escada dupla mantida pelos pés
 two-uniform-ladders-of-200-n-at-30-from-the-vertical-on-a-smooth-floor-the-length-does-not-matter = Duas escadas uniformes de 200 N a 30° da vertical em piso liso; o comprimento não importa.
 step-ladder-held-by-a-rope = Escada dupla mantida por uma corda
-the-rope-is-tied-at-three-quarters-of-the-length-from-the-top-as-t-400-tan-30-3-tells = A corda está amarrada a três quartos do comprimento a partir do topo, como indica T = 400 tan 30°/3.
+the-rope-is-tied-at-three-quarters-of-the-length-from-the-top-as-t-400-tan-30-3-shows = A corda está amarrada a três quartos do comprimento a partir do topo, como indica T = 400 tan 30°/3.
 angle-that-a-rope-of-100-n-holds-under-a-load = Ângulo que uma corda de 100 N mantém sob uma carga
 tan-2-s-t-w-q = tan θ = 2 s T/(W + Q)
 friction-for-ladders-without-load-at-the-hinge = Atrito para escadas sem carga na articulação
@@ -1798,7 +1840,7 @@ no-load-no-force = Sem carga, não há força
 bar-at-20-under-a-pulley = Barra a 20° sob uma polia
 a-uniform-bar-of-10-kg-and-1-5-m-pinned-at-its-lower-end-the-pulley-is-1-2-m-above-the-pin = Uma barra uniforme de 10 kg e 1,5 m, articulada na extremidade inferior; a polia está 1,2 m acima da articulação.
 all-positions-that-6-5334708-kg-holds = Todas as posições que 6,5334708 kg mantêm
-r-c-hibbeler-a-gupta-engineering-mechanics-example-11-6-read-the-other-way-round = R. C. Hibbeler, A. Gupta, Engineering Mechanics, exemplo 11.6, lido no sentido inverso
+r-c-hibbeler-a-gupta-engineering-mechanics-example-11-6-solved-in-reverse = R. C. Hibbeler, A. Gupta, Engineering Mechanics, exemplo 11.6, resolvido no sentido inverso
 cos-0-is-an-equilibrium-too-the-bar-straight-up-or-down = cos θ = 0 também é equilíbrio: a barra na vertical, para cima ou para baixo.
 cord-to-the-middle-of-the-bar = Cabo no meio da barra
 m-m-s-2-b-for-b-l-2-and-h-the-moment-of-the-cord-p-b-h-cos-s-against-w-l-2-cos-gives-p-w-s-h = m = M s/(2 b) para b = L/2 e h: o momento do cabo, P b h cos θ/s, contra W (L/2) cos θ, dá P = W s/h
@@ -1816,7 +1858,7 @@ the-two-levers-with-the-loads-of-the-later-edition = As duas alavancas com as ca
 beer-johnston-vector-mechanics-for-engineers-statics-10th-and-11th-ed-problem-10-1 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 10ª e 11ª ed., problema 10.1
 couple-on-one-lever-force-on-another-force-at-g = Conjugado em uma alavanca, força em outra: força em G
 beer-johnston-vector-mechanics-for-engineers-statics-8th-ed-problem-10-1-of-two-levers-abc-and-defg = Beer & Johnston, Vector Mechanics for Engineers: Statics, 8ª ed., problema 10.1 com duas alavancas ABC e DEFG
-abc-drives-defg-with-125-mm-on-375-mm-so-that-defg-turns-a-third-as-much-g-is-100-2-mm-from-the-pivot = ABC aciona DEFG com 125 mm sobre 375 mm, de modo que DEFG gira um terço disso; G está a 100√2 mm do pivô, a 45° da linha da força vertical.
+abc-drives-defg-with-125-mm-on-375-mm-so-that-defg-rotates-one-third-as-much-g-is-100-2-mm-from-the = ABC aciona DEFG com 125 mm sobre 375 mm, de modo que DEFG gira um terço disso; G está a 100√2 mm do pivô, a 45° da linha da força vertical.
 couple-on-one-lever-force-on-another-couple-on-defg = Conjugado em uma alavanca, força em outra: conjugado em DEFG
 beer-johnston-vector-mechanics-for-engineers-statics-8th-ed-problem-10-3-of-two-levers-abc-and-defg = Beer & Johnston, Vector Mechanics for Engineers: Statics, 8ª ed., problema 10.3 com duas alavancas ABC e DEFG
 single-lever = Uma só alavanca
@@ -1826,7 +1868,7 @@ one-link-two-levers = Uma ligação, duas alavancas
 
 # engine.toml
 steam-engine-with-expansion = Máquina a vapor com expansão
-the-book-works-with-two-terms-in-displacement-and-acceleration-the-pressures-are-gauge-ones-the = O livro trabalha com dois termos, no deslocamento e na aceleração; as pressões são manométricas, com atmosfera de 1,03 bar.
+the-book-works-with-two-terms-in-displacement-and-acceleration-the-pressures-are-gauge-pressures-with = O livro trabalha com dois termos, no deslocamento e na aceleração; as pressões são manométricas, com atmosfera de 1,03 bar.
 mean-effective-pressure-of-the-same-engine = Pressão média efetiva da mesma máquina
 closed-form-of-hyperbolic-expansion-p-m-p-a-c-1-ln-1-c-p-b = forma fechada da expansão hiperbólica: p_m = p_a c (1 + ln 1/c) − p_b
 with-the-exact-motion-whose-work-is-that-of-the-pressures-903-kpa-1-ln-3-3-28-kpa-on-both-sides-of = Com o movimento exato, cujo trabalho é o das pressões: 903 kPa × (1 + ln 3)/3 − 28 kPa dos dois lados do pistão.
@@ -1835,7 +1877,7 @@ kinetic-energy-of-piston-and-rod-the-torque-is-de-d-and-has-no-mean = energia ci
 crank-40-mm-rod-140-mm-3000-rpm-the-extremes-are-symmetrical-about-the-dead-centre = Manivela de 40 mm, biela de 140 mm, 3000 rpm. Os extremos são simétricos em relação ao ponto morto.
 engine-held-by-a-couple-crank-at-30 = Motor mantido por um conjugado, manivela a 30°
 beer-johnston-vector-mechanics-for-engineers-statics-12th-ed-prob-10-21 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 12ª ed., probl. 10.21
-crank-50-mm-rod-200-mm-4-kn-on-the-piston-the-couple-on-the-crank-holds-the-turning-moment = Manivela de 50 mm, biela de 200 mm, 4 kN no pistão; o conjugado na manivela equilibra o torque.
+crank-50-mm-rod-200-mm-4-kn-on-the-piston-the-couple-on-the-crank-balances-the-turning-moment = Manivela de 50 mm, biela de 200 mm, 4 kN no pistão; o binário na manivela equilibra o torque.
 engine-held-by-a-couple-crank-at-150 = Motor mantido por um conjugado, manivela a 150°
 force-on-the-piston-for-a-couple-on-the-crank-at-60 = Força no pistão para um conjugado na manivela, a 60°
 beer-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-20 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.20
@@ -1844,89 +1886,90 @@ couple-for-a-thousand-pounds-on-the-piston-crank-at-30 = Conjugado para mil libr
 after-beer-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-m-p-r-sin-cos = baseado em Beer & Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19; M = P r sen(θ + φ)/cos φ
 couple-for-a-thousand-pounds-on-the-piston-crank-at-150 = Conjugado para mil libras no pistão, manivela a 150°
 force-on-the-slider-for-a-load-at-the-crank-pin = Força no cursor para uma carga no pino da manivela
-the-200-n-at-the-pin-between-crank-and-rod-turn-the-crank-with-200-n-0-6-m-cos-45-the-force-on-the = Os 200 N no pino entre manivela e biela giram a manivela com 200 N × 0,6 m × cos 45°; a força no cursor tem de dar esse torque.
+the-200-n-at-the-pin-between-crank-and-rod-exert-a-moment-of-200-n-0-6-m-cos-45-on-the-crank-the = Os 200 N no pino entre manivela e biela exercem na manivela o momento 200 N × 0,6 m × cos 45°; a força no cursor deve produzir esse torque.
 velocity-and-acceleration-of-a-piston = Velocidade e aceleração de um pistão
 the-same-piston-in-another-book = O mesmo pistão em outro livro
 r-sin-sin-2-2n-5-6549-0-64279-0-98481-10-4-192-m-s-as-khurmi-gupta-print-for-the-same-data-4-4-m-s = r ω (sen θ + sen 2θ/(2n)) = 5,6549 × (0,64279 + 0,98481/10) = 4,192 m/s, como Khurmi & Gupta imprimem para os mesmos dados; 4,4 m/s vem de um parêntese fora do lugar.
-r-cos-cos-2-n-106-59-0-76604-0-17365-5-85-36-m-s-83-5-m-s-comes-of-2n-in-place-of-n-in-the-secondary = r ω² (cos θ + cos 2θ/n) = 106,59 × (0,76604 + 0,17365/5) = 85,36 m/s²; 83,5 m/s² vem de 2n em lugar de n no termo secundário.
+r-cos-cos-2-n-106-59-0-76604-0-17365-5-85-36-m-s-83-5-m-s-results-from-2n-instead-of-n-in-the = r ω² (cos θ + cos 2θ/n) = 106,59 × (0,76604 + 0,17365/5) = 85,36 m/s²; 83,5 m/s² vem de 2n em lugar de n no termo secundário.
 motion-of-a-connecting-rod = Movimento de uma biela
-the-book-gives-the-angular-acceleration-by-its-size-the-obliquity-grows-ever-more-slowly-at-60 = O livro dá a aceleração angular em módulo; a 60° a obliquidade cresce cada vez mais devagar.
+the-book-gives-the-magnitude-of-the-angular-acceleration-at-60-the-obliquity-increases-at-a = O livro dá o módulo da aceleração angular; a 60° a obliquidade cresce a uma taxa decrescente.
 the-same-rod-with-the-exact-motion = A mesma biela com o movimento exato
 closure-of-the-slider-crank-r-cos-n-sin = fechamento do cursor-manivela: ω_r = ω cos θ/√(n² − sen²θ)
+loop-closure-of-the-slider-crank-r-cos-n-sin = fechamento da cadeia do cursor-manivela: ω_r = ω cos θ/√(n² − sen²θ)
 inertia-force-of-reciprocating-parts = Força de inércia das peças alternativas
-by-construction-the-book-also-finds-18-78-kn = Por construção gráfica o livro também obtém 18,78 kN.
-printed-with-52-4-rad-s-for-500-rpm-ours-is-18-506-kn = impresso com 52,4 rad/s para 500 rpm; o nosso é 18,506 kN
+by-graphical-construction-the-book-also-finds-18-78-kn = Por construção gráfica o livro também obtém 18,78 kN.
+printed-with-52-4-rad-s-for-500-rpm-calculated-18-506-kn = impresso com 52,4 rad/s para 500 rpm; calculado: 18,506 kN
 vertical-steam-engine-on-its-way-down = Máquina a vapor vertical na descida
 petrol-engine-and-the-speed-at-which-the-gudgeon-pin-is-unloaded = Motor a gasolina e a rotação em que o pino do pistão fica sem carga
-printed-with-the-cosine-of-a-rounded-angle-ours-is-1865-39-n = impresso com o cosseno de um ângulo arredondado; o nosso é 1865,39 N
+printed-with-the-cosine-of-a-rounded-angle-calculated-1865-39-n = impresso com o cosseno de um ângulo arredondado; calculado: 1865,39 N
 steam-engine-with-the-acceleration-of-its-piston-given = Máquina a vapor com a aceleração do pistão dada
 n-28-263-kn-tan-6-379-3-16-kn-the-printed-listing-takes-the-tangent-of-6-379-as-if-it-were-radians = 28,263 kN × tan 6,379° = 3,16 kN. A listagem impressa toma a tangente de 6,379 como se fossem radianos, e arredonda 2,7 kN para cima.
 vertical-petrol-engine-at-2000-rpm = Motor a gasolina vertical a 2000 rpm
-printed-with-rounded-numbers-ours-is-2255-8-n = impresso com números arredondados; o nosso é 2255,8 N
-printed-with-a-rounded-angle-ours-is-2263-5-n = impresso com um ângulo arredondado; o nosso é 2263,5 N
-printed-with-a-rounded-angle-ours-is-185-8-n = impresso com um ângulo arredondado; o nosso é 185,8 N
-printed-with-rounded-numbers-ours-is-2602-7-rpm = impresso com números arredondados; o nosso é 2602,7 rpm
+printed-with-rounded-numbers-calculated-2255-8-n = impresso com números arredondados; calculado: 2255,8 N
+printed-with-a-rounded-angle-calculated-2263-5-n = impresso com um ângulo arredondado; calculado: 2263,5 N
+printed-with-a-rounded-angle-calculated-185-8-n = impresso com um ângulo arredondado; calculado: 185,8 N
+printed-with-rounded-numbers-calculated-2602-7-rpm = impresso com números arredondados; calculado: 2602,7 rpm
 vertical-petrol-engine-at-1800-rpm = Motor a gasolina vertical a 1800 rpm
-printed-with-a-rounded-obliquity-ours-is-2652-99-n = impresso com uma obliquidade arredondada; o nosso é 2652,99 N
-printed-with-rounded-numbers-ours-is-2528-2-rpm = impresso com números arredondados; o nosso é 2528,2 rpm
+printed-with-a-rounded-obliquity-calculated-2652-99-n = impresso com uma obliquidade arredondada; calculado: 2652,99 N
+printed-with-rounded-numbers-calculated-2528-2-rpm = impresso com números arredondados; calculado: 2528,2 rpm
 steam-engine-with-a-piston-rod-and-its-flywheel = Máquina a vapor com haste de pistão, e o seu volante
-printed-with-a-rounded-obliquity-ours-is-4234-85-n-m = impresso com uma obliquidade arredondada; o nosso é 4234,85 N·m
-printed-with-a-rounded-obliquity-ours-is-16322-7-n = impresso com uma obliquidade arredondada; o nosso é 16322,7 N
-from-the-printed-torque-ours-is-122-29-rad-s = do torque impresso; o nosso é 122,29 rad/s²
+printed-with-a-rounded-obliquity-calculated-4234-85-n-m = impresso com uma obliquidade arredondada; calculado: 4234,85 N·m
+printed-with-a-rounded-obliquity-calculated-16322-7-n = impresso com uma obliquidade arredondada; calculado: 16322,7 N
+from-the-printed-torque-calculated-122-29-rad-s = do torque impresso; calculado: 122,29 rad/s²
 vertical-steam-engine-at-360-rpm = Máquina a vapor vertical a 360 rpm
-gas-and-inertia-nearly-cancel-two-terms-are-1-9-above-the-exact-motion-which-gives-2321-7-n-m = Gás e inércia quase se cancelam: os dois termos ficam 1,9 % acima do movimento exato, que dá 2321,7 N·m.
-printed-with-rounded-numbers-ours-is-2365-97-n-m = impresso com números arredondados; o nosso é 2365,97 N·m
+gas-and-inertia-nearly-cancel-the-two-term-formula-is-1-9-above-the-exact-motion-which-gives-2321-7-n = Gás e inércia quase se cancelam: a fórmula de dois termos fica 1,9 % acima do movimento exato, que dá 2321,7 N·m.
+printed-with-rounded-numbers-calculated-2365-97-n-m = impresso com números arredondados; calculado: 2365,97 N·m
 steam-engine-at-200-rpm = Máquina a vapor a 200 rpm
-printed-with-rounded-numbers-ours-is-60457-5-n = impresso com números arredondados; o nosso é 60457,5 N
-from-the-printed-effort-ours-is-12607-0-n-m = do esforço impresso; o nosso é 12607,0 N·m
+printed-with-rounded-numbers-calculated-60457-5-n = impresso com números arredondados; calculado: 60457,5 N
+from-the-printed-effort-calculated-12607-0-n-m = do esforço impresso; calculado: 12607,0 N·m
 inertia-force-of-a-heavy-connecting-rod = Força de inércia de uma biela pesada
 the-moment-of-inertia-is-not-given-and-not-needed = O momento de inércia não é dado nem necessário.
-by-klein-s-construction-drawn-to-scale-ours-is-350-96-m-s = pela construção de Klein, desenhada em escala; o nosso é 350,96 m/s²
-by-klein-s-construction-drawn-to-scale-ours-is-23-94-kn = pela construção de Klein, desenhada em escala; o nosso é 23,94 kN
+by-klein-s-construction-drawn-to-scale-calculated-350-96-m-s = pela construção de Klein, desenhada em escala; calculado: 350,96 m/s²
+by-klein-s-construction-drawn-to-scale-calculated-23-94-kn = pela construção de Klein, desenhada em escala; calculado: 23,94 kN
 torque-against-inertia-and-weight-of-a-horizontal-engine = Torque contra a inércia e o peso de um motor horizontal
-the-book-gives-the-torque-that-has-to-be-put-in-the-turning-moment-of-the-engine-is-its-opposite-the = O livro dá o torque que é preciso fornecer; o torque do motor é o oposto. A correção da biela está do mesmo lado que o resto; uma diferença em seu lugar daria 3719,7 N·m.
-printed-to-the-nearest-ten-ours-is-3840-5-n-m = impresso com arredondamento à dezena; o nosso é −3840,5 N·m
+the-book-gives-the-torque-that-must-be-supplied-the-turning-moment-of-the-engine-is-its-opposite-the = O livro dá o torque que é preciso fornecer; o torque do motor é o oposto. A correção da biela tem o mesmo sinal dos demais termos; subtraí-la daria 3719,7 N·m.
+printed-to-the-nearest-ten-calculated-3840-5-n-m = impresso com arredondamento à dezena; calculado: −3840,5 N·m
 force-on-the-crank-pin-of-a-vertical-engine = Força no pino da manivela de um motor vertical
-the-book-draws-its-components-are-read-off = O livro resolve por desenho; as suas componentes são lidas nele.
-read-off-a-drawing-ours-is-7-825-kn = lido em um desenho; o nosso é 7,825 kN
-n-7-55-kn-is-the-part-f-p-cos-of-the-effort-alone-the-lateral-force-takes-1-24-kn-from-it-and-the = 7,55 kN é só a parcela F_P cos θ do esforço. A força lateral tira dela 1,24 kN, e a força centrífuga da parcela da biela no pino da manivela, 3,51 kN: restam 2,81 kN, como também dão as equações de Newton e Euler do pistão e da biela.
-moments-of-the-rod-about-the-crank-pin-f-p-tan-2-16-kn-less-0-23-kn-for-the-correction-couple = Momentos da biela em relação ao pino da manivela: F_P tan φ = 2,16 kN, menos 0,23 kN do conjugado de correção.
-even-the-printed-components-8-03-and-7-55-kn-have-a-resultant-of-11-0-kn-those-of-the-equations-of = Mesmo as componentes impressas, 8,03 e 7,55 kN, têm uma resultante de 11,0 kN; as das equações do movimento, 7,82 e 2,81 kN, uma de 8,32 kN.
+the-book-solves-graphically-its-components-are-read-off-the-drawing = O livro resolve graficamente; as suas componentes são lidas no desenho.
+read-off-a-drawing-calculated-7-825-kn = lido em um desenho; calculado: 7,825 kN
+n-7-55-kn-is-only-the-component-f-p-cos-of-the-piston-effort-the-lateral-force-reduces-it-by-1-24-kn = 7,55 kN é só a componente F_P cos θ do esforço no pistão. A força lateral a reduz em 1,24 kN, e a força centrífuga da massa equivalente da biela no pino da manivela, em 3,51 kN: restam 2,81 kN, como também dão as equações de Newton e Euler do pistão e da biela.
+moments-of-the-rod-about-the-crank-pin-f-p-tan-2-16-kn-less-0-23-kn-for-the-correction-couple = Momentos da biela em relação ao pino da manivela: F_P tan φ = 2,16 kN, menos 0,23 kN do binário de correção.
+even-the-printed-components-8-03-and-7-55-kn-have-a-resultant-of-11-0-kn-those-from-the-equations-of = Mesmo as componentes impressas, 8,03 e 7,55 kN, têm uma resultante de 11,0 kN; as das equações do movimento, 7,82 e 2,81 kN, dão 8,32 kN.
 inertia-torque-of-an-engine-in-pounds-and-feet = Torque de inércia de um motor em libras e pés
-printed-with-g-32-2-ft-s-and-the-approximate-arm-r-sin-sin-2-2n-ours-is-2153-5-lbf-ft = impresso com g = 32,2 ft/s² e o braço aproximado r (sen θ + sen 2θ/(2n)); o nosso é −2153,5 lbf·ft
-the-two-masses-have-500-lb-41-19-25-in-too-much-inertia-with-sin-40-5-and-cos-40-25-sin-40-the-moment = As duas massas têm 500 lb × (41 × 19 − 25²) in² de inércia a mais; com φ̈ = −ω² sen 40°/5 e φ′ = cos 40°/√(25 − sen² 40°) o conjugado é −52 lbf·ft. −1,3 vem de 40° convertidos duas vezes em radianos.
+printed-with-g-32-2-ft-s-and-the-approximate-arm-r-sin-sin-2-2n-calculated-2153-5-lbf-ft = impresso com g = 32,2 ft/s² e o braço aproximado r (sen θ + sen 2θ/(2n)); calculado: −2153,5 lbf·ft
+the-two-masses-have-500-lb-41-19-25-in-of-excess-inertia-with-sin-40-5-and-cos-40-25-sin-40-the = As duas massas têm 500 lb × (41 × 19 − 25²) in² de inércia a mais; com φ̈ = −ω² sen 40°/5 e φ′ = cos 40°/√(25 − sen² 40°) o momento é −52 lbf·ft. −1,3 resulta de converter 40° em radianos duas vezes.
 n-500-lbf-41-60-1-ft-cos-40-261-7-lbf-ft-341-6-is-that-product-without-the-cosine-the-cosine-was = 500 lbf × 41/60 × 1 ft × cos 40° = 261,7 lbf·ft. 341,6 é esse produto sem o cosseno: o cosseno foi tomado de 40° convertidos duas vezes em radianos.
-the-sum-holds-the-two-moments-above-2153-52-262-2467-lbf-ft = A soma contém os dois momentos acima: −2153 − 52 − 262 = −2467 lbf·ft.
+the-sum-includes-the-two-moments-above-2153-52-262-2467-lbf-ft = A soma inclui os dois momentos acima: −2153 − 52 − 262 = −2467 lbf·ft.
 engine-at-314-rad-s-with-a-heavy-rod = Motor a 314 rad/s com biela pesada
 course-notes-on-dynamics-of-machinery-in-turkish-example-9-as-quoted-in-a-public-collection-of-tests = Notas de aula de dinâmica das máquinas (em turco), exemplo 9, citadas em uma coleção pública de testes
-from-a-velocity-polygon-ours-is-41-05-rad-s = de um polígono de velocidades; o nosso é 41,05 rad/s
-printed-with-rounded-intermediate-numbers-ours-is-196-64-n-m = impresso com números intermediários arredondados; o nosso é 196,64 N·m
+from-a-velocity-polygon-calculated-41-05-rad-s = de um polígono de velocidades; calculado: 41,05 rad/s
+printed-with-rounded-intermediate-numbers-calculated-196-64-n-m = impresso com números intermediários arredondados; calculado: 196,64 N·m
 the-course-s-slider-crank-with-a-motion-that-closes-its-loop = O cursor-manivela da disciplina com um movimento que fecha a malha
-riul-unit-ii-example-1-with-r-150-mm-and-l-200-mm-equations-of-newton-and-euler-of-another-program = Riul, Unidade II, exemplo 1, com r = 150 mm e l = 200 mm; equações de Newton e Euler de outro programa
+riul-unit-ii-example-1-with-r-150-mm-and-l-200-mm-newton-euler-equations-of-another-program = Riul, Unidade II, exemplo 1, com r = 150 mm e l = 200 mm; equações de Newton–Euler de outro programa
 n-5000-n-pull-the-slider-away-from-the-crank-so-that-the-engine-has-to-be-driven = 5000 N puxam o cursor para longe da manivela, de modo que o motor tem de ser acionado.
 four-stroke-engine-with-an-indicator-diagram = Motor de quatro tempos com diagrama indicador
-an-indicator-diagram-of-a-small-petrol-engine-equations-of-newton-and-euler-in-a-second-way = um diagrama indicador de um pequeno motor a gasolina; equações de Newton e Euler como segundo método
+an-indicator-diagram-of-a-small-petrol-engine-newton-euler-equations-as-a-second-method = um diagrama indicador de um pequeno motor a gasolina; equações de Newton–Euler como segundo método
 an-inclined-engine-with-offset-and-a-diagram-over-the-stroke = Motor inclinado com excentricidade e diagrama sobre o curso
 an-indicator-diagram-that-is-a-rectangle-the-mean-effective-pressure-is-its-height = um diagrama indicador retangular: a pressão média efetiva é a sua altura
-n-6-bar-on-the-way-out-and-1-bar-on-the-way-back-over-a-stroke-of-l-r-e-l-r-e = 6 bar na ida e 1 bar na volta, em um curso de √((l + r)² − e²) − √((l − r)² − e²).
+n-6-bar-on-the-outward-stroke-and-1-bar-on-the-return-with-a-stroke-of-l-r-e-l-r-e = 6 bar na ida e 1 bar na volta, com um curso de √((l + r)² − e²) − √((l − r)² − e²).
 sixteen-orders-of-the-motion = Dezesseis ordens do movimento
-fourier-series-of-the-exact-motion-beyond-the-sixteenth-order-less-than-a-millionth-is-left = série de Fourier do movimento exato: além da décima sexta ordem resta menos de um milionésimo
+fourier-series-of-the-exact-motion-the-remainder-beyond-the-sixteenth-order-is-below-one-millionth = série de Fourier do movimento exato: o resto além da décima sexta ordem é menor que um milionésimo
 r-0-15-m-n-4-450-rpm-and-60-as-above-with-the-exact-motion = r = 0,15 m, n = 4, 450 rpm e 60°, como acima com o movimento exato.
 a-crank-that-gathers-speed = Manivela que ganha velocidade
-equations-of-newton-and-euler-in-a-second-way = equações de Newton e Euler como segundo método
+newton-euler-equations-as-a-second-method = equações de Newton–Euler como segundo método
 the-force-that-gives-this-engine-its-moment = A força que dá a este motor o seu torque
 the-engine-above-from-its-turning-moment-back-to-the-900-n = o motor acima, do seu torque de volta aos 900 N
 polytropic-expansion-with-clearance = Expansão politrópica com folga
 closed-form-p-m-p-a-k-1-1-1-p-b = forma fechada: p_m = p_a [ε + (ε + κ)/(k − 1) (1 − ((ε + κ)/(1 + κ))ᵏ⁻¹)] − p_b
 a-dead-centre = Ponto morto
-no-force-on-the-piston-has-an-arm-about-the-crankshaft = nenhuma força no pistão tem braço em relação ao eixo da manivela
+no-force-on-the-piston-has-a-moment-arm-about-the-crankshaft = nenhuma força no pistão tem braço de alavanca em relação ao eixo da manivela
 a-crank-of-100-mm-and-a-rod-of-100-mm = uma manivela de 100 mm e uma biela de 100 mm
 a-given-acceleration-and-a-rod-with-mass = Aceleração dada e biela com massa
 the-motion-of-the-rod-is-not-known = o movimento da biela não é conhecido
 
 # epicyclic_train.toml
 ring-with-outside-teeth-driven-by-a-pinion = Coroa com dentes externos movida por um pinhão
-sun-of-31-teeth-fixed-ring-of-83-teeth-inside-and-90-outside-driven-by-a-pinion-of-25-the-arm-is = Sol de 31 dentes, fixo; coroa de 83 dentes internos e 90 externos, movida por um pinhão de 25; o braço é movido. 10 lbf·ft no pinhão; a carga atua no braço no mesmo sentido em que gira o pinhão, pois braço e coroa giram no sentido contrário.
+sun-of-31-teeth-fixed-ring-of-83-internal-and-90-external-teeth-driven-by-a-pinion-of-25-the-arm-is = Sol de 31 dentes, fixo; coroa de 83 dentes internos e 90 externos, movida por um pinhão de 25; o braço é movido. 10 lbf·ft no pinhão; a carga atua no braço no mesmo sentido em que gira o pinhão, pois braço e coroa giram no sentido contrário.
 the-same-train-to-more-digits = O mesmo trem com mais algarismos
 n-10-90-25-83-31-83 = 10·(90/25)·(83 + 31)/83
 fixed-ring-driving-sun = Coroa fixa, sol motor
@@ -1938,7 +1981,7 @@ r-s-z-s-z-2-z-1-z-r-20-30-40-90 = ω_R/ω_S = −z_S z_2/(z_1 z_R) = −20·30/(
 a-fixed-member-cannot-drive = Um membro fixo não pode ser motor
 two-different-members-are-needed = são necessários dois membros diferentes
 suns-that-hold-each-other = Sóis que se travam
-e-1-both-suns-turn-alike = e = 1: os dois sóis giram igual
+e-1-both-suns-have-the-same-speed = e = 1: os dois sóis têm a mesma velocidade
 fixed-sun-driving-arm = Sol fixo, braço motor
 r-a-1-z-s-z-r-1-40-80-t-r-t-a-1-5-the-sun-is-held-by-the-rest = ω_R/ω_A = 1 + z_S/z_R = 1 + 40/80; T_R = −T_A/1,5, e o sol é retido pelo restante
 
@@ -1948,7 +1991,7 @@ a-uniform-bar-of-10-kg-and-1-5-m-on-a-pin-a-cord-from-its-tip-over-a-small-pulle
 the-book-rounds-the-mass-of-the-block-before-it-goes-on = o livro arredonda a massa do bloco antes de prosseguir
 weight-on-a-disc-with-a-spring = Peso em um disco com mola
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-sample-problem-10-4 = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, problema resolvido 10.4
-n-10-kg-on-an-arm-of-300-mm-a-spring-of-4-kn-m-on-a-cord-wrapped-at-80-mm-unstretched-with-the-weight = 10 kg em um braço de 300 mm, uma mola de 4 kN/m em um cabo enrolado a 80 mm, sem alongamento com o peso na vertical, para cima; a mola é a mola de torção equivalente k a² = 25,6 N·m/rad. Os dois equilíbrios do livro.
+n-10-kg-on-an-arm-of-300-mm-a-spring-of-4-kn-m-on-a-cord-wrapped-at-80-mm-unstretched-with-the-weight = 10 kg em um braço de 300 mm, uma mola de 4 kN/m em um cabo enrolado a 80 mm, sem deformação com o peso na vertical acima do pivô; a mola é dada como a mola de torção equivalente k a² = 25,6 N·m/rad. Os dois equilíbrios do livro.
 three-bars-hung-in-a-chain = Três barras suspensas em cadeia
 three-equal-bars-of-60-lb-90-lb-pulling-sideways-at-the-free-end-tan-90-150-90-90-90-30-from-the = Três barras iguais de 60 lb, 90 lb puxando de lado na extremidade livre: tan θ = 90/150, 90/90, 90/30 a partir da vertical; aqui a partir da horizontal, portanto 90° menos.
 two-bar-linkage-pushed-at-its-sliding-end = Duas barras articuladas empurradas na extremidade deslizante
@@ -1956,14 +1999,14 @@ two-uniform-bars-of-10-kg-and-1-m-one-on-a-pin-the-other-with-a-sliding-end-that
 the-book-rounds-to-a-tenth-of-a-degree = o livro arredonda a um décimo de grau
 inverted-bar-between-two-springs-just-stiff-enough = Barra invertida entre duas molas de rigidez apenas suficiente
 k-p-l-2-a = k = P l/(2 a²)
-a-weight-of-200-n-at-900-mm-on-a-pin-springs-at-500-mm-on-both-sides-360-n-m-each-is-critical-with = Um peso de 200 N a 900 mm de uma articulação, molas a 500 mm dos dois lados: 360 N/m em cada uma é o valor crítico. Com 361 N/m a posição vertical para cima é estável e outras duas, onde cos φ = P l/(2 k a²), não são; V″ = 2 k a² − P l = 0,5 N·m/rad na primeira ordem das molas longas.
-the-springs-are-long-but-not-endless = as molas são longas, mas não infinitas
+a-weight-of-200-n-at-900-mm-on-a-pin-springs-at-500-mm-on-both-sides-360-n-m-each-is-critical-with = Um peso de 200 N a 900 mm de uma articulação, molas a 500 mm dos dois lados: 360 N/m em cada uma é o valor crítico. Com 361 N/m a posição vertical (invertida) é estável e outras duas, onde cos φ = P l/(2 k a²), não são; V″ = 2 k a² − P l = 0,5 N·m/rad na primeira ordem das molas longas.
+the-springs-are-long-but-not-infinite = as molas são longas, mas não infinitas
 a-weight-that-only-falls = Peso que só cai
-a-pendulum-away-from-its-two-places-of-rest = Um pêndulo longe das suas duas posições de repouso
+a-pendulum-away-from-its-two-equilibrium-positions = Um pêndulo longe das suas duas posições de equilíbrio
 
 # equivalent_rod.toml
 rod-with-its-centre-of-mass-near-the-gudgeon-pin = Biela com o centro de massa perto do pino do pistão
-the-masses-are-printed-to-a-tenth-of-a-kilogram-the-correction-couple-is-that-of-masses-in-the-two = As massas estão impressas até o décimo de quilograma. O conjugado de correção é o de massas nos dois pinos; atua no sentido da aceleração angular, pois essas massas têm inércia a mais.
+the-masses-are-printed-to-a-tenth-of-a-kilogram-the-correction-couple-is-that-of-masses-at-the-two = As massas estão impressas até o décimo de quilograma. O binário de correção é o de massas nos dois pinos; atua no sentido da aceleração angular, pois essas massas têm inércia a mais.
 a-uniform-rod = Biela uniforme
 k-l-12-and-a-l-2-in-the-formulas = k² = l²/12 e a = l/2 nas fórmulas
 a-quarter-of-the-mass-at-the-end-three-quarters-at-l-6-beyond-the-middle-b-l-6-m-m-4-m-3m-4-masses-m = Um quarto da massa na extremidade, três quartos a l/6 além do meio: b′ = l/6, m₁ = m/4, m₂ = 3m/4; massas m/2 nos pinos têm m l²/4, m l²/6 a mais.
@@ -1976,15 +2019,15 @@ a-distance-above-the-length-of-the-rod = uma distância maior que o comprimento 
 
 # five_bar.toml
 two-cranks-hold-a-force-at-the-apex = Duas manivelas sustentam uma força no vértice
-t-j-f-with-the-displacements-of-the-apex-by-each-crank-the-torques-of-the-mechanism-put-together-were = T = −Jᵀ F com os deslocamentos do vértice por cada manivela; os torques do mecanismo montado peça a peça foram os mesmos
+t-j-f-with-the-displacements-of-the-apex-by-each-crank-the-torques-of-the-assembled-mechanism-were = T = −Jᵀ F com os deslocamentos do vértice por cada manivela; os torques do mecanismo montado peça a peça foram os mesmos
 links-50-120-120-and-50-mm-pivots-100-mm-apart-cranks-at-75-and-120-100-n-up-and-40-n-to-the-right = Barras de 50, 120, 120 e 50 mm, pivôs distantes 100 mm, manivelas a 75° e 120°; 100 N para cima e 40 N para a direita.
 geared-cranks = Manivelas engrenadas
 equal-gears-on-the-pivots-70-and-110-virtual-work-and-finite-differences-of-the-height-of-the-apex = Engrenagens iguais nos pivôs, 70° e 110°: trabalho virtual, e diferenças finitas da altura do vértice
-n-100-n-up-at-the-apex-the-linkage-is-symmetric-so-the-apex-moves-straight-up-and-down = 100 N para cima no vértice; o mecanismo é simétrico, e o vértice se move na vertical.
+n-100-n-up-at-the-apex-the-linkage-is-symmetric-so-the-apex-moves-vertically = 100 N para cima no vértice; o mecanismo é simétrico, e o vértice se move na vertical.
 force-from-the-two-torques = Força a partir dos dois torques
-the-torques-of-the-first-case-give-its-force-back = os torques do primeiro caso devolvem a sua força
+the-torques-of-the-first-case-reproduce-its-force = os torques do primeiro caso reproduzem a sua força
 rhombus-standing-on-its-pivots = Losango apoiado nos seus pivôs
-cranks-upright-rods-at-60-each-rod-carries-f-2-sin-60-with-the-lever-arm-a-cos-60-t-f-a-2-tan-60 = Manivelas na vertical, bielas a 60°: cada biela suporta F/(2 sen 60°) com o braço de alavanca a cos 60°: T = ∓F a/(2 tan 60°)
+cranks-vertical-rods-at-60-each-rod-carries-f-2-sin-60-with-the-lever-arm-a-cos-60-t-f-a-2-tan-60 = Manivelas na vertical, bielas a 60°: cada biela suporta F/(2 sen 60°) com o braço de alavanca a cos 60°: T = ∓F a/(2 tan 60°)
 force-of-a-geared-linkage = Força de um mecanismo engrenado
 one-equation-for-two-components = uma equação para duas componentes
 rods-too-short = Bielas curtas demais
@@ -2009,7 +2052,7 @@ an-order-of-0-3 = uma ordem de 0,3
 # four_bar.toml
 coupler-and-rocker-with-masses-at-95-rad-s = Acoplador e balancim com massas a 95 rad/s
 dynamics-of-machines-turkish-lecture-notes-example-7-the-answers-are-known-from-a-program-that-quotes = Dinâmica das máquinas, notas de aula em turco, exemplo 7 (as respostas são conhecidas por um programa que as cita)
-frame-100-mm-crank-50-mm-coupler-151-mm-rocker-111-mm-at-120-steady-95-rad-s-the-notes-print = Base de 100 mm, manivela de 50 mm, acoplador de 151 mm, balancim de 111 mm a 120°, 95 rad/s constantes. As notas de aula imprimem módulos e resolvem por desenho: velocidades e acelerações desviam de 1 a 3 %, o torque 0,5 %.
+frame-100-mm-crank-50-mm-coupler-151-mm-rocker-111-mm-at-120-steady-95-rad-s-the-notes-print = Base de 100 mm, manivela de 50 mm, acoplador de 151 mm, balancim de 111 mm a 120°, 95 rad/s constantes. As notas de aula imprimem módulos e resolvem graficamente: velocidades e acelerações desviam de 1 a 3 %, o torque 0,5 %.
 the-notes-read-the-velocities-off-a-drawing = as notas de aula leem as velocidades em um desenho
 the-notes-read-the-accelerations-off-a-drawing = as notas de aula leem as acelerações em um desenho
 the-notes-compute-with-accelerations-read-off-a-drawing = as notas de aula calculam com acelerações lidas em um desenho
@@ -2017,22 +2060,22 @@ the-same-linkage-to-more-digits = O mesmo mecanismo com mais algarismos
 dynamics-of-machines-turkish-lecture-notes-example-7-virtual-power-and-the-equations-of-newton-and = Dinâmica das máquinas, notas de aula em turco, exemplo 7: potência virtual e as equações de Newton e Euler
 mechanical-advantage-of-a-crank-rocker = Vantagem mecânica de uma manivela-balancim
 t-4-t-2-2-4-with-the-ratio-of-the-speeds-from-instant-centre-24 = T_4 = T_2 ω_2/ω_4, com a razão das velocidades pelo centro instantâneo 24
-n-10-n-m-on-the-crank-the-torque-on-the-rocker-that-balances-it-turns-the-other-way = 10 N·m na manivela; o torque no balancim que o equilibra gira no sentido contrário.
+n-10-n-m-on-the-crank-the-torque-on-the-rocker-that-balances-it-acts-in-the-opposite-sense = 10 N·m na manivela; o torque no balancim que o equilibra atua no sentido contrário.
 velocity-of-the-coupler = Velocidade do acoplador
 ab-300-mm-at-100-rpm-bc-cd-360-mm-ad-600-mm-angle-bad-60-the-book-measures-the-distance-to-the = AB = 300 mm a 100 rpm, BC = CD = 360 mm, AD = 600 mm, ângulo BAD = 60°. O livro mede em um desenho a distância ao centro instantâneo, 500 mm, e imprime o módulo.
 the-book-takes-the-distance-to-the-instant-centre-from-a-drawing = o livro toma de um desenho a distância ao centro instantâneo
 parallelogram-with-a-force-on-its-coupler = Paralelogramo com uma força no acoplador
-a-c-b-d-the-coupler-keeps-its-angle-every-point-of-it-moves-as-the-crank-pin-t-f-a-cos = a = c, b = d: o acoplador conserva o seu ângulo, e todos os seus pontos se movem como o pino da manivela; T = F a cos θ
+a-c-b-d-the-coupler-keeps-its-angle-and-all-its-points-move-like-the-crank-pin-t-f-a-cos = a = c, b = d: o acoplador conserva o seu ângulo, e todos os seus pontos se movem como o pino da manivela; T = F a cos θ
 crossed-closing-of-the-crank-rocker = Fechamento cruzado da manivela-balancim
 t-4-t-2-h-4-with-h-4-a-sin-2-3-c-sin-4-3-on-the-crossed-branch = T_4 = T_2/h_4 com h_4 = a sen(θ_2 − θ_3)/(c sen(θ_4 − θ_3)) no ramo cruzado
 a-double-rocker-comes-to-its-end = Um duplo balancim chega ao seu limite
-cos-a-d-b-c-2-a-d-where-coupler-and-rocker-stretch-out = cos θ = (a² + d² − (b + c)²)/(2 a d) onde acoplador e balancim se esticam
+cos-a-d-b-c-2-a-d-where-coupler-and-rocker-are-extended-and-collinear = cos θ = (a² + d² − (b + c)²)/(2 a d) onde acoplador e balancim estão estendidos e colineares
 weights-of-uniform-bars = Pesos de barras uniformes
 parallelogram-centres-of-crank-and-rocker-rise-by-a-2-cos-that-of-the-coupler-by-a-cos-t-2-2-3-2-2-g = Paralelogramo: os centros de manivela e balancim sobem (a/2) cos θ δθ, o do acoplador a cos θ δθ: T = (2/2 + 3 + 2/2) g a cos θ
 links-that-do-not-reach = Barras que não se alcançam
-from-a-to-c-are-0-5-0-1-0-4-m-coupler-and-rocker-span-0-2-m = de A a C são 0,5 − 0,1 = 0,4 m; acoplador e balancim alcançam 0,2 m
+the-distance-from-a-to-c-is-0-5-0-1-0-4-m-coupler-and-rocker-span-0-2-m = a distância de A a C é 0,5 − 0,1 = 0,4 m; acoplador e balancim alcançam 0,2 m
 coupler-and-rocker-in-one-line = Acoplador e balancim alinhados
-n-3-4-5-at-90-the-way-from-a-to-c-is-500-mm-the-links-are-200-mm-and-300-mm = 3-4-5: em θ = 90° de A a C são 500 mm, as barras têm 200 mm e 300 mm
+n-3-4-5-at-90-ac-is-500-mm-the-links-are-200-mm-and-300-mm = 3-4-5: em θ = 90° AC mede 500 mm, as barras têm 200 mm e 300 mm
 
 # guided_bar.toml
 bar-with-a-horizontal-spring = Barra com mola horizontal
@@ -2044,11 +2087,11 @@ ladder-held-at-its-foot = Escada mantida pelo pé
 f-w-tan-on-a-smooth-floor-and-wall = F = ½ W tan θ em piso e parede lisos
 collars-pressed-by-a-vertical-force = Cursores pressionados por uma força vertical
 p-l-sin-k-l-cos-cos-sin-p-k-l-cos-cos = P L sen θ = k L² (cos θ₀ − cos θ) sen θ: P = k L (cos θ₀ − cos θ)
-the-spring-between-a-and-the-corner-is-unstretched-with-the-bar-upright-and-pressed-as-a-comes-down = A mola entre A e o canto não está deformada com a barra na vertical, e é comprimida quando A desce.
+the-spring-between-a-and-the-corner-is-unstretched-with-the-bar-vertical-and-compressed-as-a-moves = A mola entre A e o canto não está deformada com a barra na vertical, e é comprimida quando A desce.
 upright-bar-on-a-spring = Barra na vertical sobre uma mola
-v-0-at-0-for-f-0-the-bar-stands-for-k-l-m-g-l-2-with-the-horizontal-spring-at-b = V″ = 0 em θ = 0 para F = 0: a barra fica em pé para k L² > m g L/2 com a mola horizontal em B
+v-0-at-0-for-f-0-the-vertical-bar-is-stable-for-k-l-m-g-l-2-with-the-horizontal-spring-at-b = V″ = 0 em θ = 0 para F = 0: a barra na vertical é estável para k L² > m g L/2 com a mola horizontal em B
 a-bar-along-its-guide-tells-no-force-at-a = Barra ao longo da sua guia não determina força em A
-at-0-the-point-a-stands-still = Em θ = 0 o ponto A fica parado
+at-0-the-point-a-has-no-virtual-displacement = Em θ = 0 o ponto A não tem deslocamento virtual
 
 # hanging_chain.toml
 chain-of-three-bars = Cadeia de três barras
@@ -2056,7 +2099,7 @@ three-equal-bars-of-60-lbf-each-pulled-with-90-lbf-at-the-free-end-the-weight-is
 force-that-holds-the-second-bar-at-45 = Força que mantém a segunda barra a 45°
 f-w-2-w-tan = F = (W₂/2 + W₃) tan θ₂
 weight-at-the-end-of-a-light-chain = Peso na ponta de uma cadeia leve
-without-weight-of-their-own-all-bars-lie-along-the-resultant-of-q-and-f = Sem peso próprio, todas as barras ficam ao longo da resultante de Q e F
+without-self-weight-all-bars-lie-along-the-resultant-of-q-and-f = Sem peso próprio, todas as barras ficam ao longo da resultante de Q e F
 a-bar-that-nothing-pulls-at = Barra sem nada que a puxe
 without-loads-every-angle-is-an-equilibrium = Sem cargas, todo ângulo é de equilíbrio
 
@@ -2066,37 +2109,37 @@ bars-at-45-1000-n-at-the-upper-hinges-of-the-first-and-the-second-square-x-b-p-q
 one-square-a-load-at-its-lower-hinge = Um quadrado, carga na articulação inferior
 a-load-below-pulls-the-supports-together-x-b-p-cot-2 = Uma carga embaixo puxa os apoios um para o outro: X_B = −P cot θ/2
 loads-above-and-below = Cargas em cima e embaixo
-equal-loads-at-the-upper-and-the-lower-hinge-of-a-square-press-along-the-line-not-at-all = Cargas iguais nas articulações superior e inferior de um quadrado em nada comprimem ao longo da linha
+equal-loads-at-the-upper-and-lower-hinges-of-a-square-produce-no-force-along-the-line = Cargas iguais nas articulações superior e inferior de um quadrado não produzem força ao longo da linha
 a-square-that-is-not-there = Quadrado inexistente
 three-squares = Três quadrados
 
 # mechanism.toml
 four-bar-linkage-with-massive-coupler-and-rocker = Mecanismo de quatro barras com acoplador e balancim com massa
 lecture-notes-on-the-dynamics-of-machinery-turkish-example-7 = Notas de aula de dinâmica das máquinas (em turco), exemplo 7
-the-targets-are-those-quoted-from-the-notes-they-print-the-sizes-the-drawn-senses-follow-from-the = Os valores de referência são os citados das notas de aula; elas imprimem os módulos, e os sentidos desenhados resultam da malha.
+the-reference-values-are-those-quoted-from-the-notes-which-print-the-magnitudes-the-drawn-senses = Os valores de referência são os citados das notas de aula; elas imprimem os módulos, e os sentidos desenhados resultam da malha.
 the-source-draws-the-velocities-and-accelerations-to-scale = A fonte desenha em escala as velocidades e acelerações.
 five-bar-linkage-with-two-drivers = Mecanismo de cinco barras com dois acionamentos
 two-holding-torques-equal-to-j-f-with-the-jacobian-of-the-apex = Dois torques de sustentação iguais a −Jᵀ F, com o jacobiano do vértice
 cranks-of-50-mm-on-pivots-100-mm-apart-at-75-and-120-rods-of-120-mm-40-n-to-the-right-and-100-n-up-at = Manivelas de 50 mm em pivôs distantes 100 mm, a 75° e 120°, bielas de 120 mm; 40 N para a direita e 100 N para cima no vértice.
 geared-five-bar-linkage = Mecanismo de cinco barras engrenado
-rise-of-the-apex-by-differences-t-f-dy-d = Subida do vértice por diferenças, T = −F dy/dθ
-equal-gears-on-the-two-pivots-one-outside-the-other-the-right-crank-turns-back-as-the-left-one-goes = Engrenagens iguais nos dois pivôs, engrenadas por fora: a manivela direita volta enquanto a esquerda avança. Desenhado com as manivelas a 70° e 110°.
-the-pans-keep-upright-so-only-their-rise-counts = Os pratos se mantêm na vertical, e só a sua subida conta
-beams-of-250-mm-arms-one-above-the-other-5-kg-lies-300-mm-outside-of-its-pan-s-joint-on-one-side-and = Barras com braços de 250 mm, uma acima da outra; 5 kg estão 300 mm para fora da junta do seu prato de um lado e 100 mm para dentro do outro. O mecanismo tem uma equação a mais do que precisa.
+rise-of-the-apex-by-finite-differences-t-f-dy-d = Subida do vértice por diferenças finitas, T = −F dy/dθ
+equal-gears-on-the-two-pivots-in-external-mesh-the-right-crank-rotates-opposite-to-the-left-one = Engrenagens iguais nos dois pivôs, em engrenamento externo: a manivela direita gira no sentido oposto ao da esquerda. Configuração inicial com as manivelas a 70° e 110°.
+the-pans-remain-upright-so-only-their-rise-matters = Os pratos permanecem na vertical, e só a sua subida importa
+beams-of-250-mm-arms-one-above-the-other-5-kg-lies-300-mm-outside-of-its-pan-s-joint-on-one-side-and = Barras com braços de 250 mm, uma acima da outra; 5 kg estão 300 mm para fora da junta do seu prato de um lado e 100 mm para dentro do outro. O mecanismo tem uma restrição redundante.
 compound-epicyclic-gear = Trem epicicloidal composto
-a-pinion-a-of-25-teeth-drives-the-outside-teeth-90-of-a-wheel-whose-inside-teeth-83-mesh-with-planets = Um pinhão A de 25 dentes aciona os dentes externos, 90, de uma roda cujos dentes internos, 83, engrenam com satélites em torno de um sol fixo de 31; o braço F é a saída. Sem perdas. Os satélites têm (83 − 31)/2 = 26 dentes; os raios estão em mm, meio milímetro por dente.
+a-pinion-a-of-25-teeth-drives-the-external-teeth-90-of-a-gear-whose-internal-teeth-83-mesh-with = Um pinhão A de 25 dentes aciona os dentes externos (90) de uma engrenagem cujos dentes internos (83) engrenam com planetas em torno de uma solar fixa de 31; o braço F é a saída. Sem perdas. Os planetas têm (83 − 31)/2 = 26 dentes; os raios estão em mm, meio milímetro por dente.
 disc-rolled-by-a-crank-against-spring-and-damper = Disco rolado por uma manivela contra mola e amortecedor
 virtual-power-and-newton-euler-equations-of-another-program = Potência virtual e equações de Newton–Euler de outro programa
-across-the-plane-the-block-is-held-by-n-w-cos-cos-20-with-tan-0-25 = Transversalmente ao plano, o bloco é sustentado por N = W cos φ/cos(20° + φ), com tan φ = 0,25.
-disc-of-4-kg-and-radius-150-mm-drawn-through-its-centre-by-a-crank-of-60-mm-and-a-rod-of-200-mm-at-8 = Disco de 4 kg e 150 mm de raio, movido pelo centro por uma manivela de 60 mm e uma biela de 200 mm a 8 rad/s; mola de 800 N/m, com 100 mm de comprimento livre, e amortecedor de 25 N·s/m até uma parede 200 mm atrás do mancal da manivela. O atrito no piso é o que o rolamento exerce em x.
+perpendicular-to-the-plane-the-block-is-supported-by-n-w-cos-cos-20-with-tan-0-25 = Transversalmente ao plano, o bloco é sustentado por N = W cos φ/cos(20° + φ), com tan φ = 0,25.
+disc-of-4-kg-and-radius-150-mm-driven-at-its-centre-by-a-crank-of-60-mm-and-a-rod-of-200-mm-at-8-rad = Disco de 4 kg e 150 mm de raio, movido pelo centro por uma manivela de 60 mm e uma biela de 200 mm a 8 rad/s; mola de 800 N/m, com 100 mm de comprimento livre, e amortecedor de 25 N·s/m até uma parede 200 mm atrás do mancal da manivela. O atrito no piso é a componente em x da força de contato do rolamento.
 block-pushed-up-a-rough-plane = Bloco empurrado para cima em um plano rugoso
 p-w-tan-20-arctan-0-25 = P = W tan(20° + arctan 0,25)
 bar-held-by-a-weight-over-a-pulley = Barra mantida por um peso sobre uma polia
-a-uniform-bar-of-10-kg-and-1-5-m-pinned-at-its-lower-end-a-cord-from-its-tip-goes-over-a-small-pulley = Uma barra uniforme de 10 kg e 1,5 m, articulada na extremidade inferior; um cabo da sua ponta passa por uma pequena polia 1,2 m acima da articulação até um bloco suspenso. A massa de 6,53 kg que o livro encontra a equilibra a 20°, até os algarismos impressos: o cabo é desenhado como uma haste de dois trechos, e o bloco desliza em uma linha vertical.
+a-uniform-bar-of-10-kg-and-1-5-m-pinned-at-its-lower-end-a-cord-from-its-tip-goes-over-a-small-pulley = Uma barra uniforme de 10 kg e 1,5 m, articulada na extremidade inferior; um cabo da sua ponta passa por uma pequena polia 1,2 m acima da articulação até um bloco suspenso. A massa de 6,53 kg que o livro encontra a equilibra a 20°, até os algarismos impressos: o cabo é modelado como uma haste de dois trechos, e o bloco desliza em uma linha vertical.
 cam-with-a-harmonic-lift-of-ten-points = Came com levantamento harmônico de dez pontos
 force-of-a-weight-on-a-cam-t-w-ds-d-of-the-spline-through-the-points = Força de um peso em uma came, T = W ds/dθ da spline pelos pontos
-ten-points-of-s-20-mm-1-cos-2-at-90-the-spline-has-the-slope-10-mm-rad-to-its-own-accuracy = Dez pontos de s = 20 mm (1 − cos θ)/2; a 90° a spline tem a inclinação de 10 mm/rad dentro da sua própria precisão.
-the-spline-through-ten-points-has-the-slope-of-the-cosine-to-some-parts-in-a-thousand = a spline pelos dez pontos tem a inclinação do cosseno a menos de alguns milésimos
+ten-points-of-s-20-mm-1-cos-2-at-90-the-slope-of-the-spline-is-10-mm-rad-to-within-its-own-accuracy = Dez pontos de s = 20 mm (1 − cos θ)/2; a 90° a spline tem a inclinação de 10 mm/rad dentro da sua própria precisão.
+the-spline-through-ten-points-reproduces-the-slope-of-the-cosine-to-a-few-parts-in-a-thousand = a spline pelos dez pontos reproduz a inclinação do cosseno a menos de alguns milésimos
 a-linkage-without-a-driver = Mecanismo sem acionamento
 a-linkage-that-is-free-to-move = Um mecanismo livre para se mover
 links-too-short-to-meet = Barras curtas demais para se encontrarem
@@ -2107,12 +2150,12 @@ crank-and-rod-in-line = Manivela e biela alinhadas
 # motion.toml
 andrews-squeezing-mechanism = Mecanismo espremedor de Andrews
 e-hairer-g-wanner-solving-ordinary-differential-equations-ii-vii-7-with-the-reference-of-the-test-set = E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, §VII.7, com a referência do conjunto de testes para programas de problemas de valor inicial
-seven-bodies-in-three-loops-at-rest-a-spring-and-a-motor-of-0-033-n-m-the-source-has-the-angle-of-the = Sete corpos em três malhas, em repouso, uma mola e um motor de 0,033 N m. A fonte traz o ângulo da biela em relação à manivela: aqui estão as somas. Os seus multiplicadores pertencem à primeira junta; os seus sinais são os da força sobre o segundo ponto dela.
+seven-bodies-in-three-loops-at-rest-a-spring-and-a-motor-of-0-033-n-m-the-source-gives-the-angle-of = Sete corpos em três malhas, em repouso, uma mola e um motor de 0,033 N m. A fonte traz o ângulo da biela em relação à manivela: aqui estão as somas. Os seus multiplicadores pertencem à primeira junta; os seus sinais são os da força sobre o segundo ponto dela.
 simple-pendulum-from-the-horizontal-ten-seconds = Pêndulo simples a partir da horizontal, dez segundos
 problem-a01-of-the-iftomm-library-of-computational-benchmark-problems-exact-by-elliptic-functions = Problema A01 da biblioteca da IFToMM de problemas de referência computacionais; exato por funções elípticas
 x-sin-y-cos-with-sin-2-k-sn-k-k-t-g-l-k-sin-45 = x = −sen α, y = −cos α com sen(α/2) = k sn(K(k) − t √(g/L)), k = sen 45°.
 pendulum-until-it-hangs = Pêndulo até a posição pendente
-a-quarter-of-the-period-of-a-pendulum-that-swings-by-90-and-its-fall = Um quarto do período de um pêndulo que oscila 90°, e a sua queda
+quarter-period-of-a-pendulum-with-an-amplitude-of-90-and-its-fall = Um quarto do período de um pêndulo com amplitude de 90°, e a sua queda
 t-4-k-sin-45-l-g-and-v-2-g-l-for-1-m-and-9-81-m-s = T/4 = K(sen 45°) √(L/g) e v = √(2 g L), para 1 m e 9,81 m/s².
 disc-that-rolls-down-a-plane-of-30 = Disco que desce rolando um plano de 30°
 a-2-3-g-sin-30-for-a-uniform-disc-that-rolls-without-slip = a = (2/3) g sen 30° para um disco uniforme que rola sem escorregar
@@ -2122,54 +2165,54 @@ sin-t-with-i = θ = (ω₀/ωₙ) sen ωₙ t com ωₙ² = κ/I
 n-32-n-m-rad-and-i-0-23-3-0-3-0-5-kg-m-8-rad-s-4-rad-s-for-one-second = κ = 32 N m/rad e I = 0,23 + 3·0,3² = 0,5 kg m²: ωₙ = 8 rad/s, ω₀ = 4 rad/s, durante um segundo.
 ansys-mechanical-apdl-verification-manual-vm73-after-f-s-tse-i-e-morse-r-t-hinkle-mechanical = Manual de verificação do ANSYS Mechanical APDL, VM73, conforme F. S. Tse, I. E. Morse, R. T. Hinkle, Mechanical Vibrations, p. 175
 block-on-a-slope-below-the-angle-of-friction = Bloco em um plano inclinado abaixo do ângulo de atrito
-at-rest-the-pin-carries-a-vertical-force-alone-its-friction-is-a-part-of-the-balance-that-gives-it = Em repouso o pino transmite apenas uma força vertical; o seu atrito faz parte do equilíbrio que a determina.
+at-rest-the-pin-carries-only-a-vertical-force-its-friction-is-part-of-the-equilibrium-that-determines = Em repouso o pino transmite apenas uma força vertical; o seu atrito faz parte do equilíbrio que a determina.
 bar-let-go-on-a-rough-pin = Barra solta em um pino com atrito
 i-g-m-l-m-g-l-r-n-with-n-m-g-l = (I_G + m L²) α = m g L − μ r N com N = m (g − α L)
 block-thrown-up-a-slope-comes-back = Bloco lançado plano acima que volta
-half-a-period-of-a-mass-with-dry-friction-the-amplitude-falls-by-2-m-g-k = Meio período de uma massa com atrito seco: a amplitude cai de 2 μ m g/k
-it-rests-as-long-as-tan-the-friction-is-m-g-sin = Fica em repouso enquanto tan φ ≤ μ; o atrito é m g sen φ
+half-a-period-of-a-mass-with-dry-friction-the-amplitude-decreases-by-2-m-g-k = Meio período de uma massa com atrito seco: a amplitude diminui 2 μ m g/k
+it-remains-at-rest-as-long-as-tan-the-friction-is-m-g-sin = Permanece em repouso enquanto tan φ ≤ μ; o atrito é m g sen φ
 it-rises-for-v-g-sin-cos-and-falls-with-g-sin-cos = Sobe durante v/(g (sen φ + μ cos φ)) e desce com g (sen φ − μ cos φ)
 mass-of-10-lb-with-a-spring-and-dry-friction-pulled-by-an-inch = Massa de 10 lb com mola e atrito seco, puxada uma polegada
 mass-that-a-spring-throws-until-it-first-rests = Massa lançada por uma mola, até o primeiro repouso
 spring-weaker-than-the-friction-until-the-block-first-rests = Mola mais fraca que o atrito, até o bloco parar pela primeira vez
-k-l-l-m-g-the-block-stays-where-it-is-put = k (L₀ − L) < μ m g: o bloco fica onde é posto
+k-l-l-m-g-the-block-remains-where-it-is-placed = k (L₀ − L) < μ m g: o bloco permanece onde é colocado
 k-l-l-4-07758-n-m-g-5-93117-n-a-block-that-never-moves-never-comes-to-rest = k (L₀ − L) = 4,07758 N, μ m g = 5,93117 N. Um bloco que nunca se move nunca para.
-the-friction-of-1-875-lbf-is-0-1875-of-the-weight-it-turns-once-at-0-0923-s-before-the-time-that-is = O atrito de 1,875 lbf é 0,1875 do peso. Ela inverte uma vez, em 0,0923 s, antes do instante pedido, 0,183 s.
-x-2-m-g-k-x-after-there-the-spring-is-weaker-than-the-friction-and-it-stays = x = 2 μ m g/k − X₀ após π/ωₙ; ali a mola é mais fraca que o atrito, e a massa fica.
+the-friction-of-1-875-lbf-is-0-1875-of-the-weight-the-motion-reverses-once-at-0-0923-s-before-the = O atrito de 1,875 lbf é 0,1875 do peso. O movimento se inverte uma vez, em 0,0923 s, antes do instante pedido, 0,183 s.
+x-2-m-g-k-x-after-there-the-spring-force-is-less-than-the-friction-and-the-mass-remains-at-rest = x = 2 μ m g/k − X₀ após π/ωₙ; ali a força da mola é menor que o atrito, e a massa fica em repouso.
 a-link-without-mass-falls = Uma peça sem massa cai
-nothing-that-moves-with-the-link-has-inertia = Nada do que se move com a peça tem inércia
+nothing-that-moves-with-the-link-has-inertia = Nada do que se move com o elo tem inércia
 
 # oscillating_cylinder.toml
 hydraulic-cylinder-that-holds-a-lever = Cilindro hidráulico que sustenta uma alavanca
 moments-about-the-bearing-f-c-d-w-r-cos-with-the-distance-d-of-the-bearing-from-the-line-of-the = Momentos em relação ao mancal: F_c d = W r cos θ, com a distância d do mancal à linha do cilindro
-lever-of-1-m-at-60-with-2-kn-at-its-end-cylinder-from-0-5-0-m-the-end-stands-straight-above-it-so-d-0 = Alavanca de 1 m a 60° com 2 kN na ponta; cilindro a partir de (0,5; 0) m: a ponta fica na vertical acima dele, logo d = 0,5 m e o cilindro suporta 2·cos 60°/0,5 = 2 kN.
+lever-of-1-m-at-60-with-2-kn-at-its-end-cylinder-from-0-5-0-m-the-end-is-vertically-above-it-so-d-0-5 = Alavanca de 1 m a 60° com 2 kN na ponta; cilindro a partir de (0,5; 0) m: a ponta fica na vertical acima dele, logo d = 0,5 m e o cilindro suporta 2·cos 60°/0,5 = 2 kN.
 swinging-cylinder-of-a-steam-engine = Cilindro oscilante de uma máquina a vapor
 t-p-a-r-d-sin-s-sign-with-the-pin-at-d-0-s-r-d-2-r-d-cos-and-s-r-d-s-sin = T = −p A r d sen θ/s × sinal: com o pino em (−d, 0), s² = r² + d² + 2 r d cos θ e δs = −(r d/s) sen θ δθ
 r-50-mm-d-200-mm-90-s-206-155-mm-u-s-48-507-mm-8-bar-on-60-mm-give-2261-95-n-under-pressure-the-crank = r = 50 mm, d = 200 mm, θ = 90°: s = 206,155 mm, u_s = −48,507 mm; 8 bar em 60 mm dão 2261,95 N. Sob pressão a manivela é retida por −T.
 motion-of-the-swinging-cylinder = Movimento do cilindro oscilante
-s-r-d-2-r-d-cos-s-s-r-d-sin-s-by-differentiation-once-more-crank-across-the-frame-90 = s² = r² + d² + 2 r d cos θ: s s' = −r d sen θ ω, s'' derivando mais uma vez; manivela transversal à base, θ = 90°
+s-r-d-2-r-d-cos-s-s-r-d-sin-s-by-differentiation-once-more-crank-perpendicular-to-the-frame-90 = s² = r² + d² + 2 r d cos θ: s s' = −r d sen θ ω, s'' derivando mais uma vez; manivela perpendicular à base, θ = 90°
 at-90-s-r-d-s-s-s-s-since-the-derivative-of-r-d-sin-is-zero-4-r-s = Em θ = 90°: s' = −r d ω/s, s'' = −s'²/s, pois a derivada de r d sen θ é nula; ω_4 = r² ω/s².
 force-in-line-with-the-crank = Força alinhada com a manivela
-crank-and-cylinder-in-one-line-s-0 = manivela e cilindro alinhados: δs = 0
+crank-and-cylinder-collinear-s-0 = manivela e cilindro alinhados: δs = 0
 
 # quick_return.toml
 shaper-in-its-working-stroke = Plaina limadora no curso de trabalho
 m-campbell-s-nestinger-whitworth-quick-return-mechanism-lengths-and-speed-force-and-masses-are-chosen = M. Campbell, S. Nestinger, Whitworth quick-return mechanism: comprimentos e velocidade; força e massas são escolhidas aqui
 pivots-25-mm-apart-crank-10-mm-at-30-15-rad-s-lever-65-mm-and-0-2-kg-link-30-mm-line-of-the-slider-50 = Pivôs distantes 25 mm, manivela de 10 mm a −30°, −15 rad/s; alavanca de 65 mm e 0,2 kg, biela de 30 mm, linha do cursor 50 mm acima do pivô da alavanca; 0,5 kg no cursor, 100 N contra o seu movimento. A potência virtual e as equações de Newton e Euler deram o mesmo.
 crank-and-slotted-lever-45-past-the-line-of-the-pivots = Manivela e alavanca ranhurada, 45° além da linha dos pivôs
-crank-of-150-mm-at-120-rpm-pivots-400-mm-apart-from-the-printed-intermediate-values-the-book-works = Manivela de 150 mm a 120 rpm, pivôs distantes 400 mm (dos valores intermediários impressos). O livro resolve por desenho. Acrescenta-se aqui 1 kN transversal à ponta da alavanca, a 700 mm.
+crank-of-150-mm-at-120-rpm-pivots-400-mm-apart-from-the-printed-intermediate-values-the-book-solves = Manivela de 150 mm a 120 rpm, pivôs distantes 400 mm (dos valores intermediários impressos). O livro resolve graficamente. Acrescenta-se aqui 1 kN perpendicular à alavanca na ponta, a 700 mm.
 the-book-reads-the-velocities-off-a-drawing = o livro lê as velocidades em um desenho
 the-book-reads-the-accelerations-off-a-drawing = o livro lê as acelerações em um desenho
 the-same-lever-to-more-digits = A mesma alavanca com mais algarismos
 r-s-khurmi-j-k-gupta-theory-of-machines-ex-8-13-t-2-f-l-4-and-the-derivatives-of-tan-4 = R. S. Khurmi, J. K. Gupta, Theory of Machines, ex. 8.13: T ω_2 = F L ω_4 e as derivadas de tan θ_4
 crank-across-the-lever = Manivela transversal à alavanca
-at-2-90-crank-and-lever-are-in-line-h-4-r-d-r-no-slip-t-f-l-r-d-r = Em θ_2 = 90° manivela e alavanca estão alinhadas: h_4 = r/(d + r), sem deslizamento; T = F L r/(d + r)
+at-2-90-crank-and-lever-are-collinear-h-4-r-d-r-no-slip-t-f-l-r-d-r = Em θ_2 = 90° manivela e alavanca são colineares: h_4 = r/(d + r), sem deslizamento; T = F L r/(d + r)
 whitworth-the-lever-turns-round = Whitworth: a alavanca dá a volta
 at-2-90-h-4-r-d-r-time-ratio-2-arcsin-d-r-2-arcsin-d-r-2-for-d-r-2 = Em θ_2 = 90°, h_4 = r/(d + r); razão de tempos (π + 2 arcsen(d/r))/(π − 2 arcsen(d/r)) = 2 para d = r/2
 force-where-the-lever-turns-back = Força onde a alavanca inverte o movimento
 sin-2-r-d-the-lever-touches-the-circle-of-the-crank-pin = sen θ_2 = −r/d: a alavanca tangencia o círculo do pino da manivela
 link-too-short-for-the-slider-s-line = Biela curta demais para a linha do cursor
-the-end-of-the-lever-is-60-mm-below-the-line-the-link-has-50-mm = a ponta da alavanca está 60 mm abaixo da linha, a biela tem 50 mm
+the-end-of-the-lever-is-60-mm-below-the-line-the-link-is-50-mm-long = a ponta da alavanca está 60 mm abaixo da linha, a biela tem 50 mm
 
 # rack_press.toml
 arbor-press = Prensa manual de cremalheira
@@ -2177,7 +2220,7 @@ q-f-r-r = Q = F R/r
 geared-press-with-losses = Prensa com engrenagens e perdas
 f-q-r-r-i-with-r-m-z-2 = F = Q r/(R i η) com r = m z/2
 a-pinion-with-half-a-tooth = Pinhão com meio dente
-teeth-come-whole = Só há dentes inteiros
+numbers-of-teeth-are-integers = Os números de dentes são inteiros
 
 # rhombus.toml
 load-on-a-rhombus-with-a-spring-between-the-sides = Carga em um losango com mola entre os lados
@@ -2187,31 +2230,31 @@ n-2-q-l-sin-4-k-l-sin-sin-cos = 2 Q L sen θ = 4 k L² (sen θ₀ − sen θ) co
 spring-along-the-height = Mola ao longo da altura
 q-2-w-2-k-l-cos-cos-with-w-0-the-spring-carries-the-load-itself = Q + 2 W = 2 k L (cos θ − cos θ₀) com W = 0: a própria mola sustenta a carga
 a-closed-rhombus-tells-nothing = Um losango fechado nada determina
-at-0-the-lower-corner-stands-still = Em θ = 0 o vértice inferior fica parado
+at-0-the-lower-corner-has-no-virtual-displacement = Em θ = 0 o vértice inferior não tem deslocamento virtual
 
 # roberval_balance.toml
 equal-masses-at-unequal-offsets = Massas iguais com afastamentos desiguais
-the-pans-only-move-equal-masses-balance-wherever-they-stand = Os pratos só transladam: massas iguais se equilibram onde quer que estejam
+the-pans-only-translate-equal-masses-balance-wherever-they-are-placed = Os pratos só transladam: massas iguais se equilibram em qualquer posição
 the-tilted-balance = A balança inclinada
-the-pans-only-move-equal-masses-balance-at-every-inclination = Os pratos só transladam: massas iguais se equilibram em toda inclinação
+the-pans-only-translate-equal-masses-balance-at-every-inclination = Os pratos só transladam: massas iguais se equilibram em toda inclinação
 unequal-arms = Braços desiguais
 m-l-m-l = m₁ l₁ = m₂ l₂
 a-heavier-right-pan = Prato direito mais pesado
 t-m-l-m-l-g-cos = T = (m₂ l₂ − m₁ l₁) g cos φ
 beams-upright = Barras na vertical
-at-90-the-pans-stand-still-sideways-and-no-weight-does-virtual-work = A 90° os pratos só se movem para o lado, e nenhum peso realiza trabalho virtual
+at-90-the-pans-move-only-sideways-and-no-weight-does-virtual-work = A 90° os pratos só se movem para o lado, e nenhum peso realiza trabalho virtual
 
 # rolling_disc.toml
 disc-against-spring-and-damper-at-8-rad-s = Disco contra mola e amortecedor a 8 rad/s
-t-k-x-x-w-l-0-c-v-3-2-m-a-u-with-the-motion-of-a-slider-crank-virtual-power-and-the-equations-of = T = −[−k (x − x_w − L_0) − c v − (3/2) m a] u com o movimento de um cursor-manivela; a potência virtual e as equações de Newton e Euler deram o mesmo
+t-k-x-x-w-l-0-c-v-3-2-m-a-u-with-the-motion-of-a-slider-crank-virtual-power-and-the-newton-euler = T = −[−k (x − x_w − L_0) − c v − (3/2) m a] u com o movimento de um cursor-manivela; a potência virtual e as equações de Newton–Euler deram o mesmo
 crank-60-mm-at-50-rod-200-mm-disc-of-4-kg-and-150-mm-spring-of-800-n-m-from-a-wall-at-200-mm-free = Manivela de 60 mm a 50°, biela de 200 mm; disco de 4 kg e 150 mm; mola de 800 N/m a partir de uma parede em −200 mm, comprimento livre de 100 mm; amortecedor de 25 N·s/m. O torque não depende da gravidade.
 a-ring-accelerates-as-twice-its-mass = Um anel acelera como o dobro da sua massa
 i-m-r-t-2-m-a-u-at-90-with-l-2-r-u-r-a-r-sin-cos-r = I = m R²: T = 2 m a u; em 90° com l = √2 r: u = −r, a = r ω² (sen² θ)/cos³ φ… = r ω²
-at-2-90-the-rod-has-tan-r-l-r-1-so-x-l-r-sin-r-cos-bends-with-x-r-l-r-r = Em θ_2 = 90° a biela tem tan φ = r/√(l² − r²) = 1, portanto x = √(l² − r² sen² θ) + r cos θ curva-se com x'' = r²/√(l² − r²) = r.
+at-2-90-the-rod-has-tan-r-l-r-1-so-x-l-r-sin-r-cos-has-x-r-l-r-r = Em θ_2 = 90° a biela tem tan φ = r/√(l² − r²) = 1, portanto x = √(l² − r² sen² θ) + r cos θ tem x'' = r²/√(l² − r²) = r.
 spring-held-at-rest = Mola mantida em repouso
 f-k-s-l-0-with-s-300-mm-200-mm-500-0-1-50-n-holds-the-disc-without-a-torque = F = k (s − L_0) com s = 300 mm + 200 mm: 500·0,1 = 50 N mantêm o disco sem torque
 force-at-a-dead-centre = Força em um ponto morto
-crank-and-rod-in-one-line-x-0 = manivela e biela alinhadas: δx = 0
+crank-and-rod-collinear-x-0 = manivela e biela alinhadas: δx = 0
 
 # scissor_lift.toml
 lift-table-with-a-crate-of-1000-kg = Plataforma pantográfica com um caixote de 1000 kg
@@ -2220,11 +2263,11 @@ two-frames-each-with-a-cylinder-from-the-ground-at-3-2-m-from-the-fixed-foot-to-
 the-lift-table-more-digits = A plataforma pantográfica, mais algarismos
 beer-johnston-sample-problem-10-3-f-w-a-l-2-a-l-cos-cot-l-for-both-cylinders-together = Beer & Johnston, problema resolvido 10.3: F = W √(a² + L² − 2 a L cos θ) cot θ/L para os dois cilindros juntos
 load-that-the-cylinders-lift = Carga que os cilindros levantam
-the-same-closed-form-read-the-other-way-round = A mesma forma fechada, lida no sentido inverso
+the-same-closed-form-solved-in-reverse = A mesma forma fechada, resolvida no sentido inverso
 three-stages-with-a-level-cylinder-between-the-feet = Três estágios com um cilindro horizontal entre os pés
 f-n-w-n-g-cot-for-a-cylinder-along-the-ground-with-2-n-bars-of-weight-g = F = −n (W + n G) cot θ para um cilindro ao longo do solo, com 2 n barras de peso G
 upright-cylinder-under-the-table = Cilindro na vertical sob a mesa
-an-upright-cylinder-from-ground-to-table-carries-the-load-itself = Um cilindro na vertical, do solo à mesa, sustenta sozinho a carga
+a-vertical-cylinder-from-ground-to-table-carries-the-whole-load = Um cilindro vertical, do solo à mesa, sustenta toda a carga
 a-cylinder-that-does-not-grow = Cilindro que não se alonga
 both-ends-on-one-bar = As duas extremidades em uma mesma barra
 
@@ -2252,35 +2295,35 @@ load-that-20-n-m-raises-on-two-threads = Carga que 20 N·m levantam com duas ros
 p-m-tan-d-tan-for-a-rhombus-with-a-right-hand-and-a-left-hand-thread = P = M tan θ/(d tan(α + φ)) para um losango com rosca direita e rosca esquerda
 p-t-tan = P = T tan θ
 a-torque-without-a-screw = Torque sem parafuso
-a-torque-needs-a-lead = Um torque precisa de um avanço
+a-torque-requires-a-lead = O torque requer o avanço da rosca
 
 # six_bar.toml
 press-driven-by-a-crank-rocker-at-its-largest-torque = Prensa acionada por manivela-balancim, no seu maior torque
-crank-rocker-60-140-110-150-mm-whose-rocker-end-drives-a-slider-on-the-line-of-the-frame-through-200 = Manivela-balancim 60/140/110/150 mm cuja ponta do balancim aciona um cursor na linha da base por uma biela de 200 mm; a potência virtual e as equações de Newton e Euler deram o mesmo em 24 posições, 0,05 rad e a cada 15° daí em diante
-steel-links-as-uniform-bars-of-1-2-0-9-and-1-5-kg-slider-of-6-kg-2-kn-against-x-12-rad-s-with-5-rad-s = Peças de aço como barras uniformes de 1,2, 0,9 e 1,5 kg, cursor de 6 kg, 2 kN contra x, 12 rad/s com 5 rad/s². Ao longo das 24 posições o torque vai de −99,787728 a 151,8945 N·m, com média de 0,069 N·m.
+crank-rocker-60-140-110-150-mm-whose-rocker-end-drives-a-slider-on-the-line-of-the-frame-through-200 = Manivela-balancim 60/140/110/150 mm cuja ponta do balancim aciona um cursor na linha da base por uma biela de 200 mm; a potência virtual e as equações de Newton e Euler deram o mesmo em 24 posições, de 0,05 rad em passos de 15°
+steel-links-as-uniform-bars-of-1-2-0-9-and-1-5-kg-slider-of-6-kg-2-kn-against-x-12-rad-s-with-5-rad-s = Elos de aço como barras uniformes de 1,2, 0,9 e 1,5 kg, cursor de 6 kg, 2 kN contra x, 12 rad/s com 5 rad/s². Ao longo das 24 posições o torque varia de −99,787728 a 151,8945 N·m, com média de 0,069 N·m.
 the-same-press-at-its-least-torque = A mesma prensa no seu menor torque
 crank-rocker-60-140-110-150-mm-with-a-slider-virtual-power-and-the-equations-of-newton-and-euler = Manivela-balancim 60/140/110/150 mm com um cursor: potência virtual e as equações de Newton e Euler
 watt-two-parallelograms-in-a-row = Watt: dois paralelogramos em série
-crank-rocker-and-second-rocker-stay-parallel-t-2-t-6-all-turn-alike = Manivela, balancim e segundo balancim permanecem paralelos: T_2 = −T_6, todos giram igual
+crank-rocker-and-second-rocker-stay-parallel-t-2-t-6-all-have-the-same-rotation = Manivela, balancim e segundo balancim permanecem paralelos: T_2 = −T_6, todos têm a mesma rotação
 stephenson-a-slider-crank-hung-on-a-parallelogram-s-crank-pin = Stephenson: um cursor-manivela ligado ao pino da manivela de um paralelogramo
-d-a-t-f-r-sin-tan-cos-beer-johnston-12e-prob-10-21-a-with-other-links-beside-it = D = A: T = F r (sen θ + tan φ cos θ), Beer & Johnston, 12ª ed., probl. 10.21 (a), com outras peças ao lado
+d-a-t-f-r-sin-tan-cos-beer-johnston-12e-prob-10-21-a-with-additional-links = D = A: T = F r (sen θ + tan φ cos θ), Beer & Johnston, 12ª ed., probl. 10.21 (a), com elos adicionais
 force-on-an-inclined-slider-from-the-torque = Força em um cursor inclinado a partir do torque
 the-same-slider-crank-turned-by-20-crank-at-50-line-at-20 = O mesmo cursor-manivela girado de 20°: manivela a 50°, linha a 20°
 a-force-on-a-rocker = Força em um balancim
 a-rocker-takes-a-torque = um balancim recebe um torque
 a-second-pair-that-does-not-reach = Segundo par que não alcança
-from-d-to-e-are-more-than-the-links-span = de D a E há mais do que as peças alcançam
+the-distance-from-d-to-e-is-more-than-the-links-can-span = a distância de D a E é maior do que os elos alcançam
 
 # slider_crank.toml
 the-slider-crank-of-the-course-with-a-motion-that-closes = O cursor-manivela da disciplina com um movimento que fecha
 riul-unit-ii-example-1-its-layout-with-r-150-mm-l-200-mm-and-the-motion-that-follows = Riul, Unidade II, exemplo 1: sua configuração com r = 150 mm, l = 200 mm e o movimento que daí resulta
-crank-at-30-steady-20-rad-s-rod-of-3-kg-with-its-mass-centre-in-the-middle-slider-of-2-kg-5-kn-on-it = Manivela a 30°, 20 rad/s constantes; biela de 3 kg com o centro de massa no meio, cursor de 2 kg, com 5 kN no sentido de afastá-lo do mancal. A potência virtual e as equações de Newton e Euler deram o mesmo.
+crank-at-30-steady-20-rad-s-rod-of-3-kg-with-its-centre-of-mass-in-the-middle-slider-of-2-kg-5-kn-on = Manivela a 30°, 20 rad/s constantes; biela de 3 kg com o centro de massa no meio, cursor de 2 kg, com 5 kN no sentido de afastá-lo do mancal. A potência virtual e as equações de Newton e Euler deram o mesmo.
 horizontal-force-that-holds-a-loaded-linkage = Força horizontal que mantém um mecanismo carregado
 weightless-bars-of-0-6-m-and-0-7-m-at-45-200-n-downwards-at-their-common-pin-the-force-is-drawn = Barras sem peso de 0,6 m e 0,7 m a 45°, 200 N para baixo no pino comum. A força é desenhada em direção ao pino fixo: aqui é negativa. Os 114 N impressos são calculados com comprimentos arredondados.
 the-book-computes-with-lengths-of-three-digits = o livro calcula com comprimentos de três algarismos
 couple-on-the-crank-of-an-engine-at-30 = Conjugado na manivela de um motor a 30°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-12th-ed-prob-10-21-a = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 12ª ed., probl. 10.21 (a)
-n-4-kn-on-the-piston-toward-the-bearing-the-couple-that-balances-it-turns-clockwise-negative-here = 4 kN no pistão em direção ao mancal. O conjugado que o equilibra gira no sentido horário: aqui é negativo.
+n-4-kn-on-the-piston-toward-the-bearing-the-equilibrant-couple-is-clockwise-negative-here = 4 kN no pistão em direção ao mancal. O binário equilibrante é horário: aqui é negativo.
 couple-on-the-crank-of-an-engine-at-150 = Conjugado na manivela de um motor a 150°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-12th-ed-prob-10-21-b = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 12ª ed., probl. 10.21 (b)
 force-on-a-piston-from-the-couple-at-60 = Força em um pistão a partir do conjugado, a 60°
@@ -2288,37 +2331,37 @@ f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-20-a
 force-on-a-piston-from-the-couple-at-120 = Força em um pistão a partir do conjugado, a 120°
 f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-20-b = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.20 (b)
 couple-for-1-kip-on-the-piston-at-30 = Conjugado para 1 kip no pistão, a 30°
-f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-a-no-answer-was-seen-t = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19 (a): nenhuma resposta foi vista; T = F r (sen θ + tan φ cos θ)
+f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-a-no-printed-answer = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19 (a): sem resposta impressa disponível; T = F r (sen θ + tan φ cos θ)
 couple-for-1-kip-on-the-piston-at-150 = Conjugado para 1 kip no pistão, a 150°
-f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-b-no-answer-was-seen-t = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19 (b): nenhuma resposta foi vista; T = F r (sen θ + tan φ cos θ)
+f-p-beer-e-r-johnston-vector-mechanics-for-engineers-statics-7th-ed-prob-10-19-b-no-printed-answer = F. P. Beer, E. R. Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., probl. 10.19 (b): sem resposta impressa disponível; T = F r (sen θ + tan φ cos θ)
 engine-with-a-massive-rod-at-314-rad-s = Motor com biela com massa a 314 rad/s
 dynamics-of-machines-turkish-lecture-notes-example-9-the-answers-are-known-from-a-program-that-quotes = Dinâmica das máquinas, notas de aula em turco, exemplo 9 (as respostas são conhecidas por um programa que as cita)
-lengths-51-mm-and-200-mm-at-60-rod-of-1-36-kg-with-its-mass-centre-51-mm-from-the-crank-pin-piston-of = Comprimentos de 51 mm e 200 mm a 60°; biela de 1,36 kg com o centro de massa a 51 mm do pino da manivela, pistão de 0,91 kg, com 6,3 kN em direção ao mancal. As notas de aula resolvem por desenho.
-with-the-rod-along-the-line-the-transmission-angle-is-90-the-crank-turned-round-the-rod-has-to-bridge = Com a biela na linha, o ângulo de transmissão é 90°; meia volta depois, a biela tem de vencer 2 r, e cos μ_min = 2 r/l.
+lengths-51-mm-and-200-mm-at-60-rod-of-1-36-kg-with-its-centre-of-mass-51-mm-from-the-crank-pin-piston = Comprimentos de 51 mm e 200 mm a 60°; biela de 1,36 kg com o centro de massa a 51 mm do pino da manivela, pistão de 0,91 kg, com 6,3 kN em direção ao mancal. As notas de aula resolvem graficamente.
+with-the-rod-along-the-line-the-transmission-angle-is-90-with-the-crank-on-the-opposite-side-the-rod = Com a biela na linha, o ângulo de transmissão é 90°; meia volta depois, a biela tem de cobrir 2 r, e cos μ_min = 2 r/l.
 crank-across-the-line-of-an-offset-slider = Manivela transversal à linha de um cursor excêntrico
-n-2-90-e-r-the-rod-lies-along-the-line-u-b-r-so-t-f-r-the-guide-carries-nothing = θ_2 = 90°, e = r: a biela fica ao longo da linha, u_B = −r, logo T = F r; a guia nada suporta
+n-2-90-e-r-the-rod-lies-along-the-line-u-b-r-so-t-f-r-the-guide-carries-no-force = θ_2 = 90°, e = r: a biela fica ao longo da linha, u_B = −r, logo T = F r; a guia não suporta força
 weights-alone = Só os pesos
-two-uniform-bars-of-equal-length-a-both-mass-centres-rise-by-a-2-cos-so-t-m-2-m-3-g-a-2-cos = duas barras uniformes de igual comprimento a: os dois centros de massa sobem (a/2) cos θ δθ, logo T = (m_2 + m_3) g (a/2) cos θ
+two-uniform-bars-of-equal-length-a-both-centres-of-mass-rise-by-a-2-cos-so-t-m-2-m-3-g-a-2-cos = duas barras uniformes de igual comprimento a: os dois centros de massa sobem (a/2) cos θ δθ, logo T = (m_2 + m_3) g (a/2) cos θ
 rod-too-short-for-the-offset = Biela curta demais para a excentricidade
-a-rod-of-100-mm-cannot-bridge-130-mm = uma biela de 100 mm não vence 130 mm
-crank-and-rod-in-one-line-x-b-0 = manivela e biela alinhadas: δx_B = 0
+a-rod-of-100-mm-cannot-span-130-mm = uma biela de 100 mm não alcança 130 mm
+crank-and-rod-collinear-x-b-0 = manivela e biela alinhadas: δx_B = 0
 
 # spring_lever.toml
 beer-johnston-vector-mechanics-for-engineers-9th-ed-sample-problem-10-4 = Beer & Johnston, Vector Mechanics for Engineers, 9ª ed., problema resolvido 10.4
-a-mass-on-an-arm-that-stands-upright-on-a-disc-a-spring-on-a-cord-around-the-disc-is-unstretched-then = Uma massa em um braço que fica na vertical, para cima, sobre um disco; nessa posição a mola, em um cabo ao redor do disco, não está alongada. sen θ = k a²/(m g b) θ.
+a-mass-on-an-arm-fixed-to-a-disc-vertical-upwards-when-the-spring-on-a-cord-around-the-disc-is = Uma massa em um braço fixo a um disco, na vertical, para cima, quando a mola, em um cabo ao redor do disco, está sem deformação. sen θ = k a²/(m g b) θ.
 the-weight-on-the-disc-in-radians = O peso no disco, em radianos
 lever-on-a-torsion-shaft = Alavanca em um eixo de torção
 beer-johnston-vector-mechanics-for-engineers-statics-7th-ed-problems-10-39-and-10-73 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., problemas 10.39 e 10.73
 p-l-cos-k-with-k-150-lbf-ft-rad = P l cos θ = K θ, com K = 150 lbf·ft/rad.
 weight-on-a-drum-with-a-spring = Peso em um tambor com mola
 w-l-sin-k-r-that-is-sin-0-9 = W l sen θ = k r² θ, isto é, sen θ = 0,9 θ.
-at-44-1-sin-0-6959-and-0-9-0-6927-no-equilibrium-the-root-of-sin-0-9-is-45-07-the-printed-one-is-a = A 44,1° sen θ = 0,6959 e 0,9 θ = 0,6927: não há equilíbrio. A raiz de sen θ = 0,9 θ é θ = 45,07°; a impressa é um deslize do seu método de tentativas.
+at-44-1-sin-0-6959-and-0-9-0-6927-no-equilibrium-the-root-of-sin-0-9-is-45-07-the-printed-value-is-an = A 44,1° sen θ = 0,6959 e 0,9 θ = 0,6927: não há equilíbrio. A raiz de sen θ = 0,9 θ é θ = 45,07°; o valor impresso é um erro da solução por tentativas.
 the-drum-as-it-should-have-come-out = O tambor como deveria ter resultado
 e-w-nelson-c-l-best-w-g-mclean-schaum-s-outline-of-engineering-mechanics-problem-11-10-with-the-root = E. W. Nelson, C. L. Best, W. G. McLean, Schaum's Outline of Engineering Mechanics, problema 11.10, com a raiz de sen θ = 0,9 θ
 inverted-bar-between-two-springs = Barra invertida entre duas molas
 beer-johnston-vector-mechanics-for-engineers-statics-problems-on-stability-of-a-bar-with-springs-on = Beer & Johnston, Vector Mechanics for Engineers: Statics, problemas sobre a estabilidade de uma barra com molas dos dois lados; 2 k a² = P l
 the-bar-on-springs-that-are-too-soft = A barra sobre molas macias demais
-n-2-k-a-cos-p-l-has-no-root-but-0-when-2-k-a-p-l = 2 k a² cos θ = P l não tem raiz além de θ = 0 quando 2 k a² < P l
+n-2-k-a-cos-p-l-has-no-root-other-than-0-when-2-k-a-p-l = 2 k a² cos θ = P l não tem raiz além de θ = 0 quando 2 k a² < P l
 lever-with-a-spring-between-two-points = Alavanca com uma mola entre dois pontos
 beer-johnston-vector-mechanics-for-engineers-statics-7th-ed-problem-10-35 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 7ª ed., problema 10.35
 lever-of-two-arms-l-spring-from-its-other-end-to-a-point-at-l-below-the-pivot-unstretched-with-the = Alavanca de dois braços l, mola da sua outra ponta a um ponto a l abaixo do pivô, sem alongamento com a alavanca na horizontal: P l cos θ = k l² (2 sen(45° + θ/2) − √2) cos(45° + θ/2). O valor final do livro não é conhecido.
@@ -2359,21 +2402,21 @@ at-90-the-loads-on-b-do-no-virtual-work = Em θ = 90° as cargas em B não reali
 # virtual_power.toml
 slider-crank-with-given-vectors = Cursor-manivela com vetores dados
 riul-unit-ii-example-1 = Riul, Unidade II, exemplo 1
-link-2-is-the-crank-3-the-rod-4-the-slider-the-mass-of-the-slider-2-kg-is-that-of-the-printed = A peça 2 é a manivela, a 3 a biela, a 4 o cursor. A massa do cursor, 2 kg, é a dos produtos impressos. O torque impresso exige dois erros ao mesmo tempo: só a vírgula deslocada (−45 000 W para a força de inércia da biela) dá 82 750 N·m, só o sinal errado (+4 000 W para o seu conjugado de inércia) dá 102 600 N·m. Os vetores não pertencem a nenhum cursor-manivela; a soma das potências os usa como estão impressos.
-the-inertia-couple-is-i-80-n-m-and-the-rod-turns-at-50-rad-s-their-product-is-4-000-w-the-notes-write = O conjugado de inércia é −I α = +80 N·m e a biela gira a −50 rad/s: o produto é −4 000 W. As notas de aula escrevem estes dois fatores e perdem o sinal do produto.
-the-powers-are-2-500-000-6-000-900-000-450-000-4-000-2-060-000-w-so-20-t-2-060-000-w-and-t-103-000-n = As potências são −2 500 000 − 6 000 + 900 000 − 450 000 − 4 000 = −2 060 000 W, logo 20 T = 2 060 000 W e T = 103 000 N·m. O valor impresso exige dois erros juntos: −45 000 W em lugar dos −450 000 W da própria linha (1.f), e +4 000 W em lugar de −4 000 W. Só o deslize dá 82 750, só o sinal 102 600.
+link-2-is-the-crank-3-the-rod-4-the-slider-the-mass-of-the-slider-2-kg-is-that-of-the-printed = O elo 2 é a manivela, o 3 a biela, o 4 o cursor. A massa do cursor, 2 kg, é a dos produtos impressos. O torque impresso exige dois erros ao mesmo tempo: só a vírgula deslocada (−45 000 W para a força de inércia da biela) dá 82 750 N·m, só o sinal errado (+4 000 W para o seu binário de inércia) dá 102 600 N·m. Os vetores não pertencem a nenhum cursor-manivela; a soma das potências os usa como estão impressos.
+the-inertia-couple-is-i-80-n-m-and-the-rod-turns-at-50-rad-s-their-product-is-4-000-w-the-notes-write = O binário de inércia é −I α = +80 N·m e a biela gira a −50 rad/s: o produto é −4 000 W. As notas de aula escrevem estes dois fatores e perdem o sinal do produto.
+the-powers-are-2-500-000-6-000-900-000-450-000-4-000-2-060-000-w-so-20-t-2-060-000-w-and-t-103-000-n = As potências são −2 500 000 − 6 000 + 900 000 − 450 000 − 4 000 = −2 060 000 W, logo 20 T = 2 060 000 W e T = 103 000 N·m. O valor impresso exige dois erros juntos: −45 000 W em lugar dos −450 000 W da própria linha (1.f), e +4 000 W em lugar de −4 000 W. Só o primeiro erro dá 82 750, só o sinal 102 600.
 slider-crank-with-a-motion-that-closes-its-loop = Cursor-manivela com um movimento que fecha a malha
 riul-unit-ii-example-1-with-r-150-mm-l-200-mm-and-the-motion-that-follows-sum-of-powers-and-newton = Riul, Unidade II, exemplo 1, com r = 150 mm, l = 200 mm e o movimento que daí resulta; soma das potências e equações de Newton–Euler de outro programa
-the-layout-of-example-1-at-30-and-a-steady-20-rad-s-mass-centre-in-the-middle-of-the-rod = A configuração do exemplo 1 a 30° e 20 rad/s constantes, centro de massa no meio da biela.
+the-layout-of-example-1-at-30-and-a-constant-20-rad-s-centre-of-mass-at-the-middle-of-the-rod = A configuração do exemplo 1 a 30° e 20 rad/s constantes, centro de massa no meio da biela.
 engine-at-3000-rpm-gas-force-and-inertia = Motor a 3000 rpm, força do gás e inércia
-crank-51-mm-rod-200-mm-314-rad-s-6300-n-on-the-piston-towards-the-crank-at-60-the-magnitude-is = Manivela de 51 mm, biela de 200 mm, 314 rad/s; 6300 N no pistão, em direção à manivela, a 60°. Está impresso o módulo; o torque motor é negativo porque é o motor que aciona. O mecanismo está deitado.
+crank-51-mm-rod-200-mm-314-rad-s-6300-n-on-the-piston-towards-the-crank-at-60-the-magnitude-is = Manivela de 51 mm, biela de 200 mm, 314 rad/s; 6300 N no pistão, em direção à manivela, a 60°. Está impresso o módulo; o torque motor é negativo porque é o motor que aciona. O mecanismo está em um plano horizontal.
 the-printed-velocities-and-accelerations-were-measured-on-a-drawing = as velocidades e acelerações impressas foram medidas em um desenho
 engine-with-4-kn-on-the-piston-at-30 = Motor com 4 kN no pistão a 30°
 beer-johnston-statics-12th-ed-problem-10-21 = Beer & Johnston, Statics, 12ª ed., problema 10.21
-crank-50-mm-rod-200-mm-for-1-rad-s-the-piston-moves-at-r-sin-cos-tan-with-sin-1-8-a-magnitude-is = Manivela de 50 mm, biela de 200 mm: para 1 rad/s o pistão move-se a r (sen θ + cos θ tan φ) com sen φ = 1/8. Está impresso um módulo; o conjugado resiste ao giro que a força provoca.
+crank-50-mm-rod-200-mm-for-1-rad-s-the-piston-moves-at-r-sin-cos-tan-with-sin-1-8-the-book-prints-the = Manivela de 50 mm, biela de 200 mm: para 1 rad/s o pistão move-se a r (sen θ + cos θ tan φ) com sen φ = 1/8. O livro imprime o módulo; o binário se opõe à rotação causada pela força.
 force-on-a-piston-that-holds-a-crank-at-60 = Força em um pistão que mantém a manivela a 60°
 beer-johnston-statics-7th-ed-problem-10-20 = Beer & Johnston, Statics, 7ª ed., problema 10.20
-crank-2-5-in-rod-10-in-couple-75-lb-ft-on-the-crank = Manivela de 2,5 in, biela de 10 in, conjugado de 75 lb·ft na manivela.
+crank-2-5-in-rod-10-in-couple-75-lb-ft-on-the-crank = Manivela de 2,5 in, biela de 10 in, binário de 75 lb·ft na manivela.
 force-on-a-piston-that-holds-a-crank-at-120 = Força em um pistão que mantém a manivela a 120°
 two-levers-joined-by-a-link = Duas alavancas unidas por uma ligação
 beer-johnston-statics-9th-ed-problem-10-1 = Beer & Johnston, Statics, 9ª ed., problema 10.1
@@ -2383,34 +2426,35 @@ beer-johnston-statics-10th-11th-ed-problem-10-1 = Beer & Johnston, Statics, 10ª
 the-same-levers-with-80-60-20-and-40-n = As mesmas alavancas com 80, 60, 20 e 40 N.
 couple-and-force-on-coupled-links-force-at-g = Conjugado e força em alavancas acopladas, força em G
 beer-johnston-statics-8th-ed-problem-10-1 = Beer & Johnston, Statics, 8ª ed., problema 10.1
-link-abc-turns-three-times-as-fast-as-defg-375-mm-125-mm-and-the-other-way-round-its-couple-e-is-250 = A peça ABC gira três vezes mais depressa que DEFG (375 mm : 125 mm) e no sentido contrário ao do seu conjugado. E está a 250 mm de D; G está a 100√2 mm de D, a 45°, e por isso se desloca 100 mm na vertical para um radiano.
+link-abc-rotates-three-times-as-fast-as-defg-375-mm-125-mm-and-in-the-sense-opposite-to-its-couple-e = O elo ABC gira três vezes mais depressa que DEFG (375 mm : 125 mm) e no sentido contrário ao do seu binário. E está a 250 mm de D; G está a 100√2 mm de D, a 45°, e por isso se desloca 100 mm na vertical para um radiano.
 couple-and-force-on-coupled-links-couple-on-defg = Conjugado e força em alavancas acopladas, conjugado em DEFG
 beer-johnston-statics-8th-ed-problem-10-3 = Beer & Johnston, Statics, 8ª ed., problema 10.3
-the-same-links-held-by-a-couple-on-defg = As mesmas peças, mantidas por um conjugado em DEFG.
-pinion-a-25-teeth-drives-the-wheel-b-90-whose-annulus-c-83-turns-planets-about-a-fixed-sun-e-31-the = O pinhão A (25 dentes) aciona a roda B (90), cuja coroa interna C (83) gira satélites em torno de um sol fixo E (31). O braço gira a −(25/90)·83/(83 + 31) da velocidade do pinhão.
-angle-in-the-drawn-position = Ângulo na posição desenhada
-position-in-the-drawn-position = Posição na posição desenhada
-distance-in-the-drawn-position = Distância na posição desenhada
+the-same-links-held-by-a-couple-on-defg = Os mesmos elos, mantidos por um binário em DEFG.
+pinion-a-25-teeth-drives-the-wheel-b-90-whose-annulus-c-83-turns-planets-about-a-fixed-sun-e-31-the = O pinhão A (25 dentes) aciona a engrenagem B (90), cuja coroa interna C (83) gira planetas em torno de uma solar fixa E (31). O braço gira a −(25/90)·83/(83 + 31) da velocidade do pinhão.
+angle-in-the-initial-configuration = Ângulo na configuração inicial
+position-in-the-initial-configuration = Posição na configuração inicial
+distance-in-the-initial-configuration = Distância na configuração inicial
 the-drawn-position-fixes-how-gears-mesh-how-far-wheels-have-rolled-how-long-cords-are-and-on-which = A posição desenhada fixa o engrenamento, o rolamento das rodas, o comprimento dos cabos e o lado em que o mecanismo é montado; o mecanismo se move a partir dela. Se omitido, o mecanismo é desenhado com o ângulo acima.
-the-mechanism-is-drawn-with-this-value-and-moves-from-there-left-out-it-is-drawn-with-the-position = O mecanismo é desenhado com este valor e se move a partir dele. Se omitido, é desenhado com a posição acima.
-the-mechanism-is-drawn-with-this-value-and-moves-from-there-left-out-it-is-drawn-with-the-distance = O mecanismo é desenhado com este valor e se move a partir dele. Se omitido, é desenhado com a distância acima.
-about-where-the-origin-of-its-axes-lies = Onde fica, aproximadamente, a origem dos seus eixos
-needed-where-joints-and-drivers-leave-it-open-as-for-a-weight-at-the-end-of-a-cord-and-to-choose-on = Necessário quando juntas e acionamentos não a determinam, como um peso na ponta de um cabo, e para escolher o lado em que um cursor é montado.
-joints-and-drivers-leave-open-where-it-lies-give-the-place-of-names-any-is-assumed = as juntas e os acionamentos não determinam onde fica: informe o lugar de { $names }; foi adotado um qualquer
-joints-and-drivers-leave-open-where-names-lies-give-its-place = as juntas e os acionamentos não determinam onde fica { $names }: informe o seu lugar
+the-drawn-position-fixes-the-gear-meshing-the-rolling-of-wheels-the-cord-lengths-and-the-side-on = A posição desenhada fixa o engrenamento, o rolamento das rodas, o comprimento dos cabos e o lado em que o mecanismo é montado; o mecanismo se move a partir dela. Se omitido, o mecanismo é desenhado com o ângulo acima.
+the-mechanism-is-drawn-with-this-value-and-moves-from-there-if-omitted-it-is-drawn-with-the-position = O mecanismo é desenhado com este valor e se move a partir dele. Se omitido, é desenhado com a posição acima.
+the-mechanism-is-drawn-with-this-value-and-moves-from-there-if-omitted-it-is-drawn-with-the-distance = O mecanismo é desenhado com este valor e se move a partir dele. Se omitido, é desenhado com a distância acima.
+initial-guess-of-the-origin-of-its-axes = Estimativa inicial da origem dos seus eixos
+required-where-joints-and-drivers-do-not-determine-it-as-for-a-weight-at-the-end-of-a-cord-and-to = Necessário quando juntas e acionamentos não a determinam, como um peso na ponta de um cabo, e para escolher o lado em que um cursor é montado.
+joints-and-drivers-do-not-determine-the-position-give-the-position-of-names-an-arbitrary-one-is = as juntas e os acionamentos não determinam a posição: informe a posição de { $names }; foi adotada uma qualquer
+joints-and-drivers-do-not-determine-the-position-of-names-give-it = as juntas e os acionamentos não determinam a posição de { $names }: informe-a
 the-plots-end-at-end-why = os gráficos terminam em { $end }: { $why }
-in-this-position-the-joints-let-the-mechanism-move-in-more-ways-than-it-has-drivers-although-their = nesta posição as juntas permitem mais movimentos do que há acionamentos, embora o número deles confira: é uma posição singular; desenhe o mecanismo em outra
-straight-between-the-rows = Reta entre as linhas.
-between-the-rows-a-cubic-spline-that-closes-after-the-turn = Entre as linhas, uma spline cúbica que se fecha após a volta.
-the-way-of-the-ram-from-the-lengths-along-the-line-of-thrust = o curso do êmbolo pelos comprimentos ao longo da linha de empuxo
-way-of-the-ram-until-the-links-are-in-line-l-1-cos-l-1-cos-with-1-cos-x-2-sin-x-2 = Curso do êmbolo até o alinhamento das barras, L₁ (1 − cos α) + L₂ (1 − cos β) com 1 − cos x = 2 sen²(x/2)
-with-these-angles-it-can-be-assembled-on-another-side-as-well-give-the-place-of-names-or-look-at-the = com estes ângulos a montagem também é possível do outro lado: escreva a posição de { $names }, ou veja no desenho se este é o lado desejado
+in-this-position-the-joints-allow-more-motions-than-there-are-drivers-although-the-numbers-match-a = nesta posição as juntas permitem mais movimentos do que há acionamentos, embora o número deles confira: é uma posição singular; desenhe o mecanismo em outra
+linear-interpolation-between-the-rows = Interpolação linear entre as linhas.
+periodic-cubic-spline-through-the-rows = Spline cúbica periódica pelas linhas da tabela.
+the-remaining-stroke-of-the-ram-from-the-lengths-along-the-line-of-thrust = o curso restante do êmbolo pelos comprimentos ao longo da linha de empuxo
+remaining-stroke-of-the-ram-until-the-links-are-collinear-l-1-cos-l-1-cos-with-1-cos-x-2-sin-x-2 = Curso restante do êmbolo até o alinhamento das barras, L₁ (1 − cos α) + L₂ (1 − cos β) com 1 − cos x = 2 sen²(x/2)
+with-these-angles-it-can-also-be-assembled-on-another-side-give-the-position-of-names-or-check-in-the = com estes ângulos a montagem também é possível do outro lado: informe a posição de { $names }, ou verifique no desenho se este é o lado desejado
 a-disc-accelerates-as-one-and-a-half-times-its-mass = Um disco acelera como uma vez e meia a sua massa
 i-m-r-2-t-3-2-m-a-u-at-90-with-l-2-r-u-r-a-r-friction-m-a-2 = I = m R²/2: T = 3/2 m a u a 90° com l = √2 r, u = −r, a = r ω²; atrito −m a/2
 two-geared-links-a-couple-on-the-second = Duas barras engrenadas, um conjugado na segunda
 t-t-m-g-v-i-0 = T₁ ω₁ + T₂ ω₂ − m g v − I α ω₂ = 0
 slider-behind-the-pin-that-drives-it = Corredor atrás do pino que o aciona
-x-p-x-l-p-y-with-p-on-the-rocker-of-the-closed-loop-t-f-dx-d = x = P_x − √(l² − P_y²) com P no balancim do laço fechado; T = −F dx/dθ
+x-p-x-l-p-y-with-p-on-the-rocker-of-the-closed-loop-t-f-dx-d = x = P_x − √(l² − P_y²) com P no balancim da cadeia fechada; T = −F dx/dθ
 pressure-over-the-crank-angle-against-a-torque = Pressão sobre o ângulo da manivela contra um torque
 f-p-p-a-with-p-halfway-between-4-and-1-mpa-m-f-r-sin-cos-f-m-t-r-i-f = F = (p − p₀) A com p a meio caminho entre 4 e 1 MPa; M = F r sen(θ + φ)/cos φ; α_F = (M − T_R)/I_F
 triangle-of-a-two-stroke-engine-on-a-known-flywheel = Triângulo de um motor de dois tempos em um volante conhecido
@@ -2418,9 +2462,9 @@ the-mean-is-200-n-m-e-600-n-m-135-c-s-e-i = a média é 200 N·m; ΔE = ½ · 60
 hanging-bar-whose-spring-is-sought = Barra suspensa cuja mola é procurada
 k-m-g-2-p-l-sin-c-sin-sin-cos-and-v-there = k = (m g/2 + P) L sen θ/(c² (sen θ₀ − sen θ) cos θ) e V″ ali
 rods-that-meet-on-the-right = Bielas que se encontram à direita
-the-loop-closed-by-two-circles-differentiated-t-f-dp-d = o laço fechado por dois círculos, derivado: T = −F·dP/dθ
+the-loop-closed-by-two-circles-differentiated-t-f-dp-d = a cadeia fechada por dois círculos, derivada: T = −F·dP/dθ
 cranks-in-outside-mesh-one-to-two = Manivelas em engrenamento externo, um para dois
-the-loop-closed-by-two-circles-turning-by-of-t-f-dp-d = o laço fechado por dois círculos, θ₅ girando ∓½ de θ₂: T = −F·dP/dθ₂
+the-loop-closed-by-two-circles-turning-by-of-t-f-dp-d = a cadeia fechada por dois círculos, θ₅ girando ∓½ de θ₂: T = −F·dP/dθ₂
 cranks-in-inside-mesh-one-to-two = Manivelas em engrenamento interno, um para dois
 spring-between-two-points-unstretched-at-an-angle-its-stiffness-sought = Mola entre dois pontos, sem deformação em um ângulo, com a rigidez procurada
 s-b-d-2-b-d-cos-k-m-g-l-sin-s-s-s-and-v = s² = b² + d² − 2 b d cos(θ + γ − δ): k = m g l sen θ/((s − s₀) s′) e V″
@@ -2438,9 +2482,9 @@ cos-a-b-s-2-a-b-with-s-s-v-t-differentiated = cos θ = (a² + b² − s²)/(2 a 
 slider-held-by-a-spring-from-above = Corredor sustentado por uma mola de cima
 the-spring-is-unstretched-at-s-l-h-0-4-m-v-k-s-l = a mola está sem deformação em s = √(L₀² − h²) = 0,4 m, V″ = k s²/L₀²
 rest-of-a-body-that-only-slides = Repouso de um corpo que só translada
-a-bar-on-two-equal-rods-keeps-its-direction-its-angular-velocity-is-zero-at-every-moment = uma barra em duas hastes iguais mantém a sua direção: a sua velocidade angular é nula em todo instante
-it-turns-no-more-for-a-body-that-only-slides-take-two-points = Ele deixa de girar; para um corpo que só translada, use dois pontos.
-body-does-not-turn-so-this-end-has-no-meaning-for-it-take-two-points-that-come-to-rest-against-one = { $body } não gira, portanto este fim não tem sentido para ele: use dois pontos que param um em relação ao outro
+a-bar-on-two-equal-rods-keeps-its-direction-its-angular-velocity-is-zero-at-every-instant = uma barra em duas hastes iguais mantém a sua direção: a sua velocidade angular é nula em todo instante
+it-stops-rotating-for-a-body-that-only-translates-use-two-points = Ele deixa de girar; para um corpo que só translada, use dois pontos.
+body-does-not-turn-so-this-end-condition-does-not-apply-to-it-use-two-points-that-come-to-relative = { $body } não gira, portanto esta condição de fim não se aplica a ele: use dois pontos que param um em relação ao outro
 fossee-scilab-companion-to-s-s-bhavikatti-engineering-mechanics-example-8-15 = Complemento FOSSEE em Scilab a S. S. Bhavikatti, Engineering Mechanics, exemplo 8.15
 fossee-companion-to-r-c-hibbeler-a-gupta-engineering-mechanics-example-11-6 = Complemento FOSSEE a R. C. Hibbeler, A. Gupta, Engineering Mechanics, exemplo 11.6
 fossee-python-companion-to-khurmi-gupta-theory-of-machines-ex-15-14 = Complemento FOSSEE em Python a Khurmi & Gupta, Theory of Machines, ex. 15.14
@@ -2476,40 +2520,40 @@ fossee-scilab-companion-to-nelson-best-mclean-schaum-s-outline-of-engineering-me
 bar-that-falls-and-pushes-a-slider-by-a-rod = Barra que cai e empurra um corredor por uma haste
 i-m-c-m-x-m-g-c-sin-sin-with-x-b-cos-l-b-sin = ½ (I + m c² + M x′²) ω² = m g c (sen θ₀ − sen θ) com x = b cos θ + √(l² − b² sen² θ)
 rocker-that-rests-at-its-dead-centre = Balancim que para no seu ponto morto
-crank-and-rod-folded-in-line-cos-b-a-d-c-2-b-a-d-i-i-i = manivela e haste dobradas em linha: cos(θ − π) = ((b − a)² + d² − c²)/(2 (b − a) d), ½ I₂ ω² = ½ (I₂ + I₄ ψ′²) ω₀²
-angle-of-the-second-crank-the-gears-turn-it-from-where-it-was-drawn = Ângulo da segunda manivela: as engrenagens a giram a partir de onde foi desenhada
+crank-and-rod-folded-and-collinear-cos-b-a-d-c-2-b-a-d-i-i-i = manivela e haste dobradas e colineares: cos(θ − π) = ((b − a)² + d² − c²)/(2 (b − a) d), ½ I₂ ω² = ½ (I₂ + I₄ ψ′²) ω₀²
+angle-of-the-second-crank-rotated-by-the-gears-from-the-initial-configuration = Ângulo da segunda manivela, girada pelas engrenagens a partir da configuração inicial
 with-gears-the-angle-of-the-second-crank-is-that-of-the-drawn-position-from-there-they-turn-it-as-the = Com engrenagens, o ângulo da segunda manivela é o da posição desenhada; a partir dela giram-na conforme a primeira manivela gira. Se omitido, o mecanismo é desenhado com o ângulo acima.
 geared-cranks-turned-on-from-where-they-were-drawn = Manivelas engrenadas, giradas a partir de onde foram desenhadas
 y-a-sin-b-d-2-a-cos-at-100-and-80-t-f-dy-d = y = a sen θ + √(b² − (d/2 − a cos θ)²) em 100° e 80°: T = −F dy/dθ
 
 # second ways
-t-v-w-at-the-end-is-the-kinetic-energy-of-the-start = T + V − W no fim é a energia cinética do início
+t-v-w-at-the-end-equals-the-initial-kinetic-energy = T + V − W no fim é igual à energia cinética inicial
 acceleration-of-the-piston-from-the-second-derivative-of-the-triangle-of-the-pins = aceleração do pistão pela segunda derivada do triângulo dos pinos
 acceleration-of-name-from-the-adjacent-body-through-their-pin = aceleração de { $name } a partir do corpo vizinho, pelo pino comum
 angular-velocity-of-the-cylinder-from-the-area-that-its-line-sweeps = velocidade angular do cilindro pela área que a sua linha varre
 both-ends-of-link-n-have-the-same-velocity-along-it = as duas extremidades do elo { $n } têm a mesma velocidade ao longo dele
-coupler-and-rocker-in-one-line-span-the-way-from-the-crank-pin-at-its-largest-angle = acoplador e balancim em linha cobrem a distância a partir do pino da manivela no seu ângulo máximo
+coupler-and-rocker-collinear-span-the-distance-from-the-crank-pin-at-its-maximum-angle = acoplador e balancim, colineares, cobrem a distância a partir do pino da manivela no seu ângulo máximo
 crank-and-lever-are-at-right-angles-at-the-ends-of-the-forward-stroke = manivela e alavanca estão em ângulo reto nos extremos do curso de avanço
 crank-pin-and-fixed-pin-are-at-the-same-distance-from-a-line-through-the-bearing-along-the-cylinder = pino da manivela e pino fixo estão à mesma distância de uma reta pelo mancal ao longo do cilindro
-curvature-for-bar-bar-as-that-of-a-pendulum-its-length-times-the-pull-on-it = curvatura para a barra { $bar } como a de um pêndulo, o comprimento vezes a tração nela
+second-derivative-for-bar-bar-as-that-of-a-pendulum-its-length-times-the-pull-on-it = segunda derivada para a barra { $bar } como a de um pêndulo, o comprimento vezes a tração nela
 displacement-as-the-integral-of-the-velocity = deslocamento como integral da velocidade
-displacement-from-the-distances-of-the-gudgeon-pin-with-crank-and-rod-in-line-and-at-this-angle = deslocamento pelas distâncias do pino do pistão com manivela e biela em linha e neste ângulo
-efficiency-as-the-work-done-on-the-load-in-a-turn-over-that-of-the-torque = rendimento como o trabalho feito sobre a carga numa volta sobre o do torque
-fluctuation-of-energy-as-its-part-of-the-work-of-a-cycle = flutuação de energia como a sua parte do trabalho de um ciclo
+displacement-from-the-distances-of-the-gudgeon-pin-with-crank-and-rod-collinear-and-at-this-angle = deslocamento pelas distâncias do pino do pistão com manivela e biela alinhadas e neste ângulo
+efficiency-as-the-work-done-on-the-load-per-revolution-over-that-of-the-torque = rendimento como o trabalho feito sobre a carga por volta sobre o do torque
+fluctuation-of-energy-as-a-fraction-of-the-work-per-cycle = flutuação de energia como fração do trabalho por ciclo
 force-across-the-line-of-the-joint-by-virtual-power-with-the-joint-released = força através da linha da junta pela potência virtual, com a junta liberada
-force-at-the-crank-pin-from-newton-s-and-euler-s-equations = força no pino da manivela pelas equações de Newton e de Euler
+force-at-the-crank-pin-from-the-newton-euler-equations = força no pino da manivela pelas equações de Newton–Euler
 force-in-the-pin-point-by-virtual-power-with-the-pin-released = força no pino { $point } pela potência virtual, com o pino liberado
-friction-at-the-least-coefficient-is-the-effort-that-keeps-the-disc-from-slipping = o atrito com o menor coeficiente é o esforço que impede o disco de escorregar
+friction-at-the-minimum-coefficient-is-the-effort-that-keeps-the-disc-from-slipping = o atrito com o coeficiente mínimo é o esforço que impede o disco de escorregar
 height-of-the-load-by-pythagoras-from-the-links-and-the-width-of-the-frame = altura da carga por Pitágoras, a partir das hastes e da largura da armação
-height-of-the-table-by-pythagoras-from-the-bars-and-the-distance-of-the-feet = altura da mesa por Pitágoras, a partir das barras e da distância dos pés
-inertia-force-of-the-rod-as-what-its-pins-exert-on-it-by-newton-s-and-euler-s-equations = força de inércia da biela como o que os seus pinos exercem sobre ela, pelas equações de Newton e de Euler
+height-of-the-table-by-pythagoras-from-the-bars-and-the-distance-between-the-feet = altura da mesa por Pitágoras, a partir das barras e da distância entre os pés
+inertia-force-of-the-rod-as-the-force-exerted-by-its-pins-from-the-newton-euler-equations = força de inércia da biela como a força exercida pelos seus pinos, pelas equações de Newton–Euler
 instant-centre-13-is-on-the-lines-of-crank-and-rocker = o centro instantâneo 13 está nas linhas da manivela e do balancim
-least-transmission-angle-from-the-largest-inclination-of-the-rod-with-the-crank-across-the-slider-s = menor ângulo de transmissão pela maior inclinação da biela, com a manivela perpendicular à linha do cursor
+minimum-transmission-angle-from-the-maximum-inclination-of-the-rod-with-the-crank-perpendicular-to = ângulo de transmissão mínimo pela inclinação máxima da biela, com a manivela perpendicular à linha do cursor
 link-n-ends-where-the-slider-is-on-its-line = o elo { $n } termina onde o cursor está na sua linha
 links-one-and-two-give-their-common-pin-the-same-acceleration = os elos { $one } e { $two } dão ao seu pino comum a mesma aceleração
 links-one-and-two-give-their-common-pin-the-same-velocity = os elos { $one } e { $two } dão ao seu pino comum a mesma velocidade
-lowest-eigenvalue-by-the-law-of-inertia-where-the-second-derivatives-cease-to-be-positive-definite = menor autovalor pela lei da inércia, onde as segundas derivadas deixam de ser positivas definidas
-mean-power-from-the-work-of-gas-and-friction-in-a-cycle-and-its-time = potência média pelo trabalho do gás e do atrito num ciclo e o seu tempo
+lowest-eigenvalue-by-sylvester-s-law-of-inertia-where-the-matrix-of-second-derivatives-ceases-to-be = menor autovalor pela lei da inércia de Sylvester, onde a matriz das segundas derivadas deixa de ser positiva definida
+mean-power-from-the-work-of-gas-and-friction-per-cycle-and-the-cycle-time = potência média pelo trabalho do gás e do atrito por ciclo e pela duração do ciclo
 mechanical-advantage-as-the-sine-of-the-angle-between-crank-and-cylinder = vantagem mecânica como seno do ângulo entre manivela e cilindro
 mechanical-advantage-by-instant-centre-24-the-crank-over-the-arm-that-the-line-of-the-rod-cuts-off-at = vantagem mecânica pelo centro instantâneo 24: a manivela sobre o braço que a linha da biela corta junto ao mancal
 moments-of-the-weights-and-of-the-forces-on-the-whole-chain-about-its-pin = momentos dos pesos e das forças sobre a cadeia toda em torno do seu pino
@@ -2520,44 +2564,44 @@ position-and-velocity-of-the-yoke-are-on-the-circle-of-the-harmonic-motion = pos
 position-of-name-from-the-adjacent-body-through-their-pin = posição de { $name } a partir do corpo vizinho, pelo pino comum
 power-of-the-cylinders-and-of-what-they-lift = potência dos cilindros e do que eles levantam
 power-of-the-driving-shaft-and-of-the-load-on-the-driven-member = potência do eixo motor e da carga no membro movido
-root-mean-square-of-the-turning-moment-from-the-virtual-works-over-the-cycle = valor eficaz do torque pelos trabalhos virtuais ao longo do ciclo
-sliding-against-name-from-the-motions-of-both-its-bodies = deslizamento contra { $name } pelos movimentos dos seus dois corpos
+root-mean-square-of-the-turning-moment-from-the-virtual-work-over-the-cycle = valor eficaz do torque pelos trabalhos virtuais ao longo do ciclo
+sliding-velocity-against-name-from-the-motions-of-both-its-bodies = velocidade de deslizamento contra { $name } pelos movimentos dos seus dois corpos
 speed-of-the-driving-member-from-the-meshes-with-that-of-the-driven-one = velocidade do membro motor pelos engrenamentos, com a do movido
 speed-of-the-planet-from-the-meshes-with-that-of-the-driven-member = velocidade do satélite pelos engrenamentos, com a do membro movido
-swing-of-the-lever-between-the-two-positions-in-which-it-touches-the-circle-of-the-crank-pin = oscilação da alavanca entre as duas posições em que ela tangencia o círculo do pino da manivela
-the-coefficient-of-friction-from-the-direction-of-the-force-on-a-foot-by-newton-and-euler = o coeficiente de atrito pela direção da força num pé, por Newton e Euler
+swing-of-the-lever-between-the-two-positions-in-which-it-is-tangent-to-the-crank-pin-circle = oscilação da alavanca entre as duas posições em que ela tangencia o círculo do pino da manivela
+the-coefficient-of-friction-from-the-direction-of-the-force-on-a-foot-by-the-newton-euler-equations = o coeficiente de atrito pela direção da força num pé, pelas equações de Newton–Euler
 the-crank-pin-is-level-with-the-pivot-of-the-lever-at-the-ends-of-the-forward-stroke = o pino da manivela está à altura do pivô da alavanca nos extremos do curso de avanço
-the-curvature-of-the-potential-energy-as-the-rate-of-the-virtual-power-of-all-loads = a curvatura da energia potencial como taxa da potência virtual de todas as cargas
-the-curvature-of-the-potential-energy-at-0-with-the-critical-load = a curvatura da energia potencial em θ = 0 com a carga crítica
-the-force-of-the-guide-by-newton-and-euler = a força da guia por Newton e Euler
-the-force-of-the-link-at-the-ram-on-the-knee-by-newton-and-euler = a força da barra do êmbolo sobre o joelho por Newton e Euler
-the-kinetic-energies-of-the-flywheel-at-its-greatest-and-least-speed-differ-by-the-fluctuation = as energias cinéticas do volante na maior e na menor velocidade diferem pela flutuação
-the-last-stretch-of-the-motion-followed-again-to-the-time-of-its-end = o último trecho do movimento, seguido de novo até o instante do fim
-the-loop-closes-at-the-common-pin-of-links-one-and-two = a malha fecha no pino comum dos elos { $one } e { $two }
+the-second-derivative-of-the-potential-energy-as-the-rate-of-the-virtual-power-of-all-loads = a segunda derivada da energia potencial como taxa da potência virtual de todas as cargas
+the-second-derivative-of-the-potential-energy-at-0-with-the-critical-load = a segunda derivada da energia potencial em θ = 0 com a carga crítica
+the-force-of-the-guide-from-the-newton-euler-equations = a força da guia pelas equações de Newton–Euler
+the-force-of-the-link-at-the-ram-on-the-knee-from-the-newton-euler-equations = a força da barra do êmbolo sobre o joelho pelas equações de Newton–Euler
+the-kinetic-energies-of-the-flywheel-at-its-maximum-and-minimum-speed-differ-by-the-fluctuation = as energias cinéticas do volante na rotação máxima e na mínima diferem pela flutuação
+the-last-part-of-the-motion-integrated-again-to-the-end-time = o último trecho do movimento, integrado de novo até o instante final
+the-loop-closes-at-the-common-pin-of-links-one-and-two = a cadeia fecha no pino comum dos elos { $one } e { $two }
 the-lowering-torque-from-t-d-2-d-d = o torque de descida por T d/2 (π μ′ d − ℓ)/(π d + μ′ ℓ)
-the-mass-of-the-flywheel-at-its-radius-of-gyration-takes-up-the-fluctuation-of-energy = a massa do volante no seu raio de giração absorve a flutuação de energia
-the-mechanical-advantage-by-newton-and-euler = a vantagem mecânica por Newton e Euler
-the-mechanical-advantage-from-the-ways-of-hand-and-ram-in-a-turn-and-the-losses = a vantagem mecânica pelos caminhos da mão e do êmbolo numa volta, e pelas perdas
+the-mass-of-the-flywheel-at-its-radius-of-gyration-absorbs-the-fluctuation-of-energy = a massa do volante no seu raio de giração absorve a flutuação de energia
+the-mechanical-advantage-from-the-newton-euler-equations = a vantagem mecânica pelas equações de Newton–Euler
+the-mechanical-advantage-from-the-displacements-of-hand-and-ram-in-one-turn-and-the-losses = a vantagem mecânica pelos deslocamentos da mão e do êmbolo numa volta, e pelas perdas
 the-moment-of-the-cord-about-the-pin-of-the-bar-is-that-of-its-weight = o momento da corda em torno do pino da barra é o do peso desta
 the-points-that-each-pin-joins-coincide-with-the-angles-of-the-bodies = os pontos que cada pino une coincidem, com os ângulos dos corpos
 the-points-that-each-pin-joins-have-the-same-acceleration-with-the-angular-accelerations-of-the = os pontos que cada pino une têm a mesma aceleração, com as acelerações angulares dos corpos
 the-points-that-each-pin-joins-have-the-same-velocity-with-the-angular-velocities-of-the-bodies = os pontos que cada pino une têm a mesma velocidade, com as velocidades angulares dos corpos
-the-pull-of-the-left-stem-by-newton-and-euler = o puxão da haste esquerda por Newton e Euler
-the-pull-of-the-right-stem-by-newton-and-euler = o puxão da haste direita por Newton e Euler
-the-reaction-of-a-upwards-by-newton-and-euler-on-both-bars-that-end-there = a reação de A para cima por Newton e Euler, nas duas barras que lá terminam
+the-pull-of-the-left-stem-from-the-newton-euler-equations = a tração da haste esquerda pelas equações de Newton–Euler
+the-pull-of-the-right-stem-from-the-newton-euler-equations = a tração da haste direita pelas equações de Newton–Euler
+the-reaction-of-a-upwards-from-the-newton-euler-equations-of-both-bars-that-end-there = a reação de A para cima pelas equações de Newton–Euler das duas barras que lá terminam
 the-rod-at-the-transmission-angle-reaches-from-the-crank-pin-to-the-slider-s-line = a biela no ângulo de transmissão alcança do pino da manivela à linha do cursor
 the-rod-spans-from-the-crank-pin-to-the-gudgeon-pin = a biela vai do pino da manivela ao pino do pistão
-the-torque-on-the-pinion-by-newton-and-euler-through-the-gears = o torque no pinhão por Newton e Euler, através das engrenagens
-the-turning-moment-has-no-slope-where-it-is-greatest = o torque não tem inclinação onde é máximo
-the-turning-moment-has-no-slope-where-it-is-least = o torque não tem inclinação onde é mínimo
-the-virtual-works-at-the-angle-of-the-largest-torque = os trabalhos virtuais no ângulo do maior torque
-torque-that-holds-the-fixed-member-by-the-equations-of-newton-and-euler-of-every-gear = torque que segura o membro fixo pelas equações de Newton e Euler de cada engrenagem
+the-torque-on-the-pinion-from-the-newton-euler-equations-through-the-gears = o torque no pinhão pelas equações de Newton–Euler, através das engrenagens
+the-turning-moment-has-zero-slope-at-its-maximum = o torque tem derivada nula no seu máximo
+the-turning-moment-has-zero-slope-at-its-minimum = o torque tem derivada nula no seu mínimo
+the-virtual-work-at-the-angle-of-the-maximum-torque = os trabalhos virtuais no ângulo do torque máximo
+holding-torque-of-the-fixed-member-from-the-newton-euler-equations-of-every-gear = torque de retenção do membro fixo pelas equações de Newton–Euler de cada engrenagem
 transmission-angle-by-the-law-of-cosines-from-the-diagonal-of-the-linkage = ângulo de transmissão pela lei dos cossenos, a partir da diagonal do quadrilátero
 velocities-along-and-across-the-lever-make-up-that-of-the-crank-pin = as velocidades ao longo e através da alavanca compõem a do pino da manivela
 velocity-of-the-piston-from-the-derivative-of-the-triangle-of-the-pins = velocidade do pistão pela derivada do triângulo dos pinos
 velocity-of-name-from-the-adjacent-body-through-their-pin = velocidade de { $name } a partir do corpo vizinho, pelo pino comum
-virtual-works-of-all-loads-of-the-resistance-and-of-the-inertia-of-the-flywheel = trabalhos virtuais de todas as cargas, da resistência e da inércia do volante
-way-of-the-table-over-way-of-the-cylinder-as-the-force-of-the-cylinder-for-a-unit-load-without = caminho da mesa sobre caminho do cilindro como a força do cilindro para uma carga unitária, sem pesos das barras
+virtual-work-of-all-loads-of-the-resistance-and-of-the-inertia-of-the-flywheel = trabalhos virtuais de todas as cargas, da resistência e da inércia do volante
+displacement-ratio-table-over-cylinder-as-the-force-of-the-cylinder-for-a-unit-load-without-weights = razão de deslocamentos, mesa sobre cilindro, como a força do cilindro para uma carga unitária, sem pesos das barras
 work-of-a-cycle-from-its-mean-power-and-its-time = trabalho de um ciclo pela sua potência média e o seu tempo
 work-of-the-gas-as-the-area-of-its-diagram-strip-by-strip = trabalho do gás como a área do seu diagrama, faixa por faixa
 the-same-rod-by-two-terms-of-the-series = A mesma biela por dois termos da série

@@ -28,7 +28,7 @@ pub struct AFrame {
     /// Load at the hinge.
     #[input("Q", "N", nonnegative, default = "0 N")]
     pub load: f64,
-    /// Held by.
+    /// Restraint of the feet.
     pub held: Held,
     /// Sought.
     pub sought: Sought,
@@ -41,7 +41,7 @@ pub enum Held {
     Feet,
     /// A rope between the ladders
     Rope {
-        /// Where it is tied, from the hinge, as a part of the length.
+        /// Attachment point, from the hinge, as a fraction of the length.
         #[input("s", "1", positive, max = 1)]
         part: f64,
     },
@@ -50,13 +50,13 @@ pub enum Held {
 /// What is sought.
 #[derive(Clone, Debug, Inputs)]
 pub enum Sought {
-    /// Force at an angle
+    /// Force at a given angle
     Force {
         /// Angle of each ladder from the vertical.
         #[input("θ", "deg", positive, below = 90)]
         angle: f64,
     },
-    /// Angle at which a force holds
+    /// Equilibrium angle for a given force
     Angle {
         /// Force at each foot, or tension of the rope.
         #[input("T", "N", positive)]
@@ -71,7 +71,7 @@ impl Analysis for AFrame {
         id: "virtual-work/a-frame",
         title: "Step ladder",
         topic: "Bars and levers",
-        summary: "Force at the feet or tension of the rope that holds two ladders against each other, or the angle that a force holds.",
+        summary: "Force at the feet or tension of the rope of two ladders leaning against each other, or the equilibrium angle for a given force.",
         keywords: "A-frame trestle step ladder rope tie escada dupla cavalete corda tirante força nos pés",
         sources: &[&BEER, &HIBBELER, &RIUL],
         cases: include_str!("../cases/a_frame.toml"),
@@ -87,20 +87,20 @@ impl Analysis for AFrame {
             HeldGiven::Rope { part } => x * *part,
         };
         let reason =
-            "The virtual works of weights, load and holding force sum to zero: 2 W δy_G + Q δy + T δx = 0";
+            "The total virtual work of weights, load and holding force is zero: 2 W δy_G + Q δy + T δx = 0";
         let (angle, force) = match sought {
             SoughtGiven::Force { angle } => {
                 let fall = sheet.step(
                     "y′",
                     "m",
                     *length * angle.sin(),
-                    "Virtual fall of the hinge over δθ, from y = L cos θ; that of each mass centre is half of it",
+                    "Downward virtual displacement of the hinge per unit δθ, from y = L cos θ; that of each centre of mass is half of it",
                 );
                 let apart = sheet.step(
                     "x′",
                     "m",
                     spread_part(*length * angle.cos()) * 2.0,
-                    "Virtual growth of the distance that is held, over δθ",
+                    "Virtual increase of the restrained distance per unit δθ",
                 );
                 let force =
                     sheet.step("T", "N", (*weight + *load) * fall / apart, (reason, RIUL.at("eq. 3")));
@@ -131,8 +131,8 @@ impl Analysis for AFrame {
         sheet.answer("floor_force", "Force of the floor on each foot", floor);
         let friction = matches!(self.held, Held::Feet).then(|| {
             let friction =
-                sheet.step("μ", "1", force / floor, "Coefficient of friction that would hold the feet");
-            sheet.answer("friction", "Coefficient of friction that would hold the feet", friction);
+                sheet.step("μ", "1", force / floor, "Coefficient of friction required at the feet");
+            sheet.answer("friction", "Coefficient of friction required at the feet", friction);
             friction
         });
         sheet.verify(|| {
@@ -145,18 +145,20 @@ impl Analysis for AFrame {
             let (mechanism, drawn) = self.built(angle.value());
             if let Some(effort) = solved(&mechanism, &drawn) {
                 let found = W::Num::from(-effort.newton_euler[0]);
-                sheet.check("the force by Newton and Euler for every body", found, force);
+                sheet.check("the force from the Newton–Euler equations of every body", found, force);
                 let floor_by_them = W::Num::from(effort.multipliers[3]);
-                sheet.check("the force of the floor by Newton and Euler", floor_by_them, floor);
+                sheet.check("the force of the floor from the Newton–Euler equations", floor_by_them, floor);
                 if let Some(friction) = friction {
                     let leaning = W::Num::from(-effort.newton_euler[0] / effort.multipliers[3]);
-                    let what = "the coefficient of friction from the direction of the force on a foot, by Newton and Euler";
+                    let what = "the coefficient of friction from the direction of the force on a foot, by the Newton–Euler equations";
                     sheet.check(what, leaning, friction);
                 }
             }
         });
         if angle.value() > 80f64.to_radians() {
-            sheet.warn(|| "the ladders lie nearly flat: a small slip changes the force greatly".into());
+            sheet.warn(|| {
+                "the ladders are nearly horizontal: a small sliding greatly changes the force".into()
+            });
         }
         let (at, size) = (angle.value(), force.value());
         sheet.show(|| Exhibit::Plot(self.force_over_angle(at, size)));

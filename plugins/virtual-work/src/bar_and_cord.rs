@@ -11,7 +11,7 @@ use dalembert_mechanics::{
 pub use crate::one_freedom::Position;
 use crate::one_freedom::PositionGiven;
 use crate::{
-    equilibria::{arrow, down, film, telling},
+    equilibria::{animation, arrow, down, telling},
     one_freedom::{Machine, Part, Shapes},
     sources::{BEER, HIBBELER, RIUL},
 };
@@ -33,14 +33,14 @@ pub struct BarAndCord {
     #[input("h", "m", positive)]
     pub pulley: f64,
     /// Hanging mass.
-    /// Left out, it is sought from the position.
+    /// If left blank, it is computed from the position.
     #[input("m", "kg", positive)]
     pub mass: Option<f64>,
     /// Acceleration of gravity.
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
     pub gravity: f64,
     /// Position.
-    /// The angle θ of the bar is taken upwards from the horizontal.
+    /// The angle θ of the bar is measured upwards from the horizontal.
     pub position: Position,
 }
 
@@ -67,14 +67,18 @@ impl Analysis for BarAndCord {
             Part {
                 name: "weight of the bar",
                 load: Some(bar),
-                rate: ["y′_G", "m", "Virtual rise of the mass centre of the bar over δθ"],
+                rate: [
+                    "y′_G",
+                    "m",
+                    "Upward virtual displacement of the centre of mass of the bar per unit δθ",
+                ],
                 symbol: ["W", "N"],
                 answer: ["bar_weight", "Weight of the bar"],
             },
             Part {
                 name: "weight of the hanging mass",
                 load: hanging,
-                rate: ["y′_P", "m", "Virtual rise of the hanging mass over δθ"],
+                rate: ["y′_P", "m", "Upward virtual displacement of the hanging mass per unit δθ"],
                 symbol: ["P", "N"],
                 answer: ["hanging_weight", "Hanging weight for equilibrium"],
             },
@@ -101,7 +105,7 @@ impl Analysis for BarAndCord {
         let at = telling(&balanced.list);
         let [from, to] = balanced.range;
         sheet.show(|| {
-            film(
+            animation(
                 "The bar, its cord and its counterweight",
                 ("position.given.angle", at),
                 [from.max(at - 0.5), to.min(at + 0.5)],
@@ -136,7 +140,7 @@ impl Shapes for BarAndCord {
             ("s′", n),
             "m",
             cord_rate(lengths, angle, s),
-            "Its virtual growth over δθ, by which the hanging mass rises: 2 s δs = −2 b h cos θ δθ",
+            "Its virtual elongation per δθ, equal to the rise of the hanging mass: 2 s δs = −2 b h cos θ δθ",
         );
         rises(lengths, angle, s, s1)
     }

@@ -4,8 +4,8 @@
 use std::{cell::OnceCell, f64::consts::TAU};
 
 use dalembert_core::{
-    Axis, Cell, Column, DrawnShape, Exhibit, Film, Ink, Inputs, Lift, Plain, Plot, Refusal, Series, Stop,
-    TableExhibit, Text, Trail, Worksheet,
+    Animation, Axis, Cell, Column, DrawnShape, Exhibit, Ink, Inputs, Lift, Plain, Plot, Refusal, Series,
+    Stop, TableExhibit, Text, Trail, Worksheet,
 };
 use dalembert_mechanics::{
     Real,
@@ -188,10 +188,10 @@ impl Solved {
         });
         let size = self.size(driver);
         Exhibit::Table(TableExhibit {
-            title: "Virtual works".into(),
+            title: "Virtual work of each load".into(),
             columns: vec![
                 Column { heading: "Load".into(), unit: "" },
-                Column { heading: "Work for a unit of the coordinate".into(), unit },
+                Column { heading: "Work per unit of the coordinate".into(), unit },
                 Column { heading: "Power".into(), unit: "W" },
             ],
             rows,
@@ -223,7 +223,7 @@ impl Solved {
     pub(crate) fn check_effort<W: Worksheet>(&self, driver: usize, effort: W::Num, sheet: W) {
         let size = self.size(driver).max(effort.value().abs());
         sheet.check_sum(
-            "the effort by the equations of Newton and Euler of every link",
+            "the effort from the Newton–Euler equations of every link",
             effort,
             self.effort(driver).into(),
             size,
@@ -275,14 +275,14 @@ pub(crate) fn check_pin<W: Worksheet>(
 pub(crate) fn refusal(error: PlanarError) -> Refusal {
     Refusal::because(match error {
         PlanarError::DoesNotClose { residual, .. } => {
-            Text::new("the links do not close: {gap} are missing; change a length or the position")
+            Text::new("the links do not close the loop: {gap} short; change a length or the position")
                 .with_quantity("gap", residual, "mm")
         }
         PlanarError::DeadCentre { .. } | PlanarError::Limit { .. } | PlanarError::OverDriven { .. } => {
-            "in this position the coordinate does not determine the motion: a dead centre; move it a little"
+            "in this position the coordinate does not determine the motion (dead centre); change it slightly"
                 .into()
         }
-        PlanarError::Jammed { .. } => "the friction finds no balance: the mechanism jams".into(),
+        PlanarError::Jammed { .. } => "no equilibrium was found with friction: the mechanism jams".into(),
         PlanarError::Number { .. }
         | PlanarError::NoSuchBody { .. }
         | PlanarError::UnderDriven { .. }
@@ -293,12 +293,12 @@ pub(crate) fn refusal(error: PlanarError) -> Refusal {
         | PlanarError::Sticks { .. }
         | PlanarError::Motion(_)
         | PlanarError::NotFinite => {
-            "the numbers of this mechanism are too far apart to be computed with".into()
+            "the numbers of this mechanism differ too much in magnitude to be computed with".into()
         }
     })
 }
 
-/// A template: what it finds in one position, as the worked solution and, for plots and films, as plain numbers.
+/// A template: what it finds in one position, as the worked solution and, for plots and animations, as plain numbers.
 pub(crate) trait Template: Inputs {
     /// What it finds.
     type Found<N: Real>;
@@ -316,7 +316,7 @@ pub(crate) trait Template: Inputs {
     }
 }
 
-/// The positions that a film or a plot goes through.
+/// The positions that an animation or a plot goes through.
 #[derive(Clone, Copy)]
 pub(crate) enum Range {
     /// A whole turn, from where it is now.
@@ -392,9 +392,9 @@ pub(crate) fn bounded(effort: f64, shift: f64, unit: f64) -> f64 {
     if shift.abs() <= 0.1 * unit { f64::INFINITY } else { effort }
 }
 
-/// A film of the mechanism going through its range of an input from its present value on; positions without a picture
+/// An animation of the mechanism going through its range of an input from its present value on; positions without a picture
 /// are left out.
-pub(crate) fn film(
+pub(crate) fn animation(
     title: &'static str,
     (input, present): (&'static str, f64),
     range: Range,
@@ -415,7 +415,7 @@ pub(crate) fn film(
         }
     };
     let (values, frames) = (0..FRAMES).map(at).filter_map(|value| Some((value, frame(value)?))).unzip();
-    Exhibit::Film(Film::new(title, frames, 3.0).over(input, values))
+    Exhibit::Animation(Animation::new(title, frames, 3.0).over(input, values))
 }
 
 /// A bar through points.

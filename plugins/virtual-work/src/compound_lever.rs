@@ -41,7 +41,7 @@ pub struct Link {
     #[input("b", "m")]
     pub driving: f64,
     /// Arm on the driven lever.
-    /// Negative where it turns the other way.
+    /// Negative for the opposite sense of rotation.
     #[input("a", "m")]
     pub driven: f64,
 }
@@ -51,7 +51,7 @@ pub struct Link {
 pub struct Load {
     /// Name.
     pub name: String,
-    /// Lever that it acts on.
+    /// Lever it acts on.
     #[input(min = 1, max = 50)]
     pub lever: u32,
     /// Kind.
@@ -83,7 +83,7 @@ pub enum Kind {
 pub enum Sought {
     /// Force on a lever
     Force {
-        /// Lever that it acts on.
+        /// Lever it acts on.
         #[input(min = 1, max = 50)]
         lever: u32,
         /// Arm.
@@ -92,7 +92,7 @@ pub enum Sought {
     },
     /// Couple on a lever
     Couple {
-        /// Lever that it acts on.
+        /// Lever it acts on.
         #[input(min = 1, max = 50)]
         lever: u32,
     },
@@ -105,7 +105,7 @@ impl Analysis for CompoundLever {
         id: "virtual-work/compound-lever",
         title: "Chain of levers",
         topic: "Bars and levers",
-        summary: "Force or couple that balances the loads on levers driving one another, by the ratios of their virtual displacements.",
+        summary: "Force or couple that balances the loads on levers connected in series, from the ratios of their virtual displacements.",
         keywords: "pliers bolt cutter compound lever chain mechanical advantage alicate corta-vergalhão tesoura alavancas \
                    compostas vantagem mecânica",
         sources: &[&BEER, &HIBBELER, &RIUL],
@@ -120,8 +120,9 @@ impl Analysis for CompoundLever {
                 return Ok(None);
             }
             turns.get(at.wrapping_sub(2)).copied().map(Some).ok_or_else(|| {
-                let why =
-                    Text::new("there is no lever {lever}: with {links} links there are levers 1 to {last}");
+                let why = Text::new(
+                    "lever {lever} does not exist: with {links} links there are levers 1 to {last}",
+                );
                 Refusal::NoAnswer(
                     why.with("lever", lever)
                         .with("links", self.links.len())
@@ -139,7 +140,7 @@ impl Analysis for CompoundLever {
                 KindGiven::Couple { couple } => *couple,
             };
             let words =
-                Text::new("Virtual work of {name}, for a unit turn of lever 1").with("name", &load.name);
+                Text::new("Virtual work of {name}, for a unit rotation of lever 1").with("name", &load.name);
             works.push(sheet.step(("U", row + 1), "N*m", turned(moment, load.lever)?, words));
         }
         let size = works.iter().fold(0.0f64, |most, work| most.max(work.value().abs()));
@@ -147,7 +148,7 @@ impl Analysis for CompoundLever {
             [only] => only,
             _ => sheet.step("ΣU", "N*m", W::Num::sum(works.iter().copied()), "Virtual work of all loads"),
         };
-        let reason = ("With it the virtual works sum to zero", RIUL.at("eq. 3"));
+        let reason = ("The total virtual work is zero", RIUL.at("eq. 3"));
         let still = || {
             Refusal::because(
                 "the sought force has no virtual displacement: its arm or a ratio of the links is zero, so it cannot balance anything",
@@ -162,13 +163,13 @@ impl Analysis for CompoundLever {
                     "δs",
                     "m",
                     turned(*arm, lever)?,
-                    "Virtual displacement of the sought force, for a unit turn of lever 1",
+                    "Virtual displacement of the unknown force, for a unit rotation of lever 1",
                 );
                 if way.value() == 0.0 {
                     return Err(still());
                 }
                 let force = sheet.step("P", "N", -total / way, reason);
-                sheet.answer("force", "Force in balance", force);
+                sheet.answer("force", "Equilibrant force", force);
                 (force, way)
             }
             SoughtGiven::Couple { .. } => {
@@ -184,7 +185,7 @@ impl Analysis for CompoundLever {
                 }
                 let couple = if lever == 1 { -total } else { -total / way };
                 let couple = sheet.step("M_P", "N*m", couple, reason);
-                sheet.answer("couple", "Couple in balance", couple);
+                sheet.answer("couple", "Equilibrant couple", couple);
                 (couple, way)
             }
         };
@@ -193,25 +194,21 @@ impl Analysis for CompoundLever {
             && let KindGiven::Force { force, .. } = &only.kind
             && force.value() != 0.0
         {
-            let ratio = sheet.step(
-                "r",
-                "1",
-                (value / *force).abs(),
-                "Mechanical advantage: one force over the other",
-            );
+            let ratio =
+                sheet.step("r", "1", (value / *force).abs(), "Mechanical advantage: ratio of the two forces");
             sheet.answer("mechanical_advantage", "Mechanical advantage", ratio);
             advantage = Some((ratio, force.value()));
         }
         sheet.verify(|| {
             if let Some(effort) = self.built().and_then(|(mechanism, drawn)| solved(&mechanism, &drawn)) {
                 sheet.check_zero(
-                    "the balance by Newton and Euler for every lever and link",
+                    "the balance from the Newton–Euler equations of every lever and link",
                     W::Num::from((effort.newton_euler[0] - value.value()) * way.value()),
                     size,
                 );
                 if let Some((ratio, force)) = advantage {
                     let by_them = W::Num::from((effort.newton_euler[0] / force).abs());
-                    sheet.check("the mechanical advantage by Newton and Euler", ratio, by_them);
+                    sheet.check("the mechanical advantage from the Newton–Euler equations", ratio, by_them);
                 }
             }
         });
@@ -229,8 +226,7 @@ impl CompoundLever {
         let mut turns: Vec<W::Num> = Vec::new();
         for (row, link) in given.links.iter().enumerate() {
             if link.driven.value() == 0.0 {
-                let why =
-                    Text::new("link {link} meets lever {lever} at its pivot: write an arm that is not zero");
+                let why = Text::new("link {link} meets lever {lever} at its pivot: write a non-zero arm");
                 return Err(Refusal::NoAnswer(why.with("link", row + 1).with("lever", row + 2)));
             }
             let ratio = link.driving / link.driven;
@@ -243,7 +239,7 @@ impl CompoundLever {
                 "1",
                 turn,
                 (
-                    "Virtual turn of the lever for a unit turn of lever 1: both ends of the link move alike, b δφ = a δφ′",
+                    "Virtual rotation of the lever for a unit rotation of lever 1: both ends of the link have the same displacement, b δφ = a δφ′",
                     BEER.at("§10.1C"),
                 ),
             ));
@@ -329,7 +325,7 @@ impl CompoundLever {
             .zip(works)
             .map(|(load, &work)| row(Text::new("{x}").with("x", &load.name), work));
         TableExhibit {
-            title: "Virtual works for a unit turn of lever 1".into(),
+            title: "Virtual work for a unit rotation of lever 1".into(),
             columns: vec![
                 Column { heading: "Load".into(), unit: "" },
                 Column { heading: "Virtual work".into(), unit: "N*m" },
@@ -386,6 +382,6 @@ impl CompoundLever {
         {
             shapes.extend(arrow(at, [0.0, 0.4 * size], "P"));
         }
-        Drawing { title: "The levers, level, with upright links".into(), shapes }
+        Drawing { title: "The levers, horizontal, with vertical links".into(), shapes }
     }
 }

@@ -117,7 +117,7 @@ pub(crate) fn two_bars<W: Worksheet>(
 
 fn dead([first, second]: [Number; 2]) -> Refusal {
     Refusal::because(
-        Text::new("links {one} and {two} are in one line, a dead centre: the coordinate does not determine their motion; move it a little")
+        Text::new("links {one} and {two} are collinear (dead centre): the coordinate does not determine their motion; change it slightly")
             .with("one", first.link)
             .with("two", second.link),
     )
@@ -139,8 +139,9 @@ impl<W: Worksheet> Bars<W> {
         let [first, second] = self.numbers;
         let [one, two] = self.reach;
         let Some(apart) = against::<W>(shifts[0], shifts[1]) else { return [0.0.into(); 2] };
-        let why =
-            Text::new("Virtual turn of link {n}: both ways to the common pin, times the vector of link {m}");
+        let why = Text::new(
+            "Virtual rotation of link {n}: displacement of the common pin along both paths, dotted with the vector of link {m}",
+        );
         let of =
             |n: Number, m: Number| (why.clone().with("n", n.link).with("m", m.link), SHIGLEY.at("ch. 3"));
         let turn = -(apart.dot(two)) / across::<W>(one).dot(two);
@@ -191,7 +192,7 @@ impl<W: Worksheet> Bars<W> {
             None => inward,
         };
         let [first, second] = self.numbers;
-        let why = "What the angular accelerations of the pair must make up for";
+        let why = "Relative acceleration to be compensated by the angular accelerations of the pair";
         let apart =
             self.sheet.step_vector(symbol("e", first.link), "m/s^2", apart, (why, SHIGLEY.at("ch. 4")));
         let why = Text::new("Angular acceleration of link {n}");
@@ -241,8 +242,7 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
     sheet: W,
 ) -> Result<Slide<W>, Refusal> {
     let (support, moving) = pin;
-    let why =
-        Text::new("How far the line of the slider is to the left of {point}").with("point", support.name);
+    let why = Text::new("Distance of the slider's line to the left of {point}").with("point", support.name);
     let height = sheet.step(symbol("n", of), "mm", (line.through - support.at).dot(line.left), why);
     let gap = height.value().abs() - length.value();
     if gap > 0.0 {
@@ -267,7 +267,7 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
     let turned = across::<W>(reach);
     if Vector::dot(turned.value(), line.left.value()).abs() < 1e-7 * length.value() {
         return Err(Refusal::because(
-            Text::new("link {n} stands across the line of its slider, a limit position: move the coordinate a little")
+            Text::new("link {n} is perpendicular to the line of its slider (limit position): change the coordinate slightly")
                 .with("n", number.link),
         ));
     }
@@ -278,12 +278,11 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
         let end = support.at + direction::<W>(angle) * length;
         sheet.check_vector(what, end, line.through + line.along * position);
     });
-    let why =
-        Text::new("Virtual turn of link {n}: the slider does not leave its line").with("n", number.link);
+    let why = Text::new("Virtual rotation of link {n}: the slider stays on its line").with("n", number.link);
     let ratio = -(moving.shift.dot(line.left)) / turned.dot(line.left);
     let ratio = sheet.step(symbol("h", number.link), "1", ratio, (why, SHIGLEY.at("ch. 3")));
     let shift = (moving.shift + turned * ratio).dot(line.along);
-    let why = "Virtual displacement of the slider for a unit of the coordinate";
+    let why = "Virtual displacement of the slider per unit of the coordinate";
     let shift = sheet.step(symbol("u", of), "mm", shift, (why, SHIGLEY.at("ch. 3")));
     let zero = W::Num::from(0.0);
     let Some(rate) = rate else {

@@ -3,9 +3,9 @@
 use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{Real, slider_crank::engine as kernel};
 
+mod animation;
 mod cycle;
 mod exhibits;
-mod film;
 mod flywheel;
 mod forces;
 mod gas;
@@ -60,7 +60,7 @@ pub struct Engine {
     /// Against its motion as the crank turns forward.
     #[input("F_f", "N", nonnegative)]
     pub friction: Option<f64>,
-    /// Flywheel and what the engine drives.
+    /// Flywheel and driven load.
     pub output: Option<Output>,
 }
 
@@ -111,7 +111,7 @@ pub enum Motion {
         #[input("α", "rad/s^2", default = "0 rad/s^2")]
         acceleration: f64,
     },
-    /// Standing still
+    /// At rest
     /// Equilibrium without inertia.
     Standing,
     /// Acceleration of the piston given
@@ -129,12 +129,12 @@ pub enum Terms {
     /// Exact
     Exact,
     /// Two terms
-    /// cos θ + cos 2θ/n, as most books work.
+    /// cos θ + cos 2θ/n, as in most books.
     Two,
     /// Harmonics up to an order
     Harmonics {
         /// Highest order.
-        /// Only even orders follow the first.
+        /// Beyond the first, only even orders occur.
         #[input(min = 2, max = 16, default = "6")]
         highest: u32,
     },
@@ -143,7 +143,7 @@ pub enum Terms {
 /// Where the cylinder is.
 #[derive(Clone, Copy, Debug, Inputs)]
 pub enum Orientation {
-    /// Weights left out
+    /// Weights neglected
     Weightless,
     /// Vertical, above the crankshaft
     Vertical,
@@ -164,7 +164,7 @@ impl Analysis for Engine {
         id: "virtual-work/engine",
         title: "Reciprocating engine",
         topic: "Engines, gears and wheels",
-        summary: "Motion of the piston, forces in piston, rod, guide, crank pin and bearings, and the turning moment of an engine with one cylinder, at one angle and over its cycle.",
+        summary: "Motion of the piston, forces in piston, rod, guide, crank pin and bearings, and turning moment of a single-cylinder engine, at one angle and over its cycle.",
         keywords: "motor alternativo pistão biela manivela slider-crank piston effort crank effort turning moment diagram gudgeon pin \
                    connecting rod thrust guide crosshead steam engine indicator diagram cut-off expansion inertia force torque motor \
                    esforço no êmbolo ponto morto diagrama de torque máquina a vapor força de inércia pino da manivela",
@@ -222,7 +222,7 @@ impl Analysis for Engine {
             sheet.show(|| Exhibit::Plot(view.crank_pin()));
             sheet.show(|| Exhibit::Plot(view.bearing()));
         }
-        sheet.show(|| film::show(&view));
+        sheet.show(|| animation::show(&view));
         Ok(())
     }
 }
@@ -232,15 +232,13 @@ impl Engine {
     fn refuse_contradictions(&self, offset: bool) -> Result<(), Refusal> {
         if offset && !matches!(self.terms, Terms::Exact) {
             return Err(Refusal::because(
-                "the formulas of two terms and of harmonics hold for a line of stroke through the crankshaft: \
-                 choose the exact motion, or no offset",
+                "the two-term and harmonic formulas hold for a line of stroke through the crankshaft: choose the exact motion, or no offset",
             ));
         }
         let weightless_rod = matches!(self.rod_mass, RodMass::Massless);
         if matches!(self.motion, Motion::PistonAcceleration { .. }) && !weightless_rod {
             return Err(Refusal::because(
-                "the acceleration of the piston does not tell that of the rod: give the speed, or leave the rod \
-                 without mass and add its share to the reciprocating mass",
+                "the acceleration of the piston does not determine that of the rod: give the speed, or leave the rod without mass and add its share to the reciprocating mass",
             ));
         }
         Ok(())
@@ -283,7 +281,7 @@ impl Engine {
 fn too_short(rod: f64, least: f64) -> Refusal {
     Refusal::because(
         Text::new(
-            "the crank cannot go round with a rod of {rod}: crank and offset together demand more than {least}",
+            "the crank cannot make a full revolution with a rod of {rod}: crank and offset together require more than {least}",
         )
         .with_quantity("rod", rod, "mm")
         .with_quantity("least", least, "mm"),

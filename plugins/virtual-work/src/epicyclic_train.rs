@@ -1,7 +1,7 @@
 //! Epicyclic gear trains: speeds by Willis's formula, torques by virtual power.
 
 use dalembert_core::{
-    About, Analysis, DrawnShape, Exhibit, Film, Ink, Inputs, Refusal, Text, Worksheet, register,
+    About, Analysis, Animation, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -24,10 +24,10 @@ pub struct EpicyclicTrain {
     /// Driving member.
     pub driver: Member,
     /// Pinion that drives the driving member.
-    /// It meshes with outside teeth of the driving member and turns about a fixed axis.
+    /// It meshes with external teeth of the driving member and turns about a fixed axis.
     pub pinion: Option<Pinion>,
     /// Speed of the driving shaft.
-    /// That of the pinion, if there is one.
+    /// Speed of the pinion, if present.
     #[input("ω_in", "rpm", default = "1000 rpm")]
     pub speed: f64,
     /// Known torque.
@@ -37,7 +37,7 @@ pub struct EpicyclicTrain {
 /// The gears of the train.
 #[derive(Clone, Debug, Inputs)]
 pub enum Gears {
-    /// Sun, planets, ring with inside teeth
+    /// Sun, planets, ring with internal teeth
     Simple {
         /// Teeth of the sun.
         #[input(min = 4, max = 10000)]
@@ -46,7 +46,7 @@ pub enum Gears {
         #[input(min = 6, max = 10000)]
         ring: u32,
     },
-    /// Sun, compound planets, ring with inside teeth
+    /// Sun, compound planets, ring with internal teeth
     Compound {
         /// Teeth of the sun.
         #[input(min = 4, max = 10000)]
@@ -62,7 +62,7 @@ pub enum Gears {
         ring: u32,
     },
     /// Two suns, compound planets
-    /// The second sun, with outside teeth, stands in the place of the ring.
+    /// The second sun, with external teeth, takes the place of the ring.
     Suns {
         /// Teeth of the first sun.
         #[input(min = 4, max = 10000)]
@@ -96,7 +96,7 @@ pub struct Pinion {
     /// Teeth of the pinion.
     #[input(min = 4, max = 10000)]
     pub pinion: u32,
-    /// Outside teeth of the driving member.
+    /// External teeth of the driving member.
     #[input(min = 4, max = 10000)]
     pub wheel: u32,
 }
@@ -150,7 +150,7 @@ impl Analysis for EpicyclicTrain {
                 symbol("z", name),
                 "1",
                 value,
-                "Teeth, as given or as the distance of the axes demands",
+                "Teeth, as given or as required by the centre distance",
             )
         };
         let (zs, zr) = (found("S", sun), found("R", ring));
@@ -167,11 +167,12 @@ impl Analysis for EpicyclicTrain {
             let product = zs * z2 / (z1 * zr);
             if let Gears::Suns { .. } = self.gears { product } else { -product }
         };
-        let why = "Ratio with the arm held: ring (or second sun) over sun; each outside mesh turns the sense";
+        let why =
+            "Ratio with the arm fixed: ring (or second sun) over sun; each external mesh reverses the sense";
         let held = sheet.step("e", "1", value, (why, NORTON.at("ch. 9")));
         if driven_is_stuck(self.fixed, held.value()) {
             return Err(Refusal::because(
-                "both suns turn alike against the arm, so the arm cannot move while one is fixed: change a number of teeth",
+                "both suns have the same speed relative to the arm, so the arm cannot move while one is fixed: change a number of teeth",
             ));
         }
         // (ω_R − ω_A) = e (ω_S − ω_A): the speed of each member over that of the driver.
@@ -193,7 +194,7 @@ impl Analysis for EpicyclicTrain {
         let (mut total, mut driver_speed) = (inner, given.speed);
         if let Some(pinion) = &self.pinion {
             let (small, large) = (found("p", f64::from(pinion.pinion)), found("w", f64::from(pinion.wheel)));
-            let why = "The pinion turns the driving member the other way";
+            let why = "The pinion turns the driving member in the opposite sense";
             driver_speed = sheet.step(symbol("ω", "d"), "rpm", -(given.speed * small / large), why);
             let why = "Speed of the driven member over that of the pinion";
             total = sheet.step(symbol("i", "p"), "1", -(inner * small / large), why);
@@ -216,16 +217,16 @@ impl Analysis for EpicyclicTrain {
         let size = first;
         let planet = sheet.found(symbol("z", "P"), "1", size, "Teeth of the planet on the sun");
         let against = if self.fixed == Member::Sun {
-            let why = "Speed of the planet against the arm: it rolls on the fixed sun";
+            let why = "Speed of the planet relative to the arm: it rolls on the fixed sun";
             let against = sheet.step(symbol("ω", "P/A"), "rpm", arm * zs / planet, why);
-            sheet.answer("planet_speed", "Speed of the planet against the arm", against);
+            sheet.answer("planet_speed", "Speed of the planet relative to the arm", against);
             against
         } else {
             let sun = speed_of(Member::Sun);
             let relative = if self.fixed == Member::Arm { sun } else { sun - arm };
-            let why = "Speed of the planet against the arm: it meshes with the sun";
+            let why = "Speed of the planet relative to the arm: it meshes with the sun";
             let against = sheet.step(symbol("ω", "P/A"), "rpm", -(relative * zs / planet), why);
-            sheet.answer("planet_speed", "Speed of the planet against the arm", against);
+            sheet.answer("planet_speed", "Speed of the planet relative to the arm", against);
             against
         };
         let (input, load) = match given.torque {
@@ -248,16 +249,16 @@ impl Analysis for EpicyclicTrain {
                 sheet.step(symbol("T", "d"), "N*m", -(load * inner), why)
             }
         };
-        let why = "The three torques on sun, ring and arm are in balance: torque that holds the fixed member";
+        let why = "Equilibrium of the three torques on sun, ring and arm: holding torque of the fixed member";
         let holding = sheet.step(symbol("T", "fix"), "N*m", -(on_driver + load), (why, BEVAN.at("ch. 12")));
-        sheet.answer("holding_torque", "Torque that holds the fixed member", holding);
+        sheet.answer("holding_torque", "Holding torque of the fixed member", holding);
         let power = sheet.step("P", "W", input * given.speed, "Power of the driving shaft");
         sheet.answer("power", "Power of the driving shaft", power);
         let (solved, links, hold) = self.built(teeth, on_driver.value()).map_err(built::refusal)?;
         sheet.verify(|| {
             let size = load.value().abs().max(on_driver.value().abs());
             sheet.check_sum(
-                "the load by the equations of Newton and Euler of every gear",
+                "the load from the Newton–Euler equations of every gear",
                 load,
                 solved.effort(0).into(),
                 size,
@@ -272,8 +273,7 @@ impl Analysis for EpicyclicTrain {
             let what = "speed of the planet from the meshes, with that of the driven member";
             let size = driven_turns.abs() * (of_planet.abs() + of_arm.abs());
             sheet.check_sum(what, against, (driven_turns * (of_planet - of_arm)).into(), size);
-            let what =
-                "torque that holds the fixed member by the equations of Newton and Euler of every gear";
+            let what = "holding torque of the fixed member from the Newton–Euler equations of every gear";
             let size = load.value().abs() + on_driver.value().abs();
             sheet.check_sum(what, holding, solved.reaction(hold)[0].into(), size);
             let what = "power of the driving shaft and of the load on the driven member";
@@ -281,7 +281,7 @@ impl Analysis for EpicyclicTrain {
         });
         sheet.show(|| solved.works(0));
         let speeds = [Member::Sun, Member::Ring, Member::Arm].map(|member| speed_of(member).value());
-        sheet.show(|| self.film(teeth, speeds));
+        sheet.show(|| self.animation(teeth, speeds));
         Ok(())
     }
 }
@@ -317,7 +317,7 @@ impl EpicyclicTrain {
         };
         if crowded {
             return Err(Refusal::because(
-                Text::new("a ring of {ring} teeth has no room for the planets on a sun of {sun} teeth: give the ring more")
+                Text::new("a ring of {ring} teeth leaves no room for the planets around a sun of {sun} teeth: give the ring more teeth")
                     .with("ring", ring)
                     .with("sun", sun),
             ));
@@ -365,7 +365,7 @@ impl EpicyclicTrain {
     }
 
     /// The train turning: pitch circles with a mark on each.
-    fn film(
+    fn animation(
         &self,
         [sun, first, second, ring]: [f64; 4],
         [sun_speed, ring_speed, arm_speed]: [f64; 3],
@@ -379,7 +379,7 @@ impl EpicyclicTrain {
         let two = if outside { axes / (second + ring) } else { axes / (ring - second) };
         let planet_speed = |frame: f64| frame * (arm_speed - (sun_speed - arm_speed) * sun / first);
         let frame = |n: usize| {
-            // One turn of the fastest member over the film.
+            // One turn of the fastest member over the animation.
             let time =
                 if fastest > 0.0 { std::f64::consts::TAU / fastest * n as f64 / FRAMES as f64 } else { 0.0 };
             let centre = built::away([0.0; 2], axes, arm_speed * time);
@@ -396,6 +396,6 @@ impl EpicyclicTrain {
             }
             shapes
         };
-        Exhibit::Film(Film::new("The epicyclic train", (0..FRAMES).map(frame).collect(), 4.0))
+        Exhibit::Animation(Animation::new("The epicyclic train", (0..FRAMES).map(frame).collect(), 4.0))
     }
 }

@@ -1,7 +1,7 @@
 //! Machines with one freedom under weights, springs and constant forces: all equilibria, and whether they last.
 
 use dalembert_core::{
-    Axis, DrawnShape, Exhibit, Film, Ink, Plot, Refusal, Series, TableExhibit, Text, Worksheet,
+    Animation, Axis, DrawnShape, Exhibit, Ink, Plot, Refusal, Series, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column, Point as At},
 };
 use dalembert_mechanics::{
@@ -51,15 +51,21 @@ impl Stability {
         match self {
             Stability::Stable => [
                 ("stable_angle", "Stable equilibrium"),
-                ("stable_curvature", "Curvature of the potential energy at the stable equilibrium"),
+                ("stable_curvature", "Second derivative of the potential energy at the stable equilibrium"),
             ],
             Stability::Unstable => [
                 ("unstable_angle", "Unstable equilibrium"),
-                ("unstable_curvature", "Curvature of the potential energy at the unstable equilibrium"),
+                (
+                    "unstable_curvature",
+                    "Second derivative of the potential energy at the unstable equilibrium",
+                ),
             ],
             Stability::Critical => [
-                ("critical_angle", "Equilibrium at the limit of stability"),
-                ("critical_curvature", "Curvature of the potential energy at the limit of stability"),
+                ("critical_angle", "Neutral (critical) equilibrium"),
+                (
+                    "critical_curvature",
+                    "Second derivative of the potential energy at the critical equilibrium",
+                ),
             ],
         }
     }
@@ -93,7 +99,7 @@ pub(crate) fn answer_equilibria<W: Worksheet>(
     }
     if highest - lowest <= ROUNDING * highest.abs().max(lowest.abs()) {
         return Err(Refusal::because(
-            "every position is an equilibrium: the potential energy is the same at all angles, and the balance is neutral",
+            "every position is an equilibrium: the potential energy is the same at all angles, and the equilibrium is neutral",
         ));
     }
     let zeros =
@@ -137,7 +143,7 @@ pub(crate) fn answer_equilibria<W: Worksheet>(
             "deg",
             at,
             (
-                "Equilibrium, δV = 0: where δV/δθ changes its sign in the range, closed in on by Brent's method",
+                "Equilibrium, δV = 0: sign change of δV/δθ in the range, refined by Brent's method",
                 HIBBELER.at("§11.6"),
             ),
         );
@@ -146,15 +152,15 @@ pub(crate) fn answer_equilibria<W: Worksheet>(
             ("V′", n),
             "N*m",
             first,
-            ("δV/δθ there: the virtual works sum to zero", BEER.at("§10.2C")),
+            ("δV/δθ there: the total virtual work is zero", BEER.at("§10.2C")),
         );
-        sheet.check_zero("the slope of the potential energy is zero in equilibrium", first, slope);
+        sheet.check_zero("the derivative of the potential energy is zero in equilibrium", first, slope);
         let words = match stability {
-            Stability::Stable => "d²V/dθ² > 0: the potential energy is least, the equilibrium is stable",
+            Stability::Stable => "d²V/dθ² > 0: the potential energy is a minimum, the equilibrium is stable",
             Stability::Unstable => {
-                "d²V/dθ² < 0: the potential energy is largest, the equilibrium is unstable"
+                "d²V/dθ² < 0: the potential energy is a maximum, the equilibrium is unstable"
             }
-            Stability::Critical => "d²V/dθ² = 0: the limit of stability, which higher derivatives decide",
+            Stability::Critical => "d²V/dθ² = 0: critical equilibrium, decided by higher derivatives",
         };
         let bend = sheet.step(("V″", n), "N*m/rad", bend, (words, BEER.at("§10.2D")));
         let count = &mut counts[stability as usize];
@@ -189,7 +195,7 @@ pub(crate) fn check_held<W: Worksheet>(
         let effort = built(equilibrium.at).and_then(|(mechanism, drawn)| solved(&mechanism, &drawn));
         if let Some(effort) = effort {
             sheet.check_zero(
-                "nothing is needed to hold it there, by Newton and Euler for every body",
+                "no holding effort is needed there, from the Newton–Euler equations of every body",
                 W::Num::from(effort.newton_euler[0]),
                 scale,
             );
@@ -211,7 +217,7 @@ pub(crate) fn check_curvature<W: Worksheet>(
     };
     if let Some(stiffness) = stiffness() {
         sheet.check_sum(
-            "the curvature of the potential energy as the rate of the virtual power of all loads",
+            "the second derivative of the potential energy as the rate of the virtual power of all loads",
             curvature,
             stiffness[(0, 0)].into(),
             scale,
@@ -264,7 +270,7 @@ pub(crate) fn down(at: Point, force: f64) -> Load {
     Load::Force { at, force: [0.0, -force], turns_with: None }
 }
 
-/// Angles of a film that swings through a range and back, beginning with the present one.
+/// Angles of an animation that swings through a range and back, beginning with the present one.
 fn swing(present: f64, [from, to]: [f64; 2]) -> Vec<f64> {
     const FRAMES: u32 = 24;
     let (middle, half) = (f64::midpoint(from, to), (to - from) / 2.0);
@@ -276,7 +282,7 @@ fn swing(present: f64, [from, to]: [f64; 2]) -> Vec<f64> {
 
 /// A machine that swings through a range of angles and back; `input` is the path of the angle, empty where that is
 /// sought.
-pub(crate) fn film(
+pub(crate) fn animation(
     title: &'static str,
     (input, present): (&'static str, f64),
     range: [f64; 2],
@@ -284,7 +290,7 @@ pub(crate) fn film(
 ) -> Exhibit {
     let angles = swing(present, range);
     let frames = angles.iter().copied().map(frame).collect();
-    Exhibit::Film(Film::new(title, frames, 3.0).over(input, angles))
+    Exhibit::Animation(Animation::new(title, frames, 3.0).over(input, angles))
 }
 
 /// An arrow with its name at the tail.
@@ -324,7 +330,7 @@ fn table(list: &[Equilibrium]) -> TableExhibit {
         columns: vec![
             column("Angle", "deg"),
             column("Potential energy", "J"),
-            column("Its curvature", "N*m/rad"),
+            column("Second derivative", "N*m/rad"),
             column("Equilibrium", ""),
         ],
         rows: list

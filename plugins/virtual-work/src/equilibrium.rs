@@ -28,7 +28,7 @@ pub struct Equilibrium {
     /// Joints.
     pub joints: Vec<Connection>,
     /// Coordinates.
-    /// One for each degree of freedom: what may move by itself.
+    /// One for each degree of freedom: the quantity free to vary.
     #[input(min = 1)]
     pub drivers: Vec<Drive>,
     /// Loads.
@@ -36,14 +36,14 @@ pub struct Equilibrium {
     /// Acceleration of gravity.
     #[input("g", "m/s^2", planar, default = "(0; -9.81) m/s^2")]
     pub gravity: Vector3<f64>,
-    /// Where to look.
+    /// Search region.
     pub search: Search,
 }
 
 /// Where an equilibrium is looked for.
 #[derive(Clone, Debug, Inputs)]
 pub enum Search {
-    /// Between two angles of the only coordinate
+    /// Between two angles of the single coordinate
     Angles {
         /// From.
         #[input("θ_1", "deg")]
@@ -52,7 +52,7 @@ pub enum Search {
         #[input("θ_2", "deg")]
         to: f64,
     },
-    /// Between two lengths of the only coordinate
+    /// Between two lengths of the single coordinate
     Lengths {
         /// From.
         #[input("s_1", "mm")]
@@ -61,7 +61,7 @@ pub enum Search {
         #[input("s_2", "mm")]
         to: f64,
     },
-    /// Near the values of the coordinates
+    /// Near the given values of the coordinates
     Near,
 }
 
@@ -75,7 +75,7 @@ impl Analysis for Equilibrium {
         id: "virtual-work/equilibrium",
         title: "Equilibrium of a mechanism",
         topic: "Any mechanism",
-        summary: "All positions in which a plane mechanism of any shape stays by itself, by the least of the potential energy, with their stability.",
+        summary: "All equilibrium positions of an arbitrary plane mechanism, from its potential energy, with their stability.",
         keywords: "equilíbrio estabilidade energia potencial virtual work trabalho virtual stable unstable neutral mola peso potential energy springs hessian",
         sources: &[&BEER, &HAUG],
         cases: include_str!("../cases/equilibrium.toml"),
@@ -90,14 +90,14 @@ impl Analysis for Equilibrium {
             Search::Near => None,
             _ if self.drivers.len() > 1 => {
                 return Err(Refusal::because(
-                    "with several coordinates a range cannot be searched: look near the values of the coordinates",
+                    "with several coordinates a range cannot be searched: search near the values of the coordinates",
                 ));
             }
             Search::Angles { from, to } if turns => Some([from, to]),
             Search::Lengths { from, to } if !turns => Some([from, to]),
             _ => {
                 return Err(Refusal::because(
-                    "the range does not fit the coordinate: an angle wants angles, a length or a distance wants lengths",
+                    "the range does not match the coordinate: an angle requires angles, a length or a distance requires lengths",
                 ));
             }
         };
@@ -118,13 +118,13 @@ impl Analysis for Equilibrium {
         };
         if let Some(end) = short {
             sheet.warn(|| {
-                Text::new("the mechanism goes no further than {end}: beyond it nothing was looked for")
+                Text::new("the mechanism does not move beyond {end}: nothing was searched beyond it")
                     .with_quantity("end", end, self.parts().unit(0))
             });
         }
         if found.is_empty() {
             return Err(Refusal::because(
-                "there is no equilibrium in this range: the effort that holds the mechanism keeps its sign; look in a wider one",
+                "there is no equilibrium in this range: the holding effort does not change sign; search a wider one",
             ));
         }
         for (number, here) in (1..).zip(&found) {
@@ -175,16 +175,18 @@ impl Equilibrium {
                     BEER.at("§10.8"),
                 ),
             );
-            sheet.answer(("coordinate", row), "Coordinate in equilibrium", value);
+            sheet.answer(("coordinate", row), "Coordinate at equilibrium", value);
             sheet.whose(("coordinate", row), &drive.name);
             let stiffness = sheet.found(
                 ("V''", row),
                 self.of_stiffness(driver),
                 here.stiffness[(driver, driver)],
                 (
-                    Text::new("Second derivative of the potential energy by {name}: {stability}")
-                        .with("name", &drive.name)
-                        .with_text("stability", named(here.stability)),
+                    Text::new(
+                        "Second derivative of the potential energy with respect to {name}: {stability}",
+                    )
+                    .with("name", &drive.name)
+                    .with_text("stability", named(here.stability)),
                     BEER.at("§10.9"),
                 ),
             );
@@ -233,13 +235,13 @@ impl Equilibrium {
             let name = |what: &'static str| Text::new(what).with("name", &drive.name);
             let slack = 100.0;
             sheet.check_residual(
-                name("the potential energy has no slope by {name}"),
+                name("the derivative of the potential energy with respect to {name} is zero"),
                 slope.into(),
                 slack * most / step,
                 (slope - rough_slope) / 8.0,
             );
             sheet.check_residual(
-                name("the differences of the potential energy have the second derivative by {name}"),
+                name("finite differences of the potential energy reproduce the second derivative with respect to {name}"),
                 (bend - shown[driver][1]).into(),
                 slack * most / (step * step),
                 (bend - rough_bend) / 8.0,
@@ -294,7 +296,7 @@ impl Equilibrium {
                 _ => ("Force", "N"),
             };
             let plot = Plot::new(
-                "Effort that holds the mechanism",
+                "Equilibrant force or torque of the mechanism",
                 axis(),
                 Axis::linear(label, unit),
                 vec![Series::line("dV/dm", efforts)],
@@ -377,8 +379,7 @@ fn check_eigenvalue<W: Worksheet>(stiffness: &DMatrix<f64>, eigenvalue: W::Num, 
         let middle = f64::midpoint(below, above);
         *(if is_definite(middle) { &mut below } else { &mut above }) = middle;
     }
-    let what =
-        "lowest eigenvalue by the law of inertia, where the second derivatives cease to be positive definite";
+    let what = "lowest eigenvalue by Sylvester's law of inertia, where the matrix of second derivatives ceases to be positive definite";
     sheet.check_sum(what, eigenvalue, f64::midpoint(below, above).into(), bound);
 }
 

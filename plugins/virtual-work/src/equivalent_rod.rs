@@ -19,10 +19,10 @@ pub struct EquivalentRod {
     /// Between its pins.
     #[input("l", "mm", positive)]
     pub length: f64,
-    /// What is known of its inertia.
+    /// Known inertia data.
     pub known: Known,
     /// Angular acceleration of the rod.
-    /// For the couple that corrects masses in its pins.
+    /// For the couple that corrects masses at its pins.
     #[input("α", "rad/s^2")]
     pub acceleration: Option<f64>,
 }
@@ -81,7 +81,7 @@ impl Analysis for EquivalentRod {
         id: "virtual-work/equivalent-rod",
         title: "Equivalent masses of a connecting rod",
         topic: "Engines, gears and wheels",
-        summary: "Two masses that move like a connecting rod, the masses in its two pins, and the couple that corrects them.",
+        summary: "Two masses dynamically equivalent to a connecting rod, the masses at its two pins, and the correction couple.",
         keywords: "biela massas equivalentes sistema dinamicamente equivalente conjugado de correção raio de giração pêndulo \
                    dynamically equivalent two-mass system correction couple connecting rod radius of gyration swing period",
         sources: &[&BEVAN, &KHURMI],
@@ -102,7 +102,7 @@ impl Analysis for EquivalentRod {
             "L",
             "mm",
             equivalent::pendulum_length(radius, near),
-            "Length of the simple pendulum that swings like the rod about the gudgeon pin",
+            "Length of the simple pendulum equivalent to the rod about the gudgeon pin",
         );
         let cite = KHURMI.at("ch. 15");
         let conjugate = sheet.step(
@@ -118,7 +118,7 @@ impl Analysis for EquivalentRod {
             "m₁",
             "kg",
             equivalent::share(mass, near, conjugate),
-            ("Mass at the gudgeon pin: total mass and centre of mass stay", cite),
+            ("Mass at the gudgeon pin: total mass and centre of mass are preserved", cite),
         );
         let second =
             sheet.step("m₂", "kg", equivalent::share(mass, conjugate, near), ("The other mass", cite));
@@ -126,7 +126,7 @@ impl Analysis for EquivalentRod {
             "m_g",
             "kg",
             equivalent::share(mass, near, far),
-            ("Mass at the gudgeon pin where the other one is in the crank pin", cite),
+            ("Mass at the gudgeon pin when the other is at the crank pin", cite),
         );
         let crank_pin =
             sheet.step("m_c", "kg", equivalent::share(mass, far, near), ("Mass at the crank pin", cite));
@@ -135,7 +135,7 @@ impl Analysis for EquivalentRod {
             "kg*m^2",
             equivalent::missing_inertia(mass, radius, near, far),
             (
-                "Moment of inertia that masses in the two pins lack; below zero, that they have too much",
+                "Moment-of-inertia deficit of masses at the two pins; negative for an excess",
                 BEVAN.at("ch. 12"),
             ),
         );
@@ -144,14 +144,14 @@ impl Analysis for EquivalentRod {
         sheet.answer("second_mass", "Second mass of the equivalent rod", second);
         sheet.answer("gudgeon_mass", "Mass at the gudgeon pin, with the other at the crank pin", gudgeon);
         sheet.answer("crank_pin_mass", "Mass at the crank pin", crank_pin);
-        sheet.answer("missing_inertia", "Moment of inertia that masses in the pins lack", missing);
+        sheet.answer("missing_inertia", "Moment-of-inertia deficit of masses at the pins", missing);
         sheet.answer("pendulum_length", "Length of the equivalent pendulum about the gudgeon pin", pendulum);
         if let Some(acceleration) = given.acceleration {
             let couple = sheet.step(
                 "C",
                 "N*m",
                 -(missing * acceleration),
-                ("Couple that has to be added to the inertia of masses in the pins", BEVAN.at("ch. 12")),
+                ("Couple to be added to the inertia of masses at the pins", BEVAN.at("ch. 12")),
             );
             sheet.answer("correction_couple", "Correction couple", couple);
             sheet.verify(|| {
@@ -167,13 +167,13 @@ impl Analysis for EquivalentRod {
                 KnownGiven::Moment { inertia, .. } => inertia,
                 _ => mass * radius.powi(2),
             };
-            sheet.check("the two masses weigh what the rod weighs", first + second, mass);
-            let what = "the two masses have the centre of mass of the rod";
+            sheet.check("the two masses add up to the mass of the rod", first + second, mass);
+            let what = "the two masses have the same centre of mass as the rod";
             sheet.check_zero(what, first * near - second * conjugate, (mass * near).value());
             let both = first * near.powi(2) + second * conjugate.powi(2);
-            sheet.check("the two masses have the moment of inertia of the rod", both, own);
+            sheet.check("the two masses have the same moment of inertia as the rod", both, own);
             let pins = gudgeon * near.powi(2) + crank_pin * far.powi(2);
-            let what = "masses in the pins and what they lack have the moment of inertia of the rod";
+            let what = "moment of inertia of the rod as that of the masses at the pins plus the difference";
             sheet.check_zero(what, pins + missing - own, own.value() + pins.value());
         });
         let places = [near.value(), far.value(), conjugate.value()];
@@ -219,7 +219,8 @@ impl EquivalentRod {
                         "no rod of this length has these two periods: its centre of mass would be beyond a pin; check periods and length",
                     ));
                 }
-                let why = "Both oscillations have one radius of gyration: a (L_g − a) = (l − a)(L_c − l + a)";
+                let why =
+                    "Both oscillations give the same radius of gyration: a (L_g − a) = (l − a)(L_c − l + a)";
                 let distance = sheet.step("a", "mm", span * over / sum, why);
                 sheet.answer("centre", "Distance of the centre of mass from the gudgeon pin", distance);
                 if first.value() < distance.value() {
@@ -251,7 +252,7 @@ fn check_swings<W: Worksheet>(given: &EquivalentRodGiven<W>, near: W::Num, radiu
 
 fn too_fast() -> Refusal {
     Refusal::because(
-        "the rod swings faster than all its mass at its centre of mass would: check the period and the distance",
+        "the rod swings faster than a simple pendulum with all its mass at the centre of mass: check the period and the distance",
     )
 }
 

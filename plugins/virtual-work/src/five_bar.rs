@@ -43,9 +43,9 @@ pub struct FiveBar {
     /// Angle of the first crank.
     #[input("θ_2", "deg", kept_in = "drawn")]
     pub first_angle: f64,
-    /// Angle in the drawn position.
-    /// With gears the angle of the second crank is that of the drawn position; from there they turn it as the first crank
-    /// turns. Left out, it is drawn with the angle above.
+    /// Angle in the initial configuration.
+    /// With gears the angle of the second crank is that of the drawn position; from there they turn it as the first
+    /// crank turns. If omitted, it is drawn with the angle above.
     #[input("θ_d", "deg")]
     pub drawn: Option<f64>,
     /// Angle of the second crank.
@@ -60,18 +60,18 @@ pub struct FiveBar {
 /// On which side of the way from A to B the rods meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Apex {
-    /// To the left of the way from A to B
+    /// To the left, looking from A to B
     Left,
-    /// To the right of the way from A to B
+    /// To the right, looking from A to B
     Right,
 }
 
 /// How the cranks are driven.
 #[derive(Clone, Debug, Inputs)]
 pub enum Cranks {
-    /// Each by itself: two freedoms
+    /// Independent: two degrees of freedom
     Free,
-    /// Geared together: one freedom
+    /// Geared together: one degree of freedom
     Geared {
         /// Teeth of the gear on the first crank.
         #[input(min = 4, max = 10000)]
@@ -87,9 +87,9 @@ pub enum Cranks {
 /// How two gears mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Mesh {
-    /// Outside teeth: opposite senses
+    /// External teeth: opposite senses
     Outside,
-    /// Through an idler or inside teeth: the same sense
+    /// Through an idler or internal teeth: the same sense
     Same,
 }
 
@@ -98,11 +98,11 @@ pub enum Mesh {
 pub enum Unknown {
     /// Torques on the cranks
     Torques {
-        /// Force where the rods meet.
+        /// Force at the common pin of the rods.
         #[input("F", "N", planar)]
         force: Vector3<f64>,
     },
-    /// Force where the rods meet
+    /// Force at the common pin of the rods
     Force {
         /// Torque on the first crank.
         #[input("T_2", "N*m")]
@@ -133,7 +133,7 @@ impl Analysis for FiveBar {
         id: "virtual-work/five-bar",
         title: "Five-bar linkage",
         topic: "Plane linkages",
-        summary: "Holding torques of a five-bar linkage with two driven cranks, or geared to one freedom, for a force where its rods meet, by virtual work; or the force from the torques.",
+        summary: "Holding torques of a five-bar linkage with two driven cranks, or geared to one degree of freedom, for a force at the common pin of its rods, by virtual work; or the force from the torques.",
         keywords: "mecanismo de cinco barras dois graus de liberdade engrenado robô paralelo jacobiano five-bar geared \
                    parallel robot Jacobian two degrees of freedom",
         sources: &[&RIUL, &NORTON, &SHIGLEY],
@@ -154,8 +154,8 @@ impl Analysis for FiveBar {
                 }
             }
             Unknown::Force { .. } => {
-                sheet.answer("force_x", "Force where the rods meet, along x", found.force[0]);
-                sheet.answer("force_y", "Force where the rods meet, along y", found.force[1]);
+                sheet.answer("force_x", "Force at the common pin of the rods, along x", found.force[0]);
+                sheet.answer("force_y", "Force at the common pin of the rods, along y", found.force[1]);
             }
         }
         let force = found.force.map(Real::value);
@@ -204,7 +204,7 @@ impl Template for FiveBar {
         let gear = self.gear(sheet);
         let turned = match (gear, given.drawn) {
             (Some(gear), Some(drawn)) => {
-                let why = "Angle of the second crank: the gears turn it from where it was drawn";
+                let why = "Angle of the second crank, rotated by the gears from the initial configuration";
                 sheet.step("θ′_5", "deg", given.second_angle + gear * (given.first_angle - drawn), why)
             }
             _ => given.second_angle,
@@ -234,7 +234,7 @@ impl Template for FiveBar {
         let first: Moving<W> = works::moving("P2", a, pair.reach[0], bar(by_first, 0), false, sheet);
         let second: Moving<W> = works::moving("P5", b, pair.reach[1], bar(by_second, 1), false, sheet);
         sheet.verify(|| {
-            let what = "the other rod moves the common pin alike";
+            let what = "the other rod moves the common pin in the same way";
             sheet.check_vector(what, works::across::<W>(pair.reach[1]) * other_by_first, first.shift);
             sheet.check_vector(what, works::across::<W>(pair.reach[0]) * other_by_second, second.shift);
         });
@@ -242,8 +242,7 @@ impl Template for FiveBar {
         let found = |torques, force| Found { angles: pair.angles, place: [place.x, place.y], torques, force };
         match (&given.unknown, gear) {
             (&UnknownGiven::Torques { force }, Some(gear)) => {
-                let why =
-                    "Displacement of P for δθ_2 = 1: with the first crank, and with the second by the gears";
+                let why = "Displacement of P for δθ_2 = 1: by the first crank and, through the gears, by the second";
                 let shift = first.shift + second.shift * gear;
                 let shift = sheet.step_vector(symbol("u", "P"), "mm", shift, (why, SHIGLEY.at("ch. 3")));
                 let why = "Torque on the first crank: T_2 δθ_2 + F · u_P = 0";
@@ -253,24 +252,24 @@ impl Template for FiveBar {
                 Ok(found([Some(torque), None], [x, y]))
             }
             (&UnknownGiven::Torques { force }, None) => {
-                let why = "Torque on the first crank, the second held: T_2 δθ_2 + F · u_P2 = 0";
+                let why = "Torque on the first crank, the second fixed: T_2 δθ_2 + F · u_P2 = 0";
                 let one =
                     sheet.step(symbol("T", "2"), "N*m", -(force.dot(first.shift)), (why, RIUL.at("eq. 1")));
-                let why = "Torque on the second crank, the first held: T_5 δθ_5 + F · u_P5 = 0";
+                let why = "Torque on the second crank, the first fixed: T_5 δθ_5 + F · u_P5 = 0";
                 let two =
                     sheet.step(symbol("T", "5"), "N*m", -(force.dot(second.shift)), (why, RIUL.at("eq. 1")));
                 let [x, y, _] = force.components();
                 Ok(found([Some(one), Some(two)], [x, y]))
             }
             (UnknownGiven::Force { .. }, Some(_)) => Err(Refusal::because(
-                "the gears leave one freedom: one torque cannot tell both components of the force; give the force and ask for the torque",
+                "the gears leave one degree of freedom: one torque cannot determine both components of the force; give the force and choose the torque as unknown",
             )),
             (&UnknownGiven::Force { first: t2, second: t5 }, None) => {
                 let (one, two) = (first.shift, second.shift);
                 let sine = Vector::cross(one.value(), two.value()).z;
                 if sine.abs() <= DEAD * one.value().norm() * two.value().norm() {
                     return Err(Refusal::because(
-                        "both cranks move the point P along the same line: the torques do not tell the force across it; turn a crank a little",
+                        "both cranks move the point P along the same line: the torques do not determine the force perpendicular to it; rotate a crank slightly",
                     ));
                 }
                 let ([ux, uy, _], [wx, wy, _]) = (one.components(), two.components());
@@ -293,7 +292,7 @@ impl FiveBar {
         let why = "Teeth, as given";
         let z2 = sheet.found(symbol("z", "2"), "1", f64::from(first), why);
         let z5 = sheet.found(symbol("z", "5"), "1", f64::from(second), why);
-        let why = "Virtual turn of the second crank for δθ_2 = 1, by the gears";
+        let why = "Virtual rotation of the second crank for δθ_2 = 1, by the gears";
         let ratio = z2 / z5;
         let ratio = if mesh == Mesh::Outside { -ratio } else { ratio };
         Some(sheet.step(symbol("h", "5"), "1", ratio, (why, SHIGLEY.at("ch. 7"))))
@@ -317,7 +316,7 @@ impl FiveBar {
         let tip = three.point([self.first_rod, 0.0]);
         it.pin(tip, four.point([self.second_rod, 0.0]));
         if force != [0.0; 2] {
-            it.force("Force where the rods meet", tip, force);
+            it.force("Force at the common pin of the rods", tip, force);
         }
         it.turn(two, [self.first_angle, 0.0, 0.0]);
         match self.cranks {
@@ -375,7 +374,7 @@ impl FiveBar {
                 }
                 Exhibit::Plot(
                     Plot::new(
-                        Text::from("Torques over the turn of the first crank"),
+                        Text::from("Torques over one revolution of the first crank"),
                         Axis::linear("Angle of the first crank", "deg"),
                         Axis::linear("Torque", "N*m"),
                         series,
@@ -390,14 +389,14 @@ impl FiveBar {
         };
         sheet.show(|| {
             Exhibit::Plot(Plot::new(
-                "Path of the point where the rods meet",
+                "Path of the common pin of the rods",
                 Axis::linear("x", "mm"),
                 Axis::linear("y", "mm"),
                 vec![Series::line("path", path())],
             ))
         });
         sheet.show(|| {
-            built::film("The five-bar linkage", ("first_angle", self.first_angle), range, |angle| {
+            built::animation("The five-bar linkage", ("first_angle", self.first_angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let ([a, b], fixed) = (there.pins(), [there.frame, 0.0]);

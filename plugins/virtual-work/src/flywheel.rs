@@ -39,8 +39,8 @@ pub enum Moment {
         #[input(table)]
         rows: Vec<Harmonic>,
     },
-    /// Table over the crank angle
-    /// Straight between its rows.
+    /// Table against the crank angle
+    /// Linear interpolation between its rows.
     Table {
         /// Strokes of a cycle.
         strokes: Strokes,
@@ -73,13 +73,13 @@ pub enum Moment {
 #[derive(Clone, Debug, Inputs)]
 pub struct Harmonic {
     /// Order.
-    /// Whole, or half in a cycle of two turns.
+    /// An integer, or a half-integer in a cycle of two revolutions.
     #[input("k", "1", positive, max = 48)]
     pub order: f64,
-    /// With the sine.
+    /// Sine coefficient.
     #[input("a", "N*m")]
     pub sine: f64,
-    /// With the cosine.
+    /// Cosine coefficient.
     #[input("b", "N*m")]
     pub cosine: f64,
 }
@@ -98,14 +98,14 @@ pub struct MomentRow {
 /// Inertia or fluctuation of speed.
 #[derive(Clone, Debug, Inputs)]
 pub enum Sought {
-    /// Inertia for a fluctuation of speed
+    /// Inertia for a given fluctuation of speed
     Inertia {
         /// Coefficient of fluctuation of speed.
-        /// The greatest less the least speed, over the mean; twice what is given as ± of the mean.
+        /// Maximum minus minimum speed, divided by the mean; twice the value stated as ± of the mean.
         #[input("C_s", "%", positive, max = 100)]
         fluctuation: f64,
         /// Radius of gyration.
-        /// For the mass of the flywheel.
+        /// Used to find the mass of the flywheel.
         #[input("k_F", "m", positive)]
         radius: Option<f64>,
     },
@@ -130,7 +130,7 @@ impl Analysis for Flywheel {
         id: "virtual-work/flywheel",
         title: "Flywheel",
         topic: "Engines, gears and wheels",
-        summary: "Fluctuation of energy of a turning moment, and the inertia of a flywheel against the fluctuation of speed, either from the other.",
+        summary: "Energy fluctuation of a turning moment, and flywheel inertia for a speed fluctuation, or the speed fluctuation for an inertia.",
         keywords: "volante de inércia flutuação de energia coeficiente de flutuação de velocidade diagrama de torque \
                    flywheel fluctuation of energy coefficient of fluctuation of speed turning moment diagram steadiness",
         sources: &[&KHURMI, &BEVAN],
@@ -147,11 +147,11 @@ impl Analysis for Flywheel {
             SoughtGiven::Inertia { fluctuation, radius } => {
                 if energy.value() == 0.0 {
                     return Err(Refusal::because(
-                        "the turning moment never leaves its mean: no flywheel is needed",
+                        "the turning moment is constant and equal to its mean: no flywheel is needed",
                     ));
                 }
                 let why = (
-                    "Moment of inertia: the energy ½ I (ω₁² − ω₂²) = I ω² C_s takes up the fluctuation",
+                    "Moment of inertia: the energy ½ I (ω₁² − ω₂²) = I ω² C_s absorbs the fluctuation",
                     cite,
                 );
                 let inertia = sheet.step("I_F", "kg*m^2", energy / (square * *fluctuation), why);
@@ -179,17 +179,17 @@ impl Analysis for Flywheel {
         if fluctuation.value() > 0.5 {
             sheet.warn(|| {
                 Text::new(
-                    "the speed would vary by more than half of itself: the turning moment at a constant speed no longer holds",
+                    "the speed would vary by more than half its value: the turning moment at a constant speed is no longer valid",
                 )
             });
         }
         let half = || fluctuation / 2.0;
-        let fast = sheet.step("ω₁", "rpm", given.speed * (half() + 1.0), "Greatest speed");
-        let slow = sheet.step("ω₂", "rpm", given.speed * (W::Num::from(1.0) - half()), "Least speed");
+        let fast = sheet.step("ω₁", "rpm", given.speed * (half() + 1.0), "Maximum speed");
+        let slow = sheet.step("ω₂", "rpm", given.speed * (W::Num::from(1.0) - half()), "Minimum speed");
         sheet.answer("inertia", "Moment of inertia of the flywheel", inertia);
         sheet.answer("fluctuation", "Coefficient of fluctuation of speed", fluctuation);
-        sheet.answer("greatest_speed", "Greatest speed", fast);
-        sheet.answer("least_speed", "Least speed", slow);
+        sheet.answer("greatest_speed", "Maximum speed", fast);
+        sheet.answer("least_speed", "Minimum speed", slow);
         sheet.verify(|| {
             let range = inertia * (fast.powi(2) - slow.powi(2)) / 2.0;
             let scale = inertia.value() * fast.value().powi(2);
@@ -198,7 +198,7 @@ impl Analysis for Flywheel {
             if let Some(rim) = rim {
                 let range = rim * (fast.powi(2) - slow.powi(2)) / 2.0;
                 let what =
-                    "the mass of the flywheel at its radius of gyration takes up the fluctuation of energy";
+                    "the mass of the flywheel at its radius of gyration absorbs the fluctuation of energy";
                 sheet.check(what, range, energy);
             }
         });
@@ -255,7 +255,7 @@ impl Flywheel {
                 let ascending = rows.windows(2).all(|pair| pair[0][0] < pair[1][0]);
                 if !ascending || span > period * (1.0 + 1e-9) {
                     return Err(Refusal::because(
-                        "the table needs at least two rows by ascending crank angle, within one cycle",
+                        "the table needs at least two rows in ascending order of crank angle, within one cycle",
                     ));
                 }
                 let corners: Vec<f64> = rows.iter().map(|row| row[0]).collect();
@@ -296,12 +296,12 @@ fn fluctuation<W: Worksheet>(curved: &Curved, speed: W::Num, mean: W::Num, done:
     };
     let (most, least) = (by(1.0), by(-1.0));
     let most_work = sheet.found(
-            "E₁",
-            "J",
-            most.1,
-            "Work above the mean from the start of the cycle to the crossing where it is greatest: the speed is greatest there",
-        );
-    let least_work = sheet.found("E₂", "J", least.1, "The same where it is least, and the speed with it");
+        "E₁",
+        "J",
+        most.1,
+        "Maximum work above the mean, from the start of the cycle to a crossing: the speed is maximum there",
+    );
+    let least_work = sheet.found("E₂", "J", least.1, "Minimum of the same work: the speed is minimum there");
     let energy =
         sheet.step("ΔE", "J", most_work - least_work, ("Fluctuation of energy", KHURMI.at("ch. 16")));
     let power = sheet.step("P", "kW", mean * speed, "Mean power");
@@ -315,11 +315,11 @@ fn fluctuation<W: Worksheet>(curved: &Curved, speed: W::Num, mean: W::Num, done:
     });
     let work = mean * curved.period;
     if mean.value() != 0.0 && energy.value() != 0.0 {
-        let why = ("Coefficient of fluctuation of energy: part of the work of a cycle", KHURMI.at("ch. 16"));
+        let why = ("Coefficient of fluctuation of energy: ratio to the work per cycle", KHURMI.at("ch. 16"));
         let part = sheet.step("C_E", "1", energy / work.abs(), why);
         sheet.answer("energy_coefficient", "Coefficient of fluctuation of energy", part);
         sheet.verify(|| {
-            let what = "fluctuation of energy as its part of the work of a cycle";
+            let what = "fluctuation of energy as a fraction of the work per cycle";
             sheet.check_sum(what, part * done.abs(), cycle.fluctuation.into(), size);
         });
     }
@@ -366,9 +366,9 @@ fn energy_of_areas<W: Worksheet>(
     };
     let (most, least) = (best(1.0), best(-1.0));
     let sum = |to: usize| W::Num::sum(given[..=to].iter().copied());
-    let why = "Sum of the areas up to the crossing where it is greatest: the speed is greatest there";
+    let why = "Maximum cumulative area, at a crossing: the speed is maximum there";
     let most_area = sheet.step("A₁", "mm^2", sum(most), why);
-    let why = "Sum of the areas up to the crossing where it is least";
+    let why = "Minimum cumulative area, at a crossing";
     let least_area = sheet.step("A₂", "mm^2", sum(least), why);
     let energy = sheet.step(
         "ΔE",
@@ -410,7 +410,7 @@ fn period(rows: &[Harmonic]) -> Result<f64, Refusal> {
         Ok(2.0 * TAU)
     } else {
         Err(Refusal::because(
-            "an order is neither whole nor half, so the turning moment does not repeat after two turns",
+            "an order is neither an integer nor a half-integer, so the turning moment is not periodic over two revolutions",
         ))
     }
 }

@@ -148,20 +148,12 @@ impl Analysis for FourBar {
         sheet.verify(|| self.check_transmission(given, between, sheet));
         if between.value() < 40f64.to_radians() {
             sheet.warn(|| {
-                Text::new("the transmission angle is {angle}: below 40° a linkage runs hard and joints take large forces")
+                Text::new("the transmission angle is {angle}: below 40° force transmission is poor and the joint forces are large")
                     .with_quantity("angle", between.value(), "deg")
             });
         }
-        sheet.answer(
-            "coupler_ratio",
-            "Angular velocity of the coupler over that of the crank",
-            found.ratios[0],
-        );
-        sheet.answer(
-            "rocker_ratio",
-            "Angular velocity of the rocker over that of the crank",
-            found.ratios[1],
-        );
+        sheet.answer("coupler_ratio", "Ratio of angular velocities, coupler to crank", found.ratios[0]);
+        sheet.answer("rocker_ratio", "Ratio of angular velocities, rocker to crank", found.ratios[1]);
         if self.moves() {
             sheet.answer("coupler_speed", "Angular velocity of the coupler", found.speeds[0]);
             sheet.answer("rocker_speed", "Angular velocity of the rocker", found.speeds[1]);
@@ -222,8 +214,8 @@ impl Analysis for FourBar {
             };
             let links = lengths.links(self.angle, branch);
             for (n, link, what) in [
-                (0, links.coupler, "turn of the coupler from the derivatives of the loop"),
-                (1, links.rocker, "turn of the rocker from the derivatives of the loop"),
+                (0, links.coupler, "rotation of the coupler from the derivatives of the loop equation"),
+                (1, links.rocker, "rotation of the rocker from the derivatives of the loop equation"),
             ] {
                 let size = links.coupler.first.abs().max(links.rocker.first.abs());
                 sheet.check_sum(what, found.ratios[n], link.first.into(), size);
@@ -238,9 +230,13 @@ impl Analysis for FourBar {
                     (
                         0,
                         links.coupler,
-                        "angular acceleration of the coupler from the derivatives of the loop",
+                        "angular acceleration of the coupler from the derivatives of the loop equation",
                     ),
-                    (1, links.rocker, "angular acceleration of the rocker from the derivatives of the loop"),
+                    (
+                        1,
+                        links.rocker,
+                        "angular acceleration of the rocker from the derivatives of the loop equation",
+                    ),
                 ] {
                     sheet.check_sum(what, found.accelerations[n], of(link).into(), size);
                 }
@@ -296,13 +292,13 @@ impl Template for FourBar {
             UnknownGiven::Torque { load } => {
                 works.couple(FOUR, load, rocker.ratio);
                 let sum = works.sum();
-                let why = "Torque: with it the sum of the virtual works is zero, T_2 δθ_2 + ΣδW = 0";
+                let why = "Torque: the total virtual work is zero, T_2 δθ_2 + ΣδW = 0";
                 (sheet.step(symbol("T", "2"), "N*m", -sum, (why, RIUL.at("eq. 5"))), load)
             }
             UnknownGiven::Load { torque } => {
                 if rocker.ratio.value().abs() < DEAD {
                     return Err(Refusal::because(
-                        "crank and coupler are in one line and the rocker turns back: no torque on the rocker can balance one on the crank; turn the crank a little",
+                        "crank and coupler are collinear and the rocker reverses: no torque on the rocker can balance one on the crank; rotate the crank slightly",
                     ));
                 }
                 if torque.value() != 0.0 {
@@ -310,8 +306,7 @@ impl Template for FourBar {
                     works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
                 }
                 let sum = works.sum();
-                let why =
-                    "Torque on the rocker: with it the sum of the virtual works is zero, T_4 h_4 + ΣδW = 0";
+                let why = "Torque on the rocker: the total virtual work is zero, T_4 h_4 + ΣδW = 0";
                 let load =
                     sheet.step(symbol("T", "4"), "N*m", -(sum / rocker.ratio), (why, RIUL.at("eq. 5")));
                 (torque, load)
@@ -350,7 +345,7 @@ impl FourBar {
         if rocker.value().abs() > DEAD {
             let advantage = rocker.abs();
             let advantage = W::Num::from(1.0) / advantage;
-            let why = "Mechanical advantage: torque of the rocker over torque of the crank, without masses";
+            let why = "Mechanical advantage: ratio of rocker torque to crank torque, neglecting masses";
             let advantage = sheet.step("MA", "1", advantage, (why, NORTON.at("ch. 6")));
             sheet.answer("mechanical_advantage", "Mechanical advantage", advantage);
         }
@@ -392,20 +387,22 @@ impl FourBar {
         let (a, b, c, d) = (given.crank, given.coupler, given.rocker, given.frame);
         let cosine = |reach: W::Num| (a.powi(2) + d.powi(2) - reach.powi(2)) / (a * d * 2.0);
         if self.crank + self.frame > self.coupler + self.rocker {
-            let why = ("Largest angle of the crank: coupler and rocker stretched out", NORTON.at("ch. 4"));
+            let why =
+                ("Maximum angle of the crank: coupler and rocker collinear (extended)", NORTON.at("ch. 4"));
             let limit = sheet.step(symbol("θ", "max"), "deg", cosine(b + c).acos(), why);
-            sheet.answer("largest_angle", "Largest angle of the crank, from the frame", limit);
+            sheet.answer("largest_angle", "Maximum angle of the crank, from the frame", limit);
             sheet.verify(|| {
                 let reach = (a * limit.sin()).powi(2) + (a * limit.cos() - d).powi(2);
                 let what =
-                    "coupler and rocker in one line span the way from the crank pin at its largest angle";
+                    "coupler and rocker, collinear, span the distance from the crank pin at its maximum angle";
                 sheet.check_sum(what, reach, (b + c).powi(2), (self.crank + self.frame).powi(2));
             });
         }
         if (self.crank - self.frame).abs() < (self.coupler - self.rocker).abs() {
-            let why = ("Least angle of the crank: coupler and rocker folded", NORTON.at("ch. 4"));
+            let why =
+                ("Minimum angle of the crank: coupler and rocker collinear (folded)", NORTON.at("ch. 4"));
             let limit = sheet.step(symbol("θ", "min"), "deg", cosine(b - c).acos(), why);
-            sheet.answer("least_angle", "Least angle of the crank, from the frame", limit);
+            sheet.answer("least_angle", "Minimum angle of the crank, from the frame", limit);
         }
     }
 

@@ -10,7 +10,7 @@ use dalembert_mechanics::{
 
 pub use crate::one_freedom::Position;
 use crate::{
-    equilibria::{arrow, down, film, telling},
+    equilibria::{animation, arrow, down, telling},
     one_freedom::{Machine, Part, Shapes, spring},
     sources::{BEER, HIBBELER, RIUL},
 };
@@ -31,17 +31,17 @@ pub struct GuidedBar {
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
     pub gravity: f64,
     /// Vertical force at A, downwards.
-    /// Zero where there is none; left out, it is sought from the position.
+    /// Zero if absent; if omitted, it is calculated from the position.
     #[input("P", "N")]
     pub force_a: Option<f64>,
     /// Horizontal force at B, towards the vertical guide.
-    /// Zero where there is none; left out, it is sought from the position.
+    /// Zero if absent; if omitted, it is calculated from the position.
     #[input("F", "N")]
     pub force_b: Option<f64>,
     /// Spring.
     pub spring: Spring,
     /// Position.
-    /// The angle θ is that between the bar and the vertical guide.
+    /// The angle θ is measured between the bar and the vertical guide.
     pub position: Position,
 }
 
@@ -62,26 +62,26 @@ pub enum Spring {
     /// Horizontal
     Horizontal {
         /// Stiffness.
-        /// Left out, it is sought from the position.
+        /// If left blank, it is computed from the position.
         #[input("k", "N/m", positive)]
         stiffness: Option<f64>,
         /// Distance of its end on the bar from A.
         #[input("c", "m", positive)]
         distance: f64,
-        /// Angle at which it is unstretched.
+        /// Angle at which the spring is unstretched.
         #[input("θ₀", "deg", min = -360, max = 360)]
         free: f64,
     },
     /// Vertical
     Vertical {
         /// Stiffness.
-        /// Left out, it is sought from the position.
+        /// If left blank, it is computed from the position.
         #[input("k", "N/m", positive)]
         stiffness: Option<f64>,
         /// Distance of its end on the bar from B.
         #[input("c", "m", positive)]
         distance: f64,
-        /// Angle at which it is unstretched.
+        /// Angle at which the spring is unstretched.
         #[input("θ₀", "deg", min = -360, max = 360)]
         free: f64,
     },
@@ -112,21 +112,21 @@ impl Analysis for GuidedBar {
             Part {
                 name: "weight of the bar",
                 load: Some(weight),
-                rate: ["y′_G", "m", "Virtual rise of the mass centre over δθ"],
+                rate: ["y′_G", "m", "Upward virtual displacement of the centre of mass per unit δθ"],
                 symbol: ["W", "N"],
                 answer: ["weight", "Weight of the bar"],
             },
             Part {
                 name: "force at A",
                 load: given.force_a,
-                rate: ["y′_A", "m", "Virtual rise of A over δθ"],
+                rate: ["y′_A", "m", "Upward virtual displacement of A per unit δθ"],
                 symbol: ["P", "N"],
                 answer: ["force_a", "Vertical force at A"],
             },
             Part {
                 name: "force at B",
                 load: given.force_b,
-                rate: ["x′_B", "m", "Virtual way of B over δθ, away from the vertical guide"],
+                rate: ["x′_B", "m", "Virtual displacement of B per unit δθ, away from the vertical guide"],
                 symbol: ["F", "N"],
                 answer: ["force_b", "Horizontal force at B"],
             },
@@ -138,7 +138,7 @@ impl Analysis for GuidedBar {
             parts.push(Part {
                 name: "spring",
                 load: *stiffness,
-                rate: ["u′", "m^2", "Stretch of the spring times its virtual change over δθ"],
+                rate: ["u′", "m^2", "Extension of the spring times its virtual change per unit δθ"],
                 symbol: ["k", "N/m"],
                 answer: ["stiffness", "Stiffness of the spring"],
             });
@@ -149,7 +149,7 @@ impl Analysis for GuidedBar {
         let at = telling(&balanced.list);
         let [from, to] = balanced.range;
         sheet.show(|| {
-            film(
+            animation(
                 "The bar in its guides",
                 ("position.given.angle", at),
                 [from.max(at - 0.5), to.min(at + 0.5)],

@@ -50,9 +50,9 @@ pub enum Sought {
         #[input("F", "N")]
         force: f64,
     },
-    /// Horizontal force for the angle of a bar
+    /// Horizontal force for a given angle of a bar
     Force {
-        /// Bar, counted from the pin.
+        /// Bar number, from the pin.
         #[input(min = 1, max = 30)]
         bar: u32,
         /// Its angle from the vertical.
@@ -68,7 +68,7 @@ impl Analysis for HangingChain {
         id: "virtual-work/hanging-chain",
         title: "Hanging chain of bars",
         topic: "Bars and levers",
-        summary: "Angles of a chain of hinged bars that is pulled at its free end, with the stability of every freedom, or the force for an angle.",
+        summary: "Angles of a chain of hinged bars pulled at its free end, with the stability in each degree of freedom, or the force for a given angle.",
         keywords: "several degrees of freedom Hessian linked bars cadeia de barras articuladas vários graus de liberdade Hessiana \
                    estabilidade",
         sources: &[&BEER, &HIBBELER, &RIUL],
@@ -89,21 +89,21 @@ impl Analysis for HangingChain {
                 ("G", row + 1),
                 "N",
                 W::Num::sum([own].into_iter().chain(under)),
-                "Downward pull on the bar, half its own weight and all below it: over δθ it does −G l sin θ δθ",
+                "Downward force on the bar, half its own weight plus everything below it: its virtual work is −G l sin θ δθ",
             ));
         }
         let force = match (&self.sought, &given.sought) {
             (_, SoughtGiven::Angles { force }) => *force,
             (Sought::Force { bar, .. }, SoughtGiven::Force { angle, .. }) => {
                 let Some(pull) = pulls.get(*bar as usize - 1) else {
-                    let why = Text::new("there is no bar {bar}: the chain has {bars}");
+                    let why = Text::new("bar {bar} does not exist: the chain has {bars}");
                     return Err(Refusal::NoAnswer(why.with("bar", bar).with("bars", self.bars.len())));
                 };
                 let force = sheet.step(
                     "F",
                     "N",
                     *pull * angle.tan(),
-                    ("Horizontal force: over δθ of this bar F l cos θ − G l sin θ = 0", RIUL.at("eq. 3")),
+                    ("Horizontal force, from a virtual rotation of this bar alone: F l cos θ − G l sin θ = 0", RIUL.at("eq. 3")),
                 );
                 sheet.answer("force", "Horizontal force at the free end", force);
                 force
@@ -116,7 +116,7 @@ impl Analysis for HangingChain {
         for (row, (bar, pull)) in given.bars.iter().zip(&pulls).enumerate() {
             let n = row + 1;
             if force.value() == 0.0 && pull.value() == 0.0 {
-                let why = Text::new("nothing pulls at bar {bar}: every angle is an equilibrium");
+                let why = Text::new("no force pulls on bar {bar}: every angle is an equilibrium");
                 return Err(Refusal::NoAnswer(why.with("bar", n)));
             }
             let angle = sheet.step(
@@ -124,7 +124,7 @@ impl Analysis for HangingChain {
                 "deg",
                 force.atan2(*pull),
                 (
-                    "Angle from the vertical: δU = (F l cos θ − G l sin θ) δθ = 0 for the freedom of this bar alone, tan θ = F/G",
+                    "Angle from the vertical: δU = (F l cos θ − G l sin θ) δθ = 0 for a virtual rotation of this bar alone, tan θ = F/G",
                     RIUL.at("eq. 3"),
                 ),
             );
@@ -141,7 +141,7 @@ impl Analysis for HangingChain {
             sheet.verify(|| {
                 let tension = (pull.powi(2) + force.powi(2)).sqrt();
                 let what = Text::new(
-                    "curvature for bar {bar} as that of a pendulum, its length times the pull on it",
+                    "second derivative for bar {bar} as that of a pendulum, its length times the pull on it",
                 );
                 sheet.check(what.with("bar", n), bends[row], bar.length * tension);
             });
@@ -150,7 +150,7 @@ impl Analysis for HangingChain {
             angles.push(angle);
         }
         for (row, bend) in bends.iter().enumerate() {
-            sheet.answer(("curvature", row + 1), "Curvature of the potential energy for bar", *bend);
+            sheet.answer(("curvature", row + 1), "Second derivative of the potential energy for bar", *bend);
         }
         let x = sheet.step(
             "x",
@@ -187,13 +187,13 @@ impl Analysis for HangingChain {
             if let Some(effort) = solved(&mechanism, &drawn) {
                 for (row, couple) in effort.newton_euler.iter().enumerate() {
                     sheet.check_zero(
-                        "nothing is needed to hold the bar there, by Newton and Euler for every body",
+                        "no effort is needed to hold the bar there, from the Newton–Euler equations of every body",
                         W::Num::from(*couple),
                         self.bars[row].length * (force.abs() + weight.abs()),
                     );
                 }
                 sheet.check_zero(
-                    "the upward reaction of the pin by Newton and Euler",
+                    "the upward reaction of the pin from the Newton–Euler equations",
                     W::Num::from(effort.multipliers[1] - weight),
                     force.abs() + weight.abs(),
                 );

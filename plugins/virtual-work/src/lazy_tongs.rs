@@ -64,7 +64,7 @@ impl Analysis for LazyTongs {
         id: "virtual-work/lazy-tongs",
         title: "Lazy tongs",
         topic: "Presses and lifts",
-        summary: "Reactions at the two supports of a row of crossed bars under vertical loads, each by letting its support go.",
+        summary: "Reactions at the two supports of a row of crossed bars under vertical loads, each found by releasing its support.",
         keywords: "pantograph crossed bars support reaction virtual displacement tesoura articulada pantógrafo barras cruzadas \
                    reação de apoio",
         sources: &[&BEER, &HIBBELER, &RIUL],
@@ -73,7 +73,7 @@ impl Analysis for LazyTongs {
 
     fn solve<W: Worksheet>(&self, given: &LazyTongsGiven<W>, sheet: W) -> Result<(), Refusal> {
         if let Some(load) = self.loads.iter().find(|load| load.square > self.squares) {
-            let why = Text::new("there is no square {square}: there are {squares}");
+            let why = Text::new("square {square} does not exist: there are {squares}");
             return Err(Refusal::NoAnswer(why.with("square", load.square).with("squares", self.squares)));
         }
         let (side, angle, squares) = (given.side, given.angle, f64::from(self.squares));
@@ -81,13 +81,13 @@ impl Analysis for LazyTongs {
             "y′",
             "m",
             side * angle.cos(),
-            "B let go along the line: virtual rise of the upper hinges over δθ, from y = l sin θ; the lower ones fall by as much",
+            "B released along the line: virtual displacement δy/δθ of the upper hinges, from y = l sin θ; the lower ones move down by the same amount",
         );
         let near = sheet.step(
             "x′_B",
             "m",
             side * angle.sin() * (2.0 * squares),
-            "Virtual approach of B to A over δθ, from x_B = 2 n l cos θ",
+            "Virtual approach of B to A per unit δθ, from x_B = 2 n l cos θ",
         );
         let works: Vec<W::Num> = self
             .loads
@@ -97,7 +97,7 @@ impl Analysis for LazyTongs {
             .map(|(row, (load, this))| {
                 let work = this.force * rise;
                 let work = if load.hinge == Hinge::Upper { work } else { -work };
-                sheet.step(("U", row + 1), "N*m", work, "Virtual work against the load over δθ")
+                sheet.step(("U", row + 1), "N*m", work, "Virtual work against the load per unit δθ")
             })
             .collect();
         let along = sheet.step(
@@ -105,11 +105,12 @@ impl Analysis for LazyTongs {
             "N",
             W::Num::sum(works.iter().copied()) / near,
             (
-                "Reaction of B towards A: its virtual work and those of the loads sum to zero",
+                "Reaction of B towards A: the total virtual work of reaction and loads is zero",
                 RIUL.at("eq. 3"),
             ),
         );
-        let span = sheet.step("x_B", "m", side * angle.cos() * (2.0 * squares), "Distance of the supports");
+        let span =
+            sheet.step("x_B", "m", side * angle.cos() * (2.0 * squares), "Distance between the supports");
         let turned: Vec<W::Num> = self
             .loads
             .iter()
@@ -123,7 +124,7 @@ impl Analysis for LazyTongs {
                     ("V", row + 1),
                     "N*m",
                     this.force * x,
-                    "B let go upwards: virtual work against the load as all turns about A by δφ",
+                    "B released upwards: virtual work against the load when the whole linkage rotates about A by δφ",
                 )
             })
             .collect();
@@ -131,7 +132,10 @@ impl Analysis for LazyTongs {
             "Y_B",
             "N",
             W::Num::sum(turned.iter().copied()) / span,
-            ("Reaction of B upwards: Y_B x_B δφ and the works of the loads sum to zero", RIUL.at("eq. 3")),
+            (
+                "Reaction of B upwards: the sum of Y_B x_B δφ and the virtual work of the loads is zero",
+                RIUL.at("eq. 3"),
+            ),
         );
         let all = given.loads.iter().map(|load| load.force).collect::<Vec<_>>();
         let other = sheet.step(
@@ -151,19 +155,19 @@ impl Analysis for LazyTongs {
             if let Some(effort) = solved(&mechanism, &drawn) {
                 let size = self.loads.iter().map(|load| load.force.abs()).sum::<f64>();
                 sheet.check_sum(
-                    "the reaction of B along the line by Newton and Euler for every bar",
+                    "the reaction of B along the line from the Newton–Euler equations of every bar",
                     along,
                     (-effort.newton_euler[0]).into(),
                     size * (1.0 + 1.0 / self.angle.tan()),
                 );
                 sheet.check_sum(
-                    "the reaction of B upwards by Newton and Euler for every bar",
+                    "the reaction of B upwards from the Newton–Euler equations of every bar",
                     up,
                     effort.newton_euler[1].into(),
                     size * (1.0 + 1.0 / self.angle.tan()),
                 );
                 sheet.check_sum(
-                    "the reaction of A upwards by Newton and Euler, on both bars that end there",
+                    "the reaction of A upwards from the Newton–Euler equations of both bars that end there",
                     other,
                     (effort.multipliers[1] + effort.multipliers[3]).into(),
                     size * (1.0 + 1.0 / self.angle.tan()),
@@ -171,7 +175,7 @@ impl Analysis for LazyTongs {
             }
         });
         if self.angle < 5f64.to_radians() {
-            sheet.warn(|| "the tongs are nearly stretched out: the supports are pressed apart without bound as they are".into());
+            sheet.warn(|| "the tongs are nearly fully extended: the support reactions grow without bound near that position".into());
         }
         let along = along.value();
         sheet.show(|| Exhibit::Plot(self.reaction_over_angle(along)));

@@ -34,14 +34,14 @@ pub struct Mechanism {
     /// Joints.
     pub joints: Vec<Connection>,
     /// Drivers.
-    /// One for each degree of freedom: what moves the mechanism, or holds it where it is.
+    /// One for each degree of freedom: what moves the mechanism, or holds it in place.
     pub drivers: Vec<Drive>,
     /// Loads.
     pub loads: Vec<NamedLoad>,
     /// Acceleration of gravity.
     #[input("g", "m/s^2", planar, default = "(0; -9.81) m/s^2")]
     pub gravity: Vector3<f64>,
-    /// Points whose motion is asked for.
+    /// Points whose motion is computed.
     pub watched: Vec<Watched>,
     /// Range of the first driver in the plots.
     #[input(default = "turn")]
@@ -59,7 +59,7 @@ pub struct Watched {
 /// The values that the first driver goes through.
 #[derive(Clone, Debug, Inputs)]
 pub enum Range {
-    /// One turn, or as far as it goes
+    /// One revolution, or up to the limit positions
     Turn,
     /// Angles
     Angles {
@@ -79,7 +79,7 @@ pub enum Range {
         #[input("s_2", "mm")]
         to: f64,
     },
-    /// This position alone
+    /// This position only
     Nothing,
 }
 
@@ -90,7 +90,7 @@ impl Analysis for Mechanism {
         id: "virtual-work/mechanism",
         title: "Plane mechanism",
         topic: "Any mechanism",
-        summary: "Motion, driving efforts by virtual power, and reactions of a plane mechanism of any shape: bodies, joints, drivers and loads.",
+        summary: "Motion, driving forces and torques by virtual power, and reactions of an arbitrary plane mechanism: bodies, joints, drivers and loads.",
         keywords: "mecanismo plano barras manivela articulação virtual power potência virtual newton euler multibody linkage joints reactions \
                    six-bar gears cord slot spring geral build your own centro instantâneo instant centre kennedy diagrama polar \
                    hodógrafo hodograph shaking force trepidação ângulo de transmissão transmission angle",
@@ -114,7 +114,7 @@ impl Analysis for Mechanism {
                 mobility.redundant.iter().map(|joint| self.joints[rows[*joint]].name.as_str()).collect();
             named.dedup();
             sheet.warn(|| {
-                Text::new("the mechanism holds more than it needs at {joints}: it moves, but statics does not tell how the joints share their forces")
+                Text::new("redundant constraints at {joints}: the mechanism moves, but statics does not determine how the joints share their forces")
                     .with("joints", named.join(", "))
             });
         }
@@ -169,7 +169,7 @@ impl Mechanism {
                 "deg",
                 positions[body][2],
                 (
-                    named("Angle of {name}: where all joints hold, Φ(q) = 0, found by Newton's method"),
+                    named("Angle of {name}: joint constraints, Φ(q) = 0, solved by Newton's method"),
                     NIKRAVESH.at("ch. 3"),
                 ),
             );
@@ -180,7 +180,7 @@ impl Mechanism {
                 "rad/s",
                 velocities[body][2],
                 (
-                    named("Angular velocity of {name}, from the joints and the drivers, Φ_q q̇ = −Φ_t"),
+                    named("Angular velocity of {name}, from the joint and driving constraints, Φ_q q̇ = −Φ_t"),
                     NIKRAVESH.at("ch. 3"),
                 ),
             );

@@ -50,7 +50,7 @@ pub struct Motion {
     /// Joints.
     pub joints: Vec<Connection>,
     /// Drivers.
-    /// What they do not hold moves freely; their accelerations last.
+    /// Undriven coordinates move freely; the accelerations of the drivers stay constant.
     pub drivers: Vec<Drive>,
     /// Loads.
     pub loads: Vec<NamedLoad>,
@@ -58,7 +58,7 @@ pub struct Motion {
     #[input("g", "m/s^2", planar, default = "(0; -9.81) m/s^2")]
     pub gravity: Vector3<f64>,
     /// Start.
-    /// Positions and velocities to start with; without any, at rest where the angles of the bodies say.
+    /// Initial positions and velocities; if none are given, at rest at the angles given for the bodies.
     pub starts: Vec<Start>,
     /// Duration.
     #[input("t_e", "s", positive, default = "1 s")]
@@ -66,7 +66,7 @@ pub struct Motion {
     /// What ends the motion before.
     #[input(default = "nothing")]
     pub end: Ends,
-    /// Points whose motion is asked for.
+    /// Points whose motion is computed.
     pub watched: Vec<Continuation>,
 }
 
@@ -75,7 +75,7 @@ pub struct Motion {
 pub struct Start {
     /// Name.
     pub name: String,
-    /// What is given.
+    /// Given quantity.
     pub what: Moving,
 }
 
@@ -87,14 +87,14 @@ pub enum Moving {
         /// Body.
         #[input(rows = "bodies")]
         body: Reference,
-        /// Part against which it turns.
+        /// Body relative to which it turns.
         against: Carrier,
         /// Angle.
         #[input("θ", "deg", kept_in = "drawn")]
         value: f64,
-        /// Angle in the drawn position.
-        /// The drawn position fixes how gears mesh, how far wheels have rolled, how long cords are, and on which side a
-        /// linkage is assembled; the mechanism moves from there. Left out, it is drawn with the angle above.
+        /// Angle in the initial configuration.
+        /// The drawn position fixes the gear meshing, the rolling of wheels, the cord lengths and the side on which a
+        /// linkage is assembled; the mechanism moves from there. If omitted, the mechanism is drawn with the angle above.
         #[input("θ_d", "deg")]
         drawn: Option<f64>,
         /// Angular velocity.
@@ -109,14 +109,14 @@ pub enum Moving {
         /// Point.
         #[input(rows = "points")]
         to: Reference,
-        /// Direction in which it is measured, in the axes of the part of the first.
+        /// Direction of measurement, in the axes of the body of the first point.
         #[input("φ", "deg", default = "0 deg")]
         direction: f64,
         /// Position.
         #[input("s", "mm", kept_in = "drawn")]
         value: f64,
-        /// Position in the drawn position.
-        /// The mechanism is drawn with this value and moves from there. Left out, it is drawn with the position above.
+        /// Position in the initial configuration.
+        /// The mechanism is drawn with this value and moves from there. If omitted, it is drawn with the position above.
         #[input("s_d", "mm")]
         drawn: Option<f64>,
         /// Velocity.
@@ -140,7 +140,7 @@ impl Analysis for Motion {
         id: "virtual-work/motion",
         title: "Motion of a plane mechanism under its loads",
         topic: "Any mechanism",
-        summary: "Free motion of a plane mechanism of any shape from a start: accelerations by virtual power, joint forces, energy, a film.",
+        summary: "Free motion of a plane mechanism of any shape from a start: accelerations by virtual power, joint forces, energy, an animation.",
         keywords: "movimento mecanismo plano dinâmica direta forward dynamics simulation multibody pendulum pêndulo linkage free motion \
                    energy andrews squeezer livre friction stick slip atrito",
         sources: &[&RIUL, &HAUG, &NIKRAVESH, &HAIRER, &PFEIFFER],
@@ -161,7 +161,7 @@ impl Analysis for Motion {
         let freed = system.forward_dynamics(&positions, &velocities).map_err(refuse)?;
         if freed.freedoms == 0 {
             return Err(Refusal::because(
-                "nothing moves freely: the drivers and joints hold it all; take a driver out, or use the plane mechanism",
+                "no free motion remains: the drivers and joints determine everything; remove a driver, or use the plane mechanism",
             ));
         }
         sheet.keep_going()?;
@@ -274,7 +274,7 @@ impl Solved<'_> {
         let [wanted, ..] = TOLERANCES;
         if self.tolerance > wanted {
             sheet.warn(|| {
-                Text::new("the motion could not be followed with an error of {wanted} in each step: it was followed with {held}, in parts of the size of the mechanism and of its fastest velocity")
+                Text::new("the motion could not be integrated with an error of {wanted} per step: {held} was used, relative to the size of the mechanism and its maximum velocity")
                     .with("wanted", format!("{wanted:e}"))
                     .with("held", format!("{:e}", self.tolerance))
             });
@@ -294,7 +294,7 @@ impl Solved<'_> {
         for (row, part) in (1..).zip(self.parts.bodies) {
             // The method is told once.
             let reason = if row == 1 {
-                "Angular acceleration of {name} at the start: of all accelerations a + N s̈ that the joints allow, that with (Nᵀ M N) s̈ = Nᵀ (Q − M a), virtual power in each free motion N"
+                "Angular acceleration of {name} at the start: of all accelerations a + N s̈ allowed by the joints, the one with (Nᵀ M N) s̈ = Nᵀ (Q − M a), virtual power in each free motion N"
             } else {
                 "Angular acceleration of {name} at the start"
             };
@@ -346,7 +346,7 @@ impl Solved<'_> {
         }
         if self.freed.frictions.iter().any(|braked| braked.contact == Contact::Indeterminate) {
             sheet.warn(|| {
-                Text::new("at the start several joints hold each other at rest: how their friction is shared, and with it the forces in the joints, statics alone does not tell")
+                Text::new("at the start several joints keep each other at rest: statics alone does not determine how their friction is shared, nor the joint forces")
             });
         }
     }
@@ -370,12 +370,12 @@ impl Solved<'_> {
                 let (most, reason) = if braked.pin {
                     (
                         *coefficient * *radius * force,
-                        "{name} at the start: its pin slides, and is braked by μ r times the force that it carries, against the sliding",
+                        "{name} at the start: its pin slides, with a friction couple of μ r times the joint force, opposite to the sliding",
                     )
                 } else {
                     (
                         *coefficient * force,
-                        "{name} at the start: its joint slides, and is braked by μ times the force that it carries, against the sliding",
+                        "{name} at the start: its joint slides, with friction μ times the joint force, opposite to the sliding",
                     )
                 };
                 let against = if sense > 0.0 { -most } else { most };
@@ -385,7 +385,7 @@ impl Solved<'_> {
                 ("F", row),
                 unit,
                 braked.effort,
-                why("{name} at the start, positive along the sliding: its joint rests, since no motion that could begin would overcome the friction that it meets"),
+                why("{name} at the start, positive in the direction of sliding: its joint sticks, since no possible motion would overcome the friction opposing it"),
             ),
         };
         sheet.answer(("friction", row), "Friction at the start", effort);
@@ -393,7 +393,7 @@ impl Solved<'_> {
         sheet.verify(|| {
             let size = self.freed.frictions.iter().fold(0.0f64, |most, braked| most.max(braked.effort.abs()));
             let residual = (effort.value() - braked.effort).into();
-            sheet.check_zero("the friction with which the motion begins", residual, size);
+            sheet.check_zero("the friction at the onset of motion", residual, size);
         });
     }
 
@@ -405,14 +405,14 @@ impl Solved<'_> {
             "s",
             last.time,
             (
-                Text::new("The equations of motion are followed from the start by the method of Dormand and Prince of order 8, whose step holds the error; after each step the joints are closed again"),
+                Text::new("The equations of motion are integrated from the start by the Dormand–Prince method of order 8 with error-controlled steps; after each step the joint constraints are re-imposed"),
                 HAIRER.at("§II.5"),
             ),
         );
         sheet.answer("time", "Time at the end", time);
         if self.moved.ended.is_none() && !matches!(problem.end, Ends::Nothing) {
             sheet.warn(|| {
-                Text::new("the motion does not come to its end within the duration; make this longer")
+                Text::new("the end condition of the motion is not reached within the duration; increase the duration")
             });
         }
         let State { positions, velocities, accelerations } = &last.state;
@@ -521,7 +521,7 @@ impl Solved<'_> {
             let size = whole.iter().flatten().fold(0.0f64, |most, a| most.max(a.abs()));
             for (ours, theirs) in shown.accelerations.iter().zip(&whole) {
                 sheet.check_residual(
-                    "the accelerations at the end by the equations of all bodies",
+                    "the accelerations at the end from the equations of all bodies",
                     (ours[2] - theirs[2]).into(),
                     size,
                     errors[2],

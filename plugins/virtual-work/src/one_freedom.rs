@@ -15,18 +15,17 @@ use crate::{
 /// Where the machine stands.
 #[derive(Clone, Debug, Inputs)]
 pub enum Position {
-    /// All equilibria in a range
+    /// All equilibrium positions in a range
     Sought {
-        /// Smallest angle.
+        /// Minimum angle.
         #[input("θ_a", "deg", min = -3600, max = 3600)]
         from: f64,
-        /// Largest angle.
+        /// Maximum angle.
         #[input("θ_b", "deg", min = -3600, max = 3600)]
         to: f64,
     },
-    /// At an angle
-    /// One load or stiffness is left out and sought; with none left out, the couple that holds the machine there is
-    /// answered.
+    /// At a given angle
+    /// Leave one load or stiffness blank to solve for it; with none blank, the equilibrant couple is computed.
     Given {
         /// Angle.
         #[input("θ", "deg", min = -3600, max = 3600)]
@@ -97,7 +96,7 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
             PositionGiven::Sought { from, to } => {
                 let Some(loads) = self.parts.iter().map(|part| part.load).collect::<Option<Vec<N>>>() else {
                     return Err(Refusal::because(
-                        "a load or stiffness is left out: write it, or write the angle at which the machine is to be in equilibrium",
+                        "a load or stiffness is missing: write it, or write the angle at which the machine is to be in equilibrium",
                     ));
                 };
                 self.equilibria(&loads, [from.value(), to.value()], sheet, built)
@@ -106,7 +105,7 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
                 [] => self.held(*angle, sheet, built),
                 [sought] => self.unknown(sought, *angle, sheet, built),
                 _ => Err(Refusal::because(
-                    "more than one load or stiffness is left out: the angle tells only one of them",
+                    "more than one load or stiffness is missing: the angle determines only one of them",
                 )),
             },
         }
@@ -159,7 +158,7 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
                     ("U", n + 1),
                     "N*m",
                     -(load * *rate),
-                    Text::new("Virtual work over δθ: {load}").with_text("load", part.name),
+                    Text::new("Virtual work per unit δθ: {load}").with_text("load", part.name),
                 )
             })
         });
@@ -179,7 +178,8 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
         let rate = rates[sought];
         let extent = (shapes[sought][0].value().abs() + shapes[sought][2].value().abs()) * 1e-12;
         if rate.value().abs() <= extent {
-            let why = Text::new("at this angle {load} does no virtual work: equilibrium does not tell it");
+            let why =
+                Text::new("at this angle {load} does no virtual work: equilibrium does not determine it");
             return Err(Refusal::NoAnswer(why.with("load", part.symbol[0])));
         }
         if works.is_empty() {
@@ -190,7 +190,7 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
             symbol,
             unit,
             N::sum(works) / rate,
-            ("With it the virtual works of all loads sum to zero", RIUL.at("eq. 3")),
+            ("The total virtual work of all loads is zero", RIUL.at("eq. 3")),
         );
         sheet.answer(part.answer[0], part.answer[1], load);
         let loads: Vec<N> = self.parts.iter().map(|part| part.load.unwrap_or(load)).collect();
@@ -225,11 +225,11 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
             "N*m",
             -N::sum(works),
             (
-                "Couple on the bar that holds the machine, in the sense of θ: T δθ and the works of all loads sum to zero",
+                "Equilibrant couple on the bar, in the sense of θ: T δθ plus the virtual work of all loads is zero",
                 RIUL.at("eq. 3"),
             ),
         );
-        sheet.answer("holding_couple", "Couple that holds the machine", couple);
+        sheet.answer("holding_couple", "Equilibrant couple of the machine", couple);
         let loads: Vec<N> = self.parts.iter().filter_map(|part| part.load).collect();
         let (here, bend) = here(&loads, &shapes, angle, sheet);
         let lengths: Vec<f64> = self.lengths.iter().map(|length| length.value()).collect();
@@ -242,7 +242,7 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
             check_curvature(sheet, bend, scale + bent(&plain, &shapes), &machine);
             if let Some(effort) = solved(&machine.0, &machine.1) {
                 sheet.check_sum(
-                    "the holding couple by Newton and Euler for every body",
+                    "the holding couple from the Newton–Euler equations of every body",
                     couple,
                     effort.newton_euler[0].into(),
                     scale,
@@ -277,7 +277,7 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
             (angle, if load.abs() <= most { load } else { f64::INFINITY })
         };
         Plot::new(
-            "Load of equilibrium against the angle",
+            "Equilibrium load against the angle",
             Axis::linear("angle", "deg"),
             Axis::linear(part.answer[1], part.symbol[1]),
             vec![Series::line(part.symbol[0], spread(range, 300).map(load).collect()).of(part.answer[0])],
@@ -296,9 +296,9 @@ fn here<W: Worksheet>(
 ) -> (Equilibrium, W::Num) {
     let [energy, _, bend] = total(loads, shapes);
     let words =
-        ("Curvature of the potential energy: positive where the equilibrium is stable", BEER.at("§10.2D"));
+        ("Second derivative of the potential energy: positive at a stable equilibrium", BEER.at("§10.2D"));
     let bend = sheet.step("V″", "N*m/rad", bend, words);
-    sheet.answer("curvature", "Curvature of the potential energy", bend);
+    sheet.answer("curvature", "Second derivative of the potential energy", bend);
     let here = Equilibrium {
         at: angle.value(),
         energy: energy.value(),

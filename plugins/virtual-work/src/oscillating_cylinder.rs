@@ -61,7 +61,7 @@ pub struct Piston {
     /// Mass.
     #[input("m_3", "kg", positive)]
     pub mass: f64,
-    /// Distance of its mass centre from the crank pin.
+    /// Distance of its centre of mass from the crank pin.
     /// Towards the fixed pin of the cylinder.
     #[input("ρ_3", "mm", default = "0 mm")]
     pub distance: f64,
@@ -76,7 +76,7 @@ pub struct Cylinder {
     /// Mass.
     #[input("m_4", "kg", positive)]
     pub mass: f64,
-    /// Distance of its mass centre from its fixed pin.
+    /// Distance of its centre of mass from its fixed pin.
     /// Towards the crank pin.
     #[input("ρ_4", "mm", default = "0 mm")]
     pub distance: f64,
@@ -97,7 +97,7 @@ pub enum Unknown {
     },
     /// Torque on the crank, from the pressure in the cylinder
     Pressure {
-        /// Pressure above that on the other side of the piston.
+        /// Pressure relative to the other side of the piston.
         #[input("p", "bar")]
         pressure: f64,
         /// Bore.
@@ -137,7 +137,7 @@ impl Analysis for OscillatingCylinder {
         id: "virtual-work/oscillating-cylinder",
         title: "Inverted slider-crank",
         topic: "Plane linkages",
-        summary: "Torque of a crank or lever moved by a swinging cylinder, or the force of the cylinder, at rest or in motion with masses, by virtual work; reactions.",
+        summary: "Torque of a crank or lever moved by an oscillating cylinder, or the force of the cylinder, at rest or in motion with masses, by virtual work; reactions.",
         keywords: "cilindro oscilante cilindro hidráulico atuador cursor-manivela invertido pistão alavanca caçamba \
                    oscillating cylinder hydraulic actuator inverted slider-crank lever dump boom",
         sources: &[&RIUL, &SHIGLEY, &BEER],
@@ -163,8 +163,7 @@ impl Analysis for OscillatingCylinder {
             }
         }
         if found.shift.value().abs() > DEAD * self.crank {
-            let why =
-                "Force across the crank at its pin, T/r, over the force of the cylinder, without masses";
+            let why = "Ratio of the force perpendicular to the crank at its pin, T/r, to the force of the cylinder, neglecting masses";
             let advantage = found.shift.abs() / given.crank;
             let advantage = sheet.step("MA", "1", advantage, (why, SHIGLEY.at("ch. 3")));
             sheet.answer("mechanical_advantage", "Mechanical advantage", advantage);
@@ -232,7 +231,7 @@ impl Template for OscillatingCylinder {
         let across = works::across::<W>(along);
         let why = ("Virtual change of the length for δθ_2 = 1: δs = ê · δr_A", BEER.at("§10.1"));
         let shift = sheet.step(symbol("u", "s"), "mm", pin.shift.dot(along), why);
-        let why = ("Virtual turn of the cylinder for δθ_2 = 1", SHIGLEY.at("ch. 3"));
+        let why = ("Virtual rotation of the cylinder for δθ_2 = 1", SHIGLEY.at("ch. 3"));
         let ratio = sheet.step(symbol("h", "4"), "1", pin.shift.dot(across) / length, why);
         let (mut rate, mut lengthening) = (zero, zero);
         let mut swing = Turning { angle: tilt, ratio, speed: zero, acceleration: zero };
@@ -245,7 +244,7 @@ impl Template for OscillatingCylinder {
             let why = ("Acceleration of the piston in the cylinder", SHIGLEY.at("ch. 4"));
             lengthening = sheet.step(symbol("a", "s"), "m/s^2", value, why);
             let value = (pin.acceleration.dot(across) - rate * swing.speed * 2.0) / length;
-            let why = ("Angular acceleration of the cylinder, less that of Coriolis", SHIGLEY.at("ch. 4"));
+            let why = ("Angular acceleration of the cylinder, minus the Coriolis term", SHIGLEY.at("ch. 4"));
             swing.acceleration = sheet.step(symbol("α", "4"), "rad/s^2", value, why);
         }
         let mut works = Works::new(given.gravity, moves, sheet);
@@ -262,15 +261,14 @@ impl Template for OscillatingCylinder {
             UnknownGiven::Force { torque } => {
                 if shift.value().abs() <= DEAD * self.crank {
                     return Err(Refusal::because(
-                        "crank and cylinder are in one line, a dead centre: no force of the cylinder can balance a torque; turn the crank a little",
+                        "crank and cylinder are collinear (dead centre): no force of the cylinder can balance a torque; rotate the crank slightly",
                     ));
                 }
                 if torque.value() != 0.0 {
                     let why = "Virtual work of the torque for δθ_2 = 1".into();
                     works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
                 }
-                let why =
-                    "Force of the cylinder: with it the sum of the virtual works is zero, F_c u_s + ΣδW = 0";
+                let why = "Force of the cylinder, from the principle of virtual work, F_c u_s + ΣδW = 0";
                 let force = -(works.sum() / shift);
                 (torque, sheet.step(symbol("F", "c"), "N", force, (why, RIUL.at("eq. 5"))))
             }
@@ -387,11 +385,11 @@ impl OscillatingCylinder {
             if let Unknown::Force { .. } = self.unknown {
                 let label = "Force of the cylinder";
                 let force = |found: &Found<f64>| built::bounded(found.force, found.shift, self.crank);
-                cycle.plot("Force over the turn", (label, "N"), &[(label, "force", &force)])
+                cycle.plot("Force over one revolution", (label, "N"), &[(label, "force", &force)])
             } else {
                 let label = "Torque on the crank";
                 cycle.plot(
-                    "Torque over the turn",
+                    "Torque over one revolution",
                     (label, "N*m"),
                     &[(label, "torque", &|found| found.torque)],
                 )
@@ -407,7 +405,7 @@ impl OscillatingCylinder {
         sheet.show(|| {
             let shortest =
                 cycle.curve(|found| found.length).into_iter().fold(f64::INFINITY, |s, (_, x)| s.min(x));
-            built::film("The inverted slider-crank", ("angle", self.angle), range, |angle| {
+            built::animation("The inverted slider-crank", ("angle", self.angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let pin = built::away([0.0; 2], there.crank, angle);

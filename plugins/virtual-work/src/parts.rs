@@ -17,22 +17,22 @@ pub struct Part {
     /// Name.
     pub name: String,
     /// Mass.
-    /// Zero for a body whose weight and inertia do not count.
+    /// Zero for a body whose weight and inertia are neglected.
     #[input("m", "kg", nonnegative, default = "0 kg")]
     pub mass: f64,
     /// Moment of inertia about the mass centre.
     #[input("I_G", "kg*m^2", nonnegative, default = "0 kg*m^2")]
     pub inertia: f64,
-    /// Mass centre, in the axes of the body.
+    /// Centre of mass, in the axes of the body.
     #[input("G", "mm", planar, default = "(0; 0) mm")]
     pub centre: Vector3<f64>,
-    /// About at which angle it lies.
-    /// Settles on which side a linkage is assembled; the joints correct it.
+    /// Initial guess of the angle.
+    /// Selects the side on which a linkage is assembled; the joints correct the value.
     #[input("θ_0", "deg", default = "0 deg")]
     pub angle: f64,
-    /// About where the origin of its axes lies.
-    /// Needed where joints and drivers leave it open, as for a weight at the end of a cord, and to choose on which side a
-    /// slider is assembled.
+    /// Initial guess of the origin of its axes.
+    /// Required where joints and drivers do not determine it, as for a weight at the end of a cord, and to select the
+    /// side on which a slider is assembled.
     #[input("O", "mm", planar)]
     pub place: Option<Vector3<f64>>,
 }
@@ -42,9 +42,9 @@ pub struct Part {
 pub struct Spot {
     /// Name.
     pub name: String,
-    /// Part that carries it.
+    /// Body that carries it.
     pub on: Carrier,
-    /// Place, in the axes of its part.
+    /// Position, in the axes of its body.
     #[input("P", "mm", planar)]
     pub at: Vector3<f64>,
 }
@@ -88,13 +88,13 @@ pub enum Joint {
         /// Point of the guide.
         #[input(rows = "points")]
         guide: Reference,
-        /// Direction of the guide, in the axes of its part.
+        /// Direction of the guide, in the axes of its body.
         #[input("φ", "deg", default = "0 deg")]
         direction: f64,
         /// Point that slides along it.
         #[input(rows = "points")]
         slides: Reference,
-        /// Angle of the sliding body against the part with the guide.
+        /// Angle of the sliding body relative to the body with the guide.
         #[input("β", "deg", default = "0 deg")]
         angle: f64,
     },
@@ -103,7 +103,7 @@ pub enum Joint {
         /// Point of the slot.
         #[input(rows = "points")]
         guide: Reference,
-        /// Direction of the slot, in the axes of its part.
+        /// Direction of the slot, in the axes of its body.
         #[input("φ", "deg", default = "0 deg")]
         direction: f64,
         /// Pin.
@@ -121,7 +121,7 @@ pub enum Joint {
         /// Point that is fixed to it.
         #[input(rows = "points")]
         b: Reference,
-        /// Angle of the second part against the first.
+        /// Angle of the second body relative to the first.
         #[input("β", "deg", default = "0 deg")]
         angle: f64,
     },
@@ -143,7 +143,7 @@ pub enum Joint {
         a: Carrier,
         /// Gear that it meshes with.
         b: Carrier,
-        /// Part that carries both.
+        /// Body that carries both gears.
         carrier: Carrier,
         /// Teeth or pitch radius of the first.
         #[input("z_a", "1", positive)]
@@ -151,7 +151,7 @@ pub enum Joint {
         /// Teeth or pitch radius of the second.
         #[input("z_b", "1", positive)]
         size_b: f64,
-        /// The second has its teeth inside.
+        /// The second has internal teeth.
         internal: bool,
     },
     /// Wheel that rolls on a line, or pinion on a rack
@@ -159,7 +159,7 @@ pub enum Joint {
         /// Point of the line.
         #[input(rows = "points")]
         guide: Reference,
-        /// Direction of the line, in the axes of its part.
+        /// Direction of the line, in the axes of its body.
         #[input("φ", "deg", default = "0 deg")]
         direction: f64,
         /// Centre of the wheel, to the left of the line.
@@ -168,7 +168,7 @@ pub enum Joint {
         /// Radius.
         #[input("r", "mm", positive)]
         radius: f64,
-        /// The wheel is held at this distance by the line alone.
+        /// The line alone supports the wheel at this distance.
         /// No for a pinion that has a bearing of its own.
         resting: bool,
     },
@@ -177,25 +177,25 @@ pub enum Joint {
         /// Straight runs.
         #[input(min = 1)]
         runs: Vec<Run>,
-        /// Drums that wind it.
+        /// Drums that wind the cord.
         drums: Vec<Drum>,
     },
-    /// Cam: a turning body that moves a point
+    /// Cam: a rotating body that moves a point
     Cam {
-        /// Body that turns.
+        /// Cam body.
         #[input(rows = "bodies")]
         cam: Reference,
         /// Point of the guide of the follower.
         #[input(rows = "points")]
         guide: Reference,
-        /// Direction in which the follower is moved, in the axes of the part with the guide.
+        /// Direction of motion of the follower, in the axes of the body with the guide.
         #[input("φ", "deg", default = "90 deg")]
         direction: f64,
         /// Point of the follower.
         #[input(rows = "points")]
         follower: Reference,
-        /// Lift over the angle of the cam, for one turn.
-        /// Between the rows a cubic spline that closes after the turn.
+        /// Lift against the cam angle, over one revolution.
+        /// Periodic cubic spline through the rows.
         #[input(table)]
         lift: Vec<LiftPoint>,
     },
@@ -226,12 +226,12 @@ pub struct Run {
 /// A drum that winds a cord.
 #[derive(Clone, Debug, Inputs)]
 pub struct Drum {
-    /// Part that turns.
+    /// Rotating body.
     pub of: Carrier,
-    /// Part against which it turns.
+    /// Body relative to which it turns.
     pub against: Carrier,
     /// Radius.
-    /// Positive if a turn counter-clockwise takes cord up.
+    /// Positive if a counter-clockwise rotation winds in the cord.
     #[input("r", "mm")]
     pub radius: f64,
 }
@@ -241,7 +241,7 @@ pub struct Drum {
 pub struct Drive {
     /// Name.
     pub name: String,
-    /// What is driven.
+    /// Driven coordinate.
     pub what: Driven,
 }
 
@@ -253,14 +253,14 @@ pub enum Driven {
         /// Body.
         #[input(rows = "bodies")]
         body: Reference,
-        /// Part against which it turns.
+        /// Body relative to which it turns.
         against: Carrier,
         /// Angle.
         #[input("θ", "deg", kept_in = "drawn")]
         value: f64,
-        /// Angle in the drawn position.
-        /// The drawn position fixes how gears mesh, how far wheels have rolled, how long cords are, and on which side a
-        /// linkage is assembled; the mechanism moves from there. Left out, it is drawn with the angle above.
+        /// Angle in the initial configuration.
+        /// The drawn position fixes the gear meshing, the rolling of wheels, the cord lengths and the side on which a
+        /// linkage is assembled; the mechanism moves from there. If omitted, the mechanism is drawn with the angle above.
         #[input("θ_d", "deg")]
         drawn: Option<f64>,
         /// Angular velocity.
@@ -278,14 +278,14 @@ pub enum Driven {
         /// Point.
         #[input(rows = "points")]
         to: Reference,
-        /// Direction in which it is measured, in the axes of the part of the first.
+        /// Direction of measurement, in the axes of the body of the first point.
         #[input("φ", "deg", default = "0 deg")]
         direction: f64,
         /// Position.
         #[input("s", "mm", kept_in = "drawn")]
         value: f64,
-        /// Position in the drawn position.
-        /// The mechanism is drawn with this value and moves from there. Left out, it is drawn with the position above.
+        /// Position in the initial configuration.
+        /// The mechanism is drawn with this value and moves from there. If omitted, it is drawn with the position above.
         #[input("s_d", "mm")]
         drawn: Option<f64>,
         /// Velocity.
@@ -295,7 +295,7 @@ pub enum Driven {
         #[input("a", "m/s^2", default = "0 m/s^2")]
         acceleration: f64,
     },
-    /// Distance of two points: a cylinder, a cord that is pulled
+    /// Distance between two points: a cylinder, a cord that is pulled
     Distance {
         /// From.
         #[input(rows = "points")]
@@ -306,8 +306,8 @@ pub enum Driven {
         /// Distance.
         #[input("s", "mm", positive, kept_in = "drawn")]
         value: f64,
-        /// Distance in the drawn position.
-        /// The mechanism is drawn with this value and moves from there. Left out, it is drawn with the distance above.
+        /// Distance in the initial configuration.
+        /// The mechanism is drawn with this value and moves from there. If omitted, it is drawn with the distance above.
         #[input("s_d", "mm", positive)]
         drawn: Option<f64>,
         /// Velocity.
@@ -368,14 +368,14 @@ pub enum Load {
         /// Force.
         #[input("F", "N", planar)]
         force: Vector3<f64>,
-        /// Part in whose axes it is given.
+        /// Body in whose axes it is given.
         axes: Carrier,
     },
     /// Couple
     Couple {
-        /// Part that it acts on.
+        /// Body it acts on.
         on: Carrier,
-        /// Part that it reacts on.
+        /// Body that takes the reaction.
         against: Carrier,
         /// Moment.
         #[input("T", "N*m")]
@@ -411,9 +411,9 @@ pub enum Load {
     },
     /// Torsion spring
     TorsionSpring {
-        /// Part that turns.
+        /// Rotating body.
         of: Carrier,
-        /// Part against which it turns.
+        /// Body relative to which it turns.
         against: Carrier,
         /// Stiffness.
         #[input("κ", "N*m/rad", nonnegative)]

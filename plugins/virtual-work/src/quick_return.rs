@@ -26,8 +26,8 @@ pub struct QuickReturn {
     /// Length of the crank.
     #[input("r", "mm", positive)]
     pub crank: f64,
-    /// Distance of the pivots.
-    /// That of the crank is above that of the lever.
+    /// Distance between the pivots.
+    /// The crank pivot is above the lever pivot.
     #[input("d", "mm", positive)]
     pub frame: f64,
     /// Length of the lever.
@@ -38,7 +38,7 @@ pub struct QuickReturn {
     /// From the x axis, counter-clockwise; at 90° the crank points away from the lever's pivot.
     #[input("θ_2", "deg")]
     pub angle: f64,
-    /// What the lever drives.
+    /// Output of the lever.
     pub output: Output,
     /// Unknown.
     pub unknown: Unknown,
@@ -61,10 +61,10 @@ pub struct QuickReturn {
     pub gravity: Vector3<f64>,
 }
 
-/// What the lever drives.
+/// Output of the lever.
 #[derive(Clone, Debug, Inputs)]
 pub enum Output {
-    /// A force across the end of the lever
+    /// A force perpendicular to the lever at its end
     Lever,
     /// A slider through a link: shaper
     Slider {
@@ -76,7 +76,7 @@ pub enum Output {
         #[input("h", "mm")]
         height: f64,
         /// Side of the slider.
-        /// Seen from the end of the lever, along x.
+        /// Viewed from the end of the lever, along x.
         side: Side,
         /// Mass of the link.
         #[input("5")]
@@ -102,7 +102,7 @@ pub enum Unknown {
     /// Torque on the crank
     Torque {
         /// Force on the output.
-        /// On the slider along x; on the lever across its end, counter-clockwise.
+        /// On the slider along x; on the lever perpendicular to it at its end, counter-clockwise.
         #[input("F", "N")]
         force: f64,
     },
@@ -149,11 +149,7 @@ impl Analysis for QuickReturn {
     fn solve<W: Worksheet>(&self, given: &QuickReturnGiven<W>, sheet: W) -> Result<(), Refusal> {
         let found = self.efforts(given, sheet)?;
         sheet.answer("lever_angle", "Angle of the lever", found.lever.angle);
-        sheet.answer(
-            "lever_ratio",
-            "Angular velocity of the lever over that of the crank",
-            found.lever.ratio,
-        );
+        sheet.answer("lever_ratio", "Ratio of angular velocities, lever to crank", found.lever.ratio);
         if self.moves() {
             sheet.answer("lever_speed", "Angular velocity of the lever", found.lever.speed);
             let across = sheet.step(
@@ -197,9 +193,9 @@ impl Analysis for QuickReturn {
             (&solved, joints[1]),
             sheet,
         );
-        let why = "Force of the lever on the crank pin, across the lever, by the same equations";
+        let why = "Force of the lever on the crank pin, perpendicular to the lever, by the same equations";
         let across = sheet.found("N", "N", forces[2][0], (why, SHIGLEY.at("ch. 11")));
-        sheet.answer("pin_force", "Force of the lever on the crank pin, across the lever", across);
+        sheet.answer("pin_force", "Force of the lever on the crank pin, perpendicular to the lever", across);
         sheet.verify(|| {
             let effort = match (&self.unknown, &self.output) {
                 (Unknown::Force { .. }, Output::Slider { .. }) => found.force,
@@ -257,7 +253,7 @@ impl Template for QuickReturn {
         let angle = sheet.step(symbol("θ", "4"), "deg", y.atan2(x), "Angle of the lever");
         let along = sheet.step_vector("ê", "1", works::direction::<W>(angle), "Unit vector along the lever");
         let across = works::across::<W>(along);
-        let why = "Virtual turn of the lever: it goes with the crank pin across its slot";
+        let why = "Virtual rotation of the lever: it follows the crank pin across its slot";
         let ratio = pin.shift.dot(across) / reach;
         let ratio = sheet.step(symbol("h", "4"), "1", ratio, (why, SHIGLEY.at("ch. 3")));
         let mut lever = Turning { angle, ratio, speed: zero, acceleration: zero };
@@ -275,7 +271,7 @@ impl Template for QuickReturn {
                 symbol("a", "c"),
                 "m/s^2",
                 lever.speed * slip * 2.0,
-                ("Coriolis acceleration of the crank pin, across the lever", SHIGLEY.at("ch. 4")),
+                ("Coriolis acceleration of the crank pin, perpendicular to the lever", SHIGLEY.at("ch. 4")),
             );
             let turning = (pin.acceleration.dot(across) - coriolis) / reach;
             let why = ("Angular acceleration of the lever", SHIGLEY.at("ch. 4"));
@@ -336,14 +332,14 @@ impl Template for QuickReturn {
             UnknownGiven::Force { torque } => {
                 if shift.value().abs() <= DEAD * self.crank {
                     return Err(Refusal::because(
-                        "the output turns back here, a dead centre: no force on it can balance a torque on the crank; turn the crank a little",
+                        "the output reverses here (dead centre): no force on it can balance a torque on the crank; rotate the crank slightly",
                     ));
                 }
                 if torque.value() != 0.0 {
                     let why = "Virtual work of the torque for δθ_2 = 1".into();
                     works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
                 }
-                let why = "Force: with it the sum of the virtual works is zero, F u + ΣδW = 0";
+                let why = "Force, from the principle of virtual work, F u + ΣδW = 0";
                 (torque, sheet.step("F", "N", -(works.sum() / shift), (why, RIUL.at("eq. 5"))))
             }
         };
@@ -365,16 +361,16 @@ impl QuickReturn {
         let (lean, why) = if swings {
             (
                 given.crank / given.frame,
-                "The lever touches the circle of the crank pin: half its swing, sin ψ = r/d",
+                "The lever is tangent to the crank-pin circle: half its swing, sin ψ = r/d",
             )
         } else {
-            (given.frame / given.crank, "The lever stands across the line of the pivots: sin ψ = d/r")
+            (given.frame / given.crank, "The lever is perpendicular to the line of the pivots: sin ψ = d/r")
         };
         let half = sheet.step("ψ", "deg", lean.asin(), (why, KHURMI.at("§5.18")));
         let ratio = (W::Num::from(PI) + half * 2.0) / (W::Num::from(PI) - half * 2.0);
-        let why = "Time forward over time back, at a steady speed: the crank angles between the ends";
+        let why = "Forward over return time at constant speed, from the crank angles between the ends";
         let ratio = sheet.step("Q", "1", ratio, (why, NORTON.at("ch. 3")));
-        sheet.answer("time_ratio", "Time ratio, forward over back", ratio);
+        sheet.answer("time_ratio", "Time ratio, forward over return", ratio);
         sheet.verify(|| {
             // The crank angle of the way forward, less the half turn, is twice that of the ends from the level.
             let past = (ratio / (ratio + 1.0) - 0.5) * PI;
@@ -398,7 +394,7 @@ impl QuickReturn {
                 // The lever at the crank angle −ψ, where it turns back; on the other side it is the mirror image.
                 let height = d - r * r / d;
                 let end = height.atan2(r * (height / d).max(0.0).sqrt());
-                let what = "swing of the lever between the two positions in which it touches the circle of the crank pin";
+                let what = "swing of the lever between the two positions in which it is tangent to the crank-pin circle";
                 sheet.check_sum(what, swing, (PI - 2.0 * end).into(), PI);
             });
         }
@@ -479,14 +475,14 @@ impl QuickReturn {
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
                 cycle.plot(
-                    "Torque over the turn",
+                    "Torque over one revolution",
                     ("Torque on the crank", "N*m"),
                     &[("torque", "torque", &|found| found.torque)],
                 )
             }),
             Unknown::Force { .. } => sheet.show(|| {
                 cycle.plot(
-                    "Force over the turn",
+                    "Force over one revolution",
                     ("Force on the output", "N"),
                     &[("force", "force", &|found| built::bounded(found.force, found.shift, self.crank))],
                 )
@@ -495,7 +491,7 @@ impl QuickReturn {
         sheet.show(|| {
             cycle.plot(
                 "Velocity ratio",
-                ("Angular velocity over that of the crank", "1"),
+                ("Ratio of angular velocity to that of the crank", "1"),
                 &[("lever", "lever_ratio", &|found| found.lever.ratio)],
             )
         });
@@ -509,7 +505,7 @@ impl QuickReturn {
             });
         }
         sheet.show(|| {
-            built::film("The quick-return mechanism", ("angle", self.angle), range, |angle| {
+            built::animation("The quick-return mechanism", ("angle", self.angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let (centre, pin) = ([0.0, there.frame], there.pin());

@@ -8,7 +8,7 @@ use dalembert_mechanics::{
 use std::f64::consts::TAU;
 
 use crate::{
-    equilibria::{arrow, film, solved},
+    equilibria::{animation, arrow, solved},
     sources::{BEER, RIUL},
 };
 
@@ -20,7 +20,7 @@ pub struct RackPress {
     pub handle: f64,
     /// Pinion.
     pub pinion: Pinion,
-    /// Turns of the handle for one of the pinion.
+    /// Turns of the handle per turn of the pinion.
     #[input("i", "1", positive, default = "1")]
     pub reduction: f64,
     /// Efficiency.
@@ -33,13 +33,13 @@ pub struct RackPress {
 /// The size of the pinion.
 #[derive(Clone, Debug, Inputs)]
 pub enum Pinion {
-    /// By its pitch radius
+    /// Pitch radius given
     Radius {
         /// Pitch radius.
         #[input("r", "m", positive)]
         radius: f64,
     },
-    /// By module and teeth
+    /// Module and number of teeth given
     Teeth {
         /// Module.
         #[input("m", "m", positive)]
@@ -55,7 +55,7 @@ pub enum Pinion {
 pub enum Sought {
     /// Force of the ram
     Ram {
-        /// Force on the handle, square to it.
+        /// Force on the handle, perpendicular to it.
         #[input("F", "N", positive)]
         handle: f64,
     },
@@ -74,7 +74,7 @@ impl Analysis for RackPress {
         id: "virtual-work/rack-press",
         title: "Rack press",
         topic: "Presses and lifts",
-        summary: "Force of the ram of a rack press from the force on its handle, or the other way round, with the stroke for each turn.",
+        summary: "Ram force of a rack press from the force on its handle, or vice versa, with the stroke per revolution.",
         keywords: "arbor press rack and pinion handle mechanical advantage prensa de cremalheira pinhão alavanca manual vantagem \
                    mecânica",
         sources: &[&BEER, &RIUL],
@@ -85,9 +85,7 @@ impl Analysis for RackPress {
         if let Pinion::Teeth { teeth, .. } = self.pinion
             && (teeth.fract() != 0.0 || teeth < 4.0)
         {
-            return Err(Refusal::because(
-                "a pinion has a whole number of teeth, at least 4: write such a number",
-            ));
+            return Err(Refusal::because("a pinion must have a whole number of teeth, at least 4"));
         }
         let radius = match &given.pinion {
             PinionGiven::Radius { radius } => *radius,
@@ -95,19 +93,28 @@ impl Analysis for RackPress {
                 sheet.step("r", "mm", *module * *teeth / 2.0, "Pitch radius of the pinion")
             }
         };
-        let handle =
-            sheet.step("s′", "m", given.handle, "Virtual way of the hand for a unit turn δψ of the handle");
+        let handle = sheet.step(
+            "s′",
+            "m",
+            given.handle,
+            "Virtual displacement of the hand for a unit rotation δψ of the handle",
+        );
         let turn = if self.reduction == 1.0 { radius } else { radius / given.reduction };
-        let ram = sheet.step("x′", "mm", turn, "Virtual way of the ram, which rolls off the pinion, over δψ");
+        let ram = sheet.step(
+            "x′",
+            "mm",
+            turn,
+            "Virtual displacement of the ram per unit δψ: its rack rolls on the pinion",
+        );
         let ratio = sheet.step(
             "k",
             "1",
             handle / ram,
-            "Ideal ratio of the forces: ways of hand and ram, one over the other",
+            "Ideal force ratio: displacement of the hand over that of the ram",
         );
         let lossless = self.efficiency == 1.0;
         let reason = (
-            "The virtual work of the hand, less the losses, and that of the ram sum to zero: η F δs = Q δx",
+            "The virtual work of the hand, less the losses, balances that of the ram: η F δs = Q δx",
             RIUL.at("eq. 3"),
         );
         let (force, press) = match &given.sought {
@@ -126,16 +133,12 @@ impl Analysis for RackPress {
                 (force, *ram)
             }
         };
-        let advantage = sheet.step(
-            "a",
-            "1",
-            press / force,
-            "Mechanical advantage: force of the ram over that on the handle",
-        );
-        let stroke = sheet.step("X", "mm", ram * TAU, "Way of the ram for a turn of the handle");
+        let advantage =
+            sheet.step("a", "1", press / force, "Mechanical advantage: ratio of ram force to handle force");
+        let stroke = sheet.step("X", "mm", ram * TAU, "Travel of the ram per turn of the handle");
         let tooth = sheet.step("M", "N*m", press * radius, "Torque on the pinion");
         sheet.answer("mechanical_advantage", "Mechanical advantage", advantage);
-        sheet.answer("stroke", "Way of the ram for a turn of the handle", stroke);
+        sheet.answer("stroke", "Travel of the ram per turn of the handle", stroke);
         sheet.answer("pinion_torque", "Torque on the pinion", tooth);
         let radius = radius.value();
         sheet.verify(|| {
@@ -143,14 +146,14 @@ impl Analysis for RackPress {
             if let Some(effort) = solved(&mechanism, &drawn) {
                 let torque = W::Num::from(effort.newton_euler[0]);
                 let ideal = force * given.handle * given.efficiency;
-                sheet.check("the torque of the hand, less the losses, by Newton and Euler for handle, pinion and rack", torque, ideal);
-                let what = "the torque on the pinion by Newton and Euler, through the gears";
+                sheet.check("the torque of the hand, less the losses, from the Newton–Euler equations of handle, pinion and rack", torque, ideal);
+                let what = "the torque on the pinion from the Newton–Euler equations, through the gears";
                 sheet.check(what, tooth, W::Num::from(effort.newton_euler[0] * self.reduction));
             }
-            let what = "the mechanical advantage from the ways of hand and ram in a turn, and the losses";
+            let what = "the mechanical advantage from the displacements of hand and ram in one turn, and the losses";
             sheet.check(what, advantage * stroke, given.handle * given.efficiency * TAU);
         });
-        sheet.show(|| film("The press", ("", 0.5), [-0.6, 1.2], |angle| self.frame(radius, angle)));
+        sheet.show(|| animation("The press", ("", 0.5), [-0.6, 1.2], |angle| self.frame(radius, angle)));
         Ok(())
     }
 }

@@ -10,7 +10,7 @@ use dalembert_mechanics::{
 
 pub use crate::one_freedom::Position;
 use crate::{
-    equilibria::{arrow, down, film, telling},
+    equilibria::{animation, arrow, down, telling},
     one_freedom::{Machine, Part, Shapes, spring},
     sources::{BEER, HIBBELER, RIUL},
 };
@@ -29,20 +29,20 @@ pub struct Rhombus {
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
     pub gravity: f64,
     /// Load at the lower corner.
-    /// Zero where there is none; left out, it is sought from the position.
+    /// Zero if absent; if omitted, it is calculated from the position.
     #[input("Q", "N")]
     pub load: Option<f64>,
     /// Direction of the spring.
     pub across: Across,
     /// Stiffness of the spring.
-    /// Left out, it is sought from the position.
+    /// If left blank, it is computed from the position.
     #[input("k", "N/m", positive)]
     pub stiffness: Option<f64>,
-    /// Angle at which it is unstretched.
+    /// Angle at which the spring is unstretched.
     #[input("θ₀", "deg", min = -360, max = 360)]
     pub free: f64,
     /// Position.
-    /// The angle θ of each bar is taken from the vertical.
+    /// The angle θ of each bar is measured from the vertical.
     pub position: Position,
 }
 
@@ -79,21 +79,25 @@ impl Analysis for Rhombus {
             Part {
                 name: "weights of the bars",
                 load: Some(weight),
-                rate: ["y′_G", "m", "Virtual rises of the four mass centres over δθ, together"],
+                rate: [
+                    "y′_G",
+                    "m",
+                    "Sum of the upward virtual displacements of the four centres of mass per unit δθ",
+                ],
                 symbol: ["W", "N"],
                 answer: ["weight", "Weight of each bar"],
             },
             Part {
                 name: "load at the lower corner",
                 load: given.load,
-                rate: ["y′_D", "m", "Virtual rise of the lower corner over δθ"],
+                rate: ["y′_D", "m", "Upward virtual displacement of the lower corner per unit δθ"],
                 symbol: ["Q", "N"],
                 answer: ["load", "Load at the lower corner"],
             },
             Part {
                 name: "spring",
                 load: given.stiffness,
-                rate: ["u′", "m^2", "Stretch of the spring times its virtual change over δθ"],
+                rate: ["u′", "m^2", "Extension of the spring times its virtual change per unit δθ"],
                 symbol: ["k", "N/m"],
                 answer: ["stiffness", "Stiffness of the spring"],
             },
@@ -114,9 +118,12 @@ impl Analysis for Rhombus {
         let at = telling(&balanced.list);
         let [from, to] = balanced.range;
         sheet.show(|| {
-            film("The rhombus", ("position.given.angle", at), [from.max(at - 0.4), to.min(at + 0.4)], |at| {
-                self.frame(at)
-            })
+            animation(
+                "The rhombus",
+                ("position.given.angle", at),
+                [from.max(at - 0.4), to.min(at + 0.4)],
+                |at| self.frame(at),
+            )
         });
         Ok(())
     }

@@ -7,7 +7,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    equilibria::{arrow, down, film, solved},
+    equilibria::{animation, arrow, down, solved},
     sources::{BEER, RIUL},
 };
 
@@ -30,7 +30,7 @@ pub struct RobervalBalance {
     #[input("e₁", "m", default = "0 m")]
     pub left_offset: f64,
     /// Mass on the right pan.
-    /// Left out, the mass that balances is sought.
+    /// If left blank, the balancing mass is computed.
     #[input("m₂", "kg", nonnegative)]
     pub right_mass: Option<f64>,
     /// Distance of the right mass from its stem, outwards.
@@ -51,7 +51,7 @@ impl Analysis for RobervalBalance {
         id: "virtual-work/roberval-balance",
         title: "Roberval balance",
         topic: "Bars and levers",
-        summary: "Couple that holds a Roberval balance, or the mass that balances it, and what the offsets of the masses do to its beams.",
+        summary: "Equilibrant couple of a Roberval balance, or the mass that balances it, and the effect of the mass offsets on its beams.",
         keywords: "parallelogram scale pans shop balance balança de Roberval paralelogramo pratos",
         sources: &[&BEER, &RIUL],
         cases: include_str!("../cases/roberval_balance.toml"),
@@ -74,9 +74,14 @@ impl Analysis for RobervalBalance {
             "y′₁",
             "m",
             *left_arm * angle.cos(),
-            "Virtual fall of the left pan over δφ: the pans only move, they do not turn, so the offset does not matter",
+            "Downward virtual displacement of the left pan per unit δφ: the pans translate without rotating, so the offset does not matter",
         );
-        let rise = sheet.step("y′₂", "m", *right_arm * angle.cos(), "Virtual rise of the right pan over δφ");
+        let rise = sheet.step(
+            "y′₂",
+            "m",
+            *right_arm * angle.cos(),
+            "Upward virtual displacement of the right pan per unit δφ",
+        );
         let (mut held, mut weight) = (W::Num::from(0.0), None);
         let right = match given.right_mass {
             Some(mass) => {
@@ -85,27 +90,27 @@ impl Analysis for RobervalBalance {
                     "T",
                     "N*m",
                     right * rise - left * fall,
-                    ("Couple that holds the beams, the right side up: its virtual work and those of the weights sum to zero", RIUL.at("eq. 3")),
+                    ("Equilibrant couple on the beams, raising the right side: its virtual work and those of the weights sum to zero", RIUL.at("eq. 3")),
                 );
-                sheet.answer("holding_couple", "Couple that holds the beams", couple);
+                sheet.answer("holding_couple", "Equilibrant couple on the beams", couple);
                 held = couple;
                 right
             }
             None => {
                 if angle.value().cos() < 1e-12 {
-                    return Err(Refusal::because("the beams stand upright: no weight does virtual work"));
+                    return Err(Refusal::because("the beams are vertical: no weight does virtual work"));
                 }
                 let right = sheet.step(
                     "W₂",
                     "N",
                     left * fall / rise,
                     (
-                        "Weight on the right pan: the virtual works of both weights sum to zero",
+                        "Weight on the right pan: the total virtual work of both weights is zero",
                         RIUL.at("eq. 3"),
                     ),
                 );
                 let mass = sheet.step("m₂", "kg", right / *gravity, "Mass on the right pan");
-                sheet.answer("right_mass", "Mass that balances", mass);
+                sheet.answer("right_mass", "Balancing mass", mass);
                 weight = Some(mass.value() * self.gravity);
                 right
             }
@@ -115,13 +120,13 @@ impl Analysis for RobervalBalance {
             "H₁",
             "N",
             pull(left, *left_offset),
-            "Pull of the left stem on the upper beam and push on the lower one: they hold the stem upright against W₁ e₁",
+            "Pull of the left stem on the upper beam and push on the lower one: they hold the stem vertical against W₁ e₁",
         );
         let right_force = sheet.step(
             "H₂",
             "N",
             pull(right, *right_offset),
-            "Pull of the right stem on the upper beam and push on the lower one: they hold the stem upright against W₂ e₂",
+            "Pull of the right stem on the upper beam and push on the lower one: they hold the stem vertical against W₂ e₂",
         );
         sheet.answer("left_pull", "Pull of the left stem on the beams", left_force);
         sheet.answer("right_pull", "Pull of the right stem on the beams", right_force);
@@ -133,14 +138,14 @@ impl Analysis for RobervalBalance {
                 let size = moment(left, self.left_arm, self.left_offset)
                     + moment(right, self.right_arm, self.right_offset);
                 sheet.check_sum(
-                    "the couple on the beams by Newton and Euler, with the masses at their offsets",
+                    "the couple on the beams from the Newton–Euler equations, with the masses at their offsets",
                     held,
                     effort.newton_euler[0].into(),
                     size,
                 );
                 for (pull, by_them, what) in [
-                    (left_force, effort.multipliers[4], "the pull of the left stem by Newton and Euler"),
-                    (right_force, -effort.multipliers[8], "the pull of the right stem by Newton and Euler"),
+                    (left_force, effort.multipliers[4], "the pull of the left stem from the Newton–Euler equations"),
+                    (right_force, -effort.multipliers[8], "the pull of the right stem from the Newton–Euler equations"),
                 ] {
                     let size = left.value() + right.value() + pull.value().abs();
                     sheet.check_sum(what, pull, by_them.into(), size);
@@ -148,7 +153,7 @@ impl Analysis for RobervalBalance {
             }
         });
         let range = [self.angle.min(-0.35), self.angle.max(0.35)];
-        sheet.show(|| film("The balance", ("angle", self.angle), range, |angle| self.frame(angle)));
+        sheet.show(|| animation("The balance", ("angle", self.angle), range, |angle| self.frame(angle)));
         Ok(())
     }
 }

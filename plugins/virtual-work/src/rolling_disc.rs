@@ -77,7 +77,7 @@ pub struct Spring {
     #[input("k", "N/m", positive)]
     pub stiffness: f64,
     /// Position of the wall.
-    /// Along x, from the bearing of the crank; on the far side from the disc's way.
+    /// Along x, from the bearing of the crank; on the side opposite to the travel of the disc.
     #[input("x_w", "mm")]
     pub wall: f64,
     /// Free length.
@@ -123,9 +123,9 @@ const DEAD: f64 = 1e-9;
 impl Analysis for RollingDisc {
     const ABOUT: About = About {
         id: "virtual-work/rolling-disc",
-        title: "Disc rolled by a crank",
+        title: "Rolling disc driven by a crank",
         topic: "Engines, gears and wheels",
-        summary: "Torque on a crank that rolls a disc without slip against spring and damper, by virtual work; friction at the floor and the coefficient it takes.",
+        summary: "Torque on a crank that rolls a disc without slip against spring and damper, by virtual work; friction at the floor and the coefficient required.",
         keywords: "disco rolamento sem escorregamento manivela mola amortecedor atrito cilindro roda rolling without slip \
                    wheel cylinder friction slider-crank",
         sources: &[&RIUL, &SHIGLEY, &NORTON],
@@ -159,13 +159,13 @@ impl Analysis for RollingDisc {
         sheet.answer("normal_force", "Normal force of the floor", normal);
         if normal.value() > 0.0 {
             let needed = friction.abs() / normal;
-            let needed = sheet.step("μ", "1", needed, "Least coefficient of friction without slip");
-            sheet.answer("needed_friction", "Least coefficient of friction without slip", needed);
+            let needed = sheet.step("μ", "1", needed, "Minimum coefficient of friction to prevent slip");
+            sheet.answer("needed_friction", "Minimum coefficient of friction to prevent slip", needed);
             sheet.verify(|| {
                 let grip = solved.reaction(rack)[0].abs();
                 let size = grip.max(self.mass * found.acceleration.value().abs());
                 let what =
-                    "friction at the least coefficient is the effort that keeps the disc from slipping";
+                    "friction at the minimum coefficient is the effort that keeps the disc from slipping";
                 sheet.check_sum(what, needed * normal, grip.into(), size);
             });
         } else if self.gravity > 0.0 {
@@ -205,7 +205,7 @@ impl Template for RollingDisc {
         let rise = (self.crank * self.angle.sin()).abs();
         if rise > self.rod {
             return Err(Refusal::because(
-                Text::new("at this angle the rod has to bridge {distance} from the crank pin to the line of the slider: it is {gap} too short")
+                Text::new("at this angle the rod has to span {distance} from the crank pin to the line of the slider: it is {gap} too short")
                     .with_quantity("distance", rise, "mm")
                     .with_quantity("gap", rise - self.rod, "mm"),
             ));
@@ -216,7 +216,7 @@ impl Template for RollingDisc {
         let three = sheet.step(symbol("θ", "3"), "deg", three, why);
         if three.value().cos() < 1e-7 {
             return Err(Refusal::because(
-                "the rod stands across the line of the slider, a limit position: the angle of the crank does not determine the motion; turn it a little",
+                "the rod is perpendicular to the line of the slider (limit position): the crank angle does not determine the motion; change it slightly",
             ));
         }
         let position = loops::slider_position(r, l, two, three);
@@ -273,14 +273,14 @@ impl Template for RollingDisc {
             UnknownGiven::Force { torque } => {
                 if shift.value().abs() <= DEAD * self.crank {
                     return Err(Refusal::because(
-                        "crank and rod are in one line, a dead centre: no force on the disc can balance a torque; turn the crank a little",
+                        "crank and rod are collinear (dead centre): no force on the disc can balance a torque; rotate the crank slightly",
                     ));
                 }
                 if torque.value() != 0.0 {
                     let why = "Virtual work of the torque for δθ_2 = 1".into();
                     works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
                 }
-                let why = "Force: with it the sum of the virtual works is zero, F u + ΣδW = 0";
+                let why = "Force, from the principle of virtual work, F u + ΣδW = 0";
                 (torque, sheet.step("F", "N", -(works.sum() / shift), (why, RIUL.at("eq. 5"))))
             }
         };
@@ -377,14 +377,14 @@ impl RollingDisc {
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
                 cycle.plot(
-                    "Torque over the turn",
+                    "Torque over one revolution",
                     ("Torque on the crank", "N*m"),
                     &[("torque", "torque", &|found| found.torque)],
                 )
             }),
             Unknown::Force { .. } => sheet.show(|| {
                 cycle.plot(
-                    "Force over the turn",
+                    "Force over one revolution",
                     ("Force on the centre of the disc", "N"),
                     &[("force", "force", &|found| built::bounded(found.force, found.shift, self.crank))],
                 )
@@ -401,7 +401,7 @@ impl RollingDisc {
         }
         sheet.show(|| {
             let first = self.crank + self.rod;
-            built::film("The rolling disc", ("angle", self.angle), range, |angle| {
+            built::animation("The rolling disc", ("angle", self.angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let (x, radius) = (found.position, there.radius);

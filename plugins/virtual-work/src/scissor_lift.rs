@@ -9,7 +9,7 @@ use dalembert_mechanics::Real;
 pub(crate) use mechanism::Scissor;
 
 use crate::{
-    equilibria::film,
+    equilibria::animation,
     sources::{BEER, HIBBELER, RIUL},
 };
 
@@ -31,7 +31,7 @@ pub struct ScissorLift {
     /// Uniform: it acts in the middle.
     #[input("G", "N", nonnegative, default = "0 N")]
     pub bar_weight: f64,
-    /// Frames side by side, each with a cylinder.
+    /// Number of frames side by side, each with a cylinder.
     /// They share the load evenly.
     #[input(min = 1, max = 10)]
     pub frames: u32,
@@ -41,8 +41,8 @@ pub struct ScissorLift {
     pub upper: End,
     /// Sought.
     pub sought: Sought,
-    /// Speed at which the cylinder grows.
-    /// Where it is given, the speed of the table is answered too.
+    /// Extension speed of the cylinder.
+    /// If given, the speed of the table is also calculated.
     #[input("v", "m/s")]
     pub speed: Option<f64>,
 }
@@ -55,7 +55,7 @@ pub enum End {
         /// Distance to the right of the fixed foot.
         #[input("x", "m")]
         x: f64,
-        /// Height over the fixed foot.
+        /// Height above the fixed foot.
         #[input("y", "m", default = "0 m")]
         y: f64,
     },
@@ -64,13 +64,13 @@ pub enum End {
         /// Distance to the right of the left joint.
         #[input("x", "m")]
         x: f64,
-        /// Height over the joints.
+        /// Height above the joints.
         #[input("y", "m", default = "0 m")]
         y: f64,
     },
     /// On a bar that rises to the right
     Rising {
-        /// Stage, counted from below.
+        /// Stage, numbered from the bottom.
         #[input(min = 1, max = 10)]
         stage: u32,
         /// Distance from its lower end.
@@ -79,7 +79,7 @@ pub enum End {
     },
     /// On a bar that rises to the left
     Falling {
-        /// Stage, counted from below.
+        /// Stage, numbered from the bottom.
         #[input(min = 1, max = 10)]
         stage: u32,
         /// Distance from its lower end.
@@ -131,7 +131,7 @@ impl Analysis for ScissorLift {
                 && *stage > self.stages
             {
                 return Err(Refusal::because(
-                    "the cylinder is fixed to a stage that the lift does not have: write a smaller stage or more stages",
+                    "the cylinder is fixed to a stage that the lift does not have: choose a lower stage or more stages",
                 ));
             }
         }
@@ -139,8 +139,8 @@ impl Analysis for ScissorLift {
         let from = place(&self.lower, &given.lower, length, theta, self.stages);
         let to = place(&self.upper, &given.upper, length, theta, self.stages);
         let rows = [
-            ("Δx", "Horizontal distance of the ends of the cylinder"),
-            ("Δy", "Vertical distance of the ends of the cylinder"),
+            ("Δx", "Horizontal distance between the ends of the cylinder"),
+            ("Δy", "Vertical distance between the ends of the cylinder"),
         ];
         let spans: Vec<W::Num> = [0, 1]
             .into_iter()
@@ -162,13 +162,13 @@ impl Analysis for ScissorLift {
             .into_iter()
             .filter_map(|axis| {
                 let way = difference(from.way[axis], to.way[axis])?;
-                let way = sheet.step(["Δx′", "Δy′"][axis], "m", way, "Its virtual change over δθ");
+                let way = sheet.step(["Δx′", "Δy′"][axis], "m", way, "Its virtual variation per δθ");
                 Some(spans[axis] * way)
             })
             .collect();
         let stuck = || {
             Refusal::because(
-                "in this position the length of the cylinder does not change with the height of the table: a dead centre, no force lifts it",
+                "in this position the length of the cylinder does not change with the height of the table (dead centre): no force lifts it",
             )
         };
         if ways.is_empty() {
@@ -178,7 +178,7 @@ impl Analysis for ScissorLift {
             "c′",
             "m",
             W::Num::sum(ways) / cylinder,
-            "Virtual growth of the cylinder over δθ: 2 c δc = 2 Δx δΔx + 2 Δy δΔy",
+            "Virtual elongation of the cylinder per unit δθ: 2 c δc = 2 Δx δΔx + 2 Δy δΔy",
         );
         if growth.value().abs() < 1e-9 * length.value() {
             return Err(stuck());
@@ -187,17 +187,17 @@ impl Analysis for ScissorLift {
             "h′",
             "m",
             length * theta.cos() * stages,
-            "Virtual rise of the table over δθ, from h = n L sin θ",
+            "Upward virtual displacement of the table per unit δθ, from h = n L sin θ",
         );
         let bars = (self.bar_weight > 0.0).then(|| {
             sheet.step(
                 "U_G",
                 "N*m",
                 given.bar_weight * rise * stages,
-                "Virtual work against the weights of the 2 n bars of a frame, which rise by half as much as the table in the mean",
+                "Virtual work against the weights of the 2 n bars of a frame, whose mean rise is half that of the table",
             )
         });
-        let reason = "The virtual works of cylinder, load and weights of a frame sum to zero";
+        let reason = "The total virtual work of cylinder, load and weights of a frame is zero";
         let frames = f64::from(self.frames);
         let (force, load) = match &given.sought {
             SoughtGiven::Cylinder { load } => {
@@ -219,16 +219,16 @@ impl Analysis for ScissorLift {
             sheet.warn(|| "the cylinder pulls: it becomes shorter as the table rises".into());
         }
         let height = sheet.step("h", "m", length * theta.sin() * stages, "Height of the table");
-        let ratio = sheet.step("r", "1", rise / growth, "Way of the table over way of the cylinder");
+        let ratio = sheet.step("r", "1", rise / growth, "Displacement ratio, table over cylinder");
         sheet.answer("height", "Height of the table", height);
-        sheet.answer("speed_ratio", "Way of the table over way of the cylinder", ratio);
+        sheet.answer("speed_ratio", "Displacement ratio, table over cylinder", ratio);
         sheet.verify(|| {
             let apart = length * theta.cos() * stages;
-            let what = "height of the table by Pythagoras, from the bars and the distance of the feet";
+            let what = "height of the table by Pythagoras, from the bars and the distance between the feet";
             sheet.check(what, height.powi(2) + apart.powi(2), (length * stages).powi(2));
             let weightless = Self { bar_weight: 0.0, ..self.clone() };
             if let Some(effort) = weightless.solved(self.angle, 1.0) {
-                let what = "way of the table over way of the cylinder as the force of the cylinder for a unit load, without weights of bars";
+                let what = "displacement ratio, table over cylinder, as the force of the cylinder for a unit load, without weights of bars";
                 sheet.check_sum(what, ratio, effort.newton_euler[0].into(), ratio.value().abs().max(1.0));
             }
         });
@@ -248,7 +248,7 @@ impl Analysis for ScissorLift {
             if let Some(effort) = self.solved(self.angle, share) {
                 let size = force.value().abs().max(share.abs());
                 sheet.check_sum(
-                    "the force of the cylinder by Newton and Euler for every bar",
+                    "the force of the cylinder from the Newton–Euler equations of every bar",
                     force,
                     effort.newton_euler[0].into(),
                     size,
@@ -263,7 +263,7 @@ impl Analysis for ScissorLift {
         let force = force.value();
         sheet.show(|| Exhibit::Plot(self.force_over_angle(share, force)));
         let range = [(0.4 * self.angle).max(0.08), (1.3 * self.angle).min(1.35)];
-        sheet.show(|| film("The lift", ("angle", self.angle), range, |angle| self.frame(angle)));
+        sheet.show(|| animation("The lift", ("angle", self.angle), range, |angle| self.frame(angle)));
         Ok(())
     }
 }

@@ -162,14 +162,14 @@ impl Template for ScotchYoke {
             UnknownGiven::Force { torque } => {
                 if shift.value().abs() <= DEAD * self.crank {
                     return Err(Refusal::because(
-                        "the crank lies along the line of the yoke, a dead centre: no force on the yoke can balance a torque; turn the crank a little",
+                        "the crank lies along the line of the yoke (dead centre): no force on the yoke can balance a torque; rotate the crank slightly",
                     ));
                 }
                 if torque.value() != 0.0 {
                     let why = "Virtual work of the torque for δθ_2 = 1".into();
                     works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
                 }
-                let why = "Force: with it the sum of the virtual works is zero, F u + ΣδW = 0";
+                let why = "Force, from the principle of virtual work, F u + ΣδW = 0";
                 (torque, sheet.step("F", "N", -(works.sum() / shift), (why, RIUL.at("eq. 5"))))
             }
         };
@@ -196,11 +196,13 @@ impl ScotchYoke {
         let inertia =
             sheet.step("B", "N*m", inertia, "Twice the amplitude of the torque of the inertia force");
         let cosine = ((load.powi(2) + inertia.powi(2) * 8.0).sqrt() - load) / (inertia * 4.0);
-        let why = "Where sin θ (A + B cos θ) is largest: 2B cos² θ + A cos θ − B = 0, in size of the cosine";
+        let why =
+            "Where sin θ (A + B cos θ) is a maximum: 2B cos² θ + A cos θ − B = 0, in magnitude of the cosine";
         let cosine = sheet.step("c", "1", cosine, why);
         let largest = (W::Num::from(1.0) - cosine.powi(2)).sqrt() * (load + inertia * cosine);
-        let largest = sheet.step(symbol("T", "max"), "N*m", largest, "Largest torque of a turn, in size");
-        sheet.answer("largest_torque", "Largest torque of a turn, in size", largest);
+        let largest =
+            sheet.step(symbol("T", "max"), "N*m", largest, "Maximum torque over a revolution, in magnitude");
+        sheet.answer("largest_torque", "Maximum torque over a revolution, in magnitude", largest);
         sheet.verify(|| {
             let torque =
                 |angle: f64| Self { angle, ..self.clone() }.plain().map_or(0.0, |found| found.torque.abs());
@@ -208,7 +210,7 @@ impl ScotchYoke {
             let there = torque(turn).max(torque(std::f64::consts::PI - turn));
             let size = load.value() + inertia.value();
             sheet.check_sum(
-                "the virtual works at the angle of the largest torque",
+                "the virtual work at the angle of the maximum torque",
                 largest,
                 there.into(),
                 size,
@@ -260,21 +262,21 @@ impl ScotchYoke {
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
                 cycle.plot(
-                    "Torque over the turn",
+                    "Torque over one revolution",
                     ("Torque on the crank", "N*m"),
                     &[("torque", "torque", &|found| found.torque)],
                 )
             }),
             Unknown::Force { .. } => sheet.show(|| {
                 cycle.plot(
-                    "Force over the turn",
+                    "Force over one revolution",
                     ("Force on the yoke", "N"),
                     &[("force", "force", &|found| built::bounded(found.force, found.shift, self.crank))],
                 )
             }),
         }
         sheet.show(|| {
-            built::film("The Scotch yoke", ("angle", self.angle), range, |angle| {
+            built::animation("The Scotch yoke", ("angle", self.angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let r = there.crank;

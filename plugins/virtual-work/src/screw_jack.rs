@@ -9,7 +9,7 @@ use dalembert_mechanics::Real;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::{
-    equilibria::{arrow, film, solved, spread},
+    equilibria::{animation, arrow, solved, spread},
     sources::{BEER, HIBBELER, RIUL},
 };
 
@@ -19,7 +19,7 @@ pub struct ScrewJack {
     /// Frame.
     pub frame: Frame,
     /// Screw.
-    /// Left out, only the axial force is answered.
+    /// If left blank, only the axial force is computed.
     pub screw: Option<Screw>,
     /// Sought.
     pub sought: Sought,
@@ -28,7 +28,7 @@ pub struct ScrewJack {
 /// What stands between load and screw.
 #[derive(Clone, Debug, PartialEq, Inputs)]
 pub enum Frame {
-    /// The load stands on the screw
+    /// The load rests on the screw
     Plain,
     /// Rhombus with the screw across
     Rhombus {
@@ -60,13 +60,13 @@ pub struct Screw {
     #[input("d", "m", positive)]
     pub diameter: f64,
     /// Lead.
-    /// Way of a nut for one turn.
+    /// Travel of a nut per turn.
     #[input("ℓ", "m", positive)]
     pub lead: f64,
     /// Coefficient of friction in the thread.
     #[input("μ", "1", nonnegative)]
     pub friction: f64,
-    /// Half the angle of the thread.
+    /// Half the thread angle.
     /// Zero for a square thread, 15° for a trapezoidal one.
     #[input("λ", "deg", nonnegative, below = 60, default = "0 deg")]
     pub flank: f64,
@@ -92,13 +92,13 @@ pub enum Threads {
 /// What is sought.
 #[derive(Clone, Debug, Inputs)]
 pub enum Sought {
-    /// Force and torque for a load
+    /// Force and torque for a given load
     Effort {
         /// Load.
         #[input("P", "N", positive)]
         load: f64,
     },
-    /// Load that a torque raises
+    /// Load raised by a torque
     Load {
         /// Torque on the screw.
         #[input("M", "N*m", positive)]
@@ -150,7 +150,7 @@ impl Analysis for ScrewJack {
                         "T",
                         "N",
                         over(*load),
-                        ("Axial force in the screw: P δy and T δx sum to zero", RIUL.at("eq. 3")),
+                        ("Axial force in the screw, from P δy + T δx = 0", RIUL.at("eq. 3")),
                     ),
                 };
                 sheet.answer("axial_force", "Axial force in the screw", force);
@@ -161,7 +161,7 @@ impl Analysis for ScrewJack {
                     return Err(Refusal::because("a torque needs a screw: write its diameter and lead"));
                 };
                 let force =
-                    sheet.step("T", "N", *torque / torques.raise, "Axial force that the torque overcomes");
+                    sheet.step("T", "N", *torque / torques.raise, "Axial force overcome by the torque");
                 (self.carried(ratio, force, sheet), force)
             }
             SoughtGiven::Held { force } => (self.carried(ratio, *force, sheet), *force),
@@ -175,14 +175,17 @@ impl Analysis for ScrewJack {
                 && let Some(effort) = solved(&mechanism, &drawn)
             {
                 sheet.check(
-                    "the axial force by Newton and Euler for every link",
+                    "the axial force from the Newton–Euler equations of every link",
                     W::Num::from(-effort.newton_euler[0]),
                     force,
                 );
             }
         });
         if self.angle().is_some_and(|angle| angle < 5f64.to_radians()) {
-            sheet.warn(|| "the links lie nearly flat: the axial force grows without bound as they do".into());
+            sheet.warn(|| {
+                "the links are nearly horizontal: the axial force grows without bound near that position"
+                    .into()
+            });
         }
         if let Some(angle) = self.angle() {
             let input = match self.frame {
@@ -197,7 +200,7 @@ impl Analysis for ScrewJack {
                 Exhibit::Plot(if is_asked { plot.over(input) } else { plot })
             });
             let range = [(0.4 * angle).max(0.1), (1.3 * angle).min(1.4)];
-            sheet.show(|| film("The jack", (input, angle), range, |angle| self.frame_at(angle)));
+            sheet.show(|| animation("The jack", (input, angle), range, |angle| self.frame_at(angle)));
         }
         Ok(())
     }
@@ -215,9 +218,9 @@ fn force_ratio<W: Worksheet>(frame: &FrameGiven<W>, stages: f64, sheet: W) -> Op
         "m",
         times(*link * angle.cos(), if rhombus { 2.0 } else { stages }),
         if rhombus {
-            "Virtual rise of the load over δθ, from y = 2 L sin θ"
+            "Upward virtual displacement of the load per unit δθ, from y = 2 L sin θ"
         } else {
-            "Virtual rise of the load over δθ, from y = n L sin θ"
+            "Upward virtual displacement of the load per unit δθ, from y = n L sin θ"
         },
     );
     let near = sheet.step(
@@ -225,9 +228,9 @@ fn force_ratio<W: Worksheet>(frame: &FrameGiven<W>, stages: f64, sheet: W) -> Op
         "m",
         times(*link * angle.sin(), if rhombus { 2.0 } else { 1.0 }),
         if rhombus {
-            "Virtual approach of the nuts over δθ, from x = 2 L cos θ"
+            "Virtual approach of the nuts per unit δθ, from x = 2 L cos θ"
         } else {
-            "Virtual approach of the feet over δθ, from x = L cos θ"
+            "Virtual approach of the feet per unit δθ, from x = L cos θ"
         },
     );
     let height = sheet.step(
@@ -247,9 +250,9 @@ fn force_ratio<W: Worksheet>(frame: &FrameGiven<W>, stages: f64, sheet: W) -> Op
         "i",
         "1",
         rise / near,
-        "Axial force over load: ways of load and screw, one over the other",
+        "Ratio of axial force to load: displacement of the load over that of the screw",
     );
-    sheet.answer("force_ratio", "Axial force over load", ratio);
+    sheet.answer("force_ratio", "Ratio of axial force to load", ratio);
     Some(ratio)
 }
 
@@ -274,7 +277,7 @@ impl ScrewJack {
             "P",
             "N",
             ratio.map_or(force, |ratio| force / ratio),
-            ("Load: P δy and T δx sum to zero", RIUL.at("eq. 3")),
+            ("Load, from P δy + T δx = 0", RIUL.at("eq. 3")),
         );
         sheet.answer("load", "Load", load);
         load
@@ -285,7 +288,7 @@ impl ScrewJack {
             "α",
             "deg",
             screw.lead.atan2(screw.diameter * PI),
-            ("Slope of the thread", BEER.at("§8.2B")),
+            ("Lead angle of the thread", BEER.at("§8.2B")),
         );
         let friction = sheet.step(
             "φ",
@@ -295,7 +298,7 @@ impl ScrewJack {
         );
         if slope.value() + friction.value() >= FRAC_PI_2 * (1.0 - 1e-9) {
             return Err(Refusal::because(
-                "slope of the thread and angle of friction together reach 90°: the thread jams and no torque raises the load",
+                "lead angle and friction angle of the thread together reach 90°: the thread jams and no torque raises the load",
             ));
         }
         let nuts = |arm: W::Num| match self.screw.as_ref().map(|screw| screw.threads) {
@@ -309,14 +312,14 @@ impl ScrewJack {
             "q",
             "mm",
             with_collar(nuts(screw.diameter / 2.0 * (slope + friction).tan())),
-            ("Torque for a unit of axial force, raising", BEER.at("§8.2B")),
+            ("Torque per unit axial force, raising", BEER.at("§8.2B")),
         );
         let lower = sheet.step(
             "q₂",
             "mm",
             with_collar(nuts(screw.diameter / 2.0 * (friction - slope).tan())),
             (
-                "Torque for a unit of axial force, lowering; negative where the load drives the screw",
+                "Torque per unit axial force, lowering; negative where the load drives the screw",
                 BEER.at("§8.2B"),
             ),
         );
@@ -324,10 +327,7 @@ impl ScrewJack {
             "q₀",
             "mm",
             nuts(screw.lead / TAU),
-            (
-                "Torque for a unit of axial force without friction: M δψ = T ℓ δψ/2π for each nut",
-                RIUL.at("eq. 3"),
-            ),
+            ("Torque per unit axial force without friction: M δψ = T ℓ δψ/2π for each nut", RIUL.at("eq. 3")),
         );
         Ok(Torques { raise, lower, ideal, slope, friction })
     }
@@ -342,24 +342,26 @@ impl ScrewJack {
         let raise = match &given.sought {
             SoughtGiven::Load { torque } => *torque,
             _ => {
-                let raise = sheet.step("M", "N*m", force * torques.raise, "Torque that raises the load");
-                sheet.answer("raising_torque", "Torque that raises the load", raise);
+                let raise = sheet.step("M", "N*m", force * torques.raise, "Torque to raise the load");
+                sheet.answer("raising_torque", "Torque to raise the load", raise);
                 raise
             }
         };
-        let lower = sheet.step("M₂", "N*m", force * torques.lower, "Torque that lowers the load");
+        let lower = sheet.step("M₂", "N*m", force * torques.lower, "Torque to lower the load");
         let efficiency = sheet.step(
             "η",
             "%",
             torques.ideal / torques.raise,
-            "Efficiency: torque without friction over torque with it",
+            "Efficiency: torque without friction divided by the torque with friction",
         );
-        sheet.answer("lowering_torque", "Torque that lowers the load", lower);
+        sheet.answer("lowering_torque", "Torque to lower the load", lower);
         sheet.answer("efficiency", "Efficiency", efficiency);
-        sheet.answer("lead_angle", "Slope of the thread", torques.slope);
+        sheet.answer("lead_angle", "Lead angle of the thread", torques.slope);
         sheet.answer("friction_angle", "Angle of friction", torques.friction);
         if lower.value() < 0.0 {
-            sheet.warn(|| Text::new("the screw does not lock itself: let go, it turns back under the load"));
+            sheet.warn(|| {
+                Text::new("the screw is not self-locking: when released, it turns back under the load")
+            });
         }
         let Some(screw) = &given.screw else { return };
         sheet.verify(|| {
@@ -380,7 +382,7 @@ impl ScrewJack {
             let what = "the lowering torque from T d/2 (π μ′ d − ℓ)/(π d + μ′ ℓ)";
             let scale = force.value() * (screw.diameter.value() * nuts + screw.collar_diameter.value());
             sheet.check_sum(what, all * force, lower, scale);
-            let what = "efficiency as the work done on the load in a turn over that of the torque";
+            let what = "efficiency as the work done on the load per revolution over that of the torque";
             sheet.check(what, efficiency * raise * TAU, force * screw.lead * nuts);
         });
     }

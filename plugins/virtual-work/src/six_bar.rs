@@ -40,12 +40,12 @@ pub struct SixBar {
     /// Angle of the crank.
     #[input("θ_2", "deg")]
     pub angle: f64,
-    /// Where the second pair hangs.
+    /// Attachment of the second pair.
     pub attached: Attached,
     /// Length of link 5.
     #[input("l_5", "mm", positive)]
     pub link: f64,
-    /// What link 5 drives.
+    /// Output of link 5.
     pub output: Output,
     /// Load on the output.
     /// A force along the line of a slider, or a torque on a second rocker.
@@ -98,7 +98,7 @@ pub enum Attached {
     },
 }
 
-/// What link 5 drives.
+/// Output of link 5.
 #[derive(Clone, Debug, Inputs)]
 pub enum Output {
     /// A slider
@@ -107,11 +107,11 @@ pub enum Output {
         #[input("Q", "mm", planar, default = "(0; 0) mm")]
         through: Vector3<f64>,
         /// Direction of its line.
-        /// From the x axis, counter-clockwise; the way that is positive for the slider.
+        /// From the x axis, counter-clockwise; positive direction of the slider.
         #[input("φ", "deg", default = "0 deg")]
         direction: f64,
         /// Side of the slider.
-        /// Seen from the point that the pair hangs on, along the line.
+        /// Viewed from the attachment point of the pair, along the line.
         side: Side,
         /// Mass of the slider.
         #[input("m_6", "kg", nonnegative, default = "0 kg")]
@@ -126,7 +126,7 @@ pub enum Output {
         #[input("l_6", "mm", positive)]
         length: f64,
         /// Closing of the loop.
-        /// Open: the pin of links 5 and 6 is to the left of the way from D to E.
+        /// Open: the pin of links 5 and 6 is to the left of the line from D to E.
         closing: Closing,
         /// Mass of the second rocker.
         #[input("6")]
@@ -202,18 +202,14 @@ impl Analysis for SixBar {
         sheet.answer("coupler_angle", "Angle of the coupler", found.angles[0]);
         sheet.answer("rocker_angle", "Angle of the rocker", found.angles[1]);
         sheet.answer("link_angle", "Angle of link 5", found.angles[2]);
-        sheet.answer(
-            "rocker_ratio",
-            "Angular velocity of the rocker over that of the crank",
-            found.ratios[1],
-        );
+        sheet.answer("rocker_ratio", "Ratio of angular velocities, rocker to crank", found.ratios[1]);
         let [place, shift, velocity, acceleration] = found.output;
         match self.output {
             Output::Slider { .. } => {
                 sheet.answer("slider_position", "Position of the slider", place);
                 sheet.answer(
                     "slider_displacement",
-                    "Displacement of the slider for a unit turn of the crank",
+                    "Displacement of the slider per unit rotation of the crank",
                     shift,
                 );
                 if self.moves() {
@@ -223,11 +219,7 @@ impl Analysis for SixBar {
             }
             Output::Rocker { .. } => {
                 sheet.answer("output_angle", "Angle of the second rocker", place);
-                sheet.answer(
-                    "output_ratio",
-                    "Angular velocity of the second rocker over that of the crank",
-                    shift,
-                );
+                sheet.answer("output_ratio", "Ratio of angular velocities, second rocker to crank", shift);
                 if self.moves() {
                     sheet.answer("output_speed", "Angular velocity of the second rocker", velocity);
                     let label = "Angular acceleration of the second rocker";
@@ -261,7 +253,7 @@ impl Analysis for SixBar {
         );
         works::reaction(
             ["D", "Dx", "Dy"],
-            ("driving_pin_force", "Force in the pin that the second pair hangs on"),
+            ("driving_pin_force", "Force in the pin of the second pair"),
             (&solved, joints[2]),
             sheet,
         );
@@ -388,14 +380,14 @@ impl Template for SixBar {
                     let why = "Virtual work of the load on the output".into();
                     works.push(symbol("δW", "out"), load * output[1], why, RIUL.at("eq. 1"));
                 }
-                let why = "Torque: with it the sum of the virtual works is zero, T_2 δθ_2 + ΣδW = 0";
+                let why = "Torque: the total virtual work is zero, T_2 δθ_2 + ΣδW = 0";
                 (sheet.step(symbol("T", "2"), "N*m", -works.sum(), (why, RIUL.at("eq. 5"))), load)
             }
             LoadGiven::Unknown { torque } => {
                 let size = if let Output::Slider { .. } = self.output { self.crank } else { 1.0 };
                 if output[1].value().abs() <= DEAD * size {
                     return Err(Refusal::because(
-                        "the output turns back here, a dead centre: no load on it can balance a torque on the crank; turn the crank a little",
+                        "the output reverses here (dead centre): no load on it can balance a torque on the crank; rotate the crank slightly",
                     ));
                 }
                 if torque.value() != 0.0 {
@@ -403,7 +395,7 @@ impl Template for SixBar {
                     works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
                 }
                 let load = -(works.sum() / output[1]);
-                let why = "Load: with it the sum of the virtual works is zero";
+                let why = "Load, from the principle of virtual work";
                 let load = match self.output {
                     Output::Slider { .. } => sheet.step("F", "N", load, (why, RIUL.at("eq. 5"))),
                     Output::Rocker { .. } => {
@@ -504,7 +496,7 @@ impl SixBar {
         if !matches!(self.load, Load::Unknown { .. }) {
             sheet.show(|| {
                 cycle.plot(
-                    "Torque over the turn",
+                    "Torque over one revolution",
                     ("Torque on the crank", "N*m"),
                     &[("torque", "torque", &|found| found.torque)],
                 )
@@ -513,7 +505,7 @@ impl SixBar {
         sheet.show(|| {
             let (title, label, unit, answer) = match self.output {
                 Output::Slider { .. } => {
-                    ("Way of the slider", "Position of the slider", "mm", "slider_position")
+                    ("Displacement of the slider", "Position of the slider", "mm", "slider_position")
                 }
                 Output::Rocker { .. } => {
                     ("Swing of the second rocker", "Angle of the second rocker", "deg", "output_angle")
@@ -523,7 +515,7 @@ impl SixBar {
         });
         sheet.show(|| {
             let still = self.plain().map_or([0.0; 2], |found| found.pins[1]);
-            built::film("The six-bar linkage", ("angle", self.angle), range, |angle| {
+            built::animation("The six-bar linkage", ("angle", self.angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let a = built::away([0.0; 2], there.crank, angle);

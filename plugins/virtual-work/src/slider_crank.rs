@@ -131,7 +131,7 @@ impl Analysis for SliderCrank {
             Unknown::Force { .. } => sheet.answer("force", "Force on the slider", found.force),
         }
         if found.shift.value().abs() > DEAD * self.crank {
-            let why = "Force on the slider over force across the crank at its pin, T/r, without masses";
+            let why = "Ratio of the force on the slider to the force perpendicular to the crank at its pin, T/r, neglecting masses";
             let advantage = given.crank / found.shift.abs();
             let advantage = sheet.step("MA", "1", advantage, (why, SHIGLEY.at("ch. 3")));
             sheet.answer("mechanical_advantage", "Mechanical advantage", advantage);
@@ -170,7 +170,7 @@ impl Analysis for SliderCrank {
             (&solved, joints[2]),
             sheet,
         );
-        let why = "Force of the guide on the slider, across its line, by the same equations";
+        let why = "Force of the guide on the slider, perpendicular to its line, by the same equations";
         let across = sheet.found("N", "N", guide[0], (why, SHIGLEY.at("ch. 11")));
         sheet.answer("guide_force", "Force of the guide on the slider", across);
         sheet.verify(|| {
@@ -210,7 +210,7 @@ impl Template for SliderCrank {
         let bridged = (self.offset - self.crank * self.angle.sin()).abs();
         if bridged > self.rod {
             return Err(Refusal::because(
-                Text::new("at this angle the rod has to bridge {distance} from the crank pin to the line of the slider: it is {gap} too short")
+                Text::new("at this angle the rod has to span {distance} from the crank pin to the line of the slider: it is {gap} too short")
                     .with_quantity("distance", bridged, "mm")
                     .with_quantity("gap", bridged - self.rod, "mm"),
             ));
@@ -224,7 +224,7 @@ impl Template for SliderCrank {
         );
         if three.value().cos() < FLAT {
             return Err(Refusal::because(
-                "the rod stands across the line of the slider, a limit position: the angle of the crank does not determine the motion; turn it a little",
+                "the rod is perpendicular to the line of the slider (limit position): the crank angle does not determine the motion; change it slightly",
             ));
         }
         let position = sheet.step(
@@ -238,7 +238,7 @@ impl Template for SliderCrank {
             "1",
             -(r * two.cos()) / (l * three.cos()),
             (
-                "Virtual turn of the rod for δθ_2 = 1: r cos θ_2 δθ_2 + l cos θ_3 δθ_3 = 0",
+                "Virtual rotation of the rod for δθ_2 = 1: r cos θ_2 δθ_2 + l cos θ_3 δθ_3 = 0",
                 SHIGLEY.at("ch. 3"),
             ),
         );
@@ -297,7 +297,7 @@ impl Template for SliderCrank {
             UnknownGiven::Force { torque } => {
                 if shift.value().abs() <= DEAD * self.crank {
                     return Err(Refusal::because(
-                        "crank and rod are in one line, a dead centre: no force on the slider can balance a torque; turn the crank a little",
+                        "crank and rod are collinear (dead centre): no force on the slider can balance a torque; rotate the crank slightly",
                     ));
                 }
                 if torque.value() != 0.0 {
@@ -305,7 +305,7 @@ impl Template for SliderCrank {
                     works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
                 }
                 let sum = works.sum();
-                let why = "Force: with it the sum of the virtual works is zero, F_B u_B + ΣδW = 0";
+                let why = "Force, from the principle of virtual work, F_B u_B + ΣδW = 0";
                 (torque, sheet.step(symbol("F", "B"), "N", -(sum / shift), (why, RIUL.at("eq. 5"))))
             }
         };
@@ -341,14 +341,14 @@ impl SliderCrank {
             sheet.check_sum(what, l * angle.cos(), bridged, self.crank + self.offset.abs());
         });
         if self.crank + self.offset.abs() <= self.rod {
-            let why = "Least transmission angle of a turn: the crank across the slider's line, its pin farthest from it";
+            let why = "Minimum transmission angle over a revolution: crank perpendicular to the slider's line, crank pin farthest from it";
             let cosine = (given.crank + given.offset.abs()) / given.rod;
             let least = sheet.step(symbol("μ", "min"), "deg", cosine.acos(), (why, NORTON.at("ch. 3")));
-            sheet.answer("least_transmission_angle", "Least transmission angle of a turn", least);
+            sheet.answer("least_transmission_angle", "Minimum transmission angle over a revolution", least);
             sheet.verify(|| {
                 let at = |crank: f64| loops::rod_angle(self.crank, self.rod, self.offset, crank).abs();
                 let widest = at(FRAC_PI_2).max(at(-FRAC_PI_2));
-                let what = "least transmission angle from the largest inclination of the rod, with the crank across the slider's line";
+                let what = "minimum transmission angle from the maximum inclination of the rod, with the crank perpendicular to the slider's line";
                 sheet.check_sum(what, least.cos(), widest.sin().into(), 1.0);
             });
         }
@@ -406,14 +406,14 @@ impl SliderCrank {
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
                 cycle.plot(
-                    "Torque over the turn",
+                    "Torque over one revolution",
                     ("Torque on the crank", "N*m"),
                     &[("torque", "torque", &|found| found.torque)],
                 )
             }),
             Unknown::Force { .. } => sheet.show(|| {
                 cycle.plot(
-                    "Force over the turn",
+                    "Force over one revolution",
                     ("Force on the slider", "N"),
                     &[("force", "force", &|found| built::bounded(found.force, found.shift, self.crank))],
                 )
@@ -436,7 +436,7 @@ impl SliderCrank {
             });
         }
         sheet.show(|| {
-            built::film("The slider-crank", ("angle", self.angle), range, |angle| {
+            built::animation("The slider-crank", ("angle", self.angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let (pin, slider) = (there.pin(), [found.position, self.offset]);

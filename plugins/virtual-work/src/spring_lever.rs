@@ -33,16 +33,16 @@ pub struct SpringLever {
 /// Where the arm stands at θ = 0; θ grows clockwise.
 #[derive(Clone, Copy, Debug, Inputs)]
 pub enum Start {
-    /// Upright
+    /// Vertical, upwards
     Upright,
     /// Horizontal, to the right
-    /// The load on the arm goes down as θ grows.
+    /// The load on the arm moves down as θ increases.
     Horizontal,
     /// Hanging
     Hanging,
-    /// Tilted from the upright position
+    /// Inclined from the vertical position
     Tilted {
-        /// Angle from the upright position, clockwise.
+        /// Angle from the vertical (inverted) position, clockwise.
         #[input("φ₀", "deg", min = -360, max = 360)]
         tilt: f64,
     },
@@ -54,7 +54,7 @@ pub enum Load {
     /// Mass on the arm
     Mass {
         /// Mass.
-        /// Left out, it is sought from the position.
+        /// If left blank, it is computed from the position.
         #[input("m", "kg", positive)]
         mass: Option<f64>,
         /// Distance of its centre from the pivot.
@@ -67,7 +67,7 @@ pub enum Load {
     /// Vertical force on the arm
     Force {
         /// Force, downwards.
-        /// Left out, it is sought from the position.
+        /// If left blank, it is computed from the position.
         #[input("P", "N", positive)]
         force: Option<f64>,
         /// Distance of its point from the pivot.
@@ -77,7 +77,7 @@ pub enum Load {
     /// Couple on the arm
     Couple {
         /// Couple, in the sense of θ.
-        /// Left out, it is sought from the position.
+        /// If left blank, it is computed from the position.
         #[input("M", "N*m")]
         couple: Option<f64>,
     },
@@ -89,11 +89,11 @@ pub enum Spring {
     /// Torsion spring at the pivot
     Torsion {
         /// Stiffness.
-        /// Left out, it is sought from the position.
+        /// If left blank, it is computed from the position.
         #[input("k", "N*m/rad", positive)]
         stiffness: Option<f64>,
-        /// Angle at which it is untwisted.
-        /// Zero where it is left out.
+        /// Angle at which the spring is untwisted.
+        /// Zero if omitted.
         #[input("θ₀", "deg", min = -3600, max = 3600)]
         free: Option<f64>,
     },
@@ -101,21 +101,21 @@ pub enum Spring {
     /// The drum is fixed to the arm.
     Drum {
         /// Stiffness.
-        /// Left out, it is sought from the position.
+        /// If left blank, it is computed from the position.
         #[input("k", "N/m", positive)]
         stiffness: Option<f64>,
         /// Radius of the drum.
         #[input("a", "m", positive)]
         radius: f64,
-        /// Angle at which it is unstretched.
-        /// Zero where it is left out.
+        /// Angle at which the spring is unstretched.
+        /// Zero if omitted.
         #[input("θ₀", "deg", min = -3600, max = 3600)]
         free: Option<f64>,
     },
     /// Spring between the arm and a fixed point
     Points {
         /// Stiffness.
-        /// Left out, it is sought from the position.
+        /// If left blank, it is computed from the position.
         #[input("k", "N/m", positive)]
         stiffness: Option<f64>,
         /// Distance of its end on the arm from the pivot.
@@ -135,10 +135,10 @@ pub enum Spring {
         unstretched: Unstretched,
     },
     /// Two springs, one on each side
-    /// Square to the arm at θ = 0, unstretched there, and so long that they keep their direction.
+    /// Perpendicular to the arm at θ = 0, unstretched there, and long enough to keep their direction.
     Sides {
         /// Stiffness of each.
-        /// Left out, it is sought from the position.
+        /// If left blank, it is computed from the position.
         #[input("k", "N/m", positive)]
         stiffness: Option<f64>,
         /// Distance from the pivot.
@@ -150,13 +150,13 @@ pub enum Spring {
 /// When a spring between points is unstretched.
 #[derive(Clone, Debug, Inputs)]
 pub enum Unstretched {
-    /// At an angle of the arm
+    /// At a given angle of the arm
     Angle {
         /// Angle of the arm.
         #[input("θ₀", "deg", min = -3600, max = 3600, default = "0 deg")]
         angle: f64,
     },
-    /// At a length
+    /// At a given length
     Length {
         /// Unstretched length.
         #[input("s₀", "m", nonnegative)]
@@ -171,7 +171,7 @@ impl Analysis for SpringLever {
         id: "virtual-work/spring-lever",
         title: "Arm with a spring",
         topic: "Bars and levers",
-        summary: "All equilibria of a loaded arm held by a spring, and whether they are stable; or the load or stiffness for a given angle.",
+        summary: "All equilibria of a loaded arm restrained by a spring, with their stability; or the load or stiffness for a given angle.",
         keywords: "lever torsion spring drum disc weight inverted pendulum potential energy stability equilibrium critical \
                    alavanca mola de torção tambor disco pêndulo invertido energia potencial estabilidade equilíbrio",
         sources: &[&BEER, &HIBBELER, &RIUL],
@@ -194,7 +194,7 @@ impl Analysis for SpringLever {
             PositionGiven::Sought { from, to } => {
                 let (Some(k), Some(moment)) = (stiffness, moment) else {
                     return Err(Refusal::because(
-                        "load or stiffness is left out: write it, or write the angle at which the arm is to be in equilibrium",
+                        "load or stiffness is missing: write it, or write the angle at which the arm is to be in equilibrium",
                     ));
                 };
                 let range = [from.value(), to.value()];
@@ -287,14 +287,14 @@ impl SpringLever {
             "u′",
             if matches!(law.geometry, Geometry::Torsion { .. }) { "rad" } else { "mm^2" },
             unit,
-            "Stretch of the spring times its virtual change over δθ: the couple of the spring is k u′",
+            "Extension of the spring times its virtual change per unit δθ: the couple of the spring is k u′",
         );
         let (down, drop) = law.height.slope(angle);
         let (mut held, mut hung) = (W::Num::from(0.0), None);
         let (k, moment) = match (stiffness, moment) {
             (None, None) => {
                 return Err(Refusal::because(
-                    "both load and stiffness are left out: the angle tells only one of them",
+                    "both load and stiffness are missing: the angle determines only one of them",
                 ));
             }
             (Some(k), Some(moment)) => {
@@ -302,21 +302,21 @@ impl SpringLever {
                     "T",
                     "N*m",
                     if down { k * unit - moment * drop } else { k * unit + moment * drop },
-                    ("Couple that holds the arm, in the sense of θ: T δθ and the works of spring and load sum to zero", RIUL.at("eq. 3")),
+                    ("Equilibrant couple on the arm, in the sense of θ: T δθ plus the virtual work of spring and load is zero", RIUL.at("eq. 3")),
                 );
-                sheet.answer("holding_couple", "Couple that holds the arm", couple);
+                sheet.answer("holding_couple", "Equilibrant couple on the arm", couple);
                 held = couple;
                 (k, moment)
             }
             (Some(k), None) => {
                 if drop.value().abs() < 1e-12 {
                     return Err(Refusal::because(
-                        "at this angle the arm is vertical: the load does no work, so no load can be told from it",
+                        "at this angle the arm is vertical: the load does no work and cannot be determined",
                     ));
                 }
                 let spring = k * unit;
                 let moment = if down { spring / drop } else { -spring / drop };
-                let words = ("Load whose virtual work is that of the spring", BEER.at("§10.1C"));
+                let words = ("Load whose virtual work balances that of the spring", BEER.at("§10.1C"));
                 let moment = match &given.load {
                     LoadGiven::Mass { arm, gravity, .. } => {
                         let weight = sheet.step("W", "N", moment / *arm, words);
@@ -341,7 +341,7 @@ impl SpringLever {
             (None, Some(moment)) => {
                 if unit.value() == 0.0 {
                     return Err(Refusal::because(
-                        "at this angle the spring is unstretched or pulls through the pivot: no stiffness can be told from it",
+                        "at this angle the spring is unstretched or its force passes through the pivot: the stiffness cannot be determined",
                     ));
                 }
                 let load = moment * drop;
@@ -353,14 +353,14 @@ impl SpringLever {
                     unit_of,
                     k,
                     (
-                        "Stiffness with which the virtual work of the spring is that of the load",
+                        "Stiffness for which the virtual work of the spring equals that of the load",
                         BEER.at("§10.1C"),
                     ),
                 );
                 sheet.answer("stiffness", "Stiffness for equilibrium at this angle", k);
                 if k.value() < 0.0 {
                     sheet.warn(|| {
-                        "the stiffness is negative: at this angle load and spring turn the arm the same way".into()
+                        "the stiffness is negative: at this angle load and spring turn the arm in the same sense".into()
                     });
                 }
                 (k, moment)
@@ -371,11 +371,11 @@ impl SpringLever {
             "N*m/rad",
             law.with_load(k, moment, angle, [energy, unit, second])[2],
             (
-                "Curvature of the potential energy: positive where the equilibrium is stable",
+                "Second derivative of the potential energy: positive at a stable equilibrium",
                 BEER.at("§10.2D"),
             ),
         );
-        sheet.answer("curvature", "Curvature of the potential energy", bend);
+        sheet.answer("curvature", "Second derivative of the potential energy", bend);
         let (k, moment) = (k.value(), moment.value());
         sheet.verify(|| {
             let hung = hung.unwrap_or(moment);
@@ -386,7 +386,7 @@ impl SpringLever {
             if let Some(effort) = solved(&mechanism, &drawn) {
                 let size = moment.abs().max((k * unit.value()).abs());
                 let by_them = W::Num::from(-effort.newton_euler[0]);
-                sheet.check_sum("the holding couple by Newton and Euler", held, by_them, size);
+                sheet.check_sum("the holding couple from the Newton–Euler equations", held, by_them, size);
             }
             let size = law.value().size(k, moment, angle.value());
             check_curvature(sheet, bend, size, &(mechanism, drawn));
@@ -411,7 +411,7 @@ impl SpringLever {
         let bend = match &law.geometry {
             Geometry::Points { on_arm, fixed, between, .. } => {
                 let rate = law::rate(*on_arm, *fixed, *between, law::length(*on_arm, *fixed, *between));
-                sheet.step("s′₀", "mm", rate, "Slope of the length of the spring at θ = 0").powi(2)
+                sheet.step("s′₀", "mm", rate, "Derivative of the spring length at θ = 0").powi(2)
             }
             Geometry::Torsion { .. } => W::Num::from(1.0),
             Geometry::Drum { radius, .. } => radius.powi(2),
@@ -419,31 +419,35 @@ impl SpringLever {
         };
         let unit = if matches!(law.geometry, Geometry::Torsion { .. }) { "N*m/rad" } else { "N/m" };
         let words = (
-            "Stiffness at which d²V/dθ² = 0 at θ = 0: a larger one holds the arm upright",
+            "Stiffness at which d²V/dθ² = 0 at θ = 0: a larger stiffness holds the arm vertical",
             BEER.at("§10.2D"),
         );
         let torsion = matches!(law.geometry, Geometry::Torsion { .. });
         let critical = sheet.step("k_c", unit, if torsion { moment } else { moment / bend }, words);
-        sheet.answer("critical_stiffness", "Critical stiffness of the upright position", critical);
-        let words = "Load at which d²V/dθ² = 0 at θ = 0: a smaller one lets the arm stand upright";
+        sheet.answer(
+            "critical_stiffness",
+            "Critical stiffness of the vertical (inverted) position",
+            critical,
+        );
+        let words = "Load at which d²V/dθ² = 0 at θ = 0: with a smaller load the vertical (inverted) position is stable";
         let held = if torsion { k } else { k * bend };
         // The load at which the restoring couple of the spring grows no faster than that of the load.
         let limit = |load: W::Num| {
             sheet.verify(|| {
                 let [_, _, left] = numbers.potential(k.value(), load.value(), 0.0);
-                let what = "the curvature of the potential energy at θ = 0 with the critical load";
+                let what = "the second derivative of the potential energy at θ = 0 with the critical load";
                 sheet.check_zero(what, left.into(), load.value());
             });
         };
         match &given.load {
             LoadGiven::Mass { arm, gravity, .. } => {
                 let mass = sheet.step("m_c", "kg", held / (*gravity * *arm), words);
-                sheet.answer("critical_mass", "Critical mass of the upright position", mass);
+                sheet.answer("critical_mass", "Critical mass of the vertical (inverted) position", mass);
                 limit(mass * *gravity * *arm);
             }
             LoadGiven::Force { arm, .. } => {
                 let force = sheet.step("P_c", "N", held / *arm, words);
-                sheet.answer("critical_force", "Critical force of the upright position", force);
+                sheet.answer("critical_force", "Critical force of the vertical (inverted) position", force);
                 limit(force * *arm);
             }
             LoadGiven::Couple { .. } => {}
@@ -451,7 +455,7 @@ impl SpringLever {
         sheet.verify(|| {
             let [_, _, left] = numbers.potential(critical.value(), moment.value(), 0.0);
             sheet.check_zero(
-                "the curvature of the potential energy at θ = 0 with the critical stiffness",
+                "the second derivative of the potential energy at θ = 0 with the critical stiffness",
                 W::Num::from(left),
                 moment.value(),
             );
@@ -473,6 +477,6 @@ impl SpringLever {
         };
         sheet.show(|| Exhibit::Plot(picture::load_over_angle(numbers, k, arm, moment, range)));
         let at = telling(list);
-        sheet.show(|| self.film(at, range));
+        sheet.show(|| self.animation(at, range));
     }
 }

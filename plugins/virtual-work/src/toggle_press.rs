@@ -9,7 +9,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    equilibria::{arrow, film, reactions, solved, spread},
+    equilibria::{animation, arrow, reactions, solved, spread},
     sources::{BEER, HIBBELER, RIUL},
 };
 
@@ -34,7 +34,7 @@ pub struct TogglePress {
 pub enum Sought {
     /// Thrust of the ram
     Thrust {
-        /// Force on the knee, square to the line of thrust.
+        /// Force on the knee, perpendicular to the line of thrust.
         #[input("P", "N", positive)]
         knee: f64,
     },
@@ -53,7 +53,7 @@ impl Analysis for TogglePress {
         id: "virtual-work/toggle-press",
         title: "Toggle press",
         topic: "Presses and lifts",
-        summary: "Thrust of a toggle press from the force on its knee, or the other way round, with the forces in its links.",
+        summary: "Thrust of a toggle press from the force on its knee, or vice versa, with the forces in its links.",
         keywords: "knuckle joint press clamp mechanical advantage prensa de joelho alavanca articulada vantagem mecânica grampo",
         sources: &[&BEER, &HIBBELER, &RIUL],
         cases: include_str!("../cases/toggle_press.toml"),
@@ -61,7 +61,7 @@ impl Analysis for TogglePress {
 
     fn solve<W: Worksheet>(&self, given: &TogglePressGiven<W>, sheet: W) -> Result<(), Refusal> {
         let (l1, l2, alpha) = (given.fixed_link, given.ram_link, given.angle);
-        let height = sheet.step("y", "mm", l1 * alpha.sin(), "Height of the knee over the line of thrust");
+        let height = sheet.step("y", "mm", l1 * alpha.sin(), "Height of the knee above the line of thrust");
         if height.value() >= l2.value() {
             let why =
                 Text::new("the link at the ram does not reach the line of thrust: it is {short} too short");
@@ -71,29 +71,29 @@ impl Analysis for TogglePress {
             "β",
             "deg",
             (height / l2).asin(),
-            "Angle of the link at the ram: both links end at the knee, L₁ sin α = L₂ sin β",
+            "Angle of the link at the ram: both links meet at the knee, L₁ sin α = L₂ sin β",
         );
-        let rise = sheet.step("y′", "mm", l1 * alpha.cos(), "Virtual rise of the knee over δα");
+        let rise =
+            sheet.step("y′", "mm", l1 * alpha.cos(), "Upward virtual displacement of the knee per unit δα");
         let turn = sheet.step(
             "β′",
             "1",
             rise / (l2 * beta.cos()),
-            "Virtual turn of the link at the ram: L₂ cos β δβ = L₁ cos α δα",
+            "Virtual rotation of the link at the ram: L₂ cos β δβ = L₁ cos α δα",
         );
         let retreat = sheet.step(
             "x′",
             "mm",
             l1 * alpha.sin() + l2 * beta.sin() * turn,
-            "Virtual retreat of the ram over δα, from x = L₁ cos α + L₂ cos β",
+            "Virtual retraction of the ram per unit δα, from x = L₁ cos α + L₂ cos β",
         );
         let ratio = sheet.step(
             "r",
             "1",
             rise / retreat,
-            "Mechanical advantage: ways of knee and ram, one over the other",
+            "Mechanical advantage: displacement of the knee over that of the ram",
         );
-        let words =
-            "P δy and Q δx sum to zero: force on the knee and thrust have virtual works against each other";
+        let words = "P δy + Q δx = 0: the virtual works of the knee force and of the thrust cancel";
         let (knee, thrust) = match &given.sought {
             SoughtGiven::Thrust { knee } => {
                 let thrust = sheet.step("Q", "N", *knee * rise / retreat, (words, RIUL.at("eq. 3")));
@@ -111,7 +111,7 @@ impl Analysis for TogglePress {
             "F₁",
             "N",
             (knee - thrust * beta.tan()) / alpha.sin(),
-            "Compression of the link at the fixed pin, from the forces on the knee across the line of thrust",
+            "Compression of the link at the fixed pin, from the forces on the knee perpendicular to the line of thrust",
         );
         let second = sheet.step(
             "F₂",
@@ -123,21 +123,21 @@ impl Analysis for TogglePress {
             "N",
             "N",
             thrust * beta.tan(),
-            "Force of the guide on the ram, across the line of thrust",
+            "Force of the guide on the ram, perpendicular to the line of thrust",
         );
         let left = sheet.step(
             "s",
             "mm",
             l1 * 2.0 * (alpha / 2.0).sin().powi(2) + l2 * 2.0 * (beta / 2.0).sin().powi(2),
-            "Way of the ram until the links are in line, L₁ (1 − cos α) + L₂ (1 − cos β) with 1 − cos x = 2 sin²(x/2)",
+            "Remaining stroke of the ram until the links are collinear, L₁ (1 − cos α) + L₂ (1 − cos β) with 1 − cos x = 2 sin²(x/2)",
         );
         sheet.answer("fixed_link_force", "Compression of the link at the fixed pin", first);
         sheet.answer("ram_link_force", "Compression of the link at the ram", second);
         sheet.answer("guide_force", "Force of the guide on the ram", side);
-        sheet.answer("remaining_stroke", "Way of the ram until the links are in line", left);
+        sheet.answer("remaining_stroke", "Remaining stroke of the ram until the links are collinear", left);
         sheet.verify(|| {
             sheet.check(
-                "the way of the ram from the lengths along the line of thrust",
+                "the remaining stroke of the ram from the lengths along the line of thrust",
                 l1 + l2 - l1 * alpha.cos() - l2 * beta.cos(),
                 left,
             );
@@ -150,31 +150,36 @@ impl Analysis for TogglePress {
             }
             if let Some(effort) = solved(&mechanism, &drawn) {
                 let found = W::Num::from(-effort.newton_euler[0]);
-                sheet.check("the thrust by Newton and Euler for every body", found, thrust);
+                sheet.check("the thrust from the Newton–Euler equations of every body", found, thrust);
                 let multipliers = &effort.multipliers;
                 let at_pin = multipliers[0].hypot(multipliers[1]);
-                sheet.check("the force on the fixed pin by Newton and Euler", W::Num::from(at_pin), first);
+                sheet.check(
+                    "the force on the fixed pin from the Newton–Euler equations",
+                    W::Num::from(at_pin),
+                    first,
+                );
                 let at_knee = multipliers[2].hypot(multipliers[3]);
-                let what = "the force of the link at the ram on the knee by Newton and Euler";
+                let what = "the force of the link at the ram on the knee from the Newton–Euler equations";
                 sheet.check(what, W::Num::from(at_knee), second);
-                let what = "the force of the guide by Newton and Euler";
+                let what = "the force of the guide from the Newton–Euler equations";
                 let scale = thrust.value() + knee.value();
                 sheet.check_sum(what, side, multipliers[4].abs().into(), scale);
                 let by_them = W::Num::from(-effort.newton_euler[0] / knee.value());
-                sheet.check("the mechanical advantage by Newton and Euler", by_them, ratio);
+                sheet.check("the mechanical advantage from the Newton–Euler equations", by_them, ratio);
             }
         });
         if ratio.value() > 50.0 {
             sheet.warn(|| {
                 Text::new(
-                    "the links are nearly in line: clearances and the stiffness of the frame, not this ratio, limit the thrust",
+                    "the links are nearly collinear: clearances and the stiffness of the frame, not this ratio, limit the thrust",
                 )
             });
         }
         sheet.show(|| Exhibit::Plot(self.advantage(ratio.value())));
         let range =
             [0.02, (1.6 * self.angle).min(1.4).min(0.95 * (self.ram_link / self.fixed_link).min(1.0).asin())];
-        sheet.show(|| film("The press closing", ("angle", self.angle), range, |angle| self.frame(angle)));
+        sheet
+            .show(|| animation("The press closing", ("angle", self.angle), range, |angle| self.frame(angle)));
         Ok(())
     }
 }

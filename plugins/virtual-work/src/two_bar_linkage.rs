@@ -8,7 +8,7 @@ use dalembert_mechanics::{
 
 pub use crate::one_freedom::Position;
 use crate::{
-    equilibria::{arrow, down, film, telling},
+    equilibria::{animation, arrow, down, telling},
     one_freedom::{Machine, Part, Shapes, spring},
     sources::{BEER, HIBBELER, RIUL},
 };
@@ -29,17 +29,17 @@ pub struct TwoBarLinkage {
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
     pub gravity: f64,
     /// Vertical force at the joint B, downwards.
-    /// Zero where there is none; left out, it is sought from the position.
+    /// Zero if absent; if omitted, it is calculated from the position.
     #[input("Q", "N")]
     pub force_b: Option<f64>,
     /// Horizontal force at C, away from A.
-    /// Zero where there is none; left out, it is sought from the position.
+    /// Zero if absent; if omitted, it is calculated from the position.
     #[input("F", "N")]
     pub force_c: Option<f64>,
     /// Spring between A and C.
     pub spring: Spring,
     /// Position.
-    /// The angle θ of each bar is taken from the line AC.
+    /// The angle θ of each bar is measured from the line AC.
     pub position: Position,
 }
 
@@ -60,10 +60,10 @@ pub enum Spring {
     /// Spring
     Spring {
         /// Stiffness.
-        /// Left out, it is sought from the position.
+        /// If left blank, it is computed from the position.
         #[input("k", "N/m", positive)]
         stiffness: Option<f64>,
-        /// Angle at which it is unstretched.
+        /// Angle at which the spring is unstretched.
         #[input("θ₀", "deg", min = -360, max = 360)]
         free: f64,
     },
@@ -94,21 +94,25 @@ impl Analysis for TwoBarLinkage {
             Part {
                 name: "weights of the bars",
                 load: Some(weight),
-                rate: ["y′_G", "m", "Virtual rises of the two mass centres over δθ, together"],
+                rate: [
+                    "y′_G",
+                    "m",
+                    "Sum of the upward virtual displacements of the two centres of mass per unit δθ",
+                ],
                 symbol: ["W", "N"],
                 answer: ["weight", "Weight of each bar"],
             },
             Part {
                 name: "force at B",
                 load: given.force_b,
-                rate: ["y′_B", "m", "Virtual rise of B over δθ"],
+                rate: ["y′_B", "m", "Upward virtual displacement of B per unit δθ"],
                 symbol: ["Q", "N"],
                 answer: ["force_b", "Vertical force at B"],
             },
             Part {
                 name: "force at C",
                 load: given.force_c,
-                rate: ["x′_C", "m", "Virtual way of C towards A over δθ"],
+                rate: ["x′_C", "m", "Virtual displacement of C towards A per unit δθ"],
                 symbol: ["F", "N"],
                 answer: ["force_c", "Horizontal force at C"],
             },
@@ -118,7 +122,7 @@ impl Analysis for TwoBarLinkage {
             parts.push(Part {
                 name: "spring",
                 load: *stiffness,
-                rate: ["u′", "m^2", "Stretch of the spring times its virtual change over δθ"],
+                rate: ["u′", "m^2", "Extension of the spring times its virtual change per unit δθ"],
                 symbol: ["k", "N/m"],
                 answer: ["stiffness", "Stiffness of the spring"],
             });
@@ -133,9 +137,12 @@ impl Analysis for TwoBarLinkage {
         let at = telling(&balanced.list);
         let [from, to] = balanced.range;
         sheet.show(|| {
-            film("The two bars", ("position.given.angle", at), [from.max(at - 0.4), to.min(at + 0.4)], |at| {
-                self.frame(at)
-            })
+            animation(
+                "The two bars",
+                ("position.given.angle", at),
+                [from.max(at - 0.4), to.min(at + 0.4)],
+                |at| self.frame(at),
+            )
         });
         Ok(())
     }

@@ -23,7 +23,7 @@ pub struct VirtualPower {
     /// Unknown.
     pub unknown: Unknown,
     /// Acceleration of gravity.
-    /// Every body weighs m g at its mass centre; zero for a mechanism in a horizontal plane.
+    /// Every body has the weight m g at its centre of mass; zero for a mechanism in a horizontal plane.
     #[input("g", "m/s^2", planar, default = "(0; -9.81) m/s^2")]
     pub gravity: Vector3<f64>,
     /// Bodies.
@@ -33,7 +33,7 @@ pub struct VirtualPower {
     /// Couples.
     pub couples: Vec<Couple>,
     /// The mechanism is a slider-crank.
-    /// Then the given motion is held against the closure of its loop.
+    /// The given motion is then checked against loop closure.
     pub slider_crank: Option<SliderCrank>,
 }
 
@@ -42,13 +42,13 @@ pub struct VirtualPower {
 pub enum Unknown {
     /// Driving torque on a link
     DrivingTorque {
-        /// Link that it acts on.
+        /// Link it acts on.
         link: Link,
     },
     /// Driving force at a point
     DrivingForce {
         /// Direction of the force.
-        /// Any vector along its line; the force is positive this way.
+        /// Any vector along its line; the force is positive in this direction.
         #[input("e", "1", planar)]
         direction: Vector3<f64>,
         /// Point that it acts on.
@@ -59,7 +59,7 @@ pub enum Unknown {
 /// A link, by its rotation.
 #[derive(Clone, Debug, Inputs)]
 pub enum Link {
-    /// Turning at
+    /// Rotating at
     Turning {
         /// Angular velocity of the link.
         #[input("ω_T", "rad/s")]
@@ -82,7 +82,7 @@ pub enum Point {
         #[input("V", "m/s", planar)]
         velocity: Vector3<f64>,
     },
-    /// Mass centre of a body
+    /// Centre of mass of a body
     MassCentre {
         /// Body.
         #[input(rows = "bodies")]
@@ -135,7 +135,7 @@ pub struct Couple {
     /// Moment.
     #[input("T", "N*m")]
     pub moment: f64,
-    /// Link that it acts on.
+    /// Link it acts on.
     pub link: Link,
 }
 
@@ -156,7 +156,7 @@ impl Analysis for VirtualPower {
         let loads = self.powers(given, sheet);
         if loads.is_empty() {
             return Err(Refusal::because(
-                "there is no load: write down a force, a couple, or a body with a mass",
+                "no load is given: write down a force, a couple, or a body with a mass",
             ));
         }
         let sums = sums_by_kind(&loads, sheet);
@@ -312,7 +312,11 @@ impl VirtualPower {
                     ("F_in", row + 1),
                     "N",
                     work::inertia_force(this.mass, this.acceleration),
-                    Named("Inertia force of {name}, against the acceleration", &body.name, RIUL.at("eq. 5")),
+                    Named(
+                        "Inertia force of {name}, opposite to the acceleration",
+                        &body.name,
+                        RIUL.at("eq. 5"),
+                    ),
                 );
                 let power = sheet.step(
                     ("P_Fi", row + 1),
@@ -328,7 +332,7 @@ impl VirtualPower {
                     "N*m",
                     -(this.inertia * this.angular_acceleration),
                     Named(
-                        "Inertia couple of {name}, against the angular acceleration",
+                        "Inertia couple of {name}, opposite to the angular acceleration",
                         &body.name,
                         RIUL.at("eq. 5"),
                     ),
@@ -357,17 +361,14 @@ impl VirtualPower {
                 let speed = speed_of(link, given_link, &given.bodies);
                 if speed.value() == 0.0 {
                     return Err(Refusal::because(
-                        "the driven link stands still: its torque has no power, so the sum of powers cannot tell it",
+                        "the driven link is at rest: its torque has no power, so the sum of powers cannot determine it",
                     ));
                 }
                 let torque = sheet.step(
                     "T",
                     "N*m",
                     work::unknown_load([total], speed),
-                    (
-                        "Driving torque: with it the sum of all powers is zero, T ω_T + ΣP = 0",
-                        RIUL.at("eq. 5"),
-                    ),
+                    ("Driving torque, from the principle of virtual power, T ω_T + ΣP = 0", RIUL.at("eq. 5")),
                 );
                 Ok((torque, speed))
             }
@@ -378,7 +379,7 @@ impl VirtualPower {
                 let velocity = velocity_of(point, given_point, &given.bodies);
                 if velocity.value() == Vector3::zeros() {
                     return Err(Refusal::because(
-                        "the driven point stands still: its force has no power, so the sum of powers cannot tell it",
+                        "the driven point is at rest: its force has no power, so the sum of powers cannot determine it",
                     ));
                 }
                 if *direction == Vector3::zeros() {
@@ -401,14 +402,14 @@ impl VirtualPower {
                 // Rounding leaves a trace of a right angle between vectors that were typed with a few digits.
                 if rate.value().abs() <= 1e-12 * velocity.value().norm() {
                     return Err(Refusal::because(
-                        "the driving force is perpendicular to the velocity of its point: it has no power, so the sum of powers cannot tell it",
+                        "the driving force is perpendicular to the velocity of its point: it has no power, so the sum of powers cannot determine it",
                     ));
                 }
                 let force = sheet.step(
                     "F",
                     "N",
                     work::unknown_load([total], rate),
-                    ("Driving force: with it the sum of all powers is zero, F v + ΣP = 0", RIUL.at("eq. 5")),
+                    ("Driving force, from the principle of virtual power, F v + ΣP = 0", RIUL.at("eq. 5")),
                 );
                 Ok((force, rate))
             }
@@ -445,7 +446,7 @@ impl VirtualPower {
         let largest = loads.iter().fold(0.0f64, |most, load| most.max(load.power.value().abs()));
         let rate = if energy.is_empty() { W::Num::from(0.0) } else { Real::sum(energy) };
         sheet.check_zero(
-            "the power of all applied loads is the rate of the kinetic energy",
+            "the power of all applied loads equals the rate of change of the kinetic energy",
             <W::Num as Real>::sum(applied) - rate,
             largest,
         );
@@ -468,7 +469,7 @@ impl VirtualPower {
             columns: vec![
                 Column { heading: "Load".into(), unit: "" },
                 Column { heading: "Power".into(), unit: "W" },
-                Column { heading: "Share of the power brought in".into(), unit: "%" },
+                Column { heading: "Share of the power input".into(), unit: "%" },
             ],
             rows: known.chain([row(driving, unknown)]).collect(),
             foot: vec![

@@ -16,22 +16,22 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub enum LinkMass {
     /// Uniform slender bar
-    /// Its mass centre is in the middle and its moment of inertia m l²/12.
+    /// Its centre of mass is in the middle and its moment of inertia is m l²/12.
     Uniform {
         /// Mass.
         #[input("m", "kg", nonnegative)]
         mass: f64,
     },
-    /// Mass, mass centre and moment of inertia
+    /// Mass, centre of mass and moment of inertia
     Given {
         /// Mass.
         #[input("m", "kg", nonnegative)]
         mass: f64,
-        /// Distance of the mass centre from the first pin.
+        /// Distance of the centre of mass from the first pin.
         /// The first pin of a crank or rocker is the fixed one, that of a coupler is the crank pin.
         #[input("ρ", "mm")]
         distance: f64,
-        /// Angle of the mass centre from the line of the pins.
+        /// Angle of the centre of mass from the line of the pins.
         #[input("δ", "deg", default = "0 deg")]
         offset: f64,
         /// Moment of inertia about the mass centre.
@@ -122,7 +122,7 @@ pub(crate) fn moving<W: Worksheet>(
     // The coordinate itself turns by 1.
     let turned = if turning.ratio.value() == 1.0 { turned } else { turned * turning.ratio };
     let shift = if still { turned } else { pin.shift + turned };
-    let why = Text::new("Virtual displacement of {point} for a unit of the coordinate").with("point", of);
+    let why = Text::new("Virtual displacement of {point} per unit of the coordinate").with("point", of);
     let shift = sheet.step_vector(symbol("u", of), "mm", shift, (why, SHIGLEY.at("ch. 3")));
     if !moves {
         return Moving { shift, acceleration: plane::<W>(0.0.into(), 0.0.into()) };
@@ -169,7 +169,7 @@ impl<W: Worksheet> Works<W> {
     pub(crate) fn couple(&mut self, of: Number, moment: W::Num, ratio: W::Num) {
         if moment.value() != 0.0 {
             let why =
-                Text::new("Virtual work of the couple on link {n}: couple times turn").with("n", of.link);
+                Text::new("Virtual work of the couple on link {n}: couple times rotation").with("n", of.link);
             self.push(symbol("δW_T", of.link), moment * ratio, why, RIUL.at("eq. 1"));
         }
     }
@@ -219,7 +219,7 @@ impl<W: Worksheet> Works<W> {
             }
             LinkMassGiven::Given { mass, distance, offset, inertia } => {
                 let angle = if offset.value() == 0.0 { turning.angle } else { turning.angle + offset };
-                let why = Text::new("From the first pin of link {n} to its mass centre").with("n", n);
+                let why = Text::new("From the first pin of link {n} to its centre of mass").with("n", n);
                 let arm = direction::<W>(angle) * distance;
                 (mass, sheet.step_vector(symbol("r", of.centre), "mm", arm, why), inertia)
             }
@@ -254,14 +254,14 @@ impl<W: Worksheet> Works<W> {
         if work.value() != 0.0 {
             self.push(symbol("δW", of), work, why.into(), RIUL.at("eq. 1"));
         }
-        let why = "Torque: with it the sum of the virtual works is zero, T_2 δθ_2 + ΣδW = 0";
+        let why = "Torque: the total virtual work is zero, T_2 δθ_2 + ΣδW = 0";
         self.sheet.step(symbol("T", "2"), "N*m", -self.sum(), (why, RIUL.at("eq. 5")))
     }
 
     /// The sum of the works.
     pub(crate) fn sum(&self) -> W::Num {
         match self.done[..] {
-            [] => self.sheet.found("ΣδW", "N*m", 0.0, "No load does work: nothing is to be balanced"),
+            [] => self.sheet.found("ΣδW", "N*m", 0.0, "No load does work: there is nothing to balance"),
             [only] => only,
             _ => {
                 let sum = Real::sum(self.done.iter().copied());
@@ -280,7 +280,7 @@ pub(crate) fn reaction<W: Worksheet>(
     sheet: W,
 ) {
     let [x, y] = solved.reaction(joint);
-    let why = "By the equations of Newton and Euler of every link, solved together";
+    let why = "From the equations of Newton and Euler of every link, solved together";
     let x = sheet.found(symbol("R", of[1]), "N", x, (why, SHIGLEY.at("ch. 11")));
     let y = sheet.found(symbol("R", of[2]), "N", y, (why, SHIGLEY.at("ch. 11")));
     let size = sheet.step(symbol("R", of[0]), "N", (x.powi(2) + y.powi(2)).sqrt(), "Force in the joint");
@@ -290,12 +290,9 @@ pub(crate) fn reaction<W: Worksheet>(
 
 /// Holds the reactions of the frame and the forces from outside to what the masses demand.
 pub(crate) fn check_balance<W: Worksheet>(forces: &[[f64; 2]], demanded: [f64; 2], sheet: W) {
-    for (axis, what) in [
-        "the forces on the whole mechanism along x are those that its masses demand",
-        "the forces on the whole mechanism along y are those that its masses demand",
-    ]
-    .into_iter()
-    .enumerate()
+    for (axis, what) in ["ΣF_x = Σm a_Gx for the whole mechanism", "ΣF_y = Σm a_Gy for the whole mechanism"]
+        .into_iter()
+        .enumerate()
     {
         let sum: f64 = forces.iter().map(|force| force[axis]).sum();
         let size = forces.iter().chain([&demanded]).fold(0.0f64, |most, f| most.max(f[0].hypot(f[1])));

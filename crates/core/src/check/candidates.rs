@@ -4,12 +4,12 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 
 use dalembert_units::{self as units, Dim, Kind, Unit};
 
-use super::{Change, Slip, search::Wrong};
+use super::{Change, Mistake, wrong::Wrong};
 use crate::{
     AnswerValue, Entry, Number, Record, Refusal, Solution, SolveError, Stop,
     retrace::{ancestors, retrace},
     trace::{Function, Id, Op},
-    vary::{self, Again, Input},
+    vary::{self, Input, Perturbed},
 };
 
 /// Problems of more inputs have so many pairs that may be interchanged.
@@ -25,7 +25,7 @@ const CUSTOMARY: [&str; 7] = ["in", "ft", "lb", "slug", "oz", "psi", "mil"];
 
 /// A slip, and what each of the wrong answers would be with it.
 pub(super) struct Candidate {
-    pub(super) slip: Slip,
+    pub(super) slip: Mistake,
     /// NaN where the slip does not concern an answer.
     pub(super) values: Vec<f64>,
     /// Made once, it shows in every answer.
@@ -54,7 +54,7 @@ pub(super) fn candidates(
         all.angle(&Change::Complement(degrees), |x| x + turn);
     }
     let names = wrong.iter().map(|one| one.name.to_owned()).collect();
-    let again = match Again::new(entry, record, vary::inputs(record), names) {
+    let again = match Perturbed::new(entry, record, vary::inputs(record), names) {
         Ok(again) => Some(again),
         Err(SolveError::Refused(Refusal::Stopped)) => return Err(Refusal::Stopped),
         Err(_) => None,
@@ -96,7 +96,7 @@ struct Tries<'w, 's> {
 }
 
 impl Tries<'_, '_> {
-    fn push(&mut self, slip: Slip, values: Vec<f64>, shared: bool) {
+    fn push(&mut self, slip: Mistake, values: Vec<f64>, shared: bool) {
         if values.iter().any(|value| value.is_finite()) {
             self.found.push(Candidate { slip, values, shared, free: false });
         }
@@ -105,7 +105,7 @@ impl Tries<'_, '_> {
     /// The answers changed at the end.
     fn answer(&mut self, change: &Change, by: impl Fn(f64, &Wrong<'_>) -> f64) {
         let values = self.wrong.iter().map(|one| by(one.ours, one)).collect();
-        self.push(Slip::Answer(change.clone()), values, false);
+        self.push(Mistake::Answer(change.clone()), values, false);
     }
 
     fn times(&mut self, factors: &[(f64, &'static str)]) {
@@ -132,7 +132,7 @@ impl Tries<'_, '_> {
             for (change, value) in tries {
                 let mut values = vec![f64::NAN; self.wrong.len()];
                 values[at] = value;
-                self.push(Slip::Answer(change), values, false);
+                self.push(Mistake::Answer(change), values, false);
             }
         }
     }
@@ -146,7 +146,7 @@ impl Tries<'_, '_> {
                 if other.dim().agrees(one.answer.dim()) && one.name != name { si } else { f64::NAN }
             };
             let values = self.wrong.iter().map(value).collect();
-            self.push(Slip::Other(name.clone()), values, false);
+            self.push(Mistake::Other(name.clone()), values, false);
         }
     }
 
@@ -176,7 +176,7 @@ impl Tries<'_, '_> {
             let mut values = vec![f64::NAN; self.wrong.len()];
             values[at] = scalar(numbers[id as usize]);
             let names = causes.iter().map(|(other, _)| self.wrong[*other].name.to_owned()).collect();
-            self.found.push(Candidate { slip: Slip::Follows(names), values, shared: false, free: true });
+            self.found.push(Candidate { slip: Mistake::Follows(names), values, shared: false, free: true });
         }
     }
 
@@ -218,7 +218,7 @@ impl Tries<'_, '_> {
                 }
                 let values =
                     ids.iter().map(|id| id.map_or(f64::NAN, |id| scalar(numbers[id as usize]))).collect();
-                self.push(Slip::Step(place, step.symbol, change.clone()), values, true);
+                self.push(Mistake::Step(place, step.symbol, change.clone()), values, true);
             }
         }
         Ok(())
@@ -227,13 +227,13 @@ impl Tries<'_, '_> {
 
 /// The problem solved again with inputs taken otherwise.
 struct Inputs {
-    again: Again,
+    again: Perturbed,
     /// Where each wrong answer stands among those that are found.
     places: Vec<Option<usize>>,
 }
 
 impl Inputs {
-    fn of(again: Again, wrong: &[Wrong<'_>]) -> Self {
+    fn of(again: Perturbed, wrong: &[Wrong<'_>]) -> Self {
         let place = |one: &Wrong<'_>| again.answers.iter().position(|name| name == one.name);
         let places = wrong.iter().map(place).collect();
         Self { again, places }
@@ -256,7 +256,7 @@ impl Inputs {
             let (path, label, ways) = (input.path.clone(), input.label.clone(), ways(input));
             for (change, si) in ways {
                 let values = self.solved(&[(at, si)], stop)?;
-                all.push(Slip::Input(path.clone(), label.clone(), change), values, true);
+                all.push(Mistake::Input(path.clone(), label.clone(), change), values, true);
             }
         }
         Ok(())
@@ -334,7 +334,7 @@ impl Inputs {
                 let input: &Input = &self.again.inputs[at];
                 (input.path.clone(), input.label.clone())
             };
-            let slip = Slip::Interchanged(Box::new([named(first), named(second)]));
+            let slip = Mistake::Interchanged(Box::new([named(first), named(second)]));
             let changes = [(first, self.again.inputs[second].si), (second, self.again.inputs[first].si)];
             let values = self.solved(&changes, stop)?;
             all.push(slip, values, true);

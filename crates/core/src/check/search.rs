@@ -1,17 +1,13 @@
 //! Which slips give what was answered, and whether that can be chance.
 
-use dalembert_units::Unit;
-
 use super::{
-    Slip, Verdict,
+    Mistake,
     candidates::{Candidate, candidates},
-    compare, difference, half_a_place, read,
+    difference,
+    wrong::Wrong,
 };
-use crate::{Answer, Entry, Record, Refusal, Solution, Stop};
+use crate::{Entry, Record, Refusal, Solution, Stop};
 
-/// Wrong answers lie within such a factor of ours, give or take: the natural logarithm of 20. Over this range an
-/// accidental hit is spread.
-const SPREAD: f64 = 3.0;
 /// A slip is told only where so many tries would hit by accident less often than this.
 const CHANCE: f64 = 0.05;
 /// At most so many slips are told of an answer.
@@ -28,7 +24,7 @@ pub fn slips(
     solution: &Solution,
     typed: &[(String, String)],
     stop: &Stop,
-) -> Result<Vec<(String, Vec<Slip>)>, Refusal> {
+) -> Result<Vec<(String, Vec<Mistake>)>, Refusal> {
     let wrong: Vec<Wrong<'_>> =
         typed.iter().filter_map(|(name, text)| Wrong::of(solution, name, text)).collect();
     if wrong.is_empty() {
@@ -36,52 +32,11 @@ pub fn slips(
     }
     let candidates = candidates(entry, record, solution, &wrong, stop)?;
     let found =
-        wrong.iter().enumerate().map(|(at, one)| (one.name.to_owned(), told(at, &wrong, &candidates)));
+        wrong.iter().enumerate().map(|(at, one)| (one.name.to_owned(), mistakes_in(at, &wrong, &candidates)));
     Ok(found.collect())
 }
 
-/// A wrong answer.
-pub(super) struct Wrong<'s> {
-    pub(super) name: &'s str,
-    pub(super) answer: &'s Answer,
-    /// Ours and the person's, in SI.
-    pub(super) ours: f64,
-    pub(super) theirs: f64,
-    /// The unit that was typed.
-    pub(super) unit: Unit,
-    /// What of theirs is not known, in SI.
-    pub(super) within: f64,
-}
-
-impl<'s> Wrong<'s> {
-    fn of(solution: &'s Solution, name: &'s str, text: &str) -> Option<Self> {
-        let answer = solution.answer(name)?;
-        if text.trim().is_empty() || compare(answer, text) != Verdict::Wrong {
-            return None;
-        }
-        let typed = read(answer, text).ok()?;
-        // What agrees with everything says nothing.
-        let within = half_a_place(&typed).min(super::TOLERANCE * typed.si.abs());
-        Some(Self { name, answer, ours: answer.si()?, theirs: typed.si, unit: typed.unit, within })
-    }
-
-    fn is(&self, value: f64) -> bool {
-        difference(self.theirs, value, self.answer.dim()) <= self.within + 1e-12 * self.theirs.abs()
-    }
-
-    /// The same for a value that was computed from numbers that the person rounded.
-    fn nearly(&self, value: f64) -> bool {
-        self.is(value)
-            || difference(self.theirs, value, self.answer.dim()) <= super::TOLERANCE * self.theirs.abs()
-    }
-
-    /// How probable it is that a number hits this answer by accident.
-    fn accident(&self) -> f64 {
-        if self.theirs == 0.0 { 1.0 } else { (2.0 * self.within / (self.theirs.abs() * SPREAD)).min(1.0) }
-    }
-}
-
-fn told(at: usize, wrong: &[Wrong<'_>], candidates: &[Candidate]) -> Vec<Slip> {
+fn mistakes_in(at: usize, wrong: &[Wrong<'_>], candidates: &[Candidate]) -> Vec<Mistake> {
     let one = &wrong[at];
     let same = |a: f64, b: f64| difference(a, b, one.answer.dim()) <= 1e-9 * b.abs().max(1e-300);
     // How many numbers were tried before.

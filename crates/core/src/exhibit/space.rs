@@ -6,7 +6,7 @@ use super::{Drawing, DrawnShape, Ink, Point};
 use crate::Text;
 
 /// A point of a scene: x, y and, upwards, z, in metres or in any one length of the scene.
-pub type SpacePoint = [f64; 3];
+pub type Point3 = [f64; 3];
 
 /// A sketch in space: its frames, all in the same coordinates, shown one after another and again; one frame stands
 /// still.
@@ -15,7 +15,7 @@ pub struct Scene {
     /// What it shows.
     pub title: Text,
     /// Its frames; the first one stands for the scene where nothing can move.
-    pub frames: Vec<Vec<SpaceShape>>,
+    pub frames: Vec<Vec<Shape3>>,
     /// The time of all frames on the screen, in seconds.
     pub period: f64,
     /// From where it is seen, unless somebody turns it.
@@ -24,15 +24,15 @@ pub struct Scene {
 
 /// A part of a scene.
 #[derive(Clone, Debug, PartialEq)]
-pub enum SpaceShape {
+pub enum Shape3 {
     /// Straight lines from point to point.
-    Polyline(Vec<SpacePoint>, Ink),
+    Polyline(Vec<Point3>, Ink),
     /// The outline of a sphere about a centre.
-    Sphere(SpacePoint, f64, Ink),
+    Sphere(Point3, f64, Ink),
     /// An arrow from tail to head.
-    Arrow(SpacePoint, SpacePoint, Ink),
+    Arrow(Point3, Point3, Ink),
     /// Words beside a point.
-    Label(SpacePoint, Text),
+    Label(Point3, Text),
 }
 
 /// From where a scene is seen, by parallel rays.
@@ -48,15 +48,13 @@ impl Scene {
     /// What is to be drawn of one of its frames, which repeat without end, seen from some side.
     pub fn seen(&self, frame: usize, view: View) -> Drawing {
         let shapes = self.frames.get(frame % self.frames.len().max(1)).map_or(&[][..], Vec::as_slice);
-        let seen = |shape: &SpaceShape| match shape {
-            SpaceShape::Polyline(points, ink) => {
+        let seen = |shape: &Shape3| match shape {
+            Shape3::Polyline(points, ink) => {
                 DrawnShape::Polyline(points.iter().map(|at| view.point(*at)).collect(), *ink)
             }
-            SpaceShape::Sphere(at, radius, ink) => DrawnShape::Circle(view.point(*at), *radius, *ink),
-            SpaceShape::Arrow(tail, head, ink) => {
-                DrawnShape::Arrow(view.point(*tail), view.point(*head), *ink)
-            }
-            SpaceShape::Label(at, words) => DrawnShape::Label(view.point(*at), words.clone()),
+            Shape3::Sphere(at, radius, ink) => DrawnShape::Circle(view.point(*at), *radius, *ink),
+            Shape3::Arrow(tail, head, ink) => DrawnShape::Arrow(view.point(*tail), view.point(*head), *ink),
+            Shape3::Label(at, words) => DrawnShape::Label(view.point(*at), words.clone()),
         };
         Drawing { title: self.title.clone(), shapes: shapes.iter().map(seen).collect() }
     }
@@ -71,7 +69,7 @@ impl Default for View {
 
 impl View {
     /// Where a point of a scene is drawn.
-    pub fn point(&self, [x, y, z]: SpacePoint) -> Point {
+    pub fn point(&self, [x, y, z]: Point3) -> Point {
         let (sin, cos) = self.azimuth.sin_cos();
         let (sin_up, cos_up) = self.elevation.sin_cos();
         (y * cos - x * sin, z * cos_up - (x * cos + y * sin) * sin_up)

@@ -28,7 +28,7 @@ impl Format {
             Some(Some(2)) => Ok(Format::Second),
             Some(Some(found)) if found > Format::LATEST as i64 => Err(wrong(
                 Text::new(
-                    "this file is of format {found}; this program reads formats up to {known}: update it",
+                    "this file has format {found}; this program reads formats up to {known}: update the program",
                 )
                 .with("found", found)
                 .with("known", Format::LATEST as i64),
@@ -109,7 +109,7 @@ pub(super) fn table_text(
     match table::with_units_of_before(&text, columns) {
         Some((text, units)) => {
             let note = Text::new(
-                "{path}: no unit in the heading: taken as {units}, as in files without `format = 2`",
+                "{path}: no unit in the heading; {units} assumed, as in files without `format = 2`",
             );
             reading.notes.push(note.with("path", path).with("units", units));
             text
@@ -119,7 +119,7 @@ pub(super) fn table_text(
 }
 
 fn left_out_note(path: &str, value: &str) -> Text {
-    Text::new("{path} is left out: {value}, the default of files without `format = 2`")
+    Text::new("{path} omitted: {value} assumed, the default of files without `format = 2`")
         .with("path", path)
         .with("value", value)
 }

@@ -5,7 +5,7 @@ use std::{f64::consts::TAU, thread};
 use super::{MOST_POINTS, Studied, fixed};
 use crate::{
     Answer, Axis, Entry, Plot, Record, Refusal, Series, SolveError, Stop, Text, sensitivity,
-    vary::{self, Again, Input},
+    vary::{self, Input, Perturbed},
 };
 
 /// Samples are shared out among so many threads.
@@ -34,7 +34,7 @@ pub(super) fn scatter(
     (samples, seed): (usize, u64),
     stop: &Stop,
 ) -> Result<Studied, SolveError> {
-    let again = || Again::new(entry, record, vary::inputs(record), vec![answer.name.to_string()]);
+    let again = || Perturbed::new(entry, record, vary::inputs(record), vec![answer.name.to_string()]);
     let inputs = again()?.inputs;
     let mut random = Random(seed);
     let mut drawn = |input: &Input| {
@@ -54,7 +54,7 @@ pub(super) fn scatter(
                 })
             })
             .collect();
-        let lost = || Err(Refusal::because("a thread of this study failed").into());
+        let lost = || Err(Refusal::because("the study failed (internal error)").into());
         threads.into_iter().map(|thread| thread.join().unwrap_or_else(|_| lost())).collect()
     });
     let mut values = Vec::new();
@@ -85,7 +85,7 @@ fn told(answer: &Answer, values: &[f64]) -> Studied {
                 .with_quantity("deviation", deviation, unit),
         );
         says.push(
-            Text::new("95 % lie between {low} and {high}")
+            Text::new("95 % interval: {low} to {high}")
                 .with_quantity("low", low, unit)
                 .with_quantity("high", high, unit),
         );
@@ -115,9 +115,9 @@ fn histogram(answer: &Answer, sorted: &[f64], (low, high): (f64, f64)) -> Option
         outline.extend([(least + n as f64 * width, share), (least + (n + 1) as f64 * width, share)]);
     }
     outline.push((most, 0.0));
-    let title = Text::new("How {answer} scatters").with_text("answer", answer.title());
+    let title = Text::new("Distribution of {answer}").with_text("answer", answer.title());
     let x = Axis::linear(answer.title(), fixed(&answer.unit));
-    let y = Axis::linear("share of the samples", "%");
+    let y = Axis::linear("relative frequency", "%");
     let plot = Plot::new(title, x, y, vec![Series::line(answer.title(), outline)]);
     Some(plot.band("95 %", low, high, true))
 }

@@ -104,10 +104,8 @@ fn in_brackets_alone(
     if brackets.is_empty()
         && let Some(word) = words(text).find(is_unit_word)
     {
-        let why = Text::new(
-            "the heading says {word}, but does not part into the columns: write a heading of as many cells, such as \
-             {own}",
-        );
+        let why =
+            Text::new("the heading contains {word} but has not one cell per column: write one such as {own}");
         let own: Vec<String> =
             columns.iter().map(|column| format!("[{}]", own_unit(column).ascii())).collect();
         faults.push(why.with("word", word).with("own", own.join("; ")));
@@ -184,8 +182,7 @@ fn stated(text: &str, column: &'static Field) -> Result<Option<Unit>, Text> {
 
 fn unfit(word: &str, column: &'static Field) -> Text {
     let why = Text::new(
-        "the heading of {column} says {word}, which is not taken for its unit: write the unit in brackets, such as \
-         [{own}]",
+        "the heading of {column} contains {word}, not recognised as its unit: write the unit in brackets, such as [{own}]",
     );
     let own = own_unit(column).ascii();
     let own = if own.is_empty() { "1".to_owned() } else { own };
@@ -198,7 +195,7 @@ fn written_otherwise(cell: &str, column: &'static Field) -> Result<Option<Unit>,
     for word in words(cell).filter(|word| word.len() > 1) {
         let meant = usual.iter().find(|unit| unit.len() > 1 && unit.to_lowercase() == word.to_lowercase());
         if let Some(meant) = meant {
-            let why = Text::new("the heading of {column} says {word}: did you mean [{meant}]?");
+            let why = Text::new("the heading of {column} contains {word}: did you mean [{meant}]?");
             return Err(why.with("word", word).with("meant", meant).with_text("column", column.label));
         }
     }

@@ -130,11 +130,11 @@ fn what_is_left_out_is_named_with_its_line() {
     assert!(found.is_empty());
     let told: Vec<(usize, String)> = skipped.iter().map(|it| (it.line, it.why.english())).collect();
     let wanted = [
-        (1, "dataset 151 is no function"),
-        (5, "stands between datasets"),
-        (19, "`1.0E-4 2.0E-4 broken` is no row of numbers"),
+        (1, "dataset 151 is not a function"),
+        (5, "is between datasets"),
+        (19, "`1.0E-4 2.0E-4 broken` is not a row of numbers"),
         (29, "values of type 9 are not read; types 2, 4, 5 and 6 are"),
-        (35, "the function has 2 numbers of 6 announced"),
+        (35, "the function has 2 numbers; its header announces 6"),
     ];
     assert_eq!(told.len(), wanted.len(), "{told:?}");
     for ((line, why), (wanted_line, wanted_why)) in told.iter().zip_eq(wanted) {

@@ -18,7 +18,7 @@ pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
     let cases: usize =
         registry().iter().map(|entry| cases::cases(entry).map_or(0, |cases| cases.len())).sum();
     let kept = files::autosave_path();
-    let there = |path: &Path| if path.exists() { "is there" } else { "is not there" };
+    let there = |path: &Path| if path.exists() { "found" } else { "not found" };
     let place = |label: &'static str, path: Option<&Path>| {
         let value =
             path.map_or_else(|| "—".to_owned(), |path| format!("{} ({})", path.display(), say(there(path))));
@@ -26,19 +26,19 @@ pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
     };
     let mut lines = vec![
         place("settings", set.path.as_deref()),
-        place("what is remembered", files::remembered_path().as_deref()),
+        place("history", files::remembered_path().as_deref()),
         place("own lists of exercises", files::sets_path().as_deref()),
-        place("unsaved work is kept in", kept.as_deref()),
+        place("backup of unsaved work", kept.as_deref()),
     ];
     lines.extend(
-        set.faults
-            .iter()
-            .map(|fault| line("not taken of the settings", fault.text().render(&console.locale))),
+        set.faults.iter().map(|fault| line("ignored settings", fault.text().render(&console.locale))),
     );
     for (path, faults) in files::sets_path().map_or_else(Vec::new, |folder| files::sets(&folder).1) {
-        lines.extend(faults.iter().map(|fault| {
-            line("not taken of the exercises", fault.text_in(path.display()).render(&console.locale))
-        }));
+        lines.extend(
+            faults.iter().map(|fault| {
+                line("ignored exercises", fault.text_in(path.display()).render(&console.locale))
+            }),
+        );
     }
     let program = vec![
         line("version", env!("CARGO_PKG_VERSION").into()),
@@ -54,7 +54,7 @@ pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
     ];
     let terminal = vec![
         line("both ends are a terminal", say(if console.interactive { "yes" } else { "no" })),
-        line("width", console.width.to_string()),
+        line("terminal width", console.width.to_string()),
         line(
             "characters",
             match console.capabilities.glyphs {
@@ -72,7 +72,7 @@ pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
             },
         ),
         line(
-            "curves are drawn with",
+            "curve markers",
             match console.capabilities.marker {
                 PlotMarker::Braille => say("braille"),
                 PlotMarker::HalfBlock => say("half blocks"),

@@ -5,13 +5,13 @@ use std::process::ExitCode;
 use dalembert_core::{Text, nearest};
 
 use crate::{
-    arguments::{self, Man},
+    arguments::{self, ManPage},
     console::{Console, print},
     failure::Failure,
 };
 
 /// Prints the manual page of the program or of a subcommand, in roff.
-pub(crate) fn run(man: &Man, console: &Console) -> Result<ExitCode, Failure> {
+pub(crate) fn run(man: &ManPage, console: &Console) -> Result<ExitCode, Failure> {
     let mut program = arguments::command(console.locale.language);
     program.build();
     let command = match &man.command {

@@ -46,7 +46,7 @@ pub(crate) fn run(asked: &Replay, set: Set, console: &Console) -> Result<ExitCod
         None => (None, None),
     };
     if !console.interactive {
-        return Err(Failure::input("there is no terminal to play in; write --headless"));
+        return Err(Failure::input("no terminal to replay in; use --headless"));
     }
     Ok(dalembert_tui::run(Options {
         file,
@@ -87,7 +87,7 @@ fn shown(played: &Played) -> String {
 
 fn keep(played: &Played, folder: &Path) -> Result<(), Failure> {
     if played.pictures.is_empty() {
-        return Err(Failure::input(Text::new("the session marks no picture; write `picture NAME` in it")));
+        return Err(Failure::input(Text::new("the session marks no screenshot; add `picture NAME` to it")));
     }
     std::fs::create_dir_all(folder).map_err(Failure::Output)?;
     for picture in &played.pictures {

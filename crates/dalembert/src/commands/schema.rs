@@ -4,7 +4,7 @@
 
 use std::process::ExitCode;
 
-use dalembert_core::{Entry, Field, Insides, Limit, Locale, Measure, Shape, Text, Variant};
+use dalembert_core::{ChildList, Entry, Field, Limit, Locale, Measure, Shape, Text, Variant};
 use serde_json::{Map, Value as Json, json};
 
 use crate::{
@@ -47,7 +47,7 @@ fn of(entry: &Entry, locale: &Locale) -> Json {
 struct Writer<'l> {
     locale: &'l Locale,
     /// Alternatives and rows are defined once: a type may contain itself.
-    known: Vec<(Insides, String)>,
+    known: Vec<(ChildList, String)>,
     definitions: Map<String, Json>,
 }
 

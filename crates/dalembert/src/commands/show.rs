@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use dalembert_core::{
-    Entry, Field, Insides, Limit, Locale, Measure, Shape, Stop, Text, Variant,
+    ChildList, Entry, Field, Limit, Locale, Measure, Shape, Stop, Text, Variant,
     cases::{self, Case, Hold, Seen},
     table,
 };
@@ -102,16 +102,16 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
 pub(crate) fn seen_in(seen: Seen) -> &'static str {
     match seen {
         Seen::Book => "seen in print",
-        Seen::Companion => "seen in a companion's output",
+        Seen::Companion => "seen in the output of a companion",
         Seen::Site => "seen on a page that quotes it",
-        Seen::Recalled => "recalled",
+        Seen::Recalled => "from memory",
     }
 }
 
 /// Groups and alternatives that were described, and where: what several inputs share, or what contains itself, is
 /// described once. A single input is as short as the hint to where it stands.
 #[derive(Default)]
-struct Described(Vec<(Insides, String)>);
+struct Described(Vec<(ChildList, String)>);
 
 impl Described {
     /// Where the insides of the shape were described; those that never were are from now on described at `path`.
@@ -148,7 +148,7 @@ impl Lister<'_> {
             if let Some(default) = field.default {
                 value = format!(
                     "{value}, {}",
-                    Text::new("otherwise {default}").with("default", default).render(self.locale)
+                    Text::new("default {default}").with("default", default).render(self.locale)
                 );
             }
             let symbol = if field.symbol.is_empty() { String::new() } else { format!(" {}", field.symbol) };

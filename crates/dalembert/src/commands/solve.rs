@@ -149,15 +149,13 @@ fn status(worked: &Worked<'_>, console: &Console) -> Result<ExitCode, Failure> {
 fn complaints(solution: &Solution, locale: &Locale) -> Vec<String> {
     let number = |x: f64| units::write_number(x, units::Style { digits: 2, ..locale.style });
     let failed = solution.checks.iter().filter(|check| !check.passed).map(|check| {
-        Text::new(
-            "check failed: {what}: the two ways differ by {residual} of their size, and {limit} is allowed",
-        )
-        .with_text("what", check.what.clone())
-        .with("residual", number(check.residual))
-        .with("limit", number(check.limit))
+        Text::new("check failed: {what}: relative difference {residual}, limit {limit}")
+            .with_text("what", check.what.clone())
+            .with("residual", number(check.residual))
+            .with("limit", number(check.limit))
     });
     let faults =
-        solution.defects.iter().map(|defect| Text::new("fault of the program: {what}").with("what", defect));
+        solution.defects.iter().map(|defect| Text::new("internal error: {what}").with("what", defect));
     failed.chain(faults).map(|line| line.render(locale)).collect()
 }
 

@@ -191,7 +191,7 @@ fn document(held: &[Held], counts: &Counts, console: &Console) -> Document {
             let widest =
                 case.verdicts.iter().map(|verdict| say(verdict.outcome.name()).len()).max().unwrap_or(0);
             for verdict in &case.verdicts {
-                let both = Text::new("printed {printed}, ours {ours}")
+                let both = Text::new("published {printed}, computed {ours}")
                     .with("printed", &verdict.printed)
                     .with("ours", &verdict.ours);
                 lines.push(Line {

@@ -60,10 +60,10 @@ fn can_be_recorded(path: &Path) -> Result<(), Failure> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     let why = if path.symlink_metadata().is_ok() {
         Text::new(
-            "{file} exists already, and no session is recorded over it: write another name, or remove it",
+            "{file} already exists and is never overwritten by a recording: choose another name, or delete it",
         )
     } else if folder.is_some_and(|folder| !folder.is_dir()) {
-        Text::new("{file} cannot be recorded: there is no such folder")
+        Text::new("{file} cannot be recorded: folder not found")
     } else {
         return Ok(());
     };

@@ -135,7 +135,7 @@ pub fn residuals(
 
 /// The cosine of the angle between the effects of two planes: 1 where one plane can do nothing that the other
 /// cannot.
-pub fn alikeness(alpha: &DMatrix<Complex<f64>>, one: usize, other: usize) -> f64 {
+pub fn collinearity(alpha: &DMatrix<Complex<f64>>, one: usize, other: usize) -> f64 {
     let (a, b) = (alpha.column(one), alpha.column(other));
     // Scaled, so that no square leaves the range of numbers.
     let size = |column: &dyn Fn(usize) -> Complex<f64>| {

@@ -27,7 +27,7 @@ pub fn sum_of_cranks<S: Real>(between: S) -> S {
 
 /// Amplitude over a turn of `cos θ − cos(θ + α)`, `√((1 − cos α)² + sin² α)`.
 #[inline]
-pub fn difference_of_cranks<S: Real>(between: S) -> S {
+pub fn crank_difference<S: Real>(between: S) -> S {
     ((S::from(1.0) - between.cos()).powi(2) + between.sin().powi(2)).sqrt()
 }
 
@@ -52,7 +52,7 @@ mod tests {
         let right = std::f64::consts::FRAC_PI_2;
         let root = 2f64.sqrt();
         assert!((sum_of_cranks(right) - root).abs() < 1e-15);
-        assert!((difference_of_cranks(right) - root).abs() < 1e-15);
+        assert!((crank_difference(right) - root).abs() < 1e-15);
         let greatest = |f: &dyn Fn(f64) -> f64| {
             (0..3600).map(|k| f(f64::from(k) * 0.1f64.to_radians())).fold(0.0, f64::max)
         };

@@ -13,6 +13,7 @@ use super::{
     machine::{Machine, NOISE},
     measure::Measure,
     system::poses,
+    vectors::{body_that_moves_most, dot},
 };
 use crate::linalg::{self, Elimination};
 
@@ -221,19 +222,8 @@ impl System {
     }
 }
 
-/// The body that moves most in a scaled motion.
-pub(super) fn body_that_moves_most(motion: &[f64]) -> usize {
-    let size = |body: &[f64]| body.iter().fold(0.0f64, |most, x| most.max(x.abs()));
-    let bodies: Vec<f64> = motion.chunks_exact(3).map(size).collect();
-    (0..bodies.len()).max_by(|&a, &b| bodies[a].total_cmp(&bodies[b])).unwrap_or(0)
-}
-
 fn reduced_masses(motions: &[Vec<f64>], masses: &[f64]) -> DMatrix<f64> {
     DMatrix::from_fn(motions.len(), motions.len(), |row, column| {
         motions[row].iter().zip(&motions[column]).zip(masses).map(|((a, b), mass)| a * mass * b).sum()
     })
-}
-
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

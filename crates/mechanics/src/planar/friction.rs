@@ -15,8 +15,8 @@ use nalgebra::DMatrix;
 use super::{
     Joint, Load, Measure, PlanarError, Pose, System,
     continuation::largest,
-    forward_dynamics::dot,
     system::{bias, gradient, project},
+    vectors::dot,
 };
 use crate::linalg::Elimination;
 

@@ -6,9 +6,9 @@ mod friction;
 pub(super) use self::friction::NOISE;
 use super::{
     Contact, PlanarError, State, System,
-    forward_dynamics::body_that_moves_most,
     friction::Friction,
     plan::{Conditioning, Layout, Order, Work},
+    vectors::body_that_moves_most,
 };
 use crate::ode::Problem;
 

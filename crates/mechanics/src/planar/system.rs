@@ -140,7 +140,7 @@ impl System {
         let settled = |mut drawn: Vec<[f64; 3]>| -> Result<(Vec<[f64; 3]>, f64), PlanarError> {
             let mut left = f64::INFINITY;
             for _ in 0..20 {
-                let (residuals, jacobian) = system.levelled(&drawn)?;
+                let (residuals, jacobian) = system.row_scaled(&drawn)?;
                 let jacobian = jacobian.select_rows(&wanted).select_columns(&columns);
                 let residual =
                     nalgebra::DVector::from_iterator(wanted.len(), wanted.iter().map(|&row| residuals[row]));
@@ -160,7 +160,7 @@ impl System {
             Ok((drawn, left))
         };
         let (drawn, left_here) = settled(from(0.01))?;
-        let (_, jacobian) = system.levelled(&drawn)?;
+        let (_, jacobian) = system.row_scaled(&drawn)?;
         let left = Elimination::new(&jacobian.select_rows(&wanted).select_columns(&columns))?.null_space()?;
         let is_free =
             |body: usize| left.iter().any(|motion| motion[2 * body..][..2].iter().any(|x| x.abs() > FREE));
@@ -257,7 +257,7 @@ impl System {
     /// `DoesNotClose`, `NotFinite`.
     pub fn assemble(&self, drawn: &[[f64; 3]]) -> Result<Vec<[f64; 3]>, PlanarError> {
         let mut positions = drawn.to_vec();
-        let (mut residuals, mut jacobian) = self.levelled(&positions)?;
+        let (mut residuals, mut jacobian) = self.row_scaled(&positions)?;
         let (mut open, mut damping) = (square(&residuals), 1e-3);
         let (mut best, mut stalled) = (f64::INFINITY, 0);
         for _ in 0..STEPS {
@@ -272,7 +272,7 @@ impl System {
             let multipliers = Elimination::new(&normal)?.solve(&residuals)?;
             let change = jacobian.tr_mul(&nalgebra::DVector::from_vec(multipliers));
             let tried = self.moved(&positions, change.as_slice(), -1.0);
-            let (new_gaps, new_slopes) = self.levelled(&tried)?;
+            let (new_gaps, new_slopes) = self.row_scaled(&tried)?;
             let new_open = square(&new_gaps);
             if new_open < open {
                 (positions, residuals, jacobian, open) = (tried, new_gaps, new_slopes, new_open);
@@ -289,7 +289,7 @@ impl System {
 
     /// Refuses positions in which an equation does not hold.
     pub(super) fn closed(&self, positions: &[[f64; 3]]) -> Result<(), PlanarError> {
-        let (residuals, _) = self.levelled(positions)?;
+        let (residuals, _) = self.row_scaled(positions)?;
         let (equation, residual) = residuals.iter().enumerate().fold((0, 0.0f64), |worst, (at, residual)| {
             if residual.abs() > worst.1 { (at, residual.abs()) } else { worst }
         });
@@ -465,7 +465,7 @@ impl System {
     }
 
     /// Residuals and Jacobian, each row scaled by its largest entry: residuals in m whatever is measured.
-    fn levelled(&self, positions: &[[f64; 3]]) -> Result<(Vec<f64>, DMatrix<f64>), PlanarError> {
+    fn row_scaled(&self, positions: &[[f64; 3]]) -> Result<(Vec<f64>, DMatrix<f64>), PlanarError> {
         let Constraints { mut residuals, mut jacobian } = self.constraints(positions);
         if residuals.iter().chain(jacobian.iter()).any(|x| !x.is_finite()) {
             return Err(PlanarError::NotFinite);

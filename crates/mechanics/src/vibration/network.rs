@@ -56,7 +56,11 @@ impl Network {
     /// # Errors
     /// `Loose` where a node is joined to ground neither by springs nor by dampers and has no mass; `Linear`, among
     /// them a singular matrix at an undamped resonance.
-    pub fn shaken(&self, forces: &[f64], frequency: f64) -> Result<Vec<Complex<f64>>, NetworkError> {
+    pub fn harmonic_response(
+        &self,
+        forces: &[f64],
+        frequency: f64,
+    ) -> Result<Vec<Complex<f64>>, NetworkError> {
         let damping = self.assembled(|link| link.damping * frequency);
         let mut matrix = self.assembled(|link| link.stiffness).zip_map(&damping, Complex::new);
         for (node, mass) in self.masses.iter().enumerate() {
@@ -69,7 +73,7 @@ impl Network {
     /// The stiffness felt at a node, with the other nodes free and `of` telling the stiffness of an element (real, or
     /// complex `k + iωc`): the other nodes are eliminated one by one, each leaving `kᵢkⱼ/Σk` between its
     /// neighbours (star–mesh transformation). No subtraction occurs, so nothing cancels.
-    pub fn felt_at(&self, node: usize, of: impl Fn(&Link) -> Complex<f64>) -> Complex<f64> {
+    pub fn driving_point_stiffness(&self, node: usize, of: impl Fn(&Link) -> Complex<f64>) -> Complex<f64> {
         let n = self.masses.len();
         // Ground is the last node.
         let mut between = DMatrix::<Complex<f64>>::zeros(n + 1, n + 1);
@@ -246,15 +250,16 @@ mod tests {
     fn a_bridge_of_springs_is_felt_as_it_gives() {
         let network = bridge();
         let x = network.at_rest(&[1.0, 0.0, 0.0]).unwrap();
-        let felt = network.felt_at(0, |link| Complex::from(link.stiffness));
+        let felt = network.driving_point_stiffness(0, |link| Complex::from(link.stiffness));
         close(felt.re * x[0], 1.0);
     }
 
     #[test]
     fn the_shaken_bridge_meets_its_dynamic_stiffness() {
         let (network, frequency) = (bridge(), 1.7);
-        let x = network.shaken(&[1.0, 0.0, 0.0], frequency).unwrap()[0];
-        let felt = network.felt_at(0, |link| Complex::new(link.stiffness, link.damping * frequency));
+        let x = network.harmonic_response(&[1.0, 0.0, 0.0], frequency).unwrap()[0];
+        let felt =
+            network.driving_point_stiffness(0, |link| Complex::new(link.stiffness, link.damping * frequency));
         let whole = (felt - 2.0 * frequency * frequency) * x;
         close(whole.re, 1.0);
         assert!(whole.im.abs() < 1e-12);

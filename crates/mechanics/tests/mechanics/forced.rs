@@ -3,17 +3,17 @@
 use std::f64::consts::{PI, TAU};
 
 use dalembert_mechanics::sdof;
-use dalembert_mechanics::vibration::from_rest::{self, history};
 use dalembert_mechanics::vibration::instrument::{Reads, usable_ratios};
 use dalembert_mechanics::vibration::isolation::{self, Shaking, worst_motion, worst_transmission};
 use dalembert_mechanics::vibration::periodic::{self, Drive, Piece, Steady};
+use dalembert_mechanics::vibration::transient_from_rest::{self, history};
 use proptest::prelude::*;
 
 use crate::close::{ROUNDING, close};
 
 #[test]
 fn resonance_grows_with_the_time_without_damping() {
-    let drive = from_rest::Drive { frequency: 50.0, sine: 2e-4, cosine: 0.0 };
+    let drive = transient_from_rest::Drive { frequency: 50.0, sine: 2e-4, cosine: 0.0 };
     for (t, x) in history(50.0, 0.0, drive, 10.0, 97).unwrap() {
         let angle = 50.0 * t;
         let exact = 1e-4 * (angle.sin() - angle * angle.cos());

@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 use dalembert_mechanics::sdof;
 use dalembert_mechanics::vibration::{
     decay_fit,
-    dry_forced::{DryForced, Steady},
+    forced_coulomb::{CoulombOscillator, Steady},
     free::FreeMotion,
     friction::FrictionDecay,
     jenkins::JenkinsOscillator,
@@ -115,7 +115,7 @@ proptest! {
         // A turning point on the very edge of rest may fall on either side of it.
         let rest = decay.rest();
         prop_assume!((rest.position.abs() - extra).abs() > 1e-6);
-        let [x, speed] = decay.marched(y / 3.0).unwrap();
+        let [x, speed] = decay.step_by_step(y / 3.0).unwrap();
         let [got, got_speed] = decay.state(y / 3.0);
         near(got, x, 40.0, 1e-8);
         near(got_speed, speed, 120.0, 1e-8);
@@ -143,7 +143,7 @@ proptest! {
     /// Den Hartog's motion: the force works what friction takes, and with little friction nothing is left of it.
     #[test]
     fn forced_friction_closes_its_energy(r in 0.05..3.0f64, share in 0.01..0.9999f64) {
-        let shaken = DryForced { ratio: r, deflection: 1.0, offset: share };
+        let shaken = CoulombOscillator { ratio: r, deflection: 1.0, offset: share };
         match shaken.steady() {
             Steady::Sliding { amplitude, .. } => {
                 near(shaken.sliding_work(), 4.0 * share * amplitude, amplitude, 1e-9);

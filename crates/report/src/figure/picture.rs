@@ -33,7 +33,7 @@ pub enum Part {
         /// Their width.
         width: f64,
         /// How they are dashed.
-        dash: Dash,
+        dash: LineStyle,
     },
     /// A filled disc.
     Disc {
@@ -83,7 +83,7 @@ pub enum Tone {
 
 /// How a line is dashed: curves can be told apart without colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Dash {
+pub enum LineStyle {
     /// Not at all.
     Solid,
     /// Long dashes.
@@ -120,18 +120,18 @@ impl Tone {
     }
 }
 
-impl Dash {
+impl LineStyle {
     /// The dash of the curve of that place.
     pub fn of_curve(n: usize) -> Self {
-        [Dash::Solid, Dash::Long, Dash::Short, Dash::Mixed][n % 4]
+        [LineStyle::Solid, LineStyle::Long, LineStyle::Short, LineStyle::Mixed][n % 4]
     }
 
     fn lengths(self) -> &'static [u32] {
         match self {
-            Dash::Solid => &[],
-            Dash::Long => &[9, 4],
-            Dash::Short => &[3, 3],
-            Dash::Mixed => &[9, 3, 2, 3],
+            LineStyle::Solid => &[],
+            LineStyle::Long => &[9, 4],
+            LineStyle::Short => &[3, 3],
+            LineStyle::Mixed => &[9, 3, 2, 3],
         }
     }
 }

@@ -6,7 +6,7 @@ use super::{
     Seen,
     axes::Axes,
     labels::{Labels, width},
-    picture::{Anchor, Dash, Part, Picture, Tone, WORDS},
+    picture::{Anchor, LineStyle, Part, Picture, Tone, WORDS},
     ticks::{Tick, Ticks},
 };
 
@@ -37,10 +37,10 @@ pub(super) fn picture(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<P
     let mut labels = Labels::new((area.left + 3.0, area.top + 3.0, area.right - 3.0, area.bottom - 3.0));
     area.levels(locale, &mut labels, &mut parts);
     for series in seen.pinned.iter().flat_map(|pinned| &pinned.series) {
-        area.curve(Tone::Faint, Dash::Short, series, &mut labels, &mut parts);
+        area.curve(Tone::Faint, LineStyle::Short, series, &mut labels, &mut parts);
     }
     for (n, series) in plot.series.iter().enumerate() {
-        area.curve(Tone::Curve(n), Dash::of_curve(n), series, &mut labels, &mut parts);
+        area.curve(Tone::Curve(n), LineStyle::of_curve(n), series, &mut labels, &mut parts);
     }
     let readout = seen.cursor.map_or_else(Vec::new, |cursor| area.cursor(cursor, locale, &mut parts));
     for mark in &plot.marks {
@@ -108,7 +108,7 @@ impl Area<'_> {
         let Some(x) = self.axes.within(cursor) else { return Vec::new() };
         if let Some(place) = self.axes.x.of(x) {
             let points = vec![(self.x(place), self.top), (self.x(place), self.bottom)];
-            parts.push(Part::Line { points, tone: Tone::Ink, width: 1.0, dash: Dash::Solid });
+            parts.push(Part::Line { points, tone: Tone::Ink, width: 1.0, dash: LineStyle::Solid });
         }
         for (n, series) in self.axes.plot.series.iter().enumerate() {
             let at = self.axes.read(series, x).and_then(|reading| self.inside((x, reading.y)));
@@ -128,7 +128,7 @@ impl Area<'_> {
 
     fn grid(&self, across: &[Tick], up: &[Tick], parts: &mut Vec<Part>) {
         let mut line = |from, to, tone, width| {
-            parts.push(Part::Line { points: vec![from, to], tone, width, dash: Dash::Solid });
+            parts.push(Part::Line { points: vec![from, to], tone, width, dash: LineStyle::Solid });
         };
         let mut words = Vec::new();
         for tick in across {
@@ -159,7 +159,14 @@ impl Area<'_> {
         );
     }
 
-    fn curve(&self, tone: Tone, dash: Dash, series: &Series, labels: &mut Labels, parts: &mut Vec<Part>) {
+    fn curve(
+        &self,
+        tone: Tone,
+        dash: LineStyle,
+        series: &Series,
+        labels: &mut Labels,
+        parts: &mut Vec<Part>,
+    ) {
         if !series.joined {
             for at in series.points.iter().filter_map(|at| self.inside(*at)) {
                 labels.avoid(&[at]);
@@ -191,7 +198,7 @@ impl Area<'_> {
             let name = if inside {
                 let points = vec![(self.left, y), (self.right, y)];
                 labels.avoid(&points);
-                parts.push(Part::Line { points, tone: Tone::Bad, width: 1.2, dash: Dash::Long });
+                parts.push(Part::Line { points, tone: Tone::Bad, width: 1.2, dash: LineStyle::Long });
                 name
             } else {
                 let arrow = match (place > 1.0, locale.style.ascii) {
@@ -255,10 +262,10 @@ impl Legend {
         let mut x = 12.0;
         let curves = axes.plot.series.iter().enumerate();
         let curves = curves.map(|(n, series)| {
-            (series.label.render(locale), series.joined, Tone::Curve(n), Dash::of_curve(n))
+            (series.label.render(locale), series.joined, Tone::Curve(n), LineStyle::of_curve(n))
         });
         let before =
-            axes.pinned.map(|_| (Text::new("before").render(locale), true, Tone::Faint, Dash::Short));
+            axes.pinned.map(|_| (Text::new("before").render(locale), true, Tone::Faint, LineStyle::Short));
         for (name, joined, tone, dash) in curves.chain(before) {
             if name.is_empty() {
                 continue;

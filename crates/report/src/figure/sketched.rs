@@ -4,7 +4,7 @@ use dalembert_core::{Drawing, DrawnShape, Ink, Locale, Point};
 
 use super::{
     labels::{Labels, width},
-    picture::{Dash, Part, Picture, Tone},
+    picture::{LineStyle, Part, Picture, Tone},
     strokes::{self, Box2, Stroke, strokes},
 };
 
@@ -63,5 +63,5 @@ fn line(stroke: &Stroke, points: Vec<Point>) -> Part {
         _ if stroke.ink == Ink::Faint => 1.0,
         _ => 1.6,
     };
-    Part::Line { points, tone, width, dash: Dash::Solid }
+    Part::Line { points, tone, width, dash: LineStyle::Solid }
 }

@@ -89,7 +89,7 @@ pub enum Cell {
     Spread,
     /// The input of the family of curves.
     Family,
-    /// Its values.
+    /// Parameter values.
     Values,
     /// The wanted value.
     Wanted,
@@ -106,15 +106,15 @@ impl Cell {
     pub fn name(self) -> Text {
         match self {
             Cell::Kind => Text::new("Study"),
-            Cell::Input => Text::new("Over the input"),
+            Cell::Input => Text::new("Variable"),
             Cell::Answer => Text::new("Answer"),
             Cell::From => Text::new("Range from"),
             Cell::To => Text::new("Range to"),
             Cell::Points => Text::new("Points"),
-            Cell::Spread => Text::new("Spread"),
-            Cell::Family => Text::new("A curve for each"),
-            Cell::Values => Text::new("Its values"),
-            Cell::Wanted => Text::new("Wanted value"),
+            Cell::Spread => Text::new("Spacing"),
+            Cell::Family => Text::new("Parameter"),
+            Cell::Values => Text::new("Parameter values"),
+            Cell::Wanted => Text::new("Target value"),
             Cell::Distribution => Text::new("Within the tolerances"),
             Cell::Samples => Text::new("Samples"),
             Cell::Seed => Text::new("Seed"),
@@ -222,20 +222,20 @@ impl Study {
         let end = |share: f64| of.input().map_or_else(|| words(""), |input| words(&written(input, share)));
         match cell {
             Cell::Kind => match self.kind {
-                Kind::Sweep => Text::new("sweep: the answer over an input"),
-                Kind::Find => Text::new("find: the input for a wanted answer"),
-                Kind::Scatter => Text::new("scatter: inputs within their tolerances"),
+                Kind::Sweep => Text::new("sweep: answer as a function of an input"),
+                Kind::Find => Text::new("solve: input for a target value of the answer"),
+                Kind::Scatter => Text::new("Monte Carlo: inputs within their tolerances"),
             },
             Cell::Input => of.input().map_or_else(|| words(""), |input| input.label.clone()),
             Cell::Answer => of.answer().map_or_else(|| words(""), Answer::title),
             Cell::From => end(RANGE[0]),
             Cell::To => end(RANGE[1]),
             Cell::Points => words(&POINTS.to_string()),
-            Cell::Spread if self.log => Text::new("by equal ratios"),
-            Cell::Spread => Text::new("by equal differences"),
+            Cell::Spread if self.log => Text::new("logarithmic"),
+            Cell::Spread => Text::new("linear"),
             Cell::Family => match of.family() {
                 Some(input) => input.label.clone(),
-                None => Text::new("no other input"),
+                None => Text::new("no parameter"),
             },
             Cell::Values => of.family().map_or_else(
                 || words(""),
@@ -245,8 +245,8 @@ impl Study {
                 Some((answer, si)) => words(&write_quantity(si, &answer.unit, style)),
                 None => words(""),
             },
-            Cell::Distribution if self.normal => Text::new("normal, a tolerance being 3 standard deviations"),
-            Cell::Distribution => Text::new("everywhere alike"),
+            Cell::Distribution if self.normal => Text::new("normal (tolerance = 3 standard deviations)"),
+            Cell::Distribution => Text::new("uniform"),
             Cell::Samples => words(&SAMPLES.to_string()),
             Cell::Seed => words("1"),
         }
@@ -268,10 +268,9 @@ impl Study {
     /// # Errors
     /// The first cell that cannot be read.
     pub fn plan(&self, of: &Subject<'_>, tolerances: &[(String, f64)]) -> Result<Plan, (Cell, Text)> {
-        let none = || (Cell::Input, Text::new("no input of this problem is a number"));
-        let answer = of
-            .answer()
-            .ok_or_else(|| (Cell::Answer, Text::new("no answer of this problem is a single number")))?;
+        let none = || (Cell::Input, Text::new("this problem has no numeric input"));
+        let answer =
+            of.answer().ok_or_else(|| (Cell::Answer, Text::new("this problem has no scalar answer")))?;
         let value = |input: &Input, cell: Cell, share: f64| match self.text(cell).trim() {
             "" => Ok(part(input, share)),
             typed => input.read(typed).map_err(|why| (cell, why)),
@@ -330,7 +329,7 @@ impl Study {
                 .parse()
                 .ok()
                 .filter(|count| (1..=dalembert_core::study::MOST_POINTS).contains(count))
-                .ok_or_else(|| (cell, Text::new("write a whole number from 1 to 10000"))),
+                .ok_or_else(|| (cell, Text::new("enter an integer from 1 to 10000"))),
         }
     }
 }

@@ -67,14 +67,14 @@ fn what_is_no_problem_file_is_refused_by_name() {
     fs::write(at("utf16"), b"\xFF\xFEa\0").unwrap();
     fs::write(at("half"), b"caf\xC3").unwrap();
     for (path, message) in [
-        (at("none"), "there is no file"),
+        (at("none"), "not found: check its name"),
         (at(""), "is a folder"),
         (at("pipe"), "is a pipe"),
         ("/dev/zero".into(), "is a device"),
         (at("large"), "larger than 16 MiB"),
-        (at("latin1"), "byte 16, in line 2, begins no character; save it as UTF-8"),
+        (at("latin1"), "byte 16 in line 2; save it as UTF-8"),
         (at("utf16"), "looks like UTF-16"),
-        (at("half"), "byte 3, in line 1"),
+        (at("half"), "byte 3 in line 1"),
         (at("es\x1b[31mc\u{202E}"), "es\u{FFFD}[31mc`"),
     ] {
         let error = read(&path).unwrap_err().to_string();

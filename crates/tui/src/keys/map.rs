@@ -77,7 +77,7 @@ impl KeyMap {
             // Without changes no key means two things, so one of them asked for it.
             let culprit = held.into_iter().rev().find(asks).expect("a conflict comes from a change");
             let taken = if one.id() == changes[culprit].action { other } else { one };
-            let why = Text::new("`{key}` means `{taken}` already in [keys.{place}]: take another key, or write `{taken} = []` there")
+            let why = Text::new("`{key}` already means `{taken}` in [keys.{place}]: choose another key, or write `{taken} = []` there")
                 .with("key", key.id())
                 .with("taken", taken.id())
                 .with("place", place.id());
@@ -158,7 +158,7 @@ impl Change {
         let does = |place: &Place| place.bindings().any(|binding| binding.action.id() == self.action);
         if let Some(place) = self.place.filter(|place| !does(place)) {
             return Some(
-                Text::new("`{action}` does nothing in [keys.{place}]")
+                Text::new("`{action}` has no effect in [keys.{place}]")
                     .with("action", self.action)
                     .with("place", place.id()),
             );
@@ -167,14 +167,14 @@ impl Change {
             let fixed = FIXED.iter().find(|(fixed, action)| fixed == key && action.id() != self.action);
             if let Some((_, action)) = fixed {
                 return Some(
-                    Text::new("`{key}` always means `{action}`: take another key")
+                    Text::new("`{key}` is reserved for `{action}`: choose another key")
                         .with("key", key.id())
                         .with("action", action.id()),
                 );
             }
             if let Some(place) = self.place.filter(|place| place.is_text() && key.is_text()) {
                 return Some(
-                    Text::new("`{key}` is text in [keys.{place}]: take one such as `ctrl-g` or `f5`")
+                    Text::new("`{key}` is text in [keys.{place}]: choose one such as `ctrl-g` or `f5`")
                         .with("key", key.id())
                         .with("place", place.id()),
                 );
@@ -185,7 +185,7 @@ impl Change {
             let typed = begins.into_iter().filter(|(_, begins)| *begins).map(|(place, _)| place);
             let place = typed.filter(does).find(|place| self.place.is_none_or(|at| at == *place));
             place.map(|place| {
-                Text::new("`{key}` begins a number in [keys.{place}]: take another key")
+                Text::new("`{key}` starts a number in [keys.{place}]: choose another key")
                     .with("key", key.id())
                     .with("place", place.id())
             })
@@ -250,12 +250,12 @@ mod tests {
             [
                 (
                     1,
-                    "`w` means `undo` already in [keys.inputs]: take another key, or write `undo = []` there"
+                    "`w` already means `undo` in [keys.inputs]: choose another key, or write `undo = []` there"
                         .into()
                 ),
                 (
                     2,
-                    "`y` means `copy` already in [keys.inputs]: take another key, or write `copy = []` there"
+                    "`y` already means `copy` in [keys.inputs]: choose another key, or write `copy = []` there"
                         .into()
                 ),
             ]
@@ -278,11 +278,11 @@ mod tests {
                 change(Some(Place::Plot), "add-row", &["w"]),
             ]),
             [
-                (0, "`esc` always means `back`: take another key".into()),
-                (1, "`ctrl-c` always means `quit`: take another key".into()),
-                (2, "`g` is text in [keys.field]: take one such as `ctrl-g` or `f5`".into()),
-                (3, "`5` begins a number in [keys.inputs]: take another key".into()),
-                (4, "`add-row` does nothing in [keys.plot]".into()),
+                (0, "`esc` is reserved for `back`: choose another key".into()),
+                (1, "`ctrl-c` is reserved for `quit`: choose another key".into()),
+                (2, "`g` is text in [keys.field]: choose one such as `ctrl-g` or `f5`".into()),
+                (3, "`5` starts a number in [keys.inputs]: choose another key".into()),
+                (4, "`add-row` has no effect in [keys.plot]".into()),
             ]
         );
         let (map, _) = KeyMap::changed(&[

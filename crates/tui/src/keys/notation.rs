@@ -94,9 +94,11 @@ impl Key {
             Key(KeyCode::Char(character), modifiers) if modifiers.contains(KeyModifiers::CONTROL) => {
                 let small = character.to_ascii_lowercase();
                 match SAME_BYTE.iter().find(|(letter, _)| *letter == small) {
-                    Some((_, other)) => Err(Text::new("a terminal sends `{other}` for `{key}`: write that")
-                        .with("other", *other)
-                        .with("key", name)),
+                    Some((_, other)) => {
+                        Err(Text::new("a terminal sends `{other}` for `{key}`: write `{other}`")
+                            .with("other", *other)
+                            .with("key", name))
+                    }
                     None => Ok(Key(KeyCode::Char(small), modifiers)),
                 }
             }
@@ -189,12 +191,11 @@ fn read(name: &str, notation: Notation) -> Result<Key, &str> {
 fn unknown(name: &str, rest: &str) -> Text {
     let known = NAMED.iter().map(|(names, _)| names[Notation::Settings as usize]);
     match nearest(rest, known) {
-        Some(near) => Text::new("`{key}` is no key; did you mean `{near}`?")
+        Some(near) => Text::new("`{key}` is not a key; did you mean `{near}`?")
             .with("key", name)
             .with("near", format!("{}{near}", &name[..name.len() - rest.len()])),
-        None => {
-            Text::new("`{key}` is no key; write a character, or `ctrl-s`, `f5`, `shift-up`").with("key", name)
-        }
+        None => Text::new("`{key}` is not a key; write a character, or `ctrl-s`, `f5`, `shift-up`")
+            .with("key", name),
     }
 }
 
@@ -224,10 +225,10 @@ mod tests {
     fn what_no_terminal_sends_is_refused_with_what_to_write() {
         let why = |name| Key::parse(name).map_err(|why| why.english());
         assert_eq!(why("shift-g"), Err("`shift-g`: Shift is part of a character; write `G`".into()));
-        assert_eq!(why("ctrl-i"), Err("a terminal sends `tab` for `ctrl-i`: write that".into()));
+        assert_eq!(why("ctrl-i"), Err("a terminal sends `tab` for `ctrl-i`: write `tab`".into()));
         assert_eq!(
             why("ctrl-pagedown"),
-            Err("`ctrl-pagedown` is no key; did you mean `ctrl-page-down`?".into())
+            Err("`ctrl-pagedown` is not a key; did you mean `ctrl-page-down`?".into())
         );
         assert_eq!(why("ctrl-S"), Ok(Key(KeyCode::Char('s'), KeyModifiers::CONTROL)));
         assert_eq!(why("-"), Ok(Key(KeyCode::Char('-'), KeyModifiers::NONE)));

@@ -6,28 +6,28 @@ use super::{Action, Binding, Key};
 
 /// Keys of the list of analyses.
 pub(super) const PICKER: &[Binding] = &[
-    bind(Action::Enter, ENTER, "open; fold a heading", "open"),
-    bind(Action::Filter, &[typed('/')], "type a filter", "filter"),
+    bind(Action::Enter, ENTER, "open; expand or collapse a heading", "open"),
+    bind(Action::Filter, &[typed('/')], "filter", "filter"),
     bind(Action::Up, UP, "line up", ""),
     bind(Action::Down, DOWN, "line down", ""),
-    bind(Action::Right, RIGHT, "open the heading, or to the published cases", ""),
-    bind(Action::Left, LEFT, "fold the heading, or back to it", ""),
-    bind(Action::NextPane, TAB, "to the published cases and back", "see cases"),
+    bind(Action::Right, RIGHT, "expand the heading, or to the published cases", ""),
+    bind(Action::Left, LEFT, "collapse the heading, or back to it", ""),
+    bind(Action::NextPane, TAB, "to the published cases, and back", "see cases"),
     bind(Action::PreviousPane, BACK_TAB, "to the list", ""),
-    bind(Action::PinAnalysis, &[typed('*')], "pin at the head of the list, or no more", "pin it"),
-    bind(Action::Toggle, &[typed(' ')], "mark an exercise as done, or as not done", "done"),
+    bind(Action::PinAnalysis, &[typed('*')], "pin at the top of the list, or unpin", "pin/unpin"),
+    bind(Action::Toggle, &[typed(' ')], "tick or untick an exercise", "done"),
     bind(Action::PageUp, PAGE_UP, "page up", ""),
     bind(Action::PageDown, PAGE_DOWN, "page down", ""),
     bind(Action::First, FIRST, "to the first line", ""),
     bind(Action::Last, LAST, "to the last line", ""),
     bind(Action::NextProblem, &[typed('b')], "back to the open problem", ""),
-    bind(Action::Back, ESC, "one step back", ""),
+    bind(Action::Back, ESC, "back", ""),
 ];
 
 /// Keys of the filter of the list.
 pub(super) const FILTER: &[Binding] = &[
     bind(Action::Enter, ENTER, "open", "open"),
-    bind(Action::Back, ESC, "drop the filter", "drop the filter"),
+    bind(Action::Back, ESC, "clear the filter", "clear the filter"),
     bind(Action::Up, &[plain(KeyCode::Up)], "line up", ""),
     bind(Action::Down, &[plain(KeyCode::Down)], "line down", ""),
     bind(Action::NextPane, TAB, "to the list", "to the list"),
@@ -36,31 +36,36 @@ pub(super) const FILTER: &[Binding] = &[
 /// Keys of the inputs.
 pub(super) const FORM: &[Binding] = &[
     bind(Action::Enter, &[plain(KeyCode::Enter), plain(KeyCode::F(2))], "edit or choose", "edit"),
-    bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "empty the field and type", ""),
+    bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "clear and edit", ""),
     bind(Action::NextPane, TAB, "to the results", "see results"),
-    bind(Action::PreviousPane, BACK_TAB, "to the results, backwards", ""),
+    bind(Action::PreviousPane, BACK_TAB, "to the results (reverse)", ""),
     bind(Action::NextUnit, &[typed('u')], "next unit", "unit"),
-    bind(Action::Nudge(10), &[typed('+'), typed('=')], "last or chosen digit up", "nudge"),
-    bind(Action::Nudge(-10), &[typed('-')], "last or chosen digit down", ""),
-    bind(Action::Nudge(100), &[shift(KeyCode::Up)], "that digit up by ten", ""),
-    bind(Action::Nudge(-100), &[shift(KeyCode::Down), typed('_')], "that digit down by ten", ""),
+    bind(Action::Nudge(10), &[typed('+'), typed('=')], "increase the last (or selected) digit", "adjust"),
+    bind(Action::Nudge(-10), &[typed('-')], "decrease the last (or selected) digit", ""),
+    bind(Action::Nudge(100), &[shift(KeyCode::Up)], "increase by ten of that digit", ""),
+    bind(Action::Nudge(-100), &[shift(KeyCode::Down), typed('_')], "decrease by ten of that digit", ""),
     bind(
         Action::Nudge(1),
         &[alt(KeyCode::Up), alt(KeyCode::Char('+')), alt(KeyCode::Char('='))],
-        "a tenth of that digit up",
+        "increase by a tenth of that digit",
         "",
     ),
-    bind(Action::Nudge(-1), &[alt(KeyCode::Down), alt(KeyCode::Char('-'))], "a tenth of that digit down", ""),
-    bind(Action::Left, LEFT, "digit before, for + and -; alternative before", ""),
-    bind(Action::Right, RIGHT, "next digit; next alternative", ""),
-    bind(Action::Toggle, &[typed(' ')], "yes or no, in or out", ""),
+    bind(
+        Action::Nudge(-1),
+        &[alt(KeyCode::Down), alt(KeyCode::Char('-'))],
+        "decrease by a tenth of that digit",
+        "",
+    ),
+    bind(Action::Left, LEFT, "select digit to the left; previous option", ""),
+    bind(Action::Right, RIGHT, "select digit to the right; next option", ""),
+    bind(Action::Toggle, &[typed(' ')], "toggle yes/no; include or omit", ""),
     bind(Action::AddRow, &[typed('a')], "add a row", ""),
     bind(Action::DuplicateRow, &[typed('d')], "duplicate the row", ""),
-    bind(Action::DeleteRow, &[typed('x')], "delete the row, or leave the input out", ""),
+    bind(Action::DeleteRow, &[typed('x')], "delete the row, or omit the input", ""),
     bind(Action::MoveRowUp, &[typed('K')], "move the row up", ""),
     bind(Action::MoveRowDown, &[typed('J')], "move the row down", ""),
-    bind(Action::FoldRow, &[typed('f')], "fold the row, or unfold it", ""),
-    bind(Action::FoldRows, &[typed('F')], "fold every row of the list, or unfold them", ""),
+    bind(Action::FoldRow, &[typed('f')], "collapse or expand the row", ""),
+    bind(Action::FoldRows, &[typed('F')], "collapse or expand all rows of the list", ""),
     bind(Action::Import, &[typed('@')], "import a file into the table", ""),
     bind(Action::Up, UP, "line up", ""),
     bind(Action::Down, DOWN, "line down", ""),
@@ -68,27 +73,32 @@ pub(super) const FORM: &[Binding] = &[
     bind(Action::PageDown, PAGE_DOWN, "page down", ""),
     bind(Action::First, FIRST, "to the first line", ""),
     bind(Action::Last, LAST, "to the last line", ""),
-    bind(Action::Rename, &[typed('T')], "rename: give it a title", ""),
+    bind(Action::Rename, &[typed('T')], "rename (set the title)", ""),
 ];
 
 /// Keys while a field is typed in.
 pub(super) const EDIT: &[Binding] = &[
-    bind(Action::Enter, ENTER, "keep the text", "keep"),
-    bind(Action::Back, ESC, "as it was before", "as before"),
+    bind(Action::Enter, ENTER, "accept", "accept"),
+    bind(Action::Back, ESC, "cancel", "cancel"),
     bind(
         Action::Down,
         &[plain(KeyCode::Down), plain(KeyCode::Tab)],
-        "keep, and edit the next field",
+        "accept and edit the next field",
         "next field",
     ),
-    bind(Action::Up, &[plain(KeyCode::Up), plain(KeyCode::BackTab)], "keep, and edit the field before", ""),
+    bind(
+        Action::Up,
+        &[plain(KeyCode::Up), plain(KeyCode::BackTab)],
+        "accept and edit the previous field",
+        "",
+    ),
 ];
 
 /// Keys of answers, tables and sources.
 pub(super) const RESULTS: &[Binding] = &[
     bind(Action::Enter, ENTER, "load the case", ""),
-    bind(Action::NextDisplayUnit, &[typed('v')], "another unit of an answer", ""),
-    bind(Action::NextDigits, &[typed('D')], "another number of digits of an answer", ""),
+    bind(Action::NextDisplayUnit, &[typed('v')], "change the unit of an answer", ""),
+    bind(Action::NextDigits, &[typed('D')], "change the digits of an answer", ""),
     bind(Action::Up, UP, "line up", ""),
     bind(Action::Down, DOWN, "line down", ""),
     bind(Action::PageUp, PAGE_UP, "page up", ""),
@@ -99,10 +109,10 @@ pub(super) const RESULTS: &[Binding] = &[
 
 /// Keys of the worked solution.
 pub(super) const WORKING: &[Binding] = &[
-    bind(Action::Reveal, &[typed(' ')], "reveal the next step; without covered ones, page down", "reveal"),
+    bind(Action::Reveal, &[typed(' ')], "reveal the next step; page down if none is hidden", "reveal"),
     bind(Action::Right, RIGHT, "next symbol", "symbols"),
-    bind(Action::Left, LEFT, "symbol before", ""),
-    bind(Action::Enter, ENTER, "to the step or input that the symbol comes from", "follow"),
+    bind(Action::Left, LEFT, "previous symbol", ""),
+    bind(Action::Enter, ENTER, "go to the step or input that defines the symbol", "follow"),
     bind(Action::Up, UP, "line up", ""),
     bind(Action::Down, DOWN, "line down", ""),
     bind(Action::PageUp, PAGE_UP, "page up", ""),
@@ -113,41 +123,41 @@ pub(super) const WORKING: &[Binding] = &[
 
 /// Keys of a plot.
 pub(super) const PLOT: &[Binding] = &[
-    bind(Action::Left, LEFT, "cursor of the plot to the left", ""),
-    bind(Action::Right, RIGHT, "cursor of the plot to the right", ""),
-    bind(Action::PageUp, PAGE_UP, "cursor of the plot far to the left", ""),
-    bind(Action::PageDown, PAGE_DOWN_OR_SPACE, "cursor of the plot far to the right", ""),
-    bind(Action::First, FIRST, "cursor of the plot to its beginning", ""),
-    bind(Action::Last, LAST, "cursor of the plot to its end", ""),
-    bind(Action::ZoomIn, &[typed('+'), typed('=')], "less of the axis, larger", "zoom"),
-    bind(Action::ZoomOut, &[typed('-')], "more of the axis, smaller", ""),
-    bind(Action::ZoomAll, &[typed('0')], "all of the axis", ""),
-    bind(Action::PanLeft, &[typed('<'), shift(KeyCode::Left)], "what lies further left", "move"),
-    bind(Action::PanRight, &[typed('>'), shift(KeyCode::Right)], "what lies further right", ""),
-    bind(Action::NextSpread, &[typed('a')], "values linear, logarithmic, in decibels", "log dB"),
-    bind(Action::NextSpreadAcross, &[typed('x')], "horizontal axis linear or logarithmic", ""),
+    bind(Action::Left, LEFT, "move the plot cursor left", ""),
+    bind(Action::Right, RIGHT, "move the plot cursor right", ""),
+    bind(Action::PageUp, PAGE_UP, "move the plot cursor far left", ""),
+    bind(Action::PageDown, PAGE_DOWN_OR_SPACE, "move the plot cursor far right", ""),
+    bind(Action::First, FIRST, "move the plot cursor to the start", ""),
+    bind(Action::Last, LAST, "move the plot cursor to the end", ""),
+    bind(Action::ZoomIn, &[typed('+'), typed('=')], "zoom in", "zoom"),
+    bind(Action::ZoomOut, &[typed('-')], "zoom out", ""),
+    bind(Action::ZoomAll, &[typed('0')], "full range", ""),
+    bind(Action::PanLeft, &[typed('<'), shift(KeyCode::Left)], "pan left", "move"),
+    bind(Action::PanRight, &[typed('>'), shift(KeyCode::Right)], "pan right", ""),
+    bind(Action::NextSpread, &[typed('a')], "vertical axis: linear, logarithmic, dB", "log dB"),
+    bind(Action::NextSpreadAcross, &[typed('x')], "horizontal axis: linear or logarithmic", ""),
     bind(Action::NextExhibit, &[typed('n')], "next plot or drawing", ""),
-    bind(Action::NextMarker, &[typed('m')], "other marks for curves", ""),
+    bind(Action::NextMarker, &[typed('m')], "change curve markers", ""),
 ];
 
-/// Keys of a drawing or a film.
+/// Keys of a drawing or an animation.
 pub(super) const DRAWING: &[Binding] = &[
-    bind(Action::Play, &[typed(' ')], "let a film move, or hold it", "film"),
-    bind(Action::Left, LEFT, "round a scene in space, to its left", "go round"),
-    bind(Action::Right, RIGHT, "round a scene in space, to its right", ""),
-    bind(Action::Up, UP, "above a scene in space", ""),
-    bind(Action::Down, DOWN, "below a scene in space", ""),
-    bind(Action::UsualView, &[typed('i')], "a scene in space as it is usually seen", ""),
+    bind(Action::Play, &[typed(' ')], "play or pause the animation", "animation"),
+    bind(Action::Left, LEFT, "rotate a 3-D scene to the left", "rotate"),
+    bind(Action::Right, RIGHT, "rotate a 3-D scene to the right", ""),
+    bind(Action::Up, UP, "rotate a 3-D scene upwards", ""),
+    bind(Action::Down, DOWN, "rotate a 3-D scene downwards", ""),
+    bind(Action::UsualView, &[typed('i')], "restore the view of a 3-D scene", ""),
     bind(Action::NextExhibit, &[typed('n')], "next plot or drawing", ""),
 ];
 
 /// Keys of the cells of a tab: of the person's own answers.
 pub(super) const CELLS: &[Binding] = &[
-    bind(Action::Enter, ENTER, "type in the cell, or choose", "type"),
-    bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "empty the cell and type", ""),
-    bind(Action::Left, LEFT, "another answer, or what may be chosen before", "choose"),
-    bind(Action::Right, RIGHT, "another answer, or what may be chosen next", ""),
-    bind(Action::Toggle, &[typed(' ')], "show our answer, or cover it", "show ours"),
+    bind(Action::Enter, ENTER, "edit the cell, or choose", "type"),
+    bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "clear the cell and edit", ""),
+    bind(Action::Left, LEFT, "previous answer or option", "choose"),
+    bind(Action::Right, RIGHT, "next answer or option", ""),
+    bind(Action::Toggle, &[typed(' ')], "show or hide the reference value", "show reference"),
     bind(Action::Up, UP, "line up", ""),
     bind(Action::Down, DOWN, "line down", ""),
     bind(Action::PageUp, PAGE_UP, "page up", ""),
@@ -158,44 +168,44 @@ pub(super) const CELLS: &[Binding] = &[
 
 /// Keys while a cell is typed in.
 pub(super) const CELL: &[Binding] = &[
-    bind(Action::Enter, ENTER, "keep the text", "keep"),
-    bind(Action::Back, ESC, "keep the text", ""),
-    bind(
-        Action::Down,
-        &[plain(KeyCode::Down), plain(KeyCode::Tab)],
-        "keep, and to the next cell",
-        "next cell",
-    ),
-    bind(Action::Up, &[plain(KeyCode::Up), plain(KeyCode::BackTab)], "keep, and to the cell before", ""),
+    bind(Action::Enter, ENTER, "accept", "accept"),
+    bind(Action::Back, ESC, "accept", ""),
+    bind(Action::Down, &[plain(KeyCode::Down), plain(KeyCode::Tab)], "accept, next cell", "next cell"),
+    bind(Action::Up, &[plain(KeyCode::Up), plain(KeyCode::BackTab)], "accept, previous cell", ""),
 ];
 
 /// Keys of every pane of what was found.
 pub const PANES: &[Binding] = &[
     bind(Action::NextPane, TAB, "to the inputs", "edit inputs"),
-    bind(Action::PreviousPane, BACK_TAB, "to the inputs, backwards", ""),
-    bind(Action::PreviousFrame, &[typed(',')], "the frame of a film before", "frames"),
-    bind(Action::NextFrame, &[typed('.')], "the next frame of a film", ""),
+    bind(Action::PreviousPane, BACK_TAB, "to the inputs (reverse)", ""),
+    bind(Action::PreviousFrame, &[typed(',')], "previous frame", "frames"),
+    bind(Action::NextFrame, &[typed('.')], "next frame", ""),
 ];
 
 /// Keys of a problem, wherever on its screen.
 pub const PROBLEM: &[Binding] = &[
     bind(Action::NextTab, &[typed(']')], "next tab", "tabs"),
-    bind(Action::PreviousTab, &[typed('[')], "tab before", ""),
+    bind(Action::PreviousTab, &[typed('[')], "previous tab", ""),
     bind(Action::Undo, &[typed('z')], "undo", "undo"),
     bind(Action::Redo, &[typed('Z')], "redo", ""),
-    bind(Action::TryByHand, &[typed('t')], "cover the results to try by hand, or show them", "try by hand"),
-    bind(Action::Play, &[typed('p')], "let a film move, or hold it", "film"),
-    bind(Action::Expand, &[typed('e')], "this pane alone, or all of them", "expand"),
-    bind(Action::Pin, &[typed('c')], "compare with this result, or no more", "compare"),
+    bind(
+        Action::TryByHand,
+        &[typed('t')],
+        "hide the results to solve by hand, or show them",
+        "solve by hand",
+    ),
+    bind(Action::Play, &[typed('p')], "play or pause the animation", "animation"),
+    bind(Action::Expand, &[typed('e')], "maximise the pane, or restore all", "maximise"),
+    bind(Action::Pin, &[typed('c')], "pin or unpin this result for comparison", "compare"),
     bind(Action::Save, &[typed('s'), ctrl('s')], "save", "save"),
     bind(Action::SaveAs, &[typed('S')], "save under another name", ""),
     bind(Action::Copy, &[typed('y')], "copy what the tab shows", "copy"),
-    bind(Action::ExportSeen, &[typed('P')], "export the plot or drawing that is seen", "export"),
+    bind(Action::ExportSeen, &[typed('P')], "export this plot or drawing", "export"),
     bind(Action::Export, &[typed('X')], "export the worked solution", "export"),
     bind(Action::NextProblem, &[typed('b')], "next open problem", ""),
     bind(Action::CloseProblem, &[typed('B')], "close this problem", ""),
     bind(Action::Edit, &[typed('E')], "edit the problem in $EDITOR", ""),
-    bind(Action::Back, ESC, "stop a solve that runs, or one step back", "back"),
+    bind(Action::Back, ESC, "cancel a running solve, or back", "back"),
 ];
 
 /// Keys of a list to choose from.
@@ -210,21 +220,21 @@ pub(super) const LIST: &[Binding] = &[
 
 /// Keys of a text that is asked for, and of the palette.
 pub(super) const PROMPT: &[Binding] = &[
-    bind(Action::Enter, ENTER, "take it", "take it"),
+    bind(Action::Enter, ENTER, "apply", "apply"),
     bind(Action::Back, ESC, "close", "close"),
     bind(
         Action::Down,
         &[plain(KeyCode::Tab), plain(KeyCode::Down)],
-        "the next line; of a path, the next file or folder that is meant",
+        "next line; for a path, next completion",
         "next",
     ),
-    bind(Action::Up, &[plain(KeyCode::BackTab), plain(KeyCode::Up)], "the line before", ""),
+    bind(Action::Up, &[plain(KeyCode::BackTab), plain(KeyCode::Up)], "previous line", ""),
 ];
 
 /// Keys of a text of many lines.
 pub(super) const SHEET: &[Binding] = &[
-    bind(Action::Back, ESC, "keep and close", "keep and close"),
-    bind(Action::GiveUp, &[ctrl('g')], "close, as it was before", "as before"),
+    bind(Action::Back, ESC, "accept and close", "accept and close"),
+    bind(Action::GiveUp, &[ctrl('g')], "close without changes", "cancel"),
 ];
 
 /// Keys of the help.
@@ -246,19 +256,19 @@ pub(super) const HELP: &[Binding] = &[
 /// Keys of every place where characters are no text.
 pub const COMMON: &[Binding] = &[
     bind(Action::Help, &[typed('?')], "help", "help"),
-    bind(Action::Palette, &[typed(':')], "every action by its name", "actions"),
+    bind(Action::Palette, &[typed(':')], "command palette", "actions"),
     bind(Action::Open, &[typed('o')], "open a problem file", ""),
     bind(Action::Language, &[typed('L')], "em português", ""),
-    bind(Action::Theme, &[], "theme: how things are coloured", ""),
-    bind(Action::Mouse, &[], "mouse: take it, or leave it to the terminal", ""),
+    bind(Action::Theme, &[], "theme", ""),
+    bind(Action::Mouse, &[], "mouse: use it here, or leave it to the terminal", ""),
     bind(Action::Quit, &[typed('q')], "quit", "quit"),
 ];
 
 /// Keys of every place.
 pub const ALWAYS: &[Binding] = &[
     bind(Action::Help, &[plain(KeyCode::F(1))], "help", ""),
-    bind(Action::Suspend, &[ctrl('z')], "to the shell; `fg` comes back", ""),
-    bind(Action::Redraw, &[ctrl('l')], "draw the screen again", ""),
+    bind(Action::Suspend, &[ctrl('z')], "suspend to the shell; `fg` resumes", ""),
+    bind(Action::Redraw, &[ctrl('l')], "redraw the screen", ""),
     bind(Action::Quit, &[ctrl('c')], "quit", ""),
 ];
 

@@ -11,9 +11,9 @@ use unicode_width::UnicodeWidthStr;
 use super::{Page, columns::padded, wrap};
 use crate::{
     ask::Ask,
-    bench::Tab,
     glyphs::filter_untrusted,
     look::{Glyph, Look},
+    tab::Tab,
 };
 
 /// Cells of the narrowest and of the widest cell to type in.
@@ -25,7 +25,7 @@ pub fn page(solution: &Solution, ask: &Ask, focused: bool, look: &Look, locale: 
     let check = &ask.check;
     let locale = &locale.ascii(look.ascii);
     let mut page = Page::default();
-    let words = "Type what you found; ours is covered until yours is right.";
+    let words = "Enter your result. The reference value stays hidden until yours is correct.";
     let words = wrap::words(&Text::new(words).render(locale), width).into_iter();
     page.lines.extend(words.map(|line| Line::styled(line, look.dim())));
     page.lines.push(Line::default());
@@ -130,18 +130,22 @@ impl One<'_> {
             Some(Verdict::Wrong) => match &ask.check.slips {
                 None if ask.waits(Tab::Check) => {
                     say(
-                        &Text::new("not right; looking for a slip that gives this").render(locale),
+                        &Text::new("incorrect; searching for a common error that gives this value")
+                            .render(locale),
                         look.error(),
                     );
                 }
-                None => say(&Text::new("not right").render(locale), look.error()),
+                None => say(&Text::new("incorrect").render(locale), look.error()),
                 Some(all) => {
                     let slips =
                         all.iter().find(|(known, _)| *known == name).map_or(&[][..], |(_, slips)| slips);
                     if slips.is_empty() {
-                        say(&Text::new("not right; no slip we know gives this").render(locale), look.error());
+                        say(
+                            &Text::new("Incorrect. No common error reproduces this value.").render(locale),
+                            look.error(),
+                        );
                     } else {
-                        say(&Text::new("not right; this would give it:").render(locale), look.error());
+                        say(&Text::new("Incorrect. Possible cause:").render(locale), look.error());
                     }
                     for slip in slips {
                         let text = slip.text(solution).render(locale);

@@ -50,7 +50,7 @@ pub fn page(
     let locale = &locale.ascii(look.ascii);
     let mut lines = Vec::new();
     if !solution.defects.is_empty() {
-        let words = Text::new("A fault of the program, not of your inputs; do not trust these results:");
+        let words = Text::new("Internal error, not caused by your inputs; do not trust these results:");
         lines.extend(marked(look, Glyph::Bad, look.error(), &words.render(locale), look.error(), width));
         for defect in &solution.defects {
             lines.extend(wrap::hanging(vec![Span::raw("    ")], defect, look.error(), width));
@@ -58,7 +58,7 @@ pub fn page(
         lines.push(Line::default());
     }
     if pinned.is_some() {
-        let note = Text::new("with the difference to the pinned result, where there is one").render(locale);
+        let note = Text::new("with the difference from the pinned result").render(locale);
         lines.extend(wrap::words(&note, width).into_iter().map(|line| Line::styled(line, look.dim())));
     }
     let before = lines.len();
@@ -100,16 +100,16 @@ pub fn refusal(
             .collect::<Vec<_>>()
     };
     match error {
-        SolveError::Refused(Refusal::Stopped) => heading("The solution was stopped.", look.dim()),
+        SolveError::Refused(Refusal::Stopped) => heading("Solution cancelled.", look.dim()),
         SolveError::Refused(Refusal::NoAnswer(why)) => {
-            let mut lines = heading("There is no answer", look.warning());
+            let mut lines = heading("No solution", look.warning());
             lines.push(Line::default());
             let why = why.render(locale);
             lines.extend(wrap::words(&why, width).into_iter().map(Line::from));
             lines
         }
         SolveError::Fields(errors) => {
-            let mut lines = heading("Not every input can be read", look.error());
+            let mut lines = heading("Some inputs cannot be read", look.error());
             lines.push(Line::default());
             for error in errors {
                 let label = shape.and_then(|shape| label_of(shape, &error.path, locale));
@@ -124,7 +124,7 @@ pub fn refusal(
 
 /// Lines of a pane that belong to the inputs before the last change: dimmed, under a note that says so.
 pub fn stale(lines: Vec<Line<'static>>, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
-    let note = Text::new("of the last valid inputs").render(locale);
+    let note = Text::new("results for the previous, complete inputs").render(locale);
     let note = marked(look, Glyph::Warning, look.warning(), &note, look.warning(), usize::from(width).max(1));
     let dimmed = lines.into_iter().map(|line| {
         let spans = line.spans.into_iter().map(|span| Span::styled(span.content, look.dim()));

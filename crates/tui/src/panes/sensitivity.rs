@@ -14,9 +14,9 @@ use unicode_width::UnicodeWidthStr;
 use super::{Page, check::typed_in, columns::padded, results, wrap};
 use crate::{
     ask::Ask,
-    bench::Tab,
     glyphs::filter_untrusted,
     look::{Glyph, Look},
+    tab::Tab,
 };
 
 /// Cells of a tolerance.
@@ -38,7 +38,7 @@ pub fn page(solution: &Solution, ask: &Ask, focused: bool, look: &Look, locale: 
     page.lines.extend(wrap::words(&title, cells).into_iter().map(|line| Line::styled(line, look.title())));
     let found = match &ask.sensitivity.found {
         None => {
-            let state = if ask.waits(Tab::Sensitivity) { "solving" } else { "stopped" };
+            let state = if ask.waits(Tab::Sensitivity) { "solving" } else { "cancelled" };
             page.lines.push(Line::styled(Text::new(state).render(locale), look.dim()));
             return page;
         }
@@ -80,11 +80,12 @@ pub fn page(solution: &Solution, ask: &Ask, focused: bool, look: &Look, locale: 
     let written = |si: f64, digits| {
         write_quantity(si, &answer.unit, locale.digits(digits).style).replace(' ', "\u{A0}")
     };
-    let together =
-        Text::new("all tolerances together: {least} to {most} at worst, ± {likely} if they are independent")
-            .with("least", written(found.spread.worst[0], 4))
-            .with("most", written(found.spread.worst[1], 4))
-            .with("likely", written(found.spread.likely, 3));
+    let together = Text::new(
+        "all tolerances: {least} to {most} in the worst case, ± {likely} as root-sum-square (independent)",
+    )
+    .with("least", written(found.spread.worst[0], 4))
+    .with("most", written(found.spread.worst[1], 4))
+    .with("likely", written(found.spread.likely, 3));
     let together = plus_minus(&together.render(locale), look);
     page.lines.extend(wrap::words(&together, cells).into_iter().map(Line::from));
     page
@@ -195,7 +196,7 @@ impl Row<'_> {
             .with("more", written(one.sides[1]));
         say(sides, look.dim());
         if one.has_kink(value) {
-            say(Text::new("it does not change alike to both sides"), look.warning());
+            say(Text::new("asymmetric effect"), look.warning());
         }
         if let Some(why) = &one.refused {
             say(Text::new("no answer on one side: {why}").with_text("why", why.clone()), look.warning());

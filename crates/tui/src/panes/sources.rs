@@ -16,7 +16,7 @@ use crate::look::{Glyph, Look};
 
 /// A published case, and how its printed answers compare with ours.
 #[derive(Clone, Debug)]
-pub struct Judged {
+pub struct CheckedCase {
     /// The case.
     pub case: Case,
     /// `None` while it has not been solved.
@@ -28,7 +28,7 @@ pub struct Judged {
 /// what was printed is covered.
 pub fn lines(
     entry: &Entry,
-    cases: &[Judged],
+    cases: &[CheckedCase],
     chosen: Option<usize>,
     answers: Option<&[Answer]>,
     look: &Look,
@@ -130,7 +130,7 @@ fn replaced(text: &str, from: char, to: char, wanted: impl Fn(Option<char>, Opti
         .collect()
 }
 
-fn case(judged: &Judged, n: usize, chosen: bool, words: &Words, lines: &mut Vec<Line<'static>>) {
+fn case(judged: &CheckedCase, n: usize, chosen: bool, words: &Words, lines: &mut Vec<Line<'static>>) {
     let Words { look, locale, width, .. } = *words;
     let Case { source, note, truth, .. } = &judged.case;
     let [name, source, note] = [&judged.case.title(), source, note].map(|text| text.render(locale));
@@ -150,7 +150,7 @@ fn case(judged: &Judged, n: usize, chosen: bool, words: &Words, lines: &mut Vec<
     }
     match &judged.verdicts {
         _ if words.answers.is_none() => {
-            let words = Text::new("what was printed is covered").render(locale);
+            let words = Text::new("published values hidden").render(locale);
             lines.extend(wrap::hanging(space(0), &words, look.dim(), width));
         }
         None => {
@@ -176,7 +176,7 @@ fn compared(verdicts: &[Verdict], space: &[Span<'static>], words: &Words, lines:
     let Words { look, locale, width, .. } = *words;
     let widest =
         |text: &dyn Fn(&Verdict) -> String| verdicts.iter().map(|one| text(one).width()).max().unwrap_or(0);
-    let (printed, ours) = (Text::new("printed").render(locale), Text::new("ours").render(locale));
+    let (printed, ours) = (Text::new("published").render(locale), Text::new("computed").render(locale));
     let name = |one: &Verdict| words.name(&one.answer);
     let theirs = |one: &Verdict| words.printed(&one.printed);
     let mine = |one: &Verdict| words.number(&one.ours);
@@ -226,7 +226,7 @@ fn kind(truth: Truth) -> &'static str {
     match truth {
         Truth::Published => "published",
         Truth::ClosedForm => "closed form",
-        Truth::OtherProgram => "by another program",
-        Truth::OwnEarlierValue => "our own earlier value",
+        Truth::OtherProgram => "other program",
+        Truth::OwnEarlierValue => "regression value",
     }
 }

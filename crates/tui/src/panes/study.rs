@@ -10,9 +10,9 @@ use unicode_width::UnicodeWidthStr;
 use super::{Page, check::typed_in, columns::padded, results, wrap};
 use crate::{
     ask::{Ask, Subject},
-    bench::Tab,
     glyphs::filter_untrusted,
     look::{Glyph, Look},
+    tab::Tab,
 };
 
 /// The cells and what was found; the page starts at each cell.
@@ -65,7 +65,7 @@ pub fn page(of: &Subject<'_>, ask: &Ask, focused: bool, look: &Look, locale: &Lo
     match &study.found {
         _ if plan.is_err() => {}
         _ if ask.waits(Tab::Study) => page.lines.push(dim("solving")),
-        None => page.lines.push(dim("stopped")),
+        None => page.lines.push(dim("cancelled")),
         Some(Err(error)) => page.lines.extend(results::refusal(None, error, look, locale, width)),
         Some(Ok(found)) => {
             for text in &found.says {

@@ -79,7 +79,7 @@ pub fn read(
     }
     let more = solution.steps.len().saturating_sub(revealed);
     if more > 0 {
-        let words = Text::new("{count} of {all} steps are covered; {key} in this tab reveals the next one")
+        let words = Text::new("{count} of {all} steps hidden; {key} in this tab reveals the next")
             .with("key", reveal)
             .with("count", more)
             .with("all", solution.steps.len())
@@ -99,7 +99,7 @@ fn made_of(
     lines: &mut Vec<Line<'static>>,
 ) {
     let &Reader { look, locale, width, indent } = reader;
-    let mut parts = vec![Span::styled(Text::new("made of").render(locale), look.dim())];
+    let mut parts = vec![Span::styled(Text::new("depends on").render(locale), look.dim())];
     for (n, id) in symbols(solution, step).into_iter().enumerate() {
         let symbol = look.words(&printer::formula(solution, id, locale)).into_owned();
         let from = step_of(solution, id).map_or_else(String::new, |step| format!(" ({})", step + 1));

@@ -110,7 +110,7 @@ impl State {
     /// Why values can be spread in one way alone.
     pub fn next_spread(self, plot: &Plot) -> Result<Self, &'static str> {
         if !has_logarithms(plot) {
-            return Err("values below zero have no logarithm: this axis stays linear");
+            return Err("negative values have no logarithm: the axis stays linear");
         }
         let spread = match self.view.spread_of(plot) {
             Spread::Linear => Spread::Log,
@@ -127,7 +127,7 @@ impl State {
     /// Why it stays linear.
     pub fn next_spread_across(self, plot: &Plot) -> Result<Self, &'static str> {
         if !has_logarithms_across(plot) {
-            return Err("what is not above zero has no logarithm: this axis stays linear");
+            return Err("zero and negative values have no logarithm: the axis stays linear");
         }
         let across = match self.view.scale_across(plot) {
             Scale::Linear => Scale::Log,

@@ -9,7 +9,7 @@ use std::{
 use dalembert_core::{Entry, Text, find, registry};
 
 use super::{Act, Replay, svg};
-use crate::{Msg, stage::Stage, view::tempo};
+use crate::{Msg, harness::Harness, view::tempo};
 
 /// What a session left.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -61,7 +61,7 @@ impl Failure {
                 Text::new("line {line}: `{text}` is not on the screen").with("line", line).with("text", text)
             }
             Failure::Ended(line) => {
-                Text::new("line {line}: the program has ended already").with("line", line)
+                Text::new("line {line}: the program has already ended").with("line", line)
             }
         }
     }
@@ -75,38 +75,38 @@ impl fmt::Display for Failure {
 
 impl std::error::Error for Failure {}
 
-/// Plays a session that stands in a folder. A film shows the frames that the time of a `wait` has room for.
+/// Plays a session that stands in a folder. An animation shows the frames that the time of a `wait` has room for.
 pub fn play(replay: &Replay, folder: &Path) -> Result<Played, Failure> {
-    let mut stage = Stage::new(registry(), replay.screen, replay.language, replay.look);
-    (stage.model.readonly, stage.model.played) = (true, true);
+    let mut harness = Harness::new(registry(), replay.screen, replay.language, replay.look);
+    (harness.model.readonly, harness.model.played) = (true, true);
     if let Some(named) = &replay.open {
         let (file, analysis) = to_open(named, folder)?;
-        stage.begins(file, analysis);
+        harness.begins(file, analysis);
     }
     let mut pictures = Vec::new();
     for (line, act) in &replay.acts {
-        if stage.has_left {
+        if harness.has_left {
             return Err(Failure::Ended(*line));
         }
         match act {
-            Act::Type(keys) => keys.iter().for_each(|key| stage.happens(Msg::Key(*key))),
-            Act::Paste(text) => stage.happens(Msg::Paste(text.clone())),
-            Act::Resize(columns, rows) => stage.resizes(*columns, *rows),
-            Act::Wait(time) => pass(&mut stage, *time),
+            Act::Type(keys) => keys.iter().for_each(|key| harness.happens(Msg::Key(*key))),
+            Act::Paste(text) => harness.happens(Msg::Paste(text.clone())),
+            Act::Resize(columns, rows) => harness.resizes(*columns, *rows),
+            Act::Wait(time) => pass(&mut harness, *time),
             Act::UntilSolved => {}
             Act::Picture(name) => {
-                let text = stage.text();
-                pictures.push(Picture { name: name.clone(), text, svg: svg::screen(stage.draws()) });
+                let text = harness.text();
+                pictures.push(Picture { name: name.clone(), text, svg: svg::screen(harness.draws()) });
             }
             Act::Expect(text) => {
-                let screen = stage.text();
+                let screen = harness.text();
                 if !collapsed(&screen).contains(&collapsed(text)) {
                     return Err(Failure::NotSeen { line: *line, text: text.clone(), screen });
                 }
             }
         }
     }
-    Ok(Played { pictures, last: stage.text() })
+    Ok(Played { pictures, last: harness.text() })
 }
 
 /// What a session opens: a file or an analysis.
@@ -125,10 +125,10 @@ fn collapsed(text: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-fn pass(stage: &mut Stage, time: Duration) {
+fn pass(harness: &mut Harness, time: Duration) {
     let mut left = time;
-    while let Some(tempo) = tempo(&stage.model).filter(|tempo| !tempo.is_zero() && *tempo <= left) {
+    while let Some(tempo) = tempo(&harness.model).filter(|tempo| !tempo.is_zero() && *tempo <= left) {
         left -= tempo;
-        stage.happens(Msg::Tick);
+        harness.happens(Msg::Tick);
     }
 }

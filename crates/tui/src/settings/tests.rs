@@ -18,7 +18,7 @@ fn a_file_sets_what_it_names() {
     assert_eq!(settings.language, Some(Language::Portuguese));
     assert_eq!((settings.theme, settings.ascii, settings.mouse), (Theme::HighContrast, true, Some(false)));
     assert_eq!((settings.marker, settings.decimal), (Some(Marker::Dot), Some(Decimal::Comma)));
-    assert_eq!((settings.digits, settings.film_speed), (7, 2.0));
+    assert_eq!((settings.digits, settings.animation_speed), (7, 2.0));
     assert_eq!(settings.editor.as_deref(), Some("code --wait"));
     assert_eq!(settings.keys.key(Place::Plot, Action::Save), Key::parse("f5").ok());
     assert_eq!(settings.keys.key(Place::Plot, Action::ZoomIn), Key::parse("i").ok());
@@ -31,15 +31,15 @@ fn what_cannot_be_taken_is_named_with_its_line_and_the_rest_holds() {
     assert_eq!(
         faults(text),
         [
-            (1, "there is no setting `lnguage`; did you mean `language`?".into()),
+            (1, "unknown setting `lnguage`; did you mean `language`?".into()),
             (2, "`theme` cannot be `drak`; did you mean `dark`?".into()),
             (3, "`ascii` is true or false, without quotes".into()),
-            (4, "`digits` is a whole number from 1 to 17".into()),
-            (6, "there is no action `saev`; did you mean `save`?".into()),
-            (7, "`ctrl-pup` is no key; did you mean `ctrl-up`?".into()),
+            (4, "`digits` is an integer from 1 to 17".into()),
+            (6, "unknown command `saev`; did you mean `save`?".into()),
+            (7, "`ctrl-pup` is not a key; did you mean `ctrl-up`?".into()),
             (8, "`open` is a key in quotes, or several: [\"s\", \"ctrl-s\"]".into()),
-            (9, "`u` means `next-unit` already in [keys.inputs]: take another key, or write `next-unit = []` there".into()),
-            (10, "there is no place `plto`; did you mean `plot`?".into()),
+            (9, "`u` already means `next-unit` in [keys.inputs]: choose another key, or write `next-unit = []` there".into()),
+            (10, "unknown table `plto`; did you mean `plot`?".into()),
         ]
     );
     let (settings, _) = parse(&format!("editor = \"nano\"\n{text}"));

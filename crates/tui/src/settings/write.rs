@@ -19,57 +19,51 @@ pub fn default_file(locale: &Locale) -> String {
     comment(
         &mut file,
         &say(Text::new(
-            "Settings of dalembert. A line that begins with # sets nothing: take the # away and change the value.",
+            "Settings of dalembert. Lines that start with # are comments: remove the # and change the value.",
         )),
     );
     let settings = [
         (
             "language",
             String::new(),
-            Text::new("The language: {known}; without this line that of the environment.")
+            Text::new("Language: {known}; default: that of the environment.")
                 .with("known", names(&LANGUAGES.map(|(name, _)| name))),
         ),
         (
             "theme",
             quoted(default.theme.id()),
-            Text::new("Colours: {known}. `terminal` are those of your terminal's own palette.")
+            Text::new("Theme: {known}. `terminal` uses the palette of your terminal.")
                 .with("known", names(&Theme::ALL.map(Theme::id))),
         ),
-        ("ascii", default.ascii.to_string(), Text::new("Nothing but ASCII characters.")),
+        ("ascii", default.ascii.to_string(), Text::new("ASCII characters only.")),
         (
             "mouse",
             String::new(),
             Text::new(
-                "Take the mouse: true or false; without this line true, and over ssh false. Selecting text with the mouse then needs Shift.",
+                "Mouse: true or false; default: true, over ssh false. With the mouse in use, selecting text needs Shift.",
             ),
         ),
         (
             "marker",
             String::new(),
-            Text::new(
-                "What curves are drawn with: {known}; without this line the finest that the terminal shows.",
-            )
-            .with("known", names(&MARKERS.map(|(name, _)| name))),
+            Text::new("Curve markers: {known}; default: the finest that the terminal supports.")
+                .with("known", names(&MARKERS.map(|(name, _)| name))),
         ),
         (
             "decimal",
             String::new(),
-            Text::new("The decimal mark: {known}; without this line that of the language.")
+            Text::new("Decimal mark: {known}; default: that of the language.")
                 .with("known", names(&DECIMALS.map(|(name, _)| name))),
         ),
-        ("digits", default.digits.to_string(), Text::new("Significant digits of results, 1 to 17.")),
+        ("digits", default.digits.to_string(), Text::new("Significant digits of results: 1 to 17.")),
         (
-            "film-speed",
-            format!("{:?}", default.film_speed),
+            "animation-speed",
+            format!("{:?}", default.animation_speed),
             Text::new(
-                "How fast films move: 0.5 is half as fast; at 0 they are held until a key lets them move.",
+                "Speed of animations: 0.5 is half speed; at 0 they stay paused until a key plays them.",
             ),
         ),
-        (
-            "editor",
-            String::new(),
-            Text::new("The command that edits a problem; without this line that of $VISUAL or $EDITOR."),
-        ),
+        ("editor", String::new(), Text::new("Command that edits a problem; default: $VISUAL or $EDITOR.")),
     ];
     for (key, value, about) in settings {
         file += "\n";

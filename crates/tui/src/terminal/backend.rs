@@ -36,7 +36,7 @@ const ATTRIBUTES: [(Modifier, u8); 9] = [
 ];
 
 /// Writes frames to `out`.
-pub(super) struct Frugal<W: Write> {
+pub(super) struct MinimalBackend<W: Write> {
     crossterm: CrosstermBackend<W>,
     out: W,
 }
@@ -55,7 +55,7 @@ struct Change {
     to: Ink,
 }
 
-impl<W: Write + Clone> Frugal<W> {
+impl<W: Write + Clone> MinimalBackend<W> {
     pub(super) fn new(out: W) -> Self {
         Self { crossterm: CrosstermBackend::new(out.clone()), out }
     }
@@ -123,7 +123,7 @@ fn color(color: Color, ground: u8) -> String {
     }
 }
 
-impl<W: Write> Backend for Frugal<W> {
+impl<W: Write> Backend for MinimalBackend<W> {
     type Error = io::Error;
 
     fn draw<'a, I>(&mut self, cells: I) -> io::Result<()>
@@ -229,7 +229,7 @@ mod tests {
         let mut screen = vt100::Parser::new(rows, columns, 0);
         let viewport = ratatui::Viewport::Fixed(ratatui::layout::Rect::new(0, 0, columns, rows));
         let options = ratatui::TerminalOptions { viewport };
-        let mut terminal = Terminal::with_options(Frugal::new(bytes.clone()), options).unwrap();
+        let mut terminal = Terminal::with_options(MinimalBackend::new(bytes.clone()), options).unwrap();
         // A generator of no quality serves (Numerical Recipes, 2nd edition, section 7.1).
         let mut state = 1u32;
         let mut below = |n: u32| {

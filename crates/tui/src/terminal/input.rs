@@ -36,7 +36,7 @@ pub(super) struct Reader {
 
 /// What ended a wait.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Waited {
+pub(super) enum WaitResult {
     /// Bytes were decoded, a wake came, or the time is over.
     Alive,
     /// The terminal is gone.
@@ -61,7 +61,7 @@ impl Reader {
     }
 
     /// Waits until something happens or `timeout` is over, then takes everything that is already there.
-    pub(super) fn wait(&mut self, timeout: Duration, inputs: &mut Vec<Input>) -> io::Result<Waited> {
+    pub(super) fn wait(&mut self, timeout: Duration, inputs: &mut Vec<Input>) -> io::Result<WaitResult> {
         let start = Instant::now();
         let mut first = None;
         loop {
@@ -76,7 +76,7 @@ impl Reader {
             let (readable, woken, gone) = self.poll(wait)?;
             if readable {
                 let count = match rustix::io::read(rustix::stdio::stdin(), &mut self.buffer[..]) {
-                    Ok(0) | Err(rustix::io::Errno::IO) => return Ok(Waited::HungUp),
+                    Ok(0) | Err(rustix::io::Errno::IO) => return Ok(WaitResult::HungUp),
                     Ok(count) => count,
                     Err(rustix::io::Errno::INTR | rustix::io::Errno::AGAIN) => 0,
                     Err(error) => return Err(error.into()),
@@ -84,21 +84,21 @@ impl Reader {
                 self.decoder.feed(&self.buffer[..count], inputs);
                 self.deadline = self.decoder.patience().map(|patience| Instant::now() + patience);
             } else if gone {
-                return Ok(Waited::HungUp);
+                return Ok(WaitResult::HungUp);
             } else if self.deadline.is_some_and(|deadline| deadline <= Instant::now()) {
                 self.decoder.settle(inputs);
                 self.deadline = None;
             }
             if woken {
-                return Ok(Waited::Alive);
+                return Ok(WaitResult::Alive);
             }
             if !inputs.is_empty() {
                 let burst = first.get_or_insert_with(Instant::now).elapsed();
                 if !readable || burst > BURST {
-                    return Ok(Waited::Alive);
+                    return Ok(WaitResult::Alive);
                 }
             } else if start.elapsed() >= timeout {
-                return Ok(Waited::Alive);
+                return Ok(WaitResult::Alive);
             }
         }
     }

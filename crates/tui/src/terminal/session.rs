@@ -13,9 +13,9 @@ use ratatui::{Frame, Terminal, layout::Rect};
 
 use super::{
     Input, TerminalError, Waker,
-    backend::Frugal,
+    backend::MinimalBackend,
     failed, guard,
-    input::{Reader, Waited},
+    input::{Reader, WaitResult},
     panics,
     shared::{Autosave, Shared},
     signals, usable,
@@ -44,7 +44,7 @@ pub struct Options {
 /// It belongs to the thread that made it; a panic of that thread gives the terminal back before its message is
 /// printed, a panic of any other becomes an [`Input::Notice`].
 pub struct Session {
-    terminal: Terminal<Frugal<FrameBytes>>,
+    terminal: Terminal<MinimalBackend<FrameBytes>>,
     bytes: FrameBytes,
     reader: Reader,
     shared: Arc<Shared>,
@@ -61,7 +61,7 @@ impl Session {
         let autosave: Option<Autosave> = autosave;
         let shared = Arc::new(Shared::new(mouse, autosave, waker));
         let bytes = FrameBytes::default();
-        let terminal = Terminal::new(Frugal::new(bytes.clone())).map_err(failed("tell its size"))?;
+        let terminal = Terminal::new(MinimalBackend::new(bytes.clone())).map_err(failed("tell its size"))?;
         panics::watch(&shared);
         signals::watch(&shared, guard::parent()).map_err(failed("let its signals be watched"))?;
         shared.take().map_err(failed("switch to raw mode"))?;
@@ -121,7 +121,7 @@ impl Session {
         let mut inputs = Vec::new();
         let lost = self.shared.is_active() && self.shared.repaint.load(SeqCst);
         let timeout = if lost { Duration::ZERO } else { timeout };
-        if self.reader.wait(timeout, &mut inputs).map_err(failed("read keys"))? == Waited::HungUp {
+        if self.reader.wait(timeout, &mut inputs).map_err(failed("read keys"))? == WaitResult::HungUp {
             self.shared.end(signal_hook::consts::SIGHUP);
         }
         if self.shared.resized.swap(false, SeqCst) {

@@ -8,11 +8,12 @@ use tui_input::{Input, InputRequest};
 use super::{bench::bring_in, remember_done, request, type_in};
 use crate::{
     ask::{self, Question, Reply},
-    bench::{Bench, CellOf, Focus, State, Tab},
+    bench::{Bench, CellOf, Focus, State},
     form,
     keys::Action,
     model::{Effect, Model},
     solver::{Job, Outcome, Work},
+    tab::Tab,
 };
 
 /// A key on the cells of a tab.
@@ -153,7 +154,7 @@ pub(super) fn take(model: &mut Model, outcome: Outcome) {
         Some(Reply::Study(found)) => bench.ask.study.found = Some(*found),
         // A fault of the program: what was asked has no answer.
         None => {
-            let failed = SolveError::from(Refusal::because("this failed (a fault of the program)"));
+            let failed = SolveError::from(Refusal::because("failed (internal error)"));
             match tab {
                 Tab::Sensitivity => bench.ask.sensitivity.found = Some(Err(failed)),
                 Tab::Study => bench.ask.study.found = Some(Err(failed)),
@@ -308,6 +309,6 @@ fn praise(model: &mut Model) -> Vec<Effect> {
     if std::mem::replace(&mut bench.ask.check.praised, true) {
         return Vec::new();
     }
-    model.say("all that is asked for is right: well done");
+    model.say("all required answers are correct");
     remember_done(model)
 }

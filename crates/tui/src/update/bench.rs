@@ -18,7 +18,7 @@ use tui_input::InputRequest;
 
 use super::{ask, export, files, picker, remembering, request, too_long, type_in};
 use crate::{
-    bench::{Bench, Focus, State, Tab},
+    bench::{Bench, Focus, State},
     dialog::{Choice, Chosen, Dialog, Purpose, Sheet},
     files::FileError,
     form::{self, Filled, Line, Role, Sign},
@@ -28,6 +28,7 @@ use crate::{
     model::{Effect, Model},
     plot,
     solver::{Job, Outcome, Work},
+    tab::Tab,
     view,
 };
 
@@ -36,7 +37,7 @@ const CURSOR_STEP: f64 = 0.01;
 /// A share of an axis beyond any of its ends.
 const FAR: f64 = 1e6;
 /// What is said of a key that chooses where there is nothing to choose.
-const NO_ALTERNATIVE: &str = "there are no alternatives here";
+const NO_ALTERNATIVE: &str = "no options here";
 
 pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect> {
     match action {
@@ -47,7 +48,7 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
         Action::Edit => return super::edit::begin(model),
         Action::NextTab => return turn(model, 1),
         Action::Play | Action::PreviousFrame | Action::NextFrame => {
-            pictures::film(model, action);
+            pictures::animation(model, action);
             return Vec::new();
         }
         Action::PreviousTab => return turn(model, -1),
@@ -98,8 +99,8 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
             bench.expanded = false;
             Vec::new()
         }
-        Action::Undo => after(model, |bench| bench.form.undo(), "there is nothing to undo"),
-        Action::Redo => after(model, |bench| bench.form.redo(), "there is nothing to redo"),
+        Action::Undo => after(model, |bench| bench.form.undo(), "nothing to undo"),
+        Action::Redo => after(model, |bench| bench.form.redo(), "nothing to redo"),
         _ => match place {
             Place::Edit => edit(model, action),
             Place::Form => form(model, action),
@@ -148,9 +149,9 @@ fn stop(model: &mut Model) -> Vec<Effect> {
     if matches!(bench.found.state, State::Solving(_)) {
         bench.found.state = State::Stopped;
         bench.found.hidden |= !bench.is_near_the_solved();
-        model.say("the solve is stopped; the next change of an input solves again");
+        model.say("solve cancelled; the next change of an input restarts it");
     } else if let Some(tab) = asked {
-        let said = Text::new("{tab} is stopped; the next change there begins it again");
+        let said = Text::new("{tab} cancelled; the next change there restarts it");
         model.say(said.with_text("tab", tab.name()));
     }
     vec![Effect::Cancel]
@@ -211,7 +212,7 @@ pub(super) fn tell_hidden(model: &mut Model, problem: u64, before: Option<&[Text
     };
     let is_new = |warning: &&Text| before.is_some_and(|before| !before.contains(warning));
     if let Some(warning) = found.warnings.iter().find(is_new) {
-        let said = Text::new("the results warn now: {warning}").with_text("warning", warning.clone());
+        let said = Text::new("new warning: {warning}").with_text("warning", warning.clone());
         model.complain(said);
     }
 }
@@ -241,14 +242,14 @@ pub(super) fn begin_by_typing(model: &mut Model, key: KeyEvent, sign: Option<Sig
     let (instead, action) = match bench.form.line().map(|line| line.role) {
         Some(Role::Leaf { shape: Shape::Flag, .. }) => (Text::new("{key} changes it"), Action::Toggle),
         Some(Role::Leaf { shape: Shape::Reference(list), .. }) if !bench.form.names(list).is_empty() => {
-            (Text::new("{key} opens the choices"), Action::Enter)
+            (Text::new("{key} opens the options"), Action::Enter)
         }
-        Some(Role::Choice { .. }) => (Text::new("{key} opens the choices"), Action::Enter),
+        Some(Role::Choice { .. }) => (Text::new("{key} opens the options"), Action::Enter),
         Some(Role::Table { .. }) => {
             let text = Text::new("{key} edits, paste replaces, {import} imports a file");
             (text.with("import", model.key(Place::Form, Action::Import)), Action::Enter)
         }
-        Some(Role::Absent) => (Text::new("{key} puts it in"), Action::Toggle),
+        Some(Role::Absent) => (Text::new("{key} includes it"), Action::Toggle),
         Some(Role::Leaf { .. }) => {
             let sign = sign.and_then(|sign| bench.form.take_back(sign));
             bench.form.begin(Some(String::new()));
@@ -284,7 +285,7 @@ pub(super) fn table_read(model: &mut Model, field: &str, result: Result<String, 
             after(
                 model,
                 |bench| bench.form.set(field, text, Decimal::Point),
-                "the table holds this file already",
+                "the table already contains this file",
             )
         }
         // The path stays there to be put right.
@@ -306,8 +307,8 @@ fn ask_import(model: &mut Model) -> Vec<Effect> {
     let tables: Vec<Line> = bench.form.lines().into_iter().filter(is_table).collect();
     let under_cursor = bench.form.line().filter(is_table);
     match (under_cursor, tables.as_slice()) {
-        (None, []) => model.say("these inputs have no table of numbers"),
-        (None, [_, _, ..]) => model.say("there are several tables: go to one of them"),
+        (None, []) => model.say("this problem has no table of numbers; choose a table option first"),
+        (None, [_, _, ..]) => model.say("several tables: move to one of them first"),
         (table, all) => {
             if let Some(line) = table.or(all.first().cloned()) {
                 bench.form.go_to(&line.path);
@@ -326,8 +327,7 @@ pub(super) fn import(model: &mut Model, typed: &str) -> Vec<Effect> {
     match field.and_then(|field| file_of_table(model, &field, &named)) {
         Some(effect) if named.len() > 1 => vec![effect],
         _ => {
-            model.dialog =
-                Some(Dialog::prompt_again(Purpose::Import, named, "type the name of a file".into()));
+            model.dialog = Some(Dialog::prompt_again(Purpose::Import, named, "enter a file name".into()));
             Vec::new()
         }
     }
@@ -359,17 +359,17 @@ pub(super) fn paste(model: &mut Model, text: &str) -> Vec<Effect> {
 /// Says what a pasted block filled, and what of it could not be taken.
 fn told_filled(model: &mut Model, filled: Filled) -> Vec<Effect> {
     let mut said = vec![match filled.rows {
-        1 => Text::new("one row is filled"),
-        rows => Text::new("{rows} rows are filled").with("rows", rows),
+        1 => Text::new("one row filled"),
+        rows => Text::new("{rows} rows filled").with("rows", rows),
     }];
     if filled.heading {
-        said.push("the first line is a heading and is left out".into());
+        said.push("first line skipped (heading)".into());
     }
     if filled.cells > 0 {
-        said.push(Text::new("left out, beyond the last field of a row: {cells}").with("cells", filled.cells));
+        said.push(Text::new("ignored, beyond the last field of a row: {cells}").with("cells", filled.cells));
     }
     if filled.lines > 0 {
-        said.push(Text::new("left out, lines at the end: {lines}").with("lines", filled.lines));
+        said.push(Text::new("ignored, lines at the end: {lines}").with("lines", filled.lines));
     }
     let text = said
         .into_iter()
@@ -426,35 +426,35 @@ fn form(model: &mut Model, action: Action) -> Vec<Effect> {
         Action::Enter => return enter(model),
         Action::Clear if form.begin(Some(String::new())) => return changed(model),
         Action::Left | Action::Right if form.aim(action == Action::Left) => {}
-        Action::Clear => model.say("there is no text here to be typed over"),
+        Action::Clear => model.say("no text to replace here"),
         Action::Left => return after(model, |bench| bench.form.cycle(-1), NO_ALTERNATIVE),
         Action::Right => return after(model, |bench| bench.form.cycle(1), NO_ALTERNATIVE),
         Action::Toggle => {
-            return after(model, |bench| bench.form.toggle(), "this is no yes or no, and cannot be left out");
+            return after(model, |bench| bench.form.toggle(), "Space has no effect on this field");
         }
         Action::Nudge(tenths) => {
-            return after(model, |bench| bench.form.nudge(tenths), "this is no number with a last digit");
+            return after(model, |bench| bench.form.nudge(tenths), "+ and - change numbers only");
         }
         Action::NextUnit => {
-            return after(model, |bench| bench.form.next_unit(), "this has no other unit");
+            return after(model, |bench| bench.form.next_unit(), "no other unit available");
         }
         Action::FoldRow | Action::FoldRows => {
             let folds = if action == Action::FoldRow { form.fold_row() } else { form.fold_rows() };
             if !folds {
-                model.say("there is no row here that can be folded");
+                model.say("no row to collapse here");
             }
         }
         Action::Import => return ask_import(model),
-        Action::AddRow => return after(model, |bench| bench.form.add_row(), "there is no list here"),
+        Action::AddRow => return after(model, |bench| bench.form.add_row(), "not in a list"),
         Action::DuplicateRow => {
-            return after(model, |bench| bench.form.duplicate_row(), "there is no row here");
+            return after(model, |bench| bench.form.duplicate_row(), "no row selected");
         }
-        Action::DeleteRow => return after(model, |bench| bench.form.delete_row(), "there is no row here"),
+        Action::DeleteRow => return after(model, |bench| bench.form.delete_row(), "no row selected"),
         Action::MoveRowUp => {
-            return after(model, |bench| bench.form.move_row(-1), "this row cannot go further");
+            return after(model, |bench| bench.form.move_row(-1), "the row is already at the end");
         }
         Action::MoveRowDown => {
-            return after(model, |bench| bench.form.move_row(1), "this row cannot go further");
+            return after(model, |bench| bench.form.move_row(1), "the row is already at the end");
         }
         Action::Back => return picker::come_back(model),
         _ => {}
@@ -572,14 +572,14 @@ fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
             pictures::go_round(model, action);
         }
         Action::NextMarker if model.look.ascii => {
-            model.say("in ASCII every curve has a character of its own, and there are no other marks");
+            model.say("in ASCII mode each curve has its own character; there are no other markers");
         }
         Action::NextMarker => {
             bench.plot_state = bench.plot_state.next_marker();
             model.marker = bench.plot_state.marker;
         }
         Action::NextExhibit if bench.exhibits_of(bench.tab) < 2 => {
-            model.say(if in_plot { "there is no other plot" } else { "there is no other drawing" });
+            model.say(if in_plot { "no other plot" } else { "no other drawing" });
         }
         Action::NextExhibit => match bench.tab {
             Tab::Plot => {
@@ -596,7 +596,7 @@ fn pane(model: &mut Model, action: Action) -> Vec<Effect> {
         },
         Action::Enter if bench.tab == Tab::Sources => return load_case(model),
         Action::Enter if bench.place() == Place::Pane => {
-            let said = Text::new("there is nothing to open here: {key} loads a case in the sources");
+            let said = Text::new("nothing to open here: {key} loads a case in Sources");
             model.say(said.with("key", model.key(Place::Pane, Action::Enter)));
         }
         Action::Up | Action::Down if bench.tab == Tab::Sources => {
@@ -625,13 +625,13 @@ fn has_cursor(bench: &Bench) -> bool {
 fn pin(model: &mut Model) {
     let Some(bench) = &mut model.bench else { return };
     if bench.pinned.take().is_some() {
-        model.say("nothing is compared any more");
+        model.say("comparison off");
     } else if bench.is_stale() || bench.found.solution.is_none() {
-        model.say("these inputs have no result to compare with");
+        model.say("no result to pin: solve the problem first");
     } else {
         bench.pinned.clone_from(&bench.found.solution);
         let key = model.key(Place::Form, Action::Pin);
-        let said = "from now on every answer says how it differs from this result; {key} ends it";
+        let said = "result pinned: later answers show the difference from it; {key} unpins it";
         model.say(Text::new(said).with("key", key));
     }
 }
@@ -667,7 +667,7 @@ pub(super) fn load_case(model: &mut Model) -> Vec<Effect> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let Some(case) = bench.cases.get(bench.case).map(|judged| judged.case.clone()) else { return Vec::new() };
     let untouched = !bench.is_unsaved() && bench.file.is_none();
-    let said = Text::new("{case} is loaded; {key} brings the inputs back").with_text("case", case.title());
+    let said = Text::new("{case} loaded; {key} restores the previous inputs").with_text("case", case.title());
     let said = said.with("key", undo);
     bench.form.replace(case.draft.clone());
     bench.title.clear();
@@ -729,7 +729,7 @@ pub(super) fn bring_in(model: &mut Model, part: usize) {
 fn copy(model: &mut Model) -> Vec<Effect> {
     let Some(bench) = &model.bench else { return Vec::new() };
     if bench.is_stale() {
-        model.complain("nothing is copied: what is shown does not belong to these inputs");
+        model.complain("not copied: the results shown are for other inputs");
         return Vec::new();
     }
     let text = match Bench::nth(bench.plots(), bench.plot) {
@@ -743,7 +743,7 @@ fn copy(model: &mut Model) -> Vec<Effect> {
         }
     };
     if text.trim().is_empty() {
-        let said = Text::new("there is no text to copy here; {key} exports the plot or drawing that is seen");
+        let said = Text::new("no text to copy here; {key} exports the plot or drawing");
         model.say(said.with("key", model.key(Place::Plot, Action::ExportSeen)));
         return Vec::new();
     }

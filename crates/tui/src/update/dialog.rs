@@ -9,10 +9,11 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use super::{act as act_there, ask, bench, export, files, problems};
 use crate::{
     bench::State,
-    dialog::{Answer, Chosen, Dialog, Purpose, offered},
+    dialog::{After, Answer, Chosen, Dialog, Purpose},
     files::Before,
     keys::Action,
-    model::{After, Effect, Model},
+    model::{Effect, Model},
+    palette::offered,
     solver::{Job, Work},
     terminal::Fault,
     view,
@@ -170,7 +171,7 @@ fn enter(model: &mut Model) -> Vec<Effect> {
             match purpose {
                 Purpose::Title => bench::rename(model, typed),
                 _ if typed.is_empty() => {
-                    let error = "type the name of a file".into();
+                    let error = "enter a file name".into();
                     model.dialog = Some(Dialog::prompt_again(purpose, String::new(), error));
                     Vec::new()
                 }
@@ -214,13 +215,13 @@ fn command(model: &mut Model, typed: &str, chosen: usize) -> Vec<Effect> {
     let Some((place, action)) = offers.get(chosen).map(|(place, bound)| (*place, bound.binding.action))
     else {
         let shown = crate::glyphs::filter_untrusted(typed).chars().take(60).collect::<String>();
-        model.complain(Text::new("there is no action `{typed}`").with("typed", shown));
+        model.complain(Text::new("unknown command `{typed}`").with("typed", shown));
         return Vec::new();
     };
     if let Some(bench) = &mut model.bench
         && !bench.go_to(place)
     {
-        model.say("there is nothing to show here");
+        model.say("nothing to show here");
         return Vec::new();
     }
     act_there(model, place, action)

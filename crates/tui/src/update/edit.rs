@@ -10,9 +10,9 @@ use dalembert_core::{
 use super::{bench as problem, files, problems};
 use crate::{
     bench::OpenFile,
-    dialog::{Answer, Dialog},
+    dialog::{Answer, Dialog, Editing},
     files::{FileError, Opened, shown},
-    model::{EditError, Editing, Effect, Model},
+    model::{EditError, Effect, Model},
 };
 
 /// Opens the problem in the person's editor: its file, or a copy where that says something else.
@@ -34,7 +34,7 @@ pub(super) fn edited(model: &mut Model, edited: Editing, result: Result<Opened, 
     let opened = match result {
         Ok(opened) => opened,
         Err(EditError::Editor(command)) => {
-            let why = "`{command}` did not end well: set $VISUAL or $EDITOR, or `editor` in the settings";
+            let why = "`{command}` failed: set $VISUAL or $EDITOR, or `editor` in the settings";
             return without(model, edited, Text::new(why).with("command", command));
         }
         Err(EditError::NoEditor(command)) => {
@@ -47,7 +47,7 @@ pub(super) fn edited(model: &mut Model, edited: Editing, result: Result<Opened, 
         }
     };
     match (file::parse(&opened.text), edited) {
-        (Ok(read), Editing::Own(path)) => reload(model, &path, read, opened, "{file} is read again"),
+        (Ok(read), Editing::Own(path)) => reload(model, &path, read, opened, "{file} reloaded"),
         (Ok(read), Editing::Copy(path)) => {
             let mut effects = take_copy(model, read, opened.text);
             effects.push(Effect::Remove(path));
@@ -57,12 +57,12 @@ pub(super) fn edited(model: &mut Model, edited: Editing, result: Result<Opened, 
         (Err(errors), edited) => {
             let faults = files::faults(model, &opened.text, &errors).join("; ");
             let give_up = match &edited {
-                Editing::Copy(path) => ("give up what was edited", Answer::DropCopy(path.clone())),
-                _ => ("go on with what was read before", Answer::Cancel),
+                Editing::Copy(path) => ("discard the edits", Answer::DropCopy(path.clone())),
+                _ => ("keep the previous values", Answer::Cancel),
             };
             model.dialog = Some(Dialog::Ask {
-                question: Text::new("What was edited cannot be read. {faults}").with("faults", faults),
-                answers: vec![("edit it again", Answer::EditAgain(edited)), give_up],
+                question: Text::new("The edited problem cannot be read. {faults}").with("faults", faults),
+                answers: vec![("edit again", Answer::EditAgain(edited)), give_up],
                 chosen: 0,
             });
             Vec::new()
@@ -92,7 +92,7 @@ pub(super) fn changed_on_disk(
         Ok(opened) if open.fingerprint.is_none_or(|known| known == opened.fingerprint) => return Vec::new(),
         Ok(opened) => opened,
         Err(FileError::Missing(_)) => {
-            let gone = Text::new("{file} is not there any more; saving writes it again");
+            let gone = Text::new("{file} no longer exists; saving creates it again");
             model.complain(gone.with("file", shown(path)));
             return Vec::new();
         }
@@ -109,17 +109,15 @@ pub(super) fn changed_on_disk(
             model.complain(question);
         } else {
             let answers = vec![
-                ("keep what is here", Answer::Cancel),
-                ("read it again; changes here are lost", Answer::Reload(path.to_owned())),
+                ("keep this version", Answer::Cancel),
+                ("reload the file and lose the changes made here", Answer::Reload(path.to_owned())),
             ];
             model.dialog = Some(Dialog::Ask { question, answers, chosen: 0 });
         }
         return Vec::new();
     }
     match file::parse(&opened.text) {
-        Ok(read) => {
-            reload(model, path, read, opened, "{file} was changed by another program and is read again")
-        }
+        Ok(read) => reload(model, path, read, opened, "{file} was changed by another program and reloaded"),
         Err(errors) => {
             let faults = files::faults(model, &opened.text, &errors);
             let why = Text::new("{file} was changed by another program and cannot be read: {why}");
@@ -135,7 +133,7 @@ fn reload(model: &mut Model, path: &Path, read: Problem, opened: Opened, said: &
     let Some(bench) = &model.bench else { return Vec::new() };
     let unchanged = bench.file.as_ref().is_some_and(|file| file.fingerprint == Some(opened.fingerprint));
     if unchanged {
-        model.say("nothing was changed");
+        model.say("no changes");
         return Vec::new();
     }
     let effects = if read.entry.about.id == bench.entry.about.id {
@@ -163,7 +161,7 @@ fn take_copy(model: &mut Model, read: Problem, text: String) -> Vec<Effect> {
     if (&before.title, &before.draft, &before.show) == (&read.title, &read.draft, &read.show)
         && before.entry.about.id == read.entry.about.id
     {
-        model.say("nothing was changed");
+        model.say("no changes");
         return Vec::new();
     }
     let file = bench.file.clone().map(|file| OpenFile { text: text.clone(), ..file });
@@ -178,7 +176,7 @@ fn take_copy(model: &mut Model, read: Problem, text: String) -> Vec<Effect> {
     if let Some(bench) = &mut model.bench {
         (bench.file, bench.commented) = (file, text);
     }
-    model.say("what was edited is here, not saved yet");
+    model.say("edited problem loaded, not saved yet");
     effects
 }
 

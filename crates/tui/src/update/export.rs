@@ -12,12 +12,13 @@ use dalembert_units::Style;
 use ratatui::layout::Rect;
 
 use crate::{
-    bench::{Bench, State, Tab},
+    bench::{Bench, State},
     dialog::{Answer, Dialog, Purpose},
     files::{Before, FileError, shown},
     glyphs::filter_untrusted,
     layout,
     model::{Effect, Model},
+    tab::Tab,
 };
 
 /// Asks for the file of what is exported; its ending says what is written.
@@ -67,15 +68,15 @@ pub(super) fn write(model: &mut Model, purpose: Purpose, path: PathBuf, before: 
     let (files, why) = match (purpose, picture(model)) {
         (Purpose::ExportSeen, Some(tab)) => {
             let why = if tab == Tab::Plot {
-                "write a name that ends in .svg or .csv"
+                "enter a name ending in .svg or .csv"
             } else {
-                "write a name that ends in .svg"
+                "enter a name ending in .svg"
             };
             (seen(bench, tab, &path, &locale).map(|text| vec![(path.clone(), text)]), why)
         }
         _ => (
             Paper::of(&path).and_then(|paper| files(bench, paper, &path, &locale)),
-            "write a name that ends in .html, .tex, .typ, .md or .txt",
+            "enter a name ending in .html, .tex, .typ, .md or .txt",
         ),
     };
     match files {
@@ -93,17 +94,17 @@ pub(super) fn written(model: &mut Model, path: &Path, result: Result<(), FileErr
     match result {
         Ok(()) => {
             let said = match purpose {
-                Purpose::ExportSeen => Text::new("what is seen is in {file}"),
-                _ => Text::new("the worked solution is in {file}"),
+                Purpose::ExportSeen => Text::new("plot or drawing written to {file}"),
+                _ => Text::new("worked solution written to {file}"),
             };
             model.say(said.with("file", shown(path)));
         }
         Err(FileError::Exists(_)) => {
             model.dialog = Some(Dialog::Ask {
-                question: Text::new("{file} exists already.").with("file", shown(path)),
+                question: Text::new("{file} already exists.").with("file", shown(path)),
                 answers: vec![
                     ("write under another name", Answer::ExportAs(purpose)),
-                    ("write over it", Answer::ExportOver(purpose, path.to_owned())),
+                    ("overwrite", Answer::ExportOver(purpose, path.to_owned())),
                     ("stay", Answer::Cancel),
                 ],
                 chosen: 0,
@@ -121,13 +122,13 @@ pub(super) fn written(model: &mut Model, path: &Path, result: Result<(), FileErr
 fn hindrance(model: &Model, purpose: Purpose) -> Option<Text> {
     let bench = model.bench.as_ref()?;
     if bench.found.state != State::Current || bench.found.solution.is_none() {
-        return Some("there is no solution of these inputs to export".into());
+        return Some("no solution to export for these inputs".into());
     }
     if purpose != Purpose::ExportSeen {
         return None;
     }
     match picture(model) {
-        None => Some("no plot or drawing is on the screen".into()),
+        None => Some("no plot or drawing on the screen".into()),
         Some(Tab::Plot) if bench.reading.revealed.is_some() => {
             Some("covered until every step of the working is revealed; t ends that".into())
         }

@@ -10,11 +10,11 @@ use dalembert_core::{
 use super::{judged_later, problems};
 use crate::{
     bench::{Bench, OpenFile},
-    dialog::{Answer, Dialog, Purpose},
+    dialog::{After, Answer, Dialog, Purpose},
     files::{Before, Crashed, FileError, Fingerprint, Opened, holds_data, shown},
     glyphs::filter_untrusted,
     keys::{Action, Place},
-    model::{After, Effect, Model},
+    model::{Effect, Model},
 };
 
 /// How the name of a problem file ends.
@@ -87,8 +87,8 @@ pub(super) fn saved(
                 path,
                 vec![
                     ("save under another name", Answer::SaveAs),
-                    ("read it again; changes here are lost", Answer::Reload(path.to_owned())),
-                    ("write over it", Answer::Overwrite(path.to_owned())),
+                    ("reload the file and lose the changes made here", Answer::Reload(path.to_owned())),
+                    ("overwrite", Answer::Overwrite(path.to_owned())),
                     ("stay", Answer::Cancel),
                 ],
             );
@@ -97,11 +97,11 @@ pub(super) fn saved(
         Err(FileError::Exists(_)) => {
             ask(
                 model,
-                "{file} exists already.",
+                "{file} already exists.",
                 path,
                 vec![
                     ("save under another name", Answer::SaveAs),
-                    ("write over it", Answer::Overwrite(path.to_owned())),
+                    ("overwrite", Answer::Overwrite(path.to_owned())),
                     ("stay", Answer::Cancel),
                 ],
             );
@@ -120,10 +120,9 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
     let is_there = !matches!(result, Err(FileError::Missing(_) | FileError::Folder(_)));
     if holds_data(&path) && is_there {
         let title = Text::new("{file} holds data, not a problem").with("file", shown(&path));
-        let how = Text::new(
-            "Open the analysis that takes them, go to its table, and import the file there with {key}.",
-        )
-        .with("key", model.key(Place::Form, Action::Import));
+        let how =
+            Text::new("Open an analysis that has a table, move to it, and import the file there with {key}.")
+                .with("key", model.key(Place::Form, Action::Import));
         model.dialog = Some(Dialog::Message { title, lines: vec![how.render(&model.locale)] });
         return super::picker::preview(model);
     }
@@ -157,7 +156,7 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
                     let mut effects = problems::bring(model, number);
                     if unsaved && !reloading {
                         model.dialog = None;
-                        model.say("this file is open already, with changes that are not saved");
+                        model.say("this file is already open, with unsaved changes");
                     } else {
                         effects.extend(problems::replace(model, bench));
                     }
@@ -220,12 +219,14 @@ pub(super) fn crashed(model: &mut Model, sessions: Vec<Crashed>) {
                 Some(path) => shown(path),
                 None => name_of(model, newest),
             };
-            Text::new("An earlier session ended without saving {name}, {minutes} min ago; its work was kept.")
-                .with("name", name)
+            Text::new(
+                "The previous session ended {minutes} min ago without saving {name}; it can be recovered.",
+            )
+            .with("name", name)
         }
         count => {
             let names: Vec<String> = sessions.iter().map(|crashed| name_of(model, crashed)).collect();
-            Text::new("An earlier session ended without saving {count} problems ({names}), {minutes} min ago; their work was kept.")
+            Text::new("The previous session ended {minutes} min ago without saving {count} problems ({names}); they can be recovered.")
                 .with("count", count)
                 .with("names", names.join("; "))
         }
@@ -233,9 +234,9 @@ pub(super) fn crashed(model: &mut Model, sessions: Vec<Crashed>) {
     model.dialog = Some(Dialog::Ask {
         question: question.with("minutes", minutes),
         answers: vec![
-            ("take it up", Answer::Restore(sessions.clone())),
+            ("recover", Answer::Restore(sessions.clone())),
             ("ask again at the next start", Answer::Cancel),
-            ("throw it away", Answer::Forget(sessions)),
+            ("discard", Answer::Forget(sessions)),
         ],
         chosen: 0,
     });
@@ -271,11 +272,11 @@ pub(super) fn restore(model: &mut Model, sessions: Vec<Crashed>) -> Vec<Effect> 
     }
     match restored {
         _ if unread => {
-            model.complain("the work of the earlier session cannot be read; it is left where it is");
+            model.complain("the work of the previous session cannot be read; its file is left unchanged");
         }
-        0 | 1 => model.say("the work of the earlier session is here, not saved yet"),
+        0 | 1 => model.say("work of the previous session recovered, not saved yet"),
         count => model.say(
-            Text::new("{count} problems of the earlier session are here, not saved yet; b shows the next")
+            Text::new("{count} problems of the previous session recovered, not saved yet; b shows the next")
                 .with("count", count),
         ),
     }
@@ -300,7 +301,7 @@ fn name_of(model: &Model, crashed: &Crashed) -> String {
 /// Says why nothing is saved.
 pub(super) fn refuse(model: &mut Model) -> Vec<Effect> {
     model.after_save = After::Stay;
-    model.complain("nothing is saved: the program was started read-only");
+    model.complain("not saved: the program is read-only");
     Vec::new()
 }
 

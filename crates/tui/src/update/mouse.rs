@@ -11,12 +11,13 @@ use ratatui::{
 
 use super::{act, ask, bench, dialog, picker};
 use crate::{
-    bench::{Bench, Focus, Tab},
+    bench::{Bench, Focus},
     dialog::Dialog,
     keys::{Action, Place},
     model::{Effect, Model},
     plot,
-    view::{self, Spot},
+    tab::Tab,
+    view::{self, HitTarget},
 };
 
 /// Lines of a text that a notch of the wheel moves it by.
@@ -46,37 +47,37 @@ pub(super) fn happened(model: &mut Model, event: MouseEvent) -> Vec<Effect> {
     }
 }
 
-fn click(model: &mut Model, spot: Spot, at: Position) -> Vec<Effect> {
+fn click(model: &mut Model, spot: HitTarget, at: Position) -> Vec<Effect> {
     let place = model.place();
     match spot {
-        Spot::Key(action) => act(model, place, action),
-        Spot::Offer(offer) => choose(model, offer),
-        Spot::Below => match model.dialog {
+        HitTarget::Key(action) => act(model, place, action),
+        HitTarget::Offer(offer) => choose(model, offer),
+        HitTarget::Below => match model.dialog {
             // A question stays until it is answered.
             Some(Dialog::Choice { .. } | Dialog::Palette { .. }) => dialog::close(model),
             _ => Vec::new(),
         },
-        Spot::Over => Vec::new(),
-        Spot::Form(line) => field(model, line),
-        Spot::Pane(Tab::Plot, inside, _) => {
+        HitTarget::Over => Vec::new(),
+        HitTarget::Form(line) => field(model, line),
+        HitTarget::Pane(Tab::Plot, inside, _) => {
             let effects = look_at(model, Tab::Plot);
             point(model, inside, at);
             effects
         }
-        Spot::Pane(tab, _, Some(part)) => go_to(model, tab, part),
-        Spot::Tab(tab) | Spot::Pane(tab, _, None) => look_at(model, tab),
-        Spot::Arrow(tab, action) => {
+        HitTarget::Pane(tab, _, Some(part)) => go_to(model, tab, part),
+        HitTarget::Tab(tab) | HitTarget::Pane(tab, _, None) => look_at(model, tab),
+        HitTarget::Arrow(tab, action) => {
             let mut effects = look_at(model, tab);
             effects.extend(act(model, Place::Cells, action));
             effects
         }
-        Spot::Listing(line) => {
+        HitTarget::Listing(line) => {
             let Some(line) = line else { return Vec::new() };
             let again = model.picker.case.is_none() && model.picker.chosen == line;
             (model.picker.case, model.picker.chosen) = (None, line);
             if again { act(model, place, Action::Enter) } else { picker::preview(model) }
         }
-        Spot::Case(case) => {
+        HitTarget::Case(case) => {
             let again = model.picker.case.is_some() && model.picker.case == case;
             model.picker.case = case.or(model.picker.case);
             if again { act(model, place, Action::Enter) } else { picker::preview(model) }
@@ -163,7 +164,7 @@ fn point(model: &mut Model, inside: Rect, at: Position) {
 /// Moves the cursor of the plot that is held, or the part of the axis that is shown.
 fn drag(model: &mut Model, at: Position) {
     let Some(held) = model.held else { return };
-    let Some(Spot::Pane(Tab::Plot, inside, _)) = view::spot(model, at) else { return };
+    let Some(HitTarget::Pane(Tab::Plot, inside, _)) = view::spot(model, at) else { return };
     let Some((place, cells)) = place_at(model, inside, at.x) else { return };
     let Some(bench) = &mut model.bench else { return };
     let Some(plot) = Bench::nth(bench.plots(), bench.plot) else { return };
@@ -185,17 +186,17 @@ fn turn(model: &mut Model, at: Position, up: bool) -> Vec<Effect> {
         _ if matches!(model.dialog, Some(Dialog::Help { .. })) => {
             (0..NOTCH).flat_map(|_| act(model, place, action)).collect()
         }
-        Some(Spot::Offer(_) | Spot::Over) if matches!(place, Place::List | Place::Prompt) => {
+        Some(HitTarget::Offer(_) | HitTarget::Over) if matches!(place, Place::List | Place::Prompt) => {
             act(model, place, action)
         }
-        Some(Spot::Form(_)) => {
+        Some(HitTarget::Form(_)) => {
             if let Some(bench) = &mut model.bench {
                 bench.form.keep();
                 bench.form.step(if up { -1 } else { 1 });
             }
             Vec::new()
         }
-        Some(Spot::Pane(Tab::Plot, inside, _)) => {
+        Some(HitTarget::Pane(Tab::Plot, inside, _)) => {
             let Some((place, _)) = place_at(model, inside, at.x) else { return Vec::new() };
             if let Some(bench) = &mut model.bench
                 && let Some(plot) = Bench::nth(bench.plots(), bench.plot)
@@ -205,10 +206,10 @@ fn turn(model: &mut Model, at: Position, up: bool) -> Vec<Effect> {
             }
             Vec::new()
         }
-        Some(Spot::Pane(Tab::Drawing, ..)) => {
+        Some(HitTarget::Pane(Tab::Drawing, ..)) => {
             act(model, Place::Drawing, if up { Action::PreviousFrame } else { Action::NextFrame })
         }
-        Some(Spot::Pane(tab, ..) | Spot::Arrow(tab, _)) => {
+        Some(HitTarget::Pane(tab, ..) | HitTarget::Arrow(tab, _)) => {
             let Some(shown) = &mut model.bench else { return Vec::new() };
             let before = std::mem::replace(&mut shown.tab, tab);
             bench::scroll(model, by);
@@ -217,11 +218,11 @@ fn turn(model: &mut Model, at: Position, up: bool) -> Vec<Effect> {
             }
             Vec::new()
         }
-        Some(Spot::Listing(_)) => {
+        Some(HitTarget::Listing(_)) => {
             model.picker.case = None;
             act(model, place, action)
         }
-        Some(Spot::Case(_)) => {
+        Some(HitTarget::Case(_)) => {
             let mut effects = picker::to_cases(model);
             if model.picker.case.is_some() {
                 effects.extend(picker::act(model, action));

@@ -181,13 +181,13 @@ fn turn(model: &mut Model, heading: Heading) -> Vec<Effect> {
 /// Pins the chosen analysis, or no more.
 fn pin(model: &mut Model) -> Vec<Effect> {
     let Some(leaf) = chosen_leaf(model) else {
-        model.say("choose an analysis to pin it");
+        model.say("select an analysis to pin");
         return Vec::new();
     };
     let id = model.listings[leaf.listing].entry.about.id;
     let pinned = !model.remembered.pinned.iter().any(|other| other == id);
     let effects = remember(model, Change::Pin(id.to_owned(), pinned));
-    model.say(if pinned { "pinned: it stands at the head of the list" } else { "pinned no more" });
+    model.say(if pinned { "pinned at the top of the list" } else { "unpinned" });
     let mut all = preview(model);
     all.extend(effects);
     all
@@ -196,7 +196,7 @@ fn pin(model: &mut Model) -> Vec<Effect> {
 /// Marks the chosen exercise as done, or as not done.
 fn mark(model: &mut Model) -> Vec<Effect> {
     let Some((leaf, case)) = model.chosen_exercise() else {
-        let said = Text::new("{key} marks an exercise of a list as done");
+        let said = Text::new("{key} ticks an exercise of a list");
         model.say(said.with("key", model.key(Place::Picker, Action::Toggle)));
         return Vec::new();
     };

@@ -5,10 +5,10 @@ use dalembert_core::Text;
 use super::{bench, files, picker, remembering};
 use crate::{
     bench::{Bench, State},
-    dialog::{Answer, Dialog},
+    dialog::{After, Answer, Dialog},
     glyphs::filter_untrusted,
     keys::{Action, Place},
-    model::{After, Effect, Model, Screen},
+    model::{Effect, Model, Screen},
 };
 
 /// So many problems are open at once.
@@ -18,7 +18,7 @@ const MOST: usize = 9;
 pub(super) fn open(model: &mut Model, mut bench: Bench) -> Vec<Effect> {
     let Some(mut effects) = make_room(model) else {
         model.complain(
-            Text::new("{count} problems are open already; {key} closes the one that is shown")
+            Text::new("{count} problems are open, the maximum; {key} closes the current one")
                 .with("count", MOST)
                 .with("key", model.key(Place::Form, Action::CloseProblem)),
         );
@@ -70,8 +70,8 @@ pub(super) fn next(model: &mut Model) -> Vec<Effect> {
     let here = model.bench.as_ref().map(|bench| bench.number);
     let at = all.iter().position(|number| Some(*number) == here).unwrap_or(0);
     match (model.screen, all.len()) {
-        (_, 0) => model.say("no problem is open"),
-        (Screen::Bench, 1) => model.say("no other problem is open"),
+        (_, 0) => model.say("no open problem"),
+        (Screen::Bench, 1) => model.say("no other open problem"),
         (Screen::Picker, _) => return bring(model, all[at]),
         (Screen::Bench, _) => return bring(model, all[(at + 1) % all.len()]),
     }
@@ -91,7 +91,7 @@ pub(super) fn leave(model: &mut Model, after: After) -> Vec<Effect> {
         [] => return discard(model, after),
         [only] => {
             let effects = bring(model, only);
-            ask(model, "The problem has changes that are not saved.".into(), after);
+            ask(model, "The problem has unsaved changes.".into(), after);
             return effects;
         }
         _ => {
@@ -101,7 +101,7 @@ pub(super) fn leave(model: &mut Model, after: After) -> Vec<Effect> {
                 .filter(|bench| bench.is_unsaved())
                 .map(|bench| name(model, bench))
                 .collect();
-            Text::new("{count} problems have changes that are not saved: {names}.")
+            Text::new("{count} problems have unsaved changes: {names}.")
                 .with("count", names.len())
                 .with("names", names.join("; "))
         }
@@ -170,7 +170,7 @@ pub(super) fn name(model: &Model, bench: &Bench) -> String {
 fn ask(model: &mut Model, question: Text, after: After) {
     let several = after == After::Quit && unsaved(model).len() > 1;
     let (save, discard) = match after {
-        After::Quit if several => ("save them one after the other, and quit", "quit without saving"),
+        After::Quit if several => ("save all and quit", "quit without saving"),
         After::Quit => ("save and quit", "quit without saving"),
         After::Stay | After::Close => ("save and close", "close without saving"),
     };

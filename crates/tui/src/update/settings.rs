@@ -34,9 +34,9 @@ pub(super) fn faulty(model: &mut Model, files: &[(PathBuf, Vec<Fault>)]) {
     }
     let one_file = files.len() == 1;
     let title = if one_file {
-        Text::new("{file}: this is not taken, the rest is").with("file", shown(path))
+        Text::new("{file}: ignored; the other settings apply").with("file", shown(path))
     } else {
-        Text::new("this is not taken, the rest is")
+        Text::new("ignored; all other settings apply")
     };
     let lines = all.iter().take(MOST_FAULTS).map(|(path, fault)| {
         let name = Path::new(path.file_name().unwrap_or(path.as_os_str()));
@@ -50,12 +50,12 @@ pub(super) fn faulty(model: &mut Model, files: &[(PathBuf, Vec<Fault>)]) {
 /// Asks how things are to be coloured.
 pub(super) fn ask_theme(model: &mut Model) {
     if model.look.colors == Colors::None {
-        model.say("this terminal shows no colours, or was asked to show none");
+        model.say("this terminal shows no colours, or they are switched off");
         return;
     }
     let chosen = Theme::ALL.iter().position(|theme| *theme == model.look.theme).unwrap_or(0);
     model.dialog = Some(Dialog::Ask {
-        question: "How are things to be coloured? The settings can say it for good.".into(),
+        question: "Choose a theme (set `theme` in the settings to keep it).".into(),
         answers: Theme::ALL.iter().map(|theme| (theme.name(), Answer::Theme(*theme))).collect(),
         chosen,
     });
@@ -65,9 +65,9 @@ pub(super) fn ask_theme(model: &mut Model) {
 pub(super) fn turn_mouse(model: &mut Model) -> Vec<Effect> {
     model.mouse = !model.mouse;
     model.say(if model.mouse {
-        "the mouse is taken: the terminal's own selection needs Shift now"
+        "mouse in use: select text with Shift"
     } else {
-        "the mouse is the terminal's own again"
+        "mouse left to the terminal"
     });
     vec![Effect::Mouse(model.mouse)]
 }

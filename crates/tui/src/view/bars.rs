@@ -10,17 +10,18 @@ use ratatui::{
 };
 
 use super::{
-    film,
+    animation,
     text::{fit, shortened, width, wrapped},
     word,
 };
 use crate::{
-    bench::{Bench, CellOf, State, Tab},
+    bench::{Bench, CellOf, State},
     form::{self, Role},
     glyphs::filter_untrusted,
     keys::{Action, Bound, Place},
     look::Glyph,
     model::{Model, Notice},
+    tab::Tab,
 };
 
 /// Lines of the longest notice.
@@ -165,7 +166,7 @@ fn hints(model: &Model, place: Place, room: usize) -> Vec<Hint> {
         Hint { action: binding.action, pair, keys, name: word(binding.hint, model) }
     };
     let cells = |hint: &Hint| width(&hint.keys) + 1 + width(&hint.name);
-    let has_film = film(model).is_some();
+    let has_film = animation(model).is_some();
     let in_tab = |tab: Tab| model.shown_bench().is_some_and(|bench| bench.tab == tab);
     let is_picture = in_tab(Tab::Plot) || in_tab(Tab::Drawing);
     let on_choice = model
@@ -245,7 +246,7 @@ fn about_field(model: &Model, bench: &Bench) -> String {
         Role::Choice { variants, chosen } => match chosen.and_then(|at| variants.get(at)) {
             Some(variant) => parts.extend([format!("{label}: {}", say(variant.label)), say(variant.help)]),
             None => {
-                let choose = Text::new("{key} opens the choices").with("key", key(Action::Enter));
+                let choose = Text::new("{key} opens the options").with("key", key(Action::Enter));
                 parts.extend([label, choose.render(&model.locale)]);
             }
         },
@@ -255,7 +256,7 @@ fn about_field(model: &Model, bench: &Bench) -> String {
         }
         Role::Group { .. } if line.number.is_some() => {
             let keys =
-                Text::new("{add} add, {copy} duplicate, {delete} delete, {down} {up} move, {fold} fold")
+                Text::new("{add} add, {copy} duplicate, {delete} delete, {down} {up} move, {fold} collapse")
                     .with("add", key(Action::AddRow))
                     .with("copy", key(Action::DuplicateRow))
                     .with("delete", key(Action::DeleteRow))
@@ -278,7 +279,7 @@ fn about_field(model: &Model, bench: &Bench) -> String {
         Role::Absent => parts.extend([
             label,
             say(line.field.help),
-            Text::new("{key} puts it in").with("key", key(Action::Toggle)).render(&model.locale),
+            Text::new("{key} includes it").with("key", key(Action::Toggle)).render(&model.locale),
         ]),
         Role::Group { .. } => parts.extend([label, say(line.field.help)]),
         Role::Leaf { shape, text } => {
@@ -290,7 +291,7 @@ fn about_field(model: &Model, bench: &Bench) -> String {
             parts.extend(match thousands {
                 Some(number) => Some(
                     Text::new(
-                        "{number} has a decimal mark: it is read as {echo}; write thousands without one",
+                        "{number} has a decimal mark and is read as {echo}; write thousands without one",
                     )
                     .with("number", number)
                     .with("echo", echo.as_ref().unwrap_or(text))
@@ -310,7 +311,7 @@ fn about_field(model: &Model, bench: &Bench) -> String {
 /// In which unit a number is taken that is typed without one. It comes first: the end of a line may be cut.
 fn number_alone(model: &Model, unit: &Unit) -> Option<String> {
     let unit = unit.shown(model.look.ascii);
-    let said = Text::new("a number alone: {unit}").with("unit", &unit);
+    let said = Text::new("default unit {unit}").with("unit", &unit);
     (!unit.is_empty()).then(|| said.render(&model.locale))
 }
 
@@ -333,7 +334,7 @@ fn about_cell(model: &Model, bench: &Bench) -> String {
         CellOf::Tolerance(path) => {
             let sorted = bench.ask.sensitivity.sorted();
             let Some(one) = sorted.iter().find(|one| one.input.path == *path) else { return String::new() };
-            let form = Text::new("the tolerance of an input, such as 2 %").render(&model.locale);
+            let form = Text::new("tolerance of an input, such as 2 %").render(&model.locale);
             (Some(form), one.input.label.clone())
         }
         CellOf::Study(cell) => {
@@ -353,17 +354,14 @@ fn about_pane(model: &Model, bench: &Bench) -> String {
     let several = bench.exhibits_of(bench.tab) > 1;
     let key = |action| model.key(bench.place(), action);
     let pair = |one, other| format!("{} {}", key(one), key(other));
-    let cursor = || {
-        Text::new("{keys} move a cursor that reads the curves")
-            .with("keys", pair(Action::Left, Action::Right))
-    };
+    let cursor = || Text::new("{keys} move the cursor").with("keys", pair(Action::Left, Action::Right));
     let display =
         |text: Text| text.with("unit", key(Action::NextDisplayUnit)).with("digits", key(Action::NextDigits));
-    let marks = || Text::new("{key} other marks").with("key", key(Action::NextMarker));
+    let marks = || Text::new("{key} other markers").with("key", key(Action::NextMarker));
     let next = |text: Text| text.with("key", key(Action::NextExhibit));
     let hints: Vec<Text> = match bench.tab {
         Tab::Plot if bench.plot_state.view.window.is_some() => {
-            vec![Text::new("{key} shows all of the axis").with("key", key(Action::ZoomAll)), cursor()]
+            vec![Text::new("{key} shows the full range").with("key", key(Action::ZoomAll)), cursor()]
         }
         Tab::Plot if several => vec![cursor(), marks(), next(Text::new("{key} next plot"))],
         Tab::Plot => vec![cursor(), marks()],
@@ -375,21 +373,21 @@ fn about_pane(model: &Model, bench: &Bench) -> String {
                     .with("enter", key(Action::Enter)),
             ]
         }
-        Tab::Check => vec!["a number and a unit; what is said of it follows at once".into()],
+        Tab::Check => vec!["value with unit, e.g. 19.5 mm; checked as you type".into()],
         Tab::Sensitivity => {
             vec![
-                Text::new("{keys} another answer; type the tolerance of the input, such as 2 %")
+                Text::new("{keys} another answer; type a tolerance of the input, such as 2 %")
                     .with("keys", pair(Action::Left, Action::Right)),
             ]
         }
-        Tab::Study => vec!["the plot is also among those of the tab of plots, with cursor and zoom".into()],
+        Tab::Study => vec!["also shown in Plot, with cursor and zoom".into()],
         Tab::Results if bench.reading.answer.is_some() => {
             vec![
-                display(Text::new("{keys} choose the answer; {unit} its unit, {digits} its digits"))
+                display(Text::new("{keys} select the answer; {unit} unit, {digits} digits"))
                     .with("keys", pair(Action::Up, Action::Down)),
             ]
         }
-        Tab::Results => vec![display(Text::new("{unit} another unit of an answer, {digits} its digits"))],
+        Tab::Results => vec![display(Text::new("{unit} unit of an answer, {digits} digits"))],
         Tab::Working | Tab::Drawing | Tab::Table => Vec::new(),
     };
     hints.iter().map(|hint| hint.render(&model.locale)).collect::<Vec<_>>().join("; ")
@@ -405,8 +403,8 @@ fn file_name(model: &Model, bench: &Bench) -> String {
         None => String::new(),
     };
     let solving = match bench.found.state {
-        _ if bench.is_working() => format!("{}  ", word("solving; Esc stops it", model)),
-        State::Stopped => format!("{}  ", word("stopped", model)),
+        _ if bench.is_working() => format!("{}  ", word("solving; Esc cancels", model)),
+        State::Stopped => format!("{}  ", word("cancelled", model)),
         _ => String::new(),
     };
     let all = model.problems();

@@ -11,17 +11,18 @@ use ratatui::{
 use tui_input::Input;
 
 use super::{
-    Spot, bars, boxed, draw_lines, scroll_mark,
+    HitTarget, bars, boxed, draw_lines, scroll_mark,
     text::{fit, padded, shortened, width, wrapped},
     word,
 };
 use crate::{
-    dialog::{Answer, Choice, Dialog, Names, Purpose, Sheet, offered},
+    dialog::{Answer, Choice, Dialog, Names, Purpose, Sheet},
     glyphs::filter_untrusted,
     keys::{ALWAYS, Action, Binding, COMMON, PANES, PROBLEM, Place},
     layout,
     look::Glyph,
     model::{Model, Screen},
+    palette::offered,
     panes,
 };
 
@@ -35,11 +36,11 @@ const NAMES: usize = 6;
 const KEYS: usize = 20;
 /// What the marks of the list mean.
 const MARKS: [(Glyph, &str); 5] = [
-    (Glyph::Hollow, "the analysis is open; of an exercise: it was opened"),
-    (Glyph::Full, "it is open with changes that are not saved"),
-    (Glyph::Good, "an exercise is done; of a case: every printed answer is ours"),
-    (Glyph::Unequal, "a printed answer is disputed: the sources say why"),
-    (Glyph::Bad, "a printed answer is not ours"),
+    (Glyph::Hollow, "analysis open; exercise opened"),
+    (Glyph::Full, "open with unsaved changes"),
+    (Glyph::Good, "exercise done; case: all published values agree"),
+    (Glyph::Unequal, "a published value is disputed: see Sources"),
+    (Glyph::Bad, "a published value disagrees"),
 ];
 /// A table of so many bytes is read while it is typed.
 const READ_AT_ONCE: usize = 100_000;
@@ -53,7 +54,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
         Dialog::Help { scroll } => {
             let lines = help_lines(model, layout::inside(screen).width.into());
             Clear.render(screen, buffer);
-            framed(model, &word("What keys do", model), screen, buffer);
+            framed(model, &word("Keyboard shortcuts", model), screen, buffer);
             let inner = layout::inside(screen);
             draw_lines(&lines, *scroll, inner, buffer);
             scroll_mark(*scroll, inner.height.into(), lines.len(), &model.look, screen, buffer);
@@ -70,7 +71,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
             let title = match purpose {
                 Purpose::SaveAs => "Save as",
                 Purpose::Export => "Worked solution (.html, .tex, .typ, .md, .txt)",
-                Purpose::ExportSeen => "What is seen (.svg; a plot also .csv)",
+                Purpose::ExportSeen => "Plot or drawing (.svg; a plot also .csv)",
                 Purpose::Open => "File to open",
                 Purpose::Import => "File of the table (.csv, .txt, .uff, .unv)",
                 Purpose::Title => "Title of the problem",
@@ -133,7 +134,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
 }
 
 /// What lies at a place, where this lies over the screen.
-pub(super) fn spot(model: &Model, dialog: &Dialog, screen: Rect, at: Position) -> Spot {
+pub(super) fn spot(model: &Model, dialog: &Dialog, screen: Rect, at: Position) -> HitTarget {
     let [_, _, _, footer] = layout::frame(screen);
     let laid = match dialog {
         Dialog::Choice { options, chosen, .. } => lay_choice(model, options, *chosen, screen),
@@ -147,20 +148,20 @@ pub(super) fn spot(model: &Model, dialog: &Dialog, screen: Rect, at: Position) -
             let first = chosen.saturating_sub(usize::from(inside.height).saturating_sub(1));
             let row = usize::from(at.y.saturating_sub(inside.y));
             return match area.contains(at) || footer.contains(at) {
-                true if inside.contains(at) && first + row < offers => Spot::Offer(first + row),
-                true => Spot::Over,
-                false => Spot::Below,
+                true if inside.contains(at) && first + row < offers => HitTarget::Offer(first + row),
+                true => HitTarget::Over,
+                false => HitTarget::Below,
             };
         }
         Dialog::Help { .. } | Dialog::Message { .. } | Dialog::Prompt { .. } | Dialog::Sheet(_) => {
-            return Spot::Over;
+            return HitTarget::Over;
         }
     };
     let row = usize::from(at.y.saturating_sub(laid.inside.y));
     match laid.owners.get(laid.first + row) {
-        Some(Some(offer)) if laid.inside.contains(at) => Spot::Offer(*offer),
-        _ if laid.area.contains(at) => Spot::Over,
-        _ => Spot::Below,
+        Some(Some(offer)) if laid.inside.contains(at) => HitTarget::Offer(*offer),
+        _ if laid.area.contains(at) => HitTarget::Over,
+        _ => HitTarget::Below,
     }
 }
 
@@ -241,7 +242,7 @@ fn help_lines(model: &Model, room: usize) -> Vec<Line<'static>> {
     }
     for text in [
         "A quantity is a number and a unit: 20.3 mm, 1000 rpm, 200 kN/mm^2, 5 kg*mm, 2*pi*50 rad/s, 1/2 in. Comma and point are both decimal marks. A vector: (300; 200) m/s.",
-        "A digit typed on a field replaces its text; everything is solved again as you type. Rows are added with a, also below the heading of their list.",
+        "Typing a digit on a field replaces its value; the solution follows as you type. a adds a row, also on the heading of a list.",
     ] {
         lines.extend(wrapped(&say(text), room).into_iter().map(|text| Line::styled(text, look.dim())));
     }
@@ -263,7 +264,7 @@ fn draw_palette(
     let rows = usize::from(area.height).saturating_sub(2);
     if rows > 0 {
         Clear.render(area, buffer);
-        framed(model, &word("Every action", model), area, buffer);
+        framed(model, &word("Command palette", model), area, buffer);
         let inner = layout::inside(area);
         if offers.is_empty() {
             buffer.set_string(inner.x, inner.y, word("nothing found", model), look.dim());
@@ -478,7 +479,7 @@ fn about_table(model: &Model, sheet: &Sheet, inside: Rect) -> AboutTable {
         _ => "[1]".to_owned(),
     });
     let how = Text::new(
-        "One row a line; columns set apart by semicolons, tabs, blanks or commas. A first line such as {heading} says in which units. @name alone reads a file.",
+        "One row per line; columns separated by semicolons, tabs, spaces or commas. A first line such as {heading} gives the units. @name reads a file.",
     )
     .with("heading", heading.collect::<Vec<_>>().join("; "));
     let help =

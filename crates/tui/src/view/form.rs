@@ -349,7 +349,7 @@ fn draw_line(
             shown.push_span(Span::styled(format!("  {count}"), look.dim()));
         }
         Role::Absent => {
-            let left_out = word("left out", model);
+            let left_out = word("none", model);
             let name = fit(&name, room.saturating_sub(width(&left_out) + 2), look);
             shown.push_span(Span::styled(name, picked));
             shown.push_span(Span::styled(format!("  {left_out}"), look.dim()));
@@ -378,7 +378,7 @@ fn push_value(
         let taken = model.bench.as_ref().and_then(|bench| bench.form.gravity(line));
         let hint = match (shape, taken) {
             (_, Some(taken)) => taken,
-            _ if line.optional => word("left out", model),
+            _ if line.optional => word("none", model),
             (Shape::Quantity(measure) | Shape::Vector(measure, _), None) => measure.own_unit().pretty(),
             _ => String::new(),
         };

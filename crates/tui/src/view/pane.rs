@@ -14,7 +14,7 @@ use super::{
     word,
 };
 use crate::{
-    bench::{Bench, Focus, State, Tab},
+    bench::{Bench, Focus, State},
     drawing,
     glyphs::filter_untrusted,
     keys::{Action, Place},
@@ -24,13 +24,14 @@ use crate::{
     panes::{self, Page, results, sources, working},
     plot,
     solver::Failure,
+    tab::Tab,
 };
 
 /// The most errors that are listed.
 const MOST_ERRORS: usize = 100;
 /// A plot in fewer rows than these tells nothing.
 const LEAST_CURVES: u16 = 7;
-/// A drawing that has no more rows than this has none to spare for the bar of a film.
+/// A drawing that has no more rows than this has none to spare for the bar of an animation.
 const LEAST_UNDER_BAR: u16 = 5;
 
 /// Draws every pane of what was found.
@@ -106,7 +107,7 @@ fn first_line(bench: &Bench, tab: Tab, lines: usize, inside: Rect) -> usize {
     bench.scroll[tab as usize].min(lines.saturating_sub(inside.height.into()))
 }
 
-/// Whether a drawing or film is on the screen.
+/// Whether a drawing or animation is on the screen.
 pub(super) fn shows_drawing(bench: &Bench, areas: &Areas) -> bool {
     areas.picture.is_some() || (areas.pane.is_some() && bench.tab == Tab::Drawing)
 }
@@ -260,7 +261,7 @@ fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area:
     let stale = bench.is_stale();
     let mut room = inner;
     if stale && bench.found.solution.is_some() && room.height > 3 {
-        let note = word("of the last valid inputs", model);
+        let note = word("results for the previous, complete inputs", model);
         buffer.set_string(room.x, room.y, fit(&note, room.width.into(), look), look.warning());
         room.y += 1;
         room.height -= 1;
@@ -308,7 +309,7 @@ fn draw_next_plot(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer)
     }
 }
 
-/// Whether a film moves, and which of its frames is shown: `▶ ━━━━────── 10/24`.
+/// Whether an animation moves, and which of its frames is shown: `▶ ━━━━────── 10/24`.
 fn film_bar(model: &Model, frame: usize, frames: usize, area: Rect, buffer: &mut Buffer) {
     if frames < 2 {
         return;
@@ -337,7 +338,8 @@ fn why_not(model: &Model, bench: &Bench, width: u16) -> Vec<Line<'static>> {
         let (wrong, needed) = (bench.wrong().count(), bench.needed().count());
         let is_without_numbers = bench.hides_numbers() || bench.found.solution.is_none();
         let headline = match (wrong, needed) {
-            (0, _) if !is_without_numbers => Text::new("{count} to be filled in").with("count", needed),
+            (0, 1) if !is_without_numbers => Text::new("1 value missing"),
+            (0, _) if !is_without_numbers => Text::new("{count} values missing").with("count", needed),
             _ if !is_without_numbers => Text::from(""),
             (0, 1) => Text::new("No result yet: one value missing"),
             (0, _) => Text::new("No result yet: {needed} values missing"),
@@ -364,7 +366,7 @@ fn why_not(model: &Model, bench: &Bench, width: u16) -> Vec<Line<'static>> {
             results::refusal(Some(&bench.entry.shape()), error, look, locale, width)
         }
         Some(Failure::Fault(panic)) => {
-            let said = word("this analysis failed (a fault of the program); your inputs are kept", model);
+            let said = word("this analysis failed (internal error); your inputs are kept", model);
             let mut lines = wrapped(&said, width.into());
             lines.extend(wrapped(&filter_untrusted(panic), width.into()));
             lines.into_iter().map(|text| Line::styled(text, look.error())).collect()
@@ -397,11 +399,11 @@ fn unread(model: &Model, bench: &Bench, error: &FieldError, width: u16) -> Vec<L
 /// What a tab says that has nothing to show.
 fn nothing(model: &Model, bench: &Bench, width: u16) -> Page {
     let why = match (&bench.found.solution, bench.found.state) {
-        (Some(_), _) => "there is nothing to show here".into(),
+        (Some(_), _) => "nothing to show here".into(),
         (None, State::Solving(_)) => "solving".into(),
         (None, State::Unread) => bench.to_do().unwrap_or_else(|| "solving".into()),
-        (None, State::Stopped) => "stopped".into(),
-        (None, State::Current) => "there is no solution".into(),
+        (None, State::Stopped) => "cancelled".into(),
+        (None, State::Current) => "no solution".into(),
     };
     let lines = wrapped(&why.render(&model.locale), width.into());
     Page {
@@ -412,7 +414,7 @@ fn nothing(model: &Model, bench: &Bench, width: u16) -> Page {
 
 /// What a tab says whose content would give away what is to be found.
 fn covered(model: &Model, width: u16) -> Page {
-    let words = Text::new("covered until every step of the working is revealed; {key} ends that")
+    let words = Text::new("hidden until every step is revealed; {key} shows the results")
         .with("key", model.key(Place::Form, Action::TryByHand))
         .render(&model.locale);
     let lines = wrapped(&words, width.into()).into_iter();

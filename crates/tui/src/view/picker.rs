@@ -10,7 +10,7 @@ use ratatui::{
 };
 
 use super::{
-    Spot, boxed, draw_lines, scroll_mark,
+    HitTarget, boxed, draw_lines, scroll_mark,
     text::{padded, width, wrapped},
     word,
 };
@@ -34,18 +34,18 @@ pub(super) fn draw(model: &Model, body: Rect, buffer: &mut Buffer) -> Option<Pos
 }
 
 /// What lies at a place of the screen.
-pub(super) fn spot(model: &Model, body: Rect, at: Position) -> Option<Spot> {
+pub(super) fn spot(model: &Model, body: Rect, at: Position) -> Option<HitTarget> {
     let (list, preview) = layout::picker(body);
     if list.contains(at) {
         let rows = model.picker.rows(model.contents()).len();
         let area = area_of_rows(model, list);
         let row = first_row(model, rows, area) + usize::from(at.y.saturating_sub(area.y));
-        return Some(Spot::Listing(area.contains(at).then_some(row).filter(|row| *row < rows)));
+        return Some(HitTarget::Listing(area.contains(at).then_some(row).filter(|row| *row < rows)));
     }
     let preview = preview.filter(|preview| preview.contains(at))?;
     let case =
         model.picker.chosen(model.contents()).and_then(|row| preview::case_at(model, row, preview, at));
-    Some(Spot::Case(case))
+    Some(HitTarget::Case(case))
 }
 
 fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position> {
@@ -77,9 +77,9 @@ fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position>
     let inner = area_of_rows(model, area);
     if visible.is_empty() {
         let text = if model.listings.is_empty() {
-            "no analysis is linked"
+            "no analyses in this build"
         } else {
-            "nothing matches; Esc drops the filter"
+            "no match; Esc clears the filter"
         };
         for (y, text) in (inner.y..inner.bottom()).zip(wrapped(&word(text, model), inner.width.into())) {
             buffer.set_string(inner.x, y, text, look.dim());

@@ -125,7 +125,7 @@ mod tests {
         assert_eq!(fit("梁梁梁", 5, &look), "梁梁…");
         assert_eq!(fit_label("Position of the plane A", 14, &look), "Position of… A");
         assert_eq!(fit_label("Position A", 14, &look), "Position A");
-        assert_eq!(fit_label("Largest amplitude", 12, &look), "Largest amp…");
+        assert_eq!(fit_label("Maximum amplitude", 12, &look), "Maximum amp…");
         let lines = || vec!["one".to_owned(), "two".to_owned(), "three".to_owned()];
         assert_eq!(shortened(lines(), 2, 5, &look), ["one", "two …"]);
         assert_eq!(shortened(lines(), 3, 5, &look), lines());
@@ -133,7 +133,10 @@ mod tests {
 
     #[test]
     fn words_stay_whole_where_they_can() {
-        assert_eq!(wrapped("the largest steady amplitude", 12), ["the largest", "steady", "amplitude"]);
+        assert_eq!(
+            wrapped("the largest steady-state amplitude", 12),
+            ["the largest", "steady-state", "amplitude"]
+        );
         assert_eq!(wrapped("abcdefghij", 4), ["abcd", "efgh", "ij"]);
         assert_eq!(wrapped("", 4), [""]);
         assert_eq!(wrapped("a 梁", 1), ["a", "梁"]);

@@ -20,7 +20,7 @@ pub enum ReadError {
         limit: usize,
     },
     /// A control character, or one that is invisible or turns the direction of the text.
-    #[error("the text holds the control or invisible character U+{code:04X}: delete it")]
+    #[error("the text contains the control or invisible character U+{code:04X}: delete it")]
     Control {
         /// Its code point.
         code: u32,
@@ -88,7 +88,7 @@ pub enum ReadError {
         span: Range<usize>,
     },
     /// Something that does not belong there.
-    #[error("`{found}` cannot stand here: {expected} is expected")]
+    #[error("unexpected `{found}`: {expected} expected")]
     Unexpected {
         /// What stands there.
         found: String,
@@ -98,7 +98,7 @@ pub enum ReadError {
         span: Range<usize>,
     },
     /// The text ends too early.
-    #[error("`{text}` stops too early: {expected} is expected")]
+    #[error("`{text}` is incomplete: {expected} expected")]
     Unfinished {
         /// What was written.
         text: String,
@@ -108,7 +108,7 @@ pub enum ReadError {
         span: Range<usize>,
     },
     /// Brackets, roots, powers or signs within one another without end.
-    #[error("brackets, roots, powers and signs nest more than {limit} deep: write a simpler expression")]
+    #[error("more than {limit} nested brackets, roots, powers and signs: write a simpler expression")]
     TooDeep {
         /// The deepest there may be.
         limit: usize,
@@ -116,7 +116,9 @@ pub enum ReadError {
         span: Range<usize>,
     },
     /// An exponent that is no whole number, or too large.
-    #[error("`{text}` is no exponent of a unit: write a whole number other than 0 from -{limit} to {limit}")]
+    #[error(
+        "unexpected `{text}` after the unit: an exponent is an integer other than 0 from -{limit} to {limit}"
+    )]
     Exponent {
         /// What was written.
         text: String,
@@ -199,7 +201,7 @@ pub enum ReadError {
         span: Range<usize>,
     },
     /// Not a whole number.
-    #[error("`{text}` is not a count: write a whole number, for example 4")]
+    #[error("`{text}` is not a count: enter an integer, for example 4")]
     NotACount {
         /// What was written.
         text: String,
@@ -211,7 +213,7 @@ pub enum ReadError {
 /// Another kind of quantity than the one asked for.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "`{text}` is {}; {} is expected, for example in {}{}",
+    "`{text}` is {}; {} expected, e.g. in {}{}",
     found(unit),
     expected(*kind, bare),
     example(*kind, bare),

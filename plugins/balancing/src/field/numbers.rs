@@ -51,13 +51,13 @@ impl Numbers {
         let first: Vec<Complex<f64>> = job.first.iter().map(reading).collect();
         if first.iter().all(|v| v.norm() == 0.0) {
             return Err(Refusal::because(
-                "every amplitude of the first run is 0, so there is nothing to balance; check sensors and filter",
+                "every amplitude of the initial run is 0, so there is nothing to balance; check sensors and filter",
             ));
         }
         for (n, v) in (1..).zip(&first) {
             if v.norm() == 0.0 {
                 sheet.warn(|| {
-                    Text::new("reading {n} of the first run is 0: is its sensor connected?").with("n", n)
+                    Text::new("reading {n} of the initial run is 0: is its sensor connected?").with("n", n)
                 });
             }
         }
@@ -102,19 +102,18 @@ impl Numbers {
         if condition > POOR_CONDITION {
             sheet.warn(|| {
                 Text::new(
-                    "errors of the readings may grow {condition} times in the weights; see the table of planes left out",
+                    "errors of the readings may be amplified {condition} times in the corrections; see the table of planes left out",
                 )
                 .with("condition", format!("{condition:.1}"))
             });
         }
         let planes = self.alpha.ncols();
         for (one, other) in (0..planes).flat_map(|one| (one + 1..planes).map(move |other| (one, other))) {
-            let alike = influence::alikeness(&self.alpha, one, other);
+            let alike = influence::collinearity(&self.alpha, one, other);
             if alike > ALIKE {
                 sheet.warn(|| {
                     Text::new(
-                        "planes {one} and {other} act alike on the sensors (cosine {cosine}): their weights may be \
-                         large and opposite; leave one of them out",
+                        "planes {one} and {other} act almost alike on the sensors (cosine {cosine}): their corrections may be large and opposite; leave one of them out",
                     )
                     .with("one", one + 1)
                     .with("other", other + 1)
@@ -185,13 +184,12 @@ pub(super) fn alike(alpha: &DMatrix<Complex<f64>>) -> Refusal {
     }
     let pairs = (0..planes).flat_map(|one| (one + 1..planes).map(move |other| (one, other)));
     let worst = pairs
-        .map(|(one, other)| (influence::alikeness(alpha, one, other), one, other))
+        .map(|(one, other)| (influence::collinearity(alpha, one, other), one, other))
         .max_by(|a, b| a.0.total_cmp(&b.0));
     let (cosine, one, other) = worst.unwrap_or((1.0, 0, 0));
     Refusal::because(
         Text::new(
-            "planes {one} and {other} act alike on all sensors (cosine {cosine}), so their weights cannot be told apart; \
-             leave one of them out, or add a sensor or a speed that sees them differently",
+            "planes {one} and {other} act alike on all sensors (cosine {cosine}), so their corrections cannot be separated; leave one of them out, or add a sensor or a speed with a different response",
         )
         .with("one", one + 1)
         .with("other", other + 1)
@@ -207,7 +205,7 @@ fn known(rows: &[(f64, f64, f64, f64)], readings: usize) -> Result<DMatrix<Compl
         } else {
             Err(Refusal::because(
                 Text::new(
-                    "the table of coefficients numbers a plane or reading {number}; write whole numbers from 1 to {most}",
+                    "the table of coefficients contains the plane or reading number {number}; use whole numbers from 1 to {most}",
                 )
                 .with("number", number)
                 .with("most", most),
@@ -220,7 +218,7 @@ fn known(rows: &[(f64, f64, f64, f64)], readings: usize) -> Result<DMatrix<Compl
         let place = &mut alpha[(whole(*reading, readings)?, whole(*plane, 20)?)];
         if place.is_some() {
             return Err(Refusal::because(
-                Text::new("the coefficient of plane {plane} at reading {reading} stands twice in the table")
+                Text::new("the coefficient of plane {plane} at reading {reading} appears twice in the table")
                     .with("plane", plane)
                     .with("reading", reading),
             ));
@@ -249,7 +247,7 @@ fn same_readings<N: Real>(first: &[Reading<N>], runs: &[Run<N>]) -> Result<(), R
         if run.readings.len() != first.len() {
             return Err(Refusal::because(
                 Text::new(
-                    "trial run {run} has {have} readings and the first run {want}; write the same sensors in the same order",
+                    "trial run {run} has {have} readings and the initial run {want}; write the same sensors in the same order",
                 )
                 .with("run", n)
                 .with("have", run.readings.len())
@@ -262,8 +260,7 @@ fn same_readings<N: Real>(first: &[Reading<N>], runs: &[Run<N>]) -> Result<(), R
             {
                 return Err(Refusal::because(
                     Text::new(
-                        "reading {row} of trial run {run} was taken at {now} and that of the first run at {before}; \
-                         influence coefficients hold at one speed only: repeat the run at the same speed",
+                        "reading {row} of trial run {run} was taken at {now} and that of the initial run at {before}; influence coefficients are valid at one speed only: repeat the run at the same speed",
                     )
                     .with("row", row)
                     .with("run", n)
@@ -314,8 +311,7 @@ fn judge_trials<W: Worksheet>(
         if effect < WEAK_EFFECT {
             sheet.warn(|| {
                 Text::new(
-                    "trial run {n} changed the readings by only {effect} times their uncertainty: a larger trial weight \
-                     would make the correction surer",
+                    "trial run {n} changed the readings by only {effect} times their uncertainty: a larger trial weight would make the correction more reliable",
                 )
                 .with("n", n)
                 .with("effect", format!("{effect:.2}"))

@@ -35,11 +35,11 @@ macro_rules! kind_of_reading {
             #[input("m", "g", positive)]
             pub mass: f64,
             /// Angle of the trial weight.
-            /// From the mark, in the sense in which weights are counted.
+            /// From the reference mark, in the sense of the trial-weight angles.
             #[input("θ", "deg")]
             pub angle: f64,
             /// Readings.
-            /// The same sensors and speeds in the same order as in the first run.
+            /// The same sensors and speeds in the same order as in the initial run.
             #[input(min = 1)]
             pub readings: Vec<$reading>,
         }
@@ -80,7 +80,7 @@ macro_rules! kind_of_reading {
             #[input("α", $per, nonnegative)]
             pub size: f64,
             /// Angle of the coefficient.
-            /// Of the vibration less that of the weight, both in the sense in which weights are counted.
+            /// Angle of the vibration minus that of the weight, both in the sense of the trial-weight angles.
             #[input("β", "deg")]
             pub angle: f64,
         }
@@ -171,12 +171,12 @@ kind_of_reading!(
     "Ratio"
 );
 
-/// What was measured.
+/// Measured quantity.
 #[derive(Clone, Debug, Inputs)]
 pub enum Measured {
     /// Displacement
     Displacement {
-        /// First run, without trial weights.
+        /// Initial run, without trial weights.
         /// A row for each sensor, and for each speed where there are several.
         #[input("0", min = 1)]
         first: Vec<DisplacementReading>,
@@ -185,7 +185,7 @@ pub enum Measured {
     },
     /// Velocity
     Velocity {
-        /// First run, without trial weights.
+        /// Initial run, without trial weights.
         /// A row for each sensor, and for each speed where there are several.
         #[input("0", min = 1)]
         first: Vec<VelocityReading>,
@@ -194,7 +194,7 @@ pub enum Measured {
     },
     /// Acceleration
     Acceleration {
-        /// First run, without trial weights.
+        /// Initial run, without trial weights.
         /// A row for each sensor, and for each speed where there are several.
         #[input("0", min = 1)]
         first: Vec<AccelerationReading>,
@@ -203,7 +203,7 @@ pub enum Measured {
     },
     /// Numbers without a unit: divisions, volts
     Number {
-        /// First run, without trial weights.
+        /// Initial run, without trial weights.
         /// A row for each sensor, and for each speed where there are several.
         #[input("0", min = 1)]
         first: Vec<NumberReading>,
@@ -217,7 +217,7 @@ pub enum Measured {
 pub enum TrialWeights {
     /// Taken off after each run
     TakenOff,
-    /// Left on: each run has all trial weights before it
+    /// Retained: each run includes all previous trial weights
     Stay,
 }
 

@@ -112,7 +112,7 @@ fn left_out(numbers: &Numbers, factors: &[f64], unit: &'static str) -> TableExhi
         columns: vec![
             column("plane left out", ""),
             column("condition", "1"),
-            column("largest weight", "g"),
+            column("largest correction mass", "g"),
             column("largest reading", unit),
         ],
         rows: std::iter::once(None).chain((0..planes).map(Some)).map(row).collect(),
@@ -127,7 +127,7 @@ fn before_and_after(first: &[Complex<f64>], left: &[Complex<f64>], unit: &'stati
         "Readings before and after",
         Axis::linear("reading", "1"),
         Axis::linear("amplitude", unit),
-        vec![Series::dots("before", dots(first)), Series::dots("to expect", dots(left))],
+        vec![Series::dots("before", dots(first)), Series::dots("predicted", dots(left))],
     )
 }
 

@@ -63,7 +63,7 @@ fn triangle<W: Worksheet>(
         x: sheet.step("T_x", units.reading, change.x, why),
         y: sheet.step("T_y", units.reading, change.y, why),
     };
-    let effect = sheet.step("T", units.reading, change.size(), "Size of the effect of the trial weight");
+    let effect = sheet.step("T", units.reading, change.size(), "Magnitude of the effect of the trial weight");
     let direction = sheet.step("ψ", "deg", change.angle(), "Its angle");
     let law_of_cosines = (first.amplitude.powi(2) + trial.amplitude.powi(2)
         - first.amplitude * trial.amplitude * 2.0 * (trial.phase - first.phase).cos())
@@ -77,17 +77,17 @@ fn triangle<W: Worksheet>(
         "α",
         units.coefficient,
         effect / run.mass,
-        ("Influence coefficient: vibration for a unit of weight", RAO.at("§9.4.2")),
+        ("Influence coefficient: vibration per unit mass", RAO.at("§9.4.2")),
     );
     let mass = sheet.step(
         "m_c",
         "g",
         first.amplitude / alpha,
-        ("Weight whose effect is as large as the first reading", RAO.at("§9.4.1")),
+        ("Mass whose effect has the amplitude of the initial reading", RAO.at("§9.4.1")),
     );
     let angle = run.angle + (phase(first, opposed) - direction) + PI;
     let why = (
-        "From the trial weight, turn by the angle from its effect to the first reading, and half a turn more to oppose it",
+        "From the trial weight, rotate by the angle from its effect to the initial reading, then by 180° to oppose it",
         RAO.at("§9.4.1"),
     );
     Found { mass, angle: sheet.step("θ_c", "deg", balance::marked_angle(angle), why) }
@@ -135,7 +135,7 @@ fn two_planes<W: Worksheet>(
                     ["α_x", "α_y"].map(|base| Symbol::from(base).row(sensor).row(n)),
                     coefficient,
                     after.minus(*before).over(weight),
-                    "Influence coefficient: what the trial weight changed, over the weight",
+                    "Influence coefficient: change due to the trial weight, over its mass",
                 )
             })
             .collect();
@@ -152,9 +152,9 @@ fn two_planes<W: Worksheet>(
                 [("W_x", n).into(), ("W_y", n).into()],
                 "g",
                 weight,
-                "The weights that take both readings to zero, by Cramer's rule",
+                "The correction masses that reduce both readings to zero, by Cramer's rule",
             );
-            let mass = sheet.step(("m_c", n), "g", weight.size(), "Size of the correction weight");
+            let mass = sheet.step(("m_c", n), "g", weight.size(), "Magnitude of the correction mass");
             let angle = weight.marked_angle();
             Found { mass, angle: sheet.step(("θ_c", n), "deg", angle, "Its angle from the mark") }
         })

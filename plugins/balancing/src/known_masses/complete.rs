@@ -24,7 +24,7 @@ pub(super) fn find<W: Worksheet>(
     for m in partly {
         if m.mass.is_none() && m.radius.is_none() && !m.only_product {
             return Err(Refusal::because(
-                Text::new("of mass {n} only mass times radius is determined; give its mass or its radius, or ask for the product")
+                Text::new("of mass {n} only the mass–radius product is determined; give its mass or its radius, or ask for the product")
                     .with("n", m.row),
             ));
         }
@@ -83,9 +83,9 @@ fn load<W: Worksheet>(m: &Partly<W::Num>, found: Known, both: bool, sheet: W) ->
     let row = m.row;
     let why = || {
         let reason = if both {
-            "What closes the polygons of forces and of couples, by Newton's method from many starts"
+            "Solution that closes the force and couple polygons, by Newton's method from many starting points"
         } else {
-            "What closes the polygon of forces, by Newton's method from many starts"
+            "Solution that closes the force polygon, by Newton's method from many starting points"
         };
         (reason, KHURMI.at("ch. 21"))
     };
@@ -112,13 +112,18 @@ fn load<W: Worksheet>(m: &Partly<W::Num>, found: Known, both: bool, sheet: W) ->
     let angle = m.angle.unwrap_or_else(|| {
         let angle = sheet.found(("θ", row), "deg", found.angle, why());
         sheet.answer(("angle", row), "Angle", angle);
-        let why = "The same place, counted the other way round";
+        let why = "The same position, measured in the opposite sense";
         let other = sheet.step(("θ′", row), "deg", -angle + TAU, why);
-        sheet.answer(("other_angle", row), "Angle the other way round", other);
+        sheet.answer(("other_angle", row), "Angle in the opposite sense", other);
         sheet.verify(|| {
-            let what = "across the mark, the other way round is opposite";
+            let what = "transverse to the mark, the angle in the opposite sense gives the opposite component";
             sheet.check_sum(what, other.sin(), -angle.sin(), 1.0);
-            sheet.check_sum("along the mark, the other way round is the same", other.cos(), angle.cos(), 1.0);
+            sheet.check_sum(
+                "along the mark, the angle in the opposite sense gives the same component",
+                other.cos(),
+                angle.cos(),
+                1.0,
+            );
         });
         angle
     });
@@ -199,26 +204,26 @@ fn refusal(error: UnknownsError) -> Refusal {
     Refusal::because(match error {
         UnknownsError::Count { unknowns, equations } => {
             let text = if unknowns > equations {
-                "{unknowns} quantities are left empty, but only {equations} equations must hold, so there is no one balance; give more of them"
+                "{unknowns} quantities are left empty, but there are only {equations} equations, so the balance is not unique; give more of them"
             } else {
-                "{unknowns} quantities are left empty, but {equations} equations must hold; leave more of them empty, or ask for corrections in planes"
+                "{unknowns} quantities are left empty, but there are {equations} equations; leave more of them empty, or ask for corrections in planes"
             };
             Text::new(text).with("unknowns", unknowns).with("equations", equations)
         }
-        UnknownsError::NoDatum => {
-            Text::new("no angle is given, so the rotor may be turned as a whole; give one angle, 0° say")
-        }
+        UnknownsError::NoDatum => Text::new(
+            "no angle is given, so the orientation of the rotor is arbitrary; give one angle, for example 0°",
+        ),
         UnknownsError::NoScale => Text::new(
-            "no mass times radius is given, so all masses may grow alike; give mass and radius of one of them",
+            "no mass–radius product is given, so the masses are known only up to a common factor; give mass and radius of one of them",
         ),
         UnknownsError::NoLength => Text::new(
-            "fewer than two different positions are given, so the rotor may be stretched; give two different positions",
+            "fewer than two different positions are given, so the axial scale is undetermined; give two different positions",
         ),
         UnknownsError::Contradiction => Text::new(
             "no values of what is left empty close the polygons: the given masses contradict each other; check them, or leave other quantities empty",
         ),
         UnknownsError::NotDetermined => Text::new(
-            "a whole range of values balances the rotor, so what is left empty is not determined; leave other quantities empty",
+            "infinitely many values balance the rotor, so the empty quantities are not determined; leave other quantities empty",
         ),
         UnknownsError::Negative(row) => Text::new(
             "mass {n} would have to be negative at its angle; turn it by 180°, or leave its angle empty",

@@ -3,7 +3,7 @@
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{Real, balance};
 
-use super::{CorrectionPlane, CorrectionPlaneGiven, Unbalance, state::by_pairs};
+use super::{CorrectionPlane, CorrectionPlaneGiven, Unbalance, by_pairs};
 use crate::{
     rotor::{self, CorrectionGiven, Keys, Symbols, Way},
     sources::RIUL,
@@ -23,7 +23,7 @@ const KEYS: Keys = Keys {
     mass: ("correction_mass", "Mass of the correction in plane"),
     radius: ("correction_radius", "Radius of the correction in plane"),
     angle: ("correction_angle", "Angle of the correction in plane"),
-    other_angle: ("correction_other_angle", "Angle the other way round of the correction in plane"),
+    other_angle: ("correction_other_angle", "Angle in the opposite sense of the correction in plane"),
     weight: ("correction_weight", "Weight of the correction in plane"),
 };
 
@@ -53,7 +53,7 @@ pub(super) fn find<W: Worksheet>(
     let [x, y] = match at[..] {
         [_] => [(x, "U_Px"), (y, "U_Py")].map(|(masses, symbol)| {
             let sum = balance::single_plane_correction(masses.into_iter().map(|(u, _)| u));
-            let why = ("The sum with the correction vanishes", RIUL.at("eqs. 9–11"));
+            let why = ("The sum including the correction is zero", RIUL.at("eqs. 9–11"));
             vec![sheet.step((symbol, 1), "kg*mm", sum, why)]
         }),
         [a, b] => [(x, "U_Px"), (y, "U_Py")].map(|(masses, symbol)| {
@@ -113,8 +113,7 @@ fn least<W: Worksheet>(
         let moment = sheet.step(moment, "kg*mm^2", balance::moment(masses, mean), why);
         let each = (1..).zip(at).map(|(k, z)| {
             let formula = balance::least_correction(sum, moment, count, *z - mean, spread);
-            let why = "An equal share of the force, and of the couple a share that grows with the distance: the least \
-                       sum of squares";
+            let why = "Each plane takes an equal share of the force and a share of the couple proportional to its distance: least sum of squares";
             sheet.step((symbol, k), "kg*mm", formula, why)
         });
         each.collect()
@@ -132,10 +131,10 @@ fn left_over<W: Worksheet>(masses: &[Unbalance<W::Num>], corrected: &[Corrected<
         let couple = balance::magnitude(moment(|m| m.x), moment(|m| m.y));
         let why = "Moment of the masses about the plane: a couple that one plane cannot balance";
         let couple = sheet.step("M_c", "kg*mm^2", couple, why);
-        sheet.answer("couple_left", "Moment of unbalance that remains", couple);
+        sheet.answer("couple_left", "Residual moment of unbalance", couple);
         sheet.verify(|| {
             let (squared, scale) = by_pairs(masses, &|u| (u.z - plane.unbalance.z).value());
-            let what = "square of the moment that remains by the law of cosines over all pairs";
+            let what = "square of the residual moment by the law of cosines over all pairs";
             sheet.check_sum(what, couple.powi(2), squared.into(), scale);
         });
         let scale: f64 =

@@ -7,12 +7,10 @@ use dalembert_mechanics::{
 };
 
 use super::{
-    Bearings, BearingsGiven, EquivalentPlanes, EquivalentPlanesGiven, Unbalance, corrections::Corrected,
+    Bearings, BearingsGiven, EquivalentPlanes, EquivalentPlanesGiven, Unbalance, by_pairs,
+    corrections::Corrected,
 };
-use crate::{
-    rotor,
-    sources::{ISO_TERMS, RIUL},
-};
+use crate::sources::{ISO_TERMS, RIUL};
 
 /// A component of all unbalances with their positions.
 fn along<'u, N: Real + 'u>(
@@ -20,13 +18,6 @@ fn along<'u, N: Real + 'u>(
     of: fn(&Unbalance<N>) -> N,
 ) -> Vec<(N, N)> {
     all.into_iter().map(|u| (of(u), u.z)).collect()
-}
-
-/// The square of the resultant of masses at arms by the law of cosines over all pairs, and the square of the sum of their
-/// sizes.
-pub(super) fn by_pairs<N: Real>(masses: &[Unbalance<N>], arm: &dyn Fn(&Unbalance<N>) -> f64) -> (f64, f64) {
-    let all = masses.iter().map(|u| (u.size() * arm(u), u.y.value().atan2(u.x.value())));
-    rotor::by_pairs(&all.collect::<Vec<_>>())
 }
 
 /// Resultant of the masses and their moment, about the origin where there is no better point.
@@ -94,8 +85,8 @@ pub(super) fn bearing_forces<W: Worksheet>(
     };
     let first = greatest("R_I", on_first, last[0]);
     let second = greatest("R_J", on_second, last[1]);
-    sheet.answer("load_first", "Greatest load of the first bearing with the weight", first);
-    sheet.answer("load_second", "Greatest load of the second bearing with the weight", second);
+    sheet.answer("load_first", "Maximum load on the first bearing including the weight", first);
+    sheet.answer("load_second", "Maximum load on the second bearing including the weight", second);
     sheet.verify(|| {
         for (load, other) in [(first, bearings.second), (second, bearings.first)] {
             let arm = |z: W::Num| (z - other).value();
@@ -116,7 +107,9 @@ pub(super) fn bearing_forces<W: Worksheet>(
     let lifted = [(on_first, last[0]), (on_second, last[1])];
     if lifted.iter().any(|(share, force)| force.value() > share.value().abs()) {
         sheet.warn(|| {
-            Text::new("the rotating force is larger than the weight on a bearing: the journal is lifted once a turn")
+            Text::new(
+                "the rotating force exceeds the weight on a bearing: the journal lifts once per revolution",
+            )
         });
     }
     let between = (rotor.centre.value() - known.first) * (rotor.centre.value() - known.second) <= 0.0;
@@ -237,7 +230,7 @@ pub(super) fn equivalent<W: Worksheet>(
 ) -> Result<(), Refusal> {
     if known.first == known.second {
         return Err(Refusal::because(
-            "the two planes to tell the unbalance in are the same plane; give them different positions",
+            "the two planes for the equivalent unbalance are the same plane; give them different positions",
         ));
     }
     let scale: f64 = masses.iter().map(Unbalance::size).sum();
@@ -282,15 +275,15 @@ pub(super) fn equivalent<W: Worksheet>(
     let fixed = told(
         ("U_s", "θ_s"),
         ("static_part", "static_angle"),
-        ("Static part, equal in both planes", "Angle of the static part"),
+        ("Static component, equal in both planes", "Angle of the static component"),
         (balance::static_part(x.0, x.1), balance::static_part(y.0, y.1)),
     );
     let couple = told(
         ("U_k", "θ_k"),
         ("couple_part", "couple_angle"),
         (
-            "Couple part, in the first plane and opposite in the second",
-            "Angle of the couple part in the first plane",
+            "Couple component, in the first plane and opposite in the second",
+            "Angle of the couple component in the first plane",
         ),
         (balance::couple_part(x.0, x.1), balance::couple_part(y.0, y.1)),
     );
@@ -299,7 +292,7 @@ pub(super) fn equivalent<W: Worksheet>(
             let sum = balance::resultant(of.iter().map(|(u, _)| *u));
             let size = one[axis].value().abs() + other[axis].value().abs();
             sheet.check_sum(
-                "the unbalances in both planes add up",
+                "the sum of the unbalances in both planes is the total",
                 one[axis] + other[axis],
                 sum,
                 scale + size,
@@ -307,19 +300,19 @@ pub(super) fn equivalent<W: Worksheet>(
             let moment = balance::moment(of.iter().copied(), first);
             let reach = of.iter().map(|(_, z)| (z.value() - first.value()).abs()).fold(0.0, f64::max);
             sheet.check_sum(
-                "the unbalance in the second plane has the moment of all about the first",
+                "the unbalance in the second plane has the moment of all masses about the first",
                 other[axis] * (second - first),
                 moment,
                 scale * reach,
             );
             sheet.check_sum(
-                "static and couple part in the first plane",
+                "static and couple component in the first plane",
                 fixed[axis] + couple[axis],
                 one[axis],
                 size,
             );
             sheet.check_sum(
-                "static and couple part in the second plane",
+                "static and couple component in the second plane",
                 fixed[axis] - couple[axis],
                 other[axis],
                 size,

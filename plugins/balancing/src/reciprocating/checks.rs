@@ -48,9 +48,9 @@ pub(super) fn semi_axes<W: Worksheet>(
 ) {
     let forward = f64::midpoint(a[0], b[1]).hypot((a[1] - b[0]) / 2.0);
     let backward = ((a[0] - b[1]) / 2.0).hypot(f64::midpoint(a[1], b[0]));
-    let what = "the greatest over a turn from two vectors a quarter of a period apart";
+    let what = "the maximum over a revolution from two vectors a quarter of a period apart";
     sheet.check_sum(what, most, (forward + backward).into(), scale);
-    let what = "the least over a turn from two vectors a quarter of a period apart";
+    let what = "the minimum over a revolution from two vectors a quarter of a period apart";
     sheet.check_sum(what, least, (forward - backward).abs().into(), scale);
 }
 

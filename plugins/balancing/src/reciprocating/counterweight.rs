@@ -69,7 +69,7 @@ pub(super) fn rotating<W: Worksheet>(
         "1",
         W::Num::from(1.0) - counterweight.fraction * 2.0,
         (
-            "Part of the forward vector that is left: the counterweights turn with it, and it is half of the reciprocating masses",
+            "Residual fraction of the forward vector: the counterweights rotate with it, and it represents half of the reciprocating masses",
             DEN_HARTOG.at("ch. 5"),
         ),
     );
@@ -80,16 +80,16 @@ pub(super) fn rotating<W: Worksheet>(
         "F_res",
         "N",
         forward_size + pair.backward_size,
-        "Greatest primary force that remains with the counterweights",
+        "Maximum residual primary force with the counterweights",
     );
     let least = sheet.step(
         "F′_res",
         "N",
         (forward_size - pair.backward_size).abs(),
-        "Least primary force that remains with the counterweights",
+        "Minimum residual primary force with the counterweights",
     );
-    sheet.answer("residual", "Greatest primary force with counterweights", most);
-    sheet.answer("residual_min", "Least primary force with counterweights", least);
+    sheet.answer("residual", "Maximum primary force with counterweights", most);
+    sheet.answer("residual_min", "Minimum primary force with counterweights", least);
     sheet.verify(|| {
         let [[ax, ay], [bx, by]] = checks::semidiameters(1, cylinders, primary);
         let [x, y] = checks::turning(cylinders, centrifugal.iter().copied());
@@ -97,11 +97,11 @@ pub(super) fn rotating<W: Worksheet>(
     });
     if let Some(angle) = given.angle {
         let [x, y] = orders::at(1, &pair, angle);
-        let x = sheet.step("X_res", "N", x, "What remains upward at the crank angle");
-        let y = sheet.step("Y_res", "N", y, "What remains across at the crank angle");
-        let size = sheet.step("R_res", "N", balance::magnitude(x, y), "What remains at the crank angle");
+        let x = sheet.step("X_res", "N", x, "Upward residual at the crank angle");
+        let y = sheet.step("Y_res", "N", y, "Transverse residual at the crank angle");
+        let size = sheet.step("R_res", "N", balance::magnitude(x, y), "Residual at the crank angle");
         sheet.answer("residual_along", "Upward primary force with counterweights at the crank angle", x);
-        sheet.answer("residual_across", "Primary force across with counterweights at the crank angle", y);
+        sheet.answer("residual_across", "Transverse primary force with counterweights at the crank angle", y);
         sheet.answer("residual_at", "Primary force with counterweights at the crank angle", size);
         sheet.verify(|| {
             // Piston by piston and counterweight by counterweight.
@@ -112,7 +112,7 @@ pub(super) fn rotating<W: Worksheet>(
                 u += along * c.line.value().cos() - counterweight.fraction.value() * k * crank.cos();
                 v += along * c.line.value().sin() - counterweight.fraction.value() * k * crank.sin();
             }
-            let what = "what remains, added up piston by piston and counterweight by counterweight";
+            let what = "residual, summed over pistons and counterweights";
             sheet.check_sum(what, x, u.into(), first.scale);
             sheet.check_sum(what, y, v.into(), first.scale);
             sheet.check_sum(what, size, u.hypot(v).into(), first.scale);
@@ -123,9 +123,9 @@ pub(super) fn rotating<W: Worksheet>(
             "C_res",
             "N*m",
             couple.forward_size * left.abs() + couple.backward_size,
-            "Greatest primary couple that remains with the counterweights",
+            "Maximum residual primary couple with the counterweights",
         );
-        sheet.answer("residual_couple", "Greatest primary couple with counterweights", most);
+        sheet.answer("residual_couple", "Maximum primary couple with counterweights", most);
         sheet.verify(|| {
             let arm = |c: &Placed<W::Num>| c.position.value() - about.map_or(0.0, Real::value);
             let amounts = cylinders.iter().zip(primary).map(|(c, k)| *k * arm(c));
@@ -147,18 +147,19 @@ pub(super) fn rotating<W: Worksheet>(
 /// The fraction with the least greatest force: half, found again by a search.
 fn best<W: Worksheet>(first: &Order<W::Num>, sheet: W) {
     let (p, q) = (first.force.forward_size.value(), first.force.backward_size.value());
-    let how = "Fraction with the least greatest force: the counterweights cancel the forward vector";
+    let how =
+        "Fraction that minimises the maximum force: the counterweights cancel the forward rotating vector";
     let best = sheet.found("c_best", "1", 0.5, (how, DEN_HARTOG.at("ch. 5")));
-    let why = "Greatest primary force at that fraction: the backward vector alone";
+    let why = "Maximum primary force at that fraction: the backward rotating vector alone";
     let least = sheet.step("F_best", "N", first.force.backward_size, why);
-    sheet.answer("best_fraction", "Best fraction of the reciprocating mass to balance", best);
-    sheet.answer("best_residual", "Greatest primary force at the best fraction", least);
+    sheet.answer("best_fraction", "Optimum balanced fraction of the reciprocating mass", best);
+    sheet.answer("best_residual", "Maximum primary force at the optimum fraction", least);
     sheet.verify(|| {
         let greatest = |c: f64| (1.0 - 2.0 * c).abs() * p + q;
         let grid = (0..=1000).map(|k| f64::from(k) / 1000.0);
         let searched = grid.map(|c| (greatest(c), c)).min_by(|a, b| a.0.total_cmp(&b.0));
         let near = searched.map_or(0.5, |(_, c)| c);
-        sheet.check("the least greatest force among a thousand fractions", best, near.into());
+        sheet.check("the smallest maximum force among a thousand fractions", best, near.into());
     });
 }
 
@@ -183,7 +184,7 @@ fn masses<W: Worksheet>(
         let why = ("Rotating mass and the fraction of the reciprocating mass, at the crank pin", cite);
         let product = sheet.step("U", "kg*m", product, why);
         let mass = sheet.step("B", "kg", product / radius, ("Counterweight opposite the crank", cite));
-        sheet.answer("counterweight_product", "Mass times radius of the counterweight", product);
+        sheet.answer("counterweight_product", "Mass–radius product of the counterweight", product);
         sheet.answer("counterweight", "Mass of the counterweight", mass);
         let mut all = vec![W::Num::from(0.0); cylinders.len()];
         all[0] = mass;
@@ -298,13 +299,13 @@ pub(super) fn shafts<W: Worksheet>(
     let cite = NORTON.at("ch. 14");
     let vectors = [
         (
-            ("shaft_forward", "Mass times radius of the shaft that turns with the crank"),
+            ("shaft_forward", "Mass–radius product of the shaft rotating with the crank"),
             ("shaft_forward_angle", "Angle of its mass when the crank angle is 0, forward shaft"),
             ["U_f", "η_f"],
             (force.forward, force.forward_size),
         ),
         (
-            ("shaft_backward", "Mass times radius of the shaft that turns against the crank"),
+            ("shaft_backward", "Mass–radius product of the shaft rotating against the crank"),
             ("shaft_backward_angle", "Angle of its mass when the crank angle is 0, backward shaft"),
             ["U_b", "η_b"],
             (force.backward, force.backward_size),
@@ -316,7 +317,7 @@ pub(super) fn shafts<W: Worksheet>(
             continue;
         }
         any = true;
-        let why = ("Its centrifugal force is as large as the vector it cancels", cite);
+        let why = ("Its centrifugal force equals the vector to be cancelled", cite);
         let product = sheet.step(size, "kg*mm", force / speed.powi(2), why);
         sheet.answer(size_of.0, size_of.1, product);
         let why = "Its mass stands opposite the vector";
@@ -326,13 +327,13 @@ pub(super) fn shafts<W: Worksheet>(
             // At the crank angle 0 the shaft's force and the vector are gone along both directions.
             let pull = product.value() * speed.value().powi(2);
             sheet.check_sum(
-                "nothing of the vector is left along the vertical",
+                "residual vertical component of the vector is zero",
                 x,
                 (-(pull * angle.value().cos())).into(),
                 scale,
             );
             sheet.check_sum(
-                "nothing of the vector is left across",
+                "residual transverse component of the vector is zero",
                 y,
                 (-(pull * angle.value().sin())).into(),
                 scale,
@@ -345,7 +346,7 @@ pub(super) fn shafts<W: Worksheet>(
             let [mx, my] = couple.forward;
             if force.forward_size.value() > small {
                 let arm = (mx * px + my * py) / force.forward_size.powi(2);
-                let why = "Where along the shaft the force acts: there the shafts stand";
+                let why = "Axial position of the resultant force, where the balance shafts are placed";
                 let place = sheet.step("z_s", "mm", about + arm, why);
                 sheet.answer("shaft_position", "Position of the balance shafts along the engine", place);
                 sheet.verify(|| {
@@ -365,14 +366,14 @@ pub(super) fn shafts<W: Worksheet>(
             couple.map(|[forward, _]| forward),
             "D_f",
             "shaft_couple_forward",
-            "Mass times radius times distance of the two masses of the shaft that turns with the crank",
+            "Mass–radius–distance product of the two masses of the shaft rotating with the crank",
         ),
         (
             -1.0,
             couple.map(|[_, backward]| backward),
             "D_b",
             "shaft_couple_backward",
-            "Mass times radius times distance of the two masses of the shaft that turns against the crank",
+            "Mass–radius–distance product of the two masses of the shaft rotating against the crank",
         ),
     ] {
         let Some(couple) = couple.filter(|couple| couple.value() > small * order.reach) else { continue };

@@ -81,7 +81,7 @@ pub(super) fn cylinders<W: Worksheet>(
             Ok(spread(every, &[zero, half], &throws, &positions, half, *pitch, sheet))
         }
         (Arrangement::Radial { count, .. }, ArrangementGiven::Radial { every, .. }) => {
-            let why = "Direction of the cylinder, evenly all round";
+            let why = "Direction of the cylinder, equally spaced over 360°";
             let lines: Vec<W::Num> = (0..*count)
                 .map(|k| sheet.step(("ψ", k + 1), "deg", W::Num::from(TAU) * k as f64 / *count as f64, why))
                 .collect();
@@ -113,7 +113,9 @@ fn spread<W: Worksheet>(
 ) -> Vec<Placed<W::Num>> {
     let crank = match every.throw {
         ThrowGiven::Radius { radius } => radius,
-        ThrowGiven::Stroke { stroke } => sheet.step("r", "mm", stroke / 2.0, "The crank is half the stroke"),
+        ThrowGiven::Stroke { stroke } => {
+            sheet.step("r", "mm", stroke / 2.0, "The crank radius is half the stroke")
+        }
     };
     let mut all = Vec::new();
     for (bank, line) in lines.iter().enumerate() {
@@ -161,7 +163,7 @@ fn positions<W: Worksheet>(
 
 fn number(what: &'static str, found: usize, wanted: usize) -> Refusal {
     Refusal::because(
-        Text::new("there are {found} {what} for {wanted} cranks; give one for each crank")
+        Text::new("{found} {what} given for {wanted} cranks; give one for each crank")
             .with("found", found)
             .with_text("what", what)
             .with("wanted", wanted),
@@ -197,7 +199,7 @@ fn throws<W: Worksheet>(
                 if off.min(TAU - off) > 1e-6 {
                     return Err(Refusal::because(
                         Text::new(
-                            "the firing order {order} contradicts the arrangement: cylinders {one} and {other} are on one crank, which would have to stand at two angles; change the order, the bank angle or the split, or give crank angles",
+                            "the firing order {order} contradicts the arrangement: cylinders {one} and {other} share one crank, which would need two angles; change the order, the bank angle or the splay angle, or give crank angles",
                         )
                         .with("order", order.trim())
                         .with("one", pin + 1)
@@ -217,7 +219,7 @@ fn throws<W: Worksheet>(
                         ("φ", pin + 1),
                         "deg",
                         angle,
-                        "Crank that comes to its top when its cylinder fires",
+                        "Crank at top dead centre when its cylinder fires",
                     )
                 })
                 .collect())
@@ -236,7 +238,7 @@ fn throws<W: Worksheet>(
             let best: Vec<W::Num> = (1..)
                 .zip(best)
                 .map(|(row, angle)| {
-                    let why = ("Of all orders, that with the least primary couple", DEN_HARTOG.at("ch. 5"));
+                    let why = ("Crank order with the minimum primary couple", DEN_HARTOG.at("ch. 5"));
                     let angle = sheet.step(("φ", row), "deg", angle.into(), why);
                     sheet.answer(("crank", row), "Crank angle", angle);
                     angle
@@ -326,7 +328,7 @@ pub(super) fn reference<W: Worksheet>(
     if first.value() == last.value() {
         return None;
     }
-    let why = "Couples are told about the middle between the first and the last cylinder";
+    let why = "Reference point for moments: midway between the first and the last cylinder";
     Some(sheet.step("z₀", "mm", (first + last) / 2.0, why))
 }
 

@@ -160,26 +160,26 @@ pub(super) fn of_order<W: Worksheet>(
     let names = names(order);
     let amounts: Vec<W::Num> = strengths.to_vec();
     let why = [
-        "Forward vector of the forces: each cylinder gives half its amplitude",
-        "Backward vector of the forces",
+        "Forward rotating vector of the forces: each cylinder contributes half its amplitude",
+        "Backward rotating vector of the forces",
     ];
     let force = sums(order, cylinders, &amounts, [names.forward, names.backward], "N", why, sheet);
     let most = sheet.step(
         names.most[0],
         "N",
         force.forward_size + force.backward_size,
-        "Greatest where both vectors point one way",
+        "Maximum where both vectors point in the same direction",
     );
     let least = sheet.step(
         names.most[1],
         "N",
         (force.forward_size - force.backward_size).abs(),
-        "Least where they point against each other",
+        "Minimum where they point in opposite directions",
     );
-    sheet.answer(("force", n), "Greatest force of order", most);
-    sheet.answer(("force_min", n), "Least force of order", least);
-    sheet.answer(("forward", n), "Forward vector of order", force.forward_size);
-    sheet.answer(("backward", n), "Backward vector of order", force.backward_size);
+    sheet.answer(("force", n), "Maximum force of order", most);
+    sheet.answer(("force_min", n), "Minimum force of order", least);
+    sheet.answer(("forward", n), "Forward rotating vector of order", force.forward_size);
+    sheet.answer(("backward", n), "Backward rotating vector of order", force.backward_size);
     if force.forward_size.value().min(force.backward_size.value()) > 1e-9 * scale {
         let [angle, direction] = directions(n, &force, names.angle, sheet);
         sheet.verify(|| {
@@ -187,11 +187,11 @@ pub(super) fn of_order<W: Worksheet>(
             let [x, y] = checks::sum_at(order, cylinders, strengths, turned);
             let (along, across) = (most * direction.cos(), most * direction.sin());
             let off = (along.value() - x).hypot(across.value() - y);
-            let what = "at its crank angle the pistons' forces add up to the greatest one";
+            let what = "at this crank angle the piston forces add up to the maximum";
             sheet.check_zero(what, off.into(), scale);
         });
     } else {
-        let what = "one vector alone is as large at every crank angle";
+        let what = "a single rotating vector has the same magnitude at every crank angle";
         sheet.check_sum(what, most, least, 4.0 * scale);
     }
     sheet.verify(|| {
@@ -201,23 +201,23 @@ pub(super) fn of_order<W: Worksheet>(
     let couple = about.map(|about| {
         let arms: Vec<W::Num> =
             strengths.iter().zip(cylinders).map(|(k, c)| *k * (c.position - about)).collect();
-        let why = ["Forward vector of the couples", "Backward vector of the couples"];
+        let why = ["Forward rotating vector of the couples", "Backward rotating vector of the couples"];
         let names_of = [names.couple_forward, names.couple_backward];
         let couple = sums(order, cylinders, &arms, names_of, "N*m", why, sheet);
         let most = sheet.step(
             names.most[2],
             "N*m",
             couple.forward_size + couple.backward_size,
-            "Greatest where both vectors point one way",
+            "Maximum where both vectors point in the same direction",
         );
         let least = sheet.step(
             names.most[3],
             "N*m",
             (couple.forward_size - couple.backward_size).abs(),
-            "Least where they point against each other",
+            "Minimum where they point in opposite directions",
         );
-        sheet.answer(("couple", n), "Greatest couple of order", most);
-        sheet.answer(("couple_min", n), "Least couple of order", least);
+        sheet.answer(("couple", n), "Maximum couple of order", most);
+        sheet.answer(("couple_min", n), "Minimum couple of order", least);
         sheet.verify(|| {
             let pair = checks::semidiameters(order, cylinders, &arms);
             checks::semi_axes(most, least, pair, arms.iter().map(|k| k.value().abs()).sum(), sheet);
@@ -227,7 +227,7 @@ pub(super) fn of_order<W: Worksheet>(
     if let Some(angle) = angle {
         let [x, y] = at(order, &force, angle);
         let x = sheet.step(names.at[0], "N", x, "Upward force at the crank angle");
-        let y = sheet.step(names.at[1], "N", y, "Force across at the crank angle");
+        let y = sheet.step(names.at[1], "N", y, "Transverse force at the crank angle");
         let size = sheet.step(names.at[2], "N", balance::magnitude(x, y), "Force at the crank angle");
         sheet.answer(("force_at", n), "Force at the crank angle, order", size);
         sheet.verify(|| {
@@ -275,7 +275,7 @@ fn sums<W: Worksheet>(
     let cite = DEN_HARTOG.at("ch. 5");
     let px = sheet.step(forward[0], unit, sum(engine::forward_angle, W::Num::cos), (why_forward, cite));
     let py = sheet.step(forward[1], unit, sum(engine::forward_angle, W::Num::sin), (why_forward, cite));
-    let forward_size = size([px, py], forward[2], "Size of the forward vector");
+    let forward_size = size([px, py], forward[2], "Magnitude of the forward vector");
     if upright {
         let why = "All strokes are in one plane: the backward vector is the mirror image of the forward one";
         let backward_size = sheet.step(backward[2], unit, forward_size, why);
@@ -283,7 +283,7 @@ fn sums<W: Worksheet>(
     }
     let qx = sheet.step(backward[0], unit, sum(engine::backward_angle, W::Num::cos), (why_backward, cite));
     let qy = sheet.step(backward[1], unit, -sum(engine::backward_angle, W::Num::sin), (why_backward, cite));
-    let backward_size = size([qx, qy], backward[2], "Size of the backward vector");
+    let backward_size = size([qx, qy], backward[2], "Magnitude of the backward vector");
     Pair { forward: [px, py], backward: [qx, qy], forward_size, backward_size }
 }
 
@@ -307,9 +307,12 @@ fn directions<W: Worksheet>(
             (_, 0.0) => half,
             _ => half - whole,
         },
-        ("Both vectors point one way: first crank angle of the greatest force", DEN_HARTOG.at("ch. 5")),
+        (
+            "Both rotating vectors point in the same direction: first crank angle of maximum force",
+            DEN_HARTOG.at("ch. 5"),
+        ),
     );
-    sheet.answer(("angle", n), "Crank angle of the greatest force of order", angle);
+    sheet.answer(("angle", n), "Crank angle of maximum force of order", angle);
     let direction = p + angle * n as f64;
     let direction = match direction.value() {
         small if small.abs() < 1e-11 => 0.0.into(),
@@ -318,8 +321,8 @@ fn directions<W: Worksheet>(
         _ => direction,
     };
     let direction =
-        sheet.step(symbols[1], "deg", direction, "Direction of the greatest force, from the vertical");
-    sheet.answer(("direction", n), "Direction of the greatest force of order", direction);
+        sheet.step(symbols[1], "deg", direction, "Direction of the maximum force, from the vertical");
+    sheet.answer(("direction", n), "Direction of the maximum force of order", direction);
     [angle, direction]
 }
 
@@ -386,7 +389,7 @@ pub(super) fn check<W: Worksheet>(
             }
             (x / f64::from(points)).hypot(y / f64::from(points))
         };
-        let what = "the order by the Fourier integral of the pistons' forces over a turn";
+        let what = "the order by the Fourier integral of the piston forces over a revolution";
         for (sign, size) in [(1.0, order.force.forward_size), (-1.0, order.force.backward_size)] {
             sheet.check_sum(what, size, vector(sign, false).into(), scale);
         }

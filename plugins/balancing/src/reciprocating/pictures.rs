@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    Axis, Cell, Column, Drawing, DrawnShape, Film, Ink, Plot, Point, Series, TableExhibit, Text,
+    Animation, Axis, Cell, Column, Drawing, DrawnShape, Ink, Plot, Point, Series, TableExhibit, Text,
     trace::ROUNDING,
 };
 use dalembert_mechanics::{
@@ -55,14 +55,14 @@ fn curves(pistons: &[Piston], motion: PistonMotion, about: f64, couple: bool) ->
 pub(super) fn forces(pistons: &[Piston], motion: PistonMotion, about: f64) -> Plot {
     let x = Axis::linear("Crank angle", "deg");
     let y = Axis::linear("Shaking force", "N");
-    Plot::new("Shaking force over a turn", x, y, curves(pistons, motion, about, false))
+    Plot::new("Shaking force over a revolution", x, y, curves(pistons, motion, about, false))
 }
 
 /// The shaking couple over a turn.
 pub(super) fn couples(pistons: &[Piston], motion: PistonMotion, about: f64) -> Plot {
     let x = Axis::linear("Crank angle", "deg");
-    let y = Axis::linear("Shaking couple", "N*m");
-    Plot::new("Shaking couple over a turn", x, y, curves(pistons, motion, about, true))
+    let y = Axis::linear("Shaking moment", "N*m");
+    Plot::new("Shaking moment over a revolution", x, y, curves(pistons, motion, about, true))
 }
 
 /// The way of the tip of the force over a turn: across to the right, upward up.
@@ -83,7 +83,7 @@ pub(super) fn ellipse(pistons: &[Piston], motion: PistonMotion, about: f64) -> D
         DrawnShape::Polyline(tips, Ink::Force),
         DrawnShape::Label((0.05, 1.15), "Σ m r ω²".into()),
     ];
-    Drawing { title: "Way of the shaking force over a turn".into(), shapes }
+    Drawing { title: "Polar diagram of the shaking force (one revolution)".into(), shapes }
 }
 
 /// Orders, with their forward and backward vectors.
@@ -94,13 +94,13 @@ pub(super) fn table<N: Real>(found: &[Order<N>]) -> TableExhibit {
         column("order", "1"),
         column("force forward", "N"),
         column("force backward", "N"),
-        column("greatest force", "N"),
+        column("maximum force", "N"),
     ];
     if with_couples {
         columns.extend([
             column("couple forward", "N*m"),
             column("couple backward", "N*m"),
-            column("greatest couple", "N*m"),
+            column("maximum couple", "N*m"),
         ]);
     }
     let row = |order: &Order<N>| -> Vec<Cell> {
@@ -119,7 +119,7 @@ pub(super) fn table<N: Real>(found: &[Order<N>]) -> TableExhibit {
 }
 
 /// Stars of the cranks, one for each order, turning at the order's speed.
-pub(super) fn stars(pistons: &[Piston], orders: &[u8]) -> Film {
+pub(super) fn stars(pistons: &[Piston], orders: &[u8]) -> Animation {
     const FRAMES: u32 = 24;
     let frame = |k: u32| {
         let turned = TAU * f64::from(k) / f64::from(FRAMES);
@@ -142,5 +142,5 @@ pub(super) fn stars(pistons: &[Piston], orders: &[u8]) -> Film {
         }
         shapes
     };
-    Film::new("Stars of the cranks by orders", (0..FRAMES).map(frame).collect(), 4.0)
+    Animation::new("Crank star diagrams by order", (0..FRAMES).map(frame).collect(), 4.0)
 }

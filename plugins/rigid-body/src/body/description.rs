@@ -12,13 +12,13 @@ use super::shape::Shape;
 /// A rigid body, in a frame Oxyz fixed in it.
 #[derive(Clone, Debug, Inputs)]
 pub enum Body {
-    /// Put together from parts
+    /// Composed of parts
     Parts {
         /// Parts.
         #[input(min = 1)]
         parts: Vec<Part>,
     },
-    /// Known by its inertia matrix
+    /// Defined by its inertia matrix
     Matrix {
         /// Mass.
         #[input("m_0", "kg", positive)]
@@ -30,13 +30,13 @@ pub enum Body {
         #[input("I_0", "kg*m^2")]
         moments: Vector3<f64>,
         /// Products of inertia I_yz, I_zx, I_xy.
-        /// I_xy = ∫ xy dm; in the inertia matrix they stand with a minus sign.
+        /// I_xy = ∫ xy dm; in the inertia matrix they appear with a minus sign.
         #[input("P_0", "kg*m^2", default = "(0; 0; 0) kg*m^2")]
         products: Vector3<f64>,
-        /// They are taken about.
+        /// Taken about.
         about: TakenAbout,
     },
-    /// Known by its radii of gyration
+    /// Defined by its radii of gyration
     Radii {
         /// Mass.
         #[input("m_0", "kg", positive)]
@@ -120,9 +120,9 @@ pub enum Amount {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum ReferencePoint {
     /// The origin of its own axes
-    /// As told with the shape: the apex of a cone, the centre of a sphere, of a plate or of a circle.
+    /// As defined for the shape: the apex of a cone, the centre of a sphere, of a plate or of a circle.
     Origin,
-    /// Its mass centre
+    /// Its centre of mass
     MassCentre,
     /// Its near end
     /// Where its own z axis enters it; where an arc begins.
@@ -131,7 +131,7 @@ pub enum ReferencePoint {
     /// Where its own z axis leaves it; where an arc ends.
     FarEnd,
     /// Its corner
-    /// That with the least coordinates in its own axes.
+    /// The corner with the smallest coordinates in its own axes.
     Corner,
 }
 
@@ -140,33 +140,33 @@ pub enum ReferencePoint {
 pub enum Direction {
     /// Along x, y and z
     Same,
-    /// Own z axis along
-    /// For shapes of revolution and rods; other shapes are turned there by the shortest way.
+    /// Its z axis along
+    /// For shapes of revolution and rods; other shapes are rotated there through the smallest angle.
     Axis {
         /// Any vector along the axis.
         #[input("e", "1")]
         axis: Vector3<f64>,
     },
-    /// Own z axis along one vector, own x axis towards another
+    /// Its z axis along one vector, its x axis towards another
     Axes {
-        /// Any vector along the own z axis.
+        /// Any vector along its z axis.
         #[input("e", "1")]
         axis: Vector3<f64>,
-        /// Any vector on the side of the own x axis.
+        /// Any vector on the side of its x axis.
         #[input("e′", "1")]
         side: Vector3<f64>,
     },
-    /// Turned about an axis
+    /// Rotated about an axis
     Turned {
         /// Any vector along the axis.
         #[input("e", "1")]
         axis: Vector3<f64>,
-        /// Angle, right-handed about it.
+        /// Angle, positive by the right-hand rule.
         #[input("χ", "rad")]
         angle: f64,
     },
     /// Euler angles
-    /// Turned about z by φ, then about the new x axis by θ, then about the new z axis by ψ.
+    /// Rotated about z by φ, then about the new x axis by θ, then about the new z axis by ψ.
     Euler {
         /// Precession.
         #[input("φ", "rad", default = "0 deg")]
@@ -186,7 +186,7 @@ pub enum Presence {
     /// Material
     Material,
     /// A hole
-    /// Its mass is taken away from the rest.
+    /// Its mass is subtracted from the rest.
     Hole,
 }
 
@@ -269,7 +269,7 @@ impl Part {
         if let Some((from, to)) = self.shape.ends() {
             if !matches!(self.direction, Direction::Same) {
                 return Err(named(
-                    "the two ends of {name} tell its direction: leave that along x, y and z",
+                    "the two ends of {name} define its direction: leave that along x, y and z",
                     &self.name,
                 ));
             }
@@ -393,24 +393,24 @@ fn told(error: &BodyError) -> Text {
     let written = |axis: &[f64; 3]| format!("({:.3}; {:.3}; {:.3})", axis[0], axis[1], axis[2]);
     match error {
         BodyError::NotFinite => {
-            Text::new("the masses or dimensions of {name} are too large for any body: look at their units")
+            Text::new("the masses or dimensions of {name} are too large for any body: check their units")
         }
-        BodyError::Mass(mass) => Text::new("the holes leave {name} a mass of {mass}: make them smaller")
+        BodyError::Mass(mass) => Text::new("with its holes {name} would have a mass of {mass}: make them smaller")
             .with_quantity("mass", *mass, "kg"),
         BodyError::NotSymmetric => Text::new("the inertia matrix of {name} is not symmetric"),
         BodyError::Negative { axis, moment } => {
-            Text::new("the moment of inertia of {name} about the axis {axis} through its mass centre would be {moment}, and none is negative: look at its moments, products and holes")
+            Text::new("the moment of inertia of {name} about the axis {axis} through its mass centre would be {moment}, and none is negative: check its moments, products and holes")
                 .with("axis", written(axis))
                 .with_quantity("moment", *moment, "kg*m^2")
         }
         BodyError::Triangle { axis, moment, others } => {
-            Text::new("the moment of inertia of {name} about the principal axis {axis} would be {moment}, more than the {others} of the other two together, and no body is such: look at its moments and products")
+            Text::new("the moment of inertia of {name} about the principal axis {axis} would be {moment}, more than the {others} of the other two together, which violates the triangle inequality: check its moments and products")
                 .with("axis", written(axis))
                 .with_quantity("moment", *moment, "kg*m^2")
                 .with_quantity("others", *others, "kg*m^2")
         }
         BodyError::NoInertia { axis } => {
-            Text::new("{name} has no moment of inertia about the axis {axis}: nothing holds its turning there; give it a thickness")
+            Text::new("{name} has no moment of inertia about the axis {axis}: nothing resists its rotation there; give it a thickness")
                 .with("axis", written(axis))
         }
         BodyError::Direction => Text::new("a direction of {name} has no length: write any vector along it"),

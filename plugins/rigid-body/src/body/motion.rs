@@ -21,17 +21,17 @@ pub enum Turning {
         /// Any vector along the axis.
         #[input("e_ω", "1")]
         axis: Vector3<f64>,
-        /// Angular speed, right-handed about it.
+        /// Angular speed, positive by the right-hand rule.
         #[input("ω_0", "rad/s")]
         speed: f64,
     },
     /// Two of its points are at rest
-    /// It turns about the line through them: a disc rolling on the floor about a fixed point of its axle.
+    /// It rotates about the line through them: a disc rolling on the floor about a fixed point of its axle.
     RestingPoints {
-        /// Position of the first.
+        /// Position of the first point.
         #[input("r_1", "m", default = "(0; 0; 0) m")]
         first: Vector3<f64>,
-        /// Position of the second.
+        /// Position of the second point.
         #[input("r_2", "m")]
         second: Vector3<f64>,
         /// Any vector along an axis of the body.
@@ -41,7 +41,7 @@ pub enum Turning {
         #[input("ω_0", "rad/s")]
         speed: f64,
     },
-    /// Angular momentum about the mass centre
+    /// Angular momentum about the centre of mass
     Momentum {
         /// Angular momentum.
         #[input("H_0", "kg*m^2/s")]
@@ -73,8 +73,8 @@ pub enum Going {
         #[input("v_P", "m/s")]
         velocity: Vector3<f64>,
     },
-    /// Carried by an arm that turns about a point
-    /// The body may spin on the arm as it likes: the arm alone moves its mass centre.
+    /// Carried by an arm rotating about a point
+    /// The body rotates freely relative to the arm: only the arm moves its mass centre.
     Carried {
         /// Position of the point.
         #[input("r_F", "m", default = "(0; 0; 0) m")]
@@ -83,7 +83,7 @@ pub enum Going {
         #[input("Ω", "rad/s")]
         omega: Vector3<f64>,
     },
-    /// Fallen from rest
+    /// Dropped from rest
     Fallen {
         /// Height of the fall.
         #[input("h", "m", nonnegative)]
@@ -126,7 +126,7 @@ impl Turning {
                 let (line, along) = (b - a, *along / along.amax());
                 if line.dot(along).abs() <= 1e-12 * line.norm() * along.norm() {
                     return Err(Refusal::because(
-                        "the line through the two resting points is at right angles to the axis of the body: an angular velocity along it has no component there; look at the points or give the angular velocity itself",
+                        "the line through the two points at rest is at right angles to the axis of the body: an angular velocity along it has no component there; check the points or give the angular velocity itself",
                     ));
                 }
                 let line = sheet.step_vector(
@@ -154,7 +154,7 @@ impl Turning {
                     ("Angular velocity from H_G = I ω", MERIAM.at("§7/7")),
                 ))
             }
-            _ => Err(Refusal::because("the rotation is not described")),
+            _ => Err(Refusal::because("the rotation is not defined")),
         }
     }
 }
@@ -181,7 +181,7 @@ impl Going {
                     "v_G",
                     "m/s",
                     omega.cross(arm),
-                    ("Velocity of the mass centre: G turns about the fixed point", BEER.at("§15.6B")),
+                    ("Velocity of the mass centre: G rotates about the fixed point", BEER.at("§15.6B")),
                 )
             }
             (Going::Point { .. }, GoingGiven::Point { point, velocity }) => {
@@ -204,7 +204,7 @@ impl Going {
                     "v_G",
                     "m/s",
                     arm_omega.cross(arm),
-                    ("Velocity of the mass centre, which turns with the arm", BEER.at("§15.6A")),
+                    ("Velocity of the mass centre, which rotates with the arm", BEER.at("§15.6A")),
                 )
             }
             (Going::Fallen { gravity: down, .. }, GoingGiven::Fallen { height, gravity }) => {
@@ -222,7 +222,7 @@ impl Going {
                     "Velocity of the mass centre, along gravity",
                 )
             }
-            _ => return Err(Refusal::because("the motion of the body is not described")),
+            _ => return Err(Refusal::because("the motion of the body is not defined")),
         })
     }
 }

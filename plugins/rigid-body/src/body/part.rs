@@ -54,7 +54,7 @@ impl Part {
                     "m",
                     arm,
                     Named(
-                        "From the reference point of {name} to its mass centre, in its own axes",
+                        "From the reference point of {name} to its centre of mass, in its own axes",
                         &self.name,
                         Some(MERIAM.at("table D/4")),
                     ),
@@ -71,7 +71,7 @@ impl Part {
                 ("r_G", row),
                 "m",
                 centre,
-                Named("Mass centre of {name}", &self.name, Some(MERIAM.at("table D/4"))),
+                Named("Centre of mass of {name}", &self.name, Some(MERIAM.at("table D/4"))),
             )
         } else {
             centre
@@ -96,9 +96,7 @@ impl Part {
         let (density, extent) = match (&self.amount, &given.amount, extent) {
             (Amount::Mass { .. }, AmountGiven::Mass { mass }, _) => {
                 return Ok(match (hole, row) {
-                    (true, _) => {
-                        sheet.step(("m_h", row), "kg", -*mass, named("Mass of {name}, which is taken away"))
-                    }
+                    (true, _) => sheet.step(("m_h", row), "kg", -*mass, named("Mass of {name}, subtracted")),
                     (false, 0) => sheet.step("m", "kg", *mass, named("Mass of {name}")),
                     (false, _) => *mass,
                 });
@@ -121,7 +119,7 @@ impl Part {
             _ => return Err(self.misfilled()),
         };
         Ok(if hole {
-            sheet.step(("m", row), "kg", -(density * extent), named("Mass of {name}, which is taken away"))
+            sheet.step(("m", row), "kg", -(density * extent), named("Mass of {name}, subtracted"))
         } else {
             sheet.step(("m", row), "kg", density * extent, named("Mass of {name}"))
         })
@@ -163,9 +161,9 @@ impl Part {
             sheet.found_vector((symbol, row), "1", column(n), named(reason))
         };
         Some([
-            axis(0, "e_1", "Direction of the own x axis of {name}"),
-            axis(1, "e_2", "Direction of the own y axis of {name}"),
-            axis(2, "e_3", "Direction of the own z axis of {name}"),
+            axis(0, "e_1", "Direction of the x axis of {name}"),
+            axis(1, "e_2", "Direction of the y axis of {name}"),
+            axis(2, "e_3", "Direction of the z axis of {name}"),
         ])
     }
 
@@ -187,12 +185,12 @@ impl Part {
         };
         let [x, y, z] = own.moments;
         if shape.is_ball() {
-            let any = table("I_G", x, "Moment of inertia of {name} about any axis through its mass centre");
+            let any =
+                table("I_G", x, "Moment of inertia of {name} about any axis through its centre of mass");
             return ([any; 3], [None; 3]);
         }
         if shape.is_round() {
-            let across =
-                table("I_t", x, "Moment of inertia of {name} across its axis, about its mass centre");
+            let across = table("I_t", x, "Transverse moment of inertia of {name}, about its centre of mass");
             let along = table("I_a", z, "Moment of inertia of {name} about its own axis");
             let Some([_, _, axis]) = axes else {
                 // The axis lies along one of the axes of the body.
@@ -212,7 +210,7 @@ impl Part {
                     (MOMENTS[n], row),
                     "kg*m^2",
                     value,
-                    why("Moment of inertia of {name} about an axis of the body through its mass centre, from its direction cosines", "App. B/2"),
+                    why("Moment of inertia of {name} about an axis of the body through its centre of mass, from its direction cosines", "App. B/2"),
                 ))
             };
             let moments = [moment(0), moment(1), moment(2)];
@@ -238,7 +236,7 @@ impl Part {
         }
         let names =
             if rotation == Matrix3::identity() { (MOMENTS, PRODUCTS) } else { (OWN_MOMENTS, OWN_PRODUCTS) };
-        let reason = "Moment of inertia of {name} about an axis of its own through its mass centre";
+        let reason = "Moment of inertia of {name} about one of its own axes through its centre of mass";
         let moments =
             [table(names.0[0], x, reason), table(names.0[1], y, reason), table(names.0[2], z, reason)];
         let products = own.products.map_or([None; 3], |[yz, zx, xy]| {
@@ -261,7 +259,7 @@ impl Part {
                     (MOMENTS[n], row),
                     "kg*m^2",
                     <W::Num as Real>::sum(terms),
-                    why("Moment of inertia of {name} about an axis of the body through its mass centre, from its direction cosines", "App. B/2"),
+                    why("Moment of inertia of {name} about an axis of the body through its centre of mass, from its direction cosines", "App. B/2"),
                 )
             })
         };

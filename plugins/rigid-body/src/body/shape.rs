@@ -23,16 +23,16 @@ pub enum Shape {
         length: f64,
     },
     /// Slender rod between two points
-    /// The points as seen from the reference point.
+    /// The points relative to the reference point.
     RodBetween {
         /// First end.
         #[input("a", "m")]
         from: Vector3<f64>,
-        /// Last end.
+        /// Second end.
         #[input("b", "m")]
         to: Vector3<f64>,
     },
-    /// Rod bent to an arc of a circle
+    /// Rod bent into a circular arc
     /// In its own xy plane about the origin, from the x axis towards y.
     Arc {
         /// Radius.
@@ -270,21 +270,21 @@ pub enum Shape {
         #[input("c", "m", positive)]
         c: f64,
     },
-    /// Any, by its radii of gyration
-    /// About principal axes through its mass centre, the origin.
+    /// Any shape, by its radii of gyration
+    /// About principal axes through its centre of mass, the origin.
     Radii {
         /// Radii of gyration.
         #[input("k", "m")]
         radii: Vector3<f64>,
     },
-    /// Any, by its inertia matrix
-    /// About its mass centre, the origin.
+    /// Any shape, by its inertia matrix
+    /// About its centre of mass, the origin.
     Matrix {
         /// Moments of inertia Iₓ, I_y, I_z.
         #[input("I", "kg*m^2")]
         moments: Vector3<f64>,
         /// Products of inertia I_yz, I_zx, I_xy.
-        /// I_xy = ∫ xy dm; in the inertia matrix they stand with a minus sign.
+        /// I_xy = ∫ xy dm; in the inertia matrix they appear with a minus sign.
         #[input("P", "kg*m^2", default = "(0; 0; 0) kg*m^2")]
         products: Vector3<f64>,
     },

@@ -111,7 +111,7 @@ impl Body {
                 let (from, known) = (moments.components(), products.components());
                 let reason = match arm {
                     Some(_) => {
-                        "Parallel axes, back to G: less m times the square of the distance of the axes"
+                        "Parallel-axis theorem, back to G: less m times the square of the distance between the axes"
                     }
                     None => "Moment of inertia as given, about an axis through G",
                 };
@@ -128,7 +128,7 @@ impl Body {
                         PRODUCTS[n],
                         "kg*m^2",
                         known[n] - shift,
-                        ("Product of inertia, back to G in the same way", MERIAM.at("App. B/2")),
+                        ("Product of inertia, transferred to G in the same way", MERIAM.at("App. B/2")),
                     ),
                     None => sheet.step(
                         PRODUCTS[n],
@@ -153,7 +153,7 @@ impl Body {
                 let none = |n: usize| sheet.found(PRODUCTS[n], "kg*m^2", 0.0, NO_PRODUCT);
                 (*mass, *centre, moments, [none(0), none(1), none(2)])
             }
-            _ => return Err(Refusal::because("the body is not described")),
+            _ => return Err(Refusal::because("the body is not defined")),
         };
         let mass = match self {
             Body::Parts { .. } => mass,
@@ -183,7 +183,7 @@ impl<W: Worksheet> Worked<W> {
             moment.abs().max(product.abs())
         });
         sheet.check_zero(
-            "the inertia matrix from the sum of the turned and shifted tensors R I Rᵀ + m (d² 1 − d dᵀ)",
+            "the inertia matrix from the sum of the rotated and shifted tensors R I Rᵀ + m (d² 1 − d dᵀ)",
             off.fold(0.0, f64::max).into(),
             size,
         );
@@ -192,7 +192,7 @@ impl<W: Worksheet> Worked<W> {
             (self.centre.value() - self.properties.centre).norm().into(),
             self.properties.centre.norm().max((size / self.properties.mass).sqrt()),
         );
-        sheet.check("the mass of the parts together", self.mass, self.properties.mass.into());
+        sheet.check("the total mass of the parts", self.mass, self.properties.mass.into());
     }
 }
 
@@ -217,7 +217,7 @@ fn composed<W: Worksheet>(parts: &[Part], given: &[PartGiven<W>], sheet: W) -> R
             }
             None => zero(
                 MOMENTS[n],
-                "A line has no moment of inertia about itself, nor a particle about its place",
+                "A line has no moment of inertia about itself, nor a particle about its own position",
             ),
         };
         let product = |n: usize| match piece.products[n] {
@@ -234,7 +234,7 @@ fn composed<W: Worksheet>(parts: &[Part], given: &[PartGiven<W>], sheet: W) -> R
         "r_G",
         "m",
         <W::Vec as Vector>::sum(pieces.iter().map(|piece| piece.centre * piece.mass)) / mass,
-        ("Mass centre G: the mean of the mass centres, weighted with the masses", MERIAM.at("§4/2")),
+        ("Centre of mass G: the mean of the centres of mass, weighted with the masses", MERIAM.at("§4/2")),
     );
     let arms: Vec<W::Vec> = pieces
         .iter()
@@ -245,7 +245,7 @@ fn composed<W: Worksheet>(parts: &[Part], given: &[PartGiven<W>], sheet: W) -> R
                 ("d", row),
                 "m",
                 piece.centre - centre,
-                Named("From G to the mass centre of {name}", &part.name, None),
+                Named("From G to the centre of mass of {name}", &part.name, None),
             )
         })
         .collect();
@@ -269,7 +269,7 @@ fn composed<W: Worksheet>(parts: &[Part], given: &[PartGiven<W>], sheet: W) -> R
                 "kg*m^2",
                 sum,
                 (
-                    "Moment of inertia about an axis through G: those of the parts, moved by parallel axes",
+                    "Moment of inertia about an axis through G: those of the parts, by the parallel-axis theorem",
                     MERIAM.at("App. B/1"),
                 ),
             ),
@@ -283,7 +283,7 @@ fn composed<W: Worksheet>(parts: &[Part], given: &[PartGiven<W>], sheet: W) -> R
                 PRODUCTS[n],
                 "kg*m^2",
                 sum,
-                ("Product of inertia about G, I_xy = ∫ xy dm; in the inertia matrix it stands with a minus sign", MERIAM.at("App. B/2")),
+                ("Product of inertia about G, I_xy = ∫ xy dm; it enters the inertia matrix with a minus sign", MERIAM.at("App. B/2")),
             ),
             None => zero(PRODUCTS[n], NO_PRODUCT),
         }

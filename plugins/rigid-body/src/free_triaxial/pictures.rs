@@ -49,13 +49,13 @@ pub(super) fn herpolhode(body: &FreeBody, inertia: Vector3<f64>, start: Vector3<
         .collect();
     Plot::new(
         "Herpolhode: the tip of the angular velocity, seen along the angular momentum",
-        Axis::linear("across H", "rad/s"),
-        Axis::linear("across H and the first", "rad/s"),
+        Axis::linear("normal to H", "rad/s"),
+        Axis::linear("normal to H and to the first", "rad/s"),
         vec![Series::line("herpolhode", points)],
     )
 }
 
-/// Fixed axes with the third along the angular momentum; it is what all of the film is drawn in.
+/// Fixed axes with the third along the angular momentum; it is what all of the animation is drawn in.
 fn fixed_frame(inertia: Vector3<f64>, start: Vector3<f64>) -> Matrix3<f64> {
     let momentum = inertia.component_mul(&start).normalize();
     let away = if momentum.x.abs() < 0.9 { Vector3::x() } else { Vector3::y() };
@@ -73,7 +73,7 @@ pub(super) fn poinsot(body: &FreeBody, inertia: Vector3<f64>, start: Vector3<f64
     let polhode: Vec<Vector3<f64>> =
         (0..=80).map(|n| body.velocity(shown * f64::from(n) / 160.0) / unit).collect();
     let plane = energy / inertia.component_mul(&start).norm() / unit;
-    scene::film("Poinsot: the inertia ellipsoid rolls on the plane across H", 8.0, |part| {
+    scene::animation("Poinsot: the inertia ellipsoid rolls on the plane normal to H", 8.0, |part| {
         let t = shown / 2.0 * part;
         let turn = frame.transpose() * body.attitude(t).matrix();
         let mut scene = Scene::new();

@@ -51,16 +51,13 @@ impl GyroscopicCouple {
             "P",
             "N",
             W::Vec::from_components(zero, inwards, weight),
-            "Force on the rotor across its axle: against the weight, and towards the centre of the curve",
+            "Transverse force on the rotor: against the weight, and towards the centre of the curve",
         );
         let front = sheet.step_vector(
             "F_B",
             "N",
             gyroscope::bearing_ahead(force, couple, along, given_bearings.behind, given_bearings.ahead),
-            (
-                "Moments about bearing A: the forces of the bearings make up the couple M about G",
-                MERIAM.at("§7/11"),
-            ),
+            ("Moments about bearing A: the bearing forces produce the couple M about G", MERIAM.at("§7/11")),
         );
         let rear = sheet.step_vector("F_A", "N", force - front, "The forces of both bearings add up to P");
         sheet.answer_vector("bearing_a", "Force of bearing A on the rotor (forward, left, up)", rear);

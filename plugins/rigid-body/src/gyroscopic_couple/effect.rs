@@ -27,7 +27,7 @@ pub(super) fn answer<W: Worksheet>(carrier: Carrier, reaction: W::Vec, size: W::
     }
     if rows.is_empty() {
         sheet.warn(|| {
-            "the carrier does not turn across the axle, or the rotor stands still: there is no gyroscopic couple, and no effect".into()
+            "the carrier does not turn about an axis normal to the axle, or the rotor is at rest: there is no gyroscopic couple, and no effect".into()
         });
         return;
     }
@@ -63,10 +63,10 @@ pub(super) fn words(carrier: Carrier, axis: usize, positive: bool) -> &'static s
         (Aircraft, 1, false) => "Effect: raises the nose and lowers the tail",
         (Aircraft, _, true) => "Effect: turns the nose to the left and the tail to the right",
         (Aircraft, _, false) => "Effect: turns the nose to the right and the tail to the left",
-        (Vehicle, 0, true) => "Effect: presses on the right wheels and relieves the left ones",
-        (Vehicle, 0, false) => "Effect: presses on the left wheels and relieves the right ones",
-        (Vehicle, 1, true) => "Effect: presses on the front wheels and relieves the rear ones",
-        (Vehicle, 1, false) => "Effect: presses on the rear wheels and relieves the front ones",
+        (Vehicle, 0, true) => "Effect: loads the right wheels and unloads the left wheels",
+        (Vehicle, 0, false) => "Effect: loads the left wheels and unloads the right wheels",
+        (Vehicle, 1, true) => "Effect: loads the front wheels and unloads the rear wheels",
+        (Vehicle, 1, false) => "Effect: loads the rear wheels and unloads the front wheels",
         (Vehicle, _, true) => "Effect: turns the front to the left",
         (Vehicle, _, false) => "Effect: turns the front to the right",
         (Frame, 0, true) => "Effect: tips the frame to the right",

@@ -1,4 +1,4 @@
-//! The couple over time or radius, and a film of the rotor with the vectors.
+//! The couple over time or radius, and an animation of the rotor with the vectors.
 
 use std::f64::consts::{FRAC_PI_3, PI, TAU};
 
@@ -18,7 +18,7 @@ impl GyroscopicCouple {
             };
             return Some(Exhibit::Plot(
                 Plot::new(
-                    "Gyroscopic couple over two swings, from the middle of the first",
+                    "Gyroscopic couple over two oscillations, from the middle of the first",
                     Axis::linear("time", "s"),
                     Axis::linear("couple", "N*m"),
                     vec![Series::line("C", (0..=240).map(at).collect())],
@@ -45,14 +45,14 @@ impl GyroscopicCouple {
     }
 
     /// The rotor that spins in its carrier, the angular velocities, and the couple.
-    pub(super) fn film(&self, couple: Vector3<f64>, precession: Vector3<f64>) -> Exhibit {
+    pub(super) fn animation(&self, couple: Vector3<f64>, precession: Vector3<f64>) -> Exhibit {
         let axle = self.spin_direction();
         let rest = Rotation3::rotation_between(&Vector3::z(), &axle).unwrap_or_else(|| {
             // Straight down: half a turn about any level axis.
             Rotation3::from_axis_angle(&Vector3::x_axis(), PI)
         });
         let turn = if self.spin == 0.0 { 0.0 } else { TAU };
-        scene::film("The rotor, its rotations and the couple", 3.0, |t| {
+        scene::animation("The rotor, its rotations and the couple", 3.0, |t| {
             let mut scene = Scene::seen_from(-FRAC_PI_3, FRAC_PI_3 / 2.0);
             self.outline(&mut scene);
             let spun = rest * Rotation3::from_axis_angle(&Vector3::z_axis(), turn * t);

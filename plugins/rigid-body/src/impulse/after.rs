@@ -7,7 +7,10 @@ use dalembert_mechanics::{
 };
 use nalgebra::{Matrix3, Vector3};
 
-use super::{Hold, HoldGiven, Impulse, ImpulseGiven, MassAfter, Strength, StrengthGiven, free};
+use super::{
+    Hold, HoldGiven, Impulse, ImpulseGiven, MassAfter, Strength, StrengthGiven,
+    free::{self, After},
+};
 use crate::{
     body::{
         AboutPoint, Worked, about_line, about_point, crossed, directed, gained, matrix_times, refused,
@@ -32,23 +35,13 @@ pub(super) struct Given<W: Worksheet> {
     pub(super) point: W::Vec,
 }
 
-/// The motion just after.
-pub(super) struct After<W: Worksheet> {
-    pub(super) omega: W::Vec,
-    pub(super) velocity: W::Vec,
-    /// Impulse of what holds the body, and where.
-    pub(super) reaction: Option<(W::Vec, Vector3<f64>)>,
-    /// Its impulsive couple.
-    pub(super) couple: Option<W::Vec>,
-}
-
 /// Below this share of the largest moment a product of inertia is rounding.
 const NO_PRODUCT: f64 = 1e-13;
 
 const POINT_C: AboutPoint = AboutPoint {
     symbols: ["I_Cx", "I_Cy", "I_Cz", "I_Cyz", "I_Czx", "I_Cxy"],
-    moment: "Parallel axes: moment of inertia about an axis through the point that is held",
-    product: "Parallel axes: product of inertia about the point that is held",
+    moment: "Parallel-axis theorem: moment of inertia about an axis through the newly fixed point",
+    product: "Parallel-axis theorem: product of inertia about the newly fixed point",
 };
 
 impl Impulse {
@@ -57,17 +50,17 @@ impl Impulse {
         let omega = self.turning.work(&given.turning, &body, sheet)?;
         let velocity = self.going.work(&given.going, &body, omega, sheet)?;
         let kept: Vec<bool> = self.projectiles.iter().map(|one| one.mass_after == MassAfter::Kept).collect();
-        let before = sheet.step("v", "m/s", velocity.magnitude(), "Speed of the mass centre before");
-        sheet.answer("speed_before", "Speed of the mass centre before", before);
+        let before = sheet.step("v", "m/s", velocity.magnitude(), "Speed of the mass centre before impact");
+        sheet.answer("speed_before", "Speed of the mass centre before impact", before);
         let gifts = self.gifts(given, sheet);
         let before = body.momentum(omega);
         let momentum = sheet.step_vector(
             "H_G",
             "kg*m^2/s",
             before,
-            ("Angular momentum about G before", BEER.at("§18.1A")),
+            ("Angular momentum about G before impact", BEER.at("§18.1A")),
         );
-        let linear = sheet.step_vector("L", "kg*m/s", velocity * body.mass, "Linear momentum before");
+        let linear = sheet.step_vector("L", "kg*m/s", velocity * body.mass, "Linear momentum before impact");
 
         // With projectiles that stay, the body after is another one.
         let joined = if kept.contains(&true) { Some(self.joined(given, &body, sheet)?) } else { None };
@@ -81,7 +74,7 @@ impl Impulse {
             "L′",
             "kg*m/s",
             <W::Vec as Vector>::sum(std::iter::once(linear).chain(gifts.iter().map(|one| one.impulse))),
-            ("Linear momentum after, without what the supports give: L + Σ J", BEER.at("§18.1B")),
+            ("Linear momentum after impact, excluding the support reactions: L + Σ J", BEER.at("§18.1B")),
         );
         let moments: Vec<W::Vec> =
             gifts.iter().map(|one| (one.point - after_body.centre).cross(one.impulse)).collect();
@@ -90,23 +83,32 @@ impl Impulse {
             "kg*m^2/s",
             <W::Vec as Vector>::sum(std::iter::once(about).chain(moments)),
             (
-                "Angular momentum about G after, without what the supports give: H_G + Σ r × J",
+                "Angular momentum about G after impact, excluding the support reactions: H_G + Σ r × J",
                 BEER.at("§18.1B"),
             ),
         );
         let after = self.after(given, after_body, linear_after, momentum_after, sheet)?;
-        sheet.answer_vector("angular_velocity", "Angular velocity just after", after.omega);
-        let speed = sheet.step("ω_1", "rad/s", after.omega.magnitude(), "Angular speed just after");
-        sheet.answer("angular_speed", "Angular speed just after", speed);
-        sheet.answer_vector("centre_velocity", "Velocity of the mass centre just after", after.velocity);
-        let fast =
-            sheet.step("v_1", "m/s", after.velocity.magnitude(), "Speed of the mass centre just after");
-        sheet.answer("centre_speed", "Speed of the mass centre just after", fast);
+        sheet.answer_vector("angular_velocity", "Angular velocity immediately after impact", after.omega);
+        let speed =
+            sheet.step("ω_1", "rad/s", after.omega.magnitude(), "Angular speed immediately after impact");
+        sheet.answer("angular_speed", "Angular speed immediately after impact", speed);
+        sheet.answer_vector(
+            "centre_velocity",
+            "Velocity of the mass centre just after impact",
+            after.velocity,
+        );
+        let fast = sheet.step(
+            "v_1",
+            "m/s",
+            after.velocity.magnitude(),
+            "Speed of the mass centre just after impact",
+        );
+        sheet.answer("centre_speed", "Speed of the mass centre just after impact", fast);
         if let Some((reaction, _)) = after.reaction {
-            sheet.answer_vector("reaction", "Impulse of what holds the body", reaction);
+            sheet.answer_vector("reaction", "Impulsive reaction of the constraint", reaction);
         }
         if let Some(couple) = after.couple {
-            sheet.answer_vector("reaction_couple", "Impulsive couple of what holds the axis", couple);
+            sheet.answer_vector("reaction_couple", "Impulsive reaction couple of the axis", couple);
         }
         let change = self.energies(given, &body, after_body, [omega, velocity], &after, sheet);
         free::axis(after_body, &after, sheet);
@@ -142,7 +144,7 @@ impl Impulse {
                 ("L_p", row),
                 "kg*m/s",
                 this.velocity * this.mass,
-                Named("Linear momentum that {name} brings", &one.name),
+                Named("Linear momentum added by {name}", &one.name),
             );
             all.push(Given { impulse, point: this.point });
         }
@@ -166,7 +168,7 @@ impl Impulse {
             "m′",
             "kg",
             Real::sum(std::iter::once(body.mass).chain(stay().map(|(_, this)| this.mass))),
-            "Mass with the projectiles",
+            "Mass including the projectiles",
         );
         let centre = sheet.step_vector(
             "r_G′",
@@ -175,17 +177,21 @@ impl Impulse {
                 std::iter::once(body.centre * body.mass)
                     .chain(stay().map(|(_, this)| this.point * this.mass)),
             ) / mass,
-            "Mass centre with the projectiles",
+            "Centre of mass including the projectiles",
         );
-        let own =
-            sheet.step_vector("d_0", "m", body.centre - centre, "From the mass centre after to that before");
+        let own = sheet.step_vector(
+            "d_0",
+            "m",
+            body.centre - centre,
+            "From the centre of mass after impact to that before",
+        );
         let arms: Vec<(W::Num, W::Vec)> = std::iter::once((body.mass, own))
             .chain((1..).zip(stay()).map(|(row, (one, this))| {
                 let arm = sheet.step_vector(
                     ("d", row),
                     "m",
                     this.point - centre,
-                    Named("From the mass centre after to {name}", &one.name),
+                    Named("From the centre of mass after impact to {name}", &one.name),
                 );
                 (this.mass, arm)
             }))
@@ -196,7 +202,10 @@ impl Impulse {
                 symbol,
                 "kg*m^2",
                 value,
-                ("Inertia about the mass centre after, by parallel axes", MERIAM.at("App. B")),
+                (
+                    "Inertia about the centre of mass after impact, by the parallel-axis theorem",
+                    MERIAM.at("App. B"),
+                ),
             )
         };
         let [x, y, z] = body.moments;
@@ -233,20 +242,20 @@ impl Impulse {
                 symbols[1],
                 "m/s",
                 linear / body.mass,
-                "Velocity of the mass centre just after",
+                "Velocity of the mass centre just after impact",
             );
             Ok([omega, velocity])
         };
         match (&self.hold, &given.hold) {
             (Hold::Point { point: at }, HoldGiven::Point { point }) => {
                 let arm =
-                    sheet.step_vector("ρ", "m", body.centre - *point, "From the point that is held to G");
+                    sheet.step_vector("ρ", "m", body.centre - *point, "From the newly fixed point to G");
                 let about = about_point(body, arm, &POINT_C, sheet);
                 let momentum = sheet.step_vector(
                     "H_C",
                     "kg*m^2/s",
                     momentum + arm.cross(linear),
-                    ("Angular momentum about the point that is held: the impulse there has no moment about it", BEER.at("§18.1B")),
+                    ("Angular momentum about the newly fixed point: the impulse there has no moment about it", BEER.at("§18.1B")),
                 );
                 let [x, y, z, yz, zx, xy] = about;
                 let omega = turning("ω′", [x, y, z], [yz, zx, xy], momentum, "C", sheet)?;
@@ -263,14 +272,14 @@ impl Impulse {
                     "H_C",
                     "kg*m^2/s",
                     momentum + arm.cross(linear),
-                    "Angular momentum about the point on the axis, without what the axis gives",
+                    "Angular momentum about the point on the axis, excluding the reaction of the axis",
                 );
                 let component = sheet.step(
                     "H_λ",
                     "kg*m^2/s",
                     momentum.dot(cosines),
                     (
-                        "Angular momentum about the axis: what holds it has no moment about it",
+                        "Angular momentum about the axis: the constraint has no moment about it",
                         BEER.at("§18.1B"),
                     ),
                 );
@@ -288,14 +297,17 @@ impl Impulse {
                 );
                 if inertia.value() <= 0.0 {
                     return Err(Refusal::because(
-                        "the body has no moment of inertia about the axis that is held: how fast it turns there stays open; give it a thickness",
+                        "the body has no moment of inertia about the axis that is held: its angular speed there is indeterminate; give it a thickness",
                     ));
                 }
                 let omega = sheet.step_vector(
                     "ω′",
                     "rad/s",
                     cosines * (component / inertia),
-                    ("Angular velocity just after: H_λ = I_λ ω′ along the axis", BEER.at("§18.1B")),
+                    (
+                        "Angular velocity immediately after impact: H_λ = I_λ ω′ along the axis",
+                        BEER.at("§18.1B"),
+                    ),
                 );
                 sheet.answer("axis_inertia", "Moment of inertia about the axis", inertia);
                 sheet.answer("axis_momentum", "Angular momentum about the axis", component);
@@ -309,7 +321,7 @@ impl Impulse {
                     let gained =
                         matrix_times(body.moments, body.products, omega) + arm.cross(velocity * body.mass);
                     sheet.check_sum(
-                        "angular momentum about the axis from the motion just after",
+                        "angular momentum about the axis from the motion just after impact",
                         gained.dot(cosines),
                         component,
                         gained.value().norm(),
@@ -320,7 +332,7 @@ impl Impulse {
                     "N*m*s",
                     matrix_times(body.moments, body.products, omega) + arm.cross(velocity * body.mass)
                         - momentum,
-                    "Impulsive couple of the axis: what the angular momentum about the point on it gains",
+                    "Impulsive reaction couple of the axis: change of the angular momentum about its point",
                 );
                 Ok(After { omega, velocity, reaction: Some((reaction, *at)), couple: Some(couple) })
             }
@@ -332,44 +344,52 @@ impl Impulse {
                 let [omega, velocity] = free(["ω₀", "v_G0"])?;
                 let cosines =
                     sheet.step_vector("n", "1", *normal / normal.magnitude(), "Unit normal of the surface");
-                let arm = sheet.step_vector("ρ", "m", *point - body.centre, "From G to the point that hits");
+                let arm = sheet.step_vector("ρ", "m", *point - body.centre, "From G to the point of impact");
                 let approach = sheet.step(
                     "u_n",
                     "m/s",
                     (velocity + omega.cross(arm)).dot(cosines),
-                    "Velocity of the point along the normal, before the surface acts",
+                    "Velocity of the point along the normal, before impact",
                 );
                 if approach.value() >= 0.0 {
                     return Err(Refusal::because(
-                        "the point does not move towards the surface: look at its normal, which points out of the surface, and at the motion before",
+                        "the point does not move towards the surface: check its normal, which points out of the surface, and the motion before impact",
                     ));
                 }
-                let lever =
-                    sheet.step_vector("q", "m", arm.cross(cosines), "Lever of an impulse along the normal");
+                let lever = sheet.step_vector(
+                    "q",
+                    "m",
+                    arm.cross(cosines),
+                    "Lever arm of an impulse along the normal",
+                );
                 let turned = turning("w", body.moments, body.products, lever, "G", sheet)?;
                 let mobility = sheet.step(
                     "κ",
                     "1/kg",
                     W::Num::from(1.0) / body.mass + lever.dot(turned),
-                    "Velocity that a unit impulse along the normal gives to the point",
+                    "Velocity of the point per unit impulse along the normal",
                 );
                 let size = sheet.step(
                     "J_n",
                     "N*s",
                     -((*restitution + 1.0) * approach / mobility),
                     (
-                        "Impulse of the surface: the point leaves with ε times the velocity of its approach",
+                        "Impulse of the surface: the separation velocity of the point is ε times its approach velocity",
                         MERIAM.at("§3/12"),
                     ),
                 );
                 let reaction = sheet.step_vector("R", "N*s", cosines * size, "Impulse of the surface");
-                let omega =
-                    sheet.step_vector("ω′", "rad/s", omega + turned * size, "Angular velocity just after");
+                let omega = sheet.step_vector(
+                    "ω′",
+                    "rad/s",
+                    omega + turned * size,
+                    "Angular velocity immediately after impact",
+                );
                 let velocity = sheet.step_vector(
                     "v_G′",
                     "m/s",
                     velocity + reaction / body.mass,
-                    "Velocity of the mass centre just after",
+                    "Velocity of the mass centre just after impact",
                 );
                 Ok(After { omega, velocity, reaction: Some((reaction, *at)), couple: None })
             }
@@ -397,16 +417,20 @@ impl Impulse {
         let brought: Vec<W::Num> =
             given.projectiles.iter().map(|this| this.mass * this.velocity.dot(this.velocity) / 2.0).collect();
         let reason = if brought.is_empty() {
-            "Kinetic energy before"
+            "Kinetic energy before impact"
         } else {
-            "Kinetic energy before, with that of the projectiles"
+            "Kinetic energy before impact, including that of the projectiles"
         };
         let first = sheet.step("T", "J", Real::sum(std::iter::once(own).chain(brought)), reason);
-        let second =
-            sheet.step("T′", "J", energy(after_body, after.omega, after.velocity), "Kinetic energy after");
+        let second = sheet.step(
+            "T′",
+            "J",
+            energy(after_body, after.omega, after.velocity),
+            "Kinetic energy after impact",
+        );
         let change = sheet.step("ΔT", "J", second - first, "Change of the kinetic energy");
-        sheet.answer("energy_before", "Kinetic energy before", first);
-        sheet.answer("energy_after", "Kinetic energy after", second);
+        sheet.answer("energy_before", "Kinetic energy before impact", first);
+        sheet.answer("energy_after", "Kinetic energy after impact", second);
         sheet.answer("energy_change", "Change of the kinetic energy", change);
         change
     }
@@ -434,7 +458,7 @@ impl Impulse {
             scene.arrow(centre, along(velocity), Ink::Motion, "v_G′");
             scene.label(centre, "G");
         }
-        scene.exhibit("The body, the impulses on it and its motion just after")
+        scene.exhibit("The body, the impulses on it and its motion just after impact")
     }
 }
 
@@ -471,13 +495,13 @@ fn turning<W: Worksheet>(
     let why = if about == "G" {
         "The three equations I ω = H about G, with the products of inertia"
     } else {
-        "The three equations I ω = H about the point that is held, with the products of inertia"
+        "The three equations I ω = H about the constrained point, with the products of inertia"
     };
     let found = sheet.found_vector(symbol, unit, solved, (why, HIBBELER.at("§21.2")));
     sheet.verify(|| {
         let left = tensor * solved - momentum.value();
         sheet.check_zero(
-            "the solution put into I ω = H",
+            "the solution substituted into I ω = H",
             left.norm().into(),
             momentum.value().norm().max(f64::MIN_POSITIVE),
         );
@@ -497,13 +521,16 @@ fn held<W: Worksheet>(
         "v_G′",
         "m/s",
         omega.cross(arm),
-        "Velocity of the mass centre just after: G turns about the point that is held",
+        "Velocity of the mass centre just after impact: G rotates about the constrained point",
     );
     let reaction = sheet.step_vector(
         "R",
         "N*s",
         velocity * body.mass - linear,
-        ("Impulsive reaction: what the linear momentum still lacks", BEER.at("§18.1B")),
+        (
+            "Impulsive reaction: change of the linear momentum not due to the applied impulses",
+            BEER.at("§18.1B"),
+        ),
     );
     (velocity, reaction)
 }

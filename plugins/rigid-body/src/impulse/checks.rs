@@ -4,10 +4,7 @@ use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{Real, Vector, rigid::MassProperties};
 use nalgebra::Vector3;
 
-use super::{
-    Hold, Impulse, ImpulseGiven,
-    after::{After, Given},
-};
+use super::{Hold, Impulse, ImpulseGiven, after::Given, free::After};
 use crate::body::Worked;
 
 impl Impulse {
@@ -25,16 +22,16 @@ impl Impulse {
         let moves = before != Vector3::zeros() || body.mass.value() == 0.0;
         if !matches!(self.hold, Hold::Axis { .. }) || moves || !self.projectiles.is_empty() {
             return Err(Refusal::because(
-                "the mass for an angular speed is found for a body at rest that is held by an axis and struck by blows: leave the wanted angular speed out otherwise",
+                "the mass for a required angular speed is calculated only for a body at rest that is held by an axis and struck by blows: otherwise leave the required angular speed out",
             ));
         }
         let mass = sheet.step(
             "m*",
             "kg",
             body.mass * after.omega.magnitude() / wanted,
-            "Mass with which the body, in the same shape, turns as fast as is wanted: ω′ goes with 1/m",
+            "Mass for which the body, with the same shape, reaches the required angular speed: ω′ is proportional to 1/m",
         );
-        sheet.answer("wanted_mass", "Mass for the wanted angular speed", mass);
+        sheet.answer("wanted_mass", "Mass for the required angular speed", mass);
         sheet.verify(|| {
             let Hold::Axis { point, axis } = self.hold else { return };
             let Ok(inertia) = body.properties.inertia_about_line(point, axis) else { return };
@@ -95,7 +92,7 @@ impl Impulse {
             {
                 let left = at(*point, turns, goes, second.centre);
                 sheet.check_zero(
-                    "the velocity of the point that is held, which is zero",
+                    "the velocity of the constrained point, which is zero",
                     left.norm().into(),
                     goes.norm() + turns.norm() * (point - second.centre).norm(),
                 );

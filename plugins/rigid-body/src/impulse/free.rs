@@ -4,11 +4,20 @@ use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{Real, Vector};
 use nalgebra::Vector3;
 
-use super::after::After;
 use crate::{
     body::{Worked, refused},
     sources::BEER,
 };
+
+/// The motion just after.
+pub(super) struct After<W: Worksheet> {
+    pub(super) omega: W::Vec,
+    pub(super) velocity: W::Vec,
+    /// Impulse of what holds the body, and where.
+    pub(super) reaction: Option<(W::Vec, Vector3<f64>)>,
+    /// Its impulsive couple.
+    pub(super) couple: Option<W::Vec>,
+}
 
 /// The instantaneous axis: its direction, its point nearest to G, and the sliding along it.
 pub(super) fn axis<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet: W) {
@@ -43,7 +52,7 @@ pub(super) fn axis<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet: W) {
         // Another point of the axis, at the distance one along it.
         let along = along.value();
         sheet.check_zero(
-            "points of the instantaneous axis have no velocity against each other",
+            "points of the instantaneous axis have no relative velocity",
             omega.cross(along).norm().into(),
             omega.norm(),
         );
@@ -73,12 +82,12 @@ pub(super) fn precession<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet
         ),
     );
     let axial = sheet.found("I_a", "kg*m^2", principal.moments[alone], "Moment of inertia about this axis");
-    let transverse = sheet.found("I_t", "kg*m^2", across, "Moment of inertia across it");
+    let transverse = sheet.found("I_t", "kg*m^2", across, "Transverse moment of inertia");
     let momentum = sheet.step_vector(
         "H",
         "kg*m^2/s",
         body.momentum(after.omega),
-        "Angular momentum about G: it keeps its direction, about which the axis now precesses",
+        "Angular momentum about G: its direction is constant, and the axis now precesses about it",
     );
     let to_axis = |vector: W::Vec| axis.cross(vector).magnitude().atan2(axis.dot(vector));
     let gamma =
@@ -115,7 +124,7 @@ pub(super) fn precession<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet
         let along = momentum.value().normalize();
         let sum = along * rate.value() + unit * spin.value();
         sheet.check_zero(
-            "the angular velocity put together from precession and spin",
+            "the angular velocity composed of precession and spin",
             (sum - omega).norm().into(),
             rate.value().abs() + spin.value().abs(),
         );

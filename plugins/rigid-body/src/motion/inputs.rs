@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 /// points up. Without an attitude both are the same at the start.
 #[derive(Clone, Debug, Inputs)]
 pub struct Motion {
-    /// The body turns about.
+    /// The body rotates about.
     pub pivot: Pivot,
     /// Moments of inertia.
     pub moments: Moments,
@@ -21,13 +21,13 @@ pub struct Motion {
     pub velocity: Velocity,
     /// Torques.
     pub torques: Vec<TorqueRow>,
-    /// Axis of the body that is followed.
+    /// Tracked axis of the body.
     #[input(default = "z")]
     pub axis: BodyAxis,
     /// Duration.
     #[input("t_e", "s", positive, default = "10 s")]
     pub duration: f64,
-    /// What ends the motion before.
+    /// Early stop condition.
     #[input(default = "nothing")]
     pub end: Ends,
 }
@@ -36,14 +36,14 @@ pub struct Motion {
 #[derive(Clone, Debug, Inputs)]
 pub enum Pivot {
     /// Its mass centre
-    /// In free flight, or held there; the weight does not turn it.
+    /// In free flight, or supported there; the weight has no moment.
     MassCentre,
     /// A fixed point
     FixedPoint {
         /// Mass.
         #[input("m", "kg", positive)]
         mass: f64,
-        /// Mass centre, from the fixed point, in the axes of the body.
+        /// Centre of mass, from the fixed point, in body axes.
         #[input("r_G", "m")]
         centre: Vector3<f64>,
         /// The moments of inertia are about.
@@ -53,7 +53,7 @@ pub enum Pivot {
         gravity: f64,
     },
     /// The origin of its description
-    /// For a body that is described as a whole.
+    /// For a body that is defined as a whole.
     Origin {
         /// Acceleration of gravity, along −Z.
         #[input("g", "m/s^2", nonnegative, default = "9.81 m/s^2")]
@@ -90,7 +90,7 @@ pub enum Moments {
         /// About its axis z.
         #[input("I_a", "kg*m^2", positive)]
         axial: f64,
-        /// Across its axis.
+        /// Transverse to its axis.
         #[input("I_t", "kg*m^2", positive)]
         transverse: f64,
     },
@@ -115,8 +115,8 @@ pub enum Moments {
         #[input("I_zx", "kg*m^2", default = "0 kg*m^2")]
         zx: f64,
     },
-    /// Body described as a whole
-    /// It turns about its mass centre or about the origin of its description.
+    /// Body defined as a whole
+    /// It rotates about its centre of mass or about the origin of its description.
     Described {
         /// Body.
         body: crate::body::Body,
@@ -126,7 +126,7 @@ pub enum Moments {
 /// How the axes of the body lie at the start.
 #[derive(Clone, Debug, Inputs)]
 pub enum Attitude {
-    /// As the fixed axes
+    /// Aligned with the fixed axes
     Aligned,
     /// Euler angles
     /// Precession about Z, nutation about the new x, spin about the new z.
@@ -141,7 +141,7 @@ pub enum Attitude {
         #[input("ψ", "deg", default = "0 deg")]
         spin: f64,
     },
-    /// Turned about an axis
+    /// Rotated about an axis
     Turned {
         /// Axis, of any length.
         #[input("n", "1")]
@@ -155,7 +155,7 @@ pub enum Attitude {
 /// The angular velocity at the start.
 #[derive(Clone, Debug, Inputs)]
 pub enum Velocity {
-    /// In the axes of the body
+    /// In body axes
     Body {
         /// Angular velocity.
         #[input("ω", "rad/s")]
@@ -167,8 +167,8 @@ pub enum Velocity {
         #[input("ω", "rad/s")]
         omega: Vector3<f64>,
     },
-    /// Rates of Euler's angles
-    /// For an attitude given in Euler's angles.
+    /// Euler angle rates
+    /// For an attitude given by Euler angles.
     Rates {
         /// Precession.
         #[input("φ̇", "rad/s", default = "0 rad/s")]
@@ -185,12 +185,12 @@ pub enum Velocity {
 /// A torque on the body.
 #[derive(Clone, Debug, Inputs)]
 pub struct TorqueRow {
-    /// Torque, about the point that the body turns about.
+    /// Torque about the point of rotation.
     #[input("M", "N*m")]
     pub torque: Vector3<f64>,
-    /// It keeps its direction in.
+    /// Direction fixed in.
     pub carrier: Carrier,
-    /// Its course.
+    /// Its time history.
     pub course: Course,
 }
 
@@ -219,7 +219,7 @@ pub enum Course {
         phase: f64,
     },
     /// Table
-    /// The torque times a factor, with straight lines between the times.
+    /// The torque times a factor, linearly interpolated between the times.
     Table {
         /// Times and factors.
         #[input(table)]
@@ -282,7 +282,7 @@ impl Motion {
                     Pivot::MassCentre => about_point(0.0, whole.inertia, Vector3::zeros()),
                     Pivot::Origin { .. } => about_point(whole.mass, whole.inertia, whole.centre),
                     Pivot::FixedPoint { .. } => Err(Refusal::because(
-                        "a body described as a whole brings its mass and its mass centre; let it turn about the origin of its description, or about its mass centre",
+                        "a body defined as a whole includes its mass and its mass centre; let it rotate about the origin of its description, or about its mass centre",
                     )),
                 };
             }
@@ -296,7 +296,7 @@ impl Motion {
                 Ok(Body { mass, inertia, arm: centre })
             }
             Pivot::Origin { .. } => Err(Refusal::because(
-                "only a body described as a whole has an origin; let the body turn about a fixed point and give its mass and mass centre",
+                "only a body defined as a whole has an origin; let the body turn about a fixed point and give its mass and mass centre",
             )),
         }
     }
@@ -316,7 +316,7 @@ impl Motion {
             Velocity::Rates { precession, nutation, spin } => {
                 let Attitude::Euler { nutation: theta, spin: psi, .. } = self.attitude else {
                     return Err(Refusal::because(
-                        "the rates of Euler's angles need an attitude in Euler's angles; give it so, or give the angular velocity as a vector",
+                        "the Euler angle rates need an attitude in Euler angles; give it so, or give the angular velocity as a vector",
                     ));
                 };
                 let ((sin, cos), (sin_spin, cos_spin)) = (theta.sin_cos(), psi.sin_cos());
@@ -415,7 +415,7 @@ fn about_point(mass: f64, about_g: Matrix3<f64>, arm: Vector3<f64>) -> Result<Bo
         Ok(Body { mass, inertia, arm })
     } else {
         Err(Refusal::because(
-            "the moment of inertia of the mass about the fixed point is too large for a number",
+            "the moment of inertia of the mass about the fixed point exceeds the numerical range",
         ))
     }
 }

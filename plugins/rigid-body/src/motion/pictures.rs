@@ -1,4 +1,4 @@
-//! Plots and the film of a body in motion.
+//! Plots and the animation of a body in motion.
 
 use std::f64::consts::{PI, TAU};
 
@@ -13,11 +13,11 @@ impl Motion {
     /// Everything there is to look at.
     pub(super) fn show<W: Worksheet>(&self, sheet: W, body: &Body, moved: &follow::Motion) {
         let samples = &moved.samples;
-        sheet.show(|| self.film(body, samples));
+        sheet.show(|| self.animation(body, samples));
         sheet.show(|| {
             let omega: fn(&Sample) -> Vector3<f64> = |sample| sample.turning.omega_body;
             Exhibit::Plot(components(
-                "Angular velocity in the axes of the body",
+                "Angular velocity in body axes",
                 ["ωₓ", "ω_y", "ω_z"],
                 "omega_body",
                 samples,
@@ -96,14 +96,14 @@ impl Motion {
         Plot::new("Euler's angles", Axis::linear("Time", "s"), Axis::linear("angle", "deg"), series)
     }
 
-    fn film(&self, body: &Body, samples: &[Sample]) -> Exhibit {
+    fn animation(&self, body: &Body, samples: &[Sample]) -> Exhibit {
         let edges = edges(body);
         let size = edges.max().max(body.arm.norm());
         let most = |of: fn(&Sample) -> f64| samples.iter().map(of).fold(f64::MIN_POSITIVE, f64::max);
         let (omega, momentum) = (most(|s| s.omega.norm()), most(|s| s.momentum.norm()));
         let reach = body.arm.norm().max(size);
         let trace: Vec<Vector3<f64>> = samples.iter().map(|s| self.axis_of(s) * reach).collect();
-        scene::film("The turning body", 6.0, |part| {
+        scene::animation("The rotating body", 6.0, |part| {
             let sample = &samples[((samples.len() - 1) as f64 * part).round() as usize];
             let rotation = sample.turning.attitude.to_rotation_matrix().into_inner();
             let mut scene = Scene::new();
@@ -183,7 +183,7 @@ fn drifts(body: &Body, samples: &[Sample]) -> Plot {
     Plot::new(
         "Drift of energy and angular momentum",
         Axis::linear("Time", "s"),
-        Axis::linear("part of the largest", "1"),
+        Axis::linear("relative to the maximum", "1"),
         series,
     )
 }

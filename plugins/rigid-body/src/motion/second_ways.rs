@@ -50,12 +50,12 @@ pub(super) fn tilts<W: Worksheet>(
     let [(least, _), (largest, _)] = shown;
     for (angle, at) in shown {
         let Some(there) = followed(body, loads, run, moved, at.time) else { continue };
-        let what = "the least and the largest tilt, followed on from the moment before";
+        let what = "the minimum and maximum tilt, continued from the previous instant";
         sheet.check_residual(what, (angle.value() - tilt(&there)).into(), 1.0, FOLLOWED);
     }
     let beyond = moved.samples.iter().map(|sample| tilt(&sample.turning));
     let beyond = beyond.map(|tilt| (least.value() - tilt).max(tilt - largest.value()).max(0.0));
-    sheet.check_zeros("no tilt on the way is beyond the least and the largest", beyond, 1.0);
+    sheet.check_zeros("no tilt during the motion lies outside the minimum and the maximum", beyond, 1.0);
 }
 
 /// The largest energy of a moment.

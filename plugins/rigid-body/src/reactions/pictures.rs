@@ -70,14 +70,15 @@ impl Reactions {
             if !(grows && square > 0.0 && square.is_finite()) {
                 continue;
             }
-            let how = "Speed at which {name} carries nothing: its force is a part at rest and one that grows with ω²";
+            let how =
+                "Speed at which the force of {name} is zero: its static part plus a part proportional to ω²";
             let speed = sheet.found(("ω_0", n + 1), "rad/s", square.sqrt(), Named(how, &support.name, None));
-            sheet.answer(("unloaded_speed", n + 1), "Speed at which the support carries nothing", speed);
+            sheet.answer(("unloaded_speed", n + 1), "Speed at which the support force is zero", speed);
             sheet.whose(("unloaded_speed", n + 1), &support.name);
             sheet.verify(|| {
                 let left = force(speed.value()).unwrap_or(f64::NAN);
                 sheet.check_zero(
-                    Text::new("the force of {name} at the speed at which it carries nothing")
+                    Text::new("the force of {name} at the speed at which it vanishes")
                         .with("name", &support.name),
                     W::Num::from(left),
                     still,
@@ -145,7 +146,8 @@ impl Reactions {
             }
         }
         Plot::new(
-            Text::new("Reactions in the fixed axes over a turn of {name}").with("name", &self.joints[0].name),
+            Text::new("Reactions in the fixed axes over one revolution of {name}")
+                .with("name", &self.joints[0].name),
             Axis::linear("angle", "deg"),
             Axis::linear("force", "N"),
             series,

@@ -81,21 +81,21 @@ impl Reactions {
         let speed = std::f64::consts::TAU / period;
         let scale = body.mass * speed.powi(2) * body.centre.norm();
         sheet.check_zero(
-            "all forces are the difference quotient of the momentum",
+            "the resultant of all forces equals the difference quotient of the momentum",
             W::Num::from((all_force - force).norm()),
             size([all_force, force, Vector3::x() * scale]).max(most(|of| of.force)),
         );
         if let Some(fixed) = found.fixed {
             let sum = fixed + axes.rotation * (found.known.force + found.drive.force);
             sheet.check_zero(
-                "the reactions in the fixed axes and all other forces are the same difference quotient",
+                "the reactions in the fixed axes plus all other forces equal the same difference quotient",
                 W::Num::from((sum - force).norm()),
                 size([all_force, force, Vector3::x() * scale]).max(most(|of| of.force)),
             );
         }
         let inertia = body.inertia.amax() * speed.powi(2) + scale * body.centre.norm();
         sheet.check_zero(
-            "all moments are the difference quotient of the angular momentum",
+            "the sum of all moments equals the difference quotient of the angular momentum",
             W::Num::from((all_moment - moment).norm()),
             size([all_moment, moment, Vector3::x() * inertia]).max(most(|of| of.moment)),
         );

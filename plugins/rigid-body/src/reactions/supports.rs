@@ -34,20 +34,20 @@ pub struct Support {
 #[derive(Clone, Debug, Inputs)]
 pub enum Kind {
     /// Bearing
-    /// Two forces across the shaft.
+    /// Two forces normal to the shaft.
     Bearing {
         /// Direction of the shaft.
         #[input("a_B", "1")]
         shaft: Vector3<f64>,
     },
-    /// Bearing that takes the axial force too
+    /// Bearing that also carries the axial force
     /// Three forces.
     ThrustBearing,
     /// Ball-and-socket
     /// Three forces.
     BallAndSocket,
     /// Clevis
-    /// Three forces, and couples across its pin.
+    /// Three forces, and couples normal to its pin.
     Clevis {
         /// Direction of the pin.
         #[input("a_P", "1")]
@@ -73,12 +73,12 @@ pub enum Kind {
         #[input("µ", "1", nonnegative, default = "0")]
         friction: f64,
         /// Direction in which the body slides.
-        /// Of no account without friction.
+        /// No effect without friction.
         #[input("s", "1", default = "(0; 0; 0)")]
         sliding: Vector3<f64>,
     },
-    /// Contact with a plane that does not slide
-    /// Three forces; how much friction it needs is answered.
+    /// Contact with a plane, without sliding
+    /// Three forces; the required friction is calculated.
     RoughContact {
         /// Normal of the plane, towards the body.
         #[input("n", "1")]
@@ -235,7 +235,7 @@ impl<'a> Held<'a> {
                 sheet.answer(("tension", n + 1), "Tension", tension);
                 sheet.whose(("tension", n + 1), name);
                 sheet.verify(|| {
-                    let what = Text::new("all of the reaction of {name} is along it").with("name", name);
+                    let what = Text::new("the whole reaction of {name} acts along it").with("name", name);
                     sheet.check_vector(what, direction * tension, reaction * direction.magnitude());
                 });
             }
@@ -269,9 +269,9 @@ impl<'a> Held<'a> {
                         ("µ", n + 1),
                         "1",
                         along / force,
-                        Named("Coefficient of friction that {name} needs not to slide", name, None),
+                        Named("Coefficient of friction required to keep {name} from sliding", name, None),
                     );
-                    sheet.answer(("friction_needed", n + 1), "Coefficient of friction needed", needed);
+                    sheet.answer(("friction_needed", n + 1), "Required coefficient of friction", needed);
                     sheet.whose(("friction_needed", n + 1), name);
                 }
             }
@@ -283,12 +283,11 @@ impl<'a> Held<'a> {
     pub(super) fn warn<W: Worksheet>(&self, problem: &Reactions, found: &[Wrench], sheet: W) {
         for (support, of) in problem.supports.iter().zip(found) {
             let (direction, words) = match support.kind {
-                Kind::Wire { direction } => (
-                    direction,
-                    "the wire {name} would have to push: it goes slack, and the motion is another",
-                ),
+                Kind::Wire { direction } => {
+                    (direction, "the wire {name} would have to push: it goes slack and the motion changes")
+                }
                 Kind::Contact { normal, .. } | Kind::RoughContact { normal } => {
-                    (normal, "the contact {name} would have to pull: it is lost, and the motion is another")
+                    (normal, "the contact {name} would have to pull: contact is lost and the motion changes")
                 }
                 _ => continue,
             };
@@ -300,13 +299,13 @@ impl<'a> Held<'a> {
         if equations.freedoms() > 0 {
             let count = u32::try_from(equations.freedoms()).unwrap_or(6);
             sheet.warn(|| {
-                Text::new("the supports leave {count} of the six motions free: no load works in them now, but nothing would hold the body there")
+                Text::new("the supports leave {count} of the six motions free: no load does work in them now, but nothing restrains the body there")
                     .with("count", count)
             });
         }
     }
 
-    /// Forces and couples of the supports.
+    /// Support reactions.
     pub(super) fn table(&self, problem: &Reactions, found: &Found) -> TableExhibit {
         let number = |heading: &'static str, unit: &'static str| Column { heading: heading.into(), unit };
         let mut columns = vec![
@@ -334,7 +333,7 @@ impl<'a> Held<'a> {
             row
         };
         TableExhibit {
-            title: "Forces and couples of the supports".into(),
+            title: "Support reactions".into(),
             columns,
             rows: problem.supports.iter().zip(&found.supports).enumerate().map(row).collect(),
             foot: Vec::new(),
@@ -350,16 +349,16 @@ fn refused(error: &SupportError, all: &[Support], owners: &[usize]) -> Refusal {
                 unknowns.iter().filter_map(|x| owners.get(*x)).map(|n| all[*n].name.as_str()).collect();
             named.dedup();
             let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-            Text::new("the supports are statically indeterminate: {count} of their {unknowns} unknowns are too many for the six equations, and {names} can strain one another without any load; let one of them give way, such as one axial force or one couple")
+            Text::new("the supports are statically indeterminate: {count} of their {unknowns} unknowns are too many for the six equations, and {names} can strain one another without any load; release one of them, such as one axial force or one couple")
                 .with("count", count(*missing))
                 .with("unknowns", count(owners.len()))
                 .with("names", named.join(", "))
         }
         SupportError::Mechanism { turning, axis } => {
             let words = if *turning {
-                "the supports leave the body free to turn about {axis}, and this motion with these loads needs a moment there: add a support or a drive, or let the acceleration be found"
+                "the supports leave the body free to turn about {axis}, and this motion with these loads requires a moment there: add a support or a drive, or let the acceleration be calculated"
             } else {
-                "the supports leave the body free to move along {axis}, and this motion with these loads needs a force there: add a support that takes it"
+                "the supports leave the body free to move along {axis}, and this motion with these loads requires a force there: add a support that resists it"
             };
             Text::new(words).with(
                 "axis",
@@ -371,7 +370,7 @@ fn refused(error: &SupportError, all: &[Support], owners: &[usize]) -> Refusal {
             )
         }
         SupportError::Data(_) => {
-            Text::from("the positions or the loads are too large to be numbers: look at their units")
+            Text::from("the positions or the loads exceed the numerical range: check their units")
         }
     };
     Refusal::NoAnswer(text)

@@ -35,7 +35,7 @@ impl WheelLoads {
         let Some(friction) = given.friction else { return };
         let (sin, cos) = (given.bank.sin(), given.bank.cos());
         if cos.value() <= (friction * sin).value() {
-            sheet.warn(|| "on this bank the vehicle slides outwards at no speed".into());
+            sheet.warn(|| "on this bank the vehicle does not slide outwards at any speed".into());
             return;
         }
         let square = if self.bank == 0.0 {
@@ -94,7 +94,7 @@ impl WheelLoads {
             "kg",
             per_square,
             (
-                "Couple that tilts outwards, per square of speed: C = K v² (less m g h sin β on a bank)",
+                "Overturning couple per square of speed: C = K v² (less m g h sin β on a bank)",
                 KHURMI.at("§14.9"),
             ),
         );
@@ -121,7 +121,7 @@ impl WheelLoads {
         } else {
             own(weight)
         };
-        let rest = sheet.step("N₀", "N", rest, "Load of the wheel that lifts first, at rest");
+        let rest = sheet.step("N₀", "N", rest, "Static load of the first wheel to lift");
         let outwards = shifted(per_square / given.track);
         let loss = if wheel.outer { -outwards } else { outwards };
         let loss = if banked { loss - own(given.mass * given.bank.sin() / given.radius) } else { loss };
@@ -135,8 +135,8 @@ impl WheelLoads {
             }
             _ => loss,
         };
-        let loss = sheet.step("n", "kg/m", loss, "What it loses, per square of speed");
-        sheet.step("v_l", "m/s", (rest / loss).sqrt(), "Speed at which nothing is left: N₀ = n v²")
+        let loss = sheet.step("n", "kg/m", loss, "Load reduction per unit of speed squared");
+        sheet.step("v_l", "m/s", (rest / loss).sqrt(), "Speed at which the load vanishes: N₀ = n v²")
     }
 
     /// A second way to the limiting speed: the loads there, from moments about the other wheels.
@@ -145,7 +145,7 @@ impl WheelLoads {
         for wheel in self.wheel_list() {
             if let Some(speed) = constants.lifting_speed(&wheel) {
                 sheet.check_zero(
-                    "no load is left at the speed of lifting",
+                    "the load is zero at the lifting speed",
                     W::Num::from(constants.load(&wheel, speed)),
                     constants.load(&wheel, 0.0),
                 );

@@ -79,6 +79,9 @@ impl WheelLoads {
         let push = at(0.45, height);
         shapes.push(DrawnShape::Arrow(push, at(0.9, height), Ink::Motion));
         shapes.push(DrawnShape::Label(at(0.92, height), Text::from("a")));
-        Drawing { title: "The vehicle from behind, turning to the side of the arrow".into(), shapes }
+        Drawing {
+            title: "The vehicle seen from behind, turning in the direction of the arrow".into(),
+            shapes,
+        }
     }
 }

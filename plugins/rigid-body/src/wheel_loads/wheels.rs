@@ -23,7 +23,7 @@ pub(super) struct Wheel {
 pub(super) struct Constants {
     /// All loads together.
     pub(super) normal: (f64, f64),
-    /// Load that goes from the inner to the outer side.
+    /// Load transfer from the inner to the outer side.
     pub(super) transfer: (f64, f64),
     /// Load that goes from the rear to the front axle, per square of speed.
     pub(super) pitching: f64,

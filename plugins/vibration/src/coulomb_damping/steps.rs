@@ -69,10 +69,11 @@ pub(super) fn to_rest<W: Worksheet>(
             "n′",
             "1",
             needed,
-            "Strokes until the turning point would lie on the edge of the zone in which friction holds",
+            "Half-cycles until the turning point would reach the edge of the sticking zone",
         );
     }
-    let strokes = sheet.found("n", "1", more, ("Strokes to rest: that number rounded up", RAO.at("§2.9")));
+    let strokes =
+        sheet.found("n", "1", more, ("Half-cycles to rest: that number rounded up", RAO.at("§2.9")));
     let distance = match viscous {
         None => first.amplitude - strokes * system.offset * 2.0,
         Some([kept, constant]) => {
@@ -80,19 +81,19 @@ pub(super) fn to_rest<W: Worksheet>(
         }
     };
     let position = if (more % 2.0 == 0.0) == first.positive { distance } else { -distance };
-    let position = sheet.step("x_R", "mm", position, ("Position of rest", RAO.at("§2.9")));
+    let position = sheet.step("x_R", "mm", position, ("Rest position", RAO.at("§2.9")));
     let run = strokes * half;
     let time = match first.time {
-        None => sheet.step("t_R", "s", run, "Time until it rests"),
-        Some(begun) => sheet.step("t_R", "s", begun + run, "Time until it rests"),
+        None => sheet.step("t_R", "s", run, "Time to rest"),
+        Some(begun) => sheet.step("t_R", "s", begun + run, "Time to rest"),
     };
     sheet.verify(|| {
         energy(system, given, &first, [strokes, position], sheet);
         let end = rest.time.unwrap_or(0.0) * 1.01;
-        if let Some([there, _]) = decay.marched(end) {
+        if let Some([there, _]) = decay.step_by_step(end) {
             let off = W::Num::from(there - position.value());
             sheet.check_zero(
-                "position of rest by marching through the equation of motion",
+                "rest position by step-by-step integration of the equation of motion",
                 off,
                 first.amplitude.value() + decay.hold,
             );
@@ -102,11 +103,11 @@ pub(super) fn to_rest<W: Worksheet>(
             last_stroke(decay, end, [half.value(), system.offset.value()], sheet);
         }
     });
-    let cycles = sheet.step("N", "1", strokes / 2.0, "Cycles: two strokes each");
-    sheet.answer("strokes", "Strokes after the first turning point", strokes);
+    let cycles = sheet.step("N", "1", strokes / 2.0, "Cycles: two half-cycles each");
+    sheet.answer("strokes", "Half-cycles after the first turning point", strokes);
     sheet.answer("cycles", "Cycles to rest", cycles);
-    sheet.answer("stop_time", "Time until it rests", time);
-    sheet.answer("rest_position", "Position of rest", position);
+    sheet.answer("stop_time", "Time to rest", time);
+    sheet.answer("rest_position", "Rest position", position);
     (position, Some(first))
 }
 
@@ -119,14 +120,14 @@ fn last_stroke<W: Worksheet>(
     sheet: W,
 ) {
     let back = half / 2.0;
-    let Some([there, speed]) = decay.marched(time - back) else { return };
+    let Some([there, speed]) = decay.step_by_step(time - back) else { return };
     let FreeMotion { natural_frequency: natural, damping_ratio: ratio, displacement, velocity } =
         decay.motion;
     let centre = if speed > 0.0 { -offset } else { offset };
     let damped = natural * (1.0 - ratio * ratio).sqrt();
     let middle = centre + (position - centre) * closed::release_underdamped(natural, ratio, damped, -back);
     sheet.check_zero(
-        "time of rest: the middle of the last stroke, back from its end and by marching from the start",
+        "time of rest: the middle of the last stroke, backwards from its end and by step-by-step integration from the start",
         W::Num::from(there - middle),
         displacement.abs() + velocity.abs() / natural + decay.hold,
     );
@@ -139,43 +140,43 @@ fn stroke<W: Worksheet>(system: &System<W::Num>, sheet: W) -> (W::Num, Option<[W
             "T/2",
             "s",
             W::Num::from(PI) / system.natural,
-            "Time of a stroke, from one turning point to the next",
+            "Duration of a half-cycle, from one turning point to the next",
         );
         let loss = sheet.step(
             "ΔX",
             "mm",
             system.offset * 4.0,
-            ("Loss of amplitude in a cycle, 4F/k: the same in each", RAO.at("§2.9")),
+            ("Amplitude decrease per cycle, 4F/k: the same in each", RAO.at("§2.9")),
         );
-        sheet.answer("loss", "Loss of amplitude in a cycle", loss);
+        sheet.answer("loss", "Amplitude decrease per cycle", loss);
         return (half, None);
     };
     let damped = sheet.step(
         "ω_d",
         "rad/s",
         sdof::damped_frequency(system.natural, zeta),
-        ("Frequency of the strokes", RAO.at("§2.6")),
+        ("Frequency of the half-cycles", RAO.at("§2.6")),
     );
     let half = sheet.step(
         "T/2",
         "s",
         W::Num::from(PI) / damped,
-        "Time of a stroke, from one turning point to the next",
+        "Duration of a half-cycle, from one turning point to the next",
     );
     let kept = sheet.step(
         "q",
         "1",
         (-(zeta * PI / (W::Num::from(1.0) - zeta.powi(2)).sqrt())).exp(),
-        "Viscous damping leaves this share of the distance from the shifted position of rest in a stroke",
+        "Per half-cycle, viscous damping reduces the distance from the shifted equilibrium position to this fraction",
     );
     let one = W::Num::from(1.0);
     let constant = sheet.step(
         "C",
         "mm",
         system.offset * (one + kept) / (one - kept),
-        "Turning points follow Xₙ₊₁ = q Xₙ − f (1 + q); X + C then falls by the share q in each stroke",
+        "Turning points satisfy Xₙ₊₁ = q Xₙ − f (1 + q); X + C then decreases by the factor q in each half-cycle",
     );
-    sheet.answer("kept", "Share that viscous damping leaves in a stroke", kept);
+    sheet.answer("kept", "Amplitude ratio per half-cycle due to viscous damping", kept);
     (half, Some([kept, constant]))
 }
 
@@ -202,40 +203,40 @@ fn first_turning<W: Worksheet>(
             "y₀",
             "mm",
             y0,
-            "Start of the first stroke, from its shifted position of rest, forward counted positive",
+            "Start of the first half-cycle, from its shifted equilibrium position, positive forwards",
         );
         let radius = sheet.step(
             "R",
             "mm",
             (y0.powi(2) + (speed / system.natural).powi(2)).sqrt(),
-            ("Amplitude of the first stroke about that position", RAO.at("§2.9")),
+            ("Amplitude of the first half-cycle about that position", RAO.at("§2.9")),
         );
         let turned = (speed / system.natural).atan2(y0) / system.natural;
         let turned = sheet.step("t₁", "s", turned, "First turning point after the start");
         let displacement = if forward { radius - system.offset } else { system.offset - radius };
-        (turned, sheet.step("x₁", "mm", displacement, "Displacement there"))
+        (turned, sheet.step("x₁", "mm", displacement, "Displacement at that instant"))
     } else {
         (
             sheet.found(
                 "t₁",
                 "s",
                 time,
-                "First turning point after the start: zero of the velocity of the first stroke",
+                "First turning point after the start: zero of the velocity in the first half-cycle",
             ),
-            sheet.found("x₁", "mm", at, "Displacement there"),
+            sheet.found("x₁", "mm", at, "Displacement at that instant"),
         )
     };
     sheet.verify(|| {
-        if let Some([there, speed]) = decay.marched(turned.value()) {
+        if let Some([there, speed]) = decay.step_by_step(turned.value()) {
             let size = decay.motion.displacement.abs()
                 + decay.motion.velocity.abs() / decay.motion.natural_frequency;
             sheet.check_zero(
-                "displacement at the first turning point by marching",
+                "displacement at the first turning point by step-by-step integration",
                 W::Num::from(there - displacement.value()),
                 size,
             );
             sheet.check_zero(
-                "no velocity at the first turning point",
+                "zero velocity at the first turning point",
                 W::Num::from(speed),
                 size * decay.motion.natural_frequency,
             );
@@ -265,7 +266,7 @@ fn energy<W: Worksheet>(
     let signed = if first.positive { first.amplitude } else { -first.amplitude };
     let way = (signed - x0).abs() + strokes_way;
     sheet.check(
-        "energy at the start = energy at rest + friction times the way",
+        "initial energy = energy at rest + friction force × distance travelled",
         begun,
         given.stiffness * position.powi(2) / 2.0 + system.force * way,
     );
@@ -276,37 +277,41 @@ fn creeping<W: Worksheet>(system: &System<W::Num>, decay: &FrictionDecay, rest: 
     let position = match rest.time {
         // The first turning point already lies where friction holds.
         Some(time) => {
-            let time = sheet.found("t_R", "s", time, "Time until it rests: end of the first stroke");
-            sheet.answer("stop_time", "Time until it rests", time);
+            let time = sheet.found("t_R", "s", time, "Time to rest: end of the first half-cycle");
+            sheet.answer("stop_time", "Time to rest", time);
             sheet.found(
                 "x_R",
                 "mm",
                 rest.position,
-                "Position of rest, where friction holds at the first turning point",
+                "Rest position: friction holds the mass at the first turning point",
             )
         }
         None => {
             sheet.warn(|| {
                 Text::new(
-                    "the viscous damping is critical or more: the mass does not swing, and only creeps to the edge of \
-                     the zone of rest",
+                    "the viscous damping is critical or higher: the mass does not oscillate, and only approaches the edge of the sticking zone",
                 )
             });
             let signed = if rest.position > 0.0 { system.offset } else { -system.offset };
-            sheet.step("x_R", "mm", signed, "Position that it creeps to: rest shifted by friction")
+            sheet.step(
+                "x_R",
+                "mm",
+                signed,
+                "Position approached asymptotically: equilibrium shifted by friction",
+            )
         }
     };
     sheet.verify(|| {
         let late = rest.time.unwrap_or(60.0 * decay.motion.damping_ratio / decay.motion.natural_frequency);
-        if let Some([there, _]) = decay.marched(late * 1.01) {
+        if let Some([there, _]) = decay.step_by_step(late * 1.01) {
             sheet.check_zero(
-                "position of rest by marching through the equation of motion",
+                "rest position by step-by-step integration of the equation of motion",
                 W::Num::from(there - position.value()),
                 decay.motion.displacement.abs() + decay.hold,
             );
         }
     });
-    sheet.answer("rest_position", "Position of rest", position);
+    sheet.answer("rest_position", "Rest position", position);
     position
 }
 
@@ -320,13 +325,12 @@ pub(super) fn fall<W: Worksheet>(
 ) -> Result<(), Refusal> {
     if asked.value() >= first.amplitude.value() {
         return Err(Refusal::because(
-            "the amplitude to which the fall is asked is not below the first one: write a smaller one",
+            "the target amplitude of the decay is not below the first one: write a smaller one",
         ));
     }
     if asked.value() < decay.hold {
         return Err(Refusal::because(
-            "friction holds the mass before it is down to the asked amplitude: write one above the half width of the \
-             zone of rest",
+            "friction stops the mass before it decays to the required amplitude: write one above the half-width of the sticking zone",
         ));
     }
     let exact = match first.viscous {
@@ -339,15 +343,15 @@ pub(super) fn fall<W: Worksheet>(
         "Nₐ′",
         "1",
         exact,
-        ("Cycles in which the amplitude falls to the asked one", GROVER.at("§3.6")),
+        ("Cycles for the amplitude to decay to the requested value", GROVER.at("§3.6")),
     );
     let strokes = sheet.found(
         "nₐ",
         "1",
         decay.strokes_from(first.amplitude.value(), asked.value()),
-        "Strokes until a turning point is no farther out: twice that number, rounded up",
+        "Half-cycles until a turning point is no farther out: twice that number, rounded up",
     );
-    let cycles = sheet.step("Nₐ", "1", strokes / 2.0, "Whole strokes, in cycles");
+    let cycles = sheet.step("Nₐ", "1", strokes / 2.0, "Whole half-cycles, in cycles");
     let time = match first.time {
         None => strokes * first.half,
         Some(begun) => begun + strokes * first.half,
@@ -360,13 +364,13 @@ pub(super) fn fall<W: Worksheet>(
         let outside = size(strokes.value() - 1.0) > asked.value() * (1.0 - 1e-9);
         let off = if inside && outside { 0.0 } else { 1.0 };
         sheet.check_zero(
-            "the turning point is the first one inside the asked amplitude",
+            "the turning point is the first one within the required amplitude",
             W::Num::from(off),
             1.0,
         );
-        if let Some([_, speed]) = decay.marched(time.value()) {
+        if let Some([_, speed]) = decay.step_by_step(time.value()) {
             sheet.check_zero(
-                "no velocity at that turning point, by marching",
+                "zero velocity at that turning point, by step-by-step integration",
                 W::Num::from(speed),
                 system.natural.value() * first.amplitude.value(),
             );
@@ -375,19 +379,19 @@ pub(super) fn fall<W: Worksheet>(
     let [outer, inner] = [first.amplitude, asked];
     match first.viscous {
         None => sheet.check(
-            "the energy between the two amplitudes is the work of the friction on the way of those cycles",
+            "the energy difference between the two amplitudes is the friction work over the path of those cycles",
             (outer.powi(2) - inner.powi(2)) / 2.0,
             system.offset * exact * (outer + inner) * 2.0,
         ),
         Some([kept, constant]) => sheet.check(
-            "Xₐ + C is what two strokes of each of those cycles leave of X₁ + C",
+            "Xₐ + C results from X₁ + C after two half-cycles of each of those cycles",
             inner + constant,
             (outer + constant) * ((kept.ln() * exact * 2.0).exp()),
         ),
     }
-    sheet.answer("fall_cycles_exact", "Cycles of that fall, as a fraction", exact);
-    sheet.answer("fall_cycles", "Cycles of that fall, whole strokes", cycles);
-    sheet.answer("fall_time", "Time of that fall", time);
+    sheet.answer("fall_cycles_exact", "Cycles of that decay, as a fraction", exact);
+    sheet.answer("fall_cycles", "Cycles of that decay, whole half-cycles", cycles);
+    sheet.answer("fall_time", "Duration of that decay", time);
     Ok(())
 }
 
@@ -401,35 +405,41 @@ pub(super) fn at_time<W: Worksheet>(
 ) {
     let stroke = decay.stroke(time.value());
     let Some(motion) = stroke.motion else {
-        let rests = sheet.step("x", "mm", rest, "It rests by then, at its position of rest");
-        let still = sheet.found("v", "m/s", 0.0, "It rests");
+        let rests = sheet.step("x", "mm", rest, "Already at rest, at its rest position");
+        let still = sheet.found("v", "m/s", 0.0, "It is at rest");
         sheet.answer("displacement", "Displacement at that time", rests);
         sheet.answer("velocity", "Velocity at that time", still);
         return;
     };
-    let begun = sheet.found("t_j", "s", stroke.begun, "Start of the stroke in which the asked time lies");
+    let begun =
+        sheet.found("t_j", "s", stroke.begun, "Start of the half-cycle that contains the requested time");
     let centre = if stroke.centre > 0.0 { system.offset } else { -system.offset };
     let centre = sheet.step(
         "x_c",
         "mm",
         centre,
-        ("Position of rest, shifted by friction against the motion", RAO.at("§2.9")),
+        ("Equilibrium position, shifted by friction against the motion", RAO.at("§2.9")),
     );
-    let lapse = sheet.step("τ", "s", time - begun, "Time since the start of the stroke");
+    let lapse = sheet.step("τ", "s", time - begun, "Time since the start of the half-cycle");
     let first = stroke.begun == 0.0;
     let from = if first {
         sheet.step(
             "y",
             "mm",
             given.displacement - centre,
-            "Start of the stroke, from the shifted position of rest",
+            "Start of the half-cycle, from the shifted equilibrium position",
         )
     } else {
-        sheet.found("y", "mm", motion.displacement, "Start of the stroke, from the shifted position of rest")
+        sheet.found(
+            "y",
+            "mm",
+            motion.displacement,
+            "Start of the half-cycle, from the shifted equilibrium position",
+        )
     };
     let speed = if motion.velocity == 0.0 { None } else { Some(given.velocity) };
     let why =
-        ("Displacement at that time: a free vibration about the shifted position of rest", RAO.at("§2.9"));
+        ("Displacement at that time: free vibration about the shifted equilibrium position", RAO.at("§2.9"));
     let (x, v) = match system.zeta {
         None => {
             let angle = system.natural * lapse;
@@ -449,7 +459,7 @@ pub(super) fn at_time<W: Worksheet>(
                 Some(speed) => (speed + zeta * system.natural * from) / damped,
                 None => zeta * system.natural * from / damped,
             };
-            let sine = sheet.step("B", "mm", sine, "Constant of the sine in that stroke");
+            let sine = sheet.step("B", "mm", sine, "Sine coefficient in that half-cycle");
             let fade = (-(zeta * system.natural * lapse)).exp();
             let (c, s) = ((damped * lapse).cos(), (damped * lapse).sin());
             let x = centre + fade * (from * c + sine * s);
@@ -463,18 +473,22 @@ pub(super) fn at_time<W: Worksheet>(
         }
         Some(_) => {
             let [x, v] = decay.state(time.value());
-            let how = "By the overdamped motion about the shifted position of rest";
+            let how = "From the overdamped motion about the shifted equilibrium position";
             (sheet.found("x", "mm", x, how), sheet.found("v", "m/s", v, how))
         }
     };
     sheet.verify(|| {
         let size =
             decay.motion.displacement.abs() + decay.motion.velocity.abs() / decay.motion.natural_frequency;
-        if let Some([there, moving]) = decay.marched(time.value()) {
+        if let Some([there, moving]) = decay.step_by_step(time.value()) {
             let off = [there - x.value(), moving - v.value()].map(W::Num::from);
-            sheet.check_zero("displacement by marching through the equation of motion", off[0], size);
             sheet.check_zero(
-                "velocity by marching through the equation of motion",
+                "displacement by step-by-step integration of the equation of motion",
+                off[0],
+                size,
+            );
+            sheet.check_zero(
+                "velocity by step-by-step integration of the equation of motion",
                 off[1],
                 size * decay.motion.natural_frequency,
             );

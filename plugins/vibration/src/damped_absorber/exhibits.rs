@@ -98,7 +98,7 @@ pub(super) fn family(kernel: &Kernel) -> Plot {
     };
     series.push(Series::line("locked", ratios().iter().map(|&g| (g, drawn(locked(g)))).collect()));
     Plot::new(
-        "Magnification for other dampings of the absorber",
+        "Magnification for other values of absorber damping",
         Axis::linear("frequency ratio", "1"),
         Axis::linear("magnification", "1"),
         series,

@@ -16,37 +16,35 @@ pub(super) fn fixed_points<W: Worksheet>(system: &System<W::Num>, sheet: W) -> C
     if system.zeta.value() > 0.0 {
         sheet.warn(|| {
             Text::new(
-                "the main system is damped: it has no fixed points, and their formulas are those of an undamped one; the \
-                 least peak takes its damping into account",
+                "the main system is damped: it has no fixed points, whose formulas hold only for an undamped one; the minimum peak takes its damping into account",
             )
         });
     }
     let why = (
-        "Tuning by the fixed points: the two frequencies at which the response is the same for every damping, raised to \
-         one height",
+        "Tuning by the invariant points: the two frequencies at which the response is independent of damping, brought to equal height",
         DEN_HARTOG.at("§3.3"),
     );
     let tuning = sheet.step("f_opt", "1", absorber::den_hartog_tuning(ratio), why);
-    let why = ("Squares of the ratios of the fixed points: their mean", DEN_HARTOG.at("§3.3"));
+    let why = ("Squares of the ratios of the invariant points: their mean", DEN_HARTOG.at("§3.3"));
     let mean = sheet.step("b", "1", absorber::fixed_points_mean(ratio, tuning), why);
     let why = ("Half of their difference", DEN_HARTOG.at("§3.3"));
     let half = sheet.step("d", "1", absorber::fixed_points_half_difference(ratio, tuning, mean), why);
     let lower = sheet.step("g_P", "1", (mean - half).sqrt(), "Lower fixed point");
-    let upper = sheet.step("g_Q", "1", (mean + half).sqrt(), "Upper fixed point");
-    let why = ("Magnification at both", DEN_HARTOG.at("§3.3"));
+    let upper = sheet.step("g_Q", "1", (mean + half).sqrt(), "Upper invariant point");
+    let why = ("Magnification at both points", DEN_HARTOG.at("§3.3"));
     let height = sheet.step("H_PQ", "1", absorber::fixed_point_height(ratio), why);
     for (point, what) in [
-        (lower, "height of the lower fixed point, both masses moving as one"),
-        (upper, "height of the upper fixed point, both masses moving as one"),
+        (lower, "height of the lower fixed point, with the masses locked together"),
+        (upper, "height of the upper fixed point, with the masses locked together"),
     ] {
         sheet.check(what, absorber::magnification_as_one(ratio, point), height);
     }
     let why = (
-        "Damping: the mean of the squares of the two that make the response level at one fixed point or the other",
+        "Damping: mean square of the two values that give zero slope of the response at one or the other invariant point",
         BROCK.at(""),
     );
     let own = sheet.step("ζ_opt", "1", absorber::den_hartog_damping(ratio), why);
-    sheet.answer("tuning", "Tuning by the fixed points", tuning);
+    sheet.answer("tuning", "Tuning by the invariant points", tuning);
     let damping =
         answer_dampings(tuning, own, ["damping_ratio_absorber", "damping_ratio_main"], "γ_opt", sheet);
     sheet.verify(|| {
@@ -54,21 +52,25 @@ pub(super) fn fixed_points<W: Worksheet>(system: &System<W::Num>, sheet: W) -> C
             absorber::level_damping_squared(ratio.value(), tuning.value(), point.value().powi(2))
         };
         let mean = f64::midpoint(square(lower), square(upper));
-        sheet.check("the mean of the squares of both level dampings", W::Num::from(mean), damping.powi(2));
+        sheet.check(
+            "mean of the squares of the two damping ratios with a horizontal tangent at a fixed point",
+            W::Num::from(mean),
+            damping.powi(2),
+        );
     });
     sheet.answer("lower_fixed_point", "Lower fixed point", lower);
-    sheet.answer("upper_fixed_point", "Upper fixed point", upper);
+    sheet.answer("upper_fixed_point", "Upper invariant point", upper);
     sheet.answer("fixed_point_height", "Magnification at the fixed points", height);
     let chosen = Chosen { tuning: Some(tuning), damping };
     let kernel = system.kernel(&chosen);
     if let Some(peak) = kernel.largest_peak() {
-        let how = "Largest magnification with this tuning and damping: the peaks lie a little above the fixed points";
+        let how = "Maximum magnification with this tuning and damping: the peaks lie a little above the fixed points";
         let found = sheet.found("H_opt", "1", peak.height, how);
         sheet.verify(|| {
             let [main, _] = equations(&kernel, peak.ratio);
             sheet.check("that magnification from the equations of both masses", W::Num::from(main), found);
         });
-        sheet.answer("fixed_point_peak", "Largest magnification by the fixed points", found);
+        sheet.answer("fixed_point_peak", "Maximum magnification by the fixed points", found);
     }
     chosen
 }
@@ -81,46 +83,42 @@ pub(super) fn least_peak<W: Worksheet>(system: &System<W::Num>, sheet: W) -> Opt
     let (chosen, height) = if zeta == 0.0 {
         let s =
             sheet.step("s", "1", absorber::least_peak_root(ratio), ("Auxiliary number", NISHIHARA.at("")));
-        let why = (
-            "Tuning of the least peak, exactly: two peaks of one height, as low as can be",
-            NISHIHARA.at(""),
-        );
+        let why = ("Optimum tuning, exact: two peaks of equal and minimum height", NISHIHARA.at(""));
         let tuning = sheet.step("f*", "1", absorber::least_peak_tuning(s), why);
-        let why = ("Damping of the least peak", NISHIHARA.at(""));
+        let why = ("Damping for the minimum peak", NISHIHARA.at(""));
         let own = sheet.step("ζ_a*", "1", absorber::least_peak_damping(ratio, s), why);
-        sheet.answer("best_tuning", "Tuning of the least peak", tuning);
+        sheet.answer("best_tuning", "Optimum tuning, minimum peak", tuning);
         let damping = answer_dampings(tuning, own, names, "γ*", sheet);
-        let why = ("The least peak", NISHIHARA.at(""));
+        let why = ("The minimum peak", NISHIHARA.at(""));
         let height = sheet.step("H*", "1", absorber::least_peak_height(ratio, s), why);
         (Chosen { tuning: Some(tuning), damping }, height)
     } else {
         let Some(found) = found else {
             sheet.warn(|| {
-                Text::new("the main system is so damped that there are no two peaks to be balanced: there is no least peak")
+                Text::new("the main system is so heavily damped that there are no two peaks to equalise: there is no minimum peak")
             });
             return None;
         };
-        let how = "Tuning of the least peak with this damping of the main system: two peaks of one height, where no \
-                   change lowers both (Newton's method)";
+        let how = "Optimum tuning with this damping of the main system: two peaks of equal height, where no change lowers both (Newton's method)";
         let tuning = sheet.found("f*", "1", found.absorber.tuning, how);
-        let how = "Its damping ratio by the absorber itself";
+        let how = "Its damping ratio, relative to the absorber alone";
         let own = sheet.found("ζ_a*", "1", found.absorber.damping / found.absorber.tuning, how);
-        sheet.answer("best_tuning", "Tuning of the least peak", tuning);
+        sheet.answer("best_tuning", "Optimum tuning, minimum peak", tuning);
         let damping = answer_dampings(tuning, own, names, "γ*", sheet);
-        let height = sheet.found("H*", "1", found.height, "The least peak");
+        let height = sheet.found("H*", "1", found.height, "The minimum peak");
         (Chosen { tuning: Some(tuning), damping }, height)
     };
     sheet.verify(|| {
         let peaks = system.kernel(&chosen).peaks();
         if let [lower, upper] = peaks[..] {
-            sheet.check("the lower of the two peaks", W::Num::from(lower.height), height);
-            sheet.check("the upper of the two peaks", W::Num::from(upper.height), height);
+            sheet.check("the lower-frequency peak", W::Num::from(lower.height), height);
+            sheet.check("the higher-frequency peak", W::Num::from(upper.height), height);
         }
         if let (true, Some(found)) = (zeta == 0.0, found) {
-            sheet.check("the least peak by Newton's method", W::Num::from(found.height), height);
+            sheet.check("the minimum peak by Newton's method", W::Num::from(found.height), height);
         }
     });
-    sheet.answer("best_peak", "Least possible largest magnification", height);
+    sheet.answer("best_peak", "Minimum possible peak magnification", height);
     Some(chosen)
 }
 
@@ -132,10 +130,10 @@ fn answer_dampings<W: Worksheet>(
     symbol: &'static str,
     sheet: W,
 ) -> W::Num {
-    let why = ("The same damping by the main frequency, c/(2 m_a ω_m)", DEN_HARTOG.at("§3.3"));
+    let why = ("The same damping relative to the main frequency, c/(2 m_a ω_m)", DEN_HARTOG.at("§3.3"));
     let by_main = sheet.step(symbol, "1", tuning * by_absorber, why);
-    sheet.answer(names[0], "Damping ratio by the absorber itself, c/(2 m_a ω_a)", by_absorber);
-    sheet.answer(names[1], "Damping ratio by the main frequency, c/(2 m_a ω_m)", by_main);
+    sheet.answer(names[0], "Damping ratio relative to the absorber, c/(2 m_a ω_a)", by_absorber);
+    sheet.answer(names[1], "Damping ratio relative to the main frequency, c/(2 m_a ω_m)", by_main);
     by_main
 }
 
@@ -143,49 +141,60 @@ fn answer_dampings<W: Worksheet>(
 pub(super) fn viscous<W: Worksheet>(system: &System<W::Num>, sheet: W) -> Result<Chosen<W::Num>, Refusal> {
     let (ratio, zeta) = (system.ratio, system.zeta.value());
     let why = (
-        "Best damping by the main frequency, c/(2 m_a ω_m): the peak lies at the fixed point of an undamped main system",
+        "Optimum damping relative to the main frequency, c/(2 m_a ω_m): the peak lies at the invariant point of an undamped main system",
         DEN_HARTOG.at("§3.3"),
     );
     let damping = sheet.step("γ_h", "1", absorber::viscous_damping(ratio), why);
-    let why = ("Frequency ratio of the fixed point", DEN_HARTOG.at("§3.3"));
+    let why = ("Frequency ratio of the invariant point", DEN_HARTOG.at("§3.3"));
     let point = sheet.step("g_h", "1", absorber::viscous_fixed_point(ratio), why);
-    let why = ("Magnification there", DEN_HARTOG.at("§3.3"));
+    let why = ("Magnification at this point", DEN_HARTOG.at("§3.3"));
     let height = sheet.step("H_h", "1", absorber::viscous_height(ratio), why);
     sheet.check(
-        "height of the fixed point, both masses moving as one",
+        "height of the fixed point, with the masses locked together",
         absorber::magnification_as_one(ratio, point),
         height,
     );
-    sheet.answer("damping_ratio_main", "Damping ratio by the main frequency, c/(2 m_a ω_m)", damping);
-    sheet.answer("fixed_point", "Fixed point", point);
+    sheet.answer(
+        "damping_ratio_main",
+        "Damping ratio relative to the main frequency, c/(2 m_a ω_m)",
+        damping,
+    );
+    sheet.answer("fixed_point", "Invariant point", point);
     sheet.answer("fixed_point_height", "Magnification at the fixed point", height);
     let found = absorber::least_peak_viscous(ratio.value(), zeta).map_err(|_| no_peaks());
     if zeta == 0.0 {
         sheet.verify(|| {
             if let Ok(found) = found {
-                sheet.check("best damping by Newton's method", W::Num::from(found.absorber.damping), damping);
-                sheet.check("least peak by Newton's method", W::Num::from(found.height), height);
+                sheet.check(
+                    "optimum damping by Newton's method",
+                    W::Num::from(found.absorber.damping),
+                    damping,
+                );
+                sheet.check("minimum peak by Newton's method", W::Num::from(found.height), height);
             }
         });
         return Ok(Chosen { tuning: None, damping });
     }
     sheet.warn(|| {
         Text::new(
-            "the main system is damped: it has no fixed points, and their formulas are those of an undamped one; the \
-             least peak takes its damping into account",
+            "the main system is damped: it has no fixed points, whose formulas hold only for an undamped one; the minimum peak takes its damping into account",
         )
     });
     let found = found?;
-    let how = "Damping of the least peak with this damping of the main system (Newton's method)";
+    let how = "Damping for the minimum peak with this damping of the main system (Newton's method)";
     let best = sheet.found("γ*", "1", found.absorber.damping, how);
-    let least = sheet.found("H*", "1", found.height, "The least peak");
+    let least = sheet.found("H*", "1", found.height, "The minimum peak");
     sheet.verify(|| {
         if let Some(peak) = found.absorber.largest_peak() {
             sheet.check("the highest of all peaks", W::Num::from(peak.height), least);
         }
     });
-    sheet.answer("best_damping_ratio_main", "Damping ratio by the main frequency, c/(2 m_a ω_m)", best);
-    sheet.answer("best_peak", "Least possible largest magnification", least);
+    sheet.answer(
+        "best_damping_ratio_main",
+        "Damping ratio relative to the main frequency, c/(2 m_a ω_m)",
+        best,
+    );
+    sheet.answer("best_peak", "Minimum possible peak magnification", least);
     Ok(Chosen { tuning: None, damping: best })
 }
 

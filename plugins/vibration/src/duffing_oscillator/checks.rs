@@ -42,7 +42,7 @@ pub(super) fn two_harmonics<W: Worksheet>(
     let cube = z1.powi(3) / 4.0 + z3 * (1.5 * z1.norm_sqr() + 0.75 * z3.norm_sqr());
     let held = Complex::new(stiffness - mass * (3.0 * frequency).powi(2), damping * 3.0 * frequency);
     sheet.check_sum(
-        "third harmonic: inertia, spring and damper balance that of the cube, by products of the harmonics",
+        "third harmonic: inertia, spring and damper forces balance that of the cubic term, by products of the harmonics",
         W::Num::from(held.norm() * third.value()),
         W::Num::from(cubic.abs() * cube.norm()),
         force.max(stiffness * amplitude).max(cubic.abs() * amplitude.powi(3)),
@@ -61,7 +61,7 @@ pub(super) fn two_harmonics<W: Worksheet>(
         }
     }
     sheet.check(
-        "largest displacement: where the velocity of both harmonics together is zero",
+        "maximum displacement: where the total velocity of both harmonics is zero",
         largest,
         W::Num::from(wave(top, 0)),
     );

@@ -74,7 +74,7 @@ pub(super) fn work<W: Worksheet>(
         ("Ω", row),
         "rpm",
         vibration.frequency / order,
-        ("The order makes n vibrations in a turn: critical speed", DEN_HARTOG.at("ch. 5")),
+        ("The order makes n vibrations per revolution: critical speed", DEN_HARTOG.at("ch. 5")),
     );
     sheet.answer(("critical_speed", row), "Critical speed", speed);
     sheet.verify(|| {
@@ -84,7 +84,7 @@ pub(super) fn work<W: Worksheet>(
             .enumerate()
             .map(|(at, stiffness)| *stiffness * (vibration.shape[at] - vibration.shape[at + 1]).powi(2));
         sheet.check(
-            "critical speed: n vibrations in each turn, by Rayleigh's quotient Σ k (Δβ)²/Σ J β²",
+            "critical speed: n vibrations per revolution, by Rayleigh's quotient Σ k (Δβ)²/Σ J β²",
             (order * speed).powi(2) * vibration.inertia,
             W::Num::sum(twisted),
         );
@@ -94,13 +94,13 @@ pub(super) fn work<W: Worksheet>(
         ("X", row),
         "1",
         W::Num::sum(arms().map(|(beta, angle)| beta * (order * angle).cos())),
-        "Phase vectors: each cylinder with the amplitude of its crank, turned by n times its firing angle",
+        "Phase vectors: each cylinder with the amplitude of its crank, rotated by n times its firing angle",
     );
     let sines = sheet.step(
         ("Y", row),
         "1",
         W::Num::sum(arms().map(|(beta, angle)| beta * (order * angle).sin())),
-        "Their other components",
+        "Sum of their sine components",
     );
     let sum = sheet.step(
         ("S", row),
@@ -115,7 +115,7 @@ pub(super) fn work<W: Worksheet>(
             values.iter().map(move |(other, at)| beta * other * (critical.order.order * (angle - at)).cos())
         });
         sheet.check_zero(
-            "square of the sum from the angles between every two cylinders",
+            "square of the sum from the angles between each pair of cylinders",
             W::Num::from(pairs.sum::<f64>()) - sum.powi(2),
             values.iter().map(|(beta, _)| beta.abs()).sum::<f64>().powi(2),
         );
@@ -124,21 +124,21 @@ pub(super) fn work<W: Worksheet>(
     let torque = match &given.torques {
         TorquesGiven::Unknown { .. } => return,
         TorquesGiven::Given { .. } => {
-            sheet.found(("T", row), "N*m", amplitude, "Torque of a cylinder at this order, from the table")
+            sheet.found(("T", row), "N*m", amplitude, "Torque of a cylinder for this order, from the table")
         }
         TorquesGiven::Pressure { bore, stroke, .. } => {
             let pressure = sheet.found(
                 ("p", row),
                 "bar",
                 amplitude,
-                "Tangential pressure at this order, from the table",
+                "Tangential pressure for this order, from the table",
             );
             let torque = pressure * (bore.powi(2) * PI / 4.0) * (*stroke / 2.0);
             sheet.step(
                 ("T", row),
                 "N*m",
                 torque,
-                "Torque of a cylinder: area of the piston at the crank radius",
+                "Torque of a cylinder: pressure times piston area times crank radius",
             )
         }
     };
@@ -147,23 +147,22 @@ pub(super) fn work<W: Worksheet>(
         "deg",
         torque * sum / (vibration.frequency.powi(2) * vibration.inertia),
         (
-            "Equilibrium amplitude at the first mass: the torques, held still, against the stiffness ω² J of the mode",
+            "Equilibrium amplitude at the first mass: static torques over the modal stiffness ω² J",
             DEN_HARTOG.at("ch. 5"),
         ),
     );
     sheet.answer(("equilibrium_amplitude", row), "Equilibrium amplitude of the first mass", equilibrium);
     let Some(damping) = &given.damping else { return };
-    let balance =
-        "Energy balance: the work π T Θ S of the torques in a cycle is what damping takes, π c ω Θ² Σ β²";
+    let balance = "Energy balance: the work π T Θ S of the torques per cycle equals the energy π c ω Θ² Σ β² dissipated by damping";
     let (steady, lost) = match damping {
         DampingGiven::Ratio { ratio } => {
-            let why = "Amplitude at resonance, 1/(2 ζ) times as large";
+            let why = "Amplitude at resonance, larger by the factor 1/(2 ζ)";
             let steady = sheet.step(("Θ", row), "deg", equilibrium / (*ratio * 2.0), why);
             let coefficient = 2.0 * ratio.value() * vibration.frequency.value() * vibration.inertia.value();
             (steady, coefficient)
         }
         DampingGiven::Magnifier { magnifier } => {
-            let why = "Amplitude at resonance: the dynamic magnifier times as large";
+            let why = "Amplitude at resonance: larger by the dynamic magnifier";
             let steady = sheet.step(("Θ", row), "deg", equilibrium * *magnifier, why);
             let coefficient = vibration.frequency.value() * vibration.inertia.value() / magnifier.value();
             (steady, coefficient)
@@ -171,7 +170,7 @@ pub(super) fn work<W: Worksheet>(
         DampingGiven::Cranks { coefficient } => {
             let squares = W::Num::sum(arms().map(|(beta, _)| beta.powi(2)));
             let squares =
-                sheet.step(("B", row), "1", squares, "Squares of the amplitudes of the damped cranks");
+                sheet.step(("B", row), "1", squares, "Sum of the squared amplitudes of the damped cranks");
             let steady = torque * sum / (*coefficient * vibration.frequency * squares);
             let steady = sheet.step(("Θ", row), "deg", steady, (balance, DEN_HARTOG.at("ch. 5")));
             (steady, coefficient.value() * squares.value())
@@ -182,7 +181,7 @@ pub(super) fn work<W: Worksheet>(
         let work = work_of_a_cycle(critical, cylinders, vibration, torque.value(), steady.value());
         let taken = PI * lost * vibration.frequency.value() * steady.value().powi(2);
         sheet.check(
-            "work of the torques, added up over a cycle, is what damping takes",
+            "work of the torques, summed over a cycle, equals the energy dissipated by damping",
             W::Num::from(work),
             W::Num::from(taken),
         );
@@ -195,7 +194,7 @@ pub(super) fn work<W: Worksheet>(
     if first == last {
         return;
     }
-    let why = Text::new("Largest torque of the vibration in the crankshaft, behind {mass}")
+    let why = Text::new("Maximum vibratory torque in the crankshaft, behind {mass}")
         .with_text("mass", line.names[most].clone());
     let largest = sheet.step(
         Symbol::from("Q").row(row),
@@ -203,14 +202,14 @@ pub(super) fn work<W: Worksheet>(
         line.stiffnesses[most] * twist(most).abs() * steady,
         why,
     );
-    sheet.answer(("shaft_torque", row), "Largest torque in the crankshaft", largest);
+    sheet.answer(("shaft_torque", row), "Maximum torque in the crankshaft", largest);
     sheet.verify(|| {
         let inertias = || line.inertias[..=most].iter().zip(&vibration.shape).map(|(j, beta)| *j * *beta);
         let size: f64 = inertias().map(|part| part.value().abs()).sum();
         let scale = steady * vibration.frequency.powi(2);
         let turned = W::Num::sum(inertias());
         sheet.check_sum(
-            "largest torque: that of the inertia of all masses before it, ω² Θ Σ J β",
+            "maximum torque: inertia torque of all masses before it, ω² Θ Σ J β",
             largest,
             scale * turned.abs(),
             scale.value() * size,
@@ -218,7 +217,8 @@ pub(super) fn work<W: Worksheet>(
     });
     if let Some(diameter) = given.diameter {
         let stress = largest * 16.0 / (diameter.powi(3) * PI);
-        let stress = sheet.step(("τ", row), "MPa", stress, "Shear stress of that torque in a round shaft");
+        let stress =
+            sheet.step(("τ", row), "MPa", stress, "Shear stress due to that torque in a circular shaft");
         sheet.answer(("stress", row), "Shear stress in the crankshaft", stress);
         sheet.verify(|| {
             let radius = diameter.value() / 2.0;

@@ -80,7 +80,7 @@ impl<N: Real> View<'_, N> {
                 column("order", "1"),
                 column("kind", ""),
                 column("speed", "rpm"),
-                column("sum of phase vectors", "1"),
+                column("sum of phasors", "1"),
                 column("torque of a cylinder", "N*m"),
                 column("equilibrium amplitude", "deg"),
                 column("amplitude", "deg"),
@@ -90,7 +90,7 @@ impl<N: Real> View<'_, N> {
         }
     }
 
-    /// Sums of the phase vectors, order by order.
+    /// Sums of the phase vectors by order.
     pub(super) fn phase_sums(&self) -> TableExhibit {
         let mut columns = vec![column("order", "1"), column("kind", "")];
         columns.extend((0..self.sums.len()).map(|mode| Column { heading: mode_name(mode), unit: "1" }));
@@ -143,7 +143,7 @@ impl<N: Real> View<'_, N> {
         Plot::new(
             "Sums of the phase vectors against the order",
             Axis::linear("order", "1"),
-            Axis::linear("sum of the phase vectors", "1"),
+            Axis::linear("sum of the phasors", "1"),
             series.collect(),
         )
     }
@@ -205,8 +205,8 @@ impl<N: Real> View<'_, N> {
         });
         Plot::new(
             "Amplitudes along the line",
-            Axis::linear("mass, counted from the free end", "1"),
-            Axis::linear("amplitude, that of the first mass being one", "1"),
+            Axis::linear("mass number from the free end", "1"),
+            Axis::linear("amplitude relative to that of the first mass", "1"),
             series.collect(),
         )
         .level("at rest", 0.0)
@@ -263,7 +263,7 @@ impl<N: Real> View<'_, N> {
         }
         let mut shapes = Vec::new();
         let Some(vibration) = self.vibrations.first() else {
-            return Drawing { title: "Stars of the phase vectors".into(), shapes };
+            return Drawing { title: "Phase-vector star diagrams".into(), shapes };
         };
         let beta = |mass: usize| vibration.shape[mass].value();
         let largest =
@@ -294,7 +294,8 @@ impl<N: Real> View<'_, N> {
             }
         }
         Drawing {
-            title: "Stars of the phase vectors in the first mode; the sum as a part of all lengths".into(),
+            title: "Phase-vector star diagrams in the first mode; the sum as a fraction of the total length"
+                .into(),
             shapes,
         }
     }

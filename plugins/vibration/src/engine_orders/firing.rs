@@ -47,15 +47,15 @@ pub(super) fn cylinders<W: Worksheet>(
         (Firing::Even { order }, _) => {
             let places = places(order)?;
             let (turn, why) = match problem.cycle {
-                Cycle::Four => (4.0 * PI, "A cylinder of four strokes fires once in two turns"),
-                Cycle::Two => (2.0 * PI, "A cylinder of two strokes fires once in a turn"),
+                Cycle::Four => (4.0 * PI, "A four-stroke cylinder fires once every two revolutions"),
+                Cycle::Two => (2.0 * PI, "A two-stroke cylinder fires once per revolution"),
             };
             let turn = sheet.found("ψ_z", "deg", turn, why);
             let interval = sheet.step(
                 "Δψ",
                 "deg",
                 turn / places.len() as f64,
-                "Turn of the crankshaft from one firing to the next",
+                "Crank angle from one firing to the next",
             );
             let each: Vec<Cylinder<W::Num>> = places
                 .iter()
@@ -94,7 +94,7 @@ pub(super) fn cylinders<W: Worksheet>(
         Cranks::Alike { .. } => cranks,
         Cranks::Each { cranks: listed } if listed.len() < cranks => {
             return Err(Refusal::because(
-                Text::new("a cylinder works on crank {crank}, and there are {count}: write more cranks or another number")
+                Text::new("a cylinder acts on crank {crank}, but there are only {count}: write more cranks or another number")
                     .with("crank", cranks)
                     .with("count", listed.len()),
             ));
@@ -112,7 +112,7 @@ fn places(order: &str) -> Result<Vec<usize>, Refusal> {
     let count = numbers.len();
     if count == 0 || count > MOST_CRANKS {
         return Err(Refusal::because(
-            "the firing order holds no cylinder, or more than 24: write the numbers of the cylinders, such as 1-3-4-2",
+            "the firing order contains no cylinder, or more than 24: write the numbers of the cylinders, such as 1-3-4-2",
         ));
     }
     let mut places = vec![usize::MAX; count];
@@ -122,7 +122,7 @@ fn places(order: &str) -> Result<Vec<usize>, Refusal> {
             Some(free) if *free == usize::MAX => *free = place,
             _ => {
                 return Err(Refusal::because(
-                    Text::new("the firing order of {count} cylinders has no place for {number}: write each number from 1 on once")
+                    Text::new("the firing order of {count} cylinders does not include {number}: write each number from 1 on once")
                         .with("count", count)
                         .with("number", *number),
                 ));

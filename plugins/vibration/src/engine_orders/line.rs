@@ -25,7 +25,7 @@ pub enum Throw {
         stiffness: f64,
     },
     /// Equivalent length given
-    /// A straight shaft that twists as much.
+    /// A straight shaft with the same twist.
     Equivalent {
         /// Shear modulus.
         #[input("G", "Pa", positive)]
@@ -80,7 +80,7 @@ pub enum Throw {
 #[derive(Clone, Debug, Inputs)]
 pub enum Rule {
     /// Carter
-    /// For webs that bend more than journals and crankpin twist.
+    /// For webs whose bending exceeds the twist of journals and crankpin.
     Carter,
     /// Ker Wilson
     /// For stiff webs.
@@ -138,7 +138,7 @@ pub(super) fn line<W: Worksheet>(
                     None if n + 1 == cranks.len() => {}
                     Some(_) => {
                         return Err(Refusal::because(
-                            "the last crank has no next one: leave out its stiffness and write it with the part behind",
+                            "the last crank has no next one: omit its stiffness and write it with the part behind",
                         ));
                     }
                     None => {
@@ -175,7 +175,7 @@ pub(super) fn refusal(error: &TrainError) -> Refusal {
     Refusal::because(match error {
         TrainError::TooMany => "there are more than 200 masses: join some of them",
         _ => {
-            "the moments of inertia and stiffnesses lead to numbers that cannot be represented: write usual ones"
+            "the moments of inertia and stiffnesses lead to numbers that cannot be represented: write realistic ones"
         }
     })
 }
@@ -215,7 +215,7 @@ fn throw_stiffness<W: Worksheet>(
                 |outer: &W::Num, bore: &Option<W::Num>| bore.is_none_or(|bore| bore.value() < outer.value());
             if !solid(journal_diameter, journal_bore) || !solid(pin_diameter, pin_bore) {
                 return Err(Refusal::because(
-                    "a bore is not below the diameter around it: write a smaller bore or leave it out",
+                    "a bore is not smaller than the surrounding diameter: write a smaller bore or leave it out",
                 ));
             }
             let throw = crankshaft::Throw {
@@ -235,10 +235,10 @@ fn throw_stiffness<W: Worksheet>(
                     Symbol::from("a").row(which),
                     "1/m^3",
                     parts.journal,
-                    "Share of the journals: length over fourth power of the diameter, with what twists of the webs",
+                    "Contribution of the journals: length over the fourth power of the diameter, plus the twisting part of the webs",
                 ),
-                pin: sheet.step(Symbol::from("b").row(which), "1/m^3", parts.pin, "Share of the crankpin"),
-                webs: sheet.step(Symbol::from("e").row(which), "1/m^3", parts.webs, "Share of the webs, which bend"),
+                pin: sheet.step(Symbol::from("b").row(which), "1/m^3", parts.pin, "Contribution of the crankpin"),
+                webs: sheet.step(Symbol::from("e").row(which), "1/m^3", parts.webs, "Contribution of the webs in bending"),
             }
             };
             let carter = parts(throw.carter(), 1).stiffness(*shear);
@@ -254,7 +254,7 @@ fn throw_stiffness<W: Worksheet>(
                     return Ok(equivalent(carter, *shear, *journal_diameter, sheet));
                 }
                 return Err(Refusal::because(
-                    "journal and crankpin overlap so far that Ker Wilson's formula leaves no web: choose Carter's formula",
+                    "journal and crankpin overlap so much that Ker Wilson's formula leaves no web length: choose Carter's formula",
                 ));
             }
             let wilson = parts(throw.ker_wilson(), 2).stiffness(*shear);
@@ -264,7 +264,7 @@ fn throw_stiffness<W: Worksheet>(
             let apart = carter.value() / wilson.value();
             if !(0.8..=1.25).contains(&apart) {
                 sheet.warn(|| {
-                    Text::new("Carter's and Ker Wilson's formulas differ by more than 20 %: measure the stiffness, or reckon with both")
+                    Text::new("Carter's and Ker Wilson's formulas differ by more than 20 %: measure the stiffness, or calculate with both")
                 });
             }
             let chosen = match rule {
@@ -285,19 +285,19 @@ fn equivalent<W: Worksheet>(stiffness: W::Num, shear: W::Num, diameter: W::Num, 
         "I_p",
         "cm^4",
         section::round_polar_moment(diameter),
-        "Polar second moment of area of a straight shaft as thick as the journals",
+        "Polar second moment of area of a straight shaft with the diameter of the journals",
     );
     let length = sheet.step(
         "L_e",
         "mm",
         shear * polar / stiffness,
-        "Equivalent length: a straight shaft that twists as much",
+        "Equivalent length: a straight shaft with the same twist",
     );
     sheet.verify(|| {
         let radius = diameter / 2.0;
         let share = integral(|share| TAU * share * share * share, [0.0, 1.0], 1);
         sheet.check(
-            "torque of the equivalent shaft from its shear stress over the section, for a twist of one",
+            "torque of the equivalent shaft from its shear stress over the section, for a unit twist",
             shear / length * radius.powi(4) * share,
             stiffness,
         );

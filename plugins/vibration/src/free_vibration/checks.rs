@@ -13,29 +13,6 @@ use super::form::Form;
 /// The most parts of a quadrature.
 const PARTS: f64 = 4000.0;
 
-/// A release from rest: what is left of it half a cycle later and after a whole one.
-pub(super) fn cycle<W: Worksheet>(zeta: W::Num, lost: W::Num, overshoot: W::Num, sheet: W) {
-    let motion =
-        FreeMotion { natural_frequency: 1.0, damping_ratio: zeta.value(), displacement: 1.0, velocity: 0.0 };
-    let half = PI / motion.damped_frequency();
-    if let Some([across, _]) = motion.integrated(half) {
-        sheet.check_sum(
-            "a release from rest: the displacement half a cycle later, by integration of the equation of motion",
-            overshoot,
-            W::Num::from(-across),
-            1.0,
-        );
-    }
-    if let Some([x, v]) = motion.integrated(2.0 * half) {
-        sheet.check_sum(
-            "a release from rest: the energy a cycle later, by integration of the equation of motion",
-            W::Num::from(1.0) - lost,
-            W::Num::from(x * x + v * v),
-            1.0,
-        );
-    }
-}
-
 /// The envelope at the start, from the motion an eighth of a cycle later, or as soon as it has fallen to `1/e`: near
 /// critical damping a cycle is so long that nothing is left.
 pub(super) fn amplitude<W: Worksheet>(form: &Form<W::Num>, motion: &FreeMotion, sheet: W) {
@@ -91,7 +68,7 @@ pub(super) fn energy_lost<W: Worksheet>(
     let squared_rate = |at: f64| motion.state(at)[1].powi(2);
     let work = 2.0 * zeta * natural * mass.value() * integral(squared_rate, [0.0, time], parts as u32);
     sheet.check_sum(
-        "energy that is gone = work of the damper, ∫cv²dt by quadrature",
+        "energy dissipated = work of the damper, ∫cv²dt by quadrature",
         lost,
         W::Num::from(work),
         start.value().max((start - lost).value()),
@@ -106,7 +83,7 @@ pub(super) fn doubling<W: Worksheet>(time: W::Num, motion: &FreeMotion, sheet: W
     };
     if let (Some([x1, v1]), Some([x2, v2])) = (from(1.0, 0.0), from(0.0, natural)) {
         sheet.check_sum(
-            "motions that begin side by side cover four times the area of the phase plane at the time to double",
+            "neighbouring motions cover four times the phase-plane area at the doubling time",
             W::Num::from((x1 * v2 - x2 * v1) / natural),
             W::Num::from((2.0 * LN_2).exp()),
             (x1 * v2 / natural).abs().max(4.0),

@@ -16,7 +16,7 @@ pub(super) fn critical_damping<W: Worksheet>(
         "c_c",
         units.damping,
         sdof::critical_damping(stiffness, mass),
-        ("Critical damping: the least with which the motion does not oscillate", RAO.at("§2.6")),
+        ("Critical damping: the minimum damping for which the motion does not oscillate", RAO.at("§2.6")),
     );
     sheet.answer("critical_damping", "Critical damping", critical);
     critical

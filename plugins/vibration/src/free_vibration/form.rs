@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use dalembert_core::Worksheet;
-use dalembert_mechanics::{Real, sdof};
+use dalembert_mechanics::{Real, sdof, vibration::free::FreeMotion};
 
 use crate::sources::RAO;
 
@@ -77,13 +77,13 @@ impl<N: Real> Form<N> {
                 "B",
                 units.displacement,
                 v0 / natural,
-                "Constant of the sine, from the velocity at the start",
+                "Sine coefficient, from the initial velocity",
             );
             let size = sheet.step(
                 "X",
                 units.displacement,
                 (x0.powi(2) + b.powi(2)).sqrt(),
-                ("Amplitude: it stays", RAO.at("§2.2")),
+                ("Amplitude: constant", RAO.at("§2.2")),
             );
             sheet.answer("amplitude", "Amplitude", size);
             return Form::Harmonic { natural, x0, v0, b, size };
@@ -93,7 +93,7 @@ impl<N: Real> Form<N> {
                 "B",
                 units.velocity,
                 v0 + zeta * natural * x0,
-                ("Critically damped, ζ = 1: a double root −ζωₙ, and the motion is (A + B t) e^(−ζωₙt) with A the displacement at the start", RAO.at("§2.6")),
+                ("Critically damped, ζ = 1: a double root −ζωₙ, and the motion is (A + B t) e^(−ζωₙt) with A the initial displacement", RAO.at("§2.6")),
             );
             return Form::Double { natural, zeta, x0, v0, b };
         }
@@ -102,7 +102,7 @@ impl<N: Real> Form<N> {
         }
         let one = N::from(1.0);
         let spread = (zeta.powi(2) - one).sqrt();
-        let why = ("Overdamped, ζ > 1: two real roots, here the larger in size", RAO.at("§2.6"));
+        let why = ("Overdamped, ζ > 1: two real roots, here the larger in magnitude", RAO.at("§2.6"));
         let product = ("The product of the roots is ωₙ²", RAO.at("§2.6"));
         // The root without cancellation first, the other from their product.
         let roots = if z > 0.0 {
@@ -117,7 +117,7 @@ impl<N: Real> Form<N> {
         sheet.answer("slow_root", "Slower root", roots[0]);
         sheet.answer("fast_root", "Faster root", roots[1]);
         let share = (
-            "Constant of the motion C₁ e^(λ₁t) + C₂ e^(λ₂t), from displacement and velocity at the start",
+            "Constant of the motion C₁ e^(λ₁t) + C₂ e^(λ₂t), from the initial displacement and velocity",
             RAO.at("§2.6"),
         );
         let first = sheet.step("C₁", units.displacement, (v0 - roots[1] * x0) / (roots[0] - roots[1]), share);
@@ -139,7 +139,7 @@ impl<N: Real> Form<N> {
     ) -> Self {
         let why = if zeta.value() > 0.0 {
             (
-                "Underdamped, ζ < 1: complex roots −ζωₙ ± i ω_d, a decaying oscillation of frequency",
+                "Underdamped, ζ < 1: complex roots −ζωₙ ± i ω_d, a decaying oscillation with frequency",
                 RAO.at("§2.6"),
             )
         } else {
@@ -166,33 +166,33 @@ impl<N: Real> Form<N> {
                 "%",
                 N::from(1.0) - (-(decrement * 2.0)).exp(),
                 (
-                    "Share of the energy lost in a cycle: energy goes with the square of the amplitude",
+                    "Fraction of the energy lost per cycle: the energy is proportional to the square of the amplitude",
                     RAO.at("§2.6.4"),
                 ),
             );
-            sheet.answer("energy_loss", "Energy lost in a cycle", lost);
+            sheet.answer("energy_loss", "Energy lost per cycle", lost);
             let overshoot = sheet.step(
                 "s",
                 "%",
                 (-(decrement / 2.0)).exp(),
-                "Overshoot of a release from rest: what half a cycle leaves of the amplitude",
+                "Overshoot of a release from rest: fraction of the amplitude left after half a cycle",
             );
             sheet.answer("overshoot", "Overshoot of a release from rest", overshoot);
-            sheet.verify(|| super::checks::cycle(zeta, lost, overshoot, sheet));
+            sheet.verify(|| cycle(zeta, lost, overshoot, sheet));
         }
         let b = sheet.step(
             "B",
             units.displacement,
             (v0 + zeta * natural * x0) / damped,
-            ("Constant of the sine, from displacement and velocity at the start", RAO.at("§2.6")),
+            ("Sine coefficient, from the initial displacement and velocity", RAO.at("§2.6")),
         );
         let size = sheet.step(
             "X",
             units.displacement,
             (x0.powi(2) + b.powi(2)).sqrt(),
-            ("Envelope at the start", RAO.at("§2.6")),
+            ("Initial envelope", RAO.at("§2.6")),
         );
-        sheet.answer("amplitude", "Envelope at the start", size);
+        sheet.answer("amplitude", "Initial envelope", size);
         Form::Oscillating { natural, zeta, damped, x0, v0, b, size }
     }
 
@@ -279,7 +279,7 @@ impl<N: Real> Form<N> {
             x,
             units.displacement,
             self.displacement(t),
-            ("Displacement at the asked time", RAO.at("§2.6")),
+            ("Displacement at the requested time", RAO.at("§2.6")),
         );
         let v = sheet.step(v, units.velocity, self.velocity(t), "Velocity at that time: its derivative");
         let acceleration = match *self {
@@ -301,7 +301,12 @@ impl<N: Real> Form<N> {
     pub(super) fn envelope<W: Worksheet<Num = N>>(&self, t: N, units: &Units, sheet: W) -> Option<N> {
         let Form::Oscillating { natural, zeta, size, .. } = *self else { return None };
         let envelope = size * (-(zeta * natural * t)).exp();
-        Some(sheet.step("X_t", units.displacement, envelope, ("Envelope at the asked time", RAO.at("§2.6"))))
+        Some(sheet.step(
+            "X_t",
+            units.displacement,
+            envelope,
+            ("Envelope at the requested time", RAO.at("§2.6")),
+        ))
     }
 
     /// When the envelope is down to a level.
@@ -312,13 +317,13 @@ impl<N: Real> Form<N> {
             "tₑ",
             "s",
             time,
-            "Time in which the envelope falls to the share p of the largest displacement",
+            "Time for the envelope to decay to the fraction p of the maximum displacement",
         ))
     }
 
     /// The first passage through rest; only asked where there is one.
     pub(super) fn first_zero<W: Worksheet<Num = N>>(&self, sheet: W) -> N {
-        let why = "First passage through the position of rest";
+        let why = "First passage through the equilibrium position";
         let time = match *self {
             Form::Harmonic { natural, x0, b, .. } => turn(phase(x0, b, sheet), natural),
             Form::Oscillating { damped, x0, b, .. } => turn(phase(x0, b, sheet), damped),
@@ -332,7 +337,7 @@ impl<N: Real> Form<N> {
 
     /// The first turning point; only asked where there is one.
     pub(super) fn first_turning<W: Worksheet<Num = N>>(&self, sheet: W) -> N {
-        let why = "First time that the velocity is zero";
+        let why = "First instant at which the velocity is zero";
         let time = match *self {
             Form::Harmonic { natural, x0, v0, .. } => {
                 turn(phase_of_velocity(v0, -(natural * x0), sheet), natural)
@@ -361,7 +366,7 @@ fn phase<W: Worksheet>(a: W::Num, b: W::Num, sheet: W) -> W::Num {
 
 /// The phase of the velocity, likewise.
 fn phase_of_velocity<W: Worksheet>(a: W::Num, b: W::Num, sheet: W) -> W::Num {
-    sheet.step("φᵥ", "rad", a.atan2(b), "The velocity written likewise; its phase")
+    sheet.step("φᵥ", "rad", a.atan2(b), "The velocity written in the same form; its phase")
 }
 
 /// The first time at which `y + φ`, `y = ωt > 0`, is a multiple of `π`.
@@ -370,5 +375,28 @@ fn turn<N: Real>(phase: N, frequency: N) -> N {
         PI => N::from(PI) / frequency,
         0.0..PI => (N::from(PI) - phase) / frequency,
         _ => -phase / frequency,
+    }
+}
+
+/// A release from rest: what is left of it half a cycle later and after a whole one.
+fn cycle<W: Worksheet>(zeta: W::Num, lost: W::Num, overshoot: W::Num, sheet: W) {
+    let motion =
+        FreeMotion { natural_frequency: 1.0, damping_ratio: zeta.value(), displacement: 1.0, velocity: 0.0 };
+    let half = PI / motion.damped_frequency();
+    if let Some([across, _]) = motion.integrated(half) {
+        sheet.check_sum(
+            "a release from rest: the displacement half a cycle later, by integration of the equation of motion",
+            overshoot,
+            W::Num::from(-across),
+            1.0,
+        );
+    }
+    if let Some([x, v]) = motion.integrated(2.0 * half) {
+        sheet.check_sum(
+            "a release from rest: the energy a cycle later, by integration of the equation of motion",
+            W::Num::from(1.0) - lost,
+            W::Num::from(x * x + v * v),
+            1.0,
+        );
     }
 }

@@ -6,7 +6,7 @@ use dalembert_mechanics::{
     identification::modal::{self, CircleFit, Complex, DampingModel, ModalError, Point, Response},
 };
 
-use super::complex::{DampingKind, Mode};
+use super::mode::{DampingKind, Mode};
 use crate::sources::EWINS;
 
 /// The mode of the circle, with the circle for the plot.
@@ -24,10 +24,10 @@ pub(super) fn circle<W: Worksheet>(
     };
     let how = match model {
         DampingModel::Viscous => {
-            "Diameter of the circle through the mobilities, by least squares of x² + y² + ax + by + c"
+            "Diameter of the circle through the mobilities, from a least-squares fit of x² + y² + ax + by + c"
         }
         DampingModel::Hysteretic => {
-            "Diameter of the circle through the receptances, by least squares of x² + y² + ax + by + c"
+            "Diameter of the circle through the receptances, from a least-squares fit of x² + y² + ax + by + c"
         }
     };
     let diameter = sheet.found("D", unit, 2.0 * fit.circle.radius, (how, EWINS.at("§4.3.3")));
@@ -48,7 +48,7 @@ pub(super) fn circle<W: Worksheet>(
         fit.half_power[1],
         "A quarter of the circle after it: upper half-power point",
     );
-    sheet.check_zeros("the angles round the circle meet their normal equations", fit.slopes, 1.0);
+    sheet.check_zeros("the angles round the circle satisfy their normal equations", fit.slopes, 1.0);
     sheet.verify(|| {
         let squares: f64 = points
             .iter()
@@ -122,7 +122,7 @@ pub(super) fn circle<W: Worksheet>(
         ratio * 2.0,
     );
     sheet.answer("circle_diameter", "Diameter of the Nyquist circle", diameter);
-    sheet.answer("circle_misfit", "Scatter of the points about the circle", misfit);
+    sheet.answer("circle_misfit", "Fit residual of the points about the circle", misfit);
     sheet.answer("circle_natural_frequency", "Natural frequency, circle fit", natural);
     sheet.answer("circle_damping_ratio", "Damping ratio, circle fit", ratio);
     sheet.answer("lower_half_power", "Lower half-power frequency, circle fit", lower);
@@ -132,8 +132,7 @@ pub(super) fn circle<W: Worksheet>(
     {
         sheet.warn(|| {
             Text::new(
-                "pairs of points below and above the natural frequency give dampings that differ by {spread}: noise, a \
-                 damping that is not of this kind, or another mode nearby",
+                "pairs of points below and above the natural frequency give damping values that differ by {spread}: noise, damping of another kind, or another mode nearby",
             )
             .with_quantity("spread", (most - least) / most, "%")
         });
@@ -149,12 +148,10 @@ pub(super) fn refused(err: &ModalError) -> Refusal {
                 .with("need", need),
         ),
         ModalError::NoCircle => Refusal::because(
-            "the points lie on no circle of the Nyquist plane: look whether real and imaginary part, or amplitude and \
-             phase, stand in their columns",
+            "the points do not lie on a circle in the Nyquist plane: check that real and imaginary part, or amplitude and phase, are in their columns",
         ),
         _ => Refusal::because(
-            "no damped mode fits these points: read a range of frequencies about one resonance only, and look whether \
-             the imaginary part of the receptance is negative there",
+            "no damped mode fits these points: choose a range of frequencies about one resonance only, and check that the imaginary part of the receptance is negative there",
         ),
     }
 }

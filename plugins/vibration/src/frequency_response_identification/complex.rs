@@ -12,7 +12,8 @@ use dalembert_mechanics::{
     sdof,
 };
 
-use super::{circle, normal_equations::normal_equations, plots, points::ordered};
+pub use super::mode::DampingKind;
+use super::{circle, mode::Mode, normal_equations::normal_equations, plots, points::ordered};
 use crate::sources::{EWINS, RAO};
 
 /// The fewest points whose fit has something left to judge it by.
@@ -89,7 +90,7 @@ pub struct ReceptancePolar {
     #[input("|H|", "m/N", nonnegative)]
     pub amplitude: f64,
     /// Phase.
-    /// Negative where the motion lags the force.
+    /// Negative if the motion lags the force.
     #[input("φ", "deg")]
     pub phase: f64,
 }
@@ -118,7 +119,7 @@ pub struct MobilityPolar {
     #[input("|Y|", "m/(N*s)", nonnegative)]
     pub amplitude: f64,
     /// Phase.
-    /// Negative where the motion lags the force.
+    /// Negative if the motion lags the force.
     #[input("φ", "deg")]
     pub phase: f64,
 }
@@ -147,46 +148,20 @@ pub struct AccelerancePolar {
     #[input("|A|", "1/kg", nonnegative)]
     pub amplitude: f64,
     /// Phase.
-    /// Negative where the motion lags the force.
+    /// Negative if the motion lags the force.
     #[input("φ", "deg")]
     pub phase: f64,
-}
-
-/// How the mode is damped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum DampingKind {
-    /// Viscous: the circle is that of the mobility
-    Viscous,
-    /// Hysteretic: the circle is that of the receptance
-    Hysteretic,
 }
 
 /// What stands for the modes outside the range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum ResidualKind {
-    /// One mode alone
+    /// Single mode
     None,
     /// Modes above: a constant receptance
     Stiffness,
     /// Modes above and below: a constant receptance and a mass line
     StiffnessAndMass,
-}
-
-/// A mode as one method reads it.
-#[derive(Clone, Copy)]
-pub(super) struct Mode<N> {
-    pub(super) natural: N,
-    pub(super) damping_ratio: N,
-    pub(super) constant: N,
-}
-
-impl DampingKind {
-    pub(super) fn model(self) -> DampingModel {
-        match self {
-            DampingKind::Viscous => DampingModel::Viscous,
-            DampingKind::Hysteretic => DampingModel::Hysteretic,
-        }
-    }
 }
 
 impl ResponseTable {
@@ -274,7 +249,7 @@ fn within<W: Worksheet>(
         && lowest >= highest
     {
         return Err(Refusal::because(
-            "the lowest frequency that is read is not below the highest one: exchange them",
+            "the lowest frequency of the reading range is not below the highest one: exchange them",
         ));
     }
     let inside = |frequency: f64| {
@@ -283,11 +258,11 @@ fn within<W: Worksheet>(
     points.retain(|point| inside(point.0));
     if points.first().is_some_and(|point| point.0 == 0.0) {
         points.remove(0);
-        sheet.warn(|| Text::new("the point at frequency zero is left out: phase and circle begin above it"));
+        sheet.warn(|| Text::new("the point at frequency zero is omitted: phase and circle begin above it"));
     }
     if points.len() < 3 {
         return Err(Refusal::because(
-            "there are fewer than three frequencies above zero in the range that is read: measure more, or widen it",
+            "there are fewer than three frequencies above zero in the reading range: measure more, or widen it",
         ));
     }
     Ok(points)
@@ -299,8 +274,7 @@ fn by_amplitude<W: Worksheet>(receptances: &[Point], sheet: W) -> Option<Mode<W:
     let Some(peak) = identification::measured_peak(&amplitudes) else {
         sheet.warn(|| {
             Text::new(
-                "the largest amplitude is the first or the last of the range, so the peak was not measured: there is no \
-                 reading of peak and half-power points, and the others reach beyond what was measured",
+                "the largest amplitude is the first or the last of the range, so the peak was not measured: the peak and half-power points cannot be evaluated, and the other readings extrapolate beyond the measured range",
             )
         });
         return None;
@@ -317,9 +291,9 @@ fn by_amplitude<W: Worksheet>(receptances: &[Point], sheet: W) -> Option<Mode<W:
         "Hₕ",
         "mm/N",
         peak.receptance,
-        "Height of the measured peak: vertex of the parabola of 1/H² over ω² through the highest point and its neighbours",
+        "Height of the measured peak: vertex of the parabola of 1/H² against ω² through the highest point and its neighbours",
     );
-    let why = "Half-power frequency below the peak: the receptance is 1/√2 of its height";
+    let why = "Half-power frequency below the peak: the receptance is 1/√2 of the peak value";
     let lower = sheet.found("ω_a", "Hz", lower, (why, RAO.at("§3.4")));
     let upper = sheet.found("ω_b", "Hz", upper, "Half-power frequency above the peak");
     let zeta = sheet.step(
@@ -406,7 +380,7 @@ fn least_squares<W: Worksheet>(
     let mut answered = vec![natural.value(), damping.value(), constant.value()];
     if residuals != ResidualKind::None {
         let residual =
-            sheet.found("R", "mm/N", fit.stiffness_residual, "Stiffness residual, for the modes above");
+            sheet.found("R", "mm/N", fit.stiffness_residual, "Stiffness residual, for the higher modes");
         sheet.answer("stiffness_residual", "Stiffness residual", residual);
         answered.push(residual.value());
     }
@@ -417,12 +391,12 @@ fn least_squares<W: Worksheet>(
     }
     sheet.verify(|| {
         sheet.check_zeros(
-            "the complex differences are orthogonal to the derivatives of the fit by each of its numbers",
+            "the complex residuals are orthogonal to the derivatives of the fit with respect to each of its parameters",
             normal_equations(points, response, model, &answered),
             1.0,
         );
     });
-    sheet.answer("misfit", "Scatter of the points about the fit", misfit);
+    sheet.answer("misfit", "Fit residual of the points", misfit);
     if fit.misfit > 0.05 {
         sheet.warn(|| {
             Text::new(
@@ -442,7 +416,7 @@ fn answers<W: Worksheet>(mode: &Mode<W::Num>, damping: DampingKind, force: Optio
         constant.abs() / (damping_ratio * natural.powi(2) * 2.0),
         ("Receptance of the mode at its natural frequency, A/(2ζωₙ²)", RAO.at("§3.4")),
     );
-    sheet.answer("resonant_receptance", "Amplitude at resonance for each unit of force", resonant);
+    sheet.answer("resonant_receptance", "Amplitude at resonance per unit force", resonant);
     if let Some(force) = force {
         let amplitude = sheet.step(
             "Xₙ",
@@ -455,7 +429,7 @@ fn answers<W: Worksheet>(mode: &Mode<W::Num>, damping: DampingKind, force: Optio
     if constant.value() < 0.0 {
         sheet.warn(|| {
             Text::new(
-                "the modal constant is negative: force and motion are not those of one point, and no mass is read from it",
+                "the modal constant is negative: force and motion are not at the same point, and no mass can be identified from it",
             )
         });
         return;
@@ -490,7 +464,7 @@ fn answers<W: Worksheet>(mode: &Mode<W::Num>, damping: DampingKind, force: Optio
         ),
     };
     sheet.check(
-        "at the natural frequency the damper alone holds the force: 1/(c ωₙ)",
+        "at the natural frequency the damper alone balances the force: 1/(c ωₙ)",
         sdof::damping_from_resonant_receptance(coefficient, natural),
         resonant,
     );
@@ -510,10 +484,14 @@ fn spread<W: Worksheet>(modes: &[(&'static str, Mode<W::Num>)], sheet: W) {
     else {
         return;
     };
-    let frequencies =
-        sheet.step("Δω", "%", (fast - slow) / fast, "How far the methods lie apart in the natural frequency");
+    let frequencies = sheet.step(
+        "Δω",
+        "%",
+        (fast - slow) / fast,
+        "Difference between the methods in the natural frequency",
+    );
     let dampings =
-        sheet.step("Δζ", "%", (most - least) / most, "How far the methods lie apart in the damping ratio");
+        sheet.step("Δζ", "%", (most - least) / most, "Difference between the methods in the damping ratio");
     sheet.answer("frequency_spread", "Spread of the natural frequency", frequencies);
     sheet.answer("damping_spread", "Spread of the damping ratio", dampings);
     if dampings.value() > 0.1 {
@@ -532,8 +510,7 @@ fn caution<W: Worksheet>(count: usize, damping_ratio: f64, sheet: W) {
     if count < FEW {
         sheet.warn(|| {
             Text::new(
-                "{count} points are few: the circle and the fit pass through them whatever their errors; measure more \
-                 frequencies about the resonance",
+                "{count} points are too few: the circle and the fit pass through them whatever their errors; measure more frequencies about the resonance",
             )
             .with("count", count)
         });
@@ -541,8 +518,7 @@ fn caution<W: Worksheet>(count: usize, damping_ratio: f64, sheet: W) {
     if damping_ratio > 0.1 {
         sheet.warn(|| {
             Text::new(
-                "the damping ratio is above 0.1: half-power points are far from the peak, and other modes reach into \
-                 the range between them",
+                "the damping ratio is above 0.1: the half-power points are far from the peak, and other modes contribute to the range between them",
             )
         });
     }
@@ -555,7 +531,7 @@ fn side_by_side(rows: Vec<(&'static str, [f64; 3])>) -> TableExhibit {
         std::iter::once(Cell::Text(Text::new(method))).chain(numbers.map(Cell::Number)).collect()
     };
     TableExhibit {
-        title: "The methods side by side".into(),
+        title: "Comparison of the methods".into(),
         columns: vec![
             column("method", ""),
             column("natural frequency", "Hz"),

@@ -11,7 +11,7 @@ use crate::sources::RAO;
 pub enum PeakRead {
     /// At the natural frequency
     AtNatural,
-    /// As the largest of all amplitudes
+    /// As the maximum of all amplitudes
     Largest,
 }
 
@@ -80,8 +80,7 @@ pub(super) fn identify<W: Worksheet>(
     if zeta.value() > 0.1 {
         sheet.warn(|| {
             Text::new(
-                "the damping ratio is above 0.1: readings that take the frequency of the peak as the natural one are \
-                 off by more than 1 %",
+                "the damping ratio is above 0.1: readings that take the peak frequency as the natural frequency are in error by more than 1 %",
             )
         });
     }
@@ -103,8 +102,7 @@ fn free_and_forced<W: Worksheet>(
 ) -> Result<(W::Num, W::Num), Refusal> {
     if peak.value() > damped.value() {
         return Err(Refusal::because(
-            "the peak under a force lies above the frequency of the free vibration, which no damping does: exchange the \
-             two frequencies, or read the peak as that of an unbalance",
+            "the peak under a force lies above the frequency of the free vibration, which is impossible with any damping: exchange the two frequencies, or interpret the peak as that of an unbalance",
         ));
     }
     if peak.value() == damped.value() {
@@ -137,8 +135,7 @@ fn free_and_forced<W: Worksheet>(
     if (damped.value() - peak.value()) / damped.value() < 5e-3 {
         sheet.warn(|| {
             Text::new(
-                "the two frequencies differ by less than 0.5 %: the damping ratio follows from their difference, so \
-                 that a small error of either changes it greatly",
+                "the two frequencies differ by less than 0.5 %: the damping ratio follows from their difference, so that a small error in either changes it greatly",
             )
         });
     }
@@ -160,7 +157,7 @@ fn resonance_and_far<W: Worksheet>(
                 ("At the natural frequency the amplitude is m₀e/(2ζm), far above it m₀e/m", RAO.at("§3.7")),
             );
             sheet.check(
-                "the damping ratio gives the amplitude at the natural frequency back",
+                "the damping ratio reproduces the amplitude at the natural frequency",
                 far * sdof::unbalance_magnification(W::Num::from(1.0), zeta),
                 resonant,
             );
@@ -171,12 +168,11 @@ fn resonance_and_far<W: Worksheet>(
                 "Λₘₐₓ",
                 "1",
                 resonant / far,
-                "Largest amplitude as a multiple of that far above the resonance",
+                "Maximum amplitude as a multiple of that far above the resonance",
             );
             let zeta = sdof::damping_ratio_from_peak(peak).ok_or_else(|| {
                 Refusal::because(
-                    "the amplitude at resonance is not above that far beyond it, so there is no resonance: write the \
-                     larger amplitude as that at resonance",
+                    "the amplitude at resonance does not exceed that far above it, so there is no resonance: write the larger amplitude as that at resonance",
                 )
             })?;
             let zeta = sheet.step(
@@ -186,7 +182,7 @@ fn resonance_and_far<W: Worksheet>(
                 ("The peak is 1/(2ζ√(1 − ζ²)), a quadratic equation in ζ²; its smaller root", RAO.at("§3.7")),
             );
             sheet.check(
-                "the damping ratio gives the largest amplitude back",
+                "substituting ζ reproduces the given peak amplitude",
                 sdof::peak_magnification(zeta),
                 peak,
             );
@@ -213,8 +209,7 @@ fn two_speeds<W: Worksheet>(
     let [l1, l2] = [first, second].map(|magnification| magnification.value().powi(-2) - 1.0);
     if (s1 * l1 - s2 * l2) / (1.0 / s1 - 1.0 / s2) <= 0.0 {
         return Err(Refusal::because(
-            "no natural frequency gives these amplitudes at these speeds: are amplitudes, speeds and m₀e/m those of \
-             one mass on one spring?",
+            "no natural frequency gives these amplitudes at these speeds: do amplitudes, speeds and m₀e/m belong to one mass on one spring?",
         ));
     }
     let natural = sheet.step(
@@ -222,16 +217,14 @@ fn two_speeds<W: Worksheet>(
         "rpm",
         identification::natural_frequency_from_two_speeds(speeds, [first, second]),
         (
-            "Natural frequency: at each speed ωₙ⁴ − 2ωₙ²ω² + 4ζ²ωₙ²ω² = ω⁴(1/Λ² − 1); the two less each other leave \
-             ωₙ⁴ alone",
+            "Natural frequency: at each speed ωₙ⁴ − 2ωₙ²ω² + 4ζ²ωₙ²ω² = ω⁴(1/Λ² − 1); subtracting the two leaves only ωₙ⁴",
             RAO.at("§3.7"),
         ),
     );
     let p = natural.value().powi(2);
     if 2.0 * p + s1 * l1 - p * p / s1 < 0.0 {
         return Err(Refusal::because(
-            "these amplitudes are larger than any damping lets them: are amplitudes, speeds and m₀e/m those of one \
-             mass on one spring?",
+            "these amplitudes are larger than any damping allows: do amplitudes, speeds and m₀e/m belong to one mass on one spring?",
         ));
     }
     let zeta = sheet.step(
@@ -292,7 +285,7 @@ fn resonance_ratio<W: Worksheet>(
             sdof::unbalance_magnification(one, zeta) / sdof::unbalance_magnification(frequency_ratio, zeta)
         }
     };
-    sheet.check("the damping ratio gives the amplitude ratio back", ratio, amplitude_ratio);
+    sheet.check("the damping ratio reproduces the amplitude ratio", ratio, amplitude_ratio);
     answer(zeta, sheet);
     Ok(zeta)
 }

@@ -16,15 +16,13 @@ pub(super) fn ordered<T: PartialEq, W: Worksheet>(
     let twice = before - points.len();
     if twice > 0 {
         sheet.warn(|| {
-            Text::new(
-                "{count} points stand in the table a second time, with the same values: each is taken once",
-            )
-            .with("count", twice)
+            Text::new("{count} points are repeated in the table with the same values: each is used once")
+                .with("count", twice)
         });
     }
     if let Some(pair) = points.windows(2).find(|pair| pair[0].0 >= pair[1].0) {
         let why = Text::new(
-            "a frequency stands in the table twice, {frequency}: keep one point, or their mean, for each frequency",
+            "the frequency {frequency} appears twice in the table: keep one point, or the mean, for each frequency",
         );
         return Err(Refusal::because(why.with_quantity("frequency", pair[0].0, "Hz")));
     }

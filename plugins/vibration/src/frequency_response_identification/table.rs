@@ -20,8 +20,7 @@ pub(super) fn identify<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<
     }
     let measured = identification::measured_peak(points).ok_or_else(|| {
         Refusal::because(
-            "the largest receptance is the first or the last of the table, so the peak was not measured: go on \
-             beyond it",
+            "the largest receptance is the first or the last of the table, so the peak was not measured: continue the measurement beyond it",
         )
     })?;
 
@@ -54,15 +53,15 @@ pub(super) fn identify<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<
 fn least_squares<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<System<W::Num>, Refusal> {
     let fit = identification::fit_receptance(points).map_err(|err| match err {
         FitError::NegativeDamping => Refusal::because(
-            "the points rise higher than any damping lets them: are they those of one mass on one spring?",
+            "the points are higher than any damping allows: do they belong to one mass on one spring?",
         ),
         _ => Refusal::because(
-            "no stiffness and mass fit these points: are they those of one mass on one spring?",
+            "no stiffness and mass fit these points: do they belong to one mass on one spring?",
         ),
     })?;
     if fit.damping == 0.0 {
         return Err(Refusal::because(
-            "the least squares find no damping: measure more points about the peak",
+            "the least-squares fit finds no damping: measure more points about the peak",
         ));
     }
     let stiffness = sheet.found(
@@ -76,7 +75,7 @@ fn least_squares<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<System
     );
     let mass = sheet.found("m", "kg", fit.mass, "Mass by the same least squares");
     let damping = sheet.found("c", "N*s/m", fit.damping, "Damping by the same least squares");
-    sheet.check_zeros("the least squares meet their normal equations", fit.normal_equations, 1.0);
+    sheet.check_zeros("the least-squares solution satisfies its normal equations", fit.normal_equations, 1.0);
     let misfit = sheet.found(
         "ε",
         "%",
@@ -92,13 +91,13 @@ fn least_squares<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<System
         let (sum, size) = differences.fold((0.0, 0.0), |(sum, size), off| (sum + off, size + off.abs()));
         let squares = 4.0 * points.len() as f64 * misfit.value().powi(2);
         sheet.check_residual(
-            "scatter: the relative differences of 1/H² are orthogonal to the fit, so that Σd² = −Σd",
+            "scatter: the relative residuals of 1/H² are orthogonal to the fit, so that Σd² = −Σd",
             (squares + sum).into(),
             size,
             16.0 * f64::EPSILON * points.len() as f64,
         );
     });
-    sheet.answer("misfit", "Scatter of the points about the fit", misfit);
+    sheet.answer("misfit", "Fit residual of the points", misfit);
     if fit.misfit > 0.1 {
         sheet.warn(|| {
             Text::new("the points scatter by more than 5 % about the fit: noise, or more than one mode in this range")
@@ -174,7 +173,7 @@ pub(super) fn from_peak<W: Worksheet>(
     );
     let receptance = sheet.found("Hₕ", "mm/N", measured.receptance, "Height of the measured peak");
     let first = sheet.found("ω₀", "rad/s", lowest.0, "Lowest frequency of the table");
-    let at_first = sheet.found("H₀", "mm/N", lowest.1, "Receptance there");
+    let at_first = sheet.found("H₀", "mm/N", lowest.1, "Receptance at this point");
     let mass = sheet.step(
         "mₕ",
         "kg",
@@ -183,7 +182,7 @@ pub(super) fn from_peak<W: Worksheet>(
     );
     let system = from_mass(mass, receptance, frequency, ["kₕ", "cₕ", "ωₙₕ", "ζₕ"], sheet);
     sheet.check(
-        "the receptance of mass, stiffness and damping at the lowest frequency is the measured one",
+        "mass, stiffness and damping reproduce the measured receptance at the lowest frequency",
         sdof::receptance(system.stiffness, system.mass, system.damping, first),
         at_first,
     );
@@ -197,7 +196,7 @@ pub(super) fn from_half_power<W: Worksheet>(
     measured: &MeasuredPeak,
     sheet: W,
 ) -> System<W::Num> {
-    let below = "Half-power frequency below the peak: the receptance is 1/√2 of its height";
+    let below = "Half-power frequency below the peak: the receptance is 1/√2 of the peak value";
     let lower = sheet.found("ω₁", "rad/s", lower, (below, RAO.at("§3.4")));
     let upper = sheet.found("ω₂", "rad/s", upper, "Half-power frequency above the peak");
     let receptance = sheet.found("H_b", "mm/N", measured.receptance, "Height of the measured peak");
@@ -223,7 +222,7 @@ pub(super) fn from_half_power<W: Worksheet>(
         "ζ′",
         "1",
         sdof::damping_ratio_from_bandwidth(lower, upper, frequency),
-        ("Textbook reading of the bandwidth, for light damping", RAO.at("§3.4")),
+        ("Textbook approximation of the bandwidth, for light damping", RAO.at("§3.4")),
     );
     let [below, above] = [
         sdof::lower_half_power_ratio(system.damping_ratio),
@@ -259,7 +258,7 @@ fn from_mass<W: Worksheet>(
         c,
         "N*s/m",
         identification::damping_from_mass_and_peak(mass, stiffness, receptance, frequency),
-        "Damping: the response is level at the peak, c² = 2m(k − m ω²)",
+        "Damping: the response has zero slope at the peak, c² = 2m(k − m ω²)",
     );
     let (natural, damping_ratio) = ratios(stiffness, mass, damping, [natural, ratio], sheet);
     let peak = Peak { receptance, frequency };
@@ -268,13 +267,13 @@ fn from_mass<W: Worksheet>(
     system
 }
 
-/// How far the readings of the damping ratio lie apart.
+/// Difference between the damping ratio readings.
 fn spread<W: Worksheet>(rows: &[(&'static str, System<W::Num>)], sheet: W) {
     let by_size = |a: &W::Num, b: &W::Num| a.value().total_cmp(&b.value());
     let ratios = || rows.iter().map(|(_, system)| system.damping_ratio);
     let (Some(least), Some(most)) = (ratios().min_by(by_size), ratios().max_by(by_size)) else { return };
     let spread =
-        sheet.step("Δζ", "%", (most - least) / most, "How far the readings of the damping ratio lie apart");
+        sheet.step("Δζ", "%", (most - least) / most, "Difference between the damping ratio readings");
     sheet.answer("damping_spread", "Spread of the damping ratio", spread);
     if spread.value() > 0.1 {
         sheet.warn(|| {

@@ -28,7 +28,7 @@ pub(super) fn solve<W: Worksheet>(
         "J",
         force * amplitude * lag.sin() * PI,
         (
-            "Work of a full cycle: only the part of the force in phase with the velocity does work",
+            "Work per cycle: only the component of the force in phase with the velocity does work",
             RAO.at("§2.6"),
         ),
     );
@@ -36,13 +36,13 @@ pub(super) fn solve<W: Worksheet>(
         "P",
         "W",
         force * amplitude * frequency * lag.sin() / 2.0,
-        "Mean power: that work, ω/2π times a second",
+        "Mean power: that work, ω/2π times per second",
     );
     let largest = sheet.step(
         "P_max",
         "W",
         force * amplitude * frequency / 2.0 * (lag.sin().abs() + 1.0),
-        "Largest power at an instant: about the mean it swings by F₀Xω/2",
+        "Maximum instantaneous power: it oscillates about the mean with amplitude F₀Xω/2",
     );
     sheet.verify(|| {
         let numbers = [force, amplitude, frequency, lag, time].map(Real::value);
@@ -63,16 +63,16 @@ pub(super) fn solve<W: Worksheet>(
         let at = |angle: f64| force * angle.sin() * amplitude * frequency * (angle - lag).cos();
         let quarter = if lag.sin() < 0.0 { FRAC_PI_4 + FRAC_PI_2 } else { FRAC_PI_4 };
         sheet.check_sum(
-            "largest power: that of the instant midway between the extremes of force and velocity",
+            "maximum power: at the instant midway between the extremes of force and velocity",
             largest,
             at(lag / 2.0 + quarter).abs().into(),
             size * frequency,
         );
     });
     sheet.answer("work", "Work up to that time", work);
-    sheet.answer("work_of_a_cycle", "Work of a cycle", cycle);
+    sheet.answer("work_of_a_cycle", "Work per cycle", cycle);
     sheet.answer("power", "Mean power", power);
-    sheet.answer("largest_power", "Largest power", largest);
+    sheet.answer("largest_power", "Maximum power", largest);
     let numbers = [force, amplitude, frequency, lag, time].map(Real::value);
     sheet.show(|| {
         let [force, amplitude, frequency, lag, _] = numbers;

@@ -16,7 +16,7 @@ use crate::sources::RAO;
 pub(crate) struct Whirl<N> {
     /// Critical speed.
     pub(crate) natural: N,
-    /// Distance of the mass centre from the axis.
+    /// Distance of the centre of mass from the axis.
     pub(crate) eccentricity: N,
     /// Damping ratio; `None` without damping.
     pub(crate) damping_ratio: Option<N>,
@@ -31,24 +31,25 @@ pub(crate) fn permitted_speeds<W: Worksheet>(
     let zeta = whirl.damping_ratio.map_or(0.0, Real::value);
     let [natural, eccentricity] = [whirl.natural, whirl.eccentricity].map(Real::value);
     let permitted = whirl::permitted_speeds(natural, eccentricity, amplitude.value(), zeta)
-        .map_err(|_| Refusal::because("the limit leads beyond the range of numbers"))?;
+        .map_err(|_| Refusal::because("the limit leads to values outside the representable range"))?;
     let limits = ends(whirl, amplitude, &permitted, sheet);
     sheet.answer_set("speeds", "Permitted speeds", "rpm", &permitted.set, limits);
     if permitted.below.is_none() {
         sheet.warn(|| {
-            Text::new("the limit is never active: with this damping the whirl stays within it at every speed")
+            Text::new(
+                "the limit is not a constraint: with this damping the whirl stays within it at every speed",
+            )
         });
     } else if permitted.above.is_none() {
         sheet.warn(|| {
             Text::new(
-                "the rotor never comes back within the limit above its critical speed: there the amplitude falls \
-                 towards the eccentricity, which is not below the limit",
+                "the amplitude does not return within the limit above the critical speed: there it decreases towards the eccentricity, which is not below the limit",
             )
         });
     } else {
         sheet.warn(|| {
             Text::new(
-                "above the forbidden band the rotor has passed its critical speed: run through the band quickly",
+                "above the forbidden range the rotor has passed its critical speed: run through the range quickly",
             )
         });
     }
@@ -81,11 +82,16 @@ fn ends<W: Worksheet>(
     let Some(lower) = permitted.below else { return Vec::new() };
     let Whirl { eccentricity, natural, damping_ratio } = *whirl;
     let share = damping_ratio.map(|_| {
-        sheet.step("µ", "1", eccentricity / amplitude, "Eccentricity as a share of the permitted amplitude")
+        sheet.step(
+            "µ",
+            "1",
+            eccentricity / amplitude,
+            "Eccentricity as a fraction of the permitted amplitude",
+        )
     });
     let hold = |speed: W::Num, kernel: f64| {
         sheet.check(
-            "the whirl at that speed has the permitted amplitude",
+            "the whirl amplitude at that speed equals the permitted value",
             match damping_ratio {
                 Some(zeta) => whirl::whirl_amplitude(eccentricity, speed / natural, zeta),
                 None => {
@@ -95,7 +101,7 @@ fn ends<W: Worksheet>(
             },
             amplitude,
         );
-        sheet.check("the end of the band by its other formula is the same", speed, kernel.into());
+        sheet.check("end of the band from its other formula", speed, kernel.into());
     };
     let below = match (damping_ratio, share) {
         (Some(zeta), Some(share)) => whirl::speed_below(natural, share, zeta),
@@ -105,10 +111,13 @@ fn ends<W: Worksheet>(
         "ω₁",
         "rpm",
         below,
-        ("Start of the forbidden band: the whirl reaches the permitted amplitude", RAO.at("§9.5")),
+        (
+            "Lower limit of the forbidden range: the whirl amplitude reaches the permitted value",
+            RAO.at("§9.5"),
+        ),
     );
     hold(below, lower);
-    sheet.answer("band_begin", "Start of the forbidden band", below);
+    sheet.answer("band_begin", "Lower limit of the forbidden range", below);
     let mut limits = vec![Text::new("the limit is reached below the critical speed, {speed}").with_quantity(
         "speed",
         natural.value(),
@@ -123,16 +132,16 @@ fn ends<W: Worksheet>(
             "ω₂",
             "rpm",
             above,
-            ("End of the forbidden band: the whirl is back at the permitted amplitude", RAO.at("§9.5")),
+            (
+                "Upper limit of the forbidden range: the whirl amplitude returns to the permitted value",
+                RAO.at("§9.5"),
+            ),
         );
         hold(above, upper);
-        sheet.answer("band_end", "End of the forbidden band", above);
+        sheet.answer("band_end", "Upper limit of the forbidden range", above);
         limits.push(
-            Text::new("the whirl is back within the limit above the critical speed, {speed}").with_quantity(
-                "speed",
-                natural.value(),
-                "rpm",
-            ),
+            Text::new("above the critical speed, {speed}, the whirl is within the limit again")
+                .with_quantity("speed", natural.value(), "rpm"),
         );
     }
     limits

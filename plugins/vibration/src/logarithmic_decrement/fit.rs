@@ -20,7 +20,7 @@ pub(super) fn least_squares<W: Worksheet>(peaks: &[MeasuredPeak], sheet: W) -> R
     };
     let (both, squares) = (sum(&|n, log| n * log), sum(&|n, _| n * n));
     if squares == 0.0 {
-        return Err(Refusal::because("all amplitudes stand at the same cycle: number them 0, 1, 2, …"));
+        return Err(Refusal::because("all amplitudes are at the same cycle: number them 0, 1, 2, …"));
     }
     if both >= 0.0 {
         return Err(Refusal::because(
@@ -70,25 +70,24 @@ pub(super) fn least_squares<W: Worksheet>(peaks: &[MeasuredPeak], sheet: W) -> R
         let spread_of_logs = sum(&|_, log| log.abs());
         let error = f64::EPSILON * largest * (spread_of_logs + count * largest * f64::EPSILON);
         sheet.check_residual(
-            "scatter: the sum of squares from the orthogonality of the differences to the fitted line",
+            "scatter: sum of squares from the orthogonality of the residuals to the fitted line",
             scatter.powi(2) * number - product,
             sizes,
             count * error,
         );
         sheet.check_residual(
-            "deviation of the decrement: the same sum of squares over N − 2 degrees of freedom",
+            "standard deviation of the decrement: the same sum of squares over N − 2 degrees of freedom",
             uncertainty.powi(2) * (number - 2.0) * spread - product,
             sizes,
             count * error,
         );
     });
-    sheet.answer("scatter", "Scatter of the amplitudes about the fit", scatter);
+    sheet.answer("scatter", "Fit residual of the amplitudes", scatter);
     sheet.answer("decrement_deviation", "Standard deviation of the decrement", uncertainty);
     if scatter.value() > 0.05 {
         sheet.warn(|| {
             Text::new(
-                "the amplitudes scatter by more than 5 % about an exponential decay: noise, or friction beside \
-                 viscous damping",
+                "the amplitudes scatter by more than 5 % about an exponential decay: noise, or friction in addition to viscous damping",
             )
         });
     }

@@ -71,7 +71,7 @@ pub(super) fn complex<W: Worksheet>(
     // The roots are known to the last places of the fastest one.
     let rounding = 1e-15 * fastest / natural * size;
     sheet.check_residual(
-        Text::new("damped mode {place}: powers of inertia, damping and stiffness in its shape, vᵀ(λ²M + λC + K)v = 0")
+        Text::new("damped mode {place}: powers of inertia, damping and stiffness in its mode shape, vᵀ(λ²M + λC + K)v = 0")
             .with("place", place),
         left[0].max(left[1]).into(),
         size,

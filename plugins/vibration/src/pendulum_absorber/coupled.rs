@@ -35,20 +35,16 @@ impl<N: Real> Coupled<N> {
     pub(super) fn frequencies<W: Worksheet<Num = N>>(&self, sheet: W) -> Vec<N> {
         let antiresonance = self.antiresonance;
         let closeness = self.coupling.powi(2) / (self.body * self.swing);
-        let closeness = sheet.step("ε", "1", closeness, "How closely body and swing are coupled");
+        let closeness = sheet.step("ε", "1", closeness, "Coupling coefficient of body and pendulum motion");
         let found = match self.held {
             None => {
-                let why = "Nothing holds the rotor: rotor and pendulum swing against each other";
+                let why = "The rotor is unrestrained: rotor and pendulum oscillate against each other";
                 let only = antiresonance / (N::from(1.0) - closeness).sqrt();
                 vec![sheet.step(("ω", 1), "rad/s", only, why)]
             }
             Some(held) => {
-                let natural = sheet.step(
-                    "p",
-                    "rad/s",
-                    (held / self.body).sqrt(),
-                    "Frequency with the pendulum held still",
-                );
+                let natural =
+                    sheet.step("p", "rad/s", (held / self.body).sqrt(), "Frequency with the pendulum locked");
                 let sum = natural.powi(2) + antiresonance.powi(2);
                 let apart = (natural.powi(2) - antiresonance.powi(2)).powi(2)
                     + closeness * natural.powi(2) * antiresonance.powi(2) * 4.0;
@@ -94,17 +90,16 @@ impl<N: Real> Coupled<N> {
             "D",
             if self.on_rotor { "N^2*m^2" } else { "N^2" },
             still * rest - coupling.powi(2),
-            ("Determinant of the two equations of the steady motion", DEN_HARTOG.at("ch. 3")),
+            ("Determinant of the two equations of the steady-state motion", DEN_HARTOG.at("ch. 3")),
         );
         let meets = |own: &f64| (own / frequency.value() - 1.0).abs() < 1e-12;
         if self.pair().frequencies().iter().any(meets) {
             return Err(Refusal::because(
-                "the load meets a natural frequency of body and pendulum: without damping the motion grows without bound, \
-                 there is no steady state",
+                "the load frequency coincides with a natural frequency of body and pendulum: without damping the motion grows without bound and there is no steady state",
             ));
         }
         let (body, swing) = (load * rest / determinant, load * coupling / determinant);
-        let why = "Amplitude of the body; negative against the load";
+        let why = "Amplitude of the body; negative if opposed to the load";
         let body = if self.on_rotor {
             let body = sheet.step("Θ", "deg", body, why);
             sheet.answer("rotor_amplitude", "Amplitude of the rotor", body);
@@ -114,8 +109,9 @@ impl<N: Real> Coupled<N> {
             sheet.answer("amplitude", "Amplitude of the mass", body);
             body
         };
-        let swing = sheet.step("Φ", "deg", swing, "Swing of the pendulum; negative against the load");
-        sheet.answer("swing", "Swing of the pendulum", swing);
+        let swing =
+            sheet.step("Φ", "deg", swing, "Swing amplitude of the pendulum; negative if opposed to the load");
+        sheet.answer("swing", "Swing amplitude of the pendulum", swing);
         sheet.verify(|| {
             let [first, second] = self.pair().steady(load.value(), frequency.value());
             let left = self.pair();
@@ -126,13 +122,12 @@ impl<N: Real> Coupled<N> {
                 - left.coupling * square.value() * swing.value()
                 - load.value();
             sheet.check_zero("load, inertia and springs are in equilibrium at the body", N::from(sum), size);
-            sheet.check("swing from the matrices of the small motions", swing, N::from(second));
+            sheet.check("oscillation from the matrices of the small motions", swing, N::from(second));
         });
         if swing.value().abs() > 0.35 {
             sheet.warn(|| {
                 Text::new(
-                    "the swing is above 20°: the frequency of a pendulum on a circle falls with its swing, and what is answered \
-                     holds for small swings",
+                    "the swing angle is above 20°: the frequency of a pendulum on a circle decreases with amplitude, and the results hold for small oscillations",
                 )
             });
         }

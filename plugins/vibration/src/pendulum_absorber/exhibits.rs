@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Axis, Drawing, DrawnShape, Film, Ink, Plot, Scale, Series, Text};
+use dalembert_core::{Animation, Axis, Drawing, DrawnShape, Ink, Plot, Scale, Series, Text};
 use dalembert_mechanics::vibration::pendulum_absorber::Pair;
 
 /// Points of a curve.
@@ -39,7 +39,7 @@ impl Rotor {
             Axis::linear("effective inertia", "kg*m^2"),
             vec![Series::line("pendulums", (0..=POINTS).map(at).collect()).of("effective_inertia")],
         )
-        .level("takes away the whole rotor", -self.alone)
+        .level("cancels the rotor inertia", -self.alone)
     }
 
     /// Natural frequencies and the frequency of the torque against the speed.
@@ -74,7 +74,7 @@ impl Rotor {
     }
 
     /// The pendulum as it swings on the rotor.
-    pub(super) fn film(&self) -> Film {
+    pub(super) fn animation(&self) -> Animation {
         const FRAMES: u32 = 24;
         let whole = self.pivot + self.arm;
         let (pivot, arm) = (self.pivot / whole, (self.arm / whole).max(0.06));
@@ -93,7 +93,7 @@ impl Rotor {
                 DrawnShape::Label((0.12, pivot + 0.4 * arm), Text::from("r")),
             ]
         };
-        Film::new("The pendulum on the rotor", (0..FRAMES).map(frame).collect(), 1.5)
+        Animation::new("The pendulum on the rotor", (0..FRAMES).map(frame).collect(), 1.5)
     }
 }
 
@@ -116,12 +116,12 @@ impl Hung {
             (1..=POINTS).map(point).collect::<Vec<_>>()
         };
         let mut plot = Plot::new(
-            "Amplitudes of mass and end of the pendulum for each newton of the force",
+            "Amplitudes of the mass and of the end of the pendulum per newton of force",
             Axis::linear("frequency", "Hz"),
             Axis::log("amplitude over force", "m/N"),
             vec![
                 Series::line("mass", at(0, 1.0)).of("|amplitude|").with("problem.gravity.force", 1.0),
-                Series::line("swing, at the end of the pendulum", at(1, self.length)),
+                Series::line("oscillation at the end of the pendulum", at(1, self.length)),
             ],
         );
         plot.y.scale = Scale::Log;

@@ -36,7 +36,7 @@ impl<N: Real> Hung<N> {
                 (length, None)
             }
         };
-        let why = "Inertia of the swing for each kilogram, about the pivot";
+        let why = "Inertia of the pendulum motion per kilogram, about the pivot";
         let square = match gyration {
             Some(gyration) => length.powi(2) + gyration.powi(2),
             None => length.powi(2),
@@ -47,14 +47,14 @@ impl<N: Real> Hung<N> {
             "rad/s",
             (self.gravity * length / square).sqrt(),
             (
-                "Frequency of the pendulum on a fixed pivot: there the mass stands still",
+                "Frequency of the pendulum on a fixed pivot: at this frequency the mass is at rest",
                 DEN_HARTOG.at("ch. 3"),
             ),
         );
-        let counted = sheet.step("f₀", "Hz", antiresonance, "The same frequency, counted in cycles");
-        sheet.answer("antiresonance", "Frequency at which the mass stands still", counted);
+        let counted = sheet.step("f₀", "Hz", antiresonance, "The same frequency in Hz");
+        sheet.answer("antiresonance", "Frequency at which the mass is at rest", counted);
         if is_tuned {
-            sheet.check("the pendulum swings as often as the force", antiresonance, self.frequency);
+            sheet.check("the pendulum frequency equals the force frequency", antiresonance, self.frequency);
         }
         let limit = if let MassGiven::Swing { swing } = mass { Some(*swing) } else { None };
         let mass = match mass {
@@ -69,7 +69,7 @@ impl<N: Real> Hung<N> {
                     "m",
                     "kg",
                     force / (length * antiresonance.powi(2) * *swing),
-                    "Mass of the pendulum: swinging at its limit at its own frequency it takes up the whole force",
+                    "Mass of the pendulum: at its limit angle and its own frequency it absorbs the whole force",
                 );
                 sheet.answer("mass", "Mass of the pendulum", mass);
                 mass
@@ -78,7 +78,12 @@ impl<N: Real> Hung<N> {
         let motion = Coupled {
             on_rotor: false,
             body: sheet.step("M₁", "kg", self.body + mass, "Mass and pendulum move sideways together"),
-            coupling: sheet.step("M₁₂", "kg*m", mass * length, "Inertia that couples mass and swing"),
+            coupling: sheet.step(
+                "M₁₂",
+                "kg*m",
+                mass * length,
+                "Inertia coupling of mass and pendulum motion",
+            ),
             swing: sheet.step(
                 "J₂",
                 "kg*m^2",
@@ -90,14 +95,13 @@ impl<N: Real> Hung<N> {
         };
         if let (Some(limit), Some(force)) = (limit, self.force) {
             sheet.check(
-                "under a mass that stands still the pendulum at its limit holds the force, M₁₂ ω₀² φ",
+                "with the mass at rest, the pendulum at its limit balances the force, M₁₂ ω₀² φ",
                 motion.coupling * antiresonance.powi(2) * limit,
                 force,
             );
         }
         for (row, frequency) in motion.frequencies(sheet).into_iter().enumerate() {
-            let counted =
-                sheet.step(("f", row + 1), "Hz", frequency, "The same frequency, counted in cycles");
+            let counted = sheet.step(("f", row + 1), "Hz", frequency, "The same frequency in Hz");
             sheet.answer(("frequency", row + 1), "Natural frequency of mass and pendulum", counted);
         }
         if let Some(force) = self.force {

@@ -73,7 +73,7 @@ impl Circle<'_> {
 pub(super) fn displacement<W: Worksheet>(circle: &Circle<'_>, share: f64, shown: f64, sheet: W) {
     if let Some([other, rounding]) = circle.displacement(share) {
         sheet.check_residual(
-            "displacement at that time, by the convolution of the wave with the response to impulses",
+            "displacement at that time, by convolution of the wave with the unit impulse response",
             W::Num::from(shown - other),
             shown.abs().max(other.abs()).max(1e-3),
             rounding,
@@ -94,8 +94,8 @@ pub(super) fn extremes<W: Worksheet>(circle: &Circle<'_>, steady: &Steady, shown
     shares.dedup();
     let last = shares.len() - 1;
     let whats = [
-        "largest displacement: by the convolution, at the moment at which the velocity changes its sign",
-        "least displacement: by the convolution, at the moment at which the velocity changes its sign",
+        "maximum displacement: by convolution, at the instant at which the velocity changes sign",
+        "minimum displacement: by convolution, at the instant at which the velocity changes sign",
     ];
     for ((sign, shown), what) in [1.0, -1.0].into_iter().zip(shown).zip(whats) {
         let of = |share: f64| sign * steady.displacement(share);

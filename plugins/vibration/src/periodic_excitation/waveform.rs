@@ -17,13 +17,13 @@ const MOST: usize = 400;
 #[derive(Clone, Debug, Inputs)]
 pub enum Waveform {
     /// Square wave
-    /// Up for the first half of the period, down as far for the second.
+    /// Positive for the first half of the period, equally negative for the second.
     Square,
     /// Triangular wave
-    /// From zero up, down as far below, and back.
+    /// Rises from zero, falls as far below it and returns.
     Triangle,
     /// Sawtooth
-    /// From zero up over the period, then at once back to zero: a cam.
+    /// Rises from zero over the period, then drops at once to zero: a cam.
     Sawtooth,
     /// Half-rectified sine
     /// The positive half of a sine, zero for the second half of the period.
@@ -32,9 +32,9 @@ pub enum Waveform {
     /// One arch after another; the period is that of one arch.
     FullRectified,
     /// Rectangular pulses
-    /// Up for a share of the period, zero for the rest.
+    /// One for a fraction of the period, zero for the rest.
     Pulse {
-        /// Share of the period.
+        /// Fraction of the period.
         #[input("d", "%", positive, below = 100)]
         share: f64,
     },
@@ -50,8 +50,8 @@ pub enum Waveform {
 /// A point of a wave.
 #[derive(Clone, Debug, Inputs)]
 pub struct WavePoint {
-    /// Share of the period.
-    /// Ascending; two points at one share are a jump.
+    /// Fraction of the period.
+    /// Ascending; two points at the same fraction define a step.
     #[input("s", "%", nonnegative, max = 100)]
     pub share: f64,
     /// Value over the height of the wave.
@@ -72,7 +72,7 @@ impl Waveform {
             Waveform::Table { points } => {
                 if points.len() > MOST {
                     return Err(Refusal::because(
-                        Text::new("the table has {count} points; at most {most} are added up: thin it out")
+                        Text::new("the table has {count} points; at most {most} can be summed: reduce it")
                             .with("count", points.len())
                             .with("most", MOST),
                     ));
@@ -80,7 +80,7 @@ impl Waveform {
                 let points: Vec<(f64, f64)> = points.iter().map(|point| (point.share, point.value)).collect();
                 periodic::polygon(&points).ok_or_else(|| {
                     Refusal::because(
-                        "the table needs two points or more, with shares of the period that ascend from 0 to 100 %",
+                        "the table requires two points or more, with fractions of the period ascending from 0 to 100 %",
                     )
                 })?
             }
@@ -93,22 +93,23 @@ impl<W: Worksheet> WaveformGiven<W> {
     pub(super) fn mean(&self, height: W::Num, found: f64, sheet: W) -> W::Num {
         let (value, why) = match self {
             WaveformGiven::Square {} | WaveformGiven::Triangle {} => {
-                (W::Num::from(0.0), "Mean of the motion: the wave is as much above zero as below")
+                (W::Num::from(0.0), "Mean of the motion: the wave lies equally above and below zero")
             }
             WaveformGiven::Sawtooth {} => {
-                (height / 2.0, "Mean of the motion: that of the wave is half its height")
+                (height / 2.0, "Mean of the motion: the mean of the wave is half its height")
             }
             WaveformGiven::HalfRectified {} => {
-                (height / PI, "Mean of the motion: that of half a sine a period is 1/π of its height")
+                (height / PI, "Mean of the motion: the mean of one half-sine per period is 1/π of its height")
             }
             WaveformGiven::FullRectified {} => {
-                (height * 2.0 / PI, "Mean of the motion: that of an arch of a sine is 2/π of its height")
+                (height * 2.0 / PI, "Mean of the motion: the mean of a sine arch is 2/π of its height")
             }
-            WaveformGiven::Pulse { share } => {
-                (height * *share, "Mean of the motion: that of the pulses is their share of the period")
-            }
+            WaveformGiven::Pulse { share } => (
+                height * *share,
+                "Mean of the motion: the mean of the pulses is their fraction of the period",
+            ),
             WaveformGiven::Table { .. } => {
-                let mean = sheet.found("u₀", "1", found, "Mean of the wave, integrated line by line");
+                let mean = sheet.found("u₀", "1", found, "Mean of the wave, integrated segment by segment");
                 (height * mean, "Mean of the motion: the static deflection under the mean of the wave")
             }
         };
@@ -150,11 +151,11 @@ impl<W: Worksheet> WaveformGiven<W> {
                 "Fourier coefficient of rectangular pulses: 2|sin nπd|/(nπ)",
             ),
             WaveformGiven::Table { .. } => {
-                let why = ("Cosine coefficient, integrated line by line", RAO.at("§1.11"));
+                let why = ("Cosine coefficient, integrated segment by segment", RAO.at("§1.11"));
                 let a = sheet.found(("a", n as usize), "1", found.0, why);
-                let why = "Sine coefficient, integrated line by line";
+                let why = "Sine coefficient, integrated segment by segment";
                 let b = sheet.found(("b", n as usize), "1", found.1, why);
-                (height * (a.powi(2) + b.powi(2)).sqrt(), "Cosine and sine together")
+                (height * (a.powi(2) + b.powi(2)).sqrt(), "Amplitude from the cosine and sine coefficients")
             }
         };
         sheet.step((symbol, n as usize), unit, value, (why, RAO.at("§1.11")))

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Drawing, DrawnShape, Exhibit, Film, Ink, Text};
+use dalembert_core::{Animation, Drawing, DrawnShape, Exhibit, Ink, Text};
 use dalembert_mechanics::vibration::plate::{LevyMode, RoundMode};
 
 /// The edge, its larger side one, or a circle of radius one.
@@ -111,7 +111,7 @@ pub(super) fn nodal_lines(figures: &[Figure], outline: Outline) -> Exhibit {
 }
 
 /// A shape in motion, seen from the side and above.
-pub(super) fn film(figure: &Figure, outline: Outline) -> Exhibit {
+pub(super) fn animation(figure: &Figure, outline: Outline) -> Exhibit {
     const FRAMES: u16 = 24;
     let lines = surface(figure, outline);
     let frame = |n: u16| {
@@ -123,8 +123,8 @@ pub(super) fn film(figure: &Figure, outline: Outline) -> Exhibit {
         lines.iter().map(line).collect()
     };
     let [first, second] = figure.pattern();
-    Exhibit::Film(Film::new(
-        Text::new("Shape ({m}, {n}) in motion").with("m", first).with("n", second),
+    Exhibit::Animation(Animation::new(
+        Text::new("Mode ({m}, {n}) in motion").with("m", first).with("n", second),
         (0..FRAMES).map(frame).collect(),
         2.0,
     ))

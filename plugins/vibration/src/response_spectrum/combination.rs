@@ -26,12 +26,10 @@ pub(super) fn combined<W: Worksheet>(
         return Combined { abs: *alone, srss: *alone, cqc: *alone };
     }
     let symbol = |base: &'static str| row.map_or(Symbol::from(base), |row| Symbol::from(base).row(row));
-    let why = (
-        "Sum of the absolute values: all modes at their largest at once, an upper bound",
-        CHOPRA.at("§13.7"),
-    );
+    let why =
+        ("Absolute sum: all modes at their maximum at the same time, an upper bound", CHOPRA.at("§13.7"));
     let abs = sheet.step(symbol(abs), unit, W::Num::sum(parts.iter().map(|part| part.abs())), why);
-    let why = ("Root of the sum of squares: modes far apart in frequency", CHOPRA.at("§13.7"));
+    let why = ("Square root of the sum of squares (SRSS): well-separated modes", CHOPRA.at("§13.7"));
     let squares = W::Num::sum(parts.iter().map(|part| part.powi(2)));
     let srss = sheet.step(symbol(srss), unit, squares.sqrt(), why);
     let mut terms: Vec<W::Num> = parts.iter().map(|part| part.powi(2)).collect();
@@ -41,14 +39,14 @@ pub(super) fn combined<W: Worksheet>(
         }
     }
     let why = (
-        "Complete quadratic combination: with the correlation of near modes and the signs",
+        "Complete quadratic combination: with the correlation of closely spaced modes and the signs",
         CHOPRA.at("§13.7"),
     );
     let cqc = sheet.step(symbol(cqc), unit, W::Num::sum(terms).sqrt(), why);
     sheet.verify(|| {
         let products = (0..parts.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
         let twice = W::Num::sum(products.map(|(i, j)| (parts[i] * parts[j]).abs() * 2.0));
-        let what = "the square of the sum of absolute values: the sum of squares and all products twice";
+        let what = "square of the sum of absolute values: sum of squares plus twice all products";
         sheet.check(what, srss.powi(2) + twice, abs.powi(2));
         let what = "complete quadratic combination as the length of a sum of vectors, their cosines the correlations";
         let length = vector_length(parts, correlations);

@@ -22,7 +22,7 @@ pub struct ShaftSegment {
     #[input("D_R", "m", positive)]
     pub outer_right: Option<f64>,
     /// Inner diameter.
-    /// Left out for a solid shaft.
+    /// Omit for a solid shaft.
     #[input("d", "m", nonnegative)]
     pub inner: Option<f64>,
 }
@@ -34,7 +34,7 @@ pub struct ShaftMaterial {
     #[input("E", "Pa", positive, default = "210 GPa")]
     pub young: f64,
     /// Shear modulus.
-    /// It also gives Poisson's ratio of the shear factor.
+    /// Also gives Poisson's ratio for the shear factor.
     #[input("G", "Pa", positive, default = "81 GPa")]
     pub shear: f64,
     /// Density.
@@ -51,7 +51,7 @@ pub enum InternalDamping {
     None,
     /// Viscous internal damping
     Viscous {
-        /// Coefficient of internal damping.
+        /// Coefficient of internal (rotating) damping.
         /// Stress E (ε + ηᵥ dε/dt).
         #[input("ηᵥ", "s", nonnegative)]
         coefficient: f64,
@@ -67,7 +67,7 @@ pub enum InternalDamping {
 /// A rigid disc on the shaft.
 #[derive(Clone, Debug, Inputs)]
 pub struct RotorDisc {
-    /// Place.
+    /// Position.
     /// Distance from the left end of the shaft.
     #[input("z", "m", nonnegative)]
     pub position: f64,
@@ -111,7 +111,7 @@ pub enum DiscSize {
 /// A support of the shaft.
 #[derive(Clone, Debug, Inputs)]
 pub struct RotorSupport {
-    /// Place.
+    /// Position.
     /// Distance from the left end of the shaft.
     #[input("z", "m", nonnegative)]
     pub position: f64,
@@ -152,7 +152,7 @@ pub enum Bearing {
         #[input("k_xx", "N/m")]
         kxx: f64,
         /// Stiffness k_xy.
-        /// Force against x from a motion along y.
+        /// Force along x due to motion along y.
         #[input("k_xy", "N/m")]
         kxy: f64,
         /// Stiffness k_yx.
@@ -174,10 +174,11 @@ pub enum Bearing {
         #[input("c_yy", "N*s/m", default = "0 N*s/m")]
         cyy: f64,
     },
-    /// Table of coefficients over speed
+    /// Table of coefficients against speed
     Table {
         /// Rows of the table.
-        /// By rising speed, linear between rows; all speeds asked for must lie within. A single row holds at all.
+        /// In order of increasing speed, linear between rows; all requested speeds must lie within the table. A single
+        /// row applies at all speeds.
         #[input(table)]
         rows: Vec<SpeedRow>,
     },
@@ -190,7 +191,7 @@ pub enum Bearing {
 /// The coefficients of a bearing at a speed.
 #[derive(Clone, Debug, Inputs)]
 pub struct SpeedRow {
-    /// Speed of the row.
+    /// Speed for this row.
     #[input("Ω", "rpm", nonnegative)]
     pub speed: f64,
     /// Stiffness k_xx.
@@ -222,7 +223,7 @@ pub struct SpeedRow {
 /// An unbalance.
 #[derive(Clone, Debug, Inputs)]
 pub struct RotorUnbalance {
-    /// Place.
+    /// Position.
     /// Distance from the left end of the shaft.
     #[input("z", "m", nonnegative)]
     pub position: f64,

@@ -3,7 +3,8 @@
 use std::{cell::OnceCell, f64::consts::TAU};
 
 use dalembert_core::{
-    Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Film, Ink, Plot, Series, TableExhibit, Text, Worksheet,
+    Animation, Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Plot, Series, TableExhibit, Text,
+    Worksheet,
 };
 use dalembert_mechanics::rotor::{
     Assembled, Complex, Hold, Rotor,
@@ -34,7 +35,7 @@ type Sample = (f64, Option<[Motion; 2]>);
 /// Speeds of the response.
 const POINTS: u16 = 240;
 
-/// Frames of a film.
+/// Frames of an animation.
 const FRAMES: usize = 24;
 
 pub(super) fn show<'a, W: Worksheet>(
@@ -62,7 +63,7 @@ pub(super) fn show<'a, W: Worksheet>(
     }
     sheet.show(|| Exhibit::Drawing(Drawing { title: "The rotor".into(), shapes: shown.sketch() }));
     for (n, mode) in shown.spectrum.modes.iter().enumerate().take(6) {
-        sheet.show(|| Exhibit::Film(shown.film(n + 1, mode)));
+        sheet.show(|| Exhibit::Animation(shown.animation(n + 1, mode)));
     }
 }
 
@@ -201,7 +202,7 @@ impl Shown<'_> {
     }
 
     /// A mode: the centre line of the shaft seen from the side and a little from above.
-    fn film(&self, n: usize, mode: &Mode) -> Film {
+    fn animation(&self, n: usize, mode: &Mode) -> Animation {
         let length = self.all.positions.last().copied().unwrap_or(1.0);
         let largest = (0..self.all.nodes())
             .map(|node| mode.orbit(node).major)
@@ -244,7 +245,7 @@ impl Shown<'_> {
         } else {
             Text::new("Mode {n} at {frequency}")
         };
-        Film::new(
+        Animation::new(
             title.with("n", n).with_quantity("frequency", mode.frequency(), "Hz"),
             (0..FRAMES).map(frame).collect(),
             2.0,
@@ -262,10 +263,10 @@ fn response(sweep: &[Sample]) -> Plot {
     Plot::new(
         "Unbalance response, zero to peak",
         Axis::linear("speed", "rpm"),
-        Axis::log("half-axes of the orbit", "um"),
+        Axis::log("semi-axes of the orbit", "um"),
         vec![
-            Series::line("long half-axis", curve(|orbit| orbit.major)).of("response_major"),
-            Series::line("short half-axis", curve(|orbit| orbit.minor.abs())).of("|response_minor|"),
+            Series::line("semi-major axis", curve(|orbit| orbit.major)).of("response_major"),
+            Series::line("semi-minor axis", curve(|orbit| orbit.minor.abs())).of("|response_minor|"),
         ],
     )
     .over("speed")

@@ -40,8 +40,8 @@ pub(super) fn plot(problem: &RotorDynamics, rotor: &Rotor) -> Option<Plot> {
         let speeds = points.iter().filter_map(|(k, speeds)| Some((*k, *of(speeds).get(n)?)));
         Series::line(Text::new(words).with("n", n + 1), speeds.filter(|(_, speed)| shown(speed)).collect())
     };
-    let forward = (0..modes).map(|n| line("with the spin, {n}", n, |speeds| &speeds.forward));
-    let backward = (0..modes).map(|n| line("against the spin, {n}", n, |speeds| &speeds.backward));
+    let forward = (0..modes).map(|n| line("forward whirl, {n}", n, |speeds| &speeds.forward));
+    let backward = (0..modes).map(|n| line("backward whirl, {n}", n, |speeds| &speeds.backward));
     let mut series: Vec<Series> = forward.chain(backward).collect();
     series.retain(|series| !series.points.is_empty());
     let here = at(first)?;
@@ -51,10 +51,10 @@ pub(super) fn plot(problem: &RotorDynamics, rotor: &Rotor) -> Option<Plot> {
         return None;
     }
     if !marked.is_empty() {
-        series.push(Series::dots("at the stiffness given", marked));
+        series.push(Series::dots("at the given stiffness", marked));
     }
     Some(Plot::new(
-        "Critical speeds over the stiffness of the bearings, without damping",
+        "Undamped critical speeds against bearing stiffness",
         Axis::log("stiffness of the first bearing, the others in proportion", "N/m"),
         Axis::linear("critical speed", "rpm"),
         series,

@@ -16,7 +16,7 @@ impl RotorDynamics {
         for (n, rows) in self.tables() {
             if rows.is_empty() || rows.windows(2).any(|pair| pair[0].speed >= pair[1].speed) {
                 return Err(Refusal::because(
-                    "the speeds of a bearing table must rise from row to row, and there must be one row at least",
+                    "the speeds of a bearing table must increase from row to row, and at least one row is required",
                 ));
             }
             let Some((from, to)) = ends(rows) else { continue };

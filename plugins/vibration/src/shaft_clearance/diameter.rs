@@ -28,20 +28,19 @@ impl ShaftClearance {
         let thick = branches.stiff.map(|k| diameter_of(k, shaft, shaft_given, Branch::Stiff, sheet));
         let ends = [thin, thick].map(|d| d.map(Real::value));
         let available = [
-            (*smallest_diameter, "smallest diameter available"),
-            (*largest_diameter, "largest diameter available"),
+            (*smallest_diameter, "minimum available diameter"),
+            (*largest_diameter, "maximum available diameter"),
         ];
         let (set, limits) = available_set(available, ends, &branches.permitted);
         sheet.answer_set("diameters", "Permitted diameters", "mm", &set, limits);
         if let Some(d) = thin {
-            sheet.answer("soft_limit", "Largest diameter of the soft branch", d);
+            sheet.answer("soft_limit", "Maximum diameter, supercritical operation", d);
         }
         if let Some(d) = thick {
-            sheet.answer("stiff_limit", "Smallest diameter of the stiff branch", d);
+            sheet.answer("stiff_limit", "Minimum diameter, subcritical operation", d);
         }
         let words = [
-            "the limit is never active: with this damping the rotor stays clear of the stator with every diameter, so \
-             clearance and speeds do not decide the diameter; strength and bearings do",
+            "the clearance is not a constraint: with this damping the rotor stays clear of the stator at every diameter, so clearance and speeds do not determine the diameter; strength and bearings do",
             "no available diameter keeps the rotor clear: change clearance, unbalance, damping or speeds",
         ];
         say_what_limits(&branches.permitted, &set, words, sheet);
@@ -50,7 +49,7 @@ impl ShaftClearance {
                 "I",
                 "cm^4",
                 section::round_second_moment(diameter),
-                ("Second moment of area of the shaft to be judged", BEER.at("app. A")),
+                ("Second moment of area of the shaft to be checked", BEER.at("app. A")),
             );
             let k = sheet.step(
                 "k",
@@ -74,7 +73,7 @@ impl ShaftClearance {
             let plot = self.amplitude_over(ends_shown, unbalance, range, stiffness);
             Exhibit::Plot(
                 plot.permitted(
-                    "Largest amplitude in the range of speeds against diameter",
+                    "Maximum amplitude in the range of speeds against diameter",
                     ("diameter", "mm"),
                     &set,
                     ends,
@@ -101,13 +100,13 @@ impl ShaftClearance {
         let branches = self.branches(given, *unbalance, speeds, sheet)?;
         let ends = [branches.soft, branches.stiff].map(|k| k.map(Real::value));
         let available = [
-            (*smallest_stiffness, "smallest stiffness available"),
-            (*largest_stiffness, "largest stiffness available"),
+            (*smallest_stiffness, "minimum available stiffness"),
+            (*largest_stiffness, "maximum available stiffness"),
         ];
         let (set, limits) = available_set(available, ends, &branches.permitted);
         sheet.answer_set("stiffnesses", "Permitted stiffnesses", "MN/m", &set, limits);
         let words = [
-            "the limit is never active: with this damping the rotor stays clear of the stator with every stiffness",
+            "at every stiffness the rotor stays clear of the stator with this damping: the clearance is not a constraint",
             "no available stiffness keeps the rotor clear: change clearance, unbalance, damping or speeds",
         ];
         say_what_limits(&branches.permitted, &set, words, sheet);
@@ -121,7 +120,7 @@ impl ShaftClearance {
             let plot = self.amplitude_over(ends_shown, unbalance, range, |k| k);
             Exhibit::Plot(
                 plot.permitted(
-                    "Largest amplitude in the range of speeds against stiffness",
+                    "Maximum amplitude in the range of speeds against stiffness",
                     ("stiffness", "MN/m"),
                     &set,
                     ends,
@@ -172,10 +171,10 @@ fn diameter_of<W: Worksheet>(
         symbol,
         "mm",
         section::round_diameter(moment),
-        ("Diameter of the solid round shaft with I = πd⁴/64", BEER.at("app. A")),
+        ("Diameter of the solid circular shaft with I = πd⁴/64", BEER.at("app. A")),
     );
     sheet.check(
-        "the shaft of that diameter has the stiffness of the limit",
+        "the shaft of that diameter has the limiting stiffness",
         shaft.mounting.stiffness(young, section::round_second_moment(diameter), length),
         stiffness,
     );

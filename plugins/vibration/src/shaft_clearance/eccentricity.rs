@@ -38,7 +38,7 @@ impl ShaftClearance {
         sheet.answer("critical_speed", "Critical speed", natural);
         let range = speeds.map(Real::value);
         if zeta.is_none() && (range[0]..=range[1]).contains(&natural.value()) {
-            sheet.check("critical speed and mass give the stiffness back", given.mass * natural.powi(2), k);
+            sheet.check("critical speed and mass reproduce the stiffness", given.mass * natural.powi(2), k);
             sheet.answer_set(
                 "eccentricities",
                 "Permitted eccentricities",
@@ -48,8 +48,7 @@ impl ShaftClearance {
             );
             sheet.warn(|| {
                 Text::new(
-                    "the critical speed, {speed}, lies within the range and there is no damping: the amplitude grows \
-                     there without bound with every eccentricity but zero",
+                    "the critical speed, {speed}, lies within the range and there is no damping: the amplitude grows there without bound for any non-zero eccentricity",
                 )
                 .with_quantity("speed", natural.value(), "rpm")
             });
@@ -57,18 +56,19 @@ impl ShaftClearance {
         }
         let damping = zeta.map_or(0.0, |zeta| sdof::damping_from_ratio(zeta.value(), k.value(), self.mass));
         let (worst, by) = whirl::worst_speed(k.value(), self.mass, damping, range)
-            .map_err(|_| Refusal::because("these numbers lead beyond the range of numbers"))?;
+            .map_err(|_| Refusal::because("these numbers lead to values outside the representable range"))?;
         let (speed, how) = match (by, zeta) {
-            (LimitedBy::LowestSpeed, _) => (speeds[0], "Worst speed: the lowest, above the resonance"),
-            (LimitedBy::HighestSpeed, _) => (speeds[1], "Worst speed: the highest, below the resonance"),
+            (LimitedBy::LowestSpeed, _) => (speeds[0], "Worst-case speed: the lowest, above the resonance"),
+            (LimitedBy::HighestSpeed, _) => (speeds[1], "Worst-case speed: the highest, below the resonance"),
             (LimitedBy::Peak, Some(zeta)) => (
                 natural * sdof::unbalance_peak_ratio(zeta),
-                "Worst speed: the peak of the response, within the range",
+                "Worst-case speed: the peak of the response, within the range",
             ),
             (LimitedBy::Peak, None) => unreachable!("an undamped peak within the range was answered above"),
         };
         let speed = sheet.step("ω_w", "rpm", speed, (how, RAO.at("§3.7")));
-        let ratio = sheet.step("r", "1", sdof::frequency_ratio(speed, natural), "Frequency ratio there");
+        let ratio =
+            sheet.step("r", "1", sdof::frequency_ratio(speed, natural), "Frequency ratio at this speed");
         let one = W::Num::from(1.0);
         let largest = match zeta {
             Some(zeta) => whirl::eccentricity_from_amplitude(given.clearance, ratio, zeta),
@@ -78,13 +78,13 @@ impl ShaftClearance {
             "e_R",
             "mm",
             largest,
-            ("Eccentricity whose whirl at that speed has the amplitude of the clearance", RAO.at("§9.5")),
+            ("Eccentricity for which the whirl amplitude at that speed equals the clearance", RAO.at("§9.5")),
         );
         if !largest.value().is_finite() {
-            return Err(Refusal::because("these numbers lead beyond the range of numbers"));
+            return Err(Refusal::because("these numbers lead to values outside the representable range"));
         }
-        sheet.check("the worst speed found by comparing ends and peak is the same", speed, worst.into());
-        let unbalance = sheet.step("U_R", "kg*mm", given.mass * largest, "The same as an unbalance");
+        sheet.check("the worst-case speed from a comparison of range ends and peak", speed, worst.into());
+        let unbalance = sheet.step("U_R", "kg*mm", given.mass * largest, "The corresponding unbalance");
         sheet.verify(|| {
             let amplitude = match zeta {
                 Some(zeta) => {
@@ -107,9 +107,9 @@ impl ShaftClearance {
             &set,
             vec![reached(by, speed.value())],
         );
-        sheet.answer("largest_eccentricity", "Largest permitted eccentricity", largest);
-        sheet.answer("largest_unbalance", "Largest permitted unbalance", unbalance);
-        sheet.answer("worst_speed", "Worst speed", speed);
+        sheet.answer("largest_eccentricity", "Maximum permitted eccentricity", largest);
+        sheet.answer("largest_unbalance", "Maximum permitted unbalance", unbalance);
+        sheet.answer("worst_speed", "Worst-case speed", speed);
         let (limit, ratio) = (largest.value(), zeta.map_or(0.0, Real::value));
         let natural = natural.value();
         sheet.show(|| {
@@ -118,7 +118,7 @@ impl ShaftClearance {
                 (e, whirl::whirl_amplitude(e, worst / natural, ratio))
             };
             let plot = Plot::new(
-                "Largest amplitude in the range of speeds against eccentricity",
+                "Maximum amplitude in the range of speeds against eccentricity",
                 Axis::linear("eccentricity", "mm"),
                 Axis::linear("amplitude", "mm"),
                 vec![Series::line("X", (0..=100).map(at).collect())],

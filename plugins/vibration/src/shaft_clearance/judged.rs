@@ -25,7 +25,7 @@ impl ShaftClearance {
             sdof::natural_frequency(k, given.mass),
             ("Its critical speed", RAO.at("§9.5")),
         );
-        sheet.answer("critical_speed", "Critical speed of the shaft to be judged", natural);
+        sheet.answer("critical_speed", "Critical speed of the shaft to be checked", natural);
         let damping = match &given.damping {
             DampingGiven::Undamped {} => None,
             DampingGiven::Ratio { ratio } if ratio.value() == 0.0 => None,
@@ -41,8 +41,9 @@ impl ShaftClearance {
         };
         let range = [speeds[0].value(), speeds[1].value()];
         let c = damping.map_or(0.0, Real::value);
-        let (worst, by) = whirl::worst_speed(k.value(), self.mass, c, range)
-            .map_err(|_| Refusal::because("the shaft to be judged leads beyond the range of numbers"))?;
+        let (worst, by) = whirl::worst_speed(k.value(), self.mass, c, range).map_err(|_| {
+            Refusal::because("the shaft to be judged leads to values outside the representable range")
+        })?;
         let meets_resonance = natural.value() >= range[0] && natural.value() <= range[1];
         if damping.is_none() && meets_resonance {
             sheet.warn(|| {
@@ -55,16 +56,16 @@ impl ShaftClearance {
             return Ok(());
         }
         let how = match by {
-            LimitedBy::LowestSpeed => "Its worst speed: the lowest",
-            LimitedBy::HighestSpeed => "Its worst speed: the highest",
-            LimitedBy::Peak => "Its worst speed: the peak of the response, within the range",
+            LimitedBy::LowestSpeed => "Its worst-case speed: the lowest",
+            LimitedBy::HighestSpeed => "Its worst-case speed: the highest",
+            LimitedBy::Peak => "Its worst-case speed: the peak of the response, within the range",
         };
         let speed = sheet.found("ω_w", "rpm", worst, how);
         let amplitude = match damping {
             Some(c) => sdof::unbalance_amplitude(unbalance, k, given.mass, c, speed),
             None => unbalance * speed.powi(2) / (k - given.mass * speed.powi(2)).abs(),
         };
-        let amplitude = sheet.step("X_w", "mm", amplitude, ("Its largest amplitude", RAO.at("§3.7")));
+        let amplitude = sheet.step("X_w", "mm", amplitude, ("Its maximum amplitude", RAO.at("§3.7")));
         sheet.verify(|| {
             let ratio = speed / natural;
             let magnification = match damping {
@@ -72,16 +73,16 @@ impl ShaftClearance {
                 None => ratio.powi(2) / (W::Num::from(1.0) - ratio.powi(2)).abs(),
             };
             sheet.check(
-                "largest amplitude by the magnification over the frequency ratio",
+                "maximum amplitude from the magnification against the frequency ratio",
                 amplitude,
                 unbalance / given.mass * magnification,
             );
         });
-        sheet.answer("worst_speed", "Worst speed of the shaft to be judged", speed);
-        sheet.answer("worst_amplitude", "Largest amplitude of the shaft to be judged", amplitude);
+        sheet.answer("worst_speed", "Worst-case speed of the shaft to be checked", speed);
+        sheet.answer("worst_amplitude", "Maximum amplitude of the shaft to be checked", amplitude);
         if amplitude.value() > self.clearance {
             sheet.warn(|| {
-                Text::new("the shaft to be judged lets the rotor touch: {amplitude} at {speed}")
+                Text::new("with the shaft to be judged the rotor touches the stator: {amplitude} at {speed}")
                     .with_quantity("amplitude", amplitude.value(), "mm")
                     .with_quantity("speed", worst, "rpm")
             });

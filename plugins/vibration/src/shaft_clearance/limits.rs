@@ -26,7 +26,7 @@ pub(super) fn undamped_limits<W: Worksheet>(
             u * speed.powi(2) / (k - m * speed.powi(2)).abs(),
             r,
         );
-        sheet.check("the limit over the whole range of speeds is the same", k, kernel.into());
+        sheet.check("same limit evaluated over the whole speed range", k, kernel.into());
         k
     };
     let soft = permitted.soft.map(|limit| {
@@ -34,7 +34,7 @@ pub(super) fn undamped_limits<W: Worksheet>(
             "kₛ",
             "MN/m",
             whirl::soft_limit_undamped(m, u, r, speeds[0]),
-            ("Soft branch, m₀eω²/(mω² − k) = R: worst at the lowest speed", RAO.at("§3.7")),
+            ("Supercritical operation, m₀eω²/(mω² − k) = R: worst case at the lowest speed", RAO.at("§3.7")),
         );
         hold(k, speeds[0], limit.stiffness)
     });
@@ -43,7 +43,7 @@ pub(super) fn undamped_limits<W: Worksheet>(
             "kₕ",
             "MN/m",
             whirl::stiff_limit_undamped(m, u, r, speeds[1]),
-            ("Stiff branch, m₀eω²/(k − mω²) = R: worst at the highest speed", RAO.at("§3.7")),
+            ("Subcritical operation, m₀eω²/(k − mω²) = R: worst case at the highest speed", RAO.at("§3.7")),
         );
         hold(k, speeds[1], limit.stiffness)
     });
@@ -65,7 +65,7 @@ pub(super) fn ratio_limits<W: Worksheet>(
             sdof::unbalance_amplitude(u, k, m, sdof::damping_from_ratio(ratio, k, m), speed),
             r,
         );
-        sheet.check("the limit over the whole range of speeds is the same", k, kernel.into());
+        sheet.check("same limit evaluated over the whole speed range", k, kernel.into());
         k
     };
     let soft = permitted.soft.map(|limit| {
@@ -74,7 +74,7 @@ pub(super) fn ratio_limits<W: Worksheet>(
             "MN/m",
             whirl::soft_limit(m, u, r, speeds[0], ratio),
             (
-                "Soft branch: the smaller stiffness whose amplitude at the lowest speed is the clearance",
+                "Supercritical operation: the smaller stiffness for which the amplitude at the lowest speed equals the clearance",
                 RAO.at("§3.7"),
             ),
         );
@@ -86,7 +86,7 @@ pub(super) fn ratio_limits<W: Worksheet>(
             "MN/m",
             whirl::stiff_limit(m, u, r, speeds[1], ratio),
             (
-                "Stiff branch: the larger stiffness whose amplitude at the highest speed is the clearance",
+                "Subcritical operation: the larger stiffness for which the amplitude at the highest speed equals the clearance",
                 RAO.at("§3.7"),
             ),
         );
@@ -104,7 +104,7 @@ pub(super) fn found_limits<W: Worksheet>(
 ) -> Limits<W::Num> {
     let find = |limit: &whirl::Limit, [k, speed, amplitude]: [&'static str; 3], how: &'static str| {
         let k = sheet.found(k, "MN/m", limit.stiffness, (how, RAO.at("§3.7")));
-        let speed = sheet.found(speed, "rpm", limit.speed, "Speed at which its amplitude is largest");
+        let speed = sheet.found(speed, "rpm", limit.speed, "Speed of maximum amplitude");
         let amplitude = sheet.step(
             amplitude,
             "mm",
@@ -118,14 +118,14 @@ pub(super) fn found_limits<W: Worksheet>(
         find(
             limit,
             ["kₛ", "ωₛ", "Xₛ"],
-            "Soft branch: the largest stiffness with (k − mω²)² + (cω)² ≥ (m₀eω²/R)² at every speed of the range",
+            "Supercritical operation: the largest stiffness with (k − mω²)² + (cω)² ≥ (m₀eω²/R)² at every speed of the range",
         )
     });
     let stiff = permitted.stiff.as_ref().map(|limit| {
         find(
             limit,
             ["kₕ", "ωₕ", "Xₕ"],
-            "Stiff branch: the smallest stiffness with (k − mω²)² + (cω)² ≥ (m₀eω²/R)² at every speed of the range",
+            "Subcritical operation: the smallest stiffness with (k − mω²)² + (cω)² ≥ (m₀eω²/R)² at every speed of the range",
         )
     });
     (soft, stiff)

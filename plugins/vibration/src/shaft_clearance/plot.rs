@@ -60,7 +60,8 @@ impl Curve {
             vec![Series::line("X", self.points).of("worst_amplitude")],
         )
         .level("clearance", self.clearance);
-        for (limit, label) in limits.into_iter().zip(["end of the soft branch", "start of the stiff branch"])
+        for (limit, label) in
+            limits.into_iter().zip(["end of the supercritical range", "start of the subcritical range"])
         {
             if let Some(x) = limit.filter(|x| x.is_finite()) {
                 plot = plot.mark(label, (x, self.clearance));

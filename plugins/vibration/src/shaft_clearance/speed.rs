@@ -21,7 +21,7 @@ impl ShaftClearance {
             "e",
             "µm",
             *unbalance / given.mass,
-            ("Distance of the mass centre from the axis", RAO.at("§9.5")),
+            ("Distance of the centre of mass from the axis", RAO.at("§9.5")),
         );
         let k = jeffcott::stiffness(shaft, shaft_given, sheet);
         let natural = sheet.step(
@@ -32,7 +32,7 @@ impl ShaftClearance {
         );
         let zeta = damping_ratio(&given.damping, k, given.mass, sheet);
         sheet.answer("critical_speed", "Critical speed", natural);
-        sheet.check("critical speed and mass give the stiffness back", given.mass * natural.powi(2), k);
+        sheet.check("critical speed and mass reproduce the stiffness", given.mass * natural.powi(2), k);
         let rotor = jeffcott::Whirl { natural, eccentricity, damping_ratio: zeta };
         let permitted = jeffcott::permitted_speeds(&rotor, given.clearance, sheet)?;
         let (natural, eccentricity, ratio) =

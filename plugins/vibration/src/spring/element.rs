@@ -95,7 +95,7 @@ impl<W: Worksheet> Build<'_, W> {
     }
 
     /// Members side by side that move `ratio` times what the whole moves.
-    pub(super) fn felt_through(
+    pub(super) fn reflected_stiffness(
         self,
         ratio: W::Num,
         why: &'static str,
@@ -104,8 +104,8 @@ impl<W: Worksheet> Build<'_, W> {
         let ratio = self.sheet.step(symbol("i", self.place), "1", ratio, why);
         let behind = spring::parallel(members.iter().map(|member| member.stiffness));
         let k = self.step(
-            spring::felt_through(behind, ratio),
-            "Both store the same energy, so the stiffness goes with the square of the ratio",
+            spring::reflected_stiffness(behind, ratio),
+            "Both store the same energy, so the stiffness varies as the square of the ratio",
         );
         self.element(k, Joined::Through(ratio, members))
     }

@@ -131,10 +131,10 @@ impl Words {
     fn of(motion: Motion) -> &'static Self {
         match motion {
             Motion::Translation => &Words {
-                in_series: "Share of the deflection: in series the force is the same",
-                in_parallel: "Share of the force: in parallel the deflection is the same",
-                behind: "Deflection behind the lever, over that of the load",
-                felt: "Force behind the lever, over that of the load",
+                in_series: "Fraction of the deflection: in series the force is the same",
+                in_parallel: "Fraction of the force: in parallel the deflection is the same",
+                behind: "Deflection beyond the lever, over that of the load",
+                felt: "Force beyond the lever, over that of the load",
                 series_check: "the deflections of the members in series add up",
                 parallel_check: "the forces of the members in parallel add up",
                 force_share: "share of the force",
@@ -143,9 +143,9 @@ impl Words {
                 at_rest: [("force", "N"), ("deflection", "mm")],
             },
             Motion::Rotation => &Words {
-                in_series: "Share of the twist: in series the torque is the same",
-                in_parallel: "Share of the torque: in parallel the twist is the same",
-                behind: "Angle behind the gears, over that of the body",
+                in_series: "Fraction of the twist: in series the torque is the same",
+                in_parallel: "Fraction of the torque: in parallel the twist is the same",
+                behind: "Angle beyond the gears, over that of the body",
                 felt: "Torque behind the gears, over that on the body",
                 series_check: "the twists of the members in series add up",
                 parallel_check: "the torques of the members in parallel add up",
@@ -191,7 +191,7 @@ fn table(all: &[Share], motion: Motion, stiffness: f64, loaded: Option<Loaded>) 
         cells
     };
     TableExhibit {
-        title: "What each spring carries".into(),
+        title: "Force in each spring".into(),
         columns,
         rows: all.iter().map(row).collect(),
         foot: Vec::new(),

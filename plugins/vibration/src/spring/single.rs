@@ -27,7 +27,7 @@ pub(super) fn stiffness<W: Worksheet>(
         SpringGiven::SimplySupported { length, distance, young, section } => match distance {
             None => (
                 beam::simply_supported_middle(*young, moment(section)?, *length),
-                ("Stiffness of a simply supported beam at its middle", RAO.at("§1.7")),
+                ("Midspan stiffness of a simply supported beam", RAO.at("§1.7")),
             ),
             Some(distance) => {
                 within(distance, length)?;
@@ -40,7 +40,7 @@ pub(super) fn stiffness<W: Worksheet>(
         SpringGiven::Clamped { length, distance, young, section } => match distance {
             None => (
                 beam::clamped_clamped_middle(*young, moment(section)?, *length),
-                ("Stiffness at its middle of a beam clamped at both ends", RAO.at("§1.7")),
+                ("Midspan stiffness of a beam clamped at both ends", RAO.at("§1.7")),
             ),
             Some(distance) => {
                 within(distance, length)?;
@@ -54,7 +54,7 @@ pub(super) fn stiffness<W: Worksheet>(
             None => (
                 beam::clamped_pinned_middle(*young, moment(section)?, *length),
                 (
-                    "Stiffness at its middle of a beam clamped at one end and pinned at the other",
+                    "Midspan stiffness of a beam clamped at one end and pinned at the other",
                     SHIGLEY.at("table A-9"),
                 ),
             ),
@@ -75,15 +75,15 @@ pub(super) fn stiffness<W: Worksheet>(
         ),
         SpringGiven::Column { length, young, section } => (
             beam::clamped_guided(*young, moment(section)?, *length),
-            ("Stiffness of a column whose end moves sideways without turning", RAO.at("§1.7")),
+            ("Stiffness of a fixed–guided column", RAO.at("§1.7")),
         ),
         SpringGiven::Bar { length, young, section } => {
             let area = area(section, sheet, symbol("A", place))?;
-            (spring::axial(*young, area, *length), ("Stiffness of a bar along its axis", RAO.at("§1.7")))
+            (spring::axial(*young, area, *length), ("Axial stiffness of a bar", RAO.at("§1.7")))
         }
         SpringGiven::TaperedBar { length, young, first_diameter, second_diameter } => {
             let k = spring::tapered_axial(*young, *first_diameter, *second_diameter, *length);
-            return Ok(written(k, "Stiffness of a tapered round bar along its axis".into()));
+            return Ok(written(k, "Axial stiffness of a tapered round bar".into()));
         }
         SpringGiven::TorsionBar { length, shear, section, lever } => {
             let polar = polar_moment(section, sheet, symbol("I_p", place))?;
@@ -124,15 +124,15 @@ pub(super) fn stiffness<W: Worksheet>(
         }
         SpringGiven::Pendulum { mass, length, gravity } => {
             let k = spring::pendulum(*mass, *gravity, *length);
-            return Ok(written(k, "The weight pulls a pendulum back".into()));
+            return Ok(written(k, "The weight is the restoring force of a pendulum".into()));
         }
         SpringGiven::Buoyancy { density, area, gravity } => {
             let k = spring::buoyancy(*density, *gravity, *area);
-            return Ok(written(k, "The buoyancy brings a floating body back".into()));
+            return Ok(written(k, "Buoyancy is the restoring force of a floating body".into()));
         }
         SpringGiven::UTube { density, area, gravity } => {
             let k = spring::u_tube(*density, *gravity, *area);
-            return Ok(written(k, "The weight of the higher column brings the liquid back".into()));
+            return Ok(written(k, "The weight of the higher column restores the liquid level".into()));
         }
         SpringGiven::Series { .. }
         | SpringGiven::Parallel { .. }
@@ -149,6 +149,6 @@ fn within<N: Real>(distance: &N, length: &N) -> Result<(), Refusal> {
         return Ok(());
     }
     Err(Refusal::because(
-        "the load stands at or beyond the far support of its beam: write a distance below the span",
+        "the load acts at or beyond the far support of its beam: write a distance smaller than the span",
     ))
 }

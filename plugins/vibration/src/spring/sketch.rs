@@ -68,7 +68,7 @@ impl Hung for TorsionalSpring {
             TorsionalSpring::Cantilever { .. }
             | TorsionalSpring::SimplySupported { .. }
             | TorsionalSpring::ClampedPinned { .. } => "beam",
-            TorsionalSpring::Arm { .. } => "springs at an arm",
+            TorsionalSpring::Arm { .. } => "springs on an arm",
             TorsionalSpring::Pendulum { .. } => "pendulum",
             TorsionalSpring::Wires { .. } => "hung on wires",
             TorsionalSpring::Gears { .. } => "through gears",

@@ -22,7 +22,8 @@ pub enum TorsionalSpring {
         stiffness: f64,
     },
     /// Shaft in torsion
-    /// A stepped shaft is its parts in series; two shafts from one disc to two walls are parallel.
+    /// A stepped shaft is a series combination of its segments; two shafts from one disc to two walls are in
+    /// parallel.
     Shaft {
         /// Length.
         #[input("L", "m", positive)]
@@ -74,7 +75,7 @@ pub enum TorsionalSpring {
         /// Section.
         section: Section,
     },
-    /// Cantilever turned at its tip
+    /// Cantilever, moment at its tip
     Cantilever {
         /// Length.
         #[input("L", "m", positive)]
@@ -85,7 +86,7 @@ pub enum TorsionalSpring {
         /// Section.
         section: Section,
     },
-    /// Simply supported beam turned at one end
+    /// Simply supported beam, moment at one end
     SimplySupported {
         /// Span.
         #[input("L", "m", positive)]
@@ -96,7 +97,7 @@ pub enum TorsionalSpring {
         /// Section.
         section: Section,
     },
-    /// Beam clamped at one end and turned at its pinned end
+    /// Beam clamped at one end, moment at its pinned end
     ClampedPinned {
         /// Span.
         #[input("L", "m", positive)]
@@ -108,7 +109,7 @@ pub enum TorsionalSpring {
         section: Section,
     },
     /// Linear springs at an arm
-    /// Side by side, square to the arm; small angles.
+    /// Side by side, perpendicular to the arm; small angles.
     Arm {
         /// Arm.
         #[input("r", "m", positive)]
@@ -123,17 +124,17 @@ pub enum TorsionalSpring {
         /// Mass.
         #[input("m", "kg", positive)]
         mass: f64,
-        /// From the pivot down to the mass centre.
+        /// From the pivot down to the centre of mass.
         #[input("l", "m", positive)]
         distance: f64,
         /// Gravity.
         #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
         gravity: f64,
     },
-    /// Hung on parallel wires
-    /// Two, three or more wires at one radius about the mass centre; small angles.
+    /// Suspended on parallel wires
+    /// Two, three or more wires at the same radius about the centre of mass; small angles.
     Wires {
-        /// Mass that hangs.
+        /// Suspended mass.
         #[input("m", "kg", positive)]
         mass: f64,
         /// From the axis to the wires.
@@ -146,7 +147,7 @@ pub enum TorsionalSpring {
         #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
         gravity: f64,
     },
-    /// Felt through gears
+    /// Reflected through gears
     /// The members stand side by side on the other shaft.
     Gears {
         /// Speed of the other shaft over that of this one.
@@ -164,7 +165,7 @@ pub enum TorsionalSpring {
         members: Vec<TorsionalSpring>,
     },
     /// Parallel: side by side
-    /// Every member is twisted alike.
+    /// All members have the same twist.
     Parallel {
         /// Members.
         #[input(min = 1)]
@@ -201,7 +202,11 @@ pub(crate) fn network<W: Worksheet>(
         TorsionalSpringGiven::Parallel { members } => Ok(build.parallel(inside(members)?)),
         TorsionalSpringGiven::Gears { ratio, members } => {
             let members = inside(members)?;
-            Ok(build.felt_through(*ratio, "The other shaft turns this much for this one", members))
+            Ok(build.reflected_stiffness(
+                *ratio,
+                "Rotation of the other shaft per rotation of this one",
+                members,
+            ))
         }
         alone => Ok(build.alone(single(alone, sheet, place)?)),
     }
@@ -227,7 +232,7 @@ fn single<W: Worksheet>(
         ),
         TorsionalSpringGiven::Helical { young, wire_diameter, coil_diameter, coils } => (
             kernel::helical_torsional(*young, *wire_diameter, *coil_diameter, *coils),
-            "A helical spring turned about its axis bends its wire".into(),
+            "Twisting a helical spring about its axis bends the wire".into(),
         ),
         TorsionalSpringGiven::Spiral { length, young, section } => (
             kernel::spiral(*young, moment(section)?, *length),
@@ -235,16 +240,16 @@ fn single<W: Worksheet>(
         ),
         TorsionalSpringGiven::Cantilever { length, young, section } => (
             beam::cantilever_tip_rotation(*young, moment(section)?, *length),
-            ("A couple at the tip of a cantilever turns it by M L/(E I)", BEER.at("app. D")).into(),
+            ("A couple at the tip of a cantilever rotates the tip by M L/(E I)", BEER.at("app. D")).into(),
         ),
         TorsionalSpringGiven::SimplySupported { length, young, section } => (
             beam::simply_supported_end_rotation(*young, moment(section)?, *length),
-            ("A couple at the end of a simply supported beam turns it by M L/(3 E I)", BEER.at("app. D"))
+            ("A couple at the end of a simply supported beam rotates that end by M L/(3 E I)", BEER.at("app. D"))
                 .into(),
         ),
         TorsionalSpringGiven::ClampedPinned { length, young, section } => (
             beam::clamped_pinned_end_rotation(*young, moment(section)?, *length),
-            "A couple at the pinned end of a beam clamped at the other turns it by M L/(4 E I)".into(),
+            "A couple at the pinned end of a beam clamped at the other end rotates the pinned end by M L/(4 E I)".into(),
         ),
         TorsionalSpringGiven::Arm { arm, members } => {
             let springs = |(n, member): (usize, &SpringGiven<W>)| {
@@ -253,16 +258,16 @@ fn single<W: Worksheet>(
             let springs = members.iter().enumerate().map(springs).collect::<Result<Vec<_>, _>>()?;
             (
                 arm.powi(2) * kernel::parallel(springs),
-                ("An angle θ moves the springs by r θ, and their force has the arm r", RAO.at("§1.7")).into(),
+                ("A rotation θ deflects the springs by r θ, and their force has the arm r", RAO.at("§1.7")).into(),
             )
         }
         TorsionalSpringGiven::Pendulum { mass, distance, gravity } => (
             kernel::pendulum_torsional(*mass, *gravity, *distance),
-            "The weight turns a pendulum back".into(),
+            "The weight exerts the restoring moment of a pendulum".into(),
         ),
         TorsionalSpringGiven::Wires { mass, radius, length, gravity } => (
-            kernel::hung_on_wires(*mass, *gravity, *radius, *length),
-            "The wires lean by r θ/l and their tension, the weight in all, turns the body back".into(),
+            kernel::bifilar_stiffness(*mass, *gravity, *radius, *length),
+            "The wires lean by r θ/l and their tension, in total the weight, restores the body".into(),
         ),
         TorsionalSpringGiven::Gears { .. }
         | TorsionalSpringGiven::Series { .. }
@@ -284,7 +289,7 @@ fn label<W: Worksheet>(given: &TorsionalSpringGiven<W>) -> &'static str {
         TorsionalSpringGiven::Cantilever { .. } => "cantilever",
         TorsionalSpringGiven::SimplySupported { .. } => "simply supported beam",
         TorsionalSpringGiven::ClampedPinned { .. } => "clamped and pinned beam",
-        TorsionalSpringGiven::Arm { .. } => "springs at an arm",
+        TorsionalSpringGiven::Arm { .. } => "springs on an arm",
         TorsionalSpringGiven::Pendulum { .. } => "pendulum",
         TorsionalSpringGiven::Wires { .. } => "hung on wires",
         TorsionalSpringGiven::Gears { .. } => "through gears",

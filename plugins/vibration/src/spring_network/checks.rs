@@ -57,7 +57,7 @@ pub(super) struct Shown<N> {
 }
 
 /// Holds the harmonic motion to the power of the dampers and to the energies of springs and masses.
-pub(super) fn shaken<W: Worksheet>(
+pub(super) fn harmonic_response<W: Worksheet>(
     system: &Network,
     omega: f64,
     moved: &[Complex<f64>],
@@ -71,13 +71,13 @@ pub(super) fn shaken<W: Worksheet>(
     // The products of the equations of the nodes with their motions are summed up.
     let error = f64::EPSILON * moved.len() as f64 * size;
     sheet.check_residual(
-        "the power of the force is the power that the dampers take",
+        "the power of the force equals the power dissipated by the dampers",
         W::Num::from(whole.value() * shown.lag.value().sin() - taken),
         whole.value(),
         error,
     );
     sheet.check_sum(
-        "the force in phase with the motion holds springs and masses, F X cos φ = Σ k|Δx|² − ω² Σ m|x|²",
+        "the force component in phase with the motion balances spring and inertia forces, F X cos φ = Σ k|Δx|² − ω² Σ m|x|²",
         whole * shown.lag.cos(),
         held.into(),
         size,
@@ -96,7 +96,7 @@ pub(super) fn shaken<W: Worksheet>(
         error,
     );
     sheet.check(
-        "the squares of both parts of the dynamic stiffness make that of its magnitude",
+        "the squares of the real and imaginary parts of the dynamic stiffness sum to the square of its magnitude",
         shown.storage.powi(2) + shown.loss.powi(2),
         shown.dynamic.powi(2),
     );
@@ -118,14 +118,14 @@ pub(super) fn free<W: Worksheet>(system: &Network, root: Complex<f64>, ratio: Op
     let size: f64 = terms.iter().map(|term| term.norm()).sum();
     let left: Complex<f64> = terms.iter().sum();
     sheet.check_residual(
-        "in the shape of the motion its frequency meets m s² + c s + k = 0, summed over all elements",
+        "for the mode shape, the frequency satisfies m s² + c s + k = 0, summed over all elements",
         W::Num::from(left.norm() / size),
         1.0,
         error,
     );
     if let Some(ratio) = ratio {
         sheet.check_residual(
-            "damping ratio from the shape of the motion, c/2√(k m) summed over all elements",
+            "damping ratio from the mode shape, c/2√(k m) summed over all elements",
             ratio - damping / (2.0 * (stiffness * inertia).sqrt()),
             1.0,
             error,

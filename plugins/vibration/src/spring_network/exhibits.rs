@@ -33,7 +33,7 @@ impl SpringNetwork {
             ]
         };
         TableExhibit {
-            title: "What each spring carries".into(),
+            title: "Force in each spring".into(),
             columns: vec![
                 column("element", ""),
                 column("from", ""),
@@ -63,7 +63,7 @@ impl SpringNetwork {
             ]
         };
         TableExhibit {
-            title: "What each element carries under the harmonic force".into(),
+            title: "Force in each element under the harmonic force".into(),
             columns: vec![
                 column("element", ""),
                 column("from", ""),
@@ -90,7 +90,8 @@ impl SpringNetwork {
         let points: u16 = if self.nodes.len() <= 12 { 150 } else { 50 };
         let at = |n: u16| {
             let frequency = last * f64::from(n) / f64::from(points);
-            let amplitude = system.shaken(&forces, frequency).map_or(f64::NAN, |x| x[self.loaded.0].norm());
+            let amplitude =
+                system.harmonic_response(&forces, frequency).map_or(f64::NAN, |x| x[self.loaded.0].norm());
             (frequency, amplitude / self.force)
         };
         Plot::new(
@@ -114,7 +115,7 @@ pub(super) fn roots_table(roots: &[Complex<f64>]) -> TableExhibit {
         ]
     };
     TableExhibit {
-        title: "Exact roots s of the free motion".into(),
+        title: "Exact roots s of the free vibration".into(),
         columns: vec![
             column("real part", "1/s"),
             column("imaginary part", "rad/s"),

@@ -20,17 +20,16 @@ pub(super) fn one_point<W: Worksheet>(
         "λ",
         "mm",
         swing::reduced_length(gravity, period),
-        ("Length of the simple pendulum that swings as slowly: T² = 4π² λ/g", RAO.at("§2.3")),
+        ("Length of the simple pendulum of equal period: T² = 4π² λ/g", RAO.at("§2.3")),
     );
     sheet.answer(
         "reduced_length",
-        "Length of the equal simple pendulum, to the centre of percussion",
+        "Length of the equivalent simple pendulum, to the centre of percussion",
         reduced,
     );
     if reduced.value() <= distance.value() {
         return Err(Refusal::because(
-            "the period is that of a simple pendulum shorter than the distance to the mass centre: no body swings so fast, \
-             write a longer period or a smaller distance",
+            "the period is that of a simple pendulum shorter than the distance to the centre of mass, which is impossible: write a longer period or a smaller distance",
         ));
     }
     let about = sheet.step(
@@ -44,16 +43,16 @@ pub(super) fn one_point<W: Worksheet>(
         "J",
         "kg*m^2",
         about - mass * distance.powi(2),
-        "Parallel axes: that about the mass centre is smaller by m s²",
+        "Parallel-axis theorem: the moment of inertia about the centre of mass is smaller by m s²",
     );
     let gyration = (inertia / mass).sqrt();
     sheet.verify(|| {
         let swings = ((gyration.powi(2) + distance.powi(2)) / (gravity * distance)).sqrt() * TAU;
-        sheet.check("the radius of gyration gives the period back", swings, period);
+        sheet.check("the radius of gyration reproduces the period", swings, period);
     });
     if inertia.value() < 0.02 * about.value() {
         sheet.warn(|| {
-            Text::new("the moment of inertia is a small difference of large ones: errors of the distance and the period are multiplied; hang the body nearer to its mass centre")
+            Text::new("the moment of inertia is a small difference of large values: errors of distance and period are amplified; suspend the body closer to its centre of mass")
         });
     }
     Ok((inertia, gyration))
@@ -81,7 +80,7 @@ pub(super) fn two_points<W: Worksheet>(
             ("λ", row),
             "mm",
             swing::reduced_length(gravity, periods[row - 1]),
-            ("Length of the simple pendulum that swings as slowly", RAO.at("§2.3")),
+            ("Length of the simple pendulum of equal period", RAO.at("§2.3")),
         )
     };
     let (first, second) = (reduced(1), reduced(2));
@@ -92,8 +91,7 @@ pub(super) fn two_points<W: Worksheet>(
     };
     if rest.abs() <= 1e-9 * length {
         return Err(Refusal::because(
-            "the two points belong together like those of a reversible pendulum: every mass centre between them fits, \
-             choose other points",
+            "the two points are conjugate like those of a reversible pendulum: every centre of mass between them fits, choose other points",
         ));
     }
     let [near, far] = match side {
@@ -102,35 +100,35 @@ pub(super) fn two_points<W: Worksheet>(
                 ("h", 1),
                 "mm",
                 swing::centre_between(distance, first, second),
-                "From the first point to the mass centre: h₁² − λ₁ h₁ = h₂² − λ₂ h₂ = −κ², with h₁ + h₂ = L",
+                "From the first point to the centre of mass: h₁² − λ₁ h₁ = h₂² − λ₂ h₂ = −κ², with h₁ + h₂ = L",
             );
-            [near, sheet.step(("h", 2), "mm", distance - near, "From the second point to the mass centre")]
+            [near, sheet.step(("h", 2), "mm", distance - near, "From the second point to the centre of mass")]
         }
         Side::Beyond => {
             let far = sheet.step(
                 ("h", 1),
                 "mm",
                 swing::centre_beyond(distance, first, second),
-                "From the first point to the mass centre beyond the second one: h₁² − λ₁ h₁ = h₂² − λ₂ h₂ = −κ², with h₁ − h₂ = L",
+                "From the first point to the centre of mass beyond the second point: h₁² − λ₁ h₁ = h₂² − λ₂ h₂ = −κ², with h₁ − h₂ = L",
             );
-            [far, sheet.step(("h", 2), "mm", far - distance, "From the second point to the mass centre")]
+            [far, sheet.step(("h", 2), "mm", far - distance, "From the second point to the centre of mass")]
         }
     };
     let inside = near.value() > 0.0 && far.value() > 0.0;
     if !inside || first.value() <= near.value() {
         return Err(Refusal::because(
-            "no mass centre on this side fits the two periods: look whether it is between the points or beyond the second one",
+            "no centre of mass on this side fits the two periods: check whether it is between the points or beyond the second one",
         ));
     }
-    sheet.answer("centre", "Mass centre from the first point", near);
+    sheet.answer("centre", "Centre of mass from the first point", near);
     let inertia = sheet.step(
         "J",
         "kg*m^2",
         mass * near * (first - near),
-        "Moment of inertia about the mass centre: m κ² = m h₁ (λ₁ − h₁)",
+        "Moment of inertia about the centre of mass: m κ² = m h₁ (λ₁ − h₁)",
     );
     sheet.check_zero(
-        "the swings about the second point give the same moment of inertia",
+        "the oscillation about the second point gives the same moment of inertia",
         inertia - mass * far * (second - far),
         (mass * far * second).value().abs() + (mass * near * first).value().abs(),
     );
@@ -138,14 +136,14 @@ pub(super) fn two_points<W: Worksheet>(
     sheet.verify(|| {
         let swings = ((gyration.powi(2) + far.powi(2)) / (gravity * far)).sqrt() * TAU;
         sheet.check_zero(
-            "the radius of gyration gives the second period back",
+            "the radius of gyration reproduces the second period",
             swings - periods[1],
             periods[1].value() * (1.0 + length / rest.abs()),
         );
     });
     if rest.abs() < 0.05 * length {
         sheet.warn(|| {
-            Text::new("the two periods nearly belong to a reversible pendulum: small errors of them move the mass centre far")
+            Text::new("the two periods are almost those of a reversible pendulum: small errors in them shift the centre of mass greatly")
         });
     }
     Ok(Centre { inertia, gyration, distances: [near, far] })
@@ -162,7 +160,7 @@ pub(super) fn period_over_distance(gyration: f64, gravity: f64, marks: &[(&'stat
     let shortest = 2.0 * PI * (2.0 * gyration / gravity).sqrt();
     let points = (1..=300).map(at).filter(|(_, period)| *period < 4.0 * shortest).collect();
     let plot = Plot::new(
-        "Period against the distance of the point of suspension from the mass centre",
+        "Period against the distance of the point of suspension from the centre of mass",
         Axis::linear("distance", "mm"),
         Axis::linear("period", "s"),
         vec![Series::line("T", points)],
@@ -170,7 +168,7 @@ pub(super) fn period_over_distance(gyration: f64, gravity: f64, marks: &[(&'stat
     marks
         .iter()
         .fold(plot, |plot, (label, distance, period)| plot.mark(*label, (*distance, *period)))
-        .mark("shortest period", (gyration, shortest))
+        .mark("minimum period", (gyration, shortest))
 }
 
 /// The body with its points of suspension, at parts of the distance of the first above the mass centre.

@@ -40,7 +40,7 @@ pub(super) fn on_wires<W: Worksheet>(
                 "h",
                 "mm",
                 (length.powi(2) - (top - radius).powi(2)).sqrt(),
-                "Vertical distance of the two ends of a wire",
+                "Vertical distance between the two ends of a wire",
             )
         }
     };
@@ -60,7 +60,7 @@ pub(super) fn on_wires<W: Worksheet>(
                 let lifted = lifted(radius.value(), above.value(), height.value());
                 let stiffness = given.mass.value() * gravity.value() * lifted;
                 sheet.check(
-                    "period of the platform alone from the height by which it is lifted as it turns",
+                    "period of the platform alone from its rise as it rotates",
                     W::Num::from((alone.value() / stiffness).sqrt() * TAU),
                     empty,
                 );
@@ -68,11 +68,11 @@ pub(super) fn on_wires<W: Worksheet>(
             let both = sheet.step("J_s", "kg*m^2", of((mass + given.mass) * gravity, time), why);
             if alone.value() >= both.value() {
                 return Err(Refusal::because(
-                    "the platform with the body has no larger moment of inertia than the platform alone: look at the periods",
+                    "the moment of inertia of the platform with the body is not larger than that of the platform alone: check the periods",
                 ));
             }
             sheet.answer("platform", "Moment of inertia of the platform", alone);
-            let inertia = sheet.step("J", "kg*m^2", both - alone, "What the body adds to the platform");
+            let inertia = sheet.step("J", "kg*m^2", both - alone, "Contribution of the body to the platform");
             ((mass + given.mass, both), inertia)
         }
         _ => {
@@ -85,7 +85,7 @@ pub(super) fn on_wires<W: Worksheet>(
         let stiffness =
             mass.value() * gravity.value() * lifted(radius.value(), above.value(), height.value());
         sheet.check(
-            "period from the height by which the body is lifted as it turns",
+            "period from the rise of the body as it rotates",
             W::Num::from((inertia.value() / stiffness).sqrt() * TAU),
             time,
         );
@@ -122,7 +122,7 @@ pub(super) fn on_torsion_wire<W: Worksheet>(
             let longer = period(swings, own, "a", sheet);
             if longer.value() <= time.value() {
                 return Err(Refusal::because(
-                    "the period with the added inertia is not longer than without it: look which is which",
+                    "the period with the added inertia is not longer than without it: check which is which",
                 ));
             }
             let why = (
@@ -137,7 +137,7 @@ pub(super) fn on_torsion_wire<W: Worksheet>(
         (WireGiven::Reference { inertia: known, swings }, Wire::Reference { swings: own, .. }) => {
             let known = inertia::moment_of_inertia(known, sheet, "J_k".into());
             let other = period(swings, own, "k", sheet);
-            let why = "The stiffness is the same: moments of inertia are as the squares of the periods";
+            let why = "The stiffness is the same: the moments of inertia are proportional to the squares of the periods";
             let inertia = sheet.step("J", "kg*m^2", known * (time / other).powi(2), why);
             (inertia, known * (4.0 * PI * PI) / other.powi(2))
         }
@@ -146,7 +146,7 @@ pub(super) fn on_torsion_wire<W: Worksheet>(
             let inertia = sheet.step("J", "kg*m^2", *stiffness * time.powi(2) / (4.0 * PI * PI), why);
             (inertia, *stiffness)
         }
-        _ => return Err(Refusal::because("what is known of the wire is missing: write it")),
+        _ => return Err(Refusal::because("the properties of the wire are missing: write them")),
     };
     let stiffness = if matches!(wire, Wire::Stiffness { .. }) {
         stiffness
@@ -204,7 +204,7 @@ pub(super) fn rails() -> Drawing {
         DrawnShape::Label((0.1, 1.2), Text::from("R")),
         DrawnShape::Label((at.0 + 0.05, at.1), Text::from("ρ")),
     ];
-    Drawing { title: "The journal in the hollow rail".into(), shapes }
+    Drawing { title: "The journal on the concave rail".into(), shapes }
 }
 
 /// A journal on an inclined rail.

@@ -23,16 +23,16 @@ pub enum Damping {
     /// A damping ratio for each mode
     Ratios {
         /// Damping ratios.
-        /// One a line, from the lowest mode up; the last one stands for all higher modes.
+        /// One per line, from the lowest mode up; the last applies to all higher modes.
         #[input(table)]
         ratios: Vec<ModeRatio>,
     },
     /// Rayleigh damping C = αM + βK
     Rayleigh {
-        /// Share of the masses.
+        /// Mass-proportional coefficient.
         #[input("α", "1/s", nonnegative)]
         alpha: f64,
-        /// Share of the stiffness.
+        /// Stiffness-proportional coefficient.
         #[input("β", "s", nonnegative)]
         beta: f64,
     },
@@ -152,8 +152,7 @@ pub(crate) fn in_modes<W: Worksheet>(
             if alpha.value() < 0.0 || beta.value() < 0.0 {
                 sheet.warn(|| {
                     Text::new(
-                        "one of α and β is negative: between the two frequencies the damping fits, beyond them it \
-                         becomes negative and the motion grows",
+                        "α or β is negative: between the two frequencies the damping fits, outside them it becomes negative and the motion grows",
                     )
                 });
             }

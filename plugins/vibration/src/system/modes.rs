@@ -23,7 +23,7 @@ pub(crate) const SHOWN: usize = 8;
 pub(crate) fn refusal(error: ModesError) -> Refusal {
     match error {
         ModesError::Unstable { .. } => Refusal::because(
-            "the stiffness matrix is indefinite: the position of rest is unstable, not a vibration",
+            "the stiffness matrix is indefinite: the rest position is unstable and does not vibrate",
         ),
         ModesError::Linalg(LinalgError::NotPositiveDefinite { .. }) => Refusal::because(
             "the mass matrix is not positive definite: some motion has no kinetic energy, so it has no frequency",
@@ -36,11 +36,9 @@ pub(crate) fn refusal(error: ModesError) -> Refusal {
             Refusal::because(why.with("row", row).with("column", column))
         }
         ModesError::Linalg(LinalgError::NotFinite) => {
-            Refusal::because("masses, springs and dampers differ so much in size that numbers overflow")
+            Refusal::because("masses, springs and dampers differ so much in magnitude that numbers overflow")
         }
-        ModesError::Linalg(_) => {
-            Refusal::because("the modes cannot be found to the digits that an answer needs")
-        }
+        ModesError::Linalg(_) => Refusal::because("the modes cannot be computed with sufficient accuracy"),
     }
 }
 
@@ -81,7 +79,7 @@ pub(crate) fn find<W: Worksheet>(system: &Assembled<W::Num>, sheet: W) -> Result
     if let Some(mode) = same {
         sheet.warn(|| {
             Text::new(
-                "modes {first} and {second} have the same frequency: any sum of their shapes is a mode too",
+                "modes {first} and {second} have the same frequency: any linear combination of their shapes is also a mode",
             )
             .with("first", mode)
             .with("second", mode + 1)
@@ -115,7 +113,7 @@ pub(crate) fn agreement<W: Worksheet>(two: &TwoModes<W::Num>, modes: &NaturalMod
         let rows = [0, 1].map(|row| modes.shapes.row(row).norm());
         let error = turned * (ratio.value().abs() * rows[0] + rows[1] + second.abs());
         sheet.check_residual(
-            Text::new("shape {mode} from the eigenvectors of M⁻¹K").with("mode", mode + 1),
+            Text::new("mode shape {mode} from the eigenvectors of M⁻¹K").with("mode", mode + 1),
             (second - shape[1]).into(),
             second.abs().max(shape[1].abs()),
             error,
@@ -131,12 +129,16 @@ fn checks<W: Worksheet>(system: &Assembled<W::Num>, modes: &NaturalModes, freque
     };
     let shapes = &modes.shapes;
     let mass = shapes.transpose() * &system.mass * shapes;
-    sheet.check_zero("the modes are orthogonal in the masses: φᵢᵀMφⱼ = 0", off_diagonal(&mass).into(), 1.0);
+    sheet.check_zero(
+        "the modes are orthogonal with respect to the mass matrix: φᵢᵀMφⱼ = 0",
+        off_diagonal(&mass).into(),
+        1.0,
+    );
     let stiffness = shapes.transpose() * &system.stiffness * shapes;
     let largest = modes.squares.last().copied().unwrap_or(0.0);
     if largest > 0.0 {
         sheet.check_zero(
-            "the modes are orthogonal in the stiffness: φᵢᵀKφⱼ = 0",
+            "the modes are orthogonal with respect to the stiffness matrix: φᵢᵀKφⱼ = 0",
             off_diagonal(&stiffness).into(),
             largest,
         );
@@ -145,7 +147,7 @@ fn checks<W: Worksheet>(system: &Assembled<W::Num>, modes: &NaturalModes, freque
         let square = frequency.value().powi(2);
         if square > 1e-6 * largest {
             sheet.check(
-                Text::new("mode {mode}: largest potential energy φᵀKφ/2 = largest kinetic energy ω²φᵀMφ/2")
+                Text::new("mode {mode}: maximum potential energy φᵀKφ/2 = maximum kinetic energy ω²φᵀMφ/2")
                     .with("mode", mode + 1),
                 stiffness[(mode, mode)].into(),
                 frequency.powi(2) * mass[(mode, mode)],

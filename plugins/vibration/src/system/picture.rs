@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Drawing, DrawnShape, Film, Ink, Point, Text};
+use dalembert_core::{Animation, Drawing, DrawnShape, Ink, Point, Text};
 
 use super::{Ends, System};
 
@@ -22,7 +22,7 @@ pub(crate) fn at_rest(system: &System) -> Drawing {
 }
 
 /// A mode as it moves; the largest entry of the shape must be 1.
-pub(crate) fn mode(system: &System, place: usize, shape: &[f64]) -> Film {
+pub(crate) fn mode(system: &System, place: usize, shape: &[f64]) -> Animation {
     let frames = (0..FRAMES)
         .map(|frame| {
             let turn = (TAU * frame as f64 / FRAMES as f64).cos();
@@ -30,7 +30,7 @@ pub(crate) fn mode(system: &System, place: usize, shape: &[f64]) -> Film {
             shapes(system, &moved, false)
         })
         .collect();
-    Film::new(Text::new("Mode {mode}").with("mode", place), frames, 2.0)
+    Animation::new(Text::new("Mode {mode}").with("mode", place), frames, 2.0)
 }
 
 fn size(system: &System) -> usize {

@@ -21,13 +21,13 @@ pub(crate) fn solve<W: Worksheet>(
 ) -> Result<TwoModes<W::Num>, Refusal> {
     let unstable = || {
         Refusal::because(
-            "the stiffness matrix is indefinite: the position of rest is unstable, not a vibration",
+            "the stiffness matrix is indefinite: the rest position is unstable and does not vibrate",
         )
     };
     if k11.value() < 0.0 || k22.value() < 0.0 {
         return Err(unstable());
     }
-    let why = "Square of the frequency of one coordinate alone, the other held";
+    let why = "Square of the frequency of one coordinate alone, the other fixed";
     let first = sheet.step(("Λ", 1), "rad^2/s^2", k11 / masses[0], why);
     let second = sheet.step(("Λ", 2), "rad^2/s^2", k22 / masses[1], why);
     let coupling = sheet.step(

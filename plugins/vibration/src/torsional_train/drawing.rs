@@ -1,8 +1,8 @@
-//! Drawings and films of a train: discs along their shafts, amplitudes as ordinates.
+//! Drawings and animations of a train: discs along their shafts, amplitudes as ordinates.
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Drawing, DrawnShape, Film, Ink, Text};
+use dalembert_core::{Animation, Drawing, DrawnShape, Ink, Text};
 
 use super::{Inertia, TorsionalTrain, verbatim};
 
@@ -10,7 +10,7 @@ use super::{Inertia, TorsionalTrain, verbatim};
 const DISC: f64 = 0.7;
 const AMPLITUDE: f64 = 0.9;
 const LINE: f64 = 3.0;
-/// Frames of a film.
+/// Frames of an animation.
 const FRAMES: u16 = 24;
 
 /// Where the discs are drawn.
@@ -68,7 +68,7 @@ impl Layout {
     }
 
     /// A mode, with the amplitudes of the discs as they are; the largest fills the height.
-    pub(super) fn film(&self, problem: &TorsionalTrain, mode: usize, shape: &[f64]) -> Film {
+    pub(super) fn animation(&self, problem: &TorsionalTrain, mode: usize, shape: &[f64]) -> Animation {
         let largest = shape.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
         let frame = |n: u16| {
             let now = AMPLITUDE / largest * (TAU * f64::from(n) / f64::from(FRAMES)).cos();
@@ -87,7 +87,7 @@ impl Layout {
             shapes.push(DrawnShape::Circle((0.0, self.lowest() - AMPLITUDE - 0.3), 0.01, Ink::Faint));
             shapes
         };
-        Film::new(
+        Animation::new(
             Text::new("Mode {mode}: angle of twist along the shafts").with("mode", mode),
             (0..FRAMES).map(frame).collect(),
             2.0,

@@ -26,7 +26,7 @@ pub(super) fn frequencies(
     );
     let mut rows = Vec::new();
     if rigid {
-        let mut row: Vec<Cell> = vec!["turns as a whole".into(), Cell::Number(0.0), Cell::Number(0.0)];
+        let mut row: Vec<Cell> = vec!["rigid-body rotation".into(), Cell::Number(0.0), Cell::Number(0.0)];
         row.resize(columns.len(), Cell::Empty);
         rows.push(row);
     }
@@ -126,13 +126,13 @@ pub(super) fn residual(train: &Train, modes: &[Mode]) -> Plot {
         (frequency, train.residual(frequency))
     };
     Plot::new(
-        "Holzer residual against the trial frequency",
+        "Holzer residual torque against trial frequency",
         Axis::linear("trial frequency", "rad/s"),
-        Axis::linear("torque left over, as a part of all inertia torques", "1"),
+        Axis::linear("residual torque / sum of all inertia torques", "1"),
         vec![
             Series::line("residual", (1..=400).map(at).collect()),
             Series::dots("natural frequencies", shown.iter().map(|mode| (mode.frequency, 0.0)).collect()),
         ],
     )
-    .level("nothing left over", 0.0)
+    .level("zero residual", 0.0)
 }

@@ -20,15 +20,14 @@ pub(super) fn forced<W: Worksheet>(
     for torque in &torques.torques {
         let Some(station) = reduced.station_of[torque.disc.0] else {
             return Err(Refusal::because(
-                "a torque acts on a disc that is held, so it shakes nothing: write a disc that turns",
+                "a torque acts on a fixed disc, so it excites nothing: write a disc that can rotate",
             ));
         };
         loads[station] += torque.amplitude * reduced.speed(torque.disc.0);
     }
     let amplitudes = reduced.train.steady(&loads, frequency).map_err(|error| refusal(&error))?;
     let why = (
-        "Steady amplitude: each disc is in equilibrium with its shafts, its inertia torque and the torque on it; \
-         negative where it moves against the torques",
+        "Steady-state amplitude: equilibrium of each disc under its shaft torques, its inertia torque and the applied torque; negative where it moves against the torques",
         DEN_HARTOG.at("ch. 5"),
     );
     let mut table = Vec::new();
@@ -39,7 +38,7 @@ pub(super) fn forced<W: Worksheet>(
         let actual = amplitudes[station] * reduced.speed(disc);
         table.push((disc, actual));
         if table.len() <= MOST_AMPLITUDES {
-            let why = if table.len() == 1 { Why::from(why) } else { Why::from("In the same way") };
+            let why = if table.len() == 1 { Why::from(why) } else { Why::from("Similarly") };
             let found = sheet.found(("Θ", disc + 1), "rad", actual, why);
             sheet.answer(("amplitude", disc + 1), "Amplitude of disc", found);
             answered[station] = found.value() / reduced.speed(disc);
@@ -89,11 +88,7 @@ fn verify<W: Worksheet>(
             size += torque.abs();
         }
     }
-    sheet.check_zero(
-        "torques, inertia torques and torques on the walls add up to zero",
-        W::Num::from(sum),
-        size,
-    );
+    sheet.check_zero("torques, inertia torques and wall torques sum to zero", W::Num::from(sum), size);
 
     // Light stations follow the others quasi-statically, so that the modes alone miss them.
     if inertias.iter().all(|inertia| *inertia > 0.0) {

@@ -123,7 +123,7 @@ pub(super) fn reduce<W: Worksheet>(
                 Some(speed) => sheet.step(
                     ("J'", disc + 1),
                     "kg*m^2",
-                    kernel::felt_through(inertia, speed),
+                    kernel::reflected_stiffness(inertia, speed),
                     (
                         "Reduced to the speed of the first disc: the kinetic energy is the same",
                         BEVAN.at("ch. 15"),
@@ -139,7 +139,7 @@ pub(super) fn reduce<W: Worksheet>(
                 ("J_g", station.discs[0] + 1),
                 "kg*m^2",
                 W::Num::sum(parts),
-                "Gears in mesh turn as one: their reduced moments of inertia add up",
+                "Meshing gears rotate together: their reduced moments of inertia add up",
             )),
         };
     }
@@ -153,7 +153,7 @@ pub(super) fn reduce<W: Worksheet>(
             Some(speed) => sheet.step(
                 ("k'", n + 1),
                 "N*m/rad",
-                kernel::felt_through(element.stiffness, speed),
+                kernel::reflected_stiffness(element.stiffness, speed),
                 (
                     "Reduced to the speed of the first disc: the elastic energy is the same",
                     BEVAN.at("ch. 15"),
@@ -182,7 +182,7 @@ fn walk(problem: &TorsionalTrain) -> Result<Walk, Refusal> {
         }
         if problem.discs[a].is_held() && problem.discs[b].is_held() {
             return Err(Refusal::because(
-                Text::new("{first} and {second} are both held: leave out the shaft between them")
+                Text::new("{first} and {second} are both fixed: omit the shaft between them")
                     .with("first", name(a))
                     .with("second", name(b)),
             ));
@@ -195,8 +195,10 @@ fn walk(problem: &TorsionalTrain) -> Result<Walk, Refusal> {
         for disc in [a, b] {
             if problem.discs[disc].is_held() {
                 return Err(Refusal::because(
-                    Text::new("{disc} is held, so it cannot be geared to another: let it turn or leave out the gears")
-                        .with("disc", name(disc)),
+                    Text::new(
+                        "{disc} is fixed, so it cannot be geared to another: let it rotate or omit the gears",
+                    )
+                    .with("disc", name(disc)),
                 ));
             }
         }
@@ -211,7 +213,7 @@ fn walk(problem: &TorsionalTrain) -> Result<Walk, Refusal> {
     }
     let turning = |disc: &usize| !problem.discs[*disc].is_held();
     let Some(first) = (0..count).find(turning) else {
-        return Err(Refusal::because("every disc is held: let at least one turn"));
+        return Err(Refusal::because("all discs are fixed: let at least one rotate"));
     };
     let mut reached = vec![false; count];
     reached[first] = true;
@@ -225,7 +227,7 @@ fn walk(problem: &TorsionalTrain) -> Result<Walk, Refusal> {
             }
             if reached[other] {
                 return Err(Refusal::because(
-                    Text::new("shafts and gears close a loop at {disc}: a train has none; join parallel shafts into one")
+                    Text::new("shafts and gears form a closed loop at {disc}, which is not allowed in a train; join parallel shafts into one")
                         .with("disc", name(other)),
                 ));
             }
@@ -236,7 +238,7 @@ fn walk(problem: &TorsionalTrain) -> Result<Walk, Refusal> {
     match (0..count).filter(turning).find(|disc| !reached[*disc]) {
         None => Ok(walk),
         Some(apart) => Err(Refusal::because(
-            Text::new("{disc} is not joined to {first} by shafts or gears that can turn: join it or solve it on its own")
+            Text::new("{disc} is not joined to {first} by shafts or gears that can rotate: join it or analyse it separately")
                 .with("disc", name(apart))
                 .with("first", name(first)),
         )),

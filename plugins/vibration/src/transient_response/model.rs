@@ -107,7 +107,7 @@ pub(super) fn model<W: Worksheet>(
                 ForceSizeGiven::Largest { force } => *force,
                 ForceSizeGiven::Impulse { impulse } => from_impulse(*impulse, course_given, sheet)?,
             };
-            let why = ("Displacement that the largest force would hold statically", RAO.at("§4.6"));
+            let why = ("Static displacement under the maximum force", RAO.at("§4.6"));
             let size = sheet.step("δ", "mm", force / stiffness()?, why);
             of_course(size, size.value(), course, course_given, system, start, sheet)
         }
@@ -116,8 +116,7 @@ pub(super) fn model<W: Worksheet>(
             ExcitationGiven::BaseAcceleration { acceleration, course: course_given },
         ) => {
             let why = (
-                "The mass seen from the base moves as under the force −m ÿ: displacement that its largest value \
-                 would hold",
+                "The mass relative to the base moves as under the force −m ÿ: static displacement under its maximum value",
                 THOMSON.at("§4.2"),
             );
             let size = sheet.step("δ", "mm", -(*acceleration / system.natural.powi(2)), why);
@@ -137,7 +136,7 @@ pub(super) fn model<W: Worksheet>(
         }
         (_, ExcitationGiven::Impulse { impulse }) => {
             let mass = system.body.ok_or_else(massless)?.mass;
-            let why = ("The impulse gives the mass its momentum at once", RAO.at("§4.5"));
+            let why = ("The impulse instantaneously gives the mass its momentum", RAO.at("§4.5"));
             let velocity = sheet.step("v₀", "m/s", *impulse / mass, why);
             let state = State { displacement: 0.0, velocity: velocity.value() };
             Ok(free(start(state, Vec::new())?, vec![Term::new(Unit::Impulse).times(velocity)]))
@@ -209,12 +208,12 @@ fn terms<W: Worksheet>(given: &CourseGiven<W>, system: &System<W::Num>, sheet: W
         CourseGiven::Triangular { duration, peak } => {
             let peak = match peak {
                 Some(peak) => *peak,
-                None => sheet.step("t_p", "s", *duration / 2.0, "The peak stands in the middle of the pulse"),
+                None => sheet.step("t_p", "s", *duration / 2.0, "The peak is at the middle of the pulse"),
             };
             triangle(*duration, peak)
         }
         CourseGiven::HalfSine { duration } => {
-            let why = "Frequency of the sine of which the pulse is a half wave";
+            let why = "Frequency of the sine of which the pulse is one half-wave";
             let frequency = sheet.step("Ω", "rad/s", W::Num::from(std::f64::consts::PI) / *duration, why);
             let ratio = sheet.step("r", "1", frequency / system.natural, "Frequency ratio of that sine");
             let sine = || Term::new(Unit::Sine(frequency, ratio));
@@ -251,21 +250,21 @@ fn triangle<N: Real>(duration: N, peak: N) -> Vec<Term<N>> {
 fn from_impulse<W: Worksheet>(impulse: W::Num, course: &CourseGiven<W>, sheet: W) -> Result<W::Num, Refusal> {
     let (force, why) = match course {
         CourseGiven::Rectangular { duration } => {
-            (impulse / *duration, "Largest force: the impulse is the area of the rectangle, F₀t_d")
+            (impulse / *duration, "Maximum force: the impulse is the area of the rectangle, F₀t_d")
         }
         CourseGiven::Triangular { duration, .. } => {
-            (impulse * 2.0 / *duration, "Largest force: the impulse is the area of the triangle, F₀t_d/2")
+            (impulse * 2.0 / *duration, "Maximum force: the impulse is the area of the triangle, F₀t_d/2")
         }
         CourseGiven::HalfSine { duration } => (
             impulse * std::f64::consts::PI / (*duration * 2.0),
-            "Largest force: the impulse is the area of the half sine, 2F₀t_d/π",
+            "Maximum force: the impulse is the area of the half sine, 2F₀t_d/π",
         ),
         CourseGiven::Exponential { constant } => {
-            (impulse / *constant, "Largest force: the impulse is the area under the exponential, F₀τ")
+            (impulse / *constant, "Maximum force: the impulse is the area under the exponential, F₀τ")
         }
         CourseGiven::Step {} | CourseGiven::Ramp { .. } | CourseGiven::RampStep { .. } => {
             return Err(Refusal::because(
-                "a load that is held has no finite impulse: give its largest force, or choose a pulse",
+                "a sustained load has no finite impulse: give its maximum force, or choose a pulse",
             ));
         }
     };
@@ -273,7 +272,7 @@ fn from_impulse<W: Worksheet>(impulse: W::Num, course: &CourseGiven<W>, sheet: W
 }
 
 fn massless() -> Refusal {
-    Refusal::because("a force moves a mass: give the mass beside the natural frequency")
+    Refusal::because("a force moves a mass: give the mass in addition to the natural frequency")
 }
 
 impl<N: Real> Term<N> {

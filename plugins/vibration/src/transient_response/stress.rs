@@ -19,7 +19,7 @@ pub(super) fn stress<W: Worksheet>(
     let ElasticityGiven::Springs { springs: given } = elasticity else {
         return Err(unknown());
     };
-    let why = "Force that would bend the beam as far statically";
+    let why = "Equivalent static force for the same deflection of the beam";
     let force = sheet.step("Fₘ", "kN", stiffness * largest, why);
     let (moment, section, curvature, why) = match given {
         SpringGiven::Cantilever { length, section, young } => {
@@ -28,7 +28,7 @@ pub(super) fn stress<W: Worksheet>(
         }
         SpringGiven::SimplySupported { length, distance: None, section, young } => {
             let curvature = largest * 12.0 / length.powi(2) * *young;
-            let why = "Bending moment at the middle of the beam, under the mass";
+            let why = "Bending moment at midspan, under the mass";
             (force * *length / 4.0, section, curvature, why)
         }
         SpringGiven::SimplySupported { length, distance: Some(distance), section, young } => {
@@ -38,7 +38,7 @@ pub(super) fn stress<W: Worksheet>(
         }
         SpringGiven::Clamped { length, distance: None, section, young } => {
             let curvature = largest * 24.0 / length.powi(2) * *young;
-            let why = "Bending moment at the middle and at the clamps";
+            let why = "Bending moment at midspan and at the clamps";
             (force * *length / 8.0, section, curvature, why)
         }
         _ => return Err(unknown()),
@@ -47,14 +47,13 @@ pub(super) fn stress<W: Worksheet>(
     let second_moment = second_moment(section, sheet, Symbol::from("I_b"))?;
     let why = ("Bending stress at the extreme fibre", BEER.at("§4.4"));
     let stress = sheet.step("σ", "MPa", moment.abs() * fibre / second_moment, why);
-    sheet.answer("stress", "Largest bending stress", stress);
+    sheet.answer("stress", "Maximum bending stress", stress);
     sheet.check("bending stress by the curvature of the bent beam, E c w″", curvature.abs() * fibre, stress);
     Ok(())
 }
 
 fn unknown() -> Refusal {
     Refusal::because(
-        "the bending stress is answered for a cantilever, a simply supported beam and a clamped beam with the mass \
-         at its middle: leave out the distance of the extreme fibre for other springs",
+        "the bending stress is available for a cantilever, a simply supported beam and a clamped beam with the mass at its middle: omit the distance of the extreme fibre for other springs",
     )
 }

@@ -68,7 +68,7 @@ impl<'m, N: Real> Superposition<'m, N> {
             Some(terms) if !self.is_near_a_pole(terms) && time > 0.0 => terms,
             _ => {
                 let why = (
-                    "Displacement by the exact recurrence over the pieces of the load, each straight or sinusoidal",
+                    "Displacement by the exact recurrence over the segments of the load, each linear or sinusoidal",
                     CHOPRA.at("§5.2"),
                 );
                 let x = sheet.found(symbol, "mm", exact, why);
@@ -93,7 +93,7 @@ impl<'m, N: Real> Superposition<'m, N> {
             Some(size) => {
                 scale *= size.value().abs();
                 let why =
-                    "Displacement: the responses to the steps, ramps or waves that make the load, added up";
+                    "Displacement: sum of the responses to the steps, ramps or waves that make up the load";
                 (size * sum, (why, RAO.at("§4.5")))
             }
             None => (sum, ("Displacement of the free motion", RAO.at("§2.6"))),
@@ -117,7 +117,12 @@ impl<'m, N: Real> Superposition<'m, N> {
     fn hold_to_duhamel<W: Worksheet<Num = N>>(&self, time: f64, x: N, sheet: W) {
         if let Some(integral) = self.model.motion.duhamel(time) {
             let scale = self.scale(time).max(integral.abs());
-            sheet.check_sum("displacement by Duhamel's integral, in numbers", x, integral.into(), scale);
+            sheet.check_sum(
+                "displacement by Duhamel's integral, evaluated numerically",
+                x,
+                integral.into(),
+                scale,
+            );
         }
     }
 
@@ -156,11 +161,11 @@ impl<'m, N: Real> Superposition<'m, N> {
         let System { natural, ratio, .. } = self.system;
         let undamped = self.free.is_undamped();
         let release = || {
-            let why = ("Free motion from a unit displacement, after that time", RAO.at("§2.6"));
+            let why = ("Free vibration from a unit displacement, after that time", RAO.at("§2.6"));
             sheet.step(instant.symbol("g", "gₘ").row(n), "1", self.free.release(time), why)
         };
         let impulse = || {
-            let why = ("Free motion from a unit velocity, after that time", RAO.at("§4.5"));
+            let why = ("Free vibration from a unit velocity, after that time", RAO.at("§4.5"));
             sheet.step(instant.symbol("h", "hₘ").row(n), "s", self.free.impulse(time), why)
         };
         let unit = match &term.unit {

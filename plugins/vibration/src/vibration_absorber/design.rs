@@ -45,9 +45,12 @@ pub(super) fn main_system<W: Worksheet>(
     });
     let speed = match speed {
         SpeedGiven::Given { speed } => *speed,
-        SpeedGiven::Ratio { ratio } => {
-            sheet.step("ω", "rad/s", *ratio * natural, "Speed, as the given part of the natural frequency")
-        }
+        SpeedGiven::Ratio { ratio } => sheet.step(
+            "ω",
+            "rad/s",
+            *ratio * natural,
+            "Speed, from the given fraction of the natural frequency",
+        ),
     };
     Main { motion, mass, stiffness, natural, speed }
 }
@@ -95,8 +98,8 @@ impl<N: Real> Main<N> {
                 let one = N::from(1.0);
                 let ratios = ["p₁", "p₂"];
                 let why = [
-                    "Highest place of the lower resonance, over the speed",
-                    "Lowest place of the upper resonance, over the speed",
+                    "Upper limit of the lower resonance, as a ratio to the speed",
+                    "Lower limit of the upper resonance, as a ratio to the speed",
                 ];
                 let lower = sheet.step(ratios[0], "1", one - *separation, why[0]);
                 let upper = sheet.step(ratios[1], "1", one + *separation, why[1]);
@@ -108,7 +111,7 @@ impl<N: Real> Main<N> {
                 let [low, high] = [lowest.value(), highest.value()];
                 trial::holds_speed(low, self.speed.value(), high)?;
                 let why =
-                    ["Lower end of the range, over the speed", "Upper end of the range, over the speed"];
+                    ["Lower end of the range, over the speed", "Upper limit of the range, over the speed"];
                 let lower = sheet.step("p₁", "1", *lowest / self.speed, why[0]);
                 let upper = sheet.step("p₂", "1", *highest / self.speed, why[1]);
                 let (tuning, ratio) = self.least_ratio(lower, upper, sheet)?;
@@ -150,7 +153,7 @@ impl<N: Real> Main<N> {
             self.motion.absorber_stiffness(),
             self.motion.stiffness_unit(),
             sdof::stiffness_from_natural_frequency(mass, self.speed),
-            ("Stiffness that tunes the absorber to the speed", RAO.at("§9.11")),
+            ("Stiffness that tunes the absorber to the running speed", RAO.at("§9.11")),
         )
     }
 
@@ -168,15 +171,21 @@ impl<N: Real> Main<N> {
 
     /// The least mass ratio with the resonances at `p₁` or below and at `p₂` or above.
     fn least_ratio<W: Worksheet<Num = N>>(&self, lower: N, upper: N, sheet: W) -> Result<(N, N), Refusal> {
-        let why = ("Tuning: the absorber, at the speed, over the main system", RAO.at("§9.11"));
+        let why = ("Tuning: absorber frequency (= speed) over main-system frequency", RAO.at("§9.11"));
         let tuning = sheet.step("f", "1", self.speed / self.natural, why);
         let at = |symbol: &'static str, p: N, why: &'static str| {
             sheet.step(symbol, "1", absorber::mass_ratio_of_resonance(p, tuning), (why, RAO.at("§9.11")))
         };
-        let first =
-            at("μ₁", lower, "Mass ratio that puts the lower resonance there, by the frequency equation");
-        let second =
-            at("μ₂", upper, "Mass ratio that puts the upper resonance there, by the frequency equation");
+        let first = at(
+            "μ₁",
+            lower,
+            "Mass ratio that places the lower resonance at this limit, by the frequency equation",
+        );
+        let second = at(
+            "μ₂",
+            upper,
+            "Mass ratio that places the upper resonance at this limit, by the frequency equation",
+        );
         if first.value() <= 0.0 && second.value() <= 0.0 {
             return Err(Refusal::because(
                 "the resonances lie outside of that range with any absorber, however light, as the natural frequency \
@@ -185,9 +194,9 @@ impl<N: Real> Main<N> {
         }
         let lower_asks = first.value() >= second.value();
         let (asked, why) = if lower_asks {
-            (first, "Mass ratio: the lower resonance asks for more")
+            (first, "Mass ratio: the larger, required by the lower resonance")
         } else {
-            (second, "Mass ratio: the upper resonance asks for more")
+            (second, "Mass ratio: the larger, required by the upper resonance")
         };
         Ok((tuning, sheet.step("μ", "1", asked, why)))
     }
@@ -208,23 +217,22 @@ impl<N: Real> Main<N> {
             let own = sheet.step("ω_a", "rad/s", sdof::natural_frequency(stiffness, mass), why);
             if !is_one(own.value() / self.speed.value()) {
                 sheet.warn(|| {
-                    Text::new("the absorber is not tuned to the speed: the main system goes on moving")
+                    Text::new("the absorber is not tuned to the speed: the main system still vibrates")
                 });
             }
             own
         };
-        let why = ("Tuning: absorber over main system, each by itself", RAO.at("§9.11"));
+        let why = ("Tuning: absorber frequency over main-system frequency, uncoupled", RAO.at("§9.11"));
         let tuning = known.0.unwrap_or_else(|| sheet.step("f", "1", own / self.natural, why));
         let ratio = known.1.unwrap_or_else(|| sheet.step("μ", "1", mass / self.mass, self.motion.ratio()));
         let why = (
-            "Sum of the two resonances, over the natural frequency of the main system: with their product f, from the \
-             frequency equation",
+            "Sum of the two resonances, over the natural frequency of the main system: from their product f and the frequency equation",
             RAO.at("§9.11"),
         );
         let sum = sheet.step("Σg", "1", absorber::resonance_sum(tuning, ratio), why);
         let why = ("Their difference", RAO.at("§9.11"));
         let difference = sheet.step("Δg", "1", absorber::resonance_difference(tuning, ratio), why);
-        let upper = sheet.step("g₂", "1", (sum + difference) / 2.0, "Upper resonance, as a ratio");
+        let upper = sheet.step("g₂", "1", (sum + difference) / 2.0, "Upper resonance, frequency ratio");
         let lower = sheet.step("g₁", "1", tuning / upper, "Lower resonance, as a ratio");
         let lower = sheet.step("Ω₁", "rad/s", lower * self.natural, "Lower resonance");
         let upper = sheet.step("Ω₂", "rad/s", upper * self.natural, "Upper resonance");
@@ -235,8 +243,8 @@ impl<N: Real> Main<N> {
             let masses = DMatrix::from_row_slice(2, 2, &[m, 0.0, 0.0, m_a]);
             if let Ok(squares) = linalg::generalised_eigenvalues(&matrix, &masses) {
                 let found = [squares[0], squares[1]].map(|square| N::from(square.max(0.0).sqrt()));
-                sheet.check("lower resonance, as an eigenvalue of both masses", lower, found[0]);
-                sheet.check("upper resonance, as an eigenvalue of both masses", upper, found[1]);
+                sheet.check("lower resonance, as an eigenvalue of the two-mass system", lower, found[0]);
+                sheet.check("upper resonance, as an eigenvalue of the two-mass system", upper, found[1]);
             }
         });
         let first = sheet.step("n₁", "1", lower / self.speed, "Lower resonance over the speed");
@@ -285,7 +293,7 @@ impl<N: Real> Main<N> {
             // Where it was tuned, that is how its stiffness or mass was found.
             if !tuned {
                 sheet.check_zero(
-                    "the main system stands still",
+                    "the main system is at rest",
                     stiffness - mass * self.speed.powi(2),
                     stiffness.value(),
                 );
@@ -307,9 +315,9 @@ impl<N: Real> Main<N> {
         let why = ("Determinant of the equations of both masses at the speed", RAO.at("§9.11"));
         let determinant = sheet.step("Δ", motion.determinant_unit(), determinant, why);
         let main = force * (stiffness - mass * self.speed.powi(2)) / determinant;
-        let why = ("Motion of the main system: negative against the excitation", RAO.at("§9.11"));
+        let why = ("Motion of the main system: negative if opposite to the excitation", RAO.at("§9.11"));
         let main = sheet.step(motion.main_motion(), unit, main, why);
-        let why = ("Motion of the absorber: negative against the excitation", RAO.at("§9.11"));
+        let why = ("Motion of the absorber: negative if opposite to the excitation", RAO.at("§9.11"));
         let absorbing = sheet.step(motion.absorber_motion(), unit, force * stiffness / determinant, why);
         sheet.answer("main_motion", "Motion of the main system, along the excitation", main);
         sheet.answer("absorber_motion", "Motion of the absorber, along the excitation", absorbing);

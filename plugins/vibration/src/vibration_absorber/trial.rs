@@ -30,10 +30,10 @@ pub enum TrialBody {
 /// Speeds that both resonances must lie outside of.
 #[derive(Clone, Debug, Inputs)]
 pub struct KeptOut {
-    /// Lowest speed.
+    /// Minimum speed.
     #[input("ω_l", "rad/s", positive)]
     pub lowest: f64,
-    /// Highest speed.
+    /// Maximum speed.
     #[input("ω_h", "rad/s", positive)]
     pub highest: f64,
 }
@@ -44,8 +44,7 @@ pub(super) fn holds_speed(lowest: f64, speed: f64, highest: f64) -> Result<(), R
         Ok(())
     } else {
         Err(Refusal::because(
-            "the range does not hold the speed that the absorber is tuned to, between whose resonances it lies: write a \
-             lowest speed below it and a highest speed above it",
+            "the range does not contain the speed to which the absorber is tuned, whose resonances enclose it: write a lowest speed below it and a highest speed above it",
         ))
     }
 }
@@ -70,31 +69,29 @@ pub(super) fn solve<W: Worksheet>(
     };
     if !(lower.value() < tuned.value() && tuned.value() < upper.value()) {
         return Err(Refusal::because(
-            "the natural frequency of the absorber does not lie between the two resonances, where every undamped \
-             absorber has it: look at the measured frequencies again",
+            "the natural frequency of the absorber does not lie between the two resonances, as it must for any undamped absorber: check the measured frequencies",
         ));
     }
     let first = sheet.step("p₁", "1", lower / tuned, "Lower resonance over the frequency of the absorber");
     let second = sheet.step("p₂", "1", upper / tuned, "Upper resonance over the frequency of the absorber");
 
     // The book: the main system has the frequency of the absorber, and each resonance gives a mass ratio.
-    let each = "Mass ratio by the lower resonance, were the absorber tuned to the natural frequency of the main system";
+    let each = "Mass ratio by the lower resonance, if the absorber were tuned to the natural frequency of the main system";
     let by_lower = sheet.step("μ₁", "1", absorber::mass_ratio_when_tuned(first), (each, GROVER.at("§5.7")));
     let each = "Mass ratio by the upper resonance";
     let by_upper = sheet.step("μ₂", "1", absorber::mass_ratio_when_tuned(second), (each, GROVER.at("§5.7")));
-    let why = ("Mean of the two, which differ as the tuning is not quite that", GROVER.at("§5.7"));
+    let why = ("Mean of the two, which differ because the tuning is not exact", GROVER.at("§5.7"));
     let mean = sheet.step("μ̄", "1", (by_lower + by_upper) / 2.0, why);
     let why = ("Main system by the mean", GROVER.at("§5.7"));
     let mass = sheet.step(motion.main_mass(), motion.mass_unit(), trial / mean, why);
-    let why = ("Stiffness, with the natural frequency of the absorber", RAO.at("§2.2"));
+    let why = ("Stiffness, from the natural frequency of the absorber", RAO.at("§2.2"));
     let stiffness = sdof::stiffness_from_natural_frequency(mass, tuned);
     let stiffness = sheet.step(motion.main_stiffness(), motion.stiffness_unit(), stiffness, why);
     let averaged = Reading { mass, stiffness, natural: tuned };
 
     // Both resonances at once: two equations for two unknowns.
     let why = (
-        "Both resonances at once: natural frequency of the main system, since the product of the two resonances is that \
-         of the two natural frequencies",
+        "From both resonances: natural frequency of the main system, since the product of the two resonances equals that of the two natural frequencies",
         RAO.at("§9.11"),
     );
     let natural = sheet.step("ω_m", "rad/s", lower * upper / tuned, why);
@@ -119,8 +116,8 @@ pub(super) fn solve<W: Worksheet>(
     sheet.verify(|| {
         let found = eigenvalues(&exact, trial.value(), trial_stiffness.value());
         if let Some(found) = found.map(|found| found.map(W::Num::from)) {
-            sheet.check("lower resonance, as an eigenvalue of both masses", lower, found[0]);
-            sheet.check("upper resonance, as an eigenvalue of both masses", upper, found[1]);
+            sheet.check("lower resonance, as an eigenvalue of the two-mass system", lower, found[0]);
+            sheet.check("upper resonance, as an eigenvalue of the two-mass system", upper, found[1]);
         }
     });
     sheet.verify(|| {
@@ -140,8 +137,7 @@ pub(super) fn solve<W: Worksheet>(
     if off.abs() > 0.05 {
         sheet.warn(|| {
             Text::new(
-                "the trial absorber is not tuned to the natural frequency of the main system: the mean of the mass ratios \
-                 is off by {off}; take the exact main system",
+                "the trial absorber is not tuned to the natural frequency of the main system: the mean of the mass ratios is in error by {off}; use the exact main system",
             )
             .with_quantity("off", off, "%")
         });
@@ -153,7 +149,7 @@ pub(super) fn solve<W: Worksheet>(
         }
     };
     sheet.answer(main.0, main.1, averaged.mass);
-    sheet.answer("main_stiffness", "Stiffness, by the mean", averaged.stiffness);
+    sheet.answer("main_stiffness", "Stiffness, from the mean", averaged.stiffness);
     sheet.answer(main_exact.0, main_exact.1, exact.mass);
     sheet.answer("exact_main_stiffness", "Stiffness, exact", exact.stiffness);
     sheet.answer("exact_natural_frequency", "Natural frequency of the main system, exact", exact.natural);
@@ -205,12 +201,12 @@ fn absorber_for<W: Worksheet>(
         "q₂",
         "1",
         range.highest / tuned,
-        "Upper end of the range, over the frequency of the absorber",
+        "Upper limit of the range, over the frequency of the absorber",
     );
     let both = |symbols: [&'static str; 2], of: &dyn Fn(W::Num) -> W::Num| {
-        let why = ("Mass ratio that puts the lower resonance at the lower end", RAO.at("§9.11"));
+        let why = ("Mass ratio that places the lower resonance at the lower end", RAO.at("§9.11"));
         let lower = sheet.step(symbols[0], "1", of(low), why);
-        let why = ("Mass ratio that puts the upper resonance at the upper end", RAO.at("§9.11"));
+        let why = ("Mass ratio that places the upper resonance at the upper end", RAO.at("§9.11"));
         let upper = sheet.step(symbols[1], "1", of(high), why);
         if lower.value() >= upper.value() { lower } else { upper }
     };
@@ -230,7 +226,7 @@ fn absorber_for<W: Worksheet>(
         Motion::Torsion => ("absorber_inertia", "Inertia of the new absorber, by the mean"),
     };
     sheet.answer(name, label, mass);
-    sheet.answer("absorber_stiffness", "Stiffness of the new absorber, by the mean", stiffness);
+    sheet.answer("absorber_stiffness", "Stiffness of the new absorber, from the mean", stiffness);
 
     let why = ("Tuning of the absorber to the exact main system", RAO.at("§9.11"));
     let tuning = sheet.step("f", "1", tuned / exact.natural, why);

@@ -36,7 +36,7 @@ pub(super) fn solve<W: Worksheet>(
                 "without damping, the reading at the natural frequency grows without bound: there is no steady state",
             ));
         }
-        let why = ("Reading over true value of this tone", RAO.at("§10.3"));
+        let why = ("Ratio of reading to true value of this tone", RAO.at("§10.3"));
         let factor = sheet.step(("M", n), "1", instrument.factor(ratio, zeta), why);
         let other = instrument.factor_of_square(ratio, zeta);
         sheet.check("the same from the square of the frequency ratio", other, factor);
@@ -44,12 +44,12 @@ pub(super) fn solve<W: Worksheet>(
         let (lag, why) = match instrument.instrument {
             Instrument::Accelerometer => (lag, "Phase lag of this tone"),
             Instrument::Vibrometer => {
-                (lag - PI, "Phase lag of this tone in the record turned over, as a vibrometer shows it")
+                (lag - PI, "Phase lag of this tone in the inverted record, as a vibrometer shows it")
             }
         };
         let lag = sheet.step(("φ", n), "deg", lag, (why, RAO.at("§10.3")));
         let delay = sheet.step(("t", n), "ms", lag / frequency, "Delay of this tone");
-        sheet.answer(("tone_factor", n), "Reading over true value of tone", factor);
+        sheet.answer(("tone_factor", n), "Ratio of reading to true value of tone", factor);
         sheet.answer(("tone_delay", n), "Delay of tone", delay);
         sheet.verify(|| {
             // A vibrometer shows the relative motion turned over.
@@ -58,10 +58,10 @@ pub(super) fn solve<W: Worksheet>(
                 Instrument::Accelerometer => W::Num::from(1.0),
             };
             let ([in_phase, across], size) = put_up([ratio, zeta], factor, frequency * delay);
-            let what = Text::new("tone {n}: equation of the relative motion so much later, in phase");
+            let what = Text::new("tone {n}: equation of relative motion with this delay, in-phase component");
             sheet.check_sum(what.with("n", n), in_phase, drive, size);
             let what = Text::new(
-                "tone {n}: equation of the relative motion so much later, a quarter of a turn ahead",
+                "tone {n}: equation of relative motion with this delay, quadrature component (90° ahead)",
             );
             sheet.check_zero(what.with("n", n), across, size);
         });
@@ -71,7 +71,7 @@ pub(super) fn solve<W: Worksheet>(
     if let (Some(least), Some(most)) = (delays.iter().min_by(by_size), delays.iter().max_by(by_size))
         && tones.len() > 1
     {
-        let why = "Phase distortion: how far the delays lie apart";
+        let why = "Phase distortion: difference between the delays";
         let spread = sheet.step("Δt", "ms", most.1 - least.1, (why, RAO.at("§10.3")));
         sheet.answer("distortion", "Phase distortion", spread);
     }
@@ -87,7 +87,7 @@ fn table(tones: &[Tone], recorded: &[(f64, f64)]) -> TableExhibit {
         [tone.frequency, tone.amplitude, factor * tone.amplitude, *delay].map(Cell::Number).to_vec()
     };
     TableExhibit {
-        title: "Tones of the motion and of the record".into(),
+        title: "Harmonic components of the motion and of the record".into(),
         columns: vec![
             column("frequency", "Hz"),
             column("true", "1"),
@@ -112,7 +112,7 @@ fn plot(tones: &[Tone], recorded: &[(f64, f64)]) -> Plot {
     Plot::new(
         "Motion and record",
         Axis::linear("time", "s"),
-        Axis::linear("in the measure of the table", "1"),
+        Axis::linear("in the unit of the table", "1"),
         vec![
             Series::line("true motion", times().map(|t| (t, truth(t))).collect()),
             Series::line("recorded motion", times().map(|t| (t, record(t))).collect()),

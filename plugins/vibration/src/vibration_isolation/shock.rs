@@ -9,7 +9,7 @@ use crate::sources::RAO;
 /// How the machine arrives.
 #[derive(Clone, Debug, Inputs)]
 pub enum Arrival {
-    /// With a velocity
+    /// With an initial velocity
     Velocity {
         /// Velocity.
         #[input("v₀", "m/s", positive)]
@@ -35,12 +35,9 @@ pub(super) fn solve<W: Worksheet>(
     let mass = mounts.mass;
     let velocity = match arrival {
         ArrivalGiven::Velocity { velocity } => *velocity,
-        ArrivalGiven::Drop { height } => sheet.step(
-            "v₀",
-            "m/s",
-            (mounts.gravity * *height * 2.0).sqrt(),
-            "Velocity at the end of the fall",
-        ),
+        ArrivalGiven::Drop { height } => {
+            sheet.step("v₀", "m/s", (mounts.gravity * *height * 2.0).sqrt(), "Final velocity of the fall")
+        }
     };
     let natural = sheet.step(
         "ω_A",
@@ -52,27 +49,27 @@ pub(super) fn solve<W: Worksheet>(
         ),
     );
     let stiffest =
-        sheet.step("k_A", "N/m", mass * natural.powi(2), "Largest stiffness, from the acceleration");
+        sheet.step("k_A", "N/m", mass * natural.powi(2), "Maximum stiffness, from the acceleration");
     let least = sheet.step(
         "x_A",
         "mm",
         velocity / natural,
-        "Travel of these mounts, v₀/ωₙ: the least that is possible",
+        "Deflection of these mounts, v₀/ωₙ: the minimum possible",
     );
     sheet.check(
-        "the energy of the arrival is that of the springs at the end of the travel",
+        "the kinetic energy on arrival is stored in the springs at the end of the travel",
         stiffest * least.powi(2),
         mass * velocity.powi(2),
     );
-    sheet.answer("velocity", "Velocity of the arrival", velocity);
+    sheet.answer("velocity", "Arrival velocity", velocity);
     sheet.answer("natural_frequency", "Highest natural frequency", natural);
-    sheet.answer("stiffness", "Largest stiffness of all mounts together", stiffest);
+    sheet.answer("stiffness", "Maximum total stiffness of the mounts", stiffest);
     mounts.answer_each(stiffest, sheet);
-    sheet.answer("travel", "Travel of the stiffest mounts", least);
+    sheet.answer("travel", "Deflection of the stiffest mounts", least);
     let softest = travel.map(|travel| {
-        let why = "Least stiffness, from the travel: ½ k d² = ½ m v₀²";
+        let why = "Minimum stiffness, from the travel: ½ k d² = ½ m v₀²";
         let softest = sheet.step("k_d", "N/m", mass * (velocity / travel).powi(2), why);
-        sheet.answer("least_stiffness", "Least stiffness of all mounts together", softest);
+        sheet.answer("least_stiffness", "Minimum total stiffness of the mounts", softest);
         sheet.check(
             "travel of the softest mounts: the amplitude v₀/ωₙ of the free vibration",
             velocity / sdof::natural_frequency(softest, mass),
@@ -82,28 +79,22 @@ pub(super) fn solve<W: Worksheet>(
     });
     let lower = softest.map_or(0.0, Real::value);
     if !(lower.is_finite() && stiffest.value().is_finite()) {
-        return Err(Refusal::because("these numbers lead beyond the range of numbers"));
+        return Err(Refusal::because("these numbers lead to values outside the representable range"));
     }
     let from = if softest.is_some() { Included(lower) } else { Unbounded };
     let set = IntervalSet::interval(from, Included(stiffest.value()));
     let mut limits = Vec::new();
     if !set.is_none() {
         if softest.is_some() {
-            limits.push(Text::new("the travel is used up"));
+            limits.push(Text::new("travel limit"));
         }
-        limits.push(Text::new("the acceleration is reached"));
+        limits.push(Text::new("acceleration limit"));
     }
-    sheet.answer_set(
-        "permitted_stiffness",
-        "Permitted stiffness of all mounts together",
-        "N/m",
-        &set,
-        limits,
-    );
+    sheet.answer_set("permitted_stiffness", "Permitted total stiffness of the mounts", "N/m", &set, limits);
     if set.is_none() {
         sheet.warn(|| {
             Text::new(
-                "no stiffness keeps both limits: the travel must be at least {travel} with this acceleration",
+                "no stiffness satisfies both limits: the travel must be at least {travel} with this acceleration",
             )
             .with_quantity("travel", least.value(), "mm")
         });
@@ -119,7 +110,7 @@ pub(super) fn solve<W: Worksheet>(
             Axis::linear("acceleration", "m/s^2"),
             vec![Series::line("A", curve)],
         )
-        .level("largest acceleration", limit);
+        .level("maximum acceleration", limit);
         Exhibit::Plot(if lower < top { plot.band("permitted", lower, top, true) } else { plot })
     });
     Ok(())

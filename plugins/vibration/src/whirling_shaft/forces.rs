@@ -22,9 +22,9 @@ pub(super) fn forces<W: Worksheet>(
         "F",
         "N",
         rotor.stiffness * amplitude,
-        ("Force of the bent shaft, which turns with it", RAO.at("§9.5")),
+        ("Force of the deflected shaft, which rotates with it", RAO.at("§9.5")),
     );
-    sheet.answer("shaft_force", "Force of the bent shaft on its bearings together", force);
+    sheet.answer("shaft_force", "Total bearing force due to the shaft deflection", force);
     let weight = match &given.axis {
         ShaftAxisGiven::Vertical {} => None,
         ShaftAxisGiven::Horizontal { gravity } => {
@@ -36,25 +36,21 @@ pub(super) fn forces<W: Worksheet>(
             "F_v",
             "N",
             force + weight,
-            "Largest force: once in a turn the whirl points down with the weight",
+            "Maximum force: once per revolution the whirl points down with the weight",
         );
         let sag = sheet.step(
             "δ",
             "mm",
             weight / rotor.stiffness,
-            ("Static deflection by the weight", RAO.at("§2.2")),
+            ("Static deflection due to the weight", RAO.at("§2.2")),
         );
         sheet.check(
             "critical speed from the static deflection, √(g/δ)",
             (weight / given.mass / sag).sqrt(),
             rotor.natural,
         );
-        sheet.answer("static_deflection", "Static deflection by the weight", sag);
-        sheet.answer(
-            "largest_shaft_force",
-            "Largest force on the bearings together, weight included",
-            largest,
-        );
+        sheet.answer("static_deflection", "Static deflection due to the weight", sag);
+        sheet.answer("largest_shaft_force", "Maximum total force on the bearings, weight included", largest);
         largest
     });
     let (RotorShaft::Round { mounting, .. }, RotorShaftGiven::Round { length, diameter, young, .. }) =
@@ -67,19 +63,19 @@ pub(super) fn forces<W: Worksheet>(
         "R_b",
         "N",
         mounting.largest_reaction(total),
-        ("Share of the more heavily loaded bearing", SHIGLEY.at("table A-9")),
+        ("Load on the more heavily loaded bearing", SHIGLEY.at("table A-9")),
     );
     let moment = sheet.step(
         "M",
         "N*m",
         mounting.largest_moment(total, *length),
-        ("Largest bending moment", SHIGLEY.at("table A-9")),
+        ("Maximum bending moment", SHIGLEY.at("table A-9")),
     );
     let stress = sheet.step(
         "σ",
         "MPa",
         moment * 32.0 / (diameter.powi(3) * std::f64::consts::PI),
-        ("Largest bending stress, 32M/(πd³)", BEER.at("§4.4")),
+        ("Maximum bending stress, 32M/(πd³)", BEER.at("§4.4")),
     );
     sheet.verify(|| {
         let deflection = match weight {
@@ -92,6 +88,6 @@ pub(super) fn forces<W: Worksheet>(
             stress,
         );
     });
-    sheet.answer("bearing_force", "Largest force on one bearing", reaction);
-    sheet.answer("bending_stress", "Largest bending stress", stress);
+    sheet.answer("bearing_force", "Maximum force on one bearing", reaction);
+    sheet.answer("bending_stress", "Maximum bending stress", stress);
 }

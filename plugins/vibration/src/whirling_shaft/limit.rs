@@ -59,8 +59,7 @@ fn permitted_amplitude<W: Worksheet>(
                 (&problem.shaft, &given.shaft)
             else {
                 return Err(Refusal::because(
-                    "a limit of stress needs the dimensions of the shaft: describe the shaft, or give a limit of \
-                     amplitude or force",
+                    "a stress limit needs the dimensions of the shaft: describe the shaft, or give a limit of amplitude or force",
                 ));
             };
             let moment = sheet.step(
@@ -73,7 +72,7 @@ fn permitted_amplitude<W: Worksheet>(
                 "F_R",
                 "N",
                 moment / mounting.largest_moment(W::Num::from(1.0), *length),
-                "Force on the rotor that gives this moment",
+                "Force on the rotor that produces this moment",
             );
             sheet.check(
                 "stress from the deflection under that force",
@@ -86,11 +85,10 @@ fn permitted_amplitude<W: Worksheet>(
                     let weight = given.mass * *gravity;
                     if weight.value() >= force.value() {
                         return Err(Refusal::because(
-                            "the weight of the rotor alone bends the shaft beyond the permitted stress: give a \
-                             larger stress, a thicker shaft or a lighter rotor",
+                            "the weight of the rotor alone bends the shaft beyond the permitted stress: give a higher stress, a thicker shaft or a lighter rotor",
                         ));
                     }
-                    sheet.step("F_A", "N", force - weight, "What the weight leaves of it for the whirl")
+                    sheet.step("F_A", "N", force - weight, "Part available for the whirl, after the weight")
                 }
             };
             Ok(sheet.step("A_R", "mm", whirl / rotor.stiffness, "Permitted whirl amplitude"))

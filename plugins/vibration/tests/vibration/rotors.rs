@@ -141,9 +141,9 @@ fn answered(draws: Range<u64>) {
                 failed.extend(bad.map(|check| (n, format!("{:?} {:e}", check.what, check.residual))));
                 let said: Vec<String> = solution.warnings.iter().map(|text| format!("{text:?}")).collect();
                 missing.extend(
-                    said.iter().filter(|said| said.contains("not answered")).map(|said| (n, said.clone())),
+                    said.iter().filter(|said| said.contains("omitted")).map(|said| (n, said.clone())),
                 );
-                let grows = said.iter().any(|said| said.contains("a mode grows at this speed"));
+                let grows = said.iter().any(|said| said.contains("a mode is unstable at this speed"));
                 let stable = said
                     .iter()
                     .any(|said| said.contains("no mode grows at") || said.contains("no mode can grow"));

@@ -65,7 +65,7 @@ fn beams_by_their_tables() {
 fn a_load_at_the_far_support_is_refused() {
     for beam in beams(Some(1.2)) {
         let refusal = stiffness_of(&beam).unwrap_err().to_string();
-        assert!(refusal.contains("write a distance below the span"), "{refusal}");
+        assert!(refusal.contains("write a distance smaller than the span"), "{refusal}");
     }
 }
 

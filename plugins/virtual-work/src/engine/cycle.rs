@@ -59,18 +59,18 @@ pub(super) fn cycle<W: Worksheet>(
         "T_m",
         "N*m",
         cycle.mean,
-        "Mean turning moment at a steady speed, integrated over the cycle",
+        "Mean turning moment at constant speed, integrated over the cycle",
     );
-    let most = sheet.found("T_max", "N*m", cycle.greatest.1, "Greatest turning moment of the cycle");
-    let most_at = sheet.found("θ_max", "deg", cycle.greatest.0, "Crank angle of the greatest turning moment");
-    let least = sheet.found("T_min", "N*m", cycle.least.1, "Least turning moment of the cycle");
-    let least_at = sheet.found("θ_min", "deg", cycle.least.0, "Crank angle of the least turning moment");
+    let most = sheet.found("T_max", "N*m", cycle.greatest.1, "Maximum turning moment of the cycle");
+    let most_at = sheet.found("θ_max", "deg", cycle.greatest.0, "Crank angle at the maximum turning moment");
+    let least = sheet.found("T_min", "N*m", cycle.least.1, "Minimum turning moment of the cycle");
+    let least_at = sheet.found("θ_min", "deg", cycle.least.0, "Crank angle at the minimum turning moment");
     let rms = sheet.found("T_rms", "N*m", cycle.rms, "Root mean square of the turning moment");
     sheet.answer("mean_moment", "Mean turning moment over the cycle", mean);
-    sheet.answer("greatest_moment", "Greatest turning moment", most);
-    sheet.answer("greatest_moment_angle", "Crank angle of the greatest turning moment", most_at);
-    sheet.answer("least_moment", "Least turning moment", least);
-    sheet.answer("least_moment_angle", "Crank angle of the least turning moment", least_at);
+    sheet.answer("greatest_moment", "Maximum turning moment", most);
+    sheet.answer("greatest_moment_angle", "Crank angle at the maximum turning moment", most_at);
+    sheet.answer("least_moment", "Minimum turning moment", least);
+    sheet.answer("least_moment_angle", "Crank angle at the minimum turning moment", least_at);
     sheet.answer("rms_moment", "Root mean square of the turning moment", rms);
     let power = gas.is_some().then(|| {
         let power = sheet.step("P_m", "kW", mean * speed, "Mean power at this speed");
@@ -81,7 +81,7 @@ pub(super) fn cycle<W: Worksheet>(
         "ΔE",
         "J",
         cycle.fluctuation,
-        "Fluctuation of energy: what the moment does above its mean, from the least to the greatest sum",
+        "Fluctuation of energy: work of the moment above its mean, from the minimum to the maximum sum",
     );
     sheet.answer("energy_fluctuation", "Fluctuation of energy", energy);
     if let Some(output) = &of.given.output {
@@ -89,13 +89,13 @@ pub(super) fn cycle<W: Worksheet>(
             FlywheelInertiaGiven::Moment { inertia } => *inertia,
             FlywheelInertiaGiven::Gyration { mass, radius } => *mass * radius.powi(2),
         };
-        let why = "Coefficient of fluctuation of speed: the range of speed over its mean, against a constant resistance";
+        let why = "Coefficient of fluctuation of speed: speed range divided by the mean speed, against a constant resistance";
         let fluctuation = sheet.step("C_s", "1", energy / (inertia * speed.powi(2)), why);
         sheet.answer("speed_fluctuation", "Coefficient of fluctuation of speed", fluctuation);
         sheet.verify(|| {
             let [fast, slow] = [1.0, -1.0].map(|sign| speed * (fluctuation * (sign / 2.0) + 1.0));
             let range = inertia * (fast.powi(2) - slow.powi(2)) / 2.0;
-            let what = "the kinetic energies of the flywheel at its greatest and least speed differ by the fluctuation";
+            let what = "the kinetic energies of the flywheel at its maximum and minimum speed differ by the fluctuation";
             sheet.check(what, range, energy);
         });
     }
@@ -108,13 +108,13 @@ pub(super) fn cycle<W: Worksheet>(
             let motion = kernel.motion(steady(angle));
             kernel.moment_by_virtual_work(steady(angle), &motion, force(&motion, angle))
         };
-        let what = "greatest turning moment from the virtual works at its crank angle";
+        let what = "maximum turning moment from the virtual work at its crank angle";
         sheet.check_sum(what, most, work_at(most_at.value()).into(), size);
-        let what = "least turning moment from the virtual works at its crank angle";
+        let what = "minimum turning moment from the virtual work at its crank angle";
         sheet.check_sum(what, least, work_at(least_at.value()).into(), size);
         for (found, shown, what) in [
-            (cycle.greatest.0, most_at, "the turning moment has no slope where it is greatest"),
-            (cycle.least.0, least_at, "the turning moment has no slope where it is least"),
+            (cycle.greatest.0, most_at, "the turning moment has zero slope at its maximum"),
+            (cycle.least.0, least_at, "the turning moment has zero slope at its minimum"),
         ] {
             if is_smooth_top(found, period, &corners) {
                 // The extreme was found by differences of the fourth order.
@@ -123,16 +123,16 @@ pub(super) fn cycle<W: Worksheet>(
             }
         }
         let [coarse, fine] = [1, 2].map(|parts| mean_square(work_at, period, &corners, 48 * parts).sqrt());
-        let what = "root mean square of the turning moment from the virtual works over the cycle";
+        let what = "root mean square of the turning moment from the virtual work over the cycle";
         sheet.check_residual(what, (rms.value() - fine).into(), size, fine - coarse);
         if kernel.model == Model::Exact {
             let reaction_at = |angle: f64| {
                 let force = force(&kernel.motion(steady(angle)), angle);
                 kernel.reactions(steady(angle), force).map_or(f64::NAN, |reactions| reactions.moment)
             };
-            let what = "greatest turning moment from Newton's and Euler's equations at its crank angle";
+            let what = "maximum turning moment from the Newton–Euler equations at its crank angle";
             sheet.check_sum(what, most, reaction_at(cycle.greatest.0).into(), size);
-            let what = "least turning moment from Newton's and Euler's equations at its crank angle";
+            let what = "minimum turning moment from the Newton–Euler equations at its crank angle";
             sheet.check_sum(what, least, reaction_at(cycle.least.0).into(), size);
             if gas.is_none() && kernel.friction == 0.0 && kernel.gravity == [0.0; 2] {
                 let energies = || cycle.crossings.iter().map(|it| kernel.kinetic_energy(it.0, speed.value()));
@@ -149,11 +149,11 @@ pub(super) fn cycle<W: Worksheet>(
             _ => None,
         };
         if let Some(done) = done {
-            let what = "mean turning moment from the work of gas and friction in a cycle";
+            let what = "mean turning moment from the work of gas and friction per cycle";
             sheet.check_sum(what, mean, ((done - friction) / period).into(), size);
             if let Some(power) = power {
                 let rate = speed.value() / period;
-                let what = "mean power from the work of gas and friction in a cycle and its time";
+                let what = "mean power from the work of gas and friction per cycle and the cycle time";
                 sheet.check_sum(what, power, ((done - friction) * rate).into(), size * speed.value());
             }
         }

@@ -105,7 +105,12 @@ impl View<'_> {
                 found.iter().map(|it| it.1.moment).collect(),
             ));
         }
-        TableExhibit { title: "Motion and moment in all formulas".into(), columns, rows, foot: Vec::new() }
+        TableExhibit {
+            title: "Motion and turning moment by all formulas".into(),
+            columns,
+            rows,
+            foot: Vec::new(),
+        }
     }
 
     /// Acceleration of the piston over a turn.
@@ -134,7 +139,7 @@ impl View<'_> {
         let net = self.curve("net effort", |_, forces| forces.effort);
         let (x, y) = (Axis::linear("Crank angle", "deg"), Axis::linear("Force towards the crank", "N"));
         if self.cycle.is_none() {
-            let title = "Forces along the stroke without the gas, which is known at this angle alone";
+            let title = "Forces along the stroke without the gas force, which is known only at this angle";
             return Plot::new(title, x, y, vec![net]);
         }
         let mut series = Vec::new();
@@ -151,7 +156,7 @@ impl View<'_> {
         let curve = self.curve("turning moment", |_, forces| forces.moment);
         let (x, y) = (Axis::linear("Crank angle", "deg"), Axis::linear("Turning moment", "N*m"));
         let Some(turned) = self.cycle else {
-            let title = "Turning moment without the gas, which is known at this angle alone";
+            let title = "Turning moment without the gas, which is known only at this angle";
             return Plot::new(title, x, y, vec![curve]);
         };
         let series = vec![steady(curve.of("turning_moment"))];

@@ -10,7 +10,7 @@ use super::motion::Moving;
 pub struct Output {
     /// Inertia of the flywheel.
     pub inertia: FlywheelInertia,
-    /// What resists.
+    /// Resisting load.
     pub resisting: Resisting,
 }
 
@@ -76,22 +76,22 @@ pub(super) fn acceleration<W: Worksheet>(
         ResistingGiven::Power { power } => {
             let Some(speed) = moving.speed else {
                 return Err(Refusal::because(
-                    "a power tells the resisting torque of a running engine alone: give the torque, or the speed",
+                    "a power determines the resisting torque only for a running engine: give the torque, or the speed",
                 ));
             };
-            sheet.step("T_R", "N*m", *power / speed, "Torque that takes the power at this speed")
+            sheet.step("T_R", "N*m", *power / speed, "Torque that absorbs the power at this speed")
         }
     };
     let acceleration = sheet.step(
         "α_F",
         "rad/s^2",
         (moment - torque) / inertia,
-        "Angular acceleration of the flywheel: what the turning moment exceeds the resistance by",
+        "Angular acceleration of the flywheel, from the excess of the turning moment over the resistance",
     );
     sheet.answer("flywheel_acceleration", "Angular acceleration of the flywheel", acceleration);
     if let Some([by_works, size]) = works {
         sheet.verify(|| {
-            let what = "virtual works of all loads, of the resistance and of the inertia of the flywheel";
+            let what = "virtual work of all loads, of the resistance and of the inertia of the flywheel";
             let size = size.max(torque.value().abs());
             sheet.check_sum(what, inertia * acceleration + torque, by_works.into(), size);
         });

@@ -65,7 +65,7 @@ pub(super) fn gravity<W: Worksheet>(
                 g * angle.sin(),
                 "Gravity along the stroke, towards the crank",
             )),
-            across: Some(sheet.step("g_y", "m/s^2", g * angle.cos(), "Gravity across the stroke")),
+            across: Some(sheet.step("g_y", "m/s^2", g * angle.cos(), "Gravity transverse to the stroke")),
         },
         _ => none,
     }
@@ -95,7 +95,7 @@ pub(super) fn forces<W: Worksheet>(
             "M_R",
             "kg",
             mass + rod.at_gudgeon,
-            "Masses that go to and fro, with the rod's share at the gudgeon pin",
+            "Reciprocating mass, including the rod's equivalent mass at the gudgeon pin",
         )),
         (Some(mass), None) => Some(mass),
         (None, Some(rod)) => Some(rod.at_gudgeon),
@@ -149,7 +149,8 @@ fn resistances<W: Worksheet>(
     sheet: W,
 ) -> Resistances<W::Num> {
     let inertia = mass.zip(moving.acceleration).map(|(mass, acceleration)| {
-        let why = ("Inertia force of the reciprocating masses, against their acceleration", RIUL.at("eq. 5"));
+        let why =
+            ("Inertia force of the reciprocating masses, opposite to their acceleration", RIUL.at("eq. 5"));
         sheet.step("F_I", "N", mass * acceleration, why)
     });
     if let Some(inertia) = inertia {
@@ -256,7 +257,7 @@ fn sought_force<W: Worksheet>(
         ));
     }
     let rest = others.all().fold(moment, |rest, other| rest - other);
-    let why = "Virtual work F_P δs + ΣT δθ = M δθ: the effort that gives the turning moment";
+    let why = "Virtual work F_P δs + ΣT δθ = M δθ: the effort that produces the turning moment";
     let effort = sheet.step("F_P", "N", rest / moving.arm, (why, RIUL.at("eq. 5")));
     let friction = resisting.friction.map(|(friction, helps)| (friction, !helps));
     let force =
@@ -284,7 +285,12 @@ fn gudgeon<W: Worksheet>(
         mass.zip(field.along).map(|(mass, gravity)| helps(mass * gravity)),
         friction.map(|friction| (friction, moving.arm.value() < 0.0)),
     ]);
-    let load = sheet.step("F_K", "N", load, "Load of the piston on the gudgeon pin, without the rod's share");
+    let load = sheet.step(
+        "F_K",
+        "N",
+        load,
+        "Load of the piston on the gudgeon pin, without the rod's equivalent mass",
+    );
     sheet.answer("gudgeon_load", "Load of the piston on the gudgeon pin, along the stroke", load);
     load
 }
@@ -310,7 +316,7 @@ fn turning_moment<W: Worksheet>(
             sheet.answer("weight_moment", "Moment of the weight at the crank pin", weight);
         }
         let sum = W::Num::sum(std::iter::once(own).chain(others.all()));
-        let why = "The virtual works of all loads add up to that of the turning moment";
+        let why = "The virtual work of all loads equals that of the turning moment";
         sheet.step("T", "N*m", sum, (why, RIUL.at("eq. 5")))
     };
     sheet.answer("turning_moment", "Turning moment on the crankshaft", moment);
@@ -349,7 +355,7 @@ fn pins<W: Worksheet>(
             "V",
             "N",
             across,
-            "Force across the stroke at the gudgeon pin: moments of the rod about the crank pin",
+            "Force transverse to the stroke at the gudgeon pin: moments of the rod about the crank pin",
         );
         let guide = guide(across, weight_across, sheet);
         let turned = || rod.at_pin * lengths.crank;
@@ -367,7 +373,7 @@ fn pins<W: Worksheet>(
             field.across.map(|gravity| helps(rod.at_pin * gravity * angle.sin())),
             moving.speed.map(|speed| hinders(turned() * speed.powi(2))),
         ]);
-        let why = "Force at the crank pin along its motion, with the loads of the rod's share there";
+        let why = "Force at the crank pin in the direction of its motion, with the loads of the rod's equivalent mass there";
         let tangential = sheet.step("F_T", "N", tangential, (why, cite));
         let why = "Force at the crank pin towards the crankshaft";
         (guide, tangential, sheet.step("F_R", "N", radial, (why, cite)))
@@ -389,7 +395,7 @@ fn pins<W: Worksheet>(
             }
             Some(_) => guide(across, weight_across, sheet),
         };
-        let why = ("Force at the crank pin along its motion", cite);
+        let why = ("Force at the crank pin in the direction of its motion", cite);
         let tangential = sheet.step("F_T", "N", thrust * (angle + obliquity).sin(), why);
         let why = ("Thrust on the bearings along the crank, towards the crankshaft", cite);
         (guide, tangential, sheet.step("F_R", "N", thrust * (angle + obliquity).cos(), why))
@@ -401,7 +407,7 @@ fn pins<W: Worksheet>(
         "F_A",
         "N",
         size,
-        "Force at the crank pin; the main bearings carry it too, with a crank that is balanced",
+        "Force at the crank pin; with a balanced crank, also the force on the main bearings",
     );
     sheet.answer("crank_pin", "Force at the crank pin", size);
     sheet.verify(|| {
@@ -445,7 +451,7 @@ fn reversal<W: Worksheet>(
     if !(share.is_finite() && share > 0.0) {
         return;
     }
-    let why = "Speed at which the inertia force, growing with ω², takes up all else: the load on the gudgeon pin is zero";
+    let why = "Speed at which the inertia force, growing with ω², balances all other forces: the load on the gudgeon pin is zero";
     let reversal = speed * (steady / (mass * acceleration)).sqrt();
     let reversal = sheet.step("ω₀", "rpm", reversal, (why, KHURMI.at("ch. 15")));
     sheet.answer("reversal_speed", "Speed at which the load on the gudgeon pin reverses", reversal);

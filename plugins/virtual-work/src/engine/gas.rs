@@ -25,7 +25,7 @@ pub enum Gas {
     /// Sought: the force for a turning moment
     Balancing {
         /// Turning moment of the engine.
-        /// What it has to hold or to drive, in the sense of rotation.
+        /// Torque to be held or driven, in the sense of rotation.
         #[input("M", "N*m")]
         moment: f64,
     },
@@ -35,12 +35,12 @@ pub enum Gas {
         #[input("D", "mm", positive)]
         bore: f64,
         /// Pressure.
-        /// On the side away from the crankshaft.
+        /// On the side opposite to the crankshaft.
         #[input("p₁", "kPa")]
         pressure: f64,
         /// Other side of the piston.
         behind: Behind,
-        /// Counted from.
+        /// Pressure reference.
         datum: Datum,
     },
     /// Admission, cut-off and expansion
@@ -49,25 +49,25 @@ pub enum Gas {
         /// Bore.
         #[input("D", "mm", positive)]
         bore: f64,
-        /// Sides that work.
+        /// Working sides of the piston.
         acting: Acting,
-        /// Pressure of the admission.
+        /// Admission pressure.
         #[input("p_a", "kPa")]
         admission: f64,
-        /// Pressure of the exhaust.
+        /// Exhaust pressure.
         #[input("p_b", "kPa")]
         exhaust: f64,
         /// Cut-off.
-        /// Part of the stroke over which the cylinder is filled.
+        /// Fraction of the stroke during which the cylinder is filled.
         #[input("ε", "1", positive, max = 1)]
         cut_off: f64,
         /// Clearance.
-        /// Volume behind the piston at the dead centre, over the volume of the stroke.
+        /// Clearance volume at the dead centre divided by the swept volume.
         #[input("κ", "1", nonnegative, max = 1, default = "0")]
         clearance: f64,
-        /// Law of the expansion.
+        /// Expansion law.
         law: Law,
-        /// Counted from.
+        /// Pressure reference.
         datum: Datum,
     },
     /// Indicator diagram over the stroke
@@ -75,13 +75,13 @@ pub enum Gas {
         /// Bore.
         #[input("D", "mm", positive)]
         bore: f64,
-        /// Sides that work.
+        /// Working sides of the piston.
         acting: Acting,
         /// Pressures.
-        /// Straight between the rows.
+        /// Linear interpolation between the rows.
         #[input(table)]
         rows: Vec<StrokeRow>,
-        /// Counted from.
+        /// Pressure reference.
         datum: Datum,
     },
     /// Indicator diagram over the crank angle
@@ -92,10 +92,10 @@ pub enum Gas {
         /// Strokes of a cycle.
         strokes: Strokes,
         /// Pressures.
-        /// Straight between the rows.
+        /// Linear interpolation between the rows.
         #[input(table)]
         rows: Vec<AngleRow>,
-        /// Counted from.
+        /// Pressure reference.
         datum: Datum,
     },
 }
@@ -121,10 +121,10 @@ pub enum Behind {
 #[derive(Clone, Debug, Inputs)]
 pub enum Acting {
     /// Single acting
-    /// The atmosphere is on the side towards the crankshaft.
+    /// Atmospheric pressure acts on the side towards the crankshaft.
     Single,
     /// Double acting
-    /// The same on both sides, half a turn apart.
+    /// The same on both sides, half a revolution apart.
     Double {
         /// Diameter of the piston rod.
         #[input("d_p", "mm", nonnegative, default = "0 mm")]
@@ -137,13 +137,13 @@ pub enum Acting {
 pub enum Datum {
     /// The atmosphere: gauge pressures
     Gauge {
-        /// Pressure of the atmosphere.
+        /// Atmospheric pressure.
         #[input("p₀", "kPa", nonnegative, default = "101.325 kPa")]
         atmosphere: f64,
     },
     /// Vacuum: absolute pressures
     Absolute {
-        /// Pressure of the atmosphere.
+        /// Atmospheric pressure.
         #[input("p₀", "kPa", nonnegative, default = "101.325 kPa")]
         atmosphere: f64,
     },
@@ -174,13 +174,13 @@ pub enum Strokes {
 /// A row of an indicator diagram over the stroke.
 #[derive(Clone, Debug, Inputs)]
 pub struct StrokeRow {
-    /// Part of the stroke.
+    /// Fraction of the stroke.
     #[input("s/S", "1", nonnegative, max = 1)]
     pub fraction: f64,
-    /// Pressure on the way to the crankshaft.
+    /// Pressure on the stroke towards the crankshaft.
     #[input("p_out", "kPa")]
     pub out: f64,
-    /// Pressure on the way back.
+    /// Pressure on the return stroke.
     #[input("p_back", "kPa")]
     pub back: f64,
 }
@@ -233,7 +233,7 @@ pub(super) fn force<W: Worksheet>(
             let gauge = |symbol, pressure: W::Num| match datum {
                 DatumGiven::Gauge { .. } => pressure,
                 DatumGiven::Absolute { atmosphere } => {
-                    sheet.step(symbol, "kPa", pressure - *atmosphere, "Above the atmosphere")
+                    sheet.step(symbol, "kPa", pressure - *atmosphere, "Gauge pressure")
                 }
             };
             let pressure = gauge("p₁′", *pressure);
@@ -259,8 +259,7 @@ pub(super) fn force<W: Worksheet>(
             let (admission, exhaust) = (absolute("p_a′", *admission), absolute("p_b′", *exhaust));
             if admission.value() < 0.0 || exhaust.value() < 0.0 {
                 return Err(Refusal::because(
-                    "an absolute pressure is below zero: write gauge pressures not further below zero than the \
-                     atmosphere, or choose absolute pressures",
+                    "an absolute pressure is negative: write gauge pressures not below minus the atmospheric pressure, or choose absolute pressures",
                 ));
             }
             let exponent = match law {
@@ -334,8 +333,12 @@ impl<N: Real> Steam<N> {
                     - piston::nearest(lengths.crank, lengths.rod, offset)
             }
         };
-        let fraction =
-            sheet.step("ξ", "1", moving.displacement / stroke, "Part of the stroke that the piston has gone");
+        let fraction = sheet.step(
+            "ξ",
+            "1",
+            moving.displacement / stroke,
+            "Fraction of the stroke travelled by the piston",
+        );
         let out = moving.arm.value() >= 0.0;
         let cover = self.pressure("p₁", fraction, out, sheet);
         let atmosphere = of_datum(datum);
@@ -355,19 +358,14 @@ impl<N: Real> Steam<N> {
     fn pressure<W: Worksheet<Num = N>>(&self, symbol: &'static str, gone: N, out: bool, sheet: W) -> N {
         if !out {
             let why = if symbol == "p₁" {
-                "The side away from the crankshaft exhausts"
+                "Exhaust on the side away from the crankshaft"
             } else {
-                "The side towards the crankshaft exhausts"
+                "Exhaust on the side towards the crankshaft"
             };
             return sheet.step(symbol, "kPa", self.exhaust, why);
         }
         if gone.value() <= self.cut_off.value() {
-            return sheet.step(
-                symbol,
-                "kPa",
-                self.admission,
-                "Before the cut-off: full pressure of the admission",
-            );
+            return sheet.step(symbol, "kPa", self.admission, "Before the cut-off: full admission pressure");
         }
         let filled = self.clearance.value() != 0.0;
         let with_clearance = |part: N| if filled { part + self.clearance } else { part };
@@ -392,11 +390,11 @@ impl<N: Real> Steam<N> {
             "p_m",
             "kPa",
             mean,
-            "Mean effective pressure: work of a stroke over its volume, less the back pressure",
+            "Mean effective pressure: work per stroke over its volume, less the back pressure",
         );
         sheet.answer("mean_pressure", "Mean effective pressure", mean);
-        let work = sheet.step("W_G", "J", mean * displaced, "Work of the steam in a turn");
-        sheet.answer("indicated_work", "Work of the gas in a turn", work);
+        let work = sheet.step("W_G", "J", mean * displaced, "Work of the steam per revolution");
+        sheet.answer("indicated_work", "Work of the gas per revolution", work);
         sheet.verify(|| {
             let (filled, clearance) = (self.cut_off.value() + self.clearance.value(), self.clearance.value());
             // Over the logarithm of the volume an expansion is smooth, whatever its exponent.
@@ -433,7 +431,7 @@ fn above<W: Worksheet>(datum: &DatumGiven<W>) -> f64 {
 fn stroke_diagram(rows: &[StrokeRow], above: f64) -> Result<Diagram, Refusal> {
     if rows.len() < 2 || rows.windows(2).any(|pair| pair[0].fraction >= pair[1].fraction) {
         return Err(Refusal::because(
-            "the indicator diagram needs at least two rows by ascending part of the stroke, from 0 to 1",
+            "the indicator diagram needs at least two rows in ascending order of the fraction of stroke, from 0 to 1",
         ));
     }
     Ok(Diagram::Stroke(rows.iter().map(|row| [row.fraction, row.out + above, row.back + above]).collect()))
@@ -452,7 +450,7 @@ fn angle_diagram(rows: &[AngleRow], strokes: Strokes, above: f64) -> Result<Diag
     let ascending = rows.windows(2).all(|pair| pair[0].angle < pair[1].angle);
     if !ascending || last - first > period * (1.0 + 1e-9) {
         return Err(Refusal::because(
-            "the indicator diagram needs at least two rows by ascending crank angle, within one cycle",
+            "the indicator diagram needs at least two rows in ascending order of crank angle, within one cycle",
         ));
     }
     let rows = rows.iter().map(|row| [row.angle, row.pressure + above]).collect();
@@ -501,7 +499,7 @@ fn piston_area<W: Worksheet>(bore: W::Num, sheet: W) -> W::Num {
 fn crank_side_area<W: Worksheet>(bore: W::Num, rod: W::Num, sheet: W) -> Result<W::Num, Refusal> {
     if rod.value() >= bore.value() {
         return Err(Refusal::because(
-            Text::new("the piston rod of {rod} leaves nothing of the bore of {bore}: make it thinner")
+            Text::new("the piston rod of {rod} fills the whole bore of {bore}: reduce its diameter")
                 .with_quantity("rod", rod.value(), "mm")
                 .with_quantity("bore", bore.value(), "mm"),
         ));

@@ -167,7 +167,7 @@ fn displacement<W: Worksheet>(
         (Terms::Two, _) => two_term::displacement(crank, ratio, angle),
         (Terms::Harmonics { .. }, _) => harmonics::displacement(crank, amplitudes, angle),
     };
-    let why = "Displacement of the piston from the dead centre away from the crankshaft";
+    let why = "Displacement of the piston from the dead centre farthest from the crankshaft";
     let displacement = sheet.step("s", "mm", value, (why, KHURMI.at("ch. 15")));
     sheet.answer("displacement", "Displacement of the piston", displacement);
     sheet.verify(|| {
@@ -177,7 +177,7 @@ fn displacement<W: Worksheet>(
             let far = offset.map_or(far, |offset| far - offset.powi(2)).sqrt();
             let here = crank * angle.cos() + (rod.powi(2) - across.powi(2)).sqrt();
             let what =
-                "displacement from the distances of the gudgeon pin with crank and rod in line and at this angle";
+                "displacement from the distances of the gudgeon pin with crank and rod collinear and at this angle";
             sheet.check_sum(what, displacement, far - here, size);
             return;
         }
@@ -214,7 +214,7 @@ fn amplitudes<W: Worksheet>(problem: &Engine, ratio: W::Num, sheet: W) -> Vec<W:
                 })
                 .sum();
             let residual = amplitude.value() - 2.0 * integral / f64::from(POINTS);
-            let what = "the same amplitude by its Fourier integral over a turn";
+            let what = "the same amplitude by its Fourier integral over one revolution";
             sheet.check_zero(what, residual.into(), 1.0);
         });
         amplitude
@@ -236,7 +236,7 @@ fn running<W: Worksheet>(
         "φ′",
         "1",
         piston::turn(crank, rod, angle, obliquity),
-        "Virtual turn of the rod for that of the crank, δφ = φ′ δθ",
+        "Virtual rotation of the rod for that of the crank, δφ = φ′ δθ",
     );
     let velocity = match problem.terms {
         Terms::Exact => arm * speed,
@@ -258,7 +258,7 @@ fn running<W: Worksheet>(
         "α_r",
         "rad/s^2",
         rod_acceleration,
-        ("Angular acceleration of the rod, in the sense in which the obliquity grows", KHURMI.at("ch. 15")),
+        ("Angular acceleration of the rod, positive for increasing obliquity", KHURMI.at("ch. 15")),
     );
     let acceleration = match problem.terms {
         Terms::Exact => piston::acceleration(
@@ -306,7 +306,7 @@ fn zero_acceleration<W: Worksheet>(
         piston::acceleration(both.0, both.1, both.2, swing, None)
     };
     let plain: Vec<f64> = amplitudes.iter().map(|a| a.value()).collect();
-    let why = "Crank angle on the way to the crank at which the piston has no acceleration, so the greatest velocity";
+    let why = "Crank angle, with the piston moving towards the crank, at which its acceleration is zero and its velocity maximum";
     let found = |acceleration: &dyn Fn(f64) -> f64| {
         let go = |_| std::ops::ControlFlow::Continue(());
         let angle = roots::find(acceleration, [0.0, std::f64::consts::PI], go).ok()?;
@@ -321,7 +321,7 @@ fn zero_acceleration<W: Worksheet>(
         Terms::Harmonics { .. } => found(&|angle| harmonics::acceleration(r, &plain, angle, 1.0, None)),
     };
     let Some(angle) = angle else { return };
-    sheet.answer("zero_acceleration_angle", "Crank angle without acceleration of the piston", angle);
+    sheet.answer("zero_acceleration_angle", "Crank angle at zero piston acceleration", angle);
     sheet.verify(|| match problem.terms {
         Terms::Two => {
             let residual = ratio * angle.cos() + (angle * 2.0).cos();
@@ -331,7 +331,7 @@ fn zero_acceleration<W: Worksheet>(
             let square = angle.sin().powi(2);
             let residual = square.powi(3) - ratio.powi(2) * square.powi(2)
                 + ratio.powi(4) * (W::Num::from(1.0) - square);
-            let what = "sin⁶θ₀ − n² sin⁴θ₀ − n⁴ sin²θ₀ + n⁴ = 0 at the angle without acceleration";
+            let what = "sin⁶θ₀ − n² sin⁴θ₀ − n⁴ sin²θ₀ + n⁴ = 0 at the angle of zero acceleration";
             sheet.check_zero(what, residual, ratio.value().powi(4));
         }
         Terms::Exact => {
@@ -343,7 +343,7 @@ fn zero_acceleration<W: Worksheet>(
             };
             let at = CrankMotion { angle: angle.value(), speed: 1.0, acceleration: 0.0 };
             if let Ok(motion) = mechanism.motion(at) {
-                let what = "no acceleration there by the closure of the slider-crank";
+                let what = "zero acceleration there from the loop closure of the slider-crank";
                 sheet.check_zero(what, motion.slider_acceleration.into(), r);
             }
         }
@@ -351,7 +351,7 @@ fn zero_acceleration<W: Worksheet>(
             let orders = amplitudes.iter().zip((1u32..).map(|half| f64::from(2 * half)));
             let higher: f64 = orders.map(|(a, k)| a.value() * (k * angle.value()).cos()).sum();
             let residual = angle.cos() + higher;
-            sheet.check_zero("the harmonics cancel at the angle without acceleration", residual, 1.0);
+            sheet.check_zero("the harmonics cancel at the angle of zero acceleration", residual, 1.0);
         }
     });
 }

@@ -3,13 +3,13 @@
 use dalembert_core::{Inputs, Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real,
-    slider_crank::{engine, equivalent},
+    slider_crank::{
+        engine::{self, Model},
+        equivalent,
+    },
 };
 
-use super::{
-    motion::{Lengths, Moving},
-    witness,
-};
+use super::motion::{Lengths, Moving};
 use crate::sources::{BEVAN, KHURMI};
 
 /// What is known of the connecting rod's mass.
@@ -23,7 +23,7 @@ pub enum RodMass {
         /// Mass of the rod.
         #[input("m", "kg", positive)]
         mass: f64,
-        /// Where its centre of mass is.
+        /// Position of its centre of mass.
         centre: Centre,
         /// Its moment of inertia.
         inertia: RodInertia,
@@ -71,7 +71,7 @@ pub enum RodInertia {
         #[input("I_G", "kg*m^2", nonnegative)]
         inertia: f64,
     },
-    /// That of masses in the two pins
+    /// Inertia of masses at the two pins
     /// The rod then needs no correction couple.
     Pins,
 }
@@ -106,7 +106,7 @@ pub(super) fn masses<W: Worksheet>(
             let centre = *at_gudgeon * rod / mass;
             let centre = sheet.step("c", "mm", centre, "Distance of its centre of mass from the crank pin");
             let inertia = mass * centre * (rod - centre);
-            let inertia = sheet.step("I_G", "kg*m^2", inertia, "Moment of inertia of two masses in the pins");
+            let inertia = sheet.step("I_G", "kg*m^2", inertia, "Moment of inertia of two masses at the pins");
             Ok(Some(Masses {
                 mass,
                 centre,
@@ -137,7 +137,7 @@ pub(super) fn masses<W: Worksheet>(
                 ));
             }
             let cite = KHURMI.at("ch. 15");
-            let why = "Share of the rod's mass at the gudgeon pin, so that the centre of mass stays";
+            let why = "Share of the rod's mass at the gudgeon pin, keeping the centre of mass unchanged";
             let at_gudgeon = sheet.step("m_g", "kg", equivalent::share(mass, other, centre), (why, cite));
             let why = "Share of the rod's mass at the crank pin";
             let at_pin = sheet.step("m_c", "kg", equivalent::share(mass, centre, other), (why, cite));
@@ -149,7 +149,7 @@ pub(super) fn masses<W: Worksheet>(
                 RodInertiaGiven::Moment { inertia } => (*inertia, true),
                 RodInertiaGiven::Pins { .. } => {
                     let inertia = mass * centre * other;
-                    let why = "Moment of inertia of two masses in the pins";
+                    let why = "Moment of inertia of two masses at the pins";
                     (sheet.step("I_G", "kg*m^2", inertia, why), false)
                 }
             };
@@ -159,7 +159,7 @@ pub(super) fn masses<W: Worksheet>(
                     "kg*m^2",
                     equivalent::missing_inertia_from(inertia, mass, centre, other),
                     (
-                        "Moment of inertia that the two masses lack; below zero, that they have too much",
+                        "Moment-of-inertia deficit of the two masses; negative for an excess",
                         BEVAN.at("ch. 12"),
                     ),
                 )
@@ -180,13 +180,12 @@ pub(super) fn inertia_force<W: Worksheet>(
 ) {
     let (Some(speed), Some(piston)) = (moving.speed, moving.acceleration) else { return };
     let (angle, crank) = (moving.angle, lengths.crank);
-    let why =
-        "The centre of mass divides the rod, and its acceleration those of the two pins: towards the crank";
+    let why = "The acceleration of the centre of mass is interpolated between those of the two pins: towards the crank";
     let part = sheet.step(
         "χ",
         "1",
         rod.centre / lengths.rod,
-        "Part of the rod from the crank pin to its centre of mass",
+        "Fraction of the rod length from the crank pin to its centre of mass",
     );
     let rest = || W::Num::from(1.0) - part;
     let pin = crank * speed.powi(2);
@@ -197,9 +196,26 @@ pub(super) fn inertia_force<W: Worksheet>(
         None => (pin * angle.cos(), pin * angle.sin()),
     };
     let along = sheet.step("a_x", "m/s^2", rest() * along + part * piston, why);
-    let across = sheet.step("a_y", "m/s^2", rest() * across, "Across the stroke, towards the line of stroke");
+    let across =
+        sheet.step("a_y", "m/s^2", rest() * across, "Transverse to the stroke, towards the line of stroke");
     let size = rod.mass * (along.powi(2) + across.powi(2)).sqrt();
     let force = sheet.step("F_C", "N", size, ("Inertia force of the rod", KHURMI.at("ch. 15")));
     sheet.answer("rod_inertia_force", "Inertia force of the rod", force);
-    sheet.verify(|| witness::rod_force(moving, kernel, force, sheet));
+    sheet.verify(|| rod_force(moving, kernel, force, sheet));
+}
+
+/// The inertia force of the rod as what its two pins exert on it, where nothing but inertia acts.
+fn rod_force<W: Worksheet>(moving: &Moving<W::Num>, rod: &engine::Engine, force: W::Num, sheet: W) {
+    if rod.model != Model::Exact {
+        return;
+    }
+    let crank = moving.crank();
+    let inert = engine::Engine { gravity: [0.0; 2], friction: 0.0, ..rod.clone() };
+    let Ok(reactions) = inert.reactions(crank, 0.0) else { return };
+    let [x, y] = [0, 1].map(|axis| reactions.gudgeon_pin[axis] - reactions.crank_pin[axis]);
+    let natural = rod.crank * (crank.speed.powi(2) + crank.acceleration.abs());
+    let fastest = moving.acceleration.map_or(natural, |piston| piston.value().abs().max(natural));
+    let size = (rod.rod_mass + rod.reciprocating) * fastest + reactions.gudgeon_pin[1].abs();
+    let what = "inertia force of the rod as the force exerted by its pins, from the Newton–Euler equations";
+    sheet.check_sum(what, force, x.hypot(y).into(), size);
 }

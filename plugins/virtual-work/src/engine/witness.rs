@@ -28,7 +28,7 @@ pub(super) fn motion<W: Worksheet>(
         SliderCrank { crank: engine.crank, rod: engine.rod, offset: engine.offset, branch: Branch::Ahead };
     let crank = moving.crank();
     let Ok(closed) = mechanism.motion(crank) else { return };
-    let what = "obliquity of the rod by the closure of the slider-crank";
+    let what = "obliquity of the rod from the loop closure of the slider-crank";
     sheet.check_sum(what, moving.obliquity, (-closed.rod_angle).into(), 1.0);
     let (Some(speed), Some(velocity), Some(acceleration)) =
         (moving.speed, moving.velocity, moving.acceleration)
@@ -39,9 +39,9 @@ pub(super) fn motion<W: Worksheet>(
     match problem.terms {
         Terms::Exact => {
             let scale = engine.crank * speed.value();
-            let what = "velocity of the piston by the closure of the slider-crank";
+            let what = "velocity of the piston from the loop closure of the slider-crank";
             sheet.check_sum(what, velocity, (-closed.slider_velocity).into(), scale);
-            let what = "acceleration of the piston by the closure of the slider-crank";
+            let what = "acceleration of the piston from the loop closure of the slider-crank";
             let scale = natural.max(closed.slider_acceleration.abs());
             sheet.check_sum(what, acceleration, (-closed.slider_acceleration).into(), scale);
         }
@@ -49,7 +49,7 @@ pub(super) fn motion<W: Worksheet>(
             let second = [1.0 / lengths.ratio.value()];
             let turning = (crank.acceleration != 0.0).then_some(crank.acceleration);
             let again = harmonics::acceleration(engine.crank, &second, crank.angle, crank.speed, turning);
-            let what = "acceleration of the piston as the sum of a primary and a secondary one";
+            let what = "acceleration of the piston as the sum of its primary and secondary components";
             sheet.check_sum(what, acceleration, again.into(), natural);
         }
         Terms::Harmonics { .. } => {
@@ -63,31 +63,10 @@ pub(super) fn motion<W: Worksheet>(
             let slope: f64 =
                 rule.into_iter().map(|(k, w)| w * (displacement(k) - displacement(-k))).sum::<f64>()
                     / (840.0 * step);
-            let what = "velocity of the piston as the slope of its displacement";
+            let what = "velocity of the piston as the derivative of its displacement";
             sheet.check_sum(what, velocity, (slope * crank.speed).into(), engine.crank * crank.speed);
         }
     }
-}
-
-/// The inertia force of the rod as what its two pins exert on it, where nothing but inertia acts.
-pub(super) fn rod_force<W: Worksheet>(
-    moving: &Moving<W::Num>,
-    engine: &kernel::Engine,
-    force: W::Num,
-    sheet: W,
-) {
-    if engine.model != Model::Exact {
-        return;
-    }
-    let crank = moving.crank();
-    let inert = kernel::Engine { gravity: [0.0; 2], friction: 0.0, ..engine.clone() };
-    let Ok(reactions) = inert.reactions(crank, 0.0) else { return };
-    let [x, y] = [0, 1].map(|axis| reactions.gudgeon_pin[axis] - reactions.crank_pin[axis]);
-    let natural = engine.crank * (crank.speed.powi(2) + crank.acceleration.abs());
-    let fastest = moving.acceleration.map_or(natural, |piston| piston.value().abs().max(natural));
-    let size = (engine.rod_mass + engine.reciprocating) * fastest + reactions.gudgeon_pin[1].abs();
-    let what = "inertia force of the rod as what its pins exert on it, by Newton's and Euler's equations";
-    sheet.check_sum(what, force, x.hypot(y).into(), size);
 }
 
 /// The turning moment from the virtual works of all loads on piston and rod, and the size of what it is added up from;
@@ -139,17 +118,17 @@ pub(super) fn forces<W: Worksheet>(
         let plain = engine.forces(crank, &engine.motion(crank), pressure);
         let scale = size(&plain) * (1.0 + engine.rod / engine.crank);
         if let Ok(reactions) = engine.reactions(crank, pressure) {
-            let what = "turning moment from Newton's and Euler's equations of piston and rod";
+            let what = "turning moment from the Newton–Euler equations of piston and rod";
             sheet.check_sum(what, forces.moment, reactions.moment.into(), scale * engine.crank);
-            let what = "thrust on the guide from Newton's and Euler's equations";
+            let what = "thrust on the guide from the Newton–Euler equations";
             sheet.check_sum(what, forces.guide, reactions.guide.into(), scale);
-            let what = "load on the gudgeon pin from Newton's and Euler's equations";
+            let what = "load on the gudgeon pin from the Newton–Euler equations";
             sheet.check_sum(what, forces.gudgeon, (-reactions.gudgeon_pin[0]).into(), scale);
             let [x, y] = reactions.crank_pin;
             let radial = -x * crank.angle.cos() - y * crank.angle.sin();
-            let what = "radial force at the crank pin from Newton's and Euler's equations";
+            let what = "radial force at the crank pin from the Newton–Euler equations";
             sheet.check_sum(what, forces.radial, radial.into(), scale);
-            let what = "force at the crank pin from Newton's and Euler's equations";
+            let what = "force at the crank pin from the Newton–Euler equations";
             sheet.check_sum(what, forces.crank_pin, x.hypot(y).into(), scale);
         }
         if let (Some(moment), None) = (forces.inertia_moment, moving.turning) {

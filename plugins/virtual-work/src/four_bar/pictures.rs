@@ -1,4 +1,4 @@
-//! What a four-bar linkage does over its range: curves, class, film.
+//! What a four-bar linkage does over its range: curves, class, animation.
 
 use dalembert_core::{Axis, Cell, Column, Exhibit, Plot, Series, TableExhibit, Text, Worksheet};
 
@@ -13,14 +13,14 @@ impl FourBar {
         match self.unknown {
             Unknown::Torque { .. } => sheet.show(|| {
                 cycle.plot(
-                    "Torque over the turn",
+                    "Torque over one revolution",
                     ("Torque on the crank", "N*m"),
                     &[("torque", "torque", &|found| found.torque)],
                 )
             }),
             Unknown::Load { .. } => sheet.show(|| {
                 cycle.plot(
-                    "Torque over the turn",
+                    "Torque over one revolution",
                     ("Torque on the rocker", "N*m"),
                     &[("torque", "load", &|found| built::bounded(found.load, found.ratios[1], 1.0))],
                 )
@@ -29,7 +29,7 @@ impl FourBar {
         sheet.show(|| {
             cycle.plot(
                 "Velocity ratios",
-                ("Angular velocity over that of the crank", "1"),
+                ("Ratio of angular velocity to that of the crank", "1"),
                 &[
                     ("coupler", "coupler_ratio", &|found| found.ratios[0]),
                     ("rocker", "rocker_ratio", &|found| found.ratios[1]),
@@ -71,7 +71,7 @@ impl FourBar {
         sheet.show(|| {
             let path = path().into_iter().filter(|(x, _)| x.is_finite());
             let path: Vec<[f64; 2]> = path.map(|(x, y)| [x, y]).collect();
-            built::film("The four-bar linkage", ("angle", self.angle), range, |angle| {
+            built::animation("The four-bar linkage", ("angle", self.angle), range, |angle| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let [o, a, b, c] = there.pins(&found);
@@ -115,19 +115,19 @@ impl FourBar {
             lengths.iter().fold((f64::INFINITY, 0.0f64), |(s, l), x| (s.min(*x), l.max(*x)));
         let excess = 2.0 * (shortest + longest) - lengths.iter().sum::<f64>();
         let class = if excess.abs() <= 1e-12 * longest {
-            "change point: all links can come into one line"
+            "change point: all links can become collinear"
         } else if excess > 0.0 {
-            "double rocker, not of Grashof: no link turns round"
+            "non-Grashof double rocker: no link rotates fully"
         } else if shortest == self.frame {
-            "double crank: crank and rocker turn round"
+            "double crank: crank and rocker rotate fully"
         } else if shortest == self.crank {
-            "crank-rocker: the crank turns round"
+            "crank-rocker: the crank rotates fully"
         } else if shortest == self.rocker {
-            "rocker-crank: the driven link turns round, the crank swings"
+            "rocker-crank: the driven link rotates fully, the crank oscillates"
         } else {
-            "double rocker of Grashof: the coupler turns round"
+            "Grashof double rocker: the coupler rotates fully"
         };
-        let mut rows: Vec<Vec<Cell>> = vec![vec!["Class after Grashof".into(), class.into()]];
+        let mut rows: Vec<Vec<Cell>> = vec![vec!["Grashof class".into(), class.into()]];
         let side = if self.closing == Closing::Open { "Open loop" } else { "Crossed loop" };
         rows.push(vec!["Closing of the loop".into(), side.into()]);
         if let Range::Between(from, to) = range {
@@ -135,10 +135,10 @@ impl FourBar {
             rows.push(vec!["Crank angle to".into(), to.into()]);
         }
         if least.is_finite() {
-            rows.push(vec!["Least transmission angle, in steps of the turn".into(), least.into()]);
+            rows.push(vec!["Minimum transmission angle, sampled over the revolution".into(), least.into()]);
         }
         TableExhibit {
-            title: Text::from("What the linkage can do"),
+            title: Text::from("Kinematic properties of the linkage"),
             columns: vec![
                 Column { heading: "Property".into(), unit: "" },
                 Column { heading: "Value".into(), unit: "deg" },

@@ -23,9 +23,9 @@ impl Solved<'_> {
         let (velocities, title): (&[[f64; 3]], &'static str) = match &self.dynamics.coefficients[..] {
             [only] => (only, "Instant centres"),
             [first, ..] if drivers.iter().all(|driver| driver.velocity == 0.0) => {
-                (first, "Instant centres while the first driver alone moves")
+                (first, "Instant centres when only the first driver moves")
             }
-            _ => (&self.state.velocities, "Instant centres while the drivers move as given"),
+            _ => (&self.state.velocities, "Instant centres for the given motion of the drivers"),
         };
         let bodies = self.parts.bodies.len();
         let against_ground = (0..bodies).map(|body| [None, Some(body)]);
@@ -44,7 +44,7 @@ impl Solved<'_> {
                 Column { heading: "Parts".into(), unit: "" },
                 Column { heading: "x".into(), unit: "mm" },
                 Column { heading: "y".into(), unit: "mm" },
-                Column { heading: "Otherwise".into(), unit: "" },
+                Column { heading: "Remark".into(), unit: "" },
             ],
             rows: against_ground.chain(of_bodies).map(row).collect(),
             foot: Vec::new(),
@@ -69,7 +69,9 @@ fn cells(centre: InstantCentre, size: f64) -> [Cell; 3] {
             let words = Text::new("at infinity, in the direction {angle}");
             [Cell::Empty, Cell::Empty, Cell::Text(words.with_quantity("angle", line(direction), "deg"))]
         }
-        InstantCentre::Everywhere => [Cell::Empty, Cell::Empty, "they do not move against each other".into()],
+        InstantCentre::Everywhere => {
+            [Cell::Empty, Cell::Empty, "they do not move relative to each other".into()]
+        }
     }
 }
 

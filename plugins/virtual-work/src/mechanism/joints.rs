@@ -31,7 +31,7 @@ impl Solved<'_> {
                 _ => continue,
             };
             let reason = Text::new(
-                "Force that {name} carries, by the equations of Newton and Euler, M q̈ = Q + Φ_qᵀ λ",
+                "Force transmitted by {name}, by the equations of Newton and Euler, M q̈ = Q + Φ_qᵀ λ",
             );
             let why = (reason.with("name", &connection.name), HAUG.at("ch. 6"));
             let force = sheet.found(("R", row + 1), "N", size, why);
@@ -105,7 +105,7 @@ impl Solved<'_> {
             vec![Cell::Text(verbatim(&connection.name)), x, y, size, number(line), number(couple)]
         };
         TableExhibit {
-            title: "What each joint exerts on its second point".into(),
+            title: "Reaction of each joint on its second point".into(),
             columns: vec![
                 Column { heading: "Joint".into(), unit: "" },
                 Column { heading: "Force along x".into(), unit: "N" },
@@ -139,12 +139,12 @@ impl Solved<'_> {
             self.joined(row).into_iter().flatten().map(on_body).collect::<Vec<_>>()
         };
         TableExhibit {
-            title: "What each joint exerts on each body, in the axes of the body".into(),
+            title: "Reaction of each joint on each body, in body axes".into(),
             columns: vec![
                 Column { heading: "Joint".into(), unit: "" },
                 Column { heading: "Body".into(), unit: "" },
                 Column { heading: "Along its x axis".into(), unit: "N" },
-                Column { heading: "Across, along its y axis".into(), unit: "N" },
+                Column { heading: "Transverse, along its y axis".into(), unit: "N" },
                 Column { heading: "Force".into(), unit: "N" },
             ],
             rows: self.parts.joints.iter().enumerate().flat_map(of_joint).collect(),
@@ -166,7 +166,7 @@ impl Solved<'_> {
         }
         let shaking = |sample: &Sample| self.system.shaking_force(&sample.state);
         if changes(samples, shaking) {
-            let title = "Shaking force: all that the ground takes";
+            let title = "Shaking force: resultant force on the ground";
             sheet.show(|| in_ground_axes(title, vec![polar("".into(), samples, shaking)]));
         }
     }

@@ -1,7 +1,7 @@
-//! Tables, plots and the film of a mechanism.
+//! Tables, plots and the animation of a mechanism.
 
 use dalembert_core::{
-    Axis, DrawnShape, Exhibit, Film, Ink, Name, Plot, Series, TableExhibit, Text, Worksheet,
+    Animation, Axis, DrawnShape, Exhibit, Ink, Name, Plot, Series, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column},
 };
 use dalembert_mechanics::planar::{LoadId, Point, State};
@@ -34,7 +34,7 @@ impl Solved<'_> {
                     Driven::Angle { .. } => ("N*m", "Torque"),
                     _ => ("N", "Force"),
                 };
-                let title = Text::new("Effort of {name}").with("name", &drive.name);
+                let title = Text::new("Driving force or torque of {name}").with("name", &drive.name);
                 let of = |sample: &Sample| sample.multipliers[first_driver + driver];
                 let answer = Name::from(("effort", driver + 1));
                 sheet.show(|| {
@@ -78,7 +78,7 @@ impl Solved<'_> {
             }
             self.show_polar_diagrams(samples, sheet);
         }
-        sheet.show(|| Exhibit::Film(self.film(problem, samples)));
+        sheet.show(|| Exhibit::Animation(self.animation(problem, samples)));
     }
 
     fn over_range(
@@ -156,7 +156,7 @@ impl Solved<'_> {
             title: "Virtual power of the loads".into(),
             columns: vec![
                 Column { heading: "Load".into(), unit: "" },
-                Column { heading: "For a unit velocity of the first driver".into(), unit },
+                Column { heading: "Per unit velocity of the first driver".into(), unit },
                 Column { heading: "Power".into(), unit: "W" },
             ],
             rows,
@@ -164,7 +164,7 @@ impl Solved<'_> {
         }
     }
 
-    fn film(&self, problem: &Mechanism, samples: &[Sample]) -> Film {
+    fn animation(&self, problem: &Mechanism, samples: &[Sample]) -> Animation {
         const FRAMES: usize = 24;
         let size = self.drawn_size();
         let paths: Vec<DrawnShape> = problem
@@ -185,7 +185,7 @@ impl Solved<'_> {
         let mut frames = vec![frame(self.state)];
         let mut values = vec![self.here()];
         if samples.len() > 1 {
-            // The film begins where the problem stands.
+            // The animation begins where the problem stands.
             let start = samples
                 .iter()
                 .enumerate()
@@ -198,8 +198,8 @@ impl Solved<'_> {
             frames.extend((1..FRAMES).map(|k| frame(&shown(k).state)));
             values.extend((1..FRAMES).map(|k| shown(k).value));
         }
-        let film = Film::new("Mechanism", frames, 4.0);
-        if values.len() > 1 { film.over(self.input(), values) } else { film }
+        let animation = Animation::new("Mechanism", frames, 4.0);
+        if values.len() > 1 { animation.over(self.input(), values) } else { animation }
     }
 
     /// The size of the drawn mechanism, which is the same wherever its drivers have taken it.

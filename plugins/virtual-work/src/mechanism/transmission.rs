@@ -46,7 +46,7 @@ impl Solved<'_> {
             columns: vec![
                 Column { heading: "Link and pin".into(), unit: "" },
                 Column { heading: "Transmission angle".into(), unit: "deg" },
-                Column { heading: "Least over the range".into(), unit: "deg" },
+                Column { heading: "Minimum over the range".into(), unit: "deg" },
             ],
             rows,
             foot: Vec::new(),

@@ -29,11 +29,11 @@ impl Solved<'_> {
             let (per, reason) = match drive.what {
                 Driven::Angle { .. } => (
                     Per { effort: "N*m", length: "m/rad", angle: "rad/rad" },
-                    "Torque of {name}: with it the virtual powers of all loads sum to zero, T + Σ W = 0",
+                    "Torque of {name}: the total virtual power of all loads is zero, T + Σ W = 0",
                 ),
                 Driven::Position { .. } | Driven::Distance { .. } => (
                     Per { effort: "N", length: "m/m", angle: "rad/m" },
-                    "Force of {name}: with it the virtual powers of all loads sum to zero, T + Σ W = 0",
+                    "Force of {name}, from the principle of virtual power, T + Σ W = 0",
                 ),
             };
             let powers = &self.dynamics.powers;
@@ -49,15 +49,13 @@ impl Solved<'_> {
             } else {
                 sheet.step(("T", row), per.effort, -<W::Num as Real>::sum(works), why)
             };
-            sheet.answer(("effort", row), "Effort of the driver", effort);
+            sheet.answer(("effort", row), "Driving force or torque", effort);
             sheet.whose(("effort", row), &drive.name);
             sheet.verify(|| {
                 let largest = powers.iter().fold(0.0f64, |most, p| most.max(p.generalised[driver].abs()));
                 sheet.check_zero(
-                    Text::new(
-                        "virtual power and the equations of Newton and Euler give {name} the same effort",
-                    )
-                    .with("name", &drive.name),
+                    Text::new("virtual power and the Newton–Euler equations give the same effort for {name}")
+                        .with("name", &drive.name),
                     (effort.value() - self.dynamics.newton_euler[driver]).into(),
                     largest,
                 );
@@ -78,7 +76,7 @@ impl Solved<'_> {
         let largest = powers.iter().fold(rate.abs(), |most, power| most.max(power.abs()));
         let gap = powers.iter().sum::<f64>() - rate;
         sheet.check_zero(
-            "what loads and drivers bring in is the rate of the kinetic energy",
+            "the power of loads and drivers equals the rate of change of the kinetic energy",
             gap.into(),
             largest,
         );
@@ -109,9 +107,9 @@ impl Solved<'_> {
         let rate = |measure: &Measure| {
             let unit = if measure.is_angle() { per.angle } else { per.length };
             let reason = if measure.is_angle() {
-                "How far {name} turns when the driver moves by one unit"
+                "Rotation of {name} per unit displacement of the driver"
             } else {
-                "How far {name} lengthens when the driver moves by one unit"
+                "Elongation of {name} per unit displacement of the driver"
             };
             sheet.found(symbol("u"), unit, self.system.rate(measure, &moved), why(reason))
         };
@@ -125,7 +123,8 @@ impl Solved<'_> {
         let of_effort = |effort: W::Num, rate: W::Num, power: Why| {
             sheet.step(symbol("W"), per.effort, effort * rate, power)
         };
-        const OF_CENTRE: &str = "How far the mass centre of {name} moves when the driver moves by one unit";
+        const OF_CENTRE: &str =
+            "Displacement of the centre of mass of {name} per unit displacement of the driver";
         match of {
             LoadId::Weight(body) => {
                 let way = way(Point::body(body, [0.0; 2]), OF_CENTRE);
@@ -135,16 +134,16 @@ impl Solved<'_> {
             LoadId::InertiaForce(body) => {
                 let way = way(Point::body(body, [0.0; 2]), OF_CENTRE);
                 let [x, y, _] = self.state.accelerations[body];
-                let reason = why("Acceleration of the mass centre of {name}");
+                let reason = why("Acceleration of the centre of mass of {name}");
                 let acceleration = sheet.found_vector(symbol("a"), "m/s^2", Vector3::new(x, y, 0.0), reason);
                 let force = work::inertia_force(given.bodies[body].mass, acceleration);
-                let reason = why("Inertia force of {name}, against the acceleration");
+                let reason = why("Inertia force of {name}, opposite to the acceleration");
                 of_force(sheet.step_vector(symbol("F"), "N", force, reason), way, power)
             }
             LoadId::InertiaCouple(body) => {
                 let turning = rate(&Measure::Angle { of: Some(body), against: None });
                 let couple = -(given.bodies[body].inertia * angular[body]);
-                let reason = why("Inertia couple of {name}, against the angular acceleration");
+                let reason = why("Inertia couple of {name}, opposite to the angular acceleration");
                 of_effort(sheet.step(symbol("M"), "N*m", couple, reason), turning, power)
             }
             LoadId::Load(load) => {
@@ -155,7 +154,8 @@ impl Solved<'_> {
                 });
                 match (described, &given.loads[load].load, measured) {
                     (Load::Force { at, axes, force: typed }, LoadGiven::Force { force, .. }, _) => {
-                        let reason = "How far the point of {name} moves when the driver moves by one unit";
+                        let reason =
+                            "Displacement of the point of {name} per unit displacement of the driver";
                         let way = way(self.parts.point(*at), reason);
                         let force = match axes {
                             Carrier::Ground => *force,
@@ -163,7 +163,7 @@ impl Solved<'_> {
                                 let turned = Rotation2::new(self.state.positions[body.0][2])
                                     * Vector2::new(typed.x, typed.y);
                                 let reason =
-                                    why("Force {name}, turned with the part in whose axes it is given");
+                                    why("Force {name}, rotated with the body in whose axes it is given");
                                 sheet.found_vector(symbol("F"), "N", turned.push(0.0), reason)
                             }
                         };
@@ -188,7 +188,7 @@ impl Solved<'_> {
                         of_effort(couple, rate(&measure), power)
                     }
                     (_, LoadGiven::Damper { coefficient }, Some((measure, _, velocity))) => {
-                        let reason = why("Velocity with which {name} lengthens");
+                        let reason = why("Rate of extension of {name}");
                         let velocity = sheet.found(symbol("v"), "m/s", velocity, reason);
                         let reason = why("Force of {name}, positive when it pushes its ends apart");
                         let force = sheet.step(symbol("F"), "N", -(*coefficient * velocity), reason);
@@ -205,7 +205,7 @@ impl Solved<'_> {
                     }
                     _ => {
                         let reason = why(
-                            "Virtual power of the friction of {name}, in proportion to the force that its joint carries",
+                            "Virtual power of the friction of {name}, proportional to the force transmitted by its joint",
                         );
                         let found = self.dynamics.powers.iter().find(|power| power.of == of);
                         let si = found.map_or(0.0, |power| power.generalised[driver]);

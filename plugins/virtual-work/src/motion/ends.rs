@@ -20,7 +20,7 @@ pub enum Ends {
         value: f64,
     },
     /// A body comes to rest
-    /// It turns no more; for a body that only slides take two points.
+    /// It stops rotating; for a body that only translates, use two points.
     Rest {
         /// Body.
         #[input(rows = "bodies")]
@@ -38,7 +38,7 @@ pub enum Ends {
         #[input("s", "mm", positive)]
         value: f64,
     },
-    /// Two points come to rest against one another
+    /// Two points come to relative rest
     Still {
         /// From.
         #[input(rows = "points")]
@@ -70,7 +70,7 @@ impl Ends {
             return Ok(());
         }
         let why = Text::new(
-            "{body} does not turn, so this end has no meaning for it: take two points that come to rest against one another",
+            "{body} does not turn, so this end condition does not apply to it: use two points that come to relative rest",
         );
         Err(Refusal::NoAnswer(why.with("body", &bodies[body.0].name)))
     }

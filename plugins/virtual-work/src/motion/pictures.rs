@@ -1,6 +1,6 @@
-//! Plots and the film of a motion.
+//! Plots and the animation of a motion.
 
-use dalembert_core::{Axis, DrawnShape, Exhibit, Film, Ink, Name, Plot, Series, Text, Worksheet};
+use dalembert_core::{Animation, Axis, DrawnShape, Exhibit, Ink, Name, Plot, Series, Text, Worksheet};
 use dalembert_mechanics::planar::Snapshot;
 
 use super::{Motion, Solved};
@@ -9,7 +9,7 @@ use crate::parts::{drawing::place, verbatim};
 impl Solved<'_> {
     /// Everything there is to look at.
     pub(super) fn show<W: Worksheet>(&self, problem: &Motion, sheet: W) {
-        sheet.show(|| Exhibit::Film(self.film(problem)));
+        sheet.show(|| Exhibit::Animation(self.animation(problem)));
         sheet.show(|| {
             Exhibit::Plot(
                 self.of_bodies("Angles", ("Angle", "deg"), "angle", |moment| &moment.state.positions),
@@ -86,7 +86,7 @@ impl Solved<'_> {
         Plot::new(title, Axis::linear("Time", "s"), Axis::linear(label, unit), series).over("duration")
     }
 
-    fn film(&self, problem: &Motion) -> Film {
+    fn animation(&self, problem: &Motion) -> Animation {
         const FRAMES: usize = 24;
         let moments = &self.moved.samples;
         let sizes = moments.iter().map(|moment| self.parts.size(self.system, &moment.state));
@@ -103,6 +103,6 @@ impl Solved<'_> {
             self.parts.draw(self.system, &moment.state, size, &mut shapes);
             shapes
         };
-        Film::new("Mechanism", (0..FRAMES).map(frame).collect(), 4.0)
+        Animation::new("Mechanism", (0..FRAMES).map(frame).collect(), 4.0)
     }
 }

@@ -15,13 +15,15 @@ impl Solved<'_> {
         let row = braked.load + 1;
         let name = &self.parts.loads[braked.load].name;
         let (reason, sliding) = match braked.contact {
-            Contact::Sliding { .. } => ("Sliding against {name} at the end", braked.sliding),
-            Contact::Sticking | Contact::Indeterminate => ("At the end {name} holds its joint at rest", 0.0),
+            Contact::Sliding { .. } => ("Sliding velocity against {name} at the end", braked.sliding),
+            Contact::Sticking | Contact::Indeterminate => {
+                ("At the end {name} is sticking: its joint does not slide", 0.0)
+            }
         };
         let unit = if braked.pin { "rad/s" } else { "m/s" };
         let why = Text::new(reason).with("name", name);
         let sliding = sheet.found(("u", row), unit, sliding, why);
-        sheet.answer(("sliding", row), "Sliding against friction at the end", sliding);
+        sheet.answer(("sliding", row), "Sliding velocity against friction at the end", sliding);
         sheet.whose(("sliding", row), name);
         let (Contact::Sliding { .. }, Load::Friction { joint, .. }) =
             (braked.contact, &self.parts.loads[braked.load].load)
@@ -48,7 +50,7 @@ impl Solved<'_> {
                 }
                 _ => return,
             };
-            let what = Text::new("sliding against {name} from the motions of both its bodies");
+            let what = Text::new("sliding velocity against {name} from the motions of both its bodies");
             let error = self.tolerance * size;
             sheet.check_residual(what.with("name", name), (sliding.value() - again).into(), size, error);
         });
@@ -78,7 +80,7 @@ impl Solved<'_> {
         let apart = |(one, other): (&[f64; 3], &[f64; 3])| far([0, 1, 2].map(|n| one[n] - other[n]));
         let gap = pairs.map(apart).fold(0.0, f64::max);
         let size = last.state.positions.iter().map(|at| far(*at)).fold(arm, f64::max);
-        let what = "the last stretch of the motion, followed again to the time of its end";
+        let what = "the last part of the motion, integrated again to the end time";
         // Each step may add its error, which the motion carries on.
         sheet.check_residual(what, gap.into(), size, 100.0 * self.tolerance * size);
     }
@@ -106,14 +108,14 @@ impl Solved<'_> {
             "W",
             "J",
             last.work,
-            "Work of the drivers, dampers, friction and turning forces since the start",
+            "Work of the drivers, dampers, friction and follower forces since the start",
         );
         sheet.answer("work", "Work done since the start", work);
         let left = self.moved.imbalance();
         let what = "the energy balance T + V − W over the motion";
         if left > DOUBTFUL * size && left > ROUNDINGS * rounding {
             sheet.warn(|| {
-                Text::new("the energy balance is held to {left} alone, of {size}: at a dead centre or change point the motion hangs on what is lost there")
+                Text::new("the energy balance closes only to within {left}, of {size}: at a dead centre or change point the motion depends on digits lost there")
                     .with_quantity("left", left, "J")
                     .with_quantity("size", size, "J")
             });
@@ -121,7 +123,7 @@ impl Solved<'_> {
         } else {
             sheet.check_residual(what, left.into(), size, rounding);
             let end = kinetic.value() + gained.value() - work.value();
-            let what = "T + V − W at the end is the kinetic energy of the start";
+            let what = "T + V − W at the end equals the initial kinetic energy";
             sheet.check_residual(what, (end - first.kinetic).into(), size, self.tolerance * size + rounding);
         }
     }

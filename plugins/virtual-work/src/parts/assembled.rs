@@ -97,7 +97,7 @@ impl Parts<'_> {
                 let points: Vec<[f64; 2]> = lift.iter().map(|point| [point.angle, point.lift]).collect();
                 let profile = Profile::through(&points, Some(std::f64::consts::TAU)).ok_or_else(|| {
                     Refusal::because(
-                        Text::new("the lift of the cam {name} needs at least three points with rising angles within one turn")
+                        Text::new("the lift of the cam {name} needs at least three points with increasing angles within one revolution")
                             .with("name", &connection.name),
                     )
                 })?;
@@ -175,7 +175,7 @@ impl Parts<'_> {
         sheet: W,
     ) -> Result<(System, Vec<usize>, Vec<[f64; 3]>), Refusal> {
         if self.bodies.is_empty() {
-            return Err(Refusal::because("there is no body: write down at least one"));
+            return Err(Refusal::because("no body is given: write down at least one"));
         }
         let (mut mechanism, rows) = self.mechanism()?;
         let values: Vec<f64> = mechanism.drivers.iter().map(|driver| driver.value).collect();
@@ -204,14 +204,14 @@ impl Parts<'_> {
         };
         if !unplaced.is_empty() {
             return Err(Refusal::because(
-                Text::new("joints and drivers leave open where {names} lies: give its place")
+                Text::new("joints and drivers do not determine the position of {names}: give it")
                     .with("names", names(&unplaced)),
             ));
         }
         if !assumed.is_empty() {
             sheet.warn(|| {
                 Text::new(
-                    "joints and drivers leave open where it lies: give the place of {names}; any is assumed",
+                    "joints and drivers do not determine the position: give the position of {names}; an arbitrary one is assumed",
                 )
                 .with("names", names(&assumed))
             });
@@ -219,8 +219,7 @@ impl Parts<'_> {
         if !elsewhere.is_empty() {
             sheet.warn(|| {
                 Text::new(
-                    "with these angles it can be assembled on another side as well: give the place of {names}, or look \
-                     at the drawing whether this is the side that is meant",
+                    "with these angles it can also be assembled on another side: give the position of {names}, or check in the drawing that this is the intended side",
                 )
                 .with("names", names(&elsewhere))
             });

@@ -21,7 +21,7 @@ impl Parts<'_> {
         let unit = |driver: usize| self.unit(driver);
         Refusal::because(match error {
             PlanarError::DoesNotClose { joint: at, residual } if *at < rows.len() => Text::new(
-                "the mechanism cannot be assembled: {joint} stays open by {gap}; look at the lengths, the driven values and the angles at which the bodies lie",
+                "the mechanism cannot be assembled: {joint} remains open by {gap}; check the lengths, the driver values and the angles of the bodies",
             )
             .with("joint", joint(*at))
             .with_quantity("gap", *residual, "mm"),
@@ -30,47 +30,47 @@ impl Parts<'_> {
                     .with("driver", drive(at - rows.len()))
             }
             PlanarError::UnderDriven { singular: true, .. } => Text::new(
-                "in this position the joints let the mechanism move in more ways than it has drivers, although their number fits: a singular position; draw it in another one",
+                "in this position the joints allow more motions than there are drivers, although the numbers match: a singular position; draw it in another one",
             ),
             PlanarError::UnderDriven { free, .. } => Text::new(
                 "{free} degrees of freedom have no driver: add a driver, or a joint, for each",
             )
             .with("free", free.to_string()),
             PlanarError::OverDriven { driver } => Text::new(
-                "{driver} is one driver too many: the joints and the other drivers hold it already; take it out",
+                "{driver} is redundant: the joints and the other drivers already determine it; remove it",
             )
             .with("driver", drive(*driver)),
             PlanarError::Limit { driver, at } => {
-                Text::new("{driver} comes to a limit at {at}: the mechanism goes no further")
+                Text::new("{driver} reaches a limit position at {at}: the mechanism does not move further")
                     .with("driver", drive(*driver))
                     .with_quantity("at", *at, unit(*driver))
             }
             PlanarError::TooFar { driver } => {
-                Text::new("{driver} is to move too far at once: more than some thirty turns; choose a nearer value")
+                Text::new("{driver} would move too far at once: more than about thirty revolutions; choose a nearer value")
                     .with("driver", drive(*driver))
             }
             PlanarError::DeadCentre { driver } => Text::new(
-                "{driver} stands at a dead centre: in this position it cannot move the mechanism; choose another value",
+                "{driver} is at a dead centre: in this position it cannot move the mechanism; choose another value",
             )
             .with("driver", drive(*driver)),
             PlanarError::Jammed { joint: at } => Text::new(
-                "the friction in {joint} finds no balance: the mechanism locks itself; lower the coefficient of friction",
+                "no equilibrium was found with the friction in {joint}: the mechanism is self-locking; lower the coefficient of friction",
             )
             .with("joint", joint(*at)),
             PlanarError::Number { what: "load", index } => Text::new(
-                "{load} has a number it cannot have, or is friction in a joint without sliding",
+                "{load} has an invalid value, or is friction in a joint without sliding",
             )
             .with("load", self.loads[*index].name.as_str()),
             PlanarError::Massless { body } => Text::new(
-                "{body} can move freely, but nothing that moves with it has a mass; give it a mass, or drive it",
+                "{body} can move freely, but it and all that moves with it are massless; give it a mass, or drive it",
             )
             .with("body", &self.bodies[*body].name),
             PlanarError::Rate { index } => Text::new(
-                "row {row} of the start follows from the joints, the drivers and the rows before it; take it out",
+                "row {row} of the start is redundant: it follows from the joints, the drivers and the rows before it; remove it",
             )
             .with("row", (index + 1).to_string()),
             PlanarError::Sticks { load } => Text::new(
-                "{load} is friction in one of so many joints at rest that what begins to move cannot be found; take some of it out",
+                "{load} is friction in one of the joints at rest, too many to determine which one begins to move; remove some of it",
             )
             .with("load", self.loads[*load].name.as_str()),
             PlanarError::Motion(error) => late(error),
@@ -88,15 +88,15 @@ impl Parts<'_> {
 fn late(error: &OdeError) -> Text {
     match *error {
         OdeError::TooManySteps { at, .. } => Text::new(
-            "the motion asks for too many steps beyond {time}: too much happens in this duration; shorten it",
+            "the motion requires too many steps beyond {time}: the duration is too long; shorten it",
         )
         .with_quantity("time", at, "s"),
         OdeError::Stiff { at } => Text::new(
-            "the motion cannot be followed beyond {time}: something in it is much faster than the rest; take out what is very stiff or very light, or shorten the duration",
+            "the motion cannot be integrated beyond {time}: one part of it is much faster than the rest; remove what is very stiff or very light, or shorten the duration",
         )
         .with_quantity("time", at, "s"),
         OdeError::NotFinite { at } | OdeError::TooShort { at } => Text::new(
-            "the motion cannot be followed beyond {time}: there the mechanism locks, or its joints no longer say how it goes on; shorten the duration",
+            "the motion cannot be integrated beyond {time}: there the mechanism locks, or its joints no longer determine the motion; shorten the duration",
         )
         .with_quantity("time", at, "s"),
         OdeError::Input | OdeError::Stopped => {

@@ -143,9 +143,10 @@ impl<N: Real> Law<N> {
                     ("s′", n),
                     "mm",
                     rate(on_arm, fixed, at, s),
-                    "Its virtual change over δθ: 2 s δs = 2 b d sin(θ + ψ₀) δθ",
+                    "Its virtual variation per δθ: 2 s δs = 2 b d sin(θ + ψ₀) δθ",
                 );
-                let s2 = sheet.step(("s″", n), "mm", bend(on_arm, fixed, at, s, s1), "Slope of that change");
+                let s2 =
+                    sheet.step(("s″", n), "mm", bend(on_arm, fixed, at, s, s1), "Derivative of that change");
                 Some([s, s1, s2])
             }
             _ => None,

@@ -1,4 +1,4 @@
-//! The arm as a mechanism, its film, and the load that it carries at each angle.
+//! The arm as a mechanism, its animation, and the load that it carries at each angle.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -6,7 +6,7 @@ use dalembert_core::{Axis, DrawnShape, Exhibit, Ink, Plot, Series, Text, exhibit
 use dalembert_mechanics::planar::{Body, Driver, Effort, Joint, Load as Acting, Measure, Mechanism, Point};
 
 use super::{Geometry, Height, Law, Load, Spring, SpringLever, Start};
-use crate::equilibria::{down, film, spread};
+use crate::equilibria::{animation, down, spread};
 
 impl SpringLever {
     /// Angle of the arm from the upright position, clockwise, at θ = 0.
@@ -69,8 +69,8 @@ impl SpringLever {
     }
 
     /// The arm swinging through a range about where it stands.
-    pub(super) fn film(&self, at: f64, [from, to]: [f64; 2]) -> Exhibit {
-        film("The arm about its position", ("", at), [from.max(at - 0.6), to.min(at + 0.6)], |angle| {
+    pub(super) fn animation(&self, at: f64, [from, to]: [f64; 2]) -> Exhibit {
+        animation("The arm about its position", ("", at), [from.max(at - 0.6), to.min(at + 0.6)], |angle| {
             self.frame(angle)
         })
     }
@@ -175,7 +175,7 @@ pub(super) fn load_over_angle(
     let (label, unit) =
         if arm.is_some() { ("load in equilibrium", "N") } else { ("couple in equilibrium", "N*m") };
     let plot = Plot::new(
-        Text::from("Load that the spring holds against the angle"),
+        Text::from("Load balanced by the spring, against the angle"),
         Axis::linear("angle", "deg"),
         Axis::linear(label, unit),
         vec![Series::line("held", points.into_iter().map(shown).collect())],

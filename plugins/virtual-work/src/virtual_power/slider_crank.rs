@@ -41,7 +41,7 @@ pub enum Geometry {
         #[input("θ_c", "rad")]
         crank_angle: f64,
         /// Angle of the connecting rod.
-        /// Negative where the rod falls towards the slider.
+        /// Negative where the rod slopes down towards the slider.
         #[input("θ_r", "rad")]
         rod_angle: f64,
     },
@@ -122,14 +122,14 @@ fn close_loop<W: Worksheet>(
             let flat = rise.abs().min(fall.abs()).min(crank_angle.value().cos().abs()) < TOO_FLAT;
             if flat || rise * fall < 0.0 {
                 return Err(
-                    "with these angles the loop does not close in line, or is at a dead centre: the given motion could not be held against it",
+                    "with these angles the in-line loop does not close, or is at a dead centre: the given motion could not be checked against it",
                 );
             }
             let rod_speed = sheet.step(
                 "ω_r",
                 "rad/s",
                 loops::rod_speed_in_line(crank_angle, rod_angle, crank_speed),
-                ("Angular velocity of the rod that closes the loop in line", SHIGLEY.at("ch. 3")),
+                ("Angular velocity of the rod from loop closure, in-line mechanism", SHIGLEY.at("ch. 3")),
             );
             let [slider_speed, _, _] = slider.velocity.components();
             let crank = loops::crank_from_slider_velocity(slider_speed, crank_angle, rod_angle, crank_speed);
@@ -142,13 +142,13 @@ fn close_loop<W: Worksheet>(
                 "r",
                 "m",
                 crank,
-                ("Length of the crank that gives the slider its velocity", SHIGLEY.at("ch. 3")),
+                ("Length of the crank, from the velocity of the slider", SHIGLEY.at("ch. 3")),
             );
             let rod = sheet.step(
                 "l",
                 "m",
                 -(crank * crank_angle.sin() / rod_angle.sin()),
-                "Length of the rod that closes the loop in line",
+                "Length of the rod from loop closure, in-line mechanism",
             );
             Ok(Loop { crank, rod, crank_angle, rod_angle, crank_speed, rod_speed })
         }
@@ -156,20 +156,20 @@ fn close_loop<W: Worksheet>(
             let sine = (offset.value() - crank.value() * crank_angle.value().sin()) / rod.value();
             if sine.abs() > 1.0 - TOO_FLAT {
                 return Err(
-                    "the rod does not reach the slider's line at this crank angle, or stands across it: the given motion could not be held against the loop",
+                    "the rod does not reach the slider's line at this crank angle, or is perpendicular to it: the given motion could not be checked against loop closure",
                 );
             }
             let rod_angle = sheet.step(
                 "θ_r",
                 "deg",
                 loops::rod_angle(crank, rod, offset, crank_angle),
-                ("Angle of the rod that closes the loop", SHIGLEY.at("ch. 2")),
+                ("Angle of the rod from loop closure", SHIGLEY.at("ch. 2")),
             );
             let rod_speed = sheet.step(
                 "ω_r",
                 "rad/s",
                 loops::rod_speed(crank, rod, crank_angle, rod_angle, crank_speed),
-                ("Angular velocity of the rod that closes the loop", SHIGLEY.at("ch. 3")),
+                ("Angular velocity of the rod from loop closure", SHIGLEY.at("ch. 3")),
             );
             Ok(Loop { crank, rod, crank_angle, rod_angle, crank_speed, rod_speed })
         }
@@ -218,7 +218,7 @@ fn compare<W: Worksheet>(
         (given_rod.velocity.value() - pin_velocity).dot(along) / along.norm_squared()
     };
     compared.push(Compared::vector(
-        "velocity of the rod's mass centre, in magnitude",
+        "velocity of the rod's centre of mass, in magnitude",
         "m/s",
         given_rod.velocity.value(),
         pin_velocity + along * part,
@@ -245,7 +245,7 @@ fn compare<W: Worksheet>(
             crank_acceleration,
             rod_acceleration,
         ),
-        ("Acceleration of the slider that closes the loop", SHIGLEY.at("ch. 4")),
+        ("Acceleration of the slider from loop closure", SHIGLEY.at("ch. 4")),
     );
     let natural = r * w * w;
     let pin_acceleration = onward * (r * crank_acceleration.value()) - outward * natural;
@@ -258,7 +258,7 @@ fn compare<W: Worksheet>(
         natural,
     ));
     compared.push(Compared::vector(
-        "acceleration of the rod's mass centre, in magnitude",
+        "acceleration of the rod's centre of mass, in magnitude",
         "m/s^2",
         given_rod.acceleration.value(),
         pin_acceleration + (slider_acceleration - pin_acceleration) * part,
@@ -285,7 +285,7 @@ fn angular_accelerations<W: Worksheet>(
                 (crank * crank_speed.powi(2) * crank_angle.sin() + rod * rod_speed.powi(2) * rod_angle.sin()
                     - rod * given_rod_acceleration * rod_angle.cos())
                     / (crank * crank_angle.cos()),
-                ("Angular acceleration of the crank that goes with that of the rod", SHIGLEY.at("ch. 4")),
+                ("Angular acceleration of the crank corresponding to that of the rod", SHIGLEY.at("ch. 4")),
             );
             (crank_acceleration, given_rod_acceleration)
         }
@@ -302,7 +302,7 @@ fn angular_accelerations<W: Worksheet>(
                     rod_speed,
                     crank_acceleration,
                 ),
-                ("Angular acceleration of the rod that closes the loop", SHIGLEY.at("ch. 4")),
+                ("Angular acceleration of the rod from loop closure", SHIGLEY.at("ch. 4")),
             );
             compared.push(Compared::scalar(
                 "angular acceleration of the rod",

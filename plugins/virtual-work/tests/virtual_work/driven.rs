@@ -294,7 +294,7 @@ fn a_body_is_assembled_on_the_side_where_it_is_drawn() {
 #[test]
 fn a_slider_that_closes_on_two_sides_is_named() {
     let says = |solution: &Solution| {
-        solution.warnings.iter().any(|warning| warning.english().contains("give the place of ram"))
+        solution.warnings.iter().any(|warning| warning.english().contains("give the position of ram"))
     };
     assert!(says(&at(&WHITWORTH.replace(", place = \"(160; -20) mm\"", ""), PI / 3.0)));
     assert!(!says(&at(WHITWORTH, PI / 3.0)));
@@ -304,7 +304,7 @@ fn a_slider_that_closes_on_two_sides_is_named() {
 #[test]
 fn a_place_that_does_not_follow_is_asked_for() {
     let asks = |solution: &Solution| {
-        solution.warnings.iter().any(|warning| warning.english().contains("give the place of weight"))
+        solution.warnings.iter().any(|warning| warning.english().contains("give the position of weight"))
     };
     assert!(asks(&at(CORD, 20f64.to_radians())));
     let placed = CORD.replace("mass = \"10 kg\"", "mass = \"10 kg\", place = \"(0; 100) mm\"");
@@ -330,7 +330,7 @@ watched = [ { point = "hook" } ]
 duration = "1 s"
 "#;
     let why = solve(block).unwrap_err().to_string();
-    assert!(why.contains("leave open where block lies"), "{why}");
+    assert!(why.contains("do not determine the position of block"), "{why}");
     let placed = block.replace("mass = \"1 kg\"", "mass = \"1 kg\", place = \"(150; 0) mm\"");
     // At 10 rad/s from 50 mm beyond the free length.
     let solution = solve(&placed).unwrap();
@@ -360,7 +360,7 @@ fn a_sweep_is_the_direct_solve_at_each_of_its_values() {
             let Exhibit::Plot(plot) = exhibit else { continue };
             let name = match plot.title.english().as_str() {
                 "Angular velocities" => "angular_velocity",
-                title if title.starts_with("Effort of ") => "effort",
+                title if title.starts_with("Driving force or torque of ") => "effort",
                 _ => continue,
             };
             let largest = plot
@@ -397,7 +397,7 @@ fn a_sweep_is_the_direct_solve_at_each_of_its_values() {
 
 /// The row of the driver that a plot is named after.
 fn effort_row(solution: &Solution, title: &str) -> usize {
-    let name = title.trim_start_matches("Effort of ");
+    let name = title.trim_start_matches("Driving force or torque of ");
     let efforts = solution.answers.iter().filter(|answer| answer.name.to_string().starts_with("effort["));
     efforts.into_iter().position(|answer| answer.whose == name).map_or(1, |at| at + 1)
 }

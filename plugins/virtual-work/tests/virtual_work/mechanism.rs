@@ -57,7 +57,7 @@ fn the_centre_of_crank_and_rocker_is_where_the_template_finds_it() {
 #[test]
 fn the_force_across_the_massless_crank_is_its_torque_over_its_length() {
     let solution = mechanism();
-    let axes = table(&solution, "What each joint exerts on each body, in the axes of the body");
+    let axes = table(&solution, "Reaction of each joint on each body, in body axes");
     let [along, across, size] = numbers(row(axes, &["pin A", "crank"]))[..] else { panic!("three forces") };
     close(across, -answer(&solution, "effort[1]") / 0.05, 1e-8);
     close(size, answer(&template(), "crank_pin_force"), 1e-8);
@@ -70,7 +70,7 @@ fn the_force_across_the_massless_crank_is_its_torque_over_its_length() {
 #[test]
 fn a_wheel_at_rest_on_the_floor_is_held_by_friction_and_by_the_floor() {
     let solution = case("Disc rolled by a crank against spring and damper");
-    let joints = table(&solution, "What each joint exerts on its second point");
+    let joints = table(&solution, "Reaction of each joint on its second point");
     let [friction, normal, size, ..] = numbers(row(joints, &["rolling"]))[..] else { panic!("forces") };
     close(friction, 4.58006, 1e-6);
     close(size, friction.hypot(normal), 1e-12);
@@ -86,7 +86,7 @@ fn the_ground_takes_the_forces_of_its_two_pins() {
     assert_eq!(names, ["pin O on the ground", "pin C on the ground", "pin A on coupler", "pin B on rocker"]);
     let (x, y) = pins.series[0].points[0];
     close(x.hypot(y), answer(&solution, "reaction[1]"), 1e-8);
-    let shaking = &plot(&solution, "Shaking force: all that the ground takes").series[0].points;
+    let shaking = &plot(&solution, "Shaking force: resultant force on the ground").series[0].points;
     assert!(shaking.len() > 100);
     for (n, &(x, y)) in shaking.iter().enumerate() {
         let [(ox, oy), (cx, cy)] = [0, 1].map(|pin: usize| pins.series[pin].points[n]);

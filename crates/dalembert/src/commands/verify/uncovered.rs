@@ -93,7 +93,7 @@ fn by_family(all: &All) -> impl Iterator<Item = (&'static str, Counts)> {
 
 fn why(one: &Coverage) -> Text {
     if one.is_stale() {
-        return Text::from("a reason is given, but it is covered");
+        return Text::from("covered, although a reason is given");
     }
     one.reason.map_or_else(|| Text::from("no reason given"), dalembert_core::coverage::Reason::words)
 }
@@ -148,7 +148,7 @@ fn document(all: &All, total: Counts, console: &Console) -> Document {
     };
     blocks.push(Block::Lines(by_family(all).map(of_family).collect()));
     blocks.push(Block::Paragraph(render(&Text::from(
-        "An answer is covered when a check of one of its cases fails once it is wrong by one part in a million.",
+        "An answer is covered if a check of one of its cases fails when the answer is changed by one part in a million.",
     ))));
     blocks.push(Block::Paragraph(render(&total.words())));
     Document { title: String::new(), blocks }

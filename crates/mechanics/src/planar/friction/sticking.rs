@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 use super::{Contact, Response};
 use crate::{
     linalg::Elimination,
-    planar::{PlanarError, continuation::largest, forward_dynamics::dot},
+    planar::{PlanarError, continuation::largest, vectors::dot},
 };
 
 /// If it is not found at once which joints stick, it is guessed with so many rounds over all of them; an acceleration

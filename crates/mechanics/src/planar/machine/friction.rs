@@ -5,8 +5,8 @@ use crate::{
     ode::{OdeError, Problem},
     planar::{
         Contact, PlanarError,
-        forward_dynamics::dot,
         friction::{Effect, Frictionless, Response},
+        vectors::dot,
     },
 };
 

@@ -170,7 +170,7 @@ impl Top {
         if complement <= 0.0 {
             return Err(TopError::Creeps);
         }
-        let start = if steady { 0.0 } else { elliptic::first_kind_of(amplitude, complement) };
+        let start = if steady { 0.0 } else { elliptic::ellip_f(amplitude, complement) };
         let start = if nutation_rate > 0.0 { -start } else { start };
         let nothing = (0.0, 0.0);
         let (span, in_span, at_start) = (0.0, nothing, nothing);
@@ -189,7 +189,7 @@ impl Top {
             in_span,
             at_start,
         };
-        motion.span = 2.0 * elliptic::complete_of(motion.complement());
+        motion.span = 2.0 * elliptic::ellip_k(motion.complement());
         motion.in_span = motion.angles(PI);
         motion.at_start = motion.angles(elliptic::amplitude_of(start, motion.complement()));
         let finite = start.is_finite() && motion.period().is_finite() && motion.period() > 0.0;
@@ -325,7 +325,7 @@ impl Nutation {
             if weight == 0.0 || at_low <= 0.0 || at_high <= 0.0 {
                 return 0.0;
             }
-            weight / at_low * elliptic::third_kind_of(amplitude, at_high / at_low, complement) / self.pace()
+            weight / at_low * elliptic::ellip_pi(amplitude, at_high / at_low, complement) / self.pace()
         };
         let upper = part(self.d / 2.0, self.low.z, self.high.z);
         let lower = part(self.e / 2.0, self.low.y, self.high.y);

@@ -119,7 +119,7 @@ impl FreeBody {
         body.pace = ((i_c - i_b) * (i_c - i_a) / (i_a * i_b)).sqrt() * size_c;
         body.complement = (excess / ((i_c - i_b) * i_c * size_c * size_c)).min(1.0);
         let amplitude = f64::atan2(side_b * w_b / size_b, w_a / size_a);
-        body.argument = elliptic::first_kind_of(amplitude, body.complement);
+        body.argument = elliptic::ellip_f(amplitude, body.complement);
         body.frame = body.beside(start);
         let finite = [size_a, size_b, size_c, body.pace, body.complement, body.argument];
         if finite.iter().all(|x| x.is_finite())
@@ -162,7 +162,7 @@ impl FreeBody {
     /// and for the separatrix.
     pub fn period(&self) -> f64 {
         match self.polhode {
-            Polhode::Around(_) => 4.0 * elliptic::complete_of(self.complement) / self.pace,
+            Polhode::Around(_) => 4.0 * elliptic::ellip_k(self.complement) / self.pace,
             Polhode::Permanent | Polhode::Separatrix => f64::INFINITY,
         }
     }
@@ -171,7 +171,7 @@ impl FreeBody {
     pub fn first_flip(&self) -> Option<f64> {
         match self.polhode {
             Polhode::Around(_) => {
-                let half = 2.0 * elliptic::complete_of(self.complement);
+                let half = 2.0 * elliptic::ellip_k(self.complement);
                 Some((-self.argument).rem_euclid(half) / self.pace)
             }
             Polhode::Separatrix if self.argument <= 0.0 => Some(-self.argument / self.pace),
@@ -217,7 +217,7 @@ impl FreeBody {
     fn precession_between(&self, from: f64, to: f64, time: f64) -> f64 {
         let [i_a, i_b, i_c] = self.order.map(|n| self.inertia[n]);
         let rest = i_b * (i_c - i_a) / (i_a * (i_c - i_b));
-        let third = |amplitude| elliptic::third_kind_of(amplitude, rest, self.complement);
+        let third = |amplitude| elliptic::ellip_pi(amplitude, rest, self.complement);
         let momentum = self.inertia.component_mul(&self.start).norm();
         momentum / i_c * (time + (i_c - i_a) / (i_a * self.pace) * (third(to) - third(from)))
     }
@@ -232,7 +232,7 @@ impl FreeBody {
         if self.polhode == Polhode::Separatrix {
             return (0.0, argument);
         }
-        let period = 4.0 * elliptic::complete_of(self.complement);
+        let period = 4.0 * elliptic::ellip_k(self.complement);
         let turns = (argument / period).round();
         (turns, argument - turns * period)
     }

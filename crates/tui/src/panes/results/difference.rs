@@ -16,7 +16,7 @@ const ROUNDING: f64 = 1e-12;
 /// `+0.12 mm (+2.3 %)`; what has no difference in numbers says what it was. `None` where it is the same.
 pub(super) fn of(answer: &Answer, pinned: &Solution, locale: &Locale) -> Option<String> {
     let Some(before) = pinned.answers.iter().find(|before| before.name == answer.name) else {
-        return Some(Text::new("was not there").render(locale));
+        return Some(Text::new("not present").render(locale));
     };
     let (Some(now), Some(then)) = (answer.si(), before.si()) else {
         if answer.value == before.value {

@@ -6,9 +6,10 @@ use dalembert_units::{self as units, Kind};
 
 use super::kept;
 use crate::{
-    bench::{Bench, Tab},
+    bench::Bench,
     keys::{Action, Place},
     model::{Effect, Model},
+    tab::Tab,
 };
 
 /// The fewest and the most digits of an answer.
@@ -20,7 +21,7 @@ pub(super) fn change(model: &mut Model, action: Action) -> Vec<Effect> {
     let readonly = model.readonly;
     let Some(bench) = &mut model.bench else { return Vec::new() };
     if bench.tab != Tab::Results {
-        model.say("the tab of results has the answers");
+        model.say("the answers are in Results");
         return Vec::new();
     }
     let Some(solution) = bench.found.solution.as_ref().filter(|solution| !solution.answers.is_empty()) else {
@@ -29,12 +30,11 @@ pub(super) fn change(model: &mut Model, action: Action) -> Vec<Effect> {
     let Some(at) = bench.reading.answer else {
         bench.reading.answer = Some(0);
         let key = |action| model.key(Place::Pane, action);
-        let said =
-            Text::new("{keys} choose the answer; {unit} its unit, {digits} its digits; {back} ends it")
-                .with("keys", format!("{} {}", key(Action::Up), key(Action::Down)))
-                .with("unit", key(Action::NextDisplayUnit))
-                .with("digits", key(Action::NextDigits))
-                .with("back", key(Action::Back));
+        let said = Text::new("{keys} select the answer; {unit} unit, {digits} digits; {back} back")
+            .with("keys", format!("{} {}", key(Action::Up), key(Action::Down)))
+            .with("unit", key(Action::NextDisplayUnit))
+            .with("digits", key(Action::NextDigits))
+            .with("back", key(Action::Back));
         model.say(said);
         return Vec::new();
     };
@@ -64,7 +64,7 @@ pub(super) fn change(model: &mut Model, action: Action) -> Vec<Effect> {
         match all.get(at.map_or(0, |at| (at + 1) % all.len().max(1))) {
             Some(unit) if !same(unit) => (*unit).clone_into(&mut display.unit),
             _ => {
-                model.say("this has no other unit");
+                model.say("no other unit available");
                 return Vec::new();
             }
         }

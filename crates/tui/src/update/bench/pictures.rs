@@ -1,11 +1,11 @@
-//! Keys of plots, drawings and films.
+//! Keys of plots, drawings and animations.
 
 use dalembert_core::Exhibit;
 
 use crate::{bench::Bench, keys::Action, model::Model, plot, view};
 
 /// What is said of a key that would show more.
-const ALL_SHOWN: &str = "all of the axis is shown";
+const ALL_SHOWN: &str = "full range is shown";
 /// So much of the axis is shown after a zoom in.
 const ZOOM: f64 = 0.5;
 /// The share of what is shown that a key moves it by.
@@ -13,10 +13,10 @@ const PAN: f64 = 0.25;
 /// The angle that a key goes round a scene by: ten degrees.
 const TURN: f64 = std::f64::consts::PI / 18.0;
 
-/// Lets the film on the screen move, holds it, or holds it at a frame beside the one that is shown.
-pub(super) fn film(model: &mut Model, action: Action) {
-    let Some(frames) = view::film(model).map(|(frames, _)| frames) else {
-        model.say("no film is on the screen");
+/// Lets the animation on the screen move, holds it, or holds it at a frame beside the one that is shown.
+pub(super) fn animation(model: &mut Model, action: Action) {
+    let Some(frames) = view::animation(model).map(|(frames, _)| frames) else {
+        model.say("no animation on the screen");
         return;
     };
     model.playing = action == Action::Play && !model.playing;
@@ -41,11 +41,11 @@ pub(super) fn look_otherwise(model: &mut Model, action: Action) {
     let state = bench.plot_state;
     let Some((plot, _)) = bench.shown_plot() else { return };
     let (to, otherwise) = match action {
-        Action::ZoomIn => (state.zoomed(plot, ZOOM), "there is no more to be seen"),
+        Action::ZoomIn => (state.zoomed(plot, ZOOM), "already at the limit of the zoom"),
         Action::ZoomOut => (state.zoomed(plot, 1.0 / ZOOM), ALL_SHOWN),
         Action::ZoomAll => (state.windowed(None), ALL_SHOWN),
-        Action::PanLeft if state.view.window.is_some() => (state.panned(plot, -PAN), "the axis begins here"),
-        Action::PanRight if state.view.window.is_some() => (state.panned(plot, PAN), "the axis ends here"),
+        Action::PanLeft if state.view.window.is_some() => (state.panned(plot, -PAN), "start of the range"),
+        Action::PanRight if state.view.window.is_some() => (state.panned(plot, PAN), "end of the range"),
         Action::NextSpread | Action::NextSpreadAcross => {
             let next = match action {
                 Action::NextSpread => state.next_spread(plot),
@@ -65,7 +65,7 @@ pub(super) fn look_otherwise(model: &mut Model, action: Action) {
 pub(super) fn go_round(model: &mut Model, action: Action) {
     let Some(bench) = &mut model.bench else { return };
     let Some(Exhibit::Scene(scene)) = bench.sketch() else {
-        model.say("this drawing is flat: it is seen from one side alone");
+        model.say("this drawing is planar: it cannot be rotated");
         return;
     };
     let view = bench.view.unwrap_or(scene.view);

@@ -4,10 +4,11 @@ use dalembert_core::{Text, trace::Op};
 
 use super::{area, bring_in};
 use crate::{
-    bench::{Focus, Tab},
+    bench::Focus,
     keys::{self, Action},
     model::Model,
     panes::working::{Place, step_of, symbols},
+    tab::Tab,
     view,
 };
 
@@ -22,11 +23,11 @@ pub(super) fn try_by_hand(model: &mut Model) {
     let covered = bench.reading.revealed.is_some();
     let key = |place, action| model.key(place, action);
     let said = if covered {
-        Text::new("the results are covered: {next} in the working reveals the next step, {all} shows all")
+        Text::new("results hidden: {next} in Working reveals the next step, {all} shows all")
             .with("next", key(keys::Place::Working, Action::Reveal))
             .with("all", key(keys::Place::Form, Action::TryByHand))
     } else {
-        "the results are shown".into()
+        "results shown".into()
     };
     model.say(said);
 }
@@ -49,12 +50,12 @@ pub(super) fn act(model: &mut Model, action: Action) -> bool {
             let Some(solution) = &bench.found.solution else { return false };
             match bench.reading.beside(solution, from, action != Action::Left) {
                 Some(place) => put(model, Some(place)),
-                None => model.say("there is no symbol further on"),
+                None => model.say("no further symbol"),
             }
         }
         (Action::Enter, Some(place)) => {
             let Some(id) = symbols(solution, place.0).get(place.1).copied() else {
-                model.say("this step is made of no other symbol");
+                model.say("this step depends on no other symbol");
                 return true;
             };
             if let Some(step) = step_of(solution, id) {

@@ -18,7 +18,7 @@ use crate::{
     layout,
     look::Glyph,
     model::Model,
-    panes::{Page, sources::Judged},
+    panes::{Page, sources::CheckedCase},
     picker::{Heading, Leaf, Listing, Row},
     view::{
         boxed, draw_lines, scroll_mark,
@@ -59,7 +59,7 @@ fn of_heading(model: &Model, heading: Heading, area: Rect, buffer: &mut Buffer) 
     let (count, done) = contents.count(heading);
     let said = match heading {
         Heading::Exercises | Heading::Set(_) => {
-            Text::new("{done} of {count} exercises done; {key} marks one")
+            Text::new("{done} of {count} exercises done; {key} ticks one")
                 .with("done", done)
                 .with("key", model.key(Place::Picker, Action::Toggle))
         }
@@ -159,14 +159,14 @@ fn sheet<'m>(model: &'m Model, leaf: Leaf, listing: &Listing, inner: Rect) -> Sh
     lines.push(Line::styled(fit(about.id, room, &model.look), model.look.dim()));
     let fields = listing.entry.fields().iter().map(|field| field.label);
     let fields: Vec<String> = fields.map(|label| lower(&Text::from(label).render(locale))).collect();
-    listed(model, "In", &fields, room, lines);
+    listed(model, "Inputs", &fields, room, lines);
     let answers = solution.iter().flat_map(|solution| &solution.answers);
     // One of several is named once.
     let mut answers: Vec<String> =
         answers.map(|answer| lower(&Text::from(answer.label).render(locale))).collect();
     let mut named = BTreeSet::new();
     answers.retain(|answer| named.insert(answer.clone()));
-    listed(model, "Out", &answers, room, lines);
+    listed(model, "Results", &answers, room, lines);
     lines.push(Line::default());
     let chosen = model.picker.case.or(leaf.case);
     cases(model, listing, chosen, room, &mut page);
@@ -190,7 +190,7 @@ fn sheet<'m>(model: &'m Model, leaf: Leaf, listing: &Listing, inner: Rect) -> Sh
 fn cases(model: &Model, listing: &Listing, chosen: Option<usize>, room: usize, page: &mut Page) {
     let look = &model.look;
     if listing.cases().is_empty() {
-        page.lines.push(Line::styled(word("no published case", model), look.dim()));
+        page.lines.push(Line::styled(word("no published cases", model), look.dim()));
         return;
     }
     let mut head = vec![
@@ -254,7 +254,7 @@ fn sums(model: &Model, listing: &Listing) -> Vec<(&'static str, Style, usize)> {
 }
 
 /// The mark of a case: that of its worst answer.
-fn verdict(model: &Model, judged: &Judged) -> (&'static str, Style) {
+fn verdict(model: &Model, judged: &CheckedCase) -> (&'static str, Style) {
     let look = &model.look;
     match &judged.verdicts {
         None => (look.glyph(Glyph::Bullet), look.dim()),

@@ -77,7 +77,7 @@ impl Compared {
     }
 
     pub(super) fn warning(&self) -> Text {
-        Text::new("{what}: given {given}, the loop demands {demanded}; they are {apart} apart, {share} of the larger")
+        Text::new("{what}: given {given}, loop closure requires {demanded} (difference {apart}, {share} of the larger)")
             .with_text("what", self.what)
             .with_quantity("given", self.given, self.unit)
             .with_quantity("demanded", self.demanded, self.unit)
@@ -100,13 +100,13 @@ pub(super) fn table(compared: &[Compared]) -> TableExhibit {
     };
     let words = |heading: &'static str| Column { heading: heading.into(), unit: "" };
     TableExhibit {
-        title: "The given motion and what the loop demands".into(),
+        title: "Given motion and motion required by loop closure".into(),
         columns: vec![
             words("Quantity"),
             words("Given"),
-            words("Demanded"),
-            words("Apart"),
-            Column { heading: "Share of the larger".into(), unit: "%" },
+            words("Required"),
+            words("Difference"),
+            Column { heading: "Fraction of the larger value".into(), unit: "%" },
         ],
         rows: compared.iter().map(row).collect(),
         foot: Vec::new(),

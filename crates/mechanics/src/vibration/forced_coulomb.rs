@@ -14,7 +14,7 @@ use crate::{Real, roots};
 
 /// What is shaken.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DryForced {
+pub struct CoulombOscillator {
     /// Frequency ratio `r = ω/ω_n`; positive.
     pub ratio: f64,
     /// Static deflection under the force, `s = F₀/k`, m; positive.
@@ -95,7 +95,7 @@ pub fn equivalent_damping<S: Real>(friction: S, frequency: S, amplitude: S) -> S
     friction * 4.0 / (frequency * amplitude * PI)
 }
 
-impl DryForced {
+impl CoulombOscillator {
     /// The steady motion, exact.
     pub fn steady(&self) -> Steady {
         let Self { ratio: r, deflection: s, offset: f } = *self;

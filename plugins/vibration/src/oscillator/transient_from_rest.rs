@@ -3,7 +3,7 @@
 use dalembert_core::{Axis, Exhibit, Inputs, Plot, Series, Text, Worksheet};
 use dalembert_mechanics::{
     Real, sdof,
-    vibration::from_rest::{Drive, history},
+    vibration::transient_from_rest::{Drive, history},
 };
 
 use super::{AtFrequency, is_one};
@@ -12,9 +12,9 @@ use crate::sources::RAO;
 /// How a harmonic begins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Wave {
-    /// Sine: from zero
+    /// Sine: starts at zero
     Sine,
-    /// Cosine: from its full value
+    /// Cosine: starts at its maximum
     Cosine,
 }
 
@@ -73,7 +73,7 @@ impl<N: Real> BuildUp<N> {
             let mut series = vec![Series::line("x", points).of("displacement")];
             if let Some((amplitude, _)) = self.steady {
                 let level = amplitude.value();
-                series.push(Series::line("steady amplitude", vec![(0.0, level), (time, level)]));
+                series.push(Series::line("steady-state amplitude", vec![(0.0, level), (time, level)]));
             } else {
                 let growth = 0.5 * self.deflection.value() * self.natural.value();
                 series.push(Series::line("envelope", vec![(0.0, 0.0), (time, growth * time)]));
@@ -85,7 +85,7 @@ impl<N: Real> BuildUp<N> {
                 series,
             )
             .over("start.time");
-            Exhibit::Plot(plot.mark("asked", (time, at)))
+            Exhibit::Plot(plot.mark("requested", (time, at)))
         });
     }
 
@@ -134,9 +134,9 @@ impl<N: Real> BuildUp<N> {
             Wave::Sine => (amplitude * lag.sin(), -(speed * lag.cos())),
             Wave::Cosine => (-(amplitude * lag.cos()), -(speed * lag.sin())),
         };
-        let why = "The free motion begins where it makes up for the displacement of the steady one";
+        let why = "The initial free displacement cancels that of the steady-state motion";
         let x = sheet.step("x₀", "mm", x, (why, RAO.at("§3.4")));
-        let why = "and with the velocity that makes up for that of the steady one: rest together";
+        let why = "and the initial free velocity cancels that of the steady-state motion: together, rest";
         (x, sheet.step("v₀", "mm/s", v, why))
     }
 
@@ -144,11 +144,11 @@ impl<N: Real> BuildUp<N> {
         let (x0, v0) = self.beginning(amplitude, lag, sheet);
         let (wn, zeta) = (self.natural, self.at.damping_ratio);
         let (wd, b) = if zeta.value() == 0.0 {
-            (wn, sheet.step("B", "mm", v0 / wn, "Sine part of the free motion"))
+            (wn, sheet.step("B", "mm", v0 / wn, "Sine component of the free vibration"))
         } else {
-            let why = ("Frequency of the free motion", RAO.at("§2.6"));
+            let why = ("Frequency of the free vibration", RAO.at("§2.6"));
             let wd = sheet.step("ω_d", "rad/s", sdof::damped_frequency(wn, zeta), why);
-            let why = ("Sine part of the free motion", RAO.at("§2.6"));
+            let why = ("Sine component of the free vibration", RAO.at("§2.6"));
             (wd, sheet.step("B", "mm", (v0 + zeta * wn * x0) / wd, why))
         };
         let steady = self.steady_motion(amplitude, lag, time);
@@ -157,11 +157,11 @@ impl<N: Real> BuildUp<N> {
             if zeta.value() == 0.0 { steady + free } else { steady + (-(zeta * wn * time)).exp() * free };
         let why = if zeta.value() == 0.0 {
             (
-                "Displacement: steady motion and free motion, which does not die without damping",
+                "Displacement: steady-state motion and free vibration, which does not decay without damping",
                 RAO.at("§3.3"),
             )
         } else {
-            ("Displacement: steady motion and dying free motion", RAO.at("§3.4"))
+            ("Displacement: steady-state motion and decaying free vibration", RAO.at("§3.4"))
         };
         let x = sheet.step("x", "mm", motion, why);
         (x, amplitude.value() + x0.value().abs() + b.value().abs())
@@ -173,7 +173,7 @@ impl<N: Real> BuildUp<N> {
         let why = ("Growing part of the critically damped free motion", RAO.at("§2.6"));
         let b = sheet.step("B", "mm/s", v0 + wn * x0, why);
         let steady = self.steady_motion(amplitude, lag, time);
-        let why = ("Displacement: steady motion and dying free motion", RAO.at("§3.4"));
+        let why = ("Displacement: steady-state motion and decaying free vibration", RAO.at("§3.4"));
         let x = sheet.step("x", "mm", steady + (-(wn * time)).exp() * (x0 + b * time), why);
         (x, amplitude.value() + x0.value().abs() + (b / wn).value().abs())
     }
@@ -182,15 +182,20 @@ impl<N: Real> BuildUp<N> {
         let (x0, v0) = self.beginning(amplitude, lag, sheet);
         let (wn, zeta) = (self.natural, self.at.damping_ratio);
         let width = (zeta.powi(2) - 1.0).sqrt();
-        let why = ("The slower and the faster of the two decays of the free motion", RAO.at("§2.6"));
+        let why = ("The slower and the faster decay of the free motion", RAO.at("§2.6"));
         let slow = sheet.step("s₁", "1/s", -(wn / (zeta + width)), why);
-        let fast = sheet.step("s₂", "1/s", -(wn * (zeta + width)), "The faster one");
-        let why = "Share of the slower decay";
+        let fast = sheet.step("s₂", "1/s", -(wn * (zeta + width)), "The faster decay");
+        let why = "Coefficient of the slower-decaying term";
         let c1 = sheet.step("C₁", "mm", (v0 - fast * x0) / (slow - fast), why);
-        let c2 = sheet.step("C₂", "mm", (slow * x0 - v0) / (slow - fast), "Share of the faster decay");
+        let c2 = sheet.step(
+            "C₂",
+            "mm",
+            (slow * x0 - v0) / (slow - fast),
+            "Coefficient of the faster-decaying term",
+        );
         let steady = self.steady_motion(amplitude, lag, time);
         let motion = steady + c1 * (slow * time).exp() + c2 * (fast * time).exp();
-        let why = ("Displacement: steady motion and dying free motion", RAO.at("§3.4"));
+        let why = ("Displacement: steady-state motion and decaying free vibration", RAO.at("§3.4"));
         let x = sheet.step("x", "mm", motion, why);
         (x, amplitude.value() + c1.value().abs() + c2.value().abs())
     }

@@ -3,14 +3,14 @@
 use ratatui::layout::{Position, Rect};
 
 use super::{bars, dialog, form, pane, picker};
-use crate::{bench::Tab, keys::Action, layout, model::Model};
+use crate::{keys::Action, layout, model::Model, tab::Tab};
 
 /// Cells of the arrow before the answer that the sensitivity is of.
 const ARROW: u16 = 2;
 
 /// What lies at a place of the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Spot {
+pub(crate) enum HitTarget {
     /// A key of the footer.
     Key(Action),
     /// A line of the form, by its number; nothing below the last.
@@ -34,11 +34,11 @@ pub(crate) enum Spot {
 }
 
 /// What lies at a place.
-pub(crate) fn spot(model: &Model, at: Position) -> Option<Spot> {
+pub(crate) fn spot(model: &Model, at: Position) -> Option<HitTarget> {
     let screen = Rect::new(0, 0, model.size.0, model.size.1);
     let [_, body, _, footer] = layout::frame(screen);
     if let Some(action) = bars::action_at(model, footer, at) {
-        return Some(Spot::Key(action));
+        return Some(HitTarget::Key(action));
     }
     if let Some(over) = &model.dialog {
         return Some(dialog::spot(model, over, screen, at));
@@ -48,17 +48,17 @@ pub(crate) fn spot(model: &Model, at: Position) -> Option<Spot> {
     };
     let areas = layout::bench(screen, bench.focus, bench.expanded || model.look.basic);
     if let Some(area) = areas.form.filter(|area| area.contains(at)) {
-        return Some(Spot::Form(form::line_at(model, bench, area, at)));
+        return Some(HitTarget::Form(form::line_at(model, bench, area, at)));
     }
     let (tab, inside, named) = pane::pane_at(model, bench, &areas, at)?;
     if let Some(named) = named {
-        return Some(Spot::Tab(named));
+        return Some(HitTarget::Tab(named));
     }
     let line = pane::line_at(model, bench, tab, inside, at);
     if tab == Tab::Sensitivity && line == Some(0) {
         let left = at.x < inside.x + ARROW;
-        return Some(Spot::Arrow(tab, if left { Action::Left } else { Action::Right }));
+        return Some(HitTarget::Arrow(tab, if left { Action::Left } else { Action::Right }));
     }
     let part = line.and_then(|line| pane::page(model, bench, tab, inside.width).part_at(line));
-    Some(Spot::Pane(tab, inside, part))
+    Some(HitTarget::Pane(tab, inside, part))
 }

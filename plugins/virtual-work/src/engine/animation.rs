@@ -2,14 +2,14 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use dalembert_core::{Drawing, DrawnShape, Exhibit, Film, Ink, exhibit::Point};
+use dalembert_core::{Animation, Drawing, DrawnShape, Exhibit, Ink, exhibit::Point};
 use dalembert_mechanics::slider_crank::{engine::Forces, piston};
 
 use super::exhibits::View;
 
 const FRAMES: u32 = 24;
 
-/// A film where the forces are known over the cycle or there are none; otherwise the engine at its crank angle.
+/// An animation where the forces are known over the cycle or there are none; otherwise the engine at its crank angle.
 pub(super) fn show(view: &View<'_>) -> Exhibit {
     let here = view.force.map(|force| {
         let mut motion = view.kernel.motion(view.crank);
@@ -34,7 +34,7 @@ pub(super) fn show(view: &View<'_>) -> Exhibit {
             (angle, view.cycle.map(|_| view.at(angle).1))
         })
         .collect();
-    // The same wherever the film begins, and beside the corners of the gas: where rounding decides between two forces.
+    // The same wherever the animation begins, and beside the corners of the gas: where rounding decides between two forces.
     let sides = (0..4 * FRAMES).map(|k| period * (f64::from(k) + 0.4) / f64::from(4 * FRAMES));
     let size = match view.cycle {
         Some(_) => sides.map(|angle| largest(&view.at(angle).1)).fold(0.0, f64::max),
@@ -45,9 +45,9 @@ pub(super) fn show(view: &View<'_>) -> Exhibit {
     let title = if view.cycle.is_some() {
         "The engine over its cycle, with its forces"
     } else {
-        "The engine over a turn"
+        "The engine over one revolution"
     };
-    Exhibit::Film(Film::new(title, frames, 3.0 * period / TAU).over("angle", angles))
+    Exhibit::Animation(Animation::new(title, frames, 3.0 * period / TAU).over("angle", angles))
 }
 
 fn largest(forces: &Forces) -> f64 {

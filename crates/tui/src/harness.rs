@@ -13,10 +13,11 @@ use ratatui::{
 
 use crate::{
     Effect, Model, Msg,
+    dialog::Editing,
     files::{self, Before, Fingerprint, Opened},
     glyphs::{Capabilities, sweep},
     look::Look,
-    model::{EditError, Editing},
+    model::EditError,
     remembered::Change,
     solver::{judge, solve},
     start, update, view,
@@ -24,7 +25,7 @@ use crate::{
 
 /// The workbench, its screen, and what left it.
 #[derive(Debug)]
-pub struct Stage {
+pub struct Harness {
     /// What the workbench knows.
     pub model: Model,
     /// Whether the program has ended.
@@ -42,7 +43,7 @@ pub struct Stage {
     capabilities: Capabilities,
 }
 
-impl Stage {
+impl Harness {
     /// The list of these analyses, on a screen of so many columns and rows.
     pub fn new(
         entries: &[&'static Entry],
@@ -56,7 +57,7 @@ impl Stage {
             Ok(terminal) => terminal,
             Err(never) => match never {},
         };
-        let mut stage = Self {
+        let mut harness = Self {
             model,
             has_left: false,
             clipboard: String::new(),
@@ -67,8 +68,8 @@ impl Stage {
             terminal,
             capabilities,
         };
-        stage.begins(None, None);
-        stage
+        harness.begins(None, None);
+        harness
     }
 
     /// Opens a problem file, the first case of an analysis, or nothing.
@@ -100,7 +101,7 @@ impl Stage {
     /// The screen with its colours.
     pub fn draws(&mut self) -> &Buffer {
         if let Some(entry) = self.wish.take() {
-            self.happens(Msg::Judged(entry.about.id, judge(entry)));
+            self.happens(Msg::CheckedCase(entry.about.id, judge(entry)));
         }
         let (model, capabilities) = (&self.model, &self.capabilities);
         let drawn = self.terminal.draw(|frame| {
@@ -145,7 +146,7 @@ impl Stage {
                     let result = files::read(&path);
                     Msg::Opened { path, result }
                 }
-                // A stage stands in no folder: what is there is not part of a session.
+                // A harness stands in no folder: what is there is not part of a session.
                 Effect::List(folder) => {
                     let names = if folder.is_absolute() { files::list(&folder) } else { Vec::new() };
                     Msg::Listed(folder, names)

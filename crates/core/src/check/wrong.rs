@@ -1,0 +1,51 @@
+//! A wrong answer, and how near another number comes to it.
+
+use dalembert_units::Unit;
+
+use super::{Verdict, compare, difference, half_a_place, read};
+use crate::{Answer, Solution};
+
+/// Wrong answers lie within such a factor of ours, give or take: the natural logarithm of 20. Over this range an
+/// accidental hit is spread.
+const SPREAD: f64 = 3.0;
+
+/// A wrong answer.
+pub(super) struct Wrong<'s> {
+    pub(super) name: &'s str,
+    pub(super) answer: &'s Answer,
+    /// Ours and the person's, in SI.
+    pub(super) ours: f64,
+    pub(super) theirs: f64,
+    /// The unit that was typed.
+    pub(super) unit: Unit,
+    /// What of theirs is not known, in SI.
+    pub(super) within: f64,
+}
+
+impl<'s> Wrong<'s> {
+    pub(super) fn of(solution: &'s Solution, name: &'s str, text: &str) -> Option<Self> {
+        let answer = solution.answer(name)?;
+        if text.trim().is_empty() || compare(answer, text) != Verdict::Wrong {
+            return None;
+        }
+        let typed = read(answer, text).ok()?;
+        // What agrees with everything says nothing.
+        let within = half_a_place(&typed).min(super::TOLERANCE * typed.si.abs());
+        Some(Self { name, answer, ours: answer.si()?, theirs: typed.si, unit: typed.unit, within })
+    }
+
+    pub(super) fn is(&self, value: f64) -> bool {
+        difference(self.theirs, value, self.answer.dim()) <= self.within + 1e-12 * self.theirs.abs()
+    }
+
+    /// The same for a value that was computed from numbers that the person rounded.
+    pub(super) fn nearly(&self, value: f64) -> bool {
+        self.is(value)
+            || difference(self.theirs, value, self.answer.dim()) <= super::TOLERANCE * self.theirs.abs()
+    }
+
+    /// How probable it is that a number hits this answer by accident.
+    pub(super) fn accident(&self) -> f64 {
+        if self.theirs == 0.0 { 1.0 } else { (2.0 * self.within / (self.theirs.abs() * SPREAD)).min(1.0) }
+    }
+}

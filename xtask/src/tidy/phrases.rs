@@ -1,0 +1,134 @@
+//! Phrases that the glossary has retired do not come back.
+
+use std::path::Path;
+
+use anyhow::{Context, Result};
+
+use super::{Tree, ends_in, lines};
+use crate::cargo::output;
+
+/// Where the retired phrases stand, in a table under [`HEADING`].
+const GLOSSARY: &str = "docs/glossary.md";
+/// The heading of that table: phrase, what to write instead, places, exceptions.
+const HEADING: &str = "## Words that do not come back";
+/// Documents that quote messages, or the phrases themselves.
+const QUOTING: [&str; 4] = [GLOSSARY, "docs/reference.md", "docs/refusals.md", "CHANGELOG.md"];
+
+/// A row of the table.
+struct Retired<'t> {
+    phrase: &'t str,
+    instead: &'t str,
+    places: &'t str,
+    exceptions: &'t str,
+}
+
+pub(super) fn retired_phrases_do_not_come_back(tree: &Tree) -> Vec<String> {
+    let Some(glossary) = tree.text(GLOSSARY) else { return Vec::new() };
+    let retired = retired(glossary);
+    let mut faults = Vec::new();
+    for (path, text) in tree.iter().filter(|(path, _)| !QUOTING.contains(path)) {
+        let here: Vec<&Retired> = retired.iter().filter(|one| !one.is_excepted(path)).collect();
+        for (n, line) in lines(text) {
+            let words = spaced(line);
+            for one in here.iter().filter(|one| one.stands_in(path, line, &words)) {
+                faults.push(format!("{path}:{n}: `{}` is retired: write {}", one.phrase, one.instead));
+            }
+        }
+    }
+    faults
+}
+
+/// Subjects of the commits since the table says `Commits since HASH` that use a retired phrase, are longer than 72
+/// characters or have no body; nothing where the history is not there.
+pub(super) fn commits(root: &Path, glossary: &str) -> Result<Vec<String>> {
+    let Some(since) = section(glossary).lines().find_map(|line| line.strip_prefix("Commits since ")) else {
+        return Ok(Vec::new());
+    };
+    let range = format!("{}..HEAD", since.trim().trim_end_matches('.'));
+    let Ok(log) = output(
+        std::process::Command::new("git")
+            .current_dir(root)
+            .args(["log", "--no-merges", "--format=%h%x1f%s%x1f%b%x1e", &range]),
+    ) else {
+        return Ok(Vec::new());
+    };
+    let retired = retired(glossary);
+    let mut faults = Vec::new();
+    for entry in log.split('\x1e').map(str::trim).filter(|entry| !entry.is_empty()) {
+        let mut parts = entry.split('\x1f');
+        let hash = parts.next().unwrap_or_default();
+        let subject = parts.next().with_context(|| format!("{hash} has no subject"))?;
+        if subject.chars().count() > 72 {
+            faults.push(format!("{hash}: the subject has more than 72 characters"));
+        }
+        if parts.next().is_none_or(|body| body.trim().is_empty()) {
+            faults.push(format!("{hash}: the body must say why"));
+        }
+        let words = spaced(subject);
+        for one in retired.iter().filter(|one| one.places.contains("commits") && has(&words, one.phrase)) {
+            faults.push(format!("{hash}: `{}` is retired: write {}", one.phrase, one.instead));
+        }
+    }
+    Ok(faults)
+}
+
+impl Retired<'_> {
+    fn is_excepted(&self, path: &str) -> bool {
+        self.exceptions.split('`').skip(1).step_by(2).any(|start| path.starts_with(start))
+    }
+
+    /// Whether the phrase stands in this line of a file, in one of its places.
+    fn stands_in(&self, path: &str, line: &str, words: &str) -> bool {
+        let is_source = ends_in(path, "rs");
+        let place = if is_source {
+            "code"
+        } else if ends_in(path, "md") {
+            "documents"
+        } else if ends_in(path, "toml") {
+            "messages"
+        } else {
+            return false;
+        };
+        if self.places.contains(place) {
+            return has(words, self.phrase);
+        }
+        is_source
+            && self.places.contains("messages")
+            && line.split('"').skip(1).step_by(2).any(|quoted| has(&spaced(quoted), self.phrase))
+    }
+}
+
+/// The rows of the table.
+fn retired(glossary: &str) -> Vec<Retired<'_>> {
+    let rows = section(glossary).lines().filter_map(|line| line.strip_prefix("| `"));
+    rows.filter_map(|row| {
+        let mut cells = row.trim_end().trim_end_matches('|').split('|').map(str::trim);
+        Some(Retired {
+            phrase: cells.next()?.trim_end_matches('`'),
+            instead: cells.next()?,
+            places: cells.next()?,
+            exceptions: cells.next()?,
+        })
+    })
+    .collect()
+}
+
+/// The part of the glossary under the heading.
+fn section(glossary: &str) -> &str {
+    let Some((_, below)) = glossary.split_once(HEADING) else { return "" };
+    below.split_once("\n## ").map_or(below, |(section, _)| section)
+}
+
+/// The words of a line in lower case between single spaces, those within names apart: ` is told of `.
+fn spaced(line: &str) -> String {
+    let mut words = String::from(" ");
+    for word in line.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()) {
+        words.extend(word.chars().flat_map(char::to_lowercase));
+        words.push(' ');
+    }
+    words
+}
+
+fn has(words: &str, phrase: &str) -> bool {
+    words.contains(&format!(" {phrase} "))
+}
