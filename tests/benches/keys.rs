@@ -1,4 +1,4 @@
-//! What a person waits for: from a key that changes an input to the finished frame, and a frame alone.
+//! What a user waits for: from a key that changes an input to the finished frame, and a frame alone.
 //!
 //! The workbench runs without a terminal: a key is a message, a solve is carried out at once, and the frame is drawn
 //! into a buffer. Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.

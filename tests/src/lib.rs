@@ -1,4 +1,4 @@
-//! What the tests of the whole program share: a person before the screens, and a terminal for the program itself.
+//! What the tests of the whole program share: a user before the screens, and a terminal for the program itself.
 
 pub mod person;
 pub mod pty;

@@ -1,4 +1,4 @@
-//! A person before the workbench: types keys, reads the screen.
+//! A user before the workbench: types keys, reads the screen.
 //!
 //! ```
 //! use dalembert_tests::person::Person;
@@ -32,7 +32,7 @@ use ratatui::{
     style::{Color, Modifier},
 };
 
-/// A person at a screen.
+/// A user at a screen.
 pub struct Person {
     harness: Harness,
     capabilities: Capabilities,

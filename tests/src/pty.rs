@@ -1,4 +1,4 @@
-//! Drives a program through a pseudo-terminal, as a person at a terminal does, and looks at what it leaves behind.
+//! Drives a program through a pseudo-terminal, as a user at a terminal does, and examines what it leaves behind.
 //!
 //! ```no_run
 //! use dalembert_tests::pty::Launch;
@@ -123,7 +123,7 @@ impl Launch {
         self
     }
 
-    /// Under an interactive shell with job control, as a person starts it; its prompt is `PTY$ `.
+    /// Under an interactive shell with job control, as a user starts it; its prompt is `PTY$ `.
     #[must_use]
     pub fn under_shell(mut self) -> Self {
         self.front = Front::Shell;

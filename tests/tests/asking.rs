@@ -1,4 +1,4 @@
-//! Whether a person's own answers are right, and if not, why; and how answers are shown.
+//! Whether a user's own answers are right, and if not, why; and how answers are shown.
 
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
@@ -48,7 +48,7 @@ fn problem(id: &str) -> Problem {
 }
 
 impl Problem {
-    /// The answer of that name with another text in one input, as a person would write it.
+    /// The answer of that name with another text in one input, as a user would write it.
     fn with(&self, changes: &[(&str, &str)], answer: &str, digits: u8) -> String {
         let mut draft = self.draft.clone();
         for (path, text) in changes {

@@ -126,7 +126,7 @@ fn every_solution_is_sound() {
         }
         let same: Vec<String> = same_trees(solution).iter().map(|check| check.what.english()).collect();
         assert!(same.is_empty(), "{name}: both sides are the same tree: {same:?}");
-        assert!(!solution.checks.is_empty(), "{name}: no answer is found in a second way");
+        assert!(!solution.checks.is_empty(), "{name}: no answer is found by a second method");
         assert!(!solution.steps.is_empty(), "{name}: nothing is worked");
         assert!(!solution.answers.is_empty(), "{name}: nothing is answered");
     });
@@ -217,7 +217,7 @@ fn for_every_solution(mut look: impl FnMut(&str, &Solution)) {
     }
 }
 
-/// The one analysis that is looked at, if not all.
+/// The one analysis that is examined, if not all.
 fn only() -> Option<String> {
     std::env::var("DALEMBERT_ONLY").ok()
 }

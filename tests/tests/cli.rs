@@ -1,4 +1,4 @@
-//! The command line, run as a person or a script runs it: what is printed, where, and with which exit status.
+//! The command line, run as a user or a script runs it: what is printed, where, and with which exit status.
 
 // Long because a command line has many commands, each of them run as it is typed.
 use std::{
@@ -632,7 +632,7 @@ fn nothing_is_filled_in_silently() {
     let (_folder, path) = file(hoop("format = 2\n").as_bytes());
     let error = refused(&["solve", &path], 2);
     assert!(error.contains("wheel: write one of disc, hoop, moments, radii"), "{error}");
-    // An older file means what it meant, and says so.
+    // An older file means what it meant, and reports it.
     let (_folder, path) = file(hoop("").as_bytes());
     let output = run(&["solve", &path], &[]);
     assert!(stderr(&output).contains("note: inputs.wheel omitted: disc"), "{}", stderr(&output));
@@ -650,7 +650,7 @@ fn nothing_is_filled_in_silently() {
 }
 
 #[test]
-fn numbers_without_a_unit_are_told_or_refused() {
+fn numbers_without_a_unit_are_reported_or_refused() {
     let (_folder, path) = file(PROBLEM.replace("\"40 kg\"", "40").as_bytes());
     let output = run(&["solve", &path], &[]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
@@ -731,7 +731,7 @@ fn no_file_is_written_over_unasked() {
 }
 
 #[test]
-fn of_many_errors_the_first_hundred_are_told() {
+fn of_many_errors_the_first_hundred_are_reported() {
     let problem = |rows: usize, mass: &str| {
         let row = format!(
             "[[inputs.masses]]\nmass = \"{mass}\"\nradius = \"1 m\"\nangle = \"0 deg\"\nposition = \"0 m\"\n"

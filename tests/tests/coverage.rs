@@ -1,4 +1,4 @@
-//! Every answer is held by a second way, or its case file says why not.
+//! Every answer is held by a second method, or its case file says why not.
 
 use std::{
     collections::BTreeMap,
@@ -50,7 +50,10 @@ fn every_answer_is_covered_or_has_a_reason() {
                 for Coverage { answer, standing, reason } in answers {
                     match (standing, reason) {
                         (Standing::Uncovered, None) => {
-                            fault(id, &format!("{answer}: no second way covers it, and no reason is given"));
+                            fault(
+                                id,
+                                &format!("{answer}: no second method covers it, and no reason is given"),
+                            );
                         }
                         (Standing::Uncovered, Some(_)) | (_, None) => {}
                         (standing, Some(_)) => {

@@ -8,7 +8,7 @@ use dalembert_tests::person::Person;
 const RESPONSE: &str = "vibration/frequency-response-identification";
 const PARTS: &str = "measurement.complex.response.accelerance-parts.points";
 
-/// A person before the form of a case whose name holds these words, on the line of a path.
+/// A user before the form of a case whose name holds these words, on the line of a path.
 fn before(mut person: Person, words: &str, path: &str) -> Person {
     let bench = person.model.bench.as_mut().expect("a problem is open");
     let cases = cases::cases(bench.entry).expect("the cases can be read");
@@ -45,13 +45,13 @@ fn the_editor_of_a_table_tells_its_columns_and_is_left_without_keeping() {
     let kept = text(&person, PARTS);
     person.types("<enter>");
     let seen = words(&mut person);
-    for told in [
+    for reported in [
         "Frequency [Hz]; Real part [1/kg]; Imaginary part [1/kg]",
         "One row per line",
         "@name reads a file",
         "Ctrl-G",
     ] {
-        assert!(seen.contains(told), "`{told}`: {}", person.sees());
+        assert!(seen.contains(reported), "`{reported}`: {}", person.sees());
     }
     assert!(!seen.contains(PARTS), "the title is in words: {}", person.sees());
     person.types("1; 2<enter>");
@@ -72,12 +72,12 @@ fn the_editor_of_a_table_tells_its_columns_and_is_left_without_keeping() {
     let mut person = before(Person::in_portuguese(80, 24).opens(RESPONSE), "accelerance", PARTS);
     person.types("<enter>1; 2<enter>");
     let seen = words(&mut person);
-    for told in [
+    for reported in [
         "Frequência [Hz]; Parte real [1/kg]",
         "separadas por ponto e vírgula em vez de 3",
         "Uma linha por ponto",
     ] {
-        assert!(seen.contains(told), "`{told}`: {}", person.sees());
+        assert!(seen.contains(reported), "`{reported}`: {}", person.sees());
     }
 }
 
@@ -89,7 +89,7 @@ fn a_file_is_imported_by_a_key_and_by_its_name_in_the_palette() {
     let mut person = before(Person::at(80, 24).opens(RESPONSE), "accelerance", PARTS);
     let kept = text(&person, PARTS);
     assert!(person.sees().contains("@ imports a file"), "{}", person.sees());
-    // A path that leads nowhere stays there to be put right.
+    // A path that leads nowhere stays there to be corrected.
     person.types("@nowhere.csv<enter>");
     assert!(words(&mut person).contains("file nowhere.csv"), "{}", person.sees());
     assert_eq!(text(&person, PARTS), kept);
@@ -109,20 +109,20 @@ fn a_file_is_imported_by_a_key_and_by_its_name_in_the_palette() {
 }
 
 #[test]
-fn broken_data_files_are_told_by_what_is_in_them() {
+fn broken_data_files_are_reported_by_what_is_in_them() {
     let folder = tempfile::tempdir().expect("a folder");
     let two = write(folder.path(), "two.csv", &"1.5,2.5\n".repeat(40));
     let five = write(folder.path(), "five.csv", "1,2,3,4,5\n");
     let one = write(folder.path(), "one.txt", "1\n2\n");
     let empty = write(folder.path(), "empty.csv", "\n");
     let mut person = before(Person::at(60, 30).opens(RESPONSE), "accelerance", PARTS);
-    for (path, told) in [
+    for (path, reported) in [
         (&two, "line 1 and 39 more: 2 columns separated by commas instead of 3: Frequency; Real"),
         (&five, "line 1: 5 columns separated by commas instead of 3"),
         (&one, "line 1 and 1 more: one column instead of 3: Frequency;"),
     ] {
         person.pastes(&format!("@{path}"));
-        assert!(words(&mut person).contains(told), "{told}: {}", person.sees());
+        assert!(words(&mut person).contains(reported), "{reported}: {}", person.sees());
     }
     let kept = text(&person, PARTS);
     person.pastes(&format!("@{empty}"));
@@ -137,7 +137,7 @@ fn broken_data_files_are_told_by_what_is_in_them() {
 
 const ROTOR: &str = "vibration/rotor-dynamics";
 
-/// A person before the first case of an analysis, on the line of a path.
+/// A user before the first case of an analysis, on the line of a path.
 fn on(mut person: Person, path: &str) -> Person {
     person.model.bench.as_mut().expect("a problem is open").form.go_to(path);
     person
@@ -168,7 +168,7 @@ fn a_pasted_table_fills_rows() {
     assert!(seen.contains("3 rows filled; first line skipped (heading)"), "{}", person.sees());
     person.types("z");
     assert_eq!(person.model.bench.as_ref().map(|bench| bench.form.draft.clone()), kept, "one undo");
-    // From a cell it goes down and to the right; what has no field is told.
+    // From a cell it goes down and to the right; what has no field is reported.
     person.model.bench.as_mut().expect("a problem is open").form.go_to("segments[1].outer");
     let length = text(&person, "segments[1].length");
     person.pastes("41 mm\t\t5 mm\t9\n42 mm");
@@ -294,7 +294,7 @@ fn a_copied_row_has_a_name_of_its_own_and_rows_that_are_alike_change_places() {
 }
 
 #[test]
-fn a_read_only_start_and_doubtful_thousands_are_told() {
+fn a_read_only_start_and_doubtful_thousands_are_reported() {
     let mut person = on(Person::at(80, 24).opens("vibration/rotating-unbalance"), "speed");
     assert!(!person.sees().contains("read-only"));
     person.model.readonly = true;
@@ -344,10 +344,7 @@ fn numbers_of_other_inputs_do_not_stand_beside_a_half_filled_form() {
     let mut person = on(Person::at(80, 24).opens("vibration/rotating-unbalance"), "mass");
     person.types("<del>40 kgg<enter>");
     let screen = person.sees();
-    assert!(
-        screen.contains("results for the previous, complete") && screen.contains("19.456"),
-        "{screen}"
-    );
+    assert!(screen.contains("results for the previous, complete") && screen.contains("19.456"), "{screen}");
     // A second one hides it.
     person.types("<end><del>fast<enter>");
     let screen = person.sees();

@@ -1,4 +1,4 @@
-//! The numbers of other programs, frozen in `tests/engines`: each row is solved and held to what they found.
+//! The numbers of other programs, frozen in `tests/engines`: each row is solved and compared with what they found.
 
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 

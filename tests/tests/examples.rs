@@ -11,7 +11,7 @@ use dalembert_core::{Stop, file};
 use dalembert_plugins as _;
 use dalembert_units::read_any;
 
-/// Held to half a unit of the last place.
+/// Agrees to half a unit of the last place.
 fn answers(file_name: &str, expected: &[(&str, &str)]) {
     let text = fs::read_to_string(folder().join(file_name)).unwrap();
     let problem = file::parse(&text).unwrap_or_else(|errors| panic!("{file_name}: {errors:?}"));

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use dalembert_core::{AnswerValue, Entry, Number, Record, Solution, Stop, cases, file, registry, vary};
 use dalembert_plugins as _;
 
-/// Inputs that say over what time a motion is looked at, or when: those of the problem itself. A duration within a part of
+/// Inputs that say over what time a motion is examined, or when: those of the problem itself. A duration within a part of
 /// it, such as that of a blow or a pulse, is another problem.
 const TIMES: [&str; 3] = ["duration", "instant", "time"];
 const FACTORS: [f64; 4] = [1.0, 1.3, 2.7, 10.0];
@@ -23,7 +23,7 @@ fn side(name: &str, label: &str) -> Option<Side> {
     let says = |words: &[&str]| words.iter().any(|word| said.contains(word));
     if says(&["first"]) {
         Some(Side::First)
-    } else if says(&["largest", "greatest", "highest", "maximum", "friction needed"]) {
+    } else if says(&["largest", "highest", "maximum", "friction needed"]) {
         Some(Side::Most)
     } else if says(&["least", "lowest", "minimum"]) {
         Some(Side::Least)
@@ -107,7 +107,7 @@ fn answer(text: &str, name: &str) -> f64 {
         problem.entry.solve(&record, &Stop::new()).unwrap_or_else(|error| panic!("{error:?}\n{text}"));
     let answer = solution.answers.iter().find(|answer| answer.name.to_string() == name);
     let answer = answer.unwrap_or_else(|| panic!("there is no {name}"));
-    let AnswerValue::Number(Number::Scalar(si), _) = answer.value else { panic!("{name} is no number") };
+    let AnswerValue::Number(Number::Scalar(si), _) = answer.value else { panic!("{name} is not a number") };
     si
 }
 

@@ -254,7 +254,7 @@ fn frequencies_in_tables_are_in_hertz() {
 }
 
 #[test]
-fn a_frequency_response_without_a_heading_is_in_hertz_and_says_so() {
+fn a_frequency_response_without_a_heading_is_in_hertz_and_reports_it() {
     // 12 kg on 48 kN/m with ζ = 0.02, in m/N.
     let (mass, stiffness, zeta) = (12.0f64, 48e3f64, 0.02);
     let natural = (stiffness / mass).sqrt();
@@ -332,14 +332,14 @@ fn a_table_is_a_list_of_rows_by_name_too() {
         let parsed = file::parse(&text).expect("it is read");
         assert_eq!(number(&solved(&file::write(&parsed, &text)), "displacement_abs"), wanted);
     }
-    for (points, told) in [
+    for (points, reported) in [
         ("spectrum.table.points = [{ frequency = 1 }]\n", "this row has no acceleration"),
         ("spectrum.table.points = [{ frequency = 1, accel = 1 }]\n", "accel"),
         ("spectrum.table.points = { frequency = 1 }\n", "write a table as lines of text with the heading"),
     ] {
         let errors = file::parse(&spectrum(points)).expect_err("it cannot be read");
         let why = errors.iter().map(|error| error.why.english()).collect::<Vec<_>>().join("; ");
-        assert!(why.contains(told), "{why}");
+        assert!(why.contains(reported), "{why}");
     }
 }
 

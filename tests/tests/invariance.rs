@@ -102,7 +102,7 @@ fn the_plain_reading_is_the_worked_reading() {
 }
 
 /// Whatever finite numbers are typed, a solve answers or refuses; it neither panics nor answers NaN or infinity, and one
-/// that takes long ends when it is told to stop.
+/// that takes long ends when it is reported to stop.
 #[test]
 fn extreme_values_are_answered_or_refused() {
     // Two of the values for each input, others for its neighbour and for the next form; all where more is asked for.
@@ -137,7 +137,7 @@ fn verified(name: &str, solution: &Solution) {
     }
 }
 
-/// What a solve finds that is told to stop when it has taken so long.
+/// What a solve finds that is reported to stop when it has taken so long.
 fn stopped_after_a_while(entry: &Entry, record: &Record) -> Result<Solution, SolveError> {
     const LONG: Duration = Duration::from_millis(100);
     const SOON: Duration = Duration::from_secs(20);
@@ -153,7 +153,7 @@ fn stopped_after_a_while(entry: &Entry, record: &Record) -> Result<Solution, Sol
         drop(done);
         solved
     });
-    assert!(begun.elapsed() < SOON, "{}: goes on after it was told to stop", entry.about.id);
+    assert!(begun.elapsed() < SOON, "{}: goes on after it was asked to stop", entry.about.id);
     solved
 }
 
@@ -323,9 +323,9 @@ fn problems() -> Vec<Problem> {
     all
 }
 
-/// Looks at each of them, on all cores.
+/// Examines each of them, on all cores.
 fn for_each(problems: &[Problem], look: impl Fn(usize, &Problem) + Sync) {
-    assert!(!problems.is_empty(), "there is no problem to be looked at");
+    assert!(!problems.is_empty(), "there is no problem to examine");
     let next = AtomicUsize::new(0);
     let workers = thread::available_parallelism().map_or(1, NonZero::get);
     thread::scope(|scope| {

@@ -1,4 +1,4 @@
-//! Every pane: how it looks, that keys reach it, that it cuts no word in silence, and that its keys are all told.
+//! Every pane: how it looks, that keys reach it, that it cuts no word in silence, and that its keys are all reported.
 
 use itertools::Itertools as _;
 use std::collections::HashSet;
@@ -12,7 +12,7 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 const FAN: &str = "vibration/rotating-unbalance";
 const SIZES: [(u16, u16); 3] = [(80, 24), (120, 36), (200, 60)];
 
-/// The screens of a person for the same keys, at every size: in English with its colours, in Portuguese, in ASCII.
+/// The screens of a user for the same keys, at every size: in English with its colours, in Portuguese, in ASCII.
 fn everywhere(before: impl Fn(Person) -> Person, keys: &str) -> String {
     let screens = SIZES.map(|(columns, rows)| {
         let after = |person: Person| {
@@ -82,7 +82,7 @@ fn the_list_at_every_size() {
 }
 
 /// Words of a wide and tall screen, where nothing is cut, hold every word of the smaller ones: one that is not among
-/// them was cut, and says so.
+/// them was cut, and reports it.
 #[test]
 fn a_word_is_whole_or_marked_as_cut() {
     let mut faults = Vec::new();
@@ -171,7 +171,7 @@ fn keys_reach_every_tab_plot_and_drawing() {
 
 /// A key that no table of the place has changes nothing on the screen, where characters are no text.
 #[test]
-fn no_key_is_untold() {
+fn no_key_is_unreported() {
     // A character begins a value in the form, and an answer of one's own in a cell.
     let begins = |place: Place, code: KeyCode| {
         matches!(place, Place::Form | Place::Cells)

@@ -62,7 +62,7 @@ fn every_analysis_is_written_well_in_every_format() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// What a person reads, word for word: a problem with plots and one with vectors and a scene in space. Of the figures
+/// What a user reads, word for word: a problem with plots and one with vectors and a scene in space. Of the figures
 /// their number of lines.
 #[test]
 fn two_problems_in_every_format_and_both_languages() {

@@ -60,7 +60,7 @@ type Key = (String, String, String);
 #[derive(Default)]
 struct Met {
     named: BTreeSet<Key>,
-    /// Of those that name an input, the ones that were held to direct solves, and would not have been if they were off.
+    /// Of those that name an input, the ones that were compared with direct solves, and would not have been if they were off.
     held: BTreeSet<Key>,
     unnamed: BTreeSet<Key>,
     wrong: Vec<String>,
@@ -175,8 +175,8 @@ impl Case<'_> {
     /// At how many points a curve is what a direct solve gives, or what is wrong with it.
     fn curve(&self, plot: &Plot, series: &Series) -> Result<usize, String> {
         let (Some(over), Some(of)) = (&plot.over, series.of.as_deref()) else { return Ok(0) };
-        let told = |n: usize| series.at.get(n).copied();
-        let drawn = series.points.iter().enumerate().map(|(n, (x, y))| (*x, *y, told(n)));
+        let reported = |n: usize| series.at.get(n).copied();
+        let drawn = series.points.iter().enumerate().map(|(n, (x, y))| (*x, *y, reported(n)));
         let drawn: Vec<(f64, f64, Option<f64>)> =
             drawn.filter(|(x, y, _)| x.is_finite() && y.is_finite()).collect();
         let mut size = drawn.iter().fold(0.0, |size: f64, (_, y, _)| size.max(y.abs()));
@@ -203,10 +203,10 @@ impl Case<'_> {
             .find(|(id, title, ..)| (*id, *title) == (self.entry.about.id, &plot.title.template));
         let agreement = looser.map_or(AGREEMENT, |(_, _, agreement, _)| *agreement);
         let (mut refused, count) = (0, spread(drawn.len()).count());
-        for (x, y, told) in spread(drawn.len()).map(|n| drawn[n]) {
+        for (x, y, reported) in spread(drawn.len()).map(|n| drawn[n]) {
             let input = match &over.answer {
                 None => Some(x),
-                Some(_) if told.is_some() => told,
+                Some(_) if reported.is_some() => reported,
                 Some(name) => self.input_at(&series.with, &over.input, name, x),
             };
             let direct = input.and_then(|input| self.direct(&series.with, over, input, (of, y)));
@@ -215,7 +215,7 @@ impl Case<'_> {
                 continue;
             };
             let [[at, around], [found, noise]] = direct;
-            if told.is_some() && (at - x).abs() > AGREEMENT * width.max(size).max(STILL) + around {
+            if reported.is_some() && (at - x).abs() > AGREEMENT * width.max(size).max(STILL) + around {
                 return Err(format!(
                     "{x:e} at {} = {input:e}, where {:?} is {at:e}",
                     over.input, over.answer
@@ -224,7 +224,7 @@ impl Case<'_> {
             // On a logarithmic axis every digit of a small ordinate is seen.
             let size = if plot.y.scale == Scale::Log { y.abs() } else { size };
             let off = (found - y).abs();
-            let limit = agreement * size.max(if told.is_some() { STILL } else { 0.0 }) + noise;
+            let limit = agreement * size.max(if reported.is_some() { STILL } else { 0.0 }) + noise;
             // On a steep flank what a root that was found may be off by moves the answer.
             let moved = || {
                 let beside = [1.0, -1.0].map(|way| input * (1.0 + way * FOUND));
@@ -418,8 +418,10 @@ fn unlisted(met: &Met, family: &str) -> Vec<String> {
     let used: BTreeSet<Key> = met.unnamed.iter().filter_map(of).collect();
     let stale = listed.keys().filter(|key| !used.contains(key));
     let stale = stale.map(|key| (key, "is listed, and not found or names its input"));
-    let idle =
-        met.named.difference(&met.held).map(|key| (key, "is never held to a direct solve that notices it"));
+    let idle = met
+        .named
+        .difference(&met.held)
+        .map(|key| (key, "is never compared with a direct solve that notices it"));
     let twice =
         met.named.iter().filter(|key| of(key).is_some_and(|of| !listed[&of].starts_with("sometimes")));
     let twice = twice.map(|key| (key, "names its input, and is listed"));

@@ -1,4 +1,4 @@
-//! Every case of every analysis with all its numbers changed at random by up to 30 %: what a person may well type. It is
+//! Every case of every analysis with all its numbers changed at random by up to 30 %: what a user may well type. It is
 //! answered with finite numbers, no failed check and every answer in its own range, or refused for a reason that is the
 //! input's. `cargo xtask soak perturb --draws N` draws more.
 

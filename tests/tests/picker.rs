@@ -1,4 +1,4 @@
-//! The list of analyses and the problems that are open, as a person sees them.
+//! The list of analyses and the problems that are open, as a user sees them.
 
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -140,7 +140,7 @@ fn everything_a_crashed_session_left_is_taken_up() {
     for file in &files {
         // As if it had begun at another time: the process of this number is another one now.
         let text = fs::read_to_string(file).expect("readable");
-        let (before, after) = text.split_once(" began=").expect("the header says so");
+        let (before, after) = text.split_once(" began=").expect("the header has it");
         fs::write(file, format!("{before} began=1{after}")).expect("written");
     }
     let sessions = Autosave::in_folder(state.clone()).expect("there").crashed();
@@ -168,7 +168,7 @@ fn a_problem_that_a_crashed_session_left_is_called_by_its_analysis() {
     autosave.flush().expect("written");
     let file = fs::read_dir(&state).expect("there").flatten().next().expect("it is kept").path();
     let text = fs::read_to_string(&file).expect("readable");
-    let (before, after) = text.split_once(" began=").expect("the header says so");
+    let (before, after) = text.split_once(" began=").expect("the header has it");
     fs::write(&file, format!("{before} began=1{after}")).expect("written");
     let sessions = Autosave::in_folder(state).expect("there").crashed();
     for (mut person, name) in
@@ -272,7 +272,7 @@ fn every_analysis_is_reached_in_its_topic() {
     assert_eq!(under_topics.count(), total);
 }
 
-/// A topic of one analysis is no topic, and one of very many is none either. A family of the tree alone is held to it.
+/// A topic of one analysis is no topic, and one of very many is none either. A family of the tree alone is compared with it.
 #[test]
 fn topics_hold_a_handful_each() {
     let mut topics: BTreeMap<(&str, &str), usize> = BTreeMap::new();
@@ -454,7 +454,7 @@ fn what_is_pinned_and_recent_outlives_the_session() {
     assert_eq!(pty.exit_code(), Some(0));
     assert_eq!(fs::read_to_string(&file).ok(), Some(text), "read-only, nothing is written");
 
-    // A broken file is told about, and left.
+    // A broken file is reported about, and left.
     fs::write(&file, "pinned = [").expect("written");
     let mut pty = started("vibration/large-pendulum");
     pty.expect("cannot be read and is left");

@@ -1,4 +1,4 @@
-//! Problem files as a person opens, changes and saves them in the workbench.
+//! Problem files as a user opens, changes and saves them in the workbench.
 
 use std::fs;
 
@@ -72,7 +72,7 @@ fn the_name_of_a_published_case_does_not_stay_on_other_inputs() {
     let text = fs::read_to_string(folder.path().join("case.toml")).expect("the file is there");
     assert!(!text.contains(case) && text.contains("1001 rpm"), "{text}");
 
-    // A title that the person gives stays.
+    // A title that the user gives stays.
     person.types(":rename<enter>Paint shop<enter>");
     assert!(
         person.sees().contains("● case.toml") && person.sees().contains("Paint shop"),

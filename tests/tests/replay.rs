@@ -81,7 +81,7 @@ fn a_session_opens_the_file_beside_it() {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
-/// What a person did at a terminal gives the same last screen when it is played again.
+/// What a user did at a terminal gives the same last screen when it is played again.
 #[test]
 fn what_is_recorded_can_be_played() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -113,7 +113,7 @@ fn what_is_recorded_can_be_played() {
     let again = written(folder.path(), kept.trim_end_matches("type ").trim_end());
     let screen = String::from_utf8_lossy(&played(&again, &[]).stdout).into_owned();
     let bare = |screen: &str| screen.lines().map(str::trim_end).collect::<Vec<_>>().join("\n");
-    // A replay writes nothing, and its title line says so.
+    // A replay writes nothing, and its title line reports it.
     let without_title =
         |screen: &str| screen.split_once('\n').map(|(_, rest)| bare(rest)).unwrap_or_default();
     assert!(screen.contains("read-only"), "{screen}");
@@ -148,7 +148,7 @@ fn a_session_that_is_played_writes_nothing_and_does_not_end_the_program() {
     autosave.flush().expect("written");
     let work = fs::read_dir(&kept).expect("there").flatten().next().expect("it is kept").path();
     let text = fs::read_to_string(&work).expect("readable");
-    let (before, after) = text.split_once(" began=").expect("the header says so");
+    let (before, after) = text.split_once(" began=").expect("the header has it");
     fs::write(&work, format!("{before} began=1{after}")).expect("written");
 
     for keys in ["<home>41<enter>sq<enter>", "<home>41<enter>q<enter>", "<home>41<enter>q<down><enter>"] {

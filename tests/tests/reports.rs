@@ -20,7 +20,7 @@ fn printed_steps_give_their_results() {
             (Language::English, 15, true),
             (Language::Portuguese, 15, false),
             (Language::Portuguese, 15, true),
-            // As a person sees them: held to what rounding to five digits permits.
+            // As a user sees them: compared with what rounding to five digits permits.
             (Language::English, 5, false),
             (Language::Portuguese, 5, false),
         ] {
@@ -61,7 +61,7 @@ fn printed_steps_give_their_results() {
 }
 
 #[test]
-fn the_evaluator_reads_what_a_person_would() {
+fn the_evaluator_reads_what_a_user_would() {
     let value = |text: &str| match evaluate(text, &[], 15).map(|value| value.number) {
         Ok([x, 0.0, 0.0]) => x,
         other => panic!("{text}: {other:?}"),

@@ -1,4 +1,4 @@
-//! The workbench as a person sees it: keys in, screens out.
+//! The workbench as a user sees it: keys in, screens out.
 // Long because every key and every screen has its test here, and they share their words.
 
 use dalembert_core::registry;
@@ -205,7 +205,7 @@ fn results_follow_every_key() {
 
 /// 24 frames are one swing.
 #[test]
-fn a_film_moves_until_it_is_held() {
+fn an_animation_moves_until_it_is_held() {
     let mut person = Person::at(160, 50).opens("vibration/large-pendulum");
     let first = person.sees();
     assert!(tempo(&person.model).is_some());
@@ -229,7 +229,7 @@ fn a_film_moves_until_it_is_held() {
 }
 
 #[test]
-fn a_film_is_stepped_frame_by_frame() {
+fn an_animation_is_stepped_frame_by_frame() {
     let mut person = Person::at(80, 24).opens("vibration/large-pendulum");
     assert!(!person.sees().contains("animation"), "{}", person.sees());
     assert!(person.types("p").sees().contains("no animation on the screen"));
@@ -248,7 +248,7 @@ fn a_film_is_stepped_frame_by_frame() {
 }
 
 #[test]
-fn a_film_in_ascii_and_in_portuguese_on_a_wide_screen() {
+fn an_animation_in_ascii_and_in_portuguese_on_a_wide_screen() {
     let mut ascii = Person::in_ascii(80, 24).opens("vibration/large-pendulum");
     let screen = ascii.types("]]]<tab>.").sees();
     assert!(screen.is_ascii());
@@ -260,7 +260,7 @@ fn a_film_in_ascii_and_in_portuguese_on_a_wide_screen() {
 }
 
 #[test]
-fn a_pane_takes_the_whole_screen_and_gives_it_back() {
+fn a_pane_takes_the_whole_screen_and_returns_it() {
     for (columns, rows) in [(80, 24), (160, 50)] {
         let mut person = fan(columns, rows);
         let together = person.sees();
@@ -448,7 +448,7 @@ fn units_are_cycled_without_changing_the_quantity() {
 }
 
 #[test]
-fn a_converted_number_is_written_and_nudged_as_a_person_would() {
+fn a_converted_number_is_written_and_nudged_as_a_user_would() {
     let mut person = Person::in_portuguese(110, 30).opens(FAN);
     person.types("<end>uuuu");
     assert!(line_with(&person.sees(), "▸ Rotação").contains("104.719755 rad/s"), "{}", person.sees());
@@ -637,7 +637,7 @@ fn a_pinned_result_is_compared_with() {
     let plot = person.types("]]").sees();
     assert!(plot.contains("┄┄ before"), "{plot}");
     person.types("<tab>c<tab>[[z");
-    assert_eq!(person.sees(), before, "let go, nothing is compared");
+    assert_eq!(person.sees(), before, "unpinned, nothing is compared");
     // What cannot be read has no result to pin.
     person.types("<end><del>x<enter>c");
     assert!(person.sees().contains("no result to pin"), "{}", person.sees());
@@ -858,7 +858,7 @@ fn a_table_is_read_from_the_file_it_names() {
         read.contains("[Hz]; [(m/s^2)/(N)]; [(m/s^2)/(N)]\n10; 0.5; 0.1\n12; 1.5; 2.5\n14; -2; 1.5"),
         "{read}"
     );
-    // A file that is not there leaves the table as it is, and says so.
+    // A file that is not there leaves the table as it is, and reports it.
     person.pastes(&format!("@{}", folder.path().join("nothing.uff").display()));
     assert_eq!(text(&person), read);
     assert!(person.sees().contains("not found: check"), "{}", person.sees());

@@ -1,4 +1,4 @@
-//! What a person sets: keys, themes, whether the mouse is taken, the editor; and files that other programs change.
+//! What a user sets: keys, themes, whether the mouse is taken, the editor; and files that other programs change.
 
 use std::{fs, os::unix::fs::PermissionsExt, path::Path, process::Command, time::Duration};
 
@@ -20,7 +20,7 @@ fn fan(columns: u16, rows: u16) -> Person {
     Person::at(columns, rows).opens(FAN)
 }
 
-/// The fan before a person with these settings.
+/// The fan before a user with these settings.
 fn fan_with(text: &str) -> Person {
     let (settings, faults) = settings::parse(text);
     assert_eq!(faults, [], "{text}");
@@ -242,7 +242,7 @@ fn editor(folder: &Path, script: &str) -> String {
 }
 
 #[test]
-fn the_problem_is_edited_in_the_person_s_editor() {
+fn the_problem_is_edited_in_the_user_s_editor() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = fan_file(folder.path());
     let command = editor(folder.path(), "echo the editor is here; sed -i 's/1000 rpm/1500 rpm/' \"$1\"");
@@ -303,8 +303,8 @@ fn what_the_editor_did_was_no_other_program() {
     let mut pty = opening(&path, "", Launch::new(pty::program()).env("EDITOR", &command));
     pty.types("E");
     pty.expect("cannot be read");
-    let looked_at = Duration::from_secs(3);
-    assert!(!pty.sees("by another program", looked_at), "{}", pty.screen());
+    let examined = Duration::from_secs(3);
+    assert!(!pty.sees("by another program", examined), "{}", pty.screen());
     pty.types("<down><enter>");
     pty.types("q");
     assert_eq!(pty.exit_code(), Some(0));

@@ -1,4 +1,4 @@
-//! What a person asks beside the results: which input matters; how an answer runs over an input, where it is a wanted
+//! What a user asks beside the results: which input matters; how an answer runs over an input, where it is a wanted
 //! one, and how it scatters.
 
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]

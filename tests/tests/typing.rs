@@ -140,7 +140,7 @@ fn a_path_is_completed_and_what_is_there_is_listed() {
 }
 
 #[test]
-fn every_slip_in_files_of_ones_own_is_told() {
+fn every_slip_in_files_of_ones_own_is_reported() {
     let folder = tempfile::tempdir().expect("a folder");
     fs::write(
         folder.path().join("mine.toml"),
@@ -169,7 +169,7 @@ fn every_slip_in_files_of_ones_own_is_told() {
 }
 
 #[test]
-fn an_unknown_unit_is_told_of_one_that_fits() {
+fn an_unknown_unit_is_reported_one_that_fits() {
     let screen = Person::at(160, 30).opens(FAN).types("<end><up>20 mmt").sees();
     assert!(screen.contains("did you mean `mm`"), "{screen}");
 }

@@ -1,5 +1,5 @@
 //! The widgets of the workbench: plots, drawings and panes, as plain functions of plain data.
-// Long because plots, drawings and panes are held to the same few machines, drawn here once.
+// Long because plots, drawings and panes are compared with the same few machines, drawn here once.
 
 use dalembert_core::{
     Answer, AnswerValue, Axis, Cell, Check, Column, Draft, Drawing, DrawnShape, Entry, Exhibit, FieldError,
@@ -280,7 +280,7 @@ fn a_limit_far_above_is_named_at_the_edge_and_does_not_flatten_the_curve() {
 }
 
 #[test]
-fn curves_are_told_apart_with_and_without_colours() {
+fn curves_are_distinguished_with_and_without_colours() {
     let mut plot = fan();
     plot.series
         .push(Series::line("undamped", plot.series[0].points.iter().map(|at| (at.0, 0.5 * at.1)).collect()));
@@ -428,7 +428,7 @@ fn doubts_and_faults_are_not_passed_over() {
     solution.warnings.push(Text::new("the speed is near the natural frequency"));
     solution.defects.push("k is in m·kg·s⁻², not in kN/m".into());
     solution.checks.push(Check {
-        what: "a second way".into(),
+        what: "a second method".into(),
         residual: 3e-4,
         limit: 1e-9,
         passed: false,
@@ -451,9 +451,9 @@ fn doubts_and_faults_are_not_passed_over() {
     assert!(place("k is in m·kg·s⁻²") < place("Stiffness of the support"));
     assert!(place("≤ 113.4 mm") < place("· the first critical speed"));
     assert!(
-        place("! the speed is near") < place("✗ a second way  FAILED: a second method differs by 3×10⁻⁴")
+        place("! the speed is near") < place("✗ a second method  FAILED: a second method differs by 3×10⁻⁴")
     );
-    assert!(place("✗ a second way") < place("✓"), "what failed comes first");
+    assert!(place("✗ a second method") < place("✓"), "what failed comes first");
     let stale = results::stale(
         results::lines(&solution, &UNICODE, &Locale::english(), 70),
         &UNICODE,
@@ -567,7 +567,7 @@ fn every_block_of_a_table_names_its_rows() {
 #[test]
 fn one_long_label_does_not_undo_the_columns() {
     let (_, mut solution) = solved();
-    let long = "Greatest amplitude of the machine at any speed that its motor can reach";
+    let long = "Maximum amplitude of the machine at any speed that its motor can reach";
     solution.answers.push(Answer { label: long, ..solution.answers[0].clone() });
     let shown = text(&results::lines(&solution, &UNICODE, &Locale::english(), 70));
     let column = |words: &str, of: &str| {
@@ -578,7 +578,7 @@ fn one_long_label_does_not_undo_the_columns() {
     assert_eq!(column("Phase lag", "°"), column("Amplitude at this speed", "mm"), "{shown}");
     assert_eq!(column("Phase lag", "."), column("Amplitude at this speed", "."), "{shown}");
     assert!(
-        shown.contains("Greatest amplitude of the machine at any\nspeed that its motor can reach "),
+        shown.contains("Maximum amplitude of the machine at any\nspeed that its motor can reach "),
         "{shown}"
     );
 }

@@ -17,7 +17,7 @@ fn at_home(home: &Path) -> Launch {
 
 /// The newest speed of the fan is 1500 rpm: in the form, the results, the working and the plot.
 #[test]
-fn a_person_changes_the_speed_of_the_fan_and_sees_everything_follow() {
+fn a_user_changes_the_speed_of_the_fan_and_sees_everything_follow() {
     let mut pty = started(Launch::new(pty::program()));
     pty.expect("19.456 mm");
     pty.types("<end><del>1500 rpm<enter>");
@@ -84,7 +84,7 @@ fn what_is_typed_outlives_the_window_and_is_offered_again() {
     pty.expect("without saving");
     pty.types("<enter>");
     pty.expect("1234 rpm");
-    // Thrown away when the person says so, and not offered again.
+    // Discarded when the user reports it, and not offered again.
     pty.types("q");
     pty.expect("quit without saving");
     pty.types("<down><enter>");

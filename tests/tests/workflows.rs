@@ -1,5 +1,5 @@
 //! Days of people at the workbench, from the start of the program to the file they leave with. Each is worked at a
-//! terminal; what is on the screen is held to numbers found here, not to what was seen there once.
+//! terminal; what is on the screen is compared with numbers found here, not to what was seen there once.
 //!
 //! The fan that is balanced in the field stands in `workbench.rs`.
 
@@ -26,7 +26,7 @@ fn leaves(pty: &mut Pty) {
 }
 
 /// A student works the fan by hand: nothing is given away, a right answer is confirmed, a wrong one is not, and what
-/// follows from it says so; then the working is read up to where it went wrong, and that is put right.
+/// follows from it reports it; then the working is read up to where it went wrong, and that is corrected.
 #[test]
 fn homework_is_tried_by_hand_and_checked() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -55,7 +55,7 @@ fn homework_is_tried_by_hand_and_checked() {
     assert!(!pty.screen().contains("0.061694"), "{}", pty.screen());
     pty.types("]]]<up><up>0.0617<enter>");
     pty.expect("= 0.061694");
-    // With the last answer the exercise is done, and the list of exercises says so.
+    // With the last answer the exercise is done, and the list of exercises reports it.
     let amplitude = 0.1 / 40.0 * ratio * ratio / (1.0 - ratio * ratio).hypot(2.0 * 0.061694 * ratio) * 1e3;
     pty.types(&format!("<down><down>{amplitude:.2}<enter>"));
     pty.expect("all required answers are correct");
@@ -101,7 +101,7 @@ fn a_lecturer_demonstrates_live() {
         std::thread::sleep(Duration::from_millis(20));
         pty.screen() != first
     }));
-    // Held, it stands still.
+    // Held, it is at rest.
     pty.types("p");
     pty.idle(Duration::from_millis(300));
     let held = (pty.count(), pty.screen());

@@ -17,13 +17,13 @@ pub(crate) fn cargo(folder: &Path) -> Command {
     command
 }
 
-/// Runs a command whose output is for the person who looks on.
+/// Runs a command whose output is for the user who looks on.
 pub(crate) fn run(command: &mut Command) -> Result<()> {
     let status = command.status().with_context(|| format!("{} cannot be run", shown(command)))?;
     if status.success() { Ok(()) } else { bail!("{} ended with {status}", shown(command)) }
 }
 
-/// Runs a command and returns what it prints; its errors go to the person who looks on.
+/// Runs a command and returns what it prints; its errors go to the user who looks on.
 pub(crate) fn output(command: &mut Command) -> Result<String> {
     let output = command
         .stderr(Stdio::inherit())

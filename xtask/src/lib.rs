@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 pub mod bench;
 pub mod docs;
+pub mod find;
 pub mod new_analysis;
 pub mod new_plugin;
 pub mod pictures;

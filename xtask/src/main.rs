@@ -2,13 +2,14 @@
 
 use std::{env, process::ExitCode};
 
-use xtask::{bench, docs, new_analysis, new_plugin, pictures, root, soak, tidy, verify, words};
+use xtask::{bench, docs, find, new_analysis, new_plugin, pictures, root, soak, tidy, verify, words};
 
 const USAGE: &str = "\
 usage: cargo xtask COMMAND
 
   verify [--quick]           prove the project; --quick leaves out the slow steps
-  tidy                       hold the tree to its own rules
+  tidy                       check the tree against its own rules
+  find TERM                  the file of a thing, by its name in the field or a synonym in docs/glossary.md
   new-analysis FAMILY NAME   begin an analysis: one file, its cases, its translations
   new-plugin NAME            begin a family of analyses
   words [COMMIT]             carry the translations of sentences reworded since COMMIT (HEAD) over to their new keys
@@ -29,6 +30,9 @@ fn main() -> ExitCode {
         ["verify"] => return verified(verify::Extent::Everything),
         ["verify", "--quick"] => return verified(verify::Extent::Quick),
         ["tidy"] => tidy::run(&root()),
+        ["find", words @ ..] if !words.is_empty() => {
+            tidy::Tree::read(&root()).and_then(|tree| find::run(&tree, &words.join(" ")))
+        }
         ["new-analysis", family, name] => new_analysis::run(&root(), family, name),
         ["new-plugin", name] => new_plugin::run(&root(), name),
         ["words"] => words::run(&root(), "HEAD"),

@@ -84,7 +84,7 @@ pub(crate) fn write(path: &Path, text: &str) -> Result<()> {
     fs::write(path, text).with_context(cannot)
 }
 
-/// A path as a person in the root writes it.
+/// A path as a user in the root writes it.
 pub(crate) fn below(root: &Path, path: &Path) -> String {
     path.strip_prefix(root).unwrap_or(path).display().to_string()
 }

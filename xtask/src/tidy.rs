@@ -9,6 +9,7 @@ use anyhow::{Context, Result, bail};
 mod analyses;
 mod layers;
 mod pairs;
+mod phrases;
 mod text;
 
 /// The text files of a repository, by their path from its root with `/` between folders.
@@ -22,7 +23,9 @@ const READ: [&str; 5] = ["rs", "toml", "md", "ftl", "yaml"];
 
 /// Prints what is wrong with the tree; an error if anything is.
 pub fn run(root: &Path) -> Result<()> {
-    let faults = faults(&Tree::read(root)?);
+    let tree = Tree::read(root)?;
+    let mut faults = faults(&tree);
+    faults.extend(phrases::commits(root, tree.text(phrases::GLOSSARY).unwrap_or_default())?);
     for fault in &faults {
         println!("{fault}");
     }
@@ -43,6 +46,7 @@ pub fn faults(tree: &Tree) -> Vec<String> {
         layers::a_crate_depends_only_on_what_lies_below,
         layers::pure_crates_do_no_input_or_output,
         pairs::tests_pair_lists_of_one_length,
+        phrases::retired_phrases_do_not_come_back,
         text::modules_are_not_named_mod,
         text::nothing_is_left_to_do,
         text::lints_are_those_of_the_workspace,
@@ -85,11 +89,11 @@ impl Tree {
         Self(files.iter().map(|(path, text)| ((*path).to_owned(), (*text).to_owned())).collect())
     }
 
-    fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
         self.0.iter().map(|(path, text)| (path.as_str(), text.as_str()))
     }
 
-    fn text(&self, path: &str) -> Option<&str> {
+    pub(crate) fn text(&self, path: &str) -> Option<&str> {
         self.0.get(path).map(String::as_str)
     }
 
@@ -100,7 +104,7 @@ impl Tree {
     }
 
     /// The sources: path and text of every `.rs` file.
-    fn sources(&self) -> impl Iterator<Item = (&str, &str)> {
+    pub(crate) fn sources(&self) -> impl Iterator<Item = (&str, &str)> {
         self.iter().filter(|(path, _)| ends_in(path, "rs"))
     }
 

@@ -69,7 +69,7 @@ pub fn run(root: &Path, extent: Extent) -> bool {
         };
         println!("{verdict} {words}");
         summary += &line(step.name, start.elapsed(), verdict, &words);
-        // What a step has to say beyond its line stands at the end too, where it is looked for.
+        // What a step has to say beyond its line stands at the end too, where it is searched for.
         if let Some((_, more)) = words.split_once('\n') {
             faults += &format!("\n== {}\n{more}\n", step.name);
         }
@@ -129,7 +129,7 @@ fn tests(root: &Path) -> Found {
     let mut tests = cargo(root)
         .args(["test", "--workspace", "--locked", "--no-fail-fast"])
         .env(SEED, &seed)
-        // A snapshot that is missing is a fault here, while a person who begins one gets it written.
+        // A snapshot that is missing is a fault here, while a user who begins one gets it written.
         .env("INSTA_UPDATE", "no")
         .stdout(Stdio::piped())
         .spawn()
@@ -244,7 +244,7 @@ fn compiled_quickly(root: &Path) -> Result<Vec<String>> {
 
 /// A new analysis, in a copy of the tree, is listed, solved and tested at once.
 fn template(root: &Path) -> Found {
-    const NAME: &str = "mass-that-is-let-go";
+    const NAME: &str = "mass-released-from-rest";
     let id = format!("vibration/{NAME}");
     let copy = Copy::of(root)?;
     new_analysis::run(&copy.0, "vibration", NAME)?;
@@ -259,7 +259,7 @@ fn template(root: &Path) -> Found {
     for of_every_analysis in ["catalogue", "invariance", "languages", "tidy"] {
         tests.args(["--test", of_every_analysis]);
     }
-    // The other analyses were held to what holds for every problem by the tests of the tree itself.
+    // The other analyses were compared with what holds for every problem by the tests of the tree itself.
     tests.env("CARGO_TARGET_DIR", target(root)).env("INSTA_UPDATE", "unseen").env("DALEMBERT_ONLY", &id);
     run_command(&mut tests)?;
     run_command(cargo(&copy.0).args(["fmt", "--all", "--", "--check", "--files-with-diff"]))?;

@@ -248,7 +248,6 @@ no-answer-in-the-whole-range = nenhuma resposta em toda a faixa
 answer-against-input = { $answer } em função de { $input }
 no-answer-from-from-to-to-why = sem resposta de { $from } a { $to }: { $why }
 no-reason-reported = sem motivo informado
-as-it-stands = como está
 current-value = valor atual
 wanted = desejado
 target = alvo

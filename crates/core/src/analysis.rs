@@ -13,7 +13,7 @@ use crate::{
     Value, Worksheet, assumed, gravity, input::Lift, kept, vary,
 };
 
-/// What a person reads before picking an analysis.
+/// What a user reads before picking an analysis.
 #[derive(Debug)]
 pub struct About {
     /// `family/name`, in kebab case: the name on the command line and in files.
@@ -34,7 +34,7 @@ pub struct About {
 
 /// A problem: its fields are the inputs, and it knows how it is solved.
 pub trait Analysis: Inputs {
-    /// What a person reads before picking it.
+    /// What a user reads before picking it.
     const ABOUT: About;
 
     /// Writes the solution on `sheet`. `given` holds the inputs as numbers of that worksheet, `self` in SI.
@@ -65,7 +65,7 @@ pub struct Stop(AtomicBool);
 
 /// One registered analysis, with its types erased.
 pub struct Entry {
-    /// What a person reads before picking it.
+    /// What a user reads before picking it.
     pub about: &'static About,
     shape: fn() -> Shape,
     solve: fn(&Record, &Stop, perturbed: Option<usize>) -> Result<Solution, SolveError>,
@@ -320,7 +320,7 @@ fn prepared(
         }
         slots.push(places);
     }
-    // The places of the answers, from one reading of the problem as it stands.
+    // The places of the answers, from one reading of the problem unchanged.
     let stop = Stop::new();
     let plain = Plain::new(&stop);
     problem.solve_plain(&plain)?;

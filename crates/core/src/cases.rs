@@ -29,7 +29,7 @@ pub struct Case {
     pub refused: Option<String>,
 }
 
-/// What kind of truth an answer is held to.
+/// What kind of truth an answer is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Truth {
     /// Somebody printed it.
@@ -62,11 +62,11 @@ pub struct Expected {
     pub answer: String,
     /// As it was printed, with its unit.
     pub printed: String,
-    /// How it is held to ours.
+    /// How it is compared with ours.
     pub how: Hold,
 }
 
-/// How a printed answer is held to ours.
+/// How a printed answer is compared with ours.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Hold {
     /// To half a unit in the last printed place.
@@ -80,7 +80,7 @@ pub enum Hold {
     Disputed {
         /// Why it is wrong.
         why: Text,
-        /// The right value, held to half a unit in its last place.
+        /// The right value, compared with half a unit in its last place.
         ours: String,
     },
 }
@@ -421,7 +421,7 @@ fn compare_list(si: &[f64], unit: &units::Unit, expected: &Expected) -> (String,
 }
 
 /// Sets are printed as ours are shown: `≤ 113.4 mm or ≥ 439.9 mm`, `2 m … 3 m`, `every value`, `no value`. Each end is
-/// held to the last place printed.
+/// compared with the last place printed.
 fn compare_set(ours: &str, printed: &str, expected: &Expected) -> Option<bool> {
     /// The words or the sign of a part, and its ends.
     fn part(text: &str) -> Option<(&str, Vec<units::Quantity>)> {

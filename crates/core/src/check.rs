@@ -1,4 +1,4 @@
-//! A person's answer beside ours: right, rounded too early, or wrong, and then which usual slip gives it.
+//! A user's answer beside ours: right, rounded too early, or wrong, and then which usual slip gives it.
 //!
 //! [`compare`] is quick and says how near an answer is. [`slips`] solves the problem again with the slips that people
 //! make and says which of them gives exactly what was answered.
@@ -17,7 +17,7 @@ use crate::{Answer, AnswerValue, Arg, Solution, Symbol, Text, cases, printer, re
 /// Answers that are farther off than this share of ours are not right, however few their digits.
 pub const TOLERANCE: f64 = 0.005;
 
-/// How a person's answer compares with ours.
+/// How a user's answer compares with ours.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// It is ours to every digit that was given.
@@ -35,7 +35,7 @@ pub enum Verdict {
 /// What may have gone wrong.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mistake {
-    /// It follows from the person's own answers of these names, which are wrong.
+    /// It follows from the user's own answers of these names, which are wrong.
     Follows(Vec<String>),
     /// Our answer was changed at the end.
     Answer(Change),
@@ -116,7 +116,7 @@ pub fn compare(answer: &Answer, typed: &str) -> Verdict {
     }
 }
 
-/// The person's answers beside the problem's: each with its verdict.
+/// The user's answers beside the problem's: each with its verdict.
 pub fn compare_all(solution: &Solution, typed: &[(String, String)]) -> Vec<(String, Verdict)> {
     let compared = typed.iter().filter(|(_, text)| !text.trim().is_empty()).filter_map(|(name, text)| {
         let answer = solution.answer(name)?;

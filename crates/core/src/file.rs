@@ -28,7 +28,7 @@ const KEYS: [&str; 5] = ["format", "analysis", "title", "inputs", "show"];
 pub struct Problem {
     /// Its analysis.
     pub entry: &'static Entry,
-    /// What the person calls it; may be empty.
+    /// What the user calls it; may be empty.
     pub title: String,
     /// What is typed in its inputs.
     pub draft: Draft,
@@ -352,7 +352,7 @@ fn cells(array: &toml_edit::Array) -> String {
     array.iter().map(plain).collect::<Vec<_>>().join("; ")
 }
 
-/// A table as a person types it, of a text, a list of lists, or a list of tables with the names of the columns.
+/// A table as a user types it, of a text, a list of lists, or a list of tables with the names of the columns.
 fn table_text(item: &Item, columns: &'static [Field]) -> Result<String, (Text, Option<Range<usize>>)> {
     let named = |row: &dyn TableLike, span: Option<Range<usize>>| {
         let names = columns.iter().map(|column| column.name);

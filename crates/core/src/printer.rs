@@ -1,4 +1,4 @@
-//! Writes what a solution found as a person would: formulas with their symbols, the same with their values.
+//! Writes what a solution found as a user would: formulas with their symbols, the same with their values.
 
 use std::ops::Bound;
 
@@ -24,7 +24,7 @@ pub struct WrittenStep {
     pub result: String,
     /// Why the step is taken.
     pub why: String,
-    /// What says so.
+    /// What reports it.
     pub source: String,
     /// The terms of a sum that is too long for a line, each with its value.
     pub terms: Vec<(String, String)>,

@@ -45,7 +45,7 @@ pub struct Influence {
 /// What the tolerances of all inputs do to an answer, in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// The least and the greatest answer that ends of tolerances give together.
+    /// The least and the largest answer that ends of tolerances give together.
     pub worst: [f64; 2],
     /// To either side, where they are independent of each other: `√(Σ Δ²)`.
     pub likely: f64,
@@ -55,7 +55,7 @@ pub struct Spread {
 /// `usual` is that of every other one, in its [steps](Input::step).
 ///
 /// # Errors
-/// Why the problem as it stands has no answer, or none of that name.
+/// Why the problem unchanged has no answer, or none of that name.
 pub fn sensitivity(
     entry: &Entry,
     record: &Record,

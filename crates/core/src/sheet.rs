@@ -24,7 +24,7 @@ use crate::{
 /// The largest relative difference of two ways to the same number, where rounding does not explain a larger one.
 const AGREEMENT: f64 = 1e-9;
 
-/// How many times the first-order bounds of their rounding errors two ways to the same number may differ: a second way
+/// How many times the first-order bounds of their rounding errors two ways to the same number may differ: a second method
 /// through a numerical method has an error of its own, of a few times what the last places of its inputs do.
 const WAYS: f64 = 8.0;
 

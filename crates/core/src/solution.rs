@@ -39,7 +39,7 @@ pub struct Answer {
     pub name: Name,
     /// What it is, in words.
     pub label: &'static str,
-    /// The row of the inputs that it is about, by the name the person gave it; empty where that has none.
+    /// The row of the inputs that it is about, by the name the user gave it; empty where that has none.
     pub whose: String,
     /// What was found.
     pub value: AnswerValue,
@@ -47,7 +47,7 @@ pub struct Answer {
     pub unit: Unit,
     /// What of it is rounding alone, in SI: smaller numbers are shown as zero.
     pub noise: f64,
-    /// The digits it is shown with, where the person chose them.
+    /// The digits it is shown with, where the user chose them.
     pub digits: Option<u8>,
 }
 
@@ -84,7 +84,7 @@ pub struct Step {
     pub result: Id,
     /// Why the step is taken; for a number that was found, how.
     pub why: Text,
-    /// What says so.
+    /// What reports it.
     pub cite: Option<Cite>,
 }
 
@@ -110,7 +110,7 @@ pub enum Sides {
     Both(Id, Id),
     /// A number of the trace, and one that a numerical method found, which is not in it.
     One(Id),
-    /// A residual of the trace, held to zero.
+    /// A residual of the trace, compared with zero.
     Residual(Id),
     /// Numbers that are not in the trace.
     #[default]
@@ -195,7 +195,7 @@ impl Answer {
     }
 }
 
-/// How an answer is to be shown, as it stands in a problem file: `mm`, `mm; 6 digits`, `6 digits`.
+/// How an answer is to be shown, unchanged in a problem file: `mm`, `mm; 6 digits`, `6 digits`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Display {
     /// Its unit; empty for that of the analysis.

@@ -18,13 +18,13 @@ use crate::{
     vary::{self, Input, Perturbed},
 };
 
-/// So many points are looked at when a value is sought.
+/// So many points are examined when a value is sought.
 const SCAN: usize = 400;
 /// The most points of a curve, and the most samples.
 pub const MOST_POINTS: usize = 10_000;
 /// The most curves of a family.
 pub const MOST_CURVES: usize = 6;
-/// So many ranges without an answer are told.
+/// So many ranges without an answer are reported.
 const MOST_GAPS: usize = 3;
 /// Answers that differ by no more of themselves are the same.
 const ROUNDING: f64 = 1e-12;
@@ -90,7 +90,7 @@ pub struct Studied {
 /// Carries out a study.
 ///
 /// # Errors
-/// Why the problem as it stands has no answer, or what of the plan does not fit it.
+/// Why the problem unchanged has no answer, or what of the plan does not fit it.
 pub fn study(entry: &Entry, record: &Record, plan: &Plan, stop: &Stop) -> Result<Studied, SolveError> {
     let solution = entry.solve(record, stop)?;
     let name = match plan {
@@ -326,7 +326,7 @@ impl<'a> Curve<'a> {
             }
         }
         let unit = fixed(&self.input().unit);
-        let told = gaps.into_iter().take(MOST_GAPS).map(|(first, last)| {
+        let reported = gaps.into_iter().take(MOST_GAPS).map(|(first, last)| {
             let (input, si) = match outside {
                 Some((at, si)) => (&again.inputs[at], si),
                 None => (self.input(), places[usize::midpoint(first, last)]),
@@ -337,7 +337,7 @@ impl<'a> Curve<'a> {
                 .with_quantity("to", places[last], unit)
                 .with_text("why", why.unwrap_or_else(|| Text::new("no reason reported")))
         });
-        told.collect()
+        reported.collect()
     }
 }
 

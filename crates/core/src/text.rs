@@ -1,4 +1,4 @@
-//! Sentences for people, in English and in Brazilian Portuguese.
+//! Messages and their translation: English sentences as keys, Brazilian Portuguese beside them.
 //!
 //! The English sentence stands in the code. Its translation is a message in a `.ftl` file (Fluent) whose
 //! identifier is made from the English words by [`key`]; a test demands that none is missing.
@@ -7,7 +7,7 @@
 //! the analysis, then by the message of its family, then by that of any other crate.
 //!
 //! ```text
-//! greatest-speed = Velocidade máxima
+//! largest-speed = Velocidade máxima
 //!     .flywheel = Rotação máxima
 //! ```
 
@@ -47,7 +47,7 @@ pub enum Language {
     Portuguese,
 }
 
-/// How things are written for a person: language, style of numbers, and the context of translations.
+/// How things are written for a user: language, style of numbers, and the context of translations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Locale {
     /// The language of sentences.
@@ -94,7 +94,7 @@ impl Text {
         Self { template: template.into(), args: Vec::new() }
     }
 
-    /// Words that are the same in every language: what a person typed.
+    /// Words that are the same in every language: what a user typed.
     pub fn verbatim(words: impl std::fmt::Display) -> Self {
         Self::new("{words}").with("words", words)
     }
@@ -125,7 +125,7 @@ impl Text {
         self
     }
 
-    /// The sentence as a person reads it. English where the language lacks it.
+    /// The sentence as a user reads it. English where the language lacks it.
     pub fn render(&self, locale: &Locale) -> String {
         if self.is_empty() {
             return String::new();

@@ -191,7 +191,7 @@ impl Perturbed {
     /// change, and answers that are no single numbers, are dropped.
     ///
     /// # Errors
-    /// Why the problem as it stands has no answer.
+    /// Why the problem unchanged has no answer.
     pub fn new(
         entry: &Entry,
         record: &Record,

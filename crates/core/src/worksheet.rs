@@ -100,7 +100,7 @@ pub trait Worksheet: Copy {
         set: &IntervalSet,
         limits: Vec<Text>,
     );
-    /// Says which row of the inputs an answer that was given is about, by the name the person gave it: people read
+    /// Says which row of the inputs an answer that was given is about, by the name the user gave it: people read
     /// `Angle of the body, coupler` for `angle[2]`.
     fn whose(self, name: impl Into<Name>, whose: &str);
     /// Shows something beside the numbers. Only built when someone looks.
@@ -111,7 +111,7 @@ pub trait Worksheet: Copy {
     fn keep_going(self) -> Result<(), Refusal>;
 }
 
-/// Why a step is taken, and what says so.
+/// Why a step is taken, and what reports it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Why {
     /// The reason, in words.

@@ -42,7 +42,7 @@ struct Body {
     /// Mass.
     #[input("m", "kg", positive)]
     mass: f64,
-    /// Mass centre.
+    /// Centre of mass.
     #[input("r_G", "m", planar)]
     centre: Vector3<f64>,
 }
@@ -264,14 +264,14 @@ fn a_heading_gives_each_column_its_unit() {
         assert_eq!(points_of(text), Ok(wanted.clone()), "{text}");
     }
     let faults = points_of("w [rad/s]; X [kg]\n2; 1\nthree; 2\n4").unwrap_err();
-    let told: Vec<String> = faults.iter().map(|err| err.why.english()).collect();
-    assert!(told.iter().any(|why| why.contains("kg")), "{told:?}");
-    assert!(told.iter().any(|why| why.starts_with("line 3: ")), "{told:?}");
-    assert!(told.iter().any(|why| why.starts_with("line 4: ")), "{told:?}");
-    // One cell too many is told as such, whatever other marks stand in its line.
+    let reported: Vec<String> = faults.iter().map(|err| err.why.english()).collect();
+    assert!(reported.iter().any(|why| why.contains("kg")), "{reported:?}");
+    assert!(reported.iter().any(|why| why.starts_with("line 3: ")), "{reported:?}");
+    assert!(reported.iter().any(|why| why.starts_with("line 4: ")), "{reported:?}");
+    // One cell too many is reported as such, whatever other marks stand in its line.
     let faults = points_of("2; 1,5e-3\n3; 1,1e-4; 7").unwrap_err();
-    let told = faults[0].why.english();
-    assert!(told.starts_with("line 2: 3 columns separated by semicolons"), "{told}");
+    let reported = faults[0].why.english();
+    assert!(reported.starts_with("line 2: 3 columns separated by semicolons"), "{reported}");
 }
 
 #[test]

@@ -227,7 +227,7 @@ fn the_worst_of_several_residuals_speaks_for_all() {
     }
 }
 
-/// Two ways agree as nearly as their condition lets the last places tell, and no nearer.
+/// Two methods agree as nearly as their condition lets the last places tell, and no nearer.
 #[test]
 fn the_limit_of_a_check_comes_from_its_condition() {
     // 1 − cos x of a small x in both ways, beside the exact value: six digits are lost at 10⁻³, and twelve at 10⁻⁶.

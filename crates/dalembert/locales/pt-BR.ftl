@@ -9,7 +9,6 @@ list-the-analyses = Listar as análises
 open-the-file-read-only = Abrir o arquivo só para leitura
 replay-a-recorded-or-written-session-of-the-workbench = Reproduzir uma sessão gravada ou escrita da bancada
 replay-at-once-without-a-terminal-and-print-the-marked-screens-or-the-last-one = Reproduzir de uma vez, sem terminal, e escrever as telas marcadas, ou a última
-so-many-times-as-fast-as-a-person-types = Tantas vezes mais rápido do que uma pessoa digita
 speed-factor-relative-to-the-typing-speed = Fator de velocidade em relação à digitação
 session-file-as-written-by-record = Arquivo da sessão, como gravado por --record
 write-the-marked-screens-as-svg-to-this-folder-instead-of-printing-them = Gravar as telas marcadas como SVG nesta pasta em vez de escrevê-las

@@ -28,7 +28,7 @@ pub(crate) struct Console {
     pub(crate) styled_errors: bool,
     /// What the terminal can show.
     pub(crate) capabilities: Capabilities,
-    /// Whether a person sits at both ends.
+    /// Whether a user sits at both ends.
     pub(crate) interactive: bool,
 }
 
@@ -69,7 +69,7 @@ impl Console {
     /// Says something on the error stream beside what is printed: a `note` or a `warning`.
     pub(crate) fn tell(&self, template: &'static str, words: &Text) {
         let line = Text::new(template).with_text("words", words.clone()).render(&self.locale);
-        // Nobody is left to be told when the error stream itself is closed.
+        // Nobody is left to read it when the error stream itself is closed.
         let _ = writeln!(io::stderr(), "{}", self.plain(&line).replace('\n', " "));
     }
 
@@ -96,7 +96,7 @@ impl Console {
             }
             Failure::Output(err) => (error(err.to_string()), 2),
         };
-        // Nobody is left to be told when the error stream itself is closed.
+        // Nobody is left to read it when the error stream itself is closed.
         let _ = writeln!(io::stderr(), "{lines}");
         ExitCode::from(status)
     }
@@ -117,7 +117,7 @@ pub(crate) fn print_json(json: &serde_json::Value) -> Result<(), Failure> {
     print(&json_text(json))
 }
 
-/// The language of `--lang`, of the person's settings, or of the environment: `LC_ALL`, `LC_MESSAGES`, `LANG`, the
+/// The language of `--lang`, of the user's settings, or of the environment: `LC_ALL`, `LC_MESSAGES`, `LANG`, the
 /// first that is set.
 pub(crate) fn language_asked_for(words: &[OsString], settings: Option<Language>) -> Language {
     let mut asked = None;

@@ -28,7 +28,7 @@ dalembert_core::messages!("../locales/pt-BR.ftl");
 /// The whole program. Exit status: 0 solved; 1 refused, or a check failed; 2 bad input or usage.
 pub fn main() -> ExitCode {
     let words: Vec<OsString> = std::env::args_os().collect();
-    // The help is in the language that is asked for, so that is looked for before everything else.
+    // The help is in the language that is asked for, so that is searched for before everything else.
     let path = settings::path();
     let (settings, faults) = path.as_deref().map_or_else(Default::default, settings::read);
     let language = console::language_asked_for(&words, settings.language);
@@ -49,7 +49,7 @@ pub fn main() -> ExitCode {
     }
 }
 
-/// What the person has set, and where.
+/// What the user has set, and where.
 struct Set {
     path: Option<PathBuf>,
     settings: Settings,

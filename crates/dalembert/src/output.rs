@@ -26,7 +26,7 @@ pub(crate) fn allowed(path: &Path, problem: &Path, force: bool) -> Result<(), Fa
 
 /// Writes a text to a file that is allowed.
 pub(crate) fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
-    // What was made since it was looked at is kept too.
+    // What was made since it was examined is kept too.
     let before = if force { Before::Whatever } else { Before::Absent };
     files::save(path, text, before).map(drop).map_err(|error: FileError| Failure::File(error))
 }

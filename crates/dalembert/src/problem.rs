@@ -108,7 +108,7 @@ fn of_analysis(entry: &'static Entry, asked: &Asked<'_>, console: &Console) -> R
             name: published.as_ref().map_or_else(none, Case::title),
             source: published.as_ref().map_or_else(none, |case| case.source.clone()),
             note: published.map_or_else(none, |case| case.note),
-            notes: told(notes, "warning: {words}", console),
+            notes: reported(notes, "warning: {words}", console),
             draft,
             record,
             show: Vec::new(),
@@ -171,8 +171,8 @@ fn of_file(path: &Path, asked: &Asked<'_>, console: &Console) -> Result<Problem,
             note: Text::from(""),
             notes: {
                 let bare = bare.iter().map(|err| named(err, &draft, &shape)).collect();
-                let mut notes = told(problem.notes, "note: {words}", console);
-                notes.extend(told(bare, "warning: {words}", console));
+                let mut notes = reported(problem.notes, "note: {words}", console);
+                notes.extend(reported(bare, "warning: {words}", console));
                 notes
             },
             draft,
@@ -184,7 +184,7 @@ fn of_file(path: &Path, asked: &Asked<'_>, console: &Console) -> Result<Problem,
 }
 
 /// The same notes, said on the error stream.
-fn told(notes: Vec<Text>, template: &'static str, console: &Console) -> Vec<Text> {
+fn reported(notes: Vec<Text>, template: &'static str, console: &Console) -> Vec<Text> {
     for note in &notes {
         console.tell(template, note);
     }

@@ -10,7 +10,7 @@ use crate::console::Console;
 
 /// The most errors that are shown.
 const MOST: usize = 100;
-/// The longest line that is shown, in bytes; of a longer one the place is told alone.
+/// The longest line that is shown, in bytes; of a longer one the place is reported alone.
 const LONGEST_LINE: usize = 200;
 
 /// Errors, each with its file, line and column, and the line itself.

@@ -12,7 +12,7 @@ use proc_macro::TokenStream;
 
 /// Describes a struct (or an enum of alternatives) to forms, files and the command line.
 ///
-/// | type of the field | what a person sees |
+/// | type of the field | what a user sees |
 /// |---|---|
 /// | `f64` with `#[input("m", "kg", positive)]` | a quantity: symbol, unit, limits |
 /// | `Vector3<f64>` with `#[input("F", "N")]` | a vector; `planar` asks for two components |

@@ -117,7 +117,7 @@ fn simulate(
     system.simulate(positions, velocities, &run).expect("the motion goes on to its end")
 }
 
-/// The largest error of the top of the first rod: with all rods parallel the row is a pendulum of one freedom,
+/// The largest error of the top of the first rod: with all rods parallel the row is a pendulum of one degree of freedom,
 /// `θ̈ = −c cos θ`, followed here by the method of Runge and Kutta of order 4 with short steps.
 fn error(n: usize, moved: &Trajectory) -> f64 {
     let bars = n as f64;

@@ -79,7 +79,7 @@ fn heavy_top() {
     let centre = end.turning.attitude * body.arm;
     let exact = Vector3::new(-0.150416822747, -0.724165591637, -0.673022269560);
     println!("heavy top, 2 s\t{time:.3} ms\t≤ 0.25 ms");
-    println!("heavy top, error of the mass centre\t{:.0e} m\t≤ 1e-9", (centre - exact).norm());
+    println!("heavy top, error of the centre of mass\t{:.0e} m\t≤ 1e-9", (centre - exact).norm());
     println!("heavy top, error of ω_y\t{:.0e} rad/s\t≤ 1e-8", (end.omega.y + 106.163804142).abs());
     let drift = (motion.energy_drift(), motion.momentum_drift(Some(loads.gravity)));
     println!("heavy top, drift of energy and of H_Z\t{:.0e}, {:.0e}\t≤ 1e-10", drift.0, drift.1);

@@ -12,7 +12,7 @@ use crate::Real;
 pub mod influence;
 pub mod linkage;
 pub mod locomotive;
-pub mod min_max;
+pub mod minimax;
 mod phasor;
 mod planes;
 pub mod reciprocating;
@@ -108,7 +108,7 @@ pub fn correction_in_a<S: Real>(components: impl IntoIterator<Item = S>, correct
     -(correction_in_b + S::sum(components))
 }
 
-/// The same component in plane A by moments about plane B, a second way: `U_A = −Σ Uᵢ(z_B − zᵢ)/(z_B − z_A)`.
+/// The same component in plane A by moments about plane B, a second method: `U_A = −Σ Uᵢ(z_B − zᵢ)/(z_B − z_A)`.
 #[inline]
 pub fn correction_in_a_by_moments<S: Real>(
     components_at: impl IntoIterator<Item = (S, S)>,

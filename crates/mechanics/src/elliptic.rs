@@ -257,7 +257,7 @@ mod tests {
         assert!((amplitude_of(0.7, 0.0) - (0.7f64.sinh()).atan()).abs() < 1e-15);
     }
 
-    /// With `k = 0` the third integral is `atan(√(1 − n) tan φ)/√(1 − n)`; else its slope is held to its integrand.
+    /// With `k = 0` the third integral is `atan(√(1 − n) tan φ)/√(1 − n)`; else its slope is compared with its integrand.
     #[test]
     fn the_third_integral_is_that_of_its_integrand() {
         for rest in [0.01, 0.5, 1.0, 7.0] {

@@ -1,4 +1,4 @@
-//! The least and the greatest value of a number that changes with time, from the motion itself: every stretch in which it
+//! The least and the largest value of a number that changes with time, from the motion itself: every stretch in which it
 //! turns is bracketed, and the turn found to rounding.
 
 use std::ops::ControlFlow;
@@ -14,18 +14,18 @@ pub struct Extreme {
     pub value: f64,
 }
 
-/// The least and the greatest value over a stretch of time.
+/// The least and the largest value over a stretch of time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extremes {
     /// The least.
     pub least: Extreme,
-    /// The greatest.
-    pub greatest: Extreme,
+    /// The largest.
+    pub largest: Extreme,
 }
 
 /// A number at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Look {
+pub struct Sampling {
     /// Its value.
     pub value: f64,
     /// A smooth number that turns where it does: the number itself, if it is smooth.
@@ -34,7 +34,7 @@ pub struct Look {
     pub rate: f64,
 }
 
-impl Look {
+impl Sampling {
     /// A smooth number and its rate.
     pub fn of(value: f64, rate: f64) -> Self {
         Self { value, smooth: value, rate }
@@ -45,21 +45,21 @@ impl Extremes {
     /// Of one moment.
     pub fn at(time: f64, value: f64) -> Self {
         let first = Extreme { time, value };
-        Self { least: first, greatest: first }
+        Self { least: first, largest: first }
     }
 
-    /// The one that is farther from zero; the greatest where both are as far.
+    /// The one that is farther from zero; the largest where both are as far.
     pub fn farthest(self) -> Extreme {
-        let (least, greatest) = (self.least.value.abs(), self.greatest.value.abs());
-        if least > greatest * (1.0 + 1e-9) { self.least } else { self.greatest }
+        let (least, largest) = (self.least.value.abs(), self.largest.value.abs());
+        if least > largest * (1.0 + 1e-9) { self.least } else { self.largest }
     }
 
     /// Takes up another moment.
     pub fn note(&mut self, seen: Extreme) {
         // What rounding alone tells apart is not later and higher.
-        let rounding = 1e-12 * self.greatest.value.abs().max(self.least.value.abs());
-        if seen.value > self.greatest.value + rounding {
-            self.greatest = seen;
+        let rounding = 1e-12 * self.largest.value.abs().max(self.least.value.abs());
+        if seen.value > self.largest.value + rounding {
+            self.largest = seen;
         }
         if seen.value < self.least.value - rounding {
             self.least = seen;
@@ -67,13 +67,13 @@ impl Extremes {
     }
 
     /// Takes up the stretch between two times that are a share of the shortest period apart: its turns and its end.
-    pub fn follow(&mut self, number: &mut impl FnMut(f64) -> Look, [from, to]: [f64; 2]) {
+    pub fn follow(&mut self, number: &mut impl FnMut(f64) -> Sampling, [from, to]: [f64; 2]) {
         let ends = [(from, number(from)), (to, number(to))];
         self.between(number, ends, DEEP);
         self.note(Extreme { time: to, value: ends[1].1.value });
     }
 
-    fn between(&mut self, number: &mut impl FnMut(f64) -> Look, ends: [(f64, Look); 2], deep: u32) {
+    fn between(&mut self, number: &mut impl FnMut(f64) -> Sampling, ends: [(f64, Sampling); 2], deep: u32) {
         let [(from, a), (to, b)] = ends;
         let step = to - from;
         if a.rate * b.rate < 0.0 {
@@ -106,16 +106,16 @@ const DEEP: u32 = 6;
 /// What two neighbouring values differ by through rounding, in parts of their size.
 const ROUNDING: f64 = 1e-13;
 
-/// The greatest value of a smooth number, and where it is, from places that are a share of its shortest period apart: about
+/// The largest value of a smooth number, and where it is, from places that are a share of its shortest period apart: about
 /// each place that is higher than its neighbours, and may belong to the highest top, the top is found by parabolas held
 /// by golden sections (R. P. Brent, *Algorithms for Minimization without Derivatives* (1973), ch. 5).
-pub fn greatest(mut number: impl FnMut(f64) -> f64, places: &[f64]) -> Option<Extreme> {
+pub fn largest(mut number: impl FnMut(f64) -> f64, places: &[f64]) -> Option<Extreme> {
     let values: Vec<f64> = places.iter().map(|place| number(*place)).collect();
-    greatest_about(number, places, &values)
+    largest_about(number, places, &values)
 }
 
 /// The same where the values at the places are known.
-pub fn greatest_about(mut number: impl FnMut(f64) -> f64, places: &[f64], values: &[f64]) -> Option<Extreme> {
+pub fn largest_about(mut number: impl FnMut(f64) -> f64, places: &[f64], values: &[f64]) -> Option<Extreme> {
     let all = places.iter().zip(values).map(|(time, value)| Extreme { time: *time, value: *value });
     let mut best = all.reduce(|best, next| if next.value > best.value { next } else { best })?;
     for n in 1..places.len().saturating_sub(1) {

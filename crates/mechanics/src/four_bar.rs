@@ -132,7 +132,7 @@ mod tests {
 
     #[test]
     fn torque_is_that_of_the_equation_of_motion() {
-        // Lagrange's equation derived by computer algebra; held to the rate of the energy.
+        // Lagrange's equation derived by computer algebra; compared with the rate of the energy.
         let torques = [
             -5.037504590790,
             5.660819057759,

@@ -1,4 +1,4 @@
-//! Motions `ẏ = f(t, y)` from a start, with an error that is held at every step.
+//! ODE integrator: `ẏ = f(t, y)` with dense output and an error controlled at every step.
 //!
 //! The explicit method of Dormand and Prince of order 8 with estimates of order 5 and 3 and a polynomial of order 7
 //! between the ends of a step: E. Hairer, S. P. Nørsett, G. Wanner, *Solving Ordinary Differential Equations I*,
@@ -58,7 +58,7 @@ pub trait Problem {
     fn rates(&mut self, time: f64, state: &[f64], rates: &mut [f64]);
 
     /// The error that each part of the state may have in a step between two states; infinite for a part that is
-    /// not looked at. Called once after the rates of each step.
+    /// not examined. Called once after the rates of each step.
     fn allowed(&mut self, before: &[f64], after: &[f64], allowed: &mut [f64]);
 
     /// Brings a state back to what it must satisfy after each step; false if it is too far from it.
@@ -163,7 +163,7 @@ pub struct Integrator {
     slopes: Vec<Vec<f64>>,
     /// Whether the slope at the present state is that of the end of a step, rather than of a begin.
     stepped: bool,
-    /// Whether the polynomial over each step is made and looked at.
+    /// Whether the polynomial over each step is made and examined.
     looked_between: bool,
     /// The polynomial over the last step, once asked for.
     between: Option<[Vec<f64>; 7]>,

@@ -1,7 +1,7 @@
 //! Plane mechanisms of any shape: rigid bodies, joints, drivers and loads.
 //!
 //! The positions `q` of a mechanism are the origin and the angle `(x, y, θ)` of each body; the origin of a body is
-//! its mass centre. Joints and drivers are [equations](Joint) `Φ(q) = 0` between [measures](Measure), so that
+//! its centre of mass. Joints and drivers are [equations](Joint) `Φ(q) = 0` between [measures](Measure), so that
 //!
 //! - positions satisfy `Φ(q, t) = 0`, velocities `Φ_q q̇ = −Φ_t`, accelerations `Φ_q q̈ = γ`;
 //! - motion and forces satisfy `M q̈ = Q + Φ_qᵀ λ` (Newton and Euler), where the multiplier `λ` of an equation is the
@@ -58,12 +58,12 @@ pub struct Mechanism {
     pub gravity: [f64; 2],
 }
 
-/// A rigid body. Its origin is its mass centre.
+/// A rigid body. Its origin is its centre of mass.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Body {
     /// Mass, kg; zero for one whose inertia does not count.
     pub mass: f64,
-    /// Moment of inertia about the mass centre, kg m².
+    /// Moment of inertia about the centre of mass, kg m².
     pub inertia: f64,
 }
 

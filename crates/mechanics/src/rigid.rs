@@ -1,4 +1,4 @@
-//! Rigid bodies in space: moments of inertia, angular momentum about the mass centre G and its rate of change.
+//! Rigid bodies in space: moments of inertia, angular momentum about the centre of mass G and its rate of change.
 //!
 //! Inertias in kg·m², angular velocities in rad/s, angular momenta in kg·m²/s, moments in N·m. Axes are principal
 //! axes of the body at G unless said otherwise. Equation numbers: Riul, *Dinâmica das Máquinas*, Unit II; the same

@@ -112,7 +112,7 @@ pub enum RotorError {
     /// Compression beyond buckling, or bearings that push the shaft away more than it resists.
     #[error("the rotor is statically unstable: it buckles or its bearings push it away")]
     Buckled,
-    /// All freedoms are fixed, or their masses too small or too large for numbers.
+    /// All degrees of freedom are fixed, or their masses too small or too large for numbers.
     #[error("no node can move; take more elements between the supports, or masses that numbers can hold")]
     Rigid,
     /// An undamped rotor driven at its natural frequency.
@@ -203,7 +203,7 @@ impl Rotor {
         self.is_undamped() && self.supports.iter().all(Support::is_constant)
     }
 
-    /// Whether nothing dissipates or feeds energy at any speed: then no mode grows or dies away.
+    /// Whether nothing dissipates or feeds energy at any speed: then no mode grows or decays.
     pub fn is_undamped(&self) -> bool {
         let undamped = |here: &Coefficients| here.is_symmetric() && here.damping == [[0.0; 2]; 2];
         !self.has_internal_damping() && self.coefficients().all(undamped)

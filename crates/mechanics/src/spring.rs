@@ -83,7 +83,7 @@ pub fn pendulum<S: Real>(mass: S, gravity: S, length: S) -> S {
     mass * gravity / length
 }
 
-/// Body that hangs from a pivot, `k = m g l`, N·m/rad, with the distance `l` of its mass centre below the pivot.
+/// Body that hangs from a pivot, `k = m g l`, N·m/rad, with the distance `l` of its centre of mass below the pivot.
 #[inline]
 pub fn pendulum_torsional<S: Real>(mass: S, gravity: S, distance: S) -> S {
     mass * gravity * distance

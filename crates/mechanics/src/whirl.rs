@@ -1,4 +1,4 @@
-//! A rotor with an unbalance on a flexible shaft, and the shafts that keep it clear of its stator.
+//! Jeffcott rotor: an unbalanced disc on a flexible shaft, and the shafts that keep it clear of its stator.
 //!
 //! Rotor mass `m` in kg at the stiffness `k` in N/m, unbalance `m e` in kg·m, clearance `R` in m, speeds `ω` in
 //! rad/s, damping `c` in N·s/m or as the ratio `ζ`. The whirl of the undamped or viscously damped Jeffcott rotor
@@ -15,7 +15,7 @@ pub use permitted::{
 };
 pub use speeds::{PermittedSpeeds, permitted_speeds};
 
-/// Whirl amplitude `A = e r²/√((1 − r²)² + (2ζr)²)`, m, of a rotor whose mass centre is `e` off the shaft, at
+/// Whirl amplitude `A = e r²/√((1 − r²)² + (2ζr)²)`, m, of a rotor whose centre of mass is `e` off the shaft, at
 /// `r = ω/ω_n`. Rao, 5th ed., §9.5.
 #[inline]
 pub fn whirl_amplitude<S: Real>(eccentricity: S, frequency_ratio: S, damping_ratio: S) -> S {

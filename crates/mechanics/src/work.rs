@@ -24,14 +24,14 @@ pub fn weight<V: Vector>(mass: V::Scalar, gravity: V) -> V {
     gravity * mass
 }
 
-/// D'Alembert's inertia force, `F_in = −m a_G`, N, through the mass centre.
+/// D'Alembert's inertia force, `F_in = −m a_G`, N, through the centre of mass.
 #[inline]
 pub fn inertia_force<V: Vector>(mass: V::Scalar, acceleration: V) -> V {
     -(acceleration * mass)
 }
 
 /// D'Alembert's inertia couple of plane motion, `T_in = −I_G α`, N·m, with the moment of inertia in kg·m² about
-/// the axis through the mass centre normal to the plane. In space it is `−dH_G/dt`; see [`crate::rigid`].
+/// the axis through the centre of mass normal to the plane. In space it is `−dH_G/dt`; see [`crate::rigid`].
 #[inline]
 pub fn inertia_couple<V: Vector>(inertia: V::Scalar, angular_acceleration: V) -> V {
     -(angular_acceleration * inertia)

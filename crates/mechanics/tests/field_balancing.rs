@@ -2,7 +2,7 @@
 
 use dalembert_mechanics::balance::{
     influence::{TrialRun, influence_coefficients, least_squares, residuals},
-    min_max::min_max,
+    minimax::min_max,
     spread::{Choice, Influence, Measurement, ReadingSpread, normal_pair, ranges, uniform_bits},
     without_phase::effect,
 };
@@ -176,7 +176,7 @@ fn every_range_holds_the_weight_that_it_is_about() {
             }
         }
     }
-    assert!(lost >= 90, "{lost} of 100 weights of nothing were told from none");
+    assert!(lost >= 90, "{lost} of 100 weights of nothing were distinguished from none");
 }
 
 /// The samples are the same to the last bit on any number of threads.

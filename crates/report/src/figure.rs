@@ -13,7 +13,7 @@ use dalembert_core::{Drawing, Exhibit, Locale, Plot};
 
 use self::{axes::View, picture::Picture};
 
-/// How a plot is looked at: what a person has set on a screen.
+/// How a plot is examined: what a user has set on a screen.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seen<'a> {
     /// What is shown of it.
@@ -33,7 +33,7 @@ pub fn figure(exhibit: &Exhibit, locale: &Locale) -> Option<Picture> {
     }
 }
 
-/// A plot as it is looked at.
+/// A plot as it is examined.
 pub fn plot(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<Picture> {
     plotted::picture(plot, seen, locale)
 }

@@ -21,7 +21,7 @@ pub struct Input<'r> {
     pub typed: String,
     /// What was understood; `None` for the heading of a row or of a group.
     pub value: Option<&'r Value>,
-    /// What was understood, as a person reads it.
+    /// What was understood, as a user reads it.
     pub shown: String,
 }
 

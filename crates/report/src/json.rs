@@ -1,4 +1,4 @@
-//! A solved problem for another program.
+//! JSON writer: a solved problem for another program.
 
 use std::ops::Bound;
 

@@ -1,4 +1,4 @@
-//! A document in LaTeX, for pdfLaTeX, XeLaTeX and LuaLaTeX alike: one file, its figures drawn by TikZ.
+//! LaTeX writer: a document for pdfLaTeX, XeLaTeX and LuaLaTeX alike, one file, its figures drawn by TikZ.
 
 use dalembert_core::{ascii, printer::WrittenStep};
 

@@ -1,6 +1,6 @@
 //! Formulas as the printer writes them, read again as what they are made of, so that they can be set as mathematics.
 //!
-//! Nothing is refused: what the notation does not know is kept as it stands.
+//! Nothing is refused: what the notation does not know is kept unchanged.
 
 use dalembert_core::{ascii, printer::WrittenStep};
 

@@ -1,4 +1,4 @@
-//! What a worked solution says, and in which order.
+//! Worked solution as a document: its parts and their order.
 
 use dalembert_core::{
     Answer, AnswerValue, Cell, Draft, Entry, Exhibit, Locale, Plot, Record, Solution, TableExhibit, Text,
@@ -36,7 +36,7 @@ pub struct Worked<'a> {
     pub outcome: Result<&'a Solution, &'a Text>,
 }
 
-/// The worked solution as a person reads it: problem, inputs, answers, steps, figures and tables, checks, warnings, sources.
+/// The worked solution as a user reads it: problem, inputs, answers, steps, figures and tables, checks, warnings, sources.
 pub fn document(worked: &Worked<'_>, locale: &Locale) -> Document {
     let about = worked.entry.about;
     let locale = &locale.at(about.id);

@@ -33,12 +33,12 @@ use crate::{
 const PATIENCE: Duration = Duration::from_millis(12);
 /// Unsaved work is written aside when nothing was typed for so long.
 const KEEP_AFTER: Duration = Duration::from_secs(1);
-/// While a person goes on typing, so often.
+/// While a user goes on typing, so often.
 const KEEP_WHILE_TYPING: Duration = Duration::from_secs(10);
 /// Bytes a second that animations may send: on this machine, and where a line lies between.
-const FILM_BYTES: (f64, f64) = (64e3, 8e3);
+const ANIMATION_BYTES: (f64, f64) = (64e3, 8e3);
 /// Of the time of a line that is slower still, animations take at most one part of so many.
-const FILM_SHARE: u32 = 4;
+const ANIMATION_SHARE: u32 = 4;
 /// Nothing is expected: until then the loop sleeps.
 const LONG: Duration = Duration::from_hours(24);
 /// What is said when a session that was played has come to its end.
@@ -55,7 +55,7 @@ pub struct Options {
     pub analysis: Option<&'static Entry>,
     /// The language to begin with.
     pub language: Language,
-    /// What the person has set; what the command line says is in it already.
+    /// What the user has set; what the command line says is in it already.
     pub settings: Settings,
     /// What of their file could not be taken, and where that is.
     pub faults: Option<(PathBuf, Vec<settings::Fault>)>,
@@ -63,13 +63,13 @@ pub struct Options {
     pub readonly: bool,
     /// For serial lines and screen readers: no frames, no colours, and the cursor where the focus is.
     pub basic: bool,
-    /// Where what the person does is written down, to be played again.
+    /// Where what the user does is written down, to be played again.
     pub record: Option<PathBuf>,
-    /// A session that is played first, so many times as fast as a person types.
+    /// A session that is played first, so many times as fast as a user types.
     pub replay: Option<(Replay, f64)>,
 }
 
-/// Runs the workbench until the person ends it. The exit code is 0, or 2 when the terminal cannot be had.
+/// Runs the workbench until the user ends it. The exit code is 0, or 2 when the terminal cannot be had.
 pub fn run(options: Options) -> ExitCode {
     terminal::run_guarded(|| match workbench(options) {
         Ok(()) => ExitCode::SUCCESS,
@@ -96,9 +96,9 @@ struct Runtime {
     kept: Instant,
     /// The newest job and when it was given, while its outcome has not come.
     awaited: Option<(u64, Instant)>,
-    /// The person's editor, where the settings name one.
+    /// The user's editor, where the settings name one.
     editor: Option<String>,
-    /// The open file, and what it was when it was looked at last.
+    /// The open file, and what it was when it was examined last.
     watched: Option<Watched>,
     recorder: Option<Recorder>,
     /// The session that is played, until it ends or a key takes over.
@@ -125,7 +125,7 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         plain: basic,
         capabilities,
         autosave: Some(Box::new(move || {
-            // Nobody is left to be told.
+            // Nobody is left to be reported.
             let _ = last_words.flush();
         })),
     })?;
@@ -201,8 +201,8 @@ impl Runtime {
     fn run(&mut self, model: &mut Model, messages: &mpsc::Receiver<Msg>) -> Result<(), TerminalError> {
         // A frame is drawn only after something happened, or for an animation: an idle screen costs nothing.
         let mut stale = true;
-        let rate = if is_remote() { FILM_BYTES.1 } else { FILM_BYTES.0 };
-        let rate = terminal::line_rate().map_or(rate, |line| rate.min(line / f64::from(FILM_SHARE)));
+        let rate = if is_remote() { ANIMATION_BYTES.1 } else { ANIMATION_BYTES.0 };
+        let rate = terminal::line_rate().map_or(rate, |line| rate.min(line / f64::from(ANIMATION_SHARE)));
         let (mut drawn, mut took) = (Instant::now(), Duration::ZERO);
         loop {
             // A key and what it leads to belong in one frame, if it can be had without waiting long.
@@ -231,7 +231,7 @@ impl Runtime {
             }
             let animation = tempo(model).map(|tempo| {
                 let sending = Duration::from_secs_f64(self.session.frame_bytes() as f64 / rate);
-                drawn + tempo.max(sending).max(took * FILM_SHARE)
+                drawn + tempo.max(sending).max(took * ANIMATION_SHARE)
             });
             let keep = self.noted.map(|noted| noted + KEEP_AFTER);
             let look = Watched::follow(&mut self.watched, model).map(|watched| watched.next);
@@ -312,7 +312,7 @@ impl Runtime {
         (None, true)
     }
 
-    /// The keys are the person's from now on.
+    /// The keys are the user's from now on.
     fn hand_over(&mut self, model: &mut Model, said: &'static str) {
         self.player = None;
         (model.played, model.after_save) = (false, After::Stay);
@@ -454,7 +454,7 @@ impl Runtime {
         false
     }
 
-    /// Lets the person edit a file, and reads it.
+    /// Lets the user edit a file, and reads it.
     fn edit(&mut self, file: Editing) -> Msg {
         let path = match &file {
             Editing::Text(text) => match editor::copy(text) {
@@ -481,7 +481,7 @@ impl Runtime {
         Msg::Edited { file, result }
     }
 
-    /// Writes unsaved work aside; whether there was trouble, which is told.
+    /// Writes unsaved work aside; whether there was trouble, which is reported.
     fn keep(&mut self, model: &mut Model) -> bool {
         self.noted = None;
         self.kept = Instant::now();
@@ -495,7 +495,7 @@ impl Runtime {
     }
 }
 
-/// Whether a line lies between the person and the program: bytes are dear, and text leaves by the terminal's own
+/// Whether a line lies between the user and the program: bytes are dear, and text leaves by the terminal's own
 /// selection.
 fn is_remote() -> bool {
     ["SSH_CONNECTION", "SSH_TTY"].iter().any(|name| std::env::var_os(name).is_some())
@@ -504,7 +504,7 @@ fn is_remote() -> bool {
 /// What earlier sessions remembered; what remembers for later sessions, and what could not be read.
 fn recall(
     model: &mut Model,
-    told: impl Fn(files::FileError) + Send + 'static,
+    reported: impl Fn(files::FileError) + Send + 'static,
 ) -> (Option<Memory>, Vec<files::FileError>) {
     let mut trouble = Vec::new();
     let Some(path) = files::remembered_path() else { return (None, trouble) };
@@ -519,7 +519,7 @@ fn recall(
         return (None, trouble);
     }
     // Without a thread nothing is remembered, which does no harm now.
-    (Memory::of(path, told).ok(), trouble)
+    (Memory::of(path, reported).ok(), trouble)
 }
 
 /// Tells the loop of something from another thread.
@@ -529,9 +529,9 @@ fn teller<T>(
     msg: impl Fn(T) -> Msg + Send + Sync + 'static,
 ) -> impl Fn(T) + Send + Sync + 'static {
     let (messages, waker) = (messages.clone(), session.waker());
-    move |told| {
+    move |reported| {
         // A loop that has ended takes no more messages.
-        let _ = messages.send(msg(told));
+        let _ = messages.send(msg(reported));
         waker.wake();
     }
 }
@@ -540,7 +540,7 @@ fn not_recorded(model: &mut Model, error: &io::Error) {
     model.complain(Text::new("recording failed: {error}").with("error", error));
 }
 
-/// `~/` at the beginning of a path is the person's home.
+/// `~/` at the beginning of a path is the user's home.
 fn at_home(path: PathBuf) -> PathBuf {
     match (path.strip_prefix("~"), std::env::var_os("HOME")) {
         (Ok(rest), Some(home)) => Path::new(&home).join(rest),

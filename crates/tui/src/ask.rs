@@ -1,4 +1,4 @@
-//! What a person asks of a problem beside its results: whether an answer of their own is right, which input matters,
+//! What a user asks of a problem beside its results: whether an answer of their own is right, which input matters,
 //! and how an answer runs over one.
 //!
 //! What takes time is asked as a job of its own, beside that which solves: see [`Question`].
@@ -23,7 +23,7 @@ pub use self::study::{Cell, Kind, Study, Subject};
 /// What is asked, and what was found.
 #[derive(Debug, Default)]
 pub struct Ask {
-    /// The person's own answers.
+    /// The user's own answers.
     pub check: Check,
     /// Which input matters.
     pub sensitivity: Sensitivity,
@@ -35,16 +35,16 @@ pub struct Ask {
     pub awaited: Option<(u64, Tab)>,
 }
 
-/// The person's own answers.
+/// The user's own answers.
 #[derive(Debug, Default)]
 pub struct Check {
     /// The answer under the cursor.
     pub cursor: usize,
     /// What was typed, by the name of the answer.
     pub typed: Vec<(String, String)>,
-    /// The answers that the person asked to see.
+    /// The answers that the user asked to see.
     pub seen: BTreeSet<String>,
-    /// The slips that give what was typed, for each wrong answer; `None` while they are looked for.
+    /// The slips that give what was typed, for each wrong answer; `None` while they are searched for.
     pub slips: Option<Vec<(String, Vec<Mistake>)>>,
     /// Whether it was said that everything is right.
     pub praised: bool,
@@ -57,7 +57,7 @@ pub struct Sensitivity {
     pub cursor: usize,
     /// The input that it begins with, by its path: that of the cursor of the form when the tab was turned to.
     pub begins: String,
-    /// The answer that the person chose, by its name.
+    /// The answer that the user chose, by its name.
     pub answer: Option<String>,
     /// The tolerances that were typed, by the paths of inputs.
     pub tolerances: Vec<(String, String)>,
@@ -76,7 +76,7 @@ pub enum Question {
         record: Record,
         /// Their solution.
         solution: Box<Solution>,
-        /// The person's answers.
+        /// The user's answers.
         typed: Vec<(String, String)>,
     },
     /// Which input matters for an answer?
@@ -178,7 +178,7 @@ impl Check {
         put(&mut self.typed, name, text);
     }
 
-    /// How the person's answer of that name compares with ours; `None` where there is none.
+    /// How the user's answer of that name compares with ours; `None` where there is none.
     pub fn verdict(&self, solution: &Solution, name: &str) -> Option<Verdict> {
         let text = self.text(name);
         let answer = solution.answer(name).filter(|_| !text.trim().is_empty())?;

@@ -25,7 +25,7 @@ pub struct Bench {
     pub number: u64,
     /// Its analysis.
     pub entry: &'static Entry,
-    /// The title that the person gave it; may be empty.
+    /// The title that the user gave it; may be empty.
     pub title: String,
     /// The published case that its inputs began as.
     pub origin: Option<Case>,
@@ -115,7 +115,7 @@ pub enum State {
     Current,
     /// The job of this number is to find out.
     Solving(u64),
-    /// The person stopped the job that was to find out.
+    /// The user stopped the job that was to find out.
     Stopped,
     /// The inputs cannot be read.
     #[default]
@@ -125,7 +125,7 @@ pub enum State {
 /// What a cell of a tab is for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CellOf {
-    /// A person's own answer, by its name.
+    /// A user's own answer, by its name.
     Answer(String),
     /// The tolerance of an input, by its path.
     Tolerance(String),

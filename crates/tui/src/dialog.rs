@@ -177,7 +177,7 @@ impl Dialog {
         Self::prompt_with(purpose, false, begun.to_owned(), None)
     }
 
-    /// What was typed will not do: it is asked for again, to be put right.
+    /// What was typed will not do: it is asked for again, to be corrected.
     pub fn prompt_again(purpose: Purpose, typed: String, error: Text) -> Self {
         Self::prompt_with(purpose, false, typed, Some(error))
     }

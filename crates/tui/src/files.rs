@@ -1,4 +1,4 @@
-//! Files of the person: read with limits, saved whole or not at all, kept aside against a crash.
+//! Files of the user: read with limits, saved whole or not at all, kept aside against a crash.
 //!
 //! A problem file is small and precious. So [`read`] takes regular files of UTF-8 up to [`LARGEST`] and nothing else;
 //! [`save`] replaces a file in one step, after asking whether it is still the one that was opened; [`Autosave`] keeps
@@ -71,7 +71,7 @@ pub enum FileError {
         /// It begins with the mark of UTF-16.
         utf16: bool,
     },
-    /// The person may not write it.
+    /// The user may not write it.
     #[error("`{}` is read-only: save under another name, or change its permissions", shown(.0))]
     ReadOnly(PathBuf),
     /// Another program wrote it after it was opened.
@@ -172,7 +172,7 @@ impl FileError {
     }
 }
 
-/// What a file held: equal when its bytes are equal. Times are not looked at; copying and synchronising change them
+/// What a file held: equal when its bytes are equal. Times are not examined; copying and synchronising change them
 /// without a change, and a quick edit may not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fingerprint {

@@ -1,5 +1,5 @@
 //! The inputs of a problem as a form: a [`Draft`] seen as lines, a cursor, and the changes that keys make.
-// Long because every change of the inputs stands here, with what takes it back.
+// Long because every change of the inputs is here, with what takes it back.
 
 mod edit;
 mod fold;

@@ -105,7 +105,7 @@ pub struct Capabilities {
     pub glyphs: Glyphs,
     /// Colours.
     pub colors: Colors,
-    /// The marker to draw curves with, unless the person chose another.
+    /// The marker to draw curves with, unless the user chose another.
     pub marker: PlotMarker,
 }
 

@@ -1,6 +1,6 @@
 //! What keys mean: one table for each place where keys are typed.
 //!
-//! A [`KeyMap`] is these tables with the person's changes; the footer, the help and the palette are made from it, so
+//! A [`KeyMap`] is these tables with the user's changes; the footer, the help and the palette are made from it, so
 //! they cannot say anything else.
 
 mod map;
@@ -16,7 +16,7 @@ use tables::{
     CELL, CELLS, DRAWING, EDIT, FILTER, FORM, HELP, LIST, PICKER, PLOT, PROMPT, RESULTS, SHEET, WORKING,
 };
 
-/// What a person wants when pressing a key.
+/// What a user wants when pressing a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
     /// To the line above.
@@ -149,7 +149,7 @@ pub enum Action {
     Redraw,
     /// Ends the program.
     Quit,
-    /// Opens the problem in the person's editor.
+    /// Opens the problem in the user's editor.
     Edit,
     /// Asks how things are to be coloured.
     Theme,

@@ -138,7 +138,7 @@ impl Look {
         colors.get(n % colors.len().max(1)).map_or_else(Style::new, |color| Style::new().fg(*color))
     }
 
-    /// How many curves are told apart by their colours: without any, one.
+    /// How many curves are distinguished by their colours: without any, one.
     pub fn curves(&self) -> usize {
         self.curve_colors().len().max(1)
     }

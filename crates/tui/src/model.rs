@@ -47,17 +47,17 @@ pub struct Model {
     pub others: Vec<Bench>,
     /// What lies over the screen and takes the keys.
     pub dialog: Option<Dialog>,
-    /// A word to the person, until the next key.
+    /// A message to the user, until the next key.
     pub notice: Option<Notice>,
     /// The language of everything that is written.
     pub locale: Locale,
     /// Colours and pictograms.
     pub look: Look,
-    /// What curves are drawn with, unless the person chose another.
+    /// What curves are drawn with, unless the user chose another.
     pub marker: Marker,
     /// What keys mean.
     pub keys: KeyMap,
-    /// The decimal mark that the person wants in every language.
+    /// The decimal mark that the user wants in every language.
     pub decimal: Option<Decimal>,
     /// Whether the mouse is taken.
     pub mouse: bool,
@@ -93,7 +93,7 @@ pub enum Screen {
     Bench,
 }
 
-/// A word to the person.
+/// A message to the user.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Notice {
     /// What is said.
@@ -187,7 +187,7 @@ pub enum Msg {
     Crashed(Vec<Crashed>),
     /// Unsaved work could not be kept aside.
     Trouble(FileError),
-    /// Files of the person's own, settings and lists of exercises, and what of each cannot be taken.
+    /// Files of the user's own, settings and lists of exercises, and what of each cannot be taken.
     Faulty(Vec<(PathBuf, Vec<SettingFault>)>),
     /// Something to tell.
     Notice(String),
@@ -250,7 +250,7 @@ pub enum Effect {
     Remember(Change),
     /// Put a text on the clipboard.
     Copy(String),
-    /// Edit a file in the person's editor; [`Msg::Edited`].
+    /// Edit a file in the user's editor; [`Msg::Edited`].
     Edit(Editing),
     /// Remove a copy that was edited and is read.
     Remove(PathBuf),
@@ -321,7 +321,7 @@ impl Model {
         model
     }
 
-    /// Takes what the person has set. The language is not among it: a word on the command line may overrule it.
+    /// Takes what the user has set. The language is not among it: a word on the command line may overrule it.
     pub fn adopt(&mut self, settings: &Settings) {
         self.keys.clone_from(&settings.keys);
         self.look.theme = settings.theme;
@@ -361,7 +361,7 @@ impl Model {
         }
     }
 
-    /// The usual key of an action in a place, as a person reads it; empty where there is none.
+    /// The usual key of an action in a place, as a user reads it; empty where there is none.
     pub fn key(&self, place: Place, action: Action) -> String {
         self.keys.key(place, action).map_or_else(String::new, |key| key.name(&self.locale))
     }

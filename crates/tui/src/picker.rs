@@ -39,7 +39,7 @@ pub struct Listing {
 /// What is chosen in the list.
 #[derive(Debug, Default)]
 pub struct Picker {
-    /// What is looked for.
+    /// What is searched for.
     pub filter: Input,
     /// Whether keys go to the filter.
     pub typing: bool,
@@ -51,7 +51,7 @@ pub struct Picker {
     pub preview: Option<Preview>,
     /// The headings that were opened, or folded, by hand.
     pub turned: BTreeSet<Heading>,
-    /// The filter that was looked for last, and what it found: the rows are asked for several times at each key.
+    /// The filter that was searched for last, and what it found: the rows are asked for several times at each key.
     found: RefCell<(String, Vec<(usize, Option<usize>)>)>,
 }
 

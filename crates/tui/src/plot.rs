@@ -190,20 +190,20 @@ impl Canvas<'_> {
         self.dot(dots, at).filter(|_| inside).map(|dot| dots.cell_of(dot))
     }
 
-    /// Points of one column of dots are drawn as their first, least, greatest and last: no peak is lost, and a
+    /// Points of one column of dots are drawn as their first, least, largest and last: no peak is lost, and a
     /// million points cost what they must.
     fn curve(&self, series: &Series, pen: Pen, dots: &mut Dots) {
         struct Column {
             at: f64,
             least: f64,
-            greatest: f64,
+            largest: f64,
             last: (f64, f64),
         }
         let mut column: Option<Column> = None;
         for point in &series.points {
             let Some(dot) = self.dot(dots, *point) else {
                 if let Some(column) = column.take() {
-                    dots.line((column.at, column.least), (column.at, column.greatest), pen);
+                    dots.line((column.at, column.least), (column.at, column.largest), pen);
                 }
                 dots.lift();
                 continue;
@@ -211,23 +211,23 @@ impl Canvas<'_> {
             match &mut column {
                 Some(column) if column.at == dot.0.round() => {
                     column.least = column.least.min(dot.1);
-                    column.greatest = column.greatest.max(dot.1);
+                    column.largest = column.largest.max(dot.1);
                     column.last = dot;
                 }
                 _ => {
                     let from = column.take().map(|column| {
-                        if column.least < column.greatest {
-                            dots.line((column.at, column.least), (column.at, column.greatest), pen);
+                        if column.least < column.largest {
+                            dots.line((column.at, column.least), (column.at, column.largest), pen);
                         }
                         column.last
                     });
                     dots.line(from.unwrap_or(dot), dot, pen);
-                    column = Some(Column { at: dot.0.round(), least: dot.1, greatest: dot.1, last: dot });
+                    column = Some(Column { at: dot.0.round(), least: dot.1, largest: dot.1, last: dot });
                 }
             }
         }
         if let Some(column) = column {
-            dots.line((column.at, column.least), (column.at, column.greatest), pen);
+            dots.line((column.at, column.least), (column.at, column.largest), pen);
         }
         dots.lift();
     }

@@ -1,4 +1,4 @@
-//! What is remembered of the person from one session to the next: pinned and recent analyses, and how far the
+//! What is remembered of the user from one session to the next: pinned and recent analyses, and how far the
 //! published cases are worked through. Plain data; [`files::Memory`](crate::files::Memory) keeps it in a file.
 
 use std::collections::BTreeMap;
@@ -22,14 +22,14 @@ pub struct Remembered {
 /// How far a case is worked through.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Progress {
-    /// It was not looked at yet.
+    /// It was not examined yet.
     #[default]
     NotBegun,
     /// It was opened.
     Opened,
     /// It was solved by hand: the answers that it asks for were right.
     Solved,
-    /// The person says that it is done.
+    /// The user says that it is done.
     Done,
 }
 

@@ -1,4 +1,4 @@
-//! Sessions that are played again: a text of a few words a line, written by a person or recorded.
+//! Sessions that are played again: a text of a few words a line, written by a user or recorded.
 //!
 //! ```text
 //! # Twice the speed.
@@ -101,7 +101,7 @@ const LOOKS: [(&str, Capabilities); 3] = [
 ];
 
 impl Unreadable {
-    /// The sentence, for a person.
+    /// The sentence, for a user.
     pub fn text(&self) -> Text {
         Text::new("line {line}: {why}").with("line", self.line).with_text("why", self.why.clone())
     }
@@ -212,7 +212,7 @@ fn name(text: &str) -> Result<String, Text> {
     Err(Text::new("`{text}` is not a screenshot name: use letters, digits, `-` and `_`").with("text", text))
 }
 
-/// A text as it stands between quotes.
+/// A text unchanged between quotes.
 fn quoted(text: &str) -> String {
     let mut written = String::from('"');
     for character in text.chars() {

@@ -1,4 +1,4 @@
-//! What a person has set: one TOML file, `dalembert/settings.toml` in the folder of configurations.
+//! What a user has set: one TOML file, `dalembert/settings.toml` in the folder of configurations.
 //!
 //! [`parse`] takes what it can and says of the rest in which line it stands and what to write instead; so a slip in
 //! the file never keeps anybody from working. [`default_file`] is a file that says what can be set and sets nothing.
@@ -25,7 +25,7 @@ use crate::{
 
 dalembert_core::messages!("../locales/settings.pt-BR.ftl");
 
-/// What a person has set; without a file, the defaults.
+/// What a user has set; without a file, the defaults.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// The language; `None`: that of the environment.
@@ -34,7 +34,7 @@ pub struct Settings {
     pub theme: Theme,
     /// Nothing outside ASCII, whatever the terminal promises.
     pub ascii: bool,
-    /// Whether the mouse is taken; `None`: where no line lies between the person and the program.
+    /// Whether the mouse is taken; `None`: where no line lies between the user and the program.
     pub mouse: Option<bool>,
     /// What curves are drawn with; `None`: the finest that the terminal shows.
     pub marker: Option<Marker>,

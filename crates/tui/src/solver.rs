@@ -1,4 +1,4 @@
-//! Solving beside the thread that draws: the newest job wins, older ones are told to stop, panics are contained.
+//! Solving beside the thread that draws: the newest job wins, older ones are reported to stop, panics are contained.
 
 use std::{
     io,

@@ -14,7 +14,7 @@ pub enum Tab {
     Drawing,
     /// Tables.
     Table,
-    /// The person's own answers.
+    /// The user's own answers.
     Check,
     /// Which input matters.
     Sensitivity,

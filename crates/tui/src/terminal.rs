@@ -1,4 +1,4 @@
-//! The terminal's lifecycle: how the workbench takes the screen, gives it back, and survives what happens between.
+//! The terminal's lifecycle: how the workbench takes the screen, returns it, and survives what happens between.
 //!
 //! Two processes share the work. The **guard** ([`run_guarded`]) is the process the shell started; it runs the program
 //! again as its child and waits. It owns no screen, so it can put the terminal right when the child dies without a
@@ -106,14 +106,14 @@ pub fn usable() -> Result<(), TerminalError> {
     Ok(())
 }
 
-/// The bytes that the line to the terminal carries in a second, where it says so. What says 38400 baud or more is a
-/// pseudo-terminal that nobody told, or a line so fast that nothing needs to be spared.
+/// The bytes that the line to the terminal carries in a second, where it reports it. What says 38400 baud or more is a
+/// pseudo-terminal that nobody reported, or a line so fast that nothing needs to be spared.
 pub fn line_rate() -> Option<f64> {
-    const UNTOLD: u32 = 38_400;
+    const UNKNOWN_RATE: u32 = 38_400;
     /// Eight bits, a start and a stop.
     const BITS: f64 = 10.0;
     let baud = tcgetattr(rustix::stdio::stdout()).ok()?.output_speed();
-    (1..UNTOLD).contains(&baud).then(|| f64::from(baud) / BITS)
+    (1..UNKNOWN_RATE).contains(&baud).then(|| f64::from(baud) / BITS)
 }
 
 /// `failed("draw a frame")` for `map_err`.

@@ -2,15 +2,19 @@
 
 mod ask;
 mod bench;
+mod closing;
 mod dialog;
 mod edit;
 mod export;
 mod files;
+mod list;
 mod mouse;
 mod picker;
 mod problems;
 mod remembering;
+mod scroll;
 mod settings;
+mod solve;
 
 use std::path::PathBuf;
 
@@ -32,11 +36,11 @@ use crate::{
 
 /// The first effects: a file or an analysis to begin with, if there is one.
 pub fn start(model: &mut Model, file: Option<PathBuf>, analysis: Option<&'static Entry>) -> Vec<Effect> {
-    picker::begin(model);
+    list::begin(model);
     let effects = match (file, analysis) {
         (Some(path), _) => vec![Effect::Open(path)],
         (None, Some(entry)) => open_case(model, entry, 0),
-        (None, None) => picker::preview(model),
+        (None, None) => list::preview(model),
     };
     model.translate_for_bench();
     effects
@@ -94,7 +98,15 @@ fn take(model: &mut Model, msg: Msg) -> Vec<Effect> {
             }
             Vec::new()
         }
-        Msg::Saved { path, text, result } => files::saved(model, &path, text, result),
+        Msg::Saved { path, text, result } => {
+            let is_saved = result.is_ok();
+            let mut effects = files::saved(model, &path, text, result);
+            if is_saved {
+                let after = std::mem::take(&mut model.after_save);
+                effects.extend(closing::go_on(model, after));
+            }
+            effects
+        }
         Msg::Exported { path, result } => export::written(model, &path, result),
         Msg::Opened { path, result } => files::opened(model, path, result),
         Msg::Listed(folder, found) => {
@@ -158,7 +170,7 @@ fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect> {
             Language::Portuguese => Language::English,
         }),
         Action::NextProblem => return problems::next(model),
-        Action::CloseProblem => return problems::leave(model, After::Close),
+        Action::CloseProblem => return closing::leave(model, After::Close),
         Action::Theme => settings::ask_theme(model),
         Action::Mouse => return settings::turn_mouse(model),
         Action::Open => {
@@ -182,7 +194,7 @@ fn quit(model: &mut Model) -> Vec<Effect> {
     if let Some(bench) = &mut model.bench {
         bench.form.keep();
     }
-    effects.extend(problems::leave(model, After::Quit));
+    effects.extend(closing::leave(model, After::Quit));
     effects
 }
 
@@ -220,16 +232,16 @@ fn solved(model: &mut Model, outcome: Outcome) -> Vec<Effect> {
     let mut solved = model.problems_mut().find(|bench| bench.found.state == awaited);
     if let Some(bench) = &mut solved {
         let before = bench.found.solution.as_ref().map(|solution| solution.warnings.clone());
-        bench::take(bench, outcome);
+        solve::take(bench, outcome);
         let number = bench.number;
-        bench::tell_hidden(model, number, before.as_deref());
+        solve::tell_hidden(model, number, before.as_deref());
         return Vec::new();
     }
     if let Some(preview) = &mut model.picker.preview
         && preview.generation == outcome.generation
     {
         preview.solution = outcome.result.ok().flatten();
-        return picker::judge(model);
+        return list::judge(model);
     }
     Vec::new()
 }
@@ -287,7 +299,7 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Effect> {
             if handle(&mut model.picker.filter) {
                 model.picker.chosen = 0;
                 model.picker.case = None;
-                return picker::preview(model);
+                return list::preview(model);
             }
         }
         None if in_cell => {
@@ -306,7 +318,7 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Effect> {
                 && handle(&mut edit.input)
             {
                 bench.form.typed(model.locale.style.decimal);
-                return bench::changed(model);
+                return solve::changed(model);
             }
         }
     }

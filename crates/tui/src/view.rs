@@ -149,7 +149,7 @@ fn draw_lines(lines: &[Line<'_>], first: usize, area: Rect, buffer: &mut Buffer)
     }
 }
 
-/// A word of the interface in the person's language.
+/// A word of the interface in the user's language.
 fn word(english: &'static str, model: &Model) -> String {
     Text::from(english).render(&model.locale)
 }

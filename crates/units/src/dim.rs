@@ -7,7 +7,7 @@ use crate::write::superscript;
 /// Exponents of length, mass, time and plane angle.
 ///
 /// The angle is a dimension of its own so that `Hz`, `rpm` and `rad/s` cannot be confused with `1/s`
-/// when they are typed, and so that N·m/rad is told from N·m. Formulas ignore it ([`Dim::agrees`]):
+/// when they are typed, and so that N·m/rad is distinguished from N·m. Formulas ignore it ([`Dim::agrees`]):
 /// `v = ω r` is a length over a time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Dim {

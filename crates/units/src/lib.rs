@@ -1,6 +1,6 @@
 //! Physical dimensions and units: `"20.3 mm"` in, `0.0203` and a length out, and back again.
 //!
-//! Inside the program everything is `f64` in SI. Units exist only where a person reads or writes, and what is
+//! Inside the program everything is `f64` in SI. Units exist only where a user reads or writes, and what is
 //! written can be read again.
 //!
 //! ```

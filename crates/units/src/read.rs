@@ -1,4 +1,4 @@
-//! Reading what a person types: a quantity, a vector, a unit, a count.
+//! Reading what a user types: a quantity, a vector, a unit, a count.
 
 mod error;
 mod expression;

@@ -4,7 +4,7 @@ use std::{borrow::Cow, f64::consts::TAU, sync::LazyLock};
 
 use crate::{Dim, Scale, Sense};
 
-/// A unit symbol as a person may write it, prefix included.
+/// A unit symbol as a user may write it, prefix included.
 pub(crate) struct Symbol {
     pub(crate) text: Cow<'static, str>,
     pub(crate) scale: Scale,

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use dalembert_core::{About, Analysis, Inputs, Refusal, Source, Worksheet, register};
 use dalembert_mechanics::{Real, section, spring};
 
-/// A part that hangs on a round wire and turns to and fro.
+/// A part that hangs on a round wire and turns back and forth.
 #[derive(Clone, Debug, Inputs)]
 pub struct TorsionalPendulum {
     /// Length of the wire.
@@ -18,7 +18,7 @@ pub struct TorsionalPendulum {
     #[input("G", "GPa", positive)]
     pub shear: f64,
     /// Period.
-    /// Of one oscillation to and fro: time many and divide.
+    /// Of one oscillation back and forth: time many and divide.
     #[input("T", "s", positive)]
     pub period: f64,
 }

@@ -6,7 +6,7 @@ use dalembert_mechanics::{
     balance::{
         self,
         influence::{self, InfluenceError},
-        min_max::min_max,
+        minimax::min_max,
         spread::{self, Choice, ReadingSpread},
     },
     intervals::IntervalSet,

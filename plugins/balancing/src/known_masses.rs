@@ -141,7 +141,7 @@ pub struct WholeRotor {
     pub centre: f64,
 }
 
-/// Two planes in which an unbalance is told.
+/// Two planes in which an unbalance is reported.
 #[derive(Clone, Debug, Inputs)]
 pub struct EquivalentPlanes {
     /// First plane.
@@ -339,7 +339,7 @@ impl KnownMasses {
         Ok(all)
     }
 
-    /// The point about which couples are told: the centre of mass, or the middle of the bearings, or the origin.
+    /// The point about which moments are referred: the centre of mass, or the middle of the bearings, or the origin.
     fn reference<W: Worksheet>(
         &self,
         given: &KnownMassesGiven<W>,

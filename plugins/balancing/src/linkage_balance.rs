@@ -220,8 +220,8 @@ impl Analysis for LinkageBalance {
         let weights = [&[], counterweights.as_slice()];
         // The largest of a number before and after, and the same by the equations of all links at the crank angle of each.
         let most = |of: &dyn Fn(&Shaking) -> f64| {
-            let greatest = |(with, all)| self.greatest(&linkage, with, all, of);
-            [(weights[0], before.as_slice()), (weights[1], after.as_slice())].map(greatest)
+            let largest = |(with, all)| self.largest(&linkage, with, all, of);
+            [(weights[0], before.as_slice()), (weights[1], after.as_slice())].map(largest)
         };
         let again = |what: &'static str,
                      found: [W::Num; 2],
@@ -489,7 +489,7 @@ fn largest(all: &[Shaking], of: impl Fn(&Shaking) -> f64) -> f64 {
 
 impl LinkageBalance {
     /// The largest value over a turn of what the linkage with some counterweights does, from what it does at the places.
-    fn greatest(
+    fn largest(
         &self,
         linkage: &Linkage,
         counterweights: &[Counterweight],
@@ -503,7 +503,7 @@ impl LinkageBalance {
             let pose = linkage.pose(angle, self.speed);
             pose.map_or(0.0, |pose| of(&linkage.shaking(&pose, counterweights)))
         };
-        extremes::greatest_about(at, &places, &values).unwrap_or(Extreme { time: 0.0, value: 0.0 })
+        extremes::largest_about(at, &places, &values).unwrap_or(Extreme { time: 0.0, value: 0.0 })
     }
 }
 

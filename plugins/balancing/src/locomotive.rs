@@ -204,7 +204,7 @@ impl Analysis for Locomotive {
             pull * (arms[0] * at.cos() + arms[1] * (at + self.between).cos()) / (2.0 * self.wheels)
         };
         sheet.verify(|| {
-            let (_, most) = reciprocating::greatest(|at| [vertical(at), 0.0]);
+            let (_, most) = reciprocating::largest(|at| [vertical(at), 0.0]);
             let scale = most * (1.0 + self.cylinders / self.wheels) / share.value();
             let what = "maximum vertical force of the balance masses over a revolution";
             sheet.check_sum(what, blow, most.into(), scale);
@@ -215,12 +215,12 @@ impl Analysis for Locomotive {
             sheet.answer("load_max", "Maximum load of a wheel on the rail", most);
             sheet.answer("load_min", "Minimum load of a wheel on the rail", least);
             sheet.verify(|| {
-                let (at, _) = reciprocating::greatest(|at| [vertical(at), 0.0]);
+                let (at, _) = reciprocating::largest(|at| [vertical(at), 0.0]);
                 let parts = [vertical(at), vertical(at + PI)];
                 let scale =
                     load.value() + blow.value() * (1.0 + self.cylinders / self.wheels) / share.value();
                 let above = load.value() + parts[0].max(parts[1]);
-                sheet.check_sum("load of a wheel where that force is greatest", most, above.into(), scale);
+                sheet.check_sum("load of a wheel where that force is largest", most, above.into(), scale);
                 let below = load.value() + parts[0].min(parts[1]);
                 sheet.check_sum("load of a wheel 180° from that position", least, below.into(), scale);
             });
@@ -246,10 +246,10 @@ impl Analysis for Locomotive {
         sheet.answer("sway", "Swaying couple (±)", sway);
         let (force, apart, angle) = (unbalanced.value(), self.cylinders, self.between);
         sheet.verify(|| {
-            let (_, most) = reciprocating::greatest(|at| [engine::tractive_effort(force, at, angle), 0.0]);
+            let (_, most) = reciprocating::largest(|at| [engine::tractive_effort(force, at, angle), 0.0]);
             sheet.check_sum("maximum tractive effort over a revolution", tractive, most.into(), 2.0 * force);
             let (_, most) =
-                reciprocating::greatest(|at| [engine::swaying_couple(force, apart, at, angle), 0.0]);
+                reciprocating::largest(|at| [engine::swaying_couple(force, apart, at, angle), 0.0]);
             sheet.check_sum("maximum swaying couple over a revolution", sway, most.into(), apart * force);
         });
         let blow = blow.value();

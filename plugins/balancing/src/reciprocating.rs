@@ -40,7 +40,7 @@ pub struct Reciprocating {
     pub reference: Option<f64>,
 }
 
-/// Which orders are looked at.
+/// Which orders are examined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Terms {
     /// Primary and secondary, two terms
@@ -331,13 +331,13 @@ impl Analysis for Reciprocating {
         sheet.verify(|| orders::check(&found, &pistons, motion, about.map_or(0.0, Real::value), sheet));
         let scale: f64 = pistons.iter().map(|p| p.amplitude).sum();
         let at = about.map_or(0.0, Real::value);
-        let (_, greatest) = engine::greatest(|angle| engine::shaking(&pistons, motion, at, angle).0);
-        let greatest = if greatest < 1e-11 * scale { 0.0 } else { greatest };
+        let (_, largest) = engine::largest(|angle| engine::shaking(&pistons, motion, at, angle).0);
+        let largest = if largest < 1e-11 * scale { 0.0 } else { largest };
         let whole =
-            sheet.found("F_max", "N", greatest, "Maximum shaking force of all orders over a revolution");
+            sheet.found("F_max", "N", largest, "Maximum shaking force of all orders over a revolution");
         sheet.answer("greatest_force", "Maximum shaking force over a revolution", whole);
         sheet.verify(|| {
-            let again = orders::greatest_again(&found, &pistons, motion);
+            let again = orders::largest_again(&found, &pistons, motion);
             sheet.check_zero(
                 "the maximum force from the vectors of the orders, or from the slider-crank as a mechanism",
                 (whole.value() - again).into(),

@@ -1,4 +1,4 @@
-//! How much unbalance may remain in a rotor, and whether what was measured is within it.
+//! Balance quality grade and permissible residual unbalance (ISO 21940-11), and conformity of what was measured.
 
 // Long because every machine of the list of grades is an alternative with its own grade.
 
@@ -419,7 +419,7 @@ struct Judged {
 }
 
 impl Tolerance {
-    /// The measured unbalance, in one plane or told at the bearings, over what is permitted.
+    /// The measured unbalance, in one plane or stated at the bearings, over what is permitted.
     fn measured<W: Worksheet>(
         &self,
         given: &ToleranceGiven<W>,

@@ -264,7 +264,7 @@ impl TwoPlane {
         let unbalances: Vec<PlaneUnbalance> = unbalances.collect();
         let system = balance::balance_two_planes(&unbalances, [self.plane_a, self.plane_b])
             .map_err(|_| Refusal::because(COINCIDENT))?;
-        // Terms cancel; what is left is held to the size of what cancelled.
+        // Terms cancel; what is left is compared with the size of what cancelled.
         let force =
             self.masses.iter().map(|m| m.mass * m.radius).sum::<f64>() + system.in_a[0].hypot(system.in_a[1]);
         let reach = self.masses.iter().map(|m| (m.position - self.plane_b).abs()).fold(0.0, f64::max);

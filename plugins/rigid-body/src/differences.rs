@@ -1,4 +1,4 @@
-//! Second ways by differences and by quadrature.
+//! Second methods by differences and by quadrature.
 
 use dalembert_core::Worksheet;
 use dalembert_mechanics::{Real, rigid, vibration::quadrature};

@@ -222,7 +222,7 @@ impl DippingRail {
         sheet.check_zero("velocity of the point of the wheel on the rail", velocity.norm().into(), speed);
     }
 
-    /// A second way: the difference quotient of the angular momentum of the tilting pair, turned as a whole.
+    /// A second method: the difference quotient of the angular momentum of the tilting pair, turned as a whole.
     fn check_by_rotation<W: Worksheet>(&self, rate: f64, spin: f64, couple: W::Num, force: W::Num, sheet: W) {
         let transverse = self.transverse_inertia.unwrap_or(self.axial_inertia);
         let tensor = gyroscope::symmetric_tensor(self.axial_inertia, transverse, Vector3::y());

@@ -252,7 +252,7 @@ impl EdgeMill {
 
     fn force_over_speed(&self, inertia: f64, omega: f64, force: f64) -> Plot {
         let weight = self.mass * self.gravity;
-        // Up to four times the weight where the mill stands still.
+        // Up to four times the weight where the mill is at rest.
         let most = if omega > 0.0 { 1.6 * omega } else { (3.0 * weight * self.radius / inertia).sqrt() };
         let at = |n: u16| {
             let omega = most * f64::from(n) / 200.0;

@@ -19,7 +19,7 @@ use crate::{
 
 /// The body and how it was thrown.
 ///
-/// The axes x, y and z are fixed in the body at its mass centre, z along its axis; fixed axes agree with them at the
+/// The axes x, y and z are fixed in the body at its centre of mass, z along its axis; fixed axes agree with them at the
 /// start.
 #[derive(Clone, Debug, Inputs)]
 pub struct FreeAxisymmetric {
@@ -33,7 +33,7 @@ pub struct FreeAxisymmetric {
     pub instant: Option<f64>,
 }
 
-/// What is known of the moments of inertia about the mass centre.
+/// What is known of the moments of inertia about the centre of mass.
 #[derive(Clone, Debug, Inputs)]
 pub enum AxisymmetricInertia {
     /// Moments of inertia

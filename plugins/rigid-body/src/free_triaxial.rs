@@ -17,7 +17,7 @@ use pictures::{components, herpolhode, poinsot, shown_time};
 
 /// The body and how it was thrown.
 ///
-/// The axes x, y and z are its principal axes at the mass centre; fixed axes agree with them at the start.
+/// The axes x, y and z are its principal axes at the centre of mass; fixed axes agree with them at the start.
 #[derive(Clone, Debug, Inputs)]
 pub struct FreeTriaxial {
     /// Principal moments of inertia.
@@ -31,7 +31,7 @@ pub struct FreeTriaxial {
     pub instant: Option<f64>,
 }
 
-/// What is known of the moments of inertia about the mass centre.
+/// What is known of the moments of inertia about the centre of mass.
 #[derive(Clone, Debug, Inputs)]
 pub enum PrincipalInertia {
     /// Moments of inertia
@@ -145,18 +145,22 @@ impl Analysis for FreeTriaxial {
             }
             Polhode::Around(axis) => self.around(&body, axis, inertia, velocity, doubled, size, sheet),
             Polhode::Separatrix => {
-                let pace = body.pace();
-                let pace = sheet.found(
+                let argument_rate = body.argument_rate();
+                let argument_rate = sheet.found(
                     "p",
                     "1/s",
-                    pace,
+                    argument_rate,
                     "H² = 2 T I with the intermediate moment: asymptotic motion along the separatrix, from one end of the intermediate axis to the other, once only, as tanh(p t)",
                 );
-                sheet.answer("separatrix_rate", "Asymptotic rate towards the intermediate axis", pace);
+                sheet.answer(
+                    "separatrix_rate",
+                    "Asymptotic rate towards the intermediate axis",
+                    argument_rate,
+                );
                 sheet.verify(|| {
                     // At either end the body turns about the middle axis with all of H.
                     let end = size.value() / plain[order[1]];
-                    growing(plain, order, pace, end, sheet);
+                    growing(plain, order, argument_rate, end, sheet);
                 });
                 sheet.warn(|| {
                     "the motion is on the separatrix: the smallest disturbance determines what follows".into()
@@ -252,7 +256,7 @@ impl FreeTriaxial {
             (w_c.powi(2) + i_b * (i_b - i_a) / (i_c * (i_c - i_a)) * w_b.powi(2)).sqrt(),
             why("dn", c),
         );
-        let pace = sheet.step(
+        let argument_rate = sheet.step(
             "p",
             "rad/s",
             ((i_c - i_b) * (i_c - i_a) / (i_a * i_b)).sqrt() * size_c,
@@ -268,13 +272,13 @@ impl FreeTriaxial {
         let quarter = sheet.found(
             "K",
             "1",
-            body.period() * body.pace() / 4.0,
+            body.period() * body.argument_rate() / 4.0,
             "Complete elliptic integral of the first kind of this modulus, by the arithmetic–geometric mean",
         );
         let period = sheet.step(
             "T_ω",
             "s",
-            quarter * 4.0 / pace,
+            quarter * 4.0 / argument_rate,
             ("Period of the angular velocity in body axes, 4 K/p", LANDAU.at("§37")),
         );
         let half = sheet.step(
@@ -286,7 +290,7 @@ impl FreeTriaxial {
         for (n, size) in [(a, size_a), (b, size_b), (c, size_c)] {
             sheet.answer(("amplitude", n + 1), LARGEST[n], size);
         }
-        sheet.answer("pace", "Rate of the elliptic-function argument", pace);
+        sheet.answer("pace", "Rate of the elliptic-function argument", argument_rate);
         sheet.answer("modulus_squared", "Square of the modulus", modulus_squared);
         sheet.answer("period", "Period of the angular velocity in body axes", period);
         sheet.answer("flip_interval", "Time between flips", half);
@@ -336,7 +340,7 @@ impl FreeTriaxial {
             let whole = body.velocity(period.value()) - start;
             let mut turned = -body.velocity(half.value());
             turned[c] = -turned[c];
-            let error = f64::EPSILON * body.pace() * body.period() * start.norm();
+            let error = f64::EPSILON * body.argument_rate() * body.period() * start.norm();
             for (what, off) in [
                 ("angular velocity after one period", whole),
                 ("angular velocity after half a period, transverse component reversed", turned - start),
@@ -347,7 +351,7 @@ impl FreeTriaxial {
             if let Some(about) = Unit::try_new(about, 0.0) {
                 let turned = Rotation3::from_axis_angle(&about, mean.value() * period.value());
                 let off = body.attitude(period.value()).matrix() - turned.matrix();
-                let error = f64::EPSILON * (advance.value().abs() + body.pace() * body.period());
+                let error = f64::EPSILON * (advance.value().abs() + body.argument_rate() * body.period());
                 let what = "the attitude after one period, a rotation about the angular momentum";
                 sheet.check_residual(what, off.norm().into(), 1.0, error);
             }
@@ -355,8 +359,8 @@ impl FreeTriaxial {
         sheet.verify(|| {
             sheet.check(
                 "the rate of the argument by the numerical kernel",
-                W::Num::from(body.pace()),
-                W::Num::from(pace.value()),
+                W::Num::from(body.argument_rate()),
+                W::Num::from(argument_rate.value()),
             );
             // Equal weights over the period of the amplitude converge geometrically; near the separatrix slowly.
             if complement > 1e-4 {

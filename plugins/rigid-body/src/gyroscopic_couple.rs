@@ -542,7 +542,7 @@ impl GyroscopicCouple {
         }
     }
 
-    /// A second way: the whole tensor, turned with the rotor by finite rotations, times its angular velocity, and the
+    /// A second method: the whole tensor, turned with the rotor by finite rotations, times its angular velocity, and the
     /// difference quotient of that product in time. A transverse moment of inertia that is not known has no part in
     /// the couple that is answered: that of a sphere has none.
     fn check_by_rotation<W: Worksheet>(

@@ -1,4 +1,4 @@
-//! A chain of joints as a person describes it, and its angular velocities and accelerations worked joint by joint.
+//! A chain of joints as a user describes it, and its angular velocities and accelerations worked joint by joint.
 
 use std::f64::consts::TAU;
 
@@ -127,7 +127,7 @@ pub(crate) fn later(joints: &[Joint], t: f64) -> Vec<chain::Joint> {
     joints.iter().map(|joint| joint.plain().after(t)).collect()
 }
 
-/// A name that a person gave: it stands as it is in every language.
+/// A name that a user gave: it stands as it is in every language.
 pub(crate) fn given_name(name: &str) -> Text {
     Text::new("{given_name}").with("given_name", name)
 }
@@ -203,7 +203,7 @@ impl<'a, W: Worksheet> Worked<'a, W> {
             this.last_axis = axis;
             let (before, turning) = (this.alpha[n], this.omega[n]);
             let omega = if n == 0 { axis * rate } else { turning + axis * rate };
-            // What stands still or turns steadily is not written down.
+            // What is at rest or turns steadily is not written down.
             let own = (n == 0 || acceleration.value() != 0.0).then(|| axis * acceleration);
             let carried = (n > 0).then(|| turning.cross(axis * rate));
             let before = (before.value() != Vector3::zeros()).then_some(before);
@@ -245,7 +245,7 @@ impl<'a, W: Worksheet> Worked<'a, W> {
         this
     }
 
-    /// Velocity and acceleration of the origin of every frame, the fixed one first; `None` where it stands still.
+    /// Velocity and acceleration of the origin of every frame, the fixed one first; `None` where it is at rest.
     pub(crate) fn origins(&self, given: &[JointGiven<W>], sheet: W) -> Vec<Option<[W::Vec; 2]>> {
         let mut origins: Vec<Option<[W::Vec; 2]>> = vec![None];
         for (n, (joint, this)) in self.joints.iter().zip(given).enumerate() {
@@ -323,7 +323,7 @@ impl<'a, W: Worksheet> Worked<'a, W> {
     }
 }
 
-/// Velocity and acceleration at the end of an arm from an origin that moves, or stands still.
+/// Velocity and acceleration at the end of an arm from an origin that moves, or is at rest.
 pub(crate) fn carried<V: Vector>(origin: Option<[V; 2]>, omega: V, alpha: V, arm: V) -> (V, V) {
     let towards_the_axis = omega.cross(omega.cross(arm));
     // What does not speed up is not written down.
@@ -376,7 +376,7 @@ pub(crate) fn seen_from(frame: &chain::Frame, vector: Vector3<f64>) -> Vector3<f
     frame.rotation.inverse() * vector
 }
 
-/// A second way to angular velocities and accelerations: the orientation of the frame at other times, by
+/// A second method to angular velocities and accelerations: the orientation of the frame at other times, by
 /// differences. In the fixed axes.
 pub(crate) fn rates_by_differences(
     joints: &[Joint],

@@ -1,4 +1,4 @@
-//! A rigid body: mass, mass centre and inertia, about any point and any line.
+//! A rigid body: mass, centre of mass and inertia, about any point and any line.
 
 use std::f64::consts::PI;
 
@@ -52,7 +52,7 @@ impl Analysis for MassProperties {
     fn solve<W: Worksheet>(&self, given: &MassPropertiesGiven<W>, sheet: W) -> Result<(), Refusal> {
         let body = self.body.work(&given.body, sheet)?;
         sheet.answer("mass", "Mass", body.mass);
-        sheet.answer_vector("centre", "Position of the mass centre G", body.centre);
+        sheet.answer_vector("centre", "Position of the centre of mass G", body.centre);
         let names = ["inertia_x", "inertia_y", "inertia_z", "product_yz", "product_zx", "product_xy"];
         for (n, (name, value)) in
             names.into_iter().zip(body.moments.into_iter().chain(body.products)).enumerate()
@@ -324,7 +324,7 @@ pub(crate) fn matrix(title: &'static str, tensor: &Matrix3<f64>) -> TableExhibit
     }
 }
 
-/// Mass and mass centre of each part.
+/// Mass and centre of mass of each part.
 fn listed(parts: &[Part], whole: &rigid::MassProperties) -> TableExhibit {
     let row = |name: Cell, body: &rigid::MassProperties| {
         let [x, y, z] = body.centre.into();

@@ -48,11 +48,11 @@ impl Analysis for Momentum {
         let omega = self.turning.work(&given.turning, &body, sheet)?;
         let velocity = self.going.work(&given.going, &body, omega, sheet)?;
         sheet.answer("mass", "Mass", body.mass);
-        sheet.answer_vector("centre", "Position of the mass centre G", body.centre);
+        sheet.answer_vector("centre", "Position of the centre of mass G", body.centre);
         sheet.answer_vector("angular_velocity", "Angular velocity", omega);
-        sheet.answer_vector("centre_velocity", "Velocity of the mass centre", velocity);
-        let speed = sheet.step("v", "m/s", velocity.magnitude(), "Speed of the mass centre");
-        sheet.answer("centre_speed", "Speed of the mass centre", speed);
+        sheet.answer_vector("centre_velocity", "Velocity of the centre of mass", velocity);
+        let speed = sheet.step("v", "m/s", velocity.magnitude(), "Speed of the centre of mass");
+        sheet.answer("centre_speed", "Speed of the centre of mass", speed);
 
         let linear =
             sheet.step_vector("L", "kg*m/s", velocity * body.mass, ("Linear momentum", RIUL.at("eq. 22")));

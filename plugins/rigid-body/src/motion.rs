@@ -2,7 +2,7 @@
 
 mod inputs;
 mod pictures;
-mod second_ways;
+mod second_methods;
 
 use std::{
     array,
@@ -33,7 +33,7 @@ use crate::{
 const TOLERANCE: f64 = 1e-13;
 /// Part of a radian that a step of a free motion turns by at most.
 const RADIANS: f64 = 0.05;
-/// Steps before a motion is given up, and those up to which a free motion is followed a second way.
+/// Steps before a motion is given up, and those up to which a free motion is followed a second method.
 const STEPS: usize = 40_000;
 const FREE_STEPS: usize = 200_000;
 const CHECKED: f64 = 100.0;
@@ -80,7 +80,7 @@ impl Analysis for Motion {
         let moved = moved.map_err(|error| refusal(&error))?;
         self.finish(sheet, &body, (&loads, &run), &moved, (energy, free));
         if free {
-            self.second_way(sheet, &body, &from, &run, &moved);
+            self.second_method(sheet, &body, &from, &run, &moved);
         }
         if moved.ended.is_none() && !ends.is_empty() {
             sheet.warn(|| "the motion does not come to its end within the duration; make this longer".into());
@@ -180,7 +180,7 @@ impl Motion {
                     |t: f64| Rotation3::from_scaled_axis(omega * t + alpha * (t * t / 2.0)) * body.arm;
                 let speed = omega.norm() + alpha.norm().sqrt();
                 let Some(found) = second_rate(place, TAU / speed) else { return };
-                let what = "acceleration of the mass centre by finite differences of its position";
+                let what = "acceleration of the centre of mass by finite differences of its position";
                 let size = speed.powi(2) * body.arm.norm();
                 sheet.check_zero(what, (found - acceleration.value()).norm().into(), size);
             });
@@ -298,17 +298,17 @@ impl Motion {
             let least = sheet.found("θ_min", "deg", clean_angle(tilts.least.value), why);
             sheet.answer("least_tilt", "Minimum angle of the axis to Z", least);
             let why = "Maximum angle of the axis to the vertical Z over the motion";
-            let largest = sheet.found("θ_max", "deg", clean_angle(tilts.greatest.value), why);
+            let largest = sheet.found("θ_max", "deg", clean_angle(tilts.largest.value), why);
             sheet.answer("largest_tilt", "Maximum angle of the axis to Z", largest);
             sheet.verify(|| {
                 let axis = self.axis.vector();
-                second_ways::tilts(
+                second_methods::tilts(
                     body,
                     loads,
                     run,
                     moved,
                     axis,
-                    [(least, tilts.least), (largest, tilts.greatest)],
+                    [(least, tilts.least), (largest, tilts.largest)],
                     sheet,
                 );
             });
@@ -333,20 +333,20 @@ impl Motion {
             sheet.check("the quaternion has unit norm", W::Num::from(attitude.norm()), W::Num::from(1.0));
             let attitude = UnitQuaternion::new_normalize(attitude);
             if let Some(centre) = centre_shown {
-                let what = "the mass centre, rotated from the body axes";
+                let what = "the centre of mass, rotated from the body axes";
                 sheet.check_zero(what, (attitude * body.arm - centre).norm().into(), body.arm.norm());
             }
-            if let Some(end) = second_ways::followed(body, loads, run, moved, time.value()) {
+            if let Some(end) = second_methods::followed(body, loads, run, moved, time.value()) {
                 let what = "the attitude at the end, continued from the previous instant";
                 let off = end.attitude.angle_to(&attitude);
-                sheet.check_residual(what, off.into(), 1.0, second_ways::FOLLOWED);
+                sheet.check_residual(what, off.into(), 1.0, second_methods::FOLLOWED);
             }
             let left = last.kinetic + last.potential - last.work;
             let size =
                 last.kinetic.abs().max(energy.value().abs()).max(last.potential.abs()).max(last.work.abs());
             let what = "energy at the end, less the work of the torques";
             let lost =
-                moved.energy_drift() * moved.samples.iter().map(second_ways::energy).fold(size, f64::max);
+                moved.energy_drift() * moved.samples.iter().map(second_methods::energy).fold(size, f64::max);
             sheet.check_residual(what, (energy.value() - left).into(), size, lost);
             let (turns, spin) = (in_space.value(), in_body.value());
             sheet.check_zero(
@@ -402,7 +402,7 @@ impl Motion {
     }
 
     /// A free motion followed with steps that only hold the error.
-    fn second_way<W: Worksheet>(
+    fn second_method<W: Worksheet>(
         &self,
         sheet: W,
         body: &Body,

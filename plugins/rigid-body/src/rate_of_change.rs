@@ -41,7 +41,7 @@ pub struct RateOfChange {
 /// A point about which moments are taken.
 #[derive(Clone, Debug, Inputs)]
 pub enum Point {
-    /// The mass centre G
+    /// The centre of mass G
     MassCentre,
     /// The fixed origin O
     Origin,
@@ -89,7 +89,7 @@ impl Analysis for RateOfChange {
         let (velocity, acceleration) =
             joints::carried(worked.origins(&given.joints, sheet)[last], omega, alpha, arm);
         let velocity =
-            sheet.step_vector("v_G", "m/s", velocity, ("Velocity of the mass centre", BEER.at("§15.5B")));
+            sheet.step_vector("v_G", "m/s", velocity, ("Velocity of the centre of mass", BEER.at("§15.5B")));
         let acceleration = sheet.step_vector(
             "a_G",
             "m/s^2",
@@ -301,7 +301,7 @@ impl RateOfChange {
         Some(own + (centre.place - point).cross(centre.velocity * body.mass))
     }
 
-    /// A second way: the whole tensor turned with the body, times the angular velocity, in fixed axes; and the
+    /// A second method: the whole tensor turned with the body, times the angular velocity, in fixed axes; and the
     /// difference quotient of that product in time.
     fn check_by_differences<W: Worksheet>(
         &self,

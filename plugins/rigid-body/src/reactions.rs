@@ -1,7 +1,7 @@
 //! Reactions of the supports of a body that turns about a shaft or on a chain of joints.
 
 mod pictures;
-mod second_ways;
+mod second_methods;
 mod supports;
 
 use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Text, Worksheet, register};
@@ -18,7 +18,7 @@ use crate::{
     rotation_chain::Axes,
     sources::{BEER, HIBBELER, KHURMI, MERIAM, RIUL},
 };
-use second_ways::Parts;
+use second_methods::Parts;
 use supports::Held;
 
 pub use supports::{Kind, KindGiven, Support, SupportGiven};

@@ -208,7 +208,7 @@ impl Analysis for RodOnShaft {
 }
 
 impl RodOnShaft {
-    /// A second way: the whole inertia tensor of the rod in fixed axes, with the rod turned to where it is at each
+    /// A second method: the whole inertia tensor of the rod in fixed axes, with the rod turned to where it is at each
     /// time, times the angular velocity; and the difference quotient of that product in time.
     fn check_by_rotation<W: Worksheet>(&self, sheet: W, momentum: W::Vec, couple: W::Vec) {
         let elevation = self.elevation();

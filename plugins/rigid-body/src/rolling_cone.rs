@@ -128,7 +128,7 @@ impl Analysis for RollingCone {
         };
         if (centre * cos).value() > slant.value() {
             return Err(Refusal::because(
-                "the mass centre lies beyond the edge of the base, measured along the line of contact: the cone tips at rest; write a mass centre nearer to the apex",
+                "the centre of mass lies beyond the edge of the base, measured along the line of contact: the cone tips at rest; write a centre of mass nearer to the apex",
             ));
         }
         let (precession, omega) = match given.known {
@@ -138,7 +138,7 @@ impl Analysis for RollingCone {
                     "rad/s",
                     rolling::cone_angular_velocity(precession, angle),
                     (
-                        "The line of contact is at rest: ω lies along it, and the mass centre moves with φ̇ l cos α = ω l sin α",
+                        "The line of contact is at rest: ω lies along it, and the centre of mass moves with φ̇ l cos α = ω l sin α",
                         LANDAU.at("§32, problem 7"),
                     ),
                 );
@@ -150,7 +150,7 @@ impl Analysis for RollingCone {
                     "rad/s",
                     omega * tan,
                     (
-                        "The line of contact is at rest: the mass centre moves with φ̇ l cos α = ω l sin α",
+                        "The line of contact is at rest: the centre of mass moves with φ̇ l cos α = ω l sin α",
                         LANDAU.at("§32, problem 7"),
                     ),
                 );
@@ -254,7 +254,7 @@ impl Analysis for RollingCone {
             let at = |t: f64| Rotation3::from_scaled_axis(about * t) * centre;
             if let Some(acceleration) = second_rate(at, TAU / precession.value()) {
                 let what =
-                    "mass times the acceleration of the mass centre, by finite differences of its position";
+                    "mass times the acceleration of the centre of mass, by finite differences of its position";
                 sheet.check(what, force, (-self.mass * acceleration.x).into());
             }
             sheet.check(
@@ -302,7 +302,7 @@ fn at_point(speed: f64, lever: f64, part: f64, normal: f64) -> (f64, f64) {
 }
 
 impl RollingCone {
-    /// A second way: the whole tensor turned with the cone, times ω, and the difference quotient in time.
+    /// A second method: the whole tensor turned with the cone, times ω, and the difference quotient in time.
     fn check_by_rotation<W: Worksheet>(
         &self,
         sheet: W,

@@ -21,7 +21,7 @@ use crate::{
 /// Moments of a motion that are shown.
 const MOMENTS: usize = 361;
 
-/// A disc, hoop or coin on a level floor, let go in any motion that rolls.
+/// A disc, hoop or coin on a level floor, released in any motion that rolls.
 ///
 /// θ is the angle of its plane to the floor: 90° upright. The axes 1, 2 and 3 through its centre precess with it but do
 /// not spin: 1 horizontal in its plane, 2 in its plane away from the contact, 3 along its axis. X, Y and Z stand
@@ -212,7 +212,7 @@ impl RollingMotion {
         let most_inclined = found(
             "θ_max",
             "deg",
-            rolled.inclination.greatest.value,
+            rolled.inclination.largest.value,
             "Maximum angle over the motion: at a turning point, or at an end",
         );
         sheet.answer("largest_inclination", "Maximum angle over the motion", most_inclined);
@@ -228,7 +228,7 @@ impl RollingMotion {
         sheet.answer("normal", "Normal force at the end", normal);
         // Where it lifts off no friction is enough.
         if let Some(demand) = rolled.demand {
-            let most = clean(demand.greatest.value, 1.0);
+            let most = clean(demand.largest.value, 1.0);
             let most = found("μ_min", "1", most, "Maximum ratio of friction to normal force");
             sheet.answer("friction_needed", "Required coefficient of friction", most);
         }
@@ -269,7 +269,7 @@ impl RollingMotion {
                 let off = Vector3::from(end.omega) - omega.value();
                 sheet.check_residual(what, off.norm().into(), fastest, FOLLOWED * fastest);
             }
-            let extremes = [rolled.inclination.least.time, rolled.inclination.greatest.time];
+            let extremes = [rolled.inclination.least.time, rolled.inclination.largest.time];
             for (shown, at) in [least, most_inclined].into_iter().zip(extremes) {
                 let Some(there) = again(at) else { continue };
                 let what = "the minimum and maximum angle, continued from the previous instant";
@@ -402,7 +402,7 @@ fn followed(
     cancelled: &dyn Fn() -> bool,
 ) -> Option<Moment> {
     let before = moments[..moments.partition_point(|m| m.time < time)].last()?;
-    // Where it lies flat it is not held to that angle.
+    // Where it lies flat it is not compared with that angle.
     let limits = Limits { flat: 0.9 * flat, friction: None };
     let start = [before.inclination, before.heading];
     let rolled = roll(disc, start, before.omega, &limits, (time - before.time, 2), cancelled).ok()?;

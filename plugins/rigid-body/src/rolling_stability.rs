@@ -155,7 +155,7 @@ impl Analysis for RollingStability {
                     size,
                 );
                 if let Some(found) = linearised(&disc, [second, third]) {
-                    // Differences are good to some 10⁻¹⁰: they are held to 10⁻⁸.
+                    // Differences are good to some 10⁻¹⁰: they are compared with 10⁻⁸.
                     sheet.check_zero(
                         "the eigenvalues of the linearised equations, squared",
                         W::Num::from(0.1 * (found + k.value())),

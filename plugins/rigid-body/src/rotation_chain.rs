@@ -180,7 +180,7 @@ impl RotationChain {
         points
     }
 
-    /// A second way: orientation and places at other times, by differences.
+    /// A second method: orientation and places at other times, by differences.
     fn check_by_differences<W: Worksheet>(
         &self,
         frames: &[chain::Frame],

@@ -134,7 +134,7 @@ impl Scene {
         }
     }
 
-    /// An ellipsoid by its half-axes along the columns of a rotation: its sections in the planes of these.
+    /// An ellipsoid by its semi-axes along the columns of a rotation: its sections in the planes of these.
     pub fn ellipsoid(&mut self, centre: Vector3<f64>, rotation: &Matrix3<f64>, half: Vector3<f64>, ink: Ink) {
         let axis = |n: usize| rotation.column(n % 3) * half[n % 3];
         for n in 0..3 {

@@ -225,7 +225,7 @@ impl Analysis for SpinningDiscOnArm {
 }
 
 impl SpinningDiscOnArm {
-    /// A second way to everything: the whole tensor, turned by finite rotations, times the angular velocity, in fixed
+    /// A second method to everything: the whole tensor, turned by finite rotations, times the angular velocity, in fixed
     /// axes; and the difference quotient of that product in time.
     fn check_by_rotation<W: Worksheet>(&self, sheet: W, momentum: W::Vec, couple: W::Vec) {
         let Ok(tensor) = rigid::disc_tensor(self.mass, self.radius, Vector3::z()) else { return };

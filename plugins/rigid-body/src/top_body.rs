@@ -1,4 +1,4 @@
-//! The body of a heavy top: what a person may know of it, and what its motion needs.
+//! The body of a heavy top: what a user may know of it, and what its motion needs.
 
 use dalembert_core::{Inputs, Worksheet};
 use dalembert_mechanics::rigid;
@@ -39,7 +39,7 @@ pub enum TopInertia {
         /// Moment of inertia about the axis.
         #[input("I_a", "kg*m^2", positive)]
         axial: f64,
-        /// Transverse moment of inertia about the mass centre.
+        /// Transverse moment of inertia about the centre of mass.
         #[input("I_G", "kg*m^2", positive)]
         transverse: f64,
     },

@@ -1,4 +1,4 @@
-//! Nutation of a heavy top let go with any motion.
+//! Nutation of a heavy top released with any motion.
 
 use std::f64::consts::TAU;
 
@@ -17,7 +17,7 @@ use crate::{
     top_body::TopBody,
 };
 
-/// The top and the motion it is let go with.
+/// The top and the motion it is released with.
 ///
 /// Precession φ about the vertical, θ from the upward vertical to the axis, spin ψ about the axis; all positive
 /// counter-clockwise seen from the tip of their axis.
@@ -85,7 +85,7 @@ impl Analysis for TopNutation {
         let moments = given.body.moments(sheet);
         let Some(transverse) = moments.transverse else {
             return Err(Refusal::because(
-                "nutation needs the transverse moment of inertia: give it about the fixed point or the mass centre",
+                "nutation needs the transverse moment of inertia: give it about the fixed point or the centre of mass",
             ));
         };
         let (axial, couple) = (moments.axial, moments.couple);
@@ -194,7 +194,7 @@ impl Analysis for TopNutation {
             rate_high,
         );
         sheet.answer("precession_at_lowest", "Precession at the lowest position", rate_low);
-        let pace = sheet.step(
+        let argument_rate = sheet.step(
             "p",
             "rad/s",
             (couple * (third - low.cos()) / (transverse * 2.0)).sqrt(),
@@ -203,14 +203,14 @@ impl Analysis for TopNutation {
         let quarter = sheet.found(
             "K_k",
             "1",
-            motion.period() * pace.value() / 2.0,
+            motion.period() * argument_rate.value() / 2.0,
             Text::new("Complete elliptic integral of the first kind, of the modulus k = √((u₁ − u₂)/(u₃ − u₂)) = {k}")
                 .with_quantity("k", motion.modulus(), "1"),
         );
         let period = sheet.step(
             "T_n",
             "s",
-            quarter * 2.0 / pace,
+            quarter * 2.0 / argument_rate,
             "Period of the nutation: time from one lowest position to the next",
         );
         let frequency = sheet.step("f_n", "Hz", W::Num::from(TAU) / period, "Its frequency");
@@ -229,11 +229,11 @@ impl Analysis for TopNutation {
         sheet.answer("vertical_angular_momentum", "Angular momentum about the vertical", vertical);
         sheet.answer("energy", "Energy excluding that of the spin", energy);
         sheet.verify(|| {
-            let (start, pace) = (motion.at(0.0), pace.value());
+            let (start, argument_rate) = (motion.at(0.0), argument_rate.value());
             for time in [period.value(), TAU / frequency.value()] {
                 let end = motion.at(time);
-                let off =
-                    (end.nutation - start.nutation).hypot((end.nutation_rate - start.nutation_rate) / pace);
+                let off = (end.nutation - start.nutation)
+                    .hypot((end.nutation_rate - start.nutation_rate) / argument_rate);
                 sheet.check_zero("angle and its rate after one nutation", off.into(), 1.0);
             }
             let turned = motion.at(period.value()).precession;
@@ -408,11 +408,11 @@ fn by_equal_weights(motion: &Nutation, body: Top, own: f64, vertical: f64) -> Op
         let sine = (std::f64::consts::PI * f64::from(n) / f64::from(POINTS)).sin().powi(2);
         let u = lower + (upper - lower) * sine;
         let across = body.transverse * (1.0 - u * u);
-        let pace = (body.couple * (third - u) / (2.0 * body.transverse)).sqrt();
+        let argument_rate = (body.couple * (third - u) / (2.0 * body.transverse)).sqrt();
         let rate = (vertical - own * u) / across;
         let lost = (vertical.abs() + own.abs()) / across
             + rate.abs() * (2.0 / (1.0 - u * u) + third.abs() / (third - u));
-        [rate / pace, f64::EPSILON * lost / pace]
+        [rate / argument_rate, f64::EPSILON * lost / argument_rate]
     };
     let part = std::f64::consts::PI / f64::from(POINTS);
     fair.then(|| (0..POINTS).map(at).fold([0.0; 2], |[a, b], [x, y]| [a + x * part, b + y * part]))

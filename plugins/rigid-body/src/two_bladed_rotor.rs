@@ -275,7 +275,7 @@ fn hold_to_triangle([axial, along, across]: [f64; 3]) -> Result<(), Refusal> {
 }
 
 impl TwoBladedRotor {
-    /// A second way: the whole tensor turned with the rotor, times its angular velocity, and the difference quotient of
+    /// A second method: the whole tensor turned with the rotor, times its angular velocity, and the difference quotient of
     /// that product in time.
     fn check_by_rotation<W: Worksheet>(&self, inertia: [f64; 3], rate: f64, couple: W::Vec, sheet: W) {
         // At angle zero the blades lie along y.

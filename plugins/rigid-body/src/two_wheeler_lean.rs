@@ -356,7 +356,7 @@ impl TwoWheelerLean {
         Ok(speed)
     }
 
-    /// A second way to the couples of wheels, engine and vehicle: the difference quotient of the angular momentum about
+    /// A second method to the couples of wheels, engine and vehicle: the difference quotient of the angular momentum about
     /// G. In a turn to the left the axles point left and down, x points forward.
     fn check_by_rotation<W: Worksheet>(&self, spin: f64, rate: f64, lean: f64, couple: f64, sheet: W) {
         let (sin, cos) = lean.sin_cos();

@@ -1,4 +1,4 @@
-//! A disc or hoop that rolls, as a person describes it.
+//! A disc or hoop that rolls, as a user describes it.
 
 use dalembert_core::{Inputs, Worksheet};
 use dalembert_mechanics::{Real, rigid};
@@ -11,7 +11,7 @@ pub enum Wheel {
     /// Thin hoop
     Hoop,
     /// Moments of inertia given
-    /// Through the mass centre, which is the centre of the circle.
+    /// Through the centre of mass, which is the centre of the circle.
     Moments {
         /// About its axis.
         #[input("I_a", "kg*m^2", positive)]

@@ -460,7 +460,7 @@ impl WheelLoads {
             .collect()
     }
 
-    /// A second way to the couple of the wheels: the difference quotient of the angular momentum of the tilted pair,
+    /// A second method to the couple of the wheels: the difference quotient of the angular momentum of the tilted pair,
     /// turned as a whole. In a turn to the left the axle points left, and down on a bank.
     fn check_by_rotation<W: Worksheet>(
         &self,

@@ -1,4 +1,4 @@
-//! A mass on a network of beams and springs, found from its free motion, then shaken.
+//! A mass on a network of beams and springs, found from its free motion, then excited.
 
 use dalembert_core::{
     About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,

@@ -85,7 +85,7 @@ pub struct Sample {
 
 register!(DecayIdentification);
 
-/// The fewest amplitudes with which three parameters can be told apart.
+/// The fewest amplitudes with which three parameters can be distinguished.
 const FEWEST: usize = 4;
 
 impl Analysis for DecayIdentification {

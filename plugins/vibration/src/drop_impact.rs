@@ -169,10 +169,9 @@ impl<N: Real> Drop<N> {
         contact: Option<(N, N)>,
         sheet: W,
     ) -> Result<Option<(f64, f64)>, Refusal> {
-        let found =
-            self.motion.extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]).map_err(cannot)?.greatest;
+        let found = self.motion.extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]).map_err(cannot)?.largest;
         let natural = self.system.natural;
-        // A motion that never turns has its greatest value at no time.
+        // A motion that never turns has its largest value at no time.
         let turns = found.time > 0.0;
         let (after, deflection, by_recurrence) = if turns {
             let why = "Time from contact to maximum deflection: the first zero of the velocity";
@@ -240,7 +239,7 @@ impl<N: Real> Drop<N> {
         });
         let stiffness = self.system.body.expect("the mass is known").stiffness;
         let output = Output::support(self.system.ratio.value());
-        let support = self.motion.extremes(output, [0.0, f64::INFINITY]).map_err(cannot)?.greatest.value;
+        let support = self.motion.extremes(output, [0.0, f64::INFINITY]).map_err(cannot)?.largest.value;
         let reached = if self.free.is_undamped() {
             deflection
         } else {
@@ -285,8 +284,8 @@ impl<N: Real> Drop<N> {
         let output = Output::support(self.system.ratio.value());
         let limit = -self.pan_sag.map_or(0.0, Real::value);
         let found = self.motion.extremes(output, [0.0, f64::INFINITY]).map_err(cannot)?;
-        let (top, bottom) = (found.greatest.time, found.least);
-        if bottom.value >= limit - 1e-9 * found.greatest.value || bottom.time <= top {
+        let (top, bottom) = (found.largest.time, found.least);
+        if bottom.value >= limit - 1e-9 * found.largest.value || bottom.time <= top {
             return Ok(None);
         }
         let force = |time: f64| self.motion.output(output, time) - limit;
@@ -295,7 +294,7 @@ impl<N: Real> Drop<N> {
         };
         let why = "Time from contact until the body leaves the pan: the force between them is zero";
         let parting = sheet.found("τ_s", "s", time, why);
-        sheet.check_zero("the force is zero then", force(parting.value()).into(), found.greatest.value);
+        sheet.check_zero("the force is zero then", force(parting.value()).into(), found.largest.value);
         sheet.answer("contact_duration", "Contact duration", parting);
         Ok(Some(parting))
     }

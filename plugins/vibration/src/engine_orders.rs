@@ -354,7 +354,7 @@ struct Vibration<N> {
 }
 
 impl EngineOrders {
-    /// The orders that are looked at, ascending.
+    /// The orders that are examined, ascending.
     fn orders(&self) -> Result<Vec<Order>, Refusal> {
         let step = match self.cycle {
             Cycle::Four => 0.5,

@@ -129,33 +129,33 @@ impl Analysis for ForcedCoulomb {
         sheet.answer("frequency_ratio", "Frequency ratio", ratio);
         sheet.answer("friction", "Friction force", friction);
         let system =
-            Shaken { mass, stiffness: given.stiffness, frequency: given.frequency, ratio, friction, offset };
+            Excited { mass, stiffness: given.stiffness, frequency: given.frequency, ratio, friction, offset };
         let (force, amplitude) = match &given.excitation {
             ExcitationGiven::Force { force } => (force.value(), amplitude_of(&system, *force, sheet)?),
             ExcitationGiven::Amplitude { amplitude } => {
                 (force_of(&system, *amplitude, sheet), amplitude.value())
             }
         };
-        let shaken = CoulombOscillator {
+        let excited = CoulombOscillator {
             ratio: ratio.value(),
             deflection: force / self.stiffness,
             offset: offset.value(),
         };
         sheet.show(|| {
-            let plot = response(&shaken, natural.value(), self.frequency, amplitude);
+            let plot = response(&excited, natural.value(), self.frequency, amplitude);
             // Of an amplitude that is given, the force at this frequency is kept.
             let is_given = matches!(self.excitation, Excitation::Amplitude { .. });
             Exhibit::Plot(if is_given { plot } else { plot.over("frequency") })
         });
         sheet.show(|| Exhibit::Plot(hysteresis(friction.value(), self.stiffness, amplitude)));
-        sheet.show(|| Exhibit::Plot(history(&shaken, natural.value())));
+        sheet.show(|| Exhibit::Plot(history(&excited, natural.value())));
         sheet.show(|| Exhibit::Drawing(drawing()));
         Ok(())
     }
 }
 
 /// The oscillator with its friction.
-struct Shaken<N> {
+struct Excited<N> {
     mass: N,
     stiffness: N,
     frequency: N,
@@ -166,16 +166,16 @@ struct Shaken<N> {
 }
 
 /// The amplitude under a force. The result is the exact one.
-fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) -> Result<f64, Refusal> {
-    let Shaken { stiffness, ratio, friction, offset, .. } = *system;
+fn amplitude_of<W: Worksheet>(system: &Excited<W::Num>, force: W::Num, sheet: W) -> Result<f64, Refusal> {
+    let Excited { stiffness, ratio, friction, offset, .. } = *system;
     if force.value() <= friction.value() {
         return Err(stuck());
     }
     let deflection =
         sheet.step("s", "mm", force / stiffness, "Static deflection of the spring under the force");
-    let shaken =
+    let excited =
         CoulombOscillator { ratio: ratio.value(), deflection: deflection.value(), offset: offset.value() };
-    let steady = shaken.steady();
+    let steady = excited.steady();
     if steady == Steady::Stuck {
         return Err(stuck());
     }
@@ -233,13 +233,13 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
             sheet.verify(|| {
                 sheet.check(
                     "the work of the force in a cycle, summed over the exact motion, equals the friction work, 4FX",
-                    W::Num::from(shaken.sliding_work() * stiffness.value()),
+                    W::Num::from(excited.sliding_work() * stiffness.value()),
                     W::Num::from(4.0 * friction.value() * amplitude.value()),
                 );
             });
             let lag = sheet.found("φ", "deg", *lag, "Lag of its extremes behind those of the force");
             sheet.answer("exact_phase", "Phase lag, exact", lag);
-            sheet.verify(|| held_by(&shaken, lag.value(), sheet));
+            sheet.verify(|| held_by(&excited, lag.value(), sheet));
             amplitude
         }
         Steady::Stopping { amplitude, slides } => {
@@ -250,7 +250,7 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
                 "Exact amplitude: the mass stops within each half-cycle, so the motion is solved slip phase by slip phase until it becomes periodic; half the range of the motion",
             );
             sheet.verify(|| {
-                let work: f64 = slides.iter().map(|slide| shaken.work(slide)).sum();
+                let work: f64 = slides.iter().map(|slide| excited.work(slide)).sum();
                 let way: f64 = slides.iter().map(|slide| (slide.end - slide.start).abs()).sum();
                 // Each turning point is steady to 1e-12 of the static deflection, however short the way.
                 let size = (offset.value() * way).max(1e-2 * deflection.value().powi(2));
@@ -294,27 +294,27 @@ fn amplitude_of<W: Worksheet>(system: &Shaken<W::Num>, force: W::Num, sheet: W) 
 
 /// Holds the lag of the motion without stops to its first harmonic, by quadrature over a half cycle: in phase, the force
 /// holds spring and inertia, and a quarter of a cycle ahead, it does the work of the friction.
-fn held_by<W: Worksheet>(shaken: &CoulombOscillator, lag: f64, sheet: W) {
-    let CoulombOscillator { ratio, deflection, offset } = *shaken;
+fn held_by<W: Worksheet>(excited: &CoulombOscillator, lag: f64, sheet: W) {
+    let CoulombOscillator { ratio, deflection, offset } = *excited;
     let parts = (8.0 + 8.0 / ratio).ceil();
     if parts.is_nan() || parts > 400.0 {
         return;
     }
     let over = |of: &dyn Fn(f64) -> f64| integral(of, [0.0, 1.0], parts as u32);
-    let cosine = 2.0 * over(&|part| shaken.sliding_at(part) * (PI * part).cos());
+    let cosine = 2.0 * over(&|part| excited.sliding_at(part) * (PI * part).cos());
     let size = deflection.max((1.0 + ratio * ratio) * cosine.abs());
     sheet.check_zero(
         "exact motion: spring and inertia forces of its first harmonic are balanced by the force component in phase with its extremes",
         W::Num::from((1.0 - ratio) * (1.0 + ratio) * cosine - deflection * lag.cos()),
         size,
     );
-    let work = 2.0 * PI * over(&|part| deflection * (PI * part + lag).sin() * shaken.sliding_at(part));
-    let way = 4.0 * shaken.sliding_at(0.0);
+    let work = 2.0 * PI * over(&|part| deflection * (PI * part + lag).sin() * excited.sliding_at(part));
+    let way = 4.0 * excited.sliding_at(0.0);
     sheet.check_sum(
         "exact motion: work of the force in a cycle, with that phase lag, equals the friction work",
         W::Num::from(work),
         W::Num::from(offset * way),
-        2.0 * PI * deflection * shaken.sliding_at(0.0),
+        2.0 * PI * deflection * excited.sliding_at(0.0),
     );
 }
 
@@ -323,8 +323,8 @@ fn stuck() -> Refusal {
 }
 
 /// The force for an amplitude. The result is the force by equivalent damping.
-fn force_of<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, sheet: W) -> f64 {
-    let Shaken { stiffness, ratio, friction, offset, .. } = *system;
+fn force_of<W: Worksheet>(system: &Excited<W::Num>, amplitude: W::Num, sheet: W) -> f64 {
+    let Excited { stiffness, ratio, friction, offset, .. } = *system;
     let spring = sheet.step(
         "F_s",
         "N",
@@ -389,9 +389,9 @@ fn force_of<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, sheet: W) 
     force.value()
 }
 
-/// Coefficient and ratio of the equivalent damping, held to the viscous oscillator.
-fn equivalent_damping<W: Worksheet>(system: &Shaken<W::Num>, amplitude: W::Num, force: W::Num, sheet: W) {
-    let Shaken { mass, stiffness, frequency, friction, .. } = *system;
+/// Coefficient and ratio of the equivalent damping, compared with the viscous oscillator.
+fn equivalent_damping<W: Worksheet>(system: &Excited<W::Num>, amplitude: W::Num, force: W::Num, sheet: W) {
+    let Excited { mass, stiffness, frequency, friction, .. } = *system;
     let damping = sheet.step(
         "c_eq",
         "N*s/m",
@@ -429,15 +429,15 @@ fn sliding<W: Worksheet>(deflection: W::Num, offset: W::Num, ratio: W::Num, shee
 }
 
 /// Amplitude over frequency, equivalent and exact.
-fn response(shaken: &CoulombOscillator, natural: f64, frequency: f64, amplitude: f64) -> Plot {
-    let last = 2.5f64.max(1.3 * shaken.ratio);
+fn response(excited: &CoulombOscillator, natural: f64, frequency: f64, amplitude: f64) -> Plot {
+    let last = 2.5f64.max(1.3 * excited.ratio);
     let points = || (1..=240u16).map(|n| last * f64::from(n) / 240.5);
     let equivalent = |ratio: f64| {
-        let amplitude = forced_coulomb::equivalent_amplitude(shaken.deflection, shaken.offset, ratio);
+        let amplitude = forced_coulomb::equivalent_amplitude(excited.deflection, excited.offset, ratio);
         (ratio * natural, if amplitude > 0.0 { amplitude } else { f64::INFINITY })
     };
     let exact = |ratio: f64| {
-        let found = CoulombOscillator { ratio, ..*shaken }.sliding();
+        let found = CoulombOscillator { ratio, ..*excited }.sliding();
         (ratio * natural, found.map_or(f64::INFINITY, |(amplitude, _)| amplitude))
     };
     Plot::new(
@@ -468,17 +468,17 @@ fn hysteresis(friction: f64, stiffness: f64, amplitude: f64) -> Plot {
 }
 
 /// One cycle of the steady exact motion beside the deflection that the force alone would give.
-fn history(shaken: &CoulombOscillator, natural: f64) -> Plot {
-    let cycle = TAU / shaken.ratio;
-    let force = |tau: f64| shaken.deflection * (shaken.ratio * tau).cos();
+fn history(excited: &CoulombOscillator, natural: f64) -> Plot {
+    let cycle = TAU / excited.ratio;
+    let force = |tau: f64| excited.deflection * (excited.ratio * tau).cos();
     let mut motion = Vec::new();
-    match shaken.steady() {
+    match excited.steady() {
         Steady::Sliding { lag, .. } => {
             for n in 0..=300u16 {
                 let part = f64::from(n) / 150.0;
                 // The motion at its extreme at part 0; the force had its own before.
-                let x = if part <= 1.0 { shaken.sliding_at(part) } else { -shaken.sliding_at(part - 1.0) };
-                motion.push(((part / 2.0 * cycle + lag / shaken.ratio) / natural, x));
+                let x = if part <= 1.0 { excited.sliding_at(part) } else { -excited.sliding_at(part - 1.0) };
+                motion.push(((part / 2.0 * cycle + lag / excited.ratio) / natural, x));
             }
         }
         Steady::Stopping { slides, .. } => {
@@ -486,7 +486,7 @@ fn history(shaken: &CoulombOscillator, natural: f64) -> Plot {
             for slide in &slides {
                 for n in 0..=60u16 {
                     let tau = slide.from + (slide.until - slide.from) * f64::from(n) / 60.0;
-                    motion.push(((tau - begun) / natural, shaken.sliding_from(slide, tau)[0]));
+                    motion.push(((tau - begun) / natural, excited.sliding_from(slide, tau)[0]));
                 }
             }
             if let (Some(last), Some(slide)) = (motion.last().copied(), slides.first()) {

@@ -24,7 +24,7 @@ use crate::{
 /// Points of a curve.
 const POINTS: usize = 480;
 
-/// The system, the forces on it, and where and when it is looked at.
+/// The system, the forces on it, and where and when it is examined.
 #[derive(Clone, Debug, Inputs)]
 pub struct FrequencyResponseMatrix {
     /// System.
@@ -72,7 +72,7 @@ pub struct AskedFrequency {
     pub frequency: f64,
 }
 
-/// A coordinate that is looked at.
+/// A coordinate that is examined.
 #[derive(Clone, Debug, Inputs)]
 pub struct Observed {
     /// Coordinate.
@@ -345,7 +345,7 @@ impl FrequencyResponseMatrix {
                 [(one.parts - by_modes).norm(), (one.polar - by_modes).norm()]
             });
             let off = off.fold(0.0, f64::max);
-            // What is left between two resonances is held to the size of the terms that cancel there.
+            // What is left between two resonances is compared with the size of the terms that cancel there.
             let terms = found.modes.shapes.column_iter().zip(&found.modes.squares).enumerate();
             let size = terms
                 .map(|(mode, (shape, square))| {

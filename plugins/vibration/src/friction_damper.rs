@@ -154,7 +154,7 @@ impl Analysis for FrictionDamper {
 const PEAK: [&str; 5] = ["θₚ", "kₚ", "Wₚ", "hₚ", "Kₚ"];
 const ASKED: [&str; 5] = ["θ", "k_j", "W", "h", "K"];
 
-/// Stiffness and quadrature part at an amplitude, held to the force and to the summed loop.
+/// Stiffness and quadrature part at an amplitude, compared with the force and to the summed loop.
 fn balance<W: Worksheet>(
     given: &FrictionDamperGiven<W>,
     [mass, slip, frequency, amplitude]: [W::Num; 4],

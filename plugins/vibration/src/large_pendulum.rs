@@ -10,7 +10,7 @@ use dalembert_mechanics::{Real, elliptic};
 
 use crate::sources::{ABRAMOWITZ, NAYFEH, RAO};
 
-/// A mass on a rod without mass, let go at rest.
+/// A mass on a rod without mass, released at rest.
 #[derive(Clone, Debug, Inputs)]
 pub struct LargePendulum {
     /// Length.

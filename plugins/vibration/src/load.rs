@@ -147,7 +147,7 @@ fn few() -> Refusal {
     Refusal::because("the table has fewer than two points: write at least its start and its end")
 }
 
-/// What is looked at, at a time, by the integrals of displacement and velocity over unit impulses (Duhamel), by
+/// What is examined, at a time, by the integrals of displacement and velocity over unit impulses (Duhamel), by
 /// quadrature: the motion begins in a state under a load of pieces. `None` where too much would have to be added up.
 pub(crate) fn by_impulses(
     oscillator: Oscillator,

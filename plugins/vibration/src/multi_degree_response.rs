@@ -24,9 +24,9 @@ use crate::{
 
 /// Points of a curve.
 const POINTS: usize = 400;
-/// The most looks at the motion for its largest displacement, times the number of poles.
+/// The most examines the motion for its largest displacement, times the number of poles.
 const LOOKS: usize = 4_000_000;
-/// The most steps of the second way; longer motions are not followed step by step.
+/// The most steps of the second method; longer motions are not followed step by step.
 const LIMIT: usize = 150;
 
 /// The system, its start, the forces on it, and what is asked for.
@@ -149,7 +149,7 @@ pub struct AskedTime {
     pub time: f64,
 }
 
-/// A coordinate that is looked at.
+/// A coordinate that is examined.
 #[derive(Clone, Debug, Inputs)]
 pub struct Observed {
     /// Coordinate.

@@ -122,7 +122,7 @@ impl Analysis for MultiSpanBeam {
             .collect::<Result<_, _>>()
             .map_err(|err| refusal(&err))?;
         sheet.keep_going()?;
-        let twins = |n: usize| roots.get(n).is_some_and(|next| next / roots[n - 1] < 1.0 + 1e-7);
+        let duplicates = |n: usize| roots.get(n).is_some_and(|next| next / roots[n - 1] < 1.0 + 1e-7);
         for (n, (root, shape)) in (1..).zip(roots.iter().zip(&shapes)) {
             let beta = sheet.found(
                 ("β", n),
@@ -155,7 +155,7 @@ impl Analysis for MultiSpanBeam {
                     );
                 }
                 if let Some(other) = shapes.get(n)
-                    && !twins(n)
+                    && !duplicates(n)
                 {
                     let size = shape.inertia_product(shape) * other.inertia_product(other);
                     sheet.check_zero(
@@ -180,7 +180,7 @@ impl Analysis for MultiSpanBeam {
                 .with("n", beam.rigid_motions())
             });
         }
-        if (1..roots.len()).any(twins) {
+        if (1..roots.len()).any(duplicates) {
             sheet.warn(|| {
                 Text::new(
                     "two frequencies coincide: any linear combination of their mode shapes is also a mode shape; one of them is shown",

@@ -140,7 +140,7 @@ struct System<N> {
     source: N,
 }
 
-/// What is shaken.
+/// What is excited.
 #[derive(Clone, Copy)]
 enum Excited<N> {
     /// The mass, on a spring of this stiffness.

@@ -1,4 +1,4 @@
-//! A chain of masses on a randomly shaken base.
+//! A chain of masses on a randomly excited base.
 
 use dalembert_core::{
     About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Symbol, Text, Worksheet, register,
@@ -53,7 +53,7 @@ impl Analysis for RandomChain {
         }
         let spectrum = self.density.spectrum()?;
         let modes = chain::modes(&given.links, sheet)?;
-        let problem = Shaken::new(&modes, self.ratio, spectrum);
+        let problem = Excited::new(&modes, self.ratio, spectrum);
         for mass in 0..given.links.len() {
             problem.answers(mass, sheet)?;
         }
@@ -63,13 +63,13 @@ impl Analysis for RandomChain {
 }
 
 /// A chain under a density.
-struct Shaken {
+struct Excited {
     /// The modes with their shares in the motion of each mass.
     modes: Vec<Vec<(Resonance, f64)>>,
     spectrum: Spectrum,
 }
 
-/// What of the motion of a mass is looked at.
+/// What of the motion of a mass is examined.
 #[derive(Clone, Copy)]
 enum Response {
     Displacement,
@@ -77,7 +77,7 @@ enum Response {
     AbsoluteAcceleration,
 }
 
-impl Shaken {
+impl Excited {
     fn new<N: Real>(modes: &[Mode<N>], ratio: f64, spectrum: Spectrum) -> Self {
         let at = |mass: usize| {
             let mode = |mode: &Mode<N>| {

@@ -1,4 +1,4 @@
-//! One degree of freedom under a random force or on a randomly shaken base.
+//! One degree of freedom under a random force or on a randomly excited base.
 
 use dalembert_core::{
     About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Symbol, Text, Worksheet, register,

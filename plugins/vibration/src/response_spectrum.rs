@@ -76,7 +76,7 @@ pub enum Structure {
     },
 }
 
-/// A mode as a person knows it.
+/// A mode as a user knows it.
 #[derive(Clone, Debug, Inputs)]
 pub struct GivenMode {
     /// Natural frequency.
@@ -397,7 +397,7 @@ impl<W: Worksheet> Problem<'_, W> {
         Ok(())
     }
 
-    /// The correlation of every two modes, written and held to that of white noise.
+    /// The correlation of every two modes, written and compared with that of white noise.
     fn correlations(&self, naturals: &[W::Num], sheet: W) -> Vec<Vec<W::Num>> {
         let n = naturals.len();
         let mut all = vec![vec![W::Num::from(1.0); n]; n];

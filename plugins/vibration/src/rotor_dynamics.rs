@@ -776,7 +776,7 @@ fn too_many() -> Refusal {
     Refusal::because("the shaft would have more than 400 elements: write fewer elements in every segment")
 }
 
-/// Why there is no answer, for a person.
+/// Why there is no answer, for a user.
 pub(super) fn refusal(error: RotorError) -> Refusal {
     match error {
         RotorError::Buckled => Refusal::because(

@@ -473,7 +473,7 @@ impl<W: Worksheet> Shaft<'_, W> {
         Ok(Exact { frequency, discs })
     }
 
-    /// The shaft as a beam, with its discs where the mass of the shaft for each length is told.
+    /// The shaft as a beam, with its discs where the mass of the shaft per unit length is given.
     fn beam(&self, with_discs: Option<f64>) -> Beam {
         let length = self.length.value();
         let at = |at: f64| Station { at, ..Station::default() };

@@ -20,7 +20,7 @@ use crate::{
     transient_response::AccelerationPoint,
 };
 
-/// The shock, the damping, and the frequencies that are looked at.
+/// The shock, the damping, and the frequencies that are examined.
 #[derive(Clone, Debug, Inputs)]
 pub struct ShockResponseSpectrum {
     /// Base shock.
@@ -276,7 +276,7 @@ impl Spectrum<'_> {
         [-4.0, -2.0, 2.0, 4.0].into_iter().all(|n| residual(n) == here)
     }
 
-    /// The frequency of the greatest ordinate between two, by Newton's steps on differences of sixth order from a start
+    /// The frequency of the largest ordinate between two, by Newton's steps on differences of sixth order from a start
     /// between them, and the step of the last differences; `None` where the spectrum has a corner there. Shorter steps
     /// follow as long as rounding lets them: they leave out a corner near by.
     fn peak(&self, [below, start, above]: [f64; 3]) -> Option<[f64; 2]> {
@@ -446,7 +446,7 @@ impl ShockResponseSpectrum {
     }
 }
 
-/// The greatest ordinate over the range.
+/// The largest ordinate over the range.
 fn largest<W: Worksheet>(
     curve: &[Ordinate],
     spectrum: &Spectrum<'_>,
@@ -464,7 +464,7 @@ fn largest<W: Worksheet>(
     } else {
         spectrum.peak([at - 1, at, at + 1].map(|n| curve[n].frequency))
     };
-    let greatest = match peak {
+    let largest = match peak {
         Some([frequency, _]) => spectrum.at(frequency)?,
         None => curve[at],
     };
@@ -472,23 +472,23 @@ fn largest<W: Worksheet>(
         Some(_) => "Maximum ordinate of the spectrum over the range, where its slope is zero",
         None => "Maximum ordinate of the spectrum among the plotted frequencies",
     };
-    let greatest_value = sheet.found("Sₘ", "m/s^2", greatest.maximax(), why);
-    sheet.answer("largest", "Maximum ordinate over the range", greatest_value);
+    let largest_value = sheet.found("Sₘ", "m/s^2", largest.maximax(), why);
+    sheet.answer("largest", "Maximum ordinate over the range", largest_value);
     if let Some((acceleration, _)) = pulse {
         let why = ("Maximum amplification over the range", RAO.at("§4.6"));
-        let amplification = sheet.step("Aₘ", "1", greatest_value / acceleration, why);
+        let amplification = sheet.step("Aₘ", "1", largest_value / acceleration, why);
         sheet.answer("largest_amplification", "Maximum amplification over the range", amplification);
         sheet.verify(|| {
-            if let Some([one, other]) = spectrum.by_impulses(&greatest) {
+            if let Some([one, other]) = spectrum.by_impulses(&largest) {
                 let what = "maximum amplification, by Duhamel's integral";
                 sheet.check(what, amplification, W::Num::from(one.max(other) / acceleration.value()));
             }
         });
     }
     sheet.verify(|| {
-        if let Some([one, other]) = spectrum.by_impulses(&greatest) {
+        if let Some([one, other]) = spectrum.by_impulses(&largest) {
             let what = "maximum ordinate, by Duhamel's integral up to its instant";
-            sheet.check(what, greatest_value, W::Num::from(one.max(other)));
+            sheet.check(what, largest_value, W::Num::from(one.max(other)));
         }
     });
     if let Some([frequency, step]) = peak {
@@ -503,9 +503,9 @@ fn largest<W: Worksheet>(
             let beside = |part: f64| {
                 spectrum.at(frequency.value() * part).map_or(f64::INFINITY, |ordinate| ordinate.maximax())
             };
-            let higher = beside(0.99).max(beside(1.01)) - greatest.maximax();
+            let higher = beside(0.99).max(beside(1.01)) - largest.maximax();
             let what = "the spectrum is lower on both sides of its maximum ordinate";
-            sheet.check_zero(what, higher.max(0.0).into(), greatest.maximax());
+            sheet.check_zero(what, higher.max(0.0).into(), largest.maximax());
             // With a longer step there is a corner near by, which differences do not see.
             if step < 1e-3
                 && spectrum.is_smooth(frequency.value(), step)

@@ -1,4 +1,4 @@
-//! Spectral densities of a random excitation: a level over everything, over a band, or a table.
+//! Power spectral density of a random excitation: a level over all frequencies, over a band, or a table.
 
 use dalembert_core::{Inputs, Refusal};
 use dalembert_mechanics::vibration::random::{Density, DensityError, QuadratureError};

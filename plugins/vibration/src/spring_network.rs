@@ -329,7 +329,7 @@ impl SpringNetwork {
                 );
             }
         });
-        sheet.show(|| Exhibit::Table(self.table_shaken(system, omega, &moved)));
+        sheet.show(|| Exhibit::Table(self.table_excited(system, omega, &moved)));
         Ok(())
     }
 

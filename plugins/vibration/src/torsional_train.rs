@@ -302,7 +302,7 @@ fn free_line<W: Worksheet>(reduced: &Reduced<W::Num>, sheet: W) -> Option<Line<W
     }
     let (mut inertias, mut stiffnesses, mut between) = (Vec::new(), Vec::new(), Vec::new());
     let mut before = None;
-    for &station in reduced.train.trunk() {
+    for &station in reduced.train.main_shaft() {
         if let Some(before) = before {
             let joins =
                 |ends: [Option<usize>; 2]| ends.contains(&Some(before)) && ends.contains(&Some(station));
@@ -358,7 +358,7 @@ impl Shaft {
     }
 }
 
-/// A node: where a shaft stands still in a mode.
+/// A node: where a shaft is at rest in a mode.
 struct Node {
     mode: usize,
     shaft: usize,

@@ -26,7 +26,7 @@ use crate::{
     sources::{CHOPRA, RAO, THOMSON},
 };
 
-/// The oscillator, what moves it, and when it is looked at.
+/// The oscillator, what moves it, and when it is examined.
 #[derive(Clone, Debug, Inputs)]
 pub struct TransientResponse {
     /// Mass.
@@ -303,7 +303,7 @@ impl TransientResponse {
         });
     }
 
-    /// The largest force on the support, or the largest acceleration of a mass on a shaken base.
+    /// The largest force on the support, or the largest acceleration of a mass on an excited base.
     fn support<W: Worksheet>(
         &self,
         system: &System<W::Num>,
@@ -363,7 +363,7 @@ impl TransientResponse {
         }
     }
 
-    /// Whether the displacement is relative to a shaken base.
+    /// Whether the displacement is relative to an excited base.
     fn is_relative(&self) -> bool {
         matches!(self.excitation, Excitation::BaseAcceleration { .. } | Excitation::BaseTable { .. })
     }

@@ -275,7 +275,7 @@ impl VibrationInstrument {
             sheet.check_zero(what, across, size);
         });
         let natural = given.natural_frequency;
-        let held_to = |relative: W::Num, motion: W::Num, acceleration: W::Num| {
+        let compared_with = |relative: W::Num, motion: W::Num, acceleration: W::Num| {
             let ([in_phase, _], _) = put_up([ratio, zeta], relative, lag);
             let what = "equation of the relative motion under the true acceleration";
             sheet.check(what, in_phase * natural.powi(2), acceleration);
@@ -291,7 +291,7 @@ impl VibrationInstrument {
                 let acceleration = sheet.step("A", "m/s^2", motion * frequency.powi(2), why);
                 sheet.answer("amplitude", "True amplitude", motion);
                 sheet.answer("acceleration", "True acceleration", acceleration);
-                sheet.verify(|| held_to(*amplitude, motion, acceleration));
+                sheet.verify(|| compared_with(*amplitude, motion, acceleration));
             }
             (Some(ReadingGiven::Acceleration { acceleration }), Instrument::Accelerometer) => {
                 let why = ("True acceleration for the given reading", RAO.at("§10.3"));
@@ -300,7 +300,7 @@ impl VibrationInstrument {
                 let motion = sheet.step("Y", "mm", truth / frequency.powi(2), why);
                 sheet.answer("amplitude", "True amplitude", motion);
                 sheet.answer("acceleration", "True acceleration", truth);
-                sheet.verify(|| held_to(*acceleration / natural.powi(2), motion, truth));
+                sheet.verify(|| compared_with(*acceleration / natural.powi(2), motion, truth));
             }
             (Some(_), Instrument::Vibrometer) => {
                 return Err(Refusal::because(

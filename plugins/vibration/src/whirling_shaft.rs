@@ -38,7 +38,7 @@ pub struct WhirlingShaft {
     pub limit: Option<Limit>,
 }
 
-/// How far the mass centre is off the axis.
+/// How far the centre of mass is off the axis.
 #[derive(Clone, Debug, Inputs)]
 pub enum Imbalance {
     /// Eccentricity given
@@ -463,13 +463,13 @@ fn phase_over_speed([natural, _, zeta]: [f64; 3], at: f64) -> Plot {
     .mark("at this speed", (at, sdof::phase_lag_from_ratios(at / natural, zeta)))
 }
 
-/// The rotor seen along its axis: bearing centre O, shaft centre W, mass centre G.
+/// The rotor seen along its axis: bearing centre O, shaft centre W, centre of mass G.
 fn vectors([natural, eccentricity, zeta]: [f64; 3], (speed, amplitude): (f64, f64)) -> Drawing {
     let lag = sdof::phase_lag_from_ratios(speed / natural, zeta);
     // The longer of the two arrows has the length 1; the shorter one stays visible.
     let longer = amplitude.max(eccentricity);
     let [a, e] = [amplitude, eccentricity].map(|length| (length / longer).max(0.25));
-    // The mass centre is ahead of the deflection by the lag, in the sense of the rotation.
+    // The centre of mass is ahead of the deflection by the lag, in the sense of the rotation.
     let w = (a, 0.0);
     let g = (w.0 + e * lag.cos(), e * lag.sin());
     let shapes = vec![

@@ -8,11 +8,11 @@ use dalembert_mechanics::{
     planar::{Body, Driver, Joint, Measure, Mechanism, Point},
 };
 
-pub use crate::one_freedom::Position;
-use crate::one_freedom::PositionGiven;
+pub use crate::one_degree_of_freedom::Position;
+use crate::one_degree_of_freedom::PositionGiven;
 use crate::{
     equilibria::{animation, arrow, down, telling},
-    one_freedom::{Machine, Part, Shapes},
+    one_degree_of_freedom::{Machine, Part, Shapes},
     sources::{BEER, HIBBELER, RIUL},
 };
 
@@ -156,7 +156,7 @@ fn cord_rate<N: Real>(lengths: &[N], angle: N, s: N) -> N {
     -(lengths[1] * lengths[2] * angle.cos() / s)
 }
 
-/// The heights of the mass centre of the bar and of the hanging mass, with their derivatives.
+/// The heights of the centre of mass of the bar and of the hanging mass, with their derivatives.
 fn rises<N: Real>(lengths: &[N], angle: N, s: N, s1: N) -> Vec<[N; 3]> {
     let [l, b, h] = [lengths[0], lengths[1], lengths[2]];
     let (sin, cos) = (angle.sin(), angle.cos());

@@ -1,4 +1,4 @@
-//! Plane mechanisms put together from their lengths: the second way to every effort of a template, the way to its
+//! Plane mechanisms put together from their lengths: the second method to every effort of a template, the way to its
 //! reactions, and the pictures of bars, pins, blocks and forces.
 
 use std::{cell::OnceCell, f64::consts::TAU};
@@ -205,9 +205,9 @@ impl Solved {
     }
 
     /// Holds the force across a guide or slot, to the left of its line on what slides, to its virtual power with the
-    /// joint let go.
+    /// joint released.
     pub(crate) fn check_across<W: Worksheet>(&self, joint: usize, force: W::Num, sheet: W) {
-        let Some((efforts, size)) = let_go(&self.system, &self.state, &self.dynamics, joint, 1) else {
+        let Some((efforts, size)) = released(&self.system, &self.state, &self.dynamics, joint, 1) else {
             return;
         };
         let what = "force across the line of the joint by virtual power, with the joint released";
@@ -233,7 +233,7 @@ impl Solved {
 
 /// What a joint exerts along its first measures by virtual power, with the joint released and driven in its place, and
 /// the size of what that is made of. None where its equations are not measures of their own.
-fn let_go(
+fn released(
     system: &System,
     state: &State,
     dynamics: &Dynamics,
@@ -263,14 +263,14 @@ pub(crate) fn check_pin<W: Worksheet>(
     force: W::Num,
     sheet: W,
 ) {
-    let Some((efforts, size)) = let_go(system, state, dynamics, joint, 2) else { return };
+    let Some((efforts, size)) = released(system, state, dynamics, joint, 2) else { return };
     let what =
         Text::new("force in the pin {point} by virtual power, with the pin released").with("point", point);
     let by_power = efforts[0].hypot(efforts[1]);
     sheet.check_sum(what, force, by_power.into(), size.max(by_power));
 }
 
-/// Why a mechanism has no answer, in words for a person.
+/// Why a mechanism has no answer, in words for a user.
 #[expect(clippy::needless_pass_by_value, reason = "it stands in map_err")]
 pub(crate) fn refusal(error: PlanarError) -> Refusal {
     Refusal::because(match error {

@@ -24,7 +24,7 @@ use crate::{
 pub struct CompoundLever {
     /// Links from each lever to the next.
     /// None for a single lever.
-    // The second way solves a dense system of three equations for each.
+    // The second method solves a dense system of three equations for each.
     #[input(most = 200)]
     pub links: Vec<Link>,
     /// Loads.

@@ -1,4 +1,4 @@
-//! Machines with one freedom under weights, springs and constant forces: all equilibria, and whether they last.
+//! Machines with one degree of freedom under weights, springs and constant forces: all equilibria, and whether they last.
 
 use dalembert_core::{
     Animation, Axis, DrawnShape, Exhibit, Ink, Plot, Refusal, Series, TableExhibit, Text, Worksheet,
@@ -225,14 +225,14 @@ pub(crate) fn check_curvature<W: Worksheet>(
     }
 }
 
-/// The efforts and reactions of a mechanism that stands still; none where it does not determine them.
+/// The efforts and reactions of a mechanism that is at rest; none where it does not determine them.
 pub(crate) fn solved(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> Option<Dynamics> {
     let system = System::new(mechanism, drawn).ok()?;
     let (_, dynamics) = system.solved(&system.assemble(drawn).ok()?).ok()?;
     Some(dynamics)
 }
 
-/// The forces in the joints of a machine that stands still, each on the second of its parts, by Newton and Euler.
+/// The forces in the joints of a machine that is at rest, each on the second of its parts, by Newton and Euler.
 /// Sliding joints are those of the ground.
 pub(crate) fn reactions(mechanism: &Mechanism, drawn: &[[f64; 3]], names: &[Text]) -> Option<Exhibit> {
     let effort = solved(mechanism, drawn)?;

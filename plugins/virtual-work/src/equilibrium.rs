@@ -40,7 +40,7 @@ pub struct Equilibrium {
     pub search: Search,
 }
 
-/// Where an equilibrium is looked for.
+/// Where an equilibrium is searched for.
 #[derive(Clone, Debug, Inputs)]
 pub enum Search {
     /// Between two angles of the single coordinate

@@ -1,4 +1,4 @@
-//! The five-bar linkage: two cranks on the frame and two rods that meet, with two freedoms or geared to one.
+//! The five-bar linkage: two cranks on the frame and two rods that meet, with two degrees of freedom or geared to one.
 
 use dalembert_core::{
     About, Analysis, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,

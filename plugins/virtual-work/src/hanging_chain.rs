@@ -1,4 +1,4 @@
-//! A chain of bars that hangs from a pin and is pulled at its free end: one freedom for each bar.
+//! A chain of bars that hangs from a pin and is pulled at its free end: one degree of freedom for each bar.
 
 use dalembert_core::{
     About, Analysis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text, Worksheet,

@@ -18,7 +18,7 @@ pub mod hanging_chain;
 pub mod lazy_tongs;
 pub mod mechanism;
 pub mod motion;
-mod one_freedom;
+mod one_degree_of_freedom;
 pub mod oscillating_cylinder;
 pub mod parts;
 pub mod quick_return;

@@ -159,7 +159,7 @@ impl Analysis for Motion {
         let rates: Vec<(Measure, f64)> = self.starts.iter().map(|start| parts.rate(&start.what)).collect();
         let velocities = system.starting(&positions, &rates).map_err(refuse)?;
         let freed = system.forward_dynamics(&positions, &velocities).map_err(refuse)?;
-        if freed.freedoms == 0 {
+        if freed.degrees_of_freedom == 0 {
             return Err(Refusal::because(
                 "no free motion remains: the drivers and joints determine everything; remove a driver, or use the plane mechanism",
             ));
@@ -292,7 +292,7 @@ impl Solved<'_> {
         let mut shown = self.freed.state.clone();
         let largest = accelerations.iter().fold(0.0f64, |most, a| most.max(a[2].abs()));
         for (row, part) in (1..).zip(self.parts.bodies) {
-            // The method is told once.
+            // The method is reported once.
             let reason = if row == 1 {
                 "Angular acceleration of {name} at the start: of all accelerations a + N s̈ allowed by the joints, the one with (Nᵀ M N) s̈ = Nᵀ (Q − M a), virtual power in each free motion N"
             } else {
@@ -341,10 +341,10 @@ impl Solved<'_> {
                 [None, None] => {}
             }
         }
-        for braked in &self.freed.frictions {
-            self.with_friction(braked, &given.loads[braked.load].load, &carried, sheet);
+        for with_friction in &self.freed.frictions {
+            self.with_friction(with_friction, &given.loads[with_friction.load].load, &carried, sheet);
         }
-        if self.freed.frictions.iter().any(|braked| braked.contact == Contact::Indeterminate) {
+        if self.freed.frictions.iter().any(|with_friction| with_friction.contact == Contact::Indeterminate) {
             sheet.warn(|| {
                 Text::new("at the start several joints keep each other at rest: statics alone does not determine how their friction is shared, nor the joint forces")
             });
@@ -354,20 +354,20 @@ impl Solved<'_> {
     /// What a friction does at the start, where the joint in each row carries this force.
     fn with_friction<W: Worksheet>(
         &self,
-        braked: &JointFriction,
+        with_friction: &JointFriction,
         given: &LoadGiven<W>,
         carried: &[Option<W::Num>],
         sheet: W,
     ) {
-        let row = braked.load + 1;
-        let NamedLoad { name, load } = &self.parts.loads[braked.load];
-        let unit = if braked.pin { "N*m" } else { "N" };
+        let row = with_friction.load + 1;
+        let NamedLoad { name, load } = &self.parts.loads[with_friction.load];
+        let unit = if with_friction.pin { "N*m" } else { "N" };
         let why = |reason| (Text::new(reason).with("name", name), PFEIFFER.at("ch. 6"));
-        let effort = match (braked.contact, given, load) {
+        let effort = match (with_friction.contact, given, load) {
             (Contact::Indeterminate, ..) => return,
             (Contact::Sliding { sense, .. }, LoadGiven::Friction { coefficient, radius }, Load::Friction { joint, .. }) => {
                 let Some(force) = carried[joint.0] else { return };
-                let (most, reason) = if braked.pin {
+                let (most, reason) = if with_friction.pin {
                     (
                         *coefficient * *radius * force,
                         "{name} at the start: its pin slides, with a friction couple of μ r times the joint force, opposite to the sliding",
@@ -384,15 +384,19 @@ impl Solved<'_> {
             _ => sheet.found(
                 ("F", row),
                 unit,
-                braked.effort,
+                with_friction.effort,
                 why("{name} at the start, positive in the direction of sliding: its joint sticks, since no possible motion would overcome the friction opposing it"),
             ),
         };
         sheet.answer(("friction", row), "Friction at the start", effort);
         sheet.whose(("friction", row), name);
         sheet.verify(|| {
-            let size = self.freed.frictions.iter().fold(0.0f64, |most, braked| most.max(braked.effort.abs()));
-            let residual = (effort.value() - braked.effort).into();
+            let size = self
+                .freed
+                .frictions
+                .iter()
+                .fold(0.0f64, |most, with_friction| most.max(with_friction.effort.abs()));
+            let residual = (effort.value() - with_friction.effort).into();
             sheet.check_zero("the friction at the onset of motion", residual, size);
         });
     }
@@ -509,12 +513,12 @@ impl Solved<'_> {
             sheet.found("T", "J", last.kinetic, "Kinetic energy at the end, T = Σ (m v² + I_G ω²)/2");
         sheet.answer("kinetic_energy", "Kinetic energy at the end", kinetic);
         self.balance(kinetic, sheet);
-        // A second way to the accelerations at the end: the whole of the equations instead of their plan.
+        // A second method to the accelerations at the end: the whole of the equations instead of their plan.
         let whole = self.system.forward_dynamics(positions, velocities);
         let refuse = |error: PlanarError| self.parts.refusal(&error, self.rows);
         let whole = whole.map_err(refuse)?;
-        for braked in &whole.frictions {
-            self.sliding(braked, &shown, sheet);
+        for with_friction in &whole.frictions {
+            self.sliding(with_friction, &shown, sheet);
         }
         let whole = whole.state.accelerations;
         sheet.verify(|| {

@@ -65,7 +65,7 @@ pub struct Piston {
     /// Towards the fixed pin of the cylinder.
     #[input("ρ_3", "mm", default = "0 mm")]
     pub distance: f64,
-    /// Moment of inertia about the mass centre.
+    /// Moment of inertia about the centre of mass.
     #[input("I_3", "kg*m^2", nonnegative, default = "0 kg*m^2")]
     pub inertia: f64,
 }
@@ -80,7 +80,7 @@ pub struct Cylinder {
     /// Towards the crank pin.
     #[input("ρ_4", "mm", default = "0 mm")]
     pub distance: f64,
-    /// Moment of inertia about the mass centre.
+    /// Moment of inertia about the centre of mass.
     #[input("I_4", "kg*m^2", nonnegative, default = "0 kg*m^2")]
     pub inertia: f64,
 }

@@ -20,7 +20,7 @@ pub struct Part {
     /// Zero for a body whose weight and inertia are neglected.
     #[input("m", "kg", nonnegative, default = "0 kg")]
     pub mass: f64,
-    /// Moment of inertia about the mass centre.
+    /// Moment of inertia about the centre of mass.
     #[input("I_G", "kg*m^2", nonnegative, default = "0 kg*m^2")]
     pub inertia: f64,
     /// Centre of mass, in the axes of the body.

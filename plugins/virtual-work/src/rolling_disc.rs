@@ -1,4 +1,4 @@
-//! A disc that a crank rolls to and fro, against a spring and a damper.
+//! A disc that a crank rolls back and forth, against a spring and a damper.
 
 use dalembert_core::{About, Analysis, DrawnShape, Ink, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{

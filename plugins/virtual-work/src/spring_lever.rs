@@ -6,8 +6,8 @@ mod picture;
 use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Worksheet, register};
 use dalembert_mechanics::Real;
 
-pub use crate::one_freedom::Position;
-use crate::one_freedom::PositionGiven;
+pub use crate::one_degree_of_freedom::Position;
+use crate::one_degree_of_freedom::PositionGiven;
 use crate::{
     equilibria::{Equilibrium, Stability, check_curvature, check_held, reactions, solved, telling},
     sources::{BEER, HIBBELER, RIUL},

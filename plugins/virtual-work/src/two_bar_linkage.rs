@@ -6,10 +6,10 @@ use dalembert_mechanics::{
     planar::{Body, Driver, Effort, Joint, Load, Measure, Mechanism, Point},
 };
 
-pub use crate::one_freedom::Position;
+pub use crate::one_degree_of_freedom::Position;
 use crate::{
     equilibria::{animation, arrow, down, telling},
-    one_freedom::{Machine, Part, Shapes, spring},
+    one_degree_of_freedom::{Machine, Part, Shapes, spring},
     sources::{BEER, HIBBELER, RIUL},
 };
 

@@ -98,13 +98,13 @@ pub struct Body {
     /// Mass.
     #[input("m", "kg", nonnegative)]
     pub mass: f64,
-    /// Moment of inertia about the mass centre.
+    /// Moment of inertia about the centre of mass.
     #[input("I_G", "kg*m^2", nonnegative, default = "0 kg*m^2")]
     pub inertia: f64,
-    /// Velocity of the mass centre.
+    /// Velocity of the centre of mass.
     #[input("V_G", "m/s", planar)]
     pub velocity: Vector3<f64>,
-    /// Acceleration of the mass centre.
+    /// Acceleration of the centre of mass.
     #[input("a_G", "m/s^2", planar, default = "(0; 0) m/s^2")]
     pub acceleration: Vector3<f64>,
     /// Angular velocity.
@@ -417,7 +417,7 @@ impl VirtualPower {
         }
     }
 
-    /// A second way: the power that all applied loads bring in, summed by components, is the rate of the kinetic
+    /// A second method: the power that all applied loads bring in, summed by components, is the rate of the kinetic
     /// energy, `dT/dt = Σ (m a_G · V_G + I_G α ω)`.
     fn check_by_kinetic_energy<W: Worksheet>(
         &self,

@@ -1,4 +1,4 @@
-//! Virtual works of a linkage with one freedom: what every link does for a unit of the coordinate.
+//! Virtual works of a linkage with one degree of freedom: what every link does for a unit of the coordinate.
 //!
 //! Links carry the numbers of the field: 1 the frame, 2 the crank, 3 the rod or coupler, 4 what follows. For the
 //! coordinate θ₂ and a virtual turn δθ₂ = 1 a point moves by `u` and a link turns by `h`, so that `δW = F·u + T h`.
@@ -34,7 +34,7 @@ pub enum LinkMass {
         /// Angle of the centre of mass from the line of the pins.
         #[input("δ", "deg", default = "0 deg")]
         offset: f64,
-        /// Moment of inertia about the mass centre.
+        /// Moment of inertia about the centre of mass.
         #[input("I", "kg*m^2", nonnegative, default = "0 kg*m^2")]
         inertia: f64,
     },
@@ -102,7 +102,7 @@ pub(crate) fn across<W: Worksheet>(a: W::Vec) -> W::Vec {
     W::Vec::from_components(0.0.into(), 0.0.into(), 1.0.into()).cross(a)
 }
 
-/// A point that stands still.
+/// A point that is at rest.
 pub(crate) fn fixed<W: Worksheet>() -> Moving<W> {
     let zero = plane::<W>(0.0.into(), 0.0.into());
     Moving { shift: zero, acceleration: zero }
@@ -227,7 +227,7 @@ impl<W: Worksheet> Works<W> {
         self.body(of, pin, arm, turning, mass, inertia);
     }
 
-    /// The same of a body whose mass centre is at `arm` from a point of it.
+    /// The same of a body whose centre of mass is at `arm` from a point of it.
     pub(crate) fn body(
         &mut self,
         of: Number,

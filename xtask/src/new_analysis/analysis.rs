@@ -1,4 +1,4 @@
-//! A mass on a spring that is let go: a small analysis to begin with. Make it yours.
+//! A mass on a spring that is released: a small analysis to begin with. Make it yours.
 //!
 //! This file is all there is: `register!` puts the analysis into the workbench, the command line, the reference
 //! and the tests. Its cases stand beside it in `cases/analysis_name.toml`.
@@ -22,7 +22,7 @@ pub struct AnalysisName {
     #[input("k", "N/m", positive)]
     pub stiffness: f64,
     /// Deflection at the start.
-    /// From the position of rest; the mass is let go without a push.
+    /// From the rest position; the mass is released without initial velocity.
     #[input("X", "m", positive, kind = "Amplitude")]
     pub deflection: f64,
 }
@@ -38,7 +38,7 @@ impl Analysis for AnalysisName {
         id: "family/analysis-name",
         title: "Analysis name",
         topic: "Free vibration",
-        summary: "Natural frequency, period and greatest speed of a mass on a spring that is let go.",
+        summary: "Natural frequency, period and maximum speed of a mass on a spring, released from rest.",
         keywords: "mass spring free vibration natural frequency massa mola",
         sources: &[&TEXTBOOK],
         cases: include_str!("../cases/analysis_name.toml"),
@@ -63,9 +63,9 @@ impl Analysis for AnalysisName {
             "v",
             "m/s",
             natural * given.deflection,
-            ("Greatest speed, at the position of rest", TEXTBOOK.at("§2.2")),
+            ("Maximum speed, at the rest position", TEXTBOOK.at("§2.2")),
         );
-        // A second way to the same numbers: the energy of the spring becomes that of the motion.
+        // A second method to the same numbers: the energy of the spring becomes that of the motion.
         sheet.check(
             "the energy of the motion is that of the deflected spring",
             given.mass * speed.powi(2) / 2.0,
@@ -73,7 +73,7 @@ impl Analysis for AnalysisName {
         );
         sheet.answer("natural_frequency", "Natural frequency", natural);
         sheet.answer("period", "Period", period);
-        sheet.answer("greatest_speed", "Greatest speed", speed);
+        sheet.answer("maximum_speed", "Maximum speed", speed);
         // Plots and drawings are built only when somebody looks.
         sheet.show(|| Exhibit::Plot(self.over_mass()));
         sheet.show(|| Exhibit::Drawing(sketch()));

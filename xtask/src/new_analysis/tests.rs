@@ -17,7 +17,7 @@ fn repository(of: &str) -> PathBuf {
         ("plugins/vibration/src/decay.rs", "//! Decay.\n"),
         (
             "plugins/vibration/locales/pt-BR.ftl",
-            "mass = Massa\ngreatest-speed = Maior rotação\n    .decay = Maior taxa\n",
+            "mass = Massa\nmaximum-speed = Maior rotação\n    .decay = Maior taxa\n",
         ),
         (
             "plugins/bundle/Cargo.toml",
@@ -54,7 +54,7 @@ fn a_new_analysis_is_two_files_and_two_changes_and_tidy() {
     );
     // A sentence that the family has in other words is translated for the new analysis alone.
     let speed =
-        "greatest-speed = Maior rotação\n    .mass-on-spring = Maior velocidade\n    .decay = Maior taxa\n";
+        "maximum-speed = Maior rotação\n    .mass-on-spring = Velocidade máxima\n    .decay = Maior taxa\n";
     assert!(translations.contains(speed), "{translations}");
     assert!(translations.contains("period = Período da oscilação\n"), "{translations}");
     assert!(translations.contains("mass-on-spring = Mass on spring\n"), "{translations}");

@@ -72,19 +72,19 @@ pub(super) fn soak(root: &Path) -> Result<()> {
     let program = built.join("release").join(format!("dalembert{}", std::env::consts::EXE_SUFFIX));
     ensure!(passes(&program, 0)?, "the catalogue does not pass without a mutant");
     let judged = judged(&program, mutants.len())?;
-    let told = told(&mutants, &judged, EQUIVALENT)?;
-    print!("{}", told.text);
-    ensure!(told.share >= WANTED, "at least {} % are wanted", 100.0 * WANTED);
+    let reported = reported(&mutants, &judged, EQUIVALENT)?;
+    print!("{}", reported.text);
+    ensure!(reported.share >= WANTED, "at least {} % are wanted", 100.0 * WANTED);
     ensure!(
-        told.stale.is_empty(),
+        reported.stale.is_empty(),
         "listed as equivalent, but noticed or not there: {}",
-        told.stale.join(", ")
+        reported.stale.join(", ")
     );
     Ok(())
 }
 
 /// What came of the judgement.
-struct Told {
+struct Report {
     text: String,
     /// Of the mutants that are not equivalent, those that were noticed.
     share: f64,
@@ -93,7 +93,7 @@ struct Told {
 }
 
 /// Weighs the survivors, given by their numbers from 1, against the list of equivalent mutants.
-fn told(mutants: &[Mutant], survivors: &[usize], equivalent: &str) -> Result<Told> {
+fn reported(mutants: &[Mutant], survivors: &[usize], equivalent: &str) -> Result<Report> {
     let rows = equivalent.lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
     let mut listed: Vec<([&str; 2], &str, usize)> = Vec::new();
     for row in rows {
@@ -126,7 +126,7 @@ fn told(mutants: &[Mutant], survivors: &[usize], equivalent: &str) -> Result<Tol
     )?;
     let stale = listed.iter().filter(|(.., met)| *met == 0);
     let stale = stale.map(|([file, name], ..)| format!("{file} {name}")).collect();
-    Ok(Told { text, share, stale })
+    Ok(Report { text, share, stale })
 }
 
 /// The numbers, from 1, of the mutants that the catalogue lets pass.
@@ -174,7 +174,7 @@ fn passes(program: &Path, mutant: usize) -> Result<bool> {
     Ok(false)
 }
 
-/// Copies the files that git tracks, as they stand.
+/// Copies the files that git tracks, unchanged.
 fn copy(root: &Path, to: &Path) -> Result<()> {
     let listed = crate::cargo::output(Command::new("git").current_dir(root).args(["ls-files", "-z"]))?;
     if to.exists() {
@@ -358,11 +358,11 @@ mod tests {
         let mutant = |name: &str| Mutant { name: name.to_owned(), file: "a.rs".to_owned(), line: 1 };
         let mutants = ["force", "size", "mass", "root"].map(mutant);
         let list = "# file | function | why\na.rs | size | size\n";
-        let some = told(&mutants, &[2, 3], list).unwrap();
+        let some = reported(&mutants, &[2, 3], list).unwrap();
         assert!((some.share - 2.0 / 3.0).abs() < 1e-15 && some.stale.is_empty(), "{}", some.text);
         assert!(some.text.contains("not noticed: mass  crates/mechanics/src/a.rs:1"), "{}", some.text);
-        assert_eq!(told(&mutants, &[3], list).unwrap().stale, ["a.rs size"]);
-        assert!(told(&mutants, &[], "a.rs size").is_err());
+        assert_eq!(reported(&mutants, &[3], list).unwrap().stale, ["a.rs size"]);
+        assert!(reported(&mutants, &[], "a.rs size").is_err());
     }
 
     #[test]

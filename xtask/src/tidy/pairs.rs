@@ -2,7 +2,7 @@
 
 use super::{Tree, lines};
 
-/// A test that pairs a list with a shorter one looks at what they have in common, and at nothing if one is empty.
+/// A test that pairs a list with a shorter one examines what they have in common, and at nothing if one is empty.
 pub(super) fn tests_pair_lists_of_one_length(tree: &Tree) -> Vec<String> {
     // In halves, so that this file is not among what it finds.
     let call = [".zi", "p("].concat();

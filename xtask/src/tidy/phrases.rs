@@ -8,7 +8,7 @@ use super::{Tree, ends_in, lines};
 use crate::cargo::output;
 
 /// Where the retired phrases stand, in a table under [`HEADING`].
-const GLOSSARY: &str = "docs/glossary.md";
+pub(super) const GLOSSARY: &str = "docs/glossary.md";
 /// The heading of that table: phrase, what to write instead, places, exceptions.
 const HEADING: &str = "## Words that do not come back";
 /// Documents that quote messages, or the phrases themselves.
@@ -29,7 +29,7 @@ pub(super) fn retired_phrases_do_not_come_back(tree: &Tree) -> Vec<String> {
     for (path, text) in tree.iter().filter(|(path, _)| !QUOTING.contains(path)) {
         let here: Vec<&Retired> = retired.iter().filter(|one| !one.is_excepted(path)).collect();
         for (n, line) in lines(text) {
-            let words = spaced(line);
+            let words = if ends_in(path, "rs") { spaced(&line.replace('_', " ")) } else { spaced(line) };
             for one in here.iter().filter(|one| one.stands_in(path, line, &words)) {
                 faults.push(format!("{path}:{n}: `{}` is retired: write {}", one.phrase, one.instead));
             }
@@ -45,11 +45,12 @@ pub(super) fn commits(root: &Path, glossary: &str) -> Result<Vec<String>> {
         return Ok(Vec::new());
     };
     let range = format!("{}..HEAD", since.trim().trim_end_matches('.'));
-    let Ok(log) = output(
-        std::process::Command::new("git")
-            .current_dir(root)
-            .args(["log", "--no-merges", "--format=%h%x1f%s%x1f%b%x1e", &range]),
-    ) else {
+    let Ok(log) = output(std::process::Command::new("git").current_dir(root).args([
+        "log",
+        "--no-merges",
+        "--format=%h%x1f%s%x1f%b%x1e",
+        &range,
+    ])) else {
         return Ok(Vec::new());
     };
     let retired = retired(glossary);
@@ -79,22 +80,16 @@ impl Retired<'_> {
 
     /// Whether the phrase stands in this line of a file, in one of its places.
     fn stands_in(&self, path: &str, line: &str, words: &str) -> bool {
-        let is_source = ends_in(path, "rs");
-        let place = if is_source {
-            "code"
+        let is = |place: &str| self.places.contains(place);
+        let is_quoted = || line.split('"').skip(1).step_by(2).any(|quoted| has(&spaced(quoted), self.phrase));
+        if ends_in(path, "rs") {
+            is("code") && has(words, self.phrase) || is("messages") && is_quoted()
         } else if ends_in(path, "md") {
-            "documents"
-        } else if ends_in(path, "toml") {
-            "messages"
+            is("documents") && has(words, self.phrase)
         } else {
-            return false;
-        };
-        if self.places.contains(place) {
-            return has(words, self.phrase);
+            // Lists of exercises name cases, so these keep their names.
+            ends_in(path, "toml") && is("messages") && !line.starts_with("name = ") && is_quoted()
         }
-        is_source
-            && self.places.contains("messages")
-            && line.split('"').skip(1).step_by(2).any(|quoted| has(&spaced(quoted), self.phrase))
     }
 }
 
@@ -119,12 +114,19 @@ fn section(glossary: &str) -> &str {
     below.split_once("\n## ").map_or(below, |(section, _)| section)
 }
 
-/// The words of a line in lower case between single spaces, those within names apart: ` is told of `.
+/// The words of a line in lower case between single spaces, and a stop for each punctuation mark; names and ids are one
+/// word each: ` is . given `.
 fn spaced(line: &str) -> String {
     let mut words = String::from(" ");
-    for word in line.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()) {
-        words.extend(word.chars().flat_map(char::to_lowercase));
-        words.push(' ');
+    for part in line.split_inclusive(|c: char| !c.is_alphanumeric() && !"_-".contains(c)) {
+        let word = part.trim_end_matches(|c: char| !c.is_alphanumeric() && !"_-".contains(c));
+        if !word.is_empty() {
+            words.extend(word.chars().flat_map(char::to_lowercase));
+            words.push(' ');
+        }
+        if part.len() > word.len() && !part.ends_with(char::is_whitespace) {
+            words.push_str(". ");
+        }
     }
     words
 }

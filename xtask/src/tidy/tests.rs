@@ -166,3 +166,41 @@ fn a_file_is_written_as_agreed() {
         "`cargo xtask new-analysis balancing one-plane` writes `plugins/balancing/src/one_plane.rs`.\n";
     assert_eq!(faults(&tree(&[("README.md", begun)])), [""; 0]);
 }
+
+const GLOSSARY: &str = "\
+## Words that do not come back
+
+| Phrase | Write instead | Places | Exceptions |
+|---|---|---|---|
+| `gap` | residual | code, documents | `crates/core/src/lib.rs`: a gap in a text |
+| `mass centre` | centre of mass | messages | |
+
+## More
+| `sound` | nothing | documents | |
+";
+
+#[test]
+fn retired_phrases_are_found_in_their_places() {
+    let with = |path, text| [("docs/glossary.md", GLOSSARY), (path, text)];
+    finds(
+        &with("crates/core/src/a.rs", "/// The gap of a loop.\nfn x() {}\n"),
+        "a.rs:1: `gap` is retired: write residual",
+    );
+    finds(&with("crates/core/src/a.rs", "fn largest_gap() {}\n"), "`gap` is retired");
+    finds(&with("docs/a.md", "A gap.\n"), "docs/a.md:1: `gap`");
+    finds(&with("crates/core/src/a.rs", "const A: &str = \"the mass centre\";\n"), "write centre of mass");
+    finds(
+        &with("plugins/balancing/cases/two_plane.toml", "note = \"its mass centre\"\n"),
+        "two_plane.toml:1: `mass centre`",
+    );
+    for (path, text) in [
+        ("crates/core/src/a.rs", "fn gapless() {}\n"),
+        ("crates/core/src/lib.rs", "/// A gap between digits.\nfn x() {}\n"),
+        ("crates/core/src/a.rs", "/// The mass centre.\nconst A: &str = \"mass, centre and mass-centre\";\n"),
+        ("plugins/balancing/cases/two_plane.toml", "name = \"its mass centre\"\n"),
+        ("docs/a.md", "A sound tree.\n"),
+    ] {
+        let faults = faults(&tree(&with(path, text)));
+        assert!(faults.is_empty(), "{path}: {text}{faults:#?}");
+    }
+}

@@ -30,7 +30,7 @@ pub(super) struct Candidate {
     pub(super) values: Vec<f64>,
     /// Made once, it shows in every answer.
     pub(super) shared: bool,
-    /// It is made of what the person said, so it hits by no accident.
+    /// It is made of what the user said, so it hits by no accident.
     pub(super) free: bool,
 }
 
@@ -150,7 +150,7 @@ impl Tries<'_, '_> {
         }
     }
 
-    /// What follows from the other answers that the person gave.
+    /// What follows from the other answers that the user gave.
     fn follow(&mut self, solution: &Solution) {
         let node = |one: &Wrong<'_>| match &one.answer.value {
             AnswerValue::Number(_, id) => Some(*id),

@@ -8,9 +8,9 @@ use super::{
 };
 use crate::{Entry, Record, Refusal, Solution, Stop};
 
-/// A slip is told only where so many tries would hit by accident less often than this.
+/// A slip is reported only where so many tries would hit by accident less often than this.
 const CHANCE: f64 = 0.05;
-/// At most so many slips are told of an answer.
+/// At most so many slips are reported an answer.
 const MOST: usize = 3;
 
 /// For each wrong answer the slips that give it, the likeliest first; none where no slip we know does, or where the
@@ -48,7 +48,7 @@ fn mistakes_in(at: usize, wrong: &[Wrong<'_>], candidates: &[Candidate]) -> Vec<
             continue;
         }
         if candidate.free {
-            // What the person said themselves is no number that we try.
+            // What the user said themselves is no number that we try.
             if one.nearly(value) {
                 hits.push((usize::MAX, 0, candidate));
             }

@@ -13,7 +13,7 @@ const SPREAD: f64 = 3.0;
 pub(super) struct Wrong<'s> {
     pub(super) name: &'s str,
     pub(super) answer: &'s Answer,
-    /// Ours and the person's, in SI.
+    /// Ours and the user's, in SI.
     pub(super) ours: f64,
     pub(super) theirs: f64,
     /// The unit that was typed.
@@ -38,7 +38,7 @@ impl<'s> Wrong<'s> {
         difference(self.theirs, value, self.answer.dim()) <= self.within + 1e-12 * self.theirs.abs()
     }
 
-    /// The same for a value that was computed from numbers that the person rounded.
+    /// The same for a value that was computed from numbers that the user rounded.
     pub(super) fn nearly(&self, value: f64) -> bool {
         self.is(value)
             || difference(self.theirs, value, self.answer.dim()) <= super::TOLERANCE * self.theirs.abs()

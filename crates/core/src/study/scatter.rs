@@ -61,10 +61,10 @@ pub(super) fn scatter(
     for share in solved {
         values.extend(share?);
     }
-    Ok(told(answer, &values))
+    Ok(reported(answer, &values))
 }
 
-fn told(answer: &Answer, values: &[f64]) -> Studied {
+fn reported(answer: &Answer, values: &[f64]) -> Studied {
     let mut sorted: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);
     let refused = values.len() - sorted.len();

@@ -2,7 +2,7 @@
 //!
 //! `t [ms]`, `t (ms)`, `t / ms`, `t in ms`, `t_ms`, `time ms`, and a line of units alone. A letter such as `m` or `t`
 //! is as often the symbol of a quantity as a unit: outside brackets a unit counts where its dimension is that of the
-//! column. A unit that does not is told, so that no column is read in a unit other than the one that stands above it.
+//! column. A unit that does not is reported, so that no column is read in a unit other than the one that stands above it.
 
 use std::borrow::Cow;
 

@@ -128,7 +128,7 @@ fn what_is_left_out_is_named_with_its_line() {
     file += " 1.0E-4 2.0E-4\n    -1\n";
     let (found, skipped) = functions(file.as_bytes());
     assert!(found.is_empty());
-    let told: Vec<(usize, String)> = skipped.iter().map(|it| (it.line, it.why.english())).collect();
+    let reported: Vec<(usize, String)> = skipped.iter().map(|it| (it.line, it.why.english())).collect();
     let wanted = [
         (1, "dataset 151 is not a function"),
         (5, "is between datasets"),
@@ -136,9 +136,9 @@ fn what_is_left_out_is_named_with_its_line() {
         (29, "values of type 9 are not read; types 2, 4, 5 and 6 are"),
         (35, "the function has 2 numbers; its header announces 6"),
     ];
-    assert_eq!(told.len(), wanted.len(), "{told:?}");
-    for ((line, why), (wanted_line, wanted_why)) in told.iter().zip_eq(wanted) {
-        assert_eq!((*line, why.as_str()), (wanted_line, wanted_why), "{told:?}");
+    assert_eq!(reported.len(), wanted.len(), "{reported:?}");
+    for ((line, why), (wanted_line, wanted_why)) in reported.iter().zip_eq(wanted) {
+        assert_eq!((*line, why.as_str()), (wanted_line, wanted_why), "{reported:?}");
     }
 }
 

@@ -43,11 +43,11 @@ pub(crate) fn matching(filter: &[String]) -> Vec<&'static Entry> {
         filter.iter().flat_map(|words| words.split_whitespace()).map(str::to_lowercase).collect();
     let holds = |entry: &&&'static Entry| {
         let about = entry.about;
-        let told = |locale: Locale| {
+        let reported = |locale: Locale| {
             let say = |words: &'static str| Text::from(words).render(&locale.at(about.id));
             format!("{} {}", say(about.title), say(about.summary))
         };
-        let text = [about.id, about.keywords, &told(Locale::english()), &told(Locale::portuguese())]
+        let text = [about.id, about.keywords, &reported(Locale::english()), &reported(Locale::portuguese())]
             .join(" ")
             .to_lowercase();
         words.iter().all(|word| text.contains(word.as_str()))

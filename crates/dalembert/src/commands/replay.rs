@@ -59,7 +59,7 @@ pub(crate) fn run(asked: &Replay, set: Set, console: &Console) -> Result<ExitCod
             keys: KeyMap::default(),
             ..set.settings
         },
-        // What was recorded may save and write over files: only the person's own keys do that.
+        // What was recorded may save and write over files: only the user's own keys do that.
         readonly: true,
         replay: Some((session, asked.speed)),
         ..Options::default()

@@ -53,11 +53,11 @@ mod tests {
         let root = 2f64.sqrt();
         assert!((sum_of_cranks(right) - root).abs() < 1e-15);
         assert!((crank_difference(right) - root).abs() < 1e-15);
-        let greatest = |f: &dyn Fn(f64) -> f64| {
+        let largest = |f: &dyn Fn(f64) -> f64| {
             (0..3600).map(|k| f(f64::from(k) * 0.1f64.to_radians())).fold(0.0, f64::max)
         };
-        assert!((greatest(&|angle| tractive_effort(1.0, angle, right)) - root).abs() < 1e-6);
-        assert!((greatest(&|angle| swaying_couple(1.0, 2.0, angle, right)) - root).abs() < 1e-6);
+        assert!((largest(&|angle| tractive_effort(1.0, angle, right)) - root).abs() < 1e-6);
+        assert!((largest(&|angle| swaying_couple(1.0, 2.0, angle, right)) - root).abs() < 1e-6);
     }
 
     #[test]

@@ -60,7 +60,7 @@ pub fn balance_planes(unbalances: &[PlaneUnbalance], planes: &[f64]) -> Result<V
 }
 
 /// Equivalent unbalance of a rotor in the first of two planes, one component: `U_I = Σ Uᵢ (z_II − zᵢ)/(z_II − z_I)`.
-/// ISO 21940-2: dynamic unbalance told in two arbitrary planes.
+/// ISO 21940-2: dynamic unbalance reported in two arbitrary planes.
 #[inline]
 pub fn equivalent_in_first<S: Real>(
     components_at: impl IntoIterator<Item = (S, S)>,
@@ -96,16 +96,16 @@ pub enum Kind {
 }
 
 /// The kind of the unbalance of a rotor with its centre of mass at a position along the shaft. What is below
-/// `tolerance` of the sum of all unbalances counts as zero; moments are held to the length of the rotor.
-pub fn kind(unbalances: &[PlaneUnbalance], mass_centre: f64, tolerance: f64) -> Kind {
+/// `tolerance` of the sum of all unbalances counts as zero; moments are compared with the length of the rotor.
+pub fn kind(unbalances: &[PlaneUnbalance], centre_of_mass: f64, tolerance: f64) -> Kind {
     let size = |v: [f64; 2]| v[0].hypot(v[1]);
     let sum = |weight: &dyn Fn(&PlaneUnbalance) -> f64| {
         [0, 1].map(|axis| unbalances.iter().map(|u| weight(u) * u.components[axis]).sum::<f64>())
     };
     let all: f64 = unbalances.iter().map(|u| size(u.components)).sum();
-    let length = unbalances.iter().map(|u| (u.position - mass_centre).abs()).fold(0.0, f64::max);
+    let length = unbalances.iter().map(|u| (u.position - centre_of_mass).abs()).fold(0.0, f64::max);
     let force = sum(&|_| 1.0);
-    let moment = sum(&|u| u.position - mass_centre);
+    let moment = sum(&|u| u.position - centre_of_mass);
     let without_force = size(force) <= tolerance * all;
     let without_moment = size(moment) <= tolerance * all * length;
     let cross = (force[0] * moment[1] - force[1] * moment[0]).abs();

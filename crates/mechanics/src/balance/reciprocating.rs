@@ -124,15 +124,15 @@ pub fn shaking(pistons: &[Piston], motion: PistonMotion, about: f64, angle: f64)
     (force, couple)
 }
 
-/// Greatest size over a turn of a vector that turns and pulsates: angle and size.
-pub fn greatest(vector: impl Fn(f64) -> [f64; 2]) -> (f64, f64) {
+/// Largest size over a turn of a vector that turns and pulsates: angle and size.
+pub fn largest(vector: impl Fn(f64) -> [f64; 2]) -> (f64, f64) {
     let size = |angle: f64| {
         let [x, y] = vector(angle);
         x.hypot(y)
     };
     // One place beyond the turn, so that each has two neighbours.
     let places: Vec<f64> = (0..=361).map(|k| TAU / 360.0 * f64::from(k)).collect();
-    extremes::greatest(size, &places).map_or((0.0, 0.0), |top| (top.time, top.value))
+    extremes::largest(size, &places).map_or((0.0, 0.0), |top| (top.time, top.value))
 }
 
 /// The crank angles of engines in line with pistons at `positions` and equal masses, taken from `angles` in the order

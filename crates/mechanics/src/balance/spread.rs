@@ -14,7 +14,7 @@ use nalgebra::{Complex, DMatrix};
 
 use super::{
     influence::{TrialRun, influence_coefficients, residuals},
-    min_max::min_max_within,
+    minimax::min_max_within,
 };
 use crate::Real;
 
@@ -69,7 +69,7 @@ pub struct Measurement<'a> {
 /// Ranges that hold 95 % of the samples.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ranges {
-    /// Size of the weight in each plane. It begins at zero where the given weight cannot be told from none: noise alone
+    /// Size of the weight in each plane. It begins at zero where the given weight cannot be distinguished from none: noise alone
     /// makes weights that are larger than it. The given weight always lies in it.
     pub sizes: Vec<[f64; 2]>,
     /// Its angle, rad, unwrapped about the angle of the given weights; a whole turn where the size begins at zero.

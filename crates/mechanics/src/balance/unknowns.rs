@@ -171,7 +171,9 @@ pub fn balance_unknowns(
         angles.chain(solution.iter().map(|k| (k.position - middle) / half)).collect::<Vec<f64>>()
     };
     all.sort_by(|a, b| {
-        order(a).partial_cmp(&order(b)).expect("what was found was held to its equations, so it is no NaN")
+        order(a)
+            .partial_cmp(&order(b))
+            .expect("what was found was checked against its equations, so it is no NaN")
     });
     Ok(all)
 }

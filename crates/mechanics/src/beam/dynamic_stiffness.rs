@@ -76,7 +76,7 @@ pub enum BeamError {
     NotConverged,
 }
 
-/// Where a segment is looked at.
+/// Where a segment is examined.
 const EIGHTHS: [f64; 8] = [0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875];
 
 /// The shape of a vibration, largest deflection one.

@@ -126,7 +126,7 @@ impl Tapered {
     }
 
     /// Rayleigh's quotient with the bending moments that hold the inertia forces of a shape in balance, in place of
-    /// those of its curvature (R. Grammel): it needs no derivative of the shape and is a second way to its `λ`.
+    /// those of its curvature (R. Grammel): it needs no derivative of the shape and is a second method to its `λ`.
     ///
     /// # Errors
     /// Those of the least squares for what the supports leave open.

@@ -1,4 +1,4 @@
-//! Matrices whose entries all lie near the diagonal.
+//! Banded matrices: factorisation and products of symmetric and complex ones.
 
 use nalgebra::{Complex, DMatrix};
 

@@ -116,7 +116,7 @@ impl Elimination {
         of_pivots * parity(&self.rows) * parity(&self.columns)
     }
 
-    /// A solution of `A x = b`, with zero in the free columns. Equations that depend on others are not looked at.
+    /// A solution of `A x = b`, with zero in the free columns. Equations that depend on others are not examined.
     ///
     /// # Errors
     /// `Shape` unless b has an entry for each row; `NotFinite`.

@@ -1,4 +1,4 @@
-//! `K φ = λ M φ` with full symmetric matrices.
+//! Generalised eigenvalue problem `K φ = λ M φ` with full symmetric matrices.
 
 use faer::{
     Accum, MatMut, MatRef, Par,
@@ -121,7 +121,7 @@ fn eigen(a: &DMatrix<f64>, values: &mut [f64], vectors: Option<MatMut<'_, f64>>)
     let values = DiagMut::from_slice_mut(values);
     #[expect(
         clippy::disallowed_methods,
-        reason = "finite and scaled, and held to its equation by the callers"
+        reason = "finite and scaled, and checked against its equation by the callers"
     )]
     self_adjoint_evd(view(a), values, vectors, par, MemStack::new(&mut memory), settings)
         .map_err(|_| LinalgError::NotConverged)

@@ -1,16 +1,16 @@
-//! What happens within a step: signs that change, and the first of several margins that is used up.
+//! Event location within a step: changes of sign, and the first of several margins to be used up.
 
 use std::ops::ControlFlow;
 
 use super::{Integrator, Problem};
 use crate::roots;
 
-/// The places of a step between which a change of sign is looked for, in parts of it: just before its end too, since
+/// The places of a step between which a change of sign is searched for, in parts of it: just before its end too, since
 /// where several numbers fall at once their signs are lost.
 const PLACES: [f64; 7] = [1.0 / 6.0, 2.0 / 6.0, 3.0 / 6.0, 4.0 / 6.0, 5.0 / 6.0, 0.998, 1.0];
 /// Two moments less than this part of a step apart are the same.
 pub(crate) const SAME_TIME: f64 = 1e-9;
-/// Halvings of the way from the begin to such a place in which a short rise is looked for.
+/// Halvings of the way from the begin to such a place in which a short rise is searched for.
 const RISES: i32 = 24;
 
 impl Integrator {
@@ -51,7 +51,7 @@ impl Integrator {
             let state = this.at(problem, time);
             numbers(problem, time, &state, found);
         };
-        // Of two falls close together the earlier one may lie between the places looked at: look again up to the later.
+        // Of two falls close together the earlier one may lie between the places examined: look again up to the later.
         let mut first = None;
         let mut end = self.time;
         while let Some((time, index)) = self.falls(noise, end, &mut at) {

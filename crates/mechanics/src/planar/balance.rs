@@ -1,4 +1,4 @@
-//! The efforts that move a mechanism, by virtual power and by Newton and Euler.
+//! Inverse dynamics of a mechanism: driving forces by virtual power, checked by the Newton–Euler equations.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
@@ -72,7 +72,7 @@ impl System {
         let loads = forces(state.positions.len(), &acting);
         let scaled =
             loads.iter().flat_map(|[x, y, moment]| [*x, *y, moment / self.length]).collect::<Vec<_>>();
-        let (multipliers, frictions) = self.rubbed(elimination, state, &scaled)?;
+        let (multipliers, frictions) = self.in_friction(elimination, state, &scaled)?;
         acting.extend(frictions);
         acting.sort_by_key(|(of, _)| match *of {
             LoadId::Load(load) => (0, load),
@@ -234,7 +234,7 @@ impl System {
 
     /// The multipliers under loads on the scaled positions, with the frictions that they give rise to in the joints that
     /// slide.
-    fn rubbed(
+    fn in_friction(
         &self,
         elimination: &Elimination,
         state: &State,

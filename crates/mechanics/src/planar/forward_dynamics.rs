@@ -31,7 +31,7 @@ pub struct ForwardDynamics {
     /// The Coulomb friction of each frictional joint, in the order of these loads.
     pub frictions: Vec<JointFriction>,
     /// Degrees of freedom left by joints and drivers.
-    pub freedoms: usize,
+    pub degrees_of_freedom: usize,
 }
 
 /// The Coulomb friction of a joint.
@@ -101,7 +101,12 @@ impl System {
         })?;
         let accelerations = self.unscaled(&effect.accelerations);
         let state = State { positions: positions.to_vec(), velocities: velocities.to_vec(), accelerations };
-        Ok(ForwardDynamics { state, multipliers: effect.multipliers, frictions, freedoms: motions.len() })
+        Ok(ForwardDynamics {
+            state,
+            multipliers: effect.multipliers,
+            frictions,
+            degrees_of_freedom: motions.len(),
+        })
     }
 
     /// The response to the loads with Coulomb friction, from that without.
@@ -132,8 +137,8 @@ impl System {
             sliding: response.rates[row] / self.arm(friction),
             pin: friction.pin,
         };
-        let braked = frictions.iter().enumerate().map(of_each).collect();
-        Ok((response.effect(&efforts), braked))
+        let with_friction = frictions.iter().enumerate().map(of_each).collect();
+        Ok((response.effect(&efforts), with_friction))
     }
 
     /// The velocities with which a motion starts: those of the drivers, the given ones of some measures, and of all
@@ -148,7 +153,7 @@ impl System {
         rates: &[(Measure, f64)],
     ) -> Result<Vec<[f64; 3]>, PlanarError> {
         let mut machine = Machine::new(self, positions, 1.0, &|| false);
-        let (driven, motions) = machine.freedoms();
+        let (driven, motions) = machine.degrees_of_freedom();
         let masses = self.scaled_masses();
         let at_rest = |motion: &[f64]| State {
             positions: positions.to_vec(),

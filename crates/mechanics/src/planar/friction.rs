@@ -1,8 +1,8 @@
 //! Coulomb friction in joints: which slide, which stick, and the friction force of each.
 //!
-//! A joint that slides is braked by `μ N`, a pin by the couple `μ r N`, where N is the force that the joint carries and
+//! A joint that slides is with friction by `μ N`, a pin by the couple `μ r N`, where N is the force that the joint carries and
 //! on which the friction itself has a part. A joint at rest is held by whatever friction that takes, as long as none of
-//! the motions that it could begin would go on: each of these, one freedom at a time, is tried with the friction that it
+//! the motions that it could begin would go on: each of these, one degree of freedom at a time, is tried with the friction that it
 //! would meet. F. Pfeiffer, C. Glocker, *Multibody Dynamics with Unilateral Contacts* (1996), ch. 6.
 //!
 //! Lengths here are in m and efforts in N throughout: an angle counts times the size of the mechanism, as in its scaled
@@ -113,7 +113,7 @@ pub(super) struct Effect {
     pub(super) multipliers: Vec<f64>,
 }
 
-/// A mechanism in a position, moving, before its joints are braked.
+/// A mechanism in a position, moving, before its joints are with friction.
 pub(super) struct Frictionless<'a> {
     pub(super) system: &'a System,
     /// Of the bodies and the ground.

@@ -130,7 +130,7 @@ impl<'a> Machine<'a> {
     }
 
     /// The scaled velocities at the start that the drivers give when the free columns rest, and those that are free.
-    pub(super) fn freedoms(&mut self) -> (Vec<f64>, Vec<Vec<f64>>) {
+    pub(super) fn degrees_of_freedom(&mut self) -> (Vec<f64>, Vec<Vec<f64>>) {
         self.drive(0.0);
         self.eliminate();
         self.velocities(0.0, &vec![0.0; self.motions.len()]);

@@ -1,4 +1,4 @@
-//! What can be measured on a mechanism: lengths and angles, how they change with the positions, and how fast.
+//! Relative coordinates of a mechanism: lengths and angles, their gradients and their quadratic velocity terms.
 //!
 //! A joint holds measures, a driver moves one, a spring stretches one, and an effort works along one. For a measure
 //! `m(q)` of the positions q, the effort conjugate to it does the power `Q ṁ` (virtual power), and acts on the

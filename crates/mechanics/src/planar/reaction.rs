@@ -1,4 +1,4 @@
-//! The forces that joints exert on the parts they join, and what of them the ground takes.
+//! Joint reactions from the Lagrange multipliers, and what of them the ground takes.
 
 use super::{
     Frame, Load, State, System,

@@ -1,7 +1,7 @@
 //! The motion of a mechanism under its loads, from a start to an end.
 //!
 //! Of the positions those are integrated that no equation gives explicitly, of the velocities as many as there are
-//! freedoms; after each step the positions are brought back onto the joints, so that these never drift apart
+//! degrees of freedom; after each step the positions are brought back onto the joints, so that these never drift apart
 //! (E. J. Haug, *Computer-Aided Kinematics and Dynamics of Mechanical Systems* (1989), §7.3; E. Hairer, G. Wanner,
 //! *Solving Ordinary Differential Equations II*, §VII.2).
 

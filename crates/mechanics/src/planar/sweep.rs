@@ -8,7 +8,7 @@
 mod past;
 mod station;
 
-use self::station::{CLOSED, PASSED, Station, Way};
+use self::station::{CLOSED, PASSED, Path, Station};
 use super::{
     Load, PlanarError, State, System,
     plan::{self, Layout, Order, Work},
@@ -211,7 +211,7 @@ impl Plan {
         swept: &mut SweepResult,
     ) -> usize {
         let Self { layout, loops, masses, start, one, many } = self;
-        let way = Way { system, layout, loops, masses, row: system.first_driver() + driver, driver };
+        let way = Path { system, layout, loops, masses, row: system.first_driver() + driver, driver };
         if !one.begin(&way, from, |number, _| start[number]) {
             return 0;
         }

@@ -1,4 +1,4 @@
-//! A mechanism made ready to be computed with: its equations, their Jacobian, and its assembly.
+//! A compiled mechanism: constraint residuals `Φ(q, t)`, constraint Jacobian `Φ_q`, and the assembly.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
@@ -586,6 +586,6 @@ fn size(mechanism: &Mechanism, equations: &[Equation], drawn: &[[f64; 3]]) -> f6
     });
     let largest = in_equations.chain(in_loads).fold(0.0, f64::max);
     let in_drawing = drawn.iter().map(|[x, y, _]| x.hypot(*y)).fold(0.0, f64::max);
-    // Arms below a picometre are what rounding leaves of a pin at the mass centre.
+    // Arms below a picometre are what rounding leaves of a pin at the centre of mass.
     [largest, in_drawing].into_iter().find(|&length| length > 1e-12).unwrap_or(1.0)
 }

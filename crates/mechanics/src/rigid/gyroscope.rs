@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::{Real, Vector};
 
-/// Angular momentum of a symmetric rotor about its mass centre, `H = I_t Ω + (I_a ω + (I_a − I_t) (u · Ω)) u`, with
+/// Angular momentum of a symmetric rotor about its centre of mass, `H = I_t Ω + (I_a ω + (I_a − I_t) (u · Ω)) u`, with
 /// the unit vector `u` along the axle.
 ///
 /// Beer & Johnston, *Dynamics*, §18.3.
@@ -79,7 +79,7 @@ pub fn blades_couple_spin<S: Real>(difference: S, precession: S, angle: S) -> S 
     -(difference * precession.powi(2) * (angle * 2.0).sin() / 2.0)
 }
 
-/// Inertia tensor of a symmetric rotor about its mass centre, `I_t 1 + (I_a − I_t) u uᵀ`, with a unit vector `u`.
+/// Inertia tensor of a symmetric rotor about its centre of mass, `I_t 1 + (I_a − I_t) u uᵀ`, with a unit vector `u`.
 pub fn symmetric_tensor(axial: f64, transverse: f64, axle: Vector3<f64>) -> Matrix3<f64> {
     Matrix3::identity() * transverse + axle * axle.transpose() * (axial - transverse)
 }

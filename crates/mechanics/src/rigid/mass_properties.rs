@@ -1,6 +1,6 @@
-//! Mass, mass centre and inertia tensor of a body: what dynamics asks of it, and all that it asks.
+//! Mass, centre of mass and inertia tensor of a body: what dynamics asks of it, and all that it asks.
 //!
-//! The tensor is taken about the mass centre G, in the axes of the frame in which the body is described. Its
+//! The tensor is taken about the centre of mass G, in the axes of the frame in which the body is described. Its
 //! diagonal holds the moments of inertia `I_x = ∫ (y² + z²) dm`, the rest the products of inertia with a minus
 //! sign, `−I_xy` with `I_xy = ∫ xy dm`, so that `H_G = I ω` (Beer & Johnston, *Dynamics*, §18.1A; Riul, eq. 32).
 
@@ -15,14 +15,14 @@ const EQUAL: f64 = 1e-9;
 /// meets the triangle inequality exactly, a slender rod has no moment about itself.
 const MISSED: f64 = 1e-9;
 
-/// Mass (kg), mass centre (m) and inertia tensor about the mass centre (kg·m²) of a body, in one frame.
+/// Mass (kg), centre of mass (m) and inertia tensor about the centre of mass (kg·m²) of a body, in one frame.
 ///
 /// Also of a part that is taken away (a hole): then mass and tensor are negative.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassProperties {
     /// Mass, kg.
     pub mass: f64,
-    /// Position of the mass centre G, m.
+    /// Position of the centre of mass G, m.
     pub centre: Vector3<f64>,
     /// Inertia tensor about G in the axes of the frame, kg·m²: moments of inertia on the diagonal, products of
     /// inertia with a minus sign off it.
@@ -130,7 +130,7 @@ impl MassProperties {
     }
 
     /// The whole of several parts: `m = Σ mᵢ`, `m r_G = Σ mᵢ rᵢ`, `I_G = Σ (Iᵢ + mᵢ (dᵢ² 1 − dᵢ dᵢᵀ))`, `dᵢ` from
-    /// G to the mass centre of the part. Parts with negative mass are holes.
+    /// G to the centre of mass of the part. Parts with negative mass are holes.
     ///
     /// # Errors
     /// [`BodyError::Mass`] when nothing is left, [`BodyError::NotFinite`].

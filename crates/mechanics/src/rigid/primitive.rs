@@ -1,6 +1,6 @@
-//! Homogeneous bodies of simple shape: length, area or volume, mass centre, moments and products of inertia.
+//! Homogeneous bodies of simple shape: length, area or volume, centre of mass, moments and products of inertia.
 //!
-//! Each shape has axes of its own, told with it; its moments of inertia are taken about its mass centre G in these
+//! Each shape has axes of its own, reported with it; its moments of inertia are taken about its centre of mass G in these
 //! axes. The formulas stand in the tables of every book of dynamics (Beer & Johnston, *Dynamics*, inside back
 //! cover; Meriam & Kraige, *Dynamics*, table D/4); `m` is the mass of the shape, filled evenly along its length,
 //! over its area or through its volume.
@@ -58,9 +58,9 @@ pub enum Primitive<S> {
     },
     /// A thin elliptical plate in the xy plane.
     EllipticalPlate {
-        /// Half axis along x.
+        /// Semi-axis along x.
         a: S,
-        /// Half axis along y.
+        /// Semi-axis along y.
         b: S,
     },
     /// A thin rectangular plate in the xy plane, its centre at the origin.
@@ -159,11 +159,11 @@ pub enum Primitive<S> {
     },
     /// An ellipsoid about the origin.
     Ellipsoid {
-        /// Half axis along x.
+        /// Semi-axis along x.
         a: S,
-        /// Half axis along y.
+        /// Semi-axis along y.
         b: S,
-        /// Half axis along z.
+        /// Semi-axis along z.
         c: S,
     },
     /// A solid ring of round section about the z axis.
@@ -204,7 +204,7 @@ pub enum Extent<S> {
     Volume(S),
 }
 
-/// Moments and products of inertia about the mass centre, in the axes of the shape, kg·m².
+/// Moments and products of inertia about the centre of mass, in the axes of the shape, kg·m².
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OwnInertia<S> {
     /// `(I_x, I_y, I_z)`.
@@ -218,7 +218,7 @@ pub struct OwnInertia<S> {
 pub enum Anchor {
     /// The origin of its own axes.
     Origin,
-    /// Its mass centre.
+    /// Its centre of mass.
     MassCentre,
     /// Where its own axis enters it; the first end of an arc.
     NearEnd,
@@ -310,7 +310,7 @@ impl<S: Real> Primitive<S> {
         }
     }
 
-    /// Coordinates of the mass centre in the axes of the shape, m; `None` where it is their origin.
+    /// Coordinates of the centre of mass in the axes of the shape, m; `None` where it is their origin.
     pub fn centre<V: Vector<Scalar = S>>(self) -> Option<V> {
         let zero = S::from(0.0);
         let along_z = |z: S| V::from_components(zero, zero, z);
@@ -338,7 +338,7 @@ impl<S: Real> Primitive<S> {
         })
     }
 
-    /// Moments and products of inertia about the mass centre, in the axes of the shape, for its mass `m`.
+    /// Moments and products of inertia about the centre of mass, in the axes of the shape, for its mass `m`.
     pub fn inertia(self, mass: S) -> OwnInertia<S> {
         let m = mass;
         let zero = S::from(0.0);
@@ -466,7 +466,7 @@ impl<S: Real> Primitive<S> {
         }
     }
 
-    /// From a named point of the shape to its mass centre, in the axes of the shape, m; `None` where the shape has no
+    /// From a named point of the shape to its centre of mass, in the axes of the shape, m; `None` where the shape has no
     /// such point.
     pub fn to_centre<V: Vector<Scalar = S>>(self, anchor: Anchor) -> Option<V> {
         let zero = S::from(0.0);

@@ -1,4 +1,4 @@
-//! The motion of a rigid body that turns about its mass centre or about a fixed point, from a start.
+//! The motion of a rigid body that turns about its centre of mass or about a fixed point, from a start.
 //!
 //! Axes fixed in the body are turned into those in space by the attitude. Euler's equations are followed in principal
 //! axes; for a body with two equal moments in axes that do not take part in its spin, so that the step is as long
@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, Matrix3, UnitQuaternion, Vector3};
 pub use self::free::FreeRotation;
 use self::machine::Machine;
 use crate::{
-    extremes::{Extremes, Look},
+    extremes::{Extremes, Sampling},
     linalg::symmetric_eigen,
     ode::{self, Integrator, OdeError},
 };
@@ -37,14 +37,14 @@ pub enum SimulateError {
     Motion(#[from] OdeError),
 }
 
-/// A body about the point that it turns about: its mass centre, or a fixed point.
+/// A body about the point that it turns about: its centre of mass, or a fixed point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
     /// Mass, kg.
     pub mass: f64,
     /// Inertia tensor about the point in axes fixed in the body, products with a minus sign off the diagonal, kg·m².
     pub inertia: Matrix3<f64>,
-    /// From the point to the mass centre in the same axes, m.
+    /// From the point to the centre of mass in the same axes, m.
     pub arm: Vector3<f64>,
 }
 
@@ -157,11 +157,11 @@ pub struct Watched {
 
 impl Watched {
     /// The angle, which turns where the cosine does, but has a corner where the directions coincide.
-    fn look(&self, sample: &Sample) -> Look {
+    fn look(&self, sample: &Sample) -> Sampling {
         let of = sample.turning.attitude * self.of;
         let value = of.cross(&self.against).norm().atan2(of.dot(&self.against));
         let rate = -sample.omega.cross(&of).dot(&self.against);
-        Look { value, smooth: -of.dot(&self.against), rate }
+        Sampling { value, smooth: -of.dot(&self.against), rate }
     }
 }
 
@@ -299,7 +299,7 @@ pub fn simulate_watching(
     run: &Run,
     watched: Option<Watched>,
 ) -> Result<Motion, SimulateError> {
-    /// Looks at each step, which is a small part of a turn.
+    /// Examines each step, which is a small part of a turn.
     const LOOKS: u32 = 4;
     let finite = loads.finite()
         && body.mass.is_finite()
@@ -360,7 +360,7 @@ pub fn simulate_watching(
 }
 
 /// A look at what is no number.
-const NO_LOOK: Look = Look { value: f64::NAN, smooth: f64::NAN, rate: f64::NAN };
+const NO_LOOK: Sampling = Sampling { value: f64::NAN, smooth: f64::NAN, rate: f64::NAN };
 
 /// Follows a free motion in steps of about a part of a radian that keep energy and angular momentum.
 ///

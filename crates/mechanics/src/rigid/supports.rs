@@ -182,7 +182,7 @@ impl Supports {
     }
 
     /// How many motions the supports leave free; loads that work in none of them are balanced all the same.
-    pub fn freedoms(&self) -> usize {
+    pub fn degrees_of_freedom(&self) -> usize {
         self.free.len()
     }
 

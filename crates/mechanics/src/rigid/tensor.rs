@@ -1,4 +1,4 @@
-//! Inertia tensors about the mass centre in axes of any direction, and rates of change by differences: a second
+//! Inertia tensors about the centre of mass in axes of any direction, and rates of change by differences: a second
 //! way to what the closed formulas say.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};

@@ -1,4 +1,4 @@
-//! A body on which no moment acts: its angular momentum stays, and it turns about its mass centre for ever.
+//! A body on which no moment acts: its angular momentum stays, and it turns about its centre of mass for ever.
 //!
 //! For a body of revolution everything follows from the ratio `r = I_a/I_t` of its moments of inertia, axial over
 //! transverse, and the angular velocities `ω_a` along the axis and `ω_t` across it: axis and angular velocity keep their

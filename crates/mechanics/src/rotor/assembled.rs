@@ -38,7 +38,7 @@ pub struct Assembled {
     pub(super) tension: Option<Plane>,
     /// What holds the shaft.
     pub supports: Vec<Support>,
-    /// Freedoms of a plane that do not move.
+    /// Degrees of freedom of a plane that do not move.
     pub fixed: Vec<usize>,
     /// Nodes that carry a disc.
     pub(super) discs: Vec<usize>,
@@ -146,7 +146,7 @@ impl Assembled {
         })
     }
 
-    /// The forces of bent elements on the freedoms of a plane, each element with a factor of its own.
+    /// The forces of bent elements on the degrees of freedom of a plane, each element with a factor of its own.
     pub(super) fn bent<T>(&self, x: &[T], zero: T, factor: impl Fn(&Bending, T) -> T) -> Vec<T>
     where
         T: Copy + AddAssign + SubAssign + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>,
@@ -171,7 +171,7 @@ impl Assembled {
         force
     }
 
-    /// The stiffness of the shaft, its tension included, times a shape that leaves fixed freedoms at rest.
+    /// The stiffness of the shaft, its tension included, times a shape that leaves fixed degrees of freedom at rest.
     pub(super) fn shaft_times(&self, x: &DVector<f64>) -> DVector<f64> {
         let mut force = self.bent(x.as_slice(), 0.0, |element, force| element.direct * force);
         if let Some(tension) = &self.tension {

@@ -1,7 +1,7 @@
 //! A few shapes of one plane that hold the lowest modes of a rotor at any speed.
 //!
 //! The first shapes are the answers of the shaft on its mean bearings to the loads that rotation and the bearings can
-//! put on it; the Ritz modes in their space are the coordinates. How much a mode is still off is told by its residual
+//! put on it; the Ritz modes in their space are the coordinates. How much a mode is still off is reported by its residual
 //! in the full equations, and where that is too much the shapes that would take the residual away are added: some
 //! rounds of them make ten digits. With all shapes the space is the full model. Since the modes of many speeds share
 //! their shapes, the fewest shapes that hold them all are taken in the end: an eigenproblem costs their number cubed.

@@ -1,4 +1,4 @@
-//! Natural frequencies against speed, each mode followed by its shape.
+//! Campbell diagram: natural frequencies against speed, modes paired by the modal assurance criterion.
 
 use super::{
     RotorError,
@@ -19,7 +19,7 @@ pub struct Campbell {
 /// Follows the modes over ascending speeds.
 ///
 /// A mode is known again by its shape (modal assurance criterion), from the highest speed down, since at rest the
-/// shapes of a symmetric rotor are arbitrary. Where two shapes are too unlike, speeds between are looked at.
+/// shapes of a symmetric rotor are arbitrary. Where two shapes are too unlike, speeds between are examined.
 ///
 /// # Errors
 /// `Linalg`.

@@ -1,6 +1,6 @@
-//! Speeds at which a multiple of the speed meets a natural frequency, and the speeds between which a rotor is unstable.
+//! Critical speeds of a rotor on its supports, and the speeds between which it is unstable.
 //!
-//! A zero is looked for only between two speeds at which the function differs in sign, on the reduced model first and
+//! A zero is searched for only between two speeds at which the function differs in sign, on the reduced model first and
 //! then, in a narrow range around that zero, on all equations. What cannot be refined is named and costs nothing else.
 
 use nalgebra::{Complex, DMatrix, DVector};
@@ -47,11 +47,11 @@ pub struct Instability {
     pub bands: Vec<Band>,
     /// Speeds near which an end of a band could not be refined on all equations.
     pub lost: Vec<f64>,
-    /// The number of speeds that were looked at.
+    /// The number of speeds that were examined.
     pub examined: usize,
 }
 
-/// A mode that grows by less than this share of its eigenvalue in a reduced model neither grows nor dies away: several
+/// A mode that grows by less than this share of its eigenvalue in a reduced model neither grows nor decays: several
 /// times what the eigenvalues of a full matrix lose.
 pub const NEUTRAL: f64 = 1e-9;
 
@@ -222,13 +222,13 @@ pub fn crossings(reduced: &Reduced<'_>, campbell: &Campbell, slope: f64) -> Resu
     Ok(all.sorted())
 }
 
-/// The speeds between which a mode grows. Between the speeds of a diagram others are looked at wherever the growth bends
+/// The speeds between which a mode grows. Between the speeds of a diagram others are examined wherever the growth bends
 /// so much that it could pass zero there and come back.
 ///
 /// # Errors
 /// `Linalg`, `Stopped`.
 pub fn instability(reduced: &Reduced<'_>, campbell: &Campbell) -> Result<Instability, RotorError> {
-    // Where the last of the lowest modes is one of a pair, either may be the one that is looked at, and what grows would
+    // Where the last of the lowest modes is one of a pair, either may be the one that is examined, and what grows would
     // come and go: then more of them are.
     for more in 0..MOST_MORE {
         let (found, settled) = bands(reduced, &campbell.speeds, reduced.count + more)?;
@@ -239,7 +239,7 @@ pub fn instability(reduced: &Reduced<'_>, campbell: &Campbell) -> Result<Instabi
     Ok(bands(reduced, &campbell.speeds, reduced.count + MOST_MORE)?.0)
 }
 
-/// So many modes more are looked at for stability at most.
+/// So many modes more are examined for stability at most.
 const MOST_MORE: usize = 4;
 
 /// The bands of the lowest modes, and whether every change of sign was a zero.
@@ -297,10 +297,10 @@ fn bands(reduced: &Reduced<'_>, speeds: &[f64], count: usize) -> Result<(Instabi
 /// A step between two speeds of a diagram is divided so many times at most.
 const BISECTIONS: u8 = 6;
 
-/// So many speeds are looked at for stability at most.
+/// So many speeds are examined for stability at most.
 const MOST_EXAMINED: usize = 250;
 
-/// The mode that grows most, or dies away least, over the size of its eigenvalue.
+/// The mode that grows most, or decays least, over the size of its eigenvalue.
 fn most_unstable(spectrum: &Spectrum) -> Option<&Mode> {
     spectrum.modes.iter().max_by(|a, b| growth(Some(a)).total_cmp(&growth(Some(b))))
 }

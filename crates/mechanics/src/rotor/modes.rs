@@ -114,7 +114,7 @@ impl<'a> Reduced<'a> {
     }
 
     /// The same, exact to within a share of the squares of the natural frequencies. Whatever is found of this model is
-    /// given up once `cancelled` says so.
+    /// given up once `cancelled` reports it.
     ///
     /// # Errors
     /// Those of [`Self::new`]; `Stopped`.

@@ -1,4 +1,4 @@
-//! The matrices of a chain of nodes in one plane: symmetric, two freedoms a node, coupled only to neighbours.
+//! The matrices of a chain of nodes in one plane: symmetric, two degrees of freedom a node, coupled only to neighbours.
 
 use std::ops::{AddAssign, Mul};
 
@@ -121,7 +121,7 @@ impl Plane {
 }
 
 impl Factors {
-    /// The number of freedoms.
+    /// The number of degrees of freedom.
     pub(super) fn size(&self) -> usize {
         2 * self.pivots.len()
     }

@@ -116,7 +116,7 @@ fn elastic_energy(rotor: &Assembled, amplitude: &[Node]) -> f64 {
     energy
 }
 
-/// The forces of unbalances, those on freedoms that do not move left out.
+/// The forces of unbalances, those on degrees of freedom that do not move left out.
 fn forces(rotor: &Assembled, unbalances: &[Unbalance], speed: f64) -> Result<Vec<Node>, RotorError> {
     let zero = Complex::new(0.0, 0.0);
     let mut force: Vec<Node> = vec![[zero; 4]; rotor.nodes()];

@@ -8,7 +8,7 @@ use super::{Assembled, Coefficients, Plane, assembled::Bending};
 use crate::linalg::ComplexBand;
 
 type C = Complex<f64>;
-/// The freedoms of a node: deflection and slope in one plane, then in the other.
+/// The degrees of freedom of a node: deflection and slope in one plane, then in the other.
 pub(super) type Node = [C; 4];
 type Block = [[C; 4]; 4];
 
@@ -70,7 +70,7 @@ impl<'a> Stiffness<'a> {
         Self { transposed: !self.transposed, ..self }
     }
 
-    /// Times a motion in which fixed freedoms are at rest. The shaft acts through its deformations, so that a soft motion
+    /// Times a motion in which fixed degrees of freedom are at rest. The shaft acts through its deformations, so that a soft motion
     /// of a fine mesh keeps its digits.
     pub(super) fn times(&self, x: &[Node]) -> Vec<Node> {
         let Self { rotor, powers, speed, .. } = *self;
@@ -182,7 +182,7 @@ impl<'a> Stiffness<'a> {
         Blocks { diagonal, above, below }
     }
 
-    /// The largest term of each row of a product, for one freedom of the nodes.
+    /// The largest term of each row of a product, for one degree of freedom of the nodes.
     pub(super) fn row_sizes(&self, x: &[Node], freedom: usize) -> Vec<f64> {
         let largest = |block: &Block, x: &Node| {
             block[freedom].iter().zip(x).map(|(a, x)| (a * x).norm()).fold(0.0, f64::max)

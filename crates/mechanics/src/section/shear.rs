@@ -1,4 +1,4 @@
-//! Shear coefficients `κ` of Timoshenko's beam: the shear force is `κ G A` times the mean shear angle.
+//! Shear coefficients `κ` of the Timoshenko beam: the shear force is `κ G A` times the mean shear angle.
 //!
 //! G. R. Cowper, "The shear coefficient in Timoshenko's beam theory", *J. Appl. Mech.* 33 (1966), pp. 335–340;
 //! `ν` is Poisson's ratio.

@@ -9,13 +9,13 @@ pub struct Cycle {
     pub mean: f64,
     /// Root mean square, N·m.
     pub rms: f64,
-    /// Crank angle, rad, and size of the greatest moment.
-    pub greatest: (f64, f64),
+    /// Crank angle, rad, and size of the largest moment.
+    pub largest: (f64, f64),
     /// Crank angle, rad, and size of the least moment.
     pub least: (f64, f64),
     /// Work above the mean moment from the start of the cycle, at every angle at which the moment crosses its mean.
     pub crossings: Vec<(f64, f64)>,
-    /// Fluctuation of energy: the greatest less the least work above the mean moment, J.
+    /// Fluctuation of energy: the largest less the least work above the mean moment, J.
     pub fluctuation: f64,
 }
 
@@ -38,7 +38,7 @@ impl Cycle {
         Self {
             mean,
             rms: (squares / period).sqrt(),
-            greatest: extreme(&moment, &knots, &at, 1.0),
+            largest: extreme(&moment, &knots, &at, 1.0),
             least: extreme(&moment, &knots, &at, -1.0),
             crossings,
             fluctuation,
@@ -93,7 +93,7 @@ fn crossings(
     (found, range)
 }
 
-/// The greatest (`sign` 1) or least (`sign` −1) moment: of the knots, and of the places near those that may belong to the
+/// The largest (`sign` 1) or least (`sign` −1) moment: of the knots, and of the places near those that may belong to the
 /// highest top where the slope is zero.
 fn extreme(moment: &impl Fn(f64) -> f64, knots: &[f64], at: &[f64], sign: f64) -> (f64, f64) {
     let size = at.iter().fold(0.0f64, |size, value| size.max(value.abs()));

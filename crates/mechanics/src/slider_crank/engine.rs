@@ -34,7 +34,7 @@ pub struct Engine {
     pub offset: f64,
     /// Motion of the piston.
     pub model: Model,
-    /// Mass that goes to and fro with the piston, kg.
+    /// Mass that goes back and forth with the piston, kg.
     pub reciprocating: f64,
     /// Mass of the rod, kg.
     pub rod_mass: f64,

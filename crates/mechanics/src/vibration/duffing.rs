@@ -257,7 +257,7 @@ impl TwoHarmonics {
     pub fn amplitude(&self) -> f64 {
         const PLACES: u32 = 72;
         let places: Vec<f64> = (0..=PLACES + 1).map(|n| TAU * f64::from(n) / f64::from(PLACES)).collect();
-        extremes::greatest(|phase| self.displacement(phase), &places).map_or(0.0, |top| top.value)
+        extremes::largest(|phase| self.displacement(phase), &places).map_or(0.0, |top| top.value)
     }
 
     /// Amplitudes of the first and of the third harmonic, m.

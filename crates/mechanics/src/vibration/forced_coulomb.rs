@@ -12,7 +12,7 @@ use std::{
 
 use crate::{Real, roots};
 
-/// What is shaken.
+/// What is excited.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CoulombOscillator {
     /// Frequency ratio `r = ω/ω_n`; positive.

@@ -133,7 +133,7 @@ impl FrictionDecay {
     }
 
     /// Displacement and velocity by marching: Taylor series of the equation of motion in small steps, with the time
-    /// of each turning sought within its step. A second way, which knows nothing of strokes. `None` where it would
+    /// of each turning sought within its step. A second method, which knows nothing of strokes. `None` where it would
     /// take more than 20 000 steps.
     pub fn step_by_step(&self, time: f64) -> Option<[f64; 2]> {
         let (w, z) = (self.motion.natural_frequency, self.motion.damping_ratio);

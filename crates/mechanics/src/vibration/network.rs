@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn the_shaken_bridge_meets_its_dynamic_stiffness() {
+    fn the_excited_bridge_meets_its_dynamic_stiffness() {
         let (network, frequency) = (bridge(), 1.7);
         let x = network.harmonic_response(&[1.0, 0.0, 0.0], frequency).unwrap()[0];
         let felt =

@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn the_body_stands_still_at_the_tuned_frequency() {
+    fn the_body_is_at_rest_at_the_tuned_frequency() {
         let [body, swing] = rotor(4.5e4).steady(12.0, 300.0);
         assert!(body.abs() < 1e-12);
         // The centrifugal force at the arm of the shaft balances the torque.

@@ -123,7 +123,7 @@ impl Steady {
         if closing.determinant().abs() < 1e-9 {
             return None;
         }
-        // Two equations, by Cramer: the determinant was looked at.
+        // Two equations, by Cramer: the determinant was examined.
         let [a, c, b, d] = [closing.m11, closing.m21, closing.m12, closing.m22];
         let mut state = Vector2::new(d * driven[0] - b * driven[1], a * driven[1] - c * driven[0])
             / closing.determinant();

@@ -25,7 +25,7 @@ pub struct Poles {
 
 impl Poles {
     /// The poles of a system with these modes and this modal damping matrix `Φᵀ C Φ`; `duration` is the time that
-    /// the roots of a rigid body mode are told apart by.
+    /// the roots of a rigid body mode are distinguished by.
     ///
     /// Modes that no damping couples are taken by themselves.
     ///

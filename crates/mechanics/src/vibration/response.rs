@@ -6,7 +6,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::poles::{Poles, advance, advance_harmonic};
 use crate::{
-    extremes::{Extreme, Extremes, Look},
+    extremes::{Extreme, Extremes, Sampling},
     linalg::{self, LinalgError},
 };
 
@@ -113,7 +113,7 @@ impl<'a> Motion<'a> {
 
 impl Motion<'_> {
     /// The displacement of a mass that is farthest from zero from time zero to another one, to 1e-9; none where it takes
-    /// more than so many looks at the motion, or is cancelled.
+    /// more than so many examines the motion, or is cancelled.
     ///
     /// A stretch is cut in halves until the cubic through its ends, with its error `h⁴/384 max |x⁗|`, cannot come so far
     /// out, or is as exact as that.
@@ -132,7 +132,7 @@ impl Motion<'_> {
         let mut number = |time: f64| {
             looks += 1;
             let state = self.state(time);
-            let look = Look::of(self.poles.displacement(row, &state), self.poles.velocity(row, &state));
+            let look = Sampling::of(self.poles.displacement(row, &state), self.poles.velocity(row, &state));
             (look, looks)
         };
         let fastest = self.harmonics.iter().map(|(_, frequency)| *frequency);
@@ -141,11 +141,12 @@ impl Motion<'_> {
         places.extend(self.breaks.iter().map(|(time, _)| *time).filter(|time| *time < until));
         places.sort_by(f64::total_cmp);
         places.dedup();
-        let seen: Vec<(f64, Look)> = places.iter().map(|time| (*time, number(*time).0)).collect();
+        let seen: Vec<(f64, Sampling)> = places.iter().map(|time| (*time, number(*time).0)).collect();
         let (_, first) = seen.first()?;
         let mut found = Extremes::at(0.0, first.value);
         let mut floor = seen.iter().fold(0.0f64, |most, (_, look)| most.max(look.value.abs()));
-        let mut open: Vec<[(f64, Look); 2]> = seen.windows(2).rev().map(|pair| [pair[0], pair[1]]).collect();
+        let mut open: Vec<[(f64, Sampling); 2]> =
+            seen.windows(2).rev().map(|pair| [pair[0], pair[1]]).collect();
         let mut bends = (usize::MAX, Bends::default());
         while let Some([(from, a), (to, b)]) = open.pop() {
             let step = to - from;
@@ -205,7 +206,7 @@ impl Motion<'_> {
     }
 }
 
-/// Bounds of the parts of a fourth derivative after a break: what stays, and what dies away, with its rate.
+/// Bounds of the parts of a fourth derivative after a break: what stays, and what decays, with its rate.
 #[derive(Debug, Clone, Default)]
 struct Bends {
     steady: f64,
@@ -227,7 +228,7 @@ fn later(poles: &Poles, state: &[Complex<f64>], law: &[[Complex<f64>; 2]], time:
     all.map(|((root, z), [constant, slope])| advance(*root, *z, *constant, *slope, time)).collect()
 }
 
-/// The displacements at a time by the Taylor series of the equations of motion, step after step: a second way,
+/// The displacements at a time by the Taylor series of the equations of motion, step after step: a second method,
 /// without modes.
 ///
 /// # Errors

@@ -12,14 +12,14 @@ pub fn reduced_length<S: Real>(gravity: S, period: S) -> S {
     gravity * period.powi(2) / (4.0 * PI * PI)
 }
 
-/// Distance of the mass centre from the first of two points of suspension on one line through it:
+/// Distance of the centre of mass from the first of two points of suspension on one line through it:
 /// `h₁ = L (L − λ₂)/(2 L − λ₁ − λ₂)` for points on both sides at the distance `L`, m.
 #[inline]
 pub fn centre_between<S: Real>(distance: S, first: S, second: S) -> S {
     distance * (distance - second) / (distance * 2.0 - first - second)
 }
 
-/// The same for two points on one side of the mass centre, the second one nearer to it:
+/// The same for two points on one side of the centre of mass, the second one nearer to it:
 /// `h₁ = L (L + λ₂)/(2 L − λ₁ + λ₂)`, m.
 #[inline]
 pub fn centre_beyond<S: Real>(distance: S, first: S, second: S) -> S {

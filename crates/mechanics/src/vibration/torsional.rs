@@ -1,4 +1,4 @@
-//! Torsional trains: discs on shafts, some of them against a wall, joined without a loop.
+//! Torsional vibration of a train by Holzer's method: discs on shafts, some of them fixed, without closed loops.
 //!
 //! Moments of inertia in kg·m², stiffnesses in N·m/rad, all reduced to one speed. A tree has a factorisation of
 //! `K − ω²J` without fill and without a difference of stiffnesses, so low frequencies of stiff trains keep their
@@ -67,7 +67,7 @@ pub struct Train {
     /// Every disc after the one it hangs on.
     order: Vec<usize>,
     /// From the first end to the farthest one.
-    trunk: Vec<usize>,
+    main_shaft: Vec<usize>,
 }
 
 /// A way in which a train vibrates by itself.
@@ -150,24 +150,24 @@ impl Train {
             return Err(TrainError::Apart { disc: disc + 1 });
         }
         let mut end = (0..n).max_by_key(|&disc| (depth[disc], disc));
-        let mut trunk = Vec::new();
+        let mut main_shaft = Vec::new();
         while let Some(disc) = end {
-            trunk.push(disc);
+            main_shaft.push(disc);
             end = towards[disc].map(|(up, _, _)| up);
         }
-        trunk.reverse();
+        main_shaft.reverse();
         let towards = towards.into_iter().map(|up| up.map(|(disc, k, _)| (disc, k))).collect();
-        Ok(Self { inertias: inertias.to_vec(), walls: walls.to_vec(), towards, order, trunk })
+        Ok(Self { inertias: inertias.to_vec(), walls: walls.to_vec(), towards, order, main_shaft })
     }
 
     /// Whether the discs stand in one line.
     pub fn is_chain(&self) -> bool {
-        self.trunk.len() == self.inertias.len()
+        self.main_shaft.len() == self.inertias.len()
     }
 
     /// The discs from the first end to the farthest one, in order.
-    pub fn trunk(&self) -> &[usize] {
-        &self.trunk
+    pub fn main_shaft(&self) -> &[usize] {
+        &self.main_shaft
     }
 
     /// Whether nothing holds the train, so that it can turn as a whole.
@@ -245,7 +245,7 @@ impl Train {
         // A start that no mode of a symmetric train is orthogonal to.
         let mut shape: Vec<f64> =
             (0..self.inertias.len()).map(|disc| 1.0 + (1.7 * disc as f64).sin() / 3.0).collect();
-        // Of equal frequencies no shape is told from another: a shift beside them treats them all alike, so that
+        // Of equal frequencies no shape is distinguished from another: a shift beside them treats them all alike, so that
         // the shapes found follow from the start and not from rounding.
         let several = self.beyond(square * (1.0 + 1e-12)).1 > self.beyond(square * (1.0 - 1e-12)).1 + 1;
         let (square, steps) = if several { (square * (1.0 - 1e-5), 10) } else { (square, 4) };
@@ -313,15 +313,15 @@ impl Train {
         amplitudes
     }
 
-    /// The Holzer table at a trial frequency, along the trunk; what the side branches ask for at a junction counts
+    /// The Holzer table at a trial frequency, along the main shaft; what the side branches ask for at a junction counts
     /// as if it were part of the inertia torque there.
     pub fn holzer(&self, frequency: f64) -> Vec<HolzerRow> {
         let square = frequency.powi(2);
         let (stiffness, _) = self.beyond(square);
-        let mut rows = Vec::with_capacity(self.trunk.len());
+        let mut rows = Vec::with_capacity(self.main_shaft.len());
         let (mut amplitude, mut shaft_torque) = (1.0, 0.0);
-        for (at, &disc) in self.trunk.iter().enumerate() {
-            let next = self.trunk.get(at + 1);
+        for (at, &disc) in self.main_shaft.iter().enumerate() {
+            let next = self.main_shaft.get(at + 1);
             let own = self.inertias[disc] * square - self.walls[disc];
             let sides = || {
                 (0..self.towards.len()).filter(|other| Some(other) != next).filter_map(|other| {
@@ -341,7 +341,7 @@ impl Train {
         rows
     }
 
-    /// What is left of the torques at the end of the trunk, over the sum of their sizes: zero at a natural
+    /// What is left of the torques at the end of the main shaft, over the sum of their sizes: zero at a natural
     /// frequency, within −1 and 1.
     pub fn residual(&self, frequency: f64) -> f64 {
         let rows = self.holzer(frequency);

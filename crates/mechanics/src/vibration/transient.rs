@@ -72,7 +72,7 @@ pub struct Piece {
     pub law: Law,
 }
 
-/// What is looked at: `a x + b ẋ/ωₙ`.
+/// What is examined: `a x + b ẋ/ωₙ`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Output {
     /// Weight of the displacement.
@@ -95,7 +95,7 @@ pub enum TransientError {
         /// Start of the offending piece, s.
         at: f64,
     },
-    /// The greatest value does not exist: the load rises without end.
+    /// The largest value does not exist: the load rises without end.
     #[error("the load rises without end, and the motion with it")]
     Unbounded,
     /// A zero of the rate could not be found.
@@ -122,7 +122,7 @@ impl Output {
     /// The displacement.
     pub const DISPLACEMENT: Output = Output { displacement: 1.0, velocity: 0.0 };
 
-    /// The force of spring and damper together over the stiffness, `x + 2ζ ẋ/ωₙ`; on a shaken base, the absolute
+    /// The force of spring and damper together over the stiffness, `x + 2ζ ẋ/ωₙ`; on a excited base, the absolute
     /// acceleration over `−ωₙ²`.
     pub fn support(ratio: f64) -> Output {
         Output { displacement: 1.0, velocity: 2.0 * ratio }
@@ -211,12 +211,12 @@ impl Motion {
         piece.law.at(time - piece.from)
     }
 
-    /// What is looked at, at a time.
+    /// What is examined, at a time.
     pub fn output(&self, output: Output, time: f64) -> f64 {
         self.value(output, self.at(time))
     }
 
-    /// The least and the greatest value of an output between two times; the second may be infinite. Extremes
+    /// The least and the largest value of an output between two times; the second may be infinite. Extremes
     /// between the pieces' ends are found where the rate is zero, to `1e-13` of the time.
     pub fn extremes(&self, output: Output, [from, to]: [f64; 2]) -> Result<Extremes, TransientError> {
         let mut found = Extremes::at(from, self.output(output, from));
@@ -243,7 +243,7 @@ impl Motion {
                 let ends = [Some(state), last].map(|state| state.map(|state| self.value(output, state)));
                 let [low, high] =
                     self.oscillator.line_bounds(state, [start, slope], output, end - begun, ends);
-                if low >= found.least.value && high <= found.greatest.value {
+                if low >= found.least.value && high <= found.largest.value {
                     continue;
                 }
             }
@@ -260,7 +260,7 @@ impl Motion {
         Ok(found)
     }
 
-    /// The displacement by Duhamel's integral from rest, by Gauss–Legendre quadrature: a second way to
+    /// The displacement by Duhamel's integral from rest, by Gauss–Legendre quadrature: a second method to
     /// [`Motion::at`]. `None` where it would take too many points, or the motion does not begin at rest.
     /// Clough & Penzien, 2nd ed., §7-1.
     pub fn duhamel(&self, time: f64) -> Option<f64> {

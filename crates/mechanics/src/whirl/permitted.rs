@@ -221,7 +221,7 @@ fn permitted_outside(soft: Option<Limit>, stiff: Limit) -> Result<PermittedStiff
         return Err(WhirlError::OutOfRange);
     }
     if stiff.stiffness == 0.0 {
-        // The rotor stands still, or the numbers are too small to tell.
+        // The rotor is at rest, or the numbers are too small to tell.
         return if stiff.speed == 0.0 { Ok(nothing_forbidden()) } else { Err(WhirlError::OutOfRange) };
     }
     let lower = soft.map_or(Included(0.0), |soft| Excluded(soft.stiffness));

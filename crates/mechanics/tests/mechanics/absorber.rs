@@ -78,9 +78,9 @@ proptest! {
         close(absorber::mass_ratio_of_split(1.0 / upper, upper / f), mu, 1e-8);
     }
 
-    /// At the frequency of an undamped absorber the main mass stands still.
+    /// At the frequency of an undamped absorber the main mass is at rest.
     #[test]
-    fn the_main_mass_stands_still(mu in 1e-4f64..10.0, f in 0.1f64..5.0) {
+    fn the_main_mass_is_at_rest(mu in 1e-4f64..10.0, f in 0.1f64..5.0) {
         let undamped = DampedAbsorber { mass_ratio: mu, main_damping: 0.0, tuning: f, damping: 0.0 };
         prop_assert_eq!(undamped.magnification(f), 0.0);
         close(undamped.relative_motion(f), 1.0 / (mu * f * f), 1e-10);
@@ -164,7 +164,7 @@ proptest! {
     #[test]
     fn largest_of_a_scan(mu in 0.01f64..2.0, zeta in 0.0f64..0.3, f in 0.3f64..2.0, gamma in 0.05f64..1.0) {
         let any = DampedAbsorber { mass_ratio: mu, main_damping: zeta, tuning: f, damping: gamma };
-        // A peak may be narrower than the steps of the scan: each is looked at closely.
+        // A peak may be narrower than the steps of the scan: each is examined closely.
         let scan = |of: &dyn Fn(f64) -> f64| {
             let at: Vec<f64> = (0..=8000).map(|n| f64::from(n) * 5e-4).collect();
             let peaks = at.windows(3).filter(|near| of(near[1]) >= of(near[0]).max(of(near[2])));

@@ -137,8 +137,8 @@ proptest! {
         all_close(solved.in_b, in_b, 1e-9);
         for (axis, expected) in in_a.into_iter().enumerate() {
             let at = rotor.iter().map(|u| (u.components[axis], u.position));
-            let second_way = balance::correction_in_a_by_moments(at, a, b);
-            prop_assert!((second_way - expected).abs() <= 1e-12 * size * amplification);
+            let second_method = balance::correction_in_a_by_moments(at, a, b);
+            prop_assert!((second_method - expected).abs() <= 1e-12 * size * amplification);
         }
     }
 

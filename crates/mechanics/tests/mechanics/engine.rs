@@ -110,8 +110,8 @@ fn a_sine_fluctuates_by_its_amplitude() {
     close(cycle.mean, 1000.0, ROUNDING);
     close(cycle.rms, (1e6f64 + 583.0 * 583.0 / 2.0).sqrt(), ROUNDING);
     close(cycle.fluctuation, 583.0, 1e-12);
-    close(cycle.greatest.1, 1583.0, ROUNDING);
-    close(cycle.greatest.0, PI / 4.0 - 0.2, 1e-9);
+    close(cycle.largest.1, 1583.0, ROUNDING);
+    close(cycle.largest.0, PI / 4.0 - 0.2, 1e-9);
     close(cycle.least.1, 417.0, ROUNDING);
     assert_eq!(cycle.crossings.len(), 4);
 }
@@ -122,7 +122,7 @@ fn corners_are_found_where_they_are() {
     let ridge = 1.2345;
     let roof = |angle: f64| -(angle - ridge).abs();
     let cycle = Cycle::of(roof, TAU, &[ridge]);
-    assert_eq!(cycle.greatest, (ridge, 0.0));
+    assert_eq!(cycle.largest, (ridge, 0.0));
 }
 
 proptest! {

@@ -12,7 +12,7 @@ use proptest::prelude::*;
 
 use crate::close::{ROUNDING, close, printed};
 
-/// Displacements and velocities held to a share of their size at the start.
+/// Displacements and velocities compared with a share of their size at the start.
 fn near(got: f64, want: f64, size: f64, share: f64) {
     assert!((got - want).abs() <= share * size, "{got} is not {want}, to {share:e} of {size}");
 }
@@ -143,15 +143,15 @@ proptest! {
     /// Den Hartog's motion: the force works what friction takes, and with little friction nothing is left of it.
     #[test]
     fn forced_friction_closes_its_energy(r in 0.05..3.0f64, share in 0.01..0.9999f64) {
-        let shaken = CoulombOscillator { ratio: r, deflection: 1.0, offset: share };
-        match shaken.steady() {
+        let excited = CoulombOscillator { ratio: r, deflection: 1.0, offset: share };
+        match excited.steady() {
             Steady::Sliding { amplitude, .. } => {
-                near(shaken.sliding_work(), 4.0 * share * amplitude, amplitude, 1e-9);
-                near(shaken.sliding_at(0.0), amplitude, amplitude, 1e-9);
-                near(shaken.sliding_at(1.0), -amplitude, amplitude, 1e-9);
+                near(excited.sliding_work(), 4.0 * share * amplitude, amplitude, 1e-9);
+                near(excited.sliding_at(0.0), amplitude, amplitude, 1e-9);
+                near(excited.sliding_at(1.0), -amplitude, amplitude, 1e-9);
             }
             Steady::Stopping { amplitude, slides } => {
-                let work: f64 = slides.iter().map(|slide| shaken.work(slide)).sum();
+                let work: f64 = slides.iter().map(|slide| excited.work(slide)).sum();
                 let way: f64 = slides.iter().map(|slide| (slide.end - slide.start).abs()).sum();
                 // Each turning point is steady to 1e-12 of the static deflection.
                 near(work, share * way, way + 1e-3, 1e-8);

@@ -57,19 +57,19 @@ fn a_block_on_a_slope_holds_below_the_angle_of_friction() {
     for slope in [0.1, 0.25, 0.29, 0.3, 0.5, 1.2f64] {
         let (system, drawn) = block(slope, 0.3, vec![]);
         let freed = found(system.forward_dynamics(&drawn, &[[0.0; 3]]));
-        let braked = only(&freed.frictions);
+        let with_friction = only(&freed.frictions);
         let [x, y, _] = freed.state.accelerations[0];
         let downhill = -(x * slope.cos() + y * slope.sin());
         let moved = found(system.simulate(&drawn, &[[0.0; 3]], &run(2.0, 1e-10, 3)));
         let [x, y, _] = moved.samples[2].state.positions[0];
         let way = -(x * slope.cos() + y * slope.sin());
         if slope.tan() < 0.3 {
-            assert_eq!(braked.contact, Contact::Sticking);
+            assert_eq!(with_friction.contact, Contact::Sticking);
             assert!(downhill.abs() < 1e-14 && way.abs() < 1e-14, "{downhill} m/s², {way} m");
-            close(braked.effort, 2.0 * G * slope.sin(), 1e-12);
+            close(with_friction.effort, 2.0 * G * slope.sin(), 1e-12);
         } else {
             let pull = G * (slope.sin() - 0.3 * slope.cos());
-            close(braked.effort, 0.3 * 2.0 * G * slope.cos(), 1e-12);
+            close(with_friction.effort, 0.3 * 2.0 * G * slope.cos(), 1e-12);
             close(downhill, pull, 1e-11);
             close(way, pull * 2.0, 1e-9);
         }
@@ -252,7 +252,7 @@ fn slider_crank(turned: f64, coefficients: [f64; 4], radius: f64, springs: bool)
     (found(System::new(&mechanism, &drawn)), drawn)
 }
 
-/// Two cranks on the ground and two rods between them, all of uniform thickness: two freedoms and five pins.
+/// Two cranks on the ground and two rods between them, all of uniform thickness: two degrees of freedom and five pins.
 fn five_bar(coefficients: &[f64], radius: f64) -> (System, Vec<[f64; 3]>) {
     let pin = |a, b| Joint::Pin { a, b };
     let lengths = [0.15, 0.25, 0.25, 0.15];
@@ -276,7 +276,7 @@ fn five_bar(coefficients: &[f64], radius: f64) -> (System, Vec<[f64; 3]>) {
     (system, positions)
 }
 
-/// What drivers of these bodies would have to add to a moving mechanism: the way of [`System::dynamics`], which is told
+/// What drivers of these bodies would have to add to a moving mechanism: the way of [`System::dynamics`], which is reported
 /// the motion.
 fn added(system: &System, state: &State, cranks: &[usize]) -> Vec<f64> {
     let driver = |&body: &usize| {
@@ -320,7 +320,7 @@ proptest! {
     }
 
     #[test]
-    fn two_freedoms_keep_their_energy(speeds in prop::array::uniform2(-8.0..8.0f64)) {
+    fn two_degrees_of_freedom_keep_their_energy(speeds in prop::array::uniform2(-8.0..8.0f64)) {
         let (system, drawn) = five_bar(&[], 0.0);
         let crank = |body| Measure::Angle { of: Some(body), against: None };
         let velocities = found(system.starting(&drawn, &[(crank(0), speeds[0]), (crank(3), speeds[1])]));
@@ -330,7 +330,7 @@ proptest! {
     }
 
     #[test]
-    fn two_freedoms_that_slide_need_no_driver(
+    fn two_degrees_of_freedom_that_slide_need_no_driver(
         speeds in prop::array::uniform2(-8.0..8.0f64), coefficients in prop::array::uniform5(0.0..0.4f64),
     ) {
         let (system, drawn) = five_bar(&coefficients, 0.005);
@@ -404,21 +404,21 @@ proptest! {
         let freed = found(system.forward_dynamics(&drawn, &[[0.0; 3]; 2]));
         let couples = [G * (1.5 * first.cos() + 0.5 * second.cos()), G * 0.5 * second.cos()];
         let held = [couples[0].abs() < μ * 0.5 * 2.0 * G, couples[1].abs() < other * 0.5 * G];
-        let all = freed.frictions.iter().all(|braked| braked.contact == Contact::Sticking);
+        let all = freed.frictions.iter().all(|with_friction| with_friction.contact == Contact::Sticking);
         prop_assert_eq!(all, held[0] && held[1], "{:?} {:?}", couples, freed.frictions);
         if all {
-            for (braked, couple) in freed.frictions.iter().zip_eq(couples) {
-                close(braked.effort, couple, 1e-9);
+            for (with_friction, couple) in freed.frictions.iter().zip_eq(couples) {
+                close(with_friction.effort, couple, 1e-9);
             }
         }
         // Whatever moves: each pin slides against its friction or has less than that to bear.
         let [[.., first], [.., second]] = [freed.state.accelerations[0], freed.state.accelerations[1]];
         let relative = [first, second - first];
-        for (braked, relative) in freed.frictions.iter().zip_eq(relative) {
-            match braked.contact {
+        for (with_friction, relative) in freed.frictions.iter().zip_eq(relative) {
+            match with_friction.contact {
                 Contact::Sliding { sense, .. } => {
                     prop_assert!(sense * relative >= -1e-9);
-                    prop_assert!(braked.effort * sense < 0.0);
+                    prop_assert!(with_friction.effort * sense < 0.0);
                 }
                 _ => prop_assert!(relative.abs() < 1e-9),
             }

@@ -1,4 +1,4 @@
-//! The mechanics held against published numbers, closed forms, second ways and scaling.
+//! The mechanics held against published numbers, closed forms, second methods and scaling.
 
 mod close;
 

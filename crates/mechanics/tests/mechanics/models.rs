@@ -102,7 +102,7 @@ fn turned_by(mechanism: Mechanism, drawn: &[[f64; 3]], [velocity, acceleration]:
     (system, drawn)
 }
 
-/// A point of a bar of which the mass centre is in the middle, from its first end.
+/// A point of a bar of which the centre of mass is in the middle, from its first end.
 fn along(body: usize, length: f64, at: f64) -> Point {
     Point::body(body, [at - length / 2.0, 0.0])
 }

@@ -51,7 +51,7 @@ fn the_pendulum_swings_as_the_elliptic_functions_say() {
 }
 
 #[test]
-fn a_motion_ends_where_it_is_told_to() {
+fn a_motion_ends_where_it_is_reported_to() {
     let (system, drawn) = pendulum(std::f64::consts::PI);
     let through = [End::Reaches(angle(0), 1.5 * std::f64::consts::PI)];
     let period = 2.3678419475762373;
@@ -130,7 +130,7 @@ fn andrews_mechanism_starts_with_the_published_accelerations_and_multipliers() {
     let (system, drawn) = andrews();
     let positions = found(system.assemble(&drawn));
     let freed = found(system.forward_dynamics(&positions, &[[0.0; 3]; 7]));
-    assert_eq!(freed.freedoms, 1);
+    assert_eq!(freed.degrees_of_freedom, 1);
     let [beta, theta, ..] = relative(&freed.state.accelerations);
     close(beta, 14222.443919954114, 1e-11);
     close(theta, -10666.832939965585, 1e-11);

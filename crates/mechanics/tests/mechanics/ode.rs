@@ -47,7 +47,7 @@ fn the_error_falls_with_the_eighth_power_of_the_step() {
 }
 
 #[test]
-fn a_turn_is_held_to_its_tolerance() {
+fn a_turn_is_compared_with_its_tolerance() {
     for tolerance in [1e-5, 1e-8, 1e-11] {
         let states = found(states(&mut oscillator(tolerance), &[1.0, 0.0], &[0.0, 5.0 * TAU], 1000));
         let error = (states[1][0] - 1.0).hypot(states[1][1]);

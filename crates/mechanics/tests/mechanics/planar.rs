@@ -21,12 +21,12 @@ pub(crate) fn turning(body: usize, value: f64, velocity: f64, acceleration: f64)
     Driver { measure: Measure::Angle { of: Some(body), against: None }, value, velocity, acceleration }
 }
 
-/// The ends of a bar along its own x axis, with its mass centre so far from the first.
+/// The ends of a bar along its own x axis, with its centre of mass so far from the first.
 pub(crate) fn ends(body: usize, length: f64, centre: f64) -> [Point; 2] {
     [Point::body(body, [-centre, 0.0]), Point::body(body, [length - centre, 0.0])]
 }
 
-/// Crank 0, coupler 1 and rocker 2 between the pivots (0, 0) and (d, 0); mass centres in the middle.
+/// Crank 0, coupler 1 and rocker 2 between the pivots (0, 0) and (d, 0); centre of masss in the middle.
 pub(crate) fn four_bar([a, b, c, d]: [f64; 4], bodies: [Body; 3], driver: Driver) -> Mechanism {
     let ([o, p], [q, r], [s, t]) = (ends(0, a, a / 2.0), ends(1, b, b / 2.0), ends(2, c, c / 2.0));
     Mechanism {
@@ -291,7 +291,7 @@ proptest! {
 
     /// Crank-rockers of any shape, with masses, a following force, a spring, and weights.
     #[test]
-    fn two_ways_agree_on_random_linkages(
+    fn two_methods_agree_on_random_linkages(
         a in 0.3..0.9f64, b in 1.6..2.4f64, c in 1.4..2.2f64, d in 1.6..2.3f64,
         angle in 0.0..TAU, speed in -20.0..20.0f64, acceleration in -50.0..50.0f64,
         masses in prop::array::uniform3(0.1..5.0f64), inertias in prop::array::uniform3(0.01..2.0f64),

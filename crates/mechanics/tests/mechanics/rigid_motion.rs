@@ -266,7 +266,7 @@ fn work_and_impulse_of_changing_torques() {
     }
 }
 
-/// A pendulum let go level turns through the angle of its end at a known speed: `ω² = 2 m g a sin φ/J`.
+/// A pendulum released level turns through the angle of its end at a known speed: `ω² = 2 m g a sin φ/J`.
 #[test]
 fn a_motion_ends_at_an_angle_or_a_reversal() {
     let body = Body { mass: 2.0, inertia: diagonal(1.0, 0.5, 1.2), arm: Vector3::new(0.3, 0.0, 0.0) };

@@ -124,7 +124,7 @@ fn energy_is_kept_and_motions_have_their_mirror_images() {
     assert!((other.contact[1] - end.contact[1]).abs() < 1e-14);
 }
 
-/// A disc let go on its edge falls about the tangent at the contact; it leaves the floor where
+/// A disc released on its edge falls about the tangent at the contact; it leaves the floor where
 /// `0.2 + 2.4 sin² θ = 1.6 sin θ₀ sin θ`, and slips before that on a floor that is not rough enough.
 #[test]
 fn a_falling_disc_lifts_off_or_slips() {

@@ -1,4 +1,4 @@
-//! Reactions of supports: they balance, they do not depend on the axes, and what cannot be told is refused by name.
+//! Reactions of supports: they balance, they do not depend on the axes, and what cannot be reported is refused by name.
 
 use dalembert_mechanics::rigid::{
     Axis, RigidError,
@@ -27,7 +27,7 @@ fn shaft(length: f64) -> Vec<Unknown> {
 #[test]
 fn a_weight_between_two_bearings_is_shared_by_the_lever() {
     let supports = found(Supports::new(shaft(4.0)));
-    assert_eq!(supports.freedoms(), 1);
+    assert_eq!(supports.degrees_of_freedom(), 1);
     let weight = Wrench::force_at(Vector3::new(0.0, 0.0, -100.0), Vector3::new(1.0, 0.0, 0.0));
     let x = found(supports.reactions(&weight));
     close(x[2], 75.0, 1e-14);
@@ -46,7 +46,7 @@ fn what_the_bearings_leave_free_is_named() {
     let sliding = found(Supports::new(shaft(4.0)[1..].to_vec()));
     let push = Wrench::force_at(Vector3::x(), Vector3::zeros());
     assert_eq!(sliding.reactions(&push), Err(SupportError::Mechanism { turning: false, axis: Axis::X }));
-    assert_eq!(sliding.freedoms(), 2);
+    assert_eq!(sliding.degrees_of_freedom(), 2);
 }
 
 #[test]

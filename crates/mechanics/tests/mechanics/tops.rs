@@ -229,7 +229,7 @@ fn a_sleeping_top_wakes_below_its_threshold() {
     let body = Top { axial: 4e-4, transverse: 2.2e-3, couple: 0.2943 };
     let threshold = top::sleeping_threshold(body.axial, body.transverse, body.couple);
     close(threshold, 127.22617655184014, 1e-14);
-    // Let go 0.1 mrad off, its axis turning as fast as that of an upright one.
+    // Released 0.1 mrad off, its axis turning as fast as that of an upright one.
     let tilt = |part: f64| found(body.released(1e-4, 0.0, 0.0, part * threshold)).limits()[1];
     assert!(tilt(1.05) < 1e-3 && tilt(0.95) > 0.5);
     assert_eq!(body.released(0.0, 0.0, 0.0, 100.0), Err(TopError::Vertical));

@@ -92,7 +92,7 @@ fn eccentricity_larger_than_the_clearance_forbids_every_soft_shaft() {
         let stiff = permitted.stiff.unwrap();
         close(stiff.stiffness, whirl::stiff_limit(MASS, UNBALANCE, clearance, 90.0, zeta), 1e-10);
     }
-    // Equal to it: only no stiffness at all, where the rotor turns about its mass centre.
+    // Equal to it: only no stiffness at all, where the rotor turns about its centre of mass.
     let permitted = found(permitted_stiffness(2.0, 2e-3, 1e-3, [50.0, 90.0], 0.0));
     assert!(permitted.set.contains(0.0) && !permitted.set.contains(1e-9));
     let permitted = found(permitted_stiffness_at_damping(2.0, 2e-3, 1e-3, [50.0, 90.0], 0.0));

@@ -81,7 +81,7 @@ pub enum Tone {
     Bad,
 }
 
-/// How a line is dashed: curves can be told apart without colours.
+/// How a line is dashed: curves can be distinguished without colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineStyle {
     /// Not at all.

@@ -306,8 +306,8 @@ fn pieces(points: &[(f64, f64)], corners: &[(f64, f64); 2]) -> Vec<Vec<(f64, f64
     pieces
 }
 
-/// The points of a curve that can be told apart: of those within half a pixel across, the first, the least, the
-/// greatest and the last.
+/// The points of a curve that can be distinguished: of those within half a pixel across, the first, the least, the
+/// largest and the last.
 fn thinned(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
     let mut out: Vec<(f64, f64)> = Vec::new();
     let mut column: Vec<(f64, f64)> = Vec::new();
@@ -329,8 +329,8 @@ fn outermost(column: &[(f64, f64)]) -> Vec<(f64, f64)> {
     }
     let by_height = |a: &usize, b: &usize| column[*a].1.total_cmp(&column[*b].1);
     let least = (0..column.len()).min_by(by_height).unwrap_or(0);
-    let greatest = (0..column.len()).max_by(by_height).unwrap_or(0);
-    let mut kept = [0, least, greatest, column.len() - 1];
+    let largest = (0..column.len()).max_by(by_height).unwrap_or(0);
+    let mut kept = [0, least, largest, column.len() - 1];
     kept.sort_unstable();
     let mut all: Vec<(f64, f64)> = kept.iter().map(|at| column[*at]).collect();
     all.dedup();

@@ -41,11 +41,11 @@ pub enum Part {
 pub struct Box2 {
     /// The least `x`.
     pub left: f64,
-    /// The greatest `x`.
+    /// The largest `x`.
     pub right: f64,
     /// The least `y`.
     pub bottom: f64,
-    /// The greatest `y`.
+    /// The largest `y`.
     pub top: f64,
 }
 

@@ -35,7 +35,7 @@ pub struct Tick {
 }
 
 impl Span {
-    /// From the least to the greatest of `values`. Those that the scale cannot show are passed over; `None` if that
+    /// From the least to the largest of `values`. Those that the scale cannot show are passed over; `None` if that
     /// leaves nothing. Values that differ by rounding alone count as one, which gets room on both sides.
     pub fn of(values: impl IntoIterator<Item = f64>, scale: Scale) -> Option<Self> {
         let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -220,7 +220,7 @@ fn shows(value: f64, scale: Scale) -> bool {
     value.is_finite() && (scale == Scale::Linear || value > 0.0)
 }
 
-/// The number nearest to `mantissa × 10^exponent`: as a person would write it, without rounding of a product.
+/// The number nearest to `mantissa × 10^exponent`: as a user would write it, without rounding of a product.
 fn decimal(mantissa: i64, exponent: i32) -> f64 {
     format!("{mantissa}e{exponent}").parse().expect("a number with a power of ten is one")
 }

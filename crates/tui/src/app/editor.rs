@@ -1,4 +1,4 @@
-//! The person's editor.
+//! The user's editor.
 
 use std::{
     env,
@@ -44,7 +44,7 @@ pub(super) fn run(command: &str, path: &Path) -> Ended {
     }
 }
 
-/// A text as a file that only the person can read; it stays until it is removed.
+/// A text as a file that only the user can read; it stays until it is removed.
 pub(super) fn copy(text: &str) -> Result<PathBuf, FileError> {
     let failed = |source| FileError::Failed { action: "write", path: env::temp_dir(), source };
     let mut file =

@@ -1,4 +1,4 @@
-//! Whether another program changes the open file. Its date and length are looked at once a second, and only while a
+//! Whether another program changes the open file. Its date and length are examined once a second, and only while a
 //! file is open; a watch of the system would cost a dependency, and is blind on the network drives of a laboratory.
 
 use std::{
@@ -20,7 +20,7 @@ pub(super) struct Watched {
     path: PathBuf,
     /// Its date and length; `None` where it is not there.
     stamp: Option<(SystemTime, u64)>,
-    /// When it is looked at again.
+    /// When it is examined again.
     pub(super) next: Instant,
 }
 
@@ -36,7 +36,7 @@ impl Watched {
         watched.as_ref()
     }
 
-    /// Looks, when it is time, and reads the file if its date or length is another; says so if it holds something else
+    /// Looks, when it is time, and reads the file if its date or length is another; reports it if it holds something else
     /// than what is `known` of it.
     pub(super) fn look(&mut self, known: Option<Fingerprint>) -> Option<Msg> {
         if Instant::now() < self.next {
@@ -53,7 +53,7 @@ impl Watched {
         (!same).then(|| Msg::FileChanged { path: self.path.clone(), result })
     }
 
-    /// What it is now is known: the person's own editor wrote it.
+    /// What it is now is known: the user's own editor wrote it.
     pub(super) fn seen(&mut self) {
         self.stamp = self.now();
     }

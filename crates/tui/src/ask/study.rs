@@ -9,13 +9,13 @@ use dalembert_units::{Decimal, Style, Unit, write_quantity};
 
 use super::{USUAL, chosen, put, text_of, turned};
 
-/// Points of a curve, unless the person says otherwise.
+/// Points of a curve, unless the user says otherwise.
 const POINTS: usize = 201;
-/// The ends of the range of an input, unless the person says otherwise, as shares of what it is.
+/// The ends of the range of an input, unless the user says otherwise, as shares of what it is.
 const RANGE: [f64; 2] = [0.5, 1.5];
-/// The values of a family of curves, unless the person says otherwise, as shares of what the input is.
+/// The values of a family of curves, unless the user says otherwise, as shares of what the input is.
 const FAMILY: [f64; 3] = [0.5, 1.0, 2.0];
-/// Samples, unless the person says otherwise.
+/// Samples, unless the user says otherwise.
 const SAMPLES: usize = 2000;
 
 /// A study as it is typed.
@@ -27,9 +27,9 @@ pub struct Study {
     pub kind: Kind,
     /// The input that it begins with, by its path: that of the cursor of the form when the tab was turned to.
     pub begins: String,
-    /// The input that the person chose, by its path.
+    /// The input that the user chose, by its path.
     pub input: Option<String>,
-    /// The answer that the person chose, by its name.
+    /// The answer that the user chose, by its name.
     pub answer: Option<String>,
     /// The input of which every value gives a curve, by its path.
     pub family: Option<String>,
@@ -43,7 +43,7 @@ pub struct Study {
     pub found: Option<Result<Studied, SolveError>>,
 }
 
-/// What can be studied of a problem, and what is: what the person chose, or else what the study begins with.
+/// What can be studied of a problem, and what is: what the user chose, or else what the study begins with.
 #[derive(Debug)]
 pub struct Subject<'s> {
     /// The inputs that are numbers.

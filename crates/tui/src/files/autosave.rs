@@ -1,6 +1,6 @@
 //! Unsaved work, kept where the next start finds it.
 //!
-//! One file a problem in a folder that only the person can open (`$XDG_STATE_HOME/dalembert/autosave`). Its first
+//! One file a problem in a folder that only the user can open (`$XDG_STATE_HOME/dalembert/autosave`). Its first
 //! line says whose it is; the rest is the text. A file whose process has ended is the work of a session that crashed.
 
 use std::{
@@ -64,8 +64,8 @@ pub struct Crashed {
 }
 
 impl Autosave {
-    /// The autosave of this session, in the folder of the person's state. Without one (no home, a read-only disk) it
-    /// keeps nothing, and the error says so once; the program goes on.
+    /// The autosave of this session, in the folder of the user's state. Without one (no home, a read-only disk) it
+    /// keeps nothing, and the error reports it once; the program goes on.
     pub fn open() -> (Self, Option<FileError>) {
         let folder =
             autosave_path().ok_or_else(|| FileError::NoAutosave("there is no home folder".to_owned()));

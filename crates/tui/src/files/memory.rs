@@ -31,7 +31,7 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// A writer of this file; `trouble` is told, from another thread, what could not be written.
+    /// A writer of this file; `trouble` is reported, from another thread, what could not be written.
     pub fn of(path: PathBuf, trouble: impl Fn(FileError) + Send + 'static) -> io::Result<Self> {
         let (changes, incoming) = mpsc::channel::<Change>();
         let (finished, done) = mpsc::channel();
@@ -50,7 +50,7 @@ impl Memory {
     /// Has a change written, some time soon.
     pub fn note(&self, change: Change) {
         if let Some(changes) = &self.changes {
-            // A thread that has ended has told its trouble.
+            // A thread that has ended has reported its trouble.
             let _ = changes.send(change);
         }
     }

@@ -23,7 +23,7 @@ pub enum Before {
     Absent,
     /// It must be what was opened, or last saved.
     Was(Fingerprint),
-    /// Whatever it is: the person said "overwrite".
+    /// Whatever it is: the user said "overwrite".
     Whatever,
 }
 
@@ -49,12 +49,12 @@ pub fn save_all(files: &[(PathBuf, String)], before: Before) -> (PathBuf, Result
 }
 
 /// Removes what crashed programs left in a folder: their temporary files, older than a minute, whose process has
-/// ended. Answers how many were removed; what cannot be looked at is left.
+/// ended. Answers how many were removed; what cannot be examined is left.
 pub fn remove_strays(folder: &Path) -> usize {
     remove_strays_older(folder, Duration::from_mins(1))
 }
 
-/// A step of a save, told before it is done. Tests let each of them fail.
+/// A step of a save, reported before it is done. Tests let each of them fail.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Step {
     Create,

@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn the_unit_of_a_text_is_what_a_person_wrote() {
+    fn the_unit_of_a_text_is_what_a_user_wrote() {
         let measure = Measure { unit: "m", kind: None, min: Limit::Excluding(0.0), max: Limit::None };
         let (length, vector) = (Shape::Quantity(measure), Shape::Vector(measure, 3));
         let angle = Shape::Quantity(Measure { unit: "rad", ..measure });

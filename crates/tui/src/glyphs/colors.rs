@@ -15,7 +15,7 @@ pub(super) fn reduce(color: Color, colors: Colors) -> Color {
     }
 }
 
-/// The sixteen as xterm shows them by default; a person's palette differs, but keeps the hues.
+/// The sixteen as xterm shows them by default; a user's palette differs, but keeps the hues.
 const SIXTEEN: [(Color, [u8; 3]); 16] = [
     (Color::Black, [0, 0, 0]),
     (Color::Red, [205, 0, 0]),

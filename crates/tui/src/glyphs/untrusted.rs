@@ -1,4 +1,4 @@
-//! Text of a file or a person, before any terminal, log or report sees it.
+//! Text of a file or a user, before any terminal, log or report sees it.
 
 use std::borrow::Cow;
 

@@ -1,11 +1,11 @@
-//! The keys that hold: those of the tables, unless the person's settings say otherwise.
+//! The keys that hold: those of the tables, unless the user's settings say otherwise.
 
 use dalembert_core::Text;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::{ALWAYS, Action, Binding, Key, Place};
 
-/// What keys mean, place by place. The tables of the program, with the person's changes.
+/// What keys mean, place by place. The tables of the program, with the user's changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyMap {
     /// Every binding that holds in a place, the most useful first; by the number of the place.
@@ -17,7 +17,7 @@ pub struct KeyMap {
 pub struct Bound {
     /// What is done, and how that is called.
     pub binding: &'static Binding,
-    /// The keys that do it, the usual one first; none where the person took them away.
+    /// The keys that do it, the usual one first; none where the user took them away.
     pub keys: Vec<Key>,
 }
 
@@ -32,7 +32,7 @@ pub struct Change {
     pub keys: Vec<Key>,
 }
 
-/// Keys that always mean the same, or a person could be caught.
+/// Keys that always mean the same, or a user could be caught.
 const FIXED: [(Key, Action); 2] = [
     (Key(KeyCode::Esc, KeyModifiers::NONE), Action::Back),
     (Key(KeyCode::Char('c'), KeyModifiers::CONTROL), Action::Quit),

@@ -8,7 +8,7 @@ use super::Key;
 /// A column of [`NAMED`] and [`MODIFIERS`].
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Notation {
-    /// As a person reads it: `Ctrl-PgUp`.
+    /// As a user reads it: `Ctrl-PgUp`.
     Screen,
     /// `ctrl-page-up`
     Settings,
@@ -54,7 +54,7 @@ const MODIFIERS: [([&str; 3], KeyModifiers); 3] = [
 const SAME_BYTE: [(char, &str); 4] = [('i', "tab"), ('m', "enter"), ('h', "backspace"), ('[', "esc")];
 
 impl Key {
-    /// How a person reads it: `Ctrl-C`, `↑`, `Esc`.
+    /// How a user reads it: `Ctrl-C`, `↑`, `Esc`.
     pub fn name(self, locale: &Locale) -> String {
         let portuguese = locale.language == Language::Portuguese;
         if let Some((arrow, _, names)) =

@@ -151,7 +151,7 @@ pub(super) const DRAWING: &[Binding] = &[
     bind(Action::NextExhibit, &[typed('n')], "next plot or drawing", ""),
 ];
 
-/// Keys of the cells of a tab: of the person's own answers.
+/// Keys of the cells of a tab: of the user's own answers.
 pub(super) const CELLS: &[Binding] = &[
     bind(Action::Enter, ENTER, "edit the cell, or choose", "type"),
     bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "clear the cell and edit", ""),

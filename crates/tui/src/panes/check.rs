@@ -1,4 +1,4 @@
-//! The person's own answers, each beside what is said of it.
+//! The user's own answers, each beside what is said of it.
 
 use dalembert_core::{Answer, Locale, Solution, Text, check::Verdict};
 use ratatui::{

@@ -122,7 +122,7 @@ pub fn refusal(
     }
 }
 
-/// Lines of a pane that belong to the inputs before the last change: dimmed, under a note that says so.
+/// Lines of a pane that belong to the inputs before the last change: dimmed, under a note that reports it.
 pub fn stale(lines: Vec<Line<'static>>, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
     let note = Text::new("results for the previous, complete inputs").render(locale);
     let note = marked(look, Glyph::Warning, look.warning(), &note, look.warning(), usize::from(width).max(1));

@@ -54,7 +54,7 @@ pub fn page(solution: &Solution, ask: &Ask, focused: bool, look: &Look, locale: 
     let label = label.min((cells * 2 / 5).min(room.saturating_sub(BAR)).max(8));
     let bar = room.saturating_sub(label);
     let columns = Columns { label, bar, cells };
-    // What is changed by degrees is told from what is changed by shares.
+    // What is changed by degrees is distinguished from what is changed by shares.
     let step =
         if sorted.iter().any(|one| one.input.step_text() != "1 %") { "for +1 % or +1°" } else { "for +1 %" };
     let left = columns.label + columns.bar + CHANGE + 4;

@@ -33,7 +33,7 @@ pub(super) fn words(text: &str, width: usize) -> Vec<String> {
     lines.into_iter().map(|line| line.replace('\u{A0}', " ")).collect()
 }
 
-/// Words in at most `most` lines of at most `width` cells; what is left over is cut, and an ellipsis says so.
+/// Words in at most `most` lines of at most `width` cells; what is left over is cut, and an ellipsis reports it.
 pub(crate) fn title(text: &str, width: usize, most: usize, look: &Look) -> Vec<String> {
     let mut lines = words(text, width);
     if lines.len() > most {

@@ -17,7 +17,7 @@ use super::{Listing, family};
 const WEIGHT: (u32, u32, u32) = (8, 4, 3);
 /// What it counts that the words stand together as they were typed.
 const TOGETHER: u32 = 8;
-/// The shortest word that is looked for within others.
+/// The shortest word that is searched for within others.
 const WITHIN: usize = 3;
 
 /// Everything that the filter looks in, folded.

@@ -21,7 +21,7 @@ pub(super) struct Rows {
 
 impl Rows {
     /// The span, as little wider as it may be, from the middle of its lowest dot to that of its highest, with its ticks.
-    /// One that no wider span helps (its ends are the greatest numbers there are) stays as it is.
+    /// One that no wider span helps (its ends are the largest numbers there are) stays as it is.
     pub(super) fn ticked(self, span: Span, style: Style) -> (Span, Ticks) {
         self.wider(span, style).unwrap_or_else(|| {
             let ticks =

@@ -1,11 +1,11 @@
-//! What a person has set on a plot: cursor, marks, the part that is shown, how values are spread.
+//! What a user has set on a plot: cursor, marks, the part that is shown, how values are spread.
 
 use dalembert_core::{Plot, Scale};
 use dalembert_report::figure::axes::{Axes, Spread, View, has_logarithms, has_logarithms_across};
 
 use super::Marker;
 
-/// What a person has set on a plot.
+/// What a user has set on a plot.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct State {
     /// Where the cursor stands: a value of `x` in SI. One beyond the axis is shown at its end.

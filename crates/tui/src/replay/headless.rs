@@ -50,7 +50,7 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// The sentence, for a person.
+    /// The sentence, for a user.
     pub fn text(&self) -> Text {
         match self {
             Failure::NothingToOpen(named) => {

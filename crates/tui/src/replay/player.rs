@@ -1,4 +1,4 @@
-//! Plays a session in the terminal, as fast as a person would.
+//! Plays a session in the terminal, as fast as a user would.
 
 use std::{
     collections::VecDeque,
@@ -46,7 +46,7 @@ impl Player {
             Act::Paste(text) => vec![Step::Paste(text)],
             Act::Wait(time) => vec![Step::Wait(time)],
             Act::UntilSolved => vec![Step::UntilSolved],
-            // The window is the person's; a picture of it is hers as well, and what it shows she sees.
+            // The window is the user's; a picture of it is hers as well, and what it shows she sees.
             Act::Resize(..) | Act::Picture(_) | Act::Expect(_) => Vec::new(),
         });
         Self { steps: steps.collect(), speed, due: Instant::now() + KEY, waiting: None }

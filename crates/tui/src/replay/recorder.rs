@@ -1,4 +1,4 @@
-//! Writes down what a person does, as a session that can be played again.
+//! Writes down what a user does, as a session that can be played again.
 
 use std::{
     fs::File,
@@ -14,7 +14,7 @@ use crate::{keys::notation::written, look::Look, model::Msg};
 
 /// Shorter pauses are those between the keys of one hand.
 const PAUSE: Duration = Duration::from_millis(600);
-/// A person who went for a coffee need not be waited for.
+/// A user who went for a coffee need not be waited for.
 const LONGEST: Duration = Duration::from_secs(5);
 
 /// A session as it is recorded. What was done is in the file when the next thing is done, or the recorder is dropped.
@@ -52,7 +52,7 @@ impl Recorder {
         Ok(Self { file, keys: String::new(), last: Instant::now() })
     }
 
-    /// Notes what a person did; anything else that happens follows from it.
+    /// Notes what a user did; anything else that happens follows from it.
     pub(crate) fn note(&mut self, msg: &Msg) -> io::Result<()> {
         let pause = std::mem::replace(&mut self.last, Instant::now()).elapsed();
         let line = match msg {
@@ -92,7 +92,7 @@ impl Recorder {
 
 impl Drop for Recorder {
     fn drop(&mut self) {
-        // Nobody is left to be told.
+        // Nobody is left to be reported.
         let _ = self.end_line();
     }
 }

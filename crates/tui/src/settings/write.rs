@@ -8,7 +8,7 @@ use crate::{
     look::Theme,
 };
 
-/// A file that says what can be set, in the person's language, and what it is without a word. It sets nothing; nor
+/// A file that says what can be set, in the user's language, and what it is without a word. It sets nothing; nor
 /// does it where its lines are taken out of their comments.
 pub fn default_file(locale: &Locale) -> String {
     let default = Settings::default();

@@ -1,4 +1,4 @@
-//! From the bytes of a terminal to keys, mouse reports and pastes: a state machine without input or output.
+//! Key decoding: from the bytes of a terminal to keys, mouse reports and pastes, as a pure state machine.
 //!
 //! It knows what xterm and its relatives send in raw mode: UTF-8, control characters, `ESC` as Alt, `CSI` and `SS3`
 //! keys with modifiers, SGR mouse reports and bracketed paste. Everything else is dropped whole, so that an answer to
@@ -23,7 +23,7 @@ pub const ESCAPE_PATIENCE: Duration = Duration::from_millis(25);
 /// A paste whose end never comes is over after this much silence.
 pub const PASTE_PATIENCE: Duration = Duration::from_secs(2);
 
-/// What a person, or the terminal on their behalf, did.
+/// What a user, or the terminal on their behalf, did.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Input {
     /// A key was pressed or repeats; releases are not reported. A capital letter carries `SHIFT`; Ctrl with a letter
@@ -42,7 +42,7 @@ pub enum Input {
     },
     /// The screen was lost (the program was suspended): draw again.
     Redraw,
-    /// Something to tell the person that no screen of the model caused: a paste cut short, a thread that panicked.
+    /// Something to tell the user that no screen of the model caused: a paste cut short, a thread that panicked.
     Notice(String),
 }
 

@@ -101,7 +101,7 @@ fn reap(child: Pid, saved: &Termios) -> Option<ExitCode> {
     // Not `eprintln`, which panics when standard error is gone as well.
     let _ = writeln!(
         io::stderr(),
-        "dalembert was ended by signal {signal}{}; the terminal was put right, and work kept by the autosave is \
+        "dalembert was ended by signal {signal}{}; the terminal was restored, and work kept by the autosave is \
          offered at the next start",
         match signal {
             4 | 6 | 7 | 11 => ", a fault of the program",

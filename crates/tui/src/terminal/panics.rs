@@ -65,7 +65,7 @@ fn hook(info: &PanicHookInfo<'_>, previous: &dyn Fn(&PanicHookInfo<'_>)) {
     let session = SESSION.lock().unwrap_or_else(PoisonError::into_inner).clone();
     match session {
         Some((drawing, shared)) if thread::current().id() != drawing && shared.is_active() => {
-            // The screen goes on; the thread is lost, and the person is told.
+            // The screen goes on; the thread is lost, and the user is reported.
             let name = thread::current().name().unwrap_or("of the background").to_owned();
             shared.notify(format!("a thread ({name}) ended by a fault of the program: {}", described(info)));
         }

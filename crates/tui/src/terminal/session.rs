@@ -136,7 +136,7 @@ impl Session {
     }
 
     /// Gives the terminal to the shell, as Ctrl-Z is expected to; `fg` takes it back and reports [`Input::Redraw`].
-    /// Where there is no shell to return to, nothing happens and an [`Input::Notice`] says so.
+    /// Where there is no shell to return to, nothing happens and an [`Input::Notice`] reports it.
     pub fn suspend(&self) {
         if !signals::suspend(&self.shared) {
             self.shared.notify("there is no shell to return to: the program goes on".to_owned());
@@ -164,7 +164,7 @@ impl Session {
         self.shared.set_mouse(taken).map_err(failed("take a message"))
     }
 
-    /// The next frame paints every cell: something else wrote on the screen, and the person asks for it again.
+    /// The next frame paints every cell: something else wrote on the screen, and the user asks for it again.
     pub fn repaint(&self) {
         self.shared.repaint.store(true, SeqCst);
     }

@@ -45,7 +45,7 @@ pub(super) struct Shared {
     pub(super) repaint: AtomicBool,
     /// The window changed its size.
     pub(super) resized: AtomicBool,
-    /// Messages of other threads for the person.
+    /// Messages of other threads for the user.
     notices: Mutex<Vec<String>>,
     ending: AtomicBool,
     pub(super) waker: Waker,

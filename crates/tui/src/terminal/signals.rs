@@ -55,7 +55,7 @@ pub(super) fn watch(shared: &Arc<Shared>, guard: Option<Pid>) -> io::Result<()> 
                     SIGTSTP if continued => {}
                     SIGTSTP => _ = suspend(&for_signals),
                     SIGCONT => {
-                        // Failing here means that the terminal is gone, and the other thread will say so.
+                        // Failing here means that the terminal is gone, and the other thread will report it.
                         let _ = for_signals.take();
                         for_signals.repaint.store(true, SeqCst);
                         for_signals.waker.wake();
@@ -103,7 +103,7 @@ fn under_job_control() -> bool {
     getsid(None).is_ok_and(|session| session != getpgrp())
 }
 
-/// The window is closed, or the line is cut. `SIGHUP` says so too, but it can be ignored by inheritance (`nohup`,
+/// The window is closed, or the line is cut. `SIGHUP` reports it too, but it can be ignored by inheritance (`nohup`,
 /// `sudo`, a multiplexer that was killed).
 pub(super) fn terminal_is_gone() -> bool {
     let stdin = rustix::stdio::stdin();

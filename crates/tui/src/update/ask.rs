@@ -1,11 +1,11 @@
-//! Keys of what is asked of a problem: the person's own answers, which input matters, studies.
+//! Keys of what is asked of a problem: the user's own answers, which input matters, studies.
 
 use dalembert_core::{Refusal, SolveError, check::Verdict, is_within, vary};
 use dalembert_units::{Decimal, with_point};
 use ratatui::crossterm::event::{KeyCode, KeyEvent};
 use tui_input::{Input, InputRequest};
 
-use super::{bench::bring_in, remember_done, request, type_in};
+use super::{remember_done, request, scroll::bring_in, type_in};
 use crate::{
     ask::{self, Question, Reply},
     bench::{Bench, CellOf, Focus, State},

@@ -1,5 +1,5 @@
 //! Keys of a problem.
-// Long because every action of a problem is told apart here; what takes more than a few lines has a file beside it.
+// Long because every action of a problem is distinguished here; what takes more than a few lines has a file beside it.
 
 mod display;
 mod pictures;
@@ -7,8 +7,7 @@ mod working;
 
 use std::path::PathBuf;
 
-use dalembert_core::{Draft, Shape, Text, file};
-use dalembert_report::show_answer_in;
+use dalembert_core::{Draft, Shape, Text};
 use dalembert_units::Decimal;
 use ratatui::{
     crossterm::event::{KeyCode, KeyEvent, KeyModifiers},
@@ -16,9 +15,14 @@ use ratatui::{
 };
 use tui_input::InputRequest;
 
-use super::{ask, export, files, picker, remembering, request, too_long, type_in};
+use super::{
+    ask, export, files, list, remembering, request,
+    scroll::{bring_in, scroll, shown_lines},
+    solve::{changed, is_working, kept, stop},
+    too_long, type_in,
+};
 use crate::{
-    bench::{Bench, Focus, State},
+    bench::{Bench, Focus},
     dialog::{Choice, Chosen, Dialog, Purpose, Sheet},
     files::FileError,
     form::{self, Filled, Line, Role, Sign},
@@ -27,7 +31,6 @@ use crate::{
     layout,
     model::{Effect, Model},
     plot,
-    solver::{Job, Outcome, Work},
     tab::Tab,
     view,
 };
@@ -112,109 +115,12 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect
     }
 }
 
-/// The inputs are others now: they are read, and solved or found wrong; nothing older counts any more.
-pub(super) fn changed(model: &mut Model) -> Vec<Effect> {
-    let generation = model.next_generation();
-    let readonly = model.readonly;
-    let Some(bench) = &mut model.bench else { return Vec::new() };
-    let mut effects = Vec::new();
-    bench.found.failure = None;
-    ask::forget(bench);
-    match bench.form.draft.read(&bench.entry.shape()) {
-        Ok(record) => {
-            bench.find_wrong(Vec::new());
-            bench.found.state = State::Solving(generation);
-            effects.push(Effect::Solve(Job { generation, work: Work::Solve(bench.entry, record) }));
-        }
-        Err(errors) => {
-            bench.find_wrong(errors);
-            bench.found.state = State::Unread;
-        }
-    }
-    if !readonly {
-        effects.push(kept(bench));
-    }
-    effects
-}
-
-/// Whether a job is under way for the problem.
-fn is_working(model: &Model) -> bool {
-    model.bench.as_ref().is_some_and(Bench::is_working)
-}
-
-/// Ends the jobs that are under way.
-fn stop(model: &mut Model) -> Vec<Effect> {
-    let Some(bench) = &mut model.bench else { return Vec::new() };
-    let asked = ask::stop(bench);
-    if matches!(bench.found.state, State::Solving(_)) {
-        bench.found.state = State::Stopped;
-        bench.found.hidden |= !bench.is_near_the_solved();
-        model.say("solve cancelled; the next change of an input restarts it");
-    } else if let Some(tab) = asked {
-        let said = Text::new("{tab} cancelled; the next change there restarts it");
-        model.say(said.with_text("tab", tab.name()));
-    }
-    vec![Effect::Cancel]
-}
-
-/// What is to be remembered against a crash.
-pub(super) fn kept(bench: &Bench) -> Effect {
-    if !bench.is_unsaved() {
-        return Effect::Forget(bench.number);
-    }
-    Effect::Keep {
-        problem: bench.number,
-        original: bench.file.as_ref().map(|file| file.path.clone()),
-        text: file::write(&bench.problem(), bench.text()),
-    }
-}
-
 /// Gives the problem a title; an empty one takes it away.
 pub(super) fn rename(model: &mut Model, title: &str) -> Vec<Effect> {
     let readonly = model.readonly;
     let Some(bench) = &mut model.bench else { return Vec::new() };
     title.clone_into(&mut bench.title);
     if readonly { Vec::new() } else { vec![kept(bench)] }
-}
-
-/// Takes the outcome of the newest job.
-pub(super) fn take(bench: &mut Bench, outcome: Outcome) {
-    bench.found.state = State::Current;
-    (bench.reading.symbol, bench.reading.trail) = (None, Vec::new());
-    match outcome.result {
-        Ok(mut solution) => {
-            for (answer, display) in &bench.show {
-                // What a file asks for and cannot be is shown as it would be without.
-                let _ = solution.as_mut().map(|solution| show_answer_in(solution, answer, display));
-            }
-            bench.found.solution = solution.or(bench.found.solution.take());
-            bench.found.of = Some(bench.form.draft.clone());
-            (bench.found.failure, bench.found.hidden) = (None, false);
-        }
-        Err(failure) => {
-            bench.found.hidden |= !bench.is_near_the_solved();
-            bench.found.failure = Some(failure);
-        }
-    }
-    if !bench.tabs().contains(&bench.tab) {
-        bench.tab = Tab::Results;
-    }
-}
-
-/// Tells a warning that a change brought, where the results are not on the screen.
-pub(super) fn tell_hidden(model: &mut Model, problem: u64, before: Option<&[Text]>) {
-    let Some(bench) = model.shown_bench().filter(|bench| bench.number == problem) else { return };
-    if view::shows(model, Tab::Results) {
-        return;
-    }
-    let Some(found) = bench.found.solution.as_ref().filter(|_| bench.reading.revealed.is_none()) else {
-        return;
-    };
-    let is_new = |warning: &&Text| before.is_some_and(|before| !before.contains(warning));
-    if let Some(warning) = found.warnings.iter().find(is_new) {
-        let said = Text::new("new warning: {warning}").with_text("warning", warning.clone());
-        model.complain(said);
-    }
 }
 
 /// A key that changes a digit; a sign may turn out to be that of a number.
@@ -288,7 +194,7 @@ pub(super) fn table_read(model: &mut Model, field: &str, result: Result<String, 
                 "the table already contains this file",
             )
         }
-        // The path stays there to be put right.
+        // The path stays there to be corrected.
         (Err(err), Some(error)) => {
             *error = Some(err.text());
             Vec::new()
@@ -348,7 +254,7 @@ pub(super) fn paste(model: &mut Model, text: &str) -> Vec<Effect> {
         }
         Some((_, role)) if !matches!(role, Role::Leaf { .. }) || text.trim().contains(['\n', '\r', '\t']) => {
             match bench.form.fill(text, decimal) {
-                Some(filled) => told_filled(model, filled),
+                Some(filled) => reported_filled(model, filled),
                 None => paste_on_field(model, text),
             }
         }
@@ -357,7 +263,7 @@ pub(super) fn paste(model: &mut Model, text: &str) -> Vec<Effect> {
 }
 
 /// Says what a pasted block filled, and what of it could not be taken.
-fn told_filled(model: &mut Model, filled: Filled) -> Vec<Effect> {
+fn reported_filled(model: &mut Model, filled: Filled) -> Vec<Effect> {
     let mut said = vec![match filled.rows {
         1 => Text::new("one row filled"),
         rows => Text::new("{rows} rows filled").with("rows", rows),
@@ -456,7 +362,7 @@ fn form(model: &mut Model, action: Action) -> Vec<Effect> {
         Action::MoveRowDown => {
             return after(model, |bench| bench.form.move_row(1), "the row is already at the end");
         }
-        Action::Back => return picker::come_back(model),
+        Action::Back => return list::come_back(model),
         _ => {}
     }
     Vec::new()
@@ -681,49 +587,10 @@ pub(super) fn load_case(model: &mut Model) -> Vec<Effect> {
     effects
 }
 
-/// The area of the shown tab.
-fn area(model: &Model) -> Option<Rect> {
-    let bench = model.bench.as_ref()?;
-    let (columns, rows) = model.size;
-    let areas =
-        layout::bench(Rect::new(0, 0, columns, rows), Focus::Pane, bench.expanded || model.look.basic);
-    view::area_of_tab(model, bench, &areas)
-}
-
-fn shown_lines(model: &Model) -> usize {
-    area(model).map_or(1, |area| usize::from(area.height))
-}
-
-pub(super) fn scroll(model: &mut Model, by: isize) {
-    let (Some(area), Some(bench)) = (area(model), &model.bench) else { return };
-    let tab = bench.tab;
-    let lines = view::page(model, bench, tab, area.width).lines.len();
-    let last = lines.saturating_sub(usize::from(area.height));
-    let to = bench.scroll[tab as usize].min(last).saturating_add_signed(by).min(last);
-    if let Some(bench) = &mut model.bench {
-        bench.scroll[tab as usize] = to;
-    }
-}
-
 /// Scrolls so that the chosen case is seen from its first line.
 pub(super) fn reveal_case(model: &mut Model) {
     let case = model.bench.as_ref().map_or(0, |bench| bench.case);
     bring_in(model, case);
-}
-
-/// Scrolls the shown tab so that one of its parts is seen from its first line.
-pub(super) fn bring_in(model: &mut Model, part: usize) {
-    let (Some(area), Some(bench)) = (area(model), &model.bench) else { return };
-    let tab = bench.tab;
-    let page = view::page(model, bench, tab, area.width);
-    let height = usize::from(area.height);
-    let begin = page.starts.get(part).copied().unwrap_or(0);
-    let end = page.starts.get(part + 1).copied().unwrap_or(page.lines.len());
-    let now = bench.scroll[tab as usize];
-    let to = if begin < now || end - begin >= height { begin } else { now.max(end.saturating_sub(height)) };
-    if let Some(bench) = &mut model.bench {
-        bench.scroll[tab as usize] = if part == 0 { 0 } else { to };
-    }
 }
 
 fn copy(model: &mut Model) -> Vec<Effect> {

@@ -6,7 +6,7 @@ use dalembert_core::Text;
 use dalembert_units::Decimal;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use super::{act as act_there, ask, bench, export, files, problems};
+use super::{act as act_there, ask, bench, closing, export, files, solve};
 use crate::{
     bench::State,
     dialog::{After, Answer, Chosen, Dialog, Purpose},
@@ -86,8 +86,8 @@ fn answer(model: &mut Model, answer: Answer) -> Vec<Effect> {
             model.after_save = After::Stay;
             Vec::new()
         }
-        Answer::SaveThen(after) => problems::save_all_then(model, after),
-        Answer::DiscardThen(after) => problems::discard(model, after),
+        Answer::SaveThen(after) => closing::save_all_then(model, after),
+        Answer::DiscardThen(after) => closing::discard(model, after),
         Answer::Overwrite(path) => files::overwrite(model, path),
         Answer::SaveAs => files::ask_path(model),
         Answer::ExportAs(purpose) => export::ask_path(model, purpose),
@@ -119,7 +119,7 @@ pub(super) fn close(model: &mut Model) -> Vec<Effect> {
                 .bench
                 .as_mut()
                 .is_some_and(|bench| bench.form.set(&sheet.path, sheet.text(), Decimal::Point));
-            if done { bench::changed(model) } else { Vec::new() }
+            if done { solve::changed(model) } else { Vec::new() }
         }
         Some(Dialog::Prompt { .. } | Dialog::Ask { .. }) => {
             model.after_save = After::Stay;
@@ -160,7 +160,7 @@ fn enter(model: &mut Model) -> Vec<Effect> {
                 Some(Chosen::Text(text)) => bench.form.set(&path, text, Decimal::Point),
                 None => false,
             };
-            if done { bench::changed(model) } else { Vec::new() }
+            if done { solve::changed(model) } else { Vec::new() }
         }
         Some(Dialog::Ask { answers, chosen, .. }) => match answers.into_iter().nth(chosen) {
             Some((_, given)) => answer(model, given),

@@ -1,4 +1,4 @@
-//! The problem outside of the program: in the person's editor, and when another program changes its file.
+//! The problem outside of the program: in the user's editor, and when another program changes its file.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use dalembert_core::{
     file::{self, Problem},
 };
 
-use super::{bench as problem, files, problems};
+use super::{files, problems, solve};
 use crate::{
     bench::OpenFile,
     dialog::{Answer, Dialog, Editing},
@@ -15,7 +15,7 @@ use crate::{
     model::{EditError, Effect, Model},
 };
 
-/// Opens the problem in the person's editor: its file, or a copy where that says something else.
+/// Opens the problem in the user's editor: its file, or a copy where that says something else.
 pub(super) fn begin(model: &mut Model) -> Vec<Effect> {
     if model.readonly {
         return files::refuse(model);
@@ -128,7 +128,7 @@ pub(super) fn changed_on_disk(
     }
 }
 
-/// The file says something else now; what is looked at stays where it is.
+/// The file says something else now; what is examined stays where it is.
 fn reload(model: &mut Model, path: &Path, read: Problem, opened: Opened, said: &'static str) -> Vec<Effect> {
     let Some(bench) = &model.bench else { return Vec::new() };
     let unchanged = bench.file.as_ref().is_some_and(|file| file.fingerprint == Some(opened.fingerprint));
@@ -146,7 +146,7 @@ fn reload(model: &mut Model, path: &Path, read: Problem, opened: Opened, said: &
             });
             bench.mark_saved();
         }
-        problem::changed(model)
+        solve::changed(model)
     } else {
         files::opened(model, path.to_owned(), Ok(opened))
     };
@@ -167,7 +167,7 @@ fn take_copy(model: &mut Model, read: Problem, text: String) -> Vec<Effect> {
     let file = bench.file.clone().map(|file| OpenFile { text: text.clone(), ..file });
     let effects = if read.entry.about.id == bench.entry.about.id {
         take(model, read);
-        problem::changed(model)
+        solve::changed(model)
     } else {
         let mut other = files::bench_of(model, read);
         other.mark_unsaved();

@@ -7,7 +7,7 @@ use dalembert_core::{
     file::{self, Problem},
 };
 
-use super::{judged_later, problems};
+use super::{judged_later, list, problems};
 use crate::{
     bench::{Bench, OpenFile},
     dialog::{After, Answer, Dialog, Purpose},
@@ -74,10 +74,8 @@ pub(super) fn saved(
             let Some(bench) = &mut model.bench else { return Vec::new() };
             bench.file = Some(OpenFile { path: path.to_owned(), text, fingerprint: Some(fingerprint) });
             bench.mark_saved();
-            let after = std::mem::take(&mut model.after_save);
-            let mut effects = vec![Effect::Forget(bench.number)];
+            let effects = vec![Effect::Forget(bench.number)];
             model.say(Text::new("saved as {file}").with("file", shown(path)));
-            effects.extend(problems::go_on(model, after));
             effects
         }
         Err(FileError::Changed(_) | FileError::Removed(_)) => {
@@ -124,7 +122,7 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
             Text::new("Open an analysis that has a table, move to it, and import the file there with {key}.")
                 .with("key", model.key(Place::Form, Action::Import));
         model.dialog = Some(Dialog::Message { title, lines: vec![how.render(&model.locale)] });
-        return super::picker::preview(model);
+        return list::preview(model);
     }
     let opened = match result {
         Ok(opened) => opened,
@@ -135,7 +133,7 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
         Err(error) => {
             let typed = path.display().to_string();
             model.dialog = Some(Dialog::prompt_again(Purpose::Open, typed, error.text()));
-            return super::picker::preview(model);
+            return list::preview(model);
         }
     };
     match file::parse(&opened.text) {
@@ -168,7 +166,7 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
             let title = Text::new("{file} cannot be opened as a problem").with("file", shown(&path));
             let lines = faults(model, &opened.text, &errors);
             model.dialog = Some(Dialog::Message { title, lines });
-            super::picker::preview(model)
+            list::preview(model)
         }
     }
 }

@@ -9,7 +9,7 @@ use ratatui::{
     layout::{Position, Rect},
 };
 
-use super::{act, ask, bench, dialog, picker};
+use super::{act, ask, bench, dialog, list, picker, scroll};
 use crate::{
     bench::{Bench, Focus},
     dialog::Dialog,
@@ -75,12 +75,12 @@ fn click(model: &mut Model, spot: HitTarget, at: Position) -> Vec<Effect> {
             let Some(line) = line else { return Vec::new() };
             let again = model.picker.case.is_none() && model.picker.chosen == line;
             (model.picker.case, model.picker.chosen) = (None, line);
-            if again { act(model, place, Action::Enter) } else { picker::preview(model) }
+            if again { act(model, place, Action::Enter) } else { list::preview(model) }
         }
         HitTarget::Case(case) => {
             let again = model.picker.case.is_some() && model.picker.case == case;
             model.picker.case = case.or(model.picker.case);
-            if again { act(model, place, Action::Enter) } else { picker::preview(model) }
+            if again { act(model, place, Action::Enter) } else { list::preview(model) }
         }
     }
 }
@@ -129,7 +129,7 @@ fn go_to(model: &mut Model, tab: Tab, part: usize) -> Vec<Effect> {
             let effects = look_at(model, tab);
             if let Some(cursor) = model.bench.as_mut().and_then(|bench| bench.part_mut(tab)) {
                 *cursor = part;
-                bench::bring_in(model, part);
+                scroll::bring_in(model, part);
             }
             effects
         }
@@ -212,7 +212,7 @@ fn turn(model: &mut Model, at: Position, up: bool) -> Vec<Effect> {
         Some(HitTarget::Pane(tab, ..) | HitTarget::Arrow(tab, _)) => {
             let Some(shown) = &mut model.bench else { return Vec::new() };
             let before = std::mem::replace(&mut shown.tab, tab);
-            bench::scroll(model, by);
+            scroll::scroll(model, by);
             if let Some(shown) = &mut model.bench {
                 shown.tab = before;
             }

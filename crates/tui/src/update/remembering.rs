@@ -1,6 +1,6 @@
 //! What is remembered from one session to the next.
 
-use super::picker;
+use super::list;
 use crate::{
     model::{Effect, Model},
     remembered::{Change, Progress},
@@ -8,7 +8,7 @@ use crate::{
 
 /// Takes a change, and has it written where anything is written.
 pub(super) fn remember(model: &mut Model, change: Change) -> Vec<Effect> {
-    let taken = picker::holding(model, |model| model.remembered.take(&change));
+    let taken = list::holding(model, |model| model.remembered.take(&change));
     if taken && !model.readonly { vec![Effect::Remember(change)] } else { Vec::new() }
 }
 

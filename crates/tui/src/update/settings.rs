@@ -1,4 +1,4 @@
-//! What a person sets, and what is wrong with it.
+//! What a user sets, and what is wrong with it.
 
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,7 @@ use crate::{
 /// So many faults are listed.
 const MOST_FAULTS: usize = 8;
 
-/// Tells what of the person's own files is not taken, over the screen or, where something else lies there, below it.
+/// Tells what of the user's own files is not taken, over the screen or, where something else lies there, below it.
 pub(super) fn faulty(model: &mut Model, files: &[(PathBuf, Vec<Fault>)]) {
     let all: Vec<(&PathBuf, &Fault)> =
         files.iter().flat_map(|(path, faults)| faults.iter().map(move |fault| (path, fault))).collect();

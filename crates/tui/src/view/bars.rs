@@ -131,7 +131,7 @@ struct Hint {
     name: String,
 }
 
-/// A word to the person, at the foot of the screen and as far up as it needs.
+/// A message to the user, at the foot of the screen and as far up as it needs.
 fn draw_notice(model: &Model, notice: &Notice, foot: Rect, buffer: &mut Buffer) {
     let look = &model.look;
     let style = if notice.wrong { look.error() } else { look.good() };
@@ -166,14 +166,14 @@ fn hints(model: &Model, place: Place, room: usize) -> Vec<Hint> {
         Hint { action: binding.action, pair, keys, name: word(binding.hint, model) }
     };
     let cells = |hint: &Hint| width(&hint.keys) + 1 + width(&hint.name);
-    let has_film = animation(model).is_some();
+    let has_animation = animation(model).is_some();
     let in_tab = |tab: Tab| model.shown_bench().is_some_and(|bench| bench.tab == tab);
     let is_picture = in_tab(Tab::Plot) || in_tab(Tab::Drawing);
     let on_choice = model
         .shown_bench()
         .is_some_and(|bench| matches!(bench.cell(), Some(CellOf::Study(cell)) if cell.is_choice()));
     let serves = |bound: &&Bound| match bound.binding.action {
-        Action::Play | Action::PreviousFrame => has_film,
+        Action::Play | Action::PreviousFrame => has_animation,
         Action::Toggle if place == Place::Cells => in_tab(Tab::Check),
         Action::Left if place == Place::Cells => !in_tab(Tab::Check),
         Action::Enter if place == Place::Cells => !on_choice,

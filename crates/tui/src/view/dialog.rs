@@ -171,7 +171,7 @@ pub(crate) fn longest_scroll_of_help(model: &Model) -> usize {
     help_lines(model, inner.width.into()).len().saturating_sub(inner.height.into())
 }
 
-/// What every key does, place by place. A key that a person moved in one place alone stands with that place.
+/// What every key does, place by place. A key that a user moved in one place alone stands with that place.
 fn help_lines(model: &Model, room: usize) -> Vec<Line<'static>> {
     let (screen, look, locale) = (model.screen, &model.look, &model.locale);
     let places: &[Place] = match screen {
@@ -450,14 +450,14 @@ fn draw_sheet(model: &Model, sheet: &Sheet, area: Rect, buffer: &mut Buffer) -> 
     Position::new(inner.x + sheet.column.min(room) as u16, inner.y + (sheet.row - first) as u16)
 }
 
-/// What is told of a table that is edited.
+/// What is reported a table that is edited.
 #[derive(Default)]
 struct AboutTable {
     /// Which it is, in words.
     title: String,
     /// What it means, how it is written, and its columns with their units.
     head: Vec<Line<'static>>,
-    /// Why it cannot be read as it stands.
+    /// Why it cannot be read unchanged.
     foot: Vec<Line<'static>>,
 }
 
@@ -484,15 +484,16 @@ fn about_table(model: &Model, sheet: &Sheet, inside: Rect) -> AboutTable {
     .with("heading", heading.collect::<Vec<_>>().join("; "));
     let help =
         bench.form.lines().into_iter().find(|line| line.path == sheet.path).map(|line| line.field.help);
-    let mut told = [Text::from(help.unwrap_or_default()), how]
+    let mut reported = [Text::from(help.unwrap_or_default()), how]
         .iter()
         .filter(|text| !text.is_empty())
         .flat_map(|text| wrapped(&text.render(locale), room))
         .collect::<Vec<_>>();
     let names = wrapped(&columns.iter().map(with_units).collect::<Vec<_>>().join("; "), room);
     // Half of the screen at least is the table's own.
-    told = shortened(told, (usize::from(inside.height) / 2).saturating_sub(names.len()), room, look);
-    let mut head: Vec<Line<'static>> = told.into_iter().map(|text| Line::styled(text, look.dim())).collect();
+    reported = shortened(reported, (usize::from(inside.height) / 2).saturating_sub(names.len()), room, look);
+    let mut head: Vec<Line<'static>> =
+        reported.into_iter().map(|text| Line::styled(text, look.dim())).collect();
     head.extend(names.into_iter().map(|text| Line::styled(text, look.title())));
     let text = sheet.text();
     // A table that takes long to read is read when it is kept.

@@ -371,7 +371,7 @@ fn push_value(
 ) {
     let look = &model.look;
     let wrong = state == Filled::Wrong;
-    // A text of any length is typed; no more of it is looked at than can be seen.
+    // A text of any length is typed; no more of it is examined than can be seen.
     let seen: String = text.chars().take(4 * room + 4).collect();
     let seen = filter_untrusted(&seen).replace('\n', " ");
     if seen.trim().is_empty() {

@@ -275,7 +275,7 @@ fn draw_tab(model: &Model, bench: &Bench, tab: Tab, title: &Line<'static>, area:
             if frames > 1 && !stale && room.height > LEAST_UNDER_BAR {
                 room.height -= 1;
                 let bar = Rect { y: room.bottom(), height: 1, ..room };
-                film_bar(model, bench.frame, frames, bar, buffer);
+                animation_bar(model, bench.frame, frames, bar, buffer);
             }
             let drawing = bench.drawing_seen()?;
             drawing::render(&drawing, look, locale, room, buffer);
@@ -310,7 +310,7 @@ fn draw_next_plot(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer)
 }
 
 /// Whether an animation moves, and which of its frames is shown: `▶ ━━━━────── 10/24`.
-fn film_bar(model: &Model, frame: usize, frames: usize, area: Rect, buffer: &mut Buffer) {
+fn animation_bar(model: &Model, frame: usize, frames: usize, area: Rect, buffer: &mut Buffer) {
     if frames < 2 {
         return;
     }
@@ -445,7 +445,7 @@ fn bar(model: &Model, bench: &Bench, tabs: &[Tab], columns: u16) -> Bar {
     let cells =
         |range: std::ops::Range<usize>| names[range].iter().map(|name| width(name) + 1).sum::<usize>() + 1;
     let (mut first, mut end) = (0, names.len());
-    // Where not all fit, the far ones go first, and arrows say so.
+    // Where not all fit, the far ones go first, and arrows report it.
     while cells(first..end) + 2 * usize::from(first > 0 || end < names.len()) > room && end - first > 1 {
         if end - 1 > chosen && (end - 1 - chosen >= chosen - first) {
             end -= 1;

@@ -1,4 +1,4 @@
-//! Why a text could not be read, in words for the person who typed it.
+//! Why a text could not be read, in words for the user who typed it.
 
 use std::{fmt, ops::Range};
 

@@ -56,7 +56,7 @@ impl<'t> Cursor<'t> {
         }
     }
 
-    /// Goes past `mark` if it stands here.
+    /// Goes past `mark` if it is here.
     pub(crate) fn eat(&mut self, mark: char) -> bool {
         let here = self.peek() == Some(mark);
         if here {
@@ -70,7 +70,7 @@ impl<'t> Cursor<'t> {
         self.text[start..self.at].trim_end()
     }
 
-    /// What stands here does not belong here.
+    /// What is here does not belong here.
     pub(crate) fn unexpected(&self, expected: &'static str) -> ReadError {
         if let Some(c) = self.peek() {
             return ReadError::Unexpected {
@@ -168,7 +168,7 @@ impl<'t> Cursor<'t> {
         Some(if negative { -n } else { n })
     }
 
-    /// `^` or `**`, if one stands here.
+    /// `^` or `**`, if one is here.
     pub(crate) fn eat_caret(&mut self) -> bool {
         if self.rest().starts_with("**") {
             self.at += 2;
@@ -177,7 +177,7 @@ impl<'t> Cursor<'t> {
         self.eat('^')
     }
 
-    /// The letters of a unit symbol, if one stands here: `mm`, `g0`, `g's`, `°`.
+    /// The letters of a unit symbol, if one is here: `mm`, `g0`, `g's`, `°`.
     pub(crate) fn symbol(&mut self) -> Option<&'t str> {
         let rest = self.rest();
         let first = rest.chars().next()?;

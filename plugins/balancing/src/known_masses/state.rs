@@ -79,12 +79,12 @@ pub(super) fn bearing_forces<W: Worksheet>(
         ("P_J", weight * (rotor.centre - bearings.first) / span, "The weight's share on the second bearing"),
     ]
     .map(|(symbol, share, why)| sheet.step(symbol, "N", share, why));
-    let greatest = |symbol, share: W::Num, force: W::Num| {
+    let largest = |symbol, share: W::Num, force: W::Num| {
         let why = "The force turns: at its worst it adds to the load of the weight";
         sheet.step(symbol, "N", share.abs() + force, why)
     };
-    let first = greatest("R_I", on_first, last[0]);
-    let second = greatest("R_J", on_second, last[1]);
+    let first = largest("R_I", on_first, last[0]);
+    let second = largest("R_J", on_second, last[1]);
     sheet.answer("load_first", "Maximum load on the first bearing including the weight", first);
     sheet.answer("load_second", "Maximum load on the second bearing including the weight", second);
     sheet.verify(|| {
@@ -221,7 +221,7 @@ fn forces<W: Worksheet>(
     [one, other]
 }
 
-/// The unbalance told in two planes, and as a static and a couple part.
+/// The unbalance reported in two planes, and as a static and a couple part.
 pub(super) fn equivalent<W: Worksheet>(
     masses: &[Unbalance<W::Num>],
     known: &EquivalentPlanes,
@@ -247,10 +247,10 @@ pub(super) fn equivalent<W: Worksheet>(
             )
         },
     );
-    let told = |(size_symbol, angle_symbol): (&'static str, &'static str),
-                (size_key, angle_key): (&'static str, &'static str),
-                (size_label, angle_label): (&'static str, &'static str),
-                (x, y): (W::Num, W::Num)| {
+    let reported = |(size_symbol, angle_symbol): (&'static str, &'static str),
+                    (size_key, angle_key): (&'static str, &'static str),
+                    (size_label, angle_label): (&'static str, &'static str),
+                    (x, y): (W::Num, W::Num)| {
         let size = sheet.step(size_symbol, "kg*mm", balance::magnitude(x, y), (size_label, ISO_TERMS.at("")));
         sheet.answer(size_key, size_label, size);
         if size.value() <= 1e-12 * scale {
@@ -260,25 +260,25 @@ pub(super) fn equivalent<W: Worksheet>(
         sheet.answer(angle_key, angle_label, angle);
         [size * angle.cos(), size * angle.sin()]
     };
-    let one = told(
+    let one = reported(
         ("U_1", "θ_1"),
         ("equivalent_first", "equivalent_first_angle"),
         (in_first, "Angle of the equivalent unbalance in the first plane"),
         (x.0, y.0),
     );
-    let other = told(
+    let other = reported(
         ("U_2", "θ_2"),
         ("equivalent_second", "equivalent_second_angle"),
         (in_second, "Angle of the equivalent unbalance in the second plane"),
         (x.1, y.1),
     );
-    let fixed = told(
+    let fixed = reported(
         ("U_s", "θ_s"),
         ("static_part", "static_angle"),
         ("Static component, equal in both planes", "Angle of the static component"),
         (balance::static_part(x.0, x.1), balance::static_part(y.0, y.1)),
     );
-    let couple = told(
+    let couple = reported(
         ("U_k", "θ_k"),
         ("couple_part", "couple_angle"),
         (

@@ -37,7 +37,7 @@ pub(super) fn turning<N: Real>(cylinders: &[Placed<N>], amounts: impl IntoIterat
     sum
 }
 
-/// Holds the greatest and the least over a turn to two vectors a quarter of a period apart: half of the one and the other
+/// Holds the largest and the least over a turn to two vectors a quarter of a period apart: half of the one and the other
 /// turned back by a right angle turns forward, half of the one and the other turned on turns backward.
 pub(super) fn semi_axes<W: Worksheet>(
     most: W::Num,

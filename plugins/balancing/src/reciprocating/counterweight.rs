@@ -144,7 +144,7 @@ pub(super) fn rotating<W: Worksheet>(
     Turning { force: pair, couple, centrifugal }
 }
 
-/// The fraction with the least greatest force: half, found again by a search.
+/// The fraction with the least largest force: half, found again by a search.
 fn best<W: Worksheet>(first: &Order<W::Num>, sheet: W) {
     let (p, q) = (first.force.forward_size.value(), first.force.backward_size.value());
     let how =
@@ -155,9 +155,9 @@ fn best<W: Worksheet>(first: &Order<W::Num>, sheet: W) {
     sheet.answer("best_fraction", "Optimum balanced fraction of the reciprocating mass", best);
     sheet.answer("best_residual", "Maximum primary force at the optimum fraction", least);
     sheet.verify(|| {
-        let greatest = |c: f64| (1.0 - 2.0 * c).abs() * p + q;
+        let largest = |c: f64| (1.0 - 2.0 * c).abs() * p + q;
         let grid = (0..=1000).map(|k| f64::from(k) / 1000.0);
-        let searched = grid.map(|c| (greatest(c), c)).min_by(|a, b| a.0.total_cmp(&b.0));
+        let searched = grid.map(|c| (largest(c), c)).min_by(|a, b| a.0.total_cmp(&b.0));
         let near = searched.map_or(0.5, |(_, c)| c);
         sheet.check("the smallest maximum force among a thousand fractions", best, near.into());
     });

@@ -312,7 +312,7 @@ fn turns(order: &str, pistons: usize) -> Result<Vec<usize>, Refusal> {
     }
 }
 
-/// The point about which couples are told; none for cylinders all in one plane.
+/// The point about which couples are reported; none for cylinders all in one plane.
 pub(super) fn reference<W: Worksheet>(
     cylinders: &[Placed<W::Num>],
     given: Option<W::Num>,

@@ -29,7 +29,7 @@ pub(super) struct Order<N> {
     pub number: u8,
     /// Sum of the amplitudes, the size of what may cancel.
     pub scale: f64,
-    /// The largest distance from the point about which couples are told.
+    /// The largest distance from the point about which moments are referred.
     pub reach: f64,
     pub force: Pair<N>,
     pub couple: Option<Pair<N>>,
@@ -287,7 +287,7 @@ fn sums<W: Worksheet>(
     Pair { forward: [px, py], backward: [qx, qy], forward_size, backward_size }
 }
 
-/// The crank angle at which the force is greatest, and its direction.
+/// The crank angle at which the force is largest, and its direction.
 fn directions<W: Worksheet>(
     n: usize,
     pair: &Pair<W::Num>,
@@ -326,9 +326,9 @@ fn directions<W: Worksheet>(
     [angle, direction]
 }
 
-/// The greatest force over a turn from the vectors of the orders; in the exact motion, which has more orders than
+/// The largest force over a turn from the vectors of the orders; in the exact motion, which has more orders than
 /// these, from the accelerations of the slider-cranks.
-pub(super) fn greatest_again<N: Real>(found: &[Order<N>], pistons: &[Piston], motion: PistonMotion) -> f64 {
+pub(super) fn largest_again<N: Real>(found: &[Order<N>], pistons: &[Piston], motion: PistonMotion) -> f64 {
     let plain = |[x, y]: [N; 2]| [x.value(), y.value()];
     let force = |angle: f64| {
         let mut sum = [0.0; 2];
@@ -359,7 +359,7 @@ pub(super) fn greatest_again<N: Real>(found: &[Order<N>], pistons: &[Piston], mo
         }
         sum
     };
-    engine::greatest(force).1
+    engine::largest(force).1
 }
 
 /// Every order again, as the Fourier integral of the forces of all pistons added up one by one.

@@ -132,7 +132,7 @@ pub(super) fn stars(pistons: &[Piston], orders: &[u8]) -> Animation {
                 let angle = h * (turned + piston.throw - piston.line) + piston.line;
                 let tip = (centre + angle.sin(), angle.cos());
                 shapes.push(DrawnShape::Arrow((centre, 0.0), tip, Ink::Force));
-                // Arrows that fall on one another are told apart by the distance of their numbers.
+                // Arrows that fall on one another are distinguished by the distance of their numbers.
                 let out = 1.1 + 0.14 * f64::from((number - 1) / 4);
                 let label = (centre + out * angle.sin(), out * angle.cos());
                 shapes.push(DrawnShape::Label(label, Text::new(number.to_string())));

@@ -1,4 +1,4 @@
-//! A rigid body as a person describes it: put together from parts, or known by its inertia.
+//! A rigid body as a user describes it: put together from parts, or known by its inertia.
 
 use dalembert_core::{Inputs, Refusal, Text};
 use dalembert_mechanics::rigid::{
@@ -23,7 +23,7 @@ pub enum Body {
         /// Mass.
         #[input("m_0", "kg", positive)]
         mass: f64,
-        /// Position of the mass centre G.
+        /// Position of the centre of mass G.
         #[input("r_0", "m", default = "(0; 0; 0) m")]
         centre: Vector3<f64>,
         /// Moments of inertia Iₓ, I_y, I_z.
@@ -41,7 +41,7 @@ pub enum Body {
         /// Mass.
         #[input("m_0", "kg", positive)]
         mass: f64,
-        /// Position of the mass centre G.
+        /// Position of the centre of mass G.
         #[input("r_0", "m", default = "(0; 0; 0) m")]
         centre: Vector3<f64>,
         /// Radii of gyration about the axes through G.
@@ -54,7 +54,7 @@ pub enum Body {
 /// The point that an inertia matrix is taken about.
 #[derive(Clone, Debug, Inputs)]
 pub enum TakenAbout {
-    /// The mass centre
+    /// The centre of mass
     MassCentre,
     /// Another point
     Point {
@@ -191,7 +191,7 @@ pub enum Presence {
 }
 
 impl Body {
-    /// Mass, mass centre and inertia about it, held against what a body can be.
+    /// Mass, centre of mass and inertia about it, held against what a body can be.
     ///
     /// # Errors
     /// A refusal that names the part.
@@ -221,7 +221,7 @@ impl Body {
 }
 
 impl Part {
-    /// Mass, mass centre and inertia about it in the frame of the body; negative for a hole.
+    /// Mass, centre of mass and inertia about it in the frame of the body; negative for a hole.
     ///
     /// # Errors
     /// A refusal that names the part.
@@ -345,9 +345,11 @@ impl Part {
         named(
             match self.reference {
                 ReferencePoint::Corner => {
-                    "{name} has no corner to be placed by: use the origin of its own axes or its mass centre"
+                    "{name} has no corner to be placed by: use the origin of its own axes or its centre of mass"
                 }
-                _ => "{name} has no ends to be placed by: use the origin of its own axes or its mass centre",
+                _ => {
+                    "{name} has no ends to be placed by: use the origin of its own axes or its centre of mass"
+                }
             },
             &self.name,
         )
@@ -382,14 +384,14 @@ fn named(why: &'static str, name: &str) -> Refusal {
 
 /// Why numbers are no body, in the words of the form; `whose` is a sentence part such as "the body".
 pub(crate) fn refused(error: &BodyError, whose: &'static str) -> Refusal {
-    Refusal::NoAnswer(told(error).with_text("name", whose))
+    Refusal::NoAnswer(reported(error).with_text("name", whose))
 }
 
 fn refused_part(error: &BodyError, name: &str) -> Refusal {
-    Refusal::NoAnswer(told(error).with("name", name))
+    Refusal::NoAnswer(reported(error).with("name", name))
 }
 
-fn told(error: &BodyError) -> Text {
+fn reported(error: &BodyError) -> Text {
     let written = |axis: &[f64; 3]| format!("({:.3}; {:.3}; {:.3})", axis[0], axis[1], axis[2]);
     match error {
         BodyError::NotFinite => {
@@ -399,7 +401,7 @@ fn told(error: &BodyError) -> Text {
             .with_quantity("mass", *mass, "kg"),
         BodyError::NotSymmetric => Text::new("the inertia matrix of {name} is not symmetric"),
         BodyError::Negative { axis, moment } => {
-            Text::new("the moment of inertia of {name} about the axis {axis} through its mass centre would be {moment}, and none is negative: check its moments, products and holes")
+            Text::new("the moment of inertia of {name} about the axis {axis} through its centre of mass would be {moment}, and none is negative: check its moments, products and holes")
                 .with("axis", written(axis))
                 .with_quantity("moment", *moment, "kg*m^2")
         }

@@ -1,4 +1,4 @@
-//! The motion of a body at one moment, as a person gives it.
+//! The motion of a body at one moment, as a user gives it.
 
 use dalembert_core::{Inputs, Refusal, Worksheet};
 use dalembert_mechanics::{Real, Vector, rigid};
@@ -52,9 +52,9 @@ pub enum Turning {
 /// What is known of how a body moves on.
 #[derive(Clone, Debug, Inputs)]
 pub enum Going {
-    /// Velocity of the mass centre
+    /// Velocity of the centre of mass
     MassCentre {
-        /// Velocity of the mass centre.
+        /// Velocity of the centre of mass.
         #[input("v_0", "m/s", default = "(0; 0; 0) m/s")]
         velocity: Vector3<f64>,
     },
@@ -74,7 +74,7 @@ pub enum Going {
         velocity: Vector3<f64>,
     },
     /// Carried by an arm rotating about a point
-    /// The body rotates freely relative to the arm: only the arm moves its mass centre.
+    /// The body rotates freely relative to the arm: only the arm moves its centre of mass.
     Carried {
         /// Position of the point.
         #[input("r_F", "m", default = "(0; 0; 0) m")]
@@ -160,7 +160,7 @@ impl Turning {
 }
 
 impl Going {
-    /// The velocity of the mass centre, written down.
+    /// The velocity of the centre of mass, written down.
     ///
     /// # Errors
     /// A refusal in words.
@@ -173,7 +173,7 @@ impl Going {
     ) -> Result<W::Vec, Refusal> {
         Ok(match (self, given) {
             (Going::MassCentre { .. }, GoingGiven::MassCentre { velocity }) => {
-                sheet.step_vector("v_G", "m/s", *velocity, "Velocity of the mass centre")
+                sheet.step_vector("v_G", "m/s", *velocity, "Velocity of the centre of mass")
             }
             (Going::Fixed { .. }, GoingGiven::Fixed { point }) => {
                 let arm = sheet.step_vector("ρ", "m", body.centre - *point, "From the fixed point to G");
@@ -181,7 +181,7 @@ impl Going {
                     "v_G",
                     "m/s",
                     omega.cross(arm),
-                    ("Velocity of the mass centre: G rotates about the fixed point", BEER.at("§15.6B")),
+                    ("Velocity of the centre of mass: G rotates about the fixed point", BEER.at("§15.6B")),
                 )
             }
             (Going::Point { .. }, GoingGiven::Point { point, velocity }) => {
@@ -190,7 +190,7 @@ impl Going {
                     "v_G",
                     "m/s",
                     rigid::velocity_of_point(*velocity, omega, arm),
-                    ("Velocity of the mass centre, from that of the point", BEER.at("§15.6B")),
+                    ("Velocity of the centre of mass, from that of the point", BEER.at("§15.6B")),
                 )
             }
             (Going::Carried { .. }, GoingGiven::Carried { point, omega: arm_omega }) => {
@@ -204,7 +204,7 @@ impl Going {
                     "v_G",
                     "m/s",
                     arm_omega.cross(arm),
-                    ("Velocity of the mass centre, which rotates with the arm", BEER.at("§15.6A")),
+                    ("Velocity of the centre of mass, which rotates with the arm", BEER.at("§15.6A")),
                 )
             }
             (Going::Fallen { gravity: down, .. }, GoingGiven::Fallen { height, gravity }) => {
@@ -219,7 +219,7 @@ impl Going {
                     "v_G",
                     "m/s",
                     *gravity * (speed / gravity.magnitude()),
-                    "Velocity of the mass centre, along gravity",
+                    "Velocity of the centre of mass, along gravity",
                 )
             }
             _ => return Err(Refusal::because("the motion of the body is not defined")),

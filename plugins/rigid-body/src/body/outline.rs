@@ -31,7 +31,7 @@ impl Body {
     }
 }
 
-/// Half axes of the homogeneous ellipsoid with that mass and these principal moments.
+/// Semi-axes of the homogeneous ellipsoid with that mass and these principal moments.
 fn equal_ellipsoid(mass: f64, moments: Vector3<f64>) -> Vector3<f64> {
     let sum = moments.sum();
     moments.map(|moment| (2.5 * (sum - 2.0 * moment) / mass).max(0.0).sqrt())

@@ -1,4 +1,4 @@
-//! A part of a body, written down step by step: its mass, its mass centre, its inertia in the axes of the body.
+//! A part of a body, written down step by step: its mass, its centre of mass, its inertia in the axes of the body.
 
 use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{
@@ -167,7 +167,7 @@ impl Part {
         ])
     }
 
-    /// Moments and products about the axes of the body through the mass centre of the part.
+    /// Moments and products about the axes of the body through the centre of mass of the part.
     fn inertia<W: Worksheet>(
         &self,
         own: OwnInertia<W::Num>,
@@ -240,7 +240,7 @@ impl Part {
         let moments =
             [table(names.0[0], x, reason), table(names.0[1], y, reason), table(names.0[2], z, reason)];
         let products = own.products.map_or([None; 3], |[yz, zx, xy]| {
-            let reason = "Product of inertia of {name} in its own axes through its mass centre";
+            let reason = "Product of inertia of {name} in its own axes through its centre of mass";
             [table(names.1[0], yz, reason), table(names.1[1], zx, reason), table(names.1[2], xy, reason)]
         });
         let Some(axes) = axes else {
@@ -288,7 +288,7 @@ impl Part {
 fn along<V: Vector>(axes: Option<[V; 3]>, rotation: Matrix3<f64>, own: V) -> V {
     let own = own.components();
     match axes {
-        // Of a shape of revolution the third axis alone counts: its mass centre and its ends lie on it.
+        // Of a shape of revolution the third axis alone counts: its centre of mass and its ends lie on it.
         Some(axes) => (0..3)
             .filter(|&n| own[n].value() != 0.0)
             .map(|n| axes[n] * own[n])

@@ -83,10 +83,10 @@ pub enum Shape {
     /// Thin elliptical plate
     /// In its own xy plane, from its centre.
     EllipticalPlate {
-        /// Half axis along x.
+        /// Semi-axis along x.
         #[input("a", "m", positive)]
         a: f64,
-        /// Half axis along y.
+        /// Semi-axis along y.
         #[input("b", "m", positive)]
         b: f64,
     },
@@ -227,13 +227,13 @@ pub enum Shape {
     /// Ellipsoid
     /// From its centre.
     Ellipsoid {
-        /// Half axis along x.
+        /// Semi-axis along x.
         #[input("a", "m", positive)]
         a: f64,
-        /// Half axis along y.
+        /// Semi-axis along y.
         #[input("b", "m", positive)]
         b: f64,
-        /// Half axis along z.
+        /// Semi-axis along z.
         #[input("c", "m", positive)]
         c: f64,
     },
@@ -373,13 +373,13 @@ impl Shape {
         self.described().extent(|from, to| (to - from).norm())
     }
 
-    /// Inertia tensor about the mass centre in the own axes.
+    /// Inertia tensor about the centre of mass in the own axes.
     pub(super) fn tensor(&self, mass: f64) -> Matrix3<f64> {
         let OwnInertia { moments, products } = self.described().inertia(mass, self.length());
         MassProperties::tensor(moments.into(), products.map_or_else(Vector3::zeros, Vector3::from))
     }
 
-    /// From a named point to the mass centre, in the own axes.
+    /// From a named point to the centre of mass, in the own axes.
     pub(super) fn to_centre(&self, anchor: Anchor) -> Option<Vector3<f64>> {
         self.described().to_centre(anchor, self.length())
     }
@@ -414,7 +414,7 @@ impl<V: Vector> Described<V> {
         }
     }
 
-    /// Moments and products of inertia about the mass centre in the own axes; `length` is that of a rod between
+    /// Moments and products of inertia about the centre of mass in the own axes; `length` is that of a rod between
     /// two points.
     pub(super) fn inertia(self, mass: V::Scalar, length: V::Scalar) -> OwnInertia<V::Scalar> {
         match self {
@@ -430,7 +430,7 @@ impl<V: Vector> Described<V> {
         }
     }
 
-    /// From a named point to the mass centre, in the own axes; `length` is that of a rod between two points.
+    /// From a named point to the centre of mass, in the own axes; `length` is that of a rod between two points.
     pub(super) fn to_centre(self, anchor: Anchor, length: V::Scalar) -> Option<V> {
         match self {
             Described::Primitive(shape) => shape.to_centre(anchor),

@@ -1,4 +1,4 @@
-//! Mass, mass centre and inertia of a body, written down step by step.
+//! Mass, centre of mass and inertia of a body, written down step by step.
 
 use dalembert_core::{Cite, Refusal, Text, Why, Worksheet};
 use dalembert_mechanics::{Real, Vector, rigid::MassProperties};
@@ -11,7 +11,7 @@ use crate::sources::MERIAM;
 pub(crate) struct Worked<W: Worksheet> {
     /// Mass.
     pub(crate) mass: W::Num,
-    /// Position of the mass centre.
+    /// Position of the centre of mass.
     pub(crate) centre: W::Vec,
     /// Moments of inertia about the axes through G: Iₓ, I_y, I_z.
     pub(crate) moments: [W::Num; 3],
@@ -46,7 +46,7 @@ pub(super) const MOMENTS: [&str; 3] = ["I_x", "I_y", "I_z"];
 pub(super) const PRODUCTS: [&str; 3] = ["I_yz", "I_zx", "I_xy"];
 
 impl<W: Worksheet> Worked<W> {
-    /// Angular momentum about the mass centre of the body turning at `ω`, or a row of the inertia matrix for each
+    /// Angular momentum about the centre of mass of the body turning at `ω`, or a row of the inertia matrix for each
     /// of its components: `H_x = I_x ω_x − I_xy ω_y − I_zx ω_z`.
     pub(crate) fn momentum(&self, omega: W::Vec) -> W::Vec {
         matrix_times(self.moments, self.products, omega)
@@ -89,7 +89,7 @@ pub(crate) fn about_line<V: Vector>(
 }
 
 impl Body {
-    /// Writes down the mass, the mass centre and the inertia about it.
+    /// Writes down the mass, the centre of mass and the inertia about it.
     ///
     /// # Errors
     /// A refusal that names the part.
@@ -161,7 +161,7 @@ impl Body {
         };
         let centre = match self {
             Body::Parts { .. } => centre,
-            _ => sheet.step_vector("r_G", "m", centre, "Position of the mass centre G"),
+            _ => sheet.step_vector("r_G", "m", centre, "Position of the centre of mass G"),
         };
         let worked = Worked { mass, centre, moments, products, properties };
         sheet.verify(|| worked.check(sheet));
@@ -188,7 +188,7 @@ impl<W: Worksheet> Worked<W> {
             size,
         );
         sheet.check_zero(
-            "the mass centre from the tensors",
+            "the centre of mass from the tensors",
             (self.centre.value() - self.properties.centre).norm().into(),
             self.properties.centre.norm().max((size / self.properties.mass).sqrt()),
         );

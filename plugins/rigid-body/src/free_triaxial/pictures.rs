@@ -66,7 +66,7 @@ fn fixed_frame(inertia: Vector3<f64>, start: Vector3<f64>) -> Matrix3<f64> {
 /// The inertia ellipsoid rolls on the plane normal to the angular momentum; the polhode is drawn on it.
 pub(super) fn poinsot(body: &FreeBody, inertia: Vector3<f64>, start: Vector3<f64>, shown: f64) -> Exhibit {
     let frame = fixed_frame(inertia, start);
-    // The ellipsoid ω·I ω = 2T, its longest half-axis one unit.
+    // The ellipsoid ω·I ω = 2T, its longest semi-axis one unit.
     let energy = start.dot(inertia.component_mul(&start));
     let half = inertia.map(|moment| (energy / moment).sqrt());
     let unit = half.amax();

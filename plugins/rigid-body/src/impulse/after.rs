@@ -50,8 +50,9 @@ impl Impulse {
         let omega = self.turning.work(&given.turning, &body, sheet)?;
         let velocity = self.going.work(&given.going, &body, omega, sheet)?;
         let kept: Vec<bool> = self.projectiles.iter().map(|one| one.mass_after == MassAfter::Kept).collect();
-        let before = sheet.step("v", "m/s", velocity.magnitude(), "Speed of the mass centre before impact");
-        sheet.answer("speed_before", "Speed of the mass centre before impact", before);
+        let before =
+            sheet.step("v", "m/s", velocity.magnitude(), "Speed of the centre of mass before impact");
+        sheet.answer("speed_before", "Speed of the centre of mass before impact", before);
         let gifts = self.gifts(given, sheet);
         let before = body.momentum(omega);
         let momentum = sheet.step_vector(
@@ -94,16 +95,16 @@ impl Impulse {
         sheet.answer("angular_speed", "Angular speed immediately after impact", speed);
         sheet.answer_vector(
             "centre_velocity",
-            "Velocity of the mass centre just after impact",
+            "Velocity of the centre of mass just after impact",
             after.velocity,
         );
         let fast = sheet.step(
             "v_1",
             "m/s",
             after.velocity.magnitude(),
-            "Speed of the mass centre just after impact",
+            "Speed of the centre of mass just after impact",
         );
-        sheet.answer("centre_speed", "Speed of the mass centre just after impact", fast);
+        sheet.answer("centre_speed", "Speed of the centre of mass just after impact", fast);
         if let Some((reaction, _)) = after.reaction {
             sheet.answer_vector("reaction", "Impulsive reaction of the constraint", reaction);
         }
@@ -151,7 +152,7 @@ impl Impulse {
         all
     }
 
-    /// The body together with the projectiles that stay in it, and the way from its mass centre to that before.
+    /// The body together with the projectiles that stay in it, and the way from its centre of mass to that before.
     fn joined<W: Worksheet>(
         &self,
         given: &ImpulseGiven<W>,
@@ -242,7 +243,7 @@ impl Impulse {
                 symbols[1],
                 "m/s",
                 linear / body.mass,
-                "Velocity of the mass centre just after impact",
+                "Velocity of the centre of mass just after impact",
             );
             Ok([omega, velocity])
         };
@@ -389,7 +390,7 @@ impl Impulse {
                     "v_G′",
                     "m/s",
                     velocity + reaction / body.mass,
-                    "Velocity of the mass centre just after impact",
+                    "Velocity of the centre of mass just after impact",
                 );
                 Ok(After { omega, velocity, reaction: Some((reaction, *at)), couple: None })
             }
@@ -521,7 +522,7 @@ fn held<W: Worksheet>(
         "v_G′",
         "m/s",
         omega.cross(arm),
-        "Velocity of the mass centre just after impact: G rotates about the constrained point",
+        "Velocity of the centre of mass just after impact: G rotates about the constrained point",
     );
     let reaction = sheet.step_vector(
         "R",

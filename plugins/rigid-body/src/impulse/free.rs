@@ -37,7 +37,7 @@ pub(super) fn axis<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet: W) {
         body.centre + omega.cross(velocity) / omega.dot(omega),
         ("Point of the instantaneous axis nearest to G: r_G + ω × v_G/ω²", BEER.at("§15.6B")),
     );
-    sheet.answer_vector("axis_point", "Point of the instantaneous axis nearest to the mass centre", point);
+    sheet.answer_vector("axis_point", "Point of the instantaneous axis nearest to the centre of mass", point);
     let sliding =
         sheet.step("v_s", "m/s", along.dot(velocity), "Velocity of sliding along the instantaneous axis");
     sheet.answer("sliding", "Velocity along the instantaneous axis", sliding);

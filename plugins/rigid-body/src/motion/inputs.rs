@@ -35,7 +35,7 @@ pub struct Motion {
 /// The point that a body turns about.
 #[derive(Clone, Debug, Inputs)]
 pub enum Pivot {
-    /// Its mass centre
+    /// Its centre of mass
     /// In free flight, or supported there; the weight has no moment.
     MassCentre,
     /// A fixed point
@@ -66,7 +66,7 @@ pub enum Pivot {
 pub enum Place {
     /// The fixed point
     FixedPoint,
-    /// The mass centre
+    /// The centre of mass
     MassCentre,
 }
 
@@ -282,7 +282,7 @@ impl Motion {
                     Pivot::MassCentre => about_point(0.0, whole.inertia, Vector3::zeros()),
                     Pivot::Origin { .. } => about_point(whole.mass, whole.inertia, whole.centre),
                     Pivot::FixedPoint { .. } => Err(Refusal::because(
-                        "a body defined as a whole includes its mass and its mass centre; let it rotate about the origin of its description, or about its mass centre",
+                        "a body defined as a whole includes its mass and its centre of mass; let it rotate about the origin of its description, or about its centre of mass",
                     )),
                 };
             }
@@ -296,7 +296,7 @@ impl Motion {
                 Ok(Body { mass, inertia, arm: centre })
             }
             Pivot::Origin { .. } => Err(Refusal::because(
-                "only a body defined as a whole has an origin; let the body turn about a fixed point and give its mass and mass centre",
+                "only a body defined as a whole has an origin; let the body turn about a fixed point and give its mass and centre of mass",
             )),
         }
     }
@@ -407,7 +407,7 @@ impl Ends {
     }
 }
 
-/// A body about a point, from its inertia about its mass centre.
+/// A body about a point, from its inertia about its centre of mass.
 fn about_point(mass: f64, about_g: Matrix3<f64>, arm: Vector3<f64>) -> Result<Body, Refusal> {
     let steiner = (Matrix3::identity() * arm.norm_squared() - arm * arm.transpose()) * mass;
     let inertia = about_g + steiner;

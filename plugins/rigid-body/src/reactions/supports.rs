@@ -1,4 +1,4 @@
-//! Supports as a person describes them, and the unknowns that they bring into the six equations.
+//! Supports as a user describes them, and the unknowns that they bring into the six equations.
 
 use dalembert_core::{
     Inputs, Refusal, TableExhibit, Text, Worksheet,
@@ -296,8 +296,8 @@ impl<'a> Held<'a> {
             }
         }
         let equations = self.driven.as_ref().unwrap_or(&self.alone);
-        if equations.freedoms() > 0 {
-            let count = u32::try_from(equations.freedoms()).unwrap_or(6);
+        if equations.degrees_of_freedom() > 0 {
+            let count = u32::try_from(equations.degrees_of_freedom()).unwrap_or(6);
             sheet.warn(|| {
                 Text::new("the supports leave {count} of the six motions free: no load does work in them now, but nothing restrains the body there")
                     .with("count", count)

@@ -30,7 +30,7 @@ pub(super) fn check<W: Worksheet>(
     if range < 1e-6 || high.sin().min(low.sin()) < NEAR_VERTICAL {
         return;
     }
-    let pace = |u: f64| (body.couple * (third - u) / (2.0 * body.transverse)).sqrt();
+    let argument_rate = |u: f64| (body.couple * (third - u) / (2.0 * body.transverse)).sqrt();
     let at = |chi: f64| -> Sums {
         let (sin, cos) = chi.sin_cos();
         let u = lower + range * sin * sin;
@@ -39,12 +39,12 @@ pub(super) fn check<W: Worksheet>(
         let rate = (vertical - own * u) / across;
         let lost =
             (vertical.abs() + own.abs()) / across + rate.abs() * (2.0 / squared + third.abs() / (third - u));
-        [1.0, rate, rate * u, f64::EPSILON * lost].map(|x| x / pace(u))
+        [1.0, rate, rate * u, f64::EPSILON * lost].map(|x| x / argument_rate(u))
     };
     // Along χ, which grows by π in a nutation: sin 2χ and cos 2χ follow of cos θ and its rate.
     let along = |theta: f64, rate: f64| {
         let (sin, u) = theta.sin_cos();
-        let double = f64::atan2(-sin * rate / pace(u), range - 2.0 * (u - lower));
+        let double = f64::atan2(-sin * rate / argument_rate(u), range - 2.0 * (u - lower));
         (double / 2.0).rem_euclid(PI)
     };
     let first = motion.at(0.0);

@@ -139,7 +139,7 @@ impl WheelLoads {
         sheet.step("v_l", "m/s", (rest / loss).sqrt(), "Speed at which the load vanishes: N₀ = n v²")
     }
 
-    /// A second way to the limiting speed: the loads there, from moments about the other wheels.
+    /// A second method to the limiting speed: the loads there, from moments about the other wheels.
     pub(super) fn check_limits<W: Worksheet>(&self, inertia: f64, sheet: W) {
         let constants = self.constants(inertia);
         for wheel in self.wheel_list() {

@@ -19,7 +19,7 @@ fn the_rod_is_the_same_from_whichever_line_its_angle_is_measured() {
 }
 
 #[test]
-fn a_rod_on_a_principal_axis_needs_no_couple_and_says_so() {
+fn a_rod_on_a_principal_axis_needs_no_couple_and_reports_it() {
     for degrees in [0, 90, 180, -90] {
         let solution = rod(&format!("from-horizontal = {{ angle = \"{degrees} deg\" }}"), 20.0, 0.0);
         // m b² ω²/6 = 36 N·m is what it would be at 45°.

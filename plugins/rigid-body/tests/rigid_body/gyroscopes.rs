@@ -25,7 +25,7 @@ fn effects_of_a_rotor_clockwise_from_the_stern_are_those_of_the_textbooks() {
 }
 
 #[test]
-fn rolling_about_the_axle_has_no_effect_and_says_so() {
+fn rolling_about_the_axle_has_no_effect_and_reports_it() {
     let solution = rotor("clockwise", "behind", "rolling = { rate = \"0.1 rad/s\", falling = \"left\" }");
     assert_eq!(number(&solution, "couple").abs(), 0.0);
     assert!(!labels(&solution).any(|label| label.starts_with("Effect")));

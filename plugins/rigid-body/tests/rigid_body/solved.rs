@@ -28,7 +28,7 @@ pub(crate) fn number(solution: &Solution, name: &str) -> f64 {
     solution
         .answer(name)
         .and_then(dalembert_core::Answer::si)
-        .unwrap_or_else(|| panic!("{name} is no number"))
+        .unwrap_or_else(|| panic!("{name} is not a number"))
 }
 
 pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {

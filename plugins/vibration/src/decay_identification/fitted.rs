@@ -1,4 +1,4 @@
-//! Least squares of a decay, held to what makes them least: the differences are orthogonal to every change of the curve.
+//! Least squares of a decay, compared with what makes them least: the differences are orthogonal to every change of the curve.
 
 use dalembert_core::Worksheet;
 

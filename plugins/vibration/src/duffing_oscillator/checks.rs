@@ -1,4 +1,4 @@
-//! Second ways to the harmonic balance: the work of the spring, and the products of the harmonics.
+//! Second methods to the harmonic balance: the work of the spring, and the products of the harmonics.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Second ways to the answers of a free motion: its equation integrated, and the work of the damper.
+//! Second methods to the answers of a free motion: its equation integrated, and the work of the damper.
 
 use std::f64::consts::{LN_2, PI};
 

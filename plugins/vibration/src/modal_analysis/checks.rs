@@ -1,4 +1,4 @@
-//! Second ways to what modes have: their stiffness from K, their roots from the equations of the damped system.
+//! Second methods to what modes have: their stiffness from K, their roots from the equations of the damped system.
 
 use dalembert_core::{Text, Worksheet};
 use dalembert_mechanics::vibration::modes::ComplexMode;

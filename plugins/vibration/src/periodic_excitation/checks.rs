@@ -1,4 +1,4 @@
-//! The steady motion in a second way: what every impulse of the wave, period after period, leaves of itself.
+//! The steady motion in a second method: what every impulse of the wave, period after period, leaves of itself.
 
 use dalembert_core::Worksheet;
 use dalembert_mechanics::vibration::{
@@ -30,7 +30,7 @@ impl Circle<'_> {
         if spread.norm() < 1e-3 || radians.is_nan() || radians > MOST {
             return None;
         }
-        // A root without damping in it does not die away, but a period turns it.
+        // A root without damping in it does not decay, but a period turns it.
         let returned = roots.map(|root| Complex::new(1.0, 0.0) - (root * self.angle).exp());
         let weights = [0, 1].map(|n| {
             let sign = if n == 0 { 1.0 } else { -1.0 };

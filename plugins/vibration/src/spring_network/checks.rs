@@ -1,4 +1,4 @@
-//! Second ways to how a network moves: the energies of its springs and masses, and the power of its dampers.
+//! Second methods to how a network moves: the energies of its springs and masses, and the power of its dampers.
 
 use dalembert_core::Worksheet;
 use dalembert_mechanics::{

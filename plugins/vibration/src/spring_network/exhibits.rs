@@ -48,7 +48,7 @@ impl SpringNetwork {
     }
 
     /// Forces and deflections under the harmonic force.
-    pub(super) fn table_shaken(&self, system: &Network, omega: f64, moved: &[Complex<f64>]) -> TableExhibit {
+    pub(super) fn table_excited(&self, system: &Network, omega: f64, moved: &[Complex<f64>]) -> TableExhibit {
         let at = |end: Option<usize>| end.map_or(Complex::ZERO, |node| moved[node]);
         let row = |(n, link): (usize, &Link)| {
             let deflection = at(link.ends[0]) - at(link.ends[1]);

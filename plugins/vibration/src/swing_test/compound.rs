@@ -8,7 +8,7 @@ use dalembert_mechanics::{Real, vibration::swing};
 use super::Side;
 use crate::sources::RAO;
 
-/// About one point: the moment of inertia about the mass centre, and the radius of gyration.
+/// About one point: the moment of inertia about the centre of mass, and the radius of gyration.
 pub(super) fn one_point<W: Worksheet>(
     mass: W::Num,
     distance: W::Num,
@@ -62,11 +62,11 @@ pub(super) fn one_point<W: Worksheet>(
 pub(super) struct Centre<N> {
     pub(super) inertia: N,
     pub(super) gyration: N,
-    /// Of the mass centre from the two points.
+    /// Of the centre of mass from the two points.
     pub(super) distances: [N; 2],
 }
 
-/// About two points: where the mass centre is, and the moment of inertia about it.
+/// About two points: where the centre of mass is, and the moment of inertia about it.
 pub(super) fn two_points<W: Worksheet>(
     mass: W::Num,
     distance: W::Num,
@@ -149,7 +149,7 @@ pub(super) fn two_points<W: Worksheet>(
     Ok(Centre { inertia, gyration, distances: [near, far] })
 }
 
-/// The period against the distance of the point of suspension from the mass centre.
+/// The period against the distance of the point of suspension from the centre of mass.
 pub(super) fn period_over_distance(gyration: f64, gravity: f64, marks: &[(&'static str, f64, f64)]) -> Plot {
     let farthest = marks.iter().fold(0.0, |farthest: f64, mark| farthest.max(mark.1));
     let last = 3.0 * gyration.max(farthest);
@@ -171,7 +171,7 @@ pub(super) fn period_over_distance(gyration: f64, gravity: f64, marks: &[(&'stat
         .mark("minimum period", (gyration, shortest))
 }
 
-/// The body with its points of suspension, at parts of the distance of the first above the mass centre.
+/// The body with its points of suspension, at parts of the distance of the first above the centre of mass.
 pub(super) fn pendulum(points: &[(&'static str, f64)]) -> Drawing {
     let mut shapes = vec![
         DrawnShape::Polyline(

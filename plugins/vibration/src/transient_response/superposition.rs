@@ -54,7 +54,7 @@ impl<'m, N: Real> Superposition<'m, N> {
         Self { system: *system, free: FreeMotion::new(system, sheet), model }
     }
 
-    /// The displacement at a moment, written as the sum of its terms and held to the other two ways.
+    /// The displacement at a moment, written as the sum of its terms and compared with the other two ways.
     pub(super) fn displacement<W: Worksheet<Num = N>>(
         &self,
         instant: &Instant<N>,

@@ -1,4 +1,4 @@
-//! Random rotors as a person enters them: every one is answered, and every check of it holds.
+//! Random rotors as a user enters them: every one is answered, and every check of it holds.
 
 use itertools::Itertools as _;
 use std::{f64::consts::TAU, ops::Range};
@@ -113,7 +113,7 @@ fn random_rotors_are_answered_and_their_checks_hold() {
 
 /// The third and the fourth mode of this one have the same frequency at a low speed, and the one of them grows.
 #[test]
-fn a_mode_that_grows_beside_the_last_one_is_looked_at() {
+fn a_mode_that_grows_beside_the_last_one_is_examined() {
     answered(127..128);
 }
 

@@ -14,8 +14,8 @@ fn stiffness_of(spring: &Spring) -> Result<f64, Refusal> {
     stiffness(&given, &plain)
 }
 
-fn close(ours: f64, expected: f64) {
-    assert!((ours - expected).abs() <= 1e-12 * expected.abs(), "{ours} is not {expected}");
+fn close(computed: f64, expected: f64) {
+    assert!((computed - expected).abs() <= 1e-12 * expected.abs(), "{computed} is not {expected}");
 }
 
 fn given(stiffness: f64) -> Spring {

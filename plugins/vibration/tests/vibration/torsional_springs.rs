@@ -16,8 +16,8 @@ fn stiffness_of(spring: &TorsionalSpring) -> f64 {
     stiffness(&given, &plain).unwrap()
 }
 
-fn close(ours: f64, expected: f64) {
-    assert!((ours - expected).abs() <= 1e-12 * expected.abs(), "{ours} is not {expected}");
+fn close(computed: f64, expected: f64) {
+    assert!((computed - expected).abs() <= 1e-12 * expected.abs(), "{computed} is not {expected}");
 }
 
 #[test]

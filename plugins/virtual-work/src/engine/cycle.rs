@@ -49,7 +49,7 @@ pub(super) fn cycle<W: Worksheet>(
     let corners = corners(kernel, gas, turns);
     let cycle = Cycle::of(moment, period, &corners);
     sheet.keep_going()?;
-    let size = cycle.greatest.1.abs().max(cycle.least.1.abs());
+    let size = cycle.largest.1.abs().max(cycle.least.1.abs());
     if !size.is_finite() {
         return Err(Refusal::because(
             "the turning moment over the cycle cannot be represented: check the inputs",
@@ -61,8 +61,8 @@ pub(super) fn cycle<W: Worksheet>(
         cycle.mean,
         "Mean turning moment at constant speed, integrated over the cycle",
     );
-    let most = sheet.found("T_max", "N*m", cycle.greatest.1, "Maximum turning moment of the cycle");
-    let most_at = sheet.found("θ_max", "deg", cycle.greatest.0, "Crank angle at the maximum turning moment");
+    let most = sheet.found("T_max", "N*m", cycle.largest.1, "Maximum turning moment of the cycle");
+    let most_at = sheet.found("θ_max", "deg", cycle.largest.0, "Crank angle at the maximum turning moment");
     let least = sheet.found("T_min", "N*m", cycle.least.1, "Minimum turning moment of the cycle");
     let least_at = sheet.found("θ_min", "deg", cycle.least.0, "Crank angle at the minimum turning moment");
     let rms = sheet.found("T_rms", "N*m", cycle.rms, "Root mean square of the turning moment");
@@ -113,7 +113,7 @@ pub(super) fn cycle<W: Worksheet>(
         let what = "minimum turning moment from the virtual work at its crank angle";
         sheet.check_sum(what, least, work_at(least_at.value()).into(), size);
         for (found, shown, what) in [
-            (cycle.greatest.0, most_at, "the turning moment has zero slope at its maximum"),
+            (cycle.largest.0, most_at, "the turning moment has zero slope at its maximum"),
             (cycle.least.0, least_at, "the turning moment has zero slope at its minimum"),
         ] {
             if is_smooth_top(found, period, &corners) {
@@ -131,7 +131,7 @@ pub(super) fn cycle<W: Worksheet>(
                 kernel.reactions(steady(angle), force).map_or(f64::NAN, |reactions| reactions.moment)
             };
             let what = "maximum turning moment from the Newton–Euler equations at its crank angle";
-            sheet.check_sum(what, most, reaction_at(cycle.greatest.0).into(), size);
+            sheet.check_sum(what, most, reaction_at(cycle.largest.0).into(), size);
             let what = "minimum turning moment from the Newton–Euler equations at its crank angle";
             sheet.check_sum(what, least, reaction_at(cycle.least.0).into(), size);
             if gas.is_none() && kernel.friction == 0.0 && kernel.gravity == [0.0; 2] {
@@ -169,7 +169,7 @@ fn slope(moment: impl Fn(f64) -> f64, angle: f64) -> f64 {
     rule.into_iter().map(|(k, weight)| weight * difference(k)).sum::<f64>() / (840.0 * STEP)
 }
 
-/// The same by differences of the fourth order, over the steps in which an extreme is looked for.
+/// The same by differences of the fourth order, over the steps in which an extreme is searched for.
 fn rough_slope(moment: impl Fn(f64) -> f64, angle: f64) -> f64 {
     let step = 0.02 * TAU / 96.0;
     let difference = |k: f64| moment(angle + k * step) - moment(angle - k * step);

@@ -16,7 +16,7 @@ use super::{
 /// Points of a turn.
 const POINTS: u32 = 180;
 
-/// What is looked at.
+/// What is examined.
 pub(super) struct View<'a> {
     pub kernel: &'a Kernel,
     pub crank: CrankMotion,

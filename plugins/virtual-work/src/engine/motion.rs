@@ -308,8 +308,8 @@ fn zero_acceleration<W: Worksheet>(
     let plain: Vec<f64> = amplitudes.iter().map(|a| a.value()).collect();
     let why = "Crank angle, with the piston moving towards the crank, at which its acceleration is zero and its velocity maximum";
     let found = |acceleration: &dyn Fn(f64) -> f64| {
-        let go = |_| std::ops::ControlFlow::Continue(());
-        let angle = roots::find(acceleration, [0.0, std::f64::consts::PI], go).ok()?;
+        let keep_on = |_| std::ops::ControlFlow::Continue(());
+        let angle = roots::find(acceleration, [0.0, std::f64::consts::PI], keep_on).ok()?;
         Some(sheet.found("θ₀", "deg", angle, Why::from((why, KHURMI.at("ch. 15")))))
     };
     let angle = match problem.terms {

@@ -1,4 +1,4 @@
-//! The same motion and the same forces in a second way.
+//! The same motion and the same forces in a second method.
 
 use dalembert_core::Worksheet;
 use dalembert_mechanics::{

@@ -15,7 +15,7 @@ use crate::{
 
 /// Multipliers below this part of the largest are rounding alone.
 const ROUNDING: f64 = 1e-13;
-/// So many pins are let go to check the forces in them.
+/// So many pins are released to check the forces in them.
 const MOST_CHECKED: usize = 8;
 /// So many pins have a diagram at most.
 const MOST_PINS: usize = 4;
@@ -41,7 +41,7 @@ impl Solved<'_> {
                 pins.extend(self.owners(row).map(|joint| (joint, connection.name.as_str(), force)));
             }
         }
-        // Friction goes with the force in its joint, and has none in a joint that is let go.
+        // Friction goes with the force in its joint, and has none in a joint that is released.
         let is_smooth = !self.parts.loads.iter().any(|load| matches!(load.load, Load::Friction { .. }));
         if determined && is_smooth {
             sheet.verify(|| {
@@ -190,7 +190,7 @@ impl Solved<'_> {
     }
 }
 
-/// Whether a force is more than one point. It is looked at in some places only: every solve asks, shown or not.
+/// Whether a force is more than one point. It is examined in some places only: every solve asks, shown or not.
 fn changes(samples: &[Sample], force: impl Fn(&Sample) -> [f64; 2]) -> bool {
     const PLACES: usize = 7;
     let places: Vec<&Sample> = samples.iter().step_by(samples.len() / PLACES + 1).collect();

@@ -9,7 +9,7 @@ use dalembert_mechanics::planar::{Point, State};
 use super::{Sample, Solved};
 use crate::parts::Joint;
 
-/// An end that moves slower than this part of the fastest body stands still.
+/// An end that moves slower than this part of the fastest body is at rest.
 const STILL: f64 = 1e-9;
 
 /// A link that can only push and pull along the line of its two pins, if nothing else loads it.
@@ -109,7 +109,7 @@ impl Solved<'_> {
         Some(State { velocities, ..sample.state.clone() })
     }
 
-    /// The transmission angle at the first of two points of a link; none where it stands still.
+    /// The transmission angle at the first of two points of a link; none where it is at rest.
     fn transmission(&self, ends: [Point; 2], state: &State) -> Option<f64> {
         let [[at, velocity, _], [other, ..]] = ends.map(|end| self.system.point(end, state));
         let size = |[x, y, turn]: &[f64; 3]| x.hypot(*y).max(turn.abs() * self.system.size());

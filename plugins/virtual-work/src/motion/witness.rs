@@ -1,4 +1,4 @@
-//! The second ways to a motion: its energy balance, its last stretch once more, and how its joints slide.
+//! The second methods to a motion: its energy balance, its last stretch once more, and how its joints slide.
 
 use dalembert_core::{Text, Worksheet};
 use dalembert_mechanics::{
@@ -11,22 +11,22 @@ use crate::parts::Load;
 
 impl Solved<'_> {
     /// How a joint with friction slides at the end, where the bodies move as shown.
-    pub(super) fn sliding<W: Worksheet>(&self, braked: &JointFriction, shown: &State, sheet: W) {
-        let row = braked.load + 1;
-        let name = &self.parts.loads[braked.load].name;
-        let (reason, sliding) = match braked.contact {
-            Contact::Sliding { .. } => ("Sliding velocity against {name} at the end", braked.sliding),
+    pub(super) fn sliding<W: Worksheet>(&self, with_friction: &JointFriction, shown: &State, sheet: W) {
+        let row = with_friction.load + 1;
+        let name = &self.parts.loads[with_friction.load].name;
+        let (reason, sliding) = match with_friction.contact {
+            Contact::Sliding { .. } => ("Sliding velocity against {name} at the end", with_friction.sliding),
             Contact::Sticking | Contact::Indeterminate => {
                 ("At the end {name} is sticking: its joint does not slide", 0.0)
             }
         };
-        let unit = if braked.pin { "rad/s" } else { "m/s" };
+        let unit = if with_friction.pin { "rad/s" } else { "m/s" };
         let why = Text::new(reason).with("name", name);
         let sliding = sheet.found(("u", row), unit, sliding, why);
         sheet.answer(("sliding", row), "Sliding velocity against friction at the end", sliding);
         sheet.whose(("sliding", row), name);
         let (Contact::Sliding { .. }, Load::Friction { joint, .. }) =
-            (braked.contact, &self.parts.loads[braked.load].load)
+            (with_friction.contact, &self.parts.loads[with_friction.load].load)
         else {
             return;
         };

@@ -17,7 +17,7 @@ pub(crate) struct Parts<'a> {
 }
 
 impl Parts<'_> {
-    /// A point, from the mass centre of its body.
+    /// A point, from the centre of mass of its body.
     pub(crate) fn point(&self, reference: Reference) -> planar::Point {
         let spot = &self.points[reference.0];
         let on = spot.on.frame();
@@ -189,7 +189,7 @@ impl Parts<'_> {
             }
         }
         let refuse = |error: PlanarError| self.refusal(&error, &rows);
-        // The origin of a body is its mass centre here, and of its own axes in the form.
+        // The origin of a body is its centre of mass here, and of its own axes in the form.
         let origin = |(body, angle): (&Part, &f64)| {
             let [sin, cos] = [angle.sin(), angle.cos()];
             let centre = body.centre;

@@ -210,7 +210,7 @@ fn compare<W: Worksheet>(
         velocity.value(),
         natural,
     ));
-    // The mass centre of a straight rod lies on it: its velocity tells where, and with that its acceleration.
+    // The centre of mass of a straight rod lies on it: its velocity tells where, and with that its acceleration.
     let along = slider_velocity - pin_velocity;
     let part = if along == Vector3::zeros() {
         0.5

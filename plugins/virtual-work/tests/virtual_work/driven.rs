@@ -313,7 +313,7 @@ fn a_place_that_does_not_follow_is_asked_for() {
     close(point(&solution)[1], 0.1, 1e-12);
 }
 
-/// A block on a spring moves as it does because of where it was let go: without its place there is no motion.
+/// A block on a spring moves as it does because of where it was released: without its place there is no motion.
 #[test]
 fn a_block_that_nothing_places_is_refused() {
     let block = r#"format = 2

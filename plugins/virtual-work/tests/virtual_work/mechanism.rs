@@ -137,12 +137,12 @@ fn answer(solution: &Solution, name: &str) -> f64 {
     let answer = solution.answers.iter().find(|answer| answer.name.to_string() == name);
     match answer.expect("it is answered").value {
         AnswerValue::Number(Number::Scalar(si), _) => si,
-        _ => panic!("{name} is no number"),
+        _ => panic!("{name} is not a number"),
     }
 }
 
 #[track_caller]
-fn close(ours: f64, expected: f64, relative: f64) {
-    let size = ours.abs().max(expected.abs()).max(1e-3);
-    assert!((ours - expected).abs() <= relative * size, "{ours} is not {expected}");
+fn close(computed: f64, expected: f64, relative: f64) {
+    let size = computed.abs().max(expected.abs()).max(1e-3);
+    assert!((computed - expected).abs() <= relative * size, "{computed} is not {expected}");
 }

@@ -105,7 +105,7 @@ fn tongs_and_chains_of_any_length_hold() {
 
 fn number(solution: &Solution, name: &str) -> f64 {
     let answer = solution.answer(name).unwrap_or_else(|| panic!("no answer {name}"));
-    answer.si().unwrap_or_else(|| panic!("{name} is no number"))
+    answer.si().unwrap_or_else(|| panic!("{name} is not a number"))
 }
 
 /// The solution of a problem, all of whose checks hold.

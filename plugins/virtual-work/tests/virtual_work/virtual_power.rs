@@ -13,7 +13,7 @@ struct Engine {
     crank: CrankMotion,
     rod_mass: f64,
     rod_inertia: f64,
-    /// Distance of the rod's mass centre from the crank pin, over its length.
+    /// Distance of the rod's centre of mass from the crank pin, over its length.
     centre: f64,
     slider_mass: f64,
     force: f64,
@@ -157,7 +157,7 @@ fn virtual_power_is_the_torque_of_newton_and_euler() {
 }
 
 #[test]
-fn a_motion_that_does_not_close_the_loop_is_told_by_how_much() {
+fn a_motion_that_does_not_close_the_loop_is_reported_by_how_much() {
     let engine = Engine {
         shape: SliderCrank { crank: 0.1, rod: 0.3, offset: 0.0, branch: Branch::Ahead },
         crank: CrankMotion { angle: 0.8, speed: 10.0, acceleration: 0.0 },

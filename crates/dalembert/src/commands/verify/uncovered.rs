@@ -15,7 +15,7 @@ use crate::{
     solving::guarded,
 };
 
-/// Lists the answers that no second way covers. Status 1 where one has no reason, or has one and is covered.
+/// Lists the answers that no second method covers. Status 1 where one has no reason, or has one and is covered.
 pub(super) fn run(found: &[&'static Entry], as_json: bool, console: &Console) -> Result<ExitCode, Failure> {
     let mut all = Vec::new();
     for &entry in found {

@@ -144,7 +144,7 @@ impl Machine<'_> {
             Some((stopped, at_once)) if stopped < count => {
                 contacts[stopped] = Contact::Indeterminate;
                 if at_once {
-                    // It slid, if at all, for less than can be told from rest.
+                    // It slid, if at all, for less than can be distinguished from rest.
                     opens = f64::INFINITY;
                 }
             }

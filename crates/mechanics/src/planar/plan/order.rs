@@ -7,7 +7,7 @@ use crate::simd::SimdReal;
 
 /// A pivot must have this part of the largest entry of its row when it is chosen …
 const CHOSEN: f64 = 0.3;
-/// … and may fall to this part before another order is looked for.
+/// … and may fall to this part before another order is searched for.
 const KEPT: f64 = 0.03;
 /// Below this part it multiplies errors so much that a step must not go there.
 const LOST: f64 = 0.01;
@@ -405,7 +405,7 @@ impl Maker {
         (maker, rows, of_column)
     }
 
-    /// The order as it stands, with room for its numbers.
+    /// The order unchanged, with room for its numbers.
     fn done(self, columns: usize) -> Order {
         let Self { mut order, places, taken } = self;
         order.free = (0..columns).filter(|column| !taken[*column]).collect();

@@ -60,7 +60,7 @@ impl<S: SimdReal> Past<S> {
         let known = self.steps[..self.known].iter().take_while(|step| fits(step)).count();
         let [last, before] = self.steps;
         let (d, e) = (last, last + before);
-        // A lane at the end of its values stands still.
+        // A lane at the end of its values is at rest.
         let inverse = |x: S| x.each(|x| if x == 0.0 { 0.0 } else { 1.0 / x });
         // hⁿ/n, the integral of tⁿ⁻¹.
         let second = h * h / 2.0;

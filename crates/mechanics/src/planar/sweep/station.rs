@@ -24,7 +24,7 @@ const SINGULAR: f64 = 1e-9;
 
 /// What does not change on the way.
 #[derive(Clone, Copy)]
-pub(super) struct Way<'a> {
+pub(super) struct Path<'a> {
     pub(super) system: &'a System,
     pub(super) layout: &'a Layout,
     pub(super) loops: &'a [Vec<(usize, usize)>],
@@ -97,7 +97,7 @@ impl<S: SimdReal> Station<S> {
     }
 
     /// Stands in positions that are closed, or almost, given by each kept coordinate in each lane.
-    pub(super) fn begin(&mut self, way: &Way, value: S, kept: impl Fn(usize, usize) -> f64) -> bool {
+    pub(super) fn begin(&mut self, way: &Path, value: S, kept: impl Fn(usize, usize) -> f64) -> bool {
         for (number, place) in self.kept.iter_mut().enumerate() {
             *place = S::of(|lane| kept(number, lane));
         }
@@ -116,7 +116,7 @@ impl<S: SimdReal> Station<S> {
 
     /// Moves the driver to a value, in steps so short that the path of every body can be followed, with the joints
     /// closed to a part of the size of the mechanism.
-    pub(super) fn reach(&mut self, way: &Way, value: S, closed: f64) -> bool {
+    pub(super) fn reach(&mut self, way: &Path, value: S, closed: f64) -> bool {
         let (from, whole) = (self.value, value - self.value);
         if largest(whole.abs()) == 0.0 {
             return true;
@@ -139,7 +139,7 @@ impl<S: SimdReal> Station<S> {
         true
     }
 
-    fn step(&mut self, way: &Way, value: S, closed: f64) -> bool {
+    fn step(&mut self, way: &Path, value: S, closed: f64) -> bool {
         let h = value - self.value;
         self.before.copy_from_slice(&self.kept);
         self.predict(way, h);
@@ -172,7 +172,7 @@ impl<S: SimdReal> Station<S> {
         true
     }
 
-    fn predict(&mut self, way: &Way, h: S) {
+    fn predict(&mut self, way: &Path, h: S) {
         widest_of::<S, _>(
             #[inline(always)]
             || {
@@ -188,7 +188,7 @@ impl<S: SimdReal> Station<S> {
 
     /// Newton's method on the kept coordinates; leaves the factored equations of the closed position, and gives how
     /// far it moved them.
-    fn close(&mut self, way: &Way, closed: f64) -> Option<S> {
+    fn close(&mut self, way: &Path, closed: f64) -> Option<S> {
         widest_of::<S, _>(
             #[inline(always)]
             || self.closed(way, closed),
@@ -196,7 +196,7 @@ impl<S: SimdReal> Station<S> {
     }
 
     #[inline(always)]
-    fn closed(&mut self, way: &Way, closed: f64) -> Option<S> {
+    fn closed(&mut self, way: &Path, closed: f64) -> Option<S> {
         let length = way.system.length;
         let mut moved = S::from(0.0);
         let mut last = f64::INFINITY;
@@ -237,7 +237,7 @@ impl<S: SimdReal> Station<S> {
     }
 
     /// The derivatives by the value of the driver.
-    fn derive(&mut self, way: &Way) {
+    fn derive(&mut self, way: &Path) {
         widest_of::<S, _>(
             #[inline(always)]
             || self.derived(way),
@@ -245,7 +245,7 @@ impl<S: SimdReal> Station<S> {
     }
 
     #[inline(always)]
-    fn derived(&mut self, way: &Way) {
+    fn derived(&mut self, way: &Path) {
         self.right.fill(S::from(0.0));
         self.right[way.row] = S::from(1.0);
         solve(way, &self.order, &self.core, &mut self.inner, &mut self.right, &mut self.first);
@@ -259,7 +259,7 @@ impl<S: SimdReal> Station<S> {
     }
 
     /// Velocities, accelerations and reactions. False if something is not finite.
-    pub(super) fn load(&mut self, way: &Way) -> bool {
+    pub(super) fn load(&mut self, way: &Path) -> bool {
         widest_of::<S, _>(
             #[inline(always)]
             || self.loaded(way),
@@ -267,8 +267,8 @@ impl<S: SimdReal> Station<S> {
     }
 
     #[inline(always)]
-    fn loaded(&mut self, way: &Way) -> bool {
-        let Way { system, layout, row, driver, masses, .. } = *way;
+    fn loaded(&mut self, way: &Path) -> bool {
+        let Path { system, layout, row, driver, masses, .. } = *way;
         let drivers = &system.mechanism.drivers;
         let length = system.length;
         let alone = drivers
@@ -331,7 +331,7 @@ impl<S: SimdReal> Station<S> {
     }
 
     /// Writes the position of each lane into a place among those that were swept.
-    pub(super) fn store(&self, way: &Way, swept: &mut SweepResult, at: impl Fn(usize) -> usize) {
+    pub(super) fn store(&self, way: &Path, swept: &mut SweepResult, at: impl Fn(usize) -> usize) {
         let per_length = 1.0 / way.system.length;
         let bodies = self.forces.len();
         for lane in 0..S::COUNT {
@@ -364,7 +364,7 @@ fn widest_of<S: SimdReal, R>(mut work: impl FnMut() -> R) -> R {
 /// `Φ_q x = right` with the factored equations. The right sides are overwritten.
 #[inline(always)]
 fn solve<S: SimdReal>(
-    way: &Way,
+    way: &Path,
     order: &Order<S>,
     core: &Core<S>,
     inner: &mut [S],

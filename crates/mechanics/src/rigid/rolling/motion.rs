@@ -1,7 +1,7 @@
 //! The motion of a disc that rolls without slip, from a start.
 
 use crate::{
-    extremes::{Extremes, Look},
+    extremes::{Extremes, Sampling},
     ode::{Integrator, OdeError, Problem},
     roots,
 };
@@ -195,7 +195,7 @@ pub fn roll(
     cancelled: &dyn Fn() -> bool,
 ) -> Result<Rolled, RollingError> {
     const STEPS: usize = 40_000;
-    /// Looks at each step, which is a small part of a turn, and how far beside a time the rate is taken.
+    /// Examines each step, which is a small part of a turn, and how far beside a time the rate is taken.
     const LOOKS: u32 = 4;
     const BESIDE: f64 = 1e-5;
     let good = disc.good()
@@ -261,13 +261,13 @@ pub fn roll(
             let stretch = [place(part), place(part + 1)];
             let mut inclined = |time: f64| {
                 let moment = at(time);
-                Look::of(moment.inclination, moment.omega[0])
+                Sampling::of(moment.inclination, moment.omega[0])
             };
             inclinations.follow(&mut inclined, stretch);
             let beside = BESIDE * (end - before);
             let mut demanded = |time: f64| {
                 let [early, late] = [(time - beside).max(before), (time + beside).min(end)];
-                Look::of(at(time).demand(), (at(late).demand() - at(early).demand()) / (late - early))
+                Sampling::of(at(time).demand(), (at(late).demand() - at(early).demand()) / (late - early))
             };
             if ended != Ended::Lifts {
                 demand.follow(&mut demanded, stretch);

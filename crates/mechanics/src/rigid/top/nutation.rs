@@ -43,7 +43,7 @@ pub enum Trace {
     Steady,
     /// The precession never turns back.
     Wave,
-    /// The axis stands still at one limit.
+    /// The axis is at rest at one limit.
     Cusp,
     /// The precession turns back near one limit.
     Loop,
@@ -236,7 +236,7 @@ impl Nutation {
 
     /// Time from one lowest position to the next, s: `T = 2 K(k)/p`, `p = ½ √(β (u₃ − u₁))`.
     pub fn period(&self) -> f64 {
-        self.span / self.pace()
+        self.span / self.argument_rate()
     }
 
     /// How far the axis goes about the vertical in one period of nutation, rad.
@@ -272,7 +272,7 @@ impl Nutation {
     /// The axis at a time from the start.
     pub fn at(&self, time: f64) -> Attitude {
         let complement = self.complement();
-        let argument = self.start + self.pace() * time;
+        let argument = self.start + self.argument_rate() * time;
         let turns = (argument / self.span).round();
         let amplitude = elliptic::amplitude_of(argument - turns * self.span, complement);
         let (sn, cn) = amplitude.sin_cos();
@@ -285,7 +285,7 @@ impl Nutation {
         let lower = turns * self.in_span.1 + lower_rest - self.at_start.1;
         // ψ̇ = ω₃ − φ̇ cos θ, and φ̇ cos θ = φ̇ + a − e/y.
         let spin = (self.axial_velocity - self.a) * time - precession + 2.0 * lower;
-        let rate = -2.0 * self.high.above(self.low) * self.pace() * sn * cn * dn;
+        let rate = -2.0 * self.high.above(self.low) * self.argument_rate() * sn * cn * dn;
         let sine = (height.z * height.y).sqrt();
         // Through the vertical θ̇ = ż/sin θ is a quotient of zeros: there energy gives its size.
         let nutation_rate = if sine > 1e-9 { rate / sine } else { 0.0 };
@@ -299,7 +299,7 @@ impl Nutation {
     }
 
     /// `½ √(β (z₁ − z₃))`, 1/s.
-    fn pace(&self) -> f64 {
+    fn argument_rate(&self) -> f64 {
         (self.beta * (self.low.z - self.third)).sqrt() / 2.0
     }
 
@@ -325,7 +325,8 @@ impl Nutation {
             if weight == 0.0 || at_low <= 0.0 || at_high <= 0.0 {
                 return 0.0;
             }
-            weight / at_low * elliptic::ellip_pi(amplitude, at_high / at_low, complement) / self.pace()
+            weight / at_low * elliptic::ellip_pi(amplitude, at_high / at_low, complement)
+                / self.argument_rate()
         };
         let upper = part(self.d / 2.0, self.low.z, self.high.z);
         let lower = part(self.e / 2.0, self.low.y, self.high.y);

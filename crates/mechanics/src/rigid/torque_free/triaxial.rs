@@ -54,7 +54,7 @@ pub struct FreeBody {
     /// `A_a`, `A_b`, `A_c` with their signs, rad/s.
     amplitudes: [f64; 3],
     /// `dτ/dt`, 1/s.
-    pace: f64,
+    argument_rate: f64,
     /// `1 − k²`.
     complement: f64,
     /// `τ` at the start.
@@ -99,7 +99,7 @@ impl FreeBody {
             polhode,
             order,
             amplitudes: [0.0; 3],
-            pace: 0.0,
+            argument_rate: 0.0,
             complement: 1.0,
             argument: 0.0,
             frame: Matrix3::identity(),
@@ -116,14 +116,14 @@ impl FreeBody {
         let side_c = if w_c < 0.0 { -1.0 } else { 1.0 };
         let side_b = side_c * turned * (i_c - i_b).signum();
         body.amplitudes = [size_a, side_b * size_b, side_c * size_c];
-        body.pace = ((i_c - i_b) * (i_c - i_a) / (i_a * i_b)).sqrt() * size_c;
+        body.argument_rate = ((i_c - i_b) * (i_c - i_a) / (i_a * i_b)).sqrt() * size_c;
         body.complement = (excess / ((i_c - i_b) * i_c * size_c * size_c)).min(1.0);
         let amplitude = f64::atan2(side_b * w_b / size_b, w_a / size_a);
         body.argument = elliptic::ellip_f(amplitude, body.complement);
         body.frame = body.beside(start);
-        let finite = [size_a, size_b, size_c, body.pace, body.complement, body.argument];
+        let finite = [size_a, size_b, size_c, body.argument_rate, body.complement, body.argument];
         if finite.iter().all(|x| x.is_finite())
-            && body.pace > 0.0
+            && body.argument_rate > 0.0
             && (polhode == Polhode::Separatrix || body.complement > 0.0)
         {
             Ok(body)
@@ -154,15 +154,15 @@ impl FreeBody {
     }
 
     /// `p = dτ/dt`, 1/s.
-    pub fn pace(&self) -> f64 {
-        self.pace
+    pub fn argument_rate(&self) -> f64 {
+        self.argument_rate
     }
 
     /// Time after which the angular velocity is the same in the body, `4 K(k)/p`, s; infinite for a permanent rotation
     /// and for the separatrix.
     pub fn period(&self) -> f64 {
         match self.polhode {
-            Polhode::Around(_) => 4.0 * elliptic::ellip_k(self.complement) / self.pace,
+            Polhode::Around(_) => 4.0 * elliptic::ellip_k(self.complement) / self.argument_rate,
             Polhode::Permanent | Polhode::Separatrix => f64::INFINITY,
         }
     }
@@ -172,9 +172,9 @@ impl FreeBody {
         match self.polhode {
             Polhode::Around(_) => {
                 let half = 2.0 * elliptic::ellip_k(self.complement);
-                Some((-self.argument).rem_euclid(half) / self.pace)
+                Some((-self.argument).rem_euclid(half) / self.argument_rate)
             }
-            Polhode::Separatrix if self.argument <= 0.0 => Some(-self.argument / self.pace),
+            Polhode::Separatrix if self.argument <= 0.0 => Some(-self.argument / self.argument_rate),
             Polhode::Permanent | Polhode::Separatrix => None,
         }
     }
@@ -190,7 +190,7 @@ impl FreeBody {
         if self.polhode == Polhode::Permanent {
             return self.start;
         }
-        let (_, rest) = self.turns(self.argument + self.pace * time);
+        let (_, rest) = self.turns(self.argument + self.argument_rate * time);
         let (sn, cn, dn) = elliptic::jacobi_of(rest, self.complement);
         let mut velocity = Vector3::zeros();
         for ((axis, amplitude), function) in self.order.into_iter().zip(self.amplitudes).zip([cn, sn, dn]) {
@@ -219,11 +219,11 @@ impl FreeBody {
         let rest = i_b * (i_c - i_a) / (i_a * (i_c - i_b));
         let third = |amplitude| elliptic::ellip_pi(amplitude, rest, self.complement);
         let momentum = self.inertia.component_mul(&self.start).norm();
-        momentum / i_c * (time + (i_c - i_a) / (i_a * self.pace) * (third(to) - third(from)))
+        momentum / i_c * (time + (i_c - i_a) / (i_a * self.argument_rate) * (third(to) - third(from)))
     }
 
     fn amplitude(&self, time: f64) -> f64 {
-        let (turns, rest) = self.turns(self.argument + self.pace * time);
+        let (turns, rest) = self.turns(self.argument + self.argument_rate * time);
         turns * TAU + elliptic::amplitude_of(rest, self.complement)
     }
 

@@ -28,7 +28,7 @@ const TOLERANCE: f64 = 1e-10;
 /// The most parts.
 const MOST_PARTS: usize = 2000;
 
-/// The integral between the least and the greatest of some points, which are its first parts, by halving the part
+/// The integral between the least and the largest of some points, which are its first parts, by halving the part
 /// of the largest error (Gauss–Kronrod 7–15; Piessens et al., *QUADPACK*, 1983). The last point may be infinite for a
 /// function that falls at least as `1/x²`; the point before it must then be above zero.
 ///
@@ -76,7 +76,7 @@ pub fn integrate(function: impl Fn(f64) -> f64, points: &[f64]) -> Result<f64, Q
 }
 
 /// The same integral over finite points by a rule of fixed panels in `t`, `x = centre + width sinh t`, which spreads a
-/// resonance out: a second way.
+/// resonance out: a second method.
 pub fn integrate_about(function: impl Fn(f64) -> f64, points: &[f64], [centre, width]: [f64; 2]) -> f64 {
     let to_t = |x: f64| ((x - centre) / width).asinh();
     let mut sum = 0.0;

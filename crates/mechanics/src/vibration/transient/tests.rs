@@ -29,7 +29,7 @@ fn a_step_overshoots_by_its_closed_form() {
         let peak = motion(3.0, ratio, &[line(0.0, 2.0, 0.0)])
             .extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY])
             .unwrap()
-            .greatest;
+            .largest;
         let damped = (1.0 - ratio * ratio).sqrt();
         close(peak.value, 2.0 * (1.0 + (-PI * ratio / damped).exp()), 2.0);
         close(peak.time, PI / (3.0 * damped), 1.0);
@@ -41,7 +41,7 @@ fn a_ramp_that_is_held_overshoots_by_its_closed_form() {
     for rise in [0.05, 0.4, 0.9, 2.7] {
         let load = [line(0.0, 0.0, 1.0 / rise), line(rise, 1.0, 0.0)];
         let peak = motion(TAU, 0.0, &load).extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]).unwrap();
-        close(peak.greatest.value, 1.0 + (PI * rise).sin().abs() / (PI * rise), 1.0);
+        close(peak.largest.value, 1.0 + (PI * rise).sin().abs() / (PI * rise), 1.0);
     }
 }
 
@@ -68,7 +68,7 @@ fn a_half_sine_leaves_its_closed_form() {
 #[test]
 fn the_half_sine_amplifies_by_1_768_at_most() {
     let at = |part: f64| {
-        motion(TAU, 0.0, &half_sine(part)).extremes(Output::DISPLACEMENT, [0.0, part]).unwrap().greatest.value
+        motion(TAU, 0.0, &half_sine(part)).extremes(Output::DISPLACEMENT, [0.0, part]).unwrap().largest.value
     };
     assert!((at(0.810_133_3) - 1.768_458).abs() < 1e-6);
 }
@@ -92,7 +92,7 @@ fn a_shock_far_shorter_than_the_period_is_an_impulse() {
     let short = 1e-7;
     let load = [line(0.0, 1.0, 0.0), line(short, 0.0, 0.0)];
     let residual =
-        motion(1.0, 0.0, &load).extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]).unwrap().greatest;
+        motion(1.0, 0.0, &load).extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]).unwrap().largest;
     assert!((residual.value / short - 1.0).abs() < 1e-12, "{}", residual.value / short);
 }
 
@@ -110,7 +110,7 @@ fn an_exponential_at_a_root_of_the_oscillator_is_no_pole() {
 }
 
 #[test]
-fn a_ramp_without_end_has_no_greatest_value() {
+fn a_ramp_without_end_has_no_largest_value() {
     let load = [line(0.0, 0.0, 1.0)];
     assert_eq!(
         motion(1.0, 0.1, &load).extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]),
@@ -176,9 +176,9 @@ proptest! {
         let found = motion.extremes(output, [0.0, f64::INFINITY]).unwrap();
         for n in 0..4000 {
             let value = motion.output(output, f64::from(n) * step * values.len() as f64 / 3000.0);
-            prop_assert!(value <= found.greatest.value + 1e-11 && value >= found.least.value - 1e-11);
+            prop_assert!(value <= found.largest.value + 1e-11 && value >= found.least.value - 1e-11);
         }
-        prop_assert!((motion.output(output, found.greatest.time) - found.greatest.value).abs() < 1e-11);
+        prop_assert!((motion.output(output, found.largest.time) - found.largest.value).abs() < 1e-11);
         prop_assert!((motion.output(output, found.least.time) - found.least.value).abs() < 1e-11);
     }
 
@@ -201,7 +201,7 @@ fn a_slow_half_sine_is_found_in_its_middle() {
     let r = 0.5 / duration;
     // The velocity is zero where Ωt = 2πj r/(1 + r); the peak is the one nearest to a quarter wave.
     let peak = (1..1000).map(|j| (TAU * f64::from(j) * r / (1.0 + r)).sin() / (1.0 - r)).fold(0.0, f64::max);
-    close(found.greatest.value, peak, 1.0);
+    close(found.largest.value, peak, 1.0);
 }
 
 proptest! {

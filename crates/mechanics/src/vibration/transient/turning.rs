@@ -5,7 +5,7 @@ use std::{f64::consts::PI, ops::ControlFlow};
 use super::{Law, Oscillator, Output, State, TransientError};
 use crate::roots;
 
-/// The most turning points that are looked for at either end of a piece.
+/// The most turning points that are searched for at either end of a piece.
 const MOST_TURNS: usize = 200;
 /// Samples for each period where turning points have no closed form.
 const SAMPLES: f64 = 16.0;
@@ -112,7 +112,7 @@ impl Oscillator {
         ]
     }
 
-    /// The turning points under a straight load that may be the least or the greatest: swings whose bound, the
+    /// The turning points under a straight load that may be the least or the largest: swings whose bound, the
     /// straight line and the amplitude that is left about it, is within what was found already are passed over.
     fn line_turning_points(
         self,
@@ -168,10 +168,10 @@ impl Oscillator {
     }
 
     /// The parts of some windows that may hold an extreme: those where the rate changes its sign near the least or the
-    /// greatest of all samples.
+    /// largest of all samples.
     fn sampled(self, state: State, law: Law, output: Output, windows: Vec<Vec<f64>>) -> Vec<[f64; 2]> {
         let mut found = Vec::new();
-        let (mut least, mut greatest) = (f64::INFINITY, f64::NEG_INFINITY);
+        let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);
         for window in windows {
             let mut before: Option<(f64, f64, f64)> = None;
             for tau in window {
@@ -179,7 +179,7 @@ impl Oscillator {
                 let value =
                     output.displacement * at.displacement + output.velocity * at.velocity / self.natural;
                 let rate = self.rate(at, law.at(tau), output);
-                (least, greatest) = (least.min(value), greatest.max(value));
+                (least, largest) = (least.min(value), largest.max(value));
                 if let Some((from, value_before, rate_before)) = before
                     && (rate == 0.0 || rate_before * rate.signum() < 0.0)
                 {
@@ -189,8 +189,8 @@ impl Oscillator {
             }
         }
         // A sample lies within 2 % of the peak of its swing.
-        let margin = 0.1 * (greatest - least);
-        found.retain(|(_, low, high)| *high >= greatest - margin || *low <= least + margin);
+        let margin = 0.1 * (largest - least);
+        found.retain(|(_, low, high)| *high >= largest - margin || *low <= least + margin);
         found.into_iter().map(|(bracket, ..)| bracket).collect()
     }
 

@@ -1,4 +1,4 @@
-//! How far a person has read the worked solution: what is covered still, and the symbol that is followed.
+//! How far a user has read the worked solution: what is covered still, and the symbol that is followed.
 
 use std::collections::HashSet;
 
@@ -10,7 +10,7 @@ use dalembert_core::{
 /// A symbol of a step: the places of both.
 pub type Place = (usize, usize);
 
-/// How far a person has read the worked solution.
+/// How far a user has read the worked solution.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Reading {
     /// How many steps are revealed, with the answers they lead to; `None` where nothing is covered.

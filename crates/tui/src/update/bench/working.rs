@@ -2,7 +2,7 @@
 
 use dalembert_core::{Text, trace::Op};
 
-use super::{area, bring_in};
+use crate::update::scroll::{area, bring_in};
 use crate::{
     bench::Focus,
     keys::{self, Action},
@@ -32,7 +32,7 @@ pub(super) fn try_by_hand(model: &mut Model) {
     model.say(said);
 }
 
-/// Whether the key is one of the worked solution as it stands now.
+/// Whether the key is one of the worked solution unchanged now.
 pub(super) fn act(model: &mut Model, action: Action) -> bool {
     let Some(bench) = &mut model.bench else { return false };
     let Some(solution) = &bench.found.solution else { return false };

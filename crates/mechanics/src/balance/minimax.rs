@@ -1,4 +1,4 @@
-//! The weights that make the largest reading least, each weight within a limit.
+//! Minimax balancing: the weights that minimise the largest reading, each weight within a limit.
 
 use nalgebra::{Complex, DMatrix};
 

@@ -40,7 +40,7 @@ impl Parts {
 }
 
 impl Reactions {
-    /// A second way: momentum and angular momentum of the body about the fixed origin at other times, by
+    /// A second method: momentum and angular momentum of the body about the fixed origin at other times, by
     /// differences, against the sum of all that acts on it.
     pub(super) fn check_by_differences<W: Worksheet>(
         &self,
