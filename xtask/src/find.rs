@@ -22,7 +22,9 @@ pub fn run(tree: &Tree, term: &str) -> Result<()> {
     if found.is_empty() {
         bail!("no file and no public name has the words of `{term}` or of its synonyms in {GLOSSARY}");
     }
-    found.iter().for_each(|path| println!("{path}"));
+    for path in &found {
+        println!("{path}");
+    }
     Ok(())
 }
 
@@ -157,12 +159,19 @@ pub fn words(name: &str) -> BTreeSet<String> {
     }
     let small = ["of", "the", "a", "and", "to", "in", "is"];
     let parts = spaced.split_whitespace().filter(|word| !small.contains(word));
-    parts.map(|word| singular(word).to_owned()).collect()
+    parts.map(singular).collect()
 }
 
-fn singular(word: &str) -> &str {
-    match word.strip_suffix('s') {
-        Some(stem) if word.len() > 4 && !stem.ends_with(['s', 'u', 'i']) => stem,
-        _ => word,
+fn singular(word: &str) -> String {
+    let without = |ending: &str| word.strip_suffix(ending).filter(|stem| stem.len() > 2);
+    if let Some(stem) = without("ies") {
+        return format!("{stem}y");
     }
+    if let Some(stem) =
+        without("es").filter(|stem| ["ch", "sh", "ss", "ias", "x"].iter().any(|end| stem.ends_with(end)))
+    {
+        return stem.to_owned();
+    }
+    let stem = without("s").filter(|stem| stem.len() > 3 && !stem.ends_with(['s', 'u', 'i']));
+    stem.unwrap_or(word).to_owned()
 }

@@ -8,6 +8,7 @@ use anyhow::{Context, Result, bail};
 
 mod analyses;
 mod layers;
+mod loops;
 mod pairs;
 mod phrases;
 mod text;
@@ -45,6 +46,7 @@ pub fn faults(tree: &Tree) -> Vec<String> {
         layers::a_plugin_is_named_only_by_the_bundle,
         layers::a_crate_depends_only_on_what_lies_below,
         layers::pure_crates_do_no_input_or_output,
+        loops::files_do_not_import_each_other_in_a_loop,
         pairs::tests_pair_lists_of_one_length,
         phrases::retired_phrases_do_not_come_back,
         text::modules_are_not_named_mod,

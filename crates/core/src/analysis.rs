@@ -253,7 +253,7 @@ fn forget_absent(exhibits: &mut [Exhibit], problem: Value) {
                 }
             }
             Exhibit::Animation(animation) => {
-                animation.over = animation.over.take().filter(|(input, _)| has(input))
+                animation.over = animation.over.take().filter(|(input, _)| has(input));
             }
             _ => {}
         }

@@ -17,6 +17,8 @@ const QUOTING: [&str; 4] = [GLOSSARY, "docs/reference.md", "docs/refusals.md", "
 /// A row of the table.
 struct Retired<'t> {
     phrase: &'t str,
+    /// The phrase as [`spaced`] writes it.
+    spaced: String,
     instead: &'t str,
     places: &'t str,
     exceptions: &'t str,
@@ -29,8 +31,8 @@ pub(super) fn retired_phrases_do_not_come_back(tree: &Tree) -> Vec<String> {
     for (path, text) in tree.iter().filter(|(path, _)| !QUOTING.contains(path)) {
         let here: Vec<&Retired> = retired.iter().filter(|one| !one.is_excepted(path)).collect();
         for (n, line) in lines(text) {
-            let words = if ends_in(path, "rs") { spaced(&line.replace('_', " ")) } else { spaced(line) };
-            for one in here.iter().filter(|one| one.stands_in(path, line, &words)) {
+            let words = spaced(&line.replace('_', " "));
+            for one in here.iter().filter(|one| words.contains(&one.spaced) && one.stands_in(path, line)) {
                 faults.push(format!("{path}:{n}: `{}` is retired: write {}", one.phrase, one.instead));
             }
         }
@@ -66,7 +68,8 @@ pub(super) fn commits(root: &Path, glossary: &str) -> Result<Vec<String>> {
             faults.push(format!("{hash}: the body must say why"));
         }
         let words = spaced(subject);
-        for one in retired.iter().filter(|one| one.places.contains("commits") && has(&words, one.phrase)) {
+        for one in retired.iter().filter(|one| one.places.contains("commits") && words.contains(&one.spaced))
+        {
             faults.push(format!("{hash}: `{}` is retired: write {}", one.phrase, one.instead));
         }
     }
@@ -78,14 +81,15 @@ impl Retired<'_> {
         self.exceptions.split('`').skip(1).step_by(2).any(|start| path.starts_with(start))
     }
 
-    /// Whether the phrase stands in this line of a file, in one of its places.
-    fn stands_in(&self, path: &str, line: &str, words: &str) -> bool {
+    /// Whether the phrase, which a line of a file has, stands in one of its places there.
+    fn stands_in(&self, path: &str, line: &str) -> bool {
         let is = |place: &str| self.places.contains(place);
-        let is_quoted = || line.split('"').skip(1).step_by(2).any(|quoted| has(&spaced(quoted), self.phrase));
+        let is_quoted =
+            || line.split('"').skip(1).step_by(2).any(|quoted| spaced(quoted).contains(&self.spaced));
         if ends_in(path, "rs") {
-            is("code") && has(words, self.phrase) || is("messages") && is_quoted()
+            is("code") || is("messages") && is_quoted()
         } else if ends_in(path, "md") {
-            is("documents") && has(words, self.phrase)
+            is("documents") && spaced(line).contains(&self.spaced)
         } else {
             // Lists of exercises name cases, so these keep their names.
             ends_in(path, "toml") && is("messages") && !line.starts_with("name = ") && is_quoted()
@@ -98,8 +102,10 @@ fn retired(glossary: &str) -> Vec<Retired<'_>> {
     let rows = section(glossary).lines().filter_map(|line| line.strip_prefix("| `"));
     rows.filter_map(|row| {
         let mut cells = row.trim_end().trim_end_matches('|').split('|').map(str::trim);
+        let phrase = cells.next()?.trim_end_matches('`');
         Some(Retired {
-            phrase: cells.next()?.trim_end_matches('`'),
+            phrase,
+            spaced: format!(" {phrase} "),
             instead: cells.next()?,
             places: cells.next()?,
             exceptions: cells.next()?,
@@ -129,8 +135,4 @@ fn spaced(line: &str) -> String {
         }
     }
     words
-}
-
-fn has(words: &str, phrase: &str) -> bool {
-    words.contains(&format!(" {phrase} "))
 }

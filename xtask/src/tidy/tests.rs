@@ -204,3 +204,28 @@ fn retired_phrases_are_found_in_their_places() {
         assert!(faults.is_empty(), "{path}: {text}{faults:#?}");
     }
 }
+
+#[test]
+fn a_loop_of_imports_is_found() {
+    let changes = [
+        ("crates/core/src/a.rs", "use super::b::B;\npub struct A(B);\n"),
+        ("crates/core/src/b.rs", "pub struct B;\nfn x() { crate::c::y() }\n"),
+        ("crates/core/src/c.rs", "pub fn y() {}\n"),
+    ];
+    assert_eq!(faults(&tree(&changes)), [""; 0]);
+    let back =
+        [changes.as_slice(), &[("crates/core/src/c.rs", "use crate::{a::A, b};\npub fn y() {}\n")]].concat();
+    let faults = faults(&tree(&back));
+    assert_eq!(faults.len(), 3, "{faults:#?}");
+    assert!(
+        faults[0].contains("crates/core/src/a.rs: in a loop of imports, with crates/core/src/b.rs"),
+        "{faults:#?}"
+    );
+    // What a module's own test module uses, and what its parts take from it, is no loop.
+    let of_tests = [
+        ("crates/core/src/a.rs", "mod part;\nuse super::b::B;\n"),
+        ("crates/core/src/a/part.rs", "use super::A;\n"),
+        ("crates/core/src/b.rs", "pub struct B;\n#[cfg(test)]\nmod tests { use crate::a::A; }\n"),
+    ];
+    assert_eq!(super::faults(&tree(&of_tests)), [""; 0]);
+}
