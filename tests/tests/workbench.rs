@@ -84,7 +84,7 @@ fn what_is_typed_outlives_the_window_and_is_offered_again() {
     pty.expect("without saving");
     pty.types("<enter>");
     pty.expect("1234 rpm");
-    // Discarded when the user reports it, and not offered again.
+    // Discarded when the user asks for it, and not offered again.
     pty.types("q");
     pty.expect("quit without saving");
     pty.types("<down><enter>");

@@ -320,7 +320,7 @@ fn prepared(
         }
         slots.push(places);
     }
-    // The places of the answers, from one reading of the problem unchanged.
+    // The places of the answers, from one reading of the problem as given.
     let stop = Stop::new();
     let plain = Plain::new(&stop);
     problem.solve_plain(&plain)?;

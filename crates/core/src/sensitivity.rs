@@ -55,7 +55,7 @@ pub struct Spread {
 /// `usual` is that of every other one, in its [steps](Input::step).
 ///
 /// # Errors
-/// Why the problem unchanged has no answer, or none of that name.
+/// Why the problem as given has no answer, or none of that name.
 pub fn sensitivity(
     entry: &Entry,
     record: &Record,

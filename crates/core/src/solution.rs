@@ -195,7 +195,7 @@ impl Answer {
     }
 }
 
-/// How an answer is to be shown, unchanged in a problem file: `mm`, `mm; 6 digits`, `6 digits`.
+/// How an answer is to be shown, as written in a problem file: `mm`, `mm; 6 digits`, `6 digits`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Display {
     /// Its unit; empty for that of the analysis.

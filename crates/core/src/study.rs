@@ -90,7 +90,7 @@ pub struct Studied {
 /// Carries out a study.
 ///
 /// # Errors
-/// Why the problem unchanged has no answer, or what of the plan does not fit it.
+/// Why the problem as given has no answer, or what of the plan does not fit it.
 pub fn study(entry: &Entry, record: &Record, plan: &Plan, stop: &Stop) -> Result<Studied, SolveError> {
     let solution = entry.solve(record, stop)?;
     let name = match plan {

@@ -191,7 +191,7 @@ impl Perturbed {
     /// change, and answers that are no single numbers, are dropped.
     ///
     /// # Errors
-    /// Why the problem unchanged has no answer.
+    /// Why the problem as given has no answer.
     pub fn new(
         entry: &Entry,
         record: &Record,

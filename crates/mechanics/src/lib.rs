@@ -1,7 +1,7 @@
 //! The mechanics itself: numbers in SI, no text, no units, no input and no output.
 //!
 //! Two kinds of function live here. A *closed formula* is generic over [`Real`] or [`Vector`] and is written in
-//! the shape of the textbook, since a worked solution prints it unchanged; it checks nothing. A *numerical
+//! the shape of the textbook, since a worked solution prints it as written; it checks nothing. A *numerical
 //! kernel* works on `f64`, refuses what has no answer with a typed error, and never returns NaN or infinity.
 
 pub mod balance;

@@ -212,7 +212,7 @@ fn name(text: &str) -> Result<String, Text> {
     Err(Text::new("`{text}` is not a screenshot name: use letters, digits, `-` and `_`").with("text", text))
 }
 
-/// A text unchanged between quotes.
+/// A text as it is, between quotes.
 fn quoted(text: &str) -> String {
     let mut written = String::from('"');
     for character in text.chars() {

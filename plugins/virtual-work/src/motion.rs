@@ -158,8 +158,8 @@ impl Analysis for Motion {
         let system = System::new(&mechanism, &positions).map_err(refuse)?;
         let rates: Vec<(Measure, f64)> = self.starts.iter().map(|start| parts.rate(&start.what)).collect();
         let velocities = system.starting(&positions, &rates).map_err(refuse)?;
-        let freed = system.forward_dynamics(&positions, &velocities).map_err(refuse)?;
-        if freed.degrees_of_freedom == 0 {
+        let solved = system.forward_dynamics(&positions, &velocities).map_err(refuse)?;
+        if solved.degrees_of_freedom == 0 {
             return Err(Refusal::because(
                 "no free motion remains: the drivers and joints determine everything; remove a driver, or use the plane mechanism",
             ));
@@ -191,8 +191,14 @@ impl Analysis for Motion {
         sheet.keep_going()?;
         let moved = moved.map_err(refuse)?;
         self.end.means_something(&moved, &self.bodies)?;
-        let this =
-            Solved { parts: &parts, rows: &rows, system: &system, freed: &freed, moved: &moved, tolerance };
+        let this = Solved {
+            parts: &parts,
+            rows: &rows,
+            system: &system,
+            dynamics: &solved,
+            moved: &moved,
+            tolerance,
+        };
         this.loosened(sheet);
         this.start(given, sheet);
         this.finish(self, sheet)?;
@@ -208,7 +214,7 @@ struct Solved<'a> {
     rows: &'a [usize],
     system: &'a System,
     /// The start.
-    freed: &'a ForwardDynamics,
+    dynamics: &'a ForwardDynamics,
     moved: &'a Trajectory,
     /// Error that each step was let add.
     tolerance: f64,
@@ -288,8 +294,8 @@ impl Solved<'_> {
 
     /// The accelerations and the forces in the joints with which the motion begins.
     fn start<W: Worksheet>(&self, given: &MotionGiven<W>, sheet: W) {
-        let State { accelerations, .. } = &self.freed.state;
-        let mut shown = self.freed.state.clone();
+        let State { accelerations, .. } = &self.dynamics.state;
+        let mut shown = self.dynamics.state.clone();
         let largest = accelerations.iter().fold(0.0f64, |most, a| most.max(a[2].abs()));
         for (row, part) in (1..).zip(self.parts.bodies) {
             // The method is reported once.
@@ -310,7 +316,7 @@ impl Solved<'_> {
         }
         sheet.verify(|| {
             let errors = [0.0, 0.0, self.tolerance * largest];
-            let driving = closure::driving(self.system, &self.freed.multipliers);
+            let driving = closure::driving(self.system, &self.dynamics.multipliers);
             closure::check_pins(self.system, &shown, (errors, driving), sheet);
         });
         let mut carried = vec![None; self.parts.joints.len()];
@@ -341,10 +347,15 @@ impl Solved<'_> {
                 [None, None] => {}
             }
         }
-        for with_friction in &self.freed.frictions {
-            self.with_friction(with_friction, &given.loads[with_friction.load].load, &carried, sheet);
+        for joint_friction in &self.dynamics.frictions {
+            self.joint_friction(joint_friction, &given.loads[joint_friction.load].load, &carried, sheet);
         }
-        if self.freed.frictions.iter().any(|with_friction| with_friction.contact == Contact::Indeterminate) {
+        if self
+            .dynamics
+            .frictions
+            .iter()
+            .any(|joint_friction| joint_friction.contact == Contact::Indeterminate)
+        {
             sheet.warn(|| {
                 Text::new("at the start several joints keep each other at rest: statics alone does not determine how their friction is shared, nor the joint forces")
             });
@@ -352,22 +363,22 @@ impl Solved<'_> {
     }
 
     /// What a friction does at the start, where the joint in each row carries this force.
-    fn with_friction<W: Worksheet>(
+    fn joint_friction<W: Worksheet>(
         &self,
-        with_friction: &JointFriction,
+        joint_friction: &JointFriction,
         given: &LoadGiven<W>,
         carried: &[Option<W::Num>],
         sheet: W,
     ) {
-        let row = with_friction.load + 1;
-        let NamedLoad { name, load } = &self.parts.loads[with_friction.load];
-        let unit = if with_friction.pin { "N*m" } else { "N" };
+        let row = joint_friction.load + 1;
+        let NamedLoad { name, load } = &self.parts.loads[joint_friction.load];
+        let unit = if joint_friction.pin { "N*m" } else { "N" };
         let why = |reason| (Text::new(reason).with("name", name), PFEIFFER.at("ch. 6"));
-        let effort = match (with_friction.contact, given, load) {
+        let effort = match (joint_friction.contact, given, load) {
             (Contact::Indeterminate, ..) => return,
             (Contact::Sliding { sense, .. }, LoadGiven::Friction { coefficient, radius }, Load::Friction { joint, .. }) => {
                 let Some(force) = carried[joint.0] else { return };
-                let (most, reason) = if with_friction.pin {
+                let (most, reason) = if joint_friction.pin {
                     (
                         *coefficient * *radius * force,
                         "{name} at the start: its pin slides, with a friction couple of μ r times the joint force, opposite to the sliding",
@@ -384,7 +395,7 @@ impl Solved<'_> {
             _ => sheet.found(
                 ("F", row),
                 unit,
-                with_friction.effort,
+                joint_friction.effort,
                 why("{name} at the start, positive in the direction of sliding: its joint sticks, since no possible motion would overcome the friction opposing it"),
             ),
         };
@@ -392,11 +403,11 @@ impl Solved<'_> {
         sheet.whose(("friction", row), name);
         sheet.verify(|| {
             let size = self
-                .freed
+                .dynamics
                 .frictions
                 .iter()
-                .fold(0.0f64, |most, with_friction| most.max(with_friction.effort.abs()));
-            let residual = (effort.value() - with_friction.effort).into();
+                .fold(0.0f64, |most, joint_friction| most.max(joint_friction.effort.abs()));
+            let residual = (effort.value() - joint_friction.effort).into();
             sheet.check_zero("the friction at the onset of motion", residual, size);
         });
     }
@@ -465,7 +476,7 @@ impl Solved<'_> {
         }
         let errors = [turned, fastest, quickest].map(|most| self.tolerance * most);
         sheet.verify(|| {
-            let driving = closure::driving(self.system, &self.freed.multipliers);
+            let driving = closure::driving(self.system, &self.dynamics.multipliers);
             closure::check_pins(self.system, &shown, (errors, driving), sheet);
         });
         sheet.verify(|| self.check_time(time.value(), sheet));
@@ -517,8 +528,8 @@ impl Solved<'_> {
         let whole = self.system.forward_dynamics(positions, velocities);
         let refuse = |error: PlanarError| self.parts.refusal(&error, self.rows);
         let whole = whole.map_err(refuse)?;
-        for with_friction in &whole.frictions {
-            self.sliding(with_friction, &shown, sheet);
+        for joint_friction in &whole.frictions {
+            self.sliding(joint_friction, &shown, sheet);
         }
         let whole = whole.state.accelerations;
         sheet.verify(|| {
@@ -537,7 +548,7 @@ impl Solved<'_> {
 
     /// What a joint exerts on its second point at the start: along x and y, or along one line.
     fn carried(&self, row: usize) -> [Option<f64>; 2] {
-        let [first, second, _] = carried(self.system, self.rows, row, &self.freed.multipliers, 1e-12);
+        let [first, second, _] = carried(self.system, self.rows, row, &self.dynamics.multipliers, 1e-12);
         [first, second]
     }
 }

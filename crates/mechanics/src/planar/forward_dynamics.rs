@@ -137,8 +137,8 @@ impl System {
             sliding: response.rates[row] / self.arm(friction),
             pin: friction.pin,
         };
-        let with_friction = frictions.iter().enumerate().map(of_each).collect();
-        Ok((response.effect(&efforts), with_friction))
+        let joints = frictions.iter().enumerate().map(of_each).collect();
+        Ok((response.effect(&efforts), joints))
     }
 
     /// The velocities with which a motion starts: those of the drivers, the given ones of some measures, and of all

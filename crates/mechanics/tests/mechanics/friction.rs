@@ -56,20 +56,20 @@ fn only(frictions: &[JointFriction]) -> JointFriction {
 fn a_block_on_a_slope_holds_below_the_angle_of_friction() {
     for slope in [0.1, 0.25, 0.29, 0.3, 0.5, 1.2f64] {
         let (system, drawn) = block(slope, 0.3, vec![]);
-        let freed = found(system.forward_dynamics(&drawn, &[[0.0; 3]]));
-        let with_friction = only(&freed.frictions);
-        let [x, y, _] = freed.state.accelerations[0];
+        let solved = found(system.forward_dynamics(&drawn, &[[0.0; 3]]));
+        let joint_friction = only(&solved.frictions);
+        let [x, y, _] = solved.state.accelerations[0];
         let downhill = -(x * slope.cos() + y * slope.sin());
         let moved = found(system.simulate(&drawn, &[[0.0; 3]], &run(2.0, 1e-10, 3)));
         let [x, y, _] = moved.samples[2].state.positions[0];
         let way = -(x * slope.cos() + y * slope.sin());
         if slope.tan() < 0.3 {
-            assert_eq!(with_friction.contact, Contact::Sticking);
+            assert_eq!(joint_friction.contact, Contact::Sticking);
             assert!(downhill.abs() < 1e-14 && way.abs() < 1e-14, "{downhill} m/s², {way} m");
-            close(with_friction.effort, 2.0 * G * slope.sin(), 1e-12);
+            close(joint_friction.effort, 2.0 * G * slope.sin(), 1e-12);
         } else {
             let pull = G * (slope.sin() - 0.3 * slope.cos());
-            close(with_friction.effort, 0.3 * 2.0 * G * slope.cos(), 1e-12);
+            close(joint_friction.effort, 0.3 * 2.0 * G * slope.cos(), 1e-12);
             close(downhill, pull, 1e-11);
             close(way, pull * 2.0, 1e-9);
         }
@@ -362,8 +362,8 @@ proptest! {
         turned in -3.0..3.0f64, μ in 0.02..0.6f64, springs: bool,
     ) {
         let (system, drawn) = slider_crank(turned, [μ; 4], 0.02, springs);
-        let freed = found(system.forward_dynamics(&drawn, &[[0.0; 3]; 3]));
-        let [.., begins] = freed.state.accelerations[0];
+        let solved = found(system.forward_dynamics(&drawn, &[[0.0; 3]; 3]));
+        let [.., begins] = solved.state.accelerations[0];
         // Moved slowly one way and the other by a driver: the loads overcome friction if the driver has to hold back.
         let crank = Measure::Angle { of: Some(0), against: None };
         let slowly = |sense: f64| {
@@ -401,24 +401,24 @@ proptest! {
             [end[0] + second.cos() / 2.0, end[1] + second.sin() / 2.0, second],
         ];
         let system = found(System::new(&mechanism, &drawn));
-        let freed = found(system.forward_dynamics(&drawn, &[[0.0; 3]; 2]));
+        let solved = found(system.forward_dynamics(&drawn, &[[0.0; 3]; 2]));
         let couples = [G * (1.5 * first.cos() + 0.5 * second.cos()), G * 0.5 * second.cos()];
         let held = [couples[0].abs() < μ * 0.5 * 2.0 * G, couples[1].abs() < other * 0.5 * G];
-        let all = freed.frictions.iter().all(|with_friction| with_friction.contact == Contact::Sticking);
-        prop_assert_eq!(all, held[0] && held[1], "{:?} {:?}", couples, freed.frictions);
+        let all = solved.frictions.iter().all(|joint_friction| joint_friction.contact == Contact::Sticking);
+        prop_assert_eq!(all, held[0] && held[1], "{:?} {:?}", couples, solved.frictions);
         if all {
-            for (with_friction, couple) in freed.frictions.iter().zip_eq(couples) {
-                close(with_friction.effort, couple, 1e-9);
+            for (joint_friction, couple) in solved.frictions.iter().zip_eq(couples) {
+                close(joint_friction.effort, couple, 1e-9);
             }
         }
         // Whatever moves: each pin slides against its friction or has less than that to bear.
-        let [[.., first], [.., second]] = [freed.state.accelerations[0], freed.state.accelerations[1]];
+        let [[.., first], [.., second]] = [solved.state.accelerations[0], solved.state.accelerations[1]];
         let relative = [first, second - first];
-        for (with_friction, relative) in freed.frictions.iter().zip_eq(relative) {
-            match with_friction.contact {
+        for (joint_friction, relative) in solved.frictions.iter().zip_eq(relative) {
+            match joint_friction.contact {
                 Contact::Sliding { sense, .. } => {
                     prop_assert!(sense * relative >= -1e-9);
-                    prop_assert!(with_friction.effort * sense < 0.0);
+                    prop_assert!(joint_friction.effort * sense < 0.0);
                 }
                 _ => prop_assert!(relative.abs() < 1e-9),
             }

@@ -129,14 +129,14 @@ fn relative(q: &[[f64; 3]]) -> [f64; 7] {
 fn andrews_mechanism_starts_with_the_published_accelerations_and_multipliers() {
     let (system, drawn) = andrews();
     let positions = found(system.assemble(&drawn));
-    let freed = found(system.forward_dynamics(&positions, &[[0.0; 3]; 7]));
-    assert_eq!(freed.degrees_of_freedom, 1);
-    let [beta, theta, ..] = relative(&freed.state.accelerations);
+    let solved = found(system.forward_dynamics(&positions, &[[0.0; 3]; 7]));
+    assert_eq!(solved.degrees_of_freedom, 1);
+    let [beta, theta, ..] = relative(&solved.state.accelerations);
     close(beta, 14222.443919954114, 1e-11);
     close(theta, -10666.832939965585, 1e-11);
-    close(freed.multipliers[0], 98.56687039624109, 1e-11);
-    close(freed.multipliers[1], -6.122688344255662, 1e-10);
-    for multiplier in &freed.multipliers[2..6] {
+    close(solved.multipliers[0], 98.56687039624109, 1e-11);
+    close(solved.multipliers[1], -6.122688344255662, 1e-10);
+    for multiplier in &solved.multipliers[2..6] {
         assert!(multiplier.abs() < 1e-9);
     }
 }
@@ -183,10 +183,10 @@ fn the_accelerations_of_a_motion_are_those_of_the_full_equations() {
     let start = found(system.assemble(&drawn));
     let moved = found(system.simulate(&start, &[[0.0; 3]; 7], &run(0.03, 1e-9, 13)));
     for sample in &moved.samples {
-        let freed = found(system.forward_dynamics(&sample.state.positions, &sample.state.velocities));
-        let size = freed.state.accelerations.iter().flatten().fold(0.0f64, |most, a| most.max(a.abs()));
+        let solved = found(system.forward_dynamics(&sample.state.positions, &sample.state.velocities));
+        let size = solved.state.accelerations.iter().flatten().fold(0.0f64, |most, a| most.max(a.abs()));
         for (a, b) in
-            freed.state.accelerations.iter().flatten().zip_eq(sample.state.accelerations.iter().flatten())
+            solved.state.accelerations.iter().flatten().zip_eq(sample.state.accelerations.iter().flatten())
         {
             assert!((a - b).abs() < 1e-10 * size, "{a} and {b} at {}", sample.time);
         }

@@ -457,7 +457,7 @@ struct AboutTable {
     title: String,
     /// What it means, how it is written, and its columns with their units.
     head: Vec<Line<'static>>,
-    /// Why it cannot be read unchanged.
+    /// Why it cannot be read as it is.
     foot: Vec<Line<'static>>,
 }
 

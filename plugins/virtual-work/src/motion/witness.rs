@@ -11,22 +11,22 @@ use crate::parts::Load;
 
 impl Solved<'_> {
     /// How a joint with friction slides at the end, where the bodies move as shown.
-    pub(super) fn sliding<W: Worksheet>(&self, with_friction: &JointFriction, shown: &State, sheet: W) {
-        let row = with_friction.load + 1;
-        let name = &self.parts.loads[with_friction.load].name;
-        let (reason, sliding) = match with_friction.contact {
-            Contact::Sliding { .. } => ("Sliding velocity against {name} at the end", with_friction.sliding),
+    pub(super) fn sliding<W: Worksheet>(&self, joint_friction: &JointFriction, shown: &State, sheet: W) {
+        let row = joint_friction.load + 1;
+        let name = &self.parts.loads[joint_friction.load].name;
+        let (reason, sliding) = match joint_friction.contact {
+            Contact::Sliding { .. } => ("Sliding velocity against {name} at the end", joint_friction.sliding),
             Contact::Sticking | Contact::Indeterminate => {
                 ("At the end {name} is sticking: its joint does not slide", 0.0)
             }
         };
-        let unit = if with_friction.pin { "rad/s" } else { "m/s" };
+        let unit = if joint_friction.pin { "rad/s" } else { "m/s" };
         let why = Text::new(reason).with("name", name);
         let sliding = sheet.found(("u", row), unit, sliding, why);
         sheet.answer(("sliding", row), "Sliding velocity against friction at the end", sliding);
         sheet.whose(("sliding", row), name);
         let (Contact::Sliding { .. }, Load::Friction { joint, .. }) =
-            (with_friction.contact, &self.parts.loads[with_friction.load].load)
+            (joint_friction.contact, &self.parts.loads[joint_friction.load].load)
         else {
             return;
         };
@@ -59,7 +59,7 @@ impl Solved<'_> {
     /// Follows the last stretch of the motion again, to the time of its end. Where a driver moves or a friction may stick,
     /// a motion does not begin anew as it was going on.
     pub(super) fn check_time<W: Worksheet>(&self, time: f64, sheet: W) {
-        let goes_on = self.parts.drivers.is_empty() && self.freed.frictions.is_empty();
+        let goes_on = self.parts.drivers.is_empty() && self.dynamics.frictions.is_empty();
         let (samples, Some(last)) = (&self.moved.samples, self.moved.samples.last()) else { return };
         let before = samples.iter().rev().find(|moment| moment.time < last.time * (1.0 - 1e-3));
         let (true, Some(before)) = (goes_on, before) else { return };

@@ -405,7 +405,7 @@ impl Maker {
         (maker, rows, of_column)
     }
 
-    /// The order unchanged, with room for its numbers.
+    /// The order as found, with room for its numbers.
     fn done(self, columns: usize) -> Order {
         let Self { mut order, places, taken } = self;
         order.free = (0..columns).filter(|column| !taken[*column]).collect();

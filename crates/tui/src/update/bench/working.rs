@@ -32,7 +32,7 @@ pub(super) fn try_by_hand(model: &mut Model) {
     model.say(said);
 }
 
-/// Whether the key is one of the worked solution unchanged now.
+/// Whether the key is one of the worked solution of the present inputs.
 pub(super) fn act(model: &mut Model, action: Action) -> bool {
     let Some(bench) = &mut model.bench else { return false };
     let Some(solution) = &bench.found.solution else { return false };
