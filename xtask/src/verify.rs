@@ -239,6 +239,17 @@ fn compiled_quickly(root: &Path) -> Result<Vec<String>> {
             options.extend(["--config".to_owned(), format!("profile.dev.package.{package}.opt-level=0")]);
         }
     }
+    // The other packages as in this workspace, so that they are the same and not built again.
+    let manifest = fs::read_to_string(root.join("Cargo.toml"))?;
+    for section in manifest.split("\n[profile.dev.package.").skip(1) {
+        if let Some((package, level)) = section.split_once("]\nopt-level = ")
+            && !package.starts_with("dalembert")
+            && let Some(level) = level.lines().next()
+        {
+            options
+                .extend(["--config".to_owned(), format!("profile.dev.package.{package}.opt-level={level}")]);
+        }
+    }
     Ok(options)
 }
 
