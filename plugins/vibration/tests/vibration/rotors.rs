@@ -4,7 +4,7 @@ use itertools::Itertools as _;
 use std::{f64::consts::TAU, ops::Range};
 
 use dalembert_core::{Analysis, Inputs, Lift, Sheet, Solution, Stop, Trail};
-use dalembert_vibration::rotor_dynamics::{
+use dalembert_vibration::shafts_and_rotors::rotor_dynamics::{
     Bearing, DiscSize, InternalDamping, RotorDisc, RotorDynamics, RotorSupport, ShaftMaterial, ShaftSegment,
     SpeedRow, Theory,
 };

@@ -4,7 +4,9 @@ use std::f64::consts::TAU;
 
 use dalembert_core::{Analysis, AnswerValue, Inputs, Lift, Sheet, Stop, Trail};
 use dalembert_mechanics::{beam, intervals::IntervalSet, sdof, section};
-use dalembert_vibration::shaft_clearance::{Damping, Mounting, Shaft, ShaftClearance, Sought, SpeedRange};
+use dalembert_vibration::shafts_and_rotors::shaft_clearance::{
+    Damping, Mounting, Shaft, ShaftClearance, Sought, SpeedRange,
+};
 
 const SPEEDS: [f64; 2] = [600.0 * TAU / 60.0, 6000.0 * TAU / 60.0];
 const LENGTH: f64 = 2.0;

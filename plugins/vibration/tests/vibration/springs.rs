@@ -2,8 +2,8 @@
 
 use dalembert_core::{Inputs, Lift, Plain, Refusal, Stop, Trail};
 use dalembert_vibration::{
-    section::{Section, ShaftSection},
-    spring::{Spring, stiffness},
+    shared::section::{Section, ShaftSection},
+    shared::spring::{Spring, stiffness},
 };
 use itertools::Itertools as _;
 

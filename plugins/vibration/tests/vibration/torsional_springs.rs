@@ -2,8 +2,8 @@
 
 use dalembert_core::{Inputs, Lift, Plain, Stop, Trail};
 use dalembert_vibration::{
-    section::{Section, ShaftSection},
-    spring::{
+    shared::section::{Section, ShaftSection},
+    shared::spring::{
         Spring,
         torsional::{TorsionalSpring, stiffness},
     },

@@ -1,0 +1,5 @@
+//! Engines and linkages.
+
+pub mod linkage_balance;
+pub mod locomotive;
+pub mod reciprocating;

@@ -1,0 +1,600 @@
+//! Force balance of a four-bar linkage or a slider-crank by two counterweights.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{
+    About, Analysis, Animation, Axis, Cell, Column, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series,
+    TableExhibit, Text, Worksheet, register,
+};
+use dalembert_mechanics::{
+    Real,
+    balance::{
+        self,
+        linkage::{Counterweight, Follower, Link, Linkage, Pose, Shaking},
+    },
+    extremes::{self, Extreme},
+};
+
+use crate::sources::{BERKOF, NORTON};
+
+mod links;
+
+use links::Felt;
+
+/// The linkage, its masses, and where counterweights may sit.
+#[derive(Clone, Debug, Inputs)]
+pub struct LinkageBalance {
+    /// Mechanism.
+    pub mechanism: Mechanism,
+    /// Speed of the crank.
+    #[input("ω", "rpm", positive)]
+    pub speed: f64,
+    /// Radius of the counterweight of the crank.
+    #[input("R_2", "mm", positive)]
+    pub crank_radius: f64,
+    /// Radius of the other counterweight.
+    /// For the rocker, measured from its fixed pin; on a slider-crank for the rod, from the crank pin.
+    #[input("R_c", "mm", positive)]
+    pub other_radius: f64,
+}
+
+/// A linkage with a crank.
+#[derive(Clone, Debug, Inputs)]
+pub enum Mechanism {
+    /// Four-bar linkage
+    FourBar {
+        /// Crank.
+        #[input("a", "mm", positive)]
+        crank: f64,
+        /// Coupler.
+        #[input("b", "mm", positive)]
+        coupler: f64,
+        /// Rocker.
+        #[input("c", "mm", positive)]
+        rocker: f64,
+        /// Frame.
+        #[input("d", "mm", positive)]
+        frame: f64,
+        /// Loop closure.
+        closing: Closing,
+        /// Masses of the crank.
+        #[input("2")]
+        crank_body: Body,
+        /// Masses of the coupler.
+        #[input("3")]
+        coupler_body: Body,
+        /// Masses of the rocker.
+        #[input("4")]
+        rocker_body: Body,
+    },
+    /// Slider-crank
+    SliderCrank {
+        /// Crank.
+        #[input("a", "mm", positive)]
+        crank: f64,
+        /// Connecting rod.
+        #[input("b", "mm", positive)]
+        rod: f64,
+        /// Height of the guide over the crank pivot.
+        #[input("h", "mm", default = "0 mm")]
+        offset: f64,
+        /// Masses of the crank.
+        #[input("2")]
+        crank_body: Body,
+        /// Masses of the connecting rod.
+        #[input("3")]
+        rod_body: Body,
+        /// Mass of the slider.
+        #[input("m_4", "kg", nonnegative)]
+        slider: f64,
+    },
+}
+
+/// The side on which the loop of a four-bar linkage closes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Closing {
+    /// Open loop
+    Open,
+    /// Crossed loop
+    Crossed,
+}
+
+/// The mass of a link and where it is.
+#[derive(Clone, Debug, Inputs)]
+pub struct Body {
+    /// Mass.
+    #[input("m", "kg", nonnegative)]
+    pub mass: f64,
+    /// Distance of the centre of mass from the first pin.
+    /// The first pin of crank and rocker is the fixed one, that of the coupler is the crank pin.
+    #[input("ρ", "mm", nonnegative)]
+    pub distance: f64,
+    /// Angle of the centre of mass from the line of the pins.
+    #[input("δ", "deg", default = "0 deg")]
+    pub offset: f64,
+    /// Moment of inertia about the centre of mass.
+    #[input("I", "kg*m^2", nonnegative, default = "0 kg*m^2")]
+    pub inertia: f64,
+}
+
+register!(LinkageBalance);
+
+/// Places over a turn at which the largest values are sought.
+const PLACES: usize = 360;
+
+impl Analysis for LinkageBalance {
+    const ABOUT: About = About {
+        id: "balancing/linkage-balance",
+        title: "Force balance of a linkage",
+        topic: "Engines and linkages",
+        summary: "Counterweights that eliminate the shaking force of a four-bar linkage or a slider-crank, and their effect on shaking moment and torque.",
+        keywords: "balanceamento de mecanismos quatro barras biela-manivela contrapeso força de trepidação momento torque \
+                   berkof lowen four-bar slider-crank shaking force shaking moment counterweight",
+        sources: &[&BERKOF, &NORTON],
+        cases: include_str!("../../cases/linkage_balance.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &LinkageBalanceGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let linkage = self.linkage();
+        let poses = self.poses(&linkage)?;
+        let before: Vec<Shaking> = poses.iter().map(|pose| linkage.shaking(pose, &[])).collect();
+        let force_before = largest(&before, size);
+        if force_before == 0.0 {
+            return Err(Refusal::because(
+                "no moving link has a mass, so there is no shaking force; give a mass to at least one",
+            ));
+        }
+        sheet.keep_going()?;
+        let counterweights = match &given.mechanism {
+            MechanismGiven::FourBar {
+                crank, coupler, rocker, crank_body, coupler_body, rocker_body, ..
+            } => {
+                let (two, three, four) = (crank_body, coupler_body, rocker_body);
+                let carried = three.mass * *crank;
+                let why = (
+                    "Crank: its own moment and the part of the coupler that moves with the crank pin",
+                    BERKOF.at(""),
+                );
+                let along = (three.distance / *coupler) * three.offset.cos();
+                let x = -(two.mass * two.distance * two.offset.cos() + carried * (-along + 1.0));
+                let x = sheet.step("U_2x", "kg*mm", x, why);
+                let across = (three.distance / *coupler) * three.offset.sin();
+                let y = -(two.mass * two.distance * two.offset.sin() - carried * across);
+                let y = sheet.step("U_2y", "kg*mm", y, why);
+                let on_crank = counterweight(sheet, 0, (x, y), given.crank_radius, &CRANK);
+                let why = (
+                    "Rocker: its own moment and the part of the coupler that moves with the rocker pin",
+                    BERKOF.at(""),
+                );
+                let carried = three.mass * three.distance * (*rocker / *coupler);
+                let x = -(four.mass * four.distance * four.offset.cos() + carried * three.offset.cos());
+                let x = sheet.step("U_4x", "kg*mm", x, why);
+                let y = -(four.mass * four.distance * four.offset.sin() + carried * three.offset.sin());
+                let y = sheet.step("U_4y", "kg*mm", y, why);
+                [on_crank, counterweight(sheet, 2, (x, y), given.other_radius, &ROCKER)]
+            }
+            MechanismGiven::SliderCrank { crank, rod, crank_body, rod_body, slider, .. } => {
+                let (two, three) = (crank_body, rod_body);
+                let why =
+                    "Rod: its counterweight brings the centre of mass of rod and slider to the crank pin";
+                let x = -(three.mass * three.distance * three.offset.cos() + *slider * *rod);
+                let x = sheet.step("U_3x", "kg*mm", x, (why, BERKOF.at("")));
+                let y = -(three.mass * three.distance * three.offset.sin());
+                let y = sheet.step("U_3y", "kg*mm", y, (why, BERKOF.at("")));
+                let on_rod = counterweight(sheet, 1, (x, y), given.other_radius, &ROD);
+                let added = balance::correction_mass(x, y, given.other_radius);
+                let why =
+                    ("Crank: its own moment and that of the masses carried at the crank pin", BERKOF.at(""));
+                let hanging = three.mass + *slider + added;
+                let x = -(two.mass * two.distance * two.offset.cos() + hanging * *crank);
+                let x = sheet.step("U_2x", "kg*mm", x, why);
+                let y = -(two.mass * two.distance * two.offset.sin());
+                let y = sheet.step("U_2y", "kg*mm", y, why);
+                [counterweight(sheet, 0, (x, y), given.crank_radius, &CRANK), on_rod]
+            }
+        };
+        let after: Vec<Shaking> = poses.iter().map(|pose| linkage.shaking(pose, &counterweights)).collect();
+        let effort: f64 = linkage_effort(&linkage, &counterweights, self.speed);
+        sheet.verify(|| {
+            let still = after[0].first_moment;
+            let wander = after
+                .iter()
+                .map(|s| (s.first_moment[0] - still[0]).hypot(s.first_moment[1] - still[1]))
+                .fold(0.0, f64::max);
+            let speed = self.speed * self.speed;
+            sheet.check_zero("the centre of mass remains at rest", wander.into(), effort / speed);
+            self.check_torque(&linkage, &poses, &before, sheet);
+            let gap = |s: &Shaking| {
+                let [crank, _, _, follower] = s.joints;
+                let along = |k: usize| crank[k] + follower[k] + s.force[k];
+                along(0).hypot(along(1))
+            };
+            let gaps = largest(&before, gap).max(largest(&after, gap));
+            let most = before.iter().chain(&after).flat_map(|s| s.joints).map(|[x, y]| x.hypot(y));
+            let what = "the forces of the frame on crank and output link equal the reversed shaking force";
+            sheet.check_zero(what, gaps.into(), most.fold(effort, f64::max));
+        });
+        let found =
+            |symbol, unit, si, why: &'static str| sheet.found(symbol, unit, si, (why, NORTON.at("ch. 12")));
+        let why_force = "Maximum shaking force over a revolution";
+        let weights = [&[], counterweights.as_slice()];
+        // The largest of a number before and after, and the same by the equations of all links at the crank angle of each.
+        let most = |of: &dyn Fn(&Shaking) -> f64| {
+            let largest = |(with, all)| self.largest(&linkage, with, all, of);
+            [(weights[0], before.as_slice()), (weights[1], after.as_slice())].map(largest)
+        };
+        let again = |what: &'static str,
+                     found: [W::Num; 2],
+                     at: [Extreme; 2],
+                     reach: f64,
+                     of: &dyn Fn(&Felt) -> f64| {
+            sheet.verify(|| {
+                for ((found, at), with) in found.into_iter().zip(at).zip(weights) {
+                    let Some(pose) = linkage.pose(at.time, self.speed) else { continue };
+                    let Some(felt) = links::felt(&linkage, &pose, with, self.speed) else { continue };
+                    let scale = (effort * reach).max(at.value);
+                    let error = f64::EPSILON * felt.growth * scale;
+                    sheet.check_residual(what, (found.value() - of(&felt)).into(), scale, error);
+                }
+            });
+        };
+        let at = most(&size);
+        let first = found("F_before", "N", at[0].value, why_force);
+        let last = left(&linkage, &poses, &counterweights, &after, effort, sheet);
+        sheet.answer("shaking_force", "Maximum shaking force before", first);
+        sheet.answer("shaking_force_after", "Maximum shaking force after", last);
+        sheet.verify(|| sheet.check_zero("no shaking force is left", last.value().into(), effort));
+        let what = "shaking force at that angle by the Newton–Euler equations of all links";
+        again(what, [first, last], at, 1.0, &|felt| felt.force[0].hypot(felt.force[1]));
+        let why_moment = "Maximum shaking moment about the crank pivot over a revolution";
+        let reach = linkage.crank + linkage.coupler;
+        let at = most(&|s| s.moment.abs());
+        let [first, last] = [("M_before", at[0]), ("M_after", at[1])]
+            .map(|(symbol, at)| found(symbol, "N*m", at.value, why_moment));
+        let what = "shaking moment at that angle by the Newton–Euler equations of all links";
+        again(what, [first, last], at, reach, &|felt| felt.moment.abs());
+        sheet.answer("shaking_moment", "Maximum shaking moment before", first);
+        sheet.answer("shaking_moment_after", "Maximum shaking moment after", last);
+        let why_torque = "Maximum crank torque over a revolution";
+        let at = most(&|s| s.torque.abs());
+        let [first, last] = [("T_before", at[0]), ("T_after", at[1])]
+            .map(|(symbol, at)| found(symbol, "N*m", at.value, why_torque));
+        let what = "torque at that angle by the Newton–Euler equations of all links";
+        again(what, [first, last], at, reach, &|felt| felt.torque.abs());
+        sheet.answer("torque", "Maximum crank torque before", first);
+        sheet.answer("torque_after", "Maximum crank torque after", last);
+        if last.value() > 1.05 * first.value() {
+            sheet.warn(|| {
+                Text::new("the maximum torque with the counterweights is {times} times its initial value")
+                    .with("times", format!("{:.1}", last.value() / first.value()))
+            });
+        }
+        let names = match self.mechanism {
+            Mechanism::FourBar { .. } => FOUR_BAR_JOINTS,
+            Mechanism::SliderCrank { .. } => SLIDER_CRANK_JOINTS,
+        };
+        for (joint, label) in names.into_iter().enumerate() {
+            let of = move |s: &Shaking| s.joints[joint][0].hypot(s.joints[joint][1]);
+            let why = |when: &'static str| {
+                let why = Text::new(
+                    "Maximum force over a revolution, {when}: {joint}, from the equilibrium of each link",
+                );
+                (why.with_text("when", when).with_text("joint", label), NORTON.at("ch. 11"))
+            };
+            let at = most(&of);
+            let first = sheet.found(("P_before", joint + 1), "N", at[0].value, why("before"));
+            let last = sheet.found(("P_after", joint + 1), "N", at[1].value, why("after"));
+            sheet.answer(("joint_force", joint + 1), label, first);
+            sheet.answer(("joint_force_after", joint + 1), label, last);
+            let what = "force in a joint at that angle by the Newton–Euler equations of all links";
+            again(what, [first, last], at, 1.0, &|felt| felt.joints[joint][0].hypot(felt.joints[joint][1]));
+        }
+        sheet.show(|| Exhibit::Table(joint_forces(names, &before, &after)));
+        for (title, label, unit, of) in [
+            ("Shaking force", "Force", "N", size as fn(&Shaking) -> f64),
+            ("Shaking moment about the crank pivot", "Moment", "N*m", |s| s.moment),
+            ("Torque on the crank", "Torque", "N*m", |s| s.torque),
+        ] {
+            sheet.show(|| {
+                let curve = |all: &[Shaking]| {
+                    let points = all.iter().chain([&all[0]]).enumerate();
+                    points.map(|(n, s)| (TAU * n as f64 / PLACES as f64, of(s))).collect::<Vec<_>>()
+                };
+                Exhibit::Plot(Plot::new(
+                    title,
+                    Axis::linear("Crank angle", "deg"),
+                    Axis::linear(label, unit),
+                    vec![Series::line("before", curve(&before)), Series::line("after", curve(&after))],
+                ))
+            });
+        }
+        sheet.show(|| Exhibit::Animation(animation(&poses, &counterweights, linkage.follower)));
+        Ok(())
+    }
+}
+
+/// The joints, in the order of [`Shaking::joints`].
+const FOUR_BAR_JOINTS: [&str; 4] = [
+    "Force in the pivot of the crank",
+    "Force in the crank pin",
+    "Force in the coupler pin",
+    "Force in the pivot of the rocker",
+];
+
+const SLIDER_CRANK_JOINTS: [&str; 4] = [
+    "Force in the pivot of the crank",
+    "Force in the crank pin",
+    "Force in the pin of the slider",
+    "Force of the guide",
+];
+
+/// The largest force in each joint over a turn.
+fn joint_forces(names: [&'static str; 4], before: &[Shaking], after: &[Shaking]) -> TableExhibit {
+    let most = |all: &[Shaking], joint: usize| {
+        Cell::Number(largest(all, |s| s.joints[joint][0].hypot(s.joints[joint][1])))
+    };
+    TableExhibit {
+        title: "Maximum joint forces".into(),
+        columns: vec![
+            Column { heading: "Joint".into(), unit: "" },
+            Column { heading: "before".into(), unit: "N" },
+            Column { heading: "after".into(), unit: "N" },
+        ],
+        rows: (0..4)
+            .map(|joint| vec![Cell::Text(names[joint].into()), most(before, joint), most(after, joint)])
+            .collect(),
+        foot: Vec::new(),
+    }
+}
+
+/// Names of a counterweight: symbols and answers.
+struct Names {
+    symbols: [&'static str; 3],
+    size: (&'static str, &'static str),
+    angle: (&'static str, &'static str),
+    mass: (&'static str, &'static str),
+}
+
+const CRANK: Names = Names {
+    symbols: ["U_2", "ψ_2", "M_2"],
+    size: ("crank_unbalance", "Mass–radius product of the counterweight of the crank"),
+    angle: ("crank_angle", "Angle of the counterweight from the crank"),
+    mass: ("crank_mass", "Mass of the counterweight of the crank"),
+};
+
+const ROCKER: Names = Names {
+    symbols: ["U_4", "ψ_4", "M_4"],
+    size: ("rocker_unbalance", "Mass–radius product of the counterweight of the rocker"),
+    angle: ("rocker_angle", "Angle of the counterweight from the rocker"),
+    mass: ("rocker_mass", "Mass of the counterweight of the rocker"),
+};
+
+const ROD: Names = Names {
+    symbols: ["U_3", "ψ_3", "M_3"],
+    size: ("rod_unbalance", "Mass–radius product of the counterweight of the rod"),
+    angle: ("rod_angle", "Angle of the counterweight from the rod"),
+    mass: ("rod_mass", "Mass of the counterweight of the rod"),
+};
+
+fn counterweight<W: Worksheet>(
+    sheet: W,
+    link: usize,
+    (x, y): (W::Num, W::Num),
+    radius: W::Num,
+    names: &Names,
+) -> Counterweight {
+    let [size_symbol, angle_symbol, mass_symbol] = names.symbols;
+    let size =
+        sheet.step(size_symbol, "kg*mm", balance::magnitude(x, y), "Counterweight mass–radius product");
+    sheet.answer(names.size.0, names.size.1, size);
+    let mut angle = 0.0;
+    if size.value() > 0.0 {
+        let why = "Angle of the counterweight on its link";
+        let turned = sheet.step(angle_symbol, "deg", balance::marked_direction(x, y), why);
+        sheet.answer(names.angle.0, names.angle.1, turned);
+        angle = turned.value();
+    }
+    let mass = sheet.step(mass_symbol, "kg", size / radius, "Mass at the given radius");
+    sheet.answer(names.mass.0, names.mass.1, mass);
+    Counterweight { link, mass: mass.value(), distance: radius.value(), angle }
+}
+
+impl Body {
+    fn link(&self) -> Link {
+        Link { mass: self.mass, distance: self.distance, offset: self.offset, inertia: self.inertia }
+    }
+}
+
+impl LinkageBalance {
+    fn linkage(&self) -> Linkage {
+        match &self.mechanism {
+            Mechanism::FourBar {
+                crank,
+                coupler,
+                rocker,
+                frame,
+                closing,
+                crank_body,
+                coupler_body,
+                rocker_body,
+            } => Linkage {
+                crank: *crank,
+                coupler: *coupler,
+                crank_link: crank_body.link(),
+                coupler_link: coupler_body.link(),
+                follower: Follower::Rocker {
+                    frame: *frame,
+                    length: *rocker,
+                    crossed: *closing == Closing::Crossed,
+                    link: rocker_body.link(),
+                },
+            },
+            Mechanism::SliderCrank { crank, rod, offset, crank_body, rod_body, slider } => Linkage {
+                crank: *crank,
+                coupler: *rod,
+                crank_link: crank_body.link(),
+                coupler_link: rod_body.link(),
+                follower: Follower::Slider { offset: *offset, mass: *slider },
+            },
+        }
+    }
+
+    /// The places over a turn.
+    fn poses(&self, linkage: &Linkage) -> Result<Vec<Pose>, Refusal> {
+        let place = |n: usize| {
+            let angle = TAU * n as f64 / PLACES as f64;
+            linkage.pose(angle, self.speed).ok_or_else(|| {
+                Refusal::because(
+                    Text::new("the loop does not close at the crank angle {angle}, so the crank cannot rotate fully; make it shorter, or the coupler longer")
+                        .with_quantity("angle", angle, "deg"),
+                )
+            })
+        };
+        (0..PLACES).map(place).collect()
+    }
+
+    /// The torque before, where the loop is best determined, against the change of the kinetic energy about there.
+    fn check_torque<W: Worksheet>(&self, linkage: &Linkage, poses: &[Pose], before: &[Shaking], sheet: W) {
+        let best = (0..poses.len()).max_by(|a, b| poses[*a].transmission.total_cmp(&poses[*b].transmission));
+        let Some(best) = best else { return };
+        let step = 0.005;
+        let energy = |n: f64| {
+            let pose = linkage.pose(poses[best].angles[0] + n * step, self.speed)?;
+            Some(linkage.shaking(&pose, &[]).energy)
+        };
+        // Central differences of the eighth order.
+        let weights = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
+        let mut slope = 0.0;
+        for (n, weight) in (1..).map(f64::from).zip(weights) {
+            let (Some(ahead), Some(behind)) = (energy(n), energy(-n)) else { return };
+            slope += weight * (ahead - behind) / step;
+        }
+        let scale = before.iter().map(|s| s.energy.max(s.torque.abs())).fold(0.0, f64::max);
+        let difference = before[best].torque - slope;
+        sheet.check_zero(
+            "the torque is the change of the kinetic energy with the angle",
+            difference.into(),
+            scale,
+        );
+    }
+}
+
+fn size(shaking: &Shaking) -> f64 {
+    shaking.force[0].hypot(shaking.force[1])
+}
+
+fn largest(all: &[Shaking], of: impl Fn(&Shaking) -> f64) -> f64 {
+    all.iter().map(of).fold(0.0, f64::max)
+}
+
+impl LinkageBalance {
+    /// The largest value over a turn of what the linkage with some counterweights does, from what it does at the places.
+    fn largest(
+        &self,
+        linkage: &Linkage,
+        counterweights: &[Counterweight],
+        all: &[Shaking],
+        of: impl Fn(&Shaking) -> f64,
+    ) -> Extreme {
+        // One place beyond the turn, so that each has two neighbours.
+        let places: Vec<f64> = (0..=all.len() + 1).map(|n| TAU * n as f64 / all.len() as f64).collect();
+        let values: Vec<f64> = (0..places.len()).map(|n| of(&all[n % all.len()])).collect();
+        let at = |angle: f64| {
+            let pose = linkage.pose(angle, self.speed);
+            pose.map_or(0.0, |pose| of(&linkage.shaking(&pose, counterweights)))
+        };
+        extremes::largest_about(at, &places, &values).unwrap_or(Extreme { time: 0.0, value: 0.0 })
+    }
+}
+
+/// What is left of the shaking force where most is: the force of the linkage itself and that of its counterweights.
+fn left<W: Worksheet>(
+    linkage: &Linkage,
+    poses: &[Pose],
+    counterweights: &[Counterweight],
+    after: &[Shaking],
+    effort: f64,
+    sheet: W,
+) -> W::Num {
+    let worst = (0..after.len()).max_by(|a, b| size(&after[*a]).total_cmp(&size(&after[*b]))).unwrap_or(0);
+    let own = linkage.shaking(&poses[worst], &[]).force;
+    let weightless = |link: Link| Link { mass: 0.0, inertia: 0.0, ..link };
+    let follower = match linkage.follower {
+        Follower::Rocker { frame, length, crossed, link } => {
+            Follower::Rocker { frame, length, crossed, link: weightless(link) }
+        }
+        Follower::Slider { offset, .. } => Follower::Slider { offset, mass: 0.0 },
+    };
+    let (crank_link, coupler_link) = (weightless(linkage.crank_link), weightless(linkage.coupler_link));
+    let bare = Linkage { crank_link, coupler_link, follower, ..*linkage };
+    let added = bare.shaking(&poses[worst], counterweights).force;
+    let names = [["F_x", "W_x"], ["F_y", "W_y"]];
+    let [x, y] = [0, 1].map(|axis| {
+        // What is rounding beside the forces that cancel is none.
+        let (one, other) = (own[axis], added[axis]);
+        let other = if (one + other).abs() < 1e-9 * effort { -one } else { other };
+        let why = "Force of the moving links on the frame, at the crank angle of maximum residual force";
+        let one = sheet.found(names[axis][0], "N", one, why);
+        one + sheet.found(names[axis][1], "N", other, "Force of the counterweights at that crank angle")
+    });
+    let why = ("Maximum shaking force over a revolution", NORTON.at("ch. 12"));
+    sheet.step("F_after", "N", balance::magnitude(x, y), why)
+}
+
+/// The size of the forces that cancel: all masses with their reach at the speed of the crank.
+fn linkage_effort(linkage: &Linkage, counterweights: &[Counterweight], speed: f64) -> f64 {
+    let (a, b) = (linkage.crank, linkage.coupler);
+    let third = match linkage.follower {
+        Follower::Rocker { length, link, .. } => link.mass * link.distance + counterweights[1].mass * length,
+        Follower::Slider { mass, .. } => mass * (a + b),
+    };
+    let own = linkage.crank_link.mass * linkage.crank_link.distance
+        + linkage.coupler_link.mass * (a + linkage.coupler_link.distance)
+        + third;
+    let added: f64 = counterweights.iter().map(|c| c.mass * (a + c.distance)).sum();
+    (own + added) * speed * speed
+}
+
+/// The linkage over a turn, with its counterweights.
+fn animation(poses: &[Pose], counterweights: &[Counterweight], follower: Follower) -> Animation {
+    let every = PLACES / 24;
+    let frame = |pose: &Pose| {
+        let [crank_pin, coupler_pin, end] = pose.pins.map(|[x, y]| (x, y));
+        let mut shapes = vec![
+            DrawnShape::Pin((0.0, 0.0)),
+            DrawnShape::Polyline(vec![(0.0, 0.0), crank_pin, coupler_pin], Ink::Body),
+        ];
+        let small = 0.1 * crank_pin.0.hypot(crank_pin.1);
+        match follower {
+            Follower::Rocker { .. } => {
+                shapes.push(DrawnShape::Polyline(vec![coupler_pin, end], Ink::Body));
+                shapes.push(DrawnShape::Pin(end));
+            }
+            Follower::Slider { .. } => {
+                let (x, y) = coupler_pin;
+                shapes.push(DrawnShape::Block(
+                    (x - 2.0 * small, y - small),
+                    (x + 2.0 * small, y + small),
+                    Ink::Body,
+                ));
+            }
+        }
+        for c in counterweights {
+            let from = match c.link {
+                0 => (0.0, 0.0),
+                1 => crank_pin,
+                _ => end,
+            };
+            let angle = pose.angles[c.link] + c.angle;
+            let at = (from.0 + c.distance * angle.cos(), from.1 + c.distance * angle.sin());
+            shapes.push(DrawnShape::Polyline(vec![from, at], Ink::Result));
+            shapes.push(DrawnShape::Circle(at, 1.5 * small, Ink::Result));
+        }
+        shapes
+    };
+    Animation::new(
+        "The linkage with its counterweights",
+        poses.iter().step_by(every).map(frame).collect(),
+        3.0,
+    )
+}

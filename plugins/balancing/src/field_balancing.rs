@@ -1,0 +1,4 @@
+//! Field balancing.
+
+pub mod field;
+pub mod without_phase;

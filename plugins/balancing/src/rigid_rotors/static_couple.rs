@@ -1,0 +1,225 @@
+//! Static and couple parts of what two sensors read, or of weights in two planes.
+
+use dalembert_core::{
+    About, Analysis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
+};
+use dalembert_mechanics::{
+    Real,
+    balance::{self, Phasor},
+};
+
+use crate::{
+    field_balancing::field::{AccelerationReading, DisplacementReading, NumberReading, VelocityReading},
+    sources::RIUL,
+};
+
+/// Two vectors.
+#[derive(Clone, Debug, Inputs)]
+pub struct StaticCouple {
+    /// Vectors to decompose.
+    pub vectors: Vectors,
+}
+
+/// Readings of two bearings, or weights in two planes.
+#[derive(Clone, Debug, Inputs)]
+pub enum Vectors {
+    /// Displacements at two bearings
+    Displacement {
+        /// First bearing.
+        #[input("1")]
+        first: DisplacementReading,
+        /// Second bearing.
+        #[input("2")]
+        second: DisplacementReading,
+    },
+    /// Velocities at two bearings
+    Velocity {
+        /// First bearing.
+        #[input("1")]
+        first: VelocityReading,
+        /// Second bearing.
+        #[input("2")]
+        second: VelocityReading,
+    },
+    /// Accelerations at two bearings
+    Acceleration {
+        /// First bearing.
+        #[input("1")]
+        first: AccelerationReading,
+        /// Second bearing.
+        #[input("2")]
+        second: AccelerationReading,
+    },
+    /// Numbers without a unit: divisions, volts
+    Number {
+        /// First bearing.
+        #[input("1")]
+        first: NumberReading,
+        /// Second bearing.
+        #[input("2")]
+        second: NumberReading,
+    },
+    /// Weights in two planes, at the same radius
+    Weights {
+        /// First plane.
+        #[input("1")]
+        first: PlaneWeight,
+        /// Second plane.
+        #[input("2")]
+        second: PlaneWeight,
+    },
+}
+
+/// A weight in a plane.
+#[derive(Clone, Debug, Inputs)]
+pub struct PlaneWeight {
+    /// Weight.
+    #[input("m", "g", nonnegative)]
+    pub mass: f64,
+    /// Angle.
+    #[input("θ", "deg")]
+    pub angle: f64,
+}
+
+register!(StaticCouple);
+
+const SPEEDS: &str = "the two readings were taken at different speeds; read both in one run";
+
+impl Analysis for StaticCouple {
+    const ABOUT: About = About {
+        id: "balancing/static-couple",
+        title: "Static and couple components of two readings",
+        topic: "Rigid rotors",
+        summary: "Static component (common to two bearings or planes) and couple component (opposite in them), from two vectors.",
+        keywords: "decomposição estático-conjugado parcela estática parcela de conjugado static couple derived in phase out of phase modal",
+        sources: &[&RIUL],
+        cases: include_str!("../../cases/static_couple.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &StaticCoupleGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let speeds = match &self.vectors {
+            Vectors::Displacement { first, second } => [first.speed, second.speed],
+            Vectors::Velocity { first, second } => [first.speed, second.speed],
+            Vectors::Acceleration { first, second } => [first.speed, second.speed],
+            Vectors::Number { first, second } => [first.speed, second.speed],
+            Vectors::Weights { .. } => [None; 2],
+        };
+        if let [Some(first), Some(second)] = speeds
+            && (first - second).abs() > 0.01 * first
+        {
+            return Err(Refusal::because(SPEEDS));
+        }
+        let (unit, first, second) = match &given.vectors {
+            VectorsGiven::Displacement { first, second } => {
+                ("um", (first.amplitude, first.phase), (second.amplitude, second.phase))
+            }
+            VectorsGiven::Velocity { first, second } => {
+                ("mm/s", (first.amplitude, first.phase), (second.amplitude, second.phase))
+            }
+            VectorsGiven::Acceleration { first, second } => {
+                ("m/s^2", (first.amplitude, first.phase), (second.amplitude, second.phase))
+            }
+            VectorsGiven::Number { first, second } => {
+                ("1", (first.amplitude, first.phase), (second.amplitude, second.phase))
+            }
+            VectorsGiven::Weights { first, second } => {
+                ("g", (first.mass, first.angle), (second.mass, second.angle))
+            }
+        };
+        decompose(unit, first, second, sheet)
+    }
+}
+
+fn decompose<W: Worksheet>(
+    unit: &'static str,
+    first: (W::Num, W::Num),
+    second: (W::Num, W::Num),
+    sheet: W,
+) -> Result<(), Refusal> {
+    let scale = first.0.value() + second.0.value();
+    if scale == 0.0 {
+        return Err(Refusal::because("both vectors are 0, so there is nothing to decompose"));
+    }
+    let component =
+        |symbol: &'static str, value: W::Num| sheet.step(symbol, unit, value, "Component of the vector");
+    let vector = |[x, y]: [&'static str; 2], (size, angle): (W::Num, W::Num)| {
+        let polar = Phasor::polar(size, angle);
+        Phasor { x: component(x, polar.x), y: component(y, polar.y) }
+    };
+    let one = vector(["V_1x", "V_1y"], first);
+    let two = vector(["V_2x", "V_2y"], second);
+    let why = "Static component: half the sum of the vectors";
+    let common = Phasor {
+        x: sheet.step("S_x", unit, balance::static_part(one.x, two.x), why),
+        y: sheet.step("S_y", unit, balance::static_part(one.y, two.y), why),
+    };
+    let why =
+        "Couple component: half the difference of the vectors; shown for the first, opposite in the second";
+    let opposite = Phasor {
+        x: sheet.step("C_x", unit, balance::couple_part(one.x, two.x), why),
+        y: sheet.step("C_y", unit, balance::couple_part(one.y, two.y), why),
+    };
+    let size = sheet.step("S", unit, common.size(), "Magnitude of the static component");
+    sheet.answer("static", "Static component", size);
+    let couple = sheet.step("C", unit, opposite.size(), "Magnitude of the couple component");
+    sheet.answer("couple", "Couple component", couple);
+    // A part that is only rounding has no direction.
+    let mut polar = [Phasor { x: W::Num::from(0.0), y: W::Num::from(0.0) }; 2];
+    if size.value() > 1e-12 * scale {
+        let angle = sheet.step("σ", "deg", common.marked_angle(), "Its angle");
+        sheet.answer("static_angle", "Angle of the static component", angle);
+        polar[0] = Phasor::polar(size, angle);
+    }
+    if couple.value() > 1e-12 * scale {
+        let angle = sheet.step("γ", "deg", opposite.marked_angle(), "Its angle in the first vector");
+        sheet.answer("couple_angle", "Angle of the couple component in the first vector", angle);
+        polar[1] = Phasor::polar(couple, angle);
+    }
+    let [in_common, in_opposite] = polar;
+    for (what, parts, (size, angle)) in [
+        ("static plus couple component reproduces the first vector", in_common.plus(in_opposite), first),
+        ("static minus couple component reproduces the second vector", in_common.minus(in_opposite), second),
+    ] {
+        // Seen along the vector, the parts are as large, and nothing is left across it.
+        let (along, across) = (angle.cos(), angle.sin());
+        sheet.check_sum(what, parts.x * along + parts.y * across, size, scale);
+        sheet.check_zero(what, parts.y * along - parts.x * across, scale);
+    }
+    // The parallelogram law: S² + C² = (V₁² + V₂²)/2.
+    sheet.check(
+        "squares of both components compared with those of the vectors",
+        size.powi(2) + couple.powi(2),
+        (first.0.powi(2) + second.0.powi(2)) / 2.0,
+    );
+    let plain = |v: Phasor<W::Num>| (v.x.value(), v.y.value());
+    let (common, opposite) = (plain(common), plain(opposite));
+    let (one, two) = (plain(one), plain(two));
+    sheet.show(|| Exhibit::Drawing(drawing([one, two], common, opposite)));
+    Ok(())
+}
+
+/// Both vectors, and the two parts from whose tip they branch.
+fn drawing(vectors: [(f64, f64); 2], common: (f64, f64), opposite: (f64, f64)) -> Drawing {
+    let reach = vectors.iter().map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
+    let at = |(x, y): (f64, f64)| (x / reach, y / reach);
+    let mut shapes = vec![
+        DrawnShape::Circle((0.0, 0.0), 1.0, Ink::Faint),
+        DrawnShape::Polyline(vec![(-1.1, 0.0), (1.1, 0.0)], Ink::Faint),
+        DrawnShape::Polyline(vec![(0.0, -1.1), (0.0, 1.1)], Ink::Faint),
+    ];
+    for (vector, name) in vectors.into_iter().zip(["V₁", "V₂"]) {
+        shapes.push(DrawnShape::Arrow((0.0, 0.0), at(vector), Ink::Motion));
+        let (x, y) = at(vector);
+        shapes.push(DrawnShape::Label((1.12 * x, 1.12 * y), Text::new(name)));
+    }
+    let middle = at(common);
+    shapes.push(DrawnShape::Arrow((0.0, 0.0), middle, Ink::Result));
+    shapes.push(DrawnShape::Label((middle.0 / 2.0, middle.1 / 2.0), Text::new("S")));
+    for (sign, name) in [(1.0, "C"), (-1.0, "−C")] {
+        let tip = at((common.0 + sign * opposite.0, common.1 + sign * opposite.1));
+        shapes.push(DrawnShape::Arrow(middle, tip, Ink::Force));
+        let beside = (f64::midpoint(middle.0, tip.0), f64::midpoint(middle.1, tip.1));
+        shapes.push(DrawnShape::Label(beside, Text::new(name)));
+    }
+    Drawing { title: "Static component S and couple component C".into(), shapes }
+}

@@ -1,0 +1,7 @@
+//! Gyroscopes and vehicles.
+
+pub mod dipping_rail;
+pub mod gyroscopic_couple;
+pub mod turn_indicator;
+pub mod two_wheeler_lean;
+pub mod wheel_loads;

@@ -1,0 +1,298 @@
+//! A pair of wheels on a track whose one rail dips: the couple that turns the axle, and the forces on the rails.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{
+    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    register,
+};
+use dalembert_mechanics::{
+    Real, Vector,
+    rigid::{self, gyroscope},
+};
+use nalgebra::{Rotation3, Vector3};
+
+use crate::{shared::differences::second_slope, sources::KHURMI};
+
+/// A pair of wheels on an axle that runs over a dip of one rail, which sinks and rises in simple harmonic motion.
+#[derive(Clone, Debug, Inputs)]
+pub struct DippingRail {
+    /// Moment of inertia of the pair of wheels about its axle.
+    #[input("I_a", "kg*m^2", positive)]
+    pub axial_inertia: f64,
+    /// Transverse moment of inertia of the pair of wheels.
+    /// For the couple that lifts and lowers it.
+    #[input("I_t", "kg*m^2", positive)]
+    pub transverse_inertia: Option<f64>,
+    /// Diameter of the wheels.
+    #[input("D", "m", positive)]
+    pub diameter: f64,
+    /// Distance between the wheels.
+    #[input("w", "m", positive)]
+    pub gauge: f64,
+    /// Speed.
+    #[input("v", "m/s", nonnegative)]
+    pub speed: f64,
+    /// Depth of the dip.
+    #[input("δ", "m", nonnegative)]
+    pub depth: f64,
+    /// Extent of the dip.
+    pub length: Length,
+    /// Dipping rail.
+    pub rail: Rail,
+}
+
+/// How long the whole dip is.
+#[derive(Clone, Debug, Inputs)]
+pub enum Length {
+    /// By duration
+    Time {
+        /// Time from beginning to end.
+        #[input("t", "s", positive)]
+        time: f64,
+    },
+    /// By length
+    Along {
+        /// Length along the rail.
+        #[input("λ", "m", positive)]
+        length: f64,
+    },
+}
+
+/// One of the rails.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Rail {
+    /// Left
+    Left,
+    /// Right
+    Right,
+}
+
+register!(DippingRail);
+
+impl Analysis for DippingRail {
+    const ABOUT: About = About {
+        id: "rigid-body/dipping-rail",
+        title: "Pair of wheels on a dipping rail",
+        topic: "Gyroscopes and vehicles",
+        summary: "Gyroscopic couple of a locomotive's pair of wheels when one rail dips, and the resulting forces between wheels and rails.",
+        keywords: "locomotive wheel axle rail dip gyroscopic locomotiva rodeiro trilho rebaixo desnível giroscópico",
+        sources: &[&KHURMI],
+        cases: include_str!("../../cases/dipping_rail.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &DippingRailGiven<W>, sheet: W) -> Result<(), Refusal> {
+        if self.speed == 0.0 && matches!(self.length, Length::Along { .. }) {
+            return Err(Refusal::because(
+                "wheels at rest never pass a dip of a given length: write a speed above zero, or the time of the dip",
+            ));
+        }
+        let spin = sheet.step(
+            "ω",
+            "rad/s",
+            given.speed * 2.0 / given.diameter,
+            "Angular velocity of the wheels, rolling without slipping",
+        );
+        let time = match given.length {
+            LengthGiven::Time { time } => time,
+            LengthGiven::Along { length } => {
+                sheet.step("t", "s", length / given.speed, "Time to pass the dip")
+            }
+        };
+        let amplitude =
+            sheet.step("a", "m", given.depth / 2.0, "Amplitude of the harmonic motion: half of the depth");
+        let frequency = sheet.step(
+            "p",
+            "rad/s",
+            W::Num::from(TAU) / time,
+            "Angular frequency: the whole dip is one period",
+        );
+        let fall = sheet.step(
+            "V",
+            "m/s",
+            amplitude * frequency,
+            "Maximum speed of the descending wheel, half way down",
+        );
+        let rate = sheet.step(
+            "ω_p",
+            "rad/s",
+            fall / given.gauge,
+            "Maximum angular velocity with which the axle tilts",
+        );
+        let couple = sheet.step(
+            "C",
+            "N*m",
+            gyroscope::right_angled_couple(given.axial_inertia, spin, rate),
+            ("Maximum gyroscopic couple, about the vertical", KHURMI.at("example 14.14")),
+        );
+        let force = sheet.step(
+            "P",
+            "N",
+            couple / given.gauge,
+            (
+                "Force between each wheel and its rail, along the track, opposite on both sides",
+                KHURMI.at("example 14.14"),
+            ),
+        );
+        let acceleration = sheet.step(
+            "α",
+            "rad/s^2",
+            amplitude * frequency.powi(2) / given.gauge,
+            "Maximum angular acceleration of the axle, at the top and at the bottom of the dip",
+        );
+        sheet.answer("couple", "Maximum gyroscopic couple", couple);
+        sheet.answer("rail_force", "Force between each wheel and its rail", force);
+        sheet.answer("tilting_rate", "Maximum angular velocity of the tilting axle", rate);
+        sheet.answer(
+            "tilting_acceleration",
+            "Maximum angular acceleration of the tilting axle",
+            acceleration,
+        );
+        sheet.answer("wheel_speed", "Angular velocity of the wheels", spin);
+        if let Some(transverse) = given.transverse_inertia {
+            let tilting =
+                sheet.step("C_α", "N*m", transverse * acceleration, "Couple that tilts the pair of wheels");
+            let load = sheet.step("ΔN", "N", tilting / given.gauge, "Corresponding change of the wheel load");
+            sheet.answer("tilting_couple", "Maximum couple that tilts the pair of wheels", tilting);
+            sheet.answer("load_change", "Maximum change of each wheel load", load);
+            sheet.verify(|| {
+                let Some(tilting_rate) = second_slope(|t| self.tilt(t, time.value()), time.value()) else {
+                    return;
+                };
+                let what =
+                    "change of the angular momentum about the track at the top of the dip, by differences";
+                let change = self.transverse_inertia.unwrap_or(0.0) * tilting_rate;
+                sheet.check(what, tilting, change.into());
+                sheet.check("moment of the changes of both wheel loads", load * given.gauge, change.into());
+            });
+        }
+        // Rolling forward, H points left. A sinking left wheel turns the axle about the backward direction:
+        // Ω × H points down, its reaction up.
+        let words = match self.rail {
+            Rail::Left => {
+                "Effect: while the left wheel descends, the pair of wheels tends to turn to the left; while it rises, to the right"
+            }
+            Rail::Right => {
+                "Effect: while the right wheel descends, the pair of wheels tends to turn to the right; while it rises, to the left"
+            }
+        };
+        let effect = sheet.step("C_z", "N*m", couple.abs(), words);
+        sheet.answer("effect", words, effect);
+        sheet.verify(|| {
+            self.check_by_rotation(rate.value(), spin.value(), couple, force, sheet);
+            self.check_tilting(time.value(), spin, [rate, acceleration], sheet);
+        });
+        let (couple, time) = (couple.value(), time.value());
+        sheet.show(|| Exhibit::Plot(couple_over_dip(couple, time)));
+        sheet.show(|| Exhibit::Drawing(self.sketch()));
+        Ok(())
+    }
+}
+
+impl DippingRail {
+    /// How far the axle is tilted at a time.
+    fn tilt(&self, t: f64, time: f64) -> f64 {
+        self.depth / 2.0 * (1.0 - (TAU * t / time).cos()) / self.gauge
+    }
+
+    /// Rate and acceleration of the tilting by differences of the angle, and the contact that rests.
+    fn check_tilting<W: Worksheet>(
+        &self,
+        time: f64,
+        spin: W::Num,
+        [rate, acceleration]: [W::Num; 2],
+        sheet: W,
+    ) {
+        let half_way = |t: f64| Vector3::x() * self.tilt(time / 4.0 + t, time);
+        if let Ok(found) = rigid::numerical_rate(half_way, time) {
+            let what = "difference quotient of the angle of the axle half way down";
+            sheet.check(what, rate, found.x.into());
+        }
+        if let Some(found) = second_slope(|t| self.tilt(t, time), time) {
+            let what = "second difference quotient of the angle of the axle at the top";
+            sheet.check(what, acceleration, found.into());
+        }
+        let (radius, speed) = (self.diameter / 2.0, self.speed);
+        let rim = |t: f64| {
+            let (sin, cos) = (spin.value() * t).sin_cos();
+            Vector3::new(speed * t - radius * sin, radius - radius * cos, 0.0)
+        };
+        let period = TAU * radius / speed;
+        let Ok(velocity) = rigid::numerical_rate(rim, period) else { return };
+        sheet.check_zero("velocity of the point of the wheel on the rail", velocity.norm().into(), speed);
+    }
+
+    /// A second method: the difference quotient of the angular momentum of the tilting pair, turned as a whole.
+    fn check_by_rotation<W: Worksheet>(&self, rate: f64, spin: f64, couple: W::Num, force: W::Num, sheet: W) {
+        let transverse = self.transverse_inertia.unwrap_or(self.axial_inertia);
+        let tensor = gyroscope::symmetric_tensor(self.axial_inertia, transverse, Vector3::y());
+        let about = -Vector3::x() * rate;
+        let momentum_at = |t: f64| {
+            let tilt = Rotation3::from_scaled_axis(about * t);
+            rigid::turned(&tensor, &tilt) * (about + tilt * Vector3::y() * spin)
+        };
+        let period = if rate > 0.0 { TAU / rate } else { 1.0 };
+        let Ok(derivative) = rigid::numerical_rate(momentum_at, period) else { return };
+        sheet.check_zero(
+            "the couple from the difference quotient of R I Rᵀ ω",
+            W::Num::from(derivative.norm() - couple.value()),
+            Vector::value(momentum_at(0.0)).norm() * TAU / period,
+        );
+        sheet.check_zero(
+            "moment of the forces of both rails from the same difference quotient",
+            W::Num::from(derivative.norm() - force.value() * self.gauge),
+            Vector::value(momentum_at(0.0)).norm() * TAU / period,
+        );
+    }
+
+    /// The pair of wheels from behind, tilted much more than it is.
+    fn sketch(&self) -> Drawing {
+        let tilt: f64 = if self.rail == Rail::Left { 0.12 } else { -0.12 };
+        let (sin, cos) = tilt.sin_cos();
+        let at = |along: f64, up: f64| (along * cos - up * sin, along * sin + up * cos);
+        let wheel = |centre: f64| {
+            let corner = |x: f64, y: f64| at(centre + x, y);
+            DrawnShape::Polyline(
+                vec![
+                    corner(-0.08, -0.7),
+                    corner(0.08, -0.7),
+                    corner(0.08, 0.7),
+                    corner(-0.08, 0.7),
+                    corner(-0.08, -0.7),
+                ],
+                Ink::Body,
+            )
+        };
+        let rail = |side: f64| {
+            let foot = at(side, -0.7);
+            DrawnShape::Ground((foot.0 + 0.3, foot.1), (foot.0 - 0.3, foot.1))
+        };
+        let label = at(0.0, 0.25);
+        Drawing {
+            title: "The wheel pair seen from behind, descending".into(),
+            shapes: vec![
+                rail(-1.0),
+                rail(1.0),
+                DrawnShape::Polyline(vec![at(-1.15, 0.0), at(1.15, 0.0)], Ink::Body),
+                wheel(-1.0),
+                wheel(1.0),
+                DrawnShape::Label(label, Text::from("ω")),
+                DrawnShape::Polyline(vec![(-1.4, 0.0), (1.4, 0.0)], Ink::Faint),
+            ],
+        }
+    }
+}
+
+fn couple_over_dip(couple: f64, time: f64) -> Plot {
+    let at = |n: u16| {
+        let t = time * f64::from(n) / 160.0;
+        (t, couple * (TAU * t / time).sin())
+    };
+    Plot::new(
+        "Gyroscopic couple over the dip",
+        Axis::linear("time", "s"),
+        Axis::linear("couple", "N*m"),
+        vec![Series::line("C", (0..=160).map(at).collect())],
+    )
+    .mark("half way down", (time / 4.0, couple))
+}

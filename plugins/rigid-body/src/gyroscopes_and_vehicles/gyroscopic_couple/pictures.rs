@@ -1,0 +1,104 @@
+//! The couple over time or radius, and an animation of the rotor with the vectors.
+
+use std::f64::consts::{FRAC_PI_3, PI, TAU};
+
+use dalembert_core::{Axis, Exhibit, Ink, Plot, Series};
+use nalgebra::{Rotation3, Vector3};
+
+use super::{Carrier, GyroscopicCouple, Motion};
+use crate::shared::scene::{self, Scene};
+
+impl GyroscopicCouple {
+    /// The couple over two periods of a harmonic motion, or against the radius of a turn.
+    pub(super) fn plot(&self, couple: f64) -> Option<Exhibit> {
+        if let Some((_, period)) = self.harmonic() {
+            let at = |n: u16| {
+                let t = 2.0 * period * f64::from(n) / 240.0;
+                (t, couple * (TAU * t / period).cos())
+            };
+            return Some(Exhibit::Plot(
+                Plot::new(
+                    "Gyroscopic couple over two oscillations, from the middle of the first",
+                    Axis::linear("time", "s"),
+                    Axis::linear("couple", "N*m"),
+                    vec![Series::line("C", (0..=240).map(at).collect())],
+                )
+                .mark("largest", (0.0, couple)),
+            ));
+        }
+        let Motion::SteadyTurn { radius, .. } = self.motion else { return None };
+        let at = |n: u16| {
+            let share = 0.3 + 2.7 * f64::from(n) / 200.0;
+            (radius * share, couple / share)
+        };
+        let curve = (0..=200).map(at).collect();
+        Some(Exhibit::Plot(
+            Plot::new(
+                "Gyroscopic couple against the radius of the turn",
+                Axis::linear("radius of the turn", "m"),
+                Axis::linear("couple", "N*m"),
+                vec![Series::line("C", curve).of("couple")],
+            )
+            .over("motion.steady-turn.radius")
+            .mark("this turn", (radius, couple)),
+        ))
+    }
+
+    /// The rotor that spins in its carrier, the angular velocities, and the couple.
+    pub(super) fn animation(&self, couple: Vector3<f64>, precession: Vector3<f64>) -> Exhibit {
+        let axle = self.spin_direction();
+        let rest = Rotation3::rotation_between(&Vector3::z(), &axle).unwrap_or_else(|| {
+            // Straight down: half a turn about any level axis.
+            Rotation3::from_axis_angle(&Vector3::x_axis(), PI)
+        });
+        let turn = if self.spin == 0.0 { 0.0 } else { TAU };
+        scene::animation("The rotor, its rotations and the couple", 3.0, |t| {
+            let mut scene = Scene::seen_from(-FRAC_PI_3, FRAC_PI_3 / 2.0);
+            self.outline(&mut scene);
+            let spun = rest * Rotation3::from_axis_angle(&Vector3::z_axis(), turn * t);
+            scene.disc(Vector3::zeros(), spun.matrix(), 0.7, Ink::Body);
+            scene.line([-axle, axle], Ink::Body);
+            let mut arrow = |vector: Vector3<f64>, length: f64, ink: Ink, name: &'static str| {
+                if let Some(unit) = vector.try_normalize(0.0) {
+                    scene.arrow(Vector3::zeros(), unit * length, ink, name);
+                }
+            };
+            arrow(axle * self.spin, 1.5, Ink::Motion, "ω");
+            arrow(precession, 1.3, Ink::Motion, "Ω");
+            if matches!(self.motion, Motion::HeldAtOneEnd { .. }) {
+                arrow(couple, 1.7, Ink::Force, "M");
+            } else {
+                arrow(-couple, 1.7, Ink::Result, "M_R");
+            }
+            scene
+        })
+    }
+
+    /// The plan of the carrier under the rotor, with an arrow forward.
+    fn outline(&self, scene: &mut Scene) {
+        let plan: &[(f64, f64)] = match self.carrier {
+            Carrier::Ship => &[(2.6, 0.0), (1.5, 0.8), (-2.0, 0.8), (-2.0, -0.8), (1.5, -0.8), (2.6, 0.0)],
+            Carrier::Aircraft => &AIRCRAFT,
+            Carrier::Vehicle => &[(2.0, 0.8), (-2.0, 0.8), (-2.0, -0.8), (2.0, -0.8), (2.0, 0.8)],
+            Carrier::Frame => &[(1.4, 1.0), (-1.4, 1.0), (-1.4, -1.0), (1.4, -1.0), (1.4, 1.0)],
+        };
+        scene.line(plan.iter().map(|&(x, y)| Vector3::new(x, y, -0.8)), Ink::Faint);
+        let front = plan.iter().map(|(x, _)| *x).fold(0.0, f64::max);
+        scene.arrow(Vector3::new(front, 0.0, -0.8), Vector3::x() * 0.5, Ink::Faint, "x");
+    }
+}
+
+const AIRCRAFT: [(f64, f64); 12] = [
+    (2.2, 0.0),
+    (0.6, 0.25),
+    (0.0, 2.0),
+    (-0.6, 2.0),
+    (-0.5, 0.25),
+    (-2.2, 0.2),
+    (-2.2, -0.2),
+    (-0.5, -0.25),
+    (-0.6, -2.0),
+    (0.0, -2.0),
+    (0.6, -0.25),
+    (2.2, 0.0),
+];

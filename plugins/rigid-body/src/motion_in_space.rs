@@ -1,0 +1,4 @@
+//! Motion in space.
+
+pub mod motion;
+pub mod rotation_chain;

@@ -1,0 +1,6 @@
+//! Rolling bodies.
+
+pub mod rolling_cone;
+pub mod rolling_motion;
+pub mod rolling_stability;
+pub mod steady_rolling;

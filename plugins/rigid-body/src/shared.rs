@@ -1,0 +1,9 @@
+//! Parts that several analyses share: inputs, steps of the working and pictures.
+
+pub mod body;
+pub(crate) mod differences;
+pub(crate) mod inertia;
+pub mod joints;
+pub mod scene;
+pub mod top_body;
+pub mod wheel;

@@ -1,0 +1,588 @@
+//! Free vibration of one degree of freedom, whatever its damping.
+
+use dalembert_core::{
+    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    register,
+};
+use dalembert_mechanics::{Real, sdof, vibration::free::FreeMotion};
+
+mod checks;
+mod damping;
+mod form;
+
+use self::{
+    damping::{coefficient_of, critical_damping, ratio_of},
+    form::{Form, Units},
+};
+use crate::{
+    shared::oscillator::{Mass, mass},
+    sources::RAO,
+};
+
+/// An oscillator, how it starts, and what is asked of it.
+#[derive(Clone, Debug, Inputs)]
+pub struct FreeVibration {
+    /// Oscillator.
+    pub oscillator: Oscillator,
+    /// Time at which the motion is required.
+    #[input("t", "s", nonnegative)]
+    pub time: Option<f64>,
+    /// Fraction of the maximum displacement taken as settled.
+    #[input("p", "%", positive, below = 100, default = "2 %")]
+    pub settled: f64,
+}
+
+/// Vibrating system.
+#[derive(Clone, Debug, Inputs)]
+pub enum Oscillator {
+    /// Mass, spring and damper
+    Translation {
+        /// Mass or weight.
+        mass: Mass,
+        /// Stiffness.
+        #[input("k", "N/m", positive)]
+        stiffness: f64,
+        /// Damping.
+        damping: Damping,
+        /// Initial displacement.
+        #[input("x₀", "m", default = "0 mm")]
+        displacement: f64,
+        /// Initial velocity.
+        #[input("v₀", "m/s", default = "0 m/s")]
+        velocity: f64,
+    },
+    /// Inertia, torsion spring and damper
+    Rotation {
+        /// Moment of inertia.
+        #[input("J", "kg*m^2", positive)]
+        inertia: f64,
+        /// Torsional stiffness.
+        #[input("kₜ", "N*m/rad", positive)]
+        stiffness: f64,
+        /// Damping.
+        damping: TorsionalDamping,
+        /// Initial angle.
+        #[input("θ₀", "rad", default = "0 deg")]
+        angle: f64,
+        /// Angular velocity at the start.
+        #[input("Ω₀", "rad/s", default = "0 rad/s")]
+        rate: f64,
+    },
+    /// Natural frequency and damping ratio given
+    Ratios {
+        /// Natural frequency without damping.
+        #[input("ωₙ", "rad/s", positive)]
+        natural_frequency: f64,
+        /// Damping ratio.
+        /// Zero for no damping; a negative one feeds energy into the motion.
+        #[input("ζ", "1")]
+        ratio: f64,
+        /// Initial displacement.
+        #[input("x₀", "m", default = "0 mm")]
+        displacement: f64,
+        /// Initial velocity.
+        #[input("v₀", "m/s", default = "0 m/s")]
+        velocity: f64,
+    },
+}
+
+/// What damps a mass on a spring.
+#[derive(Clone, Debug, Inputs)]
+pub enum Damping {
+    /// Damping ratio given
+    Ratio {
+        /// Damping ratio.
+        /// Zero for no damping; a negative one feeds energy into the motion.
+        #[input("ζ", "1")]
+        ratio: f64,
+    },
+    /// Damping coefficient given
+    Coefficient {
+        /// Damping coefficient.
+        /// A negative one feeds energy into the motion.
+        #[input("c", "N*s/m")]
+        coefficient: f64,
+    },
+    /// Critical
+    Critical,
+    /// From the overshoot after release from rest
+    Overshoot {
+        /// Overshoot.
+        /// First displacement to the opposite side, as a fraction of the release displacement.
+        #[input("s", "%", positive, below = 100)]
+        overshoot: f64,
+    },
+    /// From the settling time of the envelope
+    Settling {
+        /// Time for the envelope to decay to the fraction taken as settled.
+        #[input("tₛ", "s", positive)]
+        time: f64,
+    },
+}
+
+/// What damps an inertia on a torsion spring.
+#[derive(Clone, Debug, Inputs)]
+pub enum TorsionalDamping {
+    /// Damping ratio given
+    Ratio {
+        /// Damping ratio.
+        /// Zero for no damping; a negative one feeds energy into the motion.
+        #[input("ζ", "1")]
+        ratio: f64,
+    },
+    /// Damping coefficient given
+    Coefficient {
+        /// Torsional damping coefficient.
+        /// A negative one feeds energy into the motion.
+        #[input("cₜ", "N*m*s/rad")]
+        coefficient: f64,
+    },
+}
+
+register!(FreeVibration);
+
+impl Analysis for FreeVibration {
+    const ABOUT: About = About {
+        id: "vibration/free-vibration",
+        title: "Free vibration",
+        topic: "Free vibration",
+        summary: "Motion of one degree of freedom from its initial conditions: regime, frequencies, displacement at any time, envelope, overshoot, settling.",
+        keywords: "transient decay underdamped overdamped critically damped undamped initial conditions envelope \
+                   overshoot settling phase plane vibração livre subamortecido superamortecido crítico \
+                   sobressinal acomodação",
+        sources: &[&RAO],
+        cases: include_str!("../../cases/free_vibration.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &FreeVibrationGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let System { natural, zeta, x0, v0, elastic, units } = system(given, sheet);
+        if x0.value() == 0.0 && v0.value() == 0.0 {
+            return Err(Refusal::because(
+                "the mass starts at rest in its equilibrium position and does not move: write an initial displacement or velocity",
+            ));
+        }
+        let motion = FreeMotion {
+            natural_frequency: natural.value(),
+            damping_ratio: zeta.value(),
+            displacement: x0.value(),
+            velocity: v0.value(),
+        };
+        sheet.answer("natural_frequency", "Natural frequency", natural);
+        sheet.answer("damping_ratio", "Damping ratio", zeta);
+        let form = Form::of(natural, zeta, [x0, v0], &units, sheet);
+        sheet.verify(|| checks::amplitude(&form, &motion, sheet));
+        let largest = events(&form, &motion, &units, x0, sheet);
+        if zeta.value() > 0.0 {
+            settling(given.settled, largest, &form, &motion, sheet);
+        }
+        let there = given.time.map(|time| at_time(time, &form, &motion, &units, sheet));
+        if let Some((mass, stiffness)) = elastic {
+            let lost = energy(mass, stiffness, [x0, v0], there, sheet);
+            if let (Some([start, lost]), Some(time)) = (lost, self.time) {
+                sheet.verify(|| checks::energy_lost([start, lost], mass, time, &motion, sheet));
+            }
+        }
+        if zeta.value() < 0.0 {
+            let twice = sheet.step("ρ", "1", W::Num::from(2.0), "Twice the amplitude");
+            let growth = sheet.step(
+                "t₂",
+                "s",
+                twice.ln() / (-zeta * natural),
+                "Time for the envelope of the motion to double",
+            );
+            sheet.answer("doubling_time", "Time to double", growth);
+            sheet.verify(|| checks::doubling(growth, &motion, sheet));
+            sheet.warn(|| {
+                Text::new(
+                    "the damping is negative: it feeds energy into the motion, which grows until something not in \
+                     this model stops it; the position of rest is unstable",
+                )
+            });
+        }
+        sheet.show(|| Exhibit::Plot(history(&motion, self.time, &units)));
+        sheet.show(|| Exhibit::Plot(phase_plane(&motion, self.time, &units)));
+        sheet.show(|| Exhibit::Plot(root_locus(&motion)));
+        sheet.show(|| Exhibit::Drawing(drawing(&self.oscillator)));
+        Ok(())
+    }
+}
+
+/// The oscillator by its ratios, and its mass and stiffness where they are known.
+struct System<N> {
+    natural: N,
+    zeta: N,
+    x0: N,
+    v0: N,
+    elastic: Option<(N, N)>,
+    units: Units,
+}
+
+fn system<W: Worksheet>(given: &FreeVibrationGiven<W>, sheet: W) -> System<W::Num> {
+    match &given.oscillator {
+        OscillatorGiven::Translation { mass: body, stiffness, damping, displacement, velocity } => {
+            let mass = mass(body, sheet);
+            let natural = natural_frequency(*stiffness, mass, sheet);
+            let critical = critical_damping(*stiffness, mass, Units::TRANSLATION, sheet);
+            let one = W::Num::from(1.0);
+            let zeta = match damping {
+                DampingGiven::Ratio { ratio } => *ratio,
+                DampingGiven::Coefficient { coefficient } => {
+                    ratio_of(*coefficient, critical, *stiffness, mass, sheet)
+                }
+                DampingGiven::Critical {} => sheet.step("ζ", "1", one, "The damping is critical"),
+                DampingGiven::Overshoot { overshoot } => {
+                    let log = sheet.step(
+                        "Λ",
+                        "1",
+                        (one / *overshoot).ln(),
+                        "Half a cycle reduces the amplitude from 1 to the overshoot: half the logarithmic decrement",
+                    );
+                    sheet.step(
+                        "ζ",
+                        "1",
+                        sdof::damping_ratio_from_decrement(log * 2.0),
+                        ("Damping ratio from that decrement", RAO.at("§2.6.3")),
+                    )
+                }
+                DampingGiven::Settling { time } => sheet.step(
+                    "ζ",
+                    "1",
+                    (one / given.settled).ln() / (natural * *time),
+                    "The envelope e^(−ζωₙt) has decayed to the fraction taken as settled",
+                ),
+            };
+            match damping {
+                DampingGiven::Coefficient { coefficient } => {
+                    sheet.answer("damping", "Damping coefficient", *coefficient);
+                }
+                _ => coefficient_of(zeta, critical, Units::TRANSLATION, sheet),
+            }
+            System {
+                natural,
+                zeta,
+                x0: *displacement,
+                v0: *velocity,
+                elastic: Some((mass, *stiffness)),
+                units: Units::TRANSLATION,
+            }
+        }
+        OscillatorGiven::Rotation { inertia, stiffness, damping, angle, rate } => {
+            let natural = natural_frequency(*stiffness, *inertia, sheet);
+            let critical = critical_damping(*stiffness, *inertia, Units::ROTATION, sheet);
+            let zeta = match damping {
+                TorsionalDampingGiven::Ratio { ratio } => *ratio,
+                TorsionalDampingGiven::Coefficient { coefficient } => {
+                    ratio_of(*coefficient, critical, *stiffness, *inertia, sheet)
+                }
+            };
+            match damping {
+                TorsionalDampingGiven::Coefficient { coefficient } => {
+                    sheet.answer("damping", "Damping coefficient", *coefficient);
+                }
+                TorsionalDampingGiven::Ratio { .. } => {
+                    coefficient_of(zeta, critical, Units::ROTATION, sheet);
+                }
+            }
+            System {
+                natural,
+                zeta,
+                x0: *angle,
+                v0: *rate,
+                elastic: Some((*inertia, *stiffness)),
+                units: Units::ROTATION,
+            }
+        }
+        OscillatorGiven::Ratios { natural_frequency, ratio, displacement, velocity } => System {
+            natural: *natural_frequency,
+            zeta: *ratio,
+            x0: *displacement,
+            v0: *velocity,
+            elastic: None,
+            units: Units::TRANSLATION,
+        },
+    }
+}
+
+fn natural_frequency<W: Worksheet>(stiffness: W::Num, mass: W::Num, sheet: W) -> W::Num {
+    sheet.step(
+        "ωₙ",
+        "rad/s",
+        sdof::natural_frequency(stiffness, mass),
+        ("Natural frequency without damping", RAO.at("§2.2")),
+    )
+}
+
+/// First passage through rest, first turning point, largest displacement; the last is the result.
+fn events<W: Worksheet>(
+    form: &Form<W::Num>,
+    motion: &FreeMotion,
+    units: &Units,
+    x0: W::Num,
+    sheet: W,
+) -> W::Num {
+    // A passage that comes when nothing is left of the motion is none.
+    let left =
+        |time: &f64| (-motion.damping_ratio * motion.natural_frequency * time).exp() > f64::MIN_POSITIVE;
+    if let Some(zero) = motion.first_zero().filter(left) {
+        let time = form.first_zero(sheet);
+        sheet.check("the first passage through rest found from the motion itself", time, zero.into());
+        sheet.answer("first_zero", "First passage through the equilibrium position", time);
+    }
+    let turning = motion.first_turning().map(|turning| {
+        let time = form.first_turning(sheet);
+        sheet.check("the first turning point found from the motion itself", time, turning.into());
+        sheet.answer("first_turning", "First turning point after the start", time);
+        let displacement = sheet.step(
+            (units.symbol, 1),
+            units.displacement,
+            form.displacement(time),
+            "Displacement at the first turning point",
+        );
+        sheet.answer("turning_displacement", "Displacement at that turning point", displacement);
+        sheet.verify(|| checks::turning([time, displacement], motion, sheet));
+        (time, displacement)
+    });
+    // Without damping, and while it grows, no turning point is the largest; the first one still says most.
+    match turning {
+        Some((time, at)) if at.value().abs() > x0.value().abs() => {
+            let largest = sheet.step(
+                "Xₘₐₓ",
+                units.displacement,
+                at.abs(),
+                "Maximum displacement of the decaying motion: its first turning point",
+            );
+            if motion.damping_ratio >= 0.0 {
+                sheet.answer("maximum", "Maximum displacement", largest);
+                sheet.answer("maximum_time", "Time of maximum displacement", time);
+            }
+            largest
+        }
+        _ => {
+            let largest = sheet.step(
+                "Xₘₐₓ",
+                units.displacement,
+                x0.abs(),
+                "Maximum displacement of the decaying motion: its start",
+            );
+            if motion.damping_ratio >= 0.0 {
+                sheet.answer("maximum", "Maximum displacement", largest);
+            }
+            largest
+        }
+    }
+}
+
+/// When the motion has settled, by its envelope and exactly.
+fn settling<W: Worksheet>(
+    share: W::Num,
+    largest: W::Num,
+    form: &Form<W::Num>,
+    motion: &FreeMotion,
+    sheet: W,
+) {
+    if let Some(envelope) = form.settling_of_envelope(share * largest, sheet) {
+        sheet.answer("settling_envelope", "Settling time from the envelope", envelope);
+        sheet.verify(|| checks::settling_of_envelope(envelope, share * largest, motion, sheet));
+    }
+    let level = share.value() * largest.value();
+    let Some(time) = motion.settling_time(level) else { return };
+    let settled = sheet.found(
+        "tₚ",
+        "s",
+        time,
+        "Settling time, exact: last instant at which the displacement equals the fraction p of the maximum",
+    );
+    if time > 0.0 {
+        let time = settled.value();
+        let there = motion.integrated(time).map_or(motion.state(time)[0], |state| state[0]);
+        sheet.check(
+            "the displacement at the settling time, by integration of the equation of motion",
+            W::Num::from(there.abs()),
+            share * largest,
+        );
+    }
+    sheet.answer("settling_time", "Settling time", settled);
+}
+
+/// The motion at the asked time.
+fn at_time<W: Worksheet>(
+    time: W::Num,
+    form: &Form<W::Num>,
+    motion: &FreeMotion,
+    units: &Units,
+    sheet: W,
+) -> [W::Num; 2] {
+    let [x, v, a] = form.state(time, units, sheet);
+    if let Some(envelope) = form.envelope(time, units, sheet) {
+        sheet.answer("envelope", "Envelope at that time", envelope);
+        sheet.verify(|| {
+            let what = "envelope: displacement and (velocity without the decay term)/ω_d as legs of a right triangle";
+            sheet.check(what, form.radius_squared([x, v]), envelope.powi(2));
+        });
+    }
+    sheet.verify(|| {
+        let size = motion.displacement.abs() + motion.velocity.abs() / motion.natural_frequency;
+        let size = size * (-motion.damping_ratio * motion.natural_frequency * time.value()).exp().max(1.0);
+        if let Some([displacement, velocity]) = motion.integrated(time.value()) {
+            sheet.check_sum(
+                "displacement by integration of the equation of motion",
+                x,
+                displacement.into(),
+                size,
+            );
+            sheet.check_sum(
+                "velocity by integration of the equation of motion",
+                v,
+                velocity.into(),
+                size * motion.natural_frequency * (1.0 + motion.damping_ratio.abs()),
+            );
+        }
+        let rate = motion.natural_frequency * (1.0 + motion.damping_ratio.abs());
+        sheet.check_sum(
+            "acceleration as the second derivative of the displacement",
+            a,
+            form.second_derivative(time),
+            size * rate * rate,
+        );
+    });
+    sheet.answer("displacement", "Displacement at that time", x);
+    sheet.answer("velocity", "Velocity at that time", v);
+    sheet.answer("acceleration", "Acceleration at that time", a);
+    [x, v]
+}
+
+/// The energy at the start, and at the asked time.
+fn energy<W: Worksheet>(
+    mass: W::Num,
+    stiffness: W::Num,
+    [x0, v0]: [W::Num; 2],
+    there: Option<[W::Num; 2]>,
+    sheet: W,
+) -> Option<[W::Num; 2]> {
+    let of = |x: W::Num, v: W::Num| stiffness * x.powi(2) / 2.0 + mass * v.powi(2) / 2.0;
+    let start = sheet.step("E₀", "J", of(x0, v0), ("Energy at the start", RAO.at("§2.2")));
+    sheet.answer("energy", "Energy at the start", start);
+    let [x, v] = there?;
+    let lost = sheet.step("ΔE", "J", start - of(x, v), "Energy dissipated by the damper up to that time");
+    sheet.answer("energy_lost", "Energy dissipated up to that time", lost);
+    Some([start, lost])
+}
+
+/// The time that is drawn: until little is left, or some cycles.
+fn span(motion: &FreeMotion, asked: Option<f64>) -> f64 {
+    let FreeMotion { natural_frequency: w, damping_ratio: z, .. } = *motion;
+    let cycles = std::f64::consts::TAU / w;
+    let span = if z >= 1.0 {
+        5.0 * (z + (z * z - 1.0).max(0.0).sqrt()) / w
+    } else if z > 0.0 {
+        (4.0 / (z * w)).max(1.5 * cycles).min(12.0 * cycles)
+    } else {
+        3.0 * cycles / (1.0 - z)
+    };
+    asked.map_or(span, |asked| if asked < 4.0 * span { span.max(1.1 * asked) } else { span })
+}
+
+fn history(motion: &FreeMotion, asked: Option<f64>, units: &Units) -> Plot {
+    let span = span(motion, asked);
+    let times = (0..=400u16).map(|n| span * f64::from(n) / 400.0);
+    let points = times.clone().map(|t| (t, motion.state(t)[0])).collect();
+    let mut series = vec![Series::line(units.symbol, points).of("displacement")];
+    let (w, z) = (motion.natural_frequency, motion.damping_ratio);
+    if z != 0.0 && z.abs() < 1.0 {
+        let side = (motion.velocity + z * w * motion.displacement) / motion.damped_frequency();
+        let size = motion.displacement.hypot(side);
+        if size < 50.0 * (motion.displacement.abs() + motion.velocity.abs() / w) {
+            let envelope = |sign: f64| times.clone().map(move |t| (t, sign * size * (-z * w * t).exp()));
+            let gap = std::iter::once((f64::INFINITY, f64::INFINITY));
+            series.push(Series::line("envelope", envelope(1.0).chain(gap).chain(envelope(-1.0)).collect()));
+        }
+    }
+    let mut plot = Plot::new(
+        "Displacement against time",
+        Axis::linear("time", "s"),
+        Axis::linear("displacement", units.displacement),
+        series,
+    )
+    .over("time");
+    if let Some(time) = motion.first_turning()
+        && time <= span
+    {
+        plot = plot.mark("first turning point", (time, motion.state(time)[0]));
+    }
+    if let Some(time) = asked
+        && time <= span
+    {
+        plot = plot.mark("at the requested time", (time, motion.state(time)[0]));
+    }
+    plot
+}
+
+fn phase_plane(motion: &FreeMotion, asked: Option<f64>, units: &Units) -> Plot {
+    let span = span(motion, asked);
+    let times: Vec<f64> = (0..=400u16).map(|n| span * f64::from(n) / 400.0).collect();
+    let points = times.iter().map(|time| motion.state(*time)).map(|[x, v, _]| (x, v)).collect();
+    Plot::new(
+        "Phase plane",
+        Axis::linear("displacement", units.displacement),
+        Axis::linear("velocity", units.velocity),
+        vec![Series::line("motion", points).of("velocity").at(times)],
+    )
+    .over_answer("time", "displacement")
+    .mark("start", (motion.displacement, motion.velocity))
+}
+
+/// The roots `λ = −ζω_n ± ω_n √(ζ² − 1)` as the damping ratio goes from zero upward.
+fn root_locus(motion: &FreeMotion) -> Plot {
+    let (w, z) = (motion.natural_frequency, motion.damping_ratio);
+    let last = 1.3f64.max(1.2 * z.abs()).min(5.0) * if z < 0.0 { -1.0 } else { 1.0 };
+    let roots = |z: f64| {
+        let part = w * ((1.0 - z) * (1.0 + z)).abs().sqrt();
+        if z.abs() < 1.0 {
+            [(-z * w, part), (-z * w, -part)]
+        } else {
+            [(-z * w + part, 0.0), (-z * w - part, 0.0)]
+        }
+    };
+    let branch = |which: usize| (0..=200u16).map(|n| roots(last * f64::from(n) / 200.0)[which]).collect();
+    Plot::new(
+        "Roots of the characteristic equation as the damping grows from zero",
+        Axis::linear("real part", "rad/s"),
+        Axis::linear("imaginary part", "rad/s"),
+        vec![
+            Series::line("λ₁", branch(0)),
+            Series::line("λ₂", branch(1)),
+            Series::dots("here", roots(z).to_vec()),
+        ],
+    )
+}
+
+/// Mass, spring and damper, or disc and shaft.
+fn drawing(oscillator: &Oscillator) -> Drawing {
+    let shapes = if let Oscillator::Rotation { .. } = oscillator {
+        vec![
+            DrawnShape::Ground((-1.0, 1.6), (1.0, 1.6)),
+            DrawnShape::Spring((0.0, 1.6), (0.0, 0.3)),
+            DrawnShape::Label((0.25, 1.0), Text::from("kₜ")),
+            DrawnShape::Block((-0.9, -0.3), (0.9, 0.3), Ink::Body),
+            DrawnShape::Label((0.0, 0.0), Text::from("J")),
+            DrawnShape::Damper((0.0, -0.3), (0.0, -1.4)),
+            DrawnShape::Label((0.3, -0.9), Text::from("cₜ")),
+            DrawnShape::Ground((1.0, -1.4), (-1.0, -1.4)),
+            DrawnShape::Arc((0.0, 0.0), 1.2, -0.5, 0.5, Ink::Motion),
+            DrawnShape::Label((1.3, 0.3), Text::from("θ")),
+        ]
+    } else {
+        vec![
+            DrawnShape::Ground((-2.2, 0.9), (-2.2, -0.9)),
+            DrawnShape::Spring((-2.2, 0.35), (-0.7, 0.35)),
+            DrawnShape::Label((-1.5, 0.75), Text::from("k")),
+            DrawnShape::Damper((-2.2, -0.35), (-0.7, -0.35)),
+            DrawnShape::Label((-1.5, -0.8), Text::from("c")),
+            DrawnShape::Block((-0.7, -0.7), (0.7, 0.7), Ink::Body),
+            DrawnShape::Label((0.0, 0.0), Text::from("m")),
+            DrawnShape::Arrow((0.0, 1.0), (0.9, 1.0), Ink::Motion),
+            DrawnShape::Label((1.0, 1.0), Text::from("x")),
+        ]
+    };
+    Drawing { title: "One degree of freedom".into(), shapes }
+}

@@ -1,0 +1,5 @@
+//! Nonlinear vibration.
+
+pub mod duffing_oscillator;
+pub mod large_pendulum;
+pub mod piecewise_spring;

@@ -1,0 +1,5 @@
+//! Random vibration and earthquakes.
+
+pub mod random_chain;
+pub mod random_response;
+pub mod response_spectrum;

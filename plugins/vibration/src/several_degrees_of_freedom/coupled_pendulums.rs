@@ -1,0 +1,197 @@
+//! Two pendulums coupled by a spring: rods or bobs, hanging or in a horizontal plane.
+
+use std::f64::consts::TAU;
+
+use dalembert_core::{
+    About, Analysis, Animation, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
+};
+use dalembert_mechanics::{Real, vibration::modes::natural_modes};
+use nalgebra::{DMatrix, DVector};
+
+use crate::{
+    shared::system::{
+        modes::{agreement, refusal},
+        two_degrees,
+    },
+    sources::RAO,
+};
+
+/// The pendulums, their spring, and what pulls them back.
+#[derive(Clone, Debug, Inputs)]
+pub struct CoupledPendulums {
+    /// First pendulum.
+    #[input("1")]
+    pub left: Pendulum,
+    /// Second pendulum.
+    #[input("2")]
+    pub right: Pendulum,
+    /// Stiffness of the spring between them.
+    #[input("k", "N/m", positive)]
+    pub spring: f64,
+    /// Gravity along the pendulums at rest.
+    /// Omit if they lie in a horizontal plane; negative if they are inverted.
+    #[input("g", "m/s^2")]
+    pub gravity: Option<f64>,
+}
+
+/// A pendulum.
+#[derive(Clone, Debug, Inputs)]
+pub enum Pendulum {
+    /// Slender uniform rod, pivoted at its end
+    Rod {
+        /// Mass.
+        #[input("m", "kg", positive)]
+        mass: f64,
+        /// Length.
+        #[input("l", "m", positive)]
+        length: f64,
+        /// Distance of the spring from the pivot.
+        #[input("a", "m", positive)]
+        spring: f64,
+    },
+    /// Small mass on a light rod
+    Bob {
+        /// Mass.
+        #[input("m", "kg", positive)]
+        mass: f64,
+        /// Length.
+        #[input("l", "m", positive)]
+        length: f64,
+        /// Distance of the spring from the pivot.
+        #[input("a", "m", positive)]
+        spring: f64,
+    },
+}
+
+register!(CoupledPendulums);
+
+impl Analysis for CoupledPendulums {
+    const ABOUT: About = About {
+        id: "vibration/coupled-pendulums",
+        title: "Coupled pendulums",
+        topic: "Several degrees of freedom",
+        summary: "Natural frequencies, amplitude ratios and beats of two rods or pendulums joined by a spring.",
+        keywords: "pendulum rods spring coupling beats two degrees pêndulos acoplados barras mola batimento dois \
+                   graus de liberdade",
+        sources: &[&RAO],
+        cases: include_str!("../../cases/coupled_pendulums.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &CoupledPendulumsGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let of = |place: usize, pendulum: &PendulumGiven<W>| {
+            let (inertia, lever, spring) = match pendulum {
+                PendulumGiven::Rod { mass, length, spring } => (
+                    sheet.step(
+                        ("J", place),
+                        "kg*m^2",
+                        *mass * length.powi(2) / 3.0,
+                        "Moment of inertia of the rod about its pivot",
+                    ),
+                    *mass * *length / 2.0,
+                    *spring,
+                ),
+                PendulumGiven::Bob { mass, length, spring } => (
+                    sheet.step(
+                        ("J", place),
+                        "kg*m^2",
+                        *mass * length.powi(2),
+                        "Moment of inertia of the small mass about the pivot",
+                    ),
+                    *mass * *length,
+                    *spring,
+                ),
+            };
+            let own = given.spring * spring.powi(2);
+            let own = match given.gravity {
+                Some(gravity) => own + lever * gravity,
+                None => own,
+            };
+            let own = sheet.step(
+                if place == 1 { "K₁₁" } else { "K₂₂" },
+                "N*m/rad",
+                own,
+                (
+                    "Moment of spring and weight for a unit rotation of this pendulum, the other fixed",
+                    RAO.at("§5.4"),
+                ),
+            );
+            (inertia, own, spring)
+        };
+        let (first, k11, a1) = of(1, &given.left);
+        let (second, k22, a2) = of(2, &given.right);
+        let k12 = sheet.step(
+            "K₁₂",
+            "N*m/rad",
+            -given.spring * a1 * a2,
+            "Moment on one for a unit rotation of the other, transmitted by the spring",
+        );
+        let two = two_degrees::solve([first, second], [k11, k12, k22], "1", sheet)?;
+        for (mode, frequency) in two.frequencies.iter().enumerate() {
+            sheet.answer(("frequency", mode + 1), "Natural frequency", *frequency);
+            if let Some(ratios) = two.ratios {
+                sheet.answer(("ratio", mode + 1), "Angle of the second over that of the first", ratios[mode]);
+            }
+        }
+        let [slow, fast] = two.frequencies;
+        if slow.value() > 0.0 && fast.value() < 1.2 * slow.value() {
+            let beat = sheet.step(
+                "ω_b",
+                "rad/s",
+                fast - slow,
+                ("The motion passes from one pendulum to the other and back: beats", RAO.at("§5.4")),
+            );
+            sheet.answer("beat_frequency", "Frequency of the beats", beat);
+        }
+        let mass = DMatrix::from_diagonal(&DVector::from_column_slice(&[first.value(), second.value()]));
+        let stiffness = DMatrix::from_row_slice(2, 2, &[k11.value(), k12.value(), k12.value(), k22.value()]);
+        let modes = natural_modes(&mass, &stiffness).map_err(refusal)?;
+        sheet.verify(|| agreement(&two, &modes, sheet));
+        sheet.show(|| {
+            Exhibit::Drawing(Drawing {
+                title: "The pendulums and their spring".into(),
+                shapes: self.shapes([0.0; 2]),
+            })
+        });
+        for mode in 0..2 {
+            let shape = [modes.shapes[(0, mode)], modes.shapes[(1, mode)]];
+            let largest = shape[0].abs().max(shape[1].abs());
+            sheet.show(|| {
+                let frames = (0..24).map(|frame| {
+                    let now = 0.35 / largest * (TAU * f64::from(frame) / 24.0).cos();
+                    self.shapes(shape.map(|x| x * now))
+                });
+                Exhibit::Animation(Animation::new(
+                    Text::new("Mode {mode}").with("mode", mode + 1),
+                    frames.collect(),
+                    2.0,
+                ))
+            });
+        }
+        Ok(())
+    }
+}
+
+impl CoupledPendulums {
+    /// The pendulums turned by so much.
+    fn shapes(&self, turns: [f64; 2]) -> Vec<DrawnShape> {
+        let sizes = [&self.left, &self.right].map(|pendulum| match pendulum {
+            Pendulum::Rod { length, spring, .. } => (*length, *spring, false),
+            Pendulum::Bob { length, spring, .. } => (*length, *spring, true),
+        });
+        let apart = 0.8 * sizes[0].0.max(sizes[1].0).max(sizes[0].1).max(sizes[1].1);
+        let mut shapes = Vec::new();
+        let mut ends = Vec::new();
+        for (place, ((length, spring, bob), turn)) in sizes.into_iter().zip(turns).enumerate() {
+            let x = apart * place as f64;
+            let at = |distance: f64| (x + distance * turn.sin(), -distance * turn.cos());
+            shapes.push(DrawnShape::Pin((x, 0.0)));
+            shapes.push(DrawnShape::Polyline(vec![(x, 0.0), at(length.max(spring))], Ink::Body));
+            if bob {
+                shapes.push(DrawnShape::Circle(at(length), 0.06 * apart, Ink::Body));
+            }
+            ends.push(at(spring));
+        }
+        shapes.push(DrawnShape::Spring(ends[0], ends[1]));
+        shapes
+    }
+}

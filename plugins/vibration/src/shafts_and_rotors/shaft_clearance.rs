@@ -1,0 +1,450 @@
+//! What keeps an unbalanced rotor clear of its stator: diameters or stiffnesses of its shaft, eccentricities, speeds.
+
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use dalembert_core::{
+    About, Analysis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
+};
+use dalembert_mechanics::{
+    Real,
+    intervals::IntervalSet,
+    sdof,
+    whirl::{self, LimitedBy, PermittedStiffness},
+};
+
+mod diameter;
+mod eccentricity;
+mod judged;
+mod limits;
+mod plot;
+mod speed;
+
+pub use crate::shared::jeffcott::Mounting;
+use crate::{
+    shared::jeffcott::RotorShaft,
+    sources::{BEER, LISTS, RAO, SHIGLEY},
+};
+
+/// The rotor in its stator, and what is sought.
+#[derive(Clone, Debug, Inputs)]
+pub struct ShaftClearance {
+    /// Mass of the rotor.
+    #[input("m", "kg", positive)]
+    pub mass: f64,
+    /// Radial clearance between rotor and stator.
+    #[input("R", "m", positive)]
+    pub clearance: f64,
+    /// Damping.
+    pub damping: Damping,
+    /// Unknown.
+    pub sought: Sought,
+}
+
+/// The quantity whose permitted values are sought, and what is given of the others.
+#[derive(Clone, Debug, Inputs)]
+pub enum Sought {
+    /// Diameter of the shaft
+    Diameter {
+        /// Unbalance.
+        /// Mass of the rotor times the distance of its centre of mass from the axis.
+        #[input("m₀e", "kg*m", positive)]
+        unbalance: f64,
+        /// Speeds.
+        speeds: SpeedRange,
+        /// Shaft.
+        shaft: Shaft,
+        /// Minimum available diameter.
+        #[input("d_min", "m", positive)]
+        smallest_diameter: Option<f64>,
+        /// Maximum available diameter.
+        #[input("d_max", "m", positive)]
+        largest_diameter: Option<f64>,
+        /// Diameter to be checked.
+        #[input("d", "m", positive)]
+        diameter: Option<f64>,
+    },
+    /// Stiffness of the shaft at the rotor
+    Stiffness {
+        /// Unbalance.
+        /// Mass of the rotor times the distance of its centre of mass from the axis.
+        #[input("m₀e", "kg*m", positive)]
+        unbalance: f64,
+        /// Speeds.
+        speeds: SpeedRange,
+        /// Minimum available stiffness.
+        #[input("k_min", "N/m", positive)]
+        smallest_stiffness: Option<f64>,
+        /// Maximum available stiffness.
+        #[input("k_max", "N/m", positive)]
+        largest_stiffness: Option<f64>,
+        /// Stiffness to be checked.
+        #[input("k", "N/m", positive)]
+        stiffness: Option<f64>,
+    },
+    /// Eccentricity of the rotor
+    Eccentricity {
+        /// Speeds.
+        speeds: SpeedRange,
+        /// Shaft.
+        shaft: RotorShaft,
+    },
+    /// Speed of the rotor
+    Speed {
+        /// Unbalance.
+        /// Mass of the rotor times the distance of its centre of mass from the axis.
+        #[input("m₀e", "kg*m", positive)]
+        unbalance: f64,
+        /// Shaft.
+        shaft: RotorShaft,
+    },
+}
+
+/// The speeds at which the rotor runs.
+#[derive(Clone, Debug, Inputs)]
+pub struct SpeedRange {
+    /// Minimum speed.
+    #[input("ω_a", "rad/s", nonnegative)]
+    pub lowest: f64,
+    /// Maximum speed.
+    #[input("ω_b", "rad/s", positive)]
+    pub highest: f64,
+    /// Margin on the speed range.
+    /// Taken off the lowest speed and added to the highest.
+    #[input("s", "%", nonnegative, below = 100)]
+    pub margin: Option<f64>,
+}
+
+/// What damps the whirl.
+#[derive(Clone, Debug, Inputs)]
+pub enum Damping {
+    /// Undamped
+    Undamped,
+    /// Damping ratio given
+    /// The same for every shaft, so that the coefficient varies with the stiffness.
+    Ratio {
+        /// Damping ratio.
+        #[input("ζ", "1", nonnegative)]
+        ratio: f64,
+    },
+    /// Damping coefficient given
+    /// The same for every shaft.
+    Coefficient {
+        /// Damping coefficient.
+        #[input("c", "N*s/m", nonnegative)]
+        coefficient: f64,
+    },
+}
+
+/// A solid round shaft.
+#[derive(Clone, Debug, Inputs)]
+pub struct Shaft {
+    /// Mounting.
+    pub mounting: Mounting,
+    /// Length.
+    /// Of the overhang where the rotor is at its end, of the span otherwise.
+    #[input("L", "m", positive)]
+    pub length: f64,
+    /// Young's modulus.
+    #[input("E", "Pa", positive)]
+    pub young: f64,
+}
+
+register!(ShaftClearance);
+
+impl Analysis for ShaftClearance {
+    const ABOUT: About = About {
+        id: "vibration/shaft-clearance",
+        title: "Shaft for a rotor with clearance",
+        topic: "Shafts and rotors",
+        summary: "All shaft diameters or stiffnesses, eccentricities or speeds for which an unbalanced rotor does not touch its stator.",
+        keywords: "whirl critical speed Francis turbine rotor stator jeffcott eccentricity stiffness turbina eixo \
+                   diâmetro rigidez excentricidade folga velocidade crítica 08/3",
+        sources: &[&RAO, &BEER, &SHIGLEY, &LISTS],
+        cases: include_str!("../../cases/shaft_clearance.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &ShaftClearanceGiven<W>, sheet: W) -> Result<(), Refusal> {
+        match (&self.sought, &given.sought) {
+            (Sought::Diameter { .. }, SoughtGiven::Diameter { .. }) => self.diameters(given, sheet),
+            (Sought::Stiffness { .. }, SoughtGiven::Stiffness { .. }) => self.stiffnesses(given, sheet),
+            (Sought::Eccentricity { .. }, _) => self.eccentricities(given, sheet),
+            (Sought::Speed { .. }, _) => self.speeds(given, sheet),
+            _ => unreachable!("what is given is made from what is sought"),
+        }?;
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
+        Ok(())
+    }
+}
+
+/// One side of the resonance.
+#[derive(Clone, Copy)]
+enum Branch {
+    /// The rotor runs above its critical speed.
+    Soft,
+    /// The rotor runs below its critical speed.
+    Stiff,
+}
+
+/// The rotor in its stator, as numbers of the worksheet.
+#[derive(Clone, Copy)]
+struct Rotor<N> {
+    mass: N,
+    unbalance: N,
+    clearance: N,
+}
+
+/// The permitted stiffnesses: the kernel's account of them, and their limits as numbers of the worksheet.
+struct Branches<N> {
+    speeds: [N; 2],
+    permitted: PermittedStiffness,
+    soft: Option<N>,
+    stiff: Option<N>,
+}
+
+impl<N: Real> Branches<N> {
+    fn range(&self) -> [f64; 2] {
+        self.speeds.map(Real::value)
+    }
+}
+
+impl SpeedRange {
+    /// The range of speeds with its margins.
+    fn widened<W: Worksheet>(&self, given: &SpeedRangeGiven<W>, sheet: W) -> Result<[W::Num; 2], Refusal> {
+        if self.lowest > self.highest {
+            return Err(Refusal::because(
+                "the lowest speed is above the highest one: write the smaller speed as the lowest",
+            ));
+        }
+        let Some(margin) = given.margin else { return Ok([given.lowest, given.highest]) };
+        let one = W::Num::from(1.0);
+        Ok([
+            sheet.step("ω₁", "rpm", given.lowest * (one - margin), "Minimum speed, including the margin"),
+            sheet.step("ω₂", "rpm", given.highest * (one + margin), "Maximum speed, including the margin"),
+        ])
+    }
+}
+
+impl ShaftClearance {
+    /// Which stiffnesses are permitted; answers the limits of the two branches.
+    fn branches<W: Worksheet>(
+        &self,
+        given: &ShaftClearanceGiven<W>,
+        unbalance: W::Num,
+        speeds: [W::Num; 2],
+        sheet: W,
+    ) -> Result<Branches<W::Num>, Refusal> {
+        let rotor = Rotor { mass: given.mass, unbalance, clearance: given.clearance };
+        let eccentricity = sheet.step(
+            "e",
+            "µm",
+            unbalance / given.mass,
+            ("Distance of the centre of mass from the axis", RAO.at("§9.5")),
+        );
+        self.largest_amplitude(given, eccentricity, sheet);
+        let permitted = self.permitted(unbalance.value(), speeds.map(Real::value))?;
+        let (soft, stiff) = match &given.damping {
+            DampingGiven::Coefficient { coefficient } => {
+                limits::found_limits(&rotor, *coefficient, &permitted, sheet)
+            }
+            DampingGiven::Ratio { ratio } if ratio.value() > 0.0 => {
+                limits::ratio_limits(&rotor, *ratio, speeds, &permitted, sheet)
+            }
+            _ => limits::undamped_limits(&rotor, speeds, &permitted, sheet),
+        };
+        if let Some(k) = soft {
+            sheet.answer("soft_stiffness", "Maximum stiffness, supercritical operation", k);
+        }
+        if let Some(k) = stiff {
+            sheet.answer("stiff_stiffness", "Minimum stiffness, subcritical operation", k);
+        }
+        Ok(Branches { speeds, permitted, soft, stiff })
+    }
+
+    /// The kernel: which stiffnesses are permitted.
+    fn permitted(&self, unbalance: f64, speeds: [f64; 2]) -> Result<PermittedStiffness, Refusal> {
+        let (m, u, r) = (self.mass, unbalance, self.clearance);
+        let permitted = match self.damping {
+            Damping::Undamped => whirl::permitted_stiffness(m, u, r, speeds, 0.0),
+            Damping::Ratio { ratio } => whirl::permitted_stiffness(m, u, r, speeds, ratio),
+            Damping::Coefficient { coefficient } => {
+                whirl::permitted_stiffness_at_damping(m, u, r, speeds, coefficient)
+            }
+        };
+        permitted.map_err(|_| {
+            Refusal::because(
+                "these numbers do not describe a rotor, or lead to values outside the representable range",
+            )
+        })
+    }
+
+    /// With a damping ratio, the largest amplitude of any shaft; and the ratio from which no shaft can touch.
+    fn largest_amplitude<W: Worksheet>(
+        &self,
+        given: &ShaftClearanceGiven<W>,
+        eccentricity: W::Num,
+        sheet: W,
+    ) {
+        if matches!(self.damping, Damping::Coefficient { .. }) {
+            return;
+        }
+        let room = sheet.step(
+            "Λ",
+            "1",
+            given.clearance / eccentricity,
+            "Clearance as a multiple of the eccentricity",
+        );
+        if let Some(enough) = sdof::damping_ratio_from_peak(room) {
+            let enough = sheet.step(
+                "ζ_R",
+                "1",
+                enough,
+                (
+                    "Damping ratio for which the peak, e/(2ζ√(1 − ζ²)), just reaches the clearance",
+                    RAO.at("§3.7"),
+                ),
+            );
+            sheet.check(
+                "the peak with that damping ratio is the clearance",
+                eccentricity * sdof::peak_magnification(enough),
+                given.clearance,
+            );
+            sheet.answer(
+                "harmless_damping_ratio",
+                "Minimum damping ratio for no contact with any shaft",
+                enough,
+            );
+        }
+        let DampingGiven::Ratio { ratio } = &given.damping else { return };
+        if ratio.value() > 0.0 && ratio.value() < FRAC_1_SQRT_2 {
+            let largest = sheet.step(
+                "Xₘₐₓ",
+                "mm",
+                eccentricity * sdof::peak_magnification(*ratio),
+                ("Maximum amplitude of any shaft, at its worst-case speed: the peak does not depend on the stiffness", RAO.at("§3.7")),
+            );
+            sheet.check(
+                "the same from the whirl amplitude at the frequency ratio of the peak",
+                whirl::whirl_amplitude(eccentricity, sdof::unbalance_peak_ratio(*ratio), *ratio),
+                largest,
+            );
+            sheet.answer("largest_amplitude", "Maximum amplitude of any shaft at any speed", largest);
+        }
+    }
+
+    /// The rotor on its shaft, inside the stator.
+    fn drawing(&self) -> Drawing {
+        let rotor = |x: f64| {
+            [
+                DrawnShape::Block((x - 0.35, -0.8), (x + 0.35, 0.8), Ink::Body),
+                DrawnShape::Polyline(vec![(x - 0.5, 1.0), (x + 0.5, 1.0)], Ink::Danger),
+                DrawnShape::Polyline(vec![(x - 0.5, -1.0), (x + 0.5, -1.0)], Ink::Danger),
+                DrawnShape::Label((x + 0.6, 1.0), Text::from("stator")),
+                DrawnShape::Label((x + 0.6, 0.85), Text::from("R")),
+                DrawnShape::Circle((x, 0.12), 0.06, Ink::Danger),
+                DrawnShape::Label((x + 0.1, 0.2), Text::from("e")),
+            ]
+        };
+        let mounting = match &self.sought {
+            Sought::Diameter { shaft, .. } => shaft.mounting,
+            Sought::Eccentricity { shaft: RotorShaft::Round { mounting, .. }, .. }
+            | Sought::Speed { shaft: RotorShaft::Round { mounting, .. }, .. } => *mounting,
+            _ => Mounting::SimplySupported,
+        };
+        let (mut shapes, x) = mounting.sketch();
+        shapes.extend(rotor(x));
+        if matches!(self.sought, Sought::Diameter { .. }) {
+            shapes.push(DrawnShape::Label((-1.4, 0.25), Text::from("d")));
+        }
+        Drawing { title: "The rotor in its stator".into(), shapes }
+    }
+}
+
+/// The damping ratio of a rotor on a known shaft; `None` without damping.
+fn damping_ratio<W: Worksheet>(
+    damping: &DampingGiven<W>,
+    stiffness: W::Num,
+    mass: W::Num,
+    sheet: W,
+) -> Option<W::Num> {
+    let ratio = match damping {
+        DampingGiven::Undamped {} => return None,
+        DampingGiven::Ratio { ratio } => *ratio,
+        DampingGiven::Coefficient { coefficient } if coefficient.value() == 0.0 => return None,
+        DampingGiven::Coefficient { coefficient } => sheet.step(
+            "ζ",
+            "1",
+            sdof::damping_ratio(*coefficient, stiffness, mass),
+            ("Damping ratio: damping over critical damping", RAO.at("§2.6")),
+        ),
+    };
+    (ratio.value() > 0.0).then_some(ratio)
+}
+
+/// The values that are both available and permitted, and what limits each end: `available` are the smallest and
+/// the largest, `[thin, thick]` the ends of the forbidden gap.
+fn available_set(
+    available: [(Option<f64>, &'static str); 2],
+    [thin, thick]: [Option<f64>; 2],
+    permitted: &PermittedStiffness,
+) -> (IntervalSet, Vec<Text>) {
+    use std::ops::Bound::{Excluded, Included, Unbounded};
+    let finite = |d: Option<f64>| d.filter(|d| d.is_finite());
+    let [(smallest, smallest_words), (largest, largest_words)] = available;
+    let within = IntervalSet::interval(
+        finite(smallest).map_or(Included(0.0), Included),
+        finite(largest).map_or(Unbounded, Included),
+    );
+    let forbidden = match finite(thick) {
+        Some(thick) => IntervalSet::interval(finite(thin).map_or(Included(0.0), Excluded), Excluded(thick)),
+        None => IntervalSet::none(),
+    };
+    let set = within.intersection(&forbidden.complement());
+    let why_it_ends = |at: f64| {
+        let limit = match Some(at) {
+            d if d == thin => permitted.soft,
+            d if d == thick => permitted.stiff,
+            d if d == smallest => return Text::new(smallest_words),
+            _ => None,
+        };
+        let Some(limit) = limit else { return Text::new(largest_words) };
+        reached(limit.by, limit.speed)
+    };
+    let ends = set.intervals().flat_map(|interval| [interval.lower, interval.upper]);
+    let limits = ends.filter_map(|end| match end {
+        Included(d) | Excluded(d) if d > 0.0 => Some(why_it_ends(d)),
+        _ => None,
+    });
+    let limits = limits.collect();
+    (set, limits)
+}
+
+/// Where the clearance is reached.
+fn reached(by: LimitedBy, speed: f64) -> Text {
+    let text = match by {
+        LimitedBy::LowestSpeed => Text::new("the clearance is reached at the lowest speed, {speed}"),
+        LimitedBy::HighestSpeed => Text::new("the clearance is reached at the highest speed, {speed}"),
+        LimitedBy::Peak => Text::new("the clearance is reached at the peak of the response, at {speed}"),
+    };
+    text.with_quantity("speed", speed, "rpm")
+}
+
+/// Says plainly when the clearance decides nothing, or everything.
+fn say_what_limits<W: Worksheet>(
+    permitted: &PermittedStiffness,
+    set: &IntervalSet,
+    [never, nothing]: [&'static str; 2],
+    sheet: W,
+) {
+    if permitted.stiff.is_none() {
+        sheet.warn(|| Text::new(never));
+    } else if permitted.soft.is_some() {
+        sheet.warn(|| {
+            Text::new(
+                "in supercritical operation the rotor passes its critical speed before reaching the lowest speed: run through it quickly",
+            )
+        });
+    }
+    if set.is_none() {
+        sheet.warn(|| Text::new(nothing));
+    }
+}

@@ -1,0 +1,333 @@
+//! One mass, what carries it and what damps it: the inputs that the steady analyses share.
+
+use dalembert_core::{Inputs, Refusal, Worksheet};
+use dalembert_mechanics::{Real, sdof};
+
+pub(crate) mod plots;
+pub(crate) mod transient_from_rest;
+
+use crate::{
+    shared::{
+        decay::{Decay, decrement},
+        spring::{Spring, stiffness},
+    },
+    sources::RAO,
+};
+
+/// The mass, said as such or as a weight.
+#[derive(Clone, Debug, Inputs)]
+pub enum Mass {
+    /// Mass given
+    Mass {
+        /// Mass.
+        #[input("m", "kg", positive)]
+        mass: f64,
+    },
+    /// Weight given
+    Weight {
+        /// Weight.
+        #[input("W", "N", positive)]
+        weight: f64,
+        /// Gravity.
+        #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
+        gravity: f64,
+    },
+}
+
+/// What is known of the springs.
+#[derive(Clone, Debug, Inputs)]
+pub enum Elasticity {
+    /// Stiffness given
+    Stiffness {
+        /// Stiffness.
+        #[input("k", "N/m", positive)]
+        stiffness: f64,
+    },
+    /// Springs and beams
+    Springs {
+        /// Springs.
+        /// A network: series and parallel groups may be nested.
+        springs: Spring,
+    },
+    /// Static deflection under the weight
+    StaticDeflection {
+        /// Static deflection.
+        #[input("δ_st", "m", positive)]
+        deflection: f64,
+        /// Gravity.
+        #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
+        gravity: f64,
+    },
+    /// Natural frequency
+    NaturalFrequency {
+        /// Natural frequency.
+        /// Without damping.
+        #[input("ωₙ", "rad/s", positive)]
+        frequency: f64,
+    },
+    /// Frequency of the free damped vibration
+    DampedFrequency {
+        /// Frequency of the free vibration.
+        #[input("ω_d", "rad/s", positive)]
+        frequency: f64,
+    },
+}
+
+/// What takes the energy out.
+#[derive(Clone, Debug, Inputs)]
+pub enum Damping {
+    /// Damping ratio given
+    Ratio {
+        /// Damping ratio.
+        /// Zero for no damping.
+        #[input("ζ", "1", nonnegative)]
+        ratio: f64,
+    },
+    /// Damping coefficient given
+    Coefficient {
+        /// Damping coefficient.
+        #[input("c", "N*s/m", nonnegative)]
+        coefficient: f64,
+    },
+    /// Hysteretic: loss factor given
+    /// Complex stiffness k(1 + iη): the energy loss per cycle is independent of frequency.
+    LossFactor {
+        /// Loss factor.
+        #[input("η", "1", nonnegative)]
+        loss_factor: f64,
+    },
+    /// From a free decay
+    Decay {
+        /// Amplitudes.
+        amplitudes: Decay,
+    },
+}
+
+/// What the springs and dampers come to.
+#[derive(Clone, Copy)]
+pub(crate) struct Suspension<N> {
+    /// Natural frequency without damping, rad/s.
+    pub(crate) natural: N,
+    /// What takes the energy out.
+    pub(crate) loss: Loss<N>,
+    /// What needs the mass; `None` where no mass was given.
+    pub(crate) body: Option<Body<N>>,
+}
+
+/// The mass and its spring.
+#[derive(Clone, Copy)]
+pub(crate) struct Body<N> {
+    pub(crate) mass: N,
+    pub(crate) stiffness: N,
+}
+
+/// What takes the energy out.
+#[derive(Clone, Copy)]
+pub(crate) enum Loss<N> {
+    /// A dashpot: its damping ratio, and its coefficient where the mass is known.
+    Viscous(N, Option<N>),
+    /// The material: its loss factor.
+    Hysteretic(N),
+}
+
+/// Damping at one frequency, as that of a dashpot.
+#[derive(Clone, Copy)]
+pub(crate) struct AtFrequency<N> {
+    /// Frequency ratio.
+    pub(crate) ratio: N,
+    /// Damping ratio.
+    pub(crate) damping_ratio: N,
+    /// Damping coefficient, where the mass is known.
+    pub(crate) damping: Option<N>,
+}
+
+/// The mass, kg.
+pub(crate) fn mass<W: Worksheet>(given: &MassGiven<W>, sheet: W) -> W::Num {
+    match given {
+        MassGiven::Mass { mass } => *mass,
+        MassGiven::Weight { weight, gravity } => {
+            sheet.step("m", "kg", *weight / *gravity, "Mass of this weight")
+        }
+    }
+}
+
+/// The weight, where it is given and is that under this gravity. With two values of gravity in one problem it is not.
+pub(crate) fn given_weight<W: Worksheet>(given: &MassGiven<W>, gravity: W::Num) -> Option<W::Num> {
+    match given {
+        MassGiven::Weight { weight, gravity: weighed } if weighed.value() == gravity.value() => Some(*weight),
+        _ => None,
+    }
+}
+
+/// Natural frequency, stiffness and damping, with the steps that lead to them.
+///
+/// # Errors
+/// A mass that is needed and was not given; a free motion that does not oscillate.
+pub(crate) fn suspension<W: Worksheet>(
+    mass: Option<W::Num>,
+    elasticity: &ElasticityGiven<W>,
+    damping: &DampingGiven<W>,
+    sheet: W,
+) -> Result<Suspension<W::Num>, Refusal> {
+    let by_decay = match damping {
+        DampingGiven::Decay { amplitudes } => Some(decrement(amplitudes, sheet).damping_ratio),
+        DampingGiven::Ratio { ratio } => Some(*ratio),
+        _ => None,
+    };
+    let from_stiffness = |k: W::Num, mass: W::Num| {
+        let why = ("Natural frequency without damping", RAO.at("§2.2"));
+        sheet.step("ωₙ", "rad/s", sdof::natural_frequency(k, mass), why)
+    };
+    let (natural, known_stiffness) = match elasticity {
+        ElasticityGiven::Stiffness { stiffness } => {
+            (from_stiffness(*stiffness, needed(mass)?), Some(*stiffness))
+        }
+        ElasticityGiven::Springs { springs } => {
+            let k = stiffness(springs, sheet)?;
+            (from_stiffness(k, needed(mass)?), Some(k))
+        }
+        ElasticityGiven::StaticDeflection { deflection, gravity } => {
+            let why = ("Natural frequency, from the weight m g = k δ_st", RAO.at("§2.2"));
+            (sheet.step("ωₙ", "rad/s", (*gravity / *deflection).sqrt(), why), None)
+        }
+        ElasticityGiven::NaturalFrequency { frequency } => (*frequency, None),
+        ElasticityGiven::DampedFrequency { frequency } => {
+            (undamped(*frequency, by_decay, mass, damping, sheet)?, None)
+        }
+    };
+    let body = mass.map(|mass| {
+        let why = ("Stiffness that gives the mass this natural frequency", RAO.at("§2.2"));
+        let stiffness = known_stiffness.unwrap_or_else(|| {
+            sheet.step("k", "N/m", sdof::stiffness_from_natural_frequency(mass, natural), why)
+        });
+        Body { mass, stiffness }
+    });
+    let loss = match damping {
+        DampingGiven::LossFactor { loss_factor } => Loss::Hysteretic(*loss_factor),
+        DampingGiven::Coefficient { coefficient } => {
+            let Body { mass, stiffness } = body.ok_or_else(|| {
+                Refusal::because(
+                    "a damping coefficient is not sufficient without the mass: write the mass, or the damping ratio",
+                )
+            })?;
+            let zeta = sheet.step(
+                "ζ",
+                "1",
+                sdof::damping_ratio(*coefficient, stiffness, mass),
+                ("Damping ratio: damping over critical damping", RAO.at("§2.6")),
+            );
+            Loss::Viscous(zeta, Some(*coefficient))
+        }
+        DampingGiven::Ratio { .. } | DampingGiven::Decay { .. } => {
+            let zeta = by_decay.expect("these give the damping ratio");
+            let why = ("Damping coefficient", RAO.at("§2.6"));
+            let c = body.map(|body| {
+                let c = sdof::damping_from_ratio(zeta, body.stiffness, body.mass);
+                sheet.step("c", "N*s/m", c, why)
+            });
+            Loss::Viscous(zeta, c)
+        }
+    };
+    Ok(Suspension { natural, loss, body })
+}
+
+impl<N: Real> Suspension<N> {
+    /// Frequency ratio and damping at a frequency.
+    pub(crate) fn at<W: Worksheet<Num = N>>(&self, frequency: N, sheet: W) -> AtFrequency<N> {
+        let ratio = sheet.step("r", "1", sdof::frequency_ratio(frequency, self.natural), "Frequency ratio");
+        let (damping_ratio, damping) = match self.loss {
+            Loss::Viscous(zeta, c) => (zeta, c),
+            Loss::Hysteretic(eta) => {
+                let c = self.body.map(|body| {
+                    let c = eta * body.stiffness / frequency;
+                    let why = "Viscous damper with the same energy loss per cycle at this frequency";
+                    sheet.step("c_eq", "N*s/m", c, (why, RAO.at("§3.10")))
+                });
+                let why = "Damping ratio of the viscous damper with the same energy loss per cycle at this frequency";
+                (sheet.step("ζ_eq", "1", eta / (ratio * 2.0), (why, RAO.at("§3.10"))), c)
+            }
+        };
+        AtFrequency { ratio, damping_ratio, damping }
+    }
+
+    /// Whether nothing takes energy out.
+    pub(crate) fn is_undamped(&self) -> bool {
+        match self.loss {
+            Loss::Viscous(zeta, _) => zeta.value() == 0.0,
+            Loss::Hysteretic(eta) => eta.value() == 0.0,
+        }
+    }
+
+    /// The answers that tell of the oscillator itself.
+    pub(crate) fn answer<W: Worksheet<Num = N>>(&self, sheet: W) {
+        if let Some(body) = self.body {
+            sheet.answer("mass", "Mass", body.mass);
+            sheet.answer("stiffness", "Stiffness", body.stiffness);
+        }
+        sheet.answer("natural_frequency", "Natural frequency", self.natural);
+        if let Loss::Viscous(zeta, c) = self.loss {
+            sheet.answer("damping_ratio", "Damping ratio", zeta);
+            if let Some(c) = c {
+                sheet.answer("damping", "Damping coefficient", c);
+            }
+        }
+    }
+}
+
+impl<N: Real> AtFrequency<N> {
+    /// Whether the frequency is the natural one, to within rounding.
+    pub(crate) fn is_resonance(&self) -> bool {
+        is_one(self.ratio.value())
+    }
+}
+
+/// What spring, damper and inertia put up to a steady motion `X cos(ωt − φ)`, over the stiffness: in phase with the
+/// drive, and a quarter of a turn ahead of it; and the size of what is added up.
+pub(crate) fn put_up<N: Real>([ratio, zeta]: [N; 2], amplitude: N, lag: N) -> ([N; 2], f64) {
+    let (held, damped) = (N::from(1.0) - ratio.powi(2), zeta * ratio * 2.0);
+    let size = amplitude.value().abs() * (1.0 + ratio.value().powi(2) + damped.value());
+    let in_phase = amplitude * (held * lag.cos() + damped * lag.sin());
+    ([in_phase, amplitude * (damped * lag.cos() - held * lag.sin())], size)
+}
+
+/// Whether a ratio is one, to within the rounding of the units it came in.
+pub(crate) fn is_one(ratio: f64) -> bool {
+    (ratio - 1.0).abs() < 1e-10
+}
+
+fn needed<N>(mass: Option<N>) -> Result<N, Refusal> {
+    mass.ok_or_else(|| {
+        Refusal::because(
+            "the natural frequency of these springs needs the mass on them: write the mass, or give the natural \
+             frequency or the static deflection",
+        )
+    })
+}
+
+/// The natural frequency behind a damped one.
+fn undamped<W: Worksheet>(
+    damped: W::Num,
+    zeta: Option<W::Num>,
+    mass: Option<W::Num>,
+    damping: &DampingGiven<W>,
+    sheet: W,
+) -> Result<W::Num, Refusal> {
+    let slower = "The damped frequency is below the natural frequency";
+    let value = match (damping, zeta) {
+        (_, Some(zeta)) if zeta.value() < 1.0 => sdof::natural_frequency_from_damped(damped, zeta),
+        (_, Some(_)) => {
+            return Err(Refusal::because(
+                "with a damping ratio of 1 or more the free motion does not oscillate: give the natural frequency",
+            ));
+        }
+        (DampingGiven::Coefficient { coefficient }, _) => {
+            (damped.powi(2) + (*coefficient / (needed(mass)? * 2.0)).powi(2)).sqrt()
+        }
+        _ => {
+            return Err(Refusal::because(
+                "hysteretic damping has no damped natural frequency: give the undamped natural frequency",
+            ));
+        }
+    };
+    Ok(sheet.step("ωₙ", "rad/s", value, (slower, RAO.at("§2.6"))))
+}

@@ -1,0 +1,154 @@
+//! The stiffness of single springs.
+
+use dalembert_core::{Refusal, Why, Worksheet};
+use dalembert_mechanics::{Real, beam, sdof, spring};
+
+use super::{SpringGiven, symbol};
+use crate::{
+    shared::section::{SectionGiven, area, polar_moment, second_moment},
+    sources::{BEER, RAO, SHIGLEY},
+};
+
+/// The stiffness of one element, N/m, with the steps that lead to it.
+#[inline]
+pub(super) fn stiffness<W: Worksheet>(
+    given: &SpringGiven<W>,
+    sheet: W,
+    place: &[usize],
+) -> Result<W::Num, Refusal> {
+    let written = |k: W::Num, why: Why| sheet.step(symbol("k", place), "kN/m", k, why);
+    let moment = |section: &SectionGiven<W>| second_moment(section, sheet, symbol("I", place));
+    let (k, why) = match given {
+        SpringGiven::Stiffness { stiffness } => return Ok(*stiffness),
+        SpringGiven::Cantilever { length, young, section } => (
+            beam::cantilever(*young, moment(section)?, *length),
+            ("Stiffness of a cantilever under a force at its end", RAO.at("§1.7")),
+        ),
+        SpringGiven::SimplySupported { length, distance, young, section } => match distance {
+            None => (
+                beam::simply_supported_middle(*young, moment(section)?, *length),
+                ("Midspan stiffness of a simply supported beam", RAO.at("§1.7")),
+            ),
+            Some(distance) => {
+                within(distance, length)?;
+                (
+                    beam::simply_supported(*young, moment(section)?, *length, *distance),
+                    ("Stiffness of a simply supported beam at the load", BEER.at("app. D")),
+                )
+            }
+        },
+        SpringGiven::Clamped { length, distance, young, section } => match distance {
+            None => (
+                beam::clamped_clamped_middle(*young, moment(section)?, *length),
+                ("Midspan stiffness of a beam clamped at both ends", RAO.at("§1.7")),
+            ),
+            Some(distance) => {
+                within(distance, length)?;
+                (
+                    beam::clamped_clamped(*young, moment(section)?, *length, *distance),
+                    ("Stiffness at the load of a beam clamped at both ends", SHIGLEY.at("table A-9")),
+                )
+            }
+        },
+        SpringGiven::ClampedPinned { length, distance, young, section } => match distance {
+            None => (
+                beam::clamped_pinned_middle(*young, moment(section)?, *length),
+                (
+                    "Midspan stiffness of a beam clamped at one end and pinned at the other",
+                    SHIGLEY.at("table A-9"),
+                ),
+            ),
+            Some(distance) => {
+                within(distance, length)?;
+                (
+                    beam::clamped_pinned(*young, moment(section)?, *length, *distance),
+                    (
+                        "Stiffness at the load of a beam clamped at one end and pinned at the other",
+                        SHIGLEY.at("table A-9"),
+                    ),
+                )
+            }
+        },
+        SpringGiven::Overhang { length, overhang, young, section } => (
+            beam::overhang(*young, moment(section)?, *length, *overhang),
+            ("Stiffness of a beam at the end of its overhang", SHIGLEY.at("table A-9")),
+        ),
+        SpringGiven::Column { length, young, section } => (
+            beam::clamped_guided(*young, moment(section)?, *length),
+            ("Stiffness of a fixed–guided column", RAO.at("§1.7")),
+        ),
+        SpringGiven::Bar { length, young, section } => {
+            let area = area(section, sheet, symbol("A", place))?;
+            (spring::axial(*young, area, *length), ("Axial stiffness of a bar", RAO.at("§1.7")))
+        }
+        SpringGiven::TaperedBar { length, young, first_diameter, second_diameter } => {
+            let k = spring::tapered_axial(*young, *first_diameter, *second_diameter, *length);
+            return Ok(written(k, "Axial stiffness of a tapered round bar".into()));
+        }
+        SpringGiven::TorsionBar { length, shear, section, lever } => {
+            let polar = polar_moment(section, sheet, symbol("I_p", place))?;
+            let torsional = sheet.step(
+                symbol("k_t", place),
+                "N*m/rad",
+                spring::torsional(*shear, polar, *length),
+                ("Torsional stiffness of the bar", RAO.at("§1.7")),
+            );
+            (torsional / lever.powi(2), ("Stiffness at the end of the lever", RAO.at("§1.7")))
+        }
+        SpringGiven::Helical { shear, wire_diameter, coil_diameter, coils } => (
+            spring::helical(*shear, *wire_diameter, *coil_diameter, *coils),
+            ("Stiffness of a helical spring", RAO.at("§1.7")),
+        ),
+        SpringGiven::Deflected { load, deflection } => {
+            (*load / *deflection, ("Stiffness: load over deflection", RAO.at("§1.7")))
+        }
+        SpringGiven::Tuned { mass, frequency } => (
+            sdof::stiffness_from_natural_frequency(*mass, *frequency),
+            ("Stiffness that gives this mass this natural frequency", RAO.at("§2.2")),
+        ),
+        SpringGiven::Leaf { young, leaves, breadth, thickness, span } => {
+            let k = spring::leaf(*young, *leaves, *breadth, *thickness, *span);
+            return Ok(written(k, "Stiffness of a semi-elliptic leaf spring of uniform strength".into()));
+        }
+        SpringGiven::ShearPad { shear, area, thickness } => {
+            let k = spring::shear_pad(*shear, *area, *thickness);
+            return Ok(written(k, "Stiffness of a pad in shear".into()));
+        }
+        SpringGiven::Gas { exponent, pressure, area, volume } => {
+            let k = spring::gas(*exponent, *pressure, *area, *volume);
+            return Ok(written(k, "Stiffness of a gas behind a piston".into()));
+        }
+        SpringGiven::TautString { tension, left, right } => {
+            let k = spring::taut_string(*tension, *left, *right);
+            return Ok(written(k, "Stiffness of a taut string at the load".into()));
+        }
+        SpringGiven::Pendulum { mass, length, gravity } => {
+            let k = spring::pendulum(*mass, *gravity, *length);
+            return Ok(written(k, "The weight is the restoring force of a pendulum".into()));
+        }
+        SpringGiven::Buoyancy { density, area, gravity } => {
+            let k = spring::buoyancy(*density, *gravity, *area);
+            return Ok(written(k, "Buoyancy is the restoring force of a floating body".into()));
+        }
+        SpringGiven::UTube { density, area, gravity } => {
+            let k = spring::u_tube(*density, *gravity, *area);
+            return Ok(written(k, "The weight of the higher column restores the liquid level".into()));
+        }
+        SpringGiven::Series { .. }
+        | SpringGiven::Parallel { .. }
+        | SpringGiven::Lever { .. }
+        | SpringGiven::Inclined { .. } => {
+            return super::network(given, sheet, place).map(|element| element.stiffness);
+        }
+    };
+    Ok(written(k, why.into()))
+}
+
+fn within<N: Real>(distance: &N, length: &N) -> Result<(), Refusal> {
+    if distance.value() < length.value() {
+        return Ok(());
+    }
+    Err(Refusal::because(
+        "the load acts at or beyond the far support of its beam: write a distance smaller than the span",
+    ))
+}

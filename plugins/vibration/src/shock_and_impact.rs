@@ -1,0 +1,7 @@
+//! Shock and impact.
+
+pub mod drop_impact;
+pub mod gun_recoil;
+pub mod rod_impact;
+pub mod shock_response_spectrum;
+pub mod transient_response;

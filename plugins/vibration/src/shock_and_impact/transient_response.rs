@@ -1,0 +1,452 @@
+//! One degree of freedom under a load that begins at a moment: a step, a ramp, a pulse, a table, an impulse.
+
+use std::f64::consts::PI;
+
+use dalembert_core::{
+    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    register,
+};
+use dalembert_mechanics::{
+    Real,
+    vibration::transient::{Extreme, Output, State, TransientError},
+};
+
+mod model;
+mod stress;
+mod superposition;
+
+use self::{
+    model::Model,
+    superposition::{Instant, Superposition},
+};
+use crate::{
+    shared::{
+        free_motion::{System, system},
+        load::Course,
+        oscillator::{Damping, Elasticity, Mass, mass},
+    },
+    sources::{CHOPRA, RAO, THOMSON},
+};
+
+/// The oscillator, what moves it, and when it is examined.
+#[derive(Clone, Debug, Inputs)]
+pub struct TransientResponse {
+    /// Mass.
+    /// Required only for a force on it, or if the stiffness is given instead of a frequency.
+    pub mass: Option<Mass>,
+    /// Springs.
+    pub elasticity: Elasticity,
+    /// Damping.
+    pub damping: Damping,
+    /// Excitation.
+    /// From rest, unless an initial motion is specified.
+    pub excitation: Excitation,
+    /// Times.
+    /// The displacement is computed at each of them.
+    #[input("t", "s", nonnegative)]
+    pub times: Vec<f64>,
+    /// Distance of the extreme fibre.
+    /// From the neutral axis. If the spring is a beam, its maximum bending stress is also computed.
+    #[input("c_f", "m", positive)]
+    pub fibre: Option<f64>,
+}
+
+/// What moves the mass.
+#[derive(Clone, Debug, Inputs)]
+pub enum Excitation {
+    /// Force on the mass
+    Force {
+        /// Magnitude.
+        size: ForceSize,
+        /// Time history.
+        course: Course,
+    },
+    /// Force on the mass from a table
+    /// Linear between the points, zero before the first and after the last.
+    ForceTable {
+        /// Points.
+        /// Increasing times; two points at the same time define a step.
+        #[input(table)]
+        points: Vec<ForcePoint>,
+    },
+    /// Impulse on the mass
+    Impulse {
+        /// Impulse.
+        #[input("I", "N*s", positive)]
+        impulse: f64,
+    },
+    /// Acceleration of the base
+    /// The displacement is that relative to the base.
+    BaseAcceleration {
+        /// Maximum acceleration.
+        #[input("a₀", "m/s^2", positive)]
+        acceleration: f64,
+        /// Time history.
+        course: Course,
+    },
+    /// Acceleration of the base by a table
+    /// Straight between the points, zero before the first and after the last. The displacement is relative to the
+    /// base.
+    BaseTable {
+        /// Points.
+        /// Increasing times; two points at the same time define a step.
+        #[input(table)]
+        points: Vec<AccelerationPoint>,
+    },
+    /// Initial motion
+    Initial {
+        /// Initial displacement.
+        #[input("x₀", "m", default = "0 m")]
+        displacement: f64,
+        /// Initial velocity.
+        #[input("v₀", "m/s", default = "0 m/s")]
+        velocity: f64,
+    },
+}
+
+/// How large a force is.
+#[derive(Clone, Debug, Inputs)]
+pub enum ForceSize {
+    /// Maximum force given
+    Largest {
+        /// Maximum force.
+        #[input("F₀", "N", positive)]
+        force: f64,
+    },
+    /// Impulse of the whole pulse given
+    Impulse {
+        /// Impulse.
+        /// The area under the force.
+        #[input("I", "N*s", positive)]
+        impulse: f64,
+    },
+}
+
+/// A point of a force in time.
+#[derive(Clone, Debug, Inputs)]
+pub struct ForcePoint {
+    /// Time.
+    #[input("t", "s", nonnegative)]
+    pub time: f64,
+    /// Force.
+    #[input("F", "N")]
+    pub force: f64,
+}
+
+/// A point of an acceleration in time.
+#[derive(Clone, Debug, Inputs)]
+pub struct AccelerationPoint {
+    /// Time.
+    #[input("t", "s", nonnegative)]
+    pub time: f64,
+    /// Acceleration.
+    #[input("a", "m/s^2")]
+    pub acceleration: f64,
+}
+
+register!(TransientResponse);
+
+impl Analysis for TransientResponse {
+    const ABOUT: About = About {
+        id: "vibration/transient-response",
+        title: "Transient response",
+        topic: "Shock and impact",
+        summary: "Displacement time history, its maximum and the residual response, of one degree of freedom under a step, ramp, pulse, table, impulse or base acceleration.",
+        keywords: "step ramp pulse impulse half-sine triangular rectangular shock Duhamel convolution dynamic load \
+                   factor overshoot degrau rampa pulso impulso choque transitório resposta transiente convolução \
+                   fator de amplificação dinâmica sobressinal",
+        sources: &[&RAO, &THOMSON, &CHOPRA],
+        cases: include_str!("../../cases/transient_response.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &TransientResponseGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let mass = given.mass.as_ref().map(|given| mass(given, sheet));
+        let system = system(mass, &given.elasticity, &given.damping, sheet)?;
+        let why = ("Natural period, without damping", RAO.at("§2.2"));
+        let period = sheet.step("T", "s", W::Num::from(2.0) * PI / system.natural, why);
+        let model = model::model(&self.excitation, &given.excitation, &system, sheet)?;
+        let superposition = Superposition::new(&system, &model, sheet);
+
+        sheet.answer("natural_frequency", "Natural frequency", system.natural);
+        sheet.answer("period", "Natural period", period);
+        sheet.answer("damping_ratio", "Damping ratio", system.ratio);
+        if let Some(size) = model.size {
+            sheet.answer("static_displacement", "Static displacement", size);
+        }
+        if let Some(duration) = model.duration {
+            let ratio = sheet.step("t_d/T", "1", duration / period, "Duration over the natural period");
+            sheet.answer("duration_ratio", "Duration over the natural period", ratio);
+        }
+        for (n, time) in given.times.iter().enumerate() {
+            let instant = Instant::asked(*time, n + 1);
+            let x = superposition.displacement(&instant, sheet)?;
+            sheet.answer(("displacement", n + 1), "Displacement at time", x);
+        }
+        let found = match model.motion.extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]) {
+            Ok(found) => Some(found.farthest()),
+            Err(TransientError::Unbounded) => {
+                sheet.warn(|| {
+                    Text::new(
+                        "the load rises without end and the motion with it: there is no largest displacement",
+                    )
+                });
+                None
+            }
+            Err(err) => return Err(cannot(err)),
+        };
+        if let Some(largest) = found {
+            self.maximum(given, largest, &system, &model, &superposition, sheet)?;
+        }
+        let last = self.shown(period.value(), &model, found);
+        sheet.show(|| Exhibit::Plot(model.plot(last, found, self.is_relative())));
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
+        Ok(())
+    }
+}
+
+impl TransientResponse {
+    /// The largest displacement and what follows from it.
+    fn maximum<W: Worksheet>(
+        &self,
+        given: &TransientResponseGiven<W>,
+        largest: Extreme,
+        system: &System<W::Num>,
+        model: &Model<W::Num>,
+        superposition: &Superposition<W::Num>,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        let why = "Time of maximum displacement: the first zero of the velocity at which it is reached";
+        let time = sheet.found("tₘ", "s", largest.time, why);
+        let x = superposition.displacement(&Instant::largest(time), sheet)?;
+        let at = model.motion.at(time.value());
+        sheet.check_zero(
+            "the velocity is zero at the maximum displacement",
+            (at.velocity / system.natural.value()).into(),
+            superposition.scale(largest.time).max(largest.value.abs()),
+        );
+        sheet.answer("maximum", "Maximum displacement", x);
+        sheet.answer("time_of_maximum", "Time of maximum displacement", time);
+        if let Some(size) = model.size {
+            let why = ("Maximum displacement over the static one: the dynamic load factor", RAO.at("§4.6"));
+            let factor = sheet.step("D", "1", x / size, why);
+            sheet.answer("amplification", "Dynamic load factor", factor);
+            let mut beyond = None;
+            if model.is_held {
+                let why = "Excess of the maximum displacement over the final value";
+                let overshoot = sheet.step("M_p", "%", (x - size) / size, why);
+                sheet.answer("overshoot", "Overshoot", overshoot);
+                beyond = Some(overshoot);
+            }
+            self.closed_form(system, factor, beyond, sheet);
+        }
+        if let Some(end) = model.end {
+            let residual =
+                model.motion.extremes(Output::DISPLACEMENT, [end, f64::INFINITY]).map_err(cannot)?;
+            let why = "Maximum displacement after the load, from the free motion starting at its end";
+            let left = residual.farthest().value.abs();
+            // A pulse of whole periods leaves nothing, and its rounding is no displacement.
+            let left = if left > 1e-13 * superposition.scale(end) { left } else { 0.0 };
+            let residual = sheet.found("x_r", "mm", left, why);
+            sheet.verify(|| {
+                if system.ratio.value() == 0.0 {
+                    let State { displacement, velocity } = model.motion.at(end);
+                    sheet.check_sum(
+                        "without damping, the residual amplitude is that of the state at the end of the load",
+                        residual,
+                        (displacement.hypot(velocity / system.natural.value())).into(),
+                        superposition.scale(end),
+                    );
+                }
+            });
+            sheet.answer("residual", "Maximum displacement after the load", residual);
+        }
+        self.support(system, model, sheet)?;
+        if let (Some(fibre), Some(body)) = (given.fibre, system.body) {
+            stress::stress(&given.elasticity, fibre, body.stiffness, x, sheet)?;
+        }
+        Ok(())
+    }
+
+    /// Closed forms of the largest displacement, where there is one.
+    fn closed_form<W: Worksheet>(
+        &self,
+        system: &System<W::Num>,
+        factor: W::Num,
+        overshoot: Option<W::Num>,
+        sheet: W,
+    ) {
+        let ratio = system.ratio.value();
+        sheet.verify(|| match self.course() {
+            Some(Course::Step) if ratio < 1.0 => {
+                let damped = ((1.0 - ratio) * (1.0 + ratio)).sqrt();
+                sheet.check(
+                    "dynamic load factor of a step from its closed form, 1 + e^(−πζ/√(1 − ζ²))",
+                    factor,
+                    (1.0 + (-PI * ratio / damped).exp()).into(),
+                );
+                if let Some(overshoot) = overshoot {
+                    sheet.check_sum(
+                        "overshoot of a step response: amplitude ratio after half a cycle of free vibration, e^(−πζ/√(1 − ζ²))",
+                        overshoot,
+                        (-PI * ratio / damped).exp().into(),
+                        1.0,
+                    );
+                }
+            }
+            Some(Course::RampStep { rise }) if ratio == 0.0 => {
+                let half = system.natural.value() * rise / 2.0;
+                sheet.check(
+                    "dynamic load factor of the ramp from its closed form, 1 + |sin(πt_r/T)|/(πt_r/T)",
+                    factor,
+                    (1.0 + half.sin().abs() / half).into(),
+                );
+            }
+            _ => {}
+        });
+    }
+
+    /// The largest force on the support, or the largest acceleration of a mass on an excited base.
+    fn support<W: Worksheet>(
+        &self,
+        system: &System<W::Num>,
+        model: &Model<W::Num>,
+        sheet: W,
+    ) -> Result<(), Refusal> {
+        let output = Output::support(system.ratio.value());
+        let found = model.motion.extremes(output, [0.0, f64::INFINITY]).map_err(cannot)?.farthest();
+        let natural = system.natural.value();
+        let state = model.motion.at(found.time);
+        let rate = 2.0 * system.ratio.value() * state.velocity / natural;
+        let scale = found.value.abs().max(state.displacement.abs()).max(rate.abs());
+        let level = |sheet: W| {
+            let State { displacement, velocity } = model.motion.at(found.time);
+            let load = model.motion.load(found.time);
+            let slope = 2.0 * system.ratio.value() * velocity / natural;
+            let rate = velocity / natural + 2.0 * system.ratio.value() * (load - displacement - slope);
+            // A jump of the load may be where the largest value is: there the rate jumps too.
+            if found.time > 0.0 && !model.jumps_at(found.time) {
+                let scale = found.value.abs() * (1.0 + system.ratio.value());
+                sheet.check_zero("its rate is zero at that time", rate.into(), scale.max(load.abs()));
+            }
+        };
+        if self.is_relative() {
+            let why = "Maximum acceleration of the mass itself, −2ζωₙż − ωₙ²z, where its rate is zero";
+            let largest = sheet.found("aₘ", "m/s^2", found.value.abs() * natural * natural, why);
+            sheet.verify(|| {
+                level(sheet);
+                if let Some(by_impulses) = model.by_impulses(natural, system.ratio.value(), found.time) {
+                    let what = "maximum acceleration, by Duhamel's integral up to its instant";
+                    let other = by_impulses.abs() * natural * natural;
+                    sheet.check_sum(what, largest, other.into(), scale * natural * natural);
+                }
+            });
+            sheet.answer("acceleration", "Maximum absolute acceleration", largest);
+        } else if let Some(body) = system.body {
+            let why = "Maximum force of spring and damper on the support, kx + cẋ, where its rate is zero";
+            let largest = sheet.found("F_T", "kN", found.value.abs() * body.stiffness.value(), why);
+            sheet.verify(|| {
+                level(sheet);
+                if let Some(by_impulses) = model.by_impulses(natural, system.ratio.value(), found.time) {
+                    let what = "maximum force on the support, by Duhamel's integral up to its instant";
+                    let stiffness = body.stiffness.value();
+                    let other = by_impulses.abs() * stiffness;
+                    sheet.check_sum(what, largest, other.into(), scale * stiffness);
+                }
+            });
+            sheet.answer("support_force", "Maximum force on the support", largest);
+        }
+        Ok(())
+    }
+
+    fn course(&self) -> Option<&Course> {
+        match &self.excitation {
+            Excitation::Force { course, .. } | Excitation::BaseAcceleration { course, .. } => Some(course),
+            _ => None,
+        }
+    }
+
+    /// Whether the displacement is relative to an excited base.
+    fn is_relative(&self) -> bool {
+        matches!(self.excitation, Excitation::BaseAcceleration { .. } | Excitation::BaseTable { .. })
+    }
+
+    /// Until when the motion is shown.
+    fn shown<N: Real>(&self, period: f64, model: &Model<N>, found: Option<Extreme>) -> f64 {
+        let settled = model.last_change();
+        let asked = self.times.iter().copied().fold(0.0, f64::max);
+        let reached = found.map_or(0.0, |found| found.time);
+        (settled + 2.5 * period).max(1.1 * asked).max(1.2 * reached)
+    }
+
+    fn drawing(&self) -> Drawing {
+        let mut shapes = vec![
+            DrawnShape::Ground((-1.0, -1.5), (1.0, -1.5)),
+            DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4)),
+            DrawnShape::Label((-0.9, -0.95), Text::from("k")),
+            DrawnShape::Damper((0.4, -1.5), (0.4, -0.4)),
+            DrawnShape::Label((0.75, -0.95), Text::from("c")),
+            DrawnShape::Block((-0.8, -0.4), (0.8, 0.4), Ink::Body),
+            DrawnShape::Label((0.0, 0.0), Text::from("m")),
+            DrawnShape::Arrow((1.1, -0.2), (1.1, 0.5), Ink::Motion),
+            DrawnShape::Label((1.2, 0.5), Text::from("x")),
+        ];
+        match self.excitation {
+            Excitation::Force { .. } | Excitation::ForceTable { .. } => shapes.extend([
+                DrawnShape::Arrow((0.0, 0.4), (0.0, 1.2), Ink::Force),
+                DrawnShape::Label((0.1, 1.2), Text::from("F(t)")),
+            ]),
+            Excitation::Impulse { .. } => shapes.extend([
+                DrawnShape::Arrow((0.0, 0.4), (0.0, 1.2), Ink::Force),
+                DrawnShape::Label((0.1, 1.2), Text::from("I")),
+            ]),
+            Excitation::BaseAcceleration { .. } | Excitation::BaseTable { .. } => shapes.extend([
+                DrawnShape::Arrow((-1.2, -1.8), (-1.2, -1.0), Ink::Force),
+                DrawnShape::Label((-1.9, -1.0), Text::from("ÿ(t)")),
+            ]),
+            Excitation::Initial { .. } => shapes.extend([
+                DrawnShape::Arrow((0.0, 0.4), (0.0, 1.2), Ink::Motion),
+                DrawnShape::Label((0.1, 1.2), Text::from("v₀")),
+            ]),
+        }
+        Drawing { title: "One degree of freedom".into(), shapes }
+    }
+}
+
+/// The words for a motion that cannot be computed.
+fn cannot(err: TransientError) -> Refusal {
+    match err {
+        TransientError::Order { .. } => {
+            Refusal::because("the times of the table must begin at zero or later and ascend: sort its rows")
+        }
+        _ => Refusal::because(
+            "these numbers are too large or too small for the motion to be computed: check their units",
+        ),
+    }
+}
+
+impl<N: Real> Model<N> {
+    /// Displacement and load in time.
+    fn plot(&self, last: f64, found: Option<Extreme>, relative: bool) -> Plot {
+        let time = |n: u16| last * f64::from(n) / 480.0;
+        let motion = (0..=480).map(|n| (time(n), self.motion.at(time(n)).displacement)).collect();
+        let mut series = vec![
+            Series::line(if relative { "relative displacement" } else { "displacement" }, motion)
+                .of("displacement[1]"),
+        ];
+        if self.size.is_some() || self.end.is_some() {
+            let load = (0..=480).map(|n| (time(n), self.motion.load(time(n)))).collect();
+            series.push(Series::line("load, as equivalent static displacement", load));
+        }
+        let plot = Plot::new(
+            "Displacement time history",
+            Axis::linear("time", "s"),
+            Axis::linear("displacement", "mm"),
+            series,
+        )
+        .over("times[1]");
+        match found {
+            Some(found) => plot.mark("largest", (found.time, found.value)),
+            None => plot,
+        }
+    }
+}

@@ -1,0 +1,296 @@
+//! The load of a transient: its size, its pieces, and the steps and ramps that it is made of.
+
+use dalembert_core::{Refusal, Worksheet};
+use dalembert_mechanics::{
+    Real,
+    vibration::transient::{Law, Motion, Oscillator, Output, Piece, State},
+};
+
+use super::{Excitation, ExcitationGiven, ForceSizeGiven, cannot};
+use crate::{
+    shared::{
+        free_motion::System,
+        load::{self, Course, CourseGiven},
+    },
+    sources::{RAO, THOMSON},
+};
+
+/// A load and the motion under it.
+pub(super) struct Model<N> {
+    /// The displacement that the size of the load would hold: what the terms are multiples of.
+    pub(super) size: Option<N>,
+    /// Duration of a pulse.
+    pub(super) duration: Option<N>,
+    /// What the motion is the sum of; `None` for a table.
+    pub(super) terms: Option<Vec<Term<N>>>,
+    /// The motion.
+    pub(super) motion: Motion,
+    /// When the load is over.
+    pub(super) end: Option<f64>,
+    /// Whether the load is held at its size.
+    pub(super) is_held: bool,
+    pieces: Vec<Piece>,
+}
+
+/// A response that begins at a moment.
+pub(super) struct Term<N> {
+    /// When it begins; at time zero where there is none.
+    pub(super) onset: Option<N>,
+    /// What it is the response to.
+    pub(super) unit: Unit<N>,
+    /// How much of it there is.
+    pub(super) weight: Weight<N>,
+    /// Whether it is taken away.
+    pub(super) negative: bool,
+}
+
+/// What a term is the response to.
+pub(super) enum Unit<N> {
+    /// A unit displacement at the start.
+    Release,
+    /// A unit velocity at the start.
+    Impulse,
+    /// A unit step.
+    Step,
+    /// A ramp of one a second.
+    Ramp,
+    /// A sine of that frequency, at that ratio to the natural one.
+    Sine(N, N),
+    /// An exponential of that time constant.
+    Exponential(N),
+}
+
+/// A factor of a term.
+pub(super) enum Weight<N> {
+    One,
+    Times(N),
+    Over(N),
+}
+
+impl<N: Real> Model<N> {
+    /// When the load changes its course for the last time.
+    pub(super) fn last_change(&self) -> f64 {
+        let last = self.pieces.last().map_or(0.0, |piece| match piece.law {
+            Law::Decay { rate, .. } => piece.from + 3.0 / rate,
+            Law::Line { slope, .. } if slope != 0.0 => piece.from + 1.0,
+            _ => piece.from,
+        });
+        if last.is_finite() { last } else { 0.0 }
+    }
+
+    /// What spring and damper hold at a time, as a displacement, by the integral over unit impulses.
+    pub(super) fn by_impulses(&self, natural: f64, ratio: f64, time: f64) -> Option<f64> {
+        let begun = self.motion.at(0.0);
+        load::by_impulses(Oscillator { natural, ratio }, begun, &self.pieces, Output::support(ratio), time)
+    }
+
+    /// Whether the load jumps, or bends, at a time.
+    pub(super) fn jumps_at(&self, time: f64) -> bool {
+        self.pieces.iter().any(|piece| (piece.from - time).abs() <= 1e-9 * time)
+    }
+}
+
+/// Writes the size of the load and gathers what it is made of.
+pub(super) fn model<W: Worksheet>(
+    excitation: &Excitation,
+    given: &ExcitationGiven<W>,
+    system: &System<W::Num>,
+    sheet: W,
+) -> Result<Model<W::Num>, Refusal> {
+    let natural = system.natural.value();
+    let start = |state: State, pieces: Vec<Piece>| {
+        let oscillator = Oscillator { natural, ratio: system.ratio.value() };
+        Motion::new(oscillator, state, &pieces).map(|motion| (motion, pieces)).map_err(cannot)
+    };
+    let stiffness = || system.body.map(|body| body.stiffness).ok_or_else(massless);
+    match (excitation, given) {
+        (Excitation::Force { course, .. }, ExcitationGiven::Force { size, course: course_given }) => {
+            let force = match size {
+                ForceSizeGiven::Largest { force } => *force,
+                ForceSizeGiven::Impulse { impulse } => from_impulse(*impulse, course_given, sheet)?,
+            };
+            let why = ("Static displacement under the maximum force", RAO.at("§4.6"));
+            let size = sheet.step("δ", "mm", force / stiffness()?, why);
+            of_course(size, size.value(), course, course_given, system, start, sheet)
+        }
+        (
+            Excitation::BaseAcceleration { course, .. },
+            ExcitationGiven::BaseAcceleration { acceleration, course: course_given },
+        ) => {
+            let why = (
+                "The mass relative to the base moves as under the force −m ÿ: static displacement under its maximum value",
+                THOMSON.at("§4.2"),
+            );
+            let size = sheet.step("δ", "mm", -(*acceleration / system.natural.powi(2)), why);
+            of_course(size, size.value(), course, course_given, system, start, sheet)
+        }
+        (Excitation::ForceTable { points }, _) => {
+            let points: Vec<_> = points.iter().map(|point| (point.time, point.force)).collect();
+            let table = load::table(&points)?;
+            let pieces = load::scaled(&table.pieces, 1.0 / stiffness()?.value());
+            Ok(of_table(start(State::default(), pieces)?, table.end))
+        }
+        (Excitation::BaseTable { points }, _) => {
+            let points: Vec<_> = points.iter().map(|point| (point.time, point.acceleration)).collect();
+            let table = load::table(&points)?;
+            let pieces = load::scaled(&table.pieces, -1.0 / (natural * natural));
+            Ok(of_table(start(State::default(), pieces)?, table.end))
+        }
+        (_, ExcitationGiven::Impulse { impulse }) => {
+            let mass = system.body.ok_or_else(massless)?.mass;
+            let why = ("The impulse instantaneously gives the mass its momentum", RAO.at("§4.5"));
+            let velocity = sheet.step("v₀", "m/s", *impulse / mass, why);
+            let state = State { displacement: 0.0, velocity: velocity.value() };
+            Ok(free(start(state, Vec::new())?, vec![Term::new(Unit::Impulse).times(velocity)]))
+        }
+        (_, ExcitationGiven::Initial { displacement, velocity }) => {
+            let state = State { displacement: displacement.value(), velocity: velocity.value() };
+            if state == State::default() {
+                return Err(Refusal::because(
+                    "without an initial displacement or velocity nothing moves: write at least one of them",
+                ));
+            }
+            let mut terms = Vec::new();
+            if state.displacement != 0.0 {
+                terms.push(Term::new(Unit::Release).times(*displacement));
+            }
+            if state.velocity != 0.0 {
+                terms.push(Term::new(Unit::Impulse).times(*velocity));
+            }
+            Ok(free(start(state, Vec::new())?, terms))
+        }
+        _ => unreachable!("what is given is made from the excitation"),
+    }
+}
+
+type Begun = (Motion, Vec<Piece>);
+
+fn of_table<N>((motion, pieces): Begun, end: Option<f64>) -> Model<N> {
+    Model { size: None, duration: None, terms: None, motion, end, is_held: false, pieces }
+}
+
+fn free<N>((motion, pieces): Begun, terms: Vec<Term<N>>) -> Model<N> {
+    Model { size: None, duration: None, terms: Some(terms), motion, end: None, is_held: false, pieces }
+}
+
+fn of_course<W: Worksheet>(
+    size: W::Num,
+    value: f64,
+    course: &Course,
+    given: &CourseGiven<W>,
+    system: &System<W::Num>,
+    start: impl Fn(State, Vec<Piece>) -> Result<Begun, Refusal>,
+    sheet: W,
+) -> Result<Model<W::Num>, Refusal> {
+    let built = course.pieces(value)?;
+    let (motion, pieces) = start(State::default(), built.pieces)?;
+    let duration = match given {
+        CourseGiven::Rectangular { duration }
+        | CourseGiven::Triangular { duration, .. }
+        | CourseGiven::HalfSine { duration } => Some(*duration),
+        _ => None,
+    };
+    let is_held = matches!(course, Course::Step | Course::RampStep { .. });
+    let terms = terms(given, system, sheet);
+    Ok(Model { size: Some(size), duration, terms: Some(terms), motion, end: built.end, is_held, pieces })
+}
+
+/// What a course is the sum of.
+fn terms<W: Worksheet>(given: &CourseGiven<W>, system: &System<W::Num>, sheet: W) -> Vec<Term<W::Num>> {
+    match given {
+        CourseGiven::Step {} => vec![Term::new(Unit::Step)],
+        CourseGiven::Ramp { rise } => vec![Term::new(Unit::Ramp).over(*rise)],
+        CourseGiven::RampStep { rise } => {
+            vec![Term::new(Unit::Ramp).over(*rise), Term::new(Unit::Ramp).over(*rise).less(*rise)]
+        }
+        CourseGiven::Exponential { constant } => vec![Term::new(Unit::Exponential(*constant))],
+        CourseGiven::Rectangular { duration } => {
+            vec![Term::new(Unit::Step), Term::new(Unit::Step).less(*duration)]
+        }
+        CourseGiven::Triangular { duration, peak } => {
+            let peak = match peak {
+                Some(peak) => *peak,
+                None => sheet.step("t_p", "s", *duration / 2.0, "The peak is at the middle of the pulse"),
+            };
+            triangle(*duration, peak)
+        }
+        CourseGiven::HalfSine { duration } => {
+            let why = "Frequency of the sine of which the pulse is one half-wave";
+            let frequency = sheet.step("Ω", "rad/s", W::Num::from(std::f64::consts::PI) / *duration, why);
+            let ratio = sheet.step("r", "1", frequency / system.natural, "Frequency ratio of that sine");
+            let sine = || Term::new(Unit::Sine(frequency, ratio));
+            vec![sine(), sine().after(*duration)]
+        }
+    }
+}
+
+/// A triangle: ramps that begin at its corners.
+fn triangle<N: Real>(duration: N, peak: N) -> Vec<Term<N>> {
+    if peak.value() == 0.0 {
+        return vec![
+            Term::new(Unit::Step),
+            Term { negative: true, ..Term::new(Unit::Ramp).over(duration) },
+            Term::new(Unit::Ramp).over(duration).after(duration),
+        ];
+    }
+    let rise = Term::new(Unit::Ramp).over(peak);
+    if peak.value() >= duration.value() {
+        return vec![
+            rise,
+            Term::new(Unit::Ramp).over(duration).less(duration),
+            Term::new(Unit::Step).less(duration),
+        ];
+    }
+    vec![
+        rise,
+        Term::new(Unit::Ramp).times(duration / (peak * (duration - peak))).less(peak),
+        Term::new(Unit::Ramp).over(duration - peak).after(duration),
+    ]
+}
+
+/// The largest force of a pulse whose impulse is known.
+fn from_impulse<W: Worksheet>(impulse: W::Num, course: &CourseGiven<W>, sheet: W) -> Result<W::Num, Refusal> {
+    let (force, why) = match course {
+        CourseGiven::Rectangular { duration } => {
+            (impulse / *duration, "Maximum force: the impulse is the area of the rectangle, F₀t_d")
+        }
+        CourseGiven::Triangular { duration, .. } => {
+            (impulse * 2.0 / *duration, "Maximum force: the impulse is the area of the triangle, F₀t_d/2")
+        }
+        CourseGiven::HalfSine { duration } => (
+            impulse * std::f64::consts::PI / (*duration * 2.0),
+            "Maximum force: the impulse is the area of the half sine, 2F₀t_d/π",
+        ),
+        CourseGiven::Exponential { constant } => {
+            (impulse / *constant, "Maximum force: the impulse is the area under the exponential, F₀τ")
+        }
+        CourseGiven::Step {} | CourseGiven::Ramp { .. } | CourseGiven::RampStep { .. } => {
+            return Err(Refusal::because(
+                "a sustained load has no finite impulse: give its maximum force, or choose a pulse",
+            ));
+        }
+    };
+    Ok(sheet.step("F₀", "N", force, why))
+}
+
+fn massless() -> Refusal {
+    Refusal::because("a force moves a mass: give the mass in addition to the natural frequency")
+}
+
+impl<N: Real> Term<N> {
+    fn new(unit: Unit<N>) -> Self {
+        Self { onset: None, unit, weight: Weight::One, negative: false }
+    }
+    fn times(self, factor: N) -> Self {
+        Self { weight: Weight::Times(factor), ..self }
+    }
+    fn over(self, divisor: N) -> Self {
+        Self { weight: Weight::Over(divisor), ..self }
+    }
+    fn after(self, onset: N) -> Self {
+        Self { onset: Some(onset), ..self }
+    }
+    fn less(self, onset: N) -> Self {
+        Self { negative: true, ..self.after(onset) }
+    }
+}

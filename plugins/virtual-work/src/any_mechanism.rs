@@ -1,0 +1,6 @@
+//! Any mechanism.
+
+pub mod equilibrium;
+pub mod mechanism;
+pub mod motion;
+pub mod virtual_power;

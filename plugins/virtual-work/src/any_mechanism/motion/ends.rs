@@ -1,0 +1,77 @@
+//! What ends a motion before its time.
+
+use dalembert_core::{Inputs, Reference, Refusal, Text};
+use dalembert_mechanics::planar::{End, Measure, Snapshot, Trajectory};
+
+use crate::shared::parts::{Part, Parts};
+
+/// What ends a motion.
+#[derive(Clone, Debug, Inputs)]
+pub enum Ends {
+    /// Nothing
+    Nothing,
+    /// A body reaches an angle
+    Angle {
+        /// Body.
+        #[input(rows = "bodies")]
+        body: Reference,
+        /// Angle.
+        #[input("θ", "deg")]
+        value: f64,
+    },
+    /// A body comes to rest
+    /// It stops rotating; for a body that only translates, use two points.
+    Rest {
+        /// Body.
+        #[input(rows = "bodies")]
+        body: Reference,
+    },
+    /// Two points reach a distance
+    Distance {
+        /// From.
+        #[input(rows = "points")]
+        from: Reference,
+        /// To.
+        #[input(rows = "points")]
+        to: Reference,
+        /// Distance.
+        #[input("s", "mm", positive)]
+        value: f64,
+    },
+    /// Two points come to relative rest
+    Still {
+        /// From.
+        #[input(rows = "points")]
+        from: Reference,
+        /// To.
+        #[input(rows = "points")]
+        to: Reference,
+    },
+}
+
+impl Ends {
+    pub(super) fn end(&self, parts: &Parts<'_>) -> Option<End> {
+        let angle = |body: Reference| Measure::Angle { of: Some(body.0), against: None };
+        match *self {
+            Ends::Nothing => None,
+            Ends::Angle { body, value } => Some(End::Reaches(angle(body), value)),
+            Ends::Rest { body } => Some(End::Rests(angle(body))),
+            Ends::Distance { from, to, value } => Some(End::Reaches(parts.distance(from, to), value)),
+            Ends::Still { from, to } => Some(End::Rests(parts.distance(from, to))),
+        }
+    }
+
+    /// Refuses the rest of a body that keeps its angle: the zeros of its angular velocity are those of rounding.
+    pub(super) fn means_something(&self, moved: &Trajectory, bodies: &[Part]) -> Result<(), Refusal> {
+        let (Ends::Rest { body }, Some(_)) = (self, moved.ended) else { return Ok(()) };
+        let angle = |moment: &Snapshot| moment.state.positions[body.0][2];
+        let start = moved.samples.first().map_or(0.0, angle);
+        if moved.samples.iter().any(|moment| (angle(moment) - start).abs() > 1e-9) {
+            return Ok(());
+        }
+        let why = Text::new(
+            "{body} does not turn, so this end condition does not apply to it: use two points that come to relative rest",
+        );
+        Err(Refusal::NoAnswer(why.with("body", &bodies[body.0].name)))
+    }
+}

@@ -1,0 +1,387 @@
+//! Levers that drive one another through links: pliers, bolt cutters, chains of levers.
+
+use dalembert_core::{
+    About, Analysis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text, Worksheet,
+    exhibit::{Cell, Column},
+    register,
+};
+use dalembert_mechanics::{
+    Real,
+    planar::{Body, Driver, Effort, Joint, Load as Acting, Measure, Mechanism, Point},
+};
+
+use crate::{
+    shared::equilibria::{arrow, solved},
+    sources::{BEER, HIBBELER, RIUL},
+};
+
+/// Levers numbered from 1, each driving the next one through a link, and the loads on them.
+///
+/// Arms are distances from the pivot of their lever, square to the line of the force; an arm and a force are positive
+/// so that a positive force on a positive arm turns its lever the positive way. Only the ratios of the virtual turns
+/// matter.
+#[derive(Clone, Debug, Inputs)]
+pub struct CompoundLever {
+    /// Links from each lever to the next.
+    /// None for a single lever.
+    // The second method solves a dense system of three equations for each.
+    #[input(most = 200)]
+    pub links: Vec<Link>,
+    /// Loads.
+    #[input(min = 1, most = 200)]
+    pub loads: Vec<Load>,
+    /// Sought.
+    pub sought: Sought,
+}
+
+/// The link from a lever to the next one.
+#[derive(Clone, Debug, Inputs)]
+pub struct Link {
+    /// Arm on the driving lever.
+    #[input("b", "m")]
+    pub driving: f64,
+    /// Arm on the driven lever.
+    /// Negative for the opposite sense of rotation.
+    #[input("a", "m")]
+    pub driven: f64,
+}
+
+/// A load on one of the levers.
+#[derive(Clone, Debug, Inputs)]
+pub struct Load {
+    /// Name.
+    pub name: String,
+    /// Lever it acts on.
+    #[input(min = 1, max = 50)]
+    pub lever: u32,
+    /// Kind.
+    pub kind: Kind,
+}
+
+/// A force or a couple.
+#[derive(Clone, Debug, Inputs)]
+pub enum Kind {
+    /// Force
+    Force {
+        /// Force.
+        #[input("F", "N")]
+        force: f64,
+        /// Arm.
+        #[input("c", "m")]
+        arm: f64,
+    },
+    /// Couple
+    Couple {
+        /// Couple.
+        #[input("M", "N*m")]
+        couple: f64,
+    },
+}
+
+/// What balances the loads.
+#[derive(Clone, Debug, Inputs)]
+pub enum Sought {
+    /// Force on a lever
+    Force {
+        /// Lever it acts on.
+        #[input(min = 1, max = 50)]
+        lever: u32,
+        /// Arm.
+        #[input("c_P", "m")]
+        arm: f64,
+    },
+    /// Couple on a lever
+    Couple {
+        /// Lever it acts on.
+        #[input(min = 1, max = 50)]
+        lever: u32,
+    },
+}
+
+register!(CompoundLever);
+
+impl Analysis for CompoundLever {
+    const ABOUT: About = About {
+        id: "virtual-work/compound-lever",
+        title: "Chain of levers",
+        topic: "Bars and levers",
+        summary: "Force or couple that balances the loads on levers connected in series, from the ratios of their virtual displacements.",
+        keywords: "pliers bolt cutter compound lever chain mechanical advantage alicate corta-vergalhão tesoura alavancas \
+                   compostas vantagem mecânica",
+        sources: &[&BEER, &HIBBELER, &RIUL],
+        cases: include_str!("../../cases/compound_lever.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &CompoundLeverGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let turns = self.turns(given, sheet)?;
+        let turn_of = |lever: u32| -> Result<Option<W::Num>, Refusal> {
+            let at = lever as usize;
+            if at == 1 {
+                return Ok(None);
+            }
+            turns.get(at.wrapping_sub(2)).copied().map(Some).ok_or_else(|| {
+                let why = Text::new(
+                    "lever {lever} does not exist: with {links} links there are levers 1 to {last}",
+                );
+                Refusal::NoAnswer(
+                    why.with("lever", lever)
+                        .with("links", self.links.len())
+                        .with("last", self.links.len() + 1),
+                )
+            })
+        };
+        let turned = |moment: W::Num, lever: u32| -> Result<W::Num, Refusal> {
+            Ok(turn_of(lever)?.map_or(moment, |turn| moment * turn))
+        };
+        let mut works = Vec::new();
+        for (row, (load, this)) in self.loads.iter().zip(&given.loads).enumerate() {
+            let moment = match &this.kind {
+                KindGiven::Force { force, arm } => *force * *arm,
+                KindGiven::Couple { couple } => *couple,
+            };
+            let words =
+                Text::new("Virtual work of {name}, for a unit rotation of lever 1").with("name", &load.name);
+            works.push(sheet.step(("U", row + 1), "N*m", turned(moment, load.lever)?, words));
+        }
+        let size = works.iter().fold(0.0f64, |most, work| most.max(work.value().abs()));
+        let total = match works[..] {
+            [only] => only,
+            _ => sheet.step("ΣU", "N*m", W::Num::sum(works.iter().copied()), "Virtual work of all loads"),
+        };
+        let reason = ("The total virtual work is zero", RIUL.at("eq. 3"));
+        let still = || {
+            Refusal::because(
+                "the sought force has no virtual displacement: its arm or a ratio of the links is zero, so it cannot balance anything",
+            )
+        };
+        let (value, way) = match &given.sought {
+            SoughtGiven::Force { arm, .. } => {
+                let Sought::Force { lever, .. } = self.sought else {
+                    unreachable!("the sought one is this one")
+                };
+                let way = sheet.step(
+                    "δs",
+                    "m",
+                    turned(*arm, lever)?,
+                    "Virtual displacement of the unknown force, for a unit rotation of lever 1",
+                );
+                if way.value() == 0.0 {
+                    return Err(still());
+                }
+                let force = sheet.step("P", "N", -total / way, reason);
+                sheet.answer("force", "Equilibrant force", force);
+                (force, way)
+            }
+            SoughtGiven::Couple { .. } => {
+                let Sought::Couple { lever } = self.sought else {
+                    unreachable!("the sought one is this one")
+                };
+                let way = match turn_of(lever)? {
+                    Some(turn) => turn,
+                    None => W::Num::from(1.0),
+                };
+                if way.value() == 0.0 {
+                    return Err(still());
+                }
+                let couple = if lever == 1 { -total } else { -total / way };
+                let couple = sheet.step("M_P", "N*m", couple, reason);
+                sheet.answer("couple", "Equilibrant couple", couple);
+                (couple, way)
+            }
+        };
+        let mut advantage = None;
+        if let (SoughtGiven::Force { .. }, [only]) = (&given.sought, &given.loads[..])
+            && let KindGiven::Force { force, .. } = &only.kind
+            && force.value() != 0.0
+        {
+            let ratio =
+                sheet.step("r", "1", (value / *force).abs(), "Mechanical advantage: ratio of the two forces");
+            sheet.answer("mechanical_advantage", "Mechanical advantage", ratio);
+            advantage = Some((ratio, force.value()));
+        }
+        sheet.verify(|| {
+            if let Some(effort) = self.built().and_then(|(mechanism, drawn)| solved(&mechanism, &drawn)) {
+                sheet.check_zero(
+                    "the balance from the Newton–Euler equations of every lever and link",
+                    W::Num::from((effort.newton_euler[0] - value.value()) * way.value()),
+                    size,
+                );
+                if let Some((ratio, force)) = advantage {
+                    let by_them = W::Num::from((effort.newton_euler[0] / force).abs());
+                    sheet.check("the mechanical advantage from the Newton–Euler equations", ratio, by_them);
+                }
+            }
+        });
+        let plain: Vec<f64> = works.iter().map(|work| work.value()).collect();
+        let of_sought = -total.value();
+        sheet.show(|| Exhibit::Table(self.table(&plain, of_sought)));
+        sheet.show(|| Exhibit::Drawing(self.drawing()));
+        Ok(())
+    }
+}
+
+impl CompoundLever {
+    /// The turns of the levers from the second one on, for a unit turn of the first.
+    fn turns<W: Worksheet>(&self, given: &CompoundLeverGiven<W>, sheet: W) -> Result<Vec<W::Num>, Refusal> {
+        let mut turns: Vec<W::Num> = Vec::new();
+        for (row, link) in given.links.iter().enumerate() {
+            if link.driven.value() == 0.0 {
+                let why = Text::new("link {link} meets lever {lever} at its pivot: write a non-zero arm");
+                return Err(Refusal::NoAnswer(why.with("link", row + 1).with("lever", row + 2)));
+            }
+            let ratio = link.driving / link.driven;
+            let turn = match turns.last() {
+                None => ratio,
+                Some(before) => *before * ratio,
+            };
+            turns.push(sheet.step(
+                ("φ", row + 2),
+                "1",
+                turn,
+                (
+                    "Virtual rotation of the lever for a unit rotation of lever 1: both ends of the link have the same displacement, b δφ = a δφ′",
+                    BEER.at("§10.1C"),
+                ),
+            ));
+        }
+        Ok(turns)
+    }
+
+    /// Where the pivots are when every lever is level and every link upright.
+    fn pivots(&self) -> Vec<[f64; 2]> {
+        let drop = self.size();
+        let mut pivots = vec![[0.0, 0.0]];
+        for link in &self.links {
+            let [x, y] = pivots[pivots.len() - 1];
+            pivots.push([x + link.driving - link.driven, y - drop]);
+        }
+        pivots
+    }
+
+    fn size(&self) -> f64 {
+        let in_links = self.links.iter().flat_map(|link| [link.driving.abs(), link.driven.abs()]);
+        let in_loads = self.loads.iter().map(|load| match load.kind {
+            Kind::Force { arm, .. } => arm.abs(),
+            Kind::Couple { .. } => 0.0,
+        });
+        let sought = match self.sought {
+            Sought::Force { arm, .. } => arm.abs(),
+            Sought::Couple { .. } => 0.0,
+        };
+        let largest = in_links.chain(in_loads).chain([sought]).fold(0.0, f64::max);
+        if largest > 0.0 { largest } else { 1.0 }
+    }
+
+    /// Level levers, upright rods, and vertical forces; driven by what is sought.
+    fn built(&self) -> Option<(Mechanism, Vec<[f64; 3]>)> {
+        let pivots = self.pivots();
+        let drop = self.size();
+        let on = |lever: usize, arm: f64| Point::body(lever, [arm, 0.0]);
+        let turn = |lever: u32| Measure::Angle { of: Some(lever as usize - 1), against: None };
+        let mut joints: Vec<Joint> = pivots
+            .iter()
+            .enumerate()
+            .map(|(lever, &at)| Joint::Pin { a: Point::ground(at), b: on(lever, 0.0) })
+            .collect();
+        for (lever, link) in self.links.iter().enumerate() {
+            joints.push(Joint::Rod {
+                from: on(lever, link.driving),
+                to: on(lever + 1, link.driven),
+                length: drop,
+            });
+        }
+        let loads = self.loads.iter().map(|load| match load.kind {
+            Kind::Force { force, arm } => {
+                Acting::Force { at: on(load.lever as usize - 1, arm), force: [0.0, force], turns_with: None }
+            }
+            Kind::Couple { couple } => {
+                Acting::Effort { measure: turn(load.lever), effort: Effort::Constant(couple) }
+            }
+        });
+        let (measure, value) = match self.sought {
+            Sought::Force { lever, arm } => {
+                let pivot = pivots.get(lever as usize - 1)?;
+                let to = on(lever as usize - 1, arm);
+                let measure = Measure::Component { direction: [0.0, 1.0], from: Point::ground(*pivot), to };
+                (measure, 0.0)
+            }
+            Sought::Couple { lever } => (turn(lever), 0.0),
+        };
+        let mechanism = Mechanism {
+            bodies: vec![Body::default(); pivots.len()],
+            joints,
+            drivers: vec![Driver { measure, value, velocity: 0.0, acceleration: 0.0 }],
+            loads: loads.collect(),
+            gravity: [0.0; 2],
+        };
+        Some((mechanism, pivots.into_iter().map(|[x, y]| [x, y, 0.0]).collect()))
+    }
+
+    fn table(&self, works: &[f64], of_sought: f64) -> TableExhibit {
+        let row = |name: Text, work: f64| vec![Cell::Text(name), Cell::Number(work)];
+        let known = self
+            .loads
+            .iter()
+            .zip(works)
+            .map(|(load, &work)| row(Text::new("{x}").with("x", &load.name), work));
+        TableExhibit {
+            title: "Virtual work for a unit rotation of lever 1".into(),
+            columns: vec![
+                Column { heading: "Load".into(), unit: "" },
+                Column { heading: "Virtual work".into(), unit: "N*m" },
+            ],
+            rows: known.chain([row("Sought".into(), of_sought)]).collect(),
+            foot: Vec::new(),
+        }
+    }
+
+    fn drawing(&self) -> Drawing {
+        let (pivots, size) = (self.pivots(), self.size());
+        let mut shapes = Vec::new();
+        let place =
+            |lever: u32, arm: f64| pivots.get((lever as usize).wrapping_sub(1)).map(|[x, y]| (x + arm, *y));
+        for (lever, &[x, y]) in pivots.iter().enumerate() {
+            let number = lever + 1;
+            let mut arms = vec![0.0];
+            arms.extend(self.links.get(lever).map(|link| link.driving));
+            arms.extend(
+                lever.checked_sub(1).and_then(|before| self.links.get(before)).map(|link| link.driven),
+            );
+            arms.extend(self.loads.iter().filter(|load| load.lever as usize == number).filter_map(|load| {
+                match load.kind {
+                    Kind::Force { arm, .. } => Some(arm),
+                    Kind::Couple { .. } => None,
+                }
+            }));
+            if let Sought::Force { lever, arm } = self.sought
+                && lever as usize == number
+            {
+                arms.push(arm);
+            }
+            let ends = arms.iter().fold([0.0f64, 0.0f64], |[low, high], arm| [low.min(*arm), high.max(*arm)]);
+            shapes.push(DrawnShape::Polyline(vec![(x + ends[0], y), (x + ends[1], y)], Ink::Body));
+            shapes.push(DrawnShape::Pin((x, y)));
+            shapes.push(DrawnShape::Label((x, y - 0.2 * size), Text::new("{x}").with("x", number)));
+        }
+        for (lever, link) in self.links.iter().enumerate() {
+            let ([x, y], [next_x, next_y]) = (pivots[lever], pivots[lever + 1]);
+            shapes.push(DrawnShape::Polyline(
+                vec![(x + link.driving, y), (next_x + link.driven, next_y)],
+                Ink::Result,
+            ));
+        }
+        for load in &self.loads {
+            let Kind::Force { force, arm } = load.kind else { continue };
+            let Some(at) = place(load.lever, arm) else { continue };
+            let up = 0.4 * size * force.signum();
+            shapes.push(DrawnShape::Arrow((at.0, at.1 - up), at, Ink::Force));
+            shapes.push(DrawnShape::Label((at.0, at.1 - 1.1 * up), Text::new("{x}").with("x", &load.name)));
+        }
+        if let Sought::Force { lever, arm } = self.sought
+            && let Some(at) = place(lever, arm)
+        {
+            shapes.extend(arrow(at, [0.0, 0.4 * size], "P"));
+        }
+        Drawing { title: "The levers, horizontal, with vertical links".into(), shapes }
+    }
+}

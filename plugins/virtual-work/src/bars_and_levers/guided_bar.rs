@@ -1,0 +1,275 @@
+//! A bar whose ends slide in two guides at right angles, under its weight, forces at its ends and a spring.
+
+use std::f64::consts::FRAC_PI_2;
+
+use dalembert_core::{About, Analysis, DrawnShape, Ink, Inputs, Refusal, Worksheet, register};
+use dalembert_mechanics::{
+    Real,
+    planar::{Body, Driver, Effort, Joint, Load, Measure, Mechanism, Point},
+};
+
+pub use crate::shared::one_degree_of_freedom::Position;
+use crate::{
+    shared::{
+        equilibria::{animation, arrow, down, telling},
+        one_degree_of_freedom::{Machine, Part, Shapes, spring},
+    },
+    sources::{BEER, HIBBELER, RIUL},
+};
+
+/// A bar AB; A slides along the vertical guide, B along the horizontal one.
+#[derive(Clone, Debug, Inputs)]
+pub struct GuidedBar {
+    /// End A.
+    pub side: Side,
+    /// Length.
+    #[input("L", "m", positive)]
+    pub length: f64,
+    /// Mass of the bar.
+    /// Uniform: its weight acts in the middle.
+    #[input("m", "kg", nonnegative)]
+    pub mass: f64,
+    /// Acceleration of gravity.
+    #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
+    pub gravity: f64,
+    /// Vertical force at A, downwards.
+    /// Zero if absent; if omitted, it is calculated from the position.
+    #[input("P", "N")]
+    pub force_a: Option<f64>,
+    /// Horizontal force at B, towards the vertical guide.
+    /// Zero if absent; if omitted, it is calculated from the position.
+    #[input("F", "N")]
+    pub force_b: Option<f64>,
+    /// Spring.
+    pub spring: Spring,
+    /// Position.
+    /// The angle θ is measured between the bar and the vertical guide.
+    pub position: Position,
+}
+
+/// Where A is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Side {
+    /// Above the horizontal guide
+    Above,
+    /// Below the horizontal guide
+    Below,
+}
+
+/// A spring on the bar that keeps its direction.
+#[derive(Clone, Debug, Inputs)]
+pub enum Spring {
+    /// None
+    None,
+    /// Horizontal
+    Horizontal {
+        /// Stiffness.
+        /// If left blank, it is computed from the position.
+        #[input("k", "N/m", positive)]
+        stiffness: Option<f64>,
+        /// Distance of its end on the bar from A.
+        #[input("c", "m", positive)]
+        distance: f64,
+        /// Angle at which the spring is unstretched.
+        #[input("θ₀", "deg", min = -360, max = 360)]
+        free: f64,
+    },
+    /// Vertical
+    Vertical {
+        /// Stiffness.
+        /// If left blank, it is computed from the position.
+        #[input("k", "N/m", positive)]
+        stiffness: Option<f64>,
+        /// Distance of its end on the bar from B.
+        #[input("c", "m", positive)]
+        distance: f64,
+        /// Angle at which the spring is unstretched.
+        #[input("θ₀", "deg", min = -360, max = 360)]
+        free: f64,
+    },
+}
+
+register!(GuidedBar);
+
+impl Analysis for GuidedBar {
+    const ABOUT: About = About {
+        id: "virtual-work/guided-bar",
+        title: "Bar in two guides",
+        topic: "Bars and levers",
+        summary: "Equilibria and stability of a bar whose ends slide in guides at right angles, or the force or stiffness for a given angle.",
+        keywords: "ladder sliding rod collars spring potential energy stability escada barra guias cursores mola energia \
+                   potencial estabilidade",
+        sources: &[&HIBBELER, &BEER, &RIUL],
+        cases: include_str!("../../cases/guided_bar.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &GuidedBarGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let weight = if self.mass == 0.0 {
+            W::Num::from(0.0)
+        } else {
+            sheet.step("W", "N", given.mass * given.gravity, "Weight of the bar")
+        };
+        let mut lengths = vec![given.length];
+        let mut parts = vec![
+            Part {
+                name: "weight of the bar",
+                load: Some(weight),
+                rate: ["y′_G", "m", "Upward virtual displacement of the centre of mass per unit δθ"],
+                symbol: ["W", "N"],
+                answer: ["weight", "Weight of the bar"],
+            },
+            Part {
+                name: "force at A",
+                load: given.force_a,
+                rate: ["y′_A", "m", "Upward virtual displacement of A per unit δθ"],
+                symbol: ["P", "N"],
+                answer: ["force_a", "Vertical force at A"],
+            },
+            Part {
+                name: "force at B",
+                load: given.force_b,
+                rate: ["x′_B", "m", "Virtual displacement of B per unit δθ, away from the vertical guide"],
+                symbol: ["F", "N"],
+                answer: ["force_b", "Horizontal force at B"],
+            },
+        ];
+        if let SpringGiven::Horizontal { stiffness, distance, free }
+        | SpringGiven::Vertical { stiffness, distance, free } = &given.spring
+        {
+            lengths.extend([*distance, *free]);
+            parts.push(Part {
+                name: "spring",
+                load: *stiffness,
+                rate: ["u′", "m^2", "Extension of the spring times its virtual change per unit δθ"],
+                symbol: ["k", "N/m"],
+                answer: ["stiffness", "Stiffness of the spring"],
+            });
+        }
+        let machine =
+            Machine { shapes: self, lengths: &lengths, parts: &parts, joints: &["Guide of A", "Guide of B"] };
+        let balanced = machine.solve(&given.position, sheet, |loads, at| self.built(loads, at))?;
+        let at = telling(&balanced.list);
+        let [from, to] = balanced.range;
+        sheet.show(|| {
+            animation(
+                "The bar in its guides",
+                ("position.given.angle", at),
+                [from.max(at - 0.5), to.min(at + 0.5)],
+                |at| self.frame(at),
+            )
+        });
+        Ok(())
+    }
+}
+
+impl Shapes for GuidedBar {
+    fn shapes<N: Real>(&self, lengths: &[N], angle: N) -> Vec<[N; 3]> {
+        let (sin, cos) = (angle.sin(), angle.cos());
+        let up = |height: N| match self.side {
+            Side::Above => [height * cos, -(height * sin), -(height * cos)],
+            Side::Below => [-(height * cos), height * sin, height * cos],
+        };
+        let length = lengths[0];
+        let mut shapes = vec![up(length / 2.0), up(length), [length * sin, length * cos, -(length * sin)]];
+        match self.spring {
+            Spring::None => {}
+            Spring::Horizontal { .. } => {
+                let (c, free) = (lengths[1], lengths[2]);
+                shapes.push(spring([c * sin, c * cos, -(c * sin)], c * free.sin()));
+            }
+            Spring::Vertical { .. } => {
+                let (c, free) = (lengths[1], lengths[2]);
+                shapes.push(spring([c * cos, -(c * sin), -(c * cos)], c * free.cos()));
+            }
+        }
+        shapes
+    }
+}
+
+impl GuidedBar {
+    fn sign(&self) -> f64 {
+        if self.side == Side::Above { 1.0 } else { -1.0 }
+    }
+
+    /// The bar as a mechanism; its axis runs from A to B.
+    fn built(&self, loads: &[f64], at: f64) -> (Mechanism, Vec<[f64; 3]>) {
+        let (length, sign) = (self.length, self.sign());
+        let point = |s: f64| Point::body(0, [s, 0.0]);
+        let measure = match self.side {
+            Side::Above => Measure::Angle { of: Some(0), against: None },
+            Side::Below => Measure::Angle { of: None, against: Some(0) },
+        };
+        let corner = Point::ground([0.0; 2]);
+        let mut acting = vec![
+            down(point(length / 2.0), loads[0]),
+            down(point(0.0), loads[1]),
+            Load::Force { at: point(length), force: [-loads[2], 0.0], turns_with: None },
+        ];
+        match self.spring {
+            Spring::None => {}
+            Spring::Horizontal { distance, free, .. } => acting.push(Load::Effort {
+                measure: Measure::Component { direction: [1.0, 0.0], from: corner, to: point(distance) },
+                effort: Effort::Spring { stiffness: loads[3], free: distance * free.sin() },
+            }),
+            Spring::Vertical { distance, free, .. } => acting.push(Load::Effort {
+                measure: Measure::Component {
+                    direction: [0.0, sign],
+                    from: corner,
+                    to: point(length - distance),
+                },
+                effort: Effort::Spring { stiffness: loads[3], free: distance * free.cos() },
+            }),
+        }
+        let mechanism = Mechanism {
+            bodies: vec![Body::default()],
+            joints: vec![
+                Joint::Slot { guide: corner, direction: FRAC_PI_2, pin: point(0.0), offset: 0.0 },
+                Joint::Slot { guide: corner, direction: 0.0, pin: point(length), offset: 0.0 },
+            ],
+            drivers: vec![Driver { measure, value: at - FRAC_PI_2, velocity: 0.0, acceleration: 0.0 }],
+            loads: acting,
+            gravity: [0.0; 2],
+        };
+        (mechanism, vec![[0.0, sign * length * at.cos(), sign * (at - FRAC_PI_2)]])
+    }
+
+    fn frame(&self, angle: f64) -> Vec<DrawnShape> {
+        let (l, sign) = (self.length, self.sign());
+        let (a, b) = ((0.0, sign * l * angle.cos()), (l * angle.sin(), 0.0));
+        let on = |s: f64| (b.0 * s, a.1 * (1.0 - s));
+        let block = |at: (f64, f64)| {
+            let half = 0.04 * l;
+            DrawnShape::Block((at.0 - half, at.1 - half), (at.0 + half, at.1 + half), Ink::Body)
+        };
+        let mut shapes = vec![
+            DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, sign * 1.1 * l)], Ink::Faint),
+            DrawnShape::Polyline(vec![(0.0, 0.0), (1.1 * l, 0.0)], Ink::Faint),
+            DrawnShape::Polyline(vec![a, b], Ink::Body),
+            block(a),
+            block(b),
+            DrawnShape::Label((a.0 - 0.1 * l, a.1), "A".into()),
+            DrawnShape::Label((b.0, b.1 - sign * 0.1 * l), "B".into()),
+        ];
+        if self.mass > 0.0 {
+            shapes.extend(arrow(on(0.5), [0.0, -0.25 * l], "W"));
+        }
+        if self.force_a != Some(0.0) {
+            shapes.extend(arrow((a.0, a.1 + 0.3 * l), [0.0, -0.25 * l], "P"));
+        }
+        if self.force_b != Some(0.0) {
+            shapes.extend(arrow((b.0 + 0.3 * l, b.1), [-0.25 * l, 0.0], "F"));
+        }
+        match self.spring {
+            Spring::None => {}
+            Spring::Horizontal { distance, .. } => {
+                let end = on(distance / l);
+                shapes.push(DrawnShape::Spring((1.3 * l.max(distance), end.1), end));
+            }
+            Spring::Vertical { distance, .. } => {
+                let end = on(1.0 - distance / l);
+                shapes.push(DrawnShape::Spring((end.0, sign * 1.3 * l.max(distance)), end));
+            }
+        }
+        shapes
+    }
+}

@@ -1,0 +1,224 @@
+//! Roberval's balance: two beams one above the other and two pans that stay upright wherever they are loaded.
+
+use dalembert_core::{About, Analysis, DrawnShape, Ink, Inputs, Refusal, Worksheet, register};
+use dalembert_mechanics::{
+    Real,
+    planar::{Body, Driver, Joint, Measure, Mechanism, Point},
+};
+
+use crate::{
+    shared::equilibria::{animation, arrow, down, solved},
+    sources::{BEER, RIUL},
+};
+
+/// A parallelogram of two beams and two upright stems with pans.
+#[derive(Clone, Debug, Inputs)]
+pub struct RobervalBalance {
+    /// Arm of the beams on the left.
+    #[input("l₁", "m", positive)]
+    pub left_arm: f64,
+    /// Arm of the beams on the right.
+    #[input("l₂", "m", positive)]
+    pub right_arm: f64,
+    /// Distance between the beams.
+    #[input("h", "m", positive)]
+    pub height: f64,
+    /// Mass on the left pan.
+    #[input("m₁", "kg", nonnegative)]
+    pub left_mass: f64,
+    /// Distance of the left mass from its stem, outwards.
+    #[input("e₁", "m", default = "0 m")]
+    pub left_offset: f64,
+    /// Mass on the right pan.
+    /// If left blank, the balancing mass is computed.
+    #[input("m₂", "kg", nonnegative)]
+    pub right_mass: Option<f64>,
+    /// Distance of the right mass from its stem, outwards.
+    #[input("e₂", "m", default = "0 m")]
+    pub right_offset: f64,
+    /// Inclination of the beams, the right side up.
+    #[input("φ", "deg", min = -90, max = 90, default = "0 deg")]
+    pub angle: f64,
+    /// Acceleration of gravity.
+    #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
+    pub gravity: f64,
+}
+
+register!(RobervalBalance);
+
+impl Analysis for RobervalBalance {
+    const ABOUT: About = About {
+        id: "virtual-work/roberval-balance",
+        title: "Roberval balance",
+        topic: "Bars and levers",
+        summary: "Equilibrant couple of a Roberval balance, or the mass that balances it, and the effect of the mass offsets on its beams.",
+        keywords: "parallelogram scale pans shop balance balança de Roberval paralelogramo pratos",
+        sources: &[&BEER, &RIUL],
+        cases: include_str!("../../cases/roberval_balance.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &RobervalBalanceGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let RobervalBalanceGiven {
+            left_arm,
+            right_arm,
+            height,
+            left_mass,
+            left_offset,
+            right_offset,
+            angle,
+            gravity,
+            ..
+        } = given;
+        let left = sheet.step("W₁", "N", *left_mass * *gravity, "Weight on the left pan");
+        let fall = sheet.step(
+            "y′₁",
+            "m",
+            *left_arm * angle.cos(),
+            "Downward virtual displacement of the left pan per unit δφ: the pans translate without rotating, so the offset does not matter",
+        );
+        let rise = sheet.step(
+            "y′₂",
+            "m",
+            *right_arm * angle.cos(),
+            "Upward virtual displacement of the right pan per unit δφ",
+        );
+        let (mut held, mut weight) = (W::Num::from(0.0), None);
+        let right = match given.right_mass {
+            Some(mass) => {
+                let right = sheet.step("W₂", "N", mass * *gravity, "Weight on the right pan");
+                let couple = sheet.step(
+                    "T",
+                    "N*m",
+                    right * rise - left * fall,
+                    ("Equilibrant couple on the beams, raising the right side: its virtual work and those of the weights sum to zero", RIUL.at("eq. 3")),
+                );
+                sheet.answer("holding_couple", "Equilibrant couple on the beams", couple);
+                held = couple;
+                right
+            }
+            None => {
+                if angle.value().cos() < 1e-12 {
+                    return Err(Refusal::because("the beams are vertical: no weight does virtual work"));
+                }
+                let right = sheet.step(
+                    "W₂",
+                    "N",
+                    left * fall / rise,
+                    (
+                        "Weight on the right pan: the total virtual work of both weights is zero",
+                        RIUL.at("eq. 3"),
+                    ),
+                );
+                let mass = sheet.step("m₂", "kg", right / *gravity, "Mass on the right pan");
+                sheet.answer("right_mass", "Balancing mass", mass);
+                weight = Some(mass.value() * self.gravity);
+                right
+            }
+        };
+        let pull = |weight: W::Num, offset: W::Num| weight * offset / *height;
+        let left_force = sheet.step(
+            "H₁",
+            "N",
+            pull(left, *left_offset),
+            "Pull of the left stem on the upper beam and push on the lower one: they hold the stem vertical against W₁ e₁",
+        );
+        let right_force = sheet.step(
+            "H₂",
+            "N",
+            pull(right, *right_offset),
+            "Pull of the right stem on the upper beam and push on the lower one: they hold the stem vertical against W₂ e₂",
+        );
+        sheet.answer("left_pull", "Pull of the left stem on the beams", left_force);
+        sheet.answer("right_pull", "Pull of the right stem on the beams", right_force);
+        sheet.verify(|| {
+            let (mechanism, drawn) = self.built(left.value(), weight.unwrap_or(right.value()));
+            if let Some(effort) = solved(&mechanism, &drawn) {
+                // Rounding of the masses' moments about their stems counts, and of arms that hardly reach out.
+                let moment = |weight: W::Num, arm: f64, offset: f64| weight.value() * (arm + offset.abs());
+                let size = moment(left, self.left_arm, self.left_offset)
+                    + moment(right, self.right_arm, self.right_offset);
+                sheet.check_sum(
+                    "the couple on the beams from the Newton–Euler equations, with the masses at their offsets",
+                    held,
+                    effort.newton_euler[0].into(),
+                    size,
+                );
+                for (pull, by_them, what) in [
+                    (left_force, effort.multipliers[4], "the pull of the left stem from the Newton–Euler equations"),
+                    (right_force, -effort.multipliers[8], "the pull of the right stem from the Newton–Euler equations"),
+                ] {
+                    let size = left.value() + right.value() + pull.value().abs();
+                    sheet.check_sum(what, pull, by_them.into(), size);
+                }
+            }
+        });
+        let range = [self.angle.min(-0.35), self.angle.max(0.35)];
+        sheet.show(|| animation("The balance", ("angle", self.angle), range, |angle| self.frame(angle)));
+        Ok(())
+    }
+}
+
+impl RobervalBalance {
+    fn built(&self, left: f64, right: f64) -> (Mechanism, Vec<[f64; 3]>) {
+        let (l1, l2, half) = (self.left_arm, self.right_arm, self.height / 2.0);
+        let on = |body: usize, x: f64, y: f64| Point::body(body, [x, y]);
+        let mechanism = Mechanism {
+            bodies: vec![Body::default(); 4],
+            joints: vec![
+                Joint::Pin { a: Point::ground([0.0, half]), b: on(0, 0.0, 0.0) },
+                Joint::Pin { a: Point::ground([0.0, -half]), b: on(1, 0.0, 0.0) },
+                Joint::Pin { a: on(0, -l1, 0.0), b: on(2, 0.0, half) },
+                Joint::Pin { a: on(1, -l1, 0.0), b: on(2, 0.0, -half) },
+                Joint::Pin { a: on(0, l2, 0.0), b: on(3, 0.0, half) },
+                Joint::Pin { a: on(1, l2, 0.0), b: on(3, 0.0, -half) },
+            ],
+            drivers: vec![Driver {
+                measure: Measure::Angle { of: Some(0), against: None },
+                value: self.angle,
+                velocity: 0.0,
+                acceleration: 0.0,
+            }],
+            loads: vec![
+                down(on(2, -self.left_offset, half), left),
+                down(on(3, self.right_offset, half), right),
+            ],
+            gravity: [0.0; 2],
+        };
+        let (sin, cos) = self.angle.sin_cos();
+        let drawn = vec![
+            [0.0, half, self.angle],
+            [0.0, -half, self.angle],
+            [-l1 * cos, -l1 * sin, 0.0],
+            [l2 * cos, l2 * sin, 0.0],
+        ];
+        (mechanism, drawn)
+    }
+
+    fn frame(&self, angle: f64) -> Vec<DrawnShape> {
+        let (l1, l2, half) = (self.left_arm, self.right_arm, self.height / 2.0);
+        let (sin, cos) = angle.sin_cos();
+        let size = l1.max(l2).max(self.height);
+        let ends = [(-l1 * cos, -l1 * sin), (l2 * cos, l2 * sin)];
+        let mut shapes = Vec::new();
+        for y in [half, -half] {
+            let at = |end: (f64, f64)| (end.0, end.1 + y);
+            shapes.push(DrawnShape::Polyline(vec![at(ends[0]), at(ends[1])], Ink::Body));
+            shapes.push(DrawnShape::Pin((0.0, y)));
+        }
+        let pans = [(ends[0], -self.left_offset, "W₁"), (ends[1], self.right_offset, "W₂")];
+        for ((x, y), offset, name) in pans {
+            let pan = y + half + 0.25 * size;
+            shapes.push(DrawnShape::Polyline(vec![(x, y - half), (x, pan)], Ink::Body));
+            let reach = (0.2 * size).max(offset.abs() + 0.1 * size);
+            shapes.push(DrawnShape::Polyline(vec![(x - reach, pan), (x + reach, pan)], Ink::Body));
+            let (at, block) = ((x + offset, pan), 0.06 * size);
+            shapes.push(DrawnShape::Block(
+                (at.0 - block, at.1),
+                (at.0 + block, at.1 + 2.0 * block),
+                Ink::Body,
+            ));
+            shapes.extend(arrow((at.0, at.1), [0.0, -0.3 * size], name));
+        }
+        shapes
+    }
+}

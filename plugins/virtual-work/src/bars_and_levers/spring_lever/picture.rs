@@ -1,0 +1,187 @@
+//! The arm as a mechanism, its animation, and the load that it carries at each angle.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use dalembert_core::{Axis, DrawnShape, Exhibit, Ink, Plot, Series, Text, exhibit::Point as At};
+use dalembert_mechanics::planar::{Body, Driver, Effort, Joint, Load as Acting, Measure, Mechanism, Point};
+
+use super::{Geometry, Height, Law, Load, Spring, SpringLever, Start};
+use crate::shared::equilibria::{animation, down, spread};
+
+impl SpringLever {
+    /// Angle of the arm from the upright position, clockwise, at θ = 0.
+    fn tilt(&self) -> f64 {
+        match self.reference {
+            Start::Upright => 0.0,
+            Start::Horizontal => FRAC_PI_2,
+            Start::Hanging => 2.0 * FRAC_PI_2,
+            Start::Tilted { tilt } => tilt,
+        }
+    }
+
+    fn arm(&self) -> f64 {
+        match (&self.load, &self.spring) {
+            (Load::Mass { arm, .. } | Load::Force { arm, .. }, _) => *arm,
+            (_, Spring::Drum { radius, .. }) => 2.0 * radius,
+            (_, Spring::Points { on_arm, .. }) => *on_arm,
+            (_, Spring::Sides { height, .. }) => *height,
+            (_, Spring::Torsion { .. }) => 1.0,
+        }
+    }
+
+    /// The arm as a plane mechanism of one body, held at an angle.
+    pub(super) fn built(&self, law: &Law<f64>, k: f64, moment: f64, at: f64) -> (Mechanism, Vec<[f64; 3]>) {
+        let start = FRAC_PI_2 - self.tilt();
+        let angle = Measure::Angle { of: Some(0), against: None };
+        let arm = self.arm();
+        let load = if matches!(law.height, Height::Couple) {
+            Acting::Effort { measure: angle, effort: Effort::Constant(-moment) }
+        } else {
+            down(Point::body(0, [arm, 0.0]), moment / arm)
+        };
+        let (measure, stiffness, free) = match (&self.spring, law.geometry) {
+            (_, Geometry::Torsion { free }) => (angle, k, start - free.unwrap_or(0.0)),
+            (_, Geometry::Drum { radius, free }) => (angle, k * radius * radius, start - free.unwrap_or(0.0)),
+            (_, Geometry::Sides { height }) => {
+                let direction = [self.tilt().cos(), -self.tilt().sin()];
+                let on_arm = Point::body(0, [height, 0.0]);
+                (Measure::Component { direction, from: Point::ground([0.0; 2]), to: on_arm }, 2.0 * k, 0.0)
+            }
+            (
+                Spring::Points { on_arm_angle, fixed_angle, .. },
+                Geometry::Points { on_arm, fixed, free, .. },
+            ) => {
+                let (gamma, delta) = (-on_arm_angle, start - fixed_angle);
+                let on_arm = Point::body(0, [on_arm * gamma.cos(), on_arm * gamma.sin()]);
+                let fixed = Point::ground([fixed * delta.cos(), fixed * delta.sin()]);
+                (Measure::Distance { from: fixed, to: on_arm }, k, free)
+            }
+            (_, Geometry::Points { .. }) => unreachable!("the geometry is that of this spring"),
+        };
+        let mechanism = Mechanism {
+            bodies: vec![Body::default()],
+            joints: vec![Joint::Pin { a: Point::ground([0.0; 2]), b: Point::body(0, [0.0; 2]) }],
+            drivers: vec![Driver { measure: angle, value: start - at, velocity: 0.0, acceleration: 0.0 }],
+            loads: vec![load, Acting::Effort { measure, effort: Effort::Spring { stiffness, free } }],
+            gravity: [0.0; 2],
+        };
+        (mechanism, vec![[0.0, 0.0, start - at]])
+    }
+
+    /// The arm swinging through a range about where it stands.
+    pub(super) fn animation(&self, at: f64, [from, to]: [f64; 2]) -> Exhibit {
+        animation("The arm about its position", ("", at), [from.max(at - 0.6), to.min(at + 0.6)], |angle| {
+            self.frame(angle)
+        })
+    }
+
+    fn frame(&self, angle: f64) -> Vec<DrawnShape> {
+        let arm = self.arm();
+        let polar = |radius: f64, angle: f64| -> At { (radius * angle.sin(), radius * angle.cos()) };
+        let turned = angle + self.tilt();
+        let tip = polar(arm, turned);
+        let mut shapes = vec![
+            DrawnShape::Polyline(vec![(0.0, 0.0), polar(1.1 * arm, self.tilt())], Ink::Faint),
+            DrawnShape::Pin((0.0, 0.0)),
+            DrawnShape::Polyline(vec![(0.0, 0.0), tip], Ink::Body),
+            DrawnShape::Label(polar(0.5 * arm, self.tilt() + angle / 2.0), "θ".into()),
+        ];
+        match &self.load {
+            Load::Mass { .. } => {
+                let half = 0.08 * arm;
+                shapes.push(DrawnShape::Block(
+                    (tip.0 - half, tip.1 - half),
+                    (tip.0 + half, tip.1 + half),
+                    Ink::Body,
+                ));
+                shapes.push(DrawnShape::Arrow(tip, (tip.0, tip.1 - 0.4 * arm), Ink::Force));
+                shapes.push(DrawnShape::Label((tip.0 + 0.05 * arm, tip.1 - 0.4 * arm), "W".into()));
+            }
+            Load::Force { .. } => {
+                shapes.push(DrawnShape::Arrow(tip, (tip.0, tip.1 - 0.4 * arm), Ink::Force));
+                shapes.push(DrawnShape::Label((tip.0 + 0.05 * arm, tip.1 - 0.4 * arm), "P".into()));
+            }
+            Load::Couple { .. } => {
+                shapes.push(DrawnShape::Arc((0.0, 0.0), 0.35 * arm, 0.3, 2.4, Ink::Force));
+                shapes.push(DrawnShape::Label((0.0, 0.4 * arm), "M".into()));
+            }
+        }
+        match &self.spring {
+            Spring::Torsion { .. } => {
+                let turns = |n: f64| {
+                    let radius = 0.08 * arm + 0.02 * arm * n / TAU;
+                    polar(radius, turned - n)
+                };
+                shapes.push(DrawnShape::Polyline(
+                    spread([0.0, 2.5 * TAU], 50).map(turns).collect(),
+                    Ink::Result,
+                ));
+            }
+            Spring::Drum { radius, .. } => {
+                let bottom = -1.3 * arm;
+                let wound = (radius * angle).max(-0.4 * arm).min(0.4 * arm);
+                shapes.push(DrawnShape::Circle((0.0, 0.0), *radius, Ink::Body));
+                shapes.push(DrawnShape::Polyline(
+                    vec![(-radius, 0.0), (-radius, wound - 0.5 * arm)],
+                    Ink::Body,
+                ));
+                shapes.push(DrawnShape::Spring((-radius, bottom), (-radius, wound - 0.5 * arm)));
+                shapes.push(DrawnShape::Ground((-radius - 0.2 * arm, bottom), (0.2 * arm - radius, bottom)));
+            }
+            Spring::Points { on_arm, on_arm_angle, fixed, fixed_angle, .. } => {
+                let (end, fixed) =
+                    (polar(*on_arm, turned + on_arm_angle), polar(*fixed, self.tilt() + fixed_angle));
+                shapes.push(DrawnShape::Polyline(vec![(0.0, 0.0), end], Ink::Body));
+                shapes.push(DrawnShape::Pin(fixed));
+                shapes.push(DrawnShape::Spring(fixed, end));
+            }
+            Spring::Sides { height, .. } => {
+                let end = polar(*height, turned);
+                let across = polar(1.2 * arm, self.tilt() + FRAC_PI_2);
+                let foot = polar(*height, self.tilt());
+                for sign in [-1.0, 1.0] {
+                    let wall = (foot.0 + sign * across.0, foot.1 + sign * across.1);
+                    shapes.push(DrawnShape::Pin(wall));
+                    shapes.push(DrawnShape::Spring(wall, end));
+                }
+            }
+        }
+        shapes
+    }
+}
+
+/// The load that the spring holds at each angle, in equilibrium.
+pub(super) fn load_over_angle(
+    law: &Law<f64>,
+    k: f64,
+    arm: Option<f64>,
+    moment: Option<f64>,
+    [from, to]: [f64; 2],
+) -> Plot {
+    let arm_or_one = arm.unwrap_or(1.0);
+    let held = |angle: f64| {
+        let (down, drop) = law.height.slope(angle);
+        let load = k * law.plain_spring(angle)[1] / if down { drop } else { -drop };
+        (angle, load / arm_or_one)
+    };
+    let points: Vec<(f64, f64)> = spread([from, to], 360).map(held).collect();
+    // Where the load turns nothing, no load is enough: the curve is broken there.
+    let mut sizes: Vec<f64> =
+        points.iter().map(|(_, load)| load.abs()).filter(|load| load.is_finite()).collect();
+    sizes.sort_by(f64::total_cmp);
+    let middle = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
+    let most = 4.0 * middle.max(moment.map_or(0.0, |moment| (moment / arm_or_one).abs()));
+    let shown = |(angle, load): (f64, f64)| (angle, if load.abs() <= most { load } else { f64::INFINITY });
+    let (label, unit) =
+        if arm.is_some() { ("load in equilibrium", "N") } else { ("couple in equilibrium", "N*m") };
+    let plot = Plot::new(
+        Text::from("Load balanced by the spring, against the angle"),
+        Axis::linear("angle", "deg"),
+        Axis::linear(label, unit),
+        vec![Series::line("held", points.into_iter().map(shown).collect())],
+    );
+    match moment {
+        Some(moment) => plot.level("this load", moment / arm_or_one),
+        None => plot,
+    }
+}

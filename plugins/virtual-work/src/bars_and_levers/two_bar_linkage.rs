@@ -1,0 +1,242 @@
+//! Two equal bars: one turns about a fixed pin, the other's far end slides level with it.
+
+use dalembert_core::{About, Analysis, DrawnShape, Ink, Inputs, Refusal, Worksheet, register};
+use dalembert_mechanics::{
+    Real,
+    planar::{Body, Driver, Effort, Joint, Load, Measure, Mechanism, Point},
+};
+
+pub use crate::shared::one_degree_of_freedom::Position;
+use crate::{
+    shared::{
+        equilibria::{animation, arrow, down, telling},
+        one_degree_of_freedom::{Machine, Part, Shapes, spring},
+    },
+    sources::{BEER, HIBBELER, RIUL},
+};
+
+/// Bars AB and BC of the same length; A is fixed, C slides on the level of A.
+#[derive(Clone, Debug, Inputs)]
+pub struct TwoBarLinkage {
+    /// Joint B between the bars.
+    pub knee: Knee,
+    /// Length of each bar.
+    #[input("L", "m", positive)]
+    pub length: f64,
+    /// Mass of each bar.
+    /// Uniform: its weight acts in the middle.
+    #[input("m", "kg", nonnegative)]
+    pub mass: f64,
+    /// Acceleration of gravity.
+    #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
+    pub gravity: f64,
+    /// Vertical force at the joint B, downwards.
+    /// Zero if absent; if omitted, it is calculated from the position.
+    #[input("Q", "N")]
+    pub force_b: Option<f64>,
+    /// Horizontal force at C, away from A.
+    /// Zero if absent; if omitted, it is calculated from the position.
+    #[input("F", "N")]
+    pub force_c: Option<f64>,
+    /// Spring between A and C.
+    pub spring: Spring,
+    /// Position.
+    /// The angle θ of each bar is measured from the line AC.
+    pub position: Position,
+}
+
+/// Where the joint between the bars is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Knee {
+    /// Below the line AC
+    Below,
+    /// Above the line AC
+    Above,
+}
+
+/// A spring between the ends.
+#[derive(Clone, Debug, Inputs)]
+pub enum Spring {
+    /// None
+    None,
+    /// Spring
+    Spring {
+        /// Stiffness.
+        /// If left blank, it is computed from the position.
+        #[input("k", "N/m", positive)]
+        stiffness: Option<f64>,
+        /// Angle at which the spring is unstretched.
+        #[input("θ₀", "deg", min = -360, max = 360)]
+        free: f64,
+    },
+}
+
+register!(TwoBarLinkage);
+
+impl Analysis for TwoBarLinkage {
+    const ABOUT: About = About {
+        id: "virtual-work/two-bar-linkage",
+        title: "Two bars with a sliding end",
+        topic: "Bars and levers",
+        summary: "Equilibria and stability of two equal hinged bars with a sliding end, or the force or stiffness for a given angle.",
+        keywords: "two-member linkage hinged bars roller spring virtual displacement angle barras articuladas rolete mola \
+                   deslocamento virtual ângulo",
+        sources: &[&HIBBELER, &BEER, &RIUL],
+        cases: include_str!("../../cases/two_bar_linkage.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &TwoBarLinkageGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let weight = if self.mass == 0.0 {
+            W::Num::from(0.0)
+        } else {
+            sheet.step("W", "N", given.mass * given.gravity, "Weight of each bar")
+        };
+        let mut lengths = vec![given.length];
+        let mut parts = vec![
+            Part {
+                name: "weights of the bars",
+                load: Some(weight),
+                rate: [
+                    "y′_G",
+                    "m",
+                    "Sum of the upward virtual displacements of the two centres of mass per unit δθ",
+                ],
+                symbol: ["W", "N"],
+                answer: ["weight", "Weight of each bar"],
+            },
+            Part {
+                name: "force at B",
+                load: given.force_b,
+                rate: ["y′_B", "m", "Upward virtual displacement of B per unit δθ"],
+                symbol: ["Q", "N"],
+                answer: ["force_b", "Vertical force at B"],
+            },
+            Part {
+                name: "force at C",
+                load: given.force_c,
+                rate: ["x′_C", "m", "Virtual displacement of C towards A per unit δθ"],
+                symbol: ["F", "N"],
+                answer: ["force_c", "Horizontal force at C"],
+            },
+        ];
+        if let SpringGiven::Spring { stiffness, free } = &given.spring {
+            lengths.push(*free);
+            parts.push(Part {
+                name: "spring",
+                load: *stiffness,
+                rate: ["u′", "m^2", "Extension of the spring times its virtual change per unit δθ"],
+                symbol: ["k", "N/m"],
+                answer: ["stiffness", "Stiffness of the spring"],
+            });
+        }
+        let machine = Machine {
+            shapes: self,
+            lengths: &lengths,
+            parts: &parts,
+            joints: &["Pin A", "Joint B", "Guide of C"],
+        };
+        let balanced = machine.solve(&given.position, sheet, |loads, at| self.built(loads, at))?;
+        let at = telling(&balanced.list);
+        let [from, to] = balanced.range;
+        sheet.show(|| {
+            animation(
+                "The two bars",
+                ("position.given.angle", at),
+                [from.max(at - 0.4), to.min(at + 0.4)],
+                |at| self.frame(at),
+            )
+        });
+        Ok(())
+    }
+}
+
+impl Shapes for TwoBarLinkage {
+    fn shapes<N: Real>(&self, lengths: &[N], angle: N) -> Vec<[N; 3]> {
+        let (l, sin, cos) = (lengths[0], angle.sin(), angle.cos());
+        let rise = match self.knee {
+            Knee::Above => [l * sin, l * cos, -(l * sin)],
+            Knee::Below => [-(l * sin), -(l * cos), l * sin],
+        };
+        let mut shapes = vec![rise, rise, [-(l * cos * 2.0), l * sin * 2.0, l * cos * 2.0]];
+        if matches!(self.spring, Spring::Spring { .. }) {
+            shapes.push(spring(
+                [l * cos * 2.0, -(l * sin * 2.0), -(l * cos * 2.0)],
+                l * lengths[1].cos() * 2.0,
+            ));
+        }
+        shapes
+    }
+}
+
+impl TwoBarLinkage {
+    fn sign(&self) -> f64 {
+        if self.knee == Knee::Above { 1.0 } else { -1.0 }
+    }
+
+    /// The linkage with A in the origin and C to the right; each bar's axis runs from A towards C.
+    fn built(&self, loads: &[f64], at: f64) -> (Mechanism, Vec<[f64; 3]>) {
+        let (l, sign) = (self.length, self.sign());
+        let first = |s: f64| Point::body(0, [s, 0.0]);
+        let second = |s: f64| Point::body(1, [s, 0.0]);
+        let pin = Point::ground([0.0; 2]);
+        let measure = match self.knee {
+            Knee::Above => Measure::Angle { of: Some(0), against: None },
+            Knee::Below => Measure::Angle { of: None, against: Some(0) },
+        };
+        let mut acting = vec![
+            down(first(l / 2.0), loads[0]),
+            down(second(l / 2.0), loads[0]),
+            down(first(l), loads[1]),
+            Load::Force { at: second(l), force: [loads[2], 0.0], turns_with: None },
+        ];
+        if let Spring::Spring { free, .. } = self.spring {
+            acting.push(Load::Effort {
+                measure: Measure::Component { direction: [1.0, 0.0], from: pin, to: second(l) },
+                effort: Effort::Spring { stiffness: loads[3], free: 2.0 * l * free.cos() },
+            });
+        }
+        let mechanism = Mechanism {
+            bodies: vec![Body::default(); 2],
+            joints: vec![
+                Joint::Pin { a: pin, b: first(0.0) },
+                Joint::Pin { a: first(l), b: second(0.0) },
+                Joint::Slot { guide: pin, direction: 0.0, pin: second(l), offset: 0.0 },
+            ],
+            drivers: vec![Driver { measure, value: at, velocity: 0.0, acceleration: 0.0 }],
+            loads: acting,
+            gravity: [0.0; 2],
+        };
+        let drawn = vec![[0.0, 0.0, sign * at], [l * at.cos(), sign * l * at.sin(), -sign * at]];
+        (mechanism, drawn)
+    }
+
+    fn frame(&self, angle: f64) -> Vec<DrawnShape> {
+        let (l, sign) = (self.length, self.sign());
+        let (b, c) = ((l * angle.cos(), sign * l * angle.sin()), (2.0 * l * angle.cos(), 0.0));
+        let half = 0.05 * l;
+        let mut shapes = vec![
+            DrawnShape::Polyline(vec![(0.0, 0.0), (2.2 * l, 0.0)], Ink::Faint),
+            DrawnShape::Pin((0.0, 0.0)),
+            DrawnShape::Polyline(vec![(0.0, 0.0), b, c], Ink::Body),
+            DrawnShape::Circle(b, 0.6 * half, Ink::Body),
+            DrawnShape::Block((c.0 - half, -half), (c.0 + half, half), Ink::Body),
+            DrawnShape::Label((-0.1 * l, 0.05 * l), "A".into()),
+            DrawnShape::Label((b.0, b.1 + sign * 0.1 * l), "B".into()),
+            DrawnShape::Label((c.0, 0.12 * l), "C".into()),
+        ];
+        if self.mass > 0.0 {
+            shapes.extend(arrow((b.0 / 2.0, b.1 / 2.0), [0.0, -0.25 * l], "W"));
+            shapes.extend(arrow((1.5 * b.0, b.1 / 2.0), [0.0, -0.25 * l], "W"));
+        }
+        if self.force_b != Some(0.0) {
+            shapes.extend(arrow((b.0, b.1 - 0.02 * l), [0.0, -0.3 * l], "Q"));
+        }
+        if self.force_c != Some(0.0) {
+            shapes.extend(arrow((c.0 + half, 0.0), [0.35 * l, 0.0], "F"));
+        }
+        if matches!(self.spring, Spring::Spring { .. }) {
+            shapes.push(DrawnShape::Spring((0.0, 0.0), c));
+        }
+        shapes
+    }
+}

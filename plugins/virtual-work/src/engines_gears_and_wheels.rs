@@ -1,0 +1,7 @@
+//! Engines, gears and wheels.
+
+pub mod engine;
+pub mod epicyclic_train;
+pub mod equivalent_rod;
+pub mod flywheel;
+pub mod rolling_disc;

@@ -1,0 +1,427 @@
+//! A disc that a crank rolls back and forth, against a spring and a damper.
+
+use dalembert_core::{About, Analysis, DrawnShape, Ink, Inputs, Refusal, Text, Worksheet, register};
+use dalembert_mechanics::{
+    Real,
+    planar::{Effort, Joint, Load, Measure, PlanarError, Point},
+    slider_crank as loops,
+};
+
+use crate::{
+    shared::{
+        built::{self, Built, Cycle, Link, Mass, Range, Solved, Template},
+        works::{self, FOUR, Moving, Works, plane, symbol},
+    },
+    sources::{NORTON, RIUL, SHIGLEY},
+};
+
+/// A disc on a level floor, pushed at its centre by a slider-crank whose bearing is as high as the centre.
+///
+/// The bearing of the crank is the origin, the centre of the disc moves along x, angles are counter-clockwise.
+#[derive(Clone, Debug, Inputs)]
+pub struct RollingDisc {
+    /// Length of the crank.
+    #[input("r", "mm", positive)]
+    pub crank: f64,
+    /// Length of the rod.
+    #[input("l", "mm", positive)]
+    pub rod: f64,
+    /// Angle of the crank.
+    /// From the line of the disc's centre, counter-clockwise.
+    #[input("θ_2", "deg")]
+    pub angle: f64,
+    /// Unknown.
+    pub unknown: Unknown,
+    /// Angular velocity of the crank.
+    /// Zero in statics.
+    #[input("ω_2", "rad/s", default = "0 rad/s")]
+    pub speed: f64,
+    /// Angular acceleration of the crank.
+    #[input("α_2", "rad/s^2", default = "0 rad/s^2")]
+    pub acceleration: f64,
+    /// Mass of the disc.
+    #[input("m", "kg", nonnegative)]
+    pub mass: f64,
+    /// Radius of the disc.
+    #[input("R", "mm", positive)]
+    pub radius: f64,
+    /// Moment of inertia of the disc.
+    pub inertia: Inertia,
+    /// Spring from a wall to the centre.
+    pub spring: Option<Spring>,
+    /// Damper along the floor.
+    #[input("c", "N*s/m", nonnegative, default = "0 N*s/m")]
+    pub damping: f64,
+    /// Acceleration of gravity.
+    #[input("g", "m/s^2", nonnegative, default = "9.81 m/s^2")]
+    pub gravity: f64,
+}
+
+/// The moment of inertia of what rolls, about its centre.
+#[derive(Clone, Debug, Inputs)]
+pub enum Inertia {
+    /// Uniform disc
+    Disc,
+    /// Thin ring
+    Ring,
+    /// Radius of gyration given
+    Gyration {
+        /// Radius of gyration.
+        #[input("k_G", "mm", nonnegative)]
+        radius: f64,
+    },
+}
+
+/// A spring between a wall and the centre of the disc.
+#[derive(Clone, Debug, Inputs)]
+pub struct Spring {
+    /// Stiffness.
+    #[input("k", "N/m", positive)]
+    pub stiffness: f64,
+    /// Position of the wall.
+    /// Along x, from the bearing of the crank; on the side opposite to the travel of the disc.
+    #[input("x_w", "mm")]
+    pub wall: f64,
+    /// Free length.
+    #[input("L_0", "mm", nonnegative)]
+    pub free: f64,
+}
+
+/// What the virtual works are summed for.
+#[derive(Clone, Debug, Inputs)]
+pub enum Unknown {
+    /// Torque on the crank
+    Torque {
+        /// Force on the centre of the disc.
+        /// Along x.
+        #[input("F", "N", default = "0 N")]
+        force: f64,
+    },
+    /// Force on the centre of the disc
+    Force {
+        /// Torque on the crank.
+        /// Positive counter-clockwise.
+        #[input("T_2", "N*m")]
+        torque: f64,
+    },
+}
+
+/// What is found in one position.
+pub struct Found<N> {
+    rod_angle: N,
+    position: N,
+    shift: N,
+    velocity: N,
+    acceleration: N,
+    torque: N,
+    force: N,
+}
+
+register!(RollingDisc);
+
+/// Below this displacement for a unit turn, in crank lengths, crank and rod are in one line.
+const DEAD: f64 = 1e-9;
+
+impl Analysis for RollingDisc {
+    const ABOUT: About = About {
+        id: "virtual-work/rolling-disc",
+        title: "Rolling disc driven by a crank",
+        topic: "Engines, gears and wheels",
+        summary: "Torque on a crank that rolls a disc without slip against spring and damper, by virtual work; friction at the floor and the coefficient required.",
+        keywords: "disco rolamento sem escorregamento manivela mola amortecedor atrito cilindro roda rolling without slip \
+                   wheel cylinder friction slider-crank",
+        sources: &[&RIUL, &SHIGLEY, &NORTON],
+        cases: include_str!("../../cases/rolling_disc.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &RollingDiscGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let found = self.efforts(given, sheet)?;
+        sheet.answer("position", "Position of the centre", found.position);
+        if self.moves() {
+            sheet.answer("velocity", "Velocity of the centre", found.velocity);
+            sheet.answer("acceleration", "Acceleration of the centre", found.acceleration);
+        }
+        match self.unknown {
+            Unknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
+            Unknown::Force { .. } => sheet.answer("force", "Force on the centre of the disc", found.force),
+        }
+        // The disc by itself: moments about its centre, and about the crank pin of the massless rod.
+        let (square, _) = self.gyration(given);
+        let why = "Friction at the floor turns the disc: R f = I α with α = −a/R, positive along x";
+        let grip = -(given.mass * square / given.radius.powi(2) * found.acceleration);
+        let friction = sheet.step("f", "N", grip, (why, SHIGLEY.at("ch. 12")));
+        sheet.answer("friction", "Friction force of the floor", friction);
+        let (solved, joints) = self.built(&found).map_err(built::refusal)?;
+        let [bearing, floor, rack] = joints;
+        let forces = solved.reaction(bearing);
+        let label = "Force in the bearing of the crank";
+        works::reaction(["O", "Ox", "Oy"], ("bearing_force", label), (&solved, bearing), sheet);
+        let why = "Normal force of the floor, upwards, by the same equations";
+        let normal = sheet.found("N", "N", solved.reaction(floor)[0], (why, SHIGLEY.at("ch. 11")));
+        sheet.answer("normal_force", "Normal force of the floor", normal);
+        if normal.value() > 0.0 {
+            let needed = friction.abs() / normal;
+            let needed = sheet.step("μ", "1", needed, "Minimum coefficient of friction to prevent slip");
+            sheet.answer("needed_friction", "Minimum coefficient of friction to prevent slip", needed);
+            sheet.verify(|| {
+                let grip = solved.reaction(rack)[0].abs();
+                let size = grip.max(self.mass * found.acceleration.value().abs());
+                let what =
+                    "friction at the minimum coefficient is the effort that keeps the disc from slipping";
+                sheet.check_sum(what, needed * normal, grip.into(), size);
+            });
+        } else if self.gravity > 0.0 {
+            sheet.warn(|| Text::new("the rod lifts the disc off the floor: it cannot roll here"));
+        }
+        sheet.verify(|| {
+            let effort = match self.unknown {
+                Unknown::Torque { .. } => found.torque,
+                Unknown::Force { .. } => found.force,
+            };
+            solved.check_effort(0, effort, sheet);
+            let grip = -solved.reaction(rack)[0];
+            let size = grip.abs().max(self.mass * found.acceleration.value().abs());
+            sheet.check_sum(
+                "the friction is the effort that keeps the disc from slipping",
+                friction,
+                (-grip).into(),
+                size,
+            );
+            let along = self.along(&found);
+            works::check_balance(
+                &[forces, [friction.value() + along + found.force.value(), normal.value()]],
+                solved.demanded(),
+                sheet,
+            );
+        });
+        sheet.show(|| solved.works(0));
+        self.show(sheet);
+        Ok(())
+    }
+}
+
+impl Template for RollingDisc {
+    type Found<N: Real> = Found<N>;
+
+    fn efforts<W: Worksheet>(&self, given: &RollingDiscGiven<W>, sheet: W) -> Result<Found<W::Num>, Refusal> {
+        let rise = (self.crank * self.angle.sin()).abs();
+        if rise > self.rod {
+            return Err(Refusal::because(
+                Text::new("at this angle the rod has to span {distance} from the crank pin to the line of the slider: it is {gap} too short")
+                    .with_quantity("distance", rise, "mm")
+                    .with_quantity("gap", rise - self.rod, "mm"),
+            ));
+        }
+        let (r, l, two, zero) = (given.crank, given.rod, given.angle, W::Num::from(0.0));
+        let three = (-(r * two.sin()) / l).asin();
+        let why = ("Angle of the rod: r sin θ_2 + l sin θ_3 = 0", SHIGLEY.at("ch. 2"));
+        let three = sheet.step(symbol("θ", "3"), "deg", three, why);
+        if three.value().cos() < 1e-7 {
+            return Err(Refusal::because(
+                "the rod is perpendicular to the line of the slider (limit position): the crank angle does not determine the motion; change it slightly",
+            ));
+        }
+        let position = loops::slider_position(r, l, two, three);
+        let position = sheet.step("x", "mm", position, "Position of the centre of the disc");
+        let why = "Virtual displacement of the centre for δθ_2 = 1";
+        let shift = -(r * (two - three).sin()) / three.cos();
+        let shift = sheet.step("u", "mm", shift, (why, SHIGLEY.at("ch. 3")));
+        let (mut velocity, mut acceleration) = (zero, zero);
+        if self.moves() {
+            let (speed, alpha) = (given.speed, given.acceleration);
+            velocity = sheet.step("v", "m/s", shift * speed, "Velocity of the centre of the disc");
+            let turning = loops::rod_speed(r, l, two, three, speed);
+            let turning = sheet.step(symbol("ω", "3"), "rad/s", turning, "Angular velocity of the rod");
+            let bent = loops::rod_acceleration(r, l, two, three, speed, turning, alpha);
+            let why = ("Angular acceleration of the rod", SHIGLEY.at("ch. 4"));
+            let bent = sheet.step(symbol("α", "3"), "rad/s^2", bent, why);
+            let value = loops::slider_acceleration(r, l, two, three, speed, turning, alpha, bent);
+            acceleration = sheet.step(
+                "a",
+                "m/s^2",
+                value,
+                ("Acceleration of the centre of the disc", SHIGLEY.at("ch. 4")),
+            );
+        }
+        let mut works = Works::new(plane::<W>(zero, zero), self.moves(), sheet);
+        if let Some(spring) = &given.spring {
+            let length = sheet.step("s", "mm", position - spring.wall, "Length of the spring");
+            if length.value() <= 0.0 {
+                return Err(Refusal::because(
+                    "the centre of the disc is not on the far side of the wall: move the wall away from the disc",
+                ));
+            }
+            let why = ("Virtual work of the spring, −k (s − L_0) u".into(), RIUL.at("eq. 1"));
+            works.push(symbol("δW", "k"), -(spring.stiffness * (length - spring.free)) * shift, why.0, why.1);
+        }
+        if self.damping > 0.0 && self.moves() {
+            let why = "Virtual work of the damper, −c v u".into();
+            works.push(symbol("δW", "c"), -(given.damping * velocity) * shift, why, RIUL.at("eq. 1"));
+        }
+        let disc = Moving { shift: plane::<W>(shift, zero), acceleration: plane::<W>(acceleration, zero) };
+        works.mass(FOUR, given.mass, disc);
+        let (square, why) = self.gyration(given);
+        if self.moves() && square.value() > 0.0 && self.mass > 0.0 {
+            let inertia = sheet.step("I", "kg*m^2", given.mass * square, why);
+            let why = "Virtual work of the inertia couple: the disc turns by −u/R, α = −a/R".into();
+            let work = -(inertia * acceleration * shift) / given.radius.powi(2);
+            works.push(symbol("δW_I", "4"), work, why, RIUL.at("eq. 5"));
+        }
+        let (torque, force) = match given.unknown {
+            UnknownGiven::Torque { force } => (
+                works.balanced("F", force * shift, "Virtual work of the force on the centre of the disc"),
+                force,
+            ),
+            UnknownGiven::Force { torque } => {
+                if shift.value().abs() <= DEAD * self.crank {
+                    return Err(Refusal::because(
+                        "crank and rod are collinear (dead centre): no force on the disc can balance a torque; rotate the crank slightly",
+                    ));
+                }
+                if torque.value() != 0.0 {
+                    let why = "Virtual work of the torque for δθ_2 = 1".into();
+                    works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
+                }
+                let why = "Force, from the principle of virtual work, F u + ΣδW = 0";
+                (torque, sheet.step("F", "N", -(works.sum() / shift), (why, RIUL.at("eq. 5"))))
+            }
+        };
+        Ok(Found { rod_angle: three, position, shift, velocity, acceleration, torque, force })
+    }
+}
+
+impl RollingDisc {
+    fn moves(&self) -> bool {
+        self.speed != 0.0 || self.acceleration != 0.0
+    }
+
+    /// The square of the radius of gyration, and what is said of it.
+    fn gyration<W: Worksheet>(&self, given: &RollingDiscGiven<W>) -> (W::Num, &'static str) {
+        match given.inertia {
+            InertiaGiven::Disc {} => (given.radius.powi(2) / 2.0, "Moment of inertia of a uniform disc"),
+            InertiaGiven::Ring {} => (given.radius.powi(2), "Moment of inertia of a thin ring"),
+            InertiaGiven::Gyration { radius } => {
+                (radius.powi(2), "Moment of inertia from the radius of gyration")
+            }
+        }
+    }
+
+    /// What spring and damper exert on the disc along x.
+    fn along<N: Real>(&self, found: &Found<N>) -> f64 {
+        let spring = self
+            .spring
+            .as_ref()
+            .map_or(0.0, |spring| -spring.stiffness * (found.position.value() - spring.wall - spring.free));
+        spring - self.damping * found.velocity.value()
+    }
+
+    fn pin(&self) -> [f64; 2] {
+        built::away([0.0; 2], self.crank, self.angle)
+    }
+
+    /// The same mechanism put together, and its joints: bearing, floor, rolling.
+    fn built<N: Real>(&self, found: &Found<N>) -> Result<(Solved, [usize; 3]), PlanarError> {
+        let square = match self.inertia {
+            Inertia::Disc => self.radius * self.radius / 2.0,
+            Inertia::Ring => self.radius * self.radius,
+            Inertia::Gyration { radius } => radius * radius,
+        };
+        let mut it = Built::new([0.0, -self.gravity]);
+        let crank: Link = it.link("crank", [0.0; 2], self.angle, Mass::default());
+        let rod = it.link("rod", self.pin(), found.rod_angle.value(), Mass::default());
+        let place = [found.position.value(), 0.0];
+        let disc = Mass { inertia: self.mass * square, ..Mass::at_pin(self.mass) };
+        let disc = it.link("disc", place, 0.0, disc);
+        let (start, floor) = (Point::ground([0.0; 2]), Point::ground([0.0, -self.radius]));
+        let centre = disc.point([0.0; 2]);
+        let bearing = it.pin(start, crank.point([0.0; 2]));
+        it.pin(crank.point([self.crank, 0.0]), rod.point([0.0; 2]));
+        it.pin(rod.point([self.rod, 0.0]), centre);
+        let joints = [
+            bearing,
+            it.join(Joint::Slot { guide: floor, direction: 0.0, pin: centre, offset: self.radius }),
+            it.join(Joint::Rack { guide: floor, direction: 0.0, centre, radius: self.radius }),
+        ];
+        let along = |from: f64| Measure::Component {
+            direction: [1.0, 0.0],
+            from: Point::ground([from, 0.0]),
+            to: centre,
+        };
+        if let Some(Spring { stiffness, wall, free }) = self.spring {
+            let effort = Effort::Spring { stiffness, free };
+            it.load("Spring", Load::Effort { measure: along(wall), effort });
+        }
+        if self.damping > 0.0 {
+            let effort = Effort::Damper { coefficient: self.damping };
+            it.load("Damper", Load::Effort { measure: along(0.0), effort });
+        }
+        match self.unknown {
+            Unknown::Torque { force } => {
+                if force != 0.0 {
+                    it.force("Force on the centre of the disc", centre, [force, 0.0]);
+                }
+                it.turn(crank, [self.angle, self.speed, self.acceleration]);
+            }
+            Unknown::Force { torque } => {
+                if torque != 0.0 {
+                    it.couple("Torque on the crank", crank, torque);
+                }
+                it.drive(along(0.0), [place[0], found.velocity.value(), found.acceleration.value()]);
+            }
+        }
+        Ok((it.solve()?, joints))
+    }
+
+    fn show<W: Worksheet>(&self, sheet: W) {
+        let at = |angle: f64| RollingDisc { angle, ..self.clone() };
+        let range = Range::about(self.angle, |angle| (self.crank * angle.sin()).abs() < self.rod);
+        let cycle = Cycle::new(range, "angle", at);
+        match self.unknown {
+            Unknown::Torque { .. } => sheet.show(|| {
+                cycle.plot(
+                    "Torque over one revolution",
+                    ("Torque on the crank", "N*m"),
+                    &[("torque", "torque", &|found| found.torque)],
+                )
+            }),
+            Unknown::Force { .. } => sheet.show(|| {
+                cycle.plot(
+                    "Force over one revolution",
+                    ("Force on the centre of the disc", "N"),
+                    &[("force", "force", &|found| built::bounded(found.force, found.shift, self.crank))],
+                )
+            }),
+        }
+        if self.moves() {
+            sheet.show(|| {
+                cycle.plot(
+                    "Velocity of the centre",
+                    ("Velocity of the centre", "m/s"),
+                    &[("velocity", "velocity", &|found| found.velocity)],
+                )
+            });
+        }
+        sheet.show(|| {
+            let first = self.crank + self.rod;
+            built::animation("The rolling disc", ("angle", self.angle), range, |angle| {
+                let there = at(angle);
+                let found = there.plain()?;
+                let (x, radius) = (found.position, there.radius);
+                // A mark on the rim that turns as the disc rolls.
+                let rim = built::away([x, 0.0], radius, -(x - first) / radius);
+                let mut shapes = vec![
+                    built::ground([there.rod, -radius], 0.0, there.crank + radius),
+                    built::pivot([0.0; 2]),
+                    built::bar(&[[0.0; 2], there.pin(), [x, 0.0]]),
+                    DrawnShape::Circle((x, 0.0), radius, Ink::Body),
+                    built::faint(&[[x, 0.0], rim]),
+                ];
+                if let Some(spring) = &there.spring {
+                    shapes.push(DrawnShape::Spring((spring.wall, 0.0), (x, 0.0)));
+                }
+                shapes.extend(built::arrows(&[([x, 0.0], [found.force, 0.0])], there.crank));
+                Some(shapes)
+            })
+        });
+    }
+}

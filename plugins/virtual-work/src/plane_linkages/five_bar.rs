@@ -1,0 +1,421 @@
+//! The five-bar linkage: two cranks on the frame and two rods that meet, with two degrees of freedom or geared to one.
+
+use dalembert_core::{
+    About, Analysis, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
+};
+use dalembert_mechanics::{
+    Real, Vector,
+    planar::{Joint, PlanarError, Point},
+};
+use nalgebra::Vector3;
+
+use crate::{
+    shared::{
+        built::{self, Built, Cycle, Mass, Range, Solved, Template},
+        dyad::{self, Support},
+        works::{self, FOUR, Moving, THREE, Turning, plane, symbol},
+    },
+    sources::{NORTON, RIUL, SHIGLEY},
+};
+
+/// A five-bar linkage in one position.
+///
+/// The first crank (2) turns about the origin O, the second (5) about C on the x axis; A and B are their pins, P is
+/// where the rods (3 and 4) meet. Angles are counter-clockwise from the frame.
+#[derive(Clone, Debug, Inputs)]
+pub struct FiveBar {
+    /// Length of the first crank.
+    #[input("a", "mm", positive)]
+    pub first_crank: f64,
+    /// Length of the first rod.
+    #[input("b", "mm", positive)]
+    pub first_rod: f64,
+    /// Length of the second rod.
+    #[input("c", "mm", positive)]
+    pub second_rod: f64,
+    /// Length of the second crank.
+    #[input("e", "mm", positive)]
+    pub second_crank: f64,
+    /// Length of the frame.
+    /// Between the fixed pins.
+    #[input("d", "mm", positive)]
+    pub frame: f64,
+    /// Side on which the rods meet.
+    pub apex: Apex,
+    /// Angle of the first crank.
+    #[input("θ_2", "deg", kept_in = "drawn")]
+    pub first_angle: f64,
+    /// Angle in the initial configuration.
+    /// With gears the angle of the second crank is that of the drawn position; from there they turn it as the first
+    /// crank turns. If omitted, it is drawn with the angle above.
+    #[input("θ_d", "deg")]
+    pub drawn: Option<f64>,
+    /// Angle of the second crank.
+    #[input("θ_5", "deg")]
+    pub second_angle: f64,
+    /// Cranks.
+    pub cranks: Cranks,
+    /// Unknown.
+    pub unknown: Unknown,
+}
+
+/// On which side of the way from A to B the rods meet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Apex {
+    /// To the left, looking from A to B
+    Left,
+    /// To the right, looking from A to B
+    Right,
+}
+
+/// How the cranks are driven.
+#[derive(Clone, Debug, Inputs)]
+pub enum Cranks {
+    /// Independent: two degrees of freedom
+    Free,
+    /// Geared together: one degree of freedom
+    Geared {
+        /// Teeth of the gear on the first crank.
+        #[input(min = 4, max = 10000)]
+        first: u32,
+        /// Teeth of the gear on the second crank.
+        #[input(min = 4, max = 10000)]
+        second: u32,
+        /// Mesh.
+        mesh: Mesh,
+    },
+}
+
+/// How two gears mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
+pub enum Mesh {
+    /// External teeth: opposite senses
+    Outside,
+    /// Through an idler or internal teeth: the same sense
+    Same,
+}
+
+/// What the virtual works are summed for.
+#[derive(Clone, Debug, Inputs)]
+pub enum Unknown {
+    /// Torques on the cranks
+    Torques {
+        /// Force at the common pin of the rods.
+        #[input("F", "N", planar)]
+        force: Vector3<f64>,
+    },
+    /// Force at the common pin of the rods
+    Force {
+        /// Torque on the first crank.
+        #[input("T_2", "N*m")]
+        first: f64,
+        /// Torque on the second crank.
+        #[input("T_5", "N*m")]
+        second: f64,
+    },
+}
+
+/// What is found in one position.
+pub struct Found<N> {
+    angles: [N; 2],
+    /// Where the rods meet, m.
+    place: [f64; 2],
+    /// On the first and on the second crank; geared, the one on the first alone.
+    torques: [Option<N>; 2],
+    force: [N; 2],
+}
+
+register!(FiveBar);
+
+/// Two displacements are parallel below this sine.
+const DEAD: f64 = 1e-9;
+
+impl Analysis for FiveBar {
+    const ABOUT: About = About {
+        id: "virtual-work/five-bar",
+        title: "Five-bar linkage",
+        topic: "Plane linkages",
+        summary: "Holding torques of a five-bar linkage with two driven cranks, or geared to one degree of freedom, for a force at the common pin of its rods, by virtual work; or the force from the torques.",
+        keywords: "mecanismo de cinco barras dois graus de liberdade engrenado robô paralelo jacobiano five-bar geared \
+                   parallel robot Jacobian two degrees of freedom",
+        sources: &[&RIUL, &NORTON, &SHIGLEY],
+        cases: include_str!("../../cases/five_bar.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &FiveBarGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let found = self.efforts(given, sheet)?;
+        sheet.answer("first_rod_angle", "Angle of the first rod", found.angles[0]);
+        sheet.answer("second_rod_angle", "Angle of the second rod", found.angles[1]);
+        match self.unknown {
+            Unknown::Torques { .. } => {
+                if let Some(torque) = found.torques[0] {
+                    sheet.answer("first_torque", "Torque on the first crank", torque);
+                }
+                if let Some(torque) = found.torques[1] {
+                    sheet.answer("second_torque", "Torque on the second crank", torque);
+                }
+            }
+            Unknown::Force { .. } => {
+                sheet.answer("force_x", "Force at the common pin of the rods, along x", found.force[0]);
+                sheet.answer("force_y", "Force at the common pin of the rods, along y", found.force[1]);
+            }
+        }
+        let force = found.force.map(Real::value);
+        let angles = found.angles.map(Real::value);
+        let (solved, joints) = self.built(angles, force).map_err(built::refusal)?;
+        let forces = joints.map(|joint| solved.reaction(joint));
+        works::reaction(
+            ["O", "Ox", "Oy"],
+            ("first_bearing_force", "Force in the fixed pin of the first crank"),
+            (&solved, joints[0]),
+            sheet,
+        );
+        works::reaction(
+            ["C", "Cx", "Cy"],
+            ("second_bearing_force", "Force in the fixed pin of the second crank"),
+            (&solved, joints[1]),
+            sheet,
+        );
+        sheet.verify(|| {
+            for (driver, torque) in found.torques.into_iter().enumerate() {
+                if let Some(torque) = torque {
+                    solved.check_effort(driver, torque, sheet);
+                }
+            }
+            if let Cranks::Free = self.cranks {
+                works::check_balance(&[forces[0], forces[1], force], solved.demanded(), sheet);
+            }
+        });
+        sheet.show(|| solved.works(0));
+        if let Cranks::Free = self.cranks {
+            sheet.show(|| solved.works(1));
+        }
+        self.show(sheet);
+        Ok(())
+    }
+}
+
+impl Template for FiveBar {
+    type Found<N: Real> = Found<N>;
+
+    fn efforts<W: Worksheet>(&self, given: &FiveBarGiven<W>, sheet: W) -> Result<Found<W::Num>, Refusal> {
+        let zero = W::Num::from(0.0);
+        let crank = |angle: W::Num| Turning { angle, ratio: 1.0.into(), speed: zero, acceleration: zero };
+        let arm = works::direction::<W>(given.first_angle) * given.first_crank;
+        let arm = sheet.step_vector(symbol("r", "2"), "mm", arm, "First crank, from O to A");
+        let gear = self.gear(sheet);
+        let turned = match (gear, given.drawn) {
+            (Some(gear), Some(drawn)) => {
+                let why = "Angle of the second crank, rotated by the gears from the initial configuration";
+                sheet.step("θ′_5", "deg", given.second_angle + gear * (given.first_angle - drawn), why)
+            }
+            _ => given.second_angle,
+        };
+        let other = works::direction::<W>(turned) * given.second_crank;
+        let other = sheet.step_vector(symbol("r", "5"), "mm", other, "Second crank, from C to B");
+        let a = works::moving("A", works::fixed(), arm, crank(given.first_angle), false, sheet);
+        let b = works::moving("B", works::fixed(), other, crank(turned), false, sheet);
+        let end = plane::<W>(given.frame, zero) + other;
+        let end = sheet.step_vector(symbol("s", "B"), "mm", end, "B, from the origin");
+        let supports = [
+            Support { name: "A", at: arm, moving: Some(a) },
+            Support { name: "B", at: end, moving: Some(b) },
+        ];
+        let lengths = [given.first_rod, given.second_rod];
+        let left = self.apex == Apex::Left;
+        let pair = dyad::two_bars("AB", supports, lengths, [THREE, FOUR], left, sheet)?;
+        // Each crank turned by itself.
+        let [by_first, other_by_first] = pair.turns("h′", [Some(a.shift), None]);
+        let [other_by_second, by_second] = pair.turns("h″", [None, Some(b.shift)]);
+        let bar = |ratio: W::Num, n: usize| Turning {
+            angle: pair.angles[n],
+            ratio,
+            speed: zero,
+            acceleration: zero,
+        };
+        let first: Moving<W> = works::moving("P2", a, pair.reach[0], bar(by_first, 0), false, sheet);
+        let second: Moving<W> = works::moving("P5", b, pair.reach[1], bar(by_second, 1), false, sheet);
+        sheet.verify(|| {
+            let what = "the other rod moves the common pin in the same way";
+            sheet.check_vector(what, works::across::<W>(pair.reach[1]) * other_by_first, first.shift);
+            sheet.check_vector(what, works::across::<W>(pair.reach[0]) * other_by_second, second.shift);
+        });
+        let place = pair.at.value();
+        let found = |torques, force| Found { angles: pair.angles, place: [place.x, place.y], torques, force };
+        match (&given.unknown, gear) {
+            (&UnknownGiven::Torques { force }, Some(gear)) => {
+                let why = "Displacement of P for δθ_2 = 1: by the first crank and, through the gears, by the second";
+                let shift = first.shift + second.shift * gear;
+                let shift = sheet.step_vector(symbol("u", "P"), "mm", shift, (why, SHIGLEY.at("ch. 3")));
+                let why = "Torque on the first crank: T_2 δθ_2 + F · u_P = 0";
+                let torque =
+                    sheet.step(symbol("T", "2"), "N*m", -(force.dot(shift)), (why, RIUL.at("eq. 1")));
+                let [x, y, _] = force.components();
+                Ok(found([Some(torque), None], [x, y]))
+            }
+            (&UnknownGiven::Torques { force }, None) => {
+                let why = "Torque on the first crank, the second fixed: T_2 δθ_2 + F · u_P2 = 0";
+                let one =
+                    sheet.step(symbol("T", "2"), "N*m", -(force.dot(first.shift)), (why, RIUL.at("eq. 1")));
+                let why = "Torque on the second crank, the first fixed: T_5 δθ_5 + F · u_P5 = 0";
+                let two =
+                    sheet.step(symbol("T", "5"), "N*m", -(force.dot(second.shift)), (why, RIUL.at("eq. 1")));
+                let [x, y, _] = force.components();
+                Ok(found([Some(one), Some(two)], [x, y]))
+            }
+            (UnknownGiven::Force { .. }, Some(_)) => Err(Refusal::because(
+                "the gears leave one degree of freedom: one torque cannot determine both components of the force; give the force and choose the torque as unknown",
+            )),
+            (&UnknownGiven::Force { first: t2, second: t5 }, None) => {
+                let (one, two) = (first.shift, second.shift);
+                let sine = Vector::cross(one.value(), two.value()).z;
+                if sine.abs() <= DEAD * one.value().norm() * two.value().norm() {
+                    return Err(Refusal::because(
+                        "both cranks move the point P along the same line: the torques do not determine the force perpendicular to it; rotate a crank slightly",
+                    ));
+                }
+                let ([ux, uy, _], [wx, wy, _]) = (one.components(), two.components());
+                let why = "Determinant of the two displacements of P";
+                let det = sheet.step("Δ", "mm^2", ux * wy - uy * wx, why);
+                let why = "T_2 + F · u_P2 = 0 and T_5 + F · u_P5 = 0, solved for the force along x";
+                let x = sheet.step(symbol("F", "x"), "N", (t5 * uy - t2 * wy) / det, (why, RIUL.at("eq. 1")));
+                let why = "The same two equations, solved for the force along y";
+                let y = sheet.step(symbol("F", "y"), "N", (t2 * wx - t5 * ux) / det, (why, RIUL.at("eq. 1")));
+                Ok(found([Some(t2), Some(t5)], [x, y]))
+            }
+        }
+    }
+}
+
+impl FiveBar {
+    /// The turn of the second crank for a turn of the first, where they are geared.
+    fn gear<W: Worksheet>(&self, sheet: W) -> Option<W::Num> {
+        let Cranks::Geared { first, second, mesh } = self.cranks else { return None };
+        let why = "Teeth, as given";
+        let z2 = sheet.found(symbol("z", "2"), "1", f64::from(first), why);
+        let z5 = sheet.found(symbol("z", "5"), "1", f64::from(second), why);
+        let why = "Virtual rotation of the second crank for δθ_2 = 1, by the gears";
+        let ratio = z2 / z5;
+        let ratio = if mesh == Mesh::Outside { -ratio } else { ratio };
+        Some(sheet.step(symbol("h", "5"), "1", ratio, (why, SHIGLEY.at("ch. 7"))))
+    }
+
+    /// The same mechanism put together from its lengths, and its fixed pins.
+    fn built(&self, angles: [f64; 2], force: [f64; 2]) -> Result<(Solved, [usize; 2]), PlanarError> {
+        let mut it = Built::new([0.0; 2]);
+        let [a, b] = self.pins();
+        let (still, fixed) = (Mass::default(), [self.frame, 0.0]);
+        let two = it.link("first crank", [0.0; 2], self.first_angle, still);
+        let five = it.link("second crank", fixed, self.second(), still);
+        let three = it.link("first rod", a, angles[0], still);
+        let four = it.link("second rod", b, angles[1], still);
+        let joints = [
+            it.pin(Point::ground([0.0; 2]), two.point([0.0; 2])),
+            it.pin(Point::ground(fixed), five.point([0.0; 2])),
+        ];
+        it.pin(two.point([self.first_crank, 0.0]), three.point([0.0; 2]));
+        it.pin(five.point([self.second_crank, 0.0]), four.point([0.0; 2]));
+        let tip = three.point([self.first_rod, 0.0]);
+        it.pin(tip, four.point([self.second_rod, 0.0]));
+        if force != [0.0; 2] {
+            it.force("Force at the common pin of the rods", tip, force);
+        }
+        it.turn(two, [self.first_angle, 0.0, 0.0]);
+        match self.cranks {
+            Cranks::Free => it.turn(five, [self.second(), 0.0, 0.0]),
+            Cranks::Geared { first, second, mesh } => {
+                it.join(Joint::Gears {
+                    a: two.frame(),
+                    b: five.frame(),
+                    carrier: None,
+                    sizes: [f64::from(first), f64::from(second)],
+                    internal: mesh == Mesh::Same,
+                });
+            }
+        }
+        Ok((it.solve()?, joints))
+    }
+
+    fn pins(&self) -> [[f64; 2]; 2] {
+        let a = built::away([0.0; 2], self.first_crank, self.first_angle);
+        [a, built::away([self.frame, 0.0], self.second_crank, self.second())]
+    }
+
+    /// The second crank's angle: geared, it has turned with the first from the drawn position; free, it is as given.
+    fn second(&self) -> f64 {
+        let follow = match self.cranks {
+            Cranks::Free => 0.0,
+            Cranks::Geared { first, second, mesh } => {
+                let ratio = f64::from(first) / f64::from(second);
+                if mesh == Mesh::Outside { -ratio } else { ratio }
+            }
+        };
+        self.second_angle + follow * (self.first_angle - self.drawn.unwrap_or(self.first_angle))
+    }
+
+    /// The linkage when the first crank has gone to another angle.
+    fn turned_to(&self, angle: f64) -> Self {
+        Self { first_angle: angle, drawn: self.drawn.or(Some(self.first_angle)), ..self.clone() }
+    }
+
+    fn show<W: Worksheet>(&self, sheet: W) {
+        let at = |angle: f64| self.turned_to(angle);
+        let closes = |angle: f64| {
+            let [[ax, ay], [bx, by]] = at(angle).pins();
+            let distance = (bx - ax).hypot(by - ay);
+            distance < self.first_rod + self.second_rod && distance > (self.first_rod - self.second_rod).abs()
+        };
+        let range = Range::about(self.first_angle, closes);
+        let cycle = Cycle::new(range, "first_angle", at);
+        if let Unknown::Torques { .. } = self.unknown {
+            sheet.show(|| {
+                let torque = |n: usize| cycle.curve(|found| found.torques[n].unwrap_or(f64::INFINITY));
+                let mut series = vec![Series::line("first crank", torque(0)).of("first_torque")];
+                if let Cranks::Free = self.cranks {
+                    series.push(Series::line("second crank", torque(1)).of("second_torque"));
+                }
+                Exhibit::Plot(
+                    Plot::new(
+                        Text::from("Torques over one revolution of the first crank"),
+                        Axis::linear("Angle of the first crank", "deg"),
+                        Axis::linear("Torque", "N*m"),
+                        series,
+                    )
+                    .over("first_angle"),
+                )
+            });
+        }
+        let path = || {
+            let [x, y] = [0, 1].map(|axis| cycle.curve(|found| found.place[axis]));
+            x.into_iter().zip(y).map(|((_, x), (_, y))| (x, y)).collect::<Vec<_>>()
+        };
+        sheet.show(|| {
+            Exhibit::Plot(Plot::new(
+                "Path of the common pin of the rods",
+                Axis::linear("x", "mm"),
+                Axis::linear("y", "mm"),
+                vec![Series::line("path", path())],
+            ))
+        });
+        sheet.show(|| {
+            built::animation("The five-bar linkage", ("first_angle", self.first_angle), range, |angle| {
+                let there = at(angle);
+                let found = there.plain()?;
+                let ([a, b], fixed) = (there.pins(), [there.frame, 0.0]);
+                let mut shapes = vec![
+                    built::pivot([0.0; 2]),
+                    built::pivot(fixed),
+                    built::bar(&[[0.0; 2], a, found.place, b, fixed]),
+                ];
+                if let Cranks::Geared { first, second, mesh: Mesh::Outside } = there.cranks {
+                    let part = there.frame * f64::from(first) / f64::from(first + second);
+                    for (at, radius) in [(0.0, part), (there.frame, there.frame - part)] {
+                        shapes.push(DrawnShape::Circle((at, 0.0), radius, Ink::Faint));
+                    }
+                }
+                shapes.extend(built::arrows(&[(found.place, found.force)], 0.5 * there.frame));
+                Some(shapes)
+            })
+        });
+    }
+}

@@ -1,0 +1,150 @@
+//! What a four-bar linkage does over its range: curves, class, animation.
+
+use dalembert_core::{Axis, Cell, Column, Exhibit, Plot, Series, TableExhibit, Text, Worksheet};
+
+use super::{Closing, Found, FourBar, Unknown};
+use crate::shared::built::{self, Cycle, Range, Template};
+
+impl FourBar {
+    pub(super) fn show<W: Worksheet>(&self, sheet: W) {
+        let at = |angle: f64| FourBar { angle, ..self.clone() };
+        let range = Range::about(self.angle, |angle| self.closes(angle));
+        let cycle = Cycle::new(range, "angle", at);
+        match self.unknown {
+            Unknown::Torque { .. } => sheet.show(|| {
+                cycle.plot(
+                    "Torque over one revolution",
+                    ("Torque on the crank", "N*m"),
+                    &[("torque", "torque", &|found| found.torque)],
+                )
+            }),
+            Unknown::Load { .. } => sheet.show(|| {
+                cycle.plot(
+                    "Torque over one revolution",
+                    ("Torque on the rocker", "N*m"),
+                    &[("torque", "load", &|found| built::bounded(found.load, found.ratios[1], 1.0))],
+                )
+            }),
+        }
+        sheet.show(|| {
+            cycle.plot(
+                "Velocity ratios",
+                ("Ratio of angular velocity to that of the crank", "1"),
+                &[
+                    ("coupler", "coupler_ratio", &|found| found.ratios[0]),
+                    ("rocker", "rocker_ratio", &|found| found.ratios[1]),
+                ],
+            )
+        });
+        if self.moves() {
+            sheet.show(|| {
+                cycle.plot(
+                    "Angular accelerations",
+                    ("Angular acceleration", "rad/s^2"),
+                    &[
+                        ("coupler", "coupler_acceleration", &|found| found.accelerations[0]),
+                        ("rocker", "rocker_acceleration", &|found| found.accelerations[1]),
+                    ],
+                )
+            });
+        }
+        let path = || -> Vec<(f64, f64)> {
+            let [x, y] = [0, 1]
+                .map(|axis| cycle.curve(|found| found.place.map_or(f64::INFINITY, |place| place[axis])));
+            x.into_iter().zip(y).map(|((_, x), (_, y))| (x, y)).collect()
+        };
+        if self.point.is_some() {
+            sheet.show(|| {
+                Exhibit::Plot(Plot::new(
+                    "Coupler curve",
+                    Axis::linear("x", "mm"),
+                    Axis::linear("y", "mm"),
+                    vec![Series::line("point of the coupler", path())],
+                ))
+            });
+        }
+        let least = || {
+            let angles = cycle.curve(|found| (found.angles[1] - found.angles[0]).cos().abs().acos());
+            angles.into_iter().fold(f64::INFINITY, |least, (_, angle)| least.min(angle))
+        };
+        sheet.show(|| Exhibit::Table(self.abilities(range, least())));
+        sheet.show(|| {
+            let path = path().into_iter().filter(|(x, _)| x.is_finite());
+            let path: Vec<[f64; 2]> = path.map(|(x, y)| [x, y]).collect();
+            built::animation("The four-bar linkage", ("angle", self.angle), range, |angle| {
+                let there = at(angle);
+                let found = there.plain()?;
+                let [o, a, b, c] = there.pins(&found);
+                let size = 0.25 * self.crank.min(self.rocker);
+                let mut shapes = vec![
+                    built::pivot(o),
+                    built::pivot(c),
+                    built::ground([0.0, -size], 0.0, size),
+                    built::ground([self.frame, -size], 0.0, size),
+                    built::bar(&[o, a, b, c]),
+                ];
+                if path.len() > 1 {
+                    shapes.push(built::faint(&path));
+                }
+                if let (Some(point), Some(at)) = (&there.point, found.place) {
+                    shapes.push(built::bar(&[a, at, b]));
+                    let force = [point.force.x, point.force.y];
+                    shapes.extend(built::arrows(&[(at, force)], 0.5 * self.frame));
+                }
+                Some(shapes)
+            })
+        });
+    }
+
+    /// Whether the loop closes at a crank angle.
+    fn closes(&self, angle: f64) -> bool {
+        let [x, y] = built::away([0.0; 2], self.crank, angle);
+        let distance = (self.frame - x).hypot(y);
+        distance < self.coupler + self.rocker && distance > (self.coupler - self.rocker).abs()
+    }
+
+    fn pins(&self, found: &Found<f64>) -> [[f64; 2]; 4] {
+        let a = built::away([0.0; 2], self.crank, self.angle);
+        [[0.0; 2], a, built::away(a, self.coupler, found.angles[0]), [self.frame, 0.0]]
+    }
+
+    /// Class after Grashof, range of the crank and extremes of the transmission angle.
+    fn abilities(&self, range: Range, least: f64) -> TableExhibit {
+        let lengths = [self.frame, self.crank, self.coupler, self.rocker];
+        let (shortest, longest) =
+            lengths.iter().fold((f64::INFINITY, 0.0f64), |(s, l), x| (s.min(*x), l.max(*x)));
+        let excess = 2.0 * (shortest + longest) - lengths.iter().sum::<f64>();
+        let class = if excess.abs() <= 1e-12 * longest {
+            "change point: all links can become collinear"
+        } else if excess > 0.0 {
+            "non-Grashof double rocker: no link rotates fully"
+        } else if shortest == self.frame {
+            "double crank: crank and rocker rotate fully"
+        } else if shortest == self.crank {
+            "crank-rocker: the crank rotates fully"
+        } else if shortest == self.rocker {
+            "rocker-crank: the driven link rotates fully, the crank oscillates"
+        } else {
+            "Grashof double rocker: the coupler rotates fully"
+        };
+        let mut rows: Vec<Vec<Cell>> = vec![vec!["Grashof class".into(), class.into()]];
+        let side = if self.closing == Closing::Open { "Open loop" } else { "Crossed loop" };
+        rows.push(vec!["Closing of the loop".into(), side.into()]);
+        if let Range::Between(from, to) = range {
+            rows.push(vec!["Crank angle from".into(), from.into()]);
+            rows.push(vec!["Crank angle to".into(), to.into()]);
+        }
+        if least.is_finite() {
+            rows.push(vec!["Minimum transmission angle, sampled over the revolution".into(), least.into()]);
+        }
+        TableExhibit {
+            title: Text::from("Kinematic properties of the linkage"),
+            columns: vec![
+                Column { heading: "Property".into(), unit: "" },
+                Column { heading: "Value".into(), unit: "deg" },
+            ],
+            rows,
+            foot: vec![],
+        }
+    }
+}

@@ -1,0 +1,300 @@
+//! The Scotch yoke: a crank pin in the cross slot of a yoke that slides.
+
+use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
+use dalembert_mechanics::{
+    Real,
+    planar::{Joint, Measure, PlanarError, Point},
+};
+use nalgebra::Vector3;
+
+use crate::{
+    shared::{
+        built::{self, Built, Cycle, Range, Solved, Template},
+        works::{self, FOUR, LinkMass, Moving, TWO, Turning, Works, plane, symbol},
+    },
+    sources::{NORTON, RIUL, SHIGLEY},
+};
+
+/// A Scotch yoke in one position.
+///
+/// The crank turns about the origin, the yoke slides along x; angles are counter-clockwise from x.
+#[derive(Clone, Debug, Inputs)]
+pub struct ScotchYoke {
+    /// Length of the crank.
+    #[input("r", "mm", positive)]
+    pub crank: f64,
+    /// Angle of the crank.
+    /// From the line of the yoke, counter-clockwise.
+    #[input("θ_2", "deg")]
+    pub angle: f64,
+    /// Unknown.
+    pub unknown: Unknown,
+    /// Angular velocity of the crank.
+    /// Zero in statics.
+    #[input("ω_2", "rad/s", default = "0 rad/s")]
+    pub speed: f64,
+    /// Angular acceleration of the crank.
+    #[input("α_2", "rad/s^2", default = "0 rad/s^2")]
+    pub acceleration: f64,
+    /// Mass of the crank.
+    #[input("2")]
+    pub crank_mass: Option<LinkMass>,
+    /// Mass of the yoke.
+    #[input("m_4", "kg", nonnegative, default = "0 kg")]
+    pub yoke_mass: f64,
+    /// Acceleration of gravity.
+    /// Zero for a mechanism in a horizontal plane.
+    #[input("g", "m/s^2", planar, default = "(0; -9.81) m/s^2")]
+    pub gravity: Vector3<f64>,
+}
+
+/// What the virtual works are summed for.
+#[derive(Clone, Debug, Inputs)]
+pub enum Unknown {
+    /// Torque on the crank
+    Torque {
+        /// Force on the yoke.
+        /// Along x.
+        #[input("F", "N")]
+        force: f64,
+    },
+    /// Force on the yoke
+    Force {
+        /// Torque on the crank.
+        /// Positive counter-clockwise.
+        #[input("T_2", "N*m")]
+        torque: f64,
+    },
+}
+
+/// What is found in one position.
+pub struct Found<N> {
+    position: N,
+    shift: N,
+    velocity: N,
+    acceleration: N,
+    torque: N,
+    force: N,
+}
+
+register!(ScotchYoke);
+
+/// Below this displacement for a unit turn, in crank lengths, the yoke turns back.
+const DEAD: f64 = 1e-9;
+
+impl Analysis for ScotchYoke {
+    const ABOUT: About = About {
+        id: "virtual-work/scotch-yoke",
+        title: "Scotch yoke",
+        topic: "Plane linkages",
+        summary: "Torque on the crank or force on the yoke of a Scotch yoke, at rest or in motion, by virtual work; harmonic motion and reactions.",
+        keywords: "garfo escocês jugo escocês senoidal movimento harmônico manivela cursor ranhurado bomba compressor \
+                   scotch yoke donkey crosshead harmonic motion",
+        sources: &[&RIUL, &SHIGLEY, &NORTON],
+        cases: include_str!("../../cases/scotch_yoke.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &ScotchYokeGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let found = self.efforts(given, sheet)?;
+        sheet.answer("position", "Position of the yoke", found.position);
+        if self.moves() {
+            sheet.answer("velocity", "Velocity of the yoke", found.velocity);
+            sheet.answer("acceleration", "Acceleration of the yoke", found.acceleration);
+        }
+        match self.unknown {
+            Unknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
+            Unknown::Force { .. } => sheet.answer("force", "Force on the yoke", found.force),
+        }
+        let (solved, [bearing, slot, guide]) = self.built(&found).map_err(built::refusal)?;
+        let forces = solved.reaction(bearing);
+        let label = "Force in the bearing of the crank";
+        works::reaction(["O", "Ox", "Oy"], ("bearing_force", label), (&solved, bearing), sheet);
+        let why = "Force of the yoke on the crank pin, along x, by the same equations";
+        let pin = sheet.found("N", "N", -solved.reaction(slot)[0], (why, SHIGLEY.at("ch. 11")));
+        sheet.answer("pin_force", "Force of the yoke on the crank pin, along x", pin);
+        self.largest(given, sheet);
+        sheet.verify(|| {
+            let effort = match self.unknown {
+                Unknown::Torque { .. } => found.torque,
+                Unknown::Force { .. } => found.force,
+            };
+            solved.check_effort(0, effort, sheet);
+            solved.check_across(slot, -pin, sheet);
+            if self.moves() {
+                let both = found.velocity.powi(2) + (given.speed * found.position).powi(2);
+                let what = "position and velocity of the yoke are on the circle of the harmonic motion";
+                sheet.check(what, both, (given.crank * given.speed).powi(2));
+            }
+            let across = solved.reaction(guide)[0];
+            works::check_balance(&[forces, [found.force.value(), across]], solved.demanded(), sheet);
+        });
+        sheet.show(|| solved.works(0));
+        self.show(sheet);
+        Ok(())
+    }
+}
+
+impl Template for ScotchYoke {
+    type Found<N: Real> = Found<N>;
+
+    fn efforts<W: Worksheet>(&self, given: &ScotchYokeGiven<W>, sheet: W) -> Result<Found<W::Num>, Refusal> {
+        let (r, theta) = (given.crank, given.angle);
+        let moves = self.moves();
+        let why = ("Position of the yoke: that of the crank pin along x", NORTON.at("ch. 3"));
+        let position = sheet.step("x", "mm", r * theta.cos(), why);
+        let why = "Virtual displacement of the yoke for δθ_2 = 1: δx = −r sin θ_2 δθ_2";
+        let shift = sheet.step("u", "mm", -(r * theta.sin()), (why, SHIGLEY.at("ch. 3")));
+        let zero = W::Num::from(0.0);
+        let (mut velocity, mut acceleration) = (zero, zero);
+        if moves {
+            velocity = sheet.step("v", "m/s", shift * given.speed, "Velocity of the yoke");
+            let value = -(r * given.speed.powi(2) * theta.cos()) - r * given.acceleration * theta.sin();
+            acceleration = sheet.step("a", "m/s^2", value, "Acceleration of the yoke");
+        }
+        let crank =
+            Turning { angle: theta, ratio: 1.0.into(), speed: given.speed, acceleration: given.acceleration };
+        let mut works = Works::new(given.gravity, moves, sheet);
+        works.link(TWO, given.crank_mass.as_ref(), r, works::fixed(), crank);
+        let yoke = Moving { shift: plane::<W>(shift, zero), acceleration: plane::<W>(acceleration, zero) };
+        works.mass(FOUR, given.yoke_mass, yoke);
+        let (torque, force) = match given.unknown {
+            UnknownGiven::Torque { force } => {
+                (works.balanced("F", force * shift, "Virtual work of the force on the yoke"), force)
+            }
+            UnknownGiven::Force { torque } => {
+                if shift.value().abs() <= DEAD * self.crank {
+                    return Err(Refusal::because(
+                        "the crank lies along the line of the yoke (dead centre): no force on the yoke can balance a torque; rotate the crank slightly",
+                    ));
+                }
+                if torque.value() != 0.0 {
+                    let why = "Virtual work of the torque for δθ_2 = 1".into();
+                    works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
+                }
+                let why = "Force, from the principle of virtual work, F u + ΣδW = 0";
+                (torque, sheet.step("F", "N", -(works.sum() / shift), (why, RIUL.at("eq. 5"))))
+            }
+        };
+        Ok(Found { position, shift, velocity, acceleration, torque, force })
+    }
+}
+
+impl ScotchYoke {
+    fn moves(&self) -> bool {
+        self.speed != 0.0 || self.acceleration != 0.0
+    }
+
+    /// The largest torque of a turn: `T = sin θ (r F − m r² ω² cos θ)` has its extremes where
+    /// `2 B cos² θ + A cos θ − B = 0`.
+    fn largest<W: Worksheet>(&self, given: &ScotchYokeGiven<W>, sheet: W) {
+        let UnknownGiven::Torque { force } = given.unknown else { return };
+        let level = self.gravity.x == 0.0 && self.crank_mass.is_none() && self.acceleration == 0.0;
+        if !level || force.value() == 0.0 || self.yoke_mass == 0.0 || self.speed == 0.0 {
+            return;
+        }
+        let load = given.crank * force.abs();
+        let load = sheet.step("A", "N*m", load, "Amplitude of the torque of the force");
+        let inertia = given.yoke_mass * given.crank.powi(2) * given.speed.powi(2);
+        let inertia =
+            sheet.step("B", "N*m", inertia, "Twice the amplitude of the torque of the inertia force");
+        let cosine = ((load.powi(2) + inertia.powi(2) * 8.0).sqrt() - load) / (inertia * 4.0);
+        let why =
+            "Where sin θ (A + B cos θ) is a maximum: 2B cos² θ + A cos θ − B = 0, in magnitude of the cosine";
+        let cosine = sheet.step("c", "1", cosine, why);
+        let largest = (W::Num::from(1.0) - cosine.powi(2)).sqrt() * (load + inertia * cosine);
+        let largest =
+            sheet.step(symbol("T", "max"), "N*m", largest, "Maximum torque over a revolution, in magnitude");
+        sheet.answer("largest_torque", "Maximum torque over a revolution, in magnitude", largest);
+        sheet.verify(|| {
+            let torque =
+                |angle: f64| Self { angle, ..self.clone() }.plain().map_or(0.0, |found| found.torque.abs());
+            let turn = cosine.value().clamp(-1.0, 1.0).acos();
+            let there = torque(turn).max(torque(std::f64::consts::PI - turn));
+            let size = load.value() + inertia.value();
+            sheet.check_sum(
+                "the virtual work at the angle of the maximum torque",
+                largest,
+                there.into(),
+                size,
+            );
+            const ANGLES: u32 = 60;
+            let all = (0..ANGLES).map(|k| torque(f64::from(k) * std::f64::consts::TAU / f64::from(ANGLES)));
+            let over = (all.fold(0.0, f64::max) - largest.value()).max(0.0);
+            sheet.check_zero("no torque of the turn is larger", over.into(), size);
+        });
+    }
+
+    /// The same mechanism put together, and its joints: bearing, slot, guide.
+    fn built<N: Real>(&self, found: &Found<N>) -> Result<(Solved, [usize; 3]), PlanarError> {
+        let mut it = Built::new([self.gravity.x, self.gravity.y]);
+        let mass = LinkMass::built(self.crank_mass.as_ref(), self.crank);
+        let crank = it.link("crank", [0.0; 2], self.angle, mass);
+        let place = [found.position.value(), 0.0];
+        let yoke = it.link("yoke", place, 0.0, built::Mass::at_pin(self.yoke_mass));
+        let (start, middle) = (Point::ground([0.0; 2]), yoke.point([0.0; 2]));
+        let quarter = std::f64::consts::FRAC_PI_2;
+        let pin = crank.point([self.crank, 0.0]);
+        let joints = [
+            it.pin(start, crank.point([0.0; 2])),
+            it.join(Joint::Slot { guide: middle, direction: quarter, pin, offset: 0.0 }),
+            it.join(Joint::Slider { guide: start, direction: 0.0, slides: middle, angle: 0.0 }),
+        ];
+        match self.unknown {
+            Unknown::Torque { force } => {
+                if force != 0.0 {
+                    it.force("Force on the yoke", middle, [force, 0.0]);
+                }
+                it.turn(crank, [self.angle, self.speed, self.acceleration]);
+            }
+            Unknown::Force { torque } => {
+                if torque != 0.0 {
+                    it.couple("Torque on the crank", crank, torque);
+                }
+                let along = Measure::Component { direction: [1.0, 0.0], from: start, to: middle };
+                it.drive(along, [place[0], found.velocity.value(), found.acceleration.value()]);
+            }
+        }
+        Ok((it.solve()?, joints))
+    }
+
+    fn show<W: Worksheet>(&self, sheet: W) {
+        let at = |angle: f64| ScotchYoke { angle, ..self.clone() };
+        let range = Range::Turn(self.angle);
+        let cycle = Cycle::new(range, "angle", at);
+        match self.unknown {
+            Unknown::Torque { .. } => sheet.show(|| {
+                cycle.plot(
+                    "Torque over one revolution",
+                    ("Torque on the crank", "N*m"),
+                    &[("torque", "torque", &|found| found.torque)],
+                )
+            }),
+            Unknown::Force { .. } => sheet.show(|| {
+                cycle.plot(
+                    "Force over one revolution",
+                    ("Force on the yoke", "N"),
+                    &[("force", "force", &|found| built::bounded(found.force, found.shift, self.crank))],
+                )
+            }),
+        }
+        sheet.show(|| {
+            built::animation("The Scotch yoke", ("angle", self.angle), range, |angle| {
+                let there = at(angle);
+                let found = there.plain()?;
+                let r = there.crank;
+                let pin = built::away([0.0; 2], r, angle);
+                let x = found.position;
+                let mut shapes = vec![
+                    built::pivot([0.0; 2]),
+                    built::ground([2.0 * r, -0.2 * r], 0.0, 0.6 * r),
+                    built::bar(&[[0.0; 2], pin]),
+                    built::bar(&[[x, -1.2 * r], [x, 1.2 * r]]),
+                    built::bar(&[[x, 0.0], [x + 2.5 * r, 0.0]]),
+                    built::block(pin, 0.15 * r),
+                ];
+                shapes.extend(built::arrows(&[([x + 2.5 * r, 0.0], [found.force, 0.0])], r));
+                Some(shapes)
+            })
+        });
+    }
+}

@@ -1,0 +1,459 @@
+//! The slider-crank, in line or offset: torque or force, motion and reactions.
+
+use dalembert_core::{About, Analysis, Inputs, Refusal, Text, Worksheet, register};
+use dalembert_mechanics::{
+    Real,
+    planar::{Joint, Measure, PlanarError, Point},
+    slider_crank as loops,
+};
+use nalgebra::Vector3;
+use std::f64::consts::FRAC_PI_2;
+
+use crate::{
+    shared::{
+        built::{self, Built, Cycle, Range, Solved, Template},
+        works::{self, FOUR, LinkMass, Moving, THREE, TWO, Turning, Works, plane, symbol},
+    },
+    sources::{BEER, NORTON, RIUL, SHIGLEY},
+};
+
+/// A slider-crank in one position.
+///
+/// The bearing of the crank is the origin, the slider moves along x, angles are counter-clockwise. O is the bearing, A
+/// the crank pin, B the pin of the slider.
+#[derive(Clone, Debug, Inputs)]
+pub struct SliderCrank {
+    /// Length of the crank.
+    #[input("r", "mm", positive)]
+    pub crank: f64,
+    /// Length of the rod.
+    #[input("l", "mm", positive)]
+    pub rod: f64,
+    /// Offset.
+    /// Height of the slider's line above the bearing of the crank.
+    #[input("e", "mm", default = "0 mm")]
+    pub offset: f64,
+    /// Angle of the crank.
+    /// From the slider's line, counter-clockwise.
+    #[input("θ_2", "deg")]
+    pub angle: f64,
+    /// Unknown.
+    pub unknown: Unknown,
+    /// Force on the crank pin.
+    /// It acts on the crank.
+    #[input("F_A", "N", planar, default = "(0; 0) N")]
+    pub pin_force: Vector3<f64>,
+    /// Angular velocity of the crank.
+    /// Zero in statics.
+    #[input("ω_2", "rad/s", default = "0 rad/s")]
+    pub speed: f64,
+    /// Angular acceleration of the crank.
+    #[input("α_2", "rad/s^2", default = "0 rad/s^2")]
+    pub acceleration: f64,
+    /// Mass of the crank.
+    #[input("2")]
+    pub crank_mass: Option<LinkMass>,
+    /// Mass of the rod.
+    #[input("3")]
+    pub rod_mass: Option<LinkMass>,
+    /// Mass of the slider.
+    #[input("m_4", "kg", nonnegative, default = "0 kg")]
+    pub slider_mass: f64,
+    /// Acceleration of gravity.
+    /// Zero for a mechanism in a horizontal plane.
+    #[input("g", "m/s^2", planar, default = "(0; -9.81) m/s^2")]
+    pub gravity: Vector3<f64>,
+}
+
+/// What the virtual works are summed for.
+#[derive(Clone, Debug, Inputs)]
+pub enum Unknown {
+    /// Torque on the crank
+    Torque {
+        /// Force on the slider.
+        /// Positive away from the bearing of the crank, along x.
+        #[input("F_B", "N")]
+        force: f64,
+    },
+    /// Force on the slider
+    Force {
+        /// Torque on the crank.
+        /// Positive counter-clockwise.
+        #[input("T_2", "N*m")]
+        torque: f64,
+    },
+}
+
+/// What is found in one position.
+pub struct Found<N> {
+    rod_angle: N,
+    position: N,
+    ratio: N,
+    shift: N,
+    rod_speed: N,
+    velocity: N,
+    rod_acceleration: N,
+    acceleration: N,
+    torque: N,
+    force: N,
+}
+
+register!(SliderCrank);
+
+/// The rod stands across the slider's line below this cosine.
+const FLAT: f64 = 1e-7;
+/// Crank and rod are in line below this displacement of the slider for a unit turn, in crank lengths.
+const DEAD: f64 = 1e-9;
+
+impl Analysis for SliderCrank {
+    const ABOUT: About = About {
+        id: "virtual-work/slider-crank",
+        title: "Slider-crank",
+        topic: "Plane linkages",
+        summary: "Torque on the crank or force on the slider of a slider-crank, at rest or in motion with masses, by virtual work; motion, transmission angle and reactions.",
+        keywords: "cursor manivela biela pistão compressor motor prensa trabalho virtual torque força reações engine piston \
+                   connecting rod crank pump compressor virtual work static dynamic offset ângulo de transmissão transmission angle",
+        sources: &[&RIUL, &BEER, &SHIGLEY, &NORTON],
+        cases: include_str!("../../cases/slider_crank.toml"),
+    };
+
+    fn solve<W: Worksheet>(&self, given: &SliderCrankGiven<W>, sheet: W) -> Result<(), Refusal> {
+        let found = self.efforts(given, sheet)?;
+        sheet.answer("rod_angle", "Angle of the connecting rod", found.rod_angle);
+        sheet.answer("slider_position", "Position of the slider", found.position);
+        self.transmission(given, found.rod_angle, sheet);
+        if self.moves() {
+            sheet.answer("rod_speed", "Angular velocity of the rod", found.rod_speed);
+            sheet.answer("slider_velocity", "Velocity of the slider", found.velocity);
+            sheet.answer("rod_acceleration", "Angular acceleration of the rod", found.rod_acceleration);
+            sheet.answer("slider_acceleration", "Acceleration of the slider", found.acceleration);
+        }
+        match self.unknown {
+            Unknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
+            Unknown::Force { .. } => sheet.answer("force", "Force on the slider", found.force),
+        }
+        if found.shift.value().abs() > DEAD * self.crank {
+            let why = "Ratio of the force on the slider to the force perpendicular to the crank at its pin, T/r, neglecting masses";
+            let advantage = given.crank / found.shift.abs();
+            let advantage = sheet.step("MA", "1", advantage, (why, SHIGLEY.at("ch. 3")));
+            sheet.answer("mechanical_advantage", "Mechanical advantage", advantage);
+            sheet.verify(|| {
+                let (two, three) = (given.angle, found.rod_angle);
+                let arm = given.crank * (two.sin() - two.cos() * three.tan());
+                let what = "mechanical advantage by instant centre 24: the crank over the arm that the line of the rod cuts off at the bearing";
+                sheet.check(what, advantage * arm.abs(), given.crank);
+            });
+        }
+        let plain = Found {
+            rod_angle: found.rod_angle.value(),
+            position: found.position.value(),
+            ratio: found.ratio.value(),
+            shift: found.shift.value(),
+            rod_speed: found.rod_speed.value(),
+            velocity: found.velocity.value(),
+            rod_acceleration: found.rod_acceleration.value(),
+            acceleration: found.acceleration.value(),
+            torque: found.torque.value(),
+            force: found.force.value(),
+        };
+        let (solved, joints) = self.built(&plain).map_err(built::refusal)?;
+        let [bearing, guide] = [joints[0], joints[3]].map(|joint| solved.reaction(joint));
+        works::reaction(
+            ["O", "Ox", "Oy"],
+            ("bearing_force", "Force in the bearing of the crank"),
+            (&solved, joints[0]),
+            sheet,
+        );
+        let label = "Force in the crank pin";
+        works::reaction(["A", "Ax", "Ay"], ("crank_pin_force", label), (&solved, joints[1]), sheet);
+        works::reaction(
+            ["B", "Bx", "By"],
+            ("slider_pin_force", "Force in the pin of the slider"),
+            (&solved, joints[2]),
+            sheet,
+        );
+        let why = "Force of the guide on the slider, perpendicular to its line, by the same equations";
+        let across = sheet.found("N", "N", guide[0], (why, SHIGLEY.at("ch. 11")));
+        sheet.answer("guide_force", "Force of the guide on the slider", across);
+        sheet.verify(|| {
+            let effort = match self.unknown {
+                Unknown::Torque { .. } => found.torque,
+                Unknown::Force { .. } => found.force,
+            };
+            solved.check_effort(0, effort, sheet);
+            solved.check_across(joints[3], across, sheet);
+            let outside = [bearing, [plain.force, guide[0]], [self.pin_force.x, self.pin_force.y]];
+            works::check_balance(&outside, solved.demanded(), sheet);
+            if self.moves() {
+                let (r, l, two, three) = (given.crank, given.rod, given.angle, found.rod_angle);
+                let speed = loops::rod_speed(r, l, two, three, given.speed);
+                sheet.check(
+                    "angular velocity of the rod from the closure of the loop",
+                    found.rod_speed,
+                    speed,
+                );
+                sheet.check_zero(
+                    "velocity of the slider from the closure of the loop",
+                    found.velocity - loops::slider_velocity(r, l, two, three, given.speed, speed),
+                    self.crank * self.speed.abs(),
+                );
+            }
+        });
+        sheet.show(|| solved.works(0));
+        self.show(sheet);
+        Ok(())
+    }
+}
+
+impl Template for SliderCrank {
+    type Found<N: Real> = Found<N>;
+
+    fn efforts<W: Worksheet>(&self, given: &SliderCrankGiven<W>, sheet: W) -> Result<Found<W::Num>, Refusal> {
+        let bridged = (self.offset - self.crank * self.angle.sin()).abs();
+        if bridged > self.rod {
+            return Err(Refusal::because(
+                Text::new("at this angle the rod has to span {distance} from the crank pin to the line of the slider: it is {gap} too short")
+                    .with_quantity("distance", bridged, "mm")
+                    .with_quantity("gap", bridged - self.rod, "mm"),
+            ));
+        }
+        let (r, l, two) = (given.crank, given.rod, given.angle);
+        let three = sheet.step(
+            symbol("θ", "3"),
+            "deg",
+            loops::rod_angle(r, l, given.offset, two),
+            ("Angle of the rod: r sin θ_2 + l sin θ_3 = e", SHIGLEY.at("ch. 2")),
+        );
+        if three.value().cos() < FLAT {
+            return Err(Refusal::because(
+                "the rod is perpendicular to the line of the slider (limit position): the crank angle does not determine the motion; change it slightly",
+            ));
+        }
+        let position = sheet.step(
+            "x_B",
+            "mm",
+            loops::slider_position(r, l, two, three),
+            ("Position of the slider", SHIGLEY.at("ch. 2")),
+        );
+        let ratio = sheet.step(
+            symbol("h", "3"),
+            "1",
+            -(r * two.cos()) / (l * three.cos()),
+            (
+                "Virtual rotation of the rod for δθ_2 = 1: r cos θ_2 δθ_2 + l cos θ_3 δθ_3 = 0",
+                SHIGLEY.at("ch. 3"),
+            ),
+        );
+        let shift = sheet.step(
+            symbol("u", "B"),
+            "mm",
+            -(r * two.sin()) - l * three.sin() * ratio,
+            (
+                "Virtual displacement of the slider for δθ_2 = 1: δx_B = −r sin θ_2 δθ_2 − l sin θ_3 δθ_3",
+                BEER.at("§10.1"),
+            ),
+        );
+        let zero = W::Num::from(0.0);
+        let moves = self.moves();
+        let (mut rod_speed, mut velocity, mut rod_acceleration, mut acceleration) = (zero, zero, zero, zero);
+        if moves {
+            let (speed, alpha) = (given.speed, given.acceleration);
+            rod_speed = sheet.step(symbol("ω", "3"), "rad/s", ratio * speed, "Angular velocity of the rod");
+            velocity = sheet.step(symbol("v", "B"), "m/s", shift * speed, "Velocity of the slider");
+            rod_acceleration = sheet.step(
+                symbol("α", "3"),
+                "rad/s^2",
+                loops::rod_acceleration(r, l, two, three, speed, rod_speed, alpha),
+                ("Angular acceleration of the rod", SHIGLEY.at("ch. 4")),
+            );
+            acceleration = sheet.step(
+                symbol("a", "B"),
+                "m/s^2",
+                loops::slider_acceleration(r, l, two, three, speed, rod_speed, alpha, rod_acceleration),
+                ("Acceleration of the slider", SHIGLEY.at("ch. 4")),
+            );
+        }
+        let crank =
+            Turning { angle: two, ratio: 1.0.into(), speed: given.speed, acceleration: given.acceleration };
+        let rod = Turning { angle: three, ratio, speed: rod_speed, acceleration: rod_acceleration };
+        let mut works = Works::new(given.gravity, moves, sheet);
+        works.link(TWO, given.crank_mass.as_ref(), r, works::fixed(), crank);
+        let pin_matters = self.rod_mass.is_some() || self.pin_force != Vector3::zeros();
+        if pin_matters {
+            let arm = sheet.step_vector(
+                symbol("r", "A"),
+                "mm",
+                works::direction::<W>(two) * r,
+                "From the bearing to the crank pin",
+            );
+            let pin = works::moving("A", works::fixed(), arm, crank, moves, sheet);
+            works.force("A", given.pin_force, pin.shift);
+            works.link(THREE, given.rod_mass.as_ref(), l, pin, rod);
+        }
+        let slider = Moving { shift: plane::<W>(shift, zero), acceleration: plane::<W>(acceleration, zero) };
+        works.mass(FOUR, given.slider_mass, slider);
+        let (torque, force) = match given.unknown {
+            UnknownGiven::Torque { force } => {
+                (works.balanced("B", force * shift, "Virtual work of the force on the slider"), force)
+            }
+            UnknownGiven::Force { torque } => {
+                if shift.value().abs() <= DEAD * self.crank {
+                    return Err(Refusal::because(
+                        "crank and rod are collinear (dead centre): no force on the slider can balance a torque; rotate the crank slightly",
+                    ));
+                }
+                if torque.value() != 0.0 {
+                    let why = "Virtual work of the torque for δθ_2 = 1".into();
+                    works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
+                }
+                let sum = works.sum();
+                let why = "Force, from the principle of virtual work, F_B u_B + ΣδW = 0";
+                (torque, sheet.step(symbol("F", "B"), "N", -(sum / shift), (why, RIUL.at("eq. 5"))))
+            }
+        };
+        Ok(Found {
+            rod_angle: three,
+            position,
+            ratio,
+            shift,
+            rod_speed,
+            velocity,
+            rod_acceleration,
+            acceleration,
+            torque,
+            force,
+        })
+    }
+}
+
+impl SliderCrank {
+    fn moves(&self) -> bool {
+        self.speed != 0.0 || self.acceleration != 0.0
+    }
+
+    /// How squarely the rod drives the slider, here and at the worst of a turn.
+    fn transmission<W: Worksheet>(&self, given: &SliderCrankGiven<W>, rod_angle: W::Num, sheet: W) {
+        let why = "Transmission angle: the acute angle between the rod and the normal of the slider's line, 90° − |θ_3|";
+        let angle = sheet.step("μ", "deg", rod_angle.sin().abs().acos(), (why, NORTON.at("ch. 3")));
+        sheet.answer("transmission_angle", "Transmission angle", angle);
+        let (r, l, e) = (given.crank, given.rod, given.offset);
+        sheet.verify(|| {
+            let bridged = (r * given.angle.sin() - e).abs();
+            let what = "the rod at the transmission angle reaches from the crank pin to the slider's line";
+            sheet.check_sum(what, l * angle.cos(), bridged, self.crank + self.offset.abs());
+        });
+        if self.crank + self.offset.abs() <= self.rod {
+            let why = "Minimum transmission angle over a revolution: crank perpendicular to the slider's line, crank pin farthest from it";
+            let cosine = (given.crank + given.offset.abs()) / given.rod;
+            let least = sheet.step(symbol("μ", "min"), "deg", cosine.acos(), (why, NORTON.at("ch. 3")));
+            sheet.answer("least_transmission_angle", "Minimum transmission angle over a revolution", least);
+            sheet.verify(|| {
+                let at = |crank: f64| loops::rod_angle(self.crank, self.rod, self.offset, crank).abs();
+                let widest = at(FRAC_PI_2).max(at(-FRAC_PI_2));
+                let what = "minimum transmission angle from the maximum inclination of the rod, with the crank perpendicular to the slider's line";
+                sheet.check_sum(what, least.cos(), widest.sin().into(), 1.0);
+            });
+        }
+    }
+
+    /// The crank pin.
+    fn pin(&self) -> [f64; 2] {
+        built::away([0.0; 2], self.crank, self.angle)
+    }
+
+    /// The same mechanism put together from its lengths, and its joints: bearing, crank pin, pin of the slider, guide.
+    fn built(&self, found: &Found<f64>) -> Result<(Solved, [usize; 4]), PlanarError> {
+        let mut it = Built::new([self.gravity.x, self.gravity.y]);
+        let crank =
+            it.link("crank", [0.0; 2], self.angle, LinkMass::built(self.crank_mass.as_ref(), self.crank));
+        let rod =
+            it.link("rod", self.pin(), found.rod_angle, LinkMass::built(self.rod_mass.as_ref(), self.rod));
+        let slider =
+            it.link("slider", [found.position, self.offset], 0.0, built::Mass::at_pin(self.slider_mass));
+        let (start, guide) = (Point::ground([0.0; 2]), Point::ground([0.0, self.offset]));
+        let joints = [
+            it.pin(start, crank.point([0.0; 2])),
+            it.pin(crank.point([self.crank, 0.0]), rod.point([0.0; 2])),
+            it.pin(rod.point([self.rod, 0.0]), slider.point([0.0; 2])),
+            it.join(Joint::Slider { guide, direction: 0.0, slides: slider.point([0.0; 2]), angle: 0.0 }),
+        ];
+        if self.pin_force != Vector3::zeros() {
+            let force = [self.pin_force.x, self.pin_force.y];
+            it.force("Force on the crank pin", crank.point([self.crank, 0.0]), force);
+        }
+        match self.unknown {
+            Unknown::Torque { force } => {
+                if force != 0.0 {
+                    it.force("Force on the slider", slider.point([0.0; 2]), [force, 0.0]);
+                }
+                it.turn(crank, [self.angle, self.speed, self.acceleration]);
+            }
+            Unknown::Force { torque } => {
+                if torque != 0.0 {
+                    it.couple("Torque on the crank", crank, torque);
+                }
+                let along =
+                    Measure::Component { direction: [1.0, 0.0], from: start, to: slider.point([0.0; 2]) };
+                it.drive(along, [found.position, found.velocity, found.acceleration]);
+            }
+        }
+        Ok((it.solve()?, joints))
+    }
+
+    fn show<W: Worksheet>(&self, sheet: W) {
+        let at = |angle: f64| SliderCrank { angle, ..self.clone() };
+        let closes = |angle: f64| (self.offset - self.crank * angle.sin()).abs() < self.rod;
+        let range = Range::about(self.angle, closes);
+        let cycle = Cycle::new(range, "angle", at);
+        match self.unknown {
+            Unknown::Torque { .. } => sheet.show(|| {
+                cycle.plot(
+                    "Torque over one revolution",
+                    ("Torque on the crank", "N*m"),
+                    &[("torque", "torque", &|found| found.torque)],
+                )
+            }),
+            Unknown::Force { .. } => sheet.show(|| {
+                cycle.plot(
+                    "Force over one revolution",
+                    ("Force on the slider", "N"),
+                    &[("force", "force", &|found| built::bounded(found.force, found.shift, self.crank))],
+                )
+            }),
+        }
+        if self.moves() {
+            sheet.show(|| {
+                cycle.plot(
+                    "Velocity of the slider",
+                    ("Velocity of the slider", "m/s"),
+                    &[("velocity", "slider_velocity", &|found| found.velocity)],
+                )
+            });
+            sheet.show(|| {
+                cycle.plot(
+                    "Acceleration of the slider",
+                    ("Acceleration of the slider", "m/s^2"),
+                    &[("acceleration", "slider_acceleration", &|found| found.acceleration)],
+                )
+            });
+        }
+        sheet.show(|| {
+            built::animation("The slider-crank", ("angle", self.angle), range, |angle| {
+                let there = at(angle);
+                let found = there.plain()?;
+                let (pin, slider) = (there.pin(), [found.position, self.offset]);
+                let size = 0.3 * self.crank;
+                let line = self.offset - 0.6 * size;
+                let mut shapes = vec![
+                    built::ground([self.rod, line], 0.0, self.crank + size),
+                    built::pivot([0.0; 2]),
+                    built::bar(&[[0.0; 2], pin, slider]),
+                    built::block(slider, size),
+                ];
+                let forces = [(slider, [found.force, 0.0]), (pin, [self.pin_force.x, self.pin_force.y])];
+                shapes.extend(built::arrows(&forces, self.crank));
+                Some(shapes)
+            })
+        });
+    }
+}

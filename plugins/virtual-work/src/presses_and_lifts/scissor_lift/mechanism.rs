@@ -1,0 +1,155 @@
+//! The lift as a mechanism, and the forces in its pins.
+
+use dalembert_core::{
+    TableExhibit, Text,
+    exhibit::{Cell, Column},
+};
+use dalembert_mechanics::planar::{Body, Driver, Dynamics, Joint, Load, Measure, Mechanism, Point};
+
+use super::{End, ScissorLift};
+use crate::shared::equilibria::{down, solved};
+
+/// Crossed bars with a table on top: for each stage the bar that rises to the right and the one that rises to the
+/// left, both from their lower ends, then the table from its left joint.
+pub(crate) struct Scissor {
+    pub(crate) stages: usize,
+    pub(crate) bar: f64,
+}
+
+impl Scissor {
+    pub(crate) fn rising(&self, stage: usize, distance: f64) -> Point {
+        Point::body(2 * stage, [distance, 0.0])
+    }
+
+    pub(crate) fn falling(&self, stage: usize, distance: f64) -> Point {
+        Point::body(2 * stage + 1, [distance, 0.0])
+    }
+
+    pub(crate) fn table(&self, x: f64, y: f64) -> Point {
+        Point::body(2 * self.stages, [x, y])
+    }
+
+    /// The lift without drivers and loads, and where its bodies are.
+    pub(crate) fn built(&self, angle: f64) -> (Mechanism, Vec<[f64; 3]>) {
+        let (n, l) = (self.stages, self.bar);
+        let foot = Point::ground([0.0; 2]);
+        let mut joints = vec![
+            Joint::Pin { a: foot, b: self.rising(0, 0.0) },
+            Joint::Slot { guide: foot, direction: 0.0, pin: self.falling(0, 0.0), offset: 0.0 },
+        ];
+        for stage in 0..n {
+            joints.push(Joint::Pin { a: self.rising(stage, l / 2.0), b: self.falling(stage, l / 2.0) });
+            if stage + 1 < n {
+                joints.push(Joint::Pin { a: self.falling(stage, l), b: self.rising(stage + 1, 0.0) });
+                joints.push(Joint::Pin { a: self.rising(stage, l), b: self.falling(stage + 1, 0.0) });
+            }
+        }
+        joints.push(Joint::Pin { a: self.falling(n - 1, l), b: self.table(0.0, 0.0) });
+        joints.push(Joint::Slot {
+            guide: self.table(0.0, 0.0),
+            direction: 0.0,
+            pin: self.rising(n - 1, l),
+            offset: 0.0,
+        });
+        let (wide, high) = (l * angle.cos(), l * angle.sin());
+        let mut drawn = Vec::new();
+        for stage in 0..n {
+            let y = stage as f64 * high;
+            drawn.push([0.0, y, angle]);
+            drawn.push([wide, y, std::f64::consts::PI - angle]);
+        }
+        drawn.push([0.0, n as f64 * high, 0.0]);
+        let mechanism =
+            Mechanism { bodies: vec![Body::default(); 2 * n + 1], joints, ..Mechanism::default() };
+        (mechanism, drawn)
+    }
+}
+
+impl ScissorLift {
+    pub(super) fn scissor(&self) -> Scissor {
+        Scissor { stages: self.stages as usize, bar: self.bar }
+    }
+
+    fn point(&self, end: &End) -> Point {
+        let scissor = self.scissor();
+        match *end {
+            End::Ground { x, y } => Point::ground([x, y]),
+            End::Table { x, y } => scissor.table(x, y),
+            End::Rising { stage, distance } => scissor.rising(stage as usize - 1, distance),
+            End::Falling { stage, distance } => scissor.falling(stage as usize - 1, distance),
+        }
+    }
+
+    /// An end of the cylinder at an angle of the bars.
+    pub(super) fn place_at(&self, end: &End, angle: f64) -> (f64, f64) {
+        let (l, (sin, cos)) = (self.bar, angle.sin_cos());
+        match *end {
+            End::Ground { x, y } => (x, y),
+            End::Table { x, y } => (x, f64::from(self.stages) * l * sin + y),
+            End::Rising { stage, distance } => (distance * cos, (f64::from(stage - 1) * l + distance) * sin),
+            End::Falling { stage, distance } => {
+                ((l - distance) * cos, (f64::from(stage - 1) * l + distance) * sin)
+            }
+        }
+    }
+
+    /// Efforts and reactions of one frame that carries its share of the load over its left joint.
+    pub(super) fn solved(&self, angle: f64, share: f64) -> Option<Dynamics> {
+        let scissor = self.scissor();
+        let (mut mechanism, drawn) = scissor.built(angle);
+        let (lower, upper) = (self.place_at(&self.lower, angle), self.place_at(&self.upper, angle));
+        mechanism.drivers = vec![Driver {
+            measure: Measure::Distance { from: self.point(&self.lower), to: self.point(&self.upper) },
+            value: (upper.0 - lower.0).hypot(upper.1 - lower.1),
+            velocity: 0.0,
+            acceleration: 0.0,
+        }];
+        mechanism.loads = vec![down(scissor.table(self.bar * angle.cos() / 2.0, 0.0), share)];
+        let weights =
+            (0..2 * scissor.stages).map(|bar| down(Point::body(bar, [self.bar / 2.0, 0.0]), self.bar_weight));
+        mechanism.loads.extend(weights.collect::<Vec<Load>>());
+        solved(&mechanism, &drawn)
+    }
+
+    /// The forces in the pins of a frame.
+    pub(super) fn pins(&self, share: f64) -> Option<TableExhibit> {
+        let effort = self.solved(self.angle, share)?;
+        let mut rows = Vec::new();
+        let mut row = |name: Text, force: [Option<f64>; 2]| {
+            let cell = |x: Option<f64>| x.map_or(Cell::Empty, Cell::Number);
+            let size = force[0].unwrap_or(0.0).hypot(force[1].unwrap_or(0.0));
+            rows.push(vec![Cell::Text(name), cell(force[0]), cell(force[1]), Cell::Number(size)]);
+        };
+        // In the order of the equations: two for a pin, one for a sliding joint.
+        let mut left = effort.multipliers.iter().copied();
+        row("Fixed foot".into(), [left.next(), left.next()]);
+        row("Sliding foot".into(), [None, left.next()]);
+        for stage in 1..=self.stages {
+            row(Text::new("Crossing of stage {stage}").with("stage", stage), [left.next(), left.next()]);
+            if stage < self.stages {
+                row(
+                    Text::new("Left joint over stage {stage}").with("stage", stage),
+                    [left.next(), left.next()],
+                );
+                row(
+                    Text::new("Right joint over stage {stage}").with("stage", stage),
+                    [left.next(), left.next()],
+                );
+            }
+        }
+        row("Left joint of the table".into(), [left.next(), left.next()]);
+        row("Right joint of the table".into(), [None, left.next()]);
+        let column = |heading: &'static str, unit: &'static str| Column { heading: heading.into(), unit };
+        Some(TableExhibit {
+            title: "Forces in the pins of a frame, the load in the middle".into(),
+            columns: vec![
+                column("Pin", ""),
+                column("Horizontal", "N"),
+                column("Vertical", "N"),
+                column("Size", "N"),
+            ],
+            rows,
+            foot: Vec::new(),
+        })
+    }
+}

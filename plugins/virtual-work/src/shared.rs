@@ -1,0 +1,8 @@
+//! Parts that several analyses share: inputs, steps of the working and pictures.
+
+pub(crate) mod built;
+pub(crate) mod dyad;
+pub(crate) mod equilibria;
+pub(crate) mod one_degree_of_freedom;
+pub mod parts;
+pub mod works;
