@@ -6,7 +6,8 @@ use dalembert_core::{
     Ink, Locale, Plot, Refusal, Scale, Series, Sides, Solution, SolveError, Stop, TableExhibit, Text, cases,
     find,
 };
-use dalembert_mechanics::{intervals::IntervalSet, sdof};
+use dalembert_mechanics::sdof;
+use dalembert_numerics::intervals::IntervalSet;
 use dalembert_plugins as _;
 use dalembert_tui::{
     drawing,

@@ -2,7 +2,7 @@
 
 use std::ops::Bound;
 
-use dalembert_mechanics::intervals::{Interval, IntervalSet};
+use dalembert_numerics::intervals::{Interval, IntervalSet};
 use dalembert_units::{self as units, Style};
 
 use crate::{

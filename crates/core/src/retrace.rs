@@ -1,6 +1,6 @@
 //! The trace of a solution read again with some of its numbers changed: what would have come out.
 
-use dalembert_mechanics::Real;
+use dalembert_numerics::Real;
 
 use crate::{
     Solution,

@@ -8,7 +8,8 @@ mod vect;
 
 use std::cell::RefCell;
 
-use dalembert_mechanics::{Real, Vector, intervals::IntervalSet};
+use dalembert_numerics::intervals::IntervalSet;
+use dalembert_numerics::{Real, Vector};
 use dalembert_units::{self as units, Dim, Unit};
 use nalgebra::Vector3;
 

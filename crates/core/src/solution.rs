@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use dalembert_mechanics::intervals::IntervalSet;
+use dalembert_numerics::intervals::IntervalSet;
 use dalembert_units::{self as units, Dim, Unit};
 
 use crate::{

@@ -9,7 +9,7 @@ use std::{
     sync::{Mutex, PoisonError},
 };
 
-use dalembert_mechanics::roots;
+use dalembert_numerics::roots;
 use dalembert_units::{Kind, Unit};
 
 pub use self::scatter::Distribution;

@@ -2,7 +2,8 @@
 
 use std::cell::Cell;
 
-use dalembert_mechanics::{Real, Vector, intervals::IntervalSet};
+use dalembert_numerics::intervals::IntervalSet;
+use dalembert_numerics::{Real, Vector};
 use nalgebra::Vector3;
 
 use crate::{Cite, Exhibit, Field, Name, Refusal, Stop, Symbol, Text, Value};

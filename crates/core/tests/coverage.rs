@@ -4,7 +4,7 @@ use dalembert_core::{
     About, Analysis, Entry, Inputs, Refusal, Sides, Stop, Worksheet,
     coverage::{self, Coverage, Reason, Standing},
 };
-use dalembert_mechanics::Real;
+use dalembert_numerics::Real;
 
 /// A disc that turns.
 #[derive(Clone, Debug, PartialEq, Inputs)]

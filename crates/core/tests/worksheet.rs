@@ -6,7 +6,7 @@ use dalembert_core::{
     Field, Limit, Locale, Measure, Refusal, Shape, Sheet, Solution, Stop, Term, Trail, VectorTerm, Worksheet,
     printer, worksheet::Given,
 };
-use dalembert_mechanics::{Real, Vector};
+use dalembert_numerics::{Real, Vector};
 use nalgebra::Vector3;
 
 /// Works on a sheet with `a = 3 m`, `b = −2 m`, `t = 4 s`, `θ = 30°` and two vectors.

@@ -11,9 +11,9 @@ use dalembert_mechanics::{
     Real,
     four_bar::{Branch, FourBar},
     linkage::{Body, Point, Reduced},
-    simd::{Formula, over},
     slider_crank::{Branch::Ahead, links},
 };
+use dalembert_numerics::simd::{Formula, over};
 
 #[path = "yardstick/python.rs"]
 mod python;

@@ -5,14 +5,12 @@
 
 use std::{f64::consts::PI, hint::black_box, time::Instant};
 
-use dalembert_mechanics::{
-    linalg::{SymmetricBand, generalised_eigen, lowest_modes},
-    vibration::{
-        modes::natural_modes,
-        poles::Poles,
-        receptance::{column_of_modes, column_of_poles, sum_of_modes, sum_of_poles},
-    },
+use dalembert_mechanics::vibration::{
+    modes::natural_modes,
+    poles::Poles,
+    receptance::{column_of_modes, column_of_poles, sum_of_modes, sum_of_poles},
 };
+use dalembert_numerics::linalg::{SymmetricBand, generalised_eigen, lowest_modes};
 use nalgebra::{Cholesky, Complex, DMatrix, DVector, SymmetricEigen};
 
 #[path = "yardstick/python.rs"]

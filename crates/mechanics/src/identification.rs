@@ -16,10 +16,8 @@ pub use few_points::{
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::{
-    Real,
-    linalg::{self, LinalgError},
-};
+use crate::Real;
+use dalembert_numerics::linalg::{self, LinalgError};
 
 /// Mass from the peak and one other point of the response, exact:
 /// `m = √(1/H² − 1/H_p²)/|ω_p² − ω²|`, kg. The static value is the point at `ω = 0`.

@@ -6,28 +6,18 @@
 
 pub mod balance;
 pub mod beam;
-pub mod elliptic;
-pub mod extremes;
 pub mod four_bar;
 pub mod identification;
-pub mod intervals;
-pub mod linalg;
 pub mod linkage;
-pub mod ode;
 pub mod planar;
-pub mod polynomial;
 pub mod rigid;
-pub mod roots;
 pub mod rotor;
 pub mod sdof;
 pub mod section;
-pub mod simd;
 pub mod slider_crank;
 pub mod spring;
 pub mod vibration;
 pub mod whirl;
 pub mod work;
 
-mod real;
-
-pub use real::{Real, Vector};
+pub use dalembert_numerics::{Real, Vector};

@@ -168,14 +168,14 @@ pub enum PlanarError {
     },
     /// A motion cannot be followed to its end.
     #[error(transparent)]
-    Motion(#[from] crate::ode::OdeError),
+    Motion(#[from] dalembert_numerics::ode::OdeError),
     /// A number overflowed on the way.
     #[error("a result is not finite")]
     NotFinite,
 }
 
-impl From<crate::linalg::LinalgError> for PlanarError {
-    fn from(_: crate::linalg::LinalgError) -> Self {
+impl From<dalembert_numerics::linalg::LinalgError> for PlanarError {
+    fn from(_: dalembert_numerics::linalg::LinalgError) -> Self {
         PlanarError::NotFinite
     }
 }

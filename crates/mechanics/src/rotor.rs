@@ -31,7 +31,7 @@ pub use assembled::Assembled;
 pub use nalgebra::Complex;
 pub use plane::Plane;
 
-use crate::linalg::LinalgError;
+use dalembert_numerics::linalg::LinalgError;
 
 /// A rotor as finite elements.
 #[derive(Debug, Clone, PartialEq)]

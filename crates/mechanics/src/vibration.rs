@@ -4,14 +4,12 @@
 
 pub mod absorber;
 pub mod base_modes;
-pub mod bessel;
 pub mod crankshaft;
 pub mod decay_fit;
 pub mod duffing;
 pub mod forced_coulomb;
 pub mod free;
 pub mod friction;
-pub mod gauss;
 pub mod impact;
 pub mod instrument;
 pub mod isolation;
@@ -24,7 +22,6 @@ pub mod periodic;
 pub mod piecewise;
 pub mod plate;
 pub mod poles;
-pub mod quadrature;
 pub mod random;
 pub mod rayleigh;
 pub mod receptance;

@@ -7,16 +7,14 @@
 
 use std::f64::consts::PI;
 
-use dalembert_mechanics::{
-    linalg,
-    rotor::{
-        Assembled, Coefficients, Complex, Disc, Hold, Rotor, Support,
-        campbell::campbell,
-        critical,
-        element::{Element, Material, Theory},
-        modes::{self, Reduced},
-    },
+use dalembert_mechanics::rotor::{
+    Assembled, Coefficients, Complex, Disc, Hold, Rotor, Support,
+    campbell::campbell,
+    critical,
+    element::{Element, Material, Theory},
+    modes::{self, Reduced},
 };
+use dalembert_numerics::linalg;
 use itertools::{Itertools as _, zip_eq};
 use nalgebra::{DMatrix, Matrix4};
 

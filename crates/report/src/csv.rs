@@ -185,7 +185,7 @@ fn components(answer: &Answer) -> Vec<(String, Option<f64>)> {
                 Bound::Included(x) | Bound::Excluded(x) => Some(x),
                 Bound::Unbounded => None,
             };
-            let ends = |(n, interval): (usize, dalembert_mechanics::intervals::Interval)| {
+            let ends = |(n, interval): (usize, dalembert_numerics::intervals::Interval)| {
                 [
                     (format!("from {}", n + 1), end(interval.lower)),
                     (format!("to {}", n + 1), end(interval.upper)),

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use dalembert_mechanics::Real;
+use dalembert_numerics::Real;
 use dalembert_units::Dim;
 
 use super::Sheet;

@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use dalembert_mechanics::{Real, Vector};
+use dalembert_numerics::{Real, Vector};
 use dalembert_units::Dim;
 use nalgebra::Vector3;
 

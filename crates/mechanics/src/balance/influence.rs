@@ -5,7 +5,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use crate::linalg::{self, LinalgError};
+use dalembert_numerics::linalg::{self, LinalgError};
 
 /// A run with a trial weight.
 #[derive(Debug, Clone, PartialEq)]

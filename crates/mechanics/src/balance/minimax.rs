@@ -3,7 +3,7 @@
 use nalgebra::{Complex, DMatrix};
 
 use super::influence::{InfluenceError, least_squares, residuals};
-use crate::linalg::LinalgError;
+use dalembert_numerics::linalg::LinalgError;
 
 /// Weights whose largest reading is least.
 #[derive(Debug, Clone, PartialEq)]

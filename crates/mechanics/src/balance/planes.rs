@@ -3,10 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::{BalanceError, PlaneUnbalance, balance_two_planes};
-use crate::{
-    Real,
-    linalg::{self, LinalgError},
-};
+use crate::Real;
+use dalembert_numerics::linalg::{self, LinalgError};
 
 /// One component of the correction in the plane at `z`, of `n ≥ 2` planes, where the sum of squares of all
 /// corrections is least:

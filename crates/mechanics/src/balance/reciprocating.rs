@@ -9,7 +9,8 @@
 
 use std::f64::consts::TAU;
 
-use crate::{Real, extremes};
+use crate::Real;
+use dalembert_numerics::extremes;
 
 /// A piston in an engine.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::{magnitude, moment, resultant};
-use crate::linalg::{self, LinalgError};
+use dalembert_numerics::linalg::{self, LinalgError};
 
 /// An unbalance in a plane across the shaft.
 #[derive(Debug, Clone, Copy, PartialEq)]

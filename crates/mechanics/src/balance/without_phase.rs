@@ -5,7 +5,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector, Matrix2};
 
-use crate::linalg::{self, LinalgError};
+use dalembert_numerics::linalg::{self, LinalgError};
 
 /// What the sizes tell of the effect of a trial weight.
 #[derive(Debug, Clone, PartialEq)]

@@ -12,7 +12,7 @@
 use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
 
 use self::search::Search;
-use crate::{roots, vibration::gauss};
+use dalembert_numerics::{gauss_legendre, roots};
 
 pub mod spans;
 
@@ -607,7 +607,7 @@ impl Shape {
     pub fn rayleigh_quotient(&self) -> f64 {
         let beam = &self.beam;
         let (mut strain, mut kinetic) = (0.0, 0.0);
-        let (parts, weights): (Vec<f64>, Vec<f64>) = gauss::points(1).unzip();
+        let (parts, weights): (Vec<f64>, Vec<f64>) = gauss_legendre::points(1).unzip();
         for ((_, length, at), weight) in self.along(&parts).into_iter().zip(weights.iter().cycle()) {
             let weight = weight * length;
             let shear = (at.force - beam.axial * at.rotation) / (1.0 + beam.axial * beam.shear);
@@ -640,7 +640,10 @@ impl Shape {
         let between = beam.stations.windows(2).map(|ends| {
             let length = ends[1].at - ends[0].at;
             let panels = (0.5 * length * parts as f64).ceil() as usize;
-            length * gauss::integral(panels, |part| product(ends[0].at + length * part, 1.0, beam.rotary))
+            length
+                * gauss_legendre::integral(panels, |part| {
+                    product(ends[0].at + length * part, 1.0, beam.rotary)
+                })
         });
         between.sum::<f64>() + beam.stations.iter().map(|at| product(at.at, at.mass, at.inertia)).sum::<f64>()
     }

@@ -9,7 +9,7 @@
 use nalgebra::DMatrix;
 
 use super::tapered::{Ritz, Shape, basis, generalised};
-use crate::{linalg::LinalgError, vibration::gauss};
+use dalembert_numerics::{gauss_legendre, linalg::LinalgError};
 
 /// A blade, clamped to its hub.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,7 +48,7 @@ impl Rotating {
                 }
             }
         };
-        for (xi, weight) in gauss::legendre(terms + 4) {
+        for (xi, weight) in gauss_legendre::legendre(terms + 4) {
             add(xi, weight, weight * self.tension(xi), weight);
         }
         add(1.0, 0.0, 0.0, self.tip);
@@ -69,10 +69,10 @@ impl Rotating {
     /// the moments of tension and inertia forces beyond each section differ least.
     pub fn moment_balance(&self, shape: &Shape) -> f64 {
         let terms = shape.coefficients.len();
-        let inner = gauss::legendre(terms / 2 + 6);
+        let inner = gauss_legendre::legendre(terms / 2 + 6);
         let end = shape.deflection(1.0);
         let (mut above, mut below) = (0.0, 0.0);
-        for (xi, weight) in gauss::legendre(2 * terms) {
+        for (xi, weight) in gauss_legendre::legendre(2 * terms) {
             let w = shape.deflection(xi);
             let rest = 1.0 - xi;
             let mut inertia = self.tip * rest * end;
@@ -94,7 +94,7 @@ impl Rotating {
     pub fn southwell(&self, at_rest: &Shape) -> f64 {
         let unit = Rotating { speed: 1.0, ..*self };
         let (mut tension, mut inertia) = (0.0, self.tip * at_rest.deflection(1.0).powi(2));
-        for (xi, weight) in gauss::legendre(at_rest.coefficients.len() + 4) {
+        for (xi, weight) in gauss_legendre::legendre(at_rest.coefficients.len() + 4) {
             tension += weight * unit.tension(xi) * at_rest.slope(xi).powi(2);
             inertia += weight * at_rest.deflection(xi).powi(2);
         }

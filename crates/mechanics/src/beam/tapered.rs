@@ -8,10 +8,10 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::{
+use dalembert_numerics::{
+    gauss_legendre,
     linalg::{self, LinalgError},
     roots,
-    vibration::gauss,
 };
 
 /// A tapered beam.
@@ -100,7 +100,7 @@ impl Tapered {
         let mut stiffness = DMatrix::zeros(terms, terms);
         let mut mass = DMatrix::zeros(terms, terms);
         // Exact for products of second derivatives, second moment included.
-        for (xi, weight) in gauss::legendre(terms + 6) {
+        for (xi, weight) in gauss_legendre::legendre(terms + 6) {
             let basis = basis(powers, terms, xi);
             let (bending, inertia) = (weight * self.second_moment(xi), weight * self.area(xi));
             for i in 0..terms {
@@ -131,8 +131,8 @@ impl Tapered {
     /// # Errors
     /// Those of the least squares for what the supports leave open.
     pub fn moment_quotient(&self, shape: &Shape) -> Result<f64, LinalgError> {
-        let points = gauss::legendre(2 * shape.coefficients.len() + 10);
-        let inner = gauss::legendre(shape.coefficients.len() / 2 + 5);
+        let points = gauss_legendre::legendre(2 * shape.coefficients.len() + 10);
+        let inner = gauss_legendre::legendre(shape.coefficients.len() / 2 + 5);
         let inertia: Vec<f64> =
             points.iter().map(|(xi, weight)| weight * self.area(*xi) * shape.deflection(*xi)).collect();
         // The moment that the part to the right of ξ leaves, nothing else holding it.

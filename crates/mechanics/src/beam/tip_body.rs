@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
 
 use super::dynamic_stiffness::{Beam, BeamError, Station};
-use crate::linalg;
+use dalembert_numerics::linalg;
 
 /// A cantilever.
 #[derive(Clone, Copy, Debug, PartialEq)]

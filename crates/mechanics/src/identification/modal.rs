@@ -14,7 +14,7 @@ pub use fit::{ModalFit, Residuals, modal_fit};
 
 pub use nalgebra::Complex;
 
-use crate::linalg::LinalgError;
+use dalembert_numerics::linalg::LinalgError;
 
 /// What of the motion was measured, over the force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,7 +8,7 @@ use super::{
     load::wrench,
     system::{gradient, poses, project},
 };
-use crate::{linalg::Elimination, simd::SimdReal};
+use dalembert_numerics::{linalg::Elimination, simd::SimdReal};
 
 /// What acts, with its forces and moments on the bodies.
 type Act = (LoadId, Vec<(usize, [f64; 3])>);

@@ -1,7 +1,7 @@
 //! Continuation: a mechanism is moved from one position to another on its branch of assembly.
 
 use super::{PlanarError, System, system::Constraints};
-use crate::linalg::Elimination;
+use dalembert_numerics::linalg::Elimination;
 
 /// The largest move of one step, in parts of the size of the mechanism.
 pub(super) const STEP: f64 = 0.2;

@@ -307,5 +307,5 @@ fn second_derivatives(points: &[[f64; 2]], closed: bool) -> Option<Vec<f64>> {
     } else {
         (a[(0, 0)], a[(n - 1, n - 1)]) = (1.0, 1.0);
     }
-    crate::linalg::solve(&a, &b).ok().map(|solved| solved.x.iter().copied().collect())
+    dalembert_numerics::linalg::solve(&a, &b).ok().map(|solved| solved.x.iter().copied().collect())
 }

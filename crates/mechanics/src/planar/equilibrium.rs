@@ -7,7 +7,7 @@ use super::{
     balance::virtual_power,
     system::{bias, gradient, poses, project},
 };
-use crate::{linalg, roots};
+use dalembert_numerics::{linalg, roots};
 
 /// A position in which the drivers need no effort.
 #[derive(Debug, Clone, PartialEq)]

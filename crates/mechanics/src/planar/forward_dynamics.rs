@@ -15,7 +15,7 @@ use super::{
     system::poses,
     vectors::{body_that_moves_most, dot},
 };
-use crate::linalg::{self, Elimination};
+use dalembert_numerics::linalg::{self, Elimination};
 
 /// A pivot of the reduced masses below this part of the largest is no inertia.
 const MASSLESS: f64 = 1e-13;

@@ -18,7 +18,7 @@ use super::{
     system::{bias, gradient, project},
     vectors::dot,
 };
-use crate::linalg::Elimination;
+use dalembert_numerics::linalg::Elimination;
 
 /// Rounds of Newton's method for the friction of all sliding joints.
 const ROUNDS: usize = 30;

@@ -3,7 +3,8 @@
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
 use super::{Frame, Measure, Point, Pose, Profile};
-use crate::{Real, simd::SimdReal};
+use crate::Real;
+use dalembert_numerics::simd::SimdReal;
 
 /// A load.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,7 +10,7 @@ use super::{
     plan::{Conditioning, Layout, Order, Work},
     vectors::body_that_moves_most,
 };
-use crate::ode::Problem;
+use dalembert_numerics::ode::Problem;
 
 /// Joints are closed to this part of the size of the mechanism, its rounding; near a singular position, where to
 /// correct what is rounding alone would move the mechanism far, to the second …

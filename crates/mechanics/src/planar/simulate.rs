@@ -6,7 +6,7 @@
 //! *Solving Ordinary Differential Equations II*, §VII.2).
 
 use super::{Contact, Measure, PlanarError, State, System, machine::Machine};
-use crate::ode::{self, Integrator, OdeError, SAME_TIME};
+use dalembert_numerics::ode::{self, Integrator, OdeError, SAME_TIME};
 
 /// How far and how exactly a motion is followed: the tolerance is in parts of the size of the mechanism and of its
 /// fastest velocity.

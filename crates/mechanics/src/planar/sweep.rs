@@ -13,7 +13,7 @@ use super::{
     Load, PlanarError, State, System,
     plan::{self, Layout, Order, Work},
 };
-use crate::simd::{SimdVector, WIDTH};
+use dalembert_numerics::simd::{SimdVector, WIDTH};
 
 /// So many equations that are not explicit are eliminated as a full matrix at most.
 const MOST_LOOPS: usize = 12;

@@ -9,7 +9,8 @@ use nalgebra::DMatrix;
 use self::check::check;
 
 use super::{Dynamics, Equation, Frame, Gradient, Load, Measure, Mechanism, PlanarError, Point, Pose};
-use crate::{Real, linalg::Elimination, simd::SimdReal};
+use crate::Real;
+use dalembert_numerics::{linalg::Elimination, simd::SimdReal};
 
 /// What a closed joint may be open by, in parts of the size of the mechanism.
 const CLOSED: f64 = 1e-14;

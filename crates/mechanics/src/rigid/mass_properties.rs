@@ -6,7 +6,7 @@
 
 use nalgebra::{DMatrix, Matrix3, Rotation3, Vector3};
 
-use crate::linalg;
+use dalembert_numerics::linalg;
 
 /// Moments nearer to each other than this share of the largest count as equal: their axes are then a choice.
 const EQUAL: f64 = 1e-9;

@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, Matrix3, UnitQuaternion, Vector3};
 
 pub use self::free::FreeRotation;
 use self::machine::Machine;
-use crate::{
+use dalembert_numerics::{
     extremes::{Extremes, Sampling},
     linalg::symmetric_eigen,
     ode::{self, Integrator, OdeError},

@@ -6,7 +6,7 @@
 use nalgebra::{DMatrix, Vector3};
 
 use super::{Axis, RigidError};
-use crate::linalg::Elimination;
+use dalembert_numerics::linalg::Elimination;
 
 /// A force and the moment of a system of forces about the origin of the axes.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -11,7 +11,7 @@
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{Assembled, Plane, RotorError, assembled::Bending, plane, stiffness::Node};
-use crate::linalg::{self, LinalgError};
+use dalembert_numerics::linalg::{self, LinalgError};
 
 /// Below this share of the largest modal mass of shapes of unit energy a shape counts as massless: its frequency
 /// would be millions of times the lowest.

@@ -11,7 +11,7 @@ use super::{
     modes::{Mode, Reduced, Spectrum, polished},
     stiffness::{Node, Powers, Stiffness},
 };
-use crate::linalg;
+use dalembert_numerics::linalg;
 
 /// A critical speed: a mode whose frequency is the wanted multiple of the speed.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,7 +10,7 @@ use super::{
     response::Orbit,
     stiffness::{Node, Powers, Stiffness},
 };
-use crate::linalg;
+use dalembert_numerics::linalg;
 
 /// Where a share of the square of a natural frequency is as good as exact.
 pub const EXACT: f64 = 1e-10;

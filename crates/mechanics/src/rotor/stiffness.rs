@@ -5,7 +5,7 @@ use std::array::from_fn;
 use nalgebra::{Complex, Matrix2};
 
 use super::{Assembled, Coefficients, Plane, assembled::Bending};
-use crate::linalg::ComplexBand;
+use dalembert_numerics::linalg::ComplexBand;
 
 type C = Complex<f64>;
 /// The degrees of freedom of a node: deflection and slope in one plane, then in the other.

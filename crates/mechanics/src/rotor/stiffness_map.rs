@@ -8,7 +8,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::{Assembled, Hold, Rotor, RotorError, Support, basis::project, modes::Reduced};
-use crate::linalg;
+use dalembert_numerics::linalg;
 
 /// What may be lost of the square of a frequency.
 const SHARE: f64 = 1e-6;

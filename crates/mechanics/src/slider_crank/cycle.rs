@@ -1,6 +1,6 @@
 //! A turning moment over a cycle: its mean, its extremes, and the energy that a flywheel takes up.
 
-use crate::{roots, vibration::gauss as quadrature};
+use dalembert_numerics::{gauss_legendre as quadrature, roots};
 
 /// What a turning moment does over a cycle.
 #[derive(Debug, Clone, PartialEq)]

@@ -9,7 +9,8 @@
 mod minimax;
 
 pub use self::minimax::{AbsorberError, LeastPeak, least_peak, least_peak_viscous};
-use crate::{Real, polynomial};
+use crate::Real;
+use dalembert_numerics::polynomial;
 
 /// Sum of the two resonant ratios `g₁ + g₂ = √((1 + f)² + μf²)`: with `g₁g₂ = f`, from the frequency equation
 /// `g⁴ − (1 + (1 + μ)f²)g² + f² = 0`. Rao, *Mechanical Vibrations*, 5th ed., §9.11.

@@ -2,10 +2,8 @@
 
 use nalgebra::DMatrix;
 
-use crate::{
-    Real,
-    linalg::{self, LinalgError},
-};
+use crate::Real;
+use dalembert_numerics::linalg::{self, LinalgError};
 
 /// A mode of a chain that stands on its base.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,7 +6,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::linalg;
+use dalembert_numerics::linalg;
 
 /// A fitted decay, `X = X₀ e^(−δn) − d (1 − e^(−δn))/δ`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -11,8 +11,8 @@ use std::{
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::elliptic::agm;
-use crate::{extremes, linalg, roots};
+use dalembert_numerics::elliptic::agm;
+use dalembert_numerics::{extremes, linalg, roots};
 
 /// Mass, damping, stiffness and the coefficient of the cube.
 #[derive(Debug, Clone, Copy, PartialEq)]

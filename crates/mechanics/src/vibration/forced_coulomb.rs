@@ -10,7 +10,8 @@ use std::{
     ops::ControlFlow,
 };
 
-use crate::{Real, roots};
+use crate::Real;
+use dalembert_numerics::roots;
 
 /// What is excited.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -7,7 +7,7 @@
 
 use std::{f64::consts::PI, ops::ControlFlow};
 
-use crate::roots;
+use dalembert_numerics::roots;
 
 /// A free vibration. Displacements may be lengths or angles.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,7 +6,7 @@
 use std::{f64::consts::PI, ops::ControlFlow};
 
 use super::free::FreeMotion;
-use crate::roots;
+use dalembert_numerics::roots;
 
 /// A free vibration with friction. All displacements in m (or all in rad).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,7 +6,7 @@
 
 use std::ops::Bound::{Excluded, Included, Unbounded};
 
-use crate::intervals::IntervalSet;
+use dalembert_numerics::intervals::IntervalSet;
 
 /// What the instrument reads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

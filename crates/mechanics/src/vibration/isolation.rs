@@ -3,7 +3,8 @@
 //!
 //! `r = ω/ω_n`, `ζ` the damping ratio; transmissibility as in [`crate::sdof::transmissibility`].
 
-use crate::{Real, polynomial, sdof};
+use crate::{Real, sdof};
+use dalembert_numerics::polynomial;
 
 /// Frequency ratio of the largest transmissibility: `r_p = √(2/(1 + √(1 + 8ζ²)))`, which is
 /// `√((√(1 + 8ζ²) − 1)/(4ζ²))` without its difference. Rao, *Mechanical Vibrations*, 5th ed., §3.6.

@@ -8,7 +8,8 @@
 
 use std::{f64::consts::PI, ops::ControlFlow};
 
-use crate::{Real, roots};
+use crate::Real;
+use dalembert_numerics::roots;
 
 /// An oscillator with a Jenkins element, under `F₀ cos ωt`.
 #[derive(Debug, Clone, Copy, PartialEq)]

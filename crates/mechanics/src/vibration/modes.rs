@@ -2,7 +2,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use crate::linalg::{self, LinalgError};
+use dalembert_numerics::linalg::{self, LinalgError};
 
 /// Why a system has no modes.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]

@@ -4,7 +4,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use crate::linalg::{self, LinalgError};
+use dalembert_numerics::linalg::{self, LinalgError};
 
 /// Why a network has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -273,7 +273,7 @@ mod tests {
         let roots = network.roots().unwrap();
         let (m, k, c, l, d) = (10.0, 3000.0, 100.0, 12000.0, 330.0);
         let cubic = [m * (c + d), m * (k + l) + c * d, k * d + l * c, k * l];
-        let expected = crate::polynomial::roots(&cubic).unwrap();
+        let expected = dalembert_numerics::polynomial::roots(&cubic).unwrap();
         assert_eq!(roots.len(), 3);
         for (ours, expected) in roots.iter().zip_eq(&expected) {
             assert!((ours - expected).norm() < 1e-10 * expected.norm(), "{ours} is not {expected}");

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Complex, Matrix2, Vector2};
 
-use super::quadrature::integral;
+use dalembert_numerics::quadrature::integral;
 
 mod pieces;
 

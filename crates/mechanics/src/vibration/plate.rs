@@ -3,14 +3,12 @@
 //! Kirchhoff's plate `D ∇⁴w = ρ h ω² w` and the membrane `T ∇²w = −μ ω² w`. A. W. Leissa, *Vibration of Plates*,
 //! NASA SP-160 (1969), chapters 2 and 4.
 
-use super::{bessel, gauss};
-use crate::{
-    beam::dynamic_stiffness::{
-        BeamError,
-        spans::{Joint, Span, SpanShape, Spans},
-    },
-    roots,
+use crate::beam::dynamic_stiffness::{
+    BeamError,
+    spans::{Joint, Span, SpanShape, Spans},
 };
+use dalembert_numerics::roots;
+use dalembert_numerics::{bessel, gauss_legendre};
 
 /// What holds an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,7 +131,7 @@ impl RoundMode {
     pub fn rayleigh_quotient(&self) -> f64 {
         let n2 = (self.diameters as f64).powi(2);
         let (mut strain, mut kinetic) = (0.0, 0.0);
-        for (r, weight) in gauss::points(3 + self.root as usize / 4) {
+        for (r, weight) in gauss_legendre::points(3 + self.root as usize / 4) {
             let weight = weight * r;
             let [w, slope, curvature] = self.derivatives(r);
             kinetic += weight * w * w;
@@ -179,7 +177,7 @@ impl RoundMode {
 pub mod rectangular_membrane {
     use std::f64::consts::PI;
 
-    use crate::vibration::gauss;
+    use dalembert_numerics::gauss_legendre;
 
     /// Half waves along both sides of the lowest `count` vibrations; `aspect` is the first side over the second.
     pub fn patterns(aspect: f64, count: usize) -> Vec<[usize; 2]> {
@@ -194,8 +192,8 @@ pub mod rectangular_membrane {
     /// Energy of the slope of so many half waves over that of the deflection, integrated over a unit length.
     pub fn quotient(half_waves: usize) -> f64 {
         let wave = half_waves as f64 * PI;
-        let slope = gauss::integral(half_waves, |x| (wave * (wave * x).cos()).powi(2));
-        slope / gauss::integral(half_waves, |x| (wave * x).sin().powi(2))
+        let slope = gauss_legendre::integral(half_waves, |x| (wave * (wave * x).cos()).powi(2));
+        slope / gauss_legendre::integral(half_waves, |x| (wave * x).sin().powi(2))
     }
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::modes::{ModesError, NaturalModes};
-use crate::linalg;
+use dalembert_numerics::linalg;
 
 /// Two roots of one mode nearer than this share of their size are taken this far apart: critical damping and rigid
 /// body modes have one root twice. The sum of two is even in the distance, so its square is the error.

@@ -5,7 +5,7 @@ use std::thread;
 use faer::{Accum, MatMut, MatRef, Par, linalg::matmul::matmul};
 use nalgebra::{Complex, DMatrix, DVector};
 
-use crate::{
+use dalembert_numerics::{
     linalg::{self, LinalgError},
     simd::widest,
 };

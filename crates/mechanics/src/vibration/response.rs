@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::poles::{Poles, advance, advance_harmonic};
-use crate::{
+use dalembert_numerics::{
     extremes::{Extreme, Extremes, Sampling},
     linalg::{self, LinalgError},
 };

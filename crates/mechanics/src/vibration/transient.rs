@@ -5,9 +5,9 @@
 //! the motion is known in closed form, so that a step of any length has no error but rounding, for every `ζ ≥ 0`
 //! (Clough & Penzien, *Dynamics of Structures*, 2nd ed., §7-2; Chopra, *Dynamics of Structures*, §5.2).
 
-use crate::roots;
+use dalembert_numerics::roots;
 
-pub use crate::extremes::{Extreme, Extremes};
+pub use dalembert_numerics::extremes::{Extreme, Extremes};
 
 pub mod closed;
 

@@ -7,9 +7,9 @@
 
 use std::{f64::consts::PI, ops::ControlFlow};
 
-use crate::{
+use dalembert_numerics::{
+    gauss_legendre,
     roots::{self, RootError},
-    vibration::gauss,
 };
 
 /// What an end of the body carries.
@@ -136,8 +136,8 @@ impl Shape {
     /// frequency, by Gauss quadrature. At a root it is `β²`.
     pub fn rayleigh_quotient(&self, ends: [End; 2]) -> f64 {
         let panels = 1 + (self.wave_number / 2.0) as usize;
-        let strain = gauss::integral(panels, |xi| self.slope(xi).powi(2));
-        let kinetic = gauss::integral(panels, |xi| self.deflection(xi).powi(2));
+        let strain = gauss_legendre::integral(panels, |xi| self.slope(xi).powi(2));
+        let kinetic = gauss_legendre::integral(panels, |xi| self.deflection(xi).powi(2));
         let at = |end: End, xi: f64| {
             let square = self.deflection(xi).powi(2);
             let spring = if end.stiffness.is_infinite() { 0.0 } else { end.stiffness * square };
@@ -151,7 +151,7 @@ impl Shape {
     pub fn inertia_product(&self, other: &Shape, ends: [End; 2]) -> f64 {
         let panels = 1 + ((self.wave_number + other.wave_number) / 3.0) as usize;
         let product = |xi: f64| self.deflection(xi) * other.deflection(xi);
-        gauss::integral(panels, product) + ends[0].mass * product(0.0) + ends[1].mass * product(1.0)
+        gauss_legendre::integral(panels, product) + ends[0].mass * product(0.0) + ends[1].mass * product(1.0)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Bound::{Excluded, Included, Unbounded};
 
-use crate::intervals::IntervalSet;
+use dalembert_numerics::intervals::IntervalSet;
 
 /// The stiffnesses that keep the rotor clear, and what limits them.
 ///

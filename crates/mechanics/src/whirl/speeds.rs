@@ -3,7 +3,7 @@
 use std::ops::Bound::{Excluded, Included, Unbounded};
 
 use super::permitted::{WhirlError, check, forbidden_ratios};
-use crate::intervals::IntervalSet;
+use dalembert_numerics::intervals::IntervalSet;
 
 /// The speeds at which the whirl stays within a limit.
 #[derive(Debug, Clone, PartialEq)]

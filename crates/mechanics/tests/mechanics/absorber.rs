@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_mechanics::linalg;
 use dalembert_mechanics::vibration::absorber::{self, AbsorberError, DampedAbsorber};
+use dalembert_numerics::linalg;
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 

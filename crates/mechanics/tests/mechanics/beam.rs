@@ -1,6 +1,7 @@
 use std::f64::consts::PI;
 
-use dalembert_mechanics::{beam, linalg, section};
+use dalembert_mechanics::{beam, section};
+use dalembert_numerics::linalg;
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 

@@ -2,13 +2,13 @@
 //! the way that does not know of motion.
 
 use dalembert_mechanics::{
-    ode::OdeError,
     planar::{
         Body, Contact, Driver, Effort, End, Joint, JointFriction, Load, Measure, Mechanism, PlanarError,
         Point, Run, State, System, Trajectory,
     },
     vibration::{free::FreeMotion, friction::FrictionDecay},
 };
+use dalembert_numerics::ode::OdeError;
 use itertools::Itertools as _;
 use proptest::prelude::*;
 

@@ -1,5 +1,6 @@
 //! The mechanics held against published numbers, closed forms, second methods and scaling.
 
+#[path = "../../../numerics/tests/numerics/close.rs"]
 mod close;
 
 mod absorber;
@@ -9,29 +10,21 @@ mod beam;
 mod centres;
 mod chain;
 mod dimensions;
-mod eigen;
 mod engine;
-mod extremes;
 mod forced;
 mod free_vibration;
 mod friction;
 mod gyroscope;
 mod identification;
-mod intervals;
 mod jet;
-mod linalg;
 mod many_degrees;
 mod models;
 mod motion;
-mod ode;
 mod planar;
-mod polynomial;
-mod real;
 mod rigid;
 mod rigid_body;
 mod rigid_motion;
 mod rolling;
-mod roots;
 mod sdof;
 mod slider_crank;
 mod spring;

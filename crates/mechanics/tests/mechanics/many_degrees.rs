@@ -1,14 +1,12 @@
 //! Many degrees of freedom: what must hold for every system of masses, springs and dampers.
 
-use dalembert_mechanics::{
-    linalg::solve_complex,
-    vibration::{
-        modes::{ModesError, complex_modes, is_proportional, natural_modes},
-        poles::Poles,
-        receptance::{column_of_modes, column_of_poles, direct, sum_of_modes, sum_of_poles},
-        response::{Excitation, Harmonic, Motion, Piece, Push, by_series},
-    },
+use dalembert_mechanics::vibration::{
+    modes::{ModesError, complex_modes, is_proportional, natural_modes},
+    poles::Poles,
+    receptance::{column_of_modes, column_of_poles, direct, sum_of_modes, sum_of_poles},
+    response::{Excitation, Harmonic, Motion, Piece, Push, by_series},
 };
+use dalembert_numerics::linalg::solve_complex;
 use itertools::Itertools as _;
 use nalgebra::{Complex, DMatrix, DVector};
 use proptest::prelude::*;

@@ -1,7 +1,8 @@
 use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
 use std::ops::ControlFlow;
 
-use dalembert_mechanics::{beam, roots, sdof, spring};
+use dalembert_mechanics::{beam, sdof, spring};
+use dalembert_numerics::{polynomial, roots};
 use proptest::prelude::*;
 
 use crate::close::{ROUNDING, close, found, printed};
@@ -87,6 +88,20 @@ fn mass_on_beam_and_springs_of_list_08() {
     printed(force, 427.0, 0);
     close(force / 200.0, sdof::transmissibility(r, ratio), ROUNDING);
     close(sdof::damped_frequency(natural, ratio), damped, ROUNDING);
+}
+
+#[test]
+fn damping_ratios_of_a_peak_are_roots_of_its_quartic() {
+    // 4Λ²ζ²(1 − ζ²) = 1.
+    let peak: f64 = 8.12;
+    let four = 4.0 * peak * peak;
+    let positive: Vec<f64> = found(polynomial::roots(&[-four, 0.0, four, 0.0, -1.0]))
+        .into_iter()
+        .filter(|z| z.im == 0.0 && z.re > 0.0)
+        .map(|z| z.re)
+        .collect();
+    close(positive[0], sdof::damping_ratio_from_peak(peak).unwrap(), 1e-12);
+    close(positive[1], sdof::extraneous_damping_ratio_from_peak(peak).unwrap(), 1e-12);
 }
 
 #[test]

@@ -3,14 +3,12 @@
 use itertools::Itertools as _;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use dalembert_mechanics::{
-    ode,
-    rigid::{
-        self,
-        top::{self, Nutation, Top, TopError, Trace},
-        torque_free::{self, FreeBody, Polhode},
-    },
+use dalembert_mechanics::rigid::{
+    self,
+    top::{self, Nutation, Top, TopError, Trace},
+    torque_free::{self, FreeBody, Polhode},
 };
+use dalembert_numerics::ode;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 use crate::close::{all_close, close, found};

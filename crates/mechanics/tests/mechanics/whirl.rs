@@ -1,11 +1,11 @@
 use std::f64::consts::TAU;
 
-use dalembert_mechanics::intervals::IntervalSet;
 use dalembert_mechanics::whirl::{
     self, LimitedBy, WhirlError, permitted_speeds, permitted_stiffness, permitted_stiffness_at_damping,
     worst_speed,
 };
 use dalembert_mechanics::{beam, sdof, section};
+use dalembert_numerics::intervals::IntervalSet;
 use proptest::prelude::*;
 
 use crate::close::{ROUNDING, close, found, printed};

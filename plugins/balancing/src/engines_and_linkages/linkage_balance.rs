@@ -12,8 +12,8 @@ use dalembert_mechanics::{
         self,
         linkage::{Counterweight, Follower, Link, Linkage, Pose, Shaking},
     },
-    extremes::{self, Extreme},
 };
+use dalembert_numerics::extremes::{self, Extreme};
 
 use crate::sources::{BERKOF, NORTON};
 

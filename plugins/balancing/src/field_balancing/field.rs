@@ -9,9 +9,8 @@ use dalembert_mechanics::{
         minimax::min_max,
         spread::{self, Choice, ReadingSpread},
     },
-    intervals::IntervalSet,
-    linalg::LinalgError,
 };
+use dalembert_numerics::{intervals::IntervalSet, linalg::LinalgError};
 use nalgebra::{Complex, DMatrix};
 use std::{
     f64::consts::{PI, TAU},

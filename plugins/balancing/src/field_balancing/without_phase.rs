@@ -11,8 +11,8 @@ use dalembert_mechanics::{
         influence::{self, InfluenceError},
         without_phase::{Effect, effect},
     },
-    linalg::LinalgError,
 };
+use dalembert_numerics::linalg::LinalgError;
 use nalgebra::{Complex, DMatrix};
 
 use crate::sources::RAO;

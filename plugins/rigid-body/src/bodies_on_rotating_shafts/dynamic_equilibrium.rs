@@ -9,7 +9,8 @@ use dalembert_core::{
     About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
     register,
 };
-use dalembert_mechanics::{Real, rigid, roots};
+use dalembert_mechanics::{Real, rigid};
+use dalembert_numerics::roots;
 use nalgebra::Vector3;
 
 use crate::{

@@ -8,8 +8,8 @@ use dalembert_core::{
 use dalembert_mechanics::{
     Real, Vector,
     rigid::{self, gyroscope},
-    vibration::quadrature,
 };
+use dalembert_numerics::quadrature;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::{

@@ -12,12 +12,12 @@ use std::{
 use dalembert_core::{About, Analysis, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real, Vector,
-    ode::OdeError,
     rigid::{
         self,
         simulate::{self as follow, Body, Loads, Run, Sample, SimulateError, Turning, Watched},
     },
 };
+use dalembert_numerics::ode::OdeError;
 use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 pub use self::inputs::{

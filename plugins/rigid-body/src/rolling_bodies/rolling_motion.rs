@@ -7,9 +7,9 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real, Vector,
-    ode::OdeError,
     rigid::rolling::{Ended, Limits, Moment, Rolled, Rolling, RollingError, roll},
 };
+use dalembert_numerics::ode::OdeError;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::{

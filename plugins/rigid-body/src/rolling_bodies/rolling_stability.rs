@@ -4,9 +4,10 @@ use std::f64::consts::FRAC_PI_2;
 
 use dalembert_core::{About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Worksheet, register};
 use dalembert_mechanics::{
-    Real, linalg,
+    Real,
     rigid::rolling::{self, Rolling},
 };
+use dalembert_numerics::linalg;
 use nalgebra::DMatrix;
 
 use crate::{

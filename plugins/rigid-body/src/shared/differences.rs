@@ -1,7 +1,8 @@
 //! Second methods by differences and by quadrature.
 
 use dalembert_core::Worksheet;
-use dalembert_mechanics::{Real, rigid, vibration::quadrature};
+use dalembert_mechanics::{Real, rigid};
+use dalembert_numerics::quadrature;
 use nalgebra::Vector3;
 
 /// The second derivative at `t = 0` of a vector that is known at every time; `period` as in [`rigid::numerical_rate`].

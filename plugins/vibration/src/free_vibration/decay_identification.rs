@@ -12,9 +12,9 @@ use dalembert_mechanics::{
     vibration::{
         decay_fit::{self, DecayFit, DecayFitError, DecayFits},
         free::FreeMotion,
-        quadrature::integral,
     },
 };
+use dalembert_numerics::quadrature::integral;
 
 mod fitted;
 

@@ -8,11 +8,9 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real, sdof,
-    vibration::{
-        forced_coulomb::{self, CoulombOscillator, Steady},
-        quadrature::integral,
-    },
+    vibration::forced_coulomb::{self, CoulombOscillator, Steady},
 };
+use dalembert_numerics::quadrature::integral;
 
 use crate::{
     shared::oscillator::{Mass, given_weight, mass},

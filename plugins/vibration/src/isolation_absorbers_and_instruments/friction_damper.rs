@@ -7,9 +7,10 @@ use dalembert_core::{
     register,
 };
 use dalembert_mechanics::{
-    Real, roots, sdof,
+    Real, sdof,
     vibration::jenkins::{self, JenkinsOscillator, ResponsePoint},
 };
+use dalembert_numerics::roots;
 
 use crate::{
     shared::oscillator::{Mass, mass},

@@ -5,11 +5,10 @@ use dalembert_core::{
     register,
 };
 use dalembert_mechanics::{
-    Real,
-    intervals::IntervalSet,
-    sdof,
+    Real, sdof,
     vibration::instrument::{self, usable_ratios},
 };
+use dalembert_numerics::intervals::IntervalSet;
 
 mod record;
 

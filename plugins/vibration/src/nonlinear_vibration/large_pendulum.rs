@@ -6,7 +6,8 @@ use dalembert_core::{
     About, Analysis, Animation, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text,
     Worksheet, register,
 };
-use dalembert_mechanics::{Real, elliptic};
+use dalembert_mechanics::Real;
+use dalembert_numerics::elliptic;
 
 use crate::sources::{ABRAMOWITZ, NAYFEH, RAO};
 

@@ -6,9 +6,9 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    linalg::{ComplexLu, LinalgError},
     vibration::{poles::Poles, receptance},
 };
+use dalembert_numerics::linalg::{ComplexLu, LinalgError};
 use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::{

@@ -5,9 +5,10 @@ use dalembert_core::{
     Worksheet, register,
 };
 use dalembert_mechanics::{
-    Real, polynomial,
+    Real,
     rotor::{disc as formula, overhung},
 };
+use dalembert_numerics::polynomial;
 
 use crate::{
     shared::section::{Section, second_moment},

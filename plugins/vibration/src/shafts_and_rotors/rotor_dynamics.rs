@@ -6,7 +6,6 @@ use std::f64::consts::TAU;
 use dalembert_core::{About, Analysis, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real,
-    linalg::LinalgError,
     rotor::{
         Assembled, Complex, Disc, Hold, Rotor, RotorError, Support as Held,
         campbell::{Campbell, campbell},
@@ -17,6 +16,7 @@ use dalembert_mechanics::{
         response::{Unbalance, residual, unbalance_response},
     },
 };
+use dalembert_numerics::linalg::LinalgError;
 
 mod parts;
 mod pictures;

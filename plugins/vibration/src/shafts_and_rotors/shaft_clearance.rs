@@ -6,11 +6,10 @@ use dalembert_core::{
     About, Analysis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
-    Real,
-    intervals::IntervalSet,
-    sdof,
+    Real, sdof,
     whirl::{self, LimitedBy, PermittedStiffness},
 };
+use dalembert_numerics::intervals::IntervalSet;
 
 mod diameter;
 mod eccentricity;

@@ -11,8 +11,9 @@ use dalembert_mechanics::{
         dynamic_stiffness::{Beam, Station},
         influence,
     },
-    vibration::{gauss, lumped},
+    vibration::lumped,
 };
+use dalembert_numerics::gauss_legendre;
 
 use crate::{
     shared::continuous::{LineMass, Profile, line_mass, profile},
@@ -384,7 +385,7 @@ impl<W: Worksheet> Shaft<'_, W> {
         let mut sums = [0.0; 3];
         for part in breaks.windows(2) {
             let width = part[1] - part[0];
-            for (xi, weight) in gauss::points(1) {
+            for (xi, weight) in gauss_legendre::points(1) {
                 let place = part[0] + width * xi;
                 let y = self.static_deflection(place, line, gravity);
                 let own = own_deflection(bending, line * gravity, place, lengths);

@@ -1,10 +1,8 @@
 //! Loads in the course of time: steps, ramps, pulses, tables; what transients and shock spectra share.
 
 use dalembert_core::{Inputs, Refusal};
-use dalembert_mechanics::vibration::{
-    quadrature::integral,
-    transient::{Law, Oscillator, Output, Piece, State, UnitResponses},
-};
+use dalembert_mechanics::vibration::transient::{Law, Oscillator, Output, Piece, State, UnitResponses};
+use dalembert_numerics::quadrature::integral;
 
 /// How a load runs in time.
 #[derive(Clone, Debug, Inputs)]

@@ -1,7 +1,8 @@
 //! Systems of many degrees of freedom: how they are given, their matrices, their pictures.
 
 use dalembert_core::{Inputs, Refusal, Symbol, Text, Worksheet};
-use dalembert_mechanics::{Real, linalg::MOST_DENSE};
+use dalembert_mechanics::Real;
+use dalembert_numerics::linalg::MOST_DENSE;
 use nalgebra::DMatrix;
 
 pub(crate) mod damping;

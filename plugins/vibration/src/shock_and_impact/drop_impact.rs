@@ -7,9 +7,10 @@ use dalembert_core::{
     register,
 };
 use dalembert_mechanics::{
-    Real, roots,
+    Real,
     vibration::transient::{Law, Motion, Oscillator, Output, Piece, State},
 };
+use dalembert_numerics::roots;
 
 use crate::{
     shared::{

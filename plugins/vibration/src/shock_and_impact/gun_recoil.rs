@@ -6,7 +6,8 @@ use dalembert_core::{
     About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
     register,
 };
-use dalembert_mechanics::{Real, roots, sdof, vibration::free::FreeMotion};
+use dalembert_mechanics::{Real, sdof, vibration::free::FreeMotion};
+use dalembert_numerics::roots;
 
 use crate::{
     shared::oscillator::{Mass, mass},

@@ -8,11 +8,9 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    vibration::{
-        quadrature::integral,
-        transient::{Motion, Oscillator, Output, Piece, State},
-    },
+    vibration::transient::{Motion, Oscillator, Output, Piece, State},
 };
+use dalembert_numerics::quadrature::integral;
 
 use crate::{
     shared::load::{self, Course},

@@ -12,8 +12,8 @@ use dalembert_mechanics::{
         rotating::Rotating,
         tapered::{Ritz, Shape},
     },
-    vibration::gauss,
 };
+use dalembert_numerics::gauss_legendre;
 
 use crate::{
     shared::continuous::{LineMass, Profile, Sampled, line_mass, profile, shapes_film, shapes_plot},
@@ -250,7 +250,7 @@ impl Analysis for RotatingBeam {
 /// Work of the centrifugal forces of unit speed on the way by which each point comes nearer as the blade bends,
 /// `½ ∫₀ˢ φ′² dξ`, over half the kinetic energy of the shape.
 fn shortening_work(blade: &Rotating, shape: &Shape) -> f64 {
-    let points = gauss::legendre(TERMS + 4);
+    let points = gauss_legendre::legendre(TERMS + 4);
     let over = |to: f64, of: &dyn Fn(f64) -> f64| -> f64 {
         points.iter().map(|(xi, weight)| to * weight * of(to * xi)).sum()
     };

@@ -3,7 +3,8 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{Analysis, AnswerValue, Inputs, Lift, Sheet, Stop, Trail};
-use dalembert_mechanics::{beam, intervals::IntervalSet, sdof, section};
+use dalembert_mechanics::{beam, sdof, section};
+use dalembert_numerics::intervals::IntervalSet;
 use dalembert_vibration::shafts_and_rotors::shaft_clearance::{
     Damping, Mounting, Shaft, ShaftClearance, Sought, SpeedRange,
 };

@@ -9,7 +9,8 @@ use dalembert_mechanics::planar::{
     Contact, End, ForwardDynamics, JointFriction, Measure, PlanarError, Run, Snapshot, State, System,
     Trajectory,
 };
-use dalembert_mechanics::{Real, Vector, ode::OdeError};
+use dalembert_mechanics::{Real, Vector};
+use dalembert_numerics::ode::OdeError;
 use nalgebra::Vector3;
 
 pub use self::ends::{Ends, EndsGiven};

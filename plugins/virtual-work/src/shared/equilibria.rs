@@ -4,10 +4,8 @@ use dalembert_core::{
     Animation, Axis, DrawnShape, Exhibit, Ink, Plot, Refusal, Series, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column, Point as At},
 };
-use dalembert_mechanics::{
-    planar::{Dynamics, Joint, Load, Mechanism, Point, System},
-    roots,
-};
+use dalembert_mechanics::planar::{Dynamics, Joint, Load, Mechanism, Point, System};
+use dalembert_numerics::roots;
 
 use crate::sources::{BEER, HIBBELER};
 

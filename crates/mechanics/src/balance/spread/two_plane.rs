@@ -6,8 +6,8 @@ use super::{bits_at, key, normals, two_uniform};
 use crate::{
     Real,
     balance::{Phasor, two_plane_weights},
-    simd::{SimdVector, WIDTH, widest},
 };
+use dalembert_numerics::simd::{SimdVector, WIDTH, widest};
 
 /// Samples whose sums are taken together, whatever thread does it: a whole number of lanes.
 const BLOCK: usize = 4096;

@@ -6,10 +6,10 @@
 use nalgebra::{Matrix2, Vector2, Vector4};
 
 use super::{Beam, BeamError, Chain, MOST_WAVES, Node, SEGMENTS, Segment, negatives, search::Search};
-use crate::{
+use dalembert_numerics::{
+    gauss_legendre,
     linalg::{LinalgError, SymmetricBand, lowest_modes},
     roots,
-    vibration::gauss,
 };
 
 /// A uniform part of the beam.
@@ -365,7 +365,7 @@ impl SpanShape {
     /// Points of integration, their weights and spans.
     fn points(&self) -> impl Iterator<Item = (f64, f64, usize)> {
         self.segments().flat_map(|(x, length, span)| {
-            gauss::points(1).map(move |(part, weight)| (x + length * part, length * weight, span))
+            gauss_legendre::points(1).map(move |(part, weight)| (x + length * part, length * weight, span))
         })
     }
 

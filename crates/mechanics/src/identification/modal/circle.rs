@@ -8,7 +8,7 @@ use super::{
     DampingModel, ModalError, Point, Response, beyond_rounding, check,
     minimise::{Minimum, minimise},
 };
-use crate::linalg;
+use dalembert_numerics::linalg;
 
 /// A circle in the complex plane.
 #[derive(Debug, Clone, Copy, PartialEq)]

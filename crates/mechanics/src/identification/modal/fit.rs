@@ -5,7 +5,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 use super::{
     DampingModel, ModalError, Point, Response, beyond_rounding, check, circle_fit, minimise::minimise,
 };
-use crate::linalg;
+use dalembert_numerics::linalg;
 
 /// What stands for the other modes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::ModalError;
-use crate::linalg;
+use dalembert_numerics::linalg;
 
 /// The parameters of a least sum of squares, and how level it is there.
 pub(super) struct Minimum<const N: usize> {

@@ -4,10 +4,8 @@ use itertools::Itertools;
 use nalgebra::DMatrix;
 
 use super::{Contact, Response};
-use crate::{
-    linalg::Elimination,
-    planar::{PlanarError, continuation::largest, vectors::dot},
-};
+use crate::planar::{PlanarError, continuation::largest, vectors::dot};
+use dalembert_numerics::linalg::Elimination;
 
 /// If it is not found at once which joints stick, it is guessed with so many rounds over all of them; an acceleration
 /// below this part of the largest is rest, as a guess.

@@ -1,14 +1,12 @@
 //! Friction in the joints of a moving mechanism.
 
 use super::{Machine, substitute};
-use crate::{
-    ode::{OdeError, Problem},
-    planar::{
-        Contact, PlanarError,
-        friction::{Effect, Frictionless, Response},
-        vectors::dot,
-    },
+use crate::planar::{
+    Contact, PlanarError,
+    friction::{Effect, Frictionless, Response},
+    vectors::dot,
 };
+use dalembert_numerics::ode::{OdeError, Problem};
 
 /// A sliding slower than this part of the fastest velocity, or than so many times the tolerance, is at rest; the same
 /// part of its size is nothing to any other margin of friction.

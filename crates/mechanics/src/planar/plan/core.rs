@@ -5,7 +5,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::simd::SimdReal;
+use dalembert_numerics::simd::SimdReal;
 
 /// So small that adding it to anything else changes nothing, and its square is still a number.
 const NOTHING: f64 = 1e-150;

@@ -8,10 +8,8 @@ use super::super::{
     Equation, Frame, Measure, Point, Pose, System, Term,
     system::{gradient, pair, project},
 };
-use crate::{
-    Real,
-    simd::{SimdReal, SimdVector, WIDTH, widest},
-};
+use crate::Real;
+use dalembert_numerics::simd::{SimdReal, SimdVector, WIDTH, widest};
 
 /// The structure of a mechanism's equations, whatever its position.
 ///

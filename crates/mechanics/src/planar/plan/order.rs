@@ -3,7 +3,7 @@
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
 use super::Layout;
-use crate::simd::SimdReal;
+use dalembert_numerics::simd::SimdReal;
 
 /// A pivot must have this part of the largest entry of its row when it is chosen …
 const CHOSEN: f64 = 0.3;

@@ -2,7 +2,7 @@
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
-use crate::simd::SimdReal;
+use dalembert_numerics::simd::SimdReal;
 
 /// So many positions before the present one are made use of.
 const BEFORE: usize = 2;

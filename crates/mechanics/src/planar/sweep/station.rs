@@ -8,7 +8,7 @@ use super::super::{
     plan::{Core, Layout, Order, Work},
 };
 use super::{SweepResult, past::Past};
-use crate::simd::{SimdReal, widest};
+use dalembert_numerics::simd::{SimdReal, widest};
 
 /// The smallest step, in parts of the way between two positions.
 const SMALLEST: f64 = 1e-3;

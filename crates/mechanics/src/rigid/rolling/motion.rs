@@ -1,6 +1,6 @@
 //! The motion of a disc that rolls without slip, from a start.
 
-use crate::{
+use dalembert_numerics::{
     extremes::{Extremes, Sampling},
     ode::{Integrator, OdeError, Problem},
     roots,

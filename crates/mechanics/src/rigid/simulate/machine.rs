@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use super::{
     Body, End, History, Loads, Run, Sample, SimulateError, Turning, equal, finite, principal_attitude,
 };
-use crate::ode::Problem;
+use dalembert_numerics::ode::Problem;
 
 /// Attitude of the axes (4), angular momentum in them (3), spin against them; with torques also their work and their
 /// impulse (3).

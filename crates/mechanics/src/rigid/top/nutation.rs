@@ -6,7 +6,7 @@
 
 use std::{f64::consts::PI, ops::ControlFlow};
 
-use crate::{elliptic, roots};
+use dalembert_numerics::{elliptic, roots};
 
 /// A top.
 #[derive(Debug, Clone, Copy, PartialEq)]

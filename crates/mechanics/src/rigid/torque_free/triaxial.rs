@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Rotation3, Unit, Vector3};
 
-use crate::elliptic;
+use dalembert_numerics::elliptic;
 
 /// Principal moments of inertia that no body has, or a motion out of range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]

@@ -6,7 +6,7 @@ use super::{
     DampedAbsorber, least_peak_damping, least_peak_root, least_peak_tuning, viscous_damping,
     viscous_fixed_point,
 };
-use crate::linalg;
+use dalembert_numerics::linalg;
 
 /// Why there is no least peak.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]

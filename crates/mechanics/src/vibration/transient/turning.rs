@@ -3,7 +3,7 @@
 use std::{f64::consts::PI, ops::ControlFlow};
 
 use super::{Law, Oscillator, Output, State, TransientError};
-use crate::roots;
+use dalembert_numerics::roots;
 
 /// The most turning points that are searched for at either end of a piece.
 const MOST_TURNS: usize = 200;

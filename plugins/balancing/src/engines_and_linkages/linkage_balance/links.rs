@@ -1,9 +1,7 @@
 //! Newton's and Euler's equations of all links at once: the forces in the joints and the torque on the crank.
 
-use dalembert_mechanics::{
-    balance::linkage::{Counterweight, Follower, Link, Linkage, Pose},
-    linalg,
-};
+use dalembert_mechanics::balance::linkage::{Counterweight, Follower, Link, Linkage, Pose};
+use dalembert_numerics::linalg;
 use nalgebra::{DMatrix, DVector};
 
 /// What the links feel at a place.

@@ -7,8 +7,8 @@ use dalembert_mechanics::{
         influence::{self, TrialRun},
         spread::{self, Choice, Measurement, ReadingSpread},
     },
-    linalg,
 };
+use dalembert_numerics::linalg;
 use nalgebra::{Complex, DMatrix};
 
 use super::{

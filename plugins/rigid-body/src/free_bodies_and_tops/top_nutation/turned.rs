@@ -6,8 +6,8 @@ use dalembert_core::Worksheet;
 use dalembert_mechanics::{
     Real,
     rigid::top::{Nutation, Top},
-    vibration::quadrature,
 };
+use dalembert_numerics::quadrature;
 
 use super::NEAR_VERTICAL;
 

@@ -3,9 +3,9 @@
 use dalembert_core::Worksheet;
 use dalembert_mechanics::{
     Real,
-    extremes::Extreme,
     rigid::simulate::{self as follow, Body, History, Loads, Motion, Run, Sample, Turning},
 };
+use dalembert_numerics::extremes::Extreme;
 use nalgebra::Vector3;
 
 /// Error of a state between two steps, in parts of a radian.

@@ -3,10 +3,8 @@
 use std::f64::consts::{LN_2, PI};
 
 use dalembert_core::Worksheet;
-use dalembert_mechanics::{
-    Real,
-    vibration::{free::FreeMotion, quadrature::integral},
-};
+use dalembert_mechanics::{Real, vibration::free::FreeMotion};
+use dalembert_numerics::quadrature::integral;
 
 use super::form::Form;
 

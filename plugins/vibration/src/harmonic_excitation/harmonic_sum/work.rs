@@ -3,7 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 use dalembert_core::{Axis, Exhibit, Plot, Series, Worksheet};
-use dalembert_mechanics::{Real, vibration::quadrature::integral};
+use dalembert_mechanics::Real;
+use dalembert_numerics::quadrature::integral;
 use nalgebra::Complex;
 
 use crate::sources::{RAO, THOMSON};

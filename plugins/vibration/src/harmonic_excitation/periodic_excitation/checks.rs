@@ -1,10 +1,8 @@
 //! The steady motion in a second method: what every impulse of the wave, period after period, leaves of itself.
 
 use dalembert_core::Worksheet;
-use dalembert_mechanics::vibration::{
-    periodic::{Drive, Piece, Steady},
-    quadrature::integral,
-};
+use dalembert_mechanics::vibration::periodic::{Drive, Piece, Steady};
+use dalembert_numerics::quadrature::integral;
 use nalgebra::Complex;
 
 /// An oscillator and a period of what drives it.

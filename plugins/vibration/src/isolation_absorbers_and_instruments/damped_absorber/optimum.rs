@@ -2,9 +2,10 @@
 
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{
-    Real, linalg,
+    Real,
     vibration::absorber::{self, DampedAbsorber as Kernel},
 };
+use dalembert_numerics::linalg;
 use nalgebra::{Complex, DMatrix};
 
 use super::{Chosen, System, no_peaks};

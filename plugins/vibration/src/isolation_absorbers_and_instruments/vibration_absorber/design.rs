@@ -1,7 +1,8 @@
 //! The absorber of a known main system: its size, its resonances and the motion of both masses.
 
 use dalembert_core::{Exhibit, Refusal, Text, Worksheet};
-use dalembert_mechanics::{Real, linalg, sdof, vibration::absorber};
+use dalembert_mechanics::{Real, sdof, vibration::absorber};
+use dalembert_numerics::linalg;
 use nalgebra::DMatrix;
 
 use super::{

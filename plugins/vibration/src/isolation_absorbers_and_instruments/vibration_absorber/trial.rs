@@ -1,7 +1,8 @@
 //! The main system behind the two resonances with a trial absorber, and the absorber that keeps them out of a range.
 
 use dalembert_core::{Exhibit, Inputs, Refusal, Text, Worksheet};
-use dalembert_mechanics::{Real, linalg, sdof, vibration::absorber};
+use dalembert_mechanics::{Real, sdof, vibration::absorber};
+use dalembert_numerics::linalg;
 use nalgebra::DMatrix;
 
 use super::{

@@ -1,7 +1,8 @@
 //! Mounts that take up a shock: the velocity with which the machine arrives becomes travel.
 
 use dalembert_core::{Axis, Exhibit, Inputs, Plot, Refusal, Series, Text, Worksheet};
-use dalembert_mechanics::{Real, intervals::IntervalSet, sdof};
+use dalembert_mechanics::{Real, sdof};
+use dalembert_numerics::intervals::IntervalSet;
 
 use super::Mounts;
 use crate::sources::RAO;

@@ -3,7 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{Symbol, Text, Worksheet};
-use dalembert_mechanics::{Real, vibration::quadrature::integral};
+use dalembert_mechanics::Real;
+use dalembert_numerics::quadrature::integral;
 
 use super::{
     Damping, DampingGiven, EngineOrders, EngineOrdersGiven, Order, TorquesGiven, Vibration, WORKED,

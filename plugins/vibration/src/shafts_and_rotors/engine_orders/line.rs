@@ -7,10 +7,10 @@ use dalembert_mechanics::{
     Real, section, spring as kernel,
     vibration::{
         crankshaft::{self, Parts},
-        quadrature::integral,
         torsional::{Shaft, Train, TrainError},
     },
 };
+use dalembert_numerics::quadrature::integral;
 
 use super::{Attached, AttachedGiven, CranksGiven, EngineOrders, EngineOrdersGiven, firing::Cylinders};
 use crate::{

@@ -4,11 +4,10 @@ use std::ops::Bound::Included;
 
 use dalembert_core::{Axis, Exhibit, Plot, Refusal, Series, Text, Worksheet};
 use dalembert_mechanics::{
-    Real,
-    intervals::IntervalSet,
-    sdof,
+    Real, sdof,
     whirl::{self, LimitedBy},
 };
+use dalembert_numerics::intervals::IntervalSet;
 
 use super::{ShaftClearance, ShaftClearanceGiven, Sought, SoughtGiven, damping_ratio, reached};
 use crate::{shared::jeffcott, sources::RAO};

@@ -1,7 +1,8 @@
 //! The largest amplitude over the range of speeds against what is sought of the shaft.
 
 use dalembert_core::{Axis, Plot, Series};
-use dalembert_mechanics::{intervals::IntervalSet, sdof, whirl};
+use dalembert_mechanics::{sdof, whirl};
+use dalembert_numerics::intervals::IntervalSet;
 
 use super::{Damping, ShaftClearance};
 use crate::shared::jeffcott::pairs;

@@ -5,9 +5,9 @@ use std::ops::Bound::{Excluded, Included, Unbounded};
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real,
-    intervals::{Interval, IntervalSet},
     whirl::{self, PermittedSpeeds},
 };
+use dalembert_numerics::intervals::{Interval, IntervalSet};
 
 use crate::sources::RAO;
 

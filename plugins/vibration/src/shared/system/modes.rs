@@ -3,9 +3,9 @@
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real,
-    linalg::LinalgError,
     vibration::modes::{ModesError, NaturalModes, natural_modes},
 };
+use dalembert_numerics::linalg::LinalgError;
 use nalgebra::DMatrix;
 
 use super::{

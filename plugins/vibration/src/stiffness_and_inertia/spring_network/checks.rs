@@ -3,9 +3,9 @@
 use dalembert_core::Worksheet;
 use dalembert_mechanics::{
     Real,
-    linalg::ComplexLu,
     vibration::network::{Link, Network},
 };
+use dalembert_numerics::linalg::ComplexLu;
 use nalgebra::{Complex, DMatrix};
 
 /// What a motion of all nodes makes of masses, dampers and springs: `Σ m|x|²`, `Σ c|Δx|²` and `Σ k|Δx|²`.

@@ -4,15 +4,15 @@ use std::{f64::consts::TAU, ops::ControlFlow};
 
 use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{
-    Real, roots,
+    Real,
     slider_crank::{
         CrankMotion,
         cycle::Cycle,
         engine::{Engine as Kernel, Forces, Model, PistonMotion},
         gas::{self, Corners, Diagram},
     },
-    vibration::gauss,
 };
+use dalembert_numerics::{gauss_legendre, roots};
 
 use super::{Engine, Gas, flywheel::FlywheelInertiaGiven, forces::Problem, gas::Cylinder};
 
@@ -195,7 +195,7 @@ fn mean_square(moment: impl Fn(f64) -> f64, period: f64, corners: &[f64], parts:
     let of_pair = |pair: &[f64]| {
         let width = pair[1] - pair[0];
         let panels = (width / TAU * parts as f64).ceil() as usize;
-        width * gauss::integral(panels, |part| moment(pair[0] + part * width).powi(2))
+        width * gauss_legendre::integral(panels, |part| moment(pair[0] + part * width).powi(2))
     };
     ends.windows(2).map(of_pair).sum::<f64>() / period
 }

@@ -4,8 +4,8 @@ use dalembert_core::{Inputs, Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real, section,
     slider_crank::gas::{self, Diagram},
-    vibration::gauss,
 };
+use dalembert_numerics::gauss_legendre;
 
 use super::motion::{Lengths, Moving};
 use crate::sources::KHURMI;
@@ -403,7 +403,7 @@ impl<N: Real> Steam<N> {
                 let volume = filled * (part * grown).exp();
                 volume * diagram.pressure(0.0, volume - clearance, true)
             };
-            let expansion = grown * gauss::integral(24, strip);
+            let expansion = grown * gauss_legendre::integral(24, strip);
             let admission = self.cut_off.value() * diagram.pressure(0.0, 0.0, true);
             let exhaust = diagram.pressure(0.0, 0.5, false);
             let volume = displaced.value();

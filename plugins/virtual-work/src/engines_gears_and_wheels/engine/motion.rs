@@ -4,13 +4,12 @@ use dalembert_core::{Refusal, Why, Worksheet};
 use dalembert_mechanics::{
     Real,
     balance::reciprocating::{PistonMotion, harmonic_by_series, inertia_force},
-    roots,
     slider_crank::{
         CrankMotion,
         piston::{self, harmonics, two_term},
     },
-    vibration::gauss,
 };
+use dalembert_numerics::{gauss_legendre, roots};
 
 use super::{Engine, EngineGiven, Motion, MotionGiven, RodLengthGiven, Terms, ThrowGiven, too_short};
 use crate::sources::KHURMI;
@@ -188,7 +187,7 @@ fn displacement<W: Worksheet>(
             Terms::Two => two_term::velocity(r, n, angle, 1.0),
             _ => harmonics::velocity(r, &plain, angle, 1.0),
         };
-        let gone = way * gauss::integral(24, |part| slope(part * way));
+        let gone = way * gauss_legendre::integral(24, |part| slope(part * way));
         sheet.check_sum("displacement as the integral of the velocity", displacement, gone.into(), size);
     });
     displacement

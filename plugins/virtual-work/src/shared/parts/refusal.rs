@@ -1,7 +1,8 @@
 //! Why a mechanism has no answer, in the names of the form.
 
 use dalembert_core::{Refusal, Text};
-use dalembert_mechanics::{ode::OdeError, planar::PlanarError};
+use dalembert_mechanics::planar::PlanarError;
+use dalembert_numerics::ode::OdeError;
 
 use super::{Driven, Parts};
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use dalembert_mechanics::extremes::{Extremes, Sampling, largest};
+use dalembert_numerics::extremes::{Extremes, Sampling, largest};
 
 use crate::close::{close, found};
 

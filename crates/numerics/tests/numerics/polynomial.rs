@@ -1,5 +1,5 @@
-use dalembert_mechanics::linalg::complex_eigenvalues;
-use dalembert_mechanics::polynomial::{PolynomialError, roots};
+use dalembert_numerics::linalg::complex_eigenvalues;
+use dalembert_numerics::polynomial::{PolynomialError, roots};
 use itertools::Itertools as _;
 use nalgebra::{Complex, DMatrix};
 use proptest::prelude::*;
@@ -40,20 +40,6 @@ fn low_degrees_in_closed_form() {
     assert!(distance(&four, &expected) < 1e-15);
     assert!(found(roots(&[7.0])).is_empty());
     assert_eq!(found(roots(&[0.0, 0.0, 3.0, 0.0, 0.0])), [Complex::from(0.0); 2]);
-}
-
-#[test]
-fn damping_ratios_of_a_peak_are_roots_of_its_quartic() {
-    // 4Λ²ζ²(1 − ζ²) = 1.
-    let peak: f64 = 8.12;
-    let four = 4.0 * peak * peak;
-    let positive: Vec<f64> = found(roots(&[-four, 0.0, four, 0.0, -1.0]))
-        .into_iter()
-        .filter(|z| z.im == 0.0 && z.re > 0.0)
-        .map(|z| z.re)
-        .collect();
-    close(positive[0], dalembert_mechanics::sdof::damping_ratio_from_peak(peak).unwrap(), 1e-12);
-    close(positive[1], dalembert_mechanics::sdof::extraneous_damping_ratio_from_peak(peak).unwrap(), 1e-12);
 }
 
 #[test]

@@ -37,7 +37,7 @@ pub fn j_zeros(order: usize, count: usize) -> Vec<f64> {
 }
 
 /// The first `count` zeros of a function above `from` that are more than half apart.
-pub(super) fn zeros(mut function: impl FnMut(f64) -> f64, from: f64, count: usize) -> Vec<f64> {
+pub fn zeros(mut function: impl FnMut(f64) -> f64, from: f64, count: usize) -> Vec<f64> {
     const STEP: f64 = 0.4;
     let mut found = Vec::with_capacity(count);
     let mut x = from;

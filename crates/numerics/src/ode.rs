@@ -8,7 +8,7 @@ mod coefficients;
 mod events;
 
 use self::coefficients::{BETWEEN, FIFTH, NODES, STAGES, Sum, THIRD};
-pub(crate) use self::events::SAME_TIME;
+pub use self::events::SAME_TIME;
 
 /// The stages of a step, its end, and those of the polynomial between.
 const SLOPES: usize = 16;

@@ -1,7 +1,7 @@
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 
-use dalembert_mechanics::roots::{RootError, find, find_all};
+use dalembert_numerics::roots::{RootError, find, find_all};
 use proptest::prelude::*;
 
 use crate::close::{close, found};

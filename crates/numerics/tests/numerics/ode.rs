@@ -3,7 +3,7 @@
 use itertools::Itertools as _;
 use std::f64::consts::TAU;
 
-use dalembert_mechanics::ode::{Function, Integrator, OdeError, Problem, states};
+use dalembert_numerics::ode::{Function, Integrator, OdeError, Problem, states};
 
 use crate::close::{close, found};
 

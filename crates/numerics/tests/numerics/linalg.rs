@@ -1,4 +1,4 @@
-use dalembert_mechanics::linalg::{
+use dalembert_numerics::linalg::{
     LinalgError, Solved, complex_eigenvalues, least_squares, solve, symmetric_eigen,
 };
 use itertools::Itertools as _;

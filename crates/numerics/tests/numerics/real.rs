@@ -1,4 +1,4 @@
-use dalembert_mechanics::{Real, Vector};
+use dalembert_numerics::{Real, Vector};
 use nalgebra::Vector3;
 
 use crate::close::{ROUNDING, close};

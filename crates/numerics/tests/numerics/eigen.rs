@@ -3,7 +3,7 @@
 use itertools::Itertools as _;
 use std::f64::consts::PI;
 
-use dalembert_mechanics::linalg::{
+use dalembert_numerics::linalg::{
     ComplexBand, LinalgError, SymmetricBand, complex_eigen, complex_eigenvalues, generalised_eigen,
     generalised_eigenvalues, lowest_modes, solve_complex,
 };

@@ -1,6 +1,6 @@
 use std::ops::Bound::{self, Excluded, Included, Unbounded};
 
-use dalembert_mechanics::intervals::{Interval, IntervalSet};
+use dalembert_numerics::intervals::{Interval, IntervalSet};
 use proptest::prelude::*;
 
 fn set(lower: Bound<f64>, upper: Bound<f64>) -> IntervalSet {

@@ -9,7 +9,7 @@ use crate::roots;
 /// where several numbers fall at once their signs are lost.
 const PLACES: [f64; 7] = [1.0 / 6.0, 2.0 / 6.0, 3.0 / 6.0, 4.0 / 6.0, 5.0 / 6.0, 0.998, 1.0];
 /// Two moments less than this part of a step apart are the same.
-pub(crate) const SAME_TIME: f64 = 1e-9;
+pub const SAME_TIME: f64 = 1e-9;
 /// Halvings of the way from the begin to such a place in which a short rise is searched for.
 const RISES: i32 = 24;
 

@@ -1,0 +1,43 @@
+//! Numerical methods on `f64`: no mechanics, no text, no units, no input and no output.
+//!
+//! Every method refuses what has no answer with a typed error, and never returns NaN or infinity.
+//!
+//! | topic | modules |
+//! |---|---|
+//! | linear algebra | [`linalg`] |
+//! | differential equations | [`ode`], with events and dense output |
+//! | roots and extremes | [`roots`], [`polynomial`], [`extremes`] |
+//! | quadrature | [`quadrature`], [`gauss_legendre`] |
+//! | special functions | [`elliptic`], [`bessel`] |
+//! | sets of numbers | [`intervals`] |
+//! | formulas for several samples at once | [`simd`] |
+//!
+//! The natural frequencies of two equal masses between three equal springs, `K x = ω² M x`:
+//!
+//! ```
+//! use dalembert_numerics::linalg::generalised_eigenvalues;
+//! use nalgebra::dmatrix;
+//!
+//! let stiffness = dmatrix![200.0, -100.0; -100.0, 200.0];
+//! let mass = dmatrix![1.0, 0.0; 0.0, 1.0];
+//! let squares = generalised_eigenvalues(&stiffness, &mass)?;
+//! assert!((squares[0].sqrt() - 10.0).abs() < 1e-12);
+//! assert!((squares[1].sqrt() - 300f64.sqrt()).abs() < 1e-12);
+//! # Ok::<(), dalembert_numerics::linalg::LinalgError>(())
+//! ```
+
+pub mod bessel;
+pub mod elliptic;
+pub mod extremes;
+pub mod gauss_legendre;
+pub mod intervals;
+pub mod linalg;
+pub mod ode;
+pub mod polynomial;
+pub mod quadrature;
+pub mod roots;
+pub mod simd;
+
+mod real;
+
+pub use real::{Real, Vector};

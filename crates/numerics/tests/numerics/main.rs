@@ -1,0 +1,12 @@
+//! Numerical methods compared with closed forms, published values, second methods and scaling.
+
+mod close;
+
+mod eigen;
+mod extremes;
+mod intervals;
+mod linalg;
+mod ode;
+mod polynomial;
+mod real;
+mod roots;
