@@ -1,4 +1,4 @@
-//! What a user waits for: from a key that changes an input to the finished frame, and a frame alone.
+//! Benchmark of the response time: from a key that changes an input to the finished frame, and a frame alone.
 //!
 //! The workbench runs without a terminal: a key is a message, a solve is carried out at once, and the frame is drawn
 //! into a buffer. Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.
@@ -81,7 +81,7 @@ impl Workbench {
         })
     }
 
-    /// Whether the key led to a solve.
+    /// Returns true if the key led to a solve.
     fn press(&mut self, code: KeyCode) -> bool {
         let effects = update(&mut self.model, Msg::Key(KeyEvent::new(code, KeyModifiers::NONE)));
         self.perform(effects)

@@ -1,4 +1,4 @@
-//! What the plain reading of a solve costs beside the loop that somebody would write by hand.
+//! Benchmark of the plain reading of a solve beside the hand-written loop.
 //!
 //! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.
 
@@ -227,7 +227,7 @@ fn answers_of_any_inputs(inputs: &[f64], answers: &mut [f64]) {
     }
 }
 
-/// What does not depend on the speed.
+/// Parameters that do not depend on the speed.
 struct Machine {
     static_eccentricity: f64,
     stiffness: f64,

@@ -1,4 +1,4 @@
-//! What a keystroke costs: the inputs are read and solved, for the first case of every analysis.
+//! Benchmark of a solve: the inputs are read and solved, for the first case of every analysis.
 //!
 //! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.
 

@@ -1,4 +1,4 @@
-//! What a user at a terminal waits for, and what goes over the line: the workbench itself at a pseudo-terminal.
+//! Benchmark of the workbench at a pseudo-terminal: response times and bytes sent.
 //!
 //! Measures the binary that the variable `DALEMBERT` names. Prints `name<TAB>figure<TAB>goal`, a row a line;
 //! `cargo xtask bench` makes a table of them. Times end when the last byte of the frame has come.

@@ -1,10 +1,9 @@
-//! What the tests of the whole program share: a user before the screens, and a terminal for the program itself.
+//! Helpers of the tests of the whole program: a user before the screens, and a terminal for the program itself.
 
 pub mod person;
 pub mod pty;
 
-/// How many times more than every day the nets over the registry look: `DALEMBERT_TIMES`, as `cargo xtask soak nets` sets
-/// it.
+/// Multiplier of the number of random tests over the registry: `DALEMBERT_TIMES`, as `cargo xtask soak nets` sets it.
 #[must_use]
 pub fn times() -> usize {
     let times = std::env::var("DALEMBERT_TIMES").ok();

@@ -150,7 +150,7 @@ impl Person {
         found.unwrap_or_else(|| panic!("`{text}` is not on the screen:\n{screen}"))
     }
 
-    /// Whether the first place of a text on the screen is drawn dim: passed over, not current.
+    /// Returns true if the first occurrence of a text on the screen is dim.
     pub fn sees_dim(&mut self, text: &str) -> bool {
         let place = self.place_of(text);
         self.draws()[place].modifier.contains(Modifier::DIM)
@@ -180,7 +180,7 @@ impl Person {
     }
 }
 
-/// How a cell is drawn, in words; empty for a plain one.
+/// Style of a cell, in words; empty for a plain one.
 fn ink(cell: &Cell) -> String {
     let mut words: Vec<String> = cell.modifier.iter_names().map(|(name, _)| name.to_lowercase()).collect();
     let shown = |color: Color| (color != Color::Reset).then(|| color.to_string().to_lowercase());

@@ -38,13 +38,13 @@ use rustix::{
     termios::{OptionalActions, tcgetattr, tcsetattr},
 };
 
-/// How long [`Pty::expect`] and [`Pty::exit_code`] wait. Long enough for a machine that is busy with a build.
+/// Timeout of [`Pty::expect`] and [`Pty::exit_code`]. Long enough for a machine that is busy with a build.
 pub const PATIENCE: Duration = Duration::from_secs(10);
 
 /// Bits of a serial line for a byte: eight, a start and a stop.
 const BITS: u32 = 10;
 
-/// How to start a program.
+/// Options of starting a program.
 #[derive(Clone, Debug)]
 pub struct Launch {
     program: PathBuf,
@@ -56,7 +56,7 @@ pub struct Launch {
     baud: Option<u32>,
 }
 
-/// What stands between the terminal and the program.
+/// Process between the terminal and the program.
 #[derive(Clone, Debug)]
 enum Front {
     Nothing,
@@ -160,12 +160,12 @@ pub struct Pty {
     /// The program's side, to read its modes and to wake the reader.
     line: File,
     before: Before,
-    /// When the program, or the shell before it, was started.
+    /// Time at which the program, or the shell before it, was started.
     pub started: Instant,
     home: tempfile::TempDir,
 }
 
-/// What came from the program.
+/// Output of the program.
 struct Seen {
     output: Mutex<Output>,
     /// The reader takes nothing: a stopped line, a wedged multiplexer.
@@ -179,7 +179,7 @@ struct Output {
     parser: vt100::Parser,
     raw: Vec<u8>,
     last: Instant,
-    /// How many bytes there were after each that was read, and when it came.
+    /// Number of bytes after each read, and its time.
     arrivals: Vec<(usize, Instant)>,
 }
 
@@ -278,7 +278,7 @@ impl Pty {
         self.seen.output().parser.screen().contents()
     }
 
-    /// Whether the text is on the screen, now or within `patience`.
+    /// Returns true if the text is on the screen, now or within `patience`.
     pub fn sees(&self, text: &str, patience: Duration) -> bool {
         let end = Instant::now() + patience;
         while !self.screen().contains(text) {
@@ -309,12 +309,12 @@ impl Pty {
         self.seen.output().raw.clone()
     }
 
-    /// What came since there were `count` bytes.
+    /// Bytes received after the first `count`.
     pub fn since(&self, count: usize) -> Vec<u8> {
         self.seen.output().raw.get(count..).unwrap_or_default().to_vec()
     }
 
-    /// When the byte came that was the `count`-th.
+    /// Time of arrival of the `count`-th byte.
     pub fn arrival(&self, count: usize) -> Option<Instant> {
         let Output { arrivals, .. } = &*self.seen.output();
         arrivals.get(arrivals.partition_point(|(length, _)| *length < count)).map(|(_, time)| *time)
@@ -325,7 +325,7 @@ impl Pty {
         self.home.path()
     }
 
-    /// How many bytes came so far.
+    /// Number of bytes received.
     pub fn count(&self) -> usize {
         self.seen.output().raw.len()
     }
@@ -385,7 +385,7 @@ impl Pty {
         let _ = kill_process_group(pid(leader.expect("there is a foreground group")), signal);
     }
 
-    /// Whether the started process still runs.
+    /// Returns true if the started process still runs.
     pub fn runs(&mut self) -> bool {
         self.child.try_wait().is_ok_and(|status| status.is_none())
     }
@@ -485,7 +485,7 @@ pub fn lifecycle() -> PathBuf {
     built("examples/lifecycle", &["--package", "dalembert-tui", "--example", "lifecycle"])
 }
 
-/// What was built by this process: tests run at once, and one of them builds.
+/// Programs built by this process: tests run at once, and one of them builds.
 static BUILT: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// Builds a program beside the tests, with their profile, once; what is up to date costs a fraction of a second.

@@ -42,7 +42,7 @@ fn every_alternative_is_reached_by_a_case() {
     );
 }
 
-/// Whether a case holds a number that somebody else found.
+/// Returns true if a case holds a number from an independent source.
 fn holds(case: &Case) -> bool {
     let apart = match case.truth {
         Truth::Published => case.seen != Some(Seen::Recalled),

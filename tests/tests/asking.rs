@@ -1,4 +1,4 @@
-//! Whether a user's own answers are right, and if not, why; and how answers are shown.
+//! Check of a user's own answers, with the probable mistakes; display of answers.
 
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
@@ -308,7 +308,7 @@ fn praise_is_given_once() {
     assert_eq!(praised, 1, "{}", person.sees());
 }
 
-/// What the list of exercises says of the fan.
+/// Text of the fan in the list of exercises.
 fn exercise(person: &mut Person) -> String {
     person.types("<esc><esc>").clicks("Exercise lists").types("<right><down>");
     let screen = person.sees();

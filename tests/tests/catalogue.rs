@@ -59,7 +59,7 @@ fn the_course_documents_are_in_the_catalogue() {
     }
 }
 
-/// What was seen is named first: of a companion's output the companion, and the book behind it after that.
+/// A source that was seen is named first: for a companion's output the companion, and then the book behind it.
 #[test]
 fn a_companion_is_named_where_its_output_was_seen() {
     let mut seen = 0;

@@ -38,7 +38,7 @@ fn stderr(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).expect("what is printed is UTF-8")
 }
 
-/// What a successful run prints.
+/// Output of a successful run.
 fn printed(arguments: &[&str]) -> String {
     let output = run(arguments, &[]);
     assert_eq!(output.status.code(), Some(0), "{arguments:?}: {}", stderr(&output));
@@ -506,7 +506,7 @@ fn files_that_are_no_problem_are_refused_in_one_message() {
     assert!(refused(&["solve", "/dev/null"], 2).contains("device"));
 }
 
-/// What nobody means, in every field.
+/// Nonsense for every field.
 fn nonsense() -> Vec<(&'static str, String)> {
     vec![
         ("empty", String::new()),

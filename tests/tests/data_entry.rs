@@ -317,7 +317,7 @@ fn a_read_only_start_and_doubtful_thousands_are_reported() {
     assert_eq!(typed_at(&person, "speed"), "0.125 rpm");
 }
 
-/// What the draft holds at a path.
+/// Text of the draft at a path.
 fn typed_at(person: &Person, path: &str) -> String {
     let bench = person.model.bench.as_ref().expect("a problem is open");
     match bench.form.draft.at(&bench.entry.shape(), path) {

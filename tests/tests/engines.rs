@@ -24,7 +24,7 @@ const PROGRAMS: [(&str, usize); 7] = [
     ("pylinkage", 82),
 ];
 
-/// How many numbers, analyses and families they reach together at least.
+/// Minimum number of numbers, analyses and families that other programs cover together.
 const NUMBERS: usize = 1256;
 const ANALYSES: usize = 51;
 const FAMILIES: [&str; 4] = ["balancing", "rigid-body", "vibration", "virtual-work"];
@@ -69,10 +69,10 @@ fn other_programs_find_the_same() {
     assert!(families.iter().eq(FAMILIES.iter()), "the families are {families:?}");
 }
 
-/// What has been held so far.
+/// Counts of compared numbers.
 #[derive(Default)]
 struct Found {
-    /// How many numbers of each program.
+    /// Number of compared numbers of each program.
     numbers: BTreeMap<String, usize>,
     total: usize,
     analyses: BTreeSet<String>,

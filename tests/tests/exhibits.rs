@@ -1,4 +1,4 @@
-//! What every analysis draws: marks that stand where they say, words that cover nothing, scenes seen from every side.
+//! Drawings of every analysis: marks at their stated values, texts that overlap nothing, scenes from every side.
 
 use itertools::Itertools as _;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -226,7 +226,7 @@ fn a_scene_in_space_is_turned_by_keys_and_keeps_its_side() {
     assert!(flat.types("<tab>]]]<right>").sees().contains("this drawing is planar"), "{}", flat.sees());
 }
 
-/// What is seen is what is written: the window, the decibels, the cursor; the side of a scene.
+/// An export contains the visible state: the window, the decibels, the cursor; the side of a scene.
 #[test]
 fn what_is_seen_is_exported() {
     let folder = tempfile::tempdir().expect("a folder");

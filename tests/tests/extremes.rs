@@ -1,4 +1,4 @@
-//! What is said to be the largest, the least or the first over a time is so: over a longer time it is never less large.
+//! Answers that claim an extreme or a first time over a period remain valid over a longer period.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +17,7 @@ enum Side {
     First,
 }
 
-/// Which extreme an answer says that it is.
+/// Type of extreme that an answer claims.
 fn side(name: &str, label: &str) -> Option<Side> {
     let said = format!("{name} {label}").to_lowercase();
     let says = |words: &[&str]| words.iter().any(|word| said.contains(word));

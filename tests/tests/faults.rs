@@ -451,7 +451,7 @@ fn bytes_on_the_line(program: &Path) {
     }
 }
 
-/// What the environment does not promise is not sent.
+/// Sequences that the environment does not promise are not sent.
 fn plain_terminals(program: &Path) {
     for (term, lang, colorterm) in [
         ("xterm-256color", "C", ""),

@@ -1,4 +1,4 @@
-//! What must not change an answer: other base units, other units of an input, the reading of the solve.
+//! Invariance of answers: other base units, other units of an input, the plain reading of the solve.
 
 use itertools::Itertools as _;
 use std::{
@@ -137,7 +137,7 @@ fn verified(name: &str, solution: &Solution) {
     }
 }
 
-/// What a solve finds that is reported to stop when it has taken so long.
+/// Result of a solve that receives the stop signal after a given time.
 fn stopped_after_a_while(entry: &Entry, record: &Record) -> Result<Solution, SolveError> {
     const LONG: Duration = Duration::from_millis(100);
     const SOON: Duration = Duration::from_secs(20);
@@ -185,7 +185,7 @@ fn numbers(value: &AnswerValue) -> Vec<f64> {
     }
 }
 
-/// Which answers there are: rounding has no part in that.
+/// Names of the answers, which rounding must not change.
 fn names(solution: &Solution) -> Vec<String> {
     solution.answers.iter().map(|answer| answer.name.to_string()).collect()
 }
@@ -242,7 +242,7 @@ fn measure(shape: &Shape) -> Option<dalembert_core::Measure> {
 
 /// An input that is varied by itself.
 struct Varied {
-    /// Its place among the quantities of the problem.
+    /// Index among the quantities of the problem.
     place: usize,
     path: String,
     field: &'static Field,
@@ -272,7 +272,7 @@ fn without_rows(path: &str) -> String {
     path.chars().filter(|c| !c.is_ascii_digit()).collect()
 }
 
-/// What is asked and how it is answered, without the numbers: the alternatives that are chosen, and what is left out.
+/// Structure of a record, without the numbers: the chosen alternatives, and the omitted inputs.
 fn form(record: &Record) -> BTreeSet<String> {
     let mut form = BTreeSet::new();
     record.leaves(&mut |path, _, value| {

@@ -90,7 +90,7 @@ fn labels_begin_with_capitals_in_both_languages() {
     assert!(wrong.is_empty(), "{} labels:\n{}", wrong.len(), wrong.join("\n"));
 }
 
-/// What people read of a case.
+/// Texts of a case for users.
 fn words_of(case: &Case) -> Vec<Text> {
     let reasons = case.expect.iter().filter_map(|expected| match &expected.how {
         Hold::Within(_, why) | Hold::Disputed { why, .. } => Some(why.clone()),

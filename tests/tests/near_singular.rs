@@ -5,9 +5,9 @@ use dalembert_core::{Stop, file};
 use dalembert_plugins as _;
 use toml_edit::{DocumentMut, Table};
 
-/// What an answer of condition 1 may be off, over its own.
+/// Relative error allowed for an answer of condition 1.
 const FLOOR: f64 = 1e-12;
-/// How many times the condition explains: a formula rounds some ten times on its way.
+/// Multiple of the condition number that is allowed: a formula rounds some ten times on its way.
 const STEPS: f64 = 16.0;
 
 #[test]

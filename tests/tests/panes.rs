@@ -55,7 +55,7 @@ fn every_pane_of_the_fan_at_every_size() {
     }
 }
 
-/// What the fan has none of: tables, rows within rows, what turns in space, animations, polar diagrams, marks of weights.
+/// Panes that the fan lacks: tables, rows within rows, rotating scenes, animations, polar diagrams, marks of weights.
 #[test]
 fn every_other_pane_at_every_size() {
     for (name, id, keys) in [

@@ -62,8 +62,8 @@ fn every_analysis_is_written_well_in_every_format() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// What a user reads, word for word: a problem with plots and one with vectors and a scene in space. Of the figures
-/// their number of lines.
+/// Reports word for word: a problem with plots and one with vectors and a scene in space. Of the figures their number
+/// of lines.
 #[test]
 fn two_problems_in_every_format_and_both_languages() {
     for id in ["vibration/rotating-unbalance", "rigid-body/momentum"] {
@@ -212,7 +212,7 @@ fn typst_fault(text: &str) -> Option<String> {
     open.pop().map(|left| format!("{left} is left open"))
 }
 
-/// Whether the bracket before `rest` belongs to a call such as `#table(`.
+/// Returns true if the bracket before `rest` belongs to a call such as `#table(`.
 fn text_is_call(text: &str, rest: &str) -> bool {
     let before = &text[..text.len() - rest.len() - 1];
     let name = before.rsplit(|c: char| !c.is_ascii_lowercase()).next().unwrap_or_default();

@@ -26,7 +26,7 @@ const FOUND: f64 = 1e-13;
 const AGREEMENT: f64 = 1e-9;
 /// A path no longer than this, in SI, is the rounding of a point at rest.
 const STILL: f64 = 1e-9;
-/// How many times the median of a curve its largest ordinate is taken for at most.
+/// Cap of the largest ordinate of a curve, as a multiple of its median.
 const PEAK: f64 = 1e3;
 /// So much a curve is put off, to see that it is noticed.
 const OFF: f64 = 1e-6;
@@ -49,14 +49,14 @@ const LOOSER: [(&str, &str, f64, &str); 3] = [
     ),
 ];
 
-/// What has no input to be solved with: `analysis | title | curve | reason`, by the English sentences; `*` is any curve.
+/// Plots without an input to solve at: `analysis | title | curve | reason`, by the English sentences; `*` is any curve.
 /// A reason that begins with `sometimes` is that of problems that do not ask for the input, beside others that do.
 const LISTED: &str = include_str!("plots/listed.txt");
 
 /// Analysis, title and curve.
 type Key = (String, String, String);
 
-/// What the plots and animations of a family are over.
+/// Axes of the plots and animations of a family.
 #[derive(Default)]
 struct Met {
     named: BTreeSet<Key>,
@@ -345,7 +345,7 @@ fn numbers(shape: &DrawnShape) -> (&'static str, Vec<f64>) {
     }
 }
 
-/// What is not the same in two sketches.
+/// First difference of two sketches.
 fn differ(one: &[DrawnShape], other: &[DrawnShape]) -> Option<String> {
     if one.len() != other.len() {
         return Some(format!("{} shapes for {}", one.len(), other.len()));
@@ -397,7 +397,7 @@ fn held((name, least): (&str, usize)) {
     assert!(met.named.len() >= least, "{name}: {} curves name their input", met.named.len());
 }
 
-/// What is neither named nor listed, or both.
+/// Plots that are neither named nor listed, or both.
 fn unlisted(met: &Met, family: &str) -> Vec<String> {
     let mut listed: BTreeMap<Key, &str> = BTreeMap::new();
     for line in LISTED.lines().filter(|line| line.starts_with(&format!("{family}/"))) {

@@ -31,7 +31,7 @@ const CHANGE: f64 = 0.3;
 /// Answers that are ranges, and the answers that lie in them.
 const RANGES: [(&str, &str); 2] = [("correction_range", "correction"), ("angle_range", "correction_angle")];
 
-/// What came of all draws.
+/// Counts over all draws.
 #[derive(Default)]
 struct Met {
     /// Of each analysis: drawn, answered, refused.
@@ -147,7 +147,7 @@ fn try_one(entry: &'static Entry, name: &str, record: &Record, met: &Mutex<Met>)
     }
 }
 
-/// What is wrong with a solution, whatever the problem.
+/// Defects of a solution, whatever the problem.
 fn faults(solution: &Solution) -> Vec<String> {
     let mut faults: Vec<String> = solution.defects.clone();
     for check in solution.checks.iter().filter(|check| !check.passed) {
@@ -251,7 +251,7 @@ fn table() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../docs/refusals.md")
 }
 
-/// Where `DALEMBERT_REPORT` names a file: what was met, for the one who judges it.
+/// Writes a report to the file that `DALEMBERT_REPORT` names.
 fn report(met: &Met, draws: u64) {
     let Ok(path) = std::env::var("DALEMBERT_REPORT") else { return };
     let sum = |at: usize| met.counts.values().map(|counts| counts[at]).sum::<usize>();

@@ -121,7 +121,7 @@ fn a_file_is_open_once() {
     assert!(person.sees().contains("1003 rpm") && person.sees().contains("1/2"), "{}", person.sees());
 }
 
-/// What the sessions left is taken up together, each in its place, and kept again at once.
+/// Autosaved work of all crashed sessions is recovered together, each in its place, and autosaved again at once.
 #[test]
 fn everything_a_crashed_session_left_is_taken_up() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -194,7 +194,7 @@ fn every_question_shows_its_answers_however_small_the_screen() {
     }
 }
 
-/// What leads to a question.
+/// Actions that lead to a question.
 type Asked = fn(&mut Person);
 
 /// A path that takes a line and more of a small screen.

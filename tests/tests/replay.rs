@@ -81,7 +81,7 @@ fn a_session_opens_the_file_beside_it() {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
-/// What a user did at a terminal gives the same last screen when it is played again.
+/// A recorded session gives the same last screen when it is replayed.
 #[test]
 fn what_is_recorded_can_be_played() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -132,7 +132,7 @@ fn what_is_recorded_can_be_played() {
     assert_eq!(fs::read_to_string(&path).expect("the session is there"), text);
 }
 
-/// What was recorded saves and quits; played again it does neither, and nobody's work is asked about.
+/// A recorded session that saves and quits does neither when replayed, and asks about no unsaved work.
 #[test]
 fn a_session_that_is_played_writes_nothing_and_does_not_end_the_program() {
     let folder = tempfile::tempdir().expect("a folder");

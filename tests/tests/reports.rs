@@ -1,5 +1,5 @@
-//! What a worked solution prints is true: every substitution, read again from its text and computed, gives the
-//! result beside it. The texts are read by a small evaluator of their own, which knows nothing of the printer.
+//! Numerical truth of worked solutions: every substitution, read again from its text and computed, gives the result
+//! beside it. The texts are read by a small evaluator of their own, which knows nothing of the printer.
 
 use dalembert_core::{
     Language, Locale, Number, Solution, SolveError, Stop, cases,

@@ -1,4 +1,4 @@
-//! What a user sets: keys, themes, whether the mouse is taken, the editor; and files that other programs change.
+//! Settings: keys, themes, mouse capture, the editor; and files that other programs change.
 
 use std::{fs, os::unix::fs::PermissionsExt, path::Path, process::Command, time::Duration};
 

@@ -1,5 +1,4 @@
-//! What a user asks beside the results: which input matters; how an answer runs over an input, where it is a wanted
-//! one, and how it scatters.
+//! Studies: sensitivity to inputs; sweep, target value and Monte Carlo of an answer.
 
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
@@ -292,7 +291,7 @@ fn a_study_is_stopped() {
     assert!(sensitivity::sensitivity(fan.entry, &fan.record, "amplitude", (&[], 1.0), &stop).is_err());
 }
 
-/// What a key leads to, while nobody does it.
+/// Effects of a key, without performing them.
 fn presses(person: &mut Person, key: &str) -> Vec<Effect> {
     let key = keys_of(key).unwrap().remove(0);
     update(&mut person.model, Msg::Key(key))
@@ -431,7 +430,7 @@ fn a_study_is_typed_and_its_curve_is_seen() {
     assert!(wrong.sees().contains("is a time"), "{}", wrong.sees());
 }
 
-/// What stands on the screen behind the name of a cell.
+/// Text on the screen behind the name of a cell.
 fn cell(person: &mut Person, name: &str) -> String {
     let screen = person.sees();
     let line = screen.lines().find_map(|line| Some(line.split_once(name)?.1));

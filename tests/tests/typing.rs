@@ -1,4 +1,4 @@
-//! What is typed into fields, cells and paths, and what is said of it.
+//! Typing into fields, cells and paths, and the messages that follow.
 
 use std::fs;
 

@@ -61,7 +61,7 @@ pub(crate) fn format(source: &Path) {
     let _ = Command::new("rustfmt").args(["--edition", "2024"]).arg(source).status();
 }
 
-/// Where cargo puts what it builds for the workspace in `root`.
+/// Target directory of the workspace in `root`.
 pub(crate) fn target(root: &Path) -> PathBuf {
     // Paths in the variable are relative to where cargo was called.
     env::var_os("CARGO_TARGET_DIR").map_or_else(

@@ -105,7 +105,7 @@ fn described(analysis: &Json, solved: &Json, verdicts: &BTreeMap<(String, String
     section
 }
 
-/// How the printed answers of a case compare with ours.
+/// Counts of the comparisons of a case's published answers.
 #[derive(Clone, Copy, Default)]
 struct Counts {
     agreed: usize,
@@ -139,7 +139,7 @@ fn verdicts(verified: &Json) -> BTreeMap<(String, String), Counts> {
     counts
 }
 
-/// What the program prints with these arguments.
+/// JSON output of the program with these arguments.
 pub(crate) fn json(program: &Program, arguments: &[&str]) -> Result<Json> {
     let mut command = program.with(arguments);
     // The status says what was found; the text is complete in any case.

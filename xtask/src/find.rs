@@ -10,7 +10,7 @@ use crate::tidy::Tree;
 
 /// The document that gives the synonyms of a term: the cells of a row, each with synonyms between commas.
 const GLOSSARY: &str = "docs/glossary.md";
-/// What begins a public item.
+/// Keywords of public items.
 const ITEMS: [&str; 7] = ["fn", "struct", "enum", "trait", "type", "const", "static"];
 
 /// Prints the files that are called by the term, or hold a public item of that name.
@@ -84,7 +84,7 @@ impl Names {
     }
 }
 
-/// Whether a file is a source of a crate or plugin, without its tests.
+/// Returns true if a file is a source of a crate or plugin, without its tests.
 fn is_source(path: &str) -> bool {
     (path.starts_with("crates/") || path.starts_with("plugins/"))
         && path.contains("/src/")

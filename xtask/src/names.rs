@@ -51,7 +51,7 @@ pub(crate) fn nearest<'k>(name: &str, known: &'k [String]) -> Option<&'k str> {
     known.iter().map(|known| (distance(name, known), known.as_str())).min().map(|(_, known)| known)
 }
 
-/// How many letters must be put in, left out or changed to make one name of the other.
+/// Edit distance (Levenshtein) between two names.
 fn distance(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();

@@ -99,7 +99,7 @@ impl Tree {
         self.0.get(path).map(String::as_str)
     }
 
-    /// Whether there is a file or a folder of that path.
+    /// Returns true if there is a file or a folder of that path.
     fn has(&self, path: &str) -> bool {
         let folder = format!("{}/", path.trim_end_matches('/'));
         self.0.contains_key(path) || self.0.keys().any(|file| file.starts_with(&folder))
@@ -131,7 +131,7 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     text.lines().enumerate().map(|(n, line)| (n + 1, line))
 }
 
-/// Whether a file is of this kind.
+/// Returns true if a file has this extension.
 fn ends_in(path: &str, ending: &str) -> bool {
     Path::new(path).extension().is_some_and(|have| have == ending)
 }

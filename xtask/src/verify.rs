@@ -16,7 +16,7 @@ use crate::{
     docs, new_analysis, pictures, tidy,
 };
 
-/// How much is proved.
+/// Extent of the verification.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
     /// All of it.
@@ -25,7 +25,7 @@ pub enum Extent {
     Quick,
 }
 
-/// What a step finds: a few words for the summary.
+/// Result of a step: a few words for the summary.
 type Found = Result<String>;
 
 struct Step {
@@ -185,7 +185,7 @@ fn documentation(root: &Path) -> Found {
     Ok(String::new())
 }
 
-/// What is generated is as it would be generated now.
+/// Generated files agree with those that would be generated now.
 fn reference(root: &Path) -> Found {
     docs::check(root)?;
     Ok(String::new())
@@ -224,8 +224,8 @@ fn out_of_tree(root: &Path) -> Found {
     Ok(format!("{} analyses", listed.len()))
 }
 
-/// What is a member of the workspace here is a dependency there, and would be compiled for speed as all dependencies
-/// are: options that compile it as quickly as can be, since little is solved with it.
+/// Checks that a member of the workspace here, which is a dependency there, is not compiled for speed: options that
+/// compile it as quickly as can be, since little is solved with it.
 fn compiled_quickly(root: &Path) -> Result<Vec<String>> {
     let mut options = Vec::new();
     for group in ["crates", "plugins"] {

@@ -65,7 +65,7 @@ struct Hunk {
     added: String,
 }
 
-/// What the test of languages finds missing, as `[crate] key = sentence`.
+/// Missing translations reported by the test of languages, as `[crate] key = sentence`.
 fn missing(root: &Path) -> Result<Vec<Missing>> {
     let test = cargo(root)
         .args(["test", "--quiet", "--package", "dalembert-tests", "--test", "languages"])

@@ -1,4 +1,4 @@
-//! What an analysis is, and the registry of all of them.
+//! Analyses and their registry.
 
 use std::{
     fmt,
@@ -13,7 +13,7 @@ use crate::{
     Value, Worksheet, assumed, gravity, input::Lift, kept, vary,
 };
 
-/// What a user reads before picking an analysis.
+/// Description of an analysis, read before picking it.
 #[derive(Debug)]
 pub struct About {
     /// `family/name`, in kebab case: the name on the command line and in files.
@@ -34,14 +34,14 @@ pub struct About {
 
 /// A problem: its fields are the inputs, and it knows how it is solved.
 pub trait Analysis: Inputs {
-    /// What a user reads before picking it.
+    /// Description shown in the list of analyses.
     const ABOUT: About;
 
     /// Writes the solution on `sheet`. `given` holds the inputs as numbers of that worksheet, `self` in SI.
     fn solve<W: Worksheet>(&self, given: &Self::Given<W>, sheet: W) -> Result<(), Refusal>;
 }
 
-/// Why there is no solution although the inputs could be read.
+/// Reason for which valid inputs have no solution.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
     /// The problem is well written but has no answer, and why.
@@ -50,7 +50,7 @@ pub enum Refusal {
     Stopped,
 }
 
-/// Why there is no solution.
+/// Reason for which there is no solution: invalid inputs, a refusal, a stop.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SolveError {
     /// Inputs that cannot be read or may not stand: all of them.
@@ -65,7 +65,7 @@ pub struct Stop(AtomicBool);
 
 /// One registered analysis, with its types erased.
 pub struct Entry {
-    /// What a user reads before picking it.
+    /// Description shown in the list of analyses.
     pub about: &'static About,
     shape: fn() -> Shape,
     solve: fn(&Record, &Stop, perturbed: Option<usize>) -> Result<Solution, SolveError>,
@@ -117,7 +117,7 @@ impl Entry {
         (self.shape)()
     }
 
-    /// What it asks for.
+    /// Input fields of the analysis.
     pub fn fields(&self) -> &'static [Field] {
         self.shape().fields(None)
     }
@@ -223,7 +223,7 @@ fn solve<A: Analysis>(
     })
 }
 
-/// What is the same for every analysis stands in functions of its own, compiled once.
+/// Solves on a worksheet: the part that is the same for every analysis, compiled once.
 fn worked(
     record: &Record,
     stop: &Stop,

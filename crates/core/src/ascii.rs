@@ -46,7 +46,7 @@ pub fn ascii(text: &str) -> String {
     out
 }
 
-/// What the character before was part of.
+/// Class of the preceding character.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Run {
     None,

@@ -1,4 +1,4 @@
-//! What was taken for granted of the inputs, as warnings beside the answers.
+//! Warnings about assumed inputs, shown beside the answers.
 
 use crate::{Record, Text, Value, gravity};
 

@@ -11,25 +11,25 @@ use crate::{
 /// A problem with printed answers.
 #[derive(Clone, Debug)]
 pub struct Case {
-    /// What it is called in files; [`title`](Self::title) is for people.
+    /// Name in files; [`title`](Self::title) is for display.
     pub name: String,
-    /// Where it was printed.
+    /// Publication of the problem.
     pub source: Text,
-    /// What kind of truth its answers are.
+    /// Kind of truth of its answers.
     pub truth: Truth,
-    /// Where its printed answers were seen; of published answers alone.
+    /// Form in which its published answers were seen; `None` for all other kinds of truth.
     pub seen: Option<Seen>,
     /// Remarks; may be empty.
     pub note: Text,
-    /// Its inputs, as they are typed.
+    /// Inputs, as they are typed.
     pub draft: Draft,
-    /// What was printed.
+    /// Expected answers.
     pub expect: Vec<Expected>,
     /// Words of the refusal it must meet, for a problem without an answer.
     pub refused: Option<String>,
 }
 
-/// What kind of truth an answer is compared with.
+/// Kind of truth that an answer is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Truth {
     /// Somebody printed it.
@@ -42,7 +42,7 @@ pub enum Truth {
     OwnEarlierValue,
 }
 
-/// Where a printed answer was seen.
+/// Form in which a published answer was seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Seen {
     /// In the book, paper, manual or standard that printed it.
@@ -62,11 +62,11 @@ pub struct Expected {
     pub answer: String,
     /// As it was printed, with its unit.
     pub printed: String,
-    /// How it is compared with ours.
+    /// Rule of comparison and tolerance.
     pub how: Hold,
 }
 
-/// How a printed answer is compared with ours.
+/// Rule by which an expected answer is compared with the computed one.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Hold {
     /// To half a unit in the last printed place.
@@ -78,7 +78,7 @@ pub enum Hold {
     Within(f64, Text),
     /// It is wrong. Agreeing with it is a fault: the dispute is stale.
     Disputed {
-        /// Why it is wrong.
+        /// Reason for which the published value is disputed.
         why: Text,
         /// The right value, compared with half a unit in its last place.
         ours: String,
@@ -94,13 +94,13 @@ pub struct Verdict {
     pub printed: String,
     /// Ours, in the unit of the printed one.
     pub ours: String,
-    /// How they compare.
+    /// Result of the comparison.
     pub outcome: Outcome,
-    /// Why they differ, where they do.
+    /// Reason of a difference; empty where there is none.
     pub why: Text,
 }
 
-/// How a printed answer and ours compare.
+/// Result of comparing a published answer with the computed one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// They agree.
@@ -133,12 +133,12 @@ pub fn first(entry: &Entry) -> Option<Case> {
 }
 
 impl Case {
-    /// What it is called.
+    /// Title for display.
     pub fn title(&self) -> Text {
         Text::new(self.name.clone())
     }
 
-    /// Its inputs as understood.
+    /// Inputs as read.
     pub fn record(&self, entry: &Entry) -> Result<Record, SolveError> {
         self.draft.read(&entry.shape()).map_err(SolveError::Fields)
     }
@@ -170,7 +170,7 @@ impl Case {
     }
 }
 
-/// Whether an answer agrees with a printed one to its last place; `None` where the two cannot be compared.
+/// Compares an answer with a printed one to its last place; `None` where the two cannot be compared.
 pub fn agrees(answer: &Answer, printed: &str) -> Option<bool> {
     let expected = Expected { answer: String::new(), printed: printed.to_owned(), how: Hold::ToTheLastPlace };
     compare(answer, &expected).1

@@ -17,7 +17,7 @@ use crate::{Answer, AnswerValue, Arg, Solution, Symbol, Text, cases, printer, re
 /// Answers that are farther off than this share of ours are not right, however few their digits.
 pub const TOLERANCE: f64 = 0.005;
 
-/// How a user's answer compares with ours.
+/// Result of comparing a user's answer with the computed one.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
     /// It is ours to every digit that was given.
@@ -32,7 +32,7 @@ pub enum Verdict {
     Unread(Text),
 }
 
-/// What may have gone wrong.
+/// Probable cause of a wrong answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Mistake {
     /// It follows from the user's own answers of these names, which are wrong.
@@ -49,7 +49,7 @@ pub enum Mistake {
     Step(usize, Symbol, Change),
 }
 
-/// How a number was changed by a slip.
+/// Change of a number by a common mistake.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
     /// The other sign.
@@ -69,9 +69,9 @@ pub enum Change {
     Gravity(f64),
     /// Left out: zero.
     LeftOut,
-    /// Its square was taken.
+    /// Square in place of the number.
     Squared,
-    /// Its root was taken.
+    /// Square root in place of the number.
     Rooted,
     /// One divided by it.
     Inverted,
@@ -159,7 +159,7 @@ fn half_a_place(typed: &Quantity) -> f64 {
     if typed.last_place > 0.0 { 0.5 * typed.last_place * (1.0 + 1e-9) } else { 0.5e-4 * typed.si.abs() }
 }
 
-/// How far two numbers are apart; directions are the same a turn apart.
+/// Absolute difference of two numbers; directions are compared modulo one revolution.
 fn difference(a: f64, b: f64, dim: Dim) -> f64 {
     let off = (a - b).abs();
     if dim != Dim::ANGLE {
@@ -180,7 +180,7 @@ pub fn example(answer: &Answer) -> String {
 }
 
 impl Mistake {
-    /// What may have gone wrong, in words that do not say our number.
+    /// Description of the probable mistake, without revealing the computed number.
     pub fn text(&self, solution: &Solution) -> Text {
         let label = |name: &str| match solution.answer(name) {
             Some(answer) => answer.title(),
@@ -264,7 +264,7 @@ fn times(change: &Change) -> Text {
 }
 
 impl Verdict {
-    /// What it says.
+    /// Message for the user.
     pub fn text(&self) -> Text {
         match self {
             Verdict::Right => Text::new("correct"),

@@ -28,15 +28,15 @@ const ROWS: usize = 3;
 /// An answer of an analysis, and what holds it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coverage {
-    /// Its name, without a place.
+    /// Name of the answer, without its index.
     pub answer: &'static str,
-    /// What holds it.
+    /// Coverage of the answer by checks.
     pub standing: Standing,
     /// The reason that the case file gives for an answer that nothing covers.
     pub reason: Option<Reason>,
 }
 
-/// What holds an answer.
+/// Coverage of an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Standing {
     /// A check that notices when it is wrong, by what it compares.
@@ -49,7 +49,7 @@ pub enum Standing {
     Uncovered,
 }
 
-/// Why nothing covers an answer.
+/// Reason for which no check covers an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Reason {
     /// It is its own definition.
@@ -62,7 +62,7 @@ pub enum Reason {
     Rule,
 }
 
-/// What holds each answer of an analysis, over all its cases. `Err` says what is wrong with its case file.
+/// Coverage of each answer of an analysis, over all its cases. `Err` says what is wrong with its case file.
 pub fn coverage(entry: &Entry, stop: &Stop) -> Result<Vec<Coverage>, String> {
     let mut found: Vec<Coverage> = Vec::new();
     for case in cases::cases(entry)?.iter().filter(|case| case.refused.is_none()) {
@@ -168,7 +168,7 @@ fn form_of(solution: &Solution, op: &Op) -> Option<Id> {
     }
 }
 
-/// What is compared by the first check that passes, and fails once the result of a step is wrong.
+/// Subject of the first check that passes, and fails once the result of a step is wrong.
 fn noticing(
     entry: &Entry,
     record: &Record,
@@ -272,7 +272,7 @@ fn reasons(entry: &Entry) -> Result<Vec<(String, Reason)>, String> {
 }
 
 impl Coverage {
-    /// Whether a reason is given for what is held all the same.
+    /// Returns true if a reason is stated for an answer that a check covers all the same.
     pub fn is_stale(&self) -> bool {
         self.reason.is_some() && self.standing != Standing::Uncovered
     }

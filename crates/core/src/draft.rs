@@ -1,4 +1,4 @@
-//! What was typed: the texts of a problem's inputs, whether they can be read or not.
+//! Draft of a problem: the texts of its inputs, readable or not.
 //!
 //! Form, file and command line all make a draft; [`Draft::read`] is the one way from there to a [`Record`],
 //! and reports every error at once.
@@ -19,7 +19,7 @@ const LONGEST_LINE: usize = 1_000;
 /// Texts in the shape of a problem's inputs.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Draft {
-    /// What is typed on one line; a table is one text of several lines.
+    /// Text of one line; a table is one text of several lines.
     Leaf(String),
     /// The fields of a group, in the order of its fields.
     Group(Vec<Draft>),
@@ -70,8 +70,8 @@ impl Draft {
         }
     }
 
-    /// How many texts differ between two drafts of a problem. Another alternative, or another number of rows, counts for
-    /// two.
+    /// Number of texts that differ between two drafts of a problem. Another alternative, or another number of rows,
+    /// counts for two.
     pub fn apart(&self, other: &Draft) -> usize {
         match (self, other) {
             (Draft::Leaf(a), Draft::Leaf(b)) => usize::from(a != b),
@@ -99,7 +99,7 @@ impl Draft {
         Draft::Group(record.values.iter().map(of_value).collect())
     }
 
-    /// What was understood, or everything that is wrong. `shape` is that of the whole problem.
+    /// Reads the draft: the record, or every error. `shape` is that of the whole problem.
     pub fn read(&self, shape: &Shape) -> Result<Record, Vec<FieldError>> {
         let mut errors = Vec::new();
         let filled = gravity::filled(self, shape);
@@ -270,7 +270,7 @@ fn without_unit(draft: &Draft, shape: &Shape, path: &str, found: &mut Vec<FieldE
     }
 }
 
-/// Whether a text is a number other than zero, or several, without a unit.
+/// Returns true if a text is a number other than zero, or several, without a unit.
 fn is_bare(text: &str, shape: &Shape) -> bool {
     match shape {
         Shape::Vector(_, len) => units::read_vector(text, &units::Unit::ONE, units::Kind::Other, *len)
@@ -422,7 +422,7 @@ fn leaf(text: &str, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> 
     }
 }
 
-/// Why a value is outside its limits.
+/// Message for a value outside its limits.
 fn outside(measure: &Measure, si: f64, text: &str) -> Option<Text> {
     let own = measure.own_unit();
     let value = own.value(si);

@@ -39,7 +39,7 @@ macro_rules! exercises {
 pub struct Exercises {
     title: String,
     portuguese: Option<String>,
-    /// Its exercises, in their order.
+    /// Exercises, in order.
     pub list: Vec<Exercise>,
 }
 
@@ -53,7 +53,7 @@ pub struct Exercise {
 }
 
 impl Exercises {
-    /// Its title.
+    /// Title in a language.
     pub fn title(&self, language: Language) -> &str {
         match (&self.portuguese, language) {
             (Some(title), Language::Portuguese) => title,

@@ -28,7 +28,7 @@ pub enum Exhibit {
 /// Curves over an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plot {
-    /// What it shows.
+    /// Title.
     pub title: Text,
     /// The horizontal axis.
     pub x: Axis,
@@ -42,11 +42,11 @@ pub struct Plot {
     pub bands: Vec<Band>,
     /// Horizontal lines worth naming: limits.
     pub levels: Vec<Level>,
-    /// What moves along the horizontal axis; `None` where no input does, or the problem asks for none.
+    /// Quantity of the horizontal axis that the problem can be solved over; `None` where no input varies along it.
     pub over: Option<Over>,
 }
 
-/// What moves along the horizontal axis of a plot, so that the problem can be solved at every point of it.
+/// Quantity that varies along the horizontal axis of a plot, so that the problem can be solved at every point of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Over {
     /// The path of the input that is changed: `crank.speed`.
@@ -58,15 +58,15 @@ pub struct Over {
 /// An axis: what it measures, and the unit it is shown in.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// What it measures.
+    /// Name of the quantity.
     pub label: Text,
     /// The unit it is shown in.
     pub unit: &'static str,
-    /// How values are spread.
+    /// Spacing of the values.
     pub scale: Scale,
 }
 
-/// How values are spread over an axis.
+/// Spacing of values over an axis: linear or logarithmic.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Scale {
     /// Equal distances for equal differences.
@@ -79,11 +79,11 @@ pub enum Scale {
 /// A curve. A point that is not finite breaks the line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
-    /// Its name in the legend.
+    /// Name in the legend.
     pub label: Text,
-    /// Its points, in SI.
+    /// Points `(x, y)`, in SI.
     pub points: Vec<(f64, f64)>,
-    /// Whether neighbouring points are joined.
+    /// True if neighbouring points are joined by a line.
     pub joined: bool,
     /// The answer that it shows, of a vector the size or a component: `frequency[2]`, `force`, `force.x`. Of a number its
     /// size, or all of its rows, where these are drawn: `|amplitude|`, `amplitude[*]`. Or the path of the input, where a
@@ -98,38 +98,38 @@ pub struct Series {
 /// A named point of a plot, in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mark {
-    /// Its name.
+    /// Name of the mark.
     pub label: Text,
-    /// Where it is.
+    /// Position `(x, y)`, in SI.
     pub at: (f64, f64),
 }
 
 /// A shaded range of `x`, in SI; infinite ends reach the edge.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Band {
-    /// Its name.
+    /// Name of the band.
     pub label: Text,
     /// From.
     pub from: f64,
     /// To.
     pub to: f64,
-    /// Whether it is the good range or the bad one.
+    /// True for a permitted range, false for a forbidden one.
     pub permitted: bool,
 }
 
 /// A named horizontal line of a plot, in SI.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Level {
-    /// Its name.
+    /// Name of the level.
     pub label: Text,
-    /// Where it is.
+    /// Ordinate of the level, in SI.
     pub y: f64,
 }
 
 /// Numbers in rows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TableExhibit {
-    /// What it shows.
+    /// Title.
     pub title: Text,
     /// The columns.
     pub columns: Vec<Column>,
@@ -142,7 +142,7 @@ pub struct TableExhibit {
 /// A column of a table: its heading and, for numbers, their unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// Its heading: a symbol or words.
+    /// Heading: a symbol or words.
     pub heading: Text,
     /// The unit its numbers are shown in; empty for text.
     pub unit: &'static str,
@@ -162,18 +162,18 @@ pub enum Cell {
 /// A sketch in metres (or in any one length of its own), `y` up.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
-    /// What it shows.
+    /// Title.
     pub title: Text,
-    /// Its parts, later ones over earlier ones.
+    /// Shapes, later ones over earlier ones.
     pub shapes: Vec<DrawnShape>,
 }
 
 /// A sketch that moves: its frames, all in the same coordinates, shown one after another and again.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Animation {
-    /// What it shows.
+    /// Title.
     pub title: Text,
-    /// Its frames; the first one stands for the animation where nothing can move.
+    /// Frames; the first one stands for the animation where nothing can move.
     pub frames: Vec<Vec<DrawnShape>>,
     /// The time of all frames on the screen, in seconds.
     pub period: f64,
@@ -209,7 +209,7 @@ pub enum DrawnShape {
     Label(Point, Text),
 }
 
-/// What a line stands for; each screen and file gives it a colour.
+/// Role of a line, to which each screen and file assigns a colour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ink {
     /// The parts of the machine.
@@ -221,9 +221,9 @@ pub enum Ink {
     Force,
     /// Velocities and motions.
     Motion,
-    /// What the solution adds: corrections, results.
+    /// Added by the solution: corrections, results.
     Result,
-    /// What is to be avoided.
+    /// To be avoided.
     Danger,
 }
 
@@ -326,7 +326,7 @@ impl Drawing {
 }
 
 impl Exhibit {
-    /// What is to be drawn at that frame, where it is a sketch; the frames of one that moves repeat without end.
+    /// Drawing of a frame, for a sketch; the frames of a moving one repeat without end.
     pub fn sketch(&self, frame: usize) -> Option<Cow<'_, Drawing>> {
         self.projected(frame, None)
     }
@@ -345,7 +345,7 @@ impl Exhibit {
         }
     }
 
-    /// How many frames a sketch has, and the time of all of them in seconds.
+    /// Number of frames of a sketch, and their total time in seconds.
     pub fn frames(&self) -> (usize, f64) {
         match self {
             Exhibit::Animation(animation) => (animation.frames.len(), animation.period),

@@ -1,4 +1,4 @@
-//! What a problem asks for: the description of its inputs that forms, files and the command line share.
+//! Description of the inputs of a problem, which forms, files and the command line share.
 
 use dalembert_units::{self as units, Unit};
 
@@ -11,9 +11,9 @@ pub struct Field {
     pub label: &'static str,
     /// The rest of its documentation; may be empty.
     pub help: &'static str,
-    /// How formulas write it; empty where it does not stand in formulas.
+    /// Symbol in formulas; empty if the field appears in none.
     pub symbol: &'static str,
-    /// What is written there when nothing is; `None` where an answer must be given.
+    /// Default text of an empty field; `None` if the field is required.
     pub default: Option<&'static str>,
     /// The default of the first format of problem files, where it was another; of a column of a table, the unit in
     /// which a number alone was read.
@@ -21,11 +21,11 @@ pub struct Field {
     /// The optional field beside it that keeps its first value when it is changed alone: a mechanism is drawn with one
     /// value of a driver and moved to others.
     pub kept_in: Option<&'static str>,
-    /// What may stand there.
+    /// Shape of the value.
     pub shape: Shape,
 }
 
-/// What may stand in a field. Inner shapes are functions so that a type may contain itself.
+/// Shape of the value of a field. Inner shapes are functions so that a type may contain itself.
 #[derive(Clone, Copy, Debug)]
 pub enum Shape {
     /// A number with a unit.
@@ -97,16 +97,16 @@ pub struct Variant {
     pub label: &'static str,
     /// The rest of its documentation; may be empty.
     pub help: &'static str,
-    /// What this alternative asks for.
+    /// Input fields of this alternative.
     pub fields: fn() -> &'static [Field],
 }
 
-/// Which list of fields or alternatives stands inside a shape. Two shapes with the same insides are described once;
-/// a type that contains itself meets its own again.
+/// Identity of a list of fields or alternatives within a shape. Two shapes with the same insides are described once; a
+/// type that contains itself meets its own again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ChildList {
     place: *const (),
-    /// How many fields or alternatives there are.
+    /// Number of fields or alternatives.
     pub parts: usize,
 }
 
@@ -156,7 +156,7 @@ impl Shape {
         }
     }
 
-    /// What is inside a group, a table or a one-of.
+    /// Child list of a group, a table or a one-of.
     pub fn insides(&self) -> Option<ChildList> {
         match self {
             Shape::Group(fields) | Shape::Table(fields) => Some(ChildList::of(fields())),
@@ -165,7 +165,7 @@ impl Shape {
         }
     }
 
-    /// Whether a value of this shape is one text: what a form shows on one line.
+    /// Returns true if a value of this shape is one text, shown on one line of a form.
     pub fn is_leaf(&self) -> bool {
         match self {
             Shape::OneOf(_) | Shape::Group(_) | Shape::Rows { .. } => false,

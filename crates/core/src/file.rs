@@ -26,15 +26,15 @@ const KEYS: [&str; 5] = ["format", "analysis", "title", "inputs", "show"];
 /// The contents of a problem file.
 #[derive(Clone, Debug)]
 pub struct Problem {
-    /// Its analysis.
+    /// Analysis of the problem.
     pub entry: &'static Entry,
-    /// What the user calls it; may be empty.
+    /// Title given by the user; may be empty.
     pub title: String,
-    /// What is typed in its inputs.
+    /// Texts of the inputs.
     pub draft: Draft,
-    /// How answers are shown: `(answer, unit and digits)`, see [`Display`].
+    /// Display of answers: `(answer, unit and digits)`, see [`Display`].
     pub show: Vec<(String, String)>,
-    /// What an older format left unsaid and was filled in as that format has it.
+    /// Notes on values that an older format left implicit and that were written out as that format has them.
     pub notes: Vec<Text>,
 }
 
@@ -45,10 +45,10 @@ pub(crate) struct Reading {
     pub(crate) notes: Vec<Text>,
 }
 
-/// What is wrong with a problem file, and where.
+/// Error of a problem file, with its position.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileError {
-    /// What is wrong and what to write instead.
+    /// Description of the error and of its repair.
     pub why: Text,
     /// The bytes of the file.
     pub span: Option<Range<usize>>,
@@ -102,7 +102,7 @@ pub fn parse(text: &str) -> Result<Problem, Vec<FileError>> {
     if errors.is_empty() { Ok(Problem { entry, title, draft, show, notes }) } else { Err(errors) }
 }
 
-/// Whether a text is a problem file, however wrong its inputs may be.
+/// Returns true if a text is a problem file, however wrong its inputs may be.
 pub fn is_problem(text: &str) -> bool {
     Document::parse(text).is_ok_and(|document| document.as_table().contains_key("analysis"))
 }
@@ -134,7 +134,7 @@ pub fn write(problem: &Problem, over: &str) -> String {
     document.to_string()
 }
 
-/// Where the field of each error stands in the text of a problem file: its value, or the nearest part around it.
+/// Byte ranges of the fields of errors in the text of a problem file: the value, or the smallest enclosing part.
 pub fn locate<'e>(text: &str, errors: impl IntoIterator<Item = &'e FieldError>) -> Vec<Option<Range<usize>>> {
     let document = Document::parse(text).ok();
     let inputs = document.as_ref().and_then(|document| document.as_table().get("inputs"));
@@ -217,7 +217,7 @@ pub(crate) fn document(text: &str) -> Result<Document<&str>, Vec<FileError>> {
     })
 }
 
-/// What an item of a file says, in the shape of the inputs.
+/// Draft of an item of a file, in the shape of the inputs.
 pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Reading) -> Draft {
     let mut fail = |why: Text, span: Option<Range<usize>>| {
         reading.errors.push(FileError {

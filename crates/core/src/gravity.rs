@@ -22,13 +22,13 @@ const CUSTOMARY_UNITS: [&str; 33] = [
     "Msi", "psf", "hp", "Btu", "BTU",
 ];
 
-/// Whether a field is the gravity of the problem.
+/// Returns true if a field is the gravity of the problem.
 pub fn is_gravity(field: &Field) -> bool {
     let (Shape::Quantity(measure) | Shape::Vector(measure, _)) = field.shape else { return false };
     field.symbol == "g" && measure.unit == "m/s^2" && field.default.is_some()
 }
 
-/// Whether a value is a default of gravity, along whatever axis.
+/// Returns true if a value is a default of gravity, along whatever axis.
 pub fn is_default(value: &Value) -> bool {
     let si = match value {
         Value::Quantity(quantity) => quantity.si,
@@ -81,7 +81,7 @@ pub(crate) fn filled<'d>(draft: &'d Draft, shape: &Shape) -> Cow<'d, Draft> {
     Cow::Owned(draft)
 }
 
-/// What is taken for the gravity at a path where it is left out.
+/// Gravity assumed at a path where it is left out.
 pub fn of(draft: &Draft, shape: &Shape, path: &str) -> Option<String> {
     match filled(draft, shape).at(shape, path) {
         Ok((Draft::Leaf(text), _)) => Some(text.clone()),
@@ -123,7 +123,8 @@ fn scalars(record: &Record) -> Vec<(String, f64)> {
     found
 }
 
-/// Whether a length, a mass, a force or what is made of them is in US customary units; `None` for anything else.
+/// Returns true if a length, a mass, a force or a quantity derived from them is in US customary units; `None` for any
+/// other quantity.
 fn is_customary(text: &str, shape: &Shape, measure: &Measure) -> Option<bool> {
     let own = measure.own_unit();
     let unit = match shape {

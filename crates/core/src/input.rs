@@ -6,7 +6,7 @@ use crate::{Shape, Text, Value, Worksheet, worksheet::Trail};
 
 /// A struct or enum that a form can fill. Derived.
 pub trait Inputs: Sized + Send + 'static {
-    /// What it asks for: a group of fields (struct) or a one-of (enum).
+    /// Shape: a group of fields (struct) or a one-of (enum).
     const SHAPE: Shape;
     /// The same inputs as numbers of a worksheet.
     type Given<W: Worksheet>;
@@ -29,25 +29,25 @@ pub trait Inputs: Sized + Send + 'static {
     }
 }
 
-/// What is wrong with an input: where, and what to write instead.
+/// Error of an input: its path, and the repair.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FieldError {
-    /// Where: `masses[1].radius`.
+    /// Path of the field: `masses[1].radius`.
     pub path: String,
-    /// What is wrong and what to write instead.
+    /// Description of the error and of its repair.
     pub why: Text,
     /// The bytes of the typed text that are wrong, where they are known.
     pub span: Option<std::ops::Range<usize>>,
 }
 
-/// What turns inputs into numbers of a worksheet.
+/// Conversion of inputs to numbers of a worksheet.
 #[derive(Clone, Copy)]
 pub struct Lift<'t, W> {
     /// The worksheet.
     pub sheet: W,
-    /// What was written, for its units; `None` where units do not matter.
+    /// Value as typed, for its units; `None` where units do not matter.
     pub value: Option<&'t Value>,
-    /// Where we are.
+    /// Path of the current field.
     pub trail: &'t Trail<'t>,
 }
 
@@ -71,7 +71,7 @@ impl fmt::Display for FieldError {
     }
 }
 
-/// What the derive calls.
+/// Functions that the derived code calls.
 #[doc(hidden)]
 pub mod derive_support {
     use dalembert_units::{self as units, Unit};
@@ -146,7 +146,7 @@ pub mod derive_support {
         }
     }
 
-    /// How a value is read, for a function that is compiled once for all fields of a type.
+    /// Reading function of a value, compiled once for all fields of a type.
     type Read<T> = fn(&Value, &Trail<'_>, &mut Errors) -> Option<T>;
 
     pub fn read_field<T>(

@@ -1,4 +1,4 @@
-//! What an analysis is: its inputs, its worked solution, its published cases, and the registry of all of them.
+//! Analyses: their inputs, their worked solutions, their published cases, and the registry of all of them.
 //!
 //! A problem is a struct whose fields are its inputs ([`Inputs`], derived). Its [`Analysis::solve`] is written
 //! once over [`Worksheet`]: read with a [`Sheet`] it is the worked solution, read with [`Plain`] the numbers

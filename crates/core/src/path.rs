@@ -69,7 +69,7 @@ pub(crate) fn indices(shape: &Shape, path: &str) -> Result<Vec<usize>, FieldErro
     Ok(indices)
 }
 
-/// What a segment of a path leads to: its place and its shape. A one-of leads to the group of an alternative.
+/// Index and shape of the part that a segment of a path leads to. A one-of leads to the group of an alternative.
 pub(crate) fn step(shape: &Shape, segment: &Segment, path: &str) -> Result<(usize, Shape), FieldError> {
     match (shape, segment) {
         (Shape::Group(fields), Segment::Name(name)) => {
@@ -109,7 +109,7 @@ pub(crate) fn unknown<'k>(path: &str, name: &str, known: impl Iterator<Item = &'
     FieldError::new(path, why)
 }
 
-/// Whether a path leads to what stands at another, or to a part of it: `force.x` is within `force`.
+/// Returns true if a path is equal to another or within it: `force.x` is within `force`.
 pub fn is_within(path: &str, of: &str) -> bool {
     path.strip_prefix(of).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }

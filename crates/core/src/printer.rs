@@ -22,9 +22,9 @@ pub struct WrittenStep {
     pub substitution: String,
     /// `451.39 kN/m`
     pub result: String,
-    /// Why the step is taken.
+    /// Reason of the step.
     pub why: String,
-    /// What reports it.
+    /// Source that states the formula.
     pub source: String,
     /// The terms of a sum that is too long for a line, each with its value.
     pub terms: Vec<(String, String)>,
@@ -187,16 +187,16 @@ const SUMMED: u16 = u16::MAX;
 #[derive(Clone, Copy)]
 struct Writer<'s> {
     solution: &'s Solution,
-    /// Whether values stand in place of symbols.
+    /// True if values are written in place of symbols.
     values: bool,
-    /// Whether the innermost row of a symbol is written as the index of a sum.
+    /// True if the innermost row of a symbol is written as the index of a sum.
     general: bool,
-    /// Whether values that hold an angle are written in radians, as formulas take them.
+    /// True if values that contain an angle are written in radians, as formulas take them.
     radians: bool,
     style: Style,
 }
 
-/// How tightly a text holds together: what may stand beside it without brackets.
+/// Operator precedence of a text, which decides on brackets.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
 enum Precedence {
     Sum,
@@ -221,7 +221,7 @@ impl<'s> Writer<'s> {
         }
     }
 
-    /// What stands before a term of a sum.
+    /// Sign before a term of a sum.
     fn sign(&self, first: bool, negative: bool) -> &'static str {
         match (first, negative, self.style.ascii) {
             (true, false, _) => "",
@@ -422,8 +422,9 @@ impl<'s> Writer<'s> {
         symbol_in(&symbol, self.style)
     }
 
-    /// Whether a reader's calculator gives the result only where angles are in radians: `31.416 rad/s × 0.1 m`, not
-    /// `300 rpm × 0.1 m`. It does not matter where all values and the result share one unit, or the result is a ratio.
+    /// Returns true if a reader's calculator gives the result only where angles are in radians: `31.416 rad/s × 0.1 m`,
+    /// not `300 rpm × 0.1 m`. It does not matter where all values and the result share one unit, or the result is a
+    /// ratio.
     fn needs_radians(&self, id: Id, result: &units::Unit) -> bool {
         let mut units = Vec::new();
         self.units_below(id, &mut units);
@@ -496,7 +497,7 @@ impl<'s> Writer<'s> {
         if self.style.ascii { format!("^{n}") } else { units::superscript(n.into()) }
     }
 
-    /// What a function is of.
+    /// Argument of a function, in brackets.
     fn argument(&self, id: Id) -> String {
         let mut units = Vec::new();
         self.units_below(id, &mut units);

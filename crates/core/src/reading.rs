@@ -4,7 +4,7 @@ use dalembert_units::{Dim, Hint, Kind, ReadError, Sense, Unit, WrongKind};
 
 use crate::Text;
 
-/// Why a text cannot be read, as a sentence that can be translated.
+/// Message of a read error, as a translatable sentence.
 pub(crate) fn text(error: &ReadError) -> Text {
     match error {
         ReadError::Empty { example } => {

@@ -1,4 +1,4 @@
-//! What was understood of the inputs: values in SI with the units they were written in.
+//! Record of the inputs as read: values in SI with the units they were written in.
 
 use dalembert_units::{Quantity, Unit, VectorQuantity};
 
@@ -21,14 +21,14 @@ pub enum Value {
     Reference {
         /// As it was written.
         name: String,
-        /// Its place in the list.
+        /// Index of the row in the list.
         row: usize,
     },
     /// An alternative, by its place, and its fields.
     OneOf {
-        /// Its place among the alternatives.
+        /// Index of the alternative.
         variant: usize,
-        /// Its fields.
+        /// Values of its fields.
         fields: Record,
     },
     /// Fields that belong together.
@@ -48,16 +48,16 @@ pub struct Table {
     pub units: Vec<Unit>,
     /// The rows, in SI.
     pub rows: Vec<Vec<f64>>,
-    /// Whether a column holds numbers whose unit neither the heading nor the cell names: they are in its own.
+    /// True for each column of numbers whose unit is named neither by the heading nor by a cell, and is assumed.
     pub assumed: Vec<bool>,
 }
 
 /// The values of a list of fields, in the order of the fields.
 #[derive(Clone, Debug)]
 pub struct Record {
-    /// What is asked for.
+    /// Fields of the inputs.
     pub fields: &'static [Field],
-    /// What was understood; as long as `fields`.
+    /// Values; as many as `fields`.
     pub values: Vec<Value>,
 }
 

@@ -1,4 +1,4 @@
-//! How much each input matters: what an answer does when one of them changes a little.
+//! Sensitivity analysis: effect of small changes of the inputs on an answer.
 
 use dalembert_units::Unit;
 
@@ -12,20 +12,20 @@ const STEP: f64 = 1e-4;
 /// One-sided changes that differ by so much of the larger one are a kink.
 const KINK: f64 = 0.3;
 
-/// What one answer does when the inputs change.
+/// Sensitivity of one answer to all inputs.
 #[derive(Clone, Debug)]
 pub struct Sensitivity {
     /// The name of the answer.
     pub answer: String,
-    /// Its value with the inputs as they are, in SI.
+    /// Value at the nominal inputs, in SI.
     pub value: f64,
-    /// Its influences, one for each input, in the order of the form.
+    /// Influences, one for each input, in the order of the form.
     pub influences: Vec<Influence>,
-    /// What all tolerances do together.
+    /// Combined effect of all tolerances.
     pub spread: Spread,
 }
 
-/// What one answer does when one input changes.
+/// Effect of one input on one answer.
 #[derive(Clone, Debug)]
 pub struct Influence {
     /// The input.
@@ -38,11 +38,11 @@ pub struct Influence {
     pub at_tolerance: [f64; 2],
     /// The derivative of the answer by the input, in SI; NaN where there is none.
     pub derivative: f64,
-    /// Why there is no answer at one of these values.
+    /// Reason for which there is no answer at one of these values.
     pub refused: Option<Text>,
 }
 
-/// What the tolerances of all inputs do to an answer, in SI.
+/// Combined effect of the tolerances of all inputs on an answer, in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// The least and the largest answer that ends of tolerances give together.
@@ -146,7 +146,7 @@ impl Influence {
         changes.into_iter().filter(|change| change.is_finite()).fold(0.0, f64::max)
     }
 
-    /// Whether the answer goes otherwise to one side than to the other.
+    /// Returns true if the one-sided derivatives differ.
     pub fn has_kink(&self, value: f64) -> bool {
         let [less, more] = self.sides;
         let (before, after) = (value - less, more - value);

@@ -25,8 +25,8 @@ use crate::{
 /// The largest relative difference of two ways to the same number, where rounding does not explain a larger one.
 const AGREEMENT: f64 = 1e-9;
 
-/// How many times the first-order bounds of their rounding errors two ways to the same number may differ: a second method
-/// through a numerical method has an error of its own, of a few times what the last places of its inputs do.
+/// Permitted difference of two independent computations of a number, over the first-order bound of their rounding
+/// errors: a numerical method has an error of its own, of a few times what the last places of its inputs do.
 const WAYS: f64 = 8.0;
 
 /// Records a solve as a [`Solution`].
@@ -49,7 +49,7 @@ impl<'a> Sheet<'a> {
         Self { perturbed: Some(step), ..Self::new(stop) }
     }
 
-    /// What was recorded. Refused when a number left the finite range, with the first such number named.
+    /// Recorded solution. Refused when a number left the finite range, with the first such number named.
     pub fn into_solution(self) -> Result<Solution, Refusal> {
         let mut solution = self.solution.into_inner();
         let wild = solution.steps.iter().find(|step| !solution.trace.node(step.result).number.is_finite());
@@ -200,8 +200,8 @@ impl<'a> Sheet<'a> {
         self.solution.borrow().trace.node(id).error
     }
 
-    /// What rounding does to the difference of two ways. Of a number from a numerical method, which has no trace, no more
-    /// is expected than of the other way: both know their inputs to the last place.
+    /// Rounding error of the difference of two computations. Of a number from a numerical method, which has no trace,
+    /// no more is expected than of the other way: both know their inputs to the last place.
     fn error_between(&self, left: Option<Id>, right: Option<Id>) -> f64 {
         [left, right].into_iter().flatten().map(|id| self.error(id)).sum()
     }

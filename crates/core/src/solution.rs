@@ -1,4 +1,4 @@
-//! What a solution is made of: plain data, for a screen, a file or a test.
+//! Parts of a solution: plain data, for a screen, a file or a test.
 
 use std::fmt;
 
@@ -28,7 +28,7 @@ pub struct Solution {
     pub warnings: Vec<Text>,
     /// Faults of the program, never of its user: formulas whose two sides have different dimensions.
     pub defects: Vec<String>,
-    /// How every number was found.
+    /// Trace of the computation of every number.
     pub trace: Trace,
 }
 
@@ -37,15 +37,15 @@ pub struct Solution {
 pub struct Answer {
     /// The key in cases, files and on the command line.
     pub name: Name,
-    /// What it is, in words.
+    /// Name in words.
     pub label: &'static str,
     /// The row of the inputs that it is about, by the name the user gave it; empty where that has none.
     pub whose: String,
-    /// What was found.
+    /// Computed value.
     pub value: AnswerValue,
     /// The unit it is shown in.
     pub unit: Unit,
-    /// What of it is rounding alone, in SI: smaller numbers are shown as zero.
+    /// Rounding error, in SI: smaller numbers are shown as zero.
     pub noise: f64,
     /// The digits it is shown with, where the user chose them.
     pub digits: Option<u8>,
@@ -60,7 +60,7 @@ pub struct Name {
     pub rows: [u16; 2],
 }
 
-/// What an answer may be.
+/// Value of an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AnswerValue {
     /// A number or a vector, and the node of the trace that holds it.
@@ -74,7 +74,7 @@ pub enum AnswerValue {
 /// A line of the worked solution: `symbol = formula = substitution = result`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
-    /// How later formulas write the result.
+    /// Symbol of the result in later formulas.
     pub symbol: Symbol,
     /// The unit the result is shown in.
     pub unit: Unit,
@@ -82,24 +82,24 @@ pub struct Step {
     pub formula: Option<Id>,
     /// The node that holds the result.
     pub result: Id,
-    /// Why the step is taken; for a number that was found, how.
+    /// Reason of the step; for the result of a numerical method, the method.
     pub why: Text,
-    /// What reports it.
+    /// Citation of the source that states the formula.
     pub cite: Option<Cite>,
 }
 
 /// Two ways to the same number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// What is compared.
+    /// Description of the comparison.
     pub what: Text,
     /// Their difference over their size.
     pub residual: f64,
     /// The largest residual that passes: 10⁻⁹, or what rounding explains where digits are lost by cancellation.
     pub limit: f64,
-    /// Whether the residual is within its limit.
+    /// True if the residual is within its limit.
     pub passed: bool,
-    /// What is compared, in the trace.
+    /// Compared nodes of the trace.
     pub sides: Sides,
 }
 
@@ -148,8 +148,8 @@ impl Solution {
         names.iter().copied().filter(|name| is_last(name)).collect()
     }
 
-    /// Whether an answer may change with the input at a path: it was made from it, or from what a numerical method
-    /// found, which may rest on any. Nothing is solved for this, so a condition on the input is not seen.
+    /// Returns true if an answer may change with the input at a path: it depends on it, or on the result of a numerical
+    /// method, which may depend on any. Nothing is solved for this, so a condition on the input is not seen.
     pub fn may_change(&self, answer: &Answer, input: &str) -> bool {
         let AnswerValue::Number(_, id) = answer.value else { return true };
         ancestors(self, id).into_iter().any(|id| match &self.trace.node(id).op {
@@ -174,7 +174,7 @@ impl Answer {
         }
     }
 
-    /// What it is, with what it is about or its place behind it: `Force in the joint, pin B`, `Natural frequency 2`.
+    /// Label followed by the row label or index: `Force in the joint, pin B`, `Natural frequency 2`.
     pub fn title(&self) -> Text {
         let places = self.name.places().map(|row| row.to_string()).collect::<Vec<_>>().join(", ");
         match (&self.whose[..], &places[..]) {
@@ -184,28 +184,28 @@ impl Answer {
         }
     }
 
-    /// Its title in the language.
+    /// Title in the language.
     pub fn label(&self, locale: &Locale) -> String {
         self.title().render(locale)
     }
 
-    /// Its dimension.
+    /// Dimension of the value.
     pub fn dim(&self) -> Dim {
         self.unit.dim
     }
 }
 
-/// How an answer is to be shown, as written in a problem file: `mm`, `mm; 6 digits`, `6 digits`.
+/// Display of an answer, as written in a problem file: `mm`, `mm; 6 digits`, `6 digits`.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Display {
-    /// Its unit; empty for that of the analysis.
+    /// Unit; empty for that of the analysis.
     pub unit: String,
-    /// Its significant digits; `None` for as many as everything has.
+    /// Significant digits; `None` for the common setting.
     pub digits: Option<u8>,
 }
 
 impl Display {
-    /// What a text asks for.
+    /// Reads a display as far as it is valid.
     pub fn of(text: &str) -> Self {
         let digits = |part: &str| part.trim().strip_suffix("digits")?.trim().parse().ok();
         match text.rsplit_once(';') {
@@ -219,7 +219,7 @@ impl Display {
 }
 
 impl Display {
-    /// What a text asks for, where it is a unit that there is and from 1 to 17 digits.
+    /// Reads a display: an existing unit, and from 1 to 17 digits.
     pub fn read(text: &str) -> Result<Self, Text> {
         let count =
             text.rsplit(';').next().and_then(|part| part.trim().strip_suffix("digits")).map(str::trim);
@@ -247,7 +247,7 @@ impl fmt::Display for Display {
 }
 
 impl Name {
-    /// Whether this is how the name is written.
+    /// Returns true if the name is written so.
     pub fn is(self, written: &str) -> bool {
         match written.strip_prefix(self.base) {
             Some("") => self.rows[0] == 0,

@@ -1,11 +1,11 @@
-//! Where a formula, a problem or a printed value comes from.
+//! Sources of formulas, problems and published values.
 
 use std::fmt;
 
 /// A book, a standard, a paper or a set of notes.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Source {
-    /// How it is named in a worked solution: `Rao`.
+    /// Short citation in a worked solution: `Rao`.
     pub short: &'static str,
     /// Authors, title, edition, publisher, year.
     pub full: &'static str,

@@ -29,18 +29,18 @@ const MOST_GAPS: usize = 3;
 /// Answers that differ by no more of themselves are the same.
 const ROUNDING: f64 = 1e-12;
 
-/// What is asked.
+/// Type and parameters of a study.
 #[derive(Clone, Debug)]
 pub enum Plan {
-    /// How an answer runs over an input, once for each value of another.
+    /// Sweep: an answer as a function of an input, one curve for each value of another.
     Sweep {
         /// The path of the input.
         input: String,
         /// From and to, in SI.
         range: [f64; 2],
-        /// How many points.
+        /// Number of points.
         points: usize,
-        /// How they are spread.
+        /// Spacing of the points.
         scale: Scale,
         /// Another input, and its values in SI; a curve each.
         family: Option<(String, Vec<f64>)>,
@@ -55,18 +55,18 @@ pub enum Plan {
         range: [f64; 2],
         /// The answer.
         answer: String,
-        /// What it is to be, in SI.
+        /// Target value, in SI.
         wanted: f64,
     },
-    /// How an answer scatters when the inputs do.
+    /// Monte Carlo: dispersion of an answer under tolerances of the inputs.
     Scatter {
         /// The tolerances of inputs in SI, by their paths.
         tolerances: Vec<(String, f64)>,
         /// That of every other input, in its [steps](Input::step).
         usual: f64,
-        /// How values lie within it.
+        /// Distribution of values within the tolerance.
         distribution: Distribution,
-        /// How many problems are solved.
+        /// Number of problems to solve.
         samples: usize,
         /// The same seed gives the same samples.
         seed: u64,
@@ -75,10 +75,10 @@ pub enum Plan {
     },
 }
 
-/// What was found.
+/// Result of a study.
 #[derive(Clone, Debug)]
 pub struct Studied {
-    /// What there is to say.
+    /// Remarks on the result.
     pub says: Vec<Text>,
     /// The curves.
     pub plot: Option<Plot>,
@@ -305,7 +305,7 @@ impl<'a> Curve<'a> {
         Plot::new(title, x, Axis::linear(self.answer.title(), fixed(&self.answer.unit)), series)
     }
 
-    /// Where there is no answer, with another input changed too, and why.
+    /// Ranges without an answer, the other input changed too, and the reasons.
     fn gaps(
         &self,
         again: &Perturbed,

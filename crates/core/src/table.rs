@@ -27,7 +27,7 @@ pub fn heading(columns: &'static [Field]) -> String {
     columns.iter().map(one).collect::<Vec<_>>().join("; ")
 }
 
-/// How a table is written, in words.
+/// Explanation of the format of a table.
 pub(crate) fn how_to_write(columns: &'static [Field]) -> Text {
     let row = columns.iter().map(|column| format!("{} = …", column.name)).collect::<Vec<_>>().join(", ");
     Text::new("write a table as lines of text with the heading \"{heading}\", or as a list of rows {row}")
@@ -194,7 +194,7 @@ fn own_unit(column: &Field) -> Unit {
     measure(column).map_or(Unit::ONE, |measure| measure.own_unit())
 }
 
-/// What sets columns apart.
+/// Column separator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Separator {
     Semicolon,
@@ -246,7 +246,7 @@ fn bare(cell: &str) -> Cow<'_, str> {
 struct Miscount {
     /// The first of them.
     line: usize,
-    /// How many more there are.
+    /// Number of further rows of that kind.
     more: usize,
     cells: usize,
     separator: Separator,
@@ -324,7 +324,7 @@ fn cells(line: &str, columns: usize, settled: Option<Separator>) -> (Vec<Cow<'_,
     (separator.split(line), separator)
 }
 
-/// Whether a line is a heading, by its cells or as one of other separators: `Time,Channel 1` has no row of two.
+/// Returns true if a line is a heading, by its cells or as one of other separators: `Time,Channel 1` has no row of two.
 fn is_above(line: &str, cells: &[Cow<'_, str>], columns: &'static [Field]) -> bool {
     let otherwise = |separator: Separator| {
         let cells = separator.split(line);
@@ -334,7 +334,7 @@ fn is_above(line: &str, cells: &[Cow<'_, str>], columns: &'static [Field]) -> bo
         || [Separator::Semicolon, Separator::Tab, Separator::Comma].into_iter().any(otherwise)
 }
 
-/// Whether a line is words alone. What stands for a missing number is none.
+/// Returns true if a line consists of words alone. What stands for a missing number is none.
 fn is_heading(cells: &[Cow<'_, str>], columns: &'static [Field]) -> bool {
     let is_number = |cell: &Cow<'_, str>| {
         let text = cell.trim_start_matches(['-', '+', '−']).to_lowercase();
@@ -344,7 +344,7 @@ fn is_heading(cells: &[Cow<'_, str>], columns: &'static [Field]) -> bool {
     !cells.iter().any(is_number) || heading::is_of_units(cells, columns)
 }
 
-/// Whether a cell is a number without a unit.
+/// Returns true if a cell is a number without a unit.
 fn is_bare(cell: &str) -> bool {
     units::read_quantity(cell, &Unit::ONE, Kind::Other).is_ok_and(|number| number.unit.text.is_empty())
 }

@@ -22,11 +22,11 @@ use unic_langid::LanguageIdentifier;
 pub struct Text {
     /// The English sentence.
     pub template: Cow<'static, str>,
-    /// What stands in it.
+    /// Arguments, by the names of their placeholders.
     pub args: Vec<(&'static str, Arg)>,
 }
 
-/// What may stand in a sentence.
+/// Argument of a sentence.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Arg {
     /// As it is: names, values as they were typed.
@@ -47,7 +47,7 @@ pub enum Language {
     Portuguese,
 }
 
-/// How things are written for a user: language, style of numbers, and the context of translations.
+/// Conventions of a user: language, style of numbers, and the context of translations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Locale {
     /// The language of sentences.
@@ -99,7 +99,7 @@ impl Text {
         Self::new("{words}").with("words", words)
     }
 
-    /// Whether it says nothing.
+    /// Returns true if the text is empty.
     pub fn is_empty(&self) -> bool {
         self.template.is_empty()
     }
@@ -258,7 +258,7 @@ fn capital(text: String) -> String {
     }
 }
 
-/// Whether the sentence has a translation.
+/// Returns true if the sentence has a translation.
 pub fn is_translated(template: &str) -> bool {
     let key = key(template);
     message("", &key).is_some_and(|message| {

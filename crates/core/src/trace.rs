@@ -1,4 +1,4 @@
-//! How every number of a solution was found, as plain data.
+//! Trace of a solution: the computation of every number, as plain data.
 
 use dalembert_units::{Dim, Unit};
 
@@ -15,11 +15,11 @@ pub struct Trace {
 /// A number and where it came from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {
-    /// Its value in SI.
+    /// Value, in SI.
     pub number: Number,
-    /// Its dimension.
+    /// Dimension.
     pub dim: Dim,
-    /// What made it.
+    /// Operation that gave it.
     pub op: Op,
     /// The size of what was added up to make it: what its rounding is measured against.
     pub scale: f64,
@@ -28,7 +28,7 @@ pub struct Node {
     pub error: f64,
 }
 
-/// What is left of terms that cancel, as a share of their size, is rounding.
+/// Relative size below which the sum of cancelling terms is rounding noise.
 pub const ROUNDING: f64 = 1e-14;
 
 /// The relative error that a check must notice to cover a number: far above the limits of checks, and small enough for
@@ -44,18 +44,18 @@ pub enum Number {
     Vector([f64; 3]),
 }
 
-/// What made a number.
+/// Operation that gives a number.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Op {
     /// A number of the formula itself: the 3 of `3 E I / L³`.
     Literal,
     /// An input, in the unit it was typed in.
     Given {
-        /// How formulas write it.
+        /// Symbol in formulas.
         symbol: Symbol,
         /// The unit it was typed in.
         unit: Unit,
-        /// Where it stands in the problem: `masses[1].radius`.
+        /// Path in the inputs: `masses[1].radius`.
         path: String,
     },
     /// The result of a step, by the step's place in the solution.
@@ -113,7 +113,7 @@ pub enum Function {
     Abs,
 }
 
-/// How a formula writes a quantity: a symbol, what it belongs to (`r_A`), and its rows, counted from 1 (`m₁`).
+/// Symbol of a quantity in formulas: its letter, subscript (`r_A`), and rows, counted from 1 (`m₁`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Symbol {
     /// The symbol without its index.
@@ -266,7 +266,7 @@ impl Number {
         }
     }
 
-    /// Whether every component is finite.
+    /// Returns true if every component is finite.
     pub fn is_finite(self) -> bool {
         match self {
             Number::Scalar(x) => x.is_finite(),

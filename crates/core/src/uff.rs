@@ -22,7 +22,7 @@ const MOST_POINTS: usize = 1 << 20;
 pub struct Function {
     /// The line its dataset begins in, counted from 1; lines end where a line feed stands, in bytes too.
     pub line: usize,
-    /// Its first identification line.
+    /// First identification line.
     pub name: String,
     /// The kind of function: 1 time response, 4 frequency response, …
     pub kind: i64,
@@ -30,19 +30,19 @@ pub struct Function {
     pub response: (i64, i64),
     /// Node and direction of the reference.
     pub reference: (i64, i64),
-    /// What the abscissa is.
+    /// Quantity of the abscissa.
     pub abscissa: Characteristic,
-    /// What the ordinate is, or its numerator.
+    /// Quantity of the ordinate, or of its numerator.
     pub ordinate: Characteristic,
-    /// What the denominator of the ordinate is.
+    /// Quantity of the denominator of the ordinate.
     pub denominator: Characteristic,
-    /// Whether the ordinates have an imaginary part.
+    /// True if the ordinates have an imaginary part.
     pub complex: bool,
     /// Abscissa, real and imaginary part.
     pub points: Vec<[f64; 3]>,
 }
 
-/// What an axis measures.
+/// Quantity of an axis.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Characteristic {
     /// 0 unknown, 8 displacement, 9 excitation force, 11 velocity, 12 acceleration, 13 reaction force, 17 time,
@@ -52,16 +52,16 @@ pub struct Characteristic {
     pub unit: String,
 }
 
-/// What was left out of a file.
+/// Skipped part of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Skipped {
     /// The line, counted from 1.
     pub line: usize,
-    /// Why.
+    /// Reason for skipping it.
     pub why: Text,
 }
 
-/// Whether bytes begin as a universal file: a line that holds `-1`, then the number of a dataset.
+/// Returns true if bytes begin as a universal file: a line that holds `-1`, then the number of a dataset.
 pub fn is_universal(bytes: &[u8]) -> bool {
     let mut lines = Lines { bytes, at: 0, number: 0 };
     let mut line = lines.next();
@@ -135,7 +135,8 @@ impl<'b> Lines<'b> {
         Some(taken)
     }
 
-    /// Whether the end of the dataset follows after so many bytes: `-1` in its columns, on this line or the next.
+    /// Returns true if the end of the dataset follows after so many bytes: `-1` in its columns, on this line or the
+    /// next.
     fn ends_after(&self, count: usize) -> bool {
         let rest = self.bytes.get(self.at..).and_then(|rest| rest.get(count..)).unwrap_or_default();
         let rest = rest.strip_prefix(b"\r").unwrap_or(rest);
@@ -184,7 +185,7 @@ fn characteristic(line: &str) -> Characteristic {
     }
 }
 
-/// How the values of a dataset are laid out.
+/// Layout of the values of a dataset.
 struct Layout {
     count: usize,
     complex: bool,

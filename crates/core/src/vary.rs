@@ -14,17 +14,17 @@ const PERCENT: f64 = 0.01;
 /// A number among the inputs: a quantity, or one component of a vector.
 #[derive(Clone, Debug)]
 pub struct Input {
-    /// Where it stands: `masses[1].radius`, `force.x`.
+    /// Path of the input: `masses[1].radius`, `force.x`.
     pub path: String,
-    /// What it is, in words, with its rows behind it: `Radius 1`.
+    /// Label in words, followed by its rows: `Radius 1`.
     pub label: Text,
-    /// How formulas write it.
+    /// Symbol in formulas.
     pub symbol: &'static str,
-    /// Its unit, kind and limits.
+    /// Unit, kind and limits.
     pub measure: Measure,
     /// The unit it was typed in.
     pub unit: Unit,
-    /// Its value in SI.
+    /// Value, in SI.
     pub si: f64,
 }
 
@@ -114,7 +114,7 @@ pub(crate) fn number<'r>(record: &'r mut Record, path: &str) -> Option<&'r mut f
     }
 }
 
-/// Why the problem has no answer with another number at that path, in words; `None` where it has one.
+/// Reason for which the problem has no answer with another number at that path; `None` if it has one.
 pub fn why_not(entry: &Entry, record: &Record, input: &Input, si: f64, stop: &Stop) -> Option<Text> {
     if !input.permits(si) {
         return Some(Text::new("outside the limits of this input"));
@@ -169,7 +169,7 @@ impl Input {
         self.unit.dim == Dim::ANGLE
     }
 
-    /// Whether a value, in SI, is within the limits of the input.
+    /// Returns true if a value, in SI, is within the limits of the input.
     pub fn permits(&self, si: f64) -> bool {
         let value = self.measure.own_unit().value(si);
         let above = match self.measure.min {

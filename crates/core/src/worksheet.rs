@@ -1,4 +1,4 @@
-//! What a solve writes on, and the reading of it that keeps only numbers.
+//! Worksheet of a solve, and the plain reading that keeps only numbers.
 
 use std::cell::Cell;
 
@@ -8,8 +8,8 @@ use nalgebra::Vector3;
 
 use crate::{Cite, Exhibit, Field, Name, Refusal, Stop, Symbol, Text, Value};
 
-/// What a solve writes on. Written once over `W: Worksheet`, a solve has two readings: on a
-/// [`Sheet`](crate::Sheet) it leaves the worked solution, on [`Plain`] only its answers, at the speed of its formulas.
+/// Worksheet of a solve. Written once over `W: Worksheet`, a solve has two readings: on a [`Sheet`](crate::Sheet) it
+/// leaves the worked solution, on [`Plain`] only its answers, at the speed of its formulas.
 pub trait Worksheet: Copy {
     /// The numbers of this worksheet.
     type Num: Real;
@@ -112,7 +112,7 @@ pub trait Worksheet: Copy {
     fn keep_going(self) -> Result<(), Refusal>;
 }
 
-/// Why a step is taken, and what reports it.
+/// Reason of a step, and its source.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Why {
     /// The reason, in words.
@@ -121,7 +121,7 @@ pub struct Why {
     pub cite: Option<Cite>,
 }
 
-/// Where an input stands: what its number on a worksheet is called, and the unit it was typed in.
+/// Input on a worksheet: symbol, path, and the unit it was typed in.
 #[derive(Clone, Copy)]
 pub struct Given<'t> {
     /// The field.
@@ -129,7 +129,7 @@ pub struct Given<'t> {
     /// The place of the field in the group that `value` and `trail` are of; `None` where they are of the number itself, a
     /// row of a list.
     pub at: Option<usize>,
-    /// What was written, for its unit.
+    /// Value as typed, for its unit.
     pub value: Option<&'t Value>,
     /// The way there.
     pub trail: &'t Trail<'t>,

@@ -1,4 +1,4 @@
-//! Which answers the checks of a solution cover.
+//! Coverage of answers by the checks of a solution.
 
 use dalembert_core::{
     About, Analysis, Entry, Inputs, Refusal, Sides, Stop, Worksheet,

@@ -1,4 +1,4 @@
-//! What a worked solution writes: signs, brackets, fractions, powers, vectors, sums, dimensions.
+//! Text of a worked solution: signs, brackets, fractions, powers, vectors, sums, dimensions.
 
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 

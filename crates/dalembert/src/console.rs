@@ -1,4 +1,4 @@
-//! Who reads what is printed, and how it gets there.
+//! Standard streams: capabilities of the terminal, and output to it.
 
 use std::{
     ffi::OsString,
@@ -24,11 +24,11 @@ pub(crate) struct Console {
     pub(crate) locale: Locale,
     /// Columns of a line.
     pub(crate) width: usize,
-    /// Whether errors may be coloured.
+    /// True if errors may be coloured.
     pub(crate) styled_errors: bool,
-    /// What the terminal can show.
+    /// Capabilities of the terminal.
     pub(crate) capabilities: Capabilities,
-    /// Whether a user sits at both ends.
+    /// True if input and output are both a terminal.
     pub(crate) interactive: bool,
 }
 

@@ -1,11 +1,11 @@
-//! Why the program ends without what was asked for.
+//! Failures of the program and their exit codes.
 
 use std::io;
 
 use dalembert_core::Text;
 use dalembert_tui::files::FileError;
 
-/// Why there is nothing, or not what was asked for.
+/// Failure of a command.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
     /// The input or the usage is wrong: everything that is.
@@ -26,7 +26,7 @@ pub(crate) enum Failure {
     /// An analysis panicked.
     #[error("{0}")]
     Fault(String),
-    /// What was found could not be printed.
+    /// Output error: a result could not be printed.
     #[error(transparent)]
     Output(io::Error),
 }

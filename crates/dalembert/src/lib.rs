@@ -49,7 +49,7 @@ pub fn main() -> ExitCode {
     }
 }
 
-/// What the user has set, and where.
+/// Settings of the user and the path of their file.
 struct Set {
     path: Option<PathBuf>,
     settings: Settings,

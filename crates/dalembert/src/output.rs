@@ -7,7 +7,7 @@ use dalembert_tui::files::{self, Before, FileError};
 
 use crate::failure::Failure;
 
-/// Whether a result may be written there; `problem` is the file that is solved, if it is one.
+/// Checks that a result may be written to a path; `problem` is the file being solved, if it is one.
 pub(crate) fn allowed(path: &Path, problem: &Path, force: bool) -> Result<(), Failure> {
     let Ok(there) = fs::canonicalize(path) else { return Ok(()) };
     let refuse = |why: &'static str| Err(Failure::input(Text::new(why).with("file", path.display())));

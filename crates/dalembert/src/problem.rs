@@ -17,19 +17,19 @@ const LONGEST_VALUE: usize = 60;
 /// A problem with its inputs understood.
 #[derive(Debug)]
 pub(crate) struct Problem {
-    /// Its analysis.
+    /// Analysis of the problem.
     pub(crate) entry: &'static Entry,
     /// The name of the case, or the title of the file.
     pub(crate) name: Text,
-    /// Where the case was printed.
+    /// Publication of the case.
     pub(crate) source: Text,
     /// Remarks.
     pub(crate) note: Text,
-    /// How the inputs were read where that does not stand in them.
+    /// Notes on the reading of the inputs where the inputs do not show it.
     pub(crate) notes: Vec<Text>,
-    /// What was typed.
+    /// Texts of the inputs.
     pub(crate) draft: Draft,
-    /// What was understood.
+    /// Inputs as read.
     pub(crate) record: Record,
     /// Units of answers: `(answer, unit)`.
     pub(crate) show: Vec<(String, String)>,
@@ -40,7 +40,7 @@ pub(crate) fn analysis(id: &str) -> Result<&'static Entry, Failure> {
     find(id).ok_or_else(|| Failure::input(file::no_such_analysis(id)))
 }
 
-/// What a problem is read from.
+/// Source of a problem: file or analysis, case and changes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Asked<'a> {
     /// The id of an analysis or the path of a file.
@@ -49,7 +49,7 @@ pub(crate) struct Asked<'a> {
     pub(crate) case: Option<u32>,
     /// The inputs to change.
     pub(crate) changes: &'a [String],
-    /// Whether a number without a unit is refused.
+    /// True if a number without a unit is refused.
     pub(crate) strict: bool,
 }
 
@@ -71,7 +71,7 @@ pub(crate) fn read(asked: &Asked<'_>, console: &Console) -> Result<Problem, Fail
     }
 }
 
-/// Whether a name that is no file was meant as the id of an analysis.
+/// Returns true if a name that is no file was meant as the id of an analysis.
 pub(crate) fn looks_like_an_id(named: &str) -> bool {
     let words =
         |part: &str| part.starts_with(|c: char| c.is_ascii_lowercase()) && !part.contains(['.', '/', '~']);

@@ -120,7 +120,7 @@ impl<'t> Line<'t> {
         1 + self.text[..self.span.start].chars().count()
     }
 
-    /// Whether it can be shown as it is.
+    /// Returns true if the line can be shown unchanged.
     fn is_plain(&self) -> bool {
         self.text.len() <= LONGEST_LINE && filter_untrusted(self.text) == self.text
     }

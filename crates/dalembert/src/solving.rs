@@ -10,7 +10,7 @@ use dalembert_core::{Entry, Record, Refusal, Solution, SolveError, Stop, Text};
 
 use crate::failure::Failure;
 
-/// What a solve comes to: an answer, or why there is none.
+/// Outcome of a solve: a solution, or the reason for which there is none.
 pub(crate) type Outcome = Result<Solution, Text>;
 
 /// Solves a problem.

@@ -6,7 +6,7 @@ use syn::{
     punctuated::Punctuated, spanned::Spanned,
 };
 
-/// What the type of a field asks for.
+/// Kind of a field, by its type.
 pub(crate) enum FieldKind {
     Quantity,
     Vector,
@@ -29,7 +29,7 @@ pub(crate) struct Arguments {
 }
 
 impl FieldKind {
-    /// What a field of this type, with these arguments, asks for.
+    /// Kind of a field of this type with these arguments.
     pub(crate) fn of(ty: &Type, arguments: &Arguments) -> Result<Self> {
         let Type::Path(path) = ty else {
             return Err(Error::new_spanned(
@@ -61,7 +61,7 @@ impl FieldKind {
         })
     }
 
-    /// Whether the field stands in `NameGiven`.
+    /// Returns true if the field is part of `NameGiven`.
     pub(crate) fn is_lifted(&self) -> bool {
         match self {
             FieldKind::Quantity | FieldKind::Vector | FieldKind::Nested(_) => true,
@@ -74,7 +74,7 @@ impl FieldKind {
         }
     }
 
-    /// Whether its symbols are those of another type.
+    /// Returns true if its symbols are those of another type.
     pub(crate) fn is_nested(&self) -> bool {
         match self {
             FieldKind::Nested(_) => true,

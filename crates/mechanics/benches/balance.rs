@@ -1,4 +1,5 @@
-//! What a million Monte Carlo samples of two-plane balancing cost: the formula of the worked solution on lanes.
+//! Benchmark of a million Monte Carlo samples of two-plane balancing: the formula of the worked solution on SIMD
+//! vectors.
 //!
 //! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.
 

@@ -1,5 +1,5 @@
-//! What the motion and the driving torque of a linkage cost at a million crank angles: the same formulas on lanes
-//! and one angle after the other.
+//! Benchmark of the motion and the driving torque of a linkage at a million crank angles: the same formulas on SIMD
+//! vectors and one angle at a time.
 //!
 //! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.
 

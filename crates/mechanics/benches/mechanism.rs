@@ -1,5 +1,5 @@
-//! What mechanisms cost: the positions of driven ones with every reaction, and the free motion of Andrews' squeezing
-//! mechanism and of four-bars in a row through their singular positions.
+//! Benchmark of mechanisms: the positions of driven ones with all reactions, and the forward dynamics of Andrews'
+//! squeezing mechanism and of four-bars in a row through their singular positions.
 //!
 //! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.
 

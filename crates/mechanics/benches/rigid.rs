@@ -1,5 +1,5 @@
-//! What a body in space costs: a million steps of a free rotation that keeps its energy and angular momentum, and the
-//! heavy top of the benchmark to 10⁻⁹.
+//! Benchmark of a rigid body in space: a million steps of a free rotation that conserves energy and angular momentum,
+//! and the heavy top of the benchmark to 10⁻⁹.
 //!
 //! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them. MuJoCo is timed in the
 //! same run where it is installed: its ratio to ours is what can be compared.

@@ -1,4 +1,4 @@
-//! What a rotor of thirty elements costs: a Campbell diagram at fifty speeds, and its unbalance response at 501.
+//! Benchmark of a rotor of thirty elements: a Campbell diagram at fifty speeds, and its unbalance response at 501.
 //!
 //! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them. ROSS is timed in the same
 //! run where it is installed: the ratio to it is what can be compared.

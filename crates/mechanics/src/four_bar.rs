@@ -30,7 +30,7 @@ pub enum Branch {
     Crossed,
 }
 
-/// How the links of a four-bar linkage turn with its crank.
+/// Rotation of the links of a four-bar linkage as functions of the crank angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Links<S> {
     /// The crank.

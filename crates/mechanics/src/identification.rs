@@ -77,15 +77,15 @@ pub struct Fit {
     pub normal_equations: [f64; 3],
 }
 
-/// Why a measured response has no such fit.
+/// Reason for which a measured response has no such fit.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum FitError {
     /// A frequency is negative, a receptance is not positive, or one is not finite.
     #[error("the point at {frequency} rad/s with {receptance} m/N is none of a receptance")]
     Point {
-        /// Its frequency.
+        /// Frequency of the point.
         frequency: f64,
-        /// Its receptance.
+        /// Receptance at the point.
         receptance: f64,
     },
     /// The least squares give a stiffness or a mass whose square is not positive.
@@ -148,9 +148,9 @@ pub fn fit_receptance(points: &[(f64, f64)]) -> Result<Fit, FitError> {
 /// A peak of a measured response.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeasuredPeak {
-    /// Its frequency, rad/s.
+    /// Frequency of the peak, rad/s.
     pub frequency: f64,
-    /// Its receptance, m/N.
+    /// Receptance at the peak, m/N.
     pub receptance: f64,
     /// Frequencies below and above it where the receptance is `1/√2` of the peak, rad/s; `None` on a side that
     /// was not measured far enough.

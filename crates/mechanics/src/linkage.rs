@@ -9,7 +9,7 @@
 
 use crate::Real;
 
-/// How a link turns with the crank.
+/// Rotation of a link as a function of the crank angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turning<S> {
     /// Cosine and sine of its angle `φ`.
@@ -20,14 +20,14 @@ pub struct Turning<S> {
     pub second: S,
 }
 
-/// How a point moves with the crank.
+/// Motion of a point as a function of the crank angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point<S> {
-    /// Its place, m.
+    /// Position, m.
     pub at: [S; 2],
-    /// Its derivative, m.
+    /// First derivative with respect to the crank angle, m/rad.
     pub first: [S; 2],
-    /// Its second derivative, m.
+    /// Second derivative with respect to the crank angle, m/rad².
     pub second: [S; 2],
 }
 

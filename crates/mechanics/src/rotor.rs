@@ -38,13 +38,13 @@ use dalembert_numerics::linalg::LinalgError;
 pub struct Rotor {
     /// The shaft, from left to right; element `n` lies between the nodes `n` and `n + 1`.
     pub elements: Vec<element::Element>,
-    /// Whether shear is counted.
+    /// Beam theory of the shaft: with or without shear deformation.
     pub theory: element::Theory,
     /// Axial tension of the shaft, N; negative for compression.
     pub tension: f64,
     /// Rigid discs.
     pub discs: Vec<Disc>,
-    /// What holds the shaft.
+    /// Supports of the shaft.
     pub supports: Vec<Support>,
 }
 
@@ -61,16 +61,16 @@ pub struct Disc {
     pub polar: f64,
 }
 
-/// What holds the shaft at a node.
+/// Support of the shaft at a node.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Support {
     /// The node.
     pub node: usize,
-    /// How it holds.
+    /// Type and coefficients of the support.
     pub hold: Hold,
 }
 
-/// How a support holds the shaft.
+/// Type and coefficients of a support.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Hold {
     /// Bearing: its coefficients at one or more speeds (rad/s), ascending; linear between them, constant beyond.
@@ -90,15 +90,15 @@ pub struct Coefficients {
     pub damping: [[f64; 2]; 2],
 }
 
-/// Why a rotor has no answer.
+/// Reason for which a rotor model is refused or has no answer.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum RotorError {
     /// A number is not finite or an element has no length, stiffness or mass.
     #[error("{what} is {value}, which makes no rotor; it must be positive and finite")]
     Value {
-        /// What it is.
+        /// Name of the quantity.
         what: &'static str,
-        /// Its value, SI.
+        /// Value, SI.
         value: f64,
     },
     /// A disc, bearing or unbalance stands at a node that is not there.
@@ -140,7 +140,7 @@ impl Coefficients {
         Self { stiffness: [[k[0], 0.0], [0.0, k[1]]], damping: [[c[0], 0.0], [0.0, c[1]]] }
     }
 
-    /// Whether `kxy` and `kyx` are equal but for the rounding of a change of units.
+    /// Returns true if `kxy` and `kyx` are equal but for the rounding of a change of units.
     fn is_symmetric(&self) -> bool {
         let [[_, xy], [yx, _]] = self.stiffness;
         (xy - yx).abs() <= 4.0 * f64::EPSILON * xy.abs().max(yx.abs())
@@ -160,7 +160,7 @@ impl Support {
         Self { node, hold: Hold::Bearing(vec![(0.0, coefficients)]) }
     }
 
-    /// Whether it is the same at every speed.
+    /// Returns true if the coefficients do not depend on speed.
     pub fn is_constant(&self) -> bool {
         !matches!(&self.hold, Hold::Bearing(table) if table.len() > 1)
     }
@@ -197,20 +197,20 @@ impl Rotor {
             .collect()
     }
 
-    /// Whether nothing dissipates or feeds energy, and no bearing depends on speed: then natural frequencies are
+    /// Returns true if nothing dissipates or feeds energy and no bearing depends on speed: natural frequencies are then
     /// those of a Hermitian problem and critical speeds can be found directly.
     pub fn is_conservative(&self) -> bool {
         self.is_undamped() && self.supports.iter().all(Support::is_constant)
     }
 
-    /// Whether nothing dissipates or feeds energy at any speed: then no mode grows or decays.
+    /// Returns true if nothing dissipates or feeds energy at any speed: then no mode grows or decays.
     pub fn is_undamped(&self) -> bool {
         let undamped = |here: &Coefficients| here.is_symmetric() && here.damping == [[0.0; 2]; 2];
         !self.has_internal_damping() && self.coefficients().all(undamped)
     }
 
-    /// Whether nothing can feed energy at any speed: every bearing has a symmetric stiffness that pulls back and a
-    /// damping that only takes energy, and the shaft has no damping that turns with it. The total energy then never
+    /// Returns true if nothing can feed energy at any speed: every bearing has a symmetric positive semidefinite
+    /// stiffness and a damping that only dissipates, and the shaft has no rotating damping. The total energy then never
     /// rises, and without compression no motion grows.
     pub fn cannot_grow(&self) -> bool {
         !self.has_internal_damping()
@@ -236,7 +236,7 @@ impl Rotor {
     }
 }
 
-/// Whether the symmetric part of a matrix is not negative in any direction.
+/// Returns true if the symmetric part of a matrix is positive semidefinite.
 fn pulls([[xx, xy], [yx, yy]]: [[f64; 2]; 2]) -> bool {
     let cross = 0.5 * (xy + yx);
     xx >= 0.0 && yy >= 0.0 && cross * cross <= xx * yy

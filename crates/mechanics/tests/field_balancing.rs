@@ -20,7 +20,7 @@ fn rotor(seed: u64, readings: usize, planes: usize) -> (DMatrix<Complex<f64>>, V
     (alpha, (0..planes).map(|plane| number(readings * planes + plane) * 30.0).collect())
 }
 
-/// What the sensors read with those weights.
+/// Readings of the sensors with those weights, `V + α W`.
 fn read(alpha: &DMatrix<Complex<f64>>, weights: &[Complex<f64>]) -> Vec<Complex<f64>> {
     residuals(alpha, &vec![Complex::ZERO; alpha.nrows()], weights)
 }

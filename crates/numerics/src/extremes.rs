@@ -8,7 +8,7 @@ use crate::roots;
 /// A value and the first time at which it is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extreme {
-    /// When, s.
+    /// Time of the extreme, s.
     pub time: f64,
     /// The value.
     pub value: f64,
@@ -26,7 +26,7 @@ pub struct Extremes {
 /// A number at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sampling {
-    /// Its value.
+    /// Value of the function there.
     pub value: f64,
     /// A smooth number that turns where it does: the number itself, if it is smooth.
     pub smooth: f64,
@@ -101,9 +101,9 @@ impl Extremes {
     }
 }
 
-/// How often a stretch in which a number may turn twice is cut.
+/// Maximum number of bisections of an interval in which the function may have two turning points.
 const DEEP: u32 = 6;
-/// What two neighbouring values differ by through rounding, in parts of their size.
+/// Rounding error of the difference of two neighbouring values, relative to their magnitude.
 const ROUNDING: f64 = 1e-13;
 
 /// The largest value of a smooth number, and where it is, from places that are a share of its shortest period apart: about

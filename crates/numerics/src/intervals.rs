@@ -7,7 +7,7 @@ use std::ops::Bound::{self, Excluded, Included, Unbounded};
 /// Kept in normal form, so that equal sets compare equal: intervals ascending, none empty, none touching another.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct IntervalSet {
-    /// Where membership changes, ascending: in at even places, out at odd ones.
+    /// Boundaries in ascending order: those at even indices open an interval, those at odd indices close it.
     cuts: Vec<Cut>,
 }
 
@@ -78,17 +78,17 @@ impl IntervalSet {
         })
     }
 
-    /// Whether the set is empty.
+    /// Returns true if the set is empty.
     pub fn is_none(&self) -> bool {
         self.cuts.is_empty()
     }
 
-    /// Whether the set holds every real number.
+    /// Returns true if the set holds every real number.
     pub fn is_all(&self) -> bool {
         *self == Self::all()
     }
 
-    /// Whether a number is in the set.
+    /// Returns true if `x` is in the set.
     pub fn contains(&self, x: f64) -> bool {
         x.is_finite() && self.cuts.iter().filter(|&&cut| cut < Cut::new(x, Side::Above)).count() % 2 == 1
     }

@@ -35,7 +35,7 @@ pub const MOST_DENSE: usize = 5_000;
 /// The most unknowns of a banded matrix.
 pub const MOST_BANDED: usize = 1_000_000;
 
-/// Why there is no result.
+/// Reason for which a decomposition or solution is refused.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum LinalgError {
     /// An entry of the input, or of the result, is NaN or infinite.
@@ -48,7 +48,7 @@ pub enum LinalgError {
         rows: usize,
         /// Columns of the offending matrix.
         columns: usize,
-        /// What would fit.
+        /// Required shape.
         wanted: &'static str,
     },
     /// The matrix of a symmetric problem is not symmetric.
@@ -59,7 +59,7 @@ pub enum LinalgError {
     NotSymmetric {
         /// The row of the largest difference, counted from 1.
         row: usize,
-        /// Its column.
+        /// Column of that entry, from 0.
         column: usize,
         /// The largest difference across the diagonal over the largest entry.
         difference: f64,
@@ -67,7 +67,7 @@ pub enum LinalgError {
     /// The mass matrix, or a stiffness matrix that must not be unstable, has a direction without energy.
     #[error("the {matrix} matrix is not positive definite: its leading block of {row} rows is not")]
     NotPositiveDefinite {
-        /// Which matrix.
+        /// Name of the matrix.
         matrix: &'static str,
         /// Rows of the first leading block that is not positive definite.
         row: usize,
@@ -75,9 +75,9 @@ pub enum LinalgError {
     /// More than is taken on.
     #[error("{size} {what} are more than the limit of {limit}")]
     TooLarge {
-        /// What there is too much of.
+        /// Quantity that exceeds its limit.
         what: &'static str,
-        /// How much there is.
+        /// Requested size.
         size: usize,
         /// The limit.
         limit: usize,
@@ -334,7 +334,7 @@ fn iteration_limit(n: usize) -> usize {
     100 * (n + 1)
 }
 
-/// What rounding may leave of a residual, relative to the largest entry.
+/// Bound of a residual by rounding, relative to the largest entry, for `n` unknowns.
 fn rounding(n: usize) -> f64 {
     1e-14 * (n + 10) as f64
 }

@@ -34,16 +34,16 @@ const RELAID: u32 = 4;
 /// The largest value of x⁴ (1 − x)³ from 0 to 1, the last term of the polynomial.
 const LAST_TERM: f64 = 256.0 * 27.0 / 823_543.0;
 
-/// How far and how exactly a motion is followed.
+/// Options of an integration: interval, output, tolerance, events.
 #[derive(Clone, Copy)]
 pub struct Run<'a, E> {
     /// s.
     pub duration: f64,
     /// The error that each step may add.
     pub tolerance: f64,
-    /// How many samples are taken at equal times, the start and the end among them.
+    /// Number of samples at equal time steps, start and end included.
     pub samples: usize,
-    /// What ends the motion before.
+    /// Terminal events: each ends the integration early.
     pub ends: &'a [E],
     /// The most steps.
     pub most_steps: usize,
@@ -51,7 +51,7 @@ pub struct Run<'a, E> {
     pub cancelled: &'a dyn Fn() -> bool,
 }
 
-/// What is to be integrated.
+/// System of first-order differential equations `dy/dt = f(t, y)` to integrate.
 pub trait Problem {
     /// The rates `f(t, y)`. Rates that are not finite say that the motion cannot go on from there: the step is
     /// shortened.
@@ -66,13 +66,13 @@ pub trait Problem {
         true
     }
 
-    /// How long before and after a state, whose rates were just found, the motion passes a singular position: one where
-    /// its rates are lost to rounding. Steps are laid so that none of their stages falls near it.
+    /// Times from the last singular position and to the next one, seen from a state whose rates were just evaluated: at
+    /// such a position the rates are lost to rounding. Steps are laid so that none of their stages falls near it.
     fn singular(&mut self, _time: f64, _state: &[f64], _rates: &[f64]) -> [f64; 2] {
         [f64::INFINITY; 2]
     }
 
-    /// Whether to give up.
+    /// Returns true if the integration has to be abandoned.
     fn stopped(&self) -> bool {
         false
     }
@@ -89,7 +89,7 @@ pub struct Function<F> {
     pub absolute: f64,
 }
 
-/// Why a motion ends early.
+/// Reason for which an integration fails.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum OdeError {
     /// The start, the end or the tolerances are not numbers that make sense.
@@ -98,28 +98,28 @@ pub enum OdeError {
     /// The rates are not finite, however short the step.
     #[error("the motion cannot go on from {at}: its rates are not finite")]
     NotFinite {
-        /// When.
+        /// Time of failure.
         at: f64,
     },
     /// The allowed error asks for steps below rounding.
     #[error("the allowed error cannot be held at {at}: steps become too short")]
     TooShort {
-        /// When.
+        /// Time of failure.
         at: f64,
     },
     /// The motion asks for too many steps.
     #[error("{steps} steps do not suffice beyond {at}")]
     TooManySteps {
-        /// When.
+        /// Time of failure.
         at: f64,
-        /// How many were made.
+        /// Number of steps taken.
         steps: usize,
     },
     /// The motion asks for too many steps, since something decays so much faster than it lasts that stability alone
     /// holds the steps of an explicit method short.
     #[error("the motion is stiff at {at}: something in it decays much faster than the rest moves")]
     Stiff {
-        /// When.
+        /// Time of failure.
         at: f64,
     },
     /// Asked to stop.
@@ -161,13 +161,14 @@ pub struct Integrator {
     next: f64,
     /// The slopes of the stages of the last step.
     slopes: Vec<Vec<f64>>,
-    /// Whether the slope at the present state is that of the end of a step, rather than of a begin.
+    /// True if the stored rates at the current state are those of the last stage of a step (first same as last), false
+    /// if they were evaluated anew.
     stepped: bool,
-    /// Whether the polynomial over each step is made and examined.
+    /// True if the interpolating polynomial of each step is computed and examined for events.
     looked_between: bool,
     /// The polynomial over the last step, once asked for.
     between: Option<[Vec<f64>; 7]>,
-    /// How long until the motion passes a singular position, from the state and from that before.
+    /// Time to the next singular position, seen from the current state and from the previous one.
     ahead: f64,
     ahead_before: f64,
     tried: Vec<f64>,
@@ -228,22 +229,22 @@ impl Integrator {
         self
     }
 
-    /// When the motion has come to.
+    /// Current time.
     pub fn time(&self) -> f64 {
         self.time
     }
 
-    /// Where it has come to.
+    /// State at the current time.
     pub fn state(&self) -> &[f64] {
         &self.state
     }
 
-    /// When the last step began.
+    /// Time at the start of the last step.
     pub fn before(&self) -> f64 {
         self.before
     }
 
-    /// How many steps were made.
+    /// Number of steps taken.
     pub fn steps(&self) -> usize {
         self.steps
     }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::Complex;
 
-/// Why there are no roots.
+/// Reason for which the roots are not computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum PolynomialError {
     /// A coefficient is NaN or infinite, or a root is beyond the range of numbers.

@@ -4,7 +4,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use nalgebra::Vector3;
 
-/// What a formula needs of its numbers.
+/// Arithmetic of real numbers, as formulas use it.
 ///
 /// A formula written once over `Real` gives a number when it is read with `f64`, and writes itself down,
 /// with units and dimensions, when it is read with a term of a worked solution. `S::from(2.0)` is a literal.

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-/// Why there is no zero.
+/// Reason for which no zero is found.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum RootError {
     /// The ends of the range are not two finite numbers in order, or there are too few samples.
@@ -24,13 +24,13 @@ pub enum RootError {
     /// The function is NaN or infinite.
     #[error("the function is not finite at {at}")]
     NotFinite {
-        /// Where.
+        /// Argument at which the function is not finite.
         at: f64,
     },
     /// The function changes its sign by a jump or through a pole, not through zero.
     #[error("the function jumps at {at} and has no zero there")]
     Discontinuity {
-        /// Where.
+        /// Argument at which the iteration ended.
         at: f64,
     },
     /// The iteration reached its limit.

@@ -48,8 +48,8 @@ pub fn csv(worked: &Worked<'_>, table: &str, locale: &Locale) -> Option<String> 
     Some(sheet.text())
 }
 
-/// What is seen of a plot: the points of its curves and its marks in the window, with the values as they are spread, and
-/// what its cursor reads. `None` where there is nothing to draw.
+/// CSV of the visible part of a plot: the points of its curves and its marks in the window, on the scale of the axis,
+/// and the cursor readings. `None` where there is nothing to draw.
 pub fn plot_csv(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<String> {
     let axes = Axes::seen(plot, seen.pinned, &seen.view)?;
     let mut sheet = Sheet::default();

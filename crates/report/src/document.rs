@@ -1,4 +1,4 @@
-//! What people read, before anyone decides how it looks.
+//! Document: content of a report, independent of its format.
 
 use dalembert_core::printer::WrittenStep;
 
@@ -7,9 +7,9 @@ use crate::figure::picture::{Part, Picture};
 /// A text with headings, lists, steps and tables, every word of it in one language.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
-    /// What it is about.
+    /// Title.
     pub title: String,
-    /// Its parts, in the order they are read.
+    /// Blocks, in reading order.
     pub blocks: Vec<Block>,
 }
 
@@ -35,24 +35,24 @@ pub enum Block {
 /// A name with a value, within others.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Line {
-    /// How many others it stands within.
+    /// Nesting depth.
     pub depth: usize,
-    /// How formulas write it; may be empty.
+    /// Symbol in formulas; may be empty.
     pub symbol: String,
-    /// What it is.
+    /// Label.
     pub label: String,
-    /// Its value; empty for a heading of the lines within.
+    /// Value; empty for a heading of the lines within.
     pub value: String,
 }
 
 /// Rows and columns.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Table {
-    /// What it shows; may be empty.
+    /// Title; may be empty.
     pub title: String,
     /// The headings.
     pub columns: Vec<String>,
-    /// Which columns hold numbers and stand to the right.
+    /// True for each column of numbers, which is aligned right.
     pub numeric: Vec<bool>,
     /// The rows, each as long as `columns`.
     pub rows: Vec<Vec<String>>,
@@ -61,7 +61,7 @@ pub struct Table {
 }
 
 impl Document {
-    /// Its figures as files: the name of each, which begins with `stem`, and its SVG.
+    /// Figures as files: the name of each, which begins with `stem`, and its SVG.
     pub fn figures(&self, stem: &str) -> Vec<(String, String)> {
         let pictures = self.blocks.iter().filter_map(|block| match block {
             Block::Figure(picture) => Some(picture),

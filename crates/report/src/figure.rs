@@ -13,12 +13,12 @@ use dalembert_core::{Drawing, Exhibit, Locale, Plot};
 
 use self::{axes::View, picture::Picture};
 
-/// How a plot is examined: what a user has set on a screen.
+/// View of a plot, as set on a screen: window, cursor, hidden curves.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seen<'a> {
-    /// What is shown of it.
+    /// Visible window.
     pub view: View,
-    /// Where its cursor stands: a value of `x` in SI.
+    /// Position of the cursor: a value of `x` in SI.
     pub cursor: Option<f64>,
     /// One of the same axes, whose curves lie under those of the plot.
     pub pinned: Option<&'a Plot>,

@@ -9,19 +9,19 @@ const TYPED_DIGITS: u8 = 12;
 /// An input, or the heading of the inputs within it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Input<'r> {
-    /// Where it stands: `masses[1].radius`.
+    /// Path: `masses[1].radius`.
     pub path: String,
-    /// How many others it stands within.
+    /// Nesting depth.
     pub depth: usize,
-    /// How formulas write it; may be empty.
+    /// Symbol in formulas; may be empty.
     pub symbol: String,
-    /// What it is.
+    /// Label.
     pub label: String,
-    /// What was typed; the name of the alternative for a one-of.
+    /// Text as typed; the name of the alternative for a one-of.
     pub typed: String,
-    /// What was understood; `None` for the heading of a row or of a group.
+    /// Value as read; `None` for the heading of a row or of a group.
     pub value: Option<&'r Value>,
-    /// What was understood, as a user reads it.
+    /// Value as displayed.
     pub shown: String,
 }
 
@@ -33,7 +33,7 @@ pub fn inputs<'r>(draft: &Draft, record: &'r Record, locale: &Locale) -> Vec<Inp
     found
 }
 
-/// Where a walk through a record stands.
+/// Position of a traversal of a record.
 struct Place<'l> {
     path: String,
     depth: usize,

@@ -102,7 +102,7 @@ fn plot(plot: &Plot, locale: &Locale) -> Json {
     })
 }
 
-/// What was understood.
+/// Value as read, in JSON.
 fn understood(value: &Value) -> Map<String, Json> {
     let plain = |value: Json| {
         let none = Json::Null;

@@ -250,7 +250,7 @@ fn words(text: &str) -> String {
     out
 }
 
-/// What stands for a character that is in no table here.
+/// Replacement for a character that is in no table here.
 fn plain(character: char) -> String {
     ascii(&character.to_string())
 }

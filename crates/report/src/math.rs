@@ -41,7 +41,7 @@ pub(crate) fn values(text: &str) -> Math {
     Reader { rest: text.chars().collect(), at: 0, values: true }.row(None)
 }
 
-/// What a symbol is equal to, one after the other.
+/// Sides of a chain of equations: symbol, formula, substitution, result.
 pub(crate) fn sides(step: &WrittenStep) -> Vec<Math> {
     let mut sides = Vec::new();
     if !step.formula.is_empty() {

@@ -9,7 +9,7 @@ use crate::{Document, html, latex, markdown, text, typst};
 /// The width of a text in a file.
 const COLUMNS: usize = 80;
 
-/// What a document is written as.
+/// Output format of a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Paper {
     /// Plain text, without figures.
@@ -25,7 +25,7 @@ pub enum Paper {
 }
 
 impl Paper {
-    /// What the ending of a file asks for.
+    /// Format by the extension of a file.
     pub fn of(path: &Path) -> Option<Self> {
         Some(match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "txt" => Paper::Text,

@@ -18,21 +18,21 @@ const LONGEST_TABLE: usize = 60;
 /// A problem and what came of it.
 #[derive(Clone, Copy, Debug)]
 pub struct Worked<'a> {
-    /// Its analysis.
+    /// Analysis of the problem.
     pub entry: &'static Entry,
     /// The name of the published case or the title of the problem file; may be empty.
     pub case: &'a Text,
-    /// Where the case was printed; may be empty.
+    /// Publication of the case; may be empty.
     pub source: &'a Text,
     /// Remarks; may be empty.
     pub note: &'a Text,
-    /// How the inputs were read where that does not stand in them.
+    /// Notes on the reading of the inputs where the inputs do not show it.
     pub notes: &'a [Text],
-    /// What was typed.
+    /// Texts of the inputs.
     pub draft: &'a Draft,
-    /// What was understood.
+    /// Inputs as read.
     pub record: &'a Record,
-    /// What came of it: a solution, or why there is none.
+    /// Outcome: a solution, or the reason for which there is none.
     pub outcome: Result<&'a Solution, &'a Text>,
 }
 
@@ -183,7 +183,7 @@ fn written_table(table: &TableExhibit, locale: &Locale) -> Table {
     }
 }
 
-/// What can be said of a plot in words: what it shows, and its named points and lines.
+/// Description of a plot in words: its title, and its named points and lines.
 fn plotted(plot: &Plot, locale: &Locale) -> Vec<Block> {
     let unit = |text: &str| units::unit(text).unwrap_or(units::Unit::ONE);
     let (x, y) = (unit(plot.x.unit), unit(plot.y.unit));

@@ -49,7 +49,7 @@ pub(crate) fn formula(text: &str, width: usize, hang: usize) -> Vec<String> {
     lines
 }
 
-/// Where a formula is broken best within `room` columns: the byte at which the next line begins.
+/// Best break of a formula within `room` columns: the byte at which the next line begins.
 fn best_break(text: &str, room: usize) -> Option<usize> {
     let mut depth = 0;
     let mut best: Option<(usize, usize)> = None;
@@ -79,7 +79,7 @@ fn best_break(text: &str, room: usize) -> Option<usize> {
     best.map(|(_, at)| at)
 }
 
-/// How unwelcome a break between two parts of a formula is; `None` where there must not be one.
+/// Penalty of a break between two parts of a formula; `None` where a break is not allowed.
 fn cost(before: &str, after: &str) -> Option<usize> {
     const SUMS: [char; 4] = ['+', '−', '-', '='];
     const PRODUCTS: [char; 4] = ['×', '*', '/', '·'];

@@ -41,12 +41,12 @@ const ANIMATION_BYTES: (f64, f64) = (64e3, 8e3);
 const ANIMATION_SHARE: u32 = 4;
 /// Nothing is expected: until then the loop sleeps.
 const LONG: Duration = Duration::from_hours(24);
-/// What is said when a session that was played has come to its end.
+/// Notice at the end of a replay.
 const ENDED: &str = "replay ended: the keyboard is active again; the replay is read-only";
 /// The exit code when the terminal cannot be had.
 const NO_TERMINAL: u8 = 2;
 
-/// How the workbench begins.
+/// Options of a session.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// A problem file to open.
@@ -55,15 +55,15 @@ pub struct Options {
     pub analysis: Option<&'static Entry>,
     /// The language to begin with.
     pub language: Language,
-    /// What the user has set; what the command line says is in it already.
+    /// Settings of the user, with those of the command line applied.
     pub settings: Settings,
-    /// What of their file could not be taken, and where that is.
+    /// Ignored settings, and the path of their file.
     pub faults: Option<(PathBuf, Vec<settings::Fault>)>,
     /// Nothing is saved.
     pub readonly: bool,
     /// For serial lines and screen readers: no frames, no colours, and the cursor where the focus is.
     pub basic: bool,
-    /// Where what the user does is written down, to be played again.
+    /// Path of the file that records the user's actions for a replay.
     pub record: Option<PathBuf>,
     /// A session that is played first, so many times as fast as a user types.
     pub replay: Option<(Replay, f64)>,
@@ -80,19 +80,19 @@ pub fn run(options: Options) -> ExitCode {
     })
 }
 
-/// What effects act on.
+/// Runtime on which effects act.
 struct Runtime {
     session: Session,
     solver: Solver,
-    /// What is asked beside the results never holds them up.
+    /// Solver for questions beside the results, so that these are never delayed.
     asker: Solver,
     autosave: Arc<Autosave>,
     judges: io::Result<mpsc::Sender<&'static Entry>>,
     /// `None`: nothing is remembered for later sessions.
     memory: Option<Memory>,
-    /// When work was remembered that is not written aside yet.
+    /// Time at which work was remembered that is not autosaved yet.
     noted: Option<Instant>,
-    /// When unsaved work was written aside last.
+    /// Time of the last autosave.
     kept: Instant,
     /// The newest job and when it was given, while its outcome has not come.
     awaited: Option<(u64, Instant)>,
@@ -495,13 +495,12 @@ impl Runtime {
     }
 }
 
-/// Whether a line lies between the user and the program: bytes are dear, and text leaves by the terminal's own
-/// selection.
+/// Returns true for a remote session (SSH): output is reduced, and text is copied through the terminal's own selection.
 fn is_remote() -> bool {
     ["SSH_CONNECTION", "SSH_TTY"].iter().any(|name| std::env::var_os(name).is_some())
 }
 
-/// What earlier sessions remembered; what remembers for later sessions, and what could not be read.
+/// Loads the history of earlier sessions; returns the history file, and the error if it could not be read.
 fn recall(
     model: &mut Model,
     reported: impl Fn(files::FileError) + Send + 'static,

@@ -1,5 +1,4 @@
-//! What a user asks of a problem beside its results: whether an answer of their own is right, which input matters,
-//! and how an answer runs over one.
+//! Questions beside the results: check of the user's answers, sensitivity to the inputs, studies over an input.
 //!
 //! What takes time is asked as a job of its own, beside that which solves: see [`Question`].
 
@@ -20,14 +19,14 @@ use crate::tab::Tab;
 
 pub use self::study::{Cell, Kind, Study, Subject};
 
-/// What is asked, and what was found.
+/// Questions of a problem and their replies.
 #[derive(Debug, Default)]
 pub struct Ask {
     /// The user's own answers.
     pub check: Check,
-    /// Which input matters.
+    /// Sensitivity of an answer to the inputs.
     pub sensitivity: Sensitivity,
-    /// How an answer runs over an input.
+    /// Study of an answer over an input.
     pub study: Study,
     /// The cell that is being typed in.
     pub edit: Option<Input>,
@@ -40,17 +39,17 @@ pub struct Ask {
 pub struct Check {
     /// The answer under the cursor.
     pub cursor: usize,
-    /// What was typed, by the name of the answer.
+    /// Texts typed, by the name of the answer.
     pub typed: Vec<(String, String)>,
     /// The answers that the user asked to see.
     pub seen: BTreeSet<String>,
     /// The slips that give what was typed, for each wrong answer; `None` while they are searched for.
     pub slips: Option<Vec<(String, Vec<Mistake>)>>,
-    /// Whether it was said that everything is right.
+    /// True once the message that everything is right has been shown.
     pub praised: bool,
 }
 
-/// Which input matters for an answer.
+/// Sensitivity of an answer to the inputs.
 #[derive(Debug, Default)]
 pub struct Sensitivity {
     /// The line under the cursor.
@@ -61,29 +60,29 @@ pub struct Sensitivity {
     pub answer: Option<String>,
     /// The tolerances that were typed, by the paths of inputs.
     pub tolerances: Vec<(String, String)>,
-    /// What was found; `None` while it is sought.
+    /// Result; `None` while it is computed.
     pub found: Option<Result<sensitivity::Sensitivity, SolveError>>,
 }
 
-/// What takes time to be answered.
+/// Question whose reply takes time.
 #[derive(Clone, Debug)]
 pub enum Question {
-    /// Which slips give these answers?
+    /// Search for the mistakes that give these answers.
     Slips {
         /// The analysis.
         entry: &'static Entry,
-        /// Its inputs.
+        /// Inputs.
         record: Record,
         /// Their solution.
         solution: Box<Solution>,
         /// The user's answers.
         typed: Vec<(String, String)>,
     },
-    /// Which input matters for an answer?
+    /// Sensitivity of an answer to each input.
     Sensitivity {
         /// The analysis.
         entry: &'static Entry,
-        /// Its inputs.
+        /// Inputs.
         record: Record,
         /// The name of the answer.
         answer: String,
@@ -94,9 +93,9 @@ pub enum Question {
     Study {
         /// The analysis.
         entry: &'static Entry,
-        /// Its inputs.
+        /// Inputs.
         record: Record,
-        /// What is asked.
+        /// Plan of the study.
         plan: Plan,
     },
 }
@@ -106,9 +105,9 @@ pub enum Question {
 pub enum Reply {
     /// For each wrong answer the slips that give it.
     Slips(Vec<(String, Vec<Mistake>)>),
-    /// How much each input matters.
+    /// Influence of each input.
     Sensitivity(Result<sensitivity::Sensitivity, SolveError>),
-    /// What a study found.
+    /// Result of a study.
     Study(Box<Result<Studied, SolveError>>),
 }
 
@@ -140,12 +139,12 @@ impl Question {
 }
 
 impl Ask {
-    /// Whether a tab waits for its answer. One that has none and does not wait was stopped.
+    /// Returns true if a tab waits for its reply. One that has none and does not wait was stopped.
     pub fn waits(&self, tab: Tab) -> bool {
         self.awaited.is_some_and(|(_, asked)| asked == tab)
     }
 
-    /// Whether a tab has its answer.
+    /// Returns true if a tab has its reply.
     pub fn is_answered(&self, tab: Tab) -> bool {
         match tab {
             Tab::Check => self.check.slips.is_some(),
@@ -167,7 +166,7 @@ impl Ask {
 }
 
 impl Check {
-    /// What was typed for an answer.
+    /// Text typed for an answer.
     pub fn text(&self, name: &str) -> &str {
         text_of(&self.typed, name)
     }
@@ -178,15 +177,15 @@ impl Check {
         put(&mut self.typed, name, text);
     }
 
-    /// How the user's answer of that name compares with ours; `None` where there is none.
+    /// Verdict on the user's answer of that name; `None` where there is none.
     pub fn verdict(&self, solution: &Solution, name: &str) -> Option<Verdict> {
         let text = self.text(name);
         let answer = solution.answer(name).filter(|_| !text.trim().is_empty())?;
         Some(check::compare(answer, text))
     }
 
-    /// Whether these answers are found: those that no other of them was made from are there, and all that are there
-    /// are right.
+    /// Returns true if these answers are complete and right: all that no other of them depends on are present, and none
+    /// is wrong.
     pub fn is_right(&self, solution: &Solution, wanted: &[&str]) -> bool {
         let verdict = |name: &str| self.verdict(solution, name);
         solution.last_of(wanted).into_iter().all(|name| verdict(name) == Some(Verdict::Right))
@@ -252,7 +251,7 @@ pub(crate) fn turned(at: usize, by: isize, of: usize) -> usize {
     (at.min(last) as isize + by).rem_euclid(of.max(1) as isize) as usize
 }
 
-/// What was typed for a key; empty where nothing was.
+/// Text typed for a key; empty if there is none.
 fn text_of<'t, K: Borrow<Q>, Q: PartialEq + ?Sized>(typed: &'t [(K, String)], key: &Q) -> &'t str {
     typed.iter().find(|(known, _)| known.borrow() == key).map_or("", |(_, text)| text)
 }

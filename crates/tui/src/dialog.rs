@@ -1,4 +1,4 @@
-//! What lies over a screen and takes the keys: help, palette, lists, questions.
+//! Dialogs over a screen, which take the keys: help, palette, lists, questions.
 
 mod names;
 
@@ -11,7 +11,7 @@ pub use names::Names;
 
 use crate::{files::Crashed, keys::Place, look::Theme};
 
-/// What lies over a screen.
+/// Dialog over a screen.
 #[derive(Debug)]
 pub enum Dialog {
     /// Keyboard shortcuts.
@@ -21,38 +21,38 @@ pub enum Dialog {
     },
     /// Every action by its name.
     Palette {
-        /// What is typed.
+        /// Text field.
         input: Input,
         /// The chosen line.
         chosen: usize,
     },
     /// Alternatives of a field.
     Choice {
-        /// Which field.
+        /// Path of the field.
         path: String,
-        /// What is shown of each.
+        /// Options shown.
         options: Vec<Choice>,
         /// The chosen one.
         chosen: usize,
     },
     /// A line of text is asked for.
     Prompt {
-        /// What for.
+        /// Purpose of the text.
         purpose: Purpose,
-        /// What is typed, or proposed.
+        /// Text field: typed or proposed.
         input: Input,
-        /// Whether it is a proposal still: the first character that is typed takes its place.
+        /// True for a proposal: the first character typed replaces it.
         proposed: bool,
-        /// Why the last one would not do.
+        /// Error of the last text.
         error: Option<Text>,
         /// The files that may be meant, where it is the path of one.
         names: Names,
     },
     /// A question with a few answers.
     Ask {
-        /// What is asked.
+        /// Question.
         question: Text,
-        /// What can be answered, and what follows; to give no answer is always possible.
+        /// Possible answers with their consequences; dismissing the dialog is always possible.
         answers: Vec<(&'static str, Answer)>,
         /// The chosen one.
         chosen: usize,
@@ -71,15 +71,15 @@ pub enum Dialog {
 /// An alternative.
 #[derive(Clone, Debug)]
 pub struct Choice {
-    /// Its name for people.
+    /// Name for display.
     pub label: String,
-    /// What it means; may be empty.
+    /// Explanation; may be empty.
     pub help: String,
-    /// What is chosen by it.
+    /// Value that it selects.
     pub value: Chosen,
 }
 
-/// What is chosen.
+/// Selected value.
 #[derive(Clone, Debug)]
 pub enum Chosen {
     /// An alternative of a one-of.
@@ -88,7 +88,7 @@ pub enum Chosen {
     Text(String),
 }
 
-/// What a line of text is for.
+/// Purpose of a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
     /// The path to save under.
@@ -106,24 +106,24 @@ pub enum Purpose {
 }
 
 impl Purpose {
-    /// Whether a file is meant.
+    /// Returns true if the text is a file path.
     pub fn is_path(self) -> bool {
         self != Purpose::Title
     }
 }
 
-/// What follows an answer.
+/// Consequence of an answer.
 #[derive(Clone, Debug)]
 pub enum Answer {
     /// Nothing.
     Cancel,
-    /// What is not saved is saved first.
+    /// Save unsaved work first.
     SaveThen(After),
     /// Unsaved work is given up.
     DiscardThen(After),
     /// The theme is taken.
     Theme(Theme),
-    /// What was edited is edited again.
+    /// Edit the same text again.
     EditAgain(Editing),
     /// The copy that was edited is given up.
     DropCopy(PathBuf),
@@ -133,7 +133,7 @@ pub enum Answer {
     SaveAs,
     /// Another name for what is exported is asked for.
     ExportAs(Purpose),
-    /// What is exported is written over what is there.
+    /// Overwrite an existing file with the export.
     ExportOver(Purpose, PathBuf),
     /// The file is read again; changes are given up.
     Reload(PathBuf),
@@ -157,7 +157,7 @@ pub struct Sheet {
 }
 
 impl Dialog {
-    /// Where keys are typed.
+    /// Place of the key map in which keys are looked up.
     pub fn place(&self) -> Place {
         match self {
             Dialog::Help { .. } | Dialog::Message { .. } => Place::Help,
@@ -177,7 +177,7 @@ impl Dialog {
         Self::prompt_with(purpose, false, begun.to_owned(), None)
     }
 
-    /// What was typed will not do: it is asked for again, to be corrected.
+    /// Prompt again, with an invalid text and its error.
     pub fn prompt_again(purpose: Purpose, typed: String, error: Text) -> Self {
         Self::prompt_with(purpose, false, typed, Some(error))
     }
@@ -192,7 +192,7 @@ impl Dialog {
     }
 }
 
-/// What is done once unsaved work is saved or given up.
+/// Action after unsaved work is saved or discarded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum After {
     /// Nothing more.
@@ -204,7 +204,7 @@ pub enum After {
     Close,
 }
 
-/// What is edited outside of the program.
+/// Object edited in an external editor.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Editing {
     /// The file of the problem.

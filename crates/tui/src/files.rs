@@ -33,7 +33,7 @@ pub const LARGEST: u64 = 16 * 1024 * 1024;
 /// So many names of a folder are listed.
 const MOST_NAMES: usize = 1_000;
 
-/// Why a file was not read or written.
+/// Reason for which a file was not read or written.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
     /// There is no such file.
@@ -48,9 +48,9 @@ pub enum FileError {
     /// A pipe, a device or a socket.
     #[error("`{}` is a {kind}: only ordinary files are read and written", shown(.path))]
     NotOrdinary {
-        /// Its path.
+        /// Path.
         path: PathBuf,
-        /// What it is, in words.
+        /// Type of the file, in words.
         kind: &'static str,
     },
     /// It holds more than [`LARGEST`].
@@ -62,7 +62,7 @@ pub enum FileError {
     /// It is not UTF-8.
     #[error("`{}` is not UTF-8 text: invalid byte {byte} in line {line}{}", shown(.path), if *utf16 { ", and the file looks like UTF-16; save it as UTF-8" } else { "; save it as UTF-8" })]
     NotUtf8 {
-        /// Its path.
+        /// Path.
         path: PathBuf,
         /// Bytes before the first that is wrong.
         byte: usize,
@@ -89,33 +89,33 @@ pub enum FileError {
     /// It is ours, and cannot be understood.
     #[error("`{}` cannot be read and is left unchanged: {why}", shown(.path))]
     Broken {
-        /// Its path.
+        /// Path.
         path: PathBuf,
-        /// Why.
+        /// Reason.
         why: String,
     },
     /// It is read, and gives no table.
     #[error("`{}`: {}", shown(.path), .why.english())]
     NoTable {
-        /// Its path.
+        /// Path.
         path: PathBuf,
-        /// Why.
+        /// Reason.
         why: Text,
     },
     /// A call to the system failed.
     #[error("could not {action} `{}`: {source}{}", shown(.path), advice(.source))]
     Failed {
-        /// What was tried, as a verb.
+        /// Action that failed, as a verb.
         action: &'static str,
         /// With which file or folder.
         path: PathBuf,
-        /// What the system said.
+        /// Error of the system.
         source: io::Error,
     },
 }
 
 impl FileError {
-    /// What went wrong, as a sentence that can be said in every language.
+    /// Message as a translatable sentence.
     pub fn text(&self) -> Text {
         match self {
             FileError::Missing(path) => {
@@ -172,8 +172,8 @@ impl FileError {
     }
 }
 
-/// What a file held: equal when its bytes are equal. Times are not examined; copying and synchronising change them
-/// without a change, and a quick edit may not.
+/// Fingerprint of the content of a file: equal when its bytes are equal. Times are not examined; copying and
+/// synchronising change them without a change, and a quick edit may not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fingerprint {
     length: usize,
@@ -192,9 +192,9 @@ impl Fingerprint {
 /// A file that was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Opened {
-    /// Its text, without a byte-order mark.
+    /// Text, without a byte-order mark.
     pub text: String,
-    /// What it held, for [`Before::Was`].
+    /// Fingerprint of the content, for [`Before::Was`].
     pub fingerprint: Fingerprint,
 }
 
@@ -237,7 +237,7 @@ pub fn read_table(path: &Path, columns: &'static [Field]) -> Result<String, File
     uff::table(&bytes, columns, which).map_err(|err| FileError::NoTable { path, why: err.0 })
 }
 
-/// Whether a file is one of measured data by its name: no problem file, whatever it holds.
+/// Returns true if a file has the extension of measured data.
 pub fn holds_data(path: &Path) -> bool {
     const ENDINGS: [&str; 4] = ["csv", "tsv", "uff", "unv"];
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
@@ -253,7 +253,7 @@ fn numbered(path: &Path) -> (PathBuf, Option<usize>) {
     }
 }
 
-/// What is in a folder, in the order of names; folders end in `/`. Nothing where it cannot be read.
+/// Contents of a folder, in the order of names; folders end in `/`. Nothing where it cannot be read.
 pub fn list(folder: &Path) -> Vec<String> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten().take(MOST_NAMES);
     let mut names: Vec<String> = entries

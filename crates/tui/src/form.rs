@@ -32,7 +32,7 @@ const MOST_UNDO: usize = 500;
 /// A form.
 #[derive(Clone, Debug)]
 pub struct Form {
-    /// What is typed.
+    /// Texts of the inputs.
     pub draft: Draft,
     /// The line of the cursor.
     pub cursor: usize,
@@ -43,7 +43,7 @@ pub struct Form {
     shape: Shape,
     undo: Vec<Draft>,
     redo: Vec<Draft>,
-    /// What the last change was, so that many alike are taken back together.
+    /// Last change, so that a run of similar changes is undone together.
     last: Option<Change>,
     /// The field whose unit was changed last: from what text, and to what.
     converted: Option<Converted>,
@@ -64,7 +64,7 @@ struct Converted {
     shown: String,
 }
 
-/// What changed last.
+/// Type of the last change.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Change {
     Nudge(String),
@@ -72,17 +72,17 @@ enum Change {
     Other,
 }
 
-/// Where a row stands: its list, its place, and how many there are.
+/// Row of a list: the list, the index of the row, and the number of rows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
     /// The path of the list.
     pub list: String,
-    /// Its place, counted from 0; `None` on the heading of the list.
+    /// Index, from 0; `None` on the heading of the list.
     pub at: Option<usize>,
 }
 
 impl Form {
-    /// What is taken for the gravity of a line that leaves it out.
+    /// Gravity assumed for a line that leaves it out.
     pub fn gravity(&self, line: &Line) -> Option<String> {
         gravity::is_gravity(line.field).then(|| gravity::of(&self.draft, &self.shape, &line.path))?
     }
@@ -105,7 +105,7 @@ impl Form {
         }
     }
 
-    /// Its lines, without those of folded rows.
+    /// Lines, without those of collapsed rows.
     pub fn lines(&self) -> Vec<Line> {
         let mut lines = self.all_lines();
         lines.retain(|line| !self.is_hidden(&line.path));
@@ -489,7 +489,7 @@ pub fn as_line(pasted: &str) -> (String, bool) {
     (characters.into_iter().collect(), cut)
 }
 
-/// How a text is read, where that is not plain from it: `= 104.72 rad/s`.
+/// Interpretation of a text, where it is not obvious: `= 104.72 rad/s`.
 pub fn echo(text: &str, shape: &Shape, style: Style) -> Option<String> {
     match (draft::read_leaf(text, shape, "").ok()?, shape) {
         (Value::Quantity(quantity), Shape::Quantity(measure)) => {
@@ -562,7 +562,7 @@ fn with_common_texts(blank: Draft, old: &Draft, shape: &Shape, from: usize, to: 
     Draft::Group(blank)
 }
 
-/// Whether what stands in one may stand in the other.
+/// Returns true if the texts of one shape may stand in the other.
 fn alike(a: &Shape, b: &Shape) -> bool {
     match (a, b) {
         (Shape::OneOf(a), Shape::OneOf(b)) => std::ptr::eq(a(), b()),

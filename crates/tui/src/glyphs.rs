@@ -1,4 +1,4 @@
-//! What a terminal can show, found in the environment alone, and how a finished frame is reduced to it.
+//! Capabilities of a terminal, from the environment alone, and reduction of a finished frame to them.
 //!
 //! Neither ratatui nor crossterm looks: with `LANG=C` or `TERM=vt100` they send the same braille and the same colours.
 //! So every screen is drawn for the best terminal, and [`sweep`] reduces the finished buffer; no widget asks.
@@ -73,7 +73,7 @@ pub enum Colors {
     True,
 }
 
-/// What a curve is drawn with.
+/// Marker of curves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PlotMarker {
     /// Eight dots a cell: the finest.
@@ -98,7 +98,7 @@ impl PlotMarker {
     }
 }
 
-/// What a terminal can show.
+/// Capabilities of a terminal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Capabilities {
     /// Characters.

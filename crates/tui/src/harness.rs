@@ -26,18 +26,18 @@ use crate::{
 /// The workbench, its screen, and what left it.
 #[derive(Debug)]
 pub struct Harness {
-    /// What the workbench knows.
+    /// State of the workbench.
     pub model: Model,
-    /// Whether the program has ended.
+    /// True once the program has ended.
     pub has_left: bool,
-    /// What was copied last.
+    /// Text copied last.
     pub clipboard: String,
     /// The unsaved work that would outlive a crash, by the numbers of the problems.
     pub kept: BTreeMap<u64, String>,
-    /// What later sessions would remember.
+    /// Changes for the history of later sessions.
     pub remembered: Vec<Change>,
     wish: Option<&'static Entry>,
-    /// What the editor makes of a text; nobody is there to change it, unless a test says otherwise.
+    /// Editor as a function of the text: the identity, unless a test replaces it.
     pub editor: fn(&str) -> String,
     terminal: Terminal<TestBackend>,
     capabilities: Capabilities,

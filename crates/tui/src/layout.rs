@@ -1,4 +1,4 @@
-//! Where things stand on a screen of some size.
+//! Layout of a screen by its size.
 
 use ratatui::layout::{Constraint, Layout, Margin, Rect};
 
@@ -102,12 +102,12 @@ pub fn pictures(picture: Rect, plots: usize, has_drawing: bool) -> [Rect; 3] {
         .areas(picture)
 }
 
-/// Whether there is room for a frame.
+/// Returns true if there is room for a frame.
 pub fn framed(area: Rect) -> bool {
     area.height >= 3 && area.width >= 16
 }
 
-/// What is left inside the frame of an area.
+/// Area inside the frame of an area.
 pub fn inside(area: Rect) -> Rect {
     if framed(area) {
         area.inner(Margin::new(2, 1))

@@ -31,11 +31,11 @@ use crate::{
     reason = "each is a switch of its own, set by a key or at the start"
 )]
 pub struct Model {
-    /// What can be picked.
+    /// Analyses to pick from.
     pub listings: Vec<Listing>,
     /// The lists of exercises.
     pub sets: Vec<Exercises>,
-    /// What is remembered from earlier sessions.
+    /// History of earlier sessions.
     pub remembered: Remembered,
     /// The screen that is shown.
     pub screen: Screen,
@@ -45,7 +45,7 @@ pub struct Model {
     pub bench: Option<Bench>,
     /// The other open problems.
     pub others: Vec<Bench>,
-    /// What lies over the screen and takes the keys.
+    /// Dialog over the screen, which takes the keys.
     pub dialog: Option<Dialog>,
     /// A message to the user, until the next key.
     pub notice: Option<Notice>,
@@ -53,19 +53,19 @@ pub struct Model {
     pub locale: Locale,
     /// Colours and pictograms.
     pub look: Look,
-    /// What curves are drawn with, unless the user chose another.
+    /// Default marker of curves.
     pub marker: Marker,
-    /// What keys mean.
+    /// Key map.
     pub keys: KeyMap,
     /// The decimal mark that the user wants in every language.
     pub decimal: Option<Decimal>,
-    /// Whether the mouse is taken.
+    /// True if mouse events are captured.
     pub mouse: bool,
     /// The column that a plot is held at by the mouse.
     pub held: Option<u16>,
-    /// Whether animations move.
+    /// True if animations play.
     pub playing: bool,
-    /// How many times as fast as they are made.
+    /// Playback speed of animations, over their own.
     pub animation_speed: f64,
     /// Columns and rows of the screen.
     pub size: (u16, u16),
@@ -73,9 +73,9 @@ pub struct Model {
     pub readonly: bool,
     /// A session is played: it is asked what it was asked when it was recorded, though nothing is saved.
     pub played: bool,
-    /// Whether `:fault` is a command.
+    /// True if `:fault` is a command.
     pub faults: bool,
-    /// What waits for a save to be done.
+    /// Action after a save.
     pub after_save: After,
     /// The file that is read again: it takes the place of the changes to it.
     pub reloading: Option<PathBuf>,
@@ -96,18 +96,18 @@ pub enum Screen {
 /// A message to the user.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Notice {
-    /// What is said.
+    /// Message.
     pub text: Text,
-    /// What a program said, on a line of its own; may be empty.
+    /// Output of an external program, on a line of its own; may be empty.
     pub detail: String,
-    /// Whether something went wrong.
+    /// True for an error.
     pub wrong: bool,
 }
 
-/// Why nothing comes back from the editor.
+/// Reason for which an external edit gives no text.
 #[derive(Debug, thiserror::Error)]
 pub enum EditError {
-    /// What was edited cannot be read.
+    /// File error: the edited text cannot be read.
     #[error(transparent)]
     File(#[from] FileError),
     /// The editor could not be run, or said that it failed.
@@ -118,7 +118,7 @@ pub enum EditError {
     NoEditor(String),
 }
 
-/// What can happen.
+/// Message to the model.
 #[derive(Debug)]
 pub enum Msg {
     /// A key was pressed.
@@ -133,28 +133,28 @@ pub enum Msg {
     CheckedCase(&'static str, Vec<CheckedCase>),
     /// A file was written, or not.
     Saved {
-        /// Where.
+        /// Path.
         path: PathBuf,
-        /// What.
+        /// Text that was saved.
         text: String,
-        /// What the file is now.
+        /// Fingerprint of the saved file, or the error.
         result: Result<Fingerprint, FileError>,
     },
     /// The worked solution was written, or not.
     Exported {
-        /// Where.
+        /// Path.
         path: PathBuf,
-        /// Whether it was.
+        /// Success or the error.
         result: Result<(), FileError>,
     },
     /// A file was read, or not.
     Opened {
-        /// Which.
+        /// Path.
         path: PathBuf,
-        /// What it says.
+        /// Content of the file, or the error.
         result: Result<Opened, FileError>,
     },
-    /// What is in a folder, in order; folders end in `/`.
+    /// Contents of a folder, in order; folders end in `/`.
     Listed(PathBuf, Vec<String>),
     /// The file of a table was read, or not.
     TableRead {
@@ -163,22 +163,22 @@ pub enum Msg {
         /// The text of the table.
         result: Result<String, FileError>,
     },
-    /// What was asked beside the results is answered.
+    /// Reply to a question beside the results.
     Asked(Outcome),
     /// The mouse did something.
     Mouse(MouseEvent),
     /// The editor was left.
     Edited {
-        /// What it edited.
+        /// Object that was edited.
         file: Editing,
-        /// What that says now, or why there is nothing to say.
+        /// Text after editing, or the error.
         result: Result<Opened, EditError>,
     },
     /// The file of the problem is not what it was a moment ago.
     FileChanged {
-        /// Which.
+        /// Path.
         path: PathBuf,
-        /// What it says now.
+        /// Present content of the file, or the error.
         result: Result<Opened, FileError>,
     },
     /// The next frame of an animation is due.
@@ -193,7 +193,7 @@ pub enum Msg {
     Notice(String),
 }
 
-/// What is to be done outside of the model.
+/// Action outside of the model.
 #[derive(Debug)]
 pub enum Effect {
     /// Solve; [`Msg::Solved`] tells the outcome.
@@ -206,18 +206,18 @@ pub enum Effect {
     Judge(&'static Entry),
     /// Write a file; [`Msg::Saved`].
     Save {
-        /// Where.
+        /// Path.
         path: PathBuf,
-        /// What.
+        /// Text to write.
         text: String,
-        /// What must stand there now.
+        /// Precondition on the file.
         before: Before,
     },
     /// Write files that belong together, the first under this condition; [`Msg::Exported`].
     Export {
-        /// Where, and what.
+        /// Paths and texts.
         files: Vec<(PathBuf, String)>,
-        /// What must stand there now.
+        /// Precondition on the files.
         before: Before,
     },
     /// Read a file; [`Msg::Opened`].
@@ -267,12 +267,13 @@ pub enum Effect {
 }
 
 impl Effect {
-    /// Whether it may wait for other keys that are there already: nothing that they lead to depends on it.
+    /// Returns true if the effect may be delayed by keys that are already waiting: none of their consequences depends
+    /// on it.
     pub fn may_wait(&self) -> bool {
         matches!(self, Effect::Solve(_)) || self.keeps().is_some()
     }
 
-    /// Whether a newer effect makes it idle: of keys that waited together the last decides.
+    /// Returns true if a newer effect makes it redundant: of keys handled together the last decides.
     pub fn is_idle_after(&self, newer: &Effect) -> bool {
         let solves = |effect: &Effect| matches!(effect, Effect::Solve(_));
         solves(self) && solves(newer) || self.keeps().is_some() && self.keeps() == newer.keeps()
@@ -351,7 +352,7 @@ impl Model {
         self.locale.place = self.bench.as_ref().map_or("", |bench| bench.entry.about.id);
     }
 
-    /// Where keys are typed now.
+    /// Place of the key map in which keys are looked up.
     pub fn place(&self) -> Place {
         match (&self.dialog, self.screen, &self.bench) {
             (Some(dialog), _, _) => dialog.place(),
@@ -381,7 +382,7 @@ impl Model {
         }
     }
 
-    /// What the list is made of.
+    /// Contents of the list.
     pub fn contents(&self) -> Contents<'_> {
         let Self { listings, sets, remembered, locale, .. } = self;
         Contents { listings, sets, remembered, locale }

@@ -28,7 +28,7 @@ const FEW: usize = 12;
 pub struct Listing {
     /// The analysis.
     pub entry: &'static Entry,
-    /// Its published cases; read when somebody first asks for them, or the first screen would wait for all.
+    /// Published cases; read on first use, or the first screen would wait for all.
     cases: OnceCell<Vec<Case>>,
     /// They compared with what was printed, once that is done.
     pub judged: Option<Vec<CheckedCase>>,
@@ -36,12 +36,12 @@ pub struct Listing {
     index: OnceCell<Index>,
 }
 
-/// What is chosen in the list.
+/// Selection in the list of analyses.
 #[derive(Debug, Default)]
 pub struct Picker {
-    /// What is searched for.
+    /// Search text.
     pub filter: Input,
-    /// Whether keys go to the filter.
+    /// True if keys go to the search text.
     pub typing: bool,
     /// The chosen row.
     pub chosen: usize,
@@ -75,7 +75,7 @@ pub struct Leaf {
     pub case: Option<usize>,
 }
 
-/// What rows stand under.
+/// Heading of a group of rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Heading {
     /// Pinned analyses.
@@ -92,7 +92,7 @@ pub enum Heading {
     Topic(&'static str, &'static str),
 }
 
-/// What the rows of the list are made of.
+/// Data of the rows of the list.
 #[derive(Clone, Copy, Debug)]
 pub struct Contents<'m> {
     /// The analyses.
@@ -114,7 +114,7 @@ pub struct Preview {
     pub case: usize,
     /// The job that solves it.
     pub generation: u64,
-    /// What it found.
+    /// Solution.
     pub solution: Option<Solution>,
 }
 
@@ -124,12 +124,12 @@ impl Listing {
         Self { entry, cases: OnceCell::new(), judged: None, index: OnceCell::new() }
     }
 
-    /// Its published cases.
+    /// Published cases.
     pub fn cases(&self) -> &[Case] {
         self.cases.get_or_init(|| cases::cases(self.entry).unwrap_or_default())
     }
 
-    /// Its title.
+    /// Title.
     pub fn title(&self, locale: &Locale) -> String {
         Text::from(self.entry.about.title).render(&locale.at(self.entry.about.id))
     }
@@ -159,7 +159,7 @@ impl Picker {
         rows.get(self.chosen).or(rows.last()).copied()
     }
 
-    /// Whether what stands under a heading is shown.
+    /// Returns true if the group under a heading is expanded.
     pub fn is_open(&self, heading: Heading, listings: &[Listing]) -> bool {
         let from_the_start = match heading {
             Heading::Pinned | Heading::Recent | Heading::Family(_) => true,
@@ -242,7 +242,7 @@ impl<'m> Contents<'m> {
         }
     }
 
-    /// What stands under a heading itself.
+    /// Entries of a heading itself.
     pub fn leaves(self, heading: Heading) -> Vec<Leaf> {
         let leaf = |listing, case| Leaf { under: Some(heading), listing, case };
         let by_id = |id: &String| Some(leaf(self.place(id)?, None));
@@ -280,7 +280,7 @@ impl<'m> Contents<'m> {
         exercises.filter_map(move |exercise| Some((self.place(&exercise.analysis)?, exercise)))
     }
 
-    /// How many analyses or exercises stand under a heading, and how many of these are done.
+    /// Number of analyses or exercises under a heading, and number of those completed.
     pub fn count(self, heading: Heading) -> (usize, usize) {
         let (own, done) = match heading {
             Heading::Set(set) => {
@@ -299,14 +299,14 @@ impl<'m> Contents<'m> {
             .fold((own, done), |(all, done), (more, more_done)| (all + more, done + more_done))
     }
 
-    /// How far an exercise is done.
+    /// Progress of an exercise.
     pub fn progress(self, leaf: Leaf) -> Progress {
         let Some(listing) = self.listings.get(leaf.listing) else { return Progress::NotBegun };
         let case = leaf.case.and_then(|case| listing.cases().get(case));
         case.map_or(Progress::NotBegun, |case| self.remembered.progress(listing.entry.about.id, &case.name))
     }
 
-    /// What a heading is called.
+    /// Title of a heading.
     pub fn name(self, heading: Heading) -> String {
         match heading {
             Heading::Pinned => Text::from("Pinned analyses").render(self.locale),
@@ -345,7 +345,7 @@ impl Row {
         }
     }
 
-    /// How many headings it stands under.
+    /// Nesting depth.
     pub fn depth(self) -> usize {
         std::iter::successors(self.under(), |heading| heading.under()).count()
     }

@@ -1,5 +1,5 @@
-//! What is remembered of the user from one session to the next: pinned and recent analyses, and how far the
-//! published cases are worked through. Plain data; [`files::Memory`](crate::files::Memory) keeps it in a file.
+//! History kept from one session to the next: pinned and recent analyses, and progress of the published cases. Plain
+//! data; [`files::Memory`](crate::files::Memory) keeps it in a file.
 
 use std::collections::BTreeMap;
 
@@ -8,18 +8,18 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, value};
 /// So many recent analyses are remembered.
 const MOST_RECENT: usize = 8;
 
-/// What is remembered.
+/// History of the user.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Remembered {
     /// The ids of pinned analyses, in the order of pinning.
     pub pinned: Vec<String>,
     /// The ids of the analyses that were opened last, the newest first.
     pub recent: Vec<String>,
-    /// How far each case is worked through, by the id of its analysis and its name.
+    /// Progress of each case, by the id of its analysis and its name.
     pub progress: BTreeMap<(String, String), Progress>,
 }
 
-/// How far a case is worked through.
+/// Progress of a case.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Progress {
     /// It was not examined yet.
@@ -46,7 +46,7 @@ pub enum Change {
         analysis: String,
         /// The name of the case.
         case: String,
-        /// How far.
+        /// New progress.
         progress: Progress,
     },
 }
@@ -55,7 +55,7 @@ impl Progress {
     /// Every one, from nothing to done.
     pub const ALL: [Progress; 4] = [Progress::NotBegun, Progress::Opened, Progress::Solved, Progress::Done];
 
-    /// Its name.
+    /// Name in the file.
     pub fn name(self) -> &'static str {
         match self {
             Progress::NotBegun => "not started",
@@ -65,14 +65,14 @@ impl Progress {
         }
     }
 
-    /// Whether nothing is left to do.
+    /// Returns true if nothing is left to do.
     pub fn is_done(self) -> bool {
         self >= Progress::Solved
     }
 }
 
 impl Remembered {
-    /// How far a case is worked through.
+    /// Progress of a case.
     pub fn progress(&self, analysis: &str, case: &str) -> Progress {
         self.progress.get(&(analysis.to_owned(), case.to_owned())).copied().unwrap_or_default()
     }
@@ -100,7 +100,7 @@ impl Remembered {
     }
 }
 
-/// What a file remembers. `Err` says why it cannot be read.
+/// Reads the history from the text of its file. `Err` says why it cannot be read.
 pub fn read(text: &str) -> Result<Remembered, String> {
     let document: DocumentMut =
         text.parse().map_err(|error: toml_edit::TomlError| error.message().to_owned())?;

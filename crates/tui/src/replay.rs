@@ -51,11 +51,11 @@ pub struct Replay {
     pub screen: (u16, u16),
     /// The language of the interface.
     pub language: Language,
-    /// What the screen can show.
+    /// Capabilities of the screen.
     pub look: Capabilities,
     /// An analysis or a problem file to begin with.
     pub open: Option<String>,
-    /// What is done, each with the line it stands on.
+    /// Actions, each with its line number.
     pub acts: Vec<(usize, Act)>,
 }
 
@@ -83,11 +83,11 @@ pub enum Act {
 pub struct Unreadable {
     /// The line, from 1.
     pub line: usize,
-    /// What is wrong with it.
+    /// Description of the error.
     pub why: Text,
 }
 
-/// What is said of a line that begins with another word.
+/// Message for a line with an unknown command.
 const UNKNOWN: &str = "unknown command `{word}`: write screen, language, look, open, type, paste, resize, wait, picture or expect";
 
 /// The looks, by their names.

@@ -1,4 +1,4 @@
-//! What a user has set: one TOML file, `dalembert/settings.toml` in the folder of configurations.
+//! Settings of the user: one TOML file, `dalembert/settings.toml` in the folder of configurations.
 //!
 //! [`parse`] takes what it can and says of the rest in which line it stands and what to write instead; so a slip in
 //! the file never keeps anybody from working. [`default_file`] is a file that says what can be set and sets nothing.
@@ -25,42 +25,42 @@ use crate::{
 
 dalembert_core::messages!("../locales/settings.pt-BR.ftl");
 
-/// What a user has set; without a file, the defaults.
+/// Settings of the user; without a file, the defaults.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// The language; `None`: that of the environment.
     pub language: Option<Language>,
-    /// How things are coloured.
+    /// Colour theme.
     pub theme: Theme,
     /// Nothing outside ASCII, whatever the terminal promises.
     pub ascii: bool,
-    /// Whether the mouse is taken; `None`: where no line lies between the user and the program.
+    /// True to capture mouse events; `None`: unless the session is remote.
     pub mouse: Option<bool>,
-    /// What curves are drawn with; `None`: the finest that the terminal shows.
+    /// Marker of curves; `None`: the finest that the terminal shows.
     pub marker: Option<Marker>,
     /// The decimal mark; `None`: that of the language.
     pub decimal: Option<Decimal>,
     /// Significant digits of results.
     pub digits: u8,
-    /// How many times as fast as they are made animations move; at 0 they are held until a key lets them move.
+    /// Playback speed of animations, over their own; at 0 they are paused until a key starts them.
     pub animation_speed: f64,
     /// The command that edits a file; `None`: that of `$VISUAL` or `$EDITOR`.
     pub editor: Option<String>,
-    /// What keys mean.
+    /// Key map.
     pub keys: KeyMap,
 }
 
 /// Something in the file that cannot be taken.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
-    /// Its line, from 1.
+    /// Line number, from 1.
     pub line: usize,
-    /// What is wrong and what to write instead.
+    /// Description of the error and of its repair.
     pub why: Text,
 }
 
 impl Fault {
-    /// What is wrong at some bytes of a text.
+    /// Fault at a byte range of a text.
     pub fn of(text: &str, span: Option<Range<usize>>, why: Text) -> Self {
         Self { line: line_of(text, span), why }
     }
@@ -120,7 +120,7 @@ impl Default for Settings {
     }
 }
 
-/// Where the file is, or would be; `None` without a home folder.
+/// Path of the file, whether it exists or not; `None` without a home folder.
 pub fn path() -> Option<PathBuf> {
     let base = choose_base_strategy().ok()?;
     Some(base.config_dir().join("dalembert").join("settings.toml"))
@@ -298,7 +298,7 @@ fn unknown(kind: &'static str, name: &str, known: &[&str]) -> Text {
     }
 }
 
-/// Where a key of a table stands.
+/// Byte range of a key of a table.
 fn span_in(table: &dyn TableLike, key: &str) -> Option<Range<usize>> {
     table.key(key).and_then(toml_edit::Key::span)
 }

@@ -22,13 +22,13 @@ const MOST_WISHES: usize = 3;
 /// Something to be solved. Of two jobs, the one with the larger generation is newer.
 #[derive(Clone, Debug)]
 pub struct Job {
-    /// Its number.
+    /// Generation number.
     pub generation: u64,
-    /// What is to be done.
+    /// Work to do.
     pub work: Work,
 }
 
-/// What a job does.
+/// Work of a job.
 #[derive(Clone, Debug)]
 pub enum Work {
     /// Solves a problem.
@@ -39,18 +39,18 @@ pub enum Work {
     Ask(Question),
 }
 
-/// What became of a job.
+/// Outcome of a job.
 #[derive(Clone, Debug)]
 pub struct Outcome {
     /// The number of the job.
     pub generation: u64,
-    /// What was found; `None` of a job that has nothing to find.
+    /// Solution; `None` for a job that computes none.
     pub result: Result<Option<Solution>, Failure>,
-    /// What was asked beside the results.
+    /// Reply to a question beside the results.
     pub reply: Option<Reply>,
 }
 
-/// Why nothing was found.
+/// Reason for which nothing was found.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Failure {
     /// The problem has no answer, or its inputs may not stand together.
@@ -66,7 +66,7 @@ pub struct Solver {
     report: Arc<dyn Report>,
 }
 
-/// Where outcomes go, from the thread that found them.
+/// Receiver of outcomes, called on the thread that computed them.
 trait Report: Fn(Outcome) + Send + Sync {}
 
 impl<F: Fn(Outcome) + Send + Sync> Report for F {}

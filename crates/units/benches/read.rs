@@ -1,4 +1,4 @@
-//! How many texts are read and written in a second.
+//! Benchmark of reading and writing quantities: texts per second.
 //!
 //! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.
 

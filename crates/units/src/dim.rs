@@ -66,7 +66,7 @@ impl Dim {
         Some(Self::new(self.length / n, self.mass / n, self.time / n, self.angle / n))
     }
 
-    /// Whether two quantities may be compared or added: equal in all but the angle.
+    /// Returns true if two quantities may be compared or added: all exponents but that of the angle are equal.
     #[must_use]
     pub const fn agrees(self, other: Dim) -> bool {
         self.length == other.length && self.mass == other.mass && self.time == other.time

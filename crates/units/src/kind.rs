@@ -2,7 +2,8 @@
 
 use crate::{Dim, Sense, Unit};
 
-/// What a quantity is. Torque and energy share a dimension and are different kinds; so are an angle and a ratio.
+/// Kind of a quantity, finer than its dimension. Torque and energy share a dimension and are different kinds; so are an
+/// angle and a ratio.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// A length.
@@ -298,12 +299,12 @@ impl Kind {
             .map_or(Kind::Other, |row| row.kind)
     }
 
-    /// Its dimension; `None` for [`Kind::Other`].
+    /// Dimension of the kind; `None` for [`Kind::Other`].
     pub fn dim(self) -> Option<Dim> {
         self.row().map(|row| row.dim)
     }
 
-    /// Its name as a noun phrase: `"a length"`, `"an angular velocity"`.
+    /// Name as a noun phrase: `"a length"`, `"an angular velocity"`.
     pub fn name(self) -> &'static str {
         self.row().map_or("another quantity", |row| row.name)
     }

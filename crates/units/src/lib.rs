@@ -51,11 +51,11 @@ pub use crate::{
 pub struct Unit {
     /// One of this unit in SI. A level (dB) has no factor: use [`Unit::si`] and [`Unit::value`].
     pub factor: f64,
-    /// Its dimension.
+    /// Dimension of the unit.
     pub dim: Dim,
     /// The text it was written as.
     pub text: Cow<'static, str>,
-    /// What it says beyond its size and dimension.
+    /// Meaning of the unit beyond size and dimension.
     pub sense: Sense,
     /// The factor is `mantissa × 10^ten`, kept apart so that a decimal prefix can be put into the
     /// exponent of a literal: 20.3 mm is then exactly the number nearest to 0.0203.
@@ -63,7 +63,7 @@ pub struct Unit {
     ten: i16,
 }
 
-/// What a unit says beyond its size and dimension.
+/// Meaning of a unit beyond size and dimension.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Sense {
     /// Nothing more.
@@ -100,7 +100,7 @@ impl Unit {
         }
     }
 
-    /// How many of this unit an SI value is.
+    /// Converts an SI value to this unit.
     pub fn value(&self, si: f64) -> f64 {
         match self.sense {
             Sense::Level => 20.0 * si.log10(),
@@ -108,7 +108,7 @@ impl Unit {
         }
     }
 
-    /// Whether it is an SI unit or a decimal multiple of one: `rad/s` and `mrad` are, `rpm`, `deg` and `in` are not.
+    /// Returns true for an SI unit or a decimal multiple of one: `rad/s` and `mrad` are, `rpm`, `deg` and `in` are not.
     pub fn is_decimal(&self) -> bool {
         self.mantissa == 1.0
     }
@@ -177,7 +177,7 @@ pub struct Quantity {
 pub struct VectorQuantity {
     /// The components in SI; the third is zero when two were written.
     pub si: [f64; 3],
-    /// How many components were written: 2 or 3.
+    /// Number of components written: 2 or 3.
     pub len: usize,
     /// The unit they were written in.
     pub unit: Unit,

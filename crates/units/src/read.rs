@@ -83,7 +83,7 @@ pub fn read_count(text: &str) -> Result<u64, ReadError> {
     count.ok_or_else(|| ReadError::NotACount { text: digits.into(), span: range })
 }
 
-/// What was read: a number, and a unit if one was written.
+/// Result of reading a text: a number, and a unit if one was written.
 struct Reading<'t> {
     amount: Amount<'t>,
     unit: Option<Unit>,

@@ -13,7 +13,7 @@ pub(crate) struct Symbol {
 /// A unit with every way of writing it.
 #[derive(Clone, Copy, Debug)]
 pub struct Spelling {
-    /// Its symbols; the first is the usual one.
+    /// Symbols of the unit; the first is the usual one.
     pub symbols: &'static [&'static str],
     /// The prefixes that may stand before each of them.
     pub prefixes: &'static [&'static str],
@@ -241,7 +241,7 @@ static SYMBOLS: LazyLock<Vec<Symbol>> = LazyLock::new(|| {
     symbols
 });
 
-/// Whether one letter put in, left out, changed, or swapped with the next makes one text the other.
+/// Returns true if the texts differ by one letter inserted, omitted, changed, or swapped with the next.
 fn is_one_step(a: &str, b: &str) -> bool {
     fn equal((x, y): &(char, char)) -> bool {
         x == y

@@ -24,7 +24,7 @@ pub enum Decimal {
     Comma,
 }
 
-/// How numbers are written.
+/// Style of written numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Style {
     /// Significant digits, 1 to 17; trailing zeros are not written.

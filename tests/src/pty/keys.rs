@@ -1,4 +1,4 @@
-//! What an xterm sends for a key.
+//! Byte sequences that an xterm sends for keys.
 
 use dalembert_tui::keys::notation::keys_of;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};

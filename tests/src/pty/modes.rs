@@ -12,15 +12,15 @@ use super::Pty;
 
 const SOON: Duration = Duration::from_secs(2);
 
-/// What the terminal was before the program had it.
+/// State of the terminal before the program.
 pub(super) struct Before {
     pub(super) termios: Termios,
     pub(super) modes: Vec<String>,
 }
 
 impl Pty {
-    /// What the program left changed: modes of the line, of the screen, of the mouse; nothing if it was clean. A shell
-    /// that has the terminal again sets its own modes a moment later, and has 2 s for it.
+    /// State that the program left changed: modes of the line, of the screen, of the mouse; empty if it restored all. A
+    /// shell that has the terminal again sets its own modes a moment later, and has 2 s for it.
     pub fn leftovers(&self) -> Vec<String> {
         let end = Instant::now() + SOON;
         loop {
@@ -32,7 +32,7 @@ impl Pty {
         }
     }
 
-    /// What is not as it was before the program.
+    /// Differences from the state before the program.
     fn changed(&self) -> Vec<String> {
         let now = self.termios();
         let was = &self.before.termios;

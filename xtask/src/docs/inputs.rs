@@ -49,7 +49,7 @@ fn inside(table: &mut String, shape: &Json, path: &str) {
     }
 }
 
-/// What may stand in a field, in words.
+/// Description of the value of a field.
 fn asked(shape: &Json) -> String {
     match text(shape, "kind") {
         "quantity" => format!("{}{}", in_unit(shape), limits(shape)),

@@ -31,7 +31,7 @@ const LEFT_OUT: [&str; 2] = ["real.rs", "lanes.rs"];
 
 /// Takes its place in the copy of `mechanics`.
 const SWITCH: &str = "
-/// Whether this function's result is to be wrong by 1 %.
+/// Returns true if this function's result is to be wrong by 1 %.
 #[doc(hidden)]
 #[inline]
 pub fn mutated(id: u32) -> bool {
@@ -83,7 +83,7 @@ pub(super) fn soak(root: &Path) -> Result<()> {
     Ok(())
 }
 
-/// What came of the judgement.
+/// Result of the mutation run.
 struct Report {
     text: String,
     /// Of the mutants that are not equivalent, those that were noticed.
@@ -157,7 +157,7 @@ fn judged(program: &Path, mutants: usize) -> Result<Vec<usize>> {
     Ok(survivors)
 }
 
-/// Whether the catalogue passes with this mutant.
+/// Returns true if the catalogue passes with this mutant.
 fn passes(program: &Path, mutant: usize) -> Result<bool> {
     let mut command = Command::new(program);
     command.arg("verify").env(VARIABLE, mutant.to_string()).stdout(Stdio::null()).stderr(Stdio::null());
@@ -261,7 +261,7 @@ fn offset(text: &str, place: LineColumn) -> usize {
 struct Function {
     name: String,
     result: String,
-    /// Where its body opens, and behind where it closes.
+    /// Position of the opening brace of its body, and after the closing one.
     open: LineColumn,
     close: LineColumn,
 }

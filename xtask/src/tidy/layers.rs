@@ -1,4 +1,4 @@
-//! Which crate may know of what.
+//! Dependencies permitted to each crate.
 
 use super::{Tree, ends_in, lines, without_tests};
 
@@ -20,7 +20,7 @@ const BELOW: [(&str, &[&str]); 11] = [
 /// All that an analysis may use from outside the workspace: what its vectors are made of.
 const OF_A_PLUGIN: [&str; 1] = ["nalgebra"];
 
-/// What a pure crate does without, as parts of `std`.
+/// Modules of `std` that a pure crate does without.
 const EFFECTS: [&str; 4] = ["fs", "net", "process", "env"];
 
 /// The crates that do no input or output.
@@ -104,7 +104,7 @@ pub(super) fn pure_crates_do_no_input_or_output(tree: &Tree) -> Vec<String> {
     faults
 }
 
-/// Whether a source is a module of unit tests.
+/// Returns true if a source is a module of unit tests.
 fn is_of_tests(path: &str) -> bool {
     path.ends_with("/tests.rs")
 }
@@ -162,7 +162,7 @@ fn of_std(code: &str) -> Vec<(usize, &str)> {
     found
 }
 
-/// Whether `word` stands in the line and is no part of a longer word.
+/// Returns true if `word` is in the line and is no part of a longer word.
 fn has_word(line: &str, word: &str) -> bool {
     let letter = |c: char| c.is_alphanumeric() || c == '_' || c == '-';
     line.match_indices(word)

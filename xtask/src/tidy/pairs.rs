@@ -1,4 +1,4 @@
-//! How tests compare lists.
+//! Comparison of lists in tests.
 
 use super::{Tree, lines};
 
@@ -21,7 +21,7 @@ pub(super) fn tests_pair_lists_of_one_length(tree: &Tree) -> Vec<String> {
     faults
 }
 
-/// Where the tests of a source begin: with it, with its module of tests, or nowhere.
+/// First line of the tests of a source: its own, that of its module of tests, or none.
 fn first_line_of_tests(path: &str, text: &str) -> Option<usize> {
     if path.starts_with("tests/benches/") {
         return None;
@@ -43,7 +43,7 @@ fn first_line_of_tests(path: &str, text: &str) -> Option<usize> {
     None
 }
 
-/// Whether one of the two never ends: a range without an end, or a list over and over.
+/// Returns true if one of the two is infinite: a range without an end, or a repeated list.
 fn is_endless(line: &str, call: &str) -> bool {
     let is_range = |rest: &str| {
         let start = rest.split_once("..)").map(|(start, _)| start);

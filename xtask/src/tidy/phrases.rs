@@ -7,7 +7,7 @@ use anyhow::{Context, Result};
 use super::{Tree, ends_in, lines};
 use crate::cargo::output;
 
-/// Where the retired phrases stand, in a table under [`HEADING`].
+/// Path of the document with the retired phrases, in a table under [`HEADING`].
 pub(super) const GLOSSARY: &str = "docs/glossary.md";
 /// The heading of that table: phrase, what to write instead, places, exceptions.
 const HEADING: &str = "## Words that do not come back";
@@ -81,7 +81,7 @@ impl Retired<'_> {
         self.exceptions.split('`').skip(1).step_by(2).any(|start| path.starts_with(start))
     }
 
-    /// Whether the phrase, which a line of a file has, stands in one of its places there.
+    /// Returns true if the phrase, found in a line of a file, is used there in one of its places.
     fn stands_in(&self, path: &str, line: &str) -> bool {
         let is = |place: &str| self.places.contains(place);
         let is_quoted =

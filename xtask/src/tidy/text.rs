@@ -1,4 +1,4 @@
-//! How files are named and written.
+//! Names and texts of files.
 
 use super::{Tree, ends_in, lines};
 use crate::names::snake;
@@ -6,7 +6,7 @@ use crate::names::snake;
 /// More lines than this need a reason.
 const LONG: usize = 600;
 
-/// How a long file gives its reason, in a comment.
+/// Prefix of the comment that gives the reason for a long file.
 const REASON: &str = "// Long because ";
 
 pub(super) fn modules_are_not_named_mod(tree: &Tree) -> Vec<String> {

@@ -1,4 +1,4 @@
-//! What would have been answered with each of the usual slips, those that people make most often first.
+//! Candidate answers: the results that common mistakes would give, the most frequent mistakes first.
 
 use std::f64::consts::{PI, SQRT_2, TAU};
 
@@ -150,7 +150,7 @@ impl Tries<'_, '_> {
         }
     }
 
-    /// What follows from the other answers that the user gave.
+    /// Adds the consequences of the user's other answers (error carried forward).
     fn follow(&mut self, solution: &Solution) {
         let node = |one: &Wrong<'_>| match &one.answer.value {
             AnswerValue::Number(_, id) => Some(*id),
@@ -228,7 +228,7 @@ impl Tries<'_, '_> {
 /// The problem solved again with inputs taken otherwise.
 struct Inputs {
     again: Perturbed,
-    /// Where each wrong answer stands among those that are found.
+    /// Index of each wrong answer in the list of answers, `None` where it is absent.
     places: Vec<Option<usize>>,
 }
 
@@ -360,7 +360,7 @@ fn units_of(kind: Kind, but: &Unit, customary: bool) -> impl Iterator<Item = Uni
         .filter(move |unit| unit.ascii() != but)
 }
 
-/// What may have gone wrong within a formula: the operation at a node taken otherwise.
+/// Mistakes within a formula: alternative operations at one of its nodes.
 fn within(solution: &Solution, formula: Id) -> Vec<(Change, Id, Op)> {
     let mut found = Vec::new();
     let mut open = vec![formula];

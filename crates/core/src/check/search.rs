@@ -1,4 +1,4 @@
-//! Which slips give what was answered, and whether that can be chance.
+//! Search for the mistakes that reproduce a user's answer, and the probability that the agreement is accidental.
 
 use super::{
     Mistake,

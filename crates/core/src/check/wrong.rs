@@ -18,7 +18,7 @@ pub(super) struct Wrong<'s> {
     pub(super) theirs: f64,
     /// The unit that was typed.
     pub(super) unit: Unit,
-    /// What of theirs is not known, in SI.
+    /// Tolerance of the comparison, in SI: half of the last place of the user's answer, within the general tolerance.
     pub(super) within: f64,
 }
 
@@ -44,7 +44,7 @@ impl<'s> Wrong<'s> {
             || difference(self.theirs, value, self.answer.dim()) <= super::TOLERANCE * self.theirs.abs()
     }
 
-    /// How probable it is that a number hits this answer by accident.
+    /// Probability that a random number agrees with this answer.
     pub(super) fn accident(&self) -> f64 {
         if self.theirs == 0.0 { 1.0 } else { (2.0 * self.within / (self.theirs.abs() * SPREAD)).min(1.0) }
     }

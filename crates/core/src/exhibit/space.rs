@@ -12,9 +12,9 @@ pub type Point3 = [f64; 3];
 /// still.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// What it shows.
+    /// Title.
     pub title: Text,
-    /// Its frames; the first one stands for the scene where nothing can move.
+    /// Frames; the first one stands for the scene where nothing can move.
     pub frames: Vec<Vec<Shape3>>,
     /// The time of all frames on the screen, in seconds.
     pub period: f64,
@@ -45,7 +45,7 @@ pub struct View {
 }
 
 impl Scene {
-    /// What is to be drawn of one of its frames, which repeat without end, seen from some side.
+    /// Projection of one of its frames, which repeat without end, from a viewpoint.
     pub fn seen(&self, frame: usize, view: View) -> Drawing {
         let shapes = self.frames.get(frame % self.frames.len().max(1)).map_or(&[][..], Vec::as_slice);
         let seen = |shape: &Shape3| match shape {
@@ -68,7 +68,7 @@ impl Default for View {
 }
 
 impl View {
-    /// Where a point of a scene is drawn.
+    /// Projection of a point of a scene onto the drawing plane.
     pub fn point(&self, [x, y, z]: Point3) -> Point {
         let (sin, cos) = self.azimuth.sin_cos();
         let (sin_up, cos_up) = self.elevation.sin_cos();

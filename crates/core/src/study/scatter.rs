@@ -15,7 +15,7 @@ const BARS: usize = 24;
 /// Fewer samples than these tell nothing of the ends of an interval.
 const FEWEST: usize = 20;
 
-/// How values lie within a tolerance.
+/// Distribution of values within a tolerance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Distribution {
     /// Everywhere alike.

@@ -17,17 +17,17 @@ const ALSO_WORDS: [&str; 36] = [
     "feet", "mil", "thou", "pol", "cal", "psi", "gs", "gn", "cg", "dm", "dg", "dN", "hN", "hm", "hs", "pm",
     "ps", "kp", "kt", "cv", "um", "st", "cd",
 ];
-/// What stands between a quantity and its unit, in the languages of the program and their neighbour.
+/// Words between a quantity and its unit, in English, Portuguese and Spanish.
 const IN: [&str; 3] = ["in", "em", "en"];
 
 /// A line above the rows.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Heading<'t> {
-    /// Its number, counted from 1.
+    /// Line number, from 1.
     pub(super) line: usize,
-    /// Its words.
+    /// Text of the line.
     pub(super) text: &'t str,
-    /// Whether it is a comment, of which nothing but units is asked.
+    /// True for a comment, of which only units are read.
     pub(super) comment: bool,
 }
 
@@ -75,7 +75,7 @@ pub(super) fn read(
     }
 }
 
-/// Whether a line is one of units alone, where columns without one may have a dash or a one.
+/// Returns true if a line consists of units alone, where columns without one may have a dash or a one.
 pub(super) fn is_of_units(cells: &[Cow<'_, str>], columns: &'static [Field]) -> bool {
     let fits = |(cell, column): (&Cow<'_, str>, &Field)| fitting(unbracketed(cell), column).is_some();
     cells.len() == columns.len()
@@ -211,7 +211,7 @@ fn fitting(text: &str, column: &Field) -> Option<Unit> {
     units::unit(text).ok().filter(|unit| unit.dim == own_unit(column).dim)
 }
 
-/// What stands behind the first slash outside brackets: `t / ms`, `H / (m/N)`.
+/// Text after the first slash outside brackets: `t / ms`, `H / (m/N)`.
 fn after_slash(cell: &str) -> Option<&str> {
     let mut depth = 0i32;
     for (at, c) in cell.char_indices() {
@@ -247,7 +247,7 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
         .filter(|word| !word.is_empty())
 }
 
-/// Whether a word can hardly be anything but a unit.
+/// Returns true if a word can hardly be anything but a unit.
 fn is_unit_word(word: &&str) -> bool {
     word.chars().count() > 1 && !ALSO_WORDS.contains(word) && units::unit(word).is_ok()
 }
@@ -291,7 +291,7 @@ fn joined(line: &str) -> Vec<Cow<'_, str>> {
     cells.into_iter().map(Cow::from).collect()
 }
 
-/// What stands in square brackets, or where there are none in round ones: `Re (H) [m/(N*s)]` has one unit.
+/// Texts in square brackets, or in round ones if there are no square ones: `Re (H) [m/(N*s)]` has one unit.
 fn bracketed(text: &str) -> Vec<&str> {
     let (open, close) = if text.contains('[') { ('[', ']') } else { ('(', ')') };
     let (mut found, mut depth, mut start) = (Vec::new(), 0usize, 0);

@@ -8,10 +8,10 @@ use crate::{Field, Shape, Text};
 /// The most remarks that are written over a table.
 const MOST_REMARKS: usize = 20;
 
-/// Why a universal file gives no table.
+/// Reason for which a universal file gives no table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UniversalError(
-    /// What is wrong, and what to do.
+    /// Description of the error and of its repair.
     pub Text,
 );
 

@@ -66,7 +66,8 @@ pub(crate) fn run(asked: &Replay, set: Set, console: &Console) -> Result<ExitCod
     }))
 }
 
-/// What could not be opened is bad input, what is not on the screen a failed check.
+/// Exit status of a failed replay: bad input if something could not be opened, a failed check if an expected text is
+/// not on the screen.
 fn unmet(failure: &replay::Failure) -> Failure {
     match failure {
         replay::Failure::NothingToOpen(_) => Failure::input(failure.text()),

@@ -41,7 +41,7 @@ struct Promise {
     unit: units::Unit,
 }
 
-/// What the cases were answered with: an analysis answers other things for other alternatives.
+/// Answers of all cases: an analysis has different answers for different alternatives.
 fn answers(entry: &'static Entry, cases: &[Case], locale: &Locale) -> Result<Vec<Promise>, Failure> {
     let mut promises: Vec<Promise> = Vec::new();
     for case in cases {
@@ -98,7 +98,7 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
     }
 }
 
-/// Where a published answer was seen, in words.
+/// Form in which a published answer was seen, in words.
 pub(crate) fn seen_in(seen: Seen) -> &'static str {
     match seen {
         Seen::Book => "seen in print",
@@ -114,7 +114,7 @@ pub(crate) fn seen_in(seen: Seen) -> &'static str {
 struct Described(Vec<(ChildList, String)>);
 
 impl Described {
-    /// Where the insides of the shape were described; those that never were are from now on described at `path`.
+    /// Path at which the child list of the shape was described; if it was not yet, it is recorded at `path`.
     fn before(&mut self, shape: &Shape, path: &str) -> Option<String> {
         let insides = shape.insides()?;
         let known = self.0.iter().find(|(known, _)| insides.parts > 1 && *known == insides);
@@ -180,7 +180,7 @@ impl Lister<'_> {
         }
     }
 
-    /// What may stand in a field, in words.
+    /// Description of the value of a field.
     fn asked(&self, shape: &Shape) -> String {
         let text = match shape {
             Shape::Quantity(measure) => return quantity(measure, self.locale),

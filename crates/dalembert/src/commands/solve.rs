@@ -72,7 +72,7 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
     status(&worked, console)
 }
 
-/// What is asked for: by name, else by the ending of the file.
+/// Output format: by name, else by the extension of the file.
 fn format(solve: &Solve) -> Format {
     solve.format.unwrap_or_else(|| {
         let path = solve.output.as_deref().unwrap_or(Path::new(""));
@@ -104,7 +104,7 @@ pub(crate) fn print_worked(problem: &Problem, console: &Console) -> Result<ExitC
     status(&worked, console)
 }
 
-/// What a problem comes to, its answers in the units that are asked for.
+/// Solves a problem, with answers in the requested units.
 fn outcome(problem: &Problem) -> Result<solving::Outcome, Failure> {
     let mut outcome = solving::solve(problem.entry, &problem.record)?;
     if let Ok(solution) = &mut outcome {
@@ -145,7 +145,7 @@ fn status(worked: &Worked<'_>, console: &Console) -> Result<ExitCode, Failure> {
     Ok(if complaints.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(1) })
 }
 
-/// What is wrong with a solution that was found, a line each.
+/// Warnings about a solution, one per line.
 fn complaints(solution: &Solution, locale: &Locale) -> Vec<String> {
     let number = |x: f64| units::write_number(x, units::Style { digits: 2, ..locale.style });
     let failed = solution.checks.iter().filter(|check| !check.passed).map(|check| {

@@ -45,13 +45,13 @@ struct Held {
     entry: &'static Entry,
     name: Text,
     source: Text,
-    /// What its answers are compared with; a refusal is a kind of its own.
+    /// Kind of truth of its answers; a refusal is a kind of its own.
     kind: &'static str,
     seen: Option<Seen>,
     verdicts: Vec<Verdict>,
 }
 
-/// What answers are compared with, in the order in which they are counted. The last one is of case files that cannot be read.
+/// Kinds of truth in the order of the summary. The last one is of case files that cannot be read.
 const KINDS: [&str; 6] = [
     Truth::Published.name(),
     Truth::ClosedForm.name(),

@@ -14,7 +14,7 @@ pub struct TrialRun {
     pub plane: usize,
     /// The weight that was added before this run.
     pub weight: Complex<f64>,
-    /// What the sensors read.
+    /// Readings of the sensors in this run, one per sensor.
     pub readings: Vec<Complex<f64>>,
 }
 
@@ -23,13 +23,13 @@ pub struct TrialRun {
 pub struct Weights {
     /// The weight of each plane.
     pub weights: Vec<Complex<f64>>,
-    /// What the sensors will read.
+    /// Predicted readings of the sensors with the correction weights, one per sensor.
     pub residuals: Vec<Complex<f64>>,
     /// Condition number of the coefficients, their columns scaled.
     pub condition: f64,
 }
 
-/// Why there are no weights.
+/// Reason for which no correction weights are found.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum InfluenceError {
     /// A plane in which no run has a weight.
@@ -43,9 +43,9 @@ pub enum InfluenceError {
         "{readings} readings cannot determine the weights of {planes} planes; read more sensors or speeds"
     )]
     TooFewReadings {
-        /// How many readings.
+        /// Number of readings.
         readings: usize,
-        /// How many planes.
+        /// Number of correction planes.
         planes: usize,
     },
     /// A system of equations without an answer.
@@ -121,7 +121,7 @@ pub fn least_squares(
     Ok(Weights { weights, residuals, condition: solved.condition })
 }
 
-/// What the sensors read with those weights, `V + α W`.
+/// Residual readings with those weights, `V + α W`, one per sensor.
 pub fn residuals(
     alpha: &DMatrix<Complex<f64>>,
     readings: &[Complex<f64>],

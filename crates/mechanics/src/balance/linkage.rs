@@ -24,7 +24,7 @@ pub struct Link {
     pub inertia: f64,
 }
 
-/// What closes the loop after crank and coupler.
+/// Member that closes the loop after crank and coupler: rocker or slider.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Follower {
     /// A rocker that turns about a pin on the x axis.
@@ -33,7 +33,7 @@ pub enum Follower {
         frame: f64,
         /// Length of the rocker, m.
         length: f64,
-        /// Whether the linkage is put together with the pins of coupler and rocker below the frame.
+        /// True for the crossed assembly, with the pins of coupler and rocker below the frame.
         crossed: bool,
         /// The rocker itself; its first pin is the fixed one.
         link: Link,
@@ -84,16 +84,16 @@ pub struct Pose {
     pub angles: [f64; 3],
     /// Their angular velocities, rad/s.
     pub velocities: [f64; 3],
-    /// How well the loop determines the place: the sine of the transmission angle for a four-bar, the cosine of the
-    /// coupler's angle for a slider; 0 at a dead point.
+    /// Conditioning of the loop closure: the sine of the transmission angle for a four-bar, the cosine of the coupler's
+    /// angle for a slider; 0 at a dead point.
     pub transmission: f64,
     speed: f64,
-    /// How the links turn with the crank, and their first pins move.
+    /// Rotation of the links and motion of their first pins as functions of the crank angle.
     links: [Turning<f64>; 3],
     starts: [Point<f64>; 3],
 }
 
-/// What the frame feels, and what turns the crank.
+/// Shaking force and moment on the frame, and driving torque of the crank.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Shaking {
     /// Shaking force on the frame, N.

@@ -10,7 +10,7 @@ use dalembert_numerics::linalg::LinalgError;
 pub struct MinMax {
     /// The weight of each plane.
     pub weights: Vec<Complex<f64>>,
-    /// What the sensors will read.
+    /// Predicted readings of the sensors, one per sensor.
     pub residuals: Vec<Complex<f64>>,
     /// The largest of them.
     pub largest: f64,
@@ -18,7 +18,8 @@ pub struct MinMax {
     pub bound: f64,
 }
 
-/// How much the largest reading may lie above the proved bound, over its size before balancing.
+/// Relative optimality gap: excess of the largest reading over the proved lower bound, over its magnitude before
+/// balancing.
 const GAP: f64 = 3e-10;
 /// A centre counts as reached when Newton's decrement is below this; rounding keeps the last one above 10⁻⁶.
 const CENTRED: f64 = 1e-4;

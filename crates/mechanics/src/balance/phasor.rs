@@ -58,13 +58,13 @@ impl<S: Real> Phasor<S> {
         (self.x.powi(2) + self.y.powi(2)).sqrt()
     }
 
-    /// Its angle, rad in `(−π, π]`.
+    /// Phase angle, rad in `(−π, π]`.
     #[inline(always)]
     pub fn angle(self) -> S {
         self.y.atan2(self.x)
     }
 
-    /// Its angle as it is marked on a rotor, rad in `[0, 2π)`.
+    /// Angle as marked on a rotor, rad in `[0, 2π)`.
     #[inline(always)]
     pub fn marked_angle(self) -> S {
         super::marked_direction(self.x, self.y)

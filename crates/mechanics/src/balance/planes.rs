@@ -78,7 +78,7 @@ pub fn equivalent_in_second<S: Real>(
     S::sum(components_at.into_iter().map(|(u, z)| u * (z - first))) / (second - first)
 }
 
-/// What kind of unbalance a rigid rotor has, by the names of ISO 21940-2.
+/// Class of unbalance of a rigid rotor, by the names of ISO 21940-2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// None.

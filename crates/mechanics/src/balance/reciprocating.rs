@@ -27,7 +27,7 @@ pub struct Piston {
     pub position: f64,
 }
 
-/// Which motion pistons have.
+/// Law of the piston acceleration over `r ω²`: exact, or a series of one or two harmonics.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PistonMotion {
     /// `cos α`.

@@ -1,4 +1,4 @@
-//! What the uncertainty of the readings does to the weights, by Monte Carlo.
+//! Propagation of the uncertainty of the readings to the correction weights, by Monte Carlo.
 //!
 //! Every number is drawn from its own place: seed, sample and number. So samples may be shared out among any number
 //! of threads and are the same to the last bit.
@@ -22,8 +22,8 @@ mod two_plane;
 
 pub use two_plane::{Statistics, two_plane_statistics};
 
-/// How near to the least possible the largest reading of a sample is brought, over the uncertainty of the readings:
-/// what a range cannot show need not be found.
+/// Optimality gap of a minimax solution in each sample, over the uncertainty of the readings: a difference that a range
+/// cannot show need not be resolved.
 const SAMPLE_GAP: f64 = 1e-3;
 
 /// Standard uncertainties of a reading.
@@ -35,7 +35,7 @@ pub struct ReadingSpread {
     pub phase: f64,
 }
 
-/// Where the influence coefficients come from.
+/// Source of the influence coefficients: trial runs or known values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Influence<'a> {
     /// Runs with trial weights, which stay on or not.
@@ -44,7 +44,7 @@ pub enum Influence<'a> {
     Known(&'a DMatrix<Complex<f64>>),
 }
 
-/// How the weights of a sample are chosen: as those were that the ranges belong to.
+/// Criterion by which the weights of a sample are chosen, the same as for the nominal weights.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Choice<'a> {
     /// Least squares, with the importance of each reading; 1 where it is left out.
@@ -60,7 +60,7 @@ pub struct Measurement<'a> {
     pub first: &'a [Complex<f64>],
     /// The source of the influence coefficients.
     pub influence: Influence<'a>,
-    /// How the weights are chosen.
+    /// Criterion by which the weights are chosen.
     pub choice: Choice<'a>,
     /// The uncertainty of each reading.
     pub spread: ReadingSpread,
@@ -72,9 +72,10 @@ pub struct Ranges {
     /// Size of the weight in each plane. It begins at zero where the given weight cannot be distinguished from none: noise alone
     /// makes weights that are larger than it. The given weight always lies in it.
     pub sizes: Vec<[f64; 2]>,
-    /// Its angle, rad, unwrapped about the angle of the given weights; a whole turn where the size begins at zero.
+    /// Range of the angle, rad, unwrapped about the angle of the given weights; a whole revolution where the range of
+    /// the magnitude begins at zero.
     pub angles: Vec<[f64; 2]>,
-    /// What 95 % of the samples leave at most in each reading with the given weights.
+    /// 95th percentile of the magnitude of each residual reading with the given weights.
     pub residuals: Vec<f64>,
 }
 
@@ -110,7 +111,7 @@ pub fn uniform_bits(seed: u64, sample: u64, place: u64) -> u64 {
     bits_at(key(seed, sample), place)
 }
 
-/// What all numbers of a sample have in common.
+/// Random key shared by all numbers of a sample.
 #[inline(always)]
 fn key(seed: u64, sample: u64) -> u64 {
     mix(seed ^ sample.wrapping_mul(0x9e37_79b9_7f4a_7c15))

@@ -30,7 +30,7 @@ pub struct TwoPlaneBalance {
     pub residual_moment: f64,
 }
 
-/// Why there are no corrections.
+/// Reason for which no correction masses are found.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum BalanceError {
     /// Both correction planes are at the same position, as far as the numbers can tell.

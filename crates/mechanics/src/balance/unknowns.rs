@@ -24,7 +24,7 @@ pub struct Known {
     pub position: f64,
 }
 
-/// What must vanish.
+/// Resultants that must vanish.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Vanishing {
     /// The sum of unbalances: two equations. Positions do not matter.
@@ -33,7 +33,7 @@ pub enum Vanishing {
     ForceAndCouple,
 }
 
-/// Why there is no balance.
+/// Reason for which there is no balance.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum UnknownsError {
     /// There are not as many unknowns as equations.
@@ -70,20 +70,20 @@ pub enum UnknownsError {
     NotFinite,
 }
 
-/// What of a mass is sought, and how.
+/// Unknown of a mass, and the form in which it enters the equations.
 #[derive(Clone, Copy)]
 enum Sought {
-    /// Its component along x (0) or y (1): product and angle both unknown.
+    /// Component along x (0) or y (1): mr product and angle both unknown.
     Component(usize),
-    /// Its product, at a known angle and position.
+    /// Product mr, at a known angle and position.
     Product,
-    /// Its product, at a known angle but an unknown position; the moment is sought apart.
+    /// Product mr, at a known angle but an unknown position; the moment is a separate unknown.
     Force,
     /// Product times position, at a known angle.
     Moment,
-    /// Its angle.
+    /// Angular position.
     Angle,
-    /// Its position.
+    /// Axial position.
     Position,
 }
 
@@ -283,7 +283,7 @@ impl Search<'_> {
         if self.equations == 2 { [sums[0], sums[1], 0.0, 0.0] } else { sums }
     }
 
-    /// What the sums change by for a change of one unknown.
+    /// Partial derivative of the sums with respect to one unknown.
     fn slope(states: &[State], (row, what): (usize, Sought)) -> Sums {
         let State { unbalance: [x, y], position: z, direction: [c, s], .. } = states[row];
         match what {

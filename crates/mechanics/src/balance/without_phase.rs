@@ -7,7 +7,7 @@ use nalgebra::{Complex, DMatrix, DVector, Matrix2};
 
 use dalembert_numerics::linalg::{self, LinalgError};
 
-/// What the sizes tell of the effect of a trial weight.
+/// Effect of a trial weight as found from magnitudes alone.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Effect {
     /// The effect `z` that makes the squares of what is left of the sizes least.
@@ -16,7 +16,7 @@ pub struct Effect {
     pub linear: Complex<f64>,
     /// `|z|²` from the mean of the squares of the sizes; it is negative where no vibration has such sizes.
     pub mean_square: f64,
-    /// What the best effect leaves of each size, over the first size.
+    /// Residual of each magnitude for the best effect, over the first magnitude.
     pub left: Vec<f64>,
     /// The gradient of the sum of squares at the best effect, over the size of its terms: zero at the least.
     pub gradient: f64,
@@ -97,5 +97,5 @@ pub fn effect(runs: &[(f64, f64)]) -> Result<Effect, LinalgError> {
     })
 }
 
-/// What rounding may add to a sum of squares, as a share of it.
+/// Relative rounding error of a sum of squares.
 const ROUNDING: f64 = 1e-12;

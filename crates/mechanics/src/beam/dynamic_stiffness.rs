@@ -36,18 +36,18 @@ pub struct Beam {
     pub axial: f64,
     /// Stiffness of the foundation for each length, `k L⁴/(EI)`.
     pub foundation: f64,
-    /// What holds and loads the beam, ascending from 0 to 1; both ends are among them.
+    /// Supports and lumped elements of the beam, positions ascending from 0 to 1; both ends are among them.
     pub stations: Vec<Station>,
 }
 
-/// What stands at a point of the beam.
+/// Support and lumped elements at a point of the beam.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Station {
-    /// Where, 0 to 1.
+    /// Position along the beam as a fraction of its length, 0 to 1.
     pub at: f64,
-    /// Whether the deflection is held.
+    /// True if the deflection is zero (support).
     pub held: bool,
-    /// Whether the rotation is held.
+    /// True if the rotation is zero (clamp).
     pub clamped: bool,
     /// Spring to the ground, `k L³/(EI)`.
     pub spring: f64,
@@ -59,7 +59,7 @@ pub struct Station {
     pub inertia: f64,
 }
 
-/// Why there are no frequencies.
+/// Reason for which no frequencies are found.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum BeamError {
     /// A number is not finite or out of its range, or the stations do not go from 0 to 1.
@@ -76,7 +76,7 @@ pub enum BeamError {
     NotConverged,
 }
 
-/// Where a segment is examined.
+/// Positions in a segment at which the shape is examined, as fractions of its length.
 const EIGHTHS: [f64; 8] = [0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875];
 
 /// The shape of a vibration, largest deflection one.
@@ -84,7 +84,7 @@ const EIGHTHS: [f64; 8] = [0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875];
 pub struct Shape {
     beam: Beam,
     lambda: f64,
-    /// Where each segment begins, and the state there.
+    /// Start of each segment, as a fraction of the length, and the state vector there.
     starts: Vec<(f64, Vector4<f64>)>,
 }
 
@@ -147,7 +147,7 @@ impl Beam {
         search.roots(self.rigid_motions(), count)
     }
 
-    /// How many `λ` of the beam lie below this one.
+    /// Number of eigenvalues `λ` of the beam below this value (Wittrick–Williams count).
     ///
     /// # Errors
     /// `TooSlender`.
@@ -204,8 +204,8 @@ impl Beam {
         Err(BeamError::NotConverged)
     }
 
-    /// Whether the beam buckles under a compression `P L²/(EI)`, in place of the axial force that it has: by the number
-    /// of `λ` below zero.
+    /// Returns true if the beam buckles under a compression `P L²/(EI)` in place of its axial force, by the number of
+    /// `λ` below zero.
     ///
     /// # Errors
     /// `TooSlender`.
@@ -307,7 +307,7 @@ impl Beam {
         Err(BeamError::OutOfRange)
     }
 
-    /// Whether the axial force makes the straight beam unstable.
+    /// Returns true if the axial force makes the straight beam unstable.
     fn is_buckled(&self) -> Result<bool, BeamError> {
         if self.axial >= 0.0 {
             return Ok(false);
@@ -648,8 +648,8 @@ impl Shape {
         between.sum::<f64>() + beam.stations.iter().map(|at| product(at.at, at.mass, at.inertia)).sum::<f64>()
     }
 
-    /// What rounding leaves uncertain of its deflections, over the largest of them: elimination loses the digits by which
-    /// the stiffness of the shortest segment, `12EI/l³`, exceeds that of the beam.
+    /// Rounding error of the deflections, relative to the largest: elimination loses the digits by which the stiffness
+    /// of the shortest segment, `12EI/l³`, exceeds that of the beam.
     pub fn rounding(&self) -> f64 {
         let ends = self.starts.iter().skip(1).map(|(start, _)| *start).chain([1.0]);
         let lengths = self.starts.iter().zip(ends).map(|((start, _), end)| end - start);

@@ -25,7 +25,7 @@ pub struct Tapered {
     pub supports: [Support; 2],
 }
 
-/// What holds an end.
+/// Support condition of an end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Support {
     /// Nothing.

@@ -50,7 +50,7 @@ pub struct Mode {
     pub frequency: f64,
     /// Motion of the tip, rotations times the length, the largest one.
     pub tip: Vector6<f64>,
-    /// What is left of the forces at the tip, over the size of the stiffness.
+    /// Residual of the force balance at the tip, over the magnitude of the stiffness.
     pub residual: f64,
 }
 
@@ -136,7 +136,8 @@ impl Cantilever {
         Ok((stiffness, below))
     }
 
-    /// What is left of the forces at the tip that moves so at a frequency, over the size of the stiffness.
+    /// Residual of the force balance at the tip for this tip motion at a frequency, over the magnitude of the
+    /// stiffness.
     ///
     /// # Errors
     /// As for [`Cantilever::modes`].

@@ -16,7 +16,7 @@ pub use nalgebra::Complex;
 
 use dalembert_numerics::linalg::LinalgError;
 
-/// What of the motion was measured, over the force.
+/// Measured response per unit force: receptance, mobility or accelerance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Response {
     /// Displacement over force, m/N.
@@ -27,7 +27,7 @@ pub enum Response {
     Accelerance,
 }
 
-/// How the mode is damped.
+/// Damping model of the mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DampingModel {
     /// By a force in proportion to the velocity.
@@ -39,13 +39,13 @@ pub enum DampingModel {
 /// A point of a measured complex response: frequency in rad/s, above zero, and the response there.
 pub type Point = (f64, Complex<f64>);
 
-/// Why a measured complex response has no such fit.
+/// Reason for which a measured complex response has no such fit.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum ModalError {
     /// A frequency is not above zero, or a number is not finite.
     #[error("the point at {frequency} rad/s is none of a frequency response")]
     Point {
-        /// Its frequency.
+        /// Frequency of the point.
         frequency: f64,
     },
     /// Fewer points than the unknowns need.
@@ -78,7 +78,7 @@ impl Response {
         }
     }
 
-    /// How often the motion is differentiated: `|response| = ωⁿ |receptance|`.
+    /// Number of time derivatives n: `|response| = ωⁿ |receptance|`.
     fn order(self) -> i32 {
         match self {
             Response::Receptance => 0,

@@ -11,8 +11,8 @@ use dalembert_numerics::linalg;
 /// Moments nearer to each other than this share of the largest count as equal: their axes are then a choice.
 const EQUAL: f64 = 1e-9;
 
-/// What a tensor may miss of a condition, as a share of its largest moment, before it breaks it: a thin plate
-/// meets the triangle inequality exactly, a slender rod has no moment about itself.
+/// Tolerance of the conditions on an inertia tensor, as a share of its largest moment: a thin plate meets the triangle
+/// inequality exactly, a slender rod has no moment about itself.
 const MISSED: f64 = 1e-9;
 
 /// Mass (kg), centre of mass (m) and inertia tensor about the centre of mass (kg·m²) of a body, in one frame.
@@ -39,7 +39,7 @@ pub struct Principal {
     pub axes: Rotation3<f64>,
 }
 
-/// Why numbers are not the mass, the centre and the inertia of a body.
+/// Reason for which numbers are not the mass, the centre and the inertia of a body.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum BodyError {
     /// A number is NaN or infinite.
@@ -299,8 +299,8 @@ impl Principal {
         if omega.iter().all(|x| x.is_finite()) { Ok(omega) } else { Err(BodyError::NotFinite) }
     }
 
-    /// Whether two of the moments are equal, and the axis of the third: the axis of (dynamic) symmetry. `None` also
-    /// when all three are equal.
+    /// Index of the axis of dynamic symmetry: that of the third moment where two principal moments are equal. `None`
+    /// also when all three are equal.
     pub fn symmetry_axis(&self) -> Option<usize> {
         let equal = |a: usize, b: usize| self.moments[b] - self.moments[a] <= EQUAL * self.moments.amax();
         match (equal(0, 1), equal(1, 2)) {
@@ -327,7 +327,7 @@ impl Principal {
     }
 }
 
-/// What a mass at a distance `d` adds to the tensor: `m (d² 1 − d dᵀ)`.
+/// Parallel-axis term of a mass at a distance `d`: `m (d² 1 − d dᵀ)`.
 fn shift(mass: f64, d: Vector3<f64>) -> Matrix3<f64> {
     (Matrix3::from_diagonal_element(d.norm_squared()) - d * d.transpose()) * mass
 }

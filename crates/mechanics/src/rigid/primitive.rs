@@ -191,7 +191,7 @@ pub enum Primitive<S> {
     },
 }
 
-/// What the mass of a shape is spread over.
+/// Region over which the mass of a shape is distributed: point, line, surface or volume.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extent<S> {
     /// A point.
@@ -218,11 +218,11 @@ pub struct OwnInertia<S> {
 pub enum Anchor {
     /// The origin of its own axes.
     Origin,
-    /// Its centre of mass.
+    /// Centre of mass.
     MassCentre,
-    /// Where its own axis enters it; the first end of an arc.
+    /// Point at which its own axis enters it; the first end of an arc.
     NearEnd,
-    /// Where its own axis leaves it; the last end of an arc.
+    /// Point at which its own axis leaves it; the last end of an arc.
     FarEnd,
     /// The corner with the least coordinates.
     Corner,
@@ -514,7 +514,8 @@ impl<S: Real> Primitive<S> {
         }
     }
 
-    /// Whether all axes across z through G are alike: a turn about z leaves the inertia as it is.
+    /// Returns true if the moment of inertia is the same about all axes through G across z: a rotation about z leaves
+    /// the inertia unchanged.
     pub fn is_round(self) -> bool {
         matches!(
             self,
@@ -538,7 +539,7 @@ impl<S: Real> Primitive<S> {
         )
     }
 
-    /// Whether all axes through G are alike: no turn changes the inertia.
+    /// Returns true if the moment of inertia is the same about all axes through G.
     pub fn is_ball(self) -> bool {
         matches!(
             self,

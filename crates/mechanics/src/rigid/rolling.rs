@@ -43,7 +43,7 @@ pub fn steady_centre_radius<S: Real>(
         / (axial + mass * radius.powi(2))
 }
 
-/// What `ω₂` and `ω₃` do as a disc tilts, from their equations: `dω₂/dθ = (I_a/I_t) ω₃ − ω₂ cot θ` and
+/// Derivatives of `ω₂` and `ω₃` with respect to the tilt of a rolling disc: `dω₂/dθ = (I_a/I_t) ω₃ − ω₂ cot θ` and
 /// `dω₃/dθ = m r² ω₂/(I_a + m r²)`.
 #[inline]
 pub fn tilting_slopes<S: Real>(

@@ -17,7 +17,7 @@ use dalembert_numerics::{
     ode::{self, Integrator, OdeError},
 };
 
-/// What cannot be followed.
+/// Reason for which a motion cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum SimulateError {
     /// The inertia is not that of a body.
@@ -60,11 +60,11 @@ pub struct Turning {
 /// A torque of a fixed direction, in space or in the body, that may change with time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Torque {
-    /// Its vector, N·m, times the factor of its history.
+    /// Torque vector, N·m, multiplied by the factor of its history.
     pub vector: Vector3<f64>,
-    /// Whether it turns with the body.
+    /// True if the torque rotates with the body, false if it is fixed in space.
     pub in_body: bool,
-    /// How it changes.
+    /// Time history of the factor.
     pub history: History,
 }
 
@@ -84,7 +84,7 @@ pub enum History {
     Table(Vec<[f64; 2]>),
 }
 
-/// What turns a body.
+/// Torques that act on a body.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Loads {
     /// Acceleration of gravity in space, m/s².
@@ -93,7 +93,7 @@ pub struct Loads {
     pub torques: Vec<Torque>,
 }
 
-/// What ends a motion.
+/// Terminal event of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum End {
     /// The angle between a direction of the body and one in space reaches a value, rad.
@@ -109,7 +109,8 @@ pub enum End {
     Reverses(usize),
 }
 
-/// How far and how exactly a motion is followed: the tolerance is in parts of a radian and of the largest quantities.
+/// Options of an integration: interval, samples, events, and a tolerance in parts of a radian and of the largest
+/// quantities.
 pub type Run<'a> = ode::Run<'a, End>;
 
 /// A moment of a motion.
@@ -140,9 +141,9 @@ pub struct Motion {
     pub samples: Vec<Sample>,
     /// The least and the largest angle of the watched directions, rad.
     pub angles: Option<Extremes>,
-    /// Which of the ends it came to, if any.
+    /// Index of the event that ended the motion; `None` at the end of the interval.
     pub ended: Option<usize>,
-    /// How many steps were made.
+    /// Number of integration steps.
     pub steps: usize,
 }
 
@@ -263,7 +264,7 @@ impl Loads {
 }
 
 impl History {
-    /// Its value at a time.
+    /// Value of the factor at a time.
     pub fn at(&self, time: f64) -> f64 {
         match self {
             History::Constant => 1.0,
@@ -448,7 +449,7 @@ fn principal_attitude(axes: &Matrix3<f64>) -> UnitQuaternion<f64> {
     UnitQuaternion::from_rotation_matrix(&nalgebra::Rotation3::from_matrix_unchecked(*axes))
 }
 
-/// Whether two moments of inertia differ by rounding alone.
+/// Returns true if two moments of inertia differ by rounding alone.
 fn equal(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-13 * a.abs().max(b.abs())
 }

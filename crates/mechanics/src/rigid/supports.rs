@@ -34,7 +34,7 @@ pub enum Unknown {
     },
 }
 
-/// Why the six equations do not give the reactions.
+/// Reason for which the six equations do not determine the reactions.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SupportError {
     /// Some unknowns balance among themselves: only the stiffness of body and supports tells how they share a load.
@@ -42,7 +42,7 @@ pub enum SupportError {
         "the supports are statically indeterminate: {} of the unknowns can balance among themselves", .unknowns.len()
     )]
     Indeterminate {
-        /// How many equations are missing.
+        /// Number of missing equations.
         missing: usize,
         /// The unknowns that take part, counted from 0.
         unknowns: Vec<usize>,
@@ -50,7 +50,7 @@ pub enum SupportError {
     /// The supports leave a motion free, and the body would take it up.
     #[error("the supports leave the body free to {} {axis:?}", if *.turning { "turn about" } else { "move along" })]
     Mechanism {
-        /// Whether the body would turn, and not move along.
+        /// True if the free motion is a rotation, false if it is a translation.
         turning: bool,
         /// The axis nearest to the motion.
         axis: Axis,
@@ -108,7 +108,7 @@ impl std::ops::Neg for Wrench {
 }
 
 impl Unknown {
-    /// What a unit of it does.
+    /// Wrench of a unit value of this unknown.
     pub fn wrench(&self) -> Wrench {
         match *self {
             Unknown::Force { at, along } => Wrench::force_at(along, at),
@@ -181,12 +181,13 @@ impl Supports {
         &self.unknowns
     }
 
-    /// How many motions the supports leave free; loads that work in none of them are balanced all the same.
+    /// Number of degrees of freedom that the supports leave; loads without power in any of them are balanced all the
+    /// same.
     pub fn degrees_of_freedom(&self) -> usize {
         self.free.len()
     }
 
-    /// Whether the supports can balance a couple about `axis` by themselves.
+    /// Returns true if the supports alone can balance a couple about `axis`.
     pub fn hold_against(&self, axis: Vector3<f64>) -> bool {
         let couple = components(&Wrench::couple(axis), 1.0);
         let along = |motion: &[f64; 6]| motion.iter().zip(&couple).map(|(a, b)| a * b).sum::<f64>();
@@ -203,8 +204,8 @@ fn components(wrench: &Wrench, length: f64) -> [f64; 6] {
     [f.x, f.y, f.z, m.x, m.y, m.z]
 }
 
-/// What an unknown adds to the six equations; couples are measured as forces on an arm of that length. What is
-/// rounding beside the rest is taken as zero, or it would count as an equation of its own.
+/// Column of an unknown in the six equilibrium equations; couples are divided by that length. What is rounding beside
+/// the rest is taken as zero, or it would count as an equation of its own.
 fn column(unknown: &Unknown, length: f64) -> [f64; 6] {
     let arm = if matches!(unknown, Unknown::Couple { .. }) { length } else { 1.0 };
     let column = components(&unknown.wrench(), length).map(|x| x * arm);

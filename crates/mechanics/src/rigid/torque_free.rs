@@ -42,8 +42,8 @@ pub fn axisymmetric_velocity(ratio: f64, start: Vector3<f64>, time: f64) -> Vect
     Rotation3::from_axis_angle(&Vector3::z_axis(), (ratio - 1.0) * start.z * time) * start
 }
 
-/// How a free body of revolution has turned since the start, from axes fixed in it to fixed axes that agreed with them:
-/// a turn by `φ̇ t` about `H_G` after one by `ψ̇ t` about the axis.
+/// Rotation of a free body of revolution since the start, from body axes to fixed axes that agreed with them: a
+/// rotation by `φ̇ t` about `H_G` after one by `ψ̇ t` about the axis.
 pub fn axisymmetric_attitude(ratio: f64, start: Vector3<f64>, time: f64) -> Rotation3<f64> {
     // H_G/I_t: its size is the precession.
     let momentum = Vector3::new(start.x, start.y, ratio * start.z);

@@ -13,7 +13,7 @@ pub(super) struct Bending {
     length: f64,
     /// On deflection and slope of one end against the other, [`element::deformations`].
     matrix: Matrix2<f64>,
-    /// What stands before the matrix in the stiffness, in `Hᵥ` and in `Hₕ`.
+    /// Factors of the matrix in the stiffness, in `Hᵥ` and in `Hₕ`.
     pub(super) direct: f64,
     pub(super) viscous: f64,
     pub(super) hysteretic: f64,
@@ -36,7 +36,7 @@ pub struct Assembled {
     pub(super) bending: Vec<Bending>,
     /// Stiffness of the tension alone, if there is one.
     pub(super) tension: Option<Plane>,
-    /// What holds the shaft.
+    /// Supports of the shaft.
     pub supports: Vec<Support>,
     /// Degrees of freedom of a plane that do not move.
     pub fixed: Vec<usize>,
@@ -44,7 +44,7 @@ pub struct Assembled {
     pub(super) discs: Vec<usize>,
     /// Distances of the nodes from the left end, m.
     pub positions: Vec<f64>,
-    /// Whether a matrix of internal damping is there.
+    /// True if there is a matrix of internal damping.
     pub(super) internal: bool,
 }
 
@@ -182,7 +182,7 @@ impl Assembled {
         DVector::from_vec(force)
     }
 
-    /// Whether the supports, taken with the stiffness along and across of each, leave the shaft a rigid motion.
+    /// Returns true if the supports, with their direct stiffnesses alone, leave the shaft a rigid-body motion.
     pub(super) fn is_free(&self, mean: &[(usize, f64)]) -> bool {
         let clamped = self.fixed.iter().any(|freedom| freedom % 2 == 1);
         let pinned = self.fixed.iter().map(|freedom| freedom / 2);

@@ -29,9 +29,9 @@ pub(super) struct Basis {
     pub(super) vectors: DMatrix<f64>,
     /// Natural frequencies of the Ritz modes on the mean bearings, shift included, rad/s, ascending.
     pub(super) frequencies: Vec<f64>,
-    /// What was added to the stiffness as a multiple of the mass where that alone is hard to factor, s⁻².
+    /// Shift σ, s⁻²: `K + σ M` is factored where K alone is ill-conditioned.
     pub(super) shift: f64,
-    /// Whether the supports leave a rigid motion.
+    /// True if the supports leave a rigid-body motion.
     pub(super) free: bool,
     /// Stiffness of the shaft without its bearings.
     pub(super) shaft: DMatrix<f64>,
@@ -232,7 +232,7 @@ impl Basis {
         Ok(())
     }
 
-    /// What a matrix makes of the vectors.
+    /// Products of a matrix with the basis vectors, one per column.
     fn images(&self, times: impl Fn(&DVector<f64>) -> DVector<f64>) -> DMatrix<f64> {
         let images: Vec<DVector<f64>> =
             self.vectors.column_iter().map(|column| times(&column.into_owned())).collect();

@@ -22,7 +22,7 @@ pub struct Critical {
     pub mode: Mode,
 }
 
-/// What was found, and what was not.
+/// Critical speeds and instabilities in a range of speeds, and the part of the range that could not be resolved.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Criticals {
     /// By ascending speed.
@@ -34,13 +34,13 @@ pub struct Criticals {
 /// Speeds between which a mode grows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Band {
-    /// Where it begins; `None` where a mode grows at the lowest speed already.
+    /// Start of the band; `None` where a mode is unstable at the lowest speed already.
     pub from: Option<Critical>,
-    /// Where it ends; `None` where a mode still grows at the highest speed.
+    /// End of the band; `None` where a mode is still unstable at the highest speed.
     pub to: Option<Critical>,
 }
 
-/// Where a rotor is unstable.
+/// Speed ranges in which a rotor is unstable.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Instability {
     /// By ascending speed.
@@ -305,12 +305,12 @@ fn most_unstable(spectrum: &Spectrum) -> Option<&Mode> {
     spectrum.modes.iter().max_by(|a, b| growth(Some(a)).total_cmp(&growth(Some(b))))
 }
 
-/// What a mode grows by over the size of its eigenvalue; below zero where rounding could be the reason.
+/// Relative growth rate of a mode, Re s over |s|; below zero where rounding could be the reason.
 fn growth(mode: Option<&Mode>) -> f64 {
     mode.map_or(-1.0, |mode| mode.lambda.re / mode.lambda.norm() - NEUTRAL)
 }
 
-/// What became of a change of sign.
+/// Result of refining a change of sign.
 enum Found {
     Refined(Critical),
     /// A zero of the reduced model near this speed has none on all equations beside it.

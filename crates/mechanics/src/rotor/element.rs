@@ -18,11 +18,11 @@ pub struct Element {
     pub outer: [f64; 2],
     /// Inner diameters at the left and at the right, m; zero for a solid shaft.
     pub inner: [f64; 2],
-    /// What it is made of.
+    /// Material of the element.
     pub material: Material,
 }
 
-/// What a shaft is made of.
+/// Material of a shaft.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
     /// Young's modulus, Pa.
@@ -37,7 +37,7 @@ pub struct Material {
     pub loss_factor: f64,
 }
 
-/// How a shaft bends.
+/// Beam theory: Euler–Bernoulli or Timoshenko.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Theory {
     /// Bending and shear, with Cowper's shear factor.
@@ -137,8 +137,8 @@ pub fn matrices(element: &Element, theory: Theory) -> Result<Matrices, RotorErro
     }
 }
 
-/// What deforms an element of its end motions `(x₁, φ₁, x₂, φ₂)`: the deflection of one end against the other beyond
-/// the mean slope, and the difference of the slopes. A rigid motion has none.
+/// Matrix from the end motions `(x₁, φ₁, x₂, φ₂)` of an element to its two deformations: the deflection of one end
+/// relative to the other beyond the mean slope, and the difference of the slopes. A rigid motion has none.
 pub fn deformations(length: f64) -> Matrix2x4<f64> {
     Matrix2x4::new(-1.0, -length / 2.0, 1.0, -length / 2.0, 0.0, -1.0, 0.0, 1.0)
 }

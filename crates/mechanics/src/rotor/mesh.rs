@@ -14,7 +14,7 @@ pub struct Segment {
     pub outer: [f64; 2],
     /// Inner diameters at the left and at the right, m.
     pub inner: [f64; 2],
-    /// What it is made of.
+    /// Material of the segment.
     pub material: Material,
 }
 

@@ -12,11 +12,11 @@ use super::{
 };
 use dalembert_numerics::linalg;
 
-/// Where a share of the square of a natural frequency is as good as exact.
+/// Relative error of the square of a natural frequency below which it counts as exact.
 pub const EXACT: f64 = 1e-10;
 
-/// What may be lost of the energy of a mode when shapes are condensed, as a multiple of the share that is as good as
-/// exact: shapes taken for one mode hold most of what is lost of another.
+/// Loss of modal energy allowed when shapes are condensed, as a multiple of that error: shapes of one mode carry most
+/// of the loss of another.
 const CONDENSED: f64 = 10.0;
 
 /// A motion whose frequency is below this share of the size of its eigenvalue (ζ > 0.954) creeps rather than swings.
@@ -34,7 +34,7 @@ pub struct Mode {
     pub(super) coordinates: DVector<Complex<f64>>,
 }
 
-/// Which way a mode turns.
+/// Direction of whirl of a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
     /// With the spin, at every node.
@@ -83,7 +83,7 @@ impl Mode {
         Orbit::of(self.shape[node][0], self.shape[node][2])
     }
 
-    /// Which way it turns; nodes that hardly move do not count.
+    /// Direction of whirl; nodes with negligible motion do not count.
     pub fn direction(&self) -> Direction {
         let orbits: Vec<Orbit> = (0..self.shape.len()).map(|node| self.orbit(node)).collect();
         let largest = orbits.iter().fold(0.0, |size: f64, orbit| size.max(orbit.major));
@@ -304,7 +304,7 @@ impl<'a> Reduced<'a> {
         &self.basis.frequencies
     }
 
-    /// Whether the supports leave a rigid motion.
+    /// Returns true if the supports leave a rigid-body motion.
     pub fn is_free(&self) -> bool {
         self.basis.free
     }
@@ -333,7 +333,8 @@ impl<'a> Reduced<'a> {
     }
 }
 
-/// Whether a matrix of both planes is the same however the planes are turned about the axis: `[[A, B], [−B, A]]`.
+/// Returns true if a matrix of both planes is isotropic, `[[A, B], [−B, A]]`: invariant under a rotation of the planes
+/// about the axis.
 fn alike(matrix: &DMatrix<f64>) -> bool {
     let m = matrix.nrows() / 2;
     let least = 1e-14 * matrix.amax();
@@ -348,7 +349,7 @@ fn alike(matrix: &DMatrix<f64>) -> bool {
 pub struct Polished {
     /// The mode, its shape of unit mass.
     pub mode: Mode,
-    /// What rounding may have changed of its eigenvalue, over the size of that.
+    /// Relative rounding error of the eigenvalue.
     pub rounding: f64,
 }
 

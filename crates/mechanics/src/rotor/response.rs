@@ -68,8 +68,8 @@ pub fn unbalance_response(
     if !fine || (energy > 1e9 * work && work > 0.0) { Err(unbounded) } else { Ok(response) }
 }
 
-/// How far a response is from balancing the unbalances: the largest force left at a node, over the largest of the
-/// forces that should cancel there.
+/// Relative residual of a response: the largest unbalanced nodal force over the largest of the forces that should
+/// cancel there.
 ///
 /// # Errors
 /// `Node`.

@@ -30,14 +30,14 @@ struct Blocks {
     below: Vec<Block>,
 }
 
-/// Its factors.
+/// Factors of the dynamic stiffness matrix.
 struct Factors {
     pivots: Vec<Lu>,
     carried: Vec<Block>,
     below: Vec<Block>,
 }
 
-/// What stands before the matrices of a rotor: `λ²`, `λ` and `1`, or others.
+/// Coefficients of the matrices of a rotor: `λ²`, `λ` and `1`, or others.
 #[derive(Clone, Copy)]
 pub(super) struct Powers {
     pub(super) mass: C,

@@ -10,7 +10,7 @@ use nalgebra::{DMatrix, DVector};
 use super::{Assembled, Hold, Rotor, RotorError, Support, basis::project, modes::Reduced};
 use dalembert_numerics::linalg;
 
-/// What may be lost of the square of a frequency.
+/// Relative error allowed for the square of a frequency.
 const SHARE: f64 = 1e-6;
 
 /// Critical speeds over stiffness.

@@ -2,7 +2,7 @@
 
 use dalembert_numerics::{gauss_legendre as quadrature, roots};
 
-/// What a turning moment does over a cycle.
+/// Turning moment over a cycle: mean, energy fluctuation, extremes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cycle {
     /// Mean moment, N·m.
@@ -138,7 +138,7 @@ fn extreme(moment: &impl Fn(f64) -> f64, knots: &[f64], at: &[f64], sign: f64) -
     found
 }
 
-/// What is rounding beside numbers of that size is zero.
+/// Flushes a number that is rounding noise beside `size` to zero.
 fn clean(x: f64, size: f64) -> f64 {
     if x.abs() <= 1e-12 * size { 0.0 } else { x }
 }

@@ -12,7 +12,7 @@ use super::{
 };
 use crate::{Real, balance::reciprocating::harmonic_by_series};
 
-/// Which formulas the motion of the piston follows.
+/// Formulas of the piston motion: exact or approximate.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Model {
     /// The closure of the slider-crank.
@@ -289,7 +289,7 @@ impl Engine {
         )
     }
 
-    /// Whether the piston moves to the crank as the crank turns forward.
+    /// Returns true if the piston moves towards the crank as the crank turns forward.
     fn falls(&self, angle: f64) -> bool {
         let obliquity = piston::obliquity_with_offset(self.crank, self.rod, self.offset, angle);
         piston::arm(self.crank, angle, obliquity) >= 0.0

@@ -127,7 +127,7 @@ impl Diagram {
     }
 }
 
-/// Where a diagram has corners.
+/// Corners of an indicator diagram.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Corners {
     /// At these fractions of the stroke.

@@ -1,4 +1,4 @@
-//! How the links of a slider-crank move with its crank.
+//! Rotation and motion of the links of a slider-crank as functions of the crank angle.
 
 #![expect(clippy::inline_always, reason = "lanes are compiled for the widest registers where all is inlined")]
 
@@ -8,7 +8,7 @@ use crate::{
     linkage::{Point, Turning},
 };
 
-/// How crank, rod and slider move with the crank.
+/// Motion of crank, rod and slider as functions of the crank angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Links<S> {
     /// The crank.

@@ -54,7 +54,7 @@ pub struct Motion {
     pub slider_acceleration: f64,
 }
 
-/// Why there is no motion.
+/// Reason for which there is no motion.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum SliderCrankError {
     /// The rod does not reach from the crank pin to the slider's line.

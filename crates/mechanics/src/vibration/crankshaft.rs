@@ -30,7 +30,7 @@ pub struct Throw<S> {
     pub radius: S,
 }
 
-/// What journals, crankpin and webs add to `32/(π G)` times a stiffness, reversed, 1/m³.
+/// Contributions of journals, crankpin and webs to `32/(π G)` over a stiffness, 1/m³.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parts<S> {
     /// Of the journals.
@@ -97,7 +97,7 @@ pub fn phase_vectors(order: f64, cylinders: impl IntoIterator<Item = (f64, f64)>
     sum
 }
 
-/// Whether all cylinders push at the same instant of the vibration: a major order.
+/// Returns true for a major order: all cylinders excite at the same phase of the vibration.
 pub fn is_major(order: f64, angles: &[f64]) -> bool {
     let [x, y] = phase_vectors(order, angles.iter().map(|angle| (1.0, *angle)));
     x.hypot(y) > angles.len() as f64 * (1.0 - 1e-9)

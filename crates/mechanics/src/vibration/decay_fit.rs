@@ -1,4 +1,5 @@
-//! What damps a free decay: its turning points fitted with an exponential, a straight line, and both together.
+//! Identification of the damping of a free decay: its turning points fitted with an exponential (viscous), a straight
+//! line (Coulomb), and both together.
 //!
 //! Viscous damping takes a share `δ` of the amplitude in each cycle, friction a fixed piece `4F/k`. Together
 //! `dX/dn = −(δ X + d)`, whose solution `X = X₀ e^(−δn) − d (1 − e^(−δn))/δ` passes exactly through the turning
@@ -24,7 +25,7 @@ pub struct DecayFit {
     pub normal_equations: [f64; 3],
 }
 
-/// Why a decay has no fit.
+/// Reason for which a decay has no fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum DecayFitError {
     /// Fewer than three points, or a number that is not finite, or an amplitude that is not positive.

@@ -34,7 +34,7 @@ pub struct Steady {
     pub amplitude: f64,
     /// Lag behind the force, rad.
     pub lag: f64,
-    /// Whether a small disturbance dies out: where the force that is needed grows with the amplitude.
+    /// True if a small disturbance decays: where the required force grows with the amplitude.
     pub stable: bool,
 }
 
@@ -117,8 +117,8 @@ impl Duffing {
         found.then(|| (squared.sqrt(), frequency))
     }
 
-    /// Where the amplitude jumps as the frequency changes slowly, `(ω, A)` in ascending frequency: the vertical tangents
-    /// of the response of the first harmonic. None or two.
+    /// Jump points as the frequency changes slowly, `(ω, A)` in ascending frequency: the vertical tangents of the
+    /// response of the first harmonic. None or two.
     pub fn jumps(&self, force: f64) -> Vec<(f64, f64)> {
         const SAMPLES: u32 = 2000;
         let Some((largest, _)) = self.peak(force) else { return Vec::new() };
@@ -212,7 +212,8 @@ impl Duffing {
         (held && x.iter().all(|x| x.is_finite())).then_some(found)
     }
 
-    /// What is left of the balance of the first and third harmonics: `cos ωt`, `sin ωt`, `cos 3ωt`, `sin 3ωt`, in N.
+    /// Residual of the harmonic balance of the first and third harmonics: `cos ωt`, `sin ωt`, `cos 3ωt`, `sin 3ωt`, in
+    /// N.
     ///
     /// The cube has harmonics up to the ninth; sixteen equal samples of a period hold its first and third exactly.
     fn residual(&self, force: f64, frequency: f64, x: &DVector<f64>) -> DVector<f64> {
@@ -267,7 +268,7 @@ impl TwoHarmonics {
     }
 }
 
-/// Where a function of one top is largest, by golden sections.
+/// Argument of the maximum of a unimodal function, by golden-section search.
 fn maximum(function: impl Fn(f64) -> f64, [mut from, mut to]: [f64; 2]) -> f64 {
     let share = f64::midpoint(-1.0, 5f64.sqrt());
     while to - from > 1e-9 {

@@ -13,7 +13,7 @@ use std::{
 use crate::Real;
 use dalembert_numerics::roots;
 
-/// What is excited.
+/// Oscillator with Coulomb friction under a harmonic force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CoulombOscillator {
     /// Frequency ratio `r = ω/ω_n`; positive.
@@ -27,15 +27,15 @@ pub struct CoulombOscillator {
 /// A slide between two rests of a motion with stops; times as `τ = ω_n t`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slide {
-    /// When it begins.
+    /// Start time.
     pub from: f64,
-    /// Where it begins, m.
+    /// Start position, m.
     pub start: f64,
-    /// Which way: 1 or −1.
+    /// Direction of slipping: 1 or −1.
     pub direction: f64,
-    /// When it ends.
+    /// End time.
     pub until: f64,
-    /// Where it ends, m.
+    /// End position, m.
     pub end: f64,
 }
 
@@ -231,7 +231,7 @@ impl CoulombOscillator {
         rests.then(|| Steady::Stopping { amplitude: found, slides: vec![up, down] })
     }
 
-    /// When a mass at rest at `x` since `from` begins to move, and which way.
+    /// Time and direction in which a mass at rest at `x` since `from` begins to slip.
     fn leaves(&self, x: f64, from: f64) -> Option<(f64, f64)> {
         let Self { ratio: r, deflection: s, offset: f } = *self;
         let next = |direction: f64| {

@@ -142,7 +142,7 @@ impl FreeMotion {
         (time.is_finite() && time > 0.0).then_some(time)
     }
 
-    /// Where the motion, which has no turning point between two times, passes `±level` on the side it comes from.
+    /// Time at which the motion, monotonic between two times, crosses `±level` on the side it comes from.
     fn crossing(&self, level: f64, from: f64, to: f64) -> f64 {
         let signed = level.copysign(self.state(from)[0]);
         roots::find(|time| self.state(time)[0] - signed, [from, to], |_| ControlFlow::Continue(()))

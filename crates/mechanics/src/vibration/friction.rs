@@ -19,21 +19,21 @@ pub struct FrictionDecay {
     pub hold: f64,
 }
 
-/// How the motion ends.
+/// Final rest of the motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rest {
     /// Strokes until then, a part of a first one included; infinite where it never stops.
     pub strokes: f64,
-    /// When; `None` where rest is only approached.
+    /// Time of rest; `None` where rest is only approached.
     pub time: Option<f64>,
-    /// Where it rests.
+    /// Position of rest.
     pub position: f64,
 }
 
 /// A stroke, or the rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stroke {
-    /// When it began, s.
+    /// Start time, s.
     pub begun: f64,
     /// The position that friction shifts rest to; the position itself where it rests.
     pub centre: f64,
@@ -74,7 +74,7 @@ impl FrictionDecay {
         side * (kept * from.abs() - self.offset * (1.0 + (-log).exp()) * sum)
     }
 
-    /// Where and when the motion ends.
+    /// Position and time of final rest.
     pub fn rest(&self) -> Rest {
         let Some(first) = self.first() else {
             return Rest { strokes: 0.0, time: Some(0.0), position: self.motion.displacement };

@@ -8,7 +8,7 @@ use std::ops::Bound::{Excluded, Included, Unbounded};
 
 use dalembert_numerics::intervals::IntervalSet;
 
-/// What the instrument reads.
+/// Quantity that the instrument measures: displacement or acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reads {
     /// Displacement: right far above its natural frequency.

@@ -34,7 +34,7 @@ pub fn isolating_ratio<S: Real>(transmissibility: S, sum: S) -> S {
     (sum + (sum.powi(2) + S::from(1.0) / transmissibility.powi(2) - 1.0).sqrt()).sqrt()
 }
 
-/// What shakes a machine on its mounts.
+/// Excitation of a machine on its mounts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shaking {
     /// A force of the same amplitude at every speed.

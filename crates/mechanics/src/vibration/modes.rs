@@ -4,7 +4,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use dalembert_numerics::linalg::{self, LinalgError};
 
-/// Why a system has no modes.
+/// Reason for which a system has no modes.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum ModesError {
     /// The matrices are not those of masses and springs.
@@ -106,7 +106,7 @@ impl NaturalModes {
     }
 }
 
-/// Whether a modal damping matrix `Φᵀ C Φ` is diagonal to rounding: proportional damping.
+/// Returns true if a modal damping matrix `Φᵀ C Φ` is diagonal to rounding: proportional damping.
 pub fn is_proportional(modal_damping: &DMatrix<f64>) -> bool {
     let limit = 1e-9 * modal_damping.diagonal().amax();
     (0..modal_damping.ncols()).all(|column| {

@@ -6,7 +6,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use dalembert_numerics::linalg::{self, LinalgError};
 
-/// Why a network has no answer.
+/// Reason for which a network has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NetworkError {
     /// A node, counted from 0, is held by nothing, directly or through others.

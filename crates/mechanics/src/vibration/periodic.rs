@@ -18,9 +18,9 @@ pub use pieces::{full_rectified, half_rectified, polygon, pulse, sawtooth, squar
 /// A piece of a period: `u = value + slope σ + sine sin(rate σ)` with `σ` the share of the period since `from`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// Where it begins, as a share of the period.
+    /// Start of the piece, as a share of the period.
     pub from: f64,
-    /// Where it ends.
+    /// End of the piece, as a share of the period.
     pub to: f64,
     /// Value at its beginning.
     pub value: f64,
@@ -32,7 +32,7 @@ pub struct Piece {
     pub rate: f64,
 }
 
-/// How the drive reaches the mass.
+/// Path of the excitation to the mass: force or base motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Drive {
     /// A force on the mass.

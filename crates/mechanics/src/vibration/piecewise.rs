@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 pub struct TwoSlopes {
     /// Stiffness `k₁ ≥ 0` up to the corner, N/m.
     pub first: f64,
-    /// Where the slope changes, `y > 0`, m.
+    /// Displacement at which the stiffness changes, `y > 0`, m.
     pub corner: f64,
     /// Stiffness `k₂ ≥ 0` beyond it, N/m.
     pub second: f64,
@@ -30,7 +30,7 @@ impl TwoSlopes {
             .mul_add(inside, (self.first * self.corner + self.second / 2.0 * beyond) * beyond)
     }
 
-    /// Where a mass of `½ m v² + V = energy` turns; infinite where nothing holds it.
+    /// Amplitude at the energy `½ m v² + V`; infinite where no restoring force limits it.
     pub fn amplitude(&self, energy: f64) -> f64 {
         let beyond = energy - self.energy(self.corner);
         if beyond <= 0.0 {

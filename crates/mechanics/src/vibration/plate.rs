@@ -10,7 +10,7 @@ use crate::beam::dynamic_stiffness::{
 use dalembert_numerics::roots;
 use dalembert_numerics::{bessel, gauss_legendre};
 
-/// What holds an edge.
+/// Support condition of an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Edge {
     /// Nothing.
@@ -28,7 +28,7 @@ pub enum Round {
     Membrane,
     /// A plate.
     Plate {
-        /// What holds the edge.
+        /// Support condition of the edge.
         edge: Edge,
         /// Poisson's ratio.
         poisson: f64,
@@ -38,7 +38,7 @@ pub enum Round {
 /// A vibration of a round body: `W(ρ) cos nθ` with `ρ` from 0 at the centre to 1 at the edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RoundMode {
-    /// What vibrates.
+    /// Plate or membrane that vibrates.
     pub body: Round,
     /// Nodal diameters `n`.
     pub diameters: usize,
@@ -221,7 +221,7 @@ fn parts(diameters: usize, root: f64, poisson: f64) -> [[f64; 4]; 2] {
 pub struct Levy {
     /// `a` over `b`, the distance between the other two edges.
     pub aspect: f64,
-    /// What holds the other two edges.
+    /// Support conditions of the other two edges.
     pub sides: [Edge; 2],
     /// Poisson's ratio.
     pub poisson: f64,

@@ -14,11 +14,11 @@ const APART: f64 = 1e-5;
 pub struct Poles {
     /// The roots.
     pub roots: Vec<Complex<f64>>,
-    /// What a unit of each z moves, a column each.
+    /// Displacements for a unit of each modal state z, one column each.
     pub shapes: DMatrix<Complex<f64>>,
-    /// What each z takes of the modal coordinates q.
+    /// Coefficients of the modal coordinates q in each z.
     of_position: DMatrix<Complex<f64>>,
-    /// What each z takes of the modal velocities and of the modal forces.
+    /// Coefficients of the modal velocities and of the modal forces in each z.
     of_velocity: DMatrix<Complex<f64>>,
     natural: DMatrix<f64>,
 }

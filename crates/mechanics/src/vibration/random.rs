@@ -16,7 +16,7 @@ pub struct Density {
     logarithmic: bool,
 }
 
-/// Why a density cannot be used.
+/// Reason for which a spectral density cannot be used.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum DensityError {
     /// There are fewer than two points.

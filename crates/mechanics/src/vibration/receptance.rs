@@ -268,7 +268,7 @@ struct Term {
 }
 
 impl Term {
-    /// What a residue weighs the two parts with.
+    /// Weights of a residue in the two parts.
     fn weights(&self, residue: Complex<f64>) -> [f64; 2] {
         if self.pair {
             // r/(iω − λ) + r̄/(iω − λ̄) = 2(iω Re r − Re(r λ̄))/(|λ|² − ω² − 2iω Re λ)

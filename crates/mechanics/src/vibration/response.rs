@@ -13,11 +13,11 @@ use dalembert_numerics::{
 /// From a time on, a force changes evenly, until the next piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Piece {
-    /// When it begins.
+    /// Start time.
     pub start: f64,
     /// The force at its beginning, over the amplitude.
     pub value: f64,
-    /// Its change with time.
+    /// Rate of change with time.
     pub slope: f64,
 }
 
@@ -59,7 +59,7 @@ pub struct Excitation {
 #[derive(Debug, Clone)]
 pub struct Motion<'a> {
     poles: &'a Poles,
-    /// When a force changes its law, and the state then, harmonic forces aside.
+    /// Times at which a force changes its law, and the state then, harmonic forces aside.
     breaks: Vec<(f64, Vec<Complex<f64>>)>,
     /// b of the forces and of their slopes after each break.
     laws: Vec<Vec<[Complex<f64>; 2]>>,
@@ -126,7 +126,7 @@ impl Motion<'_> {
     ) -> Option<Extreme> {
         const PARTS: u32 = 64;
         const EXACT: f64 = 1e-9;
-        /// What is resolved where no bound holds, at resonance: this part of a radian of the fastest pole.
+        /// Resolution at resonance, where no bound holds: this part of a radian of the fastest pole.
         const RESOLVED: f64 = 0.05;
         let mut looks = 0;
         let mut number = |time: f64| {
@@ -179,7 +179,7 @@ impl Motion<'_> {
         Some(found.farthest())
     }
 
-    /// What bounds the fourth derivative of a displacement after a break.
+    /// Bounds of the fourth derivative of a displacement after a break.
     fn bends(&self, row: usize, broken: usize) -> Bends {
         let (start, state) = &self.breaks[broken];
         let mut bends = Bends { steady: 0.0, dying: Vec::with_capacity(state.len()) };

@@ -5,7 +5,7 @@
 //! digits; its negative pivots count the frequencies below `ω` (Sylvester), so that none is missed. W. T. Thomson
 //! and M. D. Dahleh, *Theory of Vibration with Applications*, 5th ed., ch. on lumped-parameter (Holzer) methods.
 
-/// Why a train has no answer.
+/// Reason for which a train has no answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum TrainError {
     /// There is no disc.
@@ -84,9 +84,9 @@ pub struct Mode {
 pub struct HolzerRow {
     /// The disc, counted from 0.
     pub disc: usize,
-    /// Its amplitude, where that of the first is one.
+    /// Amplitude, relative to that of the first disc.
     pub amplitude: f64,
-    /// Its inertia torque `J ω² θ`.
+    /// Inertia torque `J ω² θ`.
     pub inertia_torque: f64,
     /// The sizes of the torques of inertia, wall and side branches, which may cancel in it.
     pub size: f64,
@@ -160,7 +160,7 @@ impl Train {
         Ok(Self { inertias: inertias.to_vec(), walls: walls.to_vec(), towards, order, main_shaft })
     }
 
-    /// Whether the discs stand in one line.
+    /// Returns true if the discs form one unbranched line.
     pub fn is_chain(&self) -> bool {
         self.main_shaft.len() == self.inertias.len()
     }
@@ -170,7 +170,7 @@ impl Train {
         &self.main_shaft
     }
 
-    /// Whether nothing holds the train, so that it can turn as a whole.
+    /// Returns true if the train is unrestrained, with a rigid-body rotation.
     pub fn is_free(&self) -> bool {
         self.walls.iter().all(|stiffness| *stiffness == 0.0)
     }
@@ -341,7 +341,7 @@ impl Train {
         rows
     }
 
-    /// What is left of the torques at the end of the main shaft, over the sum of their sizes: zero at a natural
+    /// Residual torque at the end of the main shaft, over the sum of the magnitudes of the torques: zero at a natural
     /// frequency, within −1 and 1.
     pub fn residual(&self, frequency: f64) -> f64 {
         let rows = self.holzer(frequency);

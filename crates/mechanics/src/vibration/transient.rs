@@ -37,7 +37,7 @@ pub struct State {
     pub velocity: f64,
 }
 
-/// How the load runs over a piece, as a static displacement in m; `τ` counts from the start of the piece.
+/// Law of the load over a piece, as a static displacement in m; `τ` counts from the start of the piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Law {
     /// `start + slope τ`.
@@ -66,13 +66,13 @@ pub enum Law {
 /// A piece of the load: it lasts until the next one begins, the last one for ever.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Piece {
-    /// When it begins, s.
+    /// Start time, s.
     pub from: f64,
-    /// How it runs.
+    /// Law of the load over the piece.
     pub law: Law,
 }
 
-/// What is examined: `a x + b ẋ/ωₙ`.
+/// Output to examine: `a x + b ẋ/ωₙ`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Output {
     /// Weight of the displacement.
@@ -81,7 +81,7 @@ pub struct Output {
     pub velocity: f64,
 }
 
-/// Why there is no motion.
+/// Reason for which there is no motion.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum TransientError {
     /// The natural frequency is not positive, the damping ratio negative, or a number is not finite.
@@ -211,7 +211,7 @@ impl Motion {
         piece.law.at(time - piece.from)
     }
 
-    /// What is examined, at a time.
+    /// Value of an output at a time.
     pub fn output(&self, output: Output, time: f64) -> f64 {
         self.value(output, self.at(time))
     }

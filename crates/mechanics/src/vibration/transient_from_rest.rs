@@ -1,4 +1,4 @@
-//! How the steady motion builds up from rest: `ẍ + 2ζω_n ẋ + ω_n² x = ω_n² (s sin ωt + c cos ωt)`.
+//! Transient from rest under a harmonic drive: `ẍ + 2ζω_n ẋ + ω_n² x = ω_n² (s sin ωt + c cos ωt)`.
 //!
 //! Written as `ṡ = A s` with the harmonic as part of the state, the motion is `e^(At) s₀`: exact for every damping,
 //! critical damping and undamped resonance included.
@@ -8,7 +8,7 @@ use nalgebra::{Matrix4, Vector4};
 /// The most radians, of the free motion and of the harmonic together, that a history spans.
 const LONGEST: f64 = 1e5;
 
-/// What drives the oscillator, as the deflection it would hold at rest.
+/// Harmonic drive of the oscillator, as its static deflection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive {
     /// Frequency `ω`, rad/s.

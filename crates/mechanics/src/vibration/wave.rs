@@ -12,7 +12,7 @@ use dalembert_numerics::{
     roots::{self, RootError},
 };
 
-/// What an end of the body carries.
+/// Mass and stiffness at an end of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
     /// Stiffness of a spring to the ground, over `S/L`; infinite for a fixed end.
@@ -53,7 +53,7 @@ impl End {
         (self.stiffness + inertia) / ((self.stiffness - inertia).powi(2) + wave_number.powi(2))
     }
 
-    /// Whether the end lets the whole body move without a restoring force.
+    /// Returns true if the end leaves the body a rigid-body motion.
     fn is_loose(self) -> bool {
         self.stiffness == 0.0
     }

@@ -1,4 +1,4 @@
-//! Which stiffnesses keep the whirl within the clearance over a whole range of speeds.
+//! Stiffnesses that keep the whirl within the clearance over a whole range of speeds.
 
 use std::ops::Bound::{Excluded, Included, Unbounded};
 
@@ -26,11 +26,11 @@ pub struct Limit {
     pub stiffness: f64,
     /// The speed at which the clearance is reached, rad/s.
     pub speed: f64,
-    /// Where that speed lies in the range.
+    /// Position of that speed in the range.
     pub by: LimitedBy,
 }
 
-/// Where in a range of speeds the amplitude is largest.
+/// Position in a range of speeds of the maximum amplitude.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LimitedBy {
     /// At the lowest speed.

@@ -132,7 +132,7 @@ fn wall() -> Measure {
     Measure::Distance { from: Point::ground([-0.2, 0.1]), to: Point::body(2, [0.0, 0.0]) }
 }
 
-/// What spring and damper push the wall with.
+/// Force of spring and damper on the wall.
 fn spring_on_the_wall(system: &System, state: &State) -> [f64; 2] {
     let (length, rate) = (system.value(&wall(), &state.positions), system.rate(&wall(), state));
     let thrust = -800.0 * (length - 0.1) - 25.0 * rate;

@@ -276,8 +276,8 @@ fn five_bar(coefficients: &[f64], radius: f64) -> (System, Vec<[f64; 3]>) {
     (system, positions)
 }
 
-/// What drivers of these bodies would have to add to a moving mechanism: the way of [`System::dynamics`], which is reported
-/// the motion.
+/// Driving efforts that these bodies would need in addition in a moving mechanism, by [`System::dynamics`] with the
+/// given motion.
 fn added(system: &System, state: &State, cranks: &[usize]) -> Vec<f64> {
     let driver = |&body: &usize| {
         let [.., value] = state.positions[body];

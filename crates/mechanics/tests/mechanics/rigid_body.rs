@@ -20,7 +20,7 @@ const GAUSS: [(f64, f64); 5] = [
     (0.9739065285171717, 0.0666713443086881),
 ];
 
-/// What a map from the unit cube gathers: `∫ dV`, `∫ r dV`, `∫ r rᵀ dV`.
+/// Integrals of a map from the unit cube: `∫ dV`, `∫ r dV`, `∫ r rᵀ dV`.
 #[derive(Clone, Copy)]
 struct Integrals {
     extent: f64,

@@ -173,7 +173,7 @@ impl SymmetricBand {
 pub(super) struct Factors {
     /// L below its unit diagonal; on the diagonal 1/D.
     band: SymmetricBand,
-    /// How many entries of D are negative: as many as A has negative eigenvalues (Sylvester).
+    /// Number of negative entries of D, the number of negative eigenvalues of A (Sylvester's law of inertia).
     pub(super) negative: usize,
     /// The first row whose pivot is not clearly positive.
     pub(super) doubtful: Option<usize>,
@@ -368,7 +368,7 @@ impl ComplexBand {
     }
 }
 
-/// How many numbers a band of this size and width takes.
+/// Number of stored entries of a band matrix of this size and half-bandwidth.
 fn storage(size: usize, width: usize) -> Result<usize, LinalgError> {
     if size == 0 {
         return Err(shape(&DMatrix::zeros(0, 0), "at least one row"));

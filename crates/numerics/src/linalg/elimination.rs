@@ -79,7 +79,7 @@ impl Elimination {
         Ok(Self { factors: f, scale, rows, columns, rank })
     }
 
-    /// How many rows are independent.
+    /// Rank: the number of linearly independent rows.
     pub fn rank(&self) -> usize {
         self.rank
     }

@@ -12,8 +12,8 @@ use crate::simd::widest;
 /// The most numbers that the vectors of the iteration may take.
 const MOST_NUMBERS: usize = 24_000_000;
 
-/// Where K is singular the inverse of `K + s M` is used: s a share of the largest entry of K (M being near 1) that
-/// lies below the first elastic value of a chain and yet leaves its digits to the inverse.
+/// Shift `s` of `K + s M`, which is inverted where K is singular: a share of the largest entry of K (M being near 1)
+/// that lies below the first elastic eigenvalue of a chain and yet leaves its digits to the inverse.
 fn shift_of(size: usize) -> f64 {
     (0.1 / (size as f64).powi(3)).clamp(1e-11, 1e-4)
 }
@@ -103,10 +103,10 @@ struct Lanczos<'a> {
     basis: Vec<Vec<f64>>,
     /// `qᵢᵀ M A⁻¹ M qⱼ` for each column j that has been worked, i up to its last neighbour.
     columns: Vec<Vec<f64>>,
-    /// What each worked column leaves outside the basis, by its norm: a multiple of the next vector.
+    /// Norm of the component of each processed column outside the basis: a multiple of the next vector.
     outside: Vec<f64>,
     next: Vec<f64>,
-    /// Whether the next vector is what the columns leave, or a random one.
+    /// True if the next vector is the remainder of the columns, false if it is a random restart.
     continues: bool,
     momentum: Vec<f64>,
     random: Random,

@@ -5,7 +5,7 @@
 /// A weighted sum of slopes: which, and how much.
 pub(super) type Sum = &'static [(usize, f64)];
 
-/// Where the stages lie in the step; 12 is its end, 13 to 15 serve the polynomial between the ends.
+/// Nodes c of the stages, as fractions of the step; 12 is its end, 13 to 15 serve the interpolating polynomial.
 pub(super) const NODES: [f64; 16] = [
     0.0,
     0.05260015195876773,

@@ -14,8 +14,8 @@ pub const SAME_TIME: f64 = 1e-9;
 const RISES: i32 = 24;
 
 impl Integrator {
-    /// When a number that follows from time and state first changes its sign in the last step; a zero at its begin
-    /// does not count.
+    /// Time of the first sign change, within the last step, of a function of time and state; a zero at the start of the
+    /// step does not count.
     pub fn first_zero<P: Problem>(
         &mut self,
         problem: &mut P,
@@ -38,8 +38,8 @@ impl Integrator {
         None
     }
 
-    /// When the first of several numbers that follow from time and state falls through zero in the last step, and which
-    /// it is. A number that is not above `noise` at the begin has to rise above it before; one that falls below −`noise`
+    /// Time and index of the first of several functions of time and state that falls through zero in the last step. A
+    /// number that is not above `noise` at the begin has to rise above it before; one that falls below −`noise`
     /// without, has fallen at the begin.
     pub fn first_fall<P: Problem>(
         &mut self,

@@ -3,7 +3,7 @@
 use itertools::Itertools as _;
 use std::fmt::Debug;
 
-/// What rounding leaves of a short formula.
+/// Relative rounding error allowed for a short formula.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// Holds a number to another, relative to the larger.

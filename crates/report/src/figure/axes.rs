@@ -1,4 +1,4 @@
-//! What the axes of a plot cover, and what stands at a place of them.
+//! Ranges and scales of the axes of a plot, and conversion between values and positions.
 
 use dalembert_core::{Axis, Locale, Plot, Scale, Series, Text};
 use dalembert_units::{Style, Unit, unit, write_number, write_quantity};
@@ -16,7 +16,7 @@ pub struct Axes<'a> {
     pub x: Ruler<'a>,
     /// The vertical axis.
     pub y: Ruler<'a>,
-    /// What the horizontal axis covers when all of it is shown.
+    /// Full range of the horizontal axis.
     pub whole: Span,
 }
 
@@ -30,31 +30,31 @@ pub struct Ruler<'a> {
     /// Decibels of a factor of ten over one of the unit: 20 for amplitudes, 10 for what is a square of one. `None` for
     /// the values themselves.
     pub decibels: Option<f64>,
-    /// What it covers, in that unit or in decibels.
+    /// Range in that unit or in decibels.
     pub span: Span,
 }
 
-/// What a curve reads.
+/// Reading of a curve at the cursor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
     /// The value, in SI.
     pub y: f64,
-    /// How far off it may be, as the axis is numbered; `None` for what was computed.
+    /// Error bound of the reading, in the unit of the axis; `None` for a computed point.
     pub error: Option<f64>,
 }
 
-/// What is shown of a plot.
+/// Visible part of a plot.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct View {
     /// The part of `x`, in SI; `None` for all of it.
     pub window: Option<(f64, f64)>,
-    /// How values are spread upwards, where not as the plot has it.
+    /// Vertical scale, `None` for that of the plot.
     pub spread: Option<Spread>,
-    /// How values are spread across, where not as the plot has it.
+    /// Horizontal scale, `None` for that of the plot.
     pub across: Option<Scale>,
 }
 
-/// How the values of curves are spread upwards.
+/// Vertical scale of curves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spread {
     /// Equal distances for equal differences.
@@ -66,19 +66,19 @@ pub enum Spread {
 }
 
 impl View {
-    /// How the values of a plot are spread: as was wished where they allow it, else as the plot has it.
+    /// Vertical scale of a plot: the requested one if the values permit it, else that of the plot.
     pub fn spread_of(&self, plot: &Plot) -> Spread {
         let own = if plot.y.scale == Scale::Log { Spread::Log } else { Spread::Linear };
         self.spread.filter(|_| has_logarithms(plot)).unwrap_or(own)
     }
 
-    /// How the horizontal axis of a plot is spread: as was wished where it allows it, else as the plot has it.
+    /// Horizontal scale of a plot: the requested one if the values permit it, else that of the plot.
     pub fn scale_across(&self, plot: &Plot) -> Scale {
         self.across.filter(|_| has_logarithms_across(plot)).unwrap_or(plot.x.scale)
     }
 }
 
-/// Whether the values of a plot have logarithms: some are above zero, and none is below it.
+/// Returns true if a logarithmic vertical scale is possible: some values are above zero, and none is below it.
 pub fn has_logarithms(plot: &Plot) -> bool {
     let unit = unit(plot.y.unit).unwrap_or(Unit::ONE);
     let curves = plot.series.iter().flat_map(|series| &series.points);
@@ -86,8 +86,8 @@ pub fn has_logarithms(plot: &Plot) -> bool {
     all().any(|value| value > 0.0) && !all().any(|value| value < 0.0)
 }
 
-/// Whether the horizontal axis of a plot can be logarithmic: nothing lies below zero, and what lies above it is not one
-/// value alone.
+/// Returns true if a logarithmic horizontal axis is possible: nothing lies below zero, and the positive values are not
+/// all equal.
 pub fn has_logarithms_across(plot: &Plot) -> bool {
     let unit = unit(plot.x.unit).unwrap_or(Unit::ONE);
     let points = plot.series.iter().flat_map(|series| &series.points);
@@ -144,7 +144,7 @@ impl<'a> Axes<'a> {
         Some(Self { plot, pinned, x: Ruler { span: x, ..across }, y: Ruler { span: y, ..up }, whole })
     }
 
-    /// Where the cursor may stand: every computed point and every mark, with its place on the axis.
+    /// Cursor stops: every computed point and every mark, with its position on the axis.
     pub fn stops(&self) -> Vec<(f64, f64)> {
         let curves = self.plot.series.iter().flat_map(|series| &series.points);
         let all = curves.chain(self.plot.marks.iter().map(|mark| &mark.at));
@@ -161,9 +161,9 @@ impl<'a> Axes<'a> {
         Some(self.x.si(end))
     }
 
-    /// What a curve reads at `x`. Between two computed points a joined curve is read along the line that is drawn, and
-    /// no better than the curve bends there: parabolas through a third point on either side tell how much. A mark at `x`
-    /// that is no further off is one of the curve, and is read itself, so that no answer is contradicted. Separate
+    /// Reading of a curve at `x`. Between two computed points a joined curve is read along the line that is drawn, and
+    /// no better than the curve bends there: parabolas through a third point on either side tell how much. A mark at
+    /// `x` that is no further off is one of the curve, and is read itself, so that no answer is contradicted. Separate
     /// points are read at themselves alone.
     pub fn read(&self, series: &Series, x: f64) -> Option<Reading> {
         let place = |at: &(f64, f64)| Some((self.x.of(at.0)?, self.y.of(at.1)?));
@@ -246,7 +246,7 @@ impl<'a> Ruler<'a> {
         }
     }
 
-    /// What stands at the axis for a value in SI; not finite where it has no level.
+    /// Axis value of a value in SI; not finite where it has no level.
     pub fn value(&self, si: f64) -> f64 {
         let value = self.unit.value(si);
         self.decibels.map_or(value, |factor| factor * value.log10())
@@ -257,7 +257,7 @@ impl<'a> Ruler<'a> {
         self.unit.si(self.decibels.map_or(value, |factor| 10f64.powf(value / factor)))
     }
 
-    /// Where a value in SI stands: 0 at the lower end, 1 at the upper.
+    /// Position of a value in SI: 0 at the lower end, 1 at the upper.
     pub fn of(&self, si: f64) -> Option<f64> {
         self.span.place(self.value(si)).filter(|place| place.is_finite())
     }
@@ -270,7 +270,7 @@ impl<'a> Ruler<'a> {
         }
     }
 
-    /// Whether zero lies inside, away from both ends.
+    /// Returns true if zero lies inside, away from both ends.
     pub fn passes_zero(&self) -> bool {
         self.span.scale == Scale::Linear && self.span.from < 0.0 && self.span.to > 0.0
     }

@@ -11,13 +11,13 @@ pub const WORDS: f64 = 13.0;
 /// A picture.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Picture {
-    /// What it shows.
+    /// Title.
     pub title: String,
-    /// Its width.
+    /// Width.
     pub width: f64,
-    /// Its height.
+    /// Height.
     pub height: f64,
-    /// Its parts, later ones over earlier ones.
+    /// Parts, later ones over earlier ones.
     pub parts: Vec<Part>,
 }
 
@@ -32,32 +32,32 @@ pub enum Part {
         tone: Tone,
         /// Their width.
         width: f64,
-        /// How they are dashed.
+        /// Line style.
         dash: LineStyle,
     },
     /// A filled disc.
     Disc {
-        /// Its centre.
+        /// Centre.
         at: (f64, f64),
-        /// Its radius.
+        /// Radius.
         radius: f64,
-        /// Its colour.
+        /// Colour role.
         tone: Tone,
     },
     /// A shaded rectangle.
     Area {
-        /// Its upper left corner.
+        /// Upper left corner.
         from: (f64, f64),
-        /// Its lower right corner.
+        /// Lower right corner.
         to: (f64, f64),
-        /// Its colour.
+        /// Colour role.
         tone: Tone,
     },
     /// Words on one line.
     Words {
         /// A point of their base line.
         at: (f64, f64),
-        /// Which end of them stands there.
+        /// Anchor of the text at the point.
         anchor: Anchor,
         /// The words.
         text: String,
@@ -66,7 +66,7 @@ pub enum Part {
     },
 }
 
-/// What a colour stands for.
+/// Colour role.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tone {
     /// The colour of the words around.
@@ -75,13 +75,13 @@ pub enum Tone {
     Faint,
     /// The curve of that place.
     Curve(usize),
-    /// What is permitted.
+    /// Permitted range.
     Good,
-    /// What is forbidden or to be avoided.
+    /// Forbidden range.
     Bad,
 }
 
-/// How a line is dashed: curves can be distinguished without colours.
+/// Line style: curves can be distinguished without colours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineStyle {
     /// Not at all.
@@ -94,7 +94,7 @@ pub enum LineStyle {
     Mixed,
 }
 
-/// Which end of words stands at a point.
+/// Anchor of a text at its point: start, middle or end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Anchor {
     /// Their beginning.

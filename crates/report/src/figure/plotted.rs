@@ -16,8 +16,8 @@ const INSIDE: f64 = 300.0;
 /// A line of words.
 const LINE: f64 = 1.5 * WORDS;
 
-/// What is seen of the plot with its axes, ticks, legend and names, and with what its cursor reads; `None` where there
-/// is nothing to draw.
+/// Picture of the visible part of a plot with axes, ticks, legend, names and cursor readings; `None` where there is
+/// nothing to draw.
 pub(super) fn picture(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<Picture> {
     let axes = Axes::seen(plot, seen.pinned, &seen.view)?;
     let up = axes.y.span.ticks(7, locale.style);
@@ -88,7 +88,7 @@ impl Area<'_> {
         self.bottom + place * (self.top - self.bottom)
     }
 
-    /// Where a point in SI stands; `None` for one that the scales cannot show.
+    /// Position of a point given in SI; `None` for one that the scales cannot show.
     fn place(&self, (x, y): (f64, f64)) -> Option<(f64, f64)> {
         Some((self.x(self.axes.x.of(x)?), self.y(self.axes.y.of(y)?)))
     }
@@ -214,7 +214,7 @@ impl Area<'_> {
         }
     }
 
-    /// Where a band begins and ends inside the axes.
+    /// Ends of a band inside the axes.
     fn ends(&self, from: f64, to: f64) -> Option<(f64, f64)> {
         let end = |at: f64| match at {
             f64::INFINITY => Some(1.0),

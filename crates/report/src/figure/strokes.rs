@@ -9,13 +9,13 @@ use dalembert_core::{Drawing, DrawnShape, Ink, Point};
 pub struct Stroke {
     /// The points.
     pub points: Vec<Point>,
-    /// What it stands for.
+    /// Colour role.
     pub ink: Ink,
-    /// What it is part of.
+    /// Part of the drawing.
     pub part: Part,
 }
 
-/// What a line is part of: some are drawn in another way where a cell is one dot.
+/// Part of a drawing to which a line belongs: some are drawn in another way where a cell is one dot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     /// Nothing particular.
@@ -93,12 +93,12 @@ impl Box2 {
         Some(Self { left, right, bottom, top })
     }
 
-    /// How wide it is.
+    /// Width.
     pub fn width(&self) -> f64 {
         self.right - self.left
     }
 
-    /// How high it is.
+    /// Height.
     pub fn height(&self) -> f64 {
         self.top - self.bottom
     }

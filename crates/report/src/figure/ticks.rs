@@ -1,18 +1,18 @@
-//! Where an axis begins and ends, and where its ticks stand: pure numbers, for a screen or a file.
+//! Ranges and ticks of an axis: pure numbers, for a screen or a file.
 //!
 //! Everything here is in the unit of the axis.
 
 use dalembert_core::Scale;
 use dalembert_units::{Style, superscript, write_number};
 
-/// What an axis covers.
+/// Range of an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Span {
-    /// Its lower end.
+    /// Lower end.
     pub from: f64,
-    /// Its upper end, above `from`.
+    /// Upper end, above `from`.
     pub to: f64,
-    /// How values are spread between them.
+    /// Spacing of values between the ends.
     pub scale: Scale,
 }
 
@@ -28,9 +28,9 @@ pub struct Ticks {
 /// A tick of an axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tick {
-    /// Where it stands.
+    /// Position, as a value.
     pub at: f64,
-    /// What is written at it; empty for a minor tick.
+    /// Label; empty for a minor tick.
     pub label: String,
 }
 
@@ -92,7 +92,7 @@ impl Span {
         (from < to).then_some(Self { from, to, ..*self })
     }
 
-    /// Where a value stands: 0 at the lower end, 1 at the upper; `None` for what the scale cannot show.
+    /// Position of a value: 0 at the lower end, 1 at the upper; `None` for a value that the scale cannot show.
     pub fn place(&self, value: f64) -> Option<f64> {
         if !shows(value, self.scale) {
             return None;

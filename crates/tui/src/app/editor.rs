@@ -9,7 +9,7 @@ use std::{
 
 use crate::files::FileError;
 
-/// What every system that calls itself Unix has.
+/// Default editor, present on every Unix system.
 const USUAL: &str = "vi";
 
 /// The command of the settings, of `$VISUAL` or of `$EDITOR`, the first that there is.
@@ -21,7 +21,7 @@ pub(super) fn command(set: Option<&str>) -> String {
         .unwrap_or_else(|| USUAL.to_owned())
 }
 
-/// How a command ended.
+/// End of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ended {
     Well,
@@ -33,7 +33,7 @@ pub(super) enum Ended {
 /// Runs the command on a file and waits. The command may have words of its own (`code --wait`), so the shell reads it;
 /// the path stays one word whatever is in it.
 pub(super) fn run(command: &str, path: &Path) -> Ended {
-    /// What a shell answers that finds no such program.
+    /// Exit status of a shell that finds no such program.
     const NOT_FOUND: i32 = 127;
     let script = format!("{command} \"$1\"");
     let status = Command::new("sh").args(["-c", &script, "sh"]).arg(path).status();

@@ -1,5 +1,5 @@
-//! Whether another program changes the open file. Its date and length are examined once a second, and only while a
-//! file is open; a watch of the system would cost a dependency, and is blind on the network drives of a laboratory.
+//! Watch of the open file for changes by other programs. Its date and length are examined once a second, and only while
+//! a file is open; a watch of the system would cost a dependency, and is blind on the network drives of a laboratory.
 
 use std::{
     fs,
@@ -18,9 +18,9 @@ const PERIOD: Duration = Duration::from_secs(1);
 /// The open file.
 pub(super) struct Watched {
     path: PathBuf,
-    /// Its date and length; `None` where it is not there.
+    /// Modification time and length; `None` if the file does not exist.
     stamp: Option<(SystemTime, u64)>,
-    /// When it is examined again.
+    /// Time of the next examination.
     pub(super) next: Instant,
 }
 
@@ -53,7 +53,7 @@ impl Watched {
         (!same).then(|| Msg::FileChanged { path: self.path.clone(), result })
     }
 
-    /// What it is now is known: the user's own editor wrote it.
+    /// Accepts the present state: it was written by the user's own editor.
     pub(super) fn seen(&mut self) {
         self.stamp = self.now();
     }

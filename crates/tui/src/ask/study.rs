@@ -23,7 +23,7 @@ const SAMPLES: usize = 2000;
 pub struct Study {
     /// The cell under the cursor.
     pub cursor: usize,
-    /// What is asked.
+    /// Kind of study.
     pub kind: Kind,
     /// The input that it begins with, by its path: that of the cursor of the form when the tab was turned to.
     pub begins: String,
@@ -33,17 +33,17 @@ pub struct Study {
     pub answer: Option<String>,
     /// The input of which every value gives a curve, by its path.
     pub family: Option<String>,
-    /// Whether points are spread by equal ratios.
+    /// True for logarithmic spacing of the points.
     pub log: bool,
-    /// Whether values lie normally within their tolerances.
+    /// True for a normal distribution of values within their tolerances.
     pub normal: bool,
-    /// What was typed, by cells.
+    /// Texts typed, by cell.
     pub typed: Vec<(Cell, String)>,
-    /// What was found; `None` while it is sought.
+    /// Result; `None` while it is computed.
     pub found: Option<Result<Studied, SolveError>>,
 }
 
-/// What can be studied of a problem, and what is: what the user chose, or else what the study begins with.
+/// Inputs and answers that can be studied, and those selected: by the user, or by default.
 #[derive(Debug)]
 pub struct Subject<'s> {
     /// The inputs that are numbers.
@@ -58,22 +58,22 @@ pub struct Subject<'s> {
     pub family: Option<usize>,
 }
 
-/// What is asked.
+/// Kind of study.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Kind {
-    /// How an answer runs over an input.
+    /// Sweep of an answer over an input.
     #[default]
     Sweep,
-    /// Where it takes a wanted value.
+    /// Input at which the answer takes a target value.
     Find,
-    /// How it scatters within tolerances.
+    /// Monte Carlo within tolerances.
     Scatter,
 }
 
 /// A cell of a study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cell {
-    /// What is asked.
+    /// Kind of study.
     Kind,
     /// The input.
     Input,
@@ -81,11 +81,11 @@ pub enum Cell {
     Answer,
     /// The beginning of the range.
     From,
-    /// Its end.
+    /// End of the range.
     To,
-    /// How many points.
+    /// Number of points.
     Points,
-    /// How they are spread.
+    /// Spacing of the points.
     Spread,
     /// The input of the family of curves.
     Family,
@@ -93,16 +93,16 @@ pub enum Cell {
     Values,
     /// The wanted value.
     Wanted,
-    /// How values lie within their tolerances.
+    /// Distribution of values within their tolerances.
     Distribution,
-    /// How many problems are solved.
+    /// Number of samples.
     Samples,
     /// The same seed gives the same samples.
     Seed,
 }
 
 impl Cell {
-    /// What it is called.
+    /// Label of the cell.
     pub fn name(self) -> Text {
         match self {
             Cell::Kind => Text::new("Study"),
@@ -121,7 +121,7 @@ impl Cell {
         }
     }
 
-    /// Whether it is chosen, not typed.
+    /// Returns true if the value is chosen from a list, not typed.
     pub fn is_choice(self) -> bool {
         matches!(
             self,
@@ -151,7 +151,7 @@ impl Study {
         cells[self.cursor.min(cells.len() - 1)]
     }
 
-    /// What was typed in a cell.
+    /// Text typed in a cell.
     pub fn text(&self, cell: Cell) -> &str {
         text_of(&self.typed, &cell)
     }
@@ -161,7 +161,7 @@ impl Study {
         put(&mut self.typed, &cell, text);
     }
 
-    /// What it is about, with these inputs and answers.
+    /// Subject of the study, with these inputs and answers.
     pub fn subject<'s>(&self, record: &Record, solution: &'s Solution) -> Subject<'s> {
         let inputs = vary::inputs(record);
         let place = |path: &str| inputs.iter().position(|input| input.path == path);
@@ -205,12 +205,12 @@ impl Study {
         }
     }
 
-    /// What it is about stays so: a text was typed for it.
+    /// Keeps the subject, once a text was typed for it.
     pub fn keep(&mut self, (input, answer): (Option<String>, Option<String>)) {
         (self.input, self.answer) = (input, answer);
     }
 
-    /// What stands in a cell: what was typed or chosen, or else what is taken for it.
+    /// Displayed text of a cell: typed, chosen, or the default.
     pub fn shown(&self, cell: Cell, of: &Subject<'_>, decimal: Decimal) -> Text {
         let words = |text: &str| Text::new(text.to_owned());
         let typed = self.text(cell);
@@ -263,7 +263,7 @@ impl Study {
         Some(of.inputs.get(input)?.unit.clone())
     }
 
-    /// What is asked, or which cell cannot be read, and why.
+    /// Plan of the study.
     ///
     /// # Errors
     /// The first cell that cannot be read.

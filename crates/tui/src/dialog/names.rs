@@ -9,9 +9,9 @@ use crate::ask::turned;
 pub struct Names {
     /// The folder that was asked for last, as it is typed: up to the last `/`.
     folder: Option<String>,
-    /// What is in it, in order; folders end in `/`.
+    /// Names in the folder, in order; folders end in `/`.
     all: Vec<String>,
-    /// What was typed before a name was tried in its place, and which one that is.
+    /// Text typed before a completion was inserted, and the index of that completion.
     tried: Option<(String, usize)>,
 }
 
@@ -67,7 +67,7 @@ impl Names {
         Some(text)
     }
 
-    /// Whether a name is tried that is not taken yet.
+    /// Returns true if a completion is inserted that is not accepted yet.
     pub fn is_trying(&self) -> bool {
         self.tried.is_some()
     }

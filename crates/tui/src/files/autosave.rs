@@ -51,14 +51,14 @@ pub fn autosave_path() -> Option<PathBuf> {
     Some(base.state_dir().unwrap_or_else(|| base.data_dir()).join("dalembert").join("autosave"))
 }
 
-/// What a crashed session left.
+/// Work recovered from a crashed session.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Crashed {
     /// The file it worked on; `None` if it had no name yet.
     pub original: Option<PathBuf>,
     /// The unsaved text.
     pub text: String,
-    /// When it was kept.
+    /// Time of the autosave.
     pub kept: SystemTime,
     file: PathBuf,
 }
@@ -108,7 +108,7 @@ impl Autosave {
         }
     }
 
-    /// What crashed sessions left, the newest first. A file that is not ours, or cannot be read, is passed over.
+    /// Autosaves of crashed sessions, the newest first. A file that is not ours, or cannot be read, is passed over.
     pub fn crashed(&self) -> Vec<Crashed> {
         let Some(entries) = self.folder.as_ref().and_then(|folder| fs::read_dir(folder).ok()) else {
             return Vec::new();

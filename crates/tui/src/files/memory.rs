@@ -75,7 +75,7 @@ pub fn sets_path() -> Option<PathBuf> {
     Some(choose_base_strategy().ok()?.config_dir().join("dalembert").join("sets"))
 }
 
-/// What the file remembers; nothing where there is none.
+/// Content of the history file; empty if there is none.
 pub fn recall(path: &Path) -> Result<Remembered, FileError> {
     match read(path) {
         Ok(opened) => remembered::read(&opened.text).map_err(|why| broken(path, &why)),

@@ -1,8 +1,8 @@
-//! Whether the process that left a file has ended.
+//! Test of whether the process that left a file still runs.
 
 use std::fs;
 
-/// Whether a process with this number runs, and is one of this program as far as can be seen.
+/// Returns true if a process with this number runs and is, as far as can be determined, one of this program.
 pub(super) fn runs(process: i32) -> bool {
     let Some(pid) = rustix::process::Pid::from_raw(process) else { return false };
     if matches!(rustix::process::test_kill_process(pid), Err(rustix::io::Errno::SRCH)) {
@@ -21,7 +21,7 @@ pub(super) fn runs(process: i32) -> bool {
     }
 }
 
-/// When a process, or `self`, began, in ticks since the start of the machine; `None` where the system does not tell.
+/// Start time of a process, or of `self`, in clock ticks since boot; `None` where the system does not report it.
 pub(super) fn began(process: &str) -> Option<String> {
     stat(process, BEGAN)
 }

@@ -16,7 +16,7 @@ use tempfile::NamedTempFile;
 
 use super::{FileError, Fingerprint, failed, ordinary, process::runs, read_bytes};
 
-/// What the file must be for a save to go ahead.
+/// Precondition of a save: the state of the file on disk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Before {
     /// There must be none.

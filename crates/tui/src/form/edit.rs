@@ -12,7 +12,7 @@ use super::{
 /// A field that is being typed in.
 #[derive(Clone, Debug)]
 pub struct Edit {
-    /// Which.
+    /// Path of the field.
     pub path: String,
     /// The text and the cursor in it.
     pub input: Input,

@@ -15,12 +15,12 @@ impl Form {
         lines(&self.shape, &self.draft)
     }
 
-    /// Whether the row of a path is folded.
+    /// Returns true if the row of a path is collapsed.
     pub fn is_folded(&self, path: &str) -> bool {
         self.folded.contains(path)
     }
 
-    /// Whether a path lies in a folded row.
+    /// Returns true if a path lies in a collapsed row.
     pub(super) fn is_hidden(&self, path: &str) -> bool {
         !self.folded.is_empty() && rows_around(path).any(|row| self.folded.contains(row))
     }
@@ -103,7 +103,7 @@ fn rows_around(path: &str) -> impl Iterator<Item = &str> {
     path.match_indices(']').map(|(at, _)| &path[..=at]).filter(move |row| row.len() < path.len())
 }
 
-/// Whether a row has lines below its heading.
+/// Returns true if a row has lines below its heading.
 fn has_lines(all: &[Line], row: &str) -> bool {
     all.iter().any(|line| line.path != row && is_within(&line.path, row))
 }

@@ -5,33 +5,33 @@ use dalembert_core::{Draft, Field, Shape, Variant};
 /// A line of a form.
 #[derive(Clone, Debug)]
 pub struct Line {
-    /// Where in the draft: `masses[2].radius`.
+    /// Path in the draft: `masses[2].radius`.
     pub path: String,
-    /// How deep it lies.
+    /// Nesting depth.
     pub depth: u16,
     /// The field it belongs to.
     pub field: &'static Field,
-    /// Its number, where it begins a row.
+    /// Row number, on the first line of a row.
     pub number: Option<usize>,
-    /// Whether it may be left out.
+    /// True if the field is optional.
     pub optional: bool,
-    /// What it is.
+    /// Role of the line.
     pub role: Role,
 }
 
-/// What a line is.
+/// Role of a line.
 #[derive(Clone, Debug)]
 pub enum Role {
     /// One text.
     Leaf {
-        /// What may stand there.
+        /// Shape of the value.
         shape: Shape,
-        /// What is typed there.
+        /// Text typed.
         text: String,
     },
     /// A table, as a text of many lines.
     Table {
-        /// How many lines it has.
+        /// Number of lines.
         lines: usize,
     },
     /// The heading of fields that belong together; of a row, with its texts.
@@ -48,7 +48,7 @@ pub enum Role {
     },
     /// The heading of a list.
     Rows {
-        /// How many rows it has.
+        /// Number of rows.
         count: usize,
     },
     /// Optional inputs that are left out.
@@ -142,7 +142,7 @@ fn push(mut line: Line, shape: &Shape, draft: &Draft, lines: &mut Vec<Line>) {
     }
 }
 
-/// What stands between the texts of a row.
+/// Separator between the texts of a row.
 pub const BETWEEN: &str = " · ";
 
 /// The texts of a row, beside each other.

@@ -8,18 +8,18 @@ use super::{Change, Form, Line, Role, as_line, lines::lines, row_of, rows_mut, s
 /// So many rows are filled at once: more numbers than these belong in a table.
 const MOST_ROWS: usize = 1_000;
 
-/// What became of a pasted block.
+/// Result of pasting a block.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Filled {
     /// Rows that took something.
     pub rows: usize,
-    /// Whether the first line was a heading, which is left out.
+    /// True if the first line was a heading, which is skipped.
     pub heading: bool,
     /// Cells that lie right of the last field of their row, and are left out.
     pub cells: usize,
     /// Lines beyond the most rows that are filled at once, which are left out.
     pub lines: usize,
-    /// Whether anything is another than before.
+    /// True if anything changed.
     pub changed: bool,
 }
 
@@ -98,7 +98,7 @@ fn fields_of<'l>(all: &'l [Line], list: &str, row: usize) -> Vec<(&'l str, Shape
     all.iter().filter_map(of_row).collect()
 }
 
-/// Whether cells are the names of columns: of those that come to stand where numbers do, none begins one.
+/// Returns true if cells are the names of columns: none of those above numbers begins with one.
 fn is_heading(cells: &[String], fields: Option<&[(&str, Shape)]>) -> bool {
     let takes_numbers = |shape: &Shape| {
         matches!(shape.present(), Shape::Quantity(_) | Shape::Vector(..) | Shape::Count { .. })

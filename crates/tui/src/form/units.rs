@@ -6,7 +6,7 @@ use dalembert_units::{self as units, Kind, Style, Unit};
 /// Digits of a value that is written in another unit.
 const CONVERTED_DIGITS: u8 = 9;
 
-/// What was typed, in the unit after that of what is shown; in its own unit, as it was typed.
+/// Value converted to the unit that follows the displayed one; in its own unit, as it was typed.
 pub(super) fn in_next_unit(typed: &str, shown: &str, shape: &Shape) -> Option<String> {
     let style = Style { digits: CONVERTED_DIGITS, ascii: true, ..Style::default() };
     let next = |unit: &Unit, kind: Kind| {
@@ -66,7 +66,7 @@ pub(super) fn with_unit(text: String, unit: Option<&Unit>, shape: &Shape) -> Str
     if !says(&plain) && says(&bracketed) { bracketed } else { plain }
 }
 
-/// Whether a text is a number, or numbers, without a unit.
+/// Returns true if a text is a number, or numbers, without a unit.
 fn is_number(text: &str, shape: &Shape) -> bool {
     read(text, shape, &Unit::ONE, Kind::Other).is_some_and(|(_, unit)| unit.text.is_empty())
 }

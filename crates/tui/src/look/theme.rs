@@ -4,7 +4,7 @@ use ratatui::style::Color;
 
 use crate::glyphs::Colors;
 
-/// How things are coloured.
+/// Colour theme.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Theme {
     /// In the sixteen colours of the terminal's own palette, on its own ground.
@@ -27,7 +27,7 @@ pub struct Palette {
     pub ground: Color,
     /// Text.
     pub text: Color,
-    /// What may be passed over.
+    /// Secondary text.
     pub faint: Color,
     /// Wrong.
     pub red: Color,
@@ -48,7 +48,7 @@ impl Theme {
     pub const ALL: [Theme; 5] =
         [Theme::Terminal, Theme::Dark, Theme::Light, Theme::HighContrast, Theme::None];
 
-    /// Its name in the settings.
+    /// Id in the settings.
     pub fn id(self) -> &'static str {
         match self {
             Theme::Terminal => "terminal",
@@ -59,7 +59,7 @@ impl Theme {
         }
     }
 
-    /// Its name for people.
+    /// Name for display.
     pub fn name(self) -> &'static str {
         match self {
             Theme::Terminal => "the terminal's own colours",
@@ -70,7 +70,7 @@ impl Theme {
         }
     }
 
-    /// Its colours among those that there are, where it has its own.
+    /// Palette in the available colours, where the theme defines one.
     pub fn palette(self, colors: Colors) -> Option<Palette> {
         match (self, colors) {
             (Theme::Terminal | Theme::None, _) | (_, Colors::None) => None,
@@ -86,7 +86,7 @@ impl Theme {
 }
 
 impl Palette {
-    /// Its own colour for one of a terminal's palette.
+    /// Colour that replaces one of the terminal's palette.
     pub fn of(&self, color: Color) -> Color {
         match color {
             Color::Red => self.red,

@@ -1,4 +1,4 @@
-//! What a filter leaves of the list, the best first.
+//! Search in the list of analyses, the best matches first.
 //!
 //! Every word that is typed must be found, in any order: in the names of an analysis, in one of its cases, or in what
 //! describes it, in either language and with accents or without. A whole word counts more than the beginning of one,
@@ -13,9 +13,9 @@ use nucleo_matcher::{
 
 use super::{Listing, family};
 
-/// What a word counts in the names of an analysis, in a case, in what describes it.
+/// Weights of a word in the names of an analysis, in a case, and in its description.
 const WEIGHT: (u32, u32, u32) = (8, 4, 3);
-/// What it counts that the words stand together as they were typed.
+/// Weight of the words standing together as they were typed.
 const TOGETHER: u32 = 8;
 /// The shortest word that is searched for within others.
 const WITHIN: usize = 3;
@@ -75,7 +75,7 @@ impl Index {
         }
     }
 
-    /// How well the words fit, and the case that they speak of; `None` where one of them is nowhere.
+    /// Score of the match, and the case that matches best; `None` if a word is missing.
     fn rank(&self, words: &[&str], phrase: &str) -> Option<(u32, Option<usize>)> {
         let together = |text: &str, weight: u32| {
             if words.len() > 1 && place(text, phrase) > 0 { TOGETHER * weight } else { 0 }
@@ -104,7 +104,7 @@ impl Index {
     }
 }
 
-/// How a word stands in a text: 4 as a whole word, 3 as the beginning of one, 1 within one, 0 nowhere.
+/// Score of a word in a text: 4 as a whole word, 3 as the beginning of one, 1 within one, 0 if absent.
 fn place(text: &str, word: &str) -> u32 {
     let mut best = 0;
     for (at, _) in text.match_indices(word) {

@@ -11,7 +11,7 @@ use dalembert_core::{Entry, Text, find, registry};
 use super::{Act, Replay, svg};
 use crate::{Msg, harness::Harness, view::tempo};
 
-/// What a session left.
+/// Result of a replayed session.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Played {
     /// The screens it marked, in their order.
@@ -23,26 +23,26 @@ pub struct Played {
 /// A screen.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
-    /// Its name.
+    /// Name.
     pub name: String,
-    /// What is written on it.
+    /// Text of the screen.
     pub text: String,
-    /// What it looks like.
+    /// SVG of the screen.
     pub svg: String,
 }
 
-/// Why a session could not be played to its end.
+/// Reason for which a replay stopped early.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Failure {
-    /// What it opens is neither an analysis nor a file.
+    /// Session that opens neither an analysis nor a file.
     NothingToOpen(String),
     /// The screen does not show what it should.
     NotSeen {
         /// The line of the session.
         line: usize,
-        /// What was expected.
+        /// Expected text.
         text: String,
-        /// What the screen shows.
+        /// Text of the screen.
         screen: String,
     },
     /// The program ended before the session, which goes on in this line.
@@ -109,7 +109,7 @@ pub fn play(replay: &Replay, folder: &Path) -> Result<Played, Failure> {
     Ok(Played { pictures, last: harness.text() })
 }
 
-/// What a session opens: a file or an analysis.
+/// File or analysis that a session opens.
 pub fn to_open(named: &str, folder: &Path) -> Result<(Option<PathBuf>, Option<&'static Entry>), Failure> {
     let path = folder.join(named);
     match find(named) {

@@ -52,7 +52,7 @@ impl Player {
         Self { steps: steps.collect(), speed, due: Instant::now() + KEY, waiting: None }
     }
 
-    /// When the next thing is to be done; `None` at the end.
+    /// Time of the next action; `None` at the end.
     pub(crate) fn due(&self) -> Option<Instant> {
         (!self.steps.is_empty() || self.waiting.is_some()).then_some(self.due)
     }

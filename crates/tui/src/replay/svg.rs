@@ -17,7 +17,7 @@ use unicode_width::UnicodeWidthStr;
 const CELL: (f64, f64) = (9.0, 19.0);
 /// Around the screen.
 const MARGIN: f64 = 12.0;
-/// Where letters stand on their line, from its top.
+/// Baseline of letters, from the top of their line.
 const BASELINE: f64 = 14.0;
 /// Background and text.
 const GROUND: &str = "#15181e";
@@ -25,7 +25,7 @@ const TEXT: &str = "#d6dae1";
 /// Text that may be passed over: that of a dark theme, its light halved with the ground's.
 const DIM: f64 = 0.58;
 
-/// What a cell is drawn with. Two cells of one paint need one element.
+/// Paint of a cell. Two cells of one paint need one element.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Paint {
     text: String,

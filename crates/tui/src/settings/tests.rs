@@ -48,7 +48,7 @@ fn what_cannot_be_taken_is_named_with_its_line_and_the_rest_holds() {
     assert_eq!((settings, faults.len(), faults[0].line), (Settings::default(), 1, 2));
 }
 
-/// What each key does, place by place, however the tables divide it.
+/// Action of each key, place by place, however the tables divide it.
 fn meaning(settings: &Settings) -> Vec<(Place, Key, &'static str)> {
     let mut all: Vec<(Place, Key, &'static str)> = Vec::new();
     for place in Place::ALL {

@@ -1,16 +1,16 @@
-//! Why a text could not be read, in words for the user who typed it.
+//! Errors of reading a quantity, in words for the user who typed it.
 
 use std::{fmt, ops::Range};
 
 use crate::{Dim, Kind, Sense, Unit, table};
 
-/// Why a text could not be read. `span` is in bytes of the text typed.
+/// Reason for which a text could not be read. `span` is in bytes of the text typed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ReadError {
     /// Nothing was written.
     #[error("a value is needed, for example {example}")]
     Empty {
-        /// What could be written.
+        /// Valid text to write instead.
         example: String,
     },
     /// More text than a quantity can have.
@@ -22,89 +22,89 @@ pub enum ReadError {
     /// A control character, or one that is invisible or turns the direction of the text.
     #[error("the text contains the control or invisible character U+{code:04X}: delete it")]
     Control {
-        /// Its code point.
+        /// Unicode code point of the character.
         code: u32,
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// Something else where a number should be.
     #[error("`{text}` is not a number: write digits, for example {example}")]
     NotANumber {
-        /// What stands there.
+        /// Offending text.
         text: String,
-        /// What could be written.
+        /// Valid text to write instead.
         example: String,
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// A number too large or too small to compute with.
     #[error("`{text}` is too {}: write a number between 1e-300 and 1e300", if *.large { "large" } else { "close to zero" })]
     OutOfRange {
-        /// What was written.
+        /// Text as typed.
         text: String,
         /// Too large rather than too small.
         large: bool,
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// Two decimal marks, or marks between thousands.
     #[error("`{text}` has two decimal marks: write `{}` or `{}`", readings[0], readings[1])]
     TwoMarks {
-        /// What was written.
+        /// Text as typed.
         text: String,
-        /// What it may mean.
+        /// Two possible readings.
         readings: [String; 2],
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// A number after a number: thousands set apart by a space, or an operator left out.
     #[error("`{text}` has a gap between digits: write `{}` or `{}`", readings[0], readings[1])]
     Gap {
-        /// What was written.
+        /// Text as typed.
         text: String,
-        /// What it may mean.
+        /// Two possible readings.
         readings: [String; 2],
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// A unit that is not in the table.
     #[error("unknown unit `{symbol}`{}", did_you_mean(nearest))]
     UnknownUnit {
-        /// What was written.
+        /// Unit symbol as typed.
         symbol: String,
         /// Symbols it may have been meant as.
         nearest: Vec<&'static str>,
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// A text with two readings, such as a product after a division.
     #[error("`{text}` can be read in two ways: write `{}` or `{}`", readings[0], readings[1])]
     Ambiguous {
-        /// What was written.
+        /// Text as typed.
         text: String,
-        /// What it may mean.
+        /// Two possible readings.
         readings: [String; 2],
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// Something that does not belong there.
     #[error("unexpected `{found}`: {expected} expected")]
     Unexpected {
-        /// What stands there.
+        /// Text found.
         found: String,
-        /// What should.
+        /// Element expected in its place.
         expected: &'static str,
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// The text ends too early.
     #[error("`{text}` is incomplete: {expected} expected")]
     Unfinished {
-        /// What was written.
+        /// Text as typed.
         text: String,
-        /// What is missing.
+        /// Element that is missing.
         expected: &'static str,
-        /// Where it stops.
+        /// Position of the end of the text.
         span: Range<usize>,
     },
     /// Brackets, roots, powers or signs within one another without end.
@@ -112,7 +112,7 @@ pub enum ReadError {
     TooDeep {
         /// The deepest there may be.
         limit: usize,
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// An exponent that is no whole number, or too large.
@@ -120,27 +120,27 @@ pub enum ReadError {
         "unexpected `{text}` after the unit: an exponent is an integer other than 0 from -{limit} to {limit}"
     )]
     Exponent {
-        /// What was written.
+        /// Text as typed.
         text: String,
         /// The largest there may be.
         limit: u8,
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// A division by zero.
     #[error("`{text}` divides by zero: write another divisor")]
     DivisionByZero {
-        /// What was written.
+        /// Text as typed.
         text: String,
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// A root or a power that is no real number.
     #[error("`{text}` is not a real number: write a root of a positive number")]
     NotReal {
-        /// What was written.
+        /// Text as typed.
         text: String,
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// A root whose unit does not come out even.
@@ -148,7 +148,7 @@ pub enum ReadError {
     UnevenRoot {
         /// The dimension under the root.
         dim: Dim,
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// A sum of different things.
@@ -162,7 +162,7 @@ pub enum ReadError {
         left: Dim,
         /// The dimension of the right side.
         right: Dim,
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// A level or an amplitude suffix within a larger expression, or without its unit.
@@ -170,9 +170,9 @@ pub enum ReadError {
     Alone {
         /// The unit or suffix.
         symbol: String,
-        /// What it stands after.
+        /// Element that precedes it.
         after: &'static str,
-        /// What could be written.
+        /// Valid text to write instead.
         example: &'static str,
     },
     /// Another kind of quantity than the one asked for.
@@ -181,13 +181,13 @@ pub enum ReadError {
     /// Too few or too many components.
     #[error("{found} component{} written where {expected} are expected: write them as in `{example}`", if *.found == 1 { " is" } else { "s are" })]
     Components {
-        /// How many were written.
+        /// Number of components typed.
         found: usize,
-        /// How many are expected.
+        /// Number of components expected.
         expected: &'static str,
-        /// What could be written.
+        /// Valid text to write instead.
         example: &'static str,
-        /// Where they are.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// Units with some components and not with others.
@@ -195,17 +195,17 @@ pub enum ReadError {
         "`{text}` has a unit with some components only: write one unit after the brackets, as in `(300; 200) m/s`"
     )]
     MixedComponents {
-        /// What was written.
+        /// Text as typed.
         text: String,
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
     /// Not a whole number.
     #[error("`{text}` is not a count: enter an integer, for example 4")]
     NotACount {
-        /// What was written.
+        /// Text as typed.
         text: String,
-        /// Where it is.
+        /// Position in the text.
         span: Range<usize>,
     },
 }
@@ -220,7 +220,7 @@ pub enum ReadError {
     hinted(hint.as_ref())
 )]
 pub struct WrongKind {
-    /// What was written.
+    /// Text as typed.
     pub text: String,
     /// The unit it was written in.
     pub unit: Unit,
@@ -228,13 +228,13 @@ pub struct WrongKind {
     pub kind: Kind,
     /// The unit of a number written alone.
     pub bare: Unit,
-    /// What was probably meant.
+    /// Probable intention.
     pub hint: Option<Hint>,
-    /// Where it is.
+    /// Position in the text.
     pub span: Range<usize>,
 }
 
-/// What was probably meant by a unit of the wrong kind. Each shows a text that can be typed.
+/// Probable intention behind a unit of the wrong kind. Each shows a text that can be typed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Hint {
     /// A mass where a force is wanted: its value in kilograms.
@@ -362,7 +362,7 @@ fn example(kind: Kind, bare: &Unit) -> String {
     }
 }
 
-/// What a quantity of this dimension is.
+/// Description in words of a quantity of this dimension.
 fn in_words(dim: Dim) -> String {
     match Kind::of_dim(dim) {
         Kind::Other => format!("a quantity in {dim}"),

@@ -353,7 +353,7 @@ impl<'t> Reader<'t> {
         })
     }
 
-    /// Whether the number here multiplies what stands before it: `2 pi 50`, and `10 1/s`.
+    /// Returns true if the number here multiplies the factor before it: `2 pi 50`, and `10 1/s`.
     fn may_multiply(&self, after_digit: bool, value: &Value) -> bool {
         if !after_digit && value.written && !value.has_unit {
             return true;

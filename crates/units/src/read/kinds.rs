@@ -1,4 +1,4 @@
-//! Whether what was read is of the kind that was asked for.
+//! Comparison of the kind that was read with the kind that was requested.
 
 use std::ops::Range;
 

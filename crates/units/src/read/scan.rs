@@ -5,7 +5,7 @@ use std::{borrow::Cow, ops::Range};
 use super::ReadError;
 use crate::decimal;
 
-/// How deep brackets, roots, powers and signs may nest.
+/// Maximum nesting depth of brackets, roots, powers and signs.
 pub(crate) const DEPTH: usize = 32;
 
 /// The bytes of `text` without the white space around it, when it is short and holds nothing invisible.
@@ -70,7 +70,7 @@ impl<'t> Cursor<'t> {
         self.text[start..self.at].trim_end()
     }
 
-    /// What is here does not belong here.
+    /// Error for the text at this position, which does not belong here.
     pub(crate) fn unexpected(&self, expected: &'static str) -> ReadError {
         if let Some(c) = self.peek() {
             return ReadError::Unexpected {
@@ -211,12 +211,12 @@ pub(crate) fn is_quotient(c: char) -> bool {
     matches!(c, '/' | '⁄' | '∕' | '÷')
 }
 
-/// Whether a unit symbol can start with this character.
+/// Returns true if a unit symbol can start with this character.
 pub(crate) fn starts_symbol(c: char) -> bool {
     c.is_alphabetic() || c == '_' || is_lone_symbol(c)
 }
 
-/// Whether a digit right after the symbol that starts with this character is its power: not after `°`.
+/// Returns true if a digit right after the symbol that starts with this character is its power: false for `°`.
 pub(crate) fn takes_digit(c: char) -> bool {
     c.is_alphabetic() && !is_lone_symbol(c)
 }
@@ -317,7 +317,7 @@ impl Literal<'_> {
         Self { exponent: self.exponent.saturating_add(ten), ..self }
     }
 
-    /// Its value times `mantissa × 10^ten`, rounded once. Zero or infinite where it is beyond `f64`.
+    /// Value of the literal times `mantissa × 10^ten`, rounded once. Zero or infinite where it is beyond `f64`.
     pub(crate) fn value(self, mantissa: f64, ten: i16) -> f64 {
         let exponent = self.exponent.saturating_add(ten.into());
         let size = match self.long {

@@ -1,4 +1,4 @@
-//! What people type, and what it must be.
+//! Table of texts as users type them, with the quantity or the error that each must give.
 // Long because it is the table of what people type.
 
 use std::f64::consts::{PI, TAU};
@@ -183,7 +183,7 @@ fn the_wrong_kind_is_named_with_what_was_meant() {
     }
 }
 
-/// What a message says to write is read, and as what it says.
+/// Repairs suggested by messages are themselves valid texts of the meaning they promise.
 #[test]
 fn repairs_can_be_typed() {
     for (text, kind, si) in [

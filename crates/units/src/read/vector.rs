@@ -61,7 +61,7 @@ pub fn read_vector(text: &str, bare: &Unit, kind: Kind, len: usize) -> Result<Ve
 /// The components, a missing one along i, j or k as `None`, and how many were written.
 type Components<'t> = (Vec<Option<Reading<'t>>>, usize);
 
-/// What is inside the brackets that open the text, and what follows them.
+/// Range inside the brackets that open the text, and range after them.
 fn brackets(text: &str, range: Range<usize>) -> Option<(Range<usize>, Range<usize>)> {
     let part = &text[range.clone()];
     let closing = match part.chars().next()? {
@@ -199,7 +199,7 @@ fn split(text: &str, inner: Range<usize>, is_mark: impl Fn(char, &str) -> bool) 
     parts
 }
 
-/// Whether the last word is an axis.
+/// Returns true if the last word is an axis.
 fn is_along_axes(text: &str) -> bool {
     let mut chars = text.trim_end().chars().rev();
     let last = chars.next().and_then(axis).is_some();

@@ -1,4 +1,4 @@
-//! What is written, and that it can be read again.
+//! Tests of writing quantities, and of reading them back.
 
 use super::*;
 use crate::{read_any, read_quantity, read_vector, with_point};

@@ -507,7 +507,7 @@ impl LinkageBalance {
     }
 }
 
-/// What is left of the shaking force where most is: the force of the linkage itself and that of its counterweights.
+/// Residual shaking force at its maximum: the force of the linkage itself and that of its counterweights.
 fn left<W: Worksheet>(
     linkage: &Linkage,
     poses: &[Pose],

@@ -452,7 +452,7 @@ impl Locomotive {
     }
 }
 
-/// How the balance of a pair of wheels is called.
+/// Symbols and labels of the balance of a pair of wheels.
 struct WheelNames {
     driving: bool,
     x: &'static str,

@@ -38,7 +38,7 @@ use crate::{
     sources::{BOYD, DARLOW, GOODMAN, RAO},
 };
 
-/// How many jobs that might as well have been measured the ranges are read from.
+/// Number of Monte Carlo samples from which the ranges are computed.
 const SAMPLES: usize = 400;
 
 /// As many unknowns times readings a min-max problem may have for its samples to be found while a key is typed.
@@ -320,7 +320,7 @@ impl Field {
         });
     }
 
-    /// What the sensors will read.
+    /// Predicts the readings of the sensors.
     fn predict<W: Worksheet>(
         &self,
         numbers: &Numbers,
@@ -471,7 +471,7 @@ fn condition<W: Worksheet>(condition: f64, numbers: &Numbers, factors: &[f64], s
     });
 }
 
-/// What the uncertainty of the readings does to weights and predictions. These are no numbers of the plain reading,
+/// Ranges of weights and predictions by the uncertainty of the readings. These are no numbers of the plain reading,
 /// which somebody may repeat a million times.
 fn ranges<W: Worksheet>(
     numbers: &Numbers,

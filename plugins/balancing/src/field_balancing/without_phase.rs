@@ -210,7 +210,7 @@ impl WithoutPhase {
 }
 
 impl<N: Real> Job<N> {
-    /// How many planes there are; refuses what cannot be balanced.
+    /// Number of correction planes; refuses inputs that cannot be balanced.
     fn judge(&self) -> Result<usize, Refusal> {
         let sensors = self.first.len();
         if let Some(dead) = self.first.iter().position(|size| size.value() == 0.0) {

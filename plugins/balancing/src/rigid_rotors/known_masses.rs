@@ -226,14 +226,14 @@ impl Analysis for KnownMasses {
     }
 }
 
-/// What is known of a mass, as numbers of a worksheet.
+/// Known quantities of a mass, as numbers of a worksheet.
 struct Partly<N> {
     row: usize,
     mass: Option<N>,
     radius: Option<N>,
     /// Mass times radius, where it is given as such or both are.
     product: Option<N>,
-    /// Whether the product itself is the unknown, without mass and radius.
+    /// True if the product mr itself is the unknown, without mass and radius.
     only_product: bool,
     angle: Option<N>,
     position: Option<N>,
@@ -258,7 +258,7 @@ struct Unbalance<N> {
     x: N,
     y: N,
     z: N,
-    /// Whether the position was given.
+    /// True if the axial position is given.
     placed: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What the workshop needs of a correction: split between holes, made of available weights, combined, or drilled.
+//! Workshop form of a correction: split between holes, assembled from available weights, combined, or drilled.
 
 use dalembert_core::{
     About, Analysis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,

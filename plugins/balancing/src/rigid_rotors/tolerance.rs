@@ -411,7 +411,7 @@ fn shares<W: Worksheet>(
     [in_first, in_second]
 }
 
-/// What was measured, as it is judged.
+/// Measured unbalance for comparison with the tolerance.
 struct Judged {
     total: f64,
     /// Residual and permissible unbalance at each bearing.

@@ -1,4 +1,4 @@
-//! What the analyses of rigid rotors have in common: how masses, angles and corrections are given.
+//! Inputs and helpers shared by the analyses of rigid rotors: masses, angles, corrections.
 
 use std::f64::consts::TAU;
 

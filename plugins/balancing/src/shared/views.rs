@@ -7,9 +7,9 @@ use dalembert_core::{Cell, Column, Drawing, DrawnShape, Ink, Point, TableExhibit
 /// An unbalance as it is listed and drawn.
 #[derive(Clone, Debug)]
 pub(crate) struct Shown {
-    /// Its name in the table.
+    /// Name in the table.
     pub name: Text,
-    /// Its name in drawings.
+    /// Name in drawings.
     pub label: String,
     /// Mass and radius, where they are known.
     pub mass_and_radius: Option<(f64, f64)>,

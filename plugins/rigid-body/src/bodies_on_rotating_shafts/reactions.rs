@@ -178,7 +178,7 @@ impl<W: Worksheet> Known<W> {
     }
 }
 
-/// What the supports were found to do.
+/// Results for the supports.
 struct Found {
     /// Force and couple of each support.
     supports: Vec<Wrench>,

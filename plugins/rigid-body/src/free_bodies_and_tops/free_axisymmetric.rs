@@ -328,7 +328,7 @@ impl Analysis for FreeAxisymmetric {
     }
 }
 
-/// What the motion needs of the body.
+/// Parameters of the body in the motion.
 struct Body<N> {
     ratio: N,
     /// About the axis and across it.

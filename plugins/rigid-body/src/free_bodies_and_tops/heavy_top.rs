@@ -233,7 +233,7 @@ impl Analysis for HeavyTop {
     }
 }
 
-/// Which rate the quadratic speaks of.
+/// Unknown rate of the quadratic equation.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Rate {
     Spin,

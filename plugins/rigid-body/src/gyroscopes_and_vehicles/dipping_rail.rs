@@ -190,7 +190,7 @@ impl Analysis for DippingRail {
 }
 
 impl DippingRail {
-    /// How far the axle is tilted at a time.
+    /// Tilt angle of the axle at a time.
     fn tilt(&self, t: f64, time: f64) -> f64 {
         self.depth / 2.0 * (1.0 - (TAU * t / time).cos()) / self.gauge
     }

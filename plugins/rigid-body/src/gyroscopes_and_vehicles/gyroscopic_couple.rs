@@ -464,7 +464,7 @@ impl GyroscopicCouple {
         Ok((vector, rate))
     }
 
-    /// What only a harmonic motion has: its largest angular acceleration.
+    /// Answers of a harmonic motion alone: its maximum angular acceleration.
     fn harmonic_answers<W: Worksheet>(&self, given: &GyroscopicCoupleGiven<W>, sheet: W) {
         let (MotionGiven::HarmonicPitching { amplitude, period, .. }
         | MotionGiven::HarmonicRolling { amplitude, period, .. }) = &given.motion

@@ -302,7 +302,7 @@ impl TwoWheelerLean {
         Ok(lean)
     }
 
-    /// What tan θ must be at a square of speed, on the circle that this lean leaves.
+    /// Required value of tan θ at a square of the speed, on the circle at this lean.
     fn tangent(&self, inertia: f64, square: f64, lean: f64) -> f64 {
         let path = match self.measured {
             Measured::CentreOfMass => self.radius,

@@ -227,7 +227,7 @@ fn line_momentum<W: Worksheet>(
 }
 
 impl Momentum {
-    /// Where the rotation ends when energy is lost inside the body and the angular momentum stays.
+    /// Final rotation when energy is dissipated inside the body and the angular momentum is conserved.
     fn energy_sink<W: Worksheet>(
         &self,
         body: &Worked<W>,

@@ -227,7 +227,7 @@ impl Motion {
         }
     }
 
-    /// Where the motion comes to, and how exactly.
+    /// Final state of the motion, and its accuracy.
     fn finish<W: Worksheet>(
         &self,
         sheet: W,
@@ -375,7 +375,7 @@ impl Motion {
         self.drift(sheet, body, moved);
     }
 
-    /// How far energy and angular momentum are kept.
+    /// Drift of energy and angular momentum.
     fn drift<W: Worksheet>(&self, sheet: W, body: &Body, moved: &follow::Motion) {
         let weight = (body.arm != Vector3::zeros()).then(Vector3::z);
         let (energy, momentum) = (moved.energy_drift(), moved.momentum_drift(weight));
@@ -471,7 +471,7 @@ fn next_power(drift: f64) -> f64 {
     10.0_f64.powi((-12..0).find(|power| drift <= 10.0_f64.powi(*power)).unwrap_or(0))
 }
 
-/// What is rounding alone beside the largest is zero.
+/// Flushes components that are rounding noise beside the largest to zero.
 fn clean(vector: Vector3<f64>, largest: f64) -> Vector3<f64> {
     vector.map(|x| if x.abs() > 1e-12 * largest { x } else { 0.0 })
 }

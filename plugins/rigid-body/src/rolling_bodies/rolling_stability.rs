@@ -1,4 +1,4 @@
-//! Whether a disc or hoop stays upright: rolling straight on, or spinning on the spot.
+//! Stability of a disc or hoop: rolling straight on, or spinning on the spot.
 
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,4 +1,4 @@
-//! What describes a rigid body to the analyses that need one: its parts or its inertia, how it turns, a line in it.
+//! Inputs of a rigid body: its parts or its inertia, its rotation, a line in it.
 
 mod description;
 mod motion;

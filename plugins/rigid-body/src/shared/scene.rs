@@ -13,7 +13,7 @@ pub const FRAMES: usize = 24;
 /// Straight parts of a drawn circle.
 const PARTS: usize = 36;
 
-/// What is drawn so far, later shapes over earlier ones.
+/// Shapes drawn so far, later ones over earlier ones.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
     view: View,

@@ -60,7 +60,7 @@ pub enum TopInertia {
     },
 }
 
-/// What the motion of a top needs of its body.
+/// Moments of the body in the motion of a top.
 #[derive(Clone, Copy, Debug)]
 pub struct TopMoments<N> {
     /// Moment of inertia about the axis `I_a`.

@@ -128,7 +128,7 @@ impl Analysis for DecayIdentification {
     }
 }
 
-/// What a record says of the decay.
+/// Amplitudes of the record of a decay.
 struct Amplitudes {
     /// Amplitudes over cycles.
     points: Vec<(f64, f64)>,
@@ -169,7 +169,7 @@ impl DecayIdentification {
     }
 }
 
-/// What the fit with both says in newtons, where stiffness and frequency are known.
+/// Forces in newtons of the combined fit, if stiffness and frequency are known.
 fn forces<W: Worksheet>(
     given: &DecayIdentificationGiven<W>,
     natural: Option<W::Num>,
@@ -433,7 +433,7 @@ fn of_both<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) -> [
     [ratio, offset]
 }
 
-/// Which of them the record shows.
+/// Damping mechanism that the record shows.
 #[derive(Clone, Copy, PartialEq)]
 enum Verdict {
     Viscous,

@@ -372,7 +372,7 @@ fn events<W: Worksheet>(
     }
 }
 
-/// When the motion has settled, by its envelope and exactly.
+/// Settling time, by the envelope and exactly.
 fn settling<W: Worksheet>(
     share: W::Num,
     largest: W::Num,

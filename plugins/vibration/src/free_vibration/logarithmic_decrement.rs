@@ -229,7 +229,7 @@ impl Analysis for LogarithmicDecrement {
     }
 }
 
-/// How fast the system oscillates.
+/// Frequencies of the oscillation.
 struct Oscillation<N> {
     period: N,
     natural: N,

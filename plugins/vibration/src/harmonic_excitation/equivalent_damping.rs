@@ -256,7 +256,7 @@ impl Analysis for EquivalentDamping {
     }
 }
 
-/// What the response is drawn from.
+/// Parameters of the plotted response.
 struct Numbers {
     mass: f64,
     stiffness: f64,

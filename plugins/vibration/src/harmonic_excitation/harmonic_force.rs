@@ -141,7 +141,7 @@ impl Analysis for HarmonicForce {
     }
 }
 
-/// What the steady motion needs.
+/// Parameters of the steady-state motion.
 struct System<N> {
     frequency: N,
     body: Body<N>,
@@ -272,7 +272,7 @@ impl<N: Real> System<N> {
     }
 }
 
-/// Where displacement, velocity and acceleration are largest.
+/// Resonance frequencies of displacement, velocity and acceleration.
 fn resonances<W: Worksheet>(suspension: &Suspension<W::Num>, body: Body<W::Num>, force: W::Num, sheet: W) {
     let natural = suspension.natural;
     match suspension.loss {

@@ -296,7 +296,7 @@ fn beats<W: Worksheet>(one: Resultant<W::Num>, other: Resultant<W::Num>, sheet: 
     }
 }
 
-/// How long a plot lasts: two beats or a few cycles.
+/// Time span of a plot: two beats or a few cycles.
 fn span(frequencies: &[f64]) -> f64 {
     let slowest = frequencies.iter().copied().fold(f64::INFINITY, f64::min);
     let fastest = frequencies.iter().copied().fold(0.0, f64::max);

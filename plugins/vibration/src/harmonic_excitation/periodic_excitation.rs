@@ -129,7 +129,7 @@ impl Analysis for PeriodicExcitation {
     }
 }
 
-/// What the harmonics need.
+/// Parameters of the response to the harmonics.
 struct System<N> {
     ratio: N,
     zeta: N,
@@ -140,7 +140,7 @@ struct System<N> {
     source: N,
 }
 
-/// What is excited.
+/// System under excitation.
 #[derive(Clone, Copy)]
 enum Excited<N> {
     /// The mass, on a spring of this stiffness.

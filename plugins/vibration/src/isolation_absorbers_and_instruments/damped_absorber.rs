@@ -216,7 +216,7 @@ struct System<N> {
     body: Option<Body<N>>,
 }
 
-/// What is known in full.
+/// Body with all parameters known.
 struct Body<N> {
     stiffness: N,
     natural: N,

@@ -186,7 +186,7 @@ fn damping_ratio<W: Worksheet>(given: &VibrationInstrumentGiven<W>, sheet: W) ->
 }
 
 impl VibrationInstrument {
-    /// What the reading is multiplied by, at a frequency ratio.
+    /// Ratio of reading to motion at a frequency ratio.
     fn factor<N: Real>(&self, ratio: N, zeta: N) -> N {
         match self.instrument {
             Instrument::Vibrometer => sdof::unbalance_magnification(ratio, zeta),
@@ -419,7 +419,7 @@ impl VibrationInstrument {
         Ok(frequencies)
     }
 
-    /// Where the reading is largest.
+    /// Peak of the reading over frequency.
     fn peak<W: Worksheet>(&self, zeta: W::Num, natural: W::Num, sheet: W) {
         if zeta.value() == 0.0 || zeta.value() >= std::f64::consts::FRAC_1_SQRT_2 {
             return;

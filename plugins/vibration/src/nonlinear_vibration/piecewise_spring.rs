@@ -258,7 +258,7 @@ fn simpson(function: impl Fn(f64) -> f64) -> f64 {
 }
 
 impl PiecewiseSpring {
-    /// When the motion of this amplitude passes the start, counted from rest in the middle.
+    /// Time at which the motion of this amplitude passes the initial state, counted from rest in the middle.
     fn start(&self, spring: &TwoSlopes, amplitude: f64, period: f64) -> f64 {
         // The displacement grows over the first quarter: the instant is bisected.
         let away = self.displacement.abs().min(amplitude);

@@ -71,7 +71,7 @@ struct Excited {
     spectrum: Spectrum,
 }
 
-/// What of the motion of a mass is examined.
+/// Response quantity of a mass.
 #[derive(Clone, Copy)]
 enum Response {
     Displacement,

@@ -124,12 +124,12 @@ const PER_RADIAN: &str = "The density per rad/s: 1 Hz is 2π rad/s";
 /// A density on an oscillator.
 struct Random<N> {
     spectrum: Spectrum,
-    /// What makes an acceleration of the density: one over the square of the mass for a force.
+    /// Factor from the density to that of an acceleration: one over the square of the mass for a force.
     scale: f64,
     system: System<N>,
 }
 
-/// How a response follows from the motion: `∫ (a + b ω²) ω^m |H|² S dω`.
+/// Weight of a response quantity: `∫ (a + b ω²) ω^m |H|² S dω`.
 #[derive(Clone, Copy)]
 struct Weight {
     power: u8,
@@ -269,7 +269,7 @@ impl<N: Real> Random<N> {
         Ok(())
     }
 
-    /// How often the motion passes zero upwards.
+    /// Rate of zero crossings with positive slope.
     fn crossings<W: Worksheet<Num = N>>(&self, displacement: N, velocity: N, sheet: W) {
         let why = (
             "Mean rate of upward zero crossings, by Rice: the apparent frequency of the motion",

@@ -183,7 +183,7 @@ impl Analysis for ResponseSpectrum {
     }
 }
 
-/// What every structure needs.
+/// Parameters shared by all structures.
 struct Problem<'g, W: Worksheet> {
     demand: &'g DemandGiven<W>,
     table: Option<(&'g [DemandPoint], Interpolation)>,

@@ -118,7 +118,7 @@ impl Quantity {
     }
 }
 
-/// What the curves are over.
+/// Input along the horizontal axis of the curves.
 const ASKED: &str = "frequencies[1].frequency";
 
 register!(FrequencyResponseMatrix);

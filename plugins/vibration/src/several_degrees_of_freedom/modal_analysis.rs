@@ -96,7 +96,7 @@ impl Analysis for ModalAnalysis {
     }
 }
 
-/// Where a shape in a row is at rest: 2.5 is half way from the second mass to the third.
+/// Nodes of a mode shape of masses in a row: 2.5 is half way from the second mass to the third.
 fn nodes(shape: &[f64]) -> Vec<f64> {
     let still = 1e-9 * shape.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
     let mut nodes = Vec::new();

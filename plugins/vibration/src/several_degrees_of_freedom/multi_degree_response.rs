@@ -256,7 +256,7 @@ impl MultiDegreeResponse {
         Ok(excitation)
     }
 
-    /// How long the curves go on where nobody says it.
+    /// Default time span of the curves.
     fn shown<N>(&self, last_asked: f64, found: &Found<N>) -> f64 {
         let period = found
             .modes

@@ -200,7 +200,7 @@ impl Analysis for RotorDynamics {
     }
 }
 
-/// Where the discs, supports, unbalances and the response have come to lie.
+/// Node indices of the discs, supports, unbalances and the response.
 pub(super) struct Stations {
     pub(super) unbalances: Vec<usize>,
     pub(super) response: Option<usize>,
@@ -776,7 +776,7 @@ fn too_many() -> Refusal {
     Refusal::because("the shaft would have more than 400 elements: write fewer elements in every segment")
 }
 
-/// Why there is no answer, for a user.
+/// Message for a refusal of the kernel.
 pub(super) fn refusal(error: RotorError) -> Refusal {
     match error {
         RotorError::Buckled => Refusal::because(

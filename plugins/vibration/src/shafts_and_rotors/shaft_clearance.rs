@@ -1,4 +1,5 @@
-//! What keeps an unbalanced rotor clear of its stator: diameters or stiffnesses of its shaft, eccentricities, speeds.
+//! Conditions for an unbalanced rotor to clear its stator: diameters or stiffnesses of its shaft, eccentricities,
+//! speeds.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -224,7 +225,7 @@ impl SpeedRange {
 }
 
 impl ShaftClearance {
-    /// Which stiffnesses are permitted; answers the limits of the two branches.
+    /// Permitted stiffnesses: answers the limits of the two branches.
     fn branches<W: Worksheet>(
         &self,
         given: &ShaftClearanceGiven<W>,
@@ -417,7 +418,7 @@ fn available_set(
     (set, limits)
 }
 
-/// Where the clearance is reached.
+/// Description of the speed at which the clearance is reached.
 fn reached(by: LimitedBy, speed: f64) -> Text {
     let text = match by {
         LimitedBy::LowestSpeed => Text::new("the clearance is reached at the lowest speed, {speed}"),

@@ -510,7 +510,7 @@ fn answer_nodes<W: Worksheet>(nodes: &[Node], sheet: W) {
     }
 }
 
-/// What the kernel refuses, in words.
+/// Message for a refusal of the kernel.
 fn refusal(error: &TrainError) -> Refusal {
     Refusal::because(match error {
         TrainError::Massless | TrainError::Empty => {

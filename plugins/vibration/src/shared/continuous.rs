@@ -1,4 +1,4 @@
-//! What continuous bodies have in common: material, section, mass for each length, and pictures of their shapes.
+//! Inputs and figures shared by continuous bodies: material, section, mass per unit length, mode shapes.
 
 use dalembert_core::{
     Animation, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
@@ -181,7 +181,7 @@ pub(crate) fn shear_coefficient<W: Worksheet>(
 pub(crate) struct Sampled {
     /// Number of the shape, counted from 1.
     pub(crate) number: usize,
-    /// Its points: place in m, deflection.
+    /// Points: position in m, deflection.
     pub(crate) points: Vec<(f64, f64)>,
 }
 

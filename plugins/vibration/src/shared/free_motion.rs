@@ -39,7 +39,7 @@ pub(crate) fn system<W: Worksheet>(
     }
 }
 
-/// What the closed forms of the free motion need.
+/// Parameters of the closed forms of the free motion.
 #[derive(Clone, Copy)]
 pub(crate) struct FreeMotion<N> {
     natural: N,
@@ -47,7 +47,7 @@ pub(crate) struct FreeMotion<N> {
     regime: Regime<N>,
 }
 
-/// How the free motion runs.
+/// Damping regime of the free motion.
 #[derive(Clone, Copy)]
 enum Regime<N> {
     Undamped,
@@ -80,7 +80,7 @@ impl<N: Real> FreeMotion<N> {
         Self { natural, ratio, regime }
     }
 
-    /// Whether nothing is lost.
+    /// Returns true if there is no damping.
     pub(crate) fn is_undamped(&self) -> bool {
         matches!(self.regime, Regime::Undamped)
     }

@@ -1,4 +1,4 @@
-//! What two analyses of an unbalanced rotor share: how its shaft is held, and how stiff it is there.
+//! Support and stiffness of the shaft of an unbalanced rotor, shared by two analyses.
 
 use dalembert_core::{DrawnShape, Ink, Inputs, Worksheet};
 use dalembert_mechanics::{Real, beam, section};

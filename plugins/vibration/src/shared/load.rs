@@ -59,7 +59,7 @@ pub enum Course {
 pub(crate) struct Pieces {
     /// The pieces.
     pub(crate) pieces: Vec<Piece>,
-    /// When it is over, for one that ends.
+    /// End of the load, for one that ends.
     pub(crate) end: Option<f64>,
 }
 
@@ -145,8 +145,8 @@ fn few() -> Refusal {
     Refusal::because("the table has fewer than two points: write at least its start and its end")
 }
 
-/// What is examined, at a time, by the integrals of displacement and velocity over unit impulses (Duhamel), by
-/// quadrature: the motion begins in a state under a load of pieces. `None` where too much would have to be added up.
+/// Output at a time, by the integrals of displacement and velocity over unit impulses (Duhamel), by quadrature: the
+/// motion begins in a state under a load of pieces. `None` where too much would have to be added up.
 pub(crate) fn by_impulses(
     oscillator: Oscillator,
     begun: State,

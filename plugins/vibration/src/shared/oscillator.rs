@@ -103,14 +103,14 @@ pub enum Damping {
     },
 }
 
-/// What the springs and dampers come to.
+/// Equivalent stiffness and damping of the springs and dampers.
 #[derive(Clone, Copy)]
 pub(crate) struct Suspension<N> {
     /// Natural frequency without damping, rad/s.
     pub(crate) natural: N,
-    /// What takes the energy out.
+    /// Damping mechanism.
     pub(crate) loss: Loss<N>,
-    /// What needs the mass; `None` where no mass was given.
+    /// Quantities that depend on the mass; `None` if no mass is given.
     pub(crate) body: Option<Body<N>>,
 }
 
@@ -121,7 +121,7 @@ pub(crate) struct Body<N> {
     pub(crate) stiffness: N,
 }
 
-/// What takes the energy out.
+/// Damping mechanism.
 #[derive(Clone, Copy)]
 pub(crate) enum Loss<N> {
     /// A dashpot: its damping ratio, and its coefficient where the mass is known.
@@ -250,7 +250,7 @@ impl<N: Real> Suspension<N> {
         AtFrequency { ratio, damping_ratio, damping }
     }
 
-    /// Whether nothing takes energy out.
+    /// Returns true if there is no damping.
     pub(crate) fn is_undamped(&self) -> bool {
         match self.loss {
             Loss::Viscous(zeta, _) => zeta.value() == 0.0,
@@ -275,14 +275,14 @@ impl<N: Real> Suspension<N> {
 }
 
 impl<N: Real> AtFrequency<N> {
-    /// Whether the frequency is the natural one, to within rounding.
+    /// Returns true if the frequency is the natural one, to within rounding.
     pub(crate) fn is_resonance(&self) -> bool {
         is_one(self.ratio.value())
     }
 }
 
-/// What spring, damper and inertia put up to a steady motion `X cos(ωt − φ)`, over the stiffness: in phase with the
-/// drive, and a quarter of a turn ahead of it; and the size of what is added up.
+/// Resisting force of spring, damper and inertia in a steady motion `X cos(ωt − φ)`, over the stiffness: in phase with
+/// the excitation, and a quarter of a cycle ahead of it; and the magnitude of its terms.
 pub(crate) fn put_up<N: Real>([ratio, zeta]: [N; 2], amplitude: N, lag: N) -> ([N; 2], f64) {
     let (held, damped) = (N::from(1.0) - ratio.powi(2), zeta * ratio * 2.0);
     let size = amplitude.value().abs() * (1.0 + ratio.value().powi(2) + damped.value());
@@ -290,7 +290,7 @@ pub(crate) fn put_up<N: Real>([ratio, zeta]: [N; 2], amplitude: N, lag: N) -> ([
     ([in_phase, amplitude * (damped * lag.cos() - held * lag.sin())], size)
 }
 
-/// Whether a ratio is one, to within the rounding of the units it came in.
+/// Returns true if a ratio is one, to within the rounding of the units it was typed in.
 pub(crate) fn is_one(ratio: f64) -> bool {
     (ratio - 1.0).abs() < 1e-10
 }

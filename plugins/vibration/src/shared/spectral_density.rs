@@ -165,7 +165,7 @@ impl Spectrum {
         }
     }
 
-    /// Whether there is something of it at a frequency.
+    /// Returns true if the spectrum covers a frequency.
     pub(crate) fn reaches(&self, omega: f64) -> bool {
         self.at(omega) > 0.0
     }

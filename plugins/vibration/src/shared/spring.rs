@@ -356,7 +356,7 @@ pub(crate) fn network<W: Worksheet>(
     }
 }
 
-/// What an element is, in a word.
+/// Name of the type of an element.
 fn label<W: Worksheet>(given: &SpringGiven<W>) -> &'static str {
     match given {
         SpringGiven::Stiffness { .. } | SpringGiven::Deflected { .. } | SpringGiven::Tuned { .. } => "spring",

@@ -152,7 +152,7 @@ pub(crate) struct Assembled<N> {
     pub(crate) stiffness: DMatrix<f64>,
     /// Two masses and the entries K₁₁, K₁₂, K₂₂, for a system of two masses without a common inertia.
     pub(crate) two: Option<([N; 2], [N; 3])>,
-    /// Whether all coordinates are parallel displacements: a motion of the ground moves all alike.
+    /// True if all coordinates are parallel displacements: a motion of the ground moves all alike.
     pub(crate) parallel: bool,
 }
 
@@ -162,7 +162,7 @@ impl<N> Assembled<N> {
     }
 }
 
-/// What joins neighbours: to the one before, and to the ground.
+/// Connections of a mass: to the one before, and to the ground.
 #[derive(Clone, Copy)]
 struct Link<N> {
     spring: Option<N>,

@@ -161,7 +161,7 @@ struct Drop<N> {
 }
 
 impl<N: Real> Drop<N> {
-    /// How far the spring is pressed beyond its rest, some time after the contact.
+    /// Deflection of the spring beyond its static equilibrium at a time after contact.
     fn deflection(&self, time: N) -> N {
         self.sag * (N::from(1.0) - self.free.release(time)) + self.start * self.free.impulse(time)
     }
@@ -282,7 +282,7 @@ impl<N: Real> Drop<N> {
         Ok(turns.then_some((found.time, found.value)))
     }
 
-    /// When the body leaves the pan or cushion again, counted from the contact; `None` where it stays.
+    /// Time of separation of the body from the pan or cushion, counted from contact; `None` if it stays.
     fn parting<W: Worksheet<Num = N>>(&self, sheet: W) -> Result<Option<N>, Refusal> {
         let output = Output::support(self.system.ratio.value());
         let limit = -self.pan_sag.map_or(0.0, Real::value);
@@ -302,7 +302,7 @@ impl<N: Real> Drop<N> {
         Ok(Some(parting))
     }
 
-    /// How far the body has come at the asked times.
+    /// Displacement of the body at the requested times.
     fn ways<W: Worksheet<Num = N>>(
         &self,
         times: &[N],

@@ -163,7 +163,7 @@ struct Pieces {
 }
 
 impl Pieces {
-    /// What the base gains in velocity.
+    /// Velocity change of the base.
     fn area(&self) -> f64 {
         let ends = self.pieces.iter().skip(1).map(|next| next.from).chain([self.end]);
         let of = |(piece, end): (&Piece, f64)| {
@@ -173,7 +173,7 @@ impl Pieces {
     }
 }
 
-/// What is computed at each frequency.
+/// Parameters for one ordinate of the spectrum.
 struct Spectrum<'s> {
     shock: &'s Pieces,
     ratio: f64,
@@ -186,7 +186,7 @@ struct Ordinate {
     frequency: f64,
     primary: f64,
     residual: f64,
-    /// When primary and residual are reached.
+    /// Times of the primary and residual maxima.
     times: [f64; 2],
 }
 
@@ -231,9 +231,9 @@ impl Spectrum<'_> {
         Some([at(primary)?.abs(), at(residual)?.abs()])
     }
 
-    /// How far, as a part of the frequency, the spectrum is from its top, by differences of sixth order, and what rounding
-    /// makes of that; `None` where it has no top there. The step is relative to the frequency; it must be short enough for
-    /// its sixth power to vanish.
+    /// Distance of a frequency from the peak of the spectrum, relative to the frequency, by differences of sixth order,
+    /// and the bound of its rounding error; `None` where it has no peak there. The step is relative to the frequency;
+    /// it must be short enough for its sixth power to vanish.
     fn off_level(&self, frequency: f64, step: f64) -> Option<[f64; 2]> {
         let at = |n: f64| self.at(frequency * (1.0 + n * step)).map(|ordinate| ordinate.maximax()).ok();
         let here = at(0.0)?;
@@ -264,7 +264,7 @@ impl Spectrum<'_> {
             .collect()
     }
 
-    /// Whether the larger of primary and residual is the same one over the reach of differences, at its ends and a little
+    /// Returns true if the same one of primary and residual is the larger over the span of the differences and a little
     /// beyond.
     fn is_smooth(&self, frequency: f64, step: f64) -> bool {
         let residual = |n: f64| {
@@ -327,7 +327,7 @@ impl ShockResponseSpectrum {
         Ok(Pieces { pieces: built.pieces, end })
     }
 
-    /// How many frequencies are drawn: fewer for long records, which cost more at each.
+    /// Number of plotted frequencies: fewer for long records, which cost more at each.
     fn count(&self, shock: &Pieces) -> usize {
         let cycles = (self.highest * shock.end / (2.0 * PI)).max(1.0);
         let work = shock.pieces.len() as f64 + cycles;

@@ -365,7 +365,7 @@ impl TransientResponse {
         }
     }
 
-    /// Whether the displacement is relative to an excited base.
+    /// Returns true if the displacement is relative to an excited base.
     fn is_relative(&self) -> bool {
         matches!(self.excitation, Excitation::BaseAcceleration { .. } | Excitation::BaseTable { .. })
     }

@@ -422,7 +422,7 @@ fn rolled<W: Worksheet>(mass: W::Num, square: W::Num, sheet: W) -> Result<W::Num
 }
 
 impl SwingTest {
-    /// How far the wires lean inwards at the top, as a part of the radius at the body.
+    /// Inward inclination of the wires at the top, relative to the radius at the body.
     fn leaning(&self) -> f64 {
         match &self.test {
             Test::Wires { radius, top: Some(top), .. } => (top / radius).clamp(0.2, 2.0),

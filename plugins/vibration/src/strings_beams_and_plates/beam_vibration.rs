@@ -253,7 +253,7 @@ impl Analysis for BeamVibration {
 }
 
 impl BeamVibration {
-    /// What stands along the beam, in units of the beam.
+    /// Supports and lumped elements along the beam, in units of the beam.
     fn stations(&self, bending: f64, mass: f64) -> Result<Vec<Station>, Refusal> {
         let length = self.length;
         let end = |at: f64, support: &Support| {
@@ -346,7 +346,7 @@ impl BeamVibration {
     }
 }
 
-/// What the theory counts of the sections: shear flexibility and rotary inertia, as shares of the beam.
+/// Section effects of the beam theory: shear flexibility and rotary inertia, as shares of the beam.
 struct Sections<N> {
     shear: Option<N>,
     rotary: Option<N>,
@@ -517,7 +517,7 @@ fn frequency_function(beam: &Beam, roots: &[f64]) -> Exhibit {
     )
 }
 
-/// What stands along a beam from `(0, y)` to `(width, y)`.
+/// Drawing of supports and lumped elements along a beam from `(0, y)` to `(width, y)`.
 fn sketch(beam: &Beam, width: f64, y: f64) -> Vec<DrawnShape> {
     let at = |station: &Station| {
         let x = station.at * width;

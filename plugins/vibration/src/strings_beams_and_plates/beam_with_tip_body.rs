@@ -211,7 +211,7 @@ impl Analysis for BeamWithTipBody {
     }
 }
 
-/// What a section gives.
+/// Properties of a section.
 struct SectionNumbers<N> {
     area: N,
     /// Second moments for bending in the planes xy and xz.
@@ -293,7 +293,7 @@ impl BeamWithTipBody {
     }
 }
 
-/// What is left of a motion that is not there is rounding.
+/// Flushes the rounding noise of a motion that is absent to zero.
 fn clean(share: f64) -> f64 {
     if share.abs() < 1e-9 { 0.0 } else { share }
 }

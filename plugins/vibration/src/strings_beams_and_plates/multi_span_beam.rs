@@ -240,8 +240,8 @@ impl MultiSpanBeam {
     }
 }
 
-/// What is left of the frequency equation of equal plain spans on pins, the ends both pinned or both clamped:
-/// `near + far cos(jπ/N) = 0` for a `j` from 1 to `N − 1`, or that of a span alone.
+/// Residual of the frequency equation of equal plain spans on pins, the ends both pinned or both clamped: `near + far
+/// cos(jπ/N) = 0` for a `j` from 1 to `N − 1`, or that of a span alone.
 fn equal_spans(beam: &Spans, root: f64) -> Option<f64> {
     let [first, inner @ .., last] = &beam.joints[..] else { return None };
     let span = &beam.spans[0];
@@ -298,7 +298,7 @@ fn elements(beam: &Spans, roots: &[f64], unit: f64) -> Exhibit {
     })
 }
 
-/// What stands along a beam from `(0, y)` to `(width, y)`.
+/// Drawing of the supports along a beam from `(0, y)` to `(width, y)`.
 fn sketch(beam: &Spans, width: f64, y: f64) -> Vec<DrawnShape> {
     let mut parts = Vec::new();
     let mut place = 0.0;

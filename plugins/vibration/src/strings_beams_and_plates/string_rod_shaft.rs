@@ -336,7 +336,7 @@ struct WaveBody<N> {
     ends: [EndRatios<N>; 2],
 }
 
-/// What an end carries, as shares of the body.
+/// Mass and stiffness at an end, as shares of the body.
 #[derive(Clone, Copy)]
 struct EndRatios<N> {
     fixed: bool,
@@ -425,7 +425,7 @@ fn body<W: Worksheet>(given: &BodyGiven<W>, length: W::Num, sheet: W) -> Result<
     }
 }
 
-/// What an end carries.
+/// Mass and stiffness at an end.
 #[derive(Clone, Copy)]
 struct Carried<N> {
     fixed: bool,
@@ -565,7 +565,7 @@ fn frequency_function(ends: [wave::End; 2], last: f64) -> Plot {
     .level("zero", 0.0)
 }
 
-/// What holds the ends of a body from `(0, y)` to `(width, y)`.
+/// Drawing of the supports of a body from `(0, y)` to `(width, y)`.
 fn sketch_of_ends(ends: [wave::End; 2], width: f64, y: f64) -> Vec<DrawnShape> {
     let at = |end: wave::End, x: f64, out: f64| {
         let mut parts = Vec::new();

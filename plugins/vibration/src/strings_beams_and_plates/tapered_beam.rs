@@ -201,7 +201,7 @@ impl TaperedBeam {
         }))
     }
 
-    /// What holds the ends of a beam from `(0, y)` to `(width, y)`.
+    /// Drawing of the supports of a beam from `(0, y)` to `(width, y)`.
     fn ends(&self, width: f64, y: f64) -> Vec<DrawnShape> {
         let left = match self.left {
             TaperedSupport::Free => None,
@@ -273,7 +273,7 @@ fn convergence(series: &[(usize, Vec<f64>)], modes: usize, unit: f64) -> Exhibit
     })
 }
 
-/// How far each frequency stands above the settled one; what is rounding alone is left out.
+/// Plot of the difference of each frequency from the converged one, without rounding noise.
 fn distance(series: &[(usize, Vec<f64>)], settled: &[f64]) -> Exhibit {
     let line = |n: usize| {
         let point = |(terms, lambdas): &(usize, Vec<f64>)| {

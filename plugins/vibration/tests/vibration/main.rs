@@ -1,4 +1,4 @@
-//! What the parts of the vibration analyses do, held against tables, brute force and what is typed.
+//! Tests of the parts of the vibration analyses against tables, brute force and typed values.
 
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 

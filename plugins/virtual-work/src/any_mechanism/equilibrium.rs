@@ -1,4 +1,4 @@
-//! Where a plane mechanism of any shape stays by itself, and whether it returns there.
+//! Equilibrium positions of a plane mechanism of any shape, and their stability.
 
 use dalembert_core::{
     About, Analysis, Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series,
@@ -354,7 +354,7 @@ impl Differences {
         }
     }
 
-    /// Whether the next order changes little.
+    /// Returns true if the next order of differences changes little.
     fn is_resolved(&self) -> bool {
         (self.bend - self.rough_bend).abs() <= 1e-4 * self.most / (self.step * self.step)
     }
@@ -383,7 +383,7 @@ fn check_eigenvalue<W: Worksheet>(stiffness: &DMatrix<f64>, eigenvalue: W::Num, 
     sheet.check_sum(what, eigenvalue, f64::midpoint(below, above).into(), bound);
 }
 
-/// Whether all pivots of a symmetric matrix are positive.
+/// Returns true if all pivots of a symmetric matrix are positive.
 fn is_positive_definite(mut left: DMatrix<f64>) -> bool {
     let order = left.nrows();
     (0..order).all(|pivot| {

@@ -156,7 +156,7 @@ impl Mechanism {
         }
     }
 
-    /// Where the bodies are and how they move; their angular accelerations.
+    /// Answers the positions, velocities and accelerations of the bodies; returns their angular accelerations.
     fn motion<W: Worksheet>(&self, this: &Solved<'_>, sheet: W) -> Vec<W::Num> {
         let mut angular = Vec::with_capacity(self.bodies.len());
         let mut shown = this.state.clone();

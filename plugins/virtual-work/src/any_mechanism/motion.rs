@@ -221,7 +221,7 @@ struct Solved<'a> {
     tolerance: f64,
 }
 
-/// Whether a motion of that duration may be followed with a larger error where it could not be with this one.
+/// Returns true if a motion that failed at this tolerance may succeed with a looser one.
 fn asks_for_a_looser_tolerance(error: &PlanarError, duration: f64) -> bool {
     use OdeError::{NotFinite, TooManySteps, TooShort};
     // The length of a step goes with the eighth root of its error.
@@ -288,7 +288,7 @@ impl Solved<'_> {
         }
     }
 
-    /// What is less than the error of a step beside the largest is zero.
+    /// Flushes a value below the error of a step, relative to the largest, to zero.
     fn without_error(&self, value: f64, largest: f64) -> f64 {
         if value.abs() > self.tolerance * largest { value } else { 0.0 }
     }
@@ -363,7 +363,7 @@ impl Solved<'_> {
         }
     }
 
-    /// What a friction does at the start, where the joint in each row carries this force.
+    /// Answers the friction of a joint at the start, for a given force in the joint of each row.
     fn joint_friction<W: Worksheet>(
         &self,
         joint_friction: &JointFriction,
@@ -413,7 +413,7 @@ impl Solved<'_> {
         });
     }
 
-    /// Where the motion comes to.
+    /// Answers the final state of the motion.
     fn finish<W: Worksheet>(&self, problem: &Motion, sheet: W) -> Result<(), Refusal> {
         let last = self.moved.samples.last().expect("a motion has its start");
         let time = sheet.found(
@@ -547,7 +547,7 @@ impl Solved<'_> {
         Ok(())
     }
 
-    /// What a joint exerts on its second point at the start: along x and y, or along one line.
+    /// Reaction of a joint on its second point at the start: along x and y, or along one line.
     fn carried(&self, row: usize) -> [Option<f64>; 2] {
         let [first, second, _] = carried(self.system, self.rows, row, &self.dynamics.multipliers, 1e-12);
         [first, second]

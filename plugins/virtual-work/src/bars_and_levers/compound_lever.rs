@@ -247,7 +247,7 @@ impl CompoundLever {
         Ok(turns)
     }
 
-    /// Where the pivots are when every lever is level and every link upright.
+    /// Positions of the pivots with every lever level and every link upright.
     fn pivots(&self) -> Vec<[f64; 2]> {
         let drop = self.size();
         let mut pivots = vec![[0.0, 0.0]];

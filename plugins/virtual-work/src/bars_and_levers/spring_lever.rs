@@ -394,7 +394,7 @@ impl SpringLever {
         Ok((k, moment))
     }
 
-    /// Where θ = 0 is an equilibrium under any load, the load and the stiffness at which it ceases to be stable.
+    /// Answers the critical load and stiffness, if θ = 0 is an equilibrium under any load.
     fn critical<W: Worksheet>(
         &self,
         given: &SpringLeverGiven<W>,

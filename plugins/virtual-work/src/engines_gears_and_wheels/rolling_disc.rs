@@ -106,7 +106,7 @@ pub enum Unknown {
     },
 }
 
-/// What is found in one position.
+/// Results in one position.
 pub struct Found<N> {
     rod_angle: N,
     position: N,
@@ -306,7 +306,7 @@ impl RollingDisc {
         }
     }
 
-    /// What spring and damper exert on the disc along x.
+    /// Force of spring and damper on the disc along x.
     fn along<N: Real>(&self, found: &Found<N>) -> f64 {
         let spring = self
             .spring

@@ -115,10 +115,10 @@ pub enum Unknown {
     },
 }
 
-/// What is found in one position.
+/// Results in one position.
 pub struct Found<N> {
     angles: [N; 2],
-    /// Where the rods meet, m.
+    /// Common pin of the rods, m.
     place: [f64; 2],
     /// On the first and on the second crank; geared, the one on the first alone.
     torques: [Option<N>; 2],

@@ -110,13 +110,13 @@ pub struct CouplerPoint {
     pub force: Vector3<f64>,
 }
 
-/// What is found in one position.
+/// Results in one position.
 pub struct Found<N> {
     angles: [N; 2],
     ratios: [N; 2],
     speeds: [N; 2],
     accelerations: [N; 2],
-    /// Where the point of the coupler is, m.
+    /// Coupler point, m.
     place: Option<[f64; 2]>,
     torque: N,
     load: N,
@@ -341,7 +341,7 @@ impl FourBar {
         sheet.check_sum(what, b * c * between.cos() * 2.0, wide, scale);
     }
 
-    /// Where the lines of the links meet: the velocity ratios once more, and what a person draws.
+    /// Instant centres, at the intersections of the lines of the links: a graphical check of the velocity ratios.
     fn instant_centres<W: Worksheet>(&self, given: &FourBarGiven<W>, found: &Found<W::Num>, sheet: W) {
         let [coupler, rocker] = found.ratios;
         if rocker.value().abs() > DEAD {

@@ -115,7 +115,7 @@ pub enum Unknown {
     },
 }
 
-/// What is found in one position.
+/// Results in one position.
 pub struct Found<N> {
     length: N,
     tilt: N,

@@ -117,7 +117,7 @@ pub enum Unknown {
     },
 }
 
-/// What is found in one position.
+/// Results in one position.
 pub struct Found<N> {
     lever: Turning<N>,
     reach: N,
@@ -354,7 +354,7 @@ impl QuickReturn {
         self.speed != 0.0 || self.acceleration != 0.0
     }
 
-    /// How much longer the forward way takes than the way back, and how far the lever swings.
+    /// Time ratio of the forward to the return stroke, and the swing angle of the lever.
     fn times<W: Worksheet>(&self, given: &QuickReturnGiven<W>, sheet: W) {
         if self.crank == self.frame {
             return;
@@ -537,7 +537,7 @@ impl QuickReturn {
         });
     }
 
-    /// Whether the mechanism closes at a crank angle, dead centres included.
+    /// Returns true if the mechanism closes at a crank angle, dead centres included.
     fn reached(&self, angle: f64) -> bool {
         let Output::Slider { link, height, .. } = self.output else { return true };
         let [x, y] = QuickReturn { angle: angle.rem_euclid(TAU), ..self.clone() }.pin();

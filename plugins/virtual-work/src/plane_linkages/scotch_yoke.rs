@@ -67,7 +67,7 @@ pub enum Unknown {
     },
 }
 
-/// What is found in one position.
+/// Results in one position.
 pub struct Found<N> {
     position: N,
     shift: N,

@@ -169,7 +169,7 @@ pub enum Load {
     },
 }
 
-/// What is found in one position.
+/// Results in one position.
 pub struct Found<N> {
     angles: [N; 4],
     /// Turns of links 3, 4, 5 for a unit turn of the crank.

@@ -84,7 +84,7 @@ pub enum Unknown {
     },
 }
 
-/// What is found in one position.
+/// Results in one position.
 pub struct Found<N> {
     rod_angle: N,
     position: N,
@@ -331,7 +331,7 @@ impl SliderCrank {
         self.speed != 0.0 || self.acceleration != 0.0
     }
 
-    /// How squarely the rod drives the slider, here and at the worst of a turn.
+    /// Transmission angle of the rod, here and at its worst in a revolution.
     fn transmission<W: Worksheet>(&self, given: &SliderCrankGiven<W>, rod_angle: W::Num, sheet: W) {
         let why = "Transmission angle: the acute angle between the rod and the normal of the slider's line, 90° − |θ_3|";
         let angle = sheet.step("μ", "deg", rod_angle.sin().abs().acos(), (why, NORTON.at("ch. 3")));

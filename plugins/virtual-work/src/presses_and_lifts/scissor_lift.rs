@@ -107,7 +107,7 @@ pub enum Sought {
 
 register!(ScissorLift);
 
-/// Where a point is and how it moves over δθ; a way that is zero is left out.
+/// Position of a point and its virtual displacement for δθ; a zero displacement is omitted.
 struct Place<N> {
     at: [N; 2],
     way: [Option<N>; 2],
@@ -268,7 +268,7 @@ impl Analysis for ScissorLift {
     }
 }
 
-/// Where an end of the cylinder is and how it moves over δθ.
+/// Position of an end of the cylinder and its virtual displacement for δθ.
 fn place<W: Worksheet>(
     end: &End,
     given: &EndGiven<W>,

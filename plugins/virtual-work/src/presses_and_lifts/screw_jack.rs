@@ -114,7 +114,7 @@ pub enum Sought {
 
 register!(ScrewJack);
 
-/// What a unit of axial force needs of torque, in metres, and the angles of the thread.
+/// Torque per unit of axial force, in metres, and the angles of the thread.
 struct Torques<N> {
     raise: N,
     lower: N,

@@ -137,8 +137,8 @@ impl Solved {
         self.dynamics.newton_euler[driver]
     }
 
-    /// What the joint exerts on its second point: of a pin the force, of a slider the force to the left of its line
-    /// and the couple, of anything else its first effort.
+    /// Reaction of the joint on its second point: of a pin the force, of a slider the force to the left of its line and
+    /// the couple, of any other joint its first effort.
     pub(crate) fn reaction(&self, joint: usize) -> [f64; 2] {
         let mut of_joint = (0..self.system.equations().len())
             .filter(|&equation| self.system.owner(equation) == joint)
@@ -231,8 +231,8 @@ impl Solved {
     }
 }
 
-/// What a joint exerts along its first measures by virtual power, with the joint released and driven in its place, and
-/// the size of what that is made of. None where its equations are not measures of their own.
+/// Reaction of a joint along its first relative coordinates by virtual power, with the joint released and driven in its
+/// place, and the magnitude of its terms. None where its equations are not measures of their own.
 fn released(
     system: &System,
     state: &State,
@@ -270,7 +270,7 @@ pub(crate) fn check_pin<W: Worksheet>(
     sheet.check_sum(what, force, by_power.into(), size.max(by_power));
 }
 
-/// Why a mechanism has no answer, in words for a user.
+/// Message for a refusal of the kernel.
 #[expect(clippy::needless_pass_by_value, reason = "it stands in map_err")]
 pub(crate) fn refusal(error: PlanarError) -> Refusal {
     Refusal::because(match error {
@@ -300,7 +300,7 @@ pub(crate) fn refusal(error: PlanarError) -> Refusal {
 
 /// A template: what it finds in one position, as the worked solution and, for plots and animations, as plain numbers.
 pub(crate) trait Template: Inputs {
-    /// What it finds.
+    /// Results in one position.
     type Found<N: Real>;
 
     /// Writes positions, virtual displacements and works, and the effort asked for.

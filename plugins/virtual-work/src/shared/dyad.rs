@@ -20,11 +20,11 @@ const DEAD: f64 = 1e-9;
 /// A pin that a pair hangs on.
 #[derive(Clone, Copy)]
 pub(crate) struct Support<W: Worksheet> {
-    /// Its name.
+    /// Name of the point.
     pub(crate) name: &'static str,
-    /// Where it is.
+    /// Position.
     pub(crate) at: W::Vec,
-    /// How it moves; none for a fixed one.
+    /// Motion; `None` for a fixed point.
     pub(crate) moving: Option<Moving<W>>,
 }
 
@@ -42,9 +42,9 @@ pub(crate) struct Bars<W: Worksheet> {
 /// A bar from a pin to a slider.
 pub(crate) struct Slide<W: Worksheet> {
     pub(crate) bar: Turning<W::Num>,
-    /// Where the slider is, along its line.
+    /// Position of the slider along its line.
     pub(crate) position: W::Num,
-    /// Its virtual displacement along the line for a unit of the coordinate.
+    /// Virtual displacement along the line per unit of the coordinate.
     pub(crate) shift: W::Num,
     pub(crate) velocity: W::Num,
     pub(crate) acceleration: W::Num,
@@ -226,7 +226,7 @@ pub(crate) struct Line<W: Worksheet> {
     pub(crate) angle: Option<W::Num>,
     pub(crate) along: W::Vec,
     pub(crate) left: W::Vec,
-    /// Whether the slider is behind the pin that the bar comes from, rather than ahead of it.
+    /// True if the slider is behind the pin that the bar comes from, rather than ahead of it.
     pub(crate) behind: bool,
 }
 

@@ -13,7 +13,7 @@ use crate::sources::{BEER, HIBBELER};
 const STEPS: usize = 720;
 /// The most equilibria that are answered.
 const MOST: usize = 12;
-/// What of a potential energy or curvature is rounding, as a part of its largest value in the range.
+/// Relative rounding error of a potential energy or curvature, over its largest value in the range.
 const ROUNDING: f64 = 1e-11;
 
 /// An equilibrium.
@@ -25,7 +25,7 @@ pub(crate) struct Equilibrium {
     pub(crate) stability: Stability,
 }
 
-/// What happens after a small push.
+/// Stability of an equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Stability {
     /// The potential energy is least: it comes back.

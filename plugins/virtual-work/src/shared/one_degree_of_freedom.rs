@@ -33,7 +33,7 @@ pub enum Position {
     },
 }
 
-/// How the shapes of a machine depend on its lengths and its angle.
+/// Position functions of the parts of a machine and their derivatives, in terms of its lengths and its angle.
 pub(crate) trait Shapes {
     /// `f`, `f′` and `f″` of every part.
     fn shapes<N: Real>(&self, lengths: &[N], angle: N) -> Vec<[N; 3]>;
@@ -53,7 +53,7 @@ pub(crate) trait Shapes {
 
 /// A load and what is said of it.
 pub(crate) struct Part<N> {
-    /// What it is, in words.
+    /// Name in words.
     pub(crate) name: &'static str,
     /// The load; none where it is sought.
     pub(crate) load: Option<N>,
@@ -74,7 +74,7 @@ pub(crate) struct Machine<'a, S, N> {
     pub(crate) joints: &'a [&'static str],
 }
 
-/// What was found: equilibria, or the one position, and all loads.
+/// Results: equilibria, or the one position, and all loads.
 pub(crate) struct Balanced<N> {
     pub(crate) list: Vec<Equilibrium>,
     /// The load that was sought.

@@ -338,7 +338,7 @@ impl Driven {
         }
     }
 
-    /// Its value in the drawn position.
+    /// Value in the initial configuration.
     pub(crate) fn drawn(&self) -> f64 {
         match *self {
             Driven::Angle { drawn, .. } | Driven::Position { drawn, .. } | Driven::Distance { drawn, .. } => {

@@ -271,8 +271,8 @@ impl<W: Worksheet> Works<W> {
     }
 }
 
-/// What a pin carries, by the equations of Newton and Euler: components and size. `of` is the pin, and with x and
-/// y behind it.
+/// Reaction of a pin, by the Newton–Euler equations: components and magnitude. `of` is the pin, and with x and y behind
+/// it.
 pub(crate) fn reaction<W: Worksheet>(
     of: [&'static str; 3],
     (name, label): (&'static str, &'static str),

@@ -347,7 +347,7 @@ fn a_range_that_is_cut_short_is_reported() {
     assert!(said.iter().any(|text| text.contains("the plots end at 96.3")), "{said:?}");
 }
 
-/// What is plotted over the first driver is what a solve at that value of it gives.
+/// A plot over the first driver agrees with a solve at each of its values.
 #[test]
 fn a_sweep_is_the_direct_solve_at_each_of_its_values() {
     let entry = find("virtual-work/mechanism").expect("it is registered");

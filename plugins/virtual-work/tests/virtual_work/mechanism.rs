@@ -1,4 +1,4 @@
-//! What the plane mechanism shows of its cases, held against the template and against statics.
+//! Results of the plane mechanism for its cases, compared with the templates and with statics.
 
 use dalembert_core::{
     AnswerValue, Exhibit, Locale, Number, Plot, Solution, Stop, TableExhibit, cases, exhibit::Cell, find,

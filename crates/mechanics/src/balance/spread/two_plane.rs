@@ -69,7 +69,7 @@ pub fn two_plane_statistics(
     })
 }
 
-/// What is disturbed, and how much.
+/// Readings to disturb, and their uncertainties.
 struct Job {
     alpha: [[Phasor<SimdVector>; 2]; 2],
     readings: [Phasor<SimdVector>; 2],

@@ -2,9 +2,9 @@
 
 use super::{BeamError, SEGMENTS};
 
-/// What the search asks of a beam.
+/// Functions of a beam that the search for eigenvalues evaluates.
 pub(super) struct Search<Count, Quotient> {
-    /// How many `λ` lie below one, the beam cut into segments of at most so large an angle.
+    /// Number of `λ` below a value, the beam being divided into segments of at most a given angle.
     pub count: Count,
     /// Rayleigh's quotient of the shape at a trial `β`.
     pub quotient: Quotient,

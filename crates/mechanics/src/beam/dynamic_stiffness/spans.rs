@@ -27,12 +27,12 @@ pub struct Span {
     pub foundation: f64,
 }
 
-/// What stands at an end of a span.
+/// Support and lumped elements at an end of a span.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Joint {
-    /// Whether the deflection is held.
+    /// True if the deflection is zero (support).
     pub held: bool,
-    /// Whether the rotation is held.
+    /// True if the rotation is zero (clamp).
     pub clamped: bool,
     /// Spring to the ground.
     pub spring: f64,
@@ -63,7 +63,7 @@ pub struct SpanShape {
     starts: Vec<Start>,
 }
 
-/// Where a segment begins, in which span, and the state there, its forces over `EI`.
+/// Start of a segment, its span, and the state vector there, forces over `EI`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Start {
     x: f64,
@@ -195,7 +195,7 @@ impl Spans {
         Ok(modes.values.iter().skip(rigid).copied().collect())
     }
 
-    /// How many `λ` lie below this one.
+    /// Number of `λ` below this value (Wittrick–Williams count).
     fn count(&self, lambda: f64, angle: f64) -> Result<usize, BeamError> {
         let chain = self.chain(lambda, angle)?.0;
         let clamped: usize = chain.segments.iter().map(|segment| segment.clamped).sum();
@@ -356,7 +356,7 @@ impl SpanShape {
         }
     }
 
-    /// Where each segment begins, its length and its span.
+    /// Start, length and span of each segment.
     fn segments(&self) -> impl Iterator<Item = (f64, f64, usize)> {
         let ends = self.starts.iter().skip(1).map(|start| start.x).chain([self.beam.length()]);
         self.starts.iter().zip(ends).map(|(start, end)| (start.x, end - start.x, start.span))

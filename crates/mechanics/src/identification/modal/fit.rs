@@ -7,7 +7,7 @@ use super::{
 };
 use dalembert_numerics::linalg;
 
-/// What stands for the other modes.
+/// Representation of the other modes (residual terms).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Residuals {
     /// Nothing.

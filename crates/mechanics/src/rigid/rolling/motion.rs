@@ -21,7 +21,7 @@ pub struct Rolling {
     pub gravity: f64,
 }
 
-/// What cannot be followed.
+/// Reason for which a rolling motion cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum RollingError {
     /// A quantity of the disc or of the start makes no sense.
@@ -34,7 +34,7 @@ pub enum RollingError {
     Motion(#[from] OdeError),
 }
 
-/// What ends a motion besides its duration.
+/// Conditions that end a motion before its duration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// The disc counts as flat with its plane at this angle to the floor, rad.
@@ -43,10 +43,10 @@ pub struct Limits {
     pub friction: Option<f64>,
 }
 
-/// What ended a motion.
+/// Condition that ended a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ended {
-    /// Its duration.
+    /// End of its duration.
     Time,
     /// The disc lies flat.
     Flat,
@@ -88,9 +88,9 @@ pub struct Rolled {
     pub inclination: Extremes,
     /// The least and the largest friction over the normal force; none where it leaves the floor.
     pub demand: Option<Extremes>,
-    /// What ended it.
+    /// Condition that ended the motion.
     pub ended: Ended,
-    /// How many steps were made.
+    /// Number of integration steps.
     pub steps: usize,
 }
 

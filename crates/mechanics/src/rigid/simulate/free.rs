@@ -19,7 +19,7 @@ const ROUNDS: usize = 60;
 const LONGEST: f64 = 0.5;
 /// Steps after which what rounding did to the invariants is taken back.
 const BETWEEN: u32 = 32;
-/// What they may be off by.
+/// Relative rounding error of the invariants.
 const ROUNDING: f64 = 8e-15;
 
 /// A body that turns freely, stepped in equal times.
@@ -36,11 +36,11 @@ pub struct FreeRotation {
     step: f64,
     stages: [[f64; 3]; 3],
     weights: [f64; 3],
-    /// What continues the slopes of one step into the next.
+    /// Extrapolation of the rates of one step into the next.
     onward: [[f64; 3]; 3],
     slopes: [Vector3<f64>; 3],
     momentum: Vector3<f64>,
-    /// What rounding left out of the momentum.
+    /// Compensation of the rounding error of the momentum.
     carried: Vector3<f64>,
     attitude: Quaternion<f64>,
     in_space: Vector3<f64>,

@@ -93,7 +93,7 @@ impl<'a> Machine<'a> {
         state
     }
 
-    /// When the torques bend.
+    /// Times at which the torques have corners.
     pub(super) fn breaks(&self) -> Vec<f64> {
         let of = |history: &History| match history {
             History::Table(rows) => rows.iter().map(|[time, _]| *time).collect(),

@@ -19,7 +19,7 @@ pub struct Top {
     pub couple: f64,
 }
 
-/// Why a motion cannot be given.
+/// Reason for which the motion of a top cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum TopError {
     /// Moments of inertia or weight are not positive.
@@ -36,7 +36,7 @@ pub enum TopError {
     NotFinite,
 }
 
-/// How the axis goes between its limits.
+/// Type of the path of the axis between its limits: steady, wavy, cusped or looped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trace {
     /// The axis keeps its angle to the vertical.
@@ -49,7 +49,7 @@ pub enum Trace {
     Loop,
 }
 
-/// Where the axis is, and how it moves.
+/// Attitude of the axis and its rates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Attitude {
     /// Nutation `θ`, rad.
@@ -239,7 +239,7 @@ impl Nutation {
         self.span / self.argument_rate()
     }
 
-    /// How far the axis goes about the vertical in one period of nutation, rad.
+    /// Precession angle over one period of nutation, rad.
     pub fn advance(&self) -> f64 {
         self.in_span.0
     }
@@ -249,7 +249,7 @@ impl Nutation {
         [self.high, self.low].map(|at| self.precession_rate(at))
     }
 
-    /// How the axis goes between its limits.
+    /// Type of the path of the axis between its limits.
     pub fn trace(&self) -> Trace {
         // φ̇ sin²θ: its sign at the two limits tells.
         let [at_high, at_low] = [self.high, self.low].map(|at| self.across(at));

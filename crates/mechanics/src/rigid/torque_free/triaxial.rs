@@ -32,7 +32,7 @@ pub enum FreeBodyError {
     NotFinite,
 }
 
-/// What the tip of the angular velocity does on the inertia ellipsoid.
+/// Class of the polhode: path of the tip of the angular velocity on the inertia ellipsoid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Polhode {
     /// It stays: the body turns about a principal axis.
@@ -49,7 +49,7 @@ pub struct FreeBody {
     inertia: Vector3<f64>,
     start: Vector3<f64>,
     polhode: Polhode,
-    /// Which axes are a, b, c.
+    /// Permutation of the principal axes that gives a, b, c.
     order: [usize; 3],
     /// `A_a`, `A_b`, `A_c` with their signs, rad/s.
     amplitudes: [f64; 3],
@@ -132,7 +132,7 @@ impl FreeBody {
         }
     }
 
-    /// What the tip of the angular velocity does on the inertia ellipsoid.
+    /// Class of the polhode: path of the tip of the angular velocity on the inertia ellipsoid.
     pub fn polhode(&self) -> Polhode {
         self.polhode
     }
@@ -167,7 +167,7 @@ impl FreeBody {
         }
     }
 
-    /// When the component along the middle axis is zero for the first time from now on, s.
+    /// First time, from now on, at which the component along the intermediate axis is zero, s.
     pub fn first_flip(&self) -> Option<f64> {
         match self.polhode {
             Polhode::Around(_) => {
@@ -179,7 +179,7 @@ impl FreeBody {
         }
     }
 
-    /// How far the axis c goes about `H_G` in one period, rad.
+    /// Angle of the axis c about `H_G` in one period, rad.
     pub fn advance(&self) -> f64 {
         let period = self.period();
         if period.is_finite() { self.precession_between(0.0, TAU, period) } else { 0.0 }
@@ -199,7 +199,7 @@ impl FreeBody {
         velocity
     }
 
-    /// How the body has turned since the start, from axes fixed in it to fixed axes that agreed with them.
+    /// Rotation of the body since the start, from body axes to fixed axes that agreed with them.
     pub fn attitude(&self, time: f64) -> Rotation3<f64> {
         if self.polhode == Polhode::Permanent {
             return Unit::try_new(self.start, 0.0).map_or_else(Rotation3::identity, |along| {

@@ -8,7 +8,7 @@ use super::{
 };
 use dalembert_numerics::linalg;
 
-/// Why there is no least peak.
+/// Reason for which no absorber minimises the peak.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum AbsorberError {
     /// The mass ratio or the damping ratio is not in its range.

@@ -1,6 +1,6 @@
 //! Integrals of resonant functions over frequency.
 
-/// Why an integral was not found.
+/// Reason for which an integral was not found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum QuadratureError {
     /// The function is NaN or infinite somewhere.

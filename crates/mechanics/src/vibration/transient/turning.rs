@@ -1,4 +1,4 @@
-//! Where an output turns round: the zeros of its rate, none missed and each to rounding.
+//! Turning points of an output: the zeros of its rate, none missed and each to rounding.
 
 use std::{f64::consts::PI, ops::ControlFlow};
 
@@ -38,7 +38,7 @@ impl Oscillator {
         Ok(turns)
     }
 
-    /// Where the rate of the output is zero between two times, if it changes its sign there.
+    /// Zero of the rate of the output between two times, if its sign changes there.
     fn turn(
         self,
         state: State,

@@ -1,6 +1,6 @@
 //! Responses to unit loads, with time counted in radians of the undamped motion: `θ = ωₙτ`.
 
-/// What `x″ + 2ζx′ + x = q` does from rest under unit loads, continuous through `ζ = 1`.
+/// Responses of `x″ + 2ζx′ + x = q` from rest to unit loads, continuous through `ζ = 1`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UnitResponses {
     /// After release from a unit displacement.

@@ -9,7 +9,7 @@ use super::CELL;
 /// The width of the lines of frames and of the dots of braille.
 const LINE: f64 = 1.2;
 const DOT: f64 = 2.6;
-/// Where the dots of braille lie in a cell.
+/// Positions of braille dots in a cell.
 const DOTS_X: [f64; 2] = [2.5, 6.5];
 const DOTS_Y: [f64; 4] = [3.0, 7.5, 12.0, 16.5];
 /// The bits of a braille character, by column and row.
@@ -53,7 +53,7 @@ fn block(character: char) -> Option<([f64; 4], f64)> {
     })
 }
 
-/// Whether a symbol is drawn here.
+/// Returns true if the symbol is drawn here.
 pub(super) fn has(symbol: &str) -> bool {
     let mut characters = symbol.chars();
     matches!((characters.next(), characters.next()), (Some(c), None)

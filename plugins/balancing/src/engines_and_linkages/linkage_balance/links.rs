@@ -4,14 +4,14 @@ use dalembert_mechanics::balance::linkage::{Counterweight, Follower, Link, Linka
 use dalembert_numerics::linalg;
 use nalgebra::{DMatrix, DVector};
 
-/// What the links feel at a place.
+/// Forces and moments of the links in one position.
 pub(super) struct Felt {
     pub force: [f64; 2],
     pub moment: f64,
     pub torque: f64,
     /// In the order of [`dalembert_mechanics::balance::linkage::Shaking::joints`].
     pub joints: [[f64; 2]; 4],
-    /// How many times the equations, and the accelerations in them, enlarge rounding.
+    /// Amplification of rounding by the equations and by the accelerations in them.
     pub growth: f64,
 }
 

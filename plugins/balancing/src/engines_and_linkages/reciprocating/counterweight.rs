@@ -19,7 +19,7 @@ use crate::{
     sources::{BEVAN, DEN_HARTOG, NORTON},
 };
 
-/// What a pair of balance shafts has against it.
+/// Rotating force and couple, forward and backward, that a pair of balance shafts counteracts.
 pub(super) struct Turning<N> {
     pub force: Pair<N>,
     /// Sizes of the couples that turn forward and backward.

@@ -12,7 +12,7 @@ use crate::sources::{DEN_HARTOG, KHURMI};
 
 /// A cylinder in its place.
 pub(super) struct Placed<N> {
-    /// Its row in the list, 0 where all are alike.
+    /// Row in the list, 0 if all cylinders are alike.
     pub row: usize,
     pub mass: N,
     pub rotating: N,
@@ -21,7 +21,7 @@ pub(super) struct Placed<N> {
     pub throw: N,
     pub line: N,
     pub position: N,
-    /// Whether its stroke is along the vertical.
+    /// True if the stroke is vertical.
     pub upright: bool,
 }
 
@@ -277,7 +277,7 @@ fn even_and_best<W: Worksheet>(angles: &[f64], interval: f64, places: &[f64], sh
     sheet.check_zero("no exchange of two cranks lessens the primary couple", less.into(), reach);
 }
 
-/// When each cylinder fires, counted from the first: the inverse of the firing order.
+/// Position of each cylinder in the firing order, from the first: the inverse of the firing order.
 fn turns(order: &str, pistons: usize) -> Result<Vec<usize>, Refusal> {
     let fault = |text: Text| Err(Refusal::because(text.with("order", order.trim()).with("count", pistons)));
     let words = order.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());

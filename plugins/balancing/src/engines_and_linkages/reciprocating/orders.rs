@@ -24,7 +24,7 @@ pub(super) struct Pair<N> {
     pub backward_size: N,
 }
 
-/// What was found of one order.
+/// Results of one harmonic order.
 pub(super) struct Order<N> {
     pub number: u8,
     /// Sum of the amplitudes, the size of what may cancel.

@@ -1,4 +1,4 @@
-//! What is drawn of an engine.
+//! Drawings of an engine.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! What was measured, in the unit it was measured in.
+//! Measured readings, in the unit of the measurement.
 
 use dalembert_core::{Inputs, Worksheet};
 
@@ -237,7 +237,7 @@ pub(super) struct Run<N> {
     pub(super) readings: Vec<Reading<N>>,
 }
 
-/// Where the influence coefficients come from.
+/// Source of the influence coefficients: trial runs or known values.
 pub(super) enum Influence<N> {
     Runs {
         stay: bool,

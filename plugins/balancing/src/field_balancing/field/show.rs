@@ -82,7 +82,7 @@ fn readings(first: &[Complex<f64>], left: &[Complex<f64>], unit: &'static str) -
     }
 }
 
-/// What balancing with one plane less would do.
+/// Table of the residual readings if one correction plane is omitted.
 fn left_out(numbers: &Numbers, factors: &[f64], unit: &'static str) -> TableExhibit {
     let planes = numbers.alpha.ncols();
     let row = |out: Option<usize>| {

@@ -139,7 +139,7 @@ fn load<W: Worksheet>(m: &Partly<W::Num>, found: Known, both: bool, sheet: W) ->
     Load { row, product, angle, position }
 }
 
-/// What was found of a mass in the balance `k`.
+/// Answers the unknowns of a mass in the `k`-th balance.
 fn another<W: Worksheet>(m: &Partly<W::Num>, found: Known, k: usize, both: bool, sheet: W) {
     let row = m.row;
     let symbol = |base: &'static str| Symbol::from(base).row(row).row(k);

@@ -120,7 +120,7 @@ fn least<W: Worksheet>(
     })
 }
 
-/// What is left of forces and couples, and the corrections from both equations at once.
+/// Residual force and couple, and the corrections from both equations at once.
 fn left_over<W: Worksheet>(masses: &[Unbalance<W::Num>], corrected: &[Corrected<W::Num>], sheet: W) {
     let added = || corrected.iter().map(|c| &c.unbalance);
     let everything = || masses.iter().chain(added());

@@ -118,7 +118,7 @@ pub(super) fn bearing_forces<W: Worksheet>(
     }
 }
 
-/// How the force on a bearing is written.
+/// Labels and symbols of the force on a bearing.
 struct Written {
     symbol: &'static str,
     why: &'static str,

@@ -94,7 +94,7 @@ pub enum Kind {
 }
 
 impl Support {
-    /// Its unknowns.
+    /// Unknown reactions of the support.
     fn unknowns(&self) -> Result<Vec<Unknown>, Refusal> {
         let force = |along: Vector3<f64>| Unknown::Force { at: self.at, along };
         let forces = || [Vector3::x(), Vector3::y(), Vector3::z()].map(force).to_vec();
@@ -183,7 +183,7 @@ impl<'a> Held<'a> {
         Ok(Self { all, owners, alone, driven })
     }
 
-    /// Whether the supports hold the body against turning about the axis of the last joint.
+    /// Returns true if the supports hold the body against rotation about the axis of the last joint.
     pub(super) fn against_the_drive(&self) -> bool {
         self.driven.is_none()
     }
@@ -204,7 +204,7 @@ impl<'a> Held<'a> {
         Ok((supports, x.get(self.owners.len()).copied()))
     }
 
-    /// Whether a support has couples of its own.
+    /// Returns true if a support exerts couples.
     pub(super) fn has_couples(&self, n: usize) -> bool {
         matches!(self.all[n].kind, Kind::Clevis { .. } | Kind::Weld | Kind::Couple { .. })
     }
@@ -341,7 +341,7 @@ impl<'a> Held<'a> {
     }
 }
 
-/// Why the six equations do not give the reactions, in the words of the form.
+/// Message for reactions that the six equations do not determine, in the words of the form.
 fn refused(error: &SupportError, all: &[Support], owners: &[usize]) -> Refusal {
     let text = match error {
         SupportError::Indeterminate { missing, unknowns } => {

@@ -1,4 +1,4 @@
-//! How far a top has turned, by quadrature over `χ`, with `cos θ = u₂ + (u₁ − u₂) sin² χ`.
+//! Rotation angles of a top, by quadrature over `χ`, with `cos θ = u₂ + (u₁ − u₂) sin² χ`.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

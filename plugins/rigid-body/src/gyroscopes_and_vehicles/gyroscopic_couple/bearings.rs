@@ -1,4 +1,4 @@
-//! What the two bearings of a rotor exert on it.
+//! Forces of the two bearings on a rotor.
 
 use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{Real, Vector, rigid::gyroscope};

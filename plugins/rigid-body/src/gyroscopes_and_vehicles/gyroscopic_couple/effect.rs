@@ -1,4 +1,4 @@
-//! What the reaction of a rotor does to its carrier, in words.
+//! Effect of the gyroscopic reaction on the carrier, in words.
 
 use dalembert_core::{
     Exhibit, TableExhibit, Worksheet,

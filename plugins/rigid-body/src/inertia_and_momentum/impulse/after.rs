@@ -31,7 +31,7 @@ impl From<Named<'_>> for Why {
     }
 }
 
-/// What is given to the body from outside: an impulse at a point.
+/// External impulse at a point.
 pub(super) struct Given<W: Worksheet> {
     pub(super) impulse: W::Vec,
     pub(super) point: W::Vec,

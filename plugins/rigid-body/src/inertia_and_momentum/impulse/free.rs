@@ -1,4 +1,4 @@
-//! How the body moves on: its instantaneous axis, and the free precession of a body of revolution.
+//! Motion after the impulse: instantaneous axis, and free precession of a body of revolution.
 
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{Real, Vector};
@@ -15,7 +15,7 @@ pub(super) struct After<W: Worksheet> {
     pub(super) velocity: W::Vec,
     /// Impulse of what holds the body, and where.
     pub(super) reaction: Option<(W::Vec, Vector3<f64>)>,
-    /// Its impulsive couple.
+    /// Impulsive couple.
     pub(super) couple: Option<W::Vec>,
 }
 

@@ -1,4 +1,4 @@
-//! What is asked of a body in motion, read into what is followed.
+//! Inputs of a body in motion, converted for the integration.
 
 use dalembert_core::{Inputs, Refusal};
 use dalembert_mechanics::rigid::simulate::{Body, End, History, Loads, Torque};
@@ -373,7 +373,7 @@ impl TorqueRow {
 }
 
 impl BodyAxis {
-    /// Its place among x, y and z.
+    /// Index among x, y and z.
     pub(super) fn index(self) -> usize {
         match self {
             BodyAxis::X => 0,
@@ -387,7 +387,7 @@ impl BodyAxis {
         Vector3::ith(self.index(), 1.0)
     }
 
-    /// How it is written.
+    /// Name of the axis.
     pub(super) fn name(self) -> &'static str {
         match self {
             BodyAxis::X => "x",

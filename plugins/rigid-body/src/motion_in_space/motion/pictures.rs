@@ -167,7 +167,7 @@ fn energies(samples: &[Sample]) -> Plot {
     Plot::new("Energy", Axis::linear("Time", "s"), Axis::linear("Energy", "J"), series).over("duration")
 }
 
-/// What energy and angular momentum are off by, in parts of the largest.
+/// Plot of the relative drift of energy and angular momentum.
 fn drifts(body: &Body, samples: &[Sample]) -> Plot {
     let left = |sample: &Sample| sample.kinetic + sample.potential - sample.work;
     let along = |sample: &Sample| {

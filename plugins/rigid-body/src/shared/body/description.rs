@@ -382,7 +382,8 @@ fn named(why: &'static str, name: &str) -> Refusal {
     Refusal::NoAnswer(Text::new(why).with("name", name))
 }
 
-/// Why numbers are no body, in the words of the form; `whose` is a sentence part such as "the body".
+/// Message for numbers that are not those of a body, in the words of the form; `whose` is a sentence part such as "the
+/// body".
 pub(crate) fn refused(error: &BodyError, whose: &'static str) -> Refusal {
     Refusal::NoAnswer(reported(error).with_text("name", whose))
 }

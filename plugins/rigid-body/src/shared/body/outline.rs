@@ -38,7 +38,7 @@ fn equal_ellipsoid(mass: f64, moments: Vector3<f64>) -> Vector3<f64> {
 }
 
 impl Part {
-    /// Its outline in the axes of the body.
+    /// Outline in the axes of the body.
     fn lines(&self) -> Lines {
         let (Ok(there), Ok(rotation)) = (self.properties(), self.rotation()) else { return Vec::new() };
         if let Some((from, to)) = self.shape.ends() {

@@ -440,7 +440,7 @@ impl<V: Vector> Described<V> {
         }
     }
 
-    /// Whether a turn about the own z axis leaves the inertia as it is.
+    /// Returns true if a rotation about its own z axis leaves the inertia unchanged.
     pub(super) fn is_round(self) -> bool {
         match self {
             Described::Primitive(shape) => shape.is_round(),
@@ -449,7 +449,7 @@ impl<V: Vector> Described<V> {
         }
     }
 
-    /// Whether any turn leaves the inertia as it is.
+    /// Returns true if any rotation leaves the inertia unchanged.
     pub(super) fn is_ball(self) -> bool {
         matches!(self, Described::Primitive(shape) if shape.is_ball())
     }

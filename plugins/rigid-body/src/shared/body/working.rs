@@ -27,7 +27,7 @@ pub(super) struct Piece<W: Worksheet> {
     pub(super) centre: W::Vec,
     pub(super) moments: [Option<W::Num>; 3],
     pub(super) products: [Option<W::Num>; 3],
-    /// Whether these carry the symbols of the axes of the body.
+    /// True if these carry the symbols of the axes of the body.
     pub(super) named: bool,
 }
 
@@ -292,8 +292,8 @@ fn composed<W: Worksheet>(parts: &[Part], given: &[PartGiven<W>], sheet: W) -> R
     Ok((mass, centre, moments, [product(0), product(1), product(2)]))
 }
 
-/// What a moment of inertia gains by a mass at an arm from the axis: `m (d_y² + d_z²)`, and cyclically. Nothing is
-/// written for a component that is zero.
+/// Parallel-axis term of a moment of inertia for a mass at an arm from the axis: `m (d_y² + d_z²)`, and cyclically.
+/// Nothing is written for a component that is zero.
 pub(crate) fn transferred<V: Vector>(mass: V::Scalar, arm: V, axis: usize) -> Option<V::Scalar> {
     let (a, b) = PAIRS[axis];
     let squares = [a, b].map(|n| arm.components()[n]).into_iter().filter(|part| part.value() != 0.0);
@@ -301,7 +301,7 @@ pub(crate) fn transferred<V: Vector>(mass: V::Scalar, arm: V, axis: usize) -> Op
     Some(mass * sum)
 }
 
-/// What a product of inertia gains by a mass at an arm: `m d_x d_y`, and cyclically.
+/// Parallel-axis term of a product of inertia for a mass at an arm: `m d_x d_y`, and cyclically.
 pub(crate) fn crossed<V: Vector>(mass: V::Scalar, arm: V, pair: usize) -> Option<V::Scalar> {
     let (a, b) = PAIRS[pair];
     let arm = arm.components();
@@ -317,7 +317,7 @@ pub(crate) fn gained<S: Real>(own: S, gain: Option<S>) -> S {
     }
 }
 
-/// What the inertia about a point is called.
+/// Symbols and labels of the inertia about a point.
 pub(crate) struct AboutPoint {
     /// The symbols of the moments and products.
     pub(crate) symbols: [&'static str; 6],

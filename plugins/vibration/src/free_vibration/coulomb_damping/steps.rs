@@ -30,15 +30,15 @@ pub(super) struct System<N> {
 
 /// The first turning point.
 pub(super) struct First<N> {
-    /// When; `None` for a release from rest, at once.
+    /// Time of the turning point; `None` for a release from rest, at once.
     time: Option<N>,
     /// Size of the displacement there.
     pub(super) amplitude: N,
-    /// Whether it lies on the positive side.
+    /// True if the turning point lies on the positive side.
     positive: bool,
     /// Time of a stroke.
     half: N,
-    /// What viscous damping leaves of an amplitude in a stroke, and the constant `C` that joins `|X|`.
+    /// Factor of viscous decay of the amplitude in a stroke, and the constant `C` that joins `|X|`.
     viscous: Option<[N; 2]>,
 }
 

@@ -2,7 +2,7 @@
 
 use dalembert_core::Worksheet;
 
-/// What the curve of a decrement and a loss by friction leaves of the amplitudes.
+/// Residuals of the amplitudes about the curve of a decrement and a friction loss.
 struct Differences {
     /// Sum of the products with the change of the curve, over the size of that change, for decrement and loss; zero for
     /// a parameter that is not free.

@@ -309,7 +309,7 @@ impl<N: Real> Form<N> {
         ))
     }
 
-    /// When the envelope is down to a level.
+    /// Time at which the envelope has decayed to a level.
     pub(super) fn settling_of_envelope<W: Worksheet<Num = N>>(&self, level: N, sheet: W) -> Option<N> {
         let Form::Oscillating { natural, zeta, size, .. } = *self else { return None };
         let time = (size / level).ln() / (zeta * natural);

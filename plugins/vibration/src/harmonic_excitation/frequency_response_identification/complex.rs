@@ -165,7 +165,7 @@ pub enum ResidualKind {
 }
 
 impl ResponseTable {
-    /// What was measured, and its points.
+    /// Measured quantity and its points.
     fn read(&self) -> (Response, Vec<Point>) {
         let polar = Complex::from_polar;
         match self {
@@ -473,7 +473,7 @@ fn answers<W: Worksheet>(mode: &Mode<W::Num>, damping: DampingKind, force: Optio
     sheet.answer("damping", "Damping coefficient", coefficient);
 }
 
-/// How far the methods lie apart.
+/// Differences between the methods.
 fn spread<W: Worksheet>(modes: &[(&'static str, Mode<W::Num>)], sheet: W) {
     let of = |which: fn(&Mode<W::Num>) -> W::Num| {
         let by_size = |a: &W::Num, b: &W::Num| a.value().total_cmp(&b.value());
@@ -505,7 +505,7 @@ fn spread<W: Worksheet>(modes: &[(&'static str, Mode<W::Num>)], sheet: W) {
     }
 }
 
-/// Where the methods are at their limits.
+/// Warnings at the limits of the methods.
 fn caution<W: Worksheet>(count: usize, damping_ratio: f64, sheet: W) {
     if count < FEW {
         sheet.warn(|| {

@@ -8,7 +8,7 @@ use dalembert_mechanics::{
     sdof,
 };
 
-/// What was measured, and the receptance of what was identified.
+/// Plot of the measured points with the receptance of the identified system.
 pub(super) fn receptance(
     (stiffness, mass, damping): (f64, f64, f64),
     measured: Vec<(f64, f64)>,

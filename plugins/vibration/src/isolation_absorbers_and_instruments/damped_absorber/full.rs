@@ -38,8 +38,8 @@ impl InFull {
     }
 }
 
-/// How far, as a part of the frequency ratio, a response is from being level at a peak, and what differences of sixth order
-/// and rounding make of that. `None` where the peak is too broad to be placed so.
+/// Distance of a response from its stationary point at a peak, relative to the frequency ratio, and the bound of its
+/// error by differences of sixth order and rounding. `None` where the peak is too broad to be placed so.
 pub(super) fn off_level(response: impl Fn(f64) -> f64, ratio: f64) -> Option<[f64; 2]> {
     let at = |part: f64| response(ratio * (1.0 + part));
     let here = at(0.0);

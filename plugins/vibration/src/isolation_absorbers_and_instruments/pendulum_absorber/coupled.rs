@@ -7,7 +7,7 @@ use crate::sources::DEN_HARTOG;
 
 /// A body with a pendulum.
 pub(super) struct Coupled<N> {
-    /// Whether the body is a rotor, or moves along a line.
+    /// True for a rotor, false for a body in translation.
     pub(super) on_rotor: bool,
     /// Inertia of the body with what hangs on it.
     pub(super) body: N,
@@ -15,7 +15,7 @@ pub(super) struct Coupled<N> {
     pub(super) swing: N,
     /// Frequency of the swing with the body at rest.
     pub(super) antiresonance: N,
-    /// What holds the body.
+    /// Stiffness of the suspension of the body.
     pub(super) held: Option<N>,
 }
 

@@ -11,7 +11,7 @@ const POINTS: u32 = 400;
 /// A rotor with pendulums.
 pub(super) struct Rotor {
     pub(super) pair: Pair,
-    /// Its moment of inertia alone.
+    /// Moment of inertia without the pendulums.
     pub(super) alone: f64,
     pub(super) speed: f64,
     pub(super) tuned: f64,

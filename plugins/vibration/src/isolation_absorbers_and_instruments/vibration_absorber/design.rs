@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{shared::oscillator::is_one, sources::RAO};
 
-/// What is asked of the absorber, or known of it.
+/// Requirement on the absorber, or its known parameter.
 pub(super) enum Wanted<N> {
     Stroke(N),
     Separation(N),

@@ -5,7 +5,7 @@ use dalembert_mechanics::sdof;
 
 use crate::sources::RAO;
 
-/// How the masses move.
+/// Type of motion of the masses: translation or rotation.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Motion {
     Translation,

@@ -18,7 +18,7 @@ use super::{
 const MOST_RAYS: usize = 8;
 const MOST_STARS: usize = 6;
 
-/// What is shown.
+/// Data of the plots and tables.
 pub(super) struct View<'a, N> {
     pub(super) problem: &'a EngineOrders,
     pub(super) line: &'a Line<N>,

@@ -1,4 +1,4 @@
-//! Which cylinder fires when, and on which mass of the line it acts.
+//! Firing angles of the cylinders, and the mass of the line on which each acts.
 
 use std::f64::consts::PI;
 
@@ -15,9 +15,9 @@ const MOST_CRANKS: usize = 24;
 pub(super) struct Cylinders<N> {
     /// Cylinder by cylinder.
     pub(super) each: Vec<Cylinder<N>>,
-    /// How many cranks there are.
+    /// Number of cranks.
     pub(super) cranks: usize,
-    /// Whether each crank has a cylinder of its own, in their order.
+    /// True if each crank has a cylinder of its own, in order.
     pub(super) one_to_a_crank: bool,
 }
 
@@ -25,7 +25,7 @@ pub(super) struct Cylinders<N> {
 pub(super) struct Cylinder<N> {
     /// The mass of the line that is its crank, counted from 0.
     pub(super) mass: usize,
-    /// Its firing angle.
+    /// Firing angle.
     pub(super) angle: N,
 }
 

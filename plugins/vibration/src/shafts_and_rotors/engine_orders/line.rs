@@ -173,7 +173,7 @@ pub(super) fn line<W: Worksheet>(
     Ok(Line { inertias, stiffnesses, names, cranks, crankshaft, train })
 }
 
-/// What the kernel refuses, in words.
+/// Message for a refusal of the kernel.
 pub(super) fn refusal(error: &TrainError) -> Refusal {
     Refusal::because(match error {
         TrainError::TooMany => "there are more than 200 masses: join some of them",

@@ -1,4 +1,4 @@
-//! What a rotor is made of, as it is typed.
+//! Inputs of the parts of a rotor.
 
 use dalembert_core::{Inputs, Refusal, Worksheet};
 use dalembert_mechanics::{

@@ -1,4 +1,4 @@
-//! What is shown of a rotor: the rotor itself, its modes, and the diagrams over speed.
+//! Figures of a rotor: the rotor itself, its modes, and the diagrams over speed.
 
 use std::{cell::OnceCell, f64::consts::TAU};
 
@@ -16,7 +16,7 @@ use dalembert_mechanics::rotor::{
 
 use super::{RotorDynamics, Stations, in_words, stiffness_map};
 
-/// What there is to be shown.
+/// Data of the figures.
 pub(super) struct Shown<'a> {
     pub(super) problem: &'a RotorDynamics,
     pub(super) rotor: &'a Rotor,
@@ -297,7 +297,7 @@ fn branches(diagram: Option<&Campbell>, answer: &'static str, value: fn(&Mode) -
     diagram.branches.iter().enumerate().map(branch).collect()
 }
 
-/// What is the rounding of an eigenvalue alone is no decrement.
+/// Logarithmic decrement of a mode; zero if it is within the rounding error of the eigenvalue.
 fn decrement(mode: &Mode) -> f64 {
     let decrement = mode.log_decrement();
     if decrement.abs() > 1e-12 { decrement } else { 0.0 }

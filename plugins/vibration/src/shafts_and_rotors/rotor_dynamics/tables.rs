@@ -7,7 +7,7 @@ use super::{
     parts::{Bearing, SpeedRow},
 };
 
-/// What of a speed lies outside a table by rounding alone, over the speed.
+/// Relative distance outside a table that a speed may have by rounding alone.
 const ROUNDING: f64 = 1e-9;
 
 impl RotorDynamics {
@@ -48,7 +48,7 @@ impl RotorDynamics {
         Ok(())
     }
 
-    /// Where the diagrams begin: at rest, or where the last of the tables does.
+    /// Lower end of the diagrams: standstill, or the largest of the first speeds of the tables.
     pub(super) fn lowest_speed(&self) -> f64 {
         self.tables().filter_map(|(_, rows)| ends(rows)).map(|(from, _)| from).fold(0.0, f64::max)
     }

@@ -13,7 +13,7 @@ const LINE: f64 = 3.0;
 /// Frames of an animation.
 const FRAMES: u16 = 24;
 
-/// Where the discs are drawn.
+/// Positions of the discs in the drawing.
 pub(super) struct Layout {
     at: Vec<(f64, f64)>,
 }

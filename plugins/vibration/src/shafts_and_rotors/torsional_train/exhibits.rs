@@ -90,7 +90,7 @@ pub(super) fn holzer<N: Real>(
     }
 }
 
-/// Where shafts stand still.
+/// Table of the nodes of the shafts.
 pub(super) fn nodes(problem: &TorsionalTrain, nodes: &[Node]) -> TableExhibit {
     let name = |disc: usize| Cell::Text(verbatim(&problem.discs[disc].name));
     let row = |node: &Node| {

@@ -46,7 +46,7 @@ pub(super) struct Link<N> {
     pub(super) stiffness: N,
 }
 
-/// What joins two discs.
+/// Connection of two discs: a shaft, or a gear pair seen from either wheel.
 #[derive(Clone, Copy)]
 enum Joint {
     Shaft,

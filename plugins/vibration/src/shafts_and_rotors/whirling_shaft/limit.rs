@@ -9,7 +9,7 @@ use crate::{
     sources::{BEER, RAO},
 };
 
-/// What the plot shows of a limit.
+/// Limit as plotted.
 pub(super) struct Limited {
     /// The amplitude at the limit, m.
     pub(super) amplitude: f64,

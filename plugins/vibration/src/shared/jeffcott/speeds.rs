@@ -11,7 +11,7 @@ use dalembert_numerics::intervals::{Interval, IntervalSet};
 
 use crate::sources::RAO;
 
-/// What the whirl of a rotor follows from.
+/// Parameters of the whirl of a rotor.
 #[derive(Clone, Copy)]
 pub(crate) struct Whirl<N> {
     /// Critical speed.

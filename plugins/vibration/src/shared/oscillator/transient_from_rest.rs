@@ -18,7 +18,7 @@ pub enum Wave {
     Cosine,
 }
 
-/// What builds up.
+/// Response that builds up from rest.
 #[derive(Clone, Copy)]
 pub(crate) struct BuildUp<N> {
     /// Deflection that the harmonic would hold at rest, m.
@@ -31,9 +31,9 @@ pub(crate) struct BuildUp<N> {
     pub(crate) at: AtFrequency<N>,
     /// Amplitude and lag of the steady motion; `None` where there is none.
     pub(crate) steady: Option<(N, N)>,
-    /// How the harmonic begins.
+    /// Waveform of the excitation: sine or cosine.
     pub(crate) wave: Wave,
-    /// Whether the dashpot pushes too, as it does on a shaking base.
+    /// True if the dashpot transmits the excitation too, as in base excitation.
     pub(crate) through_dashpot: bool,
 }
 

@@ -7,19 +7,19 @@ use crate::sources::RAO;
 
 /// A spring or a part of a network, with its stiffness.
 pub(crate) struct Element<N> {
-    /// Its rows in the network, counted from 1: the place of `k₁,₂` is `[1, 2]`.
+    /// Path in the network, rows counted from 1: that of `k₁,₂` is `[1, 2]`.
     pub(crate) place: Vec<usize>,
-    /// What it is.
+    /// Name of the type of the element.
     pub(crate) label: &'static str,
-    /// Whether it moves along a line or turns.
+    /// Type of motion: translation or rotation.
     pub(crate) motion: Motion,
-    /// Its stiffness, N/m or N·m/rad.
+    /// Stiffness, N/m or N·m/rad.
     pub(crate) stiffness: N,
-    /// How its members hang together.
+    /// Connection of its members: series or parallel.
     pub(crate) joined: Joined<N>,
 }
 
-/// How the members of an element hang together.
+/// Connection of the members of an element.
 pub(crate) enum Joined<N> {
     /// It has none.
     Alone,
@@ -31,7 +31,7 @@ pub(crate) enum Joined<N> {
     Through(N, Vec<Element<N>>),
 }
 
-/// Whether springs move along a line or turn.
+/// Type of motion of springs: translation or rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Motion {
     /// Along a line: forces and deflections.
@@ -63,7 +63,7 @@ pub(crate) fn symbol(base: &'static str, place: &[usize]) -> Symbol {
     place.iter().fold(Symbol::from(base), |symbol, row| symbol.row(*row))
 }
 
-/// What writes an element of a network.
+/// Writer of the steps of an element of a network.
 pub(super) struct Build<'p, W> {
     pub(super) motion: Motion,
     pub(super) place: &'p [usize],

@@ -1,4 +1,4 @@
-//! What each member of a network carries and how much it gives.
+//! Force and deflection of each member of a network.
 
 use dalembert_core::{Cell, Column, Exhibit, Symbol, TableExhibit, Text, Worksheet, printer};
 use dalembert_mechanics::Real;
@@ -9,7 +9,7 @@ use super::{
 };
 use crate::sources::RAO;
 
-/// What loads the network, so that its members can be shown with their forces.
+/// Load on the network, for the forces of its members.
 #[derive(Clone, Copy)]
 pub(crate) enum Loaded {
     /// The whole vibrates with this amplitude, m or rad.
@@ -113,7 +113,7 @@ fn inside<W: Worksheet>(
     }
 }
 
-/// What shares are called: of forces and deflections, or of torques and twists.
+/// Labels of the quantities of the members: forces and deflections, or torques and twists.
 struct Words {
     in_series: &'static str,
     in_parallel: &'static str,

@@ -12,11 +12,11 @@ const WIDTH: f64 = 1.6;
 pub(crate) trait Hung: Sized {
     /// The symbol of its stiffness.
     const SYMBOL: &'static str;
-    /// How its members hang together.
+    /// Connection of its members.
     fn hanging(&self) -> Hanging<'_, Self>;
 }
 
-/// How the members of a drawn network hang together.
+/// Connection of the members of a drawn network.
 pub(crate) enum Hanging<'a, T> {
     /// End to end.
     Series(&'a [T]),
@@ -137,7 +137,7 @@ pub(crate) fn hanging<T: Hung>(
     }
 }
 
-/// What carries a machine whose lower side lies between `(−0.6, −0.4)` and `(0.6, −0.4)`.
+/// Drawing of the support of a machine whose lower side lies between `(−0.6, −0.4)` and `(0.6, −0.4)`.
 pub(crate) fn carrying(spring: &Spring) -> Vec<DrawnShape> {
     let beam = |from: f64, to: f64| DrawnShape::Polyline(vec![(from, -0.5), (to, -0.5)], Ink::Body);
     let left_clamp = |x: f64| DrawnShape::Ground((x, 0.5), (x, -1.5));

@@ -278,7 +278,7 @@ fn single<W: Worksheet>(
     Ok(sheet.step(symbol("k_t", place), "N*m/rad", k, why))
 }
 
-/// What an element is, in a word.
+/// Name of the type of an element.
 fn label<W: Worksheet>(given: &TorsionalSpringGiven<W>) -> &'static str {
     match given {
         TorsionalSpringGiven::Stiffness { .. } => "torsional spring",

@@ -1,4 +1,4 @@
-//! What damps a system, and the damping ratios of its modes.
+//! Damping of a system, and the damping ratios of its modes.
 
 use dalembert_core::{Inputs, Refusal, Text, Worksheet};
 use dalembert_mechanics::{
@@ -67,12 +67,12 @@ pub(crate) struct ModalDamping {
     pub(crate) matrix: DMatrix<f64>,
     /// The damping matrix itself.
     pub(crate) physical: DMatrix<f64>,
-    /// Whether the modes without damping remain.
+    /// True for proportional damping: the undamped modes remain.
     pub(crate) proportional: bool,
 }
 
 impl ModalDamping {
-    /// Whether anything is damped.
+    /// Returns true if there is any damping.
     pub(crate) fn any(&self) -> bool {
         self.matrix.iter().any(|entry| *entry != 0.0)
     }

@@ -19,7 +19,7 @@ const COINCIDING: f64 = 1e-10;
 /// So many modes are written out.
 pub(crate) const SHOWN: usize = 8;
 
-/// Why there are no modes, for a user.
+/// Message for a system without modes.
 pub(crate) fn refusal(error: ModesError) -> Refusal {
     match error {
         ModesError::Unstable { .. } => Refusal::because(

@@ -21,30 +21,30 @@ pub(super) struct Model<N> {
     pub(super) size: Option<N>,
     /// Duration of a pulse.
     pub(super) duration: Option<N>,
-    /// What the motion is the sum of; `None` for a table.
+    /// Terms of the superposition; `None` for a table.
     pub(super) terms: Option<Vec<Term<N>>>,
     /// The motion.
     pub(super) motion: Motion,
-    /// When the load is over.
+    /// End of the load.
     pub(super) end: Option<f64>,
-    /// Whether the load is held at its size.
+    /// True if the load remains at its final value.
     pub(super) is_held: bool,
     pieces: Vec<Piece>,
 }
 
 /// A response that begins at a moment.
 pub(super) struct Term<N> {
-    /// When it begins; at time zero where there is none.
+    /// Onset time; time zero if `None`.
     pub(super) onset: Option<N>,
-    /// What it is the response to.
+    /// Unit load that it is the response to.
     pub(super) unit: Unit<N>,
-    /// How much of it there is.
+    /// Weight of the unit response.
     pub(super) weight: Weight<N>,
-    /// Whether it is taken away.
+    /// True if the term is subtracted.
     pub(super) negative: bool,
 }
 
-/// What a term is the response to.
+/// Unit load of a term.
 pub(super) enum Unit<N> {
     /// A unit displacement at the start.
     Release,
@@ -68,7 +68,7 @@ pub(super) enum Weight<N> {
 }
 
 impl<N: Real> Model<N> {
-    /// When the load changes its course for the last time.
+    /// Time of the last change of the law of the load.
     pub(super) fn last_change(&self) -> f64 {
         let last = self.pieces.last().map_or(0.0, |piece| match piece.law {
             Law::Decay { rate, .. } => piece.from + 3.0 / rate,
@@ -78,13 +78,13 @@ impl<N: Real> Model<N> {
         if last.is_finite() { last } else { 0.0 }
     }
 
-    /// What spring and damper hold at a time, as a displacement, by the integral over unit impulses.
+    /// Restoring displacement of spring and damper at a time, by the Duhamel integral over unit impulses.
     pub(super) fn by_impulses(&self, natural: f64, ratio: f64, time: f64) -> Option<f64> {
         let begun = self.motion.at(0.0);
         load::by_impulses(Oscillator { natural, ratio }, begun, &self.pieces, Output::support(ratio), time)
     }
 
-    /// Whether the load jumps, or bends, at a time.
+    /// Returns true if the load or its rate is discontinuous at a time.
     pub(super) fn jumps_at(&self, time: f64) -> bool {
         self.pieces.iter().any(|piece| (piece.from - time).abs() <= 1e-9 * time)
     }
@@ -195,7 +195,7 @@ fn of_course<W: Worksheet>(
     Ok(Model { size: Some(size), duration, terms: Some(terms), motion, end: built.end, is_held, pieces })
 }
 
-/// What a course is the sum of.
+/// Terms of a time history as a superposition.
 fn terms<W: Worksheet>(given: &CourseGiven<W>, system: &System<W::Num>, sheet: W) -> Vec<Term<W::Num>> {
     match given {
         CourseGiven::Step {} => vec![Term::new(Unit::Step)],

@@ -12,7 +12,7 @@ use crate::{
     sources::{CHOPRA, RAO},
 };
 
-/// What the closed forms need.
+/// Parameters of the closed forms.
 pub(super) struct Superposition<'m, N> {
     system: System<N>,
     free: FreeMotion<N>,
@@ -126,7 +126,7 @@ impl<'m, N: Real> Superposition<'m, N> {
         }
     }
 
-    /// Whether a sine or exponential is too near a pole of its closed form.
+    /// Returns true if a sine or exponential is too near a pole of its closed form.
     fn is_near_a_pole(&self, terms: &[Term<N>]) -> bool {
         let zeta = self.system.ratio.value();
         terms.iter().any(|term| match &term.unit {

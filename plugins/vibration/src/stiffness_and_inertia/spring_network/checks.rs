@@ -8,7 +8,7 @@ use dalembert_mechanics::{
 use dalembert_numerics::linalg::ComplexLu;
 use nalgebra::{Complex, DMatrix};
 
-/// What a motion of all nodes makes of masses, dampers and springs: `Σ m|x|²`, `Σ c|Δx|²` and `Σ k|Δx|²`.
+/// Sums over masses, dampers and springs for a motion of all nodes: `Σ m|x|²`, `Σ c|Δx|²` and `Σ k|Δx|²`.
 struct Sums {
     inertia: f64,
     damping: f64,
@@ -45,7 +45,7 @@ pub(super) fn dampers_alone(system: &Network) -> Network {
     Network { masses: system.masses.clone(), links: links.collect() }
 }
 
-/// What is shown of the harmonic motion of the loaded node.
+/// Displayed results of the harmonic motion of the loaded node.
 pub(super) struct Shown<N> {
     pub(super) force: N,
     pub(super) amplitude: N,

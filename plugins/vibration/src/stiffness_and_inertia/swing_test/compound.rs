@@ -58,7 +58,7 @@ pub(super) fn one_point<W: Worksheet>(
     Ok((inertia, gyration))
 }
 
-/// What two points of suspension tell.
+/// Centre of mass and inertia from the periods about two points of suspension.
 pub(super) struct Centre<N> {
     pub(super) inertia: N,
     pub(super) gyration: N,

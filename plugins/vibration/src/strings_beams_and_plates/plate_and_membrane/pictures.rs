@@ -61,7 +61,7 @@ impl Figure {
         }
     }
 
-    /// Where the deflection across is zero inside.
+    /// Interior zeros of the deflection across.
     fn zeros_across(&self) -> Vec<f64> {
         match self {
             Figure::Sines { pattern, .. } => (1..pattern[1]).map(|n| n as f64 / pattern[1] as f64).collect(),

@@ -51,7 +51,7 @@ impl Solved<'_> {
         }
     }
 
-    /// What a part is called.
+    /// Name of a part.
     pub(super) fn called(&self, part: Frame) -> Text {
         part.map_or("the ground".into(), |body| verbatim(&self.parts.bodies[body].name))
     }

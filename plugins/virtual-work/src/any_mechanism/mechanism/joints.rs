@@ -1,4 +1,4 @@
-//! What the joints of a mechanism carry: in the axes of the ground, in those of the bodies, and over the range.
+//! Joint reactions of a mechanism: in the axes of the ground, in those of the bodies, and over the range.
 
 use dalembert_core::{
     Axis, Exhibit, Plot, Series, TableExhibit, Text, Worksheet,
@@ -23,7 +23,7 @@ const MOST_CHECKED: usize = 8;
 const MOST_PINS: usize = 4;
 
 impl Solved<'_> {
-    /// What each joint carries; `determined` where no joint holds more than it needs.
+    /// Answers the reaction of each joint; `determined` if no joint is redundant.
     pub(super) fn reactions<W: Worksheet>(&self, determined: bool, sheet: W) {
         let mut pins = Vec::new();
         for (row, connection) in self.parts.joints.iter().enumerate() {
@@ -54,7 +54,7 @@ impl Solved<'_> {
         }
     }
 
-    /// What a joint exerts on its second point: the force along x and y, or across a line or along a rod; the couple.
+    /// Reaction of a joint on its second point: the force along x and y, or across a line or along a rod; the couple.
     fn carried(&self, row: usize) -> [Option<f64>; 3] {
         carried(self.system, self.rows, row, &self.dynamics.multipliers, ROUNDING)
     }
@@ -192,7 +192,7 @@ impl Solved<'_> {
     }
 }
 
-/// Whether a force is more than one point. It is examined in some places only: every solve asks, shown or not.
+/// Returns true if a force varies over the samples. It is examined in some places only: every solve asks, shown or not.
 fn changes(samples: &[Sample], force: impl Fn(&Sample) -> [f64; 2]) -> bool {
     const PLACES: usize = 7;
     let places: Vec<&Sample> = samples.iter().step_by(samples.len() / PLACES + 1).collect();

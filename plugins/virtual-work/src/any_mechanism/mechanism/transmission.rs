@@ -1,4 +1,4 @@
-//! How well the links of a mechanism pass on a push.
+//! Transmission angles and pressure angles of the links of a mechanism.
 
 use dalembert_core::{
     TableExhibit, Text,
@@ -91,7 +91,7 @@ impl Solved<'_> {
         links
     }
 
-    /// Whether a joint has to do with a body.
+    /// Returns true if a joint belongs to a body.
     fn holds(&self, row: usize, body: usize) -> bool {
         self.system.equations().iter().enumerate().any(|(equation, of)| {
             self.rows.get(self.system.owner(equation)) == Some(&row)

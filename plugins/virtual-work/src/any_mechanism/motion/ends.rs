@@ -1,4 +1,4 @@
-//! What ends a motion before its time.
+//! Terminal events of a motion.
 
 use dalembert_core::{Inputs, Reference, Refusal, Text};
 use dalembert_mechanics::planar::{End, Measure, Snapshot, Trajectory};

@@ -10,7 +10,7 @@ use super::{DOUBTFUL, ROUNDINGS, STEPS, Solved, WRONG};
 use crate::shared::parts::Load;
 
 impl Solved<'_> {
-    /// How a joint with friction slides at the end, where the bodies move as shown.
+    /// Answers the sliding velocity of a joint with friction at the end.
     pub(super) fn sliding<W: Worksheet>(&self, joint_friction: &JointFriction, shown: &State, sheet: W) {
         let row = joint_friction.load + 1;
         let name = &self.parts.loads[joint_friction.load].name;

@@ -1,4 +1,4 @@
-//! Whether a given motion can be that of a slider-crank, and by how much it is not.
+//! Compatibility of a given motion with the constraints of a slider-crank, and its residuals.
 //!
 //! The crank turns about the origin at the angle θ_c, the rod makes the angle θ_r with the x axis, drawn from the
 //! crank pin, and the slider moves along x. Crank, rod and slider are links 2, 3 and 4 of the course notes.

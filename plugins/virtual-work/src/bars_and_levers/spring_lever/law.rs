@@ -1,11 +1,11 @@
-//! How load and spring of the arm change with its angle.
+//! Height of the load and length of the spring as functions of the angle of the arm.
 
 use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::Real;
 
 use crate::shared::equilibria::{Equilibrium, answer_equilibria};
 
-/// How the spring is stretched: `u = stretch²/2`, so that its energy is `k u`.
+/// Geometry of the spring: `u = stretch²/2`, so that its energy is `k u`.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Geometry<N> {
     Torsion { free: Option<N> },
@@ -37,7 +37,7 @@ pub(super) fn length<N: Real>(b: N, d: N, angle: N) -> N {
     (b.powi(2) + d.powi(2) - b * d * angle.cos() * 2.0).sqrt()
 }
 
-/// Its slope with the angle.
+/// Derivative with respect to the angle.
 pub(super) fn rate<N: Real>(b: N, d: N, angle: N, length: N) -> N {
     b * d * angle.sin() / length
 }
@@ -48,7 +48,7 @@ fn bend<N: Real>(b: N, d: N, angle: N, length: N, rate: N) -> N {
 }
 
 impl<N: Real> Height<N> {
-    /// Whether the load goes down, and by how much for its arm and δθ: `h′ = ∓ …`.
+    /// Direction of the load's motion (true for down) and its magnitude for its arm and δθ: `h′ = ∓ …`.
     pub(super) fn slope(&self, angle: N) -> (bool, N) {
         match self {
             Height::Upright => (true, angle.sin()),

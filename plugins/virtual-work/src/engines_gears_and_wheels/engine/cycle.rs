@@ -176,8 +176,8 @@ fn rough_slope(moment: impl Fn(f64) -> f64, angle: f64) -> f64 {
     (8.0 * difference(1.0) - difference(2.0)) / (12.0 * step)
 }
 
-/// Whether the moment is smooth about an extreme that was found where the slope is zero, and not at one of the equal
-/// parts of the cycle.
+/// Returns true if the moment is smooth about an extreme that was found at a zero of its slope, and not at one of the
+/// equal parts of the cycle.
 fn is_smooth_top(angle: f64, period: f64, corners: &[f64]) -> bool {
     let part = angle * 96.0 / TAU;
     let far = |corner: &f64| {

@@ -16,7 +16,7 @@ use super::{
 /// Points of a turn.
 const POINTS: u32 = 180;
 
-/// What is examined.
+/// Data of the plots.
 pub(super) struct View<'a> {
     pub kernel: &'a Kernel,
     pub crank: CrankMotion,

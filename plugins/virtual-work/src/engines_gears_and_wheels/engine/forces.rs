@@ -20,7 +20,7 @@ pub(super) struct Field<N> {
     pub across: Option<N>,
 }
 
-/// What the forces follow from.
+/// Parameters of the forces.
 pub(super) struct Problem<'a, W: Worksheet> {
     pub given: &'a EngineGiven<W>,
     pub lengths: &'a Lengths<W::Num>,
@@ -133,7 +133,7 @@ pub(super) fn forces<W: Worksheet>(
     }))
 }
 
-/// What acts along the stroke besides the gas: with the sign that it has in the effort.
+/// Forces along the stroke other than that of the gas, with their sign in the piston effort.
 struct Resistances<N> {
     inertia: Option<N>,
     weight: Option<N>,

@@ -1,4 +1,4 @@
-//! What pushes the piston.
+//! Gas pressure on the piston.
 
 use dalembert_core::{Inputs, Refusal, Text, Worksheet};
 use dalembert_mechanics::{
@@ -420,7 +420,7 @@ fn of_datum<W: Worksheet>(datum: &DatumGiven<W>) -> W::Num {
     }
 }
 
-/// What has to be added to typed pressures to make them absolute.
+/// Offset from the typed pressures to absolute ones.
 fn above<W: Worksheet>(datum: &DatumGiven<W>) -> f64 {
     match datum {
         DatumGiven::Gauge { atmosphere } => atmosphere.value(),

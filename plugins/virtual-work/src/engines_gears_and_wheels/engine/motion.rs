@@ -20,14 +20,14 @@ pub(super) struct Lengths<N> {
     pub rod: N,
     /// `l/r`.
     pub ratio: N,
-    /// Where it is not zero.
+    /// Offset, if it is not zero.
     pub offset: Option<N>,
 }
 
 /// The motion at the crank angle.
 pub(super) struct Moving<N> {
     pub angle: N,
-    /// Where the engine runs.
+    /// Speed, if the engine runs.
     pub speed: Option<N>,
     /// Angular acceleration of the crank, where it is not zero.
     pub turning: Option<N>,

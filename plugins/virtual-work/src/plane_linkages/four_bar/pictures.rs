@@ -1,4 +1,4 @@
-//! What a four-bar linkage does over its range: curves, class, animation.
+//! Figures of a four-bar linkage over its range: curves, class, animation.
 
 use dalembert_core::{Axis, Cell, Column, Exhibit, Plot, Series, TableExhibit, Text, Worksheet};
 
@@ -96,7 +96,7 @@ impl FourBar {
         });
     }
 
-    /// Whether the loop closes at a crank angle.
+    /// Returns true if the loop closes at a crank angle.
     fn closes(&self, angle: f64) -> bool {
         let [x, y] = built::away([0.0; 2], self.crank, angle);
         let distance = (self.frame - x).hypot(y);

@@ -126,7 +126,7 @@ impl Parts<'_> {
         }
     }
 
-    /// What a load pushes apart or turns; none for a force at a point and for friction.
+    /// Relative coordinate along which a load acts; none for a force at a point and for friction.
     pub(crate) fn measure(&self, load: &Load) -> Option<Measure> {
         match load {
             Load::Couple { on: of, against, .. } | Load::TorsionSpring { of, against, .. } => {
@@ -234,7 +234,7 @@ impl Parts<'_> {
     }
 }
 
-/// What the joint in a row of the form exerts on its second point: the force along x and y, or across a line or along a
+/// Reaction of the joint in a row of the form on its second point: the force along x and y, or across a line or along a
 /// rod; the couple. What is below that part of the largest effort is rounding alone, and zero.
 pub(crate) fn carried(
     system: &System,

@@ -3,8 +3,8 @@
 use dalembert_core::{Text, Worksheet};
 use dalembert_mechanics::planar::{Joint, Point, State, System};
 
-/// How far the two points of a pin are apart at most, and how their velocities and accelerations differ; each with the
-/// size of what it is the difference of.
+/// Closure errors of the pins: maximum distance of the two points of a pin, and differences of their velocities and
+/// accelerations; each with the magnitude of its terms.
 pub(crate) fn pins(system: &System, state: &State) -> [(f64, f64); 3] {
     let mut worst = rotation_sizes(system, state).map(|size| (0.0f64, size));
     for joint in &system.mechanism().joints {
@@ -29,8 +29,8 @@ fn sizes(point: Point, state: &State) -> [f64; 3] {
     [x.hypot(y) + reach, vx.hypot(vy) + w.abs() * reach, ax.hypot(ay) + (turning.abs() + w * w) * reach]
 }
 
-/// What place, velocity and acceleration of points are of the size of, wherever on the bodies the points lie: a pin at
-/// rest closes as well as the mechanism that turns about it.
+/// Magnitudes of position, velocity and acceleration of points, wherever on the bodies they lie: a pin at rest closes
+/// as well as the mechanism that turns about it.
 fn rotation_sizes(system: &System, state: &State) -> [f64; 3] {
     let arm = system.size();
     let fastest = state.velocities.iter().fold(0.0f64, |most, [.., w]| most.max(w.abs()));

@@ -136,7 +136,7 @@ impl Parts<'_> {
     }
 }
 
-/// Where a point is.
+/// Position of a point.
 pub(crate) fn place(system: &System, point: Point, state: &State) -> (f64, f64) {
     let [[x, y], ..] = system.point(point, state);
     (x, y)

@@ -1,4 +1,4 @@
-//! Why a mechanism has no answer, in the names of the form.
+//! Messages for refusals of the kernel, in the names of the form.
 
 use dalembert_core::{Refusal, Text};
 use dalembert_mechanics::planar::PlanarError;
@@ -15,7 +15,7 @@ impl Parts<'_> {
         }
     }
 
-    /// What is wrong, in the names of the form.
+    /// Message for an error, in the names of the form.
     pub(crate) fn refusal(&self, error: &PlanarError, rows: &[usize]) -> Refusal {
         let drive = |driver: usize| self.drivers[driver].name.as_str();
         let joint = |joint: usize| rows.get(joint).map_or("", |row| self.joints[*row].name.as_str());
@@ -85,7 +85,7 @@ impl Parts<'_> {
     }
 }
 
-/// Why a motion cannot be followed to its end.
+/// Message for a motion that cannot be integrated to its end.
 fn late(error: &OdeError) -> Text {
     match *error {
         OdeError::TooManySteps { at, .. } => Text::new(

@@ -19,9 +19,9 @@ pub(super) struct Compared {
     pub(super) given: f64,
     /// Likewise.
     pub(super) demanded: f64,
-    /// How far the two are apart; for a vector, the length of their difference.
+    /// Difference of the two; for a vector, the magnitude of the difference.
     pub(super) apart: f64,
-    /// What a number of this kind amounts to in this mechanism: far below it, a difference is rounding.
+    /// Natural magnitude of this quantity in this mechanism: a difference far below it is rounding.
     pub(super) natural: f64,
 }
 
