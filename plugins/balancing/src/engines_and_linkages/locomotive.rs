@@ -56,7 +56,7 @@ pub struct Locomotive {
     pub coupled: Option<Coupled>,
 }
 
-/// What fixes the balance of the reciprocating masses.
+/// Balanced fraction of the reciprocating masses, or the limit that determines it.
 #[derive(Clone, Debug, Inputs)]
 pub enum Balance {
     /// Fraction given
@@ -73,7 +73,7 @@ pub enum Balance {
     },
 }
 
-/// How fast it goes.
+/// Speed of travel or of the wheels.
 #[derive(Clone, Debug, Inputs)]
 pub enum Running {
     /// Speed of the train

@@ -40,7 +40,7 @@ pub struct Reciprocating {
     pub reference: Option<f64>,
 }
 
-/// Which orders are examined.
+/// Harmonic orders of the piston motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Terms {
     /// Primary and secondary, two terms
@@ -50,7 +50,7 @@ pub enum Terms {
     Exact,
 }
 
-/// Where the cylinders are.
+/// Arrangement of the cylinders.
 #[derive(Clone, Debug, Inputs)]
 pub enum Arrangement {
     /// In-line
@@ -136,7 +136,7 @@ pub enum Arrangement {
     },
 }
 
-/// What all cylinders have alike.
+/// Parameters common to all cylinders.
 #[derive(Clone, Debug, Inputs)]
 pub struct Every {
     /// Reciprocating mass.
@@ -187,7 +187,7 @@ pub enum Spacing {
     },
 }
 
-/// Where the cranks stand.
+/// Crank angles.
 #[derive(Clone, Debug, Inputs)]
 pub enum Cranks {
     /// Crank angles given

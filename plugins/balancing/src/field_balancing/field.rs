@@ -112,7 +112,7 @@ pub enum Method {
     },
 }
 
-/// How much a reading counts.
+/// Weighting factor of a reading.
 #[derive(Clone, Debug, Inputs)]
 pub struct Factor {
     /// Weighting factor.

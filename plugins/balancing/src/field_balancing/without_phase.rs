@@ -31,7 +31,7 @@ pub struct WithoutPhase {
 /// Writes down the inputs of amplitudes of one kind; only the unit differs.
 macro_rules! kind_of_amplitude {
     ($amplitude:ident, $run:ident, $unit:tt, $kind:tt) => {
-        /// What a sensor reads.
+        /// Reading of a sensor without phase.
         #[derive(Clone, Debug, Inputs)]
         pub struct $amplitude {
             /// Amplitude.

@@ -59,7 +59,7 @@ pub struct RotorMass {
     pub position: Option<f64>,
 }
 
-/// How much there is.
+/// Magnitude of an unbalance.
 #[derive(Clone, Debug, Inputs)]
 pub enum Amount {
     /// Mass
@@ -82,7 +82,7 @@ pub enum Amount {
     },
 }
 
-/// What is asked.
+/// Task of the analysis.
 #[derive(Clone, Debug, Inputs)]
 pub enum Task {
     /// Corrections in one plane or more
@@ -115,7 +115,7 @@ pub struct CorrectionPlane {
     pub correction: Correction,
 }
 
-/// Where the rotor is carried.
+/// Axial positions of the bearings.
 #[derive(Clone, Debug, Inputs)]
 pub struct Bearings {
     /// Position of the first bearing.

@@ -11,7 +11,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::{shared::rotor, sources::RIUL};
 
-/// What is to be done with a correction.
+/// Workshop form of a correction.
 #[derive(Clone, Debug, Inputs)]
 pub struct Splitting {
     /// Task.
@@ -60,7 +60,7 @@ pub enum Task {
     },
 }
 
-/// Where weights can be put.
+/// Positions available for weights.
 #[derive(Clone, Debug, Inputs)]
 pub enum Places {
     /// Two positions

@@ -148,7 +148,7 @@ pub enum Machine {
     },
 }
 
-/// Where the tolerance holds.
+/// Planes to which the tolerance applies.
 #[derive(Clone, Debug, Inputs)]
 pub enum Planes {
     /// One plane

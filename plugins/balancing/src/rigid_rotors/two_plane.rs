@@ -64,7 +64,7 @@ pub struct EccentricMass {
     pub position: f64,
 }
 
-/// What is known of a correction.
+/// Known quantity of a correction: mass or radius.
 #[derive(Clone, Debug, Inputs)]
 pub enum Correction {
     /// Radius given, mass required

@@ -7,7 +7,7 @@ use dalembert_mechanics::{Real, balance};
 
 use crate::sources::RIUL;
 
-/// What is put on a rotor, or taken off it.
+/// Correction of a rotor, by addition or removal of material.
 #[derive(Clone, Debug, Inputs)]
 pub enum Correction {
     /// Radius given, mass required
@@ -26,7 +26,7 @@ pub enum Correction {
     Product,
 }
 
-/// Whether a correction is put on or taken off.
+/// Method of correction: material added or removed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Way {
     /// Mass is added

@@ -40,7 +40,7 @@ pub struct DynamicEquilibrium {
     pub gravity: f64,
 }
 
-/// What hangs from the pin.
+/// Body that hangs from the pin.
 #[derive(Clone, Debug, Inputs)]
 pub enum Hanging {
     /// Slender rod, or plate hung by an edge
@@ -69,7 +69,7 @@ pub enum Hanging {
     },
 }
 
-/// What of the steady motion is given.
+/// Given quantity of the steady motion.
 #[derive(Clone, Debug, Inputs)]
 pub enum Known {
     /// Speed of the shaft

@@ -52,7 +52,7 @@ pub struct Reactions {
     pub gravity: Vector3<f64>,
 }
 
-/// What is known of the drive.
+/// Given quantity of the drive.
 #[derive(Clone, Debug, Inputs)]
 pub enum Drive {
     /// Given motion; its couple is calculated

@@ -69,7 +69,7 @@ pub enum Blades {
     },
 }
 
-/// How fast the carrier turns.
+/// Angular velocity of the carrier.
 #[derive(Clone, Debug, Inputs)]
 pub enum Precession {
     /// On a curve

@@ -33,7 +33,7 @@ pub struct FreeAxisymmetric {
     pub instant: Option<f64>,
 }
 
-/// What is known of the moments of inertia about the centre of mass.
+/// Moments of inertia about the centre of mass, or their ratio.
 #[derive(Clone, Debug, Inputs)]
 pub enum AxisymmetricInertia {
     /// Moments of inertia

@@ -31,7 +31,7 @@ pub struct FreeTriaxial {
     pub instant: Option<f64>,
 }
 
-/// What is known of the moments of inertia about the centre of mass.
+/// Moments of inertia about the centre of mass, or their ratios.
 #[derive(Clone, Debug, Inputs)]
 pub enum PrincipalInertia {
     /// Moments of inertia

@@ -35,7 +35,7 @@ pub struct HeavyTop {
     pub motion: TopMotion,
 }
 
-/// What is known of a steady motion.
+/// Given rate of a steady motion.
 #[derive(Clone, Debug, Inputs)]
 pub enum TopMotion {
     /// Spin relative to the precessing axis

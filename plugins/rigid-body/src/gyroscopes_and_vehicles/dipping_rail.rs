@@ -42,7 +42,7 @@ pub struct DippingRail {
     pub rail: Rail,
 }
 
-/// How long the whole dip is.
+/// Length or duration of the whole dip.
 #[derive(Clone, Debug, Inputs)]
 pub enum Length {
     /// By duration

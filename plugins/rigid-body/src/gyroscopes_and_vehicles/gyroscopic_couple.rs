@@ -47,7 +47,7 @@ pub struct GyroscopicCouple {
     pub bearings: Option<Bearings>,
 }
 
-/// What carries the rotor: it gives the effect its words.
+/// Carrier of the rotor, on which the wording of the effect depends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Carrier {
     /// Ship
@@ -102,7 +102,7 @@ pub enum Sense {
     CounterClockwise,
 }
 
-/// Where somebody stands who looks along the axle.
+/// Viewpoint of an observer along the axle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Viewpoint {
     /// Behind: stern, tail, rear
@@ -119,7 +119,7 @@ pub enum Viewpoint {
     Below,
 }
 
-/// How the carrier turns, or what makes it turn.
+/// Rotation of the carrier, or the couple that causes it.
 #[derive(Clone, Debug, Inputs)]
 pub enum Motion {
     /// Steady turn
@@ -201,7 +201,7 @@ pub enum Side {
     Right,
 }
 
-/// What the bow or the nose does.
+/// Motion of the bow or the nose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Bow {
     /// Rising

@@ -63,7 +63,7 @@ pub enum Rotor {
     },
 }
 
-/// What is known of the turn.
+/// Given quantity of the turn.
 #[derive(Clone, Debug, Inputs)]
 pub enum Turn {
     /// Speed and radius

@@ -72,7 +72,7 @@ pub struct Engine {
     pub sense: Sense,
 }
 
-/// How the engine turns.
+/// Sense of rotation of the engine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Sense {
     /// Same sense as the wheels

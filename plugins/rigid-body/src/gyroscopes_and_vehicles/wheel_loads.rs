@@ -141,7 +141,7 @@ pub struct Engine {
     pub shaft: Shaft,
 }
 
-/// How the shaft of the engine lies and turns.
+/// Orientation and sense of rotation of the engine shaft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Shaft {
     /// Transverse, same sense as the wheels

@@ -48,7 +48,7 @@ pub struct Blow {
     pub strength: Strength,
 }
 
-/// How hard a blow is.
+/// Magnitude of a blow.
 #[derive(Clone, Debug, Inputs)]
 pub enum Strength {
     /// Impulse
@@ -87,7 +87,7 @@ pub struct Projectile {
     pub mass_after: MassAfter,
 }
 
-/// Whether the mass of a projectile counts once it sticks.
+/// Mass after impact: with or without that of an embedded projectile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum MassAfter {
     /// Part of the body
@@ -97,7 +97,7 @@ pub enum MassAfter {
     Neglected,
 }
 
-/// What holds the body after.
+/// Constraint of the body after the impact.
 #[derive(Clone, Debug, Inputs)]
 pub enum Hold {
     /// Nothing

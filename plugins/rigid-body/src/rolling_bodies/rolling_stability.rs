@@ -33,7 +33,7 @@ pub struct RollingStability {
     pub gravity: f64,
 }
 
-/// How an upright disc moves.
+/// Motion of an upright disc: rolling or spinning.
 #[derive(Clone, Debug, Inputs)]
 pub enum Upright {
     /// Rolling in a straight line

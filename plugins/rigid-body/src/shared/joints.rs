@@ -28,7 +28,7 @@ pub struct Joint {
     pub offset: Vector3<f64>,
 }
 
-/// How a joint turns.
+/// Rotation of a joint.
 #[derive(Clone, Debug, Inputs)]
 pub enum Turning {
     /// Values at this instant

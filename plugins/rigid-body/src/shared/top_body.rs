@@ -22,7 +22,7 @@ pub struct TopBody {
     pub gravity: f64,
 }
 
-/// What is known of the moments of inertia.
+/// Moments of inertia of a top.
 #[derive(Clone, Debug, Inputs)]
 pub enum TopInertia {
     /// About the axis and about the fixed point

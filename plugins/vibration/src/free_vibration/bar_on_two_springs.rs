@@ -39,7 +39,7 @@ pub struct BarOnTwoSprings {
     pub rear_distance: f64,
 }
 
-/// How heavy the bar is.
+/// Mass or weight of the bar.
 #[derive(Clone, Debug, Inputs)]
 pub enum Body {
     /// Mass given
@@ -59,7 +59,7 @@ pub enum Body {
     },
 }
 
-/// How it resists turning.
+/// Rotational inertia of the bar.
 #[derive(Clone, Debug, Inputs)]
 pub enum Inertia {
     /// Moment of inertia given

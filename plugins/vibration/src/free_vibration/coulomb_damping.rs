@@ -57,7 +57,7 @@ pub struct CoulombDamping {
     pub fall: Option<f64>,
 }
 
-/// What is known of the friction.
+/// Friction force, or the coefficient that gives it.
 #[derive(Clone, Debug, Inputs)]
 pub enum Friction {
     /// Friction force given

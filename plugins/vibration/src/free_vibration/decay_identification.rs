@@ -39,7 +39,7 @@ pub struct DecayIdentification {
     pub gravity: f64,
 }
 
-/// What was recorded.
+/// Record of the decay.
 #[derive(Clone, Debug, Inputs)]
 pub enum DecayRecord {
     /// Table of amplitudes

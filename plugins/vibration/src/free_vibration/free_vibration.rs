@@ -86,7 +86,7 @@ pub enum Oscillator {
     },
 }
 
-/// What damps a mass on a spring.
+/// Damping of a mass on a spring.
 #[derive(Clone, Debug, Inputs)]
 pub enum Damping {
     /// Damping ratio given
@@ -120,7 +120,7 @@ pub enum Damping {
     },
 }
 
-/// What damps an inertia on a torsion spring.
+/// Damping of an inertia on a torsion spring.
 #[derive(Clone, Debug, Inputs)]
 pub enum TorsionalDamping {
     /// Damping ratio given

@@ -18,7 +18,7 @@ use crate::{
     sources::{GROVER, RAO},
 };
 
-/// What is known of a decay, of the system, and what is asked.
+/// Inputs: the decay, the system, and an amplitude ratio of interest.
 #[derive(Clone, Debug, Inputs)]
 pub struct LogarithmicDecrement {
     /// Decay.
@@ -31,7 +31,7 @@ pub struct LogarithmicDecrement {
     pub fall: Option<f64>,
 }
 
-/// What is known of the decay.
+/// Given quantity of the decay.
 #[derive(Clone, Debug, Inputs)]
 pub enum Known {
     /// Two amplitudes
@@ -72,7 +72,7 @@ pub struct MeasuredPeak {
     pub amplitude: f64,
 }
 
-/// What is known of the system.
+/// Given quantities of the system.
 #[derive(Clone, Debug, Inputs)]
 pub enum System {
     /// No further data

@@ -33,7 +33,7 @@ pub struct BaseExcitation {
     pub start: Option<Start>,
 }
 
-/// What the base does.
+/// Motion of the base.
 #[derive(Clone, Debug, Inputs)]
 pub enum Base {
     /// Displacement given

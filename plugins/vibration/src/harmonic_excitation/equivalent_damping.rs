@@ -31,7 +31,7 @@ pub struct EquivalentDamping {
     pub frequency: f64,
 }
 
-/// What the damping is known by.
+/// Damping law and its parameters.
 #[derive(Clone, Debug, Inputs)]
 pub enum Damping {
     /// Hysteretic: loss factor given

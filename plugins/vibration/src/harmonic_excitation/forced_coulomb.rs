@@ -34,7 +34,7 @@ pub struct ForcedCoulomb {
     pub excitation: Excitation,
 }
 
-/// What is known of the friction.
+/// Friction force, or the coefficient that gives it.
 #[derive(Clone, Debug, Inputs)]
 pub enum Friction {
     /// Friction force given
@@ -63,7 +63,7 @@ pub enum Friction {
     },
 }
 
-/// What is known of force and motion.
+/// Given quantities of force and motion.
 #[derive(Clone, Debug, Inputs)]
 pub enum Excitation {
     /// Force given, amplitude unknown

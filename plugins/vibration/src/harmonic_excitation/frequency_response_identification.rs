@@ -24,7 +24,7 @@ pub use self::{
 };
 use crate::sources::{EWINS, LISTS, RAO};
 
-/// What was measured, and the force whose response is asked for.
+/// Inputs: the measurement, and the force whose response is computed.
 #[derive(Clone, Debug, Inputs)]
 pub struct FrequencyResponseIdentification {
     /// Measurement.
@@ -35,7 +35,7 @@ pub struct FrequencyResponseIdentification {
     pub force: Option<f64>,
 }
 
-/// What was measured of the receptance, the amplitude of the motion over that of the force.
+/// Measured receptance, the amplitude of the motion over that of the force.
 #[derive(Clone, Debug, Inputs)]
 pub enum Measurement {
     /// Static value and peak

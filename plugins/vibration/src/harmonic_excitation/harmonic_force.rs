@@ -32,7 +32,7 @@ pub struct HarmonicForce {
     pub start: Option<Start>,
 }
 
-/// What is known of the strength of the force.
+/// Amplitude of the force, or the amplitude or power that determines it.
 #[derive(Clone, Debug, Inputs)]
 pub enum Excitation {
     /// Force given

@@ -15,14 +15,14 @@ use crate::{
     sources::{RAO, THOMSON},
 };
 
-/// What is added up.
+/// Inputs of a sum of harmonic motions.
 #[derive(Clone, Debug, Inputs)]
 pub struct HarmonicSum {
     /// Question.
     pub question: Question,
 }
 
-/// What is asked.
+/// Quantity to compute.
 #[derive(Clone, Debug, Inputs)]
 pub enum Question {
     /// Sum of harmonic motions

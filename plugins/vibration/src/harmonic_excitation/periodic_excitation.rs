@@ -49,7 +49,7 @@ pub struct PeriodicExcitation {
     pub time: Option<f64>,
 }
 
-/// What is periodic.
+/// Periodic excitation.
 #[derive(Clone, Debug, Inputs)]
 pub enum Excitation {
     /// Force on the mass

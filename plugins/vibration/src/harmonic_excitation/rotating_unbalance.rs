@@ -35,7 +35,7 @@ pub struct RotatingUnbalance {
     pub speed: f64,
 }
 
-/// What damps the machine.
+/// Damping of the machine.
 #[derive(Clone, Debug, Inputs)]
 pub enum Damping {
     /// Damping ratio given

@@ -29,7 +29,7 @@ pub struct DampedAbsorber {
     pub at: Option<Frequency>,
 }
 
-/// What is known of the masses.
+/// Given quantities of the main system.
 #[derive(Clone, Debug, Inputs)]
 pub enum Main {
     /// Only the mass ratio
@@ -56,7 +56,7 @@ pub enum Main {
     },
 }
 
-/// Which absorber.
+/// Type of absorber.
 #[derive(Clone, Debug, Inputs)]
 pub enum Absorber {
     /// Tuned by the invariant points (Den Hartog)
@@ -79,7 +79,7 @@ pub enum Absorber {
     },
 }
 
-/// What is known of the spring of the absorber.
+/// Spring of the absorber, or its tuning.
 #[derive(Clone, Debug, Inputs)]
 pub enum Tuning {
     /// Ratio of the natural frequencies
@@ -104,8 +104,7 @@ pub enum Tuning {
     },
 }
 
-/// What is known of the damper of a tuned absorber. The two damping ratios differ by the tuning: mind which one a
-/// book prints.
+/// Damper of a tuned absorber. The two damping ratios differ by the tuning: mind which one a book prints.
 #[derive(Clone, Debug, Inputs)]
 pub enum AbsorberDamping {
     /// Damping ratio relative to the absorber
@@ -130,7 +129,7 @@ pub enum AbsorberDamping {
     },
 }
 
-/// What is known of the damper of a viscous absorber.
+/// Damper of a viscous absorber.
 #[derive(Clone, Debug, Inputs)]
 pub enum ViscousDamping {
     /// Damping ratio relative to the main frequency

@@ -13,14 +13,14 @@ use crate::{
     sources::{DEN_HARTOG, KER_WILSON},
 };
 
-/// What the pendulum hangs on.
+/// Inputs of a pendulum absorber.
 #[derive(Clone, Debug, Inputs)]
 pub struct PendulumAbsorber {
     /// Problem.
     pub problem: Problem,
 }
 
-/// What the pendulum hangs on.
+/// Body on which the pendulum hangs.
 #[derive(Clone, Debug, Inputs)]
 pub enum Problem {
     /// On a rotor
@@ -117,7 +117,7 @@ pub enum Roller {
     Ring,
 }
 
-/// What is known of the arm.
+/// Arm of the pivot, or the tuning that determines it.
 #[derive(Clone, Debug, Inputs)]
 pub enum Arm {
     /// Arm given
@@ -136,7 +136,7 @@ pub enum Arm {
     },
 }
 
-/// What is known of the length of a pendulum under gravity.
+/// Length of a pendulum under gravity, or its tuning.
 #[derive(Clone, Debug, Inputs)]
 pub enum Length {
     /// Length given
@@ -154,7 +154,7 @@ pub enum Length {
     Tuned,
 }
 
-/// What is known of the mass of a pendulum.
+/// Mass of a pendulum, or the requirement that determines it.
 #[derive(Clone, Debug, Inputs)]
 pub enum Mass {
     /// Mass given

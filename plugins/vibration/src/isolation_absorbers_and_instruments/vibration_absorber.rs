@@ -23,14 +23,14 @@ use crate::{
     sources::{DEN_HARTOG, GROVER, RAO},
 };
 
-/// What vibrates, and what is known.
+/// Inputs of a vibration absorber.
 #[derive(Clone, Debug, Inputs)]
 pub struct VibrationAbsorber {
     /// Problem.
     pub problem: Problem,
 }
 
-/// What vibrates, and what is known.
+/// Machine or rotor, and its given quantities.
 #[derive(Clone, Debug, Inputs)]
 pub enum Problem {
     /// Machine on springs
@@ -87,7 +87,7 @@ pub enum Problem {
     },
 }
 
-/// What is known of the springs of the machine.
+/// Stiffness of the machine's springs, or its natural frequency.
 #[derive(Clone, Debug, Inputs)]
 pub enum Springs {
     /// Stiffness given
@@ -105,7 +105,7 @@ pub enum Springs {
     },
 }
 
-/// What is known of the shaft.
+/// Stiffness of the shaft, or its natural frequency.
 #[derive(Clone, Debug, Inputs)]
 pub enum ShaftStiffness {
     /// Stiffness given
@@ -140,7 +140,7 @@ pub enum Speed {
     },
 }
 
-/// What shakes the machine.
+/// Excitation of the machine.
 #[derive(Clone, Debug, Inputs)]
 pub enum Excitation {
     /// Force
@@ -158,7 +158,7 @@ pub enum Excitation {
     },
 }
 
-/// What is asked of the absorber of a machine, or known of it.
+/// Requirement on the absorber of a machine, or its known parameter.
 #[derive(Clone, Debug, Inputs)]
 pub enum LinearAbsorber {
     /// Limited stroke
@@ -203,7 +203,7 @@ pub enum LinearAbsorber {
     },
 }
 
-/// What is asked of the absorber of a rotor, or known of it.
+/// Requirement on the absorber of a rotor, or its known parameter.
 #[derive(Clone, Debug, Inputs)]
 pub enum TorsionalAbsorber {
     /// Limited stroke

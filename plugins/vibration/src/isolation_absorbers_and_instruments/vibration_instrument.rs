@@ -57,7 +57,7 @@ pub struct Tone {
     pub amplitude: f64,
 }
 
-/// What the instrument reads.
+/// Quantity that the instrument measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Instrument {
     /// Vibrometer or seismometer: displacement
@@ -68,7 +68,7 @@ pub enum Instrument {
     Accelerometer,
 }
 
-/// What damps the seismic mass.
+/// Damping of the seismic mass.
 #[derive(Clone, Debug, Inputs)]
 pub enum Damping {
     /// Damping ratio given
@@ -86,7 +86,7 @@ pub enum Damping {
     },
 }
 
-/// What was read.
+/// Reading of the instrument.
 #[derive(Clone, Debug, Inputs)]
 pub enum Reading {
     /// Displacement

@@ -14,7 +14,7 @@ use crate::{
     sources::{RAO, THOMSON},
 };
 
-/// What stands on the mounts, and what is asked of them.
+/// Inputs: the machine, and the requirement on its mounts.
 #[derive(Clone, Debug, Inputs)]
 pub struct VibrationIsolation {
     /// Machine.
@@ -35,7 +35,7 @@ pub struct VibrationIsolation {
     pub question: Question,
 }
 
-/// What is asked of the mounts.
+/// Quantity to compute of the mounts.
 #[derive(Clone, Debug, Inputs)]
 pub enum Question {
     /// Mounts for a required isolation
@@ -80,7 +80,7 @@ pub enum Question {
     },
 }
 
-/// How well the mounts must isolate.
+/// Required isolation.
 #[derive(Clone, Debug, Inputs)]
 pub enum Requirement {
     /// Maximum transmissibility
@@ -98,7 +98,7 @@ pub enum Requirement {
     },
 }
 
-/// What damps the mounts.
+/// Damping of the mounts.
 #[derive(Clone, Debug, Inputs)]
 pub enum MountDamping {
     /// Damping ratio given
@@ -129,7 +129,7 @@ pub struct Speeds {
     pub highest: Option<f64>,
 }
 
-/// What shakes the machine.
+/// Excitation of the machine.
 #[derive(Clone, Debug, Inputs)]
 pub enum Disturbance {
     /// Force of constant amplitude

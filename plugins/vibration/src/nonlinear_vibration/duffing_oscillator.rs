@@ -32,7 +32,7 @@ pub struct DuffingOscillator {
     pub motion: Motion,
 }
 
-/// What sets it in motion.
+/// Type of motion: free or forced.
 #[derive(Clone, Debug, Inputs)]
 pub enum Motion {
     /// Free, released from rest

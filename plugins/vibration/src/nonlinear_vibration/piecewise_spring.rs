@@ -24,7 +24,7 @@ pub struct PiecewiseSpring {
     pub velocity: f64,
 }
 
-/// How the force depends on the displacement.
+/// Force–displacement characteristic.
 #[derive(Clone, Debug, Inputs)]
 pub enum Characteristic {
     /// Saturating: linear, then a constant force

@@ -35,7 +35,7 @@ pub struct RandomResponse {
     pub excitation: Excitation,
 }
 
-/// What shakes the mass.
+/// Excitation of the mass.
 #[derive(Clone, Debug, Inputs)]
 pub enum Excitation {
     /// Base acceleration

@@ -38,7 +38,7 @@ pub struct ResponseSpectrum {
     pub spectrum: Demand,
 }
 
-/// What stands on the base.
+/// Structure on the base.
 #[derive(Clone, Debug, Inputs)]
 pub enum Structure {
     /// Chain of masses
@@ -123,7 +123,7 @@ pub enum Demand {
     },
 }
 
-/// How a table of a response spectrum is read between its points.
+/// Interpolation of a table of a response spectrum.
 #[derive(Clone, Copy, Debug, Inputs)]
 pub enum Interpolation {
     /// Linear in period

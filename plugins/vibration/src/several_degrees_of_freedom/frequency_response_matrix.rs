@@ -80,7 +80,7 @@ pub struct Observed {
     pub coordinate: usize,
 }
 
-/// What is answered of the motion.
+/// Response quantity: displacement, velocity or acceleration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Quantity {
     /// Displacement (receptance for 1 N)

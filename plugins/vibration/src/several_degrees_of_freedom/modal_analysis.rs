@@ -36,7 +36,7 @@ pub struct ModalAnalysis {
     pub normalisation: Normalisation,
 }
 
-/// What fixes the size of a mode shape.
+/// Normalisation of a mode shape.
 #[derive(Clone, Copy, Debug, Inputs)]
 pub enum Normalisation {
     /// Largest component is 1

@@ -53,7 +53,7 @@ pub struct MultiDegreeResponse {
     pub duration: Option<f64>,
 }
 
-/// How a coordinate starts.
+/// Initial condition of a coordinate.
 #[derive(Clone, Debug, Inputs)]
 pub struct Start {
     /// Coordinate.
@@ -77,7 +77,7 @@ pub struct Force {
     pub course: Course,
 }
 
-/// How a force changes with time.
+/// Time history of a force.
 #[derive(Clone, Debug, Inputs)]
 pub enum Course {
     /// Step: constant from its start

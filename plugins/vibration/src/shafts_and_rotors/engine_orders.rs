@@ -60,7 +60,7 @@ pub struct EngineOrders {
     pub diameter: Option<f64>,
 }
 
-/// How often a cylinder fires.
+/// Working cycle: two- or four-stroke.
 #[derive(Clone, Debug, Inputs)]
 pub enum Cycle {
     /// Four strokes
@@ -71,7 +71,7 @@ pub enum Cycle {
     Two,
 }
 
-/// When the cylinders fire.
+/// Firing angles or firing order.
 #[derive(Clone, Debug, Inputs)]
 pub enum Firing {
     /// At even intervals
@@ -90,7 +90,7 @@ pub enum Firing {
     },
 }
 
-/// When a cylinder fires.
+/// Firing angle of a cylinder.
 #[derive(Clone, Debug, Inputs)]
 pub struct Cylinder {
     /// Crank.
@@ -135,7 +135,7 @@ pub struct Crank {
     pub stiffness: Option<f64>,
 }
 
-/// What turns with the crankshaft.
+/// Inertia that rotates with the crankshaft.
 #[derive(Clone, Debug, Inputs)]
 pub struct Attached {
     /// Name.
@@ -147,7 +147,7 @@ pub struct Attached {
     pub shaft: TorsionalSpring,
 }
 
-/// What is known of the torque of a cylinder.
+/// Harmonic torques of a cylinder.
 #[derive(Clone, Debug, Inputs)]
 pub enum Torques {
     /// Torques unknown
@@ -200,7 +200,7 @@ pub struct PressureHarmonic {
     pub pressure: f64,
 }
 
-/// What damps the vibration.
+/// Damping of the vibration.
 #[derive(Clone, Debug, Inputs)]
 pub enum Damping {
     /// Damping ratio given

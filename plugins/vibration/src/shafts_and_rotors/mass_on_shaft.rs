@@ -45,7 +45,7 @@ pub enum Body {
     },
 }
 
-/// How the shaft is held, and where the body is.
+/// Supports of the shaft, and position of the body.
 #[derive(Clone, Debug, Inputs)]
 pub enum Support {
     /// Fixed at one end, body at the other
@@ -105,7 +105,7 @@ pub enum RoundSection {
     },
 }
 
-/// What the torsional frequency needs.
+/// Inputs of the torsional frequency.
 #[derive(Clone, Debug, Inputs)]
 pub struct Torsion {
     /// Radius of gyration of the body.

@@ -28,7 +28,7 @@ pub struct OverhungDisc {
     pub speed: Option<f64>,
 }
 
-/// What holds the disc elastically; its own mass is neglected.
+/// Elastic support of the disc; its own mass is neglected.
 #[derive(Clone, Debug, Inputs)]
 pub enum LightShaft {
     /// Cantilever with the disc at its tip

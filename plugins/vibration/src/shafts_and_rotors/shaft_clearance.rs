@@ -114,7 +114,7 @@ pub struct SpeedRange {
     pub margin: Option<f64>,
 }
 
-/// What damps the whirl.
+/// Damping of the whirl.
 #[derive(Clone, Debug, Inputs)]
 pub enum Damping {
     /// Undamped

@@ -45,7 +45,7 @@ pub struct ShaftWithDiscs {
     pub gravity: f64,
 }
 
-/// What carries the shaft.
+/// Bearings of the shaft.
 #[derive(Clone, Debug, Inputs)]
 pub enum Bearings {
     /// Short bearings at both ends

@@ -38,7 +38,7 @@ pub struct WhirlingShaft {
     pub limit: Option<Limit>,
 }
 
-/// How far the centre of mass is off the axis.
+/// Eccentricity of the centre of mass, or the unbalance that gives it.
 #[derive(Clone, Debug, Inputs)]
 pub enum Imbalance {
     /// Eccentricity given
@@ -57,7 +57,7 @@ pub enum Imbalance {
     },
 }
 
-/// What damps the whirl.
+/// Damping of the whirl.
 #[derive(Clone, Debug, Inputs)]
 pub enum Damping {
     /// Undamped
@@ -83,7 +83,7 @@ pub enum Damping {
     },
 }
 
-/// How fast the shaft turns.
+/// Speed of the shaft.
 #[derive(Clone, Debug, Inputs)]
 pub enum Speed {
     /// Speed given
@@ -101,7 +101,7 @@ pub enum Speed {
     },
 }
 
-/// Whether the weight of the rotor bends the shaft.
+/// Orientation of the shaft, which decides whether the weight of the rotor bends it.
 #[derive(Clone, Debug, Inputs)]
 pub enum ShaftAxis {
     /// Vertical, or weight neglected
@@ -114,7 +114,7 @@ pub enum ShaftAxis {
     },
 }
 
-/// What must not be exceeded.
+/// Limit of the whirl.
 #[derive(Clone, Debug, Inputs)]
 pub enum Limit {
     /// Maximum whirl amplitude

@@ -16,7 +16,7 @@ pub struct Decay {
     pub counted: Counted,
 }
 
-/// What lies between the first amplitude and the last.
+/// Number of cycles, or time, from the first amplitude to the last.
 #[derive(Clone, Debug, Inputs)]
 pub enum Counted {
     /// Cycles between the two amplitudes

@@ -8,7 +8,7 @@ mod speeds;
 pub(crate) use self::speeds::{Whirl, pairs, permitted_speeds};
 use crate::sources::{BEER, RAO};
 
-/// How the shaft is held, and where the rotor is.
+/// Supports of the shaft, and position of the rotor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Mounting {
     /// Cantilever, rotor at its end

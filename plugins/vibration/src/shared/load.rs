@@ -4,7 +4,7 @@ use dalembert_core::{Inputs, Refusal};
 use dalembert_mechanics::vibration::transient::{Law, Oscillator, Output, Piece, State, UnitResponses};
 use dalembert_numerics::quadrature::integral;
 
-/// How a load runs in time.
+/// Time history of a load.
 #[derive(Clone, Debug, Inputs)]
 pub enum Course {
     /// Step

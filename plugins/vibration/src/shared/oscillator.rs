@@ -34,7 +34,7 @@ pub enum Mass {
     },
 }
 
-/// What is known of the springs.
+/// Given quantity of the springs.
 #[derive(Clone, Debug, Inputs)]
 pub enum Elasticity {
     /// Stiffness given
@@ -73,7 +73,7 @@ pub enum Elasticity {
     },
 }
 
-/// What takes the energy out.
+/// Damping mechanism.
 #[derive(Clone, Debug, Inputs)]
 pub enum Damping {
     /// Damping ratio given

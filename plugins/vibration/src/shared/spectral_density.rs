@@ -73,7 +73,7 @@ pub enum ForceDensity {
     },
 }
 
-/// How a density runs between the points of its table.
+/// Interpolation of a density between the points of its table.
 #[derive(Clone, Debug, Inputs)]
 pub enum Between {
     /// Straight lines in a log-log diagram, as in test specifications

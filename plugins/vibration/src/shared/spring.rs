@@ -13,7 +13,7 @@ use self::element::{Build, Motion};
 pub(crate) use self::element::{Element, Joined, symbol};
 use crate::shared::section::{AxialSection, Section, ShaftSection};
 
-/// What carries the load elastically.
+/// Spring or elastic member under the load.
 #[derive(Clone, Debug, Inputs)]
 pub enum Spring {
     /// Stiffness given

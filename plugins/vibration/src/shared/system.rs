@@ -71,7 +71,7 @@ pub enum System {
     },
 }
 
-/// How the ends of a chain of equal masses are held.
+/// End conditions of a chain of equal masses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Ends {
     /// Springs to a wall at both ends
@@ -103,7 +103,7 @@ pub struct ChainMass {
     pub ground_damper: Option<f64>,
 }
 
-/// What joins the last mass to a wall.
+/// Connection of the last mass to a wall.
 #[derive(Clone, Debug, Inputs)]
 pub struct Wall {
     /// Spring to the wall on the right.

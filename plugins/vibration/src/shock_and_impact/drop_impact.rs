@@ -20,7 +20,7 @@ use crate::{
     sources::{MERIAM, RAO, THOMSON},
 };
 
-/// What falls, how far, and on what.
+/// Inputs: the falling body, its height, and the spring or cushion.
 #[derive(Clone, Debug, Inputs)]
 pub struct DropImpact {
     /// Falling body.
@@ -44,7 +44,7 @@ pub struct DropImpact {
     pub times: Vec<f64>,
 }
 
-/// How fast the body arrives.
+/// Velocity of impact, or the drop height that gives it.
 #[derive(Clone, Debug, Inputs)]
 pub enum Fall {
     /// Height

@@ -30,7 +30,7 @@ pub struct GunRecoil {
     pub remaining: f64,
 }
 
-/// What is known of the recoil.
+/// Given quantity of the recoil.
 #[derive(Clone, Debug, Inputs)]
 pub enum Recoil {
     /// Recoil distance

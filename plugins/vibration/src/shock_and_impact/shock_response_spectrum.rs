@@ -41,7 +41,7 @@ pub struct ShockResponseSpectrum {
     pub frequencies: Vec<f64>,
 }
 
-/// How the base accelerates.
+/// Acceleration pulse of the base.
 #[derive(Clone, Debug, Inputs)]
 pub enum Shock {
     /// Pulse
@@ -89,7 +89,7 @@ pub enum Form {
     },
 }
 
-/// What of the response is plotted.
+/// Response quantity of the plot.
 #[derive(Clone, Debug, Inputs)]
 pub enum Measure {
     /// Absolute acceleration

@@ -51,7 +51,7 @@ pub struct TransientResponse {
     pub fibre: Option<f64>,
 }
 
-/// What moves the mass.
+/// Excitation of the mass.
 #[derive(Clone, Debug, Inputs)]
 pub enum Excitation {
     /// Force on the mass
@@ -104,7 +104,7 @@ pub enum Excitation {
     },
 }
 
-/// How large a force is.
+/// Magnitude of a force.
 #[derive(Clone, Debug, Inputs)]
 pub enum ForceSize {
     /// Maximum force given

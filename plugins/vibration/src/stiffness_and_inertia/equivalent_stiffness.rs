@@ -28,7 +28,7 @@ pub struct EquivalentStiffness {
     pub motion: Motion,
 }
 
-/// How the body moves.
+/// Type of motion of the body: translation or rotation.
 #[derive(Clone, Debug, Inputs)]
 pub enum Motion {
     /// Along a line
@@ -75,7 +75,7 @@ pub enum Motion {
     },
 }
 
-/// What linear springs carry.
+/// Load on linear springs.
 #[derive(Clone, Debug, Inputs)]
 pub enum Load {
     /// Mass given
@@ -114,7 +114,7 @@ pub struct SpringMass {
     pub kind: Deflected,
 }
 
-/// How a spring deflects, from its fixed end or ends to the load.
+/// Type of deflection of a spring, which determines the effective fraction of its own mass.
 #[derive(Clone, Debug, Inputs)]
 pub enum Deflected {
     /// Helical spring or bar: 1/3
@@ -133,7 +133,7 @@ pub enum Deflected {
     },
 }
 
-/// What torsional springs carry.
+/// Body on torsion springs.
 #[derive(Clone, Debug, Inputs)]
 pub enum Body {
     /// Moment of inertia known

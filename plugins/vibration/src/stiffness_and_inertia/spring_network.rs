@@ -49,7 +49,7 @@ pub struct Node {
     pub mass: Option<f64>,
 }
 
-/// What stands between two nodes, or between a node and ground.
+/// Element between two nodes, or between a node and ground.
 #[derive(Clone, Debug, Inputs)]
 pub struct Element {
     /// From node.
@@ -63,7 +63,7 @@ pub struct Element {
     pub kind: Kind,
 }
 
-/// What an element is.
+/// Type of an element.
 #[derive(Clone, Debug, Inputs)]
 pub enum Kind {
     /// Spring

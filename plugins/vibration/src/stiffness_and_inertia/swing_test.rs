@@ -16,7 +16,7 @@ mod hung;
 
 use self::compound::{one_point, pendulum, period_over_distance, two_points};
 
-/// How the body swings, and what was measured.
+/// Inputs of a swing test.
 #[derive(Clone, Debug, Inputs)]
 pub struct SwingTest {
     /// Test.
@@ -26,7 +26,7 @@ pub struct SwingTest {
     pub gravity: f64,
 }
 
-/// How the body swings.
+/// Type of test: suspension of the body.
 #[derive(Clone, Debug, Inputs)]
 pub enum Test {
     /// About one point, centre of mass known
@@ -127,7 +127,7 @@ pub enum Test {
     },
 }
 
-/// How long the swings took.
+/// Measured periods.
 #[derive(Clone, Debug, Inputs)]
 pub enum Swings {
     /// Period given
@@ -159,7 +159,7 @@ pub enum Side {
     Beyond,
 }
 
-/// What carries the body.
+/// Platform that carries the body.
 #[derive(Clone, Debug, Inputs)]
 pub struct Platform {
     /// Mass of the platform.
@@ -170,7 +170,7 @@ pub struct Platform {
     pub swings: Swings,
 }
 
-/// What is known of the wire.
+/// Torsional stiffness of the wire, or the test with an added inertia that determines it.
 #[derive(Clone, Debug, Inputs)]
 pub enum Wire {
     /// Stiffness given

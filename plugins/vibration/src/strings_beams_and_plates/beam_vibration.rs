@@ -51,7 +51,7 @@ pub struct BeamVibration {
     pub modes: usize,
 }
 
-/// What the deformation of the beam counts.
+/// Beam theory: with or without shear deformation and rotary inertia.
 #[derive(Clone, Debug, Inputs)]
 pub enum Theory {
     /// Bending alone (Euler–Bernoulli)
@@ -82,7 +82,7 @@ pub enum ShearCoefficient {
     },
 }
 
-/// What holds an end.
+/// Support condition of an end.
 #[derive(Clone, Debug, Inputs)]
 pub enum Support {
     /// Free
@@ -104,7 +104,7 @@ pub enum Support {
     },
 }
 
-/// What stands at a place of the beam.
+/// Support or lumped element at a point of the beam.
 #[derive(Clone, Debug, Inputs)]
 pub struct Attachment {
     /// Distance from the left end.

@@ -73,7 +73,7 @@ pub enum TipSection {
     },
 }
 
-/// What bending counts.
+/// Bending theory: with or without shear deformation and rotary inertia.
 #[derive(Clone, Debug, PartialEq, Inputs)]
 pub enum BendingTheory {
     /// Bending alone (Euler–Bernoulli)

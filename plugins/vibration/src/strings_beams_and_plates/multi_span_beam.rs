@@ -58,7 +58,7 @@ pub struct BeamSpan {
     pub end: BeamJoint,
 }
 
-/// What stands at an end of a span.
+/// Support and lumped elements at an end of a span.
 #[derive(Clone, Debug, Inputs)]
 pub struct BeamJoint {
     /// Support.

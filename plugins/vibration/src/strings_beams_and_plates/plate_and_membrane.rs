@@ -128,7 +128,7 @@ pub enum PlateOutline {
     },
 }
 
-/// What holds an edge.
+/// Support condition of an edge.
 #[derive(Clone, Debug, PartialEq, Inputs)]
 pub enum PlateEdge {
     /// Simply supported edge

@@ -50,7 +50,7 @@ pub struct RotatingBeam {
     pub modes: usize,
 }
 
-/// How the blade moves.
+/// Direction of vibration of the blade.
 #[derive(Clone, Debug, Inputs)]
 pub enum Direction {
     /// Out of the plane of rotation (flapwise)

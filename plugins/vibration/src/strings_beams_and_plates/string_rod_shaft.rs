@@ -31,7 +31,7 @@ pub struct StringRodShaft {
     pub modes: usize,
 }
 
-/// What carries the waves.
+/// Body that carries the waves: string, rod or shaft.
 #[derive(Clone, Debug, Inputs)]
 pub enum Body {
     /// String or cable under tension

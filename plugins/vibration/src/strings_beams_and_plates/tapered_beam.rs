@@ -75,7 +75,7 @@ pub enum TaperedSection {
     },
 }
 
-/// What holds an end.
+/// Support condition of an end.
 #[derive(Clone, Debug, PartialEq, Inputs)]
 pub enum TaperedSupport {
     /// Free

@@ -40,7 +40,7 @@ pub struct Equilibrium {
     pub search: Search,
 }
 
-/// Where an equilibrium is searched for.
+/// Range of the search for an equilibrium.
 #[derive(Clone, Debug, Inputs)]
 pub enum Search {
     /// Between two angles of the single coordinate

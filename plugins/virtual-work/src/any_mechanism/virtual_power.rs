@@ -37,7 +37,7 @@ pub struct VirtualPower {
     pub slider_crank: Option<SliderCrank>,
 }
 
-/// What the powers are summed for.
+/// Unknown of the sum of virtual powers.
 #[derive(Clone, Debug, Inputs)]
 pub enum Unknown {
     /// Driving torque on a link

@@ -34,7 +34,7 @@ pub struct AFrame {
     pub sought: Sought,
 }
 
-/// What keeps the feet from sliding apart.
+/// Restraint of the feet against sliding apart.
 #[derive(Clone, Copy, Debug, PartialEq, Inputs)]
 pub enum Held {
     /// Horizontal forces at the feet
@@ -47,7 +47,7 @@ pub enum Held {
     },
 }
 
-/// What is sought.
+/// Unknown of the problem.
 #[derive(Clone, Debug, Inputs)]
 pub enum Sought {
     /// Force at a given angle

@@ -78,7 +78,7 @@ pub enum Kind {
     },
 }
 
-/// What balances the loads.
+/// Unknown that balances the loads.
 #[derive(Clone, Debug, Inputs)]
 pub enum Sought {
     /// Force on a lever

@@ -47,7 +47,7 @@ pub struct GuidedBar {
     pub position: Position,
 }
 
-/// Where A is.
+/// Side of A.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Side {
     /// Above the horizontal guide

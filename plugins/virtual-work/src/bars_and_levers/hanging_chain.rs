@@ -41,7 +41,7 @@ pub struct Bar {
     pub length: f64,
 }
 
-/// What is sought.
+/// Unknown of the problem.
 #[derive(Clone, Debug, Inputs)]
 pub enum Sought {
     /// Angles under a horizontal force

@@ -48,7 +48,7 @@ pub struct Rhombus {
     pub position: Position,
 }
 
-/// Which corners the spring joins.
+/// Corners that the spring joins.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Across {
     /// Between the corners at the sides

@@ -30,7 +30,7 @@ pub struct SpringLever {
     pub position: Position,
 }
 
-/// Where the arm stands at θ = 0; θ grows clockwise.
+/// Position of the arm at θ = 0; θ grows clockwise.
 #[derive(Clone, Copy, Debug, Inputs)]
 pub enum Start {
     /// Vertical, upwards
@@ -48,7 +48,7 @@ pub enum Start {
     },
 }
 
-/// What acts on the arm.
+/// Load on the arm.
 #[derive(Clone, Debug, Inputs)]
 pub enum Load {
     /// Mass on the arm
@@ -83,7 +83,7 @@ pub enum Load {
     },
 }
 
-/// What holds the arm.
+/// Spring of the arm.
 #[derive(Clone, Debug, Inputs)]
 pub enum Spring {
     /// Torsion spring at the pivot
@@ -147,7 +147,7 @@ pub enum Spring {
     },
 }
 
-/// When a spring between points is unstretched.
+/// Configuration in which a spring between points is unstretched.
 #[derive(Clone, Debug, Inputs)]
 pub enum Unstretched {
     /// At a given angle of the arm

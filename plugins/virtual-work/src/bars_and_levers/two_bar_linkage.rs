@@ -45,7 +45,7 @@ pub struct TwoBarLinkage {
     pub position: Position,
 }
 
-/// Where the joint between the bars is.
+/// Side of the joint between the bars.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Knee {
     /// Below the line AC

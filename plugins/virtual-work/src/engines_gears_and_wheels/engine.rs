@@ -99,7 +99,7 @@ pub enum RodLength {
     },
 }
 
-/// How the engine moves.
+/// Motion of the engine.
 #[derive(Clone, Debug, Inputs)]
 pub enum Motion {
     /// Running
@@ -123,7 +123,7 @@ pub enum Motion {
     },
 }
 
-/// Which formulas the motion follows; a table shows all of them.
+/// Formulas of the piston motion, exact or approximate; a table shows all of them.
 #[derive(Clone, Debug, Inputs)]
 pub enum Terms {
     /// Exact
@@ -140,7 +140,7 @@ pub enum Terms {
     },
 }
 
-/// Where the cylinder is.
+/// Orientation of the cylinder.
 #[derive(Clone, Copy, Debug, Inputs)]
 pub enum Orientation {
     /// Weights neglected

@@ -27,7 +27,7 @@ pub struct Flywheel {
     pub sought: Sought,
 }
 
-/// What is known of the turning moment.
+/// Turning moment of the cycle.
 #[derive(Clone, Debug, Inputs)]
 pub enum Moment {
     /// Mean and harmonics

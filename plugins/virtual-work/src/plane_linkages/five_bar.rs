@@ -68,7 +68,7 @@ pub enum Apex {
     Right,
 }
 
-/// How the cranks are driven.
+/// Drive of the cranks.
 #[derive(Clone, Debug, Inputs)]
 pub enum Cranks {
     /// Independent: two degrees of freedom
@@ -86,7 +86,7 @@ pub enum Cranks {
     },
 }
 
-/// How two gears mesh.
+/// Mesh of two gears: external or internal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Mesh {
     /// External teeth: opposite senses
@@ -95,7 +95,7 @@ pub enum Mesh {
     Same,
 }
 
-/// What the virtual works are summed for.
+/// Unknown of the sum of virtual works.
 #[derive(Clone, Debug, Inputs)]
 pub enum Unknown {
     /// Torques on the cranks

@@ -77,7 +77,7 @@ pub enum Closing {
     Crossed,
 }
 
-/// What the virtual works are summed for.
+/// Unknown of the sum of virtual works.
 #[derive(Clone, Debug, Inputs)]
 pub enum Unknown {
     /// Torque on the crank

@@ -87,7 +87,7 @@ pub struct Cylinder {
     pub inertia: f64,
 }
 
-/// What the virtual works are summed for.
+/// Unknown of the sum of virtual works.
 #[derive(Clone, Debug, Inputs)]
 pub enum Unknown {
     /// Torque on the crank, from the force of the cylinder

@@ -98,7 +98,7 @@ pub enum Side {
     Behind,
 }
 
-/// What the virtual works are summed for.
+/// Unknown of the sum of virtual works.
 #[derive(Clone, Debug, Inputs)]
 pub enum Unknown {
     /// Torque on the crank

@@ -48,7 +48,7 @@ pub struct ScotchYoke {
     pub gravity: Vector3<f64>,
 }
 
-/// What the virtual works are summed for.
+/// Unknown of the sum of virtual works.
 #[derive(Clone, Debug, Inputs)]
 pub enum Unknown {
     /// Torque on the crank

@@ -50,7 +50,7 @@ pub enum Pinion {
     },
 }
 
-/// What is sought.
+/// Unknown of the problem.
 #[derive(Clone, Debug, Inputs)]
 pub enum Sought {
     /// Force of the ram

@@ -88,7 +88,7 @@ pub enum End {
     },
 }
 
-/// What is sought.
+/// Unknown of the problem.
 #[derive(Clone, Debug, Inputs)]
 pub enum Sought {
     /// Force of the cylinder

@@ -25,7 +25,7 @@ pub struct ScrewJack {
     pub sought: Sought,
 }
 
-/// What stands between load and screw.
+/// Member between load and screw.
 #[derive(Clone, Debug, PartialEq, Inputs)]
 pub enum Frame {
     /// The load rests on the screw
@@ -80,7 +80,7 @@ pub struct Screw {
     pub collar_friction: f64,
 }
 
-/// How many nuts the screw turns in.
+/// Number of nuts on the screw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Threads {
     /// One nut
@@ -89,7 +89,7 @@ pub enum Threads {
     Two,
 }
 
-/// What is sought.
+/// Unknown of the problem.
 #[derive(Clone, Debug, Inputs)]
 pub enum Sought {
     /// Force and torque for a given load

@@ -29,7 +29,7 @@ pub struct TogglePress {
     pub sought: Sought,
 }
 
-/// What is sought.
+/// Unknown of the problem.
 #[derive(Clone, Debug, Inputs)]
 pub enum Sought {
     /// Thrust of the ram

@@ -12,7 +12,7 @@ use crate::{
     sources::{BEER, RIUL},
 };
 
-/// Where the machine stands.
+/// Position of the machine.
 #[derive(Clone, Debug, Inputs)]
 pub enum Position {
     /// All equilibrium positions in a range

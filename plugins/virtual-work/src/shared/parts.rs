@@ -71,7 +71,7 @@ pub struct Connection {
     pub joint: Joint,
 }
 
-/// What holds two parts together.
+/// Joint between two parts.
 #[derive(Clone, Debug, Inputs)]
 pub enum Joint {
     /// Pin
@@ -236,7 +236,7 @@ pub struct Drum {
     pub radius: f64,
 }
 
-/// What moves or holds the mechanism.
+/// Drive of a relative coordinate of the mechanism.
 #[derive(Clone, Debug, Inputs)]
 pub struct Drive {
     /// Name.
@@ -357,7 +357,7 @@ pub struct NamedLoad {
     pub load: Load,
 }
 
-/// What acts on a mechanism.
+/// Load on a mechanism.
 #[derive(Clone, Debug, Inputs)]
 pub enum Load {
     /// Force at a point

@@ -7,7 +7,7 @@ macro_rules! kind_of_reading {
     ($reading:ident, $run:ident, $influence:ident, $coefficient:ident, $given_reading:ident, $given_run:ident,
      $given_influence:ident,
      $unit:tt, $per:tt, $kind:tt) => {
-        /// What a sensor reads at a speed.
+        /// Reading of a sensor at a speed.
         #[derive(Clone, Debug, Inputs)]
         pub struct $reading {
             /// Amplitude.
@@ -44,7 +44,7 @@ macro_rules! kind_of_reading {
             pub readings: Vec<$reading>,
         }
 
-        /// How the planes act on the sensors.
+        /// Influence of the correction planes on the sensors.
         #[derive(Clone, Debug, Inputs)]
         pub enum $influence {
             /// Runs with trial weights
@@ -212,7 +212,7 @@ pub enum Measured {
     },
 }
 
-/// What becomes of a trial weight after its run.
+/// Fate of a trial weight after its run: removed or left on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum TrialWeights {
     /// Taken off after each run

@@ -30,7 +30,7 @@ pub struct Support {
     pub kind: Kind,
 }
 
-/// What a support holds.
+/// Constraint of a support.
 #[derive(Clone, Debug, Inputs)]
 pub enum Kind {
     /// Bearing

@@ -123,7 +123,7 @@ pub enum Moments {
     },
 }
 
-/// How the axes of the body lie at the start.
+/// Initial attitude of the body axes.
 #[derive(Clone, Debug, Inputs)]
 pub enum Attitude {
     /// Aligned with the fixed axes
@@ -194,7 +194,7 @@ pub struct TorqueRow {
     pub course: Course,
 }
 
-/// Where a torque keeps its direction.
+/// Axes in which a torque keeps its direction.
 #[derive(Clone, Debug, Inputs)]
 pub enum Carrier {
     /// The body
@@ -203,7 +203,7 @@ pub enum Carrier {
     Space,
 }
 
-/// How a torque changes with time.
+/// Time history of a torque.
 #[derive(Clone, Debug, Inputs)]
 pub enum Course {
     /// Constant
@@ -249,7 +249,7 @@ pub enum BodyAxis {
     Y,
 }
 
-/// What ends a motion.
+/// Terminal event of a motion.
 #[derive(Clone, Debug, Inputs)]
 pub enum Ends {
     /// Nothing

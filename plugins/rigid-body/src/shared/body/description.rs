@@ -87,7 +87,7 @@ pub struct Part {
     pub presence: Presence,
 }
 
-/// How much of it there is.
+/// Mass of a part, or its density per length, area or volume.
 #[derive(Clone, Debug, Inputs)]
 pub enum Amount {
     /// Mass
@@ -135,7 +135,7 @@ pub enum ReferencePoint {
     Corner,
 }
 
-/// How the own axes of a shape lie in the frame of the body.
+/// Orientation of the axes of a shape in the frame of the body.
 #[derive(Clone, Debug, Inputs)]
 pub enum Direction {
     /// Along x, y and z
@@ -180,7 +180,7 @@ pub enum Direction {
     },
 }
 
-/// Whether a part is there or taken away.
+/// Sign of a part: added or removed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Presence {
     /// Material

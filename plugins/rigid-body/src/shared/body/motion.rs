@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use super::{Worked, refused};
 use crate::sources::{BEER, MERIAM};
 
-/// How a body turns.
+/// Angular velocity of a body.
 #[derive(Clone, Debug, Inputs)]
 pub enum Turning {
     /// Angular velocity
@@ -49,7 +49,7 @@ pub enum Turning {
     },
 }
 
-/// What is known of how a body moves on.
+/// Given velocity of a body: of its centre of mass or of another point.
 #[derive(Clone, Debug, Inputs)]
 pub enum Going {
     /// Velocity of the centre of mass

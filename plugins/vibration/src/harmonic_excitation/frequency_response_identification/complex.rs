@@ -19,7 +19,7 @@ use crate::sources::{EWINS, RAO};
 /// The fewest points whose fit has something left to judge it by.
 const FEW: usize = 6;
 
-/// What was measured, and how it is written.
+/// Table of a measured response, by quantity and notation.
 #[derive(Clone, Debug, Inputs)]
 pub enum ResponseTable {
     /// Receptance, real and imaginary part
@@ -153,7 +153,7 @@ pub struct AccelerancePolar {
     pub phase: f64,
 }
 
-/// What stands for the modes outside the range.
+/// Residual terms for the modes outside the range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum ResidualKind {
     /// Single mode

@@ -6,7 +6,7 @@ use dalembert_mechanics::{Real, identification, sdof};
 use super::{Measurement, MeasurementGiven, plots};
 use crate::sources::RAO;
 
-/// Where the amplitude at resonance was read.
+/// Frequency at which the resonance amplitude was read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum PeakRead {
     /// At the natural frequency
@@ -15,7 +15,7 @@ pub enum PeakRead {
     Largest,
 }
 
-/// What makes the machine vibrate.
+/// Excitation of the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Excitation {
     /// A force of constant amplitude

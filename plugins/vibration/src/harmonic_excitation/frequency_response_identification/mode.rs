@@ -3,7 +3,7 @@
 use dalembert_core::Inputs;
 use dalembert_mechanics::identification::modal::DampingModel;
 
-/// How the mode is damped.
+/// Damping model of the mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum DampingKind {
     /// Viscous: mobility circle

@@ -7,7 +7,7 @@ use dalembert_numerics::intervals::IntervalSet;
 use super::Mounts;
 use crate::sources::RAO;
 
-/// How the machine arrives.
+/// Velocity of arrival, or the drop height that gives it.
 #[derive(Clone, Debug, Inputs)]
 pub enum Arrival {
     /// With an initial velocity

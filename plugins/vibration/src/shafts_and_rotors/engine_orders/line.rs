@@ -18,7 +18,7 @@ use crate::{
     sources::KER_WILSON,
 };
 
-/// What is known of the shaft between two cranks.
+/// Shaft between two cranks, by stiffness or dimensions.
 #[derive(Clone, Debug, Inputs)]
 pub enum Throw {
     /// Stiffness given

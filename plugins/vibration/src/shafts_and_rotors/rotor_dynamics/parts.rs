@@ -27,7 +27,7 @@ pub struct ShaftSegment {
     pub inner: Option<f64>,
 }
 
-/// What the shaft is made of.
+/// Material of the shaft.
 #[derive(Clone, Debug, Inputs)]
 pub struct ShaftMaterial {
     /// Young's modulus.
@@ -44,7 +44,7 @@ pub struct ShaftMaterial {
     pub damping: InternalDamping,
 }
 
-/// How the material damps; internal damping turns with the shaft.
+/// Internal damping of the material, which rotates with the shaft.
 #[derive(Clone, Debug, Inputs)]
 pub enum InternalDamping {
     /// No internal damping
@@ -119,7 +119,7 @@ pub struct RotorSupport {
     pub bearing: Bearing,
 }
 
-/// How a support holds the shaft. The force on the shaft is −k (x, y) − c (ẋ, ẏ).
+/// Type and coefficients of a support. The force on the shaft is −k (x, y) − c (ẋ, ẏ).
 #[derive(Clone, Debug, Inputs)]
 pub enum Bearing {
     /// The same in every direction
@@ -236,7 +236,7 @@ pub struct RotorUnbalance {
     pub angle: f64,
 }
 
-/// How the shaft bends.
+/// Beam theory of the shaft.
 #[derive(Clone, Debug, Inputs)]
 pub enum Theory {
     /// Timoshenko: bending and shear

@@ -9,7 +9,7 @@ use dalembert_mechanics::{
 use super::{AtFrequency, is_one};
 use crate::sources::RAO;
 
-/// How a harmonic begins.
+/// Waveform of a harmonic from its start: sine or cosine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Wave {
     /// Sine: starts at zero

@@ -12,7 +12,7 @@ use crate::{
     sources::{BEER, RAO},
 };
 
-/// What brings a turning body back.
+/// Torsion spring or shaft that restores a rotating body.
 #[derive(Clone, Debug, Inputs)]
 pub enum TorsionalSpring {
     /// Stiffness given

@@ -9,7 +9,7 @@ use nalgebra::DMatrix;
 
 use crate::sources::RAO;
 
-/// What damps the system.
+/// Damping of the system.
 #[derive(Clone, Debug, Inputs)]
 pub enum Damping {
     /// The dampers of the system, if any

@@ -1,4 +1,4 @@
-//! Transmission angles and pressure angles of the links of a mechanism.
+//! Transmission angles of the links of a mechanism.
 
 use dalembert_core::{
     TableExhibit, Text,

@@ -5,7 +5,7 @@ use dalembert_mechanics::planar::{End, Measure, Snapshot, Trajectory};
 
 use crate::shared::parts::{Part, Parts};
 
-/// What ends a motion.
+/// Terminal event of a motion.
 #[derive(Clone, Debug, Inputs)]
 pub enum Ends {
     /// Nothing

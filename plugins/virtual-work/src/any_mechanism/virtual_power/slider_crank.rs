@@ -30,7 +30,7 @@ pub struct SliderCrank {
     pub slider: Reference,
 }
 
-/// What is known of the shape.
+/// Given angles or lengths of crank and connecting rod.
 #[derive(Clone, Debug, Inputs)]
 pub enum Geometry {
     /// Angles of crank and rod

@@ -34,7 +34,7 @@ pub enum FlywheelInertia {
     },
 }
 
-/// What the engine drives.
+/// Resisting torque of the driven machine.
 #[derive(Clone, Debug, Inputs)]
 pub enum Resisting {
     /// Torque

@@ -100,7 +100,7 @@ pub enum Gas {
     },
 }
 
-/// What is on the side of the piston towards the crank.
+/// Pressure on the crank side of the piston.
 #[derive(Clone, Debug, Inputs)]
 pub enum Behind {
     /// The atmosphere
@@ -132,7 +132,7 @@ pub enum Acting {
     },
 }
 
-/// What pressures are counted from.
+/// Datum of pressures: absolute or gauge.
 #[derive(Clone, Debug, Inputs)]
 pub enum Datum {
     /// The atmosphere: gauge pressures

@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 use super::motion::{Lengths, Moving};
 use crate::sources::{BEVAN, KHURMI};
 
-/// What is known of the connecting rod's mass.
+/// Mass distribution of the connecting rod.
 #[derive(Clone, Debug, Inputs)]
 pub enum RodMass {
     /// Massless
@@ -39,7 +39,7 @@ pub enum RodMass {
     },
 }
 
-/// Where the centre of mass is.
+/// Position of the centre of mass.
 #[derive(Clone, Debug, Inputs)]
 pub enum Centre {
     /// From the crank pin
