@@ -7,6 +7,7 @@ use std::{collections::BTreeMap, fs, path::Path};
 use anyhow::{Context, Result, bail};
 
 mod analyses;
+mod comments;
 mod layers;
 mod loops;
 mod pairs;
@@ -43,6 +44,7 @@ pub fn faults(tree: &Tree) -> Vec<String> {
         analyses::an_analysis_is_one_file,
         analyses::every_plugin_is_in_the_bundle,
         analyses::a_plugin_is_tested_from_outside,
+        comments::doc_comments_begin_with_a_noun_or_a_verb,
         layers::a_plugin_is_named_only_by_the_bundle,
         layers::a_crate_depends_only_on_what_lies_below,
         layers::pure_crates_do_no_input_or_output,

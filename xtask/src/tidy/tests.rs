@@ -167,6 +167,28 @@ fn a_file_is_written_as_agreed() {
     assert_eq!(faults(&tree(&[("README.md", begun)])), [""; 0]);
 }
 
+#[test]
+fn a_doc_comment_begins_with_a_noun_or_a_verb() {
+    let source = "crates/core/src/x.rs";
+    finds(
+        &[(source, "struct X {\n    /// Its mass.\n    mass: f64,\n}\n")],
+        "x.rs:2: a doc comment begins with a noun or a verb, not with `Its`",
+    );
+    finds(&[(source, "//! What is shown.\n")], "not with `What`");
+    let labels = "/// Hammer.\n#[derive(Clone, Inputs)]\nstruct X {\n    /// Its mass.\n    mass: f64,\n}\n";
+    finds(&[(source, &format!("{labels}/// Whether it is open.\nfn f() {{}}\n"))], "x.rs:7: ");
+    for sound in [
+        labels,
+        "/// Mass, kg.\n/// Where it is zero, nothing moves.\nfn f() {}\n",
+        "// What follows is no doc comment.\n//// Nor is this.\n",
+        "/// Whatever is left.\nfn f() {}\n",
+    ] {
+        assert_eq!(faults(&tree(&[(source, sound)])), [""; 0]);
+    }
+    let being_rewritten = [("crates/tui/src/view/x.rs", "/// Where it stands.\nfn f() {}\n")];
+    assert_eq!(faults(&tree(&being_rewritten)), [""; 0]);
+}
+
 const GLOSSARY: &str = "\
 ## Words that do not come back
 
