@@ -259,7 +259,7 @@ fn a_random_answer_is_no_slip() {
     assert!(20 * accused < asked, "{accused} of {asked} random answers were said to be slips");
 }
 
-/// Types answers of one's own into the tab of checks.
+/// Types the user's answers into the tab of checks.
 fn checks(mut person: Person) -> Person {
     person
         .types("]]]]<tab>")

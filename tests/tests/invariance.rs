@@ -101,8 +101,8 @@ fn the_plain_reading_is_the_worked_reading() {
     });
 }
 
-/// Whatever finite numbers are typed, a solve answers or refuses; it neither panics nor answers NaN or infinity, and one
-/// that takes long ends when it is reported to stop.
+/// Whatever finite numbers are typed, a solve answers or refuses; it neither panics nor answers NaN or infinity, and
+/// one that takes long ends when it is reported to stop.
 #[test]
 fn extreme_values_are_answered_or_refused() {
     // Two of the values for each input, others for its neighbour and for the next form; all where more is asked for.
@@ -296,7 +296,7 @@ struct Problem {
 }
 
 /// Every form of every problem, once: cases of the same analysis that fill in the same inputs with other numbers
-/// would vary the same things once more.
+/// would vary the same things again.
 fn forms() -> Vec<Problem> {
     let mut seen = BTreeSet::new();
     let mut all = problems();

@@ -172,7 +172,7 @@ fn keys_reach_every_tab_plot_and_drawing() {
 /// A key that no table of the place has changes nothing on the screen, where characters are no text.
 #[test]
 fn no_key_is_unreported() {
-    // A character begins a value in the form, and an answer of one's own in a cell.
+    // A character begins a value in the form, and the user's answer in a cell.
     let begins = |place: Place, code: KeyCode| {
         matches!(place, Place::Form | Place::Cells)
             && matches!(code, KeyCode::Char(c) if c.is_ascii_digit() || "(.,−√-+".contains(c))

@@ -52,7 +52,7 @@ pub fn run(root: &Path, family: &str, name: &str) -> Result<()> {
     write(&translations, &translations_text)?;
     println!("written: {}, {}", below(root, &source), below(root, &cases));
     println!("changed: {}, {}", below(root, &library), below(root, &translations));
-    println!("look at it: cargo run -- solve {family}/{name}");
+    println!("run it: cargo run -- solve {family}/{name}");
     println!("then write it into the reference: cargo xtask docs");
     Ok(())
 }

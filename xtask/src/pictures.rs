@@ -11,7 +11,7 @@ use crate::cargo::{Program, output};
 
 const FOLDER: &str = "docs/pictures";
 
-/// Draws every picture anew.
+/// Draws every picture again.
 pub fn write(root: &Path) -> Result<()> {
     for (name, svg) in drawn(root)? {
         let path = root.join(FOLDER).join(&name);

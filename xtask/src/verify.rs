@@ -21,7 +21,7 @@ use crate::{
 pub enum Extent {
     /// All of it.
     Everything,
-    /// Without the steps that build the program once more.
+    /// All steps but those that build the program again.
     Quick,
 }
 

@@ -2,7 +2,7 @@
 
 ## Reading quantities
 unexpected-found-expected-expected = `{ $found }` inesperado: espera-se { $expected }
-symbol-must-stand-after-after-write-a-single-value-for-example-example = `{ $symbol }` deve vir depois de { $after }: escreva um único valor, por exemplo { $example }
+symbol-must-follow-after-write-a-single-value-for-example-example = `{ $symbol }` deve vir depois de { $after }: escreva um único valor, por exemplo { $example }
 text-divides-by-zero-write-another-divisor = `{ $text }` divide por zero: escreva outro divisor
 text-has-a-unit-with-some-components-only-write-one-unit-after-the-brackets-as-in-300-200-m-s = `{ $text }` tem unidade só em algumas componentes: escreva uma unidade depois dos parênteses, como em `(300; 200) m/s`
 text-has-two-decimal-marks-write-first-or-second = `{ $text }` tem dois sinais decimais: escreva `{ $first }` ou `{ $second }`

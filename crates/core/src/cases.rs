@@ -225,7 +225,7 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
         Some("closed form") => Truth::ClosedForm,
         Some("other program") => Truth::OtherProgram,
         Some("own earlier value") => Truth::OwnEarlierValue,
-        Some(other) => return Err(format!("{name}: `{other}` is no kind of truth")),
+        Some(other) => return Err(format!("{name}: `{other}` is not a kind of truth")),
     };
     let seen = match text("seen").as_deref() {
         None => None,

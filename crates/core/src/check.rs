@@ -81,9 +81,9 @@ pub enum Change {
     TermSign,
     /// One of the terms inside is missing.
     TermLeftOut,
-    /// A power inside was not taken.
+    /// An inner power was omitted.
     PowerLeftOut,
-    /// A root inside was not taken.
+    /// An inner root was omitted.
     RootLeftOut,
     /// Sine and cosine.
     SineForCosine,

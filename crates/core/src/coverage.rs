@@ -2,11 +2,12 @@
 //!
 //! An answer is *covered* by a check that passes, and fails once the number of the answer is wrong by
 //! [`PERTURBATION`](crate::trace::PERTURBATION) where its step finds it, with everything after that step worked again
-//! from the wrong number. Two ways that rest on the answer alike do not notice, nor does a residual in which it cancels, and
-//! what numerical methods were handed need not be in the trace to be followed. A check whose two sides are the same tree
-//! covers nothing. An answer that is an input typed in again has nothing to be checked; one that is a multiple, the inverse,
-//! the magnitude or a component of a number that is covered or typed is another form of it. An answer is covered when one
-//! case of its analysis covers it, and one of several (`frequency[2]`) covers the others of its name.
+//! from the wrong number. Two ways that rest on the answer alike do not notice, nor does a residual in which it
+//! cancels, and what numerical methods were handed need not be in the trace to be followed. A check whose two sides are
+//! the same tree covers nothing. An answer that is an input typed in again has nothing to be checked; one that is a
+//! multiple, the inverse, the magnitude or a component of a number that is covered or typed is another form of it. An
+//! answer is covered when one case of its analysis covers it, and one of several (`frequency[2]`) covers the others of
+//! its name.
 //!
 //! Whatever is left needs a reason, in the case file of the analysis:
 //!
@@ -93,7 +94,7 @@ pub fn coverage(entry: &Entry, stop: &Stop) -> Result<Vec<Coverage>, String> {
         let one = found.iter_mut().find(|one| one.answer == answer);
         let one = one.ok_or_else(|| format!("[uncovered]: there is no answer `{answer}` in any case"))?;
         if one.reason.replace(reason).is_some() {
-            return Err(format!("[uncovered]: `{answer}` stands there twice"));
+            return Err(format!("[uncovered]: `{answer}` appears twice"));
         }
     }
     Ok(found)
@@ -243,7 +244,7 @@ fn classes(solution: &Solution) -> Vec<u32> {
             Op::Component(a, axis) => (16, vec![class(a), u64::from(*axis)], ""),
             Op::Compose(all) => (17, all.iter().map(class).collect(), ""),
         };
-        let next = u32::try_from(of_key.len()).expect("a trace has fewer than four thousand million nodes");
+        let next = u32::try_from(of_key.len()).expect("a trace has fewer than 2³² nodes");
         classes.push(*of_key.entry(key).or_insert(next));
     }
     classes
@@ -261,7 +262,7 @@ fn reasons(entry: &Entry) -> Result<Vec<(String, Reason)>, String> {
     let mut all = Vec::new();
     for (name, answers) in table.iter() {
         let reason = Reason::ALL.into_iter().find(|reason| reason.name() == name);
-        let reason = reason.ok_or_else(|| format!("[uncovered]: `{name}` is no reason"))?;
+        let reason = reason.ok_or_else(|| format!("[uncovered]: `{name}` is not a reason"))?;
         let answers = answers.as_array().ok_or_else(|| format!("[uncovered]: {name}: write a list"))?;
         for answer in answers {
             let answer = answer.as_str().ok_or_else(|| format!("[uncovered]: {name}: write names"))?;

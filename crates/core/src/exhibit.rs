@@ -9,7 +9,7 @@ pub use self::clip::clipped;
 pub use self::space::{Point3, Scene, Shape3, View};
 use crate::Text;
 
-/// Something to look at.
+/// Figure or table of the results.
 #[derive(Clone, Debug, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "a solution has a few of them")]
 pub enum Exhibit {
@@ -85,9 +85,9 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
     /// True if neighbouring points are joined by a line.
     pub joined: bool,
-    /// The answer that it shows, of a vector the size or a component: `frequency[2]`, `force`, `force.x`. Of a number its
-    /// size, or all of its rows, where these are drawn: `|amplitude|`, `amplitude[*]`. Or the path of the input, where a
-    /// curve is drawn the other way round.
+    /// The answer that it shows, of a vector the size or a component: `frequency[2]`, `force`, `force.x`. Of a number
+    /// its size, or all of its rows, where these are drawn: `|amplitude|`, `amplitude[*]`. Or the path of the input,
+    /// where a curve is drawn the other way round.
     pub of: Option<String>,
     /// Inputs that have another value than in the problem, for comparison: paths and values in SI.
     pub with: Vec<(String, f64)>,
@@ -284,8 +284,8 @@ impl Animation {
         Self { title: title.into(), frames, period, over: None }
     }
 
-    /// The same animation over the input at a path, with its value at every frame: the first frame of a solve with that value
-    /// is the same.
+    /// The same animation over the input at a path, with its value at every frame: the first frame of a solve with that
+    /// value is the same.
     #[must_use]
     pub fn over(self, input: impl fmt::Display, values: Vec<f64>) -> Self {
         Self { over: Some((input.to_string(), values)), ..self }

@@ -101,7 +101,7 @@ pub struct Variant {
     pub fields: fn() -> &'static [Field],
 }
 
-/// Identity of a list of fields or alternatives within a shape. Two shapes with the same insides are described once; a
+/// Identity of a list of fields or alternatives within a shape. Two shapes with the same children are described once; a
 /// type that contains itself meets its own again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ChildList {

@@ -78,7 +78,7 @@ pub(crate) fn text(error: &ReadError) -> Text {
         .with_text("left", of_dim(*left))
         .with_text("right", of_dim(*right)),
         ReadError::Alone { symbol, after, example } => {
-            Text::new("`{symbol}` must stand after {after}: write a single value, for example {example}")
+            Text::new("`{symbol}` must follow {after}: write a single value, for example {example}")
                 .with("symbol", symbol)
                 .with_text("after", *after)
                 .with("example", example)

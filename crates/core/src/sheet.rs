@@ -43,8 +43,8 @@ impl<'a> Sheet<'a> {
         Self { solution: RefCell::default(), stop, perturbed: None }
     }
 
-    /// An empty sheet on which the result of one step comes out wrong by [`PERTURBATION`](crate::trace::PERTURBATION): everything after it, what
-    /// numerical methods make of it included, goes on with the wrong number.
+    /// An empty sheet on which the result of one step comes out wrong by [`PERTURBATION`](crate::trace::PERTURBATION):
+    /// everything after it, what numerical methods make of it included, goes on with the wrong number.
     pub fn perturbed(stop: &'a Stop, step: usize) -> Self {
         Self { perturbed: Some(step), ..Self::new(stop) }
     }
@@ -77,8 +77,7 @@ impl<'a> Sheet<'a> {
 
     fn push_rounded(&self, number: Number, dim: Dim, op: Op, [scale, error]: [f64; 2]) -> Id {
         let nodes = &mut self.solution.borrow_mut().trace.nodes;
-        let id = Id::try_from(nodes.len())
-            .expect("a worked solution has fewer than four thousand million numbers");
+        let id = Id::try_from(nodes.len()).expect("a worked solution has fewer than 2³² numbers");
         nodes.push(Node { number, dim, op, scale, error });
         id
     }

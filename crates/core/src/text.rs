@@ -279,16 +279,16 @@ pub fn translation_faults() -> Vec<String> {
         for (n, message) in messages.iter().enumerate() {
             let of = message.of;
             if messages[..n].iter().any(|other| other.of == of) {
-                faults.push(format!("{key} stands twice in {of}"));
+                faults.push(format!("{key} appears twice in {of}"));
             }
             // The program's own sentences are shown beside those of every analysis.
             let first = &messages[0];
             if !is_family(first.of) && first.words() != message.words() {
-                faults.push(format!("{key} stands in {} and in {of} with other words", first.of));
+                faults.push(format!("{key} appears in {} and in {of} with other words", first.of));
             }
             for (name, _) in message.attributes() {
                 if !crate::registry().iter().any(|entry| entry.about.id == format!("{of}/{name}")) {
-                    faults.push(format!("{key} in {of} has words for `{name}`, which is no analysis"));
+                    faults.push(format!("{key} in {of} has words for `{name}`, which is not an analysis"));
                 }
             }
         }

@@ -3,7 +3,10 @@
 //!
 //! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.
 
-#![expect(clippy::inline_always, reason = "lanes are compiled for the widest registers where all is inlined")]
+#![expect(
+    clippy::inline_always,
+    reason = "SIMD code is compiled for the widest registers where all is inlined"
+)]
 
 use std::{array::from_fn, f64::consts::TAU, hint::black_box, time::Instant};
 

@@ -1,7 +1,10 @@
 //! The four-bar linkage: crank of length `a` turning about the origin, coupler `b`, and rocker `c` about a fixed pin
 //! at `(d, 0)`: `a e₂ + b e₃ = d i + c e₄` with unit vectors `e` along the links.
 
-#![expect(clippy::inline_always, reason = "lanes are compiled for the widest registers where all is inlined")]
+#![expect(
+    clippy::inline_always,
+    reason = "SIMD code is compiled for the widest registers where all is inlined"
+)]
 
 use crate::{
     Real,

@@ -5,7 +5,10 @@
 //! velocity `q′ ω` and acceleration `q′ α + q″ ω²`. What is asked of a link or point is a formula, generic over
 //! [`Real`]; where the linkage does not close or stands at a dead point its numbers are not finite.
 
-#![expect(clippy::inline_always, reason = "lanes are compiled for the widest registers where all is inlined")]
+#![expect(
+    clippy::inline_always,
+    reason = "SIMD code is compiled for the widest registers where all is inlined"
+)]
 
 use crate::Real;
 

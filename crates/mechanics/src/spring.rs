@@ -52,7 +52,7 @@ pub fn spiral<S: Real>(young: S, second_moment: S, length: S) -> S {
 }
 
 /// Semi-elliptic leaf spring of `n` leaves cut from a plate of uniform strength, loaded at its middle,
-/// `k = 8 n E b t³/(3 L³)`, N/m: breadth `b` and thickness `t` of a leaf, span `L`, m.
+/// `k = 8 n E b t³/(3 L³)`, N/m: width `b` and thickness `t` of a leaf, span `L`, m.
 #[inline]
 pub fn leaf<S: Real>(young: S, leaves: S, breadth: S, thickness: S, span: S) -> S {
     leaves * young * breadth * thickness.powi(3) * 8.0 / (span.powi(3) * 3.0)
@@ -89,8 +89,8 @@ pub fn pendulum_torsional<S: Real>(mass: S, gravity: S, distance: S) -> S {
     mass * gravity * distance
 }
 
-/// Body hung on parallel wires of length `l` at the radius `r` from its axis (two, three or more), turned about
-/// that axis, `k = m g r²/l`, N·m/rad.
+/// Torsional stiffness of a bifilar or multifilar suspension: a body on parallel wires of length `l` at the radius `r`
+/// from its axis (two, three or more), turned about that axis, `k = m g r²/l`, N·m/rad.
 #[inline]
 pub fn bifilar_stiffness<S: Real>(mass: S, gravity: S, radius: S, length: S) -> S {
     mass * gravity * radius.powi(2) / length
@@ -108,7 +108,7 @@ pub fn u_tube<S: Real>(density: S, gravity: S, area: S) -> S {
     density * gravity * area * 2.0
 }
 
-/// A spring whose own deflection is `ratio` times that of the point where it is felt, `k' = r² k`: lever arms
+/// A spring whose own deflection is `ratio` times that of the driving point, `k' = r² k`: lever arms
 /// `a/b`, the cosine of an inclination, a gear ratio. Both store the same energy.
 #[inline]
 pub fn reflected_stiffness<S: Real>(stiffness: S, ratio: S) -> S {
@@ -151,7 +151,7 @@ mod tests {
 
     #[test]
     fn a_leaf_spring_is_a_triangular_plate() {
-        // Half of it is a cantilever whose breadth grows evenly from its tip to n b: δ = (F/2) (L/2)³/(2 E I).
+        // Half of it is a cantilever whose width grows evenly from its tip to n b: δ = (F/2) (L/2)³/(2 E I).
         let (young, leaves, breadth, thickness, span) = (200e9, 5.0, 0.06, 0.008, 1.1);
         let root = leaves * breadth * f64::powi(thickness, 3) / 12.0;
         let deflection = 0.5 * f64::powi(span / 2.0, 3) / (2.0 * young * root);

@@ -168,7 +168,8 @@ fn closed(element: &Element, theory: Theory) -> [Matrix4<f64>; 3] {
     [straight + rotary, rotary * 2.0, stiffness]
 }
 
-/// The eigenvalues that swing, by frequency, from dense matrices; and the condition number of the stiffness in the mass.
+/// The eigenvalues that swing, by frequency, from dense matrices; and the condition number of the stiffness in the
+/// mass.
 fn dense(rotor: &Rotor, speed: f64) -> (Vec<Complex<f64>>, f64) {
     let m = 2 * rotor.nodes();
     let [mut mass, mut gyroscopic, mut shaft] = [(); 3].map(|()| DMatrix::<f64>::zeros(m, m));
@@ -307,7 +308,7 @@ fn random_rotors_are_answered_as_by_dense_matrices() {
         }
     }
     assert!(bad.is_empty(), "{} of {draws}: {bad:?}", bad.len());
-    // A mode that is just about to creep has a frequency that no neighbourhood holds: it costs one critical speed.
+    // A mode at the limit of overdamping has a frequency that no neighbourhood holds: it costs one critical speed.
     assert!(lost * 1000 <= draws, "{lost} of {draws} rotors lack a critical speed or a limit of stability");
 }
 

@@ -162,7 +162,7 @@ pub struct Integrator {
     /// The slopes of the stages of the last step.
     slopes: Vec<Vec<f64>>,
     /// True if the stored rates at the current state are those of the last stage of a step (first same as last), false
-    /// if they were evaluated anew.
+    /// if they were evaluated again.
     stepped: bool,
     /// True if the interpolating polynomial of each step is computed and examined for events.
     looked_between: bool,
@@ -524,8 +524,8 @@ impl<F: FnMut(f64, &[f64], &mut [f64])> Problem for Function<F> {
     }
 }
 
-/// A step laid so that a singular position lies in a gap between its stages, or beyond it by as much as the next step needs
-/// for the same.
+/// A step laid so that a singular position lies in a gap between its stages, or beyond it by as much as the next step
+/// needs for the same.
 fn laid(step: f64, left: f64, singular: f64) -> f64 {
     let [widest, _] = GAPS[0];
     let part = singular / step;

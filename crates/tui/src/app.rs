@@ -349,7 +349,7 @@ impl Runtime {
                 }
                 Effect::Judge(entry) => {
                     match &self.judges {
-                        // A thread that has ended wants no more wishes.
+                        // A thread that has ended accepts no further requests.
                         Ok(judges) => {
                             let _ = judges.send(entry);
                             continue;
@@ -529,7 +529,7 @@ fn teller<T>(
 ) -> impl Fn(T) + Send + Sync + 'static {
     let (messages, waker) = (messages.clone(), session.waker());
     move |reported| {
-        // A loop that has ended takes no more messages.
+        // A loop that has ended accepts no further messages.
         let _ = messages.send(msg(reported));
         waker.wake();
     }

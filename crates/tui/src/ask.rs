@@ -154,7 +154,7 @@ impl Ask {
         }
     }
 
-    /// The answer of a tab counts no more.
+    /// Discards the reply of a tab.
     pub fn forget(&mut self, tab: Tab) {
         match tab {
             Tab::Check => self.check.slips = None,

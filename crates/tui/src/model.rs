@@ -279,7 +279,7 @@ impl Effect {
         solves(self) && solves(newer) || self.keeps().is_some() && self.keeps() == newer.keeps()
     }
 
-    /// The problem that it keeps against a crash, or keeps no more.
+    /// The problem that it keeps against a crash, or none any longer.
     fn keeps(&self) -> Option<u64> {
         match self {
             Effect::Keep { problem, .. } | Effect::Forget(problem) => Some(*problem),

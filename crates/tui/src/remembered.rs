@@ -36,7 +36,7 @@ pub enum Progress {
 /// Something to be remembered.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Change {
-    /// An analysis is pinned, or no more.
+    /// An analysis is pinned or unpinned.
     Pin(String, bool),
     /// An analysis was opened.
     Open(String),
@@ -108,7 +108,7 @@ pub fn read(text: &str) -> Result<Remembered, String> {
         let Some(item) = document.get(name) else { return Ok(Vec::new()) };
         item.as_array()
             .and_then(|array| array.iter().map(|one| one.as_str().map(str::to_owned)).collect())
-            .ok_or_else(|| format!("`{name}` is no list of texts"))
+            .ok_or_else(|| format!("`{name}` is not a list of texts"))
     };
     let mut progress = BTreeMap::new();
     for table in document.get("progress").and_then(Item::as_array_of_tables).into_iter().flatten() {

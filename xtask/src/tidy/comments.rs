@@ -40,7 +40,9 @@ pub(super) fn doc_comments_begin_with_a_noun_or_a_verb(tree: &Tree) -> Vec<Strin
             if let Some(text) = doc.filter(|_| !was_doc && end_of_labels.is_none())
                 && let Some(word) = RELATIVE.iter().find(|word| first_word(text) == **word)
             {
-                faults.push(format!("{path}:{n}: a doc comment begins with a noun or a verb, not with `{word}`"));
+                faults.push(format!(
+                    "{path}:{n}: a doc comment begins with a noun or a verb, not with `{word}`"
+                ));
             }
             was_doc = doc.is_some();
         }

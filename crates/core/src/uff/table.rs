@@ -114,7 +114,7 @@ fn rows(function: &Function, columns: &'static [Field]) -> Result<(Vec<String>, 
     match columns.len() {
         2 => {
             if function.complex {
-                remarks.push("the ordinates are complex: their amplitudes stand here".to_owned());
+                remarks.push("the ordinates are complex: their amplitudes are given here".to_owned());
             }
         }
         3 if !function.complex => {

@@ -139,7 +139,7 @@ impl Writer<'_> {
         json!({ "oneOf": alternatives })
     }
 
-    /// The definition of the insides of a shape, written where they are first met.
+    /// The definition of the child list of a shape, written where they are first met.
     fn defined(&mut self, shape: &Shape, name: &str, write: impl FnOnce(&mut Self) -> Json) -> Json {
         let Some(insides) = shape.insides() else { return write(self) };
         let known = self.known.iter().find(|(known, _)| *known == insides).map(|(_, name)| name.clone());

@@ -272,7 +272,7 @@ fn described(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale
     })
 }
 
-/// The shape that has insides, below what may be left out or repeated, and its path.
+/// The shape that has a child list, below what may be left out or repeated, and its path.
 fn inner(shape: Shape, path: String) -> (Shape, String) {
     match shape {
         Shape::Optional(shape) => inner(*shape(), path),
@@ -300,7 +300,7 @@ fn fields(list: &'static [Field], locale: &Locale, above: &str, described: &mut 
     list.iter().map(field).collect()
 }
 
-/// A shape for another program; `like` is the path where its insides are described.
+/// A shape for another program; `like` is the path where its child list is described.
 fn shape(shape: &Shape, locale: &Locale, path: &str, described: &mut Described) -> Json {
     if let Some(first) = described.before(shape, path) {
         let kind = match shape {

@@ -1,7 +1,7 @@
 //! Partial balance of locomotives with two cylinders.
 //!
 //! The cylinders are `a` apart, the planes of the wheels `w`, both about the middle of the engine; the crank of the
-//! second cylinder stands at the angle `α` from the first one. A mass at the crank of a cylinder is felt with the
+//! second cylinder stands at the angle `α` from the first one. A mass at the crank of a cylinder acts with the
 //! share `(w + a)/(2w)` in the wheel of its own side and `(w − a)/(2w)` in the other one; outside the wheels, `a > w`,
 //! the second share is negative. Bevan, *The Theory of Machines*, ch. 14.
 

@@ -1,6 +1,9 @@
 //! Vibrations and weights that turn with the shaft, as vectors in a plane.
 
-#![expect(clippy::inline_always, reason = "lanes are compiled for the widest registers where all is inlined")]
+#![expect(
+    clippy::inline_always,
+    reason = "SIMD code is compiled for the widest registers where all is inlined"
+)]
 
 use crate::Real;
 

@@ -3,7 +3,10 @@
 //! Every number is drawn from its own place: seed, sample and number. So samples may be shared out among any number
 //! of threads and are the same to the last bit.
 
-#![expect(clippy::inline_always, reason = "lanes are compiled for the widest registers where all is inlined")]
+#![expect(
+    clippy::inline_always,
+    reason = "SIMD code is compiled for the widest registers where all is inlined"
+)]
 
 use std::{
     f64::consts::{PI, TAU},
@@ -69,8 +72,8 @@ pub struct Measurement<'a> {
 /// Ranges that hold 95 % of the samples.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ranges {
-    /// Size of the weight in each plane. It begins at zero where the given weight cannot be distinguished from none: noise alone
-    /// makes weights that are larger than it. The given weight always lies in it.
+    /// Size of the weight in each plane. It begins at zero where the given weight cannot be distinguished from none:
+    /// noise alone makes weights that are larger than it. The given weight always lies in it.
     pub sizes: Vec<[f64; 2]>,
     /// Range of the angle, rad, unwrapped about the angle of the given weights; a whole revolution where the range of
     /// the magnitude begins at zero.

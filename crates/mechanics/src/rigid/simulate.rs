@@ -360,7 +360,7 @@ pub fn simulate_watching(
     Ok(Motion { samples, angles, ended, steps: integrator.steps() })
 }
 
-/// A look at what is no number.
+/// Sampling of a quantity that is not a number.
 const NO_LOOK: Sampling = Sampling { value: f64::NAN, smooth: f64::NAN, rate: f64::NAN };
 
 /// Follows a free motion in steps of about a part of a radian that keep energy and angular momentum.

@@ -19,8 +19,8 @@ pub const EXACT: f64 = 1e-10;
 /// of the loss of another.
 const CONDENSED: f64 = 10.0;
 
-/// A motion whose frequency is below this share of the size of its eigenvalue (ζ > 0.954) creeps rather than swings.
-/// Internal damping gives such motions a slow turn with the spin, which is no vibration.
+/// A motion whose frequency is below this share of the size of its eigenvalue (ζ > 0.954) counts as overdamped: a real
+/// eigenvalue. Internal damping gives such motions a slow turn with the spin, which is no vibration.
 const SWING: f64 = 0.3;
 
 /// A mode of free vibration `Re(shape · e^{λt})` with `Im λ > 0`.
@@ -54,8 +54,8 @@ pub struct Spectrum {
     pub speed: f64,
     /// The lowest modes that oscillate, by damped frequency.
     pub modes: Vec<Mode>,
-    /// Real parts of the eigenvalues no larger than the largest of those that hardly swing, s⁻¹: motions that creep
-    /// back or away.
+    /// Real parts of the eigenvalues no larger than the largest of those that hardly oscillate, s⁻¹: overdamped
+    /// motions, back or away.
     pub overdamped: Vec<f64>,
 }
 
@@ -98,7 +98,7 @@ impl Mode {
         }
     }
 
-    /// Modal assurance criterion of two modes of the same reduced model: 1 for the same shape, 0 for a foreign one.
+    /// Modal assurance criterion of two modes of the same reduced model: 1 for the same shape, 0 for an unrelated one.
     pub(super) fn assurance(&self, other: &Mode) -> f64 {
         self.coordinates.dotc(&other.coordinates).norm_sqr()
     }
@@ -128,7 +128,7 @@ impl<'a> Reduced<'a> {
         let middle = speeds.iter().sum::<f64>() / speeds.len().max(1) as f64;
         let mut reduced = Self { rotor, basis: Basis::new(rotor, middle)?, count, cancelled };
         let mut found = Vec::new();
-        let mut creeps = false;
+        let mut overdamps = false;
         for &speed in speeds {
             let mut spectrum = reduced.modes(speed)?;
             // A round leaves a small part of the error; more than a few mean that rounding is the limit.
@@ -150,13 +150,13 @@ impl<'a> Reduced<'a> {
                 }
                 spectrum = reduced.modes(speed)?;
             }
-            creeps |= !spectrum.overdamped.is_empty();
+            overdamps |= !spectrum.overdamped.is_empty();
             found.extend(spectrum.modes.into_iter().map(|mode| mode.shape));
         }
-        // Bearings that change with speed may ask for other shapes between these speeds, and motions that creep back
-        // or away have shapes that no mode holds.
+        // Bearings that change with speed may ask for other shapes between these speeds, and overdamped motions,
+        // back or away, have shapes that no mode holds.
         let steady = !reduced.basis.free && rotor.supports.iter().all(Support::is_constant);
-        if steady && !creeps && !found.is_empty() {
+        if steady && !overdamps && !found.is_empty() {
             reduced.basis.condense(rotor, &found, CONDENSED * share)?;
         }
         Ok(reduced)
@@ -240,13 +240,13 @@ impl<'a> Reduced<'a> {
         order.truncate(count);
         let modes: Vec<Mode> = order.iter().map(|&n| self.mode(values[n], &coordinates[n])).collect();
         let largest = modes.iter().fold(0.0, |size: f64, mode| size.max(mode.lambda.norm()));
-        let creeps = |value: &&Complex<f64>| {
+        let is_overdamped = |value: &&Complex<f64>| {
             value.im >= 0.0
                 && value.im <= SWING * value.norm()
                 && value.norm() <= largest
                 && value.norm() > least
         };
-        let mut overdamped: Vec<f64> = values.iter().filter(creeps).map(|value| value.re).collect();
+        let mut overdamped: Vec<f64> = values.iter().filter(is_overdamped).map(|value| value.re).collect();
         overdamped.sort_by(f64::total_cmp);
         Ok(Spectrum { speed, modes, overdamped })
     }
@@ -362,8 +362,8 @@ const OFFSETS: [Complex<f64>; 4] =
 /// A step of the eigenvalue beyond this share of it leads to another mode.
 const ANOTHER: f64 = 1e-2;
 
-/// The mode nearest to one of a reduced model on all equations of the rotor at a speed: inverse iteration for the
-/// right and the left vector, and the eigenvalue that makes their bilinear form of the equations zero (two-sided Rayleigh
+/// The mode nearest to one of a reduced model on all equations of the rotor at a speed: inverse iteration for the right
+/// and the left vector, and the eigenvalue that makes their bilinear form of the equations zero (two-sided Rayleigh
 /// quotient), which errs by the product of their errors.
 ///
 /// # Errors
@@ -387,8 +387,8 @@ pub fn polished(rotor: &Assembled, mode: &Mode, speed: f64) -> Result<Polished, 
     Ok(Polished { mode: Mode { lambda, shape, coordinates: mode.coordinates.clone() }, rounding })
 }
 
-/// The eigenvalue of a mode from its shape and the powers in it alone, `λ² vᴴMv + λ vᴴ(C + ΩG)v + vᴴKv = 0`, near the one
-/// it is said to have.
+/// The eigenvalue of a mode from its shape and the powers in it alone, `λ² vᴴMv + λ vᴴ(C + ΩG)v + vᴴKv = 0`, near the
+/// one it is said to have.
 pub fn energy_eigenvalue(rotor: &Assembled, mode: &Mode, speed: f64) -> Option<Complex<f64>> {
     let [mass, damping, stiffness] = [0, 1, 2].map(|at| {
         let one = |n: usize| Complex::new(f64::from(u8::from(n == at)), 0.0);

@@ -52,7 +52,7 @@ struct First {
 
 impl FrictionDecay {
     /// The first turning point after the start: time and displacement. `None` where the mass does not move, or
-    /// creeps towards rest.
+    /// approaches rest without oscillating.
     pub fn first_turning(&self) -> Option<(f64, f64)> {
         self.first()?.turning
     }

@@ -70,9 +70,9 @@ impl Network {
         Ok(linalg::solve_complex(&matrix, &right)?.as_slice().to_vec())
     }
 
-    /// The stiffness felt at a node, with the other nodes free and `of` telling the stiffness of an element (real, or
-    /// complex `k + iωc`): the other nodes are eliminated one by one, each leaving `kᵢkⱼ/Σk` between its
-    /// neighbours (star–mesh transformation). No subtraction occurs, so nothing cancels.
+    /// Driving-point stiffness of a node, with the other nodes free and `of` giving the stiffness of an element (real,
+    /// or complex `k + iωc`): the other nodes are eliminated one by one, each leaving `kᵢkⱼ/Σk` between its neighbours
+    /// (star–mesh transformation). No subtraction occurs, so nothing cancels.
     pub fn driving_point_stiffness(&self, node: usize, of: impl Fn(&Link) -> Complex<f64>) -> Complex<f64> {
         let n = self.masses.len();
         // Ground is the last node.
@@ -247,20 +247,20 @@ mod tests {
     }
 
     #[test]
-    fn a_bridge_of_springs_is_felt_as_it_gives() {
+    fn the_driving_point_stiffness_of_a_bridge_is_force_over_displacement() {
         let network = bridge();
         let x = network.at_rest(&[1.0, 0.0, 0.0]).unwrap();
-        let felt = network.driving_point_stiffness(0, |link| Complex::from(link.stiffness));
-        close(felt.re * x[0], 1.0);
+        let driving_point = network.driving_point_stiffness(0, |link| Complex::from(link.stiffness));
+        close(driving_point.re * x[0], 1.0);
     }
 
     #[test]
     fn the_excited_bridge_meets_its_dynamic_stiffness() {
         let (network, frequency) = (bridge(), 1.7);
         let x = network.harmonic_response(&[1.0, 0.0, 0.0], frequency).unwrap()[0];
-        let felt =
+        let driving_point =
             network.driving_point_stiffness(0, |link| Complex::new(link.stiffness, link.damping * frequency));
-        let whole = (felt - 2.0 * frequency * frequency) * x;
+        let whole = (driving_point - 2.0 * frequency * frequency) * x;
         close(whole.re, 1.0);
         assert!(whole.im.abs() < 1e-12);
     }

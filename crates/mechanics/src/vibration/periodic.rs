@@ -199,8 +199,8 @@ impl Steady {
     }
 
     /// Shares since the beginning of a piece between which the motion is smooth: half a radian apart while the free
-    /// motion that the piece began with lasts, further apart where it only creeps, and after it has died as the drive
-    /// itself asks.
+    /// motion that the piece began with lasts, further apart where it does not oscillate, and after it has died as the
+    /// drive itself asks.
     fn edges(&self, n: usize) -> Option<Vec<f64>> {
         const MOST: usize = 8000;
         let (length, zeta) = (self.length(n), self.damping_ratio);

@@ -26,8 +26,8 @@ pub fn centre_beyond<S: Real>(distance: S, first: S, second: S) -> S {
     distance * (distance + second) / (distance * 2.0 - first + second)
 }
 
-/// Moment of inertia of a body hung on wires, `J = m g r R T²/(4π² h)`, kg·m²: wires fixed at the radii `r` below and
-/// `R` above, the vertical distance `h` between the two circles, m.
+/// Moment of inertia of a body in a bifilar or trifilar suspension, `J = m g r R T²/(4π² h)`, kg·m²: wires fixed at the
+/// radii `r` below and `R` above, the vertical distance `h` between the two circles, m.
 #[inline]
 pub fn on_wires<S: Real>(weight: S, below: S, above: S, height: S, period: S) -> S {
     weight * below * above * period.powi(2) / (height * (4.0 * PI * PI))

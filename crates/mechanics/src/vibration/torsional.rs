@@ -353,7 +353,7 @@ impl Train {
     }
 }
 
-/// The dynamic stiffness felt through a shaft; a number as large as rounding allows where what hangs beyond is at its
+/// Dynamic stiffness reflected through a shaft; a number as large as rounding allows where what hangs beyond is at its
 /// own frequency with the near end held.
 fn behind(shaft: f64, beyond: f64) -> f64 {
     let pivot = shaft + beyond;

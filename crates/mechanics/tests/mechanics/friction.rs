@@ -1,5 +1,5 @@
-//! Free motions with Coulomb friction in the joints: closed forms of one block, and the balance of a moving mechanism by
-//! the way that does not know of motion.
+//! Free motions with Coulomb friction in the joints: closed forms of one block, and the balance of a moving mechanism
+//! by the way that does not know of motion.
 
 use dalembert_mechanics::{
     planar::{
@@ -337,7 +337,7 @@ proptest! {
         let crank = |body| Measure::Angle { of: Some(body), against: None };
         let velocities = found(system.starting(&drawn, &[(crank(0), speeds[0]), (crank(3), speeds[1])]));
         let moved = system.simulate(&drawn, &velocities, &run(0.4, 1e-11, 41));
-        // With the rods in line friction may lock them, or stop them by forces too large to be followed.
+        // With collinear rods friction may lock them, or stop them by forces too large to be followed.
         prop_assume!(!matches!(moved, Err(PlanarError::Jammed { .. } | PlanarError::Motion(OdeError::Stiff { .. }))));
         let moved = found(moved);
         let energy = most_kinetic(&moved);

@@ -84,7 +84,7 @@ fn the_attitude_holds_for_a_thousand_revolutions() {
     assert!(angle < 1e-9, "off by {angle:e} rad");
 }
 
-/// `k`, period and flips of free bodies, and the rotation that creeps from one end of the middle axis to the other.
+/// `k`, period and flips of free bodies, and the separatrix, a rotation from one end of the middle axis to the other.
 #[test]
 fn polhodes_have_their_names_and_periods() {
     let body = free([1.0, 2.0, 3.0], [0.6, 0.3, 1.1]);
@@ -99,12 +99,12 @@ fn polhodes_have_their_names_and_periods() {
     assert_eq!(free([2.0, 2.0, 2.0], [1.0, 5.0, 2.0]).polhode(), Polhode::Permanent);
     // H² = 2 T I_b without rounding: 6·2·ω_x² = 12·4·ω_z².
     let (inertia, start) = ([6.0, 8.0, 12.0], [2.0, -1.0, 1.0]);
-    let creeps = free(inertia, start);
-    assert_eq!(creeps.polhode(), Polhode::Separatrix);
+    let separatrix = free(inertia, start);
+    assert_eq!(separatrix.polhode(), Polhode::Separatrix);
     let (omega, attitude) = integrated(inertia, start, &[0.0, 1.5])[1];
-    all_close(creeps.velocity(1.5).into(), omega.into(), 1e-11);
-    assert!((creeps.attitude(1.5).matrix() - attitude.to_rotation_matrix().matrix()).norm() < 1e-10);
-    assert_eq!(creeps.first_flip().is_some(), creeps.velocity(100.0).y > 0.0);
+    all_close(separatrix.velocity(1.5).into(), omega.into(), 1e-11);
+    assert!((separatrix.attitude(1.5).matrix() - attitude.to_rotation_matrix().matrix()).norm() < 1e-10);
+    assert_eq!(separatrix.first_flip().is_some(), separatrix.velocity(100.0).y > 0.0);
 }
 
 /// The closed form of a body of revolution and the elliptic functions are one.

@@ -22,11 +22,11 @@ use super::{
     power_of_two_below, shape, square, sum_of_sizes, symmetric, view,
 };
 
-/// A mode whose value lies this far below the largest one has its value taken anew from its vector, with twice
+/// A mode whose value lies this far below the largest one has its value recomputed from its vector, with twice
 /// the digits: the solver leaves an error of the order of the largest value in every one.
 const LOW: f64 = 1e-3;
 
-/// So many low values are taken anew at most.
+/// So many low values are recomputed at most.
 const MOST_LOW: usize = 10;
 
 /// From so many unknowns on, several threads take less time than one.

@@ -83,7 +83,7 @@ fn the_first_zero_of_a_number_is_found_once() {
 
 #[test]
 fn a_stiff_motion_is_followed_as_long_as_there_are_steps() {
-    // ẏ = −λ (y − cos t) creeps to (λ² cos t + λ sin t)/(λ² + 1).
+    // ẏ = −λ (y − cos t) approaches (λ² cos t + λ sin t)/(λ² + 1).
     const LAMBDA: f64 = 1e4;
     let rates = |t: f64, y: &[f64], rates: &mut [f64]| rates[0] = -LAMBDA * (y[0] - t.cos());
     for tolerance in [1e-6, 1e-8, 1e-10] {

@@ -33,7 +33,7 @@ impl Names {
         }
     }
 
-    /// A character was typed: names are tried no more.
+    /// A character was typed: completion ends.
     pub fn typed(&mut self) {
         self.tried = None;
     }

@@ -75,7 +75,7 @@ impl Autosave {
         }
     }
 
-    /// The autosave in a folder of one's own, which is made if it is not there.
+    /// The autosave in a folder of the user's own, which is created if it is not there.
     pub fn in_folder(folder: PathBuf) -> Result<Self, FileError> {
         private_folder(&folder)?;
         remove_strays(&folder);
@@ -154,7 +154,7 @@ fn private_folder(folder: &Path) -> Result<(), FileError> {
     let metadata = fs::metadata(folder).map_err(failed("open the folder", folder))?;
     if metadata.uid() != rustix::process::geteuid().as_raw() {
         return Err(FileError::NoAutosave(format!(
-            "the folder `{}` belongs to another person",
+            "the folder `{}` belongs to another user",
             super::shown(folder)
         )));
     }

@@ -70,7 +70,7 @@ pub fn remembered_path() -> Option<PathBuf> {
     Some(base.state_dir().unwrap_or_else(|| base.data_dir()).join("dalembert").join("remembered.toml"))
 }
 
-/// The folder of one's own lists of exercises: `$XDG_CONFIG_HOME/dalembert/sets`. `None` without a home.
+/// The folder of the user's own lists of exercises: `$XDG_CONFIG_HOME/dalembert/sets`. `None` without a home.
 pub fn sets_path() -> Option<PathBuf> {
     Some(choose_base_strategy().ok()?.config_dir().join("dalembert").join("sets"))
 }

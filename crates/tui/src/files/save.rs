@@ -157,7 +157,7 @@ const SUFFIX: &str = ".tmp";
 fn resolve(path: &Path) -> Result<(PathBuf, Option<Permissions>), FileError> {
     match fs::canonicalize(path) {
         Ok(target) => {
-            let metadata = fs::metadata(&target).map_err(failed("look at", path))?;
+            let metadata = fs::metadata(&target).map_err(failed("inspect", path))?;
             ordinary(path, metadata.file_type())?;
             Ok((target, Some(metadata.permissions())))
         }

@@ -166,7 +166,7 @@ pub enum ReadError {
         span: Range<usize>,
     },
     /// A level or an amplitude suffix within a larger expression, or without its unit.
-    #[error("`{symbol}` must stand after {after}: write a single value, for example {example}")]
+    #[error("`{symbol}` must follow {after}: write a single value, for example {example}")]
     Alone {
         /// The unit or suffix.
         symbol: String,

@@ -19,7 +19,7 @@ use crate::sources::{BERKOF, NORTON};
 
 mod links;
 
-use links::Felt;
+use links::FrameLoads;
 
 /// The linkage, its masses, and where counterweights may sit.
 #[derive(Clone, Debug, Inputs)]
@@ -227,14 +227,14 @@ impl Analysis for LinkageBalance {
                      found: [W::Num; 2],
                      at: [Extreme; 2],
                      reach: f64,
-                     of: &dyn Fn(&Felt) -> f64| {
+                     of: &dyn Fn(&FrameLoads) -> f64| {
             sheet.verify(|| {
                 for ((found, at), with) in found.into_iter().zip(at).zip(weights) {
                     let Some(pose) = linkage.pose(at.time, self.speed) else { continue };
-                    let Some(felt) = links::felt(&linkage, &pose, with, self.speed) else { continue };
+                    let Some(loads) = links::frame_loads(&linkage, &pose, with, self.speed) else { continue };
                     let scale = (effort * reach).max(at.value);
-                    let error = f64::EPSILON * felt.growth * scale;
-                    sheet.check_residual(what, (found.value() - of(&felt)).into(), scale, error);
+                    let error = f64::EPSILON * loads.growth * scale;
+                    sheet.check_residual(what, (found.value() - of(&loads)).into(), scale, error);
                 }
             });
         };
@@ -245,14 +245,14 @@ impl Analysis for LinkageBalance {
         sheet.answer("shaking_force_after", "Maximum shaking force after", last);
         sheet.verify(|| sheet.check_zero("no shaking force is left", last.value().into(), effort));
         let what = "shaking force at that angle by the Newton–Euler equations of all links";
-        again(what, [first, last], at, 1.0, &|felt| felt.force[0].hypot(felt.force[1]));
+        again(what, [first, last], at, 1.0, &|loads| loads.force[0].hypot(loads.force[1]));
         let why_moment = "Maximum shaking moment about the crank pivot over a revolution";
         let reach = linkage.crank + linkage.coupler;
         let at = most(&|s| s.moment.abs());
         let [first, last] = [("M_before", at[0]), ("M_after", at[1])]
             .map(|(symbol, at)| found(symbol, "N*m", at.value, why_moment));
         let what = "shaking moment at that angle by the Newton–Euler equations of all links";
-        again(what, [first, last], at, reach, &|felt| felt.moment.abs());
+        again(what, [first, last], at, reach, &|loads| loads.moment.abs());
         sheet.answer("shaking_moment", "Maximum shaking moment before", first);
         sheet.answer("shaking_moment_after", "Maximum shaking moment after", last);
         let why_torque = "Maximum crank torque over a revolution";
@@ -260,7 +260,7 @@ impl Analysis for LinkageBalance {
         let [first, last] = [("T_before", at[0]), ("T_after", at[1])]
             .map(|(symbol, at)| found(symbol, "N*m", at.value, why_torque));
         let what = "torque at that angle by the Newton–Euler equations of all links";
-        again(what, [first, last], at, reach, &|felt| felt.torque.abs());
+        again(what, [first, last], at, reach, &|loads| loads.torque.abs());
         sheet.answer("torque", "Maximum crank torque before", first);
         sheet.answer("torque_after", "Maximum crank torque after", last);
         if last.value() > 1.05 * first.value() {
@@ -287,7 +287,9 @@ impl Analysis for LinkageBalance {
             sheet.answer(("joint_force", joint + 1), label, first);
             sheet.answer(("joint_force_after", joint + 1), label, last);
             let what = "force in a joint at that angle by the Newton–Euler equations of all links";
-            again(what, [first, last], at, 1.0, &|felt| felt.joints[joint][0].hypot(felt.joints[joint][1]));
+            again(what, [first, last], at, 1.0, &|loads| {
+                loads.joints[joint][0].hypot(loads.joints[joint][1])
+            });
         }
         sheet.show(|| Exhibit::Table(joint_forces(names, &before, &after)));
         for (title, label, unit, of) in [
@@ -488,7 +490,7 @@ fn largest(all: &[Shaking], of: impl Fn(&Shaking) -> f64) -> f64 {
 }
 
 impl LinkageBalance {
-    /// The largest value over a turn of what the linkage with some counterweights does, from what it does at the places.
+    /// Maximum over a revolution of a load of the linkage with some counterweights, refined from samples.
     fn largest(
         &self,
         linkage: &Linkage,

@@ -370,7 +370,7 @@ impl Locomotive {
                         product * (first * lead.sin() + second * other.sin()),
                     ]
                 });
-                let felt = |axis: usize| {
+                let component = |axis: usize| {
                     let cranks = mass * crank * of_cranks[axis];
                     of_rods.map_or(-cranks, |rods| -(cranks + rods[axis]))
                 };
@@ -378,8 +378,8 @@ impl Locomotive {
                     "Balance mass of this wheel opposes the unbalance received from both cranks",
                     BEVAN.at("ch. 14"),
                 );
-                let x = sheet.step((names.x, row), "kg*m", felt(0), why);
-                let y = sheet.step((names.y, row), "kg*m", felt(1), why);
+                let x = sheet.step((names.x, row), "kg*m", component(0), why);
+                let y = sheet.step((names.y, row), "kg*m", component(1), why);
                 let size =
                     sheet.step((names.size, row), "kg*m", balance::magnitude(x, y), "Mass–radius product");
                 sheet.answer((names.product, row), names.labels[0], size);

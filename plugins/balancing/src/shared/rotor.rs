@@ -35,7 +35,7 @@ pub enum Way {
     Drill,
 }
 
-/// From where angles count.
+/// Direction from which angles are measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
 pub enum Angles {
     /// From the mark on the rotor
@@ -136,15 +136,15 @@ pub(crate) fn correct<W: Worksheet>(
     }
 }
 
-/// The square of a resultant by the law of cosines over all pairs of vectors, each a size and an angle, which knows nothing
-/// of axes, and the square of the sum of their sizes.
+/// The square of a resultant by the law of cosines over all pairs of vectors, each a size and an angle, which knows
+/// nothing of axes, and the square of the sum of their sizes.
 pub(crate) fn by_pairs(vectors: &[(f64, f64)]) -> (f64, f64) {
     let against = |(u, a): &(f64, f64)| vectors.iter().map(|(v, b)| u * v * (a - b).cos()).sum::<f64>();
     (vectors.iter().map(against).sum(), vectors.iter().map(|(u, _)| u.abs()).sum::<f64>().powi(2))
 }
 
-/// The size of a resultant of vectors, each a size and an angle, by components along the first of them and across it, and
-/// the sum of their sizes.
+/// The size of a resultant of vectors, each a size and an angle, by components along the first of them and across it,
+/// and the sum of their sizes.
 pub(crate) fn along_first(vectors: &[(f64, f64)]) -> (f64, f64) {
     let from = vectors.first().map_or(0.0, |(_, angle)| *angle);
     let part = |of: fn(f64) -> f64| vectors.iter().map(|(u, a)| u * of(a - from)).sum::<f64>();

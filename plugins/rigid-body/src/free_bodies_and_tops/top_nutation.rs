@@ -396,8 +396,8 @@ fn at_instant<W: Worksheet>(motion: &Nutation, t: f64, body: Top, invariants: [f
 }
 
 /// `∫ φ̇ dt` over a nutation with `u = u₂ + (u₁ − u₂) sin²χ`; not where the axis comes near the vertical, or the period
-/// near infinity. With it the error of its rounding: beside the vertical, `H_z − H₃ u` and `1 − u²` are small differences
-/// of numbers near each other.
+/// near infinity. With it the error of its rounding: beside the vertical, `H_z − H₃ u` and `1 − u²` are small
+/// differences of numbers near each other.
 fn by_equal_weights(motion: &Nutation, body: Top, own: f64, vertical: f64) -> Option<[f64; 2]> {
     const POINTS: u32 = 4000;
     let [high, low] = motion.limits();
@@ -425,7 +425,7 @@ fn refused(error: TopError) -> Refusal {
         TopError::Vertical => {
             "the axis starts on the vertical, where precession is not defined: start slightly off it"
         }
-        TopError::Creeps => {
+        TopError::Asymptotic => {
             "the axis approaches the vertical asymptotically: change the spin or the initial state a little"
         }
         TopError::Body | TopError::NotFinite => {

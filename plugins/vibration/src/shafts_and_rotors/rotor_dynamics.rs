@@ -411,8 +411,8 @@ impl RotorDynamics {
         Some(lambda)
     }
 
-    /// The speeds of the diagrams. Where stability is asked for, the speed that is asked for and every row of every table
-    /// are among them.
+    /// The speeds of the diagrams. Where stability is asked for, the speed that is asked for and every row of every
+    /// table are among them.
     fn speeds(&self, conservative: bool) -> Vec<f64> {
         let (lowest, highest) = (self.lowest_speed(), self.highest_speed);
         let mut speeds: Vec<f64> =
@@ -484,8 +484,9 @@ impl RotorDynamics {
         grows: bool,
         sheet: W,
     ) -> Result<(), Refusal> {
-        let creeps = diagram.spectra.iter().flat_map(|spectrum| &spectrum.overdamped).any(|&root| root > 0.0);
-        if creeps {
+        let diverges =
+            diagram.spectra.iter().flat_map(|spectrum| &spectrum.overdamped).any(|&root| root > 0.0);
+        if diverges {
             sheet.warn(|| {
                 Text::new(
                     "a non-oscillatory motion grows: the bearings push the shaft away at some of the speeds",
@@ -508,7 +509,7 @@ impl RotorDynamics {
                     .with_quantity("speed", speed, "rpm")
             });
         }
-        if bands.is_empty() && !grows && !creeps {
+        if bands.is_empty() && !grows && !diverges {
             sheet.warn(|| {
                 Text::new(
                     "no mode grows at the {count} speeds examined up to the highest speed of the diagrams",
@@ -764,7 +765,7 @@ pub(super) fn in_words(direction: Direction) -> Text {
     }
 }
 
-/// Mass of a rotor from its mass matrix, its fixed nodes freed.
+/// Mass of a rotor from its mass matrix, without constraints at its fixed nodes.
 fn translating_mass(rotor: &Rotor, all: &Assembled) -> f64 {
     let free = Rotor { supports: Vec::new(), ..rotor.clone() };
     let Ok(free) = Assembled::new(&free) else { return f64::NAN };

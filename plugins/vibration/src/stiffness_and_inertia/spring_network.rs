@@ -1,4 +1,5 @@
-//! A network of springs and dampers as a graph: what it gives under a load, at rest, under harmonic forces and by itself.
+//! A network of springs and dampers as a graph: what it gives under a load, at rest, under harmonic forces and by
+//! itself.
 
 use dalembert_core::{About, Analysis, Exhibit, Inputs, Reference, Refusal, Text, Why, Worksheet, register};
 use dalembert_mechanics::{
@@ -317,10 +318,10 @@ impl SpringNetwork {
                 checks::Shown { force: given.force, amplitude: size, lag, storage, loss, dynamic, factor };
             checks::harmonic_response(system, omega, &moved, &shown, sheet);
             if self.nodes.iter().enumerate().all(|(n, node)| n == loaded || node.mass.is_none()) {
-                let felt = system.driving_point_stiffness(loaded, |link| {
+                let driving_point = system.driving_point_stiffness(loaded, |link| {
                     Complex::new(link.stiffness, link.damping * omega)
                 });
-                let whole = felt - system.masses[loaded] * omega.powi(2);
+                let whole = driving_point - system.masses[loaded] * omega.powi(2);
                 let off = (whole * Complex::new(real.value(), imaginary.value()) - self.force).norm();
                 sheet.check_zero(
                     "dynamic stiffness by eliminating the other nodes one by one (star and mesh)",
@@ -380,12 +381,12 @@ impl SpringNetwork {
             }
             if let [only] = heavy[..] {
                 for (root, _) in &shown {
-                    let felt =
+                    let driving_point =
                         system.driving_point_stiffness(only, |link| link.stiffness + link.damping * root);
                     let inertia = system.masses[only] * root * root;
                     sheet.check_zero(
                         "at the root the dynamic stiffness of the network balances the inertia of the mass",
-                        W::Num::from((felt + inertia).norm()),
+                        W::Num::from((driving_point + inertia).norm()),
                         inertia.norm(),
                     );
                 }
@@ -427,8 +428,9 @@ impl SpringNetwork {
 
 /// Springs and dampers combined apart from one another, as books do.
 fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W) {
-    let felt = |of: fn(&Link) -> f64| system.driving_point_stiffness(node, |link| Complex::from(of(link))).re;
-    let (stiffness, damping) = (felt(|link| link.stiffness), felt(|link| link.damping));
+    let driving_point =
+        |of: fn(&Link) -> f64| system.driving_point_stiffness(node, |link| Complex::from(of(link))).re;
+    let (stiffness, damping) = (driving_point(|link| link.stiffness), driving_point(|link| link.damping));
     if stiffness <= 0.0 {
         return;
     }

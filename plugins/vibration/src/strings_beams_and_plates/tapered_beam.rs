@@ -216,7 +216,7 @@ impl TaperedBeam {
         left.into_iter().chain(right).collect()
     }
 
-    /// The beam from the side, and from above where its breadth changes.
+    /// The beam from the side, and from above where its width changes.
     fn drawing(&self, beam: &Tapered) -> Drawing {
         let width = 6.0;
         let outline = |y: f64, ratio: f64| {
@@ -236,7 +236,7 @@ impl TaperedBeam {
     }
 }
 
-/// Area and second moment at the left end, and the ratios of breadth and height of the ends.
+/// Area and second moment at the left end, and the ratios of width and height of the ends.
 fn sections<W: Worksheet>(given: &TaperedSectionGiven<W>, sheet: W) -> (W::Num, W::Num, W::Num, W::Num) {
     let (area, second_moment, width, depth) = match given {
         TaperedSectionGiven::Rectangle { breadth, end_breadth, height, end_height } => (

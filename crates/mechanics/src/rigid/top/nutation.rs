@@ -1,8 +1,8 @@
 //! Any motion of the heavy top, by elliptic functions.
 //!
-//! With `z = 1 − cos θ` energy and the two momenta give `ż² = (A + β z) z (2 − z) − (d + a z)²`: a cubic whose zeros are
-//! the limits of the nutation. `z` keeps its digits near the upright axis, `y = 1 + cos θ` near the hanging one, so that
-//! both are carried along.
+//! With `z = 1 − cos θ` energy and the two momenta give `ż² = (A + β z) z (2 − z) − (d + a z)²`: a cubic whose zeros
+//! are the limits of the nutation. `z` keeps its digits near the upright axis, `y = 1 + cos θ` near the hanging one, so
+//! that both are carried along.
 
 use std::{f64::consts::PI, ops::ControlFlow};
 
@@ -28,9 +28,9 @@ pub enum TopError {
     /// The axis starts on the vertical.
     #[error("the axis starts on the vertical, where precession is not defined; start a little beside it")]
     Vertical,
-    /// The axis creeps up to the vertical and never comes back.
-    #[error("the axis creeps up to the vertical for ever; change the spin or the start a little")]
-    Creeps,
+    /// The axis approaches the vertical asymptotically.
+    #[error("the axis approaches the vertical asymptotically; change the spin or the start a little")]
+    Asymptotic,
     /// Something is beyond the range of numbers.
     #[error("the motion is beyond the range of numbers; check the sizes of what is given")]
     NotFinite,
@@ -168,7 +168,7 @@ impl Top {
             return Err(TopError::NotFinite);
         }
         if complement <= 0.0 {
-            return Err(TopError::Creeps);
+            return Err(TopError::Asymptotic);
         }
         let start = if steady { 0.0 } else { elliptic::ellip_f(amplitude, complement) };
         let start = if nutation_rate > 0.0 { -start } else { start };

@@ -1,8 +1,9 @@
 //! Torque-free motion of any body by Jacobi's elliptic functions.
 //!
-//! The axes are put in an order a, b, c: b has the middle moment of inertia, c is the axis that the polhode goes around.
-//! Then `ω_a = A_a cn τ`, `ω_b = A_b sn τ`, `ω_c = A_c dn τ`, up to signs, with `τ` linear in time. L. D. Landau and E. M.
-//! Lifshitz, *Mechanics*, 3rd ed., §37. All differences are written so that they lose no digits near the middle axis.
+//! The axes are put in an order a, b, c: b has the middle moment of inertia, c is the axis that the polhode goes
+//! around. Then `ω_a = A_a cn τ`, `ω_b = A_b sn τ`, `ω_c = A_c dn τ`, up to signs, with `τ` linear in time. L. D.
+//! Landau and E. M. Lifshitz, *Mechanics*, 3rd ed., §37. All differences are written so that they lose no digits near
+//! the middle axis.
 
 use std::f64::consts::TAU;
 
@@ -39,7 +40,7 @@ pub enum Polhode {
     Permanent,
     /// It goes around the axis of that number, which has the largest or the smallest moment.
     Around(usize),
-    /// It creeps from one end of the middle axis to the other, once.
+    /// Separatrix: the tip goes once, asymptotically, from one end of the intermediate axis to the other.
     Separatrix,
 }
 
@@ -247,8 +248,8 @@ impl FreeBody {
     }
 }
 
-/// `H² − 2 T I_b`, b the axis of the middle moment: positive where the polhode goes around the axis of the largest. What
-/// is rounding beside its two terms is zero.
+/// `H² − 2 T I_b`, b the axis of the middle moment: positive where the polhode goes around the axis of the largest.
+/// What is rounding beside its two terms is zero.
 fn excess(inertia: Vector3<f64>, velocity: Vector3<f64>) -> f64 {
     let mut moments: [f64; 3] = inertia.into();
     moments.sort_by(f64::total_cmp);

@@ -5,7 +5,7 @@ use dalembert_numerics::linalg;
 use nalgebra::{DMatrix, DVector};
 
 /// Forces and moments of the links in one position.
-pub(super) struct Felt {
+pub(super) struct FrameLoads {
     pub force: [f64; 2],
     pub moment: f64,
     pub torque: f64,
@@ -39,13 +39,13 @@ fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[1] - a[1] * b[0]
 }
 
-/// The equations at a place, the crank turning at a steady speed.
-pub(super) fn felt(
+/// Equations of motion in one position, the crank turning at a steady speed.
+pub(super) fn frame_loads(
     linkage: &Linkage,
     pose: &Pose,
     counterweights: &[Counterweight],
     speed: f64,
-) -> Option<Felt> {
+) -> Option<FrameLoads> {
     let [pin, end, fixed] = pose.pins;
     let rod = [end[0] - pin[0], end[1] - pin[1]];
     let rocker = [end[0] - fixed[0], end[1] - fixed[1]];
@@ -129,5 +129,5 @@ pub(super) fn felt(
     let force = [0, 1].map(|axis| -joints[0][axis] - joints[3][axis]);
     let moment = -(torque + cross(fixed, joints[3]));
     let growth = solved.condition / pose.transmission.powi(2);
-    Some(Felt { force, moment, torque, joints, growth })
+    Some(FrameLoads { force, moment, torque, joints, growth })
 }

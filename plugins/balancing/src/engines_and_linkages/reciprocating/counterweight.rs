@@ -320,7 +320,7 @@ pub(super) fn shafts<W: Worksheet>(
         let why = ("Its centrifugal force equals the vector to be cancelled", cite);
         let product = sheet.step(size, "kg*mm", force / speed.powi(2), why);
         sheet.answer(size_of.0, size_of.1, product);
-        let why = "Its mass stands opposite the vector";
+        let why = "Counterweight mass, opposite to the vector";
         let angle = sheet.step(angle, "deg", balance::marked_direction(-x, -y), why);
         sheet.answer(angle_of.0, angle_of.1, angle);
         sheet.verify(|| {

@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// A body that turns, from a start.
 ///
-/// The axes xyz are fixed in the body, with their origin in the point that it turns about; XYZ stand still, Z
+/// The axes xyz are fixed in the body, with their origin in the point that it turns about; XYZ are fixed, Z
 /// points up. Without an attitude both are the same at the start.
 #[derive(Clone, Debug, Inputs)]
 pub struct Motion {

@@ -10,7 +10,7 @@ use super::Motion;
 use crate::shared::scene::{self, Scene};
 
 impl Motion {
-    /// Everything there is to look at.
+    /// All figures and tables.
     pub(super) fn show<W: Worksheet>(&self, sheet: W, body: &Body, moved: &follow::Motion) {
         let samples = &moved.samples;
         sheet.show(|| self.animation(body, samples));

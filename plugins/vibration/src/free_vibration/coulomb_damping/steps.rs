@@ -272,7 +272,7 @@ fn energy<W: Worksheet>(
     );
 }
 
-/// Viscous damping so strong that the mass only creeps to the shifted position of rest.
+/// Viscous damping so strong that the mass approaches, without oscillating, the shifted position of rest.
 fn creeping<W: Worksheet>(system: &System<W::Num>, decay: &FrictionDecay, rest: &Rest, sheet: W) -> W::Num {
     let position = match rest.time {
         // The first turning point already lies where friction holds.

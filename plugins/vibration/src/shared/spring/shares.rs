@@ -77,7 +77,7 @@ fn inside<W: Worksheet>(
             for member in members {
                 let moved = sheet.step(symbol("ψ", &member.place), "%", behind, words.behind);
                 let carried = force * member.stiffness * *ratio / group.stiffness;
-                let carried = sheet.step(symbol("φ", &member.place), "%", carried, words.felt);
+                let carried = sheet.step(symbol("φ", &member.place), "%", carried, words.reflected);
                 inside(member, carried, moved, sheet, all, energies);
             }
             return;
@@ -118,7 +118,7 @@ struct Words {
     in_series: &'static str,
     in_parallel: &'static str,
     behind: &'static str,
-    felt: &'static str,
+    reflected: &'static str,
     series_check: &'static str,
     parallel_check: &'static str,
     force_share: &'static str,
@@ -134,7 +134,7 @@ impl Words {
                 in_series: "Fraction of the deflection: in series the force is the same",
                 in_parallel: "Fraction of the force: in parallel the deflection is the same",
                 behind: "Deflection beyond the lever, over that of the load",
-                felt: "Force beyond the lever, over that of the load",
+                reflected: "Force beyond the lever, over that of the load",
                 series_check: "the deflections of the members in series add up",
                 parallel_check: "the forces of the members in parallel add up",
                 force_share: "share of the force",
@@ -146,7 +146,7 @@ impl Words {
                 in_series: "Fraction of the twist: in series the torque is the same",
                 in_parallel: "Fraction of the torque: in parallel the twist is the same",
                 behind: "Angle beyond the gears, over that of the body",
-                felt: "Torque behind the gears, over that on the body",
+                reflected: "Torque behind the gears, over that on the body",
                 series_check: "the twists of the members in series add up",
                 parallel_check: "the torques of the members in parallel add up",
                 force_share: "share of the torque",

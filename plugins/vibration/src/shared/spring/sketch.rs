@@ -70,7 +70,7 @@ impl Hung for TorsionalSpring {
             | TorsionalSpring::ClampedPinned { .. } => "beam",
             TorsionalSpring::Arm { .. } => "springs on an arm",
             TorsionalSpring::Pendulum { .. } => "pendulum",
-            TorsionalSpring::Wires { .. } => "hung on wires",
+            TorsionalSpring::Wires { .. } => "wire suspension",
             TorsionalSpring::Gears { .. } => "through gears",
         })
     }

@@ -291,7 +291,7 @@ fn label<W: Worksheet>(given: &TorsionalSpringGiven<W>) -> &'static str {
         TorsionalSpringGiven::ClampedPinned { .. } => "clamped and pinned beam",
         TorsionalSpringGiven::Arm { .. } => "springs on an arm",
         TorsionalSpringGiven::Pendulum { .. } => "pendulum",
-        TorsionalSpringGiven::Wires { .. } => "hung on wires",
+        TorsionalSpringGiven::Wires { .. } => "wire suspension",
         TorsionalSpringGiven::Gears { .. } => "through gears",
         TorsionalSpringGiven::Series { .. } => "in series",
         TorsionalSpringGiven::Parallel { .. } => "in parallel",

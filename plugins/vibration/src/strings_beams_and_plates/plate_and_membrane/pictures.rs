@@ -52,7 +52,7 @@ impl Figure {
         }
     }
 
-    /// Deflection across the breadth, 0 to 1.
+    /// Deflection across the width, 0 to 1.
     fn across(&self, eta: f64) -> f64 {
         match self {
             Figure::Sines { pattern, .. } => (pattern[1] as f64 * std::f64::consts::PI * eta).sin(),

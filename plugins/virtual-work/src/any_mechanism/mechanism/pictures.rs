@@ -10,7 +10,7 @@ use super::{Mechanism, Sample, Solved};
 use crate::shared::parts::{Driven, Joint, drawing::place, verbatim};
 
 impl Solved<'_> {
-    /// Everything there is to look at.
+    /// All figures and tables.
     pub(super) fn show<W: Worksheet>(&self, problem: &Mechanism, samples: &[Sample], sheet: W) {
         let is_driven = !self.parts.drivers.is_empty();
         if is_driven {

@@ -7,7 +7,7 @@ use super::{Motion, Solved};
 use crate::shared::parts::{drawing::place, verbatim};
 
 impl Solved<'_> {
-    /// Everything there is to look at.
+    /// All figures and tables.
     pub(super) fn show<W: Worksheet>(&self, problem: &Motion, sheet: W) {
         sheet.show(|| Exhibit::Animation(self.animation(problem)));
         sheet.show(|| {

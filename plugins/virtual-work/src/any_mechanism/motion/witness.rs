@@ -1,4 +1,4 @@
-//! The second methods to a motion: its energy balance, its last stretch once more, and how its joints slide.
+//! The second methods to a motion: its energy balance, its last stretch integrated again, and how its joints slide.
 
 use dalembert_core::{Text, Worksheet};
 use dalembert_mechanics::{
@@ -56,8 +56,8 @@ impl Solved<'_> {
         });
     }
 
-    /// Follows the last stretch of the motion again, to the time of its end. Where a driver moves or a friction may stick,
-    /// a motion does not begin anew as it was going on.
+    /// Follows the last stretch of the motion again, to the time of its end. Where a driver moves or a friction may
+    /// stick, a motion does not start again as it was going on.
     pub(super) fn check_time<W: Worksheet>(&self, time: f64, sheet: W) {
         let goes_on = self.parts.drivers.is_empty() && self.dynamics.frictions.is_empty();
         let (samples, Some(last)) = (&self.moved.samples, self.moved.samples.last()) else { return };
