@@ -287,9 +287,7 @@ impl Analysis for LinkageBalance {
             sheet.answer(("joint_force", joint + 1), label, first);
             sheet.answer(("joint_force_after", joint + 1), label, last);
             let what = "force in a joint at that angle by the Newton–Euler equations of all links";
-            again(what, [first, last], at, 1.0, &|loads| {
-                loads.joints[joint][0].hypot(loads.joints[joint][1])
-            });
+            again(what, [first, last], at, 1.0, &|on| on.joints[joint][0].hypot(on.joints[joint][1]));
         }
         sheet.show(|| Exhibit::Table(joint_forces(names, &before, &after)));
         for (title, label, unit, of) in [
@@ -490,7 +488,7 @@ fn largest(all: &[Shaking], of: impl Fn(&Shaking) -> f64) -> f64 {
 }
 
 impl LinkageBalance {
-    /// Maximum over a revolution of a load of the linkage with some counterweights, refined from samples.
+    /// Maximum of a load over a revolution, refined from samples.
     fn largest(
         &self,
         linkage: &Linkage,
