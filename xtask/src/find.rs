@@ -110,9 +110,11 @@ fn names(tree: &Tree) -> BTreeMap<String, Names> {
         .collect()
 }
 
-/// The names of the public items and fields of the sources below a folder.
+/// The names of the public items and fields of the sources below a folder, but for bibliographies (`sources.rs`), whose
+/// items are named after authors.
 pub fn public_names(tree: &Tree, folder: &str) -> BTreeSet<String> {
     let sources = tree.sources().filter(|(path, _)| path.starts_with(folder) && is_source(path));
+    let sources = sources.filter(|(path, _)| !path.ends_with("/sources.rs"));
     sources.flat_map(|(_, text)| text.lines().filter_map(public_name)).collect()
 }
 
