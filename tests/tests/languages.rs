@@ -384,7 +384,9 @@ fn files(ending: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
     // The derive speaks to programmers alone.
     let mut folders =
-        ["core", "units", "report", "tui", "dalembert"].map(|name| root().join("crates").join(name)).to_vec();
+        ["core", "units", "report", "terminal", "plot", "tui", "dalembert"]
+            .map(|name| root().join("crates").join(name))
+            .to_vec();
     folders.push(root().join("plugins"));
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(folder).unwrap() {

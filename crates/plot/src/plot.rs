@@ -23,7 +23,7 @@ use self::{
 use crate::look::{Glyph, Look};
 
 pub use self::state::State;
-pub use crate::glyphs::PlotMarker as Marker;
+pub use dalembert_terminal::glyphs::PlotMarker as Marker;
 
 /// What the cursor reads: `speed = 1500 rpm   X = 4.62 mm`, with `≈` between two computed points, and the marks it
 /// stands on. `None` without a cursor.
@@ -64,7 +64,7 @@ pub fn render(
 }
 
 /// The part of the axis at a column of the screen, from 0 to 1, and the cells of the whole of it.
-pub(crate) fn place_at(
+pub fn place_at(
     plot: &Plot,
     state: &State,
     look: &Look,

@@ -1,4 +1,4 @@
-//! The terminal's lifecycle: how the workbench takes the screen, returns it, and survives what happens between.
+//! A terminal for full-screen programs: taken, given back whatever happens, and decoded.
 //!
 //! Two processes share the work. The **guard** ([`run_guarded`]) is the process the shell started; it runs the program
 //! again as its child and waits. It owns no screen, so it can put the terminal right when the child dies without a
@@ -7,15 +7,22 @@
 //! a signal ends the process and before it is suspended.
 //!
 //! ```no_run
-//! use dalembert_tui::terminal::{self, Input, Options, Session};
 //! use std::{process::ExitCode, time::Duration};
 //!
-//! fn workbench() -> Result<(), terminal::TerminalError> {
-//!     let mut session = Session::enter(Options::default())?;
+//! use dalembert_terminal::{
+//!     Guarded, Input, Options, Session, TerminalError,
+//!     glyphs::{Capabilities, Environment},
+//!     run_guarded,
+//! };
+//! use ratatui::crossterm::event::KeyCode;
+//!
+//! fn clock() -> Result<(), TerminalError> {
+//!     let capabilities = Capabilities::detect(&Environment::of_process());
+//!     let mut session = Session::enter(Options { capabilities, ..Options::default() })?;
 //!     loop {
 //!         session.draw(|frame| frame.render_widget("q ends", frame.area()))?;
-//!         for input in session.next_events(Duration::from_mins(1))? {
-//!             if matches!(input, Input::Key(key) if key.code == ratatui::crossterm::event::KeyCode::Char('q')) {
+//!         for input in session.next_events(Duration::from_secs(1))? {
+//!             if matches!(input, Input::Key(key) if key.code == KeyCode::Char('q')) {
 //!                 return Ok(());
 //!             }
 //!         }
@@ -23,7 +30,7 @@
 //! }
 //!
 //! fn main() -> ExitCode {
-//!     terminal::run_guarded(|| match workbench() {
+//!     run_guarded(&Guarded { name: "clock", advice: None }, || match clock() {
 //!         Ok(()) => ExitCode::SUCCESS,
 //!         Err(error) => {
 //!             eprintln!("{error}");
@@ -35,12 +42,34 @@
 //!
 //! Exit codes: what the program returns; 101 after a panic of its main thread; 128 + n after signal n.
 //!
-//! Invariants: nothing here knows the model or the screens. Input bytes are decoded here, by [`decode`], and not by
-//! crossterm, whose reader loses the rest of a burst, never leaves an open paste, and panics on some mouse reports.
+//! The parts can be used alone. [`decode`] turns bytes into keys, mouse reports and pastes, without a terminal:
+//!
+//! ```
+//! use dalembert_terminal::{Input, decode::Decoder};
+//! use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+//!
+//! let (mut decoder, mut inputs) = (Decoder::default(), Vec::new());
+//! decoder.feed(b"\x1b[1;5C\x1b[200~two\nlines\x1b[201~", &mut inputs);
+//! assert_eq!(
+//!     inputs,
+//!     [
+//!         Input::Key(KeyEvent::new(KeyCode::Right, KeyModifiers::CONTROL)),
+//!         Input::Paste("two\nlines".to_owned()),
+//!     ]
+//! );
+//! ```
+//!
+//! [`glyphs`] finds in the environment what a terminal can show, and reduces finished frames to it; [`contained`] keeps
+//! a panic from the screen; [`Fault`] breaks a program on demand, to test all of this.
+//!
+//! Input bytes are decoded here and not by crossterm, whose reader loses the rest of a burst, never leaves an open
+//! paste, and panics on some mouse reports. Nothing here knows the program: what it is called and what it advises come
+//! in as parameters, and errors report the cause alone.
 
 mod backend;
 pub mod decode;
 mod fault;
+pub mod glyphs;
 mod guard;
 mod input;
 mod panics;
@@ -54,28 +83,23 @@ use rustix::termios::tcgetattr;
 
 pub use decode::Input;
 pub use fault::{Fault, fault};
-pub use guard::{GUARDED, run_guarded};
+pub use guard::{GUARDED, Guarded, run_guarded};
 pub use input::Waker;
 pub use panics::contained;
 pub use session::{Options, Session};
 
-/// Why the workbench cannot have the terminal. The message says what to use instead.
+/// A terminal that cannot be had, with the cause.
 #[derive(Debug, thiserror::Error)]
 pub enum TerminalError {
     /// Keys could not be read.
-    #[error(
-        "standard input is not a terminal, so there are no keys to read: write `dalembert solve FILE` for plain output"
-    )]
+    #[error("standard input is not a terminal, so there are no keys to read")]
     InputNotATerminal,
     /// The screen could not be drawn.
-    #[error(
-        "standard output is not a terminal, so there is no screen to draw: write `dalembert solve FILE` for plain output"
-    )]
+    #[error("standard output is not a terminal, so there is no screen to draw")]
     OutputNotATerminal,
     /// `TERM` is unset, empty or `dumb`.
     #[error(
-        "TERM is {}, a terminal that cannot place text on a screen: write `dalembert solve FILE`, \
-         or set TERM to what your terminal is, such as `TERM=xterm-256color`",
+        "TERM is {}, a terminal that cannot place text on a screen",
         if .0.is_empty() { "not set".to_owned() } else { format!("`{}`", .0.escape_debug()) }
     )]
     Dumb(String),
@@ -89,9 +113,9 @@ pub enum TerminalError {
     },
 }
 
-/// Whether the workbench can run here: both ends are a terminal, and it is one that can place text.
+/// Examines the terminal: both ends must be one, and one that can place text.
 ///
-/// [`Session::enter`] asks the same; the command line asks first, so that it can answer in plain text.
+/// [`Session::enter`] asks the same; a program that can answer in plain text asks first.
 pub fn usable() -> Result<(), TerminalError> {
     if !io::stdin().is_terminal() {
         return Err(TerminalError::InputNotATerminal);
@@ -116,7 +140,7 @@ pub fn line_rate() -> Option<f64> {
     (1..UNKNOWN_RATE).contains(&baud).then(|| f64::from(baud) / BITS)
 }
 
-/// `failed("draw a frame")` for `map_err`.
+/// Converter of an error for `map_err(failed("draw a frame"))`.
 fn failed(action: &'static str) -> impl FnOnce(io::Error) -> TerminalError {
     move |source| TerminalError::Failed { action, source }
 }

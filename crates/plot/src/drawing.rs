@@ -7,12 +7,12 @@ use unicode_width::UnicodeWidthStr;
 
 use crate::{
     look::Look,
-    panes::wrap,
     plot::{
         Marker,
         dots::{Dots, Pen},
         labels::Labels,
     },
+    wrap,
 };
 
 /// Where the words of a drawing stand.

@@ -1,8 +1,7 @@
 //! Colours: those of the terminal's own palette, or fixed ones whose contrast is known.
 
+use dalembert_terminal::glyphs::Colors;
 use ratatui::style::Color;
-
-use crate::glyphs::Colors;
 
 /// How things are coloured.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -5,6 +5,7 @@ mod theme;
 use std::borrow::Cow;
 
 use dalembert_core::Ink;
+use dalembert_terminal::glyphs::{Capabilities, Colors, Glyphs};
 use ratatui::{
     buffer::Buffer,
     style::{Color, Modifier, Style},
@@ -13,7 +14,6 @@ use ratatui::{
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 pub use self::theme::{Palette, Theme};
-use crate::glyphs::{Capabilities, Colors, Glyphs};
 
 /// How a screen looks on this terminal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,8 +1,9 @@
 use dalembert_core::Axis;
+use dalembert_terminal::glyphs::Colors;
 use ratatui::style::Color;
 
 use super::*;
-use crate::{glyphs::Colors, look::Theme};
+use crate::look::Theme;
 
 const BARE: Look = Look { ascii: false, colors: Colors::None, theme: Theme::Terminal, basic: false };
 

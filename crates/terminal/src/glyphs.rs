@@ -1,4 +1,5 @@
-//! What a terminal can show, found in the environment alone, and how a finished frame is reduced to it.
+//! Characters and colours that a terminal can show, found in the environment alone, and finished frames reduced to
+//! them.
 //!
 //! Neither ratatui nor crossterm looks: with `LANG=C` or `TERM=vt100` they send the same braille and the same colours.
 //! So every screen is drawn for the best terminal, and [`sweep`] reduces the finished buffer; no widget asks.
@@ -9,7 +10,7 @@ mod untrusted;
 
 use std::borrow::Cow;
 
-use ratatui::{buffer::Buffer, symbols};
+use ratatui::buffer::Buffer;
 
 pub use ascii::ascii_sweep;
 pub use untrusted::filter_untrusted;
@@ -73,7 +74,7 @@ pub enum Colors {
     True,
 }
 
-/// What a curve is drawn with.
+/// The mark that a curve is drawn with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PlotMarker {
     /// Eight dots a cell: the finest.
@@ -87,18 +88,7 @@ pub enum PlotMarker {
     Ascii,
 }
 
-impl PlotMarker {
-    /// The marker of ratatui's canvas. `Ascii` is drawn as dots, and swept to `*`.
-    pub fn symbol(self) -> symbols::Marker {
-        match self {
-            Self::Braille => symbols::Marker::Braille,
-            Self::HalfBlock => symbols::Marker::HalfBlock,
-            Self::Dot | Self::Ascii => symbols::Marker::Dot,
-        }
-    }
-}
-
-/// What a terminal can show.
+/// Characters and colours that a terminal can show.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Capabilities {
     /// Characters.

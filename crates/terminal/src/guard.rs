@@ -19,20 +19,29 @@ use signal_hook::{
 
 use super::shared::LEAVE;
 
-/// The environment variable that tells the child of its guard: it holds the guard's process number.
+/// Environment variable of the child: the process number of its guard.
 pub const GUARDED: &str = "DALEMBERT_GUARDED";
+
+/// The words of the guard's message when the program was ended by a signal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Guarded {
+    /// Name of the program.
+    pub name: &'static str,
+    /// Clause after "the terminal was restored", such as "work kept is offered at the next start".
+    pub advice: Option<&'static str>,
+}
 
 /// Runs `program` in a child process, and repairs the terminal if the child dies by a signal.
 ///
 /// In the process the shell started this runs the same executable with the same arguments, waits, and returns its
 /// exit code, or 128 + n after signal n. In the child it calls `program`. Where no guard is possible or needed (no
 /// terminal, no second process) it calls `program` at once.
-pub fn run_guarded(program: impl FnOnce() -> ExitCode) -> ExitCode {
+pub fn run_guarded(words: &Guarded, program: impl FnOnce() -> ExitCode) -> ExitCode {
     if parent().is_some() || !io::stdin().is_terminal() {
         return program();
     }
     match start() {
-        Ok((child, signals, saved)) => wait(child, signals, &saved),
+        Ok((child, signals, saved)) => wait(words, child, signals, &saved),
         Err(_) => program(),
     }
 }
@@ -57,7 +66,7 @@ fn start() -> io::Result<(Pid, Signals, Termios)> {
     Ok((Pid::from_child(&child), signals, saved))
 }
 
-fn wait(child: Pid, mut signals: Signals, saved: &Termios) -> ExitCode {
+fn wait(words: &Guarded, child: Pid, mut signals: Signals, saved: &Termios) -> ExitCode {
     loop {
         let mut batch: Vec<i32> = signals.wait().collect();
         if batch.contains(&SIGTSTP) {
@@ -70,7 +79,7 @@ fn wait(child: Pid, mut signals: Signals, saved: &Termios) -> ExitCode {
         for signal in batch {
             let forward = match signal {
                 SIGCHLD => {
-                    if let Some(code) = reap(child, saved) {
+                    if let Some(code) = reap(words, child, saved) {
                         return code;
                     }
                     continue;
@@ -91,7 +100,7 @@ fn wait(child: Pid, mut signals: Signals, saved: &Termios) -> ExitCode {
 }
 
 /// The exit code of the child, if it has ended.
-fn reap(child: Pid, saved: &Termios) -> Option<ExitCode> {
+fn reap(words: &Guarded, child: Pid, saved: &Termios) -> Option<ExitCode> {
     let (_, status) = waitpid(Some(child), WaitOptions::NOHANG).ok()??;
     if let Some(code) = status.exit_status() {
         return Some(ExitCode::from(code as u8));
@@ -101,13 +110,14 @@ fn reap(child: Pid, saved: &Termios) -> Option<ExitCode> {
     // Not `eprintln`, which panics when standard error is gone as well.
     let _ = writeln!(
         io::stderr(),
-        "dalembert was ended by signal {signal}{}; the terminal was restored, and work kept by the autosave is \
-         offered at the next start",
+        "{} was ended by signal {signal}{}; the terminal was restored{}",
+        words.name,
         match signal {
             4 | 6 | 7 | 11 => ", a fault of the program",
             9 => ", sent from outside or for want of memory",
             _ => "",
-        }
+        },
+        words.advice.map_or_else(String::new, |advice| format!(", and {advice}"))
     );
     Some(ExitCode::from(128 + signal as u8))
 }

@@ -1,4 +1,4 @@
-//! What a frame is written with: crossterm's own backend, but for the cells, which cost a slow line as little as they can.
+//! Backend that writes frames: crossterm's own backend, but for the cells, which cost a slow line as little as they can.
 //!
 //! Between two cells only what differs is sent: the column alone within a row, a colour without the other one, all
 //! attributes of a cell in one sequence. The sixteen colours every terminal has are sent as it knows them (30–37 and
@@ -190,7 +190,7 @@ mod tests {
     use ratatui::{Terminal, style::Style};
 
     use super::*;
-    use crate::terminal::session::FrameBytes;
+    use crate::session::FrameBytes;
 
     const COLORS: [Color; 9] = [
         Color::Reset,

@@ -1,4 +1,4 @@
-//! Panics: which of them end the program, and which are only the end of one analysis.
+//! Panics: those that end the program, and those that end one piece of work alone.
 
 use std::{
     any::Any,
@@ -10,7 +10,7 @@ use std::{
 
 use super::shared::Shared;
 
-/// Runs code that may panic, such as an analysis, and hands the panic back as its message and place.
+/// Runs code that may panic and hands the panic back as its message and place.
 ///
 /// The terminal is not touched and nothing is printed. What `work` was changing may be half changed after an error;
 /// throw it away. A stack overflow, `abort` and `exit` cannot be contained.

@@ -13,7 +13,7 @@ use super::{
     dots::{Pen, per_cell},
     pen, pinned_pen, point, rows, shade,
 };
-use crate::{look::Look, panes::wrap};
+use crate::{look::Look, wrap};
 
 /// Words and ticks round a canvas, each at its place.
 pub(crate) struct Frame {

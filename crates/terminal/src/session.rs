@@ -11,21 +11,22 @@ use std::{
 
 use ratatui::{Frame, Terminal, layout::Rect};
 
-use super::{
+use crate::{
     Input, TerminalError, Waker,
     backend::MinimalBackend,
-    failed, guard,
+    failed,
+    glyphs::{Capabilities, sweep},
+    guard,
     input::{Reader, WaitResult},
     panics,
     shared::{Autosave, Shared},
     signals, usable,
 };
-use crate::glyphs::{Capabilities, sweep};
 
 /// A signal that the guard passes on comes no later than this.
 const AFTERMATH: Duration = Duration::from_millis(50);
 
-/// How to take the terminal.
+/// Options of taking the terminal.
 #[derive(Default)]
 pub struct Options {
     /// Report mouse buttons, drags and the wheel. The terminal's own selection needs Shift then.
@@ -113,7 +114,7 @@ impl Session {
         self.bytes.0.borrow().len()
     }
 
-    /// What happened: waits up to `timeout` for the first input, then takes everything that is already there (for at
+    /// Inputs since the last call: waits up to `timeout` for the first input, then takes everything that is already there (for at
     /// most 30 ms), so that a burst of keys costs one frame. Empty after `timeout`, or when a [`Waker`] was used.
     ///
     /// A terminal that is gone ends the process here, as `SIGHUP` would, with the autosave.
@@ -174,7 +175,7 @@ impl Session {
         self.shared.waker.clone()
     }
 
-    /// What the terminal can show.
+    /// Characters and colours that the terminal can show.
     pub fn capabilities(&self) -> &Capabilities {
         &self.capabilities
     }

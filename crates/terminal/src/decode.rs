@@ -23,7 +23,7 @@ pub const ESCAPE_PATIENCE: Duration = Duration::from_millis(25);
 /// A paste whose end never comes is over after this much silence.
 pub const PASTE_PATIENCE: Duration = Duration::from_secs(2);
 
-/// What a user, or the terminal on their behalf, did.
+/// An act of the user, or of the terminal on their behalf.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Input {
     /// A key was pressed or repeats; releases are not reported. A capital letter carries `SHIFT`; Ctrl with a letter
@@ -93,7 +93,7 @@ impl Decoder {
         }
     }
 
-    /// How long to wait for more bytes before [`settle`](Self::settle); `None` when nothing is half said.
+    /// The time to wait for more bytes before [`settle`](Self::settle); `None` when nothing is half said.
     pub fn patience(&self) -> Option<Duration> {
         match self.state {
             State::Ground => None,

@@ -1,4 +1,4 @@
-//! What the threads of a session, its signals and its panic hook have in common.
+//! State that the threads of a session, its signals and its panic hook have in common.
 
 use std::{
     io::{self, Write},

@@ -9,9 +9,10 @@ use std::{
     time::Duration,
 };
 
-use dalembert_tui::{
+use dalembert_terminal::{
+    Fault, Guarded, Input, Options, Session, TerminalError, contained, fault,
     glyphs::{Capabilities, Environment},
-    terminal::{self, Fault, Input, Options, Session, TerminalError, contained, fault},
+    run_guarded,
 };
 use ratatui::{
     Frame,
@@ -22,7 +23,7 @@ use ratatui::{
 };
 
 fn main() -> ExitCode {
-    terminal::run_guarded(|| match run() {
+    run_guarded(&Guarded { name: "dalembert", advice: None }, || match run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("{error}");
@@ -39,7 +40,7 @@ struct Model {
 }
 
 fn run() -> Result<(), TerminalError> {
-    // What the autosave writes: a copy of the work that the drawing thread renews after every change.
+    // The autosave writes a copy of the work that the drawing thread renews after every change.
     let work = Arc::new(Mutex::new(String::new()));
     let copy = work.clone();
     let keep = std::env::var_os("LIFECYCLE_AUTOSAVE");

@@ -1,8 +1,8 @@
+use dalembert_terminal::glyphs::sweep;
 use itertools::Itertools as _;
 use ratatui::layout::Rect;
 
 use super::*;
-use crate::glyphs::sweep;
 
 #[test]
 fn what_is_left_out_is_seen_to_be() {

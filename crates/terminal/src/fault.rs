@@ -1,4 +1,4 @@
-//! Faults on demand, for the tests of everything else in this module.
+//! Fault injection: a program is broken on demand, to test everything else in this crate.
 
 use std::{
     fmt, hint,
@@ -8,7 +8,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-/// What can go wrong, by the name it has after `:fault`.
+/// A fault that a program can be asked to commit, by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
     /// `panic`: this thread panics.
@@ -21,13 +21,13 @@ pub enum Fault {
     Overflow,
     /// `worker`: another thread panics, and nobody catches it.
     Worker,
-    /// `analysis`: panics; for the solver thread, which contains it.
+    /// `analysis`: panics; for a solver thread, which contains it.
     Analysis,
-    /// `slow`: takes 1 s, and looks for a stop every 5 ms; for the solver thread.
+    /// `slow`: takes 1 s, and looks for a stop every 5 ms; for a solver thread.
     Slow,
-    /// `long`: takes 10 s, and looks for a stop every 5 ms; for the solver thread.
+    /// `long`: takes 10 s, and looks for a stop every 5 ms; for a solver thread.
     Long,
-    /// `stubborn`: takes 3 s and never looks; for the solver thread.
+    /// `stubborn`: takes 3 s and never looks; for a solver thread.
     Stubborn,
 }
 
@@ -45,12 +45,12 @@ impl Fault {
         Self::Stubborn,
     ];
 
-    /// Whether the solver thread is to commit it, as an analysis would; else it is the thread that draws.
+    /// Whether a solver thread, apart from the one that draws, is to commit it.
     pub fn belongs_to_solver(self) -> bool {
         matches!(self, Self::Analysis | Self::Slow | Self::Long | Self::Stubborn)
     }
 
-    /// Whether faults may be asked for at all: `DALEMBERT_FAULTS=1`.
+    /// Whether faults may be requested at all: `DALEMBERT_FAULTS=1` in the environment.
     pub fn allowed() -> bool {
         std::env::var_os("DALEMBERT_FAULTS").is_some_and(|value| value == "1")
     }
