@@ -3,7 +3,7 @@
 use super::{Tree, ends_in, lines, without_tests};
 
 /// A crate and those of this workspace that it may depend on, by folder, without tests.
-const BELOW: [(&str, &[&str]); 12] = [
+const BELOW: [(&str, &[&str]); 13] = [
     ("crates/units", &[]),
     ("crates/mechanics", &[]),
     ("crates/derive", &[]),
@@ -14,7 +14,8 @@ const BELOW: [(&str, &[&str]); 12] = [
     ("crates/tui", &["core", "plot", "report", "terminal", "units"]),
     ("crates/dalembert", &["core", "mechanics", "plugins", "report", "tui", "units"]),
     ("plugins/*", &["core", "mechanics", "units"]),
-    ("tests", &["", "core", "mechanics", "plugins", "report", "tui", "units"]),
+    ("crates/testkit", &["core", "mechanics", "plot", "report", "terminal", "units"]),
+    ("tests", &["", "core", "mechanics", "plugins", "report", "testkit", "tui", "units"]),
     ("xtask", &[]),
 ];
 
