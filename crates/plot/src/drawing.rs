@@ -15,7 +15,7 @@ use crate::{
     wrap,
 };
 
-/// Where the words of a drawing stand.
+/// Places of the words of a drawing.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Placed {
     /// Words beside their points, with the cells they take.
@@ -73,7 +73,7 @@ pub fn render(drawing: &Drawing, look: &Look, locale: &Locale, area: Rect, buffe
     }
 }
 
-/// What a drawing is made of, and what it is drawn with.
+/// Parts of a drawing, and the look they are drawn with.
 struct Sketch<'a> {
     strokes: &'a [Stroke],
     labels: &'a [(Point, String)],
@@ -221,7 +221,7 @@ fn hatch(from: (f64, f64), to: (f64, f64), look: &Look, dots: &mut Dots) {
     }
 }
 
-/// Whether a circle is too small for its outline to be seen as one.
+/// True for a circle too small for its outline to be seen as one.
 fn is_small(points: &[(f64, f64)]) -> bool {
     let size = |of: fn(&(f64, f64)) -> f64| {
         let least = points.iter().map(of).fold(f64::INFINITY, f64::min);

@@ -1,9 +1,9 @@
 //! Plots and drawings of machines in the cells of a terminal.
 //!
 //! A [`Plot`](dalembert_core::Plot) or [`Drawing`](dalembert_core::Drawing) is plain data; [`plot::render`] and
-//! [`drawing::render`] draw it into a buffer of any size, in braille, blocks, dots or ASCII. Axes, ticks and strokes are
-//! those of the same figure on paper (`dalembert_report::figure`). Nothing here reads keys or holds a screen: what a user
-//! has set on a plot is a value, [`plot::State`].
+//! [`drawing::render`] draw it into a buffer of any size, in braille, blocks, dots or ASCII. Axes, ticks and strokes
+//! are those of the same figure on paper (`dalembert_report::figure`). Nothing here reads keys or holds a screen:
+//! what a user has set on a plot is a value, [`plot::State`].
 //!
 //! ```
 //! use dalembert_core::{Axis, Locale, Plot, Series};

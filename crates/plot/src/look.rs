@@ -1,4 +1,4 @@
-//! What things look like: styles by meaning, in the colours of a theme, and the few pictograms of the screens.
+//! Styles by meaning, in the colours of a theme, and the few pictograms of the screens.
 
 mod theme;
 
@@ -15,14 +15,14 @@ use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 pub use self::theme::{Palette, Theme};
 
-/// How a screen looks on this terminal.
+/// Look of a screen on this terminal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Look {
-    /// Whether nothing outside ASCII may be drawn.
+    /// True where nothing outside ASCII may be drawn.
     pub ascii: bool,
     /// The colours there are; without any, emphasis is bold, dim, underlined or reversed.
     pub colors: Colors,
-    /// Which colours are taken.
+    /// Choice of colours.
     pub theme: Theme,
     /// For serial lines and screen readers: no frames around panes, and the cursor where the focus is.
     pub basic: bool,
@@ -83,7 +83,7 @@ impl Look {
         Style::new().add_modifier(Modifier::BOLD)
     }
 
-    /// What may be passed over: units, sources, notes, results of earlier inputs.
+    /// Text that may be passed over: units, sources, notes, results of earlier inputs.
     pub fn dim(&self) -> Style {
         match self.palette() {
             // How dim `DIM` is, only the terminal knows; a theme promises its contrast.
@@ -92,22 +92,22 @@ impl Look {
         }
     }
 
-    /// What the keys act on.
+    /// The place that the keys act on.
     pub fn focus(&self) -> Style {
         Style::new().add_modifier(Modifier::REVERSED)
     }
 
-    /// What is wrong.
+    /// Faults.
     pub fn error(&self) -> Style {
         self.colored(Color::Red, Modifier::BOLD)
     }
 
-    /// What is doubtful.
+    /// Doubtful things.
     pub fn warning(&self) -> Style {
         self.colored(Color::Yellow, Modifier::BOLD)
     }
 
-    /// What was asked for.
+    /// Answers.
     pub fn answer(&self) -> Style {
         self.colored(Color::Green, Modifier::BOLD).add_modifier(Modifier::BOLD)
     }
@@ -117,7 +117,7 @@ impl Look {
         self.colored(Color::Cyan, Modifier::empty())
     }
 
-    /// What was found right.
+    /// Things found right.
     pub fn good(&self) -> Style {
         self.colored(Color::Green, Modifier::empty())
     }
@@ -138,7 +138,7 @@ impl Look {
         colors.get(n % colors.len().max(1)).map_or_else(Style::new, |color| Style::new().fg(*color))
     }
 
-    /// How many curves are distinguished by their colours: without any, one.
+    /// Number of curves that are distinguished by their colours: without any, one.
     pub fn curves(&self) -> usize {
         self.curve_colors().len().max(1)
     }

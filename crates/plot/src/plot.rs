@@ -25,14 +25,14 @@ use crate::look::{Glyph, Look};
 pub use self::state::State;
 pub use dalembert_terminal::glyphs::PlotMarker as Marker;
 
-/// What the cursor reads: `speed = 1500 rpm   X = 4.62 mm`, with `≈` between two computed points, and the marks it
+/// Reading of the cursor: `speed = 1500 rpm   X = 4.62 mm`, with `≈` between two computed points, and the marks it
 /// stands on. `None` without a cursor.
 pub fn readout(plot: &Plot, state: &State, locale: &Locale) -> Option<String> {
     Some(Axes::seen(plot, None, &state.view)?.readout(state.cursor?, locale).join("   "))
 }
 
-/// Draws a plot, over the faint curves of one that is pinned; any size will do. What there is no room for is left out in this order: titles, names of curves and
-/// axes, ticks, axes; the curves last.
+/// Draws a plot, over the faint curves of one that is pinned; any size will do. What there is no room for is left out
+/// in this order: titles, names of curves and axes, ticks, axes; the curves last.
 pub fn render(
     plot: &Plot,
     pinned: Option<&Plot>,
@@ -101,14 +101,14 @@ pub(crate) fn pinned_pen(look: &Look) -> Pen {
     Pen { dash, ..Pen::solid(look.dim(), if look.ascii { '.' } else { '·' }) }
 }
 
-/// What a separate point of that curve is drawn as.
+/// Sign of a separate point of that curve.
 pub(crate) fn point(n: usize, ascii: bool) -> char {
     const UNICODE: [char; 8] = ['•', '◆', '▲', '■', '○', '◇', '△', '□'];
     const ASCII: [char; 8] = ['*', '+', 'x', 'o', '#', '%', '&', '$'];
     if ascii { ASCII[n % ASCII.len()] } else { UNICODE[n % UNICODE.len()] }
 }
 
-/// What permitted and forbidden ranges are shaded with: no sign of the grid or of a curve.
+/// Shade of permitted and of forbidden ranges: no sign of the grid or of a curve.
 pub(crate) fn shade(permitted: bool, look: &Look) -> (char, Style) {
     let (unicode, ascii, style) =
         if permitted { ('░', '=', look.good()) } else { ('╱', '/', look.error()) };
@@ -121,7 +121,7 @@ struct Canvas<'a> {
     area: Rect,
     marker: Marker,
     look: &'a Look,
-    /// Whether zero lies among the values.
+    /// True where zero lies among the values.
     zero: bool,
 }
 

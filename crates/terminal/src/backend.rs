@@ -1,4 +1,5 @@
-//! Backend that writes frames: crossterm's own backend, but for the cells, which cost a slow line as little as they can.
+//! Backend that writes frames: crossterm's own backend, but for the cells, which cost a slow line as little as they
+//! can.
 //!
 //! Between two cells only what differs is sent: the column alone within a row, a colour without the other one, all
 //! attributes of a cell in one sequence. The sixteen colours every terminal has are sent as it knows them (30–37 and
@@ -41,7 +42,7 @@ pub(super) struct MinimalBackend<W: Write> {
     out: W,
 }
 
-/// How a cell is drawn.
+/// Style of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Ink {
     foreground: Color,
@@ -49,7 +50,7 @@ struct Ink {
     attributes: Modifier,
 }
 
-/// What makes one ink of another: a control sequence, or nothing.
+/// Change from one ink to another: a control sequence, or nothing.
 struct Change {
     from: Ink,
     to: Ink,
@@ -62,7 +63,7 @@ impl<W: Write + Clone> MinimalBackend<W> {
 }
 
 impl Ink {
-    /// What a terminal draws with after a reset; every frame begins and ends with it.
+    /// The ink of a terminal after a reset; every frame begins and ends with it.
     const PLAIN: Self =
         Self { foreground: Color::Reset, background: Color::Reset, attributes: Modifier::empty() };
 
@@ -204,7 +205,7 @@ mod tests {
         Color::Rgb(1, 20, 255),
     ];
 
-    /// What vt100 calls a colour.
+    /// The name of a colour in vt100.
     fn seen(color: Color) -> vt100::Color {
         match color {
             Color::Reset => vt100::Color::Default,

@@ -45,12 +45,12 @@ impl Fault {
         Self::Stubborn,
     ];
 
-    /// Whether a solver thread, apart from the one that draws, is to commit it.
+    /// True where a solver thread, apart from the one that draws, is to commit it.
     pub fn belongs_to_solver(self) -> bool {
         matches!(self, Self::Analysis | Self::Slow | Self::Long | Self::Stubborn)
     }
 
-    /// Whether faults may be requested at all: `DALEMBERT_FAULTS=1` in the environment.
+    /// True where faults may be requested: `DALEMBERT_FAULTS=1` in the environment.
     pub fn allowed() -> bool {
         std::env::var_os("DALEMBERT_FAULTS").is_some_and(|value| value == "1")
     }

@@ -28,13 +28,13 @@ impl Waker {
 #[derive(Debug)]
 pub(super) struct Reader {
     decoder: Decoder,
-    /// When the sequence under way stops waiting for its end.
+    /// Time at which the sequence under way stops waiting for its end.
     deadline: Option<Instant>,
     wakes: UnixStream,
     buffer: Box<[u8]>,
 }
 
-/// What ended a wait.
+/// End of a wait.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum WaitResult {
     /// Bytes were decoded, a wake came, or the time is over.
@@ -103,7 +103,7 @@ impl Reader {
         }
     }
 
-    /// Whether standard input can be read, whether another thread woke us, whether the terminal is gone.
+    /// Polls: standard input can be read, another thread woke us, the terminal is gone.
     fn poll(&mut self, timeout: Duration) -> io::Result<(bool, bool, bool)> {
         let stdin = rustix::stdio::stdin();
         let mut fds = [PollFd::new(&stdin, PollFlags::IN), PollFd::new(&self.wakes, PollFlags::IN)];

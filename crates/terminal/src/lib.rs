@@ -106,9 +106,9 @@ pub enum TerminalError {
     /// A call to the terminal failed.
     #[error("the terminal did not {action}: {source}")]
     Failed {
-        /// What was asked of it, as a verb: "draw a frame".
+        /// The request, as a verb: "draw a frame".
         action: &'static str,
-        /// What the system said.
+        /// The error of the system.
         source: io::Error,
     },
 }

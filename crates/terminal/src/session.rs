@@ -33,7 +33,7 @@ pub struct Options {
     pub mouse: bool,
     /// Frames are sent as they are, not marked as synchronized updates: for terminals that print what they do not know.
     pub plain: bool,
-    /// What the terminal can show; every finished frame is reduced to it.
+    /// Characters and colours that the terminal can show; every finished frame is reduced to them.
     pub capabilities: Capabilities,
     /// Keeps the work when the program ends without asking: a signal, a lost terminal, a panic of the thread that
     /// draws. It runs on a thread of its own and has 2 s. It must not wait for the thread that draws.
@@ -114,8 +114,9 @@ impl Session {
         self.bytes.0.borrow().len()
     }
 
-    /// Inputs since the last call: waits up to `timeout` for the first input, then takes everything that is already there (for at
-    /// most 30 ms), so that a burst of keys costs one frame. Empty after `timeout`, or when a [`Waker`] was used.
+    /// Inputs since the last call: waits up to `timeout` for the first input, then takes everything that is already
+    /// there (for at most 30 ms), so that a burst of keys costs one frame. Empty after `timeout`, or when a [`Waker`]
+    /// was used.
     ///
     /// A terminal that is gone ends the process here, as `SIGHUP` would, with the autosave.
     pub fn next_events(&mut self, timeout: Duration) -> Result<Vec<Input>, TerminalError> {

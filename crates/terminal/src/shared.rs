@@ -26,7 +26,7 @@ const LEAVE_MOUSE: &str = "\x1b[?1006l\x1b[?1002l\x1b[?1000l";
 pub(super) const LEAVE: &str =
     "\x1b[?2026l\x1b[?1006l\x1b[?1002l\x1b[?1000l\x1b[?2004l\x1b[0m\x1b[?1049l\x1b[?25h";
 
-/// How long a process that has to end waits for its autosave, and for a terminal that does not take its bytes.
+/// Time that a process that has to end waits for its autosave, and for a terminal that does not take its bytes.
 const LAST_WISH: Duration = Duration::from_secs(2);
 
 /// Work that must be kept when the program ends without asking; see [`Options`](super::Options).

@@ -14,8 +14,8 @@ use crate::{
     some,
 };
 
-/// Compares every answer that was printed somewhere with ours: it agrees as far as it was printed, or is disputed with a
-/// reason.
+/// Compares every answer that was printed somewhere with ours: it agrees as far as it was printed, or is disputed
+/// with a reason.
 pub fn every_printed_answer_is_ours_or_is_disputed(entries: &[&'static Entry]) {
     some(entries);
     let mut differing = Vec::new();
@@ -96,8 +96,8 @@ fn digits_of(text: &str) -> Vec<usize> {
         .collect()
 }
 
-/// Examines the solution of every case: no defect of dimensions, checks that pass and whose sides are not the same tree,
-/// at least one check, one step and one answer.
+/// Examines the solution of every case: no defect of dimensions, checks that pass and whose sides are not the same
+/// tree, at least one check, one step and one answer.
 pub fn every_solution_is_sound(entries: &[&'static Entry]) {
     for_each_problem(entries, |Problem { name, solution, .. }| {
         assert!(solution.defects.is_empty(), "{name}: {:?}", solution.defects);
@@ -161,8 +161,8 @@ pub fn a_solve_is_a_pure_function(entries: &[&'static Entry]) {
     }
 }
 
-/// Examines what is said of each analysis: an id in kebab case that no other has, a title, a summary that is a sentence,
-/// and a source.
+/// Examines what is said of each analysis: an id in kebab case that no other has, a title, a summary that is a
+/// sentence, and a source.
 pub fn every_analysis_is_well_described(entries: &[&'static Entry]) {
     some(entries);
     let mut ids: Vec<&str> = entries.iter().map(|entry| entry.about.id).collect();

@@ -62,8 +62,8 @@ fn is_on_a_curve(plot: &Plot, (x, y): (f64, f64)) -> bool {
     })
 }
 
-/// Draws every sketch in four sizes: words stand over no other words and over no head of an arrow, and what has no place
-/// is listed below. Returns the numbers of words that have a place and that are listed.
+/// Draws every sketch in four sizes: words stand over no other words and over no head of an arrow, and what has no
+/// place is listed below. Returns the numbers of words that have a place and that are listed.
 pub fn words_of_drawings_stand_over_no_other_words_and_over_no_head_of_an_arrow(
     entries: &[&'static Entry],
 ) -> (usize, usize) {

@@ -6,8 +6,8 @@ use dalembert_core::{AnswerValue, Entry, Number, Record, Solution, Stop, vary};
 
 use crate::{problems::cases_of, some};
 
-/// Inputs that say over what time a motion is examined, or when: those of the problem itself. A duration within a part of
-/// it, such as that of a blow or a pulse, is another problem.
+/// Inputs that say over what time a motion is examined, or when: those of the problem itself. A duration within a
+/// part of it, such as that of a blow or a pulse, is another problem.
 const TIMES: [&str; 3] = ["duration", "instant", "time"];
 const FACTORS: [f64; 4] = [1.0, 1.3, 2.7, 10.0];
 

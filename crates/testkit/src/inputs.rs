@@ -28,8 +28,8 @@ pub fn every_gravity_has_the_same_default(entries: &[&'static Entry]) -> usize {
     found
 }
 
-/// Leaves out every gravity of every case, and states the first: the problem has one number for all of them. Returns the
-/// number of cases with several.
+/// Leaves out every gravity of every case, and states the first: the problem has one number for all of them. Returns
+/// the number of cases with several.
 pub fn a_problem_has_one_gravity(entries: &[&'static Entry]) -> usize {
     some(entries);
     let mut several = 0;
@@ -130,8 +130,8 @@ pub fn published_tables_name_their_units(entries: &[&'static Entry]) -> usize {
     tables
 }
 
-/// Every field, with its path, the columns of tables and the insides of every alternative included. What contains itself
-/// is entered once.
+/// Every field, with its path, the columns of tables and the insides of every alternative included. What contains
+/// itself is entered once.
 fn fields(
     list: &'static [Field],
     above: &str,

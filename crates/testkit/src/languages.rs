@@ -1,7 +1,7 @@
 //! English and Brazilian Portuguese, both complete.
 //!
-//! Sentences are found in two ways: in the descriptions of every analysis and the solutions of every case, and as literals
-//! in sources.
+//! Sentences are found in two ways: in the descriptions of every analysis and the solutions of every case, and as
+//! literals in sources.
 
 mod scan;
 mod sentences;
@@ -43,8 +43,8 @@ impl SourceFile {
     }
 }
 
-/// Searches the Portuguese of every sentence that a user can read: those of the analyses and their cases, and those of the
-/// sources. Prints the missing ones ready to be translated.
+/// Searches the Portuguese of every sentence that a user can read: those of the analyses and their cases, and those
+/// of the sources. Prints the missing ones ready to be translated.
 pub fn every_sentence_has_its_portuguese(entries: &[&'static Entry], sources: &[SourceFile]) {
     some(entries);
     let mut sentences = Sentences::default();
@@ -136,8 +136,8 @@ pub fn every_sentence_of_a_case_has_a_key_of_its_own(entries: &[&'static Entry])
     }
 }
 
-/// Reads every translation file below some folders: it is well formed, and each message has the arguments that its English
-/// sentence has in the sources.
+/// Reads every translation file below some folders: it is well formed, and each message has the arguments that its
+/// English sentence has in the sources.
 pub fn the_translations_are_well_formed_and_use_the_same_arguments(
     sources: &[SourceFile],
     folders: &[impl AsRef<Path>],

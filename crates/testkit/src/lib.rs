@@ -1,9 +1,9 @@
 //! The tests that hold for every registered analysis, as functions over a list of them.
 //!
-//! Whatever an analysis computes: its published answers are right, its answers scale with their dimensions, the unit of an
-//! input changes nothing, every answer is checked by a second method, every plot agrees with the answers, every sentence is
-//! translated. Nobody writes these tests for an analysis; a crate of analyses calls them. A crate outside of this
-//! workspace gets all of them, over its own analyses alone, by one line in `tests/registry.rs`:
+//! Whatever an analysis computes: its published answers are right, its answers scale with their dimensions, the unit
+//! of an input changes nothing, every answer is checked by a second method, every plot agrees with the answers, every
+//! sentence is translated. Nobody writes these tests for an analysis; a crate of analyses calls them. A crate outside
+//! of this workspace gets all of them, over its own analyses alone, by one line in `tests/registry.rs`:
 //!
 //! ```
 //! # use dalembert_testkit as _;
@@ -15,9 +15,9 @@
 //! );
 //! ```
 //!
-//! `registry_tests!(…, english_only)` leaves out the tests of the Portuguese. Each function can be called alone, with any
-//! list of entries; it panics with all that it found wrong. Those that return a number return how much they examined, so
-//! that a caller can refuse to pass where nothing was found to examine.
+//! `registry_tests!(…, english_only)` leaves out the tests of the Portuguese. Each function can be called alone, with
+//! any list of entries; it panics with all that it found wrong. Those that return a number return how much they
+//! examined, so that a caller can refuse to pass where nothing was found to examine.
 
 pub mod alternatives;
 pub mod catalogue;

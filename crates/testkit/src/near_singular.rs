@@ -8,10 +8,10 @@ const FLOOR: f64 = 1e-12;
 /// The multiple of the condition that rounding explains: a formula rounds some ten times on its way.
 const STEPS: f64 = 16.0;
 
-/// Compares answers near singular points with reference values of many digits: they are as near as the condition of the
-/// point lets the last places of the inputs tell, and no check fails. `data` is TOML, one `[[point]]` each with
-/// `analysis`, `inputs`, `answer`, `value` (a text of many digits), `condition` and `family`. Returns the numbers of points
-/// and of families.
+/// Compares answers near singular points with reference values of many digits: they are as near as the condition of
+/// the point lets the last places of the inputs tell, and no check fails. `data` is TOML, one `[[point]]` each with
+/// `analysis`, `inputs`, `answer`, `value` (a text of many digits), `condition` and `family`. Returns the numbers of
+/// points and of families.
 pub fn near_singular_points_are_answered_as_their_condition_allows(data: &str) -> (usize, usize) {
     let data: DocumentMut = data.parse().unwrap_or_else(|err| panic!("{err}"));
     let points = data["point"].as_array_of_tables().expect("the data has points");

@@ -43,8 +43,8 @@ pub fn worked_out(entry: &'static Entry, locale: &Locale) -> Document {
     document(&worked, locale)
 }
 
-/// Writes the first case of every analysis as Markdown, HTML, LaTeX and Typst in both languages: no tag, brace, bracket or
-/// environment is left open.
+/// Writes the first case of every analysis as Markdown, HTML, LaTeX and Typst in both languages: no tag, brace,
+/// bracket or environment is left open.
 pub fn every_analysis_is_written_well_in_every_format(entries: &[&'static Entry]) {
     some(entries);
     let mut faults = Vec::new();

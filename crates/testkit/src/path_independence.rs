@@ -60,7 +60,8 @@ type Key = (String, String, String);
 #[derive(Default)]
 struct Met {
     named: BTreeSet<Key>,
-    /// Of those that name an input, the ones that were compared with direct solves, and would not have been if they were off.
+    /// Of those that name an input, the ones that were compared with direct solves, and would not have been if they
+    /// were off.
     held: BTreeSet<Key>,
     unnamed: BTreeSet<Key>,
     wrong: Vec<String>,
@@ -71,8 +72,8 @@ struct Met {
 /// Paths of inputs and values in SI.
 type Changes = Vec<(String, f64)>;
 
-/// The answers of a solution that are numbers, by their names, with what of them is rounding alone: of a vector its size
-/// and its components, `force.x`.
+/// The answers of a solution that are numbers, by their names, with what of them is rounding alone: of a vector its
+/// size and its components, `force.x`.
 type Answers = BTreeMap<String, [f64; 2]>;
 
 fn answers(solution: &Solution) -> Answers {
@@ -254,9 +255,9 @@ impl Problem<'_> {
         }
     }
 
-    /// Abscissa and ordinate by a direct solve with their rounding, NaN where an answer is missing. A curve may be drawn
-    /// the other way round, of the input itself, or through all the answers of a name: the several amplitudes of one
-    /// frequency.
+    /// Abscissa and ordinate by a direct solve with their rounding, NaN where an answer is missing. A curve may be
+    /// drawn the other way round, of the input itself, or through all the answers of a name: the several amplitudes
+    /// of one frequency.
     fn direct(
         &self,
         with: &Changes,
@@ -371,10 +372,10 @@ fn differ(one: &[DrawnShape], other: &[DrawnShape]) -> Option<String> {
 }
 
 /// Solves at the points of every plot and at the frames of every animation: a curve that is over an input, and an
-/// animation, are at each of these points what a direct solve with that input gives. What names no input must be listed
-/// among the exceptions, and a list without use is a fault too. `chosen` leaves cases out, by the analysis and the place of
-/// the case; `times` many times as many points are solved for. Returns the number of curves and animations that name their
-/// input.
+/// animation, are at each of these points what a direct solve with that input gives. What names no input must be
+/// listed among the exceptions, and a list without use is a fault too. `chosen` leaves cases out, by the analysis and
+/// the place of the case; `times` many times as many points are solved for. Returns the number of curves and
+/// animations that name their input.
 pub fn every_curve_over_an_input_is_what_a_direct_solve_gives(
     entries: &[&'static Entry],
     exceptions: &Exceptions<'_>,

@@ -52,9 +52,9 @@ struct Met {
     slow: Vec<String>,
 }
 
-/// Changes all numbers of every case at random: each problem is answered with finite numbers, no failed check and every
-/// answer in its own range, or refused for a reason that is the input's. `report_to` gets all that was met before a fault ends
-/// the test.
+/// Changes all numbers of every case at random: each problem is answered with finite numbers, no failed check and
+/// every answer in its own range, or refused for a reason that is the input's. `report_to` gets all that was met
+/// before a fault ends the test.
 pub fn numbers_near_those_of_a_case_are_answered_or_refused_with_reason(
     entries: &[&'static Entry],
     draws: &Draws<'_>,

@@ -13,9 +13,8 @@ use crate::{
     problems::{Problem, first_solutions, for_each_problem},
 };
 
-/// Reads every printed substitution again from its text and computes it: it gives the result beside it, in both languages,
-/// with 5 and 15 digits, in Unicode and in ASCII. Returns the
-/// number of substitutions.
+/// Reads every printed substitution again from its text and computes it: it gives the result beside it, in both
+/// languages, with 5 and 15 digits, in Unicode and in ASCII. Returns the number of substitutions.
 pub fn printed_steps_give_their_results(entries: &[&'static Entry]) -> usize {
     let mut faults = Vec::new();
     let mut read = 0;
@@ -65,7 +64,8 @@ pub fn printed_steps_give_their_results(entries: &[&'static Entry]) -> usize {
     read
 }
 
-/// Types every answer of the first cases as it is shown: it is judged right. Returns the number of texts that were typed.
+/// Types every answer of the first cases as it is shown: it is judged right. Returns the number of texts that were
+/// typed.
 pub fn what_is_shown_is_right_to_any_number_of_digits(entries: &[&'static Entry]) -> usize {
     let mut seen = 0;
     for (entry, solution) in first_solutions(entries) {

@@ -3,7 +3,7 @@
 use dalembert_terminal::glyphs::Colors;
 use ratatui::style::Color;
 
-/// How things are coloured.
+/// A choice of colours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Theme {
     /// In the sixteen colours of the terminal's own palette, on its own ground.
@@ -26,7 +26,7 @@ pub struct Palette {
     pub ground: Color,
     /// Text.
     pub text: Color,
-    /// What may be passed over.
+    /// Text that may be passed over.
     pub faint: Color,
     /// Wrong.
     pub red: Color,
@@ -47,7 +47,7 @@ impl Theme {
     pub const ALL: [Theme; 5] =
         [Theme::Terminal, Theme::Dark, Theme::Light, Theme::HighContrast, Theme::None];
 
-    /// Its name in the settings.
+    /// Name in the settings.
     pub fn id(self) -> &'static str {
         match self {
             Theme::Terminal => "terminal",
@@ -58,7 +58,7 @@ impl Theme {
         }
     }
 
-    /// Its name for people.
+    /// Name for people.
     pub fn name(self) -> &'static str {
         match self {
             Theme::Terminal => "the terminal's own colours",
@@ -69,7 +69,7 @@ impl Theme {
         }
     }
 
-    /// Its colours among those that there are, where it has its own.
+    /// Colours among those that there are, where the theme has its own.
     pub fn palette(self, colors: Colors) -> Option<Palette> {
         match (self, colors) {
             (Theme::Terminal | Theme::None, _) | (_, Colors::None) => None,
@@ -85,7 +85,7 @@ impl Theme {
 }
 
 impl Palette {
-    /// Its own colour for one of a terminal's palette.
+    /// The colour for one of a terminal's palette.
     pub fn of(&self, color: Color) -> Color {
         match color {
             Color::Red => self.red,

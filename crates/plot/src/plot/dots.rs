@@ -18,16 +18,17 @@ pub(crate) struct Dots {
     end: Option<(usize, char, Style)>,
 }
 
-/// What dots are drawn with.
+/// Pen that dots are drawn with.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pen {
-    /// Their style.
+    /// Style.
     pub(crate) style: Style,
-    /// What a cell shows where a dot is a whole cell.
+    /// Sign of a cell where a dot is a whole cell.
     pub(crate) stamp: char,
     /// Dots drawn and dots left out, in turn; nothing is left out of `(1, 0)`.
     pub(crate) dash: (u32, u32),
-    /// A sign that stands on the stroke now and then, and after how many dots it comes first; on a short one at its end.
+    /// A sign that stands on the stroke now and then, and after how many dots it comes first; on a short one at its
+    /// end.
     pub(crate) mark: Option<(char, u32)>,
     /// The place of its curve. A cell in which several curves have dots looks like the one that has most of them, the
     /// first of equals; what is no curve gives way to any, and to what is drawn later.
@@ -105,7 +106,7 @@ impl Dots {
         (self.area.x + cell(x, across, self.area.width), self.area.y + cell(y, down, self.area.height))
     }
 
-    /// Whether a cell of the buffer holds no dot.
+    /// True for a cell of the buffer without a dot.
     pub(crate) fn is_free(&self, x: u16, y: u16) -> bool {
         self.index(x, y).is_none_or(|at| self.cells[at].mask == 0)
     }
@@ -233,7 +234,7 @@ fn bit(marker: Marker, x: u16, y: u16) -> u8 {
     }
 }
 
-/// Whether a closed line goes round a point: a ray from it crosses the line an odd number of times.
+/// True where a closed line goes round a point: a ray from it crosses the line an odd number of times.
 fn inside(corners: &[(f64, f64)], (x, y): (f64, f64)) -> bool {
     let crosses = |from: (f64, f64), to: (f64, f64)| {
         (from.1 > y) != (to.1 > y) && x < from.0 + (y - from.1) / (to.1 - from.1) * (to.0 - from.0)

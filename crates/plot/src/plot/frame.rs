@@ -1,4 +1,4 @@
-//! What stands round the curves: titles, legend, axes, ticks, the reading of the cursor.
+//! Surroundings of the curves: titles, legend, axes, ticks, the reading of the cursor.
 
 use dalembert_core::{Locale, Text};
 use dalembert_report::figure::{
@@ -17,9 +17,9 @@ use crate::{look::Look, wrap};
 
 /// Words and ticks round a canvas, each at its place.
 pub(crate) struct Frame {
-    /// Where the curves go.
+    /// Area of the curves.
     pub(crate) canvas: Rect,
-    /// What the vertical axis covers over the rows of the canvas: no less than the curves need.
+    /// Span of the vertical axis over the rows of the canvas: no less than the curves need.
     pub(crate) up: Span,
     words: Vec<(u16, u16, String, Style)>,
     /// The cells of the axes: a column left of the canvas and a row below it, where there is room.
@@ -28,7 +28,7 @@ pub(crate) struct Frame {
     grid: Vec<(u16, u16)>,
 }
 
-/// How many rows there are for each part: none where there is no room.
+/// Number of rows for each part: none where there is no room.
 struct Rows {
     title: u16,
     head: u16,
@@ -39,7 +39,7 @@ struct Rows {
     readout: u16,
 }
 
-/// What everything is drawn on and with.
+/// Area, marks, look and language of a plot.
 #[derive(Clone, Copy)]
 pub(crate) struct Setting<'a> {
     pub(crate) area: Rect,
@@ -258,7 +258,7 @@ fn legend_width(legend: &[Sample]) -> usize {
     width.saturating_sub(2)
 }
 
-/// How many entries a row holds, one at least.
+/// Number of entries that a row holds, one at least.
 fn legend_row(legend: &[Sample], area: Rect) -> usize {
     (1..=legend.len()).take_while(|n| legend_width(&legend[..*n]) <= area.width.into()).last().unwrap_or(1)
 }
@@ -297,7 +297,7 @@ fn curves(axes: &Axes, marker: Marker, look: &Look, locale: &Locale) -> Vec<Samp
         .collect()
 }
 
-/// What the shades mean that there are: bands of one name by that name, others by being permitted or forbidden.
+/// Meaning of the shades that there are: bands of one name by that name, others by being permitted or forbidden.
 fn shades(axes: &Axes, look: &Look, locale: &Locale) -> Vec<Sample> {
     let meaning = |(permitted, words): (bool, &'static str)| {
         let mut names =

@@ -16,8 +16,8 @@ impl Labels {
     }
 
     /// Words at one of `places` (of their first cell): the one where they cover fewest cells that are not `free` and
-    /// are least `far` (in cells that may be covered to be nearer), the first of several. Says whether there was one; where a third of the words would cover something else,
-    /// the words give way.
+    /// are least `far` (in cells that may be covered to be nearer), the first of several. Says whether there was one;
+    /// where a third of the words would cover something else, the words give way.
     pub(crate) fn put(
         &mut self,
         words: &str,

@@ -7,21 +7,22 @@ use dalembert_core::Scale;
 use dalembert_report::figure::ticks::{Span, Ticks};
 use dalembert_units::Style;
 
-/// How far from the middle of its row a labelled tick may stand, in rows: logarithms of 2 and 5 are no whole numbers.
+/// Distance from the middle of its row that a labelled tick may have, in rows: logarithms of 2 and 5 are no whole
+/// numbers.
 const ASTRAY: f64 = 0.2;
 
 /// An axis over rows of characters.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rows {
-    /// How many there are.
+    /// Number of rows.
     pub(super) rows: u16,
     /// Dots down each of them.
     pub(super) dots: u16,
 }
 
 impl Rows {
-    /// The span, as little wider as it may be, from the middle of its lowest dot to that of its highest, with its ticks.
-    /// One that no wider span helps (its ends are the largest numbers there are) stays as it is.
+    /// The span, as little wider as it may be, from the middle of its lowest dot to that of its highest, with its
+    /// ticks. One that no wider span helps (its ends are the largest numbers there are) stays as it is.
     pub(super) fn ticked(self, span: Span, style: Style) -> (Span, Ticks) {
         self.wider(span, style).unwrap_or_else(|| {
             let ticks =
@@ -75,7 +76,7 @@ impl Rows {
         })
     }
 
-    /// What a row tells, more where few labels say of what: a label less is worth a quarter of the rows.
+    /// Span of a row, weighted where labels are few: a label less is worth a quarter of the rows.
     fn cost(self, fitted: &Fitted) -> f64 {
         let wanted = f64::from(self.rows.div_ceil(4)).clamp(2.0, 5.0);
         let missing = (wanted - f64::from(fitted.seen)).max(0.0);
@@ -137,12 +138,12 @@ impl Rows {
         0.5 - 0.5 / f64::from(self.dots)
     }
 
-    /// How many labels there are at most.
+    /// The largest number of labels.
     fn most(self) -> usize {
         usize::from(self.rows.div_ceil(3)).clamp(2, 10)
     }
 
-    /// Whether labels leave a row between them, where there are rows enough.
+    /// True where labels leave a row between them, if there are rows enough.
     fn are_apart(self, rows: &[f64]) -> bool {
         let least = if self.rows < 3 { 1.0 } else { 2.0 };
         rows.windows(2).all(|pair| pair[1].round() - pair[0].round() >= least)
@@ -154,7 +155,7 @@ struct Fitted {
     from: f64,
     to: f64,
     per_row: f64,
-    /// How many of its ticks are seen.
+    /// Number of its ticks that are seen.
     seen: u16,
 }
 
@@ -162,7 +163,7 @@ fn labelled(ticks: &Ticks) -> impl Iterator<Item = f64> {
     ticks.ticks.iter().filter(|tick| !tick.label.is_empty()).map(|tick| tick.at)
 }
 
-/// What is proportional to the distance along the axis.
+/// Coordinate proportional to the distance along the axis.
 fn coordinate(value: f64, scale: Scale) -> f64 {
     match scale {
         Scale::Linear => value,

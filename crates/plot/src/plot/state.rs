@@ -1,18 +1,18 @@
-//! What a user has set on a plot: cursor, marks, the part that is shown, how values are spread.
+//! Settings of a user on a plot: cursor, marks, the part that is shown, how values are spread.
 
 use dalembert_core::{Plot, Scale};
 use dalembert_report::figure::axes::{Axes, Spread, View, has_logarithms, has_logarithms_across};
 
 use super::Marker;
 
-/// What a user has set on a plot.
+/// Settings of a user on a plot.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct State {
-    /// Where the cursor stands: a value of `x` in SI. One beyond the axis is shown at its end.
+    /// Place of the cursor: a value of `x` in SI. One beyond the axis is shown at its end.
     pub cursor: Option<f64>,
-    /// What curves are drawn with.
+    /// Marks that curves are drawn with.
     pub marker: Marker,
-    /// What is shown of it.
+    /// The part that is shown.
     pub view: View,
 }
 
@@ -94,7 +94,7 @@ impl State {
         self.showing(&axes, from, from + factor)
     }
 
-    /// What is shown, moved by a share of it.
+    /// The shown part, moved by a share of it.
     #[must_use]
     pub fn panned(self, plot: &Plot, share: f64) -> Self {
         let Some(axes) = Axes::seen(plot, None, &self.view).filter(|_| self.view.window.is_some()) else {
@@ -107,7 +107,7 @@ impl State {
     ///
     /// # Errors
     ///
-    /// Why values can be spread in one way alone.
+    /// The reason why values can be spread in one way alone.
     pub fn next_spread(self, plot: &Plot) -> Result<Self, &'static str> {
         if !has_logarithms(plot) {
             return Err("negative values have no logarithm: the axis stays linear");
@@ -124,7 +124,7 @@ impl State {
     ///
     /// # Errors
     ///
-    /// Why it stays linear.
+    /// The reason why it stays linear.
     pub fn next_spread_across(self, plot: &Plot) -> Result<Self, &'static str> {
         if !has_logarithms_across(plot) {
             return Err("zero and negative values have no logarithm: the axis stays linear");

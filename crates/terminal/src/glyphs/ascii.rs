@@ -47,7 +47,7 @@ fn braille(dots: u32) -> char {
     }
 }
 
-/// What reads alike. The first entry that holds the character counts.
+/// Characters that read alike. The first entry that holds the character counts.
 const TABLE: &[(&str, char)] = &[
     // Lines and corners.
     ("─━┄┅┈┉╌╍═╴╶╸╺╼╾‐‑‒–—―−⎯⁻₋¯‾", '-'),

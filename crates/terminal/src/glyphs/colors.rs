@@ -55,7 +55,7 @@ fn indexed(color: [u8; 3]) -> u8 {
     if distance(color, rgb(grey)) < distance(color, rgb(cube)) { grey } else { cube }
 }
 
-/// What xterm shows for an index.
+/// Colour that xterm shows for an index.
 fn rgb(index: u8) -> [u8; 3] {
     match index {
         0..16 => SIXTEEN[usize::from(index)].1,

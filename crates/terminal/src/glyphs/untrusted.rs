@@ -39,7 +39,7 @@ pub fn filter_untrusted(text: &str) -> Cow<'_, str> {
     if filtered == text { Cow::Borrowed(text) } else { Cow::Owned(filtered) }
 }
 
-/// What the filter has to look at: everything but line feeds and characters with a width of their own.
+/// True for what the filter has to examine: everything but line feeds and characters with a width of their own.
 fn doubtful(character: char) -> bool {
     match character {
         ' '..='~' | '\n' => false,
