@@ -482,7 +482,7 @@ pub fn program() -> PathBuf {
 
 /// The smallest program on the terminal's lifecycle, which is built first.
 pub fn lifecycle() -> PathBuf {
-    built("examples/lifecycle", &["--package", "dalembert-tui", "--example", "lifecycle"])
+    built("examples/lifecycle", &["--package", "dalembert-terminal", "--example", "lifecycle"])
 }
 
 /// Programs built by this process: tests run at once, and one of them builds.

@@ -3,11 +3,12 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
 use dalembert_core::{
-    AnswerValue, Display, Draft, Entry, Number, Record, Solution, Stop, cases,
+    Display, Draft, Entry, Record, Solution, Stop, cases,
     check::{self, Verdict},
     find, registry, vary,
 };
 use dalembert_plugins as _;
+use dalembert_testkit::printed;
 use dalembert_tests::person::Person;
 use dalembert_tui::tab::Tab;
 use dalembert_units::{Style, write_quantity};
@@ -77,23 +78,7 @@ impl Problem {
 
 #[test]
 fn what_we_show_is_right_to_any_number_of_digits() {
-    let mut seen = 0;
-    for entry in registry() {
-        let Some(Ok(record)) = cases::first(entry).map(|case| case.record(entry)) else { continue };
-        let Ok(solution) = entry.solve(&record, &Stop::new()) else { continue };
-        for answer in &solution.answers {
-            let AnswerValue::Number(Number::Scalar(si), _) = answer.value else { continue };
-            let si = if si.abs() <= answer.noise { 0.0 } else { si };
-            for digits in [4, 6, 12] {
-                for ascii in [false, true] {
-                    let typed = write_quantity(si, &answer.unit, Style { digits, ascii, ..Style::default() });
-                    let verdict = check::compare(answer, &typed);
-                    assert_eq!(verdict, Verdict::Right, "{} {} = {typed}", entry.about.id, answer.name);
-                    seen += 1;
-                }
-            }
-        }
-    }
+    let seen = printed::what_is_shown_is_right_to_any_number_of_digits(registry());
     assert!(seen > 1000, "{seen}");
 }
 

@@ -479,10 +479,17 @@ fn hopeless_terminals(program: &Path) {
     for launch in [launch(program).env("TERM", "dumb"), launch(program).without("TERM")] {
         let mut pty = launch.start();
         assert_eq!(pty.exit_code(), Some(2), "{}", pty.screen());
-        pty.expect("dalembert solve");
+        pty.expect("cannot place text on a screen");
         assert_eq!(pty.leftovers(), [""; 0]);
         assert!(!contains(&pty.raw(), "\x1b"), "{:?}", String::from_utf8_lossy(&pty.raw()));
     }
+}
+
+#[test]
+fn where_the_workbench_cannot_be_drawn_it_names_the_plain_command() {
+    let mut pty = launch(&pty::program()).env("TERM", "dumb").start();
+    assert_eq!(pty.exit_code(), Some(2), "{}", pty.screen());
+    pty.expect("dalembert solve");
 }
 
 /// The program proper, behind its guard.

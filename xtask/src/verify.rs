@@ -201,18 +201,19 @@ const OUT_OF_TREE: &str = "examples/out-of-tree";
 /// The analysis that the program in [`OUT_OF_TREE`] adds.
 const OF_THE_LABORATORY: &str = "laboratory/torsional-pendulum";
 
-/// A laboratory's own program has its own analysis beside ours. What it shares with ours is built once.
+/// A laboratory's own program has its own analysis beside ours, and the tests of every analysis over it. What it shares
+/// with ours is built once.
 fn out_of_tree(root: &Path) -> Found {
     let ours = ids(&docs::json(&Program::built(root, root)?, &["list", "--json"])?);
     let plain = compiled_quickly(root)?;
-    let theirs = |arguments: &[&str]| {
+    let with_cargo = |verb: &str| {
         let mut command = cargo(&root.join(OUT_OF_TREE));
+        command.env("CARGO_TARGET_DIR", target(root)).args([verb, "--quiet", "--locked"]).args(&plain);
         command
-            .env("CARGO_TARGET_DIR", target(root))
-            .args(["run", "--quiet", "--locked"])
-            .args(&plain)
-            .arg("--")
-            .args(arguments);
+    };
+    let theirs = |arguments: &[&str]| {
+        let mut command = with_cargo("run");
+        command.arg("--").args(arguments);
         command
     };
     let listed = ids(&serde_json::from_str(&output(&mut theirs(&["list", "--json"]))?)?);
@@ -221,6 +222,7 @@ fn out_of_tree(root: &Path) -> Found {
     }
     run_command(&mut theirs(&["solve", OF_THE_LABORATORY]))?;
     run_command(&mut theirs(&["verify", OF_THE_LABORATORY]))?;
+    run_command(&mut with_cargo("test"))?;
     Ok(format!("{} analyses", listed.len()))
 }
 

@@ -41,6 +41,8 @@ pub mod worksheet;
 pub use dalembert_derive::Inputs;
 #[doc(hidden)]
 pub use inventory;
+/// Vectors and matrices of analyses, in the version that the numerical kernels take.
+pub use nalgebra;
 
 #[doc(hidden)]
 pub use crate::input::derive_support;

@@ -22,3 +22,4 @@ db-over-1-unit = dB sobre 1 { $unit }
 curve-at-the-cursor = { $curve } no cursor
 value-default = { $value } (padrão)
 how-the-data-were-read = Como os dados foram lidos
+before = antes

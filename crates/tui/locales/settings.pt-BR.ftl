@@ -1,11 +1,6 @@
 # Configuração, teclas, temas
 
 # Temas
-dark = escuro
-light = claro
-high-contrast = alto contraste
-no-colour = sem cores
-the-terminal-s-own-colours = as cores do próprio terminal
 
 # O arquivo de configuração
 file-ignored-the-other-settings-apply = { $file }: ignorado; as demais configurações valem

@@ -1,5 +1,4 @@
-# Painéis, gráficos e desenhos da bancada.
-nothing-to-draw = nada a desenhar
+# Painéis da bancada.
 internal-error-not-caused-by-your-inputs-do-not-trust-these-results = Erro interno do programa, não causado pelos seus dados; não confie nestes resultados:
 there-is-no-answer = Não há resposta
 some-inputs-cannot-be-read = Alguns dados não podem ser lidos
@@ -18,10 +17,7 @@ computed = calculado
 agreed = confere
 disputed = contestada
 differing = diverge
-permitted = permitido
-forbidden = proibido
 refusal = recusa
-before = antes
 with-the-difference-from-the-pinned-result = com a diferença em relação ao resultado fixado
 not-present = ausente
 was-value = era { $value }

@@ -24,7 +24,7 @@ use crate::{
     replay::{Player, Recorder, Replay},
     settings::{self, Settings},
     solver::{Solver, judges},
-    terminal::{self, Fault, Input, Session, TerminalError, fault},
+    terminal::{self, Fault, Guarded, Input, Session, TerminalError, fault},
     update::{start, update},
     view::{tempo, view},
 };
@@ -71,13 +71,28 @@ pub struct Options {
 
 /// Runs the workbench until the user ends it. The exit code is 0, or 2 when the terminal cannot be had.
 pub fn run(options: Options) -> ExitCode {
-    terminal::run_guarded(|| match workbench(options) {
+    let words =
+        Guarded { name: "dalembert", advice: Some("work kept by the autosave is offered at the next start") };
+    terminal::run_guarded(&words, || match workbench(options) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("{error}");
+            eprintln!("{error}{}", advice(&error));
             ExitCode::from(NO_TERMINAL)
         }
     })
+}
+
+/// Advice after an error of the terminal: what to use instead.
+fn advice(error: &TerminalError) -> &'static str {
+    match error {
+        TerminalError::InputNotATerminal | TerminalError::OutputNotATerminal => {
+            ": write `dalembert solve FILE` for plain output"
+        }
+        TerminalError::Dumb(_) => {
+            ": write `dalembert solve FILE`, or set TERM to what your terminal is, such as `TERM=xterm-256color`"
+        }
+        TerminalError::Failed { .. } => "",
+    }
 }
 
 /// Runtime on which effects act.

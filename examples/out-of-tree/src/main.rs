@@ -2,11 +2,10 @@
 //!
 //! Naming the bundle links its analyses; leave the line out for a program with yours alone.
 
-mod torsional_pendulum;
-
 use std::process::ExitCode;
 
 use dalembert_plugins as _;
+use laboratory as _;
 
 fn main() -> ExitCode {
     dalembert::main()

@@ -1,6 +1,6 @@
 //! The moment of inertia of a part from its oscillation on a wire.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{About, Analysis, Inputs, Refusal, Source, Worksheet, register};
 use dalembert_mechanics::{Real, section, spring};
@@ -61,9 +61,9 @@ impl Analysis for TorsionalPendulum {
             ("The natural frequency is √(k_t/I)", RAO.at("§2.3")),
         );
         sheet.check(
-            "the period that this moment of inertia has on this wire",
-            (inertia / stiffness).sqrt() * TAU,
-            given.period,
+            "the moment of inertia in one formula, G d⁴ T²/(128 π L)",
+            inertia,
+            given.shear * given.diameter.powi(4) * given.period.powi(2) / (given.length * (128.0 * PI)),
         );
         sheet.answer("stiffness", "Torsional stiffness", stiffness);
         sheet.answer("moment_of_inertia", "Moment of inertia", inertia);

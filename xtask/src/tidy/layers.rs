@@ -3,17 +3,20 @@
 use super::{Tree, ends_in, lines, without_tests};
 
 /// A crate and those of this workspace that it may depend on, by folder, without tests.
-const BELOW: [(&str, &[&str]); 11] = [
+const BELOW: [(&str, &[&str]); 14] = [
     ("crates/units", &[]),
     ("crates/numerics", &[]),
     ("crates/mechanics", &["numerics"]),
     ("crates/derive", &[]),
     ("crates/core", &["derive", "numerics", "units"]),
     ("crates/report", &["core", "numerics", "units"]),
-    ("crates/tui", &["core", "report", "units"]),
+    ("crates/terminal", &[]),
+    ("crates/plot", &["core", "report", "terminal", "units"]),
+    ("crates/tui", &["core", "plot", "report", "terminal", "units"]),
     ("crates/dalembert", &["core", "mechanics", "plugins", "report", "tui", "units"]),
     ("plugins/*", &["core", "mechanics", "numerics", "units"]),
-    ("tests", &["", "core", "mechanics", "numerics", "plugins", "report", "tui", "units"]),
+    ("crates/testkit", &["core", "mechanics", "numerics", "plot", "report", "terminal", "units"]),
+    ("tests", &["", "core", "mechanics", "numerics", "plugins", "report", "testkit", "tui", "units"]),
     ("xtask", &[]),
 ];
 
@@ -24,12 +27,13 @@ const OF_A_PLUGIN: [&str; 1] = ["nalgebra"];
 const EFFECTS: [&str; 4] = ["fs", "net", "process", "env"];
 
 /// The crates that do no input or output.
-const PURE: [&str; 6] = [
+const PURE: [&str; 7] = [
     "crates/units/src/",
     "crates/numerics/src/",
     "crates/mechanics/src/",
     "crates/core/src/",
     "crates/report/src/",
+    "crates/plot/src/",
     "plugins/",
 ];
 

@@ -1,0 +1,315 @@
+//! Sketches of machines, in the cells of a terminal.
+
+use dalembert_core::{Drawing, DrawnShape, Ink, Locale, Point, Text};
+use dalembert_report::figure::strokes::{Box2, Part, Stroke, strokes};
+use ratatui::{buffer::Buffer, layout::Rect, style::Style};
+use unicode_width::UnicodeWidthStr;
+
+use crate::{
+    look::Look,
+    plot::{
+        Marker,
+        dots::{Dots, Pen},
+        labels::Labels,
+    },
+    wrap,
+};
+
+/// Places of the words of a drawing.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Placed {
+    /// Words beside their points, with the cells they take.
+    pub beside: Vec<(Rect, String)>,
+    /// Words without a free place, listed under the drawing where there is room for that.
+    pub listed: Vec<String>,
+    /// Cells of the heads of arrows, which no words cover.
+    pub heads: Vec<(u16, u16)>,
+}
+
+/// Draws a sketch as large as it fits, with equal scales across and up; any size will do. Words that have no free place
+/// beside their points give way to a mark there, and are listed below with it.
+pub fn render(drawing: &Drawing, look: &Look, locale: &Locale, area: Rect, buffer: &mut Buffer) -> Placed {
+    let mut area = area.intersection(buffer.area);
+    if area.is_empty() {
+        return Placed::default();
+    }
+    let locale = locale.ascii(look.ascii);
+    if area.height >= 6 {
+        let most = if area.height > 10 { 2 } else { 1 };
+        for line in wrap::title(&drawing.title.render(&locale), area.width.into(), most, look) {
+            buffer.set_string(area.x, area.y, line, look.title());
+            area = Rect { y: area.y + 1, height: area.height - 1, ..area };
+        }
+    }
+    let all = strokes(drawing);
+    let labels: Vec<(Point, String)> = labels(drawing, &locale);
+    let corners = all.iter().flat_map(|stroke| &stroke.points).chain(labels.iter().map(|(at, _)| at));
+    let Some(bounds) = Box2::of(corners.copied()) else {
+        let words = look.shortened(&Text::new("nothing to draw").render(&locale), area.width.into());
+        let x = area.x + (area.width - words.width() as u16) / 2;
+        buffer.set_string(x, area.y + area.height / 2, words, look.dim());
+        return Placed::default();
+    };
+    let sketch = Sketch { strokes: &all, labels: &labels, bounds: &bounds, look };
+    let mut drawn = sketch.drawn(area);
+    if !drawn.listed.is_empty() && area.height >= 6 {
+        let rows = list(&drawn.listed, area.width, look).len().min(usize::from(area.height / 4)) as u16;
+        drawn = sketch.drawn(Rect { height: area.height - rows, ..area });
+        let mut lines = list(&drawn.listed, area.width, look);
+        if lines.len() > rows.into() {
+            let rest = lines.drain(usize::from(rows) - 1..).collect::<Vec<_>>().join("  ");
+            lines.push(look.shortened(&rest, usize::from(area.width).min(rest.width() - 1)));
+        }
+        for (line, y) in lines.iter().zip(area.bottom() - rows..) {
+            buffer.set_string(area.x, y, line, look.dim());
+        }
+    }
+    drawn.dots.draw(buffer);
+    drawn.words.draw(buffer);
+    Placed {
+        beside: drawn.words.placed(),
+        listed: drawn.listed.into_iter().map(|(_, words)| words).collect(),
+        heads: drawn.heads,
+    }
+}
+
+/// Parts of a drawing, and the look they are drawn with.
+struct Sketch<'a> {
+    strokes: &'a [Stroke],
+    labels: &'a [(Point, String)],
+    bounds: &'a Box2,
+    look: &'a Look,
+}
+
+/// A drawing in the cells of an area.
+struct Drawn {
+    dots: Dots,
+    words: Labels,
+    /// Marks and words that have no place beside their points.
+    listed: Vec<(String, String)>,
+    heads: Vec<(u16, u16)>,
+}
+
+impl Sketch<'_> {
+    fn drawn(&self, area: Rect) -> Drawn {
+        let look = self.look;
+        let marker = if look.ascii { Marker::Ascii } else { Marker::Braille };
+        let mut dots = Dots::new(area, marker);
+        let fit = Fit::of(self.bounds, self.labels, &dots, area);
+        for stroke in self.strokes {
+            draw(stroke, &fit, look, &mut dots);
+        }
+        let mut words = Labels::new(area);
+        let heads =
+            self.strokes.iter().filter(|stroke| stroke.part == Part::Head).flat_map(|stroke| &stroke.points);
+        let mut heads: Vec<(u16, u16)> = heads.map(|at| dots.cell_of(fit.dot(*at))).collect();
+        heads.sort_unstable();
+        heads.dedup();
+        for cell in &heads {
+            words.reserve(*cell);
+        }
+        let mut listed = Vec::new();
+        for (at, text) in self.labels {
+            let short = look.shortened(text, area.width.into());
+            let cell = dots.cell_of(fit.dot(*at));
+            let free = |x, y| dots.is_free(x, y);
+            if !words.beside(&short, look.symbol(), cell, free) {
+                let mark = mark(listed.len(), look);
+                words.mark(&mark, look.symbol(), cell, free);
+                listed.push((mark, text.clone()));
+            }
+        }
+        Drawn { dots, words, listed, heads }
+    }
+}
+
+/// The sign of words that are listed under a drawing: no number of a mass, no symbol.
+fn mark(n: usize, look: &Look) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let number = (n + 1).to_string();
+    if look.ascii {
+        return format!("*{number}");
+    }
+    number.bytes().map(|digit| RAISED[usize::from(digit - b'0')]).collect()
+}
+
+/// Marks and words side by side, in lines.
+fn list(listed: &[(String, String)], width: u16, look: &Look) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for (mark, words) in listed {
+        let entry = look.shortened(&format!("{mark} {words}"), width.into());
+        match lines.last_mut() {
+            Some(line) if line.width() + 2 + entry.width() <= width.into() => *line += &format!("  {entry}"),
+            _ => lines.push(entry),
+        }
+    }
+    lines
+}
+
+/// The words of a drawing and their points; the same words at the same point once.
+fn labels(drawing: &Drawing, locale: &Locale) -> Vec<(Point, String)> {
+    let label = |shape: &DrawnShape| match shape {
+        DrawnShape::Label(at, text) if at.0.is_finite() && at.1.is_finite() => {
+            Some((*at, text.render(locale)))
+        }
+        _ => None,
+    };
+    let mut labels: Vec<(Point, String)> = Vec::new();
+    for label in drawing.shapes.iter().filter_map(label).filter(|(_, words)| !words.is_empty()) {
+        if !labels.contains(&label) {
+            labels.push(label);
+        }
+    }
+    labels
+}
+
+fn draw(stroke: &Stroke, fit: &Fit, look: &Look, dots: &mut Dots) {
+    let style = look.ink(stroke.ink);
+    let points: Vec<(f64, f64)> = stroke.points.iter().map(|at| fit.dot(*at)).collect();
+    dots.lift();
+    if stroke.part == Part::Solid {
+        dots.hide(&points);
+    }
+    if look.ascii {
+        match (stroke.part, &points[..]) {
+            (Part::Head | Part::Hatch, _) => return,
+            (Part::Spring, [from, .., to]) => return spring(*from, *to, style, dots),
+            (Part::Ground, [from, to]) => hatch(*from, *to, look, dots),
+            (Part::Round, _) if is_small(&points) => {
+                let at = middle(&points);
+                dots.line(at, at, Pen::solid(style, 'O'));
+                return;
+            }
+            _ => {}
+        }
+    }
+    for pair in points.windows(2) {
+        let stamp = if stroke.part == Part::Round { 'o' } else { stamp(pair[0], pair[1]) };
+        dots.line(pair[0], pair[1], Pen::solid(style, stamp));
+    }
+    if let (Part::Shaft, [tail, head]) = (stroke.part, &points[..])
+        && look.ascii
+    {
+        dots.line(*head, *head, Pen::solid(style, head_stamp(*tail, *head)));
+    }
+}
+
+/// A zigzag of slashes between two straight ends: where a cell is one dot, a wave is not wide enough to be seen.
+fn spring(from: (f64, f64), to: (f64, f64), style: Style, dots: &mut Dots) {
+    let (across, down) = (to.0 - from.0, to.1 - from.1);
+    let steps = across.abs().max(down.abs()).round().clamp(1.0, 1000.0);
+    let straight = stamp(from, to);
+    for n in 0..=steps as u32 {
+        let share = f64::from(n) / steps;
+        let at = (from.0 + across * share, from.1 + down * share);
+        let stamp = match ((0.15..=0.85).contains(&share), n % 2) {
+            (false, _) => straight,
+            (true, 0) => '/',
+            (true, _) => '\\',
+        };
+        dots.line(at, at, Pen::solid(style, stamp));
+    }
+}
+
+/// A row of slashes one cell from the surface of the ground, at its right-hand side.
+fn hatch(from: (f64, f64), to: (f64, f64), look: &Look, dots: &mut Dots) {
+    let (across, down) = (to.0 - from.0, to.1 - from.1);
+    let longer = across.abs().max(down.abs());
+    if longer > 0.0 {
+        let beside = |at: (f64, f64)| ((at.0).round() - down / longer, (at.1).round() + across / longer);
+        dots.line(beside(from), beside(to), Pen::solid(look.ink(Ink::Faint), '/'));
+    }
+}
+
+/// True for a circle too small for its outline to be seen as one.
+fn is_small(points: &[(f64, f64)]) -> bool {
+    let size = |of: fn(&(f64, f64)) -> f64| {
+        let least = points.iter().map(of).fold(f64::INFINITY, f64::min);
+        points.iter().map(of).fold(f64::NEG_INFINITY, f64::max) - least
+    };
+    size(|at| at.0) < 2.5 && size(|at| at.1) < 1.25
+}
+
+fn middle(points: &[(f64, f64)]) -> (f64, f64) {
+    let sum = points.iter().fold((0.0, 0.0), |sum, at| (sum.0 + at.0, sum.1 + at.1));
+    (sum.0 / points.len().max(1) as f64, sum.1 / points.len().max(1) as f64)
+}
+
+/// The character that runs along a line of cells. A cell is twice as high as wide.
+fn stamp(from: (f64, f64), to: (f64, f64)) -> char {
+    let (across, down) = (to.0 - from.0, to.1 - from.1);
+    if across.abs() > 2.5 * down.abs() {
+        '-'
+    } else if down.abs() > 2.5 * across.abs() {
+        '|'
+    } else if across * down > 0.0 {
+        '\\'
+    } else {
+        '/'
+    }
+}
+
+fn head_stamp(from: (f64, f64), to: (f64, f64)) -> char {
+    let (across, down) = (to.0 - from.0, to.1 - from.1);
+    match (across.abs() > 2.0 * down.abs(), across > 0.0, down > 0.0) {
+        (true, true, _) => '>',
+        (true, false, _) => '<',
+        (false, _, true) => 'v',
+        (false, _, false) => '^',
+    }
+}
+
+/// From the metres of a drawing to dots.
+struct Fit {
+    middle: Point,
+    /// The dot in the middle.
+    centre: (f64, f64),
+    /// Dots to a metre, across and down.
+    scale: (f64, f64),
+}
+
+impl Fit {
+    /// The largest scale with a cell of margin, and room for the words at the sides.
+    fn of(bounds: &Box2, labels: &[(Point, String)], dots: &Dots, area: Rect) -> Self {
+        let bare = Self::within(bounds, dots, (1.0, 1.0));
+        let (across, _) = dots.per_cell();
+        let cells = |at: Point| bare.dot(at).0 / f64::from(across);
+        // Words stand right of their point if they can.
+        let beyond = labels
+            .iter()
+            .map(|(at, text)| cells(*at) + 3.0 + text.width() as f64 - f64::from(area.width))
+            .fold(0.0, f64::max);
+        let most = f64::from(area.width) / 4.0;
+        let mut fit = Self::within(bounds, dots, (1.0, 1.0 + beyond.min(most)));
+        // What there is to spare goes to both sides.
+        let (width, _) = dots.size();
+        let right = fit.dot((bounds.right, bounds.top)).0 + beyond.min(most) * f64::from(across);
+        let left = fit.dot((bounds.left, bounds.top)).0;
+        fit.centre.0 += (f64::from(width) - 1.0 - right - left) / 2.0;
+        fit
+    }
+
+    /// The largest scale that leaves so many cells free at the left and at the right.
+    fn within(bounds: &Box2, dots: &Dots, (left, right): (f64, f64)) -> Self {
+        let (across, down) = dots.per_cell();
+        let (across, down) = (f64::from(across), f64::from(down));
+        let (width, height) = (f64::from(dots.size().0), f64::from(dots.size().1));
+        let room_across = (width - 1.0 - (left + right) * across).max(1.0);
+        let room_down = (height - 1.0 - down.min(height / 4.0)).max(1.0);
+        // In widths of a cell to a metre; a cell is twice as high as wide.
+        let scale = (room_across / across / bounds.width()).min(2.0 * room_down / down / bounds.height());
+        Self {
+            middle: (f64::midpoint(bounds.left, bounds.right), f64::midpoint(bounds.bottom, bounds.top)),
+            centre: (f64::midpoint(left * across, width - 1.0 - right * across), (height - 1.0) / 2.0),
+            scale: (scale * across, scale * down / 2.0),
+        }
+    }
+
+    fn dot(&self, (x, y): Point) -> (f64, f64) {
+        let (across, up) = (x - self.middle.0, y - self.middle.1);
+        (self.centre.0 + across * self.scale.0, self.centre.1 - up * self.scale.1)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,353 @@
+//! Curves over an axis, in the cells of a terminal.
+
+pub(crate) mod dots;
+mod frame;
+pub(crate) mod labels;
+mod rows;
+mod state;
+
+use dalembert_core::{Locale, Plot, Series};
+use dalembert_report::figure::axes::Axes;
+use ratatui::{
+    buffer::Buffer,
+    layout::Rect,
+    style::{Modifier, Style},
+};
+use unicode_width::UnicodeWidthStr;
+
+use self::{
+    dots::{Dots, Pen, over},
+    frame::{Frame, Setting},
+    labels::Labels,
+};
+use crate::look::{Glyph, Look};
+
+pub use self::state::State;
+pub use dalembert_terminal::glyphs::PlotMarker as Marker;
+
+/// Reading of the cursor: `speed = 1500 rpm   X = 4.62 mm`, with `≈` between two computed points, and the marks it
+/// stands on. `None` without a cursor.
+pub fn readout(plot: &Plot, state: &State, locale: &Locale) -> Option<String> {
+    Some(Axes::seen(plot, None, &state.view)?.readout(state.cursor?, locale).join("   "))
+}
+
+/// Draws a plot, over the faint curves of one that is pinned; any size will do. What there is no room for is left out
+/// in this order: titles, names of curves and axes, ticks, axes; the curves last.
+pub fn render(
+    plot: &Plot,
+    pinned: Option<&Plot>,
+    state: &State,
+    look: &Look,
+    locale: &Locale,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let area = area.intersection(buffer.area);
+    if area.is_empty() {
+        return;
+    }
+    let locale = locale.ascii(look.ascii);
+    let marker = if look.ascii { Marker::Ascii } else { state.marker };
+    let Some(mut axes) = Axes::seen(plot, pinned, &state.view) else {
+        let words = dalembert_core::Text::new("nothing to draw").render(&locale);
+        let words = look.shortened(&words, area.width.into());
+        let x = area.x + (area.width - words.width() as u16) / 2;
+        buffer.set_string(x, area.y + area.height / 2, words, look.dim());
+        return;
+    };
+    let frame = Frame::of(&axes, state, Setting { area, marker, look, locale: &locale });
+    frame.draw(look, buffer);
+    let zero = axes.y.passes_zero();
+    axes.y.span = frame.up;
+    let canvas = Canvas { axes: &axes, area: frame.canvas, marker, look, zero };
+    canvas.draw(state, &locale, buffer);
+}
+
+/// The part of the axis at a column of the screen, from 0 to 1, and the cells of the whole of it.
+pub fn place_at(
+    plot: &Plot,
+    state: &State,
+    look: &Look,
+    locale: &Locale,
+    area: Rect,
+    column: u16,
+) -> Option<(f64, u16)> {
+    let locale = locale.ascii(look.ascii);
+    let marker = if look.ascii { Marker::Ascii } else { state.marker };
+    let axes = Axes::seen(plot, None, &state.view)?;
+    let canvas = Frame::of(&axes, state, Setting { area, marker, look, locale: &locale }).canvas;
+    let inside = f64::from(column) + 0.5 - f64::from(canvas.x);
+    (canvas.width > 0).then(|| (inside / f64::from(canvas.width), canvas.width))
+}
+
+/// The pen of the curve of that place: a colour of its own, or, where there are no more, signs on it.
+pub(crate) fn pen(n: usize, marker: Marker, look: &Look) -> Pen {
+    let colored = n < look.curves();
+    let stamp = match marker {
+        Marker::Ascii => point(n, true),
+        _ if colored => '•',
+        _ => point(n, false),
+    };
+    let finer = matches!(marker, Marker::Braille | Marker::HalfBlock);
+    // Not at the same place on every curve: some begin at one point.
+    let mark = (finer && !colored).then(|| (point(n, false), 3 + 5 * (n as u32 % 4)));
+    Pen { mark, curve: Some(n), ..Pen::solid(look.series(n), stamp) }
+}
+
+/// The pen of the curves of a pinned plot.
+pub(crate) fn pinned_pen(look: &Look) -> Pen {
+    // Without colours gaps alone tell it from the present curve.
+    let dash = if look.curves() == 0 { (1, 3) } else { (2, 1) };
+    Pen { dash, ..Pen::solid(look.dim(), if look.ascii { '.' } else { '·' }) }
+}
+
+/// Sign of a separate point of that curve.
+pub(crate) fn point(n: usize, ascii: bool) -> char {
+    const UNICODE: [char; 8] = ['•', '◆', '▲', '■', '○', '◇', '△', '□'];
+    const ASCII: [char; 8] = ['*', '+', 'x', 'o', '#', '%', '&', '$'];
+    if ascii { ASCII[n % ASCII.len()] } else { UNICODE[n % UNICODE.len()] }
+}
+
+/// Shade of permitted and of forbidden ranges: no sign of the grid or of a curve.
+pub(crate) fn shade(permitted: bool, look: &Look) -> (char, Style) {
+    let (unicode, ascii, style) =
+        if permitted { ('░', '=', look.good()) } else { ('╱', '/', look.error()) };
+    (if look.ascii { ascii } else { unicode }, style.remove_modifier(Modifier::BOLD))
+}
+
+/// The inside of the axes.
+struct Canvas<'a> {
+    axes: &'a Axes<'a>,
+    area: Rect,
+    marker: Marker,
+    look: &'a Look,
+    /// True where zero lies among the values.
+    zero: bool,
+}
+
+impl Canvas<'_> {
+    fn draw(&self, state: &State, locale: &Locale, buffer: &mut Buffer) {
+        if self.area.is_empty() {
+            return;
+        }
+        let (plot, look) = (self.axes.plot, self.look);
+        let mut labels = Labels::new(self.area);
+        self.bands(buffer);
+        let mut dots = Dots::new(self.area, self.marker);
+        self.levels(&mut dots);
+        let faint = pinned_pen(look);
+        for series in self.axes.pinned.iter().flat_map(|pinned| &pinned.series) {
+            if series.joined {
+                self.curve(series, faint, &mut dots);
+            } else {
+                for at in &series.points {
+                    if let Some(dot) = self.dot(&dots, *at) {
+                        dots.line(dot, dot, faint);
+                    }
+                }
+            }
+        }
+        for (n, series) in plot.series.iter().enumerate().filter(|(_, series)| series.joined) {
+            self.curve(series, pen(n, self.marker, look), &mut dots);
+        }
+        dots.draw(buffer);
+        for (n, series) in plot.series.iter().enumerate().filter(|(_, series)| !series.joined) {
+            for cell in series.points.iter().filter_map(|at| self.cell(&dots, *at)) {
+                over(buffer, cell, point(n, look.ascii), look.series(n));
+            }
+        }
+        self.cursor(state, &dots, &mut labels, buffer);
+        let style = Style::new().add_modifier(Modifier::BOLD);
+        for mark in &plot.marks {
+            if let Some(cell) = self.cell(&dots, mark.at) {
+                over(buffer, cell, if look.ascii { '@' } else { '●' }, style);
+                labels.reserve(cell);
+            }
+        }
+        let free = |x, y| dots.is_free(x, y);
+        for mark in &plot.marks {
+            if let Some(cell) = self.cell(&dots, mark.at) {
+                let words = look.shortened(&mark.label.render(locale), self.area.width.into());
+                labels.beside(&words, style, cell, free);
+            }
+        }
+        self.level_labels(&dots, locale, &mut labels);
+        self.band_labels(&dots, locale, &mut labels);
+        labels.draw(buffer);
+    }
+
+    /// The dot of a point, for any finite point the scales can show.
+    fn dot(&self, dots: &Dots, (x, y): (f64, f64)) -> Option<(f64, f64)> {
+        let (across, down) = dots.size();
+        let (x, y) = (self.axes.x.of(x)?, self.axes.y.of(y)?);
+        Some((x * (f64::from(across) - 1.0), (1.0 - y) * (f64::from(down) - 1.0)))
+    }
+
+    /// The cell of a point inside the axes.
+    fn cell(&self, dots: &Dots, at: (f64, f64)) -> Option<(u16, u16)> {
+        let near = -1e-9..=1.0 + 1e-9;
+        let inside = near.contains(&self.axes.x.of(at.0)?) && near.contains(&self.axes.y.of(at.1)?);
+        self.dot(dots, at).filter(|_| inside).map(|dot| dots.cell_of(dot))
+    }
+
+    /// Points of one column of dots are drawn as their first, least, largest and last: no peak is lost, and a
+    /// million points cost what they must.
+    fn curve(&self, series: &Series, pen: Pen, dots: &mut Dots) {
+        struct Column {
+            at: f64,
+            least: f64,
+            largest: f64,
+            last: (f64, f64),
+        }
+        let mut column: Option<Column> = None;
+        for point in &series.points {
+            let Some(dot) = self.dot(dots, *point) else {
+                if let Some(column) = column.take() {
+                    dots.line((column.at, column.least), (column.at, column.largest), pen);
+                }
+                dots.lift();
+                continue;
+            };
+            match &mut column {
+                Some(column) if column.at == dot.0.round() => {
+                    column.least = column.least.min(dot.1);
+                    column.largest = column.largest.max(dot.1);
+                    column.last = dot;
+                }
+                _ => {
+                    let from = column.take().map(|column| {
+                        if column.least < column.largest {
+                            dots.line((column.at, column.least), (column.at, column.largest), pen);
+                        }
+                        column.last
+                    });
+                    dots.line(from.unwrap_or(dot), dot, pen);
+                    column = Some(Column { at: dot.0.round(), least: dot.1, largest: dot.1, last: dot });
+                }
+            }
+        }
+        if let Some(column) = column {
+            dots.line((column.at, column.least), (column.at, column.largest), pen);
+        }
+        dots.lift();
+    }
+
+    fn levels(&self, dots: &mut Dots) {
+        let right = f64::from(dots.size().0) - 1.0;
+        let mut level = |y: f64, pen: Pen| {
+            if let Some(place) = self.axes.y.of(y).filter(|place| (0.0..=1.0).contains(place)) {
+                let y = (1.0 - place) * (f64::from(dots.size().1) - 1.0);
+                dots.lift();
+                dots.line((0.0, y), (right, y), pen);
+            }
+        };
+        let stamp = if self.look.ascii { '-' } else { '╌' };
+        let across = dots::per_cell(self.marker).0.into();
+        if self.zero {
+            level(0.0, Pen { dash: (1, 2 * across - 1), ..Pen::solid(self.look.dim(), stamp) });
+        }
+        for limit in &self.axes.plot.levels {
+            level(limit.y, Pen { dash: (2 * across, across), ..Pen::solid(self.look.warning(), stamp) });
+        }
+    }
+
+    /// The name of each level at its right end; at the edge, with an arrow and its value, where it lies beyond.
+    fn level_labels(&self, dots: &Dots, locale: &Locale, labels: &mut Labels) {
+        for level in &self.axes.plot.levels {
+            let Some(place) = self.axes.y.of(level.y) else { continue };
+            let words = level.label.render(locale);
+            let beyond = |glyph| {
+                format!("{} {words}: {}", self.look.glyph(glyph), self.axes.y.write(level.y, locale.style))
+            };
+            let (words, rows): (String, &[i32]) = match place {
+                ..0.0 => (beyond(Glyph::Down), &[0, -1, -2]),
+                0.0..=1.0 => (words, &[-1, 1, 0]),
+                _ => (beyond(Glyph::Up), &[0, 1, 2]),
+            };
+            let words = self.look.shortened(&words, self.area.width.into());
+            let down = (1.0 - place.clamp(0.0, 1.0)) * (f64::from(dots.size().1) - 1.0);
+            let row = i32::from(dots.cell_of((0.0, down)).1);
+            let right = i32::from(self.area.right()) - words.width() as i32;
+            let left = i32::from(self.area.x);
+            let places = rows.iter().flat_map(|up| [right, left].map(|x| (x, row + up)));
+            labels.put(&words, self.look.warning(), places, |_| 0, |x, y| dots.is_free(x, y));
+        }
+    }
+
+    /// The columns of a band inside the axes.
+    fn columns(&self, from: f64, to: f64) -> Option<(u16, u16)> {
+        let end = |at: f64| match at {
+            f64::INFINITY => Some(1.0),
+            // An end that a logarithmic axis cannot show lies at or below zero: left of it.
+            _ if at == f64::NEG_INFINITY || (!at.is_nan() && self.axes.x.of(at).is_none()) => Some(0.0),
+            _ => self.axes.x.of(at),
+        };
+        let (from, to) = (end(from)?, end(to)?);
+        let (from, to) = (from.min(to), from.max(to));
+        if to < 0.0 || from > 1.0 {
+            return None;
+        }
+        let last = f64::from(self.area.width) - 1.0;
+        let column = |place: f64| (place.clamp(0.0, 1.0) * last).round() as u16;
+        Some((column(from), column(to)))
+    }
+
+    /// Forbidden ranges are hatched, permitted ones have a bar at the top and at the bottom.
+    fn bands(&self, buffer: &mut Buffer) {
+        let look = self.look;
+        for band in &self.axes.plot.bands {
+            let Some((first, last)) = self.columns(band.from, band.to) else { continue };
+            let (shade, style) = shade(band.permitted, look);
+            let style = style.add_modifier(Modifier::DIM);
+            for row in 0..self.area.height {
+                for column in first..=last {
+                    let drawn = if band.permitted {
+                        row == 0 || row + 1 == self.area.height
+                    } else {
+                        (column + row) % 3 == 0
+                    };
+                    if drawn {
+                        buffer[(self.area.x + column, self.area.y + row)].set_char(shade).set_style(style);
+                    }
+                }
+            }
+        }
+    }
+
+    fn band_labels(&self, dots: &Dots, locale: &Locale, labels: &mut Labels) {
+        for band in &self.axes.plot.bands {
+            let Some((first, last)) = self.columns(band.from, band.to) else { continue };
+            let style = if band.permitted { self.look.good() } else { self.look.error() };
+            let words = self.look.shortened(&band.label.render(locale), self.area.width.into());
+            let middle = (i32::from(first) + i32::from(last) + 1 - words.width() as i32) / 2;
+            // The name of a narrow band reaches beyond it, but not beyond the axes.
+            let most = i32::from(self.area.width) - words.width() as i32;
+            let x = i32::from(self.area.x) + middle.clamp(0, most.max(0));
+            let rows = (0..4).chain([i32::from(self.area.height) - 1]);
+            let places = rows.map(|row| (x, i32::from(self.area.y) + row));
+            labels.put(&words, style, places, |_| 0, |x, y| dots.is_free(x, y));
+        }
+    }
+
+    /// A line down the plot, with a point on every curve it reads.
+    fn cursor(&self, state: &State, dots: &Dots, labels: &mut Labels, buffer: &mut Buffer) {
+        let Some(cursor) = state.cursor.and_then(|cursor| self.axes.within(cursor)) else { return };
+        let Some(place) = self.axes.x.of(cursor) else { return };
+        let (x, _) = dots.cell_of((place * (f64::from(dots.size().0) - 1.0), 0.0));
+        let style = Style::new().add_modifier(Modifier::BOLD);
+        for y in (self.area.y..self.area.bottom()).filter(|y| dots.is_free(x, *y)) {
+            over(buffer, (x, y), if self.look.ascii { '|' } else { '│' }, style);
+        }
+        for (n, series) in self.axes.plot.series.iter().enumerate() {
+            let Some(reading) = self.axes.read(series, cursor) else { continue };
+            if let Some(cell) = self.cell(dots, (cursor, reading.y)) {
+                let symbol = if self.look.ascii { 'O' } else { point(n, false) };
+                over(buffer, cell, symbol, self.look.series(n).add_modifier(Modifier::BOLD));
+                labels.reserve(cell);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

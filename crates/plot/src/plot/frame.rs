@@ -1,0 +1,324 @@
+//! Surroundings of the curves: titles, legend, axes, ticks, the reading of the cursor.
+
+use dalembert_core::{Locale, Text};
+use dalembert_report::figure::{
+    axes::Axes,
+    ticks::{Span, Ticks},
+};
+use ratatui::{buffer::Buffer, layout::Rect, style::Style};
+use unicode_width::UnicodeWidthStr;
+
+use super::{
+    Marker, State,
+    dots::{Pen, per_cell},
+    pen, pinned_pen, point, rows, shade,
+};
+use crate::{look::Look, wrap};
+
+/// Words and ticks round a canvas, each at its place.
+pub(crate) struct Frame {
+    /// Area of the curves.
+    pub(crate) canvas: Rect,
+    /// Span of the vertical axis over the rows of the canvas: no less than the curves need.
+    pub(crate) up: Span,
+    words: Vec<(u16, u16, String, Style)>,
+    /// The cells of the axes: a column left of the canvas and a row below it, where there is room.
+    lines: Vec<(u16, u16, &'static str)>,
+    /// Faint points where ticks of both axes meet.
+    grid: Vec<(u16, u16)>,
+}
+
+/// Number of rows for each part: none where there is no room.
+struct Rows {
+    title: u16,
+    head: u16,
+    legend: u16,
+    axis: u16,
+    labels: u16,
+    foot: u16,
+    readout: u16,
+}
+
+/// Area, marks, look and language of a plot.
+#[derive(Clone, Copy)]
+pub(crate) struct Setting<'a> {
+    pub(crate) area: Rect,
+    pub(crate) marker: Marker,
+    pub(crate) look: &'a Look,
+    pub(crate) locale: &'a Locale,
+}
+
+impl Frame {
+    pub(crate) fn of(axes: &Axes, state: &State, setting: Setting) -> Self {
+        let Setting { area, marker, look, locale } = setting;
+        let height = area.height;
+        let from = |least: u16| u16::from(height >= least);
+        let readout = state.cursor.map_or_else(Vec::new, |cursor| axes.readout(cursor, locale));
+        // The name of the axis and the legend share a row if they can. A low plot has no second one for shades: their
+        // names stand in them.
+        let rows_of = |rows: u16| rows::Rows { rows, dots: per_cell(marker).1 };
+        let head = axes.y.title(axes.y.span.ticks(3, locale.style).ten, locale);
+        let fits = |legend: &[Sample]| head.width() + 2 + legend_width(legend) <= area.width.into();
+        let mut legend = [curves(axes, marker, look, locale), shades(axes, look, locale)].concat();
+        if height < 14 && !fits(&legend) {
+            legend = curves(axes, marker, look, locale);
+        }
+        let beside = fits(&legend);
+        // A title that is too long goes on in a second row where there is room for one.
+        let title = axes.plot.title.render(locale);
+        let title = wrap::title(&title, area.width.into(), if height > 10 { 2 } else { 1 }, look);
+        let mut rows = Rows {
+            title: from(10) * title.len() as u16,
+            head: from(6),
+            legend: if legend.is_empty() || beside {
+                0
+            } else {
+                legend_rows(&legend, area).min(from(9) * height / 9)
+            },
+            axis: from(4),
+            labels: from(5),
+            foot: from(8),
+            readout: 0,
+        };
+        // All that the cursor reads, as long as the curves keep a third of the rows.
+        let others = rows.title + rows.head + rows.legend + rows.axis + rows.labels + rows.foot;
+        let spare = height.saturating_sub(others + (height / 3).max(2));
+        let readout = flow(&readout, area.width.into(), spare.max(1).into(), look);
+        rows.readout = if height >= 3 { readout.len() as u16 } else { 0 };
+        let above = rows.title + rows.head + rows.legend;
+        let below = rows.axis + rows.labels + rows.foot + rows.readout;
+        let inner = Rect { y: area.y + above, height: height.saturating_sub(above + below), ..area };
+        let (up, ticks) = rows_of(inner.height).ticked(axes.y.span, locale.style);
+        let gutter = ticks.ticks.iter().map(|tick| tick.label.width()).max().unwrap_or(0) as u16 + 1;
+        let gutter = if rows.axis > 0 && gutter + 8 <= area.width { gutter } else { 0 };
+        let canvas = Rect { x: area.x + gutter, width: area.width - gutter, ..inner };
+
+        let mut frame = Self { canvas, up, words: Vec::new(), lines: Vec::new(), grid: Vec::new() };
+        for (line, y) in title.into_iter().zip(area.y..area.y + rows.title) {
+            frame.words.push((area.x, y, line, look.title()));
+        }
+        if rows.head > 0 {
+            let y = area.y + rows.title;
+            let head = look.shortened(&axes.y.title(ticks.ten, locale), area.width.into());
+            let after = area.x + head.width() as u16 + 2;
+            frame.words.push((area.x, y, head, look.dim()));
+            match rows.legend {
+                0 if beside => frame.legend(&legend, area.right() - legend_width(&legend) as u16, y, setting),
+                0 => frame.legend(&legend, after, y, setting),
+                most => {
+                    let mut rest = &legend[..];
+                    for row in 1..=most {
+                        let here = if row == most { rest.len() } else { legend_row(rest, area) };
+                        frame.legend(&rest[..here], area.x, y + row, setting);
+                        rest = &rest[here..];
+                    }
+                }
+            }
+        }
+        let rows_of_ticks = frame.y_axis(&ticks, gutter, setting);
+        if rows.axis > 0 {
+            for x in frame.x_axis(axes, gutter, &rows, setting) {
+                frame.grid.extend(rows_of_ticks.iter().map(|y| (x, *y)));
+            }
+        }
+        for (n, line) in readout.into_iter().take(rows.readout.into()).enumerate() {
+            let y = area.bottom() - rows.readout + n as u16;
+            frame.words.push((area.x, y, line, look.answer()));
+        }
+        frame
+    }
+
+    pub(crate) fn draw(&self, look: &Look, buffer: &mut Buffer) {
+        for at in &self.grid {
+            buffer[*at].set_char(if look.ascii { '.' } else { '·' }).set_style(look.dim());
+        }
+        for (x, y, symbol) in &self.lines {
+            buffer[(*x, *y)].set_symbol(symbol).set_style(look.dim());
+        }
+        for (x, y, words, style) in &self.words {
+            buffer.set_string(*x, *y, words, *style);
+        }
+    }
+
+    /// The rows of its labelled ticks.
+    fn y_axis(&mut self, ticks: &Ticks, gutter: u16, setting: Setting) -> Vec<u16> {
+        let Setting { marker, look, .. } = setting;
+        let mut rows = Vec::new();
+        if gutter == 0 {
+            return rows;
+        }
+        let (canvas, x) = (self.canvas, self.canvas.x - 1);
+        let (line, minor, major) = if look.ascii { ("|", "|", "+") } else { ("│", "┤", "┤") };
+        self.lines.extend((canvas.y..canvas.bottom()).map(|y| (x, y, line)));
+        for tick in &ticks.ticks {
+            let Some(row) = self.up.place(tick.at).and_then(|place| row(canvas, marker, place)) else {
+                continue;
+            };
+            self.lines.push((x, row, if tick.label.is_empty() { minor } else { major }));
+            let start = x.saturating_sub(tick.label.width() as u16);
+            self.words.push((start, row, tick.label.clone(), look.dim()));
+            if !tick.label.is_empty() {
+                rows.push(row);
+            }
+        }
+        rows
+    }
+
+    /// The columns of its labelled ticks.
+    fn x_axis(&mut self, axes: &Axes, gutter: u16, rows: &Rows, setting: Setting) -> Vec<u16> {
+        let Setting { area, marker, look, locale } = setting;
+        let canvas = self.canvas;
+        let y = canvas.bottom();
+        let (corner, line, minor, major) =
+            if look.ascii { ("+", "-", "-", "+") } else { ("└", "─", "┴", "┬") };
+        if gutter > 0 {
+            self.lines.push((canvas.x - 1, y, corner));
+        }
+        self.lines.extend((canvas.x..canvas.right()).map(|x| (x, y, line)));
+        let place = |at: f64| axes.x.span.place(at).and_then(|place| column(canvas, marker, place));
+        // A label stands under its tick, or as near as the edges let it.
+        let start = |at: u16, width: u16| {
+            let last = area.right().saturating_sub(width).max(area.x);
+            at.saturating_sub(width / 2).clamp(area.x, last)
+        };
+        let fit = |ticks: &Ticks| {
+            let mut free = area.x;
+            ticks.ticks.iter().filter(|tick| !tick.label.is_empty()).all(|tick| {
+                let Some(at) = place(tick.at) else { return false };
+                let width = tick.label.width() as u16;
+                let (from, to) = (start(at, width), start(at, width) + width);
+                let fits = from >= free && to <= area.right() && (from..to).contains(&at);
+                free = to + 2;
+                fits
+            })
+        };
+        let most = usize::from(canvas.width / 6).clamp(2, 12);
+        let ticks = axes.x.span.ticks_that_fit(most, locale.style, fit);
+        for tick in &ticks.ticks {
+            let Some(x) = place(tick.at) else { continue };
+            self.lines.push((x, y, if tick.label.is_empty() { minor } else { major }));
+            if rows.labels > 0 && !tick.label.is_empty() {
+                let x = start(x, tick.label.width() as u16);
+                self.words.push((x, y + 1, tick.label.clone(), look.dim()));
+            }
+        }
+        let title = look.shortened(&axes.x.title(ticks.ten, locale), area.width.into());
+        let x = area.right() - title.width() as u16;
+        if rows.foot > 0 {
+            self.words.push((x, y + 2, title, look.dim()));
+        } else if title.width() + 2 <= canvas.width.into() {
+            self.words.push((x, y, title, look.dim()));
+        }
+        ticks.ticks.iter().filter(|tick| !tick.label.is_empty()).filter_map(|tick| place(tick.at)).collect()
+    }
+
+    fn legend(&mut self, legend: &[Sample], x: u16, y: u16, setting: Setting) {
+        let Setting { area, look, .. } = setting;
+        let mut x = x;
+        for (n, (sample, name, style)) in legend.iter().enumerate() {
+            let room = usize::from(area.right().saturating_sub(x));
+            let wanted = sample.width() + 1 + name.width();
+            let last = n + 1 == legend.len();
+            // A name that does not fit whole says that there are more.
+            if room < 3 || (room < wanted + if last { 0 } else { 2 } && room < sample.width() + 4) {
+                let more = look.glyph(crate::look::Glyph::Ellipsis).to_owned();
+                self.words.push((area.right() - 1, y, more, look.dim()));
+                return;
+            }
+            self.words.push((x, y, sample.clone(), *style));
+            let name = look.shortened(name, room - sample.width() - 1);
+            let next = x + (sample.width() + name.width()) as u16 + 3;
+            self.words.push((x + sample.width() as u16 + 1, y, name, Style::new()));
+            x = next;
+        }
+    }
+}
+
+/// The column of a place on the horizontal axis: that of its dots.
+fn column(canvas: Rect, marker: Marker, place: f64) -> Option<u16> {
+    cell(canvas.x, canvas.width, per_cell(marker).0, place)
+}
+
+/// The row of a place on the vertical axis.
+fn row(canvas: Rect, marker: Marker, place: f64) -> Option<u16> {
+    cell(canvas.y, canvas.height, per_cell(marker).1, 1.0 - place)
+}
+
+fn cell(first: u16, cells: u16, dots: u16, place: f64) -> Option<u16> {
+    let dot = (place * (f64::from(cells) * f64::from(dots) - 1.0)).round();
+    let inside = cells > 0 && (-1e-6..=1.0 + 1e-6).contains(&place);
+    inside.then(|| first + (dot.max(0.0) as u16 / dots).min(cells - 1))
+}
+
+/// An entry of a legend: what it explains, the explanation, and the style of the first.
+type Sample = (String, String, Style);
+
+fn legend_width(legend: &[Sample]) -> usize {
+    let width = legend.iter().map(|(sample, name, _)| sample.width() + name.width() + 3).sum::<usize>();
+    width.saturating_sub(2)
+}
+
+/// Number of entries that a row holds, one at least.
+fn legend_row(legend: &[Sample], area: Rect) -> usize {
+    (1..=legend.len()).take_while(|n| legend_width(&legend[..*n]) <= area.width.into()).last().unwrap_or(1)
+}
+
+/// In how many rows a legend is whole.
+fn legend_rows(legend: &[Sample], area: Rect) -> u16 {
+    let (mut rest, mut rows) = (legend, 0);
+    while !rest.is_empty() {
+        rest = &rest[legend_row(rest, area)..];
+        rows += 1;
+    }
+    rows
+}
+
+/// The curves by their names; empty where one curve needs no name.
+fn curves(axes: &Axes, marker: Marker, look: &Look, locale: &Locale) -> Vec<Sample> {
+    let series = &axes.plot.series;
+    if series.len() < 2 && axes.pinned.is_none() {
+        return Vec::new();
+    }
+    let pinned = axes.pinned.map(|_| {
+        let sample = if look.ascii { "." } else { "┄┄" };
+        (sample.into(), Text::new("before").render(locale), pinned_pen(look).style)
+    });
+    let sample = |n: usize, joined: bool| match (joined, pen(n, marker, look)) {
+        (false, _) => point(n, look.ascii).to_string(),
+        (true, Pen { mark: Some((mark, _)), .. }) => format!("─{mark}─"),
+        (true, Pen { stamp, .. }) if matches!(marker, Marker::Dot | Marker::Ascii) => stamp.to_string(),
+        (true, _) => "──".into(),
+    };
+    series
+        .iter()
+        .enumerate()
+        .map(|(n, series)| (sample(n, series.joined), series.label.render(locale), look.series(n)))
+        .chain(pinned)
+        .collect()
+}
+
+/// Meaning of the shades that there are: bands of one name by that name, others by being permitted or forbidden.
+fn shades(axes: &Axes, look: &Look, locale: &Locale) -> Vec<Sample> {
+    let meaning = |(permitted, words): (bool, &'static str)| {
+        let mut names =
+            axes.plot.bands.iter().filter(|band| band.permitted == permitted).map(|band| &band.label);
+        let first = names.next()?;
+        let words = if names.all(|name| name == first) { first.clone() } else { Text::new(words) };
+        let (shade, style) = shade(permitted, look);
+        Some((shade.to_string(), words.render(locale), style))
+    };
+    [(true, "permitted"), (false, "forbidden")].into_iter().filter_map(meaning).collect()
+}
+
+/// Parts side by side, in no more than `most` lines; the last says with an ellipsis that there are more.
+fn flow(parts: &[String], width: usize, most: usize, look: &Look) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for part in parts {
+        let full = lines.len() == most;
+        match lines.last_mut() {
+            Some(line) if full || line.width() + 3 + part.width() <= width => *line += &format!("   {part}"),
+            _ => lines.push(part.clone()),
+        }
+    }
+    lines.iter().map(|line| look.shortened(line, width)).collect()
+}

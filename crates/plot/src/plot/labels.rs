@@ -1,0 +1,132 @@
+//! Words beside points, none over another.
+
+use ratatui::{buffer::Buffer, layout::Rect, style::Style};
+use unicode_width::UnicodeWidthStr;
+
+/// The words that stand in an area.
+pub(crate) struct Labels {
+    area: Rect,
+    placed: Vec<(Rect, String, Style)>,
+}
+
+impl Labels {
+    /// None yet.
+    pub(crate) fn new(area: Rect) -> Self {
+        Self { area, placed: Vec::new() }
+    }
+
+    /// Words at one of `places` (of their first cell): the one where they cover fewest cells that are not `free` and
+    /// are least `far` (in cells that may be covered to be nearer), the first of several. Says whether there was one;
+    /// where a third of the words would cover something else, the words give way.
+    pub(crate) fn put(
+        &mut self,
+        words: &str,
+        style: Style,
+        places: impl IntoIterator<Item = (i32, i32)>,
+        far: impl Fn(&Rect) -> usize,
+        free: impl Fn(u16, u16) -> bool,
+    ) -> bool {
+        let width = u16::try_from(words.width()).unwrap_or(u16::MAX);
+        if width == 0 {
+            return true;
+        }
+        // The cells at both ends count too, so that words keep a distance where there is a choice.
+        let covered = |at: &Rect| (at.x.saturating_sub(1)..=at.right()).filter(|x| !free(*x, at.y)).count();
+        let best = places
+            .into_iter()
+            .filter_map(|place| self.rect(place, width))
+            .map(|at| (covered(&at), at))
+            .min_by_key(|(covered, at)| covered + far(at));
+        let Some((_, at)) = best.filter(|(covered, _)| 3 * covered <= usize::from(width) + 3) else {
+            return false;
+        };
+        // A blank at each end, so that words stand off from what is shaded.
+        let blank =
+            |x: u16| x >= self.area.x && x < self.area.right() && free(x, at.y) && !self.is_taken(x, at.y);
+        let (before, after) = (at.x > 0 && blank(at.x - 1), blank(at.right()));
+        let whole =
+            Rect { x: at.x - u16::from(before), width: width + u16::from(before) + u16::from(after), ..at };
+        let words = format!("{}{words}{}", if before { " " } else { "" }, if after { " " } else { "" });
+        self.placed.push((whole, words, style));
+        true
+    }
+
+    /// Words beside a point: right or left of it, above or below.
+    pub(crate) fn beside(
+        &mut self,
+        words: &str,
+        style: Style,
+        (x, y): (u16, u16),
+        free: impl Fn(u16, u16) -> bool,
+    ) -> bool {
+        let (x, y, width) = (i32::from(x), i32::from(y), words.width() as i32);
+        let (right, left, middle) = (x + 2, x - 1 - width, x - width / 2);
+        let places = [
+            (right, y),
+            (left, y),
+            (right, y - 1),
+            (left, y - 1),
+            (right, y + 1),
+            (left, y + 1),
+            (middle, y - 1),
+            (middle, y + 1),
+            (right, y - 2),
+            (left, y - 2),
+            (right, y + 2),
+            (left, y + 2),
+        ];
+        // Words two rows away may belong to anything: they stand there only to cover much less.
+        self.put(words, style, places, |at| if at.y.abs_diff(y as u16) > 1 { 3 } else { 0 }, free)
+    }
+
+    /// A sign of a few cells at a point or next to it, over whatever is drawn there but no words; nowhere if there are
+    /// words all round.
+    pub(crate) fn mark(
+        &mut self,
+        sign: &str,
+        style: Style,
+        (x, y): (u16, u16),
+        free: impl Fn(u16, u16) -> bool,
+    ) {
+        let (x, y, width) = (i32::from(x), i32::from(y), sign.width() as u16);
+        let near = [-1, 0, 1].into_iter().flat_map(|down| [0, 1, -1].map(|across| (x + across, y + down)));
+        let places = near.filter_map(|place| self.rect(place, width));
+        let at = places.min_by_key(|at| (at.x..at.right()).filter(|x| !free(*x, at.y)).count());
+        self.placed.extend(at.map(|at| (at, sign.to_owned(), style)));
+    }
+
+    /// The words and the cells they take.
+    pub(crate) fn placed(&self) -> Vec<(Rect, String)> {
+        let words = self.placed.iter().filter(|(_, words, _)| !words.is_empty());
+        words.map(|(at, words, _)| (*at, words.clone())).collect()
+    }
+
+    /// Keeps a cell free of words.
+    pub(crate) fn reserve(&mut self, (x, y): (u16, u16)) {
+        self.placed.push((Rect::new(x, y, 1, 1), String::new(), Style::new()));
+    }
+
+    /// Writes them.
+    pub(crate) fn draw(&self, buffer: &mut Buffer) {
+        for (at, words, style) in &self.placed {
+            // Letters are of one colour, whatever they stand on.
+            for x in at.x..at.x + words.width() as u16 {
+                buffer[(x, at.y)].reset();
+            }
+            buffer.set_string(at.x, at.y, words, *style);
+        }
+    }
+
+    fn is_taken(&self, x: u16, y: u16) -> bool {
+        self.placed.iter().any(|(other, ..)| other.contains((x, y).into()))
+    }
+
+    /// The cells of words of that width, where they lie inside the area and over no others.
+    fn rect(&self, (x, y): (i32, i32), width: u16) -> Option<Rect> {
+        let at = Rect::new(u16::try_from(x).ok()?, u16::try_from(y).ok()?, width, 1);
+        // A cell between words of one row keeps them apart.
+        let wide = Rect::new(at.x.saturating_sub(1), at.y, width.saturating_add(2), 1);
+        let inside = self.area.intersection(at) == at;
+        (inside && !self.placed.iter().any(|(other, ..)| other.intersects(wide))).then_some(at)
+    }
+}

@@ -1,0 +1,98 @@
+//! Problems of the catalogue: every case of every analysis with its solution.
+
+use std::{
+    num::NonZero,
+    ops::Bound,
+    sync::atomic::{AtomicUsize, Ordering},
+    thread,
+};
+
+use dalembert_core::{
+    AnswerValue, Entry, Number, Record, Solution, Stop,
+    cases::{self, Case},
+};
+
+/// A problem of the catalogue, and its solution.
+pub(crate) struct Problem {
+    /// Analysis and case.
+    pub(crate) name: String,
+    pub(crate) entry: &'static Entry,
+    pub(crate) record: Record,
+    pub(crate) solution: Solution,
+}
+
+/// The cases of an analysis.
+pub(crate) fn cases_of(entry: &Entry) -> Vec<Case> {
+    cases::cases(entry).unwrap_or_else(|err| panic!("{}: {err}", entry.about.id))
+}
+
+/// Every case with a solution.
+pub(crate) fn problems(entries: &[&'static Entry]) -> Vec<Problem> {
+    let mut all = Vec::new();
+    for_each_problem(entries, |problem| all.push(problem));
+    all
+}
+
+/// Visits every case with a solution, one after the other.
+pub(crate) fn for_each_problem(entries: &[&'static Entry], mut visit: impl FnMut(Problem)) {
+    assert!(!entries.is_empty(), "there is no analysis to examine");
+    for entry in entries {
+        for case in cases_of(entry) {
+            if case.refused.is_some() {
+                continue;
+            }
+            let name = format!("{}, {}", entry.about.id, case.name);
+            let record = case.record(entry).unwrap_or_else(|err| panic!("{name}: {err}"));
+            let solution = entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {err}"));
+            visit(Problem { name, entry, record, solution });
+        }
+    }
+}
+
+/// The solution of the first case of each analysis.
+pub(crate) fn first_solutions(
+    entries: &[&'static Entry],
+) -> impl Iterator<Item = (&'static Entry, Solution)> {
+    assert!(!entries.is_empty(), "there is no analysis to examine");
+    entries.iter().filter_map(|entry| {
+        let record = cases::first(entry)?.record(entry).ok()?;
+        Some((*entry, entry.solve(&record, &Stop::new()).ok()?))
+    })
+}
+
+/// Calls `work` with each item and its place, on all cores.
+pub(crate) fn on_all_cores<T: Sync>(items: &[T], work: impl Fn(usize, &T) + Sync) {
+    assert!(!items.is_empty(), "there is nothing to examine");
+    let next = AtomicUsize::new(0);
+    let workers = thread::available_parallelism().map_or(1, NonZero::get);
+    thread::scope(|scope| {
+        for _ in 0..workers {
+            scope.spawn(|| {
+                loop {
+                    let at = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(item) = items.get(at) else { break };
+                    work(at, item);
+                }
+            });
+        }
+    });
+}
+
+/// The numbers of an answer: of a vector its components, of a set the ends of its intervals.
+pub(crate) fn numbers(value: &AnswerValue) -> Vec<f64> {
+    match value {
+        AnswerValue::Number(Number::Scalar(x), _) => vec![*x],
+        AnswerValue::Number(Number::Vector(v), _) => v.to_vec(),
+        AnswerValue::List(numbers) => numbers.clone(),
+        AnswerValue::Set(set, _) => {
+            set.intervals().flat_map(|interval| [interval.lower, interval.upper]).filter_map(end).collect()
+        }
+    }
+}
+
+fn end(bound: Bound<f64>) -> Option<f64> {
+    match bound {
+        Bound::Included(x) | Bound::Excluded(x) => Some(x),
+        Bound::Unbounded => None,
+    }
+}
