@@ -5,7 +5,7 @@ use std::collections::HashSet;
 
 use dalembert_core::{Entry, registry};
 use dalembert_tests::person::Person;
-use dalembert_tui::{keys::Place, tab::Tab};
+use dalembert_tui::{keys::Place, pane::Column};
 use insta::assert_snapshot;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
@@ -103,14 +103,15 @@ fn a_word_is_whole_or_marked_as_cut() {
 }
 
 /// The tabs of text of an analysis, and its form beside each.
-fn texts(entry: &Entry, columns: u16, rows: u16) -> Vec<(Tab, String)> {
+fn texts(entry: &Entry, columns: u16, rows: u16) -> Vec<(&'static str, String)> {
     let mut person = Person::at(columns, rows).opens(entry.about.id);
     let mut shown = Vec::new();
     loop {
         let bench = person.model.bench.as_ref().expect("a problem is open");
-        let (tab, last) = (bench.tab, bench.tabs().last() == Some(&bench.tab));
-        if !tab.is_picture() {
-            shown.push((tab, person.sees()));
+        let (pane, last) = (bench.shown(), bench.tabs().last() == Some(&bench.tab));
+        let (name, column) = (pane.name(), pane.column());
+        if column != Column::Pictures {
+            shown.push((name, person.sees()));
         }
         if last {
             return shown;
@@ -136,23 +137,23 @@ fn keys_reach_every_tab_plot_and_drawing() {
         let mut person = Person::at(80, 24).opens(entry.about.id);
         let shown = |person: &Person| {
             let bench = person.model.bench.as_ref().expect("a problem is open");
-            (bench.tab, bench.plot, bench.drawing)
+            (bench.tab, bench.shown().name(), bench.shown().column(), bench.shown().shown())
         };
         let problem = person.model.bench.as_ref().expect("a problem is open");
         let tabs = problem.tabs();
-        let (plots, drawings) = (problem.plots().count(), problem.drawings().count());
+        let (plots, drawings) = (problem.problem.plots().count(), problem.problem.drawings().count());
         let (mut seen, mut plots_seen, mut drawings_seen) = (Vec::new(), HashSet::new(), HashSet::new());
         for _ in 0..tabs.len() {
-            let (tab, ..) = shown(&person);
+            let (tab, name, column, _) = shown(&person);
             seen.push(tab);
-            if tab.is_picture() {
+            if column == Column::Pictures {
                 person.types("<tab>");
                 for _ in 0..plots.max(drawings) {
-                    let (_, plot, drawing) = shown(&person);
-                    if tab == Tab::Plot {
-                        plots_seen.insert(plot)
+                    let (.., at) = shown(&person);
+                    if name == "Plot" {
+                        plots_seen.insert(at)
                     } else {
-                        drawings_seen.insert(drawing)
+                        drawings_seen.insert(at)
                     };
                     person.types("n");
                 }
@@ -218,7 +219,7 @@ fn no_key_is_unreported() {
         let mut person = Person::at(100, 30).opens(FAN);
         let before = person.types(typed).sees();
         let place = person.model.place();
-        places.insert(format!("{place:?}"));
+        places.insert(place.id());
         for key in &keys {
             if place.is_text() || begins(place, key.code) || person.model.keys.action(place, *key).is_some() {
                 continue;
@@ -227,7 +228,7 @@ fn no_key_is_unreported() {
             assert_eq!(before, after, "{key:?} does something in {place:?} that nothing tells");
         }
     }
-    for place in ["Form", "Pane", "Working", "Plot", "Drawing", "List", "Help", "Picker"] {
+    for place in ["inputs", "results", "working", "plot", "drawing", "choices", "help-page", "picker"] {
         assert!(places.contains(place), "{place} is not among {places:?}");
     }
 }

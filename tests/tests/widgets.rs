@@ -14,6 +14,7 @@ use dalembert_tui::{
     look::{Look, Theme},
     panes::{label_of, results, sources, table, working},
     plot::{self, Marker, State},
+    solver::CheckedCase,
 };
 use ratatui::{buffer::Buffer, layout::Rect, style::Color, text::Line};
 
@@ -481,10 +482,10 @@ fn a_refusal_is_said_in_words() {
 #[test]
 fn cases_are_shown_with_their_verdicts() {
     let (entry, _) = solved();
-    let cases: Vec<sources::CheckedCase> = cases::cases(entry)
+    let cases: Vec<CheckedCase> = cases::cases(entry)
         .unwrap()
         .into_iter()
-        .map(|case| sources::CheckedCase { verdicts: Some(case.verify(entry)), case })
+        .map(|case| CheckedCase { verdicts: Some(case.verify(entry)), case })
         .collect();
     let page = sources::lines(entry, &cases, Some(0), Some(&[]), &UNICODE, &Locale::english(), 90);
     let shown = text(&page.lines);
@@ -501,7 +502,7 @@ fn cases_are_shown_with_their_verdicts() {
             text(&page.lines)
         );
     }
-    let waiting = sources::CheckedCase { verdicts: None, ..cases[0].clone() };
+    let waiting = CheckedCase { verdicts: None, ..cases[0].clone() };
     let shown =
         text(&sources::lines(entry, &[waiting], None, Some(&[]), &UNICODE, &Locale::english(), 90).lines);
     assert!(shown.contains("not solved yet"));
@@ -611,7 +612,7 @@ fn verdicts_are_written_as_everything_else_is() {
     let case = cases::first(entry).unwrap();
     let mut verdicts = case.verify(entry).unwrap();
     (verdicts[0].printed, verdicts[0].ours) = ("-1.5e-3 m s^-1".into(), "−1.5004 m/s".into());
-    let judged = [sources::CheckedCase { verdicts: Some(Ok(verdicts)), case }];
+    let judged = [CheckedCase { verdicts: Some(Ok(verdicts)), case }];
     let shown = |look: &Look, locale: &Locale| {
         text(&sources::lines(entry, &judged, None, Some(&solution.answers), look, locale, 100).lines)
     };

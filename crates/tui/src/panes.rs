@@ -1,35 +1,69 @@
-//! What the panes of the bench say, as lines of text. Scrolling is their user's.
+//! The panes of what was found: one file each, and one line each in the list.
 
+mod answers;
 pub mod check;
 mod columns;
+pub mod drawing;
+pub mod plot;
+mod reasons;
 pub mod results;
 pub mod sensitivity;
 pub mod sources;
+mod steps;
 pub mod study;
 pub mod table;
 pub mod working;
 pub(crate) mod wrap;
 
-use dalembert_core::{Field, Locale, Shape, Text};
-use ratatui::text::Line;
+use dalembert_core::{Field, Locale, Shape, Text, is_within, vary};
+use dalembert_units::Unit;
+
+use crate::{
+    keys::{KeyMap, Place},
+    pane::{Pane, Tab, Ui},
+    problem::Problem,
+};
 
 dalembert_core::messages!("../locales/widgets.pt-BR.ftl");
 
-/// The lines of a pane, and at which of them its parts begin.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Page {
-    /// The lines, none wider than was asked for.
-    pub lines: Vec<Line<'static>>,
-    /// The first line of each step or case.
-    pub starts: Vec<usize>,
+/// Every pane, from left to right in the line of tabs.
+static PANES: [fn() -> Box<dyn Pane>; 9] = [
+    new::<results::Results>,
+    new::<working::Working>,
+    new::<plot::Plot>,
+    new::<drawing::Drawing>,
+    new::<table::Table>,
+    new::<check::Check>,
+    new::<sensitivity::Sensitivity>,
+    new::<study::Study>,
+    new::<sources::Sources>,
+];
+
+fn new<P: Pane + Default>() -> Box<dyn Pane> {
+    Box::<P>::default()
 }
 
-impl Page {
-    /// The part that a line belongs to. After the last part an empty line follows.
-    pub fn part_at(&self, line: usize) -> Option<usize> {
-        let part = self.starts.iter().rposition(|start| *start <= line)?;
-        let own = self.lines.get(self.starts[part]..=line)?;
-        own.iter().all(|line| line.width() > 0).then_some(part)
+/// Every pane, as a problem begins with it.
+pub fn all() -> Vec<Box<dyn Pane>> {
+    PANES.iter().map(|new| new()).collect()
+}
+
+/// Every tab, from left to right.
+pub fn tabs() -> impl Iterator<Item = Tab> {
+    (0..PANES.len()).map(Tab)
+}
+
+/// Every place where keys are typed, as the help and the settings list them.
+pub fn places() -> Vec<Place> {
+    let mut places = vec![Place::Picker, Place::Filter, Place::Form, Place::Edit, Place::Pane];
+    places.extend(all().iter().map(|pane| pane.place()).filter(|place| matches!(place, Place::Own(_))));
+    places.extend([Place::List, Place::Prompt, Place::Sheet, Place::Help, Place::Cells, Place::Cell]);
+    places
+}
+
+impl Default for KeyMap {
+    fn default() -> Self {
+        KeyMap::of(&places())
     }
 }
 
@@ -77,4 +111,20 @@ pub fn label_of(shape: &Shape, path: &str, locale: &Locale) -> Option<String> {
         (false, None) => Some(rows),
         (false, Some(label)) => Some(format!("{rows}, {label}")),
     }
+}
+
+/// In which unit a number is taken that is typed without one; `None` where there is no unit.
+pub(crate) fn about_number(unit: &Unit, ui: &Ui<'_>) -> Option<Text> {
+    let unit = unit.shown(ui.look.ascii);
+    (!unit.is_empty()).then(|| Text::new("default unit {unit}").with("unit", &unit))
+}
+
+/// Takes the input that a pane begins with when it is turned to: the one under the cursor of the form, or the first.
+/// Whether it is another than before.
+fn begun(begins: &mut String, problem: &Problem) -> bool {
+    let (Some(line), Some(record)) = (problem.inputs.form.line(), problem.record()) else { return false };
+    let inputs = vary::inputs(&record);
+    let here = inputs.iter().find(|input| is_within(&input.path, &line.path)).or(inputs.first());
+    let here = here.map_or_else(String::new, |input| input.path.clone());
+    std::mem::replace(begins, here.clone()) != here
 }
