@@ -170,7 +170,7 @@ impl Person {
 
     /// Turns the tabs until the one of this name is shown.
     pub fn turns_to(&mut self, tab: &str) -> &mut Self {
-        for _ in panes::tabs() {
+        for _ in panes::all() {
             if self.model.bench.as_ref().is_some_and(|bench| bench.shown().name() == tab) {
                 return self;
             }

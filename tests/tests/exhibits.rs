@@ -13,12 +13,7 @@ use dalembert_report::figure::{
     picture::{Part, WORDS},
 };
 use dalembert_tests::person::Person;
-use dalembert_tui::{
-    drawing,
-    glyphs::Colors,
-    look::Look,
-    panes::{drawing::Drawing, plot::Plot},
-};
+use dalembert_tui::{drawing, glyphs::Colors, look::Look, panes};
 use ratatui::{buffer::Buffer, layout::Rect};
 
 /// The solution of the first case of every analysis.
@@ -220,7 +215,7 @@ fn a_scene_in_space_is_turned_by_keys_and_keeps_its_side() {
     let mut person = Person::at(120, 40).opens("rigid-body/heavy-top");
     person.types("<tab>").turns_to("Drawing");
     person.types("<up><right>");
-    let view = |person: &Person| person.model.bench.as_ref()?.find::<Drawing>()?.view();
+    let view = |person: &Person| person.model.bench.as_ref()?.find::<panes::drawing::Drawing>()?.view();
     let turned = view(&person);
     person.types(".,<tab>+-<tab>");
     assert!(turned.is_some());
@@ -243,8 +238,10 @@ fn what_is_seen_is_exported() {
     let speeds: Vec<f64> =
         csv.lines().skip(1).filter_map(|line| line.split(',').nth(1)?.parse().ok()).collect();
     let bench = person.model.bench.as_ref().expect("a problem");
-    let (from, to) =
-        bench.find::<Plot>().and_then(|plot| plot.state().view.window).expect("a part of the axis");
+    let (from, to) = bench
+        .find::<panes::plot::Plot>()
+        .and_then(|plot| plot.state().view.window)
+        .expect("a part of the axis");
     let rpm = |si: f64| si * 30.0 / PI;
     assert!(speeds.iter().all(|speed| (rpm(from) - 1e-6..=rpm(to) + 1e-6).contains(speed)), "{csv}");
     assert!(csv.contains("at the cursor,1000,"), "{csv}");

@@ -1,12 +1,12 @@
 //! Every pane: how it looks, that keys reach it, that it cuts no word in silence, and that its keys are all reported.
 
-use itertools::Itertools as _;
-use std::collections::HashSet;
+use std::{collections::HashSet, fs, path::Path};
 
 use dalembert_core::{Entry, registry};
 use dalembert_tests::person::Person;
-use dalembert_tui::{keys::Place, pane::Column};
+use dalembert_tui::{keys::Place, pane::Column, panes};
 use insta::assert_snapshot;
+use itertools::Itertools as _;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 const FAN: &str = "vibration/rotating-unbalance";
@@ -230,5 +230,47 @@ fn no_key_is_unreported() {
     }
     for place in ["inputs", "results", "working", "plot", "drawing", "choices", "help-page", "picker"] {
         assert!(places.contains(place), "{place} is not among {places:?}");
+    }
+}
+
+/// A pane is one file and its `mod` line: no other file of the workbench names it.
+#[test]
+fn a_pane_is_named_in_its_own_file_alone() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/tui/src");
+    let mut files = Vec::new();
+    let mut folders = vec![source.clone()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() { folders.push(path) } else { files.push(path) }
+        }
+    }
+    let texts: Vec<(String, String)> = files
+        .into_iter()
+        .map(|path| {
+            let name = path.strip_prefix(&source).expect("within").display().to_string();
+            (name, fs::read_to_string(path).expect("a text"))
+        })
+        .collect();
+    let panes: Vec<&str> = texts
+        .iter()
+        .filter(|(_, text)| text.contains("register_pane!(") && !text.contains("macro_rules! register_pane"))
+        .filter_map(|(name, _)| name.strip_prefix("panes/")?.strip_suffix(".rs"))
+        .collect();
+    assert_eq!(panes.len(), panes::all().len(), "{panes:?}");
+    for pane in panes {
+        let own = [format!("panes/{pane}.rs"), format!("panes/{pane}/")];
+        let others = texts.iter().filter(|(name, _)| !own.iter().any(|own| name.starts_with(own)));
+        for (name, text) in others {
+            let siblings = text.split("use super::{").nth(1).and_then(|text| text.split("};").next());
+            let words = siblings.filter(|_| name.starts_with("panes/")).unwrap_or_default();
+            let is_named = text.contains(&format!("panes::{pane}::"))
+                || text.contains(&format!("super::{pane}::"))
+                || words.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == pane);
+            assert!(!is_named, "{name} names the pane {pane}");
+        }
+        let lines = texts.iter().find(|(name, _)| name == "panes.rs").map_or("", |(_, text)| text).lines();
+        let lines: Vec<&str> = lines.filter(|line| line.contains(pane) && !line.starts_with("//")).collect();
+        assert_eq!(lines, [format!("pub mod {pane};")], "a line for each pane");
     }
 }

@@ -496,7 +496,9 @@ fn rows_are_added_duplicated_moved_and_deleted() {
         .bench
         .as_ref()
         .unwrap()
-        .problem.inputs.form
+        .problem
+        .inputs
+        .form
         .lines()
         .iter()
         .find_map(|line| line.number.map(|_| line.path.clone()))
@@ -782,7 +784,8 @@ fn tables_are_edited_and_pasted() {
         .bench
         .as_ref()
         .unwrap()
-        .problem.cases
+        .problem
+        .cases
         .iter()
         .position(|judged| judged.case.name.contains("table of points"));
     for _ in 0..at.expect("there is a case with a table") {

@@ -12,7 +12,7 @@ use dalembert_tui::{
     drawing,
     glyphs::Colors,
     look::{Look, Theme},
-    panes::{label_of, results, sources, table, working},
+    panes::{label_of, reasons, results, sources, table, working},
     plot::{self, Marker, State},
     solver::CheckedCase,
 };
@@ -455,7 +455,7 @@ fn doubts_and_faults_are_not_passed_over() {
         place("! the speed is near") < place("✗ a second method  FAILED: a second method differs by 3×10⁻⁴")
     );
     assert!(place("✗ a second method") < place("✓"), "what failed comes first");
-    let stale = results::stale(
+    let stale = reasons::stale(
         results::lines(&solution, &UNICODE, &Locale::english(), 70),
         &UNICODE,
         &Locale::english(),
@@ -467,7 +467,7 @@ fn doubts_and_faults_are_not_passed_over() {
 #[test]
 fn a_refusal_is_said_in_words() {
     let error = SolveError::Refused(Refusal::NoAnswer("there is no steady state".into()));
-    let shown = text(&results::refusal(None, &error, &UNICODE, &Locale::english(), 40));
+    let shown = text(&reasons::refusal(None, &error, &UNICODE, &Locale::english(), 40));
     assert_eq!(shown, "No solution\n\nthere is no steady state");
     let (entry, _) = solved();
     let mut draft = cases::first(entry).unwrap().draft;
@@ -475,7 +475,7 @@ fn a_refusal_is_said_in_words() {
         fields.clear();
     }
     let Err(errors) = draft.read(&entry.shape()) else { panic!("an empty form was read") };
-    let shown = text(&results::refusal(None, &SolveError::Fields(errors), &UNICODE, &Locale::english(), 60));
+    let shown = text(&reasons::refusal(None, &SolveError::Fields(errors), &UNICODE, &Locale::english(), 60));
     assert!(shown.contains("✗ mass: "), "{shown}");
 }
 
@@ -601,7 +601,7 @@ fn fields_are_named_by_their_labels() {
     ];
     let shape = entry.shape();
     let error = SolveError::Fields(errors);
-    let shown = text(&results::refusal(Some(&shape), &error, &UNICODE, &Locale::english(), 60));
+    let shown = text(&reasons::refusal(Some(&shape), &error, &UNICODE, &Locale::english(), 60));
     assert!(shown.contains("✗ Mass of the machine: it must be positive"), "{shown}");
     assert!(shown.contains("✗ nowhere: it must be positive"), "{shown}");
 }
@@ -670,7 +670,7 @@ fn the_panes_speak_portuguese() {
         sides: Sides::Plain,
     });
     let shown =
-        text(&results::stale(results::lines(&solution, &UNICODE, &locale, 90), &UNICODE, &locale, 90));
+        text(&reasons::stale(results::lines(&solution, &UNICODE, &locale, 90), &UNICODE, &locale, 90));
     for words in [
         "! resultados dos dados anteriores, completos",
         "✗ Erro interno do programa",
@@ -679,7 +679,7 @@ fn the_panes_speak_portuguese() {
         assert!(shown.contains(words), "{words} in\n{shown}");
     }
     let error = SolveError::Refused(Refusal::NoAnswer("k".into()));
-    assert!(text(&results::refusal(None, &error, &UNICODE, &locale, 40)).starts_with("Sem solução"));
+    assert!(text(&reasons::refusal(None, &error, &UNICODE, &locale, 40)).starts_with("Sem solução"));
     let nothing = Plot::new("", Axis::linear("", ""), Axis::linear("", ""), Vec::new());
     assert!(drawn(&nothing, &State::default(), &UNICODE, &locale, (40, 5)).contains("nada a desenhar"));
     for words in [

@@ -15,7 +15,7 @@ pub enum Question {
     Slips {
         /// The analysis.
         entry: &'static Entry,
-        /// Its inputs.
+        /// The inputs.
         record: Record,
         /// Their solution.
         solution: Box<Solution>,
@@ -26,7 +26,7 @@ pub enum Question {
     Sensitivity {
         /// The analysis.
         entry: &'static Entry,
-        /// Its inputs.
+        /// The inputs.
         record: Record,
         /// The name of the answer.
         answer: String,
@@ -37,7 +37,7 @@ pub enum Question {
     Study {
         /// The analysis.
         entry: &'static Entry,
-        /// Its inputs.
+        /// The inputs.
         record: Record,
         /// What is asked.
         plan: Plan,

@@ -20,17 +20,17 @@ use crate::{
 pub struct Bench {
     /// The problem.
     pub problem: Problem,
-    /// Its panes, by the places of their tabs.
+    /// The panes, by the places of their tabs.
     pub panes: Vec<Box<dyn Pane>>,
     /// The first line that each shows.
     pub scroll: Vec<usize>,
     /// The pane that is shown.
     pub tab: Tab,
-    /// What the keys act on.
+    /// The part of the screen that the keys act on.
     pub focus: Focus,
-    /// Whether that has the whole screen.
+    /// True if that has the whole screen.
     pub expanded: bool,
-    /// What curves are drawn with.
+    /// The marker that curves are drawn with.
     pub marker: Marker,
     /// The cell of the shown pane that is being typed in.
     pub edit: Option<Input>,
@@ -55,6 +55,11 @@ impl Bench {
         }
     }
 
+    /// Every tab, from left to right.
+    pub fn all_tabs(&self) -> impl Iterator<Item = Tab> + use<> {
+        (0..self.panes.len()).map(Tab)
+    }
+
     /// A pane.
     pub fn pane(&self, tab: Tab) -> &dyn Pane {
         &*self.panes[tab.0]
@@ -67,7 +72,7 @@ impl Bench {
 
     /// The tab of a name.
     pub fn tab_named(&self, name: &str) -> Option<Tab> {
-        panes::tabs().find(|tab| self.pane(*tab).name() == name)
+        self.all_tabs().find(|tab| self.pane(*tab).name() == name)
     }
 
     /// A pane by its type.
@@ -77,15 +82,15 @@ impl Bench {
 
     /// The tabs of the panes that have something to show; the first and the last always do.
     pub fn tabs(&self) -> Vec<Tab> {
-        panes::tabs().filter(|tab| self.pane(*tab).is_useful(&self.problem)).collect()
+        self.all_tabs().filter(|tab| self.pane(*tab).is_useful(&self.problem)).collect()
     }
 
     /// The tabs of the panes that share or have a column, from top to bottom.
     pub fn in_column(&self, column: Column) -> Vec<Tab> {
-        panes::tabs().filter(|tab| self.pane(*tab).column() == column).collect()
+        self.all_tabs().filter(|tab| self.pane(*tab).column() == column).collect()
     }
 
-    /// Where keys are typed.
+    /// The place where keys are typed.
     pub fn place(&self) -> Place {
         match self.focus {
             Focus::Form if self.problem.inputs.form.edit.is_some() => Place::Edit,
@@ -105,7 +110,7 @@ impl Bench {
         let tab = match place {
             Place::Pane => self.tab,
             _ if has_place(&self.tab) => self.tab,
-            _ => panes::tabs().find(has_place).unwrap_or(self.tab),
+            _ => self.all_tabs().find(has_place).unwrap_or(self.tab),
         };
         let is_there = self.tabs().contains(&tab);
         if is_there {
@@ -119,7 +124,7 @@ impl Bench {
         self.panes[tab.0].cursor(&mut self.problem)
     }
 
-    /// Which of several pictures a pane shows, counted from 1, and how many there are; `None` of a single one.
+    /// The place of the picture that a pane shows, counted from 1, and their number; `None` of a single one.
     pub fn place_of_shown(&self, tab: Tab) -> Option<(usize, usize)> {
         let pane = self.pane(tab);
         let of = pane.pictures(&self.problem);
@@ -128,15 +133,15 @@ impl Bench {
 
     /// The pane with a picture that moves.
     pub fn animated(&self) -> Option<Tab> {
-        panes::tabs().find(|tab| self.pane(*tab).frames(&self.problem).0 > 1)
+        self.all_tabs().find(|tab| self.pane(*tab).frames(&self.problem).0 > 1)
     }
 
-    /// Whether a pane waits for its answer. One that has none and does not wait was stopped.
+    /// True if a pane waits for its answer. One that has none and does not wait was stopped.
     pub fn waits(&self, tab: Tab) -> bool {
         self.awaited.is_some_and(|(_, asked)| asked == tab)
     }
 
-    /// Whether a job is under way for it.
+    /// True if a job is under way for it.
     pub fn is_working(&self) -> bool {
         matches!(self.problem.found.state, State::Solving(_)) || self.awaited.is_some()
     }
@@ -156,7 +161,7 @@ impl Bench {
         }
     }
 
-    /// What it is called among others: its analysis, and its file or its title.
+    /// The name of the problem among others: its analysis, and its file or its title.
     pub fn name_among(&self, locale: &Locale) -> String {
         let title = Text::from(self.problem.entry.about.title).render(locale);
         let document = &self.problem.document;

@@ -12,7 +12,7 @@ use crate::{
     terminal::Fault,
 };
 
-/// What is to be done outside of the model.
+/// Something to be done outside of the model.
 #[derive(Debug)]
 pub enum Effect {
     /// Solve; [`Msg::Solved`](crate::Msg) tells the outcome.
@@ -29,14 +29,14 @@ pub enum Effect {
         path: PathBuf,
         /// What.
         text: String,
-        /// What must stand there now.
+        /// The condition: what must stand there now.
         before: Before,
     },
     /// Write files that belong together, the first under this condition; [`Msg::Exported`](crate::Msg).
     Export {
         /// Where, and what.
         files: Vec<(PathBuf, String)>,
-        /// What must stand there now.
+        /// The condition: what must stand there now.
         before: Before,
     },
     /// Read a file; [`Msg::Opened`](crate::Msg).
@@ -86,12 +86,12 @@ pub enum Effect {
 }
 
 impl Effect {
-    /// Whether it may wait for other keys that are there already: nothing that they lead to depends on it.
+    /// True if it may wait for other keys that are there already: nothing that they lead to depends on it.
     pub fn may_wait(&self) -> bool {
         matches!(self, Effect::Solve(_)) || self.keeps().is_some()
     }
 
-    /// Whether a newer effect makes it idle: of keys that waited together the last decides.
+    /// True if a newer effect makes it idle: of keys that waited together the last decides.
     pub fn is_idle_after(&self, newer: &Effect) -> bool {
         let solves = |effect: &Effect| matches!(effect, Effect::Solve(_));
         solves(self) && solves(newer) || self.keeps().is_some() && self.keeps() == newer.keeps()

@@ -328,7 +328,7 @@ pub(crate) fn shown(path: &Path) -> String {
     filter_untrusted(&path.to_string_lossy()).replace('\n', "\u{FFFD}")
 }
 
-/// What is wrong with the text of a problem, each with its line.
+/// Lists the faults of the text of a problem, each with its line.
 pub(crate) fn faults(text: &str, errors: &[file::FileError], locale: &Locale) -> Vec<String> {
     let line = |span: &Option<std::ops::Range<usize>>| {
         let at = span.as_ref()?.start.min(text.len());

@@ -19,14 +19,14 @@ use crate::{
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tab(pub usize);
 
-/// What is to be done next.
+/// Something to be done next.
 #[derive(Debug)]
 pub enum Intent {
-    /// The user is told something.
+    /// A message to the user.
     Say(Text),
-    /// The user is told that something went wrong.
+    /// A message to the user: something went wrong.
     Complain(Text),
-    /// The user is told that nothing is saved.
+    /// A message to the user: nothing is saved.
     Refuse,
     /// A dialog lies over the screen.
     Show(Dialog),
@@ -41,7 +41,7 @@ pub enum Intent {
     Keep,
     /// The cursor goes to the input at a path, or to the innermost part of it that has a line.
     GoToInput(String),
-    /// What is typed in a table is taken: its text, or the file that it names.
+    /// The text of a table is taken, or the file that it names.
     TakeTable(String, String),
     /// A file is read into the table under the cursor.
     Import(String),
@@ -92,7 +92,7 @@ pub enum Intent {
     Overwrite(PathBuf),
     /// A file is asked for: to save in, or to export to.
     AskPath(Purpose),
-    /// What is exported is written.
+    /// An export is written.
     Export(Purpose, PathBuf, Before),
     /// A file was read: it becomes a problem.
     Opened(PathBuf, Opened),
@@ -112,12 +112,12 @@ pub enum Intent {
 }
 
 impl Intent {
-    /// The user is told something.
+    /// A message to the user.
     pub fn say(text: impl Into<Text>) -> Vec<Self> {
         vec![Self::Say(text.into())]
     }
 
-    /// The user is told that something went wrong.
+    /// A message to the user: something went wrong.
     pub fn complain(text: impl Into<Text>) -> Vec<Self> {
         vec![Self::Complain(text.into())]
     }

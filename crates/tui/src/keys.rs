@@ -178,7 +178,7 @@ pub struct PaneKeys {
     pub id: &'static str,
     /// The name of its place in the help.
     pub name: &'static str,
-    /// Its table.
+    /// The table.
     pub table: Table,
 }
 

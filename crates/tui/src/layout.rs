@@ -13,13 +13,13 @@ const ROOMY_PLOT: u16 = 18;
 /// Columns of the narrowest column of inputs.
 const FORM: u16 = 38;
 
-/// What the keys act on.
+/// The part of the screen that the keys act on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Focus {
     /// The inputs.
     #[default]
     Form,
-    /// What was found.
+    /// The panes.
     Pane,
 }
 

@@ -63,15 +63,15 @@ pub struct Model {
     pub look: Look,
     /// What curves are drawn with, unless the user chose another.
     pub marker: Marker,
-    /// What keys mean.
+    /// The meaning of keys.
     pub keys: KeyMap,
     /// The decimal mark that the user wants in every language.
     pub decimal: Option<Decimal>,
-    /// Whether the mouse is taken.
+    /// True if the mouse is taken.
     pub mouse: bool,
     /// The column that a plot is held at by the mouse.
     pub held: Option<u16>,
-    /// Whether animations move.
+    /// True if animations move.
     pub playing: bool,
     /// How many times as fast as they are made.
     pub animation_speed: f64,
@@ -81,7 +81,7 @@ pub struct Model {
     pub readonly: bool,
     /// A session is played: it is asked what it was asked when it was recorded, though nothing is saved.
     pub played: bool,
-    /// Whether `:fault` is a command.
+    /// True if `:fault` is a command.
     pub faults: bool,
     /// What waits for a save to be done.
     pub after_save: After,
@@ -108,7 +108,7 @@ pub struct Notice {
     pub text: Text,
     /// What a program said, on a line of its own; may be empty.
     pub detail: String,
-    /// Whether something went wrong.
+    /// True if something went wrong.
     pub wrong: bool,
 }
 
@@ -152,7 +152,7 @@ pub enum Msg {
     Exported {
         /// Where.
         path: PathBuf,
-        /// Whether it was.
+        /// True if it was.
         result: Result<(), FileError>,
     },
     /// A file was read, or not.
@@ -398,7 +398,7 @@ impl Model {
     }
 }
 
-/// Whether a problem is closed where there is no room for another.
+/// True if a problem is closed where there is no room for another.
 pub(crate) fn gives_way(bench: &Bench) -> bool {
     let problem = &bench.problem;
     !problem.is_unsaved() && problem.document.file.is_none() && problem.found.pinned.is_none()

@@ -21,6 +21,28 @@ use crate::{
     text::draw_lines,
 };
 
+/// A pane in the registry of all.
+#[derive(Clone, Copy, Debug)]
+pub struct PaneEntry {
+    /// The order of its tab: it stands to the right of those of a smaller number.
+    pub order: u16,
+    /// The pane, as a problem begins with it.
+    pub new: fn() -> Box<dyn Pane>,
+}
+
+dalembert_core::inventory::collect!(PaneEntry);
+
+/// Registers a pane: its type, which has a default, and the order of its tab.
+macro_rules! register_pane {
+    ($pane:ty, $order:expr) => {
+        dalembert_core::inventory::submit! {
+            $crate::pane::PaneEntry { order: $order, new: || Box::new(<$pane>::default()) }
+        }
+    };
+}
+
+pub(crate) use register_pane;
+
 /// The part of a wide screen that a pane takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Column {
@@ -48,25 +70,25 @@ pub struct Ui<'a> {
     pub look: &'a Look,
     /// The language.
     pub locale: &'a Locale,
-    /// What keys mean.
+    /// The meaning of keys.
     pub keys: &'a KeyMap,
-    /// Whether animations move.
+    /// True if animations move.
     pub playing: bool,
-    /// What curves are drawn with.
+    /// The marker that curves are drawn with.
     pub marker: Marker,
-    /// Whether the keys act on the pane.
+    /// True if the keys act on the pane.
     pub focused: bool,
-    /// What is being typed in the cell under its cursor.
+    /// The text that is being typed in the cell under its cursor.
     pub edit: Option<&'a Input>,
-    /// Whether it waits for what takes time.
+    /// True if it waits for what takes time.
     pub waits: bool,
-    /// Its inside.
+    /// The inside of the pane.
     pub area: Rect,
     /// The first line that it shows.
     pub scroll: usize,
 }
 
-/// What the mouse does on a pane.
+/// A movement of the mouse on a pane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Gesture {
     /// The button goes down.
@@ -84,7 +106,7 @@ pub trait Pane: Any + Debug {
     /// The name of its tab.
     fn name(&self) -> &'static str;
 
-    /// Where its keys are typed.
+    /// The place where its keys are typed.
     fn place(&self) -> Place {
         Place::Pane
     }
@@ -94,12 +116,12 @@ pub trait Pane: Any + Debug {
         Column::Alone
     }
 
-    /// Whether it has something to show.
+    /// True if it has something to show.
     fn is_useful(&self, _problem: &Problem) -> bool {
         true
     }
 
-    /// Its lines; a picture has none.
+    /// The lines of its page; a picture has none.
     fn page(&self, _problem: &Problem, _ui: &Ui<'_>, _width: u16) -> Page {
         Page::default()
     }
@@ -112,7 +134,7 @@ pub trait Pane: Any + Debug {
         Vec::new()
     }
 
-    /// Whether a key of its footer serves now.
+    /// True if a key of its footer serves now.
     fn serves(&self, _problem: &Problem, _action: Action) -> bool {
         true
     }
@@ -133,7 +155,7 @@ pub trait Pane: Any + Debug {
         page.lines.iter().map(|line| format!("{line}").trim_end().to_owned() + "\n").collect()
     }
 
-    /// Its tab is turned to.
+    /// Prepares the pane when its tab is turned to.
     fn turned_to(&mut self, _problem: &mut Problem) -> Vec<Intent> {
         Vec::new()
     }
@@ -141,7 +163,7 @@ pub trait Pane: Any + Debug {
     /// There is another solution, or its steps are covered otherwise.
     fn restart(&mut self) {}
 
-    /// Whether one of its symbols led to the input under the cursor of the form: Esc comes back to it.
+    /// True if one of its symbols led to the input under the cursor of the form: Esc comes back to it.
     fn led_to_input(&self) -> bool {
         false
     }
@@ -151,7 +173,7 @@ pub trait Pane: Any + Debug {
         false
     }
 
-    /// Whether a line has arrows at its ends, for the mouse: they do what Left and Right do.
+    /// True if a line has arrows at its ends, for the mouse: they do what Left and Right do.
     fn has_arrows(&self, _line: usize) -> bool {
         false
     }
@@ -184,7 +206,7 @@ pub trait Pane: Any + Debug {
         None
     }
 
-    /// Whether it has the answer to it.
+    /// True if it has the answer to it.
     fn is_answered(&self, _problem: &Problem) -> bool {
         false
     }

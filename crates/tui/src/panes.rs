@@ -1,11 +1,11 @@
-//! The panes of what was found: one file each, and one line each in the list.
+//! The panes of what was found: a file and a `mod` line each, see [`pane`](crate::pane).
 
 mod answers;
 pub mod check;
 mod columns;
 pub mod drawing;
 pub mod plot;
-mod reasons;
+pub mod reasons;
 pub mod results;
 pub mod sensitivity;
 pub mod sources;
@@ -15,42 +15,22 @@ pub mod table;
 pub mod working;
 pub(crate) mod wrap;
 
-use dalembert_core::{Field, Locale, Shape, Text, is_within, vary};
+use dalembert_core::{Field, Locale, Shape, Text, inventory, is_within, vary};
 use dalembert_units::Unit;
 
 use crate::{
     keys::{KeyMap, Place},
-    pane::{Pane, Tab, Ui},
+    pane::{Pane, PaneEntry, Ui},
     problem::Problem,
 };
 
 dalembert_core::messages!("../locales/widgets.pt-BR.ftl");
 
-/// Every pane, from left to right in the line of tabs.
-static PANES: [fn() -> Box<dyn Pane>; 9] = [
-    new::<results::Results>,
-    new::<working::Working>,
-    new::<plot::Plot>,
-    new::<drawing::Drawing>,
-    new::<table::Table>,
-    new::<check::Check>,
-    new::<sensitivity::Sensitivity>,
-    new::<study::Study>,
-    new::<sources::Sources>,
-];
-
-fn new<P: Pane + Default>() -> Box<dyn Pane> {
-    Box::<P>::default()
-}
-
-/// Every pane, as a problem begins with it.
+/// Every pane, as a problem begins with it, from left to right in the line of tabs.
 pub fn all() -> Vec<Box<dyn Pane>> {
-    PANES.iter().map(|new| new()).collect()
-}
-
-/// Every tab, from left to right.
-pub fn tabs() -> impl Iterator<Item = Tab> {
-    (0..PANES.len()).map(Tab)
+    let mut entries: Vec<&PaneEntry> = inventory::iter::<PaneEntry>().collect();
+    entries.sort_by_key(|entry| entry.order);
+    entries.into_iter().map(|entry| (entry.new)()).collect()
 }
 
 /// Every place where keys are typed, as the help and the settings list them.
@@ -120,7 +100,7 @@ pub(crate) fn about_number(unit: &Unit, ui: &Ui<'_>) -> Option<Text> {
 }
 
 /// Takes the input that a pane begins with when it is turned to: the one under the cursor of the form, or the first.
-/// Whether it is another than before.
+/// True if it is another than before.
 fn begun(begins: &mut String, problem: &Problem) -> bool {
     let (Some(line), Some(record)) = (problem.inputs.form.line(), problem.record()) else { return false };
     let inputs = vary::inputs(&record);

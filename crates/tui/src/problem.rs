@@ -20,21 +20,21 @@ use crate::{
 /// A problem that is worked on.
 #[derive(Debug)]
 pub struct Problem {
-    /// Its number among the open problems; those that were opened later have larger ones.
+    /// The number among the open problems; those that were opened later have larger ones.
     pub number: u64,
-    /// Its analysis.
+    /// The analysis.
     pub entry: &'static Entry,
     /// Title, file, and the way answers are shown.
     pub document: Document,
-    /// Its inputs.
+    /// The inputs.
     pub inputs: Inputs,
-    /// What was found for them.
+    /// Results for them.
     pub found: Found,
-    /// Its published cases.
+    /// Published cases of the analysis.
     pub cases: Vec<CheckedCase>,
     /// The case that is chosen among them.
     pub case: usize,
-    /// Whether they are compared with what was printed, or about to be.
+    /// True if they are compared with what was printed, or about to be.
     pub judging: bool,
 }
 
@@ -43,13 +43,13 @@ pub struct Problem {
 pub struct Inputs {
     /// Their form.
     pub form: Form,
-    /// What an older file left unsaid, and how it was read.
+    /// Notes on what an older file left unsaid, and how it was read.
     pub notes: Vec<Text>,
     /// The tolerances that were typed, by the paths of inputs.
     pub tolerances: Typed<String>,
-    /// What is wrong with them.
+    /// Errors of what is written.
     wrong: Vec<FieldError>,
-    /// Which of them are still empty.
+    /// Errors of those that are still empty.
     needed: Vec<FieldError>,
 }
 
@@ -62,11 +62,11 @@ pub struct Document {
     pub origin: Option<Case>,
     /// How answers are shown: `(answer, unit and digits)`.
     pub show: Vec<(String, String)>,
-    /// Whether that is otherwise than in the file.
+    /// True if that is otherwise than in the file.
     pub show_changed: bool,
-    /// Its file.
+    /// The file.
     pub file: Option<OpenFile>,
-    /// What was edited of a problem without a file: a save keeps its comments.
+    /// The text that was edited of a problem without a file: a save keeps its comments.
     pub commented: String,
     /// Title and inputs as they are in the file, or as the case has them.
     saved: (String, Draft),
@@ -75,15 +75,15 @@ pub struct Document {
 /// The file of a problem.
 #[derive(Clone, Debug)]
 pub struct OpenFile {
-    /// Where it is.
+    /// The path.
     pub path: PathBuf,
-    /// What it says: comments are kept from it.
+    /// The text in it: comments are kept from it.
     pub text: String,
-    /// What it held when it was read or written; `None` where that is not known, after a crash.
+    /// The mark of its content when it was read or written; `None` where that is not known, after a crash.
     pub fingerprint: Option<Fingerprint>,
 }
 
-/// What was found for the inputs, and whether it still belongs to them.
+/// Results for the inputs, which may be those of earlier inputs.
 #[derive(Debug, Default)]
 pub struct Found {
     /// The newest solution there is.
@@ -92,20 +92,20 @@ pub struct Found {
     pub of: Option<Draft>,
     /// Why the present inputs have none.
     pub failure: Option<Failure>,
-    /// Whether the present inputs are so far from those of the solution that its numbers are hidden until there is
+    /// True if the present inputs are so far from those of the solution that its numbers are hidden until there is
     /// another.
     pub hidden: bool,
-    /// Whether that belongs to the present inputs.
+    /// True if that belongs to the present inputs.
     pub state: State,
     /// The result that every later one is compared with.
     pub pinned: Option<Solution>,
-    /// How many steps are revealed, with the answers they lead to; `None` where nothing is covered.
+    /// The number of steps that are revealed, with the answers they lead to; `None` where nothing is covered.
     pub revealed: Option<usize>,
-    /// What a study found; `None` while it is sought.
+    /// The result of a study; `None` while it is sought.
     pub studied: Option<Result<Studied, SolveError>>,
 }
 
-/// Whether what is shown belongs to the present inputs.
+/// True if what is shown belongs to the present inputs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum State {
     /// It does.
@@ -148,20 +148,20 @@ impl Problem {
         }
     }
 
-    /// Whether there is something to save.
+    /// True if there is something to save.
     pub fn is_unsaved(&self) -> bool {
         self.document.show_changed
             || (&self.document.title, &self.inputs.form.draft)
                 != (&self.document.saved.0, &self.document.saved.1)
     }
 
-    /// What is on the screen is in the file now.
+    /// Marks what is on the screen as saved.
     pub fn mark_saved(&mut self) {
         self.document.show_changed = false;
         self.document.saved = (self.document.title.clone(), self.inputs.form.draft.clone());
     }
 
-    /// What is on the screen is in no file: it comes from a crashed session.
+    /// Marks what is on the screen as in no file: it comes from a crashed session.
     pub fn mark_unsaved(&mut self) {
         self.document.saved.1 = Draft::Absent;
     }
@@ -206,7 +206,7 @@ impl Problem {
         vary::inputs(record)
     }
 
-    /// What it is called: its title, or the case it began as, which it is no more once an input was changed.
+    /// The name of the problem: its title, or the case it began as, which it is no more once an input was changed.
     pub fn name(&self) -> Text {
         match &self.document.origin {
             _ if !self.document.title.is_empty() => Text::verbatim(&self.document.title),
@@ -234,17 +234,17 @@ impl Problem {
         (self.inputs.needed, self.inputs.wrong) = errors.into_iter().partition(|error| self.is_empty(error));
     }
 
-    /// Whether the inputs differ in one field at most from those of the newest solution.
+    /// True if the inputs differ in one field at most from those of the newest solution.
     pub fn is_near_the_solved(&self) -> bool {
         self.found.of.as_ref().is_some_and(|of| of.apart(&self.inputs.form.draft) <= 1)
     }
 
-    /// Whether no number of the newest solution may stand beside these inputs.
+    /// True if no number of the newest solution may stand beside these inputs.
     pub fn hides_numbers(&self) -> bool {
         self.found.hidden && self.is_stale()
     }
 
-    /// How much is left to do before there can be a solution; `None` where there is nothing.
+    /// The number of errors, or of inputs that are still empty; `None` where a solution is possible.
     pub fn to_do(&self) -> Option<Text> {
         match (self.inputs.wrong.len(), self.inputs.needed.len()) {
             (0, 0) => None,
@@ -293,7 +293,7 @@ impl Problem {
         last
     }
 
-    /// Whether the newest solution does not belong to the present inputs.
+    /// True if the newest solution does not belong to the present inputs.
     pub fn is_stale(&self) -> bool {
         self.found.state != State::Current || self.found.failure.is_some()
     }

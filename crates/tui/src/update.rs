@@ -27,11 +27,11 @@ use tui_input::{Input, InputRequest};
 use crate::{
     dialog::{After, Dialog, Purpose},
     effect::Effect,
-    form as inputs,
+    form::{self as inputs, Sign},
     intent::Intent,
     keys::{Action, Key, Place},
     model::{Model, Msg, Notice, Screen},
-    pane::Tab,
+    pane::{Pane, Tab, Ui},
     problem::{Problem, State},
     solver::{Failure, Job, Outcome, Work},
     view,
@@ -186,39 +186,39 @@ fn take(model: &mut Model, msg: Msg) -> Vec<Intent> {
     Vec::new()
 }
 
-/// A key: what it means in its place, or else a character that begins or goes into a text.
+/// A key: a character where it is text, or else what it means in its place.
 fn press(model: &mut Model, key: KeyEvent) -> Vec<Intent> {
     let place = model.place();
     let sign = model.bench.as_mut().and_then(|bench| bench.problem.inputs.form.sign.take());
-    match (model.keys.action(place, key), place) {
-        (Some(action @ Action::Nudge(_)), Place::Form) => form::nudge(model, key, action),
-        (Some(action), _) => act(model, place, action),
-        (None, Place::Form) => {
-            let decimal = model.locale.style.decimal;
-            let Some(bench) = &mut model.bench else { return Vec::new() };
-            match key.code {
-                KeyCode::Char(character) if Key::of(key).begins_a_number() => {
-                    if bench.problem.inputs.form.begin_number(character, sign, decimal) {
-                        vec![Intent::Changed]
-                    } else {
-                        form::instead_of_number(model)
-                    }
-                }
-                _ => Vec::new(),
+    // Such a character never is a key: the settings refuse it.
+    if let (KeyCode::Char(character), Place::Form, true) = (key.code, place, Key::of(key).begins_a_number()) {
+        return begin_number(model, character, sign);
+    }
+    match model.keys.action(place, key) {
+        Some(action @ Action::Nudge(_)) if place == Place::Form => form::nudge(model, key, action),
+        Some(action) => act(model, place, action),
+        None => match (place, key.code) {
+            (Place::Cells, KeyCode::Char(character)) => {
+                cells::begin_by_typing(model, character, request(key))
             }
-        }
-        (None, Place::Cells) => match key.code {
-            KeyCode::Char(character) => cells::begin_by_typing(model, character, request(key)),
+            (Place::Sheet, _) => {
+                dialog::edit_sheet(model, key);
+                Vec::new()
+            }
+            _ if place.is_text() => request(key).map_or_else(Vec::new, |request| type_in(model, &[request])),
             _ => Vec::new(),
         },
-        (None, Place::Sheet) => {
-            dialog::edit_sheet(model, key);
-            Vec::new()
-        }
-        (None, _) if place.is_text() => {
-            request(key).map_or_else(Vec::new, |request| type_in(model, &[request]))
-        }
-        (None, _) => Vec::new(),
+    }
+}
+
+/// A digit on a field of numbers begins a new text, with the sign that was typed just before.
+fn begin_number(model: &mut Model, character: char, sign: Option<Sign>) -> Vec<Intent> {
+    let decimal = model.locale.style.decimal;
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    if bench.problem.inputs.form.begin_number(character, sign, decimal) {
+        vec![Intent::Changed]
+    } else {
+        form::instead_of_number(model)
     }
 }
 
@@ -274,6 +274,16 @@ fn everywhere(model: &mut Model, action: Action) -> Option<Vec<Intent>> {
     })
 }
 
+/// Lets the shown pane do something where it is seen.
+fn with_shown<T>(
+    model: &mut Model,
+    does: impl FnOnce(&mut dyn Pane, &mut Problem, &Ui<'_>) -> T,
+) -> Option<T> {
+    let tab = model.bench.as_ref()?.tab;
+    let area = view::area_of_shown(model).unwrap_or_default();
+    model.with_pane(tab, area, does)
+}
+
 /// Opens a case of an analysis beside what is open.
 fn open_case(model: &Model, entry: &'static Entry, case: usize) -> Vec<Intent> {
     let cases = model.cases_of(entry);
@@ -306,7 +316,7 @@ fn changed(model: &mut Model) -> Vec<Intent> {
     }
 }
 
-/// What is to be remembered against a crash.
+/// Keeps the problem against a crash.
 fn keep(model: &Model) -> Vec<Intent> {
     let Some(bench) = model.bench.as_ref().filter(|_| !model.readonly) else { return Vec::new() };
     let problem = &bench.problem;
@@ -353,7 +363,7 @@ fn solved(model: &mut Model, outcome: Outcome) -> Vec<Intent> {
     if !bench.tabs().contains(&bench.tab) {
         bench.tab = Tab::default();
     }
-    // A warning that a change brought is told where the results, the first pane, are not on the screen.
+    // A new warning is reported where the results, the first pane, are not on the screen.
     let before = before.filter(|_| !view::shows(model, Tab::default()));
     let shown = model.shown_bench().map(|bench| &bench.problem).filter(|problem| problem.number == number);
     let found = shown.map(|problem| &problem.found).filter(|found| found.revealed.is_none());

@@ -205,7 +205,7 @@ pub(crate) fn area_of_shown(model: &Model) -> Option<Rect> {
     Some(layout::inside(area))
 }
 
-/// Whether a pane of the problem is on the screen.
+/// True if a pane of the problem is on the screen.
 pub(crate) fn shows(model: &Model, tab: Tab) -> bool {
     model.shown_bench().is_some_and(|bench| {
         let areas = areas_of(model, bench, bench.focus);
@@ -219,7 +219,7 @@ pub fn tempo(model: &Model) -> Option<Duration> {
     Duration::try_from_secs_f64(period / (frames as f64 * model.animation_speed)).ok()
 }
 
-/// What can move on the screen: its pane, its frames, and their time.
+/// The animation on the screen: its pane, its frames, and their time.
 pub(crate) fn animation(model: &Model) -> Option<(Tab, usize, f64)> {
     let bench = model.shown_bench().filter(|bench| !bench.problem.is_stale())?;
     let tab = bench.animated()?;

@@ -7,20 +7,24 @@ use dalembert_core::{
     check::{self, Mistake, Verdict},
 };
 use ratatui::{
-    style::{Modifier, Style},
+    style::Style,
     text::{Line, Span},
 };
 use tui_input::Input;
 use unicode_width::UnicodeWidthStr;
 
-use super::{about_number, columns::padded, reasons, wrap};
+use super::{
+    about_number,
+    columns::{padded, typed_in},
+    reasons, wrap,
+};
 use crate::{
     ask::{Question, Reply},
     glyphs::filter_untrusted,
     intent::Intent,
     keys::{Action, Place},
     look::{Glyph, Look},
-    pane::{Page, Pane, Ui},
+    pane::{Page, Pane, Ui, register_pane},
     problem::Problem,
     remembered::Progress,
     typed::Typed,
@@ -34,15 +38,17 @@ const CELL: (usize, usize) = (10, 24);
 pub struct Check {
     /// The answer under the cursor.
     cursor: usize,
-    /// What was typed, by the name of the answer.
+    /// Texts that were typed, by the name of the answer.
     typed: Typed<String>,
     /// The answers that the user asked to see.
     seen: BTreeSet<String>,
     /// The mistakes that give what was typed, for each wrong answer; `None` while they are searched for.
     mistakes: Option<Vec<(String, Vec<Mistake>)>>,
-    /// Whether it was said that everything is right.
+    /// True if it was said that everything is right.
     praised: bool,
 }
+
+register_pane!(Check, 60);
 
 impl Pane for Check {
     fn name(&self) -> &'static str {
@@ -162,7 +168,7 @@ impl Pane for Check {
 }
 
 impl Check {
-    /// What was typed for an answer.
+    /// The text that was typed for an answer.
     fn text(&self, name: &str) -> &str {
         self.typed.text(name)
     }
@@ -173,14 +179,14 @@ impl Check {
         answers.get(self.cursor.min(answers.len().checked_sub(1)?))
     }
 
-    /// How the user's answer of that name compares with ours; `None` where there is none.
+    /// The verdict on the user's answer of that name; `None` where there is none.
     fn verdict(&self, solution: &Solution, name: &str) -> Option<Verdict> {
         let text = self.text(name);
         let answer = solution.answer(name).filter(|_| !text.trim().is_empty())?;
         Some(check::compare(answer, text))
     }
 
-    /// Whether these answers are found: those that no other of them was made from are there, and all that are there
+    /// True if these answers are found: those that no other of them was made from are there, and all that are there
     /// are right.
     fn is_right(&self, solution: &Solution, wanted: &[&str]) -> bool {
         let verdict = |name: &str| self.verdict(solution, name);
@@ -220,7 +226,7 @@ impl Check {
         page
     }
 
-    /// What is said below the line.
+    /// Writes the comment below the line.
     fn said(
         &self,
         one: &One<'_>,
@@ -329,19 +335,4 @@ impl One<'_> {
         line.push_span(Span::styled(format!(" {glyph}"), style));
         lines.push(line);
     }
-}
-
-/// The text of a cell while it is typed in, with the cursor in it.
-pub(super) fn typed_in(input: &Input, cells: usize) -> [Span<'static>; 3] {
-    let scroll = input.visual_scroll(cells.saturating_sub(1));
-    let text = filter_untrusted(input.value()).into_owned();
-    let seen: Vec<char> = text.chars().chain([' ']).skip(scroll).take(cells).collect();
-    let at = input.visual_cursor().saturating_sub(scroll).min(seen.len().saturating_sub(1));
-    let under = Style::new().add_modifier(Modifier::UNDERLINED);
-    let after: String = seen[at + 1..].iter().collect();
-    [
-        Span::styled(seen[..at].iter().collect::<String>(), under),
-        Span::styled(seen[at].to_string(), Style::new().add_modifier(Modifier::REVERSED)),
-        Span::styled(padded(&after, cells.saturating_sub(at + 1)), under),
-    ]
 }

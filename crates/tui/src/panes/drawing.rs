@@ -20,12 +20,12 @@ use crate::{
         turned,
     },
     look::Glyph,
-    pane::{Column, Pane, Ui},
+    pane::{Column, Pane, Ui, register_pane},
     problem::Problem,
     text::width,
 };
 
-/// Its keys.
+/// Keys of the pane.
 static KEYS: PaneKeys = PaneKeys {
     id: "drawing",
     name: "Drawing",
@@ -55,6 +55,8 @@ pub struct Drawing {
     /// From where a scene in space is seen, where it was turned.
     view: Option<View>,
 }
+
+register_pane!(Drawing, 40);
 
 impl Pane for Drawing {
     fn name(&self) -> &'static str {
@@ -172,7 +174,7 @@ impl Drawing {
     }
 }
 
-/// Whether an animation moves, and which of its frames is shown: `▶ ━━━━────── 10/24`.
+/// Draws the bar of an animation: it moves or is held, and at this frame: `▶ ━━━━────── 10/24`.
 fn animation_bar(ui: &Ui<'_>, frame: usize, frames: usize, area: Rect, buffer: &mut Buffer) {
     let look = ui.look;
     let frame = frame % frames;

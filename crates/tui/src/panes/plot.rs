@@ -19,12 +19,12 @@ use crate::{
         tables::{FIRST, LAST, LEFT, PAGE_DOWN_OR_SPACE, PAGE_UP, RIGHT, bind, shift, typed},
         turned,
     },
-    pane::{Column, Gesture, Pane, Ui},
+    pane::{Column, Gesture, Pane, Ui, register_pane},
     plot::{self, State},
     problem::Problem,
 };
 
-/// Its keys.
+/// Keys of the pane.
 static KEYS: PaneKeys = PaneKeys {
     id: "plot",
     name: "Plot",
@@ -51,11 +51,11 @@ static KEYS: PaneKeys = PaneKeys {
 const CURSOR_STEP: f64 = 0.01;
 /// A share of an axis beyond any of its ends.
 const FAR: f64 = 1e6;
-/// What is said of a key that would show more.
+/// The message about a key that would show more.
 const ALL_SHOWN: &str = "full range is shown";
 /// So much of the axis is shown after a zoom in.
 const ZOOM: f64 = 0.5;
-/// How much of the axis is left after a notch of the wheel.
+/// The share of the axis that is left after a notch of the wheel.
 const NOTCH: f64 = 0.8;
 /// The share of what is shown that a key moves it by.
 const PAN: f64 = 0.25;
@@ -65,9 +65,11 @@ const PAN: f64 = 0.25;
 pub struct Plot {
     /// The plot that is shown, of several.
     at: usize,
-    /// Its cursor, and the part of it that is shown.
+    /// The cursor, and the part of the axis that is shown.
     state: State,
 }
+
+register_pane!(Plot, 30);
 
 impl Pane for Plot {
     fn name(&self) -> &'static str {
@@ -223,7 +225,7 @@ impl Pane for Plot {
 }
 
 impl Plot {
-    /// Its cursor, and the part of the axis that is shown.
+    /// The cursor, and the part of the axis that is shown.
     pub fn state(&self) -> State {
         self.state
     }

@@ -1,17 +1,18 @@
 //! The lines of a pane that has nothing to show, or may not show it.
 
-use dalembert_core::{FieldError, Text};
+use dalembert_core::{FieldError, Locale, Refusal, Shape, SolveError, Text};
 use ratatui::{
     buffer::Buffer,
     layout::Rect,
+    style::Style,
     text::{Line, Span},
 };
 
-use super::{label_of, results};
+use super::{label_of, wrap};
 use crate::{
     glyphs::filter_untrusted,
     keys::{Action, Place},
-    look::Glyph,
+    look::{Glyph, Look},
     pane::{Page, Ui},
     problem::{Problem, State},
     solver::Failure,
@@ -52,9 +53,7 @@ pub(super) fn why_not(problem: &Problem, ui: &Ui<'_>, width: u16) -> Vec<Line<'s
     }
     match &problem.found.failure {
         None => Vec::new(),
-        Some(Failure::Unsolved(error)) => {
-            results::refusal(Some(&problem.entry.shape()), error, look, locale, width)
-        }
+        Some(Failure::Unsolved(error)) => refusal(Some(&problem.entry.shape()), error, look, locale, width),
         Some(Failure::Fault(panic)) => {
             let said = Text::new("this analysis failed (internal error); your inputs are kept");
             let mut lines = wrapped(&said.render(locale), width.into());
@@ -123,4 +122,67 @@ pub(super) fn dim_stale(problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut
     if problem.is_stale() {
         buffer.set_style(room, ui.look.dim());
     }
+}
+
+/// Why there is no solution. Fields are named by their labels in `shape`, the inputs of the analysis, where it holds
+/// them.
+pub fn refusal(
+    shape: Option<&Shape>,
+    error: &SolveError,
+    look: &Look,
+    locale: &Locale,
+    width: u16,
+) -> Vec<Line<'static>> {
+    let width = usize::from(width).max(1);
+    let heading = |words: &'static str, style: Style| {
+        wrap::words(&Text::new(words).render(locale), width)
+            .into_iter()
+            .map(move |line| Line::styled(line, style))
+            .collect::<Vec<_>>()
+    };
+    match error {
+        SolveError::Refused(Refusal::Stopped) => heading("Solution cancelled.", look.dim()),
+        SolveError::Refused(Refusal::NoAnswer(why)) => {
+            let mut lines = heading("No solution", look.warning());
+            lines.push(Line::default());
+            let why = why.render(locale);
+            lines.extend(wrap::words(&why, width).into_iter().map(Line::from));
+            lines
+        }
+        SolveError::Fields(errors) => {
+            let mut lines = heading("Some inputs cannot be read", look.error());
+            lines.push(Line::default());
+            for error in errors {
+                let label = shape.and_then(|shape| label_of(shape, &error.path, locale));
+                let words =
+                    format!("{}: {}", label.as_ref().unwrap_or(&error.path), error.why.render(locale));
+                lines.extend(marked(look, Glyph::Bad, look.error(), &words, Style::new(), width));
+            }
+            lines
+        }
+    }
+}
+
+/// Lines of a pane that belong to the inputs before the last change: dimmed, under a note that reports it.
+pub fn stale(lines: Vec<Line<'static>>, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
+    let note = Text::new("results for the previous, complete inputs").render(locale);
+    let note = marked(look, Glyph::Warning, look.warning(), &note, look.warning(), usize::from(width).max(1));
+    let dimmed = lines.into_iter().map(|line| {
+        let spans = line.spans.into_iter().map(|span| Span::styled(span.content, look.dim()));
+        Line::from(spans.collect::<Vec<_>>())
+    });
+    note.chain([Line::default()]).chain(dimmed).collect()
+}
+
+/// A pictogram, and words beside it.
+pub(super) fn marked(
+    look: &Look,
+    glyph: Glyph,
+    glyph_style: Style,
+    words: &str,
+    style: Style,
+    width: usize,
+) -> impl Iterator<Item = Line<'static>> {
+    let head = vec![Span::styled(look.glyph(glyph), glyph_style), Span::raw(" ")];
+    wrap::hanging(head, words, style, width)
 }

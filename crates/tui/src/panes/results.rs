@@ -2,9 +2,7 @@
 
 mod difference;
 
-use dalembert_core::{
-    AnswerValue, Check, Display, Locale, Number, Refusal, Shape, Solution, SolveError, Text,
-};
+use dalembert_core::{AnswerValue, Check, Display, Locale, Number, Solution, Text};
 use dalembert_report::show_answer_in;
 use dalembert_units::{self as unit, Kind, Style as Digits, write_number};
 use ratatui::{
@@ -15,13 +13,14 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{
     columns::{Aligned, number, padded, widths},
-    label_of, reasons, steps, wrap,
+    reasons::{self, marked, stale},
+    steps, wrap,
 };
 use crate::{
     intent::Intent,
     keys::{Action, Place},
     look::{Glyph, Look},
-    pane::{Column, Page, Pane, Ui},
+    pane::{Column, Page, Pane, Ui, register_pane},
     problem::Problem,
 };
 
@@ -34,6 +33,8 @@ pub struct Results {
     /// The answer whose unit and digits are chosen, by its place.
     chosen: Option<usize>,
 }
+
+register_pane!(Results, 10);
 
 impl Pane for Results {
     fn name(&self) -> &'static str {
@@ -215,56 +216,6 @@ fn page(
     Page { lines, starts }
 }
 
-/// Why there is no solution. Fields are named by their labels in `shape`, the inputs of the analysis, where it holds
-/// them.
-pub fn refusal(
-    shape: Option<&Shape>,
-    error: &SolveError,
-    look: &Look,
-    locale: &Locale,
-    width: u16,
-) -> Vec<Line<'static>> {
-    let width = usize::from(width).max(1);
-    let heading = |words: &'static str, style: Style| {
-        wrap::words(&Text::new(words).render(locale), width)
-            .into_iter()
-            .map(move |line| Line::styled(line, style))
-            .collect::<Vec<_>>()
-    };
-    match error {
-        SolveError::Refused(Refusal::Stopped) => heading("Solution cancelled.", look.dim()),
-        SolveError::Refused(Refusal::NoAnswer(why)) => {
-            let mut lines = heading("No solution", look.warning());
-            lines.push(Line::default());
-            let why = why.render(locale);
-            lines.extend(wrap::words(&why, width).into_iter().map(Line::from));
-            lines
-        }
-        SolveError::Fields(errors) => {
-            let mut lines = heading("Some inputs cannot be read", look.error());
-            lines.push(Line::default());
-            for error in errors {
-                let label = shape.and_then(|shape| label_of(shape, &error.path, locale));
-                let words =
-                    format!("{}: {}", label.as_ref().unwrap_or(&error.path), error.why.render(locale));
-                lines.extend(marked(look, Glyph::Bad, look.error(), &words, Style::new(), width));
-            }
-            lines
-        }
-    }
-}
-
-/// Lines of a pane that belong to the inputs before the last change: dimmed, under a note that reports it.
-pub fn stale(lines: Vec<Line<'static>>, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
-    let note = Text::new("results for the previous, complete inputs").render(locale);
-    let note = marked(look, Glyph::Warning, look.warning(), &note, look.warning(), usize::from(width).max(1));
-    let dimmed = lines.into_iter().map(|line| {
-        let spans = line.spans.into_iter().map(|span| Span::styled(span.content, look.dim()));
-        Line::from(spans.collect::<Vec<_>>())
-    });
-    note.chain([Line::default()]).chain(dimmed).collect()
-}
-
 /// The widest column of labels: longer ones go on below.
 const WIDEST_LABELS: usize = 40;
 
@@ -407,17 +358,4 @@ fn check(check: &Check, look: &Look, locale: &Locale, width: usize) -> Vec<Line<
         _ => lines.extend(wrap::hanging(vec![Span::raw("  ")], &outcome, words_style, width)),
     }
     lines
-}
-
-/// A pictogram, and words beside it.
-fn marked(
-    look: &Look,
-    glyph: Glyph,
-    glyph_style: Style,
-    words: &str,
-    style: Style,
-    width: usize,
-) -> impl Iterator<Item = Line<'static>> {
-    let head = vec![Span::styled(look.glyph(glyph), glyph_style), Span::raw(" ")];
-    wrap::hanging(head, words, style, width)
 }

@@ -13,14 +13,18 @@ use ratatui::{
 use tui_input::Input;
 use unicode_width::UnicodeWidthStr;
 
-use super::{answers, begun, check::typed_in, columns::padded, reasons, results, wrap};
+use super::{
+    answers, begun,
+    columns::{padded, typed_in},
+    reasons, wrap,
+};
 use crate::{
     ask::{Question, Reply},
     glyphs::filter_untrusted,
     intent::Intent,
     keys::{Action, Place, turned},
     look::{Glyph, Look},
-    pane::{Page, Pane, Ui},
+    pane::{Page, Pane, Ui, register_pane},
     problem::Problem,
 };
 
@@ -40,9 +44,11 @@ pub struct Sensitivity {
     begins: String,
     /// The answer that the user chose, by its name.
     answer: Option<String>,
-    /// What was found; `None` while it is sought.
+    /// The result; `None` while it is sought.
     found: Option<Result<Found, SolveError>>,
 }
+
+register_pane!(Sensitivity, 70);
 
 impl Pane for Sensitivity {
     fn name(&self) -> &'static str {
@@ -196,7 +202,7 @@ impl Sensitivity {
                 return page;
             }
             Some(Err(error)) => {
-                page.lines.extend(results::refusal(None, error, look, locale, width));
+                page.lines.extend(reasons::refusal(None, error, look, locale, width));
                 return page;
             }
             Some(Ok(found)) => found,

@@ -17,7 +17,7 @@ use crate::{
     intent::Intent,
     keys::{Action, Place},
     look::{Glyph, Look},
-    pane::{Page, Pane, Ui},
+    pane::{Page, Pane, Ui, register_pane},
     problem::Problem,
     remembered::{Change, Progress},
     solver::CheckedCase,
@@ -26,6 +26,8 @@ use crate::{
 /// The pane of books and published cases.
 #[derive(Debug, Default)]
 pub struct Sources;
+
+register_pane!(Sources, 90);
 
 impl Pane for Sources {
     fn name(&self) -> &'static str {

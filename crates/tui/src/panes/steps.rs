@@ -7,12 +7,12 @@ use dalembert_core::{
     trace::{Id, Op},
 };
 
-/// How many steps of a solution are revealed.
+/// The number of steps of a solution that are revealed.
 pub(super) fn shown(revealed: Option<usize>, solution: &Solution) -> usize {
     revealed.map_or(solution.steps.len(), |revealed| revealed.min(solution.steps.len()))
 }
 
-/// Whether an answer is covered: some step that leads to it is not revealed.
+/// True if an answer is covered: some step that leads to it is not revealed.
 pub(super) fn covers(revealed: Option<usize>, solution: &Solution, answer: &Answer) -> bool {
     let Some(revealed) = revealed else { return false };
     let last = match answer.value {

@@ -12,14 +12,18 @@ use ratatui::{
 use unicode_width::UnicodeWidthStr;
 
 use self::cells::{Cells, Subject};
-use super::{about_number, answers, begun, check::typed_in, columns::padded, reasons, results, wrap};
+use super::{
+    about_number, answers, begun,
+    columns::{padded, typed_in},
+    reasons, wrap,
+};
 use crate::{
     ask::{Question, Reply},
     glyphs::filter_untrusted,
     intent::Intent,
     keys::{Action, Place},
     look::Glyph,
-    pane::{Page, Pane, Ui},
+    pane::{Page, Pane, Ui, register_pane},
     plot,
     problem::Problem,
 };
@@ -32,6 +36,8 @@ const LEAST_CURVES: u16 = 7;
 pub struct Study {
     cells: Cells,
 }
+
+register_pane!(Study, 80);
 
 impl Pane for Study {
     fn name(&self) -> &'static str {
@@ -154,7 +160,7 @@ impl Pane for Study {
 }
 
 impl Study {
-    /// What is studied; `None` while there are no inputs or answers to choose from.
+    /// The subject of the study; `None` while there are no inputs or answers to choose from.
     fn subject<'p>(&self, problem: &'p Problem) -> Option<Subject<'p>> {
         Some(self.cells.subject(&problem.record()?, problem.found.solution.as_ref()?))
     }
@@ -211,7 +217,7 @@ impl Study {
             _ if plan.is_err() => {}
             _ if ui.waits => page.lines.push(dim("solving")),
             None => page.lines.push(dim("cancelled")),
-            Some(Err(error)) => page.lines.extend(results::refusal(None, error, look, locale, width)),
+            Some(Err(error)) => page.lines.extend(reasons::refusal(None, error, look, locale, width)),
             Some(Ok(found)) => {
                 for text in &found.says {
                     page.lines.extend(wrap::words(&text.render(locale), cells).into_iter().map(|line| {

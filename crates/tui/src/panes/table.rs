@@ -10,17 +10,19 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{
     columns::{Aligned, number, padded, widths},
-    reasons, results, wrap,
+    reasons, wrap,
 };
 use crate::{
     look::{Glyph, Look},
-    pane::{Page, Pane, Ui},
+    pane::{Page, Pane, Ui, register_pane},
     problem::Problem,
 };
 
 /// The pane of tables.
 #[derive(Debug, Default)]
 pub struct Table;
+
+register_pane!(Table, 50);
 
 impl Pane for Table {
     fn name(&self) -> &'static str {
@@ -47,7 +49,7 @@ impl Pane for Table {
         }
         match (all.is_empty(), problem.is_stale()) {
             (true, _) => reasons::nothing(problem, ui, width),
-            (false, true) => Page::of(results::stale(all, ui.look, ui.locale, width)),
+            (false, true) => Page::of(reasons::stale(all, ui.look, ui.locale, width)),
             (false, false) => Page::of(all),
         }
     }

@@ -13,7 +13,7 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{
     columns::{Aligned, number, padded, widths},
-    reasons, results, steps,
+    reasons, steps,
     steps::{step_of, symbols},
     wrap,
 };
@@ -24,11 +24,11 @@ use crate::{
         tables::{ENDS, ENTER, LEFT, LINES, PAGES, RIGHT, bind, typed},
     },
     look::Look,
-    pane::{Column, Page, Pane, Ui},
+    pane::{Column, Page, Pane, Ui, register_pane},
     problem::Problem,
 };
 
-/// Its keys.
+/// Keys of the pane.
 static KEYS: PaneKeys = PaneKeys {
     id: "working",
     name: "Working",
@@ -62,6 +62,8 @@ pub struct Working {
 /// A symbol of a step: the places of both.
 type Symbol = (usize, usize);
 
+register_pane!(Working, 20);
+
 impl Pane for Working {
     fn name(&self) -> &'static str {
         "Working"
@@ -86,7 +88,7 @@ impl Pane for Working {
         if !problem.is_stale() {
             return page;
         }
-        let lines = results::stale(page.lines.clone(), ui.look, ui.locale, width);
+        let lines = reasons::stale(page.lines.clone(), ui.look, ui.locale, width);
         page.behind(lines)
     }
 
@@ -130,7 +132,7 @@ impl Pane for Working {
                     self.trail.push(symbol);
                     self.put(Some((step, 0)))
                 } else if let Op::Given { path, .. } = &solution.trace.node(id).op {
-                    vec![Intent::GoToInput(path.to_string())]
+                    vec![Intent::GoToInput(path.clone())]
                 } else {
                     Vec::new()
                 }

@@ -2,7 +2,7 @@
 
 use dalembert_core::Text;
 
-use super::pane::with_shown;
+use super::with_shown;
 use crate::{
     dialog::{Dialog, Purpose},
     effect::Effect,

@@ -3,7 +3,7 @@
 use dalembert_units::{Decimal, with_point};
 use tui_input::{Input, InputRequest};
 
-use super::pane::with_shown;
+use super::with_shown;
 use crate::{
     effect::Effect,
     form::LONGEST,

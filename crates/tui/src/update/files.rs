@@ -149,7 +149,7 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
     }
 }
 
-/// How a file of an older format was read.
+/// A message about how a file of an older format was read.
 fn read_otherwise(notes: &[Text]) -> Option<Text> {
     let (note, more) = notes.split_first()?;
     if more.is_empty() {

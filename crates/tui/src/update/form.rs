@@ -18,7 +18,7 @@ use crate::{
     model::Model,
 };
 
-/// What is said of a key that chooses where there is nothing to choose.
+/// The message about a key that chooses where there is nothing to choose.
 const NO_ALTERNATIVE: &str = "no options here";
 
 /// A key on the inputs.
@@ -40,13 +40,13 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
         Action::Left => return after(model, |form| form.cycle(-1), NO_ALTERNATIVE),
         Action::Right => return after(model, |form| form.cycle(1), NO_ALTERNATIVE),
         Action::Toggle => {
-            return after(model, |form| form.toggle(), "Space has no effect on this field");
+            return after(model, Form::toggle, "Space has no effect on this field");
         }
         Action::Nudge(tenths) => {
             return after(model, |form| form.nudge(tenths), "+ and - change numbers only");
         }
         Action::NextUnit => {
-            return after(model, |form| form.next_unit(), "no other unit available");
+            return after(model, Form::next_unit, "no other unit available");
         }
         Action::FoldRow | Action::FoldRows => {
             let folds = if action == Action::FoldRow { form.fold_row() } else { form.fold_rows() };
@@ -55,11 +55,11 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
             }
         }
         Action::Import => return ask_import(model),
-        Action::AddRow => return after(model, |form| form.add_row(), "not in a list"),
+        Action::AddRow => return after(model, Form::add_row, "not in a list"),
         Action::DuplicateRow => {
-            return after(model, |form| form.duplicate_row(), "no row selected");
+            return after(model, Form::duplicate_row, "no row selected");
         }
-        Action::DeleteRow => return after(model, |form| form.delete_row(), "no row selected"),
+        Action::DeleteRow => return after(model, Form::delete_row, "no row selected"),
         Action::MoveRowUp => {
             return after(model, |form| form.move_row(-1), "the row is already at the end");
         }
@@ -78,7 +78,7 @@ fn enter(model: &mut Model) -> Vec<Intent> {
     let Some(Line { path, role, .. }) = bench.problem.inputs.form.line() else { return Vec::new() };
     match role {
         Role::Leaf { shape: Shape::Flag, .. } | Role::Absent => {
-            return after(model, |form| form.toggle(), "");
+            return after(model, Form::toggle, "");
         }
         Role::Leaf { shape: Shape::Reference(list), text, .. } => {
             let names = bench.problem.inputs.form.names(list);
@@ -116,7 +116,7 @@ fn enter(model: &mut Model) -> Vec<Intent> {
                 .collect();
             model.dialog = Some(Dialog::Choice { path, options, chosen: chosen.unwrap_or(0) });
         }
-        Role::Rows { .. } => return after(model, |form| form.add_row(), ""),
+        Role::Rows { .. } => return after(model, Form::add_row, ""),
         Role::Group { .. } => {
             if bench.problem.inputs.form.is_folded(&path) {
                 bench.problem.inputs.form.fold_row();
@@ -196,7 +196,7 @@ pub(super) fn take_table(model: &mut Model, path: &str, text: String) -> Vec<Int
     }
 }
 
-/// What reads the file that the text of a table names, as in `@measured.csv`; `None` for any other text.
+/// The effect that reads the file that the text of a table names, as in `@measured.csv`; `None` for any other text.
 fn file_of_table(model: &Model, field: &str, text: &str) -> Option<Effect> {
     let name = text.trim().strip_prefix('@').filter(|name| !name.contains('\n'))?;
     let bench = model.bench.as_ref()?;
@@ -330,7 +330,7 @@ fn paste_on_field(model: &mut Model, text: &str) -> Vec<Intent> {
     }
 }
 
-/// What is said of a pasted text that is too long for a field.
+/// The message about a pasted text that is too long for a field.
 pub(super) fn too_long() -> Text {
     Text::new("pasted text truncated: a line takes at most {most} characters").with("most", form::LONGEST)
 }

@@ -15,7 +15,7 @@ use crate::{
     keys::{Action, Place},
     layout::Focus,
     model::Model,
-    pane::{Column, Gesture, Tab},
+    pane::{Column, Gesture, Pane, Tab},
     view::{self, HitTarget},
 };
 
@@ -179,7 +179,7 @@ fn turn(model: &mut Model, at: Position, up: bool) -> Vec<Intent> {
             }
             // A picture that has no other use for the wheel may move.
             let picture = model.bench.as_ref().map(|bench| bench.pane(tab));
-            let picture = picture.filter(|pane| pane.column() == Column::Pictures).map(|pane| pane.place());
+            let picture = picture.filter(|pane| pane.column() == Column::Pictures).map(Pane::place);
             vec![match picture {
                 Some(place) => {
                     Intent::Press(place, if up { Action::PreviousFrame } else { Action::NextFrame })

@@ -2,26 +2,16 @@
 
 use dalembert_core::Text;
 
+use super::with_shown;
 use crate::{
     intent::Intent,
     keys::{Action, Place},
     layout::Focus,
     model::Model,
-    pane::{Pane, Tab, Ui},
+    pane::Tab,
     plot::Marker,
-    problem::Problem,
     view,
 };
-
-/// Lets the shown pane do something where it is seen.
-pub(super) fn with_shown<T>(
-    model: &mut Model,
-    does: impl FnOnce(&mut dyn Pane, &mut Problem, &Ui<'_>) -> T,
-) -> Option<T> {
-    let tab = model.bench.as_ref()?.tab;
-    let area = view::area_of_shown(model).unwrap_or_default();
-    model.with_pane(tab, area, does)
-}
 
 /// A key on a pane: its own, or one that reads any pane.
 pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {

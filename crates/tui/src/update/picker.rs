@@ -199,7 +199,7 @@ pub(super) fn preview(model: &mut Model) -> Vec<Intent> {
         .collect()
 }
 
-/// What is chosen is solved, so the user rests on it: its cases are compared with what was printed.
+/// Compares the cases of the chosen analysis with what was printed: it is solved, so the user rests on it.
 fn judge(model: &Model) -> Vec<Intent> {
     let listing = chosen_leaf(model).and_then(|leaf| model.listings.get(leaf.listing));
     let unjudged = listing.filter(|listing| listing.judged.is_none() && !listing.cases().is_empty());

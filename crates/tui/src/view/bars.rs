@@ -305,7 +305,7 @@ fn about_field(model: &Model, bench: &Bench) -> String {
     parts.join(&format!(" {} ", model.look.glyph(Glyph::Dot)))
 }
 
-/// What is to be typed in the cell under the cursor of the pane.
+/// The form and the meaning of a text for the cell under the cursor of the pane.
 fn about_cell(model: &Model, bench: &Bench) -> String {
     let about = bench.shown().about_cell(&bench.problem, &model.ui(bench, bench.tab, Rect::ZERO));
     let parts: Vec<String> = about.iter().map(|part| part.render(&model.locale)).collect();

@@ -87,7 +87,7 @@ pub(super) fn title(model: &Model, bench: &Bench, tab: Tab) -> Line<'static> {
     ])
 }
 
-/// Which of several plots or drawings a tab shows: `1/2`.
+/// The place of the picture that a pane shows among several: `1/2`.
 fn place_of_shown(bench: &Bench, tab: Tab) -> Option<String> {
     bench.place_of_shown(tab).map(|(place, of)| format!("{place}/{of}"))
 }

@@ -33,9 +33,9 @@ pub(super) struct Cells {
     pub(super) answer: Option<String>,
     /// The input of which every value gives a curve, by its path.
     pub(super) family: Option<String>,
-    /// Whether points are spread by equal ratios.
+    /// True if points are spread by equal ratios.
     pub(super) log: bool,
-    /// Whether values lie normally within their tolerances.
+    /// True if values lie normally within their tolerances.
     pub(super) normal: bool,
     /// What was typed, by cells.
     pub(super) typed: Typed<Cell>,
@@ -119,7 +119,7 @@ impl Cell {
         }
     }
 
-    /// Whether it is chosen, not typed.
+    /// True if it is chosen, not typed.
     pub(super) fn is_choice(self) -> bool {
         matches!(
             self,
