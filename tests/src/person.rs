@@ -24,7 +24,7 @@ use dalembert_tui::{
     glyphs::{Capabilities, Colors, Glyphs, PlotMarker},
     harness::Harness,
     keys::notation::keys_of,
-    tab::Tab,
+    panes,
 };
 use ratatui::{
     buffer::Cell,
@@ -168,15 +168,15 @@ impl Person {
         self.mouse(MouseEventKind::Down(button), place).mouse(MouseEventKind::Up(button), place)
     }
 
-    /// Turns the tabs until this one is shown.
-    pub fn turns_to(&mut self, tab: Tab) -> &mut Self {
-        for _ in Tab::ALL {
-            if self.model.bench.as_ref().is_some_and(|bench| bench.tab == tab) {
+    /// Turns the tabs until the one of this name is shown.
+    pub fn turns_to(&mut self, tab: &str) -> &mut Self {
+        for _ in panes::all() {
+            if self.model.bench.as_ref().is_some_and(|bench| bench.shown().name() == tab) {
                 return self;
             }
             self.types("]");
         }
-        panic!("{} is no tab of this problem:\n{}", tab.name(), self.sees());
+        panic!("{tab} is no tab of this problem:\n{}", self.sees());
     }
 }
 

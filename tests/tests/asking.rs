@@ -10,7 +10,6 @@ use dalembert_core::{
 use dalembert_plugins as _;
 use dalembert_testkit::printed;
 use dalembert_tests::person::Person;
-use dalembert_tui::tab::Tab;
 use dalembert_units::{Style, write_quantity};
 use insta::assert_snapshot;
 
@@ -278,12 +277,12 @@ fn ours_stays_covered_until_it_is_asked_for() {
 fn praise_is_given_once() {
     let mut person = Person::at(110, 40).opens("vibration/harmonic-force");
     let answers: Vec<String> = {
-        let solution = person.model.bench.as_ref().unwrap().found.solution.as_ref().unwrap();
+        let solution = person.model.bench.as_ref().unwrap().problem.found.solution.as_ref().unwrap();
         let locale = dalembert_core::Locale::english().digits(6);
         solution.answers.iter().map(|answer| answer.shown(&locale)).collect()
     };
     person.types("<tab>");
-    person.turns_to(Tab::Check);
+    person.turns_to("Check");
     let mut praised = 0;
     for answer in answers {
         person.types("<enter>").types(&answer).types("<enter>");
@@ -314,7 +313,7 @@ fn an_exercise_is_solved_when_its_last_answer_is_right_and_none_is_wrong() {
         ("RATIO0.707<enter>AMPLITUDE19.456<enter>RATIO0.06169<enter>", true),
     ] {
         let mut person = Person::at(120, 40).knows(&[FAN]).opens(FAN);
-        person.types("<tab>").turns_to(Tab::Check);
+        person.types("<tab>").turns_to("Check");
         let answers = answers.replace("RATIO", "<home><down><down><down>");
         person.types(&answers.replace("AMPLITUDE", "<home><down><down><down><down><down>"));
         assert_eq!(

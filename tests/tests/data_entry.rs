@@ -11,17 +11,17 @@ const PARTS: &str = "measurement.complex.response.accelerance-parts.points";
 /// A user before the form of a case whose name holds these words, on the line of a path.
 fn before(mut person: Person, words: &str, path: &str) -> Person {
     let bench = person.model.bench.as_mut().expect("a problem is open");
-    let cases = cases::cases(bench.entry).expect("the cases can be read");
+    let cases = cases::cases(bench.problem.entry).expect("the cases can be read");
     let case = cases.into_iter().find(|case| case.name.contains(words)).expect("there is such a case");
-    bench.form.replace(case.draft);
-    bench.form.go_to(path);
+    bench.problem.inputs.form.replace(case.draft);
+    bench.problem.inputs.form.go_to(path);
     person
 }
 
 /// The text of a field.
 fn text(person: &Person, path: &str) -> String {
     let bench = person.model.bench.as_ref().expect("a problem is open");
-    match bench.form.draft.at(&bench.entry.shape(), path) {
+    match bench.problem.inputs.form.draft.at(&bench.problem.entry.shape(), path) {
         Ok((Draft::Leaf(text), _)) => text.clone(),
         other => panic!("{path}: {other:?}"),
     }
@@ -139,13 +139,13 @@ const ROTOR: &str = "vibration/rotor-dynamics";
 
 /// A user before the first case of an analysis, on the line of a path.
 fn on(mut person: Person, path: &str) -> Person {
-    person.model.bench.as_mut().expect("a problem is open").form.go_to(path);
+    person.model.bench.as_mut().expect("a problem is open").problem.inputs.form.go_to(path);
     person
 }
 
 fn rows(person: &Person, path: &str) -> usize {
     let bench = person.model.bench.as_ref().expect("a problem is open");
-    match bench.form.draft.at(&bench.entry.shape(), path) {
+    match bench.problem.inputs.form.draft.at(&bench.problem.entry.shape(), path) {
         Ok((Draft::Rows(rows), _)) => rows.len(),
         other => panic!("{path}: {other:?}"),
     }
@@ -155,7 +155,7 @@ fn rows(person: &Person, path: &str) -> usize {
 fn a_pasted_table_fills_rows() {
     let mut person = on(Person::at(100, 30).opens(ROTOR), "segments");
     let before = rows(&person, "segments");
-    let kept = person.model.bench.as_ref().map(|bench| bench.form.draft.clone());
+    let kept = person.model.bench.as_ref().map(|bench| bench.problem.inputs.form.draft.clone());
     person.pastes("L\tD\r\n0.2 m\t40 mm\r\n0.3 m\t50 mm\r\n0.4 m\t60 mm\r\n");
     assert_eq!(rows(&person, "segments"), before.max(3));
     for (row, (length, outer)) in
@@ -167,9 +167,13 @@ fn a_pasted_table_fills_rows() {
     let seen = words(&mut person);
     assert!(seen.contains("3 rows filled; first line skipped (heading)"), "{}", person.sees());
     person.types("z");
-    assert_eq!(person.model.bench.as_ref().map(|bench| bench.form.draft.clone()), kept, "one undo");
+    assert_eq!(
+        person.model.bench.as_ref().map(|bench| bench.problem.inputs.form.draft.clone()),
+        kept,
+        "one undo"
+    );
     // From a cell it goes down and to the right; what has no field is reported.
-    person.model.bench.as_mut().expect("a problem is open").form.go_to("segments[1].outer");
+    person.model.bench.as_mut().expect("a problem is open").problem.inputs.form.go_to("segments[1].outer");
     let length = text(&person, "segments[1].length");
     person.pastes("41 mm\t\t5 mm\t9\n42 mm");
     assert_eq!(text(&person, "segments[1].length"), length);
@@ -189,18 +193,20 @@ fn a_pasted_table_fills_rows() {
 fn rows_are_folded_one_by_one_and_all_together() {
     let mut person = on(Person::at(80, 40).opens(ROTOR), "segments");
     person.pastes("0.2 m\t40 mm\n0.3 m\t50 mm\n0.4 m\t60 mm");
-    let lines = |person: &Person| person.model.bench.as_ref().expect("a problem is open").form.lines().len();
+    let lines = |person: &Person| {
+        person.model.bench.as_ref().expect("a problem is open").problem.inputs.form.lines().len()
+    };
     let path = |person: &Person| {
         person
             .model
             .bench
             .as_ref()
-            .and_then(|bench| bench.form.line())
+            .and_then(|bench| bench.problem.inputs.form.line())
             .map(|line| line.path)
             .unwrap_or_default()
     };
     let all = lines(&person);
-    person.model.bench.as_mut().expect("a problem is open").form.go_to("segments[2].outer");
+    person.model.bench.as_mut().expect("a problem is open").problem.inputs.form.go_to("segments[2].outer");
     person.types("f");
     assert_eq!(path(&person), "segments[2]");
     let folded = lines(&person);
@@ -217,7 +223,7 @@ fn rows_are_folded_one_by_one_and_all_together() {
     let count = rows(&person, "segments");
     assert_eq!(lines(&person), all - count * (all - folded));
     // What is wrong in a folded row marks its heading, and a change that is taken back is seen.
-    person.model.bench.as_mut().expect("a problem is open").form.go_to("segments[2].length");
+    person.model.bench.as_mut().expect("a problem is open").problem.inputs.form.go_to("segments[2].length");
     person.types("<del>7 kg<enter>F<down>");
     let heading = person.sees().lines().find(|line| line.contains("7 kg · 40 mm")).map(str::to_owned);
     assert!(heading.is_some_and(|line| line.contains("✗")), "{}", person.sees());
@@ -256,7 +262,7 @@ fn errors_name_their_row_and_names_are_one_row_s_alone() {
     assert_eq!(text(&person, "elements[1].from"), name);
     assert_eq!(text(&person, "elements[1].to"), second);
     assert!(
-        person.model.bench.as_ref().is_some_and(|bench| bench.wrong().next().is_none()),
+        person.model.bench.as_ref().is_some_and(|bench| bench.problem.wrong().next().is_none()),
         "{}",
         person.sees()
     );
@@ -278,14 +284,14 @@ fn a_copied_row_has_a_name_of_its_own_and_rows_that_are_alike_change_places() {
     let copies = ["nodes[3].name", "nodes[4].name"].map(|path| text(&person, path));
     assert_eq!(copies, [format!("{name} 2"), format!("{name} 3")]);
     assert!(
-        person.model.bench.as_ref().is_some_and(|bench| bench.wrong().next().is_none()),
+        person.model.bench.as_ref().is_some_and(|bench| bench.problem.wrong().next().is_none()),
         "{}",
         person.sees()
     );
     let mut person = on(Person::at(80, 40).opens(ROTOR), "segments[1].length");
     let place = |person: &Person| {
         let bench = person.model.bench.as_ref().expect("a problem is open");
-        bench.form.line().map(|line| line.path)
+        bench.problem.inputs.form.line().map(|line| line.path)
     };
     person.types("d");
     let copy = place(&person);
@@ -320,7 +326,7 @@ fn a_read_only_start_and_doubtful_thousands_are_reported() {
 /// Text of the draft at a path.
 fn typed_at(person: &Person, path: &str) -> String {
     let bench = person.model.bench.as_ref().expect("a problem is open");
-    match bench.form.draft.at(&bench.entry.shape(), path) {
+    match bench.problem.inputs.form.draft.at(&bench.problem.entry.shape(), path) {
         Ok((Draft::Leaf(text), _)) => text.clone(),
         other => panic!("{path}: {other:?}"),
     }

@@ -85,15 +85,13 @@ fn a_scene_in_space_is_turned_by_keys_and_keeps_its_side() {
     assert_eq!(person.types("i").sees(), usual);
     // A change of the inputs is seen from the same side; an animation as well.
     let mut person = Person::at(120, 40).opens("rigid-body/heavy-top");
-    person.types("<tab>");
-    while person.model.bench.as_ref().is_some_and(|bench| bench.tab != dalembert_tui::tab::Tab::Drawing) {
-        person.types("]");
-    }
+    person.types("<tab>").turns_to("Drawing");
     person.types("<up><right>");
-    let view = person.model.bench.as_ref().and_then(|bench| bench.view);
+    let view = |person: &Person| person.model.bench.as_ref()?.find::<panes::drawing::Drawing>()?.view();
+    let turned = view(&person);
     person.types(".,<tab>+-<tab>");
-    assert!(view.is_some());
-    assert_eq!(person.model.bench.as_ref().and_then(|bench| bench.view), view);
+    assert!(turned.is_some());
+    assert_eq!(view(&person), turned);
     let mut flat = Person::at(120, 40).opens("vibration/rotating-unbalance");
     assert!(flat.types("<tab>]]]<right>").sees().contains("this drawing is planar"), "{}", flat.sees());
 }
@@ -112,7 +110,10 @@ fn what_is_seen_is_exported() {
     let speeds: Vec<f64> =
         csv.lines().skip(1).filter_map(|line| line.split(',').nth(1)?.parse().ok()).collect();
     let bench = person.model.bench.as_ref().expect("a problem");
-    let (from, to) = bench.plot_state.view.window.expect("a part of the axis");
+    let (from, to) = bench
+        .find::<panes::plot::Plot>()
+        .and_then(|plot| plot.state().view.window)
+        .expect("a part of the axis");
     let rpm = |si: f64| si * 30.0 / PI;
     assert!(speeds.iter().all(|speed| (rpm(from) - 1e-6..=rpm(to) + 1e-6).contains(speed)), "{csv}");
     assert!(csv.contains("at the cursor,1000,"), "{csv}");

@@ -1,7 +1,7 @@
 //! The mouse: a click goes there, a second one enters, the wheel moves what is under the pointer.
 
 use dalembert_tests::person::Person;
-use dalembert_tui::{keys::Place, look::Theme, tab::Tab};
+use dalembert_tui::{keys::Place, look::Theme, panes::plot::Plot, plot::State};
 use ratatui::crossterm::event::{MouseButton, MouseEventKind};
 
 const FAN: &str = "vibration/rotating-unbalance";
@@ -20,9 +20,9 @@ fn a_click_goes_there_and_a_second_one_enters() {
     assert_eq!(person.model.place(), Place::Edit);
     person.types("<esc>");
     person.clicks("Working");
-    assert_eq!(person.model.place(), Place::Working);
+    assert_eq!(person.model.place().id(), "working");
     person.clicks("Plot");
-    assert_eq!(person.model.place(), Place::Plot);
+    assert_eq!(person.model.place().id(), "plot");
     // A key of the footer: what is clicked is done.
     person.clicks("Tab edit inputs");
     assert_eq!(person.model.place(), Place::Form);
@@ -78,8 +78,10 @@ fn the_wheel_moves_what_is_under_the_pointer() {
 fn a_plot_is_pointed_at_zoomed_and_dragged() {
     let mut person = fan(90, 30);
     person.clicks("Plot");
-    let cursor = |person: &Person| person.model.bench.as_ref().and_then(|bench| bench.plot_state.cursor);
-    let window = |person: &Person| person.model.bench.as_ref().and_then(|bench| bench.plot_state.view.window);
+    let state =
+        |person: &Person| -> Option<State> { Some(person.model.bench.as_ref()?.find::<Plot>()?.state()) };
+    let cursor = |person: &Person| state(person).and_then(|state| state.cursor);
+    let window = |person: &Person| state(person).and_then(|state| state.view.window);
     assert_eq!(cursor(&person), None);
     person.mouse(MouseEventKind::Down(MouseButton::Left), (60, 15));
     let first = cursor(&person).expect("a cursor");
@@ -102,7 +104,7 @@ fn a_plot_is_pointed_at_zoomed_and_dragged() {
 #[test]
 fn answers_to_be_checked_are_clicked_and_typed() {
     let mut person = fan(90, 16);
-    person.turns_to(Tab::Check).clicks("Natural frequency");
+    person.turns_to("Check").clicks("Natural frequency");
     assert!(person.model.place() == Place::Cells && person.sees().contains("▸ Natural frequency"));
     person.clicks("Natural frequency").types("106.23");
     // A click into the cell that is typed in changes nothing, one beside it keeps the text.
@@ -126,7 +128,7 @@ fn answers_to_be_checked_are_clicked_and_typed() {
 #[test]
 fn inputs_and_answers_of_the_sensitivity_are_clicked() {
     let mut person = fan(90, 30);
-    person.turns_to(Tab::Sensitivity).clicks("Young's modulus ");
+    person.turns_to("Sensitivity").clicks("Young's modulus ");
     let screen = person.sees();
     assert!(screen.contains("▸ Young's modulus") && screen.contains("elasticity 0.5"), "{screen}");
     // The lines below a row belong to it.
@@ -137,11 +139,15 @@ fn inputs_and_answers_of_the_sensitivity_are_clicked() {
     person.clicks("Stiffness of the support ▶");
     assert!(person.sees().contains("◀ Natural frequency"), "{}", person.sees());
     // What all of them do together is no input.
-    let place = person.model.bench.as_ref().map(|bench| bench.ask.sensitivity.cursor);
+    let cursor = |person: &mut Person| {
+        let bench = person.model.bench.as_mut()?;
+        bench.cursor(bench.tab).copied()
+    };
+    let place = cursor(&mut person);
     person.clicks("all tolerances:");
-    assert_eq!(person.model.bench.as_ref().map(|bench| bench.ask.sensitivity.cursor), place);
+    assert_eq!(cursor(&mut person), place);
     let mut low = fan(90, 12);
-    low.turns_to(Tab::Sensitivity);
+    low.turns_to("Sensitivity");
     let over = low.place_of("for +1 %");
     low.mouse(MouseEventKind::ScrollDown, over).mouse(MouseEventKind::ScrollDown, over);
     assert!(low.sees().contains("all tolerances"), "{}", low.sees());
@@ -150,7 +156,7 @@ fn inputs_and_answers_of_the_sensitivity_are_clicked() {
 #[test]
 fn cells_of_a_study_are_clicked() {
     let mut person = fan(90, 30);
-    person.turns_to(Tab::Study).clicks("Range to");
+    person.turns_to("Study").clicks("Range to");
     assert!(person.sees().contains("▸ Range to"), "{}", person.sees());
     person.clicks("Range to").types("<c-u>80 kg").clicks("Spacing");
     assert!(person.sees().contains("▸ Spacing") && person.sees().contains("80 kg"), "{}", person.sees());
@@ -179,7 +185,7 @@ fn cases_beside_the_list_are_clicked() {
     person.mouse(MouseEventKind::ScrollUp, place);
     let place = person.place_of("Cases");
     person.mouse(MouseEventKind::Down(MouseButton::Left), (place.0 + 5, place.1 + 2));
-    assert_eq!(person.model.bench.as_ref().map(|bench| bench.case), Some(1));
+    assert_eq!(person.model.bench.as_ref().map(|bench| bench.problem.case), Some(1));
     // The wheel goes to the cases, where the list has the keys.
     let mut person = Person::at(100, 30).knows(&[FAN, "vibration/free-vibration"]);
     person.types("/rotunb<tab>");

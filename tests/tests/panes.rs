@@ -1,12 +1,12 @@
 //! Every pane: how it looks, that keys reach it, that it cuts no word in silence, and that its keys are all reported.
 
-use itertools::Itertools as _;
-use std::collections::HashSet;
+use std::{collections::HashSet, fs, path::Path};
 
 use dalembert_core::{Entry, registry};
 use dalembert_tests::person::Person;
-use dalembert_tui::{keys::Place, tab::Tab};
+use dalembert_tui::{keys::Place, pane::Column, panes};
 use insta::assert_snapshot;
+use itertools::Itertools as _;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 const FAN: &str = "vibration/rotating-unbalance";
@@ -103,14 +103,15 @@ fn a_word_is_whole_or_marked_as_cut() {
 }
 
 /// The tabs of text of an analysis, and its form beside each.
-fn texts(entry: &Entry, columns: u16, rows: u16) -> Vec<(Tab, String)> {
+fn texts(entry: &Entry, columns: u16, rows: u16) -> Vec<(&'static str, String)> {
     let mut person = Person::at(columns, rows).opens(entry.about.id);
     let mut shown = Vec::new();
     loop {
         let bench = person.model.bench.as_ref().expect("a problem is open");
-        let (tab, last) = (bench.tab, bench.tabs().last() == Some(&bench.tab));
-        if !tab.is_picture() {
-            shown.push((tab, person.sees()));
+        let (pane, last) = (bench.shown(), bench.tabs().last() == Some(&bench.tab));
+        let (name, column) = (pane.name(), pane.column());
+        if column != Column::Pictures {
+            shown.push((name, person.sees()));
         }
         if last {
             return shown;
@@ -136,23 +137,23 @@ fn keys_reach_every_tab_plot_and_drawing() {
         let mut person = Person::at(80, 24).opens(entry.about.id);
         let shown = |person: &Person| {
             let bench = person.model.bench.as_ref().expect("a problem is open");
-            (bench.tab, bench.plot, bench.drawing)
+            (bench.tab, bench.shown().name(), bench.shown().column(), bench.shown().shown())
         };
         let problem = person.model.bench.as_ref().expect("a problem is open");
         let tabs = problem.tabs();
-        let (plots, drawings) = (problem.plots().count(), problem.drawings().count());
+        let (plots, drawings) = (problem.problem.plots().count(), problem.problem.drawings().count());
         let (mut seen, mut plots_seen, mut drawings_seen) = (Vec::new(), HashSet::new(), HashSet::new());
         for _ in 0..tabs.len() {
-            let (tab, ..) = shown(&person);
+            let (tab, name, column, _) = shown(&person);
             seen.push(tab);
-            if tab.is_picture() {
+            if column == Column::Pictures {
                 person.types("<tab>");
                 for _ in 0..plots.max(drawings) {
-                    let (_, plot, drawing) = shown(&person);
-                    if tab == Tab::Plot {
-                        plots_seen.insert(plot)
+                    let (.., at) = shown(&person);
+                    if name == "Plot" {
+                        plots_seen.insert(at)
                     } else {
-                        drawings_seen.insert(drawing)
+                        drawings_seen.insert(at)
                     };
                     person.types("n");
                 }
@@ -218,7 +219,7 @@ fn no_key_is_unreported() {
         let mut person = Person::at(100, 30).opens(FAN);
         let before = person.types(typed).sees();
         let place = person.model.place();
-        places.insert(format!("{place:?}"));
+        places.insert(place.id());
         for key in &keys {
             if place.is_text() || begins(place, key.code) || person.model.keys.action(place, *key).is_some() {
                 continue;
@@ -227,7 +228,49 @@ fn no_key_is_unreported() {
             assert_eq!(before, after, "{key:?} does something in {place:?} that nothing tells");
         }
     }
-    for place in ["Form", "Pane", "Working", "Plot", "Drawing", "List", "Help", "Picker"] {
+    for place in ["inputs", "results", "working", "plot", "drawing", "choices", "help-page", "picker"] {
         assert!(places.contains(place), "{place} is not among {places:?}");
+    }
+}
+
+/// A pane is one file and its `mod` line: no other file of the workbench names it.
+#[test]
+fn a_pane_is_named_in_its_own_file_alone() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../crates/tui/src");
+    let mut files = Vec::new();
+    let mut folders = vec![source.clone()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() { folders.push(path) } else { files.push(path) }
+        }
+    }
+    let texts: Vec<(String, String)> = files
+        .into_iter()
+        .map(|path| {
+            let name = path.strip_prefix(&source).expect("within").display().to_string();
+            (name, fs::read_to_string(path).expect("a text"))
+        })
+        .collect();
+    let panes: Vec<&str> = texts
+        .iter()
+        .filter(|(_, text)| text.contains("register_pane!(") && !text.contains("macro_rules! register_pane"))
+        .filter_map(|(name, _)| name.strip_prefix("panes/")?.strip_suffix(".rs"))
+        .collect();
+    assert_eq!(panes.len(), panes::all().len(), "{panes:?}");
+    for pane in panes {
+        let own = [format!("panes/{pane}.rs"), format!("panes/{pane}/")];
+        let others = texts.iter().filter(|(name, _)| !own.iter().any(|own| name.starts_with(own)));
+        for (name, text) in others {
+            let siblings = text.split("use super::{").nth(1).and_then(|text| text.split("};").next());
+            let words = siblings.filter(|_| name.starts_with("panes/")).unwrap_or_default();
+            let is_named = text.contains(&format!("panes::{pane}::"))
+                || text.contains(&format!("super::{pane}::"))
+                || words.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == pane);
+            assert!(!is_named, "{name} names the pane {pane}");
+        }
+        let lines = texts.iter().find(|(name, _)| name == "panes.rs").map_or("", |(_, text)| text).lines();
+        let lines: Vec<&str> = lines.filter(|line| line.contains(pane) && !line.starts_with("//")).collect();
+        assert_eq!(lines, [format!("pub mod {pane};")], "a line for each pane");
     }
 }

@@ -3,7 +3,12 @@
 
 use dalembert_core::registry;
 use dalembert_tests::person::Person;
-use dalembert_tui::{Msg, keys::Place, tab::Tab, tempo};
+use dalembert_tui::{
+    Msg,
+    keys::Place,
+    panes::{self, places, working::Working},
+    tempo,
+};
 use insta::assert_snapshot;
 use itertools::Itertools as _;
 use ratatui::style::Color;
@@ -112,7 +117,7 @@ fn a_wide_screen_has_room_for_the_names_of_materials() {
         person.types("[<tab>");
         for (at, case) in cases.iter().enumerate() {
             person.types(if at == 0 { "<enter><tab>" } else { "<tab><down><enter><tab>" });
-            let form = &person.model.bench.as_ref().expect("a problem is open").form;
+            let form = &person.model.bench.as_ref().expect("a problem is open").problem.inputs.form;
             let lines = form.lines();
             let fit = lines.iter().take(FIT);
             let wanted = fit.filter(|line| line.field.label == "Young's modulus").count();
@@ -334,15 +339,15 @@ fn an_empty_input_is_needed_and_not_wrong() {
 #[test]
 fn a_row_that_is_added_waits_at_its_first_field() {
     let mut person = Person::at(80, 40).opens(ROTOR);
-    let form = &mut person.model.bench.as_mut().expect("a problem is open").form;
+    let form = &mut person.model.bench.as_mut().expect("a problem is open").problem.inputs.form;
     let row = form.lines().iter().find_map(|line| line.number.map(|_| line.path.clone()));
     form.go_to(&row.expect("it has rows"));
     person.types("a");
-    let form = &person.model.bench.as_ref().expect("a problem is open").form;
+    let form = &person.model.bench.as_ref().expect("a problem is open").problem.inputs.form;
     let at = form.line().expect("the cursor is on a line");
     assert!(matches!(at.role, dalembert_tui::form::Role::Leaf { .. }), "{at:?}");
     assert!(at.path.contains("[2]."), "{}", at.path);
-    let needed = person.model.bench.as_ref().expect("a problem is open").needed().count();
+    let needed = person.model.bench.as_ref().expect("a problem is open").problem.needed().count();
     let screen = person.sees();
     assert!(needed > 1 && screen.contains(&format!("{needed} values missing")), "{screen}");
     assert!(!screen.contains(" errors") && !screen.contains("✗"), "{screen}");
@@ -354,7 +359,7 @@ fn a_digit_on_a_field_with_a_list_says_what_opens_it() {
     let mut person = fan(80, 24);
     person.types("<down><down>4");
     assert!(person.sees().contains("Enter opens the options"), "{}", person.sees());
-    assert!(person.types("<esc>").model.bench.as_ref().is_some_and(|bench| !bench.is_unsaved()));
+    assert!(person.types("<esc>").model.bench.as_ref().is_some_and(|bench| !bench.problem.is_unsaved()));
 }
 
 #[test]
@@ -478,7 +483,7 @@ fn an_alternative_is_chosen_and_keeps_what_is_common() {
 fn rows_are_added_duplicated_moved_and_deleted() {
     let mut person = Person::at(80, 40).opens(ROTOR);
     let rows = |person: &mut Person| {
-        let draft = person.model.bench.as_ref().expect("a problem is open").form.draft.clone();
+        let draft = person.model.bench.as_ref().expect("a problem is open").problem.inputs.form.draft.clone();
         let dalembert_core::Draft::Group(fields) = draft else { panic!("a problem is a group") };
         fields
             .into_iter()
@@ -491,12 +496,14 @@ fn rows_are_added_duplicated_moved_and_deleted() {
         .bench
         .as_ref()
         .unwrap()
+        .problem
+        .inputs
         .form
         .lines()
         .iter()
         .find_map(|line| line.number.map(|_| line.path.clone()))
         .unwrap();
-    person.model.bench.as_mut().unwrap().form.go_to(&path);
+    person.model.bench.as_mut().unwrap().problem.inputs.form.go_to(&path);
     assert_snapshot!("rows", person.sees());
     person.types("d");
     assert_eq!(rows(&mut person)[1], before[0]);
@@ -521,10 +528,10 @@ fn every_analysis_opens_with_its_first_case_solved() {
         for (columns, rows) in [(80, 24), (160, 50)] {
             let mut person = Person::at(columns, rows).opens(id);
             let bench = person.model.bench.as_ref().expect("a problem is open");
-            assert_eq!(bench.wrong().chain(bench.needed()).next(), None, "{id}");
-            assert_eq!(bench.found.failure, None, "{id}");
+            assert_eq!(bench.problem.wrong().chain(bench.problem.needed()).next(), None, "{id}");
+            assert_eq!(bench.problem.found.failure, None, "{id}");
             assert!(
-                bench.found.solution.as_ref().is_some_and(|solution| !solution.answers.is_empty()),
+                bench.problem.found.solution.as_ref().is_some_and(|solution| !solution.answers.is_empty()),
                 "{id}"
             );
             for _ in 0..6 {
@@ -657,7 +664,7 @@ fn a_pinned_result_on_a_wide_screen_and_in_ascii() {
 fn the_working_is_revealed_step_by_step() {
     let mut person = fan(80, 24);
     let shown = person.sees();
-    let steps = person.model.bench.as_ref().unwrap().found.solution.as_ref().unwrap().steps.len();
+    let steps = person.model.bench.as_ref().unwrap().problem.found.solution.as_ref().unwrap().steps.len();
     person.types("t");
     assert!(person.sees().contains("Space in Working"), "{}", person.sees());
     person.types("<home>");
@@ -694,7 +701,7 @@ fn a_covered_problem_keeps_its_sketch_and_gives_nothing_away() {
 #[test]
 fn a_symbol_leads_to_the_step_that_made_it_and_back() {
     let mut person = fan(80, 24);
-    let place = |person: &Person| person.model.bench.as_ref().unwrap().reading.symbol;
+    let place = |person: &Person| person.model.bench.as_ref()?.find::<Working>()?.symbol();
     person.types("]<tab>");
     let whole = person.types("<right>").sees();
     assert!(whole.contains("depends on"), "{whole}");
@@ -724,7 +731,7 @@ fn a_symbol_leads_to_the_step_that_made_it_and_back() {
     person.types("]<tab><right><enter>");
     assert_eq!(person.model.place(), Place::Form);
     person.types("<esc>");
-    assert_eq!((person.model.place(), place(&person).is_some()), (Place::Working, true), "escape comes back");
+    assert_eq!((person.model.place().id(), place(&person).is_some()), ("working", true), "escape comes back");
 }
 
 #[test]
@@ -746,7 +753,7 @@ fn the_help_is_the_table_of_keys() {
     assert_snapshot!("help", fan(80, 24).types("?").sees());
     let mut person = fan(80, 200);
     let help = person.types("<f1>").sees();
-    for place in [Place::Form, Place::Pane, Place::Working, Place::Plot, Place::Drawing, Place::Cells] {
+    for place in places().into_iter().filter(|place| place.is_pane() || *place == Place::Form) {
         for binding in place.bindings() {
             assert!(help.contains(binding.name), "{}:\n{help}", binding.name);
         }
@@ -777,6 +784,7 @@ fn tables_are_edited_and_pasted() {
         .bench
         .as_ref()
         .unwrap()
+        .problem
         .cases
         .iter()
         .position(|judged| judged.case.name.contains("table of points"));
@@ -784,7 +792,7 @@ fn tables_are_edited_and_pasted() {
         person.types("<down>");
     }
     person.types("<enter><tab>[[[[");
-    let form = &mut person.model.bench.as_mut().unwrap().form;
+    let form = &mut person.model.bench.as_mut().unwrap().problem.inputs.form;
     let table = form.lines().iter().find_map(|line| {
         matches!(line.role, dalembert_tui::form::Role::Table { .. }).then(|| line.path.clone())
     });
@@ -841,13 +849,13 @@ fn a_table_is_read_from_the_file_it_names() {
     let mut person = Person::at(100, 30).opens("vibration/frequency-response-identification");
     let path = "measurement.complex.response.accelerance-parts.points";
     let bench = person.model.bench.as_mut().unwrap();
-    let cases = dalembert_core::cases::cases(bench.entry).unwrap();
+    let cases = dalembert_core::cases::cases(bench.problem.entry).unwrap();
     let case = cases.into_iter().find(|case| case.name.contains("accelerance")).unwrap();
-    bench.form.replace(case.draft);
-    bench.form.go_to(path);
+    bench.problem.inputs.form.replace(case.draft);
+    bench.problem.inputs.form.go_to(path);
     let text = |person: &Person| {
         let bench = person.model.bench.as_ref().unwrap();
-        match bench.form.draft.at(&bench.entry.shape(), path) {
+        match bench.problem.inputs.form.draft.at(&bench.problem.entry.shape(), path) {
             Ok((dalembert_core::Draft::Leaf(text), _)) => text.clone(),
             other => panic!("{other:?}"),
         }
@@ -869,12 +877,12 @@ fn a_table_is_read_from_the_file_it_names() {
 #[test]
 fn every_word_of_the_interface_is_translated() {
     use dalembert_core::text::is_translated;
-    let of_places = Place::ALL.into_iter().flat_map(|place| {
+    let of_places = places().into_iter().flat_map(|place| {
         let names = place.bindings().flat_map(|binding| [binding.name, binding.hint]);
         names.chain([place.name()]).collect::<Vec<_>>()
     });
     let missing: Vec<&str> = of_places
-        .chain(Tab::ALL.map(Tab::name))
+        .chain(panes::all().iter().map(|pane| pane.name()))
         .filter(|word| !word.is_empty() && !is_translated(word))
         .collect();
     assert_eq!(missing, [""; 0]);
@@ -934,11 +942,11 @@ fn draw_sizes(drawn: fn(u16, u16) -> bool) {
 #[test]
 fn in_ascii_keys_and_greek_letters_are_called_by_their_names() {
     let mut person = Person::in_ascii(80, 24).opens("vibration/rotating-unbalance");
-    person.turns_to(Tab::Plot);
+    person.turns_to("Plot");
     let seen = person.types("<tab>").sees();
     assert!(seen.contains("Left Right move the cursor"), "{seen}");
     assert!(seen.contains(" omega "), "{seen}");
-    person.turns_to(Tab::Working);
+    person.turns_to("Working");
     let mut seen = person.sees();
     for _ in 0..8 {
         seen += &person.types("<pgdn>").sees();
@@ -949,7 +957,7 @@ fn in_ascii_keys_and_greek_letters_are_called_by_their_names() {
 #[test]
 fn in_portuguese_printed_numbers_have_the_comma_of_ours() {
     let mut person = Person::in_portuguese(140, 40).opens("vibration/rotating-unbalance");
-    person.turns_to(Tab::Sources);
+    person.turns_to("Sources");
     let seen = person.sees();
     assert!(seen.contains("Casos publicados"), "{seen}");
     assert!(seen.matches("106,23 rad/s").count() >= 2 && !seen.contains("106.23"), "{seen}");

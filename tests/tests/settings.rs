@@ -10,6 +10,7 @@ use dalembert_tests::{
 use dalembert_tui::{
     keys::{Action, Key, Place},
     look::Theme,
+    panes::places,
     settings,
 };
 use ratatui::style::Color;
@@ -84,7 +85,7 @@ fn what_is_set_holds_from_the_first_frame() {
 #[test]
 fn every_action_has_a_key_or_a_name_and_stands_in_the_file_of_settings() {
     let file = settings::default_file(&Locale::english());
-    for place in Place::ALL {
+    for place in places() {
         for binding in place.bindings() {
             assert!(!binding.name.is_empty(), "{binding:?}");
             assert!(file.contains(&format!("# {} = ", binding.action.id())), "{binding:?}");
@@ -103,8 +104,7 @@ fn every_action_has_a_key_or_a_name_and_stands_in_the_file_of_settings() {
         .collect();
     assert!(ids.len() > 50, "{ids:?}");
     for id in ids {
-        let stands =
-            Place::ALL.into_iter().flat_map(Place::bindings).any(|binding| binding.action.id() == id);
+        let stands = places().into_iter().flat_map(Place::bindings).any(|binding| binding.action.id() == id);
         assert!(stands, "{id} stands in no table");
     }
 }
@@ -454,7 +454,7 @@ fn a_key_that_does_nothing_here_says_why() {
 fn the_keys_in_the_guide_are_keys_of_the_tables() {
     let guide = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/guide.md");
     let guide = fs::read_to_string(guide).expect("the file is there");
-    let names: Vec<String> = Place::ALL
+    let names: Vec<String> = places()
         .into_iter()
         .flat_map(Place::bindings)
         .flat_map(|binding| binding.keys)

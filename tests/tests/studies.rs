@@ -18,7 +18,6 @@ use dalembert_tui::{
     Effect, Msg,
     ask::Question,
     keys::{Place, notation::keys_of},
-    tab::Tab,
     update,
 };
 use insta::assert_snapshot;
@@ -300,14 +299,14 @@ fn presses(person: &mut Person, key: &str) -> Vec<Effect> {
 #[test]
 fn escape_stops_what_is_asked_and_turning_to_it_asks_again() {
     for (tab, keys, change) in [
-        (Tab::Study, "", "<right>"),
-        (Tab::Sensitivity, "", "<right>"),
-        (Tab::Sensitivity, "<down>", "3"),
-        (Tab::Check, "<down>99 rad/", "s"),
+        ("Study", "", "<right>"),
+        ("Sensitivity", "", "<right>"),
+        ("Sensitivity", "<down>", "3"),
+        ("Check", "<down>99 rad/", "s"),
     ] {
         let mut person = at(Person::at(120, 36).opens(FAN), tab);
         person.types(keys);
-        assert!(matches!(presses(&mut person, change)[..], [Effect::Ask(_)]), "{tab:?}");
+        assert!(matches!(presses(&mut person, change)[..], [Effect::Ask(_)]), "{tab}");
         let screen = person.sees();
         assert!(screen.contains("solving; Esc cancels"), "{screen}");
         assert!(
@@ -316,14 +315,14 @@ fn escape_stops_what_is_asked_and_turning_to_it_asks_again() {
         );
         // What is typed ends first.
         if person.model.place() == Place::Cell {
-            assert!(matches!(presses(&mut person, "<esc>")[..], []), "{tab:?}");
+            assert!(matches!(presses(&mut person, "<esc>")[..], []), "{tab}");
             assert!(person.sees().contains("solving; Esc cancels"), "{}", person.sees());
         }
-        assert!(matches!(presses(&mut person, "<esc>")[..], [Effect::Cancel]), "{tab:?}");
+        assert!(matches!(presses(&mut person, "<esc>")[..], [Effect::Cancel]), "{tab}");
         let screen = person.sees();
-        assert!(screen.contains(&format!("{} cancelled", tab.name())), "{screen}");
+        assert!(screen.contains(&format!("{} cancelled", tab)), "{screen}");
         assert!(!screen.contains("solving") && !screen.contains("searching for"), "{screen}");
-        assert!(screen.contains(if tab == Tab::Check { "incorrect" } else { " cancelled" }), "{screen}");
+        assert!(screen.contains(if tab == "Check" { "incorrect" } else { " cancelled" }), "{screen}");
         person.types("[]");
         let screen = person.sees();
         assert!(!screen.contains("cancelled"), "{screen}");
@@ -337,7 +336,7 @@ fn escape_stops_what_is_asked_and_turning_to_it_asks_again() {
 
 #[test]
 fn what_another_tab_waited_for_is_asked_again() {
-    let mut person = at(Person::at(120, 36).opens(FAN), Tab::Sensitivity);
+    let mut person = at(Person::at(120, 36).opens(FAN), "Sensitivity");
     presses(&mut person, "<right>");
     person.types("]");
     assert!(person.sees().contains("current value"), "{}", person.sees());
@@ -391,7 +390,7 @@ fn every_question_ends_soon_after_it_is_stopped() {
     assert!(stopped > 20, "{stopped}");
 }
 
-fn at(mut person: Person, tab: Tab) -> Person {
+fn at(mut person: Person, tab: &str) -> Person {
     person.types("<tab>");
     person.turns_to(tab);
     person
@@ -399,16 +398,16 @@ fn at(mut person: Person, tab: Tab) -> Person {
 
 #[test]
 fn which_input_matters_is_seen_as_bars() {
-    let mut person = at(Person::at(80, 24).opens(FAN), Tab::Sensitivity);
+    let mut person = at(Person::at(80, 24).opens(FAN), "Sensitivity");
     for _ in 0..4 {
         person.types("<right>");
     }
     assert_snapshot!("sensitivity", person.types("<down>2 %<enter>").sees());
-    let mut person = at(Person::at(160, 50).opens(FAN), Tab::Sensitivity);
+    let mut person = at(Person::at(160, 50).opens(FAN), "Sensitivity");
     assert_snapshot!("sensitivity_wide", person.sees());
-    let mut person = at(Person::in_portuguese(120, 36).opens(FAN), Tab::Sensitivity);
+    let mut person = at(Person::in_portuguese(120, 36).opens(FAN), "Sensitivity");
     assert_snapshot!("sensitivity_portuguese", person.sees());
-    let mut person = at(Person::in_ascii(80, 24).opens(FAN), Tab::Sensitivity);
+    let mut person = at(Person::in_ascii(80, 24).opens(FAN), "Sensitivity");
     assert_snapshot!("sensitivity_ascii", person.types("e").sees());
 }
 
@@ -416,16 +415,16 @@ fn which_input_matters_is_seen_as_bars() {
 fn a_study_is_typed_and_its_curve_is_seen() {
     // The amplitude over the speed.
     let keys = "<down><right><right><right><right><down><left><down>500 rpm<down><enter>1500 rpm<enter>";
-    let mut person = at(Person::at(80, 24).opens(FAN), Tab::Study);
+    let mut person = at(Person::at(80, 24).opens(FAN), "Study");
     assert_snapshot!("study", person.types(keys).types("e").sees());
-    let mut person = at(Person::at(160, 50).opens(FAN), Tab::Study);
+    let mut person = at(Person::at(160, 50).opens(FAN), "Study");
     assert_snapshot!("study_wide", person.types(keys).sees());
-    assert!(person.model.bench.as_ref().unwrap().plots().count() > 1, "the plot is among the others");
-    let mut person = at(Person::in_portuguese(120, 36).opens(FAN), Tab::Study);
+    assert!(person.model.bench.as_ref().unwrap().problem.plots().count() > 1, "the plot is among the others");
+    let mut person = at(Person::in_portuguese(120, 36).opens(FAN), "Study");
     assert_snapshot!("study_find_portuguese", person.types("<right><down><right><right><right><right><down>10 mm<enter><down><left><down>500 rpm<down><enter>3000 rpm<enter>").sees());
-    let mut person = at(Person::in_ascii(100, 36).opens(FAN), Tab::Study);
+    let mut person = at(Person::in_ascii(100, 36).opens(FAN), "Study");
     assert_snapshot!("study_scatter_ascii", person.types("<left>").sees());
-    let mut wrong = at(Person::at(110, 36).opens(FAN), Tab::Study);
+    let mut wrong = at(Person::at(110, 36).opens(FAN), "Study");
     wrong.types("<down><down><down>3 s<enter>");
     assert!(wrong.sees().contains("is a time"), "{}", wrong.sees());
 }
@@ -445,7 +444,7 @@ fn sensitivity_and_study_begin_with_the_input_under_the_cursor() {
     // The stiffness of the support does not rest on the mass that it carries, nor does the natural frequency on the
     // speed.
     let mut person = Person::at(120, 36).opens(FAN);
-    person.turns_to(Tab::Study);
+    person.turns_to("Study");
     assert_eq!(about(&mut person), pair("Mass of the machine", "Natural frequency"));
     person.types("[");
     assert!(person.sees().contains("◀ Natural frequency ▶"), "{}", person.sees());
@@ -463,7 +462,7 @@ fn sensitivity_and_study_begin_with_the_input_under_the_cursor() {
     assert_eq!(about(&mut person), pair("Mass of the machine", "Damping ratio"));
     let mut person = Person::at(120, 36).opens(FAN);
     person.types("<end>");
-    person.turns_to(Tab::Study);
+    person.turns_to("Study");
     person.types("<tab><down><down><down>900 rpm<enter><tab><home>[]");
     assert_eq!(about(&mut person), pair("Speed of the machine", "Frequency ratio"));
     assert_eq!(cell(&mut person, "Range from"), "900 rpm");
@@ -475,10 +474,10 @@ fn sensitivity_and_study_begin_with_the_input_under_the_cursor() {
 #[test]
 fn a_study_of_an_input_that_is_zero_has_a_range() {
     let mut person = Person::at(120, 36).opens("vibration/free-vibration");
-    let form = &mut person.model.bench.as_mut().unwrap().form;
+    let form = &mut person.model.bench.as_mut().unwrap().problem.inputs.form;
     form.cursor = form.lines().iter().position(|line| line.path.ends_with(".velocity")).unwrap();
     person.types("<del>0 m/s<enter>");
-    person.turns_to(Tab::Study);
+    person.turns_to("Study");
     assert_eq!(
         (cell(&mut person, "Range from"), cell(&mut person, "Range to")),
         ("−0.5 m/s".into(), "0.5 m/s".into())

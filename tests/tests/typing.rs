@@ -14,7 +14,7 @@ fn fan() -> Person {
 
 /// The text of the draft under the cursor.
 fn field(person: &Person) -> String {
-    let form = &person.model.bench.as_ref().expect("a problem is open").form;
+    let form = &person.model.bench.as_ref().expect("a problem is open").problem.inputs.form;
     match form.line().expect("a line").role {
         dalembert_tui::form::Role::Leaf { text, .. } => text,
         _ => String::new(),
@@ -89,7 +89,7 @@ fn the_line_below_speaks_of_the_cell_that_is_typed_in() {
     for entry in dalembert_core::registry().iter().filter(|entry| entry.family() == "rigid-body") {
         let mut person = Person::at(100, 30).opens(entry.about.id);
         person.types("]]]]]]]]]");
-        let solution = person.model.bench.as_ref().and_then(|bench| bench.found.solution.as_ref());
+        let solution = person.model.bench.as_ref().and_then(|bench| bench.problem.found.solution.as_ref());
         let at = solution.and_then(|found| {
             found.answers.iter().position(|answer| {
                 answer.si().is_none() && dalembert_core::check::example(answer).starts_with("(1; 2; 3)")
@@ -97,8 +97,8 @@ fn the_line_below_speaks_of_the_cell_that_is_typed_in() {
         });
         let Some(at) = at else { continue };
         let bench = person.model.bench.as_mut().expect("open");
-        bench.tab = dalembert_tui::tab::Tab::Check;
-        bench.focus = dalembert_tui::bench::Focus::Pane;
+        bench.tab = bench.tab_named("Check").expect("a pane");
+        bench.focus = dalembert_tui::layout::Focus::Pane;
         person.types("<home>").types(&"<down>".repeat(at)).types("(");
         let screen = person.sees();
         assert!(screen.contains("write it as in `(1; 2; 3)"), "{}:\n{screen}", entry.about.id);

@@ -13,8 +13,9 @@ use dalembert_tui::{
     drawing,
     glyphs::Colors,
     look::{Look, Theme},
-    panes::{label_of, results, sources, table, working},
+    panes::{label_of, reasons, results, sources, table, working},
     plot::{self, Marker, State},
+    solver::CheckedCase,
 };
 use ratatui::{buffer::Buffer, layout::Rect, style::Color, text::Line};
 
@@ -455,7 +456,7 @@ fn doubts_and_faults_are_not_passed_over() {
         place("! the speed is near") < place("✗ a second method  FAILED: a second method differs by 3×10⁻⁴")
     );
     assert!(place("✗ a second method") < place("✓"), "what failed comes first");
-    let stale = results::stale(
+    let stale = reasons::stale(
         results::lines(&solution, &UNICODE, &Locale::english(), 70),
         &UNICODE,
         &Locale::english(),
@@ -467,7 +468,7 @@ fn doubts_and_faults_are_not_passed_over() {
 #[test]
 fn a_refusal_is_said_in_words() {
     let error = SolveError::Refused(Refusal::NoAnswer("there is no steady state".into()));
-    let shown = text(&results::refusal(None, &error, &UNICODE, &Locale::english(), 40));
+    let shown = text(&reasons::refusal(None, &error, &UNICODE, &Locale::english(), 40));
     assert_eq!(shown, "No solution\n\nthere is no steady state");
     let (entry, _) = solved();
     let mut draft = cases::first(entry).unwrap().draft;
@@ -475,17 +476,17 @@ fn a_refusal_is_said_in_words() {
         fields.clear();
     }
     let Err(errors) = draft.read(&entry.shape()) else { panic!("an empty form was read") };
-    let shown = text(&results::refusal(None, &SolveError::Fields(errors), &UNICODE, &Locale::english(), 60));
+    let shown = text(&reasons::refusal(None, &SolveError::Fields(errors), &UNICODE, &Locale::english(), 60));
     assert!(shown.contains("✗ mass: "), "{shown}");
 }
 
 #[test]
 fn cases_are_shown_with_their_verdicts() {
     let (entry, _) = solved();
-    let cases: Vec<sources::CheckedCase> = cases::cases(entry)
+    let cases: Vec<CheckedCase> = cases::cases(entry)
         .unwrap()
         .into_iter()
-        .map(|case| sources::CheckedCase { verdicts: Some(case.verify(entry)), case })
+        .map(|case| CheckedCase { verdicts: Some(case.verify(entry)), case })
         .collect();
     let page = sources::lines(entry, &cases, Some(0), Some(&[]), &UNICODE, &Locale::english(), 90);
     let shown = text(&page.lines);
@@ -502,7 +503,7 @@ fn cases_are_shown_with_their_verdicts() {
             text(&page.lines)
         );
     }
-    let waiting = sources::CheckedCase { verdicts: None, ..cases[0].clone() };
+    let waiting = CheckedCase { verdicts: None, ..cases[0].clone() };
     let shown =
         text(&sources::lines(entry, &[waiting], None, Some(&[]), &UNICODE, &Locale::english(), 90).lines);
     assert!(shown.contains("not solved yet"));
@@ -601,7 +602,7 @@ fn fields_are_named_by_their_labels() {
     ];
     let shape = entry.shape();
     let error = SolveError::Fields(errors);
-    let shown = text(&results::refusal(Some(&shape), &error, &UNICODE, &Locale::english(), 60));
+    let shown = text(&reasons::refusal(Some(&shape), &error, &UNICODE, &Locale::english(), 60));
     assert!(shown.contains("✗ Mass of the machine: it must be positive"), "{shown}");
     assert!(shown.contains("✗ nowhere: it must be positive"), "{shown}");
 }
@@ -612,7 +613,7 @@ fn verdicts_are_written_as_everything_else_is() {
     let case = cases::first(entry).unwrap();
     let mut verdicts = case.verify(entry).unwrap();
     (verdicts[0].printed, verdicts[0].ours) = ("-1.5e-3 m s^-1".into(), "−1.5004 m/s".into());
-    let judged = [sources::CheckedCase { verdicts: Some(Ok(verdicts)), case }];
+    let judged = [CheckedCase { verdicts: Some(Ok(verdicts)), case }];
     let shown = |look: &Look, locale: &Locale| {
         text(&sources::lines(entry, &judged, None, Some(&solution.answers), look, locale, 100).lines)
     };
@@ -670,7 +671,7 @@ fn the_panes_speak_portuguese() {
         sides: Sides::Plain,
     });
     let shown =
-        text(&results::stale(results::lines(&solution, &UNICODE, &locale, 90), &UNICODE, &locale, 90));
+        text(&reasons::stale(results::lines(&solution, &UNICODE, &locale, 90), &UNICODE, &locale, 90));
     for words in [
         "! resultados dos dados anteriores, completos",
         "✗ Erro interno do programa",
@@ -679,7 +680,7 @@ fn the_panes_speak_portuguese() {
         assert!(shown.contains(words), "{words} in\n{shown}");
     }
     let error = SolveError::Refused(Refusal::NoAnswer("k".into()));
-    assert!(text(&results::refusal(None, &error, &UNICODE, &locale, 40)).starts_with("Sem solução"));
+    assert!(text(&reasons::refusal(None, &error, &UNICODE, &locale, 40)).starts_with("Sem solução"));
     let nothing = Plot::new("", Axis::linear("", ""), Axis::linear("", ""), Vec::new());
     assert!(drawn(&nothing, &State::default(), &UNICODE, &locale, (40, 5)).contains("nada a desenhar"));
     for words in [

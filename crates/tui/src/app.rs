@@ -17,10 +17,11 @@ use dalembert_core::{Entry, Language, Text, registry};
 use self::watch::Watched;
 use crate::{
     dialog::{After, Editing},
+    effect::Effect,
     files::{self, Autosave, Memory},
     glyphs::{Capabilities, Colors, Environment, Glyphs, PlotMarker},
     look::Look,
-    model::{EditError, Effect, Model, Msg},
+    model::{EditError, Model, Msg},
     replay::{Player, Recorder, Replay},
     settings::{self, Settings},
     solver::{Solver, judges},
@@ -272,7 +273,8 @@ impl Runtime {
             if self.noted.is_some_and(|noted| resting(noted) || self.kept.elapsed() > KEEP_WHILE_TYPING) {
                 stale |= self.keep(model);
             }
-            let known = model.bench.as_ref().and_then(|bench| bench.file.as_ref()?.fingerprint);
+            let known =
+                model.bench.as_ref().and_then(|bench| bench.problem.document.file.as_ref()?.fingerprint);
             if let Some(msg) = self.watched.as_mut().and_then(|watched| watched.look(known)) {
                 stale = true;
                 let effects = update(model, msg);

@@ -8,6 +8,7 @@ mod autosave;
 mod memory;
 mod process;
 mod save;
+
 #[cfg(test)]
 mod tests;
 
@@ -23,12 +24,15 @@ pub use autosave::{Autosave, Crashed, autosave_path};
 pub use memory::{Memory, recall, remember, remembered_path, sets, sets_path};
 pub use save::{Before, remove_strays, save, save_all};
 
-use dalembert_core::{Field, Text, uff};
+use dalembert_core::{Field, Locale, Text, file, uff};
 
 use crate::glyphs::filter_untrusted;
 
 /// The largest file that is read, in bytes.
 pub const LARGEST: u64 = 16 * 1024 * 1024;
+
+/// So many faults of a file are listed.
+const MOST_FAULTS: usize = 8;
 
 /// So many names of a folder are listed.
 const MOST_NAMES: usize = 1_000;
@@ -322,4 +326,28 @@ fn advice(error: &io::Error) -> &'static str {
 /// A path for a message; a file name can hold anything but a zero byte and a slash.
 pub(crate) fn shown(path: &Path) -> String {
     filter_untrusted(&path.to_string_lossy()).replace('\n', "\u{FFFD}")
+}
+
+/// Lists the faults of the text of a problem, each with its line.
+pub(crate) fn faults(text: &str, errors: &[file::FileError], locale: &Locale) -> Vec<String> {
+    let line = |span: &Option<std::ops::Range<usize>>| {
+        let at = span.as_ref()?.start.min(text.len());
+        Some(1 + text.get(..at)?.matches('\n').count())
+    };
+    let mut lines: Vec<String> = errors
+        .iter()
+        .take(MOST_FAULTS)
+        .map(|error| {
+            let text = match line(&error.span) {
+                Some(line) => Text::new("line {line}: {why}").with("line", line),
+                None => Text::new("{why}"),
+            };
+            filter_untrusted(&text.with_text("why", error.why.clone()).render(locale)).into_owned()
+        })
+        .collect();
+    if errors.len() > MOST_FAULTS {
+        let more = Text::new("and {more} more").with("more", errors.len() - MOST_FAULTS);
+        lines.push(more.render(locale));
+    }
+    lines
 }

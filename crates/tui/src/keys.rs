@@ -6,15 +6,13 @@
 mod map;
 mod names;
 pub mod notation;
-mod tables;
+pub(crate) mod tables;
 
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 pub use map::{Bound, Change, KeyMap};
 pub use tables::{ALWAYS, COMMON, PANES, PROBLEM};
-use tables::{
-    CELL, CELLS, DRAWING, EDIT, FILTER, FORM, HELP, LIST, PICKER, PLOT, PROMPT, RESULTS, SHEET, WORKING,
-};
+use tables::{CELL, CELLS, EDIT, FILTER, FORM, HELP, LIST, PICKER, PROMPT, RESULTS, SHEET};
 
 /// What a user wants when pressing a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -170,6 +168,28 @@ pub struct Binding {
     pub hint: &'static str,
 }
 
+/// Bindings in the order of the help: runs of lines, of which tables share some.
+pub type Table = &'static [&'static [Binding]];
+
+/// The keys of a pane that has a table of its own.
+#[derive(Debug)]
+pub struct PaneKeys {
+    /// The name of its place in the settings.
+    pub id: &'static str,
+    /// The name of its place in the help.
+    pub name: &'static str,
+    /// The table.
+    pub table: Table,
+}
+
+impl PartialEq for PaneKeys {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}
+
+impl Eq for PaneKeys {}
+
 /// A key with its modifiers; Shift is part of a character.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Key(pub KeyCode, pub KeyModifiers);
@@ -185,14 +205,10 @@ pub enum Place {
     Form,
     /// A field that is being typed in.
     Edit,
-    /// What was found: answers, tables, sources.
+    /// A pane of what was found.
     Pane,
-    /// The worked solution.
-    Working,
-    /// A plot.
-    Plot,
-    /// A drawing or an animation.
-    Drawing,
+    /// A pane of what was found that has keys of its own.
+    Own(&'static PaneKeys),
     /// A list to choose from.
     List,
     /// A line of text that is asked for.
@@ -208,35 +224,15 @@ pub enum Place {
 }
 
 impl Place {
-    /// Every place, as they are declared.
-    pub const ALL: [Place; 14] = [
-        Place::Picker,
-        Place::Filter,
-        Place::Form,
-        Place::Edit,
-        Place::Pane,
-        Place::Working,
-        Place::Plot,
-        Place::Drawing,
-        Place::List,
-        Place::Prompt,
-        Place::Sheet,
-        Place::Help,
-        Place::Cells,
-        Place::Cell,
-    ];
-
     /// Its table; the keys that it shares with others come after it, see [`bindings`](Self::bindings).
-    pub fn table(self) -> &'static [Binding] {
+    pub fn table(self) -> Table {
         match self {
             Place::Picker => PICKER,
             Place::Filter => FILTER,
             Place::Form => FORM,
             Place::Edit => EDIT,
             Place::Pane => RESULTS,
-            Place::Working => WORKING,
-            Place::Plot => PLOT,
-            Place::Drawing => DRAWING,
+            Place::Own(keys) => keys.table,
             Place::List => LIST,
             Place::Prompt => PROMPT,
             Place::Sheet => SHEET,
@@ -254,9 +250,7 @@ impl Place {
             Place::Form => "Inputs",
             Place::Edit => "While typing in a field",
             Place::Pane => "Results",
-            Place::Working => "Working",
-            Place::Plot => "Plot",
-            Place::Drawing => "Drawing",
+            Place::Own(keys) => keys.name,
             Place::List => "Lists",
             Place::Prompt => "Text prompt",
             Place::Sheet => "Multi-line text",
@@ -273,7 +267,7 @@ impl Place {
 
     /// Whether it is one of the panes of what was found.
     pub fn is_pane(self) -> bool {
-        matches!(self, Place::Pane | Place::Working | Place::Plot | Place::Drawing | Place::Cells)
+        matches!(self, Place::Pane | Place::Own(_) | Place::Cells)
     }
 
     /// Every binding of the tables that holds here, the most useful first.
@@ -282,6 +276,8 @@ impl Place {
         let in_problem = self.is_pane() || self == Place::Form;
         self.table()
             .iter()
+            .copied()
+            .flatten()
             .chain(of(self.is_pane(), PANES))
             .chain(of(in_problem, PROBLEM))
             .chain(of(in_problem || self == Place::Picker, COMMON))
@@ -311,13 +307,20 @@ impl Key {
     }
 }
 
+/// The place so many further than `at` among `of`, round and round.
+pub(crate) fn turned(at: usize, by: isize, of: usize) -> usize {
+    let last = of.saturating_sub(1);
+    (at.min(last) as isize + by).rem_euclid(of.max(1) as isize) as usize
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::panes::places;
 
     #[test]
     fn a_key_means_one_thing_in_a_place() {
-        for place in Place::ALL {
+        for place in places() {
             let mut seen: Vec<Key> = Vec::new();
             for key in place.bindings().flat_map(|binding| binding.keys) {
                 assert!(!seen.contains(key), "{key:?} is there twice in {place:?}");
@@ -328,18 +331,18 @@ mod tests {
 
     #[test]
     fn characters_are_text_where_text_is_typed() {
-        for place in Place::ALL.into_iter().filter(|place| place.is_text()) {
+        for place in places().into_iter().filter(|place| place.is_text()) {
             for character in ' '..='~' {
                 let event = KeyEvent::new(KeyCode::Char(character), KeyModifiers::NONE);
-                assert_eq!(KeyMap::default().action(place, event), None, "{character} in {place:?}");
+                assert_eq!(KeyMap::of(&places()).action(place, event), None, "{character} in {place:?}");
             }
         }
     }
 
     #[test]
     fn escape_and_the_end_are_everywhere() {
-        for place in Place::ALL {
-            let of = |code, modifiers| KeyMap::default().action(place, KeyEvent::new(code, modifiers));
+        for place in places() {
+            let of = |code, modifiers| KeyMap::of(&places()).action(place, KeyEvent::new(code, modifiers));
             assert_eq!(of(KeyCode::Esc, KeyModifiers::NONE), Some(Action::Back), "{place:?}");
             assert_eq!(of(KeyCode::Char('c'), KeyModifiers::CONTROL), Some(Action::Quit), "{place:?}");
         }
@@ -348,6 +351,6 @@ mod tests {
     #[test]
     fn shift_is_part_of_a_character() {
         let big = KeyEvent::new(KeyCode::Char('Z'), KeyModifiers::SHIFT);
-        assert_eq!(KeyMap::default().action(Place::Form, big), Some(Action::Redo));
+        assert_eq!(KeyMap::of(&places()).action(Place::Form, big), Some(Action::Redo));
     }
 }

@@ -2,8 +2,6 @@
 
 use ratatui::layout::{Constraint, Layout, Margin, Rect};
 
-use crate::bench::Focus;
-
 /// From so many columns on there is a third column, for pictures.
 const THREE_COLUMNS: u16 = 140;
 /// From so many columns on inputs and results stand side by side.
@@ -14,6 +12,16 @@ const ROOMY: u16 = 12;
 const ROOMY_PLOT: u16 = 18;
 /// Columns of the narrowest column of inputs.
 const FORM: u16 = 38;
+
+/// The part of the screen that the keys act on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Focus {
+    /// The inputs.
+    #[default]
+    Form,
+    /// The panes.
+    Pane,
+}
 
 /// The parts of the screen of a problem.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

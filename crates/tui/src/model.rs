@@ -3,26 +3,34 @@
 use std::path::PathBuf;
 
 use dalembert_core::{
-    Entry, Field, Language, Locale, Text,
+    Entry, Language, Locale, Text, cases,
     exercises::{self, Exercises},
+    file,
 };
 use dalembert_units::Decimal;
-use ratatui::crossterm::event::{KeyEvent, MouseEvent};
+use ratatui::{
+    crossterm::event::{KeyEvent, MouseEvent},
+    layout::Rect,
+};
 
 use crate::{
     bench::Bench,
     dialog::{After, Dialog, Editing},
-    files::{Before, Crashed, FileError, Fingerprint, Opened},
+    files::{Crashed, FileError, Fingerprint, Opened},
     keys::{Action, KeyMap, Place},
+    layout::Focus,
     look::Look,
-    panes::sources::CheckedCase,
+    pane::{Pane, Tab, Ui},
     picker::{Contents, Heading, Leaf, Listing, Picker, Row},
     plot::Marker,
-    remembered::{Change, Remembered},
+    problem::Problem,
+    remembered::Remembered,
     settings::{Fault as SettingFault, Settings},
-    solver::{Job, Outcome},
-    terminal::Fault,
+    solver::{CheckedCase, Outcome},
 };
+
+/// So many problems are open at once.
+pub(crate) const MOST_PROBLEMS: usize = 9;
 
 /// Everything the workbench knows.
 #[derive(Debug)]
@@ -193,101 +201,6 @@ pub enum Msg {
     Notice(String),
 }
 
-/// Action outside of the model.
-#[derive(Debug)]
-pub enum Effect {
-    /// Solve; [`Msg::Solved`] tells the outcome.
-    Solve(Job),
-    /// Answer what is asked beside the results; [`Msg::Asked`].
-    Ask(Job),
-    /// Stop solving: nobody waits for the outcome any more.
-    Cancel,
-    /// Compare the cases of an analysis with what was printed; [`Msg::CheckedCase`].
-    Judge(&'static Entry),
-    /// Write a file; [`Msg::Saved`].
-    Save {
-        /// Path.
-        path: PathBuf,
-        /// Text to write.
-        text: String,
-        /// Precondition on the file.
-        before: Before,
-    },
-    /// Write files that belong together, the first under this condition; [`Msg::Exported`].
-    Export {
-        /// Paths and texts.
-        files: Vec<(PathBuf, String)>,
-        /// Precondition on the files.
-        before: Before,
-    },
-    /// Read a file; [`Msg::Opened`].
-    Open(PathBuf),
-    /// Look into a folder; [`Msg::Listed`].
-    List(PathBuf),
-    /// Read the file of a table; [`Msg::TableRead`].
-    ReadTable {
-        /// The field of the table.
-        field: String,
-        /// The file.
-        path: PathBuf,
-        /// The columns of the table.
-        columns: &'static [Field],
-    },
-    /// Remember the unsaved work against a crash.
-    Keep {
-        /// The number of the problem.
-        problem: u64,
-        /// The file it belongs to.
-        original: Option<PathBuf>,
-        /// The work, as a problem file.
-        text: String,
-    },
-    /// The problem of this number has no unsaved work any more.
-    Forget(u64),
-    /// Remove what a crashed session left.
-    Discard(Crashed),
-    /// Remember this for later sessions.
-    Remember(Change),
-    /// Put a text on the clipboard.
-    Copy(String),
-    /// Edit a file in the user's editor; [`Msg::Edited`].
-    Edit(Editing),
-    /// Remove a copy that was edited and is read.
-    Remove(PathBuf),
-    /// Take the mouse, or leave it to the terminal.
-    Mouse(bool),
-    /// Commit a fault on this thread.
-    Fault(Fault),
-    /// Give the terminal to the shell for a while.
-    Suspend,
-    /// Draw everything again.
-    Redraw,
-    /// End the program.
-    Quit,
-}
-
-impl Effect {
-    /// Returns true if the effect may be delayed by keys that are already waiting: none of their consequences depends
-    /// on it.
-    pub fn may_wait(&self) -> bool {
-        matches!(self, Effect::Solve(_)) || self.keeps().is_some()
-    }
-
-    /// Returns true if a newer effect makes it redundant: of keys handled together the last decides.
-    pub fn is_idle_after(&self, newer: &Effect) -> bool {
-        let solves = |effect: &Effect| matches!(effect, Effect::Solve(_));
-        solves(self) && solves(newer) || self.keeps().is_some() && self.keeps() == newer.keeps()
-    }
-
-    /// The problem that it keeps against a crash, or none any longer.
-    fn keeps(&self) -> Option<u64> {
-        match self {
-            Effect::Keep { problem, .. } | Effect::Forget(problem) => Some(*problem),
-            _ => None,
-        }
-    }
-}
-
 impl Model {
     /// The list of these analyses.
     pub fn new(entries: &[&'static Entry], language: Language, look: Look, marker: Marker) -> Self {
@@ -349,7 +262,7 @@ impl Model {
 
     /// Makes the open problem the context of translations.
     pub fn translate_for_bench(&mut self) {
-        self.locale.place = self.bench.as_ref().map_or("", |bench| bench.entry.about.id);
+        self.locale.place = self.bench.as_ref().map_or("", |bench| bench.problem.entry.about.id);
     }
 
     /// Place of the key map in which keys are looked up.
@@ -372,6 +285,74 @@ impl Model {
         self.bench.as_ref().filter(|_| self.screen == Screen::Bench)
     }
 
+    /// The surroundings of a pane of a problem, seen in an area.
+    pub fn ui(&self, bench: &Bench, tab: Tab, area: Rect) -> Ui<'_> {
+        Ui {
+            look: &self.look,
+            locale: &self.locale,
+            keys: &self.keys,
+            playing: self.playing,
+            marker: bench.marker,
+            focused: bench.focus == Focus::Pane && bench.tab == tab,
+            edit: None,
+            waits: bench.waits(tab),
+            area,
+            scroll: bench.scroll[tab.0],
+        }
+    }
+
+    /// Lets a pane of the problem do something; `None` without a problem.
+    pub fn with_pane<T>(
+        &mut self,
+        tab: Tab,
+        area: Rect,
+        does: impl FnOnce(&mut dyn Pane, &mut Problem, &Ui<'_>) -> T,
+    ) -> Option<T> {
+        let mut bench = self.bench.take()?;
+        let ui = self.ui(&bench, tab, area);
+        let done = does(&mut *bench.panes[tab.0], &mut bench.problem, &ui);
+        self.bench = Some(bench);
+        Some(done)
+    }
+
+    /// The cases of an analysis, compared with what was printed if they were before.
+    pub fn cases_of(&self, entry: &'static Entry) -> Vec<CheckedCase> {
+        let known = self.listings.iter().find(|listing| listing.entry.about.id == entry.about.id);
+        if let Some(judged) = known.and_then(|listing| listing.judged.clone()) {
+            return judged;
+        }
+        let cases =
+            known.map_or_else(|| cases::cases(entry).unwrap_or_default(), |listing| listing.cases().to_vec());
+        cases.into_iter().map(|case| CheckedCase { case, verdicts: None }).collect()
+    }
+
+    /// The problem of a file. A file that has the name of a case as its title holds that case, or held it before a
+    /// change.
+    pub fn problem_of(&self, read: file::Problem) -> Problem {
+        let cases = self.cases_of(read.entry);
+        let origin = cases.iter().map(|judged| &judged.case).find(|case| case.name == read.title).cloned();
+        let title = if origin.is_some() { String::new() } else { read.title };
+        let mut problem = Problem::new(read.entry, title, read.draft, cases);
+        (problem.document.origin, problem.document.show) = (origin, read.show);
+        problem.inputs.notes = read.notes;
+        problem
+    }
+
+    /// How many problems more can be opened: one that is a published case and nothing else gives way.
+    pub fn room(&self) -> usize {
+        MOST_PROBLEMS.saturating_sub(self.problems().iter().filter(|bench| !gives_way(bench)).count())
+    }
+
+    /// Goes from the list to the cases of the chosen analysis, where it has some.
+    pub fn go_to_cases(&mut self) {
+        if self.picker.case.is_none()
+            && let Some(Row::Leaf(leaf)) = self.picker.chosen(self.contents())
+            && !self.listings[leaf.listing].cases().is_empty()
+        {
+            self.picker.case = Some(leaf.case.unwrap_or(0));
+        }
+    }
+
     /// The exercise of a list that the pointer is on: where it stands, and its case.
     pub fn chosen_exercise(&self) -> Option<(Leaf, usize)> {
         match self.picker.chosen(self.contents()) {
@@ -391,7 +372,7 @@ impl Model {
     /// Every open problem, in the order of opening.
     pub fn problems(&self) -> Vec<&Bench> {
         let mut all: Vec<&Bench> = self.bench.iter().chain(&self.others).collect();
-        all.sort_by_key(|bench| bench.number);
+        all.sort_by_key(|bench| bench.problem.number);
         all
     }
 
@@ -415,4 +396,10 @@ impl Model {
     pub fn complain(&mut self, text: impl Into<Text>) {
         self.notice = Some(Notice { text: text.into(), detail: String::new(), wrong: true });
     }
+}
+
+/// True if a problem is closed where there is no room for another.
+pub(crate) fn gives_way(bench: &Bench) -> bool {
+    let problem = &bench.problem;
+    !problem.is_unsaved() && problem.document.file.is_none() && problem.found.pinned.is_none()
 }

@@ -11,15 +11,14 @@ use crate::{
     model::{Model, Screen},
 };
 
-/// The places of a problem.
-const BENCH: [Place; 6] =
-    [Place::Form, Place::Pane, Place::Working, Place::Plot, Place::Drawing, Place::Cells];
-
 /// The bindings that the palette offers for what is typed, the best first, and the place each belongs to.
 pub(crate) fn offered<'m>(model: &'m Model, typed: &str) -> Vec<(Place, &'m Bound)> {
     // What is done where the keys are now comes before the same thing elsewhere.
     let places: Vec<Place> = match (model.screen, &model.bench) {
-        (Screen::Bench, Some(bench)) => [bench.place()].into_iter().chain(BENCH).collect(),
+        (Screen::Bench, Some(bench)) => {
+            let of_problem = |place: &Place| *place == Place::Form || place.is_pane();
+            [bench.place()].into_iter().chain(model.keys.places().filter(of_problem)).collect()
+        }
         _ => vec![Place::Picker],
     };
     let mut all: Vec<(Place, &'m Bound)> = Vec::new();

@@ -1,35 +1,49 @@
-//! What the panes of the bench say, as lines of text. Scrolling is their user's.
+//! The panes of what was found: a file and a `mod` line each, see [`pane`](crate::pane).
 
+mod answers;
 pub mod check;
 mod columns;
+pub mod drawing;
+pub mod plot;
+pub mod reasons;
 pub mod results;
 pub mod sensitivity;
 pub mod sources;
+mod steps;
 pub mod study;
 pub mod table;
 pub mod working;
 pub(crate) mod wrap;
 
-use dalembert_core::{Field, Locale, Shape, Text};
-use ratatui::text::Line;
+use dalembert_core::{Field, Locale, Shape, Text, inventory, is_within, vary};
+use dalembert_units::Unit;
+
+use crate::{
+    keys::{KeyMap, Place},
+    pane::{Pane, PaneEntry, Ui},
+    problem::Problem,
+};
 
 dalembert_core::messages!("../locales/widgets.pt-BR.ftl");
 
-/// The lines of a pane, and at which of them its parts begin.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Page {
-    /// The lines, none wider than was asked for.
-    pub lines: Vec<Line<'static>>,
-    /// The first line of each step or case.
-    pub starts: Vec<usize>,
+/// Every pane, as a problem begins with it, from left to right in the line of tabs.
+pub fn all() -> Vec<Box<dyn Pane>> {
+    let mut entries: Vec<&PaneEntry> = inventory::iter::<PaneEntry>().collect();
+    entries.sort_by_key(|entry| entry.order);
+    entries.into_iter().map(|entry| (entry.new)()).collect()
 }
 
-impl Page {
-    /// The part that a line belongs to. After the last part an empty line follows.
-    pub fn part_at(&self, line: usize) -> Option<usize> {
-        let part = self.starts.iter().rposition(|start| *start <= line)?;
-        let own = self.lines.get(self.starts[part]..=line)?;
-        own.iter().all(|line| line.width() > 0).then_some(part)
+/// Every place where keys are typed, as the help and the settings list them.
+pub fn places() -> Vec<Place> {
+    let mut places = vec![Place::Picker, Place::Filter, Place::Form, Place::Edit, Place::Pane];
+    places.extend(all().iter().map(|pane| pane.place()).filter(|place| matches!(place, Place::Own(_))));
+    places.extend([Place::List, Place::Prompt, Place::Sheet, Place::Help, Place::Cells, Place::Cell]);
+    places
+}
+
+impl Default for KeyMap {
+    fn default() -> Self {
+        KeyMap::of(&places())
     }
 }
 
@@ -77,4 +91,20 @@ pub fn label_of(shape: &Shape, path: &str, locale: &Locale) -> Option<String> {
         (false, None) => Some(rows),
         (false, Some(label)) => Some(format!("{rows}, {label}")),
     }
+}
+
+/// In which unit a number is taken that is typed without one; `None` where there is no unit.
+pub(crate) fn about_number(unit: &Unit, ui: &Ui<'_>) -> Option<Text> {
+    let unit = unit.shown(ui.look.ascii);
+    (!unit.is_empty()).then(|| Text::new("default unit {unit}").with("unit", &unit))
+}
+
+/// Takes the input that a pane begins with when it is turned to: the one under the cursor of the form, or the first.
+/// True if it is another than before.
+fn begun(begins: &mut String, problem: &Problem) -> bool {
+    let (Some(line), Some(record)) = (problem.inputs.form.line(), problem.record()) else { return false };
+    let inputs = vary::inputs(&record);
+    let here = inputs.iter().find(|input| is_within(&input.path, &line.path)).or(inputs.first());
+    let here = here.map_or_else(String::new, |input| input.path.clone());
+    std::mem::replace(begins, here.clone()) != here
 }

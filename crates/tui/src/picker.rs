@@ -16,8 +16,8 @@ use tui_input::Input;
 
 use self::filter::Index;
 use crate::{
-    panes::sources::CheckedCase,
     remembered::{Progress, Remembered},
+    solver::CheckedCase,
 };
 
 /// Topics are open from the start in a list of so few analyses.

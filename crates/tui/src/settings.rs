@@ -20,6 +20,7 @@ use crate::{
     files::{self, FileError},
     keys::{Change, Key, KeyMap, Place},
     look::Theme,
+    panes::places,
     plot::Marker,
 };
 
@@ -162,7 +163,7 @@ pub fn parse(text: &str) -> (Settings, Vec<Fault>) {
         }
     }
     let (asked, spans): (Vec<Change>, Vec<Option<Range<usize>>>) = changes.into_iter().unzip();
-    let (keys, refused) = KeyMap::changed(&asked);
+    let (keys, refused) = KeyMap::changed(&places(), &asked);
     reader.settings.keys = keys;
     for (n, why) in refused {
         reader.fault(spans[n].clone(), why);
@@ -224,9 +225,13 @@ impl Reader<'_> {
         for (key, item) in table.iter() {
             let span = span_in(table, key);
             if let (Some(inner), None) = (item.as_table_like(), place) {
-                match Place::ALL.into_iter().find(|place| place.id() == key) {
+                let places = places();
+                match places.iter().copied().find(|place| place.id() == key) {
                     Some(place) => self.keys(inner, Some(place), changes),
-                    None => self.fault(span, unknown("place", key, &Place::ALL.map(Place::id))),
+                    None => {
+                        let known: Vec<&str> = places.into_iter().map(Place::id).collect();
+                        self.fault(span, unknown("place", key, &known));
+                    }
                 }
                 continue;
             }
@@ -241,7 +246,7 @@ impl Reader<'_> {
 /// A line of `[keys]`: `save = "ctrl-s"`, `save = ["s", "ctrl-s"]`, `save = []`.
 fn change(place: Option<Place>, name: &str, item: &Item) -> Result<Change, Text> {
     let known: Vec<&'static str> =
-        Place::ALL.into_iter().flat_map(Place::bindings).map(|binding| binding.action.id()).collect();
+        places().into_iter().flat_map(Place::bindings).map(|binding| binding.action.id()).collect();
     let Some(action) = known.iter().find(|known| **known == name).copied() else {
         return Err(unknown("action", name, &known));
     };

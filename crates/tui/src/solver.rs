@@ -6,11 +6,13 @@ use std::{
     thread,
 };
 
-use dalembert_core::{Entry, Record, Refusal, Solution, SolveError, Stop, cases, cases::Case};
+use dalembert_core::{
+    Entry, Record, Refusal, Solution, SolveError, Stop,
+    cases::{self, Case, Verdict},
+};
 
 use crate::{
     ask::{Question, Reply},
-    panes::sources::CheckedCase,
     terminal::{Fault, contained, fault},
 };
 
@@ -57,6 +59,15 @@ pub enum Failure {
     Unsolved(SolveError),
     /// The analysis panicked: a fault of the program.
     Fault(String),
+}
+
+/// A published case, and how its printed answers compare with ours.
+#[derive(Clone, Debug)]
+pub struct CheckedCase {
+    /// The case.
+    pub case: Case,
+    /// `None` while it has not been solved.
+    pub verdicts: Option<Result<Vec<Verdict>, SolveError>>,
 }
 
 /// The threads that solve.

@@ -1,54 +1,59 @@
 //! What happens to the model: messages in, effects out.
+//!
+//! A message and a key lead to [`Intent`]s. The files beside this one answer with them and do not call each other:
+//! what they want of one another is an intent, and [`carry_out`] is the one place that carries it out.
 
-mod ask;
 mod bench;
+mod cells;
 mod closing;
 mod dialog;
 mod edit;
 mod export;
 mod files;
-mod list;
+mod form;
 mod mouse;
+mod pane;
 mod picker;
 mod problems;
-mod remembering;
-mod scroll;
 mod settings;
-mod solve;
 
 use std::path::PathBuf;
 
-use dalembert_core::{Entry, Language, Text, cases};
+use dalembert_core::{Draft, Entry, Language, Text, file};
+use dalembert_report::show_answer_in;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
-use self::remembering::remember;
-pub use self::remembering::remember_done;
 use crate::{
-    bench::{Bench, State},
     dialog::{After, Dialog, Purpose},
-    form,
-    keys::{Action, Place},
-    model::{Effect, Model, Msg, Notice, Screen},
-    panes::sources::CheckedCase,
-    solver::{Failure, Outcome},
+    effect::Effect,
+    form::{self as inputs, Sign},
+    intent::Intent,
+    keys::{Action, Key, Place},
+    model::{Model, Msg, Notice, Screen},
+    pane::{Pane, Tab, Ui},
+    problem::{Problem, State},
+    solver::{Failure, Job, Outcome, Work},
+    view,
 };
 
 /// The first effects: a file or an analysis to begin with, if there is one.
 pub fn start(model: &mut Model, file: Option<PathBuf>, analysis: Option<&'static Entry>) -> Vec<Effect> {
-    list::begin(model);
-    let effects = match (file, analysis) {
-        (Some(path), _) => vec![Effect::Open(path)],
-        (None, Some(entry)) => open_case(model, entry, 0),
-        (None, None) => list::preview(model),
+    picker::begin(model);
+    let first = match (file, analysis) {
+        (Some(path), _) => Intent::Do(Effect::Open(path)),
+        (None, Some(entry)) => Intent::OpenCase(entry, 0),
+        (None, None) => Intent::Preview,
     };
+    let effects = carry_out(model, vec![first]);
     model.translate_for_bench();
     effects
 }
 
 /// Changes the model by what happened, and says what is to be done outside of it.
 pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
-    let mut effects = take(model, msg);
+    let intents = take(model, msg);
+    let mut effects = carry_out(model, intents);
     model.translate_for_bench();
     // A path is asked for: what is there stands below it.
     if let Some(Dialog::Prompt { purpose, input, names, .. }) = &mut model.dialog
@@ -60,217 +65,335 @@ pub fn update(model: &mut Model, msg: Msg) -> Vec<Effect> {
     effects
 }
 
-fn take(model: &mut Model, msg: Msg) -> Vec<Effect> {
+/// Does what is intended, one after the other, and what that leads to before the next.
+fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    let mut next = intents;
+    next.reverse();
+    while let Some(intent) = next.pop() {
+        let mut more = match intent {
+            Intent::Do(effect) => {
+                effects.push(effect);
+                continue;
+            }
+            Intent::Say(text) => {
+                model.say(text);
+                continue;
+            }
+            Intent::Complain(text) => {
+                model.complain(text);
+                continue;
+            }
+            Intent::Refuse => {
+                model.after_save = After::Stay;
+                model.complain("not saved: the program is read-only");
+                continue;
+            }
+            Intent::Show(dialog) => {
+                model.dialog = Some(dialog);
+                continue;
+            }
+            Intent::Press(place, action) => act(model, place, action),
+            Intent::Changed => changed(model),
+            Intent::Keep => keep(model),
+            Intent::GoToInput(path) => form::go_to(model, &path),
+            Intent::TakeTable(path, text) => form::take_table(model, &path, text),
+            Intent::Import(typed) => form::import(model, &typed),
+            Intent::Rename(title) => bench::rename(model, &title),
+            Intent::Turn(tab) => bench::show_tab(model, tab),
+            Intent::EndEdit => cells::end_edit(model),
+            Intent::GoToPart(part) => pane::go_to_part(model, part),
+            Intent::BringIn(part) => pane::bring_in(model, part),
+            Intent::Scroll(tab, by) => pane::scroll(model, tab, by),
+            Intent::Ask => cells::ask(model),
+            Intent::Await(work) => cells::begin_job(model, work),
+            Intent::Mark(marker) => pane::mark(model, marker),
+            Intent::OpenCase(entry, case) => open_case(model, entry, case),
+            Intent::Open(problem) => problems::open(model, *problem),
+            Intent::Replace(problem) => problems::replace(model, *problem),
+            Intent::Bring(number) => problems::bring(model, number),
+            Intent::NextProblem => problems::next(model),
+            Intent::Leave(after) => closing::leave(model, after),
+            Intent::SaveThen(after) => closing::save_then(model, after),
+            Intent::Discard(after) => closing::discard(model, after),
+            Intent::Close => dialog::close(model),
+            Intent::Save => files::save(model),
+            Intent::SaveAs(path) => files::save_as(model, path),
+            Intent::Overwrite(path) => files::overwrite(model, path),
+            Intent::AskPath(Purpose::SaveAs) => files::ask_path(model),
+            Intent::AskPath(purpose) => export::ask_path(model, purpose),
+            Intent::Export(purpose, path, before) => export::write(model, purpose, path, before),
+            Intent::Opened(path, opened) => files::opened(model, path, Ok(opened)),
+            Intent::Restore(sessions) => files::restore(model, sessions),
+            Intent::EditOutside => edit::begin(model),
+            Intent::List => picker::come_back(model),
+            Intent::Preview => picker::preview(model),
+            Intent::Remember(change) => picker::remember(model, change),
+            Intent::Reach(progress) => problems::reach(model, progress),
+        };
+        more.reverse();
+        next.append(&mut more);
+    }
+    effects
+}
+
+fn take(model: &mut Model, msg: Msg) -> Vec<Intent> {
     match msg {
         Msg::Key(key) => {
             model.notice = None;
-            press(model, key)
+            return press(model, key);
         }
-        Msg::Paste(text) => paste(model, &text),
-        Msg::Resize(columns, rows) => {
-            model.size = (columns, rows);
-            Vec::new()
-        }
+        Msg::Paste(text) => return paste(model, &text),
         Msg::Solved(outcome) => {
-            let mut effects = solved(model, outcome);
-            effects.extend(ask::renew(model));
-            effects
+            let mut intents = solved(model, outcome);
+            intents.push(Intent::Ask);
+            return intents;
         }
-        Msg::Asked(outcome) => {
-            ask::take(model, outcome);
-            Vec::new()
-        }
+        Msg::Asked(outcome) => return cells::answered(model, outcome),
+        Msg::Mouse(event) => return mouse::happened(model, event),
+        Msg::Edited { file, result } => return edit::edited(model, file, result),
+        Msg::FileChanged { path, result } => return edit::changed_on_disk(model, &path, result),
+        Msg::Saved { path, text, result } => return files::saved(model, &path, text, result),
+        Msg::Exported { path, result } => return export::written(&path, result),
+        Msg::Opened { path, result } => return files::opened(model, path, result),
+        Msg::TableRead { field, result } => return form::table_read(model, &field, result),
+        Msg::Crashed(sessions) => return files::crashed(model, sessions),
+        Msg::Faulty(files) => settings::faulty(model, &files),
+        Msg::Resize(columns, rows) => model.size = (columns, rows),
         Msg::CheckedCase(id, judged) => {
             if let Some(listing) = model.listings.iter_mut().find(|listing| listing.entry.about.id == id) {
                 listing.judged = Some(judged.clone());
             }
-            for bench in model.problems_mut().filter(|bench| bench.entry.about.id == id) {
-                bench.cases.clone_from(&judged);
+            for bench in model.problems_mut().filter(|bench| bench.problem.entry.about.id == id) {
+                bench.problem.cases.clone_from(&judged);
             }
-            Vec::new()
         }
-        Msg::Mouse(event) => mouse::happened(model, event),
-        Msg::Edited { file, result } => edit::edited(model, file, result),
-        Msg::FileChanged { path, result } => edit::changed_on_disk(model, &path, result),
         Msg::Tick => {
-            if let Some(bench) = &mut model.bench {
-                bench.frame = bench.frame.wrapping_add(1);
+            for pane in model.bench.iter_mut().flat_map(|bench| &mut bench.panes) {
+                if let Some(frame) = pane.frame() {
+                    *frame = frame.wrapping_add(1);
+                }
             }
-            Vec::new()
         }
-        Msg::Saved { path, text, result } => {
-            let is_saved = result.is_ok();
-            let mut effects = files::saved(model, &path, text, result);
-            if is_saved {
-                let after = std::mem::take(&mut model.after_save);
-                effects.extend(closing::go_on(model, after));
-            }
-            effects
-        }
-        Msg::Exported { path, result } => export::written(model, &path, result),
-        Msg::Opened { path, result } => files::opened(model, path, result),
         Msg::Listed(folder, found) => {
             if let Some(Dialog::Prompt { names, .. }) = &mut model.dialog {
                 names.take(&folder, found);
             }
-            Vec::new()
         }
-        Msg::TableRead { field, result } => bench::table_read(model, &field, result),
-        Msg::Crashed(sessions) => {
-            files::crashed(model, sessions);
-            Vec::new()
-        }
-        Msg::Trouble(error) => {
-            model.complain(error.text());
-            Vec::new()
-        }
-        Msg::Faulty(files) => {
-            settings::faulty(model, &files);
-            Vec::new()
-        }
-        Msg::Notice(text) => {
-            model.complain(Text::new("{text}").with("text", text));
-            Vec::new()
-        }
+        Msg::Trouble(error) => model.complain(error.text()),
+        Msg::Notice(text) => model.complain(Text::new("{text}").with("text", text)),
     }
+    Vec::new()
 }
 
-fn press(model: &mut Model, key: KeyEvent) -> Vec<Effect> {
+/// A key: a character where it is text, or else what it means in its place.
+fn press(model: &mut Model, key: KeyEvent) -> Vec<Intent> {
     let place = model.place();
-    let sign = model.bench.as_mut().and_then(|bench| bench.form.sign.take());
+    let sign = model.bench.as_mut().and_then(|bench| bench.problem.inputs.form.sign.take());
+    // Such a character never is a key: the settings refuse it.
+    if let (KeyCode::Char(character), Place::Form, true) = (key.code, place, Key::of(key).begins_a_number()) {
+        return begin_number(model, character, sign);
+    }
     match model.keys.action(place, key) {
-        Some(action @ Action::Nudge(_)) if place == Place::Form => bench::nudge(model, key, action),
+        Some(action @ Action::Nudge(_)) if place == Place::Form => form::nudge(model, key, action),
         Some(action) => act(model, place, action),
-        None => match place {
-            Place::Form => bench::begin_by_typing(model, key, sign),
-            Place::Cells => ask::begin_by_typing(model, key),
-            Place::Sheet => {
+        None => match (place, key.code) {
+            (Place::Cells, KeyCode::Char(character)) => {
+                cells::begin_by_typing(model, character, request(key))
+            }
+            (Place::Sheet, _) => {
                 dialog::edit_sheet(model, key);
                 Vec::new()
             }
-            Place::Filter | Place::Edit | Place::Prompt | Place::Cell => match request(key) {
-                Some(request) => type_in(model, &[request]),
-                None => Vec::new(),
-            },
+            _ if place.is_text() => request(key).map_or_else(Vec::new, |request| type_in(model, &[request])),
             _ => Vec::new(),
         },
     }
 }
 
-/// Does what a key of a place means.
-fn act(model: &mut Model, place: Place, action: Action) -> Vec<Effect> {
-    match action {
-        Action::Quit => return quit(model),
-        Action::Suspend => return vec![Effect::Suspend],
-        Action::Redraw => return vec![Effect::Redraw],
-        Action::Help if model.dialog.is_none() => model.dialog = Some(Dialog::Help { scroll: 0 }),
-        Action::Palette => model.dialog = Some(Dialog::palette()),
-        Action::Language => model.speak(match model.locale.language {
-            Language::English => Language::Portuguese,
-            Language::Portuguese => Language::English,
-        }),
-        Action::NextProblem => return problems::next(model),
-        Action::CloseProblem => return closing::leave(model, After::Close),
-        Action::Theme => settings::ask_theme(model),
-        Action::Mouse => return settings::turn_mouse(model),
-        Action::Open => {
-            model.dialog = Some(Dialog::prompt(Purpose::Open, String::new()));
-        }
-        _ => {
-            return match place {
-                Place::Picker | Place::Filter => picker::act(model, action),
-                Place::List | Place::Prompt | Place::Sheet | Place::Help => dialog::act(model, action),
-                _ => bench::act(model, place, action),
-            };
-        }
+/// A digit on a field of numbers begins a new text, with the sign that was typed just before.
+fn begin_number(model: &mut Model, character: char, sign: Option<Sign>) -> Vec<Intent> {
+    let decimal = model.locale.style.decimal;
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    if bench.problem.inputs.form.begin_number(character, sign, decimal) {
+        vec![Intent::Changed]
+    } else {
+        form::instead_of_number(model)
     }
-    Vec::new()
 }
 
-/// Ends the program, or asks what becomes of unsaved work.
-fn quit(model: &mut Model) -> Vec<Effect> {
-    // What is being typed counts.
-    let mut effects = dialog::close(model);
-    if let Some(bench) = &mut model.bench {
-        bench.form.keep();
+/// Does what a key of a place means: first what it means everywhere, then in a problem, then in its place.
+fn act(model: &mut Model, place: Place, action: Action) -> Vec<Intent> {
+    if let Some(intents) = everywhere(model, action) {
+        return intents;
     }
-    effects.extend(closing::leave(model, After::Quit));
-    effects
+    match place {
+        Place::Picker | Place::Filter => return picker::act(model, action),
+        Place::List | Place::Prompt | Place::Sheet | Place::Help => return dialog::act(model, action),
+        _ => {}
+    }
+    if let Some(intents) = bench::act(model, place, action) {
+        return intents;
+    }
+    match place {
+        Place::Form => form::act(model, action),
+        Place::Edit => form::act_in_field(model, action),
+        Place::Cells => cells::act(model, action),
+        Place::Cell => cells::act_in_cell(model, action),
+        _ => pane::act(model, action),
+    }
+}
+
+/// Does what a key means everywhere.
+fn everywhere(model: &mut Model, action: Action) -> Option<Vec<Intent>> {
+    Some(match action {
+        Action::Quit => {
+            // What is being typed counts.
+            if let Some(bench) = &mut model.bench {
+                bench.problem.inputs.form.keep();
+            }
+            vec![Intent::Close, Intent::Leave(After::Quit)]
+        }
+        Action::Suspend => vec![Intent::Do(Effect::Suspend)],
+        Action::Redraw => vec![Intent::Do(Effect::Redraw)],
+        Action::Help if model.dialog.is_none() => vec![Intent::Show(Dialog::Help { scroll: 0 })],
+        Action::Palette => vec![Intent::Show(Dialog::palette())],
+        Action::Language => {
+            model.speak(match model.locale.language {
+                Language::English => Language::Portuguese,
+                Language::Portuguese => Language::English,
+            });
+            Vec::new()
+        }
+        Action::NextProblem => vec![Intent::NextProblem],
+        Action::CloseProblem => vec![Intent::Leave(After::Close)],
+        Action::Theme => settings::ask_theme(model),
+        Action::Mouse => settings::turn_mouse(model),
+        Action::Open => vec![Intent::Show(Dialog::prompt(Purpose::Open, String::new()))],
+        _ => return None,
+    })
+}
+
+/// Lets the shown pane do something where it is seen.
+fn with_shown<T>(
+    model: &mut Model,
+    does: impl FnOnce(&mut dyn Pane, &mut Problem, &Ui<'_>) -> T,
+) -> Option<T> {
+    let tab = model.bench.as_ref()?.tab;
+    let area = view::area_of_shown(model).unwrap_or_default();
+    model.with_pane(tab, area, does)
 }
 
 /// Opens a case of an analysis beside what is open.
-fn open_case(model: &mut Model, entry: &'static Entry, case: usize) -> Vec<Effect> {
-    let cases = judged_later(model, entry);
+fn open_case(model: &Model, entry: &'static Entry, case: usize) -> Vec<Intent> {
+    let cases = model.cases_of(entry);
     let origin = cases.get(case).map(|judged| judged.case.clone());
-    let draft = match &origin {
-        Some(case) => case.draft.clone(),
-        None => dalembert_core::Draft::blank(&entry.shape()),
-    };
-    let mut bench = Bench::new(entry, String::new(), draft, cases);
-    bench.case = case;
-    bench.origin = origin;
-    problems::open(model, bench)
+    let draft = origin.as_ref().map_or_else(|| Draft::blank(&entry.shape()), |case| case.draft.clone());
+    let mut problem = Problem::new(entry, String::new(), draft, cases);
+    (problem.case, problem.document.origin) = (case, origin);
+    vec![Intent::Open(Box::new(problem))]
 }
 
-/// The cases of an analysis, compared with what was printed if they were before.
-fn judged_later(model: &Model, entry: &'static Entry) -> Vec<CheckedCase> {
-    let known = model.listings.iter().find(|listing| listing.entry.about.id == entry.about.id);
-    if let Some(judged) = known.and_then(|listing| listing.judged.clone()) {
-        return judged;
+/// The inputs are others now: they are read, and solved or found wrong; nothing older counts any more.
+fn changed(model: &mut Model) -> Vec<Intent> {
+    let generation = model.next_generation();
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    bench.forget();
+    let problem = &mut bench.problem;
+    problem.found.failure = None;
+    match problem.inputs.form.draft.read(&problem.entry.shape()) {
+        Ok(record) => {
+            problem.find_wrong(Vec::new());
+            problem.found.state = State::Solving(generation);
+            let work = Work::Solve(problem.entry, record);
+            vec![Intent::Do(Effect::Solve(Job { generation, work })), Intent::Keep]
+        }
+        Err(errors) => {
+            problem.find_wrong(errors);
+            problem.found.state = State::Unread;
+            vec![Intent::Keep]
+        }
     }
-    let cases =
-        known.map_or_else(|| cases::cases(entry).unwrap_or_default(), |listing| listing.cases().to_vec());
-    cases.into_iter().map(|case| CheckedCase { case, verdicts: None }).collect()
 }
 
-fn solved(model: &mut Model, outcome: Outcome) -> Vec<Effect> {
+/// Keeps the problem against a crash.
+fn keep(model: &Model) -> Vec<Intent> {
+    let Some(bench) = model.bench.as_ref().filter(|_| !model.readonly) else { return Vec::new() };
+    let problem = &bench.problem;
+    if !problem.is_unsaved() {
+        return vec![Intent::Do(Effect::Forget(problem.number))];
+    }
+    vec![Intent::Do(Effect::Keep {
+        problem: problem.number,
+        original: problem.document.file.as_ref().map(|file| file.path.clone()),
+        text: file::write(&problem.as_file(), problem.text()),
+    })]
+}
+
+/// Takes the outcome of a job: of the newest of a problem, or of what is shown beside the list.
+fn solved(model: &mut Model, outcome: Outcome) -> Vec<Intent> {
     if let Err(Failure::Fault(panic)) = &outcome.result {
         let text = "this analysis failed (internal error); your inputs are kept".into();
         model.notice = Some(Notice { text, detail: panic.clone(), wrong: true });
     }
     let awaited = State::Solving(outcome.generation);
-    let mut solved = model.problems_mut().find(|bench| bench.found.state == awaited);
-    if let Some(bench) = &mut solved {
-        let before = bench.found.solution.as_ref().map(|solution| solution.warnings.clone());
-        solve::take(bench, outcome);
-        let number = bench.number;
-        solve::tell_hidden(model, number, before.as_deref());
-        return Vec::new();
+    let Some(bench) = model.problems_mut().find(|bench| bench.problem.found.state == awaited) else {
+        return picker::solved(model, outcome);
+    };
+    let problem = &mut bench.problem;
+    let number = problem.number;
+    let before = problem.found.solution.as_ref().map(|solution| solution.warnings.clone());
+    problem.found.state = State::Current;
+    match outcome.result {
+        Ok(mut solution) => {
+            for (answer, display) in &problem.document.show {
+                // What a file asks for and cannot be is shown as it would be without.
+                let _ = solution.as_mut().map(|solution| show_answer_in(solution, answer, display));
+            }
+            problem.found.solution = solution.or(problem.found.solution.take());
+            problem.found.of = Some(problem.inputs.form.draft.clone());
+            (problem.found.failure, problem.found.hidden) = (None, false);
+        }
+        Err(failure) => {
+            problem.found.hidden |= !problem.is_near_the_solved();
+            problem.found.failure = Some(failure);
+        }
     }
-    if let Some(preview) = &mut model.picker.preview
-        && preview.generation == outcome.generation
-    {
-        preview.solution = outcome.result.ok().flatten();
-        return list::judge(model);
+    bench.panes.iter_mut().for_each(|pane| pane.restart());
+    if !bench.tabs().contains(&bench.tab) {
+        bench.tab = Tab::default();
     }
-    Vec::new()
+    // A new warning is reported where the results, the first pane, are not on the screen.
+    let before = before.filter(|_| !view::shows(model, Tab::default()));
+    let shown = model.shown_bench().map(|bench| &bench.problem).filter(|problem| problem.number == number);
+    let found = shown.map(|problem| &problem.found).filter(|found| found.revealed.is_none());
+    let warnings = found.and_then(|found| found.solution.as_ref()).map_or(&[][..], |found| &found.warnings);
+    let new = before.and_then(|before| warnings.iter().find(|warning| !before.contains(warning)).cloned());
+    let said = |warning| Intent::Complain(Text::new("new warning: {warning}").with_text("warning", warning));
+    new.map(said).into_iter().collect()
 }
 
-fn paste(model: &mut Model, text: &str) -> Vec<Effect> {
+fn paste(model: &mut Model, text: &str) -> Vec<Intent> {
     if let Some(Dialog::Sheet(sheet)) = &mut model.dialog {
         sheet.insert(text);
         return Vec::new();
     }
     if model.place() == Place::Form {
-        return bench::paste(model, text);
+        return form::paste(model, text);
     }
     if !model.place().is_text() {
         return Vec::new();
     }
-    let (line, cut) = form::as_line(text);
+    let (line, cut) = inputs::as_line(text);
     if cut {
-        model.complain(too_long());
+        model.complain(form::too_long());
     }
     let requests: Vec<InputRequest> = line.chars().map(InputRequest::InsertChar).collect();
     type_in(model, &requests)
 }
 
-fn too_long() -> Text {
-    Text::new("pasted text truncated: a line takes at most {most} characters").with("most", form::LONGEST)
-}
-
 /// Types in the text that has the keys.
-fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Effect> {
+fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Intent> {
     let handle = |input: &mut Input| {
         let mut changed = false;
         for request in requests {
@@ -278,12 +401,15 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Effect> {
         }
         changed
     };
-    let in_cell = model.place() == Place::Cell;
+    let has_room = |input: &Input| {
+        input.value().len() < inputs::LONGEST || !matches!(requests, [InputRequest::InsertChar(_)])
+    };
     match &mut model.dialog {
         Some(Dialog::Palette { input, chosen }) => {
             if handle(input) {
                 *chosen = 0;
             }
+            return Vec::new();
         }
         Some(Dialog::Prompt { input, proposed, error, names, .. }) => {
             if std::mem::take(proposed) && matches!(requests, [InputRequest::InsertChar(_), ..]) {
@@ -293,36 +419,28 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Effect> {
                 names.typed();
                 *error = None;
             }
+            return Vec::new();
         }
-        Some(_) => {}
-        None if model.screen == Screen::Picker => {
-            if handle(&mut model.picker.filter) {
-                model.picker.chosen = 0;
-                model.picker.case = None;
-                return list::preview(model);
-            }
-        }
-        None if in_cell => {
-            if let Some(edit) = model.bench.as_mut().and_then(|bench| bench.ask.edit.as_mut())
-                && (edit.value().len() < form::LONGEST || !matches!(requests, [InputRequest::InsertChar(_)]))
-                && handle(edit)
-            {
-                return ask::typed(model);
-            }
-        }
-        None => {
-            if let Some(bench) = &mut model.bench
-                && let Some(edit) = &mut bench.form.edit
-                && (edit.input.value().len() < form::LONGEST
-                    || !matches!(requests, [InputRequest::InsertChar(_)]))
-                && handle(&mut edit.input)
-            {
-                bench.form.typed(model.locale.style.decimal);
-                return solve::changed(model);
-            }
-        }
+        Some(_) => return Vec::new(),
+        None => {}
     }
-    Vec::new()
+    if model.screen == Screen::Picker {
+        if !handle(&mut model.picker.filter) {
+            return Vec::new();
+        }
+        (model.picker.chosen, model.picker.case) = (0, None);
+        return vec![Intent::Preview];
+    }
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    if let Some(input) = &mut bench.edit {
+        return if has_room(input) && handle(input) { cells::typed(model) } else { Vec::new() };
+    }
+    let form = &mut bench.problem.inputs.form;
+    if !form.edit.as_mut().is_some_and(|edit| has_room(&edit.input) && handle(&mut edit.input)) {
+        return Vec::new();
+    }
+    form.typed(model.locale.style.decimal);
+    vec![Intent::Changed]
 }
 
 /// What a key means in a line of text.

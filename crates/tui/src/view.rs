@@ -3,10 +3,9 @@
 mod bars;
 mod dialog;
 mod form;
-mod pane;
 mod picker;
+mod tabs;
 mod target;
-mod text;
 
 use std::time::Duration;
 
@@ -22,14 +21,15 @@ use ratatui::{
 
 pub(crate) use self::{
     dialog::longest_scroll_of_help,
-    pane::{area_of_tab, page},
     target::{HitTarget, spot},
 };
 use crate::{
-    layout,
+    bench::Bench,
+    layout::{self, Areas, Focus},
     look::{Glyph, Look},
     model::Model,
-    tab::Tab,
+    pane::{Column, Page, Tab, Ui},
+    text::{self, draw_lines},
 };
 
 /// The least screen that shows more than a name.
@@ -51,7 +51,7 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
             let areas = layout::bench(area, bench.focus, bench.expanded || model.look.basic);
             bars::title(model, areas.title, buffer);
             let cursor = areas.form.and_then(|area| form::draw(model, bench, area, buffer));
-            pane::draw(model, bench, &areas, buffer);
+            draw_panes(model, bench, &areas, buffer);
             bars::help(model, areas.help, buffer);
             bars::footer(model, areas.footer, buffer);
             cursor
@@ -70,39 +70,167 @@ pub fn view(model: &Model, frame: &mut Frame<'_>) {
     }
     model.look.ground(buffer);
     if model.look.basic && cursor.is_none() {
-        cursor = focus(buffer);
+        cursor = focused_cell(buffer);
     }
     if let Some(position) = cursor.filter(|position| area.contains(*position)) {
         frame.set_cursor_position(position);
     }
 }
 
-/// Whether a tab of the problem is on the screen.
-pub(crate) fn shows(model: &Model, tab: Tab) -> bool {
+/// Draws every pane of what was found.
+fn draw_panes(model: &Model, bench: &Bench, areas: &Areas, buffer: &mut Buffer) {
+    for (tab, area, named) in panes(model, bench, areas) {
+        let title = match named {
+            Some(named) => tabs::bar(model, bench, &named, area.width).line,
+            None => tabs::title(model, bench, tab),
+        };
+        let ui = surroundings(model, bench, tab, area);
+        boxed(&title, ui.focused, ui.look, area, buffer);
+        if ui.area.is_empty() {
+            continue;
+        }
+        let pane = bench.pane(tab);
+        let page = pane.page(&bench.problem, &ui, ui.area.width);
+        let (lines, height) = (page.lines.len(), usize::from(ui.area.height));
+        let first = ui.scroll.min(lines.saturating_sub(height));
+        page.draw(first, ui.area, buffer);
+        scroll_mark(first, height, lines, ui.look, area, buffer);
+        // A line is left free between the text and what is drawn below it.
+        let used = (lines + usize::from(lines > 0)).min(height) as u16;
+        let room = Rect { y: ui.area.y + used, height: ui.area.height - used, ..ui.area };
+        pane.draw(&bench.problem, &ui, room, buffer);
+    }
+    let pictures = bench.in_column(Column::Pictures);
+    let next = areas.pane.and(areas.picture).map(|picture| pictures_in(bench, &pictures, picture)[1]);
+    if let (Some(area), Some(first)) = (next.filter(|area| !area.is_empty()), pictures.first()) {
+        let (at, of) = bench.place_of_shown(*first).unwrap_or((1, 1));
+        let place = format!(" {}/{of} ", at % of + 1);
+        boxed(&Line::styled(place, model.look.dim()), false, &model.look, area, buffer);
+        let ui = surroundings(model, bench, *first, area);
+        bench.pane(*first).draw_next(&bench.problem, &ui, ui.area, buffer);
+    }
+}
+
+/// The surroundings of a pane in an area of the screen.
+fn surroundings<'a>(model: &'a Model, bench: &'a Bench, tab: Tab, area: Rect) -> Ui<'a> {
+    let edit = bench.edit.as_ref().filter(|_| bench.tab == tab);
+    Ui { edit, ..model.ui(bench, tab, layout::inside(area)) }
+}
+
+/// The lines of a pane at some width; a picture has none.
+pub(crate) fn page(model: &Model, bench: &Bench, tab: Tab, width: u16) -> Page {
+    bench.pane(tab).page(&bench.problem, &surroundings(model, bench, tab, Rect::ZERO), width)
+}
+
+/// The parts of the screen of a problem.
+pub(crate) fn areas_of(model: &Model, bench: &Bench, focus: Focus) -> Areas {
     let screen = Rect::new(0, 0, model.size.0, model.size.1);
+    layout::bench(screen, focus, bench.expanded || model.look.basic)
+}
+
+/// The panes that are seen: what each shows, where, and the tabs that are named above it.
+fn panes(model: &Model, bench: &Bench, areas: &Areas) -> Vec<(Tab, Rect, Option<Vec<Tab>>)> {
+    let Some(pane) = areas.pane else { return Vec::new() };
+    let Some(picture) = areas.picture else {
+        return vec![(bench.tab, pane, Some(bench.tabs()))];
+    };
+    // Pictures have a column of their own.
+    let pictures = bench.in_column(Column::Pictures);
+    let named = Some(bench.tabs().into_iter().filter(|tab| !pictures.contains(tab)).collect());
+    let mut panes = if bench.shown().column() == Column::Alone {
+        vec![(bench.tab, pane, named)]
+    } else {
+        let shared = bench.in_column(Column::Shared).into_iter();
+        let titles = [named, None];
+        let areas = shared_in(model, bench, pane);
+        shared.zip(areas).zip(titles).map(|((tab, area), named)| (tab, area, named)).collect()
+    };
+    let [upper, _, lower] = pictures_in(bench, &pictures, picture);
+    let places = [Some(upper), Some(lower).filter(|lower| !lower.is_empty())];
+    panes.extend(pictures.into_iter().zip(places).filter_map(|(tab, area)| Some((tab, area?, None))));
+    panes
+}
+
+/// The areas of the two panes that share the middle column: the first is as high as its lines.
+fn shared_in(model: &Model, bench: &Bench, pane: Rect) -> [Rect; 2] {
+    let lines = page(model, bench, Tab::default(), layout::inside(pane).width).lines.len();
+    layout::stack(pane, lines)
+}
+
+/// The areas of the first pane of pictures, of its next picture, and of the second pane.
+fn pictures_in(bench: &Bench, panes: &[Tab], picture: Rect) -> [Rect; 3] {
+    let count = |at: usize| panes.get(at).map_or(0, |tab| bench.pane(*tab).pictures(&bench.problem));
+    layout::pictures(picture, count(0), count(1) > 0)
+}
+
+/// The pane at a place of the screen, its inside, and the tab whose name stands just there.
+fn pane_at(model: &Model, bench: &Bench, areas: &Areas, at: Position) -> Option<(Tab, Rect, Option<Tab>)> {
+    let (tab, area, named) = panes(model, bench, areas).into_iter().find(|(_, area, _)| area.contains(at))?;
+    let title = title_of(area);
+    let named = named.filter(|_| title.contains(at)).and_then(|named| {
+        let mut offset = usize::from(at.x - title.x);
+        for (tab, cells) in tabs::bar(model, bench, &named, area.width).cells {
+            match offset.checked_sub(cells) {
+                Some(rest) => offset = rest,
+                None => return tab,
+            }
+        }
+        None
+    });
+    Some((tab, layout::inside(area), named))
+}
+
+/// The line of the page of a pane that stands at a place of its inside.
+fn line_at(model: &Model, bench: &Bench, tab: Tab, inside: Rect, at: Position) -> Option<usize> {
+    let lines = page(model, bench, tab, inside.width).lines.len();
+    let first = bench.scroll[tab.0].min(lines.saturating_sub(inside.height.into()));
+    let line = first + usize::from(at.y.checked_sub(inside.y)?);
+    (inside.contains(at) && line < lines).then_some(line)
+}
+
+/// The inside of the pane that is shown, were the keys to act on it.
+pub(crate) fn area_of_shown(model: &Model) -> Option<Rect> {
+    let bench = model.bench.as_ref()?;
+    let areas = areas_of(model, bench, Focus::Pane);
+    let pane = areas.pane?;
+    let in_column = |column| bench.in_column(column).iter().position(|tab| *tab == bench.tab);
+    let area = match (areas.picture, bench.shown().column()) {
+        (None, _) | (_, Column::Alone) => pane,
+        (Some(_), Column::Shared) => shared_in(model, bench, pane)[in_column(Column::Shared)?.min(1)],
+        (Some(picture), Column::Pictures) => {
+            let pictures = bench.in_column(Column::Pictures);
+            pictures_in(bench, &pictures, picture)[if in_column(Column::Pictures)? == 0 { 0 } else { 2 }]
+        }
+    };
+    Some(layout::inside(area))
+}
+
+/// True if a pane of the problem is on the screen.
+pub(crate) fn shows(model: &Model, tab: Tab) -> bool {
     model.shown_bench().is_some_and(|bench| {
-        let areas = layout::bench(screen, bench.focus, bench.expanded || model.look.basic);
-        pane::panes(model, bench, &areas).iter().any(|(shown, _, _)| *shown == tab)
+        let areas = areas_of(model, bench, bench.focus);
+        panes(model, bench, &areas).iter().any(|(shown, _, _)| *shown == tab)
     })
 }
 
 /// How long each frame of an animation stands; `None` while none moves on the screen.
 pub fn tempo(model: &Model) -> Option<Duration> {
-    let (frames, period) = animation(model).filter(|_| model.playing && model.dialog.is_none())?;
+    let (_, frames, period) = animation(model).filter(|_| model.playing && model.dialog.is_none())?;
     Duration::try_from_secs_f64(period / (frames as f64 * model.animation_speed)).ok()
 }
 
-/// The frames and the time of what can move on the screen.
-pub(crate) fn animation(model: &Model) -> Option<(usize, f64)> {
-    let bench = model.shown_bench().filter(|bench| !bench.is_stale())?;
-    let animation = bench.sketch()?.frames();
-    let area = Rect::new(0, 0, model.size.0, model.size.1);
-    let areas = layout::bench(area, bench.focus, bench.expanded || model.look.basic);
-    (animation.0 > 1 && pane::shows_drawing(bench, &areas)).then_some(animation)
+/// The animation on the screen: its pane, its frames, and their time.
+pub(crate) fn animation(model: &Model) -> Option<(Tab, usize, f64)> {
+    let bench = model.shown_bench().filter(|bench| !bench.problem.is_stale())?;
+    let tab = bench.animated()?;
+    let areas = areas_of(model, bench, bench.focus);
+    let is_seen = areas.picture.is_some() || (areas.pane.is_some() && bench.tab == tab);
+    let (frames, period) = bench.pane(tab).frames(&bench.problem);
+    is_seen.then_some((tab, frames, period))
 }
 
 /// Where what has the focus begins: a screen reader follows the cursor.
-fn focus(buffer: &Buffer) -> Option<Position> {
+fn focused_cell(buffer: &Buffer) -> Option<Position> {
     let at = buffer.content.iter().position(|cell| cell.modifier.contains(Modifier::REVERSED))?;
     Some(buffer.pos_of(at).into())
 }
@@ -139,13 +267,6 @@ fn scroll_mark(first: usize, shown: usize, of: usize, look: &Look, area: Rect, b
     let width = text::width(&mark) as u16;
     if width + 4 <= area.width {
         buffer.set_string(area.right() - width - 2, area.bottom() - 1, mark, look.dim());
-    }
-}
-
-/// Draws lines from the first that is shown.
-fn draw_lines(lines: &[Line<'_>], first: usize, area: Rect, buffer: &mut Buffer) {
-    for (y, line) in (area.y..area.bottom()).zip(lines.iter().skip(first)) {
-        buffer.set_line(area.x, y, line, area.width);
     }
 }
 

@@ -27,7 +27,11 @@ pub(super) struct Watched {
 impl Watched {
     /// Watches the file of the problem that is worked on, if there is one.
     pub(super) fn follow<'w>(watched: &'w mut Option<Self>, model: &Model) -> Option<&'w Self> {
-        let open = model.bench.as_ref().and_then(|bench| bench.file.as_ref()).map(|file| &file.path);
+        let open = model
+            .bench
+            .as_ref()
+            .and_then(|bench| bench.problem.document.file.as_ref())
+            .map(|file| &file.path);
         if watched.as_ref().map(|watched| &watched.path) != open {
             // What happened to it while another one was open is found at the first look.
             *watched =

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::ask::turned;
+use crate::keys::turned;
 
 /// The names in the folder that is typed.
 #[derive(Clone, Debug, Default)]

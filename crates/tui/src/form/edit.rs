@@ -1,8 +1,8 @@
 //! Typing in a field.
 
-use dalembert_core::Draft;
+use dalembert_core::{Draft, Shape};
 use dalembert_units::{Decimal, Unit};
-use tui_input::Input;
+use tui_input::{Input, InputRequest};
 
 use super::{
     Change, Form, Line, Role, settled,
@@ -44,6 +44,27 @@ impl Form {
         if replaced {
             self.typed(Decimal::Point);
         }
+        true
+    }
+
+    /// Begins a number in the field under the cursor with its first character, after the sign that was typed just
+    /// before; whether a number can be typed there.
+    pub fn begin_number(&mut self, character: char, sign: Option<Sign>, decimal: Decimal) -> bool {
+        match self.line().map(|line| line.role) {
+            Some(Role::Leaf { shape: Shape::Flag, .. }) => return false,
+            Some(Role::Leaf { shape: Shape::Reference(list), .. }) if !self.names(list).is_empty() => {
+                return false;
+            }
+            Some(Role::Leaf { .. }) => {}
+            _ => return false,
+        }
+        let sign = sign.and_then(|sign| self.take_back(sign));
+        self.begin(Some(String::new()));
+        let Some(edit) = &mut self.edit else { return false };
+        for character in sign.into_iter().chain([character]) {
+            edit.input.handle(InputRequest::InsertChar(character));
+        }
+        self.typed(decimal);
         true
     }
 

@@ -8,8 +8,8 @@ use super::{ALWAYS, Action, Binding, Key, Place};
 /// What keys mean, place by place. The tables of the program, with the user's changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyMap {
-    /// Every binding that holds in a place, the most useful first; by the number of the place.
-    places: Vec<Vec<Bound>>,
+    /// Every binding that holds in a place, the most useful first.
+    places: Vec<(Place, Vec<Bound>)>,
 }
 
 /// A line of a table with the keys that hold.
@@ -38,13 +38,6 @@ const FIXED: [(Key, Action); 2] = [
     (Key(KeyCode::Char('c'), KeyModifiers::CONTROL), Action::Quit),
 ];
 
-impl Default for KeyMap {
-    fn default() -> Self {
-        let bound = |binding: &'static Binding| Bound { binding, keys: binding.keys.to_vec() };
-        Self { places: Place::ALL.iter().map(|place| place.bindings().map(bound).collect()).collect() }
-    }
-}
-
 impl PartialEq for Bound {
     fn eq(&self, other: &Self) -> bool {
         (self.binding.action, &self.keys) == (other.binding.action, &other.keys)
@@ -52,17 +45,23 @@ impl PartialEq for Bound {
 }
 
 impl KeyMap {
+    /// The tables of these places.
+    pub fn of(places: &[Place]) -> Self {
+        let bound = |binding: &'static Binding| Bound { binding, keys: binding.keys.to_vec() };
+        Self { places: places.iter().map(|place| (*place, place.bindings().map(bound).collect())).collect() }
+    }
+
     /// The tables with these changes, and those that were refused, by their number, with the reason.
     ///
     /// What is asked for one place counts more than what is asked for all. Where characters are text, a change for
     /// all places takes no character. A key that would mean two things in a place refuses the later change.
-    pub fn changed(changes: &[Change]) -> (Self, Vec<(usize, Text)>) {
+    pub fn changed(places: &[Place], changes: &[Change]) -> (Self, Vec<(usize, Text)>) {
         let mut refused: Vec<(usize, Text)> =
             changes.iter().enumerate().filter_map(|(n, change)| Some((n, change.fault()?))).collect();
         loop {
             let held: Vec<usize> =
                 (0..changes.len()).filter(|n| !refused.iter().any(|(other, _)| other == n)).collect();
-            let mut map = Self::default();
+            let mut map = Self::of(places);
             let (everywhere, somewhere): (Vec<usize>, Vec<usize>) =
                 held.iter().partition(|n| changes[**n].place.is_none());
             for n in everywhere.into_iter().chain(somewhere) {
@@ -93,13 +92,23 @@ impl KeyMap {
 
     /// Every binding that holds in a place, the most useful first.
     pub fn bindings(&self, place: Place) -> &[Bound] {
-        &self.places[place as usize]
+        self.places.iter().find(|(known, _)| *known == place).map_or(&[], |(_, bindings)| bindings)
     }
 
     /// The usual key of an action in a place.
     pub fn key(&self, place: Place, action: Action) -> Option<Key> {
         let mut bounds = self.bindings(place).iter().filter(|bound| bound.binding.action == action);
         bounds.find_map(|bound| bound.keys.first()).copied()
+    }
+
+    /// The usual key of an action in the first place that has it.
+    pub fn anywhere(&self, action: Action) -> Option<Key> {
+        self.places().find_map(|place| self.key(place, action))
+    }
+
+    /// The places where keys mean something, as the help and the settings list them.
+    pub fn places(&self) -> impl Iterator<Item = Place> {
+        self.places.iter().map(|(place, _)| *place)
     }
 
     /// Every key of a binding, as it holds in a place.
@@ -109,11 +118,12 @@ impl KeyMap {
     }
 
     fn change(&mut self, change: &Change) {
-        for place in Place::ALL.into_iter().filter(|place| change.place.is_none_or(|at| at == *place)) {
+        for (place, bounds) in
+            self.places.iter_mut().filter(|(place, _)| change.place.is_none_or(|at| at == *place))
+        {
             let mut keys = change.keys.clone();
             // What holds everywhere has no character of its own, where text is typed as where `?` closes the help.
-            let mut same =
-                self.bindings(place).iter().filter(|bound| bound.binding.action.id() == change.action);
+            let mut same = bounds.iter().filter(|bound| bound.binding.action.id() == change.action);
             let only_always = same.all(|bound| ALWAYS.contains(bound.binding));
             if place.is_text() || (change.place.is_none() && only_always) {
                 keys.retain(|key| !key.is_text());
@@ -121,7 +131,7 @@ impl KeyMap {
                     continue;
                 }
             }
-            for bound in &mut self.places[place as usize] {
+            for bound in bounds {
                 if bound.binding.action.id() == change.action {
                     bound
                         .keys
@@ -134,13 +144,13 @@ impl KeyMap {
 
     /// A key that means two things in a place.
     fn conflict(&self) -> Option<(Place, Key, Action, Action)> {
-        for place in Place::ALL {
+        for (place, bounds) in &self.places {
             let mut seen: Vec<(Key, Action)> = Vec::new();
-            for bound in self.bindings(place) {
+            for bound in bounds {
                 for key in &bound.keys {
                     match seen.iter().find(|(other, _)| other == key) {
                         Some((_, action)) if *action != bound.binding.action => {
-                            return Some((place, *key, *action, bound.binding.action));
+                            return Some((*place, *key, *action, bound.binding.action));
                         }
                         Some(_) => {}
                         None => seen.push((*key, bound.binding.action)),
@@ -196,6 +206,15 @@ impl Change {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::panes::places;
+
+    fn changed(changes: &[Change]) -> (KeyMap, Vec<(usize, Text)>) {
+        KeyMap::changed(&places(), changes)
+    }
+
+    fn plot() -> Place {
+        places().into_iter().find(|place| place.id() == "plot").expect("a place")
+    }
 
     fn change(place: Option<Place>, action: &'static str, keys: &[&str]) -> Change {
         let keys = keys.iter().map(|key| Key::parse(key).expect("a key")).collect();
@@ -203,37 +222,36 @@ mod tests {
     }
 
     fn refusals(changes: &[Change]) -> Vec<(usize, String)> {
-        KeyMap::changed(changes).1.into_iter().map(|(n, why)| (n, why.english())).collect()
+        changed(changes).1.into_iter().map(|(n, why)| (n, why.english())).collect()
     }
 
     #[test]
-    fn places_are_found_by_their_number_and_their_name() {
-        for (n, place) in Place::ALL.into_iter().enumerate() {
-            assert_eq!(place as usize, n);
+    fn no_place_is_called_like_an_action() {
+        for place in places() {
             let named = |other: Place| other.bindings().any(|binding| binding.action.id() == place.id());
-            assert!(!Place::ALL.into_iter().any(named), "{} is an action too", place.id());
+            assert!(!places().into_iter().any(named), "{} is an action too", place.id());
         }
     }
 
     #[test]
     fn a_change_takes_the_place_of_the_usual_keys() {
-        let (map, refused) = KeyMap::changed(&[
+        let (map, refused) = changed(&[
             change(None, "save", &["f5"]),
-            change(Some(Place::Plot), "zoom-in", &["i"]),
+            change(Some(plot()), "zoom-in", &["i"]),
             change(None, "next-frame", &[]),
         ]);
         assert_eq!(refused, []);
-        for place in [Place::Form, Place::Plot] {
+        for place in [Place::Form, plot()] {
             assert_eq!(map.key(place, Action::Save), Key::parse("f5").ok());
             assert_eq!(map.action(place, KeyEvent::from(KeyCode::Char('s'))), None);
         }
-        assert_eq!(map.action(Place::Plot, KeyEvent::from(KeyCode::Char('i'))), Some(Action::ZoomIn));
-        assert_eq!(map.key(Place::Plot, Action::NextFrame), None);
+        assert_eq!(map.action(plot(), KeyEvent::from(KeyCode::Char('i'))), Some(Action::ZoomIn));
+        assert_eq!(map.key(plot(), Action::NextFrame), None);
     }
 
     #[test]
     fn two_keys_can_be_exchanged() {
-        let (map, refused) = KeyMap::changed(&[change(None, "undo", &["Z"]), change(None, "redo", &["z"])]);
+        let (map, refused) = changed(&[change(None, "undo", &["Z"]), change(None, "redo", &["z"])]);
         assert_eq!(refused, []);
         assert_eq!(
             (map.key(Place::Form, Action::Undo), map.key(Place::Form, Action::Redo)),
@@ -260,7 +278,7 @@ mod tests {
                 ),
             ]
         );
-        let (map, _) = KeyMap::changed(&changes);
+        let (map, _) = changed(&changes);
         assert_eq!(
             (map.key(Place::Form, Action::Undo), map.key(Place::Form, Action::Save)),
             (Key::parse("w").ok(), Key::parse("s").ok())
@@ -275,7 +293,7 @@ mod tests {
                 change(None, "help", &["ctrl-c"]),
                 change(Some(Place::Edit), "enter", &["g"]),
                 change(None, "save", &["5"]),
-                change(Some(Place::Plot), "add-row", &["w"]),
+                change(Some(plot()), "add-row", &["w"]),
             ]),
             [
                 (0, "`esc` is reserved for `back`: choose another key".into()),
@@ -285,12 +303,12 @@ mod tests {
                 (4, "`add-row` has no effect in [keys.plot]".into()),
             ]
         );
-        let (map, _) = KeyMap::changed(&[
+        let (map, _) = changed(&[
             change(None, "back", &["f3"]),
             change(None, "quit", &[]),
             change(None, "enter", &["e"]),
         ]);
-        for place in Place::ALL {
+        for place in places() {
             assert_eq!(map.action(place, KeyEvent::from(KeyCode::Esc)), Some(Action::Back), "{place:?}");
             let end = KeyEvent::new(KeyCode::Char('c'), KeyModifiers::CONTROL);
             assert_eq!(map.action(place, end), Some(Action::Quit), "{place:?}");

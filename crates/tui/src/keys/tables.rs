@@ -2,82 +2,102 @@
 
 use ratatui::crossterm::event::{KeyCode, KeyModifiers};
 
-use super::{Action, Binding, Key};
+use super::{Action, Binding, Key, Table};
+
+/// Line by line.
+pub(crate) const LINES: &[Binding] =
+    &[bind(Action::Up, UP, "line up", ""), bind(Action::Down, DOWN, "line down", "")];
+
+/// Page by page.
+pub(crate) const PAGES: &[Binding] =
+    &[bind(Action::PageUp, PAGE_UP, "page up", ""), bind(Action::PageDown, PAGE_DOWN, "page down", "")];
+
+/// Page by page, where a space is one too.
+pub(crate) const PAGES_BY_SPACE: &[Binding] = &[
+    bind(Action::PageUp, PAGE_UP, "page up", ""),
+    bind(Action::PageDown, PAGE_DOWN_OR_SPACE, "page down", ""),
+];
+
+/// To the ends.
+pub(crate) const ENDS: &[Binding] =
+    &[bind(Action::First, FIRST, "to the first line", ""), bind(Action::Last, LAST, "to the last line", "")];
 
 /// Keys of the list of analyses.
-pub(super) const PICKER: &[Binding] = &[
-    bind(Action::Enter, ENTER, "open; expand or collapse a heading", "open"),
-    bind(Action::Filter, &[typed('/')], "filter", "filter"),
-    bind(Action::Up, UP, "line up", ""),
-    bind(Action::Down, DOWN, "line down", ""),
-    bind(Action::Right, RIGHT, "expand the heading, or to the published cases", ""),
-    bind(Action::Left, LEFT, "collapse the heading, or back to it", ""),
-    bind(Action::NextPane, TAB, "to the published cases, and back", "see cases"),
-    bind(Action::PreviousPane, BACK_TAB, "to the list", ""),
-    bind(Action::PinAnalysis, &[typed('*')], "pin at the top of the list, or unpin", "pin/unpin"),
-    bind(Action::Toggle, &[typed(' ')], "tick or untick an exercise", "done"),
-    bind(Action::PageUp, PAGE_UP, "page up", ""),
-    bind(Action::PageDown, PAGE_DOWN, "page down", ""),
-    bind(Action::First, FIRST, "to the first line", ""),
-    bind(Action::Last, LAST, "to the last line", ""),
-    bind(Action::NextProblem, &[typed('b')], "back to the open problem", ""),
-    bind(Action::Back, ESC, "back", ""),
+pub(super) const PICKER: Table = &[
+    &[
+        bind(Action::Enter, ENTER, "open; expand or collapse a heading", "open"),
+        bind(Action::Filter, &[typed('/')], "filter", "filter"),
+    ],
+    LINES,
+    &[
+        bind(Action::Right, RIGHT, "expand the heading, or to the published cases", ""),
+        bind(Action::Left, LEFT, "collapse the heading, or back to it", ""),
+        bind(Action::NextPane, TAB, "to the published cases, and back", "see cases"),
+        bind(Action::PreviousPane, BACK_TAB, "to the list", ""),
+        bind(Action::PinAnalysis, &[typed('*')], "pin at the top of the list, or unpin", "pin/unpin"),
+        bind(Action::Toggle, &[typed(' ')], "tick or untick an exercise", "done"),
+    ],
+    PAGES,
+    ENDS,
+    &[
+        bind(Action::NextProblem, &[typed('b')], "back to the open problem", ""),
+        bind(Action::Back, ESC, "back", ""),
+    ],
 ];
 
 /// Keys of the filter of the list.
-pub(super) const FILTER: &[Binding] = &[
+pub(super) const FILTER: Table = &[&[
     bind(Action::Enter, ENTER, "open", "open"),
     bind(Action::Back, ESC, "clear the filter", "clear the filter"),
     bind(Action::Up, &[plain(KeyCode::Up)], "line up", ""),
     bind(Action::Down, &[plain(KeyCode::Down)], "line down", ""),
     bind(Action::NextPane, TAB, "to the list", "to the list"),
-];
+]];
 
 /// Keys of the inputs.
-pub(super) const FORM: &[Binding] = &[
-    bind(Action::Enter, &[plain(KeyCode::Enter), plain(KeyCode::F(2))], "edit or choose", "edit"),
-    bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "clear and edit", ""),
-    bind(Action::NextPane, TAB, "to the results", "see results"),
-    bind(Action::PreviousPane, BACK_TAB, "to the results (reverse)", ""),
-    bind(Action::NextUnit, &[typed('u')], "next unit", "unit"),
-    bind(Action::Nudge(10), &[typed('+'), typed('=')], "increase the last (or selected) digit", "adjust"),
-    bind(Action::Nudge(-10), &[typed('-')], "decrease the last (or selected) digit", ""),
-    bind(Action::Nudge(100), &[shift(KeyCode::Up)], "increase by ten of that digit", ""),
-    bind(Action::Nudge(-100), &[shift(KeyCode::Down), typed('_')], "decrease by ten of that digit", ""),
-    bind(
-        Action::Nudge(1),
-        &[alt(KeyCode::Up), alt(KeyCode::Char('+')), alt(KeyCode::Char('='))],
-        "increase by a tenth of that digit",
-        "",
-    ),
-    bind(
-        Action::Nudge(-1),
-        &[alt(KeyCode::Down), alt(KeyCode::Char('-'))],
-        "decrease by a tenth of that digit",
-        "",
-    ),
-    bind(Action::Left, LEFT, "select digit to the left; previous option", ""),
-    bind(Action::Right, RIGHT, "select digit to the right; next option", ""),
-    bind(Action::Toggle, &[typed(' ')], "toggle yes/no; include or omit", ""),
-    bind(Action::AddRow, &[typed('a')], "add a row", ""),
-    bind(Action::DuplicateRow, &[typed('d')], "duplicate the row", ""),
-    bind(Action::DeleteRow, &[typed('x')], "delete the row, or omit the input", ""),
-    bind(Action::MoveRowUp, &[typed('K')], "move the row up", ""),
-    bind(Action::MoveRowDown, &[typed('J')], "move the row down", ""),
-    bind(Action::FoldRow, &[typed('f')], "collapse or expand the row", ""),
-    bind(Action::FoldRows, &[typed('F')], "collapse or expand all rows of the list", ""),
-    bind(Action::Import, &[typed('@')], "import a file into the table", ""),
-    bind(Action::Up, UP, "line up", ""),
-    bind(Action::Down, DOWN, "line down", ""),
-    bind(Action::PageUp, PAGE_UP, "page up", ""),
-    bind(Action::PageDown, PAGE_DOWN, "page down", ""),
-    bind(Action::First, FIRST, "to the first line", ""),
-    bind(Action::Last, LAST, "to the last line", ""),
-    bind(Action::Rename, &[typed('T')], "rename (set the title)", ""),
+pub(super) const FORM: Table = &[
+    &[
+        bind(Action::Enter, &[plain(KeyCode::Enter), plain(KeyCode::F(2))], "edit or choose", "edit"),
+        bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "clear and edit", ""),
+        bind(Action::NextPane, TAB, "to the results", "see results"),
+        bind(Action::PreviousPane, BACK_TAB, "to the results (reverse)", ""),
+        bind(Action::NextUnit, &[typed('u')], "next unit", "unit"),
+        bind(Action::Nudge(10), &[typed('+'), typed('=')], "increase the last (or selected) digit", "adjust"),
+        bind(Action::Nudge(-10), &[typed('-')], "decrease the last (or selected) digit", ""),
+        bind(Action::Nudge(100), &[shift(KeyCode::Up)], "increase by ten of that digit", ""),
+        bind(Action::Nudge(-100), &[shift(KeyCode::Down), typed('_')], "decrease by ten of that digit", ""),
+        bind(
+            Action::Nudge(1),
+            &[alt(KeyCode::Up), alt(KeyCode::Char('+')), alt(KeyCode::Char('='))],
+            "increase by a tenth of that digit",
+            "",
+        ),
+        bind(
+            Action::Nudge(-1),
+            &[alt(KeyCode::Down), alt(KeyCode::Char('-'))],
+            "decrease by a tenth of that digit",
+            "",
+        ),
+        bind(Action::Left, LEFT, "select digit to the left; previous option", ""),
+        bind(Action::Right, RIGHT, "select digit to the right; next option", ""),
+        bind(Action::Toggle, &[typed(' ')], "toggle yes/no; include or omit", ""),
+        bind(Action::AddRow, &[typed('a')], "add a row", ""),
+        bind(Action::DuplicateRow, &[typed('d')], "duplicate the row", ""),
+        bind(Action::DeleteRow, &[typed('x')], "delete the row, or omit the input", ""),
+        bind(Action::MoveRowUp, &[typed('K')], "move the row up", ""),
+        bind(Action::MoveRowDown, &[typed('J')], "move the row down", ""),
+        bind(Action::FoldRow, &[typed('f')], "collapse or expand the row", ""),
+        bind(Action::FoldRows, &[typed('F')], "collapse or expand all rows of the list", ""),
+        bind(Action::Import, &[typed('@')], "import a file into the table", ""),
+    ],
+    LINES,
+    PAGES,
+    ENDS,
+    &[bind(Action::Rename, &[typed('T')], "rename (set the title)", "")],
 ];
 
 /// Keys while a field is typed in.
-pub(super) const EDIT: &[Binding] = &[
+pub(super) const EDIT: Table = &[&[
     bind(Action::Enter, ENTER, "accept", "accept"),
     bind(Action::Back, ESC, "cancel", "cancel"),
     bind(
@@ -92,87 +112,46 @@ pub(super) const EDIT: &[Binding] = &[
         "accept and edit the previous field",
         "",
     ),
-];
+]];
 
-/// Keys of answers, tables and sources.
-pub(super) const RESULTS: &[Binding] = &[
-    bind(Action::Enter, ENTER, "load the case", ""),
-    bind(Action::NextDisplayUnit, &[typed('v')], "change the unit of an answer", ""),
-    bind(Action::NextDigits, &[typed('D')], "change the digits of an answer", ""),
-    bind(Action::Up, UP, "line up", ""),
-    bind(Action::Down, DOWN, "line down", ""),
-    bind(Action::PageUp, PAGE_UP, "page up", ""),
-    bind(Action::PageDown, PAGE_DOWN_OR_SPACE, "page down", ""),
-    bind(Action::First, FIRST, "to the first line", ""),
-    bind(Action::Last, LAST, "to the last line", ""),
-];
-
-/// Keys of the worked solution.
-pub(super) const WORKING: &[Binding] = &[
-    bind(Action::Reveal, &[typed(' ')], "reveal the next step; page down if none is hidden", "reveal"),
-    bind(Action::Right, RIGHT, "next symbol", "symbols"),
-    bind(Action::Left, LEFT, "previous symbol", ""),
-    bind(Action::Enter, ENTER, "go to the step or input that defines the symbol", "follow"),
-    bind(Action::Up, UP, "line up", ""),
-    bind(Action::Down, DOWN, "line down", ""),
-    bind(Action::PageUp, PAGE_UP, "page up", ""),
-    bind(Action::PageDown, PAGE_DOWN, "page down", ""),
-    bind(Action::First, FIRST, "to the first line", ""),
-    bind(Action::Last, LAST, "to the last line", ""),
-];
-
-/// Keys of a plot.
-pub(super) const PLOT: &[Binding] = &[
-    bind(Action::Left, LEFT, "move the plot cursor left", ""),
-    bind(Action::Right, RIGHT, "move the plot cursor right", ""),
-    bind(Action::PageUp, PAGE_UP, "move the plot cursor far left", ""),
-    bind(Action::PageDown, PAGE_DOWN_OR_SPACE, "move the plot cursor far right", ""),
-    bind(Action::First, FIRST, "move the plot cursor to the start", ""),
-    bind(Action::Last, LAST, "move the plot cursor to the end", ""),
-    bind(Action::ZoomIn, &[typed('+'), typed('=')], "zoom in", "zoom"),
-    bind(Action::ZoomOut, &[typed('-')], "zoom out", ""),
-    bind(Action::ZoomAll, &[typed('0')], "full range", ""),
-    bind(Action::PanLeft, &[typed('<'), shift(KeyCode::Left)], "pan left", "move"),
-    bind(Action::PanRight, &[typed('>'), shift(KeyCode::Right)], "pan right", ""),
-    bind(Action::NextSpread, &[typed('a')], "vertical axis: linear, logarithmic, dB", "log dB"),
-    bind(Action::NextSpreadAcross, &[typed('x')], "horizontal axis: linear or logarithmic", ""),
-    bind(Action::NextExhibit, &[typed('n')], "next plot or drawing", ""),
-    bind(Action::NextMarker, &[typed('m')], "change curve markers", ""),
-];
-
-/// Keys of a drawing or an animation.
-pub(super) const DRAWING: &[Binding] = &[
-    bind(Action::Play, &[typed(' ')], "play or pause the animation", "animation"),
-    bind(Action::Left, LEFT, "rotate a 3-D scene to the left", "rotate"),
-    bind(Action::Right, RIGHT, "rotate a 3-D scene to the right", ""),
-    bind(Action::Up, UP, "rotate a 3-D scene upwards", ""),
-    bind(Action::Down, DOWN, "rotate a 3-D scene downwards", ""),
-    bind(Action::UsualView, &[typed('i')], "restore the view of a 3-D scene", ""),
-    bind(Action::NextExhibit, &[typed('n')], "next plot or drawing", ""),
+/// Keys of a pane that has no table of its own.
+pub(super) const RESULTS: Table = &[
+    &[
+        bind(Action::Enter, ENTER, "load the case", ""),
+        bind(Action::NextDisplayUnit, &[typed('v')], "change the unit of an answer", ""),
+        bind(Action::NextDigits, &[typed('D')], "change the digits of an answer", ""),
+    ],
+    LINES,
+    PAGES_BY_SPACE,
+    ENDS,
 ];
 
 /// Keys of the cells of a tab: of the user's own answers.
-pub(super) const CELLS: &[Binding] = &[
-    bind(Action::Enter, ENTER, "edit the cell, or choose", "type"),
-    bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "clear the cell and edit", ""),
-    bind(Action::Left, LEFT, "previous answer or option", "choose"),
-    bind(Action::Right, RIGHT, "next answer or option", ""),
-    bind(Action::Toggle, &[typed(' ')], "show or hide the reference value", "show reference"),
-    bind(Action::Up, UP, "line up", ""),
-    bind(Action::Down, DOWN, "line down", ""),
-    bind(Action::PageUp, PAGE_UP, "page up", ""),
-    bind(Action::PageDown, PAGE_DOWN, "page down", ""),
-    bind(Action::First, FIRST, "to the first line", ""),
-    bind(Action::Last, LAST, "to the last line", ""),
+pub(super) const CELLS: Table = &[
+    &[
+        bind(Action::Enter, ENTER, "edit the cell, or choose", "type"),
+        bind(
+            Action::Clear,
+            &[plain(KeyCode::Delete), plain(KeyCode::Backspace)],
+            "clear the cell and edit",
+            "",
+        ),
+        bind(Action::Left, LEFT, "previous answer or option", "choose"),
+        bind(Action::Right, RIGHT, "next answer or option", ""),
+        bind(Action::Toggle, &[typed(' ')], "show or hide the reference value", "show reference"),
+    ],
+    LINES,
+    PAGES,
+    ENDS,
 ];
 
 /// Keys while a cell is typed in.
-pub(super) const CELL: &[Binding] = &[
+pub(super) const CELL: Table = &[&[
     bind(Action::Enter, ENTER, "accept", "accept"),
     bind(Action::Back, ESC, "accept", ""),
     bind(Action::Down, &[plain(KeyCode::Down), plain(KeyCode::Tab)], "accept, next cell", "next cell"),
     bind(Action::Up, &[plain(KeyCode::Up), plain(KeyCode::BackTab)], "accept, previous cell", ""),
-];
+]];
 
 /// Keys of every pane of what was found.
 pub const PANES: &[Binding] = &[
@@ -209,17 +188,14 @@ pub const PROBLEM: &[Binding] = &[
 ];
 
 /// Keys of a list to choose from.
-pub(super) const LIST: &[Binding] = &[
-    bind(Action::Enter, ENTER, "choose", "choose"),
-    bind(Action::Back, ESC, "close", "close"),
-    bind(Action::Up, UP, "line up", ""),
-    bind(Action::Down, DOWN, "line down", ""),
-    bind(Action::First, FIRST, "to the first line", ""),
-    bind(Action::Last, LAST, "to the last line", ""),
+pub(super) const LIST: Table = &[
+    &[bind(Action::Enter, ENTER, "choose", "choose"), bind(Action::Back, ESC, "close", "close")],
+    LINES,
+    ENDS,
 ];
 
 /// Keys of a text that is asked for, and of the palette.
-pub(super) const PROMPT: &[Binding] = &[
+pub(super) const PROMPT: Table = &[&[
     bind(Action::Enter, ENTER, "apply", "apply"),
     bind(Action::Back, ESC, "close", "close"),
     bind(
@@ -229,28 +205,25 @@ pub(super) const PROMPT: &[Binding] = &[
         "next",
     ),
     bind(Action::Up, &[plain(KeyCode::BackTab), plain(KeyCode::Up)], "previous line", ""),
-];
+]];
 
 /// Keys of a text of many lines.
-pub(super) const SHEET: &[Binding] = &[
+pub(super) const SHEET: Table = &[&[
     bind(Action::Back, ESC, "accept and close", "accept and close"),
     bind(Action::GiveUp, &[ctrl('g')], "close without changes", "cancel"),
-];
+]];
 
 /// Keys of the help.
-pub(super) const HELP: &[Binding] = &[
-    bind(
+pub(super) const HELP: Table = &[
+    &[bind(
         Action::Back,
         &[plain(KeyCode::Esc), plain(KeyCode::Enter), typed('q'), typed('?')],
         "close",
         "close",
-    ),
-    bind(Action::Up, UP, "line up", ""),
-    bind(Action::Down, DOWN, "line down", ""),
-    bind(Action::PageUp, PAGE_UP, "page up", ""),
-    bind(Action::PageDown, PAGE_DOWN_OR_SPACE, "page down", ""),
-    bind(Action::First, FIRST, "to the first line", ""),
-    bind(Action::Last, LAST, "to the last line", ""),
+    )],
+    LINES,
+    PAGES_BY_SPACE,
+    ENDS,
 ];
 
 /// Keys of every place where characters are no text.
@@ -272,23 +245,33 @@ pub const ALWAYS: &[Binding] = &[
     bind(Action::Quit, &[ctrl('c')], "quit", ""),
 ];
 
-const fn bind(action: Action, keys: &'static [Key], name: &'static str, hint: &'static str) -> Binding {
+/// A line of a table.
+pub(crate) const fn bind(
+    action: Action,
+    keys: &'static [Key],
+    name: &'static str,
+    hint: &'static str,
+) -> Binding {
     Binding { action, keys, name, hint }
 }
 
-pub(super) const fn plain(code: KeyCode) -> Key {
+/// A key without modifiers.
+pub(crate) const fn plain(code: KeyCode) -> Key {
     Key(code, KeyModifiers::NONE)
 }
 
-pub(super) const fn typed(character: char) -> Key {
+/// The key of a character.
+pub(crate) const fn typed(character: char) -> Key {
     plain(KeyCode::Char(character))
 }
 
-pub(super) const fn ctrl(character: char) -> Key {
+/// A character with Ctrl.
+pub(crate) const fn ctrl(character: char) -> Key {
     Key(KeyCode::Char(character), KeyModifiers::CONTROL)
 }
 
-pub(super) const fn shift(code: KeyCode) -> Key {
+/// A key with Shift.
+pub(crate) const fn shift(code: KeyCode) -> Key {
     Key(code, KeyModifiers::SHIFT)
 }
 
@@ -296,16 +279,17 @@ const fn alt(code: KeyCode) -> Key {
     Key(code, KeyModifiers::ALT)
 }
 
-const UP: &[Key] = &[plain(KeyCode::Up), typed('k')];
-const DOWN: &[Key] = &[plain(KeyCode::Down), typed('j')];
-const LEFT: &[Key] = &[plain(KeyCode::Left), typed('h')];
-const RIGHT: &[Key] = &[plain(KeyCode::Right), typed('l')];
-const PAGE_UP: &[Key] = &[plain(KeyCode::PageUp), ctrl('u')];
-const PAGE_DOWN: &[Key] = &[plain(KeyCode::PageDown), ctrl('d')];
-const PAGE_DOWN_OR_SPACE: &[Key] = &[plain(KeyCode::PageDown), ctrl('d'), typed(' ')];
-const FIRST: &[Key] = &[plain(KeyCode::Home), typed('g')];
-const LAST: &[Key] = &[plain(KeyCode::End), typed('G')];
+/// The usual keys of what every place moves by.
+pub(crate) const UP: &[Key] = &[plain(KeyCode::Up), typed('k')];
+pub(crate) const DOWN: &[Key] = &[plain(KeyCode::Down), typed('j')];
+pub(crate) const LEFT: &[Key] = &[plain(KeyCode::Left), typed('h')];
+pub(crate) const RIGHT: &[Key] = &[plain(KeyCode::Right), typed('l')];
+pub(crate) const PAGE_UP: &[Key] = &[plain(KeyCode::PageUp), ctrl('u')];
+pub(crate) const PAGE_DOWN: &[Key] = &[plain(KeyCode::PageDown), ctrl('d')];
+pub(crate) const PAGE_DOWN_OR_SPACE: &[Key] = &[plain(KeyCode::PageDown), ctrl('d'), typed(' ')];
+pub(crate) const FIRST: &[Key] = &[plain(KeyCode::Home), typed('g')];
+pub(crate) const LAST: &[Key] = &[plain(KeyCode::End), typed('G')];
 const TAB: &[Key] = &[plain(KeyCode::Tab)];
 const BACK_TAB: &[Key] = &[plain(KeyCode::BackTab)];
-const ENTER: &[Key] = &[plain(KeyCode::Enter)];
+pub(crate) const ENTER: &[Key] = &[plain(KeyCode::Enter)];
 const ESC: &[Key] = &[plain(KeyCode::Esc)];

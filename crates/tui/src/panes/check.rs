@@ -1,54 +1,283 @@
 //! The user's own answers, each beside what is said of it.
 
-use dalembert_core::{Answer, Locale, Solution, Text, check::Verdict};
+use std::collections::BTreeSet;
+
+use dalembert_core::{
+    Answer, Locale, Solution, Text,
+    check::{self, Mistake, Verdict},
+};
 use ratatui::{
-    style::{Modifier, Style},
+    style::Style,
     text::{Line, Span},
 };
 use tui_input::Input;
 use unicode_width::UnicodeWidthStr;
 
-use super::{Page, columns::padded, wrap};
+use super::{
+    about_number,
+    columns::{padded, typed_in},
+    reasons, wrap,
+};
 use crate::{
-    ask::Ask,
+    ask::{Question, Reply},
     glyphs::filter_untrusted,
+    intent::Intent,
+    keys::{Action, Place},
     look::{Glyph, Look},
-    tab::Tab,
+    pane::{Page, Pane, Ui, register_pane},
+    problem::Problem,
+    remembered::Progress,
+    typed::Typed,
 };
 
 /// Cells of the narrowest and of the widest cell to type in.
 const CELL: (usize, usize) = (10, 24);
 
-/// The answers with what was typed for each; the page starts at each answer. `focused`: whether the keys act here.
-pub fn page(solution: &Solution, ask: &Ask, focused: bool, look: &Look, locale: &Locale, width: u16) -> Page {
-    let width = usize::from(width).max(1);
-    let check = &ask.check;
-    let locale = &locale.ascii(look.ascii);
-    let mut page = Page::default();
-    let words = "Enter your result. The reference value stays hidden until yours is correct.";
-    let words = wrap::words(&Text::new(words).render(locale), width).into_iter();
-    page.lines.extend(words.map(|line| Line::styled(line, look.dim())));
-    page.lines.push(Line::default());
-    let labels: Vec<String> = solution.answers.iter().map(|answer| answer.label(locale)).collect();
-    let longest = labels.iter().map(|label| label.width()).max().unwrap_or(0);
-    let cell = (width / 3).clamp(CELL.0, CELL.1);
-    let beside = width.saturating_sub(cell + 6);
-    let columns = Columns { label: longest.min(beside), cell };
-    for (n, (answer, label)) in solution.answers.iter().zip(&labels).enumerate() {
-        page.starts.push(page.lines.len());
-        let under_cursor = n == check.cursor;
-        let one = One {
-            answer,
-            label,
-            text: check.text(&answer.name.to_string()),
-            edit: ask.edit.as_ref().filter(|_| under_cursor),
-            focused: focused && under_cursor,
-            verdict: check.verdict(solution, &answer.name.to_string()),
-        };
-        one.line(&columns, look, &mut page.lines);
-        one.said(solution, ask, look, locale, width, &mut page.lines);
+/// The pane of the user's own answers.
+#[derive(Debug, Default)]
+pub struct Check {
+    /// The answer under the cursor.
+    cursor: usize,
+    /// Texts that were typed, by the name of the answer.
+    typed: Typed<String>,
+    /// The answers that the user asked to see.
+    seen: BTreeSet<String>,
+    /// The mistakes that give what was typed, for each wrong answer; `None` while they are searched for.
+    mistakes: Option<Vec<(String, Vec<Mistake>)>>,
+    /// True if it was said that everything is right.
+    praised: bool,
+}
+
+register_pane!(Check, 60);
+
+impl Pane for Check {
+    fn name(&self) -> &'static str {
+        "Check"
     }
-    page
+
+    fn place(&self) -> Place {
+        Place::Cells
+    }
+
+    fn is_useful(&self, problem: &Problem) -> bool {
+        problem.found.solution.as_ref().is_some_and(|found| !found.answers.is_empty())
+    }
+
+    fn page(&self, problem: &Problem, ui: &Ui<'_>, width: u16) -> Page {
+        match &problem.found.solution {
+            Some(solution) if !problem.is_stale() => self.lines(solution, ui, width),
+            _ => Page::of(reasons::why_not(problem, ui, width)),
+        }
+    }
+
+    fn about(&self, _: &Problem, _: &Ui<'_>) -> Vec<Text> {
+        vec!["value with unit, e.g. 19.5 mm; checked as you type".into()]
+    }
+
+    fn serves(&self, _: &Problem, action: Action) -> bool {
+        action != Action::Left
+    }
+
+    /// Shows our answer under the cursor, or covers it again.
+    fn act(&mut self, problem: &mut Problem, _: &Ui<'_>, action: Action) -> Option<Vec<Intent>> {
+        let name = self.answer(problem).filter(|_| action == Action::Toggle)?.name.to_string();
+        if !self.seen.remove(&name) {
+            self.seen.insert(name);
+        }
+        Some(Vec::new())
+    }
+
+    fn cursor<'a>(&'a mut self, _: &'a mut Problem) -> Option<&'a mut usize> {
+        Some(&mut self.cursor)
+    }
+
+    fn cells(&self, problem: &Problem) -> usize {
+        problem.found.solution.as_ref().map_or(0, |solution| solution.answers.len())
+    }
+
+    fn cell(&self, problem: &Problem) -> Option<String> {
+        Some(self.text(&self.answer(problem)?.name.to_string()).to_owned())
+    }
+
+    fn about_cell(&self, problem: &Problem, ui: &Ui<'_>) -> Vec<Text> {
+        let Some(answer) = self.answer(problem) else { return Vec::new() };
+        let form = match answer.si() {
+            Some(_) => about_number(&answer.unit, ui),
+            None => Some(Text::new("write it as in `{example}`").with("example", check::example(answer))),
+        };
+        form.into_iter().chain([answer.title()]).collect()
+    }
+
+    fn typed(&mut self, problem: &mut Problem, text: String) {
+        if let Some(name) = self.answer(problem).map(|answer| answer.name.to_string()) {
+            self.mistakes = None;
+            self.typed.set(&name, text);
+        }
+    }
+
+    /// Says once that what is asked for is right, which is remembered of a published case.
+    fn kept(&mut self, problem: &mut Problem) -> Vec<Intent> {
+        let Some(solution) = problem.found.solution.as_ref().filter(|_| !problem.is_stale()) else {
+            return Vec::new();
+        };
+        let names: Vec<String> = solution.answers.iter().map(|answer| answer.name.to_string()).collect();
+        // Of a published case, what it asks for; of other problems, everything.
+        let asked = problem.document.origin.as_ref().filter(|case| case.draft == problem.inputs.form.draft);
+        let asked = asked.map(|case| case.expect.iter().map(|one| one.answer.as_str()));
+        let wanted: Vec<&str> = match asked {
+            Some(asked) => asked.filter(|name| names.iter().any(|known| known == name)).collect(),
+            None => names.iter().map(String::as_str).collect(),
+        };
+        if wanted.is_empty()
+            || !self.is_right(solution, &wanted)
+            || std::mem::replace(&mut self.praised, true)
+        {
+            return Vec::new();
+        }
+        vec![Intent::Say("all required answers are correct".into()), Intent::Reach(Progress::Solved)]
+    }
+
+    fn question(&self, problem: &Problem) -> Option<Question> {
+        let solution = problem.found.solution.as_ref()?;
+        let is_wrong = |(name, _): &(String, String)| self.verdict(solution, name) == Some(Verdict::Wrong);
+        if self.mistakes.is_some() || !self.typed.0.iter().any(is_wrong) {
+            return None;
+        }
+        Some(Question::Slips {
+            entry: problem.entry,
+            record: problem.record()?,
+            solution: Box::new(solution.clone()),
+            typed: self.typed.0.clone(),
+        })
+    }
+
+    fn is_answered(&self, _: &Problem) -> bool {
+        self.mistakes.is_some()
+    }
+
+    fn answered(&mut self, _: &mut Problem, reply: Option<Reply>) -> Vec<Intent> {
+        self.mistakes = Some(if let Some(Reply::Slips(mistakes)) = reply { mistakes } else { Vec::new() });
+        // What is said of a wrong answer is read to its end.
+        vec![Intent::BringIn(self.cursor)]
+    }
+
+    fn forget(&mut self, _: &mut Problem, inputs: bool) {
+        self.mistakes = None;
+        self.praised &= !inputs;
+    }
+}
+
+impl Check {
+    /// The text that was typed for an answer.
+    fn text(&self, name: &str) -> &str {
+        self.typed.text(name)
+    }
+
+    /// The answer under the cursor.
+    fn answer<'p>(&self, problem: &'p Problem) -> Option<&'p Answer> {
+        let answers = &problem.found.solution.as_ref()?.answers;
+        answers.get(self.cursor.min(answers.len().checked_sub(1)?))
+    }
+
+    /// The verdict on the user's answer of that name; `None` where there is none.
+    fn verdict(&self, solution: &Solution, name: &str) -> Option<Verdict> {
+        let text = self.text(name);
+        let answer = solution.answer(name).filter(|_| !text.trim().is_empty())?;
+        Some(check::compare(answer, text))
+    }
+
+    /// True if these answers are found: those that no other of them was made from are there, and all that are there
+    /// are right.
+    fn is_right(&self, solution: &Solution, wanted: &[&str]) -> bool {
+        let verdict = |name: &str| self.verdict(solution, name);
+        solution.last_of(wanted).into_iter().all(|name| verdict(name) == Some(Verdict::Right))
+            && self.typed.0.iter().all(|(name, _)| verdict(name).is_none_or(|found| found == Verdict::Right))
+    }
+
+    /// The answers with what was typed for each; the page starts at each answer.
+    fn lines(&self, solution: &Solution, ui: &Ui<'_>, width: u16) -> Page {
+        let look = ui.look;
+        let width = usize::from(width).max(1);
+        let locale = &ui.locale.ascii(look.ascii);
+        let mut page = Page::default();
+        let words = "Enter your result. The reference value stays hidden until yours is correct.";
+        let words = wrap::words(&Text::new(words).render(locale), width).into_iter();
+        page.lines.extend(words.map(|line| Line::styled(line, look.dim())));
+        page.lines.push(Line::default());
+        let labels: Vec<String> = solution.answers.iter().map(|answer| answer.label(locale)).collect();
+        let longest = labels.iter().map(|label| label.width()).max().unwrap_or(0);
+        let cell = (width / 3).clamp(CELL.0, CELL.1);
+        let beside = width.saturating_sub(cell + 6);
+        let columns = Columns { label: longest.min(beside), cell };
+        for (n, (answer, label)) in solution.answers.iter().zip(&labels).enumerate() {
+            page.starts.push(page.lines.len());
+            let under_cursor = n == self.cursor;
+            let one = One {
+                answer,
+                label,
+                text: self.text(&answer.name.to_string()),
+                edit: ui.edit.filter(|_| under_cursor),
+                focused: ui.focused && under_cursor,
+                verdict: self.verdict(solution, &answer.name.to_string()),
+            };
+            one.line(&columns, look, &mut page.lines);
+            self.said(&one, solution, ui.waits, (look, locale, width), &mut page.lines);
+        }
+        page
+    }
+
+    /// Writes the comment below the line.
+    fn said(
+        &self,
+        one: &One<'_>,
+        solution: &Solution,
+        waits: bool,
+        (look, locale, width): (&Look, &Locale, usize),
+        lines: &mut Vec<Line<'static>>,
+    ) {
+        let name = one.answer.name.to_string();
+        let mut say = |text: &str, style: Style| {
+            lines.extend(wrap::hanging(vec![Span::raw("    ")], text, style, width));
+        };
+        match &one.verdict {
+            None | Some(Verdict::Right) => {}
+            Some(verdict @ (Verdict::RoundedEarly(_) | Verdict::TooFewDigits)) => {
+                say(&verdict.text().render(&locale.digits(2)), look.warning());
+            }
+            Some(Verdict::Unread(why)) => say(&filter_untrusted(&why.render(locale)), look.dim()),
+            Some(Verdict::Wrong) => match &self.mistakes {
+                None if waits => {
+                    say(
+                        &Text::new("incorrect; searching for a common error that gives this value")
+                            .render(locale),
+                        look.error(),
+                    );
+                }
+                None => say(&Text::new("incorrect").render(locale), look.error()),
+                Some(all) => {
+                    let slips =
+                        all.iter().find(|(known, _)| *known == name).map_or(&[][..], |(_, slips)| slips);
+                    if slips.is_empty() {
+                        say(
+                            &Text::new("Incorrect. No common error reproduces this value.").render(locale),
+                            look.error(),
+                        );
+                    } else {
+                        say(&Text::new("Incorrect. Possible cause:").render(locale), look.error());
+                    }
+                    for slip in slips {
+                        let text = slip.text(solution).render(locale);
+                        let dot = format!("    {} ", look.glyph(Glyph::Dot));
+                        lines.extend(wrap::hanging(vec![Span::raw(dot)], &text, Style::new(), width));
+                    }
+                }
+            },
+        }
+        if one.verdict == Some(Verdict::Right) || self.seen.contains(&name) {
+            let shown = format!("= {}", one.answer.shown(locale));
+            lines.extend(wrap::hanging(vec![Span::raw("    ")], &shown, look.answer(), width));
+        }
+    }
 }
 
 struct Columns {
@@ -106,73 +335,4 @@ impl One<'_> {
         line.push_span(Span::styled(format!(" {glyph}"), style));
         lines.push(line);
     }
-
-    /// What is said below the line.
-    fn said(
-        &self,
-        solution: &Solution,
-        ask: &Ask,
-        look: &Look,
-        locale: &Locale,
-        width: usize,
-        lines: &mut Vec<Line<'static>>,
-    ) {
-        let name = self.answer.name.to_string();
-        let mut say = |text: &str, style: Style| {
-            lines.extend(wrap::hanging(vec![Span::raw("    ")], text, style, width));
-        };
-        match &self.verdict {
-            None | Some(Verdict::Right) => {}
-            Some(verdict @ (Verdict::RoundedEarly(_) | Verdict::TooFewDigits)) => {
-                say(&verdict.text().render(&locale.digits(2)), look.warning());
-            }
-            Some(Verdict::Unread(why)) => say(&filter_untrusted(&why.render(locale)), look.dim()),
-            Some(Verdict::Wrong) => match &ask.check.slips {
-                None if ask.waits(Tab::Check) => {
-                    say(
-                        &Text::new("incorrect; searching for a common error that gives this value")
-                            .render(locale),
-                        look.error(),
-                    );
-                }
-                None => say(&Text::new("incorrect").render(locale), look.error()),
-                Some(all) => {
-                    let slips =
-                        all.iter().find(|(known, _)| *known == name).map_or(&[][..], |(_, slips)| slips);
-                    if slips.is_empty() {
-                        say(
-                            &Text::new("Incorrect. No common error reproduces this value.").render(locale),
-                            look.error(),
-                        );
-                    } else {
-                        say(&Text::new("Incorrect. Possible cause:").render(locale), look.error());
-                    }
-                    for slip in slips {
-                        let text = slip.text(solution).render(locale);
-                        let dot = format!("    {} ", look.glyph(Glyph::Dot));
-                        lines.extend(wrap::hanging(vec![Span::raw(dot)], &text, Style::new(), width));
-                    }
-                }
-            },
-        }
-        if self.verdict == Some(Verdict::Right) || ask.check.seen.contains(&name) {
-            let shown = format!("= {}", self.answer.shown(locale));
-            lines.extend(wrap::hanging(vec![Span::raw("    ")], &shown, look.answer(), width));
-        }
-    }
-}
-
-/// The text of a cell while it is typed in, with the cursor in it.
-pub(super) fn typed_in(input: &Input, cells: usize) -> [Span<'static>; 3] {
-    let scroll = input.visual_scroll(cells.saturating_sub(1));
-    let text = filter_untrusted(input.value()).into_owned();
-    let seen: Vec<char> = text.chars().chain([' ']).skip(scroll).take(cells).collect();
-    let at = input.visual_cursor().saturating_sub(scroll).min(seen.len().saturating_sub(1));
-    let under = Style::new().add_modifier(Modifier::UNDERLINED);
-    let after: String = seen[at + 1..].iter().collect();
-    [
-        Span::styled(seen[..at].iter().collect::<String>(), under),
-        Span::styled(seen[at].to_string(), Style::new().add_modifier(Modifier::REVERSED)),
-        Span::styled(padded(&after, cells.saturating_sub(at + 1)), under),
-    ]
 }

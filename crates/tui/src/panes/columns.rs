@@ -1,6 +1,13 @@
 //! Numbers under one another: decimal mark under decimal mark.
 
+use ratatui::{
+    style::{Modifier, Style},
+    text::Span,
+};
+use tui_input::Input;
 use unicode_width::UnicodeWidthStr;
+
+use crate::glyphs::filter_untrusted;
 
 /// A quantity as it is written, in the three parts that stand under one another.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -40,6 +47,21 @@ pub(super) fn number(one: &Aligned, (whole, decimals): (usize, usize)) -> String
 /// The text, filled up with spaces to `width` cells.
 pub(super) fn padded(text: &str, width: usize) -> String {
     format!("{text}{}", " ".repeat(width.saturating_sub(text.width())))
+}
+
+/// The text of a cell while it is typed in, with the cursor in it.
+pub(super) fn typed_in(input: &Input, cells: usize) -> [Span<'static>; 3] {
+    let scroll = input.visual_scroll(cells.saturating_sub(1));
+    let text = filter_untrusted(input.value()).into_owned();
+    let seen: Vec<char> = text.chars().chain([' ']).skip(scroll).take(cells).collect();
+    let at = input.visual_cursor().saturating_sub(scroll).min(seen.len().saturating_sub(1));
+    let under = Style::new().add_modifier(Modifier::UNDERLINED);
+    let after: String = seen[at + 1..].iter().collect();
+    [
+        Span::styled(seen[..at].iter().collect::<String>(), under),
+        Span::styled(seen[at].to_string(), Style::new().add_modifier(Modifier::REVERSED)),
+        Span::styled(padded(&after, cells.saturating_sub(at + 1)), under),
+    ]
 }
 
 #[cfg(test)]

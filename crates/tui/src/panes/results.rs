@@ -2,8 +2,9 @@
 
 mod difference;
 
-use dalembert_core::{AnswerValue, Check, Locale, Number, Refusal, Shape, Solution, SolveError, Text};
-use dalembert_units::{Style as Digits, write_number};
+use dalembert_core::{AnswerValue, Check, Display, Locale, Number, Solution, Text};
+use dalembert_report::show_answer_in;
+use dalembert_units::{self as unit, Kind, Style as Digits, write_number};
 use ratatui::{
     style::Style,
     text::{Line, Span},
@@ -11,36 +12,168 @@ use ratatui::{
 use unicode_width::UnicodeWidthStr;
 
 use super::{
-    Page,
     columns::{Aligned, number, padded, widths},
-    label_of,
-    working::Reading,
-    wrap,
+    reasons::{self, marked, stale},
+    steps, wrap,
 };
-use crate::look::{Glyph, Look};
+use crate::{
+    intent::Intent,
+    keys::{Action, Place},
+    look::{Glyph, Look},
+    pane::{Column, Page, Pane, Ui, register_pane},
+    problem::Problem,
+};
+
+/// The fewest and the most digits of an answer.
+const DIGITS: (u8, u8) = (3, 12);
+
+/// The pane of answers.
+#[derive(Debug, Default)]
+pub struct Results {
+    /// The answer whose unit and digits are chosen, by its place.
+    chosen: Option<usize>,
+}
+
+register_pane!(Results, 10);
+
+impl Pane for Results {
+    fn name(&self) -> &'static str {
+        "Results"
+    }
+
+    fn column(&self) -> Column {
+        Column::Shared
+    }
+
+    fn page(&self, problem: &Problem, ui: &Ui<'_>, width: u16) -> Page {
+        let mut lines = reasons::why_not(problem, ui, width);
+        let Some(solution) = problem.found.solution.as_ref().filter(|_| !problem.hides_numbers()) else {
+            return Page::of(lines);
+        };
+        if !lines.is_empty() {
+            lines.push(Line::default());
+        }
+        let (found, pinned) = (&problem.found, problem.found.pinned.as_ref());
+        let page = page(solution, (found.revealed, self.chosen), pinned, ui.look, ui.locale, width);
+        let own = page.lines.clone();
+        lines.extend(if problem.is_stale() { stale(own, ui.look, ui.locale, width) } else { own });
+        page.behind(lines)
+    }
+
+    fn about(&self, _: &Problem, ui: &Ui<'_>) -> Vec<Text> {
+        let text = match self.chosen {
+            Some(_) => Text::new("{keys} select the answer; {unit} unit, {digits} digits")
+                .with("keys", ui.pair(Place::Pane, Action::Up, Action::Down)),
+            None => Text::new("{unit} unit of an answer, {digits} digits"),
+        };
+        let key = |action| ui.key(Place::Pane, action);
+        vec![text.with("unit", key(Action::NextDisplayUnit)).with("digits", key(Action::NextDigits))]
+    }
+
+    fn act(&mut self, problem: &mut Problem, ui: &Ui<'_>, action: Action) -> Option<Vec<Intent>> {
+        match (action, self.chosen) {
+            (Action::NextDisplayUnit | Action::NextDigits, _) => Some(self.display(problem, ui, action)),
+            (Action::Up | Action::Down, Some(at)) => {
+                let answers = problem.found.solution.as_ref().map_or(0, |solution| solution.answers.len());
+                let by = if action == Action::Up { -1 } else { 1 };
+                let at = at.saturating_add_signed(by).min(answers.saturating_sub(1));
+                self.chosen = Some(at);
+                Some(vec![Intent::BringIn(at)])
+            }
+            (Action::Back, Some(_)) => {
+                self.chosen = None;
+                Some(Vec::new())
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Results {
+    /// Shows the chosen answer in its next unit, or with another number of digits; without a chosen one, chooses the
+    /// first.
+    fn display(&mut self, problem: &mut Problem, ui: &Ui<'_>, action: Action) -> Vec<Intent> {
+        let usual = ui.locale.style.digits;
+        let Some(solution) = problem.found.solution.as_ref().filter(|found| !found.answers.is_empty()) else {
+            return Vec::new();
+        };
+        let Some(at) = self.chosen else {
+            self.chosen = Some(0);
+            let key = |action| ui.key(Place::Pane, action);
+            let said = Text::new("{keys} select the answer; {unit} unit, {digits} digits; {back} back")
+                .with("keys", ui.pair(Place::Pane, Action::Up, Action::Down))
+                .with("unit", key(Action::NextDisplayUnit))
+                .with("digits", key(Action::NextDigits))
+                .with("back", key(Action::Back));
+            return Intent::say(said);
+        };
+        let answer = &solution.answers[at.min(solution.answers.len() - 1)];
+        let name = answer.name.to_string();
+        let known = problem.document.show.iter().find(|(known, _)| *known == name);
+        let mut display = known.map_or_else(Display::default, |(_, text)| Display::of(text));
+        if action == Action::NextDigits {
+            let next = match display.digits.unwrap_or(usual) {
+                digits if digits >= DIGITS.1 => DIGITS.0,
+                digits => digits + 1,
+            };
+            display.digits = Some(next).filter(|next| *next != usual);
+        } else {
+            let now = answer.unit.ascii();
+            let all: Vec<&str> = Kind::of(&answer.unit)
+                .units()
+                .iter()
+                .copied()
+                .filter(|unit| !["1", "dB"].contains(unit))
+                .collect();
+            let same = |unit: &str| unit::unit(unit).is_ok_and(|unit| unit.ascii() == now);
+            let at = all.iter().position(|unit| same(unit));
+            match all.get(at.map_or(0, |at| (at + 1) % all.len().max(1))) {
+                Some(unit) if !same(unit) => (*unit).clone_into(&mut display.unit),
+                _ => return Intent::say("no other unit available"),
+            }
+        }
+        put(problem, &name, &display);
+        vec![Intent::Keep]
+    }
+}
+
+/// Takes how an answer is shown from now on.
+fn put(problem: &mut Problem, name: &str, display: &Display) {
+    let text = display.to_string();
+    let (found, document) = (&mut problem.found, &mut problem.document);
+    for solution in found.solution.iter_mut().chain(&mut found.pinned) {
+        // It is a unit of its kind.
+        let _ = show_answer_in(solution, name, &text);
+    }
+    match document.show.iter_mut().find(|(known, _)| known == name) {
+        Some((_, old)) => *old = text,
+        None => document.show.push((name.to_owned(), text)),
+    }
+    document.show_changed = true;
+}
 
 /// Answers, warnings and checks of a solution; faults of the program before them.
 pub fn lines(solution: &Solution, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
-    read(solution, &Reading::default(), None, look, locale, width)
+    read(solution, None, None, look, locale, width)
 }
 
-/// The same as far as the worked solution is revealed; each answer with its difference to the same one of a pinned
+/// The same as far as so many steps of the worked solution are revealed; each answer with its difference to the same one of a pinned
 /// solution, where there is one.
 pub fn read(
     solution: &Solution,
-    reading: &Reading,
+    revealed: Option<usize>,
     pinned: Option<&Solution>,
     look: &Look,
     locale: &Locale,
     width: u16,
 ) -> Vec<Line<'static>> {
-    page(solution, reading, pinned, look, locale, width).lines
+    page(solution, (revealed, None), pinned, look, locale, width).lines
 }
 
-/// The same; the page starts at each answer.
-pub fn page(
+/// The same; the page starts at each answer, of which one may be chosen.
+fn page(
     solution: &Solution,
-    reading: &Reading,
+    reading: (Option<usize>, Option<usize>),
     pinned: Option<&Solution>,
     look: &Look,
     locale: &Locale,
@@ -83,56 +216,6 @@ pub fn page(
     Page { lines, starts }
 }
 
-/// Why there is no solution. Fields are named by their labels in `shape`, the inputs of the analysis, where it holds
-/// them.
-pub fn refusal(
-    shape: Option<&Shape>,
-    error: &SolveError,
-    look: &Look,
-    locale: &Locale,
-    width: u16,
-) -> Vec<Line<'static>> {
-    let width = usize::from(width).max(1);
-    let heading = |words: &'static str, style: Style| {
-        wrap::words(&Text::new(words).render(locale), width)
-            .into_iter()
-            .map(move |line| Line::styled(line, style))
-            .collect::<Vec<_>>()
-    };
-    match error {
-        SolveError::Refused(Refusal::Stopped) => heading("Solution cancelled.", look.dim()),
-        SolveError::Refused(Refusal::NoAnswer(why)) => {
-            let mut lines = heading("No solution", look.warning());
-            lines.push(Line::default());
-            let why = why.render(locale);
-            lines.extend(wrap::words(&why, width).into_iter().map(Line::from));
-            lines
-        }
-        SolveError::Fields(errors) => {
-            let mut lines = heading("Some inputs cannot be read", look.error());
-            lines.push(Line::default());
-            for error in errors {
-                let label = shape.and_then(|shape| label_of(shape, &error.path, locale));
-                let words =
-                    format!("{}: {}", label.as_ref().unwrap_or(&error.path), error.why.render(locale));
-                lines.extend(marked(look, Glyph::Bad, look.error(), &words, Style::new(), width));
-            }
-            lines
-        }
-    }
-}
-
-/// Lines of a pane that belong to the inputs before the last change: dimmed, under a note that reports it.
-pub fn stale(lines: Vec<Line<'static>>, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
-    let note = Text::new("results for the previous, complete inputs").render(locale);
-    let note = marked(look, Glyph::Warning, look.warning(), &note, look.warning(), usize::from(width).max(1));
-    let dimmed = lines.into_iter().map(|line| {
-        let spans = line.spans.into_iter().map(|span| Span::styled(span.content, look.dim()));
-        Line::from(spans.collect::<Vec<_>>())
-    });
-    note.chain([Line::default()]).chain(dimmed).collect()
-}
-
 /// The widest column of labels: longer ones go on below.
 const WIDEST_LABELS: usize = 40;
 
@@ -143,14 +226,14 @@ const NARROWEST_LABELS: usize = 24;
 /// stands beside its label, at the right edge, where both fit, and below it where they do not.
 fn answers(
     solution: &Solution,
-    reading: &Reading,
+    (revealed, chosen): (Option<usize>, Option<usize>),
     pinned: Option<&Solution>,
     look: &Look,
     locale: &Locale,
     width: usize,
 ) -> Page {
     let answers = &solution.answers;
-    let covered: Vec<bool> = answers.iter().map(|answer| reading.covers(solution, answer)).collect();
+    let covered: Vec<bool> = answers.iter().map(|answer| steps::covers(revealed, solution, answer)).collect();
     let shown: Vec<String> = answers
         .iter()
         .zip(&covered)
@@ -218,7 +301,7 @@ fn answers(
                 lines.extend(wrap::hanging(vec![Span::raw("  ")], &shown, look.answer(), width));
             }
         }
-        if reading.answer == Some(n) {
+        if chosen == Some(n) {
             for line in lines.iter_mut().skip(first) {
                 line.style = look.focus();
             }
@@ -275,17 +358,4 @@ fn check(check: &Check, look: &Look, locale: &Locale, width: usize) -> Vec<Line<
         _ => lines.extend(wrap::hanging(vec![Span::raw("  ")], &outcome, words_style, width)),
     }
     lines
-}
-
-/// A pictogram, and words beside it.
-fn marked(
-    look: &Look,
-    glyph: Glyph,
-    glyph_style: Style,
-    words: &str,
-    style: Style,
-    width: usize,
-) -> impl Iterator<Item = Line<'static>> {
-    let head = vec![Span::styled(look.glyph(glyph), glyph_style), Span::raw(" ")];
-    wrap::hanging(head, words, style, width)
 }

@@ -11,16 +11,87 @@ use ratatui::{
 };
 use unicode_width::UnicodeWidthStr;
 
-use super::{Page, columns::padded, wrap};
-use crate::look::{Glyph, Look};
+use super::{columns::padded, wrap};
+use crate::{
+    effect::Effect,
+    intent::Intent,
+    keys::{Action, Place},
+    look::{Glyph, Look},
+    pane::{Page, Pane, Ui, register_pane},
+    problem::Problem,
+    remembered::{Change, Progress},
+    solver::CheckedCase,
+};
 
-/// A published case, and how its printed answers compare with ours.
-#[derive(Clone, Debug)]
-pub struct CheckedCase {
-    /// The case.
-    pub case: Case,
-    /// `None` while it has not been solved.
-    pub verdicts: Option<Result<Vec<Verdict>, SolveError>>,
+/// The pane of books and published cases.
+#[derive(Debug, Default)]
+pub struct Sources;
+
+register_pane!(Sources, 90);
+
+impl Pane for Sources {
+    fn name(&self) -> &'static str {
+        "Sources"
+    }
+
+    fn page(&self, problem: &Problem, ui: &Ui<'_>, width: u16) -> Page {
+        let chosen = ui.focused.then_some(problem.case);
+        let answers = problem.found.solution.as_ref().map_or(&[][..], |solution| &solution.answers);
+        let answers = problem.found.revealed.is_none().then_some(answers);
+        lines(problem.entry, &problem.cases, chosen, answers, ui.look, ui.locale, width)
+    }
+
+    fn about(&self, _: &Problem, ui: &Ui<'_>) -> Vec<Text> {
+        vec![
+            Text::new("{keys} choose a case; {enter} loads it")
+                .with("keys", ui.pair(Place::Pane, Action::Up, Action::Down))
+                .with("enter", ui.key(Place::Pane, Action::Enter)),
+        ]
+    }
+
+    fn act(&mut self, problem: &mut Problem, ui: &Ui<'_>, action: Action) -> Option<Vec<Intent>> {
+        match action {
+            Action::Enter => Some(load(problem, ui)),
+            Action::Up | Action::Down => {
+                let last = problem.cases.len().saturating_sub(1);
+                let case = problem.case;
+                problem.case =
+                    if action == Action::Up { case.saturating_sub(1) } else { (case + 1).min(last) };
+                Some(vec![Intent::BringIn(problem.case)])
+            }
+            _ => None,
+        }
+    }
+
+    fn cursor<'a>(&'a mut self, problem: &'a mut Problem) -> Option<&'a mut usize> {
+        Some(&mut problem.case)
+    }
+
+    fn turned_to(&mut self, problem: &mut Problem) -> Vec<Intent> {
+        if std::mem::replace(&mut problem.judging, true) {
+            return Vec::new();
+        }
+        vec![Intent::Do(Effect::Judge(problem.entry))]
+    }
+}
+
+/// Puts the chosen case in the place of the inputs.
+fn load(problem: &mut Problem, ui: &Ui<'_>) -> Vec<Intent> {
+    let Some(case) = problem.cases.get(problem.case).map(|checked| checked.case.clone()) else {
+        return Vec::new();
+    };
+    let untouched = !problem.is_unsaved() && problem.document.file.is_none();
+    let said = Text::new("{case} loaded; {key} restores the previous inputs")
+        .with_text("case", case.title())
+        .with("key", ui.key(Place::Form, Action::Undo));
+    problem.inputs.form.replace(case.draft.clone());
+    problem.document.title.clear();
+    problem.document.origin = Some(case);
+    if untouched {
+        problem.mark_saved();
+    }
+    let opened = Change::Open(problem.entry.about.id.to_owned());
+    vec![Intent::Say(said), Intent::Changed, Intent::Reach(Progress::Opened), Intent::Remember(opened)]
 }
 
 /// Books and cases; the page starts at each case, and `chosen` is the case that the keys act on. Printed answers that

@@ -10,9 +10,50 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{
     columns::{Aligned, number, padded, widths},
-    wrap,
+    reasons, wrap,
 };
-use crate::look::{Glyph, Look};
+use crate::{
+    look::{Glyph, Look},
+    pane::{Page, Pane, Ui, register_pane},
+    problem::Problem,
+};
+
+/// The pane of tables.
+#[derive(Debug, Default)]
+pub struct Table;
+
+register_pane!(Table, 50);
+
+impl Pane for Table {
+    fn name(&self) -> &'static str {
+        "Table"
+    }
+
+    fn is_useful(&self, problem: &Problem) -> bool {
+        problem.tables().next().is_some()
+    }
+
+    fn page(&self, problem: &Problem, ui: &Ui<'_>, width: u16) -> Page {
+        if problem.found.revealed.is_some() {
+            return reasons::covered(ui, width);
+        }
+        if problem.hides_numbers() {
+            return Page::of(reasons::why_not(problem, ui, width));
+        }
+        let mut all = Vec::new();
+        for table in problem.tables() {
+            if !all.is_empty() {
+                all.push(Line::default());
+            }
+            all.extend(lines(table, ui.look, ui.locale, width));
+        }
+        match (all.is_empty(), problem.is_stale()) {
+            (true, _) => reasons::nothing(problem, ui, width),
+            (false, true) => Page::of(reasons::stale(all, ui.look, ui.locale, width)),
+            (false, false) => Page::of(all),
+        }
+    }
+}
 
 /// Cells between two columns.
 const GAP: usize = 2;

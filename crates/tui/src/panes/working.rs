@@ -3,6 +3,7 @@
 use dalembert_core::{
     Locale, Solution, Text,
     printer::{self, WrittenStep},
+    trace::Op,
 };
 use ratatui::{
     style::Style,
@@ -11,29 +12,193 @@ use ratatui::{
 use unicode_width::UnicodeWidthStr;
 
 use super::{
-    Page,
     columns::{Aligned, number, padded, widths},
+    reasons, steps,
+    steps::{step_of, symbols},
     wrap,
 };
-use crate::look::Look;
+use crate::{
+    intent::Intent,
+    keys::{
+        Action, PaneKeys, Place,
+        tables::{ENDS, ENTER, LEFT, LINES, PAGES, RIGHT, bind, typed},
+    },
+    look::Look,
+    pane::{Column, Page, Pane, Ui, register_pane},
+    problem::Problem,
+};
 
-mod reading;
+/// Keys of the pane.
+static KEYS: PaneKeys = PaneKeys {
+    id: "working",
+    name: "Working",
+    table: &[
+        &[
+            bind(
+                Action::Reveal,
+                &[typed(' ')],
+                "reveal the next step; page down if none is hidden",
+                "reveal",
+            ),
+            bind(Action::Right, RIGHT, "next symbol", "symbols"),
+            bind(Action::Left, LEFT, "previous symbol", ""),
+            bind(Action::Enter, ENTER, "go to the step or input that defines the symbol", "follow"),
+        ],
+        LINES,
+        PAGES,
+        ENDS,
+    ],
+};
 
-pub use self::reading::{Place, Reading, step_of, symbols};
+/// The pane of the worked solution.
+#[derive(Debug, Default)]
+pub struct Working {
+    /// The symbol that the cursor is at.
+    symbol: Option<Symbol>,
+    /// The symbols that were followed to where it is.
+    trail: Vec<Symbol>,
+}
+
+/// A symbol of a step: the places of both.
+type Symbol = (usize, usize);
+
+register_pane!(Working, 20);
+
+impl Pane for Working {
+    fn name(&self) -> &'static str {
+        "Working"
+    }
+
+    fn place(&self) -> Place {
+        Place::Own(&KEYS)
+    }
+
+    fn column(&self) -> Column {
+        Column::Shared
+    }
+
+    fn page(&self, problem: &Problem, ui: &Ui<'_>, width: u16) -> Page {
+        let Some(solution) = &problem.found.solution else { return reasons::nothing(problem, ui, width) };
+        if problem.hides_numbers() {
+            return Page::of(reasons::why_not(problem, ui, width));
+        }
+        let reveal = ui.key(self.place(), Action::Reveal);
+        let reading = (problem.found.revealed, self.symbol);
+        let page = read(solution, reading, &reveal, ui.look, ui.locale, width);
+        if !problem.is_stale() {
+            return page;
+        }
+        let lines = reasons::stale(page.lines.clone(), ui.look, ui.locale, width);
+        page.behind(lines)
+    }
+
+    fn serves(&self, problem: &Problem, action: Action) -> bool {
+        match action {
+            Action::Reveal => problem.found.revealed.is_some(),
+            Action::Enter => self.symbol.is_some(),
+            _ => true,
+        }
+    }
+
+    fn act(&mut self, problem: &mut Problem, ui: &Ui<'_>, action: Action) -> Option<Vec<Intent>> {
+        if action == Action::Back {
+            // Back to the symbol that was followed here; from the first one, to no symbol at all.
+            self.symbol?;
+            let before = self.trail.pop();
+            return Some(self.put(before));
+        }
+        let found = &mut problem.found;
+        let solution = found.solution.as_ref()?;
+        Some(match (action, self.symbol) {
+            (Action::Reveal, _) if found.revealed.is_some() => {
+                let step = steps::shown(found.revealed, solution);
+                found.revealed = Some(step + 1).filter(|next| *next < solution.steps.len());
+                let last = found.revealed.is_none().then(|| Intent::Say("every step is revealed".into()));
+                last.into_iter().chain([Intent::BringIn(step)]).collect()
+            }
+            (Action::Left | Action::Right, _) | (Action::Enter, None) => {
+                let (solution, revealed) = (problem.found.solution.as_ref()?, problem.found.revealed);
+                let first = self.first_seen(problem, ui);
+                match self.beside(solution, revealed, first, action != Action::Left) {
+                    Some(symbol) => self.put(Some(symbol)),
+                    None => Intent::say("no further symbol"),
+                }
+            }
+            (Action::Enter, Some(symbol)) => {
+                let Some(id) = symbols(solution, symbol.0).get(symbol.1).copied() else {
+                    return Some(Intent::say("this step depends on no other symbol"));
+                };
+                if let Some(step) = step_of(solution, id) {
+                    self.trail.push(symbol);
+                    self.put(Some((step, 0)))
+                } else if let Op::Given { path, .. } = &solution.trace.node(id).op {
+                    vec![Intent::GoToInput(path.clone())]
+                } else {
+                    Vec::new()
+                }
+            }
+            _ => return None,
+        })
+    }
+
+    fn restart(&mut self) {
+        *self = Self::default();
+    }
+
+    fn led_to_input(&self) -> bool {
+        self.symbol.is_some()
+    }
+}
+
+impl Working {
+    /// The symbol that the cursor is at: the places of its step and of itself.
+    pub fn symbol(&self) -> Option<(usize, usize)> {
+        self.symbol
+    }
+
+    fn put(&mut self, symbol: Option<Symbol>) -> Vec<Intent> {
+        self.symbol = symbol;
+        symbol.map(|(step, _)| Intent::BringIn(step)).into_iter().collect()
+    }
+
+    /// The symbol after the cursor, or before it; the first one from a step on where there is no cursor yet.
+    fn beside(
+        &self,
+        solution: &Solution,
+        revealed: Option<usize>,
+        from: usize,
+        forward: bool,
+    ) -> Option<Symbol> {
+        let all = (0..steps::shown(revealed, solution))
+            .flat_map(|step| (0..symbols(solution, step).len()).map(move |symbol| (step, symbol)));
+        match (self.symbol, forward) {
+            (None, _) => all.clone().find(|symbol| symbol.0 >= from).or_else(|| all.clone().next_back()),
+            (Some(here), true) => all.clone().find(|symbol| *symbol > here),
+            (Some(here), false) => all.clone().rfind(|symbol| *symbol < here),
+        }
+    }
+
+    /// The first step that is seen.
+    fn first_seen(&self, problem: &Problem, ui: &Ui<'_>) -> usize {
+        let page = self.page(problem, ui, ui.area.width);
+        let first = ui.scroll.min(page.lines.len().saturating_sub(ui.area.height.into()));
+        page.starts.iter().position(|start| *start >= first).unwrap_or(0)
+    }
+}
 
 /// The worked solution; the page starts at each step.
 ///
 /// Each step is a number, its reason and source, and below them `symbol = formula`, `= substitution`, `= result`
 /// with the signs of equality under one another. A long formula goes on below its beginning.
 pub fn lines(solution: &Solution, look: &Look, locale: &Locale, width: u16) -> Page {
-    read(solution, &Reading::default(), "", look, locale, width)
+    read(solution, (None, None), "", look, locale, width)
 }
 
 /// The same as far as it is revealed. Of the step to be found next there are its reason and its symbol; below the step
 /// with the cursor stand the symbols it is made of. `reveal` is the name of the key that reveals the next one.
-pub fn read(
+fn read(
     solution: &Solution,
-    reading: &Reading,
+    (revealed, symbol): (Option<usize>, Option<Symbol>),
     reveal: &str,
     look: &Look,
     locale: &Locale,
@@ -43,7 +208,7 @@ pub fn read(
     let locale = &locale.ascii(look.ascii);
     let mut page = Page::default();
     let digits = solution.steps.len().to_string().len();
-    let revealed = reading.steps(solution);
+    let revealed = steps::shown(revealed, solution);
     for (n, step) in solution.steps.iter().enumerate().take(revealed + 1) {
         if n > 0 {
             page.lines.push(Line::default());
@@ -67,7 +232,7 @@ pub fn read(
         reason(&written, head, look, width, &mut page.lines);
         equalities(&written, indent, look, width, &mut page.lines);
         terms(&written.terms, indent + 2, look, width, &mut page.lines);
-        if let Some((_, chosen)) = reading.symbol.filter(|(step, _)| *step == n && n < revealed) {
+        if let Some((_, chosen)) = symbol.filter(|(step, _)| *step == n && n < revealed) {
             made_of(
                 solution,
                 n,

@@ -9,8 +9,8 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent};
 
 use super::{Act, Replay};
 use crate::{
-    bench::State,
     model::{Model, Msg},
+    problem::State,
 };
 
 /// Between the characters of a text.
@@ -64,8 +64,10 @@ impl Player {
             return None;
         }
         if let Some(since) = self.waiting {
-            let solving =
-                model.bench.as_ref().is_some_and(|bench| matches!(bench.found.state, State::Solving(_)));
+            let solving = model
+                .bench
+                .as_ref()
+                .is_some_and(|bench| matches!(bench.problem.found.state, State::Solving(_)));
             if solving && since.elapsed() < PATIENCE {
                 self.due = now + CHARACTER;
                 return None;

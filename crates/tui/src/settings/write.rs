@@ -4,8 +4,9 @@ use dalembert_core::{Locale, Text};
 
 use super::{DECIMALS, LANGUAGES, MARKERS, Settings};
 use crate::{
-    keys::{ALWAYS, Binding, COMMON, Key, PANES, PROBLEM, Place},
+    keys::{ALWAYS, Binding, COMMON, Key, PANES, PROBLEM},
     look::Theme,
+    panes::places,
 };
 
 /// A file that says what can be set, in the user's language, and what it is without a word. It sets nothing; nor
@@ -90,10 +91,10 @@ pub fn default_file(locale: &Locale) -> String {
         let all = shared.into_iter().flatten().filter(|other| other.action.id() == id);
         file += &line(binding, all.flat_map(|other| other.keys).copied(), locale);
     }
-    for place in Place::ALL {
+    for place in places() {
         file += &format!("\n[keys.{}]  # {}\n", place.id(), say(Text::new(place.name())));
         let mut written: Vec<&str> = Vec::new();
-        for binding in place.table() {
+        for binding in place.table().iter().copied().flatten() {
             if written.contains(&binding.action.id()) {
                 continue;
             }

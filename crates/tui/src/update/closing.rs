@@ -2,101 +2,47 @@
 
 use dalembert_core::Text;
 
-use super::{
-    files, list,
-    problems::{bring, name},
-};
 use crate::{
     dialog::{After, Answer, Dialog},
-    model::{Effect, Model, Screen},
+    effect::Effect,
+    intent::Intent,
+    model::{Model, Screen},
 };
 
 /// Does what ends problems, or asks first what becomes of unsaved work.
-pub(super) fn leave(model: &mut Model, after: After) -> Vec<Effect> {
+pub(super) fn leave(model: &Model, after: After) -> Vec<Intent> {
     let unsaved = match after {
         _ if model.readonly && !model.played => Vec::new(),
         After::Quit => unsaved(model),
         After::Stay | After::Close => {
-            model.bench.iter().filter(|bench| bench.is_unsaved()).map(|bench| bench.number).collect()
+            let shown = model.bench.iter().filter(|bench| bench.problem.is_unsaved());
+            shown.map(|bench| bench.problem.number).collect()
         }
     };
-    let question = match unsaved[..] {
-        [] => return discard(model, after),
+    match unsaved[..] {
+        [] => vec![Intent::Discard(after)],
         [only] => {
-            let effects = bring(model, only);
-            ask(model, "The problem has unsaved changes.".into(), after);
-            return effects;
+            let question = "The problem has unsaved changes.".into();
+            vec![Intent::Bring(only), Intent::Show(ask(question, after, false))]
         }
         _ => {
-            let names: Vec<String> = model
-                .problems()
-                .into_iter()
-                .filter(|bench| bench.is_unsaved())
-                .map(|bench| name(model, bench))
-                .collect();
-            Text::new("{count} problems have unsaved changes: {names}.")
+            let problems = model.problems().into_iter().filter(|bench| bench.problem.is_unsaved());
+            let names: Vec<String> = problems.map(|bench| bench.name_among(&model.locale)).collect();
+            let question = Text::new("{count} problems have unsaved changes: {names}.")
                 .with("count", names.len())
-                .with("names", names.join("; "))
-        }
-    };
-    ask(model, question, after);
-    Vec::new()
-}
-
-/// Does what was put off until the problem that is shown was saved.
-pub(super) fn go_on(model: &mut Model, after: After) -> Vec<Effect> {
-    match (after, unsaved(model).first()) {
-        // The next one that is not saved yet has its turn.
-        (After::Quit, Some(number)) => save_then(model, *number, After::Quit),
-        _ => discard(model, after),
-    }
-}
-
-/// Saves what is not saved, and then goes on.
-pub(super) fn save_all_then(model: &mut Model, after: After) -> Vec<Effect> {
-    let here = model.bench.as_ref().map(|bench| bench.number);
-    let first = match after {
-        After::Quit => unsaved(model).first().copied(),
-        After::Stay | After::Close => here,
-    };
-    first.map_or_else(Vec::new, |number| save_then(model, number, after))
-}
-
-/// Ends problems, whatever is not saved of them.
-pub(super) fn discard(model: &mut Model, after: After) -> Vec<Effect> {
-    match after {
-        After::Stay => Vec::new(),
-        After::Quit => {
-            let mut effects: Vec<Effect> =
-                model.problems().iter().map(|bench| Effect::Forget(bench.number)).collect();
-            effects.push(Effect::Quit);
-            effects
-        }
-        After::Close => {
-            let Some(closed) = model.bench.take() else { return Vec::new() };
-            let mut effects = vec![Effect::Forget(closed.number)];
-            let all: Vec<u64> = model.problems().iter().map(|bench| bench.number).collect();
-            let next = all.iter().find(|number| **number > closed.number).or(all.last());
-            effects.extend(match next {
-                Some(number) => bring(model, *number),
-                None => {
-                    model.screen = Screen::Picker;
-                    list::preview(model)
-                }
-            });
-            effects
+                .with("names", names.join("; "));
+            vec![Intent::Show(ask(question, after, true))]
         }
     }
 }
 
-fn ask(model: &mut Model, question: Text, after: After) {
-    let several = after == After::Quit && unsaved(model).len() > 1;
+fn ask(question: Text, after: After, several: bool) -> Dialog {
     let (save, discard) = match after {
         After::Quit if several => ("save all and quit", "quit without saving"),
         After::Quit => ("save and quit", "quit without saving"),
         After::Stay | After::Close => ("save and close", "close without saving"),
     };
-    model.dialog = Some(Dialog::Ask {
+    Dialog::Ask {
         question,
         answers: vec![
             (save, Answer::SaveThen(after)),
@@ -104,17 +50,50 @@ fn ask(model: &mut Model, question: Text, after: After) {
             ("stay", Answer::Cancel),
         ],
         chosen: 0,
-    });
+    }
 }
 
-fn save_then(model: &mut Model, number: u64, after: After) -> Vec<Effect> {
-    let mut effects = bring(model, number);
+/// Saves what is not saved, one after the other, and then goes on.
+pub(super) fn save_then(model: &mut Model, after: After) -> Vec<Intent> {
+    let next = match after {
+        After::Stay => return Vec::new(),
+        After::Quit => unsaved(model).first().copied(),
+        After::Close => model
+            .bench
+            .iter()
+            .map(|bench| bench.problem.number)
+            .find(|number| unsaved(model).contains(number)),
+    };
+    let Some(number) = next else { return vec![Intent::Discard(after)] };
     model.after_save = after;
-    effects.extend(files::save(model));
-    effects
+    vec![Intent::Bring(number), Intent::Save]
+}
+
+/// Ends problems, whatever is not saved of them.
+pub(super) fn discard(model: &mut Model, after: After) -> Vec<Intent> {
+    match after {
+        After::Stay => Vec::new(),
+        After::Quit => {
+            let numbers = model.problems().into_iter().map(|bench| bench.problem.number);
+            numbers.map(Effect::Forget).chain([Effect::Quit]).map(Intent::Do).collect()
+        }
+        After::Close => {
+            let Some(closed) = model.bench.take().map(|bench| bench.problem.number) else {
+                return Vec::new();
+            };
+            let all: Vec<u64> = model.problems().iter().map(|bench| bench.problem.number).collect();
+            let next = all.iter().find(|number| **number > closed).or(all.last());
+            let shown = next.map_or(Intent::Preview, |number| Intent::Bring(*number));
+            if next.is_none() {
+                model.screen = Screen::Picker;
+            }
+            vec![Intent::Do(Effect::Forget(closed)), shown]
+        }
+    }
 }
 
 /// The problems that are not saved, in the order of opening.
 fn unsaved(model: &Model) -> Vec<u64> {
-    model.problems().into_iter().filter(|bench| bench.is_unsaved()).map(|bench| bench.number).collect()
+    let unsaved = model.problems().into_iter().filter(|bench| bench.problem.is_unsaved());
+    unsaved.map(|bench| bench.problem.number).collect()
 }

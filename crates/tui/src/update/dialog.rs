@@ -6,20 +6,22 @@ use dalembert_core::Text;
 use dalembert_units::Decimal;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use super::{act as act_there, ask, bench, closing, export, files, solve};
 use crate::{
-    bench::State,
     dialog::{After, Answer, Chosen, Dialog, Purpose},
+    effect::Effect,
     files::Before,
-    keys::Action,
-    model::{Effect, Model},
+    glyphs::filter_untrusted,
+    intent::Intent,
+    keys::{Action, Place},
+    model::Model,
     palette::offered,
+    problem::State,
     solver::{Job, Work},
     terminal::Fault,
     view,
 };
 
-pub(super) fn act(model: &mut Model, action: Action) -> Vec<Effect> {
+pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
     let page = usize::from(model.size.1.saturating_sub(4).max(1));
     let longest = view::longest_scroll_of_help(model);
     match (action, &mut model.dialog) {
@@ -80,47 +82,38 @@ pub(super) fn edit_sheet(model: &mut Model, key: KeyEvent) {
 }
 
 /// Follows an answer to a question.
-fn answer(model: &mut Model, answer: Answer) -> Vec<Effect> {
+fn answer(model: &mut Model, answer: Answer) -> Vec<Intent> {
     match answer {
         Answer::Cancel => {
             model.after_save = After::Stay;
             Vec::new()
         }
-        Answer::SaveThen(after) => closing::save_all_then(model, after),
-        Answer::DiscardThen(after) => closing::discard(model, after),
-        Answer::Overwrite(path) => files::overwrite(model, path),
-        Answer::SaveAs => files::ask_path(model),
-        Answer::ExportAs(purpose) => export::ask_path(model, purpose),
-        Answer::ExportOver(purpose, path) => export::write(model, purpose, path, Before::Whatever),
+        Answer::SaveThen(after) => vec![Intent::SaveThen(after)],
+        Answer::DiscardThen(after) => vec![Intent::Discard(after)],
+        Answer::Overwrite(path) => vec![Intent::Overwrite(path)],
+        Answer::SaveAs => vec![Intent::AskPath(Purpose::SaveAs)],
+        Answer::ExportAs(purpose) => vec![Intent::AskPath(purpose)],
+        Answer::ExportOver(purpose, path) => vec![Intent::Export(purpose, path, Before::Whatever)],
         Answer::Reload(path) => {
             model.after_save = After::Stay;
             model.reloading = Some(path.clone());
-            vec![Effect::Open(path)]
+            vec![Intent::Do(Effect::Open(path))]
         }
-        Answer::Restore(crashed) => files::restore(model, crashed),
+        Answer::Restore(crashed) => vec![Intent::Restore(crashed)],
         Answer::Theme(theme) => {
             model.look.theme = theme;
             Vec::new()
         }
-        Answer::EditAgain(file) => vec![Effect::Edit(file)],
-        Answer::DropCopy(path) => vec![Effect::Remove(path)],
-        Answer::Forget(sessions) => sessions.into_iter().map(Effect::Discard).collect(),
+        Answer::EditAgain(file) => vec![Intent::Do(Effect::Edit(file))],
+        Answer::DropCopy(path) => vec![Intent::Do(Effect::Remove(path))],
+        Answer::Forget(sessions) => sessions.into_iter().map(Effect::Discard).map(Intent::Do).collect(),
     }
 }
 
 /// Closes a dialog without an answer; what was typed in a table is kept.
-pub(super) fn close(model: &mut Model) -> Vec<Effect> {
+pub(super) fn close(model: &mut Model) -> Vec<Intent> {
     match model.dialog.take() {
-        Some(Dialog::Sheet(sheet)) => {
-            if let Some(effect) = bench::file_of_table(model, &sheet.path, &sheet.text()) {
-                return vec![effect];
-            }
-            let done = model
-                .bench
-                .as_mut()
-                .is_some_and(|bench| bench.form.set(&sheet.path, sheet.text(), Decimal::Point));
-            if done { solve::changed(model) } else { Vec::new() }
-        }
+        Some(Dialog::Sheet(sheet)) => vec![Intent::TakeTable(sheet.path.clone(), sheet.text())],
         Some(Dialog::Prompt { .. } | Dialog::Ask { .. }) => {
             model.after_save = After::Stay;
             Vec::new()
@@ -150,17 +143,17 @@ fn choose(model: &mut Model, action: Action) {
     };
 }
 
-fn enter(model: &mut Model) -> Vec<Effect> {
+fn enter(model: &mut Model) -> Vec<Intent> {
     match model.dialog.take() {
         Some(Dialog::Palette { input, chosen }) => command(model, input.value(), chosen),
         Some(Dialog::Choice { path, options, chosen }) => {
             let Some(bench) = &mut model.bench else { return Vec::new() };
             let done = match options.into_iter().nth(chosen).map(|choice| choice.value) {
-                Some(Chosen::Alternative(at)) => bench.form.choose(&path, at),
-                Some(Chosen::Text(text)) => bench.form.set(&path, text, Decimal::Point),
+                Some(Chosen::Alternative(at)) => bench.problem.inputs.form.choose(&path, at),
+                Some(Chosen::Text(text)) => bench.problem.inputs.form.set(&path, text, Decimal::Point),
                 None => false,
             };
-            if done { solve::changed(model) } else { Vec::new() }
+            if done { vec![Intent::Changed] } else { Vec::new() }
         }
         Some(Dialog::Ask { answers, chosen, .. }) => match answers.into_iter().nth(chosen) {
             Some((_, given)) => answer(model, given),
@@ -169,18 +162,17 @@ fn enter(model: &mut Model) -> Vec<Effect> {
         Some(Dialog::Prompt { purpose, input, .. }) => {
             let typed = input.value().trim();
             match purpose {
-                Purpose::Title => bench::rename(model, typed),
+                Purpose::Title => vec![Intent::Rename(typed.to_owned())],
                 _ if typed.is_empty() => {
                     let error = "enter a file name".into();
-                    model.dialog = Some(Dialog::prompt_again(purpose, String::new(), error));
-                    Vec::new()
+                    vec![Intent::Show(Dialog::prompt_again(purpose, String::new(), error))]
                 }
-                Purpose::SaveAs => files::save_as(model, PathBuf::from(typed)),
+                Purpose::SaveAs => vec![Intent::SaveAs(PathBuf::from(typed))],
                 Purpose::Export | Purpose::ExportSeen => {
-                    export::write(model, purpose, PathBuf::from(typed), Before::Absent)
+                    vec![Intent::Export(purpose, PathBuf::from(typed), Before::Absent)]
                 }
-                Purpose::Open => vec![Effect::Open(PathBuf::from(typed))],
-                Purpose::Import => bench::import(model, typed),
+                Purpose::Open => vec![Intent::Do(Effect::Open(PathBuf::from(typed)))],
+                Purpose::Import => vec![Intent::Import(typed.to_owned())],
             }
         }
         _ => Vec::new(),
@@ -188,41 +180,36 @@ fn enter(model: &mut Model) -> Vec<Effect> {
 }
 
 /// A line of the palette.
-fn command(model: &mut Model, typed: &str, chosen: usize) -> Vec<Effect> {
+fn command(model: &mut Model, typed: &str, chosen: usize) -> Vec<Intent> {
     if let Some(kind) = typed.trim().strip_prefix("fault ").filter(|_| model.faults) {
         return match kind.parse::<Fault>() {
             Ok(fault)
                 if fault.belongs_to_solver()
-                    && model.shown_bench().is_some_and(|bench| bench.tab.has_cells()) =>
+                    && model.shown_bench().is_some_and(|bench| bench.shown().place() == Place::Cells) =>
             {
-                ask::begin_job(model, Work::Fault(fault))
+                vec![Intent::Await(Work::Fault(fault))]
             }
             Ok(fault) if fault.belongs_to_solver() => {
                 let generation = model.next_generation();
                 if let Some(bench) = &mut model.bench {
-                    bench.found.state = State::Solving(generation);
+                    bench.problem.found.state = State::Solving(generation);
                 }
-                vec![Effect::Solve(Job { generation, work: Work::Fault(fault) })]
+                vec![Intent::Do(Effect::Solve(Job { generation, work: Work::Fault(fault) }))]
             }
-            Ok(fault) => vec![Effect::Fault(fault)],
-            Err(why) => {
-                model.complain(Text::new("{text}").with("text", why));
-                Vec::new()
-            }
+            Ok(fault) => vec![Intent::Do(Effect::Fault(fault))],
+            Err(why) => Intent::complain(Text::new("{text}").with("text", why)),
         };
     }
     let offers = offered(model, typed);
     let Some((place, action)) = offers.get(chosen).map(|(place, bound)| (*place, bound.binding.action))
     else {
-        let shown = crate::glyphs::filter_untrusted(typed).chars().take(60).collect::<String>();
-        model.complain(Text::new("unknown command `{typed}`").with("typed", shown));
-        return Vec::new();
+        let shown = filter_untrusted(typed).chars().take(60).collect::<String>();
+        return Intent::complain(Text::new("unknown command `{typed}`").with("typed", shown));
     };
     if let Some(bench) = &mut model.bench
         && !bench.go_to(place)
     {
-        model.say("nothing to show here");
-        return Vec::new();
+        return Intent::say("nothing to show here");
     }
-    act_there(model, place, action)
+    vec![Intent::Press(place, action)]
 }

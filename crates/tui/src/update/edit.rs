@@ -7,30 +7,36 @@ use dalembert_core::{
     file::{self, Problem},
 };
 
-use super::{files, problems, solve};
 use crate::{
-    bench::OpenFile,
     dialog::{Answer, Dialog, Editing},
-    files::{FileError, Opened, shown},
-    model::{EditError, Effect, Model},
+    effect::Effect,
+    files::{FileError, Opened, faults, shown},
+    intent::Intent,
+    model::{EditError, Model},
+    problem::OpenFile,
 };
 
 /// Opens the problem in the user's editor: its file, or a copy where that says something else.
-pub(super) fn begin(model: &mut Model) -> Vec<Effect> {
+pub(super) fn begin(model: &mut Model) -> Vec<Intent> {
     if model.readonly {
-        return files::refuse(model);
+        return vec![Intent::Refuse];
     }
     let Some(bench) = &mut model.bench else { return Vec::new() };
-    bench.form.keep();
-    let own = bench.file.as_ref().filter(|file| !bench.is_unsaved() && file.fingerprint.is_some());
-    vec![Effect::Edit(match own {
+    bench.problem.inputs.form.keep();
+    let own = bench
+        .problem
+        .document
+        .file
+        .as_ref()
+        .filter(|file| !bench.problem.is_unsaved() && file.fingerprint.is_some());
+    vec![Intent::Do(Effect::Edit(match own {
         Some(file) => Editing::Own(file.path.clone()),
-        None => Editing::Text(file::write(&bench.problem(), bench.text())),
-    })]
+        None => Editing::Text(file::write(&bench.problem.as_file(), bench.problem.text())),
+    }))]
 }
 
 /// Takes what the editor left.
-pub(super) fn edited(model: &mut Model, edited: Editing, result: Result<Opened, EditError>) -> Vec<Effect> {
+pub(super) fn edited(model: &mut Model, edited: Editing, result: Result<Opened, EditError>) -> Vec<Intent> {
     let opened = match result {
         Ok(opened) => opened,
         Err(EditError::Editor(command)) => {
@@ -49,13 +55,13 @@ pub(super) fn edited(model: &mut Model, edited: Editing, result: Result<Opened, 
     match (file::parse(&opened.text), edited) {
         (Ok(read), Editing::Own(path)) => reload(model, &path, read, opened, "{file} reloaded"),
         (Ok(read), Editing::Copy(path)) => {
-            let mut effects = take_copy(model, read, opened.text);
-            effects.push(Effect::Remove(path));
-            effects
+            let mut intents = take_copy(model, read, opened.text);
+            intents.push(Intent::Do(Effect::Remove(path)));
+            intents
         }
         (Ok(_), Editing::Text(_)) => Vec::new(),
         (Err(errors), edited) => {
-            let faults = files::faults(model, &opened.text, &errors).join("; ");
+            let faults = faults(&opened.text, &errors, &model.locale).join("; ");
             let give_up = match &edited {
                 Editing::Copy(path) => ("discard the edits", Answer::DropCopy(path.clone())),
                 _ => ("keep the previous values", Answer::Cancel),
@@ -71,10 +77,10 @@ pub(super) fn edited(model: &mut Model, edited: Editing, result: Result<Opened, 
 }
 
 /// Nothing was edited, and why.
-fn without(model: &mut Model, edited: Editing, why: Text) -> Vec<Effect> {
+fn without(model: &mut Model, edited: Editing, why: Text) -> Vec<Intent> {
     model.complain(why);
     match edited {
-        Editing::Copy(path) => vec![Effect::Remove(path)],
+        Editing::Copy(path) => vec![Intent::Do(Effect::Remove(path))],
         _ => Vec::new(),
     }
 }
@@ -84,9 +90,11 @@ pub(super) fn changed_on_disk(
     model: &mut Model,
     path: &Path,
     result: Result<Opened, FileError>,
-) -> Vec<Effect> {
+) -> Vec<Intent> {
     let Some(bench) = &model.bench else { return Vec::new() };
-    let Some(open) = bench.file.as_ref().filter(|file| file.path == path) else { return Vec::new() };
+    let Some(open) = bench.problem.document.file.as_ref().filter(|file| file.path == path) else {
+        return Vec::new();
+    };
     let opened = match result {
         // What it held is not known after a crash; a save asks then.
         Ok(opened) if open.fingerprint.is_none_or(|known| known == opened.fingerprint) => return Vec::new(),
@@ -101,7 +109,7 @@ pub(super) fn changed_on_disk(
             return Vec::new();
         }
     };
-    if bench.is_unsaved() || bench.form.edit.is_some() || model.dialog.is_some() {
+    if bench.problem.is_unsaved() || bench.problem.inputs.form.edit.is_some() || model.dialog.is_some() {
         let question = Text::new("{file} was changed by another program since it was opened.");
         let question = question.with("file", shown(path));
         if model.dialog.is_some() {
@@ -119,7 +127,7 @@ pub(super) fn changed_on_disk(
     match file::parse(&opened.text) {
         Ok(read) => reload(model, path, read, opened, "{file} was changed by another program and reloaded"),
         Err(errors) => {
-            let faults = files::faults(model, &opened.text, &errors);
+            let faults = faults(&opened.text, &errors, &model.locale);
             let why = Text::new("{file} was changed by another program and cannot be read: {why}");
             let first = faults.into_iter().next().unwrap_or_default();
             model.complain(why.with("file", shown(path)).with("why", first));
@@ -129,62 +137,64 @@ pub(super) fn changed_on_disk(
 }
 
 /// The file says something else now; what is examined stays where it is.
-fn reload(model: &mut Model, path: &Path, read: Problem, opened: Opened, said: &'static str) -> Vec<Effect> {
+fn reload(model: &mut Model, path: &Path, read: Problem, opened: Opened, said: &'static str) -> Vec<Intent> {
     let Some(bench) = &model.bench else { return Vec::new() };
-    let unchanged = bench.file.as_ref().is_some_and(|file| file.fingerprint == Some(opened.fingerprint));
+    let unchanged =
+        bench.problem.document.file.as_ref().is_some_and(|file| file.fingerprint == Some(opened.fingerprint));
     if unchanged {
         model.say("no changes");
         return Vec::new();
     }
-    let effects = if read.entry.about.id == bench.entry.about.id {
+    let intent = if read.entry.about.id == bench.problem.entry.about.id {
         take(model, read);
         if let Some(bench) = &mut model.bench {
-            bench.file = Some(OpenFile {
+            bench.problem.document.file = Some(OpenFile {
                 path: path.to_owned(),
                 text: opened.text,
                 fingerprint: Some(opened.fingerprint),
             });
-            bench.mark_saved();
+            bench.problem.mark_saved();
         }
-        solve::changed(model)
+        Intent::Changed
     } else {
-        files::opened(model, path.to_owned(), Ok(opened))
+        Intent::Opened(path.to_owned(), opened)
     };
-    model.say(Text::new(said).with("file", shown(path)));
-    effects
+    vec![intent, Intent::Say(Text::new(said).with("file", shown(path)))]
 }
 
 /// What was edited in a copy becomes the problem, not saved yet; it can be taken back.
-fn take_copy(model: &mut Model, read: Problem, text: String) -> Vec<Effect> {
+fn take_copy(model: &mut Model, read: Problem, text: String) -> Vec<Intent> {
     let Some(bench) = &model.bench else { return Vec::new() };
-    let before = bench.problem();
+    let before = bench.problem.as_file();
     if (&before.title, &before.draft, &before.show) == (&read.title, &read.draft, &read.show)
         && before.entry.about.id == read.entry.about.id
     {
         model.say("no changes");
         return Vec::new();
     }
-    let file = bench.file.clone().map(|file| OpenFile { text: text.clone(), ..file });
-    let effects = if read.entry.about.id == bench.entry.about.id {
+    let file = bench.problem.document.file.clone().map(|file| OpenFile { text: text.clone(), ..file });
+    let intent = if read.entry.about.id == bench.problem.entry.about.id {
         take(model, read);
-        solve::changed(model)
+        if let Some(bench) = &mut model.bench {
+            (bench.problem.document.file, bench.problem.document.commented) = (file, text);
+        }
+        Intent::Changed
     } else {
-        let mut other = files::bench_of(model, read);
+        let mut other = model.problem_of(read);
         other.mark_unsaved();
-        problems::replace(model, other)
+        (other.document.file, other.document.commented) = (file, text);
+        Intent::Replace(Box::new(other))
     };
-    if let Some(bench) = &mut model.bench {
-        (bench.file, bench.commented) = (file, text);
-    }
-    model.say("edited problem loaded, not saved yet");
-    effects
+    vec![intent, Intent::Say("edited problem loaded, not saved yet".into())]
 }
 
 /// Puts what was read in the place of what is there, as a change that can be taken back.
 fn take(model: &mut Model, read: Problem) {
-    let read = files::bench_of(model, read);
+    let read = model.problem_of(read);
     if let Some(bench) = &mut model.bench {
-        bench.form.replace(read.form.draft);
-        (bench.title, bench.origin, bench.show) = (read.title, read.origin, read.show);
+        let document = &mut bench.problem.document;
+        (document.title, document.origin, document.show) =
+            (read.document.title, read.document.origin, read.document.show);
+        bench.problem.inputs.form.replace(read.inputs.form.draft);
     }
 }

@@ -2,32 +2,27 @@
 
 use std::path::{Path, PathBuf};
 
-use dalembert_core::{
-    Text,
-    file::{self, Problem},
-};
+use dalembert_core::{Text, file};
 
-use super::{judged_later, list, problems};
 use crate::{
-    bench::{Bench, OpenFile},
-    dialog::{After, Answer, Dialog, Purpose},
-    files::{Before, Crashed, FileError, Fingerprint, Opened, holds_data, shown},
-    glyphs::filter_untrusted,
+    dialog::{Answer, Dialog, Purpose},
+    effect::Effect,
+    files::{Before, Crashed, FileError, Fingerprint, Opened, faults, holds_data, shown},
+    intent::Intent,
     keys::{Action, Place},
-    model::{Effect, Model},
+    model::Model,
+    problem::{OpenFile, Problem},
 };
 
 /// How the name of a problem file ends.
 const ENDING: &str = "toml";
-/// So many faults of a file are listed.
-const MOST_FAULTS: usize = 8;
 
 /// Saves the problem in its file, or asks for one.
-pub(super) fn save(model: &mut Model) -> Vec<Effect> {
+pub(super) fn save(model: &mut Model) -> Vec<Intent> {
     if model.readonly && !model.played {
-        return refuse(model);
+        return vec![Intent::Refuse];
     }
-    match model.bench.as_ref().and_then(|bench| bench.file.as_ref()) {
+    match model.bench.as_ref().and_then(|bench| bench.problem.document.file.as_ref()) {
         Some(file) => {
             let before = file.fingerprint.map_or(Before::Absent, Before::Was);
             write(model, file.path.clone(), before)
@@ -37,83 +32,74 @@ pub(super) fn save(model: &mut Model) -> Vec<Effect> {
 }
 
 /// Saves under another name, which must be free.
-pub(super) fn save_as(model: &mut Model, path: PathBuf) -> Vec<Effect> {
+pub(super) fn save_as(model: &mut Model, path: PathBuf) -> Vec<Intent> {
     let path = if path.extension().is_none() { path.with_extension(ENDING) } else { path };
-    let own = model.bench.as_ref().and_then(|bench| bench.file.as_ref()).filter(|file| file.path == path);
+    let own = model
+        .bench
+        .as_ref()
+        .and_then(|bench| bench.problem.document.file.as_ref())
+        .filter(|file| file.path == path);
     let before = own.and_then(|file| file.fingerprint).map_or(Before::Absent, Before::Was);
     write(model, path, before)
 }
 
 /// Saves over whatever is there.
-pub(super) fn overwrite(model: &mut Model, path: PathBuf) -> Vec<Effect> {
+pub(super) fn overwrite(model: &mut Model, path: PathBuf) -> Vec<Intent> {
     write(model, path, Before::Whatever)
 }
 
 /// Asks for a path to save under.
-pub(super) fn ask_path(model: &mut Model) -> Vec<Effect> {
+pub(super) fn ask_path(model: &mut Model) -> Vec<Intent> {
     if model.readonly && !model.played {
-        return refuse(model);
+        return vec![Intent::Refuse];
     }
     let Some(bench) = &model.bench else { return Vec::new() };
-    let proposed = match &bench.file {
+    let proposed = match &bench.problem.document.file {
         Some(file) => file.path.display().to_string(),
-        None => format!("{}.toml", bench.entry.about.id.rsplit('/').next().unwrap_or("problem")),
+        None => format!("{}.toml", bench.problem.entry.about.id.rsplit('/').next().unwrap_or("problem")),
     };
-    model.dialog = Some(Dialog::prompt(Purpose::SaveAs, proposed));
-    Vec::new()
+    vec![Intent::Show(Dialog::prompt(Purpose::SaveAs, proposed))]
 }
 
+/// Takes that the problem is in its file now, or asks what to do where it is not.
 pub(super) fn saved(
     model: &mut Model,
     path: &Path,
     text: String,
     result: Result<Fingerprint, FileError>,
-) -> Vec<Effect> {
+) -> Vec<Intent> {
+    let changed = "{file} was changed by another program since it was opened.";
+    let overwrite = ("overwrite", Answer::Overwrite(path.to_owned()));
+    let rename = ("save under another name", Answer::SaveAs);
+    let stay = ("stay", Answer::Cancel);
     match result {
         Ok(fingerprint) => {
-            let Some(bench) = &mut model.bench else { return Vec::new() };
-            bench.file = Some(OpenFile { path: path.to_owned(), text, fingerprint: Some(fingerprint) });
-            bench.mark_saved();
-            let effects = vec![Effect::Forget(bench.number)];
-            model.say(Text::new("saved as {file}").with("file", shown(path)));
-            effects
+            let after = std::mem::take(&mut model.after_save);
+            let Some(bench) = &mut model.bench else { return vec![Intent::SaveThen(after)] };
+            let problem = &mut bench.problem;
+            problem.document.file =
+                Some(OpenFile { path: path.to_owned(), text, fingerprint: Some(fingerprint) });
+            problem.mark_saved();
+            vec![
+                Intent::Say(Text::new("saved as {file}").with("file", shown(path))),
+                Intent::Do(Effect::Forget(problem.number)),
+                Intent::SaveThen(after),
+            ]
         }
         Err(FileError::Changed(_) | FileError::Removed(_)) => {
-            ask(
-                model,
-                "{file} was changed by another program since it was opened.",
-                path,
-                vec![
-                    ("save under another name", Answer::SaveAs),
-                    ("reload the file and lose the changes made here", Answer::Reload(path.to_owned())),
-                    ("overwrite", Answer::Overwrite(path.to_owned())),
-                    ("stay", Answer::Cancel),
-                ],
-            );
-            Vec::new()
+            let lose = "reload the file and lose the changes made here";
+            ask(changed, path, vec![rename, (lose, Answer::Reload(path.to_owned())), overwrite, stay])
         }
-        Err(FileError::Exists(_)) => {
-            ask(
-                model,
-                "{file} already exists.",
-                path,
-                vec![
-                    ("save under another name", Answer::SaveAs),
-                    ("overwrite", Answer::Overwrite(path.to_owned())),
-                    ("stay", Answer::Cancel),
-                ],
-            );
-            Vec::new()
-        }
+        Err(FileError::Exists(_)) => ask("{file} already exists.", path, vec![rename, overwrite, stay]),
         Err(error) => {
             let typed = path.display().to_string();
-            model.dialog = Some(Dialog::prompt_again(Purpose::SaveAs, typed, error.text()));
-            Vec::new()
+            vec![Intent::Show(Dialog::prompt_again(Purpose::SaveAs, typed, error.text()))]
         }
     }
 }
 
-pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, FileError>) -> Vec<Effect> {
+/// Opens what was read as a problem, or says why it is none.
+pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, FileError>) -> Vec<Intent> {
     let reloading = model.reloading.take().is_some_and(|reloaded| reloaded == path);
     let is_there = !matches!(result, Err(FileError::Missing(_) | FileError::Folder(_)));
     if holds_data(&path) && is_there {
@@ -121,95 +107,61 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
         let how =
             Text::new("Open an analysis that has a table, move to it, and import the file there with {key}.")
                 .with("key", model.key(Place::Form, Action::Import));
-        model.dialog = Some(Dialog::Message { title, lines: vec![how.render(&model.locale)] });
-        return list::preview(model);
+        let lines = vec![how.render(&model.locale)];
+        return vec![Intent::Show(Dialog::Message { title, lines }), Intent::Preview];
     }
     let opened = match result {
         Ok(opened) => opened,
         // A save writes the ending that is not typed.
         Err(FileError::Missing(_)) if path.extension().is_none() => {
-            return vec![Effect::Open(path.with_extension(ENDING))];
+            return vec![Intent::Do(Effect::Open(path.with_extension(ENDING)))];
         }
         Err(error) => {
             let typed = path.display().to_string();
-            model.dialog = Some(Dialog::prompt_again(Purpose::Open, typed, error.text()));
-            return list::preview(model);
+            let again = Dialog::prompt_again(Purpose::Open, typed, error.text());
+            return vec![Intent::Show(again), Intent::Preview];
         }
     };
-    match file::parse(&opened.text) {
-        Ok(problem) => {
-            let mut bench = bench_of(model, problem);
-            let of_file = |bench: &&Bench| bench.file.as_ref().is_some_and(|file| file.path == path);
-            let open =
-                model.problems().into_iter().find(of_file).map(|bench| (bench.number, bench.is_unsaved()));
-            bench.file = Some(OpenFile { path, text: opened.text, fingerprint: Some(opened.fingerprint) });
-            match open {
-                None => {
-                    let notes = bench.notes.clone();
-                    let effects = problems::open(model, bench);
-                    tell(model, &notes);
-                    effects
-                }
-                Some((number, unsaved)) => {
-                    let mut effects = problems::bring(model, number);
-                    if unsaved && !reloading {
-                        model.dialog = None;
-                        model.say("this file is already open, with unsaved changes");
-                    } else {
-                        effects.extend(problems::replace(model, bench));
-                    }
-                    effects
-                }
-            }
-        }
+    let read = match file::parse(&opened.text) {
+        Ok(read) => read,
         Err(errors) => {
             let title = Text::new("{file} cannot be opened as a problem").with("file", shown(&path));
-            let lines = faults(model, &opened.text, &errors);
-            model.dialog = Some(Dialog::Message { title, lines });
-            list::preview(model)
+            let lines = faults(&opened.text, &errors, &model.locale);
+            return vec![Intent::Show(Dialog::Message { title, lines }), Intent::Preview];
         }
-    }
-}
-
-/// Says how a file of an older format was read.
-fn tell(model: &mut Model, notes: &[Text]) {
-    match notes {
-        [] => {}
-        [note] => model.say(note.clone()),
-        [note, more @ ..] => {
-            let said = Text::new("{note}; and {more} more of this kind").with_text("note", note.clone());
-            model.say(said.with("more", more.len()));
-        }
-    }
-}
-
-/// What is wrong with the text of a problem, each with its line.
-pub(super) fn faults(model: &Model, text: &str, errors: &[file::FileError]) -> Vec<String> {
-    let line = |span: &Option<std::ops::Range<usize>>| {
-        let at = span.as_ref()?.start.min(text.len());
-        Some(1 + text.get(..at)?.matches('\n').count())
     };
-    let mut lines: Vec<String> = errors
-        .iter()
-        .take(MOST_FAULTS)
-        .map(|error| {
-            let text = match line(&error.span) {
-                Some(line) => Text::new("line {line}: {why}").with("line", line),
-                None => Text::new("{why}"),
-            };
-            filter_untrusted(&text.with_text("why", error.why.clone()).render(&model.locale)).into_owned()
-        })
-        .collect();
-    if errors.len() > MOST_FAULTS {
-        let more = Text::new("and {more} more").with("more", errors.len() - MOST_FAULTS);
-        lines.push(more.render(&model.locale));
+    let mut problem = model.problem_of(read);
+    let of_file = |problem: &Problem| problem.document.file.as_ref().is_some_and(|file| file.path == path);
+    let open = model.problems().into_iter().map(|bench| &bench.problem).find(|problem| of_file(problem));
+    let open = open.map(|problem| (problem.number, problem.is_unsaved()));
+    problem.document.file = Some(OpenFile { path, text: opened.text, fingerprint: Some(opened.fingerprint) });
+    match open {
+        None => {
+            let notes = read_otherwise(&problem.inputs.notes);
+            [Intent::Open(Box::new(problem))].into_iter().chain(notes.map(Intent::Say)).collect()
+        }
+        Some((number, true)) if !reloading => {
+            model.dialog = None;
+            let said = "this file is already open, with unsaved changes".into();
+            vec![Intent::Bring(number), Intent::Say(said)]
+        }
+        Some((number, _)) => vec![Intent::Bring(number), Intent::Replace(Box::new(problem))],
     }
-    lines
+}
+
+/// A message about how a file of an older format was read.
+fn read_otherwise(notes: &[Text]) -> Option<Text> {
+    let (note, more) = notes.split_first()?;
+    if more.is_empty() {
+        return Some(note.clone());
+    }
+    let said = Text::new("{note}; and {more} more of this kind").with_text("note", note.clone());
+    Some(said.with("more", more.len()))
 }
 
 /// Asks what becomes of the work of sessions that ended without saving.
-pub(super) fn crashed(model: &mut Model, sessions: Vec<Crashed>) {
-    let Some(newest) = sessions.first() else { return };
+pub(super) fn crashed(model: &Model, sessions: Vec<Crashed>) -> Vec<Intent> {
+    let Some(newest) = sessions.first() else { return Vec::new() };
     let minutes = newest.kept.elapsed().map_or(0, |past| past.as_secs() / 60);
     let question = match sessions.len() {
         1 => {
@@ -229,7 +181,7 @@ pub(super) fn crashed(model: &mut Model, sessions: Vec<Crashed>) {
                 .with("names", names.join("; "))
         }
     };
-    model.dialog = Some(Dialog::Ask {
+    vec![Intent::Show(Dialog::Ask {
         question: question.with("minutes", minutes),
         answers: vec![
             ("recover", Answer::Restore(sessions.clone())),
@@ -237,48 +189,48 @@ pub(super) fn crashed(model: &mut Model, sessions: Vec<Crashed>) {
             ("discard", Answer::Forget(sessions)),
         ],
         chosen: 0,
-    });
+    })]
 }
 
 /// Takes up the work of crashed sessions, the newest last; it is unsaved.
-pub(super) fn restore(model: &mut Model, sessions: Vec<Crashed>) -> Vec<Effect> {
-    let mut effects = Vec::new();
+pub(super) fn restore(model: &Model, sessions: Vec<Crashed>) -> Vec<Intent> {
+    let mut intents = Vec::new();
     let (mut restored, mut unread) = (0, false);
+    let room = model.room();
     for crashed in sessions.into_iter().rev() {
-        let Ok(problem) = file::parse(&crashed.text) else {
+        let Ok(read) = file::parse(&crashed.text) else {
             unread = true;
             continue;
         };
-        let mut bench = bench_of(model, problem);
+        let mut problem = model.problem_of(read);
         // What the file holds now is not known: saving asks before it writes over it.
-        bench.file = crashed.original.clone().map(|path| OpenFile {
+        problem.document.file = crashed.original.clone().map(|path| OpenFile {
             path,
             text: crashed.text.clone(),
             fingerprint: None,
         });
-        bench.mark_unsaved();
-        let before = model.bench.as_ref().map(|bench| bench.number);
-        effects.extend(problems::open(model, bench));
-        if model.bench.as_ref().map(|bench| bench.number) == before {
+        problem.mark_unsaved();
+        intents.push(Intent::Open(Box::new(problem)));
+        if restored == room {
             // There is no room for more, which is said; what is left is offered at the next start.
-            return effects;
+            return intents;
         }
         if !model.readonly {
-            effects.push(Effect::Discard(crashed));
+            intents.push(Intent::Do(Effect::Discard(crashed)));
         }
         restored += 1;
     }
-    match restored {
-        _ if unread => {
-            model.complain("the work of the previous session cannot be read; its file is left unchanged");
-        }
-        0 | 1 => model.say("work of the previous session recovered, not saved yet"),
-        count => model.say(
+    intents.push(match restored {
+        _ if unread => Intent::Complain(
+            "the work of the previous session cannot be read; its file is left unchanged".into(),
+        ),
+        0 | 1 => Intent::Say("work of the previous session recovered, not saved yet".into()),
+        count => Intent::Say(
             Text::new("{count} problems of the previous session recovered, not saved yet; b shows the next")
                 .with("count", count),
         ),
-    }
-    effects
+    });
+    intents
 }
 
 /// What crashed work is called: its file, or its title and its analysis.
@@ -296,36 +248,19 @@ fn name_of(model: &Model, crashed: &Crashed) -> String {
     }
 }
 
-/// Says why nothing is saved.
-pub(super) fn refuse(model: &mut Model) -> Vec<Effect> {
-    model.after_save = After::Stay;
-    model.complain("not saved: the program is read-only");
-    Vec::new()
-}
-
 /// The text of a problem goes to a file, with its comments.
-fn write(model: &mut Model, path: PathBuf, before: Before) -> Vec<Effect> {
+fn write(model: &mut Model, path: PathBuf, before: Before) -> Vec<Intent> {
     if model.readonly {
-        return refuse(model);
+        return vec![Intent::Refuse];
     }
     let Some(bench) = &mut model.bench else { return Vec::new() };
-    bench.form.keep();
-    let text = file::write(&bench.problem(), bench.text());
-    vec![Effect::Save { path, text, before }]
+    let problem = &mut bench.problem;
+    problem.inputs.form.keep();
+    let text = file::write(&problem.as_file(), problem.text());
+    vec![Intent::Do(Effect::Save { path, text, before })]
 }
 
-pub(super) fn bench_of(model: &Model, problem: Problem) -> Bench {
-    let cases = judged_later(model, problem.entry);
-    // A file that has the name of a case as its title holds that case, or held it before a change.
-    let named = cases.iter().map(|judged| &judged.case).find(|case| case.name == problem.title).cloned();
-    let title = if named.is_some() { String::new() } else { problem.title };
-    let mut bench = Bench::new(problem.entry, title, problem.draft, cases);
-    bench.origin = named;
-    (bench.show, bench.notes) = (problem.show, problem.notes);
-    bench
-}
-
-fn ask(model: &mut Model, question: &'static str, path: &Path, answers: Vec<(&'static str, Answer)>) {
+fn ask(question: &'static str, path: &Path, answers: Vec<(&'static str, Answer)>) -> Vec<Intent> {
     let question = Text::new(question).with("file", shown(path));
-    model.dialog = Some(Dialog::Ask { question, answers, chosen: 0 });
+    vec![Intent::Show(Dialog::Ask { question, answers, chosen: 0 })]
 }

@@ -9,23 +9,20 @@ use ratatui::{
     layout::{Position, Rect},
 };
 
-use super::{act, ask, bench, dialog, list, picker, scroll};
 use crate::{
-    bench::{Bench, Focus},
     dialog::Dialog,
+    intent::Intent,
     keys::{Action, Place},
-    model::{Effect, Model},
-    plot,
-    tab::Tab,
+    layout::Focus,
+    model::Model,
+    pane::{Column, Gesture, Pane, Tab},
     view::{self, HitTarget},
 };
 
 /// Lines of a text that a notch of the wheel moves it by.
 const NOTCH: isize = 3;
-/// How much of the axis is left after a notch of the wheel.
-const ZOOM: f64 = 0.8;
 
-pub(super) fn happened(model: &mut Model, event: MouseEvent) -> Vec<Effect> {
+pub(super) fn happened(model: &mut Model, event: MouseEvent) -> Vec<Intent> {
     let at = Position::new(event.column, event.row);
     match event.kind {
         MouseEventKind::Down(MouseButton::Left) => {
@@ -47,97 +44,88 @@ pub(super) fn happened(model: &mut Model, event: MouseEvent) -> Vec<Effect> {
     }
 }
 
-fn click(model: &mut Model, spot: HitTarget, at: Position) -> Vec<Effect> {
+fn click(model: &mut Model, spot: HitTarget, at: Position) -> Vec<Intent> {
     let place = model.place();
     match spot {
-        HitTarget::Key(action) => act(model, place, action),
+        HitTarget::Key(action) => vec![Intent::Press(place, action)],
         HitTarget::Offer(offer) => choose(model, offer),
         HitTarget::Below => match model.dialog {
             // A question stays until it is answered.
-            Some(Dialog::Choice { .. } | Dialog::Palette { .. }) => dialog::close(model),
+            Some(Dialog::Choice { .. } | Dialog::Palette { .. }) => vec![Intent::Close],
             _ => Vec::new(),
         },
         HitTarget::Over => Vec::new(),
         HitTarget::Form(line) => field(model, line),
-        HitTarget::Pane(Tab::Plot, inside, _) => {
-            let effects = look_at(model, Tab::Plot);
-            point(model, inside, at);
-            effects
+        HitTarget::Pane(tab, inside, None) => {
+            if is_touched(model, tab, inside, Gesture::Press, at) {
+                model.held = Some(at.x);
+            }
+            look_at(model, tab)
         }
         HitTarget::Pane(tab, _, Some(part)) => go_to(model, tab, part),
-        HitTarget::Tab(tab) | HitTarget::Pane(tab, _, None) => look_at(model, tab),
+        HitTarget::Tab(tab) => look_at(model, tab),
         HitTarget::Arrow(tab, action) => {
-            let mut effects = look_at(model, tab);
-            effects.extend(act(model, Place::Cells, action));
-            effects
+            let mut intents = look_at(model, tab);
+            intents.push(Intent::Press(Place::Cells, action));
+            intents
         }
         HitTarget::Listing(line) => {
             let Some(line) = line else { return Vec::new() };
             let again = model.picker.case.is_none() && model.picker.chosen == line;
             (model.picker.case, model.picker.chosen) = (None, line);
-            if again { act(model, place, Action::Enter) } else { list::preview(model) }
+            vec![if again { Intent::Press(place, Action::Enter) } else { Intent::Preview }]
         }
         HitTarget::Case(case) => {
             let again = model.picker.case.is_some() && model.picker.case == case;
             model.picker.case = case.or(model.picker.case);
-            if again { act(model, place, Action::Enter) } else { list::preview(model) }
+            vec![if again { Intent::Press(place, Action::Enter) } else { Intent::Preview }]
         }
     }
 }
 
 /// A line of the form: to it, and into it.
-fn field(model: &mut Model, line: Option<usize>) -> Vec<Effect> {
-    let effects = ask::end_edit(model);
-    let Some(bench) = &mut model.bench else { return effects };
-    let Some(line) = line else {
-        bench.focus = Focus::Form;
-        return effects;
-    };
-    let here = bench.focus == Focus::Form && bench.form.cursor == line;
-    match (here, bench.form.edit.is_some()) {
-        (true, true) => effects,
-        (true, false) => act(model, Place::Form, Action::Enter),
-        (false, _) => {
-            bench.form.keep();
-            (bench.focus, bench.form.cursor) = (Focus::Form, line);
-            effects
-        }
+fn field(model: &mut Model, line: Option<usize>) -> Vec<Intent> {
+    let mut intents = vec![Intent::EndEdit];
+    let Some(bench) = &mut model.bench else { return intents };
+    let form = &mut bench.problem.inputs.form;
+    let here = bench.focus == Focus::Form && line == Some(form.cursor);
+    if here && form.edit.is_none() {
+        intents.push(Intent::Press(Place::Form, Action::Enter));
+    } else if let Some(line) = line.filter(|_| !here) {
+        form.keep();
+        form.cursor = line;
     }
+    bench.focus = Focus::Form;
+    intents
 }
 
-/// To a tab; what is typed is kept.
-fn look_at(model: &mut Model, tab: Tab) -> Vec<Effect> {
-    let mut effects = ask::end_edit(model);
-    let Some(bench) = &mut model.bench else { return effects };
-    bench.form.keep();
+/// To a pane; what is typed is kept.
+fn look_at(model: &mut Model, tab: Tab) -> Vec<Intent> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    bench.problem.inputs.form.keep();
     bench.focus = Focus::Pane;
-    if bench.tab != tab {
-        effects.extend(bench::show_tab(model, tab));
-    }
-    effects
+    let turn = (bench.tab != tab).then_some(Intent::Turn(tab));
+    [Intent::EndEdit].into_iter().chain(turn).collect()
 }
 
-/// A part of the page of a tab: to it, and into it.
-fn go_to(model: &mut Model, tab: Tab, part: usize) -> Vec<Effect> {
+/// A part of the page of a pane: to it, and into it.
+fn go_to(model: &mut Model, tab: Tab, part: usize) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let shown = bench.focus == Focus::Pane && bench.tab == tab;
-    let here = shown && bench.part_mut(tab).is_some_and(|cursor| *cursor == part);
+    let here = shown && bench.cursor(tab).is_some_and(|cursor| *cursor == part);
     match (here, bench.place()) {
         (true, Place::Cell) => Vec::new(),
-        (true, place) => act(model, place, Action::Enter),
+        (true, place) => vec![Intent::Press(place, Action::Enter)],
         (false, _) => {
-            let effects = look_at(model, tab);
-            if let Some(cursor) = model.bench.as_mut().and_then(|bench| bench.part_mut(tab)) {
-                *cursor = part;
-                scroll::bring_in(model, part);
-            }
-            effects
+            let mut intents = look_at(model, tab);
+            intents.push(Intent::GoToPart(part));
+            intents
         }
     }
 }
 
 /// Chooses what lies over the screen; what is chosen already is taken.
-fn choose(model: &mut Model, offer: usize) -> Vec<Effect> {
+fn choose(model: &mut Model, offer: usize) -> Vec<Intent> {
     let place = model.place();
     match &mut model.dialog {
         Some(Dialog::Palette { chosen, .. } | Dialog::Choice { chosen, .. } | Dialog::Ask { chosen, .. })
@@ -146,96 +134,69 @@ fn choose(model: &mut Model, offer: usize) -> Vec<Effect> {
             *chosen = offer;
             Vec::new()
         }
-        _ => act(model, place, Action::Enter),
+        _ => vec![Intent::Press(place, Action::Enter)],
     }
 }
 
-/// Sets the cursor of the plot.
-fn point(model: &mut Model, inside: Rect, at: Position) {
-    let Some((place, _)) = place_at(model, inside, at.x) else { return };
-    if let Some(bench) = &mut model.bench
-        && let Some(plot) = Bench::nth(bench.plots(), bench.plot)
+/// Lets a pane take what the mouse does on it; whether that means something there.
+fn is_touched(model: &mut Model, tab: Tab, inside: Rect, gesture: Gesture, at: Position) -> bool {
+    model.with_pane(tab, inside, |pane, problem, ui| pane.mouse(problem, ui, gesture, at)).unwrap_or(false)
+}
+
+/// Moves what is held by the mouse.
+fn drag(model: &mut Model, at: Position) {
+    let Some(held) = model.held else { return };
+    if let Some(HitTarget::Pane(tab, inside, _)) = view::spot(model, at)
+        && is_touched(model, tab, inside, Gesture::Drag(held), at)
     {
-        bench.plot_state = bench.plot_state.pointed(plot, place);
         model.held = Some(at.x);
     }
 }
 
-/// Moves the cursor of the plot that is held, or the part of the axis that is shown.
-fn drag(model: &mut Model, at: Position) {
-    let Some(held) = model.held else { return };
-    let Some(HitTarget::Pane(Tab::Plot, inside, _)) = view::spot(model, at) else { return };
-    let Some((place, cells)) = place_at(model, inside, at.x) else { return };
-    let Some(bench) = &mut model.bench else { return };
-    let Some(plot) = Bench::nth(bench.plots(), bench.plot) else { return };
-    let state: plot::State = bench.plot_state;
-    bench.plot_state = if state.view.window.is_some() {
-        state.panned(plot, (f64::from(held) - f64::from(at.x)) / f64::from(cells))
-    } else {
-        state.pointed(plot, place)
-    };
-    model.held = Some(at.x);
-}
-
 /// The wheel.
-fn turn(model: &mut Model, at: Position, up: bool) -> Vec<Effect> {
+fn turn(model: &mut Model, at: Position, up: bool) -> Vec<Intent> {
     let action = if up { Action::Up } else { Action::Down };
     let by = if up { -NOTCH } else { NOTCH };
     let place = model.place();
     match view::spot(model, at) {
         _ if matches!(model.dialog, Some(Dialog::Help { .. })) => {
-            (0..NOTCH).flat_map(|_| act(model, place, action)).collect()
+            (0..NOTCH).map(|_| Intent::Press(place, action)).collect()
         }
         Some(HitTarget::Offer(_) | HitTarget::Over) if matches!(place, Place::List | Place::Prompt) => {
-            act(model, place, action)
+            vec![Intent::Press(place, action)]
         }
         Some(HitTarget::Form(_)) => {
             if let Some(bench) = &mut model.bench {
-                bench.form.keep();
-                bench.form.step(if up { -1 } else { 1 });
+                bench.problem.inputs.form.keep();
+                bench.problem.inputs.form.step(if up { -1 } else { 1 });
             }
             Vec::new()
         }
-        Some(HitTarget::Pane(Tab::Plot, inside, _)) => {
-            let Some((place, _)) = place_at(model, inside, at.x) else { return Vec::new() };
-            if let Some(bench) = &mut model.bench
-                && let Some(plot) = Bench::nth(bench.plots(), bench.plot)
-            {
-                let factor = if up { ZOOM } else { 1.0 / ZOOM };
-                bench.plot_state = bench.plot_state.zoomed_at(plot, place, factor);
+        Some(HitTarget::Pane(tab, inside, _)) => {
+            let gesture = if up { Gesture::WheelUp } else { Gesture::WheelDown };
+            if is_touched(model, tab, inside, gesture, at) {
+                return Vec::new();
             }
-            Vec::new()
+            // A picture that has no other use for the wheel may move.
+            let picture = model.bench.as_ref().map(|bench| bench.pane(tab));
+            let picture = picture.filter(|pane| pane.column() == Column::Pictures).map(Pane::place);
+            vec![match picture {
+                Some(place) => {
+                    Intent::Press(place, if up { Action::PreviousFrame } else { Action::NextFrame })
+                }
+                None => Intent::Scroll(tab, by),
+            }]
         }
-        Some(HitTarget::Pane(Tab::Drawing, ..)) => {
-            act(model, Place::Drawing, if up { Action::PreviousFrame } else { Action::NextFrame })
-        }
-        Some(HitTarget::Pane(tab, ..) | HitTarget::Arrow(tab, _)) => {
-            let Some(shown) = &mut model.bench else { return Vec::new() };
-            let before = std::mem::replace(&mut shown.tab, tab);
-            scroll::scroll(model, by);
-            if let Some(shown) = &mut model.bench {
-                shown.tab = before;
-            }
-            Vec::new()
-        }
+        Some(HitTarget::Arrow(tab, _)) => vec![Intent::Scroll(tab, by)],
         Some(HitTarget::Listing(_)) => {
             model.picker.case = None;
-            act(model, place, action)
+            vec![Intent::Press(place, action)]
         }
         Some(HitTarget::Case(_)) => {
-            let mut effects = picker::to_cases(model);
-            if model.picker.case.is_some() {
-                effects.extend(picker::act(model, action));
-            }
-            effects
+            model.go_to_cases();
+            let step = model.picker.case.map(|_| Intent::Press(place, action));
+            [Intent::Preview].into_iter().chain(step).collect()
         }
         _ => Vec::new(),
     }
-}
-
-/// The part of the axis of the shown plot at a column of the screen, and the cells of the whole of it.
-fn place_at(model: &Model, inside: Rect, column: u16) -> Option<(f64, u16)> {
-    let bench = model.bench.as_ref()?;
-    let (plot, _) = bench.shown_plot()?;
-    plot::place_at(plot, &bench.plot_state, &model.look, &model.locale, inside, column)
 }

@@ -1,20 +1,19 @@
-//! Keys of the list of analyses.
+//! Keys of the list of analyses: the chosen row, and what is shown beside it.
 
 use dalembert_core::Text;
 
-use super::{
-    list::{begin, chosen_leaf, holding, preview},
-    open_case, problems, remember,
-};
 use crate::{
     bench::Bench,
+    effect::Effect,
+    intent::Intent,
     keys::{Action, Place},
-    model::{Effect, Model},
-    picker::{Heading, Row},
+    model::{Model, Screen},
+    picker::{Heading, Leaf, Preview, Row},
     remembered::{Change, Progress},
+    solver::{Job, Outcome, Work},
 };
 
-pub(super) fn act(model: &mut Model, action: Action) -> Vec<Effect> {
+pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
     let page = isize::try_from(model.size.1.saturating_sub(6).max(1)).unwrap_or(1);
     match action {
         Action::Up => step(model, -1),
@@ -45,7 +44,7 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Effect> {
     }
 }
 
-fn step(model: &mut Model, by: isize) -> Vec<Effect> {
+fn step(model: &mut Model, by: isize) -> Vec<Intent> {
     match (model.picker.case, chosen_leaf(model)) {
         (Some(case), Some(leaf)) => {
             let last = model.listings[leaf.listing].cases().len().saturating_sub(1);
@@ -60,23 +59,18 @@ fn step(model: &mut Model, by: isize) -> Vec<Effect> {
 }
 
 /// To the cases of the chosen analysis, where it has some.
-pub(super) fn to_cases(model: &mut Model) -> Vec<Effect> {
-    if model.picker.case.is_none()
-        && let Some(leaf) = chosen_leaf(model)
-        && !model.listings[leaf.listing].cases().is_empty()
-    {
-        model.picker.case = Some(leaf.case.unwrap_or(0));
-    }
+fn to_cases(model: &mut Model) -> Vec<Intent> {
+    model.go_to_cases();
     preview(model)
 }
 
-fn to_list(model: &mut Model) -> Vec<Effect> {
+fn to_list(model: &mut Model) -> Vec<Intent> {
     model.picker.case = None;
     preview(model)
 }
 
 /// Opens a heading, or goes on to the cases.
-fn right(model: &mut Model) -> Vec<Effect> {
+fn right(model: &mut Model) -> Vec<Intent> {
     match model.picker.chosen(model.contents()) {
         Some(Row::Heading(heading)) if !model.picker.is_open(heading, &model.listings) => {
             turn(model, heading)
@@ -87,7 +81,7 @@ fn right(model: &mut Model) -> Vec<Effect> {
 }
 
 /// Back from the cases; from the list to the heading, which is folded next.
-fn left(model: &mut Model) -> Vec<Effect> {
+fn left(model: &mut Model) -> Vec<Intent> {
     if model.picker.case.is_some() {
         return to_list(model);
     }
@@ -105,13 +99,13 @@ fn left(model: &mut Model) -> Vec<Effect> {
     }
 }
 
-fn turn(model: &mut Model, heading: Heading) -> Vec<Effect> {
+fn turn(model: &mut Model, heading: Heading) -> Vec<Intent> {
     holding(model, |model| model.picker.turn(heading));
     preview(model)
 }
 
 /// Pins the chosen analysis, or no more.
-fn pin(model: &mut Model) -> Vec<Effect> {
+fn pin(model: &mut Model) -> Vec<Intent> {
     let Some(leaf) = chosen_leaf(model) else {
         model.say("select an analysis to pin");
         return Vec::new();
@@ -126,7 +120,7 @@ fn pin(model: &mut Model) -> Vec<Effect> {
 }
 
 /// Marks the chosen exercise as done, or as not done.
-fn mark(model: &mut Model) -> Vec<Effect> {
+fn mark(model: &mut Model) -> Vec<Intent> {
     let Some((leaf, case)) = model.chosen_exercise() else {
         let said = Text::new("{key} ticks an exercise of a list");
         model.say(said.with("key", model.key(Place::Picker, Action::Toggle)));
@@ -138,7 +132,7 @@ fn mark(model: &mut Model) -> Vec<Effect> {
     remember(model, Change::Reach { analysis, case, progress })
 }
 
-fn back(model: &mut Model) -> Vec<Effect> {
+fn back(model: &mut Model) -> Vec<Intent> {
     if model.picker.case.take().is_none() && (model.picker.typing || !model.picker.filter.value().is_empty())
     {
         let kept = chosen_leaf(model).map(|leaf| leaf.listing);
@@ -160,7 +154,7 @@ fn show(model: &mut Model, listing: usize) {
     model.picker = picker;
 }
 
-fn enter(model: &mut Model) -> Vec<Effect> {
+fn enter(model: &mut Model) -> Vec<Intent> {
     let leaf = match model.picker.chosen(model.contents()) {
         Some(Row::Heading(heading)) => return turn(model, heading),
         Some(Row::Leaf(leaf)) => leaf,
@@ -171,13 +165,102 @@ fn enter(model: &mut Model) -> Vec<Effect> {
     model.picker.typing = false;
     let wanted = case.and_then(|case| listing.cases().get(case));
     let is_wanted = |bench: &&Bench| {
-        bench.entry.about.id == entry.about.id
-            && wanted.is_none_or(|case| bench.title.is_empty() && bench.form.draft == case.draft)
+        bench.problem.entry.about.id == entry.about.id
+            && wanted.is_none_or(|case| {
+                bench.problem.document.title.is_empty() && bench.problem.inputs.form.draft == case.draft
+            })
     };
     // Back to where it was left: the one that is worked on before the others, the newest before older ones.
     let open = model.bench.iter().chain(model.problems().into_iter().rev()).find(is_wanted);
-    match open.map(|bench| bench.number) {
-        Some(number) => problems::bring(model, number),
-        None => open_case(model, entry, case.unwrap_or(0)),
+    match open.map(|bench| bench.problem.number) {
+        Some(number) => vec![Intent::Bring(number)],
+        None => vec![Intent::OpenCase(entry, case.unwrap_or(0))],
     }
+}
+
+/// Solves the case that is to be seen beside the list.
+pub(super) fn preview(model: &mut Model) -> Vec<Intent> {
+    let Some(leaf) = chosen_leaf(model) else {
+        model.picker.preview = None;
+        return Vec::new();
+    };
+    let listing = &model.listings[leaf.listing];
+    let case = model.picker.case.or(leaf.case).unwrap_or(0);
+    let (entry, id) = (listing.entry, listing.entry.about.id);
+    if model.picker.preview.as_ref().is_some_and(|preview| preview.id == id && preview.case == case) {
+        return Vec::new();
+    }
+    let record = listing.cases().get(case).and_then(|case| case.record(entry).ok());
+    let generation = model.next_generation();
+    model.picker.preview = Some(Preview { id, case, generation, solution: None });
+    record
+        .map(|record| Intent::Do(Effect::Solve(Job { generation, work: Work::Solve(entry, record) })))
+        .into_iter()
+        .collect()
+}
+
+/// Compares the cases of the chosen analysis with what was printed: it is solved, so the user rests on it.
+fn judge(model: &Model) -> Vec<Intent> {
+    let listing = chosen_leaf(model).and_then(|leaf| model.listings.get(leaf.listing));
+    let unjudged = listing.filter(|listing| listing.judged.is_none() && !listing.cases().is_empty());
+    unjudged.map(|listing| Intent::Do(Effect::Judge(listing.entry))).into_iter().collect()
+}
+
+/// Does something that may move rows, with the same one chosen after it.
+fn holding<T>(model: &mut Model, change: impl FnOnce(&mut Model) -> T) -> T {
+    let chosen = model.picker.chosen(model.contents());
+    let done = change(model);
+    let rows = model.picker.rows(model.contents());
+    let same = |row: &Row| match (row, chosen) {
+        (Row::Leaf(leaf), Some(Row::Leaf(chosen))) => leaf.listing == chosen.listing,
+        _ => false,
+    };
+    let at = rows.iter().position(|row| Some(*row) == chosen).or_else(|| rows.iter().position(same));
+    model.picker.chosen = at.unwrap_or_else(|| model.picker.chosen.min(rows.len().saturating_sub(1)));
+    done
+}
+
+/// Puts the cursor where the list begins: on what can be opened, where some of it is shown.
+pub(super) fn begin(model: &mut Model) {
+    let rows = model.picker.rows(model.contents());
+    let family = |row: &Row| matches!(row, Row::Heading(Heading::Family(_)));
+    let leaf = rows.iter().position(|row| matches!(row, Row::Leaf(_)));
+    model.picker.chosen = leaf.or_else(|| rows.iter().position(family)).unwrap_or(0);
+}
+
+/// Back to the list, to the analysis of the problem that is left, where it is shown.
+pub(super) fn come_back(model: &mut Model) -> Vec<Intent> {
+    model.screen = Screen::Picker;
+    let left = model.bench.as_ref().map(|bench| bench.problem.entry.about.id);
+    let is_left = |leaf: Leaf| Some(model.listings[leaf.listing].entry.about.id) == left;
+    if !chosen_leaf(model).is_some_and(is_left) {
+        let rows = model.picker.rows(model.contents());
+        let row = rows.iter().position(|row| matches!(row, Row::Leaf(leaf) if is_left(*leaf)));
+        model.picker.chosen = row.unwrap_or(model.picker.chosen);
+    }
+    preview(model)
+}
+
+fn chosen_leaf(model: &Model) -> Option<Leaf> {
+    match model.picker.chosen(model.contents())? {
+        Row::Leaf(leaf) => Some(leaf),
+        Row::Heading(_) => None,
+    }
+}
+
+/// Takes what was solved to be seen beside the list.
+pub(super) fn solved(model: &mut Model, outcome: Outcome) -> Vec<Intent> {
+    match &mut model.picker.preview {
+        Some(preview) if preview.generation == outcome.generation => {
+            preview.solution = outcome.result.ok().flatten();
+            judge(model)
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Remembers something, and has it written where anything is written.
+pub(super) fn remember(model: &mut Model, change: Change) -> Vec<Intent> {
+    let taken = holding(model, |model| model.remembered.take(&change));
+    if taken && !model.readonly { vec![Intent::Do(Effect::Remember(change))] } else { Vec::new() }
 }

@@ -6,10 +6,12 @@ use dalembert_core::Text;
 
 use crate::{
     dialog::{Answer, Dialog},
+    effect::Effect,
     files::shown,
     glyphs::{Colors, filter_untrusted},
+    intent::Intent,
     look::Theme,
-    model::{Effect, Model},
+    model::Model,
     settings::Fault,
 };
 
@@ -48,26 +50,25 @@ pub(super) fn faulty(model: &mut Model, files: &[(PathBuf, Vec<Fault>)]) {
 }
 
 /// Asks how things are to be coloured.
-pub(super) fn ask_theme(model: &mut Model) {
+pub(super) fn ask_theme(model: &Model) -> Vec<Intent> {
     if model.look.colors == Colors::None {
-        model.say("this terminal shows no colours, or they are switched off");
-        return;
+        return Intent::say("this terminal shows no colours, or they are switched off");
     }
     let chosen = Theme::ALL.iter().position(|theme| *theme == model.look.theme).unwrap_or(0);
-    model.dialog = Some(Dialog::Ask {
+    vec![Intent::Show(Dialog::Ask {
         question: "Choose a theme (set `theme` in the settings to keep it).".into(),
         answers: Theme::ALL.iter().map(|theme| (theme.name(), Answer::Theme(*theme))).collect(),
         chosen,
-    });
+    })]
 }
 
 /// Takes the mouse, or leaves it to the terminal.
-pub(super) fn turn_mouse(model: &mut Model) -> Vec<Effect> {
+pub(super) fn turn_mouse(model: &mut Model) -> Vec<Intent> {
     model.mouse = !model.mouse;
     model.say(if model.mouse {
         "mouse in use: select text with Shift"
     } else {
         "mouse left to the terminal"
     });
-    vec![Effect::Mouse(model.mouse)]
+    vec![Intent::Do(Effect::Mouse(model.mouse))]
 }

@@ -1,7 +1,6 @@
 //! The lines at the edges: what is worked on, what the field means, what keys do.
 
-use dalembert_core::{Exhibit, Text, check};
-use dalembert_units::Unit;
+use dalembert_core::Text;
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -9,19 +8,18 @@ use ratatui::{
     widgets::{Clear, Widget},
 };
 
-use super::{
-    animation,
-    text::{fit, shortened, width, wrapped},
-    word,
-};
+use super::{animation, word};
 use crate::{
-    bench::{Bench, CellOf, State},
+    bench::Bench,
     form::{self, Role},
     glyphs::filter_untrusted,
     keys::{Action, Bound, Place},
     look::Glyph,
     model::{Model, Notice},
-    tab::Tab,
+    pane::Column,
+    panes::about_number,
+    problem::State,
+    text::{fit, shortened, width, wrapped},
 };
 
 /// Lines of the longest notice.
@@ -37,8 +35,11 @@ pub(super) fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
     if let Some(bench) = model.shown_bench() {
         let gap = format!(" {} ", look.glyph(Glyph::Closed));
         spans.push(Span::styled(gap.clone(), look.dim()));
-        spans.push(Span::styled(Text::from(bench.entry.about.title).render(&model.locale), look.title()));
-        let name = bench.name().render(&model.locale);
+        spans.push(Span::styled(
+            Text::from(bench.problem.entry.about.title).render(&model.locale),
+            look.title(),
+        ));
+        let name = bench.problem.name().render(&model.locale);
         if !name.is_empty() {
             spans.push(Span::styled(gap, look.dim()));
             spans.push(Span::raw(filter_untrusted(&name).into_owned()));
@@ -56,7 +57,11 @@ pub(super) fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
         spans = vec![Span::styled(fit(&left, left_room, look), look.title())];
     }
     buffer.set_line(area.x, area.y, &Line::from(spans), area.width);
-    let style = if model.shown_bench().is_some_and(Bench::is_unsaved) { look.warning() } else { look.dim() };
+    let style = if model.shown_bench().is_some_and(|bench| bench.problem.is_unsaved()) {
+        look.warning()
+    } else {
+        look.dim()
+    };
     buffer.set_string(area.right().saturating_sub(width(&right) as u16 + 1), area.y, right, style);
 }
 
@@ -68,7 +73,10 @@ pub(super) fn help(model: &Model, area: Rect, buffer: &mut Buffer) {
     let look = &model.look;
     let text = match model.shown_bench() {
         Some(bench) => match bench.place() {
-            place if place.is_pane() => about_pane(model, bench),
+            place if place.is_pane() => {
+                let hints = bench.shown().about(&bench.problem, &model.ui(bench, bench.tab, Rect::ZERO));
+                hints.iter().map(|hint| hint.render(&model.locale)).collect::<Vec<_>>().join("; ")
+            }
             Place::Cell => about_cell(model, bench),
             _ => about_field(model, bench),
         },
@@ -155,7 +163,7 @@ fn draw_notice(model: &Model, notice: &Notice, foot: Rect, buffer: &mut Buffer) 
 fn hints(model: &Model, place: Place, room: usize) -> Vec<Hint> {
     let written = |bound: &Bound| {
         let binding = bound.binding;
-        let pair = pair(binding.action, place);
+        let pair = pair(binding.action);
         let keys = match pair {
             Some((one, other)) => {
                 let keys = [one, other].map(|action| model.key(place, action));
@@ -167,28 +175,14 @@ fn hints(model: &Model, place: Place, room: usize) -> Vec<Hint> {
     };
     let cells = |hint: &Hint| width(&hint.keys) + 1 + width(&hint.name);
     let has_animation = animation(model).is_some();
-    let in_tab = |tab: Tab| model.shown_bench().is_some_and(|bench| bench.tab == tab);
-    let is_picture = in_tab(Tab::Plot) || in_tab(Tab::Drawing);
-    let on_choice = model
-        .shown_bench()
-        .is_some_and(|bench| matches!(bench.cell(), Some(CellOf::Study(cell)) if cell.is_choice()));
+    let shown = model.shown_bench();
+    let in_picture = shown.is_some_and(|bench| bench.shown().column() == Column::Pictures);
     let serves = |bound: &&Bound| match bound.binding.action {
         Action::Play | Action::PreviousFrame => has_animation,
-        Action::Toggle if place == Place::Cells => in_tab(Tab::Check),
-        Action::Left if place == Place::Cells => !in_tab(Tab::Check),
-        Action::Enter if place == Place::Cells => !on_choice,
+        Action::ExportSeen => in_picture,
+        Action::Copy | Action::Export => !in_picture,
         Action::Toggle if place == Place::Picker => model.chosen_exercise().is_some(),
-        Action::ExportSeen => is_picture,
-        Action::Copy | Action::Export => !is_picture,
-        Action::Left if place == Place::Drawing => {
-            let sketch = model.shown_bench().and_then(|bench| bench.sketch());
-            matches!(sketch, Some(Exhibit::Scene(_)))
-        }
-        Action::Reveal => model.shown_bench().is_some_and(|bench| bench.reading.revealed.is_some()),
-        Action::Enter if place == Place::Working => {
-            model.shown_bench().is_some_and(|bench| bench.reading.symbol.is_some())
-        }
-        Action::PanLeft => model.shown_bench().is_some_and(|bench| bench.plot_state.view.window.is_some()),
+        action if place.is_pane() => shown.is_none_or(|bench| bench.shown().serves(&bench.problem, action)),
         _ => true,
     };
     let has_hint = |bound: &&Bound| !bound.binding.hint.is_empty() && !bound.keys.is_empty();
@@ -223,21 +217,21 @@ fn hints(model: &Model, place: Place, room: usize) -> Vec<Hint> {
 }
 
 /// The two actions whose keys a hint shows side by side.
-fn pair(action: Action, place: Place) -> Option<(Action, Action)> {
+fn pair(action: Action) -> Option<(Action, Action)> {
     Some(match action {
         Action::Nudge(tenths) => (action, Action::Nudge(-tenths)),
         Action::ZoomIn => (action, Action::ZoomOut),
         Action::PanLeft => (action, Action::PanRight),
         Action::NextTab => (Action::PreviousTab, action),
         Action::PreviousFrame => (action, Action::NextFrame),
-        Action::Right if place == Place::Working => (Action::Left, action),
-        Action::Left if matches!(place, Place::Cells | Place::Drawing) => (action, Action::Right),
+        Action::Right => (Action::Left, action),
+        Action::Left => (action, Action::Right),
         _ => return None,
     })
 }
 
 fn about_field(model: &Model, bench: &Bench) -> String {
-    let Some(line) = bench.form.line() else { return String::new() };
+    let Some(line) = bench.problem.inputs.form.line() else { return String::new() };
     let say = |text: &'static str| Text::from(text).render(&model.locale);
     let key = |action| model.key(Place::Form, action);
     let mut parts = Vec::new();
@@ -284,7 +278,7 @@ fn about_field(model: &Model, bench: &Bench) -> String {
         Role::Group { .. } => parts.extend([label, say(line.field.help)]),
         Role::Leaf { shape, text } => {
             let echo = form::echo(text, shape, model.locale.style);
-            let edited = bench.form.edit.as_ref().map(|edit| edit.input.value());
+            let edited = bench.problem.inputs.form.edit.as_ref().map(|edit| edit.input.value());
             let thousands = form::point_of_thousands(edited.unwrap_or(text), model.locale.style);
             // A number that is typed alone has a unit in the draft that is not on the screen.
             let typed = edited.is_some_and(|edited| edited != text);
@@ -299,7 +293,10 @@ fn about_field(model: &Model, bench: &Bench) -> String {
                 ),
                 None => if typed { Some(text) } else { echo.as_ref() }.map(|read| format!("= {read}")),
             });
-            parts.extend(bench.form.unit_of_number(&line).and_then(|unit| number_alone(model, &unit)));
+            let ui = model.ui(bench, bench.tab, Rect::ZERO);
+            let unit =
+                bench.problem.inputs.form.unit_of_number(&line).and_then(|unit| about_number(&unit, &ui));
+            parts.extend(unit.map(|unit| unit.render(&model.locale)));
             parts.push(label);
             parts.push(say(line.field.help));
         }
@@ -308,108 +305,35 @@ fn about_field(model: &Model, bench: &Bench) -> String {
     parts.join(&format!(" {} ", model.look.glyph(Glyph::Dot)))
 }
 
-/// In which unit a number is taken that is typed without one. It comes first: the end of a line may be cut.
-fn number_alone(model: &Model, unit: &Unit) -> Option<String> {
-    let unit = unit.shown(model.look.ascii);
-    let said = Text::new("default unit {unit}").with("unit", &unit);
-    (!unit.is_empty()).then(|| said.render(&model.locale))
-}
-
-/// What is to be typed in the cell of a tab.
+/// The form and the meaning of a text for the cell under the cursor of the pane.
 fn about_cell(model: &Model, bench: &Bench) -> String {
-    let (Some(solution), Some(cell)) = (&bench.found.solution, bench.cell()) else { return String::new() };
-    let (form, what) = match &cell {
-        CellOf::Answer(name) => {
-            let Some(answer) = solution.answer(name) else { return String::new() };
-            let form = match answer.si() {
-                Some(_) => number_alone(model, &answer.unit),
-                None => {
-                    let said =
-                        Text::new("write it as in `{example}`").with("example", check::example(answer));
-                    Some(said.render(&model.locale))
-                }
-            };
-            (form, answer.title())
-        }
-        CellOf::Tolerance(path) => {
-            let sorted = bench.ask.sensitivity.sorted();
-            let Some(one) = sorted.iter().find(|one| one.input.path == *path) else { return String::new() };
-            let form = Text::new("tolerance of an input, such as 2 %").render(&model.locale);
-            (Some(form), one.input.label.clone())
-        }
-        CellOf::Study(cell) => {
-            let unit = bench.subject().and_then(|subject| bench.ask.study.unit(*cell, &subject));
-            let form = match unit {
-                Some(unit) => number_alone(model, &unit),
-                None => Some(Text::new("a whole number").render(&model.locale)),
-            };
-            (form, cell.name())
-        }
-    };
-    let parts: Vec<String> = form.into_iter().chain([what.render(&model.locale)]).collect();
+    let about = bench.shown().about_cell(&bench.problem, &model.ui(bench, bench.tab, Rect::ZERO));
+    let parts: Vec<String> = about.iter().map(|part| part.render(&model.locale)).collect();
     parts.join(&format!(" {} ", model.look.glyph(Glyph::Dot)))
 }
 
-fn about_pane(model: &Model, bench: &Bench) -> String {
-    let several = bench.exhibits_of(bench.tab) > 1;
-    let key = |action| model.key(bench.place(), action);
-    let pair = |one, other| format!("{} {}", key(one), key(other));
-    let cursor = || Text::new("{keys} move the cursor").with("keys", pair(Action::Left, Action::Right));
-    let display =
-        |text: Text| text.with("unit", key(Action::NextDisplayUnit)).with("digits", key(Action::NextDigits));
-    let marks = || Text::new("{key} other markers").with("key", key(Action::NextMarker));
-    let next = |text: Text| text.with("key", key(Action::NextExhibit));
-    let hints: Vec<Text> = match bench.tab {
-        Tab::Plot if bench.plot_state.view.window.is_some() => {
-            vec![Text::new("{key} shows the full range").with("key", key(Action::ZoomAll)), cursor()]
-        }
-        Tab::Plot if several => vec![cursor(), marks(), next(Text::new("{key} next plot"))],
-        Tab::Plot => vec![cursor(), marks()],
-        Tab::Drawing if several => vec![next(Text::new("{key} next drawing"))],
-        Tab::Sources => {
-            vec![
-                Text::new("{keys} choose a case; {enter} loads it")
-                    .with("keys", pair(Action::Up, Action::Down))
-                    .with("enter", key(Action::Enter)),
-            ]
-        }
-        Tab::Check => vec!["value with unit, e.g. 19.5 mm; checked as you type".into()],
-        Tab::Sensitivity => {
-            vec![
-                Text::new("{keys} another answer; type a tolerance of the input, such as 2 %")
-                    .with("keys", pair(Action::Left, Action::Right)),
-            ]
-        }
-        Tab::Study => vec!["also shown in Plot, with cursor and zoom".into()],
-        Tab::Results if bench.reading.answer.is_some() => {
-            vec![
-                display(Text::new("{keys} select the answer; {unit} unit, {digits} digits"))
-                    .with("keys", pair(Action::Up, Action::Down)),
-            ]
-        }
-        Tab::Results => vec![display(Text::new("{unit} unit of an answer, {digits} digits"))],
-        Tab::Working | Tab::Drawing | Tab::Table => Vec::new(),
-    };
-    hints.iter().map(|hint| hint.render(&model.locale)).collect::<Vec<_>>().join("; ")
-}
-
 fn file_name(model: &Model, bench: &Bench) -> String {
-    let name = match &bench.file {
+    let name = match &bench.problem.document.file {
         Some(file) => {
             let name = file.path.file_name().unwrap_or(file.path.as_os_str());
             filter_untrusted(&name.to_string_lossy()).replace('\n', "\u{FFFD}")
         }
-        None if bench.is_unsaved() => word("not saved", model),
+        None if bench.problem.is_unsaved() => word("not saved", model),
         None => String::new(),
     };
-    let solving = match bench.found.state {
+    let solving = match bench.problem.found.state {
         _ if bench.is_working() => format!("{}  ", word("solving; Esc cancels", model)),
         State::Stopped => format!("{}  ", word("cancelled", model)),
         _ => String::new(),
     };
     let all = model.problems();
-    let place = all.iter().position(|other| other.number == bench.number).map_or(0, |at| at + 1);
+    let place =
+        all.iter().position(|other| other.problem.number == bench.problem.number).map_or(0, |at| at + 1);
     let place = if all.len() > 1 { format!("{place}/{}  ", all.len()) } else { String::new() };
-    let dot = if bench.is_unsaved() { format!("{} ", model.look.glyph(Glyph::Full)) } else { String::new() };
+    let dot = if bench.problem.is_unsaved() {
+        format!("{} ", model.look.glyph(Glyph::Full))
+    } else {
+        String::new()
+    };
     format!("{solving}{place}{dot}{name}")
 }

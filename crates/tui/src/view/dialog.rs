@@ -10,11 +10,7 @@ use ratatui::{
 };
 use tui_input::Input;
 
-use super::{
-    HitTarget, bars, boxed, draw_lines, scroll_mark,
-    text::{fit, padded, shortened, width, wrapped},
-    word,
-};
+use super::{HitTarget, bars, boxed, draw_lines, scroll_mark, word};
 use crate::{
     dialog::{Answer, Choice, Dialog, Names, Purpose, Sheet},
     glyphs::filter_untrusted,
@@ -24,6 +20,7 @@ use crate::{
     model::{Model, Screen},
     palette::offered,
     panes,
+    text::{fit, padded, shortened, width, wrapped},
 };
 
 /// So many actions are offered at once: few, for the sake of slow lines, and always as many rows; more on a screen of so
@@ -174,19 +171,13 @@ pub(crate) fn longest_scroll_of_help(model: &Model) -> usize {
 /// What every key does, place by place. A key that a user moved in one place alone stands with that place.
 fn help_lines(model: &Model, room: usize) -> Vec<Line<'static>> {
     let (screen, look, locale) = (model.screen, &model.look, &model.locale);
-    let places: &[Place] = match screen {
-        Screen::Picker => &[Place::Picker, Place::Filter, Place::Prompt],
-        Screen::Bench => &[
-            Place::Form,
-            Place::Edit,
-            Place::Pane,
-            Place::Working,
-            Place::Plot,
-            Place::Drawing,
-            Place::Cells,
-            Place::Cell,
-            Place::Sheet,
-        ],
+    let places: Vec<Place> = match screen {
+        Screen::Picker => vec![Place::Picker, Place::Filter, Place::Prompt],
+        Screen::Bench => {
+            let own = model.keys.places().filter(|place| matches!(place, Place::Own(_)));
+            let before = [Place::Form, Place::Edit, Place::Pane].into_iter();
+            before.chain(own).chain([Place::Cells, Place::Cell, Place::Sheet]).collect()
+        }
     };
     let say = |text: &'static str| Text::from(text).render(locale);
     let mut lines = Vec::new();
@@ -220,11 +211,12 @@ fn help_lines(model: &Model, room: usize) -> Vec<Line<'static>> {
     };
     for place in places {
         let differs = |binding: &&Binding| {
-            let keys = model.keys.keys_of(*place, binding);
+            let keys = model.keys.keys_of(place, binding);
             keys != model.keys.keys_of(home(binding), binding)
         };
-        let shared = place.bindings().skip(place.table().len()).filter(differs);
-        section(place.name(), *place, &mut place.table().iter().chain(shared));
+        let own = || place.table().iter().copied().flatten();
+        let shared = place.bindings().skip(own().count()).filter(differs);
+        section(place.name(), place, &mut own().chain(shared));
     }
     if screen == Screen::Bench {
         section("In every tab", Place::Pane, &mut PANES.iter());
@@ -464,8 +456,10 @@ struct AboutTable {
 fn about_table(model: &Model, sheet: &Sheet, inside: Rect) -> AboutTable {
     let Some(bench) = &model.bench else { return AboutTable::default() };
     let (look, locale, room) = (&model.look, &model.locale, usize::from(inside.width));
-    let whole = bench.entry.shape();
-    let Ok((_, shape)) = bench.form.draft.at(&whole, &sheet.path) else { return AboutTable::default() };
+    let whole = bench.problem.entry.shape();
+    let Ok((_, shape)) = bench.problem.inputs.form.draft.at(&whole, &sheet.path) else {
+        return AboutTable::default();
+    };
     let columns = shape.present().fields(None);
     let with_units = |column: &Field| {
         let label = Text::from(column.label).render(locale);
@@ -482,8 +476,14 @@ fn about_table(model: &Model, sheet: &Sheet, inside: Rect) -> AboutTable {
         "One row per line; columns separated by semicolons, tabs, spaces or commas. A first line such as {heading} gives the units. @name reads a file.",
     )
     .with("heading", heading.collect::<Vec<_>>().join("; "));
-    let help =
-        bench.form.lines().into_iter().find(|line| line.path == sheet.path).map(|line| line.field.help);
+    let help = bench
+        .problem
+        .inputs
+        .form
+        .lines()
+        .into_iter()
+        .find(|line| line.path == sheet.path)
+        .map(|line| line.field.help);
     let mut reported = [Text::from(help.unwrap_or_default()), how]
         .iter()
         .filter(|text| !text.is_empty())

@@ -13,18 +13,16 @@ use ratatui::{
     text::{Line as Shown, Span},
 };
 
-use super::{
-    boxed, scroll_mark,
-    text::{fit, fit_label, padded, shortened, width, wrapped},
-    word,
-};
+use super::{boxed, scroll_mark, word};
 use crate::{
-    bench::{Bench, Focus},
+    bench::Bench,
     form::{self, BETWEEN, Line, Role},
     glyphs::filter_untrusted,
     layout,
+    layout::Focus,
     look::{Glyph, Look},
     model::Model,
+    text::{fit, fit_label, padded, shortened, width, wrapped},
 };
 
 /// Lines of an error on a field that has not the cursor.
@@ -65,14 +63,14 @@ impl<'b> Faults<'b> {
             path.match_indices(['.', '[']).map(|(at, _)| &path[..at]).chain([path]).collect::<Vec<_>>()
         };
         let mut wrong: HashMap<&str, Vec<&FieldError>> = HashMap::new();
-        for error in bench.wrong() {
+        for error in bench.problem.wrong() {
             wrong.entry(&error.path).or_default().push(error);
         }
         Self {
             wrong,
-            needed: bench.needed().map(|error| error.path.as_str()).collect(),
-            around_wrong: bench.wrong().flat_map(|error| around(&error.path)).collect(),
-            around_needed: bench.needed().flat_map(|error| around(&error.path)).collect(),
+            needed: bench.problem.needed().map(|error| error.path.as_str()).collect(),
+            around_wrong: bench.problem.wrong().flat_map(|error| around(&error.path)).collect(),
+            around_needed: bench.problem.needed().flat_map(|error| around(&error.path)).collect(),
         }
     }
 
@@ -107,9 +105,9 @@ pub(super) fn draw(model: &Model, bench: &Bench, area: Rect, buffer: &mut Buffer
     let focused = bench.focus == Focus::Form;
     let mut title =
         vec![Span::styled(format!(" {} ", word("Inputs", model)), look.border(focused).patch(look.title()))];
-    if let Some(to_do) = bench.to_do() {
+    if let Some(to_do) = bench.problem.to_do() {
         let to_do = to_do.render(&model.locale);
-        title.push(if bench.wrong().next().is_some() {
+        title.push(if bench.problem.wrong().next().is_some() {
             Span::styled(format!("{} {to_do} ", look.glyph(Glyph::Bad)), look.error())
         } else {
             Span::styled(format!("{to_do} "), look.warning())
@@ -159,7 +157,7 @@ impl Laid {
             inner.x -= 1;
             inner.width += 2;
         }
-        let lines = bench.form.lines();
+        let lines = bench.problem.inputs.form.lines();
         let columns = columns(model, &lines, inner.width.into());
         let mut rows: Vec<Shown<'static>> = Vec::new();
         let mut owners = Vec::new();
@@ -168,10 +166,13 @@ impl Laid {
         let faults = Faults::of(bench);
         let height = usize::from(inner.height);
         // Every line has a row at least, so that no line further from the cursor is seen.
-        let (from, to) = (bench.form.cursor.saturating_sub(height), bench.form.cursor + height + 1);
+        let (from, to) = (
+            bench.problem.inputs.form.cursor.saturating_sub(height),
+            bench.problem.inputs.form.cursor + height + 1,
+        );
         let outside = (from, lines.len().saturating_sub(to));
         for (n, line) in lines.iter().enumerate().take(to).skip(from) {
-            let under_cursor = n == bench.form.cursor;
+            let under_cursor = n == bench.problem.inputs.form.cursor;
             if under_cursor {
                 begin = rows.len();
             }
@@ -246,7 +247,7 @@ fn draw_line(
 ) -> (Shown<'static>, Option<usize>) {
     let look = &model.look;
     let focused = under_cursor && bench.focus == Focus::Form;
-    let folded = bench.form.is_folded(&line.path);
+    let folded = bench.problem.inputs.form.is_folded(&line.path);
     let (wrong, needed) = faults.at(&line.path, folded);
     let pointer = match (under_cursor, wrong) {
         (true, _) => Span::styled(format!("{} ", look.glyph(Glyph::Pointer)), look.border(focused)),
@@ -275,7 +276,8 @@ fn draw_line(
             }
             shown.push_span(" ");
             let before = shown.width();
-            if let Some(edit) = bench.form.edit.as_ref().filter(|edit| edit.path == line.path) {
+            if let Some(edit) = bench.problem.inputs.form.edit.as_ref().filter(|edit| edit.path == line.path)
+            {
                 let cells = columns.value.saturating_sub(1);
                 let scroll = edit.input.visual_scroll(cells);
                 let text = filter_untrusted(edit.input.value()).into_owned();
@@ -292,7 +294,7 @@ fn draw_line(
             };
             let value = shown.spans.len();
             push_value(model, line, shape, text, state, picked, columns.value, &mut shown);
-            if let Some(digit) = bench.form.digit(&line.path, text).filter(|_| focused) {
+            if let Some(digit) = bench.problem.inputs.form.digit(&line.path, text).filter(|_| focused) {
                 point_out(&mut shown, value, text, digit);
             }
         }
@@ -314,7 +316,7 @@ fn draw_line(
             shown.push_span(Span::styled(value, style.patch(picked)));
             shown.push_span(Span::styled(format!(" {open}"), look.dim()));
             if folded {
-                let summary = side_by_side(&bench.form.summary(&line.path), look);
+                let summary = side_by_side(&bench.problem.inputs.form.summary(&line.path), look);
                 let left = (room + POINTER).saturating_sub(shown.width() + 2);
                 let summary = format!(" {} {}", look.glyph(Glyph::Closed), summary);
                 shown.push_span(Span::styled(fit(&summary, left, look), look.dim()));
@@ -375,7 +377,7 @@ fn push_value(
     let seen: String = text.chars().take(4 * room + 4).collect();
     let seen = filter_untrusted(&seen).replace('\n', " ");
     if seen.trim().is_empty() {
-        let taken = model.bench.as_ref().and_then(|bench| bench.form.gravity(line));
+        let taken = model.bench.as_ref().and_then(|bench| bench.problem.inputs.form.gravity(line));
         let hint = match (shape, taken) {
             (_, Some(taken)) => taken,
             _ if line.optional => word("none", model),

@@ -9,11 +9,7 @@ use ratatui::{
     text::{Line, Span},
 };
 
-use super::{
-    HitTarget, boxed, draw_lines, scroll_mark,
-    text::{padded, width, wrapped},
-    word,
-};
+use super::{HitTarget, boxed, draw_lines, scroll_mark, word};
 use crate::{
     glyphs::filter_untrusted,
     layout,
@@ -21,6 +17,7 @@ use crate::{
     model::Model,
     picker::{Heading, Leaf, Row},
     remembered::Progress,
+    text::{padded, width, wrapped},
 };
 
 /// Draws the screen; answers where the cursor of the filter stands.
@@ -164,14 +161,14 @@ fn of_leaf(model: &Model, row: Row, leaf: Leaf, chosen: bool, room: usize) -> Li
         _ => listing.title(&model.locale),
     };
     let problems = model.problems();
-    let mut open = problems.iter().filter(|bench| bench.entry.about.id == listing.entry.about.id);
+    let mut open = problems.iter().filter(|bench| bench.problem.entry.about.id == listing.entry.about.id);
     let mark = match (leaf.under, open.next()) {
         (Some(Heading::Set(_)), _) => match contents.progress(leaf) {
             Progress::NotBegun => " ",
             Progress::Opened => look.glyph(Glyph::Hollow),
             Progress::Solved | Progress::Done => look.glyph(Glyph::Good),
         },
-        (_, Some(bench)) if bench.is_unsaved() || open.any(|bench| bench.is_unsaved()) => {
+        (_, Some(bench)) if bench.problem.is_unsaved() || open.any(|bench| bench.problem.is_unsaved()) => {
             look.glyph(Glyph::Full)
         }
         (_, Some(_)) => look.glyph(Glyph::Hollow),

@@ -2,10 +2,10 @@
 
 use ratatui::layout::{Position, Rect};
 
-use super::{bars, dialog, form, pane, picker};
-use crate::{keys::Action, layout, model::Model, tab::Tab};
+use super::{areas_of, bars, dialog, form, line_at, page, pane_at, picker};
+use crate::{keys::Action, layout, model::Model, pane::Tab};
 
-/// Cells of the arrow before the answer that the sensitivity is of.
+/// Cells of the arrow at the left of a line that has two.
 const ARROW: u16 = 2;
 
 /// What lies at a place of the screen.
@@ -46,19 +46,19 @@ pub(crate) fn spot(model: &Model, at: Position) -> Option<HitTarget> {
     let Some(bench) = model.shown_bench() else {
         return body.contains(at).then(|| picker::spot(model, body, at)).flatten();
     };
-    let areas = layout::bench(screen, bench.focus, bench.expanded || model.look.basic);
+    let areas = areas_of(model, bench, bench.focus);
     if let Some(area) = areas.form.filter(|area| area.contains(at)) {
         return Some(HitTarget::Form(form::line_at(model, bench, area, at)));
     }
-    let (tab, inside, named) = pane::pane_at(model, bench, &areas, at)?;
+    let (tab, inside, named) = pane_at(model, bench, &areas, at)?;
     if let Some(named) = named {
         return Some(HitTarget::Tab(named));
     }
-    let line = pane::line_at(model, bench, tab, inside, at);
-    if tab == Tab::Sensitivity && line == Some(0) {
+    let line = line_at(model, bench, tab, inside, at);
+    if line.is_some_and(|line| bench.pane(tab).has_arrows(line)) {
         let left = at.x < inside.x + ARROW;
         return Some(HitTarget::Arrow(tab, if left { Action::Left } else { Action::Right }));
     }
-    let part = line.and_then(|line| pane::page(model, bench, tab, inside.width).part_at(line));
+    let part = line.and_then(|line| page(model, bench, tab, inside.width).part_at(line));
     Some(HitTarget::Pane(tab, inside, part))
 }

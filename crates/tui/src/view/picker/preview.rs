@@ -18,8 +18,9 @@ use crate::{
     layout,
     look::Glyph,
     model::Model,
-    panes::{Page, sources::CheckedCase},
+    pane::Page,
     picker::{Heading, Leaf, Listing, Row},
+    solver::CheckedCase,
     view::{
         boxed, draw_lines, scroll_mark,
         text::{fit, width, wrapped},

@@ -1,13 +1,13 @@
 //! A study as it is typed: a few cells, of which the kind of the study says which.
 
 use dalembert_core::{
-    Answer, Record, Scale, Solution, SolveError, Text, check,
-    study::{Distribution, Plan, Studied},
+    Answer, Record, Scale, Solution, Text, check,
+    study::{Distribution, Plan},
     vary::{self, Input},
 };
 use dalembert_units::{Decimal, Style, Unit, write_quantity};
 
-use super::{USUAL, chosen, put, text_of, turned};
+use crate::{ask::USUAL, keys::turned, panes::answers::chosen, typed::Typed};
 
 /// Points of a curve, unless the user says otherwise.
 const POINTS: usize = 201;
@@ -20,48 +20,46 @@ const SAMPLES: usize = 2000;
 
 /// A study as it is typed.
 #[derive(Debug, Default)]
-pub struct Study {
+pub(super) struct Cells {
     /// The cell under the cursor.
-    pub cursor: usize,
-    /// Kind of study.
-    pub kind: Kind,
+    pub(super) cursor: usize,
+    /// What is asked.
+    pub(super) kind: Kind,
     /// The input that it begins with, by its path: that of the cursor of the form when the tab was turned to.
-    pub begins: String,
+    pub(super) begins: String,
     /// The input that the user chose, by its path.
-    pub input: Option<String>,
+    pub(super) input: Option<String>,
     /// The answer that the user chose, by its name.
-    pub answer: Option<String>,
+    pub(super) answer: Option<String>,
     /// The input of which every value gives a curve, by its path.
-    pub family: Option<String>,
-    /// True for logarithmic spacing of the points.
-    pub log: bool,
-    /// True for a normal distribution of values within their tolerances.
-    pub normal: bool,
-    /// Texts typed, by cell.
-    pub typed: Vec<(Cell, String)>,
-    /// Result; `None` while it is computed.
-    pub found: Option<Result<Studied, SolveError>>,
+    pub(super) family: Option<String>,
+    /// True if points are spread by equal ratios.
+    pub(super) log: bool,
+    /// True if values lie normally within their tolerances.
+    pub(super) normal: bool,
+    /// What was typed, by cells.
+    pub(super) typed: Typed<Cell>,
 }
 
 /// Inputs and answers that can be studied, and those selected: by the user, or by default.
 #[derive(Debug)]
-pub struct Subject<'s> {
+pub(super) struct Subject<'s> {
     /// The inputs that are numbers.
-    pub inputs: Vec<Input>,
+    pub(super) inputs: Vec<Input>,
     /// The place of the one that the answer runs over.
-    pub input: usize,
+    pub(super) input: usize,
     /// The answers that are numbers.
-    pub answers: Vec<&'s Answer>,
+    pub(super) answers: Vec<&'s Answer>,
     /// The place of the one that is studied.
-    pub answer: usize,
+    pub(super) answer: usize,
     /// The place of the input of which every value gives a curve.
-    pub family: Option<usize>,
+    pub(super) family: Option<usize>,
 }
 
 /// Kind of study.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Kind {
-    /// Sweep of an answer over an input.
+pub(super) enum Kind {
+    /// How an answer runs over an input.
     #[default]
     Sweep,
     /// Input at which the answer takes a target value.
@@ -72,8 +70,8 @@ pub enum Kind {
 
 /// A cell of a study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cell {
-    /// Kind of study.
+pub(super) enum Cell {
+    /// What is asked.
     Kind,
     /// The input.
     Input,
@@ -102,8 +100,8 @@ pub enum Cell {
 }
 
 impl Cell {
-    /// Label of the cell.
-    pub fn name(self) -> Text {
+    /// What it is called.
+    pub(super) fn name(self) -> Text {
         match self {
             Cell::Kind => Text::new("Study"),
             Cell::Input => Text::new("Variable"),
@@ -121,8 +119,8 @@ impl Cell {
         }
     }
 
-    /// Returns true if the value is chosen from a list, not typed.
-    pub fn is_choice(self) -> bool {
+    /// True if it is chosen, not typed.
+    pub(super) fn is_choice(self) -> bool {
         matches!(
             self,
             Cell::Kind | Cell::Input | Cell::Answer | Cell::Spread | Cell::Family | Cell::Distribution
@@ -130,9 +128,9 @@ impl Cell {
     }
 }
 
-impl Study {
+impl Cells {
     /// The cells from top to bottom.
-    pub fn cells(&self) -> Vec<Cell> {
+    pub(super) fn cells(&self) -> Vec<Cell> {
         let mut cells = vec![Cell::Kind, Cell::Answer];
         cells.extend_from_slice(match self.kind {
             Kind::Sweep => &[Cell::Input, Cell::From, Cell::To, Cell::Points, Cell::Spread, Cell::Family],
@@ -146,23 +144,23 @@ impl Study {
     }
 
     /// The cell under the cursor.
-    pub fn cell(&self) -> Cell {
+    pub(super) fn cell(&self) -> Cell {
         let cells = self.cells();
         cells[self.cursor.min(cells.len() - 1)]
     }
 
-    /// Text typed in a cell.
-    pub fn text(&self, cell: Cell) -> &str {
-        text_of(&self.typed, &cell)
+    /// What was typed in a cell.
+    pub(super) fn text(&self, cell: Cell) -> &str {
+        self.typed.text(&cell)
     }
 
     /// Takes a text for a cell.
-    pub fn set(&mut self, cell: Cell, text: String) {
-        put(&mut self.typed, &cell, text);
+    pub(super) fn set(&mut self, cell: Cell, text: String) {
+        self.typed.set(&cell, text);
     }
 
-    /// Subject of the study, with these inputs and answers.
-    pub fn subject<'s>(&self, record: &Record, solution: &'s Solution) -> Subject<'s> {
+    /// What it is about, with these inputs and answers.
+    pub(super) fn subject<'s>(&self, record: &Record, solution: &'s Solution) -> Subject<'s> {
         let inputs = vary::inputs(record);
         let place = |path: &str| inputs.iter().position(|input| input.path == path);
         let own = self.input.as_deref().and_then(place);
@@ -175,7 +173,7 @@ impl Study {
     }
 
     /// Chooses what stands so many places further in a cell.
-    pub fn choose(&mut self, cell: Cell, by: isize, of: &Subject<'_>) {
+    pub(super) fn choose(&mut self, cell: Cell, by: isize, of: &Subject<'_>) {
         let path = |at: usize| of.inputs.get(at).map(|input| input.path.clone());
         match cell {
             Cell::Kind => {
@@ -185,19 +183,19 @@ impl Study {
             }
             Cell::Input => {
                 self.input = path(turned(of.input, by, of.inputs.len()));
-                self.typed.retain(|(cell, _)| !matches!(cell, Cell::From | Cell::To));
+                self.typed.0.retain(|(cell, _)| !matches!(cell, Cell::From | Cell::To));
             }
             Cell::Answer => {
                 self.answer =
                     of.answers.get(turned(of.answer, by, of.answers.len())).map(|answer| name(answer));
-                self.typed.retain(|(cell, _)| *cell != Cell::Wanted);
+                self.typed.0.retain(|(cell, _)| *cell != Cell::Wanted);
             }
             Cell::Family => {
                 let others: Vec<usize> = (0..of.inputs.len()).filter(|at| *at != of.input).collect();
                 let at = others.iter().position(|at| Some(*at) == of.family).map_or(0, |at| at + 1);
                 let to = turned(at, by, others.len() + 1).checked_sub(1);
                 self.family = to.and_then(|to| path(others[to]));
-                self.typed.retain(|(cell, _)| *cell != Cell::Values);
+                self.typed.0.retain(|(cell, _)| *cell != Cell::Values);
             }
             Cell::Spread => self.log = !self.log,
             Cell::Distribution => self.normal = !self.normal,
@@ -205,13 +203,13 @@ impl Study {
         }
     }
 
-    /// Keeps the subject, once a text was typed for it.
-    pub fn keep(&mut self, (input, answer): (Option<String>, Option<String>)) {
+    /// What it is about stays so: a text was typed for it.
+    pub(super) fn keep(&mut self, (input, answer): (Option<String>, Option<String>)) {
         (self.input, self.answer) = (input, answer);
     }
 
-    /// Displayed text of a cell: typed, chosen, or the default.
-    pub fn shown(&self, cell: Cell, of: &Subject<'_>, decimal: Decimal) -> Text {
+    /// What stands in a cell: what was typed or chosen, or else what is taken for it.
+    pub(super) fn shown(&self, cell: Cell, of: &Subject<'_>, decimal: Decimal) -> Text {
         let words = |text: &str| Text::new(text.to_owned());
         let typed = self.text(cell);
         if !typed.trim().is_empty() {
@@ -253,7 +251,7 @@ impl Study {
     }
 
     /// The unit of a number that is typed alone in a cell; `None` where a whole number without one is wanted.
-    pub fn unit(&self, cell: Cell, of: &Subject<'_>) -> Option<Unit> {
+    pub(super) fn unit(&self, cell: Cell, of: &Subject<'_>) -> Option<Unit> {
         let input = match cell {
             Cell::Wanted => return Some(of.answers.get(of.answer)?.unit.clone()),
             Cell::From | Cell::To => of.input,
@@ -267,7 +265,7 @@ impl Study {
     ///
     /// # Errors
     /// The first cell that cannot be read.
-    pub fn plan(&self, of: &Subject<'_>, tolerances: &[(String, f64)]) -> Result<Plan, (Cell, Text)> {
+    pub(super) fn plan(&self, of: &Subject<'_>, tolerances: &[(String, f64)]) -> Result<Plan, (Cell, Text)> {
         let none = || (Cell::Input, Text::new("this problem has no numeric input"));
         let answer =
             of.answer().ok_or_else(|| (Cell::Answer, Text::new("this problem has no scalar answer")))?;
@@ -336,22 +334,22 @@ impl Study {
 
 impl<'s> Subject<'s> {
     /// The input that the answer runs over.
-    pub fn input(&self) -> Option<&Input> {
+    pub(super) fn input(&self) -> Option<&Input> {
         self.inputs.get(self.input)
     }
 
     /// The answer that is studied.
-    pub fn answer(&self) -> Option<&'s Answer> {
+    pub(super) fn answer(&self) -> Option<&'s Answer> {
         self.answers.get(self.answer).copied()
     }
 
     /// The input of which every value gives a curve.
-    pub fn family(&self) -> Option<&Input> {
+    pub(super) fn family(&self) -> Option<&Input> {
         self.inputs.get(self.family?)
     }
 
     /// The path of the input and the name of the answer.
-    pub fn names(&self) -> (Option<String>, Option<String>) {
+    pub(super) fn names(&self) -> (Option<String>, Option<String>) {
         (self.input().map(|input| input.path.clone()), self.answer().map(name))
     }
 }

@@ -1,16 +1,17 @@
 //! Texts made to fit.
 
+use ratatui::{buffer::Buffer, layout::Rect, text::Line};
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
 use crate::look::{Glyph, Look};
 
 /// Cells that a text takes.
-pub(super) fn width(text: &str) -> usize {
+pub(crate) fn width(text: &str) -> usize {
     text.width()
 }
 
 /// A text in at most `room` cells; what is cut off leaves a mark.
-pub(super) fn fit(text: &str, room: usize, look: &Look) -> String {
+pub(crate) fn fit(text: &str, room: usize, look: &Look) -> String {
     if width(text) <= room {
         return text.to_owned();
     }
@@ -33,7 +34,7 @@ pub(super) fn fit(text: &str, room: usize, look: &Look) -> String {
 }
 
 /// A text in exactly `room` cells.
-pub(super) fn padded(text: &str, room: usize, look: &Look) -> String {
+pub(crate) fn padded(text: &str, room: usize, look: &Look) -> String {
     let mut text = fit(text, room, look);
     let missing = room.saturating_sub(width(&text));
     text.extend(std::iter::repeat_n(' ', missing));
@@ -41,7 +42,7 @@ pub(super) fn padded(text: &str, room: usize, look: &Look) -> String {
 }
 
 /// A text in lines of at most `room` cells, broken between words; a longer word is broken where it must be.
-pub(super) fn wrapped(text: &str, room: usize) -> Vec<String> {
+pub(crate) fn wrapped(text: &str, room: usize) -> Vec<String> {
     let room = room.max(1);
     let mut lines = vec![String::new()];
     for word in text.split_whitespace() {
@@ -72,7 +73,7 @@ pub(super) fn wrapped(text: &str, room: usize) -> Vec<String> {
 }
 
 /// At most so many of these lines; where some are left out, the last one shows a mark.
-pub(super) fn shortened(mut lines: Vec<String>, most: usize, room: usize, look: &Look) -> Vec<String> {
+pub(crate) fn shortened(mut lines: Vec<String>, most: usize, room: usize, look: &Look) -> Vec<String> {
     if lines.len() > most {
         lines.truncate(most);
         if let Some(last) = lines.last_mut() {
@@ -86,7 +87,7 @@ pub(super) fn shortened(mut lines: Vec<String>, most: usize, room: usize, look: 
 const SHORT: usize = 3;
 
 /// A label in at most `room` cells: a short last word is kept, since labels differ by it: `Position of… A`.
-pub(super) fn fit_label(text: &str, room: usize, look: &Look) -> String {
+pub(crate) fn fit_label(text: &str, room: usize, look: &Look) -> String {
     match text.rsplit_once(' ') {
         Some((start, last)) if width(text) > room && width(last) <= SHORT && room > 2 * SHORT => {
             format!(
@@ -108,6 +109,13 @@ fn broken_at(word: &str, room: usize) -> usize {
         }
     }
     word.len()
+}
+
+/// Draws lines from the first that is shown.
+pub(crate) fn draw_lines(lines: &[Line<'_>], first: usize, area: Rect, buffer: &mut Buffer) {
+    for (y, line) in (area.y..area.bottom()).zip(lines.iter().skip(first)) {
+        buffer.set_line(area.x, y, line, area.width);
+    }
 }
 
 #[cfg(test)]

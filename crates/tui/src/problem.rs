@@ -1,0 +1,325 @@
+//! A problem that is worked on: its inputs, what was found for them, and the document it belongs to.
+
+use std::path::PathBuf;
+
+use dalembert_core::{
+    Axis, Draft, Entry, Exhibit, FieldError, Plot, Record, Solution, SolveError, TableExhibit, Text,
+    cases::Case,
+    file,
+    study::Studied,
+    vary::{self, Input},
+};
+
+use crate::{
+    files::Fingerprint,
+    form::Form,
+    solver::{CheckedCase, Failure},
+    typed::Typed,
+};
+
+/// A problem that is worked on.
+#[derive(Debug)]
+pub struct Problem {
+    /// The number among the open problems; those that were opened later have larger ones.
+    pub number: u64,
+    /// The analysis.
+    pub entry: &'static Entry,
+    /// Title, file, and the way answers are shown.
+    pub document: Document,
+    /// The inputs.
+    pub inputs: Inputs,
+    /// Results for them.
+    pub found: Found,
+    /// Published cases of the analysis.
+    pub cases: Vec<CheckedCase>,
+    /// The case that is chosen among them.
+    pub case: usize,
+    /// True if they are compared with what was printed, or about to be.
+    pub judging: bool,
+}
+
+/// The inputs of a problem.
+#[derive(Debug)]
+pub struct Inputs {
+    /// Their form.
+    pub form: Form,
+    /// Notes on what an older file left unsaid, and how it was read.
+    pub notes: Vec<Text>,
+    /// The tolerances that were typed, by the paths of inputs.
+    pub tolerances: Typed<String>,
+    /// Errors of what is written.
+    wrong: Vec<FieldError>,
+    /// Errors of those that are still empty.
+    needed: Vec<FieldError>,
+}
+
+/// The document that a problem is.
+#[derive(Debug)]
+pub struct Document {
+    /// The title that the user gave it; may be empty.
+    pub title: String,
+    /// The published case that its inputs began as.
+    pub origin: Option<Case>,
+    /// How answers are shown: `(answer, unit and digits)`.
+    pub show: Vec<(String, String)>,
+    /// True if that is otherwise than in the file.
+    pub show_changed: bool,
+    /// The file.
+    pub file: Option<OpenFile>,
+    /// The text that was edited of a problem without a file: a save keeps its comments.
+    pub commented: String,
+    /// Title and inputs as they are in the file, or as the case has them.
+    saved: (String, Draft),
+}
+
+/// The file of a problem.
+#[derive(Clone, Debug)]
+pub struct OpenFile {
+    /// The path.
+    pub path: PathBuf,
+    /// The text in it: comments are kept from it.
+    pub text: String,
+    /// The mark of its content when it was read or written; `None` where that is not known, after a crash.
+    pub fingerprint: Option<Fingerprint>,
+}
+
+/// Results for the inputs, which may be those of earlier inputs.
+#[derive(Debug, Default)]
+pub struct Found {
+    /// The newest solution there is.
+    pub solution: Option<Solution>,
+    /// The inputs that it belongs to.
+    pub of: Option<Draft>,
+    /// Why the present inputs have none.
+    pub failure: Option<Failure>,
+    /// True if the present inputs are so far from those of the solution that its numbers are hidden until there is
+    /// another.
+    pub hidden: bool,
+    /// True if that belongs to the present inputs.
+    pub state: State,
+    /// The result that every later one is compared with.
+    pub pinned: Option<Solution>,
+    /// The number of steps that are revealed, with the answers they lead to; `None` where nothing is covered.
+    pub revealed: Option<usize>,
+    /// The result of a study; `None` while it is sought.
+    pub studied: Option<Result<Studied, SolveError>>,
+}
+
+/// True if what is shown belongs to the present inputs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum State {
+    /// It does.
+    Current,
+    /// The job of this number is to find out.
+    Solving(u64),
+    /// The user stopped the job that was to find out.
+    Stopped,
+    /// The inputs cannot be read.
+    #[default]
+    Unread,
+}
+
+impl Problem {
+    /// A problem of an analysis, filled in.
+    pub fn new(entry: &'static Entry, title: String, draft: Draft, cases: Vec<CheckedCase>) -> Self {
+        Self {
+            number: 0,
+            entry,
+            document: Document {
+                saved: (title.clone(), draft.clone()),
+                title,
+                origin: None,
+                show: Vec::new(),
+                show_changed: false,
+                file: None,
+                commented: String::new(),
+            },
+            inputs: Inputs {
+                form: Form::new(entry, draft),
+                notes: Vec::new(),
+                tolerances: Typed::default(),
+                wrong: Vec::new(),
+                needed: Vec::new(),
+            },
+            found: Found::default(),
+            cases,
+            case: 0,
+            judging: false,
+        }
+    }
+
+    /// True if there is something to save.
+    pub fn is_unsaved(&self) -> bool {
+        self.document.show_changed
+            || (&self.document.title, &self.inputs.form.draft)
+                != (&self.document.saved.0, &self.document.saved.1)
+    }
+
+    /// Marks what is on the screen as saved.
+    pub fn mark_saved(&mut self) {
+        self.document.show_changed = false;
+        self.document.saved = (self.document.title.clone(), self.inputs.form.draft.clone());
+    }
+
+    /// Marks what is on the screen as in no file: it comes from a crashed session.
+    pub fn mark_unsaved(&mut self) {
+        self.document.saved.1 = Draft::Absent;
+    }
+
+    /// The text that a save is written over, for its comments and its order.
+    pub fn text(&self) -> &str {
+        self.document.file.as_ref().map_or(&self.document.commented, |file| &file.text)
+    }
+
+    /// The problem as it is saved.
+    pub fn as_file(&self) -> file::Problem {
+        let draft = &self.inputs.form.draft;
+        let title = match &self.document.origin {
+            Some(case) if self.document.title.is_empty() && case.draft == *draft => case.name.clone(),
+            _ => self.document.title.clone(),
+        };
+        file::Problem {
+            entry: self.entry,
+            title,
+            draft: draft.clone(),
+            show: self.document.show.clone(),
+            notes: self.inputs.notes.clone(),
+        }
+    }
+
+    /// The values of the inputs; `None` while they cannot be read.
+    pub fn record(&self) -> Option<Record> {
+        self.inputs.form.draft.read(&self.entry.shape()).ok()
+    }
+
+    /// The tolerances that were typed and can be read, in SI.
+    pub fn widths(&self, inputs: &[Input]) -> Vec<(String, f64)> {
+        let read = |(path, text): &(String, String)| {
+            let input = inputs.iter().find(|input| input.path == *path)?;
+            Some((path.clone(), input.tolerance(text).ok()?))
+        };
+        self.inputs.tolerances.0.iter().filter_map(read).collect()
+    }
+
+    /// The inputs that are numbers, of these values.
+    pub fn numbers(record: &Record) -> Vec<Input> {
+        vary::inputs(record)
+    }
+
+    /// The name of the problem: its title, or the case it began as, which it is no more once an input was changed.
+    pub fn name(&self) -> Text {
+        match &self.document.origin {
+            _ if !self.document.title.is_empty() => Text::verbatim(&self.document.title),
+            Some(case) if case.draft == self.inputs.form.draft => case.title(),
+            Some(case) => Text::new("{title} (changed)").with_text("title", case.title()),
+            None => Text::from(""),
+        }
+    }
+
+    /// Errors of what is written; an input that is still empty is [needed](Self::needed), not wrong.
+    pub fn wrong(&self) -> impl Iterator<Item = &FieldError> {
+        self.inputs.wrong.iter()
+    }
+
+    /// Errors of inputs that are still to be filled in.
+    pub fn needed(&self) -> impl Iterator<Item = &FieldError> {
+        self.inputs.needed.iter()
+    }
+
+    /// Takes what was found wrong with the inputs as they are now. Of inputs that differ in more than one field from
+    /// those that were solved, or are at fault in several, the numbers found are hidden.
+    pub fn find_wrong(&mut self, errors: Vec<FieldError>) {
+        let hide = errors.len() > 1 || (!errors.is_empty() && !self.is_near_the_solved());
+        self.found.hidden |= hide;
+        (self.inputs.needed, self.inputs.wrong) = errors.into_iter().partition(|error| self.is_empty(error));
+    }
+
+    /// True if the inputs differ in one field at most from those of the newest solution.
+    pub fn is_near_the_solved(&self) -> bool {
+        self.found.of.as_ref().is_some_and(|of| of.apart(&self.inputs.form.draft) <= 1)
+    }
+
+    /// True if no number of the newest solution may stand beside these inputs.
+    pub fn hides_numbers(&self) -> bool {
+        self.found.hidden && self.is_stale()
+    }
+
+    /// The number of errors, or of inputs that are still empty; `None` where a solution is possible.
+    pub fn to_do(&self) -> Option<Text> {
+        match (self.inputs.wrong.len(), self.inputs.needed.len()) {
+            (0, 0) => None,
+            (0, 1) => Some(Text::new("1 value missing")),
+            (0, needed) => Some(Text::new("{count} values missing").with("count", needed)),
+            (1, _) => Some(Text::new("1 error")),
+            (wrong, _) => Some(Text::new("{count} errors").with("count", wrong)),
+        }
+    }
+
+    /// The plots of the newest solution, and that of the study.
+    pub fn plots(&self) -> impl Iterator<Item = &Plot> {
+        plots_of(self.found.solution.iter()).chain(self.studied())
+    }
+
+    /// The same for a plot of some place, the last one where there are fewer.
+    pub fn plot_at(&self, at: usize) -> Option<(&Plot, Option<&Plot>)> {
+        let plot = Self::nth(self.plots(), at)?;
+        let of_pinned = plots_of(self.found.pinned.iter());
+        let same = |a: &Axis, b: &Axis| (&a.label, a.unit) == (&b.label, b.unit);
+        let pinned =
+            Self::nth(of_pinned, at).filter(|pinned| same(&pinned.x, &plot.x) && same(&pinned.y, &plot.y));
+        Some((plot, pinned))
+    }
+
+    /// The drawings, animations and scenes of the newest solution.
+    pub fn drawings(&self) -> impl Iterator<Item = &Exhibit> {
+        self.exhibits().filter(|exhibit| exhibit.frames().0 > 0)
+    }
+
+    /// The tables of the newest solution.
+    pub fn tables(&self) -> impl Iterator<Item = &TableExhibit> {
+        self.exhibits()
+            .filter_map(|exhibit| if let Exhibit::Table(table) = exhibit { Some(table) } else { None })
+    }
+
+    /// The shown one of several, by its place; the last one where there are fewer now.
+    pub fn nth<T>(mut all: impl Iterator<Item = T>, at: usize) -> Option<T> {
+        let mut last = None;
+        for _ in 0..=at {
+            match all.next() {
+                Some(one) => last = Some(one),
+                None => break,
+            }
+        }
+        last
+    }
+
+    /// True if the newest solution does not belong to the present inputs.
+    pub fn is_stale(&self) -> bool {
+        self.found.state != State::Current || self.found.failure.is_some()
+    }
+
+    fn is_empty(&self, error: &FieldError) -> bool {
+        let place = self.inputs.form.draft.at(&self.entry.shape(), &error.path);
+        match place {
+            Ok((Draft::Leaf(text), _)) => text.trim().is_empty(),
+            // Of a choice, none is made.
+            Ok((Draft::Absent, _)) => true,
+            _ => false,
+        }
+    }
+
+    fn exhibits(&self) -> impl Iterator<Item = &Exhibit> {
+        self.found.solution.iter().flat_map(|solution| &solution.exhibits)
+    }
+
+    /// The plot of the study.
+    pub fn studied(&self) -> Option<&Plot> {
+        self.found.studied.as_ref()?.as_ref().ok()?.plot.as_ref()
+    }
+}
+
+fn plots_of<'a>(solutions: impl Iterator<Item = &'a Solution>) -> impl Iterator<Item = &'a Plot> {
+    solutions
+        .flat_map(|solution| &solution.exhibits)
+        .filter_map(|exhibit| if let Exhibit::Plot(plot) = exhibit { Some(plot) } else { None })
+}

@@ -1,0 +1,350 @@
+//! Keys of the inputs.
+
+use std::path::PathBuf;
+
+use dalembert_core::{Draft, Shape, Text};
+use dalembert_units::Decimal;
+use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
+
+use crate::{
+    dialog::{Choice, Chosen, Dialog, Purpose, Sheet},
+    effect::Effect,
+    files::FileError,
+    form::{self, Filled, Form, Line, Role},
+    glyphs::filter_untrusted,
+    intent::Intent,
+    keys::{Action, Key, Place},
+    layout::Focus,
+    model::Model,
+};
+
+/// The message about a key that chooses where there is nothing to choose.
+const NO_ALTERNATIVE: &str = "no options here";
+
+/// A key on the inputs.
+pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
+    let page = isize::try_from(model.size.1.saturating_sub(6).max(1)).unwrap_or(1);
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let form = &mut bench.problem.inputs.form;
+    match action {
+        Action::Up => form.step(-1),
+        Action::Down => form.step(1),
+        Action::PageUp => form.step(-page),
+        Action::PageDown => form.step(page),
+        Action::First => form.step(isize::MIN),
+        Action::Last => form.step(isize::MAX),
+        Action::Enter => return enter(model),
+        Action::Clear if form.begin(Some(String::new())) => return vec![Intent::Changed],
+        Action::Left | Action::Right if form.aim(action == Action::Left) => {}
+        Action::Clear => model.say("no text to replace here"),
+        Action::Left => return after(model, |form| form.cycle(-1), NO_ALTERNATIVE),
+        Action::Right => return after(model, |form| form.cycle(1), NO_ALTERNATIVE),
+        Action::Toggle => {
+            return after(model, Form::toggle, "Space has no effect on this field");
+        }
+        Action::Nudge(tenths) => {
+            return after(model, |form| form.nudge(tenths), "+ and - change numbers only");
+        }
+        Action::NextUnit => {
+            return after(model, Form::next_unit, "no other unit available");
+        }
+        Action::FoldRow | Action::FoldRows => {
+            let folds = if action == Action::FoldRow { form.fold_row() } else { form.fold_rows() };
+            if !folds {
+                model.say("no row to collapse here");
+            }
+        }
+        Action::Import => return ask_import(model),
+        Action::AddRow => return after(model, Form::add_row, "not in a list"),
+        Action::DuplicateRow => {
+            return after(model, Form::duplicate_row, "no row selected");
+        }
+        Action::DeleteRow => return after(model, Form::delete_row, "no row selected"),
+        Action::MoveRowUp => {
+            return after(model, |form| form.move_row(-1), "the row is already at the end");
+        }
+        Action::MoveRowDown => {
+            return after(model, |form| form.move_row(1), "the row is already at the end");
+        }
+        Action::Back => return vec![Intent::List],
+        _ => {}
+    }
+    Vec::new()
+}
+
+fn enter(model: &mut Model) -> Vec<Intent> {
+    let locale = model.locale;
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let Some(Line { path, role, .. }) = bench.problem.inputs.form.line() else { return Vec::new() };
+    match role {
+        Role::Leaf { shape: Shape::Flag, .. } | Role::Absent => {
+            return after(model, Form::toggle, "");
+        }
+        Role::Leaf { shape: Shape::Reference(list), text, .. } => {
+            let names = bench.problem.inputs.form.names(list);
+            let chosen = names.iter().position(|name| *name == text).unwrap_or(0);
+            let options: Vec<Choice> = names
+                .into_iter()
+                .map(|name| {
+                    let label = filter_untrusted(&name).into_owned();
+                    Choice { label, help: String::new(), value: Chosen::Text(name) }
+                })
+                .collect();
+            if options.is_empty() {
+                bench.problem.inputs.form.begin(None);
+            } else {
+                model.dialog = Some(Dialog::Choice { path, options, chosen });
+            }
+        }
+        Role::Leaf { .. } => _ = bench.problem.inputs.form.begin(None),
+        Role::Table { .. } => {
+            let text = match bench.problem.inputs.form.draft.at(&bench.problem.entry.shape(), &path) {
+                Ok((Draft::Leaf(text), _)) => text.clone(),
+                _ => String::new(),
+            };
+            model.dialog = Some(Dialog::Sheet(Sheet::new(path, &text)));
+        }
+        Role::Choice { variants, chosen } => {
+            let options = variants
+                .iter()
+                .enumerate()
+                .map(|(at, variant)| Choice {
+                    label: Text::from(variant.label).render(&locale),
+                    help: Text::from(variant.help).render(&locale),
+                    value: Chosen::Alternative(at),
+                })
+                .collect();
+            model.dialog = Some(Dialog::Choice { path, options, chosen: chosen.unwrap_or(0) });
+        }
+        Role::Rows { .. } => return after(model, Form::add_row, ""),
+        Role::Group { .. } => {
+            if bench.problem.inputs.form.is_folded(&path) {
+                bench.problem.inputs.form.fold_row();
+            }
+            bench.problem.inputs.form.step(1);
+        }
+    }
+    Vec::new()
+}
+
+/// A key while a field is typed in.
+pub(super) fn act_in_field(model: &mut Model, action: Action) -> Vec<Intent> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    match action {
+        Action::Enter => bench.problem.inputs.form.keep(),
+        Action::Back => {
+            bench.problem.inputs.form.drop_edit();
+            return vec![Intent::Changed];
+        }
+        Action::Down | Action::Up => {
+            bench.problem.inputs.form.keep();
+            bench.problem.inputs.form.step(if action == Action::Down { 1 } else { -1 });
+        }
+        _ => {}
+    }
+    Vec::new()
+}
+
+/// A key that changes a digit; a sign may turn out to be that of a number.
+pub(super) fn nudge(model: &mut Model, key: KeyEvent, action: Action) -> Vec<Intent> {
+    let sign = match Key::of(key) {
+        Key(KeyCode::Char(sign @ ('+' | '-' | '−')), KeyModifiers::NONE) => {
+            model.bench.as_ref().and_then(|bench| bench.problem.inputs.form.sign_typed(sign))
+        }
+        _ => None,
+    };
+    let intents = act(model, action);
+    if let Some(bench) = &mut model.bench {
+        bench.problem.inputs.form.sign = sign;
+    }
+    intents
+}
+
+/// Says which key serves on the field under the cursor, where no number is typed.
+pub(super) fn instead_of_number(model: &Model) -> Vec<Intent> {
+    let Some(bench) = &model.bench else { return Vec::new() };
+    let form = &bench.problem.inputs.form;
+    let (instead, action) = match form.line().map(|line| line.role) {
+        Some(Role::Leaf { shape: Shape::Flag, .. }) => (Text::new("{key} changes it"), Action::Toggle),
+        Some(Role::Leaf { shape: Shape::Reference(_), .. } | Role::Choice { .. }) => {
+            (Text::new("{key} opens the options"), Action::Enter)
+        }
+        Some(Role::Table { .. }) => {
+            let text = Text::new("{key} edits, paste replaces, {import} imports a file");
+            (text.with("import", model.key(Place::Form, Action::Import)), Action::Enter)
+        }
+        Some(Role::Absent) => (Text::new("{key} includes it"), Action::Toggle),
+        _ => return Vec::new(),
+    };
+    Intent::say(instead.with("key", model.key(Place::Form, action)))
+}
+
+/// The cursor goes to the input at a path, and the keys with it.
+pub(super) fn go_to(model: &mut Model, path: &str) -> Vec<Intent> {
+    if let Some(bench) = &mut model.bench {
+        bench.problem.inputs.form.go_to_nearest(path);
+        bench.focus = Focus::Form;
+    }
+    Vec::new()
+}
+
+/// Takes what was typed in a table: its text, or the file that it names.
+pub(super) fn take_table(model: &mut Model, path: &str, text: String) -> Vec<Intent> {
+    match file_of_table(model, path, &text) {
+        Some(effect) => vec![Intent::Do(effect)],
+        None => after(model, |form| form.set(path, text, Decimal::Point), ""),
+    }
+}
+
+/// The effect that reads the file that the text of a table names, as in `@measured.csv`; `None` for any other text.
+fn file_of_table(model: &Model, field: &str, text: &str) -> Option<Effect> {
+    let name = text.trim().strip_prefix('@').filter(|name| !name.contains('\n'))?;
+    let bench = model.bench.as_ref()?;
+    let (_, shape) = bench.problem.inputs.form.draft.at(&bench.problem.entry.shape(), field).ok()?;
+    let Shape::Table(columns) = shape.present() else { return None };
+    Some(Effect::ReadTable { field: field.to_owned(), path: PathBuf::from(name.trim()), columns: columns() })
+}
+
+/// The file of a table takes the place of its text.
+pub(super) fn table_read(model: &mut Model, field: &str, result: Result<String, FileError>) -> Vec<Intent> {
+    let asked = match &mut model.dialog {
+        Some(Dialog::Prompt { purpose: Purpose::Import, error, .. }) => Some(error),
+        _ => None,
+    };
+    match (result, asked) {
+        (Ok(text), asked) => {
+            if asked.is_some() {
+                model.dialog = None;
+            }
+            after(model, |form| form.set(field, text, Decimal::Point), "the table already contains this file")
+        }
+        // The path stays there to be corrected.
+        (Err(err), Some(error)) => {
+            *error = Some(err.text());
+            Vec::new()
+        }
+        (Err(err), None) => {
+            model.complain(err.text());
+            Vec::new()
+        }
+    }
+}
+
+/// Asks for the file of the table under the cursor, or of the only one there is.
+fn ask_import(model: &mut Model) -> Vec<Intent> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let is_table = |line: &Line| matches!(line.role, Role::Table { .. });
+    let tables: Vec<Line> = bench.problem.inputs.form.lines().into_iter().filter(is_table).collect();
+    let under_cursor = bench.problem.inputs.form.line().filter(is_table);
+    match (under_cursor, tables.as_slice()) {
+        (None, []) => model.say("this problem has no table of numbers; choose a table option first"),
+        (None, [_, _, ..]) => model.say("several tables: move to one of them first"),
+        (table, all) => {
+            if let Some(line) = table.or(all.first().cloned()) {
+                bench.problem.inputs.form.go_to(&line.path);
+            }
+            model.dialog = Some(Dialog::prompt_asking(Purpose::Import, "@"));
+        }
+    }
+    Vec::new()
+}
+
+/// Reads the file that was asked for; the path stays where it is typed until that is done.
+pub(super) fn import(model: &mut Model, typed: &str) -> Vec<Intent> {
+    let named = format!("@{}", typed.trim_start_matches('@').trim());
+    let field = model.bench.as_ref().and_then(|bench| bench.problem.inputs.form.line()).map(|line| line.path);
+    model.dialog = Some(Dialog::prompt_asking(Purpose::Import, &named));
+    match field.and_then(|field| file_of_table(model, &field, &named)) {
+        Some(effect) if named.len() > 1 => vec![Intent::Do(effect)],
+        _ => {
+            model.dialog = Some(Dialog::prompt_again(Purpose::Import, named, "enter a file name".into()));
+            Vec::new()
+        }
+    }
+}
+
+/// A text pasted on a field takes its place.
+pub(super) fn paste(model: &mut Model, text: &str) -> Vec<Intent> {
+    let decimal = model.locale.style.decimal;
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    match bench.problem.inputs.form.line().map(|line| (line.path, line.role)) {
+        Some((path, Role::Table { .. })) => {
+            if let Some(effect) = file_of_table(model, &path, text) {
+                return vec![Intent::Do(effect)];
+            }
+            let mut sheet = Sheet::new(path.clone(), "");
+            sheet.insert(text);
+            after(model, |form| form.set(&path, sheet.text(), Decimal::Point), "")
+        }
+        Some((_, role)) if !matches!(role, Role::Leaf { .. }) || text.trim().contains(['\n', '\r', '\t']) => {
+            match bench.problem.inputs.form.fill(text, decimal) {
+                Some(filled) => reported_filled(model, filled),
+                None => paste_on_field(model, text),
+            }
+        }
+        _ => paste_on_field(model, text),
+    }
+}
+
+/// Says what a pasted block filled, and what of it could not be taken.
+fn reported_filled(model: &mut Model, filled: Filled) -> Vec<Intent> {
+    let mut said = vec![match filled.rows {
+        1 => Text::new("one row filled"),
+        rows => Text::new("{rows} rows filled").with("rows", rows),
+    }];
+    if filled.heading {
+        said.push("first line skipped (heading)".into());
+    }
+    if filled.cells > 0 {
+        said.push(Text::new("ignored, beyond the last field of a row: {cells}").with("cells", filled.cells));
+    }
+    if filled.lines > 0 {
+        said.push(Text::new("ignored, lines at the end: {lines}").with("lines", filled.lines));
+    }
+    let text = said
+        .into_iter()
+        .reduce(|text, more| Text::new("{text}; {more}").with_text("text", text).with_text("more", more))
+        .unwrap_or_else(|| Text::from(""));
+    let effects = if filled.changed { vec![Intent::Changed] } else { Vec::new() };
+    if filled.cells + filled.lines > 0 {
+        model.complain(text);
+    } else {
+        model.say(text);
+    }
+    effects
+}
+
+/// A text as the one line of the field under the cursor.
+fn paste_on_field(model: &mut Model, text: &str) -> Vec<Intent> {
+    let decimal = model.locale.style.decimal;
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    match bench.problem.inputs.form.line().map(|line| (line.path, line.role)) {
+        Some((path, Role::Leaf { .. })) => {
+            let (line, cut) = form::as_line(text);
+            if cut {
+                model.complain(too_long());
+            }
+            after(model, |form| form.set(&path, line, decimal), "")
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The message about a pasted text that is too long for a field.
+pub(super) fn too_long() -> Text {
+    Text::new("pasted text truncated: a line takes at most {most} characters").with("most", form::LONGEST)
+}
+
+/// Changes the inputs; says `nothing` where there was nothing to change.
+pub(super) fn after(
+    model: &mut Model,
+    change: impl FnOnce(&mut Form) -> bool,
+    nothing: &'static str,
+) -> Vec<Intent> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    match change(&mut bench.problem.inputs.form) {
+        true => vec![Intent::Changed],
+        false if nothing.is_empty() => Vec::new(),
+        false => Intent::say(nothing),
+    }
+}
