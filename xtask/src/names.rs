@@ -29,6 +29,12 @@ pub(crate) fn snake(kebab: &str) -> String {
     kebab.replace('-', "_")
 }
 
+/// `Engines, gears and wheels` as `engines_gears_and_wheels`.
+pub(crate) fn snake_of(words: &str) -> String {
+    let words = words.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    words.collect::<Vec<_>>().join("_").to_lowercase()
+}
+
 /// `two-plane` or `two_plane` as `TwoPlane`.
 pub(crate) fn pascal(name: &str) -> String {
     name.split(['-', '_'])
@@ -49,6 +55,11 @@ pub(crate) fn title(kebab: &str) -> String {
 /// The one of `known` that `name` was most likely meant as.
 pub(crate) fn nearest<'k>(name: &str, known: &'k [String]) -> Option<&'k str> {
     known.iter().map(|known| (distance(name, known), known.as_str())).min().map(|(_, known)| known)
+}
+
+/// Whether two names differ by a slip of the hand.
+pub(crate) fn is_slip(a: &str, b: &str) -> bool {
+    distance(a, b) <= 2
 }
 
 /// How many letters must be put in, left out or changed to make one name of the other.
@@ -77,6 +88,7 @@ mod tests {
         assert_eq!(pascal("base-excitation"), "BaseExcitation");
         assert_eq!(pascal("rod_on_shaft"), "RodOnShaft");
         assert_eq!(title("base-excitation"), "Base excitation");
+        assert_eq!(snake_of("Strings, beams and plates"), "strings_beams_and_plates");
     }
 
     #[test]
