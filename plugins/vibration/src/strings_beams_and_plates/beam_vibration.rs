@@ -9,9 +9,12 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    shared::continuous::{
-        LineMass, Profile, Sampled, ShearModulus, line_mass, profile, shapes_film, shapes_plot,
-        shear_coefficient, shear_modulus,
+    shared::{
+        continuous::{
+            LineMass, Profile, Sampled, ShearModulus, line_mass, profile, shapes_film, shapes_plot,
+            shear_coefficient, shear_modulus,
+        },
+        support::{Restraint, Support},
     },
     sources::{BLEVINS, COWPER, RAO, TIMOSHENKO, WITTRICK},
 };
@@ -79,28 +82,6 @@ pub enum ShearCoefficient {
         /// Poisson's ratio.
         #[input("ν", "1", min = 0, max = 0.5)]
         poisson: f64,
-    },
-}
-
-/// What holds an end.
-#[derive(Clone, Debug, Inputs)]
-pub enum Support {
-    /// Free
-    Free,
-    /// Pinned
-    Pinned,
-    /// Clamped
-    Clamped,
-    /// Guided: deflects without rotating
-    Guided,
-    /// Springs
-    Springs {
-        /// Transverse stiffness.
-        #[input("k", "N/m", nonnegative)]
-        transverse: Option<f64>,
-        /// Rotational stiffness.
-        #[input("k_t", "N*m/rad", nonnegative)]
-        rotational: Option<f64>,
     },
 }
 
@@ -257,18 +238,8 @@ impl BeamVibration {
     fn stations(&self, bending: f64, mass: f64) -> Result<Vec<Station>, Refusal> {
         let length = self.length;
         let end = |at: f64, support: &Support| {
-            let plain = Station { at, ..Station::default() };
-            match support {
-                Support::Free => plain,
-                Support::Pinned => Station { held: true, ..plain },
-                Support::Clamped => Station { held: true, clamped: true, ..plain },
-                Support::Guided => Station { clamped: true, ..plain },
-                Support::Springs { transverse, rotational } => Station {
-                    spring: transverse.unwrap_or(0.0) * length.powi(3) / bending,
-                    turning_spring: rotational.unwrap_or(0.0) * length / bending,
-                    ..plain
-                },
-            }
+            let Restraint { held, clamped, spring, turning_spring } = support.restraint(length, bending);
+            Station { at, held, clamped, spring, turning_spring, ..Station::default() }
         };
         let mut stations = vec![end(0.0, &self.left), end(1.0, &self.right)];
         for attachment in &self.attachments {

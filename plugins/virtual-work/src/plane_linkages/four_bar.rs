@@ -13,6 +13,7 @@ use crate::{
     shared::{
         built::{self, Built, Link, Solved, Template},
         dyad::{self, Support},
+        linkage::Closing,
         works::{self, FOUR, LinkMass, THREE, TWO, Turning, Works, plane, symbol},
     },
     sources::{NORTON, RIUL, SHIGLEY},
@@ -66,15 +67,6 @@ pub struct FourBar {
     /// Zero for a mechanism in a horizontal plane.
     #[input("g", "m/s^2", planar, default = "(0; -9.81) m/s^2")]
     pub gravity: Vector3<f64>,
-}
-
-/// The side on which the loop closes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum Closing {
-    /// Open loop
-    Open,
-    /// Crossed loop
-    Crossed,
 }
 
 /// What the virtual works are summed for.

@@ -8,10 +8,10 @@ use dalembert_mechanics::{
 use nalgebra::Vector3;
 
 use crate::{
-    plane_linkages::four_bar::Closing,
     shared::{
         built::{self, Built, Cycle, Range, Solved, Template},
         dyad::{self, Line, Support},
+        linkage::Closing,
         works::{self, FIVE, FOUR, LinkMass, Moving, SIX, THREE, TWO, Turning, Works, plane, symbol},
     },
     sources::{NORTON, RIUL, SHIGLEY},
