@@ -295,10 +295,7 @@ impl Template for FourBar {
                         "crank and coupler are collinear and the rocker reverses: no torque on the rocker can balance one on the crank; rotate the crank slightly",
                     ));
                 }
-                if torque.value() != 0.0 {
-                    let why = "Virtual work of the torque for δθ_2 = 1".into();
-                    works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
-                }
+                works.driving(torque);
                 let sum = works.sum();
                 let why = "Torque on the rocker: the total virtual work is zero, T_4 h_4 + ΣδW = 0";
                 let load =
