@@ -52,7 +52,11 @@ fn inside(table: &mut String, shape: &Json, path: &str) {
 /// What may stand in a field, in words.
 fn asked(shape: &Json) -> String {
     match text(shape, "kind") {
-        "quantity" => format!("{}{}", in_unit(shape), limits(shape)),
+        "quantity" => {
+            let all: Vec<String> =
+                std::iter::once(shape).chain(array(&shape["others"])).map(in_unit).collect();
+            format!("{}{}", all.join(" or "), limits(shape))
+        }
         "vector" => format!("{} components, {}", shape["components"], in_unit(shape)),
         "text" => "words".to_owned(),
         "flag" => "yes or no".to_owned(),
