@@ -18,7 +18,8 @@ use dalembert_numerics::gauss_legendre;
 use crate::{
     shared::{
         body_load::Load,
-        continuous::{LineMass, Profile, line_mass, profile},
+        continuous::{LineMass, line_mass},
+        section::{Profile, profile},
     },
     sources::{BEER, BLEVINS, RAO, SHIGLEY},
 };

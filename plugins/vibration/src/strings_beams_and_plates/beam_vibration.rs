@@ -10,10 +10,8 @@ use dalembert_mechanics::{
 
 use crate::{
     shared::{
-        continuous::{
-            LineMass, Profile, Sampled, ShearModulus, line_mass, profile, shapes_film, shapes_plot,
-            shear_coefficient, shear_modulus,
-        },
+        continuous::{LineMass, Sampled, ShearModulus, line_mass, shapes_film, shapes_plot, shear_modulus},
+        section::{Profile, RoundSection, profile, shear_coefficient},
         support::{Restraint, Support},
     },
     sources::{BLEVINS, COWPER, RAO, TIMOSHENKO, WITTRICK},
@@ -302,8 +300,9 @@ impl BeamVibration {
             });
         }
         let depth = match self.section {
-            Profile::Round { diameter } => diameter,
-            Profile::Tube { outer, .. } => outer,
+            Profile::Round(
+                RoundSection::Round { diameter: size } | RoundSection::Tube { outer: size, .. },
+            ) => size,
             Profile::Rectangle { height, .. } => height,
             Profile::Given { area, second_moment } => (12.0 * second_moment / area).sqrt(),
         };

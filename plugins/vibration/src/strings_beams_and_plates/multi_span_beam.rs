@@ -14,7 +14,8 @@ use dalembert_mechanics::{
 
 use crate::{
     shared::{
-        continuous::{LineMass, Profile, Sampled, line_mass, profile, shapes_film, shapes_plot},
+        continuous::{LineMass, Sampled, line_mass, shapes_film, shapes_plot},
+        section::{Profile, profile},
         support::{Restraint, Support},
     },
     sources::{BEER, BLEVINS, RAO, WITTRICK},
