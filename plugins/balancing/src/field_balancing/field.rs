@@ -22,7 +22,7 @@ mod readings;
 mod show;
 mod worked;
 
-pub use self::readings::{InfluenceCoefficient, InfluenceSource, Measurements, TrialRun, TrialWeights};
+pub use self::readings::{InfluenceSource, KnownCoefficient, Measurements, TrialRun, TrialWeights};
 use self::{
     numbers::Numbers,
     readings::{Influence, Job},

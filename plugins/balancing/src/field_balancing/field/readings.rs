@@ -33,7 +33,7 @@ pub enum InfluenceSource {
         /// Coefficients.
         /// A row for each plane and each reading, both numbered from 1.
         #[input(table)]
-        coefficients: Vec<InfluenceCoefficient>,
+        coefficients: Vec<KnownCoefficient>,
     },
 }
 
@@ -68,7 +68,7 @@ pub struct TrialRun {
 
 /// An influence coefficient.
 #[derive(Clone, Debug, Inputs)]
-pub struct InfluenceCoefficient {
+pub struct KnownCoefficient {
     /// Plane.
     #[input("p", "1", positive)]
     pub plane: f64,
