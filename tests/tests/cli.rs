@@ -533,10 +533,11 @@ fn every_kind_of_field_refuses_nonsense() {
         default: None,
         default_before: None,
         kept_in: None,
+        former: &[],
         shape: Shape::Quantity(KILOGRAM),
     }];
     const KILOGRAM: Measure =
-        Measure { unit: "kg", kind: None, min: Limit::Excluding(0.0), max: Limit::None };
+        Measure { unit: "kg", kind: None, min: Limit::Excluding(0.0), max: Limit::None, others: &[] };
     let any: &[&str] = &[];
     // What a text may be: anything that is one visible line.
     let words = &[

@@ -7,6 +7,7 @@ use dalembert_core::{Exhibit, Stop, View, cases, exhibit::Cell, registry};
 use dalembert_plugins as _;
 use dalembert_testkit::exhibits;
 use dalembert_tests::person::Person;
+use dalembert_tui::panes;
 
 #[test]
 fn every_mark_equals_an_answer_or_a_point_of_a_curve() {

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use dalembert_core::{Answer, Stop, Text, file};
 use dalembert_tests::person::Person;
 use dalembert_tui::{Msg, files::FileError};
 
@@ -203,4 +204,95 @@ const DEEP: &str = "/a/long/way/down/to/the/fan.toml";
 /// A save ends in an error.
 fn is_refused(person: &mut Person, error: FileError) {
     person.happens(Msg::Saved { path: DEEP.into(), text: String::new(), result: Err(error) });
+}
+
+/// A job of field balancing: the initial run, and a run with 5 g.
+fn job(first: &str, trial: &str) -> String {
+    format!(
+        "{first} = [{{ amplitude = \"80\", phase = \"30 deg\" }}]\n\
+         {trial}.after = \"taken-off\"\n\
+         {trial}.runs = [{{ plane = 1, mass = \"5 g\", angle = \"0 deg\", readings = [{{ amplitude = \"2*50\", phase = \"75 deg\" }}] }}]\n"
+    )
+}
+
+fn field_balancing(inputs: &str) -> String {
+    format!(
+        "format = 2\nanalysis = \"balancing/field\"\n[inputs]\nphase = \"lead\"\nangles = \"with\"\n\
+         method = \"least-squares\"\n{inputs}"
+    )
+}
+
+#[test]
+fn what_was_measured_was_an_alternative_in_earlier_files() {
+    let mut answers = Vec::new();
+    for (was, unit) in
+        [("displacement", "um"), ("velocity", "mm/s"), ("acceleration", "m/s^2"), ("number", "")]
+    {
+        let old = field_balancing(&job(
+            &format!("measured.{was}.first"),
+            &format!("measured.{was}.influence.runs"),
+        ));
+        let parsed = file::parse(&old).unwrap_or_else(|errors| panic!("{old}: {errors:?}"));
+        let notes: Vec<String> = parsed.notes.iter().map(Text::english).collect();
+        assert_eq!(
+            notes,
+            [format!("inputs.measured.{was}: read as inputs.measured; the units now say what was measured")]
+        );
+        let saved = file::write(&parsed, &old);
+        assert!(!saved.contains(&format!("measured.{was}")), "{saved}");
+        let again = file::parse(&saved).unwrap_or_else(|errors| panic!("{saved}: {errors:?}"));
+        assert!(again.notes.is_empty(), "{:?}", again.notes);
+        assert_eq!(again.draft, parsed.draft, "{saved}");
+        let record = parsed.draft.read(&parsed.entry.shape()).unwrap_or_else(|errors| panic!("{errors:?}"));
+        let solution = parsed.entry.solve(&record, &Stop::new()).expect("the job is solved");
+        let number = |name: &str| solution.answer(name).and_then(Answer::si).expect("a number");
+        answers.push(number("correction[1]"));
+        let residual = solution.answer("largest_residual").expect("an answer");
+        assert_eq!(residual.unit.ascii(), unit, "{old}");
+    }
+    // Whatever is measured, the weight is the same.
+    assert!(answers.iter().all(|mass| (mass / answers[0] - 1.0).abs() < 1e-12), "{answers:?}");
+    let known = |unit: &str| {
+        format!(
+            "measured.velocity.first = [{{ amplitude = \"80\", phase = \"30 deg\" }}]\n\
+             measured.velocity.influence.known.coefficients = \"\"\"\n{unit}1; 1; 4; 20\n\"\"\"\n"
+        )
+    };
+    let solved = |text: &str| {
+        let parsed = file::parse(text).unwrap_or_else(|errors| panic!("{text}: {errors:?}"));
+        let record = parsed.draft.read(&parsed.entry.shape()).unwrap_or_else(|errors| panic!("{errors:?}"));
+        let solution = parsed.entry.solve(&record, &Stop::new()).expect("the job is solved");
+        solution.answer("correction[1]").and_then(Answer::si).expect("a number")
+    };
+    let bare = solved(&field_balancing(&known("")));
+    let stated = solved(&field_balancing(&known("[1]; [1]; [mm/(s*g)]; [deg]\n")));
+    assert_eq!(bare.to_bits(), stated.to_bits());
+}
+
+#[test]
+fn quantities_of_one_of_several_kinds_are_all_of_one() {
+    let with = |first: &str, second: &str| {
+        let inputs = format!(
+            "vectors.readings.first = {{ amplitude = \"{first}\", phase = \"30 deg\" }}\n\
+             vectors.readings.second = {{ amplitude = \"{second}\", phase = \"200 deg\" }}\n"
+        );
+        let text = format!("format = 2\nanalysis = \"balancing/static-couple\"\n[inputs]\n{inputs}");
+        let parsed = file::parse(&text).unwrap_or_else(|errors| panic!("{text}: {errors:?}"));
+        parsed.draft.read(&parsed.entry.shape()).map_err(|errors| {
+            errors.iter().map(|error| format!("{}: {}", error.path, error.why.english())).collect::<Vec<_>>()
+        })
+    };
+    for [first, second] in [["100 um", "3 mil"], ["4 mm/s", "0.2 in/s"], ["0.1 g0", "1 m/s^2"], ["12", "7.5"]]
+    {
+        with(first, second).unwrap_or_else(|errors| panic!("{first}, {second}: {errors:?}"));
+    }
+    assert_eq!(
+        with("4 mm/s", "80 um").unwrap_err(),
+        [
+            "vectors.readings.second.amplitude: 80 µm is of another kind than vectors.readings.first.amplitude = 4 mm/s: \
+          write all of these in units of one kind"
+        ]
+    );
+    let [error] = &with("4 kg", "80 um").unwrap_err()[..] else { panic!("one error") };
+    assert!(error.ends_with("units of any of these kinds are accepted: µm | mm/s | m/s² | 1"), "{error}");
 }

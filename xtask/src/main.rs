@@ -10,7 +10,8 @@ usage: cargo xtask COMMAND
   verify [--quick]           prove the project; --quick leaves out the slow steps
   tidy                       check the tree against its own rules
   find TERM                  the file of a thing, by its name in the field or a synonym in docs/glossary.md
-  new-analysis FAMILY NAME   begin an analysis: one file, its cases, its translations
+  new-analysis FAMILY NAME --topic TOPIC
+                             begin an analysis: one file in the folder of its topic, its cases, its translations
   new-plugin NAME            begin a family of analyses
   words [COMMIT]             carry the translations of sentences reworded since COMMIT (HEAD) over to their new keys
   docs [--check]             write the reference in docs/, or see that it is up to date
@@ -33,7 +34,10 @@ fn main() -> ExitCode {
         ["find", words @ ..] if !words.is_empty() => {
             tidy::Tree::read(&root()).and_then(|tree| find::run(&tree, &words.join(" ")))
         }
-        ["new-analysis", family, name] => new_analysis::run(&root(), family, name),
+        ["new-analysis", family, name] => new_analysis::run(&root(), family, name, None),
+        ["new-analysis", family, name, "--topic", topic] => {
+            new_analysis::run(&root(), family, name, Some(topic))
+        }
         ["new-plugin", name] => new_plugin::run(&root(), name),
         ["words"] => words::run(&root(), "HEAD"),
         ["words", commit] => words::run(&root(), commit),

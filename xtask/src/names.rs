@@ -29,6 +29,12 @@ pub(crate) fn snake(kebab: &str) -> String {
     kebab.replace('-', "_")
 }
 
+/// `Engines, gears and wheels` as `engines_gears_and_wheels`.
+pub(crate) fn snake_of(words: &str) -> String {
+    let words = words.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    words.collect::<Vec<_>>().join("_").to_lowercase()
+}
+
 /// `two-plane` or `two_plane` as `TwoPlane`.
 pub(crate) fn pascal(name: &str) -> String {
     name.split(['-', '_'])
@@ -51,7 +57,12 @@ pub(crate) fn nearest<'k>(name: &str, known: &'k [String]) -> Option<&'k str> {
     known.iter().map(|known| (distance(name, known), known.as_str())).min().map(|(_, known)| known)
 }
 
-/// Edit distance (Levenshtein) between two names.
+/// Returns true if two names differ by a typing mistake.
+pub(crate) fn is_slip(a: &str, b: &str) -> bool {
+    distance(a, b) <= 2
+}
+
+/// Number of letters that are inserted, deleted or replaced to turn one name into the other.
 fn distance(a: &str, b: &str) -> usize {
     let b: Vec<char> = b.chars().collect();
     let mut row: Vec<usize> = (0..=b.len()).collect();
@@ -77,6 +88,7 @@ mod tests {
         assert_eq!(pascal("base-excitation"), "BaseExcitation");
         assert_eq!(pascal("rod_on_shaft"), "RodOnShaft");
         assert_eq!(title("base-excitation"), "Base excitation");
+        assert_eq!(snake_of("Strings, beams and plates"), "strings_beams_and_plates");
     }
 
     #[test]

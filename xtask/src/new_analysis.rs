@@ -1,4 +1,4 @@
-//! `cargo xtask new-analysis FAMILY NAME`: a small analysis that works, as a place to begin.
+//! `cargo xtask new-analysis FAMILY NAME --topic TOPIC`: a small analysis that works, as a place to begin.
 
 use std::{
     collections::BTreeMap,
@@ -10,18 +10,19 @@ use anyhow::{Context, Result, bail};
 
 use crate::{
     cargo::format,
-    names::{check_kebab, nearest, pascal, snake, title},
+    names::{check_kebab, is_slip, nearest, pascal, snake, snake_of, title},
 };
 
 const ANALYSIS: &str = include_str!("new_analysis/analysis.rs");
 const CASES: &str = include_str!("new_analysis/cases.toml");
 const PORTUGUESE: &str = include_str!("new_analysis/pt-BR.ftl");
 
-/// Writes the analysis, its cases, one line of `lib.rs` and the translations of its sentences.
+/// Writes the analysis, its cases, one line of its topic and the translations of its sentences. A topic that the family
+/// has not is begun with it.
 ///
 /// # Errors
-/// A name that is none or is taken, an unknown family; nothing is written then.
-pub fn run(root: &Path, family: &str, name: &str) -> Result<()> {
+/// A name that is none or is taken, an unknown family, no topic; nothing is written then.
+pub fn run(root: &Path, family: &str, name: &str, topic: Option<&str>) -> Result<()> {
     check_kebab(name)?;
     let families = families(root)?;
     if !families.iter().any(|known| known == family) {
@@ -31,7 +32,9 @@ pub fn run(root: &Path, family: &str, name: &str) -> Result<()> {
     }
     let file = snake(name);
     let folder = root.join("plugins").join(family);
-    let source = folder.join("src").join(&file).with_extension("rs");
+    let topic = chosen(topic, &topics(&folder.join("src"))?)?;
+    let within = folder.join("src").join(snake_of(&topic));
+    let source = within.join(&file).with_extension("rs");
     let cases = folder.join("cases").join(&file).with_extension("toml");
     for taken in [&source, &cases, &source.with_extension("")] {
         if taken.exists() {
@@ -41,20 +44,68 @@ pub fn run(root: &Path, family: &str, name: &str) -> Result<()> {
     if is_keyword(&file) || ["lib", "sources"].contains(&file.as_str()) {
         bail!("`{name}` cannot name a file of Rust code; take another word");
     }
-    let library = folder.join("src/lib.rs");
-    let library_text = with_module(&read(&library)?, &file);
+    let mut changed = Vec::new();
+    let face = within.with_extension("rs");
+    if face.exists() {
+        changed.push((face.clone(), with_module(&read(&face)?, &file)));
+    } else {
+        let library = folder.join("src/lib.rs");
+        changed.push((library.clone(), with_module(&read(&library)?, &snake_of(&topic))));
+        changed.push((face, format!("//! {topic}.\n\npub mod {file};\n")));
+    }
     let translations = folder.join("locales/pt-BR.ftl");
-    let translations_text = with_translations(root, &translations, name)?;
-    write(&source, &filled(ANALYSIS, family, name))?;
+    changed.push((translations.clone(), with_translations(root, &translations, name, &topic)?));
+    write(&source, &filled(ANALYSIS, family, name, &topic))?;
     format(&source);
     write(&cases, CASES)?;
-    write(&library, &library_text)?;
-    write(&translations, &translations_text)?;
     println!("written: {}, {}", below(root, &source), below(root, &cases));
-    println!("changed: {}, {}", below(root, &library), below(root, &translations));
-    println!("run it: cargo run -- solve {family}/{name}");
+    for (path, text) in changed {
+        write(&path, &text)?;
+        println!("changed: {}", below(root, &path));
+    }
+    println!("look at it: cargo run -- solve {family}/{name}");
     println!("then write it into the reference: cargo xtask docs");
     Ok(())
+}
+
+/// The topics of a family, as the first line of the file of each names them, sorted.
+fn topics(sources: &Path) -> Result<Vec<String>> {
+    let mut topics = Vec::new();
+    for entry in fs::read_dir(sources).with_context(|| format!("{} cannot be read", sources.display()))? {
+        let path = entry?.path();
+        if path.is_dir() && !path.ends_with("shared") {
+            let text = read(&path.with_extension("rs"))?;
+            let heading = text.lines().next().and_then(|line| line.strip_prefix("//! "));
+            topics.extend(heading.map(|heading| heading.trim_end_matches('.').to_owned()));
+        }
+    }
+    topics.sort();
+    Ok(topics)
+}
+
+/// The topic that an analysis will stand under: one of the family's, or a new one that is no slip for one of those.
+fn chosen(asked: Option<&str>, known: &[String]) -> Result<String> {
+    let list = match known {
+        [] => "the family has none yet".to_owned(),
+        known => format!(
+            "the family has {}",
+            known.iter().map(|topic| format!("\"{topic}\"")).collect::<Vec<_>>().join(", ")
+        ),
+    };
+    let Some(asked) = asked else { bail!("say the topic, with `--topic \"…\"`: {list}") };
+    let file = snake_of(asked);
+    if let Some(topic) = known.iter().find(|topic| snake_of(topic) == file) {
+        return Ok(topic.clone());
+    }
+    if let Some(near) = known.iter().find(|topic| is_slip(&snake_of(topic), &file)) {
+        bail!("there is no topic \"{asked}\"; did you mean \"{near}\"?");
+    }
+    let is_plain = |c: char| c.is_ascii_alphabetic() || c == ' ' || c == ',';
+    let is_named = asked.starts_with(|c: char| c.is_ascii_uppercase()) && asked.chars().all(is_plain);
+    if !is_named || is_keyword(&file) || ["lib", "shared", "sources"].contains(&file.as_str()) {
+        bail!("\"{asked}\" cannot be a topic: write words like \"Shock and impact\"; {list}");
+    }
+    Ok(asked.to_owned())
 }
 
 /// The families there are: the folders of plugins but for the bundle, sorted.
@@ -98,23 +149,24 @@ pub(crate) fn is_keyword(name: &str) -> bool {
 }
 
 /// The template with its names filled in.
-fn filled(template: &str, family: &str, name: &str) -> String {
+fn filled(template: &str, family: &str, name: &str, topic: &str) -> String {
     template
+        .replace("Topic of it", topic)
         .replace("family/analysis-name", &format!("{family}/{name}"))
         .replace("AnalysisName", &pascal(name))
         .replace("analysis_name", &snake(name))
         .replace("Analysis name", &title(name))
 }
 
-/// The library with `pub mod name;` among its modules, in their order.
-fn with_module(library: &str, file: &str) -> String {
+/// A file with `pub mod name;` among its modules, in their order.
+fn with_module(text: &str, file: &str) -> String {
     let line = format!("pub mod {file};");
-    let mut lines: Vec<&str> = library.lines().collect();
+    let mut lines: Vec<&str> = text.lines().collect();
     let modules: Vec<usize> = (0..lines.len()).filter(|n| lines[*n].starts_with("pub mod ")).collect();
     let at = match (modules.iter().find(|n| lines[**n] > line.as_str()), modules.last()) {
         (Some(after), _) => *after,
         (None, Some(last)) => last + 1,
-        // Below the documentation of the library.
+        // Below the documentation.
         (None, None) => {
             let start = lines.iter().position(|line| !line.starts_with("//!")).unwrap_or(lines.len());
             lines.insert(start, "");
@@ -127,7 +179,7 @@ fn with_module(library: &str, file: &str) -> String {
 
 /// The translations of a family with those sentences of the template that it lacks. Where the family has other words
 /// for a sentence, those of the template are for the new analysis alone; those of the program hold everywhere.
-fn with_translations(root: &Path, translations: &Path, name: &str) -> Result<String> {
+fn with_translations(root: &Path, translations: &Path, name: &str, topic: &str) -> Result<String> {
     let own = read(translations)?;
     let mut program: BTreeMap<String, String> = BTreeMap::new();
     for path in translation_files(&root.join("crates"))? {
@@ -137,7 +189,12 @@ fn with_translations(root: &Path, translations: &Path, name: &str) -> Result<Str
     }
     let mut lines: Vec<String> = own.lines().map(str::to_owned).collect();
     let mut added = String::new();
-    for line in PORTUGUESE.replace("analysis-name", name).replace("Analysis name", &title(name)).lines() {
+    let portuguese = PORTUGUESE
+        .replace("analysis-name", name)
+        .replace("Analysis name", &title(name))
+        .replace("topic-of-it", &snake_of(topic).replace('_', "-"))
+        .replace("Topic of it", topic);
+    for line in portuguese.lines() {
         let Some((key, words)) = line.split_once(" = ") else { continue };
         let words = program.get(key).map_or(words, String::as_str);
         let known = |line: &String| line.split_once(" = ").is_some_and(|(have, _)| have == key);

@@ -69,7 +69,7 @@ pub fn run(root: &Path, name: &str) -> Result<()> {
     write(&bundle.join("src/lib.rs"), &library)?;
     println!("written: {}", below(root, &folder));
     println!("changed: plugins/bundle/Cargo.toml, plugins/bundle/src/lib.rs");
-    println!("begin an analysis: cargo xtask new-analysis {name} NAME");
+    println!("begin an analysis: cargo xtask new-analysis {name} NAME --topic TOPIC");
     Ok(())
 }
 

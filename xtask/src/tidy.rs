@@ -42,6 +42,8 @@ pub fn run(root: &Path) -> Result<()> {
 pub fn faults(tree: &Tree) -> Vec<String> {
     let rules = [
         analyses::an_analysis_is_one_file,
+        analyses::a_topic_holds_analyses_alone,
+        analyses::an_analysis_is_imported_by_nothing,
         analyses::every_plugin_is_in_the_bundle,
         analyses::a_plugin_is_tested_from_outside,
         comments::doc_comments_begin_with_a_noun_or_a_verb,

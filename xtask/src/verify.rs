@@ -260,7 +260,7 @@ fn template(root: &Path) -> Found {
     const NAME: &str = "mass-released-from-rest";
     let id = format!("vibration/{NAME}");
     let copy = Copy::of(root)?;
-    new_analysis::run(&copy.0, "vibration", NAME)?;
+    new_analysis::run(&copy.0, "vibration", NAME, Some("Free vibration"))?;
     let program = Program::built(&copy.0, root)?;
     ensure!(ids(&docs::json(&program, &["list", "--json"])?).contains(&id), "{id} is not listed");
     let solved = docs::json(&program, &["solve", &id, "--format", "json"])?;

@@ -8,6 +8,9 @@ text-has-a-unit-with-some-components-only-write-one-unit-after-the-brackets-as-i
 text-has-two-decimal-marks-write-first-or-second = `{ $text }` tem dois sinais decimais: escreva `{ $first }` ou `{ $second }`
 text-has-a-gap-between-digits-write-first-or-second = `{ $text }` tem um espaço entre algarismos: escreva `{ $first }` ou `{ $second }`
 text-can-be-read-in-two-ways-write-first-or-second = `{ $text }` pode ser lido de dois modos: escreva `{ $first }` ou `{ $second }`
+shown-is-of-another-kind-than-first-value-write-all-of-these-in-units-of-one-kind = { $shown } é de outra espécie que { $first } = { $value }: escreva todas estas grandezas em unidades de uma só espécie
+why-units-of-any-of-these-kinds-are-accepted-units = { $why }; aceitam-se unidades de qualquer destas espécies: { $units }
+was-read-as-now-the-units-now-say-what-was-measured = { $was }: lido como { $now }; agora as unidades dizem o que foi medido
 text-is-neither-yes-nor-no = `{ $text }` não é nem sim nem não
 unexpected-text-after-the-unit-an-exponent-is-an-integer-other-than-0-from-limit-to-limit = `{ $text }` inesperado depois da unidade: um expoente é um inteiro diferente de 0, de -{ $limit } a { $limit }
 text-is-not-a-count-enter-an-integer-for-example-4 = `{ $text }` não é uma contagem: digite um inteiro, por exemplo 4

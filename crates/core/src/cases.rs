@@ -236,7 +236,7 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
         Some(other) => return Err(format!("{name}: nothing is seen in a `{other}`")),
     };
     let inputs = table.get("inputs").ok_or_else(|| format!("{name}: there are no inputs"))?;
-    let mut reading = Reading { format: Format::LATEST, errors: Vec::new(), notes: Vec::new() };
+    let mut reading = Reading { format: Format::LATEST, errors: Vec::new(), notes: Vec::new(), kind: None };
     let draft = file::draft_of(inputs, &entry.shape(), "inputs", &mut reading);
     if let Some(err) = reading.errors.first() {
         return Err(format!("{name}: {}", err.why.english()));

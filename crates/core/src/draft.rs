@@ -8,7 +8,7 @@ use std::collections::{HashMap, HashSet};
 use dalembert_units::{self as units, Style};
 
 use crate::{
-    Field, FieldError, Limit, Measure, Record, Shape, Text, Value, gravity,
+    Field, FieldError, Limit, Measure, Record, Shape, Text, Value, gravity, kinds,
     path::{segments, step, unknown},
     reading, table,
 };
@@ -109,6 +109,9 @@ impl Draft {
         let lists = lists(&record);
         errors.extend(ambiguous(&lists, &record));
         resolve_record(&mut record, &lists, "", &mut errors);
+        if errors.is_empty() {
+            errors = kinds::mixed(&record);
+        }
         if errors.is_empty() { Ok(record) } else { Err(errors) }
     }
 
@@ -260,7 +263,7 @@ fn without_unit(draft: &Draft, shape: &Shape, path: &str, found: &mut Vec<FieldE
             }
         }
         (Shape::Quantity(measure) | Shape::Vector(measure, _), Draft::Leaf(text)) => {
-            let own = measure.own_unit();
+            let own = measure.meant(text).own_unit();
             if !own.text.is_empty() && is_bare(text, shape) {
                 let why = Text::new("no unit; {unit} assumed").with("unit", own.ascii());
                 found.push(FieldError::new(path, why));
@@ -376,13 +379,16 @@ fn leaf(text: &str, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> 
         }
     }
     match shape {
-        Shape::Quantity(measure) => match units::read_quantity(text, &measure.own_unit(), measure.kind()) {
-            Ok(quantity) => match outside(measure, quantity.si, text) {
-                Some(why) => fail(why, None),
-                None => Value::Quantity(quantity),
-            },
-            Err(err) => fail(reading::text(&err), err.span()),
-        },
+        Shape::Quantity(measure) => {
+            let one = measure.meant(text);
+            match units::read_quantity(text, &one.own_unit(), one.kind()) {
+                Ok(quantity) => match outside(&one, quantity.si, text) {
+                    Some(why) => fail(why, None),
+                    None => Value::Quantity(quantity),
+                },
+                Err(err) => fail(kinds::also(reading::text(&err), *measure), err.span()),
+            }
+        }
         Shape::Vector(measure, len) => {
             match units::read_vector(text, &measure.own_unit(), measure.kind(), *len) {
                 Ok(vector) => Value::Vector(vector),

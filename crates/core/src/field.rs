@@ -1,6 +1,6 @@
 //! Description of the inputs of a problem, which forms, files and the command line share.
 
-use dalembert_units::{self as units, Unit};
+use dalembert_units::{self as units, Dim, Unit};
 
 /// One line of the form, one key of the file, one `--set` of the command line.
 #[derive(Debug)]
@@ -21,6 +21,8 @@ pub struct Field {
     /// The optional field beside it that keeps its first value when it is changed alone: a mechanism is drawn with one
     /// value of a driver and moved to others.
     pub kept_in: Option<&'static str>,
+    /// The alternatives that stood here in earlier files. What such an alternative holds is read in its place.
+    pub former: &'static [&'static str],
     /// Shape of the value.
     pub shape: Shape,
 }
@@ -75,6 +77,9 @@ pub struct Measure {
     pub min: Limit,
     /// The largest value, in `unit`.
     pub max: Limit,
+    /// The measures of the other kinds that may stand here instead. The unit that is written decides, and is of the same
+    /// kind in all such fields of a problem.
+    pub others: &'static [Measure],
 }
 
 /// An end of the permitted range.
@@ -89,7 +94,7 @@ pub enum Limit {
 }
 
 /// An alternative of a one-of.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Variant {
     /// The key in files and paths, in kebab case.
     pub name: &'static str,
@@ -99,6 +104,8 @@ pub struct Variant {
     pub help: &'static str,
     /// Input fields of this alternative.
     pub fields: fn() -> &'static [Field],
+    /// The alternatives that stood here instead in earlier files.
+    pub former: &'static [&'static str],
 }
 
 /// Identity of a list of fields or alternatives within a shape. Two shapes with the same children are described once; a
@@ -120,6 +127,43 @@ impl Measure {
     /// The unit of a number written alone.
     pub fn own_unit(&self) -> Unit {
         units::unit(self.unit).expect("the derive and a test hold the units of fields to be well formed")
+    }
+
+    /// Itself and the others.
+    pub fn all(self) -> impl Iterator<Item = Measure> {
+        std::iter::once(Measure { others: &[], ..self }).chain(self.others.iter().copied())
+    }
+
+    /// The place among [`all`](Measure::all) of the one that a dimension is of.
+    pub fn place(self, dim: Dim) -> Option<usize> {
+        self.all().position(|measure| measure.own_unit().dim == dim)
+    }
+
+    /// The one that a unit is of; the first where it is of none.
+    #[must_use]
+    pub fn of(self, unit: &Unit) -> Measure {
+        if self.others.is_empty() {
+            return self;
+        }
+        self.place(unit.dim).and_then(|place| self.all().nth(place)).unwrap_or(self)
+    }
+
+    /// The one that a text is of. A number alone is a number, where one may stand here.
+    #[must_use]
+    pub fn meant(self, text: &str) -> Measure {
+        if self.others.is_empty() {
+            return self;
+        }
+        units::read_any(text).map_or(self, |read| self.of(&read.unit))
+    }
+
+    /// The units of all its kinds: `µm | mm/s | 1`.
+    pub fn units_of_kinds(self, ascii: bool) -> String {
+        let shown = self.all().map(|measure| match measure.own_unit().shown(ascii) {
+            unit if unit.is_empty() => "1".to_owned(),
+            unit => unit,
+        });
+        shown.collect::<Vec<_>>().join(" | ")
     }
 
     /// Units worth offering, its own first. A pure number is offered only where a number written alone is one,

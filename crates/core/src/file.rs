@@ -10,6 +10,7 @@
 //! ```
 
 mod format;
+mod former;
 
 use std::ops::Range;
 
@@ -43,6 +44,8 @@ pub(crate) struct Reading {
     pub(crate) format: Format,
     pub(crate) errors: Vec<FileError>,
     pub(crate) notes: Vec<Text>,
+    /// The place of the kind that a former alternative stands for, in what it holds.
+    pub(crate) kind: Option<usize>,
 }
 
 /// Error of a problem file, with its position.
@@ -76,7 +79,7 @@ pub fn parse(text: &str) -> Result<Problem, Vec<FileError>> {
             return Err(errors);
         }
     };
-    let mut reading = Reading { format, errors, notes: Vec::new() };
+    let mut reading = Reading { format, errors, notes: Vec::new(), kind: None };
     let no_inputs = Item::Table(Table::new());
     let draft = draft_of(root.get("inputs").unwrap_or(&no_inputs), &entry.shape(), "inputs", &mut reading);
     let Reading { mut errors, notes, .. } = reading;
@@ -236,7 +239,7 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Rea
                 for (field, draft) in fields().iter().zip(&mut drafts) {
                     let path = format!("{path}.{}", field.name);
                     match table.get(field.name) {
-                        Some(item) => *draft = draft_of(item, &field.shape, &path, reading),
+                        Some(item) => *draft = former::draft_of_field(item, field, &path, reading),
                         None => format::left_out(draft, field, &path, reading),
                     }
                 }
@@ -274,7 +277,20 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Rea
                         draft
                     }
                 },
-                None => fail(path::unknown("", name, names()).why, item.span()),
+                None => {
+                    let former = variants()
+                        .iter()
+                        .enumerate()
+                        .find_map(|(at, variant)| Some((at, former::place(variant.former, name)?, fields?)));
+                    let Some((at, place, fields)) = former else {
+                        return fail(path::unknown("", name, names()).why, item.span());
+                    };
+                    let group = Shape::Group(variants()[at].fields);
+                    let now = format!("{path}.{}", variants()[at].name);
+                    let inner =
+                        former::draft_of(fields, &group, [&format!("{path}.{name}"), &now], place, reading);
+                    Draft::OneOf(at, Box::new(inner))
+                }
             }
         }
         Shape::Rows { item: inner, most, .. } => {
@@ -298,7 +314,13 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Rea
             )
         }
         Shape::Table(columns) => match table_text(item, columns()) {
-            Ok(text) => Draft::Leaf(format::table_text(text, columns(), path, reading)),
+            Ok(text) => {
+                let text = reading
+                    .kind
+                    .and_then(|at| table::with_units_of_kind(&text, columns(), at))
+                    .unwrap_or(text);
+                Draft::Leaf(format::table_text(text, columns(), path, reading))
+            }
             Err((why, span)) => fail(why, span),
         },
         Shape::Vector(..) => match item.as_value() {
@@ -311,7 +333,8 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Rea
         },
         _ => match item.as_value() {
             Some(value @ (Toml::String(_) | Toml::Integer(_) | Toml::Float(_) | Toml::Boolean(_))) => {
-                Draft::Leaf(format::with_decimal_commas(plain(value), shape, path, reading))
+                let text = format::with_decimal_commas(plain(value), shape, path, reading);
+                Draft::Leaf(former::with_unit(text, shape, reading))
             }
             _ => fail("one value is needed here".into(), item.span()),
         },
@@ -426,6 +449,9 @@ fn write_item(item: &mut Item, draft: &Draft, shape: &Shape) {
             }
             let Some(table) = item.as_table_like_mut() else { return };
             for (field, draft) in fields().iter().zip(drafts) {
+                if let Some(item) = table.get_mut(field.name) {
+                    former::unwrap(item, field.former);
+                }
                 match draft {
                     Draft::Absent => {
                         table.remove(field.name);
@@ -448,6 +474,7 @@ fn write_item(item: &mut Item, draft: &Draft, shape: &Shape) {
                 write_text(item, variant.name);
                 return;
             }
+            former::rename(item, variant);
             if !item.as_table_like().is_some_and(|table| table.contains_key(variant.name)) {
                 let mut table = Table::new();
                 table.set_implicit(true);

@@ -51,6 +51,15 @@ pub struct Lift<'t, W> {
     pub trail: &'t Trail<'t>,
 }
 
+/// A number of one of several kinds: a displacement, a velocity or an acceleration, as the unit says that is written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeasuredQuantity {
+    /// The value in SI.
+    pub si: f64,
+    /// Of the units that the field names, the one of the same kind.
+    pub unit: &'static str,
+}
+
 /// A row of another list, by its place; written as its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reference(
@@ -77,8 +86,8 @@ pub mod derive_support {
     use dalembert_units::{self as units, Unit};
     use nalgebra::Vector3;
 
-    use super::{FieldError, Inputs, Lift, Reference};
-    use crate::{Field, Record, Shape, Value, Worksheet, worksheet::Given};
+    use super::{FieldError, Inputs, Lift, MeasuredQuantity, Reference};
+    use crate::{Field, Limit, Measure, Record, Shape, Value, Variant, Worksheet, worksheet::Given};
 
     pub use crate::worksheet::Trail;
     pub use dalembert_units::Kind;
@@ -104,9 +113,47 @@ pub mod derive_support {
         if let Value::OneOf { variant, .. } = value { Some(*variant) } else { None }
     }
 
+    /// The alternatives of a type.
+    pub fn variants<T: Inputs>() -> &'static [Variant] {
+        if let Shape::OneOf(variants) = T::SHAPE { variants() } else { &[] }
+    }
+
+    /// A one-of as the type sees it whose alternatives stand among others from a place on; `None` where another one is
+    /// chosen.
+    pub fn flattened<T: Inputs>(value: &Value, from: usize) -> Option<Value> {
+        let Value::OneOf { variant, fields } = value else { return None };
+        let variant = variant.checked_sub(from).filter(|at| *at < variants::<T>().len())?;
+        Some(Value::OneOf { variant, fields: fields.clone() })
+    }
+
+    /// The number at a path of such a type: of the alternative `first` among all.
+    pub fn flattened_slot<'t, T: Inputs>(
+        this: &'t mut T,
+        first: usize,
+        from: usize,
+        rest: &[usize],
+    ) -> Option<&'t mut f64> {
+        let path: Vec<usize> = [first.checked_sub(from)?].iter().chain(rest).copied().collect();
+        this.slot(&path)
+    }
+
     pub fn quantity(value: &Value, trail: &Trail<'_>, errors: &mut Errors) -> Option<f64> {
         match value {
             Value::Quantity(quantity) => Some(quantity.si),
+            _ => mismatch(trail, "a quantity is needed here", errors),
+        }
+    }
+
+    pub fn measured(
+        value: &Value,
+        measure: Measure,
+        trail: &Trail<'_>,
+        errors: &mut Errors,
+    ) -> Option<MeasuredQuantity> {
+        match value {
+            Value::Quantity(quantity) => {
+                Some(MeasuredQuantity { si: quantity.si, unit: measure.of(&quantity.unit).unit })
+            }
             _ => mismatch(trail, "a quantity is needed here", errors),
         }
     }
@@ -202,17 +249,17 @@ pub mod derive_support {
         value: &Value,
         trail: &Trail<'_>,
         errors: &mut Errors,
-        read: impl Fn(&[f64]) -> Option<T>,
+        read: impl Fn(&[f64], &[Unit]) -> Option<T>,
     ) -> Option<Vec<T>> {
         match value {
-            Value::Table(table) => table.rows.iter().map(|row| read(row)).collect(),
+            Value::Table(table) => table.rows.iter().map(|row| read(row, &table.units)).collect(),
             _ => mismatch(trail, "a table is needed here", errors),
         }
     }
 
-    fn measure_of(shape: &Shape) -> &'static crate::Measure {
-        const NONE: &crate::Measure =
-            &crate::Measure { unit: "1", kind: None, min: crate::Limit::None, max: crate::Limit::None };
+    fn measure_of(shape: &Shape) -> &'static Measure {
+        const NONE: &Measure =
+            &Measure { unit: "1", kind: None, min: Limit::None, max: Limit::None, others: &[] };
         match shape {
             Shape::Optional(inner) => measure_of(inner()),
             Shape::Rows { item, .. } => match item() {
@@ -224,7 +271,7 @@ pub mod derive_support {
     }
 
     /// The measure of a number or a vector, also of an optional one or of the rows of a list.
-    pub(crate) fn measure(field: &'static Field) -> &'static crate::Measure {
+    pub(crate) fn measure(field: &'static Field) -> &'static Measure {
         match &field.shape {
             Shape::Quantity(measure) | Shape::Vector(measure, _) => measure,
             other => measure_of(other),
@@ -276,16 +323,12 @@ pub mod derive_support {
     }
 
     /// A row of a table as the struct of its columns.
-    pub fn table_row<R: Inputs>(numbers: &[f64]) -> Option<R> {
+    pub fn table_row<R: Inputs>(numbers: &[f64], units: &[Unit]) -> Option<R> {
         let fields = R::SHAPE.fields(None);
-        let unit = |field: &Field| match field.shape {
-            Shape::Quantity(measure) => measure.own_unit(),
-            _ => Unit::ONE,
+        let quantity = |(si, unit): (&f64, &Unit)| {
+            Value::Quantity(units::Quantity { si: *si, unit: unit.clone(), last_place: 0.0 })
         };
-        let quantity = |(field, si): (&Field, &f64)| {
-            Value::Quantity(units::Quantity { si: *si, unit: unit(field), last_place: 0.0 })
-        };
-        let values = fields.iter().zip(numbers).map(quantity).collect();
+        let values = numbers.iter().zip(units).map(quantity).collect();
         R::read(&Value::Group(Record { fields, values }), &Trail::TOP, &mut Vec::new())
     }
 }

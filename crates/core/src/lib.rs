@@ -20,6 +20,7 @@ pub mod file;
 pub mod gravity;
 mod input;
 mod kept;
+mod kinds;
 mod names;
 mod path;
 pub mod printer;
@@ -55,7 +56,7 @@ pub use crate::{
         Point, Point3, Scale, Scene, Series, Shape3, TableExhibit, View,
     },
     field::{ChildList, Field, Limit, Measure, Shape, Variant},
-    input::{FieldError, Inputs, Lift, Reference},
+    input::{FieldError, Inputs, Lift, MeasuredQuantity, Reference},
     path::{is_within, nearest},
     record::{Record, Table, Value},
     sheet::{Sheet, Term, VectorTerm},

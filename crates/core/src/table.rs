@@ -8,7 +8,7 @@ mod heading;
 
 use std::borrow::Cow;
 
-use dalembert_units::{self as units, Kind, Style, Unit};
+use dalembert_units::{self as units, Dim, Kind, Style, Unit};
 
 use self::heading::Heading;
 use crate::{Field, Shape, Text, reading, record::Table, uff};
@@ -42,6 +42,16 @@ pub(crate) fn with_units_of_before(text: &str, columns: &'static [Field]) -> Opt
     let unit =
         |column: &Field, unit: &Unit| column.default_before.map_or_else(|| unit.ascii(), str::to_owned);
     if columns.iter().any(changed) { headed(text, columns, changed, unit) } else { None }
+}
+
+/// The same for the columns of several kinds, whose numbers alone are in the unit of the kind at that place.
+pub(crate) fn with_units_of_kind(text: &str, columns: &'static [Field], place: usize) -> Option<String> {
+    let several = |column: &Field| measure(column).filter(|measure| !measure.others.is_empty());
+    let unit = |column: &Field, unit: &Unit| {
+        let kind = several(column).and_then(|measure| measure.all().nth(place));
+        kind.map_or_else(|| unit.ascii(), |kind| kind.own_unit().ascii())
+    };
+    headed(text, columns, |column| several(column).is_some(), unit).map(|(text, _)| text)
 }
 
 /// The text of a table with the units of its columns above the first row, where numbers alone were read in them.
@@ -188,6 +198,14 @@ pub(crate) fn text(table: &Table) -> String {
 
 fn measure(column: &Field) -> Option<crate::Measure> {
     if let Shape::Quantity(measure) = column.shape { Some(measure) } else { None }
+}
+
+/// Whether a unit is of a kind that a column takes.
+fn takes(column: &Field, fits: impl Fn(Dim) -> bool) -> bool {
+    match measure(column) {
+        Some(measure) => measure.all().any(|measure| fits(measure.own_unit().dim)),
+        None => fits(Unit::ONE.dim),
+    }
 }
 
 fn own_unit(column: &Field) -> Unit {
@@ -351,7 +369,7 @@ fn is_bare(cell: &str) -> bool {
 
 fn read_row(cells: &[Cow<'_, str>], columns: &'static [Field], found: &[Unit]) -> Result<Vec<f64>, Text> {
     let cell = |((text, column), unit): ((&Cow<'_, str>, &Field), &Unit)| {
-        let kind = measure(column).map_or(Kind::Other, |measure| measure.kind());
+        let kind = measure(column).map_or(Kind::Other, |measure| measure.of(unit).kind());
         // The separator of its columns tells that the comma of a table is a decimal one.
         units::read_quantity(&units::with_point(text), unit, kind)
             .map(|quantity| quantity.si)

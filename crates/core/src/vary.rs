@@ -51,7 +51,7 @@ pub fn inputs(record: &Record) -> Vec<Input> {
             label: label(field.label, &path, axis),
             path,
             symbol: field.symbol,
-            measure,
+            measure: measure.of(unit),
             unit: unit.clone(),
             si,
         };

@@ -22,7 +22,7 @@ struct Bench<'s> {
 
 /// An input of that symbol in that unit.
 fn input(symbol: &'static str, unit: &'static str) -> Given<'static> {
-    let measure = Measure { unit, kind: None, min: Limit::None, max: Limit::None };
+    let measure = Measure { unit, kind: None, min: Limit::None, max: Limit::None, others: &[] };
     let field = Field {
         name: symbol,
         label: "",
@@ -31,6 +31,7 @@ fn input(symbol: &'static str, unit: &'static str) -> Given<'static> {
         default: None,
         default_before: None,
         kept_in: None,
+        former: &[],
         shape: Shape::Quantity(measure),
     };
     Given { field: Box::leak(Box::new(field)), at: None, value: None, trail: &Trail::TOP }

@@ -2,7 +2,9 @@
 
 use proc_macro2::{Literal, TokenStream as Tokens};
 use quote::format_ident;
-use syn::{Data, DataEnum, DeriveInput, Error, Fields, FieldsNamed, Ident, Result, Visibility};
+use syn::{
+    Data, DataEnum, DeriveInput, Error, Fields, FieldsNamed, Ident, Result, Type, Variant, Visibility,
+};
 
 use crate::field::{Arguments, FieldKind, documentation};
 
@@ -49,10 +51,11 @@ impl Group {
             let shape = asks.shape(&arguments)?;
             let (default, before) = (arguments.text("default"), arguments.text("default_before"));
             let kept_in = arguments.text("kept_in");
+            let former = arguments.former()?;
             described.push(code! {
                 dalembert_core::Field {
                     name: #name, label: #label, help: #help, symbol: #symbol, default: #default,
-                    default_before: #before, kept_in: #kept_in, shape: #shape,
+                    default_before: #before, kept_in: #kept_in, former: #former, shape: #shape,
                 }
             });
             names.push(ident.clone());
@@ -185,16 +188,54 @@ fn structure(item: &DeriveInput, fields: &FieldsNamed) -> Result<Tokens> {
     })
 }
 
-fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
-    let name = &item.ident;
-    let visibility: &Visibility = &item.vis;
-    let given_name = format_ident!("{name}Given");
-    // Without a number in any alternative there is nothing to lift to the worksheet.
-    let mut plain = true;
-    let (mut described, mut statics, mut reads, mut givens) =
-        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    let (mut slots, mut given_variants) = (Vec::new(), Vec::new());
-    for (at, variant) in data.variants.iter().enumerate() {
+/// The alternatives of an enum as code. Those of a flattened enum stand among its own: where an alternative stands among
+/// all is then known at run time only.
+#[derive(Default)]
+struct Alternatives {
+    statics: Vec<Tokens>,
+    /// Expressions of `&[Variant]`; the own ones are one long.
+    described: Vec<Tokens>,
+    reads: Vec<Tokens>,
+    givens: Vec<Tokens>,
+    given_variants: Vec<Tokens>,
+    slots: Vec<Tokens>,
+    /// The own alternatives so far, and the flattened types.
+    own: usize,
+    flattened: Vec<Type>,
+    /// Without a number in any alternative there is nothing to lift to the worksheet.
+    lifts: bool,
+}
+
+impl Alternatives {
+    /// The place of the next alternative.
+    fn place(&self) -> Tokens {
+        let (own, flattened) = (Literal::usize_unsuffixed(self.own), &self.flattened);
+        code! { #own #(+ support::variants::<#flattened>().len())* }
+    }
+
+    fn flatten(&mut self, ident: &Ident, ty: &Type, given_name: &Ident) {
+        let place = self.place();
+        self.described.push(code! { support::variants::<#ty>() });
+        self.reads.push(code! {
+            if let Some(value) = support::flattened::<#ty>(value, #place) {
+                return <#ty as dalembert_core::Inputs>::read(&value, trail, errors).map(Self::#ident);
+            }
+        });
+        let doc = format!("An alternative of [`{ident}`](Self::{ident}).");
+        self.given_variants.push(code! {
+            #[doc = #doc] #ident(<#ty as dalembert_core::Inputs>::Given<W>)
+        });
+        self.givens.push(code! {
+            Self::#ident(this) => #given_name::#ident(dalembert_core::Inputs::given(this, lift)),
+        });
+        self.slots.push(
+            code! { (first, Self::#ident(this)) => support::flattened_slot(this, first, #place, rest), },
+        );
+        self.flattened.push(ty.clone());
+        self.lifts = true;
+    }
+
+    fn add(&mut self, variant: &Variant, given_name: &Ident) -> Result<()> {
         let (label, help) = documentation(&variant.attrs);
         if label.is_empty() {
             let why = "an alternative needs a line of documentation: it is the label in the form";
@@ -208,31 +249,36 @@ fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
             Fields::Named(fields) => fields,
             Fields::Unit => &empty,
             Fields::Unnamed(_) => {
-                return Err(Error::new_spanned(variant, "the inputs of an alternative have names"));
+                let why = "the inputs of an alternative have names, but for `#[input(flatten)]` of one type";
+                return Err(Error::new_spanned(variant, why));
             }
         };
         let group = Group::of(fields)?;
         let (ident, key) = (&variant.ident, kebab(&variant.ident.to_string()));
-        let (list, inner) = (format_ident!("FIELDS_{at}"), &group.described);
-        let at = Literal::usize_unsuffixed(at);
-        statics.push(code! { static #list: &[dalembert_core::Field] = &[#(#inner),*]; });
-        described.push(code! {
-            dalembert_core::Variant { name: #key, label: #label, help: #help, fields: || #list }
+        let (list, inner) = (format_ident!("FIELDS_{}", self.own), &group.described);
+        let former = Arguments::of(&variant.attrs)?.former()?;
+        let place = self.place();
+        self.own += 1;
+        self.statics.push(code! { static #list: &[dalembert_core::Field] = &[#(#inner),*]; });
+        self.described.push(code! {
+            &[dalembert_core::Variant {
+                name: #key, label: #label, help: #help, fields: || #list, former: #former,
+            }]
         });
         let (read, names, given, slot) = (group.read(), &group.names, group.given(), group.slots());
         let text = &key;
-        reads.push(code! {
-            Some(#at) => {
+        self.reads.push(code! {
+            if support::variant(value) == Some(#place) {
                 let trail = &trail.field(#text);
                 #read
-                Some(Self::#ident { #(#names),* })
+                return Some(Self::#ident { #(#names),* });
             }
         });
-        plain &= given.is_empty();
+        self.lifts |= !given.is_empty();
         let fields = group.given_fields(&code! {});
         let doc = format!("{label}.");
-        given_variants.push(code! { #[doc = #doc] #ident { #(#fields,)* } });
-        givens.push(code! {
+        self.given_variants.push(code! { #[doc = #doc] #ident { #(#fields,)* } });
+        self.givens.push(code! {
             Self::#ident { #(#names),* } => {
                 let fields = #list;
                 let trail = lift.trail.field(#text);
@@ -241,21 +287,55 @@ fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
                 #given_name::#ident { #(#given,)* }
             }
         });
-        slots.push(code! { (#at, Self::#ident { #(#names),* }) => {
+        self.slots.push(code! { (first, Self::#ident { #(#names),* }) if first == #place => {
             let (first, rest) = rest.split_first()?;
             let _ = (rest, #(&#names,)*);
             match first { #(#slot)* _ => None }
         } });
+        Ok(())
     }
-    let (given_type, given_item, given_body) = if plain {
-        (code! { () }, code! {}, code! { let _ = lift; })
+}
+
+fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
+    let name = &item.ident;
+    let visibility: &Visibility = &item.vis;
+    let given_name = format_ident!("{name}Given");
+    let mut all = Alternatives::default();
+    for variant in &data.variants {
+        match &variant.fields {
+            Fields::Unnamed(fields)
+                if fields.unnamed.len() == 1 && Arguments::of(&variant.attrs)?.has("flatten") =>
+            {
+                all.flatten(&variant.ident, &fields.unnamed[0].ty, &given_name);
+            }
+            _ => all.add(variant, &given_name)?,
+        }
+    }
+    let Alternatives { statics, described, reads, givens, given_variants, slots, flattened, lifts, .. } = all;
+    let variants = if flattened.is_empty() {
+        code! {
+            static VARIANTS: &[dalembert_core::Variant] = &[#((#described)[0]),*];
+            fn variants() -> &'static [dalembert_core::Variant] { VARIANTS }
+        }
     } else {
+        code! {
+            fn variants() -> &'static [dalembert_core::Variant] {
+                static VARIANTS: ::std::sync::OnceLock<::std::vec::Vec<dalembert_core::Variant>> =
+                    ::std::sync::OnceLock::new();
+                let all: &[&[dalembert_core::Variant]] = &[#(#described),*];
+                VARIANTS.get_or_init(|| all.concat())
+            }
+        }
+    };
+    let (given_type, given_item, given_body) = if lifts {
         let doc = format!("The inputs of [`{name}`] as numbers of a worksheet.");
         let item = code! {
             #[doc = #doc]
             #visibility enum #given_name<W: dalembert_core::Worksheet> { #(#given_variants,)* }
         };
         (code! { #given_name<W> }, item, code! { match self { #(#givens)* } })
+    } else {
+        (code! { () }, code! {}, code! { let _ = lift; })
     };
     Ok(code! {
         #given_item
@@ -264,10 +344,10 @@ fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
             use dalembert_core::derive_support as support;
 
             #(#statics)*
-            static VARIANTS: &[dalembert_core::Variant] = &[#(#described),*];
+            #variants
 
             impl dalembert_core::Inputs for #name {
-                const SHAPE: dalembert_core::Shape = dalembert_core::Shape::OneOf(|| VARIANTS);
+                const SHAPE: dalembert_core::Shape = dalembert_core::Shape::OneOf(variants);
                 type Given<W: dalembert_core::Worksheet> = #given_type;
 
                 fn read(
@@ -275,10 +355,8 @@ fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
                     trail: &support::Trail<'_>,
                     errors: &mut ::std::vec::Vec<dalembert_core::FieldError>,
                 ) -> ::std::option::Option<Self> {
-                    match support::variant(value) {
-                        #(#reads)*
-                        _ => support::one_of(trail, errors),
-                    }
+                    #(#reads)*
+                    support::one_of(trail, errors)
                 }
 
                 #[inline]
@@ -288,7 +366,7 @@ fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
 
                 #[inline]
                 fn slot(&mut self, path: &[usize]) -> ::std::option::Option<&mut f64> {
-                    let (first, rest) = path.split_first()?;
+                    let (&first, rest) = path.split_first()?;
                     match (first, self) { #(#slots)* _ => None }
                 }
             }

@@ -9,6 +9,8 @@ use syn::{
 /// Kind of a field, by its type.
 pub(crate) enum FieldKind {
     Quantity,
+    /// A quantity of one of several kinds: its measure.
+    Measured(Tokens),
     Vector,
     Text,
     Flag,
@@ -49,6 +51,7 @@ impl FieldKind {
         };
         Ok(match last.ident.to_string().as_str() {
             "f64" => FieldKind::Quantity,
+            "MeasuredQuantity" => FieldKind::Measured(arguments.measures()?),
             "Vector3" => FieldKind::Vector,
             "String" => FieldKind::Text,
             "bool" => FieldKind::Flag,
@@ -64,7 +67,7 @@ impl FieldKind {
     /// Returns true if the field is part of `NameGiven`.
     pub(crate) fn is_lifted(&self) -> bool {
         match self {
-            FieldKind::Quantity | FieldKind::Vector | FieldKind::Nested(_) => true,
+            FieldKind::Quantity | FieldKind::Measured(_) | FieldKind::Vector | FieldKind::Nested(_) => true,
             FieldKind::Optional(inner) | FieldKind::Rows(inner) => inner.is_lifted(),
             FieldKind::Text
             | FieldKind::Flag
@@ -90,6 +93,7 @@ impl FieldKind {
                 let measure = arguments.measure()?;
                 code! { dalembert_core::Shape::Quantity(#measure) }
             }
+            FieldKind::Measured(measure) => code! { dalembert_core::Shape::Quantity(#measure) },
             FieldKind::Vector => {
                 let measure = arguments.measure()?;
                 let len: usize = if arguments.has("planar") { 2 } else { 3 };
@@ -136,6 +140,9 @@ impl FieldKind {
     pub(crate) fn read(&self) -> Tokens {
         match self {
             FieldKind::Quantity => code! { support::quantity(value, trail, errors) },
+            FieldKind::Measured(measure) => code! {
+                { const MEASURE: dalembert_core::Measure = #measure; support::measured(value, MEASURE, trail, errors) }
+            },
             FieldKind::Vector => code! { support::vector(value, trail, errors) },
             FieldKind::Text => code! { support::text(value, trail, errors) },
             FieldKind::Flag => code! { support::flag(value, trail, errors) },
@@ -152,7 +159,7 @@ impl FieldKind {
                 code! { support::rows(value, trail, errors, |value, trail, errors| #inner) }
             }
             FieldKind::Table(row) => code! {
-                support::table(value, trail, errors, |numbers| support::table_row::<#row>(numbers))
+                support::table(value, trail, errors, support::table_row::<#row>)
             },
             FieldKind::Nested(ty) => code! { <#ty as dalembert_core::Inputs>::read(value, trail, errors) },
         }
@@ -184,7 +191,7 @@ impl FieldKind {
     /// The type in `NameGiven<W>`.
     pub(crate) fn given_type(&self) -> Tokens {
         match self {
-            FieldKind::Quantity => code! { W::Num },
+            FieldKind::Quantity | FieldKind::Measured(_) => code! { W::Num },
             FieldKind::Vector => code! { W::Vec },
             FieldKind::Optional(inner) => {
                 let inner = inner.given_type();
@@ -203,6 +210,7 @@ impl FieldKind {
     pub(crate) fn given(&self) -> Tokens {
         match self {
             FieldKind::Quantity => code! { support::given(lift, field, *this) },
+            FieldKind::Measured(_) => code! { support::given(lift, field, this.si) },
             FieldKind::Vector => code! { support::given_vector(lift, field, *this) },
             FieldKind::Optional(inner) => {
                 let inner = inner.given();
@@ -229,6 +237,7 @@ impl FieldKind {
     pub(crate) fn given_in_group(&self, at: &Literal) -> Option<Tokens> {
         match self {
             FieldKind::Quantity => Some(code! { support::field_given(lift, fields, #at, *this) }),
+            FieldKind::Measured(_) => Some(code! { support::field_given(lift, fields, #at, this.si) }),
             FieldKind::Vector => Some(code! { support::field_given_vector(lift, fields, #at, *this) }),
             FieldKind::Optional(inner) if matches!(**inner, FieldKind::Quantity | FieldKind::Vector) => {
                 let inner = inner.given_in_group(at)?;
@@ -242,6 +251,7 @@ impl FieldKind {
     pub(crate) fn slot(&self) -> Tokens {
         match self {
             FieldKind::Quantity => code! { if rest.is_empty() { Some(this) } else { None } },
+            FieldKind::Measured(_) => code! { if rest.is_empty() { Some(&mut this.si) } else { None } },
             FieldKind::Vector => code! { if let [axis] = rest { this.get_mut(*axis) } else { None } },
             FieldKind::Optional(inner) => {
                 let inner = inner.slot();
@@ -270,7 +280,7 @@ impl Arguments {
                     Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => found.texts.push(text.value()),
                     Expr::Path(path) if path.path.get_ident().is_some() => {
                         let word = path.path.require_ident()?.to_string();
-                        let known = ["positive", "nonnegative", "planar", "table"];
+                        let known = ["positive", "nonnegative", "planar", "table", "flatten"];
                         if !known.contains(&word.as_str()) {
                             return Err(Error::new_spanned(
                                 &argument,
@@ -294,6 +304,7 @@ impl Arguments {
                             "default",
                             "default_before",
                             "kept_in",
+                            "formerly",
                             "rows",
                         ];
                         if !known.contains(&name.as_str()) {
@@ -335,16 +346,48 @@ impl Arguments {
         Error::new(self.span.unwrap_or_else(proc_macro2::Span::call_site), message)
     }
 
+    /// The former alternatives of a field or of an alternative: `&[&str]`.
+    pub(crate) fn former(&self) -> Result<Tokens> {
+        let names = self.words_of("formerly")?;
+        Ok(code! { &[#(#names),*] })
+    }
+
+    /// What stands between the bars of a text: `"a | b"`.
+    fn words_of(&self, name: &str) -> Result<Vec<String>> {
+        match self.value(name) {
+            Some(Expr::Lit(ExprLit { lit: Lit::Str(text), .. })) => Ok(between_bars(&text.value())),
+            Some(other) => Err(Error::new_spanned(other, "expected a text in quotes")),
+            None => Ok(Vec::new()),
+        }
+    }
+
     fn measure(&self) -> Result<Tokens> {
         let [_, unit] = &self.texts[..] else {
             return Err(self.error("a quantity needs #[input(\"symbol\", \"unit\")]"));
         };
-        let kind = match self.value("kind") {
-            Some(Expr::Lit(ExprLit { lit: Lit::Str(name), .. })) => {
-                let name = name.parse::<syn::Ident>()?;
+        self.measure_in(unit, self.words_of("kind")?.first(), &[])
+    }
+
+    /// The measure of a quantity of one of several kinds, whose units stand between bars, as do their kinds.
+    fn measures(&self) -> Result<Tokens> {
+        let units = self.texts.get(1).map(|units| between_bars(units)).unwrap_or_default();
+        let ([first, others @ ..], kinds) = (&units[..], self.words_of("kind")?) else {
+            return Err(self.error("a measured quantity needs #[input(\"symbol\", \"unit | unit | …\")]"));
+        };
+        if ![0, units.len()].contains(&kinds.len()) {
+            return Err(self.error("write a kind for each unit, with bars between them"));
+        }
+        let others = others.iter().zip(1..).map(|(unit, at)| self.measure_in(unit, kinds.get(at), &[]));
+        self.measure_in(first, kinds.first(), &others.collect::<Result<Vec<_>>>()?)
+    }
+
+    fn measure_in(&self, unit: &str, kind: Option<&String>, others: &[Tokens]) -> Result<Tokens> {
+        let kind = match kind {
+            Some(name) => {
+                let name = syn::parse_str::<syn::Ident>(name)
+                    .map_err(|_| self.error("expected the name of a kind"))?;
                 code! { Some(dalembert_core::derive_support::Kind::#name) }
             }
-            Some(other) => return Err(Error::new_spanned(other, "expected the name of a kind in quotes")),
             None => code! { None },
         };
         let limit = |including: &str, excluding: &str, word: Option<(&str, &str)>| {
@@ -369,8 +412,14 @@ impl Arguments {
         };
         let min = limit("min", "above", Some(("positive", "nonnegative")));
         let max = limit("max", "below", None);
-        Ok(code! { dalembert_core::Measure { unit: #unit, kind: #kind, min: #min, max: #max } })
+        Ok(code! {
+            dalembert_core::Measure { unit: #unit, kind: #kind, min: #min, max: #max, others: &[#(#others),*] }
+        })
     }
+}
+
+fn between_bars(text: &str) -> Vec<String> {
+    text.split('|').map(|word| word.trim().to_owned()).collect()
 }
 
 /// The label and the help: the first line of documentation, and the rest.

@@ -15,6 +15,7 @@ use proc_macro::TokenStream;
 /// | type of the field | what a user sees |
 /// |---|---|
 /// | `f64` with `#[input("m", "kg", positive)]` | a quantity: symbol, unit, limits |
+/// | `MeasuredQuantity` with `#[input("A", "um \| mm/s \| 1")]` | a quantity of one of several kinds, as the unit says that is written; in a problem all are of one |
 /// | `Vector3<f64>` with `#[input("F", "N")]` | a vector; `planar` asks for two components |
 /// | `String`, `bool` | a text, yes or no |
 /// | `u32`, `u64`, `usize` with `#[input(min = 1, max = 20)]` | a whole number |
@@ -24,9 +25,14 @@ use proc_macro::TokenStream;
 /// | `Vec<T>` with `#[input(table)]` | a table with columns, typed or pasted |
 /// | another type that derives `Inputs` | its fields in place (struct), or a choice among its alternatives (enum); `#[input("A")]` gives the symbols inside an index: `r_A` |
 ///
+/// An alternative `#[input(flatten)] Round(RoundSection)` stands for those of another enum, in its place: what several
+/// choices have in common is written once.
+///
 /// Arguments of a quantity: `positive`, `nonnegative`, `above = x`, `below = x`, `min = x`, `max = x` (in the unit
 /// of the field), `kind = "Amplitude"` where the unit does not tell the kind, `default = "9.81 m/s^2"`,
 /// `default_before = "…"` the default of files of the first format, where it was another;
+/// `formerly = "displacement|velocity"` names the alternatives that stood here in earlier files, one for each kind of the
+/// quantities in them;
 /// `kept_in = "drawn"` names the optional field beside it that keeps its first value when it is changed alone. The
 /// default of a choice is the name of an alternative: `default = "hoop"`; a choice without one must be made.
 ///

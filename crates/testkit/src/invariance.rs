@@ -45,8 +45,8 @@ pub fn every_answer_scales_with_its_dimension(entries: &[&'static Entry]) {
 /// Types every input in each of its units: a unit changes how a number is shown, never what is found.
 pub fn the_unit_of_an_input_does_not_change_the_answers(entries: &[&'static Entry]) {
     on_all_cores(&forms(entries), |_, Problem { name, entry, record, solution: here }| {
-        for Varied { path, field, si, .. } in varied(record) {
-            let Some(measure) = measure(&field.shape) else { continue };
+        for Varied { path, field, si, unit, .. } in varied(record) {
+            let Some(measure) = measure(&field.shape).map(|measure| measure.of(&unit)) else { continue };
             for unit in measure.units() {
                 let mut draft = Draft::of_record(record);
                 let unit = units::unit(unit).unwrap_or_else(|err| panic!("{name}: {err}"));
@@ -222,6 +222,8 @@ struct Varied {
     path: String,
     field: &'static Field,
     si: f64,
+    /// Unit as it was written.
+    unit: units::Unit,
 }
 
 /// The quantities of a problem. Of rows that ask for the same, the first two stand for all: a shaft of eighteen
@@ -235,7 +237,8 @@ fn varied(record: &Record) -> Vec<Varied> {
         let times = seen.entry(without_rows(path)).or_default();
         *times += 1;
         if *times <= 2 {
-            all.push(Varied { place, path: path.to_owned(), field, si: quantity.si });
+            let (si, unit) = (quantity.si, quantity.unit.clone());
+            all.push(Varied { place, path: path.to_owned(), field, si, unit });
         }
         place += 1;
     });

@@ -493,7 +493,7 @@ pub fn as_line(pasted: &str) -> (String, bool) {
 pub fn echo(text: &str, shape: &Shape, style: Style) -> Option<String> {
     match (draft::read_leaf(text, shape, "").ok()?, shape) {
         (Value::Quantity(quantity), Shape::Quantity(measure)) => {
-            let shown = write_quantity(quantity.si, &measure.own_unit(), style);
+            let shown = write_quantity(quantity.si, &measure.of(&quantity.unit).own_unit(), style);
             (squeezed(&shown) != squeezed(text) || point_of_thousands(text, style).is_some()).then_some(shown)
         }
         (Value::Vector(vector), Shape::Vector(..)) => {
@@ -580,7 +580,7 @@ mod tests {
     use super::*;
 
     fn quantity(unit: &'static str) -> Shape {
-        Shape::Quantity(Measure { unit, kind: None, min: Limit::None, max: Limit::None })
+        Shape::Quantity(Measure { unit, kind: None, min: Limit::None, max: Limit::None, others: &[] })
     }
 
     #[test]

@@ -710,8 +710,8 @@ least-squares-of-all-readings = Mínimos quadrados de todas as leituras
 least-squares-with-weighting-factors = Mínimos quadrados com fatores de ponderação
 leaving-a-plane-out-by-least-squares = Deixando um plano de fora, por mínimos quadrados
 retained-each-run-includes-all-previous-trial-weights = Mantidas: cada medição inclui todas as massas de teste anteriores
-numbers-without-a-unit-divisions-volts = Números sem unidade: divisões, volts
-of-the-component-at-the-speed-of-rotation-all-readings-alike-peak-peak-to-peak-or-rms = Da componente na velocidade de rotação; todas as leituras do mesmo tipo, pico, pico a pico ou eficaz.
+of-the-component-at-the-speed-of-rotation-all-readings-alike-peak-peak-to-peak-or-rms-a-number = Da componente na velocidade de rotação; todas as leituras do mesmo tipo, pico, pico a pico ou eficaz. Um número sem unidade representa divisões ou volts.
+a-number-without-a-unit-stands-for-divisions-or-volts = Um número sem unidade representa divisões ou volts.
 angle-of-the-vibration-minus-that-of-the-weight-both-in-the-sense-of-the-trial-weight-angles = Ângulo da vibração menos o da massa, ambos no sentido dos ângulos das massas de teste.
 one-for-each-reading-of-the-initial-run-in-the-same-order = Um para cada leitura da medição inicial, na mesma ordem.
 plane = plano
@@ -862,9 +862,6 @@ volume-of-the-hole-by-simpson-s-rule-from-the-tip = volume do furo pela regra de
 weight-of-a-cylinder-of-that-depth = massa de um cilindro dessa profundidade
 
 # balancing/static-couple
-accelerations-at-two-bearings = Acelerações em dois mancais
-displacements-at-two-bearings = Deslocamentos em dois mancais
-velocities-at-two-bearings = Velocidades em dois mancais
 weights-in-two-planes-at-the-same-radius = Massas em dois planos, no mesmo raio
 angle-of-the-couple-component-in-the-first-vector = Ângulo da componente de binário no primeiro vetor
 component-of-the-vector = Componente do vetor
@@ -1246,6 +1243,7 @@ weights-that-balance-each-other = Massas que se equilibram
 two-equal-weights-opposite-to-each-other = duas massas iguais, opostas entre si
 
 # static_couple.toml
+accelerations-at-two-bearings = Acelerações em dois mancais
 readings-of-two-bearings = Leituras de dois mancais
 half-the-sum-and-half-the-difference-of-100-m-at-30-and-80-m-at-200 = a metade da soma e a metade da diferença de 100 µm a 30° e 80 µm a 200°
 weights-that-are-a-couple-alone = Massas que formam só um conjugado

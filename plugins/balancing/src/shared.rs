@@ -1,4 +1,6 @@
 //! Parts that several analyses share: inputs, steps of the working and pictures.
 
+pub mod crank;
+pub mod reading;
 pub mod rotor;
 pub(crate) mod views;

@@ -3,6 +3,9 @@
 pub(crate) mod built;
 pub(crate) mod dyad;
 pub(crate) mod equilibria;
+pub mod flywheel;
+pub mod linkage;
 pub(crate) mod one_degree_of_freedom;
 pub mod parts;
+pub(crate) mod scissor;
 pub mod works;

@@ -52,7 +52,7 @@ fn inside(table: &mut String, shape: &Json, path: &str) {
 /// Description of the value of a field.
 fn asked(shape: &Json) -> String {
     match text(shape, "kind") {
-        "quantity" => format!("{}{}", in_unit(shape), limits(shape)),
+        "quantity" => format!("{}{}", in_one_of(shape, array(&shape["others"])), limits(shape)),
         "vector" => format!("{} components, {}", shape["components"], in_unit(shape)),
         "text" => "words".to_owned(),
         "flag" => "yes or no".to_owned(),
@@ -74,6 +74,20 @@ fn in_unit(shape: &Json) -> String {
     match text(shape, "unit") {
         "" | "1" => text(shape, "quantity").to_owned(),
         unit => format!("{} in {unit}", text(shape, "quantity")),
+    }
+}
+
+/// `a velocity in mm/s, an acceleration in m/s^2 or a ratio`; what has no name of its own by its units alone.
+fn in_one_of(shape: &Json, others: &[Json]) -> String {
+    let unnamed = |other: &Json| text(other, "quantity") == text(shape, "quantity");
+    let other = |other| if unnamed(other) { text(other, "unit").to_owned() } else { in_unit(other) };
+    match others {
+        [] => in_unit(shape),
+        [between @ .., last] => {
+            let first: Vec<String> =
+                std::iter::once(in_unit(shape)).chain(between.iter().map(other)).collect();
+            format!("{} or {}", first.join(", "), other(last))
+        }
     }
 }
 

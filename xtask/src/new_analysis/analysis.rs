@@ -1,7 +1,7 @@
 //! A mass on a spring that is released: a small analysis to begin with. Make it yours.
 //!
 //! This file is all there is: `register!` puts the analysis into the workbench, the command line, the reference
-//! and the tests. Its cases stand beside it in `cases/analysis_name.toml`.
+//! and the tests. Its cases stand in `cases/analysis_name.toml`.
 
 use std::f64::consts::TAU;
 
@@ -37,11 +37,11 @@ impl Analysis for AnalysisName {
     const ABOUT: About = About {
         id: "family/analysis-name",
         title: "Analysis name",
-        topic: "Free vibration",
+        topic: "Topic of it",
         summary: "Natural frequency, period and maximum speed of a mass on a spring, released from rest.",
         keywords: "mass spring free vibration natural frequency massa mola",
         sources: &[&TEXTBOOK],
-        cases: include_str!("../cases/analysis_name.toml"),
+        cases: include_str!("../../cases/analysis_name.toml"),
     };
 
     // Every formula is written once. Read with `f64` it is the number of a sweep; read with a term of the worksheet it

@@ -1,5 +1,5 @@
 analysis-name = Analysis name
-free-vibration = Vibração livre
+topic-of-it = Topic of it
 natural-frequency-period-and-maximum-speed-of-a-mass-on-a-spring-released-from-rest = Frequência natural, período e velocidade máxima de uma massa numa mola, solta do repouso.
 mass = Massa
 stiffness-of-the-spring = Rigidez da mola

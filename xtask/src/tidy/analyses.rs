@@ -1,7 +1,12 @@
-//! One analysis, one file; its id, file, type and case file have the same name.
+//! One analysis, one file in the folder of its topic; its id, file, type and case file have the same name.
 
-use super::{Tree, lines};
-use crate::names::{pascal, snake};
+use std::collections::BTreeSet;
+
+use super::{Tree, lines, loops::imports};
+use crate::names::{pascal, snake, snake_of};
+
+/// What may stand beside the topics in the sources of a family.
+const BESIDE: [&str; 3] = ["lib", "shared", "sources"];
 
 pub(super) fn an_analysis_is_one_file(tree: &Tree) -> Vec<String> {
     let mut faults = Vec::new();
@@ -14,30 +19,41 @@ pub(super) fn an_analysis_is_one_file(tree: &Tree) -> Vec<String> {
         if let Some((line, _)) = registered.get(1) {
             faults.push(format!("{path}:{line}: a second analysis in one file; give it a file of its own"));
         }
-        let name = file.trim_end_matches(".rs");
-        if name.contains('/') {
-            faults.push(format!("{path}:{line}: an analysis stands directly in plugins/{family}/src"));
-            continue;
-        }
+        let heading = topic(text).unwrap_or_default();
+        let folder = snake_of(heading);
+        let name = match file.split_once('/') {
+            Some((beside, name)) if beside == folder && !name.contains('/') => name,
+            _ => {
+                faults.push(format!(
+                    "{path}:{line}: an analysis stands in the folder of its topic, plugins/{family}/src/{folder}"
+                ));
+                continue;
+            }
+        };
         if analysis != pascal(name) {
             let wanted = pascal(name);
-            faults.push(format!("{path}:{line}: `{analysis}` in a file named {file}; call it `{wanted}`"));
+            faults.push(format!("{path}:{line}: `{analysis}` in a file named {name}.rs; call it `{wanted}`"));
         }
         let id = format!("{family}/{}", name.replace('_', "-"));
         if !text.contains(&format!("id: \"{id}\"")) {
             faults.push(format!("{path}:{line}: the id of this analysis must be \"{id}\""));
         }
         let cases = format!("cases/{name}.toml");
-        if !text.contains(&format!("include_str!(\"../{cases}\")"))
+        if !text.contains(&format!("include_str!(\"../../{cases}\")"))
             || !tree.has(&format!("plugins/{family}/{cases}"))
         {
             faults.push(format!("{path}:{line}: its cases must be in plugins/{family}/{cases}"));
         }
-        let library = tree.text(&format!("plugins/{family}/src/lib.rs")).unwrap_or_default();
-        if !lines(library).any(|(_, line)| line.ends_with(&format!("mod {name};"))) {
-            faults.push(format!(
-                "{path}: is not compiled; write `pub mod {name};` in plugins/{family}/src/lib.rs"
-            ));
+        for (module, within, wanted) in [
+            (name, format!("plugins/{family}/src/{folder}.rs"), format!("//! {heading}.")),
+            (folder.as_str(), format!("plugins/{family}/src/lib.rs"), String::new()),
+        ] {
+            let have = tree.text(&within).unwrap_or_default();
+            if !lines(have).any(|(_, line)| line == format!("pub mod {module};")) {
+                faults.push(format!("{path}: is not compiled; write `pub mod {module};` in {within}"));
+            } else if !have.starts_with(&wanted) {
+                faults.push(format!("{within}:1: the topic is written `{wanted}`, as its analyses name it"));
+            }
         }
     }
     for (path, _) in tree.iter() {
@@ -48,9 +64,68 @@ pub(super) fn an_analysis_is_one_file(tree: &Tree) -> Vec<String> {
         else {
             continue;
         };
-        let source = format!("plugins/{family}/src/{}.rs", snake(name));
-        if name != snake(name) || !tree.text(&source).is_some_and(|text| text.contains("\nregister!(")) {
-            faults.push(format!("{path}: no analysis in {source} has these cases"));
+        let source = |(path, text): (&str, &str)| {
+            place(path).is_some_and(|(of, file)| of == family && file.ends_with(&format!("/{name}")))
+                && is_registered(text)
+        };
+        if name != snake(name) || !tree.sources().any(source) {
+            faults.push(format!(
+                "{path}: no analysis {name}.rs of a topic in plugins/{family}/src has these cases"
+            ));
+        }
+    }
+    faults.sort();
+    faults.dedup();
+    faults
+}
+
+/// What several analyses use stands in `shared`, not between them.
+pub(super) fn a_topic_holds_analyses_alone(tree: &Tree) -> Vec<String> {
+    let analyses: BTreeSet<&str> = tree
+        .sources()
+        .filter(|(_, text)| is_registered(text))
+        .map(|(path, _)| path.trim_end_matches(".rs"))
+        .collect();
+    let topics: BTreeSet<&str> =
+        analyses.iter().filter_map(|path| path.rsplit_once('/')).map(|(topic, _)| topic).collect();
+    let mut faults = Vec::new();
+    for (path, _) in tree.sources() {
+        let Some((family, file)) = place(path) else { continue };
+        let source = path.trim_end_matches(".rs");
+        let above = source.match_indices('/').map(|(at, _)| &source[..at]);
+        if BESIDE.iter().any(|beside| file.split('/').next() == Some(beside))
+            || topics.contains(source)
+            || analyses.contains(source)
+            || above.into_iter().any(|folder| analyses.contains(folder))
+        {
+            continue;
+        }
+        faults.push(format!(
+            "{path}: neither an analysis nor a part of one; what several use stands in plugins/{family}/src/shared"
+        ));
+    }
+    faults
+}
+
+/// An analysis is a face, not a library: it can be changed, moved and taken out alone.
+pub(super) fn an_analysis_is_imported_by_nothing(tree: &Tree) -> Vec<String> {
+    let analyses: BTreeSet<&str> = tree
+        .sources()
+        .filter(|(path, text)| place(path).is_some() && is_registered(text))
+        .map(|(path, _)| path)
+        .collect();
+    let is_part = |path: &str, analysis: &str| {
+        path.strip_prefix(analysis.trim_end_matches(".rs"))
+            .is_some_and(|rest| rest == ".rs" || rest.starts_with('/'))
+    };
+    let mut faults = Vec::new();
+    for (path, others) in imports(tree, "plugins/") {
+        for other in others {
+            let of = analyses.iter().find(|analysis| is_part(other, analysis));
+            if let Some(analysis) = of.filter(|analysis| !is_part(path, analysis)) {
+                faults
+                    .push(format!("{path}: imports the analysis {analysis}; move what both use to `shared`"));
+            }
         }
     }
     faults
@@ -87,8 +162,17 @@ pub(super) fn every_plugin_is_in_the_bundle(tree: &Tree) -> Vec<String> {
     faults
 }
 
-/// `plugins/FAMILY/src/FILE` as family and file.
+/// `plugins/FAMILY/src/FILE.rs` as family and file.
 fn place(path: &str) -> Option<(&str, &str)> {
     let (family, file) = path.strip_prefix("plugins/")?.split_once("/src/")?;
-    (family != "bundle").then_some((family, file))
+    Some((family, file.strip_suffix(".rs")?)).filter(|_| family != "bundle")
+}
+
+fn is_registered(text: &str) -> bool {
+    text.contains("\nregister!(")
+}
+
+/// The topic that an analysis names.
+fn topic(text: &str) -> Option<&str> {
+    text.split_once("topic: \"")?.1.split('"').next()
 }

@@ -12,29 +12,36 @@ use super::Tree;
 /// A module of a crate: the folder of the crate, and the names from its root.
 type Module = (String, Vec<String>);
 
-pub(super) fn files_do_not_import_each_other_in_a_loop(tree: &Tree) -> Vec<String> {
-    let sources: BTreeMap<Module, (&str, &str)> =
-        tree.sources().filter_map(|(path, text)| Some((module(path)?, (path, text)))).collect();
-    let mut imports: BTreeMap<&Module, BTreeSet<&Module>> = BTreeMap::new();
-    for (module, (_, text)) in &sources {
+/// The files below a folder, and those of the same crate that each imports. A module and what lies below it are one
+/// thing: its face may name its parts.
+pub(super) fn imports<'t>(tree: &'t Tree, below: &str) -> BTreeMap<&'t str, BTreeSet<&'t str>> {
+    let sources: BTreeMap<Module, (&str, &str)> = tree
+        .sources()
+        .filter(|(path, _)| path.starts_with(below))
+        .filter_map(|(path, text)| Some((module(path)?, (path, text))))
+        .collect();
+    let mut imports = BTreeMap::new();
+    for (module, (path, text)) in &sources {
         let Ok(parsed) = syn::parse_file(text) else { continue };
         let mut paths = Paths::default();
         paths.visit_file(&parsed);
         let met = paths.0.iter().filter_map(|path| resolved(module, path, &sources));
-        // A module and what lies below it are one thing: its face may name its parts.
-        imports.insert(
-            module,
-            met.filter(|other| !is_within(module, other) && !is_within(other, module)).collect(),
-        );
+        let others = met.filter(|other| !is_within(module, other) && !is_within(other, module));
+        imports.insert(*path, others.map(|other| sources[other].0).collect());
     }
+    imports
+}
+
+pub(super) fn files_do_not_import_each_other_in_a_loop(tree: &Tree) -> Vec<String> {
+    let mut imports = imports(tree, "");
     // What imports nothing of the rest, or is imported by nothing of it, is in no loop.
     loop {
-        let all: BTreeSet<&Module> = imports.keys().copied().collect();
-        let used: BTreeSet<&Module> = imports.values().flatten().copied().collect();
+        let all: BTreeSet<&str> = imports.keys().copied().collect();
+        let used: BTreeSet<&str> = imports.values().flatten().copied().collect();
         let before = imports.len();
-        imports.retain(|module, others| {
+        imports.retain(|file, others| {
             others.retain(|other| all.contains(other));
-            !others.is_empty() && used.contains(module)
+            !others.is_empty() && used.contains(file)
         });
         if imports.len() == before {
             break;
@@ -42,9 +49,9 @@ pub(super) fn files_do_not_import_each_other_in_a_loop(tree: &Tree) -> Vec<Strin
     }
     imports
         .iter()
-        .map(|(module, others)| {
-            let names: Vec<&str> = others.iter().map(|other| sources[*other].0).collect();
-            format!("{}: in a loop of imports, with {}", sources[*module].0, names.join(", "))
+        .map(|(file, others)| {
+            let names: Vec<&str> = others.iter().copied().collect();
+            format!("{file}: in a loop of imports, with {}", names.join(", "))
         })
         .collect()
 }

@@ -8,8 +8,10 @@ pub struct TwoPlane {}
 
 register!(TwoPlane);
 
-const ID: About = About { id: \"balancing/two-plane\", cases: include_str!(\"../cases/two_plane.toml\") };
+const ID: About = About { id: \"balancing/two-plane\", topic: \"Rigid rotors\", cases: include_str!(\"../../cases/two_plane.toml\") };
 ";
+
+const TWO_PLANE: &str = "plugins/balancing/src/rigid_rotors/two_plane.rs";
 
 const MANIFEST: &str = "\
 [lints]
@@ -25,8 +27,9 @@ fn tree(changes: &[(&str, &str)]) -> Tree {
     let mut tree = Tree::of(&[
         ("Cargo.toml", "[workspace.lints.rust]\nunsafe_code = \"forbid\"\n"),
         ("plugins/balancing/Cargo.toml", MANIFEST),
-        ("plugins/balancing/src/lib.rs", "pub mod two_plane;\n"),
-        ("plugins/balancing/src/two_plane.rs", ANALYSIS),
+        ("plugins/balancing/src/lib.rs", "pub mod rigid_rotors;\n"),
+        ("plugins/balancing/src/rigid_rotors.rs", "//! Rigid rotors.\n\npub mod two_plane;\n"),
+        (TWO_PLANE, ANALYSIS),
         ("plugins/balancing/cases/two_plane.toml", "[[case]]\n"),
         (
             "plugins/bundle/Cargo.toml",
@@ -63,24 +66,99 @@ fn a_sound_tree_has_no_faults() {
 
 #[test]
 fn an_analysis_has_one_name() {
-    let source = "plugins/balancing/src/two_plane.rs";
     finds(
-        &[(source, &ANALYSIS.replace("TwoPlane", "Planes"))],
+        &[(TWO_PLANE, &ANALYSIS.replace("TwoPlane", "Planes"))],
         "two_plane.rs:4: `Planes` in a file named two_plane.rs",
     );
-    finds(&[(source, &ANALYSIS.replace("balancing/two", "balance/two"))], "must be \"balancing/two-plane\"");
-    finds(&[(source, &format!("{ANALYSIS}register!(Other);\n"))], "a second analysis");
+    finds(
+        &[(TWO_PLANE, &ANALYSIS.replace("balancing/two", "balance/two"))],
+        "must be \"balancing/two-plane\"",
+    );
+    finds(&[(TWO_PLANE, &format!("{ANALYSIS}register!(Other);\n"))], "a second analysis");
     finds(&[("plugins/balancing/cases/two_plane.toml", "")], "its cases must be in");
     finds(
         &[("plugins/balancing/cases/gone.toml", "[[case]]\n")],
-        "no analysis in plugins/balancing/src/gone.rs",
+        "no analysis gone.rs of a topic in plugins/balancing/src",
     );
-    finds(&[("plugins/balancing/src/lib.rs", "//! Nothing.\n")], "is not compiled");
+    let topic = "plugins/balancing/src/rigid_rotors.rs";
+    finds(
+        &[(topic, "//! Rigid rotors.\n")],
+        "write `pub mod two_plane;` in plugins/balancing/src/rigid_rotors.rs",
+    );
+    finds(
+        &[("plugins/balancing/src/lib.rs", "//! Nothing.\n")],
+        "write `pub mod rigid_rotors;` in plugins/balancing/src/lib.rs",
+    );
+    finds(
+        &[(topic, "//! Rotors.\n\npub mod two_plane;\n")],
+        "rigid_rotors.rs:1: the topic is written `//! Rigid rotors.`",
+    );
+    finds(
+        &[(TWO_PLANE, &ANALYSIS.replace("Rigid rotors", "Field balancing"))],
+        "two_plane.rs:4: an analysis stands in the folder of its topic, plugins/balancing/src/field_balancing",
+    );
+}
+
+#[test]
+fn a_topic_holds_analyses_alone() {
+    let beside = [
+        ("plugins/balancing/src/shared.rs", "pub mod rotor;\n"),
+        ("plugins/balancing/src/shared/rotor.rs", "pub struct Rotor;\n"),
+        ("plugins/balancing/src/sources.rs", "//! Books.\n"),
+        ("plugins/balancing/src/rigid_rotors/two_plane/planes.rs", "pub struct Planes;\n"),
+    ];
+    assert_eq!(faults(&tree(&beside)), [""; 0]);
+    for alone in ["planes.rs", "rigid_rotors/planes.rs", "other/planes.rs"] {
+        let path = format!("plugins/balancing/src/{alone}");
+        finds(&[(&path, "pub struct Planes;\n")], &format!("{alone}: neither an analysis nor a part of one"));
+    }
+}
+
+#[test]
+fn an_analysis_is_imported_by_nothing() {
+    let other = "plugins/balancing/src/rigid_rotors/splitting.rs";
+    let splitting = ANALYSIS.replace("TwoPlane", "Splitting").replace("two-plane", "splitting");
+    let splitting = splitting.replace("two_plane", "splitting");
+    let with = |path, text: &str| {
+        let topic = "//! Rigid rotors.\n\npub mod splitting;\npub mod two_plane;\n";
+        let files = [
+            ("plugins/balancing/src/rigid_rotors.rs", topic),
+            ("plugins/balancing/cases/splitting.toml", "[[case]]\n"),
+            ("plugins/balancing/src/rigid_rotors/two_plane/planes.rs", "pub struct Planes;\n"),
+            ("plugins/balancing/src/shared/rotor.rs", "pub struct Rotor;\n"),
+            (other, splitting.as_str()),
+            (path, text),
+        ];
+        faults(&tree(&files))
+    };
+    let uses = |line: &str| format!("{line}\n{splitting}");
+    for line in ["use crate::shared::rotor::Rotor;", "use super::splitting::parts::Part;"] {
+        assert_eq!(with(other, &uses(line)), [""; 0]);
+    }
+    let part = "plugins/balancing/src/rigid_rotors/two_plane/planes.rs";
+    assert_eq!(with(part, "use super::TwoPlane;\nuse crate::shared::rotor::Rotor;\n"), [""; 0]);
+    for line in [
+        "use crate::rigid_rotors::two_plane::TwoPlane;",
+        "use super::two_plane::planes::Planes;",
+        "use crate::{\n    rigid_rotors::two_plane::planes::Planes,\n    shared::rotor::Rotor,\n};",
+        "fn x(x: crate::rigid_rotors::two_plane::TwoPlane) {}",
+    ] {
+        let found = with(other, &uses(line));
+        assert_eq!(found.len(), 1, "{line}: {found:#?}");
+        assert!(
+            found[0].contains(
+                "splitting.rs: imports the analysis plugins/balancing/src/rigid_rotors/two_plane.rs"
+            )
+        );
+    }
+    let found =
+        with("plugins/balancing/src/shared/rotor.rs", "use crate::rigid_rotors::two_plane::TwoPlane;\n");
+    assert!(found.len() == 1 && found[0].contains("shared/rotor.rs: imports the analysis"), "{found:#?}");
 }
 
 #[test]
 fn a_plugin_is_tested_from_outside() {
-    let source = "plugins/balancing/src/planes.rs";
+    let source = "plugins/balancing/src/shared/planes.rs";
     finds(&[(source, "#[test]\nfn sums() {}\n")], "planes.rs:1: is not run here; write the test in");
     assert_eq!(faults(&tree(&[("plugins/balancing/tests/planes.rs", "#[test]\nfn sums() {}\n")])), [""; 0]);
 }
@@ -162,8 +240,7 @@ fn a_file_is_written_as_agreed() {
     let with_reason = format!("{long}// Long because it is a table.\n");
     assert_eq!(faults(&tree(&[("crates/core/src/a.rs", &with_reason)])), [""; 0]);
     finds(&[("README.md", "See `crates/gone`.\n")], "README.md:1: there is no crates/gone");
-    let begun =
-        "`cargo xtask new-analysis balancing one-plane` writes `plugins/balancing/src/one_plane.rs`.\n";
+    let begun = "`cargo xtask new-analysis balancing one-plane` writes `plugins/balancing/src/rigid_rotors/one_plane.rs`.\n";
     assert_eq!(faults(&tree(&[("README.md", begun)])), [""; 0]);
 }
 

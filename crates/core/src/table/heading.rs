@@ -8,7 +8,7 @@ use std::borrow::Cow;
 
 use dalembert_units::{self as units, Unit};
 
-use super::{Separator, measure, own_unit};
+use super::{Separator, measure, own_unit, takes};
 use crate::{Field, Text, reading};
 
 /// Units that are words or common subscripts too: `x_min`, `centre of the bar`, the angle psi, `x_cg`.
@@ -167,7 +167,7 @@ fn stated(text: &str, column: &'static Field) -> Result<Option<Unit>, Text> {
         return Ok(None);
     }
     match units::unit(text) {
-        Ok(unit) if unit.dim.agrees(own_unit(column).dim) => Ok(Some(unit)),
+        Ok(unit) if takes(column, |dim| unit.dim.agrees(dim)) => Ok(Some(unit)),
         Ok(_) => Err(match own_unit(column).pretty() {
             own if own.is_empty() => Text::new("the heading gives {unit} for {column}, which has no unit"),
             own => {
@@ -208,7 +208,7 @@ fn fitting(text: &str, column: &Field) -> Option<Unit> {
     if text.is_empty() || text.starts_with(|c: char| c.is_ascii_digit()) {
         return None;
     }
-    units::unit(text).ok().filter(|unit| unit.dim == own_unit(column).dim)
+    units::unit(text).ok().filter(|unit| takes(column, |dim| dim == unit.dim))
 }
 
 /// Text after the first slash outside brackets: `t / ms`, `H / (m/N)`.

@@ -160,7 +160,6 @@ impl Writer<'_> {
 /// A text with a unit, or a bare number in the unit of the field, within its limits.
 fn quantity(measure: &Measure) -> Json {
     let mut schema = json!({ "type": ["string", "number"] });
-    let unit = measure.own_unit().ascii();
     if let Json::Object(schema) = &mut schema {
         match measure.min {
             Limit::None => {}
@@ -172,8 +171,11 @@ fn quantity(measure: &Measure) -> Json {
             Limit::Including(most) => drop(schema.insert("maximum".into(), most.into())),
             Limit::Excluding(most) => drop(schema.insert("exclusiveMaximum".into(), most.into())),
         }
-        if !unit.is_empty() {
-            schema.insert("examples".into(), json!([format!("1 {unit}")]));
+        let units = measure.all().map(|measure| measure.own_unit().ascii());
+        let examples: Vec<String> =
+            units.filter(|unit| !unit.is_empty()).map(|unit| format!("1 {unit}")).collect();
+        if !examples.is_empty() {
+            schema.insert("examples".into(), json!(examples));
         }
     }
     schema

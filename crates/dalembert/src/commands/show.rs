@@ -215,8 +215,11 @@ impl Lister<'_> {
 /// `kg, above 0`
 fn quantity(measure: &Measure, locale: &Locale) -> String {
     let own = measure.own_unit();
-    let unit = own.shown(locale.style.ascii);
-    let unit = if unit.is_empty() { Text::from("a number").render(locale) } else { unit };
+    let unit = match own.shown(locale.style.ascii) {
+        _ if !measure.others.is_empty() => measure.units_of_kinds(locale.style.ascii),
+        unit if unit.is_empty() => Text::from("a number").render(locale),
+        unit => unit,
+    };
     let limit = |words: &'static str, limit: f64| {
         let limit = units::write_number(limit, locale.style);
         format!(", {}", Text::new(words).with("limit", limit).render(locale))
@@ -316,13 +319,20 @@ fn shape(shape: &Shape, locale: &Locale, path: &str, described: &mut Described) 
         Limit::Excluding(value) => json!({ "value": value, "included": false }),
     };
     match shape {
-        Shape::Quantity(measure) => json!({
-            "kind": "quantity",
-            "quantity": measure.kind().name(),
-            "unit": measure.own_unit().ascii(),
-            "min": limit(measure.min),
-            "max": limit(measure.max),
-        }),
+        Shape::Quantity(measure) => {
+            let mut quantity = json!({
+                "kind": "quantity",
+                "quantity": measure.kind().name(),
+                "unit": measure.own_unit().ascii(),
+                "min": limit(measure.min),
+                "max": limit(measure.max),
+            });
+            if !measure.others.is_empty() {
+                let other = |other: &Measure| json!({ "quantity": other.kind().name(), "unit": other.own_unit().ascii() });
+                quantity["others"] = measure.others.iter().map(other).collect();
+            }
+            quantity
+        }
         Shape::Vector(measure, len) => json!({
             "kind": "vector",
             "components": len,

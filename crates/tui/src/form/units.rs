@@ -17,7 +17,7 @@ pub(super) fn in_next_unit(typed: &str, shown: &str, shape: &Shape) -> Option<St
     let read = |text| draft::read_leaf(text, shape, "").ok();
     match (read(typed)?, read(shown)?, shape) {
         (Value::Quantity(typed_as), Value::Quantity(now), Shape::Quantity(measure)) => {
-            let unit = next(&now.unit, measure.kind())?;
+            let unit = next(&now.unit, measure.of(&now.unit).kind())?;
             Some(if same(&unit, &typed_as.unit) {
                 typed.to_owned()
             } else {
@@ -39,7 +39,7 @@ pub(super) fn in_next_unit(typed: &str, shown: &str, shape: &Shape) -> Option<St
 
 /// The unit that a text is written in; `None` where it has none or cannot be read.
 pub(super) fn written_unit(text: &str, shape: &Shape) -> Option<Unit> {
-    let (own, kind) = asked(shape)?;
+    let (own, kind) = asked(shape, text)?;
     if is_number(text, shape) {
         return None;
     }
@@ -48,7 +48,11 @@ pub(super) fn written_unit(text: &str, shape: &Shape) -> Option<Unit> {
 
 /// A number alone with a unit after it; any other text as it is.
 pub(super) fn with_unit(text: String, unit: Option<&Unit>, shape: &Shape) -> String {
-    let (Some(unit), Some((own, kind))) = (unit, asked(shape)) else { return text };
+    let (Some(unit), Some((own, kind))) =
+        (unit, unit.and_then(|unit| asked(shape, &format!("1 {}", unit.text))))
+    else {
+        return text;
+    };
     if !is_number(&text, shape) {
         return text;
     }
@@ -73,13 +77,16 @@ fn is_number(text: &str, shape: &Shape) -> bool {
 
 /// The unit that a number alone is taken in; `None` for what has none.
 pub(super) fn own_unit(shape: &Shape) -> Option<Unit> {
-    asked(shape).map(|(own, _)| own).filter(|own| !own.text.is_empty())
+    asked(shape, "1").map(|(own, _)| own).filter(|own| !own.text.is_empty())
 }
 
-/// The unit and the kind that are asked for.
-fn asked(shape: &Shape) -> Option<(Unit, Kind)> {
+/// The unit and the kind that are asked for, where there are several those that a text is of.
+fn asked(shape: &Shape, text: &str) -> Option<(Unit, Kind)> {
     match shape {
-        Shape::Quantity(measure) | Shape::Vector(measure, _) => Some((measure.own_unit(), measure.kind())),
+        Shape::Quantity(measure) | Shape::Vector(measure, _) => {
+            let measure = measure.meant(text);
+            Some((measure.own_unit(), measure.kind()))
+        }
         _ => None,
     }
 }
@@ -107,8 +114,13 @@ mod tests {
 
     #[test]
     fn a_unit_goes_round_and_comes_back_as_it_was_typed() {
-        let shape =
-            Shape::Quantity(Measure { unit: "rad/s", kind: None, min: Limit::None, max: Limit::None });
+        let shape = Shape::Quantity(Measure {
+            unit: "rad/s",
+            kind: None,
+            min: Limit::None,
+            max: Limit::None,
+            others: &[],
+        });
         let mut shown = "1000.0 rpm".to_owned();
         let mut seen = Vec::new();
         loop {
@@ -126,7 +138,7 @@ mod tests {
 
     #[test]
     fn a_number_alone_takes_the_unit_that_is_there_whatever_it_is() {
-        let measure = |unit| Measure { unit, kind: None, min: Limit::None, max: Limit::None };
+        let measure = |unit| Measure { unit, kind: None, min: Limit::None, max: Limit::None, others: &[] };
         for known in dalembert_units::spellings() {
             let Ok(unit) = units::unit(known.symbols[0]) else { continue };
             if unit.sense == dalembert_units::Sense::Level {
@@ -147,7 +159,8 @@ mod tests {
 
     #[test]
     fn the_unit_of_a_text_is_what_a_user_wrote() {
-        let measure = Measure { unit: "m", kind: None, min: Limit::Excluding(0.0), max: Limit::None };
+        let measure =
+            Measure { unit: "m", kind: None, min: Limit::Excluding(0.0), max: Limit::None, others: &[] };
         let (length, vector) = (Shape::Quantity(measure), Shape::Vector(measure, 3));
         let angle = Shape::Quantity(Measure { unit: "rad", ..measure });
         for (old, shape, typed, wanted) in [

@@ -510,11 +510,9 @@ fn about_table(model: &Model, sheet: &Sheet, inside: Rect) -> AboutTable {
     }
 }
 
-/// The unit of a column; that of a pure number is 1.
+/// The unit of a column, or those of its kinds; that of a pure number is 1.
 fn unit_of(measure: &Measure, ascii: bool) -> String {
-    let unit = measure.own_unit();
-    let text = unit.shown(ascii);
-    if text.is_empty() { "1".to_owned() } else { text }
+    measure.units_of_kinds(ascii)
 }
 
 fn option(model: &Model, name: &str, chosen: bool, room: usize) -> Line<'static> {

@@ -381,6 +381,9 @@ fn push_value(
         let hint = match (shape, taken) {
             (_, Some(taken)) => taken,
             _ if line.optional => word("none", model),
+            (Shape::Quantity(measure), None) if !measure.others.is_empty() => {
+                measure.units_of_kinds(look.ascii)
+            }
             (Shape::Quantity(measure) | Shape::Vector(measure, _), None) => measure.own_unit().pretty(),
             _ => String::new(),
         };

@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    engines_and_linkages::reciprocating::{Throw, ThrowGiven},
+    shared::crank::Throw,
     sources::{BEVAN, KHURMI},
 };
 
@@ -129,12 +129,7 @@ impl Analysis for Locomotive {
     };
 
     fn solve<W: Worksheet>(&self, given: &LocomotiveGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let crank = match given.throw {
-            ThrowGiven::Radius { radius } => radius,
-            ThrowGiven::Stroke { stroke } => {
-                sheet.step("r", "mm", stroke / 2.0, "The crank radius is half the stroke")
-            }
-        };
+        let crank = given.throw.radius(sheet);
         let cite = BEVAN.at("ch. 14");
         let near = engine::near_share(given.wheels, given.cylinders);
         let near = sheet.step("f", "1", near, ("Share of a cylinder in the wheel of its own side", cite));

@@ -6,7 +6,10 @@ use dalembert_mechanics::{
     balance::reciprocating::{self as engine, Piston, PistonMotion},
 };
 
-use crate::sources::{BEVAN, DEN_HARTOG, KHURMI, NORTON};
+use crate::{
+    shared::crank::Throw,
+    sources::{BEVAN, DEN_HARTOG, KHURMI, NORTON},
+};
 
 mod checks;
 mod counterweight;
@@ -151,23 +154,6 @@ pub struct Every {
     /// If omitted, only primary forces are reported.
     #[input("l", "mm", positive)]
     pub rod: Option<f64>,
-}
-
-/// Crank radius or stroke.
-#[derive(Clone, Debug, Inputs)]
-pub enum Throw {
-    /// Crank radius
-    Radius {
-        /// Crank radius.
-        #[input("r", "mm", positive)]
-        radius: f64,
-    },
-    /// Stroke
-    Stroke {
-        /// Stroke.
-        #[input("S", "mm", positive)]
-        stroke: f64,
-    },
 }
 
 /// Positions along the shaft.

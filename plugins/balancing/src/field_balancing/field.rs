@@ -22,12 +22,7 @@ mod readings;
 mod show;
 mod worked;
 
-pub use self::readings::{
-    AccelerationCoefficient, AccelerationInfluence, AccelerationReading, AccelerationRun,
-    DisplacementCoefficient, DisplacementInfluence, DisplacementReading, DisplacementRun, Measured,
-    NumberCoefficient, NumberInfluence, NumberReading, NumberRun, TrialWeights, VelocityCoefficient,
-    VelocityInfluence, VelocityReading, VelocityRun,
-};
+pub use self::readings::{InfluenceSource, KnownCoefficient, Measurements, TrialRun, TrialWeights};
 use self::{
     numbers::Numbers,
     readings::{Influence, Job},
@@ -51,7 +46,8 @@ const WIDE: f64 = 0.3;
 #[derive(Clone, Debug, Inputs)]
 pub struct Field {
     /// Measured quantity.
-    pub measured: Measured,
+    #[input(formerly = "displacement|velocity|acceleration|number")]
+    pub measured: Measurements,
     /// Phase.
     /// Phase convention of the instrument; with a strobe and a protractor on the rotor, use lead.
     pub phase: PhaseSense,
@@ -143,9 +139,7 @@ impl Analysis for Field {
     };
 
     fn solve<W: Worksheet>(&self, given: &FieldGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let Some(job) = self.measured.plain(&given.measured) else {
-            return Err(Refusal::because("the readings cannot be read"));
-        };
+        let job = self.measured.job(&given.measured);
         let opposed = (self.phase == PhaseSense::Lag) != (self.angles == WeightSense::Against);
         let spread = ReadingSpread { amplitude: self.amplitude_uncertainty, phase: self.phase_uncertainty };
         let numbers = Numbers::new(&job, opposed, spread, sheet)?;

@@ -1,8 +1,8 @@
 //! Balancing by sizes alone: four runs for a plane, seven for two.
 
 use dalembert_core::{
-    About, Analysis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text,
-    Worksheet, register,
+    About, Analysis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, MeasuredQuantity, Refusal,
+    TableExhibit, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -25,95 +25,51 @@ pub struct WithoutPhase {
     #[input("m", "g", positive)]
     pub trial: f64,
     /// Measured quantity.
-    pub measured: Sizes,
+    #[input(formerly = "displacement|velocity|acceleration|number")]
+    pub measured: Amplitudes,
 }
 
-/// Writes down the inputs of amplitudes of one kind; only the unit differs.
-macro_rules! kind_of_amplitude {
-    ($amplitude:ident, $run:ident, $unit:tt, $kind:tt) => {
-        /// Reading of a sensor without phase.
-        #[derive(Clone, Debug, Inputs)]
-        pub struct $amplitude {
-            /// Amplitude.
-            #[input("S", $unit, nonnegative, kind = $kind)]
-            pub amplitude: f64,
-        }
-
-        /// A run with the trial weight.
-        #[derive(Clone, Debug, Inputs)]
-        pub struct $run {
-            /// Plane of the trial weight.
-            /// Planes are numbered from 1.
-            #[input(min = 1, max = 20)]
-            pub plane: usize,
-            /// Angle of the trial weight.
-            #[input("θ", "deg")]
-            pub angle: f64,
-            /// Amplitudes.
-            /// The same sensors in the same order as in the initial run.
-            #[input(min = 1)]
-            pub readings: Vec<$amplitude>,
-        }
-    };
-}
-
-kind_of_amplitude!(DisplacementSize, DisplacementTrial, "um", "Amplitude");
-kind_of_amplitude!(VelocitySize, VelocityTrial, "mm/s", "Velocity");
-kind_of_amplitude!(AccelerationSize, AccelerationTrial, "m/s^2", "Acceleration");
-kind_of_amplitude!(NumberSize, NumberTrial, "1", "Ratio");
-
-/// Measured quantity.
+/// Amplitudes without and with the trial weight.
 #[derive(Clone, Debug, Inputs)]
-pub enum Sizes {
-    /// Displacement
-    Displacement {
-        /// Initial run, without the trial weight.
-        /// A row for each sensor; as many sensors as planes at least.
-        #[input("O", min = 1)]
-        first: Vec<DisplacementSize>,
-        /// Runs with the trial weight.
-        /// At least three angles for each plane.
-        #[input(min = 3)]
-        runs: Vec<DisplacementTrial>,
-    },
-    /// Velocity
-    Velocity {
-        /// Initial run, without the trial weight.
-        /// A row for each sensor; as many sensors as planes at least.
-        #[input("O", min = 1)]
-        first: Vec<VelocitySize>,
-        /// Runs with the trial weight.
-        /// At least three angles for each plane.
-        #[input(min = 3)]
-        runs: Vec<VelocityTrial>,
-    },
-    /// Acceleration
-    Acceleration {
-        /// Initial run, without the trial weight.
-        /// A row for each sensor; as many sensors as planes at least.
-        #[input("O", min = 1)]
-        first: Vec<AccelerationSize>,
-        /// Runs with the trial weight.
-        /// At least three angles for each plane.
-        #[input(min = 3)]
-        runs: Vec<AccelerationTrial>,
-    },
-    /// Numbers without a unit: divisions, volts
-    Number {
-        /// Initial run, without the trial weight.
-        /// A row for each sensor; as many sensors as planes at least.
-        #[input("O", min = 1)]
-        first: Vec<NumberSize>,
-        /// Runs with the trial weight.
-        /// At least three angles for each plane.
-        #[input(min = 3)]
-        runs: Vec<NumberTrial>,
-    },
+pub struct Amplitudes {
+    /// Initial run, without the trial weight.
+    /// A row for each sensor; as many sensors as planes at least.
+    #[input("O", min = 1)]
+    pub first: Vec<SensorAmplitude>,
+    /// Runs with the trial weight.
+    /// At least three angles for each plane.
+    #[input(min = 3)]
+    pub runs: Vec<TrialRun>,
+}
+
+/// What a sensor reads.
+#[derive(Clone, Debug, Inputs)]
+pub struct SensorAmplitude {
+    /// Amplitude.
+    /// A number without a unit stands for divisions or volts.
+    #[input("S", "um | mm/s | m/s^2 | 1", nonnegative, kind = "Amplitude|Velocity|Acceleration|Ratio")]
+    pub amplitude: MeasuredQuantity,
+}
+
+/// A run with the trial weight.
+#[derive(Clone, Debug, Inputs)]
+pub struct TrialRun {
+    /// Plane of the trial weight.
+    /// Planes are numbered from 1.
+    #[input(min = 1, max = 20)]
+    pub plane: usize,
+    /// Angle of the trial weight.
+    #[input("θ", "deg")]
+    pub angle: f64,
+    /// Amplitudes.
+    /// The same sensors in the same order as in the initial run.
+    #[input(min = 1)]
+    pub readings: Vec<SensorAmplitude>,
 }
 
 register!(WithoutPhase);
 
-/// A run, whatever the kind of its amplitudes.
+/// A run as numbers of a worksheet.
 struct Run<N> {
     /// Counted from 0.
     plane: usize,
@@ -141,7 +97,7 @@ impl Analysis for WithoutPhase {
     };
 
     fn solve<W: Worksheet>(&self, given: &WithoutPhaseGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let job = self.job(given)?;
+        let job = self.job(given);
         let planes = job.judge()?;
         let effects = job.effects(planes)?;
         for (plane, sensor, effect) in each(&effects) {
@@ -175,37 +131,19 @@ fn each(effects: &[Vec<Effect>]) -> impl Iterator<Item = (usize, usize, &Effect)
 }
 
 impl WithoutPhase {
-    fn job<W: Worksheet>(&self, given: &WithoutPhaseGiven<W>) -> Result<Job<W::Num>, Refusal> {
-        macro_rules! job {
-            ($runs:expr, $first:expr, $given:expr, $unit:literal) => {
-                Job {
-                    unit: $unit,
-                    first: $first.iter().map(|size| size.amplitude).collect(),
-                    runs: ($runs.iter().zip($given))
-                        .map(|(run, given)| Run {
-                            plane: run.plane - 1,
-                            angle: given.angle,
-                            sizes: given.readings.iter().map(|size| size.amplitude).collect(),
-                        })
-                        .collect(),
-                }
-            };
+    fn job<W: Worksheet>(&self, given: &WithoutPhaseGiven<W>) -> Job<W::Num> {
+        let (own, given) = (&self.measured, &given.measured);
+        let sizes = |given: &[SensorAmplitudeGiven<W>]| given.iter().map(|size| size.amplitude).collect();
+        let run = |(run, given): (&TrialRun, &TrialRunGiven<W>)| Run {
+            plane: run.plane - 1,
+            angle: given.angle,
+            sizes: sizes(&given.readings),
+        };
+        Job {
+            unit: own.first.first().map_or("1", |size| size.amplitude.unit),
+            first: sizes(&given.first),
+            runs: own.runs.iter().zip(&given.runs).map(run).collect(),
         }
-        Ok(match (&self.measured, &given.measured) {
-            (Sizes::Displacement { runs, .. }, SizesGiven::Displacement { first, runs: given }) => {
-                job!(runs, first, given, "um")
-            }
-            (Sizes::Velocity { runs, .. }, SizesGiven::Velocity { first, runs: given }) => {
-                job!(runs, first, given, "mm/s")
-            }
-            (Sizes::Acceleration { runs, .. }, SizesGiven::Acceleration { first, runs: given }) => {
-                job!(runs, first, given, "m/s^2")
-            }
-            (Sizes::Number { runs, .. }, SizesGiven::Number { first, runs: given }) => {
-                job!(runs, first, given, "1")
-            }
-            _ => return Err(Refusal::because("the readings cannot be read")),
-        })
     }
 }
 

@@ -8,10 +8,7 @@ use dalembert_mechanics::{
     balance::{self, Phasor},
 };
 
-use crate::{
-    field_balancing::field::{AccelerationReading, DisplacementReading, NumberReading, VelocityReading},
-    sources::RIUL,
-};
+use crate::{shared::reading::SensorReading, sources::RIUL};
 
 /// Two vectors.
 #[derive(Clone, Debug, Inputs)]
@@ -23,41 +20,15 @@ pub struct StaticCouple {
 /// Readings of two bearings, or weights in two planes.
 #[derive(Clone, Debug, Inputs)]
 pub enum Vectors {
-    /// Displacements at two bearings
-    Displacement {
+    /// Readings of two bearings
+    #[input(formerly = "displacement|velocity|acceleration|number")]
+    Readings {
         /// First bearing.
         #[input("1")]
-        first: DisplacementReading,
+        first: SensorReading,
         /// Second bearing.
         #[input("2")]
-        second: DisplacementReading,
-    },
-    /// Velocities at two bearings
-    Velocity {
-        /// First bearing.
-        #[input("1")]
-        first: VelocityReading,
-        /// Second bearing.
-        #[input("2")]
-        second: VelocityReading,
-    },
-    /// Accelerations at two bearings
-    Acceleration {
-        /// First bearing.
-        #[input("1")]
-        first: AccelerationReading,
-        /// Second bearing.
-        #[input("2")]
-        second: AccelerationReading,
-    },
-    /// Numbers without a unit: divisions, volts
-    Number {
-        /// First bearing.
-        #[input("1")]
-        first: NumberReading,
-        /// Second bearing.
-        #[input("2")]
-        second: NumberReading,
+        second: SensorReading,
     },
     /// Weights in two planes, at the same radius
     Weights {
@@ -97,33 +68,23 @@ impl Analysis for StaticCouple {
     };
 
     fn solve<W: Worksheet>(&self, given: &StaticCoupleGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let speeds = match &self.vectors {
-            Vectors::Displacement { first, second } => [first.speed, second.speed],
-            Vectors::Velocity { first, second } => [first.speed, second.speed],
-            Vectors::Acceleration { first, second } => [first.speed, second.speed],
-            Vectors::Number { first, second } => [first.speed, second.speed],
-            Vectors::Weights { .. } => [None; 2],
+        let unit = match &self.vectors {
+            Vectors::Readings { first, second } => {
+                if let (Some(one), Some(other)) = (first.speed, second.speed)
+                    && (one - other).abs() > 0.01 * one
+                {
+                    return Err(Refusal::because(SPEEDS));
+                }
+                first.amplitude.unit
+            }
+            Vectors::Weights { .. } => "g",
         };
-        if let [Some(first), Some(second)] = speeds
-            && (first - second).abs() > 0.01 * first
-        {
-            return Err(Refusal::because(SPEEDS));
-        }
-        let (unit, first, second) = match &given.vectors {
-            VectorsGiven::Displacement { first, second } => {
-                ("um", (first.amplitude, first.phase), (second.amplitude, second.phase))
-            }
-            VectorsGiven::Velocity { first, second } => {
-                ("mm/s", (first.amplitude, first.phase), (second.amplitude, second.phase))
-            }
-            VectorsGiven::Acceleration { first, second } => {
-                ("m/s^2", (first.amplitude, first.phase), (second.amplitude, second.phase))
-            }
-            VectorsGiven::Number { first, second } => {
-                ("1", (first.amplitude, first.phase), (second.amplitude, second.phase))
+        let (first, second) = match &given.vectors {
+            VectorsGiven::Readings { first, second } => {
+                ((first.amplitude, first.phase), (second.amplitude, second.phase))
             }
             VectorsGiven::Weights { first, second } => {
-                ("g", (first.mass, first.angle), (second.mass, second.angle))
+                ((first.mass, first.angle), (second.mass, second.angle))
             }
         };
         decompose(unit, first, second, sheet)

@@ -12,11 +12,10 @@ use dalembert_mechanics::{
 use nalgebra::{Rotation3, Vector3};
 
 use crate::{
-    motion_in_space::rotation_chain::Axes,
     shared::{
         body::Body,
         inertia::Inertia,
-        joints::{self, Joint, Named, Worked, seen_from},
+        joints::{self, Axes, Joint, Named, Worked, seen_from},
     },
     sources::{BEER, HIBBELER, KHURMI, MERIAM, RIUL},
 };

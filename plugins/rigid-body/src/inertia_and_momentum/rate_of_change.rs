@@ -12,11 +12,10 @@ use dalembert_mechanics::{
 use nalgebra::Vector3;
 
 use crate::{
-    motion_in_space::rotation_chain::Axes,
     shared::{
         body::Body,
         inertia::Inertia,
-        joints::{self, Joint, Worked, seen_from},
+        joints::{self, Axes, Joint, Worked, seen_from},
         scene::Scene,
     },
     sources::{BEER, IRODOV, RIUL},

@@ -16,7 +16,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::{
     shared::{
-        joints::{self, Joint, Named, Worked, given_name, seen_from},
+        joints::{self, Axes, Joint, Named, Worked, given_name, seen_from},
         scene::{self, Scene},
     },
     sources::{BEER, MERIAM},
@@ -49,29 +49,6 @@ pub struct Spot {
     /// Position, in the axes of that frame.
     #[input("r", "m")]
     pub place: Vector3<f64>,
-}
-
-/// The axes in which vectors are written.
-#[derive(Clone, Debug, Inputs)]
-pub enum Axes {
-    /// Fixed axes
-    Fixed,
-    /// Axes of a frame
-    Frame {
-        /// Frame of the chain.
-        #[input(rows = "joints")]
-        frame: Reference,
-    },
-}
-
-impl Axes {
-    /// The place of the frame among all, the fixed one first.
-    pub(crate) fn place(&self) -> usize {
-        match self {
-            Axes::Fixed => 0,
-            Axes::Frame { frame } => frame.0 + 1,
-        }
-    }
 }
 
 /// Time of the animation on the screen, s.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Cite, Inputs, Refusal, Text, Why, Worksheet};
+use dalembert_core::{Cite, Inputs, Reference, Refusal, Text, Why, Worksheet};
 use dalembert_mechanics::{
     Real, Vector,
     rigid::{self, RigidError, chain},
@@ -94,6 +94,29 @@ impl Joint {
             }
         };
         chain::Joint { axis: self.axis, angle, rate, acceleration, offset: self.offset }
+    }
+}
+
+/// The axes in which vectors are written.
+#[derive(Clone, Debug, Inputs)]
+pub enum Axes {
+    /// Fixed axes
+    Fixed,
+    /// Axes of a frame
+    Frame {
+        /// Frame of the chain.
+        #[input(rows = "joints")]
+        frame: Reference,
+    },
+}
+
+impl Axes {
+    /// The place of the frame among all, the fixed one first.
+    pub(crate) fn place(&self) -> usize {
+        match self {
+            Axes::Fixed => 0,
+            Axes::Frame { frame } => frame.0 + 1,
+        }
     }
 }
 

@@ -9,8 +9,10 @@ mod optimum;
 
 use self::full::{InFull, off_level};
 use crate::{
-    isolation_absorbers_and_instruments::vibration_absorber::{Springs, SpringsGiven},
-    shared::oscillator::{Mass, mass},
+    shared::{
+        main_springs::{MainSprings, MainSpringsGiven},
+        oscillator::{Mass, mass},
+    },
     sources::{BROCK, DEN_HARTOG, NISHIHARA, RAO},
 };
 
@@ -45,7 +47,7 @@ pub enum Main {
         /// Main mass.
         mass: Mass,
         /// Springs of the main mass.
-        springs: Springs,
+        springs: MainSprings,
         /// Mass of the absorber.
         #[input("m_a", "kg", positive)]
         absorber: f64,
@@ -249,10 +251,10 @@ fn system<W: Worksheet>(given: &DampedAbsorberGiven<W>, sheet: W) -> Result<Syst
             let mass = mass(main, sheet);
             let why = ("Natural frequency of the main system, without the absorber", RAO.at("§2.2"));
             let (stiffness, natural) = match springs {
-                SpringsGiven::Stiffness { stiffness } => {
+                MainSpringsGiven::Stiffness { stiffness } => {
                     (*stiffness, sheet.step("ω_m", "rad/s", sdof::natural_frequency(*stiffness, mass), why))
                 }
-                SpringsGiven::NaturalFrequency { frequency } => {
+                MainSpringsGiven::NaturalFrequency { frequency } => {
                     let why = ("Stiffness that gives the main system its natural frequency", RAO.at("§2.2"));
                     let stiffness = sdof::stiffness_from_natural_frequency(mass, *frequency);
                     (sheet.step("k", "N/m", stiffness, why), *frequency)

@@ -18,6 +18,7 @@ use self::{
 use crate::{
     shared::{
         inertia::{self, Inertia},
+        main_springs::{MainSprings, MainSpringsGiven},
         oscillator::{Mass, mass},
     },
     sources::{DEN_HARTOG, GROVER, RAO},
@@ -38,7 +39,7 @@ pub enum Problem {
         /// Mass of the machine.
         mass: Mass,
         /// Springs of the machine.
-        springs: Springs,
+        springs: MainSprings,
         /// Speed of the excitation.
         /// The absorber is tuned to it.
         speed: Speed,
@@ -87,25 +88,7 @@ pub enum Problem {
     },
 }
 
-/// Stiffness of the machine's springs, or its natural frequency.
-#[derive(Clone, Debug, Inputs)]
-pub enum Springs {
-    /// Stiffness given
-    Stiffness {
-        /// Stiffness.
-        #[input("k", "N/m", positive)]
-        stiffness: f64,
-    },
-    /// Natural frequency given
-    NaturalFrequency {
-        /// Natural frequency.
-        /// Without the absorber.
-        #[input("ω_m", "rad/s", positive)]
-        frequency: f64,
-    },
-}
-
-/// Stiffness of the shaft, or its natural frequency.
+/// What is known of the shaft.
 #[derive(Clone, Debug, Inputs)]
 pub enum ShaftStiffness {
     /// Stiffness given
@@ -279,8 +262,8 @@ impl Analysis for VibrationAbsorber {
                 let motion = Motion::Translation;
                 let mass = mass(body, sheet);
                 let (stiffness, natural) = match springs {
-                    SpringsGiven::Stiffness { stiffness } => (*stiffness, None),
-                    SpringsGiven::NaturalFrequency { frequency } => {
+                    MainSpringsGiven::Stiffness { stiffness } => (*stiffness, None),
+                    MainSpringsGiven::NaturalFrequency { frequency } => {
                         (motion.stiffness(mass, *frequency, sheet), Some(*frequency))
                     }
                 };

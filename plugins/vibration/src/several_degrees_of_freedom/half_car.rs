@@ -9,10 +9,10 @@ use dalembert_mechanics::Real;
 use nalgebra::DMatrix;
 
 use crate::{
-    several_degrees_of_freedom::modal_analysis::{complex, masses, ratios},
     shared::system::{
         Assembled,
         damping::{Damping, DampingGiven, in_modes},
+        modal_properties::modal_properties,
         modes::{find, largest_one},
     },
     sources::RAO,
@@ -142,12 +142,7 @@ impl Analysis for HalfCar {
                 &shapes[mode],
             );
         }
-        masses(&system, &found, &shapes, sheet);
-        if damped.any() && damped.proportional {
-            ratios(&found, &damped, sheet);
-        } else if damped.any() {
-            complex(&system, &damped, &found, sheet)?;
-        }
+        modal_properties(&system, &found, &damped, &shapes, sheet)?;
         sheet.show(|| {
             Exhibit::Drawing(Drawing { title: "The half-car".into(), shapes: self.shapes([0.0; 4]) })
         });

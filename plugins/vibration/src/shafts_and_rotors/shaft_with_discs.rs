@@ -16,7 +16,11 @@ use dalembert_mechanics::{
 use dalembert_numerics::gauss_legendre;
 
 use crate::{
-    shared::continuous::{LineMass, Profile, line_mass, profile},
+    shared::{
+        body_load::Load,
+        continuous::{LineMass, line_mass},
+        section::{Profile, profile},
+    },
     sources::{BEER, BLEVINS, RAO, SHIGLEY},
 };
 
@@ -70,23 +74,6 @@ pub struct Disc {
     pub load: Load,
 }
 
-/// A mass or a weight.
-#[derive(Clone, Debug, Inputs)]
-pub enum Load {
-    /// Mass given
-    Mass {
-        /// Mass.
-        #[input("m", "kg", positive)]
-        mass: f64,
-    },
-    /// Weight given
-    Weight {
-        /// Weight.
-        #[input("W", "N", positive)]
-        weight: f64,
-    },
-}
-
 register!(ShaftWithDiscs);
 
 /// Most discs: with more the worked solution is no longer read.
@@ -109,11 +96,8 @@ impl Analysis for ShaftWithDiscs {
         let (area, second_moment) = profile(&given.section, 0, sheet)?;
         let bending = sheet.step("EI", "N*m^2", given.young * second_moment, "Bending stiffness");
         let line = given.own_mass.as_ref().map(|own| line_mass(own, 0, area, sheet));
-        let mass = |(n, disc): (usize, &DiscGiven<W>)| match disc.load {
-            LoadGiven::Mass { mass } => mass,
-            LoadGiven::Weight { weight } => {
-                sheet.step(("m", n), "kg", weight / given.gravity, "Mass of the disc: weight over gravity")
-            }
+        let mass = |(n, disc): (usize, &DiscGiven<W>)| {
+            disc.load.mass(given.gravity, sheet, ("m", n), "Mass of the disc: weight over gravity")
         };
         let shaft = Shaft {
             bearings: &given.bearings,

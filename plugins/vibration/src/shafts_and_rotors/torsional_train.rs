@@ -17,7 +17,10 @@ mod reduced;
 
 use self::reduced::{Reduced, reduce};
 use crate::{
-    shared::spring::{Joined, torsional::TorsionalSpring},
+    shared::{
+        inertia::RotorInertia,
+        spring::{Joined, torsional::TorsionalSpring},
+    },
     sources::{BEVAN, DEN_HARTOG, RAO},
 };
 
@@ -54,41 +57,9 @@ pub struct Disc {
 /// The inertia of a disc.
 #[derive(Clone, Debug, Inputs)]
 pub enum Inertia {
-    /// Moment of inertia given
-    Given {
-        /// Moment of inertia.
-        /// About the axis of rotation.
-        #[input("J", "kg*m^2", positive)]
-        inertia: f64,
-    },
-    /// Mass and radius of gyration
-    Gyration {
-        /// Mass.
-        #[input("m", "kg", positive)]
-        mass: f64,
-        /// Radius of gyration.
-        #[input("κ", "m", positive)]
-        radius: f64,
-    },
-    /// Weight times the square of the radius of gyration
-    WeightMoment {
-        /// Weight times the square of the radius of gyration.
-        /// W R² of older books, with the weight as a force: lbf·ft².
-        #[input("WR²", "N*m^2", positive)]
-        weight_moment: f64,
-        /// Gravity.
-        #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
-        gravity: f64,
-    },
-    /// Solid disc
-    Disc {
-        /// Mass.
-        #[input("m", "kg", positive)]
-        mass: f64,
-        /// Diameter.
-        #[input("D", "m", positive)]
-        diameter: f64,
-    },
+    /// Of a rotor
+    #[input(flatten)]
+    Rotor(RotorInertia),
     /// Light: a gear or a joint of shafts without inertia
     Light,
     /// Fixed: a wall in which a shaft is clamped

@@ -1,11 +1,8 @@
 //! Inputs and figures shared by continuous bodies: material, section, mass per unit length, mode shapes.
 
-use dalembert_core::{
-    Animation, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-};
-use dalembert_mechanics::{Real, section};
+use dalembert_core::{Animation, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Series, Text, Worksheet};
 
-use crate::sources::{BEER, COWPER};
+use crate::sources::BEER;
 
 /// Shear modulus of a material.
 #[derive(Clone, Debug, Inputs)]
@@ -53,46 +50,6 @@ pub enum LineMass {
     },
 }
 
-/// The cross-section of a beam that has mass.
-#[derive(Clone, Debug, Inputs)]
-pub enum Profile {
-    /// Area and second moment given
-    Given {
-        /// Area of the section.
-        #[input("A", "m^2", positive)]
-        area: f64,
-        /// Second moment of area.
-        #[input("I", "m^4", positive)]
-        second_moment: f64,
-    },
-    /// Circular
-    Round {
-        /// Diameter.
-        #[input("d", "m", positive)]
-        diameter: f64,
-    },
-    /// Tube
-    Tube {
-        /// Outer diameter.
-        #[input("D", "m", positive)]
-        outer: f64,
-        /// Inner diameter.
-        #[input("d", "m", positive)]
-        inner: f64,
-    },
-    /// Rectangle
-    Rectangle {
-        /// Width.
-        /// Perpendicular to the plane of bending.
-        #[input("b", "m", positive)]
-        breadth: f64,
-        /// Height.
-        /// In the plane of bending.
-        #[input("h", "m", positive)]
-        height: f64,
-    },
-}
-
 /// The shear modulus, Pa.
 pub(crate) fn shear_modulus<W: Worksheet>(given: &ShearModulusGiven<W>, sheet: W) -> W::Num {
     match given {
@@ -119,62 +76,6 @@ pub(crate) fn line_mass<W: Worksheet>(
         }
     };
     sheet.step(("m̄", row), "kg/m", mass, why)
-}
-
-/// Area, m², and second moment of area, m⁴, of a section; row 0 for the only one.
-///
-/// # Errors
-/// A tube whose inner diameter is not below the outer one.
-pub(crate) fn profile<W: Worksheet>(
-    given: &ProfileGiven<W>,
-    row: usize,
-    sheet: W,
-) -> Result<(W::Num, W::Num), Refusal> {
-    let (area, second_moment) = match given {
-        ProfileGiven::Given { area, second_moment } => return Ok((*area, *second_moment)),
-        ProfileGiven::Round { diameter } => {
-            (section::round_area(*diameter), section::round_second_moment(*diameter))
-        }
-        ProfileGiven::Tube { outer, inner } => {
-            wall(outer.value(), inner.value())?;
-            (section::tube_area(*outer, *inner), section::tube_second_moment(*outer, *inner))
-        }
-        ProfileGiven::Rectangle { breadth, height } => {
-            (section::rectangle_area(*breadth, *height), section::rectangle_second_moment(*breadth, *height))
-        }
-    };
-    let area = sheet.step(("A", row), "cm^2", area, ("Area of the section", BEER.at("app. A")));
-    let why = ("Second moment of area", BEER.at("app. A"));
-    let second_moment = sheet.step(("I", row), "cm^4", second_moment, why);
-    Ok((area, second_moment))
-}
-
-/// Refuses a tube without a wall.
-pub(crate) fn wall(outer: f64, inner: f64) -> Result<(), Refusal> {
-    if inner < outer {
-        return Ok(());
-    }
-    Err(Refusal::because(
-        "the inner diameter of the tube is not below the outer one: write the larger one as the outer",
-    ))
-}
-
-/// Cowper's shear coefficient of a section; `None` for one that is not known by its shape.
-pub(crate) fn shear_coefficient<W: Worksheet>(
-    given: &ProfileGiven<W>,
-    poisson: W::Num,
-    sheet: W,
-) -> Option<W::Num> {
-    let coefficient = match given {
-        ProfileGiven::Given { .. } => return None,
-        ProfileGiven::Round { .. } => section::shear::round(poisson),
-        ProfileGiven::Tube { outer, inner } => {
-            let ratio = sheet.step("m", "1", *inner / *outer, "Ratio of the diameters");
-            section::shear::tube(poisson, ratio)
-        }
-        ProfileGiven::Rectangle { .. } => section::shear::rectangle(poisson),
-    };
-    Some(sheet.step("κ", "1", coefficient, ("Shear coefficient of the section", COWPER.at("pp. 335–340"))))
 }
 
 /// A shape for pictures: points from 0 to the length, deflections at most one.

@@ -3,9 +3,9 @@
 use dalembert_core::{Inputs, Symbol, Worksheet};
 use dalembert_mechanics::Real;
 
-/// The moment of inertia of a body about the axis it turns on.
+/// The moment of inertia of a rotor about its axis.
 #[derive(Clone, Debug, Inputs)]
-pub enum Inertia {
+pub enum RotorInertia {
     /// Moment of inertia given
     Given {
         /// Moment of inertia.
@@ -41,6 +41,14 @@ pub enum Inertia {
         #[input("D", "m", positive)]
         diameter: f64,
     },
+}
+
+/// The moment of inertia of a body about its axis of rotation.
+#[derive(Clone, Debug, Inputs)]
+pub enum Inertia {
+    /// Of a rotor
+    #[input(flatten)]
+    Rotor(RotorInertia),
     /// Ring
     /// All of its mass at one radius.
     Ring {
@@ -53,44 +61,34 @@ pub enum Inertia {
     },
 }
 
+impl<W: Worksheet> RotorInertiaGiven<W> {
+    /// The moment of inertia, kg·m², written as the step `symbol` where it is not given.
+    #[inline]
+    pub(crate) fn moment(&self, sheet: W, symbol: Symbol) -> W::Num {
+        let (inertia, why) = match *self {
+            RotorInertiaGiven::Given { inertia } => return inertia,
+            RotorInertiaGiven::Gyration { mass, radius } => {
+                (mass * radius.powi(2), "Moment of inertia from the radius of gyration")
+            }
+            RotorInertiaGiven::WeightMoment { weight_moment, gravity } => {
+                (weight_moment / gravity, "Moment of inertia: the weight over gravity is the mass")
+            }
+            RotorInertiaGiven::Disc { mass, diameter } => {
+                (mass * diameter.powi(2) / 8.0, "Moment of inertia of a solid disc about its axis")
+            }
+        };
+        sheet.step(symbol, "kg*m^2", inertia, why)
+    }
+}
+
 /// The moment of inertia, kg·m², written as the step `symbol` where it is not given.
 #[inline]
 pub fn moment_of_inertia<W: Worksheet>(given: &InertiaGiven<W>, sheet: W, symbol: Symbol) -> W::Num {
     match given {
-        InertiaGiven::Given { inertia } => *inertia,
-        InertiaGiven::Gyration { mass, radius } => gyration(*mass, *radius, sheet, symbol),
-        InertiaGiven::WeightMoment { weight_moment, gravity } => {
-            of_weight_moment(*weight_moment, *gravity, sheet, symbol)
-        }
-        InertiaGiven::Disc { mass, diameter } => disc(*mass, *diameter, sheet, symbol),
+        InertiaGiven::Rotor(rotor) => rotor.moment(sheet, symbol),
         InertiaGiven::Ring { mass, diameter } => {
             let inertia = *mass * diameter.powi(2) / 4.0;
             sheet.step(symbol, "kg*m^2", inertia, "Moment of inertia of a ring about its axis")
         }
     }
-}
-
-/// From mass and radius of gyration.
-#[inline]
-pub(crate) fn gyration<W: Worksheet>(mass: W::Num, radius: W::Num, sheet: W, symbol: Symbol) -> W::Num {
-    sheet.step(symbol, "kg*m^2", mass * radius.powi(2), "Moment of inertia from the radius of gyration")
-}
-
-/// Of a solid disc.
-#[inline]
-pub(crate) fn disc<W: Worksheet>(mass: W::Num, diameter: W::Num, sheet: W, symbol: Symbol) -> W::Num {
-    let inertia = mass * diameter.powi(2) / 8.0;
-    sheet.step(symbol, "kg*m^2", inertia, "Moment of inertia of a solid disc about its axis")
-}
-
-/// From weight times the square of the radius of gyration.
-#[inline]
-pub(crate) fn of_weight_moment<W: Worksheet>(
-    weight_moment: W::Num,
-    gravity: W::Num,
-    sheet: W,
-    symbol: Symbol,
-) -> W::Num {
-    let why = "Moment of inertia: the weight over gravity is the mass";
-    sheet.step(symbol, "kg*m^2", weight_moment / gravity, why)
 }

@@ -55,6 +55,17 @@ pub enum Course {
     },
 }
 
+/// A point of an acceleration in time.
+#[derive(Clone, Debug, Inputs)]
+pub struct AccelerationPoint {
+    /// Time.
+    #[input("t", "s", nonnegative)]
+    pub time: f64,
+    /// Acceleration.
+    #[input("a", "m/s^2")]
+    pub acceleration: f64,
+}
+
 /// A load as straight, sinusoidal and exponential pieces, each with a size of one.
 pub(crate) struct Pieces {
     /// The pieces.

@@ -3,17 +3,11 @@
 use dalembert_core::{Inputs, Refusal, Symbol, Worksheet};
 use dalembert_mechanics::{Real, section};
 
-use crate::sources::BEER;
+use crate::sources::{BEER, COWPER};
 
-/// The cross-section of a beam.
+/// A section with the same stiffness in every direction.
 #[derive(Clone, Debug, Inputs)]
-pub enum Section {
-    /// Second moment of area given
-    Given {
-        /// Second moment of area.
-        #[input("I", "m^4", positive)]
-        second_moment: f64,
-    },
+pub enum RoundSection {
     /// Circular
     Round {
         /// Diameter.
@@ -29,6 +23,20 @@ pub enum Section {
         #[input("d", "m", positive)]
         inner: f64,
     },
+}
+
+/// The cross-section of a beam.
+#[derive(Clone, Debug, Inputs)]
+pub enum Section {
+    /// Second moment of area given
+    Given {
+        /// Second moment of area.
+        #[input("I", "m^4", positive)]
+        second_moment: f64,
+    },
+    /// Circular or tube
+    #[input(flatten)]
+    Round(RoundSection),
     /// Rectangle
     Rectangle {
         /// Width.
@@ -51,21 +59,9 @@ pub enum AxialSection {
         #[input("A", "m^2", positive)]
         area: f64,
     },
-    /// Circular
-    Round {
-        /// Diameter.
-        #[input("d", "m", positive)]
-        diameter: f64,
-    },
-    /// Tube
-    Tube {
-        /// Outer diameter.
-        #[input("D", "m", positive)]
-        outer: f64,
-        /// Inner diameter.
-        #[input("d", "m", positive)]
-        inner: f64,
-    },
+    /// Circular or tube
+    #[input(flatten)]
+    Round(RoundSection),
     /// Rectangle
     Rectangle {
         /// Width.
@@ -77,24 +73,40 @@ pub enum AxialSection {
     },
 }
 
+/// The cross-section of a beam that has mass.
+#[derive(Clone, Debug, Inputs)]
+pub enum Profile {
+    /// Area and second moment given
+    Given {
+        /// Area of the section.
+        #[input("A", "m^2", positive)]
+        area: f64,
+        /// Second moment of area.
+        #[input("I", "m^4", positive)]
+        second_moment: f64,
+    },
+    /// Circular or tube
+    #[input(flatten)]
+    Round(RoundSection),
+    /// Rectangle
+    Rectangle {
+        /// Width.
+        /// Perpendicular to the plane of bending.
+        #[input("b", "m", positive)]
+        breadth: f64,
+        /// Height.
+        /// In the plane of bending.
+        #[input("h", "m", positive)]
+        height: f64,
+    },
+}
+
 /// The cross-section of a shaft.
 #[derive(Clone, Debug, Inputs)]
 pub enum ShaftSection {
-    /// Circular
-    Round {
-        /// Diameter.
-        #[input("d", "m", positive)]
-        diameter: f64,
-    },
-    /// Tube
-    Tube {
-        /// Outer diameter.
-        #[input("D", "m", positive)]
-        outer: f64,
-        /// Inner diameter.
-        #[input("d", "m", positive)]
-        inner: f64,
-    },
+    /// Circular or tube
+    #[input(flatten)]
+    Round(RoundSection),
     /// Torsion constant given
     /// For a circular section, its polar second moment of area; for other sections it is smaller.
     Given {
@@ -102,6 +114,55 @@ pub enum ShaftSection {
         #[input("I_t", "m^4", positive)]
         torsion_constant: f64,
     },
+}
+
+impl<W: Worksheet> RoundSectionGiven<W> {
+    /// The area, m².
+    pub(crate) fn area(&self) -> W::Num {
+        match *self {
+            RoundSectionGiven::Round { diameter } => section::round_area(diameter),
+            RoundSectionGiven::Tube { outer, inner } => section::tube_area(outer, inner),
+        }
+    }
+
+    /// The second moment of area, m⁴.
+    pub(crate) fn second_moment(&self) -> W::Num {
+        match *self {
+            RoundSectionGiven::Round { diameter } => section::round_second_moment(diameter),
+            RoundSectionGiven::Tube { outer, inner } => section::tube_second_moment(outer, inner),
+        }
+    }
+
+    /// The polar second moment of area, m⁴, which is also the torsion constant.
+    pub(crate) fn polar_moment(&self) -> W::Num {
+        match *self {
+            RoundSectionGiven::Round { diameter } => section::round_polar_moment(diameter),
+            RoundSectionGiven::Tube { outer, inner } => section::tube_polar_moment(outer, inner),
+        }
+    }
+
+    /// Cowper's shear coefficient; the ratio of the diameters of a tube is written as the step `symbol`.
+    pub(crate) fn shear_coefficient(&self, poisson: W::Num, sheet: W, symbol: &'static str) -> W::Num {
+        match *self {
+            RoundSectionGiven::Round { .. } => section::shear::round(poisson),
+            RoundSectionGiven::Tube { outer, inner } => {
+                let ratio = sheet.step(symbol, "1", inner / outer, "Ratio of the diameters");
+                section::shear::tube(poisson, ratio)
+            }
+        }
+    }
+
+    /// Refuses a tube without a wall.
+    pub(crate) fn check(&self) -> Result<(), Refusal> {
+        match self {
+            RoundSectionGiven::Tube { outer, inner } if inner.value() >= outer.value() => {
+                Err(Refusal::because(
+                    "the inner diameter of the tube is not below the outer one: write the larger one as the outer",
+                ))
+            }
+            _ => Ok(()),
+        }
+    }
 }
 
 /// The second moment of area of a section, m⁴, written as the step `symbol` where it is not given.
@@ -116,12 +177,13 @@ pub fn second_moment<W: Worksheet>(
 ) -> Result<W::Num, Refusal> {
     let (second_moment, why) = match given {
         SectionGiven::Given { second_moment } => return Ok(*second_moment),
-        SectionGiven::Round { diameter } => {
-            (section::round_second_moment(*diameter), "Second moment of area of a round section")
-        }
-        SectionGiven::Tube { outer, inner } => {
-            walled(*outer, *inner)?;
-            (section::tube_second_moment(*outer, *inner), "Second moment of area of a tube")
+        SectionGiven::Round(round) => {
+            round.check()?;
+            let why = match round {
+                RoundSectionGiven::Round { .. } => "Second moment of area of a round section",
+                RoundSectionGiven::Tube { .. } => "Second moment of area of a tube",
+            };
+            (round.second_moment(), why)
         }
         SectionGiven::Rectangle { breadth, height } => {
             (section::rectangle_second_moment(*breadth, *height), "Second moment of area of a rectangle")
@@ -138,18 +200,58 @@ pub fn second_moment<W: Worksheet>(
 pub fn area<W: Worksheet>(given: &AxialSectionGiven<W>, sheet: W, symbol: Symbol) -> Result<W::Num, Refusal> {
     let (area, why) = match given {
         AxialSectionGiven::Given { area } => return Ok(*area),
-        AxialSectionGiven::Round { diameter } => {
-            (section::round_area(*diameter), "Area of a circular section")
-        }
-        AxialSectionGiven::Tube { outer, inner } => {
-            walled(*outer, *inner)?;
-            (section::tube_area(*outer, *inner), "Area of a tube")
+        AxialSectionGiven::Round(round) => {
+            round.check()?;
+            let why = match round {
+                RoundSectionGiven::Round { .. } => "Area of a circular section",
+                RoundSectionGiven::Tube { .. } => "Area of a tube",
+            };
+            (round.area(), why)
         }
         AxialSectionGiven::Rectangle { breadth, height } => {
             (section::rectangle_area(*breadth, *height), "Area of a rectangle")
         }
     };
     Ok(sheet.step(symbol, "cm^2", area, why))
+}
+
+/// Area, m², and second moment of area, m⁴, of a section; row 0 for the only one.
+///
+/// # Errors
+/// A tube whose inner diameter is not below the outer one.
+pub(crate) fn profile<W: Worksheet>(
+    given: &ProfileGiven<W>,
+    row: usize,
+    sheet: W,
+) -> Result<(W::Num, W::Num), Refusal> {
+    let (area, second_moment) = match given {
+        ProfileGiven::Given { area, second_moment } => return Ok((*area, *second_moment)),
+        ProfileGiven::Round(round) => {
+            round.check()?;
+            (round.area(), round.second_moment())
+        }
+        ProfileGiven::Rectangle { breadth, height } => {
+            (section::rectangle_area(*breadth, *height), section::rectangle_second_moment(*breadth, *height))
+        }
+    };
+    let area = sheet.step(("A", row), "cm^2", area, ("Area of the section", BEER.at("app. A")));
+    let why = ("Second moment of area", BEER.at("app. A"));
+    let second_moment = sheet.step(("I", row), "cm^4", second_moment, why);
+    Ok((area, second_moment))
+}
+
+/// Cowper's shear coefficient of a section; `None` for one that is not known by its shape.
+pub(crate) fn shear_coefficient<W: Worksheet>(
+    given: &ProfileGiven<W>,
+    poisson: W::Num,
+    sheet: W,
+) -> Option<W::Num> {
+    let coefficient = match given {
+        ProfileGiven::Given { .. } => return None,
+        ProfileGiven::Round(round) => round.shear_coefficient(poisson, sheet, "m"),
+        ProfileGiven::Rectangle { .. } => section::shear::rectangle(poisson),
+    };
+    Some(sheet.step("κ", "1", coefficient, ("Shear coefficient of the section", COWPER.at("pp. 335–340"))))
 }
 
 /// The polar second moment of area of a round section, m⁴, written as the step `symbol`, or the torsion constant.
@@ -162,24 +264,14 @@ pub fn polar_moment<W: Worksheet>(
     sheet: W,
     symbol: Symbol,
 ) -> Result<W::Num, Refusal> {
-    let (polar, why) = match given {
+    let round = match given {
         ShaftSectionGiven::Given { torsion_constant } => return Ok(*torsion_constant),
-        ShaftSectionGiven::Round { diameter } => {
-            (section::round_polar_moment(*diameter), "Polar second moment of area of a round section")
-        }
-        ShaftSectionGiven::Tube { outer, inner } => {
-            walled(*outer, *inner)?;
-            (section::tube_polar_moment(*outer, *inner), "Polar second moment of area of a tube")
-        }
+        ShaftSectionGiven::Round(round) => round,
     };
-    Ok(sheet.step(symbol, "cm^4", polar, (why, BEER.at("app. A"))))
-}
-
-fn walled<N: Real>(outer: N, inner: N) -> Result<(), Refusal> {
-    if inner.value() < outer.value() {
-        return Ok(());
-    }
-    Err(Refusal::because(
-        "the inner diameter of the tube is not below the outer one: write the larger one as the outer",
-    ))
+    round.check()?;
+    let why = match round {
+        RoundSectionGiven::Round { .. } => "Polar second moment of area of a round section",
+        RoundSectionGiven::Tube { .. } => "Polar second moment of area of a tube",
+    };
+    Ok(sheet.step(symbol, "cm^4", round.polar_moment(), (why, BEER.at("app. A"))))
 }

@@ -6,6 +6,7 @@ use dalembert_numerics::linalg::MOST_DENSE;
 use nalgebra::DMatrix;
 
 pub(crate) mod damping;
+pub(crate) mod modal_properties;
 pub(crate) mod modes;
 pub(crate) mod picture;
 pub(crate) mod two_degrees;

@@ -13,8 +13,7 @@ use dalembert_mechanics::{
 use dalembert_numerics::quadrature::integral;
 
 use crate::{
-    shared::load::{self, Course},
-    shock_and_impact::transient_response::AccelerationPoint,
+    shared::load::{self, AccelerationPoint, Course},
     sources::{CHOPRA, HARRIS, RAO},
 };
 

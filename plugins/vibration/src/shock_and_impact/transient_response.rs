@@ -22,7 +22,7 @@ use self::{
 use crate::{
     shared::{
         free_motion::{System, system},
-        load::Course,
+        load::{AccelerationPoint, Course},
         oscillator::{Damping, Elasticity, Mass, mass},
     },
     sources::{CHOPRA, RAO, THOMSON},
@@ -131,17 +131,6 @@ pub struct ForcePoint {
     /// Force.
     #[input("F", "N")]
     pub force: f64,
-}
-
-/// A point of an acceleration in time.
-#[derive(Clone, Debug, Inputs)]
-pub struct AccelerationPoint {
-    /// Time.
-    #[input("t", "s", nonnegative)]
-    pub time: f64,
-    /// Acceleration.
-    #[input("a", "m/s^2")]
-    pub acceleration: f64,
 }
 
 register!(TransientResponse);

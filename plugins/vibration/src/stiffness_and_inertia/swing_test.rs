@@ -6,8 +6,10 @@ use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Symbol, Workshee
 use dalembert_mechanics::{Real, vibration::swing};
 
 use crate::{
-    shafts_and_rotors::shaft_with_discs::{Load, LoadGiven},
-    shared::inertia::{self, Inertia},
+    shared::{
+        body_load::{Load, LoadGiven},
+        inertia::{self, Inertia},
+    },
     sources::{ABRAMOWITZ, RAO, THOMSON},
 };
 
@@ -339,10 +341,7 @@ fn answer<W: Worksheet>(inertia: W::Num, mass: W::Num, sheet: W) {
 
 /// The mass of the body.
 fn mass<W: Worksheet>(given: &LoadGiven<W>, gravity: W::Num, sheet: W) -> W::Num {
-    match given {
-        LoadGiven::Mass { mass } => *mass,
-        LoadGiven::Weight { weight } => sheet.step("m", "kg", *weight / gravity, "Mass of the weight"),
-    }
+    given.mass(gravity, sheet, "m", "Mass of the weight")
 }
 
 /// The period, as it was measured.

@@ -9,9 +9,10 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    shared::continuous::{
-        LineMass, Profile, Sampled, ShearModulus, line_mass, profile, shapes_film, shapes_plot,
-        shear_coefficient, shear_modulus,
+    shared::{
+        continuous::{LineMass, Sampled, ShearModulus, line_mass, shapes_film, shapes_plot, shear_modulus},
+        section::{Profile, RoundSection, profile, shear_coefficient},
+        support::{Restraint, Support},
     },
     sources::{BLEVINS, COWPER, RAO, TIMOSHENKO, WITTRICK},
 };
@@ -82,29 +83,7 @@ pub enum ShearCoefficient {
     },
 }
 
-/// Support condition of an end.
-#[derive(Clone, Debug, Inputs)]
-pub enum Support {
-    /// Free
-    Free,
-    /// Pinned
-    Pinned,
-    /// Clamped
-    Clamped,
-    /// Guided: deflects without rotating
-    Guided,
-    /// Springs
-    Springs {
-        /// Transverse stiffness.
-        #[input("k", "N/m", nonnegative)]
-        transverse: Option<f64>,
-        /// Rotational stiffness.
-        #[input("k_t", "N*m/rad", nonnegative)]
-        rotational: Option<f64>,
-    },
-}
-
-/// Support or lumped element at a point of the beam.
+/// What stands at a place of the beam.
 #[derive(Clone, Debug, Inputs)]
 pub struct Attachment {
     /// Distance from the left end.
@@ -257,18 +236,8 @@ impl BeamVibration {
     fn stations(&self, bending: f64, mass: f64) -> Result<Vec<Station>, Refusal> {
         let length = self.length;
         let end = |at: f64, support: &Support| {
-            let plain = Station { at, ..Station::default() };
-            match support {
-                Support::Free => plain,
-                Support::Pinned => Station { held: true, ..plain },
-                Support::Clamped => Station { held: true, clamped: true, ..plain },
-                Support::Guided => Station { clamped: true, ..plain },
-                Support::Springs { transverse, rotational } => Station {
-                    spring: transverse.unwrap_or(0.0) * length.powi(3) / bending,
-                    turning_spring: rotational.unwrap_or(0.0) * length / bending,
-                    ..plain
-                },
-            }
+            let Restraint { held, clamped, spring, turning_spring } = support.restraint(length, bending);
+            Station { at, held, clamped, spring, turning_spring, ..Station::default() }
         };
         let mut stations = vec![end(0.0, &self.left), end(1.0, &self.right)];
         for attachment in &self.attachments {
@@ -331,8 +300,9 @@ impl BeamVibration {
             });
         }
         let depth = match self.section {
-            Profile::Round { diameter } => diameter,
-            Profile::Tube { outer, .. } => outer,
+            Profile::Round(
+                RoundSection::Round { diameter: size } | RoundSection::Tube { outer: size, .. },
+            ) => size,
             Profile::Rectangle { height, .. } => height,
             Profile::Given { area, second_moment } => (12.0 * second_moment / area).sqrt(),
         };

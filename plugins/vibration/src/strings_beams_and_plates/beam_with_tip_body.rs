@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 use nalgebra::Vector3;
 
 use crate::{
-    shared::continuous::wall,
+    shared::section::RoundSection,
     sources::{BEER, BLEVINS, COWPER, WITTRICK},
 };
 
@@ -47,21 +47,9 @@ pub struct BeamWithTipBody {
 /// The cross-section of a beam that bends in two planes and twists.
 #[derive(Clone, Debug, Inputs)]
 pub enum TipSection {
-    /// Circular
-    Round {
-        /// Diameter.
-        #[input("d", "m", positive)]
-        diameter: f64,
-    },
-    /// Tube
-    Tube {
-        /// Outer diameter.
-        #[input("D", "m", positive)]
-        outer: f64,
-        /// Inner diameter.
-        #[input("d", "m", positive)]
-        inner: f64,
-    },
+    /// Circular or tube
+    #[input(flatten)]
+    Round(RoundSection),
     /// Rectangle
     Rectangle {
         /// Side along y.
@@ -235,22 +223,12 @@ fn tip_section<W: Worksheet>(
     let polar_why =
         ("Polar second moment of area, of a round section also the torsion constant", BEER.at("app. A"));
     Ok(match given {
-        TipSectionGiven::Round { diameter } => {
-            let area = area(section::round_area(*diameter));
-            let moment = moment("I", section::round_second_moment(*diameter));
-            let torsion = sheet.step("J", "cm^4", section::round_polar_moment(*diameter), polar_why);
-            let shear = poisson.map(|poisson| kappa(shear::round(poisson)));
-            SectionNumbers { area, moments: [moment, moment], torsion, shear }
-        }
-        TipSectionGiven::Tube { outer, inner } => {
-            wall(outer.value(), inner.value())?;
-            let area = area(section::tube_area(*outer, *inner));
-            let moment = moment("I", section::tube_second_moment(*outer, *inner));
-            let torsion = sheet.step("J", "cm^4", section::tube_polar_moment(*outer, *inner), polar_why);
-            let shear = poisson.map(|poisson| {
-                let ratio = sheet.step("d/D", "1", *inner / *outer, "Ratio of the diameters");
-                kappa(shear::tube(poisson, ratio))
-            });
+        TipSectionGiven::Round(round) => {
+            round.check()?;
+            let area = area(round.area());
+            let moment = moment("I", round.second_moment());
+            let torsion = sheet.step("J", "cm^4", round.polar_moment(), polar_why);
+            let shear = poisson.map(|poisson| kappa(round.shear_coefficient(poisson, sheet, "d/D")));
             SectionNumbers { area, moments: [moment, moment], torsion, shear }
         }
         TipSectionGiven::Rectangle { side_y, side_z } => {

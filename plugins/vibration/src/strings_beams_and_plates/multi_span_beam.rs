@@ -13,9 +13,12 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    shared::continuous::{LineMass, Profile, Sampled, line_mass, profile, shapes_film, shapes_plot},
+    shared::{
+        continuous::{LineMass, Sampled, line_mass, shapes_film, shapes_plot},
+        section::{Profile, profile},
+        support::{Restraint, Support},
+    },
     sources::{BEER, BLEVINS, RAO, WITTRICK},
-    strings_beams_and_plates::beam_vibration::Support,
 };
 
 /// The spans from left to right, and what holds the beam between them.
@@ -215,21 +218,16 @@ impl MultiSpanBeam {
             foundation: span.foundation.unwrap_or(0.0) * length.powi(4) / bending,
         };
         let joint = |joint: &BeamJoint| {
-            let plain = Joint {
+            let Restraint { held, clamped, spring, turning_spring } =
+                joint.support.restraint(length, bending);
+            Joint {
+                held,
+                clamped,
+                spring,
+                turning_spring,
                 mass: joint.mass.unwrap_or(0.0) / (mass * length),
                 inertia: joint.inertia.unwrap_or(0.0) / (mass * length.powi(3)),
                 ..Joint::default()
-            };
-            match joint.support {
-                Support::Free => plain,
-                Support::Pinned => Joint { held: true, ..plain },
-                Support::Clamped => Joint { held: true, clamped: true, ..plain },
-                Support::Guided => Joint { clamped: true, ..plain },
-                Support::Springs { transverse, rotational } => Joint {
-                    spring: transverse.unwrap_or(0.0) * length.powi(3) / bending,
-                    turning_spring: rotational.unwrap_or(0.0) * length / bending,
-                    ..plain
-                },
             }
         };
         let ends = self.spans.iter().map(|span| &span.end);

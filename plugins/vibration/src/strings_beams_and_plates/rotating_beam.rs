@@ -16,7 +16,10 @@ use dalembert_mechanics::{
 use dalembert_numerics::gauss_legendre;
 
 use crate::{
-    shared::continuous::{LineMass, Profile, Sampled, line_mass, profile, shapes_film, shapes_plot},
+    shared::{
+        continuous::{LineMass, Sampled, line_mass, shapes_film, shapes_plot},
+        section::{Profile, profile},
+    },
     sources::{RAO, SOUTHWELL, WRIGHT},
 };
 

@@ -5,14 +5,17 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    section::{self, shear, torsion},
+    section::{shear, torsion},
     vibration::wave,
 };
 
 use crate::{
-    shared::continuous::{
-        LineMass, LineMassGiven, Sampled, ShearModulus, line_mass, shapes_film, shapes_plot, shear_modulus,
-        wall,
+    shared::{
+        continuous::{
+            LineMass, LineMassGiven, Sampled, ShearModulus, line_mass, shapes_film, shapes_plot,
+            shear_modulus,
+        },
+        section::RoundSection,
     },
     sources::{BEER, BLEVINS, COWPER, RAO},
 };
@@ -173,21 +176,9 @@ pub enum TurningEnd {
 /// The cross-section of a shaft in torsion.
 #[derive(Clone, Debug, Inputs)]
 pub enum TorsionSection {
-    /// Circular
-    Round {
-        /// Diameter.
-        #[input("d", "m", positive)]
-        diameter: f64,
-    },
-    /// Tube
-    Tube {
-        /// Outer diameter.
-        #[input("D", "m", positive)]
-        outer: f64,
-        /// Inner diameter.
-        #[input("d", "m", positive)]
-        inner: f64,
-    },
+    /// Circular or tube
+    #[input(flatten)]
+    Round(RoundSection),
     /// Rectangle, free to warp
     Rectangle {
         /// One side.
@@ -391,9 +382,7 @@ fn body<W: Worksheet>(given: &BodyGiven<W>, length: W::Num, sheet: W) -> Result<
             let (torsion, polar) = torsion_section(section, sheet)?;
             let why = ("Torsional wave speed along a shaft", RAO.at("§8.4"));
             let speed = match section {
-                TorsionSectionGiven::Round { .. } | TorsionSectionGiven::Tube { .. } => {
-                    sheet.step("c", "m/s", (modulus / *density).sqrt(), why)
-                }
+                TorsionSectionGiven::Round(_) => sheet.step("c", "m/s", (modulus / *density).sqrt(), why),
                 _ => sheet.step("c", "m/s", (modulus * torsion / (*density * polar)).sqrt(), why),
             };
             let ends = ends([turning(left), turning(right)], sheet, || {
@@ -492,17 +481,15 @@ fn torsion_section<W: Worksheet>(
     given: &TorsionSectionGiven<W>,
     sheet: W,
 ) -> Result<(W::Num, W::Num), Refusal> {
-    let round = |polar: W::Num| {
-        let why =
-            ("Polar second moment of area, of a round section also the torsion constant", BEER.at("app. A"));
-        let polar = sheet.step("I_p", "cm^4", polar, why);
-        Ok((polar, polar))
-    };
     match given {
-        TorsionSectionGiven::Round { diameter } => round(section::round_polar_moment(*diameter)),
-        TorsionSectionGiven::Tube { outer, inner } => {
-            wall(outer.value(), inner.value())?;
-            round(section::tube_polar_moment(*outer, *inner))
+        TorsionSectionGiven::Round(round) => {
+            round.check()?;
+            let why = (
+                "Polar second moment of area, of a round section also the torsion constant",
+                BEER.at("app. A"),
+            );
+            let polar = sheet.step("I_p", "cm^4", round.polar_moment(), why);
+            Ok((polar, polar))
         }
         TorsionSectionGiven::Rectangle { breadth, height } => {
             let (a, b) = (*breadth, *height);

@@ -2,7 +2,7 @@
 
 use dalembert_core::{Inputs, Lift, Plain, Refusal, Stop, Trail};
 use dalembert_vibration::{
-    shared::section::{Section, ShaftSection},
+    shared::section::{RoundSection, Section, ShaftSection},
     shared::spring::{Spring, stiffness},
 };
 use itertools::Itertools as _;
@@ -71,11 +71,18 @@ fn a_load_at_the_far_support_is_refused() {
 
 #[test]
 fn a_tube_needs_a_wall() {
-    let tube =
-        |inner| Spring::Cantilever { length: 1.0, young: 1.0, section: Section::Tube { outer: 0.1, inner } };
+    let tube = |inner| Spring::Cantilever {
+        length: 1.0,
+        young: 1.0,
+        section: Section::Round(RoundSection::Tube { outer: 0.1, inner }),
+    };
     assert!(stiffness_of(&tube(0.1)).unwrap_err().to_string().contains("outer"));
     // I = π(D⁴ − d⁴)/64: half the diameter inside takes a sixteenth away.
-    let solid = Spring::Cantilever { length: 1.0, young: 1.0, section: Section::Round { diameter: 0.1 } };
+    let solid = Spring::Cantilever {
+        length: 1.0,
+        young: 1.0,
+        section: Section::Round(RoundSection::Round { diameter: 0.1 }),
+    };
     close(stiffness_of(&tube(0.05)).unwrap(), stiffness_of(&solid).unwrap() * 15.0 / 16.0);
 }
 
@@ -87,7 +94,7 @@ fn a_torsion_bar_is_a_helical_spring_unwound() {
     let bar = Spring::TorsionBar {
         length: std::f64::consts::PI * coil_diameter * coils,
         shear,
-        section: ShaftSection::Round { diameter: wire_diameter },
+        section: ShaftSection::Round(RoundSection::Round { diameter: wire_diameter }),
         lever: coil_diameter / 2.0,
     };
     close(stiffness_of(&helical).unwrap(), 40e3);

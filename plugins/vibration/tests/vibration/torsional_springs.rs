@@ -2,7 +2,7 @@
 
 use dalembert_core::{Inputs, Lift, Plain, Stop, Trail};
 use dalembert_vibration::{
-    shared::section::{Section, ShaftSection},
+    shared::section::{RoundSection, Section, ShaftSection},
     shared::spring::{
         Spring,
         torsional::{TorsionalSpring, stiffness},
@@ -23,8 +23,8 @@ fn close(computed: f64, expected: f64) {
 #[test]
 fn a_hollow_shaft_of_half_the_bore_loses_a_sixteenth() {
     let shaft = |section| TorsionalSpring::Shaft { length: 0.7, shear: 80e9, section };
-    let solid = stiffness_of(&shaft(ShaftSection::Round { diameter: 0.04 }));
-    let hollow = stiffness_of(&shaft(ShaftSection::Tube { outer: 0.04, inner: 0.02 }));
+    let solid = stiffness_of(&shaft(ShaftSection::Round(RoundSection::Round { diameter: 0.04 })));
+    let hollow = stiffness_of(&shaft(ShaftSection::Round(RoundSection::Tube { outer: 0.04, inner: 0.02 })));
     close(hollow, solid * 15.0 / 16.0);
 }
 
@@ -46,7 +46,7 @@ fn a_helical_spring_turned_bends_its_unwound_wire() {
     let wire = TorsionalSpring::Spiral {
         length: std::f64::consts::PI * coil_diameter * coils,
         young,
-        section: Section::Round { diameter: wire_diameter },
+        section: Section::Round(RoundSection::Round { diameter: wire_diameter }),
     };
     close(stiffness_of(&helical), stiffness_of(&wire));
 }

@@ -12,7 +12,7 @@ pub use crate::shared::one_degree_of_freedom::Position;
 use crate::shared::one_degree_of_freedom::PositionGiven;
 use crate::{
     shared::{
-        equilibria::{animation, arrow, down, telling},
+        equilibria::{arrow, down},
         one_degree_of_freedom::{Machine, Part, Shapes},
     },
     sources::{BEER, HIBBELER, RIUL},
@@ -104,16 +104,8 @@ impl Analysis for BarAndCord {
                 sheet.warn(|| "the mass is negative: at this angle the cord would have to push".into());
             }
         }
-        let at = telling(&balanced.list);
-        let [from, to] = balanced.range;
-        sheet.show(|| {
-            animation(
-                "The bar, its cord and its counterweight",
-                ("position.given.angle", at),
-                [from.max(at - 0.5), to.min(at + 0.5)],
-                |at| self.frame(at),
-            )
-        });
+        sheet
+            .show(|| balanced.animation("The bar, its cord and its counterweight", 0.5, |at| self.frame(at)));
         Ok(())
     }
 }

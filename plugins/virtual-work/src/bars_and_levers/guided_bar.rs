@@ -11,8 +11,8 @@ use dalembert_mechanics::{
 pub use crate::shared::one_degree_of_freedom::Position;
 use crate::{
     shared::{
-        equilibria::{animation, arrow, down, telling},
-        one_degree_of_freedom::{Machine, Part, Shapes, spring},
+        equilibria::{arrow, down},
+        one_degree_of_freedom::{Machine, Part, Shapes, spring, weight},
     },
     sources::{BEER, HIBBELER, RIUL},
 };
@@ -104,11 +104,7 @@ impl Analysis for GuidedBar {
     };
 
     fn solve<W: Worksheet>(&self, given: &GuidedBarGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let weight = if self.mass == 0.0 {
-            W::Num::from(0.0)
-        } else {
-            sheet.step("W", "N", given.mass * given.gravity, "Weight of the bar")
-        };
+        let weight = weight(given.mass, given.gravity, "Weight of the bar", sheet);
         let mut lengths = vec![given.length];
         let mut parts = vec![
             Part {
@@ -148,16 +144,7 @@ impl Analysis for GuidedBar {
         let machine =
             Machine { shapes: self, lengths: &lengths, parts: &parts, joints: &["Guide of A", "Guide of B"] };
         let balanced = machine.solve(&given.position, sheet, |loads, at| self.built(loads, at))?;
-        let at = telling(&balanced.list);
-        let [from, to] = balanced.range;
-        sheet.show(|| {
-            animation(
-                "The bar in its guides",
-                ("position.given.angle", at),
-                [from.max(at - 0.5), to.min(at + 0.5)],
-                |at| self.frame(at),
-            )
-        });
+        sheet.show(|| balanced.animation("The bar in its guides", 0.5, |at| self.frame(at)));
         Ok(())
     }
 }

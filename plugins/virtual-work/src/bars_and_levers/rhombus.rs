@@ -11,8 +11,8 @@ use dalembert_mechanics::{
 pub use crate::shared::one_degree_of_freedom::Position;
 use crate::{
     shared::{
-        equilibria::{animation, arrow, down, telling},
-        one_degree_of_freedom::{Machine, Part, Shapes, spring},
+        equilibria::{arrow, down},
+        one_degree_of_freedom::{Machine, Part, Shapes, spring, weight},
     },
     sources::{BEER, HIBBELER, RIUL},
 };
@@ -71,11 +71,7 @@ impl Analysis for Rhombus {
     };
 
     fn solve<W: Worksheet>(&self, given: &RhombusGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let weight = if self.mass == 0.0 {
-            W::Num::from(0.0)
-        } else {
-            sheet.step("W", "N", given.mass * given.gravity, "Weight of each bar")
-        };
+        let weight = weight(given.mass, given.gravity, "Weight of each bar", sheet);
         let lengths = [given.length, given.free];
         let parts = [
             Part {
@@ -117,16 +113,7 @@ impl Analysis for Rhombus {
             ],
         };
         let balanced = machine.solve(&given.position, sheet, |loads, at| self.built(loads, at))?;
-        let at = telling(&balanced.list);
-        let [from, to] = balanced.range;
-        sheet.show(|| {
-            animation(
-                "The rhombus",
-                ("position.given.angle", at),
-                [from.max(at - 0.4), to.min(at + 0.4)],
-                |at| self.frame(at),
-            )
-        });
+        sheet.show(|| balanced.animation("The rhombus", 0.4, |at| self.frame(at)));
         Ok(())
     }
 }

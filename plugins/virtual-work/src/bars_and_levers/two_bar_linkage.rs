@@ -9,8 +9,8 @@ use dalembert_mechanics::{
 pub use crate::shared::one_degree_of_freedom::Position;
 use crate::{
     shared::{
-        equilibria::{animation, arrow, down, telling},
-        one_degree_of_freedom::{Machine, Part, Shapes, spring},
+        equilibria::{arrow, down},
+        one_degree_of_freedom::{Machine, Part, Shapes, spring, weight},
     },
     sources::{BEER, HIBBELER, RIUL},
 };
@@ -86,11 +86,7 @@ impl Analysis for TwoBarLinkage {
     };
 
     fn solve<W: Worksheet>(&self, given: &TwoBarLinkageGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let weight = if self.mass == 0.0 {
-            W::Num::from(0.0)
-        } else {
-            sheet.step("W", "N", given.mass * given.gravity, "Weight of each bar")
-        };
+        let weight = weight(given.mass, given.gravity, "Weight of each bar", sheet);
         let mut lengths = vec![given.length];
         let mut parts = vec![
             Part {
@@ -136,16 +132,7 @@ impl Analysis for TwoBarLinkage {
             joints: &["Pin A", "Joint B", "Guide of C"],
         };
         let balanced = machine.solve(&given.position, sheet, |loads, at| self.built(loads, at))?;
-        let at = telling(&balanced.list);
-        let [from, to] = balanced.range;
-        sheet.show(|| {
-            animation(
-                "The two bars",
-                ("position.given.angle", at),
-                [from.max(at - 0.4), to.min(at + 0.4)],
-                |at| self.frame(at),
-            )
-        });
+        sheet.show(|| balanced.animation("The two bars", 0.4, |at| self.frame(at)));
         Ok(())
     }
 }

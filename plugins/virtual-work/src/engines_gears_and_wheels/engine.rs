@@ -14,10 +14,10 @@ mod rod;
 mod witness;
 
 pub use self::{
-    flywheel::{FlywheelInertia, FlywheelInertiaGiven, Output, OutputGiven, Resisting, ResistingGiven},
+    flywheel::{Output, OutputGiven, Resisting, ResistingGiven},
     gas::{
         Acting, ActingGiven, AngleRow, Behind, BehindGiven, Datum, DatumGiven, Gas, GasGiven, Law, LawGiven,
-        StrokeRow, Strokes,
+        StrokeRow,
     },
     rod::{Centre, CentreGiven, RodInertia, RodInertiaGiven, RodMass, RodMassGiven},
 };

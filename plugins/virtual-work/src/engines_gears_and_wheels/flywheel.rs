@@ -11,7 +11,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    engines_gears_and_wheels::engine::{FlywheelInertia, FlywheelInertiaGiven, Strokes},
+    shared::flywheel::{FlywheelInertia, Strokes},
     sources::{BEVAN, KHURMI},
 };
 
@@ -163,15 +163,7 @@ impl Analysis for Flywheel {
                 (inertia, *fluctuation)
             }
             SoughtGiven::Fluctuation { inertia } => {
-                let inertia = match inertia {
-                    FlywheelInertiaGiven::Moment { inertia } => *inertia,
-                    FlywheelInertiaGiven::Gyration { mass, radius } => sheet.step(
-                        "I_F",
-                        "kg*m^2",
-                        *mass * radius.powi(2),
-                        "Moment of inertia of the flywheel",
-                    ),
-                };
+                let inertia = inertia.moment(sheet);
                 let why = ("Coefficient of fluctuation of speed, from I ω² C_s = ΔE", cite);
                 (inertia, sheet.step("C_s", "%", energy / (inertia * square), why))
             }
@@ -242,10 +234,7 @@ impl Flywheel {
                 Ok(energy)
             }
             (Moment::Table { strokes, rows }, _) => {
-                let turns = match strokes {
-                    Strokes::Four => 2,
-                    Strokes::Two => 1,
-                };
+                let turns = strokes.turns();
                 let period = TAU * f64::from(turns);
                 let rows: Vec<[f64; 2]> = rows.iter().map(|row| [row.angle, row.moment]).collect();
                 let span = match rows[..] {

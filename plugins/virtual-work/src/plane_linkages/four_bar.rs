@@ -13,6 +13,7 @@ use crate::{
     shared::{
         built::{self, Built, Link, Solved, Template},
         dyad::{self, Support},
+        linkage::Closing,
         works::{self, FOUR, LinkMass, THREE, TWO, Turning, Works, plane, symbol},
     },
     sources::{NORTON, RIUL, SHIGLEY},
@@ -68,16 +69,7 @@ pub struct FourBar {
     pub gravity: Vector3<f64>,
 }
 
-/// The side on which the loop closes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum Closing {
-    /// Open loop
-    Open,
-    /// Crossed loop
-    Crossed,
-}
-
-/// Unknown of the sum of virtual works.
+/// What the virtual works are summed for.
 #[derive(Clone, Debug, Inputs)]
 pub enum Unknown {
     /// Torque on the crank
@@ -303,10 +295,7 @@ impl Template for FourBar {
                         "crank and coupler are collinear and the rocker reverses: no torque on the rocker can balance one on the crank; rotate the crank slightly",
                     ));
                 }
-                if torque.value() != 0.0 {
-                    let why = "Virtual work of the torque for δθ_2 = 1".into();
-                    works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
-                }
+                works.driving(torque);
                 let sum = works.sum();
                 let why = "Torque on the rocker: the total virtual work is zero, T_4 h_4 + ΣδW = 0";
                 let load =

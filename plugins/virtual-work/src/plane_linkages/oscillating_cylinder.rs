@@ -266,10 +266,7 @@ impl Template for OscillatingCylinder {
                         "crank and cylinder are collinear (dead centre): no force of the cylinder can balance a torque; rotate the crank slightly",
                     ));
                 }
-                if torque.value() != 0.0 {
-                    let why = "Virtual work of the torque for δθ_2 = 1".into();
-                    works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
-                }
+                works.driving(torque);
                 let why = "Force of the cylinder, from the principle of virtual work, F_c u_s + ΣδW = 0";
                 let force = -(works.sum() / shift);
                 (torque, sheet.step(symbol("F", "c"), "N", force, (why, RIUL.at("eq. 5"))))

@@ -167,10 +167,7 @@ impl Template for ScotchYoke {
                         "the crank lies along the line of the yoke (dead centre): no force on the yoke can balance a torque; rotate the crank slightly",
                     ));
                 }
-                if torque.value() != 0.0 {
-                    let why = "Virtual work of the torque for δθ_2 = 1".into();
-                    works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
-                }
+                works.driving(torque);
                 let why = "Force, from the principle of virtual work, F u + ΣδW = 0";
                 (torque, sheet.step("F", "N", -(works.sum() / shift), (why, RIUL.at("eq. 5"))))
             }
@@ -262,13 +259,7 @@ impl ScotchYoke {
         let range = Range::Turn(self.angle);
         let cycle = Cycle::new(range, "angle", at);
         match self.unknown {
-            Unknown::Torque { .. } => sheet.show(|| {
-                cycle.plot(
-                    "Torque over one revolution",
-                    ("Torque on the crank", "N*m"),
-                    &[("torque", "torque", &|found| found.torque)],
-                )
-            }),
+            Unknown::Torque { .. } => sheet.show(|| cycle.torque(|found| found.torque)),
             Unknown::Force { .. } => sheet.show(|| {
                 cycle.plot(
                     "Force over one revolution",

@@ -8,10 +8,10 @@ use dalembert_mechanics::{
 use nalgebra::Vector3;
 
 use crate::{
-    plane_linkages::four_bar::Closing,
     shared::{
         built::{self, Built, Cycle, Range, Solved, Template},
         dyad::{self, Line, Support},
+        linkage::Closing,
         works::{self, FIVE, FOUR, LinkMass, Moving, SIX, THREE, TWO, Turning, Works, plane, symbol},
     },
     sources::{NORTON, RIUL, SHIGLEY},
@@ -392,10 +392,7 @@ impl Template for SixBar {
                         "the output reverses here (dead centre): no load on it can balance a torque on the crank; rotate the crank slightly",
                     ));
                 }
-                if torque.value() != 0.0 {
-                    let why = "Virtual work of the torque for δθ_2 = 1".into();
-                    works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
-                }
+                works.driving(torque);
                 let load = -(works.sum() / output[1]);
                 let why = "Load, from the principle of virtual work";
                 let load = match self.output {
@@ -496,13 +493,7 @@ impl SixBar {
         let range = Range::about(self.angle, kinematic);
         let cycle = Cycle::new(range, "angle", at);
         if !matches!(self.load, Load::Unknown { .. }) {
-            sheet.show(|| {
-                cycle.plot(
-                    "Torque over one revolution",
-                    ("Torque on the crank", "N*m"),
-                    &[("torque", "torque", &|found| found.torque)],
-                )
-            });
+            sheet.show(|| cycle.torque(|found| found.torque));
         }
         sheet.show(|| {
             let (title, label, unit, answer) = match self.output {

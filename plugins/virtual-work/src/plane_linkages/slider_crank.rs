@@ -302,10 +302,7 @@ impl Template for SliderCrank {
                         "crank and rod are collinear (dead centre): no force on the slider can balance a torque; rotate the crank slightly",
                     ));
                 }
-                if torque.value() != 0.0 {
-                    let why = "Virtual work of the torque for δθ_2 = 1".into();
-                    works.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
-                }
+                works.driving(torque);
                 let sum = works.sum();
                 let why = "Force, from the principle of virtual work, F_B u_B + ΣδW = 0";
                 (torque, sheet.step(symbol("F", "B"), "N", -(sum / shift), (why, RIUL.at("eq. 5"))))
@@ -406,13 +403,7 @@ impl SliderCrank {
         let range = Range::about(self.angle, closes);
         let cycle = Cycle::new(range, "angle", at);
         match self.unknown {
-            Unknown::Torque { .. } => sheet.show(|| {
-                cycle.plot(
-                    "Torque over one revolution",
-                    ("Torque on the crank", "N*m"),
-                    &[("torque", "torque", &|found| found.torque)],
-                )
-            }),
+            Unknown::Torque { .. } => sheet.show(|| cycle.torque(|found| found.torque)),
             Unknown::Force { .. } => sheet.show(|| {
                 cycle.plot(
                     "Force over one revolution",

@@ -6,8 +6,6 @@ mod picture;
 use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Worksheet, register};
 use dalembert_mechanics::Real;
 
-pub(crate) use mechanism::Scissor;
-
 use crate::{
     shared::equilibria::animation,
     sources::{BEER, HIBBELER, RIUL},

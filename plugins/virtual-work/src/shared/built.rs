@@ -373,6 +373,12 @@ impl<P: Template, A: Fn(f64) -> P> Cycle<P, A> {
         found.iter().map(|(x, found)| (*x, found.as_ref().map_or(f64::INFINITY, &of))).collect()
     }
 
+    /// The torque on the crank over its angle.
+    pub(crate) fn torque(&self, of: impl Fn(&P::Found<f64>) -> f64) -> Exhibit {
+        let label = ("Torque on the crank", "N*m");
+        self.plot("Torque over one revolution", label, &[("torque", "torque", &of)])
+    }
+
     /// Named curves over the crank angle, each of an answer, with the label and the unit of what they show.
     pub(crate) fn plot(
         &self,

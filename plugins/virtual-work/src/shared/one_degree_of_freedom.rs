@@ -1,13 +1,13 @@
 //! Machines with one angle θ whose potential energy is a sum of loads times shapes, `V = Σ c f(θ)`: weights times
 //! heights, stiffnesses times half the square of a stretch, forces times distances.
 
-use dalembert_core::{Axis, Exhibit, Inputs, Plot, Refusal, Series, Text, Worksheet};
+use dalembert_core::{Axis, DrawnShape, Exhibit, Inputs, Plot, Refusal, Series, Text, Worksheet};
 use dalembert_mechanics::{Real, planar::Mechanism};
 
 use crate::{
     shared::equilibria::{
-        Equilibrium, Stability, answer_equilibria, check_curvature, check_held, reactions, solved, spread,
-        telling,
+        Equilibrium, Stability, animation, answer_equilibria, check_curvature, check_held, reactions, solved,
+        spread, telling,
     },
     sources::{BEER, RIUL},
 };
@@ -80,6 +80,26 @@ pub(crate) struct Balanced<N> {
     /// The load that was sought.
     pub(crate) load: Option<N>,
     pub(crate) range: [f64; 2],
+}
+
+impl<N> Balanced<N> {
+    /// The machine as it swings about its position by an angle to each side.
+    pub(crate) fn animation(
+        &self,
+        title: &'static str,
+        angle: f64,
+        frame: impl Fn(f64) -> Vec<DrawnShape>,
+    ) -> Exhibit {
+        let at = telling(&self.list);
+        let [from, to] = self.range;
+        let range = [from.max(at - angle), to.min(at + angle)];
+        animation(title, ("position.given.angle", at), range, frame)
+    }
+}
+
+/// The weight of a body, written down where it has a mass.
+pub(crate) fn weight<W: Worksheet>(mass: W::Num, gravity: W::Num, why: &'static str, sheet: W) -> W::Num {
+    if mass.value() == 0.0 { W::Num::from(0.0) } else { sheet.step("W", "N", mass * gravity, why) }
 }
 
 impl<S: Shapes, N: Real> Machine<'_, S, N> {

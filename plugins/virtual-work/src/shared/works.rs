@@ -174,6 +174,14 @@ impl<W: Worksheet> Works<W> {
         }
     }
 
+    /// The work of a known torque on the crank.
+    pub(crate) fn driving(&mut self, torque: W::Num) {
+        if torque.value() != 0.0 {
+            let why = "Virtual work of the torque for δθ_2 = 1".into();
+            self.push(symbol("δW_T", "2"), torque, why, RIUL.at("eq. 1"));
+        }
+    }
+
     /// A work that was written elsewhere.
     pub(crate) fn push(&mut self, symbol: Symbol, work: W::Num, why: Text, cite: Cite) {
         let work = self.sheet.step(symbol, "N*m", work, (why, cite));

@@ -5,9 +5,7 @@ use std::f64::consts::{PI, TAU};
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{Real, balance::reciprocating as engine};
 
-use super::{
-    Arrangement, ArrangementGiven, Cranks, CranksGiven, EveryGiven, SpacingGiven, Strokes, ThrowGiven,
-};
+use super::{Arrangement, ArrangementGiven, Cranks, CranksGiven, EveryGiven, SpacingGiven, Strokes};
 use crate::sources::{DEN_HARTOG, KHURMI};
 
 /// A cylinder in its place.
@@ -111,12 +109,7 @@ fn spread<W: Worksheet>(
     offset: W::Num,
     sheet: W,
 ) -> Vec<Placed<W::Num>> {
-    let crank = match every.throw {
-        ThrowGiven::Radius { radius } => radius,
-        ThrowGiven::Stroke { stroke } => {
-            sheet.step("r", "mm", stroke / 2.0, "The crank radius is half the stroke")
-        }
-    };
+    let crank = every.throw.radius(sheet);
     let mut all = Vec::new();
     for (bank, line) in lines.iter().enumerate() {
         for (throw, position) in throws.iter().zip(positions) {

@@ -10,10 +10,7 @@ use dalembert_mechanics::{
 
 use super::{InertiaGiven, TorsionalTrain, TorsionalTrainGiven};
 use crate::{
-    shared::{
-        inertia,
-        spring::{Element, torsional::network},
-    },
+    shared::spring::{Element, torsional::network},
     sources::BEVAN,
 };
 
@@ -71,12 +68,7 @@ pub(super) fn reduce<W: Worksheet>(
     let inertia = |disc: usize| {
         let symbol = ("J", disc + 1).into();
         match &given.discs[disc].inertia {
-            InertiaGiven::Given { inertia } => Some(*inertia),
-            InertiaGiven::Gyration { mass, radius } => Some(inertia::gyration(*mass, *radius, sheet, symbol)),
-            InertiaGiven::Disc { mass, diameter } => Some(inertia::disc(*mass, *diameter, sheet, symbol)),
-            InertiaGiven::WeightMoment { weight_moment, gravity } => {
-                Some(inertia::of_weight_moment(*weight_moment, *gravity, sheet, symbol))
-            }
+            InertiaGiven::Rotor(rotor) => Some(rotor.moment(sheet, symbol)),
             InertiaGiven::Light {} | InertiaGiven::Held {} => None,
         }
     };

@@ -14,7 +14,8 @@ use dalembert_mechanics::{
 };
 use dalembert_numerics::{gauss_legendre, roots};
 
-use super::{Engine, Gas, flywheel::FlywheelInertiaGiven, forces::Problem, gas::Cylinder};
+use super::{Engine, Gas, forces::Problem, gas::Cylinder};
+use crate::shared::flywheel::FlywheelInertiaGiven;
 
 /// The cycle at a steady speed.
 pub(super) struct Turned {

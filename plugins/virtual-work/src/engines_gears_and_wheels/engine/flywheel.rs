@@ -4,6 +4,7 @@ use dalembert_core::{Inputs, Refusal, Worksheet};
 use dalembert_mechanics::Real;
 
 use super::motion::Moving;
+use crate::shared::flywheel::FlywheelInertia;
 
 /// The flywheel and the load.
 #[derive(Clone, Debug, Inputs)]
@@ -14,27 +15,7 @@ pub struct Output {
     pub resisting: Resisting,
 }
 
-/// The moment of inertia of a flywheel.
-#[derive(Clone, Debug, Inputs)]
-pub enum FlywheelInertia {
-    /// Mass and radius of gyration
-    Gyration {
-        /// Mass.
-        #[input("m_F", "kg", positive)]
-        mass: f64,
-        /// Radius of gyration.
-        #[input("k_F", "m", positive)]
-        radius: f64,
-    },
-    /// Moment of inertia
-    Moment {
-        /// Moment of inertia.
-        #[input("I_F", "kg*m^2", positive)]
-        inertia: f64,
-    },
-}
-
-/// Resisting torque of the driven machine.
+/// What the engine drives.
 #[derive(Clone, Debug, Inputs)]
 pub enum Resisting {
     /// Torque
@@ -51,16 +32,6 @@ pub enum Resisting {
     },
 }
 
-/// The moment of inertia, as a step where it is found.
-pub(super) fn inertia<W: Worksheet>(given: &FlywheelInertiaGiven<W>, sheet: W) -> W::Num {
-    match given {
-        FlywheelInertiaGiven::Moment { inertia } => *inertia,
-        FlywheelInertiaGiven::Gyration { mass, radius } => {
-            sheet.step("I_F", "kg*m^2", *mass * radius.powi(2), "Moment of inertia of the flywheel")
-        }
-    }
-}
-
 /// The angular acceleration of the flywheel at the crank angle. `works` is the turning moment by the virtual works of all
 /// loads, and the size of what it is added up from.
 pub(super) fn acceleration<W: Worksheet>(
@@ -70,7 +41,7 @@ pub(super) fn acceleration<W: Worksheet>(
     works: Option<[f64; 2]>,
     sheet: W,
 ) -> Result<(), Refusal> {
-    let inertia = inertia(&given.inertia, sheet);
+    let inertia = given.inertia.moment(sheet);
     let torque = match &given.resisting {
         ResistingGiven::Torque { torque } => *torque,
         ResistingGiven::Power { power } => {

@@ -8,7 +8,7 @@ use dalembert_mechanics::{
 use dalembert_numerics::gauss_legendre;
 
 use super::motion::{Lengths, Moving};
-use crate::sources::KHURMI;
+use crate::{shared::flywheel::Strokes, sources::KHURMI};
 
 /// The force on the piston towards the crank, and what is known of it.
 #[derive(Clone, Debug, Inputs)]
@@ -160,15 +160,6 @@ pub enum Law {
         #[input("k", "1", positive, max = 3)]
         exponent: f64,
     },
-}
-
-/// Strokes of a cycle.
-#[derive(Clone, Copy, Debug, Inputs)]
-pub enum Strokes {
-    /// Four strokes
-    Four,
-    /// Two strokes
-    Two,
 }
 
 /// A row of an indicator diagram over the stroke.
@@ -438,10 +429,7 @@ fn stroke_diagram(rows: &[StrokeRow], above: f64) -> Result<Diagram, Refusal> {
 }
 
 fn angle_diagram(rows: &[AngleRow], strokes: Strokes, above: f64) -> Result<Diagram, Refusal> {
-    let turns = match strokes {
-        Strokes::Four => 2,
-        Strokes::Two => 1,
-    };
+    let turns = strokes.turns();
     let period = std::f64::consts::TAU * f64::from(turns);
     let (first, last) = match rows {
         [first, .., last] => (first.angle, last.angle),

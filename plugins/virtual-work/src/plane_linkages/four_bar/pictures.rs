@@ -11,13 +11,7 @@ impl FourBar {
         let range = Range::about(self.angle, |angle| self.closes(angle));
         let cycle = Cycle::new(range, "angle", at);
         match self.unknown {
-            Unknown::Torque { .. } => sheet.show(|| {
-                cycle.plot(
-                    "Torque over one revolution",
-                    ("Torque on the crank", "N*m"),
-                    &[("torque", "torque", &|found| found.torque)],
-                )
-            }),
+            Unknown::Torque { .. } => sheet.show(|| cycle.torque(|found| found.torque)),
             Unknown::Load { .. } => sheet.show(|| {
                 cycle.plot(
                     "Torque over one revolution",

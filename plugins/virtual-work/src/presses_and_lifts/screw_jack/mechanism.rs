@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use dalembert_mechanics::planar::{Body, Driver, Joint, Measure, Mechanism, Point};
 
 use super::{Frame, ScrewJack};
-use crate::{presses_and_lifts::scissor_lift::Scissor, shared::equilibria::down};
+use crate::shared::{equilibria::down, scissor::Scissor};
 
 impl ScrewJack {
     /// None where the load stands on the screw.
