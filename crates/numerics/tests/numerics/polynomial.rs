@@ -4,7 +4,7 @@ use itertools::Itertools as _;
 use nalgebra::{Complex, DMatrix};
 use proptest::prelude::*;
 
-use crate::close::{close, found};
+use crate::close::found;
 
 /// Coefficients of `Π (x − zᵢ)`, highest power first.
 fn product(roots: &[Complex<f64>]) -> Vec<f64> {
