@@ -5,7 +5,7 @@ pub mod pty;
 
 use dalembert_core::{Entry, registry};
 
-/// How many times more than every day the nets over the registry look: `DALEMBERT_TIMES`, as `cargo xtask soak nets` sets
+/// Multiplier of the random tests over the registry: `DALEMBERT_TIMES`, as `cargo xtask soak nets` sets
 /// it.
 #[must_use]
 pub fn times() -> usize {

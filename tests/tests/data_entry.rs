@@ -335,12 +335,12 @@ fn typed_at(person: &Person, path: &str) -> String {
 #[test]
 fn numbers_of_other_inputs_do_not_stand_beside_a_half_filled_form() {
     for size in [(80, 40), (200, 60)] {
-        let mut person = on(Person::at(size.0, size.1).opens("balancing/field"), "measured");
+        let mut person = on(Person::at(size.0, size.1).opens("balancing/field"), "measured.influence");
         let correction = "47.52";
         assert!(person.sees().contains(correction), "{}", person.sees());
         person.types("<enter><down><enter>");
         let screen = person.sees();
-        assert!(screen.contains("No result yet: ") && screen.contains("values missing"), "{screen}");
+        assert!(screen.contains("No result yet: ") && screen.contains("value missing"), "{screen}");
         assert!(!screen.contains(correction), "{screen}");
         // They come back with the inputs.
         person.types("z");

@@ -1,4 +1,4 @@
-//! What a worked solution prints is true: every substitution, read again from its text and computed, gives the
+//! Truth of a printed worked solution: every substitution, read again from its text and computed, gives the
 //! result beside it.
 
 use dalembert_core::registry;

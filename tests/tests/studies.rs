@@ -320,7 +320,7 @@ fn escape_stops_what_is_asked_and_turning_to_it_asks_again() {
         }
         assert!(matches!(presses(&mut person, "<esc>")[..], [Effect::Cancel]), "{tab}");
         let screen = person.sees();
-        assert!(screen.contains(&format!("{} cancelled", tab)), "{screen}");
+        assert!(screen.contains(&format!("{tab} cancelled")), "{screen}");
         assert!(!screen.contains("solving") && !screen.contains("searching for"), "{screen}");
         assert!(screen.contains(if tab == "Check" { "incorrect" } else { " cancelled" }), "{screen}");
         person.types("[]");

@@ -58,7 +58,7 @@ fn measure(shape: &Shape) -> Option<Measure> {
     }
 }
 
-/// Why a text is of none of the kinds that may stand in a field.
+/// Reason why a text is of none of the kinds of a field.
 pub(crate) fn also(why: Text, measure: Measure) -> Text {
     if measure.others.is_empty() {
         return why;

@@ -200,7 +200,7 @@ fn measure(column: &Field) -> Option<crate::Measure> {
     if let Shape::Quantity(measure) = column.shape { Some(measure) } else { None }
 }
 
-/// Whether a unit is of a kind that a column takes.
+/// True if a unit is of a kind that a column takes.
 fn takes(column: &Field, fits: impl Fn(Dim) -> bool) -> bool {
     match measure(column) {
         Some(measure) => measure.all().any(|measure| fits(measure.own_unit().dim)),

@@ -352,7 +352,7 @@ impl Arguments {
         Ok(code! { &[#(#names),*] })
     }
 
-    /// What stands between the bars of a text: `"a | b"`.
+    /// Words between the bars of a text: `"a | b"`.
     fn words_of(&self, name: &str) -> Result<Vec<String>> {
         match self.value(name) {
             Some(Expr::Lit(ExprLit { lit: Lit::Str(text), .. })) => Ok(between_bars(&text.value())),

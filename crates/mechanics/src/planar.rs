@@ -48,11 +48,11 @@ pub use system::{Mobility, Placed, State, System};
 pub struct Mechanism {
     /// The moving bodies; the ground is none of them.
     pub bodies: Vec<Body>,
-    /// What holds them together.
+    /// Joints between the bodies.
     pub joints: Vec<Joint>,
-    /// What moves or holds it: one for each degree of freedom.
+    /// Drivers, one for each degree of freedom.
     pub drivers: Vec<Driver>,
-    /// What acts on it.
+    /// Loads besides the weights.
     pub loads: Vec<Load>,
     /// Acceleration of gravity, m/s².
     pub gravity: [f64; 2],
@@ -67,7 +67,7 @@ pub struct Body {
     pub inertia: f64,
 }
 
-/// Why a mechanism has no answer. Bodies, joints, drivers and loads are counted from 0.
+/// Reason for which a mechanism has no answer. Bodies, joints, drivers and loads are counted from 0.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum PlanarError {
     /// A number is not finite, a mass or inertia is negative, or a length that must be positive is not.
@@ -77,7 +77,7 @@ pub enum PlanarError {
     Number {
         /// Body, joint, driver or load.
         what: &'static str,
-        /// Which.
+        /// Index of the joint, driver or load.
         index: usize,
     },
     /// A joint, driver or load names a body that there is not.
@@ -85,11 +85,11 @@ pub enum PlanarError {
     NoSuchBody {
         /// Joint, driver or load.
         what: &'static str,
-        /// Which.
+        /// Index of the joint, driver or load.
         index: usize,
         /// The body that it names.
         body: usize,
-        /// How many there are.
+        /// Number of bodies.
         bodies: usize,
     },
     /// The joints cannot all hold at once.
@@ -97,28 +97,28 @@ pub enum PlanarError {
     DoesNotClose {
         /// The equation with the largest residual: of this joint, or of the driver numbered after the joints.
         joint: usize,
-        /// What is left of it, m or rad.
+        /// Residual of the constraint, m or rad.
         residual: f64,
     },
     /// Some freedom has no driver.
     #[error("{free} degrees of freedom have no driver")]
     UnderDriven {
-        /// How many are left.
+        /// Number of remaining degrees of freedom.
         free: usize,
-        /// Whether Grübler's count of bodies and joints leaves no more than there are drivers: in this position alone the
-        /// joints leave more.
+        /// True if Grübler's count of bodies and joints leaves no more than there are drivers: in this position alone
+        /// the joints leave more.
         singular: bool,
     },
     /// A driver is not free to move: the joints or the other drivers hold it already.
     #[error("driver {driver} is held already by the joints or by other drivers")]
     OverDriven {
-        /// Which.
+        /// Index of the driver.
         driver: usize,
     },
     /// A driver cannot go on: the mechanism has reached a limit position.
     #[error("driver {driver} cannot pass {at}: the mechanism has reached a limit position")]
     Limit {
-        /// Which.
+        /// Index of the driver.
         driver: usize,
         /// The last value of its measure that can be reached, m or rad.
         at: f64,
@@ -126,7 +126,7 @@ pub enum PlanarError {
     /// A driver is to move so far at once that its way cannot be followed.
     #[error("driver {driver} is to move too far at once; let it go in parts")]
     TooFar {
-        /// Which.
+        /// Index of the driver.
         driver: usize,
     },
     /// In this position the drivers do not determine the motion: a dead centre.
@@ -155,7 +155,7 @@ pub enum PlanarError {
     /// A given velocity contradicts the joints or those given before it.
     #[error("velocity {index} follows from the joints, the drivers and the velocities before it already")]
     Rate {
-        /// Which.
+        /// Index of the joint, driver or load.
         index: usize,
     },
     /// So many joints with friction rest at once that the ways to begin a motion are too many to be tried.

@@ -1,4 +1,4 @@
-//! What the workbench asks to be done outside of its model: plain values.
+//! Effects: actions outside of the model, as plain values.
 
 use std::path::PathBuf;
 
@@ -25,16 +25,16 @@ pub enum Effect {
     Judge(&'static Entry),
     /// Write a file; [`Msg::Saved`](crate::Msg).
     Save {
-        /// Where.
+        /// Path.
         path: PathBuf,
-        /// What.
+        /// Text to write.
         text: String,
         /// The condition: what must stand there now.
         before: Before,
     },
     /// Write files that belong together, the first under this condition; [`Msg::Exported`](crate::Msg).
     Export {
-        /// Where, and what.
+        /// Paths and texts.
         files: Vec<(PathBuf, String)>,
         /// The condition: what must stand there now.
         before: Before,

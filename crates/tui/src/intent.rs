@@ -1,4 +1,4 @@
-//! What an update wants to be done next. Updates answer with these, and only `update` carries them out.
+//! Intents: the next action that an update wants. Updates return them, and only `update` carries them out.
 
 use std::path::PathBuf;
 

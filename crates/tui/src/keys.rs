@@ -1,4 +1,4 @@
-//! What keys mean: one table for each place where keys are typed.
+//! Key map: one table of bindings for each place where keys are typed.
 //!
 //! A [`KeyMap`] is these tables with the user's changes; the footer, the help and the palette are made from it, so
 //! they cannot say anything else.
@@ -14,7 +14,7 @@ pub use map::{Bound, Change, KeyMap};
 pub use tables::{ALWAYS, COMMON, PANES, PROBLEM};
 use tables::{CELL, CELLS, EDIT, FILTER, FORM, HELP, LIST, PICKER, PROMPT, RESULTS, SHEET};
 
-/// What a user wants when pressing a key.
+/// Action of a key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
     /// To the line above.
@@ -61,9 +61,9 @@ pub enum Action {
     ZoomOut,
     /// All of the axis.
     ZoomAll,
-    /// What lies at the left of what is shown.
+    /// Pan to the left.
     PanLeft,
-    /// What lies at the right of what is shown.
+    /// Pan to the right.
     PanRight,
     /// Linear, logarithmic, in decibels.
     NextSpread,
@@ -158,7 +158,7 @@ pub enum Action {
 /// A line of a table: keys, what they do, and how that is called.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Binding {
-    /// What is done.
+    /// Action.
     pub action: Action,
     /// The keys that do it, the usual one first.
     pub keys: &'static [Key],
@@ -199,7 +199,7 @@ pub struct Key(pub KeyCode, pub KeyModifiers);
 pub enum Place {
     /// The list of analyses.
     Picker,
-    /// Its filter.
+    /// Filter of the list.
     Filter,
     /// The inputs of a problem.
     Form,
@@ -224,7 +224,7 @@ pub enum Place {
 }
 
 impl Place {
-    /// Its table; the keys that it shares with others come after it, see [`bindings`](Self::bindings).
+    /// Table of the place; shared bindings follow it, see [`bindings`](Self::bindings).
     pub fn table(self) -> Table {
         match self {
             Place::Picker => PICKER,
@@ -242,7 +242,7 @@ impl Place {
         }
     }
 
-    /// Its name in the help.
+    /// Name in the help.
     pub fn name(self) -> &'static str {
         match self {
             Place::Picker => "List of analyses",
@@ -260,12 +260,12 @@ impl Place {
         }
     }
 
-    /// Whether every character is text here.
+    /// Returns true if every character is text here.
     pub fn is_text(self) -> bool {
         matches!(self, Place::Filter | Place::Edit | Place::Prompt | Place::Sheet | Place::Cell)
     }
 
-    /// Whether it is one of the panes of what was found.
+    /// Returns true for one of the panes of the results.
     pub fn is_pane(self) -> bool {
         matches!(self, Place::Pane | Place::Own(_) | Place::Cells)
     }
@@ -295,13 +295,13 @@ impl Key {
         Key(event.code, modifiers)
     }
 
-    /// Whether it begins a number where one is expected.
+    /// Returns true if the key begins a number where one is expected.
     pub fn begins_a_number(self) -> bool {
         let begins = |c: char| c.is_ascii_digit() || matches!(c, '(' | '.' | ',' | '−' | '√');
         self.is_text() && matches!(self.0, KeyCode::Char(character) if begins(character))
     }
 
-    /// Whether it writes a character where text is typed.
+    /// Returns true if the key writes a character where text is typed.
     pub fn is_text(self) -> bool {
         matches!(self.0, KeyCode::Char(_)) && self.1.difference(KeyModifiers::SHIFT).is_empty()
     }

@@ -338,7 +338,7 @@ impl Model {
         problem
     }
 
-    /// How many problems more can be opened: one that is a published case and nothing else gives way.
+    /// Number of problems that can still be opened: one that is a published case and nothing else gives way.
     pub fn room(&self) -> usize {
         MOST_PROBLEMS.saturating_sub(self.problems().iter().filter(|bench| !gives_way(bench)).count())
     }

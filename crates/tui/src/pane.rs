@@ -178,7 +178,7 @@ pub trait Pane: Any + Debug {
         false
     }
 
-    /// How many cells to type in there are, or to choose in.
+    /// Number of cells to type in or to choose in.
     fn cells(&self, _problem: &Problem) -> usize {
         0
     }
@@ -219,7 +219,7 @@ pub trait Pane: Any + Debug {
     /// The answer counts no more; `inputs`: since the inputs are others.
     fn forget(&mut self, _problem: &mut Problem, _inputs: bool) {}
 
-    /// How many pictures it has, of which it shows one.
+    /// Number of pictures, of which one is shown.
     fn pictures(&self, _problem: &Problem) -> usize {
         0
     }

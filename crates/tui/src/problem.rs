@@ -60,7 +60,7 @@ pub struct Document {
     pub title: String,
     /// The published case that its inputs began as.
     pub origin: Option<Case>,
-    /// How answers are shown: `(answer, unit and digits)`.
+    /// Display of answers: `(answer, unit and digits)`.
     pub show: Vec<(String, String)>,
     /// True if that is otherwise than in the file.
     pub show_changed: bool,
@@ -90,7 +90,7 @@ pub struct Found {
     pub solution: Option<Solution>,
     /// The inputs that it belongs to.
     pub of: Option<Draft>,
-    /// Why the present inputs have none.
+    /// Reason for which the present inputs have no solution.
     pub failure: Option<Failure>,
     /// True if the present inputs are so far from those of the solution that its numbers are hidden until there is
     /// another.

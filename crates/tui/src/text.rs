@@ -99,7 +99,7 @@ pub(crate) fn fit_label(text: &str, room: usize, look: &Look) -> String {
     }
 }
 
-/// Where a word is broken: at least one character is kept.
+/// Break of a word: at least one character is kept.
 fn broken_at(word: &str, room: usize) -> usize {
     let mut cells = 0;
     for (at, character) in word.char_indices() {

@@ -1,4 +1,4 @@
-//! What happens to the model: messages in, effects out.
+//! Update of the model: messages in, effects out.
 //!
 //! A message and a key lead to [`Intent`]s. The files beside this one answer with them and do not call each other:
 //! what they want of one another is an intent, and [`carry_out`] is the one place that carries it out.
@@ -443,7 +443,7 @@ fn type_in(model: &mut Model, requests: &[InputRequest]) -> Vec<Intent> {
     vec![Intent::Changed]
 }
 
-/// What a key means in a line of text.
+/// Editing request of a key in a line of text.
 fn request(key: KeyEvent) -> Option<InputRequest> {
     let control = key.modifiers.contains(KeyModifiers::CONTROL);
     let alt = key.modifiers.contains(KeyModifiers::ALT);

@@ -213,7 +213,7 @@ pub(crate) fn shows(model: &Model, tab: Tab) -> bool {
     })
 }
 
-/// How long each frame of an animation stands; `None` while none moves on the screen.
+/// Duration of each frame of an animation; `None` while none plays on the screen.
 pub fn tempo(model: &Model) -> Option<Duration> {
     let (_, frames, period) = animation(model).filter(|_| model.playing && model.dialog.is_none())?;
     Duration::try_from_secs_f64(period / (frames as f64 * model.animation_speed)).ok()
@@ -235,7 +235,7 @@ fn focused_cell(buffer: &Buffer) -> Option<Position> {
     Some(buffer.pos_of(at).into())
 }
 
-/// Where the title of a pane stands.
+/// Area of the title of a pane.
 fn title_of(area: Rect) -> Rect {
     let inset = if layout::framed(area) { 2 } else { 0 };
     Rect {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::{Tree, lines, loops::imports};
 use crate::names::{pascal, snake, snake_of};
 
-/// What may stand beside the topics in the sources of a family.
+/// Files beside the topics in the sources of a family.
 const BESIDE: [&str; 3] = ["lib", "shared", "sources"];
 
 pub(super) fn an_analysis_is_one_file(tree: &Tree) -> Vec<String> {
@@ -79,7 +79,7 @@ pub(super) fn an_analysis_is_one_file(tree: &Tree) -> Vec<String> {
     faults
 }
 
-/// What several analyses use stands in `shared`, not between them.
+/// A topic holds analyses alone: parts that several of them use stand in `shared`.
 pub(super) fn a_topic_holds_analyses_alone(tree: &Tree) -> Vec<String> {
     let analyses: BTreeSet<&str> = tree
         .sources()

@@ -12,7 +12,7 @@ pub(super) fn place(former: &[&str], name: &str) -> Option<usize> {
     former.iter().position(|known| *known == name)
 }
 
-/// What an item says in a field whose former alternatives may stand in it.
+/// Draft of a field in whose place former alternatives may stand.
 pub(super) fn draft_of_field(item: &Item, field: &Field, path: &str, reading: &mut Reading) -> Draft {
     let only = item.as_table_like().filter(|table| table.len() == 1).and_then(|table| table.iter().next());
     match only.and_then(|(name, inner)| Some((name, inner, place(field.former, name)?))) {
@@ -23,7 +23,7 @@ pub(super) fn draft_of_field(item: &Item, field: &Field, path: &str, reading: &m
     }
 }
 
-/// What a former alternative holds.
+/// Draft of the contents of a former alternative.
 pub(super) fn draft_of(
     item: &Item,
     shape: &Shape,

@@ -10,7 +10,7 @@ use super::{
 };
 use dalembert_numerics::{linalg::Elimination, simd::SimdReal};
 
-/// What acts, with its forces and moments on the bodies.
+/// Load or joint with its forces and moments `[F_x, F_y, M]` on the bodies.
 type Act = (LoadId, Vec<(usize, [f64; 3])>);
 
 /// The efforts on a moving mechanism.
@@ -29,18 +29,18 @@ pub struct Dynamics {
     pub powers: Vec<LoadPower>,
     /// Kinetic energy, J.
     pub kinetic_energy: f64,
-    /// Its rate `Σ (m a · v + I α ω)`, W.
+    /// Rate of the kinetic energy, `Σ (m a · v + I α ω)`, W.
     pub energy_rate: f64,
 }
 
 /// The part that a load has in the balance of virtual power.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadPower {
-    /// Which load.
+    /// Identifier of the load.
     pub of: LoadId,
-    /// Its virtual power for a unit velocity of each driver.
+    /// Generalised forces: virtual power for a unit velocity of each driver.
     pub generalised: Vec<f64>,
-    /// Its power, W.
+    /// Power, W.
     pub power: f64,
 }
 

@@ -7,8 +7,8 @@ use dalembert_numerics::linalg::Elimination;
 pub(super) const STEP: f64 = 0.2;
 /// The smallest step, in parts of the whole way: below it the mechanism has come to its end.
 const SMALLEST: f64 = 1e-11;
-/// Where the last pivot of the equations is below this part of the first, accelerations are rounding alone: its errors
-/// are divided by the cube of the way to a change point.
+/// Ratio of the last pivot to the first below which accelerations are rounding noise: their errors are divided by the
+/// cube of the distance to a change point.
 const VAGUE: f64 = 1e-5;
 /// Below this part rounding decides on which branch a position lies: no step ends there but the last.
 const LOST: f64 = 1e-6;

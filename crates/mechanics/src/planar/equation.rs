@@ -2,7 +2,7 @@
 
 use super::{Frame, Measure, Point};
 
-/// What holds bodies together.
+/// Joint between bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Joint {
     /// A revolute joint: two points stay together.
@@ -49,7 +49,7 @@ pub enum Joint {
         from: Point,
         /// The other end.
         to: Point,
-        /// Its length, m.
+        /// Length, m.
         length: f64,
     },
     /// A pair of gears: `Nₐ(θₐ − θ_c) ± N_b(θ_b − θ_c)` does not change.
@@ -62,7 +62,7 @@ pub enum Joint {
         carrier: Frame,
         /// Teeth or pitch radii of the two.
         sizes: [f64; 2],
-        /// Whether the second has its teeth inside.
+        /// True if the second gear has internal teeth.
         internal: bool,
     },
     /// Rack and pinion, or a wheel that rolls on a line without slip: the way along the line and the rolled arc
@@ -99,7 +99,7 @@ pub enum Joint {
         follower: Measure,
         /// The measure that leads.
         cam: Measure,
-        /// What the follower is for each value of the leader.
+        /// Follower coordinate as a function of the leader.
         profile: Profile,
     },
 }
@@ -107,20 +107,20 @@ pub enum Joint {
 /// A driver: a measure whose value, velocity and acceleration are given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Driver {
-    /// What is driven.
+    /// Driven relative coordinate.
     pub measure: Measure,
-    /// Its value, m or rad.
+    /// Value, m or rad.
     pub value: f64,
-    /// Its velocity, m/s or rad/s.
+    /// Velocity, m/s or rad/s.
     pub velocity: f64,
-    /// Its acceleration, m/s² or rad/s².
+    /// Acceleration, m/s² or rad/s².
     pub acceleration: f64,
 }
 
 /// A function with two continuous derivatives, as a polynomial on each interval.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
-    /// Where the intervals begin, ascending, and where the last one ends.
+    /// Ends of the intervals, ascending.
     knots: Vec<f64>,
     /// The coefficients of each interval, of powers of the way from its beginning.
     pieces: Vec<[f64; 4]>,
@@ -131,9 +131,9 @@ pub struct Profile {
 /// A part of an [`Equation`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Term {
-    /// What it is multiplied by.
+    /// Coefficient.
     pub weight: f64,
-    /// What is measured.
+    /// Relative coordinate.
     pub measure: Measure,
     /// The function that the measure goes through.
     pub profile: Option<Profile>,
@@ -144,7 +144,7 @@ pub struct Term {
 pub struct Equation {
     /// The parts of its left side.
     pub terms: Vec<Term>,
-    /// Its right side; the left side in the drawn position if none.
+    /// Constant term; the left-hand side in the initial configuration if `None`.
     pub sum: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Where a mechanism stays by itself, and whether it returns there.
+//! Equilibrium positions of a mechanism and their stability.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -20,11 +20,11 @@ pub struct Equilibrium {
     pub stiffness: DMatrix<f64>,
     /// The lowest eigenvalue of the stiffness, with each measure in the scale that makes its diagonal ±1.
     pub lowest: f64,
-    /// What that says.
+    /// Stability of the equilibrium.
     pub stability: Stability,
 }
 
-/// Whether a mechanism that is moved a little returns.
+/// Stability of an equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stability {
     /// The potential energy has a minimum.
@@ -63,8 +63,8 @@ impl System {
         Ok(coefficients.iter().map(|motion| -power(motion)).collect())
     }
 
-    /// How the holding efforts grow with the drivers, `∂²V/∂m_i ∂m_j`; its symmetric part where a load has no
-    /// potential.
+    /// Stiffness matrix of the mechanism: derivatives of the holding efforts with respect to the driven coordinates,
+    /// `∂²V/∂m_i ∂m_j`; its symmetric part where a load has no potential.
     ///
     /// Along a motion at unit velocity and without acceleration of the drivers the virtual power of an effort Q along
     /// a measure m changes as `Q′ ṁ² + Q m̈`, that of a force at a point as `F · a`.
@@ -94,7 +94,7 @@ impl System {
         Ok(stiffness)
     }
 
-    /// How the power of loads and weights changes along a motion, as if they were slow.
+    /// Rate of change of the power of loads and weights along a quasi-static motion.
     fn change_of_power(&self, state: &State) -> f64 {
         let poses = poses(&state.positions);
         let [gx, gy] = self.mechanism.gravity;

@@ -37,16 +37,16 @@ pub struct ForwardDynamics {
 /// The Coulomb friction of a joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JointFriction {
-    /// Which load it is.
+    /// Index of the load.
     pub load: usize,
-    /// How the joint moves.
+    /// Contact state of the joint.
     pub contact: Contact,
     /// The friction along its sliding, N, or about its pin, N m: positive when it pushes what slides to grow. For a joint
     /// that rests since others are held it is not determined, and given as zero.
     pub effort: f64,
-    /// How fast the joint slides, m/s, or a pin turns, rad/s.
+    /// Sliding velocity, m/s, or for a pin its angular velocity, rad/s.
     pub sliding: f64,
-    /// Whether the joint is a pin.
+    /// True for a pin.
     pub pin: bool,
 }
 

@@ -32,17 +32,17 @@ const TURNED: f64 = 1e-10;
 /// Friction in a pin, slider or slot.
 #[derive(Debug, Clone)]
 pub(super) struct Friction {
-    /// Which load it is.
+    /// Index of the load.
     pub(super) load: usize,
     /// In which joint.
     pub(super) joint: usize,
-    /// What slides.
+    /// Relative coordinate of the sliding.
     pub(super) measure: Measure,
     /// The effort along the measure over the force that the joint carries: μ, or μ r.
     pub(super) limit: f64,
     /// The equations whose multipliers are that force: the second one of a pin alone.
     rows: [usize; 2],
-    /// Whether it is in a pin.
+    /// True for a pin.
     pub(super) pin: bool,
 }
 
@@ -88,7 +88,7 @@ impl System {
         self.frictions().into_iter().filter(|friction| friction.limit > 0.0).collect()
     }
 
-    /// What makes a measure of a friction a length.
+    /// Friction arm: factor from the coordinate of a friction to a length.
     pub(super) fn arm(&self, friction: &Friction) -> f64 {
         if friction.pin { self.length } else { 1.0 }
     }
@@ -102,7 +102,7 @@ impl Friction {
     }
 }
 
-/// What loads do to a mechanism in a position, all scaled.
+/// Scaled effect of the loads on a mechanism in one position.
 #[derive(Debug, Clone)]
 pub(super) struct Effect {
     /// The accelerations of the free velocities.
@@ -121,14 +121,14 @@ pub(super) struct Frictionless<'a> {
     pub(super) velocities: &'a [[f64; 3]],
     /// The free motions, scaled.
     pub(super) motions: &'a [Vec<f64>],
-    /// What its loads do but for friction.
+    /// Effect of the loads other than friction.
     pub(super) effect: Effect,
 }
 
-/// How the slidings of a mechanism answer to friction.
+/// Response of the sliding velocities of a mechanism to friction.
 pub(super) struct Response<'a> {
     frictions: &'a [Friction],
-    /// What the loads do but for friction, and what 1 N of each friction does.
+    /// Effect of the loads other than friction, and of 1 N of each friction.
     base: Effect,
     units: Vec<Effect>,
     /// The velocities of the slidings, m/s.
@@ -141,7 +141,7 @@ pub(super) struct Response<'a> {
     carries: Vec<Vec<[f64; 2]>>,
     /// `μ` or `μ r / length`.
     limits: Vec<f64>,
-    /// How each slides with the free motions.
+    /// Sliding velocity of each joint for unit free motions.
     rows: Vec<Vec<f64>>,
 }
 
@@ -197,7 +197,7 @@ impl<'a> Response<'a> {
         })
     }
 
-    /// How the joints slide by their velocities: what is slower than `still`, m/s, rests.
+    /// Contact states by the sliding velocities: a joint slower than `still`, m/s, sticks.
     pub(super) fn contacts(&self, still: f64) -> Vec<Contact> {
         let of_rate = |rate: &f64| {
             if rate.abs() <= still {
@@ -209,7 +209,7 @@ impl<'a> Response<'a> {
         self.rates.iter().map(of_rate).collect()
     }
 
-    /// What all loads do together.
+    /// Combined effect of all loads.
     pub(super) fn effect(&self, efforts: &[f64]) -> Effect {
         let Effect { mut free, mut accelerations, mut multipliers } = self.base.clone();
         for (unit, effort) in self.units.iter().zip(efforts) {
@@ -289,9 +289,9 @@ impl<'a> Response<'a> {
         None
     }
 
-    /// What the motion asks of a state to go on, each over its size: first of each joint that slides its velocity in
-    /// its sense, then of each guide its force on its side, and last what friction has in hand before a joint at rest
-    /// begins to slide. What is not asked is 1. `fastest` is the size of velocities.
+    /// Margins within which the motion may go on, each over its scale: first the velocity of each sliding joint in its
+    /// sense, then the force of each guide on its side, and last the reserve of friction before a joint at rest begins
+    /// to slide. What is not asked is 1. `fastest` is the size of velocities.
     pub(super) fn margins(
         &self,
         contacts: &[Contact],

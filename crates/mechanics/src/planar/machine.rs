@@ -22,14 +22,14 @@ const ALMOST: f64 = 1e-12;
 /// A correction of a step beyond this part of the size, or beyond so many times its tolerance, would be a jump.
 const JUMP: f64 = 1e-5;
 const JUMPS: f64 = 100.0;
-/// Where a pivot has fallen to a part of what it was, rounding counts in parts of its square: once for the positions,
-/// and again for the velocities that follow from them. Along a row of loops it adds up; so much of it for each, and at
-/// most the second, is let through: shorter steps would only come closer.
+/// Rounding error of positions and velocities near a singular position, relative to the square of the pivot ratio.
+/// Along a row of loops it adds up; so much of it for each, and at most the second, is let through: shorter steps would
+/// only come closer.
 const ROUNDING: f64 = 4.0;
 const MOST_WHERE_SINGULAR: f64 = 1e-9;
 /// Below this part of what it was, a pivot leaves too little of a moment that is shown.
 const UNSAFE: f64 = 0.01;
-/// How far ahead, as a fraction of the size, the Jacobian is evaluated to extrapolate where its rows vanish.
+/// Step, as a fraction of the size, at which the Jacobian is evaluated to extrapolate where its rows vanish.
 const AHEAD: f64 = 1e-5;
 /// The tolerance of a step that went where the order of elimination is of no use.
 const NOTHING: f64 = 1e-60;
@@ -47,7 +47,7 @@ pub(super) struct Machine<'a> {
     work: Work,
     /// The kept coordinates that the work stands for.
     set: Vec<f64>,
-    /// Whether the Jacobian of the work is eliminated already.
+    /// True once the Jacobian of the work arrays is eliminated.
     eliminated: bool,
     masses: Vec<f64>,
     /// Velocities of the bodies and the ground.
@@ -61,14 +61,14 @@ pub(super) struct Machine<'a> {
     driving: Vec<f64>,
     multipliers: Vec<f64>,
     frictions: Vec<Friction>,
-    /// How each joint with friction moves, until a margin of it is used up.
+    /// Contact state of each joint with friction, until one of its margins is used up.
     contacts: Vec<Contact>,
-    /// Why the last rates are not numbers, if friction is why.
+    /// Reason for which the last rates are not finite, if friction is the cause.
     jammed: Option<PlanarError>,
-    /// Whether the work of loads without potential and of drivers is followed.
+    /// True if the work of non-conservative loads and of drivers is integrated.
     pub(super) has_work: bool,
     tolerance: f64,
-    /// How well the orders served since the last step, at worst.
+    /// Worst conditioning of the pivot orders since the last step.
     conditioning: Conditioning,
     /// The smallest part of what it was to which a pivot has fallen since the last step.
     weakest: f64,
@@ -163,7 +163,8 @@ impl<'a> Machine<'a> {
         finite.then_some((full, work))
     }
 
-    /// Whether a state is so close to a singular position that the velocities which follow from it are rounding.
+    /// Returns true if a state is so close to a singular position that the velocities derived from it are rounding
+    /// noise.
     pub(super) fn is_singular(&mut self, time: f64, state: &[f64]) -> bool {
         self.drive(time);
         self.place(&state[..self.layout.kept.len()]);
@@ -348,7 +349,7 @@ impl<'a> Machine<'a> {
         efforts.iter().zip(drivers).map(power).sum()
     }
 
-    /// What a start that cannot move is refused with.
+    /// Error for a start from which the mechanism cannot move.
     pub(super) fn refusal(&self) -> PlanarError {
         let massless = self.motions.iter().find(|motion| {
             let inertia: f64 = motion.iter().zip(&self.masses).map(|(n, mass)| n * n * mass).sum();

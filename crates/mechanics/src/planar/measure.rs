@@ -16,7 +16,7 @@ pub type Frame = Option<usize>;
 pub struct Point {
     /// The body that carries it.
     pub on: Frame,
-    /// Its place in the axes of the body.
+    /// Position in the axes of the body, m.
     pub at: [f64; 2],
 }
 
@@ -42,7 +42,7 @@ pub enum Measure {
         /// The body against which its angle is taken.
         against: Frame,
     },
-    /// How far a point is from another in a fixed direction, `u · (B − A)`, m.
+    /// Component of the distance between two points in a fixed direction, `u · (B − A)`, m.
     Component {
         /// Unit vector u.
         direction: [f64; 2],
@@ -51,7 +51,8 @@ pub enum Measure {
         /// B.
         to: Point,
     },
-    /// How far a point is from another in a direction that turns with the body of the first, `u(θ_A) · (B − A)`, m.
+    /// Component of the distance between two points in a direction fixed to the body of the first, `u(θ_A) · (B − A)`,
+    /// m.
     Along {
         /// Unit vector u in the axes of the body that carries A.
         direction: [f64; 2],
@@ -69,7 +70,7 @@ pub enum Measure {
     },
 }
 
-/// Where a body is: its origin, and its angle with cosine and sine.
+/// Pose of a body: its origin, and its angle with cosine and sine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pose<S> {
     /// Origin, m.
@@ -139,12 +140,12 @@ impl Measure {
         }
     }
 
-    /// Whether it is an angle, in rad, rather than a length, in m.
+    /// Returns true for an angle, in rad, false for a length, in m.
     pub fn is_angle(&self) -> bool {
         matches!(self, Measure::Angle { .. })
     }
 
-    /// Its value and derivative, with the poses of the bodies it is taken from and to.
+    /// Value and gradient for given poses of the two bodies.
     ///
     /// The derivative of a distance is not finite where the points coincide.
     #[inline(always)]
@@ -182,7 +183,7 @@ impl Measure {
         }
     }
 
-    /// Its acceleration when no body accelerates: the part of `m̈` that is quadratic in the velocities.
+    /// Quadratic velocity term: the acceleration `m̈` when no body accelerates.
     #[inline(always)]
     pub fn bias<S: Real>(&self, poses: [&Pose<S>; 2], velocities: [[S; 3]; 2]) -> S {
         let [from_pose, to_pose] = poses;

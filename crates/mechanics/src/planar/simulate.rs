@@ -8,11 +8,10 @@
 use super::{Contact, Measure, PlanarError, State, System, machine::Machine};
 use dalembert_numerics::ode::{self, Integrator, OdeError, SAME_TIME};
 
-/// How far and how exactly a motion is followed: the tolerance is in parts of the size of the mechanism and of its
-/// fastest velocity.
+/// Options of an integration: the tolerance is in parts of the size of the mechanism and of its largest velocity.
 pub type Run<'a> = ode::Run<'a, End>;
 
-/// What ends a motion.
+/// Terminal event of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum End {
     /// A measure reaches a value, m or rad.
@@ -26,11 +25,11 @@ pub enum End {
 pub struct Trajectory {
     /// From the start to the end.
     pub samples: Vec<Snapshot>,
-    /// Which of the ends it came to, if any.
+    /// Index of the event that ended the motion, if any.
     pub ended: Option<usize>,
-    /// How the joints with friction move at the end, in the order of these loads.
+    /// Contact states of the joints with friction at the end, in the order of these loads.
     pub contacts: Vec<Contact>,
-    /// How many steps were made.
+    /// Number of integration steps.
     pub steps: usize,
 }
 

@@ -23,9 +23,9 @@ const UNDIVIDED: usize = 4 * WIDTH;
 /// Positions that a mechanism takes, one for each value of the driver, with what it is like there.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SweepResult {
-    /// How many bodies there are.
+    /// Number of bodies.
     bodies: usize,
-    /// How many equations there are.
+    /// Number of equations.
     equations: usize,
     /// For each value: positions, velocities, and accelerations of all bodies, the multipliers, and the effort.
     records: Vec<f64>,
@@ -36,7 +36,7 @@ pub struct SweepResult {
 #[derive(Debug, Clone)]
 pub struct Sweep<'a> {
     system: &'a System,
-    /// Where it begins.
+    /// Initial positions.
     positions: Vec<[f64; 3]>,
     driver: usize,
     /// The value of the driver there.
@@ -47,7 +47,7 @@ pub struct Sweep<'a> {
 #[derive(Debug, Clone)]
 struct Plan {
     layout: Layout,
-    /// What is left of the rows that are not explicit: places and numbers of kept coordinates.
+    /// Remainder of the rows that are not explicit: places and numbers of the kept coordinates.
     loops: Vec<Vec<(usize, usize)>>,
     masses: Vec<f64>,
     start: Vec<f64>,
@@ -100,7 +100,7 @@ impl Sweep<'_> {
 }
 
 impl SweepResult {
-    /// How many positions were reached.
+    /// Number of positions reached.
     pub fn reached(&self) -> usize {
         self.reached
     }
@@ -126,7 +126,7 @@ impl SweepResult {
         self.record(n)[9 * self.bodies + self.equations]
     }
 
-    /// How many numbers a record has.
+    /// Number of values in a record.
     fn length(bodies: usize, equations: usize) -> usize {
         9 * bodies + equations + 1
     }
@@ -202,7 +202,7 @@ impl Plan {
         })
     }
 
-    /// How many positions could be had.
+    /// Number of positions that could be computed.
     fn over(
         &mut self,
         system: &System,

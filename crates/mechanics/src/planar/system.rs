@@ -12,7 +12,7 @@ use super::{Dynamics, Equation, Frame, Gradient, Load, Measure, Mechanism, Plana
 use crate::Real;
 use dalembert_numerics::{linalg::Elimination, simd::SimdReal};
 
-/// What a closed joint may be open by, in parts of the size of the mechanism.
+/// Closure tolerance of a joint, relative to the size of the mechanism.
 const CLOSED: f64 = 1e-14;
 /// A component of a motion above this part of its largest is no rounding.
 const FREE: f64 = 1e-6;
@@ -30,7 +30,7 @@ pub struct State {
     pub accelerations: Vec<[f64; 3]>,
 }
 
-/// Where bodies are before the mechanism is assembled.
+/// Poses of the bodies before the mechanism is assembled.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Placed {
     /// `(x, y, θ)` of each body.
@@ -301,7 +301,7 @@ impl System {
         }
     }
 
-    /// How the mechanism can move in a position.
+    /// Mobility of the mechanism in a position.
     ///
     /// # Errors
     /// `NotFinite`.
@@ -511,7 +511,7 @@ impl System {
         of_bodies
     }
 
-    /// How far the mechanism reaches, m: what rounding of its positions is measured by.
+    /// Size of the mechanism, m, to which the rounding of its positions is relative.
     pub(super) fn reach(&self, positions: &[[f64; 3]]) -> f64 {
         let largest = positions
             .iter()

@@ -1,6 +1,5 @@
 //! The mechanics held against published numbers, closed forms, second methods and scaling.
 
-#[path = "../../../numerics/tests/numerics/close.rs"]
 mod close;
 
 mod absorber;

@@ -40,7 +40,7 @@ struct Cell {
     mask: u8,
     stamp: char,
     style: Style,
-    /// Whose look that is, and its dots.
+    /// Owner of the cell's style, and its dots.
     owner: (Option<usize>, u8),
     /// Another curve and its dots.
     other: (Option<usize>, u8),

@@ -145,7 +145,7 @@ mod tests {
                 continue;
             }
             let shape = Shape::Quantity(measure(known.symbols[0]));
-            let (own, kind) = asked(&shape).expect("a quantity");
+            let (own, kind) = asked(&shape, "").expect("a quantity");
             for number in ["25", "-30", "1,5", "2.5e-3", "1/2", "3 + 4", "sqrt(2)", "2^3"] {
                 let whole = with_unit(number.to_owned(), Some(&unit), &shape);
                 let (said, read_unit) = read(&whole, &shape, &own, kind).unwrap_or_else(|| panic!("{whole}"));

@@ -5,7 +5,8 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use super::{ALWAYS, Action, Binding, Key, Place};
 
-/// What keys mean, place by place. The tables of the program, with the user's changes.
+/// Key bindings, place by place: the tables of the program with the user's changes. The tables of the program, with the
+/// user's changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyMap {
     /// Every binding that holds in a place, the most useful first.
@@ -15,7 +16,7 @@ pub struct KeyMap {
 /// A line of a table with the keys that hold.
 #[derive(Clone, Debug)]
 pub struct Bound {
-    /// What is done, and how that is called.
+    /// Action and its name.
     pub binding: &'static Binding,
     /// The keys that do it, the usual one first; none where the user took them away.
     pub keys: Vec<Key>,
@@ -24,7 +25,7 @@ pub struct Bound {
 /// A change that the settings ask for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Change {
-    /// Where; `None`: wherever it can be done.
+    /// Place; `None` for every place in which the action is possible.
     pub place: Option<Place>,
     /// The [`Action::id`] of what is done.
     pub action: &'static str,
@@ -84,7 +85,7 @@ impl KeyMap {
         }
     }
 
-    /// What a key means in a place.
+    /// Action of a key in a place.
     pub fn action(&self, place: Place, event: KeyEvent) -> Option<Action> {
         let key = Key::of(event);
         self.bindings(place).iter().find(|bound| bound.keys.contains(&key)).map(|bound| bound.binding.action)
@@ -163,7 +164,7 @@ impl KeyMap {
 }
 
 impl Change {
-    /// Why it cannot be, whatever else is changed.
+    /// Reason for which the change is impossible, whatever else is changed.
     fn fault(&self) -> Option<Text> {
         let does = |place: &Place| place.bindings().any(|binding| binding.action.id() == self.action);
         if let Some(place) = self.place.filter(|place| !does(place)) {

@@ -3,7 +3,7 @@
 use super::{Action, Place};
 
 impl Action {
-    /// Its name in the settings. It never changes: people have it in their files.
+    /// Id in the settings. It never changes: people have it in their files.
     pub fn id(self) -> &'static str {
         match self {
             Action::Up => "up",
@@ -84,7 +84,7 @@ impl Action {
 }
 
 impl Place {
-    /// Its name in the settings: `[keys.plot]`. No action has the same: both stand below `[keys]`.
+    /// Id in the settings: `[keys.plot]`. No action has the same: both stand below `[keys]`.
     pub fn id(self) -> &'static str {
         match self {
             Place::Picker => "picker",

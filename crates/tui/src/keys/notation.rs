@@ -1,4 +1,4 @@
-//! How keys are written: on the screen, in the settings, and in replays and tests.
+//! Notation of keys: on the screen, in the settings, and in replays and tests.
 
 use dalembert_core::{Language, Locale, Text, nearest};
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -43,18 +43,18 @@ const ARROWS: [(&str, KeyCode, [&str; 2]); 4] = [
     ("→", KeyCode::Right, ["Right", "Direita"]),
 ];
 
-/// What is held with a key, in each [`Notation`].
+/// Modifiers of a key, in each [`Notation`].
 const MODIFIERS: [([&str; 3], KeyModifiers); 3] = [
     (["Ctrl-", "ctrl-", "c-"], KeyModifiers::CONTROL),
     (["Alt-", "alt-", "a-"], KeyModifiers::ALT),
     (["Shift-", "shift-", "s-"], KeyModifiers::SHIFT),
 ];
 
-/// What a terminal sends for a letter with Ctrl: another key.
+/// Byte that a terminal sends for a letter with Ctrl, which is that of another key.
 const SAME_BYTE: [(char, &str); 4] = [('i', "tab"), ('m', "enter"), ('h', "backspace"), ('[', "esc")];
 
 impl Key {
-    /// How a user reads it: `Ctrl-C`, `↑`, `Esc`.
+    /// Name for display: `Ctrl-C`, `↑`, `Esc`.
     pub fn name(self, locale: &Locale) -> String {
         let portuguese = locale.language == Language::Portuguese;
         if let Some((arrow, _, names)) =
@@ -74,7 +74,7 @@ impl Key {
         }
     }
 
-    /// Its name in the settings; [`parse`](Self::parse) reads it.
+    /// Name in the settings; [`parse`](Self::parse) reads it.
     pub fn id(self) -> String {
         self.written(Notation::Settings)
     }
@@ -149,7 +149,7 @@ pub fn keys_of(text: &str) -> Result<Vec<KeyEvent>, String> {
     Ok(keys)
 }
 
-/// How a key is written in a text; [`keys_of`] reads it.
+/// Notation of a key in a text; [`keys_of`] reads it.
 pub fn written(event: KeyEvent) -> String {
     match Key::of(event) {
         Key(KeyCode::Char('<'), KeyModifiers::NONE) => "<lt>".to_owned(),

@@ -22,7 +22,7 @@ use crate::{
 /// The most errors that are listed.
 const MOST_ERRORS: usize = 100;
 
-/// Why the present inputs have no solution: what cannot be read, a refusal, a fault of the program.
+/// Reason for which the present inputs have no solution: invalid inputs, a refusal, an internal error.
 pub(super) fn why_not(problem: &Problem, ui: &Ui<'_>, width: u16) -> Vec<Line<'static>> {
     let (look, locale) = (ui.look, ui.locale);
     if problem.found.state == State::Unread {
@@ -124,8 +124,8 @@ pub(super) fn dim_stale(problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut
     }
 }
 
-/// Why there is no solution. Fields are named by their labels in `shape`, the inputs of the analysis, where it holds
-/// them.
+/// Message of an analysis without a solution. Fields are named by their labels in `shape`, the inputs of the analysis,
+/// where it holds them.
 pub fn refusal(
     shape: Option<&Shape>,
     error: &SolveError,

@@ -1,4 +1,4 @@
-//! How much each input matters for an answer: bars, the most influential first.
+//! Sensitivity of an answer to each input: bars, the most influential first.
 
 use dalembert_core::{
     Answer, Locale, Refusal, Solution, SolveError, Text,
@@ -332,7 +332,7 @@ impl Row<'_> {
         line
     }
 
-    /// What is said of the input under the cursor.
+    /// Details of the input under the cursor.
     fn details(
         &self,
         answer: &Unit,

@@ -135,7 +135,7 @@ fn heading(words: &'static str, look: &Look, locale: &Locale, width: usize, line
 /// So many cells hold a number with its unit.
 const A_NUMBER: usize = 20;
 
-/// How cases are put into words.
+/// Wording of cases.
 #[derive(Clone, Copy)]
 struct Words<'a> {
     answers: Option<&'a [Answer]>,

@@ -45,7 +45,7 @@ pub(super) fn hanging(
     )
 }
 
-/// Where the first line of a formula ends, in bytes.
+/// End of the first line of a formula, in bytes.
 fn break_of(text: &str, width: usize) -> usize {
     let (mut cells, mut depth) = (0, 0u32);
     // The best operator so far: how tightly it binds, the cells before it, and its place; and the last space.

@@ -162,7 +162,7 @@ fn reload(model: &mut Model, path: &Path, read: Problem, opened: Opened, said: &
     vec![intent, Intent::Say(Text::new(said).with("file", shown(path)))]
 }
 
-/// What was edited in a copy becomes the problem, not saved yet; it can be taken back.
+/// Replaces the problem by an edited copy, not saved yet; it can be undone.
 fn take_copy(model: &mut Model, read: Problem, text: String) -> Vec<Intent> {
     let Some(bench) = &model.bench else { return Vec::new() };
     let before = bench.problem.as_file();

@@ -103,7 +103,7 @@ pub(super) fn written(path: &Path, result: Result<(), FileError>) -> Vec<Intent>
     }
 }
 
-/// Why nothing can be exported now.
+/// Reason for which nothing can be exported now.
 fn hindrance(model: &Model, purpose: Purpose) -> Option<Text> {
     let bench = model.bench.as_ref()?;
     let found = &bench.problem.found;

@@ -14,7 +14,7 @@ use crate::{
     problem::{OpenFile, Problem},
 };
 
-/// How the name of a problem file ends.
+/// Extension of problem files.
 const ENDING: &str = "toml";
 
 /// Saves the problem in its file, or asks for one.
@@ -233,7 +233,7 @@ pub(super) fn restore(model: &Model, sessions: Vec<Crashed>) -> Vec<Intent> {
     intents
 }
 
-/// What crashed work is called: its file, or its title and its analysis.
+/// Name of recovered work: its file, or its title and its analysis.
 fn name_of(model: &Model, crashed: &Crashed) -> String {
     match (&crashed.original, file::parse(&crashed.text)) {
         (Some(path), _) => shown(Path::new(path.file_name().unwrap_or(path.as_os_str()))),

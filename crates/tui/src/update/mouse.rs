@@ -1,4 +1,4 @@
-//! What the mouse does: nothing that a key cannot do.
+//! Mouse actions: nothing that a key cannot do.
 //!
 //! A click goes to what is clicked, and a second one opens, edits or takes it, as Enter does. The wheel moves what is
 //! under the pointer, whatever has the focus. On a plot a click sets the cursor, a drag moves it or, where part of the

@@ -1,4 +1,4 @@
-//! What a user sets, and what is wrong with it.
+//! Settings of the user, and their errors.
 
 use std::path::{Path, PathBuf};
 

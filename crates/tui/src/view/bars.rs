@@ -65,7 +65,7 @@ pub(super) fn title(model: &Model, area: Rect, buffer: &mut Buffer) {
     buffer.set_string(area.right().saturating_sub(width(&right) as u16 + 1), area.y, right, style);
 }
 
-/// What the field under the cursor means and how its text is read.
+/// Meaning of the field under the cursor, and the reading of its text.
 pub(super) fn help(model: &Model, area: Rect, buffer: &mut Buffer) {
     if area.is_empty() {
         return;
@@ -108,7 +108,7 @@ pub(super) fn footer(model: &Model, area: Rect, buffer: &mut Buffer) {
     buffer.set_line(area.x + 1, area.y, &line, area.width.saturating_sub(1));
 }
 
-/// What the hint does that is drawn at a place of the footer.
+/// Action of the hint at a place of the footer.
 pub(super) fn action_at(model: &Model, area: Rect, at: Position) -> Option<Action> {
     if model.notice.is_some() || !area.contains(at) {
         return None;

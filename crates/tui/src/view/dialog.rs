@@ -1,4 +1,4 @@
-//! What lies over a screen.
+//! Dialogs over a screen.
 
 use dalembert_core::{Field, Measure, Shape, Text, draft};
 use ratatui::{
@@ -31,7 +31,7 @@ const OFFERED_ON_A_TALL_SCREEN: (u16, usize) = (36, 10);
 const NAMES: usize = 6;
 /// Cells for the keys of an action in the help: three of them, with modifiers.
 const KEYS: usize = 20;
-/// What the marks of the list mean.
+/// Meanings of the marks of the list.
 const MARKS: [(Glyph, &str); 5] = [
     (Glyph::Hollow, "analysis open; exercise opened"),
     (Glyph::Full, "open with unsaved changes"),
@@ -130,7 +130,7 @@ pub(super) fn draw(model: &Model, dialog: &Dialog, screen: Rect, buffer: &mut Bu
     }
 }
 
-/// What lies at a place, where this lies over the screen.
+/// Hit target at a place over which the dialog lies.
 pub(super) fn spot(model: &Model, dialog: &Dialog, screen: Rect, at: Position) -> HitTarget {
     let [_, _, _, footer] = layout::frame(screen);
     let laid = match dialog {
@@ -168,7 +168,7 @@ pub(crate) fn longest_scroll_of_help(model: &Model) -> usize {
     help_lines(model, inner.width.into()).len().saturating_sub(inner.height.into())
 }
 
-/// What every key does, place by place. A key that a user moved in one place alone stands with that place.
+/// Lines of the help: every key, place by place. A key that a user moved in one place alone stands with that place.
 fn help_lines(model: &Model, room: usize) -> Vec<Line<'static>> {
     let (screen, look, locale) = (model.screen, &model.look, &model.locale);
     let places: Vec<Place> = match screen {
@@ -281,7 +281,7 @@ fn draw_palette(
     draw_input(model, input, ":", Style::new(), footer, buffer)
 }
 
-/// Where the palette offers what may be meant.
+/// Area of the matches of the palette.
 fn palette_area(screen: Rect, footer: Rect) -> Rect {
     let (tall, more) = OFFERED_ON_A_TALL_SCREEN;
     let offered = if screen.height < tall { OFFERED } else { more };
@@ -335,7 +335,7 @@ fn draw_input(
 /// Lines with what may be chosen among them, as they are drawn.
 struct Laid {
     lines: Vec<Line<'static>>,
-    /// What each line chooses.
+    /// Choice of each line.
     owners: Vec<Option<usize>>,
     /// The first line that is seen.
     first: usize,
@@ -442,14 +442,14 @@ fn draw_sheet(model: &Model, sheet: &Sheet, area: Rect, buffer: &mut Buffer) -> 
     Position::new(inner.x + sheet.column.min(room) as u16, inner.y + (sheet.row - first) as u16)
 }
 
-/// What is reported a table that is edited.
+/// Description of a table that is edited.
 #[derive(Default)]
 struct AboutTable {
-    /// Which it is, in words.
+    /// Title, in words.
     title: String,
-    /// What it means, how it is written, and its columns with their units.
+    /// Meaning, format, and columns with their units.
     head: Vec<Line<'static>>,
-    /// Why it cannot be read as it is.
+    /// Error of the table as it is.
     foot: Vec<Line<'static>>,
 }
 

@@ -38,17 +38,17 @@ const LEAST_LABEL: usize = 10;
 /// Cells before every line, for the pointer.
 const POINTER: usize = 2;
 
-/// How a field is filled in.
+/// Validity of a field.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Filled {
     Well,
-    /// Its text cannot be taken.
+    /// Invalid text.
     Wrong,
     /// It is still empty.
     Needed,
 }
 
-/// What is wrong with the inputs, by their paths.
+/// Errors of the inputs, by their paths.
 struct Faults<'b> {
     wrong: HashMap<&'b str, Vec<&'b FieldError>>,
     needed: HashSet<&'b str>,
@@ -74,7 +74,7 @@ impl<'b> Faults<'b> {
         }
     }
 
-    /// Whether a line, or what is folded into it, is wrong, and whether it is needed.
+    /// Invalid and missing state of a line, including collapsed lines below it.
     fn at(&self, path: &str, folded: bool) -> (bool, bool) {
         if folded {
             (self.around_wrong.contains(path), self.around_needed.contains(path))
@@ -440,7 +440,7 @@ fn point_out(shown: &mut Shown<'static>, value: usize, text: &str, digit: Range<
     shown.spans.splice(value..=value, pieces);
 }
 
-/// What is wrong with the field, below its line.
+/// Draws the errors of the field below its line.
 fn draw_errors(
     model: &Model,
     faults: &Faults<'_>,

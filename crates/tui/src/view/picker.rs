@@ -30,7 +30,7 @@ pub(super) fn draw(model: &Model, body: Rect, buffer: &mut Buffer) -> Option<Pos
     cursor
 }
 
-/// What lies at a place of the screen.
+/// Hit target at a place of the screen.
 pub(super) fn spot(model: &Model, body: Rect, at: Position) -> Option<HitTarget> {
     let (list, preview) = layout::picker(body);
     if list.contains(at) {
@@ -100,7 +100,7 @@ fn draw_list(model: &Model, area: Rect, buffer: &mut Buffer) -> Option<Position>
     cursor
 }
 
-/// Where the rows stand: below the line of the filter, where there is one.
+/// Area of the rows: below the line of the filter, where there is one.
 fn area_of_rows(model: &Model, list: Rect) -> Rect {
     let inner = layout::inside(list);
     let above = u16::from(is_filtered(model) && inner.height > 1);

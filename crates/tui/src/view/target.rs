@@ -1,4 +1,4 @@
-//! What lies at a place of the screen, for the mouse: asked of the functions that draw it.
+//! Hit targets of the mouse, asked of the functions that draw them.
 
 use ratatui::layout::{Position, Rect};
 
@@ -8,7 +8,7 @@ use crate::{keys::Action, layout, model::Model, pane::Tab};
 /// Cells of the arrow at the left of a line that has two.
 const ARROW: u16 = 2;
 
-/// What lies at a place of the screen.
+/// Hit target at a place of the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum HitTarget {
     /// A key of the footer.
@@ -27,13 +27,13 @@ pub(crate) enum HitTarget {
     Case(Option<usize>),
     /// A line to choose in what lies over the screen.
     Offer(usize),
-    /// What lies over the screen, elsewhere.
+    /// Dialog over the screen, elsewhere.
     Over,
     /// The screen below it.
     Below,
 }
 
-/// What lies at a place.
+/// Hit target at a place.
 pub(crate) fn spot(model: &Model, at: Position) -> Option<HitTarget> {
     let screen = Rect::new(0, 0, model.size.0, model.size.1);
     let [_, body, _, footer] = layout::frame(screen);

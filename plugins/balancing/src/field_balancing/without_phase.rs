@@ -42,7 +42,7 @@ pub struct Amplitudes {
     pub runs: Vec<TrialRun>,
 }
 
-/// What a sensor reads.
+/// Amplitude read by a sensor.
 #[derive(Clone, Debug, Inputs)]
 pub struct SensorAmplitude {
     /// Amplitude.

@@ -2,7 +2,7 @@
 
 use dalembert_core::{Inputs, MeasuredQuantity};
 
-/// What a sensor reads at a speed.
+/// Reading of a sensor at a speed.
 #[derive(Clone, Debug, Inputs)]
 pub struct SensorReading {
     /// Amplitude.

@@ -88,7 +88,7 @@ pub enum Problem {
     },
 }
 
-/// What is known of the shaft.
+/// Data of the shaft.
 #[derive(Clone, Debug, Inputs)]
 pub enum ShaftStiffness {
     /// Stiffness given

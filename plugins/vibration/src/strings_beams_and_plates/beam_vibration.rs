@@ -83,7 +83,7 @@ pub enum ShearCoefficient {
     },
 }
 
-/// What stands at a place of the beam.
+/// Body or support at a place of the beam.
 #[derive(Clone, Debug, Inputs)]
 pub struct Attachment {
     /// Distance from the left end.

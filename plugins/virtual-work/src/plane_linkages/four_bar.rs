@@ -69,7 +69,7 @@ pub struct FourBar {
     pub gravity: Vector3<f64>,
 }
 
-/// What the virtual works are summed for.
+/// Unknown of the virtual work.
 #[derive(Clone, Debug, Inputs)]
 pub enum Unknown {
     /// Torque on the crank

@@ -1,4 +1,4 @@
-//! Which joints with friction stick, and which begin to slide.
+//! Stick–slip: joints with friction that stick, and those that begin to slide.
 
 use itertools::Itertools;
 use nalgebra::DMatrix;
@@ -19,10 +19,10 @@ const TOGETHER: f64 = 1e-9;
 const MOST_WAYS: usize = 10_000;
 
 impl Response<'_> {
-    /// Which joints stick and which begin to slide, from those that slide already, whose contacts are given as
-    /// [`Contact::Sliding`]; and the efforts of the frictions, N. A joint that slides slower than `noise` times `fastest`
-    /// may be put to rest again; an acceleration below `noise` times the largest is none, and one below `opens` times the
-    /// largest begins no motion.
+    /// Contact states of the joints and friction efforts, N, from the joints that slide already, whose contacts are
+    /// given as [`Contact::Sliding`]. A joint that slides slower than `noise` times `fastest` may be put to rest again;
+    /// an acceleration below `noise` times the largest is none, and one below `opens` times the largest begins no
+    /// motion.
     ///
     /// # Errors
     /// `Jammed`, `Sticks`.

@@ -40,7 +40,7 @@ impl Machine<'_> {
         power
     }
 
-    /// How the joints answer to friction in the state whose rates were found without it.
+    /// Response of the joints to friction in the state whose rates were computed without it.
     fn response(&self) -> Response<'_> {
         let effect = Effect {
             free: self.driving.clone(),
@@ -72,22 +72,22 @@ impl Machine<'_> {
         .expect("what a force does is always found")
     }
 
-    /// What an error of the integrator means.
+    /// Error of the mechanism for an error of the integrator.
     pub(in super::super) fn explained(&self, error: OdeError) -> PlanarError {
         self.jammed.clone().unwrap_or(PlanarError::Motion(error))
     }
 
-    /// Whether joints have friction.
+    /// Returns true if joints have friction.
     pub(in super::super) fn has_friction(&self) -> bool {
         !self.frictions.is_empty()
     }
 
-    /// How each joint with friction moves.
+    /// Contact state of each joint with friction.
     pub(in super::super) fn contacts(&self) -> &[Contact] {
         &self.contacts
     }
 
-    /// What a margin of friction may be off by.
+    /// Error bound of a friction margin.
     pub(in super::super) fn noise(&self) -> f64 {
         NOISE.max(NOISES * self.tolerance)
     }

@@ -1,5 +1,5 @@
-//! What the explicit coordinates leave of the equations: a small full matrix, factored without any condition, so
-//! that many positions can be taken side by side.
+//! Core system that the explicit coordinates leave: a small dense matrix, factored without any condition, so that many
+//! positions can be computed side by side.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 

@@ -1,4 +1,4 @@
-//! Where the entries of the Jacobian stand in a flat array, and which coordinates are explicit.
+//! Layout of the entries of the Jacobian in a flat array, and choice of the explicit coordinates.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
@@ -19,7 +19,7 @@ use dalembert_numerics::simd::{SimdReal, SimdVector, WIDTH, widest};
 pub(in super::super) struct Layout {
     /// Rows of the equations, each with its columns and their places in the flat array.
     pub(super) rows: Vec<Vec<(usize, usize)>>,
-    /// How many places there are.
+    /// Number of entries.
     pub(super) places: usize,
     /// The equations that give a coordinate, in the order in which they can be used: row, column, Jacobian entry.
     pub(super) explicit: Vec<(usize, usize, f64)>,
@@ -34,7 +34,7 @@ pub(in super::super) struct Layout {
     /// The kept coordinates of origins: their number and column.
     moving: Vec<(usize, usize)>,
     kernels: Vec<Kernel>,
-    /// How the explicit coordinates are found, in order.
+    /// Evaluation of the explicit coordinates, in order.
     settings: Vec<Setting>,
     bodies: usize,
     length: f64,
@@ -45,7 +45,7 @@ pub(in super::super) struct Layout {
 pub(in super::super) struct Work<S = f64> {
     /// Positions `(x, y, θ)` of the bodies and, last, the ground.
     pub(in super::super) poses: Vec<Pose<S>>,
-    /// How far each equation is from holding.
+    /// Residual of each constraint equation.
     pub(in super::super) residuals: Vec<S>,
     /// The constants of the equations.
     pub(in super::super) sums: Vec<S>,

@@ -25,7 +25,7 @@ pub(in super::super) struct Order<S = f64> {
     removals: Vec<Removal>,
     /// Places: what is changed, and by what.
     updates: Vec<(u32, u32)>,
-    /// What stands to the right of each pivot: place and column.
+    /// Entries to the right of each pivot: place and column.
     others: Vec<(u32, u32)>,
     /// The first pivot that is not of an explicit coordinate.
     first_loop: usize,
@@ -56,7 +56,7 @@ struct Pivot {
     row: usize,
     column: usize,
     place: usize,
-    /// Its value when it was chosen.
+    /// Value at the time of the choice.
     chosen: f64,
     /// End of its removals; they begin where those of the pivot before end.
     removals: usize,
@@ -152,8 +152,8 @@ impl Order {
         }
     }
 
-    /// Whether another order should be chosen: a pivot has become small in its row, or a row that was dropped says
-    /// something new.
+    /// Returns true if another pivot order should be chosen: a pivot has become small in its row, or a dropped row has
+    /// become independent.
     pub(in super::super) fn is_weak(&self, layout: &Layout, jacobian: &[f64]) -> bool {
         (self.first_loop..self.pivots.len()).any(|index| self.is_small(index, KEPT))
             || self.dropped.iter().any(|(row, places)| {
@@ -164,13 +164,13 @@ impl Order {
             })
     }
 
-    /// Whether a pivot is below a part of what else is left of its row.
+    /// Returns true if a pivot is below a part of the rest of its row.
     fn is_small(&self, index: usize, part: f64) -> bool {
         let pivot = self.jacobian[self.pivots[index].place].abs();
         self.others(index).iter().any(|(place, _)| part * self.jacobian[*place as usize].abs() > pivot)
     }
 
-    /// How well the order serves in the position.
+    /// Conditioning of the order in the position.
     pub(in super::super) fn conditioning(&self) -> Conditioning {
         let of_pivot = |index| {
             if self.is_small(index, LOST) {
@@ -192,14 +192,14 @@ impl Order {
         parts.fold(1.0, f64::min)
     }
 
-    /// Whether a pivot has fallen to where it may vanish soon.
+    /// Returns true if a pivot may vanish soon.
     pub(in super::super) fn falls(&self) -> bool {
         self.pivots[self.first_loop..]
             .iter()
             .any(|pivot| self.jacobian[pivot.place].abs() < FALLS * pivot.chosen.abs())
     }
 
-    /// What the elimination left of the rows that are not explicit.
+    /// Remainder of the rows that are not explicit after elimination.
     pub(in super::super) fn rows_left(&self) -> Vec<f64> {
         let of_pivot = |index: usize| {
             let others = self.others(index).iter().map(|(place, _)| self.jacobian[*place as usize]);
@@ -208,7 +208,8 @@ impl Order {
         (self.first_loop..self.pivots.len()).flat_map(of_pivot).collect()
     }
 
-    /// How many of the ways between two places, that what is left of the rows was found in, ago and ahead a row vanishes.
+    /// Distances, backwards and forwards and in units of that between two positions, at which a row of the remainder
+    /// vanishes.
     pub(in super::super) fn vanish(&self, before: &[f64], after: &[f64]) -> [f64; 2] {
         let mut from = 0;
         let mut nearest = [f64::INFINITY; 2];
@@ -276,7 +277,7 @@ impl<S: SimdReal> Order<S> {
         self.complete(right, x);
     }
 
-    /// What the elimination makes of right sides.
+    /// Applies the elimination to right-hand sides.
     #[inline(always)]
     pub(in super::super) fn reduce(&self, right: &mut [S]) {
         let mut removal = 0;
@@ -346,7 +347,7 @@ impl<S: SimdReal> Order<S> {
         self.jacobian[place]
     }
 
-    /// What the column of a pivot is, from those to its right.
+    /// Entry in the column of a pivot, by those to its right.
     #[inline(always)]
     fn continue_to(&self, pivot: &Pivot, start: S, x: &[S]) -> S {
         let [from, to] = pivot.others;

@@ -1,4 +1,4 @@
-//! Where the coordinates go next, by those that they come from.
+//! Extrapolation of the coordinates from the preceding positions.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
@@ -23,7 +23,7 @@ pub(super) struct Past<S> {
     known: usize,
 }
 
-/// What a step makes of the divided differences, the same for all coordinates.
+/// Weights of the divided differences in a step, the same for all coordinates.
 pub(super) struct Weights<S> {
     known: usize,
     /// One over the last step, over the one before it, and over both.
@@ -83,7 +83,7 @@ impl<S: SimdReal> Past<S> {
         }
     }
 
-    /// How far a step takes the coordinate of this number from where its derivatives are these.
+    /// Change of a coordinate over a step, from its derivatives.
     #[inline(always)]
     pub(super) fn change(&self, number: usize, [v, a]: [S; 2], weights: &Weights<S>) -> S {
         let &Weights { known, per: [per_last, per_before, per_both], ref integrals } = weights;

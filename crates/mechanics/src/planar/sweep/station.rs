@@ -22,7 +22,7 @@ pub(super) const PASSED: f64 = 1e-5;
 /// A position whose equations are nearer to singular than this is left to the general way.
 const SINGULAR: f64 = 1e-9;
 
-/// What does not change on the way.
+/// Constants of the path.
 #[derive(Clone, Copy)]
 pub(super) struct Path<'a> {
     pub(super) system: &'a System,
@@ -45,7 +45,7 @@ pub(super) struct Station<S> {
     pub(super) kept: Vec<S>,
     /// … and those from which a step began.
     before: Vec<S>,
-    /// How the scaled coordinates change with the value of the driver: first and second derivative.
+    /// Derivatives of the scaled coordinates with respect to the driver: first and second.
     first: Vec<S>,
     second: Vec<S>,
     past: Past<S>,

@@ -1,4 +1,4 @@
-//! What a mechanism must be before it is computed with: finite numbers, and bodies and joints that are there.
+//! Validation of a mechanism: finite numbers, and existing bodies and joints.
 
 use super::super::{Frame, Joint, Load, Measure, Mechanism, PlanarError};
 

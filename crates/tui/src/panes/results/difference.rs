@@ -1,4 +1,4 @@
-//! How an answer differs from the same one of a pinned result.
+//! Difference between an answer and the same one of a pinned result.
 
 use dalembert_core::{Answer, Locale, Solution, Text};
 use dalembert_units::{Style as Digits, write_number, write_quantity};

@@ -1,5 +1,5 @@
-//! What is to be known of the chosen row: of an analysis its purpose, what goes in and comes out, its cases with their
-//! verdicts, and its drawing; of a heading what stands under it.
+//! Preview of the chosen row: of an analysis its purpose, inputs and answers, its cases with their verdicts, and its
+//! drawing; of a heading its entries.
 
 use std::{borrow::Cow, collections::BTreeSet};
 
@@ -132,7 +132,7 @@ pub(super) fn case_at(model: &Model, row: Row, area: Rect, at: Position) -> Opti
     sheet.page.part_at(line).filter(|_| sheet.text.contains(at))
 }
 
-/// What is said of an analysis, and where it stands.
+/// Description of an analysis, and its area.
 struct Sheet<'m> {
     /// Begins at each case.
     page: Page,
@@ -234,7 +234,7 @@ fn cases(model: &Model, listing: &Listing, chosen: Option<usize>, room: usize, p
     }
 }
 
-/// How many printed answers agree with ours, are disputed, differ.
+/// Numbers of published answers that agree, are disputed, disagree.
 fn sums(model: &Model, listing: &Listing) -> Vec<(&'static str, Style, usize)> {
     let all: Vec<Outcome> = listing
         .judged

@@ -15,7 +15,7 @@ pub struct Measurements {
     pub influence: InfluenceSource,
 }
 
-/// How the planes act on the sensors.
+/// Influence of the planes on the sensors.
 #[derive(Clone, Debug, Inputs)]
 pub enum InfluenceSource {
     /// Runs with trial weights

@@ -1,4 +1,4 @@
-//! Compatibility of a given motion with the constraints of a slider-crank, and its residuals.
+//! Compatibility of a given motion with the closure of a slider-crank.
 //!
 //! The crank turns about the origin at the angle θ_c, the rod makes the angle θ_r with the x axis, drawn from the
 //! crank pin, and the slider moves along x. Crank, rod and slider are links 2, 3 and 4 of the course notes.

@@ -15,7 +15,7 @@ pub struct Output {
     pub resisting: Resisting,
 }
 
-/// What the engine drives.
+/// Load on the engine.
 #[derive(Clone, Debug, Inputs)]
 pub enum Resisting {
     /// Torque
