@@ -13,15 +13,36 @@
 //! P. E. Nikravesh, *Computer-Aided Analysis of Mechanical Systems* (1988), ch. 4, 6 and 8; E. J. Haug,
 //! *Computer-Aided Kinematics and Dynamics of Mechanical Systems* (1989), ch. 3 and 6.
 //!
-//! A [`Model`] is a mechanism compiled once and never changed; what is computed with it stands in results and in working
-//! data. It answers:
+//! A [`Model`] is a mechanism compiled once and never changed; what is computed with it stands in results and in
+//! working data. It answers:
 //!
 //! - positions: [`Model::initial_guess`], [`Model::assemble`], [`Model::continue_to`];
 //! - velocities and accelerations: [`Model::kinematics`], [`Model::mobility`], [`Model::instant_centre`];
-//! - inverse dynamics: [`Model::inverse_dynamics`], [`Model::force_on`], [`Model::shaking_force`]; many positions at once:
-//!   [`Model::sweep`];
+//! - inverse dynamics: [`Model::inverse_dynamics`], [`Model::force_on`], [`Model::shaking_force`]; many positions at
+//!   once: [`Model::sweep`];
 //! - equilibrium: [`Model::equilibria`], [`Model::stiffness`];
 //! - forward dynamics: [`Model::forward_dynamics`], [`Model::simulate`].
+//!
+//! ```
+//! use dalembert_mechanics::planar::{Body, Driver, Joint, Measure, Mechanism, Model, Point};
+//!
+//! // A bar of 1 m and 3 kg, turned at 2 rad/s about a pin at its end.
+//! let measure = Measure::Angle { of: Some(0), against: None };
+//! let mechanism = Mechanism {
+//!     bodies: vec![Body { mass: 3.0, inertia: 0.25 }],
+//!     joints: vec![Joint::Pin { a: Point::ground([0.0, 0.0]), b: Point::body(0, [-0.5, 0.0]) }],
+//!     drivers: vec![Driver { measure, value: 0.0, velocity: 2.0, acceleration: 0.0 }],
+//!     gravity: [0.0, -9.81],
+//!     ..Mechanism::default()
+//! };
+//! let guess = [[0.5, 0.0, 0.0]];
+//! let model = Model::new(&mechanism, &guess)?;
+//! let (state, dynamics) = model.kinetostatics(&model.assemble(&guess)?)?;
+//! let [centripetal, _, _] = state.accelerations[0];
+//! assert!((centripetal + 0.5 * 2.0 * 2.0).abs() < 1e-12);
+//! assert!((dynamics.efforts[0] - 3.0 * 9.81 * 0.5).abs() < 1e-12);
+//! # Ok::<(), dalembert_mechanics::planar::PlanarError>(())
+//! ```
 
 mod assembly;
 mod continuation;
@@ -126,8 +147,8 @@ pub enum PlanarError {
     UnderDriven {
         /// The number of these.
         free: usize,
-        /// True if Grübler's count of bodies and joints leaves no more than there are drivers: in this position alone the
-        /// joints leave more.
+        /// True if Grübler's count of bodies and joints leaves no more than there are drivers: in this position alone
+        /// the joints leave more.
         singular: bool,
     },
     /// A driver is not free to move: its measure follows from the joints or the other drivers already.

@@ -24,14 +24,15 @@ pub struct InitialGuess {
     pub undetermined: Vec<usize>,
     /// The same, but a joint takes its constant term from the guess: a weight on a cord, whose length nobody gives.
     pub assumed: Vec<usize>,
-    /// The bodies whose origin was not given, and which the joints let lie at another place as well with the same angles:
-    /// a slider at the end of a rod.
+    /// The bodies whose origin was not given, and which the joints let lie at another place as well with the same
+    /// angles: a slider at the end of a rod.
     pub ambiguous: Vec<usize>,
 }
 
 impl Model {
-    /// An initial guess from the angles of the bodies, rad, and the origins of some of them, m: the origins that the joints
-    /// require while no body turns, by least squares. Constraints without a constant term of their own are left out.
+    /// An initial guess from the angles of the bodies, rad, and the origins of some of them, m: the origins that the
+    /// joints require while no body turns, by least squares. Constraints without a constant term of their own are left
+    /// out.
     ///
     /// # Errors
     /// As for [`new`](Model::new); `NotFinite`.

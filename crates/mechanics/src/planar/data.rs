@@ -1,4 +1,5 @@
-//! Working data of the motion of a [`Model`]: positions, factors, velocities, accelerations and multipliers of one moment.
+//! Working data of the motion of a [`Model`]: positions, factors, velocities, accelerations and multipliers of one
+//! moment.
 //!
 //! The order of the computation is in the types: [`Data::position`] gives a [`Positioned`], this a [`Factored`], this a
 //! [`Moving`], this an [`Accelerated`], and each has the results that are valid there. A position that was evaluated or
@@ -6,9 +7,9 @@
 //!
 //! The state of the motion are the tree coordinates of the [`Layout`](super::layout::Layout), m, and the independent
 //! velocities, m/s, in the columns that the selected [`PivotOrder`] leaves without a pivot. With a basis N of the null
-//! space of `Φ_q` (one vector of 3n scaled velocities for each independent one), `q̇ = q̇₀ + N ṡ` and `q̈ = q̈₀ + N s̈`, the
-//! equations of motion are `(Nᵀ M N) s̈ = Nᵀ (Q − M q̈₀)`; the multipliers follow from `Φ_qᵀ λ = M q̈ − Q` (E. J. Haug,
-//! *Computer-Aided Kinematics and Dynamics of Mechanical Systems* (1989), §6.3 and §7.2).
+//! space of `Φ_q` (one vector of 3n scaled velocities for each independent one), `q̇ = q̇₀ + N ṡ` and `q̈ = q̈₀ + N
+//! s̈`, the equations of motion are `(Nᵀ M N) s̈ = Nᵀ (Q − M q̈₀)`; the multipliers follow from `Φ_qᵀ λ = M q̈ − Q` (E.
+//! J. Haug, *Computer-Aided Kinematics and Dynamics of Mechanical Systems* (1989), §6.3 and §7.2).
 
 use super::{
     Contact, Driver, Measure, Model, PlanarError, Pose, State,
@@ -21,7 +22,9 @@ use super::{
 };
 
 /// The numbers of one moment of a motion. Vectors are scaled, by the columns or rows of the model.
-pub(super) struct Data {
+pub(super) struct Data<'m> {
+    model: &'m Model,
+    /// Time, s.
     time: f64,
     position: Position,
     /// The tree coordinates for which the position was evaluated.
@@ -38,9 +41,11 @@ pub(super) struct Data {
     quality: Quality,
     /// Velocities `(x, y, θ)` of the bodies and, last, of the ground.
     velocities: Vec<[f64; 3]>,
-    /// Forces and moments of weights and loads on the bodies.
+    /// Forces and moments of weights and loads on the bodies, N and N m.
     forces: Vec<[f64; 3]>,
+    /// A right-hand side, by rows.
     rhs: Vec<f64>,
+    /// Velocities, m/s, then forces, N, by columns.
     scaled: Vec<f64>,
     /// The null-space basis N.
     basis: Vec<Vec<f64>>,
@@ -65,36 +70,27 @@ impl Quality {
 }
 
 /// Working data with a position: poses, residuals and Jacobian.
-pub(super) struct Positioned<'d> {
-    model: &'d Model,
-    data: &'d mut Data,
-}
+pub(super) struct Positioned<'d, 'm>(&'d mut Data<'m>);
 
 /// The same with the Jacobian eliminated.
-pub(super) struct Factored<'d> {
-    model: &'d Model,
-    data: &'d mut Data,
-}
+pub(super) struct Factored<'d, 'm>(&'d mut Data<'m>);
 
 /// The same with velocities.
-pub(super) struct Moving<'d> {
-    model: &'d Model,
-    data: &'d mut Data,
-}
+pub(super) struct Moving<'d, 'm>(&'d mut Data<'m>);
 
 /// The same with accelerations and multipliers.
-pub(super) struct Accelerated<'d> {
-    model: &'d Model,
-    data: &'d mut Data,
+pub(super) struct Accelerated<'d, 'm> {
+    data: &'d mut Data<'m>,
     /// The power of the drivers, of friction and of the loads without potential, W.
     pub(super) power: f64,
 }
 
-impl Data {
+impl<'m> Data<'m> {
     /// Data for a model in closed positions, with an order of pivots selected there.
-    pub(super) fn new(model: &Model, positions: &[[f64; 3]]) -> Self {
+    pub(super) fn new(model: &'m Model, positions: &[[f64; 3]]) -> Self {
         let (bodies, rows) = (positions.len(), model.equations.len());
         let mut data = Self {
+            model,
             time: 0.0,
             position: model.layout.position(&model.equations),
             tree: Vec::new(),
@@ -116,12 +112,13 @@ impl Data {
             },
             needs_multipliers: !model.mechanism.drivers.is_empty() || model.has_friction(),
         };
-        data.position(model, 0.0, &model.tree_coordinates(positions)).select_order();
+        data.position(0.0, &model.tree_coordinates(positions)).select_order();
         data
     }
 
     /// Positions, residuals and Jacobian at a time, s, for tree coordinates, m.
-    pub(super) fn position<'d>(&'d mut self, model: &'d Model, time: f64, tree: &[f64]) -> Positioned<'d> {
+    pub(super) fn position(&mut self, time: f64, tree: &[f64]) -> Positioned<'_, 'm> {
+        let model = self.model;
         self.time = time;
         let driven = &mut self.position.constants[model.first_driver()..];
         for (constant, driver) in driven.iter_mut().zip(&model.mechanism.drivers) {
@@ -137,7 +134,7 @@ impl Data {
             self.tree.extend_from_slice(tree);
             (self.is_evaluated, self.is_factored) = (true, false);
         }
-        Positioned { model, data: self }
+        Positioned(self)
     }
 
     /// The columns of the independent velocities.
@@ -155,50 +152,51 @@ impl Data {
         std::mem::replace(&mut self.quality, Quality::BEST)
     }
 
-    fn select(&mut self, index: usize, columns: usize) {
+    fn select(&mut self, index: usize) {
         self.selected = index;
         self.is_factored = false;
         let n = self.independent().len();
         self.basis.resize_with(n, Vec::new);
         for motion in &mut self.basis {
-            motion.resize(columns, 0.0);
+            motion.resize(self.model.masses.len(), 0.0);
         }
         self.reduced_mass.resize(n * n, 0.0);
         self.response.independent.resize(n, 0.0);
     }
 }
 
-impl<'d> Positioned<'d> {
+impl<'d, 'm> Positioned<'d, 'm> {
     /// The largest residual of the loop equations, m.
     pub(super) fn residual(&self) -> f64 {
-        self.model.layout.largest_residual(&self.data.position)
+        self.0.model.layout.largest_residual(&self.0.position)
     }
 
     /// Selects a remembered order of pivots that suits the position, or a new one.
     pub(super) fn select_order(self) {
-        let Self { model, data } = self;
-        let (layout, columns) = (&model.layout, model.masses.len());
+        let data = self.0;
+        let model = data.model;
+        let layout = &model.layout;
         let jacobian = &data.position.jacobian;
         for index in 0..data.orders.len() {
             let (order, factors) = &mut data.orders[index];
             order.eliminate(jacobian, factors);
             if !order.is_weak(layout, jacobian, factors) {
-                data.select(index, columns);
+                data.select(index);
                 return;
             }
         }
-        let order = PivotOrder::new(layout, jacobian, columns);
+        let order = PivotOrder::new(layout, jacobian, model.masses.len());
         let factors = order.factors();
         if data.orders.len() == MAX_ORDERS {
             data.orders.remove(0);
         }
         data.orders.push((order, factors));
-        data.select(data.orders.len() - 1, columns);
+        data.select(data.orders.len() - 1);
     }
 
     /// Eliminates the Jacobian.
-    pub(super) fn factored(self) -> Factored<'d> {
-        let Self { model, data } = self;
+    pub(super) fn factored(self) -> Factored<'d, 'm> {
+        let data = self.0;
         if !data.is_factored {
             let (order, factors) = &mut data.orders[data.selected];
             order.eliminate(&data.position.jacobian, factors);
@@ -207,29 +205,35 @@ impl<'d> Positioned<'d> {
             *conditioning = (*conditioning).max(order.conditioning(factors));
             *smallest_pivot = smallest_pivot.min(order.smallest_pivot(factors));
         }
-        Factored { model, data }
+        Factored(data)
     }
 }
 
-impl<'d> Factored<'d> {
+impl<'d, 'm> Factored<'d, 'm> {
     fn order(&self) -> (&PivotOrder, &Factors) {
-        let (order, factors) = &self.data.orders[self.data.selected];
+        let (order, factors) = &self.0.orders[self.0.selected];
         (order, factors)
     }
 
-    /// The quality of these factors.
-    pub(super) fn quality(&self) -> Quality {
+    /// The conditioning of the position in the selected order.
+    pub(super) fn conditioning(&self) -> Conditioning {
         let (order, factors) = self.order();
-        Quality { conditioning: order.conditioning(factors), smallest_pivot: order.smallest_pivot(factors) }
+        order.conditioning(factors)
     }
 
-    /// Decides that another order of pivots should be selected.
+    /// The smallest ratio of a pivot to its value when it was selected.
+    pub(super) fn smallest_pivot(&self) -> f64 {
+        let (order, factors) = self.order();
+        order.smallest_pivot(factors)
+    }
+
+    /// Reports whether another order of pivots should be selected.
     pub(super) fn is_weak(&self) -> bool {
         let (order, factors) = self.order();
-        order.is_weak(&self.model.layout, &self.data.position.jacobian, factors)
+        order.is_weak(&self.0.model.layout, &self.0.position.jacobian, factors)
     }
 
-    /// Finds a pivot so small that a singular position may be near.
+    /// Reports whether a pivot is so small that a singular position may be near.
     pub(super) fn is_falling(&self) -> bool {
         let (order, factors) = self.order();
         order.is_falling(factors)
@@ -247,8 +251,9 @@ impl<'d> Factored<'d> {
     }
 
     /// The correction of the tree coordinates by Newton's method, m: to be subtracted.
-    pub(super) fn correction(self) -> impl Iterator<Item = f64> + 'd {
-        let Self { model, data } = self;
+    pub(super) fn correction(self) -> impl Iterator<Item = f64> + use<'d, 'm> {
+        let data = self.0;
+        let model = data.model;
         data.rhs.fill(0.0);
         for &row in &model.layout.loops {
             data.rhs[row] = data.position.residuals[row];
@@ -260,8 +265,9 @@ impl<'d> Factored<'d> {
     }
 
     /// The velocities of all bodies from the independent ones, m/s, and the null-space basis.
-    pub(super) fn velocities(self, independent: &[f64]) -> Moving<'d> {
-        let Self { model, data } = self;
+    pub(super) fn velocities(self, independent: &[f64]) -> Moving<'d, 'm> {
+        let data = self.0;
+        let model = data.model;
         let (order, factors) = &data.orders[data.selected];
         let drivers = &model.mechanism.drivers;
         if drivers.is_empty() {
@@ -280,30 +286,32 @@ impl<'d> Factored<'d> {
             }
         }
         model.unscale(&data.scaled, &mut data.velocities);
-        Moving { model, data }
+        Moving(data)
     }
 }
 
-impl<'d> Moving<'d> {
+impl<'d, 'm> Moving<'d, 'm> {
     /// The velocities of the scaled coordinates, m/s, by column.
     pub(super) fn scaled(&self) -> &[f64] {
-        &self.data.scaled
+        &self.0.scaled
     }
 
     /// The null-space basis.
     pub(super) fn basis(&self) -> &[Vec<f64>] {
-        &self.data.basis
+        &self.0.basis
     }
 
     /// The value of a measure and its velocity.
     pub(super) fn measure(&self, measure: &Measure) -> [f64; 2] {
-        let gradient = gradient(measure, &self.data.position.poses);
-        [gradient.value, rate(measure, &gradient, &self.data.velocities)]
+        let gradient = gradient(measure, &self.0.position.poses);
+        [gradient.value, rate(measure, &gradient, &self.0.velocities)]
     }
 
-    /// Accelerations and multipliers under the loads without friction; not numbers if an independent motion has no inertia.
-    pub(super) fn accelerations(self) -> Accelerated<'d> {
-        let Self { model, data } = self;
+    /// Accelerations and multipliers under the loads without friction; not numbers if an independent motion has no
+    /// inertia.
+    pub(super) fn accelerations(self) -> Accelerated<'d, 'm> {
+        let data = self.0;
+        let model = data.model;
         let (order, factors) = &data.orders[data.selected];
         let drivers = &model.mechanism.drivers;
         let ResponseToForce { independent, accelerations, multipliers } = &mut data.response;
@@ -351,11 +359,11 @@ impl<'d> Moving<'d> {
             }
             order.solve_transposed(factors, &mut data.scaled, multipliers);
         }
-        Accelerated { model, data, power }
+        Accelerated { data, power }
     }
 }
 
-impl Accelerated<'_> {
+impl Accelerated<'_, '_> {
     /// The accelerations in the columns of the independent velocities, m/s².
     pub(super) fn independent(&self) -> &[f64] {
         &self.data.response.independent
@@ -363,8 +371,8 @@ impl Accelerated<'_> {
 
     /// The power of the drivers, W, by the multipliers.
     pub(super) fn driver_power(&self) -> f64 {
-        let drivers = &self.model.mechanism.drivers;
-        let efforts = &self.data.response.multipliers[self.model.first_driver()..];
+        let drivers = &self.data.model.mechanism.drivers;
+        let efforts = &self.data.response.multipliers[self.data.model.first_driver()..];
         let power = |(effort, driver): (&f64, &Driver)| effort * velocity(driver, self.data.time);
         efforts.iter().zip(drivers).map(power).sum()
     }
@@ -376,24 +384,24 @@ impl Accelerated<'_> {
         State {
             positions: self.data.position.poses[..bodies].iter().map(of_pose).collect(),
             velocities: self.data.velocities[..bodies].to_vec(),
-            accelerations: self.model.unscaled(&self.data.response.accelerations),
+            accelerations: self.data.model.unscaled(&self.data.response.accelerations),
         }
     }
 
     /// The kinetic energy and the energy stored in weights and loads, J.
     pub(super) fn energies(&self) -> [f64; 2] {
-        let length = self.model.length;
+        let length = self.data.model.length;
         let of_body = |(masses, v): (&[f64], &[f64; 3])| {
             let turn = v[2] * length;
             0.5 * (masses[0] * (v[0] * v[0] + v[1] * v[1]) + masses[2] * turn * turn)
         };
-        let kinetic = self.model.masses.chunks_exact(3).zip(&self.data.velocities).map(of_body).sum();
-        [kinetic, self.model.stored(&self.data.position.poses)]
+        let kinetic = self.data.model.masses.chunks_exact(3).zip(&self.data.velocities).map(of_body).sum();
+        [kinetic, self.data.model.stored(&self.data.position.poses)]
     }
 
     /// The response of the joints to friction, from these accelerations without it.
     pub(super) fn friction_response<'f>(&self, frictions: &'f [Friction]) -> Response<'f> {
-        let (model, data) = (self.model, &*self.data);
+        let (model, data) = (self.data.model, &*self.data);
         let (order, factors) = &data.orders[data.selected];
         let frictionless = Frictionless {
             model,
@@ -438,9 +446,9 @@ impl Accelerated<'_> {
         };
         self.power += response.power(&efforts);
         self.data.response = response.total(&efforts);
-        // The joints that stick are independent: where there are as many as independent motions and no driver moves, nothing
-        // does. Rounding would let it creep.
-        let mut drivers = self.model.mechanism.drivers.iter();
+        // The joints that stick are independent: where there are as many as independent motions and no driver moves,
+        // nothing does. Rounding would let it creep.
+        let mut drivers = self.data.model.mechanism.drivers.iter();
         let sticking = contacts.iter().filter(|contact| **contact == Contact::Sticking).count();
         if sticking == self.data.basis.len()
             && drivers.all(|driver| driver.velocity == 0.0 && driver.acceleration == 0.0)
@@ -456,8 +464,8 @@ fn velocity(driver: &Driver, time: f64) -> f64 {
     driver.velocity + time * driver.acceleration
 }
 
-/// Factors a symmetric positive definite n × n matrix H, given by rows in its lower triangle, in place (Cholesky); false
-/// if it is not.
+/// Factors a symmetric positive definite n × n matrix H, given by rows in its lower triangle, in place (Cholesky);
+/// false if it is not.
 fn factor_positive(h: &mut [f64], n: usize) -> bool {
     for j in 0..n {
         let diagonal = h[j * n + j];

@@ -1,9 +1,9 @@
 //! Elimination of the Jacobian in an order of pivots that is selected once and serves in many positions.
 //!
-//! The columns of the explicit coordinates are eliminated first, at no cost in accuracy; in the loop equations pivots are
-//! selected for few operations among those that are large in their row (H. M. Markowitz; I. S. Duff, A. M. Erisman,
-//! J. K. Reid, *Direct Methods for Sparse Matrices*, ch. 7 and 9). A [`PivotOrder`] is the list of operations; the numbers
-//! of a position are [`Factors`].
+//! The columns of the explicit coordinates are eliminated first, at no cost in accuracy; in the loop equations pivots
+//! are selected for few operations among those that are large in their row (H. M. Markowitz; I. S. Duff, A. M. Erisman,
+//! J. K. Reid, *Direct Methods for Sparse Matrices*, ch. 7 and 9). A [`PivotOrder`] is the list of operations; the
+//! numbers of a position are [`Factors`].
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
@@ -150,8 +150,8 @@ impl PivotOrder {
         }
     }
 
-    /// Decides that another order should be selected: a pivot has become small in its row, or a row that was dependent is
-    /// independent.
+    /// Reports whether another order should be selected: a pivot has become small in its row, or a row that was
+    /// dependent is independent.
     pub(super) fn is_weak(&self, layout: &Layout, jacobian: &[f64], factors: &Factors) -> bool {
         (self.first_loop..self.pivots.len()).any(|index| self.is_small(factors, index, MIN_KEPT_PIVOT))
             || self.dependent.iter().any(|(row, places)| {
@@ -190,7 +190,7 @@ impl PivotOrder {
         ratios.fold(1.0, f64::min)
     }
 
-    /// Finds a pivot that has fallen so far that it may vanish within a step.
+    /// Reports whether a pivot has fallen so far that it may vanish within a step.
     pub(super) fn is_falling(&self, factors: &Factors) -> bool {
         self.pivots[self.first_loop..]
             .iter()
@@ -206,8 +206,8 @@ impl PivotOrder {
         (self.first_loop..self.pivots.len()).flat_map(of_pivot).collect()
     }
 
-    /// The number of steps, behind and ahead, after which a reduced row vanishes, extrapolated from its entries before and
-    /// after one step.
+    /// The number of steps, behind and ahead, after which a reduced row vanishes, extrapolated from its entries before
+    /// and after one step.
     pub(super) fn steps_to_singularity(&self, before: &[f64], after: &[f64]) -> [f64; 2] {
         let mut from = 0;
         let mut nearest = [f64::INFINITY; 2];
@@ -264,8 +264,8 @@ impl PivotOrder {
         }
     }
 
-    /// A solution `x` of `Φ_q x = rhs`, zero in the independent columns: `rhs` by rows, `x` by columns. The right-hand side
-    /// is overwritten.
+    /// A solution `x` of `Φ_q x = rhs`, zero in the independent columns: `rhs` by rows, `x` by columns. The right-hand
+    /// side is overwritten.
     #[inline(always)]
     pub(super) fn solve<S: SimdReal>(&self, factors: &Factors<S>, rhs: &mut [S], x: &mut [S]) {
         self.reduce(factors, rhs);
@@ -308,7 +308,8 @@ impl PivotOrder {
         }
     }
 
-    /// The multipliers `y` with `Φ_qᵀ y = g`, by rows; zero for rows that depend on others. `g`, by columns, is overwritten.
+    /// The multipliers `y` with `Φ_qᵀ y = g`, by rows; zero for rows that depend on others. `g`, by columns, is
+    /// overwritten.
     #[inline(always)]
     pub(super) fn solve_transposed<S: SimdReal>(&self, factors: &Factors<S>, g: &mut [S], y: &mut [S]) {
         y.fill(S::from(0.0));

@@ -11,10 +11,10 @@ use super::{
     elimination::Conditioning,
     friction::Friction,
     tolerances::{
-        MAX_SINGULAR_TOLERANCE, MIN_PIVOT_OF_VELOCITIES, MOTION_MAX_CORRECTION,
+        DEGENERATE_TOLERANCE, MAX_SINGULAR_TOLERANCE, MIN_PIVOT_OF_VELOCITIES, MOTION_MAX_CORRECTION,
         MOTION_MAX_CORRECTION_IN_TOLERANCES, MOTION_MAX_ITERATIONS, MOTION_RESIDUAL,
-        MOTION_SINGULAR_RESIDUAL, MOTION_STALLED_RESIDUAL, REJECTING_TOLERANCE, SINGULAR_ROUNDING,
-        SINGULARITY_LOOKAHEAD, STALLED_RESIDUAL,
+        MOTION_SINGULAR_RESIDUAL, MOTION_STALLED_RESIDUAL, SINGULAR_ROUNDING, SINGULARITY_LOOKAHEAD,
+        STALLED_RESIDUAL,
     },
     vectors::{body_that_moves_most, largest},
 };
@@ -23,7 +23,7 @@ use dalembert_numerics::ode::{OdeError, Problem};
 /// A model in motion.
 pub(super) struct EquationsOfMotion<'a> {
     model: &'a Model,
-    data: Data,
+    data: Data<'a>,
     frictions: Vec<Friction>,
     /// The state of each joint with friction, until a margin of it is used up.
     contacts: Vec<Contact>,
@@ -78,17 +78,16 @@ impl<'a> EquationsOfMotion<'a> {
     }
 
     /// Positions and velocities of a state.
-    fn moving(&mut self, time: f64, state: &[f64]) -> Moving<'_> {
+    fn moving(&mut self, time: f64, state: &[f64]) -> Moving<'_, 'a> {
         let (tree, independent) = (self.tree(), self.independent());
-        self.data.position(self.model, time, &state[..tree]).factored().velocities(&state[independent])
+        self.data.position(time, &state[..tree]).factored().velocities(&state[independent])
     }
 
     /// Everything in a state, and its rates.
-    fn evaluated(&mut self, time: f64, state: &[f64], rates: &mut [f64]) -> Accelerated<'_> {
+    fn evaluated(&mut self, time: f64, state: &[f64], rates: &mut [f64]) -> Accelerated<'_, 'a> {
         let (tree, independent) = (self.tree(), self.independent());
         let Self { model, data, frictions, contacts, jammed, has_work, .. } = self;
-        let moving =
-            data.position(model, time, &state[..tree]).factored().velocities(&state[independent.clone()]);
+        let moving = data.position(time, &state[..tree]).factored().velocities(&state[independent.clone()]);
         for (rate, &column) in rates.iter_mut().zip(&model.layout.tree) {
             *rate = moving.scaled()[column];
         }
@@ -119,12 +118,13 @@ impl<'a> EquationsOfMotion<'a> {
         rates.iter().all(|x| x.is_finite()).then_some(Snapshot { time, state: full, kinetic, stored, work })
     }
 
-    /// Decides that a state is so close to a singular position that the velocities which follow from it are rounding.
+    /// Reports whether a state is so close to a singular position that the velocities which follow from it are
+    /// rounding.
     pub(super) fn is_singular(&mut self, time: f64, state: &[f64]) -> bool {
         let tree = self.tree();
-        let Quality { conditioning, smallest_pivot } =
-            self.data.position(self.model, time, &state[..tree]).factored().quality();
-        smallest_pivot < MIN_PIVOT_OF_VELOCITIES && conditioning == Conditioning::NearSingular
+        let factored = self.data.position(time, &state[..tree]).factored();
+        factored.smallest_pivot() < MIN_PIVOT_OF_VELOCITIES
+            && factored.conditioning() == Conditioning::NearSingular
     }
 
     /// The value of a measure and its velocity, in a state that need not satisfy the constraints.
@@ -135,7 +135,7 @@ impl<'a> EquationsOfMotion<'a> {
     /// The state in another order of pivots, if the present one has become weak.
     pub(super) fn reordered(&mut self, time: f64, state: &[f64]) -> Option<Vec<f64>> {
         let tree = self.tree();
-        if !self.data.position(self.model, time, &state[..tree]).factored().is_weak() {
+        if !self.data.position(time, &state[..tree]).factored().is_weak() {
             return None;
         }
         let mut state = state.to_vec();
@@ -143,7 +143,7 @@ impl<'a> EquationsOfMotion<'a> {
             return None;
         }
         let snapshot = self.snapshot_of_settled(time, &state)?;
-        self.data.position(self.model, time, &state[..tree]).select_order();
+        self.data.position(time, &state[..tree]).select_order();
         Some(self.state(&snapshot.state.positions, &snapshot.state.velocities, snapshot.work))
     }
 
@@ -158,8 +158,8 @@ impl<'a> EquationsOfMotion<'a> {
         })
     }
 
-    /// The meaning of an error of the integrator.
-    pub(super) fn explained(&self, error: OdeError) -> PlanarError {
+    /// The error that an error of the integrator stands for.
+    pub(super) fn error(&self, error: OdeError) -> PlanarError {
         self.jammed.clone().unwrap_or(PlanarError::Motion(error))
     }
 
@@ -191,7 +191,7 @@ impl Problem for EquationsOfMotion<'_> {
                 self.tolerance.max(rounding.min(MAX_SINGULAR_TOLERANCE))
             }
             // A shorter step comes to where another order is selected.
-            Conditioning::Degenerate => REJECTING_TOLERANCE,
+            Conditioning::Degenerate => DEGENERATE_TOLERANCE,
         };
         allowed[..tree].fill(tolerance * self.model.length);
         let ends = before[independent.clone()].iter().chain(&after[independent.clone()]);
@@ -208,7 +208,7 @@ impl Problem for EquationsOfMotion<'_> {
             MOTION_MAX_CORRECTION.max(MOTION_MAX_CORRECTION_IN_TOLERANCES * self.tolerance) * length;
         let mut last = f64::INFINITY;
         for iteration in 0..=MOTION_MAX_ITERATIONS {
-            let position = self.data.position(self.model, time, &state[..tree]);
+            let position = self.data.position(time, &state[..tree]);
             let residual = position.residual();
             if residual.is_nan() {
                 return false;
@@ -221,7 +221,7 @@ impl Problem for EquationsOfMotion<'_> {
             last = residual;
             let factored = position.factored();
             if residual <= MOTION_SINGULAR_RESIDUAL * length
-                && factored.quality().conditioning == Conditioning::NearSingular
+                && factored.conditioning() == Conditioning::NearSingular
             {
                 return true;
             }
@@ -240,14 +240,14 @@ impl Problem for EquationsOfMotion<'_> {
     fn singular(&mut self, time: f64, state: &[f64], rates: &[f64]) -> [f64; 2] {
         let tree = self.tree();
         let velocity = largest(&rates[..tree]);
-        let here = self.data.position(self.model, time, &state[..tree]).factored();
+        let here = self.data.position(time, &state[..tree]).factored();
         if !here.is_falling() || velocity == 0.0 {
             return [f64::INFINITY; 2];
         }
         let before = here.reduced_rows();
         let ahead = SINGULARITY_LOOKAHEAD * self.model.length / velocity;
         let moved: Vec<f64> = state.iter().zip(&rates[..tree]).map(|(x, rate)| x + ahead * rate).collect();
-        let there = self.data.position(self.model, time + ahead, &moved).factored();
+        let there = self.data.position(time + ahead, &moved).factored();
         there.steps_to_singularity(&before).map(|steps| steps * ahead)
     }
 

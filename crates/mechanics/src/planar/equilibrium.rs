@@ -67,8 +67,8 @@ impl Model {
         Ok(coefficients.iter().map(|motion| -power(motion)).collect())
     }
 
-    /// The stiffness `∂²V/∂m_i ∂m_j` in the measures of the drivers, the growth of the holding efforts; its symmetric part
-    /// where a load has no potential.
+    /// The stiffness `∂²V/∂m_i ∂m_j` in the measures of the drivers, the growth of the holding efforts; its symmetric
+    /// part where a load has no potential.
     ///
     /// Along a motion at unit velocity and without acceleration of the drivers the virtual power of an effort Q along
     /// a measure m changes as `Q′ ṁ² + Q m̈`, that of a force at a point as `F · a`.

@@ -54,9 +54,4 @@ impl FirstEvent {
         }
         first
     }
-
-    /// Decides that the motion does not simply go on from the end of the step.
-    pub(super) fn interrupts(&self) -> bool {
-        self.used.is_some() || self.ended.is_some()
-    }
 }

@@ -1,9 +1,9 @@
 //! Forward dynamics: the accelerations of a mechanism under its loads.
 //!
-//! With N a null-space basis of the constraint Jacobian (`Φ_q N = 0`) and `q̈ = a + N s̈`, where the particular solution `a`
-//! is any acceleration that joints and drivers allow, virtual power leaves `(Nᵀ M N) s̈ = Nᵀ (Q − M a)`; the multipliers
-//! follow from `Φ_qᵀ λ = M q̈ − Q` (E. J. Haug, *Computer-Aided Kinematics and Dynamics of Mechanical Systems* (1989),
-//! §6.3 and §7.2).
+//! With N a null-space basis of the constraint Jacobian (`Φ_q N = 0`) and `q̈ = a + N s̈`, where the particular
+//! solution `a` is any acceleration that joints and drivers allow, virtual power leaves `(Nᵀ M N) s̈ = Nᵀ (Q − M a)`;
+//! the multipliers follow from `Φ_qᵀ λ = M q̈ − Q` (E. J. Haug, *Computer-Aided Kinematics and Dynamics of Mechanical
+//! Systems* (1989), §6.3 and §7.2).
 
 use nalgebra::{DMatrix, DVector};
 
@@ -38,8 +38,8 @@ pub struct JointFriction {
     pub load: usize,
     /// The state of contact.
     pub contact: Contact,
-    /// The friction along the sliding, N, or about the pin, N m: positive when it pushes the relative coordinate to grow.
-    /// Statically indeterminate friction is given as zero.
+    /// The friction along the sliding, N, or about the pin, N m: positive when it pushes the relative coordinate to
+    /// grow. Statically indeterminate friction is given as zero.
     pub effort: f64,
     /// The sliding velocity, m/s, or that of a pin's turn, rad/s.
     pub sliding: f64,
@@ -141,9 +141,9 @@ impl Model {
         Ok((response.total(&efforts), joints))
     }
 
-    /// The velocities with which a motion starts: those of the drivers, the given ones of some measures, m/s or rad/s, and
-    /// of all such motions the one of least kinetic energy, as impulses along these measures would give it to a mechanism
-    /// at rest.
+    /// The velocities with which a motion starts: those of the drivers, the given ones of some measures, m/s or rad/s,
+    /// and of all such motions the one of least kinetic energy, as impulses along these measures would give it to a
+    /// mechanism at rest.
     ///
     /// # Errors
     /// `Rate` for one that contradicts; `Massless`, `NotFinite`.
@@ -154,8 +154,7 @@ impl Model {
     ) -> Result<Vec<[f64; 3]>, PlanarError> {
         let mut data = Data::new(self, positions);
         let at_rest = vec![0.0; data.independent().len()];
-        let moving =
-            data.position(self, 0.0, &self.tree_coordinates(positions)).factored().velocities(&at_rest);
+        let moving = data.position(0.0, &self.tree_coordinates(positions)).factored().velocities(&at_rest);
         let (driven, basis) = (moving.scaled(), moving.basis());
         let state = |motion: &[f64]| State {
             positions: positions.to_vec(),

@@ -1,14 +1,14 @@
 //! Coulomb friction in joints: which slide, which stick, and the friction force of each.
 //!
-//! A joint that slides has the friction force `μ N` against its sliding, a pin the couple `μ r N`, where N is the force that
-//! the joint carries and on which the friction itself has a part. A joint at rest is held by whatever friction that takes,
-//! as long as none of the motions that it could begin would go on: each of these, one degree of freedom at a time, is
-//! tried with the friction that it would meet. F. Pfeiffer, C. Glocker, *Multibody Dynamics with Unilateral Contacts*
-//! (1996), ch. 6.
+//! A joint that slides has the friction force `μ N` against its sliding, a pin the couple `μ r N`, where N is the force
+//! that the joint carries and on which the friction itself has a part. A joint at rest is held by whatever friction
+//! that takes, as long as none of the motions that it could begin would go on: each of these, one degree of freedom at
+//! a time, is tried with the friction that it would meet. F. Pfeiffer, C. Glocker, *Multibody Dynamics with Unilateral
+//! Contacts* (1996), ch. 6.
 //!
 //! Lengths here are in m and efforts in N throughout: an angle counts times the size of the mechanism, as in its scaled
-//! coordinates, and a couple over it. Lists of frictions, contacts and efforts have one entry for each joint with friction,
-//! in the order of these loads.
+//! coordinates, and a couple over it. Lists of frictions, contacts and efforts have one entry for each joint with
+//! friction, in the order of these loads.
 
 mod sticking;
 
@@ -84,7 +84,7 @@ impl Model {
         self.frictions().into_iter().filter(|friction| friction.limit > 0.0).collect()
     }
 
-    /// Finds a joint with a coefficient of friction above zero.
+    /// Reports whether a joint has a coefficient of friction above zero.
     pub(super) fn has_friction(&self) -> bool {
         !self.frictional_joints().is_empty()
     }
@@ -229,8 +229,8 @@ impl<'a> Response<'a> {
         ResponseToForce { independent, accelerations, multipliers }
     }
 
-    /// The efforts of the frictions along their measures, N: `−μ N` against a sliding, for a joint that sticks what keeps it
-    /// at rest. By Newton's method, since the friction has a part in N. None without a balance.
+    /// The efforts of the frictions along their measures, N: `−μ N` against a sliding, for a joint that sticks what
+    /// keeps it at rest. By Newton's method, since the friction has a part in N. None without a balance.
     pub(super) fn efforts(&self, contacts: &[Contact]) -> Option<Vec<f64>> {
         let n = contacts.len();
         let mut efforts = vec![0.0; n];
@@ -292,9 +292,9 @@ impl<'a> Response<'a> {
         None
     }
 
-    /// The margins that must stay positive for the contacts to last, each over its size, 2 n + 1 in number: first of each
-    /// joint that slides its velocity in its sense, then of each guide its force on its side, and last the reserve of
-    /// friction before a joint at rest begins to slide. One that does not apply is 1. `max_velocity` is the size of
+    /// The margins that must stay positive for the contacts to last, each over its size, 2 n + 1 in number: first of
+    /// each joint that slides its velocity in its sense, then of each guide its force on its side, and last the reserve
+    /// of friction before a joint at rest begins to slide. One that does not apply is 1. `max_velocity` is the size of
     /// velocities, m/s.
     pub(super) fn margins(
         &self,

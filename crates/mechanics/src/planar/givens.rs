@@ -1,5 +1,5 @@
-//! QR factorisation of the loop equations by plane rotations: a small dense matrix, factored without any branch, so that
-//! several positions can be taken in the lanes of a SIMD vector.
+//! QR factorisation of the loop equations by plane rotations: a small dense matrix, factored without any branch, so
+//! that several positions can be taken in the lanes of a SIMD vector.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
@@ -9,8 +9,8 @@ use super::tolerances::ROTATION_GUARD;
 use dalembert_numerics::simd::SimdReal;
 
 /// Orders of rows and columns of a square matrix that take few rotations, from the places and columns of the entries of
-/// each row: of what is left, the column that the fewest rows have goes first (J. A. George, M. T. Heath, *Linear Algebra and its
-/// Applications* 34, 1980). So a loop that depends on another one is separated from it.
+/// each row: of what is left, the column that the fewest rows have goes first (J. A. George, M. T. Heath, *Linear
+/// Algebra and its Applications* 34, 1980). So a loop that depends on another one is separated from it.
 pub(super) fn ordering(rows: &[Vec<(usize, usize)>]) -> [Vec<usize>; 2] {
     let mut left: Vec<(usize, BTreeSet<usize>)> =
         rows.iter().map(|row| row.iter().map(|(_, column)| *column).collect()).enumerate().collect();

@@ -7,7 +7,8 @@ use super::{Frame, Model, tolerances::RELATIVE_REST};
 pub enum InstantCentre {
     /// This point, m.
     At([f64; 2]),
-    /// Both have the same angular velocity: at infinity in the direction of this unit vector, across their relative velocity.
+    /// Both have the same angular velocity: at infinity in the direction of this unit vector, across their relative
+    /// velocity.
     Far([f64; 2]),
     /// They do not move against each other: every point.
     Everywhere,

@@ -23,8 +23,8 @@ pub struct InverseDynamics {
     /// The multiplier of each equation, in the order of [`Model::equations`]: the effort that a joint or driver
     /// exerts along its measure.
     pub multipliers: Vec<f64>,
-    /// The velocity coefficients `∂q/∂m` for each driver: the velocities `(x, y, θ)` of the bodies at unit velocity of the
-    /// driver, the others held.
+    /// The velocity coefficients `∂q/∂m` for each driver: the velocities `(x, y, θ)` of the bodies at unit velocity of
+    /// the driver, the others held.
     pub coefficients: Vec<Vec<[f64; 3]>>,
     /// The power of every load, weight and inertia load.
     pub powers: Vec<LoadPower>,
@@ -196,8 +196,8 @@ impl Model {
         acting
     }
 
-    /// The forces and moments `[F_x, F_y, M]` of loads but friction and of weights on every body, and the power of those
-    /// loads that have no potential, W. The velocities are those of the bodies and, last, of the ground.
+    /// The forces and moments `[F_x, F_y, M]` of loads but friction and of weights on every body, and the power of
+    /// those loads that have no potential, W. The velocities are those of the bodies and, last, of the ground.
     #[inline(always)]
     pub(super) fn forces<S: SimdReal>(
         &self,
@@ -247,8 +247,8 @@ impl Model {
         power
     }
 
-    /// The multipliers, by equation, under loads on the scaled coordinates, by column, and the frictions in the joints that
-    /// slide.
+    /// The multipliers, by equation, under loads on the scaled coordinates, by column, and the frictions in the joints
+    /// that slide.
     fn multipliers(
         &self,
         elimination: &Elimination,

@@ -1,5 +1,5 @@
-//! Constraint residuals `Φ(q, t)` and constraint Jacobian `Φ_q`, and the velocities and accelerations that follow from it:
-//! `Φ_q q̇ = −Φ_t`, `Φ_q q̈ = γ`.
+//! Constraint residuals `Φ(q, t)` and constraint Jacobian `Φ_q`, and the velocities and accelerations that follow from
+//! it: `Φ_q q̇ = −Φ_t`, `Φ_q q̈ = γ`.
 //!
 //! The order of the computation is in its arguments: positions give the [`Constraints`] and the elimination
 //! ([`Model::factored`]), the elimination the velocities, these the accelerations ([`Model::motion_with`]).

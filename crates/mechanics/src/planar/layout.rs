@@ -2,8 +2,8 @@
 //! Jacobian in a flat array.
 //!
 //! A constraint with a constant Jacobian entry by a coordinate, as that of a pin by the origin of a body, gives that
-//! coordinate exactly: along a tree of such *explicit* equations all origins follow from the angles. What remains are the
-//! *tree coordinates*, which no explicit equation gives, and the *loop equations*, one pair for each closed chain.
+//! coordinate exactly: along a tree of such *explicit* equations all origins follow from the angles. What remains are
+//! the *tree coordinates*, which no explicit equation gives, and the *loop equations*, one pair for each closed chain.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
@@ -146,8 +146,8 @@ impl Layout {
         }
     }
 
-    /// The angles among the tree coordinates, with cosines and sines: of several bodies at once where positions come one by
-    /// one.
+    /// The angles among the tree coordinates, with cosines and sines: of several bodies at once where positions come
+    /// one by one.
     #[inline(always)]
     fn turn<S: SimdReal>(&self, tree: &[S], poses: &mut [Pose<S>]) {
         let per_length = 1.0 / self.length;
@@ -261,8 +261,8 @@ impl Layout {
         }
     }
 
-    /// The largest residual of the loop equations, m: each over the largest entry of its row, of the constant ones where
-    /// there are such; not a number where a residual is not.
+    /// The largest residual of the loop equations, m: each over the largest entry of its row, of the constant ones
+    /// where there are such; not a number where a residual is not.
     #[inline(always)]
     pub(super) fn largest_residual<S: SimdReal>(&self, position: &Position<S>) -> S {
         let mut largest = S::from(0.0);

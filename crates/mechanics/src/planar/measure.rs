@@ -1,8 +1,8 @@
 //! Relative coordinates of a mechanism: lengths and angles, their gradients and their quadratic velocity terms.
 //!
-//! A joint holds measures constant, a driver prescribes one, a spring stretches one, and an effort works along one. For a measure
-//! `m(q)` of the positions q, the effort conjugate to it does the power `Q ṁ` (virtual power), and acts on the
-//! bodies as `Q ∂m/∂q`; its acceleration is `m̈ = (∂m/∂q) q̈ + b` with `b` quadratic in the velocities.
+//! A joint holds measures constant, a driver prescribes one, a spring stretches one, and an effort works along one. For
+//! a measure `m(q)` of the positions q, the effort conjugate to it does the power `Q ṁ` (virtual power), and acts on
+//! the bodies as `Q ∂m/∂q`; its acceleration is `m̈ = (∂m/∂q) q̈ + b` with `b` quadratic in the velocities.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
@@ -51,7 +51,8 @@ pub enum Measure {
         /// B.
         to: Point,
     },
-    /// The distance of a point from another in a direction that turns with the body of the first, `u(θ_A) · (B − A)`, m.
+    /// The distance of a point from another in a direction that turns with the body of the first, `u(θ_A) · (B − A)`,
+    /// m.
     Along {
         /// Unit vector u in the axes of the body that carries A.
         direction: [f64; 2],

@@ -1,13 +1,13 @@
 //! The immutable model of a mechanism: its constraint equations, scaled masses and layout, compiled once.
 //!
-//! Every function takes the model by `&self` and the position, velocity and driver values as arguments; what is computed
-//! stands in results or in working data of its own ([`Data`](super::data::Data), the stations of a
+//! Every function takes the model by `&self` and the position, velocity and driver values as arguments; what is
+//! computed stands in results or in working data of its own ([`Data`](super::data::Data), the stations of a
 //! [`Sweep`](super::Sweep)).
 //!
 //! Index conventions: bodies, joints, drivers and loads count from 0. Positions, velocities and accelerations have one
-//! `[x, y, θ]` for each body. Equations stand in the order of the joints, then one for each driver; residuals, multipliers
-//! and rows of the Jacobian `Φ_q` (m × 3n for m equations and n bodies) follow them. Its columns are *scaled*
-//! coordinates: `3 body + (0, 1, 2)` for `(x, y, θ · size)`, m, so that lengths and angles are comparable.
+//! `[x, y, θ]` for each body. Equations stand in the order of the joints, then one for each driver; residuals,
+//! multipliers and rows of the Jacobian `Φ_q` (m × 3n for m equations and n bodies) follow them. Its columns are
+//! *scaled* coordinates: `3 body + (0, 1, 2)` for `(x, y, θ · size)`, m, so that lengths and angles are comparable.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
@@ -148,7 +148,7 @@ impl Model {
         ]
     }
 
-    /// Finds drivers or loads without potential, of which the work is a quantity of its own.
+    /// Reports whether drivers or loads have no potential, so that their work is a quantity of its own.
     pub(super) fn has_work(&self) -> bool {
         let dissipates = |load: &Load| match load {
             Load::Force { turns_with, .. } => turns_with.is_some(),

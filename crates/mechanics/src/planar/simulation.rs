@@ -59,7 +59,7 @@ impl Model {
         };
         let mut ended = None;
         while integrator.time() < run.duration && ended.is_none() {
-            integrator.advance(&mut motion, run.duration).map_err(|error| motion.explained(error))?;
+            integrator.advance(&mut motion, run.duration).map_err(|error| motion.error(error))?;
             let event = FirstEvent::locate(&mut motion, &mut integrator, run.ends);
             let until = event.time;
             ended = event.ended;
@@ -69,10 +69,10 @@ impl Model {
                 samples.push(sample.ok_or_else(|| lost(time))?);
             }
             let mut next = None;
-            if event.interrupts() {
+            if event.used.is_some() || ended.is_some() {
                 integrator.back();
                 while integrator.time() < until {
-                    integrator.advance(&mut motion, until).map_err(|error| motion.explained(error))?;
+                    integrator.advance(&mut motion, until).map_err(|error| motion.error(error))?;
                     let time = integrator.time();
                     if let Some(state) = motion.reordered(time, integrator.state()) {
                         integrator.restart(&mut motion, time, &state)?;
@@ -96,8 +96,8 @@ impl Model {
     }
 }
 
-/// A moment within the last step. Close to a singular position, where velocities and accelerations do not follow from the
-/// position, it is interpolated (Lagrange) from moments of the step that are further away.
+/// A moment within the last step. Close to a singular position, where velocities and accelerations do not follow from
+/// the position, it is interpolated (Lagrange) from moments of the step that are further away.
 fn within_step(motion: &mut EquationsOfMotion, integrator: &mut Integrator, time: f64) -> Option<Snapshot> {
     let state = integrator.at(motion, time);
     if !motion.is_singular(time, &state) {

@@ -1,8 +1,8 @@
 //! Sweep of a driven mechanism through many positions: a cycle of an engine, a curve of a coupler, a plot.
 //!
-//! The positions are followed as [`Model::continue_to`] does it, with velocities, accelerations and every reaction, but on
-//! a fixed elimination ([`Station`]), and many parts of the sweep in the lanes of SIMD vectors. Where that does not lead
-//! on, near a dead centre or a limit position, or does not serve, with friction or redundant joints, the general
+//! The positions are followed as [`Model::continue_to`] does it, with velocities, accelerations and every reaction, but
+//! on a fixed elimination ([`Station`]), and many parts of the sweep in the lanes of SIMD vectors. Where that does not
+//! lead on, near a dead centre or a limit position, or does not serve, with friction or redundant joints, the general
 //! continuation takes over; the results are the same.
 
 mod history;

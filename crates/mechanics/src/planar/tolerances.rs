@@ -1,9 +1,11 @@
 //! Every numerical threshold of the planar kernel, with its unit and the reason of its value.
 //!
 //! Units: *of the size* is a fraction of [`Model::size`](super::Model::size), m, or of the distance that the bodies
-//! reach where that is larger; angles count as angle times size. *Relative* is a ratio without unit. ε is the spacing of
-//! `f64` at 1, 2.2 × 10⁻¹⁶: a residual is a sum of some ten products, so rounding leaves 2 ε to 50 ε of the size in it.
-//! Bounds on the work are counts: they end a search that a well-posed mechanism ends far earlier.
+//! reach where that is larger; angles count as angle times size. *Relative* is a ratio without unit. ε is the spacing
+//! of `f64` at 1, 2.2 × 10⁻¹⁶: a residual is a sum of some ten products, so rounding leaves 2 ε to 50 ε of the size in
+//! it. Bounds on the work are counts: they end a search that a well-posed mechanism ends far earlier.
+//!
+//! A value that is not derived is a choice with room on both sides, and the reason names the sides.
 
 use dalembert_numerics::simd::WIDTH;
 
@@ -64,8 +66,8 @@ pub(super) const ASSEMBLY_DAMPING_INCREASE: (f64, f64) = (10.0, 1e-12);
 /// Largest displacement of a body in one step, of the size: a turn of 0.2 rad, on which a prediction of second order is
 /// off by 10⁻³ and Newton's method converges to the same branch.
 pub(super) const MAX_STEP: f64 = 0.2;
-/// Smallest step, relative to the whole path: where none that short leads on, the mechanism is at a limit position, which is
-/// so found to eleven digits of the path.
+/// Smallest step, relative to the whole path: where none that short leads on, the mechanism is at a limit position,
+/// which is so found to eleven digits of the path.
 pub(super) const MIN_STEP: f64 = 1e-11;
 /// Steps of one path: some thirty turns of a crank.
 pub(super) const MAX_STEPS: usize = 1_000;
@@ -128,13 +130,13 @@ pub(super) const ROTATION_GUARD: f64 = 1e-150;
 /// Pivot over the largest entry of its row from which it may be selected (threshold pivoting): growth of the entries by
 /// at most 1/0.3 in one step, for the freedom to choose few operations.
 pub(super) const MIN_SELECTED_PIVOT: f64 = 0.3;
-/// Pivot over the largest other entry of its row below which another order is selected: a tenth of the above, so that an
-/// order lasts for a good part of a turn.
+/// Pivot over the largest other entry of its row below which another order is selected: a tenth of the above, so that
+/// an order lasts for a good part of a turn.
 pub(super) const MIN_KEPT_PIVOT: f64 = 0.03;
 /// Pivot over the largest other entry of its row below which a step is rejected: errors are multiplied by a hundred.
 pub(super) const MIN_PIVOT_OF_STEP: f64 = 0.01;
-/// Pivot over its value when it was selected, below which the position is near a singular one if the rest of its row has
-/// fallen as well.
+/// Pivot over its value when it was selected, below which the position is near a singular one if the rest of its row
+/// has fallen as well.
 pub(super) const NEAR_SINGULAR_PIVOT: f64 = 0.05;
 /// Pivot over its value when it was selected, below which it may vanish within one step and is extrapolated.
 pub(super) const FALLING_PIVOT: f64 = 0.5;
@@ -169,12 +171,12 @@ pub(super) const MOTION_MAX_CORRECTION_IN_TOLERANCES: f64 = 100.0;
 pub(super) const SINGULAR_ROUNDING: f64 = 4.0;
 /// Largest tolerance of a step near a singular position, of the size: shorter steps would only come closer to it.
 pub(super) const MAX_SINGULAR_TOLERANCE: f64 = 1e-9;
-/// Distance ahead at which the Jacobian is evaluated to extrapolate where a row vanishes, of the size: of the difference
-/// quotient rounding leaves eleven digits and curvature five.
+/// Distance ahead at which the Jacobian is evaluated to extrapolate where a row vanishes, of the size: of the
+/// difference quotient rounding leaves eleven digits and curvature five.
 pub(super) const SINGULARITY_LOOKAHEAD: f64 = 1e-5;
 /// Tolerance of a step on a degenerate elimination, of the size: none can satisfy it, so the step is shortened until it
 /// ends where another order is selected.
-pub(super) const REJECTING_TOLERANCE: f64 = 1e-60;
+pub(super) const DEGENERATE_TOLERANCE: f64 = 1e-60;
 /// Pivot of the reduced mass matrix over its diagonal, up to which a free motion has no inertia: 450 ε, the rounding of
 /// its sums.
 pub(super) const MASSLESS_PIVOT: f64 = 1e-13;
@@ -201,21 +203,22 @@ pub(super) const FRICTION_STEP: f64 = 1e-14;
 pub(super) const FRICTION_STRICT_ITERATIONS: usize = 8;
 /// … and this step afterwards, where rounding does not allow the first.
 pub(super) const FRICTION_STALLED_STEP: f64 = 1e-10;
-/// Normal force with which a guide changes the side it bears on, relative to the largest: below it the side is rounding.
+/// Normal force with which a guide changes the side it bears on, relative to the largest: below it the side is
+/// rounding.
 pub(super) const MIN_SIDE_FORCE: f64 = 1e-10;
-/// Sweeps of the projected Gauss–Seidel method over all joints at rest, in turn, until its guess leads to a solution; it
-/// converges linearly.
+/// Sweeps of the projected Gauss–Seidel method over all joints at rest, in turn, until its guess leads to a solution;
+/// it converges linearly.
 pub(super) const GAUSS_SEIDEL_SWEEPS: [usize; 5] = [0, 30, 300, 3_000, 30_000];
 /// Sliding acceleration that is rest in that guess, relative to the largest; a wrong guess is corrected.
-pub(super) const GUESSED_REST: f64 = 1e-5;
-/// Sliding velocity over that of the bodies, in every free motion, below which friction cannot hold a joint, as it is at a
-/// dead centre: the acceleration by its own friction goes with the square, 45 ε.
+pub(super) const GAUSS_SEIDEL_REST: f64 = 1e-5;
+/// Sliding velocity over that of the bodies, in every free motion, below which friction cannot hold a joint, as it is
+/// at a dead centre: the acceleration by its own friction goes with the square, 45 ε.
 pub(super) const DEAD_CENTRE_SLIDING: f64 = 1e-7;
 /// Difference of two slidings, relative, up to which they are proportional.
 pub(super) const PROPORTIONAL_SLIDING: f64 = 1e-9;
-/// Motions out of rest that are tried: they are the combinations of the joints at rest, whose number soon exceeds any time
-/// for them.
-pub(super) const MAX_TRIED_MOTIONS: usize = 10_000;
+/// Motions out of rest that are tried: they are the combinations of the joints at rest, whose number soon exceeds any
+/// time for them.
+pub(super) const MAX_STARTING_MOTIONS: usize = 10_000;
 
 // Equilibrium.
 
@@ -229,8 +232,8 @@ pub(super) const EQUILIBRIUM_STEP: f64 = 1e-13;
 pub(super) const EQUILIBRIUM_EFFORT: f64 = 1e-9;
 /// Stiffness that is rounding of the efforts, relative to the largest effort over the size (or over 1 rad).
 pub(super) const ZERO_STIFFNESS: f64 = 1e-10;
-/// Lowest eigenvalue of the stiffness, scaled to a diagonal of ±1, that is neutral: the eigenvalues of such a matrix are
-/// accurate to some ε, its entries to 10⁻¹⁰.
+/// Lowest eigenvalue of the stiffness, scaled to a diagonal of ±1, that is neutral: the eigenvalues of such a matrix
+/// are accurate to some ε, its entries to 10⁻¹⁰.
 pub(super) const NEUTRAL_EIGENVALUE: f64 = 1e-9;
 
 // Instant centres.

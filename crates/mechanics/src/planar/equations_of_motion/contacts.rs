@@ -8,7 +8,7 @@ use crate::planar::{
 use dalembert_numerics::ode::Problem;
 
 impl EquationsOfMotion<'_> {
-    /// Finds joints with friction.
+    /// Reports whether a joint has friction.
     pub(in super::super) fn has_friction(&self) -> bool {
         !self.frictions.is_empty()
     }
@@ -26,8 +26,8 @@ impl EquationsOfMotion<'_> {
     /// The margins of friction in a state ([`Response::margins`](super::super::friction::Response::margins)).
     pub(in super::super) fn margins(&mut self, time: f64, state: &[f64], margins: &mut Vec<f64>) {
         let (tree, independent) = (self.tree(), self.independent());
-        let Self { model, data, frictions, contacts, max_velocity, .. } = self;
-        let moving = data.position(model, time, &state[..tree]).factored().velocities(&state[independent]);
+        let Self { data, frictions, contacts, max_velocity, .. } = self;
+        let moving = data.position(time, &state[..tree]).factored().velocities(&state[independent]);
         let response = moving.accelerations().friction_response(frictions);
         match response.efforts(contacts) {
             Some(efforts) => {
@@ -59,8 +59,8 @@ impl EquationsOfMotion<'_> {
         let rounding = self.margin_rounding();
         let rest = rounding * max_velocity;
         let tree = self.tree();
-        let Self { model, data, frictions, contacts: present, .. } = self;
-        let factored = data.position(model, time, &state[..tree]).factored();
+        let Self { data, frictions, contacts: present, .. } = self;
+        let factored = data.position(time, &state[..tree]).factored();
         let moving = factored.velocities(&state[independent.clone()]);
         let response = moving.accelerations().friction_response(frictions);
         let mut contacts = present.clone();

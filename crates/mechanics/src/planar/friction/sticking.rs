@@ -7,7 +7,8 @@ use super::{Contact, Response};
 use crate::planar::{
     PlanarError,
     tolerances::{
-        DEAD_CENTRE_SLIDING, GAUSS_SEIDEL_SWEEPS, GUESSED_REST, MAX_TRIED_MOTIONS, PROPORTIONAL_SLIDING,
+        DEAD_CENTRE_SLIDING, GAUSS_SEIDEL_REST, GAUSS_SEIDEL_SWEEPS, MAX_STARTING_MOTIONS,
+        PROPORTIONAL_SLIDING,
     },
     vectors::{dot, largest},
 };
@@ -16,8 +17,8 @@ use dalembert_numerics::linalg::Elimination;
 impl Response<'_> {
     /// Finds which joints stick and which begin to slide, from those that slide already, whose contacts are given as
     /// [`Contact::Sliding`]; and the efforts of the frictions, N. A joint that slides slower than `rounding` times
-    /// `max_velocity` may be put to rest again; an acceleration below `rounding` times the largest is none, and one below
-    /// `opening` times the largest begins no motion.
+    /// `max_velocity` may be put to rest again; an acceleration below `rounding` times the largest is none, and one
+    /// below `opening` times the largest begins no motion.
     ///
     /// # Errors
     /// `Jammed`, `Sticks`.
@@ -48,8 +49,9 @@ impl Response<'_> {
         Err(self.jammed())
     }
 
-    /// Puts to rest a joint without velocity that would slide against its sense, and lets slide one that friction does not
-    /// hold; true if there was any of either. A velocity up to `rest`, m/s, and an acceleration up to `none`, m/s², are none.
+    /// Puts to rest a joint without velocity that would slide against its sense, and lets slide one that friction does
+    /// not hold; true if there was any of either. A velocity up to `rest`, m/s, and an acceleration up to `none`, m/s²,
+    /// are none.
     fn corrected(&self, contacts: &mut [Contact], efforts: &[f64], rest: f64, none: f64) -> bool {
         let mut corrected = false;
         for (row, contact) in contacts.iter_mut().enumerate() {
@@ -70,8 +72,8 @@ impl Response<'_> {
         corrected
     }
 
-    /// Guesses how the joints without a velocity move: of the friction of each in turn as much as stops its sliding, up to
-    /// μ N (the projected method of Gauss and Seidel).
+    /// Guesses how the joints without a velocity move: of the friction of each in turn as much as stops its sliding, up
+    /// to μ N (the projected method of Gauss and Seidel).
     fn guess(&self, contacts: &mut [Contact], rest: f64, sweeps: usize) {
         let mut efforts = vec![0.0; contacts.len()];
         for _ in 0..sweeps {
@@ -91,7 +93,7 @@ impl Response<'_> {
                 };
             }
         }
-        let none = GUESSED_REST * self.largest_acceleration(&efforts);
+        let none = GAUSS_SEIDEL_REST * self.largest_acceleration(&efforts);
         for (row, contact) in contacts.iter_mut().enumerate() {
             if self.rates[row].abs() <= rest {
                 let acceleration = self.sliding_acceleration(row, &efforts);
@@ -104,8 +106,8 @@ impl Response<'_> {
         }
     }
 
-    /// Of all motions that the joints at rest could begin, that which goes on most: the acceleration, m/s², with which it
-    /// would, negative if friction stops it, and the contacts then. None if no joint is held.
+    /// Of all motions that the joints at rest could begin, that which goes on most: the acceleration, m/s², with which
+    /// it would, negative if friction stops it, and the contacts then. None if no joint is held.
     ///
     /// # Errors
     /// `Sticks` if there are too many to be tried.
@@ -119,7 +121,7 @@ impl Response<'_> {
         let mut best: Option<(f64, Vec<Contact>)> = None;
         let Some(others) = held.len().checked_sub(1) else { return Ok(None) };
         for (tried, kept) in groups.into_iter().combinations(others).enumerate() {
-            if tried == MAX_TRIED_MOTIONS {
+            if tried == MAX_STARTING_MOTIONS {
                 return Err(PlanarError::Sticks { load: self.frictions[held[0]].load });
             }
             let rows = DMatrix::from_fn(kept.len(), self.sliding_in_basis[held[0]].len(), |row, column| {
@@ -137,7 +139,7 @@ impl Response<'_> {
         Ok(best)
     }
 
-    /// The motion that begins when of the joints at rest these alone are held.
+    /// The motion that begins when of the joints at rest these alone stick: its acceleration, m/s², and contacts.
     fn beginning(&self, contacts: &[Contact], kept: &[usize]) -> Option<(f64, Vec<Contact>)> {
         let mut trial = contacts.to_vec();
         for (row, contact) in trial.iter_mut().enumerate() {
@@ -151,20 +153,24 @@ impl Response<'_> {
         let sliding = self.released(kept, &released)?;
         let fastest = largest(&sliding);
         let lead = (0..sliding.len()).find(|&at| sliding[at].abs() == fastest)?;
-        let freely = self.bearing(&mut trial)?;
-        let tends =
-            if self.sliding_acceleration(released[lead], &freely) * sliding[lead] < 0.0 { -1.0 } else { 1.0 };
-        for (&row, part) in released.iter().zip(&sliding) {
-            if part.abs() > PROPORTIONAL_SLIDING * fastest {
-                trial[row] = Contact::Sliding { sense: tends * part.signum(), side: 1.0 };
+        let frictionless = self.bearing(&mut trial)?;
+        let sense = if self.sliding_acceleration(released[lead], &frictionless) * sliding[lead] < 0.0 {
+            -1.0
+        } else {
+            1.0
+        };
+        for (&row, rate) in released.iter().zip(&sliding) {
+            if rate.abs() > PROPORTIONAL_SLIDING * fastest {
+                trial[row] = Contact::Sliding { sense: sense * rate.signum(), side: 1.0 };
             }
         }
         let efforts = self.bearing(&mut trial)?;
-        let surplus = tends * sliding[lead].signum() * self.sliding_acceleration(released[lead], &efforts);
+        let surplus = sense * sliding[lead].signum() * self.sliding_acceleration(released[lead], &efforts);
         Some((surplus, trial))
     }
 
-    /// The accelerations of released joints, relative to one another, in the one motion that is left while some are kept.
+    /// The accelerations of released joints, relative to one another, in the one motion that is left while some are
+    /// kept.
     fn released(&self, kept: &[usize], released: &[usize]) -> Option<Vec<f64>> {
         let among = DMatrix::from_fn(kept.len(), kept.len(), |row, column| {
             self.inverse_mass[(kept[row], kept[column])]
@@ -172,8 +178,8 @@ impl Response<'_> {
         let elimination = Elimination::new(&among).ok()?;
         // Of the joints, that which the others hold least.
         let of_unit = |unit: usize| -> Option<Vec<f64>> {
-            let right: Vec<f64> = kept.iter().map(|&row| -self.inverse_mass[(row, unit)]).collect();
-            let holding = elimination.solve(&right).ok()?;
+            let rhs: Vec<f64> = kept.iter().map(|&row| -self.inverse_mass[(row, unit)]).collect();
+            let holding = elimination.solve(&rhs).ok()?;
             let of_row = |&row: &usize| {
                 let held: f64 =
                     kept.iter().zip(&holding).map(|(&kept, x)| self.inverse_mass[(row, kept)] * x).sum();
@@ -185,7 +191,7 @@ impl Response<'_> {
         sliding.into_iter().max_by(|a, b| largest(a).total_cmp(&largest(b)))
     }
 
-    /// Holds as many of the joints at rest as that takes.
+    /// Lets an independent set of the joints at rest stick; the friction of the others is indeterminate.
     fn hold(&self, contacts: &mut [Contact]) -> Result<(), PlanarError> {
         let resting = self.resting(contacts);
         for contact in contacts.iter_mut().filter(|contact| **contact == Contact::Sticking) {

@@ -201,8 +201,8 @@ fn shape(equation: &Equation, length: f64) -> Vec<(usize, Option<f64>)> {
 
 /// The explicit equations, in an order in which they use only what is known, and the columns that remain.
 ///
-/// Angles come first. An origin follows from a pin whose other body is known; where no equation has one unknown alone, a
-/// coordinate of the equation with fewest unknowns becomes a tree coordinate.
+/// Angles come first. An origin follows from a pin whose other body is known; where no equation has one unknown alone,
+/// a coordinate of the equation with fewest unknowns becomes a tree coordinate.
 fn explicit(shapes: &[Vec<(usize, Option<f64>)>], columns: usize) -> (Vec<Explicit>, Vec<usize>) {
     let mut explicit = Vec::new();
     let mut used = vec![false; shapes.len()];

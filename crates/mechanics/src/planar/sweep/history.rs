@@ -5,12 +5,13 @@
 use crate::planar::tolerances::{HISTORY, MAX_STEP_GROWTH};
 use dalembert_numerics::simd::SimdReal;
 
-/// First and second derivatives of the tree coordinates by the value of the driver at the last positions, the newest first.
+/// First and second derivatives of the tree coordinates by the value of the driver at the last positions, the newest
+/// first.
 ///
-/// A step integrates the polynomial that has the first derivatives of all positions and, as its derivatives, the second ones:
-/// Hermite's interpolation by divided differences (J. Stoer, R. Bulirsch, *Introduction to Numerical Analysis*, 3rd ed.,
-/// §2.1.5). Its error is of the seventh order of the step where two positions came before, and that of Taylor's series
-/// of second order where none did.
+/// A step integrates the polynomial that has the first derivatives of all positions and, as its derivatives, the second
+/// ones: Hermite's interpolation by divided differences (J. Stoer, R. Bulirsch, *Introduction to Numerical Analysis*,
+/// 3rd ed., §2.1.5). Its error is of the seventh order of the step where two positions came before, and that of
+/// Taylor's series of second order where none did.
 #[derive(Debug, Clone)]
 pub(super) struct History<S> {
     /// The steps from each to the position after it.
@@ -91,7 +92,8 @@ impl<S: SimdReal> History<S> {
         if known == 0 {
             return change;
         }
-        // f01 is the divided difference of the present position and the last one, f001 that with the present derivative, …
+        // f01 is the divided difference of the present position and the last one, f001 that with the present
+        // derivative, …
         let [v1, a1] = self.derivatives[0][number];
         let f01 = (v - v1) * per_last;
         let (f001, f011) = ((a - f01) * per_last, (f01 - a1) * per_last);

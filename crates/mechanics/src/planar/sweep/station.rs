@@ -35,7 +35,8 @@ impl Path<'_> {
     }
 }
 
-/// The numbers of one position, or of several in the lanes of `S`. Vectors are scaled, by the columns or rows of the model.
+/// The numbers of one position, or of several in the lanes of `S`. Vectors are scaled, by the columns or rows of the
+/// model.
 #[derive(Debug, Clone)]
 pub(super) struct Station<S> {
     factors: Factors<S>,
@@ -102,8 +103,8 @@ impl<S: SimdReal> Station<S> {
         }
     }
 
-    /// Begins in positions that are closed, or almost, at a value of the driver; `tree` has each tree coordinate, by its
-    /// number, in each lane. False if they are not on the same branch once closed.
+    /// Begins in positions that are closed, or almost, at a value of the driver; `tree` has each tree coordinate, by
+    /// its number, in each lane. False if they are not on the same branch once closed.
     pub(super) fn begin(&mut self, path: &Path, value: S, tree: impl Fn(usize, usize) -> f64) -> bool {
         for (number, coordinate) in self.tree.iter_mut().enumerate() {
             *coordinate = S::of(|lane| tree(number, lane));
@@ -121,8 +122,8 @@ impl<S: SimdReal> Station<S> {
         true
     }
 
-    /// Moves the driver to a value, in steps so short that the path of every body can be followed, with the loops closed to
-    /// a residual, of the size of the mechanism. False if no step leads on.
+    /// Moves the driver to a value, in steps so short that the path of every body can be followed, with the loops
+    /// closed to a residual, of the size of the mechanism. False if no step leads on.
     pub(super) fn reach(&mut self, path: &Path, value: S, residual: f64) -> bool {
         let (from, whole) = (self.value, value - self.value);
         if largest(whole.abs()) == 0.0 {
@@ -287,8 +288,8 @@ impl<S: SimdReal> Station<S> {
         if alone {
             let (rate, acceleration) = (drivers[driver].velocity, drivers[driver].acceleration);
             let rates = [rate, rate, rate / length];
-            // By indices: a loop over the three lists side by side is compiled so that it goes over the bodies by lanes,
-            // gathering each number from where it lies.
+            // By indices: a loop over the three lists side by side is compiled so that it goes over the bodies by
+            // lanes, gathering each number from where it lies.
             for body in 0..model.mechanism.bodies.len() {
                 for (part, rate_of_part) in rates.into_iter().enumerate() {
                     let column = 3 * body + part;
@@ -353,8 +354,8 @@ impl<S: SimdReal> Station<S> {
         (0..S::COUNT).all(|lane| sum.lane(lane).is_finite())
     }
 
-    /// Solves for velocities, accelerations, multipliers and effort, and writes each lane into the record of this index.
-    /// False, with nothing written, if something is not finite.
+    /// Solves for velocities, accelerations, multipliers and effort, and writes each lane into the record of this
+    /// index. False, with nothing written, if something is not finite.
     pub(super) fn store(
         &mut self,
         path: &Path,
