@@ -5,7 +5,7 @@
 
 use std::{hint::black_box, time::Instant};
 
-use dalembert_mechanics::planar::{Measure, Run, SweepResult, System, Trajectory};
+use dalembert_mechanics::planar::{Measure, Model, Run, SweepResult, Trajectory};
 use models::{Driven, andrews, crank_rocker, driven_slider, driven_squeezer, four_bars, six_bar};
 
 #[path = "../tests/mechanics/models.rs"]
@@ -98,7 +98,7 @@ fn squeezer(tolerance: f64, wanted: f64, goal: &str) {
 fn fall(n: usize, tolerance: f64) -> (f64, Trajectory, f64) {
     let (system, drawn) = four_bars(n);
     let tilting = Measure::Angle { of: Some(0), against: None };
-    let velocities = system.starting(&drawn, &[(tilting, -1.0)]).expect("the rods can tilt");
+    let velocities = system.initial_velocities(&drawn, &[(tilting, -1.0)]).expect("the rods can tilt");
     let (time, _) = measure(|| simulate(&system, &drawn, &velocities, 10.0, tolerance, 2));
     let moved = simulate(&system, &drawn, &velocities, 10.0, tolerance, 401);
     let imbalance = moved.imbalance();
@@ -106,7 +106,7 @@ fn fall(n: usize, tolerance: f64) -> (f64, Trajectory, f64) {
 }
 
 fn simulate(
-    system: &System,
+    system: &Model,
     positions: &[[f64; 3]],
     velocities: &[[f64; 3]],
     duration: f64,

@@ -16,10 +16,10 @@
 //!
 //! ```
 //! use dalembert_numerics::linalg::generalised_eigenvalues;
-//! use nalgebra::dmatrix;
+//! use nalgebra::DMatrix;
 //!
-//! let stiffness = dmatrix![200.0, -100.0; -100.0, 200.0];
-//! let mass = dmatrix![1.0, 0.0; 0.0, 1.0];
+//! let stiffness = DMatrix::from_row_slice(2, 2, &[200.0, -100.0, -100.0, 200.0]);
+//! let mass = DMatrix::identity(2, 2);
 //! let squares = generalised_eigenvalues(&stiffness, &mass)?;
 //! assert!((squares[0].sqrt() - 10.0).abs() < 1e-12);
 //! assert!((squares[1].sqrt() - 300f64.sqrt()).abs() < 1e-12);

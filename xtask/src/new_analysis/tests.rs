@@ -20,7 +20,7 @@ fn repository(of: &str) -> PathBuf {
         ),
         ("plugins/vibration/src/free_vibration/decay.rs", &analysis("Decay", "decay")),
         ("plugins/vibration/cases/decay.toml", "[[case]]\n"),
-        ("plugins/vibration/src/shared.rs", "//! What several share.\n"),
+        ("plugins/vibration/src/shared.rs", "//! Parts that several analyses share.\n"),
         ("plugins/vibration/src/shared/load.rs", "//! Loads.\n"),
         (
             "plugins/vibration/locales/pt-BR.ftl",

@@ -8,8 +8,9 @@ use crate::{
     slider_crank,
 };
 
-/// A loop counts as not closed below this [transmission](Pose::transmission).
-const DEAD: f64 = 1e-9;
+/// The smallest [transmission](Pose::transmission), a sine or cosine: below it the linkage is at a dead point, where rounding
+/// over its square would leave no digit of the accelerations.
+const MIN_TRANSMISSION: f64 = 1e-9;
 
 /// A rigid link: its mass, where its centre is, and its moment of inertia about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,7 +133,7 @@ impl Linkage {
         };
         let [[_, _], [c3, s3], [c4, s4]] = links.map(|link| link.direction);
         let transmission = if fixed.is_some() { (c3 * s4 - s3 * c4).abs() } else { c3 };
-        if transmission.is_nan() || transmission < DEAD {
+        if transmission.is_nan() || transmission < MIN_TRANSMISSION {
             return None;
         }
         let coupler_pin = crank_pin.to(links[1], [self.coupler, 0.0]);

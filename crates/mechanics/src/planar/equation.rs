@@ -2,7 +2,7 @@
 
 use super::{Frame, Measure, Point};
 
-/// Joint between bodies.
+/// A joint: a constraint between bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Joint {
     /// A revolute joint: two points stay together.
@@ -49,7 +49,7 @@ pub enum Joint {
         from: Point,
         /// The other end.
         to: Point,
-        /// Length, m.
+        /// The length, m.
         length: f64,
     },
     /// A pair of gears: `Nₐ(θₐ − θ_c) ± N_b(θ_b − θ_c)` does not change.
@@ -62,11 +62,11 @@ pub enum Joint {
         carrier: Frame,
         /// Teeth or pitch radii of the two.
         sizes: [f64; 2],
-        /// True if the second gear has internal teeth.
+        /// True if the second has its teeth inside.
         internal: bool,
     },
-    /// Rack and pinion, or a wheel that rolls on a line without slip: the way along the line and the rolled arc
-    /// differ by a constant, that of the position it is drawn in.
+    /// Rack and pinion, or a wheel that rolls on a line without slip: the distance along the line and the rolled arc
+    /// differ by a constant, that of the initial guess.
     Rack {
         /// A point of the pitch line.
         guide: Point,
@@ -78,20 +78,20 @@ pub enum Joint {
         radius: f64,
     },
     /// A cord of constant length over small pulleys, wound on drums: `Σ|B − A| + Σ r (θ_of − θ_against)` does not
-    /// change. It is drawn taut.
+    /// change. It is taut in the initial guess.
     Cord {
         /// The straight runs.
         runs: Vec<[Point; 2]>,
         /// The drums: body, the body that carries it, and the radius with which a positive turn takes cord up, m.
         drums: Vec<(Frame, Frame, f64)>,
     },
-    /// A weighted sum of measures keeps its value, or the one that it has in the drawn position: screws, belts and
-    /// whatever else is linear.
+    /// A weighted sum of measures keeps its value, or the one that it has in the initial guess: screws, belts and every
+    /// other linear relation.
     Relation {
         /// The weights and measures.
         terms: Vec<(f64, Measure)>,
-        /// Their sum; that of the drawn position if none.
-        sum: Option<f64>,
+        /// The constant value of their sum; that of the initial guess if none.
+        constant: Option<f64>,
     },
     /// A cam: one measure follows another by a table.
     Cam {
@@ -99,7 +99,7 @@ pub enum Joint {
         follower: Measure,
         /// The measure that leads.
         cam: Measure,
-        /// Follower coordinate as a function of the leader.
+        /// The value of the follower for each value of the leader.
         profile: Profile,
     },
 }
@@ -107,61 +107,61 @@ pub enum Joint {
 /// A driver: a measure whose value, velocity and acceleration are given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Driver {
-    /// Driven relative coordinate.
+    /// The relative coordinate that is driven.
     pub measure: Measure,
-    /// Value, m or rad.
+    /// The value, m or rad.
     pub value: f64,
-    /// Velocity, m/s or rad/s.
+    /// The velocity, m/s or rad/s.
     pub velocity: f64,
-    /// Acceleration, m/s² or rad/s².
+    /// The acceleration, m/s² or rad/s².
     pub acceleration: f64,
 }
 
 /// A function with two continuous derivatives, as a polynomial on each interval.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
-    /// Ends of the intervals, ascending.
+    /// The beginnings of the intervals, ascending, and the end of the last one.
     knots: Vec<f64>,
-    /// The coefficients of each interval, of powers of the way from its beginning.
+    /// The coefficients of each interval, of ascending powers of the distance from its beginning.
     pieces: Vec<[f64; 4]>,
-    /// After how much it repeats.
+    /// The period after which it repeats.
     period: Option<f64>,
 }
 
 /// A part of an [`Equation`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Term {
-    /// Coefficient.
+    /// The factor of the measure or of its function.
     pub weight: f64,
-    /// Relative coordinate.
+    /// The relative coordinate.
     pub measure: Measure,
     /// The function that the measure goes through.
     pub profile: Option<Profile>,
 }
 
-/// `Σ weight · f(measure) = sum`.
+/// A scalar constraint equation `Σ weight · f(measure) = constant`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equation {
     /// The parts of its left side.
     pub terms: Vec<Term>,
-    /// Constant term; the left-hand side in the initial configuration if `None`.
-    pub sum: Option<f64>,
+    /// The constant term, m or rad; the left side in the initial guess if none.
+    pub constant: Option<f64>,
 }
 
 impl Equation {
-    /// A measure keeps a value.
-    pub fn of(measure: Measure, sum: Option<f64>) -> Self {
-        Self { terms: vec![Term { weight: 1.0, measure, profile: None }], sum }
+    /// The equation of a measure that keeps a value.
+    pub fn of(measure: Measure, constant: Option<f64>) -> Self {
+        Self { terms: vec![Term { weight: 1.0, measure, profile: None }], constant }
     }
 
-    fn weighted(terms: impl IntoIterator<Item = (f64, Measure)>, sum: Option<f64>) -> Self {
+    fn weighted(terms: impl IntoIterator<Item = (f64, Measure)>, constant: Option<f64>) -> Self {
         let terms = terms.into_iter().map(|(weight, measure)| Term { weight, measure, profile: None });
-        Self { terms: terms.collect(), sum }
+        Self { terms: terms.collect(), constant }
     }
 }
 
 impl Joint {
-    /// The equations that it stands for. The multipliers of a pin or weld are the components of the force on its
+    /// The constraint equations of the joint. The multipliers of a pin or weld are the components of the force on its
     /// second point; those of a slider or slot the force across the line, to its left, on the point.
     pub fn equations(&self) -> Vec<Equation> {
         let meet = |a: Point, b: Point| {
@@ -204,13 +204,13 @@ impl Joint {
                 let drums = drums.iter().map(|&(of, against, radius)| (radius, angle(of, against)));
                 vec![Equation::weighted(runs.chain(drums), None)]
             }
-            Joint::Relation { terms, sum } => vec![Equation::weighted(terms.iter().copied(), *sum)],
+            Joint::Relation { terms, constant } => vec![Equation::weighted(terms.iter().copied(), *constant)],
             Joint::Cam { follower, cam, profile } => {
                 let terms = vec![
                     Term { weight: 1.0, measure: *follower, profile: None },
                     Term { weight: -1.0, measure: *cam, profile: Some(profile.clone()) },
                 ];
-                vec![Equation { terms, sum: Some(0.0) }]
+                vec![Equation { terms, constant: Some(0.0) }]
             }
         }
     }

@@ -1,11 +1,15 @@
-//! Equilibrium positions of a mechanism and their stability.
+//! Equilibria of a mechanism and their stability.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::{
-    Load, PlanarError, State, System,
-    balance::virtual_power,
-    system::{bias, gradient, poses, project},
+    Load, Model, PlanarError, State,
+    inverse_dynamics::virtual_power,
+    measure::{bias, gradient, poses, rate},
+    tolerances::{
+        EQUILIBRIUM_EFFORT, EQUILIBRIUM_MAX_ITERATIONS, EQUILIBRIUM_MAX_STEP, EQUILIBRIUM_STEP,
+        NEUTRAL_EIGENVALUE, ZERO_STIFFNESS,
+    },
 };
 use dalembert_numerics::{linalg, roots};
 
@@ -16,22 +20,22 @@ pub struct Equilibrium {
     pub values: Vec<f64>,
     /// The positions.
     pub positions: Vec<[f64; 3]>,
-    /// `∂²V/∂m_i ∂m_j`: how the efforts needed to hold it grow.
+    /// The stiffness `∂²V/∂m_i ∂m_j` in the measures of the drivers: the growth of the holding efforts.
     pub stiffness: DMatrix<f64>,
     /// The lowest eigenvalue of the stiffness, with each measure in the scale that makes its diagonal ±1.
     pub lowest: f64,
-    /// Stability of the equilibrium.
+    /// The stability that follows.
     pub stability: Stability,
 }
 
-/// Stability of an equilibrium.
+/// The stability of an equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stability {
     /// The potential energy has a minimum.
     Stable,
-    /// It has none.
+    /// It has no minimum.
     Unstable,
-    /// It does not tell, to second order.
+    /// To second order it does not decide.
     Neutral,
 }
 
@@ -48,14 +52,14 @@ pub struct Sample {
     pub potential: Option<f64>,
 }
 
-impl System {
-    /// The efforts with which the drivers hold the mechanism at rest: `−Σ Q ∂q/∂m`, the Jacobian of the potential
-    /// energy. Friction takes no part.
+impl Model {
+    /// The efforts with which the drivers hold the mechanism at rest: `−Σ Q ∂q/∂m`, the gradient of the potential
+    /// energy, N or N m. Friction is left out.
     ///
     /// # Errors
-    /// As for [`motion`](System::motion).
-    pub fn holding(&self, positions: &[[f64; 3]]) -> Result<Vec<f64>, PlanarError> {
-        let coefficients = self.coefficients(&self.factored(positions)?)?;
+    /// As for [`kinematics`](Model::kinematics).
+    pub fn holding_efforts(&self, positions: &[[f64; 3]]) -> Result<Vec<f64>, PlanarError> {
+        let coefficients = self.velocity_coefficients(&self.factored(positions)?)?;
         let applied = self.applied(positions, &vec![[0.0; 3]; positions.len()]);
         let power = |motion: &[[f64; 3]]| -> f64 {
             applied.iter().map(|(_, parts)| virtual_power(parts, motion)).sum()
@@ -63,18 +67,18 @@ impl System {
         Ok(coefficients.iter().map(|motion| -power(motion)).collect())
     }
 
-    /// Stiffness matrix of the mechanism: derivatives of the holding efforts with respect to the driven coordinates,
-    /// `∂²V/∂m_i ∂m_j`; its symmetric part where a load has no potential.
+    /// The stiffness `∂²V/∂m_i ∂m_j` in the measures of the drivers, the growth of the holding efforts; its symmetric
+    /// part where a load has no potential.
     ///
     /// Along a motion at unit velocity and without acceleration of the drivers the virtual power of an effort Q along
     /// a measure m changes as `Q′ ṁ² + Q m̈`, that of a force at a point as `F · a`.
     ///
     /// # Errors
-    /// As for [`motion`](System::motion).
+    /// As for [`kinematics`](Model::kinematics).
     pub fn stiffness(&self, positions: &[[f64; 3]]) -> Result<DMatrix<f64>, PlanarError> {
         let elimination = self.factored(positions)?;
         let drivers = self.mechanism.drivers.len();
-        let along = |moved: &[usize]| -> Result<f64, PlanarError> {
+        let curvature = |moved: &[usize]| -> Result<f64, PlanarError> {
             let mut rates = vec![0.0; drivers];
             for &driver in moved {
                 rates[driver] = 1.0;
@@ -82,11 +86,11 @@ impl System {
             let state = self.motion_with(&elimination, positions, &rates, &vec![0.0; drivers])?;
             Ok(-self.change_of_power(&state))
         };
-        let own: Vec<f64> = (0..drivers).map(|driver| along(&[driver])).collect::<Result<_, _>>()?;
+        let own: Vec<f64> = (0..drivers).map(|driver| curvature(&[driver])).collect::<Result<_, _>>()?;
         let mut stiffness = DMatrix::from_diagonal(&DVector::from_vec(own));
         for row in 0..drivers {
             for column in 0..row {
-                let both = along(&[row, column])?;
+                let both = curvature(&[row, column])?;
                 let mixed = (both - stiffness[(row, row)] - stiffness[(column, column)]) / 2.0;
                 (stiffness[(row, column)], stiffness[(column, row)]) = (mixed, mixed);
             }
@@ -94,7 +98,7 @@ impl System {
         Ok(stiffness)
     }
 
-    /// Rate of change of the power of loads and weights along a quasi-static motion.
+    /// The change of the power of loads and weights along a motion, W/s, as if it were slow.
     fn change_of_power(&self, state: &State) -> f64 {
         let poses = poses(&state.positions);
         let [gx, gy] = self.mechanism.gravity;
@@ -109,30 +113,29 @@ impl System {
             }
             Load::Effort { measure, effort } => {
                 let gradient = gradient(measure, &poses);
-                let rate = project(measure, &gradient, &state.velocities);
-                let acceleration = project(measure, &gradient, &state.accelerations)
-                    + bias(measure, &poses, &state.velocities);
+                let [speed, tangential] =
+                    [&state.velocities, &state.accelerations].map(|motion| rate(measure, &gradient, motion));
+                let acceleration = tangential + bias(measure, &poses, &state.velocities);
                 let [growth, _] = effort.gradient(gradient.value);
-                growth * rate * rate + effort.at(gradient.value, 0.0) * acceleration
+                growth * speed * speed + effort.at(gradient.value, 0.0) * acceleration
             }
             Load::Friction { .. } => 0.0,
         };
         weights + self.mechanism.loads.iter().map(of_load).sum::<f64>()
     }
 
-    /// The mechanism in equal steps of its first driver from one value to another; the others are held. It ends
-    /// early at a limit position.
+    /// Samples of the mechanism in equal steps of its first driver from one value to another; the others are held. They
+    /// end early at a limit position.
     ///
     /// # Errors
-    /// As for [`continue_to`](System::continue_to) to the first value.
-    pub fn through(
+    /// As for [`continue_to`](Model::continue_to) to the first value.
+    pub fn samples(
         &self,
         positions: &[[f64; 3]],
         [from, to]: [f64; 2],
         steps: usize,
     ) -> Result<Vec<Sample>, PlanarError> {
-        let mut values: Vec<f64> =
-            self.mechanism.drivers.iter().map(|driver| self.value(&driver.measure, positions)).collect();
+        let mut values = self.driven_values(positions);
         let mut samples: Vec<Sample> = Vec::with_capacity(steps + 1);
         for step in 0..=steps {
             let value = from + (to - from) * step as f64 / steps.max(1) as f64;
@@ -143,7 +146,7 @@ impl System {
                 Err(error) if samples.is_empty() => return Err(error),
                 Err(_) => break,
             };
-            match self.holding(&there) {
+            match self.holding_efforts(&there) {
                 Ok(efforts) => {
                     let potential = self.potential(&there);
                     samples.push(Sample { value, positions: there, effort: efforts[0], potential });
@@ -156,11 +159,11 @@ impl System {
         Ok(samples)
     }
 
-    /// The equilibria of a mechanism with one driver, between samples of [`through`](System::through): one wherever
+    /// The equilibria of a mechanism with one driver, between samples of [`samples`](Model::samples): one wherever
     /// the holding effort changes its sign.
     ///
     /// # Errors
-    /// As for [`continue_to`](System::continue_to).
+    /// As for [`continue_to`](Model::continue_to).
     pub fn equilibria(&self, samples: &[Sample]) -> Result<Vec<Equilibrium>, PlanarError> {
         let largest = samples.iter().fold(0.0f64, |most, sample| most.max(sample.effort.abs()));
         let mut found = Vec::new();
@@ -169,7 +172,7 @@ impl System {
             let value = if a.effort == 0.0 {
                 a.value
             } else if b.effort == 0.0 {
-                // The next pair has it, unless there is none.
+                // It begins the next pair, unless there is none.
                 if at + 2 < samples.len() {
                     continue;
                 }
@@ -179,7 +182,9 @@ impl System {
             } else {
                 let effort = |value: f64| {
                     let there = self.continue_to(&a.positions, &[value]).ok();
-                    there.and_then(|there| self.holding(&there.positions).ok()).map_or(f64::NAN, |e| e[0])
+                    there
+                        .and_then(|there| self.holding_efforts(&there.positions).ok())
+                        .map_or(f64::NAN, |e| e[0])
                 };
                 let ends = if a.value < b.value { [a.value, b.value] } else { [b.value, a.value] };
                 match roots::find(effort, ends, |_| std::ops::ControlFlow::Continue(())) {
@@ -188,7 +193,7 @@ impl System {
                 }
             };
             let positions = self.continue_to(&a.positions, &[value])?.positions;
-            found.push(self.judged(vec![value], positions, largest)?);
+            found.push(self.classified(vec![value], positions, largest)?);
         }
         Ok(found)
     }
@@ -197,39 +202,40 @@ impl System {
     /// steps of at most a fifth of the size of the mechanism.
     ///
     /// # Errors
-    /// `NoEquilibrium` if it is not found; as for [`follow`](System::continue_to).
+    /// `NoEquilibrium` if it is not found; as for [`continue_to`](Model::continue_to).
     pub fn equilibrium_near(&self, positions: &[[f64; 3]]) -> Result<Equilibrium, PlanarError> {
         let drivers = &self.mechanism.drivers;
         let mut here = positions.to_vec();
-        let largest = self.holding(&here)?.iter().fold(0.0f64, |most, effort| most.max(effort.abs()));
-        for _ in 0..100 {
-            let values: Vec<f64> = drivers.iter().map(|driver| self.value(&driver.measure, &here)).collect();
-            let efforts = DVector::from_vec(self.holding(&here)?);
+        let largest = self.holding_efforts(&here)?.iter().fold(0.0f64, |most, effort| most.max(effort.abs()));
+        for _ in 0..EQUILIBRIUM_MAX_ITERATIONS {
+            let values = self.driven_values(&here);
+            let efforts = DVector::from_vec(self.holding_efforts(&here)?);
             let stiffness = self.stiffness(&here)?;
             let Ok(solved) = linalg::solve(&stiffness, &efforts) else {
                 return Err(PlanarError::NoEquilibrium);
             };
-            let scale = |driver: usize| if drivers[driver].measure.is_angle() { self.length } else { 1.0 };
-            let size =
-                solved.x.iter().enumerate().fold(0.0f64, |most, (k, x)| most.max((x * scale(k)).abs()));
-            let part = f64::min(1.0, 0.2 * self.length / size.max(f64::MIN_POSITIVE));
+            let steps = solved.x.iter().zip(drivers);
+            let size = steps
+                .map(|(x, driver)| x * self.length_of(&driver.measure))
+                .fold(0.0f64, |most, x| most.max(x.abs()));
+            let fraction = f64::min(1.0, EQUILIBRIUM_MAX_STEP * self.length / size.max(f64::MIN_POSITIVE));
             let next: Vec<f64> =
-                values.iter().zip(solved.x.iter()).map(|(value, x)| value - part * x).collect();
+                values.iter().zip(solved.x.iter()).map(|(value, x)| value - fraction * x).collect();
             here = self.continue_to(&here, &next)?.positions;
-            if size <= 1e-13 * self.reach(&here) {
-                return self.judged(next, here, largest);
+            if size <= EQUILIBRIUM_STEP * self.reach(&here) {
+                return self.classified(next, here, largest);
             }
         }
-        // Rounding may keep the last steps above the strictest measure.
-        let efforts = self.holding(&here)?;
-        if efforts.iter().all(|effort| effort.abs() <= 1e-9 * largest) {
-            let values = drivers.iter().map(|driver| self.value(&driver.measure, &here)).collect();
-            return self.judged(values, here, largest);
+        let efforts = self.holding_efforts(&here)?;
+        if efforts.iter().all(|effort| effort.abs() <= EQUILIBRIUM_EFFORT * largest) {
+            let values = self.driven_values(&here);
+            return self.classified(values, here, largest);
         }
         Err(PlanarError::NoEquilibrium)
     }
 
-    fn judged(
+    /// The equilibrium in a position, with its stability; `largest` is the largest effort that occurs.
+    fn classified(
         &self,
         values: Vec<f64>,
         positions: Vec<[f64; 3]>,
@@ -243,12 +249,11 @@ impl System {
             stiffness[(row, column)] / (scale[row] * scale[column])
         });
         let lowest = linalg::symmetric_eigen(&scaled)?.values[0];
-        // What is rounding of the efforts that occur.
-        let noise = |k: usize| {
+        let is_rounding = |k: usize| {
             let step = if self.mechanism.drivers[k].measure.is_angle() { 1.0 } else { self.length };
-            stiffness[(k, k)].abs() <= 1e-10 * largest / step
+            stiffness[(k, k)].abs() <= ZERO_STIFFNESS * largest / step
         };
-        let stability = if lowest.abs() < 1e-9 || (0..values.len()).any(noise) {
+        let stability = if lowest.abs() < NEUTRAL_EIGENVALUE || (0..values.len()).any(is_rounding) {
             Stability::Neutral
         } else if lowest > 0.0 {
             Stability::Stable

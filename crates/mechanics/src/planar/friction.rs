@@ -1,48 +1,44 @@
 //! Coulomb friction in joints: which slide, which stick, and the friction force of each.
 //!
-//! A joint that slides is with friction by `μ N`, a pin by the couple `μ r N`, where N is the force that the joint carries and
-//! on which the friction itself has a part. A joint at rest is held by whatever friction that takes, as long as none of
-//! the motions that it could begin would go on: each of these, one degree of freedom at a time, is tried with the friction that it
-//! would meet. F. Pfeiffer, C. Glocker, *Multibody Dynamics with Unilateral Contacts* (1996), ch. 6.
+//! A joint that slides has the friction force `μ N` against its sliding, a pin the couple `μ r N`, where N is the force
+//! that the joint carries and on which the friction itself has a part. A joint at rest is held by whatever friction
+//! that takes, as long as none of the motions that it could begin would go on: each of these, one degree of freedom at
+//! a time, is tried with the friction that it would meet. F. Pfeiffer, C. Glocker, *Multibody Dynamics with Unilateral
+//! Contacts* (1996), ch. 6.
 //!
 //! Lengths here are in m and efforts in N throughout: an angle counts times the size of the mechanism, as in its scaled
-//! positions, and a couple over it.
+//! coordinates, and a couple over it. Lists of frictions, contacts and efforts have one entry for each joint with
+//! friction, in the order of these loads.
 
 mod sticking;
 
 use nalgebra::DMatrix;
 
 use super::{
-    Joint, Load, Measure, PlanarError, Pose, System,
-    continuation::largest,
-    system::{bias, gradient, project},
-    vectors::dot,
+    Joint, Load, Measure, Model, PlanarError, Pose,
+    measure::{bias, gradient, rate},
+    tolerances::{
+        FRICTION_MAX_ITERATIONS, FRICTION_STALLED_STEP, FRICTION_STEP, FRICTION_STRICT_ITERATIONS,
+        MIN_SIDE_FORCE,
+    },
+    vectors::{dot, largest},
 };
 use dalembert_numerics::linalg::Elimination;
-
-/// Rounds of Newton's method for the friction of all sliding joints.
-const ROUNDS: usize = 30;
-/// Efforts are found to this part of the largest; where rounding does not let them, after some rounds to the second.
-const FOUND: f64 = 1e-14;
-const SOME: usize = 8;
-const ALMOST: f64 = 1e-10;
-/// A guide does not turn to its other side for less than this part of the largest force.
-const TURNED: f64 = 1e-10;
 
 /// Friction in a pin, slider or slot.
 #[derive(Debug, Clone)]
 pub(super) struct Friction {
-    /// Index of the load.
+    /// The load, by its index.
     pub(super) load: usize,
-    /// In which joint.
+    /// The joint, by its index.
     pub(super) joint: usize,
-    /// Relative coordinate of the sliding.
+    /// The relative coordinate that slides.
     pub(super) measure: Measure,
-    /// The effort along the measure over the force that the joint carries: μ, or μ r.
+    /// The friction along the measure over the force that the joint carries: μ, or μ r, m.
     pub(super) limit: f64,
     /// The equations whose multipliers are that force: the second one of a pin alone.
     rows: [usize; 2],
-    /// True for a pin.
+    /// True in a pin.
     pub(super) pin: bool,
 }
 
@@ -62,7 +58,7 @@ pub enum Contact {
     Indeterminate,
 }
 
-impl System {
+impl Model {
     /// The frictions of all joints.
     pub(super) fn frictions(&self) -> Vec<Friction> {
         let of_load = |(load, this): (usize, &Load)| {
@@ -88,9 +84,9 @@ impl System {
         self.frictions().into_iter().filter(|friction| friction.limit > 0.0).collect()
     }
 
-    /// Friction arm: factor from the coordinate of a friction to a length.
-    pub(super) fn arm(&self, friction: &Friction) -> f64 {
-        if friction.pin { self.length } else { 1.0 }
+    /// Reports whether a joint has a coefficient of friction above zero.
+    pub(super) fn has_friction(&self) -> bool {
+        !self.frictional_joints().is_empty()
     }
 }
 
@@ -102,105 +98,111 @@ impl Friction {
     }
 }
 
-/// Scaled effect of the loads on a mechanism in one position.
+/// The response of a mechanism in a position to forces, all scaled.
 #[derive(Debug, Clone)]
-pub(super) struct Effect {
-    /// The accelerations of the free velocities.
-    pub(super) free: Vec<f64>,
-    /// Those of the bodies.
+pub(super) struct ResponseToForce {
+    /// The accelerations in the columns of the independent velocities, m/s².
+    pub(super) independent: Vec<f64>,
+    /// Those of the bodies, by column.
     pub(super) accelerations: Vec<f64>,
-    /// The multipliers.
+    /// The multipliers, by equation.
     pub(super) multipliers: Vec<f64>,
 }
 
-/// A mechanism in a position, moving, before its joints are with friction.
+/// A mechanism in a position, moving, without the friction of its joints.
 pub(super) struct Frictionless<'a> {
-    pub(super) system: &'a System,
+    pub(super) model: &'a Model,
     /// Of the bodies and the ground.
     pub(super) poses: &'a [Pose<f64>],
     pub(super) velocities: &'a [[f64; 3]],
-    /// The free motions, scaled.
-    pub(super) motions: &'a [Vec<f64>],
-    /// Effect of the loads other than friction.
-    pub(super) effect: Effect,
+    /// The null-space basis of the velocities, scaled.
+    pub(super) basis: &'a [Vec<f64>],
+    /// The response to its other loads.
+    pub(super) response: ResponseToForce,
 }
 
-/// Response of the sliding velocities of a mechanism to friction.
+/// The response of the n joints with friction of a mechanism to their friction.
 pub(super) struct Response<'a> {
     frictions: &'a [Friction],
-    /// Effect of the loads other than friction, and of 1 N of each friction.
-    base: Effect,
-    units: Vec<Effect>,
-    /// The velocities of the slidings, m/s.
+    /// The response to the loads but for friction.
+    base: ResponseToForce,
+    /// The response to 1 N of each friction.
+    units: Vec<ResponseToForce>,
+    /// The sliding velocities, m/s.
     pub(super) rates: Vec<f64>,
-    /// Their accelerations without friction, m/s², and by 1 N of the friction in the column.
-    slidings: Vec<f64>,
-    yields: DMatrix<f64>,
-    /// The force in each joint without friction, and by 1 N of the second friction.
-    carried: Vec<[f64; 2]>,
-    carries: Vec<Vec<[f64; 2]>>,
-    /// `μ` or `μ r / length`.
+    /// The sliding accelerations without friction, m/s².
+    sliding_accelerations: Vec<f64>,
+    /// The inverse of the effective mass, n × n, 1/kg: the sliding acceleration of the row by 1 N in the column.
+    inverse_mass: DMatrix<f64>,
+    /// The force in each joint without friction, N.
+    joint_forces: Vec<[f64; 2]>,
+    /// The sensitivity of the joint forces: by 1 N of the first index, in the joint of the second.
+    joint_force_sensitivities: Vec<Vec<[f64; 2]>>,
+    /// The friction over the joint force: `μ` or `μ r / size`.
     limits: Vec<f64>,
-    /// Sliding velocity of each joint for unit free motions.
-    rows: Vec<Vec<f64>>,
+    /// The sliding velocity of each joint in each motion of the null-space basis.
+    sliding_in_basis: Vec<Vec<f64>>,
 }
 
 impl<'a> Response<'a> {
-    /// Asks for what a unit of each friction does: `act` gives the effect of generalised forces on the scaled positions.
+    /// Finds the response to a unit of each friction: `act` gives that to generalised forces on the scaled coordinates.
     ///
     /// # Errors
     /// Those of `act`.
     pub(super) fn new(
         frictions: &'a [Friction],
         frictionless: Frictionless<'_>,
-        act: impl Fn(&[f64]) -> Result<Effect, PlanarError>,
+        act: impl Fn(&[f64]) -> Result<ResponseToForce, PlanarError>,
     ) -> Result<Self, PlanarError> {
-        let Frictionless { system, poses, velocities, motions, effect: base } = frictionless;
+        let Frictionless { model, poses, velocities, basis, response: base } = frictionless;
         let mut forces = Vec::with_capacity(frictions.len());
-        let (mut rates, mut slidings) = (Vec::new(), Vec::new());
+        let (mut rates, mut sliding_accelerations) = (Vec::new(), Vec::new());
         for friction in frictions {
-            let arm = system.arm(friction);
+            let arm = model.length_of(&friction.measure);
             let gradient = gradient(&friction.measure, poses);
             let mut force = vec![0.0; base.accelerations.len()];
             for (frame, part) in friction.measure.bodies().into_iter().zip([gradient.from, gradient.to]) {
                 if let Some(body) = frame {
                     force[3 * body] += arm * part[0];
                     force[3 * body + 1] += arm * part[1];
-                    force[3 * body + 2] += arm * part[2] / system.length;
+                    force[3 * body + 2] += arm * part[2] / model.length;
                 }
             }
-            rates.push(arm * project(&friction.measure, &gradient, velocities));
-            let bend = arm * bias(&friction.measure, poses, velocities);
-            slidings.push(dot(&force, &base.accelerations) + bend);
+            rates.push(arm * rate(&friction.measure, &gradient, velocities));
+            let bias = arm * bias(&friction.measure, poses, velocities);
+            sliding_accelerations.push(dot(&force, &base.accelerations) + bias);
             forces.push(force);
         }
-        let units = forces.iter().map(|force| act(force)).collect::<Result<Vec<Effect>, _>>()?;
+        let units = forces.iter().map(|force| act(force)).collect::<Result<Vec<ResponseToForce>, _>>()?;
         let of_each = |multipliers: &[f64]| -> Vec<[f64; 2]> {
             frictions.iter().map(|friction| friction.components(multipliers)).collect()
         };
         Ok(Self {
             frictions,
             rates,
-            slidings,
-            yields: DMatrix::from_fn(forces.len(), forces.len(), |row, column| {
+            sliding_accelerations,
+            inverse_mass: DMatrix::from_fn(forces.len(), forces.len(), |row, column| {
                 dot(&forces[row], &units[column].accelerations)
             }),
-            carried: of_each(&base.multipliers),
-            carries: units.iter().map(|unit| of_each(&unit.multipliers)).collect(),
-            limits: frictions.iter().map(|friction| friction.limit / system.arm(friction)).collect(),
-            rows: forces
+            joint_forces: of_each(&base.multipliers),
+            joint_force_sensitivities: units.iter().map(|unit| of_each(&unit.multipliers)).collect(),
+            limits: frictions
                 .iter()
-                .map(|force| motions.iter().map(|motion| dot(force, motion)).collect())
+                .map(|friction| friction.limit / model.length_of(&friction.measure))
+                .collect(),
+            sliding_in_basis: forces
+                .iter()
+                .map(|force| basis.iter().map(|motion| dot(force, motion)).collect())
                 .collect(),
             base,
             units,
         })
     }
 
-    /// Contact states by the sliding velocities: a joint slower than `still`, m/s, sticks.
-    pub(super) fn contacts(&self, still: f64) -> Vec<Contact> {
+    /// The contacts by the sliding velocities: up to `rest`, m/s, a joint is at rest.
+    pub(super) fn contacts(&self, rest: f64) -> Vec<Contact> {
         let of_rate = |rate: &f64| {
-            if rate.abs() <= still {
+            if rate.abs() <= rest {
                 Contact::Indeterminate
             } else {
                 Contact::Sliding { sense: rate.signum(), side: 1.0 }
@@ -209,12 +211,12 @@ impl<'a> Response<'a> {
         self.rates.iter().map(of_rate).collect()
     }
 
-    /// Combined effect of all loads.
-    pub(super) fn effect(&self, efforts: &[f64]) -> Effect {
-        let Effect { mut free, mut accelerations, mut multipliers } = self.base.clone();
+    /// The response to all loads, with these frictions, N.
+    pub(super) fn total(&self, efforts: &[f64]) -> ResponseToForce {
+        let ResponseToForce { mut independent, mut accelerations, mut multipliers } = self.base.clone();
         for (unit, effort) in self.units.iter().zip(efforts) {
             let parts = [
-                (&mut free, &unit.free),
+                (&mut independent, &unit.independent),
                 (&mut accelerations, &unit.accelerations),
                 (&mut multipliers, &unit.multipliers),
             ];
@@ -224,42 +226,43 @@ impl<'a> Response<'a> {
                 }
             }
         }
-        Effect { free, accelerations, multipliers }
+        ResponseToForce { independent, accelerations, multipliers }
     }
 
-    /// The efforts of the frictions along their measures, N: `−μ N` against a sliding, whatever holds for a joint that is
-    /// held. By Newton's method, since the friction has a part in N. None if they find no balance.
+    /// The efforts of the frictions along their measures, N: `−μ N` against a sliding, for a joint that sticks what
+    /// keeps it at rest. By Newton's method, since the friction has a part in N. None without a balance.
     pub(super) fn efforts(&self, contacts: &[Contact]) -> Option<Vec<f64>> {
         let n = contacts.len();
         let mut efforts = vec![0.0; n];
-        for round in 0..ROUNDS {
+        for iteration in 0..FRICTION_MAX_ITERATIONS {
             let mut jacobian = DMatrix::identity(n, n);
-            let mut left = vec![0.0; n];
+            let mut residuals = vec![0.0; n];
             for (row, contact) in contacts.iter().enumerate() {
                 match contact {
-                    Contact::Indeterminate => left[row] = efforts[row],
+                    Contact::Indeterminate => residuals[row] = efforts[row],
                     Contact::Sticking => {
-                        left[row] = self.sliding(row, &efforts);
-                        jacobian.row_mut(row).copy_from(&self.yields.row(row));
+                        residuals[row] = self.sliding_acceleration(row, &efforts);
+                        jacobian.row_mut(row).copy_from(&self.inverse_mass.row(row));
                     }
                     Contact::Sliding { sense, side } => {
                         let [x, y] = self.force(row, &efforts);
                         let carried = if self.frictions[row].pin { x.hypot(y) } else { side * x };
                         let along = if carried == 0.0 { [*side, 0.0] } else { [x / carried, y / carried] };
                         let most = sense * self.limits[row];
-                        left[row] = efforts[row] + most * carried;
+                        residuals[row] = efforts[row] + most * carried;
                         for column in 0..n {
-                            let [by_x, by_y] = self.carries[column][row];
+                            let [by_x, by_y] = self.joint_force_sensitivities[column][row];
                             jacobian[(row, column)] += most * (along[0] * by_x + along[1] * by_y);
                         }
                     }
                 }
             }
-            let step = Elimination::new(&jacobian).ok()?.solve(&left).ok()?;
+            let step = Elimination::new(&jacobian).ok()?.solve(&residuals).ok()?;
             for (effort, step) in efforts.iter_mut().zip(&step) {
                 *effort -= step;
             }
-            let enough = if round < SOME { FOUND } else { ALMOST };
+            let enough =
+                if iteration < FRICTION_STRICT_ITERATIONS { FRICTION_STEP } else { FRICTION_STALLED_STEP };
             if largest(&step) <= enough * largest(&efforts) {
                 return Some(efforts);
             }
@@ -267,7 +270,7 @@ impl<'a> Response<'a> {
         None
     }
 
-    /// The efforts, with every guide bearing on the side that its force says.
+    /// The efforts, with every guide bearing on the side that its force has.
     pub(super) fn bearing(&self, contacts: &mut [Contact]) -> Option<Vec<f64>> {
         for _ in 0..=contacts.len() + 1 {
             let efforts = self.efforts(contacts)?;
@@ -277,7 +280,7 @@ impl<'a> Response<'a> {
                 let pin = self.frictions[row].pin;
                 if let Contact::Sliding { side, .. } = &mut contacts[row]
                     && !pin
-                    && *side * force < -TURNED * self.largest_force(&efforts)
+                    && *side * force < -MIN_SIDE_FORCE * self.largest_force(&efforts)
                 {
                     (*side, turned) = (-*side, true);
                 }
@@ -289,33 +292,34 @@ impl<'a> Response<'a> {
         None
     }
 
-    /// Margins within which the motion may go on, each over its scale: first the velocity of each sliding joint in its
-    /// sense, then the force of each guide on its side, and last the reserve of friction before a joint at rest begins
-    /// to slide. What is not asked is 1. `fastest` is the size of velocities.
+    /// The margins that must stay positive for the contacts to last, each over its size, 2 n + 1 in number: first of
+    /// each joint that slides its velocity in its sense, then of each guide its force on its side, and last the reserve
+    /// of friction before a joint at rest begins to slide. One that does not apply is 1. `max_velocity` is the size of
+    /// velocities, m/s.
     pub(super) fn margins(
         &self,
         contacts: &[Contact],
         efforts: &[f64],
-        fastest: f64,
+        max_velocity: f64,
         margins: &mut Vec<f64>,
     ) {
         margins.clear();
         for (contact, rate) in contacts.iter().zip(&self.rates) {
             margins.push(if let Contact::Sliding { sense, .. } = contact {
-                sense * rate / fastest
+                sense * rate / max_velocity
             } else {
                 1.0
             });
         }
         let largest_force = self.largest_force(efforts);
         for (row, contact) in contacts.iter().enumerate() {
-            let asked = match contact {
+            let margin = match contact {
                 Contact::Sliding { side, .. } if !self.frictions[row].pin && largest_force > 0.0 => {
                     side * self.force(row, efforts)[0] / largest_force
                 }
                 _ => 1.0,
             };
-            margins.push(asked);
+            margins.push(margin);
         }
         let size = self.largest_acceleration(efforts);
         let opening = self.opening(contacts).ok().flatten();
@@ -328,14 +332,15 @@ impl<'a> Response<'a> {
     }
 
     /// Acceleration of a sliding, m/s².
-    fn sliding(&self, row: usize, efforts: &[f64]) -> f64 {
-        self.slidings[row] + self.yields.row(row).iter().zip(efforts).map(|(a, f)| a * f).sum::<f64>()
+    fn sliding_acceleration(&self, row: usize, efforts: &[f64]) -> f64 {
+        self.sliding_accelerations[row]
+            + self.inverse_mass.row(row).iter().zip(efforts).map(|(a, f)| a * f).sum::<f64>()
     }
 
     /// The force in a joint with friction, N.
     fn force(&self, row: usize, efforts: &[f64]) -> [f64; 2] {
-        let start = self.carried[row];
-        self.carries.iter().zip(efforts).fold(start, |[x, y], (by_unit, effort)| {
+        let start = self.joint_forces[row];
+        self.joint_force_sensitivities.iter().zip(efforts).fold(start, |[x, y], (by_unit, effort)| {
             [x + effort * by_unit[row][0], y + effort * by_unit[row][1]]
         })
     }
@@ -343,9 +348,12 @@ impl<'a> Response<'a> {
     /// The largest of the forces in the joints with friction and of their parts.
     fn largest_force(&self, efforts: &[f64]) -> f64 {
         let part = |row: usize| {
-            let without = self.carried[row];
-            let by_friction =
-                self.carries.iter().zip(efforts).map(|(unit, effort)| unit[row].map(|x| x * effort));
+            let without = self.joint_forces[row];
+            let by_friction = self
+                .joint_force_sensitivities
+                .iter()
+                .zip(efforts)
+                .map(|(unit, effort)| unit[row].map(|x| x * effort));
             by_friction.chain([without]).flatten().fold(0.0f64, |most, x| most.max(x.abs()))
         };
         (0..efforts.len()).map(part).fold(0.0, f64::max)
@@ -354,16 +362,18 @@ impl<'a> Response<'a> {
     /// The largest acceleration of a sliding, or of a part of it, m/s².
     fn largest_acceleration(&self, efforts: &[f64]) -> f64 {
         let part = |row: usize| {
-            let by_friction = self.yields.row(row);
-            let parts = by_friction.iter().zip(efforts).map(|(a, f)| a * f).chain([self.slidings[row]]);
+            let by_friction = self.inverse_mass.row(row);
+            let parts =
+                by_friction.iter().zip(efforts).map(|(a, f)| a * f).chain([self.sliding_accelerations[row]]);
             parts.fold(0.0f64, |most, x| most.max(x.abs()))
         };
         (0..efforts.len()).map(part).fold(0.0, f64::max)
     }
 
-    /// Names the joint with most friction.
+    /// The error that names the joint with most friction.
     pub(super) fn jammed(&self) -> PlanarError {
-        let most = |row: &usize| self.limits[*row] * self.carried[*row][0].hypot(self.carried[*row][1]);
+        let most =
+            |row: &usize| self.limits[*row] * self.joint_forces[*row][0].hypot(self.joint_forces[*row][1]);
         let row = (0..self.frictions.len()).max_by(|a, b| most(a).total_cmp(&most(b))).unwrap_or(0);
         PlanarError::Jammed { joint: self.frictions[row].joint }
     }

@@ -1,4 +1,4 @@
-//! Loads on a mechanism besides its weight.
+//! Loads on a mechanism besides its weight: forces, force elements along a measure, friction.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
@@ -11,9 +11,9 @@ use dalembert_numerics::simd::SimdReal;
 pub enum Load {
     /// A force at a point, in the axes of the ground or turning with a body.
     Force {
-        /// Point of application.
+        /// The point of application.
         at: Point,
-        /// Components, N.
+        /// The components, N.
         force: [f64; 2],
         /// The body in whose axes the components are.
         turns_with: Frame,
@@ -21,9 +21,9 @@ pub enum Load {
     /// An effort along a measure: a force along a length (N) or a couple about an angle (N m), positive when it
     /// pushes the measure to grow. It acts on both bodies of the measure.
     Effort {
-        /// Relative coordinate along which it acts.
+        /// The measure along which it acts.
         measure: Measure,
-        /// Force law.
+        /// The force law.
         effort: Effort,
     },
     /// Coulomb friction in a joint against its sliding: in a slider or slot `μ |N|` along the line, in a pin the
@@ -38,10 +38,10 @@ pub enum Load {
     },
 }
 
-/// Force law of an effort along a relative coordinate m.
+/// The force law of an effort along a measure m, N or N m.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Effort {
-    /// The same everywhere.
+    /// A constant.
     Constant(f64),
     /// `−k (m − m₀)`.
     Spring {
@@ -87,7 +87,7 @@ impl Effort {
         }
     }
 
-    /// Partial derivatives with respect to the value and to the velocity.
+    /// The derivatives with respect to the value and to the velocity.
     pub fn gradient(&self, value: f64) -> [f64; 2] {
         match self {
             Effort::Constant(_) => [0.0, 0.0],
@@ -100,7 +100,7 @@ impl Effort {
         }
     }
 
-    /// Returns true for a conservative effort: it has an [`energy`](Effort::energy).
+    /// True if it is conservative: it has an [`energy`](Effort::energy).
     pub fn is_stored(&self) -> bool {
         !matches!(self, Effort::Damper { .. })
     }

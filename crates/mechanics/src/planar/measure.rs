@@ -1,8 +1,8 @@
 //! Relative coordinates of a mechanism: lengths and angles, their gradients and their quadratic velocity terms.
 //!
-//! A joint holds measures, a driver moves one, a spring stretches one, and an effort works along one. For a measure
-//! `m(q)` of the positions q, the effort conjugate to it does the power `Q ṁ` (virtual power), and acts on the
-//! bodies as `Q ∂m/∂q`; its acceleration is `m̈ = (∂m/∂q) q̈ + b` with `b` quadratic in the velocities.
+//! A joint holds measures constant, a driver prescribes one, a spring stretches one, and an effort works along one. For
+//! a measure `m(q)` of the positions q, the effort conjugate to it does the power `Q ṁ` (virtual power), and acts on
+//! the bodies as `Q ∂m/∂q`; its acceleration is `m̈ = (∂m/∂q) q̈ + b` with `b` quadratic in the velocities.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
@@ -16,7 +16,7 @@ pub type Frame = Option<usize>;
 pub struct Point {
     /// The body that carries it.
     pub on: Frame,
-    /// Position in the axes of the body, m.
+    /// The position in the axes of the body.
     pub at: [f64; 2],
 }
 
@@ -42,7 +42,7 @@ pub enum Measure {
         /// The body against which its angle is taken.
         against: Frame,
     },
-    /// Component of the distance between two points in a fixed direction, `u · (B − A)`, m.
+    /// The distance of a point from another in a fixed direction, `u · (B − A)`, m.
     Component {
         /// Unit vector u.
         direction: [f64; 2],
@@ -51,7 +51,7 @@ pub enum Measure {
         /// B.
         to: Point,
     },
-    /// Component of the distance between two points in a direction fixed to the body of the first, `u(θ_A) · (B − A)`,
+    /// The distance of a point from another in a direction that turns with the body of the first, `u(θ_A) · (B − A)`,
     /// m.
     Along {
         /// Unit vector u in the axes of the body that carries A.
@@ -70,7 +70,7 @@ pub enum Measure {
     },
 }
 
-/// Pose of a body: its origin, and its angle with cosine and sine.
+/// The pose of a body: its origin, and its angle with cosine and sine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pose<S> {
     /// Origin, m.
@@ -140,12 +140,12 @@ impl Measure {
         }
     }
 
-    /// Returns true for an angle, in rad, false for a length, in m.
+    /// True for an angle, in rad, rather than a length, in m.
     pub fn is_angle(&self) -> bool {
         matches!(self, Measure::Angle { .. })
     }
 
-    /// Value and gradient for given poses of the two bodies.
+    /// The value and its derivative, with the poses of the bodies it is taken from and to.
     ///
     /// The derivative of a distance is not finite where the points coincide.
     #[inline(always)]
@@ -183,7 +183,7 @@ impl Measure {
         }
     }
 
-    /// Quadratic velocity term: the acceleration `m̈` when no body accelerates.
+    /// The acceleration when no body accelerates: the part of `m̈` that is quadratic in the velocities.
     #[inline(always)]
     pub fn bias<S: Real>(&self, poses: [&Pose<S>; 2], velocities: [[S; 3]; 2]) -> S {
         let [from_pose, to_pose] = poses;
@@ -223,6 +223,41 @@ impl Measure {
             }
         }
     }
+}
+
+/// The poses of the bodies and, last, of the ground.
+pub(super) fn poses(positions: &[[f64; 3]]) -> Vec<Pose<f64>> {
+    positions.iter().map(|&position| Pose::new(position)).chain([Pose::ground()]).collect()
+}
+
+/// The poses of the bodies between which a measure is taken, among those of all bodies and, last, of the ground.
+#[inline(always)]
+pub(super) fn pair<'a, S>(measure: &Measure, poses: &'a [Pose<S>]) -> [&'a Pose<S>; 2] {
+    let ground = poses.len() - 1;
+    let [from, to] = measure.bodies();
+    [&poses[from.unwrap_or(ground)], &poses[to.unwrap_or(ground)]]
+}
+
+/// [`Measure::gradient`] with the poses of all bodies and the ground.
+#[inline(always)]
+pub(super) fn gradient<S: Real>(measure: &Measure, poses: &[Pose<S>]) -> Gradient<S> {
+    measure.gradient(pair(measure, poses))
+}
+
+/// [`Measure::bias`] with the poses of all bodies and the ground, and the velocities of the bodies.
+pub(super) fn bias(measure: &Measure, poses: &[Pose<f64>], velocities: &[[f64; 3]]) -> f64 {
+    let [from_velocity, to_velocity] =
+        measure.bodies().map(|frame| frame.map_or([0.0; 3], |body| velocities[body]));
+    measure.bias(pair(measure, poses), [from_velocity, to_velocity])
+}
+
+/// The velocity `(∂m/∂q) q̇` of a measure, from the velocities of the bodies.
+#[inline(always)]
+pub(super) fn rate<S: Real>(measure: &Measure, gradient: &Gradient<S>, velocities: &[[S; 3]]) -> S {
+    let dot = |[ax, ay, aw]: [S; 3], [bx, by, bw]: [S; 3]| ax * bx + ay * by + aw * bw;
+    let of = |frame: Frame, part: [S; 3]| frame.map_or(S::from(0.0), |body| dot(part, velocities[body]));
+    let [from, to] = measure.bodies();
+    of(from, gradient.from) + of(to, gradient.to)
 }
 
 #[inline(always)]

@@ -1,61 +1,62 @@
-//! A driven mechanism compiled for many positions: a cycle of an engine, a curve of a coupler, a plot.
+//! Sweep of a driven mechanism through many positions: a cycle of an engine, a curve of a coupler, a plot.
 //!
-//! The positions are followed as [`System::continue_to`] does it, with velocities, accelerations and every reaction, but
-//! on the [plan](super::plan) of the mechanism, and many parts of the way side by side in the registers of the
-//! machine. Where the plan does not lead on, near a dead centre or a limit, or does not serve, with friction or
-//! redundant joints, the general way takes over; the results are the same.
+//! The positions are followed as [`Model::continue_to`] does it, with velocities, accelerations and every reaction, but
+//! on a fixed elimination ([`Station`]), and many parts of the sweep in the lanes of SIMD vectors. Where that does not
+//! lead on, near a dead centre or a limit position, or does not serve, with friction or redundant joints, the general
+//! continuation takes over; the results are the same.
 
-mod past;
+mod history;
 mod station;
 
-use self::station::{CLOSED, PASSED, Path, Station};
+use self::station::{Path, Station};
 use super::{
-    Load, PlanarError, State, System,
-    plan::{self, Layout, Order, Work},
+    Load, Model, PlanarError, State,
+    elimination::PivotOrder,
+    givens::ordering,
+    layout::{Layout, Position},
+    tolerances::{MAX_LOOP_EQUATIONS, MIN_DIVIDED, SWEEP_PASSED_RESIDUAL, SWEEP_RESIDUAL},
 };
 use dalembert_numerics::simd::{SimdVector, WIDTH};
 
-/// So many equations that are not explicit are eliminated as a full matrix at most.
-const MOST_LOOPS: usize = 12;
-/// Shorter sweeps are not divided.
-const UNDIVIDED: usize = 4 * WIDTH;
-
-/// Positions that a mechanism takes, one for each value of the driver, with what it is like there.
+/// The states of a mechanism, one for each value of the driver.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SweepResult {
-    /// Number of bodies.
+    /// The number of bodies.
     bodies: usize,
-    /// Number of equations.
+    /// The number of equations.
     equations: usize,
     /// For each value: positions, velocities, and accelerations of all bodies, the multipliers, and the effort.
     records: Vec<f64>,
     reached: usize,
 }
 
-/// A mechanism and its plan for the values of one of its drivers.
+/// A mechanism compiled for the values of one of its drivers.
 #[derive(Debug, Clone)]
 pub struct Sweep<'a> {
-    system: &'a System,
-    /// Initial positions.
+    model: &'a Model,
+    /// The positions from which it begins.
     positions: Vec<[f64; 3]>,
     driver: usize,
     /// The value of the driver there.
     value: f64,
-    plan: Option<Plan>,
+    fixed: Option<FixedElimination>,
 }
 
+/// The model of a mechanism whose loops are eliminated in one way throughout, and its working data.
 #[derive(Debug, Clone)]
-struct Plan {
+struct FixedElimination {
     layout: Layout,
-    /// Remainder of the rows that are not explicit: places and numbers of the kept coordinates.
+    /// The elimination of the explicit coordinates.
+    order: PivotOrder,
+    /// The loop equations that it leaves: places and numbers of tree coordinates.
     loops: Vec<Vec<(usize, usize)>>,
-    masses: Vec<f64>,
+    /// The tree coordinates from which a sweep begins.
     start: Vec<f64>,
     one: Station<f64>,
     many: Station<SimdVector>,
 }
 
-impl System {
+impl Model {
     /// Compiles the mechanism, closed in some positions, for the values of one of its drivers.
     ///
     /// # Errors
@@ -64,9 +65,9 @@ impl System {
         let elimination = self.factored(positions)?;
         let is_plain = elimination.dependent_rows().is_empty()
             && !self.mechanism.loads.iter().any(|load| matches!(load, Load::Friction { .. }));
-        let plan = if is_plain { Plan::new(self, positions) } else { None };
+        let fixed = if is_plain { FixedElimination::new(self, positions) } else { None };
         let value = self.value(&self.mechanism.drivers[driver].measure, positions);
-        Ok(Sweep { system: self, positions: positions.to_vec(), driver, value, plan })
+        Ok(Sweep { model: self, positions: positions.to_vec(), driver, value, fixed })
     }
 }
 
@@ -75,32 +76,32 @@ impl Sweep<'_> {
     /// velocities and accelerations of the drivers, the others held.
     ///
     /// # Errors
-    /// As for [`System::continue_to`] and [`System::dynamics`]: what ended the sweep, of which the first
+    /// As for [`Model::continue_to`] and [`Model::inverse_dynamics`]: what ended the sweep, of which the first
     /// [`reached`](SweepResult::reached) positions stand.
-    pub fn over(&mut self, values: &[f64], swept: &mut SweepResult) -> Result<(), PlanarError> {
-        swept.make_room(self.system, values.len());
+    pub fn over(&mut self, values: &[f64], result: &mut SweepResult) -> Result<(), PlanarError> {
+        result.make_room(self.model, values.len());
         let mut done = 0;
         let mut here = self.positions.clone();
-        if let Some(plan) = &mut self.plan {
-            done = plan.over(self.system, (self.driver, self.value), values, swept);
+        if let Some(fixed) = &mut self.fixed {
+            done = fixed.over(self.model, (self.driver, self.value), values, result);
             if done > 0 {
-                here = swept.positions(done - 1).to_vec();
+                here = result.positions(done - 1).to_vec();
             }
         }
-        swept.reached = done;
-        let mut held: Vec<f64> = self.system.mechanism.drivers.iter().map(|driver| driver.value).collect();
+        result.reached = done;
+        let mut driver_values = self.model.driver_values();
         for &value in &values[done..] {
-            held[self.driver] = value;
-            here = self.system.continue_to(&here, &held)?.positions;
-            let (state, dynamics) = self.system.solved(&here)?;
-            swept.put(&state, &dynamics.multipliers, dynamics.efforts[self.driver]);
+            driver_values[self.driver] = value;
+            here = self.model.continue_to(&here, &driver_values)?.positions;
+            let (state, dynamics) = self.model.kinetostatics(&here)?;
+            result.put(&state, &dynamics.multipliers, dynamics.efforts[self.driver]);
         }
         Ok(())
     }
 }
 
 impl SweepResult {
-    /// Number of positions reached.
+    /// The number of positions that were reached.
     pub fn reached(&self) -> usize {
         self.reached
     }
@@ -116,7 +117,7 @@ impl SweepResult {
         State { positions, velocities, accelerations }
     }
 
-    /// The multiplier of each equation at a value, in the order of [`System::equations`], by Newton and Euler.
+    /// The multiplier of each equation at a value, in the order of [`Model::equations`], by Newton and Euler.
     pub fn multipliers(&self, n: usize) -> &[f64] {
         &self.record(n)[9 * self.bodies..][..self.equations]
     }
@@ -126,7 +127,7 @@ impl SweepResult {
         self.record(n)[9 * self.bodies + self.equations]
     }
 
-    /// Number of values in a record.
+    /// The length of a record.
     fn length(bodies: usize, equations: usize) -> usize {
         9 * bodies + equations + 1
     }
@@ -146,8 +147,8 @@ impl SweepResult {
         &self.record(n).as_chunks().0[which * self.bodies..][..self.bodies]
     }
 
-    fn make_room(&mut self, system: &System, count: usize) {
-        (self.bodies, self.equations) = (system.mechanism.bodies.len(), system.equations.len());
+    fn make_room(&mut self, model: &Model, count: usize) {
+        (self.bodies, self.equations) = (model.mechanism.bodies.len(), model.equations.len());
         self.records.resize(count * Self::length(self.bodies, self.equations), 0.0);
         self.reached = 0;
     }
@@ -162,92 +163,87 @@ impl SweepResult {
     }
 }
 
-impl Plan {
-    fn new(system: &System, positions: &[[f64; 3]]) -> Option<Self> {
-        let mut layout = Layout::new(system);
-        let columns = 3 * positions.len();
-        if layout.loops().len() != layout.kept.len() || layout.kept.len() > MOST_LOOPS {
+impl FixedElimination {
+    /// None if the loops do not determine the tree coordinates, or are too many.
+    fn new(model: &Model, positions: &[[f64; 3]]) -> Option<Self> {
+        let layout = &model.layout;
+        if layout.loops.len() != layout.tree.len() || layout.tree.len() > MAX_LOOP_EQUATIONS {
             return None;
         }
-        let mut work: Work<f64> = layout.work(system);
-        let start: Vec<f64> = layout.kept.iter().map(|&column| system.scaled(column, positions)).collect();
-        layout.set(&start, &mut work);
-        layout.measure(&mut work);
-        let (order, left) = Order::of_explicit(&layout, &work.jacobian, columns);
-        let number = |column: usize| layout.kept.iter().position(|kept| *kept == column);
+        let mut position: Position = layout.position(&model.equations);
+        let start = model.tree_coordinates(positions);
+        layout.evaluate(&start, &mut position);
+        let (order, reduced) = PivotOrder::of_explicit(layout, &position.jacobian, model.masses.len());
+        let number = |column: usize| layout.tree.iter().position(|tree| *tree == column);
         let mut loops = Vec::new();
-        for row in left {
+        for row in reduced {
             let row: Option<Vec<(usize, usize)>> =
                 row.into_iter().map(|(place, column)| Some((place, number(column)?))).collect();
             loops.push(row?);
         }
-        let [rows, kept] = plan::order(&loops);
-        layout.rearrange(&rows, &kept);
-        let mut renumbered = vec![0; kept.len()];
-        for (new, &old) in kept.iter().enumerate() {
+        let [rows, tree] = ordering(&loops);
+        let layout = layout.rearranged(&rows, &tree);
+        let mut renumbered = vec![0; tree.len()];
+        for (new, &old) in tree.iter().enumerate() {
             renumbered[old] = new;
         }
         for (_, number) in loops.iter_mut().flatten() {
             *number = renumbered[*number];
         }
         let loops: Vec<Vec<(usize, usize)>> = rows.iter().map(|&row| loops[row].clone()).collect();
-        let start = kept.iter().map(|&old| start[old]).collect();
+        let start = tree.iter().map(|&old| start[old]).collect();
         Some(Self {
-            many: Station::new(system, &layout, &loops, order.with_numbers()),
-            one: Station::new(system, &layout, &loops, order),
-            masses: system.scaled_masses(),
+            many: Station::new(model, &layout, &loops, &order),
+            one: Station::new(model, &layout, &loops, &order),
             layout,
+            order,
             loops,
             start,
         })
     }
 
-    /// Number of positions that could be computed.
+    /// Takes the driver from a value to each of others, and gives the number of those that were reached.
     fn over(
         &mut self,
-        system: &System,
+        model: &Model,
         (driver, from): (usize, f64),
         values: &[f64],
-        swept: &mut SweepResult,
+        result: &mut SweepResult,
     ) -> usize {
-        let Self { layout, loops, masses, start, one, many } = self;
-        let way = Path { system, layout, loops, masses, row: system.first_driver() + driver, driver };
-        if !one.begin(&way, from, |number, _| start[number]) {
+        let Self { layout, order, loops, start, one, many } = self;
+        let path = Path { model, layout, order, loops, driver };
+        if !one.begin(&path, from, |number, _| start[number]) {
             return 0;
         }
-        if values.len() >= UNDIVIDED {
+        if values.len() >= MIN_DIVIDED {
             let part = values.len().div_ceil(WIDTH);
             let first = |lane: usize| (lane * part).min(values.len() - 1);
             let mut anchors = vec![[0.0; WIDTH]; start.len()];
             let reached = (0..WIDTH).all(|lane| {
-                let reached = one.reach(&way, values[first(lane)], PASSED);
-                for (anchor, kept) in anchors.iter_mut().zip(&one.kept) {
-                    anchor[lane] = *kept;
+                let reached = one.reach(&path, values[first(lane)], SWEEP_PASSED_RESIDUAL);
+                for (anchor, coordinate) in anchors.iter_mut().zip(&one.tree) {
+                    anchor[lane] = *coordinate;
                 }
                 reached
             });
             let at = |lane: usize, step: usize| (first(lane) + step).min(values.len() - 1);
             let value = |step: usize| SimdVector::of(|lane| values[at(lane, step)]);
             let mut steps = 0..part;
-            let swept_all = reached
-                && many.begin(&way, value(0), |number, lane| anchors[number][lane])
+            let all_reached = reached
+                && many.begin(&path, value(0), |number, lane| anchors[number][lane])
                 && steps.all(|step| {
-                    let good = many.reach(&way, value(step), CLOSED) && many.load(&way);
-                    if good {
-                        many.store(&way, swept, |lane| at(lane, step));
-                    }
-                    good
+                    many.reach(&path, value(step), SWEEP_RESIDUAL)
+                        && many.store(&path, result, |lane| at(lane, step))
                 });
-            if swept_all {
+            if all_reached {
                 return values.len();
             }
-            one.begin(&way, from, |number, _| start[number]);
+            one.begin(&path, from, |number, _| start[number]);
         }
         for (n, value) in values.iter().enumerate() {
-            if !(one.reach(&way, *value, CLOSED) && one.load(&way)) {
+            if !(one.reach(&path, *value, SWEEP_RESIDUAL) && one.store(&path, result, |_| n)) {
                 return n;
             }
-            one.store(&way, swept, |_| n);
         }
         values.len()
     }

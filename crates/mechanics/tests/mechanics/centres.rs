@@ -2,7 +2,7 @@
 //! whole.
 
 use dalembert_mechanics::planar::{
-    Body, Effort, Frame, InstantCentre, Joint, Load, Measure, Mechanism, Point, State, System,
+    Body, Effort, Frame, InstantCentre, Joint, Load, Measure, Mechanism, Model, Point, State,
 };
 
 use crate::{
@@ -12,17 +12,17 @@ use crate::{
 
 const LENGTHS: [f64; 4] = [0.05, 0.151, 0.111, 0.1];
 
-fn four_bar_at(angle: f64) -> (System, State) {
+fn four_bar_at(angle: f64) -> (Model, State) {
     let driver = turning(0, angle, 95.0, 0.0);
     moving(&four_bar(LENGTHS, [Body::default(); 3], driver), &drawn(LENGTHS, [angle, 0.3, 1.3]))
 }
 
-fn centre(system: &System, state: &State, parts: [Frame; 2]) -> InstantCentre {
+fn centre(system: &Model, state: &State, parts: [Frame; 2]) -> InstantCentre {
     system.instant_centre(parts, &state.positions, &state.velocities)
 }
 
 #[track_caller]
-fn point(system: &System, state: &State, parts: [Frame; 2]) -> [f64; 2] {
+fn point(system: &Model, state: &State, parts: [Frame; 2]) -> [f64; 2] {
     match centre(system, state, parts) {
         InstantCentre::At(at) => at,
         other => panic!("{parts:?}: {other:?}"),
@@ -99,12 +99,12 @@ fn a_joint_pulls_its_two_parts_with_opposite_forces_and_the_ground_takes_what_is
     };
     for mechanism in [mechanism, disc] {
         let (system, state) = moving(&mechanism, &[[0.0, 0.0, angle], [0.2, 0.04, -0.4], [0.3, 0.0, 0.0]]);
-        let dynamics = found(system.dynamics(&state));
+        let dynamics = found(system.inverse_dynamics(&state));
         let on =
             |part: Frame, owner: usize| system.force_on(part, owner, &state.positions, &dynamics.multipliers);
         let mut ground = spring_on_the_wall(&system, &state);
         for owner in 0..mechanism.joints.len() + mechanism.drivers.len() {
-            let parts = system.joined(owner);
+            let parts = system.connected_parts(owner);
             if let [first, second] = parts[..] {
                 all_close(on(first, owner), on(second, owner).map(|force| -force), ROUNDING);
             }
@@ -133,7 +133,7 @@ fn wall() -> Measure {
 }
 
 /// Force of spring and damper on the wall.
-fn spring_on_the_wall(system: &System, state: &State) -> [f64; 2] {
+fn spring_on_the_wall(system: &Model, state: &State) -> [f64; 2] {
     let (length, rate) = (system.value(&wall(), &state.positions), system.rate(&wall(), state));
     let thrust = -800.0 * (length - 0.1) - 25.0 * rate;
     let [x, y, _] = state.positions[2];

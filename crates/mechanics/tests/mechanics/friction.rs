@@ -3,8 +3,8 @@
 
 use dalembert_mechanics::{
     planar::{
-        Body, Contact, Driver, Effort, End, Joint, JointFriction, Load, Measure, Mechanism, PlanarError,
-        Point, Run, State, System, Trajectory,
+        Body, Contact, Driver, Effort, Event, Joint, JointFriction, Load, Measure, Mechanism, Model,
+        PlanarError, Point, Run, State, Trajectory,
     },
     vibration::{free::FreeMotion, friction::FrictionDecay},
 };
@@ -25,7 +25,7 @@ fn rubs(joint: usize, coefficient: f64, radius: f64) -> Load {
 }
 
 /// A block of 2 kg on a rail of the ground in this direction.
-fn block(direction: f64, coefficient: f64, loads: Vec<Load>) -> (System, Vec<[f64; 3]>) {
+fn block(direction: f64, coefficient: f64, loads: Vec<Load>) -> (Model, Vec<[f64; 3]>) {
     let slides = Point::body(0, [0.0, 0.0]);
     let rail = Joint::Slider { guide: Point::ground([0.0, 0.0]), direction, slides, angle: direction };
     let mechanism = Mechanism {
@@ -36,7 +36,7 @@ fn block(direction: f64, coefficient: f64, loads: Vec<Load>) -> (System, Vec<[f6
         ..Mechanism::default()
     };
     let drawn = vec![[0.0, 0.0, direction]];
-    (found(System::new(&mechanism, &drawn)), drawn)
+    (found(Model::new(&mechanism, &drawn)), drawn)
 }
 
 fn along(direction: f64, to: Point) -> Measure {
@@ -139,7 +139,7 @@ fn a_spring_comes_to_rest_stroke_by_stroke() {
 #[test]
 fn a_motion_that_ends_at_rest_ends_there() {
     let (system, drawn) = block(0.0, 0.25, vec![]);
-    let ends = [End::Rests(along(0.0, Point::body(0, [0.0, 0.0])))];
+    let ends = [Event::Rests(along(0.0, Point::body(0, [0.0, 0.0])))];
     let moved =
         found(system.simulate(&drawn, &[[2.0, 0.0, 0.0]], &Run { ends: &ends, ..run(9.0, 1e-11, 11) }));
     let last = moved.samples.last().expect("a sample");
@@ -151,7 +151,7 @@ fn a_motion_that_ends_at_rest_ends_there() {
 }
 
 /// A plate of 3 kg that a driver moves along the ground, and a block of 2 kg on it.
-fn plate(velocity: f64, acceleration: f64) -> (System, Vec<[f64; 3]>) {
+fn plate(velocity: f64, acceleration: f64) -> (Model, Vec<[f64; 3]>) {
     let (below, on) = (Point::body(0, [0.0, 0.0]), Point::body(1, [0.0, 0.0]));
     let slider = |guide, slides| Joint::Slider { guide, direction: 0.0, slides, angle: 0.0 };
     let mechanism = Mechanism {
@@ -162,7 +162,7 @@ fn plate(velocity: f64, acceleration: f64) -> (System, Vec<[f64; 3]>) {
         gravity: [0.0, -G],
     };
     let drawn = vec![[0.0; 3]; 2];
-    (found(System::new(&mechanism, &drawn)), drawn)
+    (found(Model::new(&mechanism, &drawn)), drawn)
 }
 
 #[test]
@@ -205,7 +205,7 @@ fn a_spring_that_is_drawn_tears_a_block_loose() {
         gravity: [0.0, -G],
     };
     let drawn = vec![[0.0; 3]; 2];
-    let system = found(System::new(&mechanism, &drawn));
+    let system = found(Model::new(&mechanism, &drawn));
     let moved = found(system.simulate(&drawn, &[[0.05, 0.0, 0.0], [0.0; 3]], &run(3.0, 1e-11, 301)));
     let loose = 0.3 * 2.0 * G / (200.0 * 0.05);
     for moment in &moved.samples {
@@ -218,7 +218,7 @@ fn a_spring_that_is_drawn_tears_a_block_loose() {
 }
 
 /// A slider-crank on the ground with friction in all its joints: crank and rod of 0.1 m and 0.3 m, an offset guide.
-fn slider_crank(turned: f64, coefficients: [f64; 4], radius: f64, springs: bool) -> (System, Vec<[f64; 3]>) {
+fn slider_crank(turned: f64, coefficients: [f64; 4], radius: f64, springs: bool) -> (Model, Vec<[f64; 3]>) {
     let pin = |a, b| Joint::Pin { a, b };
     let slides = Point::body(2, [0.0, 0.0]);
     let tip = [0.1 * turned.cos(), 0.1 * turned.sin()];
@@ -249,11 +249,11 @@ fn slider_crank(turned: f64, coefficients: [f64; 4], radius: f64, springs: bool)
         gravity: [0.0, -G],
         ..Mechanism::default()
     };
-    (found(System::new(&mechanism, &drawn)), drawn)
+    (found(Model::new(&mechanism, &drawn)), drawn)
 }
 
 /// Two cranks on the ground and two rods between them, all of uniform thickness: two degrees of freedom and five pins.
-fn five_bar(coefficients: &[f64], radius: f64) -> (System, Vec<[f64; 3]>) {
+fn five_bar(coefficients: &[f64], radius: f64) -> (Model, Vec<[f64; 3]>) {
     let pin = |a, b| Joint::Pin { a, b };
     let lengths = [0.15, 0.25, 0.25, 0.15];
     let ends = |body: usize| [-0.5, 0.5].map(|part: f64| Point::body(body, [part * lengths[body], 0.0]));
@@ -270,22 +270,22 @@ fn five_bar(coefficients: &[f64], radius: f64) -> (System, Vec<[f64; 3]>) {
         gravity: [0.0, -G],
         ..Mechanism::default()
     };
-    let drawn = found(System::place(&mechanism, &[1.8, 0.9, -0.9, 1.3], &[])).drawn;
-    let system = found(System::new(&mechanism, &drawn));
+    let drawn = found(Model::initial_guess(&mechanism, &[1.8, 0.9, -0.9, 1.3], &[])).positions;
+    let system = found(Model::new(&mechanism, &drawn));
     let positions = found(system.assemble(&drawn));
     (system, positions)
 }
 
-/// Driving efforts that these bodies would need in addition in a moving mechanism, by [`System::dynamics`] with the
+/// Driving efforts that these bodies would need in addition in a moving mechanism, by [`Model::inverse_dynamics`] with the
 /// given motion.
-fn added(system: &System, state: &State, cranks: &[usize]) -> Vec<f64> {
+fn added(system: &Model, state: &State, cranks: &[usize]) -> Vec<f64> {
     let driver = |&body: &usize| {
         let [.., value] = state.positions[body];
         let measure = Measure::Angle { of: Some(body), against: None };
         Driver { measure, value, velocity: 0.0, acceleration: 0.0 }
     };
     let driven = Mechanism { drivers: cranks.iter().map(driver).collect(), ..system.mechanism().clone() };
-    found(found(System::new(&driven, &state.positions)).dynamics(state)).efforts
+    found(found(Model::new(&driven, &state.positions)).inverse_dynamics(state)).efforts
 }
 
 fn most_kinetic(moved: &Trajectory) -> f64 {
@@ -306,7 +306,7 @@ proptest! {
     ) {
         let (system, drawn) = slider_crank(turned, [a, b, c, d], 0.01, springs);
         let crank = Measure::Angle { of: Some(0), against: None };
-        let velocities = found(system.starting(&drawn, &[(crank, speed)]));
+        let velocities = found(system.initial_velocities(&drawn, &[(crank, speed)]));
         let moved = found(system.simulate(&drawn, &velocities, &run(1.0, 1e-11, 101)));
         let energy = most_kinetic(&moved);
         prop_assert!(moved.imbalance() <= 1e-8 * energy.max(1.0), "{}", moved.imbalance());
@@ -323,7 +323,7 @@ proptest! {
     fn two_degrees_of_freedom_keep_their_energy(speeds in prop::array::uniform2(-8.0..8.0f64)) {
         let (system, drawn) = five_bar(&[], 0.0);
         let crank = |body| Measure::Angle { of: Some(body), against: None };
-        let velocities = found(system.starting(&drawn, &[(crank(0), speeds[0]), (crank(3), speeds[1])]));
+        let velocities = found(system.initial_velocities(&drawn, &[(crank(0), speeds[0]), (crank(3), speeds[1])]));
         let moved = found(system.simulate(&drawn, &velocities, &run(0.4, 1e-11, 41)));
         let energy = most_kinetic(&moved);
         prop_assert!(moved.imbalance() <= 1e-6 * energy.max(1.0), "{}", moved.imbalance());
@@ -335,7 +335,7 @@ proptest! {
     ) {
         let (system, drawn) = five_bar(&coefficients, 0.005);
         let crank = |body| Measure::Angle { of: Some(body), against: None };
-        let velocities = found(system.starting(&drawn, &[(crank(0), speeds[0]), (crank(3), speeds[1])]));
+        let velocities = found(system.initial_velocities(&drawn, &[(crank(0), speeds[0]), (crank(3), speeds[1])]));
         let moved = system.simulate(&drawn, &velocities, &run(0.4, 1e-11, 41));
         // With collinear rods friction may lock them, or stop them by forces too large to be followed.
         prop_assume!(!matches!(moved, Err(PlanarError::Jammed { .. } | PlanarError::Motion(OdeError::Stiff { .. }))));
@@ -367,7 +367,7 @@ proptest! {
         // Moved slowly one way and the other by a driver: the loads overcome friction if the driver has to hold back.
         let crank = Measure::Angle { of: Some(0), against: None };
         let slowly = |sense: f64| {
-            let velocities = found(system.starting(&drawn, &[(crank, sense * 1e-9)]));
+            let velocities = found(system.initial_velocities(&drawn, &[(crank, sense * 1e-9)]));
             let state = State { positions: drawn.clone(), velocities, accelerations: vec![[0.0; 3]; 3] };
             sense * added(&system, &state, &[0])[0]
         };
@@ -400,7 +400,7 @@ proptest! {
             [end[0] / 2.0, end[1] / 2.0, first],
             [end[0] + second.cos() / 2.0, end[1] + second.sin() / 2.0, second],
         ];
-        let system = found(System::new(&mechanism, &drawn));
+        let system = found(Model::new(&mechanism, &drawn));
         let solved = found(system.forward_dynamics(&drawn, &[[0.0; 3]; 2]));
         let couples = [G * (1.5 * first.cos() + 0.5 * second.cos()), G * 0.5 * second.cos()];
         let held = [couples[0].abs() < μ * 0.5 * 2.0 * G, couples[1].abs() < other * 0.5 * G];
@@ -434,7 +434,7 @@ fn energy_is_kept_between_the_ends_of_steps() {
     let coefficients = [0.14930735782699764, 0.004390033805746685, 0.2863405449914543, 0.1584830368641202];
     let (system, drawn) = slider_crank(-0.2342346151995596, coefficients, 0.01, false);
     let crank = Measure::Angle { of: Some(0), against: None };
-    let velocities = found(system.starting(&drawn, &[(crank, 14.31938508619414)]));
+    let velocities = found(system.initial_velocities(&drawn, &[(crank, 14.31938508619414)]));
     for tolerance in [1e-9, 1e-10, 1e-11, 1e-12] {
         let moved = found(system.simulate(&drawn, &velocities, &run(1.0, tolerance, 1001)));
         let imbalance = moved.imbalance() / most_kinetic(&moved);
@@ -449,8 +449,9 @@ fn a_moment_is_found_also_where_rods_come_into_line() {
         [0.3062552739379483, 0.02017023102364639, 0.1531730666584383, 0.1394442795213686, 0.03743];
     let (system, drawn) = five_bar(&coefficients, 0.005);
     let crank = |body| Measure::Angle { of: Some(body), against: None };
-    let velocities =
-        found(system.starting(&drawn, &[(crank(0), 0.5720531259271828), (crank(3), -0.2942246286701375)]));
+    let velocities = found(
+        system.initial_velocities(&drawn, &[(crank(0), 0.5720531259271828), (crank(3), -0.2942246286701375)]),
+    );
     for tolerance in [1e-8, 1e-9, 1e-10, 1e-11, 1e-12] {
         let moved = found(system.simulate(&drawn, &velocities, &run(0.4, tolerance, 41)));
         let imbalance = moved.imbalance() / most_kinetic(&moved);
@@ -463,7 +464,7 @@ fn friction_that_locks_a_guide_is_named() {
     // A block that a rod pushes so steeply against its guide that friction takes more than the push gives.
     let (system, drawn) = slider_crank(4.25, [0.0, 0.0, 0.0, 10.0], 0.0, false);
     let crank = Measure::Angle { of: Some(0), against: None };
-    let velocities = found(system.starting(&drawn, &[(crank, -3.0)]));
+    let velocities = found(system.initial_velocities(&drawn, &[(crank, -3.0)]));
     let moved = system.simulate(&drawn, &velocities, &run(1.0, 1e-8, 2));
     assert!(matches!(moved, Err(PlanarError::Jammed { joint: 3 })), "{moved:?}");
 }

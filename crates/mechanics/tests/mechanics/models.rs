@@ -3,10 +3,10 @@
 use itertools::Itertools as _;
 use std::f64::consts::FRAC_PI_2;
 
-use dalembert_mechanics::planar::{Body, Driver, Effort, Joint, Load, Measure, Mechanism, Point, System};
+use dalembert_mechanics::planar::{Body, Driver, Effort, Joint, Load, Measure, Mechanism, Model, Point};
 
 /// 2 N + 1 rods of 1 m and 1 kg: the upright ones first, then those that join their tops.
-pub(crate) fn four_bars(n: usize) -> (System, Vec<[f64; 3]>) {
+pub(crate) fn four_bars(n: usize) -> (Model, Vec<[f64; 3]>) {
     let rod = Body { mass: 1.0, inertia: 1.0 / 12.0 };
     let ends = |body| [Point::body(body, [-0.5, 0.0]), Point::body(body, [0.5, 0.0])];
     let mut joints: Vec<Joint> =
@@ -21,13 +21,13 @@ pub(crate) fn four_bars(n: usize) -> (System, Vec<[f64; 3]>) {
     let drawn: Vec<[f64; 3]> = upright.chain(across).collect();
     let mechanism =
         Mechanism { bodies: vec![rod; 2 * n + 1], joints, gravity: [0.0, -9.81], ..Mechanism::default() };
-    (System::new(&mechanism, &drawn).expect("four-bars are well formed"), drawn)
+    (Model::new(&mechanism, &drawn).expect("four-bars are well formed"), drawn)
 }
 
 const CRANK: f64 = -0.06171389001427645;
 
 /// Andrews' squeezing mechanism, and its bodies in the position with the crank at -0.0617.
-pub(crate) fn andrews() -> (System, Vec<[f64; 3]>) {
+pub(crate) fn andrews() -> (Model, Vec<[f64; 3]>) {
     let [a, b, c] = [[-0.06934, -0.00227], [-0.03635, 0.03273], [0.014, 0.072]];
     let [gamma, phi, delta, omega, epsilon] = [
         0.45527981916307037,
@@ -87,17 +87,17 @@ pub(crate) fn andrews() -> (System, Vec<[f64; 3]>) {
         ],
         gravity: [0.0, 0.0],
     };
-    (System::new(&mechanism, &drawn).expect("the mechanism is well formed"), drawn)
+    (Model::new(&mechanism, &drawn).expect("the mechanism is well formed"), drawn)
 }
 
 /// A mechanism driven by the angle of its first body, and where it is drawn.
-pub(crate) type Driven = (System, Vec<[f64; 3]>);
+pub(crate) type Driven = (Model, Vec<[f64; 3]>);
 
 fn turned_by(mechanism: Mechanism, drawn: &[[f64; 3]], [velocity, acceleration]: [f64; 2]) -> Driven {
     let measure = Measure::Angle { of: Some(0), against: None };
     let driver = Driver { measure, value: drawn[0][2], velocity, acceleration };
     let mechanism = Mechanism { drivers: vec![driver], ..mechanism };
-    let system = System::new(&mechanism, drawn).expect("the mechanism is well formed");
+    let system = Model::new(&mechanism, drawn).expect("the mechanism is well formed");
     let drawn = system.assemble(drawn).expect("the mechanism closes");
     (system, drawn)
 }

@@ -5,7 +5,7 @@
 //! §VII.7, and of the test set for IVP solvers.
 
 use dalembert_mechanics::planar::{
-    Body, Driver, Effort, End, Joint, Load, Measure, Mechanism, PlanarError, Point, Run, Snapshot, System,
+    Body, Driver, Effort, Event, Joint, Load, Measure, Mechanism, Model, PlanarError, Point, Run, Snapshot,
     Trajectory,
 };
 use itertools::Itertools as _;
@@ -22,7 +22,7 @@ fn angle(body: usize) -> Measure {
 }
 
 /// A point mass on a massless bar of 1 m.
-fn pendulum(start: f64) -> (System, Vec<[f64; 3]>) {
+fn pendulum(start: f64) -> (Model, Vec<[f64; 3]>) {
     let mechanism = Mechanism {
         bodies: vec![Body { mass: 1.0, inertia: 0.0 }],
         joints: vec![Joint::Pin { a: Point::ground([0.0, 0.0]), b: Point::body(0, [-1.0, 0.0]) }],
@@ -30,7 +30,7 @@ fn pendulum(start: f64) -> (System, Vec<[f64; 3]>) {
         ..Mechanism::default()
     };
     let drawn = vec![[start.cos(), start.sin(), start]];
-    (found(System::new(&mechanism, &drawn)), drawn)
+    (found(Model::new(&mechanism, &drawn)), drawn)
 }
 
 #[test]
@@ -53,14 +53,14 @@ fn the_pendulum_swings_as_the_elliptic_functions_say() {
 #[test]
 fn a_motion_ends_where_it_is_reported_to() {
     let (system, drawn) = pendulum(std::f64::consts::PI);
-    let through = [End::Reaches(angle(0), 1.5 * std::f64::consts::PI)];
+    let through = [Event::Reaches(angle(0), 1.5 * std::f64::consts::PI)];
     let period = 2.3678419475762373;
     let moved = found(system.simulate(&drawn, &[[0.0; 3]], &Run { ends: &through, ..run(10.0, 1e-12, 101) }));
     let last = moved.samples.last().expect("a sample");
     close(last.time, period / 4.0, 1e-10);
     close(last.state.velocities[0][2], (2.0f64 * 9.81).sqrt(), 1e-10);
     assert_eq!(moved.ended, Some(0));
-    let rests = [End::Reaches(angle(0), 0.5), End::Rests(angle(0))];
+    let rests = [Event::Reaches(angle(0), 0.5), Event::Rests(angle(0))];
     let moved = found(system.simulate(&drawn, &[[0.0; 3]], &Run { ends: &rests, ..run(10.0, 1e-12, 11) }));
     assert_eq!(moved.ended, Some(1));
     close(moved.samples.last().expect("a sample").time, period / 2.0, 1e-10);
@@ -68,7 +68,7 @@ fn a_motion_ends_where_it_is_reported_to() {
 
 fn fall(n: usize, tolerance: f64) -> Trajectory {
     let (system, drawn) = four_bars(n);
-    let velocities = found(system.starting(&drawn, &[(angle(0), -1.0)]));
+    let velocities = found(system.initial_velocities(&drawn, &[(angle(0), -1.0)]));
     found(system.simulate(&drawn, &velocities, &run(10.0, tolerance, 2)))
 }
 
@@ -98,7 +98,7 @@ fn four_bars_in_a_row_pass_their_singular_positions_at_every_tolerance() {
     for n in [1, 2, 5, 11, 12, 15, 20, 40] {
         for tolerance in [1e-11, 1e-10, 1e-9, 1e-8, 4e-7] {
             let (system, drawn) = four_bars(n);
-            let velocities = found(system.starting(&drawn, &[(angle(0), -1.0)]));
+            let velocities = found(system.initial_velocities(&drawn, &[(angle(0), -1.0)]));
             let moved = found(system.simulate(&drawn, &velocities, &run(10.0, tolerance, 241)));
             // All rods stay parallel, at every moment shown.
             for Snapshot { time, state, .. } in &moved.samples {
@@ -226,9 +226,9 @@ fn drivers_do_the_work_that_a_motion_takes() {
         gravity: [0.0, -9.81],
     };
     let drawn = [[0.04, 0.03, 0.7], [0.2, 0.03, -0.2], [0.4, 0.0, 0.0]];
-    let system = found(System::new(&mechanism, &drawn));
+    let system = found(Model::new(&mechanism, &drawn));
     let start = found(system.assemble(&drawn));
-    let velocities = found(system.starting(&start, &[]));
+    let velocities = found(system.initial_velocities(&start, &[]));
     let moved = found(system.simulate(&start, &velocities, &run(0.5, 1e-10, 21)));
     for sample in &moved.samples {
         let turned = 0.7 + 20.0 * sample.time + 7.5 * sample.time * sample.time;
@@ -268,7 +268,7 @@ fn parallel_bars_beyond_what_is_needed_change_nothing() {
             .map(|x| [x + start.cos() / 2.0, start.sin() / 2.0, start])
             .chain([[start.cos(), start.sin(), 0.0]])
             .collect();
-        let system = found(System::new(&mechanism, &drawn));
+        let system = found(Model::new(&mechanism, &drawn));
         let positions = found(system.assemble(&drawn));
         let still = vec![[0.0; 3]; drawn.len()];
         let moved = found(system.simulate(&positions, &still, &run(1.0, 1e-11, 2)));
@@ -291,12 +291,62 @@ fn what_cannot_move_freely_is_named() {
     };
     let drawn = [drawn[0], drawn[0]];
     let still = [[0.0; 3]; 2];
-    let system = found(System::new(&mechanism, &drawn));
+    let system = found(Model::new(&mechanism, &drawn));
     assert_eq!(system.simulate(&drawn, &still, &run(1.0, 1e-8, 2)), Err(PlanarError::Massless { body: 1 }));
     assert_eq!(system.forward_dynamics(&drawn, &still), Err(PlanarError::Massless { body: 1 }));
     let (system, drawn) = pendulum(1.0);
     let twice = [(angle(0), 1.0), (angle(0), 2.0)];
-    assert_eq!(system.starting(&drawn, &twice), Err(PlanarError::Rate { index: 1 }));
+    assert_eq!(system.initial_velocities(&drawn, &twice), Err(PlanarError::Rate { index: 1 }));
     let stop = Run { cancelled: &|| true, ..run(1.0, 1e-8, 2) };
     assert!(matches!(system.simulate(&drawn, &[[0.0; 3]], &stop), Err(PlanarError::Motion(_))));
+}
+
+/// A body of 2 kg whose origin or angle is driven.
+fn driven_body(joints: Vec<Joint>, drivers: Vec<Driver>) -> (Model, Vec<[f64; 3]>) {
+    let mechanism = Mechanism {
+        bodies: vec![Body { mass: 2.0, inertia: 0.1 }],
+        joints,
+        drivers,
+        gravity: [0.0, -9.81],
+        ..Mechanism::default()
+    };
+    let drawn = vec![[0.0; 3]];
+    (found(Model::new(&mechanism, &drawn)), drawn)
+}
+
+#[test]
+fn a_mechanism_without_a_degree_of_freedom_follows_its_driver() {
+    let pin = Joint::Pin { a: Point::ground([0.0, 0.0]), b: Point::body(0, [0.0, 0.0]) };
+    let driver = Driver { measure: angle(0), value: 0.0, velocity: 1.5, acceleration: 0.5 };
+    let (model, drawn) = driven_body(vec![pin], vec![driver]);
+    let moved = found(model.simulate(&drawn, &[[0.0, 0.0, 1.5]], &run(2.0, 1e-9, 5)));
+    for moment in &moved.samples {
+        let t = moment.time;
+        close(moment.state.positions[0][2], 1.5 * t + 0.25 * t * t, 1e-12);
+        close(moment.state.velocities[0][2], 1.5 + 0.5 * t, 1e-12);
+    }
+    assert_eq!(moved.samples.len(), 5);
+    assert!(moved.imbalance() < 1e-9);
+}
+
+#[test]
+fn both_components_of_a_point_can_be_driven_from_zero() {
+    let component = |direction| Measure::Component {
+        direction,
+        from: Point::ground([0.0, 0.0]),
+        to: Point::body(0, [0.0, 0.0]),
+    };
+    let driver = |direction, velocity| Driver {
+        measure: component(direction),
+        value: 0.0,
+        velocity,
+        acceleration: 0.0,
+    };
+    let drivers = vec![driver([1.0, 0.0], 2.0), driver([0.0, 1.0], -1.0)];
+    let (model, drawn) = driven_body(vec![], drivers);
+    let moved = found(model.simulate(&drawn, &[[2.0, -1.0, 3.0]], &run(1.0, 1e-9, 3)));
+    let last = moved.samples.last().expect("a sample");
+    for (position, expected) in last.state.positions[0].iter().zip_eq([2.0, -1.0, 3.0]) {
+        close(*position, expected, 1e-12);
+    }
 }

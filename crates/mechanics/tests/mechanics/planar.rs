@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use dalembert_mechanics::balance::linkage::{Follower, Link, Linkage};
 use dalembert_mechanics::planar::{
-    Body, Driver, Effort, Joint, Load, Measure, Mechanism, PlanarError, Point, Pose, Stability, State, System,
+    Body, Driver, Effort, Joint, Load, Measure, Mechanism, Model, PlanarError, Point, Pose, Stability, State,
 };
 use dalembert_mechanics::slider_crank::{Branch, CrankMotion, SliderCrank};
 use proptest::prelude::*;
@@ -70,10 +70,10 @@ pub(crate) fn slider_crank([r, l]: [f64; 2], angle: f64, loads: Vec<Load>) -> Me
     }
 }
 
-pub(crate) fn moving(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> (System, State) {
-    let system = found(System::new(mechanism, drawn));
+pub(crate) fn moving(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> (Model, State) {
+    let system = found(Model::new(mechanism, drawn));
     let positions = found(system.assemble(drawn));
-    let state = found(system.motion(&positions));
+    let state = found(system.kinematics(&positions));
     (system, state)
 }
 
@@ -89,7 +89,7 @@ fn a_four_bar_with_massive_links_needs_its_torque() {
     close(state.velocities[2][2], 50.207036, 1e-7);
     close(state.accelerations[1][2], 971.46984, 1e-7);
     close(state.accelerations[2][2], -1125.3189, 1e-7);
-    let dynamics = found(system.dynamics(&state));
+    let dynamics = found(system.inverse_dynamics(&state));
     close(dynamics.efforts[0], -3.4640493, 1e-7);
     close(dynamics.newton_euler[0], dynamics.efforts[0], ROUNDING);
     close(dynamics.efforts[0] * 95.0, dynamics.energy_rate, ROUNDING);
@@ -107,7 +107,7 @@ fn a_slider_crank_is_the_one_of_the_formulas() {
     close(state.velocities[2][0], motion.slider_velocity, ROUNDING);
     close(state.accelerations[2][0], motion.slider_acceleration, ROUNDING);
     close(state.accelerations[1][2], motion.rod_acceleration, ROUNDING);
-    let dynamics = found(system.dynamics(&state));
+    let dynamics = found(system.inverse_dynamics(&state));
     close(dynamics.efforts[0], 672.34321, 1e-8);
     close(dynamics.newton_euler[0], dynamics.efforts[0], ROUNDING);
     let mobility = found(system.mobility(&state.positions));
@@ -142,7 +142,7 @@ fn a_roberval_balance_does_not_mind_where_its_pans_are_loaded() {
     let (system, state) = moving(&mechanism, &drawn);
     let mobility = found(system.mobility(&state.positions));
     assert_eq!((mobility.counted, mobility.free, mobility.redundant.len()), (0, 1, 1));
-    let dynamics = found(system.dynamics(&state));
+    let dynamics = found(system.inverse_dynamics(&state));
     assert!(dynamics.efforts[0].abs() < 1e-12 && dynamics.newton_euler[0].abs() < 1e-12);
 }
 
@@ -168,7 +168,7 @@ fn a_geared_five_bar_and_its_rolling_and_cord_kin() {
     };
     let drawn = [[0.0, 0.0, first], [0.1, 0.0, second], [0.03, 0.1, 1.2], [0.07, 0.1, 1.9]];
     let (system, state) = moving(&mechanism, &drawn);
-    let dynamics = found(system.dynamics(&state));
+    let dynamics = found(system.inverse_dynamics(&state));
     close(dynamics.efforts[0], -0.37065684, 1e-7);
     close(dynamics.newton_euler[0], dynamics.efforts[0], ROUNDING);
 }
@@ -197,7 +197,7 @@ fn a_disc_is_rolled_by_a_crank_against_spring_and_damper() {
         gravity: [0.0; 2],
     };
     let (system, state) = moving(&mechanism, &[[0.0, 0.0, angle], [0.1, 0.0, -0.2], [0.2, 0.0, 0.0]]);
-    let dynamics = found(system.dynamics(&state));
+    let dynamics = found(system.inverse_dynamics(&state));
     close(dynamics.efforts[0], -13.3168, 1e-5);
     close(dynamics.newton_euler[0], dynamics.efforts[0], ROUNDING);
     let at_the_floor = system.equations().len() - 2;
@@ -223,7 +223,7 @@ fn a_crank_too_short_to_turn_stops_at_its_limit() {
 fn what_is_wrong_is_named() {
     let lengths = [0.1, 0.1, 0.1, 0.5];
     let apart = four_bar(lengths, [Body::default(); 3], turning(0, 1.0, 0.0, 0.0));
-    let system = found(System::new(&apart, &drawn(lengths, [1.0, 0.0, 2.0])));
+    let system = found(Model::new(&apart, &drawn(lengths, [1.0, 0.0, 2.0])));
     assert!(matches!(
         system.assemble(&drawn(lengths, [1.0, 0.0, 2.0])),
         Err(PlanarError::DoesNotClose { residual, .. }) if residual > 0.05
@@ -233,25 +233,25 @@ fn what_is_wrong_is_named() {
     let at = drawn(lengths, [1.0, 0.3, 1.2]);
     let without = Mechanism { drivers: vec![], ..good.clone() };
     let (system, positions) = {
-        let system = found(System::new(&without, &at));
+        let system = found(Model::new(&without, &at));
         let positions = found(system.assemble(&at));
         (system, positions)
     };
-    assert_eq!(system.motion(&positions), Err(PlanarError::UnderDriven { free: 1, singular: false }));
+    assert_eq!(system.kinematics(&positions), Err(PlanarError::UnderDriven { free: 1, singular: false }));
     let mut twice = good.clone();
-    let rocker = found(System::new(&good, &positions)).value(
+    let rocker = found(Model::new(&good, &positions)).value(
         &Measure::Angle { of: Some(2), against: None },
-        &found(found(System::new(&good, &at)).assemble(&at)),
+        &found(found(Model::new(&good, &at)).assemble(&at)),
     );
     twice.drivers.push(turning(2, rocker, 0.0, 0.0));
-    let system = found(System::new(&twice, &at));
+    let system = found(Model::new(&twice, &at));
     let positions = found(system.assemble(&at));
-    assert!(matches!(system.motion(&positions), Err(PlanarError::OverDriven { .. })));
+    assert!(matches!(system.kinematics(&positions), Err(PlanarError::OverDriven { .. })));
     let astray = Mechanism {
         joints: vec![Joint::Pin { a: Point::ground([0.0; 2]), b: Point::body(7, [0.0; 2]) }],
         ..good
     };
-    assert!(matches!(System::new(&astray, &at), Err(PlanarError::NoSuchBody { body: 7, bodies: 3, .. })));
+    assert!(matches!(Model::new(&astray, &at), Err(PlanarError::NoSuchBody { body: 7, bodies: 3, .. })));
 }
 
 #[test]
@@ -277,13 +277,13 @@ fn friction_in_a_guide_is_that_of_an_inclined_plane() {
         gravity: [0.0, -10.0],
     };
     let (system, state) = moving(&mechanism, &[[0.3, 0.1, slope]]);
-    let dynamics = found(system.dynamics(&state));
+    let dynamics = found(system.inverse_dynamics(&state));
     close(dynamics.newton_euler[0], weight * (slope + mu.atan()).tan(), 1e-12);
     close(dynamics.efforts[0], dynamics.newton_euler[0], 1e-12);
     let mut steep = mechanism;
     steep.loads = vec![Load::Friction { joint: 0, coefficient: 2.9, radius: 0.0 }];
     let (system, state) = moving(&steep, &[[0.3, 0.1, slope]]);
-    assert!(matches!(system.dynamics(&state), Err(PlanarError::Jammed { joint: 0 })));
+    assert!(matches!(system.inverse_dynamics(&state), Err(PlanarError::Jammed { joint: 0 })));
 }
 
 proptest! {
@@ -310,13 +310,13 @@ proptest! {
             },
         ];
         let at = drawn(lengths, [0.0, 0.9, 1.9]);
-        let system = found(System::new(&mechanism, &at));
+        let system = found(Model::new(&mechanism, &at));
         let first = found(system.assemble(&at));
         let there = found(system.continue_to(&first, &[angle]));
         mechanism.drivers[0].value = angle;
-        let system = found(System::new(&mechanism, &there.positions));
-        let state = found(system.motion(&there.positions));
-        let dynamics = found(system.dynamics(&state));
+        let system = found(Model::new(&mechanism, &there.positions));
+        let state = found(system.kinematics(&there.positions));
+        let dynamics = found(system.inverse_dynamics(&state));
         let largest = dynamics.powers.iter().fold(0.0f64, |most, load| most.max(load.generalised[0].abs()));
         prop_assert!((dynamics.efforts[0] - dynamics.newton_euler[0]).abs() <= 1e-12 * largest);
         // What the loads and the driver bring in is the rate of the kinetic energy.
@@ -342,7 +342,7 @@ proptest! {
         let mechanism = four_bar(lengths, [Body::default(); 3], turning(0, 1.0, 0.0, 0.0));
         let side = if crossed { -1.0 } else { 1.0 };
         let at = drawn(lengths, [1.0, side * 0.4, side * 1.2]);
-        let system = found(System::new(&mechanism, &at));
+        let system = found(Model::new(&mechanism, &at));
         let first = found(system.assemble(&at));
         let (mut here, mut angle) = (first.clone(), 1.0);
         let end = 1.0 + 2.0 * TAU;
@@ -378,7 +378,7 @@ fn goes_through_its_change_points(step: f64) {
     let lengths = [0.3, 0.5, 0.3, 0.5];
     let mechanism = four_bar(lengths, [Body::default(); 3], turning(0, 1.0, 0.0, 0.0));
     let at = drawn(lengths, [1.0, 0.0, 1.0]);
-    let system = found(System::new(&mechanism, &at));
+    let system = found(Model::new(&mechanism, &at));
     let (mut here, mut angle, mut passed) = (found(system.assemble(&at)), 1.0, 0);
     while angle < 1.0 + TAU {
         angle = (angle + step.to_radians()).min(1.0 + TAU);
@@ -434,7 +434,7 @@ fn a_chain_of_bars_hangs_where_its_weights_and_the_pull_let_it() {
     let tip = Point::body(2, [0.5, 0.0]);
     let load = Load::Force { at: tip, force: [pull, 0.0], turns_with: None };
     let (mechanism, drawn) = chain(&[-1.2, -0.9, -0.2], vec![load]);
-    let system = found(System::new(&mechanism, &drawn));
+    let system = found(Model::new(&mechanism, &drawn));
     let here = found(system.equilibrium_near(&found(system.assemble(&drawn))));
     for (value, ratio) in here.values.iter().zip_eq([1.5 / 2.5, 1.5 / 1.5, 1.5 / 0.5f64]) {
         close(*value, ratio.atan() - FRAC_PI_2, 1e-12);
@@ -462,9 +462,9 @@ fn a_chain_of_bars_hangs_where_its_weights_and_the_pull_let_it() {
 #[test]
 fn a_pendulum_has_its_two_places_of_rest() {
     let (mechanism, drawn) = chain(&[0.3], vec![]);
-    let system = found(System::new(&mechanism, &drawn));
+    let system = found(Model::new(&mechanism, &drawn));
     let positions = found(system.assemble(&drawn));
-    let samples = found(system.through(&positions, [-4.0, 4.0], 100));
+    let samples = found(system.samples(&positions, [-4.0, 4.0], 100));
     let places = found(system.equilibria(&samples));
     let judged: Vec<(f64, Stability)> =
         places.iter().map(|place| (place.values[0], place.stability)).collect();
@@ -534,7 +534,7 @@ fn the_joints_of_a_linkage_carry_what_the_balance_of_its_links_says() {
         let bodies = bodies.map(|(mass, inertia)| Body { mass, inertia });
         let mechanism = four_bar(lengths, bodies, turning(0, angle, speed, 0.0));
         let (system, state) = moving(&mechanism, &drawn(lengths, pose.angles));
-        let dynamics = found(system.dynamics(&state));
+        let dynamics = found(system.inverse_dynamics(&state));
         let shaking = linkage.shaking(&pose, &[]);
         let largest = dynamics.multipliers.iter().fold(0.0f64, |most, force| most.max(force.abs()));
         for (joint, force) in shaking.joints.iter().enumerate() {

@@ -4,7 +4,7 @@ use itertools::Itertools as _;
 use std::f64::consts::TAU;
 
 use dalembert_mechanics::planar::{
-    Body, Driver, Effort, Joint, Load, Measure, Mechanism, PlanarError, Point, Profile, SweepResult, System,
+    Body, Driver, Effort, Joint, Load, Measure, Mechanism, Model, PlanarError, Point, Profile, SweepResult,
 };
 
 use crate::{
@@ -12,7 +12,7 @@ use crate::{
     models::{Driven, crank_rocker, driven_slider, driven_squeezer, six_bar},
 };
 
-/// Every position of a sweep against [`System::continue_to`] and [`System::solved`].
+/// Every position of a sweep against [`Model::continue_to`] and [`Model::kinetostatics`].
 fn held((system, drawn): &Driven, values: &[f64], within: f64) {
     let mut swept = SweepResult::default();
     found(found(system.sweep(drawn, 0)).over(values, &mut swept));
@@ -22,7 +22,7 @@ fn held((system, drawn): &Driven, values: &[f64], within: f64) {
         let mut held: Vec<f64> = system.mechanism().drivers.iter().map(|driver| driver.value).collect();
         held[0] = *value;
         here = found(system.continue_to(&here, &held)).positions;
-        let (state, dynamics) = found(system.solved(&here));
+        let (state, dynamics) = found(system.kinetostatics(&here));
         let ours = swept.state(n);
         for (what, [ours, general]) in [
             ("positions", [&ours.positions, &state.positions]),
@@ -116,7 +116,7 @@ fn cams_gas_and_several_drivers_are_swept_too() {
         gravity: [0.0, -9.81],
     };
     let drawn = [[0.0, 0.0, 0.4], [0.0, 0.002, 0.0], [0.25, 0.15, 1.0]];
-    let system = found(System::new(&mechanism, &drawn));
+    let system = found(Model::new(&mechanism, &drawn));
     let drawn = found(system.assemble(&drawn));
     held(&(system, drawn), &turn(0.4, 150), 1e-11);
 }
@@ -132,7 +132,7 @@ fn a_sweep_ends_at_the_limit_that_following_finds() {
         velocity: 1.0,
         acceleration: 0.0,
     };
-    let system = found(System::new(&mechanism, &drawn));
+    let system = found(Model::new(&mechanism, &drawn));
     let values: Vec<f64> = (0..200).map(|n| drawn[2][2] + 0.02 * f64::from(n)).collect();
     let mut swept = SweepResult::default();
     let limit = match found(system.sweep(&drawn, 0)).over(&values, &mut swept) {
@@ -155,7 +155,7 @@ fn redundant_joints_and_friction_are_swept_the_general_way() {
     let (system, drawn) = driven_slider([10.0, 0.0]);
     let mut mechanism = system.mechanism().clone();
     mechanism.loads.push(Load::Friction { joint: 3, coefficient: 0.1, radius: 0.0 });
-    let rough = found(System::new(&mechanism, &drawn));
+    let rough = found(Model::new(&mechanism, &drawn));
     let mut swept = SweepResult::default();
     found(found(rough.sweep(&drawn, 0)).over(&turn(0.4, 80), &mut swept));
     let mut smooth = SweepResult::default();

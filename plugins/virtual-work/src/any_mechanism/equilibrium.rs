@@ -6,7 +6,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    planar::{Equilibrium as Found, PlanarError, Sample, Stability, System},
+    planar::{Equilibrium as Found, Model, PlanarError, Sample, Stability},
 };
 use nalgebra::{DMatrix, Vector3};
 
@@ -104,7 +104,7 @@ impl Analysis for Equilibrium {
         let (samples, found) = match range {
             None => (Vec::new(), vec![system.equilibrium_near(&positions).map_err(refuse)?]),
             Some(range) => {
-                let samples = system.through(&positions, range, STEPS).map_err(refuse)?;
+                let samples = system.samples(&positions, range, STEPS).map_err(refuse)?;
                 sheet.keep_going()?;
                 let found = system.equilibria(&samples).map_err(refuse)?;
                 (samples, found)
@@ -160,7 +160,7 @@ impl Equilibrium {
         }
     }
 
-    fn write<W: Worksheet>(&self, system: &System, here: &Found, number: usize, sheet: W) {
+    fn write<W: Worksheet>(&self, system: &Model, here: &Found, number: usize, sheet: W) {
         let (mut shown, mut lowest) = (Vec::new(), None);
         for (driver, drive) in self.drivers.iter().enumerate() {
             // One coordinate has many equilibria, many coordinates have one.
@@ -208,7 +208,7 @@ impl Equilibrium {
 
     /// The first and second differences of the potential energy itself, about the values and for the second derivatives
     /// that are shown.
-    fn check<W: Worksheet>(&self, system: &System, here: &Found, shown: &[[f64; 2]], sheet: W) {
+    fn check<W: Worksheet>(&self, system: &Model, here: &Found, shown: &[[f64; 2]], sheet: W) {
         for (driver, drive) in self.drivers.iter().enumerate() {
             let whole = if matches!(drive.what, Driven::Angle { .. }) { 0.02 } else { 0.02 * system.size() };
             let energies = |step: f64| -> Option<Vec<f64>> {
@@ -268,7 +268,7 @@ impl Equilibrium {
         }
     }
 
-    fn plots<W: Worksheet>(&self, system: &System, samples: &[Sample], found: &[Found], sheet: W) {
+    fn plots<W: Worksheet>(&self, system: &Model, samples: &[Sample], found: &[Found], sheet: W) {
         let axis = || Axis::linear(verbatim(&self.drivers[0].name), self.parts().unit(0));
         let energies: Option<Vec<(f64, f64)>> =
             samples.iter().map(|sample| Some((sample.value, sample.potential?))).collect();

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real, Vector,
-    planar::{Dynamics, PlanarError, State, SweepResult, System},
+    planar::{InverseDynamics, Model, PlanarError, State, SweepResult},
 };
 use nalgebra::Vector3;
 
@@ -103,7 +103,7 @@ impl Analysis for Mechanism {
         let (system, rows, positions) = parts.assembled(sheet)?;
         let refuse = |error: PlanarError| parts.refusal(&error, &rows);
         let mobility = system.mobility(&positions).map_err(refuse)?;
-        let (state, dynamics) = system.solved(&positions).map_err(refuse)?;
+        let (state, dynamics) = system.kinetostatics(&positions).map_err(refuse)?;
         sheet.keep_going()?;
         let this = Solved { parts: &parts, rows: &rows, system: &system, state: &state, dynamics: &dynamics };
         let angular = self.motion(&this, sheet);
@@ -130,9 +130,9 @@ struct Solved<'a> {
     parts: &'a Parts<'a>,
     /// The row of each joint.
     rows: &'a [usize],
-    system: &'a System,
+    system: &'a Model,
     state: &'a State,
-    dynamics: &'a Dynamics,
+    dynamics: &'a InverseDynamics,
 }
 
 /// One position of the range.

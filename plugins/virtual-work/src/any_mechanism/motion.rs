@@ -6,7 +6,7 @@ mod witness;
 
 use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::planar::{
-    Contact, End, ForwardDynamics, JointFriction, Measure, PlanarError, Run, Snapshot, State, System,
+    Contact, Event, ForwardDynamics, JointFriction, Measure, Model, PlanarError, Run, Snapshot, State,
     Trajectory,
 };
 use dalembert_mechanics::{Real, Vector};
@@ -156,9 +156,9 @@ impl Analysis for Motion {
         let parts = self.parts();
         let refuse = |error: PlanarError| parts.refusal(&error, &rows);
         let (mechanism, _) = parts.mechanism()?;
-        let system = System::new(&mechanism, &positions).map_err(refuse)?;
+        let system = Model::new(&mechanism, &positions).map_err(refuse)?;
         let rates: Vec<(Measure, f64)> = self.starts.iter().map(|start| parts.rate(&start.what)).collect();
-        let velocities = system.starting(&positions, &rates).map_err(refuse)?;
+        let velocities = system.initial_velocities(&positions, &rates).map_err(refuse)?;
         let solved = system.forward_dynamics(&positions, &velocities).map_err(refuse)?;
         if solved.degrees_of_freedom == 0 {
             return Err(Refusal::because(
@@ -166,7 +166,7 @@ impl Analysis for Motion {
             ));
         }
         sheet.keep_going()?;
-        let ends: Vec<End> = self.end.end(&parts).into_iter().collect();
+        let ends: Vec<Event> = self.end.end(&parts).into_iter().collect();
         let cancelled = || sheet.keep_going().is_err();
         let run = |tolerance: f64| Run {
             duration: self.duration,
@@ -213,7 +213,7 @@ struct Solved<'a> {
     parts: &'a Parts<'a>,
     /// The row of each joint.
     rows: &'a [usize],
-    system: &'a System,
+    system: &'a Model,
     /// The start.
     dynamics: &'a ForwardDynamics,
     moved: &'a Trajectory,

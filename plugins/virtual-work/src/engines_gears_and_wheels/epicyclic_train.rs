@@ -357,7 +357,7 @@ impl EpicyclicTrain {
         it.join(Joint::Gears { a: planet.frame(), b: r.frame(), carrier, sizes: [second, ring], internal });
         let held = links[self.fixed as usize];
         let measure = |link: Link| Measure::Angle { of: link.frame(), against: None };
-        let hold = it.join(Joint::Relation { terms: vec![(1.0, measure(held))], sum: Some(0.0) });
+        let hold = it.join(Joint::Relation { terms: vec![(1.0, measure(held))], constant: Some(0.0) });
         if torque != 0.0 {
             it.couple("Torque on the driving member", links[self.driver as usize], torque);
         }

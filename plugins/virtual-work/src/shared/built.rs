@@ -10,8 +10,8 @@ use dalembert_core::{
 use dalembert_mechanics::{
     Real,
     planar::{
-        Body, Driver, Dynamics, Effort, Frame, Joint, Load, LoadId, Measure, Mechanism, PlanarError, Point,
-        State, System,
+        Body, Driver, Effort, Frame, InverseDynamics, Joint, Load, LoadId, Measure, Mechanism, Model,
+        PlanarError, Point, State,
     },
 };
 
@@ -42,9 +42,9 @@ pub(crate) struct Mass {
 
 /// A mechanism that closes, with its motion and its efforts.
 pub(crate) struct Solved {
-    system: System,
+    system: Model,
     pub(crate) state: State,
-    pub(crate) dynamics: Dynamics,
+    pub(crate) dynamics: InverseDynamics,
     links: Vec<&'static str>,
     loads: Vec<&'static str>,
 }
@@ -124,9 +124,9 @@ impl Built {
 
     /// Closes the mechanism where it is drawn and finds motion, efforts and reactions.
     pub(crate) fn solve(self) -> Result<Solved, PlanarError> {
-        let system = System::new(&self.mechanism, &self.drawn)?;
+        let system = Model::new(&self.mechanism, &self.drawn)?;
         let positions = system.assemble(&self.drawn)?;
-        let (state, dynamics) = system.solved(&positions)?;
+        let (state, dynamics) = system.kinetostatics(&positions)?;
         Ok(Solved { system, state, dynamics, links: self.links, loads: self.loads })
     }
 }
@@ -234,9 +234,9 @@ impl Solved {
 /// Reaction of a joint along its first relative coordinates by virtual power, with the joint released and driven in its
 /// place, and the magnitude of its terms. None where its equations are not measures of their own.
 fn released(
-    system: &System,
+    system: &Model,
     state: &State,
-    dynamics: &Dynamics,
+    dynamics: &InverseDynamics,
     joint: usize,
     measures: usize,
 ) -> Option<(Vec<f64>, f64)> {
@@ -247,7 +247,7 @@ fn released(
         let (measure, value) = (term.measure, system.value(&term.measure, positions));
         mechanism.drivers.push(Driver { measure, value, velocity: 0.0, acceleration: 0.0 });
     }
-    let (_, driven) = System::new(&mechanism, positions).ok()?.solved(positions).ok()?;
+    let (_, driven) = Model::new(&mechanism, positions).ok()?.kinetostatics(positions).ok()?;
     let wanted = first..first + measures;
     let forces = system.equations().iter().zip(&dynamics.multipliers);
     let forces = forces.filter(|(equation, _)| !equation.terms[0].measure.is_angle()).map(|(_, force)| force);
@@ -258,7 +258,7 @@ fn released(
 
 /// Holds the size of the force in a pin to its virtual power with the pin released.
 pub(crate) fn check_pin<W: Worksheet>(
-    (system, state, dynamics): (&System, &State, &Dynamics),
+    (system, state, dynamics): (&Model, &State, &InverseDynamics),
     (joint, point): (usize, &str),
     force: W::Num,
     sheet: W,

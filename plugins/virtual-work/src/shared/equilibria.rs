@@ -4,7 +4,7 @@ use dalembert_core::{
     Animation, Axis, DrawnShape, Exhibit, Ink, Plot, Refusal, Series, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column, Point as At},
 };
-use dalembert_mechanics::planar::{Dynamics, Joint, Load, Mechanism, Point, System};
+use dalembert_mechanics::planar::{InverseDynamics, Joint, Load, Mechanism, Model, Point};
 use dalembert_numerics::roots;
 
 use crate::sources::{BEER, HIBBELER};
@@ -210,7 +210,7 @@ pub(crate) fn check_curvature<W: Worksheet>(
     (mechanism, drawn): &(Mechanism, Vec<[f64; 3]>),
 ) {
     let stiffness = || {
-        let system = System::new(mechanism, drawn).ok()?;
+        let system = Model::new(mechanism, drawn).ok()?;
         system.stiffness(&system.assemble(drawn).ok()?).ok()
     };
     if let Some(stiffness) = stiffness() {
@@ -224,9 +224,9 @@ pub(crate) fn check_curvature<W: Worksheet>(
 }
 
 /// The efforts and reactions of a mechanism that is at rest; none where it does not determine them.
-pub(crate) fn solved(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> Option<Dynamics> {
-    let system = System::new(mechanism, drawn).ok()?;
-    let (_, dynamics) = system.solved(&system.assemble(drawn).ok()?).ok()?;
+pub(crate) fn solved(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> Option<InverseDynamics> {
+    let system = Model::new(mechanism, drawn).ok()?;
+    let (_, dynamics) = system.kinetostatics(&system.assemble(drawn).ok()?).ok()?;
     Some(dynamics)
 }
 

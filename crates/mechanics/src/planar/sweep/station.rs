@@ -1,137 +1,145 @@
-//! A mechanism at one position, or at several side by side.
+//! Station of a sweep: the numbers of a mechanism at one position, or at several in the lanes of a SIMD vector.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
-use super::super::{
-    System,
-    continuation::{JUMP, SMOOTH, STEP},
-    plan::{Core, Layout, Order, Work},
+use super::{SweepResult, history::History};
+use crate::planar::{
+    Model,
+    elimination::{Factors, PivotOrder},
+    givens::GivensQr,
+    layout::{Layout, Position},
+    tolerances::{
+        MAX_CORRECTION, MAX_SMOOTH_CORRECTION, MAX_STEP, ROUNDINGS_OF_CORRECTION, STALLED_RESIDUAL,
+        SWEEP_MAX_ITERATIONS, SWEEP_MIN_PIVOT, SWEEP_MIN_STEP, SWEEP_RESIDUAL, SWEEP_STALLED_RESIDUAL,
+    },
 };
-use super::{SweepResult, past::Past};
 use dalembert_numerics::simd::{SimdReal, widest};
 
-/// The smallest step, in parts of the way between two positions.
-const SMALLEST: f64 = 1e-3;
-/// Rounds of Newton's method for a step.
-const ROUNDS: usize = 8;
-/// Joints are closed to this part of the size of the mechanism, or at least to the second.
-pub(super) const CLOSED: f64 = 4.0 * f64::EPSILON;
-const ALMOST: f64 = 1e-13;
-/// … and to this part where the way only leads past.
-pub(super) const PASSED: f64 = 1e-5;
-/// A position whose equations are nearer to singular than this is left to the general way.
-const SINGULAR: f64 = 1e-9;
-
-/// Constants of the path.
+/// The immutable part of a sweep.
 #[derive(Clone, Copy)]
 pub(super) struct Path<'a> {
-    pub(super) system: &'a System,
+    pub(super) model: &'a Model,
     pub(super) layout: &'a Layout,
+    /// The elimination of the explicit coordinates.
+    pub(super) order: &'a PivotOrder,
+    /// The entries of each loop equation: places and numbers of tree coordinates.
     pub(super) loops: &'a [Vec<(usize, usize)>],
-    pub(super) masses: &'a [f64],
-    /// The equation of the driver that is swept, and the driver.
-    pub(super) row: usize,
+    /// The driver that is swept.
     pub(super) driver: usize,
 }
 
-/// The numbers of one position, or of several side by side.
+impl Path<'_> {
+    /// The equation of the driver that is swept.
+    fn row(&self) -> usize {
+        self.model.first_driver() + self.driver
+    }
+}
+
+/// The numbers of one position, or of several in the lanes of `S`. Vectors are scaled, by the columns or rows of the
+/// model.
 #[derive(Debug, Clone)]
 pub(super) struct Station<S> {
-    order: Order<S>,
-    core: Core<S>,
-    work: Work<S>,
-    /// The value of the driver and the kept coordinates …
+    factors: Factors<S>,
+    loops: GivensQr<S>,
+    position: Position<S>,
+    /// The value of the driver, m or rad.
     value: S,
-    pub(super) kept: Vec<S>,
-    /// … and those from which a step began.
-    before: Vec<S>,
-    /// Derivatives of the scaled coordinates with respect to the driver: first and second.
+    /// The tree coordinates, m.
+    pub(super) tree: Vec<S>,
+    /// Those from which a step began.
+    tree_before: Vec<S>,
+    /// The first derivatives of the scaled coordinates by the value of the driver.
     first: Vec<S>,
+    /// The second derivatives.
     second: Vec<S>,
-    past: Past<S>,
+    history: History<S>,
     /// The largest first derivative.
-    fast: S,
-    /// The last diagonal of the factored matrix: its sign tells the branch.
-    side: S,
-    right: Vec<S>,
-    inner: Vec<S>,
+    largest_first: S,
+    /// The sign of the determinant of the loop equations, by a product with that sign: it changes with the branch.
+    sign: S,
+    rhs: Vec<S>,
+    /// Right-hand side and solution of the loop equations.
+    loop_rhs: Vec<S>,
+    /// Of the bodies and the ground.
     velocities: Vec<[S; 3]>,
     accelerations: Vec<S>,
     forces: Vec<[S; 3]>,
-    balance: Vec<S>,
+    /// The inertia forces less the loads, `M q̈ − Q`.
+    unbalanced: Vec<S>,
     multipliers: Vec<S>,
     effort: S,
 }
 
 impl<S: SimdReal> Station<S> {
     pub(super) fn new(
-        system: &System,
+        model: &Model,
         layout: &Layout,
         loops: &[Vec<(usize, usize)>],
-        order: Order<S>,
+        order: &PivotOrder,
     ) -> Self {
-        let (bodies, rows) = (system.mechanism.bodies.len(), system.equations.len());
-        let (columns, kept) = (3 * bodies, layout.kept.len());
+        let (bodies, rows) = (model.mechanism.bodies.len(), model.equations.len());
+        let (columns, tree) = (3 * bodies, layout.tree.len());
         let zero = S::from(0.0);
         Self {
-            order,
-            core: Core::new(loops),
-            work: layout.work(system),
+            factors: order.factors(),
+            loops: GivensQr::new(loops),
+            position: layout.position(&model.equations),
             value: zero,
-            kept: vec![zero; kept],
-            before: vec![zero; kept],
+            tree: vec![zero; tree],
+            tree_before: vec![zero; tree],
             first: vec![zero; columns],
             second: vec![zero; columns],
-            past: Past::new(kept),
-            fast: zero,
-            side: zero,
-            right: vec![zero; rows],
-            inner: vec![zero; kept],
+            history: History::new(tree),
+            largest_first: zero,
+            sign: zero,
+            rhs: vec![zero; rows],
+            loop_rhs: vec![zero; tree],
             velocities: vec![[zero; 3]; bodies + 1],
             accelerations: vec![zero; columns],
             forces: vec![[zero; 3]; bodies],
-            balance: vec![zero; columns],
+            unbalanced: vec![zero; columns],
             multipliers: vec![zero; rows],
             effort: zero,
         }
     }
 
-    /// Stands in positions that are closed, or almost, given by each kept coordinate in each lane.
-    pub(super) fn begin(&mut self, way: &Path, value: S, kept: impl Fn(usize, usize) -> f64) -> bool {
-        for (number, place) in self.kept.iter_mut().enumerate() {
-            *place = S::of(|lane| kept(number, lane));
+    /// Begins in positions that are closed, or almost, at a value of the driver; `tree` has each tree coordinate, by
+    /// its number, in each lane. False if they are not on the same branch once closed.
+    pub(super) fn begin(&mut self, path: &Path, value: S, tree: impl Fn(usize, usize) -> f64) -> bool {
+        for (number, coordinate) in self.tree.iter_mut().enumerate() {
+            *coordinate = S::of(|lane| tree(number, lane));
         }
         self.value = value;
-        self.work.sums[way.row] = value;
-        self.past.forget();
-        // What is almost closed is closed nearby, or it is on another branch.
-        let Some(moved) = self.close(way, CLOSED) else { return false };
-        if largest(moved) > SMOOTH * way.system.length {
+        self.position.constants[path.row()] = value;
+        self.history.forget();
+        // An almost closed position is closed nearby, or it is on another branch.
+        let Some(correction) = self.close(path, SWEEP_RESIDUAL) else { return false };
+        if largest(correction) > MAX_SMOOTH_CORRECTION * path.model.length {
             return false;
         }
-        self.side = self.core.determinant()[0];
-        self.derive(way);
+        self.sign = self.loops.determinant()[0];
+        self.derive(path);
         true
     }
 
-    /// Moves the driver to a value, in steps so short that the path of every body can be followed, with the joints
-    /// closed to a part of the size of the mechanism.
-    pub(super) fn reach(&mut self, way: &Path, value: S, closed: f64) -> bool {
+    /// Moves the driver to a value, in steps so short that the path of every body can be followed, with the loops
+    /// closed to a residual, of the size of the mechanism. False if no step leads on.
+    pub(super) fn reach(&mut self, path: &Path, value: S, residual: f64) -> bool {
         let (from, whole) = (self.value, value - self.value);
         if largest(whole.abs()) == 0.0 {
             return true;
         }
-        let mut step = (STEP * way.system.length / largest(whole.abs() * self.fast)).min(1.0);
+        let mut step = (MAX_STEP * path.model.length / largest(whole.abs() * self.largest_first)).min(1.0);
         let mut done = 0.0;
         while done < 1.0 {
             let end = if step >= 1.0 - done { 1.0 } else { done + step };
             let target = if end >= 1.0 { value } else { from + whole * end };
-            if self.step(way, target, closed) {
+            if self.step(path, target, residual) {
                 done = end;
                 step *= 2.0;
             } else {
                 step /= 2.0;
-                if step.is_nan() || step < SMALLEST {
+                if step.is_nan() || step < SWEEP_MIN_STEP {
                     return false;
                 }
             }
@@ -139,138 +147,140 @@ impl<S: SimdReal> Station<S> {
         true
     }
 
-    fn step(&mut self, way: &Path, value: S, closed: f64) -> bool {
+    /// Moves the driver to a value in one step. False, in the position before, if it might leave the branch.
+    fn step(&mut self, path: &Path, value: S, residual: f64) -> bool {
         let h = value - self.value;
-        self.before.copy_from_slice(&self.kept);
-        self.predict(way, h);
-        self.work.sums[way.row] = value;
-        let stays = match self.close(way, closed) {
-            Some(moved) => {
-                let [side, apart] = self.core.determinant();
-                let (allowed, rounding) = (h.abs() * self.fast, CLOSED * way.system.length);
+        self.tree_before.copy_from_slice(&self.tree);
+        self.predict(path, h);
+        self.position.constants[path.row()] = value;
+        let stays = match self.close(path, residual) {
+            Some(correction) => {
+                let [sign, smallest_pivot] = self.loops.determinant();
+                let displacement = h.abs() * self.largest_first;
+                let rounding = ROUNDINGS_OF_CORRECTION * (SWEEP_RESIDUAL * path.model.length);
                 let stays = (0..S::COUNT).all(|lane| {
-                    let (moved, allowed) = (moved.lane(lane), allowed.lane(lane));
-                    let turned = side.lane(lane) * self.side.lane(lane) <= 0.0;
-                    let smooth = moved <= SMOOTH * allowed + 16.0 * rounding;
-                    apart.lane(lane) > SINGULAR
-                        && moved <= JUMP * allowed + 16.0 * rounding
-                        && (!turned || smooth)
+                    let (correction, displacement) = (correction.lane(lane), displacement.lane(lane));
+                    let sign_changes = sign.lane(lane) * self.sign.lane(lane) <= 0.0;
+                    let is_smooth = correction <= MAX_SMOOTH_CORRECTION * displacement + rounding;
+                    smallest_pivot.lane(lane) > SWEEP_MIN_PIVOT
+                        && correction <= MAX_CORRECTION * displacement + rounding
+                        && (!sign_changes || is_smooth)
                 });
-                self.side = if stays { side } else { self.side };
+                self.sign = if stays { sign } else { self.sign };
                 stays
             }
             None => false,
         };
         if !stays {
-            self.kept.copy_from_slice(&self.before);
+            self.tree.copy_from_slice(&self.tree_before);
             return false;
         }
         self.value = value;
-        let derivatives = way.layout.kept.iter().map(|&column| [self.first[column], self.second[column]]);
-        self.past.push(h, derivatives);
-        self.derive(way);
+        let derivatives = path.layout.tree.iter().map(|&column| [self.first[column], self.second[column]]);
+        self.history.push(h, derivatives);
+        self.derive(path);
         true
     }
 
-    fn predict(&mut self, way: &Path, h: S) {
+    /// Predicts the tree coordinates after a step `h` of the driver.
+    fn predict(&mut self, path: &Path, h: S) {
         widest_of::<S, _>(
             #[inline(always)]
             || {
-                let weights = self.past.weights(h);
-                for (number, &column) in way.layout.kept.iter().enumerate() {
+                let weights = self.history.weights(h);
+                for (number, &column) in path.layout.tree.iter().enumerate() {
                     let derivatives = [self.first[column], self.second[column]];
-                    let change = self.past.change(number, derivatives, &weights);
-                    self.kept[number] = self.kept[number] + change;
+                    let change = self.history.change(number, derivatives, &weights);
+                    self.tree[number] = self.tree[number] + change;
                 }
             },
         );
     }
 
-    /// Newton's method on the kept coordinates; leaves the factored equations of the closed position, and gives how
-    /// far it moved them.
-    fn close(&mut self, way: &Path, closed: f64) -> Option<S> {
+    /// Newton's method on the tree coordinates: closes the loops to a residual, of the size, and leaves their factored
+    /// equations. The sum of the corrections, m; none if it does not converge.
+    fn close(&mut self, path: &Path, residual: f64) -> Option<S> {
         widest_of::<S, _>(
             #[inline(always)]
-            || self.closed(way, closed),
+            || self.closed(path, residual),
         )
     }
 
     #[inline(always)]
-    fn closed(&mut self, way: &Path, closed: f64) -> Option<S> {
-        let length = way.system.length;
-        let mut moved = S::from(0.0);
+    fn closed(&mut self, path: &Path, residual: f64) -> Option<S> {
+        let length = path.model.length;
+        let mut total = S::from(0.0);
         let mut last = f64::INFINITY;
-        for _ in 0..ROUNDS {
-            way.layout.set(&self.kept, &mut self.work);
-            way.layout.measure(&mut self.work);
-            let open = largest(way.layout.open(&self.work)) / length;
-            let stays = open <= ALMOST && open > 0.3 * last;
-            self.order.eliminate(&self.work.jacobian);
-            for (row, entries) in way.loops.iter().enumerate() {
-                let row = &mut self.core.entries()[row * way.loops.len()..(row + 1) * way.loops.len()];
+        for _ in 0..SWEEP_MAX_ITERATIONS {
+            path.layout.evaluate(&self.tree, &mut self.position);
+            let open = largest(path.layout.largest_residual(&self.position)) / length;
+            let is_stalled = open <= SWEEP_STALLED_RESIDUAL && open > STALLED_RESIDUAL * last;
+            path.order.eliminate(&self.position.jacobian, &mut self.factors);
+            for (row, entries) in path.loops.iter().enumerate() {
+                let row = &mut self.loops.entries()[row * path.loops.len()..(row + 1) * path.loops.len()];
                 row.fill(S::from(0.0));
                 for &(place, number) in entries {
-                    row[number] = self.order.eliminated(place);
+                    row[number] = self.factors.entry(place);
                 }
             }
-            self.core.factor();
-            if open <= closed || stays {
-                return Some(moved);
+            self.loops.factor();
+            if open <= residual || is_stalled {
+                return Some(total);
             }
             last = open;
-            for (inner, &row) in self.inner.iter_mut().zip(way.layout.loops()) {
-                *inner = self.work.residuals[row];
+            for (rhs, &row) in self.loop_rhs.iter_mut().zip(&path.layout.loops) {
+                *rhs = self.position.residuals[row];
             }
-            self.core.solve(&mut self.inner);
+            self.loops.solve(&mut self.loop_rhs);
             let mut size = S::from(0.0);
-            for (kept, change) in self.kept.iter_mut().zip(&self.inner) {
-                *kept = *kept - *change;
-                size = size.with(change.abs(), larger);
+            for (coordinate, correction) in self.tree.iter_mut().zip(&self.loop_rhs) {
+                *coordinate = *coordinate - *correction;
+                size = size.with(correction.abs(), larger);
             }
-            moved = moved + size;
-            let far = largest(moved);
-            if far.is_nan() || far > STEP * length {
+            total = total + size;
+            let far = largest(total);
+            if far.is_nan() || far > MAX_STEP * length {
                 return None;
             }
         }
         None
     }
 
-    /// The derivatives by the value of the driver.
-    fn derive(&mut self, way: &Path) {
+    /// The derivatives of the scaled coordinates by the value of the driver, in the closed position.
+    fn derive(&mut self, path: &Path) {
         widest_of::<S, _>(
             #[inline(always)]
-            || self.derived(way),
+            || self.derived(path),
         );
     }
 
     #[inline(always)]
-    fn derived(&mut self, way: &Path) {
-        self.right.fill(S::from(0.0));
-        self.right[way.row] = S::from(1.0);
-        solve(way, &self.order, &self.core, &mut self.inner, &mut self.right, &mut self.first);
-        self.fast = S::from(0.0);
+    fn derived(&mut self, path: &Path) {
+        self.rhs.fill(S::from(0.0));
+        self.rhs[path.row()] = S::from(1.0);
+        solve(path, &self.factors, &self.loops, &mut self.loop_rhs, &mut self.rhs, &mut self.first);
+        self.largest_first = S::from(0.0);
         for first in &self.first {
-            self.fast = self.fast.with(first.abs(), larger);
+            self.largest_first = self.largest_first.with(first.abs(), larger);
         }
-        way.system.unscale(&self.first, &mut self.velocities);
-        way.layout.bend(&self.work, &self.velocities, &mut self.right);
-        solve(way, &self.order, &self.core, &mut self.inner, &mut self.right, &mut self.second);
+        path.model.unscale(&self.first, &mut self.velocities);
+        path.layout.quadratic_velocity_terms(&self.position, &self.velocities, &mut self.rhs);
+        solve(path, &self.factors, &self.loops, &mut self.loop_rhs, &mut self.rhs, &mut self.second);
     }
 
-    /// Velocities, accelerations and reactions. False if something is not finite.
-    pub(super) fn load(&mut self, way: &Path) -> bool {
+    /// Velocities, accelerations, multipliers and effort in the closed position. False if something is not finite.
+    fn balance(&mut self, path: &Path) -> bool {
         widest_of::<S, _>(
             #[inline(always)]
-            || self.loaded(way),
+            || self.balanced(path),
         )
     }
 
     #[inline(always)]
-    fn loaded(&mut self, way: &Path) -> bool {
-        let Path { system, layout, row, driver, masses, .. } = *way;
-        let drivers = &system.mechanism.drivers;
-        let length = system.length;
+    fn balanced(&mut self, path: &Path) -> bool {
+        let Path { model, layout, order, driver, .. } = *path;
+        let drivers = &model.mechanism.drivers;
+        let length = model.length;
         let alone = drivers
             .iter()
             .enumerate()
@@ -278,9 +288,9 @@ impl<S: SimdReal> Station<S> {
         if alone {
             let (rate, acceleration) = (drivers[driver].velocity, drivers[driver].acceleration);
             let rates = [rate, rate, rate / length];
-            // By indices: a loop over the three lists side by side is compiled so that it goes over the bodies by lanes,
-            // gathering each number from where it lies.
-            for body in 0..system.mechanism.bodies.len() {
+            // By indices: a loop over the three lists side by side is compiled so that it goes over the bodies by
+            // lanes, gathering each number from where it lies.
+            for body in 0..model.mechanism.bodies.len() {
                 for (part, rate_of_part) in rates.into_iter().enumerate() {
                     let column = 3 * body + part;
                     self.velocities[body][part] = self.first[column] * rate_of_part;
@@ -289,40 +299,54 @@ impl<S: SimdReal> Station<S> {
                 }
             }
         } else {
-            let begin = row - driver;
-            self.right.fill(S::from(0.0));
-            for (right, of) in self.right[begin..].iter_mut().zip(drivers) {
-                *right = S::from(of.velocity);
+            let begin = model.first_driver();
+            self.rhs.fill(S::from(0.0));
+            for (rhs, of) in self.rhs[begin..].iter_mut().zip(drivers) {
+                *rhs = S::from(of.velocity);
             }
-            solve(way, &self.order, &self.core, &mut self.inner, &mut self.right, &mut self.accelerations);
-            system.unscale(&self.accelerations, &mut self.velocities);
-            layout.bend(&self.work, &self.velocities, &mut self.right);
-            for (right, of) in self.right[begin..].iter_mut().zip(drivers) {
-                *right = *right + of.acceleration;
+            solve(
+                path,
+                &self.factors,
+                &self.loops,
+                &mut self.loop_rhs,
+                &mut self.rhs,
+                &mut self.accelerations,
+            );
+            model.unscale(&self.accelerations, &mut self.velocities);
+            layout.quadratic_velocity_terms(&self.position, &self.velocities, &mut self.rhs);
+            for (rhs, of) in self.rhs[begin..].iter_mut().zip(drivers) {
+                *rhs = *rhs + of.acceleration;
             }
-            solve(way, &self.order, &self.core, &mut self.inner, &mut self.right, &mut self.accelerations);
+            solve(
+                path,
+                &self.factors,
+                &self.loops,
+                &mut self.loop_rhs,
+                &mut self.rhs,
+                &mut self.accelerations,
+            );
         }
-        system.forces(&self.work.poses, &self.velocities, &mut self.forces);
+        model.forces(&self.position.poses, &self.velocities, &mut self.forces);
         let per_length = 1.0 / length;
         let mut effort = S::from(0.0);
         for (body, [x, y, moment]) in self.forces.iter().enumerate() {
             for (part, force) in [*x, *y, *moment * per_length].into_iter().enumerate() {
                 let column = 3 * body + part;
-                let balance = self.accelerations[column] * masses[column] - force;
-                self.balance[column] = balance;
+                let balance = self.accelerations[column] * model.masses[column] - force;
+                self.unbalanced[column] = balance;
                 effort = effort + balance * self.first[column];
             }
         }
         self.effort = effort;
-        self.order.reduce_transposed(&mut self.balance, &mut self.multipliers);
-        for (inner, &column) in self.inner.iter_mut().zip(&layout.kept) {
-            *inner = self.balance[column];
+        order.reduce_transposed(&self.factors, &mut self.unbalanced, &mut self.multipliers);
+        for (rhs, &column) in self.loop_rhs.iter_mut().zip(&layout.tree) {
+            *rhs = self.unbalanced[column];
         }
-        self.core.solve_transposed(&mut self.inner);
-        for (inner, &row) in self.inner.iter().zip(layout.loops()) {
-            self.multipliers[row] = *inner;
+        self.loops.solve_transposed(&mut self.loop_rhs);
+        for (multiplier, &row) in self.loop_rhs.iter().zip(&layout.loops) {
+            self.multipliers[row] = *multiplier;
         }
-        self.order.complete_transposed(&mut self.multipliers);
+        order.back_substitute_transposed(&self.factors, &mut self.multipliers);
         let mut sum = effort;
         for number in self.accelerations.iter().chain(&self.multipliers) {
             sum = sum + *number;
@@ -330,16 +354,25 @@ impl<S: SimdReal> Station<S> {
         (0..S::COUNT).all(|lane| sum.lane(lane).is_finite())
     }
 
-    /// Writes the position of each lane into a place among those that were swept.
-    pub(super) fn store(&self, way: &Path, swept: &mut SweepResult, at: impl Fn(usize) -> usize) {
-        let per_length = 1.0 / way.system.length;
+    /// Solves for velocities, accelerations, multipliers and effort, and writes each lane into the record of this
+    /// index. False, with nothing written, if something is not finite.
+    pub(super) fn store(
+        &mut self,
+        path: &Path,
+        result: &mut SweepResult,
+        at: impl Fn(usize) -> usize,
+    ) -> bool {
+        if !self.balance(path) {
+            return false;
+        }
+        let per_length = 1.0 / path.model.length;
         let bodies = self.forces.len();
         for lane in 0..S::COUNT {
-            let (positions, rest) = swept.record_mut(at(lane)).split_at_mut(3 * bodies);
+            let (positions, rest) = result.record_mut(at(lane)).split_at_mut(3 * bodies);
             let (velocities, rest) = rest.split_at_mut(3 * bodies);
             let (accelerations, rest) = rest.split_at_mut(3 * bodies);
             let triples = |numbers| <[f64]>::as_chunks_mut::<3>(numbers).0.iter_mut();
-            for (place, pose) in triples(positions).zip(&self.work.poses) {
+            for (place, pose) in triples(positions).zip(&self.position.poses) {
                 *place = [&pose.x, &pose.y, &pose.angle].map(|number| number.lane(lane));
             }
             for (place, velocity) in triples(velocities).zip(&self.velocities) {
@@ -353,36 +386,37 @@ impl<S: SimdReal> Station<S> {
                 *place = number.lane(lane);
             }
         }
+        true
     }
 }
 
-/// Work with the widest registers, for numbers side by side.
+/// Runs work in the widest registers if it is on several lanes.
 fn widest_of<S: SimdReal, R>(mut work: impl FnMut() -> R) -> R {
     if S::COUNT > 1 { widest(work) } else { work() }
 }
 
-/// `Φ_q x = right` with the factored equations. The right sides are overwritten.
+/// Solves `Φ_q x = rhs` with the factored equations: `rhs` by rows, overwritten, and `x` by columns.
 #[inline(always)]
 fn solve<S: SimdReal>(
-    way: &Path,
-    order: &Order<S>,
-    core: &Core<S>,
-    inner: &mut [S],
-    right: &mut [S],
+    path: &Path,
+    factors: &Factors<S>,
+    loops: &GivensQr<S>,
+    loop_rhs: &mut [S],
+    rhs: &mut [S],
     x: &mut [S],
 ) {
-    order.reduce(right);
-    for (inner, &row) in inner.iter_mut().zip(way.layout.loops()) {
-        *inner = right[row];
+    path.order.reduce(factors, rhs);
+    for (loop_rhs, &row) in loop_rhs.iter_mut().zip(&path.layout.loops) {
+        *loop_rhs = rhs[row];
     }
-    core.solve(inner);
-    for (inner, &column) in inner.iter().zip(&way.layout.kept) {
-        x[column] = *inner;
+    loops.solve(loop_rhs);
+    for (value, &column) in loop_rhs.iter().zip(&path.layout.tree) {
+        x[column] = *value;
     }
-    order.complete(right, x);
+    path.order.back_substitute(factors, rhs, x);
 }
 
-/// Of two numbers; the second if it is not a number.
+/// The larger of two numbers; the second if it is not a number.
 #[inline(always)]
 fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }

@@ -62,7 +62,7 @@ impl Solved<'_> {
     /// The parts between which a joint exerts forces, in the order of its points.
     fn joined(&self, row: usize) -> Vec<Frame> {
         let mut parts = Vec::new();
-        for part in self.owners(row).flat_map(|owner| self.system.joined(owner)) {
+        for part in self.owners(row).flat_map(|owner| self.system.connected_parts(owner)) {
             if !parts.contains(&part) {
                 parts.push(part);
             }

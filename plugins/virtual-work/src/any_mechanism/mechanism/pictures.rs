@@ -206,7 +206,7 @@ impl Solved<'_> {
     fn drawn_size(&self) -> f64 {
         let drawn: Vec<f64> = self.parts.drivers.iter().map(|drive| drive.what.drawn()).collect();
         let there = self.system.continue_to(&self.state.positions, &drawn);
-        let there = there.and_then(|there| self.system.solved(&there.positions));
+        let there = there.and_then(|there| self.system.kinetostatics(&there.positions));
         self.parts.size(self.system, there.as_ref().map_or(self.state, |(state, _)| state))
     }
 

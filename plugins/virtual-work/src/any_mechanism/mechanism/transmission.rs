@@ -104,7 +104,7 @@ impl Solved<'_> {
         if self.system.mechanism().drivers.iter().any(|driver| driver.velocity != 0.0) {
             return Some(sample.state.clone());
         }
-        let (_, dynamics) = self.system.solved(&sample.state.positions).ok()?;
+        let (_, dynamics) = self.system.kinetostatics(&sample.state.positions).ok()?;
         let velocities = dynamics.coefficients.into_iter().next()?;
         Some(State { velocities, ..sample.state.clone() })
     }

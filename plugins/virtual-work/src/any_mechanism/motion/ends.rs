@@ -1,7 +1,7 @@
 //! Terminal events of a motion.
 
 use dalembert_core::{Inputs, Reference, Refusal, Text};
-use dalembert_mechanics::planar::{End, Measure, Snapshot, Trajectory};
+use dalembert_mechanics::planar::{Event, Measure, Snapshot, Trajectory};
 
 use crate::shared::parts::{Part, Parts};
 
@@ -50,14 +50,14 @@ pub enum Ends {
 }
 
 impl Ends {
-    pub(super) fn end(&self, parts: &Parts<'_>) -> Option<End> {
+    pub(super) fn end(&self, parts: &Parts<'_>) -> Option<Event> {
         let angle = |body: Reference| Measure::Angle { of: Some(body.0), against: None };
         match *self {
             Ends::Nothing => None,
-            Ends::Angle { body, value } => Some(End::Reaches(angle(body), value)),
-            Ends::Rest { body } => Some(End::Rests(angle(body))),
-            Ends::Distance { from, to, value } => Some(End::Reaches(parts.distance(from, to), value)),
-            Ends::Still { from, to } => Some(End::Rests(parts.distance(from, to))),
+            Ends::Angle { body, value } => Some(Event::Reaches(angle(body), value)),
+            Ends::Rest { body } => Some(Event::Rests(angle(body))),
+            Ends::Distance { from, to, value } => Some(Event::Reaches(parts.distance(from, to), value)),
+            Ends::Still { from, to } => Some(Event::Rests(parts.distance(from, to))),
         }
     }
 

@@ -4,7 +4,7 @@ use dalembert_core::{
     TableExhibit, Text,
     exhibit::{Cell, Column},
 };
-use dalembert_mechanics::planar::{Driver, Dynamics, Load, Measure, Point};
+use dalembert_mechanics::planar::{Driver, InverseDynamics, Load, Measure, Point};
 
 use super::{End, ScissorLift};
 use crate::shared::{
@@ -41,7 +41,7 @@ impl ScissorLift {
     }
 
     /// Efforts and reactions of one frame that carries its share of the load over its left joint.
-    pub(super) fn solved(&self, angle: f64, share: f64) -> Option<Dynamics> {
+    pub(super) fn solved(&self, angle: f64, share: f64) -> Option<InverseDynamics> {
         let scissor = self.scissor();
         let (mut mechanism, drawn) = scissor.built(angle);
         let (lower, upper) = (self.place_at(&self.lower, angle), self.place_at(&self.upper, angle));

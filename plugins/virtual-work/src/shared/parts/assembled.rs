@@ -1,7 +1,7 @@
 //! The mechanism that its parts make.
 
 use dalembert_core::{Reference, Refusal, Text, Worksheet};
-use dalembert_mechanics::planar::{self, Measure, Placed, PlanarError, Profile, System};
+use dalembert_mechanics::planar::{self, InitialGuess, Measure, Model, PlanarError, Profile};
 use nalgebra::Vector3;
 
 use super::{Connection, Drive, Driven, Joint, Load, NamedLoad, Part, Spot};
@@ -173,7 +173,7 @@ impl Parts<'_> {
     pub(crate) fn assembled<W: Worksheet>(
         &self,
         sheet: W,
-    ) -> Result<(System, Vec<usize>, Vec<[f64; 3]>), Refusal> {
+    ) -> Result<(Model, Vec<usize>, Vec<[f64; 3]>), Refusal> {
         if self.bodies.is_empty() {
             return Err(Refusal::because("no body is given: write down at least one"));
         }
@@ -197,15 +197,15 @@ impl Parts<'_> {
             Some([at.x + cos * centre.x - sin * centre.y, at.y + sin * centre.x + cos * centre.y])
         };
         let origins: Vec<Option<[f64; 2]>> = self.bodies.iter().zip(&angles).map(origin).collect();
-        let Placed { drawn, unplaced, assumed, elsewhere } =
-            System::place(&mechanism, &angles, &origins).map_err(refuse)?;
+        let InitialGuess { positions: guess, undetermined, assumed, ambiguous } =
+            Model::initial_guess(&mechanism, &angles, &origins).map_err(refuse)?;
         let names = |bodies: &[usize]| -> String {
             bodies.iter().map(|body| self.bodies[*body].name.as_str()).collect::<Vec<_>>().join(", ")
         };
-        if !unplaced.is_empty() {
+        if !undetermined.is_empty() {
             return Err(Refusal::because(
                 Text::new("joints and drivers do not determine the position of {names}: give it")
-                    .with("names", names(&unplaced)),
+                    .with("names", names(&undetermined)),
             ));
         }
         if !assumed.is_empty() {
@@ -216,20 +216,20 @@ impl Parts<'_> {
                 .with("names", names(&assumed))
             });
         }
-        if !elsewhere.is_empty() {
+        if !ambiguous.is_empty() {
             sheet.warn(|| {
                 Text::new(
                     "with these angles it can also be assembled on another side: give the position of {names}, or check in the drawing that this is the intended side",
                 )
-                .with("names", names(&elsewhere))
+                .with("names", names(&ambiguous))
             });
         }
-        let system = System::new(&mechanism, &drawn).map_err(refuse)?;
-        let positions = system.assemble(&drawn).map_err(refuse)?;
+        let system = Model::new(&mechanism, &guess).map_err(refuse)?;
+        let positions = system.assemble(&guess).map_err(refuse)?;
         if self.drivers.iter().all(|drive| drive.what.drawn() == drive.what.value()) {
             return Ok((system, rows, positions));
         }
-        let (system, positions) = system.taken_to(&positions, &values).map_err(refuse)?;
+        let (system, positions) = system.with_drivers_at(&positions, &values).map_err(refuse)?;
         Ok((system, rows, positions))
     }
 }
@@ -237,7 +237,7 @@ impl Parts<'_> {
 /// Reaction of the joint in a row of the form on its second point: the force along x and y, or across a line or along a
 /// rod; the couple. What is below that part of the largest effort is rounding alone, and zero.
 pub(crate) fn carried(
-    system: &System,
+    system: &Model,
     rows: &[usize],
     row: usize,
     multipliers: &[f64],

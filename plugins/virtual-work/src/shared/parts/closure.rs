@@ -1,11 +1,11 @@
 //! The closure of the pins by the motion of single bodies: what the equations of the joints must come to.
 
 use dalembert_core::{Text, Worksheet};
-use dalembert_mechanics::planar::{Joint, Point, State, System};
+use dalembert_mechanics::planar::{Joint, Model, Point, State};
 
 /// Closure errors of the pins: maximum distance of the two points of a pin, and differences of their velocities and
 /// accelerations; each with the magnitude of its terms.
-pub(crate) fn pins(system: &System, state: &State) -> [(f64, f64); 3] {
+pub(crate) fn pins(system: &Model, state: &State) -> [(f64, f64); 3] {
     let mut worst = rotation_sizes(system, state).map(|size| (0.0f64, size));
     for joint in &system.mechanism().joints {
         let &Joint::Pin { a, b } = joint else { continue };
@@ -31,7 +31,7 @@ fn sizes(point: Point, state: &State) -> [f64; 3] {
 
 /// Magnitudes of position, velocity and acceleration of points, wherever on the bodies they lie: a pin at rest closes
 /// as well as the mechanism that turns about it.
-fn rotation_sizes(system: &System, state: &State) -> [f64; 3] {
+fn rotation_sizes(system: &Model, state: &State) -> [f64; 3] {
     let arm = system.size();
     let fastest = state.velocities.iter().fold(0.0f64, |most, [.., w]| most.max(w.abs()));
     let hardest = state.accelerations.iter().fold(0.0f64, |most, [.., turning]| most.max(turning.abs()));
@@ -42,7 +42,7 @@ fn rotation_sizes(system: &System, state: &State) -> [f64; 3] {
 /// what each of the three may be off by, as numbers of the bodies; `driving` is the size of the accelerations that
 /// balance where nothing moves.
 pub(crate) fn check_pins<W: Worksheet>(
-    system: &System,
+    system: &Model,
     state: &State,
     (errors, driving): ([f64; 3], f64),
     sheet: W,
@@ -60,7 +60,7 @@ pub(crate) fn check_pins<W: Worksheet>(
 }
 
 /// The acceleration that the weights, or the largest force in a joint, would give the mechanism by themselves.
-pub(crate) fn driving(system: &System, multipliers: &[f64]) -> f64 {
+pub(crate) fn driving(system: &Model, multipliers: &[f64]) -> f64 {
     let mechanism = system.mechanism();
     let [x, y] = mechanism.gravity;
     let forces = system.equations().iter().zip(multipliers);
@@ -73,7 +73,7 @@ pub(crate) fn driving(system: &System, multipliers: &[f64]) -> f64 {
 /// Holds place, velocity and acceleration of a point to those of the nearest body beyond a pin, and what the point does
 /// against the pin; nothing where its body has no pin. `errors` are what each may be off by.
 pub(crate) fn check_point<W: Worksheet>(
-    system: &System,
+    system: &Model,
     state: &State,
     (point, name): (Point, &str),
     shown: [[f64; 2]; 3],

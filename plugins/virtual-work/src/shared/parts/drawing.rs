@@ -3,13 +3,13 @@
 use std::f64::consts::FRAC_PI_2;
 
 use dalembert_core::{DrawnShape, Ink, Reference};
-use dalembert_mechanics::planar::{Point, Pose, State, System};
+use dalembert_mechanics::planar::{Model, Point, Pose, State};
 
 use super::{Carrier, Joint, Load, Parts, verbatim};
 
 impl Parts<'_> {
     /// The size of the drawing; that of the mechanism where all points are in one place.
-    pub(crate) fn size(&self, system: &System, state: &State) -> f64 {
+    pub(crate) fn size(&self, system: &Model, state: &State) -> f64 {
         let all: Vec<(f64, f64)> =
             (0..self.points.len()).map(|row| place(system, self.point(Reference(row)), state)).collect();
         let extent = |of: fn(&(f64, f64)) -> f64| {
@@ -54,7 +54,7 @@ impl Parts<'_> {
     }
 
     /// Bodies, joints and loads of a position.
-    pub(crate) fn draw(&self, system: &System, state: &State, size: f64, shapes: &mut Vec<DrawnShape>) {
+    pub(crate) fn draw(&self, system: &Model, state: &State, size: f64, shapes: &mut Vec<DrawnShape>) {
         let at = |reference: Reference| place(system, self.point(reference), state);
         let small = 0.015 * size;
         for connection in self.joints {
@@ -106,7 +106,7 @@ impl Parts<'_> {
         self.draw_loads(system, state, size, shapes);
     }
 
-    fn draw_loads(&self, system: &System, state: &State, size: f64, shapes: &mut Vec<DrawnShape>) {
+    fn draw_loads(&self, system: &Model, state: &State, size: f64, shapes: &mut Vec<DrawnShape>) {
         let at = |reference: Reference| place(system, self.point(reference), state);
         let largest = self.loads.iter().fold(0.0f64, |most, load| match &load.load {
             Load::Force { force, .. } => most.max(force.norm()),
@@ -137,7 +137,7 @@ impl Parts<'_> {
 }
 
 /// Position of a point.
-pub(crate) fn place(system: &System, point: Point, state: &State) -> (f64, f64) {
+pub(crate) fn place(system: &Model, point: Point, state: &State) -> (f64, f64) {
     let [[x, y], ..] = system.point(point, state);
     (x, y)
 }

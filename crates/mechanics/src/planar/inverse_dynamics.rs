@@ -3,44 +3,45 @@
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
 use super::{
-    Frame, Load, Measure, Mechanism, PlanarError, Pose, State, System,
-    friction::{Effect, Friction, Frictionless, Response},
+    Body, Frame, Gradient, Load, Measure, Mechanism, Model, PlanarError, Pose, State,
+    friction::{Friction, Frictionless, Response, ResponseToForce},
     load::wrench,
-    system::{gradient, poses, project},
+    measure::{gradient, poses, rate},
 };
 use dalembert_numerics::{linalg::Elimination, simd::SimdReal};
 
-/// Load or joint with its forces and moments `[F_x, F_y, M]` on the bodies.
-type Act = (LoadId, Vec<(usize, [f64; 3])>);
+/// A load with its forces and moments `[F_x, F_y, M]` on bodies, N and N m.
+type AppliedLoad = (LoadId, Vec<(usize, [f64; 3])>);
 
-/// The efforts on a moving mechanism.
+/// The solution of the inverse dynamics of a driven mechanism.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Dynamics {
+pub struct InverseDynamics {
     /// The effort of each driver by virtual power, N or N m: positive when it pushes its measure to grow.
     pub efforts: Vec<f64>,
     /// The same by Newton and Euler.
     pub newton_euler: Vec<f64>,
-    /// The multiplier of each equation, in the order of [`System::equations`]: the effort that a joint or driver
+    /// The multiplier of each equation, in the order of [`Model::equations`]: the effort that a joint or driver
     /// exerts along its measure.
     pub multipliers: Vec<f64>,
-    /// `∂q/∂m` for each driver: how every body moves with a unit velocity of the driver and the others held.
+    /// The velocity coefficients `∂q/∂m` for each driver: the velocities `(x, y, θ)` of the bodies at unit velocity of
+    /// the driver, the others held.
     pub coefficients: Vec<Vec<[f64; 3]>>,
     /// The power of every load, weight and inertia load.
     pub powers: Vec<LoadPower>,
     /// Kinetic energy, J.
     pub kinetic_energy: f64,
-    /// Rate of the kinetic energy, `Σ (m a · v + I α ω)`, W.
+    /// The rate of the kinetic energy, `Σ (m a · v + I α ω)`, W.
     pub energy_rate: f64,
 }
 
-/// The part that a load has in the balance of virtual power.
+/// The part of a load in the balance of virtual power.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadPower {
-    /// Identifier of the load.
+    /// The load.
     pub of: LoadId,
-    /// Generalised forces: virtual power for a unit velocity of each driver.
+    /// The virtual power for a unit velocity of each driver.
     pub generalised: Vec<f64>,
-    /// Power, W.
+    /// The power, W.
     pub power: f64,
 }
 
@@ -57,22 +58,35 @@ pub enum LoadId {
     InertiaCouple(usize),
 }
 
-impl System {
+impl Model {
     /// The efforts of the drivers, the reactions of the joints and the power of every load.
     ///
     /// # Errors
     /// `UnderDriven`, `OverDriven`, `DeadCentre`, `Jammed`, `NotFinite`.
-    pub fn dynamics(&self, state: &State) -> Result<Dynamics, PlanarError> {
+    pub fn inverse_dynamics(&self, state: &State) -> Result<InverseDynamics, PlanarError> {
         self.balanced(&self.factored(&state.positions)?, state)
     }
 
-    pub(super) fn balanced(&self, elimination: &Elimination, state: &State) -> Result<Dynamics, PlanarError> {
-        let coefficients = self.coefficients(elimination)?;
+    /// Velocities, accelerations and efforts in one, from one elimination: [`kinematics`](Model::kinematics) and
+    /// [`inverse_dynamics`](Model::inverse_dynamics).
+    ///
+    /// # Errors
+    /// As for [`inverse_dynamics`](Model::inverse_dynamics).
+    pub fn kinetostatics(&self, positions: &[[f64; 3]]) -> Result<(State, InverseDynamics), PlanarError> {
+        let elimination = self.factored(positions)?;
+        let state = self.driven_motion(&elimination, positions)?;
+        let dynamics = self.balanced(&elimination, &state)?;
+        Ok((state, dynamics))
+    }
+
+    /// The inverse dynamics with the Jacobian eliminated in the positions of the state.
+    fn balanced(&self, elimination: &Elimination, state: &State) -> Result<InverseDynamics, PlanarError> {
+        let coefficients = self.velocity_coefficients(elimination)?;
         let mut acting = self.acting(state);
         let loads = forces(state.positions.len(), &acting);
         let scaled =
             loads.iter().flat_map(|[x, y, moment]| [*x, *y, moment / self.length]).collect::<Vec<_>>();
-        let (multipliers, frictions) = self.in_friction(elimination, state, &scaled)?;
+        let (multipliers, frictions) = self.multipliers(elimination, state, &scaled)?;
         acting.extend(frictions);
         acting.sort_by_key(|(of, _)| match *of {
             LoadId::Load(load) => (0, load),
@@ -92,7 +106,7 @@ impl System {
             .map(|driver| -powers.iter().map(|load| load.generalised[driver]).sum::<f64>())
             .collect();
         let (kinetic_energy, energy_rate) = self.energy(state);
-        Ok(Dynamics {
+        Ok(InverseDynamics {
             efforts,
             newton_euler: multipliers[self.first_driver()..].to_vec(),
             multipliers,
@@ -103,9 +117,9 @@ impl System {
         })
     }
 
-    /// Kinetic energy and its rate.
+    /// Kinetic energy, J, and its rate, W.
     pub fn energy(&self, state: &State) -> (f64, f64) {
-        let of_body = |((body, v), a): ((&super::Body, &[f64; 3]), &[f64; 3])| {
+        let of_body = |((body, v), a): ((&Body, &[f64; 3]), &[f64; 3])| {
             let energy = body.mass * (v[0] * v[0] + v[1] * v[1]) + body.inertia * v[2] * v[2];
             let rate = body.mass * (v[0] * a[0] + v[1] * a[1]) + body.inertia * v[2] * a[2];
             (energy / 2.0, rate)
@@ -119,24 +133,24 @@ impl System {
     pub fn potential(&self, positions: &[[f64; 3]]) -> Option<f64> {
         let poses = poses(positions);
         let loads = &self.mechanism.loads;
-        loads.iter().try_fold(self.height(&poses), |sum, load| Some(sum + stored(load, &poses)?))
+        loads.iter().try_fold(self.gravitational(&poses), |sum, load| Some(sum + stored(load, &poses)?))
     }
 
     /// The potential energy of the weights and of those loads that have one, J, from an arbitrary level.
     pub(super) fn stored(&self, poses: &[Pose<f64>]) -> f64 {
         let loads = self.mechanism.loads.iter().filter_map(|load| stored(load, poses));
-        self.height(poses) + loads.sum::<f64>()
+        self.gravitational(poses) + loads.sum::<f64>()
     }
 
-    /// The potential energy of the weights.
-    fn height(&self, poses: &[Pose<f64>]) -> f64 {
+    /// The potential energy of the weights, J.
+    fn gravitational(&self, poses: &[Pose<f64>]) -> f64 {
         let [gx, gy] = self.mechanism.gravity;
         let bodies = self.mechanism.bodies.iter().zip(poses);
         bodies.map(|(body, at)| -body.mass * (gx * at.x + gy * at.y)).sum()
     }
 
-    /// Every load but friction, weight and inertia load, with the forces and moments on the bodies.
-    pub(super) fn acting(&self, state: &State) -> Vec<Act> {
+    /// Every load but friction, every weight and every inertia load.
+    fn acting(&self, state: &State) -> Vec<AppliedLoad> {
         let mut acting = self.applied(&state.positions, &state.velocities);
         for (index, (body, [x, y, angular])) in
             self.mechanism.bodies.iter().zip(&state.accelerations).enumerate()
@@ -154,7 +168,7 @@ impl System {
     }
 
     /// The loads but friction, and the weights.
-    pub(super) fn applied(&self, positions: &[[f64; 3]], velocities: &[[f64; 3]]) -> Vec<Act> {
+    pub(super) fn applied(&self, positions: &[[f64; 3]], velocities: &[[f64; 3]]) -> Vec<AppliedLoad> {
         let poses = poses(positions);
         let Mechanism { bodies, loads, gravity: [gx, gy], .. } = &self.mechanism;
         let mut acting = Vec::new();
@@ -166,7 +180,7 @@ impl System {
                 }
                 Load::Effort { measure, effort } => {
                     let gradient = gradient(measure, &poses);
-                    let rate = project(measure, &gradient, velocities);
+                    let rate = rate(measure, &gradient, velocities);
                     along(measure, &gradient, effort.at(gradient.value, rate))
                 }
                 Load::Friction { .. } => continue,
@@ -182,7 +196,8 @@ impl System {
         acting
     }
 
-    /// The forces and moments of loads and weights on every body, and the power of those loads that have no potential.
+    /// The forces and moments `[F_x, F_y, M]` of loads but friction and of weights on every body, and the power of
+    /// those loads that have no potential, W. The velocities are those of the bodies and, last, of the ground.
     #[inline(always)]
     pub(super) fn forces<S: SimdReal>(
         &self,
@@ -217,7 +232,7 @@ impl System {
                 }
                 Load::Effort { measure, effort } => {
                     let gradient = gradient(measure, poses);
-                    let rate = project(measure, &gradient, velocities);
+                    let rate = rate(measure, &gradient, velocities);
                     let strength = effort.at(gradient.value, rate);
                     for (frame, part) in measure.bodies().into_iter().zip([gradient.from, gradient.to]) {
                         if let Some(body) = frame {
@@ -232,35 +247,39 @@ impl System {
         power
     }
 
-    /// The multipliers under loads on the scaled positions, with the frictions that they give rise to in the joints that
-    /// slide.
-    fn in_friction(
+    /// The multipliers, by equation, under loads on the scaled coordinates, by column, and the frictions in the joints
+    /// that slide.
+    fn multipliers(
         &self,
         elimination: &Elimination,
         state: &State,
         loads: &[f64],
-    ) -> Result<(Vec<f64>, Vec<Act>), PlanarError> {
-        let under = |loads: &[f64]| -> Result<Effect, PlanarError> {
+    ) -> Result<(Vec<f64>, Vec<AppliedLoad>), PlanarError> {
+        let under = |loads: &[f64]| -> Result<ResponseToForce, PlanarError> {
             let balance: Vec<f64> = loads.iter().map(|load| -load).collect();
             let multipliers = elimination.solve_transposed(&balance)?;
-            Ok(Effect { free: Vec::new(), accelerations: vec![0.0; loads.len()], multipliers })
+            let accelerations = vec![0.0; loads.len()];
+            Ok(ResponseToForce { independent: Vec::new(), accelerations, multipliers })
         };
-        let effect = under(loads)?;
+        let response = under(loads)?;
         let frictions = self.frictions();
         if frictions.is_empty() {
-            return Ok((effect.multipliers, Vec::new()));
+            return Ok((response.multipliers, Vec::new()));
         }
         let poses = poses(&state.positions);
         let frictionless =
-            Frictionless { system: self, poses: &poses, velocities: &state.velocities, motions: &[], effect };
+            Frictionless { model: self, poses: &poses, velocities: &state.velocities, basis: &[], response };
         let response = Response::new(&frictions, frictionless, under)?;
         let efforts = response.bearing(&mut response.contacts(0.0)).ok_or_else(|| response.jammed())?;
         let on_bodies = |(friction, effort): (&Friction, &f64)| {
             let gradient = gradient(&friction.measure, &poses);
-            (LoadId::Load(friction.load), along(&friction.measure, &gradient, effort * self.arm(friction)))
+            (
+                LoadId::Load(friction.load),
+                along(&friction.measure, &gradient, effort * self.length_of(&friction.measure)),
+            )
         };
         let acting = frictions.iter().zip(&efforts).map(on_bodies).collect();
-        Ok((response.effect(&efforts).multipliers, acting))
+        Ok((response.total(&efforts).multipliers, acting))
     }
 }
 
@@ -277,26 +296,24 @@ fn stored(load: &Load, poses: &[Pose<f64>]) -> Option<f64> {
 }
 
 /// An effort along a measure as forces and moments on its bodies.
-fn along(measure: &Measure, gradient: &super::Gradient<f64>, effort: f64) -> Vec<(usize, [f64; 3])> {
+fn along(measure: &Measure, gradient: &Gradient<f64>, effort: f64) -> Vec<(usize, [f64; 3])> {
     let part = |frame: Frame, gradient: [f64; 3]| frame.map(|body| (body, gradient.map(|x| x * effort)));
     let [from, to] = measure.bodies();
     [part(from, gradient.from), part(to, gradient.to)].into_iter().flatten().collect()
 }
 
-fn forces(bodies: usize, acting: &[Act]) -> Vec<[f64; 3]> {
+/// The sums of the forces and moments on each body.
+fn forces(bodies: usize, acting: &[AppliedLoad]) -> Vec<[f64; 3]> {
     let mut sums = vec![[0.0; 3]; bodies];
     for (body, force) in acting.iter().flat_map(|(_, parts)| parts) {
-        add(&mut sums[*body], *force);
+        for (sum, part) in sums[*body].iter_mut().zip(force) {
+            *sum += part;
+        }
     }
     sums
 }
 
-fn add(sum: &mut [f64; 3], part: [f64; 3]) {
-    for (sum, part) in sum.iter_mut().zip(part) {
-        *sum += part;
-    }
-}
-
+/// The power of forces and moments on bodies in a virtual motion, `(x, y, θ)` of each body.
 pub(super) fn virtual_power(parts: &[(usize, [f64; 3])], motion: &[[f64; 3]]) -> f64 {
     parts.iter().map(|(body, force)| force.iter().zip(motion[*body]).map(|(f, v)| f * v).sum::<f64>()).sum()
 }

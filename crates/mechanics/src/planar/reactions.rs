@@ -1,14 +1,14 @@
-//! Joint reactions from the Lagrange multipliers, and what of them the ground takes.
+//! Joint reactions from the Lagrange multipliers, and their resultant on the ground.
 
 use super::{
-    Frame, Load, State, System,
-    system::{gradient, poses},
+    Frame, Load, Model, State,
+    measure::{gradient, poses},
 };
 
-impl System {
+impl Model {
     /// The parts between which a joint or driver exerts forces, in the order of its points; the drivers count on after
-    /// the joints, as in [`owner`](System::owner).
-    pub fn joined(&self, owner: usize) -> Vec<Frame> {
+    /// the joints, as in [`owner`](Model::owner).
+    pub fn connected_parts(&self, owner: usize) -> Vec<Frame> {
         let mut parts = Vec::new();
         for (equation, of) in self.equations.iter().zip(&self.owners) {
             let lengths = equation.terms.iter().filter(|term| *of == owner && !term.measure.is_angle());

@@ -1,22 +1,20 @@
-//! Instant centres: where two parts of a mechanism move alike.
+//! Instant centres of velocity: the points in which two parts of a mechanism have the same velocity.
 
-use super::{Frame, System};
-
-/// Velocities below this part of the largest are rounding alone.
-const ROUNDING: f64 = 1e-10;
+use super::{Frame, Model, tolerances::RELATIVE_REST};
 
 /// The instant centre of two parts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum InstantCentre {
     /// This point, m.
     At([f64; 2]),
-    /// Both turn alike: at infinity in the direction of this unit vector, across their relative velocity.
+    /// Both have the same angular velocity: at infinity in the direction of this unit vector, across their relative
+    /// velocity.
     Far([f64; 2]),
     /// They do not move against each other: every point.
     Everywhere,
 }
 
-impl System {
+impl Model {
     /// The point at which two parts have the same velocity, in the axes of the ground.
     ///
     /// `p = O + ẑ × (v_b − v_a) / (ω_b − ω_a)`, with the velocities v of both parts at any point O. The velocities may
@@ -29,7 +27,7 @@ impl System {
         velocities: &[[f64; 3]],
     ) -> InstantCentre {
         let size = |[x, y, turn]: &[f64; 3]| x.hypot(*y).max(turn.abs() * self.length);
-        let still = ROUNDING * velocities.iter().map(size).fold(0.0, f64::max);
+        let rest = RELATIVE_REST * velocities.iter().map(size).fold(0.0, f64::max);
         let [ox, oy] = b.or(a).map_or([0.0; 2], |body| [positions[body][0], positions[body][1]]);
         let at_o = |part: Frame| {
             part.map_or([0.0; 3], |body| {
@@ -40,9 +38,9 @@ impl System {
         let ([ax, ay, turn_a], [bx, by, turn_b]) = (at_o(a), at_o(b));
         let (x, y, turn) = (bx - ax, by - ay, turn_b - turn_a);
         let speed = x.hypot(y);
-        if turn.abs() * self.length > still {
+        if turn.abs() * self.length > rest {
             InstantCentre::At([ox - y / turn, oy + x / turn])
-        } else if speed > still {
+        } else if speed > rest {
             InstantCentre::Far([-y / speed, x / speed])
         } else {
             InstantCentre::Everywhere

@@ -1,29 +1,26 @@
-//! Extrapolation of the coordinates from the preceding positions.
+//! Prediction of the tree coordinates from their derivatives at the last positions.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
+use crate::planar::tolerances::{HISTORY, MAX_STEP_GROWTH};
 use dalembert_numerics::simd::SimdReal;
 
-/// So many positions before the present one are made use of.
-const BEFORE: usize = 2;
-/// A step this much longer than the one before it is foretold without that one.
-const LONGER: f64 = 2.0;
-
-/// First and second derivatives of the kept coordinates at the positions before, the last one first.
+/// First and second derivatives of the tree coordinates by the value of the driver at the last positions, the newest
+/// first.
 ///
-/// A step integrates the polynomial that has the first derivatives of all positions and, as its derivatives, the second ones:
-/// Hermite's interpolation by divided differences (J. Stoer, R. Bulirsch, *Introduction to Numerical Analysis*, 3rd ed.,
-/// §2.1.5). Its error is of the seventh order of the step where two positions came before, and that of Taylor's series
-/// of second order where none did.
+/// A step integrates the polynomial that has the first derivatives of all positions and, as its derivatives, the second
+/// ones: Hermite's interpolation by divided differences (J. Stoer, R. Bulirsch, *Introduction to Numerical Analysis*,
+/// 3rd ed., §2.1.5). Its error is of the seventh order of the step where two positions came before, and that of
+/// Taylor's series of second order where none did.
 #[derive(Debug, Clone)]
-pub(super) struct Past<S> {
+pub(super) struct History<S> {
     /// The steps from each to the position after it.
-    steps: [S; BEFORE],
-    derivatives: [Vec<[S; 2]>; BEFORE],
+    steps: [S; HISTORY],
+    derivatives: [Vec<[S; 2]>; HISTORY],
     known: usize,
 }
 
-/// Weights of the divided differences in a step, the same for all coordinates.
+/// The weights of the divided differences in a step, the same for all coordinates.
 pub(super) struct Weights<S> {
     known: usize,
     /// One over the last step, over the one before it, and over both.
@@ -32,18 +29,19 @@ pub(super) struct Weights<S> {
     integrals: [S; 6],
 }
 
-impl<S: SimdReal> Past<S> {
-    pub(super) fn new(kept: usize) -> Self {
+impl<S: SimdReal> History<S> {
+    pub(super) fn new(tree: usize) -> Self {
         let zero = S::from(0.0);
-        let derivatives = [(); BEFORE].map(|()| vec![[zero; 2]; kept]);
-        Self { steps: [zero; BEFORE], derivatives, known: 0 }
+        let derivatives = [(); HISTORY].map(|()| vec![[zero; 2]; tree]);
+        Self { steps: [zero; HISTORY], derivatives, known: 0 }
     }
 
+    /// Forgets all positions.
     pub(super) fn forget(&mut self) {
         self.known = 0;
     }
 
-    /// Takes the derivatives of a position that a step led away from.
+    /// Adds the derivatives of the position from which a step was taken.
     pub(super) fn push(&mut self, step: S, derivatives: impl Iterator<Item = [S; 2]>) {
         self.steps.rotate_right(1);
         self.derivatives.rotate_right(1);
@@ -51,12 +49,15 @@ impl<S: SimdReal> Past<S> {
         for (place, derivatives) in self.derivatives[0].iter_mut().zip(derivatives) {
             *place = derivatives;
         }
-        self.known = (self.known + 1).min(BEFORE);
+        self.known = (self.known + 1).min(HISTORY);
     }
 
+    /// The weights of a step `h` of the driver.
     #[inline(always)]
     pub(super) fn weights(&self, h: S) -> Weights<S> {
-        let fits = |step: &S| (0..S::COUNT).all(|lane| h.lane(lane).abs() <= LONGER * step.lane(lane).abs());
+        let fits = |step: &S| {
+            (0..S::COUNT).all(|lane| h.lane(lane).abs() <= MAX_STEP_GROWTH * step.lane(lane).abs())
+        };
         let known = self.steps[..self.known].iter().take_while(|step| fits(step)).count();
         let [last, before] = self.steps;
         let (d, e) = (last, last + before);
@@ -83,7 +84,7 @@ impl<S: SimdReal> Past<S> {
         }
     }
 
-    /// Change of a coordinate over a step, from its derivatives.
+    /// The predicted change of the tree coordinate of this number, m, from a position with these derivatives.
     #[inline(always)]
     pub(super) fn change(&self, number: usize, [v, a]: [S; 2], weights: &Weights<S>) -> S {
         let &Weights { known, per: [per_last, per_before, per_both], ref integrals } = weights;
@@ -91,7 +92,8 @@ impl<S: SimdReal> Past<S> {
         if known == 0 {
             return change;
         }
-        // f01 is the divided difference of the present position and the last one, f001 that with the present derivative, …
+        // f01 is the divided difference of the present position and the last one, f001 that with the present
+        // derivative, …
         let [v1, a1] = self.derivatives[0][number];
         let f01 = (v - v1) * per_last;
         let (f001, f011) = ((a - f01) * per_last, (f01 - a1) * per_last);

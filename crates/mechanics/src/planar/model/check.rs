@@ -1,14 +1,14 @@
-//! Validation of a mechanism: finite numbers, and existing bodies and joints.
+//! Validation of a mechanism: finite numbers, and references to bodies and joints that exist.
 
-use super::super::{Frame, Joint, Load, Measure, Mechanism, PlanarError};
+use crate::planar::{Frame, Joint, Load, Measure, Mechanism, PlanarError};
 
-/// The first number or reference of a mechanism that cannot be.
-pub(super) fn check(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> Result<(), PlanarError> {
+/// Refuses the first number or reference of a mechanism that is not valid; `guess` has a position for each body.
+pub(in super::super) fn check(mechanism: &Mechanism, guess: &[[f64; 3]]) -> Result<(), PlanarError> {
     let bodies = mechanism.bodies.len();
     let number = |what: &'static str, index: usize| PlanarError::Number { what, index };
     for (index, body) in mechanism.bodies.iter().enumerate() {
         let good = |x: f64| x.is_finite() && x >= 0.0;
-        let placed = drawn.get(index).is_some_and(|at| at.iter().all(|x| x.is_finite()));
+        let placed = guess.get(index).is_some_and(|at| at.iter().all(|x| x.is_finite()));
         if !(good(body.mass) && good(body.inertia) && placed) {
             return Err(number("body", index));
         }
@@ -41,7 +41,7 @@ pub(super) fn check(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> Result<(), Pla
                     return Err(number("joint", index));
                 }
             }
-            if equation.sum.is_some_and(|sum| !sum.is_finite()) {
+            if equation.constant.is_some_and(|constant| !constant.is_finite()) {
                 return Err(number("joint", index));
             }
         }

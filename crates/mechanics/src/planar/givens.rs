@@ -1,19 +1,17 @@
-//! Core system that the explicit coordinates leave: a small dense matrix, factored without any condition, so that many
-//! positions can be computed side by side.
+//! QR factorisation of the loop equations by plane rotations: a small dense matrix, factored without any branch, so
+//! that several positions can be taken in the lanes of a SIMD vector.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
 use std::collections::BTreeSet;
 
+use super::tolerances::ROTATION_GUARD;
 use dalembert_numerics::simd::SimdReal;
 
-/// So small that adding it to anything else changes nothing, and its square is still a number.
-const NOTHING: f64 = 1e-150;
-
-/// The rows and columns of a square matrix in an order that takes few rotations, from the places and columns of each row:
-/// of what is left, the column that the fewest rows have goes first (J. A. George, M. T. Heath, *Linear Algebra and its
-/// Applications* 34, 1980). So a loop that hangs on another one is parted from it.
-pub(in super::super) fn order(rows: &[Vec<(usize, usize)>]) -> [Vec<usize>; 2] {
+/// Orders of rows and columns of a square matrix that take few rotations, from the places and columns of the entries of
+/// each row: of what is left, the column that the fewest rows have goes first (J. A. George, M. T. Heath, *Linear
+/// Algebra and its Applications* 34, 1980). So a loop that depends on another one is separated from it.
+pub(super) fn ordering(rows: &[Vec<(usize, usize)>]) -> [Vec<usize>; 2] {
     let mut left: Vec<(usize, BTreeSet<usize>)> =
         rows.iter().map(|row| row.iter().map(|(_, column)| *column).collect()).enumerate().collect();
     let mut columns: Vec<usize> = (0..rows.len()).collect();
@@ -39,7 +37,7 @@ pub(in super::super) fn order(rows: &[Vec<(usize, usize)>]) -> [Vec<usize>; 2] {
 /// `A = Q R` by plane rotations (Golub and Van Loan, *Matrix Computations*, 4th ed., §5.2.5): stable without a choice
 /// of pivots, which would differ from one position to the next.
 #[derive(Debug, Clone)]
-pub(in super::super) struct Core<S> {
+pub(super) struct GivensQr<S> {
     size: usize,
     /// The rotations, in order: the column, which is the row of its diagonal too, and the row below.
     pairs: Vec<[usize; 2]>,
@@ -51,9 +49,9 @@ pub(in super::super) struct Core<S> {
     signed: Vec<usize>,
 }
 
-impl<S: SimdReal> Core<S> {
+impl<S: SimdReal> GivensQr<S> {
     /// For matrices whose rows have these columns.
-    pub(in super::super) fn new(rows: &[Vec<(usize, usize)>]) -> Self {
+    pub(super) fn new(rows: &[Vec<(usize, usize)>]) -> Self {
         let size = rows.len();
         let zero = S::from(0.0);
         let mut entries = vec![vec![false; size]; size];
@@ -83,15 +81,15 @@ impl<S: SimdReal> Core<S> {
     }
 
     /// The matrix, by rows, to be overwritten and factored.
-    pub(in super::super) fn entries(&mut self) -> &mut [S] {
+    pub(super) fn entries(&mut self) -> &mut [S] {
         &mut self.r
     }
 
     #[inline(always)]
-    pub(in super::super) fn factor(&mut self) {
+    pub(super) fn factor(&mut self) {
         let n = self.size;
         for (turn, &[column, row]) in self.turns.iter_mut().zip(&self.pairs) {
-            let (a, b) = (self.r[column * n + column] + NOTHING, self.r[row * n + column]);
+            let (a, b) = (self.r[column * n + column] + ROTATION_GUARD, self.r[row * n + column]);
             let square = a * a + b * b;
             let short = S::from(1.0) / square.sqrt();
             let (cos, sin) = (a * short, b * short);
@@ -108,7 +106,7 @@ impl<S: SimdReal> Core<S> {
     /// The product of the diagonals of R whose signs are left open, which has the sign of the determinant, and the
     /// smallest diagonal over the largest: small near a singular position.
     #[inline(always)]
-    pub(in super::super) fn determinant(&self) -> [S; 2] {
+    pub(super) fn determinant(&self) -> [S; 2] {
         let n = self.size;
         let one = S::from(1.0);
         let Some(last) = self.r.last() else { return [one, one] };
@@ -127,7 +125,7 @@ impl<S: SimdReal> Core<S> {
 
     /// `A x = b` in place.
     #[inline(always)]
-    pub(in super::super) fn solve(&self, x: &mut [S]) {
+    pub(super) fn solve(&self, x: &mut [S]) {
         let n = self.size;
         for ([cos, sin], &[column, row]) in self.turns.iter().zip(&self.pairs) {
             let [p, q] = [x[column], x[row]];
@@ -145,7 +143,7 @@ impl<S: SimdReal> Core<S> {
 
     /// `Aᵀ y = g` in place.
     #[inline(always)]
-    pub(in super::super) fn solve_transposed(&self, y: &mut [S]) {
+    pub(super) fn solve_transposed(&self, y: &mut [S]) {
         let n = self.size;
         for column in 0..n {
             let mut sum = y[column];
@@ -190,19 +188,19 @@ mod tests {
     proptest! {
         #[test]
         fn sparse_equations_are_solved_and_the_sign_of_the_determinant_is_kept(a in sparse()) {
-            let [rows, columns] = order(&pattern(&a));
+            let [rows, columns] = ordering(&pattern(&a));
             let arranged = DMatrix::from_fn(SIZE, SIZE, |i, j| a[(rows[i], columns[j])]);
-            let mut core = Core::new(&pattern(&arranged));
-            core.entries().copy_from_slice(arranged.transpose().as_slice());
-            core.factor();
+            let mut qr = GivensQr::new(&pattern(&arranged));
+            qr.entries().copy_from_slice(arranged.transpose().as_slice());
+            qr.factor();
             let wanted = DVector::from_fn(SIZE, |i, _| 1.0 + i as f64);
             let mut x: Vec<f64> = (&arranged * &wanted).as_slice().to_vec();
-            core.solve(&mut x);
+            qr.solve(&mut x);
             prop_assert!((DVector::from_vec(x) - &wanted).amax() < 1e-12);
             let mut y: Vec<f64> = (arranged.transpose() * &wanted).as_slice().to_vec();
-            core.solve_transposed(&mut y);
+            qr.solve_transposed(&mut y);
             prop_assert!((DVector::from_vec(y) - &wanted).amax() < 1e-12);
-            let sign = core.determinant()[0].signum();
+            let sign = qr.determinant()[0].signum();
             prop_assert_eq!(sign, arranged.determinant().signum());
         }
     }
