@@ -1,5 +1,6 @@
 //! Words beside points, none over another.
 
+use dalembert_core::Side;
 use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 use unicode_width::UnicodeWidthStr;
 
@@ -77,6 +78,45 @@ impl Labels {
         ];
         // Words two rows away may belong to anything: they stand there only to cover much less.
         self.put(words, style, places, |at| if at.y.abs_diff(y as u16) > 1 { 3 } else { 0 }, free)
+    }
+
+    /// Words at a side of a point, farther out where they would cover something, or at the nearest side where they do not.
+    pub(crate) fn at_side(
+        &mut self,
+        words: &str,
+        style: Style,
+        (x, y): (u16, u16),
+        side: Side,
+        free: impl Fn(u16, u16) -> bool,
+    ) -> bool {
+        let (x, y, width) = (i32::from(x), i32::from(y), words.width() as i32);
+        let mut sides = Side::AROUND;
+        sides.sort_by_key(|other| side.turn_to(*other));
+        let mut places = Vec::new();
+        if side == Side::Over {
+            places.push(((x - width / 2, y), 0));
+        }
+        for other in sides {
+            let (right, up) = other.direction();
+            for step in 0..5i32 {
+                let left = match right {
+                    right if right > 0.1 => x + 2 + step,
+                    right if right < -0.1 => x - 1 - width - step,
+                    _ => x - width / 2,
+                };
+                let row = match up {
+                    up if up > 0.1 => y - 1 - step / 2,
+                    up if up < -0.1 => y + 1 + step / 2,
+                    _ => y,
+                };
+                places.push(((left, row), side.turn_to(other) + step as usize));
+            }
+        }
+        let price = |at: &Rect| {
+            let place = (i32::from(at.x), i32::from(at.y));
+            places.iter().find(|(other, _)| *other == place).map_or(0, |(_, price)| *price)
+        };
+        self.put(words, style, places.iter().map(|(place, _)| *place), price, free)
     }
 
     /// A sign of a few cells at a point or next to it, over whatever is drawn there but no words; nowhere if there are
