@@ -4,7 +4,11 @@ mod clip;
 mod side;
 mod space;
 
-use std::{borrow::Cow, fmt};
+use std::{
+    borrow::Cow,
+    f64::consts::{FRAC_PI_2, TAU},
+    fmt,
+};
 
 pub use self::clip::clipped;
 pub use self::side::Side;
@@ -340,10 +344,18 @@ impl DrawnShape {
     pub fn corners(&self) -> Vec<Point> {
         match self {
             DrawnShape::Polyline(points, _) | DrawnShape::Body(points, _) => points.clone(),
-            DrawnShape::Circle(at, radius, _)
-            | DrawnShape::Arc(at, radius, ..)
-            | DrawnShape::Disc(at, radius, _) => {
+            DrawnShape::Circle(at, radius, _) | DrawnShape::Disc(at, radius, _) => {
                 vec![(at.0 - radius, at.1 - radius), (at.0 + radius, at.1 + radius)]
+            }
+            DrawnShape::Arc(at, radius, from, to, _) => {
+                // Its ends, and where it turns back on the way.
+                let last = from + if (0.0..=TAU).contains(&(to - from)) { to - from } else { TAU };
+                let quarters = (0..5).map(|n| ((from / FRAC_PI_2).ceil() + f64::from(n)) * FRAC_PI_2);
+                [*from, last]
+                    .into_iter()
+                    .chain(quarters.filter(|angle| *angle < last))
+                    .map(|angle| (at.0 + radius * angle.cos(), at.1 + radius * angle.sin()))
+                    .collect()
             }
             DrawnShape::Block(a, b, _)
             | DrawnShape::Ground(a, b)

@@ -27,7 +27,7 @@
 //! assert_eq!(drawing.title.english(), "Slider-crank");
 //! ```
 //!
-//! What moves is one sketch for each frame, made an animation by [`Sketch::animation`]: all frames share one window,
+//! An animation is one sketch for each frame, joined by [`Sketch::animation`]: all frames share one window,
 //! symbols keep their size, springs their coils and letters their sides.
 
 mod part;
@@ -273,7 +273,7 @@ impl Sketch {
         self.add(Part::Centre(at), words)
     }
 
-    /// What another sketch shows.
+    /// The symbols of another sketch.
     pub fn include(&mut self, other: Sketch) -> &mut Self {
         self.parts.extend(other.parts);
         self

@@ -37,7 +37,7 @@ pub(super) enum Part {
     Dimension(Point, Point, f64),
 }
 
-/// What a symbol is made of.
+/// A piece of a symbol.
 #[derive(Clone, Debug)]
 pub(super) enum Item {
     Shape(DrawnShape),
@@ -88,7 +88,7 @@ fn bounds(points: impl Iterator<Item = Point>) -> Option<(Point, Point)> {
     })
 }
 
-/// What the symbols of a sketch are made of, in their order.
+/// The pieces of the symbols of a sketch, in their order.
 pub(super) fn items(parts: &[Part], unit: f64) -> Vec<Item> {
     let mut out = Vec::new();
     for part in parts {

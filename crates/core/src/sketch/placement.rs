@@ -13,13 +13,13 @@ use crate::{DrawnShape, Point, Side, Text};
 pub struct Words {
     /// The point.
     pub at: Point,
-    /// Where they are sought.
+    /// The side that they want.
     pub towards: Towards,
     /// The words.
     pub text: Text,
 }
 
-/// Where the words of a point are sought first.
+/// The side of its point that a name wants.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub enum Towards {
     /// Away from the middle of the sketch.
@@ -99,7 +99,7 @@ pub fn sides(words: &[Vec<Words>], shapes: &[Vec<DrawnShape>], unit: f64) -> Vec
     sides
 }
 
-/// Where each name stands: frames and rows.
+/// The frames and rows of each name.
 fn names(words: &[Vec<Words>]) -> Vec<Vec<(usize, usize)>> {
     let mut keys: Vec<(&Text, usize)> = Vec::new();
     let mut names: Vec<Vec<(usize, usize)>> = Vec::new();
@@ -151,7 +151,7 @@ fn place(words: &Words, side: Side, distance: f64, unit: f64) -> Area {
     [centre.0 - wide / 2.0, centre.1 - high / 2.0, centre.0 + wide / 2.0, centre.1 + high / 2.0]
 }
 
-/// What words would cover at a side: other words, and lines at the best distance from their point.
+/// The price of what words would cover at a side: other words, and lines at the best distance from their point.
 fn covered(words: &Words, side: Side, marks: &[Point], others: &[Area], unit: f64) -> f64 {
     let on = |distance: f64| {
         let [left, bottom, right, top] = place(words, side, distance, unit);

@@ -64,9 +64,9 @@ fn names_of_one_point_part() {
     let names = ["A", "B", "C", "D", "E", "F"];
     let mut sketch = Sketch::new("");
     sketch.axes((0.0, 0.0), 3.0);
-    names.iter().for_each(|name| {
-        sketch.label(*name, (1.0, 1.0));
-    });
+    for name in names {
+        sketch.label(name, (1.0, 1.0));
+    }
     let mut sides: Vec<Side> = labels(&sketch.finish()).into_iter().map(|(_, side)| side).collect();
     assert_eq!(sides.len(), names.len());
     sides.sort_unstable_by_key(|side| Side::AROUND.iter().position(|one| one == side));

@@ -27,6 +27,18 @@ impl Labels {
         far: impl Fn(&Rect) -> usize,
         free: impl Fn(u16, u16) -> bool,
     ) -> bool {
+        self.least(words, style, places, |covered, at| covered + far(at), free)
+    }
+
+    /// Words at the place of least price, which is that of the cells that they would cover and of the place.
+    fn least(
+        &mut self,
+        words: &str,
+        style: Style,
+        places: impl IntoIterator<Item = (i32, i32)>,
+        price: impl Fn(usize, &Rect) -> usize,
+        free: impl Fn(u16, u16) -> bool,
+    ) -> bool {
         let width = u16::try_from(words.width()).unwrap_or(u16::MAX);
         if width == 0 {
             return true;
@@ -37,7 +49,7 @@ impl Labels {
             .into_iter()
             .filter_map(|place| self.rect(place, width))
             .map(|at| (covered(&at), at))
-            .min_by_key(|(covered, at)| covered + far(at));
+            .min_by_key(|(covered, at)| price(*covered, at));
         let Some((_, at)) = best.filter(|(covered, _)| 3 * covered <= usize::from(width) + 3) else {
             return false;
         };
@@ -116,7 +128,9 @@ impl Labels {
             let place = (i32::from(at.x), i32::from(at.y));
             places.iter().find(|(other, _)| *other == place).map_or(0, |(_, price)| *price)
         };
-        self.put(words, style, places.iter().map(|(place, _)| *place), price, free)
+        // A step farther out is better than a cell that is covered.
+        let price = |covered: usize, at: &Rect| 3 * covered + price(at);
+        self.least(words, style, places.iter().map(|(place, _)| *place), price, free)
     }
 
     /// A sign of a few cells at a point or next to it, over whatever is drawn there but no words; nowhere if there are

@@ -284,8 +284,8 @@ impl RotatingUnbalance {
         sketch
             .mass("", (-0.6, -0.4), (0.6, 0.8))
             .circle((0.0, 0.2), 0.4, Ink::Faint)
-            .line("e", (0.0, 0.2), (0.28, 0.48), Ink::Faint)
-            .round("m₀", (0.28, 0.48), 0.08, Ink::Danger)
+            .axis((0.0, 0.2), (0.28, 0.48))
+            .round("m₀e", (0.28, 0.48), 0.08, Ink::Danger)
             .joint("", (0.0, 0.2))
             .motion("X", (0.9, -0.3), (0.9, 0.7))
             .finish()

@@ -121,6 +121,15 @@ pub(crate) fn hanging<T: Hung>(spring: &T, top: Point, height: f64, place: &[usi
             }
             sketch.bars([top, (top.0, top.1 - gap)]).bars([(end.0, end.1 + gap), end]);
         }
+        Hanging::One("cantilever") => {
+            // A bracket carries its clamped end; the load hangs on the other.
+            let (wall, level) = (top.0 - 0.45 * WIDTH, top.1 - height / 2.0);
+            sketch
+                .bars([top, (wall, top.1), (wall, level)])
+                .ground((wall, level + 0.2 * height), (wall, level - 0.2 * height))
+                .link(caption("cantilever", &symbol(T::SYMBOL, place)), (wall, level), (top.0, level))
+                .bars([(top.0, level), end]);
+        }
         Hanging::One(kind) => {
             sketch.spring(caption(kind, &symbol(T::SYMBOL, place)), top, end);
         }

@@ -1,6 +1,6 @@
 //! The lift in motion, and the force of its cylinder over the way.
 
-use dalembert_core::{Axis, Plot, Series, Sketch};
+use dalembert_core::{Axis, Ink, Plot, Series, Sketch};
 
 use super::{ScissorLift, Sought};
 use crate::shared::equilibria::spread;
@@ -55,11 +55,12 @@ impl ScissorLift {
         sketch
             .mass("", (-0.1 * l, top), (1.1 * l, top + 0.06 * l))
             .pin("", (0.0, 0.0))
-            .damper("F", from, to)
+            .damper("", from, to)
             .joint("", from)
             .joint("", to)
             .force("", (wide / 2.0, top + 0.4 * l), (wide / 2.0, top + 0.1 * l))
-            .label("W", (wide / 2.0, top + 0.4 * l));
+            .label("W", (wide / 2.0, top + 0.4 * l))
+            .vector("F", to, (to.0 + 0.3 * (to.0 - from.0), to.1 + 0.3 * (to.1 - from.1)), Ink::Result);
         sketch
     }
 }
