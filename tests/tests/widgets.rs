@@ -3,8 +3,8 @@
 
 use dalembert_core::{
     Answer, AnswerValue, Axis, Cell, Check, Column, Draft, Drawing, DrawnShape, Entry, Exhibit, FieldError,
-    Ink, Locale, Plot, Refusal, Scale, Series, Sides, Solution, SolveError, Stop, TableExhibit, Text, cases,
-    find,
+    Ink, Locale, Plot, Refusal, Scale, Series, Side, Sides, Solution, SolveError, Stop, TableExhibit, Text,
+    cases, find,
 };
 use dalembert_mechanics::sdof;
 use dalembert_numerics::intervals::IntervalSet;
@@ -324,7 +324,7 @@ fn the_drawing_of_the_fan() {
 fn every_shape_at_every_size() {
     let shapes = vec![
         DrawnShape::Ground((-1.0, -1.5), (1.0, -1.5)),
-        DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4)),
+        DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4), 5),
         DrawnShape::Damper((0.4, -1.5), (0.4, -0.4)),
         DrawnShape::Block((-0.8, -0.4), (0.8, 0.8), Ink::Body),
         DrawnShape::Circle((0.0, 0.2), 0.4, Ink::Faint),
@@ -332,8 +332,8 @@ fn every_shape_at_every_size() {
         DrawnShape::Pin((1.6, -0.4)),
         DrawnShape::Polyline(vec![(1.6, -0.4), (2.6, 0.8)], Ink::Body),
         DrawnShape::Arrow((1.2, -0.3), (1.2, 0.7), Ink::Motion),
-        DrawnShape::Label((1.2, 0.7), "X".into()),
-        DrawnShape::Label((2.6, 0.8), "a rod".into()),
+        DrawnShape::Label((1.2, 0.7), Side::Right, "X".into()),
+        DrawnShape::Label((2.6, 0.8), Side::Right, "a rod".into()),
     ];
     let good = Drawing { title: "A machine".into(), shapes: shapes.clone() };
     let bad = Drawing {
@@ -342,9 +342,9 @@ fn every_shape_at_every_size() {
             DrawnShape::Circle((f64::NAN, 0.0), 1.0, Ink::Body),
             DrawnShape::Block((-1e308, -1e308), (1e308, 1e308), Ink::Body),
             DrawnShape::Arrow((0.0, 0.0), (f64::INFINITY, 1.0), Ink::Force),
-            DrawnShape::Spring((1.0, 1.0), (1.0, 1.0)),
+            DrawnShape::Spring((1.0, 1.0), (1.0, 1.0), 5),
             DrawnShape::Arc((0.0, 0.0), 1e-300, 5.0, 1.0, Ink::Body),
-            DrawnShape::Label((f64::NAN, 1.0), "nowhere".into()),
+            DrawnShape::Label((f64::NAN, 1.0), Side::Right, "nowhere".into()),
             DrawnShape::Polyline(Vec::new(), Ink::Body),
         ],
     };

@@ -1,11 +1,17 @@
 //! Plots, tables and drawings: what a solution shows beside its numbers. Plain data in SI.
 
 mod clip;
+mod side;
 mod space;
 
-use std::{borrow::Cow, fmt};
+use std::{
+    borrow::Cow,
+    f64::consts::{FRAC_PI_2, TAU},
+    fmt,
+};
 
 pub use self::clip::clipped;
+pub use self::side::Side;
 pub use self::space::{Point3, Scene, Shape3, View};
 use crate::Text;
 
@@ -195,18 +201,24 @@ pub enum DrawnShape {
     Arc(Point, f64, f64, f64, Ink),
     /// A filled rectangle between two corners: a mass, a machine.
     Block(Point, Point, Ink),
+    /// A filled outline through corners: a rigid body.
+    Body(Vec<Point>, Ink),
+    /// A filled circle about a centre: a wheel, a bob, a joint.
+    Disc(Point, f64, Ink),
     /// A fixed pin.
     Pin(Point),
     /// Fixed ground along a line, hatched on its right-hand side seen from the first point.
     Ground(Point, Point),
-    /// A helical spring between two points.
-    Spring(Point, Point),
+    /// A helical spring between two points, with so many coils.
+    Spring(Point, Point, u32),
     /// A viscous damper between two points.
     Damper(Point, Point),
     /// An arrow from tail to head.
     Arrow(Point, Point, Ink),
-    /// Words beside a point.
-    Label(Point, Text),
+    /// Words at a side of a point.
+    Label(Point, Side, Text),
+    /// Nothing that is seen: opposite corners of what every frame of an animation shows.
+    Extent(Point, Point),
 }
 
 /// Role of a line, to which each screen and file assigns a colour.
@@ -304,6 +316,8 @@ impl Drawing {
                     | DrawnShape::Circle(_, _, Ink::Result)
                     | DrawnShape::Arc(_, _, _, _, Ink::Result)
                     | DrawnShape::Arrow(_, _, Ink::Result)
+                    | DrawnShape::Body(_, Ink::Result)
+                    | DrawnShape::Disc(_, _, Ink::Result)
             )
         };
         let mut shapes = Vec::new();
@@ -312,8 +326,8 @@ impl Drawing {
             match shape {
                 shape if adds(shape) => after_result = true,
                 DrawnShape::Label(..) if after_result => {}
-                DrawnShape::Label(at, words) => {
-                    shapes.push(DrawnShape::Label(*at, words.without_numbers()));
+                DrawnShape::Label(at, side, words) => {
+                    shapes.push(DrawnShape::Label(*at, *side, words.without_numbers()));
                 }
                 shape => {
                     after_result = false;
@@ -322,6 +336,35 @@ impl Drawing {
             }
         }
         Self { title: self.title.without_numbers(), shapes }
+    }
+}
+
+impl DrawnShape {
+    /// The points that say how large a drawing is.
+    pub fn corners(&self) -> Vec<Point> {
+        match self {
+            DrawnShape::Polyline(points, _) | DrawnShape::Body(points, _) => points.clone(),
+            DrawnShape::Circle(at, radius, _) | DrawnShape::Disc(at, radius, _) => {
+                vec![(at.0 - radius, at.1 - radius), (at.0 + radius, at.1 + radius)]
+            }
+            DrawnShape::Arc(at, radius, from, to, _) => {
+                // Its ends, and where it turns back on the way.
+                let last = from + if (0.0..=TAU).contains(&(to - from)) { to - from } else { TAU };
+                let quarters = (0..5).map(|n| ((from / FRAC_PI_2).ceil() + f64::from(n)) * FRAC_PI_2);
+                [*from, last]
+                    .into_iter()
+                    .chain(quarters.filter(|angle| *angle < last))
+                    .map(|angle| (at.0 + radius * angle.cos(), at.1 + radius * angle.sin()))
+                    .collect()
+            }
+            DrawnShape::Block(a, b, _)
+            | DrawnShape::Ground(a, b)
+            | DrawnShape::Spring(a, b, _)
+            | DrawnShape::Damper(a, b)
+            | DrawnShape::Arrow(a, b, _)
+            | DrawnShape::Extent(a, b) => vec![*a, *b],
+            DrawnShape::Pin(at) | DrawnShape::Label(at, ..) => vec![*at],
+        }
     }
 }
 

@@ -29,6 +29,7 @@ mod record;
 mod retrace;
 pub mod sensitivity;
 mod sheet;
+pub mod sketch;
 mod solution;
 mod source;
 pub mod study;
@@ -53,13 +54,14 @@ pub use crate::{
     draft::Draft,
     exhibit::{
         Animation, Axis, Band, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Level, Mark, Over, Plot,
-        Point, Point3, Scale, Scene, Series, Shape3, TableExhibit, View,
+        Point, Point3, Scale, Scene, Series, Shape3, Side, TableExhibit, View,
     },
     field::{ChildList, Field, Limit, Measure, Shape, Variant},
     input::{FieldError, Inputs, Lift, MeasuredQuantity, Reference},
     path::{is_within, nearest},
     record::{Record, Table, Value},
     sheet::{Sheet, Term, VectorTerm},
+    sketch::Sketch,
     solution::{Answer, AnswerValue, Check, Display, Name, Sides, Solution, Step},
     source::{Cite, Source},
     text::{Arg, Language, Locale, Messages, Text},

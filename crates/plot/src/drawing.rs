@@ -1,6 +1,6 @@
 //! Sketches of machines, in the cells of a terminal.
 
-use dalembert_core::{Drawing, DrawnShape, Ink, Locale, Point, Text};
+use dalembert_core::{Drawing, DrawnShape, Ink, Locale, Point, Side, Text};
 use dalembert_report::figure::strokes::{Box2, Part, Stroke, strokes};
 use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 use unicode_width::UnicodeWidthStr;
@@ -42,9 +42,9 @@ pub fn render(drawing: &Drawing, look: &Look, locale: &Locale, area: Rect, buffe
         }
     }
     let all = strokes(drawing);
-    let labels: Vec<(Point, String)> = labels(drawing, &locale);
-    let corners = all.iter().flat_map(|stroke| &stroke.points).chain(labels.iter().map(|(at, _)| at));
-    let Some(bounds) = Box2::of(corners.copied()) else {
+    let labels = labels(drawing, &locale);
+    let corners = all.iter().flat_map(|stroke| &stroke.points).chain(labels.iter().map(|label| &label.at));
+    let Some(bounds) = Box2::of(corners.copied().chain(extent(drawing))) else {
         let words = look.shortened(&Text::new("nothing to draw").render(&locale), area.width.into());
         let x = area.x + (area.width - words.width() as u16) / 2;
         buffer.set_string(x, area.y + area.height / 2, words, look.dim());
@@ -73,10 +73,18 @@ pub fn render(drawing: &Drawing, look: &Look, locale: &Locale, area: Rect, buffe
     }
 }
 
+/// Words and the point that they stand beside.
+#[derive(PartialEq)]
+struct Label {
+    at: Point,
+    side: Side,
+    text: String,
+}
+
 /// Parts of a drawing, and the look they are drawn with.
 struct Sketch<'a> {
     strokes: &'a [Stroke],
-    labels: &'a [(Point, String)],
+    labels: &'a [Label],
     bounds: &'a Box2,
     look: &'a Look,
 }
@@ -109,11 +117,11 @@ impl Sketch<'_> {
             words.reserve(*cell);
         }
         let mut listed = Vec::new();
-        for (at, text) in self.labels {
+        for Label { at, side, text } in self.labels {
             let short = look.shortened(text, area.width.into());
             let cell = dots.cell_of(fit.dot(*at));
             let free = |x, y| dots.is_free(x, y);
-            if !words.beside(&short, look.symbol(), cell, free) {
+            if !words.at_side(&short, look.symbol(), cell, *side, free) {
                 let mark = mark(listed.len(), look);
                 words.mark(&mark, look.symbol(), cell, free);
                 listed.push((mark, text.clone()));
@@ -147,27 +155,36 @@ fn list(listed: &[(String, String)], width: u16, look: &Look) -> Vec<String> {
 }
 
 /// The words of a drawing and their points; the same words at the same point once.
-fn labels(drawing: &Drawing, locale: &Locale) -> Vec<(Point, String)> {
+fn labels(drawing: &Drawing, locale: &Locale) -> Vec<Label> {
     let label = |shape: &DrawnShape| match shape {
-        DrawnShape::Label(at, text) if at.0.is_finite() && at.1.is_finite() => {
-            Some((*at, text.render(locale)))
+        DrawnShape::Label(at, side, text) if at.0.is_finite() && at.1.is_finite() => {
+            Some(Label { at: *at, side: *side, text: text.render(locale) })
         }
         _ => None,
     };
-    let mut labels: Vec<(Point, String)> = Vec::new();
-    for label in drawing.shapes.iter().filter_map(label).filter(|(_, words)| !words.is_empty()) {
-        if !labels.contains(&label) {
+    let mut labels: Vec<Label> = Vec::new();
+    for label in drawing.shapes.iter().filter_map(label).filter(|label| !label.text.is_empty()) {
+        if !labels.iter().any(|other| other.at == label.at && other.text == label.text) {
             labels.push(label);
         }
     }
     labels
 }
 
+/// Corners of what all frames of an animation show.
+fn extent(drawing: &Drawing) -> impl Iterator<Item = Point> {
+    drawing
+        .shapes
+        .iter()
+        .filter(|shape| matches!(shape, DrawnShape::Extent(..)))
+        .flat_map(DrawnShape::corners)
+}
+
 fn draw(stroke: &Stroke, fit: &Fit, look: &Look, dots: &mut Dots) {
     let style = look.ink(stroke.ink);
     let points: Vec<(f64, f64)> = stroke.points.iter().map(|at| fit.dot(*at)).collect();
     dots.lift();
-    if stroke.part == Part::Solid {
+    if matches!(stroke.part, Part::Solid | Part::Disc) {
         dots.hide(&points);
     }
     if look.ascii {
@@ -175,7 +192,7 @@ fn draw(stroke: &Stroke, fit: &Fit, look: &Look, dots: &mut Dots) {
             (Part::Head | Part::Hatch, _) => return,
             (Part::Spring, [from, .., to]) => return spring(*from, *to, style, dots),
             (Part::Ground, [from, to]) => hatch(*from, *to, look, dots),
-            (Part::Round, _) if is_small(&points) => {
+            (Part::Round | Part::Disc, _) if is_small(&points) => {
                 let at = middle(&points);
                 dots.line(at, at, Pen::solid(style, 'O'));
                 return;
@@ -183,8 +200,10 @@ fn draw(stroke: &Stroke, fit: &Fit, look: &Look, dots: &mut Dots) {
             _ => {}
         }
     }
+    let points = if stroke.part == Part::Spring { open_coils(points) } else { points };
     for pair in points.windows(2) {
-        let stamp = if stroke.part == Part::Round { 'o' } else { stamp(pair[0], pair[1]) };
+        let stamp =
+            if matches!(stroke.part, Part::Round | Part::Disc) { 'o' } else { stamp(pair[0], pair[1]) };
         dots.line(pair[0], pair[1], Pen::solid(style, stamp));
     }
     if let (Part::Shaft, [tail, head]) = (stroke.part, &points[..])
@@ -192,6 +211,28 @@ fn draw(stroke: &Stroke, fit: &Fit, look: &Look, dots: &mut Dots) {
     {
         dots.line(*head, *head, Pen::solid(style, head_stamp(*tail, *head)));
     }
+}
+
+/// The same wave of a spring with fewer coils, where its turns would lie on each other.
+fn open_coils(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    // Straight ends and turns in between, one dot apart at least.
+    let [from, first, turns @ .., last, to] = &points[..] else { return points };
+    let length = (last.0 - first.0).abs().max((last.1 - first.1).abs());
+    let fewest = 2;
+    let most = ((length / 1.5) as usize).max(fewest);
+    if turns.len() <= most {
+        return points;
+    }
+    let half = (0..most).map(|n| {
+        let part = (n as f64 + 0.5) / most as f64;
+        let middle = (first.0 + (last.0 - first.0) * part, first.1 + (last.1 - first.1) * part);
+        // The first two turns say how far a wave leaves its axis, and to which sides.
+        let axis = 0.5 / turns.len() as f64 + (n % 2) as f64 / turns.len() as f64;
+        let on = (first.0 + (last.0 - first.0) * axis, first.1 + (last.1 - first.1) * axis);
+        let turn = turns[n % 2];
+        (middle.0 + turn.0 - on.0, middle.1 + turn.1 - on.1)
+    });
+    [*from, *first].into_iter().chain(half).chain([*last, *to]).collect()
 }
 
 /// A zigzag of slashes between two straight ends: where a cell is one dot, a wave is not wide enough to be seen.
@@ -270,22 +311,30 @@ struct Fit {
 
 impl Fit {
     /// The largest scale with a cell of margin, and room for the words at the sides.
-    fn of(bounds: &Box2, labels: &[(Point, String)], dots: &Dots, area: Rect) -> Self {
+    fn of(bounds: &Box2, labels: &[Label], dots: &Dots, area: Rect) -> Self {
         let bare = Self::within(bounds, dots, (1.0, 1.0));
         let (across, _) = dots.per_cell();
-        let cells = |at: Point| bare.dot(at).0 / f64::from(across);
-        // Words stand right of their point if they can.
-        let beyond = labels
-            .iter()
-            .map(|(at, text)| cells(*at) + 3.0 + text.width() as f64 - f64::from(area.width))
-            .fold(0.0, f64::max);
         let most = f64::from(area.width) / 4.0;
-        let mut fit = Self::within(bounds, dots, (1.0, 1.0 + beyond.min(most)));
+        let beyond = |cells: &dyn Fn(f64, f64) -> f64| {
+            let over = |label: &Label| {
+                let (right, _) = label.side.direction();
+                let width = label.text.width() as f64;
+                // Words begin or end two cells from their point, or have it in their middle.
+                let shift = if right.abs() > 0.1 { 2.0 * right.signum() } else { -width / 2.0 };
+                let from = if right < -0.1 { shift - width } else { shift };
+                let at = bare.dot(label.at).0 / f64::from(across) + from;
+                cells(at, at + width)
+            };
+            labels.iter().map(over).fold(0.0, f64::max).min(most)
+        };
+        let left = beyond(&|from, _| -from);
+        let right = beyond(&|_, to| to + 1.0 - f64::from(area.width));
+        let mut fit = Self::within(bounds, dots, (1.0 + left, 1.0 + right));
         // What there is to spare goes to both sides.
         let (width, _) = dots.size();
-        let right = fit.dot((bounds.right, bounds.top)).0 + beyond.min(most) * f64::from(across);
-        let left = fit.dot((bounds.left, bounds.top)).0;
-        fit.centre.0 += (f64::from(width) - 1.0 - right - left) / 2.0;
+        let end = fit.dot((bounds.right, bounds.top)).0 + right * f64::from(across);
+        let start = fit.dot((bounds.left, bounds.top)).0 - left * f64::from(across);
+        fit.centre.0 += (f64::from(width) - 1.0 - end - start) / 2.0;
         fit
     }
 

@@ -339,12 +339,15 @@ fn numbers(shape: &DrawnShape) -> (&'static str, Vec<f64>) {
         DrawnShape::Circle(at, radius, _) => ("circle", vec![at.0, at.1, *radius]),
         DrawnShape::Arc(at, radius, from, to, _) => ("arc", vec![at.0, at.1, *radius, *from, *to]),
         DrawnShape::Block(a, b, _) => ("block", two(a, b)),
+        DrawnShape::Body(corners, _) => ("body", corners.iter().flat_map(|&(x, y)| [x, y]).collect()),
+        DrawnShape::Disc(at, radius, _) => ("disc", vec![at.0, at.1, *radius]),
         DrawnShape::Pin(at) => ("pin", vec![at.0, at.1]),
         DrawnShape::Ground(a, b) => ("ground", two(a, b)),
-        DrawnShape::Spring(a, b) => ("spring", two(a, b)),
+        DrawnShape::Spring(a, b, _) => ("spring", two(a, b)),
         DrawnShape::Damper(a, b) => ("damper", two(a, b)),
         DrawnShape::Arrow(a, b, _) => ("arrow", two(a, b)),
-        DrawnShape::Label(at, _) => ("label", vec![at.0, at.1]),
+        DrawnShape::Label(at, ..) => ("label", vec![at.0, at.1]),
+        DrawnShape::Extent(a, b) => ("extent", two(a, b)),
     }
 }
 
@@ -353,9 +356,10 @@ fn differ(one: &[DrawnShape], other: &[DrawnShape]) -> Option<String> {
     if one.len() != other.len() {
         return Some(format!("{} shapes for {}", one.len(), other.len()));
     }
-    // Paths and lines of the ground are drawn for the whole range.
-    let still =
-        |shape: &&DrawnShape| matches!(shape, DrawnShape::Polyline(_, Ink::Faint) | DrawnShape::Ground(..));
+    // Paths, lines of the ground and the window are drawn for the whole range.
+    let still = |shape: &&DrawnShape| {
+        matches!(shape, DrawnShape::Polyline(_, Ink::Faint) | DrawnShape::Ground(..) | DrawnShape::Extent(..))
+    };
     let moving =
         |all: &[DrawnShape]| all.iter().filter(|shape| !still(shape)).map(numbers).collect::<Vec<_>>();
     let [one, other] = [one, other].map(moving);

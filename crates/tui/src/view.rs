@@ -229,7 +229,7 @@ pub(crate) fn animation(model: &Model) -> Option<(Tab, usize, f64)> {
     is_seen.then_some((tab, frames, period))
 }
 
-/// Where what has the focus begins: a screen reader follows the cursor.
+/// Start of the focused item: a screen reader follows the cursor.
 fn focused_cell(buffer: &Buffer) -> Option<Position> {
     let at = buffer.content.iter().position(|cell| cell.modifier.contains(Modifier::REVERSED))?;
     Some(buffer.pos_of(at).into())

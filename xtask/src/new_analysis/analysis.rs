@@ -6,8 +6,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Source, Text,
-    Worksheet, register,
+    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Source, Worksheet, register,
 };
 use dalembert_mechanics::{Real, sdof};
 
@@ -98,14 +97,12 @@ impl AnalysisName {
     }
 }
 
-/// The mass on its spring; metres, y up.
+/// The mass on its spring; metres, y up. Symbols are placed by points, and their names find their places themselves.
 fn sketch() -> Drawing {
-    let shapes = vec![
-        DrawnShape::Ground((-0.6, 0.0), (0.6, 0.0)),
-        DrawnShape::Spring((0.0, 0.0), (0.0, 1.0)),
-        DrawnShape::Block((-0.4, 1.0), (0.4, 1.6), Ink::Body),
-        DrawnShape::Arrow((0.7, 1.1), (0.7, 1.6), Ink::Motion),
-        DrawnShape::Label((0.8, 1.6), Text::from("x")),
-    ];
-    Drawing { title: "The mass on its spring".into(), shapes }
+    Sketch::new("The mass on its spring")
+        .ground((-0.6, 0.0), (0.6, 0.0))
+        .spring("k", (0.0, 0.0), (0.0, 1.0))
+        .mass("m", (-0.4, 1.0), (0.4, 1.6))
+        .motion("x", (0.7, 1.1), (0.7, 1.6))
+        .finish()
 }

@@ -6,26 +6,11 @@ use super::{Tree, lines};
 const RELATIVE: [&str; 10] =
     ["What", "Whether", "How", "Where", "Its", "Which", "Who", "Whose", "Why", "When"];
 
-/// Paths whose comments are not examined yet: they are being rewritten.
-const BEING_REWRITTEN: [&str; 9] = [
-    "crates/tui/src/bench",
-    "crates/tui/src/drawing",
-    "crates/tui/src/keys",
-    "crates/tui/src/panes",
-    "crates/tui/src/plot",
-    "crates/tui/src/tab",
-    "crates/tui/src/terminal",
-    "crates/tui/src/update",
-    "crates/tui/src/view",
-];
-
 /// Labels are excepted: the comments of the fields and alternatives of an input type are read in a form, below the name
 /// of what they belong to.
 pub(super) fn doc_comments_begin_with_a_noun_or_a_verb(tree: &Tree) -> Vec<String> {
-    let examined =
-        tree.sources().filter(|(path, _)| !BEING_REWRITTEN.iter().any(|start| path.starts_with(start)));
     let mut faults = Vec::new();
-    for (path, text) in examined {
+    for (path, text) in tree.sources() {
         let mut was_doc = false;
         let mut end_of_labels: Option<String> = None;
         for (n, line) in lines(text) {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use super::{Drawing, DrawnShape, Ink, Point};
+use super::{Drawing, DrawnShape, Ink, Point, Side};
 use crate::Text;
 
 /// A point of a scene: x, y and, upwards, z, in metres or in any one length of the scene.
@@ -54,7 +54,7 @@ impl Scene {
             }
             Shape3::Sphere(at, radius, ink) => DrawnShape::Circle(view.point(*at), *radius, *ink),
             Shape3::Arrow(tail, head, ink) => DrawnShape::Arrow(view.point(*tail), view.point(*head), *ink),
-            Shape3::Label(at, words) => DrawnShape::Label(view.point(*at), words.clone()),
+            Shape3::Label(at, words) => DrawnShape::Label(view.point(*at), Side::default(), words.clone()),
         };
         Drawing { title: self.title.clone(), shapes: shapes.iter().map(seen).collect() }
     }

@@ -1,7 +1,7 @@
 //! Every numerical threshold of the planar kernel, with its unit and the reason of its value.
 //!
 //! Units: *of the size* is a fraction of [`Model::size`](super::Model::size), m, or of the distance that the bodies
-//! reach where that is larger; angles count as angle times size. *Relative* is a ratio without unit. ε is the spacing
+//! reach where that is larger; angles are measured as angle times size. *Relative* is a ratio without unit. ε is the spacing
 //! of `f64` at 1, 2.2 × 10⁻¹⁶: a residual is a sum of some ten products, so rounding leaves 2 ε to 50 ε of the size in
 //! it. Bounds on the work are counts: they end a search that a well-posed mechanism ends far earlier.
 //!

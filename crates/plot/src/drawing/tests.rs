@@ -1,4 +1,4 @@
-use dalembert_core::Ink;
+use dalembert_core::{Ink, Side};
 
 use super::*;
 
@@ -32,7 +32,7 @@ fn a_circle_is_round() {
 fn a_drawing_stands_upright_and_the_right_way_round() {
     let shapes = vec![
         DrawnShape::Polyline(vec![(0.0, 0.0), (10.0, 0.0), (10.0, 4.0)], Ink::Body),
-        DrawnShape::Label((0.0, 4.0), "up".into()),
+        DrawnShape::Label((0.0, 4.0), Side::Right, "up".into()),
     ];
     let rows = drawn(&drawing(shapes), &Look { ascii: true, ..Look::default() }, 40, 12);
     let row = |words: &str| rows.iter().position(|row| row.contains(words)).unwrap();
@@ -56,7 +56,8 @@ fn a_block_hides_what_lies_under_it() {
 
 #[test]
 fn words_do_not_stand_on_one_another() {
-    let labels = ["alpha", "beta", "gamma", "delta"].map(|name| DrawnShape::Label((1.0, 1.0), name.into()));
+    let labels = ["alpha", "beta", "gamma", "delta"]
+        .map(|name| DrawnShape::Label((1.0, 1.0), Side::Right, name.into()));
     let shapes = [DrawnShape::Circle((0.0, 0.0), 2.0, Ink::Body)].into_iter().chain(labels).collect();
     let all = drawn(&drawing(shapes), &Look::default(), 60, 20).join("\n");
     for name in ["alpha", "beta", "gamma", "delta"] {
@@ -76,12 +77,12 @@ fn arrows_point_where_they_point() {
 #[test]
 fn a_spring_is_a_zigzag_and_ground_is_hatched_where_a_cell_is_a_dot() {
     let ascii = Look { ascii: true, ..Look::default() };
-    let across = vec![DrawnShape::Spring((0.0, 0.0), (10.0, 0.0))];
+    let across = vec![DrawnShape::Spring((0.0, 0.0), (10.0, 0.0), 5)];
     let all = drawn(&drawing(across), &ascii, 42, 12).join("\n");
     assert!(all.contains(r"-/\/\/\/\/\/\/\/\") || all.contains(r"-\/\/\/\/\/\/\/\/"), "{all}");
     let up = vec![
         DrawnShape::Ground((-2.0, 0.0), (2.0, 0.0)),
-        DrawnShape::Spring((0.0, 0.0), (0.0, 5.0)),
+        DrawnShape::Spring((0.0, 0.0), (0.0, 5.0), 5),
         DrawnShape::Polyline(vec![(-2.0, 5.0), (2.0, 5.0)], Ink::Body),
     ];
     let rows = drawn(&drawing(up), &ascii, 42, 24);

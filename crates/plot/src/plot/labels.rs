@@ -1,5 +1,6 @@
 //! Words beside points, none over another.
 
+use dalembert_core::Side;
 use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 use unicode_width::UnicodeWidthStr;
 
@@ -26,6 +27,18 @@ impl Labels {
         far: impl Fn(&Rect) -> usize,
         free: impl Fn(u16, u16) -> bool,
     ) -> bool {
+        self.least(words, style, places, |covered, at| covered + far(at), free)
+    }
+
+    /// Words at the place of least price, which is that of the cells that they would cover and of the place.
+    fn least(
+        &mut self,
+        words: &str,
+        style: Style,
+        places: impl IntoIterator<Item = (i32, i32)>,
+        price: impl Fn(usize, &Rect) -> usize,
+        free: impl Fn(u16, u16) -> bool,
+    ) -> bool {
         let width = u16::try_from(words.width()).unwrap_or(u16::MAX);
         if width == 0 {
             return true;
@@ -36,7 +49,7 @@ impl Labels {
             .into_iter()
             .filter_map(|place| self.rect(place, width))
             .map(|at| (covered(&at), at))
-            .min_by_key(|(covered, at)| covered + far(at));
+            .min_by_key(|(covered, at)| price(*covered, at));
         let Some((_, at)) = best.filter(|(covered, _)| 3 * covered <= usize::from(width) + 3) else {
             return false;
         };
@@ -77,6 +90,47 @@ impl Labels {
         ];
         // Words two rows away may belong to anything: they stand there only to cover much less.
         self.put(words, style, places, |at| if at.y.abs_diff(y as u16) > 1 { 3 } else { 0 }, free)
+    }
+
+    /// Words at a side of a point, farther out where they would cover something, or at the nearest side where they do not.
+    pub(crate) fn at_side(
+        &mut self,
+        words: &str,
+        style: Style,
+        (x, y): (u16, u16),
+        side: Side,
+        free: impl Fn(u16, u16) -> bool,
+    ) -> bool {
+        let (x, y, width) = (i32::from(x), i32::from(y), words.width() as i32);
+        let mut sides = Side::AROUND;
+        sides.sort_by_key(|other| side.turn_to(*other));
+        let mut places = Vec::new();
+        if side == Side::Over {
+            places.push(((x - width / 2, y), 0));
+        }
+        for other in sides {
+            let (right, up) = other.direction();
+            for step in 0..5i32 {
+                let left = match right {
+                    right if right > 0.1 => x + 2 + step,
+                    right if right < -0.1 => x - 1 - width - step,
+                    _ => x - width / 2,
+                };
+                let row = match up {
+                    up if up > 0.1 => y - 1 - step / 2,
+                    up if up < -0.1 => y + 1 + step / 2,
+                    _ => y,
+                };
+                places.push(((left, row), side.turn_to(other) + step as usize));
+            }
+        }
+        let price = |at: &Rect| {
+            let place = (i32::from(at.x), i32::from(at.y));
+            places.iter().find(|(other, _)| *other == place).map_or(0, |(_, price)| *price)
+        };
+        // A step farther out is better than a cell that is covered.
+        let price = |covered: usize, at: &Rect| 3 * covered + price(at);
+        self.least(words, style, places.iter().map(|(place, _)| *place), price, free)
     }
 
     /// A sign of a few cells at a point or next to it, over whatever is drawn there but no words; nowhere if there are

@@ -1,5 +1,6 @@
 //! Words beside points of a picture: none over another, and over as little else as possible.
 
+use dalembert_core::Side;
 use unicode_width::UnicodeWidthStr;
 
 use super::picture::{Anchor, Part, Tone, WORDS};
@@ -49,19 +50,52 @@ impl Labels {
         self.put(text, tone, &places);
     }
 
+    /// Words at a side of a point, farther out where they would cover something, or at the nearest side where they do not.
+    pub(super) fn at_side(&mut self, text: &str, tone: Tone, (x, y): (f64, f64), side: Side) {
+        let long = width(text);
+        let level = y + 0.35 * WORDS;
+        let mut sides = Side::AROUND;
+        sides.sort_by_key(|other| side.turn_to(*other));
+        let mut places = Vec::new();
+        if side == Side::Over {
+            places.push(((x - long / 2.0, level), 0));
+        }
+        for other in sides {
+            let (right, up) = other.direction();
+            let corner = if right.abs() > 0.1 && up.abs() > 0.1 { 0.5 } else { 1.0 };
+            for step in 0..6u8 {
+                let out = corner * 6.0 * f64::from(step);
+                let left = match right {
+                    right if right > 0.1 => x + 7.0 + out,
+                    right if right < -0.1 => x - 7.0 - long - out,
+                    _ => x - long / 2.0,
+                };
+                let rows = if up.abs() > 0.1 { up.signum() * (0.9 * WORDS + out) } else { 0.0 };
+                places.push(((left, level - rows), 2 * side.turn_to(other) + usize::from(step)));
+            }
+        }
+        self.cheapest(text, tone, &places);
+    }
+
     /// Words at the first of `places` (of the beginning of their base line) where they cover least.
     pub(super) fn put(&mut self, text: &str, tone: Tone, places: &[(f64, f64)]) {
+        let places: Vec<_> = places.iter().map(|at| (*at, 0)).collect();
+        self.cheapest(text, tone, &places);
+    }
+
+    /// Words at the place where what they cover and the price of the place itself are least.
+    fn cheapest(&mut self, text: &str, tone: Tone, places: &[((f64, f64), usize)]) {
         let long = width(text);
         let (left, top, right, bottom) = self.area;
         let best = places
             .iter()
-            .map(|(x, base)| {
+            .map(|((x, base), price)| {
                 // Moved back inside, where that is possible.
                 let x = x.min(right - long).max(left);
                 let base = base.min(bottom - 0.3 * WORDS).max(top + 0.85 * WORDS);
-                (x, base)
+                ((x, base), price)
             })
-            .map(|at| (self.cost(box_of(at, long)), at))
+            .map(|(at, price)| (self.cost(box_of(at, long)) + price, at))
             .reduce(|best, next| if next.0 < best.0 { next } else { best });
         if let Some((_, at)) = best.filter(|_| !text.is_empty()) {
             self.placed.push(box_of(at, long));

@@ -1,6 +1,6 @@
 //! A drawing as a picture.
 
-use dalembert_core::{Drawing, DrawnShape, Ink, Locale, Point};
+use dalembert_core::{Drawing, DrawnShape, Ink, Locale, Point, Side};
 
 use super::{
     labels::{Labels, width},
@@ -16,13 +16,13 @@ const MARGIN: f64 = 24.0;
 /// The drawing as large as it fits, with equal scales across and up.
 pub(super) fn picture(drawing: &Drawing, locale: &Locale) -> Option<Picture> {
     let strokes = strokes(drawing);
-    let labels: Vec<(Point, String)> =
+    let labels: Vec<(Point, Side, String)> =
         drawing.shapes.iter().filter_map(|shape| label(shape, locale)).collect();
-    let corners = strokes.iter().flat_map(|stroke| &stroke.points).chain(labels.iter().map(|(at, _)| at));
+    let corners = strokes.iter().flat_map(|stroke| &stroke.points).chain(labels.iter().map(|(at, ..)| at));
     let bounds = Box2::of(corners.copied())?;
     let scale = (ROOM.0 / bounds.width()).min(ROOM.1 / bounds.height());
     // Words stand beside the machine, so that they lengthen the margin at both sides.
-    let words = labels.iter().map(|(_, text)| width(text)).fold(0.0, f64::max).min(140.0);
+    let words = labels.iter().map(|(.., text)| width(text)).fold(0.0, f64::max).min(140.0);
     let (left, top) = (MARGIN + words, MARGIN);
     let place = |at: &Point| (left + (at.0 - bounds.left) * scale, top + (bounds.top - at.1) * scale);
     let size = (bounds.width() * scale + 2.0 * left, bounds.height() * scale + 2.0 * top);
@@ -33,17 +33,17 @@ pub(super) fn picture(drawing: &Drawing, locale: &Locale) -> Option<Picture> {
         words.avoid(&points);
         parts.push(line(stroke, points));
     }
-    for (at, text) in &labels {
-        words.beside(text, Tone::Ink, place(at));
+    for (at, side, text) in &labels {
+        words.at_side(text, Tone::Ink, place(at), *side);
     }
     parts.append(&mut words.parts);
     Some(Picture { title: drawing.title.render(locale), width: size.0, height: size.1, parts })
 }
 
-fn label(shape: &DrawnShape, locale: &Locale) -> Option<(Point, String)> {
+fn label(shape: &DrawnShape, locale: &Locale) -> Option<(Point, Side, String)> {
     match shape {
-        DrawnShape::Label(at, text) if at.0.is_finite() && at.1.is_finite() => {
-            Some((*at, text.render(locale)))
+        DrawnShape::Label(at, side, text) if at.0.is_finite() && at.1.is_finite() => {
+            Some((*at, *side, text.render(locale)))
         }
         _ => None,
     }

@@ -24,6 +24,8 @@ pub enum Part {
     Round,
     /// The edge of something that hides what lies under it.
     Solid,
+    /// The edge of a disc, which hides what lies under it.
+    Disc,
     /// The wave of a spring, from its first point to its last.
     Spring,
     /// The surface of the ground, which lies at its right-hand side.
@@ -52,7 +54,7 @@ pub struct Box2 {
 /// Every part but the words, later ones over earlier ones. Signs of a fixed size (hatches, pins, heads of arrows)
 /// are a thirtieth of the drawing. A part that is not finite is left out.
 pub fn strokes(drawing: &Drawing) -> Vec<Stroke> {
-    let corners = drawing.shapes.iter().flat_map(corners);
+    let corners = drawing.shapes.iter().flat_map(DrawnShape::corners);
     let sign = Box2::of(corners).map_or(1.0, |all| all.width().max(all.height()) / 30.0);
     let mut pen = Strokes { sign, out: Vec::new() };
     for shape in &drawing.shapes {
@@ -104,22 +106,6 @@ impl Box2 {
     }
 }
 
-/// The points that say how large a drawing is.
-fn corners(shape: &DrawnShape) -> Vec<Point> {
-    match shape {
-        DrawnShape::Polyline(points, _) => points.clone(),
-        DrawnShape::Circle(at, radius, _) | DrawnShape::Arc(at, radius, ..) => {
-            vec![(at.0 - radius, at.1 - radius), (at.0 + radius, at.1 + radius)]
-        }
-        DrawnShape::Block(a, b, _)
-        | DrawnShape::Ground(a, b)
-        | DrawnShape::Spring(a, b)
-        | DrawnShape::Damper(a, b)
-        | DrawnShape::Arrow(a, b, _) => vec![*a, *b],
-        DrawnShape::Pin(at) | DrawnShape::Label(at, _) => vec![*at],
-    }
-}
-
 struct Strokes {
     /// The size of signs.
     sign: f64,
@@ -143,12 +129,17 @@ impl Strokes {
                 let points = vec![*a, (b.0, a.1), *b, (a.0, b.1), *a];
                 self.part(points, *ink, Part::Solid);
             }
+            DrawnShape::Body(corners, ink) => {
+                let closed = corners.iter().chain(corners.first()).copied().collect();
+                self.part(closed, *ink, Part::Solid);
+            }
+            DrawnShape::Disc(at, radius, ink) => self.part(arc(*at, *radius, 0.0, TAU), *ink, Part::Disc),
             DrawnShape::Pin(at) => self.pin(*at),
             DrawnShape::Ground(a, b) => self.ground(*a, *b),
-            DrawnShape::Spring(a, b) => self.spring(*a, *b),
+            DrawnShape::Spring(a, b, coils) => self.spring(*a, *b, *coils),
             DrawnShape::Damper(a, b) => self.damper(*a, *b),
             DrawnShape::Arrow(tail, head, ink) => self.arrow(*tail, *head, *ink),
-            DrawnShape::Label(..) => {}
+            DrawnShape::Label(..) | DrawnShape::Extent(..) => {}
         }
     }
 
@@ -160,12 +151,13 @@ impl Strokes {
         self.out.push(Stroke { points, ink, part });
     }
 
-    /// A triangle under the pin, on ground.
+    /// A pin over a triangle on ground.
     fn pin(&mut self, at: Point) {
         let (half, deep) = (1.2 * self.sign, 2.0 * self.sign);
         let (left, right) = ((at.0 - half, at.1 - deep), (at.0 + half, at.1 - deep));
         self.line(vec![at, left, right, at], Ink::Body);
         self.ground((left.0 - self.sign / 2.0, left.1), (right.0 + self.sign / 2.0, right.1));
+        self.part(arc(at, self.sign / 2.0, 0.0, TAU), Ink::Body, Part::Disc);
     }
 
     fn ground(&mut self, a: Point, b: Point) {
@@ -180,14 +172,14 @@ impl Strokes {
     }
 
     /// A zigzag between two straight ends.
-    fn spring(&mut self, a: Point, b: Point) {
-        const TEETH: u32 = 5;
+    fn spring(&mut self, a: Point, b: Point, coils: u32) {
+        let teeth = coils.clamp(1, 60);
         let Some(along) = Along::new(a, b) else { return };
         let (first, last) = (0.15 * along.length, 0.85 * along.length);
         let half = self.sign.min(along.length / 4.0) * 1.2;
         let mut points = vec![a, along.at(first, 0.0)];
-        for n in 0..2 * TEETH {
-            let at = first + (last - first) * (f64::from(n) + 0.5) / f64::from(2 * TEETH);
+        for n in 0..2 * teeth {
+            let at = first + (last - first) * (f64::from(n) + 0.5) / f64::from(2 * teeth);
             points.push(along.at(at, if n % 2 == 0 { half } else { -half }));
         }
         points.extend([along.at(last, 0.0), b]);

@@ -125,7 +125,7 @@ impl Sentences {
     fn drawing(&mut self, of: &str, title: &Text, shapes: &[DrawnShape]) {
         self.text(of, title);
         for shape in shapes {
-            if let DrawnShape::Label(_, text) = shape {
+            if let DrawnShape::Label(.., text) = shape {
                 self.text(of, text);
             }
         }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Animation, Axis, Cell, Column, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series,
+    About, Analysis, Animation, Axis, Cell, Column, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch,
     TableExhibit, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
@@ -559,42 +559,27 @@ fn linkage_effort(linkage: &Linkage, counterweights: &[Counterweight], speed: f6
 fn animation(poses: &[Pose], counterweights: &[Counterweight], follower: Follower) -> Animation {
     let every = PLACES / 24;
     let frame = |pose: &Pose| {
-        let [crank_pin, coupler_pin, end] = pose.pins.map(|[x, y]| (x, y));
-        let mut shapes = vec![
-            DrawnShape::Pin((0.0, 0.0)),
-            DrawnShape::Polyline(vec![(0.0, 0.0), crank_pin, coupler_pin], Ink::Body),
-        ];
-        let small = 0.1 * crank_pin.0.hypot(crank_pin.1);
-        match follower {
-            Follower::Rocker { .. } => {
-                shapes.push(DrawnShape::Polyline(vec![coupler_pin, end], Ink::Body));
-                shapes.push(DrawnShape::Pin(end));
-            }
-            Follower::Slider { .. } => {
-                let (x, y) = coupler_pin;
-                shapes.push(DrawnShape::Block(
-                    (x - 2.0 * small, y - small),
-                    (x + 2.0 * small, y + small),
-                    Ink::Body,
-                ));
-            }
+        let [a, b, end] = pose.pins.map(|[x, y]| (x, y));
+        let mut sketch = Sketch::default();
+        if let Follower::Slider { .. } = follower {
+            sketch.slider("", b, 0.0);
         }
+        sketch.link("2", (0.0, 0.0), a).link("3", a, b).pin("O₂", (0.0, 0.0));
+        if let Follower::Rocker { .. } = follower {
+            sketch.link("4", b, end).pin("O₄", end);
+        }
+        sketch.joint("A", a).joint("B", b);
         for c in counterweights {
             let from = match c.link {
                 0 => (0.0, 0.0),
-                1 => crank_pin,
+                1 => a,
                 _ => end,
             };
             let angle = pose.angles[c.link] + c.angle;
             let at = (from.0 + c.distance * angle.cos(), from.1 + c.distance * angle.sin());
-            shapes.push(DrawnShape::Polyline(vec![from, at], Ink::Result));
-            shapes.push(DrawnShape::Circle(at, 1.5 * small, Ink::Result));
+            sketch.curve([from, at], Ink::Result).round("", at, 0.15 * a.0.hypot(a.1), Ink::Result);
         }
-        shapes
+        sketch
     };
-    Animation::new(
-        "The linkage with its counterweights",
-        poses.iter().step_by(every).map(frame).collect(),
-        3.0,
-    )
+    Sketch::animation("The linkage with its counterweights", poses.iter().step_by(every).map(frame), 3.0)
 }

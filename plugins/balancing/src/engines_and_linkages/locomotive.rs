@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
     register,
 };
 use dalembert_mechanics::{
@@ -535,20 +535,19 @@ fn against_speed(blow: f64, speed: f64, load: Option<f64>, limit: Option<f64>) -
 
 /// Both wheels of the driving axle seen from one side, with the cranks and the balance masses.
 fn drawn(between: f64, angles: [f64; 2]) -> Drawing {
-    let mut shapes = Vec::new();
+    let mut sketch = Sketch::new("Cranks and balance masses of the driving wheels");
     for (wheel, angle) in angles.into_iter().enumerate() {
-        let centre = 2.6 * wheel as f64;
-        let at = |angle: f64, radius: f64| (centre + radius * angle.cos(), radius * angle.sin());
-        shapes.push(DrawnShape::Circle((centre, 0.0), 1.0, Ink::Body));
-        shapes.push(DrawnShape::Circle((centre, 0.0), 0.08, Ink::Body));
+        let hub = (2.6 * wheel as f64, 0.0);
+        let at = |angle: f64, radius: f64| (hub.0 + radius * angle.cos(), radius * angle.sin());
+        sketch.disc("", hub, 1.0);
         for (crank, name) in [(0.0, "1"), (between, "2")] {
-            shapes.push(DrawnShape::Arrow((centre, 0.0), at(crank, 0.5), Ink::Motion));
-            shapes.push(DrawnShape::Label(at(crank, 0.6), Text::new(name)));
+            sketch.motion(name, hub, at(crank, 0.5));
         }
-        shapes.push(DrawnShape::Arc((centre, 0.0), 0.85, angle - 0.4, angle + 0.4, Ink::Result));
-        shapes.push(DrawnShape::Arrow((centre, 0.0), at(angle, 0.85), Ink::Result));
-        let name = Text::new("wheel {n}").with("n", wheel + 1);
-        shapes.push(DrawnShape::Label((centre, -1.25), name));
+        sketch
+            .arc(hub, 0.85, (angle - 0.4, angle + 0.4), Ink::Result)
+            .vector("", hub, at(angle, 0.85), Ink::Result)
+            .joint("", hub)
+            .caption(Text::new("wheel {n}").with("n", wheel + 1), (hub.0, -1.25));
     }
-    Drawing { title: "Cranks and balance masses of the driving wheels".into(), shapes }
+    sketch.finish()
 }

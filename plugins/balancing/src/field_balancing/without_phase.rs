@@ -1,7 +1,7 @@
 //! Balancing by sizes alone: four runs for a plane, seven for two.
 
 use dalembert_core::{
-    About, Analysis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, MeasuredQuantity, Refusal,
+    About, Analysis, Cell, Column, Drawing, Exhibit, Ink, Inputs, MeasuredQuantity, Refusal, Sketch,
     TableExhibit, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
@@ -441,35 +441,28 @@ fn table<N: Real>(job: &Job<N>, effects: &[Vec<Effect>]) -> TableExhibit {
 /// effect of the trial weight ends, in the direction of the correction.
 fn drawing<N: Real>(job: &Job<N>, plane: usize, sensor: usize, effect: &Effect) -> Drawing {
     let first = job.first[sensor - 1].value();
-    let mut shapes =
-        vec![DrawnShape::Circle((0.0, 0.0), 1.0, Ink::Body), DrawnShape::Label((0.0, 0.0), "O".into())];
+    let title =
+        Text::new("Circles of plane {plane} at sensor {sensor}").with("plane", plane).with("sensor", sensor);
+    let mut sketch = Sketch::new(title);
+    sketch.circle((0.0, 0.0), 1.0, Ink::Body).label("O", (0.0, 0.0));
     for (n, run) in (1..).zip(job.runs.iter().filter(|run| run.plane + 1 == plane)) {
         let (sin, cos) = run.angle.value().sin_cos();
-        shapes.push(DrawnShape::Circle((cos, sin), run.sizes[sensor - 1].value() / first, Ink::Motion));
-        shapes.push(DrawnShape::Label((1.08 * cos, 1.08 * sin), Text::new(n.to_string())));
+        sketch
+            .circle((cos, sin), run.sizes[sensor - 1].value() / first, Ink::Motion)
+            .label(Text::new(n.to_string()), (cos, sin));
     }
     let tip = -effect.best.conj();
-    shapes.push(DrawnShape::Arrow((0.0, 0.0), (tip.re, tip.im), Ink::Result));
-    Drawing {
-        title: Text::new("Circles of plane {plane} at sensor {sensor}")
-            .with("plane", plane)
-            .with("sensor", sensor),
-        shapes,
-    }
+    sketch.vector("", (0.0, 0.0), (tip.re, tip.im), Ink::Result).finish()
 }
 
 /// The corrections around the shaft, in units of the trial weight.
 fn polar(weights: &[Complex<f64>]) -> Drawing {
     let reach = weights.iter().map(|w| w.norm()).fold(1.0, f64::max);
-    let mut shapes = vec![
-        DrawnShape::Circle((0.0, 0.0), 1.0 / reach, Ink::Faint),
-        DrawnShape::Polyline(vec![(-1.1, 0.0), (1.1, 0.0)], Ink::Faint),
-        DrawnShape::Polyline(vec![(0.0, -1.1), (0.0, 1.1)], Ink::Faint),
-    ];
+    let mut sketch = Sketch::new("End view of the corrections; circle: trial weight");
+    sketch.axes((0.0, 0.0), 1.1).circle((0.0, 0.0), 1.0 / reach, Ink::Faint);
     for (n, weight) in (1..).zip(weights) {
         let tip = weight / reach;
-        shapes.push(DrawnShape::Arrow((0.0, 0.0), (tip.re, tip.im), Ink::Result));
-        shapes.push(DrawnShape::Label((1.12 * tip.re, 1.12 * tip.im), Text::new(format!("W{n}"))));
+        sketch.vector(Text::new(format!("W{n}")), (0.0, 0.0), (tip.re, tip.im), Ink::Result);
     }
-    Drawing { title: "End view of the corrections; circle: trial weight".into(), shapes }
+    sketch.finish()
 }

@@ -1,15 +1,16 @@
 //! Workshop form of a correction: split between holes, assembled from available weights, combined, or drilled.
 
-use dalembert_core::{
-    About, Analysis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
-};
+use dalembert_core::{About, Analysis, Drawing, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real,
     balance::{self, Phasor},
 };
 use std::f64::consts::{PI, TAU};
 
-use crate::{shared::rotor, sources::RIUL};
+use crate::{
+    shared::{rotor, views::dial},
+    sources::RIUL,
+};
 
 /// Workshop form of a correction.
 #[derive(Clone, Debug, Inputs)]
@@ -367,21 +368,10 @@ fn total<N: Real>(weights: impl Iterator<Item = Phasor<N>>) -> Phasor<N> {
 fn drawing(parts: &[(f64, f64)], whole: (f64, f64)) -> Drawing {
     let reach = parts.iter().map(|(_, m)| m.abs()).fold(whole.1, f64::max);
     let tip = |(angle, mass): (f64, f64)| (mass / reach * angle.cos(), mass / reach * angle.sin());
-    let mut shapes = vec![
-        DrawnShape::Circle((0.0, 0.0), 1.0, Ink::Faint),
-        DrawnShape::Polyline(vec![(-1.1, 0.0), (1.1, 0.0)], Ink::Faint),
-        DrawnShape::Polyline(vec![(0.0, -1.1), (0.0, 1.1)], Ink::Faint),
-    ];
+    let mut sketch = dial("Weights around the shaft");
     for (n, part) in (1..).zip(parts) {
-        let (x, y) = tip(*part);
-        shapes.push(DrawnShape::Arrow((0.0, 0.0), (x, y), Ink::Force));
-        shapes.push(DrawnShape::Label(
-            (1.12 * x, 1.12 * y),
-            Text::new(format!("m{}", dalembert_units::subscript(n))),
-        ));
+        let name = Text::new(format!("m{}", dalembert_units::subscript(n)));
+        sketch.force(name, (0.0, 0.0), tip(*part));
     }
-    let (x, y) = tip(whole);
-    shapes.push(DrawnShape::Arrow((0.0, 0.0), (x, y), Ink::Result));
-    shapes.push(DrawnShape::Label((1.12 * x, 1.12 * y), Text::new("m")));
-    Drawing { title: "Weights around the shaft".into(), shapes }
+    sketch.vector("m", (0.0, 0.0), tip(whole), Ink::Result).finish()
 }

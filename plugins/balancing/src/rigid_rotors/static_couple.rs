@@ -1,14 +1,15 @@
 //! Static and couple parts of what two sensors read, or of weights in two planes.
 
-use dalembert_core::{
-    About, Analysis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
-};
+use dalembert_core::{About, Analysis, Drawing, Exhibit, Ink, Inputs, Refusal, Worksheet, register};
 use dalembert_mechanics::{
     Real,
     balance::{self, Phasor},
 };
 
-use crate::{shared::reading::SensorReading, sources::RIUL};
+use crate::{
+    shared::{reading::SensorReading, views::dial},
+    sources::RIUL,
+};
 
 /// Two vectors.
 #[derive(Clone, Debug, Inputs)]
@@ -163,24 +164,14 @@ fn decompose<W: Worksheet>(
 fn drawing(vectors: [(f64, f64); 2], common: (f64, f64), opposite: (f64, f64)) -> Drawing {
     let reach = vectors.iter().map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
     let at = |(x, y): (f64, f64)| (x / reach, y / reach);
-    let mut shapes = vec![
-        DrawnShape::Circle((0.0, 0.0), 1.0, Ink::Faint),
-        DrawnShape::Polyline(vec![(-1.1, 0.0), (1.1, 0.0)], Ink::Faint),
-        DrawnShape::Polyline(vec![(0.0, -1.1), (0.0, 1.1)], Ink::Faint),
-    ];
+    let mut sketch = dial("Static component S and couple component C");
     for (vector, name) in vectors.into_iter().zip(["V₁", "V₂"]) {
-        shapes.push(DrawnShape::Arrow((0.0, 0.0), at(vector), Ink::Motion));
-        let (x, y) = at(vector);
-        shapes.push(DrawnShape::Label((1.12 * x, 1.12 * y), Text::new(name)));
+        sketch.motion(name, (0.0, 0.0), at(vector));
     }
-    let middle = at(common);
-    shapes.push(DrawnShape::Arrow((0.0, 0.0), middle, Ink::Result));
-    shapes.push(DrawnShape::Label((middle.0 / 2.0, middle.1 / 2.0), Text::new("S")));
+    sketch.edge("S", (0.0, 0.0), at(common), Ink::Result);
     for (sign, name) in [(1.0, "C"), (-1.0, "−C")] {
         let tip = at((common.0 + sign * opposite.0, common.1 + sign * opposite.1));
-        shapes.push(DrawnShape::Arrow(middle, tip, Ink::Force));
-        let beside = (f64::midpoint(middle.0, tip.0), f64::midpoint(middle.1, tip.1));
-        shapes.push(DrawnShape::Label(beside, Text::new(name)));
+        sketch.edge(name, at(common), tip, Ink::Force);
     }
-    Drawing { title: "Static component S and couple component C".into(), shapes }
+    sketch.finish()
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Cell, Column, Drawing, DrawnShape, Ink, Point, TableExhibit, Text, trace::ROUNDING};
+use dalembert_core::{Cell, Column, Drawing, Ink, Point, Sketch, TableExhibit, Text, trace::ROUNDING};
 
 /// An unbalance as it is listed and drawn.
 #[derive(Clone, Debug)]
@@ -88,18 +88,20 @@ pub(crate) fn table(shown: &[Shown], planes: bool) -> TableExhibit {
 pub(crate) fn polar(shown: &[Shown]) -> Drawing {
     let reach = shown.iter().map(Shown::size).fold(0.0, f64::max);
     let reach = if reach > 0.0 { reach } else { 1.0 };
-    let mut shapes = vec![
-        DrawnShape::Circle((0.0, 0.0), 1.0, Ink::Faint),
-        DrawnShape::Circle((0.0, 0.0), 0.5, Ink::Faint),
-        DrawnShape::Polyline(vec![(-1.1, 0.0), (1.1, 0.0)], Ink::Faint),
-        DrawnShape::Polyline(vec![(0.0, -1.1), (0.0, 1.1)], Ink::Faint),
-    ];
+    let mut sketch = dial("End view: unbalances and corrections");
+    sketch.circle((0.0, 0.0), 0.5, Ink::Faint);
     for s in shown {
         let tip = (s.unbalance.0 / reach, s.unbalance.1 / reach);
-        shapes.push(DrawnShape::Arrow((0.0, 0.0), tip, s.ink));
-        shapes.push(DrawnShape::Label((1.12 * tip.0, 1.12 * tip.1), Text::new(s.label.clone())));
+        sketch.vector(Text::new(s.label.clone()), (0.0, 0.0), tip, s.ink);
     }
-    Drawing { title: "End view: unbalances and corrections".into(), shapes }
+    sketch.finish()
+}
+
+/// A circle of radius 1 with its axes: the end view of a rotor, a polar diagram.
+pub(crate) fn dial(title: impl Into<Text>) -> Sketch {
+    let mut sketch = Sketch::new(title);
+    sketch.axes((0.0, 0.0), 1.1).circle((0.0, 0.0), 1.0, Ink::Faint);
+    sketch
 }
 
 /// The shaft from the side: planes, masses and corrections at their positions.
@@ -110,21 +112,21 @@ pub(crate) fn side(shown: &[Shown], bearings: Option<[f64; 2]>) -> Drawing {
     let at = |z: f64| 4.0 * (z - low) / span;
     let largest = shown.iter().map(Shown::size).fold(0.0, f64::max);
     let height = |y: f64| if largest > 0.0 { y / largest } else { 0.0 };
-    let mut shapes = vec![DrawnShape::Polyline(vec![(-0.4, 0.0), (4.4, 0.0)], Ink::Body)];
-    shapes.extend(match bearings {
-        Some(ends) => ends.map(|z| DrawnShape::Pin((at(z), 0.0))),
-        None => [DrawnShape::Pin((-0.4, 0.0)), DrawnShape::Pin((4.4, 0.0))],
-    });
-    for s in shown {
-        let tip = (at(s.position), height(s.unbalance.1));
-        if s.ink == Ink::Result {
-            shapes.push(DrawnShape::Polyline(vec![(tip.0, -1.1), (tip.0, 1.1)], Ink::Faint));
-        }
-        shapes.push(DrawnShape::Arrow((tip.0, 0.0), tip, s.ink));
-        let label = if s.ink == Ink::Result { (tip.0, 1.2) } else { tip };
-        shapes.push(DrawnShape::Label(label, Text::new(s.label.clone())));
+    let mut sketch = Sketch::new("The shaft from the side");
+    sketch.bars([(-0.4, 0.0), (4.4, 0.0)]);
+    for x in bearings.map_or([-0.4, 4.4], |ends| ends.map(at)) {
+        sketch.bearing("", (x, 0.0), 0.0);
     }
-    Drawing { title: "The shaft from the side".into(), shapes }
+    for s in shown {
+        let (x, y) = (at(s.position), height(s.unbalance.1));
+        let name = Text::new(s.label.clone());
+        if s.ink == Ink::Result {
+            sketch.axis((x, -1.1), (x, 1.1)).vector("", (x, 0.0), (x, y), s.ink).label(name, (x, 1.1));
+        } else {
+            sketch.vector(name, (x, 0.0), (x, y), s.ink);
+        }
+    }
+    sketch.finish()
 }
 
 /// The unbalances one after another: with the corrections the polygon closes.
@@ -147,15 +149,12 @@ fn polygon<'s>(title: &'static str, vectors: impl Iterator<Item = (&'s Shown, Po
     }
     let reach = edges.iter().map(|(_, _, to)| to.0.abs().max(to.1.abs())).fold(0.0, f64::max);
     let scaled = |(x, y): Point| if reach > 0.0 { (x / reach, y / reach) } else { (0.0, 0.0) };
-    let mut shapes = Vec::new();
+    let mut sketch = Sketch::new(title);
     for (shown, from, to) in edges {
         let (from, to) = (scaled(from), scaled(to));
-        if (to.0 - from.0).hypot(to.1 - from.1) < 1e-9 {
-            continue;
+        if (to.0 - from.0).hypot(to.1 - from.1) >= 1e-9 {
+            sketch.edge(Text::new(shown.label.clone()), from, to, shown.ink);
         }
-        shapes.push(DrawnShape::Arrow(from, to, shown.ink));
-        let middle = (f64::midpoint(from.0, to.0), f64::midpoint(from.1, to.1));
-        shapes.push(DrawnShape::Label(middle, Text::new(shown.label.clone())));
     }
-    Drawing { title: title.into(), shapes }
+    sketch.finish()
 }

@@ -6,8 +6,7 @@ use std::{
 };
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
 };
 use dalembert_mechanics::{Real, rigid};
 use dalembert_numerics::roots;
@@ -384,21 +383,19 @@ impl DynamicEquilibrium {
         };
         let pin = (self.offset, 0.0);
         let at = |distance: f64| (pin.0 + distance * angle.sin(), pin.1 - distance * angle.cos());
-        let mut shapes = vec![
-            DrawnShape::Polyline(vec![(0.0, -1.2 * length), (0.0, 0.6 * length)], Ink::Faint),
-            DrawnShape::Polyline(vec![(0.0, 0.0), pin], Ink::Body),
-            DrawnShape::Polyline(vec![pin, (pin.0, -0.5 * length)], Ink::Faint),
-            DrawnShape::Polyline(vec![pin, at(length)], Ink::Body),
-            DrawnShape::Circle(pin, 0.04 * length, Ink::Body),
-            DrawnShape::Circle(at(centre), 0.03 * length, Ink::Body),
-            DrawnShape::Label(at(centre * 1.08), "G".into()),
-            DrawnShape::Label((pin.0 + 0.05 * length, -0.4 * length), "θ".into()),
-        ];
+        let mut sketch = Sketch::new("The body and the shaft");
+        sketch
+            .axis((0.0, -1.2 * length), (0.0, 0.6 * length))
+            .link("", (0.0, 0.0), pin)
+            .axis(pin, (pin.0, -0.5 * length))
+            .angle("θ", pin, -FRAC_PI_2, angle - FRAC_PI_2)
+            .link("", pin, at(length))
+            .joint("", pin)
+            .mass_centre("G", at(centre));
         if speed != 0.0 {
-            shapes.push(DrawnShape::Arrow((0.0, 0.2 * length), (0.0, 0.55 * length), Ink::Motion));
-            shapes.push(DrawnShape::Label((0.05 * length, 0.5 * length), "ω".into()));
+            sketch.motion("ω", (0.0, 0.2 * length), (0.0, 0.55 * length));
         }
-        Drawing { title: "The body and the shaft".into(), shapes }
+        sketch.finish()
     }
 
     fn couple_over_angle(&self, speed: f64, angle: f64) -> Plot {

@@ -3,8 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
 use dalembert_mechanics::{Real, Vector, rigid};
 use nalgebra::Vector3;
@@ -269,36 +268,28 @@ impl RodOnShaft {
     /// The plane of the shaft and the rod, drawn with the rod two units long.
     fn rod_and_shaft(&self) -> Drawing {
         let (sin, cos) = self.elevation().sin_cos();
-        let mut shapes = vec![
-            DrawnShape::Ground((-0.4, -1.5), (0.4, -1.5)),
-            DrawnShape::Polyline(vec![(0.0, -1.5), (0.0, 1.5)], Ink::Body),
-            DrawnShape::Polyline(vec![(-1.3, 0.0), (1.3, 0.0)], Ink::Faint),
-            DrawnShape::Polyline(vec![(-cos, sin), (cos, -sin)], Ink::Body),
-            DrawnShape::Circle((0.0, 0.0), 0.06, Ink::Body),
-            DrawnShape::Label((cos, -sin), "B".into()),
-            DrawnShape::Label((-cos, sin), "A".into()),
-            DrawnShape::Label((0.08, -0.15), "G".into()),
-        ];
+        let mut sketch = Sketch::new("The rod in the plane rotating with the shaft");
+        sketch
+            .link("", (0.0, -1.5), (0.0, 1.5))
+            .bearing("", (0.0, -1.3), FRAC_PI_2)
+            .axis((-1.3, 0.0), (1.3, 0.0))
+            .link("", (-cos, sin), (cos, -sin))
+            .label("A", (-cos, sin))
+            .label("B", (cos, -sin))
+            .joint("G", (0.0, 0.0));
         if self.speed != 0.0 {
             let (low, high) = ((0.0, 1.0), (0.0, 1.45));
             let (tail, head) = if self.speed > 0.0 { (low, high) } else { (high, low) };
-            shapes.push(DrawnShape::Arrow(tail, head, Ink::Motion));
-            shapes.push(DrawnShape::Label((0.1, 1.4), "ω".into()));
+            sketch.motion("ω", tail, head);
         }
         let length = 0.9 * cos * self.speed.signum();
         if self.speed != 0.0 && cos.abs() > 1e-9 {
-            shapes.push(DrawnShape::Arrow((0.0, 0.0), (length * sin, length * cos), Ink::Result));
-            shapes.push(DrawnShape::Label((length * sin + 0.08, length * cos), "H_G".into()));
+            sketch.vector("H_G", (0.0, 0.0), (length * sin, length * cos), Ink::Result);
         }
-        let (from, to, at) = match self.inclination {
-            Inclination::FromHorizontal { angle } => (-angle.max(0.0), (-angle).max(0.0), -angle / 2.0),
-            Inclination::FromShaft { angle } => {
-                let down = -FRAC_PI_2;
-                (down.min(down + angle), down.max(down + angle), down + angle / 2.0)
-            }
+        match self.inclination {
+            Inclination::FromHorizontal { angle } => sketch.angle("β", (0.0, 0.0), 0.0, -angle),
+            Inclination::FromShaft { angle } => sketch.angle("β", (0.0, 0.0), -FRAC_PI_2, angle - FRAC_PI_2),
         };
-        shapes.push(DrawnShape::Arc((0.0, 0.0), 0.5, from, to, Ink::Faint));
-        shapes.push(DrawnShape::Label((0.6 * at.cos(), 0.6 * at.sin()), Text::from("β")));
-        Drawing { title: "The rod in the plane rotating with the shaft".into(), shapes }
+        sketch.finish()
     }
 }

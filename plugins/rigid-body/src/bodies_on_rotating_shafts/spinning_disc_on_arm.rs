@@ -1,10 +1,9 @@
 //! A thin disc that spins on an arm, while the arm turns.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Worksheet,
-    exhibit::Point, register,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
 use dalembert_mechanics::{Real, Vector, rigid};
 use nalgebra::{Rotation3, Vector3};
@@ -278,28 +277,25 @@ impl SpinningDiscOnArm {
 
     /// Seen along x, which points at the viewer: y up, z to the left, the disc edge-on.
     fn disc_on_arm(&self, momentum: Vector3<f64>) -> Drawing {
-        let mut shapes = vec![
-            DrawnShape::Polyline(vec![(0.0, -1.6), (0.0, 2.2)], Ink::Faint),
-            DrawnShape::Ground((-0.7, -1.6), (0.7, -1.6)),
-            DrawnShape::Polyline(vec![(0.0, -1.6), (0.0, 0.0), (-2.0, 0.0)], Ink::Body),
-            DrawnShape::Block((-2.1, -0.9), (-2.0, 0.9), Ink::Body),
-            DrawnShape::Polyline(vec![(-3.6, 0.0), (-2.1, 0.0)], Ink::Faint),
-            DrawnShape::Label((-1.9, 0.95), "m, r".into()),
-            DrawnShape::Label((-1.85, -0.3), "A".into()),
-        ];
-        let mut arrow = |tail: Point, (left, up): Point, ink: Ink, name: &'static str| {
-            let head = (tail.0 - left, tail.1 + up);
-            if head != tail {
-                shapes.push(DrawnShape::Arrow(tail, head, ink));
-                shapes.push(DrawnShape::Label((head.0 + 0.1, head.1 + 0.25), name.into()));
-            }
-        };
+        let centre = (-2.0, 0.0);
+        let mut sketch = Sketch::new("The disc on its arm, seen along the x axis");
+        sketch
+            .axis((0.0, -1.6), (0.0, 2.2))
+            .axis((-3.6, 0.0), centre)
+            .ground((-0.7, -1.6), (0.7, -1.6))
+            .bearing("", (0.0, -1.2), FRAC_PI_2)
+            .bars([(0.0, -1.6), (0.0, 0.0), centre])
+            .mass("m, r", (-2.05, -0.9), (-1.95, 0.9))
+            .joint("A", centre);
         let sign = |x: f64| if x == 0.0 { 0.0 } else { x.signum() };
-        arrow((0.0, 1.2), (0.0, 0.7 * sign(self.arm_speed)), Ink::Motion, "ω₁");
-        arrow((-2.05, -0.05), (1.3 * sign(self.spin), 0.0), Ink::Motion, "ω₂");
+        sketch.motion("ω₁", (0.0, 1.2), (0.0, 1.2 + 0.7 * sign(self.arm_speed))).motion(
+            "ω₂",
+            centre,
+            (centre.0 - 1.3 * sign(self.spin), centre.1),
+        );
         if let Some(along) = momentum.try_normalize(0.0) {
-            arrow((-2.05, 0.0), (along.z, along.y), Ink::Result, "H_A");
+            sketch.vector("H_A", centre, (centre.0 - along.z, centre.1 + along.y), Ink::Result);
         }
-        Drawing { title: "The disc on its arm, seen along the x axis".into(), shapes }
+        sketch.finish()
     }
 }

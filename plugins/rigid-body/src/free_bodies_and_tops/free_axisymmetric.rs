@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
     register,
 };
 use dalembert_mechanics::{
@@ -511,34 +511,31 @@ fn cones_in_section(ratio: f64, omega: Vector3<f64>) -> Drawing {
     let (theta, beta) = angles(ratio, omega);
     let at = |angle: f64, length: f64| (length * angle.sin(), length * angle.cos());
     let (origin, velocity) = ((0.0, 0.0), theta - beta);
-    let mut shapes = vec![
-        DrawnShape::Polyline(vec![origin, at(theta, 1.3)], Ink::Faint),
-        DrawnShape::Polyline(vec![at(velocity, 1.0), origin, at(theta + beta, 1.0)], Ink::Body),
-        DrawnShape::Polyline(vec![at(velocity, 1.0), at(theta + beta, 1.0)], Ink::Body),
-        DrawnShape::Polyline(vec![at(-velocity, 1.0), origin], Ink::Motion),
-        DrawnShape::Polyline(vec![at(velocity, 1.0), at(-velocity, 1.0)], Ink::Motion),
-        DrawnShape::Arrow(origin, (0.0, 1.45), Ink::Force),
-        DrawnShape::Label((0.04, 1.5), "H_G".into()),
-        DrawnShape::Arrow(origin, at(velocity, 1.2), Ink::Result),
-        DrawnShape::Label(at(velocity - 0.06, 1.28), "ω".into()),
-        DrawnShape::Label(at(theta, 1.38), "z".into()),
-        DrawnShape::Label((-0.08, -0.1), "G".into()),
-    ];
-    let mut arc = |from: f64, to: f64, radius: f64, name: &'static str| {
-        if (to - from).abs() > 1e-3 {
-            let (low, high) = (from.min(to), from.max(to));
-            shapes.push(DrawnShape::Arc(origin, radius, FRAC_PI_2 - high, FRAC_PI_2 - low, Ink::Faint));
-            shapes.push(DrawnShape::Label(at(f64::midpoint(from, to), radius + 0.06), name.into()));
-        }
-    };
-    arc(0.0, theta, 0.75, "θ");
-    arc(velocity, theta, 0.5, "β");
     let title = if ratio < 1.0 {
         "Body cone (about z) and space cone (about H) in section: direct precession"
     } else {
         "Body cone (about z) and space cone (about H) in section: retrograde precession"
     };
-    Drawing { title: title.into(), shapes }
+    let mut sketch = Sketch::new(title);
+    sketch
+        .line("", origin, at(theta, 1.3), Ink::Faint)
+        .label("z", at(theta, 1.3))
+        .bars([origin, at(velocity, 1.0), at(theta + beta, 1.0), origin])
+        .curve([at(velocity, 1.0), at(-velocity, 1.0), origin], Ink::Motion)
+        .force("H_G", origin, (0.0, 1.45))
+        .vector("ω", origin, at(velocity, 1.2), Ink::Result)
+        .mass_centre("G", origin);
+    let mut arc = |from: f64, to: f64, radius: f64, name: &'static str| {
+        if (to - from).abs() > 1e-3 {
+            let (low, high) = (from.min(to), from.max(to));
+            sketch
+                .arc(origin, radius, (FRAC_PI_2 - high, FRAC_PI_2 - low), Ink::Faint)
+                .label(name, at(f64::midpoint(from, to), radius));
+        }
+    };
+    arc(0.0, theta, 0.75, "θ");
+    arc(velocity, theta, 0.5, "β");
+    sketch.finish()
 }
 
 /// One precession: the body cone rolls on the space cone, the angular velocity along their common line.

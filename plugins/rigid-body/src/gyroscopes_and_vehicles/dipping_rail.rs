@@ -3,8 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real, Vector,
@@ -250,36 +249,16 @@ impl DippingRail {
         let tilt: f64 = if self.rail == Rail::Left { 0.12 } else { -0.12 };
         let (sin, cos) = tilt.sin_cos();
         let at = |along: f64, up: f64| (along * cos - up * sin, along * sin + up * cos);
-        let wheel = |centre: f64| {
-            let corner = |x: f64, y: f64| at(centre + x, y);
-            DrawnShape::Polyline(
-                vec![
-                    corner(-0.08, -0.7),
-                    corner(0.08, -0.7),
-                    corner(0.08, 0.7),
-                    corner(-0.08, 0.7),
-                    corner(-0.08, -0.7),
-                ],
-                Ink::Body,
-            )
-        };
-        let rail = |side: f64| {
+        let mut sketch = Sketch::new("The wheel pair seen from behind, descending");
+        sketch.axis((-1.4, 0.0), (1.4, 0.0)).link("", at(-1.15, 0.0), at(1.15, 0.0));
+        for side in [-1.0, 1.0] {
             let foot = at(side, -0.7);
-            DrawnShape::Ground((foot.0 + 0.3, foot.1), (foot.0 - 0.3, foot.1))
-        };
-        let label = at(0.0, 0.25);
-        Drawing {
-            title: "The wheel pair seen from behind, descending".into(),
-            shapes: vec![
-                rail(-1.0),
-                rail(1.0),
-                DrawnShape::Polyline(vec![at(-1.15, 0.0), at(1.15, 0.0)], Ink::Body),
-                wheel(-1.0),
-                wheel(1.0),
-                DrawnShape::Label(label, Text::from("ω")),
-                DrawnShape::Polyline(vec![(-1.4, 0.0), (1.4, 0.0)], Ink::Faint),
-            ],
+            sketch.ground((foot.0 - 0.3, foot.1), (foot.0 + 0.3, foot.1)).body(
+                "",
+                [(-0.08, -0.7), (0.08, -0.7), (0.08, 0.7), (-0.08, 0.7)].map(|(x, y)| at(side + x, y)),
+            );
         }
+        sketch.motion("ω", at(0.3, 0.0), at(-0.4, 0.0)).finish()
     }
 }
 

@@ -3,8 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real, Vector,
@@ -267,25 +266,17 @@ fn sketch(angle: f64) -> Drawing {
     let (sin, cos) = angle.sin_cos();
     let at = |along: f64, up: f64| (along * cos - up * sin, along * sin + up * cos);
     let (left, right) = (at(-1.0, 0.0), at(1.0, 0.0));
-    Drawing {
-        title: "The yoke seen from behind".into(),
-        shapes: vec![
-            DrawnShape::Ground((1.3, -1.6), (-1.3, -1.6)),
-            DrawnShape::Spring((left.0, -1.6), left),
-            DrawnShape::Spring((right.0, -1.6), right),
-            DrawnShape::Polyline(vec![left, right], Ink::Body),
-            DrawnShape::Polyline(
-                vec![at(-0.55, 0.0), at(-0.55, 0.9), at(0.55, 0.9), at(0.55, 0.0)],
-                Ink::Body,
-            ),
-            DrawnShape::Polyline(vec![at(-0.55, 0.7), at(0.55, 0.7)], Ink::Faint),
-            DrawnShape::Polyline(
-                vec![at(-0.06, 0.2), at(-0.06, 1.2), at(0.06, 1.2), at(0.06, 0.2), at(-0.06, 0.2)],
-                Ink::Body,
-            ),
-            DrawnShape::Pin((0.0, 0.0)),
-            DrawnShape::Polyline(vec![(-1.4, 0.0), (1.4, 0.0)], Ink::Faint),
-            DrawnShape::Label((1.45, sin / 2.0), Text::from("θ")),
-        ],
-    }
+    Sketch::new("The yoke seen from behind")
+        .ground((-1.3, -1.6), (1.3, -1.6))
+        .axis((-1.4, 0.0), (1.4, 0.0))
+        .spring("k", (left.0, -1.6), left)
+        .spring("k", (right.0, -1.6), right)
+        .bars([left, right])
+        .bars([at(-0.55, 0.0), at(-0.55, 0.9), at(0.55, 0.9), at(0.55, 0.0)])
+        .axis(at(-0.55, 0.7), at(0.55, 0.7))
+        .body("", [at(-0.06, 0.2), at(-0.06, 1.2), at(0.06, 1.2), at(0.06, 0.2)])
+        .pin("", (0.0, 0.0))
+        .arc((0.0, 0.0), 1.2, (angle.min(0.0), angle.max(0.0)), Ink::Faint)
+        .label("θ", (1.2 * (angle / 2.0).cos(), 1.2 * (angle / 2.0).sin()))
+        .finish()
 }

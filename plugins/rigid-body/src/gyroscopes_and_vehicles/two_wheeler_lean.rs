@@ -6,7 +6,7 @@ use std::{
 };
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
     register,
 };
 use dalembert_mechanics::{Real, rigid};
@@ -409,26 +409,17 @@ impl TwoWheelerLean {
         let (height, wheel) = (self.centre_height / size, 2.0 * self.wheel_radius / size);
         let at = |up: f64, across: f64| (up * sin + across * cos, up * cos - across * sin);
         let centre = at(height, 0.0);
-        Drawing {
-            title: "From behind, in a turn to the right".into(),
-            shapes: vec![
-                DrawnShape::Ground((1.2, 0.0), (-0.8, 0.0)),
-                DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, 1.3)], Ink::Faint),
-                DrawnShape::Polyline(
-                    vec![at(0.0, -0.05), at(0.0, 0.05), at(wheel, 0.05), at(wheel, -0.05), at(0.0, -0.05)],
-                    Ink::Body,
-                ),
-                DrawnShape::Polyline(vec![at(0.0, 0.0), at(1.2, 0.0)], Ink::Faint),
-                DrawnShape::Circle(centre, 0.05, Ink::Body),
-                DrawnShape::Arrow(centre, (centre.0, centre.1 - 0.4), Ink::Force),
-                DrawnShape::Label((centre.0 + 0.05, centre.1 - 0.4), Text::from("m g")),
-                DrawnShape::Arrow(centre, (centre.0 - 0.4 * lean.tan().min(2.0), centre.1), Ink::Force),
-                DrawnShape::Label(
-                    (centre.0 - 0.4 * lean.tan().min(2.0), centre.1 + 0.1),
-                    Text::from("m Ω² R_G"),
-                ),
-                DrawnShape::Label((0.05, 0.5), Text::from("θ")),
-            ],
-        }
+        let pull = 0.4 * lean.tan().min(2.0);
+        Sketch::new("From behind, in a turn to the right")
+            .ground((-0.8, 0.0), (1.2, 0.0))
+            .axis((0.0, 0.0), (0.0, 1.3))
+            .axis(at(0.0, 0.0), at(1.2, 0.0))
+            .body("", [at(0.0, -0.05), at(0.0, 0.05), at(wheel, 0.05), at(wheel, -0.05)])
+            .force("m g", centre, (centre.0, centre.1 - 0.4))
+            .force("m Ω² R_G", centre, (centre.0 - pull, centre.1))
+            .mass_centre("G", centre)
+            .arc((0.0, 0.0), 0.5, (FRAC_PI_2 - lean.max(0.0), FRAC_PI_2 - lean.min(0.0)), Ink::Faint)
+            .label("θ", (0.5 * (lean / 2.0).sin(), 0.5 * (lean / 2.0).cos()))
+            .finish()
     }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
     register,
 };
 use dalembert_mechanics::{
@@ -377,23 +377,16 @@ impl SteadyRolling {
         let top = (centre.0 + radius * cos, 2.0 * radius * sin);
         let reach = (circle.abs() + radius).max(2.0 * radius);
         let arrow = 0.8 * radius;
-        let shapes = vec![
-            DrawnShape::Ground((-1.2 * reach - 0.3 * radius, 0.0), (0.4 * reach, 0.0)),
-            DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, 2.4 * radius)], Ink::Faint),
-            DrawnShape::Polyline(vec![contact, top], Ink::Body),
-            DrawnShape::Circle(centre, 0.04 * radius, Ink::Body),
-            DrawnShape::Polyline(vec![centre, (0.0, centre.1)], Ink::Faint),
-            DrawnShape::Label((centre.0 / 2.0, centre.1 + 0.1 * radius), "a".into()),
-            DrawnShape::Label((centre.0, centre.1 + 0.15 * radius), "G".into()),
-            DrawnShape::Arrow(contact, (contact.0, arrow), Ink::Force),
-            DrawnShape::Label((contact.0 - 0.1 * radius, arrow), "N".into()),
-            DrawnShape::Arrow(contact, (contact.0 + arrow, 0.0), Ink::Force),
-            DrawnShape::Label((contact.0 + arrow, 0.12 * radius), "F".into()),
-            DrawnShape::Arrow(centre, (centre.0, centre.1 - arrow), Ink::Force),
-            DrawnShape::Label((centre.0 + 0.08 * radius, centre.1 - arrow), "m g".into()),
-            DrawnShape::Arrow((0.0, 2.4 * radius), (0.0, 2.9 * radius), Ink::Motion),
-            DrawnShape::Label((0.08 * radius, 2.9 * radius), "φ̇".into()),
-        ];
-        Drawing { title: "The disc seen along its horizontal diameter".into(), shapes }
+        Sketch::new("The disc seen along its horizontal diameter")
+            .ground((-1.2 * reach - 0.3 * radius, 0.0), (0.4 * reach, 0.0))
+            .axis((0.0, 0.0), (0.0, 2.4 * radius))
+            .line("a", centre, (0.0, centre.1), Ink::Faint)
+            .link("", contact, top)
+            .force("N", contact, (contact.0, arrow))
+            .force("F", contact, (contact.0 + arrow, 0.0))
+            .force("m g", centre, (centre.0, centre.1 - arrow))
+            .mass_centre("G", centre)
+            .motion("φ̇", (0.0, 2.4 * radius), (0.0, 2.9 * radius))
+            .finish()
     }
 }

@@ -63,7 +63,7 @@ impl Scene {
         if along.norm() > 0.0 {
             let head = tail + along;
             self.shapes.push(Shape3::Arrow(self.place(tail), self.place(head), ink));
-            self.label(head + along * 0.06, name);
+            self.label(head, name);
         }
     }
 

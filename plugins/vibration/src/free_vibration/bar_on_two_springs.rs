@@ -2,9 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{
-    About, Analysis, Animation, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
-};
+use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Sketch, Text, Worksheet, register};
 use dalembert_mechanics::{Real, vibration::modes::natural_modes};
 use nalgebra::{DMatrix, DVector};
 
@@ -177,10 +175,14 @@ impl Analysis for BarOnTwoSprings {
         let modes = natural_modes(&matrices.0, &matrices.1).map_err(refusal)?;
         sheet.verify(|| agreement(&two, &modes, sheet));
         sheet.show(|| {
-            Exhibit::Drawing(Drawing {
-                title: "The bar on its springs".into(),
-                shapes: self.shapes([0.0; 2]),
-            })
+            let mut sketch = self.sketch([0.0; 2]).titled("The bar on its springs");
+            sketch.dimension("a", (-self.front_distance, 0.0), (0.0, 0.0), 3.0).dimension(
+                "b",
+                (0.0, 0.0),
+                (self.rear_distance, 0.0),
+                3.0,
+            );
+            Exhibit::Drawing(sketch.finish())
         });
         for mode in 0..2 {
             let (y, turn) = (modes.shapes[(0, mode)], modes.shapes[(1, mode)]);
@@ -190,11 +192,11 @@ impl Analysis for BarOnTwoSprings {
                 let frames = (0..24).map(|frame| {
                     let swing = 0.15 * (self.front_distance + self.rear_distance) / largest;
                     let now = swing * (TAU * f64::from(frame) / 24.0).cos();
-                    self.shapes(ends.map(|end| end * now))
+                    self.sketch(ends.map(|end| end * now))
                 });
-                Exhibit::Animation(Animation::new(
+                Exhibit::Animation(Sketch::animation(
                     Text::new("Mode {mode}").with("mode", mode + 1),
-                    frames.collect(),
+                    frames,
                     2.0,
                 ))
             });
@@ -205,18 +207,19 @@ impl Analysis for BarOnTwoSprings {
 
 impl BarOnTwoSprings {
     /// The bar with its ends moved up by so much.
-    fn shapes(&self, ends: [f64; 2]) -> Vec<DrawnShape> {
+    fn sketch(&self, ends: [f64; 2]) -> Sketch {
         let (a, b) = (self.front_distance, self.rear_distance);
         let size = a + b;
         let low = -0.5 * size;
         let middle = ends[0] + (ends[1] - ends[0]) * a / size;
-        vec![
-            DrawnShape::Ground((-a - 0.15 * size, low), (b + 0.15 * size, low)),
-            DrawnShape::Spring((-a, low), (-a, ends[0])),
-            DrawnShape::Spring((b, low), (b, ends[1])),
-            DrawnShape::Polyline(vec![(-a, 0.0), (b, 0.0)], Ink::Faint),
-            DrawnShape::Polyline(vec![(-a, ends[0]), (b, ends[1])], Ink::Body),
-            DrawnShape::Circle((0.0, middle), 0.03 * size, Ink::Result),
-        ]
+        let mut sketch = Sketch::default();
+        sketch
+            .ground((-a - 0.15 * size, low), (b + 0.15 * size, low))
+            .spring("k_f", (-a, low), (-a, ends[0]))
+            .spring("k_r", (b, low), (b, ends[1]))
+            .axis((-a, 0.0), (b, 0.0))
+            .bars([(-a, ends[0]), (b, ends[1])])
+            .mass_centre("G", (0.0, middle));
+        sketch
     }
 }

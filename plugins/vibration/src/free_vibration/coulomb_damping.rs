@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Worksheet,
     exhibit::{Cell, Column, TableExhibit},
     register,
 };
@@ -353,21 +353,16 @@ fn turning_points(decay: &FrictionDecay) -> TableExhibit {
 }
 
 fn drawing(damped: bool) -> Drawing {
-    let mut shapes = vec![
-        DrawnShape::Ground((-2.4, 1.2), (-2.4, -0.7)),
-        DrawnShape::Ground((-2.4, -0.7), (2.0, -0.7)),
-        DrawnShape::Spring((-2.4, 0.3), (-0.7, 0.3)),
-        DrawnShape::Label((-1.6, 0.7), Text::from("k")),
-        DrawnShape::Block((-0.7, -0.7), (0.7, 0.7), Ink::Body),
-        DrawnShape::Label((0.0, 0.0), Text::from("m")),
-        DrawnShape::Arrow((0.9, -0.55), (0.2, -0.55), Ink::Force),
-        DrawnShape::Label((1.0, -0.45), Text::from("F")),
-        DrawnShape::Arrow((0.0, 1.0), (0.9, 1.0), Ink::Motion),
-        DrawnShape::Label((1.0, 1.0), Text::from("x")),
-    ];
+    let mut sketch = Sketch::new("The mass on its spring, with friction");
+    sketch
+        .ground((-2.4, 1.2), (-2.4, -0.7))
+        .ground((-2.4, -0.7), (2.0, -0.7))
+        .spring("k", (-2.4, 0.3), (-0.7, 0.3))
+        .mass("m", (-0.7, -0.7), (0.7, 0.7))
+        .force("F", (1.6, -0.55), (0.75, -0.55))
+        .motion("x", (0.0, 1.0), (0.9, 1.0));
     if damped {
-        shapes.push(DrawnShape::Damper((-2.4, -0.3), (-0.7, -0.3)));
-        shapes.push(DrawnShape::Label((-1.6, -0.15), Text::from("c")));
+        sketch.damper("c", (-2.4, -0.3), (-0.7, -0.3));
     }
-    Drawing { title: "The mass on its spring, with friction".into(), shapes }
+    sketch.finish()
 }

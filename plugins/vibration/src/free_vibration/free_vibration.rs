@@ -1,7 +1,7 @@
 //! Free vibration of one degree of freedom, whatever its damping.
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
     register,
 };
 use dalembert_mechanics::{Real, sdof, vibration::free::FreeMotion};
@@ -558,31 +558,23 @@ fn root_locus(motion: &FreeMotion) -> Plot {
 
 /// Mass, spring and damper, or disc and shaft.
 fn drawing(oscillator: &Oscillator) -> Drawing {
-    let shapes = if let Oscillator::Rotation { .. } = oscillator {
-        vec![
-            DrawnShape::Ground((-1.0, 1.6), (1.0, 1.6)),
-            DrawnShape::Spring((0.0, 1.6), (0.0, 0.3)),
-            DrawnShape::Label((0.25, 1.0), Text::from("kₜ")),
-            DrawnShape::Block((-0.9, -0.3), (0.9, 0.3), Ink::Body),
-            DrawnShape::Label((0.0, 0.0), Text::from("J")),
-            DrawnShape::Damper((0.0, -0.3), (0.0, -1.4)),
-            DrawnShape::Label((0.3, -0.9), Text::from("cₜ")),
-            DrawnShape::Ground((1.0, -1.4), (-1.0, -1.4)),
-            DrawnShape::Arc((0.0, 0.0), 1.2, -0.5, 0.5, Ink::Motion),
-            DrawnShape::Label((1.3, 0.3), Text::from("θ")),
-        ]
+    let mut sketch = Sketch::new("One degree of freedom");
+    if let Oscillator::Rotation { .. } = oscillator {
+        sketch
+            .ground((1.0, 1.6), (-1.0, 1.6))
+            .spring("kₜ", (0.0, 1.6), (0.0, 0.3))
+            .mass("J", (-0.9, -0.3), (0.9, 0.3))
+            .damper("cₜ", (0.0, -1.4), (0.0, -0.3))
+            .ground((-1.0, -1.4), (1.0, -1.4))
+            .arc((0.0, 0.0), 1.2, (-0.5, 0.5), Ink::Motion)
+            .label("θ", (1.2, 0.0));
     } else {
-        vec![
-            DrawnShape::Ground((-2.2, 0.9), (-2.2, -0.9)),
-            DrawnShape::Spring((-2.2, 0.35), (-0.7, 0.35)),
-            DrawnShape::Label((-1.5, 0.75), Text::from("k")),
-            DrawnShape::Damper((-2.2, -0.35), (-0.7, -0.35)),
-            DrawnShape::Label((-1.5, -0.8), Text::from("c")),
-            DrawnShape::Block((-0.7, -0.7), (0.7, 0.7), Ink::Body),
-            DrawnShape::Label((0.0, 0.0), Text::from("m")),
-            DrawnShape::Arrow((0.0, 1.0), (0.9, 1.0), Ink::Motion),
-            DrawnShape::Label((1.0, 1.0), Text::from("x")),
-        ]
-    };
-    Drawing { title: "One degree of freedom".into(), shapes }
+        sketch
+            .ground((-2.2, 0.9), (-2.2, -0.9))
+            .spring("k", (-2.2, 0.35), (-0.7, 0.35))
+            .damper("c", (-2.2, -0.35), (-0.7, -0.35))
+            .mass("m", (-0.7, -0.7), (0.7, 0.7))
+            .motion("x", (0.0, 1.0), (0.9, 1.0));
+    }
+    sketch.finish()
 }

@@ -3,8 +3,7 @@
 use std::f64::consts::PI;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
 };
 use dalembert_mechanics::{Real, sdof, vibration::isolation};
 
@@ -333,18 +332,8 @@ impl BaseExcitation {
 
 /// The mass on its base.
 fn drawing() -> Drawing {
-    let shapes = vec![
-        DrawnShape::Block((-1.2, -1.9), (1.2, -1.5), Ink::Faint),
-        DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4)),
-        DrawnShape::Label((-0.9, -0.95), Text::from("k")),
-        DrawnShape::Damper((0.4, -1.5), (0.4, -0.4)),
-        DrawnShape::Label((0.75, -0.95), Text::from("c")),
-        DrawnShape::Block((-0.8, -0.4), (0.8, 0.4), Ink::Body),
-        DrawnShape::Label((0.0, 0.0), Text::from("m")),
-        DrawnShape::Arrow((1.1, -0.2), (1.1, 0.5), Ink::Motion),
-        DrawnShape::Label((1.2, 0.5), Text::from("x")),
-        DrawnShape::Arrow((1.5, -2.0), (1.5, -1.3), Ink::Force),
-        DrawnShape::Label((1.6, -1.3), Text::from("y")),
-    ];
-    Drawing { title: "The mass on its base".into(), shapes }
+    plots::supported("The mass on its base")
+        .block("", (-1.2, -1.9), (1.2, -1.5), Ink::Faint)
+        .motion("y", (1.5, -2.0), (1.5, -1.3))
+        .finish()
 }

@@ -3,8 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
 use dalembert_mechanics::{Real, sdof};
 
@@ -363,16 +362,11 @@ impl EquivalentDamping {
 }
 
 fn drawing() -> Drawing {
-    let shapes = vec![
-        DrawnShape::Ground((-1.0, -1.5), (1.0, -1.5)),
-        DrawnShape::Spring((0.0, -1.5), (0.0, -0.4)),
-        DrawnShape::Label((0.4, -0.95), Text::from("k(1 + iη)")),
-        DrawnShape::Block((-0.8, -0.4), (0.8, 0.4), Ink::Body),
-        DrawnShape::Label((0.0, 0.0), Text::from("m")),
-        DrawnShape::Arrow((0.0, 0.4), (0.0, 1.2), Ink::Force),
-        DrawnShape::Label((0.1, 1.2), Text::from("F₀ cos ωt")),
-        DrawnShape::Arrow((1.1, -0.2), (1.1, 0.5), Ink::Motion),
-        DrawnShape::Label((1.2, 0.5), Text::from("x")),
-    ];
-    Drawing { title: "One degree of freedom".into(), shapes }
+    Sketch::new("One degree of freedom")
+        .ground((-1.0, -1.5), (1.0, -1.5))
+        .spring("k(1 + iη)", (0.0, -1.5), (0.0, -0.4))
+        .mass("m", (-0.8, -0.4), (0.8, 0.4))
+        .force("F₀ cos ωt", (0.0, 0.4), (0.0, 1.2))
+        .motion("x", (1.1, -0.2), (1.1, 0.5))
+        .finish()
 }

@@ -3,8 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real, sdof,
@@ -511,19 +510,13 @@ fn cycle_plot(motion: Vec<(f64, f64)>, push: Vec<(f64, f64)>) -> Plot {
 }
 
 fn drawing() -> Drawing {
-    let shapes = vec![
-        DrawnShape::Ground((-2.4, 1.2), (-2.4, -0.7)),
-        DrawnShape::Ground((-2.4, -0.7), (2.4, -0.7)),
-        DrawnShape::Spring((-2.4, 0.0), (-0.7, 0.0)),
-        DrawnShape::Label((-1.6, 0.4), Text::from("k")),
-        DrawnShape::Block((-0.7, -0.7), (0.7, 0.7), Ink::Body),
-        DrawnShape::Label((0.0, 0.0), Text::from("m")),
-        DrawnShape::Arrow((1.1, -0.55), (0.4, -0.55), Ink::Force),
-        DrawnShape::Label((1.2, -0.5), Text::from("F")),
-        DrawnShape::Arrow((0.7, 0.2), (1.8, 0.2), Ink::Force),
-        DrawnShape::Label((1.3, 0.45), Text::from("F₀ cos ωt")),
-        DrawnShape::Arrow((0.0, 1.0), (0.9, 1.0), Ink::Motion),
-        DrawnShape::Label((1.0, 1.0), Text::from("x")),
-    ];
-    Drawing { title: "The mass on its spring, with friction".into(), shapes }
+    Sketch::new("The mass on its spring, with friction")
+        .ground((-2.4, 1.2), (-2.4, -0.7))
+        .ground((-2.4, -0.7), (2.4, -0.7))
+        .spring("k", (-2.4, 0.0), (-0.7, 0.0))
+        .mass("m", (-0.7, -0.7), (0.7, 0.7))
+        .force("F", (1.6, -0.55), (0.75, -0.55))
+        .force("F₀ cos ωt", (0.7, 0.2), (1.8, 0.2))
+        .motion("x", (0.0, 1.0), (0.9, 1.0))
+        .finish()
 }

@@ -1,8 +1,7 @@
 //! Stiffness, mass and damping of one degree of freedom from its measured frequency response.
 
 use dalembert_core::{
-    About, Analysis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text,
-    Worksheet, register,
+    About, Analysis, Cell, Column, Exhibit, Inputs, Refusal, TableExhibit, Text, Worksheet, register,
 };
 use dalembert_mechanics::{Real, identification, sdof};
 
@@ -22,6 +21,7 @@ pub use self::{
     },
     few_points::{Excitation, PeakRead},
 };
+use crate::shared::oscillator;
 use crate::sources::{EWINS, LISTS, RAO};
 
 /// Inputs: the measurement, and the force whose response is computed.
@@ -207,7 +207,7 @@ impl Analysis for FrequencyResponseIdentification {
                 (peak.frequency.value(), peak.receptance.value()),
             ))
         });
-        sheet.show(|| Exhibit::Drawing(drawing()));
+        sheet.show(|| Exhibit::Drawing(oscillator::plots::mass_spring_damper("F₀ cos ωt")));
         Ok(())
     }
 }
@@ -392,24 +392,6 @@ fn resonance<W: Worksheet>(force: Option<W::Num>, system: &System<W::Num>, sheet
     );
     sheet.answer("resonant_amplitude", "Maximum amplitude under the force", largest);
     sheet.answer("natural_amplitude", "Amplitude at the natural frequency", natural);
-}
-
-/// The mass, spring and damper that stand for what was measured.
-fn drawing() -> Drawing {
-    let shapes = vec![
-        DrawnShape::Ground((-1.0, -1.5), (1.0, -1.5)),
-        DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4)),
-        DrawnShape::Label((-0.9, -0.95), Text::from("k")),
-        DrawnShape::Damper((0.4, -1.5), (0.4, -0.4)),
-        DrawnShape::Label((0.75, -0.95), Text::from("c")),
-        DrawnShape::Block((-0.8, -0.4), (0.8, 0.4), Ink::Body),
-        DrawnShape::Label((0.0, 0.0), Text::from("m")),
-        DrawnShape::Arrow((0.0, 0.4), (0.0, 1.2), Ink::Force),
-        DrawnShape::Label((0.1, 1.2), Text::from("F₀ cos ωt")),
-        DrawnShape::Arrow((1.1, -0.2), (1.1, 0.5), Ink::Motion),
-        DrawnShape::Label((1.2, 0.5), Text::from("x")),
-    ];
-    Drawing { title: "One degree of freedom".into(), shapes }
 }
 
 /// Comparison of the methods.

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
     register,
 };
 use dalembert_mechanics::Real;
@@ -336,16 +336,14 @@ fn over_time(motions: &[Harmonic], wave: Wave, last: f64, two: bool) -> Plot {
 /// The vectors of one frequency, tip to tail, and their sum.
 fn vectors(motions: &[Harmonic]) -> Drawing {
     let size = motions.iter().map(|one| one.amplitude).fold(f64::MIN_POSITIVE, f64::max);
-    let mut shapes = Vec::new();
+    let mut sketch = Sketch::new("Rotating vectors");
     let mut tip = (0.0, 0.0);
-    for one in motions {
+    for (n, one) in (1..).zip(motions) {
         let (sin, cos) = one.phase.sin_cos();
         let length = 3.0 * one.amplitude / size;
         let next = (tip.0 + length * cos, tip.1 + length * sin);
-        shapes.push(DrawnShape::Arrow(tip, next, Ink::Motion));
+        sketch.edge(Text::new(n.to_string()), tip, next, Ink::Motion);
         tip = next;
     }
-    shapes.push(DrawnShape::Arrow((0.0, 0.0), tip, Ink::Result));
-    shapes.push(DrawnShape::Label((tip.0 / 2.0 + 0.2, tip.1 / 2.0 - 0.3), Text::from("R")));
-    Drawing { title: "Rotating vectors".into(), shapes }
+    sketch.edge("R", (0.0, 0.0), tip, Ink::Result).finish()
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
     register,
 };
 use dalembert_mechanics::{Real, sdof};
@@ -279,15 +279,15 @@ impl RotatingUnbalance {
 
     /// The machine on its support, with the unbalance at its radius.
     fn machine(&self) -> Drawing {
-        let mut shapes = sketch::carrying(&self.support);
-        shapes.extend([
-            DrawnShape::Block((-0.6, -0.4), (0.6, 0.8), Ink::Body),
-            DrawnShape::Circle((0.0, 0.2), 0.4, Ink::Faint),
-            DrawnShape::Circle((0.28, 0.48), 0.08, Ink::Danger),
-            DrawnShape::Label((0.45, 0.6), Text::from("m₀e")),
-            DrawnShape::Arrow((0.9, -0.3), (0.9, 0.7), Ink::Motion),
-            DrawnShape::Label((1.0, 0.7), Text::from("X")),
-        ]);
-        Drawing { title: "The machine on its support".into(), shapes }
+        let mut sketch = Sketch::new("The machine on its support");
+        sketch::carrying(&self.support, &mut sketch);
+        sketch
+            .mass("", (-0.6, -0.4), (0.6, 0.8))
+            .circle((0.0, 0.2), 0.4, Ink::Faint)
+            .axis((0.0, 0.2), (0.28, 0.48))
+            .round("m₀e", (0.28, 0.48), 0.08, Ink::Danger)
+            .joint("", (0.0, 0.2))
+            .motion("X", (0.9, -0.3), (0.9, 0.7))
+            .finish()
     }
 }

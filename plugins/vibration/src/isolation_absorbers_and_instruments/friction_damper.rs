@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
     register,
 };
 use dalembert_mechanics::{
@@ -289,21 +289,14 @@ fn hysteresis(oscillator: &JenkinsOscillator, amplitude: f64) -> Plot {
 }
 
 fn drawing() -> Drawing {
-    let shapes = vec![
-        DrawnShape::Ground((-2.6, 1.2), (-2.6, -1.2)),
-        DrawnShape::Spring((-2.6, 0.7), (-0.7, 0.7)),
-        DrawnShape::Label((-1.7, 1.1), Text::from("k")),
-        DrawnShape::Damper((-2.6, 0.0), (-0.7, 0.0)),
-        DrawnShape::Label((-1.7, 0.3), Text::from("c")),
-        DrawnShape::Block((-2.3, -0.95), (-1.8, -0.55), Ink::Danger),
-        DrawnShape::Polyline(vec![(-2.6, -0.95), (-1.6, -0.95)], Ink::Body),
-        DrawnShape::Label((-2.1, -1.1), Text::from("F_d")),
-        DrawnShape::Spring((-1.8, -0.75), (-0.7, -0.75)),
-        DrawnShape::Label((-1.25, -0.4), Text::from("k_d")),
-        DrawnShape::Block((-0.7, -1.0), (0.7, 1.0), Ink::Body),
-        DrawnShape::Label((0.0, 0.0), Text::from("m")),
-        DrawnShape::Arrow((0.7, 0.0), (1.7, 0.0), Ink::Force),
-        DrawnShape::Label((1.2, 0.3), Text::from("F₀ cos ωt")),
-    ];
-    Drawing { title: "The oscillator and its friction element".into(), shapes }
+    Sketch::new("The oscillator and its friction element")
+        .ground((-2.6, 1.2), (-2.6, -1.2))
+        .spring("k", (-2.6, 0.7), (-0.7, 0.7))
+        .damper("c", (-2.6, 0.0), (-0.7, 0.0))
+        .block("F_d", (-2.3, -0.95), (-1.8, -0.55), Ink::Danger)
+        .bars([(-2.6, -0.95), (-1.6, -0.95)])
+        .spring("k_d", (-1.8, -0.75), (-0.7, -0.75))
+        .mass("m", (-0.7, -1.0), (0.7, 1.0))
+        .force("F₀ cos ωt", (0.7, 0.0), (1.7, 0.0))
+        .finish()
 }

@@ -1,8 +1,7 @@
 //! A seismic instrument: in which frequencies its reading is right, and what a reading says of the true motion.
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real, sdof,
@@ -486,20 +485,13 @@ impl VibrationInstrument {
 
 /// The seismic mass in its case.
 fn drawing() -> Drawing {
-    let shapes = vec![
-        DrawnShape::Polyline(
-            vec![(-1.3, -1.5), (-1.3, 1.1), (1.3, 1.1), (1.3, -1.5), (-1.3, -1.5)],
-            Ink::Body,
-        ),
-        DrawnShape::Ground((-1.6, -1.5), (1.6, -1.5)),
-        DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4)),
-        DrawnShape::Damper((0.4, -1.5), (0.4, -0.4)),
-        DrawnShape::Block((-0.8, -0.4), (0.8, 0.3), Ink::Body),
-        DrawnShape::Label((0.0, -0.05), Text::from("m")),
-        DrawnShape::Arrow((1.0, -0.3), (1.0, 0.4), Ink::Motion),
-        DrawnShape::Label((1.05, 0.5), Text::from("z")),
-        DrawnShape::Arrow((1.7, -1.7), (1.7, -1.0), Ink::Force),
-        DrawnShape::Label((1.8, -1.0), Text::from("y")),
-    ];
-    Drawing { title: "The seismic mass in its case".into(), shapes }
+    Sketch::new("The seismic mass in its case")
+        .body("", [(-1.3, -1.5), (-1.3, 1.1), (1.3, 1.1), (1.3, -1.5)])
+        .ground((-1.6, -1.5), (1.6, -1.5))
+        .spring("k", (-0.4, -1.5), (-0.4, -0.4))
+        .damper("c", (0.4, -1.5), (0.4, -0.4))
+        .mass("m", (-0.8, -0.4), (0.8, 0.3))
+        .motion("z", (1.0, -0.3), (1.0, 0.4))
+        .motion("y", (1.7, -1.7), (1.7, -1.0))
+        .finish()
 }

@@ -3,8 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{
-    About, Analysis, Animation, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text,
-    Worksheet, register,
+    About, Analysis, Animation, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Worksheet,
+    register,
 };
 use dalembert_mechanics::Real;
 use dalembert_numerics::elliptic;
@@ -198,22 +198,18 @@ impl LargePendulum {
         let frame = |n: u32| {
             let (angle, _) = self.motion(period * f64::from(n) / f64::from(FRAMES));
             let end = (angle.sin(), -angle.cos());
-            vec![
-                DrawnShape::Arc(
-                    (0.0, 0.0),
-                    1.0,
-                    -PI / 2.0 - self.amplitude,
-                    self.amplitude - PI / 2.0,
-                    Ink::Faint,
-                ),
-                DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, -1.0)], Ink::Faint),
-                DrawnShape::Pin((0.0, 0.0)),
-                DrawnShape::Polyline(vec![(0.0, 0.0), end], Ink::Body),
-                DrawnShape::Circle(end, 0.08, Ink::Body),
-                DrawnShape::Label((0.08, -0.3), Text::from("θ")),
-            ]
+            let swing = (-PI / 2.0 - self.amplitude, self.amplitude - PI / 2.0);
+            let mut sketch = Sketch::default();
+            sketch
+                .arc((0.0, 0.0), 1.0, swing, Ink::Faint)
+                .axis((0.0, 0.0), (0.0, -1.0))
+                .link("", (0.0, 0.0), end)
+                .pin("", (0.0, 0.0))
+                .disc("", end, 0.08)
+                .label("θ", (0.0, -0.3));
+            sketch
         };
-        Animation::new("The oscillation", (0..FRAMES).map(frame).collect(), 2.0)
+        Sketch::animation("The oscillation", (0..FRAMES).map(frame), 2.0)
     }
 }
 

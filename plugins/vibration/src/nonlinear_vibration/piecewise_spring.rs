@@ -1,8 +1,7 @@
 //! Free vibration on a spring of two slopes: a gap, a stop, a spring that saturates.
 
 use dalembert_core::{
-    About, Analysis, Animation, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text,
-    Worksheet, register,
+    About, Analysis, Animation, Axis, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
 use dalembert_mechanics::{Real, sdof, vibration::piecewise::TwoSlopes};
 
@@ -315,17 +314,17 @@ impl PiecewiseSpring {
         let frame = |n: u32| {
             let x = spring.displacement(self.mass, amplitude, period * f64::from(n) / f64::from(FRAMES))
                 / amplitude;
-            let mut shapes = vec![DrawnShape::Ground((-1.6, -0.25), (1.6, -0.25))];
+            let mut sketch = Sketch::default();
+            sketch.ground((-1.6, -0.25), (1.6, -0.25));
             if corner < 1.0 {
                 for at in [-corner - 0.25, corner + 0.25] {
-                    shapes.push(DrawnShape::Polyline(vec![(at, -0.25), (at, 0.4)], Ink::Faint));
+                    sketch.axis((at, -0.25), (at, 0.4));
                 }
             }
-            shapes.push(DrawnShape::Block((x - 0.25, -0.25), (x + 0.25, 0.25), Ink::Body));
-            shapes.push(DrawnShape::Label((-1.6, 0.6), Text::from("x")));
-            shapes
+            sketch.mass("m", (x - 0.25, -0.25), (x + 0.25, 0.25)).motion("x", (-1.6, 0.6), (-1.2, 0.6));
+            sketch
         };
-        Animation::new("The motion of the mass", (0..FRAMES).map(frame).collect(), 2.0)
+        Sketch::animation("The motion of the mass", (0..FRAMES).map(frame), 2.0)
     }
 }
 

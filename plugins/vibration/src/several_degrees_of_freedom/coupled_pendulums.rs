@@ -2,9 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{
-    About, Analysis, Animation, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
-};
+use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Sketch, Text, Worksheet, register};
 use dalembert_mechanics::{Real, vibration::modes::natural_modes};
 use nalgebra::{DMatrix, DVector};
 
@@ -147,10 +145,7 @@ impl Analysis for CoupledPendulums {
         let modes = natural_modes(&mass, &stiffness).map_err(refusal)?;
         sheet.verify(|| agreement(&two, &modes, sheet));
         sheet.show(|| {
-            Exhibit::Drawing(Drawing {
-                title: "The pendulums and their spring".into(),
-                shapes: self.shapes([0.0; 2]),
-            })
+            Exhibit::Drawing(self.sketch([0.0; 2]).titled("The pendulums and their spring").finish())
         });
         for mode in 0..2 {
             let shape = [modes.shapes[(0, mode)], modes.shapes[(1, mode)]];
@@ -158,11 +153,11 @@ impl Analysis for CoupledPendulums {
             sheet.show(|| {
                 let frames = (0..24).map(|frame| {
                     let now = 0.35 / largest * (TAU * f64::from(frame) / 24.0).cos();
-                    self.shapes(shape.map(|x| x * now))
+                    self.sketch(shape.map(|x| x * now))
                 });
-                Exhibit::Animation(Animation::new(
+                Exhibit::Animation(Sketch::animation(
                     Text::new("Mode {mode}").with("mode", mode + 1),
-                    frames.collect(),
+                    frames,
                     2.0,
                 ))
             });
@@ -173,25 +168,24 @@ impl Analysis for CoupledPendulums {
 
 impl CoupledPendulums {
     /// The pendulums turned by so much.
-    fn shapes(&self, turns: [f64; 2]) -> Vec<DrawnShape> {
+    fn sketch(&self, turns: [f64; 2]) -> Sketch {
         let sizes = [&self.left, &self.right].map(|pendulum| match pendulum {
             Pendulum::Rod { length, spring, .. } => (*length, *spring, false),
             Pendulum::Bob { length, spring, .. } => (*length, *spring, true),
         });
         let apart = 0.8 * sizes[0].0.max(sizes[1].0).max(sizes[0].1).max(sizes[1].1);
-        let mut shapes = Vec::new();
+        let mut sketch = Sketch::default();
         let mut ends = Vec::new();
         for (place, ((length, spring, bob), turn)) in sizes.into_iter().zip(turns).enumerate() {
             let x = apart * place as f64;
             let at = |distance: f64| (x + distance * turn.sin(), -distance * turn.cos());
-            shapes.push(DrawnShape::Pin((x, 0.0)));
-            shapes.push(DrawnShape::Polyline(vec![(x, 0.0), at(length.max(spring))], Ink::Body));
+            sketch.link("", (x, 0.0), at(length.max(spring))).pin("", (x, 0.0));
             if bob {
-                shapes.push(DrawnShape::Circle(at(length), 0.06 * apart, Ink::Body));
+                sketch.disc("", at(length), 0.06 * apart);
             }
             ends.push(at(spring));
         }
-        shapes.push(DrawnShape::Spring(ends[0], ends[1]));
-        shapes
+        sketch.spring("k", ends[0], ends[1]);
+        sketch
     }
 }

@@ -2,9 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{
-    About, Analysis, Animation, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
-};
+use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Sketch, Text, Worksheet, register};
 use dalembert_mechanics::{Real, vibration::modes::natural_modes};
 use nalgebra::DMatrix;
 
@@ -237,19 +235,17 @@ impl Analysis for DoublePendulum {
                 );
             }
         });
-        sheet.show(|| {
-            Exhibit::Drawing(Drawing { title: "The pendulums".into(), shapes: self.shapes([0.25, 0.5]) })
-        });
+        sheet.show(|| Exhibit::Drawing(self.sketch([0.25, 0.5]).titled("The pendulums").finish()));
         for (mode, ratio) in (1..).zip(shapes) {
             sheet.show(|| {
                 let largest = ratio.abs().max(1.0);
                 let frames = (0..24).map(|frame| {
                     let now = 0.4 / largest * (TAU * f64::from(frame) / 24.0).cos();
-                    self.shapes([now, ratio * now])
+                    self.sketch([now, ratio * now])
                 });
-                Exhibit::Animation(Animation::new(
+                Exhibit::Animation(Sketch::animation(
                     Text::new("Mode {mode}").with("mode", mode),
-                    frames.collect(),
+                    frames,
                     2.0,
                 ))
             });
@@ -260,7 +256,7 @@ impl Analysis for DoublePendulum {
 
 impl DoublePendulum {
     /// The pendulums turned by so much.
-    fn shapes(&self, turns: [f64; 2]) -> Vec<DrawnShape> {
+    fn sketch(&self, turns: [f64; 2]) -> Sketch {
         let (l1, bob1) = match self.upper {
             UpperPendulum::Bob { length, .. } => (length, true),
             UpperPendulum::Rod { length, .. } | UpperPendulum::Body { length, .. } => (length, false),
@@ -276,17 +272,23 @@ impl DoublePendulum {
         };
         let joint = from((0.0, 0.0), l1, turns[0]);
         let end = from(joint, l2, turns[1]);
-        let mut shapes = vec![
-            DrawnShape::Pin((0.0, 0.0)),
-            DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, -4.0)], Ink::Faint),
-            DrawnShape::Polyline(vec![(0.0, 0.0), joint], Ink::Body),
-            DrawnShape::Polyline(vec![joint, end], Ink::Body),
-            DrawnShape::Circle(joint, if bob1 { 0.2 } else { 0.06 }, Ink::Body),
-        ];
-        if bob2 {
-            shapes.push(DrawnShape::Circle(end, 0.2, Ink::Body));
+        let mut sketch = Sketch::default();
+        sketch
+            .axis((0.0, 0.0), (0.0, -4.0))
+            .link("", (0.0, 0.0), joint)
+            .link("", joint, end)
+            .pin("", (0.0, 0.0))
+            .label("θ₁", from((0.0, 0.0), l1, turns[0] / 2.0))
+            .label("θ₂", from(joint, 0.7 * l2, turns[1] / 2.0));
+        if bob1 {
+            sketch.disc("", joint, 0.2);
+        } else {
+            sketch.joint("", joint);
         }
-        shapes
+        if bob2 {
+            sketch.disc("", end, 0.2);
+        }
+        sketch
     }
 }
 

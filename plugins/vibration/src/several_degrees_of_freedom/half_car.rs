@@ -2,9 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{
-    About, Analysis, Animation, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
-};
+use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Sketch, Text, Worksheet, register};
 use dalembert_mechanics::Real;
 use nalgebra::DMatrix;
 
@@ -143,20 +141,18 @@ impl Analysis for HalfCar {
             );
         }
         modal_properties(&system, &found, &damped, &shapes, sheet)?;
-        sheet.show(|| {
-            Exhibit::Drawing(Drawing { title: "The half-car".into(), shapes: self.shapes([0.0; 4]) })
-        });
+        sheet.show(|| Exhibit::Drawing(self.sketch([0.0; 4]).titled("The half-car").finish()));
         for (mode, shape) in shapes.iter().enumerate() {
             sheet.show(|| {
                 let frames = (0..24).map(|frame| {
                     let now = 0.12
                         * (self.front.distance + self.rear.distance)
                         * (TAU * f64::from(frame) / 24.0).cos();
-                    self.shapes([0, 1, 2, 3].map(|row| shape[row] * now))
+                    self.sketch([0, 1, 2, 3].map(|row| shape[row] * now))
                 });
-                Exhibit::Animation(Animation::new(
+                Exhibit::Animation(Sketch::animation(
                     Text::new("Mode {mode}").with("mode", mode + 1),
-                    frames.collect(),
+                    frames,
                     2.0,
                 ))
             });
@@ -167,21 +163,28 @@ impl Analysis for HalfCar {
 
 impl HalfCar {
     /// The vehicle with the ends of its body and its wheels moved up by so much.
-    fn shapes(&self, [front, rear, front_wheel, rear_wheel]: [f64; 4]) -> Vec<DrawnShape> {
+    fn sketch(&self, [front, rear, front_wheel, rear_wheel]: [f64; 4]) -> Sketch {
         let (a, b) = (-self.front.distance, self.rear.distance);
         let size = b - a;
-        let (road, axle, body) = (-0.6 * size, -0.35 * size, 0.0);
-        let mut shapes = vec![DrawnShape::Ground((a - 0.2 * size, road), (b + 0.2 * size, road))];
-        for (x, end, wheel) in [(a, front, front_wheel), (b, rear, rear_wheel)] {
-            shapes.push(DrawnShape::Spring((x, road), (x, axle + wheel)));
-            shapes.push(DrawnShape::Circle((x, axle + wheel), 0.06 * size, Ink::Body));
-            shapes.push(DrawnShape::Spring((x - 0.04 * size, axle + wheel), (x - 0.04 * size, body + end)));
-            shapes.push(DrawnShape::Damper((x + 0.04 * size, axle + wheel), (x + 0.04 * size, body + end)));
+        let (road, axle) = (-0.85 * size, -0.55 * size);
+        let mut sketch = Sketch::default();
+        sketch.ground((a - 0.2 * size, road), (b + 0.2 * size, road));
+        let ends = [
+            (a, front, front_wheel, ["k_f", "c_f", "m_w,f", "k_t,f"]),
+            (b, rear, rear_wheel, ["k_r", "c_r", "m_w,r", "k_t,r"]),
+        ];
+        for (x, end, wheel, [spring, damper, mass, tyre]) in ends {
+            let hub = axle + wheel;
+            sketch
+                .spring(tyre, (x, road), (x, hub - 0.05 * size))
+                .spring_and_damper((spring, damper), (x, hub + 0.05 * size), (x, end), 0.16 * size)
+                .mass(mass, (x - 0.14 * size, hub - 0.05 * size), (x + 0.14 * size, hub + 0.05 * size));
         }
         let middle = front + (rear - front) * -a / size;
-        shapes.push(DrawnShape::Polyline(vec![(a - 0.1 * size, body), (b + 0.1 * size, body)], Ink::Faint));
-        shapes.push(DrawnShape::Polyline(vec![(a, body + front), (b, body + rear)], Ink::Body));
-        shapes.push(DrawnShape::Circle((0.0, body + middle), 0.02 * size, Ink::Result));
-        shapes
+        sketch
+            .axis((a - 0.15 * size, 0.0), (b + 0.15 * size, 0.0))
+            .bars([(a - 0.1 * size, 1.1 * front - 0.1 * rear), (b + 0.1 * size, 1.1 * rear - 0.1 * front)])
+            .mass_centre("G", (0.0, middle));
+        sketch
     }
 }

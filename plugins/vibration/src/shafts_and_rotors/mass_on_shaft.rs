@@ -1,8 +1,8 @@
 //! A mass or flywheel on a light shaft: its longitudinal, transverse and torsional frequencies.
 
 use dalembert_core::{
-    About, Analysis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text,
-    Worksheet, register,
+    About, Analysis, Cell, Column, Drawing, Exhibit, Inputs, Refusal, Sketch, TableExhibit, Text, Worksheet,
+    register,
 };
 use dalembert_mechanics::{Real, beam, sdof, section, spring};
 
@@ -408,25 +408,21 @@ impl MassOnShaft {
         };
         let scale = 8.0 / (left + right);
         let (at, end) = (left * scale, 8.0f64);
-        let wall = |x: f64, down: bool| {
-            let (from, to) = if down { (-1.0, 1.0) } else { (1.0, -1.0) };
-            DrawnShape::Ground((x, from), (x, to))
-        };
-        let mut shapes = vec![DrawnShape::Polyline(vec![(0.0, 0.0), (end.max(at), 0.0)], Ink::Body)];
+        let mut sketch = Sketch::new("The body on the shaft");
+        sketch.bars([(0.0, 0.0), (end.max(at), 0.0)]);
         match self.support {
-            Support::Cantilever { .. } => shapes.push(wall(0.0, false)),
-            Support::Clamped { .. } => shapes.extend([wall(0.0, false), wall(end, true)]),
-            Support::SimplySupported { .. } => {
-                shapes.extend([DrawnShape::Pin((0.0, 0.0)), DrawnShape::Pin((end, 0.0))]);
-            }
-            Support::ClampedPinned { .. } => shapes.extend([wall(0.0, false), DrawnShape::Pin((end, 0.0))]),
-        }
-        shapes.extend([
-            DrawnShape::Block((at - 0.25, -1.2), (at + 0.25, 1.2), Ink::Body),
-            DrawnShape::Label((at + 0.3, 1.3), Text::from("m")),
-            DrawnShape::Arrow((at, 1.3), (at, 2.1), Ink::Motion),
-            DrawnShape::Arrow((at + 0.3, 0.3), (at + 1.1, 0.3), Ink::Motion),
-        ]);
-        Drawing { title: "The body on the shaft".into(), shapes }
+            Support::SimplySupported { .. } => sketch.pin("", (0.0, 0.0)),
+            _ => sketch.ground((0.0, 1.0), (0.0, -1.0)),
+        };
+        match self.support {
+            Support::Cantilever { .. } => &mut sketch,
+            Support::Clamped { .. } => sketch.ground((end, -1.0), (end, 1.0)),
+            Support::SimplySupported { .. } | Support::ClampedPinned { .. } => sketch.pin("", (end, 0.0)),
+        };
+        sketch
+            .mass("m", (at - 0.25, -1.2), (at + 0.25, 1.2))
+            .motion("", (at, 1.3), (at, 2.1))
+            .motion("", (at + 0.3, 0.3), (at + 1.1, 0.3))
+            .finish()
     }
 }

@@ -1,7 +1,7 @@
 //! A disc at the end of a light shaft: whirl with gyroscopic action and synchronous critical speeds.
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Symbol, Text,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Symbol, Text,
     Worksheet, register,
 };
 use dalembert_mechanics::{
@@ -459,23 +459,16 @@ fn drawing() -> Drawing {
         (-2.0 + 3.5 * s, 0.5 * s * s * (3.0 - s) / 2.0)
     });
     let (tip, slope) = ((1.5, 0.5), 0.22f64);
-    let (along, across) = ((-slope.sin(), slope.cos()), 0.9);
-    let shapes = vec![
-        DrawnShape::Ground((-2.0, 0.8), (-2.0, -0.8)),
-        DrawnShape::Polyline(vec![(-2.0, 0.0), (2.2, 0.0)], Ink::Faint),
-        DrawnShape::Polyline(line.collect(), Ink::Body),
-        DrawnShape::Polyline(
-            vec![
-                (tip.0 - across * along.0, tip.1 - across * along.1),
-                (tip.0 + across * along.0, tip.1 + across * along.1),
-            ],
-            Ink::Body,
-        ),
-        DrawnShape::Arrow((2.0, 0.0), (2.0, 0.5), Ink::Motion),
-        DrawnShape::Label((2.1, 0.25), Text::from("y")),
-        DrawnShape::Label((1.7, 1.3), Text::from("m, I_d, I_p")),
-        DrawnShape::Arc((-1.2, 0.0), 0.25, -1.2, 1.2, Ink::Motion),
-        DrawnShape::Label((-0.9, 0.3), Text::from("Ω")),
-    ];
-    Drawing { title: "The disc on its bent shaft".into(), shapes }
+    let disc = |along: f64, across: f64| {
+        let (sin, cos) = slope.sin_cos();
+        (tip.0 + along * cos - across * sin, tip.1 + along * sin + across * cos)
+    };
+    Sketch::new("The disc on its bent shaft")
+        .ground((-2.0, 0.8), (-2.0, -0.8))
+        .axis((-2.0, 0.0), (2.2, 0.0))
+        .bars(line.collect::<Vec<_>>())
+        .body("m, I_d, I_p", [disc(-0.05, -0.9), disc(0.05, -0.9), disc(0.05, 0.9), disc(-0.05, 0.9)])
+        .motion("y", (2.0, 0.0), (2.0, 0.5))
+        .couple("Ω", (-1.2, 0.0), (-1.2, 1.2), Ink::Motion)
+        .finish()
 }

@@ -4,7 +4,7 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use dalembert_core::{
-    About, Analysis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
+    About, Analysis, Drawing, Exhibit, Ink, Inputs, Refusal, Sketch, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real, sdof,
@@ -333,29 +333,25 @@ impl ShaftClearance {
 
     /// The rotor on its shaft, inside the stator.
     fn drawing(&self) -> Drawing {
-        let rotor = |x: f64| {
-            [
-                DrawnShape::Block((x - 0.35, -0.8), (x + 0.35, 0.8), Ink::Body),
-                DrawnShape::Polyline(vec![(x - 0.5, 1.0), (x + 0.5, 1.0)], Ink::Danger),
-                DrawnShape::Polyline(vec![(x - 0.5, -1.0), (x + 0.5, -1.0)], Ink::Danger),
-                DrawnShape::Label((x + 0.6, 1.0), Text::from("stator")),
-                DrawnShape::Label((x + 0.6, 0.85), Text::from("R")),
-                DrawnShape::Circle((x, 0.12), 0.06, Ink::Danger),
-                DrawnShape::Label((x + 0.1, 0.2), Text::from("e")),
-            ]
-        };
         let mounting = match &self.sought {
             Sought::Diameter { shaft, .. } => shaft.mounting,
             Sought::Eccentricity { shaft: RotorShaft::Round { mounting, .. }, .. }
             | Sought::Speed { shaft: RotorShaft::Round { mounting, .. }, .. } => *mounting,
             _ => Mounting::SimplySupported,
         };
-        let (mut shapes, x) = mounting.sketch();
-        shapes.extend(rotor(x));
+        let mut sketch = Sketch::new("The rotor in its stator");
+        let x = mounting.draw(&mut sketch);
+        sketch
+            .mass("", (x - 0.35, -0.8), (x + 0.35, 0.8))
+            .line("stator", (x - 0.5, 1.0), (x + 0.5, 1.0), Ink::Danger)
+            .curve([(x - 0.5, -1.0), (x + 0.5, -1.0)], Ink::Danger)
+            .axis((x - 0.35, 0.0), (x + 0.8, 0.0))
+            .dimension("R", (x + 0.5, 0.0), (x + 0.5, 1.0), 0.0)
+            .round("e", (x, 0.12), 0.06, Ink::Danger);
         if matches!(self.sought, Sought::Diameter { .. }) {
-            shapes.push(DrawnShape::Label((-1.4, 0.25), Text::from("d")));
+            sketch.label("d", (-1.4, 0.0));
         }
-        Drawing { title: "The rotor in its stator".into(), shapes }
+        sketch.finish()
     }
 }
 

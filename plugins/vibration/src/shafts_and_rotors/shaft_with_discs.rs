@@ -2,8 +2,8 @@
 // Long because four methods stand beside each other, each with its own steps.
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series,
-    Symbol, TableExhibit, Text, Worksheet, register,
+    About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Symbol,
+    TableExhibit, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -194,22 +194,18 @@ impl ShaftWithDiscs {
     fn drawing(&self) -> Drawing {
         let width = 6.0;
         let at = |x: f64| x / self.length * width;
-        let mut shapes = vec![DrawnShape::Polyline(vec![(0.0, 0.0), (width, 0.0)], Ink::Body)];
+        let mut sketch = Sketch::new("The discs on the shaft");
+        sketch.bars([(0.0, 0.0), (width, 0.0)]);
         match self.bearings {
-            Bearings::SimplySupported => {
-                shapes.extend([DrawnShape::Pin((0.0, 0.0)), DrawnShape::Pin((width, 0.0))]);
-            }
-            Bearings::Cantilever => shapes.push(DrawnShape::Ground((0.0, 0.6), (0.0, -0.6))),
-            Bearings::Overhanging { span } => {
-                shapes.extend([DrawnShape::Pin((0.0, 0.0)), DrawnShape::Pin((at(span), 0.0))]);
-            }
-        }
+            Bearings::SimplySupported => sketch.pin("", (0.0, 0.0)).pin("", (width, 0.0)),
+            Bearings::Cantilever => sketch.ground((0.0, 0.6), (0.0, -0.6)),
+            Bearings::Overhanging { span } => sketch.pin("", (0.0, 0.0)).pin("", (at(span), 0.0)),
+        };
         for (n, disc) in (1..).zip(&self.discs) {
             let x = at(disc.distance);
-            shapes.push(DrawnShape::Block((x - 0.1, -0.7), (x + 0.1, 0.7), Ink::Body));
-            shapes.push(DrawnShape::Label((x - 0.1, 0.9), Text::new("disc {n}").with("n", n)));
+            sketch.mass(Text::new("disc {n}").with("n", n), (x - 0.1, -0.7), (x + 0.1, 0.7));
         }
-        Drawing { title: "The discs on the shaft".into(), shapes }
+        sketch.finish()
     }
 }
 

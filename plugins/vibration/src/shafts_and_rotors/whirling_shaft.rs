@@ -4,7 +4,7 @@
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
     register,
 };
 use dalembert_mechanics::{Real, sdof, whirl};
@@ -472,19 +472,13 @@ fn vectors([natural, eccentricity, zeta]: [f64; 3], (speed, amplitude): (f64, f6
     // The centre of mass is ahead of the deflection by the lag, in the sense of the rotation.
     let w = (a, 0.0);
     let g = (w.0 + e * lag.cos(), e * lag.sin());
-    let shapes = vec![
-        DrawnShape::Circle((0.0, 0.0), a, Ink::Faint),
-        DrawnShape::Circle(w, 0.6, Ink::Body),
-        DrawnShape::Arrow((0.0, 0.0), w, Ink::Motion),
-        DrawnShape::Arrow(w, g, Ink::Danger),
-        DrawnShape::Arc((0.0, 0.0), 1.8, 0.2, 0.9, Ink::Faint),
-        DrawnShape::Label((1.3, 1.4), Text::from("ω")),
-        DrawnShape::Label((-0.15, -0.15), Text::from("O")),
-        DrawnShape::Label((w.0 + 0.05, -0.15), Text::from("W")),
-        DrawnShape::Label((g.0 + 0.05, g.1 + 0.12), Text::from("G")),
-    ];
-    Drawing {
-        title: "Bearing centre O, shaft centre W, centre of mass G (a short arrow is drawn longer)".into(),
-        shapes,
-    }
+    Sketch::new("Bearing centre O, shaft centre W, centre of mass G (a short arrow is drawn longer)")
+        .circle((0.0, 0.0), a, Ink::Faint)
+        .circle(w, 0.6, Ink::Body)
+        .motion("", (0.0, 0.0), w)
+        .vector("G", w, g, Ink::Danger)
+        .label("O", (0.0, 0.0))
+        .label("W", w)
+        .couple("ω", w, (2.2, 3.4), Ink::Faint)
+        .finish()
 }

@@ -1,6 +1,6 @@
 //! Inputs and figures shared by continuous bodies: material, section, mass per unit length, mode shapes.
 
-use dalembert_core::{Animation, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Series, Text, Worksheet};
+use dalembert_core::{Axis, Exhibit, Ink, Inputs, Plot, Point, Series, Sketch, Text, Worksheet};
 
 use crate::sources::BEER;
 
@@ -112,28 +112,39 @@ pub(crate) fn shapes_plot(shapes: &[Sampled]) -> Exhibit {
 
 /// The first shapes one above the other, in motion; `ends` draws what holds a body with its left end at a point and
 /// its right end at another.
-pub(crate) fn shapes_film(
-    shapes: &[Sampled],
-    length: f64,
-    ends: impl Fn(f64, f64) -> Vec<DrawnShape>,
-) -> Exhibit {
+pub(crate) fn shapes_film(shapes: &[Sampled], length: f64, ends: impl Fn(&mut Sketch, f64, f64)) -> Exhibit {
     const FRAMES: u16 = 24;
     let shown = shapes.len().min(4);
     let width = 6.0;
     let frame = |n: u16| {
         let phase = (std::f64::consts::TAU * f64::from(n) / f64::from(FRAMES)).cos();
-        let row = |(at, shape): (usize, &Sampled)| {
+        let mut sketch = Sketch::default();
+        for (at, shape) in shapes.iter().take(shown).enumerate() {
             let y = 2.0 * (shown - 1 - at) as f64;
             let point = |(x, w): &(f64, f64)| (x / length * width, y + 0.7 * w * phase);
-            let mut parts = vec![
-                DrawnShape::Polyline(vec![(0.0, y), (width, y)], Ink::Faint),
-                DrawnShape::Polyline(shape.points.iter().map(point).collect(), Ink::Motion),
-                DrawnShape::Label((width + 0.4, y), Text::new("mode {n}").with("n", shape.number)),
-            ];
-            parts.extend(ends(width, y));
-            parts
-        };
-        shapes.iter().take(shown).enumerate().flat_map(row).collect()
+            sketch
+                .axis((0.0, y), (width, y))
+                .curve(shape.points.iter().map(point).collect::<Vec<_>>(), Ink::Motion)
+                .label(Text::new("mode {n}").with("n", shape.number), (width + 0.4, y));
+            ends(&mut sketch, width, y);
+        }
+        sketch
     };
-    Exhibit::Animation(Animation::new("Mode shapes in motion", (0..FRAMES).map(frame).collect(), 2.0))
+    Exhibit::Animation(Sketch::animation("Mode shapes in motion", (0..FRAMES).map(frame), 2.0))
+}
+
+/// The support of a beam at a point: clamped, pinned, or guided, which holds the slope alone.
+pub(crate) fn draw_support(
+    sketch: &mut Sketch,
+    (held, clamped): (bool, bool),
+    (x, y): Point,
+    left_end: bool,
+) {
+    match (held, clamped) {
+        (true, true) if left_end => sketch.ground((x, y + 0.5), (x, y - 0.5)),
+        (true, true) => sketch.ground((x, y - 0.5), (x, y + 0.5)),
+        (true, false) => sketch.pin("", (x, y)),
+        (false, true) => sketch.bars([(x, y - 0.5), (x, y + 0.5)]),
+        (false, false) => sketch,
+    };
 }

@@ -1,6 +1,6 @@
 //! Support and stiffness of the shaft of an unbalanced rotor, shared by two analyses.
 
-use dalembert_core::{DrawnShape, Ink, Inputs, Worksheet};
+use dalembert_core::{Inputs, Sketch, Worksheet};
 use dalembert_mechanics::{Real, beam, section};
 
 mod speeds;
@@ -112,17 +112,18 @@ impl Mounting {
     }
 
     /// The shaft and what holds it, and the place of the rotor.
-    pub(crate) fn sketch(self) -> (Vec<DrawnShape>, f64) {
-        let left_clamp = DrawnShape::Ground((-2.5, 0.6), (-2.5, -0.6));
-        let right_clamp = DrawnShape::Ground((2.5, -0.6), (2.5, 0.6));
-        let pins = |x: f64| DrawnShape::Pin((x, 0.0));
-        let shaft = |to: f64| DrawnShape::Polyline(vec![(-2.5, 0.0), (to, 0.0)], Ink::Result);
-        let shapes = match self {
-            Mounting::Cantilever => vec![left_clamp, shaft(1.5)],
-            Mounting::SimplySupported => vec![pins(-2.5), pins(2.5), shaft(2.5)],
-            Mounting::Clamped => vec![left_clamp, right_clamp, shaft(2.5)],
-            Mounting::ClampedPinned => vec![left_clamp, pins(2.5), shaft(2.5)],
+    pub(crate) fn draw(self, sketch: &mut Sketch) -> f64 {
+        let (left, right) = (-2.5, if self == Mounting::Cantilever { 1.5 } else { 2.5 });
+        sketch.bars([(left, 0.0), (right, 0.0)]);
+        match self {
+            Mounting::SimplySupported => sketch.pin("", (left, 0.0)),
+            _ => sketch.ground((left, 0.6), (left, -0.6)),
         };
-        (shapes, if self == Mounting::Cantilever { 1.5 } else { 0.0 })
+        match self {
+            Mounting::Cantilever => return 1.5,
+            Mounting::Clamped => sketch.ground((right, -0.6), (right, 0.6)),
+            Mounting::SimplySupported | Mounting::ClampedPinned => sketch.pin("", (right, 0.0)),
+        };
+        0.0
     }
 }

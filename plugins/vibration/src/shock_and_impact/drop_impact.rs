@@ -3,8 +3,7 @@
 use std::ops::ControlFlow;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -387,23 +386,20 @@ impl<N: Real> Drop<N> {
 
 impl DropImpact {
     fn drawing(&self) -> Drawing {
-        let mut shapes = vec![
-            DrawnShape::Ground((-1.0, -1.5), (1.0, -1.5)),
-            DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4)),
-            DrawnShape::Label((-0.9, -0.95), Text::from("k")),
-            DrawnShape::Damper((0.4, -1.5), (0.4, -0.4)),
-            DrawnShape::Label((0.75, -0.95), Text::from("c")),
-            DrawnShape::Block((-0.5, 1.0), (0.5, 1.7), Ink::Body),
-            DrawnShape::Label((0.0, 1.35), Text::from("m")),
-            DrawnShape::Arrow((1.1, 1.0), (1.1, -0.3), Ink::Motion),
-            DrawnShape::Label((1.2, 0.3), Text::from("h")),
-        ];
-        shapes.push(if self.pan.is_some() {
-            DrawnShape::Block((-0.8, -0.4), (0.8, -0.2), Ink::Body)
+        let mut sketch = Sketch::new("The body above its spring");
+        sketch
+            .ground((-1.0, -1.5), (1.0, -1.5))
+            .spring("k", (-0.4, -1.5), (-0.4, -0.4))
+            .damper("c", (0.4, -1.5), (0.4, -0.4))
+            .mass("m", (-0.5, 1.0), (0.5, 1.7));
+        let top = if self.pan.is_some() {
+            sketch.mass("", (-0.8, -0.4), (0.8, -0.2));
+            -0.2
         } else {
-            DrawnShape::Polyline(vec![(-0.8, -0.4), (0.8, -0.4)], Ink::Body)
-        });
-        Drawing { title: "The body above its spring".into(), shapes }
+            sketch.bars([(-0.8, -0.4), (0.8, -0.4)]);
+            -0.4
+        };
+        sketch.dimension("h", (0.9, top), (0.9, 1.0), 0.0).finish()
     }
 }
 

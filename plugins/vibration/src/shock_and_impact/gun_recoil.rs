@@ -3,8 +3,7 @@
 use std::{f64::consts::PI, ops::ControlFlow};
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
 use dalembert_mechanics::{Real, sdof, vibration::free::FreeMotion};
 use dalembert_numerics::roots;
@@ -188,17 +187,12 @@ fn history(motion: &FreeMotion, [out, total]: [f64; 2]) -> Plot {
 }
 
 fn drawing() -> Drawing {
-    let shapes = vec![
-        DrawnShape::Ground((-2.4, 0.9), (-2.4, -0.9)),
-        DrawnShape::Spring((-2.4, 0.35), (-0.9, 0.35)),
-        DrawnShape::Label((-1.7, 0.75), Text::from("k")),
-        DrawnShape::Damper((-2.4, -0.35), (-0.9, -0.35)),
-        DrawnShape::Label((-1.7, -0.8), Text::from("c_c")),
-        DrawnShape::Block((-0.9, -0.6), (0.5, 0.6), Ink::Body),
-        DrawnShape::Block((0.5, -0.2), (2.4, 0.2), Ink::Body),
-        DrawnShape::Label((-0.2, 0.0), Text::from("m")),
-        DrawnShape::Arrow((0.3, 1.0), (-0.7, 1.0), Ink::Motion),
-        DrawnShape::Label((0.5, 1.0), Text::from("x")),
-    ];
-    Drawing { title: "The barrel on its recoil spring".into(), shapes }
+    Sketch::new("The barrel on its recoil spring")
+        .ground((-2.4, 0.9), (-2.4, -0.9))
+        .spring("k", (-2.4, 0.35), (-0.9, 0.35))
+        .damper("c_c", (-2.4, -0.35), (-0.9, -0.35))
+        .mass("m", (-0.9, -0.6), (0.5, 0.6))
+        .mass("", (0.5, -0.2), (2.4, 0.2))
+        .motion("x", (0.3, 1.0), (-0.7, 1.0))
+        .finish()
 }

@@ -1,8 +1,7 @@
 //! A rod that strikes a rigid wall with its end, by the waves that run through it.
 
 use dalembert_core::{
-    About, Analysis, Animation, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text,
-    Worksheet, register,
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
 };
 use dalembert_mechanics::{Real, vibration::impact};
 
@@ -196,19 +195,16 @@ impl RodImpact {
         let frame = |n: u16| {
             let tau = 3.0 * f64::from(n) / 24.0;
             let place = |xi: f64| 5.0 * (xi - 0.15 * impact::displacement(xi, tau));
-            let mut shapes = vec![DrawnShape::Ground((0.0, 1.0), (0.0, -1.0))];
+            let mut sketch = Sketch::default();
+            sketch.ground((0.0, 1.0), (0.0, -1.0));
             for part in 0..10 {
                 let (from, to) = (f64::from(part) / 10.0, f64::from(part + 1) / 10.0);
                 let loaded = impact::stress(0.5 * (from + to), tau) > 0.0;
                 let ink = if loaded { Ink::Danger } else { Ink::Body };
-                shapes.push(DrawnShape::Block((place(from), -0.4), (place(to), 0.4), ink));
+                sketch.block("", (place(from), -0.4), (place(to), 0.4), ink);
             }
-            shapes
+            sketch
         };
-        Exhibit::Animation(Animation::new(
-            "The compressed part of the rod",
-            (0..24).map(frame).collect(),
-            3.0,
-        ))
+        Exhibit::Animation(Sketch::animation("The compressed part of the rod", (0..24).map(frame), 3.0))
     }
 }

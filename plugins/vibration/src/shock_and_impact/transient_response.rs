@@ -3,8 +3,7 @@
 use std::f64::consts::PI;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -23,7 +22,7 @@ use crate::{
     shared::{
         free_motion::{System, system},
         load::{AccelerationPoint, Course},
-        oscillator::{Damping, Elasticity, Mass, mass},
+        oscillator::{Damping, Elasticity, Mass, mass, plots},
     },
     sources::{CHOPRA, RAO, THOMSON},
 };
@@ -368,36 +367,18 @@ impl TransientResponse {
     }
 
     fn drawing(&self) -> Drawing {
-        let mut shapes = vec![
-            DrawnShape::Ground((-1.0, -1.5), (1.0, -1.5)),
-            DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4)),
-            DrawnShape::Label((-0.9, -0.95), Text::from("k")),
-            DrawnShape::Damper((0.4, -1.5), (0.4, -0.4)),
-            DrawnShape::Label((0.75, -0.95), Text::from("c")),
-            DrawnShape::Block((-0.8, -0.4), (0.8, 0.4), Ink::Body),
-            DrawnShape::Label((0.0, 0.0), Text::from("m")),
-            DrawnShape::Arrow((1.1, -0.2), (1.1, 0.5), Ink::Motion),
-            DrawnShape::Label((1.2, 0.5), Text::from("x")),
-        ];
+        let mut sketch = plots::supported("One degree of freedom");
+        sketch.ground((-1.0, -1.5), (1.0, -1.5));
+        let (tail, head) = ((0.0, 0.4), (0.0, 1.2));
         match self.excitation {
-            Excitation::Force { .. } | Excitation::ForceTable { .. } => shapes.extend([
-                DrawnShape::Arrow((0.0, 0.4), (0.0, 1.2), Ink::Force),
-                DrawnShape::Label((0.1, 1.2), Text::from("F(t)")),
-            ]),
-            Excitation::Impulse { .. } => shapes.extend([
-                DrawnShape::Arrow((0.0, 0.4), (0.0, 1.2), Ink::Force),
-                DrawnShape::Label((0.1, 1.2), Text::from("I")),
-            ]),
-            Excitation::BaseAcceleration { .. } | Excitation::BaseTable { .. } => shapes.extend([
-                DrawnShape::Arrow((-1.2, -1.8), (-1.2, -1.0), Ink::Force),
-                DrawnShape::Label((-1.9, -1.0), Text::from("ÿ(t)")),
-            ]),
-            Excitation::Initial { .. } => shapes.extend([
-                DrawnShape::Arrow((0.0, 0.4), (0.0, 1.2), Ink::Motion),
-                DrawnShape::Label((0.1, 1.2), Text::from("v₀")),
-            ]),
-        }
-        Drawing { title: "One degree of freedom".into(), shapes }
+            Excitation::Force { .. } | Excitation::ForceTable { .. } => sketch.force("F(t)", tail, head),
+            Excitation::Impulse { .. } => sketch.force("I", tail, head),
+            Excitation::BaseAcceleration { .. } | Excitation::BaseTable { .. } => {
+                sketch.force("ÿ(t)", (-1.2, -1.8), (-1.2, -1.0))
+            }
+            Excitation::Initial { .. } => sketch.motion("v₀", tail, head),
+        };
+        sketch.finish()
     }
 }
 

@@ -1,8 +1,7 @@
 //! A mass on a network of beams and springs, found from its free motion, then excited.
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
 use dalembert_mechanics::{Real, sdof};
 
@@ -196,30 +195,22 @@ impl BeamAndSprings {
     fn drawing(&self) -> Drawing {
         let (width, height) = sketch::size(&self.springs);
         let half = (width / 2.0).max(0.9);
-        let mut shapes = vec![DrawnShape::Ground((half, 0.0), (-half, 0.0))];
-        sketch::hanging(&self.springs, (0.0, 0.0), height, &[], &mut shapes);
-        if self.decay.amplitude_ratio > 1.0 {
-            shapes.extend([
-                DrawnShape::Damper((-half - 0.5, 0.0), (-half - 0.5, -height)),
-                DrawnShape::Label((-half - 0.4, -height / 2.0), Text::from("c")),
-                DrawnShape::Polyline(vec![(-half - 0.5, -height), (0.0, -height)], Ink::Body),
-                DrawnShape::Ground((-half, 0.0), (-half - 1.0, 0.0)),
-            ]);
-        }
+        let mut sketch = Sketch::new("The mass on its springs");
+        sketch.ground((half, 0.0), (-half, 0.0));
+        sketch::hanging(&self.springs, (0.0, 0.0), height, &[], &mut sketch);
         let top = -height;
-        shapes.extend([
-            DrawnShape::Block((-0.7, top - 0.9), (0.7, top), Ink::Body),
-            DrawnShape::Label((0.0, top - 0.45), Text::from("m")),
-            DrawnShape::Arrow((0.95, top - 0.2), (0.95, top - 0.9), Ink::Motion),
-            DrawnShape::Label((1.05, top - 0.9), Text::from("x")),
-        ]);
-        if self.excitation.is_some() {
-            shapes.extend([
-                DrawnShape::Arrow((0.0, top - 0.9), (0.0, top - 1.7), Ink::Force),
-                DrawnShape::Label((0.1, top - 1.7), Text::from("F₀ cos ωt")),
-            ]);
+        if self.decay.amplitude_ratio > 1.0 {
+            let x = -half - 0.5;
+            sketch
+                .ground((-half, 0.0), (-half - 1.0, 0.0))
+                .damper("c", (x, 0.0), (x, top))
+                .bars([(x, top), (0.0, top)]);
         }
-        Drawing { title: "The mass on its springs".into(), shapes }
+        sketch.mass("m", (-0.7, top - 0.9), (0.7, top)).motion("x", (0.95, top - 0.2), (0.95, top - 0.9));
+        if self.excitation.is_some() {
+            sketch.force("F₀ cos ωt", (0.0, top - 0.9), (0.0, top - 1.7));
+        }
+        sketch.finish()
     }
 
     /// The free decay, from an amplitude of one to the last one counted.

@@ -3,8 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
 use dalembert_mechanics::{Real, sdof};
 
@@ -448,25 +447,19 @@ fn against_load(load: f64, natural: impl Fn(f64) -> f64, x: Axis) -> Plot {
 fn sketched<T: Hung>(springs: &T, carried: Option<&'static str>) -> Drawing {
     let (width, height) = sketch::size(springs);
     let half = (width / 2.0).max(0.9);
-    let mut shapes = vec![DrawnShape::Ground((half, 0.0), (-half, 0.0))];
-    sketch::hanging(springs, (0.0, 0.0), height, &[], &mut shapes);
+    let mut sketch = Sketch::new("The springs and the body they support");
+    sketch.ground((half, 0.0), (-half, 0.0));
+    sketch::hanging(springs, (0.0, 0.0), height, &[], &mut sketch);
+    let low = -height;
     match carried {
-        Some("J") => shapes.extend([
-            DrawnShape::Block((-1.1, -height - 0.35), (1.1, -height), Ink::Body),
-            DrawnShape::Label((1.2, -height - 0.2), Text::from("J")),
-            DrawnShape::Arc((0.0, -height - 0.35), 0.7, std::f64::consts::PI, TAU, Ink::Motion),
-            DrawnShape::Label((0.8, -height - 0.7), Text::from("θ")),
-        ]),
-        Some(_) => shapes.extend([
-            DrawnShape::Block((-0.7, -height - 0.9), (0.7, -height), Ink::Body),
-            DrawnShape::Label((0.0, -height - 0.45), Text::from("m")),
-            DrawnShape::Arrow((0.95, -height - 0.2), (0.95, -height - 0.9), Ink::Motion),
-            DrawnShape::Label((1.05, -height - 0.9), Text::from("x")),
-        ]),
-        None => shapes.extend([
-            DrawnShape::Arrow((0.0, -height), (0.0, -height - 0.8), Ink::Force),
-            DrawnShape::Label((0.1, -height - 0.8), Text::from("F")),
-        ]),
-    }
-    Drawing { title: "The springs and the body they support".into(), shapes }
+        Some("J") => sketch
+            .mass("J", (-1.1, low - 0.35), (1.1, low))
+            .arc((0.0, low - 0.35), 0.7, (std::f64::consts::PI, TAU), Ink::Motion)
+            .label("θ", (0.7, low - 0.35)),
+        Some(_) => {
+            sketch.mass("m", (-0.7, low - 0.9), (0.7, low)).motion("x", (0.95, low - 0.2), (0.95, low - 0.9))
+        }
+        None => sketch.force("F", (0.0, low), (0.0, low - 0.8)),
+    };
+    sketch.finish()
 }

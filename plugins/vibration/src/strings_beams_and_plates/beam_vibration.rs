@@ -1,7 +1,7 @@
 //! Bending vibration of a uniform beam on any supports.
 
 use dalembert_core::{
-    About, Analysis, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
+    About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -10,7 +10,9 @@ use dalembert_mechanics::{
 
 use crate::{
     shared::{
-        continuous::{LineMass, Sampled, ShearModulus, line_mass, shapes_film, shapes_plot, shear_modulus},
+        continuous::{
+            LineMass, Sampled, ShearModulus, draw_support, line_mass, shapes_film, shapes_plot, shear_modulus,
+        },
         section::{Profile, RoundSection, profile, shear_coefficient},
         support::{Restraint, Support},
     },
@@ -226,7 +228,9 @@ impl Analysis for BeamVibration {
             (1..).zip(&shapes).map(one).collect()
         };
         sheet.show(|| shapes_plot(&sampled()));
-        sheet.show(|| shapes_film(&sampled(), self.length, |width, y| sketch(&beam, width, y)));
+        sheet.show(|| {
+            shapes_film(&sampled(), self.length, |sketch, width, y| stations(&beam, sketch, width, y))
+        });
         Ok(())
     }
 }
@@ -487,27 +491,16 @@ fn frequency_function(beam: &Beam, roots: &[f64]) -> Exhibit {
     )
 }
 
-/// Drawing of supports and lumped elements along a beam from `(0, y)` to `(width, y)`.
-fn sketch(beam: &Beam, width: f64, y: f64) -> Vec<DrawnShape> {
-    let at = |station: &Station| {
+/// Draws supports and lumped elements along a beam from `(0, y)` to `(width, y)`.
+fn stations(beam: &Beam, sketch: &mut Sketch, width: f64, y: f64) {
+    for station in &beam.stations {
         let x = station.at * width;
-        let mut parts = Vec::new();
-        match (station.held, station.clamped) {
-            (true, true) if station.at == 0.0 => parts.push(DrawnShape::Ground((x, y + 0.5), (x, y - 0.5))),
-            (true, true) => parts.push(DrawnShape::Ground((x, y - 0.5), (x, y + 0.5))),
-            (true, false) => parts.push(DrawnShape::Pin((x, y))),
-            (false, true) => {
-                parts.push(DrawnShape::Polyline(vec![(x, y - 0.5), (x, y + 0.5)], Ink::Body));
-            }
-            (false, false) => {}
-        }
+        draw_support(sketch, (station.held, station.clamped), (x, y), station.at == 0.0);
         if station.spring > 0.0 || station.turning_spring > 0.0 {
-            parts.push(DrawnShape::Spring((x, y), (x, y - 0.8)));
+            sketch.spring("", (x, y - 0.8), (x, y));
         }
         if station.mass > 0.0 {
-            parts.push(DrawnShape::Block((x - 0.12, y - 0.12), (x + 0.12, y + 0.12), Ink::Body));
+            sketch.particle("", (x, y));
         }
-        parts
-    };
-    beam.stations.iter().flat_map(at).collect()
+    }
 }

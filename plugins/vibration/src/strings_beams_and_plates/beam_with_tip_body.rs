@@ -1,8 +1,8 @@
 //! A cantilever with masses on rigid arms at its tip: bending, stretching and torsion together.
 
 use dalembert_core::{
-    About, Analysis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text,
-    Worksheet, register,
+    About, Analysis, Cell, Column, Drawing, Exhibit, Inputs, Refusal, Sketch, TableExhibit, Text, Worksheet,
+    register,
 };
 use dalembert_mechanics::{
     Real, Vector,
@@ -255,19 +255,16 @@ impl BeamWithTipBody {
         let length = 6.0;
         let reach = self.masses.iter().fold(0.0f64, |reach, mass| reach.max(mass.place.amax()));
         let scale = if reach > 0.0 { (2.0 / reach).min(length / self.length * 3.0) } else { 1.0 };
-        let mut shapes = vec![
-            DrawnShape::Ground((0.0, 1.0), (0.0, -1.0)),
-            DrawnShape::Polyline(vec![(0.0, 0.0), (length, 0.0)], Ink::Body),
-        ];
+        let mut sketch = Sketch::new("The beam and its body in the plane xy");
+        sketch.ground((0.0, 1.0), (0.0, -1.0)).bars([(0.0, 0.0), (length, 0.0)]);
         for (n, mass) in (1..).zip(&self.masses) {
             let (x, y) = (length + scale * mass.place.x, scale * mass.place.y);
-            shapes.extend([
-                DrawnShape::Polyline(vec![(length, 0.0), (x, y)], Ink::Faint),
-                DrawnShape::Block((x - 0.2, y - 0.2), (x + 0.2, y + 0.2), Ink::Body),
-                DrawnShape::Label((x + 0.3, y), Text::new("mass {n}").with("n", n)),
-            ]);
+            sketch
+                .axis((length, 0.0), (x, y))
+                .mass("", (x - 0.2, y - 0.2), (x + 0.2, y + 0.2))
+                .label(Text::new("mass {n}").with("n", n), (x, y));
         }
-        Drawing { title: "The beam and its body in the plane xy".into(), shapes }
+        sketch.finish()
     }
 }
 

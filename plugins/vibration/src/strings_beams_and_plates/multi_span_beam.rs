@@ -1,8 +1,7 @@
 //! Bending vibration of a beam over several supports, each span with its own section.
 
 use dalembert_core::{
-    About, Analysis, Cell, Column, DrawnShape, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text, Worksheet,
-    register,
+    About, Analysis, Cell, Column, Exhibit, Inputs, Refusal, Sketch, TableExhibit, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -14,7 +13,7 @@ use dalembert_mechanics::{
 
 use crate::{
     shared::{
-        continuous::{LineMass, Sampled, line_mass, shapes_film, shapes_plot},
+        continuous::{LineMass, Sampled, draw_support, line_mass, shapes_film, shapes_plot},
         section::{Profile, profile},
         support::{Restraint, Support},
     },
@@ -201,7 +200,9 @@ impl Analysis for MultiSpanBeam {
             (1..).zip(&shapes).map(one).collect()
         };
         sheet.show(|| shapes_plot(&sampled()));
-        sheet.show(|| shapes_film(&sampled(), length.value(), |width, y| sketch(&beam, width, y)));
+        sheet.show(|| {
+            shapes_film(&sampled(), length.value(), |sketch, width, y| joints(&beam, sketch, width, y))
+        });
         Ok(())
     }
 }
@@ -296,26 +297,18 @@ fn elements(beam: &Spans, roots: &[f64], unit: f64) -> Exhibit {
     })
 }
 
-/// Drawing of the supports along a beam from `(0, y)` to `(width, y)`.
-fn sketch(beam: &Spans, width: f64, y: f64) -> Vec<DrawnShape> {
-    let mut parts = Vec::new();
+/// Draws the supports along a beam from `(0, y)` to `(width, y)`.
+fn joints(beam: &Spans, sketch: &mut Sketch, width: f64, y: f64) {
     let mut place = 0.0;
     for (n, joint) in beam.joints.iter().enumerate() {
         let x = place * width;
-        match (joint.held, joint.clamped) {
-            (true, true) if n == 0 => parts.push(DrawnShape::Ground((x, y + 0.5), (x, y - 0.5))),
-            (true, true) => parts.push(DrawnShape::Ground((x, y - 0.5), (x, y + 0.5))),
-            (true, false) => parts.push(DrawnShape::Pin((x, y))),
-            (false, true) => parts.push(DrawnShape::Polyline(vec![(x, y - 0.5), (x, y + 0.5)], Ink::Body)),
-            (false, false) => {}
-        }
+        draw_support(sketch, (joint.held, joint.clamped), (x, y), n == 0);
         if joint.spring > 0.0 || joint.turning_spring > 0.0 {
-            parts.push(DrawnShape::Spring((x, y), (x, y - 0.8)));
+            sketch.spring("", (x, y - 0.8), (x, y));
         }
         if joint.mass > 0.0 {
-            parts.push(DrawnShape::Block((x - 0.12, y - 0.12), (x + 0.12, y + 0.12), Ink::Body));
+            sketch.particle("", (x, y));
         }
         place += beam.spans.get(n).map_or(0.0, |span| span.length);
     }
-    parts
 }

@@ -3,8 +3,7 @@
 use std::cell::OnceCell;
 
 use dalembert_core::{
-    About, Analysis, Axis, DrawnShape, Exhibit, Inputs, Name, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Exhibit, Inputs, Name, Plot, Refusal, Series, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -242,8 +241,8 @@ impl Analysis for RotatingBeam {
         };
         sheet.show(|| shapes_plot(&sampled()));
         sheet.show(|| {
-            shapes_film(&sampled(), self.length, |_, y| {
-                vec![DrawnShape::Ground((0.0, y + 0.5), (0.0, y - 0.5))]
+            shapes_film(&sampled(), self.length, |sketch, _, y| {
+                sketch.ground((0.0, y + 0.5), (0.0, y - 0.5));
             })
         });
         Ok(())

@@ -1,7 +1,7 @@
 //! Strings, rods, shafts and shear beams: bodies of one wave equation.
 
 use dalembert_core::{
-    About, Analysis, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
+    About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -12,8 +12,8 @@ use dalembert_mechanics::{
 use crate::{
     shared::{
         continuous::{
-            LineMass, LineMassGiven, Sampled, ShearModulus, line_mass, shapes_film, shapes_plot,
-            shear_modulus,
+            LineMass, LineMassGiven, Sampled, ShearModulus, draw_support, line_mass, shapes_film,
+            shapes_plot, shear_modulus,
         },
         section::RoundSection,
     },
@@ -316,7 +316,9 @@ impl Analysis for StringRodShaft {
                 .collect()
         };
         sheet.show(|| shapes_plot(&sampled()));
-        sheet.show(|| shapes_film(&sampled(), self.length, |width, y| sketch_of_ends(ends, width, y)));
+        sheet.show(|| {
+            shapes_film(&sampled(), self.length, |sketch, width, y| draw_ends(ends, sketch, width, y))
+        });
         Ok(())
     }
 }
@@ -552,23 +554,16 @@ fn frequency_function(ends: [wave::End; 2], last: f64) -> Plot {
     .level("zero", 0.0)
 }
 
-/// Drawing of the supports of a body from `(0, y)` to `(width, y)`.
-fn sketch_of_ends(ends: [wave::End; 2], width: f64, y: f64) -> Vec<DrawnShape> {
-    let at = |end: wave::End, x: f64, out: f64| {
-        let mut parts = Vec::new();
+/// Draws the supports of a body from `(0, y)` to `(width, y)`.
+fn draw_ends(ends: [wave::End; 2], sketch: &mut Sketch, width: f64, y: f64) {
+    for (end, x, left_end) in [(ends[0], 0.0, true), (ends[1], width, false)] {
         if end.stiffness.is_infinite() {
-            parts.push(if out < 0.0 {
-                DrawnShape::Ground((x, y + 0.5), (x, y - 0.5))
-            } else {
-                DrawnShape::Ground((x, y - 0.5), (x, y + 0.5))
-            });
+            draw_support(sketch, (true, true), (x, y), left_end);
         } else if end.stiffness > 0.0 {
-            parts.push(DrawnShape::Spring((x, y), (x, y - 0.8)));
+            sketch.spring("", (x, y - 0.8), (x, y));
         }
         if end.mass > 0.0 {
-            parts.push(DrawnShape::Block((x - 0.12, y - 0.12), (x + 0.12, y + 0.12), Ink::Body));
+            sketch.particle("", (x, y));
         }
-        parts
-    };
-    [at(ends[0], 0.0, -1.0), at(ends[1], width, 1.0)].concat()
+    }
 }

@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series,
+    About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Inputs, Plot, Refusal, Series, Sketch,
     TableExhibit, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
@@ -13,7 +13,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    shared::continuous::{Sampled, shapes_film, shapes_plot},
+    shared::continuous::{Sampled, draw_support, shapes_film, shapes_plot},
     sources::{BEER, RAO, TIMOSHENKO},
 };
 
@@ -175,7 +175,7 @@ impl Analysis for TaperedBeam {
             (1..).zip(&shapes).map(one).collect()
         };
         sheet.show(|| shapes_plot(&sampled()));
-        sheet.show(|| shapes_film(&sampled(), self.length, |width, y| self.ends(width, y)));
+        sheet.show(|| shapes_film(&sampled(), self.length, |sketch, width, y| self.ends(sketch, width, y)));
         sheet.show(|| Exhibit::Drawing(self.drawing(&beam)));
         Ok(())
     }
@@ -201,19 +201,15 @@ impl TaperedBeam {
         }))
     }
 
-    /// Drawing of the supports of a beam from `(0, y)` to `(width, y)`.
-    fn ends(&self, width: f64, y: f64) -> Vec<DrawnShape> {
-        let left = match self.left {
-            TaperedSupport::Free => None,
-            TaperedSupport::Pinned => Some(DrawnShape::Pin((0.0, y))),
-            TaperedSupport::Clamped => Some(DrawnShape::Ground((0.0, y + 0.5), (0.0, y - 0.5))),
+    /// Draws the supports of a beam from `(0, y)` to `(width, y)`.
+    fn ends(&self, sketch: &mut Sketch, width: f64, y: f64) {
+        let held = |support: &TaperedSupport| match support {
+            TaperedSupport::Free => (false, false),
+            TaperedSupport::Pinned => (true, false),
+            TaperedSupport::Clamped => (true, true),
         };
-        let right = match self.right {
-            TaperedSupport::Free => None,
-            TaperedSupport::Pinned => Some(DrawnShape::Pin((width, y))),
-            TaperedSupport::Clamped => Some(DrawnShape::Ground((width, y - 0.5), (width, y + 0.5))),
-        };
-        left.into_iter().chain(right).collect()
+        draw_support(sketch, held(&self.left), (0.0, y), true);
+        draw_support(sketch, held(&self.right), (width, y), false);
     }
 
     /// The beam from the side, and from above where its width changes.
@@ -221,18 +217,15 @@ impl TaperedBeam {
         let width = 6.0;
         let outline = |y: f64, ratio: f64| {
             let (left, right) = (0.45, 0.45 * ratio.min(3.0));
-            vec![(0.0, y - left), (0.0, y + left), (width, y + right), (width, y - right), (0.0, y - left)]
+            [(0.0, y - left), (0.0, y + left), (width, y + right), (width, y - right)]
         };
-        let mut shapes = vec![
-            DrawnShape::Polyline(outline(0.0, beam.depth), Ink::Body),
-            DrawnShape::Label((width + 0.2, 0.0), Text::from("side view")),
-        ];
-        shapes.extend(self.ends(width, 0.0));
+        let mut sketch = Sketch::new("The beam and its taper");
+        sketch.body("", outline(0.0, beam.depth)).label("side view", (width, 0.0));
+        self.ends(&mut sketch, width, 0.0);
         if beam.width != 1.0 {
-            shapes.push(DrawnShape::Polyline(outline(-1.8, beam.width), Ink::Body));
-            shapes.push(DrawnShape::Label((width + 0.2, -1.8), Text::from("top view")));
+            sketch.body("", outline(-1.8, beam.width)).label("top view", (width, -1.8));
         }
-        Drawing { title: "The beam and its taper".into(), shapes }
+        sketch.finish()
     }
 }
 

@@ -1,7 +1,7 @@
 //! Equilibrium positions of a plane mechanism of any shape, and their stability.
 
 use dalembert_core::{
-    About, Analysis, Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series,
+    About, Analysis, Axis, Cell, Column, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch,
     TableExhibit, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
@@ -310,19 +310,19 @@ impl Equilibrium {
 
     /// The bodies where they come to rest, each equilibrium in its ink.
     fn drawing(&self, parts: &Parts<'_>, found: &[Found]) -> Drawing {
-        let mut shapes = Vec::new();
+        let mut sketch = Sketch::new("Positions of equilibrium");
         for here in found {
             let ink = match here.stability {
                 Stability::Stable => Ink::Result,
                 Stability::Unstable => Ink::Danger,
                 Stability::Neutral => Ink::Body,
             };
-            shapes.extend(parts.outline(&here.positions, ink));
+            parts.outline(&here.positions, ink, &mut sketch);
         }
         for spot in parts.points.iter().filter(|spot| spot.on.frame().is_none()) {
-            shapes.push(DrawnShape::Pin((spot.at.x, spot.at.y)));
+            sketch.pin("", (spot.at.x, spot.at.y));
         }
-        Drawing { title: "Positions of equilibrium".into(), shapes }
+        sketch.finish()
     }
 }
 

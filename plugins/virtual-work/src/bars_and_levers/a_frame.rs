@@ -3,8 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
-    register,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -12,7 +11,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    shared::equilibria::{arrow, down, solved, spread},
+    shared::equilibria::{down, solved, spread},
     sources::{BEER, HIBBELER, RIUL},
 };
 
@@ -225,30 +224,31 @@ impl AFrame {
         let l = self.length;
         let (top, foot) = (l * at.cos(), l * at.sin());
         let on = |s: f64, side: f64| (side * s * foot, top * (1.0 - s));
-        let mut shapes = vec![
-            DrawnShape::Ground((-1.3 * foot, 0.0), (1.3 * foot, 0.0)),
-            DrawnShape::Polyline(vec![on(1.0, -1.0), (0.0, top), on(1.0, 1.0)], Ink::Body),
-            DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, top)], Ink::Faint),
-            DrawnShape::Circle((0.0, top), 0.02 * l, Ink::Body),
-            DrawnShape::Label((0.03 * l, 0.7 * top), "θ".into()),
-        ];
+        let mut sketch = Sketch::new("The step ladder");
+        sketch
+            .ground((-1.3 * foot, 0.0), (1.3 * foot, 0.0))
+            .axis((0.0, 0.0), (0.0, top))
+            .bars([on(1.0, -1.0), (0.0, top), on(1.0, 1.0)])
+            .joint("", (0.0, top))
+            .angle("θ", (0.0, top), -FRAC_PI_2, at - FRAC_PI_2);
         for side in [-1.0, 1.0] {
             if self.weight > 0.0 {
-                shapes.extend(arrow(on(0.5, side), [0.0, -0.2 * l], "W"));
+                let (x, y) = on(0.5, side);
+                sketch.force("W", (x, y), (x, y - 0.2 * l));
             }
             if self.held == Held::Feet {
-                let foot = on(1.0, side);
-                shapes.extend(arrow((foot.0 + side * 0.3 * l, foot.1), [-side * 0.25 * l, 0.0], "T"));
+                let (x, y) = on(1.0, side);
+                sketch
+                    .force("", (x + side * 0.3 * l, y), (x + side * 0.05 * l, y))
+                    .label("T", (x + side * 0.3 * l, y));
             }
         }
         if self.load > 0.0 {
-            shapes.extend(arrow((0.0, top + 0.3 * l), [0.0, -0.27 * l], "Q"));
+            sketch.force("", (0.0, top + 0.3 * l), (0.0, top + 0.03 * l)).label("Q", (0.0, top + 0.3 * l));
         }
         if let Held::Rope { part } = self.held {
-            shapes.push(DrawnShape::Polyline(vec![on(part, -1.0), on(part, 1.0)], Ink::Result));
-            let middle = on(part, 0.0);
-            shapes.push(DrawnShape::Label((0.05 * l, middle.1 + 0.04 * l), Text::from("T")));
+            sketch.line("T", on(part, -1.0), on(part, 1.0), Ink::Result);
         }
-        Drawing { title: "The step ladder".into(), shapes }
+        sketch.finish()
     }
 }

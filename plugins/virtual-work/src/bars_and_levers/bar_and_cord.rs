@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use dalembert_core::{About, Analysis, DrawnShape, Ink, Inputs, Refusal, Worksheet, register};
+use dalembert_core::{About, Analysis, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::{
     Real,
     planar::{Body, Driver, Joint, Measure, Mechanism, Point},
@@ -12,7 +12,7 @@ pub use crate::shared::one_degree_of_freedom::Position;
 use crate::shared::one_degree_of_freedom::PositionGiven;
 use crate::{
     shared::{
-        equilibria::{arrow, down},
+        equilibria::down,
         one_degree_of_freedom::{Machine, Part, Shapes},
     },
     sources::{BEER, HIBBELER, RIUL},
@@ -183,24 +183,24 @@ impl BarAndCord {
         (mechanism, vec![[0.0, 0.0, at], [side, 0.0, 0.0]])
     }
 
-    fn frame(&self, angle: f64) -> Vec<DrawnShape> {
+    fn frame(&self, angle: f64) -> Sketch {
         let (l, b, h) = (self.length, self.attachment, self.pulley);
         let on = |s: f64| (s * angle.cos(), s * angle.sin());
         let s = (on(b).0).hypot(h - on(b).1);
         let level = h - 0.4 * h - ((b + h) - s) * 0.4;
-        let (block, half) = ((-0.12 * h, level), 0.07 * h);
-        let mut shapes = vec![
-            DrawnShape::Pin((0.0, 0.0)),
-            DrawnShape::Polyline(vec![(0.0, 0.0), (1.1 * l, 0.0)], Ink::Faint),
-            DrawnShape::Polyline(vec![(0.0, 0.0), on(l)], Ink::Body),
-            DrawnShape::Circle((-0.06 * h, h), 0.06 * h, Ink::Body),
-            DrawnShape::Polyline(vec![on(b), (0.0, h)], Ink::Result),
-            DrawnShape::Polyline(vec![(-0.12 * h, h), block], Ink::Result),
-            DrawnShape::Block((block.0 - half, block.1 - half), (block.0 + half, block.1 + half), Ink::Body),
-            DrawnShape::Label((block.0 - 2.5 * half, block.1), "m".into()),
-            DrawnShape::Label((0.3 * l, 0.15 * l * angle.sin()), "θ".into()),
-        ];
-        shapes.extend(arrow(on(l / 2.0), [0.0, -0.3 * l], "W"));
-        shapes
+        let middle = on(l / 2.0);
+        let mut sketch = Sketch::default();
+        sketch
+            .size(l.max(1.1 * h))
+            .axis((0.0, 0.0), (1.1 * l, 0.0))
+            .link("", (0.0, 0.0), on(l))
+            .pin("", (0.0, 0.0))
+            .pulley("", (-0.06 * h, h), 0.06 * h)
+            .bars([on(b), (0.0, h)])
+            .bars([(-0.12 * h, h), (-0.12 * h, level)])
+            .particle("m", (-0.12 * h, level))
+            .angle("θ", (0.0, 0.0), 0.0, angle)
+            .force("W", middle, (middle.0, middle.1 - 0.3 * h));
+        sketch
     }
 }

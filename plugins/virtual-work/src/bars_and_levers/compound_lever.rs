@@ -1,7 +1,7 @@
 //! Levers that drive one another through links: pliers, bolt cutters, chains of levers.
 
 use dalembert_core::{
-    About, Analysis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text, Worksheet,
+    About, Analysis, Drawing, Exhibit, Inputs, Refusal, Sketch, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column},
     register,
 };
@@ -11,7 +11,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    shared::equilibria::{arrow, solved},
+    shared::equilibria::solved,
     sources::{BEER, HIBBELER, RIUL},
 };
 
@@ -337,7 +337,7 @@ impl CompoundLever {
 
     fn drawing(&self) -> Drawing {
         let (pivots, size) = (self.pivots(), self.size());
-        let mut shapes = Vec::new();
+        let mut sketch = Sketch::new("The levers, horizontal, with vertical links");
         let place =
             |lever: u32, arm: f64| pivots.get((lever as usize).wrapping_sub(1)).map(|[x, y]| (x + arm, *y));
         for (lever, &[x, y]) in pivots.iter().enumerate() {
@@ -359,29 +359,25 @@ impl CompoundLever {
                 arms.push(arm);
             }
             let ends = arms.iter().fold([0.0f64, 0.0f64], |[low, high], arm| [low.min(*arm), high.max(*arm)]);
-            shapes.push(DrawnShape::Polyline(vec![(x + ends[0], y), (x + ends[1], y)], Ink::Body));
-            shapes.push(DrawnShape::Pin((x, y)));
-            shapes.push(DrawnShape::Label((x, y - 0.2 * size), Text::new("{x}").with("x", number)));
+            sketch.bars([(x + ends[0], y), (x + ends[1], y)]).pin(Text::new("{x}").with("x", number), (x, y));
         }
         for (lever, link) in self.links.iter().enumerate() {
             let ([x, y], [next_x, next_y]) = (pivots[lever], pivots[lever + 1]);
-            shapes.push(DrawnShape::Polyline(
-                vec![(x + link.driving, y), (next_x + link.driven, next_y)],
-                Ink::Result,
-            ));
+            let (from, to) = ((x + link.driving, y), (next_x + link.driven, next_y));
+            sketch.bars([from, to]).joint("", from).joint("", to);
         }
         for load in &self.loads {
             let Kind::Force { force, arm } = load.kind else { continue };
             let Some(at) = place(load.lever, arm) else { continue };
             let up = 0.4 * size * force.signum();
-            shapes.push(DrawnShape::Arrow((at.0, at.1 - up), at, Ink::Force));
-            shapes.push(DrawnShape::Label((at.0, at.1 - 1.1 * up), Text::new("{x}").with("x", &load.name)));
+            let tail = (at.0, at.1 - up);
+            sketch.force("", tail, at).label(Text::new("{x}").with("x", &load.name), tail);
         }
         if let Sought::Force { lever, arm } = self.sought
             && let Some(at) = place(lever, arm)
         {
-            shapes.extend(arrow(at, [0.0, 0.4 * size], "P"));
+            sketch.force("P", at, (at.0, at.1 + 0.4 * size));
         }
-        Drawing { title: "The levers, horizontal, with vertical links".into(), shapes }
+        sketch.finish()
     }
 }

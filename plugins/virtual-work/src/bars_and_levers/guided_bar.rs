@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use dalembert_core::{About, Analysis, DrawnShape, Ink, Inputs, Refusal, Worksheet, register};
+use dalembert_core::{About, Analysis, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::{
     Real,
     planar::{Body, Driver, Effort, Joint, Load, Measure, Mechanism, Point},
@@ -11,7 +11,7 @@ use dalembert_mechanics::{
 pub use crate::shared::one_degree_of_freedom::Position;
 use crate::{
     shared::{
-        equilibria::{arrow, down},
+        equilibria::down,
         one_degree_of_freedom::{Machine, Part, Shapes, spring, weight},
     },
     sources::{BEER, HIBBELER, RIUL},
@@ -220,43 +220,43 @@ impl GuidedBar {
         (mechanism, vec![[0.0, sign * length * at.cos(), sign * (at - FRAC_PI_2)]])
     }
 
-    fn frame(&self, angle: f64) -> Vec<DrawnShape> {
+    fn frame(&self, angle: f64) -> Sketch {
         let (l, sign) = (self.length, self.sign());
         let (a, b) = ((0.0, sign * l * angle.cos()), (l * angle.sin(), 0.0));
         let on = |s: f64| (b.0 * s, a.1 * (1.0 - s));
-        let block = |at: (f64, f64)| {
-            let half = 0.04 * l;
-            DrawnShape::Block((at.0 - half, at.1 - half), (at.0 + half, at.1 + half), Ink::Body)
-        };
-        let mut shapes = vec![
-            DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, sign * 1.1 * l)], Ink::Faint),
-            DrawnShape::Polyline(vec![(0.0, 0.0), (1.1 * l, 0.0)], Ink::Faint),
-            DrawnShape::Polyline(vec![a, b], Ink::Body),
-            block(a),
-            block(b),
-            DrawnShape::Label((a.0 - 0.1 * l, a.1), "A".into()),
-            DrawnShape::Label((b.0, b.1 - sign * 0.1 * l), "B".into()),
-        ];
+        let mut sketch = Sketch::default();
+        sketch
+            .size(1.3 * l)
+            .axis((0.0, 0.0), (0.0, sign * 1.1 * l))
+            .axis((0.0, 0.0), (1.1 * l, 0.0))
+            .slider("", a, FRAC_PI_2)
+            .slider("", b, 0.0)
+            .link("", a, b)
+            .joint("A", a)
+            .joint("B", b);
         if self.mass > 0.0 {
-            shapes.extend(arrow(on(0.5), [0.0, -0.25 * l], "W"));
+            let (x, y) = on(0.5);
+            sketch.force("W", (x, y), (x, y - 0.25 * l));
         }
         if self.force_a != Some(0.0) {
-            shapes.extend(arrow((a.0, a.1 + 0.3 * l), [0.0, -0.25 * l], "P"));
+            let tail = (a.0, a.1 + 0.3 * l);
+            sketch.force("", tail, (a.0, a.1 + 0.06 * l)).label("P", tail);
         }
         if self.force_b != Some(0.0) {
-            shapes.extend(arrow((b.0 + 0.3 * l, b.1), [-0.25 * l, 0.0], "F"));
+            let tail = (b.0 + 0.3 * l, b.1);
+            sketch.force("", tail, (b.0 + 0.08 * l, b.1)).label("F", tail);
         }
         match self.spring {
             Spring::None => {}
             Spring::Horizontal { distance, .. } => {
                 let end = on(distance / l);
-                shapes.push(DrawnShape::Spring((1.3 * l.max(distance), end.1), end));
+                sketch.spring("k", (1.3 * l.max(distance), end.1), end);
             }
             Spring::Vertical { distance, .. } => {
                 let end = on(1.0 - distance / l);
-                shapes.push(DrawnShape::Spring((end.0, sign * 1.3 * l.max(distance)), end));
+                sketch.spring("k", (end.0, sign * 1.3 * l.max(distance)), end);
             }
         }
-        shapes
+        sketch
     }
 }

@@ -1,7 +1,7 @@
 //! A chain of bars that hangs from a pin and is pulled at its free end: one degree of freedom for each bar.
 
 use dalembert_core::{
-    About, Analysis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, TableExhibit, Text, Worksheet,
+    About, Analysis, Drawing, Exhibit, Inputs, Refusal, Sketch, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column},
     register,
 };
@@ -284,22 +284,19 @@ impl HangingChain {
             points.push((x + bar.length * angle.sin(), y - bar.length * angle.cos()));
         }
         let end = points[points.len() - 1];
-        let mut shapes = vec![
-            DrawnShape::Ground((0.2 * size, 0.0), (-0.2 * size, 0.0)),
-            DrawnShape::Pin((0.0, 0.0)),
-            DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, -size)], Ink::Faint),
-            DrawnShape::Polyline(points.clone(), Ink::Body),
-        ];
+        let mut sketch = Sketch::new("The chain in equilibrium");
+        sketch
+            .ground((0.2 * size, 0.0), (-0.2 * size, 0.0))
+            .axis((0.0, 0.0), (0.0, -size))
+            .bars(points.as_slice())
+            .joint("", (0.0, 0.0));
         for pair in points.windows(2) {
-            let middle = (f64::midpoint(pair[0].0, pair[1].0), f64::midpoint(pair[0].1, pair[1].1));
-            shapes.push(DrawnShape::Circle(pair[1], 0.012 * size, Ink::Body));
-            shapes.push(DrawnShape::Arrow(middle, (middle.0, middle.1 - 0.12 * size), Ink::Force));
+            let (x, y) = (f64::midpoint(pair[0].0, pair[1].0), f64::midpoint(pair[0].1, pair[1].1));
+            sketch.joint("", pair[1]).force("", (x, y), (x, y - 0.12 * size));
         }
         if force != 0.0 {
-            let way = 0.25 * size * force.signum();
-            shapes.push(DrawnShape::Arrow(end, (end.0 + way, end.1), Ink::Force));
-            shapes.push(DrawnShape::Label((end.0 + way, end.1 + 0.04 * size), "F".into()));
+            sketch.force("F", end, (end.0 + 0.25 * size * force.signum(), end.1));
         }
-        Drawing { title: "The chain in equilibrium".into(), shapes }
+        sketch.finish()
     }
 }

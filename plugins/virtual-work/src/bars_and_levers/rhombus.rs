@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use dalembert_core::{About, Analysis, DrawnShape, Ink, Inputs, Refusal, Worksheet, register};
+use dalembert_core::{About, Analysis, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::{
     Real,
     planar::{Body, Driver, Effort, Joint, Load, Measure, Mechanism, Point},
@@ -11,7 +11,7 @@ use dalembert_mechanics::{
 pub use crate::shared::one_degree_of_freedom::Position;
 use crate::{
     shared::{
-        equilibria::{arrow, down},
+        equilibria::down,
         one_degree_of_freedom::{Machine, Part, Shapes, spring, weight},
     },
     sources::{BEER, HIBBELER, RIUL},
@@ -181,26 +181,26 @@ impl Rhombus {
         (mechanism, drawn)
     }
 
-    fn frame(&self, angle: f64) -> Vec<DrawnShape> {
+    fn frame(&self, angle: f64) -> Sketch {
         let l = self.length;
         let (wide, high) = (l * angle.sin(), l * angle.cos());
-        let (left, right, low) = ((-wide, -high), (wide, -high), (0.0, -2.0 * high));
-        let mut shapes = vec![
-            DrawnShape::Pin((0.0, 0.0)),
-            DrawnShape::Polyline(vec![(0.0, 0.0), left, low, right, (0.0, 0.0)], Ink::Body),
-            DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, -2.2 * l)], Ink::Faint),
-            DrawnShape::Label((0.1 * wide, -0.35 * high), "θ".into()),
-        ];
-        for corner in [left, right, low] {
-            shapes.push(DrawnShape::Circle(corner, 0.04 * l, Ink::Body));
-        }
-        shapes.push(match self.across {
-            Across::Sides => DrawnShape::Spring(left, right),
-            Across::Height => DrawnShape::Spring((0.0, 0.0), low),
-        });
+        let (top, left, right, low) = ((0.0, 0.0), (-wide, -high), (wide, -high), (0.0, -2.0 * high));
+        let mut sketch = Sketch::default();
+        sketch.size(2.4 * l).axis(top, (0.0, -2.2 * l));
+        match self.across {
+            Across::Sides => sketch.spring("k", left, right),
+            Across::Height => sketch.spring("k", top, low),
+        };
+        sketch
+            .bars([top, left, low, right, top])
+            .pin("", top)
+            .joint("", left)
+            .joint("", right)
+            .joint("", low)
+            .angle("θ", top, -FRAC_PI_2, angle - FRAC_PI_2);
         if self.load != Some(0.0) {
-            shapes.extend(arrow(low, [0.0, -0.4 * l], "Q"));
+            sketch.force("Q", low, (0.0, low.1 - 0.4 * l));
         }
-        shapes
+        sketch
     }
 }

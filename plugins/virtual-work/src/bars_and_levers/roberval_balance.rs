@@ -1,13 +1,13 @@
 //! Roberval's balance: two beams one above the other and two pans that stay upright wherever they are loaded.
 
-use dalembert_core::{About, Analysis, DrawnShape, Ink, Inputs, Refusal, Worksheet, register};
+use dalembert_core::{About, Analysis, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::{
     Real,
     planar::{Body, Driver, Joint, Measure, Mechanism, Point},
 };
 
 use crate::{
-    shared::equilibria::{animation, arrow, down, solved},
+    shared::equilibria::{animation, down, solved},
     sources::{BEER, RIUL},
 };
 
@@ -194,31 +194,29 @@ impl RobervalBalance {
         (mechanism, drawn)
     }
 
-    fn frame(&self, angle: f64) -> Vec<DrawnShape> {
+    fn frame(&self, angle: f64) -> Sketch {
         let (l1, l2, half) = (self.left_arm, self.right_arm, self.height / 2.0);
         let (sin, cos) = angle.sin_cos();
         let size = l1.max(l2).max(self.height);
         let ends = [(-l1 * cos, -l1 * sin), (l2 * cos, l2 * sin)];
-        let mut shapes = Vec::new();
+        let mut sketch = Sketch::default();
+        sketch.size(l1 + l2);
         for y in [half, -half] {
-            let at = |end: (f64, f64)| (end.0, end.1 + y);
-            shapes.push(DrawnShape::Polyline(vec![at(ends[0]), at(ends[1])], Ink::Body));
-            shapes.push(DrawnShape::Pin((0.0, y)));
+            sketch.bars(ends.map(|end| (end.0, end.1 + y))).pin("", (0.0, y));
         }
         let pans = [(ends[0], -self.left_offset, "W₁"), (ends[1], self.right_offset, "W₂")];
         for ((x, y), offset, name) in pans {
             let pan = y + half + 0.25 * size;
-            shapes.push(DrawnShape::Polyline(vec![(x, y - half), (x, pan)], Ink::Body));
             let reach = (0.2 * size).max(offset.abs() + 0.1 * size);
-            shapes.push(DrawnShape::Polyline(vec![(x - reach, pan), (x + reach, pan)], Ink::Body));
-            let (at, block) = ((x + offset, pan), 0.06 * size);
-            shapes.push(DrawnShape::Block(
-                (at.0 - block, at.1),
-                (at.0 + block, at.1 + 2.0 * block),
-                Ink::Body,
-            ));
-            shapes.extend(arrow((at.0, at.1), [0.0, -0.3 * size], name));
+            let (at, block) = (x + offset, 0.06 * size);
+            sketch
+                .bars([(x, y - half), (x, pan)])
+                .joint("", (x, y + half))
+                .joint("", (x, y - half))
+                .bars([(x - reach, pan), (x + reach, pan)])
+                .mass("", (at - block, pan), (at + block, pan + 2.0 * block))
+                .force(name, (at, pan), (at, pan - 0.3 * size));
         }
-        shapes
+        sketch
     }
 }

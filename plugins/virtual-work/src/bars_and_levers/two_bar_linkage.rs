@@ -1,6 +1,6 @@
 //! Two equal bars: one turns about a fixed pin, the other's far end slides level with it.
 
-use dalembert_core::{About, Analysis, DrawnShape, Ink, Inputs, Refusal, Worksheet, register};
+use dalembert_core::{About, Analysis, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::{
     Real,
     planar::{Body, Driver, Effort, Joint, Load, Measure, Mechanism, Point},
@@ -9,7 +9,7 @@ use dalembert_mechanics::{
 pub use crate::shared::one_degree_of_freedom::Position;
 use crate::{
     shared::{
-        equilibria::{arrow, down},
+        equilibria::down,
         one_degree_of_freedom::{Machine, Part, Shapes, spring, weight},
     },
     sources::{BEER, HIBBELER, RIUL},
@@ -197,33 +197,26 @@ impl TwoBarLinkage {
         (mechanism, drawn)
     }
 
-    fn frame(&self, angle: f64) -> Vec<DrawnShape> {
+    fn frame(&self, angle: f64) -> Sketch {
         let (l, sign) = (self.length, self.sign());
-        let (b, c) = ((l * angle.cos(), sign * l * angle.sin()), (2.0 * l * angle.cos(), 0.0));
-        let half = 0.05 * l;
-        let mut shapes = vec![
-            DrawnShape::Polyline(vec![(0.0, 0.0), (2.2 * l, 0.0)], Ink::Faint),
-            DrawnShape::Pin((0.0, 0.0)),
-            DrawnShape::Polyline(vec![(0.0, 0.0), b, c], Ink::Body),
-            DrawnShape::Circle(b, 0.6 * half, Ink::Body),
-            DrawnShape::Block((c.0 - half, -half), (c.0 + half, half), Ink::Body),
-            DrawnShape::Label((-0.1 * l, 0.05 * l), "A".into()),
-            DrawnShape::Label((b.0, b.1 + sign * 0.1 * l), "B".into()),
-            DrawnShape::Label((c.0, 0.12 * l), "C".into()),
-        ];
+        let (a, b, c) = ((0.0, 0.0), (l * angle.cos(), sign * l * angle.sin()), (2.0 * l * angle.cos(), 0.0));
+        let mut sketch = Sketch::default();
+        sketch.size(2.2 * l).guide(a, (2.2 * l, 0.0)).slider("", c, 0.0);
+        if matches!(self.spring, Spring::Spring { .. }) {
+            sketch.spring("k", a, c);
+        }
+        sketch.bars([a, b, c]).pin("A", a).joint("B", b).joint("C", c);
         if self.mass > 0.0 {
-            shapes.extend(arrow((b.0 / 2.0, b.1 / 2.0), [0.0, -0.25 * l], "W"));
-            shapes.extend(arrow((1.5 * b.0, b.1 / 2.0), [0.0, -0.25 * l], "W"));
+            for x in [0.5, 1.5] {
+                sketch.force("W", (x * b.0, b.1 / 2.0), (x * b.0, b.1 / 2.0 - 0.25 * l));
+            }
         }
         if self.force_b != Some(0.0) {
-            shapes.extend(arrow((b.0, b.1 - 0.02 * l), [0.0, -0.3 * l], "Q"));
+            sketch.force("Q", b, (b.0, b.1 - 0.3 * l));
         }
         if self.force_c != Some(0.0) {
-            shapes.extend(arrow((c.0 + half, 0.0), [0.35 * l, 0.0], "F"));
+            sketch.force("F", c, (c.0 + 0.4 * l, 0.0));
         }
-        if matches!(self.spring, Spring::Spring { .. }) {
-            shapes.push(DrawnShape::Spring((0.0, 0.0), c));
-        }
-        shapes
+        sketch
     }
 }

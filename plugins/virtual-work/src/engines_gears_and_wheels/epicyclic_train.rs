@@ -1,7 +1,7 @@
 //! Epicyclic gear trains: speeds by Willis's formula, torques by virtual power.
 
 use dalembert_core::{
-    About, Analysis, Animation, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
+    About, Analysis, Exhibit, Inputs, Refusal, Sketch, Text, Worksheet, exhibit::Point as At, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -384,20 +384,24 @@ impl EpicyclicTrain {
             // One turn of the fastest member over the animation.
             let time =
                 if fastest > 0.0 { std::f64::consts::TAU / fastest * n as f64 / FRAMES as f64 } else { 0.0 };
-            let centre = built::away([0.0; 2], axes, arm_speed * time);
-            let mut shapes = vec![DrawnShape::Pin((0.0, 0.0)), built::bar(&[[0.0; 2], centre])];
-            let mut wheel = |at: [f64; 2], radius: f64, angle: f64| {
-                shapes.push(DrawnShape::Circle((at[0], at[1]), radius, Ink::Body));
-                shapes.push(built::faint(&[at, built::away(at, radius, angle)]));
-            };
-            wheel([0.0; 2], sun * one, sun_speed * time);
-            wheel([0.0; 2], ring * two, ring_speed * time);
-            wheel(centre, first * one, planet_speed(time));
+            let (o, centre) = ((0.0, 0.0), At::from(built::away([0.0; 2], axes, arm_speed * time)));
+            let mut sketch = Sketch::default();
+            sketch.gear("", o, ring * two, ring_speed * time).gear("", o, sun * one, sun_speed * time).gear(
+                "",
+                centre,
+                first * one,
+                planet_speed(time),
+            );
             if second != first {
-                wheel(centre, second * two, planet_speed(time));
+                sketch.gear("", centre, second * two, planet_speed(time));
             }
-            shapes
+            sketch
+                .link("A", o, centre)
+                .pin("S", o)
+                .joint("P", centre)
+                .label(if outside { "S₂" } else { "R" }, (0.0, ring * two));
+            sketch
         };
-        Exhibit::Animation(Animation::new("The epicyclic train", (0..FRAMES).map(frame).collect(), 4.0))
+        Exhibit::Animation(Sketch::animation("The epicyclic train", (0..FRAMES).map(frame), 4.0))
     }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    About, Analysis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Refusal, Text, Worksheet, register,
+    About, Analysis, Drawing, Exhibit, Ink, Inputs, Refusal, Sketch, Text, Worksheet, register,
 };
 use dalembert_mechanics::{Real, slider_crank::equivalent};
 
@@ -260,19 +260,15 @@ fn too_fast() -> Refusal {
 fn drawing([near, far, conjugate]: [f64; 3]) -> Drawing {
     let length = near + far;
     let size = 0.05 * length;
-    let conjugate = conjugate.min(3.0 * length);
-    let shapes = vec![
-        DrawnShape::Polyline(vec![(0.0, 0.0), (length, 0.0)], Ink::Body),
-        DrawnShape::Polyline(vec![(length, 0.0), (near + conjugate, 0.0)], Ink::Faint),
-        DrawnShape::Circle((0.0, 0.0), size, Ink::Body),
-        DrawnShape::Circle((length, 0.0), size, Ink::Body),
-        DrawnShape::Circle((near, 0.0), 0.4 * size, Ink::Faint),
-        DrawnShape::Circle((near + conjugate, 0.0), 0.7 * size, Ink::Result),
-        DrawnShape::Label((0.0, 2.0 * size), "m₁".into()),
-        DrawnShape::Label((near, 2.0 * size), "G".into()),
-        DrawnShape::Label((near + conjugate, 2.0 * size), "m₂".into()),
-        DrawnShape::Label((0.0, -2.0 * size), "gudgeon pin".into()),
-        DrawnShape::Label((length, -2.0 * size), "crank pin".into()),
-    ];
-    Drawing { title: "The rod and its equivalent masses".into(), shapes }
+    let second = (near + conjugate.min(3.0 * length), 0.0);
+    Sketch::new("The rod and its equivalent masses")
+        .axis((length, 0.0), second)
+        .bars([(0.0, 0.0), (length, 0.0)])
+        .disc("m₁", (0.0, 0.0), size)
+        .disc("", (length, 0.0), size)
+        .mass_centre("G", (near, 0.0))
+        .round("m₂", second, 0.7 * size, Ink::Result)
+        .caption("gudgeon pin", (0.0, -2.5 * size))
+        .caption("crank pin", (length, -2.5 * size))
+        .finish()
 }

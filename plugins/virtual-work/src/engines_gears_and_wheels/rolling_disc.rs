@@ -1,6 +1,10 @@
 //! A disc that a crank rolls back and forth, against a spring and a damper.
 
-use dalembert_core::{About, Analysis, DrawnShape, Ink, Inputs, Refusal, Text, Worksheet, register};
+use std::f64::consts::TAU;
+
+use dalembert_core::{
+    About, Analysis, Ink, Inputs, Refusal, Text, Worksheet, exhibit::Point as At, register,
+};
 use dalembert_mechanics::{
     Real,
     planar::{Effort, Joint, Load, Measure, PlanarError, Point},
@@ -394,25 +398,37 @@ impl RollingDisc {
         }
         sheet.show(|| {
             let first = self.crank + self.rod;
-            built::animation("The rolling disc", ("angle", self.angle), range, |angle| {
-                let there = at(angle);
-                let found = there.plain()?;
-                let (x, radius) = (found.position, there.radius);
-                // A mark on the rim that turns as the disc rolls.
-                let rim = built::away([x, 0.0], radius, -(x - first) / radius);
-                let mut shapes = vec![
-                    built::ground([there.rod, -radius], 0.0, there.crank + radius),
-                    built::pivot([0.0; 2]),
-                    built::bar(&[[0.0; 2], there.pin(), [x, 0.0]]),
-                    DrawnShape::Circle((x, 0.0), radius, Ink::Body),
-                    built::faint(&[[x, 0.0], rim]),
-                ];
-                if let Some(spring) = &there.spring {
-                    shapes.push(DrawnShape::Spring((spring.wall, 0.0), (x, 0.0)));
-                }
-                shapes.extend(built::arrows(&[([x, 0.0], [found.force, 0.0])], there.crank));
-                Some(shapes)
-            })
+            built::animation(
+                "The rolling disc",
+                ("angle", self.angle),
+                range,
+                first + self.radius,
+                |angle, sketch| {
+                    let there = at(angle);
+                    let found = there.plain()?;
+                    let (centre, radius) = ((found.position, 0.0), there.radius);
+                    let (o, a) = ((0.0, 0.0), At::from(there.pin()));
+                    // A mark on the rim that turns as the disc rolls.
+                    let rim = built::away(centre.into(), radius, -(centre.0 - first) / radius);
+                    let reach = there.crank + radius;
+                    sketch
+                        .ground((there.rod - reach, -radius), (there.rod + reach, -radius))
+                        .circle(o, there.crank, Ink::Faint)
+                        .disc("", centre, radius)
+                        .line("R", centre, rim.into(), Ink::Faint)
+                        .link("r", o, a)
+                        .link("l", a, centre)
+                        .pin("O", o)
+                        .joint("A", a)
+                        .joint("C", centre)
+                        .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
+                    if let Some(spring) = &there.spring {
+                        sketch.spring("k", (spring.wall, 0.0), centre);
+                    }
+                    built::forces(sketch, &[("F", centre, [found.force, 0.0])], there.crank);
+                    Some(())
+                },
+            )
         });
     }
 }

@@ -1,7 +1,10 @@
 //! The five-bar linkage: two cranks on the frame and two rods that meet, with two degrees of freedom or geared to one.
 
+use std::f64::consts::TAU;
+
 use dalembert_core::{
-    About, Analysis, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
+    About, Analysis, Axis, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    exhibit::Point as At, register,
 };
 use dalembert_mechanics::{
     Real, Vector,
@@ -398,24 +401,35 @@ impl FiveBar {
             ))
         });
         sheet.show(|| {
-            built::animation("The five-bar linkage", ("first_angle", self.first_angle), range, |angle| {
-                let there = at(angle);
-                let found = there.plain()?;
-                let ([a, b], fixed) = (there.pins(), [there.frame, 0.0]);
-                let mut shapes = vec![
-                    built::pivot([0.0; 2]),
-                    built::pivot(fixed),
-                    built::bar(&[[0.0; 2], a, found.place, b, fixed]),
-                ];
-                if let Cranks::Geared { first, second, mesh: Mesh::Outside } = there.cranks {
-                    let part = there.frame * f64::from(first) / f64::from(first + second);
-                    for (at, radius) in [(0.0, part), (there.frame, there.frame - part)] {
-                        shapes.push(DrawnShape::Circle((at, 0.0), radius, Ink::Faint));
+            built::animation(
+                "The five-bar linkage",
+                ("first_angle", self.first_angle),
+                range,
+                self.frame,
+                |angle, sketch| {
+                    let there = at(angle);
+                    let found = there.plain()?;
+                    let [a, b, place] = [there.pins()[0], there.pins()[1], found.place].map(At::from);
+                    let (o, fixed) = ((0.0, 0.0), (there.frame, 0.0));
+                    if let Cranks::Geared { first, second, mesh: Mesh::Outside } = there.cranks {
+                        let part = there.frame * f64::from(first) / f64::from(first + second);
+                        sketch.circle(o, part, Ink::Faint).circle(fixed, there.frame - part, Ink::Faint);
                     }
-                }
-                shapes.extend(built::arrows(&[(found.place, found.force)], 0.5 * there.frame));
-                Some(shapes)
-            })
+                    sketch
+                        .link("a", o, a)
+                        .link("b", a, place)
+                        .link("c", place, b)
+                        .link("e", b, fixed)
+                        .pin("", o)
+                        .pin("", fixed)
+                        .joint("A", a)
+                        .joint("B", b)
+                        .joint("P", place)
+                        .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
+                    built::forces(sketch, &[("F", place, found.force)], 0.5 * there.frame);
+                    Some(())
+                },
+            )
         });
     }
 }

@@ -1,6 +1,8 @@
 //! The inverted slider-crank: a crank or lever whose pin is pushed by a cylinder that swings about a fixed pin.
 
-use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
+use std::f64::consts::TAU;
+
+use dalembert_core::{About, Analysis, Ink, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
 use dalembert_mechanics::{
     Real, Vector,
     planar::{Effort, Joint, Load, Measure, PlanarError, Point},
@@ -404,32 +406,38 @@ impl OscillatingCylinder {
         sheet.show(|| {
             let shortest =
                 cycle.curve(|found| found.length).into_iter().fold(f64::INFINITY, |s, (_, x)| s.min(x));
-            built::animation("The inverted slider-crank", ("angle", self.angle), range, |angle| {
-                let there = at(angle);
-                let found = there.plain()?;
-                let pin = built::away([0.0; 2], there.crank, angle);
-                let pivot = [there.pivot.x, there.pivot.y];
-                let barrel = 0.8 * shortest;
-                let side = |height: f64| {
-                    [0.0, barrel].map(|along| {
+            let size = self.crank + self.pivot.x.hypot(self.pivot.y);
+            built::animation(
+                "The inverted slider-crank",
+                ("angle", self.angle),
+                range,
+                size,
+                |angle, sketch| {
+                    let there = at(angle);
+                    let found = there.plain()?;
+                    let (o, pivot) = ((0.0, 0.0), (there.pivot.x, there.pivot.y));
+                    let pin = At::from(built::away([0.0; 2], there.crank, angle));
+                    let barrel = 0.8 * shortest;
+                    let on = |along: f64, height: f64| {
                         let [x, y] = built::turned([along, height], found.tilt);
-                        [pivot[0] + x, pivot[1] + y]
-                    })
-                };
-                let half = 0.12 * there.crank;
-                let mut shapes = vec![
-                    built::pivot([0.0; 2]),
-                    built::pivot(pivot),
-                    built::bar(&[[0.0; 2], pin]),
-                    built::bar(&side(half)),
-                    built::bar(&side(-half)),
-                    built::bar(&[built::away(pivot, 0.6 * barrel, found.tilt), pin]),
-                ];
-                let force = built::turned([found.force, 0.0], found.tilt);
-                let forces = [(pin, force), (pin, [there.pin_force.x, there.pin_force.y])];
-                shapes.extend(built::arrows(&forces, there.crank));
-                Some(shapes)
-            })
+                        (pivot.0 + x, pivot.1 + y)
+                    };
+                    let half = 0.12 * there.crank;
+                    sketch
+                        .circle(o, there.crank, Ink::Faint)
+                        .body("", [on(0.0, half), on(barrel, half), on(barrel, -half), on(0.0, -half)])
+                        .link("r", o, pin)
+                        .link("", on(0.6 * barrel, 0.0), pin)
+                        .pin("O", o)
+                        .pin("C", pivot)
+                        .joint("A", pin)
+                        .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
+                    let force = built::turned([found.force, 0.0], found.tilt);
+                    let pin_force = [there.pin_force.x, there.pin_force.y];
+                    built::forces(sketch, &[("F_c", pin, force), ("F_A", pin, pin_force)], there.crank);
+                    Some(())
+                },
+            )
         });
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
+use dalembert_core::{About, Analysis, Ink, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
 use dalembert_mechanics::{
     Real, Vector,
     planar::{Joint, Load, Measure, PlanarError, Point},
@@ -498,33 +498,43 @@ impl QuickReturn {
             });
         }
         sheet.show(|| {
-            built::animation("The quick-return mechanism", ("angle", self.angle), range, |angle| {
-                let there = at(angle);
-                let found = there.plain()?;
-                let (centre, pin) = ([0.0, there.frame], there.pin());
-                let end = built::away([0.0; 2], there.lever, found.lever.angle);
-                let size = 0.3 * there.crank;
-                let mut shapes = vec![
-                    built::pivot(centre),
-                    built::pivot([0.0; 2]),
-                    built::bar(&[centre, pin]),
-                    built::bar(&[[0.0; 2], end]),
-                    built::block(pin, 0.5 * size),
-                ];
-                let mut force = (end, built::turned([0.0, found.force], found.lever.angle));
-                if let (Output::Slider { height, link, side, .. }, Some((position, ..))) =
-                    (&there.output, found.link)
-                {
-                    let slider = [position, *height];
-                    let middle = if *side == Side::Ahead { *link } else { -*link };
-                    shapes.push(built::ground([middle, height - 0.6 * size], 0.0, there.lever));
-                    shapes.push(built::bar(&[end, slider]));
-                    shapes.push(built::block(slider, size));
-                    force = (slider, [found.force, 0.0]);
-                }
-                shapes.extend(built::arrows(&[force], 0.5 * there.lever));
-                Some(shapes)
-            })
+            built::animation(
+                "The quick-return mechanism",
+                ("angle", self.angle),
+                range,
+                self.lever,
+                |angle, sketch| {
+                    let there = at(angle);
+                    let found = there.plain()?;
+                    let (o, centre, pin) = ((0.0, 0.0), (0.0, there.frame), At::from(there.pin()));
+                    let end = At::from(built::away([0.0; 2], there.lever, found.lever.angle));
+                    let mut force = ("F", end, built::turned([0.0, found.force], found.lever.angle));
+                    sketch.circle(centre, there.crank, Ink::Faint);
+                    if let (Output::Slider { height, link, side, .. }, Some((position, ..))) =
+                        (&there.output, found.link)
+                    {
+                        let slider = (position, *height);
+                        let middle = if *side == Side::Ahead { *link } else { -*link };
+                        sketch
+                            .guide((middle - there.lever, *height), (middle + there.lever, *height))
+                            .slider("", slider, 0.0)
+                            .link("l", end, slider)
+                            .joint("", slider);
+                        force = ("F", slider, [found.force, 0.0]);
+                    }
+                    sketch
+                        .slider("", pin, found.lever.angle)
+                        .link("L", o, end)
+                        .link("r", centre, pin)
+                        .pin("C", o)
+                        .pin("O", centre)
+                        .joint("A", pin)
+                        .joint("B", end)
+                        .angle("θ₂", centre, 0.0, angle.rem_euclid(TAU));
+                    built::forces(sketch, &[force], 0.5 * there.lever);
+                    Some(())
+                },
+            )
         });
     }
 

@@ -1,6 +1,8 @@
 //! The Scotch yoke: a crank pin in the cross slot of a yoke that slides.
 
-use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use dalembert_core::{About, Analysis, Ink, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
 use dalembert_mechanics::{
     Real,
     planar::{Joint, Measure, PlanarError, Point},
@@ -215,7 +217,7 @@ impl ScotchYoke {
                 size,
             );
             const ANGLES: u32 = 60;
-            let all = (0..ANGLES).map(|k| torque(f64::from(k) * std::f64::consts::TAU / f64::from(ANGLES)));
+            let all = (0..ANGLES).map(|k| torque(f64::from(k) * TAU / f64::from(ANGLES)));
             let over = (all.fold(0.0, f64::max) - largest.value()).max(0.0);
             sheet.check_zero("no torque of the turn is larger", over.into(), size);
         });
@@ -229,7 +231,7 @@ impl ScotchYoke {
         let place = [found.position.value(), 0.0];
         let yoke = it.link("yoke", place, 0.0, built::Mass::at_pin(self.yoke_mass));
         let (start, middle) = (Point::ground([0.0; 2]), yoke.point([0.0; 2]));
-        let quarter = std::f64::consts::FRAC_PI_2;
+        let quarter = FRAC_PI_2;
         let pin = crank.point([self.crank, 0.0]);
         let joints = [
             it.pin(start, crank.point([0.0; 2])),
@@ -269,23 +271,31 @@ impl ScotchYoke {
             }),
         }
         sheet.show(|| {
-            built::animation("The Scotch yoke", ("angle", self.angle), range, |angle| {
-                let there = at(angle);
-                let found = there.plain()?;
-                let r = there.crank;
-                let pin = built::away([0.0; 2], r, angle);
-                let x = found.position;
-                let mut shapes = vec![
-                    built::pivot([0.0; 2]),
-                    built::ground([2.0 * r, -0.2 * r], 0.0, 0.6 * r),
-                    built::bar(&[[0.0; 2], pin]),
-                    built::bar(&[[x, -1.2 * r], [x, 1.2 * r]]),
-                    built::bar(&[[x, 0.0], [x + 2.5 * r, 0.0]]),
-                    built::block(pin, 0.15 * r),
-                ];
-                shapes.extend(built::arrows(&[([x + 2.5 * r, 0.0], [found.force, 0.0])], r));
-                Some(shapes)
-            })
+            built::animation(
+                "The Scotch yoke",
+                ("angle", self.angle),
+                range,
+                4.0 * self.crank,
+                |angle, sketch| {
+                    let there = at(angle);
+                    let found = there.plain()?;
+                    let (r, x) = (there.crank, found.position);
+                    let (o, pin) = ((0.0, 0.0), At::from(built::away([0.0; 2], r, angle)));
+                    let end = (x + 2.5 * r, 0.0);
+                    sketch
+                        .circle(o, r, Ink::Faint)
+                        .bearing("", (2.2 * r, 0.0), 0.0)
+                        .bars([(x, -1.2 * r), (x, 1.2 * r)])
+                        .link("4", (x, 0.0), end)
+                        .slider("", pin, FRAC_PI_2)
+                        .link("r", o, pin)
+                        .pin("O", o)
+                        .joint("A", pin)
+                        .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
+                    built::forces(sketch, &[("F", end, [found.force, 0.0])], r);
+                    Some(())
+                },
+            )
         });
     }
 }

@@ -1,6 +1,8 @@
 //! Six-bar linkages: a four-bar whose rocker or coupler drives a second pair of links.
 
-use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
+use std::f64::consts::TAU;
+
+use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
 use dalembert_mechanics::{
     Real, Vector,
     planar::{Joint, PlanarError, Point},
@@ -508,38 +510,47 @@ impl SixBar {
         });
         sheet.show(|| {
             let still = self.plain().map_or([0.0; 2], |found| found.pins[1]);
-            built::animation("The six-bar linkage", ("angle", self.angle), range, |angle| {
+            let size = self.frame + self.crank + self.coupler;
+            built::animation("The six-bar linkage", ("angle", self.angle), range, size, |angle, sketch| {
                 let there = at(angle);
                 let found = there.plain()?;
                 let a = built::away([0.0; 2], there.crank, angle);
-                let b = built::away(a, there.coupler, found.angles[0]);
-                let c = [there.frame, 0.0];
-                let [d, end] = found.pins;
-                let size = 0.3 * there.crank;
-                let mut shapes = vec![
-                    built::pivot([0.0; 2]),
-                    built::pivot(c),
-                    built::bar(&[[0.0; 2], a, b, c]),
-                    built::bar(&[d, end]),
-                ];
-                let sides = if let Attached::Rocker { .. } = there.attached { [c, d, b] } else { [a, d, b] };
-                shapes.push(built::bar(&sides));
+                let b = At::from(built::away(a, there.coupler, found.angles[0]));
+                let (o, a, c) = ((0.0, 0.0), At::from(a), (there.frame, 0.0));
+                let [d, end] = found.pins.map(At::from);
+                let root = if let Attached::Rocker { .. } = there.attached { c } else { a };
+                if let Output::Slider { direction, .. } = &there.output {
+                    let reach = built::turned([2.0 * there.crank, 0.0], *direction);
+                    sketch
+                        .guide(
+                            (still[0] - reach[0], still[1] - reach[1]),
+                            (still[0] + reach[0], still[1] + reach[1]),
+                        )
+                        .slider("", end, *direction);
+                }
+                sketch
+                    .link("2", o, a)
+                    .link("3", a, b)
+                    .link("4", c, b)
+                    .bars([root, d, b])
+                    .link("5", d, end)
+                    .pin("O₂", o)
+                    .pin("O₄", c)
+                    .joint("A", a)
+                    .joint("B", b)
+                    .joint("D", d)
+                    .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
                 match &there.output {
                     Output::Slider { direction, .. } => {
-                        let under = built::turned([0.0, -0.6 * size], *direction);
-                        let line = [still[0] + under[0], still[1] + under[1]];
-                        shapes.push(built::ground(line, *direction, 2.0 * there.crank));
-                        shapes.push(built::block(end, size));
                         let force = built::turned([found.load, 0.0], *direction);
-                        shapes.extend(built::arrows(&[(end, force)], there.crank));
+                        built::forces(sketch.joint("", end), &[("F", end, force)], there.crank);
                     }
                     Output::Rocker { pivot, .. } => {
-                        let pivot = [pivot.x, pivot.y];
-                        shapes.push(built::pivot(pivot));
-                        shapes.push(built::bar(&[pivot, end]));
+                        let pivot = (pivot.x, pivot.y);
+                        sketch.link("6", pivot, end).pin("O₆", pivot).joint("E", end);
                     }
                 }
-                Some(shapes)
+                Some(())
             })
         });
     }

@@ -1,13 +1,15 @@
 //! The slider-crank, in line or offset: torque or force, motion and reactions.
 
-use dalembert_core::{About, Analysis, Inputs, Refusal, Text, Worksheet, register};
+use dalembert_core::{
+    About, Analysis, Ink, Inputs, Refusal, Text, Worksheet, exhibit::Point as At, register,
+};
 use dalembert_mechanics::{
     Real,
     planar::{Joint, Measure, PlanarError, Point},
     slider_crank as loops,
 };
 use nalgebra::Vector3;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::{
     shared::{
@@ -429,22 +431,36 @@ impl SliderCrank {
             });
         }
         sheet.show(|| {
-            built::animation("The slider-crank", ("angle", self.angle), range, |angle| {
-                let there = at(angle);
-                let found = there.plain()?;
-                let (pin, slider) = (there.pin(), [found.position, self.offset]);
-                let size = 0.3 * self.crank;
-                let line = self.offset - 0.6 * size;
-                let mut shapes = vec![
-                    built::ground([self.rod, line], 0.0, self.crank + size),
-                    built::pivot([0.0; 2]),
-                    built::bar(&[[0.0; 2], pin, slider]),
-                    built::block(slider, size),
-                ];
-                let forces = [(slider, [found.force, 0.0]), (pin, [self.pin_force.x, self.pin_force.y])];
-                shapes.extend(built::arrows(&forces, self.crank));
-                Some(shapes)
-            })
+            built::animation(
+                "The slider-crank",
+                ("angle", self.angle),
+                range,
+                self.crank + self.rod,
+                |angle, sketch| {
+                    let there = at(angle);
+                    let found = there.plain()?;
+                    let (o, a, b) = ((0.0, 0.0), At::from(there.pin()), (found.position, self.offset));
+                    let reach = 1.3 * self.crank;
+                    sketch
+                        .circle(o, self.crank, Ink::Faint)
+                        .axis(o, (self.rod, 0.0))
+                        .guide((self.rod - reach, self.offset), (self.rod + reach, self.offset))
+                        .slider("", b, 0.0)
+                        .link("r", o, a)
+                        .link("l", a, b)
+                        .pin("O", o)
+                        .joint("A", a)
+                        .joint("B", b)
+                        .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
+                    let pin_force = [self.pin_force.x, self.pin_force.y];
+                    built::forces(
+                        sketch,
+                        &[("F_B", b, [found.force, 0.0]), ("F_A", a, pin_force)],
+                        self.crank,
+                    );
+                    Some(())
+                },
+            )
         });
     }
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use dalembert_core::{
-    About, Analysis, Axis, Drawing, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet,
+    About, Analysis, Axis, Drawing, Exhibit, Ink, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet,
     register,
 };
 use dalembert_mechanics::{
@@ -260,29 +260,26 @@ impl LazyTongs {
     fn drawing(&self) -> Drawing {
         let (l, n) = (self.side, self.squares);
         let (wide, high) = (l * self.angle.cos(), l * self.angle.sin());
-        let mut shapes = Vec::new();
+        let mut sketch = Sketch::new("The tongs between their supports");
         for square in 0..n {
             let x = f64::from(2 * square) * wide;
-            let corners =
-                vec![(x, 0.0), (x + wide, high), (x + 2.0 * wide, 0.0), (x + wide, -high), (x, 0.0)];
-            shapes.push(DrawnShape::Polyline(corners, Ink::Body));
+            sketch
+                .bars([(x, 0.0), (x + wide, high), (x + 2.0 * wide, 0.0), (x + wide, -high), (x, 0.0)])
+                .joint("", (x + wide, high))
+                .joint("", (x + wide, -high));
+            if square > 0 {
+                sketch.joint("", (x, 0.0));
+            }
         }
-        let end = f64::from(2 * n) * wide;
-        shapes.push(DrawnShape::Pin((0.0, 0.0)));
-        shapes.push(DrawnShape::Pin((end, 0.0)));
-        shapes.push(DrawnShape::Label((-0.3 * l, 0.1 * l), "A".into()));
-        shapes.push(DrawnShape::Label((end + 0.1 * l, 0.1 * l), "B".into()));
+        sketch.pin("A", (0.0, 0.0)).pin("B", (f64::from(2 * n) * wide, 0.0));
         for (row, load) in self.loads.iter().enumerate() {
             let x = f64::from(2 * load.square - 1) * wide;
             let y = if load.hinge == Hinge::Upper { high } else { -high };
             let way = -0.7 * l * load.force.signum();
             let tail = if load.hinge == Hinge::Upper { (x, y - way) } else { (x, y) };
-            shapes.push(DrawnShape::Arrow(tail, (tail.0, tail.1 + way), Ink::Force));
-            shapes.push(DrawnShape::Label(
-                (tail.0 + 0.1 * l, tail.1 + way / 2.0),
-                Text::new("P{x}").with("x", row + 1),
-            ));
+            let name = Text::new("P{x}").with("x", row + 1);
+            sketch.edge(name, tail, (tail.0, tail.1 + way), Ink::Force);
         }
-        Drawing { title: "The tongs between their supports".into(), shapes }
+        sketch.finish()
     }
 }

@@ -1,6 +1,6 @@
 //! A rack press: a handle turns a pinion that drives the ram by its rack.
 
-use dalembert_core::{About, Analysis, DrawnShape, Ink, Inputs, Refusal, Text, Worksheet, register};
+use dalembert_core::{About, Analysis, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::{
     Real,
     planar::{Body, Driver, Joint, Load, Measure, Mechanism, Point},
@@ -8,7 +8,7 @@ use dalembert_mechanics::{
 use std::f64::consts::TAU;
 
 use crate::{
-    shared::equilibria::{animation, arrow, solved},
+    shared::equilibria::{animation, solved},
     sources::{BEER, RIUL},
 };
 
@@ -197,23 +197,23 @@ impl RackPress {
         (mechanism, vec![[0.0; 3], [0.0; 3], [2.0 * radius, 0.0, 0.0]])
     }
 
-    fn frame(&self, radius: f64, angle: f64) -> Vec<DrawnShape> {
+    fn frame(&self, radius: f64, angle: f64) -> Sketch {
         let r = radius;
         let length = self.handle.min(8.0 * r);
         let end = (-length * angle.cos(), length * angle.sin());
         let down = r * (angle + 0.6) / self.reduction;
         let (top, bottom) = (3.0 * r - down, -3.5 * r - down);
-        let mut shapes = vec![
-            DrawnShape::Ground((-2.0 * r, -6.5 * r), (4.0 * r, -6.5 * r)),
-            DrawnShape::Circle((0.0, 0.0), r, Ink::Body),
-            DrawnShape::Pin((0.0, 0.0)),
-            DrawnShape::Polyline(vec![(0.0, 0.0), end], Ink::Body),
-            DrawnShape::Block((r, bottom), (1.8 * r, top), Ink::Body),
-        ];
         let across = (end.0 - length * 0.35 * angle.sin(), end.1 - length * 0.35 * angle.cos());
-        shapes.push(DrawnShape::Arrow(end, across, Ink::Force));
-        shapes.push(DrawnShape::Label(across, Text::from("F")));
-        shapes.extend(arrow((1.4 * r, bottom), [0.0, -1.5 * r], "Q"));
-        shapes
+        let mut sketch = Sketch::default();
+        sketch
+            .size(12.0 * r)
+            .ground((-2.0 * r, -6.5 * r), (4.0 * r, -6.5 * r))
+            .gear("", (0.0, 0.0), r, -angle)
+            .link("R", (0.0, 0.0), end)
+            .mass("", (r, bottom), (1.8 * r, top))
+            .pin("", (0.0, 0.0))
+            .force("F", end, across)
+            .force("Q", (1.4 * r, bottom), (1.4 * r, bottom - 1.5 * r));
+        sketch
     }
 }

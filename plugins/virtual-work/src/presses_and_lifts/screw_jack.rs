@@ -3,13 +3,13 @@
 mod mechanism;
 
 use dalembert_core::{
-    About, Analysis, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
+    About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
 };
 use dalembert_mechanics::Real;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::{
-    shared::equilibria::{animation, arrow, solved, spread},
+    shared::equilibria::{animation, solved, spread},
     sources::{BEER, HIBBELER, RIUL},
 };
 
@@ -387,38 +387,51 @@ impl ScrewJack {
         });
     }
 
-    fn frame_at(&self, angle: f64) -> Vec<DrawnShape> {
+    fn frame_at(&self, angle: f64) -> Sketch {
         let (sin, cos) = angle.sin_cos();
-        let mut shapes = Vec::new();
+        let mut sketch = Sketch::default();
         match self.frame {
             Frame::Plain => {}
             Frame::Rhombus { link: l, .. } => {
                 let (wide, high) = (l * cos, l * sin);
-                shapes.push(DrawnShape::Ground((-0.4 * l, 0.0), (0.4 * l, 0.0)));
-                shapes.push(DrawnShape::Polyline(
-                    vec![(0.0, 0.0), (wide, high), (0.0, 2.0 * high), (-wide, high), (0.0, 0.0)],
-                    Ink::Body,
-                ));
-                shapes.push(DrawnShape::Polyline(vec![(-1.2 * wide, high), (1.3 * wide, high)], Ink::Result));
-                shapes.extend(arrow((wide, high), [-0.4 * l, 0.0], "T"));
-                shapes.extend(arrow((0.0, 2.0 * high + 0.45 * l), [0.0, -0.4 * l], "P"));
+                let corners = [(0.0, 0.0), (wide, high), (0.0, 2.0 * high), (-wide, high)];
+                sketch
+                    .size(2.4 * l)
+                    .ground((-0.4 * l, 0.0), (0.4 * l, 0.0))
+                    .bars([corners.as_slice(), &corners[..1]].concat())
+                    .axis((-1.2 * wide, high), (1.3 * wide, high));
+                for corner in corners {
+                    sketch.joint("", corner);
+                }
+                sketch
+                    .force("T", (wide, high), (wide - 0.4 * l, high))
+                    .force("", (0.0, 2.0 * high + 0.45 * l), (0.0, 2.0 * high + 0.05 * l))
+                    .label("P", (0.0, 2.0 * high + 0.45 * l));
             }
             Frame::Scissors { stages, link: l, .. } => {
                 let (wide, high) = (l * cos, l * sin);
-                shapes.push(DrawnShape::Ground((-0.1 * l, 0.0), (1.2 * l, 0.0)));
+                let top = f64::from(stages) * high;
+                sketch
+                    .size(1.6 * l)
+                    .ground((-0.1 * l, 0.0), (1.2 * l, 0.0))
+                    .axis((0.0, 0.0), (1.2 * wide, 0.0));
                 for stage in 0..stages {
                     let y = f64::from(stage) * high;
-                    shapes.push(DrawnShape::Polyline(vec![(0.0, y), (wide, y + high)], Ink::Body));
-                    shapes.push(DrawnShape::Polyline(vec![(wide, y), (0.0, y + high)], Ink::Body));
+                    sketch
+                        .bars([(0.0, y), (wide, y + high)])
+                        .bars([(wide, y), (0.0, y + high)])
+                        .joint("", (wide / 2.0, y + high / 2.0))
+                        .joint("", (wide, y))
+                        .joint("", (0.0, y));
                 }
-                let top = f64::from(stages) * high;
-                shapes.push(DrawnShape::Polyline(vec![(-0.1 * l, top), (1.1 * l, top)], Ink::Body));
-                shapes.push(DrawnShape::Polyline(vec![(0.0, 0.0), (1.2 * wide, 0.0)], Ink::Result));
-                shapes.extend(arrow((wide, 0.0), [-0.35 * l, 0.0], "T"));
-                shapes.extend(arrow((wide / 2.0, top + 0.45 * l), [0.0, -0.4 * l], "P"));
+                sketch
+                    .bars([(-0.1 * l, top), (1.1 * l, top)])
+                    .force("T", (wide, 0.0), (wide - 0.35 * l, 0.0))
+                    .force("", (wide / 2.0, top + 0.45 * l), (wide / 2.0, top + 0.05 * l))
+                    .label("P", (wide / 2.0, top + 0.45 * l));
             }
         }
-        shapes
+        sketch
     }
 }
 

@@ -1,7 +1,9 @@
 //! A toggle press: two links that are pushed towards a straight line thrust with a force that grows without bound.
 
+use std::f64::consts::PI;
+
 use dalembert_core::{
-    About, Analysis, Axis, DrawnShape, Exhibit, Ink, Inputs, Plot, Refusal, Series, Text, Worksheet, register,
+    About, Analysis, Axis, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real,
@@ -9,7 +11,7 @@ use dalembert_mechanics::{
 };
 
 use crate::{
-    shared::equilibria::{animation, arrow, reactions, solved, spread},
+    shared::equilibria::{animation, reactions, solved, spread},
     sources::{BEER, HIBBELER, RIUL},
 };
 
@@ -229,24 +231,28 @@ impl TogglePress {
         .mark("at this angle", (self.angle, present))
     }
 
-    fn frame(&self, angle: f64) -> Vec<DrawnShape> {
+    fn frame(&self, angle: f64) -> Sketch {
         let (l1, l2) = (self.fixed_link, self.ram_link);
         let beta = self.other_angle(angle);
-        let knee = (l1 * angle.cos(), l1 * angle.sin());
-        let x = knee.0 + l2 * beta.cos();
-        let half = 0.08 * (l1 + l2) / 2.0;
-        let mut shapes = vec![
-            DrawnShape::Polyline(vec![(0.0, 0.0), (1.3 * (l1 + l2), 0.0)], Ink::Faint),
-            DrawnShape::Pin((0.0, 0.0)),
-            DrawnShape::Polyline(vec![(0.0, 0.0), knee, (x, 0.0)], Ink::Body),
-            DrawnShape::Circle(knee, 0.4 * half, Ink::Body),
-            DrawnShape::Block((x, -half), (x + 2.0 * half, half), Ink::Body),
-            DrawnShape::Ground((0.0, -1.2 * half), (1.2 * (l1 + l2), -1.2 * half)),
-            DrawnShape::Label((0.25 * l1, 0.05 * l1), "α".into()),
-            DrawnShape::Label((x - 0.3 * l2, 0.05 * l2), "β".into()),
-        ];
-        shapes.extend(arrow((knee.0, knee.1 + 0.35 * l1), [0.0, -0.3 * l1], "P"));
-        shapes.extend(arrow((x + 2.0 * half, 0.0), [0.3 * l2, 0.0], "Q"));
-        shapes
+        let (o, knee) = ((0.0, 0.0), (l1 * angle.cos(), l1 * angle.sin()));
+        let ram = (knee.0 + l2 * beta.cos(), 0.0);
+        let tail = (knee.0, knee.1 + 0.35 * l1);
+        let mut sketch = Sketch::default();
+        sketch
+            .size(1.4 * (l1 + l2))
+            .axis(o, (1.3 * (l1 + l2), 0.0))
+            .guide((0.6 * (l1 + l2), 0.0), (1.2 * (l1 + l2), 0.0))
+            .slider("", ram, 0.0)
+            .link("L₁", o, knee)
+            .link("L₂", knee, ram)
+            .pin("", o)
+            .joint("", knee)
+            .joint("", ram)
+            .angle("α", o, 0.0, angle)
+            .angle("β", ram, PI - beta, PI)
+            .force("", tail, (knee.0, knee.1 + 0.05 * l1))
+            .label("P", tail)
+            .force("Q", (ram.0 + 0.1 * l2, 0.0), (ram.0 + 0.4 * l2, 0.0));
+        sketch
     }
 }

@@ -4,8 +4,8 @@
 use std::{cell::OnceCell, f64::consts::TAU};
 
 use dalembert_core::{
-    Animation, Axis, Cell, Column, DrawnShape, Exhibit, Ink, Inputs, Lift, Plain, Plot, Refusal, Series,
-    Stop, TableExhibit, Text, Trail, Worksheet,
+    Axis, Cell, Column, Exhibit, Inputs, Lift, Plain, Plot, Refusal, Series, Sketch, Stop, TableExhibit,
+    Text, Trail, Worksheet, exhibit::Point as At,
 };
 use dalembert_mechanics::{
     Real,
@@ -399,12 +399,13 @@ pub(crate) fn bounded(effort: f64, shift: f64, unit: f64) -> f64 {
 }
 
 /// An animation of the mechanism going through its range of an input from its present value on; positions without a picture
-/// are left out.
+/// are left out. Symbols are of the scale of a machine of that size.
 pub(crate) fn animation(
     title: &'static str,
     (input, present): (&'static str, f64),
     range: Range,
-    frame: impl Fn(f64) -> Option<Vec<DrawnShape>>,
+    size: f64,
+    frame: impl Fn(f64, &mut Sketch) -> Option<()>,
 ) -> Exhibit {
     const FRAMES: usize = 24;
     let at = |n: usize| {
@@ -420,48 +421,23 @@ pub(crate) fn animation(
             }
         }
     };
-    let (values, frames) = (0..FRAMES).map(at).filter_map(|value| Some((value, frame(value)?))).unzip();
-    Exhibit::Animation(Animation::new(title, frames, 3.0).over(input, values))
-}
-
-/// A bar through points.
-pub(crate) fn bar(points: &[[f64; 2]]) -> DrawnShape {
-    DrawnShape::Polyline(points.iter().map(|&at| spot(at)).collect(), Ink::Body)
-}
-
-/// A line of reference through points.
-pub(crate) fn faint(points: &[[f64; 2]]) -> DrawnShape {
-    DrawnShape::Polyline(points.iter().map(|&at| spot(at)).collect(), Ink::Faint)
-}
-
-/// A fixed pin.
-pub(crate) fn pivot(at: [f64; 2]) -> DrawnShape {
-    DrawnShape::Pin(spot(at))
-}
-
-/// A block of about that size.
-pub(crate) fn block([x, y]: [f64; 2], size: f64) -> DrawnShape {
-    DrawnShape::Block((x - size, y - 0.6 * size), (x + size, y + 0.6 * size), Ink::Body)
-}
-
-/// Ground along a line under `at`, in a direction.
-pub(crate) fn ground(at: [f64; 2], direction: f64, half: f64) -> DrawnShape {
-    let (sin, cos) = direction.sin_cos();
-    let end = |side: f64| (at[0] + side * half * cos, at[1] + side * half * sin);
-    DrawnShape::Ground(end(-1.0), end(1.0))
+    let drawn = |value: f64| {
+        let mut sketch = Sketch::default();
+        sketch.size(size);
+        frame(value, &mut sketch)?;
+        Some((value, sketch))
+    };
+    let (values, frames): (Vec<f64>, Vec<Sketch>) = (0..FRAMES).map(at).filter_map(drawn).unzip();
+    Exhibit::Animation(Sketch::animation(title, frames, 3.0).over(input, values))
 }
 
 /// Forces as arrows that start at their points, the largest as long as `length`.
-pub(crate) fn arrows(forces: &[([f64; 2], [f64; 2])], length: f64) -> Vec<DrawnShape> {
-    let largest = forces.iter().fold(0.0f64, |most, (_, [x, y])| most.max(x.hypot(*y)));
-    let visible = forces.iter().filter(|(_, [x, y])| x.hypot(*y) > 1e-3 * largest);
-    visible
-        .map(|(at, force)| {
-            let scale = length / largest;
-            let head = (at[0] + scale * force[0], at[1] + scale * force[1]);
-            DrawnShape::Arrow(spot(*at), head, Ink::Force)
-        })
-        .collect()
+pub(crate) fn forces(sketch: &mut Sketch, forces: &[(&'static str, At, [f64; 2])], length: f64) {
+    let largest = forces.iter().fold(0.0f64, |most, (.., [x, y])| most.max(x.hypot(*y)));
+    for (name, at, [x, y]) in forces.iter().filter(|(.., [x, y])| x.hypot(*y) > 1e-3 * largest) {
+        let scale = length / largest;
+        sketch.force(*name, *at, (at.0 + scale * x, at.1 + scale * y));
+    }
 }
 
 /// A vector turned by an angle.
@@ -474,8 +450,4 @@ pub(crate) fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
 pub(crate) fn away(from: [f64; 2], length: f64, angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
     [from[0] + length * cos, from[1] + length * sin]
-}
-
-fn spot([x, y]: [f64; 2]) -> (f64, f64) {
-    (x, y)
 }

@@ -1,8 +1,8 @@
 //! Machines with one degree of freedom under weights, springs and constant forces: all equilibria, and whether they last.
 
 use dalembert_core::{
-    Animation, Axis, DrawnShape, Exhibit, Ink, Plot, Refusal, Series, TableExhibit, Text, Worksheet,
-    exhibit::{Cell, Column, Point as At},
+    Axis, Exhibit, Plot, Refusal, Series, Sketch, TableExhibit, Text, Worksheet,
+    exhibit::{Cell, Column},
 };
 use dalembert_mechanics::planar::{InverseDynamics, Joint, Load, Mechanism, Model, Point};
 use dalembert_numerics::roots;
@@ -284,19 +284,11 @@ pub(crate) fn animation(
     title: &'static str,
     (input, present): (&'static str, f64),
     range: [f64; 2],
-    frame: impl Fn(f64) -> Vec<DrawnShape>,
+    frame: impl Fn(f64) -> Sketch,
 ) -> Exhibit {
     let angles = swing(present, range);
-    let frames = angles.iter().copied().map(frame).collect();
-    Exhibit::Animation(Animation::new(title, frames, 3.0).over(input, angles))
-}
-
-/// An arrow with its name at the tail.
-pub(crate) fn arrow(tail: At, [x, y]: [f64; 2], name: &'static str) -> [DrawnShape; 2] {
-    [
-        DrawnShape::Arrow(tail, (tail.0 + x, tail.1 + y), Ink::Force),
-        DrawnShape::Label((tail.0 + 1.1 * x, tail.1 + 1.1 * y), name.into()),
-    ]
+    let frames = angles.iter().copied().map(frame);
+    Exhibit::Animation(Sketch::animation(title, frames, 3.0).over(input, angles))
 }
 
 /// Evenly spread numbers, both ends included.

@@ -1,7 +1,7 @@
 //! Machines with one angle θ whose potential energy is a sum of loads times shapes, `V = Σ c f(θ)`: weights times
 //! heights, stiffnesses times half the square of a stretch, forces times distances.
 
-use dalembert_core::{Axis, DrawnShape, Exhibit, Inputs, Plot, Refusal, Series, Text, Worksheet};
+use dalembert_core::{Axis, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet};
 use dalembert_mechanics::{Real, planar::Mechanism};
 
 use crate::{
@@ -88,7 +88,7 @@ impl<N> Balanced<N> {
         &self,
         title: &'static str,
         angle: f64,
-        frame: impl Fn(f64) -> Vec<DrawnShape>,
+        frame: impl Fn(f64) -> Sketch,
     ) -> Exhibit {
         let at = telling(&self.list);
         let [from, to] = self.range;

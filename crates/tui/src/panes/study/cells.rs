@@ -23,7 +23,7 @@ const SAMPLES: usize = 2000;
 pub(super) struct Cells {
     /// The cell under the cursor.
     pub(super) cursor: usize,
-    /// What is asked.
+    /// Kind of study.
     pub(super) kind: Kind,
     /// The input that it begins with, by its path: that of the cursor of the form when the tab was turned to.
     pub(super) begins: String,
@@ -37,7 +37,7 @@ pub(super) struct Cells {
     pub(super) log: bool,
     /// True if values lie normally within their tolerances.
     pub(super) normal: bool,
-    /// What was typed, by cells.
+    /// Texts as typed, by cell.
     pub(super) typed: Typed<Cell>,
 }
 
@@ -59,7 +59,7 @@ pub(super) struct Subject<'s> {
 /// Kind of study.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// How an answer runs over an input.
+    /// Curve of an answer over an input.
     #[default]
     Sweep,
     /// Input at which the answer takes a target value.
@@ -71,7 +71,7 @@ pub(super) enum Kind {
 /// A cell of a study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Cell {
-    /// What is asked.
+    /// Kind of study.
     Kind,
     /// The input.
     Input,
@@ -100,7 +100,7 @@ pub(super) enum Cell {
 }
 
 impl Cell {
-    /// What it is called.
+    /// Label of the cell.
     pub(super) fn name(self) -> Text {
         match self {
             Cell::Kind => Text::new("Study"),
@@ -149,7 +149,7 @@ impl Cells {
         cells[self.cursor.min(cells.len() - 1)]
     }
 
-    /// What was typed in a cell.
+    /// Typed text of a cell.
     pub(super) fn text(&self, cell: Cell) -> &str {
         self.typed.text(&cell)
     }
@@ -159,7 +159,7 @@ impl Cells {
         self.typed.set(&cell, text);
     }
 
-    /// What it is about, with these inputs and answers.
+    /// Inputs and answers that can be studied, and those selected.
     pub(super) fn subject<'s>(&self, record: &Record, solution: &'s Solution) -> Subject<'s> {
         let inputs = vary::inputs(record);
         let place = |path: &str| inputs.iter().position(|input| input.path == path);
@@ -203,12 +203,12 @@ impl Cells {
         }
     }
 
-    /// What it is about stays so: a text was typed for it.
+    /// Keeps the selected input and answer: a text was typed for them.
     pub(super) fn keep(&mut self, (input, answer): (Option<String>, Option<String>)) {
         (self.input, self.answer) = (input, answer);
     }
 
-    /// What stands in a cell: what was typed or chosen, or else what is taken for it.
+    /// Content of a cell: the typed text or the chosen item, or else its default.
     pub(super) fn shown(&self, cell: Cell, of: &Subject<'_>, decimal: Decimal) -> Text {
         let words = |text: &str| Text::new(text.to_owned());
         let typed = self.text(cell);

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dalembert_core::{
-    Animation, Axis, Cell, Column, Drawing, DrawnShape, Ink, Plot, Point, Series, TableExhibit, Text,
+    Animation, Axis, Cell, Column, Drawing, Ink, Plot, Point, Series, Sketch, TableExhibit, Text,
     trace::ROUNDING,
 };
 use dalembert_mechanics::{
@@ -12,6 +12,7 @@ use dalembert_mechanics::{
 };
 
 use super::orders::Order;
+use crate::shared::views::dial;
 
 const POINTS: u32 = 240;
 
@@ -76,14 +77,10 @@ pub(super) fn ellipse(pistons: &[Piston], motion: PistonMotion, about: f64) -> D
             (across / size, up / size)
         })
         .collect();
-    let shapes = vec![
-        DrawnShape::Circle((0.0, 0.0), 1.0, Ink::Faint),
-        DrawnShape::Polyline(vec![(-1.1, 0.0), (1.1, 0.0)], Ink::Faint),
-        DrawnShape::Polyline(vec![(0.0, -1.1), (0.0, 1.1)], Ink::Faint),
-        DrawnShape::Polyline(tips, Ink::Force),
-        DrawnShape::Label((0.05, 1.15), "Σ m r ω²".into()),
-    ];
-    Drawing { title: "Polar diagram of the shaking force (one revolution)".into(), shapes }
+    dial("Polar diagram of the shaking force (one revolution)")
+        .curve(tips, Ink::Force)
+        .label("Σ m r ω²", (0.0, 1.0))
+        .finish()
 }
 
 /// Orders, with their forward and backward vectors.
@@ -123,24 +120,20 @@ pub(super) fn stars(pistons: &[Piston], orders: &[u8]) -> Animation {
     const FRAMES: u32 = 24;
     let frame = |k: u32| {
         let turned = TAU * f64::from(k) / f64::from(FRAMES);
-        let mut shapes = Vec::new();
+        let mut sketch = Sketch::default();
         for (n, order) in orders.iter().enumerate() {
-            let (h, centre) = (f64::from(*order), 2.8 * n as f64);
-            shapes.push(DrawnShape::Circle((centre, 0.0), 1.0, Ink::Faint));
-            shapes.push(DrawnShape::Polyline(vec![(centre, -1.1), (centre, 1.1)], Ink::Faint));
+            let (h, centre) = (f64::from(*order), (2.8 * n as f64, 0.0));
+            sketch.circle(centre, 1.0, Ink::Faint).axis((centre.0, -1.1), (centre.0, 1.1));
             for (piston, number) in pistons.iter().zip(1..) {
                 let angle = h * (turned + piston.throw - piston.line) + piston.line;
-                let tip = (centre + angle.sin(), angle.cos());
-                shapes.push(DrawnShape::Arrow((centre, 0.0), tip, Ink::Force));
+                let at = |radius: f64| (centre.0 + radius * angle.sin(), radius * angle.cos());
                 // Arrows that fall on one another are distinguished by the distance of their numbers.
-                let out = 1.1 + 0.14 * f64::from((number - 1) / 4);
-                let label = (centre + out * angle.sin(), out * angle.cos());
-                shapes.push(DrawnShape::Label(label, Text::new(number.to_string())));
+                let out = 1.2 + 0.14 * f64::from((number - 1) / 4);
+                sketch.force("", centre, at(1.0)).caption(Text::new(number.to_string()), at(out));
             }
-            let name = Text::new("order {n}").with("n", order);
-            shapes.push(DrawnShape::Label((centre, -1.5), name));
+            sketch.caption(Text::new("order {n}").with("n", order), (centre.0, -1.6));
         }
-        shapes
+        sketch
     };
-    Animation::new("Crank star diagrams by order", (0..FRAMES).map(frame).collect(), 4.0)
+    Sketch::animation("Crank star diagrams by order", (0..FRAMES).map(frame), 4.0)
 }

@@ -1,12 +1,13 @@
 //! Tables and drawings of a job.
 
 use dalembert_core::{
-    Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Plot, Series, TableExhibit, Text, Worksheet,
+    Axis, Cell, Column, Drawing, Exhibit, Ink, Plot, Series, TableExhibit, Text, Worksheet,
 };
 use dalembert_mechanics::balance::{self, influence};
 use nalgebra::{Complex, DMatrix};
 
 use super::{Numbers, readings::Units};
+use crate::shared::views::dial;
 
 /// The most vector triangles that are drawn.
 const MOST_TRIANGLES: usize = 4;
@@ -135,42 +136,35 @@ fn before_and_after(first: &[Complex<f64>], left: &[Complex<f64>], unit: &'stati
 fn polar(numbers: &Numbers, weights: &[Complex<f64>]) -> Drawing {
     let reach = numbers.runs.iter().map(|run| run.weight.norm()).chain(weights.iter().map(|w| w.norm()));
     let reach = reach.fold(0.0, f64::max);
-    let mut shapes = dial();
-    let trials = numbers.runs.iter().map(|run| (run.weight, format!("m{}", run.plane + 1), Ink::Force));
-    let corrections = (1..).zip(weights).map(|(n, w)| (*w, format!("W{n}"), Ink::Result));
-    for (weight, name, ink) in trials.chain(corrections) {
-        arrow(&mut shapes, Complex::ZERO, weight / reach, name, ink);
+    let mut sketch = dial("Trial weights (m) and corrections (W) around the shaft");
+    let at = |weight: Complex<f64>| (weight.re / reach, weight.im / reach);
+    for run in &numbers.runs {
+        sketch.force(Text::new(format!("m{}", run.plane + 1)), (0.0, 0.0), at(run.weight));
     }
-    Drawing { title: "Trial weights (m) and corrections (W) around the shaft".into(), shapes }
+    for (n, weight) in (1..).zip(weights) {
+        sketch.vector(Text::new(format!("W{n}")), (0.0, 0.0), at(*weight), Ink::Result);
+    }
+    sketch.finish()
 }
 
 /// The reading without and with the trial weights, and what the weights changed.
 fn triangle(numbers: &Numbers, row: usize, first: Complex<f64>) -> Drawing {
     let reach = numbers.runs.iter().map(|run| run.readings[row].norm()).fold(first.norm(), f64::max);
-    let mut shapes = dial();
-    arrow(&mut shapes, Complex::ZERO, first / reach, "V".into(), Ink::Motion);
+    let at = |vector: Complex<f64>| (vector.re / reach, vector.im / reach);
+    let mut sketch = dial(Text::new("Vectors of reading {n}").with("n", row + 1));
+    sketch.motion("V", (0.0, 0.0), at(first));
     let mut before = first;
     for (n, run) in (1..).zip(&numbers.runs) {
         let after = run.readings[row];
-        arrow(&mut shapes, Complex::ZERO, after / reach, format!("R{n}"), Ink::Motion);
-        arrow(&mut shapes, before / reach, after / reach, format!("T{n}"), Ink::Force);
+        sketch.motion(Text::new(format!("R{n}")), (0.0, 0.0), at(after)).edge(
+            Text::new(format!("T{n}")),
+            at(before),
+            at(after),
+            Ink::Force,
+        );
         if numbers.stay {
             before = after;
         }
     }
-    Drawing { title: Text::new("Vectors of reading {n}").with("n", row + 1), shapes }
-}
-
-fn dial() -> Vec<DrawnShape> {
-    vec![
-        DrawnShape::Circle((0.0, 0.0), 1.0, Ink::Faint),
-        DrawnShape::Polyline(vec![(-1.1, 0.0), (1.1, 0.0)], Ink::Faint),
-        DrawnShape::Polyline(vec![(0.0, -1.1), (0.0, 1.1)], Ink::Faint),
-    ]
-}
-
-fn arrow(shapes: &mut Vec<DrawnShape>, from: Complex<f64>, to: Complex<f64>, name: String, ink: Ink) {
-    let middle = if from == Complex::ZERO { to * 1.12 } else { (from + to) / 2.0 };
-    shapes.push(DrawnShape::Arrow((from.re, from.im), (to.re, to.im), ink));
-    shapes.push(DrawnShape::Label((middle.re, middle.im), Text::new(name)));
+    sketch.finish()
 }

@@ -1,6 +1,6 @@
 //! The loads over the speed, and the vehicle from behind.
 
-use dalembert_core::{Axis, Drawing, DrawnShape, Ink, Plot, Series, Text};
+use dalembert_core::{Axis, Drawing, Plot, Series, Sketch};
 
 use super::{
     Side, WheelLoads,
@@ -53,35 +53,24 @@ impl WheelLoads {
         };
         let (inner, outer) = (side(false), side(true));
         let scale = 0.9 / inner.abs().max(outer.abs());
-        let mut shapes = vec![
-            DrawnShape::Polyline(vec![at(-1.0, 0.0), at(1.0, 0.0)], Ink::Body),
-            DrawnShape::Polyline(
-                vec![
-                    at(-0.5, 0.2),
-                    at(-0.5, 1.6 * height),
-                    at(0.5, 1.6 * height),
-                    at(0.5, 0.2),
-                    at(-0.5, 0.2),
-                ],
-                Ink::Body,
-            ),
-            DrawnShape::Circle(at(0.0, height), 0.04, Ink::Body),
-            DrawnShape::Label(at(0.08, height), Text::from("G")),
-        ];
+        let wheel = 0.35f64.min(0.8 * height);
+        let mut sketch = Sketch::new("The vehicle seen from behind, turning in the direction of the arrow");
+        sketch.bars([at(-1.0, 0.0), at(1.0, 0.0)]).link("", at(-0.5, wheel / 2.0), at(0.5, wheel / 2.0));
         for (place, load, name) in [(0.5, inner, "ΣN_i"), (-0.5, outer, "ΣN_o")] {
-            shapes.push(DrawnShape::Polyline(vec![at(place, 0.0), at(place, 0.35)], Ink::Body));
+            sketch.body(
+                "",
+                [(-0.07, 0.0), (0.07, 0.0), (0.07, wheel), (-0.07, wheel)].map(|(x, y)| at(place + x, y)),
+            );
             let length = load * scale;
             if length.is_finite() && length > 0.0 {
-                shapes.push(DrawnShape::Arrow(at(place, -length), at(place, 0.0), Ink::Force));
-                shapes.push(DrawnShape::Label(at(place + 0.05, -length), Text::from(name)));
+                sketch.force("", at(place, -length), at(place, 0.0)).label(name, at(place, -length));
             }
         }
-        let push = at(0.45, height);
-        shapes.push(DrawnShape::Arrow(push, at(0.9, height), Ink::Motion));
-        shapes.push(DrawnShape::Label(at(0.92, height), Text::from("a")));
-        Drawing {
-            title: "The vehicle seen from behind, turning in the direction of the arrow".into(),
-            shapes,
-        }
+        let top = 1.6 * height;
+        sketch
+            .body("", [at(-0.5, 0.7 * wheel), at(-0.5, top), at(0.5, top), at(0.5, 0.7 * wheel)])
+            .mass_centre("G", at(0.0, height))
+            .motion("a", at(0.55, height), at(0.95, height))
+            .finish()
     }
 }

@@ -1,6 +1,6 @@
 //! Response before and after, relative motion, the family of dampings through the fixed points, and a sketch.
 
-use dalembert_core::{Axis, Drawing, DrawnShape, Ink, Plot, Series, Text};
+use dalembert_core::{Axis, Drawing, Ink, Plot, Series, Sketch, Text};
 use dalembert_mechanics::{
     sdof,
     vibration::absorber::{DampedAbsorber as Kernel, Peak},
@@ -106,24 +106,17 @@ pub(super) fn family(kernel: &Kernel) -> Plot {
 }
 
 pub(super) fn drawing(spring: bool) -> Drawing {
-    let mut shapes = vec![
-        DrawnShape::Ground((-1.5, -2.4), (1.5, -2.4)),
-        DrawnShape::Spring((-0.6, -2.4), (-0.6, -1.0)),
-        DrawnShape::Damper((0.6, -2.4), (0.6, -1.0)),
-        DrawnShape::Label((-1.0, -1.7), Text::from("k")),
-        DrawnShape::Label((1.0, -1.7), Text::from("ζ")),
-        DrawnShape::Block((-1.2, -1.0), (1.2, 0.2), Ink::Body),
-        DrawnShape::Label((0.0, -0.4), Text::from("m")),
-        DrawnShape::Arrow((-1.5, -1.0), (-1.5, 0.2), Ink::Force),
-        DrawnShape::Label((-2.3, -0.4), Text::from("F₀ cos ωt")),
-        DrawnShape::Damper((0.35, 0.2), (0.35, 1.3)),
-        DrawnShape::Label((0.75, 0.75), Text::from("c_a")),
-        DrawnShape::Block((-0.6, 1.3), (0.6, 2.0), Ink::Result),
-        DrawnShape::Label((0.0, 1.65), Text::from("m_a")),
-    ];
+    let mut sketch = Sketch::new("The main system and its damped absorber");
+    sketch
+        .ground((-1.5, -2.4), (1.5, -2.4))
+        .spring("k", (-0.6, -2.4), (-0.6, -1.0))
+        .damper("ζ", (0.6, -2.4), (0.6, -1.0))
+        .mass("m", (-1.2, -1.0), (1.2, 0.2))
+        .force("F₀ cos ωt", (-1.5, -1.0), (-1.5, 0.2))
+        .damper("c_a", (0.35, 0.2), (0.35, 1.3))
+        .block("m_a", (-0.6, 1.3), (0.6, 2.0), Ink::Result);
     if spring {
-        shapes.push(DrawnShape::Spring((-0.35, 0.2), (-0.35, 1.3)));
-        shapes.push(DrawnShape::Label((-0.75, 0.75), Text::from("k_a")));
+        sketch.spring("k_a", (-0.35, 0.2), (-0.35, 1.3));
     }
-    Drawing { title: "The main system and its damped absorber".into(), shapes }
+    sketch.finish()
 }

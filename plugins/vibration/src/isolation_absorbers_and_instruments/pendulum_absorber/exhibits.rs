@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Animation, Axis, Drawing, DrawnShape, Ink, Plot, Scale, Series, Text};
+use dalembert_core::{Animation, Axis, Drawing, Ink, Plot, Scale, Series, Sketch};
 use dalembert_mechanics::vibration::pendulum_absorber::Pair;
 
 /// Points of a curve.
@@ -77,23 +77,22 @@ impl Rotor {
     pub(super) fn animation(&self) -> Animation {
         const FRAMES: u32 = 24;
         let whole = self.pivot + self.arm;
-        let (pivot, arm) = (self.pivot / whole, (self.arm / whole).max(0.06));
+        let (pivot, arm) = ((0.0, self.pivot / whole), (self.arm / whole).max(0.06));
         let frame = |n: u32| {
             let swing = 0.5 * (TAU * f64::from(n) / f64::from(FRAMES)).sin();
-            let end = (arm * swing.sin(), pivot + arm * swing.cos());
-            vec![
-                DrawnShape::Circle((0.0, 0.0), pivot + 0.4 * arm, Ink::Faint),
-                DrawnShape::Circle((0.0, 0.0), 1.25, Ink::Faint),
-                DrawnShape::Circle((0.0, 0.0), 0.08, Ink::Body),
-                DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, pivot)], Ink::Faint),
-                DrawnShape::Polyline(vec![(0.0, pivot), end], Ink::Body),
-                DrawnShape::Circle((0.0, pivot), 0.02, Ink::Body),
-                DrawnShape::Circle(end, 0.07, Ink::Motion),
-                DrawnShape::Label((0.06, 0.5 * pivot), Text::from("R")),
-                DrawnShape::Label((0.12, pivot + 0.4 * arm), Text::from("r")),
-            ]
+            let end = (arm * swing.sin(), pivot.1 + arm * swing.cos());
+            let mut sketch = Sketch::default();
+            sketch
+                .circle((0.0, 0.0), pivot.1 + 0.4 * arm, Ink::Faint)
+                .circle((0.0, 0.0), 1.25, Ink::Faint)
+                .line("R", (0.0, 0.0), pivot, Ink::Faint)
+                .link("r", pivot, end)
+                .joint("", (0.0, 0.0))
+                .joint("", pivot)
+                .round("", end, 0.07, Ink::Motion);
+            sketch
         };
-        Animation::new("The pendulum on the rotor", (0..FRAMES).map(frame).collect(), 1.5)
+        Sketch::animation("The pendulum on the rotor", (0..FRAMES).map(frame), 1.5)
     }
 }
 
@@ -130,17 +129,17 @@ impl Hung {
 
     /// The mass on its spring with the pendulum.
     pub(super) fn drawing(&self) -> Drawing {
-        let shapes = vec![
-            DrawnShape::Ground((-2.0, -0.5), (-2.0, 0.5)),
-            DrawnShape::Spring((-2.0, 0.0), (-0.6, 0.0)),
-            DrawnShape::Block((-0.6, -0.3), (0.6, 0.3), Ink::Body),
-            DrawnShape::Polyline(vec![(0.0, 0.0), (0.5, -1.6)], Ink::Body),
-            DrawnShape::Polyline(vec![(0.0, 0.0), (0.0, -1.7)], Ink::Faint),
-            DrawnShape::Circle((0.5, -1.6), 0.12, Ink::Motion),
-            DrawnShape::Arrow((0.7, 0.0), (1.6, 0.0), Ink::Force),
-            DrawnShape::Label((1.65, 0.1), Text::from("F₀")),
-            DrawnShape::Label((0.1, -1.2), Text::from("φ")),
-        ];
-        Drawing { title: "The mass with its pendulum".into(), shapes }
+        let bob = (0.5, -1.6);
+        Sketch::new("The mass with its pendulum")
+            .ground((-2.0, 0.5), (-2.0, -0.5))
+            .spring("", (-2.0, 0.0), (-0.6, 0.0))
+            .mass("", (-0.6, -0.3), (0.6, 0.3))
+            .axis((0.0, 0.0), (0.0, -1.7))
+            .link("", (0.0, 0.0), bob)
+            .joint("", (0.0, 0.0))
+            .round("", bob, 0.12, Ink::Motion)
+            .force("F₀", (0.7, 0.0), (1.6, 0.0))
+            .label("φ", (0.18, -1.2))
+            .finish()
     }
 }

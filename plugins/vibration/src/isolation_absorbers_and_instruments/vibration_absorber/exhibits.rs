@@ -1,6 +1,6 @@
 //! Response with and without the absorber, the split of the resonances over the mass ratio, and a sketch.
 
-use dalembert_core::{Axis, Drawing, DrawnShape, Ink, Plot, Series, Text};
+use dalembert_core::{Axis, Drawing, Ink, Plot, Series, Sketch};
 use dalembert_mechanics::vibration::absorber;
 
 use super::motion::Motion;
@@ -102,37 +102,26 @@ fn drawn(amplitude: f64) -> f64 {
 }
 
 pub(super) fn drawing(motion: Motion) -> Drawing {
-    let shapes = match motion {
-        Motion::Translation => vec![
-            DrawnShape::Ground((-1.5, -2.4), (1.5, -2.4)),
-            DrawnShape::Spring((-0.6, -2.4), (-0.6, -1.0)),
-            DrawnShape::Spring((0.6, -2.4), (0.6, -1.0)),
-            DrawnShape::Label((0.9, -1.7), Text::from("k")),
-            DrawnShape::Block((-1.2, -1.0), (1.2, 0.2), Ink::Body),
-            DrawnShape::Label((0.0, -0.4), Text::from("m")),
-            DrawnShape::Arrow((-1.5, -1.0), (-1.5, 0.2), Ink::Force),
-            DrawnShape::Label((-2.3, -0.4), Text::from("F₀ cos ωt")),
-            DrawnShape::Spring((0.0, 0.2), (0.0, 1.3)),
-            DrawnShape::Label((0.3, 0.75), Text::from("k_a")),
-            DrawnShape::Block((-0.5, 1.3), (0.5, 2.0), Ink::Result),
-            DrawnShape::Label((0.0, 1.65), Text::from("m_a")),
-            DrawnShape::Arrow((0.8, 1.3), (0.8, 2.0), Ink::Motion),
-        ],
-        Motion::Torsion => vec![
-            DrawnShape::Ground((-2.6, 0.9), (-2.6, -0.9)),
-            DrawnShape::Polyline(vec![(-2.6, 0.06), (-0.5, 0.06)], Ink::Body),
-            DrawnShape::Polyline(vec![(-2.6, -0.06), (-0.5, -0.06)], Ink::Body),
-            DrawnShape::Label((-1.6, 0.35), Text::from("k_t")),
-            DrawnShape::Block((-0.5, -1.3), (0.2, 1.3), Ink::Body),
-            DrawnShape::Label((-0.15, 1.6), Text::from("J")),
-            DrawnShape::Spring((0.2, 0.7), (1.2, 0.7)),
-            DrawnShape::Spring((0.2, -0.7), (1.2, -0.7)),
-            DrawnShape::Label((0.7, 0.0), Text::from("k_ta")),
-            DrawnShape::Block((1.2, -0.95), (1.6, 0.95), Ink::Result),
-            DrawnShape::Label((1.4, 1.25), Text::from("J_a")),
-            DrawnShape::Arrow((-0.8, -0.5), (-0.8, 0.5), Ink::Force),
-            DrawnShape::Label((-1.6, -0.6), Text::from("T cos ωt")),
-        ],
+    let mut sketch = Sketch::new("The main system and its absorber");
+    match motion {
+        Motion::Translation => sketch
+            .ground((-1.5, -2.4), (1.5, -2.4))
+            .spring("", (-0.6, -2.4), (-0.6, -1.0))
+            .spring("k", (0.6, -2.4), (0.6, -1.0))
+            .mass("m", (-1.2, -1.0), (1.2, 0.2))
+            .force("F₀ cos ωt", (-1.5, -1.0), (-1.5, 0.2))
+            .spring("k_a", (0.0, 0.2), (0.0, 1.3))
+            .block("m_a", (-0.5, 1.3), (0.5, 2.0), Ink::Result)
+            .motion("", (0.8, 1.3), (0.8, 2.0)),
+        Motion::Torsion => sketch
+            .ground((-2.6, 0.9), (-2.6, -0.9))
+            .link("k_t", (-2.6, 0.06), (-0.5, 0.06))
+            .link("", (-2.6, -0.06), (-0.5, -0.06))
+            .mass("J", (-0.5, -1.3), (0.2, 1.3))
+            .spring("", (0.2, 0.7), (1.2, 0.7))
+            .spring("k_ta", (0.2, -0.7), (1.2, -0.7))
+            .block("J_a", (1.2, -0.95), (1.6, 0.95), Ink::Result)
+            .force("T cos ωt", (-0.8, -0.5), (-0.8, 0.5)),
     };
-    Drawing { title: "The main system and its absorber".into(), shapes }
+    sketch.finish()
 }

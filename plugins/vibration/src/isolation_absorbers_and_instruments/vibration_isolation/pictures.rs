@@ -1,6 +1,6 @@
 //! The machine on its mounts, and its transmissibility against speed.
 
-use dalembert_core::{Axis, Drawing, DrawnShape, Ink, Plot, Series, Text};
+use dalembert_core::{Axis, Drawing, Ink, Plot, Series, Sketch, Text};
 use dalembert_mechanics::sdof;
 
 use crate::shared::oscillator::plots::below;
@@ -43,23 +43,13 @@ pub(super) fn over_speed(
 
 /// The machine on its mounts.
 pub(super) fn drawing() -> Drawing {
-    let mount = |x: f64| {
-        [
-            DrawnShape::Spring((x - 0.15, -1.5), (x - 0.15, -0.6)),
-            DrawnShape::Damper((x + 0.2, -1.5), (x + 0.2, -0.6)),
-        ]
-    };
-    let mut shapes = vec![DrawnShape::Ground((-1.6, -1.5), (1.6, -1.5))];
-    shapes.extend(mount(-0.9));
-    shapes.extend(mount(0.9));
-    shapes.extend([
-        DrawnShape::Block((-1.3, -0.6), (1.3, -0.2), Ink::Faint),
-        DrawnShape::Block((-0.8, -0.2), (0.8, 0.7), Ink::Body),
-        DrawnShape::Label((0.0, 0.25), Text::from("m")),
-        DrawnShape::Arrow((1.6, -0.4), (1.6, 0.4), Ink::Motion),
-        DrawnShape::Label((1.7, 0.4), Text::from("X")),
-        DrawnShape::Arrow((0.0, -1.6), (0.0, -2.3), Ink::Force),
-        DrawnShape::Label((0.1, -2.3), Text::from("F_T")),
-    ]);
-    Drawing { title: "The machine on its mounts".into(), shapes }
+    Sketch::new("The machine on its mounts")
+        .ground((-1.6, -1.5), (1.6, -1.5))
+        .spring_and_damper(("k", "c"), (-0.9, -1.5), (-0.9, -0.6), 0.4)
+        .spring_and_damper(("", ""), (0.9, -1.5), (0.9, -0.6), 0.4)
+        .block("", (-1.3, -0.6), (1.3, -0.2), Ink::Faint)
+        .mass("m", (-0.8, -0.2), (0.8, 0.7))
+        .motion("X", (1.6, -0.4), (1.6, 0.4))
+        .force("F_T", (0.0, -1.6), (0.0, -2.3))
+        .finish()
 }

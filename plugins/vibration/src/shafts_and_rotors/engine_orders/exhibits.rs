@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{
-    Axis, Cell, Column, Drawing, DrawnShape, Ink, Plot, Series, TableExhibit, Text, exhibit::Level,
+    Axis, Cell, Column, Drawing, Ink, Plot, Series, Sketch, TableExhibit, Text, exhibit::Level,
 };
 use dalembert_mechanics::{Real, vibration::crankshaft};
 
@@ -261,42 +261,33 @@ impl<N: Real> View<'_, N> {
         if orders.is_empty() {
             orders = self.orders.iter().take(MOST_STARS).map(|order| order.order).collect();
         }
-        let mut shapes = Vec::new();
         let Some(vibration) = self.vibrations.first() else {
-            return Drawing { title: "Phase-vector star diagrams".into(), shapes };
+            return Sketch::new("Phase-vector star diagrams").finish();
         };
+        let mut sketch = Sketch::new(
+            "Phase-vector star diagrams in the first mode; the sum as a fraction of the total length",
+        );
         let beta = |mass: usize| vibration.shape[mass].value();
         let largest =
             self.cylinders.each.iter().fold(f64::MIN_POSITIVE, |most, one| most.max(beta(one.mass).abs()));
         let all: f64 = self.cylinders.each.iter().map(|one| beta(one.mass).abs()).sum();
         for (n, order) in orders.iter().enumerate() {
             let centre = (3.0 * (n % 3) as f64, -3.2 * (n / 3) as f64);
-            shapes.push(DrawnShape::Circle(centre, 1.0, Ink::Faint));
-            let label = Text::new("order {order}").with("order", order);
-            shapes.push(DrawnShape::Label((centre.0 - 0.4, centre.1 - 1.35), label));
             let point = |x: f64, y: f64| (centre.0 + x, centre.1 + y);
-            let mut ends: Vec<(f64, f64)> = Vec::new();
+            sketch
+                .circle(centre, 1.0, Ink::Faint)
+                .caption(Text::new("order {order}").with("order", order), point(0.0, -1.4));
             for (k, one) in self.cylinders.each.iter().enumerate() {
                 let (length, turn) = (beta(one.mass) / largest, (order * one.angle.value()) % TAU);
                 // The first cylinder points upwards, the others are turned on clockwise.
                 let end = point(length * turn.sin(), length * turn.cos());
-                shapes.push(DrawnShape::Arrow(centre, end, Ink::Force));
-                // Labels of vectors of one direction stand one after the other.
-                let same = ends.iter().filter(|at| (at.0 - end.0).hypot(at.1 - end.1) < 0.3).count();
-                ends.push(end);
-                let beside =
-                    point(1.1 * length * turn.sin() + 0.18 * same as f64, 1.12 * length * turn.cos());
-                shapes.push(DrawnShape::Label(beside, Text::new((k + 1).to_string())));
+                sketch.force(Text::new((k + 1).to_string()), centre, end);
             }
             let [x, y] = self.cylinders.vector(*order, vibration);
             if all > 0.0 && x.hypot(y) > 1e-9 * all {
-                shapes.push(DrawnShape::Arrow(centre, point(y / all, x / all), Ink::Danger));
+                sketch.vector("", centre, point(y / all, x / all), Ink::Danger);
             }
         }
-        Drawing {
-            title: "Phase-vector star diagrams in the first mode; the sum as a fraction of the total length"
-                .into(),
-            shapes,
-        }
+        sketch.finish()
     }
 }

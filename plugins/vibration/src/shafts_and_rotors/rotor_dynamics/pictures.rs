@@ -3,7 +3,7 @@
 use std::{cell::OnceCell, f64::consts::TAU};
 
 use dalembert_core::{
-    Animation, Axis, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Plot, Series, TableExhibit, Text,
+    Animation, Axis, Cell, Column, Drawing, Exhibit, Ink, Plot, Point, Series, Sketch, TableExhibit, Text,
     Worksheet,
 };
 use dalembert_mechanics::rotor::{
@@ -61,7 +61,7 @@ pub(super) fn show<'a, W: Worksheet>(
     if !shown.rotor.is_conservative() {
         sheet.show(|| Exhibit::Plot(stability(diagram())));
     }
-    sheet.show(|| Exhibit::Drawing(Drawing { title: "The rotor".into(), shapes: shown.sketch() }));
+    sheet.show(|| Exhibit::Drawing(shown.sketch()));
     for (n, mode) in shown.spectrum.modes.iter().enumerate().take(6) {
         sheet.show(|| Exhibit::Animation(shown.animation(n + 1, mode)));
     }
@@ -153,18 +153,15 @@ impl Shown<'_> {
     }
 
     /// The shaft, its discs and its supports from the side.
-    fn sketch(&self) -> Vec<DrawnShape> {
-        let mut shapes = Vec::new();
+    fn sketch(&self) -> Drawing {
+        let mut sketch = Sketch::new("The rotor");
         let length: f64 = self.problem.segments.iter().map(|segment| segment.length).sum();
-        shapes.push(DrawnShape::Polyline(vec![(-0.05 * length, 0.0), (1.05 * length, 0.0)], Ink::Faint));
+        sketch.axis((-0.05 * length, 0.0), (1.05 * length, 0.0));
         let mut from = 0.0;
         for segment in &self.problem.segments {
             let to = from + segment.length;
             let (left, right) = (segment.outer / 2.0, segment.outer_right.unwrap_or(segment.outer) / 2.0);
-            shapes.push(DrawnShape::Polyline(
-                vec![(from, -left), (from, left), (to, right), (to, -right), (from, -left)],
-                Ink::Body,
-            ));
+            sketch.body("", [(from, -left), (from, left), (to, right), (to, -right)]);
             from = to;
         }
         let thickest = self.problem.segments.iter().map(|segment| segment.outer).fold(0.0, f64::max);
@@ -177,28 +174,22 @@ impl Shown<'_> {
                     (radius.max(thickest), 0.01 * length)
                 }
             };
-            shapes.push(DrawnShape::Block(
-                (disc.position - half, -radius),
-                (disc.position + half, radius),
-                Ink::Body,
-            ));
+            sketch.mass("", (disc.position - half, -radius), (disc.position + half, radius));
         }
         for (support, held) in self.problem.supports.iter().zip(&self.rotor.supports) {
             let z = support.position;
             match held.hold {
-                Hold::Bearing(_) => {
-                    shapes.push(DrawnShape::Spring((z, -thickest / 2.0), (z, -2.5 * drop)));
-                    let half = 0.04 * length;
-                    shapes.push(DrawnShape::Ground((z - half, -2.5 * drop), (z + half, -2.5 * drop)));
-                }
-                Hold::Pinned => shapes.push(DrawnShape::Pin((z, -thickest / 2.0))),
-                Hold::Clamped => shapes.push(DrawnShape::Ground((z, drop), (z, -drop))),
-            }
+                Hold::Bearing(_) => sketch
+                    .spring("", (z, -2.5 * drop), (z, -thickest / 2.0))
+                    .ground((z - 0.04 * length, -2.5 * drop), (z + 0.04 * length, -2.5 * drop)),
+                Hold::Pinned => sketch.pin("", (z, -thickest / 2.0)),
+                Hold::Clamped => sketch.ground((z, drop), (z, -drop)),
+            };
         }
         for unbalance in &self.problem.unbalances {
-            shapes.push(DrawnShape::Circle((unbalance.position, thickest), 0.012 * length, Ink::Danger));
+            sketch.round("", (unbalance.position, thickest), 0.012 * length, Ink::Danger);
         }
-        shapes
+        sketch.finish()
     }
 
     /// A mode: the centre line of the shaft seen from the side and a little from above.
@@ -214,30 +205,30 @@ impl Shown<'_> {
             let turn = |part: Motion| part.re * angle.cos() - part.im * angle.sin();
             place(self.all.positions[node], turn(mode.shape[node][0]), turn(mode.shape[node][2]))
         };
-        let orbits: Vec<DrawnShape> = self
+        let orbits: Vec<Vec<Point>> = self
             .rotor
             .discs
             .iter()
             .map(|disc| disc.node)
             .chain(self.rotor.supports.iter().map(|support| support.node))
-            .map(|node| {
-                let points = (0..=24).map(|k| at(node, TAU * f64::from(k) / 24.0)).collect();
-                DrawnShape::Polyline(points, Ink::Faint)
-            })
+            .map(|node| (0..=24).map(|k| at(node, TAU * f64::from(k) / 24.0)).collect())
             .collect();
         let frame = |k: usize| {
             let angle = TAU * k as f64 / FRAMES as f64;
-            let mut shapes = vec![DrawnShape::Polyline(vec![(0.0, 0.0), (length, 0.0)], Ink::Faint)];
-            shapes.extend(orbits.iter().cloned());
-            let line = (0..self.all.nodes()).map(|node| at(node, angle)).collect();
-            shapes.push(DrawnShape::Polyline(line, Ink::Motion));
-            for disc in &self.rotor.discs {
-                shapes.push(DrawnShape::Circle(at(disc.node, angle), 0.015 * length, Ink::Body));
+            let mut sketch = Sketch::default();
+            sketch.axis((0.0, 0.0), (length, 0.0));
+            for orbit in &orbits {
+                sketch.curve(orbit.as_slice(), Ink::Faint);
             }
             for support in &self.rotor.supports {
-                shapes.push(DrawnShape::Pin((self.all.positions[support.node], 0.0)));
+                sketch.pin("", (self.all.positions[support.node], 0.0));
             }
-            shapes
+            let line: Vec<Point> = (0..self.all.nodes()).map(|node| at(node, angle)).collect();
+            sketch.curve(line, Ink::Motion);
+            for disc in &self.rotor.discs {
+                sketch.disc("", at(disc.node, angle), 0.015 * length);
+            }
+            sketch
         };
         let title = if self.spectrum.speed > 0.0 {
             Text::new("Mode {n} at {frequency}: it {direction}")
@@ -245,9 +236,9 @@ impl Shown<'_> {
         } else {
             Text::new("Mode {n} at {frequency}")
         };
-        Animation::new(
+        Sketch::animation(
             title.with("n", n).with_quantity("frequency", mode.frequency(), "Hz"),
-            (0..FRAMES).map(frame).collect(),
+            (0..FRAMES).map(frame),
             2.0,
         )
     }

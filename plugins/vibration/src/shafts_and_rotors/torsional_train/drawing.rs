@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Animation, Drawing, DrawnShape, Ink, Text};
+use dalembert_core::{Animation, Drawing, Ink, Sketch, Text};
 
 use super::{Inertia, TorsionalTrain, verbatim};
 
@@ -60,11 +60,11 @@ impl Layout {
 
     /// The train at rest.
     pub(super) fn drawing(&self, problem: &TorsionalTrain) -> Drawing {
-        let mut shapes = self.still(problem, Ink::Body);
+        let mut sketch = self.still(problem, Ink::Body).titled("The train");
         for (disc, &(x, y)) in problem.discs.iter().zip(&self.at) {
-            shapes.push(DrawnShape::Label((x - 0.2, y + DISC + 0.25), verbatim(&disc.name)));
+            sketch.label(verbatim(&disc.name), (x, y + DISC));
         }
-        Drawing { title: "The train".into(), shapes }
+        sketch.finish()
     }
 
     /// A mode, with the amplitudes of the discs as they are; the largest fills the height.
@@ -72,51 +72,41 @@ impl Layout {
         let largest = shape.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
         let frame = |n: u16| {
             let now = AMPLITUDE / largest * (TAU * f64::from(n) / f64::from(FRAMES)).cos();
-            let mut shapes = self.still(problem, Ink::Faint);
+            let mut sketch = self.still(problem, Ink::Faint);
             for shaft in &problem.shafts {
                 let [a, b] = shaft.ends();
                 let line = self.at[a].1.min(self.at[b].1);
                 let point = |disc: usize| (self.at[disc].0, line + now * shape[disc]);
-                shapes.push(DrawnShape::Polyline(vec![point(a), point(b)], Ink::Motion));
+                sketch.curve([point(a), point(b)], Ink::Motion);
             }
             for (&(x, y), amplitude) in self.at.iter().zip(shape) {
-                shapes.push(DrawnShape::Polyline(vec![(x, y), (x, y + now * amplitude)], Ink::Motion));
+                sketch.curve([(x, y), (x, y + now * amplitude)], Ink::Motion);
             }
-            // Points at the largest excursions keep all frames in the same window.
-            shapes.push(DrawnShape::Circle((0.0, AMPLITUDE + 0.3), 0.01, Ink::Faint));
-            shapes.push(DrawnShape::Circle((0.0, self.lowest() - AMPLITUDE - 0.3), 0.01, Ink::Faint));
-            shapes
+            sketch
         };
-        Animation::new(
-            Text::new("Mode {mode}: angle of twist along the shafts").with("mode", mode),
-            (0..FRAMES).map(frame).collect(),
-            2.0,
-        )
+        let title = Text::new("Mode {mode}: angle of twist along the shafts").with("mode", mode);
+        Sketch::animation(title, (0..FRAMES).map(frame), 2.0)
     }
 
-    fn lowest(&self) -> f64 {
-        self.at.iter().fold(0.0, |lowest: f64, at| lowest.min(at.1))
-    }
-
-    fn still(&self, problem: &TorsionalTrain, ink: Ink) -> Vec<DrawnShape> {
-        let mut shapes = Vec::new();
+    fn still(&self, problem: &TorsionalTrain, ink: Ink) -> Sketch {
+        let mut sketch = Sketch::default();
         for shaft in &problem.shafts {
             let [a, b] = shaft.ends().map(|disc| self.at[disc]);
-            shapes.push(DrawnShape::Polyline(vec![a, (a.0, a.1.min(b.1)), (b.0, a.1.min(b.1)), b], ink));
+            sketch.curve([a, (a.0, a.1.min(b.1)), (b.0, a.1.min(b.1)), b], ink);
         }
         for pair in &problem.gears {
             let [a, b] = [self.at[pair.driving.0], self.at[pair.driven.0]];
-            shapes.push(DrawnShape::Polyline(vec![a, b], Ink::Faint));
+            sketch.axis(a, b);
         }
         for (disc, &(x, y)) in problem.discs.iter().zip(&self.at) {
-            shapes.push(if disc.is_held() {
-                DrawnShape::Ground((x, y - DISC), (x, y + DISC))
+            if disc.is_held() {
+                sketch.ground((x, y - DISC), (x, y + DISC));
             } else if !matches!(disc.inertia, Inertia::Light) && ink == Ink::Body {
-                DrawnShape::Block((x - 0.15, y - DISC), (x + 0.15, y + DISC), ink)
+                sketch.mass("", (x - 0.15, y - DISC), (x + 0.15, y + DISC));
             } else {
-                DrawnShape::Polyline(vec![(x, y - DISC), (x, y + DISC)], ink)
-            });
+                sketch.curve([(x, y - DISC), (x, y + DISC)], ink);
+            }
         }
-        shapes
+        sketch
     }
 }

@@ -1,6 +1,6 @@
 //! The plots and drawings of the textbooks: magnification and phase for several dampings, the vectors of the forces.
 
-use dalembert_core::{Axis, Drawing, DrawnShape, Exhibit, Ink, Plot, Series, Text, Worksheet};
+use dalembert_core::{Axis, Drawing, Exhibit, Ink, Plot, Series, Sketch, Text, Worksheet};
 use dalembert_mechanics::sdof;
 
 /// The damping ratios of a family.
@@ -98,38 +98,31 @@ pub(crate) fn force_vectors(spring: f64, damper: f64, inertia: f64) -> Drawing {
     let size = spring.max(damper).max(inertia).max(f64::MIN_POSITIVE);
     let [spring, damper, inertia] = [spring, damper, inertia].map(|force| 4.0 * force / size);
     let (corner, tip, end) = ((spring, 0.0), (spring, damper), (spring - inertia, damper));
-    let label = |at: (f64, f64), text: &'static str| DrawnShape::Label(at, Text::from(text));
-    Drawing {
-        title: "Rotating vectors of the forces".into(),
-        shapes: vec![
-            DrawnShape::Circle((0.0, 0.0), end.0.hypot(end.1), Ink::Faint),
-            DrawnShape::Polyline(vec![(-4.6, 0.0), (4.6, 0.0)], Ink::Faint),
-            DrawnShape::Arrow((0.0, 0.0), corner, Ink::Body),
-            label((spring / 2.0, -0.5), "kX"),
-            DrawnShape::Arrow(corner, tip, Ink::Motion),
-            label((spring + 0.2, damper / 2.0), "cωX"),
-            DrawnShape::Arrow(tip, end, Ink::Danger),
-            label((spring - inertia / 2.0, damper + 0.4), "mω²X"),
-            DrawnShape::Arrow((0.0, 0.0), end, Ink::Force),
-            label((end.0 / 2.0 - 0.6, end.1 / 2.0 + 0.2), "F₀"),
-        ],
-    }
+    Sketch::new("Rotating vectors of the forces")
+        .circle((0.0, 0.0), end.0.hypot(end.1), Ink::Faint)
+        .axis((-4.6, 0.0), (4.6, 0.0))
+        .edge("kX", (0.0, 0.0), corner, Ink::Body)
+        .edge("cωX", corner, tip, Ink::Motion)
+        .edge("mω²X", tip, end, Ink::Danger)
+        .edge("F₀", (0.0, 0.0), end, Ink::Force)
+        .finish()
 }
 
 /// The mass, spring and damper.
 pub(crate) fn mass_spring_damper(force: &'static str) -> Drawing {
-    let shapes = vec![
-        DrawnShape::Ground((-1.0, -1.5), (1.0, -1.5)),
-        DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4)),
-        DrawnShape::Label((-0.9, -0.95), Text::from("k")),
-        DrawnShape::Damper((0.4, -1.5), (0.4, -0.4)),
-        DrawnShape::Label((0.75, -0.95), Text::from("c")),
-        DrawnShape::Block((-0.8, -0.4), (0.8, 0.4), Ink::Body),
-        DrawnShape::Label((0.0, 0.0), Text::from("m")),
-        DrawnShape::Arrow((0.0, 0.4), (0.0, 1.2), Ink::Force),
-        DrawnShape::Label((0.1, 1.2), Text::from(force)),
-        DrawnShape::Arrow((1.1, -0.2), (1.1, 0.5), Ink::Motion),
-        DrawnShape::Label((1.2, 0.5), Text::from("x")),
-    ];
-    Drawing { title: "One degree of freedom".into(), shapes }
+    supported("One degree of freedom")
+        .ground((-1.0, -1.5), (1.0, -1.5))
+        .force(force, (0.0, 0.4), (0.0, 1.2))
+        .finish()
+}
+
+/// A mass over a spring and a damper that stand at the height −1.5.
+pub(crate) fn supported(title: &'static str) -> Sketch {
+    let mut sketch = Sketch::new(title);
+    sketch
+        .spring("k", (-0.4, -1.5), (-0.4, -0.4))
+        .damper("c", (0.4, -1.5), (0.4, -0.4))
+        .mass("m", (-0.8, -0.4), (0.8, 0.4))
+        .motion("x", (1.1, -0.2), (1.1, 0.5));
+    sketch
 }

@@ -1,6 +1,6 @@
 //! Drawings of springs and networks of springs.
 
-use dalembert_core::{DrawnShape, Ink, Point, Symbol, Text, printer};
+use dalembert_core::{Point, Sketch, Symbol, Text, printer};
 
 use super::{Spring, element::symbol, torsional::TorsionalSpring};
 
@@ -90,21 +90,15 @@ pub(crate) fn size<T: Hung>(spring: &T) -> (f64, f64) {
 }
 
 /// A spring or a network hanging down from `top`, filling its size in height or more.
-pub(crate) fn hanging<T: Hung>(
-    spring: &T,
-    top: Point,
-    height: f64,
-    place: &[usize],
-    shapes: &mut Vec<DrawnShape>,
-) {
-    let line = |from: Point, to: Point| DrawnShape::Polyline(vec![from, to], Ink::Body);
+pub(crate) fn hanging<T: Hung>(spring: &T, top: Point, height: f64, place: &[usize], sketch: &mut Sketch) {
+    let end = (top.0, top.1 - height);
     match spring.hanging() {
         Hanging::Series(members) => {
             let stretch = height / size(spring).1.max(HEIGHT);
             let mut at = top;
             for (n, member) in members.iter().enumerate() {
                 let height = size(member).1 * stretch;
-                hanging(member, at, height, &[place, &[n + 1]].concat(), shapes);
+                hanging(member, at, height, &[place, &[n + 1]].concat(), sketch);
                 at.1 -= height;
             }
         }
@@ -116,66 +110,77 @@ pub(crate) fn hanging<T: Hung>(
             let mut ends = Vec::new();
             for (n, (member, width)) in members.iter().zip(&widths).enumerate() {
                 let x = left + width / 2.0;
-                hanging(member, (x, top.1 - gap), height - 2.0 * gap, &[place, &[n + 1]].concat(), shapes);
+                hanging(member, (x, top.1 - gap), height - 2.0 * gap, &[place, &[n + 1]].concat(), sketch);
                 ends.push(x);
                 left += width;
             }
             if let (Some(&first), Some(&last)) = (ends.first(), ends.last()) {
-                for y in [top.1 - gap, top.1 - height + gap] {
-                    shapes.push(line((first, y), (last, y)));
+                for y in [top.1 - gap, end.1 + gap] {
+                    sketch.bars([(first, y), (last, y)]);
                 }
             }
-            shapes.push(line(top, (top.0, top.1 - gap)));
-            shapes.push(line((top.0, top.1 - height + gap), (top.0, top.1 - height)));
+            sketch.bars([top, (top.0, top.1 - gap)]).bars([(end.0, end.1 + gap), end]);
+        }
+        Hanging::One("cantilever") => {
+            // A bracket carries its clamped end; the load hangs on the other.
+            let (wall, level) = (top.0 - 0.45 * WIDTH, top.1 - height / 2.0);
+            sketch
+                .bars([top, (wall, top.1), (wall, level)])
+                .ground((wall, level + 0.2 * height), (wall, level - 0.2 * height))
+                .link(caption("cantilever", &symbol(T::SYMBOL, place)), (wall, level), (top.0, level))
+                .bars([(top.0, level), end]);
         }
         Hanging::One(kind) => {
-            let end = (top.0, top.1 - height);
-            shapes.push(DrawnShape::Spring(top, end));
-            let label = (top.0 + 0.35, top.1 - height / 2.0);
-            shapes.push(DrawnShape::Label(label, caption(kind, &symbol(T::SYMBOL, place))));
+            sketch.spring(caption(kind, &symbol(T::SYMBOL, place)), top, end);
         }
     }
 }
 
 /// Drawing of the support of a machine whose lower side lies between `(−0.6, −0.4)` and `(0.6, −0.4)`.
-pub(crate) fn carrying(spring: &Spring) -> Vec<DrawnShape> {
-    let beam = |from: f64, to: f64| DrawnShape::Polyline(vec![(from, -0.5), (to, -0.5)], Ink::Body);
-    let left_clamp = |x: f64| DrawnShape::Ground((x, 0.5), (x, -1.5));
-    let right_clamp = |x: f64| DrawnShape::Ground((x, -1.5), (x, 0.5));
+pub(crate) fn carrying(spring: &Spring, sketch: &mut Sketch) {
+    const LINE: f64 = -0.5;
     // Where the supports stand, with the load at zero.
     let supports = |length: f64, distance: Option<f64>| {
         let share = distance.map_or(0.5, |distance| (distance / length).clamp(0.15, 0.85));
         (-5.0 * share, 5.0 - 5.0 * share)
     };
+    let left_clamp = |x: f64| ((x, 0.5), (x, -1.5));
     match spring {
-        Spring::Cantilever { .. } => vec![left_clamp(-3.0), beam(-3.0, 0.6)],
+        Spring::Cantilever { .. } => {
+            let (from, to) = left_clamp(-3.0);
+            sketch.ground(from, to).bars([(-3.0, LINE), (0.6, LINE)]);
+        }
         Spring::SimplySupported { length, distance, .. } => {
             let (from, to) = supports(*length, *distance);
-            vec![beam(from, to), DrawnShape::Pin((from, -0.5)), DrawnShape::Pin((to, -0.5))]
+            sketch.bars([(from, LINE), (to, LINE)]).pin("", (from, LINE)).pin("", (to, LINE));
         }
         Spring::Clamped { length, distance, .. } => {
             let (from, to) = supports(*length, *distance);
-            vec![left_clamp(from), right_clamp(to), beam(from, to)]
+            let ((a, b), (c, d)) = (left_clamp(from), left_clamp(to));
+            sketch.ground(a, b).ground(d, c).bars([(from, LINE), (to, LINE)]);
         }
         Spring::ClampedPinned { length, distance, .. } => {
             let (from, to) = supports(*length, *distance);
-            vec![left_clamp(from), beam(from, to), DrawnShape::Pin((to, -0.5))]
+            let (a, b) = left_clamp(from);
+            sketch.ground(a, b).bars([(from, LINE), (to, LINE)]).pin("", (to, LINE));
         }
         Spring::Overhang { length, overhang, .. } => {
             let span = (1.8 * length / overhang).clamp(1.2, 4.0);
-            vec![beam(-1.8 - span, 0.6), DrawnShape::Pin((-1.8 - span, -0.5)), DrawnShape::Pin((-1.8, -0.5))]
+            let left = -1.8 - span;
+            sketch.bars([(left, LINE), (0.6, LINE)]).pin("", (left, LINE)).pin("", (-1.8, LINE));
         }
         Spring::Series { .. } | Spring::Parallel { .. } => {
             let height = size(spring).1;
-            let mut shapes = vec![DrawnShape::Ground((-1.2, -0.5 - height), (1.2, -0.5 - height))];
-            hanging(spring, (0.0, -0.4), height + 0.1, &[], &mut shapes);
-            shapes
+            sketch.ground((-1.2, LINE - height), (1.2, LINE - height));
+            hanging(spring, (0.0, -0.4), height + 0.1, &[], sketch);
         }
-        _ => vec![
-            DrawnShape::Ground((-1.0, -1.5), (1.0, -1.5)),
-            DrawnShape::Spring((-0.4, -1.5), (-0.4, -0.4)),
-            DrawnShape::Damper((0.4, -1.5), (0.4, -0.4)),
-        ],
+        _ => {
+            sketch.ground((-1.0, -1.5), (1.0, -1.5)).spring("k", (-0.4, -1.5), (-0.4, -0.4)).damper(
+                "c",
+                (0.4, -1.5),
+                (0.4, -0.4),
+            );
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Animation, Drawing, DrawnShape, Ink, Point, Text};
+use dalembert_core::{Animation, Drawing, Ink, Point, Sketch, Text};
 
 use super::{Ends, System};
 
@@ -18,19 +18,17 @@ const DRAWN: usize = 12;
 
 /// The system at rest.
 pub(crate) fn at_rest(system: &System) -> Drawing {
-    Drawing { title: "The system".into(), shapes: shapes(system, &vec![0.0; size(system)], true) }
+    sketch(system, &vec![0.0; size(system)], true).titled("The system").finish()
 }
 
 /// A mode as it moves; the largest entry of the shape must be 1.
 pub(crate) fn mode(system: &System, place: usize, shape: &[f64]) -> Animation {
-    let frames = (0..FRAMES)
-        .map(|frame| {
-            let turn = (TAU * frame as f64 / FRAMES as f64).cos();
-            let moved: Vec<f64> = shape.iter().map(|x| SWING * turn * x).collect();
-            shapes(system, &moved, false)
-        })
-        .collect();
-    Animation::new(Text::new("Mode {mode}").with("mode", place), frames, 2.0)
+    let frames = (0..FRAMES).map(|frame| {
+        let turn = (TAU * frame as f64 / FRAMES as f64).cos();
+        let moved: Vec<f64> = shape.iter().map(|x| SWING * turn * x).collect();
+        sketch(system, &moved, false)
+    });
+    Sketch::animation(Text::new("Mode {mode}").with("mode", place), frames, 2.0)
 }
 
 fn size(system: &System) -> usize {
@@ -44,7 +42,7 @@ fn size(system: &System) -> usize {
     }
 }
 
-fn shapes(system: &System, moved: &[f64], labels: bool) -> Vec<DrawnShape> {
+fn sketch(system: &System, moved: &[f64], labels: bool) -> Sketch {
     match system {
         System::Chain { masses, wall } if masses.len() <= DRAWN => {
             let spring = |n: usize| match masses.get(n) {
@@ -78,10 +76,11 @@ fn chain(
     link: impl Fn(usize) -> (bool, bool),
     ground: impl Fn(usize) -> (bool, bool),
     labels: bool,
-) -> Vec<DrawnShape> {
+) -> Sketch {
     let n = moved.len();
-    let at = |row: usize| STEP * (row as f64 + 1.0) + moved[row];
-    let mut shapes = Vec::new();
+    let rest = |row: usize| STEP * (row as f64 + 1.0);
+    let at = |row: usize| rest(row) + moved[row];
+    let mut sketch = Sketch::default();
     let end = STEP * (n as f64 + 1.0);
     for place in 0..=n {
         let (spring, damper) = link(place);
@@ -91,64 +90,59 @@ fn chain(
         let from = if place == 0 { HALF } else { at(place - 1) + HALF };
         let to = if place == n { end - HALF } else { at(place) - HALF };
         if place == 0 {
-            shapes.push(DrawnShape::Ground((HALF, -0.8), (HALF, 0.8)));
+            sketch.ground((HALF, 0.8), (HALF, -0.8));
         }
         if place == n {
-            shapes.push(DrawnShape::Ground((end - HALF, 0.8), (end - HALF, -0.8)));
+            sketch.ground((end - HALF, -0.8), (end - HALF, 0.8));
         }
-        let both = if spring && damper { 0.25 } else { 0.0 };
-        if spring {
-            shapes.push(DrawnShape::Spring((from, both), (to, both)));
-        }
-        if damper {
-            shapes.push(DrawnShape::Damper((from, -both), (to, -both)));
-        }
+        beside((spring, damper), (from, 0.0), (to, 0.0), &mut sketch);
     }
     for (row, _) in moved.iter().enumerate() {
-        let (spring, damper) = ground(row);
-        let x = STEP * (row as f64 + 1.0);
-        if spring || damper {
-            shapes.push(DrawnShape::Ground((x - 0.6, -1.6), (x + 0.6, -1.6)));
+        let held = ground(row);
+        let x = rest(row);
+        if held != (false, false) {
+            sketch.ground((x - 0.6, -1.6), (x + 0.6, -1.6));
+            beside(held, (x, -1.6), (at(row), -HALF), &mut sketch);
         }
-        let both = if spring && damper { 0.25 } else { 0.0 };
-        if spring {
-            shapes.push(DrawnShape::Spring((at(row) - both, -HALF), (x - both, -1.6)));
-        }
-        if damper {
-            shapes.push(DrawnShape::Damper((at(row) + both, -HALF), (x + both, -1.6)));
-        }
-        shapes.push(DrawnShape::Block((at(row) - HALF, -HALF), (at(row) + HALF, HALF), Ink::Body));
+        sketch.mass("", (at(row) - HALF, -HALF), (at(row) + HALF, HALF));
         if labels {
-            shapes.push(DrawnShape::Label((at(row) - 0.2, HALF + 0.3), Text::new((row + 1).to_string())));
+            sketch.label(Text::new((row + 1).to_string()), (at(row), HALF));
         } else {
             // Where the mass rests.
-            shapes.push(DrawnShape::Polyline(vec![(x, HALF + 0.15), (x, HALF + 0.35)], Ink::Faint));
+            sketch.axis((x, HALF + 0.15), (x, HALF + 0.35));
         }
     }
-    shapes
+    sketch
+}
+
+/// A spring, a damper, or both side by side.
+fn beside(what: (bool, bool), from: Point, to: Point, sketch: &mut Sketch) {
+    match what {
+        (true, true) => sketch.spring_and_damper(("", ""), from, to, 0.6),
+        (true, false) => sketch.spring("", from, to),
+        (false, true) => sketch.damper("", from, to),
+        (false, false) => sketch,
+    };
 }
 
 /// Points that move across a line.
-fn string(moved: &[f64], labels: bool) -> Vec<DrawnShape> {
+fn string(moved: &[f64], labels: bool) -> Sketch {
     let n = moved.len();
     let step = if n > DRAWN { STEP * DRAWN as f64 / n as f64 } else { STEP };
     let at = |row: usize| step * (row as f64 + 1.0);
-    let ends: [Point; 2] = [(0.0, 0.0), (step * (n as f64 + 1.0), 0.0)];
-    let mut line = vec![ends[0]];
+    let end = (step * (n as f64 + 1.0), 0.0);
+    let mut line: Vec<Point> = vec![(0.0, 0.0)];
     line.extend(moved.iter().enumerate().map(|(row, y)| (at(row), *y)));
-    line.push(ends[1]);
-    let mut shapes = vec![
-        DrawnShape::Polyline(vec![(0.0, -SWING), (0.0, SWING)], Ink::Faint),
-        DrawnShape::Polyline(ends.to_vec(), Ink::Faint),
-        DrawnShape::Polyline(line, Ink::Motion),
-    ];
-    if n <= DRAWN {
-        shapes.extend(
-            moved.iter().enumerate().map(|(row, y)| DrawnShape::Circle((at(row), *y), 0.15, Ink::Body)),
-        );
+    line.push(end);
+    let mut sketch = Sketch::default();
+    sketch.axis((0.0, -SWING), (0.0, SWING)).axis((0.0, 0.0), end).curve(line, Ink::Motion);
+    for (row, y) in moved.iter().enumerate() {
+        let name = if labels { Text::new((row + 1).to_string()) } else { Text::default() };
+        if n <= DRAWN {
+            sketch.disc(name, (at(row), *y), 0.15);
+        } else if labels {
+            sketch.label(name, (at(row), *y));
+        }
     }
-    if labels {
-        shapes.extend((0..n).map(|row| DrawnShape::Label((at(row), 0.4), Text::new((row + 1).to_string()))));
-    }
-    shapes
+    sketch
 }

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use dalembert_core::{Drawing, DrawnShape, Ink, Text, exhibit::Point};
+use dalembert_core::{Drawing, Point, Sketch, Text};
 
 use super::{Kind, SpringNetwork};
 
@@ -10,7 +10,8 @@ use super::{Kind, SpringNetwork};
 pub(super) fn drawing(problem: &SpringNetwork) -> Drawing {
     let at = places(problem);
     let rows = at.iter().fold(0.0, |rows: f64, at| rows.max(at.1));
-    let mut shapes = vec![DrawnShape::Ground((0.0, rows + 0.8), (0.0, -0.8))];
+    let mut sketch = Sketch::new("The network");
+    sketch.ground((0.0, rows + 0.8), (0.0, -0.8));
     let mut drawn: Vec<[Option<usize>; 2]> = Vec::new();
     for (n, element) in problem.elements.iter().enumerate() {
         let mut ends = problem.ends(n);
@@ -22,28 +23,23 @@ pub(super) fn drawing(problem: &SpringNetwork) -> Drawing {
         let to = to.unwrap_or((0.0, from.1));
         let shift = 0.45 * beside as f64;
         let (from, to) = ((from.0, from.1 + shift), (to.0, to.1 + shift));
-        let middle = (f64::midpoint(from.0, to.0), f64::midpoint(from.1, to.1) + 0.35);
+        let name = Text::new((n + 1).to_string());
         match &element.kind {
-            Kind::Spring { .. } => shapes.push(DrawnShape::Spring(from, to)),
-            Kind::Damper { .. } => shapes.push(DrawnShape::Damper(from, to)),
-            Kind::KelvinVoigt { .. } => {
-                shapes.push(DrawnShape::Spring(from, to));
-                shapes.push(DrawnShape::Damper((from.0, from.1 - 0.3), (to.0, to.1 - 0.3)));
-            }
-        }
-        shapes.push(DrawnShape::Label(middle, Text::new((n + 1).to_string())));
+            Kind::Spring { .. } => sketch.spring(name, from, to),
+            Kind::Damper { .. } => sketch.damper(name, from, to),
+            Kind::KelvinVoigt { .. } => sketch.spring_and_damper((name, ""), from, to, 0.5),
+        };
     }
     for (node, &(x, y)) in problem.nodes.iter().zip(&at) {
-        shapes.push(match node.mass {
-            Some(_) => DrawnShape::Block((x - 0.25, y - 0.45), (x + 0.25, y + 0.45), Ink::Body),
-            None => DrawnShape::Circle((x, y), 0.08, Ink::Body),
-        });
-        shapes.push(DrawnShape::Label((x - 0.1, y + 0.6), Text::new("{x}").with("x", &node.name)));
+        match node.mass {
+            Some(_) => sketch.mass("", (x - 0.25, y - 0.45), (x + 0.25, y + 0.45)),
+            None => sketch.joint("", (x, y)),
+        };
+        let top = if node.mass.is_some() { y + 0.45 } else { y };
+        sketch.label(Text::new("{x}").with("x", &node.name), (x, top));
     }
     let (x, y) = at[problem.loaded.0];
-    shapes.push(DrawnShape::Arrow((x + 0.3, y), (x + 1.2, y), Ink::Force));
-    shapes.push(DrawnShape::Label((x + 1.3, y), Text::from("F")));
-    Drawing { title: "The network".into(), shapes }
+    sketch.force("F", (x + 0.3, y), (x + 1.2, y)).finish()
 }
 
 fn places(problem: &SpringNetwork) -> Vec<Point> {

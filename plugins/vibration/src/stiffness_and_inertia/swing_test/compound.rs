@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use dalembert_core::{Axis, Drawing, DrawnShape, Ink, Plot, Refusal, Series, Text, Worksheet};
+use dalembert_core::{Axis, Drawing, Ink, Plot, Refusal, Series, Sketch, Text, Worksheet};
 use dalembert_mechanics::{Real, vibration::swing};
 
 use super::Side;
@@ -173,18 +173,15 @@ pub(super) fn period_over_distance(gyration: f64, gravity: f64, marks: &[(&'stat
 
 /// The body with its points of suspension, at parts of the distance of the first above the centre of mass.
 pub(super) fn pendulum(points: &[(&'static str, f64)]) -> Drawing {
-    let mut shapes = vec![
-        DrawnShape::Polyline(
-            vec![(-0.25, 1.3), (0.25, 1.3), (0.45, -1.2), (-0.45, -1.2), (-0.25, 1.3)],
-            Ink::Body,
-        ),
-        DrawnShape::Circle((0.0, 0.0), 0.06, Ink::Result),
-        DrawnShape::Label((0.12, 0.0), Text::from("G")),
-    ];
+    let mut sketch = Sketch::new("The body and its points of suspension");
+    sketch.body("", [(-0.25, 1.3), (0.25, 1.3), (0.45, -1.2), (-0.45, -1.2)]).round(
+        "G",
+        (0.0, 0.0),
+        0.06,
+        Ink::Result,
+    );
     for (name, height) in points {
-        let at = (0.0, height.clamp(-1.1, 1.1));
-        shapes.push(DrawnShape::Pin(at));
-        shapes.push(DrawnShape::Label((0.12, at.1 + 0.1), Text::new("{x}").with("x", name)));
+        sketch.pin(Text::new("{x}").with("x", name), (0.0, height.clamp(-1.1, 1.1)));
     }
-    Drawing { title: "The body and its points of suspension".into(), shapes }
+    sketch.finish()
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use dalembert_core::{Drawing, DrawnShape, Ink, Refusal, Text, Worksheet};
+use dalembert_core::{Drawing, Ink, Refusal, Sketch, Worksheet};
 use dalembert_mechanics::{Real, vibration::swing};
 
 use super::{Platform, PlatformGiven, Wire, WireGiven, inertia, period};
@@ -167,55 +167,51 @@ pub(super) fn on_torsion_wire<W: Worksheet>(
 
 /// A body on wires that stand at `top` times its radius above.
 pub(super) fn wires(top: f64) -> Drawing {
-    let shapes = vec![
-        DrawnShape::Ground((1.4, 2.0), (-1.4, 2.0)),
-        DrawnShape::Polyline(vec![(-top, 2.0), (-1.0, 0.0)], Ink::Body),
-        DrawnShape::Polyline(vec![(top, 2.0), (1.0, 0.0)], Ink::Body),
-        DrawnShape::Block((-1.2, -0.25), (1.2, 0.0), Ink::Body),
-        DrawnShape::Polyline(vec![(0.0, 2.2), (0.0, -0.6)], Ink::Faint),
-        DrawnShape::Arc((0.0, -0.5), 0.4, PI, TAU, Ink::Motion),
-        DrawnShape::Label((0.4, 0.12), Text::from("r")),
-        DrawnShape::Label((1.15, 1.0), Text::from("l")),
-    ];
-    Drawing { title: "The body on its wires".into(), shapes }
+    Sketch::new("The body on its wires")
+        .ground((1.4, 2.0), (-1.4, 2.0))
+        .axis((0.0, 2.2), (0.0, -0.6))
+        .link("", (-top, 2.0), (-1.0, 0.0))
+        .link("l", (top, 2.0), (1.0, 0.0))
+        .mass("", (-1.2, -0.25), (1.2, 0.0))
+        .dimension("r", (0.0, 0.0), (1.0, 0.0), 2.0)
+        .arc((0.0, -0.5), 0.4, (PI, TAU), Ink::Motion)
+        .finish()
 }
 
 /// A body on a torsion wire.
 pub(super) fn torsion() -> Drawing {
-    let shapes = vec![
-        DrawnShape::Ground((0.8, 2.0), (-0.8, 2.0)),
-        DrawnShape::Polyline(vec![(0.0, 2.0), (0.0, 0.0)], Ink::Body),
-        DrawnShape::Block((-1.0, -0.4), (1.0, 0.0), Ink::Body),
-        DrawnShape::Arc((0.0, -0.6), 0.5, PI, TAU, Ink::Motion),
-        DrawnShape::Label((0.1, 1.0), Text::from("k_t")),
-    ];
-    Drawing { title: "The body on the wire".into(), shapes }
+    Sketch::new("The body on the wire")
+        .ground((0.8, 2.0), (-0.8, 2.0))
+        .link("k_t", (0.0, 2.0), (0.0, 0.0))
+        .mass("", (-1.0, -0.4), (1.0, 0.0))
+        .arc((0.0, -0.6), 0.5, (PI, TAU), Ink::Motion)
+        .finish()
 }
 
 /// A journal in a hollow rail.
 pub(super) fn rails() -> Drawing {
     let (turn, reach) = (0.35f64, 1.7);
     let at = (reach * turn.sin(), 2.0 - reach * turn.cos());
-    let shapes = vec![
-        DrawnShape::Arc((0.0, 2.0), 2.0, 1.15 * PI, 1.85 * PI, Ink::Body),
-        DrawnShape::Polyline(vec![(0.0, 2.0), at], Ink::Faint),
-        DrawnShape::Circle(at, 0.3, Ink::Body),
-        DrawnShape::Circle(at, 0.75, Ink::Faint),
-        DrawnShape::Label((0.1, 1.2), Text::from("R")),
-        DrawnShape::Label((at.0 + 0.05, at.1), Text::from("ρ")),
-    ];
-    Drawing { title: "The journal on the concave rail".into(), shapes }
+    Sketch::new("The journal on the concave rail")
+        .arc((0.0, 2.0), 2.0, (1.15 * PI, 1.85 * PI), Ink::Body)
+        .line("R", (0.0, 2.0), (0.0, 0.0), Ink::Faint)
+        .axis((0.0, 2.0), at)
+        .circle(at, 0.75, Ink::Faint)
+        .disc("ρ", at, 0.3)
+        .finish()
 }
 
 /// A journal on an inclined rail.
 pub(super) fn incline() -> Drawing {
-    let shapes = vec![
-        DrawnShape::Ground((0.0, 0.0), (3.0, 1.0)),
-        DrawnShape::Polyline(vec![(0.0, 0.0), (3.0, 0.0)], Ink::Faint),
-        DrawnShape::Circle((1.905, 0.985), 0.3, Ink::Body),
-        DrawnShape::Circle((1.905, 0.985), 0.75, Ink::Faint),
-        DrawnShape::Arrow((1.6, 1.2), (0.9, 0.97), Ink::Motion),
-        DrawnShape::Label((0.7, 0.05), Text::from("α")),
-    ];
-    Drawing { title: "The journal on the inclined rail".into(), shapes }
+    let at = (1.905, 0.985);
+    let angle = (1.0f64 / 3.0).atan();
+    Sketch::new("The journal on the inclined rail")
+        .ground((0.0, 0.0), (3.0, 1.0))
+        .axis((0.0, 0.0), (3.0, 0.0))
+        .circle(at, 0.75, Ink::Faint)
+        .disc("", at, 0.3)
+        .motion("", (1.6, 1.2), (0.9, 0.97))
+        .arc((0.0, 0.0), 1.0, (0.0, angle), Ink::Faint)
+        .label("α", ((angle / 2.0).cos(), (angle / 2.0).sin()))
+        .finish()
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Animation, Drawing, DrawnShape, Exhibit, Ink, Text};
+use dalembert_core::{Exhibit, Ink, Sketch, Text};
 use dalembert_mechanics::vibration::plate::{LevyMode, RoundMode};
 
 /// The edge, its larger side one, or a circle of radius one.
@@ -73,7 +73,7 @@ impl Figure {
 
 /// The nodal lines of the first six shapes.
 pub(super) fn nodal_lines(figures: &[Figure], outline: Outline) -> Exhibit {
-    let mut shapes = Vec::new();
+    let mut sketch = Sketch::new("Nodal lines");
     for (n, figure) in figures.iter().take(6).enumerate() {
         let corner = (2.6 * (n % 3) as f64, -2.9 * (n / 3) as f64);
         let at = |x: f64, y: f64| (corner.0 + x, corner.1 + y);
@@ -81,33 +81,31 @@ pub(super) fn nodal_lines(figures: &[Figure], outline: Outline) -> Exhibit {
         match outline {
             Outline::Rectangle(a, b) => {
                 let (a, b) = (2.0 * a, 2.0 * b);
-                let edge = vec![at(0.0, 0.0), at(a, 0.0), at(a, b), at(0.0, b), at(0.0, 0.0)];
-                shapes.push(DrawnShape::Polyline(edge, Ink::Body));
+                sketch.bars([at(0.0, 0.0), at(a, 0.0), at(a, b), at(0.0, b), at(0.0, 0.0)]);
                 for line in 1..lengthwise {
                     let x = a * line as f64 / lengthwise as f64;
-                    shapes.push(DrawnShape::Polyline(vec![at(x, 0.0), at(x, b)], Ink::Result));
+                    sketch.curve([at(x, 0.0), at(x, b)], Ink::Result);
                 }
                 for eta in figure.zeros_across() {
-                    shapes.push(DrawnShape::Polyline(vec![at(0.0, b * eta), at(a, b * eta)], Ink::Result));
+                    sketch.curve([at(0.0, b * eta), at(a, b * eta)], Ink::Result);
                 }
             }
             Outline::Circle => {
-                shapes.push(DrawnShape::Circle(at(1.0, 1.0), 1.0, Ink::Body));
+                sketch.circle(at(1.0, 1.0), 1.0, Ink::Body);
                 for radius in figure.zeros_across() {
-                    shapes.push(DrawnShape::Circle(at(1.0, 1.0), radius, Ink::Result));
+                    sketch.circle(at(1.0, 1.0), radius, Ink::Result);
                 }
                 for line in 0..lengthwise {
                     // cos nθ = 0.
                     let angle = std::f64::consts::PI * (line as f64 + 0.5) / lengthwise as f64;
                     let (x, y) = (angle.cos(), angle.sin());
-                    let ends = vec![at(1.0 - x, 1.0 - y), at(1.0 + x, 1.0 + y)];
-                    shapes.push(DrawnShape::Polyline(ends, Ink::Result));
+                    sketch.curve([at(1.0 - x, 1.0 - y), at(1.0 + x, 1.0 + y)], Ink::Result);
                 }
             }
         }
-        shapes.push(DrawnShape::Label(at(0.0, -0.35), Text::new("mode {n}").with("n", n + 1)));
+        sketch.caption(Text::new("mode {n}").with("n", n + 1), at(1.0, -0.35));
     }
-    Exhibit::Drawing(Drawing { title: "Nodal lines".into(), shapes })
+    Exhibit::Drawing(sketch.finish())
 }
 
 /// A shape in motion, seen from the side and above.
@@ -117,17 +115,15 @@ pub(super) fn animation(figure: &Figure, outline: Outline) -> Exhibit {
     let frame = |n: u16| {
         let phase = 0.6 * (TAU * f64::from(n) / f64::from(FRAMES)).cos();
         let seen = |(x, y, w): &(f64, f64, f64)| (x + 0.4 * y, 0.5 * y + phase * w);
-        let line = |points: &Vec<(f64, f64, f64)>| {
-            DrawnShape::Polyline(points.iter().map(seen).collect(), Ink::Motion)
-        };
-        lines.iter().map(line).collect()
+        let mut sketch = Sketch::default();
+        for line in &lines {
+            sketch.curve(line.iter().map(seen).collect::<Vec<_>>(), Ink::Motion);
+        }
+        sketch
     };
     let [first, second] = figure.pattern();
-    Exhibit::Animation(Animation::new(
-        Text::new("Mode ({m}, {n}) in motion").with("m", first).with("n", second),
-        (0..FRAMES).map(frame).collect(),
-        2.0,
-    ))
+    let title = Text::new("Mode ({m}, {n}) in motion").with("m", first).with("n", second);
+    Exhibit::Animation(Sketch::animation(title, (0..FRAMES).map(frame), 2.0))
 }
 
 /// Lines on the surface of a shape: places and deflections.

@@ -1,7 +1,8 @@
 //! Tables, plots and the animation of a mechanism.
 
 use dalembert_core::{
-    Animation, Axis, DrawnShape, Exhibit, Ink, Name, Plot, Series, TableExhibit, Text, Worksheet,
+    Animation, Axis, Exhibit, Ink, Name, Plot, Series, Sketch, TableExhibit, Text, Worksheet,
+    exhibit::Point as At,
     exhibit::{Cell, Column},
 };
 use dalembert_mechanics::planar::{LoadId, Point, State};
@@ -167,20 +168,23 @@ impl Solved<'_> {
     fn animation(&self, problem: &Mechanism, samples: &[Sample]) -> Animation {
         const FRAMES: usize = 24;
         let size = self.drawn_size();
-        let paths: Vec<DrawnShape> = problem
+        let paths: Vec<Vec<At>> = problem
             .watched
             .iter()
             .filter(|_| samples.len() > 1)
             .map(|watched| {
                 let point = self.parts.point(watched.point);
                 let at = |sample: &Sample| place(self.system, point, &sample.state);
-                DrawnShape::Polyline(samples.iter().map(at).collect(), Ink::Faint)
+                samples.iter().map(at).collect()
             })
             .collect();
         let frame = |state: &State| {
-            let mut shapes = paths.clone();
-            self.parts.draw(self.system, state, size, &mut shapes);
-            shapes
+            let mut sketch = Sketch::default();
+            for path in &paths {
+                sketch.curve(path.as_slice(), Ink::Faint);
+            }
+            self.parts.draw(self.system, state, size, &mut sketch);
+            sketch
         };
         let mut frames = vec![frame(self.state)];
         let mut values = vec![self.here()];
@@ -198,7 +202,7 @@ impl Solved<'_> {
             frames.extend((1..FRAMES).map(|k| frame(&shown(k).state)));
             values.extend((1..FRAMES).map(|k| shown(k).value));
         }
-        let animation = Animation::new("Mechanism", frames, 4.0);
+        let animation = Sketch::animation("Mechanism", frames, 4.0);
         if values.len() > 1 { animation.over(self.input(), values) } else { animation }
     }
 

@@ -1,6 +1,8 @@
 //! Plots and the animation of a motion.
 
-use dalembert_core::{Animation, Axis, DrawnShape, Exhibit, Ink, Name, Plot, Series, Text, Worksheet};
+use dalembert_core::{
+    Animation, Axis, Exhibit, Ink, Name, Plot, Series, Sketch, Text, Worksheet, exhibit::Point as At,
+};
 use dalembert_mechanics::planar::Snapshot;
 
 use super::{Motion, Solved};
@@ -94,15 +96,18 @@ impl Solved<'_> {
         let path = |followed: &super::Continuation| {
             let point = self.parts.point(followed.point);
             let at = |moment: &Snapshot| place(self.system, point, &moment.state);
-            DrawnShape::Polyline(moments.iter().map(at).collect(), Ink::Faint)
+            moments.iter().map(at).collect()
         };
-        let paths: Vec<DrawnShape> = problem.watched.iter().map(path).collect();
+        let paths: Vec<Vec<At>> = problem.watched.iter().map(path).collect();
         let frame = |k: usize| {
-            let mut shapes = paths.clone();
+            let mut sketch = Sketch::default();
+            for path in &paths {
+                sketch.curve(path.as_slice(), Ink::Faint);
+            }
             let moment = &moments[k * (moments.len() - 1) / (FRAMES - 1)];
-            self.parts.draw(self.system, &moment.state, size, &mut shapes);
-            shapes
+            self.parts.draw(self.system, &moment.state, size, &mut sketch);
+            sketch
         };
-        Animation::new("Mechanism", (0..FRAMES).map(frame).collect(), 4.0)
+        Sketch::animation("Mechanism", (0..FRAMES).map(frame), 4.0)
     }
 }

@@ -1,8 +1,8 @@
 //! The arm as a mechanism, its animation, and the load that it carries at each angle.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 
-use dalembert_core::{Axis, DrawnShape, Exhibit, Ink, Plot, Series, Text, exhibit::Point as At};
+use dalembert_core::{Axis, Exhibit, Ink, Plot, Series, Sketch, Text, exhibit::Point as At};
 use dalembert_mechanics::planar::{Body, Driver, Effort, Joint, Load as Acting, Measure, Mechanism, Point};
 
 use super::{Geometry, Height, Law, Load, Spring, SpringLever, Start};
@@ -75,65 +75,30 @@ impl SpringLever {
         })
     }
 
-    fn frame(&self, angle: f64) -> Vec<DrawnShape> {
+    fn frame(&self, angle: f64) -> Sketch {
         let arm = self.arm();
         let polar = |radius: f64, angle: f64| -> At { (radius * angle.sin(), radius * angle.cos()) };
         let turned = angle + self.tilt();
-        let tip = polar(arm, turned);
-        let mut shapes = vec![
-            DrawnShape::Polyline(vec![(0.0, 0.0), polar(1.1 * arm, self.tilt())], Ink::Faint),
-            DrawnShape::Pin((0.0, 0.0)),
-            DrawnShape::Polyline(vec![(0.0, 0.0), tip], Ink::Body),
-            DrawnShape::Label(polar(0.5 * arm, self.tilt() + angle / 2.0), "θ".into()),
-        ];
-        match &self.load {
-            Load::Mass { .. } => {
-                let half = 0.08 * arm;
-                shapes.push(DrawnShape::Block(
-                    (tip.0 - half, tip.1 - half),
-                    (tip.0 + half, tip.1 + half),
-                    Ink::Body,
-                ));
-                shapes.push(DrawnShape::Arrow(tip, (tip.0, tip.1 - 0.4 * arm), Ink::Force));
-                shapes.push(DrawnShape::Label((tip.0 + 0.05 * arm, tip.1 - 0.4 * arm), "W".into()));
-            }
-            Load::Force { .. } => {
-                shapes.push(DrawnShape::Arrow(tip, (tip.0, tip.1 - 0.4 * arm), Ink::Force));
-                shapes.push(DrawnShape::Label((tip.0 + 0.05 * arm, tip.1 - 0.4 * arm), "P".into()));
-            }
-            Load::Couple { .. } => {
-                shapes.push(DrawnShape::Arc((0.0, 0.0), 0.35 * arm, 0.3, 2.4, Ink::Force));
-                shapes.push(DrawnShape::Label((0.0, 0.4 * arm), "M".into()));
-            }
-        }
+        let (o, tip) = ((0.0, 0.0), polar(arm, turned));
+        let mut sketch = Sketch::default();
+        sketch.size(2.0 * arm).axis(o, polar(1.1 * arm, self.tilt()));
         match &self.spring {
             Spring::Torsion { .. } => {
-                let turns = |n: f64| {
-                    let radius = 0.08 * arm + 0.02 * arm * n / TAU;
-                    polar(radius, turned - n)
-                };
-                shapes.push(DrawnShape::Polyline(
-                    spread([0.0, 2.5 * TAU], 50).map(turns).collect(),
-                    Ink::Result,
-                ));
+                sketch.torsion_spring("k", o, FRAC_PI_2 - turned);
             }
             Spring::Drum { radius, .. } => {
                 let bottom = -1.3 * arm;
-                let wound = (radius * angle).max(-0.4 * arm).min(0.4 * arm);
-                shapes.push(DrawnShape::Circle((0.0, 0.0), *radius, Ink::Body));
-                shapes.push(DrawnShape::Polyline(
-                    vec![(-radius, 0.0), (-radius, wound - 0.5 * arm)],
-                    Ink::Body,
-                ));
-                shapes.push(DrawnShape::Spring((-radius, bottom), (-radius, wound - 0.5 * arm)));
-                shapes.push(DrawnShape::Ground((-radius - 0.2 * arm, bottom), (0.2 * arm - radius, bottom)));
+                let wound = (radius * angle).max(-0.4 * arm).min(0.4 * arm) - 0.5 * arm;
+                sketch
+                    .disc("", o, *radius)
+                    .bars([(-radius, 0.0), (-radius, wound)])
+                    .spring("k", (-radius, bottom), (-radius, wound))
+                    .ground((-radius - 0.2 * arm, bottom), (0.2 * arm - radius, bottom));
             }
             Spring::Points { on_arm, on_arm_angle, fixed, fixed_angle, .. } => {
                 let (end, fixed) =
                     (polar(*on_arm, turned + on_arm_angle), polar(*fixed, self.tilt() + fixed_angle));
-                shapes.push(DrawnShape::Polyline(vec![(0.0, 0.0), end], Ink::Body));
-                shapes.push(DrawnShape::Pin(fixed));
-                shapes.push(DrawnShape::Spring(fixed, end));
+                sketch.bars([o, end]).spring("k", fixed, end).pin("", fixed);
             }
             Spring::Sides { height, .. } => {
                 let end = polar(*height, turned);
@@ -141,12 +106,18 @@ impl SpringLever {
                 let foot = polar(*height, self.tilt());
                 for sign in [-1.0, 1.0] {
                     let wall = (foot.0 + sign * across.0, foot.1 + sign * across.1);
-                    shapes.push(DrawnShape::Pin(wall));
-                    shapes.push(DrawnShape::Spring(wall, end));
+                    sketch.spring("k", wall, end).pin("", wall);
                 }
             }
         }
-        shapes
+        sketch.link("", o, tip).pin("", o).label("θ", polar(0.5 * arm, self.tilt() + angle / 2.0));
+        let below = (tip.0, tip.1 - 0.4 * arm);
+        match &self.load {
+            Load::Mass { .. } => sketch.particle("", tip).force("W", tip, below),
+            Load::Force { .. } => sketch.force("P", tip, below),
+            Load::Couple { .. } => sketch.couple("M", o, (2.4, 0.3), Ink::Force),
+        };
+        sketch
     }
 }
 

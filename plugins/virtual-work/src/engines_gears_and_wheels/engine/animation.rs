@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use dalembert_core::{Animation, Drawing, DrawnShape, Exhibit, Ink, exhibit::Point};
+use dalembert_core::{Exhibit, Ink, Point, Sketch};
 use dalembert_mechanics::slider_crank::{engine::Forces, piston};
 
 use super::exhibits::View;
@@ -21,11 +21,8 @@ pub(super) fn show(view: &View<'_>) -> Exhibit {
     let start = view.crank.angle.rem_euclid(2.0 * TAU);
     if view.force.is_some() && view.cycle.is_none() {
         let size = here.as_ref().map_or(0.0, largest);
-        let shapes = frame(view, start, here.as_ref(), size);
-        return Exhibit::Drawing(Drawing {
-            title: "The engine at this crank angle, with its forces".into(),
-            shapes,
-        });
+        let sketch = frame(view, start, here.as_ref(), size);
+        return Exhibit::Drawing(sketch.titled("The engine at this crank angle, with its forces").finish());
     }
     let period = view.cycle.map_or(TAU, |turned| turned.period);
     let at: Vec<(f64, Option<Forces>)> = (0..FRAMES)
@@ -40,21 +37,21 @@ pub(super) fn show(view: &View<'_>) -> Exhibit {
         Some(_) => sides.map(|angle| largest(&view.at(angle).1)).fold(0.0, f64::max),
         None => 0.0,
     };
-    let frames = at.iter().map(|(angle, forces)| frame(view, *angle, forces.as_ref(), size)).collect();
+    let frames = at.iter().map(|(angle, forces)| frame(view, *angle, forces.as_ref(), size));
     let angles = at.iter().map(|(angle, _)| *angle).collect();
     let title = if view.cycle.is_some() {
         "The engine over its cycle, with its forces"
     } else {
         "The engine over one revolution"
     };
-    Exhibit::Animation(Animation::new(title, frames, 3.0 * period / TAU).over("angle", angles))
+    Exhibit::Animation(Sketch::animation(title, frames, 3.0 * period / TAU).over("angle", angles))
 }
 
 fn largest(forces: &Forces) -> f64 {
     forces.effort.abs().max(forces.bearing[0].hypot(forces.bearing[1])).max(forces.guide.abs())
 }
 
-fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Vec<DrawnShape> {
+fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Sketch {
     let kernel = view.kernel;
     let (r, l, e) = (kernel.crank, kernel.rod, kernel.offset);
     // The stroke stands as gravity tells; without gravity it lies.
@@ -68,35 +65,33 @@ fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Vec
     let gudgeon = (piston::position(r, l, angle, obliquity), e);
     let half = 0.35 * r;
     let far = piston::farthest(r, l, e);
-    let line = |points: &[Point], ink| DrawnShape::Polyline(points.iter().map(|p| turned(*p)).collect(), ink);
-    let (bottom, top) = (gudgeon.0 - half, gudgeon.0 + half);
-    let mut shapes = vec![
-        DrawnShape::Circle((0.0, 0.0), r, Ink::Faint),
-        line(
-            &[
-                (far - 2.0 * r - half, e + 1.2 * half),
-                (far + 1.6 * half, e + 1.2 * half),
-                (far + 1.6 * half, e - 1.2 * half),
-                (far - 2.0 * r - half, e - 1.2 * half),
-            ],
+    let (low, high) = (far - 2.0 * r - half, far + 1.6 * half);
+    let [o, a, b] = [(0.0, 0.0), pin, gudgeon].map(turned);
+    let mut sketch = Sketch::default();
+    sketch
+        .size(far + r + 1.6 * half)
+        .circle(o, r, Ink::Faint)
+        .curve(
+            [(low, e + 1.2 * half), (high, e + 1.2 * half), (high, e - 1.2 * half), (low, e - 1.2 * half)]
+                .map(turned),
             Ink::Faint,
-        ),
-        DrawnShape::Pin((0.0, 0.0)),
-        line(&[(0.0, 0.0), pin, gudgeon], Ink::Body),
-        line(
-            &[(bottom, e - half), (top, e - half), (top, e + half), (bottom, e + half), (bottom, e - half)],
-            Ink::Body,
-        ),
-        DrawnShape::Circle(turned(pin), 0.08 * r, Ink::Body),
-        DrawnShape::Circle(turned(gudgeon), 0.08 * r, Ink::Body),
-    ];
+        )
+        .body(
+            "",
+            [(-half, -half), (half, -half), (half, half), (-half, half)]
+                .map(|(x, y)| turned((gudgeon.0 + x, e + y))),
+        )
+        .link("r", o, a)
+        .link("l", a, b)
+        .pin("O", o)
+        .joint("A", a)
+        .joint("P", b);
     if kernel.rod_mass > 0.0 {
         let part = kernel.rod_centre / l;
         let centre = (pin.0 + part * (gudgeon.0 - pin.0), pin.1 + part * (gudgeon.1 - pin.1));
-        shapes.push(DrawnShape::Circle(turned(centre), 0.05 * r, Ink::Body));
-        shapes.push(DrawnShape::Label(turned((centre.0, centre.1 + 0.25 * r)), "G".into()));
+        sketch.mass_centre("G", turned(centre));
     }
-    let Some(forces) = forces.filter(|_| size > 0.0) else { return shapes };
+    let Some(forces) = forces.filter(|_| size > 0.0) else { return sketch };
     let scale = 1.3 * r / size;
     let arrows = [
         (gudgeon, (-forces.effort, 0.0), "F_P"),
@@ -105,16 +100,9 @@ fn frame(view: &View<'_>, angle: f64, forces: Option<&Forces>, size: f64) -> Vec
     ];
     for (tail, (x, y), name) in arrows {
         let (x, y) = (scale * x, scale * y);
-        if x.hypot(y) < 0.02 * r {
-            continue;
+        if x.hypot(y) >= 0.02 * r {
+            sketch.force(name, turned(tail), turned((tail.0 + x, tail.1 + y)));
         }
-        let head = (tail.0 + x, tail.1 + y);
-        shapes.push(DrawnShape::Arrow(turned(tail), turned(head), Ink::Force));
-        let beside = 0.15 * r / x.hypot(y);
-        shapes.push(DrawnShape::Label(
-            turned((head.0 + beside * x, head.1 + beside * y + 0.1 * r)),
-            name.into(),
-        ));
     }
-    shapes
+    sketch
 }

@@ -1,6 +1,10 @@
 //! Figures of a four-bar linkage over its range: curves, class, animation.
 
-use dalembert_core::{Axis, Cell, Column, Exhibit, Plot, Series, TableExhibit, Text, Worksheet};
+use std::f64::consts::TAU;
+
+use dalembert_core::{
+    Axis, Cell, Column, Exhibit, Ink, Plot, Series, TableExhibit, Text, Worksheet, exhibit::Point as At,
+};
 
 use super::{Closing, Found, FourBar, Unknown};
 use crate::shared::built::{self, Cycle, Range, Template};
@@ -63,29 +67,31 @@ impl FourBar {
         };
         sheet.show(|| Exhibit::Table(self.abilities(range, least())));
         sheet.show(|| {
-            let path = path().into_iter().filter(|(x, _)| x.is_finite());
-            let path: Vec<[f64; 2]> = path.map(|(x, y)| [x, y]).collect();
-            built::animation("The four-bar linkage", ("angle", self.angle), range, |angle| {
+            let path: Vec<At> = path().into_iter().filter(|(x, _)| x.is_finite()).collect();
+            let size = self.frame + self.crank.max(self.rocker);
+            built::animation("The four-bar linkage", ("angle", self.angle), range, size, |angle, sketch| {
                 let there = at(angle);
                 let found = there.plain()?;
-                let [o, a, b, c] = there.pins(&found);
-                let size = 0.25 * self.crank.min(self.rocker);
-                let mut shapes = vec![
-                    built::pivot(o),
-                    built::pivot(c),
-                    built::ground([0.0, -size], 0.0, size),
-                    built::ground([self.frame, -size], 0.0, size),
-                    built::bar(&[o, a, b, c]),
-                ];
+                let [o, a, b, c] = there.pins(&found).map(At::from);
                 if path.len() > 1 {
-                    shapes.push(built::faint(&path));
+                    sketch.curve(path.as_slice(), Ink::Faint);
                 }
+                sketch
+                    .axis(o, c)
+                    .link("a", o, a)
+                    .link("b", a, b)
+                    .link("c", c, b)
+                    .pin("O₂", o)
+                    .pin("O₄", c)
+                    .joint("A", a)
+                    .joint("B", b)
+                    .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
                 if let (Some(point), Some(at)) = (&there.point, found.place) {
-                    shapes.push(built::bar(&[a, at, b]));
-                    let force = [point.force.x, point.force.y];
-                    shapes.extend(built::arrows(&[(at, force)], 0.5 * self.frame));
+                    let at = At::from(at);
+                    sketch.bars([a, at, b]).label("P", at);
+                    built::forces(sketch, &[("F_P", at, [point.force.x, point.force.y])], 0.5 * self.frame);
                 }
-                Some(shapes)
+                Some(())
             })
         });
     }

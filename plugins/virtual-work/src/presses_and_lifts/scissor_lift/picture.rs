@@ -1,9 +1,9 @@
 //! The lift in motion, and the force of its cylinder over the way.
 
-use dalembert_core::{Axis, DrawnShape, Ink, Plot, Series};
+use dalembert_core::{Axis, Ink, Plot, Series, Sketch};
 
 use super::{ScissorLift, Sought};
-use crate::shared::equilibria::{arrow, spread};
+use crate::shared::equilibria::spread;
 
 impl ScissorLift {
     pub(super) fn force_over_angle(&self, share: f64, force: f64) -> Plot {
@@ -34,30 +34,33 @@ impl ScissorLift {
         .mark("at this angle", (self.angle, force))
     }
 
-    pub(super) fn frame(&self, angle: f64) -> Vec<DrawnShape> {
+    pub(super) fn frame(&self, angle: f64) -> Sketch {
         let (l, stages) = (self.bar, self.stages);
         let (wide, high) = (l * angle.cos(), l * angle.sin());
         let top = f64::from(stages) * high;
-        let mut shapes = vec![
-            DrawnShape::Ground((-0.2 * l, -0.03 * l), (1.4 * l, -0.03 * l)),
-            DrawnShape::Pin((0.0, 0.0)),
-        ];
+        let mut sketch = Sketch::default();
+        sketch.size(1.6 * l).guide((0.4 * l, 0.0), (1.2 * l, 0.0)).slider("", (wide, 0.0), 0.0);
         for stage in 0..stages {
             let y = f64::from(stage) * high;
-            shapes.push(DrawnShape::Polyline(vec![(0.0, y), (wide, y + high)], Ink::Body));
-            shapes.push(DrawnShape::Polyline(vec![(wide, y), (0.0, y + high)], Ink::Body));
+            sketch
+                .bars([(0.0, y), (wide, y + high)])
+                .bars([(wide, y), (0.0, y + high)])
+                .joint("", (wide / 2.0, y + high / 2.0))
+                .joint("", (wide, y));
+            if stage > 0 {
+                sketch.joint("", (0.0, y));
+            }
         }
-        shapes.push(DrawnShape::Block((-0.1 * l, top), (1.1 * l, top + 0.06 * l), Ink::Body));
         let (from, to) = (self.place_at(&self.lower, angle), self.place_at(&self.upper, angle));
-        shapes.push(DrawnShape::Polyline(vec![from, to], Ink::Result));
-        for end in [from, to] {
-            shapes.push(DrawnShape::Circle(end, 0.02 * l, Ink::Result));
-        }
-        shapes.push(DrawnShape::Label(
-            (f64::midpoint(from.0, to.0), f64::midpoint(from.1, to.1) + 0.05 * l),
-            "F".into(),
-        ));
-        shapes.extend(arrow((wide / 2.0, top + 0.4 * l), [0.0, -0.3 * l], "W"));
-        shapes
+        sketch
+            .mass("", (-0.1 * l, top), (1.1 * l, top + 0.06 * l))
+            .pin("", (0.0, 0.0))
+            .damper("", from, to)
+            .joint("", from)
+            .joint("", to)
+            .force("", (wide / 2.0, top + 0.4 * l), (wide / 2.0, top + 0.1 * l))
+            .label("W", (wide / 2.0, top + 0.4 * l))
+            .vector("F", to, (to.0 + 0.3 * (to.0 - from.0), to.1 + 0.3 * (to.1 - from.1)), Ink::Result);
+        sketch
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use dalembert_core::{DrawnShape, Ink, Reference};
+use dalembert_core::{Ink, Reference, Sketch};
 use dalembert_mechanics::planar::{Model, Point, Pose, State};
 
 use super::{Carrier, Joint, Load, Parts, verbatim};
@@ -21,42 +21,44 @@ impl Parts<'_> {
     }
 
     /// The bodies as lines through their points, and springs and rods between theirs.
-    pub(crate) fn outline(&self, positions: &[[f64; 3]], ink: Ink) -> Vec<DrawnShape> {
+    pub(crate) fn outline(&self, positions: &[[f64; 3]], ink: Ink, sketch: &mut Sketch) {
         let at = |reference: Reference| {
             let point = self.point(reference);
             let [x, y] = point.on.map_or(point.at, |body| Pose::new(positions[body]).point(point.at));
             (x, y)
         };
-        let own = |body: usize| {
-            let carried =
-                self.points.iter().enumerate().filter(move |(_, spot)| spot.on.frame() == Some(body));
+        for body in 0..self.bodies.len() {
+            let carried = self.points.iter().enumerate().filter(|(_, spot)| spot.on.frame() == Some(body));
             let mut corners: Vec<(f64, f64)> = carried.map(|(row, _)| at(Reference(row))).collect();
             if corners.len() > 2 {
                 corners.push(corners[0]);
             }
-            corners
-        };
-        let bodies = (0..self.bodies.len()).map(own).filter(|corners| corners.len() > 1);
-        let bodies = bodies.map(|corners| DrawnShape::Polyline(corners, ink));
-        let springs = self.loads.iter().filter_map(|load| match &load.load {
-            Load::Spring { from, to, .. } => Some(DrawnShape::Spring(at(*from), at(*to))),
-            _ => None,
-        });
-        let lines = self.joints.iter().flat_map(|connection| match &connection.joint {
-            Joint::Rod { from, to, .. } => vec![DrawnShape::Polyline(vec![at(*from), at(*to)], ink)],
-            Joint::Cord { runs, .. } => runs
-                .iter()
-                .map(|run| DrawnShape::Polyline(vec![at(run.from), at(run.to)], Ink::Faint))
-                .collect(),
-            _ => Vec::new(),
-        });
-        bodies.chain(lines).chain(springs).collect()
+            if corners.len() > 1 {
+                sketch.curve(corners, ink);
+            }
+        }
+        for connection in self.joints {
+            match &connection.joint {
+                Joint::Rod { from, to, .. } => {
+                    sketch.curve([at(*from), at(*to)], ink);
+                }
+                Joint::Cord { runs, .. } => runs.iter().for_each(|run| {
+                    sketch.cord([at(run.from), at(run.to)]);
+                }),
+                _ => {}
+            }
+        }
+        for load in self.loads {
+            if let Load::Spring { from, to, .. } = &load.load {
+                sketch.spring("", at(*from), at(*to));
+            }
+        }
     }
 
     /// Bodies, joints and loads of a position.
-    pub(crate) fn draw(&self, system: &Model, state: &State, size: f64, shapes: &mut Vec<DrawnShape>) {
+    pub(crate) fn draw(&self, system: &Model, state: &State, size: f64, sketch: &mut Sketch) {
         let at = |reference: Reference| place(system, self.point(reference), state);
-        let small = 0.015 * size;
+        sketch.size(size);
         for connection in self.joints {
             match &connection.joint {
                 Joint::Slider { guide, direction, slides, .. }
@@ -73,21 +75,16 @@ impl Parts<'_> {
                     } else {
                         Ink::Body
                     };
-                    shapes.push(DrawnShape::Polyline(vec![along(low), along(high)], ink));
+                    sketch.curve([along(low), along(high)], ink);
                     match connection.joint {
                         Joint::Slider { .. } => {
-                            let (w, h) = (2.5 * small, 1.7 * small);
-                            let corner = |x: f64, y: f64| (px + x * cos - y * sin, py + x * sin + y * cos);
-                            let corners = [(-w, -h), (w, -h), (w, h), (-w, h), (-w, -h)];
-                            let corners = corners.map(|(x, y)| corner(x, y));
-                            shapes.push(DrawnShape::Polyline(corners.into(), Ink::Body));
+                            sketch.slider("", (px, py), direction + turned);
                         }
                         Joint::Rolling { radius, .. } => {
                             let body = self.points[slides.0].on.frame();
                             let angle = body.map_or(0.0, |body| state.positions[body][2]) - FRAC_PI_2;
                             let rim = (px + radius * angle.cos(), py + radius * angle.sin());
-                            shapes.push(DrawnShape::Circle((px, py), radius, Ink::Body));
-                            shapes.push(DrawnShape::Polyline(vec![(px, py), rim], Ink::Faint));
+                            sketch.circle((px, py), radius, Ink::Body).axis((px, py), rim);
                         }
                         _ => {}
                     }
@@ -95,18 +92,18 @@ impl Parts<'_> {
                 _ => {}
             }
         }
-        shapes.extend(self.outline(&state.positions, Ink::Body));
+        self.outline(&state.positions, Ink::Body, sketch);
         for (row, spot) in self.points.iter().enumerate() {
-            let point = at(Reference(row));
+            let (name, point) = (verbatim(&spot.name), at(Reference(row)));
             match spot.on {
-                Carrier::Ground => shapes.push(DrawnShape::Pin(point)),
-                Carrier::Body { .. } => shapes.push(DrawnShape::Circle(point, 0.5 * small, Ink::Body)),
-            }
+                Carrier::Ground => sketch.pin(name, point),
+                Carrier::Body { .. } => sketch.joint(name, point),
+            };
         }
-        self.draw_loads(system, state, size, shapes);
+        self.draw_loads(system, state, size, sketch);
     }
 
-    fn draw_loads(&self, system: &Model, state: &State, size: f64, shapes: &mut Vec<DrawnShape>) {
+    fn draw_loads(&self, system: &Model, state: &State, size: f64, sketch: &mut Sketch) {
         let at = |reference: Reference| place(system, self.point(reference), state);
         let largest = self.loads.iter().fold(0.0f64, |most, load| match &load.load {
             Load::Force { force, .. } => most.max(force.norm()),
@@ -121,14 +118,13 @@ impl Parts<'_> {
                     let tip = at(*point);
                     let scale = 0.25 * size / largest;
                     let tail = (tip.0 - scale * x, tip.1 - scale * y);
-                    shapes.push(DrawnShape::Arrow(tail, tip, Ink::Force));
-                    shapes.push(DrawnShape::Label(tail, verbatim(&load.name)));
+                    sketch.force("", tail, tip).label(verbatim(&load.name), tail);
                 }
                 Load::Damper { from, to, .. } | Load::Gas { from, to, .. } => {
-                    shapes.push(DrawnShape::Damper(at(*from), at(*to)));
+                    sketch.damper("", at(*from), at(*to));
                 }
                 Load::Thrust { from, to, .. } => {
-                    shapes.push(DrawnShape::Arrow(at(*from), at(*to), Ink::Force));
+                    sketch.force("", at(*from), at(*to));
                 }
                 _ => {}
             }

@@ -1,6 +1,6 @@
 //! The sketch of the slider-crank.
 
-use dalembert_core::{Drawing, DrawnShape, Ink, Reference, Text, exhibit::Point as At};
+use dalembert_core::{Drawing, Ink, Reference, Sketch, Text, exhibit::Point as At};
 use nalgebra::Vector3;
 
 use super::{super::Point, SliderCrank, VirtualPower};
@@ -16,26 +16,24 @@ pub(super) fn draw(
     let b = (a.0 + rod * rod_angle.cos(), a.1 + rod * rod_angle.sin());
     let g = (f64::midpoint(a.0, b.0), f64::midpoint(a.1, b.1));
     let size = 0.12 * crank.max(0.4 * rod);
-    let mut shapes = vec![
-        DrawnShape::Polyline(vec![(-crank, b.1), (b.0 + 4.0 * size, b.1)], Ink::Faint),
-        DrawnShape::Circle((0.0, 0.0), crank, Ink::Faint),
-        DrawnShape::Pin((0.0, 0.0)),
-        DrawnShape::Polyline(vec![(0.0, 0.0), a, b], Ink::Body),
-        DrawnShape::Block((b.0 - 1.5 * size, b.1 - size), (b.0 + 1.5 * size, b.1 + size), Ink::Body),
-        DrawnShape::Circle(a, 0.3 * size, Ink::Body),
-        DrawnShape::Circle(g, 0.3 * size, Ink::Body),
-        DrawnShape::Label((a.0, a.1 + size), "A".into()),
-        DrawnShape::Label((b.0 + 0.3 * size, b.1 + 1.3 * size), "B".into()),
-        DrawnShape::Label((g.0, g.1 + size), "G".into()),
-    ];
+    let o = (0.0, 0.0);
+    let mut sketch = Sketch::new("The slider-crank with given velocities and forces");
+    sketch
+        .circle(o, crank, Ink::Faint)
+        .guide((0.0, b.1), (b.0 + 4.0 * size, b.1))
+        .slider("", b, 0.0)
+        .bars([o, a, b])
+        .pin("O", o)
+        .joint("A", a)
+        .joint("B", b)
+        .mass_centre("G", g);
     let velocity = |body: Reference| problem.bodies[body.0].velocity;
     let mut arrows = |arrows: &[(At, Vector3<f64>, Text)], ink: Ink| {
         let largest = arrows.iter().fold(0.0f64, |most, (_, vector, _)| most.max(vector.norm()));
         for (tail, vector, name) in arrows.iter().filter(|(_, vector, _)| vector.norm() > 0.0) {
             let arrow = vector * (5.0 * size / largest);
             let head = (tail.0 + arrow.x, tail.1 + arrow.y);
-            shapes.push(DrawnShape::Arrow(*tail, head, ink));
-            shapes.push(DrawnShape::Label((head.0, head.1 + 0.6 * size), name.clone()));
+            sketch.vector(name.clone(), *tail, head, ink);
         }
     };
     arrows(
@@ -53,5 +51,5 @@ pub(super) fn draw(
         })
         .collect();
     arrows(&forces, Ink::Force);
-    Drawing { title: "The slider-crank with given velocities and forces".into(), shapes }
+    sketch.finish()
 }

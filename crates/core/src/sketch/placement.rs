@@ -1,0 +1,263 @@
+//! The sides at which the names of a sketch stand: where they cover least, and the same in every frame.
+//!
+//! A name belongs to a point. Each of the eight sides of it has a price: what words of usual size would cover there,
+//! their distance from the point, and the turn from the side that the symbol wants. The cheapest side is taken, name by
+//! name, and once more when all others are known. Nothing is drawn at random, so that the same sketch has the same sides.
+
+use std::f64::consts::TAU;
+
+use crate::{DrawnShape, Point, Side, Text};
+
+/// A name and the point that it belongs to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Words {
+    /// The point.
+    pub at: Point,
+    /// The side that they want.
+    pub towards: Towards,
+    /// The words.
+    pub text: Text,
+}
+
+/// The side of its point that a name wants.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub enum Towards {
+    /// Away from the middle of the sketch.
+    #[default]
+    Out,
+    /// In a direction.
+    To(Point),
+    /// At either side of a line in that direction.
+    Across(Point),
+    /// Over the point, if they are not wider than this.
+    Over(f64),
+}
+
+/// The width of a letter, in sizes of a symbol: that of a screen where a sketch is forty cells wide.
+const LETTER: f64 = 0.75;
+/// The height of a line of words, in sizes of a symbol.
+const LINE: f64 = 1.5;
+/// Frames that a side is chosen by.
+const SEEN: usize = 4;
+/// The price of words over other words.
+const OVER_WORDS: f64 = 40.0;
+/// Distances from its point at which a name is tried, in sizes of a symbol.
+const DISTANCES: [f64; 4] = [0.0, 1.0, 2.0, 3.0];
+
+/// The sides of the words of every frame, in their order. Words that are the same in several frames, counted among equal
+/// ones, keep their side; `unit` is the size of a symbol.
+pub fn sides(words: &[Vec<Words>], shapes: &[Vec<DrawnShape>], unit: f64) -> Vec<Vec<Side>> {
+    let names = names(words);
+    let marks: Vec<Vec<Point>> = seen(shapes.len())
+        .map(|frame| {
+            let mut marks = Vec::new();
+            shapes[frame].iter().for_each(|shape| mark(shape, unit, &mut marks));
+            marks
+        })
+        .collect();
+    let frames: Vec<usize> = seen(shapes.len()).collect();
+    let centre = centre(shapes.iter().flatten());
+    let mut chosen: Vec<Option<Side>> = vec![None; names.len()];
+    for name in 0..names.len() {
+        let first = &words[names[name][0].0][names[name][0].1];
+        if let Towards::Over(room) = first.towards
+            && width(&first.text, unit) <= room
+        {
+            chosen[name] = Some(Side::Over);
+        }
+    }
+    let over = chosen.clone();
+    for _ in 0..2 {
+        for name in (0..names.len()).filter(|name| over[*name].is_none()) {
+            let price = |side: Side| -> f64 {
+                let mut sum = 0.0;
+                for (frame, marks) in frames.iter().zip(&marks) {
+                    let Some(one) = on(&names[name], *frame).map(|row| &words[*frame][row]) else { continue };
+                    let others = (0..names.len()).filter(|other| *other != name).filter_map(|other| {
+                        let row = on(&names[other], *frame)?;
+                        let one = &words[*frame][row];
+                        Some(place(one, chosen[other]?, 0.0, unit))
+                    });
+                    sum += covered(one, side, marks, &others.collect::<Vec<_>>(), unit);
+                }
+                let first = &words[names[name][0].0][names[name][0].1];
+                sum / frames.len().max(1) as f64 + turn(first, side, centre)
+            };
+            chosen[name] = Side::AROUND
+                .into_iter()
+                .map(|side| (price(side), side))
+                .reduce(|best, next| if next.0 < best.0 - 1e-9 { next } else { best })
+                .map(|(_, side)| side);
+        }
+    }
+    let mut sides: Vec<Vec<Side>> = words.iter().map(|words| vec![Side::default(); words.len()]).collect();
+    for (places, side) in names.iter().zip(chosen) {
+        for (frame, row) in places {
+            sides[*frame][*row] = side.unwrap_or_default();
+        }
+    }
+    sides
+}
+
+/// The frames and rows of each name.
+fn names(words: &[Vec<Words>]) -> Vec<Vec<(usize, usize)>> {
+    let mut keys: Vec<(&Text, usize)> = Vec::new();
+    let mut names: Vec<Vec<(usize, usize)>> = Vec::new();
+    for (frame, words) in words.iter().enumerate() {
+        for (row, one) in words.iter().enumerate() {
+            let before = words[..row].iter().filter(|other| other.text == one.text).count();
+            let key = (&one.text, before);
+            match keys.iter().position(|other| *other == key) {
+                Some(name) => names[name].push((frame, row)),
+                None => {
+                    keys.push(key);
+                    names.push(vec![(frame, row)]);
+                }
+            }
+        }
+    }
+    names
+}
+
+/// The row of a name in a frame.
+fn on(name: &[(usize, usize)], frame: usize) -> Option<usize> {
+    name.iter().find(|(at, _)| *at == frame).map(|(_, row)| *row)
+}
+
+/// The frames that sides are chosen by.
+fn seen(frames: usize) -> impl Iterator<Item = usize> {
+    (0..frames).step_by(frames.div_ceil(SEEN).max(1))
+}
+
+fn width(text: &Text, unit: f64) -> f64 {
+    LETTER * unit * text.english().chars().count() as f64
+}
+
+/// A box: left, bottom, right, top.
+type Area = [f64; 4];
+
+/// The area of words at a side of their point.
+fn place(words: &Words, side: Side, distance: f64, unit: f64) -> Area {
+    let (wide, high) = (width(&words.text, unit), LINE * unit);
+    let (x, y) = side.direction();
+    let towards = |part: f64| if part.abs() < 0.1 { 0.0 } else { part.signum() };
+    // Words at a corner begin nearer to the point than words straight beside it.
+    let near = if x != 0.0 && y != 0.0 { 0.5 } else { 1.0 };
+    let gap = |from: f64| near * (from + distance) * unit;
+    let centre = (
+        words.at.0 + towards(x) * (gap(0.9) + wide / 2.0),
+        words.at.1 + towards(y) * (gap(0.4) + high / 2.0),
+    );
+    [centre.0 - wide / 2.0, centre.1 - high / 2.0, centre.0 + wide / 2.0, centre.1 + high / 2.0]
+}
+
+/// The price of what words would cover at a side: other words, and lines at the best distance from their point.
+fn covered(words: &Words, side: Side, marks: &[Point], others: &[Area], unit: f64) -> f64 {
+    let on = |distance: f64| {
+        let [left, bottom, right, top] = place(words, side, distance, unit);
+        let inside = |at: &&Point| at.0 > left && at.0 < right && at.1 > bottom && at.1 < top;
+        marks.iter().filter(inside).count() as f64 + 0.8 * distance
+    };
+    let [left, bottom, right, top] = place(words, side, 0.0, unit);
+    let over = |other: &&Area| other[0] < right && other[2] > left && other[1] < top && other[3] > bottom;
+    let least = DISTANCES.into_iter().map(on).fold(f64::INFINITY, f64::min);
+    least + OVER_WORDS * others.iter().filter(over).count() as f64
+}
+
+/// The price of a side that is not the wanted one.
+fn turn(words: &Words, side: Side, centre: Point) -> f64 {
+    let cos = |to: Point| {
+        let (x, y) = side.direction();
+        let length = to.0.hypot(to.1);
+        if length > 0.0 { (x * to.0 + y * to.1) / length } else { y }
+    };
+    let out = (words.at.0 - centre.0, words.at.1 - centre.1);
+    match words.towards {
+        Towards::Out | Towards::Over(_) => 1.0 - cos(out),
+        Towards::To(direction) => 1.5 * (1.0 - cos(direction)),
+        Towards::Across(direction) => 3.0 * cos(direction).powi(2) + 0.4 * (1.0 - cos(out)),
+    }
+}
+
+fn centre<'a>(shapes: impl Iterator<Item = &'a DrawnShape>) -> Point {
+    let (mut low, mut high) = ((f64::INFINITY, f64::INFINITY), (f64::NEG_INFINITY, f64::NEG_INFINITY));
+    for (x, y) in shapes.flat_map(DrawnShape::corners).filter(|at| at.0.is_finite() && at.1.is_finite()) {
+        low = (low.0.min(x), low.1.min(y));
+        high = (high.0.max(x), high.1.max(y));
+    }
+    (f64::midpoint(low.0, high.0), f64::midpoint(low.1, high.1))
+}
+
+/// Points of the lines of a shape, near enough to each other that none passes under words unseen.
+fn mark(shape: &DrawnShape, unit: f64, marks: &mut Vec<Point>) {
+    match shape {
+        DrawnShape::Polyline(points, _) | DrawnShape::Body(points, _) => {
+            points.windows(2).for_each(|pair| line(pair[0], pair[1], unit, marks));
+            if let (DrawnShape::Body(..), [first, .., last]) = (shape, &points[..]) {
+                line(*last, *first, unit, marks);
+            }
+        }
+        DrawnShape::Circle(at, radius, _) | DrawnShape::Disc(at, radius, _) => {
+            arc(*at, *radius, 0.0, TAU, unit, marks);
+        }
+        DrawnShape::Arc(at, radius, from, to, _) => arc(*at, *radius, *from, *to, unit, marks),
+        DrawnShape::Block(a, b, _) => {
+            let corners = [*a, (b.0, a.1), *b, (a.0, b.1), *a];
+            corners.windows(2).for_each(|pair| line(pair[0], pair[1], unit, marks));
+        }
+        DrawnShape::Pin((x, y)) => {
+            for down in [0.0, 0.7, 1.4, 2.1, 2.8] {
+                marks.extend([
+                    (x - 0.4 * down * unit, y - down * unit),
+                    (x + 0.4 * down * unit, y - down * unit),
+                ]);
+            }
+        }
+        DrawnShape::Ground(a, b) => beside(*a, *b, &[0.0, -0.6, -1.2], unit, marks),
+        DrawnShape::Spring(a, b, _) | DrawnShape::Damper(a, b) => {
+            beside(*a, *b, &[-1.2, -0.6, 0.0, 0.6, 1.2], unit, marks);
+        }
+        DrawnShape::Arrow(tail, head, _) => {
+            line(*tail, *head, unit, marks);
+            // A head is worth more than a line.
+            marks.extend([*head; 4]);
+        }
+        DrawnShape::Label(..) | DrawnShape::Extent(..) => {}
+    }
+}
+
+/// Lines beside a line, so many sizes of a symbol to the left.
+fn beside(from: Point, to: Point, shifts: &[f64], unit: f64, marks: &mut Vec<Point>) {
+    let (x, y) = (to.0 - from.0, to.1 - from.1);
+    let length = x.hypot(y);
+    if length > 0.0 {
+        for shift in shifts {
+            let left = (-y / length * shift * unit, x / length * shift * unit);
+            let by = |at: Point| (at.0 + left.0, at.1 + left.1);
+            line(by(from), by(to), unit, marks);
+        }
+    }
+}
+
+fn line(from: Point, to: Point, unit: f64, marks: &mut Vec<Point>) {
+    let (x, y) = (to.0 - from.0, to.1 - from.1);
+    let steps = (x.hypot(y) / (0.6 * unit)).ceil();
+    if steps.is_finite() {
+        let steps = steps.clamp(1.0, 200.0);
+        marks.extend((0..=steps as u32).map(|n| {
+            let part = f64::from(n) / steps;
+            (from.0 + part * x, from.1 + part * y)
+        }));
+    }
+}
+
+fn arc(at: Point, radius: f64, from: f64, to: f64, unit: f64, marks: &mut Vec<Point>) {
+    let steps = (radius * (to - from).abs() / (0.6 * unit)).ceil();
+    if steps.is_finite() {
+        let steps = steps.clamp(4.0, 200.0);
+        marks.extend((0..=steps as u32).map(|n| {
+            let angle = from + (to - from) * f64::from(n) / steps;
+            (at.0 + radius * angle.cos(), at.1 + radius * angle.sin())
+        }));
+    }
+}
