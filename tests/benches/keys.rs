@@ -10,7 +10,7 @@ use dalembert_plugins as _;
 use dalembert_tui::{
     Effect, Model, Msg,
     glyphs::{Capabilities, Environment},
-    look::Look,
+    look::Appearance,
     solver, start, update, view,
 };
 use ratatui::{
@@ -63,7 +63,7 @@ impl Workbench {
     /// The first case of an analysis on a screen of this size.
     fn open(entry: &'static Entry, columns: u16, rows: u16) -> Self {
         let capabilities = Capabilities::detect(&Environment::default());
-        let look = Look::new(&capabilities);
+        let look = Appearance::new(&capabilities);
         let model = Model::new(registry(), Language::English, look, capabilities.marker);
         let terminal = Terminal::new(TestBackend::new(columns, rows)).expect("a buffer takes what is drawn");
         let mut workbench = Self { model, terminal };

@@ -6,7 +6,7 @@ use std::{hint::black_box, time::Instant};
 
 use dalembert_core::{
     About, Analysis, Draft, Entry, Inputs, Lift, Plain, Refusal, Source, Stop, Worksheet, cases, find,
-    register, worksheet::Trail,
+    register, worksheet::FieldPath,
 };
 use dalembert_mechanics::{Real, sdof};
 use dalembert_plugins as _;
@@ -102,7 +102,7 @@ fn reduced(speeds: &[f64]) {
         for (speed, place) in speeds.iter().zip(&mut direct) {
             fan.speed = *speed;
             plain.clear();
-            let given = fan.given(Lift { sheet: &plain, value: None, trail: &Trail::TOP });
+            let given = fan.given(Lift { sheet: &plain, value: None, field_path: &FieldPath::TOP });
             let solved = fan.solve(&given, &plain);
             *place = solved.ok().and_then(|()| plain.answer_at(0, "amplitude".into())).unwrap_or(f64::NAN);
         }

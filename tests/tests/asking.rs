@@ -283,13 +283,13 @@ fn praise_is_given_once() {
     };
     person.types("<tab>");
     person.turns_to("Check");
-    let mut praised = 0;
+    let mut congratulated = 0;
     for answer in answers {
         person.types("<enter>").types(&answer).types("<enter>");
-        praised += usize::from(person.sees().contains("all required answers are correct"));
+        congratulated += usize::from(person.sees().contains("all required answers are correct"));
         person.types("<down>");
     }
-    assert_eq!(praised, 1, "{}", person.sees());
+    assert_eq!(congratulated, 1, "{}", person.sees());
 }
 
 /// Text of the fan in the list of exercises.

@@ -6,8 +6,8 @@ use dalembert_testkit::catalogue;
 use dalembert_tests::{chosen, only};
 
 #[test]
-fn every_printed_answer_is_ours_or_is_disputed() {
-    catalogue::every_printed_answer_is_ours_or_is_disputed(&chosen());
+fn every_printed_answer_agrees_or_is_disputed() {
+    catalogue::every_printed_answer_agrees_or_is_disputed(&chosen());
 }
 
 /// The printed answers of the course documents, which the catalogue must hold: analysis and how many at least.

@@ -8,7 +8,7 @@ use std::{
     process::{Command, Output, Stdio},
 };
 
-use dalembert_core::{Draft, Field, Limit, Measure, Shape, cases, draft::read_leaf, registry};
+use dalembert_core::{Draft, Field, FieldLimit, Measure, Shape, cases, draft::read_leaf, registry};
 use dalembert_plugins as _;
 use dalembert_tests::pty;
 use serde_json::Value as Json;
@@ -536,8 +536,13 @@ fn every_kind_of_field_refuses_nonsense() {
         former: &[],
         shape: Shape::Quantity(KILOGRAM),
     }];
-    const KILOGRAM: Measure =
-        Measure { unit: "kg", kind: None, min: Limit::Excluding(0.0), max: Limit::None, others: &[] };
+    const KILOGRAM: Measure = Measure {
+        unit: "kg",
+        kind: None,
+        min: FieldLimit::Excluding(0.0),
+        max: FieldLimit::None,
+        others: &[],
+    };
     let any: &[&str] = &[];
     // What a text may be: anything that is one visible line.
     let words = &[

@@ -3,7 +3,7 @@
 use itertools::Itertools as _;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use dalembert_core::{Exhibit, Stop, View, cases, exhibit::Cell, registry};
+use dalembert_core::{Exhibit, Stop, Viewpoint3, cases, exhibit::Cell, registry};
 use dalembert_plugins as _;
 use dalembert_testkit::exhibits;
 use dalembert_tests::person::Person;
@@ -51,7 +51,7 @@ fn the_transmission_angle_of_any_mechanism_is_that_of_the_four_bar() {
 
 #[test]
 fn a_view_is_turned_round_and_up() {
-    let front = View { azimuth: 0.0, elevation: 0.0 };
+    let front = Viewpoint3 { azimuth: 0.0, elevation: 0.0 };
     let near = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0).hypot(a.1 - b.1) < 1e-12;
     assert!(near(front.point([1.0, 2.0, 3.0]), (2.0, 3.0)), "x points at the viewer");
     assert!(

@@ -1,7 +1,7 @@
 //! The mouse: a click goes there, a second one enters, the wheel moves what is under the pointer.
 
 use dalembert_tests::person::Person;
-use dalembert_tui::{keys::Place, look::Theme, panes::plot::Plot, plot::State};
+use dalembert_tui::{keys::KeyContext, look::Theme, panes::plot::Plot, plot::PlotState};
 use ratatui::crossterm::event::{MouseButton, MouseEventKind};
 
 const FAN: &str = "vibration/rotating-unbalance";
@@ -14,10 +14,10 @@ fn fan(columns: u16, rows: u16) -> Person {
 fn a_click_goes_there_and_a_second_one_enters() {
     let mut person = fan(90, 30);
     person.clicks("0.1 kg");
-    assert_eq!(person.model.place(), Place::Form);
+    assert_eq!(person.model.place(), KeyContext::Form);
     assert!(person.sees().contains("▸ Unbalance"), "{}", person.sees());
     person.clicks("0.1 kg");
-    assert_eq!(person.model.place(), Place::Edit);
+    assert_eq!(person.model.place(), KeyContext::Edit);
     person.types("<esc>");
     person.clicks("Working");
     assert_eq!(person.model.place().id(), "working");
@@ -25,7 +25,7 @@ fn a_click_goes_there_and_a_second_one_enters() {
     assert_eq!(person.model.place().id(), "plot");
     // A key of the footer: what is clicked is done.
     person.clicks("Tab edit inputs");
-    assert_eq!(person.model.place(), Place::Form);
+    assert_eq!(person.model.place(), KeyContext::Form);
     // Of two keys side by side each is its own.
     let (column, row) = person.place_of("[ ] tabs");
     let tab = person.model.bench.as_ref().map(|bench| bench.tab);
@@ -43,7 +43,7 @@ fn a_dialog_is_chosen_from_and_left_by_the_mouse() {
     person.clicks("clear and edit");
     assert!(person.sees().contains("▸ clear and edit"), "{}", person.sees());
     person.clicks("clear and edit");
-    assert_eq!(person.model.place(), Place::Edit);
+    assert_eq!(person.model.place(), KeyContext::Edit);
     person.types("<esc>?");
     let before = person.sees();
     person.mouse(MouseEventKind::ScrollDown, (10, 10));
@@ -69,7 +69,7 @@ fn the_wheel_moves_what_is_under_the_pointer() {
     let before = person.sees();
     person.mouse(MouseEventKind::ScrollDown, (70, 10));
     assert_ne!(person.sees(), before);
-    assert_eq!(person.model.place(), Place::Form, "the focus stays");
+    assert_eq!(person.model.place(), KeyContext::Form, "the focus stays");
     person.mouse(MouseEventKind::ScrollUp, (70, 10));
     assert_eq!(person.sees(), before);
 }
@@ -79,7 +79,7 @@ fn a_plot_is_pointed_at_zoomed_and_dragged() {
     let mut person = fan(90, 30);
     person.clicks("Plot");
     let state =
-        |person: &Person| -> Option<State> { Some(person.model.bench.as_ref()?.find::<Plot>()?.state()) };
+        |person: &Person| -> Option<PlotState> { Some(person.model.bench.as_ref()?.find::<Plot>()?.state()) };
     let cursor = |person: &Person| state(person).and_then(|state| state.cursor);
     let window = |person: &Person| state(person).and_then(|state| state.view.window);
     assert_eq!(cursor(&person), None);
@@ -105,15 +105,15 @@ fn a_plot_is_pointed_at_zoomed_and_dragged() {
 fn answers_to_be_checked_are_clicked_and_typed() {
     let mut person = fan(90, 16);
     person.turns_to("Check").clicks("Natural frequency");
-    assert!(person.model.place() == Place::Cells && person.sees().contains("▸ Natural frequency"));
+    assert!(person.model.place() == KeyContext::Cells && person.sees().contains("▸ Natural frequency"));
     person.clicks("Natural frequency").types("106.23");
     // A click into the cell that is typed in changes nothing, one beside it keeps the text.
     person.clicks("Natural frequency");
-    assert_eq!(person.model.place(), Place::Cell);
+    assert_eq!(person.model.place(), KeyContext::Cell);
     person.clicks("Damping ratio");
     assert!(person.sees().contains("▸ Damping ratio") && person.sees().contains("= 106.23 rad/s"));
     person.clicks("Damping ratio").types("0.0617").clicks("1000 rpm");
-    assert_eq!(person.model.place(), Place::Form);
+    assert_eq!(person.model.place(), KeyContext::Form);
     assert!(person.sees().contains("= 0.061694"), "{}", person.sees());
     // What lies further down is a turn of the wheel away.
     let over = person.place_of("Damping ratio");

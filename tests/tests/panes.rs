@@ -4,7 +4,7 @@ use std::{collections::HashSet, fs, path::Path};
 
 use dalembert_core::{Entry, registry};
 use dalembert_tests::person::Person;
-use dalembert_tui::{keys::Place, pane::Column, panes};
+use dalembert_tui::{keys::KeyContext, pane::Column, panes};
 use insta::assert_snapshot;
 use itertools::Itertools as _;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
@@ -174,8 +174,8 @@ fn keys_reach_every_tab_plot_and_drawing() {
 #[test]
 fn no_key_is_unreported() {
     // A character begins a value in the form, and the user's answer in a cell.
-    let begins = |place: Place, code: KeyCode| {
-        matches!(place, Place::Form | Place::Cells)
+    let begins = |place: KeyContext, code: KeyCode| {
+        matches!(place, KeyContext::Form | KeyContext::Cells)
             && matches!(code, KeyCode::Char(c) if c.is_ascii_digit() || "(.,−√-+".contains(c))
     };
     let mut keys: Vec<KeyEvent> =

@@ -5,7 +5,7 @@ use std::fs;
 
 use dalembert_core::{Value, cases};
 use dalembert_plugins as _;
-use dalembert_testkit::perturbation::{self, CHANGE, Draws, judged, perturbed};
+use dalembert_testkit::perturbation::{self, CHANGE, Draws, perturbed, verdicts};
 use dalembert_tests::chosen;
 
 const REFUSALS: &str = include_str!("../../docs/refusals.md");
@@ -29,12 +29,12 @@ fn numbers_near_those_of_a_case_are_answered_or_refused_with_reason() {
     );
 }
 
-/// A refusal that is judged twice, or that no sentence of the program is like, would say nothing.
+/// A refusal that is verdicts twice, or that no sentence of the program is like, would say nothing.
 #[test]
 fn the_table_of_refusals_is_sound() {
-    let judged = judged(REFUSALS);
-    assert!(judged.len() >= 20, "docs/refusals.md has {} rows", judged.len());
-    for (template, verdict) in judged {
+    let verdicts = verdicts(REFUSALS);
+    assert!(verdicts.len() >= 20, "docs/refusals.md has {} rows", verdicts.len());
+    for (template, verdict) in verdicts {
         assert!(["input at fault", "ours"].contains(&verdict.as_str()), "{template}: {verdict}");
     }
 }

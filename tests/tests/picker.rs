@@ -15,7 +15,7 @@ use dalembert_tui::{
     Msg,
     files::Autosave,
     picker::{Heading, Row},
-    remembered::{Change, Progress},
+    remembered::{HistoryChange, Progress},
 };
 use insta::assert_snapshot;
 
@@ -68,15 +68,15 @@ fn the_end_names_everything_that_is_not_saved_and_saves_it() {
     let mut person = person.opens(PENDULUM).opens(ROD);
     person.types("b").types("b").types("<del>2.5 m<enter>q");
     let screen = person.sees();
-    assert!(screen.contains("2 problems have unsaved") && !person.has_left, "{screen}");
+    assert!(screen.contains("2 problems have unsaved") && !person.has_quit, "{screen}");
     assert_eq!(person.kept.len(), 2);
     // One after the other, each under its name.
     person.types("<enter>");
     for name in ["fan", "pendulum"] {
-        assert!(!person.has_left && person.sees().contains("Save as"), "{}", person.sees());
+        assert!(!person.has_quit && person.sees().contains("Save as"), "{}", person.sees());
         person.types(&format!("{}<enter>", folder.path().join(name).display()));
     }
-    assert!(person.has_left && person.kept.is_empty());
+    assert!(person.has_quit && person.kept.is_empty());
     let saved = |name: &str| fs::read_to_string(folder.path().join(name)).expect("it was saved");
     assert!(saved("fan.toml").contains("1001 rpm"), "{}", saved("fan.toml"));
     assert!(saved("pendulum.toml").contains("2.5 m"), "{}", saved("pendulum.toml"));
@@ -361,8 +361,8 @@ fn pinned_and_recent_analyses_head_the_list() {
     let screen = person.sees();
     assert!(screen.contains("Recent"), "{screen}");
     assert_snapshot!("pinned_and_recent", person.types("<home><down>").sees());
-    assert!(person.remembered.contains(&Change::Pin("rigid-body/heavy-top".into(), true)));
-    assert!(person.remembered.contains(&Change::Open(FAN.into())));
+    assert!(person.remembered.contains(&HistoryChange::Pin("rigid-body/heavy-top".into(), true)));
+    assert!(person.remembered.contains(&HistoryChange::Open(FAN.into())));
     // Pinned no more; it is the recent one now.
     person.types("*");
     assert!(!person.sees().contains("Pinned") && person.sees().contains("Heavy top"), "{}", person.sees());
@@ -396,20 +396,20 @@ fn exercises_are_opened_and_marked() {
     person.types("<space>");
     assert!(line(&mut person, &shown).contains('✓'), "{}", person.sees());
     assert!(line(&mut person, "Exercise lists").contains("1/"), "{}", person.sees());
-    assert!(matches!(person.remembered.last(), Some(Change::Reach { progress: Progress::Done, .. })));
+    assert!(matches!(person.remembered.last(), Some(HistoryChange::Reach { progress: Progress::Done, .. })));
     person.types("<space>");
     assert!(line(&mut person, "Exercise lists").contains("0/"), "{}", person.sees());
     // Found right by hand, it is done as well.
-    let Some(Change::Reach { analysis, case, .. }) = person.remembered.last().cloned() else {
+    let Some(HistoryChange::Reach { analysis, case, .. }) = person.remembered.last().cloned() else {
         panic!("{:?}", person.remembered);
     };
-    person.model.remembered.take(&Change::Reach { analysis, case, progress: Progress::Solved });
+    person.model.remembered.take(&HistoryChange::Reach { analysis, case, progress: Progress::Solved });
     assert!(line(&mut person, "Exercise lists").contains("1/"), "{}", person.sees());
 }
 
 #[test]
 fn every_exercise_of_the_lists_is_there() {
-    for list in exercises::shipped() {
+    for list in exercises::bundled() {
         let list = list.expect("the list can be read");
         assert_ne!(list.title(Language::English), list.title(Language::Portuguese));
         for exercise in &list.list {
@@ -422,7 +422,7 @@ fn every_exercise_of_the_lists_is_there() {
             assert!(there, "{}: there is no case `{}`", exercise.analysis, exercise.case);
         }
     }
-    assert!(exercises::shipped().len() >= 2);
+    assert!(exercises::bundled().len() >= 2);
 }
 
 #[test]

@@ -117,7 +117,7 @@ fn a_file_that_changed_on_disk_is_never_written_over_unasked() {
 fn the_end_keeps_what_is_being_typed() {
     let mut person = fan(80, 24);
     person.types("<end><del>77 rpm<c-c>");
-    assert!(person.sees().contains("not saved") && !person.has_left, "{}", person.sees());
+    assert!(person.sees().contains("not saved") && !person.has_quit, "{}", person.sees());
     assert!(person.types("<esc>").sees().contains("77 rpm"));
     // A question that is asked while saving before the end does not end the program later.
     person.types("q<enter>");
@@ -125,7 +125,7 @@ fn the_end_keeps_what_is_being_typed() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("late.toml");
     person.types("<esc>s<c-u>").types(path.to_str().expect("a readable path")).types("<enter>");
-    assert!(path.exists() && !person.has_left);
+    assert!(path.exists() && !person.has_quit);
 }
 
 #[test]
@@ -134,7 +134,7 @@ fn saving_before_the_end_ends() {
     let path = folder.path().join("last.toml");
     let mut person = fan(80, 24);
     person.types("<end>+q<enter><c-u>").types(path.to_str().expect("a readable path")).types("<enter>");
-    assert!(person.has_left);
+    assert!(person.has_quit);
     assert!(fs::read_to_string(&path).expect("the file is there").contains("1001 rpm"));
 }
 

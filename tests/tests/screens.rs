@@ -5,7 +5,7 @@ use dalembert_core::registry;
 use dalembert_tests::person::Person;
 use dalembert_tui::{
     Msg,
-    keys::Place,
+    keys::KeyContext,
     panes::{self, places, working::Working},
     tempo,
 };
@@ -88,8 +88,8 @@ fn escape_goes_back_one_step_at_a_time_and_never_ends_the_program() {
     person.types("<esc>");
     assert!(!person.sees().contains("analyses 1/"));
     person.types("<esc><esc><esc>");
-    assert!(!person.has_left);
-    assert!(person.types("q").has_left);
+    assert!(!person.has_quit);
+    assert!(person.types("q").has_quit);
 }
 
 #[test]
@@ -377,7 +377,7 @@ fn pastes_are_one_clean_line_of_limited_length() {
     let screen = person.sees();
     assert!(!screen.contains('\u{1b}') && screen.contains("1500[31m rpm"), "{screen}");
     person.types("<enter>").pastes("<enter>quit");
-    assert!(!person.has_left, "a paste is no command");
+    assert!(!person.has_quit, "a paste is no command");
     let mut person = fan(80, 24);
     person.types("<end><del>").pastes(&"9".repeat(10_000_000));
     let screen = person.sees();
@@ -712,7 +712,7 @@ fn a_symbol_leads_to_the_step_that_made_it_and_back() {
             let line = line_with(&person.sees(), "depends on");
             let here = place(&person)?;
             person.types("<enter>");
-            if person.model.place() == Place::Form {
+            if person.model.place() == KeyContext::Form {
                 person.types("<tab><right>");
                 return None;
             }
@@ -729,7 +729,7 @@ fn a_symbol_leads_to_the_step_that_made_it_and_back() {
     // A symbol that is an input leads to its field.
     let mut person = fan(80, 24);
     person.types("]<tab><right><enter>");
-    assert_eq!(person.model.place(), Place::Form);
+    assert_eq!(person.model.place(), KeyContext::Form);
     person.types("<esc>");
     assert_eq!((person.model.place().id(), place(&person).is_some()), ("working", true), "escape comes back");
 }
@@ -743,7 +743,7 @@ fn the_palette_knows_every_action_by_its_name() {
     person.types(":em portugu<enter>");
     assert!(person.sees().contains("Dados de entrada"), "{}", person.sees());
     person.types(":quit<enter>");
-    assert!(person.has_left);
+    assert!(person.has_quit);
     let nothing = fan(80, 24).types(":zzqqxx<enter>").sees();
     assert!(nothing.contains("unknown command `zzqqxx`"), "{nothing}");
 }
@@ -753,7 +753,7 @@ fn the_help_is_the_table_of_keys() {
     assert_snapshot!("help", fan(80, 24).types("?").sees());
     let mut person = fan(80, 200);
     let help = person.types("<f1>").sees();
-    for place in places().into_iter().filter(|place| place.is_pane() || *place == Place::Form) {
+    for place in places().into_iter().filter(|place| place.is_pane() || *place == KeyContext::Form) {
         for binding in place.bindings() {
             assert!(help.contains(binding.name), "{}:\n{help}", binding.name);
         }
@@ -766,12 +766,12 @@ fn quitting_with_unsaved_changes_asks() {
     let mut person = fan(80, 24);
     person.types("<end>+q");
     assert_snapshot!(person.sees());
-    assert!(!person.has_left);
+    assert!(!person.has_quit);
     person.types("<esc>");
     assert!(person.sees().contains("1001 rpm") && person.sees().contains("●"));
     assert!(person.kept.values().any(|text| text.contains("1001 rpm")), "{:?}", person.kept);
     person.types("q<down><enter>");
-    assert!(person.has_left && person.kept.is_empty());
+    assert!(person.has_quit && person.kept.is_empty());
 }
 
 #[test]

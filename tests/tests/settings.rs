@@ -8,7 +8,7 @@ use dalembert_tests::{
     pty::{self, Launch, Pty},
 };
 use dalembert_tui::{
-    keys::{Action, Key, Place},
+    keys::{Action, Key, KeyContext},
     look::Theme,
     panes::places,
     settings,
@@ -104,7 +104,8 @@ fn every_action_has_a_key_or_a_name_and_stands_in_the_file_of_settings() {
         .collect();
     assert!(ids.len() > 50, "{ids:?}");
     for id in ids {
-        let stands = places().into_iter().flat_map(Place::bindings).any(|binding| binding.action.id() == id);
+        let stands =
+            places().into_iter().flat_map(KeyContext::bindings).any(|binding| binding.action.id() == id);
         assert!(stands, "{id} stands in no table");
     }
 }
@@ -397,8 +398,9 @@ fn an_action_without_a_key_is_reached_by_its_name() {
     let mut person = fan(90, 30);
     person.types(":mouse<enter>");
     assert!(person.model.mouse && person.sees().contains("with Shift"), "{}", person.sees());
-    let unkeyed =
-        |action| Place::Form.bindings().any(|binding| binding.action == action && binding.keys.is_empty());
+    let unkeyed = |action| {
+        KeyContext::Form.bindings().any(|binding| binding.action == action && binding.keys.is_empty())
+    };
     assert!(unkeyed(Action::Mouse) && unkeyed(Action::Theme));
 }
 
@@ -410,7 +412,7 @@ fn the_settings_in_the_guide_are_taken() {
     let block = part.split("```toml").nth(1).and_then(|rest| rest.split("```").next()).expect("an example");
     let (settings, faults) = settings::parse(block);
     assert_eq!(faults, [], "{block}");
-    assert_eq!(settings.keys.key(Place::Form, Action::Save), Key::parse("f5").ok());
+    assert_eq!(settings.keys.key(KeyContext::Form, Action::Save), Key::parse("f5").ok());
 }
 
 #[test]
@@ -456,7 +458,7 @@ fn the_keys_in_the_guide_are_keys_of_the_tables() {
     let guide = fs::read_to_string(guide).expect("the file is there");
     let names: Vec<String> = places()
         .into_iter()
-        .flat_map(Place::bindings)
+        .flat_map(KeyContext::bindings)
         .flat_map(|binding| binding.keys)
         .map(|key| key.name(&Locale::english()))
         .collect();

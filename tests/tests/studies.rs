@@ -17,7 +17,7 @@ use dalembert_tests::person::Person;
 use dalembert_tui::{
     Effect, Msg,
     ask::Question,
-    keys::{Place, notation::keys_of},
+    keys::{KeyContext, notation::keys_of},
     update,
 };
 use insta::assert_snapshot;
@@ -72,8 +72,9 @@ fn a_tolerance_is_a_share_or_a_width() {
         let entry = find(id).unwrap();
         vary::inputs(&cases::first(entry).unwrap().record(entry).unwrap())
     };
-    let of =
-        |inputs: &[vary::Input], path: &str| inputs.iter().find(|input| input.path == path).unwrap().clone();
+    let of = |inputs: &[vary::VariedInput], path: &str| {
+        inputs.iter().find(|input| input.path == path).unwrap().clone()
+    };
     let mass = of(&inputs("vibration/rotating-unbalance"), "mass");
     let angle =
         inputs("virtual-work/slider-crank").into_iter().find(|input| input.unit.pretty() == "°").unwrap();
@@ -157,7 +158,7 @@ fn an_answer_that_does_not_change_is_said_to_be_so() {
         wanted: 451_388.9,
     };
     let found = study::study(fan.entry, &fan.record, &plan, &Stop::new()).unwrap();
-    let said: Vec<String> = found.says.iter().map(dalembert_core::Text::english).collect();
+    let said: Vec<String> = found.remarks.iter().map(dalembert_core::Text::english).collect();
     assert_eq!(said, ["Stiffness of the support does not depend on Mass of the machine"]);
     assert!(found.numbers.is_empty());
 }
@@ -185,7 +186,7 @@ fn a_value_that_is_found_gives_the_wanted_answer() {
     let plan = Plan::Find { input: "speed".into(), range, answer: "amplitude".into(), wanted };
     let found = study::study(fan.entry, &fan.record, &plan, &Stop::new()).unwrap();
     // Once on the way up to the resonance, once behind it.
-    assert_eq!(found.numbers.len(), 2, "{:?}", found.says);
+    assert_eq!(found.numbers.len(), 2, "{:?}", found.remarks);
     for speed in found.numbers {
         let record = vary::changed(&fan.record, "speed", speed).unwrap();
         let amplitude =
@@ -195,9 +196,9 @@ fn a_value_that_is_found_gives_the_wanted_answer() {
     let nowhere = Plan::Find { input: "speed".into(), range, answer: "amplitude".into(), wanted: 1.0 };
     let found = study::study(fan.entry, &fan.record, &nowhere, &Stop::new()).unwrap();
     assert!(
-        found.numbers.is_empty() && found.says[0].english().contains("target not reached in the range"),
+        found.numbers.is_empty() && found.remarks[0].english().contains("target not reached in the range"),
         "{:?}",
-        found.says
+        found.remarks
     );
 }
 
@@ -219,12 +220,12 @@ fn a_sweep_runs_through_the_answers_and_says_where_there_is_none() {
     let (gaps, points): (Vec<_>, Vec<_>) = plot.series[0].points.iter().partition(|(_, y)| y.is_nan());
     assert!(gaps.iter().all(|(x, _)| *x <= 0.0025) && !gaps.is_empty(), "{gaps:?}");
     assert!(points.len() > 30);
-    let said = found.says[0].english();
+    let said = found.remarks[0].english();
     assert!(said.contains("no answer from 0.5 mm to 2.5 mm") && said.contains("m₀e/m"), "{said}");
     let Plan::Sweep { input, range, points: count, scale, answer, .. } = plan else { panic!("a sweep") };
     let family = Some(("mass".into(), vec![-1.0, 40.0]));
     let outside = Plan::Sweep { input, range, points: count, scale, family, answer };
-    let said = study::study(fan.entry, &fan.record, &outside, &Stop::new()).unwrap().says[0].english();
+    let said = study::study(fan.entry, &fan.record, &outside, &Stop::new()).unwrap().remarks[0].english();
     assert!(said.starts_with("Mass of the machine = −1 kg: ") && said.contains("limits"), "{said}");
     let ours = |x: f64| {
         let record = vary::changed(&fan.record, "damping.largest-amplitude.amplitude", x).unwrap();
@@ -314,7 +315,7 @@ fn escape_stops_what_is_asked_and_turning_to_it_asks_again() {
             "{screen}"
         );
         // What is typed ends first.
-        if person.model.place() == Place::Cell {
+        if person.model.place() == KeyContext::Cell {
             assert!(matches!(presses(&mut person, "<esc>")[..], []), "{tab}");
             assert!(person.sees().contains("solving; Esc cancels"), "{}", person.sees());
         }
@@ -330,7 +331,7 @@ fn escape_stops_what_is_asked_and_turning_to_it_asks_again() {
         assert!(found.iter().any(|words| screen.contains(words)), "{screen}");
         // The next one goes back to the inputs.
         person.types("<esc>");
-        assert_eq!(person.model.place(), Place::Form);
+        assert_eq!(person.model.place(), KeyContext::Form);
     }
 }
 

@@ -156,7 +156,7 @@ fn every_slip_in_files_of_ones_own_is_reported() {
         (Language::Portuguese, ["não há análise", "não tem o caso"]),
     ] {
         let mut person = Person::at(120, 30);
-        person.model.speak(language);
+        person.model.set_language(language);
         let screen = person.happens(Msg::Faulty(wrong.clone())).sees();
         let all = ["broken.toml", "mine.toml", words[0], words[1], " 3: ", " 4: ", " 8: "];
         assert!(all.iter().all(|words| screen.contains(words)), "{screen}");

@@ -3,8 +3,8 @@
 
 use dalembert_core::{
     Answer, AnswerValue, Axis, Cell, Check, Column, Draft, Drawing, DrawnShape, Entry, Exhibit, FieldError,
-    Ink, Locale, Plot, Refusal, Scale, Series, Side, Sides, Solution, SolveError, Stop, TableExhibit, Text,
-    cases, find,
+    Ink, LabelSide, Locale, Plot, Refusal, Scale, Series, Sides, Solution, SolveError, Stop, TableExhibit,
+    Text, cases, find,
 };
 use dalembert_mechanics::sdof;
 use dalembert_numerics::intervals::IntervalSet;
@@ -12,16 +12,17 @@ use dalembert_plugins as _;
 use dalembert_tui::{
     drawing,
     glyphs::Colors,
-    look::{Look, Theme},
+    look::{Appearance, Theme},
     panes::{label_of, reasons, results, sources, table, working},
-    plot::{self, Marker, State},
+    plot::{self, Marker, PlotState},
     solver::CheckedCase,
 };
 use ratatui::{buffer::Buffer, layout::Rect, style::Color, text::Line};
 
-const UNICODE: Look = Look { ascii: false, colors: Colors::Sixteen, theme: Theme::Terminal, basic: false };
-const ASCII: Look = Look { ascii: true, ..UNICODE };
-const BARE: Look = Look { colors: Colors::None, ..UNICODE };
+const UNICODE: Appearance =
+    Appearance { ascii: false, colors: Colors::Sixteen, theme: Theme::Terminal, basic: false };
+const ASCII: Appearance = Appearance { ascii: true, ..UNICODE };
+const BARE: Appearance = Appearance { colors: Colors::None, ..UNICODE };
 
 /// Speed and largest amplitude of the fan: 40 kg, 0.1 kg·m, ωₙ = 106.23 rad/s, ζ = 0.0617.
 const NATURAL: f64 = 106.23;
@@ -62,7 +63,13 @@ fn log(mut plot: Plot) -> Plot {
     plot
 }
 
-fn drawn(plot: &Plot, state: &State, look: &Look, locale: &Locale, (width, height): (u16, u16)) -> String {
+fn drawn(
+    plot: &Plot,
+    state: &PlotState,
+    look: &Appearance,
+    locale: &Locale,
+    (width, height): (u16, u16),
+) -> String {
     screen(width, height, |area, buffer| plot::render(plot, None, state, look, locale, area, buffer))
 }
 
@@ -94,14 +101,14 @@ fn solved() -> (&'static Entry, Solution) {
 
 #[test]
 fn a_plot_at_the_sizes_of_real_screens() {
-    let (english, state) = (Locale::english(), State::default());
-    let cursor = State { cursor: Some(104.7), ..state };
+    let (english, state) = (Locale::english(), PlotState::default());
+    let cursor = PlotState { cursor: Some(104.7), ..state };
     insta::assert_snapshot!("plot_linear", drawn(&fan(), &state, &UNICODE, &english, (76, 20)));
     insta::assert_snapshot!("plot_full", drawn(&full(), &cursor, &UNICODE, &english, (76, 20)));
     insta::assert_snapshot!("plot_log", drawn(&log(full()), &cursor, &UNICODE, &english, (76, 20)));
     insta::assert_snapshot!("plot_ascii", drawn(&full(), &cursor, &ASCII, &english, (76, 20)));
     insta::assert_snapshot!("plot_small", drawn(&full(), &cursor, &UNICODE, &english, (38, 9)));
-    let half = State { marker: Marker::HalfBlock, ..state };
+    let half = PlotState { marker: Marker::HalfBlock, ..state };
     insta::assert_snapshot!("plot_half_blocks", drawn(&fan(), &half, &UNICODE, &english, (50, 12)));
 }
 
@@ -109,7 +116,7 @@ fn a_plot_at_the_sizes_of_real_screens() {
 fn portuguese_plots_have_decimal_commas() {
     let points = vec![(0.0, 0.0), (1.0, 1.25)];
     let line = Plot::new("", Axis::linear("", ""), Axis::linear("", ""), vec![Series::line("", points)]);
-    let state = State { cursor: Some(1.0), ..State::default() };
+    let state = PlotState { cursor: Some(1.0), ..PlotState::default() };
     let shown = drawn(&line, &state, &UNICODE, &Locale::portuguese(), (60, 16));
     for words in ["0,5┤", "0,2 ", " = 1,25"] {
         assert!(shown.contains(words), "{words} in\n{shown}");
@@ -125,7 +132,7 @@ fn a_peak_keeps_its_height_however_many_points_there_are() {
     let plot = Plot::new("", Axis::linear("x", ""), Axis::linear("y", ""), vec![Series::line("y", points)]);
     let area = Rect::new(0, 0, 60, 20);
     let mut buffer = Buffer::empty(area);
-    plot::render(&plot, None, &State::default(), &UNICODE, &Locale::english(), area, &mut buffer);
+    plot::render(&plot, None, &PlotState::default(), &UNICODE, &Locale::english(), area, &mut buffer);
     let hundred = rows(&buffer).iter().position(|row| row.starts_with("100")).expect("the axis goes to 100");
     let spike: Vec<u16> = (4..60)
         .filter(|x| {
@@ -142,7 +149,7 @@ fn a_value_that_is_no_number_breaks_the_line() {
         let points = (0..=40).map(|n| (f64::from(n), if n == 20 { gap } else { 10.0 })).collect();
         let plot =
             Plot::new("", Axis::linear("x", ""), Axis::linear("y", ""), vec![Series::line("y", points)]);
-        drawn(&plot, &State::default(), &ASCII, &Locale::english(), (60, 12))
+        drawn(&plot, &PlotState::default(), &ASCII, &Locale::english(), (60, 12))
     };
     let whole = ramp(10.0);
     let stars = |drawn: &str| drawn.matches('*').count();
@@ -189,7 +196,7 @@ fn any_size_and_any_numbers_will_do() {
                 for (size, share) in
                     sizes.into_iter().zip([0.01, -0.3, 7.0, f64::NAN, 0.0].into_iter().cycle())
                 {
-                    let state = State { cursor, marker, ..State::default() }.moved(plot, share);
+                    let state = PlotState { cursor, marker, ..PlotState::default() }.moved(plot, share);
                     drawn(plot, &state, &look, &Locale::portuguese(), size);
                 }
             }
@@ -197,7 +204,7 @@ fn any_size_and_any_numbers_will_do() {
     }
     for width in 0..100 {
         for height in 0..40 {
-            let state = State { cursor: Some(104.7), ..State::default() };
+            let state = PlotState { cursor: Some(104.7), ..PlotState::default() };
             drawn(&full(), &state, &UNICODE, &Locale::english(), (width, height));
         }
     }
@@ -212,7 +219,7 @@ fn labels_of_an_axis_keep_their_distance() {
                 Plot::new("", Axis::linear("x", ""), Axis::linear("y", ""), vec![Series::line("y", points)]);
             plot.x.scale = scale;
             for width in 20..100 {
-                let drawn = drawn(&plot, &State::default(), &ASCII, &Locale::english(), (width, 12));
+                let drawn = drawn(&plot, &PlotState::default(), &ASCII, &Locale::english(), (width, 12));
                 let lines: Vec<&str> = drawn.lines().collect();
                 let axis = lines.iter().rposition(|line| line.contains("+--")).expect("there is an axis");
                 let labels: Vec<&str> = lines[axis + 1].split_whitespace().collect();
@@ -232,7 +239,7 @@ fn ticks_stand_at_their_values() {
     let points = (0..=100).map(|n| (f64::from(n), f64::from(n))).collect();
     let plot = Plot::new("", Axis::linear("x", ""), Axis::linear("y", ""), vec![Series::line("y", points)]);
     for width in [40u16, 53, 61, 78] {
-        let drawn = drawn(&plot, &State::default(), &ASCII, &Locale::english(), (width, 30));
+        let drawn = drawn(&plot, &PlotState::default(), &ASCII, &Locale::english(), (width, 30));
         let lines: Vec<Vec<char>> = drawn.lines().map(|line| line.chars().collect()).collect();
         let row = drawn.lines().position(|line| line.trim_start().starts_with("40+")).expect("a tick at 40");
         let axis = drawn.lines().position(|line| line.contains("++-")).expect("an axis");
@@ -245,8 +252,8 @@ fn ticks_stand_at_their_values() {
 #[test]
 fn the_cursor_reads_what_was_computed() {
     let (plot, english) = (fan(), Locale::english());
-    let first = State::default().moved(&plot, 0.01);
-    let read = |state: &State, locale: &Locale| plot::readout(&plot, state, locale).unwrap();
+    let first = PlotState::default().moved(&plot, 0.01);
+    let read = |state: &PlotState, locale: &Locale| plot::readout(&plot, state, locale).unwrap();
     // It begins at the mark, which lies between two points of the curve: the line between them does not contradict it.
     assert_eq!(read(&first, &english), "speed = 1000 rpm   at this speed = 19.456 mm   X = 19.456 mm");
     let right = first.moved(&plot, 0.01);
@@ -261,13 +268,13 @@ fn the_cursor_reads_what_was_computed() {
     assert_eq!(last.moved(&plot, 0.1).cursor, last.cursor);
     assert_eq!(last.without_cursor().cursor, None);
     // A cursor beyond the axis, as inputs change, is read at its end.
-    let beyond = State { cursor: Some(1e6), ..first };
+    let beyond = PlotState { cursor: Some(1e6), ..first };
     assert_eq!(read(&beyond, &english), read(&last, &english));
 }
 
 #[test]
 fn the_markers_go_round() {
-    let start = State::default();
+    let start = PlotState::default();
     let round = start.next_marker().next_marker().next_marker();
     assert_ne!(round.marker, start.marker);
     assert_eq!(round.next_marker(), start);
@@ -275,9 +282,11 @@ fn the_markers_go_round() {
 
 #[test]
 fn a_limit_far_above_is_named_at_the_edge_and_does_not_flatten_the_curve() {
-    let near = drawn(&fan().level("limit", 0.025), &State::default(), &UNICODE, &Locale::english(), (70, 18));
+    let near =
+        drawn(&fan().level("limit", 0.025), &PlotState::default(), &UNICODE, &Locale::english(), (70, 18));
     assert!(near.contains("limit") && !near.contains('▲'), "{near}");
-    let far = drawn(&fan().level("limit", 3.0), &State::default(), &UNICODE, &Locale::english(), (70, 18));
+    let far =
+        drawn(&fan().level("limit", 3.0), &PlotState::default(), &UNICODE, &Locale::english(), (70, 18));
     assert!(far.contains("▲ limit: 3000 mm") && far.contains("20┤"), "{far}");
 }
 
@@ -287,9 +296,9 @@ fn curves_are_distinguished_with_and_without_colours() {
     plot.series
         .push(Series::line("undamped", plot.series[0].points.iter().map(|at| (at.0, 0.5 * at.1)).collect()));
     let area = Rect::new(0, 0, 70, 18);
-    let colors = |look: Look| {
+    let colors = |look: Appearance| {
         let mut buffer = Buffer::empty(area);
-        plot::render(&plot, None, &State::default(), &look, &Locale::english(), area, &mut buffer);
+        plot::render(&plot, None, &PlotState::default(), &look, &Locale::english(), area, &mut buffer);
         let mut colors: Vec<Color> = buffer.content.iter().map(|cell| cell.fg).collect();
         colors.sort_by_key(|color| format!("{color}"));
         colors.dedup();
@@ -332,8 +341,8 @@ fn every_shape_at_every_size() {
         DrawnShape::Pin((1.6, -0.4)),
         DrawnShape::Polyline(vec![(1.6, -0.4), (2.6, 0.8)], Ink::Body),
         DrawnShape::Arrow((1.2, -0.3), (1.2, 0.7), Ink::Motion),
-        DrawnShape::Label((1.2, 0.7), Side::Right, "X".into()),
-        DrawnShape::Label((2.6, 0.8), Side::Right, "a rod".into()),
+        DrawnShape::Label((1.2, 0.7), LabelSide::Right, "X".into()),
+        DrawnShape::Label((2.6, 0.8), LabelSide::Right, "a rod".into()),
     ];
     let good = Drawing { title: "A machine".into(), shapes: shapes.clone() };
     let bad = Drawing {
@@ -344,7 +353,7 @@ fn every_shape_at_every_size() {
             DrawnShape::Arrow((0.0, 0.0), (f64::INFINITY, 1.0), Ink::Force),
             DrawnShape::Spring((1.0, 1.0), (1.0, 1.0), 5),
             DrawnShape::Arc((0.0, 0.0), 1e-300, 5.0, 1.0, Ink::Body),
-            DrawnShape::Label((f64::NAN, 1.0), Side::Right, "nowhere".into()),
+            DrawnShape::Label((f64::NAN, 1.0), LabelSide::Right, "nowhere".into()),
             DrawnShape::Polyline(Vec::new(), Ink::Body),
         ],
     };
@@ -362,7 +371,7 @@ fn every_shape_at_every_size() {
             }
         }
     }
-    let shown = |look: &Look| {
+    let shown = |look: &Appearance| {
         screen(64, 24, |area, buffer| {
             drawing::render(&good, look, &Locale::english(), area, buffer);
         })
@@ -612,9 +621,9 @@ fn verdicts_are_written_as_everything_else_is() {
     let (entry, solution) = solved();
     let case = cases::first(entry).unwrap();
     let mut verdicts = case.verify(entry).unwrap();
-    (verdicts[0].printed, verdicts[0].ours) = ("-1.5e-3 m s^-1".into(), "−1.5004 m/s".into());
+    (verdicts[0].printed, verdicts[0].computed) = ("-1.5e-3 m s^-1".into(), "−1.5004 m/s".into());
     let judged = [CheckedCase { verdicts: Some(Ok(verdicts)), case }];
-    let shown = |look: &Look, locale: &Locale| {
+    let shown = |look: &Appearance, locale: &Locale| {
         text(&sources::lines(entry, &judged, None, Some(&solution.answers), look, locale, 100).lines)
     };
     let english = shown(&UNICODE, &Locale::english());
@@ -640,7 +649,7 @@ fn long_titles_go_on_in_a_second_line() {
             drawing::render(&drawing, &UNICODE, &Locale::english(), area, buffer);
         })
     };
-    let curve = |height| drawn(&plot, &State::default(), &UNICODE, &Locale::english(), (40, height));
+    let curve = |height| drawn(&plot, &PlotState::default(), &UNICODE, &Locale::english(), (40, height));
     assert!(whole(&curve(20)) && whole(&sketch(20)));
     for low in [curve(10), sketch(10)] {
         assert!(low.lines().next().unwrap().ends_with('…'), "{low}");
@@ -650,10 +659,10 @@ fn long_titles_go_on_in_a_second_line() {
 #[test]
 fn marks_are_seen_on_their_curves_in_ascii() {
     let plot = fan().mark("at half of it", (50.0, amplitude(50.0)));
-    let shown = drawn(&plot, &State::default(), &ASCII, &Locale::english(), (76, 20));
+    let shown = drawn(&plot, &PlotState::default(), &ASCII, &Locale::english(), (76, 20));
     assert_eq!(shown.matches('@').count(), 2, "{shown}");
     assert!(shown.contains("at this speed") && shown.contains("at half of it"), "{shown}");
-    let cursor = State { cursor: Some(200.0), ..State::default() };
+    let cursor = PlotState { cursor: Some(200.0), ..PlotState::default() };
     let shown = drawn(&plot, &cursor, &ASCII, &Locale::english(), (76, 20));
     assert_eq!(shown.matches('O').count(), 1, "{shown}");
 }
@@ -682,7 +691,7 @@ fn the_panes_speak_portuguese() {
     let error = SolveError::Refused(Refusal::NoAnswer("k".into()));
     assert!(text(&reasons::refusal(None, &error, &UNICODE, &locale, 40)).starts_with("Sem solução"));
     let nothing = Plot::new("", Axis::linear("", ""), Axis::linear("", ""), Vec::new());
-    assert!(drawn(&nothing, &State::default(), &UNICODE, &locale, (40, 5)).contains("nada a desenhar"));
+    assert!(drawn(&nothing, &PlotState::default(), &UNICODE, &locale, (40, 5)).contains("nada a desenhar"));
     for words in [
         "verified by a second method",
         "verified by a second method (relative difference {difference})",

@@ -9,7 +9,7 @@ use std::{
 };
 
 use crate::{
-    Exhibit, Field, FieldError, Inputs, Name, Plain, Record, Shape, Sheet, Solution, Source, Text, Trail,
+    Exhibit, Field, FieldError, FieldPath, Inputs, Name, Plain, Record, Shape, Sheet, Solution, Source, Text,
     Value, Worksheet, assumed, gravity, input::Lift, kept, vary,
 };
 
@@ -218,7 +218,7 @@ fn solve<A: Analysis>(
 ) -> Result<Solution, SolveError> {
     worked(record, stop, perturbed, &|value, sheet| {
         let problem = A::read_all(value).map_err(SolveError::Fields)?;
-        let given = problem.given(Lift { sheet, value: Some(value), trail: &Trail::TOP });
+        let given = problem.given(Lift { sheet, value: Some(value), field_path: &FieldPath::TOP });
         Ok(problem.solve(&given, sheet)?)
     })
 }
@@ -272,7 +272,7 @@ impl<A: Analysis> Problem for A {
     }
 
     fn solve_plain(&self, plain: &Plain<'_>) -> Result<(), Refusal> {
-        let given = self.given(Lift { sheet: plain, value: None, trail: &Trail::TOP });
+        let given = self.given(Lift { sheet: plain, value: None, field_path: &FieldPath::TOP });
         self.solve(&given, plain)
     }
 }

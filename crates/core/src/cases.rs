@@ -5,7 +5,7 @@ use toml_edit::{Item, TableLike};
 
 use crate::{
     Answer, AnswerValue, Draft, Entry, Locale, Number, Record, Refusal, Solution, SolveError, Stop, Text,
-    file::{self, FileError, Format, Reading},
+    file::{self, FileError, FileNotes, Format},
 };
 
 /// A problem with printed answers.
@@ -63,12 +63,12 @@ pub struct Expected {
     /// As it was printed, with its unit.
     pub printed: String,
     /// Rule of comparison and tolerance.
-    pub how: Hold,
+    pub how: ComparisonRule,
 }
 
 /// Rule by which an expected answer is compared with the computed one.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Hold {
+pub enum ComparisonRule {
     /// To half a unit in the last printed place.
     ToTheLastPlace,
     /// To half a unit in the last place, and to four significant digits where fewer are written: what is computed is
@@ -81,7 +81,7 @@ pub enum Hold {
         /// Reason for which the published value is disputed.
         why: Text,
         /// The right value, compared with half a unit in its last place.
-        ours: String,
+        computed: String,
     },
 }
 
@@ -93,16 +93,16 @@ pub struct Verdict {
     /// As it was printed.
     pub printed: String,
     /// Ours, in the unit of the printed one.
-    pub ours: String,
+    pub computed: String,
     /// Result of the comparison.
-    pub outcome: Outcome,
+    pub outcome: Comparison,
     /// Reason of a difference; empty where there is none.
     pub why: Text,
 }
 
 /// Result of comparing a published answer with the computed one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
+pub enum Comparison {
     /// They agree.
     Agreed,
     /// They differ, and we say why.
@@ -148,17 +148,17 @@ impl Case {
         let solved = self.record(entry).and_then(|record| entry.solve(&record, &Stop::new()));
         match (&self.refused, solved) {
             (Some(words), Err(SolveError::Refused(Refusal::NoAnswer(why)))) => {
-                let ours = why.english();
-                let agreed = ours.to_lowercase().contains(&words.to_lowercase());
-                let outcome = if agreed { Outcome::Agreed } else { Outcome::Differing };
+                let computed = why.english();
+                let agreed = computed.to_lowercase().contains(&words.to_lowercase());
+                let outcome = if agreed { Comparison::Agreed } else { Comparison::Differing };
                 let (answer, printed) = ("refusal".to_owned(), words.clone());
-                Ok(vec![Verdict { answer, printed, ours, outcome, why: Text::from("") }])
+                Ok(vec![Verdict { answer, printed, computed, outcome, why: Text::from("") }])
             }
             (Some(words), Ok(_)) => Ok(vec![Verdict {
                 answer: "refusal".into(),
                 printed: words.clone(),
-                ours: "an answer".into(),
-                outcome: Outcome::Differing,
+                computed: "an answer".into(),
+                outcome: Comparison::Differing,
                 why: Text::from(""),
             }]),
             (_, Err(err)) => Err(err),
@@ -172,7 +172,8 @@ impl Case {
 
 /// Compares an answer with a printed one to its last place; `None` where the two cannot be compared.
 pub fn agrees(answer: &Answer, printed: &str) -> Option<bool> {
-    let expected = Expected { answer: String::new(), printed: printed.to_owned(), how: Hold::ToTheLastPlace };
+    let expected =
+        Expected { answer: String::new(), printed: printed.to_owned(), how: ComparisonRule::ToTheLastPlace };
     compare(answer, &expected).1
 }
 
@@ -200,13 +201,13 @@ impl Seen {
     }
 }
 
-impl Outcome {
+impl Comparison {
     /// `agreed`, `disputed` or `differing`.
     pub fn name(self) -> &'static str {
         match self {
-            Outcome::Agreed => "agreed",
-            Outcome::Disputed => "disputed",
-            Outcome::Differing => "differing",
+            Comparison::Agreed => "agreed",
+            Comparison::Disputed => "disputed",
+            Comparison::Differing => "differing",
         }
     }
 }
@@ -236,7 +237,7 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
         Some(other) => return Err(format!("{name}: nothing is seen in a `{other}`")),
     };
     let inputs = table.get("inputs").ok_or_else(|| format!("{name}: there are no inputs"))?;
-    let mut reading = Reading { format: Format::LATEST, errors: Vec::new(), notes: Vec::new(), kind: None };
+    let mut reading = FileNotes { format: Format::LATEST, errors: Vec::new(), notes: Vec::new(), kind: None };
     let draft = file::draft_of(inputs, &entry.shape(), "inputs", &mut reading);
     if let Some(err) = reading.errors.first() {
         return Err(format!("{name}: {}", err.why.english()));
@@ -268,7 +269,8 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
 
 fn expected(answer: &str, item: &Item, truth: Truth) -> Result<Expected, String> {
     let answer = answer.to_owned();
-    let to_the_last_place = if truth == Truth::Published { Hold::ToTheLastPlace } else { Hold::Computed };
+    let to_the_last_place =
+        if truth == Truth::Published { ComparisonRule::ToTheLastPlace } else { ComparisonRule::Computed };
     if let Some(printed) = item.as_str() {
         return Ok(Expected { answer, printed: printed.to_owned(), how: to_the_last_place });
     }
@@ -277,9 +279,9 @@ fn expected(answer: &str, item: &Item, truth: Truth) -> Result<Expected, String>
     let printed = text("printed").ok_or("`printed` is missing")?;
     let within = table.get("within").and_then(Item::as_float);
     let how = match (text("disputed"), text("ours"), within, text("because")) {
-        (Some(why), Some(ours), None, None) => Hold::Disputed { why: Text::new(why), ours },
+        (Some(why), Some(computed), None, None) => ComparisonRule::Disputed { why: Text::new(why), computed },
         (Some(_), None, None, None) => return Err("a disputed answer needs `ours`, the right value".into()),
-        (None, None, Some(share), Some(why)) if share < 0.05 => Hold::Within(share, Text::new(why)),
+        (None, None, Some(share), Some(why)) if share < 0.05 => ComparisonRule::Within(share, Text::new(why)),
         (None, None, Some(_), Some(_)) => return Err("a share of 5 % or more holds nothing".into()),
         (None, None, None, None) => to_the_last_place,
         _ => return Err("write `disputed` and `ours`, or `within` and `because`".into()),
@@ -288,30 +290,31 @@ fn expected(answer: &str, item: &Item, truth: Truth) -> Result<Expected, String>
 }
 
 fn verdict(expected: &Expected, solution: &Solution) -> Verdict {
-    let (ours, near) = match solution.answer(&expected.answer) {
+    let (computed, near) = match solution.answer(&expected.answer) {
         None => ("no such answer".to_owned(), None),
         Some(answer) => compare(answer, expected),
     };
-    let right = |ours: &str| {
-        solution.answer(&expected.answer).and_then(|answer| agrees(answer, ours)).unwrap_or(false)
+    let right = |computed: &str| {
+        solution.answer(&expected.answer).and_then(|answer| agrees(answer, computed)).unwrap_or(false)
     };
     let (outcome, why) = match (&expected.how, near) {
-        (Hold::Disputed { ours, .. }, Some(false)) if !right(ours) => {
+        (ComparisonRule::Disputed { computed, .. }, Some(false)) if !right(computed) => {
             let why = Text::new("the computed value in place of the disputed one is {right}");
-            (Outcome::Differing, why.with("right", ours))
+            (Comparison::Differing, why.with("right", computed))
         }
-        (Hold::Disputed { why, .. }, Some(false)) => (Outcome::Disputed, why.clone()),
-        (Hold::Disputed { .. }, Some(true)) => {
-            (Outcome::Differing, Text::from("outdated dispute: the published value agrees"))
+        (ComparisonRule::Disputed { why, .. }, Some(false)) => (Comparison::Disputed, why.clone()),
+        (ComparisonRule::Disputed { .. }, Some(true)) => {
+            (Comparison::Differing, Text::from("outdated dispute: the published value agrees"))
         }
-        (Hold::Within(_, why), Some(true)) => (Outcome::Agreed, why.clone()),
-        (_, Some(true)) => (Outcome::Agreed, Text::from("")),
-        (_, None) => {
-            (Outcome::Differing, Text::from("the published value cannot be compared with the computed one"))
-        }
-        _ => (Outcome::Differing, Text::from("")),
+        (ComparisonRule::Within(_, why), Some(true)) => (Comparison::Agreed, why.clone()),
+        (_, Some(true)) => (Comparison::Agreed, Text::from("")),
+        (_, None) => (
+            Comparison::Differing,
+            Text::from("the published value cannot be compared with the computed one"),
+        ),
+        _ => (Comparison::Differing, Text::from("")),
     };
-    Verdict { answer: expected.answer.clone(), printed: expected.printed.clone(), ours, outcome, why }
+    Verdict { answer: expected.answer.clone(), printed: expected.printed.clone(), computed, outcome, why }
 }
 
 /// A verdict for each check that fails.
@@ -319,8 +322,8 @@ fn failed_checks(solution: &Solution) -> impl Iterator<Item = Verdict> {
     solution.checks.iter().filter(|check| !check.passed).map(|check| Verdict {
         answer: "check".into(),
         printed: check.what.english(),
-        ours: format!("{:e}", check.residual),
-        outcome: Outcome::Differing,
+        computed: format!("{:e}", check.residual),
+        outcome: Comparison::Differing,
         why: Text::from("a check of the solution failed"),
     })
 }
@@ -332,9 +335,9 @@ fn compare(answer: &Answer, expected: &Expected) -> (String, Option<bool>) {
         AnswerValue::Number(Number::Vector(si), _) => compare_vector(*si, &answer.unit, expected),
         AnswerValue::List(numbers) => compare_list(numbers, &answer.unit, expected),
         AnswerValue::Set(..) => {
-            let ours = answer.shown(&Locale::english().digits(6));
+            let computed = answer.shown(&Locale::english().digits(6));
             let near = compare_set(&answer.shown(&Locale::english().digits(15)), &expected.printed, expected);
-            (ours, near)
+            (computed, near)
         }
     }
 }
@@ -343,12 +346,12 @@ fn compare(answer: &Answer, expected: &Expected) -> (String, Option<bool>) {
 fn tolerance(expected: &Expected, printed: f64, last_place: f64) -> f64 {
     let half = 0.5 * last_place * (1.0 + 1e-9) + 1e-12 * printed.abs();
     match expected.how {
-        Hold::Within(share, _) => share * printed.abs(),
+        ComparisonRule::Within(share, _) => share * printed.abs(),
         // A nought without decimals says nothing of how small it is.
-        Hold::Computed if printed == 0.0 && expected.printed.contains('.') => half,
-        Hold::Computed if printed == 0.0 => 1e-4 * half,
-        Hold::Computed => half.min(FOUR_DIGITS * printed.abs()),
-        Hold::ToTheLastPlace | Hold::Disputed { .. } => half,
+        ComparisonRule::Computed if printed == 0.0 && expected.printed.contains('.') => half,
+        ComparisonRule::Computed if printed == 0.0 => 1e-4 * half,
+        ComparisonRule::Computed => half.min(FOUR_DIGITS * printed.abs()),
+        ComparisonRule::ToTheLastPlace | ComparisonRule::Disputed { .. } => half,
     }
 }
 
@@ -360,9 +363,9 @@ fn compare_scalar(si: f64, dim: Dim, expected: &Expected) -> (String, Option<boo
         Ok(printed) => printed,
         Err(err) => return (err.to_string(), None),
     };
-    let ours = units::write_quantity(si, &printed.unit, Locale::english().digits(6).style);
+    let computed = units::write_quantity(si, &printed.unit, Locale::english().digits(6).style);
     if !printed.unit.dim.agrees(dim) {
-        return (ours, None);
+        return (computed, None);
     }
     let mut off = (si - printed.si).abs();
     if dim == Dim::ANGLE {
@@ -370,7 +373,7 @@ fn compare_scalar(si: f64, dim: Dim, expected: &Expected) -> (String, Option<boo
         off = off.rem_euclid(std::f64::consts::TAU);
         off = off.min(std::f64::consts::TAU - off);
     }
-    (ours, Some(off <= tolerance(expected, printed.si, printed.last_place)))
+    (computed, Some(off <= tolerance(expected, printed.si, printed.last_place)))
 }
 
 fn compare_vector(si: [f64; 3], unit: &units::Unit, expected: &Expected) -> (String, Option<bool>) {
@@ -378,13 +381,13 @@ fn compare_vector(si: [f64; 3], unit: &units::Unit, expected: &Expected) -> (Str
         Ok(printed) => printed,
         Err(err) => return (err.to_string(), None),
     };
-    let ours = units::write_components(&si, &printed.unit, Locale::english().digits(6).style);
+    let computed = units::write_components(&si, &printed.unit, Locale::english().digits(6).style);
     let size = printed.si.iter().fold(0.0f64, |size, x| size.max(x.abs()));
     let near = si
         .iter()
         .zip(printed.si)
         .all(|(a, b)| (a - b).abs() <= tolerance(expected, size, printed.last_place));
-    (ours, Some(near))
+    (computed, Some(near))
 }
 
 /// Numbers in order, in the unit behind them: `0.3473; 0.6527; 1; …` or `(5.53; 10.89) Hz`. The `…` says that there are
@@ -402,7 +405,7 @@ fn compare_list(si: &[f64], unit: &units::Unit, expected: &Expected) -> (String,
             Err(err) => return (err.to_string(), None),
         },
     };
-    let ours = units::write_components(si, &printed_unit, Locale::english().digits(6).style);
+    let computed = units::write_components(si, &printed_unit, Locale::english().digits(6).style);
     let mut numbers: Vec<&str> = numbers.trim_end_matches(')').split(';').map(str::trim).collect();
     let more = numbers.pop_if(|last| *last == "…").is_some();
     let read = |text: &&str| units::read_quantity(text, &printed_unit, units::Kind::Other);
@@ -412,17 +415,17 @@ fn compare_list(si: &[f64], unit: &units::Unit, expected: &Expected) -> (String,
     };
     let fits = if more { printed.len() < si.len() } else { printed.len() == si.len() };
     if !fits || !printed_unit.dim.agrees(unit.dim) {
-        return (ours, None);
+        return (computed, None);
     }
     let near = |(si, printed): (&f64, &units::Quantity)| {
         (si - printed.si).abs() <= tolerance(expected, printed.si, printed.last_place)
     };
-    (ours, Some(si.iter().zip(&printed).all(near)))
+    (computed, Some(si.iter().zip(&printed).all(near)))
 }
 
 /// Sets are printed as ours are shown: `≤ 113.4 mm or ≥ 439.9 mm`, `2 m … 3 m`, `every value`, `no value`. Each end is
 /// compared with the last place printed.
-fn compare_set(ours: &str, printed: &str, expected: &Expected) -> Option<bool> {
+fn compare_set(computed: &str, printed: &str, expected: &Expected) -> Option<bool> {
     /// The words or the sign of a part, and its ends.
     fn part(text: &str) -> Option<(&str, Vec<units::Quantity>)> {
         let read = |text: &str| units::read_any(text).ok();
@@ -436,16 +439,16 @@ fn compare_set(ours: &str, printed: &str, expected: &Expected) -> Option<bool> {
         }
     }
     let parts = |text| -> Option<Vec<_>> { str::split(text, " or ").map(part).collect() };
-    let (ours, printed) = (parts(ours)?, parts(printed)?);
-    if ours.len() != printed.len() {
+    let (computed, printed) = (parts(computed)?, parts(printed)?);
+    if computed.len() != printed.len() {
         return Some(false);
     }
-    let near = |(ours, printed): (&units::Quantity, &units::Quantity)| {
-        (ours.si - printed.si).abs() <= tolerance(expected, printed.si, printed.last_place)
-            && ours.unit.dim.agrees(printed.unit.dim)
+    let near = |(computed, printed): (&units::Quantity, &units::Quantity)| {
+        (computed.si - printed.si).abs() <= tolerance(expected, printed.si, printed.last_place)
+            && computed.unit.dim.agrees(printed.unit.dim)
     };
-    Some(ours.iter().zip(&printed).all(|((sign, ours), (other, printed))| {
-        sign == other && ours.len() == printed.len() && ours.iter().zip(printed).all(near)
+    Some(computed.iter().zip(&printed).all(|((sign, computed), (other, printed))| {
+        sign == other && computed.len() == printed.len() && computed.iter().zip(printed).all(near)
     }))
 }
 
@@ -466,7 +469,12 @@ mod tests {
         let mm = units::unit("mm").expect("a unit");
         let held = |printed: &str| {
             let printed = printed.to_owned();
-            compare_list(&si, &mm, &Expected { answer: String::new(), printed, how: Hold::ToTheLastPlace }).1
+            compare_list(
+                &si,
+                &mm,
+                &Expected { answer: String::new(), printed, how: ComparisonRule::ToTheLastPlace },
+            )
+            .1
         };
         let agreed =
             ["0.34; -0.65; 1.0", "(0.34; -0.65; 1.0) mm", "340; -650; 1000 um", "0.34; -0.65; …", "(0.3; …)"];

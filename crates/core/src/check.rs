@@ -38,20 +38,20 @@ pub enum Mistake {
     /// It follows from the user's own answers of these names, which are wrong.
     Follows(Vec<String>),
     /// Our answer was changed at the end.
-    Answer(Change),
+    Answer(NumberChange),
     /// It is the answer to another question, of this name.
     Other(String),
     /// An input, by its path and label, was taken otherwise.
-    Input(String, Text, Change),
+    Input(String, Text, NumberChange),
     /// Two inputs were interchanged.
     Interchanged(Box<[(String, Text); 2]>),
     /// A step of the worked solution, by its place and symbol, came out otherwise.
-    Step(usize, Symbol, Change),
+    Step(usize, Symbol, NumberChange),
 }
 
 /// Change of a number by a common mistake.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Change {
+pub enum NumberChange {
     /// The other sign.
     Sign,
     /// So many times as large; as it is written.
@@ -93,7 +93,7 @@ pub enum Change {
 
 /// Compares a typed answer with ours. A number alone is in the unit that ours is shown in.
 pub fn compare(answer: &Answer, typed: &str) -> Verdict {
-    let Some(ours) = answer.si() else {
+    let Some(computed) = answer.si() else {
         return match cases::agrees(answer, typed) {
             Some(true) => Verdict::Right,
             Some(false) => Verdict::Wrong,
@@ -104,9 +104,9 @@ pub fn compare(answer: &Answer, typed: &str) -> Verdict {
         Ok(typed) => typed,
         Err(why) => return Verdict::Unread(why),
     };
-    let ours = if ours.abs() <= answer.noise { 0.0 } else { ours };
-    let off = difference(typed.si, ours, answer.dim());
-    let size = ours.abs();
+    let computed = if computed.abs() <= answer.noise { 0.0 } else { computed };
+    let off = difference(typed.si, computed, answer.dim());
+    let size = computed.abs();
     let to_the_digits = off <= half_a_place(&typed) + 1e-12 * size;
     match (to_the_digits, off <= TOLERANCE * size) {
         (true, true) => Verdict::Right,
@@ -214,51 +214,53 @@ impl Mistake {
     }
 }
 
-fn of_answer(change: &Change) -> Text {
+fn of_answer(change: &NumberChange) -> Text {
     match change {
-        Change::Sign => Text::new("sign error"),
-        Change::Unit { taken, is } => {
+        NumberChange::Sign => Text::new("sign error"),
+        NumberChange::Unit { taken, is } => {
             Text::new("the number is in {taken}, not {is}").with("taken", taken).with("is", is)
         }
-        Change::Squared => Text::new("squared value: a square root was omitted"),
-        Change::Rooted => Text::new("square root of the value: a square was omitted"),
-        Change::Inverted => Text::new("reciprocal of the answer"),
-        Change::Complement(_) => Text::new("angle measured from another axis or in the opposite sense"),
+        NumberChange::Squared => Text::new("squared value: a square root was omitted"),
+        NumberChange::Rooted => Text::new("square root of the value: a square was omitted"),
+        NumberChange::Inverted => Text::new("reciprocal of the answer"),
+        NumberChange::Complement(_) => Text::new("angle measured from another axis or in the opposite sense"),
         other => times(other),
     }
 }
 
-fn of_input(change: &Change) -> Text {
+fn of_input(change: &NumberChange) -> Text {
     match change {
-        Change::Sign => Text::new("sign error"),
-        Change::Unit { taken, is } => Text::new("{is} used as {taken}").with("is", is).with("taken", taken),
-        Change::Diameter => Text::new("diameter and radius (or a whole and its half) confused"),
-        Change::Gravity(si) => Text::new("{gravity} used").with_quantity("gravity", *si, "m/s^2"),
-        Change::LeftOut => Text::new("omitted"),
-        Change::Complement(_) => Text::new("measured from another axis or in the opposite sense"),
+        NumberChange::Sign => Text::new("sign error"),
+        NumberChange::Unit { taken, is } => {
+            Text::new("{is} used as {taken}").with("is", is).with("taken", taken)
+        }
+        NumberChange::Diameter => Text::new("diameter and radius (or a whole and its half) confused"),
+        NumberChange::Gravity(si) => Text::new("{gravity} used").with_quantity("gravity", *si, "m/s^2"),
+        NumberChange::LeftOut => Text::new("omitted"),
+        NumberChange::Complement(_) => Text::new("measured from another axis or in the opposite sense"),
         other => times(other),
     }
 }
 
-fn of_step(change: &Change) -> Text {
+fn of_step(change: &NumberChange) -> Text {
     match change {
-        Change::Sign => Text::new("sign error"),
-        Change::TermSign => Text::new("sign error in a term"),
-        Change::TermLeftOut => Text::new("a term omitted"),
-        Change::PowerLeftOut => Text::new("an exponent omitted"),
-        Change::RootLeftOut => Text::new("a square root omitted"),
-        Change::SineForCosine => Text::new("sine and cosine interchanged"),
-        Change::DividedForMultiplied => Text::new("division and multiplication interchanged"),
+        NumberChange::Sign => Text::new("sign error"),
+        NumberChange::TermSign => Text::new("sign error in a term"),
+        NumberChange::TermLeftOut => Text::new("a term omitted"),
+        NumberChange::PowerLeftOut => Text::new("an exponent omitted"),
+        NumberChange::RootLeftOut => Text::new("a square root omitted"),
+        NumberChange::SineForCosine => Text::new("sine and cosine interchanged"),
+        NumberChange::DividedForMultiplied => Text::new("division and multiplication interchanged"),
         other => times(other),
     }
 }
 
-fn times(change: &Change) -> Text {
+fn times(change: &NumberChange) -> Text {
     match change {
-        Change::Times(factor, written) if factor.abs() > 1.0 => {
+        NumberChange::Times(factor, written) if factor.abs() > 1.0 => {
             Text::new("{factor} times too large").with("factor", written)
         }
-        Change::Times(_, written) => Text::new("{factor} times too small").with("factor", written),
+        NumberChange::Times(_, written) => Text::new("{factor} times too small").with("factor", written),
         _ => Text::new("different interpretation"),
     }
 }

@@ -20,7 +20,7 @@ use std::collections::HashMap;
 
 use crate::{
     AnswerValue, Check, Entry, Record, Refusal, Sides, Solution, SolveError, Stop, Text, cases, file,
-    trace::{Function, Id, Node, Number, Op},
+    trace::{Function, Id, Number, Op, TraceNode},
 };
 
 /// The rows of one name that are tried in each case.
@@ -32,14 +32,14 @@ pub struct Coverage {
     /// Name of the answer, without its index.
     pub answer: &'static str,
     /// Coverage of the answer by checks.
-    pub standing: Standing,
+    pub status: CoverageStatus,
     /// The reason that the case file gives for an answer that nothing covers.
     pub reason: Option<Reason>,
 }
 
 /// Coverage of an answer.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Standing {
+pub enum CoverageStatus {
     /// A check that notices when it is wrong, by what it compares.
     Covered(Text),
     /// It is an input.
@@ -73,20 +73,20 @@ pub fn coverage(entry: &Entry, stop: &Stop) -> Result<Vec<Coverage>, String> {
         let mut known = HashMap::new();
         for answer in &solution.answers {
             let at = found.iter().position(|one| one.answer == answer.name.base).unwrap_or_else(|| {
-                let standing = Standing::Uncovered;
-                found.push(Coverage { answer: answer.name.base, standing, reason: None });
+                let status = CoverageStatus::Uncovered;
+                found.push(Coverage { answer: answer.name.base, status, reason: None });
                 found.len() - 1
             });
             let AnswerValue::Number(_, id) = answer.value else { continue };
             let tries = tried.entry(answer.name.base).or_default();
             *tries += 1;
-            if matches!(found[at].standing, Standing::Covered(_)) || *tries > ROWS {
+            if matches!(found[at].status, CoverageStatus::Covered(_)) || *tries > ROWS {
                 continue;
             }
-            let here = standing(entry, &record, &solution, id, &mut known, stop)
+            let here = status(entry, &record, &solution, id, &mut known, stop)
                 .map_err(|err| format!("{}: {err}", case.name))?;
-            if rank(&here) > rank(&found[at].standing) {
-                found[at].standing = here;
+            if rank(&here) > rank(&found[at].status) {
+                found[at].status = here;
             }
         }
     }
@@ -106,31 +106,33 @@ pub fn same_trees(solution: &Solution) -> Vec<&Check> {
     solution.checks.iter().filter(|check| is_same_tree(solution, check, &classes)).collect()
 }
 
-fn rank(standing: &Standing) -> u8 {
-    match standing {
-        Standing::Uncovered => 0,
-        Standing::Form => 1,
-        Standing::Input => 2,
-        Standing::Covered(_) => 3,
+fn rank(status: &CoverageStatus) -> u8 {
+    match status {
+        CoverageStatus::Uncovered => 0,
+        CoverageStatus::Form => 1,
+        CoverageStatus::Input => 2,
+        CoverageStatus::Covered(_) => 3,
     }
 }
 
 type Known = HashMap<usize, Option<Text>>;
 
-fn standing(
+fn status(
     entry: &Entry,
     record: &Record,
     solution: &Solution,
     id: Id,
     known: &mut Known,
     stop: &Stop,
-) -> Result<Standing, SolveError> {
+) -> Result<CoverageStatus, SolveError> {
     let mut is_form = false;
     let mut at = id;
     loop {
         let node = solution.trace.node(at);
         match &node.op {
-            Op::Given { .. } => return Ok(if is_form { Standing::Form } else { Standing::Input }),
+            Op::Given { .. } => {
+                return Ok(if is_form { CoverageStatus::Form } else { CoverageStatus::Input });
+            }
             Op::Step(step) => {
                 // A step that only names what another one found is that one.
                 let formula = solution.steps[*step].formula;
@@ -144,15 +146,15 @@ fn standing(
                     known.insert(*step, noticing(entry, record, solution, *step, stop)?);
                 }
                 match (&known[step], formula) {
-                    (Some(_), _) if is_form => return Ok(Standing::Form),
-                    (Some(what), _) => return Ok(Standing::Covered(what.clone())),
+                    (Some(_), _) if is_form => return Ok(CoverageStatus::Form),
+                    (Some(what), _) => return Ok(CoverageStatus::Covered(what.clone())),
                     (None, Some(formula)) => at = formula,
-                    (None, None) => return Ok(Standing::Uncovered),
+                    (None, None) => return Ok(CoverageStatus::Uncovered),
                 }
             }
             op => match form_of(solution, op) {
                 Some(of) => (at, is_form) = (of, true),
-                None => return Ok(Standing::Uncovered),
+                None => return Ok(CoverageStatus::Uncovered),
             },
         }
     }
@@ -250,7 +252,7 @@ fn classes(solution: &Solution) -> Vec<u32> {
     classes
 }
 
-fn is_negative(node: &Node) -> bool {
+fn is_negative(node: &TraceNode) -> bool {
     matches!(node.number, Number::Scalar(x) if x.is_sign_negative())
 }
 
@@ -275,7 +277,7 @@ fn reasons(entry: &Entry) -> Result<Vec<(String, Reason)>, String> {
 impl Coverage {
     /// Returns true if a reason is stated for an answer that a check covers all the same.
     pub fn is_stale(&self) -> bool {
-        self.reason.is_some() && self.standing != Standing::Uncovered
+        self.reason.is_some() && self.status != CoverageStatus::Uncovered
     }
 }
 

@@ -8,7 +8,7 @@ use std::collections::{HashMap, HashSet};
 use dalembert_units::{self as units, Style};
 
 use crate::{
-    Field, FieldError, Limit, Measure, Record, Shape, Text, Value, gravity, kinds,
+    Field, FieldError, FieldLimit, Measure, Record, Shape, Text, Value, gravity, kinds,
     path::{segments, step, unknown},
     reading, table,
 };
@@ -435,12 +435,22 @@ fn outside(measure: &Measure, si: f64, text: &str) -> Option<Text> {
     let limit =
         |why: &'static str, limit: f64| Text::new(why).with_quantity("limit", own.si(limit), measure.unit);
     let why = match (measure.min, measure.max) {
-        (Limit::Excluding(0.0), _) if value <= 0.0 => Text::new("must be above zero; you wrote {text}"),
-        (Limit::Including(0.0), _) if value < 0.0 => Text::new("must not be below zero; you wrote {text}"),
-        (Limit::Excluding(min), _) if value <= min => limit("must be above {limit}; you wrote {text}", min),
-        (Limit::Including(min), _) if value < min => limit("must be {limit} or more; you wrote {text}", min),
-        (_, Limit::Excluding(max)) if value >= max => limit("must be below {limit}; you wrote {text}", max),
-        (_, Limit::Including(max)) if value > max => limit("must be {limit} or less; you wrote {text}", max),
+        (FieldLimit::Excluding(0.0), _) if value <= 0.0 => Text::new("must be above zero; you wrote {text}"),
+        (FieldLimit::Including(0.0), _) if value < 0.0 => {
+            Text::new("must not be below zero; you wrote {text}")
+        }
+        (FieldLimit::Excluding(min), _) if value <= min => {
+            limit("must be above {limit}; you wrote {text}", min)
+        }
+        (FieldLimit::Including(min), _) if value < min => {
+            limit("must be {limit} or more; you wrote {text}", min)
+        }
+        (_, FieldLimit::Excluding(max)) if value >= max => {
+            limit("must be below {limit}; you wrote {text}", max)
+        }
+        (_, FieldLimit::Including(max)) if value > max => {
+            limit("must be {limit} or less; you wrote {text}", max)
+        }
         _ => return None,
     };
     Some(why.with("text", text.trim()))

@@ -140,7 +140,7 @@ fn tables<'d>(document: &'d Document<&str>) -> Vec<&'d Table> {
 }
 
 /// The lists that come with the program, in the order of their English titles.
-pub fn shipped() -> Vec<Result<Exercises, Vec<FileError>>> {
+pub fn bundled() -> Vec<Result<Exercises, Vec<FileError>>> {
     let mut all: Vec<_> = inventory::iter::<Bundled>().map(|shipped| read(shipped.0)).collect();
     all.sort_by(|a, b| {
         let title = |one: &Result<Exercises, _>| one.as_ref().map(|one| one.title.clone()).ok();

@@ -11,8 +11,8 @@ use std::{
 };
 
 pub use self::clip::clipped;
-pub use self::side::Side;
-pub use self::space::{Point3, Scene, Shape3, View};
+pub use self::side::LabelSide;
+pub use self::space::{Point3, Scene, Shape3, Viewpoint3};
 use crate::Text;
 
 /// Figure or table of the results.
@@ -216,7 +216,7 @@ pub enum DrawnShape {
     /// An arrow from tail to head.
     Arrow(Point, Point, Ink),
     /// Words at a side of a point.
-    Label(Point, Side, Text),
+    Label(Point, LabelSide, Text),
     /// Nothing that is seen: opposite corners of what every frame of an animation shows.
     Extent(Point, Point),
 }
@@ -375,7 +375,7 @@ impl Exhibit {
     }
 
     /// The same, a scene in space as it is seen from a side; `None` for its usual one.
-    pub fn projected(&self, frame: usize, view: Option<View>) -> Option<Cow<'_, Drawing>> {
+    pub fn projected(&self, frame: usize, view: Option<Viewpoint3>) -> Option<Cow<'_, Drawing>> {
         match self {
             Exhibit::Drawing(drawing) => Some(Cow::Borrowed(drawing)),
             Exhibit::Animation(animation) => {

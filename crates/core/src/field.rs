@@ -74,9 +74,9 @@ pub struct Measure {
     /// The kind, where the unit does not tell it.
     pub kind: Option<units::Kind>,
     /// The least value, in `unit`.
-    pub min: Limit,
+    pub min: FieldLimit,
     /// The largest value, in `unit`.
-    pub max: Limit,
+    pub max: FieldLimit,
     /// The measures of the other kinds that may stand here instead. The unit that is written decides, and is of the same
     /// kind in all such fields of a problem.
     pub others: &'static [Measure],
@@ -84,7 +84,7 @@ pub struct Measure {
 
 /// An end of the permitted range.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Limit {
+pub enum FieldLimit {
     /// No limit.
     None,
     /// The value itself is permitted.
@@ -201,7 +201,7 @@ impl Shape {
     }
 
     /// Child list of a group, a table or a one-of.
-    pub fn insides(&self) -> Option<ChildList> {
+    pub fn child_list(&self) -> Option<ChildList> {
         match self {
             Shape::Group(fields) | Shape::Table(fields) => Some(ChildList::of(fields())),
             Shape::OneOf(variants) => Some(ChildList::of(variants())),

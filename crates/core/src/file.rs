@@ -26,7 +26,7 @@ const KEYS: [&str; 5] = ["format", "analysis", "title", "inputs", "show"];
 
 /// The contents of a problem file.
 #[derive(Clone, Debug)]
-pub struct Problem {
+pub struct ProblemFile {
     /// Analysis of the problem.
     pub entry: &'static Entry,
     /// Title given by the user; may be empty.
@@ -40,7 +40,7 @@ pub struct Problem {
 }
 
 /// The errors and notes of reading a file of a format.
-pub(crate) struct Reading {
+pub(crate) struct FileNotes {
     pub(crate) format: Format,
     pub(crate) errors: Vec<FileError>,
     pub(crate) notes: Vec<Text>,
@@ -59,7 +59,7 @@ pub struct FileError {
 
 /// Reads a problem file. The inputs are taken as they are typed; [`Draft::read`] says what is wrong with them,
 /// and [`locate`] where.
-pub fn parse(text: &str) -> Result<Problem, Vec<FileError>> {
+pub fn parse(text: &str) -> Result<ProblemFile, Vec<FileError>> {
     let document = document(text)?;
     let root = document.as_table();
     let mut errors = Vec::new();
@@ -79,10 +79,10 @@ pub fn parse(text: &str) -> Result<Problem, Vec<FileError>> {
             return Err(errors);
         }
     };
-    let mut reading = Reading { format, errors, notes: Vec::new(), kind: None };
+    let mut reading = FileNotes { format, errors, notes: Vec::new(), kind: None };
     let no_inputs = Item::Table(Table::new());
     let draft = draft_of(root.get("inputs").unwrap_or(&no_inputs), &entry.shape(), "inputs", &mut reading);
-    let Reading { mut errors, notes, .. } = reading;
+    let FileNotes { mut errors, notes, .. } = reading;
     let title = text_at(root, "title", &mut errors).unwrap_or_default();
     let mut show = Vec::new();
     match root.get("show").map(|item| (item, item.as_table_like())) {
@@ -102,7 +102,7 @@ pub fn parse(text: &str) -> Result<Problem, Vec<FileError>> {
         }),
         None => {}
     }
-    if errors.is_empty() { Ok(Problem { entry, title, draft, show, notes }) } else { Err(errors) }
+    if errors.is_empty() { Ok(ProblemFile { entry, title, draft, show, notes }) } else { Err(errors) }
 }
 
 /// Returns true if a text is a problem file, however wrong its inputs may be.
@@ -112,7 +112,7 @@ pub fn is_problem(text: &str) -> bool {
 
 /// Writes a problem over the text of its file, in the latest format, keeping comments, order and everything that has
 /// not changed.
-pub fn write(problem: &Problem, over: &str) -> String {
+pub fn write(problem: &ProblemFile, over: &str) -> String {
     let mut document: DocumentMut = over.parse().unwrap_or_default();
     let root = document.as_table_mut();
     Format::LATEST.write(root);
@@ -221,7 +221,7 @@ pub(crate) fn document(text: &str) -> Result<Document<&str>, Vec<FileError>> {
 }
 
 /// Draft of an item of a file, in the shape of the inputs.
-pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Reading) -> Draft {
+pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut FileNotes) -> Draft {
     let mut fail = |why: Text, span: Option<Range<usize>>| {
         reading.errors.push(FileError {
             why: Text::new("{path}: {why}").with("path", path).with_text("why", why),

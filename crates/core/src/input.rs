@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::{Shape, Text, Value, Worksheet, worksheet::Trail};
+use crate::{Shape, Text, Value, Worksheet, worksheet::FieldPath};
 
 /// A struct or enum that a form can fill. Derived.
 pub trait Inputs: Sized + Send + 'static {
@@ -13,7 +13,7 @@ pub trait Inputs: Sized + Send + 'static {
 
     /// The problem that a value describes. `Err` names what is missing or of another shape; a value that was
     /// read against [`SHAPE`](Inputs::SHAPE) has no such faults.
-    fn read(value: &Value, trail: &Trail<'_>, errors: &mut Vec<FieldError>) -> Option<Self>;
+    fn read(value: &Value, field_path: &FieldPath<'_>, errors: &mut Vec<FieldError>) -> Option<Self>;
     /// The same inputs as numbers of `lift.sheet`.
     fn given<W: Worksheet>(&self, lift: Lift<'_, W>) -> Self::Given<W>;
     /// The number at a place: field indices, row indices, the index of the chosen alternative, vector components.
@@ -22,7 +22,7 @@ pub trait Inputs: Sized + Send + 'static {
     /// The problem that the value of a whole describes, or everything that is wrong with it.
     fn read_all(value: &Value) -> Result<Self, Vec<FieldError>> {
         let mut errors = Vec::new();
-        match Self::read(value, &Trail::TOP, &mut errors) {
+        match Self::read(value, &FieldPath::TOP, &mut errors) {
             Some(problem) if errors.is_empty() => Ok(problem),
             _ => Err(errors),
         }
@@ -48,7 +48,7 @@ pub struct Lift<'t, W> {
     /// Value as typed, for its units; `None` where units do not matter.
     pub value: Option<&'t Value>,
     /// Path of the current field.
-    pub trail: &'t Trail<'t>,
+    pub field_path: &'t FieldPath<'t>,
 }
 
 /// A number of one of several kinds: a displacement, a velocity or an acceleration, as the unit says that is written.
@@ -87,15 +87,17 @@ pub mod derive_support {
     use nalgebra::Vector3;
 
     use super::{FieldError, Inputs, Lift, MeasuredQuantity, Reference};
-    use crate::{Field, Limit, Measure, Record, Shape, Value, Variant, Worksheet, worksheet::Given};
+    use crate::{
+        Field, FieldLimit, Measure, Record, Shape, Value, Variant, Worksheet, worksheet::InputNumber,
+    };
 
-    pub use crate::worksheet::Trail;
+    pub use crate::worksheet::FieldPath;
     pub use dalembert_units::Kind;
 
     type Errors = Vec<FieldError>;
 
-    fn mismatch<T>(trail: &Trail<'_>, wanted: &'static str, errors: &mut Errors) -> Option<T> {
-        errors.push(FieldError::new(trail.path(), wanted));
+    fn mismatch<T>(field_path: &FieldPath<'_>, wanted: &'static str, errors: &mut Errors) -> Option<T> {
+        errors.push(FieldError::new(field_path.path(), wanted));
         None
     }
 
@@ -137,92 +139,92 @@ pub mod derive_support {
         this.slot(&path)
     }
 
-    pub fn quantity(value: &Value, trail: &Trail<'_>, errors: &mut Errors) -> Option<f64> {
+    pub fn quantity(value: &Value, field_path: &FieldPath<'_>, errors: &mut Errors) -> Option<f64> {
         match value {
             Value::Quantity(quantity) => Some(quantity.si),
-            _ => mismatch(trail, "a quantity is needed here", errors),
+            _ => mismatch(field_path, "a quantity is needed here", errors),
         }
     }
 
     pub fn measured(
         value: &Value,
         measure: Measure,
-        trail: &Trail<'_>,
+        field_path: &FieldPath<'_>,
         errors: &mut Errors,
     ) -> Option<MeasuredQuantity> {
         match value {
             Value::Quantity(quantity) => {
                 Some(MeasuredQuantity { si: quantity.si, unit: measure.of(&quantity.unit).unit })
             }
-            _ => mismatch(trail, "a quantity is needed here", errors),
+            _ => mismatch(field_path, "a quantity is needed here", errors),
         }
     }
 
-    pub fn vector(value: &Value, trail: &Trail<'_>, errors: &mut Errors) -> Option<Vector3<f64>> {
+    pub fn vector(value: &Value, field_path: &FieldPath<'_>, errors: &mut Errors) -> Option<Vector3<f64>> {
         match value {
             Value::Vector(vector) => Some(Vector3::from(vector.si)),
-            _ => mismatch(trail, "a vector is needed here", errors),
+            _ => mismatch(field_path, "a vector is needed here", errors),
         }
     }
 
-    pub fn text(value: &Value, trail: &Trail<'_>, errors: &mut Errors) -> Option<String> {
+    pub fn text(value: &Value, field_path: &FieldPath<'_>, errors: &mut Errors) -> Option<String> {
         match value {
             Value::Text(text) => Some(text.clone()),
-            _ => mismatch(trail, "a text is needed here", errors),
+            _ => mismatch(field_path, "a text is needed here", errors),
         }
     }
 
-    pub fn flag(value: &Value, trail: &Trail<'_>, errors: &mut Errors) -> Option<bool> {
+    pub fn flag(value: &Value, field_path: &FieldPath<'_>, errors: &mut Errors) -> Option<bool> {
         match value {
             Value::Flag(flag) => Some(*flag),
-            _ => mismatch(trail, "yes or no is needed here", errors),
+            _ => mismatch(field_path, "yes or no is needed here", errors),
         }
     }
 
-    pub fn count(value: &Value, trail: &Trail<'_>, errors: &mut Errors) -> Option<u64> {
+    pub fn count(value: &Value, field_path: &FieldPath<'_>, errors: &mut Errors) -> Option<u64> {
         match value {
             Value::Count(count) => Some(*count),
-            _ => mismatch(trail, "a whole number is needed here", errors),
+            _ => mismatch(field_path, "a whole number is needed here", errors),
         }
     }
 
-    pub fn reference(value: &Value, trail: &Trail<'_>, errors: &mut Errors) -> Option<Reference> {
+    pub fn reference(value: &Value, field_path: &FieldPath<'_>, errors: &mut Errors) -> Option<Reference> {
         match value {
             Value::Reference { row, .. } => Some(Reference(*row)),
-            _ => mismatch(trail, "the name of a row is needed here", errors),
+            _ => mismatch(field_path, "the name of a row is needed here", errors),
         }
     }
 
     /// Reading function of a value, compiled once for all fields of a type.
-    type Read<T> = fn(&Value, &Trail<'_>, &mut Errors) -> Option<T>;
+    type Read<T> = fn(&Value, &FieldPath<'_>, &mut Errors) -> Option<T>;
 
     pub fn read_field<T>(
         group: &Value,
         at: usize,
         name: &'static str,
-        trail: &Trail<'_>,
+        field_path: &FieldPath<'_>,
         errors: &mut Errors,
         read: Read<T>,
     ) -> Option<T> {
-        read(field(group, at), &trail.field(name), errors)
+        read(field(group, at), &field_path.field(name), errors)
     }
 
     pub fn read_optional<T>(
         group: &Value,
         at: usize,
         name: &'static str,
-        trail: &Trail<'_>,
+        field_path: &FieldPath<'_>,
         errors: &mut Errors,
         read: Read<T>,
     ) -> Option<Option<T>> {
         match field(group, at) {
             Value::Absent => Some(None),
-            value => read(value, &trail.field(name), errors).map(Some),
+            value => read(value, &field_path.field(name), errors).map(Some),
         }
     }
 
-    pub fn one_of<T>(trail: &Trail<'_>, errors: &mut Errors) -> Option<T> {
-        mismatch(trail, "one of the alternatives is needed here", errors)
+    pub fn one_of<T>(field_path: &FieldPath<'_>, errors: &mut Errors) -> Option<T> {
+        mismatch(field_path, "one of the alternatives is needed here", errors)
     }
 
     pub fn optional<T>(
@@ -235,31 +237,31 @@ pub mod derive_support {
 
     pub fn rows<T>(
         value: &Value,
-        trail: &Trail<'_>,
+        field_path: &FieldPath<'_>,
         errors: &mut Errors,
-        mut read: impl FnMut(&Value, &Trail<'_>, &mut Errors) -> Option<T>,
+        mut read: impl FnMut(&Value, &FieldPath<'_>, &mut Errors) -> Option<T>,
     ) -> Option<Vec<T>> {
-        let Value::Rows(rows) = value else { return mismatch(trail, "a list is needed here", errors) };
+        let Value::Rows(rows) = value else { return mismatch(field_path, "a list is needed here", errors) };
         let all: Vec<T> =
-            rows.iter().enumerate().filter_map(|(n, row)| read(row, &trail.row(n), errors)).collect();
+            rows.iter().enumerate().filter_map(|(n, row)| read(row, &field_path.row(n), errors)).collect();
         (all.len() == rows.len()).then_some(all)
     }
 
     pub fn table<T>(
         value: &Value,
-        trail: &Trail<'_>,
+        field_path: &FieldPath<'_>,
         errors: &mut Errors,
         read: impl Fn(&[f64], &[Unit]) -> Option<T>,
     ) -> Option<Vec<T>> {
         match value {
             Value::Table(table) => table.rows.iter().map(|row| read(row, &table.units)).collect(),
-            _ => mismatch(trail, "a table is needed here", errors),
+            _ => mismatch(field_path, "a table is needed here", errors),
         }
     }
 
     fn measure_of(shape: &Shape) -> &'static Measure {
         const NONE: &Measure =
-            &Measure { unit: "1", kind: None, min: Limit::None, max: Limit::None, others: &[] };
+            &Measure { unit: "1", kind: None, min: FieldLimit::None, max: FieldLimit::None, others: &[] };
         match shape {
             Shape::Optional(inner) => measure_of(inner()),
             Shape::Rows { item, .. } => match item() {
@@ -286,7 +288,8 @@ pub mod derive_support {
         at: usize,
         si: f64,
     ) -> W::Num {
-        let input = Given { field: &fields[at], at: Some(at), value: lift.value, trail: lift.trail };
+        let input =
+            InputNumber { field: &fields[at], at: Some(at), value: lift.value, field_path: lift.field_path };
         lift.sheet.given(input, si)
     }
 
@@ -298,20 +301,22 @@ pub mod derive_support {
         at: usize,
         si: Vector3<f64>,
     ) -> W::Vec {
-        let input = Given { field: &fields[at], at: Some(at), value: lift.value, trail: lift.trail };
+        let input =
+            InputNumber { field: &fields[at], at: Some(at), value: lift.value, field_path: lift.field_path };
         lift.sheet.given_vector(input, si)
     }
 
     /// A number, `lift` being its own.
     #[inline]
     pub fn given<W: Worksheet>(lift: Lift<'_, W>, field: &'static Field, si: f64) -> W::Num {
-        lift.sheet.given(Given { field, at: None, value: lift.value, trail: lift.trail }, si)
+        lift.sheet.given(InputNumber { field, at: None, value: lift.value, field_path: lift.field_path }, si)
     }
 
     /// A vector, `lift` being its own.
     #[inline]
     pub fn given_vector<W: Worksheet>(lift: Lift<'_, W>, field: &'static Field, si: Vector3<f64>) -> W::Vec {
-        lift.sheet.given_vector(Given { field, at: None, value: lift.value, trail: lift.trail }, si)
+        lift.sheet
+            .given_vector(InputNumber { field, at: None, value: lift.value, field_path: lift.field_path }, si)
     }
 
     #[inline]
@@ -329,6 +334,6 @@ pub mod derive_support {
             Value::Quantity(units::Quantity { si: *si, unit: unit.clone(), last_place: 0.0 })
         };
         let values = numbers.iter().zip(units).map(quantity).collect();
-        R::read(&Value::Group(Record { fields, values }), &Trail::TOP, &mut Vec::new())
+        R::read(&Value::Group(Record { fields, values }), &FieldPath::TOP, &mut Vec::new())
     }
 }

@@ -26,7 +26,7 @@ mod path;
 pub mod printer;
 mod reading;
 mod record;
-mod retrace;
+mod reevaluate;
 pub mod sensitivity;
 mod sheet;
 pub mod sketch;
@@ -53,20 +53,20 @@ pub use crate::{
     ascii::ascii,
     draft::Draft,
     exhibit::{
-        Animation, Axis, Band, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, Level, Mark, Over, Plot,
-        Point, Point3, Scale, Scene, Series, Shape3, Side, TableExhibit, View,
+        Animation, Axis, Band, Cell, Column, Drawing, DrawnShape, Exhibit, Ink, LabelSide, Level, Mark, Over,
+        Plot, Point, Point3, Scale, Scene, Series, Shape3, TableExhibit, Viewpoint3,
     },
-    field::{ChildList, Field, Limit, Measure, Shape, Variant},
+    field::{ChildList, Field, FieldLimit, Measure, Shape, Variant},
     input::{FieldError, Inputs, Lift, MeasuredQuantity, Reference},
     path::{is_within, nearest},
-    record::{Record, Table, Value},
+    record::{NumberTable, Record, Value},
     sheet::{Sheet, Term, VectorTerm},
     sketch::Sketch,
     solution::{Answer, AnswerValue, Check, Display, Name, Sides, Solution, Step},
     source::{Cite, Source},
     text::{Arg, Language, Locale, Messages, Text},
     trace::{Number, Symbol, Trace},
-    worksheet::{Plain, Trail, Why, Worksheet},
+    worksheet::{FieldPath, Plain, Reason, Worksheet},
 };
 
 messages!("../locales/pt-BR.ftl");

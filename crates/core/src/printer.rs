@@ -1,13 +1,11 @@
 //! Writes what a solution found as a user would: formulas with their symbols, the same with their values.
 
-use std::ops::Bound;
+mod answer;
 
-use dalembert_numerics::intervals::{Interval, IntervalSet};
 use dalembert_units::{self as units, Style};
 
 use crate::{
-    Answer, Locale, Solution, Step, Symbol, Text,
-    solution::AnswerValue,
+    Locale, Solution, Step, Symbol,
     trace::{Function, Id, Number, Op},
 };
 
@@ -60,7 +58,7 @@ pub fn step(solution: &Solution, step: &Step, locale: &Locale) -> WrittenStep {
         }),
         Vec::new(),
     );
-    let result = number(solution.trace.cleaned(step.result), &step.unit, locale.style);
+    let result = number(solution.trace.without_noise(step.result), &step.unit, locale.style);
     if let Some(id) = step.formula {
         writer(false).long_sums(id, &step.unit, &mut terms);
     }
@@ -81,56 +79,6 @@ pub fn step(solution: &Solution, step: &Step, locale: &Locale) -> WrittenStep {
 /// A number of the trace as a formula of symbols.
 pub fn formula(solution: &Solution, id: Id, locale: &Locale) -> String {
     Writer { solution, values: false, general: false, radians: false, style: locale.style }.expression(id)
-}
-
-impl Answer {
-    /// The answer in words and numbers.
-    pub fn shown(&self, locale: &Locale) -> String {
-        let locale = &self.digits.map_or(*locale, |digits| locale.digits(digits));
-        match &self.value {
-            AnswerValue::Number(value, _) => number(value.cleaned(self.noise), &self.unit, locale.style),
-            AnswerValue::Set(set, _) => set_text(set, &self.unit, locale),
-            AnswerValue::List(numbers) => {
-                let clean = |x: &f64| if x.abs() <= self.noise { 0.0 } else { *x };
-                let numbers: Vec<f64> = numbers.iter().map(clean).collect();
-                units::write_components(&numbers, &self.unit, locale.style)
-            }
-        }
-    }
-}
-
-/// A set of positive numbers in SI: `≤ 113.4 mm or ≥ 439.9 mm`, `every value`, `no value`.
-fn set_text(set: &IntervalSet, unit: &units::Unit, locale: &Locale) -> String {
-    if set.is_none() {
-        return Text::new("no value").render(locale);
-    }
-    let shown = |si: f64| units::write_quantity(si, unit, locale.style);
-    let sign =
-        |strict: &'static str, (ascii, unicode): (&'static str, &'static str), bound: Bound<f64>| match bound
-        {
-            Bound::Excluded(_) => strict,
-            _ if locale.style.ascii => ascii,
-            _ => unicode,
-        };
-    let part = |interval: Interval| {
-        // Lengths, stiffnesses and speeds begin at zero: that end is no limit.
-        let lower = match interval.lower {
-            Bound::Included(x) | Bound::Excluded(x) if x > 0.0 => Some(x),
-            _ => None,
-        };
-        let upper = match interval.upper {
-            Bound::Included(x) | Bound::Excluded(x) => Some(x),
-            Bound::Unbounded => None,
-        };
-        match (lower, upper) {
-            (None, None) => Text::new("every value").render(locale),
-            (None, Some(x)) => format!("{} {}", sign("<", ("<=", "≤"), interval.upper), shown(x)),
-            (Some(x), None) => format!("{} {}", sign(">", (">=", "≥"), interval.lower), shown(x)),
-            (Some(from), Some(to)) => format!("{} … {}", shown(from), shown(to)),
-        }
-    };
-    let or = Text::new("or").render(locale);
-    set.intervals().map(part).collect::<Vec<_>>().join(&format!(" {or} "))
 }
 
 /// A symbol with its rows: `m₁`, `I_G₂`.
@@ -411,7 +359,7 @@ impl<'s> Writer<'s> {
             _ => unreachable!("only inputs and steps have names"),
         };
         if self.values {
-            return number(self.solution.trace.cleaned(id), &self.written_in(unit), self.style);
+            return number(self.solution.trace.without_noise(id), &self.written_in(unit), self.style);
         }
         let mut symbol = *symbol;
         if self.general
@@ -466,7 +414,7 @@ impl<'s> Writer<'s> {
     }
 
     fn is_negative(&self, id: Id) -> bool {
-        self.values && matches!(self.solution.trace.cleaned(id), Number::Scalar(value) if value < 0.0)
+        self.values && matches!(self.solution.trace.without_noise(id), Number::Scalar(value) if value < 0.0)
     }
 
     fn base(&self, id: Id) -> String {
@@ -582,7 +530,10 @@ impl<'s> Writer<'s> {
             for id in all {
                 let node = self.solution.trace.node(*id);
                 let unit = if node.dim.agrees(unit.dim) { unit.clone() } else { si_unit(node.dim) };
-                out.push((self.expression(*id), number(self.solution.trace.cleaned(*id), &unit, self.style)));
+                out.push((
+                    self.expression(*id),
+                    number(self.solution.trace.without_noise(*id), &unit, self.style),
+                ));
             }
             return;
         }

@@ -1,6 +1,6 @@
 //! The words of a reading error, so that they can be said in every language.
 
-use dalembert_units::{Dim, Hint, Kind, ReadError, Sense, Unit, WrongKind};
+use dalembert_units::{Dim, Hint, Kind, ReadError, Unit, UnitMeaning, WrongKind};
 
 use crate::Text;
 
@@ -105,14 +105,14 @@ fn two_readings(template: &'static str, text: &str, [first, second]: &[String; 2
 }
 
 fn wrong_kind(wrong: &WrongKind) -> Text {
-    let WrongKind { text, unit, kind, bare, hint, .. } = wrong;
+    let WrongKind { text, unit, kind, default, hint, .. } = wrong;
     let found = match (unit.sense, Kind::of(unit)) {
-        (Sense::Level, _) => Text::new("a level"),
+        (UnitMeaning::Level, _) => Text::new("a level"),
         (_, found) => in_unit(found, unit),
     };
     let example = match kind.units() {
-        [first, ..] if bare.text.is_empty() => (*first).to_owned(),
-        _ => bare.ascii(),
+        [first, ..] if default.text.is_empty() => (*first).to_owned(),
+        _ => default.ascii(),
     };
     let sentence = match hint {
         None => Text::new("`{text}` is {found}; {expected} expected, e.g. in {example}"),
@@ -122,7 +122,7 @@ fn wrong_kind(wrong: &WrongKind) -> Text {
     sentence
         .with("text", text)
         .with_text("found", found)
-        .with_text("expected", in_unit(*kind, bare))
+        .with_text("expected", in_unit(*kind, default))
         .with("example", example)
 }
 

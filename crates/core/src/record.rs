@@ -36,14 +36,14 @@ pub enum Value {
     /// A list.
     Rows(Vec<Value>),
     /// Numbers in columns.
-    Table(Table),
+    Table(NumberTable),
     /// Left out.
     Absent,
 }
 
 /// Numbers in columns.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Table {
+pub struct NumberTable {
     /// The units the columns were written in.
     pub units: Vec<Unit>,
     /// The rows, in SI.

@@ -4,7 +4,7 @@ use dalembert_units::Unit;
 
 use crate::{
     Entry, Record, Refusal, SolveError, Stop, Text,
-    vary::{self, Input, Perturbed},
+    vary::{self, Perturbed, VariedInput},
 };
 
 /// The step of the derivative, as a share of the input: the error of a central difference is then about 10⁻⁸.
@@ -20,19 +20,19 @@ pub struct Sensitivity {
     /// Value at the nominal inputs, in SI.
     pub value: f64,
     /// Influences, one for each input, in the order of the form.
-    pub influences: Vec<Influence>,
+    pub influences: Vec<InputInfluence>,
     /// Combined effect of all tolerances.
     pub spread: Spread,
 }
 
 /// Effect of one input on one answer.
 #[derive(Clone, Debug)]
-pub struct Influence {
+pub struct InputInfluence {
     /// The input.
-    pub input: Input,
+    pub input: VariedInput,
     /// The tolerance that was given for it, in SI.
     pub tolerance: f64,
-    /// The answer with the input a [step](Input::step) smaller and a step larger, in SI; NaN where there is none.
+    /// The answer with the input a [step](VariedInput::step) smaller and a step larger, in SI; NaN where there is none.
     pub sides: [f64; 2],
     /// The answer with the input at both ends of its tolerance.
     pub at_tolerance: [f64; 2],
@@ -52,7 +52,7 @@ pub struct Spread {
 }
 
 /// The sensitivity of an answer to every number among the inputs. `tolerances` are in SI, by the paths of their inputs;
-/// `usual` is that of every other one, in its [steps](Input::step).
+/// `usual` is that of every other one, in its [steps](VariedInput::step).
 ///
 /// # Errors
 /// Why the problem as given has no answer, or none of that name.
@@ -84,14 +84,14 @@ pub fn sensitivity(
             .zip(sides.into_iter().chain(at_tolerance))
             .find(|(_, value)| value.is_nan());
         let refused = missing.and_then(|(by, _)| vary::why_not(entry, record, &input, input.si + by, stop));
-        influences.push(Influence { input, tolerance, sides, at_tolerance, derivative, refused });
+        influences.push(InputInfluence { input, tolerance, sides, at_tolerance, derivative, refused });
     }
     let spread = together(&mut again, value, &influences, stop)?;
     Ok(Sensitivity { answer: answer.to_owned(), value, influences, spread })
 }
 
 /// The tolerance of an input among those that were given.
-pub(crate) fn tolerance(input: &Input, given: &[(String, f64)], usual: f64) -> f64 {
+pub(crate) fn tolerance(input: &VariedInput, given: &[(String, f64)], usual: f64) -> f64 {
     given
         .iter()
         .find(|(path, _)| *path == input.path)
@@ -100,7 +100,12 @@ pub(crate) fn tolerance(input: &Input, given: &[(String, f64)], usual: f64) -> f
 
 /// The ends that raise or lower the answer most are put together one by one, the most influential first: exact where the
 /// answer runs to one side with each input, and near a peak no end is taken that leads back down.
-fn together(again: &mut Perturbed, value: f64, all: &[Influence], stop: &Stop) -> Result<Spread, Refusal> {
+fn together(
+    again: &mut Perturbed,
+    value: f64,
+    all: &[InputInfluence],
+    stop: &Stop,
+) -> Result<Spread, Refusal> {
     let mut order: Vec<usize> = (0..all.len()).collect();
     order.sort_by(|a, b| all[*b].within_tolerance(value).total_cmp(&all[*a].within_tolerance(value)));
     let mut farthest = |sign: f64| -> Result<f64, Refusal> {
@@ -123,7 +128,7 @@ fn together(again: &mut Perturbed, value: f64, all: &[Influence], stop: &Stop) -
     Ok(Spread { worst, likely: squares.sqrt() })
 }
 
-impl Influence {
+impl InputInfluence {
     /// The change of the answer for a step more of the input, from both sides, in SI.
     pub fn change(&self, value: f64) -> f64 {
         let [less, more] = self.sides;

@@ -15,11 +15,11 @@ use nalgebra::Vector3;
 
 pub use self::{term::Term, vect::VectorTerm};
 use crate::{
-    Answer, Check, Exhibit, Locale, Name, Refusal, Sides, Solution, Step, Stop, Symbol, Text, Value, Why,
+    Answer, Check, Exhibit, Locale, Name, Reason, Refusal, Sides, Solution, Step, Stop, Symbol, Text, Value,
     Worksheet, derive_support, printer,
     solution::AnswerValue,
-    trace::{Id, Node, Number, Op, ROUNDING},
-    worksheet::Given,
+    trace::{Id, Number, Op, ROUNDING, TraceNode},
+    worksheet::InputNumber,
 };
 
 /// The largest relative difference of two ways to the same number, where rounding does not explain a larger one.
@@ -78,7 +78,7 @@ impl<'a> Sheet<'a> {
     fn push_rounded(&self, number: Number, dim: Dim, op: Op, [scale, error]: [f64; 2]) -> Id {
         let nodes = &mut self.solution.borrow_mut().trace.nodes;
         let id = Id::try_from(nodes.len()).expect("a worked solution has fewer than 2³² numbers");
-        nodes.push(Node { number, dim, op, scale, error });
+        nodes.push(TraceNode { number, dim, op, scale, error });
         id
     }
 
@@ -111,7 +111,7 @@ impl<'a> Sheet<'a> {
         formula: Option<Id>,
         number: Number,
         dim: Dim,
-        why: Why,
+        why: Reason,
     ) -> Id {
         if !unit.dim.agrees(dim) && number.size() != 0.0 {
             let formula = formula.map_or_else(String::new, |id| self.formula(id));
@@ -137,12 +137,12 @@ impl<'a> Sheet<'a> {
         result
     }
 
-    fn write_step(&self, symbol: Symbol, unit: &'static str, id: Id, why: Why) -> Id {
+    fn write_step(&self, symbol: Symbol, unit: &'static str, id: Id, why: Reason) -> Id {
         let (number, dim) = self.node(id);
         self.record(symbol, self.unit(unit), Some(id), number, dim, why)
     }
 
-    fn write_found(&self, symbol: Symbol, unit: &'static str, number: Number, how: Why) -> Id {
+    fn write_found(&self, symbol: Symbol, unit: &'static str, number: Number, how: Reason) -> Id {
         let unit = self.unit(unit);
         let dim = unit.dim;
         self.record(symbol, unit, None, number, dim, how)
@@ -210,12 +210,12 @@ impl<'s> Worksheet for &'s Sheet<'s> {
     type Num = Term<'s>;
     type Vec = VectorTerm<'s>;
 
-    fn given(self, input: Given<'_>, si: f64) -> Term<'s> {
+    fn given(self, input: InputNumber<'_>, si: f64) -> Term<'s> {
         let (unit, op) = self.input(&input);
         Term::Node(self, self.push(Number::Scalar(si), unit.dim, op))
     }
 
-    fn given_vector(self, input: Given<'_>, si: Vector3<f64>) -> VectorTerm<'s> {
+    fn given_vector(self, input: InputNumber<'_>, si: Vector3<f64>) -> VectorTerm<'s> {
         let (unit, op) = self.input(&input);
         VectorTerm::Node(self, self.push(Number::Vector(si.into()), unit.dim, op))
     }
@@ -225,7 +225,7 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         symbol: impl Into<Symbol>,
         unit: &'static str,
         value: Term<'s>,
-        why: impl Into<Why>,
+        why: impl Into<Reason>,
     ) -> Term<'s> {
         Term::Node(self, self.write_step(symbol.into(), unit, value.on(self), why.into()))
     }
@@ -235,24 +235,30 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         symbol: impl Into<Symbol>,
         unit: &'static str,
         value: VectorTerm<'s>,
-        why: impl Into<Why>,
+        why: impl Into<Reason>,
     ) -> VectorTerm<'s> {
         VectorTerm::Node(self, self.write_step(symbol.into(), unit, value.on(self), why.into()))
     }
 
-    fn found(self, symbol: impl Into<Symbol>, unit: &'static str, si: f64, how: impl Into<Why>) -> Term<'s> {
+    fn numerical(
+        self,
+        symbol: impl Into<Symbol>,
+        unit: &'static str,
+        si: f64,
+        how: impl Into<Reason>,
+    ) -> Term<'s> {
         Term::Node(self, self.write_found(symbol.into(), unit, Number::Scalar(si), how.into()))
     }
 
-    fn found_within(
+    fn numerical_within(
         self,
         symbol: impl Into<Symbol>,
         unit: &'static str,
         si: f64,
         error: f64,
-        how: impl Into<Why>,
+        how: impl Into<Reason>,
     ) -> Term<'s> {
-        let found = self.found(symbol, unit, si, how);
+        let found = self.numerical(symbol, unit, si, how);
         if let Some(id) = found.node() {
             let node = &mut self.solution.borrow_mut().trace.nodes[id as usize];
             node.error = node.error.max(error.abs());
@@ -260,12 +266,12 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         found
     }
 
-    fn found_vector(
+    fn numerical_vector(
         self,
         symbol: impl Into<Symbol>,
         unit: &'static str,
         si: Vector3<f64>,
-        how: impl Into<Why>,
+        how: impl Into<Reason>,
     ) -> VectorTerm<'s> {
         VectorTerm::Node(self, self.write_found(symbol.into(), unit, Number::Vector(si.into()), how.into()))
     }
@@ -327,12 +333,12 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         self.give(Answer::new(name, label, value, unit, 0.0));
     }
 
-    fn whose(self, name: impl Into<Name>, whose: &str) {
+    fn row_label(self, name: impl Into<Name>, row_label: &str) {
         let name = name.into();
         if let Some(answer) =
             self.solution.borrow_mut().answers.iter_mut().rfind(|answer| answer.name == name)
         {
-            whose.clone_into(&mut answer.whose);
+            row_label.clone_into(&mut answer.row_label);
         }
     }
 
@@ -352,21 +358,24 @@ impl<'s> Worksheet for &'s Sheet<'s> {
 }
 
 impl Sheet<'_> {
-    fn input(&self, input: &Given<'_>) -> (Unit, Op) {
-        let (value, trail) = match input.at {
+    fn input(&self, input: &InputNumber<'_>) -> (Unit, Op) {
+        let (value, field_path) = match input.at {
             Some(at) => (
                 input.value.map(|group| derive_support::field(group, at)),
-                input.trail.field(input.field.name),
+                input.field_path.field(input.field.name),
             ),
-            None => (input.value, *input.trail),
+            None => (input.value, *input.field_path),
         };
         let unit = match value {
             Some(Value::Quantity(quantity)) => quantity.unit.clone(),
             Some(Value::Vector(vector)) => vector.unit.clone(),
             _ => self.unit(derive_support::measure(input.field).unit),
         };
-        let op =
-            Op::Given { symbol: trail.symbol(input.field.symbol), unit: unit.clone(), path: trail.path() };
+        let op = Op::Given {
+            symbol: field_path.symbol(input.field.symbol),
+            unit: unit.clone(),
+            path: field_path.path(),
+        };
         (unit, op)
     }
 

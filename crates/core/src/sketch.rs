@@ -37,7 +37,7 @@ use self::{
     part::{Item, Part, items},
     placement::{Words, sides},
 };
-use crate::{Animation, Drawing, DrawnShape, Ink, Point, Side, Text};
+use crate::{Animation, Drawing, DrawnShape, Ink, LabelSide, Point, Text};
 
 /// A drawing in the making. Names that are empty are not written.
 #[derive(Clone, Debug, Default)]
@@ -327,7 +327,7 @@ fn placed(frames: &[&[Part]], size: Option<f64>) -> Vec<Vec<DrawnShape>> {
     }
     let window = part::window(shapes.iter().flatten()).filter(|_| frames.len() > 1);
     let sides = sides(&words, &shapes, unit);
-    let finished = |(items, sides): (Vec<Item>, Vec<Side>)| {
+    let finished = |(items, sides): (Vec<Item>, Vec<LabelSide>)| {
         let (mut sides, mut coils) = (sides.into_iter(), coils.iter());
         let shape = |item| match item {
             Item::Shape(DrawnShape::Spring(from, to, _)) => {

@@ -9,7 +9,7 @@ use crate::{
     Cite, Exhibit, Locale, Text,
     path::is_within,
     reading,
-    retrace::ancestors,
+    reevaluate::ancestors,
     trace::{Id, Number, Op, Symbol, Trace},
 };
 
@@ -40,7 +40,7 @@ pub struct Answer {
     /// Name in words.
     pub label: &'static str,
     /// The row of the inputs that it is about, by the name the user gave it; empty where that has none.
-    pub whose: String,
+    pub row_label: String,
     /// Computed value.
     pub value: AnswerValue,
     /// The unit it is shown in.
@@ -163,7 +163,7 @@ impl Solution {
 impl Answer {
     /// An answer in the unit and with the digits of the analysis.
     pub(crate) fn new(name: Name, label: &'static str, value: AnswerValue, unit: Unit, noise: f64) -> Self {
-        Self { name, label, whose: String::new(), value, unit, noise, digits: None }
+        Self { name, label, row_label: String::new(), value, unit, noise, digits: None }
     }
 
     /// The answer as a number in SI, where it is one.
@@ -177,10 +177,10 @@ impl Answer {
     /// Label followed by the row label or index: `Force in the joint, pin B`, `Natural frequency 2`.
     pub fn title(&self) -> Text {
         let places = self.name.places().map(|row| row.to_string()).collect::<Vec<_>>().join(", ");
-        match (&self.whose[..], &places[..]) {
+        match (&self.row_label[..], &places[..]) {
             ("", "") => Text::from(self.label),
             ("", place) => Text::new("{label} {place}").with_text("label", self.label).with("place", place),
-            (whose, _) => Text::new("{label}, {whose}").with_text("label", self.label).with("whose", whose),
+            (row, _) => Text::new("{label}, {row}").with_text("label", self.label).with("row", row),
         }
     }
 

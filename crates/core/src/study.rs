@@ -15,7 +15,7 @@ use dalembert_units::{Kind, Unit};
 pub use self::scatter::Distribution;
 use crate::{
     Answer, Axis, Entry, Plot, Record, Refusal, Scale, Series, SolveError, Stop, Text,
-    vary::{self, Input, Perturbed},
+    vary::{self, Perturbed, VariedInput},
 };
 
 /// So many points are examined when a value is sought.
@@ -62,7 +62,7 @@ pub enum Plan {
     Scatter {
         /// The tolerances of inputs in SI, by their paths.
         tolerances: Vec<(String, f64)>,
-        /// That of every other input, in its [steps](Input::step).
+        /// That of every other input, in its [steps](VariedInput::step).
         usual: f64,
         /// Distribution of values within the tolerance.
         distribution: Distribution,
@@ -77,9 +77,9 @@ pub enum Plan {
 
 /// Result of a study.
 #[derive(Clone, Debug)]
-pub struct Studied {
+pub struct StudyResult {
     /// Remarks on the result.
-    pub says: Vec<Text>,
+    pub remarks: Vec<Text>,
     /// The curves.
     pub plot: Option<Plot>,
     /// The numbers behind it, in SI: the values that were sought; mean, standard deviation and the ends of the 95 %
@@ -91,7 +91,7 @@ pub struct Studied {
 ///
 /// # Errors
 /// Why the problem as given has no answer, or what of the plan does not fit it.
-pub fn study(entry: &Entry, record: &Record, plan: &Plan, stop: &Stop) -> Result<Studied, SolveError> {
+pub fn study(entry: &Entry, record: &Record, plan: &Plan, stop: &Stop) -> Result<StudyResult, SolveError> {
     let solution = entry.solve(record, stop)?;
     let name = match plan {
         Plan::Sweep { answer, .. } | Plan::Find { answer, .. } | Plan::Scatter { answer, .. } => answer,
@@ -118,7 +118,7 @@ struct Curve<'a> {
     entry: &'a Entry,
     record: &'a Record,
     answer: &'a Answer,
-    inputs: Vec<Input>,
+    inputs: Vec<VariedInput>,
     /// The place of the input.
     at: usize,
     range: [f64; 2],
@@ -144,7 +144,7 @@ impl<'a> Curve<'a> {
         Ok(Self { entry, record, answer, inputs, at, range })
     }
 
-    fn input(&self) -> &Input {
+    fn input(&self) -> &VariedInput {
         &self.inputs[self.at]
     }
 
@@ -191,11 +191,11 @@ impl<'a> Curve<'a> {
         scale: Scale,
         family: Option<&(String, Vec<f64>)>,
         stop: &Stop,
-    ) -> Result<Studied, SolveError> {
+    ) -> Result<StudyResult, SolveError> {
         let mut again = self.again()?;
         let places = self.places(points.clamp(2, MOST_POINTS), scale);
         let mut series = Vec::new();
-        let mut says = Vec::new();
+        let mut remarks = Vec::new();
         let parameters: Vec<Option<(usize, f64)>> = match family {
             Some((path, values)) if again.inputs.iter().any(|known| known.path == *path) => {
                 let at = place_of(&again, path);
@@ -216,13 +216,13 @@ impl<'a> Curve<'a> {
                     )
                 }
             };
-            if says.is_empty() {
-                says = self.gaps(&again, other, &places, &values, stop);
+            if remarks.is_empty() {
+                remarks = self.gaps(&again, other, &places, &values, stop);
                 if other.is_some() {
                     let of_curve = |why| {
                         Text::new("{curve}: {why}").with_text("curve", label.clone()).with_text("why", why)
                     };
-                    says = says.into_iter().map(of_curve).collect();
+                    remarks = remarks.into_iter().map(of_curve).collect();
                 }
             }
             series.push(Series::line(label, places.iter().copied().zip(values).collect()));
@@ -232,10 +232,10 @@ impl<'a> Curve<'a> {
         if family.is_none() {
             plot = plot.mark("current value", (self.input().si, self.answer.si().unwrap_or(f64::NAN)));
         }
-        Ok(Studied { says, plot: Some(plot), numbers: Vec::new() })
+        Ok(StudyResult { remarks, plot: Some(plot), numbers: Vec::new() })
     }
 
-    fn find(&self, wanted: f64, stop: &Stop) -> Result<Studied, SolveError> {
+    fn find(&self, wanted: f64, stop: &Stop) -> Result<StudyResult, SolveError> {
         let mut again = self.again()?;
         let [from, to] = self.range;
         let scale = if from > 0.0 && to / from > 30.0 { Scale::Log } else { Scale::Linear };
@@ -245,10 +245,10 @@ impl<'a> Curve<'a> {
         if let Some(first) = values.first()
             && values.iter().all(|value| (value - first).abs() <= ROUNDING * first.abs())
         {
-            let says = Text::new("{answer} does not depend on {input}")
+            let remarks = Text::new("{answer} does not depend on {input}")
                 .with_text("answer", self.answer.title())
                 .with_text("input", self.input().label.clone());
-            return Ok(Studied { says: vec![says], plot: None, numbers: Vec::new() });
+            return Ok(StudyResult { remarks: vec![remarks], plot: None, numbers: Vec::new() });
         }
         let mut found = Vec::new();
         for pair in 1..places.len() {
@@ -264,7 +264,7 @@ impl<'a> Curve<'a> {
         }
         found.extend(places.last().filter(|_| values.last() == Some(&wanted)));
         let (x_unit, y_unit) = (fixed(&self.input().unit), fixed(&self.answer.unit));
-        let mut says: Vec<Text> = found
+        let mut remarks: Vec<Text> = found
             .iter()
             .map(|x| {
                 Text::new("{input} = {value}")
@@ -276,7 +276,7 @@ impl<'a> Curve<'a> {
             let ends = places.iter().zip(&values).filter(|(_, y)| y.is_finite());
             let least = ends.clone().min_by(|a, b| a.1.total_cmp(b.1));
             let most = ends.max_by(|a, b| a.1.total_cmp(b.1));
-            says.push(match least.zip(most) {
+            remarks.push(match least.zip(most) {
                 Some((least, most)) => Text::new(
                     "target not reached in the range: the answer lies between {least} (at {at_least}) and {most} (at {at_most})",
                 )
@@ -287,14 +287,14 @@ impl<'a> Curve<'a> {
                 None => Text::new("no answer in the whole range"),
             });
         }
-        says.extend(self.gaps(&again, None, &places, &values, stop));
+        remarks.extend(self.gaps(&again, None, &places, &values, stop));
         let points = places.iter().copied().zip(values).collect();
         let mut plot = self.plot(vec![Series::line(self.answer.title(), points)]).level("target", wanted);
         plot.x.scale = scale;
         for x in &found {
             plot = plot.mark("", (*x, wanted));
         }
-        Ok(Studied { says, plot: Some(plot), numbers: found })
+        Ok(StudyResult { remarks, plot: Some(plot), numbers: found })
     }
 
     fn plot(&self, series: Vec<Series>) -> Plot {

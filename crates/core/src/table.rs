@@ -11,7 +11,7 @@ use std::borrow::Cow;
 use dalembert_units::{self as units, Dim, Kind, Style, Unit};
 
 use self::heading::Heading;
-use crate::{Field, Shape, Text, reading, record::Table, uff};
+use crate::{Field, Shape, Text, reading, record::NumberTable, uff};
 
 /// The longest table that is read, in bytes.
 const LONGEST_TABLE: usize = 16 << 20;
@@ -90,7 +90,7 @@ fn headed(
 }
 
 /// Reads a table, or says what is wrong with each line.
-pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<Text>> {
+pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<NumberTable, Vec<Text>> {
     if text.len() > LONGEST_TABLE {
         let why = Text::new("this table has {have} bytes; at most {most} are read");
         return Err(vec![why.with("have", text.len()).with("most", LONGEST_TABLE)]);
@@ -98,7 +98,7 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
     if uff::is_universal(text.as_bytes()) {
         return uff::text_table(text, columns).map_err(|why| vec![why]).and_then(|text| read(&text, columns));
     }
-    let mut table = Table {
+    let mut table = NumberTable {
         units: columns.iter().map(own_unit).collect(),
         rows: Vec::new(),
         assumed: vec![false; columns.len()],
@@ -180,7 +180,7 @@ pub(crate) fn read(text: &str, columns: &'static [Field]) -> Result<Table, Vec<T
 }
 
 /// The text that gives a table again: a heading with the units, then the rows.
-pub(crate) fn text(table: &Table) -> String {
+pub(crate) fn text(table: &NumberTable) -> String {
     let style = Style { digits: 15, ascii: true, ..Style::default() };
     let heading: Vec<String> = table.units.iter().map(|unit| format!("[{}]", unit.ascii())).collect();
     let mut text = heading.join("; ");

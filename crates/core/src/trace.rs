@@ -9,12 +9,12 @@ pub type Id = u32;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trace {
     /// The nodes.
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<TraceNode>,
 }
 
 /// A number and where it came from.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Node {
+pub struct TraceNode {
     /// Value, in SI.
     pub number: Number,
     /// Dimension.
@@ -149,14 +149,14 @@ impl From<(&'static str, usize)> for Symbol {
 
 impl Trace {
     /// The node at `id`.
-    pub fn node(&self, id: Id) -> &Node {
+    pub fn node(&self, id: Id) -> &TraceNode {
         &self.nodes[id as usize]
     }
 
     /// The number at `id`, with what is rounding alone taken as zero.
-    pub fn cleaned(&self, id: Id) -> Number {
+    pub fn without_noise(&self, id: Id) -> Number {
         let node = self.node(id);
-        node.number.cleaned(ROUNDING * node.scale)
+        node.number.without_noise(ROUNDING * node.scale)
     }
 
     /// The size of what an operation adds up.
@@ -246,7 +246,7 @@ impl Trace {
 impl Number {
     /// The same number with components no larger than `noise` taken as zero.
     #[must_use]
-    pub fn cleaned(self, noise: f64) -> Number {
+    pub fn without_noise(self, noise: f64) -> Number {
         let clean = |x: f64| if x.abs() <= noise { 0.0 } else { x };
         match self {
             Number::Scalar(x) => Number::Scalar(clean(x)),

@@ -19,7 +19,7 @@ const MOST_POINTS: usize = 1 << 20;
 
 /// A function of a degree of freedom: a frequency response, a time history.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Function {
+pub struct UffFunction {
     /// The line its dataset begins in, counted from 1; lines end where a line feed stands, in bytes too.
     pub line: usize,
     /// First identification line.
@@ -73,7 +73,7 @@ pub fn is_universal(bytes: &[u8]) -> bool {
 }
 
 /// The functions of a universal file, and everything else in it with the reason why it is left out.
-pub fn functions(bytes: &[u8]) -> (Vec<Function>, Vec<Skipped>) {
+pub fn functions(bytes: &[u8]) -> (Vec<UffFunction>, Vec<Skipped>) {
     let (mut found, mut skipped) = (Vec::new(), Vec::new());
     let mut lines = Lines { bytes, at: 0, number: 0 };
     while let Some(line) = lines.next() {
@@ -196,7 +196,7 @@ struct Layout {
 }
 
 /// Reads dataset 58 up to and with its end.
-fn function(header: &str, lines: &mut Lines<'_>, begin: usize) -> Result<Function, Skipped> {
+fn function(header: &str, lines: &mut Lines<'_>, begin: usize) -> Result<UffFunction, Skipped> {
     let fail = |line: usize, why: Text| Err(Skipped { line, why });
     let mut records: Vec<String> = Vec::with_capacity(11);
     while records.len() < 11 {
@@ -253,7 +253,7 @@ fn function(header: &str, lines: &mut Lines<'_>, begin: usize) -> Result<Functio
     if let Some(n) = points.iter().position(|point| point.iter().any(|x| !x.is_finite())) {
         return fail(begin, Text::new("point {n} of the function is not finite").with("n", n + 1));
     }
-    Ok(Function {
+    Ok(UffFunction {
         line: begin,
         name: records[0].trim().to_owned(),
         kind: integer(kind, 0, 5).unwrap_or(0),

@@ -3,7 +3,8 @@
 use dalembert_units::{self as units, Dim, Kind, Quantity, Unit};
 
 use crate::{
-    Entry, Evaluate, Limit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value, gravity, kept,
+    Entry, Evaluate, FieldLimit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value, gravity,
+    kept,
     path::{Segment, segments},
     reading,
 };
@@ -13,7 +14,7 @@ const PERCENT: f64 = 0.01;
 
 /// A number among the inputs: a quantity, or one component of a vector.
 #[derive(Clone, Debug)]
-pub struct Input {
+pub struct VariedInput {
     /// Path of the input: `masses[1].radius`, `force.x`.
     pub path: String,
     /// Label in words, followed by its rows: `Radius 1`.
@@ -31,15 +32,15 @@ pub struct Input {
 /// A problem that is solved again and again with other numbers.
 pub struct Perturbed {
     /// The inputs that can be changed.
-    pub inputs: Vec<Input>,
+    pub inputs: Vec<VariedInput>,
     /// The names of the answers that are found each time.
     pub answers: Vec<String>,
     evaluate: Box<dyn Evaluate>,
 }
 
 /// Every number among the inputs, in the order of the form. Whole numbers and tables are none; gravity is one.
-pub fn inputs(record: &Record) -> Vec<Input> {
-    let mut found: Vec<Input> = Vec::new();
+pub fn inputs(record: &Record) -> Vec<VariedInput> {
+    let mut found: Vec<VariedInput> = Vec::new();
     record.leaves(&mut |path, field, value| {
         let Some(measure) = measure_of(&field.shape) else { return };
         if gravity::is_gravity(field)
@@ -47,7 +48,7 @@ pub fn inputs(record: &Record) -> Vec<Input> {
         {
             return;
         }
-        let input = |path: String, axis: &str, unit: &Unit, si: f64| Input {
+        let input = |path: String, axis: &str, unit: &Unit, si: f64| VariedInput {
             label: label(field.label, &path, axis),
             path,
             symbol: field.symbol,
@@ -115,7 +116,7 @@ pub(crate) fn number<'r>(record: &'r mut Record, path: &str) -> Option<&'r mut f
 }
 
 /// Reason for which the problem has no answer with another number at that path; `None` if it has one.
-pub fn why_not(entry: &Entry, record: &Record, input: &Input, si: f64, stop: &Stop) -> Option<Text> {
+pub fn why_not(entry: &Entry, record: &Record, input: &VariedInput, si: f64, stop: &Stop) -> Option<Text> {
     if !input.permits(si) {
         return Some(Text::new("outside the limits of this input"));
     }
@@ -126,7 +127,7 @@ pub fn why_not(entry: &Entry, record: &Record, input: &Input, si: f64, stop: &St
     }
 }
 
-impl Input {
+impl VariedInput {
     /// A value of this input as it is typed; a number alone is in the unit of the input.
     ///
     /// # Errors
@@ -173,14 +174,14 @@ impl Input {
     pub fn permits(&self, si: f64) -> bool {
         let value = self.measure.own_unit().value(si);
         let above = match self.measure.min {
-            Limit::None => true,
-            Limit::Including(min) => value >= min,
-            Limit::Excluding(min) => value > min,
+            FieldLimit::None => true,
+            FieldLimit::Including(min) => value >= min,
+            FieldLimit::Excluding(min) => value > min,
         };
         let below = match self.measure.max {
-            Limit::None => true,
-            Limit::Including(max) => value <= max,
-            Limit::Excluding(max) => value < max,
+            FieldLimit::None => true,
+            FieldLimit::Including(max) => value <= max,
+            FieldLimit::Excluding(max) => value < max,
         };
         above && below && si.is_finite()
     }
@@ -195,7 +196,7 @@ impl Perturbed {
     pub fn new(
         entry: &Entry,
         record: &Record,
-        mut inputs: Vec<Input>,
+        mut inputs: Vec<VariedInput>,
         mut answers: Vec<String>,
     ) -> Result<Self, SolveError> {
         loop {

@@ -18,10 +18,10 @@ pub trait Worksheet: Copy {
 
     /// An input: a value in SI, by its symbol, in the unit it was typed in.
     #[doc(hidden)]
-    fn given(self, input: Given<'_>, si: f64) -> Self::Num;
+    fn given(self, input: InputNumber<'_>, si: f64) -> Self::Num;
     /// An input vector.
     #[doc(hidden)]
-    fn given_vector(self, input: Given<'_>, si: Vector3<f64>) -> Self::Vec;
+    fn given_vector(self, input: InputNumber<'_>, si: Vector3<f64>) -> Self::Vec;
 
     /// Writes `symbol = formula = substitution = result in unit` and goes on with the symbol.
     fn step(
@@ -29,7 +29,7 @@ pub trait Worksheet: Copy {
         symbol: impl Into<Symbol>,
         unit: &'static str,
         value: Self::Num,
-        why: impl Into<Why>,
+        why: impl Into<Reason>,
     ) -> Self::Num;
     /// Writes a step whose result is a vector.
     fn step_vector(
@@ -37,28 +37,34 @@ pub trait Worksheet: Copy {
         symbol: impl Into<Symbol>,
         unit: &'static str,
         value: Self::Vec,
-        why: impl Into<Why>,
+        why: impl Into<Reason>,
     ) -> Self::Vec;
     /// Brings in a number (SI) that a numerical method found, saying how; a [`check`](Worksheet::check)
     /// must then hold it to its equation.
-    fn found(self, symbol: impl Into<Symbol>, unit: &'static str, si: f64, how: impl Into<Why>) -> Self::Num;
+    fn numerical(
+        self,
+        symbol: impl Into<Symbol>,
+        unit: &'static str,
+        si: f64,
+        how: impl Into<Reason>,
+    ) -> Self::Num;
     /// Brings in a number (SI) that a numerical method found with an error of no more than `error` (SI): its condition
     /// number times the rounding of what it was found from. Checks that rest on it allow for as much.
-    fn found_within(
+    fn numerical_within(
         self,
         symbol: impl Into<Symbol>,
         unit: &'static str,
         si: f64,
         error: f64,
-        how: impl Into<Why>,
+        how: impl Into<Reason>,
     ) -> Self::Num;
     /// Brings in a vector (SI) that a numerical method found, as [`found`](Worksheet::found) does a number.
-    fn found_vector(
+    fn numerical_vector(
         self,
         symbol: impl Into<Symbol>,
         unit: &'static str,
         si: Vector3<f64>,
-        how: impl Into<Why>,
+        how: impl Into<Reason>,
     ) -> Self::Vec;
     /// Holds two ways to the same number together, to within 10⁻⁹ of the larger; where digits are lost by cancellation on
     /// the way, to within what rounding leaves of them.
@@ -103,7 +109,7 @@ pub trait Worksheet: Copy {
     );
     /// Says which row of the inputs an answer that was given is about, by the name the user gave it: people read
     /// `Angle of the body, coupler` for `angle[2]`.
-    fn whose(self, name: impl Into<Name>, whose: &str);
+    fn row_label(self, name: impl Into<Name>, label: &str);
     /// Shows something beside the numbers. Only built when someone looks.
     fn show(self, exhibit: impl FnOnce() -> Exhibit);
     /// Warns of a valid but doubtful result.
@@ -114,7 +120,7 @@ pub trait Worksheet: Copy {
 
 /// Reason of a step, and its source.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Why {
+pub struct Reason {
     /// The reason, in words.
     pub reason: Text,
     /// The source.
@@ -123,30 +129,30 @@ pub struct Why {
 
 /// Input on a worksheet: symbol, path, and the unit it was typed in.
 #[derive(Clone, Copy)]
-pub struct Given<'t> {
+pub struct InputNumber<'t> {
     /// The field.
     pub field: &'static Field,
-    /// The place of the field in the group that `value` and `trail` are of; `None` where they are of the number itself, a
+    /// The place of the field in the group that `value` and `field_path` are of; `None` where they are of the number itself, a
     /// row of a list.
     pub at: Option<usize>,
     /// Value as typed, for its unit.
     pub value: Option<&'t Value>,
     /// The way there.
-    pub trail: &'t Trail<'t>,
+    pub field_path: &'t FieldPath<'t>,
 }
 
 /// The way from the top of a problem to one of its fields, on the stack.
 #[derive(Clone, Copy)]
-pub struct Trail<'t> {
+pub struct FieldPath<'t> {
     /// The way to the enclosing field; `None` at the top.
-    pub parent: Option<&'t Trail<'t>>,
+    pub parent: Option<&'t FieldPath<'t>>,
     /// The last part.
-    pub part: Part,
+    pub part: PathSegment,
 }
 
-/// A part of a [`Trail`].
+/// A part of a [`FieldPath`].
 #[derive(Clone, Copy)]
-pub enum Part {
+pub enum PathSegment {
     /// The problem itself.
     Top,
     /// A field or an alternative, by name, and the index of symbols inside it; may be empty.
@@ -203,15 +209,15 @@ impl Worksheet for &Plain<'_> {
     type Vec = Vector3<f64>;
 
     #[inline]
-    fn given(self, _: Given<'_>, si: f64) -> f64 {
+    fn given(self, _: InputNumber<'_>, si: f64) -> f64 {
         si
     }
     #[inline]
-    fn given_vector(self, _: Given<'_>, si: Vector3<f64>) -> Vector3<f64> {
+    fn given_vector(self, _: InputNumber<'_>, si: Vector3<f64>) -> Vector3<f64> {
         si
     }
     #[inline]
-    fn step(self, _: impl Into<Symbol>, _: &'static str, value: f64, _: impl Into<Why>) -> f64 {
+    fn step(self, _: impl Into<Symbol>, _: &'static str, value: f64, _: impl Into<Reason>) -> f64 {
         value
     }
     #[inline]
@@ -220,25 +226,32 @@ impl Worksheet for &Plain<'_> {
         _: impl Into<Symbol>,
         _: &'static str,
         value: Vector3<f64>,
-        _: impl Into<Why>,
+        _: impl Into<Reason>,
     ) -> Vector3<f64> {
         value
     }
     #[inline]
-    fn found(self, _: impl Into<Symbol>, _: &'static str, si: f64, _: impl Into<Why>) -> f64 {
+    fn numerical(self, _: impl Into<Symbol>, _: &'static str, si: f64, _: impl Into<Reason>) -> f64 {
         si
     }
     #[inline]
-    fn found_within(self, _: impl Into<Symbol>, _: &'static str, si: f64, _: f64, _: impl Into<Why>) -> f64 {
+    fn numerical_within(
+        self,
+        _: impl Into<Symbol>,
+        _: &'static str,
+        si: f64,
+        _: f64,
+        _: impl Into<Reason>,
+    ) -> f64 {
         si
     }
     #[inline]
-    fn found_vector(
+    fn numerical_vector(
         self,
         _: impl Into<Symbol>,
         _: &'static str,
         si: Vector3<f64>,
-        _: impl Into<Why>,
+        _: impl Into<Reason>,
     ) -> Vector3<f64> {
         si
     }
@@ -270,7 +283,7 @@ impl Worksheet for &Plain<'_> {
     fn answer_set(self, _: impl Into<Name>, _: &'static str, _: &'static str, _: &IntervalSet, _: Vec<Text>) {
     }
     #[inline]
-    fn whose(self, _: impl Into<Name>, _: &str) {}
+    fn row_label(self, _: impl Into<Name>, _: &str) {}
     #[inline]
     fn show(self, _: impl FnOnce() -> Exhibit) {}
     #[inline]
@@ -281,39 +294,39 @@ impl Worksheet for &Plain<'_> {
     }
 }
 
-impl<'t> Trail<'t> {
+impl<'t> FieldPath<'t> {
     /// The way to the problem itself.
-    pub const TOP: Trail<'static> = Trail { parent: None, part: Part::Top };
+    pub const TOP: FieldPath<'static> = FieldPath { parent: None, part: PathSegment::Top };
 
     /// The way to a field of what is here.
     #[must_use]
-    pub fn field(&'t self, name: &'static str) -> Trail<'t> {
-        Trail { parent: Some(self), part: Part::Name(name, "") }
+    pub fn field(&'t self, name: &'static str) -> FieldPath<'t> {
+        FieldPath { parent: Some(self), part: PathSegment::Name(name, "") }
     }
 
     /// The way to a field whose symbols carry an index: `r_A` of the correction in plane A.
     #[must_use]
-    pub fn field_of(&'t self, name: &'static str, of: &'static str) -> Trail<'t> {
-        Trail { parent: Some(self), part: Part::Name(name, of) }
+    pub fn field_of(&'t self, name: &'static str, of: &'static str) -> FieldPath<'t> {
+        FieldPath { parent: Some(self), part: PathSegment::Name(name, of) }
     }
 
     /// The way to a row, counted from 0, of what is here.
     #[must_use]
-    pub fn row(&'t self, row: usize) -> Trail<'t> {
-        Trail { parent: Some(self), part: Part::Row(row + 1) }
+    pub fn row(&'t self, row: usize) -> FieldPath<'t> {
+        FieldPath { parent: Some(self), part: PathSegment::Row(row + 1) }
     }
 
     /// `masses[1].radius`
     pub fn path(&self) -> String {
-        let mut path = self.parent.map_or_else(String::new, Trail::path);
+        let mut path = self.parent.map_or_else(String::new, FieldPath::path);
         match self.part {
-            Part::Top => {}
-            Part::Name(name, _) if path.is_empty() => path.push_str(name),
-            Part::Name(name, _) => {
+            PathSegment::Top => {}
+            PathSegment::Name(name, _) if path.is_empty() => path.push_str(name),
+            PathSegment::Name(name, _) => {
                 path.push('.');
                 path.push_str(name);
             }
-            Part::Row(row) => path += &format!("[{row}]"),
+            PathSegment::Row(row) => path += &format!("[{row}]"),
         }
         path
     }
@@ -322,26 +335,26 @@ impl<'t> Trail<'t> {
     pub fn symbol(&self, base: &'static str) -> Symbol {
         let symbol = self.parent.map_or_else(|| Symbol::from(base), |parent| parent.symbol(base));
         match self.part {
-            Part::Row(row) => symbol.row(row),
-            Part::Name(_, of) if !of.is_empty() => Symbol { of, ..symbol },
+            PathSegment::Row(row) => symbol.row(row),
+            PathSegment::Name(_, of) if !of.is_empty() => Symbol { of, ..symbol },
             _ => symbol,
         }
     }
 }
 
-impl From<&'static str> for Why {
+impl From<&'static str> for Reason {
     fn from(reason: &'static str) -> Self {
         Self { reason: reason.into(), cite: None }
     }
 }
 
-impl From<Text> for Why {
+impl From<Text> for Reason {
     fn from(reason: Text) -> Self {
         Self { reason, cite: None }
     }
 }
 
-impl<T: Into<Text>> From<(T, Cite)> for Why {
+impl<T: Into<Text>> From<(T, Cite)> for Reason {
     fn from((reason, cite): (T, Cite)) -> Self {
         Self { reason: reason.into(), cite: Some(cite) }
     }

@@ -2,7 +2,7 @@
 
 use dalembert_core::{
     About, Analysis, Entry, Inputs, Refusal, Sides, Stop, Worksheet,
-    coverage::{self, Coverage, Reason, Standing},
+    coverage::{self, Coverage, CoverageStatus, Reason},
 };
 use dalembert_numerics::Real;
 
@@ -43,7 +43,7 @@ impl Analysis for Disc {
         let energy = sheet.step("T", "J", momentum * given.speed / 2.0, "why");
         let power = sheet.step("P", "W", given.inertia * given.speed.powi(3), "why");
         let own = sheet.step("L", "kg*m^2/s", given.speed * given.inertia, "why");
-        let plain = sheet.found("U", "J", momentum.value() * momentum.value() / 4.0, "how");
+        let plain = sheet.numerical("U", "J", momentum.value() * momentum.value() / 4.0, "how");
         let twice = sheet.step("D", "J", energy * 2.0, "why");
         let same = sheet.step("S", "rad/s", given.speed, "why");
         // Both sides rest on the momentum, one of them outside of the trace; it does not cancel.
@@ -69,15 +69,15 @@ static DISC: Entry = Entry::of::<Disc>();
 fn an_answer_is_covered_when_a_check_notices_that_it_is_wrong() {
     let all = coverage::coverage(&DISC, &Stop::new()).unwrap();
     let of = |name: &str| all.iter().find(|one| one.answer == name).unwrap();
-    let by = |what: &'static str| Standing::Covered(what.into());
-    assert_eq!(of("momentum").standing, by("energy"));
-    assert_eq!(of("energy").standing, by("energy"));
-    assert_eq!(of("plain").standing, by("plain"));
-    assert_eq!(of("twice").standing, Standing::Form);
-    assert_eq!(of("same").standing, Standing::Input);
+    let by = |what: &'static str| CoverageStatus::Covered(what.into());
+    assert_eq!(of("momentum").status, by("energy"));
+    assert_eq!(of("energy").status, by("energy"));
+    assert_eq!(of("plain").status, by("plain"));
+    assert_eq!(of("twice").status, CoverageStatus::Form);
+    assert_eq!(of("same").status, CoverageStatus::Input);
     // It cancels; the other check has the same tree on both sides; a list has no steps.
     for name in ["power", "own", "list"] {
-        assert_eq!(of(name).standing, Standing::Uncovered, "{name}");
+        assert_eq!(of(name).status, CoverageStatus::Uncovered, "{name}");
     }
     assert_eq!(of("power").reason, Some(Reason::Definition));
     assert_eq!(of("own").reason, None);

@@ -462,7 +462,7 @@ struct Pair {
     value: f64,
     /// Trail.
     #[input("y", "m")]
-    trail: f64,
+    field_path: f64,
     /// Errors.
     #[input("z", "m")]
     errors: Option<f64>,
@@ -486,7 +486,7 @@ fn fields_may_have_any_name() {
         draft.set(&Names::SHAPE, path, text).unwrap();
     }
     let mut names = Names::read_all(&Value::Group(draft.read(&Names::SHAPE).unwrap())).unwrap();
-    let pair = Pair { value: 1.0, trail: 2.0, errors: None, lift: 3.0 };
+    let pair = Pair { value: 1.0, field_path: 2.0, errors: None, lift: 3.0 };
     assert_eq!(names, Names { first: pair, rest: 4.0, path: 5.0, fields: 6.0 });
     *names.slot(&[0, 3]).unwrap() = 7.0;
     assert_eq!(names.first.lift, 7.0);

@@ -1,6 +1,6 @@
 //! Tables as measuring programs write them: the unit of each column is found, asked for, or said to be assumed.
 
-use dalembert_core::{Inputs, Table, Value, draft};
+use dalembert_core::{Inputs, NumberTable, Value, draft};
 
 /// A record of a motion.
 #[derive(Clone, Debug, Inputs)]
@@ -62,7 +62,7 @@ struct Tone {
     phase: f64,
 }
 
-fn read<T: Inputs>(text: &str) -> Result<Table, String> {
+fn read<T: Inputs>(text: &str) -> Result<NumberTable, String> {
     let field = &T::SHAPE.fields(None)[0];
     match draft::read_leaf(text, &field.shape, "rows") {
         Ok(Value::Table(table)) => Ok(table),
@@ -71,7 +71,7 @@ fn read<T: Inputs>(text: &str) -> Result<Table, String> {
     }
 }
 
-fn units(table: &Table) -> Vec<&str> {
+fn units(table: &NumberTable) -> Vec<&str> {
     table.units.iter().map(|unit| &*unit.text).collect()
 }
 

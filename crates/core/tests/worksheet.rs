@@ -3,8 +3,8 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
 use dalembert_core::{
-    Field, Limit, Locale, Measure, Refusal, Shape, Sheet, Solution, Stop, Term, Trail, VectorTerm, Worksheet,
-    printer, worksheet::Given,
+    Field, FieldLimit, FieldPath, Locale, Measure, Refusal, Shape, Sheet, Solution, Stop, Term, VectorTerm,
+    Worksheet, printer, worksheet::InputNumber,
 };
 use dalembert_numerics::{Real, Vector};
 use nalgebra::Vector3;
@@ -21,8 +21,8 @@ struct Bench<'s> {
 }
 
 /// An input of that symbol in that unit.
-fn input(symbol: &'static str, unit: &'static str) -> Given<'static> {
-    let measure = Measure { unit, kind: None, min: Limit::None, max: Limit::None, others: &[] };
+fn input(symbol: &'static str, unit: &'static str) -> InputNumber<'static> {
+    let measure = Measure { unit, kind: None, min: FieldLimit::None, max: FieldLimit::None, others: &[] };
     let field = Field {
         name: symbol,
         label: "",
@@ -34,7 +34,7 @@ fn input(symbol: &'static str, unit: &'static str) -> Given<'static> {
         former: &[],
         shape: Shape::Quantity(measure),
     };
-    Given { field: Box::leak(Box::new(field)), at: None, value: None, trail: &Trail::TOP }
+    InputNumber { field: Box::leak(Box::new(field)), at: None, value: None, field_path: &FieldPath::TOP }
 }
 
 fn worked(work: impl for<'s> FnOnce(&Bench<'s>)) -> Solution {
@@ -262,7 +262,7 @@ fn the_limit_of_a_check_comes_from_its_condition() {
     assert!(beside(1e-7) && !beside(1e-4));
     let stated = |error: f64| {
         worked(|bench| {
-            let found = bench.sheet.found_within("x", "m", 1.0 + 1e-7, error, "how");
+            let found = bench.sheet.numerical_within("x", "m", 1.0 + 1e-7, error, "how");
             bench.sheet.check("found", found, bench.a / bench.a);
         })
         .checks

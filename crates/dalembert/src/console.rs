@@ -57,17 +57,17 @@ impl Console {
 
     /// Prints a document.
     pub(crate) fn print(&self, document: Document) -> Result<(), Failure> {
-        print(&self.laid_out(document))
+        print(&self.written(document))
     }
 
     /// A document as this console shows it. Names and titles from a file cannot drive the terminal.
-    pub(crate) fn laid_out(&self, document: Document) -> String {
+    pub(crate) fn written(&self, document: Document) -> String {
         let document = document.map(&|words| self.plain(words));
         text(&document, self.width)
     }
 
     /// Says something on the error stream beside what is printed: a `note` or a `warning`.
-    pub(crate) fn tell(&self, template: &'static str, words: &Text) {
+    pub(crate) fn notify(&self, template: &'static str, words: &Text) {
         let line = Text::new(template).with_text("words", words.clone()).render(&self.locale);
         // Nobody is left to read it when the error stream itself is closed.
         let _ = writeln!(io::stderr(), "{}", self.plain(&line).replace('\n', " "));
@@ -119,7 +119,7 @@ pub(crate) fn print_json(json: &serde_json::Value) -> Result<(), Failure> {
 
 /// The language of `--lang`, of the user's settings, or of the environment: `LC_ALL`, `LC_MESSAGES`, `LANG`, the
 /// first that is set.
-pub(crate) fn language_asked_for(words: &[OsString], settings: Option<Language>) -> Language {
+pub(crate) fn requested_language(words: &[OsString], settings: Option<Language>) -> Language {
     let mut asked = None;
     let mut words = words.iter().map(|word| word.to_string_lossy()).take_while(|word| word != "--");
     while let Some(word) = words.next() {
@@ -145,11 +145,11 @@ mod tests {
     #[test]
     fn the_language_is_found_before_the_arguments_are_read() {
         let asked = |words: &[&str]| {
-            language_asked_for(&words.iter().map(OsString::from).collect::<Vec<_>>(), Some(Language::English))
+            requested_language(&words.iter().map(OsString::from).collect::<Vec<_>>(), Some(Language::English))
         };
         assert_eq!(asked(&["dalembert", "list", "--lang", "pt-BR"]), Language::Portuguese);
         assert_eq!(asked(&["dalembert", "--lang=pt-BR", "list"]), Language::Portuguese);
         assert_eq!(asked(&["dalembert", "--lang=en"]), Language::English);
-        assert_eq!(language_asked_for(&[], Some(Language::Portuguese)), Language::Portuguese);
+        assert_eq!(requested_language(&[], Some(Language::Portuguese)), Language::Portuguese);
     }
 }

@@ -31,7 +31,7 @@ pub fn main() -> ExitCode {
     // The help is in the language that is asked for, so that is searched for before everything else.
     let path = settings::path();
     let (settings, faults) = path.as_deref().map_or_else(Default::default, settings::read);
-    let language = console::language_asked_for(&words, settings.language);
+    let language = console::requested_language(&words, settings.language);
     let parsed = arguments::command(language)
         .try_get_matches_from(words)
         .and_then(|matches| Arguments::from_arg_matches(&matches));

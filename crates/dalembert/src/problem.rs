@@ -16,7 +16,7 @@ const LONGEST_VALUE: usize = 60;
 
 /// A problem with its inputs understood.
 #[derive(Debug)]
-pub(crate) struct Problem {
+pub(crate) struct LoadedProblem {
     /// Analysis of the problem.
     pub(crate) entry: &'static Entry,
     /// The name of the case, or the title of the file.
@@ -42,7 +42,7 @@ pub(crate) fn analysis(id: &str) -> Result<&'static Entry, Failure> {
 
 /// Source of a problem: file or analysis, case and changes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Asked<'a> {
+pub(crate) struct ProblemSource<'a> {
     /// The id of an analysis or the path of a file.
     pub(crate) named: &'a str,
     /// The published case to begin with.
@@ -54,7 +54,7 @@ pub(crate) struct Asked<'a> {
 }
 
 /// Reads a problem, and says on the error stream how its inputs were read where that does not stand in them.
-pub(crate) fn read(asked: &Asked<'_>, console: &Console) -> Result<Problem, Failure> {
+pub(crate) fn read(asked: &ProblemSource<'_>, console: &Console) -> Result<LoadedProblem, Failure> {
     let named = asked.named;
     match find(named) {
         Some(entry) => of_analysis(entry, asked, console),
@@ -78,7 +78,11 @@ pub(crate) fn looks_like_an_id(named: &str) -> bool {
     named.split_once('/').is_some_and(|(family, name)| words(family) && words(name))
 }
 
-fn of_analysis(entry: &'static Entry, asked: &Asked<'_>, console: &Console) -> Result<Problem, Failure> {
+fn of_analysis(
+    entry: &'static Entry,
+    asked: &ProblemSource<'_>,
+    console: &Console,
+) -> Result<LoadedProblem, Failure> {
     let case = match asked.case {
         // With some inputs set and none to begin with, the others would be those of another problem.
         None if !asked.changes.is_empty() => None,
@@ -103,7 +107,7 @@ fn of_analysis(entry: &'static Entry, asked: &Asked<'_>, console: &Console) -> R
     let published = case.filter(|_| asked.changes.is_empty());
     let none = || Text::from("");
     match record {
-        Ok(record) if errors.is_empty() => Ok(Problem {
+        Ok(record) if errors.is_empty() => Ok(LoadedProblem {
             entry,
             name: published.as_ref().map_or_else(none, Case::title),
             source: published.as_ref().map_or_else(none, |case| case.source.clone()),
@@ -135,7 +139,7 @@ fn case(entry: &Entry, number: u32) -> Result<Case, Failure> {
     })
 }
 
-fn of_file(path: &Path, asked: &Asked<'_>, console: &Console) -> Result<Problem, Failure> {
+fn of_file(path: &Path, asked: &ProblemSource<'_>, console: &Console) -> Result<LoadedProblem, Failure> {
     let text = files::read(path)?.text;
     let problem = file::parse(&text).map_err(|errors| {
         let places = errors.into_iter().map(|err| (err.why, err.span)).collect::<Vec<_>>();
@@ -164,7 +168,7 @@ fn of_file(path: &Path, asked: &Asked<'_>, console: &Console) -> Result<Problem,
         return Err(Failure::InFile(snippet::show_fields(path, &text, &in_file, &typed, console)));
     }
     match record {
-        Ok(record) if set.is_empty() => Ok(Problem {
+        Ok(record) if set.is_empty() => Ok(LoadedProblem {
             entry: problem.entry,
             name: Text::verbatim(problem.title),
             source: Text::from(""),
@@ -186,7 +190,7 @@ fn of_file(path: &Path, asked: &Asked<'_>, console: &Console) -> Result<Problem,
 /// The same notes, said on the error stream.
 fn reported(notes: Vec<Text>, template: &'static str, console: &Console) -> Vec<Text> {
     for note in &notes {
-        console.tell(template, note);
+        console.notify(template, note);
     }
     notes
 }

@@ -11,10 +11,10 @@ use dalembert_core::{Entry, Record, Refusal, Solution, SolveError, Stop, Text};
 use crate::failure::Failure;
 
 /// Outcome of a solve: a solution, or the reason for which there is none.
-pub(crate) type Outcome = Result<Solution, Text>;
+pub(crate) type SolveOutcome = Result<Solution, Text>;
 
 /// Solves a problem.
-pub(crate) fn solve(entry: &'static Entry, record: &Record) -> Result<Outcome, Failure> {
+pub(crate) fn solve(entry: &'static Entry, record: &Record) -> Result<SolveOutcome, Failure> {
     match guarded(entry, || entry.solve(record, &Stop::new()))? {
         Ok(solution) => Ok(Ok(solution)),
         Err(SolveError::Refused(Refusal::NoAnswer(why))) => Ok(Err(why)),

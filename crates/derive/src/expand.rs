@@ -88,7 +88,7 @@ impl Group {
             code! {
                 let #name = {
                     let value = support::field(value, #at);
-                    let trail = &trail.field(#text);
+                    let field_path = &field_path.field(#text);
                     #read
                 };
             }
@@ -110,11 +110,11 @@ impl Group {
                     #name: {
                         let this = #name;
                         let field = &fields[#at];
-                        let trail = lift.trail.field_of(#text, #of);
+                        let field_path = lift.field_path.field_of(#text, #of);
                         let lift = dalembert_core::Lift {
                             sheet: lift.sheet,
                             value: lift.value.map(|value| support::field(value, #at)),
-                            trail: &trail,
+                            field_path: &field_path,
                         };
                         let _ = field;
                         #given
@@ -162,7 +162,7 @@ fn structure(item: &DeriveInput, fields: &FieldsNamed) -> Result<Tokens> {
 
                 fn read(
                     value: &dalembert_core::Value,
-                    trail: &support::Trail<'_>,
+                    field_path: &support::FieldPath<'_>,
                     errors: &mut ::std::vec::Vec<dalembert_core::FieldError>,
                 ) -> ::std::option::Option<Self> {
                     #read
@@ -218,7 +218,7 @@ impl Alternatives {
         self.described.push(code! { support::variants::<#ty>() });
         self.reads.push(code! {
             if let Some(value) = support::flattened::<#ty>(value, #place) {
-                return <#ty as dalembert_core::Inputs>::read(&value, trail, errors).map(Self::#ident);
+                return <#ty as dalembert_core::Inputs>::read(&value, field_path, errors).map(Self::#ident);
             }
         });
         let doc = format!("An alternative of [`{ident}`](Self::{ident}).");
@@ -269,7 +269,7 @@ impl Alternatives {
         let text = &key;
         self.reads.push(code! {
             if support::variant(value) == Some(#place) {
-                let trail = &trail.field(#text);
+                let field_path = &field_path.field(#text);
                 #read
                 return Some(Self::#ident { #(#names),* });
             }
@@ -281,9 +281,9 @@ impl Alternatives {
         self.givens.push(code! {
             Self::#ident { #(#names),* } => {
                 let fields = #list;
-                let trail = lift.trail.field(#text);
-                let lift = dalembert_core::Lift { trail: &trail, ..lift };
-                let _ = (fields, lift.trail, #(#names,)*);
+                let field_path = lift.field_path.field(#text);
+                let lift = dalembert_core::Lift { field_path: &field_path, ..lift };
+                let _ = (fields, lift.field_path, #(#names,)*);
                 #given_name::#ident { #(#given,)* }
             }
         });
@@ -352,11 +352,11 @@ fn alternatives(item: &DeriveInput, data: &DataEnum) -> Result<Tokens> {
 
                 fn read(
                     value: &dalembert_core::Value,
-                    trail: &support::Trail<'_>,
+                    field_path: &support::FieldPath<'_>,
                     errors: &mut ::std::vec::Vec<dalembert_core::FieldError>,
                 ) -> ::std::option::Option<Self> {
                     #(#reads)*
-                    support::one_of(trail, errors)
+                    support::one_of(field_path, errors)
                 }
 
                 #[inline]

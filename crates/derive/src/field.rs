@@ -136,36 +136,38 @@ impl FieldKind {
         })
     }
 
-    /// An expression of `Option<Self>`, from `value: &Value` and `trail: &Trail`, noting faults in `errors`.
+    /// An expression of `Option<Self>`, from `value: &Value` and `field_path: &Trail`, noting faults in `errors`.
     pub(crate) fn read(&self) -> Tokens {
         match self {
-            FieldKind::Quantity => code! { support::quantity(value, trail, errors) },
+            FieldKind::Quantity => code! { support::quantity(value, field_path, errors) },
             FieldKind::Measured(measure) => code! {
-                { const MEASURE: dalembert_core::Measure = #measure; support::measured(value, MEASURE, trail, errors) }
+                { const MEASURE: dalembert_core::Measure = #measure; support::measured(value, MEASURE, field_path, errors) }
             },
-            FieldKind::Vector => code! { support::vector(value, trail, errors) },
-            FieldKind::Text => code! { support::text(value, trail, errors) },
-            FieldKind::Flag => code! { support::flag(value, trail, errors) },
+            FieldKind::Vector => code! { support::vector(value, field_path, errors) },
+            FieldKind::Text => code! { support::text(value, field_path, errors) },
+            FieldKind::Flag => code! { support::flag(value, field_path, errors) },
             FieldKind::Count(ty) => code! {
-                support::count(value, trail, errors).and_then(|count| <#ty>::try_from(count).ok())
+                support::count(value, field_path, errors).and_then(|count| <#ty>::try_from(count).ok())
             },
-            FieldKind::Reference => code! { support::reference(value, trail, errors) },
+            FieldKind::Reference => code! { support::reference(value, field_path, errors) },
             FieldKind::Optional(inner) => {
                 let inner = inner.read();
                 code! { support::optional(value, errors, |value, errors| #inner) }
             }
             FieldKind::Rows(inner) => {
                 let inner = inner.read();
-                code! { support::rows(value, trail, errors, |value, trail, errors| #inner) }
+                code! { support::rows(value, field_path, errors, |value, field_path, errors| #inner) }
             }
             FieldKind::Table(row) => code! {
-                support::table(value, trail, errors, support::table_row::<#row>)
+                support::table(value, field_path, errors, support::table_row::<#row>)
             },
-            FieldKind::Nested(ty) => code! { <#ty as dalembert_core::Inputs>::read(value, trail, errors) },
+            FieldKind::Nested(ty) => {
+                code! { <#ty as dalembert_core::Inputs>::read(value, field_path, errors) }
+            }
         }
     }
 
-    /// The same of the field of a group, from its `value`, `trail` and `errors`: by a function that is compiled once.
+    /// The same of the field of a group, from its `value`, `field_path` and `errors`: by a function that is compiled once.
     pub(crate) fn read_in_group(&self, at: &Literal, name: &str) -> Option<Tokens> {
         let function = |asks: &FieldKind| match asks {
             FieldKind::Quantity => Some(code! { support::quantity }),
@@ -179,11 +181,11 @@ impl FieldKind {
         match self {
             FieldKind::Optional(inner) => {
                 let read = function(inner)?;
-                Some(code! { support::read_optional(value, #at, #name, trail, errors, #read) })
+                Some(code! { support::read_optional(value, #at, #name, field_path, errors, #read) })
             }
             asks => {
                 let read = function(asks)?;
-                Some(code! { support::read_field(value, #at, #name, trail, errors, #read) })
+                Some(code! { support::read_field(value, #at, #name, field_path, errors, #read) })
             }
         }
     }
@@ -220,9 +222,9 @@ impl FieldKind {
                 let inner = inner.given();
                 code! {
                     this.iter().enumerate().map(|(n, this)| {
-                        let trail = lift.trail.row(n);
+                        let field_path = lift.field_path.row(n);
                         let lift = dalembert_core::Lift {
-                            sheet: lift.sheet, value: support::row_value(lift.value, n), trail: &trail,
+                            sheet: lift.sheet, value: support::row_value(lift.value, n), field_path: &field_path,
                         };
                         #inner
                     }).collect()
@@ -394,20 +396,20 @@ impl Arguments {
             let value = |value: &Expr| code! { (#value) as f64 };
             if let Some(limit) = self.value(including) {
                 let limit = value(limit);
-                return code! { dalembert_core::Limit::Including(#limit) };
+                return code! { dalembert_core::FieldLimit::Including(#limit) };
             }
             if let Some(limit) = self.value(excluding) {
                 let limit = value(limit);
-                return code! { dalembert_core::Limit::Excluding(#limit) };
+                return code! { dalembert_core::FieldLimit::Excluding(#limit) };
             }
             match word {
                 Some((excluding, _)) if self.has(excluding) => {
-                    code! { dalembert_core::Limit::Excluding(0.0) }
+                    code! { dalembert_core::FieldLimit::Excluding(0.0) }
                 }
                 Some((_, including)) if self.has(including) => {
-                    code! { dalembert_core::Limit::Including(0.0) }
+                    code! { dalembert_core::FieldLimit::Including(0.0) }
                 }
-                _ => code! { dalembert_core::Limit::None },
+                _ => code! { dalembert_core::FieldLimit::None },
             }
         };
         let min = limit("min", "above", Some(("positive", "nonnegative")));

@@ -13,7 +13,7 @@ use std::{array::from_fn, f64::consts::TAU, hint::black_box, time::Instant};
 use dalembert_mechanics::{
     Real,
     four_bar::{Branch, FourBar},
-    linkage::{Body, Point, Reduced},
+    linkage::{LinkMass, PointMotion, ReducedMasses},
     slider_crank::{Branch::Ahead, links},
 };
 use dalembert_numerics::simd::{Formula, over};
@@ -47,9 +47,9 @@ impl Formula<6> for SliderCrank {
         let number = S::from;
         let links = links(number(0.05), number(0.2), number(0.0), Ahead, angle);
         let masses = body(1.2, 0.02, 8e-4)
-            .reduced(Point::fixed([number(0.0); 2]), links.crank)
+            .reduced(PointMotion::fixed([number(0.0); 2]), links.crank)
             .and(body(0.8, 0.07, 3.5e-3).reduced(links.crank_pin, links.rod))
-            .and(Reduced::mass(number(0.5), links.slider));
+            .and(ReducedMasses::mass(number(0.5), links.slider));
         let (first, second) = (links.slider.first[0], links.slider.second[0]);
         [
             links.rod.direction[1],
@@ -74,7 +74,7 @@ impl Formula<9> for FourBarLinkage {
         let links = linkage.links(angle, Branch::Open);
         let rod = |mass: f64, length: f64| body(mass, length / 2.0, mass * length * length / 12.0);
         let masses = rod(0.5, 0.10)
-            .reduced(Point::fixed([number(0.0); 2]), links.crank)
+            .reduced(PointMotion::fixed([number(0.0); 2]), links.crank)
             .and(rod(1.0, 0.28).reduced(links.crank_pin, links.coupler))
             .and(rod(0.8, 0.20).reduced(linkage.fixed_pin(), links.rocker));
         let (coupler, rocker) = (links.coupler, links.rocker);
@@ -94,8 +94,8 @@ impl Formula<9> for FourBarLinkage {
 
 /// A link with its centre on its line.
 #[inline(always)]
-fn body<S: Real>(mass: f64, along: f64, inertia: f64) -> Body<S> {
-    Body { mass: S::from(mass), centre: [S::from(along), S::from(0.0)], inertia: S::from(inertia) }
+fn body<S: Real>(mass: f64, along: f64, inertia: f64) -> LinkMass<S> {
+    LinkMass { mass: S::from(mass), centre: [S::from(along), S::from(0.0)], inertia: S::from(inertia) }
 }
 
 /// Both readings of a formula at all angles, and how far they are apart.

@@ -5,7 +5,7 @@
 
 use std::{hint::black_box, time::Instant};
 
-use dalembert_mechanics::planar::{Measure, Model, Run, SweepResult, Trajectory};
+use dalembert_mechanics::planar::{Model, PlanarRun, RelativeCoordinate, SweepResult, Trajectory};
 use models::{Driven, andrews, crank_rocker, driven_slider, driven_squeezer, four_bars, six_bar};
 
 #[path = "../tests/mechanics/models.rs"]
@@ -97,7 +97,7 @@ fn squeezer(tolerance: f64, wanted: f64, goal: &str) {
 
 fn fall(n: usize, tolerance: f64) -> (f64, Trajectory, f64) {
     let (system, drawn) = four_bars(n);
-    let tilting = Measure::Angle { of: Some(0), against: None };
+    let tilting = RelativeCoordinate::Angle { of: Some(0), against: None };
     let velocities = system.initial_velocities(&drawn, &[(tilting, -1.0)]).expect("the rods can tilt");
     let (time, _) = measure(|| simulate(&system, &drawn, &velocities, 10.0, tolerance, 2));
     let moved = simulate(&system, &drawn, &velocities, 10.0, tolerance, 401);
@@ -113,7 +113,8 @@ fn simulate(
     tolerance: f64,
     samples: usize,
 ) -> Trajectory {
-    let run = Run { duration, tolerance, samples, ends: &[], most_steps: 100_000, cancelled: &|| false };
+    let run =
+        PlanarRun { duration, tolerance, samples, ends: &[], most_steps: 100_000, cancelled: &|| false };
     system.simulate(positions, velocities, &run).expect("the motion goes on to its end")
 }
 

@@ -6,7 +6,9 @@
 
 use std::{hint::black_box, time::Instant};
 
-use dalembert_mechanics::rigid::simulate::{Body, FreeRotation, Loads, Run, Turning, simulate};
+use dalembert_mechanics::rigid::simulate::{
+    FreeRotation, Loads, RotatingBody, RotationRun, RotationState, simulate,
+};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 #[path = "yardstick/python.rs"]
@@ -56,15 +58,17 @@ fn free() {
 
 /// 2 s of the top of Brüls, Cardona and Arnold.
 fn heavy_top() {
-    let body = Body {
+    let body = RotatingBody {
         mass: 15.0,
         inertia: Matrix3::from_diagonal(&Vector3::new(15.234375, 0.46875, 15.234375)),
         arm: Vector3::y(),
     };
-    let from =
-        Turning { attitude: UnitQuaternion::identity(), omega_body: Vector3::new(0.0, 150.0, -4.61538) };
+    let from = RotationState {
+        attitude: UnitQuaternion::identity(),
+        omega_body: Vector3::new(0.0, 150.0, -4.61538),
+    };
     let loads = Loads { gravity: Vector3::z() * -9.81, torques: Vec::new() };
-    let run = Run {
+    let run = RotationRun {
         duration: 2.0,
         tolerance: 1e-11,
         samples: 2,

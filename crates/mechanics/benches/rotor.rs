@@ -6,11 +6,11 @@
 use std::{hint::black_box, time::Instant};
 
 use dalembert_mechanics::rotor::{
-    Assembled, Coefficients, Disc, Rotor, Support,
+    Assembled, BearingSupport, Coefficients, RigidDisc, Rotor,
     campbell::campbell,
     disc,
-    element::{Element, Material, Theory},
-    modes::Reduced,
+    element::{BeamTheory, Material, ShaftElement},
+    modes::ReducedRotor,
     response::{Unbalance, unbalance_response},
 };
 
@@ -27,7 +27,7 @@ fn main() {
     let modes = |count: usize| {
         measure(|| {
             let rotor = Assembled::new(&rotor()).expect("the rotor is well formed");
-            let reduced = Reduced::new(&rotor, count, &[0.0, 1000.0]).expect("the rotor has modes");
+            let reduced = ReducedRotor::new(&rotor, count, &[0.0, 1000.0]).expect("the rotor has modes");
             let speeds: Vec<f64> = (0..50).map(|n| f64::from(n) * 1000.0 / 49.0).collect();
             black_box(campbell(&reduced, &speeds).expect("the rotor has modes"));
         })
@@ -68,16 +68,18 @@ fn measure(work: impl Fn()) -> f64 {
 fn rotor() -> Rotor {
     let material =
         Material { young: 211e9, shear: 81.2e9, density: 7810.0, viscous_damping: 0.0, loss_factor: 0.0 };
-    let element = Element { length: 1.5 / ELEMENTS as f64, outer: [0.05; 2], inner: [0.0; 2], material };
+    let element = ShaftElement { length: 1.5 / ELEMENTS as f64, outer: [0.05; 2], inner: [0.0; 2], material };
     let mass = disc::mass(7810.0, 0.28, 0.05, 0.07);
     let polar = disc::polar(mass, 0.28, 0.05);
     let diametral = disc::diametral(mass, polar, 0.07);
     let bearing = Coefficients::orthotropic([1e6, 0.8e6], [200.0, 150.0]);
     Rotor {
         elements: vec![element; ELEMENTS],
-        theory: Theory::Timoshenko,
+        theory: BeamTheory::Timoshenko,
         tension: 0.0,
-        discs: [ELEMENTS / 3, 2 * ELEMENTS / 3].map(|node| Disc { node, mass, diametral, polar }).to_vec(),
-        supports: [0, ELEMENTS].map(|node| Support::bearing(node, bearing)).to_vec(),
+        discs: [ELEMENTS / 3, 2 * ELEMENTS / 3]
+            .map(|node| RigidDisc { node, mass, diametral, polar })
+            .to_vec(),
+        supports: [0, ELEMENTS].map(|node| BearingSupport::bearing(node, bearing)).to_vec(),
     }
 }

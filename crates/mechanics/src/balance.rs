@@ -22,9 +22,11 @@ mod unknowns;
 pub mod without_phase;
 
 pub use phasor::{Phasor, two_plane_weights};
-pub use planes::{Kind, balance_planes, equivalent_in_first, equivalent_in_second, kind, least_correction};
+pub use planes::{
+    UnbalanceKind, balance_planes, equivalent_in_first, equivalent_in_second, kind, least_correction,
+};
 pub use two_plane::{BalanceError, PlaneUnbalance, TwoPlaneBalance, balance_two_planes};
-pub use unknowns::{Known, PartlyKnown, UnknownsError, Vanishing, balance_unknowns};
+pub use unknowns::{PartlyKnown, RotorMass, UnknownsError, Vanishing, balance_unknowns};
 
 /// Component of an unbalance along x, `m r cos θ`, kg·m.
 #[inline]

@@ -8,7 +8,7 @@
 
 use crate::{
     Real,
-    linkage::{Point, Turning},
+    linkage::{LinkRotation, PointMotion},
 };
 
 /// The lengths of a four-bar linkage, m.
@@ -37,13 +37,13 @@ pub enum Branch {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Links<S> {
     /// The crank.
-    pub crank: Turning<S>,
+    pub crank: LinkRotation<S>,
     /// The coupler, from the crank pin.
-    pub coupler: Turning<S>,
+    pub coupler: LinkRotation<S>,
     /// The rocker, from its fixed pin.
-    pub rocker: Turning<S>,
+    pub rocker: LinkRotation<S>,
     /// The crank pin.
-    pub crank_pin: Point<S>,
+    pub crank_pin: PointMotion<S>,
 }
 
 impl<S: Real> FourBar<S> {
@@ -59,8 +59,8 @@ impl<S: Real> FourBar<S> {
     #[inline(always)]
     pub fn links(self, crank_angle: S, branch: Branch) -> Links<S> {
         let Self { frame: d, crank: a, coupler: b, rocker: c } = self;
-        let crank = Turning::crank(crank_angle);
-        let crank_pin = Point::fixed([S::from(0.0); 2]).to(crank, [a, S::from(0.0)]);
+        let crank = LinkRotation::crank(crank_angle);
+        let crank_pin = PointMotion::fixed([S::from(0.0); 2]).to(crank, [a, S::from(0.0)]);
         let [x, y] = [d - crank_pin.at[0], -crank_pin.at[1]];
         let square = x * x + y * y;
         // The meeting point is `along` times the line between the centres and `across` times its normal away.
@@ -82,12 +82,12 @@ impl<S: Real> FourBar<S> {
         let cosine = dot(e3, e4);
         Links {
             crank,
-            coupler: Turning {
+            coupler: LinkRotation {
                 direction: e3,
                 first: coupler_first,
                 second: (a * dot(e2, e4) + of_coupler * cosine - of_rocker) * over_coupler,
             },
-            rocker: Turning {
+            rocker: LinkRotation {
                 direction: e4,
                 first: rocker_first,
                 second: (a * dot(e2, e3) + of_coupler - of_rocker * cosine) * over_rocker,
@@ -98,8 +98,8 @@ impl<S: Real> FourBar<S> {
 
     /// The fixed pin of the rocker.
     #[inline(always)]
-    pub fn fixed_pin(self) -> Point<S> {
-        Point::fixed([self.frame, S::from(0.0)])
+    pub fn fixed_pin(self) -> PointMotion<S> {
+        PointMotion::fixed([self.frame, S::from(0.0)])
     }
 }
 
@@ -117,18 +117,18 @@ fn cross<S: Real>(a: [S; 2], b: [S; 2]) -> S {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linkage::{Body, Reduced};
+    use crate::linkage::{LinkMass, ReducedMasses};
 
     const LENGTHS: FourBar<f64> = FourBar { frame: 0.30, crank: 0.10, coupler: 0.28, rocker: 0.20 };
 
-    fn masses(links: &Links<f64>) -> Reduced<f64> {
-        let rod = |mass: f64, length: f64| Body {
+    fn masses(links: &Links<f64>) -> ReducedMasses<f64> {
+        let rod = |mass: f64, length: f64| LinkMass {
             mass,
             centre: [length / 2.0, 0.0],
             inertia: mass * length * length / 12.0,
         };
         rod(0.5, LENGTHS.crank)
-            .reduced(Point::fixed([0.0; 2]), links.crank)
+            .reduced(PointMotion::fixed([0.0; 2]), links.crank)
             .and(rod(1.0, LENGTHS.coupler).reduced(links.crank_pin, links.coupler))
             .and(rod(0.8, LENGTHS.rocker).reduced(LENGTHS.fixed_pin(), links.rocker))
     }

@@ -14,7 +14,7 @@ use crate::Real;
 
 /// Rotation of a link as a function of the crank angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turning<S> {
+pub struct LinkRotation<S> {
     /// Cosine and sine of its angle `φ`.
     pub direction: [S; 2],
     /// `φ′`.
@@ -25,7 +25,7 @@ pub struct Turning<S> {
 
 /// Motion of a point as a function of the crank angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point<S> {
+pub struct PointMotion<S> {
     /// Position, m.
     pub at: [S; 2],
     /// First derivative with respect to the crank angle, m/rad.
@@ -36,7 +36,7 @@ pub struct Point<S> {
 
 /// The mass of a link.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Body<S> {
+pub struct LinkMass<S> {
     /// Mass, kg.
     pub mass: S,
     /// Centre of mass from the first pin of the link, along the line to its second pin and across it, m.
@@ -47,7 +47,7 @@ pub struct Body<S> {
 
 /// Masses reduced to the crank.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reduced<S> {
+pub struct ReducedMasses<S> {
     /// `I = Σ m r′·r′ + J φ′²`, kg·m²: the kinetic energy is `I ω²/2`.
     pub inertia: S,
     /// `C = dI/dθ/2 = Σ m r′·r″ + J φ′ φ″`, kg·m².
@@ -56,7 +56,7 @@ pub struct Reduced<S> {
     pub rise: S,
 }
 
-impl<S: Real> Turning<S> {
+impl<S: Real> LinkRotation<S> {
     /// The crank itself, at its angle.
     #[inline(always)]
     pub fn crank(angle: S) -> Self {
@@ -71,7 +71,7 @@ impl<S: Real> Turning<S> {
     }
 }
 
-impl<S: Real> Point<S> {
+impl<S: Real> PointMotion<S> {
     /// A point of the frame.
     #[inline(always)]
     pub fn fixed(at: [S; 2]) -> Self {
@@ -82,7 +82,7 @@ impl<S: Real> Point<S> {
     /// `r′ = φ′ k × d`, `r″ = φ″ k × d − φ′² d`.
     #[inline(always)]
     #[must_use]
-    pub fn to(self, link: Turning<S>, vector: [S; 2]) -> Self {
+    pub fn to(self, link: LinkRotation<S>, vector: [S; 2]) -> Self {
         let [x, y] = link.vector(vector);
         let square = link.first * link.first;
         Self {
@@ -96,12 +96,12 @@ impl<S: Real> Point<S> {
     }
 }
 
-impl<S: Real> Body<S> {
+impl<S: Real> LinkMass<S> {
     /// The mass of a link that turns about its first pin, reduced to the crank.
     #[inline(always)]
-    pub fn reduced(self, first_pin: Point<S>, link: Turning<S>) -> Reduced<S> {
-        let Point { first: v, second: a, .. } = first_pin.to(link, self.centre);
-        Reduced {
+    pub fn reduced(self, first_pin: PointMotion<S>, link: LinkRotation<S>) -> ReducedMasses<S> {
+        let PointMotion { first: v, second: a, .. } = first_pin.to(link, self.centre);
+        ReducedMasses {
             inertia: self.mass * (v[0] * v[0] + v[1] * v[1]) + self.inertia * link.first * link.first,
             half_slope: self.mass * (v[0] * a[0] + v[1] * a[1]) + self.inertia * link.first * link.second,
             rise: self.mass * v[1],
@@ -109,10 +109,10 @@ impl<S: Real> Body<S> {
     }
 }
 
-impl<S: Real> Reduced<S> {
+impl<S: Real> ReducedMasses<S> {
     /// A mass without turning, at a point.
     #[inline(always)]
-    pub fn mass(mass: S, Point { first: v, second: a, .. }: Point<S>) -> Self {
+    pub fn mass(mass: S, PointMotion { first: v, second: a, .. }: PointMotion<S>) -> Self {
         Self {
             inertia: mass * (v[0] * v[0] + v[1] * v[1]),
             half_slope: mass * (v[0] * a[0] + v[1] * a[1]),

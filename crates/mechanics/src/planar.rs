@@ -1,7 +1,7 @@
 //! Plane mechanisms of any shape: rigid bodies, joints, drivers and loads.
 //!
 //! The positions `q` of a mechanism are the origin and the angle `(x, y, θ)` of each body; the origin of a body is
-//! its centre of mass. Joints and drivers are [equations](Joint) `Φ(q) = 0` between [measures](Measure), so that
+//! its centre of mass. Joints and drivers are [equations](PlanarJoint) `Φ(q) = 0` between [measures](RelativeCoordinate), so that
 //!
 //! - positions satisfy `Φ(q, t) = 0`, velocities `Φ_q q̇ = −Φ_t`, accelerations `Φ_q q̈ = γ`;
 //! - motion and forces satisfy `M q̈ = Q + Φ_qᵀ λ` (Newton and Euler), where the multiplier `λ` of an equation is the
@@ -71,38 +71,38 @@ mod vectors;
 
 pub use assembly::InitialGuess;
 pub use continuation::{ChangePoint, Continuation};
-pub use equation::{Driver, Equation, Joint, Profile, Term};
-pub use equilibrium::{Equilibrium, Sample, Stability};
+pub use equation::{ConstraintTerm, Driver, Equation, PlanarJoint, Profile};
+pub use equilibrium::{Equilibrium, Stability, SweepSample};
 pub use events::Event;
 pub use forward_dynamics::{ForwardDynamics, JointFriction};
 pub use friction::Contact;
 pub use instant_centre::InstantCentre;
 pub use inverse_dynamics::{InverseDynamics, LoadId, LoadPower};
 pub use kinematics::Mobility;
-pub use load::{Effort, Load};
-pub use measure::{Frame, Gradient, Measure, Point, Pose};
-pub use model::{Model, State};
+pub use load::{Effort, PlanarLoad};
+pub use measure::{BodyFrame, BodyPoint, Gradient, Pose, RelativeCoordinate};
+pub use model::{Model, PlanarState};
 pub use sweep::{Sweep, SweepResult};
-pub use trajectory::{Run, Snapshot, Trajectory};
+pub use trajectory::{PlanarRun, Snapshot, Trajectory};
 
 /// A plane mechanism.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Mechanism {
+pub struct PlanarMechanism {
     /// The moving bodies; the ground is none of them.
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<PlanarBody>,
     /// The constraints between them.
-    pub joints: Vec<Joint>,
+    pub joints: Vec<PlanarJoint>,
     /// The driving constraints: in kinematics one for each degree of freedom.
     pub drivers: Vec<Driver>,
     /// Forces, force elements and friction.
-    pub loads: Vec<Load>,
+    pub loads: Vec<PlanarLoad>,
     /// Acceleration of gravity, m/s².
     pub gravity: [f64; 2],
 }
 
 /// A rigid body. Its origin is its centre of mass.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Body {
+pub struct PlanarBody {
     /// Mass, kg; zero for a body whose inertia is neglected.
     pub mass: f64,
     /// Moment of inertia about the centre of mass, kg m².

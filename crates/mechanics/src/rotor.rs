@@ -37,20 +37,20 @@ use dalembert_numerics::linalg::LinalgError;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rotor {
     /// The shaft, from left to right; element `n` lies between the nodes `n` and `n + 1`.
-    pub elements: Vec<element::Element>,
+    pub elements: Vec<element::ShaftElement>,
     /// Beam theory of the shaft: with or without shear deformation.
-    pub theory: element::Theory,
+    pub theory: element::BeamTheory,
     /// Axial tension of the shaft, N; negative for compression.
     pub tension: f64,
     /// Rigid discs.
-    pub discs: Vec<Disc>,
+    pub discs: Vec<RigidDisc>,
     /// Supports of the shaft.
-    pub supports: Vec<Support>,
+    pub supports: Vec<BearingSupport>,
 }
 
 /// A rigid disc at a node.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Disc {
+pub struct RigidDisc {
     /// The node.
     pub node: usize,
     /// Mass, kg.
@@ -63,16 +63,16 @@ pub struct Disc {
 
 /// Support of the shaft at a node.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Support {
+pub struct BearingSupport {
     /// The node.
     pub node: usize,
     /// Type and coefficients of the support.
-    pub hold: Hold,
+    pub hold: SupportType,
 }
 
 /// Type and coefficients of a support.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Hold {
+pub enum SupportType {
     /// Bearing: its coefficients at one or more speeds (rad/s), ascending; linear between them, constant beyond.
     Bearing(Vec<(f64, Coefficients)>),
     /// No sideways motion.
@@ -154,20 +154,20 @@ impl Coefficients {
     }
 }
 
-impl Support {
+impl BearingSupport {
     /// A bearing whose coefficients do not depend on speed.
     pub fn bearing(node: usize, coefficients: Coefficients) -> Self {
-        Self { node, hold: Hold::Bearing(vec![(0.0, coefficients)]) }
+        Self { node, hold: SupportType::Bearing(vec![(0.0, coefficients)]) }
     }
 
     /// Returns true if the coefficients do not depend on speed.
     pub fn is_constant(&self) -> bool {
-        !matches!(&self.hold, Hold::Bearing(table) if table.len() > 1)
+        !matches!(&self.hold, SupportType::Bearing(table) if table.len() > 1)
     }
 
     /// The coefficients of a bearing at a speed; `None` for a rigid support.
     pub fn at(&self, speed: f64) -> Option<Coefficients> {
-        let Hold::Bearing(table) = &self.hold else { return None };
+        let SupportType::Bearing(table) = &self.hold else { return None };
         let after = table.iter().position(|(here, _)| *here > speed);
         Some(match after {
             None => table.last()?.1,
@@ -200,7 +200,7 @@ impl Rotor {
     /// Returns true if nothing dissipates or feeds energy and no bearing depends on speed: natural frequencies are then
     /// those of a Hermitian problem and critical speeds can be found directly.
     pub fn is_conservative(&self) -> bool {
-        self.is_undamped() && self.supports.iter().all(Support::is_constant)
+        self.is_undamped() && self.supports.iter().all(BearingSupport::is_constant)
     }
 
     /// Returns true if nothing dissipates or feeds energy at any speed: then no mode grows or decays.
@@ -229,7 +229,7 @@ impl Rotor {
     /// Every row of every bearing table.
     fn coefficients(&self) -> impl Iterator<Item = &Coefficients> {
         let rows = |support| match support {
-            &Support { hold: Hold::Bearing(ref table), .. } => table.as_slice(),
+            &BearingSupport { hold: SupportType::Bearing(ref table), .. } => table.as_slice(),
             _ => &[],
         };
         self.supports.iter().flat_map(rows).map(|(_, here)| here)

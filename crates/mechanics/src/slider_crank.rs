@@ -17,7 +17,7 @@ mod links;
 mod motion;
 
 pub use links::{Links, links};
-pub use motion::{Branch, CrankMotion, Motion, SliderCrank, SliderCrankError};
+pub use motion::{Branch, CrankMotion, SliderCrank, SliderCrankError, SliderCrankMotion};
 
 /// Angle of the rod, `θ₃ = arcsin((e − r sin θ₂)/l)`, on the branch with the slider ahead of the crank pin. On the
 /// other branch it is `π − θ₃`.

@@ -10,8 +10,8 @@ mod permitted;
 mod speeds;
 
 pub use permitted::{
-    Limit, LimitedBy, PermittedStiffness, WhirlError, permitted_stiffness, permitted_stiffness_at_damping,
-    worst_speed,
+    LimitedBy, PermittedStiffness, StiffnessLimit, WhirlError, permitted_stiffness,
+    permitted_stiffness_at_damping, worst_speed,
 };
 pub use speeds::{PermittedSpeeds, permitted_speeds};
 

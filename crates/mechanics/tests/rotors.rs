@@ -8,11 +8,11 @@
 use std::f64::consts::PI;
 
 use dalembert_mechanics::rotor::{
-    Assembled, Coefficients, Complex, Disc, Hold, Rotor, Support,
+    Assembled, BearingSupport, Coefficients, Complex, RigidDisc, Rotor, SupportType,
     campbell::campbell,
     critical,
-    element::{Element, Material, Theory},
-    modes::{self, Reduced},
+    element::{BeamTheory, Material, ShaftElement},
+    modes::{self, ReducedRotor},
 };
 use dalembert_numerics::linalg;
 use itertools::{Itertools as _, zip_eq};
@@ -57,20 +57,20 @@ impl Draw {
             viscous_damping: 0.0,
             loss_factor: 0.0,
         };
-        let element = Element {
+        let element = ShaftElement {
             length: length / count as f64,
             outer: [self.between(0.02, 0.15); 2],
             inner: [0.0; 2],
             material,
         };
         let (mass, radius) = (self.decades(1.0, 300.0), self.between(0.08, 0.4));
-        let disc = Disc {
+        let disc = RigidDisc {
             node: self.count(1, count - 1),
             mass,
             diametral: mass * radius.powi(2) / 3.4,
             polar: mass * radius.powi(2) / 2.0,
         };
-        let theory = if self.unit() < 0.5 { Theory::Timoshenko } else { Theory::EulerBernoulli };
+        let theory = if self.unit() < 0.5 { BeamTheory::Timoshenko } else { BeamTheory::EulerBernoulli };
         let elements = vec![element; count];
         (Rotor { elements, theory, tension: 0.0, discs: vec![disc], supports: Vec::new() }, count)
     }
@@ -80,7 +80,7 @@ impl Draw {
         let (mut rotor, count) = self.shaft();
         for node in [0, count] {
             let here = Coefficients::isotropic(self.decades(1e4, 1e8), 0.0);
-            rotor.supports.push(Support::bearing(node, here));
+            rotor.supports.push(BearingSupport::bearing(node, here));
         }
         rotor
     }
@@ -101,7 +101,7 @@ impl Draw {
             };
             let rows = if self.unit() < 0.34 { 4 } else { 1 };
             let table = (0..rows).map(|n| (500.0 * f64::from(n), row(self))).collect();
-            rotor.supports.push(Support { node, hold: Hold::Bearing(table) });
+            rotor.supports.push(BearingSupport { node, hold: SupportType::Bearing(table) });
         }
         rotor
     }
@@ -109,14 +109,16 @@ impl Draw {
 
 /// Mass, rotary inertia doubled, and stiffness of a uniform element in closed form: Nelson, J. Mech. Des. 102 (1980)
 /// 793–803.
-fn closed(element: &Element, theory: Theory) -> [Matrix4<f64>; 3] {
-    let Element { length: l, outer: [d, _], material, .. } = *element;
+fn closed(element: &ShaftElement, theory: BeamTheory) -> [Matrix4<f64>; 3] {
+    let ShaftElement { length: l, outer: [d, _], material, .. } = *element;
     let (area, moment) = (PI * d.powi(2) / 4.0, PI * d.powi(4) / 64.0);
     let poisson = material.young / (2.0 * material.shear) - 1.0;
     let kappa = 6.0 * (1.0 + poisson) / (7.0 + 6.0 * poisson);
     let p = match theory {
-        Theory::Timoshenko => 12.0 * material.young * moment / (kappa * material.shear * area * l.powi(2)),
-        Theory::EulerBernoulli => 0.0,
+        BeamTheory::Timoshenko => {
+            12.0 * material.young * moment / (kappa * material.shear * area * l.powi(2))
+        }
+        BeamTheory::EulerBernoulli => 0.0,
     };
     let scaled = |factor: f64, rows: [f64; 16]| Matrix4::from_row_slice(&rows) * factor;
     let stiffness = scaled(
@@ -233,7 +235,7 @@ fn hold(rotor: &Rotor, speed: f64, count: usize, what: &str) -> usize {
     let all = Assembled::new(rotor).unwrap();
     let highest = 1500.0;
     let reduced =
-        Reduced::new(&all, count, &[speed, highest]).unwrap_or_else(|error| panic!("{what}: {error}"));
+        ReducedRotor::new(&all, count, &[speed, highest]).unwrap_or_else(|error| panic!("{what}: {error}"));
     let spectrum = reduced.modes(speed).unwrap();
     assert_eq!(spectrum.modes.len(), count, "{what}");
     let (theirs, condition) = dense(rotor, speed);
@@ -342,24 +344,24 @@ fn random_rotors_have_the_eigenvalues_of_forty_digits() {
         };
         let (bearings, speed) = rest.split_at(12);
         let material = Material { young, shear, density, viscous_damping: 0.0, loss_factor: 0.0 };
-        let element = Element { length: length / n, outer: [diameter; 2], inner: [0.0; 2], material };
+        let element = ShaftElement { length: length / n, outer: [diameter; 2], inner: [0.0; 2], material };
         let support = |row: &[f64]| {
             let here = Coefficients {
                 stiffness: [[row[1], row[2]], [row[3], row[4]]],
                 damping: [[row[5], 0.0], [0.0, row[5]]],
             };
-            Support::bearing(row[0] as usize, here)
+            BearingSupport::bearing(row[0] as usize, here)
         };
         let rotor = Rotor {
             elements: vec![element; n as usize],
-            theory: if shearing == 1.0 { Theory::Timoshenko } else { Theory::EulerBernoulli },
+            theory: if shearing == 1.0 { BeamTheory::Timoshenko } else { BeamTheory::EulerBernoulli },
             tension: 0.0,
-            discs: vec![Disc { node: node as usize, mass, diametral, polar }],
+            discs: vec![RigidDisc { node: node as usize, mass, diametral, polar }],
             supports: bearings.chunks(6).map(support).collect(),
         };
         let all = Assembled::new(&rotor).unwrap();
         let theirs: Vec<Complex<f64>> = values.chunks(2).map(|pair| Complex::new(pair[0], pair[1])).collect();
-        let found = Reduced::new(&all, theirs.len(), speed).unwrap().modes(speed[0]).unwrap().modes;
+        let found = ReducedRotor::new(&all, theirs.len(), speed).unwrap().modes(speed[0]).unwrap().modes;
         for (mode, theirs) in zip_eq(&found, &theirs) {
             let exact = modes::polished(&all, mode, speed[0]).unwrap();
             let off = (exact.mode.lambda - theirs).norm() / theirs.norm();
@@ -371,16 +373,20 @@ fn random_rotors_have_the_eigenvalues_of_forty_digits() {
 }
 
 /// A shaft of 50 mm with a disc of 40 kg in the middle.
-fn middle(supports: [Hold; 2]) -> Rotor {
+fn middle(supports: [SupportType; 2]) -> Rotor {
     let material =
         Material { young: 210e9, shear: 81e9, density: 7850.0, viscous_damping: 0.0, loss_factor: 0.0 };
-    let element = Element { length: 1.0 / 12.0, outer: [0.05; 2], inner: [0.0; 2], material };
+    let element = ShaftElement { length: 1.0 / 12.0, outer: [0.05; 2], inner: [0.0; 2], material };
     Rotor {
         elements: vec![element; 12],
-        theory: Theory::Timoshenko,
+        theory: BeamTheory::Timoshenko,
         tension: 0.0,
-        discs: vec![Disc { node: 6, mass: 40.0, diametral: 0.4, polar: 0.8 }],
-        supports: [0, 12].into_iter().zip_eq(supports).map(|(node, hold)| Support { node, hold }).collect(),
+        discs: vec![RigidDisc { node: 6, mass: 40.0, diametral: 0.4, polar: 0.8 }],
+        supports: [0, 12]
+            .into_iter()
+            .zip_eq(supports)
+            .map(|(node, hold)| BearingSupport { node, hold })
+            .collect(),
     }
 }
 
@@ -388,7 +394,7 @@ fn middle(supports: [Hold; 2]) -> Rotor {
 fn bands(rotor: &Rotor, speed: f64, highest: f64, count: usize) -> Vec<[Option<f64>; 2]> {
     let rpm = PI / 30.0;
     let all = Assembled::new(rotor).unwrap();
-    let reduced = Reduced::new(&all, count, &[speed * rpm, highest * rpm]).unwrap();
+    let reduced = ReducedRotor::new(&all, count, &[speed * rpm, highest * rpm]).unwrap();
     let even = (0..=14).map(|n| highest * f64::from(n) / 14.0);
     let rows = [5100.0, 5300.0, 5600.0].into_iter().filter(|row| *row < highest);
     let mut speeds: Vec<f64> = even.chain(rows).chain([speed]).map(|speed| speed * rpm).collect();
@@ -410,8 +416,8 @@ fn bands_of_instability_have_both_ends_wherever_they_lie() {
     let rpm = PI / 30.0;
     let table = [(0.0, 0.0), (5100.0, 0.0), (5300.0, 5e7), (5600.0, 0.0), (14000.0, 0.0)];
     let table = table.map(|(speed, kxy)| (speed * rpm, row(kxy, 7.5e7, 1e4))).to_vec();
-    let constant = |here: Coefficients| Hold::Bearing(vec![(0.0, here)]);
-    let rotor = middle([constant(row(0.0, 6e7, 1e4)), Hold::Bearing(table)]);
+    let constant = |here: Coefficients| SupportType::Bearing(vec![(0.0, here)]);
+    let rotor = middle([constant(row(0.0, 6e7, 1e4)), SupportType::Bearing(table)]);
     for speed in [4000.0, 5300.0] {
         let found = bands(&rotor, speed, 14000.0, 4);
         let [[Some(from), Some(to)]] = found[..] else { panic!("{found:?}") };
@@ -438,20 +444,21 @@ fn soft_bearings_keep_their_digits_on_a_fine_mesh() {
             Material { young: 207e9, shear: 80e9, density: 7850.0, viscous_damping: 0.0, loss_factor: 0.0 };
         let stretch = |length: f64| {
             let element =
-                Element { length: length / count as f64, outer: [0.08; 2], inner: [0.0; 2], material };
+                ShaftElement { length: length / count as f64, outer: [0.08; 2], inner: [0.0; 2], material };
             vec![element; count]
         };
-        let supports = [count, 2 * count].map(|node| Support::bearing(node, Coefficients::isotropic(k, 0.0)));
+        let supports =
+            [count, 2 * count].map(|node| BearingSupport::bearing(node, Coefficients::isotropic(k, 0.0)));
         let rotor = Rotor {
             elements: [0.1, 0.6, 0.1].into_iter().flat_map(stretch).collect(),
-            theory: Theory::EulerBernoulli,
+            theory: BeamTheory::EulerBernoulli,
             tension: 0.0,
             discs: Vec::new(),
             supports: supports.to_vec(),
         };
         let all = Assembled::new(&rotor).unwrap();
         let speed = speed * PI / 30.0;
-        let found = Reduced::new(&all, 4, &[speed, 200.0 * PI]).unwrap().modes(speed).unwrap().modes;
+        let found = ReducedRotor::new(&all, 4, &[speed, 200.0 * PI]).unwrap().modes(speed).unwrap().modes;
         for (mode, theirs) in zip_eq(&found, theirs) {
             let exact = modes::polished(&all, mode, speed).unwrap().mode.frequency() / (2.0 * PI);
             assert!((exact / theirs - 1.0).abs() < PROMISED, "{exact} is not {theirs}");

@@ -36,7 +36,7 @@ const LAST_TERM: f64 = 256.0 * 27.0 / 823_543.0;
 
 /// Options of an integration: interval, output, tolerance, events.
 #[derive(Clone, Copy)]
-pub struct Run<'a, E> {
+pub struct Integration<'a, E> {
     /// s.
     pub duration: f64,
     /// The error that each step may add.
@@ -52,7 +52,7 @@ pub struct Run<'a, E> {
 }
 
 /// System of first-order differential equations `dy/dt = f(t, y)` to integrate.
-pub trait Problem {
+pub trait OdeSystem {
     /// The rates `f(t, y)`. Rates that are not finite say that the motion cannot go on from there: the step is
     /// shortened.
     fn rates(&mut self, time: f64, state: &[f64], rates: &mut [f64]);
@@ -78,9 +78,9 @@ pub trait Problem {
     }
 }
 
-/// A [`Problem`] of a function and two tolerances.
+/// A [`OdeSystem`] of a function and two tolerances.
 #[derive(Debug, Clone)]
-pub struct Function<F> {
+pub struct OdeFunction<F> {
     /// `f(t, y)`, written to its last argument.
     pub rates: F,
     /// The allowed error in parts of each number.
@@ -131,14 +131,14 @@ pub enum OdeError {
 ///
 /// # Errors
 /// All of [`OdeError`].
-pub fn states<P: Problem>(
+pub fn states<P: OdeSystem>(
     problem: &mut P,
     start: &[f64],
     times: &[f64],
     most_steps: usize,
 ) -> Result<Vec<Vec<f64>>, OdeError> {
     let (&[first, ..], &[.., last]) = (times, times) else { return Ok(Vec::new()) };
-    let mut integrator = Integrator::new(problem, first, start, last, most_steps)?.looked_between();
+    let mut integrator = Integrator::new(problem, first, start, last, most_steps)?.examined_between();
     let mut states = Vec::with_capacity(times.len());
     for &time in times {
         while integrator.time() < time {
@@ -165,7 +165,7 @@ pub struct Integrator {
     /// if they were evaluated again.
     stepped: bool,
     /// True if the interpolating polynomial of each step is computed and examined for events.
-    looked_between: bool,
+    examined_between: bool,
     /// The polynomial over the last step, once asked for.
     between: Option<[Vec<f64>; 7]>,
     /// Time to the next singular position, seen from the current state and from the previous one.
@@ -185,7 +185,7 @@ impl Integrator {
     ///
     /// # Errors
     /// `Input`, `NotFinite`.
-    pub fn new<P: Problem>(
+    pub fn new<P: OdeSystem>(
         problem: &mut P,
         start: f64,
         state: &[f64],
@@ -205,7 +205,7 @@ impl Integrator {
             next: end - start,
             slopes: vec![zeros.clone(); SLOPES],
             stepped: false,
-            looked_between: false,
+            examined_between: false,
             between: None,
             ahead: f64::INFINITY,
             ahead_before: f64::INFINITY,
@@ -224,8 +224,8 @@ impl Integrator {
 
     /// For a motion that is asked for between the ends of steps: each is so short that its polynomial holds there.
     #[must_use]
-    pub fn looked_between(mut self) -> Self {
-        self.looked_between = true;
+    pub fn examined_between(mut self) -> Self {
+        self.examined_between = true;
         self
     }
 
@@ -253,7 +253,12 @@ impl Integrator {
     ///
     /// # Errors
     /// `NotFinite`; `Input` for a time outside the last step.
-    pub fn restart<P: Problem>(&mut self, problem: &mut P, time: f64, state: &[f64]) -> Result<(), OdeError> {
+    pub fn restart<P: OdeSystem>(
+        &mut self,
+        problem: &mut P,
+        time: f64,
+        state: &[f64],
+    ) -> Result<(), OdeError> {
         if !(self.before..=self.time).contains(&time) {
             return Err(OdeError::Input);
         }
@@ -277,7 +282,7 @@ impl Integrator {
     ///
     /// # Errors
     /// `NotFinite`, `TooShort`, `TooManySteps` or `Stiff`, `Stopped`; `Input` for an allowed error that is not positive.
-    pub fn advance<P: Problem>(&mut self, problem: &mut P, until: f64) -> Result<(), OdeError> {
+    pub fn advance<P: OdeSystem>(&mut self, problem: &mut P, until: f64) -> Result<(), OdeError> {
         let left = until - self.time;
         if !left.is_finite() || left <= 0.0 {
             return Err(OdeError::Input);
@@ -330,7 +335,7 @@ impl Integrator {
                 if at_all {
                     self.watch_stiffness(taken);
                     std::mem::swap(&mut self.state, &mut self.tried);
-                    let between = if self.looked_between { self.look_between(problem, taken) } else { 0.0 };
+                    let between = if self.examined_between { self.look_between(problem, taken) } else { 0.0 };
                     if between <= 1.0 {
                         (self.time, self.stepped, self.ahead) = (end, true, ahead);
                         let factor = (CAUTION * error.powf(-0.125)).clamp(SHORTEN, LENGTHEN);
@@ -359,7 +364,7 @@ impl Integrator {
     }
 
     /// The state at a time within the last step.
-    pub fn at<P: Problem>(&mut self, problem: &mut P, time: f64) -> Vec<f64> {
+    pub fn at<P: OdeSystem>(&mut self, problem: &mut P, time: f64) -> Vec<f64> {
         let step = self.time - self.before;
         if time >= self.time || step <= 0.0 {
             return self.state.clone();
@@ -383,7 +388,7 @@ impl Integrator {
     }
 
     /// The stages and the result of a step; false if some slope is not finite.
-    fn try_step<P: Problem>(&mut self, problem: &mut P, step: f64) -> bool {
+    fn try_step<P: OdeSystem>(&mut self, problem: &mut P, step: f64) -> bool {
         for stage in 1..=END {
             self.point(stage, step);
             if stage == END {
@@ -413,7 +418,7 @@ impl Integrator {
     }
 
     /// The error of a step over what is allowed, of the part where it is largest.
-    fn error<P: Problem>(&mut self, problem: &mut P, step: f64) -> Result<f64, OdeError> {
+    fn error<P: OdeSystem>(&mut self, problem: &mut P, step: f64) -> Result<f64, OdeError> {
         problem.allowed(&self.state_before, &self.tried, &mut self.allowed);
         if self.allowed.iter().any(|allowed| allowed.is_nan() || *allowed <= 0.0) {
             return Err(OdeError::Input);
@@ -432,7 +437,7 @@ impl Integrator {
     }
 
     /// Makes the polynomial over a step: its last term over what is usual.
-    fn look_between<P: Problem>(&mut self, problem: &mut P, step: f64) -> f64 {
+    fn look_between<P: OdeSystem>(&mut self, problem: &mut P, step: f64) -> f64 {
         let between = self.polynomial(problem, step);
         let [.., last] = &between;
         let parts = last.iter().zip(&self.allowed).map(|(last, allowed)| (last / allowed).abs());
@@ -442,7 +447,7 @@ impl Integrator {
     }
 
     /// The coefficients of the polynomial over the last step.
-    fn polynomial<P: Problem>(&mut self, problem: &mut P, step: f64) -> [Vec<f64>; 7] {
+    fn polynomial<P: OdeSystem>(&mut self, problem: &mut P, step: f64) -> [Vec<f64>; 7] {
         for stage in END + 1..SLOPES {
             self.point(stage, step);
             let time = self.before + NODES[stage] * step;
@@ -484,7 +489,7 @@ impl Integrator {
     }
 
     /// A first step whose error is about what is allowed (§II.4, "starting step size").
-    fn first_step<P: Problem>(&mut self, problem: &mut P, whole: f64) -> Result<f64, OdeError> {
+    fn first_step<P: OdeSystem>(&mut self, problem: &mut P, whole: f64) -> Result<f64, OdeError> {
         problem.allowed(&self.state, &self.state, &mut self.allowed);
         if self.allowed.iter().any(|allowed| allowed.is_nan() || *allowed <= 0.0) {
             return Err(OdeError::Input);
@@ -512,7 +517,7 @@ impl Integrator {
     }
 }
 
-impl<F: FnMut(f64, &[f64], &mut [f64])> Problem for Function<F> {
+impl<F: FnMut(f64, &[f64], &mut [f64])> OdeSystem for OdeFunction<F> {
     fn rates(&mut self, time: f64, state: &[f64], rates: &mut [f64]) {
         (self.rates)(time, state, rates);
     }

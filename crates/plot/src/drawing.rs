@@ -1,12 +1,12 @@
 //! Sketches of machines, in the cells of a terminal.
 
-use dalembert_core::{Drawing, DrawnShape, Ink, Locale, Point, Side, Text};
-use dalembert_report::figure::strokes::{Box2, Part, Stroke, strokes};
+use dalembert_core::{Drawing, DrawnShape, Ink, LabelSide, Locale, Point, Text};
+use dalembert_report::figure::strokes::{Box2, Stroke, StrokeRole, strokes};
 use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 use unicode_width::UnicodeWidthStr;
 
 use crate::{
-    look::Look,
+    look::Appearance,
     plot::{
         Marker,
         dots::{Dots, Pen},
@@ -17,7 +17,7 @@ use crate::{
 
 /// Places of the words of a drawing.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Placed {
+pub struct PlacedLabel {
     /// Words beside their points, with the cells they take.
     pub beside: Vec<(Rect, String)>,
     /// Words without a free place, listed under the drawing where there is room for that.
@@ -28,10 +28,16 @@ pub struct Placed {
 
 /// Draws a sketch as large as it fits, with equal scales across and up; any size will do. Words that have no free place
 /// beside their points give way to a mark there, and are listed below with it.
-pub fn render(drawing: &Drawing, look: &Look, locale: &Locale, area: Rect, buffer: &mut Buffer) -> Placed {
+pub fn render(
+    drawing: &Drawing,
+    look: &Appearance,
+    locale: &Locale,
+    area: Rect,
+    buffer: &mut Buffer,
+) -> PlacedLabel {
     let mut area = area.intersection(buffer.area);
     if area.is_empty() {
-        return Placed::default();
+        return PlacedLabel::default();
     }
     let locale = locale.ascii(look.ascii);
     if area.height >= 6 {
@@ -48,7 +54,7 @@ pub fn render(drawing: &Drawing, look: &Look, locale: &Locale, area: Rect, buffe
         let words = look.shortened(&Text::new("nothing to draw").render(&locale), area.width.into());
         let x = area.x + (area.width - words.width() as u16) / 2;
         buffer.set_string(x, area.y + area.height / 2, words, look.dim());
-        return Placed::default();
+        return PlacedLabel::default();
     };
     let sketch = Sketch { strokes: &all, labels: &labels, bounds: &bounds, look };
     let mut drawn = sketch.drawn(area);
@@ -66,7 +72,7 @@ pub fn render(drawing: &Drawing, look: &Look, locale: &Locale, area: Rect, buffe
     }
     drawn.dots.draw(buffer);
     drawn.words.draw(buffer);
-    Placed {
+    PlacedLabel {
         beside: drawn.words.placed(),
         listed: drawn.listed.into_iter().map(|(_, words)| words).collect(),
         heads: drawn.heads,
@@ -77,7 +83,7 @@ pub fn render(drawing: &Drawing, look: &Look, locale: &Locale, area: Rect, buffe
 #[derive(PartialEq)]
 struct Label {
     at: Point,
-    side: Side,
+    side: LabelSide,
     text: String,
 }
 
@@ -86,7 +92,7 @@ struct Sketch<'a> {
     strokes: &'a [Stroke],
     labels: &'a [Label],
     bounds: &'a Box2,
-    look: &'a Look,
+    look: &'a Appearance,
 }
 
 /// A drawing in the cells of an area.
@@ -108,8 +114,11 @@ impl Sketch<'_> {
             draw(stroke, &fit, look, &mut dots);
         }
         let mut words = Labels::new(area);
-        let heads =
-            self.strokes.iter().filter(|stroke| stroke.part == Part::Head).flat_map(|stroke| &stroke.points);
+        let heads = self
+            .strokes
+            .iter()
+            .filter(|stroke| stroke.part == StrokeRole::Head)
+            .flat_map(|stroke| &stroke.points);
         let mut heads: Vec<(u16, u16)> = heads.map(|at| dots.cell_of(fit.dot(*at))).collect();
         heads.sort_unstable();
         heads.dedup();
@@ -132,7 +141,7 @@ impl Sketch<'_> {
 }
 
 /// The sign of words that are listed under a drawing: no number of a mass, no symbol.
-fn mark(n: usize, look: &Look) -> String {
+fn mark(n: usize, look: &Appearance) -> String {
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let number = (n + 1).to_string();
     if look.ascii {
@@ -142,7 +151,7 @@ fn mark(n: usize, look: &Look) -> String {
 }
 
 /// Marks and words side by side, in lines.
-fn list(listed: &[(String, String)], width: u16, look: &Look) -> Vec<String> {
+fn list(listed: &[(String, String)], width: u16, look: &Appearance) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for (mark, words) in listed {
         let entry = look.shortened(&format!("{mark} {words}"), width.into());
@@ -180,19 +189,19 @@ fn extent(drawing: &Drawing) -> impl Iterator<Item = Point> {
         .flat_map(DrawnShape::corners)
 }
 
-fn draw(stroke: &Stroke, fit: &Fit, look: &Look, dots: &mut Dots) {
+fn draw(stroke: &Stroke, fit: &Fit, look: &Appearance, dots: &mut Dots) {
     let style = look.ink(stroke.ink);
     let points: Vec<(f64, f64)> = stroke.points.iter().map(|at| fit.dot(*at)).collect();
     dots.lift();
-    if matches!(stroke.part, Part::Solid | Part::Disc) {
+    if matches!(stroke.part, StrokeRole::Solid | StrokeRole::Disc) {
         dots.hide(&points);
     }
     if look.ascii {
         match (stroke.part, &points[..]) {
-            (Part::Head | Part::Hatch, _) => return,
-            (Part::Spring, [from, .., to]) => return spring(*from, *to, style, dots),
-            (Part::Ground, [from, to]) => hatch(*from, *to, look, dots),
-            (Part::Round | Part::Disc, _) if is_small(&points) => {
+            (StrokeRole::Head | StrokeRole::Hatch, _) => return,
+            (StrokeRole::Spring, [from, .., to]) => return spring(*from, *to, style, dots),
+            (StrokeRole::Ground, [from, to]) => hatch(*from, *to, look, dots),
+            (StrokeRole::Round | StrokeRole::Disc, _) if is_small(&points) => {
                 let at = middle(&points);
                 dots.line(at, at, Pen::solid(style, 'O'));
                 return;
@@ -200,13 +209,16 @@ fn draw(stroke: &Stroke, fit: &Fit, look: &Look, dots: &mut Dots) {
             _ => {}
         }
     }
-    let points = if stroke.part == Part::Spring { open_coils(points) } else { points };
+    let points = if stroke.part == StrokeRole::Spring { open_coils(points) } else { points };
     for pair in points.windows(2) {
-        let stamp =
-            if matches!(stroke.part, Part::Round | Part::Disc) { 'o' } else { stamp(pair[0], pair[1]) };
+        let stamp = if matches!(stroke.part, StrokeRole::Round | StrokeRole::Disc) {
+            'o'
+        } else {
+            stamp(pair[0], pair[1])
+        };
         dots.line(pair[0], pair[1], Pen::solid(style, stamp));
     }
-    if let (Part::Shaft, [tail, head]) = (stroke.part, &points[..])
+    if let (StrokeRole::Shaft, [tail, head]) = (stroke.part, &points[..])
         && look.ascii
     {
         dots.line(*head, *head, Pen::solid(style, head_stamp(*tail, *head)));
@@ -253,7 +265,7 @@ fn spring(from: (f64, f64), to: (f64, f64), style: Style, dots: &mut Dots) {
 }
 
 /// A row of slashes one cell from the surface of the ground, at its right-hand side.
-fn hatch(from: (f64, f64), to: (f64, f64), look: &Look, dots: &mut Dots) {
+fn hatch(from: (f64, f64), to: (f64, f64), look: &Appearance, dots: &mut Dots) {
     let (across, down) = (to.0 - from.0, to.1 - from.1);
     let longer = across.abs().max(down.abs());
     if longer > 0.0 {

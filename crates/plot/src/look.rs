@@ -17,7 +17,7 @@ pub use self::theme::{Palette, Theme};
 
 /// Appearance of screens on this terminal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Look {
+pub struct Appearance {
     /// True if only ASCII may be drawn.
     pub ascii: bool,
     /// The colours there are; without any, emphasis is bold, dim, underlined or reversed.
@@ -71,7 +71,7 @@ pub enum Glyph {
     Held,
 }
 
-impl Look {
+impl Appearance {
     /// The look of a terminal that can show this much.
     pub fn new(capabilities: &Capabilities) -> Self {
         let ascii = capabilities.glyphs == Glyphs::Ascii;

@@ -20,14 +20,14 @@ use self::{
     frame::{Frame, Setting},
     labels::Labels,
 };
-use crate::look::{Glyph, Look};
+use crate::look::{Appearance, Glyph};
 
-pub use self::state::State;
+pub use self::state::PlotState;
 pub use dalembert_terminal::glyphs::PlotMarker as Marker;
 
 /// Reading of the cursor: `speed = 1500 rpm   X = 4.62 mm`, with `≈` between two computed points, and the marks it
 /// stands on. `None` without a cursor.
-pub fn readout(plot: &Plot, state: &State, locale: &Locale) -> Option<String> {
+pub fn readout(plot: &Plot, state: &PlotState, locale: &Locale) -> Option<String> {
     Some(Axes::seen(plot, None, &state.view)?.readout(state.cursor?, locale).join("   "))
 }
 
@@ -36,8 +36,8 @@ pub fn readout(plot: &Plot, state: &State, locale: &Locale) -> Option<String> {
 pub fn render(
     plot: &Plot,
     pinned: Option<&Plot>,
-    state: &State,
-    look: &Look,
+    state: &PlotState,
+    look: &Appearance,
     locale: &Locale,
     area: Rect,
     buffer: &mut Buffer,
@@ -66,8 +66,8 @@ pub fn render(
 /// The part of the axis at a column of the screen, from 0 to 1, and the cells of the whole of it.
 pub fn place_at(
     plot: &Plot,
-    state: &State,
-    look: &Look,
+    state: &PlotState,
+    look: &Appearance,
     locale: &Locale,
     area: Rect,
     column: u16,
@@ -81,7 +81,7 @@ pub fn place_at(
 }
 
 /// The pen of the curve of that place: a colour of its own, or, where there are no more, signs on it.
-pub(crate) fn pen(n: usize, marker: Marker, look: &Look) -> Pen {
+pub(crate) fn pen(n: usize, marker: Marker, look: &Appearance) -> Pen {
     let colored = n < look.curves();
     let stamp = match marker {
         Marker::Ascii => point(n, true),
@@ -95,7 +95,7 @@ pub(crate) fn pen(n: usize, marker: Marker, look: &Look) -> Pen {
 }
 
 /// The pen of the curves of a pinned plot.
-pub(crate) fn pinned_pen(look: &Look) -> Pen {
+pub(crate) fn pinned_pen(look: &Appearance) -> Pen {
     // Without colours gaps alone tell it from the present curve.
     let dash = if look.curves() == 0 { (1, 3) } else { (2, 1) };
     Pen { dash, ..Pen::solid(look.dim(), if look.ascii { '.' } else { '·' }) }
@@ -109,7 +109,7 @@ pub(crate) fn point(n: usize, ascii: bool) -> char {
 }
 
 /// Shade of permitted and of forbidden ranges: no sign of the grid or of a curve.
-pub(crate) fn shade(permitted: bool, look: &Look) -> (char, Style) {
+pub(crate) fn shade(permitted: bool, look: &Appearance) -> (char, Style) {
     let (unicode, ascii, style) =
         if permitted { ('░', '=', look.good()) } else { ('╱', '/', look.error()) };
     (if look.ascii { ascii } else { unicode }, style.remove_modifier(Modifier::BOLD))
@@ -120,13 +120,13 @@ struct Canvas<'a> {
     axes: &'a Axes<'a>,
     area: Rect,
     marker: Marker,
-    look: &'a Look,
+    look: &'a Appearance,
     /// True where zero lies among the values.
     zero: bool,
 }
 
 impl Canvas<'_> {
-    fn draw(&self, state: &State, locale: &Locale, buffer: &mut Buffer) {
+    fn draw(&self, state: &PlotState, locale: &Locale, buffer: &mut Buffer) {
         if self.area.is_empty() {
             return;
         }
@@ -330,7 +330,7 @@ impl Canvas<'_> {
     }
 
     /// A line down the plot, with a point on every curve it reads.
-    fn cursor(&self, state: &State, dots: &Dots, labels: &mut Labels, buffer: &mut Buffer) {
+    fn cursor(&self, state: &PlotState, dots: &Dots, labels: &mut Labels, buffer: &mut Buffer) {
         let Some(cursor) = state.cursor.and_then(|cursor| self.axes.within(cursor)) else { return };
         let Some(place) = self.axes.x.of(cursor) else { return };
         let (x, _) = dots.cell_of((place * (f64::from(dots.size().0) - 1.0), 0.0));

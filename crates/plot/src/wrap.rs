@@ -2,7 +2,7 @@
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
-use crate::look::Look;
+use crate::look::Appearance;
 
 /// Words in lines of at most `width` cells. A word that is longer is broken; a no-break space holds words together.
 pub fn words(text: &str, width: usize) -> Vec<String> {
@@ -30,7 +30,7 @@ pub fn words(text: &str, width: usize) -> Vec<String> {
 }
 
 /// Words in at most `most` lines of at most `width` cells; what is left over is cut, and an ellipsis reports it.
-pub fn title(text: &str, width: usize, most: usize, look: &Look) -> Vec<String> {
+pub fn title(text: &str, width: usize, most: usize, look: &Appearance) -> Vec<String> {
     let mut lines = words(text, width);
     if lines.len() > most {
         let rest = lines.split_off(most.saturating_sub(1)).join(" ");
@@ -72,7 +72,7 @@ mod tests {
         }
         assert_eq!(words("one two three", 7), ["one two", "three"]);
         assert_eq!(words("unbreakable", 4), ["unbr", "eaka", "ble"]);
-        let look = Look::default();
+        let look = Appearance::default();
         assert_eq!(title("one two three", 7, 2, &look), ["one two", "three"]);
         assert_eq!(title("one two three", 7, 1, &look), ["one tw…"]);
         assert_eq!(title("one two three four", 7, 2, &look), ["one two", "three…"]);

@@ -8,16 +8,16 @@ use dalembert_core::{
 use dalembert_units::{self as units, Style, Unit};
 
 use crate::{
-    Worked,
+    WorkedProblem,
     figure::{
         Seen,
-        axes::{Axes, Reading},
+        axes::{Axes, CurveReading},
     },
     inputs::inputs,
 };
 
 /// The names of the tables that [`csv()`] writes: `inputs`, `answers`, `steps`, `checks`, then `table-1` …, `plot-1` ….
-pub fn csv_tables(worked: &Worked<'_>) -> Vec<String> {
+pub fn csv_tables(worked: &WorkedProblem<'_>) -> Vec<String> {
     let mut names: Vec<String> = ["answers", "inputs", "steps", "checks"].map(str::to_owned).into();
     if let Ok(solution) = worked.outcome {
         names.extend((1..=exhibited_tables(solution).count()).map(|n| format!("table-{n}")));
@@ -30,10 +30,10 @@ pub fn csv_tables(worked: &Worked<'_>) -> Vec<String> {
 ///
 /// Numbers have a decimal point in every language. Words that a spreadsheet would take for a formula are preceded
 /// by `'`.
-pub fn csv(worked: &Worked<'_>, table: &str, locale: &Locale) -> Option<String> {
+pub fn csv(worked: &WorkedProblem<'_>, table: &str, locale: &Locale) -> Option<String> {
     let solution = worked.outcome.ok();
     let locale = &locale.at(worked.entry.about.id);
-    let mut sheet = Sheet::default();
+    let mut sheet = CsvSheet::default();
     match (table, table.rsplit_once('-')) {
         ("inputs", _) => write_inputs(worked, &mut sheet, locale),
         ("answers", _) => write_answers(solution, &mut sheet, locale),
@@ -52,7 +52,7 @@ pub fn csv(worked: &Worked<'_>, table: &str, locale: &Locale) -> Option<String> 
 /// and the cursor readings. `None` where there is nothing to draw.
 pub fn plot_csv(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<String> {
     let axes = Axes::seen(plot, seen.pinned, &seen.view)?;
-    let mut sheet = Sheet::default();
+    let mut sheet = CsvSheet::default();
     let plain = Locale { style: Style { ascii: true, ..locale.style }, ..*locale };
     sheet.headings(&["series", &axes.x.title(0, &plain), &axes.y.title(0, &plain)]);
     let mut row = |label: &str, (x, y): (f64, f64)| {
@@ -68,7 +68,7 @@ pub fn plot_csv(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<String>
     if let Some(x) = seen.cursor.and_then(|cursor| axes.within(cursor)) {
         for series in &plot.series {
             let label = Text::new("{curve} at the cursor").with_text("curve", series.label.clone());
-            if let Some(Reading { y, .. }) = axes.read(series, x) {
+            if let Some(CurveReading { y, .. }) = axes.read(series, x) {
                 row(&label.render(locale), (x, y));
             }
         }
@@ -78,9 +78,9 @@ pub fn plot_csv(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<String>
 
 /// Rows of cells, the first of them the headings.
 #[derive(Default)]
-struct Sheet(Vec<Vec<String>>);
+struct CsvSheet(Vec<Vec<String>>);
 
-impl Sheet {
+impl CsvSheet {
     fn headings(&mut self, headings: &[&str]) {
         self.0.push(headings.iter().map(|heading| words(heading)).collect());
     }
@@ -134,7 +134,7 @@ fn words(text: &str) -> String {
     }
 }
 
-fn write_inputs(worked: &Worked<'_>, sheet: &mut Sheet, locale: &Locale) {
+fn write_inputs(worked: &WorkedProblem<'_>, sheet: &mut CsvSheet, locale: &Locale) {
     sheet.headings(&["path", "label", "symbol", "text", "value", "unit", "si"]);
     for input in inputs(worked.draft, worked.record, locale) {
         let (value, unit, si) = match input.value {
@@ -151,7 +151,7 @@ fn write_inputs(worked: &Worked<'_>, sheet: &mut Sheet, locale: &Locale) {
     }
 }
 
-fn write_answers(solution: Option<&Solution>, sheet: &mut Sheet, locale: &Locale) {
+fn write_answers(solution: Option<&Solution>, sheet: &mut CsvSheet, locale: &Locale) {
     sheet.headings(&["name", "label", "component", "value", "unit", "si"]);
     for answer in solution.iter().flat_map(|solution| &solution.answers) {
         for (component, si) in components(answer) {
@@ -196,7 +196,7 @@ fn components(answer: &Answer) -> Vec<(String, Option<f64>)> {
     }
 }
 
-fn write_steps(solution: Option<&Solution>, sheet: &mut Sheet, locale: &Locale) {
+fn write_steps(solution: Option<&Solution>, sheet: &mut CsvSheet, locale: &Locale) {
     sheet.headings(&["step", "symbol", "formula", "substitution", "result", "si", "why", "source"]);
     let Some(solution) = solution else { return };
     for (n, step) in solution.steps.iter().enumerate() {
@@ -211,7 +211,7 @@ fn write_steps(solution: Option<&Solution>, sheet: &mut Sheet, locale: &Locale) 
     }
 }
 
-fn write_checks(solution: Option<&Solution>, sheet: &mut Sheet, locale: &Locale) {
+fn write_checks(solution: Option<&Solution>, sheet: &mut CsvSheet, locale: &Locale) {
     sheet.headings(&["what", "residual", "passed"]);
     for check in solution.iter().flat_map(|solution| &solution.checks) {
         let what = words(&check.what.render(locale));
@@ -219,7 +219,7 @@ fn write_checks(solution: Option<&Solution>, sheet: &mut Sheet, locale: &Locale)
     }
 }
 
-fn write_table(table: &TableExhibit, sheet: &mut Sheet, locale: &Locale) {
+fn write_table(table: &TableExhibit, sheet: &mut CsvSheet, locale: &Locale) {
     let heading = |heading: &Text, unit: &str| match unit_of(unit).ascii() {
         unit if unit.is_empty() => words(&heading.render(locale)),
         unit => words(&format!("{} [{unit}]", heading.render(locale))),
@@ -235,7 +235,7 @@ fn write_table(table: &TableExhibit, sheet: &mut Sheet, locale: &Locale) {
     }
 }
 
-fn write_plot(plot: &Plot, sheet: &mut Sheet, locale: &Locale) {
+fn write_plot(plot: &Plot, sheet: &mut CsvSheet, locale: &Locale) {
     let (x, y) = (unit_of(plot.x.unit), unit_of(plot.y.unit));
     let heading = |label: &Text, unit: &Unit| match unit.ascii() {
         unit if unit.is_empty() => label.render(locale),
@@ -275,7 +275,7 @@ mod tests {
 
     #[test]
     fn a_sheet_is_rfc_4180() {
-        let mut sheet = Sheet::default();
+        let mut sheet = CsvSheet::default();
         sheet.headings(&["a", "b"]);
         sheet.0.push(vec!["x, \"y\"".into(), "two\nlines".into()]);
         assert_eq!(sheet.text(), "a,b\r\n\"x, \"\"y\"\"\",\"two\nlines\"\r\n");

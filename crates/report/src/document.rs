@@ -2,7 +2,7 @@
 
 use dalembert_core::printer::WrittenStep;
 
-use crate::figure::picture::{Part, Picture};
+use crate::figure::picture::{Picture, PictureElement};
 
 /// A text with headings, lists, steps and tables, every word of it in one language.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -21,20 +21,20 @@ pub enum Block {
     /// Sentences.
     Paragraph(String),
     /// Names with values, in columns.
-    Lines(Vec<Line>),
+    Lines(Vec<NamedValue>),
     /// Sentences that do not follow from one another.
     Items(Vec<String>),
     /// A step of a worked solution, and its number.
     Step(usize, WrittenStep),
     /// Rows and columns.
-    Table(Table),
+    Table(DocumentTable),
     /// A plot or a drawing.
     Figure(Picture),
 }
 
 /// A name with a value, within others.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Line {
+pub struct NamedValue {
     /// Nesting depth.
     pub depth: usize,
     /// Symbol in formulas; may be empty.
@@ -47,7 +47,7 @@ pub struct Line {
 
 /// Rows and columns.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Table {
+pub struct DocumentTable {
     /// Title; may be empty.
     pub title: String,
     /// The headings.
@@ -88,7 +88,7 @@ impl Block {
             Block::Lines(lines) => Block::Lines(
                 lines
                     .into_iter()
-                    .map(|line| Line {
+                    .map(|line| NamedValue {
                         depth: line.depth,
                         symbol: change(&line.symbol),
                         label: change(&line.label),
@@ -97,7 +97,7 @@ impl Block {
                     .collect(),
             ),
             Block::Step(number, step) => Block::Step(number, step.map(change)),
-            Block::Table(table) => Block::Table(Table {
+            Block::Table(table) => Block::Table(DocumentTable {
                 title: change(&table.title),
                 columns: all(table.columns),
                 numeric: table.numeric,
@@ -107,7 +107,7 @@ impl Block {
             Block::Figure(mut picture) => {
                 picture.title = change(&picture.title);
                 for part in &mut picture.parts {
-                    if let Part::Words { text, .. } = part {
+                    if let PictureElement::Words { text, .. } = part {
                         *text = change(text);
                     }
                 }

@@ -11,13 +11,13 @@ pub mod ticks;
 
 use dalembert_core::{Drawing, Exhibit, Locale, Plot};
 
-use self::{axes::View, picture::Picture};
+use self::{axes::PlotWindow, picture::Picture};
 
 /// View of a plot, as set on a screen: window, cursor, hidden curves.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seen<'a> {
     /// Visible window.
-    pub view: View,
+    pub view: PlotWindow,
     /// Position of the cursor: a value of `x` in SI.
     pub cursor: Option<f64>,
     /// One of the same axes, whose curves lie under those of the plot.

@@ -3,7 +3,7 @@
 use dalembert_core::{Language, Locale, printer::WrittenStep};
 
 use crate::{
-    document::{Block, Document, Line, Table},
+    document::{Block, Document, DocumentTable, NamedValue},
     math::{self, Math, sides},
     xml::escaped,
 };
@@ -63,7 +63,7 @@ fn block(block: &Block) -> String {
     }
 }
 
-fn pair(line: &Line) -> String {
+fn pair(line: &NamedValue) -> String {
     let symbol = if line.symbol.is_empty() { String::new() } else { inline(&math::symbols(&line.symbol)) };
     format!(
         "<tr><th style=\"padding-left: {}em\">{}</th><td>{symbol}</td><td>{}</td></tr>\n",
@@ -111,7 +111,7 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
     text
 }
 
-fn rows(table: &Table) -> String {
+fn rows(table: &DocumentTable) -> String {
     let number = |at: usize| if table.numeric.get(at) == Some(&true) { " class=\"number\"" } else { "" };
     let row = |cells: &[String], tag: &str| {
         let cells = (0..table.columns.len()).map(|at| {

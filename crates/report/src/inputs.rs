@@ -8,7 +8,7 @@ const TYPED_DIGITS: u8 = 12;
 
 /// An input, or the heading of the inputs within it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Input<'r> {
+pub struct ReportedInput<'r> {
     /// Path: `masses[1].radius`.
     pub path: String,
     /// Nesting depth.
@@ -26,7 +26,7 @@ pub struct Input<'r> {
 }
 
 /// The inputs in the order of the form. `draft` is what `record` was read from.
-pub fn inputs<'r>(draft: &Draft, record: &'r Record, locale: &Locale) -> Vec<Input<'r>> {
+pub fn inputs<'r>(draft: &Draft, record: &'r Record, locale: &Locale) -> Vec<ReportedInput<'r>> {
     let mut found = Vec::new();
     let place = Place { path: String::new(), depth: 0, rows: Vec::new(), locale };
     place.record(Some(draft), record, &mut found);
@@ -42,7 +42,7 @@ struct Place<'l> {
 }
 
 impl Place<'_> {
-    fn record<'r>(&self, draft: Option<&Draft>, record: &'r Record, found: &mut Vec<Input<'r>>) {
+    fn record<'r>(&self, draft: Option<&Draft>, record: &'r Record, found: &mut Vec<ReportedInput<'r>>) {
         for (n, (field, value)) in record.fields.iter().zip(&record.values).enumerate() {
             let draft = match draft {
                 Some(Draft::Group(all)) => all.get(n),
@@ -62,12 +62,12 @@ impl Place<'_> {
         draft: Option<&Draft>,
         value: &'r Value,
         row: Option<usize>,
-        found: &mut Vec<Input<'r>>,
+        found: &mut Vec<ReportedInput<'r>>,
     ) {
         let label = Text::from(field.label).render(self.locale);
         let label = row.map_or_else(|| label.clone(), |row| format!("{label} {row}"));
         let symbol = self.rows.iter().fold(Symbol::from(field.symbol), |symbol, row| symbol.row(*row));
-        let mut input = Input {
+        let mut input = ReportedInput {
             path: self.path.clone(),
             depth: self.depth,
             symbol: if field.symbol.is_empty() {

@@ -6,7 +6,7 @@ use dalembert_core::{Answer, AnswerValue, Exhibit, Locale, Number, Plot, Series,
 use dalembert_units::{Unit, is_invisible};
 use serde_json::{Map, Value as Json, json};
 
-use crate::{Worked, inputs::inputs};
+use crate::{WorkedProblem, inputs::inputs};
 
 /// `{"analysis", "case", "notes": [], "inputs": {path: {"text", "value", "unit", "si", "si_unit"}}, "answers": {name:
 /// {"label", "value", "unit", "si", "si_unit", "shown"}}, "plots": [{"title", "over", "curves": [{"label", "of", "with"}]}],
@@ -18,7 +18,7 @@ use crate::{Worked, inputs::inputs};
 /// units), or `null` for words. A plot is `over` an input (`{"input": path, "answer": null}`) or over an answer that changes
 /// with it, and each of its curves shows what the answer that it is `of` is then, with other inputs as `with` has them;
 /// `null` where the abscissa is no input, or the ordinate no answer. `notes` say how inputs were read where that does not stand in them.
-pub fn json(worked: &Worked<'_>, locale: &Locale) -> Json {
+pub fn json(worked: &WorkedProblem<'_>, locale: &Locale) -> Json {
     let locale = &locale.at(worked.entry.about.id);
     let mut given = Map::new();
     for input in inputs(worked.draft, worked.record, locale) {

@@ -3,7 +3,7 @@
 use dalembert_core::{ascii, printer::WrittenStep};
 
 use crate::{
-    document::{Block, Document, Line, Table},
+    document::{Block, Document, DocumentTable, NamedValue},
     figure::picture::tikz_colours,
     math::{self, Math, sides},
 };
@@ -58,7 +58,7 @@ fn block(block: &Block) -> String {
     }
 }
 
-fn pair(line: &Line) -> String {
+fn pair(line: &NamedValue) -> String {
     let symbol = if line.symbol.is_empty() {
         String::new()
     } else {
@@ -87,7 +87,7 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
     text
 }
 
-fn rows(table: &Table) -> String {
+fn rows(table: &DocumentTable) -> String {
     let row = |cells: &[String]| {
         let cells: Vec<String> =
             (0..table.columns.len()).map(|at| words(cells.get(at).map_or("", String::as_str))).collect();

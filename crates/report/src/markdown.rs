@@ -2,7 +2,7 @@
 
 use dalembert_core::printer::WrittenStep;
 
-use crate::document::{Block, Document, Line, Table, figure_name};
+use crate::document::{Block, Document, DocumentTable, NamedValue, figure_name};
 
 /// The document in Markdown. Formulas stand in code blocks, so that nothing in them is taken for markup.
 /// Figures are links to files that begin with `figures`; without that they are left out.
@@ -38,7 +38,7 @@ pub fn markdown(document: &Document, figures: Option<&str>) -> String {
     text
 }
 
-fn pair(line: &Line) -> String {
+fn pair(line: &NamedValue) -> String {
     let indent = "  ".repeat(line.depth);
     let symbol = if line.symbol.is_empty() { String::new() } else { format!(" {}", escaped(&line.symbol)) };
     let value = if line.value.is_empty() { String::new() } else { format!(": {}", escaped(&line.value)) };
@@ -63,7 +63,7 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
     text
 }
 
-fn pipes(table: &Table) -> String {
+fn pipes(table: &DocumentTable) -> String {
     let mut text = String::new();
     if !table.title.is_empty() {
         text += &format!("**{}**\n\n", escaped(&table.title));

@@ -3,7 +3,7 @@
 use dalembert_core::printer::WrittenStep;
 
 use crate::{
-    document::{Block, Document, Line, Table},
+    document::{Block, Document, DocumentTable, NamedValue},
     wrap::{columns, formula, padded, sentences},
 };
 
@@ -83,8 +83,8 @@ impl Page {
     }
 
     /// Labels, symbols and values in columns; a value without room goes under its label.
-    fn pairs(&mut self, lines: &[Line]) {
-        let widest = |of: &dyn Fn(&Line) -> usize| lines.iter().map(of).max().unwrap_or(0);
+    fn pairs(&mut self, lines: &[NamedValue]) {
+        let widest = |of: &dyn Fn(&NamedValue) -> usize| lines.iter().map(of).max().unwrap_or(0);
         let most = self.width / 2;
         let label_columns = widest(&|line| match 2 * line.depth + columns(&line.label) {
             label if label <= most && !line.value.is_empty() => label,
@@ -134,18 +134,18 @@ impl Page {
             }
         }
         if !step.terms.is_empty() {
-            let terms = step.terms.iter().map(|(term, value)| Line {
+            let terms = step.terms.iter().map(|(term, value)| NamedValue {
                 depth: 2,
                 label: term.clone(),
                 value: value.clone(),
-                ..Line::default()
+                ..NamedValue::default()
             });
             self.pairs(&terms.collect::<Vec<_>>());
         }
     }
 
     /// A table; columns without room follow under it, behind the first column again.
-    fn table(&mut self, table: &Table) {
+    fn table(&mut self, table: &DocumentTable) {
         if !table.title.is_empty() {
             self.sentences(&table.title, 0, 0);
         }
@@ -171,7 +171,7 @@ impl Page {
         }
     }
 
-    fn part(&mut self, table: &Table, widths: &[usize], shown: &[usize]) {
+    fn part(&mut self, table: &DocumentTable, widths: &[usize], shown: &[usize]) {
         let row = |cells: &[String]| -> String {
             let cells = shown.iter().map(|&at| {
                 let cell = cells.get(at).map_or("", String::as_str);

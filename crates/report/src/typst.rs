@@ -3,7 +3,7 @@
 use dalembert_core::{Language, Locale, printer::WrittenStep};
 
 use crate::{
-    document::{Block, Document, Line, Table, figure_name},
+    document::{Block, Document, DocumentTable, NamedValue, figure_name},
     math::{self, Math, sides},
 };
 
@@ -49,7 +49,7 @@ pub fn typst(document: &Document, figures: Option<&str>, locale: &Locale) -> Str
 /// Lines of formulas are as high as their fractions, and as far apart as those of words.
 const LINES: &str = "  #set text(top-edge: \"bounds\", bottom-edge: \"bounds\")\n  #set par(leading: 0.8em)";
 
-fn pairs(lines: &[Line]) -> String {
+fn pairs(lines: &[NamedValue]) -> String {
     let cells = lines.iter().map(|line| {
         let symbol = if line.symbol.is_empty() {
             String::new()
@@ -84,7 +84,7 @@ fn written_step(number: usize, step: &WrittenStep) -> String {
     text
 }
 
-fn rows(table: &Table) -> String {
+fn rows(table: &DocumentTable) -> String {
     let cells = |row: &[String]| {
         let cells: Vec<String> = (0..table.columns.len())
             .map(|at| format!("[{}]", words(row.get(at).map_or("", String::as_str))))

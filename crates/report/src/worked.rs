@@ -7,7 +7,7 @@ use dalembert_core::{
 use dalembert_units as units;
 
 use crate::{
-    document::{Block, Document, Line, Table},
+    document::{Block, Document, DocumentTable, NamedValue},
     figure::figure,
     inputs::inputs,
 };
@@ -17,7 +17,7 @@ const LONGEST_TABLE: usize = 60;
 
 /// A problem and what came of it.
 #[derive(Clone, Copy, Debug)]
-pub struct Worked<'a> {
+pub struct WorkedProblem<'a> {
     /// Analysis of the problem.
     pub entry: &'static Entry,
     /// The name of the published case or the title of the problem file; may be empty.
@@ -37,7 +37,7 @@ pub struct Worked<'a> {
 }
 
 /// The worked solution as a user reads it: problem, inputs, answers, steps, figures and tables, checks, warnings, sources.
-pub fn document(worked: &Worked<'_>, locale: &Locale) -> Document {
+pub fn document(worked: &WorkedProblem<'_>, locale: &Locale) -> Document {
     let about = worked.entry.about;
     let locale = &locale.at(about.id);
     let say = |words: &'static str| Text::from(words).render(locale);
@@ -114,7 +114,7 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
     }
 }
 
-fn given(worked: &Worked<'_>, locale: &Locale) -> Vec<Block> {
+fn given(worked: &WorkedProblem<'_>, locale: &Locale) -> Vec<Block> {
     let inputs = inputs(worked.draft, worked.record, locale);
     let mut tables = Vec::new();
     for input in &inputs {
@@ -124,7 +124,7 @@ fn given(worked: &Worked<'_>, locale: &Locale) -> Vec<Block> {
             let columns = table.units.iter().map(|unit| format!("[{}]", unit.pretty())).collect();
             let cell = |(si, unit): (&f64, &units::Unit)| units::write_number(unit.value(*si), locale.style);
             let rows = table.rows.iter().map(|row| row.iter().zip(&table.units).map(cell).collect());
-            tables.push(Block::Table(Table {
+            tables.push(Block::Table(DocumentTable {
                 title: input.label.clone(),
                 columns,
                 numeric: vec![true; table.units.len()],
@@ -133,7 +133,7 @@ fn given(worked: &Worked<'_>, locale: &Locale) -> Vec<Block> {
             }));
         }
     }
-    let lines = inputs.into_iter().map(|input| Line {
+    let lines = inputs.into_iter().map(|input| NamedValue {
         depth: input.depth,
         symbol: input.symbol,
         label: input.label,
@@ -142,17 +142,18 @@ fn given(worked: &Worked<'_>, locale: &Locale) -> Vec<Block> {
     std::iter::once(Block::Lines(lines.collect())).chain(tables).collect()
 }
 
-fn answer_lines(answer: &Answer, locale: &Locale) -> Vec<Line> {
+fn answer_lines(answer: &Answer, locale: &Locale) -> Vec<NamedValue> {
     let label = answer.label(locale);
-    let mut lines = vec![Line { depth: 0, symbol: String::new(), label, value: answer.shown(locale) }];
+    let mut lines = vec![NamedValue { depth: 0, symbol: String::new(), label, value: answer.shown(locale) }];
     if let AnswerValue::Set(_, limits) = &answer.value {
-        let limit = |text: &Text| Line { depth: 1, label: text.render(locale), ..Line::default() };
+        let limit =
+            |text: &Text| NamedValue { depth: 1, label: text.render(locale), ..NamedValue::default() };
         lines.extend(limits.iter().map(limit));
     }
     lines
 }
 
-fn written_table(table: &TableExhibit, locale: &Locale) -> Table {
+fn written_table(table: &TableExhibit, locale: &Locale) -> DocumentTable {
     let numeric: Vec<bool> = (0..table.columns.len())
         .map(|at| table.rows.iter().any(|row| matches!(row.get(at), Some(Cell::Number(_)))))
         .collect();
@@ -174,7 +175,7 @@ fn written_table(table: &TableExhibit, locale: &Locale) -> Table {
         });
         cells.collect()
     };
-    Table {
+    DocumentTable {
         title: table.title.render(locale),
         columns: columns.collect(),
         numeric,

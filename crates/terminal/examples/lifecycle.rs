@@ -10,7 +10,7 @@ use std::{
 };
 
 use dalembert_terminal::{
-    Fault, Guarded, Input, Options, Session, TerminalError, contained, fault,
+    Fault, Guarded, Options, Session, TerminalError, TerminalInput, catch_panic, fault,
     glyphs::{Capabilities, Environment},
     run_guarded,
 };
@@ -61,17 +61,19 @@ fn run() -> Result<(), TerminalError> {
         session.draw(|frame| view(&model, frame))?;
         for input in session.next_events(Duration::from_mins(1))? {
             match input {
-                Input::Key(KeyEvent {
-                    code: KeyCode::Char('z'), modifiers: KeyModifiers::CONTROL, ..
+                TerminalInput::Key(KeyEvent {
+                    code: KeyCode::Char('z'),
+                    modifiers: KeyModifiers::CONTROL,
+                    ..
                 }) => {
                     session.suspend();
                 }
-                Input::Key(key) => match press(&mut model, key) {
+                TerminalInput::Key(key) => match press(&mut model, key) {
                     Some(Command::Quit) => return Ok(()),
                     Some(Command::Fault(kind)) if kind.belongs_to_solver() => {
                         let (results, waker) = (results.clone(), session.waker());
                         thread::spawn(move || {
-                            let result = contained(|| fault(kind, || false));
+                            let result = catch_panic(|| fault(kind, || false));
                             let _ =
                                 results.send(result.map_or_else(|panic| panic, |()| format!("{kind} done")));
                             waker.wake();
@@ -80,13 +82,13 @@ fn run() -> Result<(), TerminalError> {
                     Some(Command::Fault(kind)) => fault(kind, || false),
                     None => {}
                 },
-                Input::Paste(text) => {
+                TerminalInput::Paste(text) => {
                     if let Some(palette) = &mut model.palette {
                         palette.push_str(&text.replace(char::is_control, " "));
                     }
                 }
-                Input::Notice(notice) => model.message = notice,
-                Input::Mouse(_) | Input::Resize { .. } | Input::Redraw => {}
+                TerminalInput::Notice(notice) => model.message = notice,
+                TerminalInput::Mouse(_) | TerminalInput::Resize { .. } | TerminalInput::Redraw => {}
             }
         }
         while let Ok(message) = solved.try_recv() {

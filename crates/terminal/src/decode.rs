@@ -25,7 +25,7 @@ pub const PASTE_PATIENCE: Duration = Duration::from_secs(2);
 
 /// An act of the user, or of the terminal on their behalf.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Input {
+pub enum TerminalInput {
     /// A key was pressed or repeats; releases are not reported. A capital letter carries `SHIFT`; Ctrl with a letter
     /// has the small letter; Shift-Tab is `BackTab`.
     Key(KeyEvent),
@@ -50,7 +50,7 @@ pub enum Input {
 /// came for [`patience`](Self::patience).
 #[derive(Debug, Default)]
 pub struct Decoder {
-    state: State,
+    state: DecoderState,
     /// The bytes of the sequence under way, or of the paste.
     held: Vec<u8>,
     /// The sequence under way began with two escapes.
@@ -58,7 +58,7 @@ pub struct Decoder {
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum State {
+enum DecoderState {
     #[default]
     Ground,
     /// In a character of this many bytes.
@@ -87,7 +87,7 @@ const PASTE_END: &[u8] = b"\x1b[201~";
 
 impl Decoder {
     /// Takes the next bytes and appends what they mean.
-    pub fn feed(&mut self, bytes: &[u8], inputs: &mut Vec<Input>) {
+    pub fn feed(&mut self, bytes: &[u8], inputs: &mut Vec<TerminalInput>) {
         for &byte in bytes {
             self.step(byte, inputs);
         }
@@ -96,34 +96,36 @@ impl Decoder {
     /// The time to wait for more bytes before [`settle`](Self::settle); `None` when nothing is half said.
     pub fn patience(&self) -> Option<Duration> {
         match self.state {
-            State::Ground => None,
-            State::Paste | State::PasteOverflow => Some(PASTE_PATIENCE),
+            DecoderState::Ground => None,
+            DecoderState::Paste | DecoderState::PasteOverflow => Some(PASTE_PATIENCE),
             _ => Some(ESCAPE_PATIENCE),
         }
     }
 
     /// Nothing more came: a lone `ESC` is the Escape key, an open paste ends, a broken sequence is forgotten.
-    pub fn settle(&mut self, inputs: &mut Vec<Input>) {
+    pub fn settle(&mut self, inputs: &mut Vec<TerminalInput>) {
         let escape = || key(KeyCode::Esc, KeyModifiers::NONE);
         match self.state {
-            State::Escape if self.alt => inputs.extend([escape(), escape()]),
-            State::Escape => inputs.push(escape()),
+            DecoderState::Escape if self.alt => inputs.extend([escape(), escape()]),
+            DecoderState::Escape => inputs.push(escape()),
             // What looked like the start of a sequence was Alt with that letter.
-            State::Control if self.held.is_empty() => inputs.push(key(KeyCode::Char('['), KeyModifiers::ALT)),
-            State::SingleShift => inputs.push(typed('O', KeyModifiers::ALT)),
-            State::Answer if self.held.len() == 1 => {
+            DecoderState::Control if self.held.is_empty() => {
+                inputs.push(key(KeyCode::Char('['), KeyModifiers::ALT));
+            }
+            DecoderState::SingleShift => inputs.push(typed('O', KeyModifiers::ALT)),
+            DecoderState::Answer if self.held.len() == 1 => {
                 inputs.push(typed(self.held[0].into(), KeyModifiers::ALT));
             }
-            State::Paste => self.end_paste(inputs),
+            DecoderState::Paste => self.end_paste(inputs),
             _ => {}
         }
         self.ground();
     }
 
-    fn step(&mut self, byte: u8, inputs: &mut Vec<Input>) {
+    fn step(&mut self, byte: u8, inputs: &mut Vec<TerminalInput>) {
         match self.state {
-            State::Ground => self.begin(byte, KeyModifiers::NONE, inputs),
-            State::Utf8(length) => {
+            DecoderState::Ground => self.begin(byte, KeyModifiers::NONE, inputs),
+            DecoderState::Utf8(length) => {
                 if byte & 0xC0 == 0x80 {
                     self.held.push(byte);
                     if self.held.len() == length {
@@ -135,37 +137,37 @@ impl Decoder {
                     self.begin(byte, KeyModifiers::NONE, inputs);
                 }
             }
-            State::Escape => self.after_escape(byte, inputs),
-            State::SingleShift => self.end_single_shift(byte, inputs),
-            State::Control => self.in_control(byte, inputs),
-            State::OldMouse => {
+            DecoderState::Escape => self.after_escape(byte, inputs),
+            DecoderState::SingleShift => self.end_single_shift(byte, inputs),
+            DecoderState::Control => self.in_control(byte, inputs),
+            DecoderState::OldMouse => {
                 self.held.push(byte);
                 if self.held.len() == 3 {
                     self.ground();
                 }
             }
-            State::Console => {
+            DecoderState::Console => {
                 if let b'A'..=b'E' = byte {
                     inputs.push(key(KeyCode::F(1 + byte - b'A'), KeyModifiers::NONE));
                 }
                 self.ground();
             }
-            State::Answer => match byte {
+            DecoderState::Answer => match byte {
                 // BEL, ST as one byte, CAN, SUB
                 0x07 | 0x9C | 0x18 | 0x1A => self.ground(),
-                0x1B => self.state = State::AnswerEscape,
+                0x1B => self.state = DecoderState::AnswerEscape,
                 _ if self.held.len() < 2 => self.held.push(byte),
                 _ => {}
             },
-            State::AnswerEscape => {
+            DecoderState::AnswerEscape => {
                 // `ESC \` ends the answer; any other escape ends it too, and begins something else.
                 self.ground();
                 if byte != b'\\' {
-                    self.state = State::Escape;
+                    self.state = DecoderState::Escape;
                     self.after_escape(byte, inputs);
                 }
             }
-            State::Paste => {
+            DecoderState::Paste => {
                 self.held.push(byte);
                 if self.held.ends_with(PASTE_END) {
                     self.held.truncate(self.held.len() - PASTE_END.len());
@@ -174,15 +176,15 @@ impl Decoder {
                 } else if self.held.len() >= PASTE_LIMIT + PASTE_END.len() {
                     let tail = self.held.split_off(PASTE_LIMIT);
                     self.end_paste(inputs);
-                    inputs.push(Input::Notice(format!(
+                    inputs.push(TerminalInput::Notice(format!(
                         "pasted text is longer than {} MiB: only its beginning was taken",
                         PASTE_LIMIT / (1024 * 1024)
                     )));
                     self.held = tail;
-                    self.state = State::PasteOverflow;
+                    self.state = DecoderState::PasteOverflow;
                 }
             }
-            State::PasteOverflow => {
+            DecoderState::PasteOverflow => {
                 self.held.push(byte);
                 if self.held.ends_with(PASTE_END) {
                     self.ground();
@@ -194,11 +196,11 @@ impl Decoder {
     }
 
     /// The first byte of a key.
-    fn begin(&mut self, byte: u8, modifiers: KeyModifiers, inputs: &mut Vec<Input>) {
+    fn begin(&mut self, byte: u8, modifiers: KeyModifiers, inputs: &mut Vec<TerminalInput>) {
         let control = modifiers | KeyModifiers::CONTROL;
         let input = match byte {
             0x1B => {
-                self.state = State::Escape;
+                self.state = DecoderState::Escape;
                 return;
             }
             0x00 => key(KeyCode::Char(' '), control),
@@ -213,7 +215,7 @@ impl Decoder {
                 self.alt = modifiers.contains(KeyModifiers::ALT);
                 self.held.clear();
                 self.held.push(byte);
-                self.state = State::Utf8(if byte < 0xE0 { 2 } else { 3 + usize::from(byte >= 0xF0) });
+                self.state = DecoderState::Utf8(if byte < 0xE0 { 2 } else { 3 + usize::from(byte >= 0xF0) });
                 return;
             }
             // Not UTF-8.
@@ -222,7 +224,7 @@ impl Decoder {
         inputs.push(input);
     }
 
-    fn end_character(&mut self, inputs: &mut Vec<Input>) {
+    fn end_character(&mut self, inputs: &mut Vec<TerminalInput>) {
         let modifiers = if self.alt { KeyModifiers::ALT } else { KeyModifiers::NONE };
         if let Some(character) = std::str::from_utf8(&self.held).ok().and_then(|text| text.chars().next())
             && !character.is_control()
@@ -232,14 +234,14 @@ impl Decoder {
         self.ground();
     }
 
-    fn after_escape(&mut self, byte: u8, inputs: &mut Vec<Input>) {
+    fn after_escape(&mut self, byte: u8, inputs: &mut Vec<TerminalInput>) {
         self.held.clear();
         match byte {
-            b'[' => self.state = State::Control,
-            b'O' => self.state = State::SingleShift,
+            b'[' => self.state = DecoderState::Control,
+            b'O' => self.state = DecoderState::SingleShift,
             b']' | b'P' | b'X' | b'^' | b'_' => {
                 self.held.push(byte);
-                self.state = State::Answer;
+                self.state = DecoderState::Answer;
             }
             // `ESC ESC [ A` is Alt with an arrow; a second lone escape is one more Escape key.
             0x1B if self.alt => inputs.push(key(KeyCode::Esc, KeyModifiers::NONE)),
@@ -251,12 +253,12 @@ impl Decoder {
         }
     }
 
-    fn end_single_shift(&mut self, byte: u8, inputs: &mut Vec<Input>) {
+    fn end_single_shift(&mut self, byte: u8, inputs: &mut Vec<TerminalInput>) {
         let modifiers = if self.alt { KeyModifiers::ALT } else { KeyModifiers::NONE };
         self.ground();
         let code = match byte {
             0x1B => {
-                self.state = State::Escape;
+                self.state = DecoderState::Escape;
                 return;
             }
             b'M' => KeyCode::Enter,
@@ -270,13 +272,13 @@ impl Decoder {
         inputs.push(key(code, modifiers));
     }
 
-    fn in_control(&mut self, byte: u8, inputs: &mut Vec<Input>) {
+    fn in_control(&mut self, byte: u8, inputs: &mut Vec<TerminalInput>) {
         match byte {
-            b'[' if self.held.is_empty() => self.state = State::Console,
-            b'M' if self.held.is_empty() => self.state = State::OldMouse,
+            b'[' if self.held.is_empty() => self.state = DecoderState::Console,
+            b'M' if self.held.is_empty() => self.state = DecoderState::OldMouse,
             b'~' if self.held == b"200" => {
                 self.held.clear();
-                self.state = State::Paste;
+                self.state = DecoderState::Paste;
             }
             0x40..=0x7E => {
                 let parameters = std::mem::take(&mut self.held);
@@ -288,29 +290,29 @@ impl Decoder {
             0x20..=0x3F => {}
             0x1B => {
                 self.ground();
-                self.state = State::Escape;
+                self.state = DecoderState::Escape;
             }
             _ => self.ground(),
         }
     }
 
-    fn end_paste(&mut self, inputs: &mut Vec<Input>) {
+    fn end_paste(&mut self, inputs: &mut Vec<TerminalInput>) {
         let text = String::from_utf8_lossy(&self.held);
         if !text.is_empty() {
-            inputs.push(Input::Paste(text.into_owned()));
+            inputs.push(TerminalInput::Paste(text.into_owned()));
         }
         self.held = Vec::new();
     }
 
     fn ground(&mut self) {
-        self.state = State::Ground;
+        self.state = DecoderState::Ground;
         self.alt = false;
         self.held.clear();
     }
 }
 
 /// A `CSI` sequence: its parameter bytes and its final byte.
-fn control_sequence(parameters: &[u8], last: u8, alt: bool) -> Option<Input> {
+fn control_sequence(parameters: &[u8], last: u8, alt: bool) -> Option<TerminalInput> {
     if let Some(report) = parameters.strip_prefix(b"<") {
         return mouse(report, last);
     }
@@ -365,7 +367,7 @@ fn letter_key(letter: u8) -> Option<KeyCode> {
 }
 
 /// A key named by its character (modifyOtherKeys, `CSI … u`).
-fn codepoint(code: u32, modifiers: KeyModifiers) -> Option<Input> {
+fn codepoint(code: u32, modifiers: KeyModifiers) -> Option<TerminalInput> {
     Some(match code {
         9 if modifiers.contains(KeyModifiers::SHIFT) => key(KeyCode::BackTab, modifiers),
         9 => key(KeyCode::Tab, modifiers),
@@ -382,7 +384,7 @@ fn codepoint(code: u32, modifiers: KeyModifiers) -> Option<Input> {
 }
 
 /// An SGR report, `CSI < button ; column ; row M`, or `m` for a release. Cells count from one.
-fn mouse(report: &[u8], last: u8) -> Option<Input> {
+fn mouse(report: &[u8], last: u8) -> Option<TerminalInput> {
     let mut numbers = report.split(|&byte| byte == b';').map(number);
     let (button, column, row) = (numbers.next()??, numbers.next()??, numbers.next()??);
     let which = match button & 3 {
@@ -402,7 +404,7 @@ fn mouse(report: &[u8], last: u8) -> Option<Input> {
         (b'm', false, false, 0..=2) => MouseEventKind::Up(which),
         _ => return None,
     };
-    Some(Input::Mouse(MouseEvent {
+    Some(TerminalInput::Mouse(MouseEvent {
         kind,
         column: u16::try_from(column.saturating_sub(1)).ok()?,
         row: u16::try_from(row.saturating_sub(1)).ok()?,
@@ -427,11 +429,11 @@ fn number(digits: &[u8]) -> Option<u32> {
     })
 }
 
-fn typed(character: char, mut modifiers: KeyModifiers) -> Input {
+fn typed(character: char, mut modifiers: KeyModifiers) -> TerminalInput {
     modifiers.set(KeyModifiers::SHIFT, character.is_uppercase());
     key(KeyCode::Char(character), modifiers)
 }
 
-fn key(code: KeyCode, modifiers: KeyModifiers) -> Input {
-    Input::Key(KeyEvent::new(code, modifiers))
+fn key(code: KeyCode, modifiers: KeyModifiers) -> TerminalInput {
+    TerminalInput::Key(KeyEvent::new(code, modifiers))
 }

@@ -9,7 +9,7 @@ use std::{
 
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 
-use super::decode::{Decoder, Input};
+use super::decode::{Decoder, TerminalInput};
 
 /// Ends a wait of [`Session::next_events`](super::Session::next_events) from another thread: a solver calls it after
 /// it has left its result where the drawing thread looks.
@@ -61,7 +61,11 @@ impl Reader {
     }
 
     /// Waits until something happens or `timeout` is over, then takes everything that is already there.
-    pub(super) fn wait(&mut self, timeout: Duration, inputs: &mut Vec<Input>) -> io::Result<WaitResult> {
+    pub(super) fn wait(
+        &mut self,
+        timeout: Duration,
+        inputs: &mut Vec<TerminalInput>,
+    ) -> io::Result<WaitResult> {
         let start = Instant::now();
         let mut first = None;
         loop {

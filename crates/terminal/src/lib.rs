@@ -81,11 +81,11 @@ use std::io::{self, IsTerminal};
 
 use rustix::termios::tcgetattr;
 
-pub use decode::Input;
+pub use decode::TerminalInput;
 pub use fault::{Fault, fault};
 pub use guard::{GUARDED, Guarded, run_guarded};
 pub use input::Waker;
-pub use panics::contained;
+pub use panics::catch_panic;
 pub use session::{Options, Session};
 
 /// A terminal that cannot be had, with the cause.

@@ -14,7 +14,7 @@ use super::shared::Shared;
 ///
 /// The terminal is not touched and nothing is printed. What `work` was changing may be half changed after an error;
 /// throw it away. A stack overflow, `abort` and `exit` cannot be contained.
-pub fn contained<T>(work: impl FnOnce() -> T) -> Result<T, String> {
+pub fn catch_panic<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     install_hook();
     let outer = CONTAINED.replace(true);
     let result = panic::catch_unwind(AssertUnwindSafe(work));
@@ -100,15 +100,15 @@ mod tests {
 
     #[test]
     fn a_contained_panic_is_named_with_its_place() {
-        let error = contained(|| -> u32 { panic!("row {} is empty", 3) }).unwrap_err();
+        let error = catch_panic(|| -> u32 { panic!("row {} is empty", 3) }).unwrap_err();
         assert!(error.starts_with("row 3 is empty (") && error.contains("panics.rs:"), "{error}");
-        assert_eq!(contained(|| 7), Ok(7));
+        assert_eq!(catch_panic(|| 7), Ok(7));
     }
 
     #[test]
     fn containment_nests() {
-        let error = contained(|| {
-            assert!(contained(|| panic!("inner")).is_err());
+        let error = catch_panic(|| {
+            assert!(catch_panic(|| panic!("inner")).is_err());
             panic!("outer")
         });
         let error: Result<(), String> = error;
@@ -123,7 +123,7 @@ mod tests {
                 panic!("in the destructor");
             }
         }
-        let error: Result<(), String> = contained(|| panic::panic_any(Trap));
+        let error: Result<(), String> = catch_panic(|| panic::panic_any(Trap));
         let error = error.unwrap_err();
         assert!(error.starts_with("a panic without a message"), "{error}");
     }

@@ -12,7 +12,7 @@ use std::{
 use ratatui::{Frame, Terminal, layout::Rect};
 
 use crate::{
-    Input, TerminalError, Waker,
+    TerminalError, TerminalInput, Waker,
     backend::MinimalBackend,
     failed,
     glyphs::{Capabilities, sweep},
@@ -43,7 +43,7 @@ pub struct Options {
 /// The terminal, taken: raw mode, alternate screen, bracketed paste. Dropping it gives the terminal back.
 ///
 /// It belongs to the thread that made it; a panic of that thread gives the terminal back before its message is
-/// printed, a panic of any other becomes an [`Input::Notice`].
+/// printed, a panic of any other becomes an [`TerminalInput::Notice`].
 pub struct Session {
     terminal: Terminal<MinimalBackend<FrameBytes>>,
     bytes: FrameBytes,
@@ -92,7 +92,7 @@ impl Session {
         if self.shared.is_active() {
             if let Err(error) = self.bytes.write_to(&mut io::stdout().lock(), self.plain) {
                 drop(frame);
-                if signals::terminal_is_gone() {
+                if signals::terminal_is_lost() {
                     self.shared.end(signal_hook::consts::SIGHUP);
                 }
                 return Err(failed("take a frame")(error));
@@ -119,7 +119,7 @@ impl Session {
     /// was used.
     ///
     /// A terminal that is gone ends the process here, as `SIGHUP` would, with the autosave.
-    pub fn next_events(&mut self, timeout: Duration) -> Result<Vec<Input>, TerminalError> {
+    pub fn next_events(&mut self, timeout: Duration) -> Result<Vec<TerminalInput>, TerminalError> {
         let mut inputs = Vec::new();
         let lost = self.shared.is_active() && self.shared.repaint.load(SeqCst);
         let timeout = if lost { Duration::ZERO } else { timeout };
@@ -128,17 +128,17 @@ impl Session {
         }
         if self.shared.resized.swap(false, SeqCst) {
             let size = self.terminal.size().map_err(failed("tell its size"))?;
-            inputs.push(Input::Resize { columns: size.width, rows: size.height });
+            inputs.push(TerminalInput::Resize { columns: size.width, rows: size.height });
         }
         if self.shared.repaint.load(SeqCst) {
-            inputs.push(Input::Redraw);
+            inputs.push(TerminalInput::Redraw);
         }
-        inputs.extend(self.shared.notices().into_iter().map(Input::Notice));
+        inputs.extend(self.shared.notices().into_iter().map(TerminalInput::Notice));
         Ok(inputs)
     }
 
-    /// Gives the terminal to the shell, as Ctrl-Z is expected to; `fg` takes it back and reports [`Input::Redraw`].
-    /// Where there is no shell to return to, nothing happens and an [`Input::Notice`] reports it.
+    /// Gives the terminal to the shell, as Ctrl-Z is expected to; `fg` takes it back and reports [`TerminalInput::Redraw`].
+    /// Where there is no shell to return to, nothing happens and an [`TerminalInput::Notice`] reports it.
     pub fn suspend(&self) {
         if !signals::suspend(&self.shared) {
             self.shared.notify("there is no shell to return to: the program goes on".to_owned());
@@ -147,16 +147,16 @@ impl Session {
 
     /// Gives the terminal to another program until that ends, and takes it again. Keys that stop or interrupt are that
     /// program's meanwhile.
-    pub fn lend<T>(&self, program: impl FnOnce() -> T) -> Result<T, TerminalError> {
+    pub fn release_for<T>(&self, program: impl FnOnce() -> T) -> Result<T, TerminalError> {
         {
             let _frame = self.shared.frame();
-            self.shared.lent.store(true, SeqCst);
+            self.shared.released.store(true, SeqCst);
             self.shared.give_back();
         }
         let done = program();
         // What interrupted it is on its way to us too, by the guard.
         thread::sleep(AFTERMATH);
-        self.shared.lent.store(false, SeqCst);
+        self.shared.released.store(false, SeqCst);
         self.shared.take().map_err(failed("switch to raw mode"))?;
         Ok(done)
     }

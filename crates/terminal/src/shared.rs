@@ -13,7 +13,7 @@ use std::{
 
 use ratatui::crossterm::terminal::{disable_raw_mode, enable_raw_mode};
 
-use super::{contained, input::Waker};
+use super::{catch_panic, input::Waker};
 
 /// Alternate screen, bracketed paste, no cursor.
 const ENTER: &str = "\x1b[?1049h\x1b[?2004h\x1b[?25l";
@@ -38,7 +38,7 @@ pub(super) struct Shared {
     /// The terminal is ours at this moment: not before `take`, not while suspended, not after `give_back`.
     active: AtomicBool,
     /// Another program has the terminal, because we started it there.
-    pub(super) lent: AtomicBool,
+    pub(super) released: AtomicBool,
     /// Held while a frame is written, so that nothing cuts it in two.
     frame: Mutex<()>,
     /// The next frame must paint every cell.
@@ -57,7 +57,7 @@ impl Shared {
             mouse: AtomicBool::new(mouse),
             autosave,
             active: AtomicBool::new(false),
-            lent: AtomicBool::new(false),
+            released: AtomicBool::new(false),
             frame: Mutex::new(()),
             repaint: AtomicBool::new(true),
             resized: AtomicBool::new(false),
@@ -137,7 +137,7 @@ impl Shared {
         let (done, wait) = mpsc::channel();
         let shared = self.clone();
         thread::spawn(move || {
-            let _ = contained(|| shared.autosave.as_ref().map(|save| save()));
+            let _ = catch_panic(|| shared.autosave.as_ref().map(|save| save()));
             let _ = done.send(());
         });
         let _ = wait.recv_timeout(LAST_WISH);

@@ -35,7 +35,7 @@ pub(super) fn watch(shared: &Arc<Shared>, guard: Option<Pid>) -> io::Result<()> 
                 thread::sleep(SOON_AFTER);
                 batch.extend(signals.pending());
             }
-            if for_signals.lent.load(SeqCst) {
+            if for_signals.released.load(SeqCst) {
                 // They are for the program that has the terminal; that it stops stops us all.
                 if batch.contains(&SIGTSTP) && !batch.contains(&SIGCONT) {
                     let _ = kill_current_process_group(Signal::STOP);
@@ -71,7 +71,7 @@ pub(super) fn watch(shared: &Arc<Shared>, guard: Option<Pid>) -> io::Result<()> 
     thread::Builder::new().name("terminal watch".into()).spawn(move || {
         loop {
             thread::sleep(Duration::from_millis(500));
-            if terminal_is_gone() || guard.is_some_and(|pid| getppid() != Some(pid)) {
+            if terminal_is_lost() || guard.is_some_and(|pid| getppid() != Some(pid)) {
                 for_terminal.end(SIGHUP);
             }
         }
@@ -105,7 +105,7 @@ fn under_job_control() -> bool {
 
 /// The window is closed, or the line is cut. `SIGHUP` reports it too, but it can be ignored by inheritance (`nohup`,
 /// `sudo`, a multiplexer that was killed).
-pub(super) fn terminal_is_gone() -> bool {
+pub(super) fn terminal_is_lost() -> bool {
     let stdin = rustix::stdio::stdin();
     let mut fds = [PollFd::new(&stdin, PollFlags::empty())];
     let now = Timespec { tv_sec: 0, tv_nsec: 0 };

@@ -4,30 +4,30 @@ use std::collections::BTreeMap;
 
 use dalembert_core::{
     Entry, Locale, Stop,
-    cases::{Hold, Outcome, Seen},
+    cases::{Comparison, ComparisonRule, Seen},
     coverage::same_trees,
     printer,
 };
 
 use crate::{
-    problems::{Problem, cases_of, for_each_problem},
+    problems::{SolvedCase, cases_of, for_each_problem},
     some,
 };
 
-/// Compares every answer that was printed somewhere with ours: it agrees as far as it was printed, or is disputed
+/// Compares every answer that was printed somewhere with computed: it agrees as far as it was printed, or is disputed
 /// with a reason.
-pub fn every_printed_answer_is_ours_or_is_disputed(entries: &[&'static Entry]) {
+pub fn every_printed_answer_agrees_or_is_disputed(entries: &[&'static Entry]) {
     some(entries);
     let mut differing = Vec::new();
     for entry in entries {
         let id = entry.about.id;
         for case in cases_of(entry) {
             let verdicts = case.verify(entry).unwrap_or_else(|err| panic!("{id}, {}: {err}", case.name));
-            for verdict in verdicts.iter().filter(|verdict| verdict.outcome == Outcome::Differing) {
-                let (answer, printed, ours, why) =
-                    (&verdict.answer, &verdict.printed, &verdict.ours, verdict.why.english());
+            for verdict in verdicts.iter().filter(|verdict| verdict.outcome == Comparison::Differing) {
+                let (answer, printed, computed, why) =
+                    (&verdict.answer, &verdict.printed, &verdict.computed, verdict.why.english());
                 differing.push(format!(
-                    "{id}, {}: {answer} is printed {printed}, ours is {ours}; {why}",
+                    "{id}, {}: {answer} is printed {printed}, computed {computed}; {why}",
                     case.name
                 ));
             }
@@ -67,12 +67,12 @@ pub fn the_right_value_of_a_dispute_has_five_digits(entries: &[&'static Entry]) 
     for entry in entries {
         for case in cases_of(entry) {
             for expected in &case.expect {
-                let Hold::Disputed { ours, .. } = &expected.how else { continue };
+                let ComparisonRule::Disputed { computed, .. } = &expected.how else { continue };
                 disputed += 1;
-                let whole = ours.chars().all(|c| c.is_ascii_digit());
+                let whole = computed.chars().all(|c| c.is_ascii_digit());
                 assert!(
-                    whole || digits_of(ours).iter().all(|digits| *digits >= 5),
-                    "{}, {}: {} is {ours}, with fewer than five digits",
+                    whole || digits_of(computed).iter().all(|digits| *digits >= 5),
+                    "{}, {}: {} is {computed}, with fewer than five digits",
                     entry.about.id,
                     case.name,
                     expected.answer
@@ -99,7 +99,7 @@ fn digits_of(text: &str) -> Vec<usize> {
 /// Examines the solution of every case: no defect of dimensions, checks that pass and whose sides are not the same
 /// tree, at least one check, one step and one answer.
 pub fn every_solution_is_sound(entries: &[&'static Entry]) {
-    for_each_problem(entries, |Problem { name, solution, .. }| {
+    for_each_problem(entries, |SolvedCase { name, solution, .. }| {
         assert!(solution.defects.is_empty(), "{name}: {:?}", solution.defects);
         for check in &solution.checks {
             assert!(check.passed, "{name}: {} ({:e})", check.what.english(), check.residual);
@@ -116,7 +116,7 @@ pub fn every_solution_is_sound(entries: &[&'static Entry]) {
 /// case of each analysis by its id, for review.
 pub fn every_worked_solution_is_written_down(entries: &[&'static Entry]) -> BTreeMap<&'static str, String> {
     let mut sheets = BTreeMap::new();
-    for_each_problem(entries, |Problem { name, entry, solution, .. }| {
+    for_each_problem(entries, |SolvedCase { name, entry, solution, .. }| {
         let (english, portuguese) = (Locale::english(), Locale::portuguese());
         let mut sheet = format!("== {name}\n");
         for step in &solution.steps {

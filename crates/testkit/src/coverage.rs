@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, fmt::Write as _, sync::Mutex};
 
 use dalembert_core::{
     Entry, Stop,
-    coverage::{Coverage, Standing, coverage},
+    coverage::{Coverage, CoverageStatus, coverage},
 };
 
 use crate::problems::on_all_cores;
@@ -27,18 +27,19 @@ pub fn every_answer_is_covered_or_has_a_reason(entries: &[&'static Entry]) -> us
             Err(why) => fault(id, why),
             Ok(answers) => {
                 assert!(!answers.is_empty(), "{id} has no answers");
-                covered += answers.iter().filter(|one| matches!(one.standing, Standing::Covered(_))).count();
-                for Coverage { answer, standing, reason } in answers {
-                    match (standing, reason) {
-                        (Standing::Uncovered, None) => {
+                covered +=
+                    answers.iter().filter(|one| matches!(one.status, CoverageStatus::Covered(_))).count();
+                for Coverage { answer, status, reason } in answers {
+                    match (status, reason) {
+                        (CoverageStatus::Uncovered, None) => {
                             fault(
                                 id,
                                 &format!("{answer}: no second method covers it, and no reason is given"),
                             );
                         }
-                        (Standing::Uncovered, Some(_)) | (_, None) => {}
-                        (standing, Some(_)) => {
-                            fault(id, &format!("{answer}: a reason is given, but it is held: {standing:?}"));
+                        (CoverageStatus::Uncovered, Some(_)) | (_, None) => {}
+                        (status, Some(_)) => {
+                            fault(id, &format!("{answer}: a reason is given, but it is held: {status:?}"));
                         }
                     }
                 }

@@ -1,11 +1,11 @@
 //! Figures of analyses: marks at answers, and words that cover nothing.
 
 use dalembert_core::{Entry, Exhibit, Locale, Plot};
-use dalembert_plot::{drawing, look::Look};
+use dalembert_plot::{drawing, look::Appearance};
 use dalembert_report::figure::{
     axes::Axes,
     figure,
-    picture::{Part, WORDS},
+    picture::{PictureElement, WORDS},
 };
 use dalembert_terminal::glyphs::Colors;
 use ratatui::{buffer::Buffer, layout::Rect};
@@ -73,7 +73,7 @@ pub fn words_of_drawings_stand_over_no_other_words_and_over_no_head_of_an_arrow(
             let Some(sketch) = exhibit.sketch(0) else { continue };
             for (size, ascii) in [((38, 14), false), ((38, 14), true), ((60, 26), false), ((110, 44), false)]
             {
-                let look = Look { ascii, colors: Colors::None, ..Look::default() };
+                let look = Appearance { ascii, colors: Colors::None, ..Appearance::default() };
                 let area = Rect::new(0, 0, size.0, size.1);
                 let mut buffer = Buffer::empty(area);
                 let words = drawing::render(&sketch, &look, &Locale::english(), area, &mut buffer);
@@ -110,7 +110,7 @@ pub fn words_of_figures_stand_over_no_other_words(entries: &[&'static Entry]) {
                 .parts
                 .iter()
                 .filter_map(|part| match part {
-                    Part::Words { at, text, .. } => {
+                    PictureElement::Words { at, text, .. } => {
                         Some((at.0, at.0 + 0.5 * WORDS * text.chars().count() as f64, at.1, text.as_str()))
                     }
                     _ => None,

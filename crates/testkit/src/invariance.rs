@@ -13,7 +13,7 @@ use dalembert_core::{
 use dalembert_units::{self as units, Dim};
 use itertools::Itertools as _;
 
-use crate::problems::{Problem, numbers, on_all_cores, problems};
+use crate::problems::{SolvedCase, numbers, on_all_cores, problems};
 
 const LENGTH: f64 = 1.7;
 const MASS: f64 = 0.6;
@@ -21,7 +21,7 @@ const TIME: f64 = 2.3;
 
 /// Solves every case in other base units, of which nature has none it prefers: each answer scales with its dimension.
 pub fn every_answer_scales_with_its_dimension(entries: &[&'static Entry]) {
-    on_all_cores(&problems(entries), |_, Problem { name, entry, record, solution: here }| {
+    on_all_cores(&problems(entries), |_, SolvedCase { name, entry, record, solution: here }| {
         let there =
             entry.solve(&scaled(record), &Stop::new()).unwrap_or_else(|err| panic!("{name} scaled: {err}"));
         assert_eq!(names(here), names(&there), "{name}");
@@ -44,7 +44,7 @@ pub fn every_answer_scales_with_its_dimension(entries: &[&'static Entry]) {
 
 /// Types every input in each of its units: a unit changes how a number is shown, never what is found.
 pub fn the_unit_of_an_input_does_not_change_the_answers(entries: &[&'static Entry]) {
-    on_all_cores(&forms(entries), |_, Problem { name, entry, record, solution: here }| {
+    on_all_cores(&forms(entries), |_, SolvedCase { name, entry, record, solution: here }| {
         for Varied { path, field, si, unit, .. } in varied(record) {
             let Some(measure) = measure(&field.shape).map(|measure| measure.of(&unit)) else { continue };
             for unit in measure.units() {
@@ -79,7 +79,7 @@ pub fn the_unit_of_an_input_does_not_change_the_answers(entries: &[&'static Entr
 
 /// Compares the plain reading of every case with the worked one: the numbers are the same, bit for bit.
 pub fn the_plain_reading_is_the_worked_reading(entries: &[&'static Entry]) {
-    on_all_cores(&problems(entries), |_, Problem { name, entry, record, solution: worked }| {
+    on_all_cores(&problems(entries), |_, SolvedCase { name, entry, record, solution: worked }| {
         let numbers = worked.answers.iter().filter(|answer| answer.si().is_some());
         let wanted: Vec<String> = numbers.map(|answer| answer.name.to_string()).collect();
         let wanted: Vec<&str> = wanted.iter().map(String::as_str).collect();
@@ -98,7 +98,7 @@ pub fn the_plain_reading_is_the_worked_reading(entries: &[&'static Entry]) {
 pub fn extreme_values_are_answered_or_refused(entries: &[&'static Entry], times: usize) {
     // Two of the values for each input, others for its neighbour and for the next form; all where more is asked for.
     let apart = (4 / times).max(1);
-    on_all_cores(&forms(entries), |form, Problem { name, entry, record, .. }| {
+    on_all_cores(&forms(entries), |form, SolvedCase { name, entry, record, .. }| {
         let (varied, inputs) = (varied(record), vary::inputs(record));
         // What is outside the limits of an input is refused where it is read, and never gets to be solved.
         let permitted = |path: &str, si: f64| {
@@ -267,7 +267,7 @@ fn form(record: &Record) -> BTreeSet<String> {
 
 /// Every form of every problem, once: cases of the same analysis that fill in the same inputs with other numbers
 /// would vary the same things once more.
-fn forms(entries: &[&'static Entry]) -> Vec<Problem> {
+fn forms(entries: &[&'static Entry]) -> Vec<SolvedCase> {
     let mut seen = BTreeSet::new();
     let mut all = problems(entries);
     all.retain(|problem| seen.insert((problem.entry.about.id, form(&problem.record))));

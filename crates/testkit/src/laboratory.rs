@@ -116,7 +116,7 @@ macro_rules! registry_tests {
     };
     ($laboratory:expr, english_only) => {
         $crate::registry_tests!(@ $laboratory => catalogue {
-            every_printed_answer_is_ours_or_is_disputed
+            every_printed_answer_agrees_or_is_disputed
             a_companion_is_named_where_its_output_was_seen
             the_right_value_of_a_dispute_has_five_digits
             every_solution_is_sound

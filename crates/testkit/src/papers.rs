@@ -4,8 +4,8 @@ use std::path::Path;
 
 use dalembert_core::{Entry, Exhibit, Locale, Refusal, SolveError, Stop};
 use dalembert_report::{
-    Document, Paper, Worked, document,
-    figure::{figure, picture::Part},
+    Document, DocumentFormat, WorkedProblem, document,
+    figure::{figure, picture::PictureElement},
 };
 
 use crate::{
@@ -14,11 +14,11 @@ use crate::{
 };
 
 /// The formats, each with the name of its file.
-pub const PAPERS: [(Paper, &str); 4] = [
-    (Paper::Markdown, "solution.md"),
-    (Paper::Html, "solution.html"),
-    (Paper::Latex, "solution.tex"),
-    (Paper::Typst, "solution.typ"),
+pub const PAPERS: [(DocumentFormat, &str); 4] = [
+    (DocumentFormat::Markdown, "solution.md"),
+    (DocumentFormat::Html, "solution.html"),
+    (DocumentFormat::Latex, "solution.tex"),
+    (DocumentFormat::Typst, "solution.typ"),
 ];
 
 /// The first case of an analysis as a document.
@@ -30,7 +30,7 @@ pub fn worked_out(entry: &'static Entry, locale: &Locale) -> Document {
         Err(SolveError::Refused(Refusal::NoAnswer(why))) => Err(why),
         Err(other) => panic!("{}: {other:?}", entry.about.id),
     };
-    let worked = Worked {
+    let worked = WorkedProblem {
         entry,
         case: &case.title(),
         source: &case.source,
@@ -82,9 +82,9 @@ pub fn every_picture_keeps_inside_its_frame(entries: &[&'static Entry]) {
             };
             for part in &picture.parts {
                 let within = match part {
-                    Part::Line { points, .. } => points.iter().all(inside),
-                    Part::Disc { at, .. } | Part::Words { at, .. } => inside(at),
-                    Part::Area { from, to, .. } => inside(from) && inside(to),
+                    PictureElement::Line { points, .. } => points.iter().all(inside),
+                    PictureElement::Disc { at, .. } | PictureElement::Words { at, .. } => inside(at),
+                    PictureElement::Area { from, to, .. } => inside(from) && inside(to),
                 };
                 if !within {
                     faults.push(format!("{} {}: {part:?}", entry.about.id, picture.title));

@@ -83,9 +83,9 @@ pub fn numbers_near_those_of_a_case_are_answered_or_refused_with_reason(
     let met = met.into_inner().expect("no draw panics with the list");
     let mut faults = met.faults.clone();
     if let Some(table) = draws.refusals {
-        let judged = judged(table);
+        let verdicts = verdicts(table);
         for (template, (count, first)) in &met.refusals {
-            match judged.get(template).map(String::as_str) {
+            match verdicts.get(template).map(String::as_str) {
                 Some("input at fault") => {}
                 Some(verdict) => {
                     faults.push(format!("refused {count} times, {verdict}: {template} ({first})"));
@@ -103,16 +103,16 @@ pub fn numbers_near_those_of_a_case_are_answered_or_refused_with_reason(
 }
 
 /// Verdicts on refusals by their templates, as a table of Markdown has them: `message`, *verdict*.
-pub fn judged(table: &str) -> BTreeMap<String, String> {
-    let mut judged = BTreeMap::new();
+pub fn verdicts(table: &str) -> BTreeMap<String, String> {
+    let mut verdicts = BTreeMap::new();
     for line in table.lines().filter(|line| line.starts_with("| `")) {
         let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
         let [template, verdict, ..] = cells[..] else { panic!("a row of two cells at least: {line}") };
         let template = template.trim_matches('`').to_owned();
-        let before = judged.insert(template.clone(), verdict.trim_matches('*').to_owned());
+        let before = verdicts.insert(template.clone(), verdict.trim_matches('*').to_owned());
         assert!(before.is_none(), "{template} stands twice");
     }
-    judged
+    verdicts
 }
 
 fn try_one(entry: &'static Entry, name: &str, record: &Record, met: &Mutex<Met>) {
@@ -254,9 +254,9 @@ fn report(met: &Met, draws: &Draws<'_>) -> String {
         writeln!(text, "{id}: {drawn} drawn, {answered} answered, {refused} refused")
             .expect("a String takes all that is written");
     }
-    let judged = judged(draws.refusals.unwrap_or_default());
+    let verdicts = verdicts(draws.refusals.unwrap_or_default());
     for (template, (count, first)) in &met.refusals {
-        let verdict = judged.get(template).map_or("not judged", String::as_str);
+        let verdict = verdicts.get(template).map_or("not judged", String::as_str);
         writeln!(text, "| `{template}` | *{verdict}* | {count} | {first}")
             .expect("a String takes all that is written");
     }

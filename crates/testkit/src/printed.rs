@@ -10,7 +10,7 @@ use dalembert_units::{self as units, Style, write_quantity};
 
 use crate::{
     evaluator::hold,
-    problems::{Problem, first_solutions, for_each_problem},
+    problems::{SolvedCase, first_solutions, for_each_problem},
 };
 
 /// Reads every printed substitution again from its text and computes it: it gives the result beside it, in both
@@ -18,7 +18,7 @@ use crate::{
 pub fn printed_steps_give_their_results(entries: &[&'static Entry]) -> usize {
     let mut faults = Vec::new();
     let mut read = 0;
-    for_each_problem(entries, |Problem { name, solution, .. }| {
+    for_each_problem(entries, |SolvedCase { name, solution, .. }| {
         for (language, digits, ascii) in [
             (Language::English, 15, false),
             (Language::English, 15, true),

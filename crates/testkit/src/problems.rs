@@ -13,7 +13,7 @@ use dalembert_core::{
 };
 
 /// A problem of the catalogue, and its solution.
-pub(crate) struct Problem {
+pub(crate) struct SolvedCase {
     /// Analysis and case.
     pub(crate) name: String,
     pub(crate) entry: &'static Entry,
@@ -27,14 +27,14 @@ pub(crate) fn cases_of(entry: &Entry) -> Vec<Case> {
 }
 
 /// Every case with a solution.
-pub(crate) fn problems(entries: &[&'static Entry]) -> Vec<Problem> {
+pub(crate) fn problems(entries: &[&'static Entry]) -> Vec<SolvedCase> {
     let mut all = Vec::new();
     for_each_problem(entries, |problem| all.push(problem));
     all
 }
 
 /// Visits every case with a solution, one after the other.
-pub(crate) fn for_each_problem(entries: &[&'static Entry], mut visit: impl FnMut(Problem)) {
+pub(crate) fn for_each_problem(entries: &[&'static Entry], mut visit: impl FnMut(SolvedCase)) {
     assert!(!entries.is_empty(), "there is no analysis to examine");
     for entry in entries {
         for case in cases_of(entry) {
@@ -44,7 +44,7 @@ pub(crate) fn for_each_problem(entries: &[&'static Entry], mut visit: impl FnMut
             let name = format!("{}, {}", entry.about.id, case.name);
             let record = case.record(entry).unwrap_or_else(|err| panic!("{name}: {err}"));
             let solution = entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {err}"));
-            visit(Problem { name, entry, record, solution });
+            visit(SolvedCase { name, entry, record, solution });
         }
     }
 }

@@ -14,18 +14,18 @@ use std::{
 use crossterm::{Command, clipboard::CopyToClipboard, event::MouseEventKind};
 use dalembert_core::{Entry, Language, Text, registry};
 
-use self::watch::Watched;
+use self::watch::WatchedFile;
 use crate::{
     dialog::{After, Editing},
     effect::Effect,
     files::{self, Autosave, Memory},
     glyphs::{Capabilities, Colors, Environment, Glyphs, PlotMarker},
-    look::Look,
+    look::Appearance,
     model::{EditError, Model, Msg},
     replay::{Player, Recorder, Replay},
     settings::{self, Settings},
-    solver::{Solver, judges},
-    terminal::{self, Fault, Guarded, Input, Session, TerminalError, fault},
+    solver::{Solver, case_checker},
+    terminal::{self, Fault, Guarded, Session, TerminalError, TerminalInput, fault},
     update::{start, update},
     view::{tempo, view},
 };
@@ -103,7 +103,7 @@ struct Runtime {
     /// Solver for questions beside the results, so that these are never delayed.
     asker: Solver,
     autosave: Arc<Autosave>,
-    judges: io::Result<mpsc::Sender<&'static Entry>>,
+    case_checker: io::Result<mpsc::Sender<&'static Entry>>,
     /// `None`: nothing is remembered for later sessions.
     memory: Option<Memory>,
     /// Time at which work was remembered that is not autosaved yet.
@@ -111,11 +111,11 @@ struct Runtime {
     /// Time of the last autosave.
     kept: Instant,
     /// The newest job and when it was given, while its outcome has not come.
-    awaited: Option<(u64, Instant)>,
+    pending: Option<(u64, Instant)>,
     /// The user's editor, where the settings name one.
     editor: Option<String>,
     /// The open file, and what it was when it was examined last.
-    watched: Option<Watched>,
+    watched: Option<WatchedFile>,
     recorder: Option<Recorder>,
     /// The session that is played, until it ends or a key takes over.
     player: Option<Player>,
@@ -148,16 +148,16 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     let (sender, messages) = mpsc::channel();
     let solver = Solver::new(teller(&sender, &session, Msg::Solved));
     let asker = Solver::new(teller(&sender, &session, Msg::Asked));
-    let look = Look::new(&capabilities);
+    let look = Appearance::new(&capabilities);
     let mut model = Model::new(registry(), language, look, capabilities.marker);
     model.adopt(&settings);
     model.mouse = mouse;
     model.look.basic = basic;
     model.playing &= !basic;
     model.readonly = readonly;
-    model.played = replay.is_some();
+    model.is_replay = replay.is_some();
     model.faults = Fault::allowed();
-    let judges = judges(teller(&sender, &session, |(id, cases)| Msg::CheckedCase(id, cases)));
+    let case_checker = case_checker(teller(&sender, &session, |(id, cases)| Msg::CheckedCase(id, cases)));
     let mut faulty: Vec<_> = faults.into_iter().filter(|(_, faults)| !faults.is_empty()).collect();
     if let Some(folder) = files::sets_path() {
         let (sets, wrong) = files::sets(&folder);
@@ -170,11 +170,11 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         solver,
         asker,
         autosave,
-        judges,
+        case_checker,
         memory,
         noted: None,
         kept: Instant::now(),
-        awaited: None,
+        pending: None,
         editor: settings.editor,
         watched: None,
         recorder: None,
@@ -207,7 +207,7 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
         update(&mut model, Msg::Crashed(sessions));
     }
     // A session that is played does not know of a message over its screen.
-    if !model.played {
+    if !model.is_replay {
         update(&mut model, Msg::Faulty(faulty));
     }
     world.run(&mut model, &messages)
@@ -223,13 +223,13 @@ impl Runtime {
         loop {
             // A key and what it leads to belong in one frame, if it can be had without waiting long.
             loop {
-                let wait = self.awaited.map_or(Duration::ZERO, |(_, given)| {
+                let wait = self.pending.map_or(Duration::ZERO, |(_, given)| {
                     (given + PATIENCE).saturating_duration_since(Instant::now())
                 });
                 let Ok(msg) = messages.recv_timeout(wait) else { break };
                 stale = true;
-                self.awaited = self
-                    .awaited
+                self.pending = self
+                    .pending
                     .filter(|(job, _)| !matches!(&msg, Msg::Solved(outcome) if outcome.generation == *job));
                 let effects = update(model, msg);
                 if self.perform(model, effects) {
@@ -250,7 +250,7 @@ impl Runtime {
                 drawn + tempo.max(sending).max(took * ANIMATION_SHARE)
             });
             let keep = self.noted.map(|noted| noted + KEEP_AFTER);
-            let look = Watched::follow(&mut self.watched, model).map(|watched| watched.next);
+            let look = WatchedFile::follow(&mut self.watched, model).map(|watched| watched.next);
             // A session without anything left to do has ended now.
             let played = self.player.as_ref().map(|player| player.due().unwrap_or_else(Instant::now));
             let next = animation.into_iter().chain(keep).chain(look).chain(played).min();
@@ -286,12 +286,12 @@ impl Runtime {
             for input in without_haste(inputs) {
                 stale = true;
                 let msg = match input {
-                    Input::Key(key) => Msg::Key(key),
-                    Input::Paste(text) => Msg::Paste(text),
-                    Input::Resize { columns, rows } => Msg::Resize(columns, rows),
-                    Input::Notice(text) => Msg::Notice(text),
-                    Input::Mouse(event) => Msg::Mouse(event),
-                    Input::Redraw => continue,
+                    TerminalInput::Key(key) => Msg::Key(key),
+                    TerminalInput::Paste(text) => Msg::Paste(text),
+                    TerminalInput::Resize { columns, rows } => Msg::Resize(columns, rows),
+                    TerminalInput::Notice(text) => Msg::Notice(text),
+                    TerminalInput::Mouse(event) => Msg::Mouse(event),
+                    TerminalInput::Redraw => continue,
                 };
                 if let Some(Err(error)) = self.recorder.as_mut().map(|recorder| recorder.note(&msg)) {
                     self.recorder = None;
@@ -314,8 +314,8 @@ impl Runtime {
     }
 
     /// The next thing that the session does, and whether something is said. A key takes over, and does no more.
-    fn play(&mut self, model: &mut Model, inputs: &mut Vec<Input>) -> (Option<Msg>, bool) {
-        let typed = |input: &Input| matches!(input, Input::Key(_) | Input::Paste(_));
+    fn play(&mut self, model: &mut Model, inputs: &mut Vec<TerminalInput>) -> (Option<Msg>, bool) {
+        let typed = |input: &TerminalInput| matches!(input, TerminalInput::Key(_) | TerminalInput::Paste(_));
         let said = match &mut self.player {
             Some(_) if inputs.iter().any(typed) => {
                 inputs.retain(|input| !typed(input));
@@ -332,7 +332,7 @@ impl Runtime {
     /// The keys are the user's from now on.
     fn hand_over(&mut self, model: &mut Model, said: &'static str) {
         self.player = None;
-        (model.played, model.after_save) = (false, After::Stay);
+        (model.is_replay, model.after_save) = (false, After::Stay);
         model.say(said);
     }
 
@@ -348,7 +348,7 @@ impl Runtime {
                 Effect::Suspend if self.player.is_some() => continue,
                 Effect::Quit => return true,
                 Effect::Solve(job) => {
-                    self.awaited = Some((job.generation, Instant::now()));
+                    self.pending = Some((job.generation, Instant::now()));
                     // What was asked belongs to older inputs.
                     self.asker.cancel();
                     self.solver.submit(job);
@@ -359,16 +359,16 @@ impl Runtime {
                     continue;
                 }
                 Effect::Cancel => {
-                    self.awaited = None;
+                    self.pending = None;
                     self.solver.cancel();
                     self.asker.cancel();
                     continue;
                 }
                 Effect::Judge(entry) => {
-                    match &self.judges {
+                    match &self.case_checker {
                         // A thread that has ended accepts no further requests.
-                        Ok(judges) => {
-                            let _ = judges.send(entry);
+                        Ok(case_checker) => {
+                            let _ = case_checker.send(entry);
                             continue;
                         }
                         Err(error) => Msg::Notice(error.to_string()),
@@ -482,7 +482,7 @@ impl Runtime {
         };
         let file = if let Editing::Text(_) = file { Editing::Copy(path.clone()) } else { file };
         let command = editor::command(self.editor.as_deref());
-        let ended = self.session.lend(|| editor::run(&command, &path));
+        let ended = self.session.release_for(|| editor::run(&command, &path));
         let result = match ended {
             Ok(editor::Ended::Well) => {
                 // It was no other program.
@@ -553,7 +553,7 @@ fn teller<T>(
 }
 
 fn not_recorded(model: &mut Model, error: &io::Error) {
-    model.complain(Text::new("recording failed: {error}").with("error", error));
+    model.report_error(Text::new("recording failed: {error}").with("error", error));
 }
 
 /// `~/` at the beginning of a path is the user's home.
@@ -566,13 +566,13 @@ fn at_home(path: PathBuf) -> PathBuf {
 
 /// Of the equal turns of the wheel that waited together no more than move a screenful: nobody counts the others, and
 /// the next key does not wait for them.
-fn without_haste(mut inputs: Vec<Input>) -> Vec<Input> {
+fn without_haste(mut inputs: Vec<TerminalInput>) -> Vec<TerminalInput> {
     const TURNS: usize = 10;
     let mut turns = 0;
     let mut last = None;
     inputs.retain(|input| {
         let turned = match input {
-            Input::Mouse(event)
+            TerminalInput::Mouse(event)
                 if matches!(event.kind, MouseEventKind::ScrollUp | MouseEventKind::ScrollDown) =>
             {
                 Some(*event)

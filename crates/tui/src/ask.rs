@@ -5,7 +5,7 @@ use dalembert_core::{
     Entry, Record, Refusal, Solution, SolveError, Stop,
     check::{self, Mistake},
     sensitivity,
-    study::{Plan, Studied},
+    study::{Plan, StudyResult},
 };
 
 /// Question whose reply takes time.
@@ -52,7 +52,7 @@ pub enum Reply {
     /// Influence of each input.
     Sensitivity(Result<sensitivity::Sensitivity, SolveError>),
     /// Result of a study.
-    Study(Box<Result<Studied, SolveError>>),
+    Study(Box<Result<StudyResult, SolveError>>),
 }
 
 /// The tolerance of an input that none is typed for, in its steps.

@@ -7,12 +7,12 @@ use tui_input::Input;
 
 use crate::{
     glyphs::filter_untrusted,
-    keys::Place,
+    keys::KeyContext,
     layout::Focus,
     pane::{Column, Pane, Tab},
     panes,
     plot::Marker,
-    problem::{Problem, State},
+    problem::{Freshness, Problem},
 };
 
 /// A problem on the screen.
@@ -35,7 +35,7 @@ pub struct Bench {
     /// The cell of the shown pane that is being typed in.
     pub edit: Option<Input>,
     /// The number of the job that a pane waits for, and which.
-    pub awaited: Option<(u64, Tab)>,
+    pub pending: Option<(u64, Tab)>,
 }
 
 impl Bench {
@@ -51,7 +51,7 @@ impl Bench {
             expanded: false,
             marker,
             edit: None,
-            awaited: None,
+            pending: None,
         }
     }
 
@@ -91,24 +91,24 @@ impl Bench {
     }
 
     /// The place where keys are typed.
-    pub fn place(&self) -> Place {
+    pub fn place(&self) -> KeyContext {
         match self.focus {
-            Focus::Form if self.problem.inputs.form.edit.is_some() => Place::Edit,
-            Focus::Form => Place::Form,
-            Focus::Pane if self.edit.is_some() => Place::Cell,
+            Focus::Form if self.problem.inputs.form.edit.is_some() => KeyContext::Edit,
+            Focus::Form => KeyContext::Form,
+            Focus::Pane if self.edit.is_some() => KeyContext::Cell,
             Focus::Pane => self.shown().place(),
         }
     }
 
     /// To where these keys are typed; whether that is there.
-    pub fn go_to(&mut self, place: Place) -> bool {
-        if place == Place::Form {
+    pub fn go_to(&mut self, place: KeyContext) -> bool {
+        if place == KeyContext::Form {
             self.focus = Focus::Form;
             return true;
         }
         let has_place = |tab: &Tab| self.pane(*tab).place() == place;
         let tab = match place {
-            Place::Pane => self.tab,
+            KeyContext::Pane => self.tab,
             _ if has_place(&self.tab) => self.tab,
             _ => self.all_tabs().find(has_place).unwrap_or(self.tab),
         };
@@ -138,24 +138,24 @@ impl Bench {
 
     /// True if a pane waits for its answer. One that has none and does not wait was stopped.
     pub fn waits(&self, tab: Tab) -> bool {
-        self.awaited.is_some_and(|(_, asked)| asked == tab)
+        self.pending.is_some_and(|(_, asked)| asked == tab)
     }
 
     /// True if a job is under way for it.
     pub fn is_working(&self) -> bool {
-        matches!(self.problem.found.state, State::Solving(_)) || self.awaited.is_some()
+        matches!(self.problem.found.state, Freshness::Solving(_)) || self.pending.is_some()
     }
 
     /// Gives up the job that is under way, and what was found before it; the pane that waited.
     pub fn stop(&mut self) -> Option<Tab> {
-        let (_, tab) = self.awaited.take()?;
+        let (_, tab) = self.pending.take()?;
         self.panes[tab.0].forget(&mut self.problem, false);
         Some(tab)
     }
 
     /// The inputs are others: what was found for them counts no more.
     pub fn forget(&mut self) {
-        self.awaited = None;
+        self.pending = None;
         for pane in &mut self.panes {
             pane.forget(&mut self.problem, true);
         }

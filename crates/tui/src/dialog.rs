@@ -9,7 +9,7 @@ use tui_input::Input;
 
 pub use names::Names;
 
-use crate::{files::Crashed, keys::Place, look::Theme};
+use crate::{files::Crashed, keys::KeyContext, look::Theme};
 
 /// Dialog over a screen.
 #[derive(Debug)]
@@ -65,7 +65,7 @@ pub enum Dialog {
         lines: Vec<String>,
     },
     /// A table as text.
-    Sheet(Sheet),
+    Sheet(DialogContent),
 }
 
 /// An alternative.
@@ -145,7 +145,7 @@ pub enum Answer {
 
 /// A text of many lines that is edited.
 #[derive(Clone, Debug)]
-pub struct Sheet {
+pub struct DialogContent {
     /// The field it belongs to.
     pub path: String,
     /// The lines; one at least.
@@ -158,12 +158,12 @@ pub struct Sheet {
 
 impl Dialog {
     /// Place of the key map in which keys are looked up.
-    pub fn place(&self) -> Place {
+    pub fn place(&self) -> KeyContext {
         match self {
-            Dialog::Help { .. } | Dialog::Message { .. } => Place::Help,
-            Dialog::Palette { .. } | Dialog::Prompt { .. } => Place::Prompt,
-            Dialog::Choice { .. } | Dialog::Ask { .. } => Place::List,
-            Dialog::Sheet(_) => Place::Sheet,
+            Dialog::Help { .. } | Dialog::Message { .. } => KeyContext::Help,
+            Dialog::Palette { .. } | Dialog::Prompt { .. } => KeyContext::Prompt,
+            Dialog::Choice { .. } | Dialog::Ask { .. } => KeyContext::List,
+            Dialog::Sheet(_) => KeyContext::Sheet,
         }
     }
 
@@ -215,7 +215,7 @@ pub enum Editing {
     Copy(PathBuf),
 }
 
-impl Sheet {
+impl DialogContent {
     /// A text with the cursor at its beginning.
     pub fn new(path: String, text: &str) -> Self {
         let lines =
@@ -289,7 +289,7 @@ mod tests {
 
     #[test]
     fn a_sheet_is_edited_like_any_text() {
-        let mut sheet = Sheet::new("table".into(), "1; 2\n3; 4");
+        let mut sheet = DialogContent::new("table".into(), "1; 2\n3; 4");
         sheet.step(1, 0);
         sheet.step(0, 4);
         sheet.insert("\n5; 6\r\n7");

@@ -7,7 +7,7 @@ use dalembert_core::{Entry, Field};
 use crate::{
     dialog::Editing,
     files::{Before, Crashed},
-    remembered::Change,
+    remembered::HistoryChange,
     solver::Job,
     terminal::Fault,
 };
@@ -66,7 +66,7 @@ pub enum Effect {
     /// Remove what a crashed session left.
     Discard(Crashed),
     /// Remember this for later sessions.
-    Remember(Change),
+    Remember(HistoryChange),
     /// Put a text on the clipboard.
     Copy(String),
     /// Edit a file in the user's editor; [`Msg::Edited`](crate::Msg).

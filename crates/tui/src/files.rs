@@ -22,7 +22,7 @@ use std::{
 
 pub use autosave::{Autosave, Crashed, autosave_path};
 pub use memory::{Memory, recall, remember, remembered_path, sets, sets_path};
-pub use save::{Before, remove_strays, save, save_all};
+pub use save::{Before, remove_leftovers, save, save_all};
 
 use dalembert_core::{Field, Locale, Text, file, uff};
 
@@ -207,7 +207,7 @@ pub struct Opened {
 pub fn read(path: &Path) -> Result<Opened, FileError> {
     let bytes = read_bytes(path)?;
     if let Ok(target) = fs::canonicalize(path) {
-        remove_strays(save::folder_of(&target));
+        remove_leftovers(save::folder_of(&target));
     }
     let fingerprint = Fingerprint::of(&bytes);
     let text = String::from_utf8(bytes).map_err(|error| {

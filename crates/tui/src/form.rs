@@ -17,7 +17,7 @@ use dalembert_core::{Draft, Entry, Shape, Value, ascii, draft, gravity};
 use dalembert_units::{Decimal, Style, thousands, with_point, write_quantity, write_vector};
 
 pub use edit::{Edit, Sign};
-pub use lines::{BETWEEN, Line, Role, lines};
+pub use lines::{BETWEEN, FormLine, Role, lines};
 pub use nudge::{digit_at, nudged};
 pub use paste::Filled;
 
@@ -83,7 +83,7 @@ pub struct Row {
 
 impl Form {
     /// Gravity assumed for a line that leaves it out.
-    pub fn gravity(&self, line: &Line) -> Option<String> {
+    pub fn gravity(&self, line: &FormLine) -> Option<String> {
         gravity::is_gravity(line.field).then(|| gravity::of(&self.draft, &self.shape, &line.path))?
     }
 
@@ -106,14 +106,14 @@ impl Form {
     }
 
     /// Lines, without those of collapsed rows.
-    pub fn lines(&self) -> Vec<Line> {
+    pub fn lines(&self) -> Vec<FormLine> {
         let mut lines = self.all_lines();
         lines.retain(|line| !self.is_hidden(&line.path));
         lines
     }
 
     /// The line of the cursor.
-    pub fn line(&self) -> Option<Line> {
+    pub fn line(&self) -> Option<FormLine> {
         self.lines().into_iter().nth(self.cursor)
     }
 
@@ -407,7 +407,7 @@ impl Form {
 
     /// Path and text of the field under the cursor, where it is a number with digits to change.
     fn number(&self) -> Option<(String, String)> {
-        let Line { path, role: Role::Leaf { text, shape, .. }, .. } = self.line()? else { return None };
+        let FormLine { path, role: Role::Leaf { text, shape, .. }, .. } = self.line()? else { return None };
         if !matches!(shape, Shape::Quantity(_) | Shape::Count { .. }) {
             return None;
         }
@@ -417,7 +417,9 @@ impl Form {
 
     /// Writes the field under the cursor in the next unit of its kind.
     pub fn next_unit(&mut self) -> bool {
-        let Some(Line { path, role: Role::Leaf { text, shape, .. }, .. }) = self.line() else { return false };
+        let Some(FormLine { path, role: Role::Leaf { text, shape, .. }, .. }) = self.line() else {
+            return false;
+        };
         let typed = match self.converted.take() {
             Some(last) if last.path == path && last.shown == text => last.typed,
             _ => text.clone(),
@@ -575,12 +577,18 @@ fn alike(a: &Shape, b: &Shape) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use dalembert_core::{Limit, Measure};
+    use dalembert_core::{FieldLimit, Measure};
 
     use super::*;
 
     fn quantity(unit: &'static str) -> Shape {
-        Shape::Quantity(Measure { unit, kind: None, min: Limit::None, max: Limit::None, others: &[] })
+        Shape::Quantity(Measure {
+            unit,
+            kind: None,
+            min: FieldLimit::None,
+            max: FieldLimit::None,
+            others: &[],
+        })
     }
 
     #[test]

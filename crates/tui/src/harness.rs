@@ -16,10 +16,10 @@ use crate::{
     dialog::Editing,
     files::{self, Before, Fingerprint, Opened},
     glyphs::{Capabilities, sweep},
-    look::Look,
+    look::Appearance,
     model::EditError,
-    remembered::Change,
-    solver::{judge, solve},
+    remembered::HistoryChange,
+    solver::{check_cases, solve},
     start, update, view,
 };
 
@@ -29,13 +29,13 @@ pub struct Harness {
     /// State of the workbench.
     pub model: Model,
     /// True once the program has ended.
-    pub has_left: bool,
+    pub has_quit: bool,
     /// Text copied last.
     pub clipboard: String,
     /// The unsaved work that would outlive a crash, by the numbers of the problems.
     pub kept: BTreeMap<u64, String>,
     /// Changes for the history of later sessions.
-    pub remembered: Vec<Change>,
+    pub remembered: Vec<HistoryChange>,
     wish: Option<&'static Entry>,
     /// Editor as a function of the text: the identity, unless a test replaces it.
     pub editor: fn(&str) -> String,
@@ -51,7 +51,7 @@ impl Harness {
         language: Language,
         capabilities: Capabilities,
     ) -> Self {
-        let mut model = Model::new(entries, language, Look::new(&capabilities), capabilities.marker);
+        let mut model = Model::new(entries, language, Appearance::new(&capabilities), capabilities.marker);
         model.size = (columns, rows);
         let terminal = match Terminal::new(TestBackend::new(columns, rows)) {
             Ok(terminal) => terminal,
@@ -59,7 +59,7 @@ impl Harness {
         };
         let mut harness = Self {
             model,
-            has_left: false,
+            has_quit: false,
             clipboard: String::new(),
             kept: BTreeMap::new(),
             remembered: Vec::new(),
@@ -101,7 +101,7 @@ impl Harness {
     /// The screen with its colours.
     pub fn draws(&mut self) -> &Buffer {
         if let Some(entry) = self.wish.take() {
-            self.happens(Msg::CheckedCase(entry.about.id, judge(entry)));
+            self.happens(Msg::CheckedCase(entry.about.id, check_cases(entry)));
         }
         let (model, capabilities) = (&self.model, &self.capabilities);
         let drawn = self.terminal.draw(|frame| {
@@ -172,7 +172,7 @@ impl Harness {
                     continue;
                 }
                 Effect::Quit => {
-                    self.has_left = true;
+                    self.has_quit = true;
                     continue;
                 }
                 Effect::Cancel

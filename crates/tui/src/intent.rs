@@ -8,10 +8,10 @@ use crate::{
     dialog::{After, Dialog, Purpose},
     effect::Effect,
     files::{Before, Crashed, Opened},
-    keys::{Action, Place},
+    keys::{Action, KeyContext},
     plot::Marker,
     problem::Problem,
-    remembered::{Change, Progress},
+    remembered::{HistoryChange, Progress},
     solver::Work,
 };
 
@@ -33,7 +33,7 @@ pub enum Intent {
     /// Something outside of the model.
     Do(Effect),
     /// A key of a place has its meaning.
-    Press(Place, Action),
+    Press(KeyContext, Action),
 
     /// The inputs are others: they are read, solved, and kept against a crash.
     Changed,
@@ -106,7 +106,7 @@ pub enum Intent {
     /// The list shows what is chosen in it.
     Preview,
     /// Later sessions remember this.
-    Remember(Change),
+    Remember(HistoryChange),
     /// The published case that is shown is worked through so far.
     Reach(Progress),
 }
@@ -118,7 +118,7 @@ impl Intent {
     }
 
     /// A message to the user: something went wrong.
-    pub fn complain(text: impl Into<Text>) -> Vec<Self> {
+    pub fn report_error(text: impl Into<Text>) -> Vec<Self> {
         vec![Self::Complain(text.into())]
     }
 }

@@ -10,7 +10,7 @@ pub(crate) mod tables;
 
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-pub use map::{Bound, Change, KeyMap};
+pub use map::{Bound, KeyChange, KeyMap};
 pub use tables::{ALWAYS, COMMON, PANES, PROBLEM};
 use tables::{CELL, CELLS, EDIT, FILTER, FORM, HELP, LIST, PICKER, PROMPT, RESULTS, SHEET};
 
@@ -169,7 +169,7 @@ pub struct Binding {
 }
 
 /// Bindings in the order of the help: runs of lines, of which tables share some.
-pub type Table = &'static [&'static [Binding]];
+pub type BindingTable = &'static [&'static [Binding]];
 
 /// The keys of a pane that has a table of its own.
 #[derive(Debug)]
@@ -179,7 +179,7 @@ pub struct PaneKeys {
     /// The name of its place in the help.
     pub name: &'static str,
     /// The table.
-    pub table: Table,
+    pub table: BindingTable,
 }
 
 impl PartialEq for PaneKeys {
@@ -196,7 +196,7 @@ pub struct Key(pub KeyCode, pub KeyModifiers);
 
 /// A place where keys are typed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum KeyContext {
     /// The list of analyses.
     Picker,
     /// Filter of the list.
@@ -223,64 +223,67 @@ pub enum Place {
     Cell,
 }
 
-impl Place {
+impl KeyContext {
     /// Table of the place; shared bindings follow it, see [`bindings`](Self::bindings).
-    pub fn table(self) -> Table {
+    pub fn table(self) -> BindingTable {
         match self {
-            Place::Picker => PICKER,
-            Place::Filter => FILTER,
-            Place::Form => FORM,
-            Place::Edit => EDIT,
-            Place::Pane => RESULTS,
-            Place::Own(keys) => keys.table,
-            Place::List => LIST,
-            Place::Prompt => PROMPT,
-            Place::Sheet => SHEET,
-            Place::Help => HELP,
-            Place::Cells => CELLS,
-            Place::Cell => CELL,
+            KeyContext::Picker => PICKER,
+            KeyContext::Filter => FILTER,
+            KeyContext::Form => FORM,
+            KeyContext::Edit => EDIT,
+            KeyContext::Pane => RESULTS,
+            KeyContext::Own(keys) => keys.table,
+            KeyContext::List => LIST,
+            KeyContext::Prompt => PROMPT,
+            KeyContext::Sheet => SHEET,
+            KeyContext::Help => HELP,
+            KeyContext::Cells => CELLS,
+            KeyContext::Cell => CELL,
         }
     }
 
     /// Name in the help.
     pub fn name(self) -> &'static str {
         match self {
-            Place::Picker => "List of analyses",
-            Place::Filter => "While typing a filter",
-            Place::Form => "Inputs",
-            Place::Edit => "While typing in a field",
-            Place::Pane => "Results",
-            Place::Own(keys) => keys.name,
-            Place::List => "Lists",
-            Place::Prompt => "Text prompt",
-            Place::Sheet => "Multi-line text",
-            Place::Help => "In this list",
-            Place::Cells => "Check, sensitivity, study",
-            Place::Cell => "While typing in a cell",
+            KeyContext::Picker => "List of analyses",
+            KeyContext::Filter => "While typing a filter",
+            KeyContext::Form => "Inputs",
+            KeyContext::Edit => "While typing in a field",
+            KeyContext::Pane => "Results",
+            KeyContext::Own(keys) => keys.name,
+            KeyContext::List => "Lists",
+            KeyContext::Prompt => "Text prompt",
+            KeyContext::Sheet => "Multi-line text",
+            KeyContext::Help => "In this list",
+            KeyContext::Cells => "Check, sensitivity, study",
+            KeyContext::Cell => "While typing in a cell",
         }
     }
 
     /// Returns true if every character is text here.
     pub fn is_text(self) -> bool {
-        matches!(self, Place::Filter | Place::Edit | Place::Prompt | Place::Sheet | Place::Cell)
+        matches!(
+            self,
+            KeyContext::Filter | KeyContext::Edit | KeyContext::Prompt | KeyContext::Sheet | KeyContext::Cell
+        )
     }
 
     /// Returns true for one of the panes of the results.
     pub fn is_pane(self) -> bool {
-        matches!(self, Place::Pane | Place::Own(_) | Place::Cells)
+        matches!(self, KeyContext::Pane | KeyContext::Own(_) | KeyContext::Cells)
     }
 
     /// Every binding of the tables that holds here, the most useful first.
     pub fn bindings(self) -> impl Iterator<Item = &'static Binding> {
         let of = |holds: bool, table: &'static [Binding]| if holds { table } else { &[] };
-        let in_problem = self.is_pane() || self == Place::Form;
+        let in_problem = self.is_pane() || self == KeyContext::Form;
         self.table()
             .iter()
             .copied()
             .flatten()
             .chain(of(self.is_pane(), PANES))
             .chain(of(in_problem, PROBLEM))
-            .chain(of(in_problem || self == Place::Picker, COMMON))
+            .chain(of(in_problem || self == KeyContext::Picker, COMMON))
             .chain(ALWAYS)
     }
 }
@@ -351,6 +354,6 @@ mod tests {
     #[test]
     fn shift_is_part_of_a_character() {
         let big = KeyEvent::new(KeyCode::Char('Z'), KeyModifiers::SHIFT);
-        assert_eq!(KeyMap::of(&places()).action(Place::Form, big), Some(Action::Redo));
+        assert_eq!(KeyMap::of(&places()).action(KeyContext::Form, big), Some(Action::Redo));
     }
 }

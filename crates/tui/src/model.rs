@@ -17,16 +17,16 @@ use crate::{
     bench::Bench,
     dialog::{After, Dialog, Editing},
     files::{Crashed, FileError, Fingerprint, Opened},
-    keys::{Action, KeyMap, Place},
+    keys::{Action, KeyContext, KeyMap},
     layout::Focus,
-    look::Look,
+    look::Appearance,
     pane::{Pane, Tab, Ui},
     picker::{Contents, Heading, Leaf, Listing, Picker, Row},
     plot::Marker,
     problem::Problem,
     remembered::Remembered,
     settings::{Fault as SettingFault, Settings},
-    solver::{CheckedCase, Outcome},
+    solver::{CheckedCase, JobOutcome},
 };
 
 /// So many problems are open at once.
@@ -60,7 +60,7 @@ pub struct Model {
     /// The language of everything that is written.
     pub locale: Locale,
     /// Colours and pictograms.
-    pub look: Look,
+    pub look: Appearance,
     /// Default marker of curves.
     pub marker: Marker,
     /// Key map.
@@ -80,7 +80,7 @@ pub struct Model {
     /// Nothing is saved.
     pub readonly: bool,
     /// A session is played: it is asked what it was asked when it was recorded, though nothing is saved.
-    pub played: bool,
+    pub is_replay: bool,
     /// True if `:fault` is a command.
     pub faults: bool,
     /// Action after a save.
@@ -136,7 +136,7 @@ pub enum Msg {
     /// The screen has this many columns and rows.
     Resize(u16, u16),
     /// A job is done.
-    Solved(Outcome),
+    Solved(JobOutcome),
     /// The cases of an analysis were compared with what was printed.
     CheckedCase(&'static str, Vec<CheckedCase>),
     /// A file was written, or not.
@@ -172,7 +172,7 @@ pub enum Msg {
         result: Result<String, FileError>,
     },
     /// Reply to a question beside the results.
-    Asked(Outcome),
+    Asked(JobOutcome),
     /// The mouse did something.
     Mouse(MouseEvent),
     /// The editor was left.
@@ -203,10 +203,10 @@ pub enum Msg {
 
 impl Model {
     /// The list of these analyses.
-    pub fn new(entries: &[&'static Entry], language: Language, look: Look, marker: Marker) -> Self {
+    pub fn new(entries: &[&'static Entry], language: Language, look: Appearance, marker: Marker) -> Self {
         let mut model = Self {
             listings: entries.iter().map(|entry| Listing::of(entry)).collect(),
-            sets: exercises::shipped().into_iter().flatten().collect(),
+            sets: exercises::bundled().into_iter().flatten().collect(),
             remembered: Remembered::default(),
             screen: Screen::Picker,
             picker: Picker::default(),
@@ -225,13 +225,13 @@ impl Model {
             animation_speed: 1.0,
             size: (80, 24),
             readonly: false,
-            played: false,
+            is_replay: false,
             faults: false,
             after_save: After::Stay,
             reloading: None,
             generation: 0,
         };
-        model.speak(language);
+        model.set_language(language);
         model
     }
 
@@ -247,11 +247,11 @@ impl Model {
         } else {
             self.playing = false;
         }
-        self.speak(self.locale.language);
+        self.set_language(self.locale.language);
     }
 
     /// Takes a language, with its decimal mark.
-    pub fn speak(&mut self, language: Language) {
+    pub fn set_language(&mut self, language: Language) {
         self.locale.language = language;
         self.locale.style.decimal = self.decimal.unwrap_or(match language {
             Language::English => Decimal::Point,
@@ -266,17 +266,17 @@ impl Model {
     }
 
     /// Place of the key map in which keys are looked up.
-    pub fn place(&self) -> Place {
+    pub fn place(&self) -> KeyContext {
         match (&self.dialog, self.screen, &self.bench) {
             (Some(dialog), _, _) => dialog.place(),
             (None, Screen::Bench, Some(bench)) => bench.place(),
-            (None, _, _) if self.picker.typing => Place::Filter,
-            _ => Place::Picker,
+            (None, _, _) if self.picker.typing => KeyContext::Filter,
+            _ => KeyContext::Picker,
         }
     }
 
     /// The usual key of an action in a place, as a user reads it; empty where there is none.
-    pub fn key(&self, place: Place, action: Action) -> String {
+    pub fn key(&self, place: KeyContext, action: Action) -> String {
         self.keys.key(place, action).map_or_else(String::new, |key| key.name(&self.locale))
     }
 
@@ -318,8 +318,8 @@ impl Model {
     /// The cases of an analysis, compared with what was printed if they were before.
     pub fn cases_of(&self, entry: &'static Entry) -> Vec<CheckedCase> {
         let known = self.listings.iter().find(|listing| listing.entry.about.id == entry.about.id);
-        if let Some(judged) = known.and_then(|listing| listing.judged.clone()) {
-            return judged;
+        if let Some(checked) = known.and_then(|listing| listing.checked.clone()) {
+            return checked;
         }
         let cases =
             known.map_or_else(|| cases::cases(entry).unwrap_or_default(), |listing| listing.cases().to_vec());
@@ -328,9 +328,9 @@ impl Model {
 
     /// The problem of a file. A file that has the name of a case as its title holds that case, or held it before a
     /// change.
-    pub fn problem_of(&self, read: file::Problem) -> Problem {
+    pub fn problem_of(&self, read: file::ProblemFile) -> Problem {
         let cases = self.cases_of(read.entry);
-        let origin = cases.iter().map(|judged| &judged.case).find(|case| case.name == read.title).cloned();
+        let origin = cases.iter().map(|checked| &checked.case).find(|case| case.name == read.title).cloned();
         let title = if origin.is_some() { String::new() } else { read.title };
         let mut problem = Problem::new(read.entry, title, read.draft, cases);
         (problem.document.origin, problem.document.show) = (origin, read.show);
@@ -393,7 +393,7 @@ impl Model {
     }
 
     /// Tells that something went wrong.
-    pub fn complain(&mut self, text: impl Into<Text>) {
+    pub fn report_error(&mut self, text: impl Into<Text>) {
         self.notice = Some(Notice { text: text.into(), detail: String::new(), wrong: true });
     }
 }

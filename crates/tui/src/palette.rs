@@ -7,21 +7,21 @@ use nucleo_matcher::{
 };
 
 use crate::{
-    keys::{Bound, Place},
+    keys::{Bound, KeyContext},
     model::{Model, Screen},
 };
 
 /// The bindings that the palette offers for what is typed, the best first, and the place each belongs to.
-pub(crate) fn offered<'m>(model: &'m Model, typed: &str) -> Vec<(Place, &'m Bound)> {
+pub(crate) fn matching_actions<'m>(model: &'m Model, typed: &str) -> Vec<(KeyContext, &'m Bound)> {
     // What is done where the keys are now comes before the same thing elsewhere.
-    let places: Vec<Place> = match (model.screen, &model.bench) {
+    let places: Vec<KeyContext> = match (model.screen, &model.bench) {
         (Screen::Bench, Some(bench)) => {
-            let of_problem = |place: &Place| *place == Place::Form || place.is_pane();
+            let of_problem = |place: &KeyContext| *place == KeyContext::Form || place.is_pane();
             [bench.place()].into_iter().chain(model.keys.places().filter(of_problem)).collect()
         }
-        _ => vec![Place::Picker],
+        _ => vec![KeyContext::Picker],
     };
-    let mut all: Vec<(Place, &'m Bound)> = Vec::new();
+    let mut all: Vec<(KeyContext, &'m Bound)> = Vec::new();
     for place in places.into_iter().filter(|place| !place.is_text()) {
         for bound in model.keys.bindings(place) {
             let same = |other: &Bound| {
@@ -38,7 +38,7 @@ pub(crate) fn offered<'m>(model: &'m Model, typed: &str) -> Vec<(Place, &'m Boun
     }
     let mut matcher = Matcher::new(Config::DEFAULT);
     let pattern = Pattern::parse(typed, CaseMatching::Ignore, Normalization::Smart);
-    let mut scored: Vec<(u32, (Place, &'m Bound))> = all
+    let mut scored: Vec<(u32, (KeyContext, &'m Bound))> = all
         .into_iter()
         .filter_map(|(place, bound)| {
             let binding = bound.binding;
@@ -53,5 +53,5 @@ pub(crate) fn offered<'m>(model: &'m Model, typed: &str) -> Vec<(Place, &'m Boun
         })
         .collect();
     scored.sort_by_key(|(score, _)| std::cmp::Reverse(*score));
-    scored.into_iter().map(|(_, offered)| offered).collect()
+    scored.into_iter().map(|(_, matching_actions)| matching_actions).collect()
 }

@@ -14,8 +14,8 @@ pub use crate::intent::Tab;
 use crate::{
     ask::{Question, Reply},
     intent::Intent,
-    keys::{Action, KeyMap, Place},
-    look::Look,
+    keys::{Action, KeyContext, KeyMap},
+    look::Appearance,
     plot::Marker,
     problem::Problem,
     text::draw_lines,
@@ -67,7 +67,7 @@ pub struct Page {
 #[derive(Clone, Copy, Debug)]
 pub struct Ui<'a> {
     /// Colours and pictograms.
-    pub look: &'a Look,
+    pub look: &'a Appearance,
     /// The language.
     pub locale: &'a Locale,
     /// The meaning of keys.
@@ -107,8 +107,8 @@ pub trait Pane: Any + Debug {
     fn name(&self) -> &'static str;
 
     /// The place where its keys are typed.
-    fn place(&self) -> Place {
-        Place::Pane
+    fn place(&self) -> KeyContext {
+        KeyContext::Pane
     }
 
     /// The part of a wide screen that it takes.
@@ -286,12 +286,12 @@ impl Page {
 
 impl Ui<'_> {
     /// The usual key of an action in a place, as a user reads it; empty where there is none.
-    pub fn key(&self, place: Place, action: Action) -> String {
+    pub fn key(&self, place: KeyContext, action: Action) -> String {
         self.keys.key(place, action).map_or_else(String::new, |key| key.name(self.locale))
     }
 
     /// The keys of two actions, side by side.
-    pub fn pair(&self, place: Place, one: Action, other: Action) -> String {
+    pub fn pair(&self, place: KeyContext, one: Action, other: Action) -> String {
         format!("{} {}", self.key(place, one), self.key(place, other))
     }
 }

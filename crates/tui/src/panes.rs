@@ -19,7 +19,7 @@ use dalembert_core::{Field, Locale, Shape, Text, inventory, is_within, vary};
 use dalembert_units::Unit;
 
 use crate::{
-    keys::{KeyMap, Place},
+    keys::{KeyContext, KeyMap},
     pane::{Pane, PaneEntry, Ui},
     problem::Problem,
 };
@@ -34,10 +34,18 @@ pub fn all() -> Vec<Box<dyn Pane>> {
 }
 
 /// Every place where keys are typed, as the help and the settings list them.
-pub fn places() -> Vec<Place> {
-    let mut places = vec![Place::Picker, Place::Filter, Place::Form, Place::Edit, Place::Pane];
-    places.extend(all().iter().map(|pane| pane.place()).filter(|place| matches!(place, Place::Own(_))));
-    places.extend([Place::List, Place::Prompt, Place::Sheet, Place::Help, Place::Cells, Place::Cell]);
+pub fn places() -> Vec<KeyContext> {
+    let mut places =
+        vec![KeyContext::Picker, KeyContext::Filter, KeyContext::Form, KeyContext::Edit, KeyContext::Pane];
+    places.extend(all().iter().map(|pane| pane.place()).filter(|place| matches!(place, KeyContext::Own(_))));
+    places.extend([
+        KeyContext::List,
+        KeyContext::Prompt,
+        KeyContext::Sheet,
+        KeyContext::Help,
+        KeyContext::Cells,
+        KeyContext::Cell,
+    ]);
     places
 }
 

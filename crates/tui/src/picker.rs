@@ -31,7 +31,7 @@ pub struct Listing {
     /// Published cases; read on first use, or the first screen would wait for all.
     cases: OnceCell<Vec<Case>>,
     /// They compared with what was printed, once that is done.
-    pub judged: Option<Vec<CheckedCase>>,
+    pub checked: Option<Vec<CheckedCase>>,
     /// Everything that the filter looks in; made when somebody types the first filter.
     index: OnceCell<Index>,
 }
@@ -121,7 +121,7 @@ pub struct Preview {
 impl Listing {
     /// The listing of an analysis.
     pub fn of(entry: &'static Entry) -> Self {
-        Self { entry, cases: OnceCell::new(), judged: None, index: OnceCell::new() }
+        Self { entry, cases: OnceCell::new(), checked: None, index: OnceCell::new() }
     }
 
     /// Published cases.

@@ -6,14 +6,14 @@ use dalembert_core::{
     Axis, Draft, Entry, Exhibit, FieldError, Plot, Record, Solution, SolveError, TableExhibit, Text,
     cases::Case,
     file,
-    study::Studied,
-    vary::{self, Input},
+    study::StudyResult,
+    vary::{self, VariedInput},
 };
 
 use crate::{
     files::Fingerprint,
     form::Form,
-    solver::{CheckedCase, Failure},
+    solver::{CheckedCase, JobFailure},
     typed::Typed,
 };
 
@@ -29,13 +29,13 @@ pub struct Problem {
     /// The inputs.
     pub inputs: Inputs,
     /// Results for them.
-    pub found: Found,
+    pub found: ProblemResults,
     /// Published cases of the analysis.
     pub cases: Vec<CheckedCase>,
     /// The case that is chosen among them.
     pub case: usize,
     /// True if they are compared with what was printed, or about to be.
-    pub judging: bool,
+    pub checking: bool,
 }
 
 /// The inputs of a problem.
@@ -85,29 +85,29 @@ pub struct OpenFile {
 
 /// Results for the inputs, which may be those of earlier inputs.
 #[derive(Debug, Default)]
-pub struct Found {
+pub struct ProblemResults {
     /// The newest solution there is.
     pub solution: Option<Solution>,
     /// The inputs that it belongs to.
     pub of: Option<Draft>,
     /// Reason for which the present inputs have no solution.
-    pub failure: Option<Failure>,
+    pub failure: Option<JobFailure>,
     /// True if the present inputs are so far from those of the solution that its numbers are hidden until there is
     /// another.
     pub hidden: bool,
     /// True if that belongs to the present inputs.
-    pub state: State,
+    pub state: Freshness,
     /// The result that every later one is compared with.
     pub pinned: Option<Solution>,
     /// The number of steps that are revealed, with the answers they lead to; `None` where nothing is covered.
     pub revealed: Option<usize>,
     /// The result of a study; `None` while it is sought.
-    pub studied: Option<Result<Studied, SolveError>>,
+    pub studied: Option<Result<StudyResult, SolveError>>,
 }
 
 /// True if what is shown belongs to the present inputs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum State {
+pub enum Freshness {
     /// It does.
     Current,
     /// The job of this number is to find out.
@@ -141,10 +141,10 @@ impl Problem {
                 wrong: Vec::new(),
                 needed: Vec::new(),
             },
-            found: Found::default(),
+            found: ProblemResults::default(),
             cases,
             case: 0,
-            judging: false,
+            checking: false,
         }
     }
 
@@ -172,13 +172,13 @@ impl Problem {
     }
 
     /// The problem as it is saved.
-    pub fn as_file(&self) -> file::Problem {
+    pub fn as_file(&self) -> file::ProblemFile {
         let draft = &self.inputs.form.draft;
         let title = match &self.document.origin {
             Some(case) if self.document.title.is_empty() && case.draft == *draft => case.name.clone(),
             _ => self.document.title.clone(),
         };
-        file::Problem {
+        file::ProblemFile {
             entry: self.entry,
             title,
             draft: draft.clone(),
@@ -193,7 +193,7 @@ impl Problem {
     }
 
     /// The tolerances that were typed and can be read, in SI.
-    pub fn widths(&self, inputs: &[Input]) -> Vec<(String, f64)> {
+    pub fn widths(&self, inputs: &[VariedInput]) -> Vec<(String, f64)> {
         let read = |(path, text): &(String, String)| {
             let input = inputs.iter().find(|input| input.path == *path)?;
             Some((path.clone(), input.tolerance(text).ok()?))
@@ -202,7 +202,7 @@ impl Problem {
     }
 
     /// The inputs that are numbers, of these values.
-    pub fn numbers(record: &Record) -> Vec<Input> {
+    pub fn numbers(record: &Record) -> Vec<VariedInput> {
         vary::inputs(record)
     }
 
@@ -295,7 +295,7 @@ impl Problem {
 
     /// True if the newest solution does not belong to the present inputs.
     pub fn is_stale(&self) -> bool {
-        self.found.state != State::Current || self.found.failure.is_some()
+        self.found.state != Freshness::Current || self.found.failure.is_some()
     }
 
     fn is_empty(&self, error: &FieldError) -> bool {

@@ -35,7 +35,7 @@ pub enum Progress {
 
 /// Something to be remembered.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Change {
+pub enum HistoryChange {
     /// An analysis is pinned or unpinned.
     Pin(String, bool),
     /// An analysis was opened.
@@ -78,21 +78,21 @@ impl Remembered {
     }
 
     /// Takes a change; whether it was one.
-    pub fn take(&mut self, change: &Change) -> bool {
+    pub fn take(&mut self, change: &HistoryChange) -> bool {
         let before = self.clone();
         match change {
-            Change::Pin(id, pinned) => {
+            HistoryChange::Pin(id, pinned) => {
                 self.pinned.retain(|other| other != id);
                 if *pinned {
                     self.pinned.push(id.clone());
                 }
             }
-            Change::Open(id) => {
+            HistoryChange::Open(id) => {
                 self.recent.retain(|other| other != id);
                 self.recent.insert(0, id.clone());
                 self.recent.truncate(MOST_RECENT);
             }
-            Change::Reach { analysis, case, progress } => {
+            HistoryChange::Reach { analysis, case, progress } => {
                 self.progress.insert((analysis.clone(), case.clone()), *progress);
             }
         }
@@ -143,20 +143,20 @@ pub fn write(remembered: &Remembered, over: &str) -> String {
 mod tests {
     use super::*;
 
-    fn reach(case: &str, progress: Progress) -> Change {
-        Change::Reach { analysis: "x/y".into(), case: case.into(), progress }
+    fn reach(case: &str, progress: Progress) -> HistoryChange {
+        HistoryChange::Reach { analysis: "x/y".into(), case: case.into(), progress }
     }
 
     #[test]
     fn what_is_written_is_read_again_and_nothing_else_is_lost() {
         let mut remembered = Remembered::default();
         for n in 0..12 {
-            assert!(remembered.take(&Change::Open(format!("x/{n}"))));
+            assert!(remembered.take(&HistoryChange::Open(format!("x/{n}"))));
         }
-        assert!(remembered.take(&Change::Pin("x/1".into(), true)));
-        assert!(!remembered.take(&Change::Pin("x/1".into(), true)));
+        assert!(remembered.take(&HistoryChange::Pin("x/1".into(), true)));
+        assert!(!remembered.take(&HistoryChange::Pin("x/1".into(), true)));
         assert!(remembered.take(&reach("a \"case\"", Progress::Solved)));
-        assert!(remembered.take(&Change::Open("x/9".into())));
+        assert!(remembered.take(&HistoryChange::Open("x/9".into())));
         assert_eq!(remembered.recent[..3], ["x/9", "x/11", "x/10"]);
         assert_eq!(remembered.recent.len(), MOST_RECENT);
         let text = write(&remembered, "# mine\nwindow = 3\npinned = [\"x/0\"]\n");

@@ -35,7 +35,7 @@ use std::{fmt, time::Duration};
 use dalembert_core::{Language, Text};
 use ratatui::crossterm::event::KeyEvent;
 
-pub use headless::{Failure, Picture, Played, play, to_open};
+pub use headless::{Picture, ReplayFailure, ReplayResult, play, to_open};
 pub(crate) use player::Player;
 pub(crate) use recorder::Recorder;
 

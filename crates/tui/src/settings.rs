@@ -18,7 +18,7 @@ use toml_edit::{Document, Item, TableLike};
 pub use self::write::default_file;
 use crate::{
     files::{self, FileError},
-    keys::{Change, Key, KeyMap, Place},
+    keys::{Key, KeyChange, KeyContext, KeyMap},
     look::Theme,
     panes::places,
     plot::Marker,
@@ -162,7 +162,7 @@ pub fn parse(text: &str) -> (Settings, Vec<Fault>) {
             }
         }
     }
-    let (asked, spans): (Vec<Change>, Vec<Option<Range<usize>>>) = changes.into_iter().unzip();
+    let (asked, spans): (Vec<KeyChange>, Vec<Option<Range<usize>>>) = changes.into_iter().unzip();
     let (keys, refused) = KeyMap::changed(&places(), &asked);
     reader.settings.keys = keys;
     for (n, why) in refused {
@@ -219,8 +219,8 @@ impl Reader<'_> {
     fn keys(
         &mut self,
         table: &dyn TableLike,
-        place: Option<Place>,
-        changes: &mut Vec<(Change, Option<Range<usize>>)>,
+        place: Option<KeyContext>,
+        changes: &mut Vec<(KeyChange, Option<Range<usize>>)>,
     ) {
         for (key, item) in table.iter() {
             let span = span_in(table, key);
@@ -229,7 +229,7 @@ impl Reader<'_> {
                 match places.iter().copied().find(|place| place.id() == key) {
                     Some(place) => self.keys(inner, Some(place), changes),
                     None => {
-                        let known: Vec<&str> = places.into_iter().map(Place::id).collect();
+                        let known: Vec<&str> = places.into_iter().map(KeyContext::id).collect();
                         self.fault(span, unknown("place", key, &known));
                     }
                 }
@@ -244,9 +244,9 @@ impl Reader<'_> {
 }
 
 /// A line of `[keys]`: `save = "ctrl-s"`, `save = ["s", "ctrl-s"]`, `save = []`.
-fn change(place: Option<Place>, name: &str, item: &Item) -> Result<Change, Text> {
+fn change(place: Option<KeyContext>, name: &str, item: &Item) -> Result<KeyChange, Text> {
     let known: Vec<&'static str> =
-        places().into_iter().flat_map(Place::bindings).map(|binding| binding.action.id()).collect();
+        places().into_iter().flat_map(KeyContext::bindings).map(|binding| binding.action.id()).collect();
     let Some(action) = known.iter().find(|known| **known == name).copied() else {
         return Err(unknown("action", name, &known));
     };
@@ -259,7 +259,7 @@ fn change(place: Option<Place>, name: &str, item: &Item) -> Result<Change, Text>
         Text::new("`{action}` is a key in quotes, or several: [\"s\", \"ctrl-s\"]").with("action", action)
     })?;
     let keys = keys.into_iter().map(Key::parse).collect::<Result<_, _>>()?;
-    Ok(Change { place, action, keys })
+    Ok(KeyChange { place, action, keys })
 }
 
 fn one_of<T: Copy>(key: &str, item: &Item, known: &[(&'static str, T)]) -> Result<T, Text> {

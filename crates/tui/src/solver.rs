@@ -13,7 +13,7 @@ use dalembert_core::{
 
 use crate::{
     ask::{Question, Reply},
-    terminal::{Fault, contained, fault},
+    terminal::{Fault, catch_panic, fault},
 };
 
 /// Threads beyond the first are started only when all are held by jobs that do not look for their stop.
@@ -43,18 +43,18 @@ pub enum Work {
 
 /// Outcome of a job.
 #[derive(Clone, Debug)]
-pub struct Outcome {
+pub struct JobOutcome {
     /// The number of the job.
     pub generation: u64,
     /// Solution; `None` for a job that computes none.
-    pub result: Result<Option<Solution>, Failure>,
+    pub result: Result<Option<Solution>, JobFailure>,
     /// Reply to a question beside the results.
     pub reply: Option<Reply>,
 }
 
 /// Reason for which nothing was found.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Failure {
+pub enum JobFailure {
     /// The problem has no answer, or its inputs may not stand together.
     Unsolved(SolveError),
     /// The analysis panicked: a fault of the program.
@@ -78,9 +78,9 @@ pub struct Solver {
 }
 
 /// Receiver of outcomes, called on the thread that computed them.
-trait Report: Fn(Outcome) + Send + Sync {}
+trait Report: Fn(JobOutcome) + Send + Sync {}
 
-impl<F: Fn(Outcome) + Send + Sync> Report for F {}
+impl<F: Fn(JobOutcome) + Send + Sync> Report for F {}
 
 impl std::fmt::Debug for dyn Report {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -90,12 +90,12 @@ impl std::fmt::Debug for dyn Report {
 
 #[derive(Debug, Default)]
 struct Queue {
-    state: Mutex<State>,
+    state: Mutex<SolverState>,
     changed: Condvar,
 }
 
 #[derive(Debug, Default)]
-struct State {
+struct SolverState {
     next: Option<(Job, Arc<Stop>)>,
     running: Vec<Arc<Stop>>,
     threads: usize,
@@ -104,7 +104,7 @@ struct State {
 
 impl Solver {
     /// Ready for jobs; `report` is called from other threads.
-    pub fn new(report: impl Fn(Outcome) + Send + Sync + 'static) -> Self {
+    pub fn new(report: impl Fn(JobOutcome) + Send + Sync + 'static) -> Self {
         Self { desk: Arc::default(), report: Arc::new(report) }
     }
 
@@ -149,49 +149,49 @@ impl Drop for Solver {
 }
 
 impl Queue {
-    fn lock(&self) -> MutexGuard<'_, State> {
+    fn lock(&self) -> MutexGuard<'_, SolverState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 /// Does a job on this thread. `None` when it was stopped.
-pub fn solve(job: &Job, stop: &Stop) -> Option<Outcome> {
+pub fn solve(job: &Job, stop: &Stop) -> Option<JobOutcome> {
     let mut reply = None;
     let result = match &job.work {
-        Work::Solve(entry, record) => match contained(|| entry.solve(record, stop)) {
+        Work::Solve(entry, record) => match catch_panic(|| entry.solve(record, stop)) {
             Ok(Ok(solution)) => Ok(Some(solution)),
             Ok(Err(SolveError::Refused(Refusal::Stopped))) => return None,
-            Ok(Err(error)) => Err(Failure::Unsolved(error)),
-            Err(panic) => Err(Failure::Fault(panic)),
+            Ok(Err(error)) => Err(JobFailure::Unsolved(error)),
+            Err(panic) => Err(JobFailure::Fault(panic)),
         },
         Work::Fault(kind) => {
-            contained(|| fault(*kind, || stop.check().is_err())).map(|()| None).map_err(Failure::Fault)
+            catch_panic(|| fault(*kind, || stop.check().is_err())).map(|()| None).map_err(JobFailure::Fault)
         }
-        Work::Ask(question) => match contained(|| question.answer(stop)) {
+        Work::Ask(question) => match catch_panic(|| question.answer(stop)) {
             Ok(None) => return None,
             Ok(some) => {
                 reply = some;
                 Ok(None)
             }
-            Err(panic) => Err(Failure::Fault(panic)),
+            Err(panic) => Err(JobFailure::Fault(panic)),
         },
     };
-    Some(Outcome { generation: job.generation, result, reply })
+    Some(JobOutcome { generation: job.generation, result, reply })
 }
 
 /// The cases of an analysis, each compared with what was printed.
-pub fn judge(entry: &'static Entry) -> Vec<CheckedCase> {
-    let judged = |case: Case| {
+pub fn check_cases(entry: &'static Entry) -> Vec<CheckedCase> {
+    let checked = |case: Case| {
         // A panic shows in the tab of results as well; here the case stays without a verdict.
-        let verdicts = contained(|| case.verify(entry)).ok();
+        let verdicts = catch_panic(|| case.verify(entry)).ok();
         CheckedCase { case, verdicts }
     };
-    cases::cases(entry).unwrap_or_default().into_iter().map(judged).collect()
+    cases::cases(entry).unwrap_or_default().into_iter().map(checked).collect()
 }
 
 /// A thread that compares cases with what was printed; `report` is called from it. The newest wish comes first, and of
 /// old ones only a few are kept: the others are wished again when somebody looks.
-pub fn judges(
+pub fn case_checker(
     report: impl Fn((&'static str, Vec<CheckedCase>)) + Send + 'static,
 ) -> io::Result<mpsc::Sender<&'static Entry>> {
     let (wishes, incoming) = mpsc::channel::<&'static Entry>();
@@ -203,7 +203,7 @@ pub fn judges(
                 let Some(newest) = waiting.pop() else { break };
                 waiting.retain(|other| other.about.id != newest.about.id);
                 waiting.drain(..waiting.len().saturating_sub(MOST_WISHES));
-                report((newest.about.id, judge(newest)));
+                report((newest.about.id, check_cases(newest)));
             }
         }
     })?;
@@ -243,7 +243,7 @@ mod tests {
         Job { generation, work: Work::Fault(kind) }
     }
 
-    fn solver() -> (Solver, mpsc::Receiver<Outcome>) {
+    fn solver() -> (Solver, mpsc::Receiver<JobOutcome>) {
         let (sender, outcomes) = mpsc::channel();
         let solver = Solver::new(move |outcome| {
             let _ = sender.send(outcome);
@@ -263,7 +263,7 @@ mod tests {
         let newest = outcomes.iter().find(|outcome| outcome.generation == 21);
         assert!(start.elapsed() < Duration::from_millis(800), "{:?}", start.elapsed());
         assert!(
-            matches!(newest.map(|outcome| outcome.result), Some(Err(Failure::Fault(panic))) if panic.contains("requested"))
+            matches!(newest.map(|outcome| outcome.result), Some(Err(JobFailure::Fault(panic))) if panic.contains("requested"))
         );
     }
 

@@ -3,7 +3,7 @@
 use ratatui::{buffer::Buffer, layout::Rect, text::Line};
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
-use crate::look::{Glyph, Look};
+use crate::look::{Appearance, Glyph};
 
 /// Cells that a text takes.
 pub(crate) fn width(text: &str) -> usize {
@@ -11,7 +11,7 @@ pub(crate) fn width(text: &str) -> usize {
 }
 
 /// A text in at most `room` cells; what is cut off leaves a mark.
-pub(crate) fn fit(text: &str, room: usize, look: &Look) -> String {
+pub(crate) fn fit(text: &str, room: usize, look: &Appearance) -> String {
     if width(text) <= room {
         return text.to_owned();
     }
@@ -34,7 +34,7 @@ pub(crate) fn fit(text: &str, room: usize, look: &Look) -> String {
 }
 
 /// A text in exactly `room` cells.
-pub(crate) fn padded(text: &str, room: usize, look: &Look) -> String {
+pub(crate) fn padded(text: &str, room: usize, look: &Appearance) -> String {
     let mut text = fit(text, room, look);
     let missing = room.saturating_sub(width(&text));
     text.extend(std::iter::repeat_n(' ', missing));
@@ -73,7 +73,7 @@ pub(crate) fn wrapped(text: &str, room: usize) -> Vec<String> {
 }
 
 /// At most so many of these lines; where some are left out, the last one shows a mark.
-pub(crate) fn shortened(mut lines: Vec<String>, most: usize, room: usize, look: &Look) -> Vec<String> {
+pub(crate) fn shortened(mut lines: Vec<String>, most: usize, room: usize, look: &Appearance) -> Vec<String> {
     if lines.len() > most {
         lines.truncate(most);
         if let Some(last) = lines.last_mut() {
@@ -87,7 +87,7 @@ pub(crate) fn shortened(mut lines: Vec<String>, most: usize, room: usize, look: 
 const SHORT: usize = 3;
 
 /// A label in at most `room` cells: a short last word is kept, since labels differ by it: `Position of… A`.
-pub(crate) fn fit_label(text: &str, room: usize, look: &Look) -> String {
+pub(crate) fn fit_label(text: &str, room: usize, look: &Appearance) -> String {
     match text.rsplit_once(' ') {
         Some((start, last)) if width(text) > room && width(last) <= SHORT && room > 2 * SHORT => {
             format!(
@@ -124,7 +124,7 @@ mod tests {
 
     #[test]
     fn nothing_is_cut_without_a_mark() {
-        let look = Look::default();
+        let look = Appearance::default();
         assert_eq!(fit("amplitude", 9, &look), "amplitude");
         assert_eq!(fit("amplitude", 5, &look), "ampl…");
         assert_eq!(fit("to the end", 7, &look), "to the…");

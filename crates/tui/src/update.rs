@@ -29,11 +29,11 @@ use crate::{
     effect::Effect,
     form::{self as inputs, Sign},
     intent::Intent,
-    keys::{Action, Key, Place},
+    keys::{Action, Key, KeyContext},
     model::{Model, Msg, Notice, Screen},
     pane::{Pane, Tab, Ui},
-    problem::{Problem, State},
-    solver::{Failure, Job, Outcome, Work},
+    problem::{Freshness, Problem},
+    solver::{Job, JobFailure, JobOutcome, Work},
     view,
 };
 
@@ -81,12 +81,12 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
                 continue;
             }
             Intent::Complain(text) => {
-                model.complain(text);
+                model.report_error(text);
                 continue;
             }
             Intent::Refuse => {
                 model.after_save = After::Stay;
-                model.complain("not saved: the program is read-only");
+                model.report_error("not saved: the program is read-only");
                 continue;
             }
             Intent::Show(dialog) => {
@@ -126,7 +126,7 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
             Intent::Opened(path, opened) => files::opened(model, path, Ok(opened)),
             Intent::Restore(sessions) => files::restore(model, sessions),
             Intent::EditOutside => edit::begin(model),
-            Intent::List => picker::come_back(model),
+            Intent::List => picker::return_to_list(model),
             Intent::Preview => picker::preview(model),
             Intent::Remember(change) => picker::remember(model, change),
             Intent::Reach(progress) => problems::reach(model, progress),
@@ -160,12 +160,12 @@ fn take(model: &mut Model, msg: Msg) -> Vec<Intent> {
         Msg::Crashed(sessions) => return files::crashed(model, sessions),
         Msg::Faulty(files) => settings::faulty(model, &files),
         Msg::Resize(columns, rows) => model.size = (columns, rows),
-        Msg::CheckedCase(id, judged) => {
+        Msg::CheckedCase(id, checked) => {
             if let Some(listing) = model.listings.iter_mut().find(|listing| listing.entry.about.id == id) {
-                listing.judged = Some(judged.clone());
+                listing.checked = Some(checked.clone());
             }
             for bench in model.problems_mut().filter(|bench| bench.problem.entry.about.id == id) {
-                bench.problem.cases.clone_from(&judged);
+                bench.problem.cases.clone_from(&checked);
             }
         }
         Msg::Tick => {
@@ -180,8 +180,8 @@ fn take(model: &mut Model, msg: Msg) -> Vec<Intent> {
                 names.take(&folder, found);
             }
         }
-        Msg::Trouble(error) => model.complain(error.text()),
-        Msg::Notice(text) => model.complain(Text::new("{text}").with("text", text)),
+        Msg::Trouble(error) => model.report_error(error.text()),
+        Msg::Notice(text) => model.report_error(Text::new("{text}").with("text", text)),
     }
     Vec::new()
 }
@@ -191,17 +191,19 @@ fn press(model: &mut Model, key: KeyEvent) -> Vec<Intent> {
     let place = model.place();
     let sign = model.bench.as_mut().and_then(|bench| bench.problem.inputs.form.sign.take());
     // Such a character never is a key: the settings refuse it.
-    if let (KeyCode::Char(character), Place::Form, true) = (key.code, place, Key::of(key).begins_a_number()) {
+    if let (KeyCode::Char(character), KeyContext::Form, true) =
+        (key.code, place, Key::of(key).begins_a_number())
+    {
         return begin_number(model, character, sign);
     }
     match model.keys.action(place, key) {
-        Some(action @ Action::Nudge(_)) if place == Place::Form => form::nudge(model, key, action),
+        Some(action @ Action::Nudge(_)) if place == KeyContext::Form => form::nudge(model, key, action),
         Some(action) => act(model, place, action),
         None => match (place, key.code) {
-            (Place::Cells, KeyCode::Char(character)) => {
+            (KeyContext::Cells, KeyCode::Char(character)) => {
                 cells::begin_by_typing(model, character, request(key))
             }
-            (Place::Sheet, _) => {
+            (KeyContext::Sheet, _) => {
                 dialog::edit_sheet(model, key);
                 Vec::new()
             }
@@ -223,23 +225,25 @@ fn begin_number(model: &mut Model, character: char, sign: Option<Sign>) -> Vec<I
 }
 
 /// Does what a key of a place means: first what it means everywhere, then in a problem, then in its place.
-fn act(model: &mut Model, place: Place, action: Action) -> Vec<Intent> {
+fn act(model: &mut Model, place: KeyContext, action: Action) -> Vec<Intent> {
     if let Some(intents) = everywhere(model, action) {
         return intents;
     }
     match place {
-        Place::Picker | Place::Filter => return picker::act(model, action),
-        Place::List | Place::Prompt | Place::Sheet | Place::Help => return dialog::act(model, action),
+        KeyContext::Picker | KeyContext::Filter => return picker::act(model, action),
+        KeyContext::List | KeyContext::Prompt | KeyContext::Sheet | KeyContext::Help => {
+            return dialog::act(model, action);
+        }
         _ => {}
     }
     if let Some(intents) = bench::act(model, place, action) {
         return intents;
     }
     match place {
-        Place::Form => form::act(model, action),
-        Place::Edit => form::act_in_field(model, action),
-        Place::Cells => cells::act(model, action),
-        Place::Cell => cells::act_in_cell(model, action),
+        KeyContext::Form => form::act(model, action),
+        KeyContext::Edit => form::act_in_field(model, action),
+        KeyContext::Cells => cells::act(model, action),
+        KeyContext::Cell => cells::act_in_cell(model, action),
         _ => pane::act(model, action),
     }
 }
@@ -259,7 +263,7 @@ fn everywhere(model: &mut Model, action: Action) -> Option<Vec<Intent>> {
         Action::Help if model.dialog.is_none() => vec![Intent::Show(Dialog::Help { scroll: 0 })],
         Action::Palette => vec![Intent::Show(Dialog::palette())],
         Action::Language => {
-            model.speak(match model.locale.language {
+            model.set_language(match model.locale.language {
                 Language::English => Language::Portuguese,
                 Language::Portuguese => Language::English,
             });
@@ -287,7 +291,7 @@ fn with_shown<T>(
 /// Opens a case of an analysis beside what is open.
 fn open_case(model: &Model, entry: &'static Entry, case: usize) -> Vec<Intent> {
     let cases = model.cases_of(entry);
-    let origin = cases.get(case).map(|judged| judged.case.clone());
+    let origin = cases.get(case).map(|checked| checked.case.clone());
     let draft = origin.as_ref().map_or_else(|| Draft::blank(&entry.shape()), |case| case.draft.clone());
     let mut problem = Problem::new(entry, String::new(), draft, cases);
     (problem.case, problem.document.origin) = (case, origin);
@@ -304,13 +308,13 @@ fn changed(model: &mut Model) -> Vec<Intent> {
     match problem.inputs.form.draft.read(&problem.entry.shape()) {
         Ok(record) => {
             problem.find_wrong(Vec::new());
-            problem.found.state = State::Solving(generation);
+            problem.found.state = Freshness::Solving(generation);
             let work = Work::Solve(problem.entry, record);
             vec![Intent::Do(Effect::Solve(Job { generation, work })), Intent::Keep]
         }
         Err(errors) => {
             problem.find_wrong(errors);
-            problem.found.state = State::Unread;
+            problem.found.state = Freshness::Unread;
             vec![Intent::Keep]
         }
     }
@@ -331,19 +335,19 @@ fn keep(model: &Model) -> Vec<Intent> {
 }
 
 /// Takes the outcome of a job: of the newest of a problem, or of what is shown beside the list.
-fn solved(model: &mut Model, outcome: Outcome) -> Vec<Intent> {
-    if let Err(Failure::Fault(panic)) = &outcome.result {
+fn solved(model: &mut Model, outcome: JobOutcome) -> Vec<Intent> {
+    if let Err(JobFailure::Fault(panic)) = &outcome.result {
         let text = "this analysis failed (internal error); your inputs are kept".into();
         model.notice = Some(Notice { text, detail: panic.clone(), wrong: true });
     }
-    let awaited = State::Solving(outcome.generation);
-    let Some(bench) = model.problems_mut().find(|bench| bench.problem.found.state == awaited) else {
+    let pending = Freshness::Solving(outcome.generation);
+    let Some(bench) = model.problems_mut().find(|bench| bench.problem.found.state == pending) else {
         return picker::solved(model, outcome);
     };
     let problem = &mut bench.problem;
     let number = problem.number;
     let before = problem.found.solution.as_ref().map(|solution| solution.warnings.clone());
-    problem.found.state = State::Current;
+    problem.found.state = Freshness::Current;
     match outcome.result {
         Ok(mut solution) => {
             for (answer, display) in &problem.document.show {
@@ -378,7 +382,7 @@ fn paste(model: &mut Model, text: &str) -> Vec<Intent> {
         sheet.insert(text);
         return Vec::new();
     }
-    if model.place() == Place::Form {
+    if model.place() == KeyContext::Form {
         return form::paste(model, text);
     }
     if !model.place().is_text() {
@@ -386,7 +390,7 @@ fn paste(model: &mut Model, text: &str) -> Vec<Intent> {
     }
     let (line, cut) = inputs::as_line(text);
     if cut {
-        model.complain(form::too_long());
+        model.report_error(form::too_long());
     }
     let requests: Vec<InputRequest> = line.chars().map(InputRequest::InsertChar).collect();
     type_in(model, &requests)

@@ -26,7 +26,7 @@ pub(crate) use self::{
 use crate::{
     bench::Bench,
     layout::{self, Areas, Focus},
-    look::{Glyph, Look},
+    look::{Appearance, Glyph},
     model::Model,
     pane::{Column, Page, Tab, Ui},
     text::{self, draw_lines},
@@ -247,7 +247,7 @@ fn title_of(area: Rect) -> Rect {
 }
 
 /// A frame with a title, and what is left inside.
-fn boxed(title: &Line<'_>, focused: bool, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn boxed(title: &Line<'_>, focused: bool, look: &Appearance, area: Rect, buffer: &mut Buffer) {
     if layout::framed(area) && !look.basic {
         let kind = if look.ascii { BorderType::Plain } else { BorderType::Rounded };
         Block::bordered().border_type(kind).border_style(look.border(focused)).render(area, buffer);
@@ -257,7 +257,7 @@ fn boxed(title: &Line<'_>, focused: bool, look: &Look, area: Rect, buffer: &mut 
 }
 
 /// Says at the lower edge of a frame that there are lines above and below.
-fn scroll_mark(first: usize, shown: usize, of: usize, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn scroll_mark(first: usize, shown: usize, of: usize, look: &Appearance, area: Rect, buffer: &mut Buffer) {
     if of <= shown || !layout::framed(area) {
         return;
     }

@@ -37,7 +37,7 @@ fn prefixes(prefixes: &[&str]) -> String {
 }
 
 fn size(unit: &Unit) -> String {
-    if unit.factor == 0.0 || !unit.factor.is_finite() || unit.sense == dalembert_units::Sense::Level {
+    if unit.factor == 0.0 || !unit.factor.is_finite() || unit.sense == dalembert_units::UnitMeaning::Level {
         return "a level: 20 log₁₀ of a ratio".to_owned();
     }
     format!("{} {}", unit.factor, unit.dim).trim_end().to_owned()

@@ -1,6 +1,6 @@
 //! Kinds of quantity: what a number is, beyond its dimension.
 
-use crate::{Dim, Sense, Unit};
+use crate::{Dim, Unit, UnitMeaning};
 
 /// Kind of a quantity, finer than its dimension. Torque and energy share a dimension and are different kinds; so are an
 /// angle and a ratio.
@@ -284,9 +284,9 @@ impl Kind {
     /// 1/s counts as an angular velocity and a unit that fits no kind is [`Kind::Other`].
     pub fn of(unit: &Unit) -> Kind {
         match unit.sense {
-            Sense::Energy => return Kind::Energy,
-            Sense::Peak | Sense::PeakToPeak | Sense::Rms => return Kind::Amplitude,
-            Sense::Plain | Sense::Level => {}
+            UnitMeaning::Energy => return Kind::Energy,
+            UnitMeaning::Peak | UnitMeaning::PeakToPeak | UnitMeaning::Rms => return Kind::Amplitude,
+            UnitMeaning::Plain | UnitMeaning::Level => {}
         }
         Kind::of_dim(unit.dim)
     }

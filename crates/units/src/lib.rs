@@ -56,7 +56,7 @@ pub struct Unit {
     /// The text it was written as.
     pub text: Cow<'static, str>,
     /// Meaning of the unit beyond size and dimension.
-    pub sense: Sense,
+    pub sense: UnitMeaning,
     /// The factor is `mantissa × 10^ten`, kept apart so that a decimal prefix can be put into the
     /// exponent of a literal: 20.3 mm is then exactly the number nearest to 0.0203.
     mantissa: f64,
@@ -65,7 +65,7 @@ pub struct Unit {
 
 /// Meaning of a unit beyond size and dimension.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Sense {
+pub enum UnitMeaning {
     /// Nothing more.
     #[default]
     Plain,
@@ -87,7 +87,7 @@ impl Unit {
         factor: 1.0,
         dim: Dim::NONE,
         text: Cow::Borrowed(""),
-        sense: Sense::Plain,
+        sense: UnitMeaning::Plain,
         mantissa: 1.0,
         ten: 0,
     };
@@ -95,7 +95,7 @@ impl Unit {
     /// The SI value of `value` of this unit.
     pub fn si(&self, value: f64) -> f64 {
         match self.sense {
-            Sense::Level => 10f64.powf(value / 20.0),
+            UnitMeaning::Level => 10f64.powf(value / 20.0),
             _ => value * self.factor,
         }
     }
@@ -103,7 +103,7 @@ impl Unit {
     /// Converts an SI value to this unit.
     pub fn value(&self, si: f64) -> f64 {
         match self.sense {
-            Sense::Level => 20.0 * si.log10(),
+            UnitMeaning::Level => 20.0 * si.log10(),
             _ => si / self.factor,
         }
     }
@@ -125,12 +125,12 @@ impl Unit {
 
     /// The coherent SI unit of the same quantity, in ASCII: `N` for `lbf`, `rad/s` for `rpm`, and `1` for a pure number.
     pub fn coherent(&self) -> String {
-        let sense = if self.sense == Sense::Energy { Sense::Energy } else { Sense::Plain };
+        let sense = if self.sense == UnitMeaning::Energy { UnitMeaning::Energy } else { UnitMeaning::Plain };
         let kind = Kind::of(&Unit { sense, ..self.clone() });
         let mut of_kind = kind.units().iter().filter_map(|symbol| unit(symbol).ok());
         match of_kind.find(|unit| unit.factor == 1.0 && unit.dim == self.dim && unit.sense == sense) {
             Some(unit) if !unit.text.is_empty() => unit.ascii(),
-            _ if self.dim == Dim::NONE || self.sense == Sense::Level => "1".to_owned(),
+            _ if self.dim == Dim::NONE || self.sense == UnitMeaning::Level => "1".to_owned(),
             _ => {
                 let powers = [
                     ("kg", self.dim.mass),

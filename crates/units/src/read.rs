@@ -13,7 +13,7 @@ mod tests;
 
 use std::ops::Range;
 
-use crate::{Kind, Quantity, Sense, Unit};
+use crate::{Kind, Quantity, Unit, UnitMeaning};
 use scan::{Cursor, Literal, guard, is_product};
 
 pub use error::{Hint, ReadError, WrongKind};
@@ -25,12 +25,12 @@ pub use vector::read_vector;
 /// The longest text of a quantity, in characters.
 const LIMIT: usize = 200;
 
-/// Reads a quantity of a given kind; `bare` is the unit of a number written alone.
+/// Reads a quantity of a given kind; `default` is the unit of a number written alone.
 ///
 /// Numbers take `.` or `,` as the decimal mark, `e-6` or `×10⁻⁶`, and arithmetic with `+ - * / ^ ( )`,
 /// `pi` and `sqrt`. A text has no language: `1,250`, which is 1250 in one and 1.25 in another, is refused with both
 /// readings; where the language is known, [`with_point`](crate::with_point) goes before. Products and quotients of units are as in [`unit()`]. A missing angle is accepted
-/// (N·m/rad for N·m, 1/s for rad/s); for [`Kind::Other`] and [`Kind::Amplitude`] the dimension is that of `bare`.
+/// (N·m/rad for N·m, 1/s for rad/s); for [`Kind::Other`] and [`Kind::Amplitude`] the dimension is that of `default`.
 ///
 /// # Errors
 /// Says what cannot be read and what to write; another kind of quantity than the one asked for is
@@ -45,15 +45,15 @@ const LIMIT: usize = 200;
 /// assert!((speed.si - 104.719755).abs() < 1e-6);
 /// # Ok::<(), dalembert_units::ReadError>(())
 /// ```
-pub fn read_quantity(text: &str, bare: &Unit, kind: Kind) -> Result<Quantity, ReadError> {
+pub fn read_quantity(text: &str, default: &Unit, kind: Kind) -> Result<Quantity, ReadError> {
     let range = guard(text, LIMIT)?;
     if range.is_empty() {
-        return Err(empty(bare));
+        return Err(empty(default));
     }
-    kinds::refuse_feet(text, range.clone(), bare, kind)?;
-    let reading = read(text, range.clone(), bare)?;
-    kinds::check(&reading, text, range.clone(), bare, kind)?;
-    finish(&reading, bare, &text[range.clone()], range)
+    kinds::refuse_feet(text, range.clone(), default, kind)?;
+    let reading = read(text, range.clone(), default)?;
+    kinds::check(&reading, text, range.clone(), default, kind)?;
+    finish(&reading, default, &text[range.clone()], range)
 }
 
 /// Reads a quantity of any dimension; a number alone is a pure number.
@@ -84,7 +84,7 @@ pub fn read_count(text: &str) -> Result<u64, ReadError> {
 }
 
 /// Result of reading a text: a number, and a unit if one was written.
-struct Reading<'t> {
+struct QuantityReader<'t> {
     amount: Amount<'t>,
     unit: Option<Unit>,
     /// π was written.
@@ -99,26 +99,26 @@ enum Amount<'t> {
 
 /// Most texts are a literal and a unit; what is not goes to the arithmetic, which reads those too and
 /// has the errors.
-fn read<'t>(text: &'t str, range: Range<usize>, bare: &Unit) -> Result<Reading<'t>, ReadError> {
+fn read<'t>(text: &'t str, range: Range<usize>, default: &Unit) -> Result<QuantityReader<'t>, ReadError> {
     let (range, suffix) = units::split_suffix(text, range);
     let cursor = Cursor::new(text, range);
     let mut reading = match literal_and_unit(cursor) {
         Some(reading) => reading,
-        None => expression::evaluate(cursor).map_err(|error| error.suggesting(bare.dim))?,
+        None => expression::evaluate(cursor).map_err(|error| error.suggesting(default.dim))?,
     };
-    if suffix != Sense::Plain {
+    if suffix != UnitMeaning::Plain {
         let unit = match reading.unit {
             Some(unit) => unit,
             // `3 rms` in a field of `mm pp` is 3 mm rms.
-            None => unit(&bare.text[units::split_suffix(&bare.text, 0..bare.text.len()).0])?,
+            None => unit(&default.text[units::split_suffix(&default.text, 0..default.text.len()).0])?,
         };
         reading.unit = Some(units::with_suffix(unit, suffix)?);
     }
     Ok(reading)
 }
 
-fn literal_and_unit(mut cursor: Cursor<'_>) -> Option<Reading<'_>> {
-    let negative = cursor.eat('-') || cursor.eat('−');
+fn literal_and_unit(mut cursor: Cursor<'_>) -> Option<QuantityReader<'_>> {
+    let negative = cursor.accept('-') || cursor.accept('−');
     let mut literal = cursor.literal().ok()?;
     literal.negative = negative;
     if let Some(ten) = power_of_ten(&mut cursor) {
@@ -127,12 +127,12 @@ fn literal_and_unit(mut cursor: Cursor<'_>) -> Option<Reading<'_>> {
     cursor.skip_space();
     let amount = Amount::Literal(literal);
     if cursor.rest().is_empty() {
-        return Some(Reading { amount, unit: None, pi: false });
+        return Some(QuantityReader { amount, unit: None, pi: false });
     }
     let unit = units::whole(&mut cursor).ok()?;
     // `5 1` is no number and its unit.
     let complete = cursor.rest().is_empty() && !unit.text.is_empty();
-    complete.then_some(Reading { amount, unit: Some(unit), pi: false })
+    complete.then_some(QuantityReader { amount, unit: Some(unit), pi: false })
 }
 
 /// The `×10⁻⁶` of `1.3×10⁻⁶`.
@@ -142,18 +142,23 @@ fn power_of_ten(cursor: &mut Cursor) -> Option<i32> {
     if !ahead.peek().is_some_and(|c| is_product(c) || matches!(c, 'x' | 'X')) {
         return None;
     }
-    ahead.bump();
+    ahead.advance();
     ahead.skip_space();
     ahead.at += ahead.rest().strip_prefix("10").map(|_| 2)?;
-    let ten = if ahead.eat_caret() { ahead.signed_digits() } else { ahead.superscript_digits() }?;
+    let ten = if ahead.accept_caret() { ahead.signed_digits() } else { ahead.superscript_digits() }?;
     let ended =
         !ahead.peek().is_some_and(|c| matches!(c, '^' | '.' | ',') || scan::superscript_digit(c).is_some());
     *cursor = ahead;
     ended.then_some(ten)
 }
 
-fn finish(reading: &Reading, bare: &Unit, text: &str, span: Range<usize>) -> Result<Quantity, ReadError> {
-    let unit = reading.unit.as_ref().unwrap_or(bare);
+fn finish(
+    reading: &QuantityReader,
+    default: &Unit,
+    text: &str,
+    span: Range<usize>,
+) -> Result<Quantity, ReadError> {
+    let unit = reading.unit.as_ref().unwrap_or(default);
     let (si, last_place) = si(reading.amount, unit);
     check_range(reading.amount, si, text, span)?;
     Ok(Quantity { si, unit: unit.clone(), last_place })
@@ -162,14 +167,14 @@ fn finish(reading: &Reading, bare: &Unit, text: &str, span: Range<usize>) -> Res
 /// The SI value, and one unit in its last written place.
 fn si(amount: Amount, unit: &Unit) -> (f64, f64) {
     match amount {
-        Amount::Literal(literal) if unit.sense == Sense::Level => {
+        Amount::Literal(literal) if unit.sense == UnitMeaning::Level => {
             let ratio = unit.si(literal.value(1.0, 0));
             (ratio, ratio * std::f64::consts::LN_10 / 20.0 * literal.last_place(1.0, 0))
         }
         Amount::Literal(literal) => {
             (literal.value(unit.mantissa, unit.ten), literal.last_place(unit.mantissa, unit.ten))
         }
-        Amount::Computed(number) if unit.sense == Sense::Level => (unit.si(number), 0.0),
+        Amount::Computed(number) if unit.sense == UnitMeaning::Level => (unit.si(number), 0.0),
         Amount::Computed(number) => (crate::decimal::shift(number * unit.mantissa, unit.ten.into()), 0.0),
     }
 }
@@ -186,7 +191,7 @@ fn check_range(amount: Amount, si: f64, text: &str, span: Range<usize>) -> Resul
     Err(ReadError::OutOfRange { text: text.into(), large: si != 0.0, span })
 }
 
-fn empty(bare: &Unit) -> ReadError {
-    let example = format!("20.3 {}", bare.ascii());
+fn empty(default: &Unit) -> ReadError {
+    let example = format!("20.3 {}", default.ascii());
     ReadError::Empty { example: example.trim_end().to_owned() }
 }

@@ -1,6 +1,6 @@
 //! The size and dimension of a unit while it is put together.
 
-use crate::{Dim, Sense, decimal};
+use crate::{Dim, UnitMeaning, decimal};
 
 /// `mantissa × 10^ten` SI units of a dimension.
 ///
@@ -10,11 +10,11 @@ pub(crate) struct Scale {
     pub(crate) mantissa: f64,
     pub(crate) ten: i16,
     pub(crate) dim: Dim,
-    pub(crate) sense: Sense,
+    pub(crate) sense: UnitMeaning,
 }
 
 impl Scale {
-    pub(crate) const ONE: Scale = Scale { mantissa: 1.0, ten: 0, dim: Dim::NONE, sense: Sense::Plain };
+    pub(crate) const ONE: Scale = Scale { mantissa: 1.0, ten: 0, dim: Dim::NONE, sense: UnitMeaning::Plain };
 
     pub(crate) fn times(self, other: Scale) -> Scale {
         Scale {
@@ -52,7 +52,11 @@ impl Scale {
     /// The energy sense holds for an energy alone: W makes a power, J/m a force.
     pub(crate) fn settled(self) -> Scale {
         let energy = Dim::new(2, 1, -2, 0);
-        let sense = if self.sense == Sense::Energy && self.dim != energy { Sense::Plain } else { self.sense };
+        let sense = if self.sense == UnitMeaning::Energy && self.dim != energy {
+            UnitMeaning::Plain
+        } else {
+            self.sense
+        };
         Scale { sense, ..self }
     }
 
@@ -66,8 +70,8 @@ impl Scale {
     }
 }
 
-impl Sense {
-    fn with(self, other: Sense) -> Sense {
-        if self == Sense::Plain { other } else { self }
+impl UnitMeaning {
+    fn with(self, other: UnitMeaning) -> UnitMeaning {
+        if self == UnitMeaning::Plain { other } else { self }
     }
 }

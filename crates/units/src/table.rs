@@ -2,7 +2,7 @@
 
 use std::{borrow::Cow, f64::consts::TAU, sync::LazyLock};
 
-use crate::{Dim, Scale, Sense};
+use crate::{Dim, Scale, UnitMeaning};
 
 /// A unit symbol as a user may write it, prefix included.
 pub(crate) struct Symbol {
@@ -91,7 +91,7 @@ const fn row(
     ten: i16,
     dim: Dim,
 ) -> Row {
-    Row { symbols, prefixes, scale: Scale { mantissa, ten, dim, sense: Sense::Plain } }
+    Row { symbols, prefixes, scale: Scale { mantissa, ten, dim, sense: UnitMeaning::Plain } }
 }
 
 /// A unit of energy or power: what it makes is no torque.
@@ -102,7 +102,7 @@ const fn work(
     ten: i16,
     dim: Dim,
 ) -> Row {
-    Row { symbols, prefixes, scale: Scale { mantissa, ten, dim, sense: Sense::Energy } }
+    Row { symbols, prefixes, scale: Scale { mantissa, ten, dim, sense: UnitMeaning::Energy } }
 }
 
 const PREFIXES: [(&str, i16); 13] = [
@@ -221,7 +221,7 @@ static ROWS: &[Row] = &[
     Row {
         symbols: &["dB"],
         prefixes: NONE,
-        scale: Scale { mantissa: 1.0, ten: 0, dim: Dim::NONE, sense: Sense::Level },
+        scale: Scale { mantissa: 1.0, ten: 0, dim: Dim::NONE, sense: UnitMeaning::Level },
     },
 ];
 

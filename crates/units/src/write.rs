@@ -6,7 +6,7 @@ mod tests;
 use std::cmp::Ordering;
 
 use crate::{
-    Kind, Sense, Unit, decimal,
+    Kind, Unit, UnitMeaning, decimal,
     read::{
         scan::{Cursor, is_product, is_quotient, takes_digit},
         units::power,
@@ -52,7 +52,7 @@ pub fn write_number(value: f64, style: Style) -> String {
 ///
 /// What is written can be read again: to the digits shown, and exactly at 17 digits.
 pub fn write_quantity(si: f64, unit: &Unit, style: Style) -> String {
-    if unit.sense == Sense::Level && si <= 0.0 {
+    if unit.sense == UnitMeaning::Level && si <= 0.0 {
         // No level is zero or negative: the ratio itself can be read.
         return write_number(si, style);
     }
@@ -127,7 +127,7 @@ pub fn subscript(n: usize) -> String {
 
 /// The text of a unit for the screen (`N·m²`, `°`), or in ASCII (`N*m^2`, `deg`).
 pub(crate) fn unit_text(unit: &Unit, ascii: bool) -> String {
-    let is_amplitude = matches!(unit.sense, Sense::Peak | Sense::PeakToPeak | Sense::Rms);
+    let is_amplitude = matches!(unit.sense, UnitMeaning::Peak | UnitMeaning::PeakToPeak | UnitMeaning::Rms);
     let end = if is_amplitude { unit.text.rfind(' ').unwrap_or(0) } else { unit.text.len() };
     let mut cursor = Cursor::new(&unit.text, 0..end);
     let product = if ascii { '*' } else { '·' };
@@ -138,7 +138,7 @@ pub(crate) fn unit_text(unit: &Unit, ascii: bool) -> String {
         cursor.skip_space();
         let Some(c) = cursor.peek() else { break };
         if is_quotient(c) || is_product(c) || c == '.' {
-            cursor.bump();
+            cursor.advance();
             out.push(if is_quotient(c) { '/' } else { product });
             after_factor = false;
             continue;
@@ -150,7 +150,7 @@ pub(crate) fn unit_text(unit: &Unit, ascii: bool) -> String {
             out += &symbol_text(symbol, ascii);
             after_factor = true;
         } else {
-            cursor.bump();
+            cursor.advance();
             out.push(c);
             after_factor = c != '(';
         }
@@ -190,7 +190,7 @@ fn with_unit(mut text: String, unit: &Unit, style: Style) -> String {
 /// The number alone of a value in SI.
 fn in_unit(si: f64, unit: &Unit, style: Style) -> String {
     match unit.sense {
-        Sense::Level => scaled(unit.value(si), 1.0, 0, style),
+        UnitMeaning::Level => scaled(unit.value(si), 1.0, 0, style),
         _ => scaled(si, unit.mantissa, unit.ten.into(), style),
     }
 }

@@ -4,12 +4,12 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 
 use dalembert_units::{self as units, Dim, Kind, Unit};
 
-use super::{Change, Mistake, wrong::Wrong};
+use super::{Mistake, NumberChange, wrong::Wrong};
 use crate::{
     AnswerValue, Entry, Number, Record, Refusal, Solution, SolveError, Stop,
-    retrace::{ancestors, retrace},
+    reevaluate::{ancestors, reevaluate},
     trace::{Function, Id, Op},
-    vary::{self, Input, Perturbed},
+    vary::{self, Perturbed, VariedInput},
 };
 
 /// Problems of more inputs have so many pairs that may be interchanged.
@@ -44,14 +44,14 @@ pub(super) fn candidates(
     let mut all = Tries { wrong, found: Vec::new() };
     all.follow(solution);
     all.units(false);
-    all.answer(&Change::Sign, |x, _| -x);
+    all.answer(&NumberChange::Sign, |x, _| -x);
     all.times(&[(2.0, "2"), (0.5, "2")]);
     all.others(solution);
     for degrees in [90u16, 180, 360] {
         let turn = f64::from(degrees).to_radians();
-        all.angle(&Change::Complement(degrees), |x| turn - x);
-        all.angle(&Change::Complement(degrees), |x| x - turn);
-        all.angle(&Change::Complement(degrees), |x| x + turn);
+        all.angle(&NumberChange::Complement(degrees), |x| turn - x);
+        all.angle(&NumberChange::Complement(degrees), |x| x - turn);
+        all.angle(&NumberChange::Complement(degrees), |x| x + turn);
     }
     let names = wrong.iter().map(|one| one.name.to_owned()).collect();
     let again = match Perturbed::new(entry, record, vary::inputs(record), names) {
@@ -64,8 +64,8 @@ pub(super) fn candidates(
         inputs.usual(&mut all, stop)?;
     }
     all.times(&[(TAU, "2π"), (1.0 / TAU, "2π"), (10.0, "10"), (0.1, "10"), (1e3, "1000"), (1e-3, "1000")]);
-    all.answer(&Change::Squared, |x, _| x * x);
-    all.answer(&Change::Rooted, |x, _| x.sqrt());
+    all.answer(&NumberChange::Squared, |x, _| x * x);
+    all.answer(&NumberChange::Rooted, |x, _| x.sqrt());
     all.times(&[(PI, "π"), (1.0 / PI, "π"), (4.0, "4"), (0.25, "4"), (SQRT_2, "√2"), (1.0 / SQRT_2, "√2")]);
     if let Some(inputs) = &mut inputs {
         inputs.interchanged(&mut all, stop)?;
@@ -82,7 +82,7 @@ pub(super) fn candidates(
         (1e-2, "100"),
     ]);
     all.times(&[(1e6, "10⁶"), (1e-6, "10⁶"), (-2.0, "−2"), (-0.5, "−2")]);
-    all.answer(&Change::Inverted, |x, _| 1.0 / x);
+    all.answer(&NumberChange::Inverted, |x, _| 1.0 / x);
     all.units(true);
     if let Some(inputs) = &mut inputs {
         inputs.rare(&mut all, stop)?;
@@ -103,18 +103,18 @@ impl Tries<'_, '_> {
     }
 
     /// The answers changed at the end.
-    fn answer(&mut self, change: &Change, by: impl Fn(f64, &Wrong<'_>) -> f64) {
-        let values = self.wrong.iter().map(|one| by(one.ours, one)).collect();
+    fn answer(&mut self, change: &NumberChange, by: impl Fn(f64, &Wrong<'_>) -> f64) {
+        let values = self.wrong.iter().map(|one| by(one.computed, one)).collect();
         self.push(Mistake::Answer(change.clone()), values, false);
     }
 
     fn times(&mut self, factors: &[(f64, &'static str)]) {
         for (factor, written) in factors {
-            self.answer(&Change::Times(*factor, written), |x, _| factor * x);
+            self.answer(&NumberChange::Times(*factor, written), |x, _| factor * x);
         }
     }
 
-    fn angle(&mut self, change: &Change, by: impl Fn(f64) -> f64) {
+    fn angle(&mut self, change: &NumberChange, by: impl Fn(f64) -> f64) {
         self.answer(change, |x, one| if one.answer.dim() == Dim::ANGLE { by(x) } else { f64::NAN });
     }
 
@@ -123,10 +123,10 @@ impl Tries<'_, '_> {
         for at in 0..self.wrong.len() {
             let one = &self.wrong[at];
             let typed = &one.unit;
-            let tries: Vec<(Change, f64)> = units_of(Kind::of(&one.answer.unit), typed, customary)
+            let tries: Vec<(NumberChange, f64)> = units_of(Kind::of(&one.answer.unit), typed, customary)
                 .map(|taken| {
-                    let value = typed.si(taken.value(one.ours));
-                    (Change::Unit { is: typed.pretty(), taken: taken.pretty() }, value)
+                    let value = typed.si(taken.value(one.computed));
+                    (NumberChange::Unit { is: typed.pretty(), taken: taken.pretty() }, value)
                 })
                 .collect();
             for (change, value) in tries {
@@ -170,9 +170,9 @@ impl Tries<'_, '_> {
             }
             let set: Vec<(Id, Number)> = causes
                 .iter()
-                .map(|(other, cause)| (*cause, Number::Scalar(self.wrong[*other].theirs)))
+                .map(|(other, cause)| (*cause, Number::Scalar(self.wrong[*other].answered)))
                 .collect();
-            let numbers = retrace(solution, &set, None);
+            let numbers = reevaluate(solution, &set, None);
             let mut values = vec![f64::NAN; self.wrong.len()];
             values[at] = scalar(numbers[id as usize]);
             let names = causes.iter().map(|(other, _)| self.wrong[*other].name.to_owned()).collect();
@@ -201,15 +201,15 @@ impl Tries<'_, '_> {
             let others = step.formula.map_or_else(Vec::new, |formula| within(solution, formula));
             let value = solution.trace.node(step.result).number;
             let results = [
-                (Change::Sign, scaled(value, -1.0)),
-                (Change::Times(2.0, "2"), scaled(value, 2.0)),
-                (Change::Times(0.5, "2"), scaled(value, 0.5)),
+                (NumberChange::Sign, scaled(value, -1.0)),
+                (NumberChange::Times(2.0, "2"), scaled(value, 2.0)),
+                (NumberChange::Times(0.5, "2"), scaled(value, 0.5)),
             ];
             let of_formula =
-                others.iter().map(|(change, id, op)| (change, retrace(solution, &[], Some((*id, op)))));
+                others.iter().map(|(change, id, op)| (change, reevaluate(solution, &[], Some((*id, op)))));
             let of_result = results
                 .iter()
-                .map(|(change, number)| (change, retrace(solution, &[(step.result, *number)], None)));
+                .map(|(change, number)| (change, reevaluate(solution, &[(step.result, *number)], None)));
             for (change, numbers) in of_formula.chain(of_result) {
                 stop.check()?;
                 tries += 1;
@@ -249,7 +249,7 @@ impl Inputs {
         &mut self,
         all: &mut Tries<'_, '_>,
         stop: &Stop,
-        ways: impl Fn(&Input) -> Vec<(Change, f64)>,
+        ways: impl Fn(&VariedInput) -> Vec<(NumberChange, f64)>,
     ) -> Result<(), Refusal> {
         for at in 0..self.again.inputs.len() {
             let input = &self.again.inputs[at];
@@ -274,15 +274,15 @@ impl Inputs {
                 }
             }
             if kind == Kind::Length {
-                ways.push((Change::Diameter, 2.0 * input.si));
-                ways.push((Change::Diameter, 0.5 * input.si));
+                ways.push((NumberChange::Diameter, 2.0 * input.si));
+                ways.push((NumberChange::Diameter, 0.5 * input.si));
             }
             if kind == Kind::Acceleration && (9.5..10.2).contains(&input.si) {
                 let other = |g: &&f64| **g != input.si;
-                ways.extend(GRAVITY.iter().filter(other).map(|g| (Change::Gravity(*g), *g)));
+                ways.extend(GRAVITY.iter().filter(other).map(|g| (NumberChange::Gravity(*g), *g)));
             }
             if input.si != 0.0 {
-                ways.push((Change::LeftOut, 0.0));
+                ways.push((NumberChange::LeftOut, 0.0));
             }
             ways
         })
@@ -290,16 +290,17 @@ impl Inputs {
 
     fn less_usual(&mut self, all: &mut Tries<'_, '_>, stop: &Stop) -> Result<(), Refusal> {
         self.each(all, stop, |input| {
-            let mut ways = vec![(Change::Sign, -input.si)];
+            let mut ways = vec![(NumberChange::Sign, -input.si)];
             if input.measure.kind() == Kind::Angle {
                 ways.extend(
-                    [90u16, 180]
-                        .map(|turn| (Change::Complement(turn), f64::from(turn).to_radians() - input.si)),
+                    [90u16, 180].map(|turn| {
+                        (NumberChange::Complement(turn), f64::from(turn).to_radians() - input.si)
+                    }),
                 );
             }
             if input.measure.kind() != Kind::Length {
-                ways.push((Change::Times(2.0, "2"), 2.0 * input.si));
-                ways.push((Change::Times(0.5, "2"), 0.5 * input.si));
+                ways.push((NumberChange::Times(2.0, "2"), 2.0 * input.si));
+                ways.push((NumberChange::Times(0.5, "2"), 0.5 * input.si));
             }
             ways
         })
@@ -313,7 +314,7 @@ impl Inputs {
             for (factor, written) in
                 [(10.0, "10"), (0.1, "10"), (1e3, "1000"), (1e-3, "1000"), (TAU, "2π"), (1.0 / TAU, "2π")]
             {
-                ways.push((Change::Times(factor, written), factor * input.si));
+                ways.push((NumberChange::Times(factor, written), factor * input.si));
             }
             ways
         })
@@ -331,7 +332,7 @@ impl Inputs {
             .collect();
         for (first, second) in pairs {
             let named = |at: usize| {
-                let input: &Input = &self.again.inputs[at];
+                let input: &VariedInput = &self.again.inputs[at];
                 (input.path.clone(), input.label.clone())
             };
             let slip = Mistake::Interchanged(Box::new([named(first), named(second)]));
@@ -344,8 +345,8 @@ impl Inputs {
 }
 
 /// The number of an input taken in another unit.
-fn as_if(input: &Input, taken: &Unit) -> (Change, f64) {
-    let change = Change::Unit { is: input.unit.pretty(), taken: taken.pretty() };
+fn as_if(input: &VariedInput, taken: &Unit) -> (NumberChange, f64) {
+    let change = NumberChange::Unit { is: input.unit.pretty(), taken: taken.pretty() };
     (change, taken.si(input.unit.value(input.si)))
 }
 
@@ -361,33 +362,33 @@ fn units_of(kind: Kind, but: &Unit, customary: bool) -> impl Iterator<Item = Uni
 }
 
 /// Mistakes within a formula: alternative operations at one of its nodes.
-fn within(solution: &Solution, formula: Id) -> Vec<(Change, Id, Op)> {
+fn within(solution: &Solution, formula: Id) -> Vec<(NumberChange, Id, Op)> {
     let mut found = Vec::new();
     let mut open = vec![formula];
     while let Some(id) = open.pop() {
         open.extend(solution.trace.operands(id));
-        let mut may = |change: Change, op: Op| found.push((change, id, op));
+        let mut may = |change: NumberChange, op: Op| found.push((change, id, op));
         // The first power of a number is the number.
         let alone = |id: Id| Op::Power(id, 1);
         match &solution.trace.node(id).op {
-            Op::Power(a, n) if *n > 1 => may(Change::PowerLeftOut, alone(*a)),
-            Op::Power(a, n) if *n < -1 => may(Change::PowerLeftOut, Op::Power(*a, -1)),
-            Op::Root(a, _) => may(Change::RootLeftOut, alone(*a)),
-            Op::Call(Function::Sin, a) => may(Change::SineForCosine, Op::Call(Function::Cos, *a)),
-            Op::Call(Function::Cos, a) => may(Change::SineForCosine, Op::Call(Function::Sin, *a)),
-            Op::Neg(a) => may(Change::TermSign, alone(*a)),
+            Op::Power(a, n) if *n > 1 => may(NumberChange::PowerLeftOut, alone(*a)),
+            Op::Power(a, n) if *n < -1 => may(NumberChange::PowerLeftOut, Op::Power(*a, -1)),
+            Op::Root(a, _) => may(NumberChange::RootLeftOut, alone(*a)),
+            Op::Call(Function::Sin, a) => may(NumberChange::SineForCosine, Op::Call(Function::Cos, *a)),
+            Op::Call(Function::Cos, a) => may(NumberChange::SineForCosine, Op::Call(Function::Sin, *a)),
+            Op::Neg(a) => may(NumberChange::TermSign, alone(*a)),
             Op::Add(a, b) => {
-                may(Change::TermSign, Op::Sub(*a, *b));
-                may(Change::TermLeftOut, alone(*a));
-                may(Change::TermLeftOut, alone(*b));
+                may(NumberChange::TermSign, Op::Sub(*a, *b));
+                may(NumberChange::TermLeftOut, alone(*a));
+                may(NumberChange::TermLeftOut, alone(*b));
             }
             Op::Sub(a, b) => {
-                may(Change::TermSign, Op::Add(*a, *b));
-                may(Change::TermLeftOut, alone(*a));
-                may(Change::TermLeftOut, alone(*b));
+                may(NumberChange::TermSign, Op::Add(*a, *b));
+                may(NumberChange::TermLeftOut, alone(*a));
+                may(NumberChange::TermLeftOut, alone(*b));
             }
-            Op::Mul(a, b) => may(Change::DividedForMultiplied, Op::Div(*a, *b)),
-            Op::Div(a, b) => may(Change::DividedForMultiplied, Op::Mul(*a, *b)),
+            Op::Mul(a, b) => may(NumberChange::DividedForMultiplied, Op::Div(*a, *b)),
+            Op::Div(a, b) => may(NumberChange::DividedForMultiplied, Op::Mul(*a, *b)),
             _ => {}
         }
     }

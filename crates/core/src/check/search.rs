@@ -44,7 +44,7 @@ fn mistakes_in(at: usize, wrong: &[Wrong<'_>], candidates: &[Candidate]) -> Vec<
     let mut hits: Vec<(usize, usize, &Candidate)> = Vec::new();
     for candidate in candidates {
         let value = candidate.values[at];
-        if !value.is_finite() || same(value, one.ours) {
+        if !value.is_finite() || same(value, one.computed) {
             continue;
         }
         if candidate.free {

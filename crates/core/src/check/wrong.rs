@@ -14,8 +14,8 @@ pub(super) struct Wrong<'s> {
     pub(super) name: &'s str,
     pub(super) answer: &'s Answer,
     /// Ours and the user's, in SI.
-    pub(super) ours: f64,
-    pub(super) theirs: f64,
+    pub(super) computed: f64,
+    pub(super) answered: f64,
     /// The unit that was typed.
     pub(super) unit: Unit,
     /// Tolerance of the comparison, in SI: half of the last place of the user's answer, within the general tolerance.
@@ -31,21 +31,21 @@ impl<'s> Wrong<'s> {
         let typed = read(answer, text).ok()?;
         // What agrees with everything says nothing.
         let within = half_a_place(&typed).min(super::TOLERANCE * typed.si.abs());
-        Some(Self { name, answer, ours: answer.si()?, theirs: typed.si, unit: typed.unit, within })
+        Some(Self { name, answer, computed: answer.si()?, answered: typed.si, unit: typed.unit, within })
     }
 
     pub(super) fn is(&self, value: f64) -> bool {
-        difference(self.theirs, value, self.answer.dim()) <= self.within + 1e-12 * self.theirs.abs()
+        difference(self.answered, value, self.answer.dim()) <= self.within + 1e-12 * self.answered.abs()
     }
 
     /// The same for a value that was computed from numbers that the user rounded.
     pub(super) fn nearly(&self, value: f64) -> bool {
         self.is(value)
-            || difference(self.theirs, value, self.answer.dim()) <= super::TOLERANCE * self.theirs.abs()
+            || difference(self.answered, value, self.answer.dim()) <= super::TOLERANCE * self.answered.abs()
     }
 
     /// Probability that a random number agrees with this answer.
     pub(super) fn accident(&self) -> f64 {
-        if self.theirs == 0.0 { 1.0 } else { (2.0 * self.within / (self.theirs.abs() * SPREAD)).min(1.0) }
+        if self.answered == 0.0 { 1.0 } else { (2.0 * self.within / (self.answered.abs() * SPREAD)).min(1.0) }
     }
 }

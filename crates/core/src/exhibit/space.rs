@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use super::{Drawing, DrawnShape, Ink, Point, Side};
+use super::{Drawing, DrawnShape, Ink, LabelSide, Point};
 use crate::Text;
 
 /// A point of a scene: x, y and, upwards, z, in metres or in any one length of the scene.
@@ -19,7 +19,7 @@ pub struct Scene {
     /// The time of all frames on the screen, in seconds.
     pub period: f64,
     /// From where it is seen, unless somebody turns it.
-    pub view: View,
+    pub view: Viewpoint3,
 }
 
 /// A part of a scene.
@@ -37,7 +37,7 @@ pub enum Shape3 {
 
 /// From where a scene is seen, by parallel rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct View {
+pub struct Viewpoint3 {
     /// The direction towards the viewer, from x about z, rad.
     pub azimuth: f64,
     /// The same above the plane xy, rad.
@@ -46,7 +46,7 @@ pub struct View {
 
 impl Scene {
     /// Projection of one of its frames, which repeat without end, from a viewpoint.
-    pub fn seen(&self, frame: usize, view: View) -> Drawing {
+    pub fn seen(&self, frame: usize, view: Viewpoint3) -> Drawing {
         let shapes = self.frames.get(frame % self.frames.len().max(1)).map_or(&[][..], Vec::as_slice);
         let seen = |shape: &Shape3| match shape {
             Shape3::Polyline(points, ink) => {
@@ -54,20 +54,22 @@ impl Scene {
             }
             Shape3::Sphere(at, radius, ink) => DrawnShape::Circle(view.point(*at), *radius, *ink),
             Shape3::Arrow(tail, head, ink) => DrawnShape::Arrow(view.point(*tail), view.point(*head), *ink),
-            Shape3::Label(at, words) => DrawnShape::Label(view.point(*at), Side::default(), words.clone()),
+            Shape3::Label(at, words) => {
+                DrawnShape::Label(view.point(*at), LabelSide::default(), words.clone())
+            }
         };
         Drawing { title: self.title.clone(), shapes: shapes.iter().map(seen).collect() }
     }
 }
 
-impl Default for View {
+impl Default for Viewpoint3 {
     /// x towards the viewer and to the left, y to the right, z up.
     fn default() -> Self {
         Self { azimuth: 35.0_f64.to_radians(), elevation: 25.0_f64.to_radians() }
     }
 }
 
-impl View {
+impl Viewpoint3 {
     /// Projection of a point of a scene onto the drawing plane.
     pub fn point(&self, [x, y, z]: Point3) -> Point {
         let (sin, cos) = self.azimuth.sin_cos();

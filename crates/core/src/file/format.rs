@@ -4,7 +4,7 @@
 use dalembert_units as units;
 use toml_edit::{Item, Table};
 
-use super::{FileError, Reading, span};
+use super::{FileError, FileNotes, span};
 use crate::{Draft, Field, Shape, Text, draft, gravity, table};
 
 /// A format of problem files. A file that names none is of the first.
@@ -49,7 +49,7 @@ impl Format {
 }
 
 /// Fills a field that a file leaves out, in a blank draft of it, with the default of the file's format.
-pub(super) fn left_out(draft: &mut Draft, field: &Field, path: &str, reading: &mut Reading) {
+pub(super) fn left_out(draft: &mut Draft, field: &Field, path: &str, reading: &mut FileNotes) {
     if reading.format >= Format::Second {
         return;
     }
@@ -64,7 +64,7 @@ pub(super) fn left_out(draft: &mut Draft, field: &Field, path: &str, reading: &m
 
 /// The same for each field inside a blank draft of a shape. The first format took the first alternative of a choice that
 /// was left out.
-pub(super) fn left_out_fields(draft: &mut Draft, shape: &Shape, path: &str, reading: &mut Reading) {
+pub(super) fn left_out_fields(draft: &mut Draft, shape: &Shape, path: &str, reading: &mut FileNotes) {
     if reading.format >= Format::Second || matches!((shape, &*draft), (Shape::Optional(_), Draft::Absent)) {
         return;
     }
@@ -101,7 +101,7 @@ pub(super) fn table_text(
     text: String,
     columns: &'static [Field],
     path: &str,
-    reading: &mut Reading,
+    reading: &mut FileNotes,
 ) -> String {
     if reading.format >= Format::Second {
         return text;
@@ -125,7 +125,12 @@ fn left_out_note(path: &str, value: &str) -> Text {
 }
 
 /// A number of a file of the first format, in which a comma before three digits was a decimal mark.
-pub(super) fn with_decimal_commas(text: String, shape: &Shape, path: &str, reading: &mut Reading) -> String {
+pub(super) fn with_decimal_commas(
+    text: String,
+    shape: &Shape,
+    path: &str,
+    reading: &mut FileNotes,
+) -> String {
     let is_number = matches!(shape, Shape::Quantity(_) | Shape::Vector(..));
     if reading.format >= Format::Second || !is_number || units::thousands(&text, ',').is_none() {
         return text;

@@ -4,7 +4,7 @@
 use dalembert_units as units;
 use toml_edit::{InlineTable, Item, Table, Value as Toml};
 
-use super::{Reading, draft_of as read};
+use super::{FileNotes, draft_of as read};
 use crate::{Draft, Field, Shape, Text, Variant};
 
 /// The place of a name among former alternatives.
@@ -13,7 +13,7 @@ pub(super) fn place(former: &[&str], name: &str) -> Option<usize> {
 }
 
 /// Draft of a field in whose place former alternatives may stand.
-pub(super) fn draft_of_field(item: &Item, field: &Field, path: &str, reading: &mut Reading) -> Draft {
+pub(super) fn draft_of_field(item: &Item, field: &Field, path: &str, reading: &mut FileNotes) -> Draft {
     let only = item.as_table_like().filter(|table| table.len() == 1).and_then(|table| table.iter().next());
     match only.and_then(|(name, inner)| Some((name, inner, place(field.former, name)?))) {
         Some((name, inner, place)) => {
@@ -29,7 +29,7 @@ pub(super) fn draft_of(
     shape: &Shape,
     [was, now]: [&str; 2],
     place: usize,
-    reading: &mut Reading,
+    reading: &mut FileNotes,
 ) -> Draft {
     let note = Text::new("{was}: read as {now}; the units now say what was measured");
     reading.notes.push(note.with("was", was).with("now", now));
@@ -40,7 +40,7 @@ pub(super) fn draft_of(
 }
 
 /// A number alone in a former alternative, with the unit that it had there.
-pub(super) fn with_unit(text: String, shape: &Shape, reading: &Reading) -> String {
+pub(super) fn with_unit(text: String, shape: &Shape, reading: &FileNotes) -> String {
     let (Some(place), Shape::Quantity(measure)) = (reading.kind, shape) else { return text };
     let unit = measure.all().nth(place).filter(|_| !measure.others.is_empty()).map(|kind| kind.own_unit());
     match unit {

@@ -6,7 +6,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::{DrawnShape, Point, Side, Text};
+use crate::{DrawnShape, LabelSide, Point, Text};
 
 /// A name and the point that it belongs to.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +46,7 @@ const DISTANCES: [f64; 4] = [0.0, 1.0, 2.0, 3.0];
 
 /// The sides of the words of every frame, in their order. Words that are the same in several frames, counted among equal
 /// ones, keep their side; `unit` is the size of a symbol.
-pub fn sides(words: &[Vec<Words>], shapes: &[Vec<DrawnShape>], unit: f64) -> Vec<Vec<Side>> {
+pub fn sides(words: &[Vec<Words>], shapes: &[Vec<DrawnShape>], unit: f64) -> Vec<Vec<LabelSide>> {
     let names = names(words);
     let marks: Vec<Vec<Point>> = seen(shapes.len())
         .map(|frame| {
@@ -57,19 +57,19 @@ pub fn sides(words: &[Vec<Words>], shapes: &[Vec<DrawnShape>], unit: f64) -> Vec
         .collect();
     let frames: Vec<usize> = seen(shapes.len()).collect();
     let centre = centre(shapes.iter().flatten());
-    let mut chosen: Vec<Option<Side>> = vec![None; names.len()];
+    let mut chosen: Vec<Option<LabelSide>> = vec![None; names.len()];
     for name in 0..names.len() {
         let first = &words[names[name][0].0][names[name][0].1];
         if let Towards::Over(room) = first.towards
             && width(&first.text, unit) <= room
         {
-            chosen[name] = Some(Side::Over);
+            chosen[name] = Some(LabelSide::Over);
         }
     }
     let over = chosen.clone();
     for _ in 0..2 {
         for name in (0..names.len()).filter(|name| over[*name].is_none()) {
-            let price = |side: Side| -> f64 {
+            let price = |side: LabelSide| -> f64 {
                 let mut sum = 0.0;
                 for (frame, marks) in frames.iter().zip(&marks) {
                     let Some(one) = on(&names[name], *frame).map(|row| &words[*frame][row]) else { continue };
@@ -83,14 +83,15 @@ pub fn sides(words: &[Vec<Words>], shapes: &[Vec<DrawnShape>], unit: f64) -> Vec
                 let first = &words[names[name][0].0][names[name][0].1];
                 sum / frames.len().max(1) as f64 + turn(first, side, centre)
             };
-            chosen[name] = Side::AROUND
+            chosen[name] = LabelSide::AROUND
                 .into_iter()
                 .map(|side| (price(side), side))
                 .reduce(|best, next| if next.0 < best.0 - 1e-9 { next } else { best })
                 .map(|(_, side)| side);
         }
     }
-    let mut sides: Vec<Vec<Side>> = words.iter().map(|words| vec![Side::default(); words.len()]).collect();
+    let mut sides: Vec<Vec<LabelSide>> =
+        words.iter().map(|words| vec![LabelSide::default(); words.len()]).collect();
     for (places, side) in names.iter().zip(chosen) {
         for (frame, row) in places {
             sides[*frame][*row] = side.unwrap_or_default();
@@ -137,7 +138,7 @@ fn width(text: &Text, unit: f64) -> f64 {
 type Area = [f64; 4];
 
 /// The area of words at a side of their point.
-fn place(words: &Words, side: Side, distance: f64, unit: f64) -> Area {
+fn place(words: &Words, side: LabelSide, distance: f64, unit: f64) -> Area {
     let (wide, high) = (width(&words.text, unit), LINE * unit);
     let (x, y) = side.direction();
     let towards = |part: f64| if part.abs() < 0.1 { 0.0 } else { part.signum() };
@@ -152,7 +153,7 @@ fn place(words: &Words, side: Side, distance: f64, unit: f64) -> Area {
 }
 
 /// The price of what words would cover at a side: other words, and lines at the best distance from their point.
-fn covered(words: &Words, side: Side, marks: &[Point], others: &[Area], unit: f64) -> f64 {
+fn covered(words: &Words, side: LabelSide, marks: &[Point], others: &[Area], unit: f64) -> f64 {
     let on = |distance: f64| {
         let [left, bottom, right, top] = place(words, side, distance, unit);
         let inside = |at: &&Point| at.0 > left && at.0 < right && at.1 > bottom && at.1 < top;
@@ -165,7 +166,7 @@ fn covered(words: &Words, side: Side, marks: &[Point], others: &[Area], unit: f6
 }
 
 /// The price of a side that is not the wanted one.
-fn turn(words: &Words, side: Side, centre: Point) -> f64 {
+fn turn(words: &Words, side: LabelSide, centre: Point) -> f64 {
     let cos = |to: Point| {
         let (x, y) = side.direction();
         let length = to.0.hypot(to.1);

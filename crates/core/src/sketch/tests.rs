@@ -3,7 +3,7 @@ use std::f64::consts::TAU;
 use super::*;
 
 /// The words of a drawing with their sides.
-fn labels(drawing: &Drawing) -> Vec<(String, Side)> {
+fn labels(drawing: &Drawing) -> Vec<(String, LabelSide)> {
     let label = |shape: &DrawnShape| match shape {
         DrawnShape::Label(_, side, text) => Some((text.english(), *side)),
         _ => None,
@@ -11,7 +11,7 @@ fn labels(drawing: &Drawing) -> Vec<(String, Side)> {
     drawing.shapes.iter().filter_map(label).collect()
 }
 
-fn side(drawing: &Drawing, name: &str) -> Side {
+fn side(drawing: &Drawing, name: &str) -> LabelSide {
     labels(drawing).into_iter().find(|(words, _)| words == name).expect("the name is written").1
 }
 
@@ -35,7 +35,7 @@ fn linkage(mirror: f64) -> Drawing {
 
 #[test]
 fn a_name_stands_beyond_the_head_of_its_vector() {
-    for (n, wanted) in Side::AROUND.into_iter().enumerate() {
+    for (n, wanted) in LabelSide::AROUND.into_iter().enumerate() {
         let angle = TAU * n as f64 / 8.0;
         let drawing = Sketch::new("").force("F", (0.0, 0.0), (angle.cos(), angle.sin())).finish();
         assert_eq!(labels(&drawing), [("F".to_owned(), wanted)]);
@@ -47,16 +47,16 @@ fn a_name_stands_in_a_mass_that_is_wide_enough() {
     let mass = |width: f64| {
         Sketch::new("").mass("m", (0.0, 0.0), (width, 2.0)).ground((-5.0, 0.0), (5.0, 0.0)).finish()
     };
-    assert_eq!(side(&mass(2.0), "m"), Side::Over);
-    assert_ne!(side(&mass(0.1), "m"), Side::Over);
+    assert_eq!(side(&mass(2.0), "m"), LabelSide::Over);
+    assert_ne!(side(&mass(0.1), "m"), LabelSide::Over);
 }
 
 #[test]
 fn names_stand_beside_lines_and_not_on_them() {
     let drawing = Sketch::new("").ground((0.0, 0.0), (4.0, 0.0)).spring("k", (2.0, 0.0), (2.0, 3.0)).finish();
-    assert!(matches!(side(&drawing, "k"), Side::Left | Side::Right), "{drawing:?}");
+    assert!(matches!(side(&drawing, "k"), LabelSide::Left | LabelSide::Right), "{drawing:?}");
     let drawing = Sketch::new("").link("l", (0.0, 0.0), (4.0, 0.0)).axis((2.0, 0.0), (2.0, 3.0)).finish();
-    assert_eq!(side(&drawing, "l"), Side::Below, "the axis takes the place above");
+    assert_eq!(side(&drawing, "l"), LabelSide::Below, "the axis takes the place above");
 }
 
 #[test]
@@ -67,9 +67,9 @@ fn names_of_one_point_part() {
     for name in names {
         sketch.label(name, (1.0, 1.0));
     }
-    let mut sides: Vec<Side> = labels(&sketch.finish()).into_iter().map(|(_, side)| side).collect();
+    let mut sides: Vec<LabelSide> = labels(&sketch.finish()).into_iter().map(|(_, side)| side).collect();
     assert_eq!(sides.len(), names.len());
-    sides.sort_unstable_by_key(|side| Side::AROUND.iter().position(|one| one == side));
+    sides.sort_unstable_by_key(|side| LabelSide::AROUND.iter().position(|one| one == side));
     sides.dedup();
     assert_eq!(sides.len(), names.len(), "each at a side of its own");
 }
@@ -77,9 +77,9 @@ fn names_of_one_point_part() {
 #[test]
 fn a_sketch_has_the_same_sides_every_time_and_in_the_mirror_their_mirror() {
     assert_eq!(linkage(1.0), linkage(1.0));
-    let mirrored = |side: Side| {
+    let mirrored = |side: LabelSide| {
         let (x, y) = side.direction();
-        Side::AROUND
+        LabelSide::AROUND
             .into_iter()
             .find(|other| (other.direction().0 + x).hypot(other.direction().1 - y) < 1e-9)
             .unwrap_or(side)

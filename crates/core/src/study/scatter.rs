@@ -2,10 +2,10 @@
 
 use std::{f64::consts::TAU, thread};
 
-use super::{MOST_POINTS, Studied, fixed};
+use super::{MOST_POINTS, StudyResult, fixed};
 use crate::{
     Answer, Axis, Entry, Plot, Record, Refusal, Series, SolveError, Stop, Text, sensitivity,
-    vary::{self, Input, Perturbed},
+    vary::{self, Perturbed, VariedInput},
 };
 
 /// Samples are shared out among so many threads.
@@ -33,11 +33,11 @@ pub(super) fn scatter(
     distribution: Distribution,
     (samples, seed): (usize, u64),
     stop: &Stop,
-) -> Result<Studied, SolveError> {
+) -> Result<StudyResult, SolveError> {
     let again = || Perturbed::new(entry, record, vary::inputs(record), vec![answer.name.to_string()]);
     let inputs = again()?.inputs;
     let mut random = Random(seed);
-    let mut drawn = |input: &Input| {
+    let mut drawn = |input: &VariedInput| {
         input.si + sensitivity::tolerance(input, tolerances, usual) * random.within(distribution)
     };
     let points: Vec<Vec<(usize, f64)>> = (0..samples.clamp(FEWEST, MOST_POINTS))
@@ -64,12 +64,12 @@ pub(super) fn scatter(
     Ok(reported(answer, &values))
 }
 
-fn reported(answer: &Answer, values: &[f64]) -> Studied {
+fn reported(answer: &Answer, values: &[f64]) -> StudyResult {
     let mut sorted: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);
     let refused = values.len() - sorted.len();
     let unit = fixed(&answer.unit);
-    let mut says = Vec::new();
+    let mut remarks = Vec::new();
     let mut plot = None;
     let mut numbers = Vec::new();
     if sorted.len() >= 2 {
@@ -79,12 +79,12 @@ fn reported(answer: &Answer, values: &[f64]) -> Studied {
         let at = |share: f64| sorted[((share * (count - 1.0)).round() as usize).min(sorted.len() - 1)];
         let (low, high) = (at(0.025), at(0.975));
         numbers = vec![mean, deviation, low, high];
-        says.push(
+        remarks.push(
             Text::new("mean {mean}, standard deviation {deviation}")
                 .with_quantity("mean", mean, unit)
                 .with_quantity("deviation", deviation, unit),
         );
-        says.push(
+        remarks.push(
             Text::new("95 % interval: {low} to {high}")
                 .with_quantity("low", low, unit)
                 .with_quantity("high", high, unit),
@@ -92,11 +92,11 @@ fn reported(answer: &Answer, values: &[f64]) -> Studied {
         plot = histogram(answer, &sorted, (low, high));
     }
     if refused > 0 {
-        says.push(
+        remarks.push(
             Text::new("{refused} of {all} have no answer").with("refused", refused).with("all", values.len()),
         );
     }
-    Studied { says, plot, numbers }
+    StudyResult { remarks, plot, numbers }
 }
 
 fn histogram(answer: &Answer, sorted: &[f64], (low, high): (f64, f64)) -> Option<Plot> {

@@ -2,7 +2,7 @@
 
 use dalembert_units as units;
 
-use super::{Characteristic, Function, Skipped, functions};
+use super::{Characteristic, Skipped, UffFunction, functions};
 use crate::{Field, Shape, Text};
 
 /// The most remarks that are written over a table.
@@ -46,7 +46,7 @@ pub fn table(
             None => Text::new("this universal file has no function that can be read"),
         });
     }
-    let chosen: Vec<(usize, &Function)> = match which {
+    let chosen: Vec<(usize, &UffFunction)> = match which {
         Some(which) => match which.checked_sub(1).and_then(|at| found.get(at)) {
             Some(function) => vec![(which - 1, function)],
             None => {
@@ -101,7 +101,7 @@ pub(crate) fn text_table(text: &str, columns: &'static [Field]) -> Result<String
 }
 
 /// Remarks, and the rows under their heading of units.
-fn rows(function: &Function, columns: &'static [Field]) -> Result<(Vec<String>, String), Text> {
+fn rows(function: &UffFunction, columns: &'static [Field]) -> Result<(Vec<String>, String), Text> {
     let own: Vec<units::Unit> = columns
         .iter()
         .map(|column| match column.shape {
@@ -172,7 +172,7 @@ fn fits(unit: &str, own: &units::Unit, label: &'static str) -> Result<(), Text> 
 }
 
 /// The unit of the ordinate, and whether part of it is assumed; `None` where the file does not say what it is.
-fn ordinate(function: &Function) -> Option<(String, bool)> {
+fn ordinate(function: &UffFunction) -> Option<(String, bool)> {
     let (top, top_assumed) = unit_of(&function.ordinate)?;
     let (below, below_assumed) = match function.denominator.kind {
         0 => ("1".to_owned(), false),

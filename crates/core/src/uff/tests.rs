@@ -22,14 +22,14 @@ fn head(binary: &str, form: [i64; 3], start: f64, step: f64, ordinate: (i64, &st
 const POINTS: [[f64; 3]; 3] =
     [[5.0, 1.0237e-4, -8.5187e-6], [5.5, 4.5066e-4, -7.7914e-4], [6.0, -9.4101e-5, -1.0585e-5]];
 
-fn only(bytes: &[u8]) -> Function {
+fn only(bytes: &[u8]) -> UffFunction {
     let (mut found, skipped) = functions(bytes);
     assert!(skipped.is_empty(), "{skipped:?}");
     assert_eq!(found.len(), 1);
     found.remove(0)
 }
 
-fn near(function: &Function, relative: f64) {
+fn near(function: &UffFunction, relative: f64) {
     assert_eq!(function.points.len(), POINTS.len());
     for (ours, wanted) in function.points.iter().flatten().zip_eq(POINTS.iter().flatten()) {
         assert!((ours - wanted).abs() <= relative * wanted.abs(), "{ours} is not {wanted}");

@@ -3,7 +3,7 @@
 use std::{path::Path, process::ExitCode};
 
 use dalembert_core::{Language, Text, cases, registry};
-use dalembert_report::{Block, Document, Line};
+use dalembert_report::{Block, Document, NamedValue};
 use dalembert_tui::{
     files,
     glyphs::{Colors, Glyphs, PlotMarker},
@@ -14,7 +14,8 @@ use crate::{Set, console::Console, failure::Failure};
 /// Shows what somebody who helps from afar asks for first.
 pub(crate) fn run(set: &Set, console: &Console) -> Result<ExitCode, Failure> {
     let say = |words: &'static str| Text::from(words).render(&console.locale);
-    let line = |label: &'static str, value: String| Line { label: say(label), value, ..Line::default() };
+    let line =
+        |label: &'static str, value: String| NamedValue { label: say(label), value, ..NamedValue::default() };
     let cases: usize =
         registry().iter().map(|entry| cases::cases(entry).map_or(0, |cases| cases.len())).sum();
     let kept = files::autosave_path();

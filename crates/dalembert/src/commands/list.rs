@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use dalembert_core::{Entry, Locale, Text, cases, registry};
-use dalembert_report::{Block, Document, Line};
+use dalembert_report::{Block, Document, NamedValue};
 use serde_json::{Value as Json, json};
 
 use crate::{
@@ -26,10 +26,10 @@ pub(crate) fn run(list: &List, console: &Console) -> Result<ExitCode, Failure> {
     let mut blocks = Vec::new();
     for family in found.chunk_by(|a, b| a.family() == b.family()) {
         blocks.push(Block::Heading(family[0].family().to_owned()));
-        let line = |entry: &&'static Entry| Line {
+        let line = |entry: &&'static Entry| NamedValue {
             label: entry.about.id.to_owned(),
             value: Text::from(entry.about.title).render(&console.locale),
-            ..Line::default()
+            ..NamedValue::default()
         };
         blocks.push(Block::Lines(family.iter().map(line).collect()));
     }

@@ -11,7 +11,7 @@ use dalembert_tui::{
     files::{self, Before},
     glyphs::Glyphs,
     keys::KeyMap,
-    replay::{self, Played, Replay as Session},
+    replay::{self, Replay as Session, ReplayResult},
     settings::Settings,
 };
 
@@ -29,9 +29,9 @@ pub(crate) fn run(asked: &Replay, set: Set, console: &Console) -> Result<ExitCod
     let folder = asked.file.parent().unwrap_or(Path::new(""));
     if asked.headless {
         let played = match replay::play(&session, folder) {
-            Err(replay::Failure::NotSeen { line, text, screen }) => {
+            Err(replay::ReplayFailure::NotSeen { line, text, screen }) => {
                 print(&screen)?;
-                return Err(unmet(&replay::Failure::NotSeen { line, text, screen }));
+                return Err(unmet(&replay::ReplayFailure::NotSeen { line, text, screen }));
             }
             played => played.map_err(|failure| unmet(&failure))?,
         };
@@ -68,15 +68,15 @@ pub(crate) fn run(asked: &Replay, set: Set, console: &Console) -> Result<ExitCod
 
 /// Exit status of a failed replay: bad input if something could not be opened, a failed check if an expected text is
 /// not on the screen.
-fn unmet(failure: &replay::Failure) -> Failure {
+fn unmet(failure: &replay::ReplayFailure) -> Failure {
     match failure {
-        replay::Failure::NothingToOpen(_) => Failure::input(failure.text()),
+        replay::ReplayFailure::NothingToOpen(_) => Failure::input(failure.text()),
         _ => Failure::Unmet(failure.text()),
     }
 }
 
 /// The marked screens one after the other, each under its name; without any, the last one.
-fn shown(played: &Played) -> String {
+fn shown(played: &ReplayResult) -> String {
     match played.pictures.as_slice() {
         [] => played.last.clone(),
         pictures => {
@@ -86,7 +86,7 @@ fn shown(played: &Played) -> String {
     }
 }
 
-fn keep(played: &Played, folder: &Path) -> Result<(), Failure> {
+fn keep(played: &ReplayResult, folder: &Path) -> Result<(), Failure> {
     if played.pictures.is_empty() {
         return Err(Failure::input(Text::new("the session marks no screenshot; add `picture NAME` to it")));
     }

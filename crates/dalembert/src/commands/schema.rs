@@ -4,7 +4,7 @@
 
 use std::process::ExitCode;
 
-use dalembert_core::{ChildList, Entry, Field, Limit, Locale, Measure, Shape, Text, Variant};
+use dalembert_core::{ChildList, Entry, Field, FieldLimit, Locale, Measure, Shape, Text, Variant};
 use serde_json::{Map, Value as Json, json};
 
 use crate::{
@@ -141,14 +141,14 @@ impl Writer<'_> {
 
     /// The definition of the child list of a shape, written where they are first met.
     fn defined(&mut self, shape: &Shape, name: &str, write: impl FnOnce(&mut Self) -> Json) -> Json {
-        let Some(insides) = shape.insides() else { return write(self) };
-        let known = self.known.iter().find(|(known, _)| *known == insides).map(|(_, name)| name.clone());
+        let Some(child_list) = shape.child_list() else { return write(self) };
+        let known = self.known.iter().find(|(known, _)| *known == child_list).map(|(_, name)| name.clone());
         let name = known.unwrap_or_else(|| {
             let taken = |name: &String| self.known.iter().any(|(_, known)| known == name);
             let numbered = std::iter::once(name.to_owned()).chain((2..).map(|n| format!("{name}-{n}")));
             let free = numbered.into_iter().find(|name| !taken(name)).unwrap_or_default();
             // Known before it is written, so that it can name itself.
-            self.known.push((insides, free.clone()));
+            self.known.push((child_list, free.clone()));
             let definition = write(self);
             self.definitions.insert(free.clone(), definition);
             free
@@ -162,14 +162,14 @@ fn quantity(measure: &Measure) -> Json {
     let mut schema = json!({ "type": ["string", "number"] });
     if let Json::Object(schema) = &mut schema {
         match measure.min {
-            Limit::None => {}
-            Limit::Including(least) => drop(schema.insert("minimum".into(), least.into())),
-            Limit::Excluding(least) => drop(schema.insert("exclusiveMinimum".into(), least.into())),
+            FieldLimit::None => {}
+            FieldLimit::Including(least) => drop(schema.insert("minimum".into(), least.into())),
+            FieldLimit::Excluding(least) => drop(schema.insert("exclusiveMinimum".into(), least.into())),
         }
         match measure.max {
-            Limit::None => {}
-            Limit::Including(most) => drop(schema.insert("maximum".into(), most.into())),
-            Limit::Excluding(most) => drop(schema.insert("exclusiveMaximum".into(), most.into())),
+            FieldLimit::None => {}
+            FieldLimit::Including(most) => drop(schema.insert("maximum".into(), most.into())),
+            FieldLimit::Excluding(most) => drop(schema.insert("exclusiveMaximum".into(), most.into())),
         }
         let units = measure.all().map(|measure| measure.own_unit().ascii());
         let examples: Vec<String> =

@@ -3,11 +3,11 @@
 use std::process::ExitCode;
 
 use dalembert_core::{
-    ChildList, Entry, Field, Limit, Locale, Measure, Shape, Stop, Text, Variant,
-    cases::{self, Case, Hold, Seen},
+    ChildList, Entry, Field, FieldLimit, Locale, Measure, Shape, Stop, Text, Variant,
+    cases::{self, Case, ComparisonRule, Seen},
     table,
 };
-use dalembert_report::{Block, Document, Line};
+use dalembert_report::{Block, Document, NamedValue};
 use dalembert_units as units;
 use serde_json::{Map, Value as Json, json};
 
@@ -65,13 +65,13 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
     let say = |words: &'static str| Text::from(words).render(locale);
     let mut inputs = Vec::new();
     Lister { locale, lines: &mut inputs, described: Described::default() }.fields(entry.fields(), "", 0);
-    let answer = |promise: &Promise| Line {
+    let answer = |promise: &Promise| NamedValue {
         label: promise.name.clone(),
         value: match promise.unit.pretty() {
             unit if unit.is_empty() => promise.label.clone(),
             unit => format!("{} [{unit}]", promise.label),
         },
-        ..Line::default()
+        ..NamedValue::default()
     };
     let case = |(n, case): (usize, &Case)| {
         let [name, source, note] = [&case.title(), &case.source, &case.note].map(|text| text.render(locale));
@@ -116,11 +116,11 @@ struct Described(Vec<(ChildList, String)>);
 impl Described {
     /// Path at which the child list of the shape was described; if it was not yet, it is recorded at `path`.
     fn before(&mut self, shape: &Shape, path: &str) -> Option<String> {
-        let insides = shape.insides()?;
-        let known = self.0.iter().find(|(known, _)| insides.parts > 1 && *known == insides);
+        let child_list = shape.child_list()?;
+        let known = self.0.iter().find(|(known, _)| child_list.parts > 1 && *known == child_list);
         let first = known.map(|(_, first)| first.clone());
         if first.is_none() {
-            self.0.push((insides, path.to_owned()));
+            self.0.push((child_list, path.to_owned()));
         }
         first
     }
@@ -129,7 +129,7 @@ impl Described {
 /// Writes fields as lines, each with its key and what may stand there.
 struct Lister<'l> {
     locale: &'l Locale,
-    lines: &'l mut Vec<Line>,
+    lines: &'l mut Vec<NamedValue>,
     described: Described,
 }
 
@@ -139,7 +139,7 @@ impl Lister<'_> {
     }
 
     fn line(&mut self, depth: usize, label: String, value: String) {
-        self.lines.push(Line { depth, label, value, ..Line::default() });
+        self.lines.push(NamedValue { depth, label, value, ..NamedValue::default() });
     }
 
     fn fields(&mut self, fields: &'static [Field], above: &str, depth: usize) {
@@ -225,14 +225,14 @@ fn quantity(measure: &Measure, locale: &Locale) -> String {
         format!(", {}", Text::new(words).with("limit", limit).render(locale))
     };
     let least = match measure.min {
-        Limit::None => String::new(),
-        Limit::Including(least) => limit("at least {limit}", least),
-        Limit::Excluding(least) => limit("above {limit}", least),
+        FieldLimit::None => String::new(),
+        FieldLimit::Including(least) => limit("at least {limit}", least),
+        FieldLimit::Excluding(least) => limit("above {limit}", least),
     };
     let most = match measure.max {
-        Limit::None => String::new(),
-        Limit::Including(most) => limit("at most {limit}", most),
-        Limit::Excluding(most) => limit("below {limit}", most),
+        FieldLimit::None => String::new(),
+        FieldLimit::Including(most) => limit("at most {limit}", most),
+        FieldLimit::Excluding(most) => limit("below {limit}", most),
     };
     format!("{unit}{least}{most}")
 }
@@ -242,14 +242,14 @@ fn described(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale
     let say = |words: &'static str| Text::from(words).render(locale);
     let case = |case: &Case| {
         let expected = |expected: &cases::Expected| {
-            let (how, why, ours) = match &expected.how {
-                Hold::ToTheLastPlace => ("to the last place", String::new(), None),
-                Hold::Computed => ("to the last place, and to four digits", String::new(), None),
-                Hold::Within(_, why) => ("within", why.english(), None),
-                Hold::Disputed { why, ours } => ("disputed", why.english(), Some(ours)),
+            let (how, why, computed) = match &expected.how {
+                ComparisonRule::ToTheLastPlace => ("to the last place", String::new(), None),
+                ComparisonRule::Computed => ("to the last place, and to four digits", String::new(), None),
+                ComparisonRule::Within(_, why) => ("within", why.english(), None),
+                ComparisonRule::Disputed { why, computed } => ("disputed", why.english(), Some(computed)),
             };
             let printed = &expected.printed;
-            let held = json!({ "printed": printed, "held": how, "why": why, "ours": ours });
+            let held = json!({ "printed": printed, "held": how, "why": why, "ours": computed });
             (expected.answer.clone(), held)
         };
         json!({
@@ -313,10 +313,10 @@ fn shape(shape: &Shape, locale: &Locale, path: &str, described: &mut Described) 
         };
         return json!({ "kind": kind, "like": first });
     }
-    let limit = |limit: Limit| match limit {
-        Limit::None => Json::Null,
-        Limit::Including(value) => json!({ "value": value, "included": true }),
-        Limit::Excluding(value) => json!({ "value": value, "included": false }),
+    let limit = |limit: FieldLimit| match limit {
+        FieldLimit::None => Json::Null,
+        FieldLimit::Including(value) => json!({ "value": value, "included": true }),
+        FieldLimit::Excluding(value) => json!({ "value": value, "included": false }),
     };
     match shape {
         Shape::Quantity(measure) => {

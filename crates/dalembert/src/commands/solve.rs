@@ -3,7 +3,9 @@
 use std::{ffi::OsStr, path::Path, process::ExitCode};
 
 use dalembert_core::{Locale, Solution, Text};
-use dalembert_report::{Paper, Worked, csv, csv_tables, document, json, json_text, show_answer_in, text};
+use dalembert_report::{
+    DocumentFormat, WorkedProblem, csv, csv_tables, document, json, json_text, show_answer_in, text,
+};
 use dalembert_tui::glyphs::filter_untrusted;
 use dalembert_units as units;
 
@@ -12,7 +14,7 @@ use crate::{
     console::{Console, print},
     failure::Failure,
     output,
-    problem::{self, Asked, Problem},
+    problem::{self, LoadedProblem, ProblemSource},
     solving,
 };
 
@@ -21,7 +23,8 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
     if let Some(output) = &solve.output {
         output::allowed(output, Path::new(&solve.problem), solve.force)?;
     }
-    let asked = Asked { named: &solve.problem, case: solve.case, changes: &solve.set, strict: solve.strict };
+    let asked =
+        ProblemSource { named: &solve.problem, case: solve.case, changes: &solve.set, strict: solve.strict };
     let mut problem = problem::read(&asked, console)?;
     for asked in &solve.unit {
         let (answer, unit) = asked.split_once('=').ok_or_else(|| {
@@ -35,11 +38,11 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
     let outcome = outcome(&problem)?;
     let worked = worked(&problem, &outcome);
     let paper = match format(solve) {
-        Format::Text => Paper::Text,
-        Format::Markdown => Paper::Markdown,
-        Format::Html => Paper::Html,
-        Format::Latex => Paper::Latex,
-        Format::Typst => Paper::Typst,
+        Format::Text => DocumentFormat::Text,
+        Format::Markdown => DocumentFormat::Markdown,
+        Format::Html => DocumentFormat::Html,
+        Format::Latex => DocumentFormat::Latex,
+        Format::Typst => DocumentFormat::Typst,
         Format::Json => {
             put(solve, &json_text(&json(&worked, &locale)))?;
             return status(&worked, console);
@@ -50,12 +53,12 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         }
     };
     // Formulas are set as mathematics, of which ASCII has none; LaTeX is ASCII but for accents anyway.
-    let set = matches!(paper, Paper::Html | Paper::Latex | Paper::Typst);
+    let set = matches!(paper, DocumentFormat::Html | DocumentFormat::Latex | DocumentFormat::Typst);
     locale.style.ascii &= !set;
     let plain = |words: &str| if set { filter_untrusted(words).into_owned() } else { console.plain(words) };
     let document = document(&worked, &locale).map(&plain);
     match &solve.output {
-        _ if paper == Paper::Text => put(solve, &text(&document, console.width))?,
+        _ if paper == DocumentFormat::Text => put(solve, &text(&document, console.width))?,
         None => print(&paper.write(&document, None, &locale))?,
         Some(path) => {
             let files = paper.files(&document, path, &locale).unwrap_or_default();
@@ -76,11 +79,11 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
 fn format(solve: &Solve) -> Format {
     solve.format.unwrap_or_else(|| {
         let path = solve.output.as_deref().unwrap_or(Path::new(""));
-        match (Paper::of(path), path.extension().and_then(OsStr::to_str)) {
-            (Some(Paper::Markdown), _) => Format::Markdown,
-            (Some(Paper::Html), _) => Format::Html,
-            (Some(Paper::Latex), _) => Format::Latex,
-            (Some(Paper::Typst), _) => Format::Typst,
+        match (DocumentFormat::of(path), path.extension().and_then(OsStr::to_str)) {
+            (Some(DocumentFormat::Markdown), _) => Format::Markdown,
+            (Some(DocumentFormat::Html), _) => Format::Html,
+            (Some(DocumentFormat::Latex), _) => Format::Latex,
+            (Some(DocumentFormat::Typst), _) => Format::Typst,
             (_, Some("json")) => Format::Json,
             (_, Some("csv")) => Format::Csv,
             _ => Format::Text,
@@ -97,7 +100,7 @@ fn put(solve: &Solve, text: &str) -> Result<(), Failure> {
 }
 
 /// Prints the worked solution of a problem on the screen.
-pub(crate) fn print_worked(problem: &Problem, console: &Console) -> Result<ExitCode, Failure> {
+pub(crate) fn print_worked(problem: &LoadedProblem, console: &Console) -> Result<ExitCode, Failure> {
     let outcome = outcome(problem)?;
     let worked = worked(problem, &outcome);
     console.print(document(&worked, &console.locale))?;
@@ -105,7 +108,7 @@ pub(crate) fn print_worked(problem: &Problem, console: &Console) -> Result<ExitC
 }
 
 /// Solves a problem, with answers in the requested units.
-fn outcome(problem: &Problem) -> Result<solving::Outcome, Failure> {
+fn outcome(problem: &LoadedProblem) -> Result<solving::SolveOutcome, Failure> {
     let mut outcome = solving::solve(problem.entry, &problem.record)?;
     if let Ok(solution) = &mut outcome {
         for (answer, unit) in &problem.show {
@@ -115,8 +118,8 @@ fn outcome(problem: &Problem) -> Result<solving::Outcome, Failure> {
     Ok(outcome)
 }
 
-fn worked<'p>(problem: &'p Problem, outcome: &'p solving::Outcome) -> Worked<'p> {
-    Worked {
+fn worked<'p>(problem: &'p LoadedProblem, outcome: &'p solving::SolveOutcome) -> WorkedProblem<'p> {
+    WorkedProblem {
         entry: problem.entry,
         case: &problem.name,
         source: &problem.source,
@@ -128,7 +131,7 @@ fn worked<'p>(problem: &'p Problem, outcome: &'p solving::Outcome) -> Worked<'p>
     }
 }
 
-fn spreadsheet(worked: &Worked<'_>, table: &str, locale: &Locale) -> Result<String, Failure> {
+fn spreadsheet(worked: &WorkedProblem<'_>, table: &str, locale: &Locale) -> Result<String, Failure> {
     csv(worked, table, locale).ok_or_else(|| {
         let why = Text::new("there is no table `{table}`; write one of {known}");
         Failure::input(why.with("table", table).with("known", csv_tables(worked).join(", ")))
@@ -136,7 +139,7 @@ fn spreadsheet(worked: &Worked<'_>, table: &str, locale: &Locale) -> Result<Stri
 }
 
 /// 1 for a refusal, a failed check or a defect, each of which is said on standard error.
-fn status(worked: &Worked<'_>, console: &Console) -> Result<ExitCode, Failure> {
+fn status(worked: &WorkedProblem<'_>, console: &Console) -> Result<ExitCode, Failure> {
     let solution = worked.outcome.map_err(|why| Failure::Refused(why.clone()))?;
     let complaints = complaints(solution, &console.locale.at(worked.entry.about.id));
     for line in &complaints {

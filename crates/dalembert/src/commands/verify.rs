@@ -6,9 +6,9 @@ use std::process::ExitCode;
 
 use dalembert_core::{
     Entry, Text,
-    cases::{self, Case, Outcome, Seen, Truth, Verdict},
+    cases::{self, Case, Comparison, Seen, Truth, Verdict},
 };
-use dalembert_report::{Block, Document, Line};
+use dalembert_report::{Block, Document, NamedValue};
 use serde_json::json;
 
 use crate::{
@@ -76,9 +76,9 @@ impl Counts {
         let mut counts = Self::default();
         for verdict in held.into_iter().flat_map(|case| &case.verdicts) {
             match verdict.outcome {
-                Outcome::Agreed => counts.agreed += 1,
-                Outcome::Disputed => counts.disputed += 1,
-                Outcome::Differing => counts.differing += 1,
+                Comparison::Agreed => counts.agreed += 1,
+                Comparison::Disputed => counts.disputed += 1,
+                Comparison::Differing => counts.differing += 1,
             }
         }
         counts
@@ -106,8 +106,8 @@ fn held(entry: &'static Entry) -> Vec<Held> {
         vec![Verdict {
             answer: String::new(),
             printed: String::new(),
-            ours: String::new(),
-            outcome: Outcome::Differing,
+            computed: String::new(),
+            outcome: Comparison::Differing,
             why: Text::verbatim(why),
         }]
     };
@@ -152,7 +152,7 @@ fn rows(held: &[Held], counts: &Counts) -> serde_json::Value {
                 "seen": case.seen.map(Seen::name),
                 "answer": verdict.answer,
                 "printed": verdict.printed,
-                "ours": verdict.ours,
+                "ours": verdict.computed,
                 "verdict": verdict.outcome.name(),
                 "why": verdict.why.english(),
             })
@@ -193,24 +193,24 @@ fn document(held: &[Held], counts: &Counts, console: &Console) -> Document {
             for verdict in &case.verdicts {
                 let both = Text::new("published {printed}, computed {ours}")
                     .with("printed", &verdict.printed)
-                    .with("ours", &verdict.ours);
-                lines.push(Line {
+                    .with("ours", &verdict.computed);
+                lines.push(NamedValue {
                     label: format!("{:widest$}  {}", say(verdict.outcome.name()), verdict.answer),
                     value: render(&both),
-                    ..Line::default()
+                    ..NamedValue::default()
                 });
                 if !verdict.why.is_empty() {
-                    lines.push(Line { depth: 2, label: render(&verdict.why), ..Line::default() });
+                    lines.push(NamedValue { depth: 2, label: render(&verdict.why), ..NamedValue::default() });
                 }
             }
             blocks.push(Block::Lines(lines));
         }
     }
     let locale = &console.locale;
-    let of_kind = |(kind, counts): (&'static str, Counts)| Line {
+    let of_kind = |(kind, counts): (&'static str, Counts)| NamedValue {
         label: if kind.is_empty() { String::new() } else { Text::from(kind).render(locale) },
         value: counts.words().render(locale),
-        ..Line::default()
+        ..NamedValue::default()
     };
     blocks.push(Block::Lines(by_kind(held).map(of_kind).collect()));
     blocks.push(Block::Paragraph(counts.words().render(locale)));

@@ -14,7 +14,7 @@ use crate::{
     commands::solve::print_worked,
     console::Console,
     failure::Failure,
-    problem::{self, Asked},
+    problem::{self, ProblemSource},
 };
 
 /// The problem that the workbench opens on, and that is printed where there is no terminal, when none is named.
@@ -24,7 +24,7 @@ const FIRST: &str = "vibration/rotating-unbalance";
 pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, Failure> {
     let named = arguments.problem.as_deref();
     if !console.interactive {
-        let asked = Asked { named: named.unwrap_or(FIRST), case: None, changes: &[], strict: false };
+        let asked = ProblemSource { named: named.unwrap_or(FIRST), case: None, changes: &[], strict: false };
         return print_worked(&problem::read(&asked, console)?, console);
     }
     if let Some(path) = &arguments.record {

@@ -4,7 +4,7 @@
 
 use crate::{
     four_bar::{self, FourBar, Links},
-    linkage::{Point, Turning},
+    linkage::{LinkRotation, PointMotion},
     slider_crank,
 };
 
@@ -14,7 +14,7 @@ const MIN_TRANSMISSION: f64 = 1e-9;
 
 /// A rigid link: its mass, where its centre is, and its moment of inertia about it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Link {
+pub struct LinkInertia {
     /// Mass, kg.
     pub mass: f64,
     /// Distance of the centre of mass from the first pin of the link, m.
@@ -37,7 +37,7 @@ pub enum Follower {
         /// True for the crossed assembly, with the pins of coupler and rocker below the frame.
         crossed: bool,
         /// The rocker itself; its first pin is the fixed one.
-        link: Link,
+        link: LinkInertia,
     },
     /// A slider that moves along x at the height `offset`.
     Slider {
@@ -56,9 +56,9 @@ pub struct Linkage {
     /// Length of the coupler, m.
     pub coupler: f64,
     /// The crank; its first pin is the fixed one.
-    pub crank_link: Link,
+    pub crank_link: LinkInertia,
     /// The coupler; its first pin is that of the crank.
-    pub coupler_link: Link,
+    pub coupler_link: LinkInertia,
     /// The third moving link.
     pub follower: Follower,
 }
@@ -90,8 +90,8 @@ pub struct Pose {
     pub transmission: f64,
     speed: f64,
     /// Rotation of the links and motion of their first pins as functions of the crank angle.
-    links: [Turning<f64>; 3],
-    starts: [Point<f64>; 3],
+    links: [LinkRotation<f64>; 3],
+    starts: [PointMotion<f64>; 3],
 }
 
 /// Shaking force and moment on the frame, and driving torque of the crank.
@@ -127,7 +127,7 @@ impl Linkage {
                 let ahead = slider_crank::Branch::Ahead;
                 let slider_crank::Links { crank, crank_pin, rod, .. } =
                     slider_crank::links(self.crank, self.coupler, offset, ahead, angle);
-                let still = Turning { direction: [1.0, 0.0], first: 0.0, second: 0.0 };
+                let still = LinkRotation { direction: [1.0, 0.0], first: 0.0, second: 0.0 };
                 ([crank, rod, still], crank_pin, None)
             }
         };
@@ -145,7 +145,7 @@ impl Linkage {
             transmission,
             speed,
             links,
-            starts: [Point::fixed([0.0; 2]), crank_pin, fixed.map_or(coupler_pin, Point::fixed)],
+            starts: [PointMotion::fixed([0.0; 2]), crank_pin, fixed.map_or(coupler_pin, PointMotion::fixed)],
         })
     }
 
@@ -161,7 +161,7 @@ impl Linkage {
             let (start, turning) = (pose.starts[link], pose.links[link]);
             let (velocity, acceleration) = (turning.first * speed, turning.second * square);
             let along = [distance * angle.cos(), distance * angle.sin()];
-            let Point { at, first, second } = start.to(turning, along);
+            let PointMotion { at, first, second } = start.to(turning, along);
             let (v, a) = (first.map(|x| x * speed), second.map(|x| x * square));
             let force = [-mass * a[0], -mass * a[1]];
             sum.force[0] += force[0];
@@ -177,13 +177,13 @@ impl Linkage {
             *load = [load[0] + force[0], load[1] + force[1]];
             *moment += arm[0] * force[1] - arm[1] * force[0] - inertia * acceleration;
         };
-        let mut add_link = |n, link: Link| add(n, link.mass, link.distance, link.offset, link.inertia);
+        let mut add_link = |n, link: LinkInertia| add(n, link.mass, link.distance, link.offset, link.inertia);
         add_link(0, self.crank_link);
         add_link(1, self.coupler_link);
         match self.follower {
             Follower::Rocker { link, .. } => add_link(2, link),
             Follower::Slider { mass, .. } => {
-                add_link(2, Link { mass, distance: 0.0, offset: 0.0, inertia: 0.0 });
+                add_link(2, LinkInertia { mass, distance: 0.0, offset: 0.0, inertia: 0.0 });
             }
         }
         for c in counterweights {

@@ -80,7 +80,7 @@ pub fn equivalent_in_second<S: Real>(
 
 /// Class of unbalance of a rigid rotor, by the names of ISO 21940-2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum UnbalanceKind {
     /// None.
     Balanced,
     /// The principal axis is parallel to the shaft: a resultant through the centre of mass, no couple about it.
@@ -95,7 +95,7 @@ pub enum Kind {
 
 /// The kind of the unbalance of a rotor with its centre of mass at a position along the shaft. What is below
 /// `tolerance` of the sum of all unbalances counts as zero; moments are compared with the length of the rotor.
-pub fn kind(unbalances: &[PlaneUnbalance], centre_of_mass: f64, tolerance: f64) -> Kind {
+pub fn kind(unbalances: &[PlaneUnbalance], centre_of_mass: f64, tolerance: f64) -> UnbalanceKind {
     let size = |v: [f64; 2]| v[0].hypot(v[1]);
     let sum = |weight: &dyn Fn(&PlaneUnbalance) -> f64| {
         [0, 1].map(|axis| unbalances.iter().map(|u| weight(u) * u.components[axis]).sum::<f64>())
@@ -108,10 +108,10 @@ pub fn kind(unbalances: &[PlaneUnbalance], centre_of_mass: f64, tolerance: f64) 
     let without_moment = size(moment) <= tolerance * all * length;
     let cross = (force[0] * moment[1] - force[1] * moment[0]).abs();
     match (without_force, without_moment) {
-        (true, true) => Kind::Balanced,
-        (true, false) => Kind::Couple,
-        (false, true) => Kind::Static,
-        (false, false) if cross <= tolerance * size(force) * all * length => Kind::QuasiStatic,
-        (false, false) => Kind::Dynamic,
+        (true, true) => UnbalanceKind::Balanced,
+        (true, false) => UnbalanceKind::Couple,
+        (false, true) => UnbalanceKind::Static,
+        (false, false) if cross <= tolerance * size(force) * all * length => UnbalanceKind::QuasiStatic,
+        (false, false) => UnbalanceKind::Dynamic,
     }
 }

@@ -15,7 +15,7 @@ pub struct PartlyKnown {
 
 /// A mass of a balanced rotor.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Known {
+pub struct RotorMass {
     /// Mass times radius, kg·m, not negative.
     pub product: f64,
     /// Angle, rad, in `[0, 2π)` where it was unknown.
@@ -72,7 +72,7 @@ pub enum UnknownsError {
 
 /// Unknown of a mass, and the form in which it enters the equations.
 #[derive(Clone, Copy)]
-enum Sought {
+enum UnknownKind {
     /// Component along x (0) or y (1): mr product and angle both unknown.
     Component(usize),
     /// Product mr, at a known angle and position.
@@ -89,7 +89,7 @@ enum Sought {
 
 /// A mass in units of the largest product and of half the length, as the iteration changes it.
 #[derive(Clone, Copy)]
-struct State {
+struct UnknownRotor {
     unbalance: [f64; 2],
     /// Position, or for an unknown product at an unknown position nothing.
     position: f64,
@@ -112,7 +112,7 @@ struct State {
 pub fn balance_unknowns(
     masses: &[PartlyKnown],
     vanishing: Vanishing,
-) -> Result<Vec<Vec<Known>>, UnknownsError> {
+) -> Result<Vec<Vec<RotorMass>>, UnknownsError> {
     let both = vanishing == Vanishing::ForceAndCouple;
     let equations = if both { 4 } else { 2 };
     let unknowns = masses.iter().map(|m| {
@@ -154,19 +154,19 @@ pub fn balance_unknowns(
     let scaled: Vec<PartlyKnown> = masses.iter().map(own).collect();
     let search = Search { masses: &scaled, sought: sought(&scaled), equations };
     let solutions = search.solutions()?;
-    let back = |states: Vec<State>| {
-        let one = |(m, s): (&PartlyKnown, State)| {
+    let back = |states: Vec<UnknownRotor>| {
+        let one = |(m, s): (&PartlyKnown, UnknownRotor)| {
             let size = s.unbalance[0].hypot(s.unbalance[1]);
-            Known {
+            RotorMass {
                 product: m.product.unwrap_or(size * scale),
                 angle: m.angle.unwrap_or_else(|| s.unbalance[1].atan2(s.unbalance[0]).rem_euclid(TAU)),
                 position: m.position.unwrap_or(middle + half * s.position),
             }
         };
-        masses.iter().zip(states).map(one).collect::<Vec<Known>>()
+        masses.iter().zip(states).map(one).collect::<Vec<RotorMass>>()
     };
-    let mut all: Vec<Vec<Known>> = solutions.into_iter().map(back).collect();
-    let order = |solution: &[Known]| {
+    let mut all: Vec<Vec<RotorMass>> = solutions.into_iter().map(back).collect();
+    let order = |solution: &[RotorMass]| {
         let angles = masses.iter().zip(solution).filter(|(m, _)| m.angle.is_none()).map(|(_, k)| k.angle);
         angles.chain(solution.iter().map(|k| (k.position - middle) / half)).collect::<Vec<f64>>()
     };
@@ -178,18 +178,18 @@ pub fn balance_unknowns(
     Ok(all)
 }
 
-fn sought(masses: &[PartlyKnown]) -> Vec<(usize, Sought)> {
+fn sought(masses: &[PartlyKnown]) -> Vec<(usize, UnknownKind)> {
     let of = |(row, m): (usize, &PartlyKnown)| {
         let mut all = Vec::new();
         match (m.product, m.angle, m.position) {
-            (None, None, _) => all.extend([Sought::Component(0), Sought::Component(1)]),
-            (None, Some(_), Some(_)) => all.push(Sought::Product),
-            (None, Some(_), None) => all.extend([Sought::Force, Sought::Moment]),
-            (Some(_), None, _) => all.push(Sought::Angle),
+            (None, None, _) => all.extend([UnknownKind::Component(0), UnknownKind::Component(1)]),
+            (None, Some(_), Some(_)) => all.push(UnknownKind::Product),
+            (None, Some(_), None) => all.extend([UnknownKind::Force, UnknownKind::Moment]),
+            (Some(_), None, _) => all.push(UnknownKind::Angle),
             (Some(_), Some(_), _) => {}
         }
         if m.position.is_none() && !(m.product.is_none() && m.angle.is_some()) {
-            all.push(Sought::Position);
+            all.push(UnknownKind::Position);
         }
         all.into_iter().map(move |what| (row, what)).collect::<Vec<_>>()
     };
@@ -198,7 +198,7 @@ fn sought(masses: &[PartlyKnown]) -> Vec<(usize, Sought)> {
 
 struct Search<'m> {
     masses: &'m [PartlyKnown],
-    sought: Vec<(usize, Sought)>,
+    sought: Vec<(usize, UnknownKind)>,
     equations: usize,
 }
 
@@ -206,14 +206,14 @@ struct Search<'m> {
 type Sums = [f64; 4];
 
 impl Search<'_> {
-    fn solutions(&self) -> Result<Vec<Vec<State>>, UnknownsError> {
-        let curved = |what: &Sought| matches!(what, Sought::Angle);
+    fn solutions(&self) -> Result<Vec<Vec<UnknownRotor>>, UnknownsError> {
+        let curved = |what: &UnknownKind| matches!(what, UnknownKind::Angle);
         let angles = self.sought.iter().filter(|(_, what)| curved(what)).count();
         let per_angle = [1, 12, 8, 6, 5][angles.min(4)];
         let bent = |row: usize| self.masses[row].angle.is_none() && self.masses[row].position.is_none();
         let places = self.masses.iter().enumerate().filter(|(row, _)| bent(*row)).count();
         let per_place: usize = if places > 0 { 4 } else { 1 };
-        let mut found: Vec<Vec<State>> = Vec::new();
+        let mut found: Vec<Vec<UnknownRotor>> = Vec::new();
         let (mut singular, mut negative) = (false, None);
         let starts = usize::pow(per_angle, angles as u32) * usize::pow(per_place, places as u32);
         for start in 0..starts {
@@ -223,16 +223,16 @@ impl Search<'_> {
                 rest /= among;
                 at as f64 / among as f64
             };
-            let mut states: Vec<State> = self.masses.iter().map(begin).collect();
+            let mut states: Vec<UnknownRotor> = self.masses.iter().map(begin).collect();
             for &(row, what) in &self.sought {
                 match what {
-                    Sought::Angle => {
+                    UnknownKind::Angle => {
                         let angle = TAU * next(per_angle) + 0.3;
                         let size = self.masses[row].product.unwrap_or(1.0);
                         states[row].direction = [angle.cos(), angle.sin()];
                         states[row].unbalance = states[row].direction.map(|c| size * c);
                     }
-                    Sought::Position if bent(row) => states[row].position = 2.6 * next(per_place) - 1.1,
+                    UnknownKind::Position if bent(row) => states[row].position = 2.6 * next(per_place) - 1.1,
                     _ => {}
                 }
             }
@@ -259,8 +259,8 @@ impl Search<'_> {
     }
 
     /// The first mass whose unbalance points against its known angle.
-    fn first_negative(&self, states: &[State]) -> Option<usize> {
-        let against = |(m, s): (&PartlyKnown, &State)| {
+    fn first_negative(&self, states: &[UnknownRotor]) -> Option<usize> {
+        let against = |(m, s): (&PartlyKnown, &UnknownRotor)| {
             m.product.is_none()
                 && m.angle.is_some()
                 && s.unbalance[0] * s.direction[0] + s.unbalance[1] * s.direction[1] < -1e-12
@@ -268,7 +268,7 @@ impl Search<'_> {
         self.masses.iter().zip(states).position(against)
     }
 
-    fn sums(&self, states: &[State]) -> Sums {
+    fn sums(&self, states: &[UnknownRotor]) -> Sums {
         let mut sums = [0.0; 4];
         for s in states {
             let moment = match s.moment {
@@ -284,38 +284,38 @@ impl Search<'_> {
     }
 
     /// Partial derivative of the sums with respect to one unknown.
-    fn slope(states: &[State], (row, what): (usize, Sought)) -> Sums {
-        let State { unbalance: [x, y], position: z, direction: [c, s], .. } = states[row];
+    fn slope(states: &[UnknownRotor], (row, what): (usize, UnknownKind)) -> Sums {
+        let UnknownRotor { unbalance: [x, y], position: z, direction: [c, s], .. } = states[row];
         match what {
-            Sought::Component(0) => [1.0, 0.0, z, 0.0],
-            Sought::Component(_) => [0.0, 1.0, 0.0, z],
-            Sought::Product => [c, s, c * z, s * z],
-            Sought::Force => [c, s, 0.0, 0.0],
-            Sought::Moment => [0.0, 0.0, c, s],
-            Sought::Angle => [-y, x, -y * z, x * z],
-            Sought::Position => [0.0, 0.0, x, y],
+            UnknownKind::Component(0) => [1.0, 0.0, z, 0.0],
+            UnknownKind::Component(_) => [0.0, 1.0, 0.0, z],
+            UnknownKind::Product => [c, s, c * z, s * z],
+            UnknownKind::Force => [c, s, 0.0, 0.0],
+            UnknownKind::Moment => [0.0, 0.0, c, s],
+            UnknownKind::Angle => [-y, x, -y * z, x * z],
+            UnknownKind::Position => [0.0, 0.0, x, y],
         }
     }
 
-    fn moved(&self, states: &[State], step: &Sums, part: f64) -> Vec<State> {
+    fn moved(&self, states: &[UnknownRotor], step: &Sums, part: f64) -> Vec<UnknownRotor> {
         let mut moved = states.to_vec();
         for (&(row, what), by) in self.sought.iter().zip(step) {
             let (by, state) = (part * by, &mut moved[row]);
             match what {
-                Sought::Component(axis) => state.unbalance[axis] += by,
-                Sought::Product | Sought::Force => {
+                UnknownKind::Component(axis) => state.unbalance[axis] += by,
+                UnknownKind::Product | UnknownKind::Force => {
                     let along =
                         state.unbalance[0] * state.direction[0] + state.unbalance[1] * state.direction[1];
                     state.unbalance = state.direction.map(|c| (along + by) * c);
                 }
-                Sought::Moment => state.moment = Some(state.moment.unwrap_or(0.0) + by),
-                Sought::Angle => {
+                UnknownKind::Moment => state.moment = Some(state.moment.unwrap_or(0.0) + by),
+                UnknownKind::Angle => {
                     let angle = state.direction[1].atan2(state.direction[0]) + by;
                     let size = self.masses[row].product.unwrap_or(1.0);
                     state.direction = [angle.cos(), angle.sin()];
                     state.unbalance = state.direction.map(|c| size * c);
                 }
-                Sought::Position => state.position += by,
+                UnknownKind::Position => state.position += by,
             }
         }
         moved
@@ -323,7 +323,7 @@ impl Search<'_> {
 
     /// A balance from a start, and whether the equations determine it; `None` where the iteration goes astray.
     /// Held, every step brings the sums nearer to zero.
-    fn newton(&self, mut states: Vec<State>, held: bool) -> Option<(Vec<State>, bool)> {
+    fn newton(&self, mut states: Vec<UnknownRotor>, held: bool) -> Option<(Vec<UnknownRotor>, bool)> {
         let mut left = self.sums(&states);
         let mut settled = 0;
         let mut sharp = false;
@@ -374,7 +374,7 @@ impl Search<'_> {
     }
 
     /// Newton's step, by elimination with complete choice of rows, and the least pivot over the largest.
-    fn step(&self, states: &[State], left: &Sums) -> Option<(Sums, f64)> {
+    fn step(&self, states: &[UnknownRotor], left: &Sums) -> Option<(Sums, f64)> {
         let n = self.equations;
         let mut a = [[0.0; 5]; 4];
         for (column, &of) in self.sought.iter().enumerate() {
@@ -413,12 +413,12 @@ impl Search<'_> {
 }
 
 /// A mass before the first step: what is unknown of it has a place to begin.
-fn begin(m: &PartlyKnown) -> State {
+fn begin(m: &PartlyKnown) -> UnknownRotor {
     let angle = m.angle.unwrap_or(1.0);
     let direction = [angle.cos(), angle.sin()];
     let size = m.product.unwrap_or(0.7);
     let apart = m.product.is_none() && m.angle.is_some() && m.position.is_none();
-    State {
+    UnknownRotor {
         unbalance: direction.map(|c| size * c),
         position: m.position.unwrap_or(0.0),
         direction,
@@ -430,8 +430,8 @@ fn length(sums: &Sums) -> f64 {
     sums.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-fn same(a: &[State], b: &[State]) -> bool {
-    let near = |(a, b): (&State, &State)| {
+fn same(a: &[UnknownRotor], b: &[UnknownRotor]) -> bool {
+    let near = |(a, b): (&UnknownRotor, &UnknownRotor)| {
         (a.unbalance[0] - b.unbalance[0]).hypot(a.unbalance[1] - b.unbalance[1]) < 1e-6
             && (a.position - b.position).abs() < 1e-6 * (1.0 + a.position.abs())
     };

@@ -9,7 +9,7 @@ use dalembert_numerics::linalg::{self, LinalgError};
 
 /// Effect of a trial weight as found from magnitudes alone.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Effect {
+pub struct TrialEffect {
     /// The effect `z` that makes the squares of what is left of the sizes least.
     pub best: Complex<f64>,
     /// The effect from the squares of the sizes, which are linear in it.
@@ -26,7 +26,7 @@ pub struct Effect {
 ///
 /// # Errors
 /// `Shape` for fewer than three runs; `Singular` where the angles lie in fewer than three directions; `NotConverged`.
-pub fn effect(runs: &[(f64, f64)]) -> Result<Effect, LinalgError> {
+pub fn effect(runs: &[(f64, f64)]) -> Result<TrialEffect, LinalgError> {
     // S² = 1 + |z|² + 2 Re(z e^{iθ}) is linear in 1 + |z|² and z.
     let matrix = DMatrix::from_fn(runs.len(), 3, |row, column| {
         let angle = runs[row].0;
@@ -88,7 +88,7 @@ pub fn effect(runs: &[(f64, f64)]) -> Result<Effect, LinalgError> {
     let rest = gradient(z);
     let now = left(z);
     let gradient = rest.amax() / jacobian(z).abs().tr_mul(&squares.map(f64::sqrt)).amax();
-    Ok(Effect {
+    Ok(TrialEffect {
         best: z,
         linear,
         mean_square: solved[0] - 1.0,

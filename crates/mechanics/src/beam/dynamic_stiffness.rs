@@ -37,12 +37,12 @@ pub struct Beam {
     /// Stiffness of the foundation for each length, `k L⁴/(EI)`.
     pub foundation: f64,
     /// Supports and lumped elements of the beam, positions ascending from 0 to 1; both ends are among them.
-    pub stations: Vec<Station>,
+    pub stations: Vec<BeamStation>,
 }
 
 /// Support and lumped elements at a point of the beam.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Station {
+pub struct BeamStation {
     /// Position along the beam as a fraction of its length, 0 to 1.
     pub at: f64,
     /// True if the deflection is zero (support).
@@ -81,7 +81,7 @@ const EIGHTHS: [f64; 8] = [0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875];
 
 /// The shape of a vibration, largest deflection one.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shape {
+pub struct BeamShape {
     beam: Beam,
     lambda: f64,
     /// Start of each segment, as a fraction of the length, and the state vector there.
@@ -90,7 +90,7 @@ pub struct Shape {
 
 /// The state of a section.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State {
+pub struct SectionState {
     /// Deflection.
     pub deflection: f64,
     /// Rotation.
@@ -250,7 +250,7 @@ impl Beam {
     ///
     /// # Errors
     /// `TooSlender`; `NotConverged` where the shape is not a finite number.
-    pub fn shape(&self, root: f64) -> Result<Shape, BeamError> {
+    pub fn shape(&self, root: f64) -> Result<BeamShape, BeamError> {
         let mut shape = self.unscaled(root)?;
         let crest = shape.crest();
         let scale = if crest == 0.0 { f64::NAN } else { 1.0 / crest };
@@ -259,7 +259,7 @@ impl Beam {
         if finite { Ok(shape) } else { Err(BeamError::NotConverged) }
     }
 
-    fn unscaled(&self, root: f64) -> Result<Shape, BeamError> {
+    fn unscaled(&self, root: f64) -> Result<BeamShape, BeamError> {
         let lambda = root.powi(4);
         let chain = self.chain(lambda, SEGMENTS[0])?;
         let displacements = chain.shape();
@@ -272,7 +272,7 @@ impl Beam {
                 (segment.start, Vector4::new(ends[0].x, ends[0].y, forces.x, forces.y))
             })
             .collect();
-        Ok(Shape { beam: self.clone(), lambda, starts })
+        Ok(BeamShape { beam: self.clone(), lambda, starts })
     }
 
     /// Stiffness at the far end seen from outside, `λ` of the tip included, and the number of frequencies below `λ`
@@ -576,13 +576,13 @@ impl Banded {
     }
 }
 
-impl Shape {
+impl BeamShape {
     /// The state at `ξ`, 0 to 1.
-    pub fn state(&self, xi: f64) -> State {
+    pub fn state(&self, xi: f64) -> SectionState {
         let after = self.starts.partition_point(|(start, _)| *start <= xi);
         let (start, state) = self.starts[after.saturating_sub(1)];
         let here = self.beam.transfer(self.lambda, xi - start) * state;
-        State::from(here)
+        SectionState::from(here)
     }
 
     /// Points inside the beam where the deflection passes through zero, ascending; supports are not among them.
@@ -629,7 +629,7 @@ impl Shape {
     }
 
     /// `∫ (U V + r ψ φ) dξ + Σ (μ U V + j ψ φ)` of two shapes: zero where they belong to different roots.
-    pub fn inertia_product(&self, other: &Shape) -> f64 {
+    pub fn inertia_product(&self, other: &BeamShape) -> f64 {
         let beam = &self.beam;
         let product = |xi: f64, mass: f64, inertia: f64| {
             let (a, b) = (self.state(xi), other.state(xi));
@@ -658,7 +658,7 @@ impl Shape {
 
     /// The states at the same parts of each segment: where, the length of the segment, and the state. Segments of one
     /// length share their transfer matrices.
-    fn along(&self, parts: &[f64]) -> Vec<(f64, f64, State)> {
+    fn along(&self, parts: &[f64]) -> Vec<(f64, f64, SectionState)> {
         let mut all = Vec::with_capacity(parts.len() * self.starts.len());
         let (mut of, mut transfers) = (0.0, Vec::new());
         let ends = self.starts.iter().skip(1).map(|(start, _)| *start).chain([1.0]);
@@ -669,7 +669,9 @@ impl Shape {
                 transfers = parts.iter().map(|part| self.beam.transfer(self.lambda, part * length)).collect();
             }
             let here = parts.iter().zip(&transfers);
-            all.extend(here.map(|(part, to)| (start + part * length, length, State::from(to * state))));
+            all.extend(
+                here.map(|(part, to)| (start + part * length, length, SectionState::from(to * state))),
+            );
         }
         all
     }
@@ -704,9 +706,9 @@ impl Shape {
     }
 }
 
-impl From<Vector4<f64>> for State {
+impl From<Vector4<f64>> for SectionState {
     fn from(state: Vector4<f64>) -> Self {
-        State { deflection: state[0], rotation: state[1], force: state[2], moment: state[3] }
+        SectionState { deflection: state[0], rotation: state[1], force: state[2], moment: state[3] }
     }
 }
 

@@ -8,7 +8,7 @@
 
 use nalgebra::DMatrix;
 
-use super::tapered::{Ritz, Shape, basis, generalised};
+use super::tapered::{Ritz, RitzShape, basis, generalised};
 use dalembert_numerics::{gauss_legendre, linalg::LinalgError};
 
 /// A blade, clamped to its hub.
@@ -60,14 +60,14 @@ impl Rotating {
         let lambdas = chosen.clone().map(|n| 1.0 / values[terms - 1 - n]).collect();
         let shape = |n: usize| {
             let coefficients = vectors.column(terms - 1 - n).iter().copied().collect();
-            Shape { powers: POWERS, coefficients }.scaled()
+            RitzShape { powers: POWERS, coefficients }.scaled()
         };
         Ok(Ritz { lambdas, shapes: chosen.map(shape).collect() })
     }
 
     /// `λ` from the balance of moments in place of energies: that with which the bending moment of the curvature and
     /// the moments of tension and inertia forces beyond each section differ least.
-    pub fn moment_balance(&self, shape: &Shape) -> f64 {
+    pub fn moment_balance(&self, shape: &RitzShape) -> f64 {
         let terms = shape.coefficients.len();
         let inner = gauss_legendre::legendre(terms / 2 + 6);
         let end = shape.deflection(1.0);
@@ -91,7 +91,7 @@ impl Rotating {
     }
 
     /// `(λ(η) − λ(0))/η²` as the shape at rest gives it: the tension of unit speed over the kinetic energy.
-    pub fn southwell(&self, at_rest: &Shape) -> f64 {
+    pub fn southwell(&self, at_rest: &RitzShape) -> f64 {
         let unit = Rotating { speed: 1.0, ..*self };
         let (mut tension, mut inertia) = (0.0, self.tip * at_rest.deflection(1.0).powi(2));
         for (xi, weight) in gauss_legendre::legendre(at_rest.coefficients.len() + 4) {
@@ -102,7 +102,7 @@ impl Rotating {
     }
 }
 
-impl Shape {
+impl RitzShape {
     /// Slope at `ξ`.
     pub fn slope(&self, xi: f64) -> f64 {
         self.derivative(xi, 1)

@@ -22,12 +22,12 @@ pub struct Tapered {
     /// Depth at the right end over that at the left, zero or more.
     pub depth: f64,
     /// Supports of the two ends; an end without depth or width is free.
-    pub supports: [Support; 2],
+    pub supports: [EndSupport; 2],
 }
 
 /// Support condition of an end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Support {
+pub enum EndSupport {
     /// Nothing.
     Free,
     /// The deflection is held.
@@ -38,7 +38,7 @@ pub enum Support {
 
 /// A shape: `ξ^a (1 − ξ)^b Σ c_j P_j(2ξ − 1)`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Shape {
+pub struct RitzShape {
     pub(super) powers: [i32; 2],
     pub(super) coefficients: Vec<f64>,
 }
@@ -49,15 +49,15 @@ pub struct Ritz {
     /// The lowest `λ` above zero, ascending.
     pub lambdas: Vec<f64>,
     /// Their shapes, largest deflection one.
-    pub shapes: Vec<Shape>,
+    pub shapes: Vec<RitzShape>,
 }
 
-impl Support {
+impl EndSupport {
     fn power(self) -> i32 {
         match self {
-            Support::Free => 0,
-            Support::Pinned => 1,
-            Support::Clamped => 2,
+            EndSupport::Free => 0,
+            EndSupport::Pinned => 1,
+            EndSupport::Clamped => 2,
         }
     }
 }
@@ -84,8 +84,8 @@ impl Tapered {
     /// Motions of the beam as a whole that nothing holds.
     pub fn rigid_motions(&self) -> usize {
         match self.supports {
-            [Support::Free, Support::Free] => 2,
-            [Support::Pinned, Support::Free] | [Support::Free, Support::Pinned] => 1,
+            [EndSupport::Free, EndSupport::Free] => 2,
+            [EndSupport::Pinned, EndSupport::Free] | [EndSupport::Free, EndSupport::Pinned] => 1,
             _ => 0,
         }
     }
@@ -96,7 +96,7 @@ impl Tapered {
     /// # Errors
     /// Those of the eigenproblem.
     pub fn ritz(&self, terms: usize, count: usize) -> Result<Ritz, LinalgError> {
-        let powers = self.supports.map(Support::power);
+        let powers = self.supports.map(EndSupport::power);
         let mut stiffness = DMatrix::zeros(terms, terms);
         let mut mass = DMatrix::zeros(terms, terms);
         // Exact for products of second derivatives, second moment included.
@@ -119,7 +119,7 @@ impl Tapered {
         let chosen = self.rigid_motions()..(self.rigid_motions() + count).min(terms);
         let shapes = chosen.clone().map(|n| {
             let coefficients: Vec<f64> = vectors.column(terms - 1 - n).iter().copied().collect();
-            Shape { powers, coefficients }.scaled()
+            RitzShape { powers, coefficients }.scaled()
         });
         let lambdas = chosen.clone().map(|n| 1.0 / values[terms - 1 - n] - shift);
         Ok(Ritz { lambdas: lambdas.collect(), shapes: shapes.collect() })
@@ -130,7 +130,7 @@ impl Tapered {
     ///
     /// # Errors
     /// Those of the least squares for what the supports leave open.
-    pub fn moment_quotient(&self, shape: &Shape) -> Result<f64, LinalgError> {
+    pub fn moment_quotient(&self, shape: &RitzShape) -> Result<f64, LinalgError> {
         let points = gauss_legendre::legendre(2 * shape.coefficients.len() + 10);
         let inner = gauss_legendre::legendre(shape.coefficients.len() / 2 + 5);
         let inertia: Vec<f64> =
@@ -148,12 +148,12 @@ impl Tapered {
         // Reactions at the right end add c₀ + c₁(1 − ξ); statics at the left end may fix them.
         let (whole, force) = (hanging(0.0), -inertia.iter().sum::<f64>());
         let (fixed, free): ([f64; 2], Vec<[f64; 2]>) = match self.supports {
-            [_, Support::Free] => ([0.0, 0.0], vec![]),
-            [Support::Free, _] => ([-whole - force, force], vec![]),
-            [Support::Pinned, Support::Pinned] => ([0.0, -whole], vec![]),
-            [Support::Pinned, Support::Clamped] => ([-whole, 0.0], vec![[1.0, -1.0]]),
-            [Support::Clamped, Support::Pinned] => ([0.0, 0.0], vec![[0.0, 1.0]]),
-            [Support::Clamped, Support::Clamped] => ([0.0, 0.0], vec![[1.0, 0.0], [0.0, 1.0]]),
+            [_, EndSupport::Free] => ([0.0, 0.0], vec![]),
+            [EndSupport::Free, _] => ([-whole - force, force], vec![]),
+            [EndSupport::Pinned, EndSupport::Pinned] => ([0.0, -whole], vec![]),
+            [EndSupport::Pinned, EndSupport::Clamped] => ([-whole, 0.0], vec![[1.0, -1.0]]),
+            [EndSupport::Clamped, EndSupport::Pinned] => ([0.0, 0.0], vec![[0.0, 1.0]]),
+            [EndSupport::Clamped, EndSupport::Clamped] => ([0.0, 0.0], vec![[1.0, 0.0], [0.0, 1.0]]),
         };
         let along = |c: [f64; 2], xi: f64| c[0] + c[1] * (1.0 - xi);
         let known: Vec<f64> =
@@ -175,7 +175,7 @@ impl Tapered {
     }
 }
 
-impl Shape {
+impl RitzShape {
     /// Deflection at `ξ`, 0 to 1.
     pub fn deflection(&self, xi: f64) -> f64 {
         let x = 2.0 * xi - 1.0;
@@ -265,21 +265,21 @@ pub(super) fn generalised(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::beam::dynamic_stiffness::{Beam, Station};
+    use crate::beam::dynamic_stiffness::{Beam, BeamStation};
     use itertools::Itertools as _;
 
-    const ALL: [Support; 3] = [Support::Free, Support::Pinned, Support::Clamped];
+    const ALL: [EndSupport; 3] = [EndSupport::Free, EndSupport::Pinned, EndSupport::Clamped];
 
     #[test]
     fn without_a_taper_it_is_the_uniform_beam() {
         for left in ALL {
             for right in ALL {
                 let tapered = Tapered { width: 1.0, depth: 1.0, supports: [left, right] };
-                let station = |at: f64, support: Support| Station {
+                let station = |at: f64, support: EndSupport| BeamStation {
                     at,
-                    held: support != Support::Free,
-                    clamped: support == Support::Clamped,
-                    ..Station::default()
+                    held: support != EndSupport::Free,
+                    clamped: support == EndSupport::Clamped,
+                    ..BeamStation::default()
                 };
                 let stations = vec![station(0.0, left), station(1.0, right)];
                 let exact = Beam { shear: 0.0, rotary: 0.0, axial: 0.0, foundation: 0.0, stations };
@@ -299,7 +299,7 @@ mod tests {
     fn pointed_cantilevers_by_their_bessel_functions() {
         // Kirchhoff's wedge and cone (Timoshenko, Vibration Problems, art. on beams of variable section):
         // √λ = 5.315 and 8.719.
-        let cantilever = [Support::Clamped, Support::Free];
+        let cantilever = [EndSupport::Clamped, EndSupport::Free];
         for (width, expected) in [(1.0, 5.3151), (0.0, 8.7193)] {
             let pointed = Tapered { width, depth: 0.0, supports: cantilever };
             let ritz = pointed.ritz(16, 3).unwrap();
@@ -314,7 +314,7 @@ mod tests {
     /// From above by the curvature of the shapes, from below by the moments of their inertia forces.
     #[test]
     fn a_strong_taper_is_enclosed() {
-        let beam = Tapered { width: 5.0, depth: 4.0, supports: [Support::Free, Support::Clamped] };
+        let beam = Tapered { width: 5.0, depth: 4.0, supports: [EndSupport::Free, EndSupport::Clamped] };
         let mut before = [0.0; 5];
         for terms in [12, 16, 20, 24] {
             let ritz = beam.ritz(terms, 5).unwrap();
@@ -328,7 +328,7 @@ mod tests {
 
     #[test]
     fn more_terms_never_raise_a_frequency() {
-        for supports in [[Support::Clamped, Support::Free], [Support::Pinned, Support::Clamped]] {
+        for supports in [[EndSupport::Clamped, EndSupport::Free], [EndSupport::Pinned, EndSupport::Clamped]] {
             let beam = Tapered { width: 0.2, depth: 0.25, supports };
             let mut before = [f64::INFINITY; 5];
             for terms in 6..22 {

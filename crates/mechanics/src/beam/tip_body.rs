@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
 
-use super::dynamic_stiffness::{Beam, BeamError, Station};
+use super::dynamic_stiffness::{Beam, BeamError, BeamStation};
 use dalembert_numerics::linalg;
 
 /// A cantilever.
@@ -41,11 +41,11 @@ pub struct Bending {
 }
 
 /// A point of the body: its mass, kg, and where it stands from the tip, m.
-pub type Point = (f64, Vector3<f64>);
+pub type PointMass = (f64, Vector3<f64>);
 
 /// A vibration.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mode {
+pub struct BeamMode {
     /// Frequency, rad/s.
     pub frequency: f64,
     /// Motion of the tip, rotations times the length, the largest one.
@@ -59,7 +59,7 @@ impl Cantilever {
     ///
     /// # Errors
     /// `OutOfRange` for data that are not positive and finite; others of [`BeamError`].
-    pub fn modes(&self, body: &[Point], count: usize) -> Result<Vec<Mode>, BeamError> {
+    pub fn modes(&self, body: &[PointMass], count: usize) -> Result<Vec<BeamMode>, BeamError> {
         let mass = self.mass_matrix(body)?;
         let unit = (self.bending[0].stiffness.min(self.bending[1].stiffness)
             / (self.line_mass * self.length.powi(4)))
@@ -90,7 +90,7 @@ impl Cantilever {
             let together: Vec<usize> = (0..count).filter(same).collect();
             let shapes = self.shapes(&mass, frequencies[together[0]], together.len())?;
             let (tip, residual) = shapes[n - together[0]];
-            modes.push(Mode { frequency: frequencies[n], tip, residual });
+            modes.push(BeamMode { frequency: frequencies[n], tip, residual });
         }
         Ok(modes)
     }
@@ -141,7 +141,12 @@ impl Cantilever {
     ///
     /// # Errors
     /// As for [`Cantilever::modes`].
-    pub fn left_over(&self, body: &[Point], frequency: f64, tip: &Vector6<f64>) -> Result<f64, BeamError> {
+    pub fn left_over(
+        &self,
+        body: &[PointMass],
+        frequency: f64,
+        tip: &Vector6<f64>,
+    ) -> Result<f64, BeamError> {
         let inertia = self.mass_matrix(body)? * frequency.powi(2);
         let (stiffness, _) = self.tip(frequency)?;
         let size = stiffness.norm() + inertia.norm();
@@ -173,7 +178,7 @@ impl Cantilever {
     }
 
     /// `T = ½ Σ m |v + θ × r|²` as a matrix, rotations times the length.
-    fn mass_matrix(&self, body: &[Point]) -> Result<Matrix6<f64>, BeamError> {
+    fn mass_matrix(&self, body: &[PointMass]) -> Result<Matrix6<f64>, BeamError> {
         let positive = |x: f64| x.is_finite() && x > 0.0;
         let beam = [self.length, self.line_mass, self.axial, self.torsion, self.polar];
         let bending = self.bending.map(|bending| bending.stiffness);
@@ -199,8 +204,8 @@ impl Cantilever {
 
 impl Bending {
     fn beam(&self) -> Beam {
-        let clamp = Station { held: true, clamped: true, ..Station::default() };
-        let tip = Station { at: 1.0, ..Station::default() };
+        let clamp = BeamStation { held: true, clamped: true, ..BeamStation::default() };
+        let tip = BeamStation { at: 1.0, ..BeamStation::default() };
         Beam {
             shear: self.shear,
             rotary: self.rotary,

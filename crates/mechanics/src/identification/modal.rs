@@ -18,7 +18,7 @@ use dalembert_numerics::linalg::LinalgError;
 
 /// Measured response per unit force: receptance, mobility or accelerance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Response {
+pub enum MeasuredResponse {
     /// Displacement over force, m/N.
     Receptance,
     /// Velocity over force, m/(N·s).
@@ -37,7 +37,7 @@ pub enum DampingModel {
 }
 
 /// A point of a measured complex response: frequency in rad/s, above zero, and the response there.
-pub type Point = (f64, Complex<f64>);
+pub type ResponsePoint = (f64, Complex<f64>);
 
 /// Reason for which a measured complex response has no such fit.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -67,29 +67,29 @@ pub enum ModalError {
     Undetermined(#[from] LinalgError),
 }
 
-impl Response {
+impl MeasuredResponse {
     /// The receptance of a measured point.
     #[must_use]
-    pub fn receptance(self, (frequency, value): Point) -> Complex<f64> {
+    pub fn receptance(self, (frequency, value): ResponsePoint) -> Complex<f64> {
         match self {
-            Response::Receptance => value,
-            Response::Mobility => value / Complex::new(0.0, frequency),
-            Response::Accelerance => -value / frequency.powi(2),
+            MeasuredResponse::Receptance => value,
+            MeasuredResponse::Mobility => value / Complex::new(0.0, frequency),
+            MeasuredResponse::Accelerance => -value / frequency.powi(2),
         }
     }
 
     /// Number of time derivatives n: `|response| = ωⁿ |receptance|`.
     fn order(self) -> i32 {
         match self {
-            Response::Receptance => 0,
-            Response::Mobility => 1,
-            Response::Accelerance => 2,
+            MeasuredResponse::Receptance => 0,
+            MeasuredResponse::Mobility => 1,
+            MeasuredResponse::Accelerance => 2,
         }
     }
 }
 
-fn check(points: &[Point], need: usize) -> Result<(), ModalError> {
-    let sound = |(frequency, value): &Point| {
+fn check(points: &[ResponsePoint], need: usize) -> Result<(), ModalError> {
+    let sound = |(frequency, value): &ResponsePoint| {
         frequency.is_finite() && *frequency > 0.0 && value.re.is_finite() && value.im.is_finite()
     };
     if let Some((frequency, _)) = points.iter().find(|point| !sound(point)) {

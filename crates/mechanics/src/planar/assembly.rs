@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::{
-    Equation, Joint, Mechanism, Model, PlanarError,
+    Equation, Model, PlanarError, PlanarJoint, PlanarMechanism,
     kinematics::Constraints,
     tolerances::{
         ACCEPTED_RESIDUAL, ASSEMBLY_DAMPING, ASSEMBLY_DAMPING_DECREASE, ASSEMBLY_DAMPING_INCREASE,
@@ -37,7 +37,7 @@ impl Model {
     /// # Errors
     /// As for [`new`](Model::new); `NotFinite`.
     pub fn initial_guess(
-        mechanism: &Mechanism,
+        mechanism: &PlanarMechanism,
         angles: &[f64],
         origins: &[Option<[f64; 2]>],
     ) -> Result<InitialGuess, PlanarError> {
@@ -57,7 +57,7 @@ impl Model {
             };
             circle.iter().enumerate().map(place).collect()
         };
-        let equations: Vec<Equation> = mechanism.joints.iter().flat_map(Joint::equations).collect();
+        let equations: Vec<Equation> = mechanism.joints.iter().flat_map(PlanarJoint::equations).collect();
         let with_constant = (0..equations.len()).filter(|&row| equations[row].constant.is_some());
         let rows: Vec<usize> = with_constant.chain(model.first_driver()..model.equations.len()).collect();
         let columns: Vec<usize> = (0..3 * angles.len()).filter(|column| column % 3 != 2).collect();

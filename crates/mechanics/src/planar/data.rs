@@ -5,16 +5,16 @@
 //! [`Moving`], this an [`Accelerated`], and each has the results that are valid there. A position that was evaluated or
 //! factored last is not computed again.
 //!
-//! The state of the motion are the tree coordinates of the [`Layout`](super::layout::Layout), m, and the independent
+//! The state of the motion are the tree coordinates of the [`Layout`](super::layout::EquationLayout), m, and the independent
 //! velocities, m/s, in the columns that the selected [`PivotOrder`] leaves without a pivot. With a basis N of the null
 //! space of `Φ_q` (one vector of 3n scaled velocities for each independent one), `q̇ = q̇₀ + N ṡ` and `q̈ = q̈₀ + N
 //! s̈`, the equations of motion are `(Nᵀ M N) s̈ = Nᵀ (Q − M q̈₀)`; the multipliers follow from `Φ_qᵀ λ = M q̈ − Q` (E.
 //! J. Haug, *Computer-Aided Kinematics and Dynamics of Mechanical Systems* (1989), §6.3 and §7.2).
 
 use super::{
-    Contact, Driver, Measure, Model, PlanarError, Pose, State,
-    elimination::{Conditioning, Factors, PivotOrder},
-    friction::{Friction, Frictionless, Response, ResponseToForce},
+    Contact, Driver, Model, PlanarError, PlanarState, Pose, RelativeCoordinate,
+    elimination::{Conditioning, LuFactors, PivotOrder},
+    friction::{FrictionLaw, FrictionResponse, Frictionless, ResponseToForce},
     layout::Position,
     measure::{gradient, rate},
     tolerances::{MASSLESS_PIVOT, MAX_ORDERS},
@@ -32,7 +32,7 @@ pub(super) struct Data<'m> {
     /// True if it was, with the present values of the drivers.
     is_evaluated: bool,
     /// The orders of pivots that have served so far.
-    orders: Vec<(PivotOrder, Factors)>,
+    orders: Vec<(PivotOrder, LuFactors)>,
     /// The one that serves now.
     selected: usize,
     /// True if its factors are those of the position.
@@ -210,7 +210,7 @@ impl<'d, 'm> Positioned<'d, 'm> {
 }
 
 impl<'d, 'm> Factored<'d, 'm> {
-    fn order(&self) -> (&PivotOrder, &Factors) {
+    fn order(&self) -> (&PivotOrder, &LuFactors) {
         let (order, factors) = &self.0.orders[self.0.selected];
         (order, factors)
     }
@@ -302,7 +302,7 @@ impl<'d, 'm> Moving<'d, 'm> {
     }
 
     /// The value of a measure and its velocity.
-    pub(super) fn measure(&self, measure: &Measure) -> [f64; 2] {
+    pub(super) fn measure(&self, measure: &RelativeCoordinate) -> [f64; 2] {
         let gradient = gradient(measure, &self.0.position.poses);
         [gradient.value, rate(measure, &gradient, &self.0.velocities)]
     }
@@ -378,10 +378,10 @@ impl Accelerated<'_, '_> {
     }
 
     /// Positions, velocities and accelerations of the bodies.
-    pub(super) fn state(&self) -> State {
+    pub(super) fn state(&self) -> PlanarState {
         let bodies = self.data.forces.len();
         let of_pose = |pose: &Pose<f64>| [pose.x, pose.y, pose.angle];
-        State {
+        PlanarState {
             positions: self.data.position.poses[..bodies].iter().map(of_pose).collect(),
             velocities: self.data.velocities[..bodies].to_vec(),
             accelerations: self.data.model.unscaled(&self.data.response.accelerations),
@@ -400,7 +400,7 @@ impl Accelerated<'_, '_> {
     }
 
     /// The response of the joints to friction, from these accelerations without it.
-    pub(super) fn friction_response<'f>(&self, frictions: &'f [Friction]) -> Response<'f> {
+    pub(super) fn friction_response<'f>(&self, frictions: &'f [FrictionLaw]) -> FrictionResponse<'f> {
         let (model, data) = (self.data.model, &*self.data);
         let (order, factors) = &data.orders[data.selected];
         let frictionless = Frictionless {
@@ -410,7 +410,7 @@ impl Accelerated<'_, '_> {
             basis: &data.basis,
             response: data.response.clone(),
         };
-        Response::new(frictions, frictionless, |force| {
+        FrictionResponse::new(frictions, frictionless, |force| {
             let mut independent: Vec<f64> = data.basis.iter().map(|motion| dot(motion, force)).collect();
             substitute(&data.reduced_mass, &mut independent);
             let mut accelerations = vec![0.0; force.len()];
@@ -435,7 +435,7 @@ impl Accelerated<'_, '_> {
     /// `Jammed`.
     pub(super) fn add_friction(
         &mut self,
-        frictions: &[Friction],
+        frictions: &[FrictionLaw],
         contacts: &[Contact],
     ) -> Result<(), PlanarError> {
         let response = self.friction_response(frictions);

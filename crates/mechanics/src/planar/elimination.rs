@@ -3,12 +3,12 @@
 //! The columns of the explicit coordinates are eliminated first, at no cost in accuracy; in the loop equations pivots
 //! are selected for few operations among those that are large in their row (H. M. Markowitz; I. S. Duff, A. M. Erisman,
 //! J. K. Reid, *Direct Methods for Sparse Matrices*, ch. 7 and 9). A [`PivotOrder`] is the list of operations; the
-//! numbers of a position are [`Factors`].
+//! numbers of a position are [`LuFactors`].
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
 use super::{
-    layout::Layout,
+    layout::EquationLayout,
     tolerances::{
         DEPENDENT_ROW, FALLING_PIVOT, INDEPENDENT_ROW, MIN_KEPT_PIVOT, MIN_PIVOT_OF_STEP, MIN_SELECTED_PIVOT,
         NEAR_SINGULAR_PIVOT,
@@ -37,7 +37,7 @@ pub(super) struct PivotOrder {
 
 /// The Jacobian of a position, or of several in the lanes of `S`, eliminated in a [`PivotOrder`].
 #[derive(Debug, Clone)]
-pub(super) struct Factors<S = f64> {
+pub(super) struct LuFactors<S = f64> {
     /// The Jacobian, overwritten by the elimination.
     jacobian: Vec<S>,
     /// One over each pivot.
@@ -89,7 +89,7 @@ struct Entry {
 
 impl PivotOrder {
     /// Selects an order for the Jacobian of a position, by its places, with so many columns.
-    pub(super) fn new(layout: &Layout, jacobian: &[f64], columns: usize) -> Self {
+    pub(super) fn new(layout: &EquationLayout, jacobian: &[f64], columns: usize) -> Self {
         let sizes: Vec<f64> = layout
             .rows
             .iter()
@@ -130,7 +130,7 @@ impl PivotOrder {
 
     /// The order of the explicit coordinates alone, and what is left of the loop equations: places and columns of each.
     pub(super) fn of_explicit(
-        layout: &Layout,
+        layout: &EquationLayout,
         jacobian: &[f64],
         columns: usize,
     ) -> (Self, Vec<Vec<(usize, usize)>>) {
@@ -141,9 +141,9 @@ impl PivotOrder {
     }
 
     /// Room for the numbers of a position.
-    pub(super) fn factors<S: SimdReal>(&self) -> Factors<S> {
+    pub(super) fn factors<S: SimdReal>(&self) -> LuFactors<S> {
         let zeros = |count| vec![S::from(0.0); count];
-        Factors {
+        LuFactors {
             jacobian: zeros(self.places),
             inverses: self.pivots.iter().map(|pivot| S::from(1.0 / pivot.selected)).collect(),
             ratios: zeros(self.others.len()),
@@ -152,7 +152,7 @@ impl PivotOrder {
 
     /// Reports whether another order should be selected: a pivot has become small in its row, or a row that was
     /// dependent is independent.
-    pub(super) fn is_weak(&self, layout: &Layout, jacobian: &[f64], factors: &Factors) -> bool {
+    pub(super) fn is_weak(&self, layout: &EquationLayout, jacobian: &[f64], factors: &LuFactors) -> bool {
         (self.first_loop..self.pivots.len()).any(|index| self.is_small(factors, index, MIN_KEPT_PIVOT))
             || self.dependent.iter().any(|(row, places)| {
                 let size = layout.rows[*row]
@@ -163,13 +163,13 @@ impl PivotOrder {
     }
 
     /// Compares a pivot with a fraction of the largest other entry of its row.
-    fn is_small(&self, factors: &Factors, index: usize, fraction: f64) -> bool {
+    fn is_small(&self, factors: &LuFactors, index: usize, fraction: f64) -> bool {
         let pivot = factors.jacobian[self.pivots[index].place].abs();
         self.others(index).iter().any(|(place, _)| fraction * factors.jacobian[*place as usize].abs() > pivot)
     }
 
     /// The conditioning of the position in this order.
-    pub(super) fn conditioning(&self, factors: &Factors) -> Conditioning {
+    pub(super) fn conditioning(&self, factors: &LuFactors) -> Conditioning {
         let of_pivot = |index| {
             if self.is_small(factors, index, MIN_PIVOT_OF_STEP) {
                 Conditioning::Degenerate
@@ -183,7 +183,7 @@ impl PivotOrder {
     }
 
     /// The smallest ratio of a pivot to its value when it was selected, at most 1.
-    pub(super) fn smallest_pivot(&self, factors: &Factors) -> f64 {
+    pub(super) fn smallest_pivot(&self, factors: &LuFactors) -> f64 {
         let ratios = self.pivots[self.first_loop..]
             .iter()
             .map(|pivot| (factors.jacobian[pivot.place] / pivot.selected).abs());
@@ -191,14 +191,14 @@ impl PivotOrder {
     }
 
     /// Reports whether a pivot has fallen so far that it may vanish within a step.
-    pub(super) fn is_falling(&self, factors: &Factors) -> bool {
+    pub(super) fn is_falling(&self, factors: &LuFactors) -> bool {
         self.pivots[self.first_loop..]
             .iter()
             .any(|pivot| factors.jacobian[pivot.place].abs() < FALLING_PIVOT * pivot.selected.abs())
     }
 
     /// The entries that the elimination leaves of the loop equations: of each its pivot, then those to the right.
-    pub(super) fn reduced_rows(&self, factors: &Factors) -> Vec<f64> {
+    pub(super) fn reduced_rows(&self, factors: &LuFactors) -> Vec<f64> {
         let of_pivot = |index: usize| {
             let others = self.others(index).iter().map(|(place, _)| factors.jacobian[*place as usize]);
             std::iter::once(factors.jacobian[self.pivots[index].place]).chain(others)
@@ -227,7 +227,7 @@ impl PivotOrder {
     }
 
     /// The pivots that are far below their values when they were selected.
-    fn fallen<'f>(&'f self, factors: &'f Factors) -> impl Iterator<Item = usize> + 'f {
+    fn fallen<'f>(&'f self, factors: &'f LuFactors) -> impl Iterator<Item = usize> + 'f {
         (self.first_loop..self.pivots.len()).filter(|&index| {
             let Pivot { place, selected, .. } = self.pivots[index];
             factors.jacobian[place].abs() < NEAR_SINGULAR_PIVOT * selected.abs()
@@ -236,9 +236,9 @@ impl PivotOrder {
 
     /// Eliminates the Jacobian of a position, given by its places.
     #[inline(always)]
-    pub(super) fn eliminate<S: SimdReal>(&self, jacobian: &[S], factors: &mut Factors<S>) {
+    pub(super) fn eliminate<S: SimdReal>(&self, jacobian: &[S], factors: &mut LuFactors<S>) {
         let Self { pivots, removals, updates, others, first_loop, .. } = self;
-        let Factors { jacobian: w, inverses, ratios } = factors;
+        let LuFactors { jacobian: w, inverses, ratios } = factors;
         let (given, filled) = w.split_at_mut(jacobian.len());
         given.copy_from_slice(jacobian);
         filled.fill(S::from(0.0));
@@ -267,7 +267,7 @@ impl PivotOrder {
     /// A solution `x` of `Φ_q x = rhs`, zero in the independent columns: `rhs` by rows, `x` by columns. The right-hand
     /// side is overwritten.
     #[inline(always)]
-    pub(super) fn solve<S: SimdReal>(&self, factors: &Factors<S>, rhs: &mut [S], x: &mut [S]) {
+    pub(super) fn solve<S: SimdReal>(&self, factors: &LuFactors<S>, rhs: &mut [S], x: &mut [S]) {
         self.reduce(factors, rhs);
         for &column in &self.independent {
             x[column] = S::from(0.0);
@@ -277,7 +277,7 @@ impl PivotOrder {
 
     /// Forward elimination of a right-hand side.
     #[inline(always)]
-    pub(super) fn reduce<S: SimdReal>(&self, factors: &Factors<S>, rhs: &mut [S]) {
+    pub(super) fn reduce<S: SimdReal>(&self, factors: &LuFactors<S>, rhs: &mut [S]) {
         let mut removal = 0;
         for pivot in &self.pivots {
             let known = rhs[pivot.row];
@@ -290,7 +290,7 @@ impl PivotOrder {
 
     /// Back substitution: the other columns of a solution from the independent ones and the reduced right-hand side.
     #[inline(always)]
-    pub(super) fn back_substitute<S: SimdReal>(&self, factors: &Factors<S>, rhs: &[S], x: &mut [S]) {
+    pub(super) fn back_substitute<S: SimdReal>(&self, factors: &LuFactors<S>, rhs: &[S], x: &mut [S]) {
         for (pivot, inverse) in self.pivots.iter().zip(&factors.inverses).rev() {
             x[pivot.column] = self.in_row(factors, pivot, rhs[pivot.row] * *inverse, x);
         }
@@ -298,7 +298,7 @@ impl PivotOrder {
 
     /// The null-space vector `x` of `Φ_q` with 1 in the independent column of this number and 0 in the others.
     #[inline(always)]
-    pub(super) fn null_vector<S: SimdReal>(&self, factors: &Factors<S>, number: usize, x: &mut [S]) {
+    pub(super) fn null_vector<S: SimdReal>(&self, factors: &LuFactors<S>, number: usize, x: &mut [S]) {
         for &column in &self.independent {
             x[column] = S::from(0.0);
         }
@@ -311,7 +311,7 @@ impl PivotOrder {
     /// The multipliers `y` with `Φ_qᵀ y = g`, by rows; zero for rows that depend on others. `g`, by columns, is
     /// overwritten.
     #[inline(always)]
-    pub(super) fn solve_transposed<S: SimdReal>(&self, factors: &Factors<S>, g: &mut [S], y: &mut [S]) {
+    pub(super) fn solve_transposed<S: SimdReal>(&self, factors: &LuFactors<S>, g: &mut [S], y: &mut [S]) {
         y.fill(S::from(0.0));
         self.reduce_transposed(factors, g, y);
         self.back_substitute_transposed(factors, y);
@@ -319,7 +319,7 @@ impl PivotOrder {
 
     /// The first half of the multipliers: `g` is reduced to the columns without a pivot.
     #[inline(always)]
-    pub(super) fn reduce_transposed<S: SimdReal>(&self, factors: &Factors<S>, g: &mut [S], y: &mut [S]) {
+    pub(super) fn reduce_transposed<S: SimdReal>(&self, factors: &LuFactors<S>, g: &mut [S], y: &mut [S]) {
         for (index, pivot) in self.pivots.iter().enumerate() {
             let z = g[pivot.column] * factors.inverses[index];
             y[pivot.row] = z;
@@ -331,7 +331,7 @@ impl PivotOrder {
 
     /// The second half, with the multipliers of the rows that have no pivot in place.
     #[inline(always)]
-    pub(super) fn back_substitute_transposed<S: SimdReal>(&self, factors: &Factors<S>, y: &mut [S]) {
+    pub(super) fn back_substitute_transposed<S: SimdReal>(&self, factors: &LuFactors<S>, y: &mut [S]) {
         for (index, pivot) in self.pivots.iter().enumerate().rev() {
             let from = if index == 0 { 0 } else { self.pivots[index - 1].removals };
             for one in &self.removals[from..pivot.removals] {
@@ -342,7 +342,7 @@ impl PivotOrder {
 
     /// The value in the column of a pivot, from those to its right.
     #[inline(always)]
-    fn in_row<S: SimdReal>(&self, factors: &Factors<S>, pivot: &Pivot, start: S, x: &[S]) -> S {
+    fn in_row<S: SimdReal>(&self, factors: &LuFactors<S>, pivot: &Pivot, start: S, x: &[S]) -> S {
         let [from, to] = pivot.others;
         let mut sum = start;
         for (ratio, (_, column)) in factors.ratios[from..to].iter().zip(&self.others[from..to]) {
@@ -358,7 +358,7 @@ impl PivotOrder {
     }
 }
 
-impl<S: SimdReal> Factors<S> {
+impl<S: SimdReal> LuFactors<S> {
     /// An entry as the elimination leaves it.
     #[inline(always)]
     pub(super) fn entry(&self, place: usize) -> S {
@@ -375,7 +375,7 @@ struct Selection {
 impl Selection {
     /// Eliminates the explicit columns: the selection so far, what is left of the rows, and the rows of each column.
     fn of_explicit(
-        layout: &Layout,
+        layout: &EquationLayout,
         jacobian: &[f64],
         columns: usize,
     ) -> (Self, Vec<Vec<Entry>>, Vec<Vec<usize>>) {

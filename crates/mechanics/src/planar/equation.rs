@@ -1,65 +1,65 @@
 //! Joints and drivers, and the scalar equations that they stand for.
 
-use super::{Frame, Measure, Point};
+use super::{BodyFrame, BodyPoint, RelativeCoordinate};
 
 /// A joint: a constraint between bodies.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Joint {
+pub enum PlanarJoint {
     /// A revolute joint: two points stay together.
     Pin {
         /// A point.
-        a: Point,
+        a: BodyPoint,
         /// The point that is pinned to it.
-        b: Point,
+        b: BodyPoint,
     },
     /// A prismatic joint: a point stays on a line of another body and the bodies keep their angle.
     Slider {
         /// A point of the line.
-        guide: Point,
+        guide: BodyPoint,
         /// Direction of the line in the axes of its body, rad.
         direction: f64,
         /// The point that slides.
-        slides: Point,
+        slides: BodyPoint,
         /// The angle of the sliding body against the guide, rad.
         angle: f64,
     },
     /// A pin in a straight slot: a point stays at a distance to the left of a line of another body.
     Slot {
         /// A point of the line.
-        guide: Point,
+        guide: BodyPoint,
         /// Direction of the line in the axes of its body, rad.
         direction: f64,
         /// The pin.
-        pin: Point,
+        pin: BodyPoint,
         /// Distance to the left of the line, m.
         offset: f64,
     },
     /// Two bodies are one: their points stay together and they keep their angle.
     Weld {
         /// A point.
-        a: Point,
+        a: BodyPoint,
         /// The point that is fixed to it.
-        b: Point,
+        b: BodyPoint,
         /// The angle of the second body against the first, rad.
         angle: f64,
     },
     /// A massless rod with a pin at each end.
     Rod {
         /// One end.
-        from: Point,
+        from: BodyPoint,
         /// The other end.
-        to: Point,
+        to: BodyPoint,
         /// The length, m.
         length: f64,
     },
     /// A pair of gears: `Nₐ(θₐ − θ_c) ± N_b(θ_b − θ_c)` does not change.
     Gears {
         /// A gear.
-        a: Frame,
+        a: BodyFrame,
         /// The gear that it meshes with.
-        b: Frame,
+        b: BodyFrame,
         /// The body that carries both.
-        carrier: Frame,
+        carrier: BodyFrame,
         /// Teeth or pitch radii of the two.
         sizes: [f64; 2],
         /// True if the second has its teeth inside.
@@ -69,11 +69,11 @@ pub enum Joint {
     /// differ by a constant, that of the initial guess.
     Rack {
         /// A point of the pitch line.
-        guide: Point,
+        guide: BodyPoint,
         /// Direction of the line in the axes of its body, rad.
         direction: f64,
         /// The centre of the wheel.
-        centre: Point,
+        centre: BodyPoint,
         /// Pitch radius, m; positive with the centre to the left of the line.
         radius: f64,
     },
@@ -81,24 +81,24 @@ pub enum Joint {
     /// change. It is taut in the initial guess.
     Cord {
         /// The straight runs.
-        runs: Vec<[Point; 2]>,
+        runs: Vec<[BodyPoint; 2]>,
         /// The drums: body, the body that carries it, and the radius with which a positive turn takes cord up, m.
-        drums: Vec<(Frame, Frame, f64)>,
+        drums: Vec<(BodyFrame, BodyFrame, f64)>,
     },
     /// A weighted sum of measures keeps its value, or the one that it has in the initial guess: screws, belts and every
     /// other linear relation.
     Relation {
         /// The weights and measures.
-        terms: Vec<(f64, Measure)>,
+        terms: Vec<(f64, RelativeCoordinate)>,
         /// The constant value of their sum; that of the initial guess if none.
         constant: Option<f64>,
     },
     /// A cam: one measure follows another by a table.
     Cam {
         /// The measure that follows.
-        follower: Measure,
+        follower: RelativeCoordinate,
         /// The measure that leads.
-        cam: Measure,
+        cam: RelativeCoordinate,
         /// The value of the follower for each value of the leader.
         profile: Profile,
     },
@@ -108,7 +108,7 @@ pub enum Joint {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Driver {
     /// The relative coordinate that is driven.
-    pub measure: Measure,
+    pub measure: RelativeCoordinate,
     /// The value, m or rad.
     pub value: f64,
     /// The velocity, m/s or rad/s.
@@ -130,11 +130,11 @@ pub struct Profile {
 
 /// A part of an [`Equation`].
 #[derive(Debug, Clone, PartialEq)]
-pub struct Term {
+pub struct ConstraintTerm {
     /// The factor of the measure or of its function.
     pub weight: f64,
     /// The relative coordinate.
-    pub measure: Measure,
+    pub measure: RelativeCoordinate,
     /// The function that the measure goes through.
     pub profile: Option<Profile>,
 }
@@ -143,72 +143,78 @@ pub struct Term {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equation {
     /// The parts of its left side.
-    pub terms: Vec<Term>,
+    pub terms: Vec<ConstraintTerm>,
     /// The constant term, m or rad; the left side in the initial guess if none.
     pub constant: Option<f64>,
 }
 
 impl Equation {
     /// The equation of a measure that keeps a value.
-    pub fn of(measure: Measure, constant: Option<f64>) -> Self {
-        Self { terms: vec![Term { weight: 1.0, measure, profile: None }], constant }
+    pub fn of(measure: RelativeCoordinate, constant: Option<f64>) -> Self {
+        Self { terms: vec![ConstraintTerm { weight: 1.0, measure, profile: None }], constant }
     }
 
-    fn weighted(terms: impl IntoIterator<Item = (f64, Measure)>, constant: Option<f64>) -> Self {
-        let terms = terms.into_iter().map(|(weight, measure)| Term { weight, measure, profile: None });
+    fn weighted(terms: impl IntoIterator<Item = (f64, RelativeCoordinate)>, constant: Option<f64>) -> Self {
+        let terms =
+            terms.into_iter().map(|(weight, measure)| ConstraintTerm { weight, measure, profile: None });
         Self { terms: terms.collect(), constant }
     }
 }
 
-impl Joint {
+impl PlanarJoint {
     /// The constraint equations of the joint. The multipliers of a pin or weld are the components of the force on its
     /// second point; those of a slider or slot the force across the line, to its left, on the point.
     pub fn equations(&self) -> Vec<Equation> {
-        let meet = |a: Point, b: Point| {
-            [[1.0, 0.0], [0.0, 1.0]]
-                .map(|direction| Equation::of(Measure::Component { direction, from: a, to: b }, Some(0.0)))
+        let meet = |a: BodyPoint, b: BodyPoint| {
+            [[1.0, 0.0], [0.0, 1.0]].map(|direction| {
+                Equation::of(RelativeCoordinate::Component { direction, from: a, to: b }, Some(0.0))
+            })
         };
         // A direction of the ground does not turn.
-        let along = |direction: [f64; 2], from: Point, to: Point| match from.on {
-            Some(_) => Measure::Along { direction, from, to },
-            None => Measure::Component { direction, from, to },
+        let along = |direction: [f64; 2], from: BodyPoint, to: BodyPoint| match from.on {
+            Some(_) => RelativeCoordinate::Along { direction, from, to },
+            None => RelativeCoordinate::Component { direction, from, to },
         };
-        let left_of = |guide: Point, direction: f64, point: Point, offset: f64| {
+        let left_of = |guide: BodyPoint, direction: f64, point: BodyPoint, offset: f64| {
             Equation::of(along([-direction.sin(), direction.cos()], guide, point), Some(offset))
         };
-        let angle = |of: Frame, against: Frame| Measure::Angle { of, against };
+        let angle = |of: BodyFrame, against: BodyFrame| RelativeCoordinate::Angle { of, against };
         match self {
-            &Joint::Pin { a, b } => meet(a, b).into(),
-            &Joint::Slider { guide, direction, slides, angle: kept } => vec![
+            &PlanarJoint::Pin { a, b } => meet(a, b).into(),
+            &PlanarJoint::Slider { guide, direction, slides, angle: kept } => vec![
                 left_of(guide, direction, slides, 0.0),
                 Equation::of(angle(slides.on, guide.on), Some(kept)),
             ],
-            &Joint::Slot { guide, direction, pin, offset } => vec![left_of(guide, direction, pin, offset)],
-            &Joint::Weld { a, b, angle: kept } => {
+            &PlanarJoint::Slot { guide, direction, pin, offset } => {
+                vec![left_of(guide, direction, pin, offset)]
+            }
+            &PlanarJoint::Weld { a, b, angle: kept } => {
                 let [x, y] = meet(a, b);
                 vec![x, y, Equation::of(angle(b.on, a.on), Some(kept))]
             }
-            &Joint::Rod { from, to, length } => {
-                vec![Equation::of(Measure::Distance { from, to }, Some(length))]
+            &PlanarJoint::Rod { from, to, length } => {
+                vec![Equation::of(RelativeCoordinate::Distance { from, to }, Some(length))]
             }
-            &Joint::Gears { a, b, carrier, sizes: [of_a, of_b], internal } => {
+            &PlanarJoint::Gears { a, b, carrier, sizes: [of_a, of_b], internal } => {
                 let of_b = if internal { -of_b } else { of_b };
                 vec![Equation::weighted([(of_a, angle(a, carrier)), (of_b, angle(b, carrier))], None)]
             }
-            &Joint::Rack { guide, direction, centre, radius } => {
+            &PlanarJoint::Rack { guide, direction, centre, radius } => {
                 let along = along([direction.cos(), direction.sin()], guide, centre);
                 vec![Equation::weighted([(1.0, along), (radius, angle(centre.on, guide.on))], None)]
             }
-            Joint::Cord { runs, drums } => {
-                let runs = runs.iter().map(|&[from, to]| (1.0, Measure::Distance { from, to }));
+            PlanarJoint::Cord { runs, drums } => {
+                let runs = runs.iter().map(|&[from, to]| (1.0, RelativeCoordinate::Distance { from, to }));
                 let drums = drums.iter().map(|&(of, against, radius)| (radius, angle(of, against)));
                 vec![Equation::weighted(runs.chain(drums), None)]
             }
-            Joint::Relation { terms, constant } => vec![Equation::weighted(terms.iter().copied(), *constant)],
-            Joint::Cam { follower, cam, profile } => {
+            PlanarJoint::Relation { terms, constant } => {
+                vec![Equation::weighted(terms.iter().copied(), *constant)]
+            }
+            PlanarJoint::Cam { follower, cam, profile } => {
                 let terms = vec![
-                    Term { weight: 1.0, measure: *follower, profile: None },
-                    Term { weight: -1.0, measure: *cam, profile: Some(profile.clone()) },
+                    ConstraintTerm { weight: 1.0, measure: *follower, profile: None },
+                    ConstraintTerm { weight: -1.0, measure: *cam, profile: Some(profile.clone()) },
                 ];
                 vec![Equation { terms, constant: Some(0.0) }]
             }

@@ -6,10 +6,10 @@ mod contacts;
 use std::ops::Range;
 
 use super::{
-    Contact, Measure, Model, PlanarError, Snapshot,
+    Contact, Model, PlanarError, RelativeCoordinate, Snapshot,
     data::{Accelerated, Data, Moving, Quality},
     elimination::Conditioning,
-    friction::Friction,
+    friction::FrictionLaw,
     tolerances::{
         DEGENERATE_TOLERANCE, MAX_SINGULAR_TOLERANCE, MIN_PIVOT_OF_VELOCITIES, MOTION_MAX_CORRECTION,
         MOTION_MAX_CORRECTION_IN_TOLERANCES, MOTION_MAX_ITERATIONS, MOTION_RESIDUAL,
@@ -18,13 +18,13 @@ use super::{
     },
     vectors::{body_that_moves_most, largest},
 };
-use dalembert_numerics::ode::{OdeError, Problem};
+use dalembert_numerics::ode::{OdeError, OdeSystem};
 
 /// A model in motion.
 pub(super) struct EquationsOfMotion<'a> {
     model: &'a Model,
     data: Data<'a>,
-    frictions: Vec<Friction>,
+    frictions: Vec<FrictionLaw>,
     /// The state of each joint with friction, until a margin of it is used up.
     contacts: Vec<Contact>,
     /// The reason why the last rates are not numbers, if it is friction.
@@ -128,7 +128,7 @@ impl<'a> EquationsOfMotion<'a> {
     }
 
     /// The value of a measure and its velocity, in a state that need not satisfy the constraints.
-    pub(super) fn measure(&mut self, measure: &Measure, time: f64, state: &[f64]) -> [f64; 2] {
+    pub(super) fn measure(&mut self, measure: &RelativeCoordinate, time: f64, state: &[f64]) -> [f64; 2] {
         self.moving(time, state).measure(measure)
     }
 
@@ -175,7 +175,7 @@ impl<'a> EquationsOfMotion<'a> {
     }
 }
 
-impl Problem for EquationsOfMotion<'_> {
+impl OdeSystem for EquationsOfMotion<'_> {
     fn rates(&mut self, time: f64, state: &[f64], rates: &mut [f64]) {
         self.evaluated(time, state, rates);
     }

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::{
-    Load, Model, PlanarError, State,
+    Model, PlanarError, PlanarLoad, PlanarState,
     inverse_dynamics::virtual_power,
     measure::{bias, gradient, poses, rate},
     tolerances::{
@@ -41,7 +41,7 @@ pub enum Stability {
 
 /// One position of a mechanism that is moved through a range.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sample {
+pub struct SweepSample {
     /// The value of the moved driver, m or rad.
     pub value: f64,
     /// The positions.
@@ -99,19 +99,19 @@ impl Model {
     }
 
     /// The change of the power of loads and weights along a motion, W/s, as if it were slow.
-    fn change_of_power(&self, state: &State) -> f64 {
+    fn change_of_power(&self, state: &PlanarState) -> f64 {
         let poses = poses(&state.positions);
         let [gx, gy] = self.mechanism.gravity;
         let bodies = self.mechanism.bodies.iter().zip(&state.accelerations);
         let weights: f64 = bodies.map(|(body, a)| body.mass * (gx * a[0] + gy * a[1])).sum();
-        let of_load = |load: &Load| match load {
-            Load::Force { at, force, turns_with } => {
+        let of_load = |load: &PlanarLoad| match load {
+            PlanarLoad::Force { at, force, turns_with } => {
                 let [_, v, a] = self.point(*at, state);
                 let [fx, fy] = turns_with.map_or(*force, |body| poses[body].turned(*force));
                 let turning = turns_with.map_or(0.0, |body| state.velocities[body][2]);
                 fx * a[0] + fy * a[1] + turning * (fx * v[1] - fy * v[0])
             }
-            Load::Effort { measure, effort } => {
+            PlanarLoad::Effort { measure, effort } => {
                 let gradient = gradient(measure, &poses);
                 let [speed, tangential] =
                     [&state.velocities, &state.accelerations].map(|motion| rate(measure, &gradient, motion));
@@ -119,7 +119,7 @@ impl Model {
                 let [growth, _] = effort.gradient(gradient.value);
                 growth * speed * speed + effort.at(gradient.value, 0.0) * acceleration
             }
-            Load::Friction { .. } => 0.0,
+            PlanarLoad::Friction { .. } => 0.0,
         };
         weights + self.mechanism.loads.iter().map(of_load).sum::<f64>()
     }
@@ -134,9 +134,9 @@ impl Model {
         positions: &[[f64; 3]],
         [from, to]: [f64; 2],
         steps: usize,
-    ) -> Result<Vec<Sample>, PlanarError> {
+    ) -> Result<Vec<SweepSample>, PlanarError> {
         let mut values = self.driven_values(positions);
-        let mut samples: Vec<Sample> = Vec::with_capacity(steps + 1);
+        let mut samples: Vec<SweepSample> = Vec::with_capacity(steps + 1);
         for step in 0..=steps {
             let value = from + (to - from) * step as f64 / steps.max(1) as f64;
             let last = samples.last().map_or(positions, |sample| &sample.positions).to_vec();
@@ -149,7 +149,7 @@ impl Model {
             match self.holding_efforts(&there) {
                 Ok(efforts) => {
                     let potential = self.potential(&there);
-                    samples.push(Sample { value, positions: there, effort: efforts[0], potential });
+                    samples.push(SweepSample { value, positions: there, effort: efforts[0], potential });
                 }
                 // A change point between two others has no effort of its own.
                 Err(PlanarError::DeadCentre { .. }) => {}
@@ -164,7 +164,7 @@ impl Model {
     ///
     /// # Errors
     /// As for [`continue_to`](Model::continue_to).
-    pub fn equilibria(&self, samples: &[Sample]) -> Result<Vec<Equilibrium>, PlanarError> {
+    pub fn equilibria(&self, samples: &[SweepSample]) -> Result<Vec<Equilibrium>, PlanarError> {
         let largest = samples.iter().fold(0.0f64, |most, sample| most.max(sample.effort.abs()));
         let mut found = Vec::new();
         for (at, pair) in samples.windows(2).enumerate() {

@@ -1,16 +1,16 @@
 //! Events of a motion: a measure that reaches a value or comes to rest ends it, a margin of friction that is used up
 //! changes the contacts.
 
-use super::{Measure, equations_of_motion::EquationsOfMotion};
+use super::{RelativeCoordinate, equations_of_motion::EquationsOfMotion};
 use dalembert_numerics::ode::{Integrator, SAME_TIME};
 
 /// An event that ends a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Event {
     /// A measure reaches a value, m or rad.
-    Reaches(Measure, f64),
+    Reaches(RelativeCoordinate, f64),
     /// A measure comes to rest.
-    Rests(Measure),
+    Rests(RelativeCoordinate),
 }
 
 /// The first event within the last step of the integrator; its end if there is none.

@@ -8,9 +8,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::{
-    Contact, Measure, Model, PlanarError, State,
+    Contact, Model, PlanarError, PlanarState, RelativeCoordinate,
     data::Data,
-    friction::{Friction, Frictionless, Response, ResponseToForce},
+    friction::{FrictionLaw, FrictionResponse, Frictionless, ResponseToForce},
     measure::poses,
     tolerances::{MASSLESS_PIVOT, REST_SPEED},
     vectors::{body_that_moves_most, dot},
@@ -21,7 +21,7 @@ use dalembert_numerics::linalg::{self, Elimination};
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForwardDynamics {
     /// Positions, velocities and the accelerations under the loads.
-    pub state: State,
+    pub state: PlanarState,
     /// The Lagrange multiplier λ of each constraint, in the order of [`Model::equations`]: the force or torque that a
     /// joint or driver exerts along its coordinate.
     pub multipliers: Vec<f64>,
@@ -100,7 +100,8 @@ impl Model {
             under(force, vec![0.0; force.len()])
         })?;
         let accelerations = self.unscaled(&response.accelerations);
-        let state = State { positions: positions.to_vec(), velocities: velocities.to_vec(), accelerations };
+        let state =
+            PlanarState { positions: positions.to_vec(), velocities: velocities.to_vec(), accelerations };
         Ok(ForwardDynamics {
             state,
             multipliers: response.multipliers,
@@ -127,10 +128,10 @@ impl Model {
         let max_velocity = speeds.chain(gained).fold(0.0, f64::max);
         let poses = poses(positions);
         let frictionless = Frictionless { model: self, poses: &poses, velocities, basis, response };
-        let response = Response::new(&frictions, frictionless, act)?;
+        let response = FrictionResponse::new(&frictions, frictionless, act)?;
         let mut contacts = response.contacts(REST_SPEED * max_velocity);
         let efforts = response.settle(&mut contacts, max_velocity, [REST_SPEED; 2])?;
-        let of_each = |(row, friction): (usize, &Friction)| JointFriction {
+        let of_each = |(row, friction): (usize, &FrictionLaw)| JointFriction {
             load: friction.load,
             contact: contacts[row],
             effort: efforts[row] * self.length_of(&friction.measure),
@@ -150,13 +151,13 @@ impl Model {
     pub fn initial_velocities(
         &self,
         positions: &[[f64; 3]],
-        rates: &[(Measure, f64)],
+        rates: &[(RelativeCoordinate, f64)],
     ) -> Result<Vec<[f64; 3]>, PlanarError> {
         let mut data = Data::new(self, positions);
         let at_rest = vec![0.0; data.independent().len()];
         let moving = data.position(0.0, &self.tree_coordinates(positions)).factored().velocities(&at_rest);
         let (driven, basis) = (moving.scaled(), moving.basis());
-        let state = |motion: &[f64]| State {
+        let state = |motion: &[f64]| PlanarState {
             positions: positions.to_vec(),
             velocities: self.unscaled(motion),
             accelerations: Vec::new(),
@@ -172,7 +173,7 @@ impl Model {
         let (free, given) = (basis.len(), rates.len());
         let reduced_mass = reduced_mass(basis, &self.masses);
         check_mass(&reduced_mass, basis)?;
-        let motions: Vec<State> = basis.iter().map(|motion| state(motion)).collect();
+        let motions: Vec<PlanarState> = basis.iter().map(|motion| state(motion)).collect();
         let rates_of_basis =
             DMatrix::from_fn(given, free, |row, column| self.rate(&rates[row].0, &motions[column]));
         if let Some(&index) = Elimination::new(&rates_of_basis)?.dependent_rows().iter().max() {

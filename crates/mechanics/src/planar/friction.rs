@@ -15,7 +15,7 @@ mod sticking;
 use nalgebra::DMatrix;
 
 use super::{
-    Joint, Load, Measure, Model, PlanarError, Pose,
+    Model, PlanarError, PlanarJoint, PlanarLoad, Pose, RelativeCoordinate,
     measure::{bias, gradient, rate},
     tolerances::{
         FRICTION_MAX_ITERATIONS, FRICTION_STALLED_STEP, FRICTION_STEP, FRICTION_STRICT_ITERATIONS,
@@ -27,13 +27,13 @@ use dalembert_numerics::linalg::Elimination;
 
 /// Friction in a pin, slider or slot.
 #[derive(Debug, Clone)]
-pub(super) struct Friction {
+pub(super) struct FrictionLaw {
     /// The load, by its index.
     pub(super) load: usize,
     /// The joint, by its index.
     pub(super) joint: usize,
     /// The relative coordinate that slides.
-    pub(super) measure: Measure,
+    pub(super) measure: RelativeCoordinate,
     /// The friction along the measure over the force that the joint carries: μ, or μ r, m.
     pub(super) limit: f64,
     /// The equations whose multipliers are that force: the second one of a pin alone.
@@ -60,27 +60,29 @@ pub enum Contact {
 
 impl Model {
     /// The frictions of all joints.
-    pub(super) fn frictions(&self) -> Vec<Friction> {
-        let of_load = |(load, this): (usize, &Load)| {
-            let &Load::Friction { joint, coefficient, radius } = this else { return None };
+    pub(super) fn frictions(&self) -> Vec<FrictionLaw> {
+        let of_load = |(load, this): (usize, &PlanarLoad)| {
+            let &PlanarLoad::Friction { joint, coefficient, radius } = this else { return None };
             let (measure, arm, pin) = match self.mechanism.joints[joint] {
-                Joint::Slider { guide, direction, slides: at, .. }
-                | Joint::Slot { guide, direction, pin: at, .. } => {
+                PlanarJoint::Slider { guide, direction, slides: at, .. }
+                | PlanarJoint::Slot { guide, direction, pin: at, .. } => {
                     let direction = [direction.cos(), direction.sin()];
-                    (Measure::Along { direction, from: guide, to: at }, 1.0, false)
+                    (RelativeCoordinate::Along { direction, from: guide, to: at }, 1.0, false)
                 }
-                Joint::Pin { a, b } => (Measure::Angle { of: b.on, against: a.on }, radius, true),
+                PlanarJoint::Pin { a, b } => {
+                    (RelativeCoordinate::Angle { of: b.on, against: a.on }, radius, true)
+                }
                 _ => return None,
             };
             let first = self.owners.iter().position(|&owner| owner == joint)?;
             let rows = [first, first + usize::from(pin)];
-            Some(Friction { load, joint, measure, limit: coefficient * arm, rows, pin })
+            Some(FrictionLaw { load, joint, measure, limit: coefficient * arm, rows, pin })
         };
         self.mechanism.loads.iter().enumerate().filter_map(of_load).collect()
     }
 
     /// The joints with a coefficient of friction above zero.
-    pub(super) fn frictional_joints(&self) -> Vec<Friction> {
+    pub(super) fn frictional_joints(&self) -> Vec<FrictionLaw> {
         self.frictions().into_iter().filter(|friction| friction.limit > 0.0).collect()
     }
 
@@ -90,7 +92,7 @@ impl Model {
     }
 }
 
-impl Friction {
+impl FrictionLaw {
     /// The components of the force that the joint carries.
     fn components(&self, multipliers: &[f64]) -> [f64; 2] {
         let [first, second] = self.rows;
@@ -122,8 +124,8 @@ pub(super) struct Frictionless<'a> {
 }
 
 /// The response of the n joints with friction of a mechanism to their friction.
-pub(super) struct Response<'a> {
-    frictions: &'a [Friction],
+pub(super) struct FrictionResponse<'a> {
+    frictions: &'a [FrictionLaw],
     /// The response to the loads but for friction.
     base: ResponseToForce,
     /// The response to 1 N of each friction.
@@ -144,13 +146,13 @@ pub(super) struct Response<'a> {
     sliding_in_basis: Vec<Vec<f64>>,
 }
 
-impl<'a> Response<'a> {
+impl<'a> FrictionResponse<'a> {
     /// Finds the response to a unit of each friction: `act` gives that to generalised forces on the scaled coordinates.
     ///
     /// # Errors
     /// Those of `act`.
     pub(super) fn new(
-        frictions: &'a [Friction],
+        frictions: &'a [FrictionLaw],
         frictionless: Frictionless<'_>,
         act: impl Fn(&[f64]) -> Result<ResponseToForce, PlanarError>,
     ) -> Result<Self, PlanarError> {

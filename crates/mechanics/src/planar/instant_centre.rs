@@ -1,6 +1,6 @@
 //! Instant centres of velocity: the points in which two parts of a mechanism have the same velocity.
 
-use super::{Frame, Model, tolerances::RELATIVE_REST};
+use super::{BodyFrame, Model, tolerances::RELATIVE_REST};
 
 /// The instant centre of two parts.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,14 +22,14 @@ impl Model {
     /// Mechanisms*, 4th ed. (2011), ch. 3.
     pub fn instant_centre(
         &self,
-        [a, b]: [Frame; 2],
+        [a, b]: [BodyFrame; 2],
         positions: &[[f64; 3]],
         velocities: &[[f64; 3]],
     ) -> InstantCentre {
         let size = |[x, y, turn]: &[f64; 3]| x.hypot(*y).max(turn.abs() * self.length);
         let rest = RELATIVE_REST * velocities.iter().map(size).fold(0.0, f64::max);
         let [ox, oy] = b.or(a).map_or([0.0; 2], |body| [positions[body][0], positions[body][1]]);
-        let at_o = |part: Frame| {
+        let at_o = |part: BodyFrame| {
             part.map_or([0.0; 3], |body| {
                 let ([x, y, _], [vx, vy, turn]) = (positions[body], velocities[body]);
                 [vx - turn * (oy - y), vy + turn * (ox - x), turn]

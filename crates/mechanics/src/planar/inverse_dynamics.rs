@@ -3,8 +3,9 @@
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
 use super::{
-    Body, Frame, Gradient, Load, Measure, Mechanism, Model, PlanarError, Pose, State,
-    friction::{Friction, Frictionless, Response, ResponseToForce},
+    BodyFrame, Gradient, Model, PlanarBody, PlanarError, PlanarLoad, PlanarMechanism, PlanarState, Pose,
+    RelativeCoordinate,
+    friction::{FrictionLaw, FrictionResponse, Frictionless, ResponseToForce},
     load::wrench,
     measure::{gradient, poses, rate},
 };
@@ -63,7 +64,7 @@ impl Model {
     ///
     /// # Errors
     /// `UnderDriven`, `OverDriven`, `DeadCentre`, `Jammed`, `NotFinite`.
-    pub fn inverse_dynamics(&self, state: &State) -> Result<InverseDynamics, PlanarError> {
+    pub fn inverse_dynamics(&self, state: &PlanarState) -> Result<InverseDynamics, PlanarError> {
         self.balanced(&self.factored(&state.positions)?, state)
     }
 
@@ -72,7 +73,10 @@ impl Model {
     ///
     /// # Errors
     /// As for [`inverse_dynamics`](Model::inverse_dynamics).
-    pub fn kinetostatics(&self, positions: &[[f64; 3]]) -> Result<(State, InverseDynamics), PlanarError> {
+    pub fn kinetostatics(
+        &self,
+        positions: &[[f64; 3]],
+    ) -> Result<(PlanarState, InverseDynamics), PlanarError> {
         let elimination = self.factored(positions)?;
         let state = self.driven_motion(&elimination, positions)?;
         let dynamics = self.balanced(&elimination, &state)?;
@@ -80,7 +84,11 @@ impl Model {
     }
 
     /// The inverse dynamics with the Jacobian eliminated in the positions of the state.
-    fn balanced(&self, elimination: &Elimination, state: &State) -> Result<InverseDynamics, PlanarError> {
+    fn balanced(
+        &self,
+        elimination: &Elimination,
+        state: &PlanarState,
+    ) -> Result<InverseDynamics, PlanarError> {
         let coefficients = self.velocity_coefficients(elimination)?;
         let mut acting = self.acting(state);
         let loads = forces(state.positions.len(), &acting);
@@ -118,8 +126,8 @@ impl Model {
     }
 
     /// Kinetic energy, J, and its rate, W.
-    pub fn energy(&self, state: &State) -> (f64, f64) {
-        let of_body = |((body, v), a): ((&Body, &[f64; 3]), &[f64; 3])| {
+    pub fn energy(&self, state: &PlanarState) -> (f64, f64) {
+        let of_body = |((body, v), a): ((&PlanarBody, &[f64; 3]), &[f64; 3])| {
             let energy = body.mass * (v[0] * v[0] + v[1] * v[1]) + body.inertia * v[2] * v[2];
             let rate = body.mass * (v[0] * a[0] + v[1] * a[1]) + body.inertia * v[2] * a[2];
             (energy / 2.0, rate)
@@ -150,7 +158,7 @@ impl Model {
     }
 
     /// Every load but friction, every weight and every inertia load.
-    fn acting(&self, state: &State) -> Vec<AppliedLoad> {
+    fn acting(&self, state: &PlanarState) -> Vec<AppliedLoad> {
         let mut acting = self.applied(&state.positions, &state.velocities);
         for (index, (body, [x, y, angular])) in
             self.mechanism.bodies.iter().zip(&state.accelerations).enumerate()
@@ -170,20 +178,20 @@ impl Model {
     /// The loads but friction, and the weights.
     pub(super) fn applied(&self, positions: &[[f64; 3]], velocities: &[[f64; 3]]) -> Vec<AppliedLoad> {
         let poses = poses(positions);
-        let Mechanism { bodies, loads, gravity: [gx, gy], .. } = &self.mechanism;
+        let PlanarMechanism { bodies, loads, gravity: [gx, gy], .. } = &self.mechanism;
         let mut acting = Vec::new();
         for (index, load) in loads.iter().enumerate() {
             let parts = match load {
-                Load::Force { at, force, turns_with } => {
+                PlanarLoad::Force { at, force, turns_with } => {
                     let force = turns_with.map_or(*force, |body| poses[body].turned(*force));
                     at.on.map(|body| (body, wrench(&poses[body], at.at, force))).into_iter().collect()
                 }
-                Load::Effort { measure, effort } => {
+                PlanarLoad::Effort { measure, effort } => {
                     let gradient = gradient(measure, &poses);
                     let rate = rate(measure, &gradient, velocities);
                     along(measure, &gradient, effort.at(gradient.value, rate))
                 }
-                Load::Friction { .. } => continue,
+                PlanarLoad::Friction { .. } => continue,
             };
             acting.push((LoadId::Load(index), parts));
         }
@@ -205,7 +213,7 @@ impl Model {
         velocities: &[[S; 3]],
         forces: &mut [[S; 3]],
     ) -> S {
-        let Mechanism { bodies, loads, gravity: [gx, gy], .. } = &self.mechanism;
+        let PlanarMechanism { bodies, loads, gravity: [gx, gy], .. } = &self.mechanism;
         for (force, body) in forces.iter_mut().zip(bodies) {
             *force = [S::from(body.mass * gx), S::from(body.mass * gy), S::from(0.0)];
         }
@@ -221,7 +229,7 @@ impl Model {
         };
         for load in loads {
             match load {
-                Load::Force { at, force, turns_with } => {
+                PlanarLoad::Force { at, force, turns_with } => {
                     let turned = match *turns_with {
                         Some(body) => poses[body].turned(*force),
                         None => [S::from(force[0]), S::from(force[1])],
@@ -230,7 +238,7 @@ impl Model {
                         apply(body, wrench(&poses[body], at.at, turned), turns_with.is_none());
                     }
                 }
-                Load::Effort { measure, effort } => {
+                PlanarLoad::Effort { measure, effort } => {
                     let gradient = gradient(measure, poses);
                     let rate = rate(measure, &gradient, velocities);
                     let strength = effort.at(gradient.value, rate);
@@ -241,7 +249,7 @@ impl Model {
                         }
                     }
                 }
-                Load::Friction { .. } => {}
+                PlanarLoad::Friction { .. } => {}
             }
         }
         power
@@ -252,7 +260,7 @@ impl Model {
     fn multipliers(
         &self,
         elimination: &Elimination,
-        state: &State,
+        state: &PlanarState,
         loads: &[f64],
     ) -> Result<(Vec<f64>, Vec<AppliedLoad>), PlanarError> {
         let under = |loads: &[f64]| -> Result<ResponseToForce, PlanarError> {
@@ -269,9 +277,9 @@ impl Model {
         let poses = poses(&state.positions);
         let frictionless =
             Frictionless { model: self, poses: &poses, velocities: &state.velocities, basis: &[], response };
-        let response = Response::new(&frictions, frictionless, under)?;
+        let response = FrictionResponse::new(&frictions, frictionless, under)?;
         let efforts = response.bearing(&mut response.contacts(0.0)).ok_or_else(|| response.jammed())?;
-        let on_bodies = |(friction, effort): (&Friction, &f64)| {
+        let on_bodies = |(friction, effort): (&FrictionLaw, &f64)| {
             let gradient = gradient(&friction.measure, &poses);
             (
                 LoadId::Load(friction.load),
@@ -284,20 +292,20 @@ impl Model {
 }
 
 /// The energy stored in a load, if it stores any.
-fn stored(load: &Load, poses: &[Pose<f64>]) -> Option<f64> {
+fn stored(load: &PlanarLoad, poses: &[Pose<f64>]) -> Option<f64> {
     match load {
-        Load::Force { at, force, turns_with: None } => {
+        PlanarLoad::Force { at, force, turns_with: None } => {
             let [x, y] = at.on.map_or(at.at, |body| poses[body].point(at.at));
             Some(-(force[0] * x + force[1] * y))
         }
-        Load::Effort { measure, effort } => effort.energy(gradient(measure, poses).value),
-        Load::Force { .. } | Load::Friction { .. } => None,
+        PlanarLoad::Effort { measure, effort } => effort.energy(gradient(measure, poses).value),
+        PlanarLoad::Force { .. } | PlanarLoad::Friction { .. } => None,
     }
 }
 
 /// An effort along a measure as forces and moments on its bodies.
-fn along(measure: &Measure, gradient: &Gradient<f64>, effort: f64) -> Vec<(usize, [f64; 3])> {
-    let part = |frame: Frame, gradient: [f64; 3]| frame.map(|body| (body, gradient.map(|x| x * effort)));
+fn along(measure: &RelativeCoordinate, gradient: &Gradient<f64>, effort: f64) -> Vec<(usize, [f64; 3])> {
+    let part = |frame: BodyFrame, gradient: [f64; 3]| frame.map(|body| (body, gradient.map(|x| x * effort)));
     let [from, to] = measure.bodies();
     [part(from, gradient.from), part(to, gradient.to)].into_iter().flatten().collect()
 }

@@ -7,7 +7,7 @@
 use nalgebra::DMatrix;
 
 use super::{
-    Model, PlanarError, State, Term,
+    ConstraintTerm, Model, PlanarError, PlanarState,
     measure::{bias, gradient, poses, rate},
 };
 use dalembert_numerics::linalg::Elimination;
@@ -79,7 +79,7 @@ impl Model {
         velocities: &[[f64; 3]],
     ) -> Vec<f64> {
         let poses = poses(positions);
-        let of_term = |term: &Term| {
+        let of_term = |term: &ConstraintTerm| {
             let bias = bias(&term.measure, &poses, velocities);
             let through = match &term.profile {
                 Some(profile) => {
@@ -156,7 +156,7 @@ impl Model {
     ///
     /// # Errors
     /// `UnderDriven`, `OverDriven`, `DeadCentre`; `NotFinite`.
-    pub fn kinematics(&self, positions: &[[f64; 3]]) -> Result<State, PlanarError> {
+    pub fn kinematics(&self, positions: &[[f64; 3]]) -> Result<PlanarState, PlanarError> {
         self.driven_motion(&self.factored(positions)?, positions)
     }
 
@@ -165,7 +165,7 @@ impl Model {
         &self,
         elimination: &Elimination,
         positions: &[[f64; 3]],
-    ) -> Result<State, PlanarError> {
+    ) -> Result<PlanarState, PlanarError> {
         let drivers = &self.mechanism.drivers;
         let rates: Vec<f64> = drivers.iter().map(|driver| driver.velocity).collect();
         let accelerations: Vec<f64> = drivers.iter().map(|driver| driver.acceleration).collect();
@@ -179,7 +179,7 @@ impl Model {
         positions: &[[f64; 3]],
         driver_rates: &[f64],
         driver_accelerations: &[f64],
-    ) -> Result<State, PlanarError> {
+    ) -> Result<PlanarState, PlanarError> {
         let mut rhs = vec![0.0; self.first_driver()];
         rhs.extend(driver_rates);
         let velocities = self.unscaled(&elimination.solve(&rhs)?);
@@ -188,7 +188,7 @@ impl Model {
             *rhs += acceleration;
         }
         let accelerations = self.unscaled(&elimination.solve(&rhs)?);
-        Ok(State { positions: positions.to_vec(), velocities, accelerations })
+        Ok(PlanarState { positions: positions.to_vec(), velocities, accelerations })
     }
 
     /// The velocity coefficients `∂q/∂m`, one list of `(x, y, θ)` for each driver: the velocities of the bodies at unit

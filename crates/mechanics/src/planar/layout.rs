@@ -10,7 +10,7 @@
 mod compile;
 
 use super::{
-    Equation, Frame, Point, Pose, Term,
+    BodyFrame, BodyPoint, ConstraintTerm, Equation, Pose,
     measure::{gradient, pair, rate},
 };
 use crate::Real;
@@ -21,7 +21,7 @@ use dalembert_numerics::simd::{SimdReal, SimdVector, WIDTH, widest};
 /// Columns are scaled coordinates, `3 body + (0, 1, 2)` for `(x, y, θ · size)`. Place 0 of the flat array takes what
 /// belongs nowhere: entries by the ground and those that are always zero.
 #[derive(Debug, Clone)]
-pub(super) struct Layout {
+pub(super) struct EquationLayout {
     /// The Jacobian by rows: of each equation its columns with their places in the flat array.
     pub(super) rows: Vec<Vec<(usize, usize)>>,
     /// The entries that are constant, in their places; zero elsewhere.
@@ -73,9 +73,9 @@ pub(super) struct Position<S = f64> {
 #[derive(Debug, Clone)]
 enum Kernel {
     /// `B − A = 0` in both directions: row of the first, and the places of the entries by θ_A and θ_B of each.
-    Pin { row: usize, points: [Point; 2], bodies: [usize; 2], places: [[usize; 2]; 2], is_loop: bool },
+    Pin { row: usize, points: [BodyPoint; 2], bodies: [usize; 2], places: [[usize; 2]; 2], is_loop: bool },
     /// Anything; its entries may be constant.
-    General { row: usize, terms: Vec<(Term, [[usize; 3]; 2])>, is_constant: bool, is_loop: bool },
+    General { row: usize, terms: Vec<(ConstraintTerm, [[usize; 3]; 2])>, is_constant: bool, is_loop: bool },
 }
 
 /// The use of an explicit equation.
@@ -87,7 +87,7 @@ enum Assignment {
     General { kernel: usize, column: usize, entry: f64 },
 }
 
-impl Layout {
+impl EquationLayout {
     /// The number of places in the flat array.
     pub(super) fn places(&self) -> usize {
         self.entries.len()
@@ -243,10 +243,10 @@ impl Layout {
                 }
                 Kernel::General { row, is_constant: true, .. } => terms_by_row[*row] = S::from(0.0),
                 Kernel::General { row, terms, .. } => {
-                    let of_term = |(term, _): &(Term, _)| {
+                    let of_term = |(term, _): &(ConstraintTerm, _)| {
                         let poses = pair(&term.measure, &position.poses);
                         let [from, to] = term.measure.bodies();
-                        let velocity = |frame: Frame| velocities[frame.unwrap_or(self.bodies)];
+                        let velocity = |frame: BodyFrame| velocities[frame.unwrap_or(self.bodies)];
                         let bias = term.measure.bias(poses, [velocity(from), velocity(to)]);
                         let Some(profile) = &term.profile else { return bias * term.weight };
                         let gradient = term.measure.gradient(poses);
@@ -302,7 +302,7 @@ impl Layout {
 
 /// The value of a term, its weight included.
 #[inline(always)]
-fn value<S: SimdReal>(term: &Term, poses: &[Pose<S>]) -> S {
+fn value<S: SimdReal>(term: &ConstraintTerm, poses: &[Pose<S>]) -> S {
     let value = gradient(&term.measure, poses).value;
     term.profile.as_ref().map_or(value, |profile| value.each(|x| profile.at(x)[0])) * term.weight
 }

@@ -2,27 +2,27 @@
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
-use super::{Frame, Measure, Point, Pose, Profile};
+use super::{BodyFrame, BodyPoint, Pose, Profile, RelativeCoordinate};
 use crate::Real;
 use dalembert_numerics::simd::SimdReal;
 
 /// A load.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Load {
+pub enum PlanarLoad {
     /// A force at a point, in the axes of the ground or turning with a body.
     Force {
         /// The point of application.
-        at: Point,
+        at: BodyPoint,
         /// The components, N.
         force: [f64; 2],
         /// The body in whose axes the components are.
-        turns_with: Frame,
+        turns_with: BodyFrame,
     },
     /// An effort along a measure: a force along a length (N) or a couple about an angle (N m), positive when it
     /// pushes the measure to grow. It acts on both bodies of the measure.
     Effort {
         /// The measure along which it acts.
-        measure: Measure,
+        measure: RelativeCoordinate,
         /// The force law.
         effort: Effort,
     },

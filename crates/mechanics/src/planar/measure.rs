@@ -9,18 +9,18 @@
 use crate::Real;
 
 /// A body, counted from 0, or the ground.
-pub type Frame = Option<usize>;
+pub type BodyFrame = Option<usize>;
 
 /// A point fixed to a body, in the axes of the body and from its origin, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
+pub struct BodyPoint {
     /// The body that carries it.
-    pub on: Frame,
+    pub on: BodyFrame,
     /// The position in the axes of the body.
     pub at: [f64; 2],
 }
 
-impl Point {
+impl BodyPoint {
     /// A point of the ground.
     pub fn ground(at: [f64; 2]) -> Self {
         Self { on: None, at }
@@ -34,22 +34,22 @@ impl Point {
 
 /// A length or an angle of a mechanism.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Measure {
+pub enum RelativeCoordinate {
     /// The angle of a body against another, `θ_of − θ_against`, rad. Turns are counted.
     Angle {
         /// The body that turns.
-        of: Frame,
+        of: BodyFrame,
         /// The body against which its angle is taken.
-        against: Frame,
+        against: BodyFrame,
     },
     /// The distance of a point from another in a fixed direction, `u · (B − A)`, m.
     Component {
         /// Unit vector u.
         direction: [f64; 2],
         /// A.
-        from: Point,
+        from: BodyPoint,
         /// B.
-        to: Point,
+        to: BodyPoint,
     },
     /// The distance of a point from another in a direction that turns with the body of the first, `u(θ_A) · (B − A)`,
     /// m.
@@ -57,16 +57,16 @@ pub enum Measure {
         /// Unit vector u in the axes of the body that carries A.
         direction: [f64; 2],
         /// A.
-        from: Point,
+        from: BodyPoint,
         /// B.
-        to: Point,
+        to: BodyPoint,
     },
     /// The distance of two points, `|B − A|`, m.
     Distance {
         /// A.
-        from: Point,
+        from: BodyPoint,
         /// B.
-        to: Point,
+        to: BodyPoint,
     },
 }
 
@@ -128,21 +128,21 @@ impl<S: Real> Pose<S> {
     }
 }
 
-impl Measure {
+impl RelativeCoordinate {
     /// The bodies between which it is taken: from, to.
     #[inline(always)]
-    pub fn bodies(&self) -> [Frame; 2] {
+    pub fn bodies(&self) -> [BodyFrame; 2] {
         match *self {
-            Measure::Angle { of, against } => [against, of],
-            Measure::Component { from, to, .. }
-            | Measure::Along { from, to, .. }
-            | Measure::Distance { from, to } => [from.on, to.on],
+            RelativeCoordinate::Angle { of, against } => [against, of],
+            RelativeCoordinate::Component { from, to, .. }
+            | RelativeCoordinate::Along { from, to, .. }
+            | RelativeCoordinate::Distance { from, to } => [from.on, to.on],
         }
     }
 
     /// True for an angle, in rad, rather than a length, in m.
     pub fn is_angle(&self) -> bool {
-        matches!(self, Measure::Angle { .. })
+        matches!(self, RelativeCoordinate::Angle { .. })
     }
 
     /// The value and its derivative, with the poses of the bodies it is taken from and to.
@@ -154,18 +154,18 @@ impl Measure {
         // A unit force along u at a point of a body, as the force and its moment about the body's origin.
         let along = |[ux, uy]: [S; 2], [rx, ry]: [S; 2]| [ux, uy, rx * uy - ry * ux];
         match *self {
-            Measure::Angle { .. } => Gradient {
+            RelativeCoordinate::Angle { .. } => Gradient {
                 value: to_pose.angle - from_pose.angle,
                 from: [zero, zero, S::from(-1.0)],
                 to: [zero, zero, S::from(1.0)],
             },
-            Measure::Component { direction, from, to } => {
+            RelativeCoordinate::Component { direction, from, to } => {
                 let u = [S::from(direction[0]), S::from(direction[1])];
                 let (a, b) = (from_pose.turned(from.at), to_pose.turned(to.at));
                 let d = between(from_pose, a, to_pose, b);
                 Gradient { value: dot(u, d), from: opposite(along(u, a)), to: along(u, b) }
             }
-            Measure::Along { direction, from, to } => {
+            RelativeCoordinate::Along { direction, from, to } => {
                 let u = from_pose.turned(direction);
                 let (a, b) = (from_pose.turned(from.at), to_pose.turned(to.at));
                 let d = between(from_pose, a, to_pose, b);
@@ -173,7 +173,7 @@ impl Measure {
                 let turning = u[0] * d[1] - u[1] * d[0];
                 Gradient { value: dot(u, d), from: [fx, fy, moment + turning], to: along(u, b) }
             }
-            Measure::Distance { from, to } => {
+            RelativeCoordinate::Distance { from, to } => {
                 let (a, b) = (from_pose.turned(from.at), to_pose.turned(to.at));
                 let d = between(from_pose, a, to_pose, b);
                 let length = (d[0].powi(2) + d[1].powi(2)).sqrt();
@@ -189,7 +189,7 @@ impl Measure {
         let [from_pose, to_pose] = poses;
         let [from_velocity, to_velocity] = velocities;
         let (wa, wb) = (from_velocity[2], to_velocity[2]);
-        let points = |from: Point, to: Point| {
+        let points = |from: BodyPoint, to: BodyPoint| {
             let (a, b) = (from_pose.turned(from.at), to_pose.turned(to.at));
             let inward = [a[0] * wa.powi(2) - b[0] * wb.powi(2), a[1] * wa.powi(2) - b[1] * wb.powi(2)];
             (a, b, inward)
@@ -201,19 +201,19 @@ impl Measure {
             ]
         };
         match *self {
-            Measure::Angle { .. } => S::from(0.0),
-            Measure::Component { direction, from, to } => {
+            RelativeCoordinate::Angle { .. } => S::from(0.0),
+            RelativeCoordinate::Component { direction, from, to } => {
                 let (_, _, inward) = points(from, to);
                 dot([S::from(direction[0]), S::from(direction[1])], inward)
             }
-            Measure::Along { direction, from, to } => {
+            RelativeCoordinate::Along { direction, from, to } => {
                 let u = from_pose.turned(direction);
                 let (a, b, inward) = points(from, to);
                 let (d, v) = (between(from_pose, a, to_pose, b), relative(a, b));
                 let across = u[0] * v[1] - u[1] * v[0];
                 dot(u, inward) + across * wa * 2.0 - dot(u, d) * wa.powi(2)
             }
-            Measure::Distance { from, to } => {
+            RelativeCoordinate::Distance { from, to } => {
                 let (a, b, inward) = points(from, to);
                 let (d, v) = (between(from_pose, a, to_pose, b), relative(a, b));
                 let length = (d[0].powi(2) + d[1].powi(2)).sqrt();
@@ -232,20 +232,20 @@ pub(super) fn poses(positions: &[[f64; 3]]) -> Vec<Pose<f64>> {
 
 /// The poses of the bodies between which a measure is taken, among those of all bodies and, last, of the ground.
 #[inline(always)]
-pub(super) fn pair<'a, S>(measure: &Measure, poses: &'a [Pose<S>]) -> [&'a Pose<S>; 2] {
+pub(super) fn pair<'a, S>(measure: &RelativeCoordinate, poses: &'a [Pose<S>]) -> [&'a Pose<S>; 2] {
     let ground = poses.len() - 1;
     let [from, to] = measure.bodies();
     [&poses[from.unwrap_or(ground)], &poses[to.unwrap_or(ground)]]
 }
 
-/// [`Measure::gradient`] with the poses of all bodies and the ground.
+/// [`RelativeCoordinate::gradient`] with the poses of all bodies and the ground.
 #[inline(always)]
-pub(super) fn gradient<S: Real>(measure: &Measure, poses: &[Pose<S>]) -> Gradient<S> {
+pub(super) fn gradient<S: Real>(measure: &RelativeCoordinate, poses: &[Pose<S>]) -> Gradient<S> {
     measure.gradient(pair(measure, poses))
 }
 
-/// [`Measure::bias`] with the poses of all bodies and the ground, and the velocities of the bodies.
-pub(super) fn bias(measure: &Measure, poses: &[Pose<f64>], velocities: &[[f64; 3]]) -> f64 {
+/// [`RelativeCoordinate::bias`] with the poses of all bodies and the ground, and the velocities of the bodies.
+pub(super) fn bias(measure: &RelativeCoordinate, poses: &[Pose<f64>], velocities: &[[f64; 3]]) -> f64 {
     let [from_velocity, to_velocity] =
         measure.bodies().map(|frame| frame.map_or([0.0; 3], |body| velocities[body]));
     measure.bias(pair(measure, poses), [from_velocity, to_velocity])
@@ -253,9 +253,13 @@ pub(super) fn bias(measure: &Measure, poses: &[Pose<f64>], velocities: &[[f64; 3
 
 /// The velocity `(∂m/∂q) q̇` of a measure, from the velocities of the bodies.
 #[inline(always)]
-pub(super) fn rate<S: Real>(measure: &Measure, gradient: &Gradient<S>, velocities: &[[S; 3]]) -> S {
+pub(super) fn rate<S: Real>(
+    measure: &RelativeCoordinate,
+    gradient: &Gradient<S>,
+    velocities: &[[S; 3]],
+) -> S {
     let dot = |[ax, ay, aw]: [S; 3], [bx, by, bw]: [S; 3]| ax * bx + ay * by + aw * bw;
-    let of = |frame: Frame, part: [S; 3]| frame.map_or(S::from(0.0), |body| dot(part, velocities[body]));
+    let of = |frame: BodyFrame, part: [S; 3]| frame.map_or(S::from(0.0), |body| dot(part, velocities[body]));
     let [from, to] = measure.bodies();
     of(from, gradient.from) + of(to, gradient.to)
 }

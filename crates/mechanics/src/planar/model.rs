@@ -15,8 +15,8 @@ mod check;
 
 use self::check::check;
 use super::{
-    Equation, Load, Measure, Mechanism, PlanarError, Point, Pose, Term,
-    layout::Layout,
+    BodyPoint, ConstraintTerm, Equation, PlanarError, PlanarLoad, PlanarMechanism, Pose, RelativeCoordinate,
+    layout::EquationLayout,
     measure::{gradient, poses, rate},
     tolerances::MIN_LENGTH,
 };
@@ -24,7 +24,7 @@ use dalembert_numerics::simd::SimdReal;
 
 /// Positions, velocities and accelerations of all bodies, each `(x, y, θ)`: m and rad, and per s and s².
 #[derive(Debug, Clone, PartialEq)]
-pub struct State {
+pub struct PlanarState {
     /// Positions.
     pub positions: Vec<[f64; 3]>,
     /// Velocities.
@@ -36,7 +36,7 @@ pub struct State {
 /// A mechanism compiled for evaluation; every reference in it is valid.
 #[derive(Debug, Clone)]
 pub struct Model {
-    pub(super) mechanism: Mechanism,
+    pub(super) mechanism: PlanarMechanism,
     /// Those of the joints, then those of the drivers.
     pub(super) equations: Vec<Equation>,
     /// The joint of each equation; the drivers count on after the joints.
@@ -46,7 +46,7 @@ pub struct Model {
     /// The masses `(m, m, I / size²)` of the scaled coordinates, kg.
     pub(super) masses: Vec<f64>,
     /// Explicit and loop equations, and the places of the Jacobian's entries.
-    pub(super) layout: Layout,
+    pub(super) layout: EquationLayout,
 }
 
 impl Model {
@@ -55,7 +55,7 @@ impl Model {
     ///
     /// # Errors
     /// `Number`, `NoSuchBody`.
-    pub fn new(mechanism: &Mechanism, guess: &[[f64; 3]]) -> Result<Self, PlanarError> {
+    pub fn new(mechanism: &PlanarMechanism, guess: &[[f64; 3]]) -> Result<Self, PlanarError> {
         check(mechanism, guess)?;
         let mut equations = Vec::new();
         let mut owners = Vec::new();
@@ -81,7 +81,7 @@ impl Model {
             mechanism.bodies.iter().flat_map(|body| [body.mass, body.mass, body.inertia / (length * length)]);
         Ok(Self {
             masses: masses.collect(),
-            layout: Layout::new(&equations, of_joints, mechanism.bodies.len(), length),
+            layout: EquationLayout::new(&equations, of_joints, mechanism.bodies.len(), length),
             mechanism: mechanism.clone(),
             equations,
             owners,
@@ -95,7 +95,7 @@ impl Model {
     }
 
     /// The mechanism.
-    pub fn mechanism(&self) -> &Mechanism {
+    pub fn mechanism(&self) -> &PlanarMechanism {
         &self.mechanism
     }
 
@@ -125,18 +125,18 @@ impl Model {
     }
 
     /// The value of a measure.
-    pub fn value(&self, measure: &Measure, positions: &[[f64; 3]]) -> f64 {
+    pub fn value(&self, measure: &RelativeCoordinate, positions: &[[f64; 3]]) -> f64 {
         gradient(measure, &poses(positions)).value
     }
 
     /// The velocity of a measure.
-    pub fn rate(&self, measure: &Measure, state: &State) -> f64 {
+    pub fn rate(&self, measure: &RelativeCoordinate, state: &PlanarState) -> f64 {
         let gradient = gradient(measure, &poses(&state.positions));
         rate(measure, &gradient, &state.velocities)
     }
 
     /// Position, velocity and acceleration of a point, in the axes of the ground: m, m/s, m/s².
-    pub fn point(&self, point: Point, state: &State) -> [[f64; 2]; 3] {
+    pub fn point(&self, point: BodyPoint, state: &PlanarState) -> [[f64; 2]; 3] {
         let Some(body) = point.on else { return [point.at, [0.0; 2], [0.0; 2]] };
         let pose = Pose::new(state.positions[body]);
         let [rx, ry] = pose.turned(point.at);
@@ -150,16 +150,16 @@ impl Model {
 
     /// Reports whether drivers or loads have no potential, so that their work is a quantity of its own.
     pub(super) fn has_work(&self) -> bool {
-        let dissipates = |load: &Load| match load {
-            Load::Force { turns_with, .. } => turns_with.is_some(),
-            Load::Effort { effort, .. } => !effort.is_stored(),
-            Load::Friction { .. } => true,
+        let dissipates = |load: &PlanarLoad| match load {
+            PlanarLoad::Force { turns_with, .. } => turns_with.is_some(),
+            PlanarLoad::Effort { effort, .. } => !effort.is_stored(),
+            PlanarLoad::Friction { .. } => true,
         };
         !self.mechanism.drivers.is_empty() || self.mechanism.loads.iter().any(dissipates)
     }
 
     /// The factor that makes a measure a length: the size for an angle, m, 1 for a length.
-    pub(super) fn length_of(&self, measure: &Measure) -> f64 {
+    pub(super) fn length_of(&self, measure: &RelativeCoordinate) -> f64 {
         if measure.is_angle() { self.length } else { 1.0 }
     }
 
@@ -215,7 +215,7 @@ impl Model {
 
 /// The left side `Σ weight · f(measure)` of an equation.
 fn left_side(equation: &Equation, poses: &[Pose<f64>]) -> f64 {
-    let of_term = |term: &Term| {
+    let of_term = |term: &ConstraintTerm| {
         let value = gradient(&term.measure, poses).value;
         term.weight * term.profile.as_ref().map_or(value, |profile| profile.at(value)[0])
     };
@@ -223,13 +223,13 @@ fn left_side(equation: &Equation, poses: &[Pose<f64>]) -> f64 {
 }
 
 /// The largest length of the mechanism: of the arms to its points, of its rods, of the initial guess.
-fn size(mechanism: &Mechanism, equations: &[Equation], guess: &[[f64; 3]]) -> f64 {
-    let arm = |point: Point| point.at[0].hypot(point.at[1]);
-    let of_measure = |measure: &Measure| match *measure {
-        Measure::Angle { .. } => 0.0,
-        Measure::Component { from, to, .. }
-        | Measure::Along { from, to, .. }
-        | Measure::Distance { from, to } => arm(from).max(arm(to)),
+fn size(mechanism: &PlanarMechanism, equations: &[Equation], guess: &[[f64; 3]]) -> f64 {
+    let arm = |point: BodyPoint| point.at[0].hypot(point.at[1]);
+    let of_measure = |measure: &RelativeCoordinate| match *measure {
+        RelativeCoordinate::Angle { .. } => 0.0,
+        RelativeCoordinate::Component { from, to, .. }
+        | RelativeCoordinate::Along { from, to, .. }
+        | RelativeCoordinate::Distance { from, to } => arm(from).max(arm(to)),
     };
     let in_equations = equations.iter().flat_map(|equation| {
         let only_lengths = equation.terms.iter().all(|term| !term.measure.is_angle());
@@ -237,9 +237,9 @@ fn size(mechanism: &Mechanism, equations: &[Equation], guess: &[[f64; 3]]) -> f6
         equation.terms.iter().map(|term| of_measure(&term.measure)).chain([constant])
     });
     let in_loads = mechanism.loads.iter().map(|load| match load {
-        Load::Force { at, .. } => arm(*at),
-        Load::Effort { measure, .. } => of_measure(measure),
-        Load::Friction { radius, .. } => *radius,
+        PlanarLoad::Force { at, .. } => arm(*at),
+        PlanarLoad::Effort { measure, .. } => of_measure(measure),
+        PlanarLoad::Friction { radius, .. } => *radius,
     });
     let largest = in_equations.chain(in_loads).fold(0.0, f64::max);
     let in_guess = guess.iter().map(|[x, y, _]| x.hypot(*y)).fold(0.0, f64::max);

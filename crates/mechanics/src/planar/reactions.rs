@@ -1,14 +1,14 @@
 //! Joint reactions from the Lagrange multipliers, and their resultant on the ground.
 
 use super::{
-    Frame, Load, Model, State,
+    BodyFrame, Model, PlanarLoad, PlanarState,
     measure::{gradient, poses},
 };
 
 impl Model {
     /// The parts between which a joint or driver exerts forces, in the order of its points; the drivers count on after
     /// the joints, as in [`owner`](Model::owner).
-    pub fn connected_parts(&self, owner: usize) -> Vec<Frame> {
+    pub fn connected_parts(&self, owner: usize) -> Vec<BodyFrame> {
         let mut parts = Vec::new();
         for (equation, of) in self.equations.iter().zip(&self.owners) {
             let lengths = equation.terms.iter().filter(|term| *of == owner && !term.measure.is_angle());
@@ -26,7 +26,7 @@ impl Model {
     /// Systems* (1989), ch. 6.
     pub fn force_on(
         &self,
-        part: Frame,
+        part: BodyFrame,
         owner: usize,
         positions: &[[f64; 3]],
         multipliers: &[f64],
@@ -51,13 +51,13 @@ impl Model {
     /// The shaking force: the sum of all forces that the mechanism exerts on the ground, by joints, drivers, springs,
     /// dampers and gas, N. By the balance of the whole it is that of the forces from outside, the weights and the
     /// inertia forces, `Σ F + Σ m (g − a)`. R. L. Norton, *Design of Machinery*, 5th ed. (2012), ch. 11.
-    pub fn shaking_force(&self, state: &State) -> [f64; 2] {
+    pub fn shaking_force(&self, state: &PlanarState) -> [f64; 2] {
         let poses = poses(&state.positions);
         let [gx, gy] = self.mechanism.gravity;
         let inertia = self.mechanism.bodies.iter().zip(&state.accelerations);
         let of_masses = inertia.map(|(body, [x, y, _])| [body.mass * (gx - x), body.mass * (gy - y)]);
         let outside = self.mechanism.loads.iter().filter_map(|load| match load {
-            Load::Force { at, force, turns_with } if at.on.is_some() => {
+            PlanarLoad::Force { at, force, turns_with } if at.on.is_some() => {
                 Some(turns_with.map_or(*force, |body| poses[body].turned(*force)))
             }
             _ => None,

@@ -6,7 +6,7 @@
 //! *Solving Ordinary Differential Equations II*, §VII.2).
 
 use super::{
-    Model, PlanarError, Run, Snapshot, Trajectory,
+    Model, PlanarError, PlanarRun, Snapshot, Trajectory,
     equations_of_motion::EquationsOfMotion,
     events::FirstEvent,
     tolerances::{INTERPOLATION_GAP, INTERPOLATION_PARTS, START_DISTANCE},
@@ -25,7 +25,7 @@ impl Model {
         &self,
         positions: &[[f64; 3]],
         velocities: &[[f64; 3]],
-        run: &Run,
+        run: &PlanarRun,
     ) -> Result<Trajectory, PlanarError> {
         let mut motion = EquationsOfMotion::new(self, positions, run.tolerance, run.cancelled);
         let mut state = motion.state(positions, velocities, 0.0);
@@ -51,7 +51,7 @@ impl Model {
         }
         let mut integrator = Integrator::new(&mut motion, 0.0, &state, run.duration, run.most_steps)?;
         if run.samples > 2 || !run.ends.is_empty() || motion.has_friction() {
-            integrator = integrator.looked_between();
+            integrator = integrator.examined_between();
         }
         let intervals = run.samples.saturating_sub(1);
         let time_of = |index: usize| {

@@ -10,10 +10,10 @@ mod station;
 
 use self::station::{Path, Station};
 use super::{
-    Load, Model, PlanarError, State,
+    Model, PlanarError, PlanarLoad, PlanarState,
     elimination::PivotOrder,
     givens::ordering,
-    layout::{Layout, Position},
+    layout::{EquationLayout, Position},
     tolerances::{MAX_LOOP_EQUATIONS, MIN_DIVIDED, SWEEP_PASSED_RESIDUAL, SWEEP_RESIDUAL},
 };
 use dalembert_numerics::simd::{SimdVector, WIDTH};
@@ -45,7 +45,7 @@ pub struct Sweep<'a> {
 /// The model of a mechanism whose loops are eliminated in one way throughout, and its working data.
 #[derive(Debug, Clone)]
 struct FixedElimination {
-    layout: Layout,
+    layout: EquationLayout,
     /// The elimination of the explicit coordinates.
     order: PivotOrder,
     /// The loop equations that it leaves: places and numbers of tree coordinates.
@@ -64,7 +64,7 @@ impl Model {
     pub fn sweep(&self, positions: &[[f64; 3]], driver: usize) -> Result<Sweep<'_>, PlanarError> {
         let elimination = self.factored(positions)?;
         let is_plain = elimination.dependent_rows().is_empty()
-            && !self.mechanism.loads.iter().any(|load| matches!(load, Load::Friction { .. }));
+            && !self.mechanism.loads.iter().any(|load| matches!(load, PlanarLoad::Friction { .. }));
         let fixed = if is_plain { FixedElimination::new(self, positions) } else { None };
         let value = self.value(&self.mechanism.drivers[driver].measure, positions);
         Ok(Sweep { model: self, positions: positions.to_vec(), driver, value, fixed })
@@ -112,9 +112,9 @@ impl SweepResult {
     }
 
     /// Positions, velocities and accelerations at a value.
-    pub fn state(&self, n: usize) -> State {
+    pub fn state(&self, n: usize) -> PlanarState {
         let [positions, velocities, accelerations] = [0, 1, 2].map(|which| self.triples(n, which).to_vec());
-        State { positions, velocities, accelerations }
+        PlanarState { positions, velocities, accelerations }
     }
 
     /// The multiplier of each equation at a value, in the order of [`Model::equations`], by Newton and Euler.
@@ -153,7 +153,7 @@ impl SweepResult {
         self.reached = 0;
     }
 
-    fn put(&mut self, state: &State, multipliers: &[f64], effort: f64) {
+    fn put(&mut self, state: &PlanarState, multipliers: &[f64], effort: f64) {
         let of_bodies = [&state.positions, &state.velocities, &state.accelerations];
         let numbers = of_bodies.into_iter().flatten().flatten().chain(multipliers).chain([&effort]);
         for (place, number) in self.record_mut(self.reached).iter_mut().zip(numbers) {

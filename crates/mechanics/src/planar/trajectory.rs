@@ -1,11 +1,11 @@
 //! The result of a simulation: moments of a motion.
 
-use super::{Contact, Event, State};
+use super::{Contact, Event, PlanarState};
 use dalembert_numerics::ode;
 
 /// Duration and tolerance of a simulation: the tolerance is relative to the size of the mechanism and to its largest
 /// velocity.
-pub type Run<'a> = ode::Run<'a, Event>;
+pub type PlanarRun<'a> = ode::Integration<'a, Event>;
 
 /// A motion.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,7 +26,7 @@ pub struct Snapshot {
     /// Time, s.
     pub time: f64,
     /// Positions, velocities and accelerations.
-    pub state: State,
+    pub state: PlanarState,
     /// Kinetic energy, J.
     pub kinetic: f64,
     /// Energy of weights, springs and all other loads that have a potential, J, from an arbitrary level.
@@ -47,7 +47,7 @@ impl Trajectory {
 impl Snapshot {
     /// Adds so many times another one, the time left out.
     pub(super) fn add(&mut self, times: f64, other: &Snapshot) {
-        let State { positions, velocities, accelerations } = &mut self.state;
+        let PlanarState { positions, velocities, accelerations } = &mut self.state;
         let parts = [
             (positions, &other.state.positions),
             (velocities, &other.state.velocities),

@@ -34,7 +34,7 @@ pub fn next_acceleration<V: Vector>(
 
 /// A joint of the chain: a turn about an axis of the frame before it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Joint {
+pub struct ChainJoint {
     /// A vector of any length along the axis, in the frame before it (and, alike, in the frame after it).
     pub axis: Vector3<f64>,
     /// Angle θ from the frame before to the one after, rad.
@@ -49,7 +49,7 @@ pub struct Joint {
 
 /// A frame of the chain at one moment; all vectors have their components in the fixed axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Frame {
+pub struct ChainFrame {
     /// Takes components in this frame to components in the fixed axes.
     pub rotation: Rotation3<f64>,
     /// Angular velocity ω, rad/s.
@@ -75,7 +75,7 @@ pub struct PointMotion {
     pub acceleration: Vector3<f64>,
 }
 
-impl Joint {
+impl ChainJoint {
     /// The joint a time `t` (s) later, or earlier, with its acceleration kept.
     #[must_use]
     pub fn after(mut self, t: f64) -> Self {
@@ -85,7 +85,7 @@ impl Joint {
     }
 }
 
-impl Frame {
+impl ChainFrame {
     /// The fixed frame.
     pub fn fixed() -> Self {
         let zero = Vector3::zeros();
@@ -103,11 +103,11 @@ impl Frame {
     ///
     /// # Errors
     /// [`RigidError::Direction`] for an axis without length, [`RigidError::NotFinite`].
-    pub fn next(&self, joint: &Joint) -> Result<Frame, RigidError> {
+    pub fn next(&self, joint: &ChainJoint) -> Result<ChainFrame, RigidError> {
         let local = super::tensor::unit(joint.axis)?;
         let axis = self.rotation * local;
         let origin = self.point(joint.offset);
-        let frame = Frame {
+        let frame = ChainFrame {
             rotation: self.rotation * Rotation3::from_axis_angle(&Unit::new_unchecked(local), joint.angle),
             angular_velocity: self.angular_velocity + axis * joint.rate,
             angular_acceleration: next_acceleration(
@@ -146,8 +146,8 @@ impl Frame {
 ///
 /// # Errors
 /// [`RigidError::Direction`] for an axis without length, [`RigidError::NotFinite`].
-pub fn frames(joints: &[Joint]) -> Result<Vec<Frame>, RigidError> {
-    let mut all = vec![Frame::fixed()];
+pub fn frames(joints: &[ChainJoint]) -> Result<Vec<ChainFrame>, RigidError> {
+    let mut all = vec![ChainFrame::fixed()];
     for joint in joints {
         let next = all[all.len() - 1].next(joint)?;
         all.push(next);
@@ -157,7 +157,7 @@ pub fn frames(joints: &[Joint]) -> Result<Vec<Frame>, RigidError> {
 
 /// A time in s over which the orientation of a chain changes noticeably, for
 /// [`numerical_rate`](super::numerical_rate): a turn at the sum of all rates, or with the accelerations from rest.
-pub fn period(joints: &[Joint]) -> f64 {
+pub fn period(joints: &[ChainJoint]) -> f64 {
     let rate: f64 = joints.iter().map(|joint| joint.rate.abs()).sum();
     let acceleration: f64 = joints.iter().map(|joint| joint.acceleration.abs()).sum();
     let turn = std::f64::consts::TAU;

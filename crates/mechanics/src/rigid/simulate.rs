@@ -10,7 +10,7 @@ mod machine;
 use nalgebra::{DMatrix, Matrix3, UnitQuaternion, Vector3};
 
 pub use self::free::FreeRotation;
-use self::machine::Machine;
+use self::machine::RotationSystem;
 use dalembert_numerics::{
     extremes::{Extremes, Sampling},
     linalg::symmetric_eigen,
@@ -39,7 +39,7 @@ pub enum SimulateError {
 
 /// A body about the point that it turns about: its centre of mass, or a fixed point.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Body {
+pub struct RotatingBody {
     /// Mass, kg.
     pub mass: f64,
     /// Inertia tensor about the point in axes fixed in the body, products with a minus sign off the diagonal, kg·m².
@@ -50,7 +50,7 @@ pub struct Body {
 
 /// Attitude and angular velocity of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turning {
+pub struct RotationState {
     /// From the axes of the body to those in space.
     pub attitude: UnitQuaternion<f64>,
     /// Angular velocity in the axes of the body, rad/s.
@@ -59,7 +59,7 @@ pub struct Turning {
 
 /// A torque of a fixed direction, in space or in the body, that may change with time.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Torque {
+pub struct AppliedTorque {
     /// Torque vector, N·m, multiplied by the factor of its history.
     pub vector: Vector3<f64>,
     /// True if the torque rotates with the body, false if it is fixed in space.
@@ -90,12 +90,12 @@ pub struct Loads {
     /// Acceleration of gravity in space, m/s².
     pub gravity: Vector3<f64>,
     /// Torques about the point.
-    pub torques: Vec<Torque>,
+    pub torques: Vec<AppliedTorque>,
 }
 
 /// Terminal event of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum End {
+pub enum RotationEvent {
     /// The angle between a direction of the body and one in space reaches a value, rad.
     Angle {
         /// In the body.
@@ -111,15 +111,15 @@ pub enum End {
 
 /// Options of an integration: interval, samples, events, and a tolerance in parts of a radian and of the largest
 /// quantities.
-pub type Run<'a> = ode::Run<'a, End>;
+pub type RotationRun<'a> = ode::Integration<'a, RotationEvent>;
 
 /// A moment of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sample {
+pub struct RotationSample {
     /// s.
     pub time: f64,
     /// Attitude and angular velocity.
-    pub turning: Turning,
+    pub turning: RotationState,
     /// Angular velocity in space, rad/s.
     pub omega: Vector3<f64>,
     /// Angular momentum about the point in space, kg·m²/s.
@@ -136,9 +136,9 @@ pub struct Sample {
 
 /// A motion.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Motion {
+pub struct RigidBodyMotion {
     /// From the start to the end.
-    pub samples: Vec<Sample>,
+    pub samples: Vec<RotationSample>,
     /// The least and the largest angle of the watched directions, rad.
     pub angles: Option<Extremes>,
     /// Index of the event that ended the motion; `None` at the end of the interval.
@@ -149,16 +149,16 @@ pub struct Motion {
 
 /// Directions whose angle is watched.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Watched {
+pub struct WatchedAngles {
     /// In the body, a unit vector.
     pub of: Vector3<f64>,
     /// In space, a unit vector.
     pub against: Vector3<f64>,
 }
 
-impl Watched {
+impl WatchedAngles {
     /// The angle, which turns where the cosine does, but has a corner where the directions coincide.
-    fn look(&self, sample: &Sample) -> Sampling {
+    fn look(&self, sample: &RotationSample) -> Sampling {
         let of = sample.turning.attitude * self.of;
         let value = of.cross(&self.against).norm().atan2(of.dot(&self.against));
         let rate = -sample.omega.cross(&of).dot(&self.against);
@@ -166,14 +166,15 @@ impl Watched {
     }
 }
 
-impl Motion {
+impl RigidBodyMotion {
     /// The largest `|T + V − W − (T₀ + V₀)|` of the motion, over the largest of these energies: zero when exact.
     pub fn energy_drift(&self) -> f64 {
-        let left = |sample: &Sample| sample.kinetic + sample.potential - sample.work;
+        let left = |sample: &RotationSample| sample.kinetic + sample.potential - sample.work;
         let first = self.samples.first().map_or(0.0, left);
         let off = self.samples.iter().map(|sample| (left(sample) - first).abs());
-        let size =
-            |s: &Sample| s.kinetic.max((s.potential - self.samples[0].potential).abs()).max(s.work.abs());
+        let size = |s: &RotationSample| {
+            s.kinetic.max((s.potential - self.samples[0].potential).abs()).max(s.work.abs())
+        };
         part(off, self.samples.iter().map(size))
     }
 
@@ -182,16 +183,16 @@ impl Motion {
     pub fn momentum_drift(&self, gravity: Option<Vector3<f64>>) -> f64 {
         let Some(first) = self.samples.first() else { return 0.0 };
         let along = gravity.and_then(|gravity| gravity.try_normalize(0.0));
-        let off = |sample: &Sample| {
+        let off = |sample: &RotationSample| {
             let off = sample.momentum - sample.impulse - first.momentum;
             along.map_or(off.norm(), |along| along.dot(&off).abs())
         };
-        let size = |sample: &Sample| sample.momentum.norm().max(sample.impulse.norm());
+        let size = |sample: &RotationSample| sample.momentum.norm().max(sample.impulse.norm());
         part(self.samples.iter().map(off), self.samples.iter().map(size))
     }
 }
 
-impl Body {
+impl RotatingBody {
     /// The principal moments of inertia about the point and the principal axes as the columns of a rotation, the odd
     /// one of two equal moments last. Moments count as equal here when they differ by rounding alone: in a long motion
     /// more would be seen.
@@ -227,7 +228,11 @@ impl Body {
     ///
     /// # Errors
     /// `Inertia`, `NotFinite`.
-    pub fn acceleration(&self, turning: &Turning, loads: &Loads) -> Result<Vector3<f64>, SimulateError> {
+    pub fn acceleration(
+        &self,
+        turning: &RotationState,
+        loads: &Loads,
+    ) -> Result<Vector3<f64>, SimulateError> {
         let (moments, axes) = self.principal()?;
         let omega = turning.omega_body;
         let moment = loads.moment(self, turning, 0.0) - omega.cross(&(self.inertia * omega));
@@ -238,7 +243,7 @@ impl Body {
 
 impl Loads {
     /// The moment about the point in the axes of the body, N·m.
-    fn moment(&self, body: &Body, turning: &Turning, time: f64) -> Vector3<f64> {
+    fn moment(&self, body: &RotatingBody, turning: &RotationState, time: f64) -> Vector3<f64> {
         let to_body = turning.attitude.inverse();
         let weight = body.arm.cross(&(to_body * self.gravity * body.mass));
         self.torques.iter().fold(weight, |sum, torque| {
@@ -248,7 +253,7 @@ impl Loads {
     }
 
     fn finite(&self) -> bool {
-        let of = |torque: &Torque| {
+        let of = |torque: &AppliedTorque| {
             let history = match &torque.history {
                 History::Constant => true,
                 History::Harmonic { frequency, phase } => frequency.is_finite() && phase.is_finite(),
@@ -284,8 +289,13 @@ impl History {
 /// Follows the motion of a body under its loads from a start.
 ///
 /// # Errors
-/// `Inertia`, `NotFinite`; `Motion` when it is stopped or asks for too many steps.
-pub fn simulate(body: &Body, start: &Turning, loads: &Loads, run: &Run) -> Result<Motion, SimulateError> {
+/// `Inertia`, `NotFinite`; `RigidBodyMotion` when it is stopped or asks for too many steps.
+pub fn simulate(
+    body: &RotatingBody,
+    start: &RotationState,
+    loads: &Loads,
+    run: &RotationRun,
+) -> Result<RigidBodyMotion, SimulateError> {
     simulate_watching(body, start, loads, run, None)
 }
 
@@ -294,12 +304,12 @@ pub fn simulate(body: &Body, start: &Turning, loads: &Loads, run: &Run) -> Resul
 /// # Errors
 /// As [`simulate`].
 pub fn simulate_watching(
-    body: &Body,
-    start: &Turning,
+    body: &RotatingBody,
+    start: &RotationState,
     loads: &Loads,
-    run: &Run,
-    watched: Option<Watched>,
-) -> Result<Motion, SimulateError> {
+    run: &RotationRun,
+    watched: Option<WatchedAngles>,
+) -> Result<RigidBodyMotion, SimulateError> {
     /// Examines each step, which is a small part of a turn.
     const LOOKS: u32 = 4;
     let finite = loads.finite()
@@ -309,10 +319,10 @@ pub fn simulate_watching(
     if !finite || run.duration <= 0.0 {
         return Err(SimulateError::NotFinite);
     }
-    let mut machine = Machine::new(body, start, loads, run)?;
+    let mut machine = RotationSystem::new(body, start, loads, run)?;
     let state = machine.state(start);
     let mut integrator =
-        Integrator::new(&mut machine, 0.0, &state, run.duration, run.most_steps)?.looked_between();
+        Integrator::new(&mut machine, 0.0, &state, run.duration, run.most_steps)?.examined_between();
     let gaps = run.samples.saturating_sub(1).max(1);
     let time_of = |n: usize| if n == gaps { run.duration } else { run.duration * n as f64 / gaps as f64 };
     let mut samples = Vec::with_capacity(run.samples);
@@ -326,7 +336,7 @@ pub fn simulate_watching(
         integrator.advance(&mut machine, next.min(run.duration))?;
         let mut until = integrator.time();
         for (index, end) in run.ends.iter().enumerate() {
-            let number = |machine: &mut Machine, _: f64, state: &[f64]| machine.before(end, state);
+            let number = |machine: &mut RotationSystem, _: f64, state: &[f64]| machine.before(end, state);
             let zero = integrator.first_zero(&mut machine, number);
             if let Some(time) = zero.filter(|time| *time <= until) {
                 (until, ended) = (time, Some(index));
@@ -357,7 +367,7 @@ pub fn simulate_watching(
             samples.push(machine.sample(until, &state)?);
         }
     }
-    Ok(Motion { samples, angles, ended, steps: integrator.steps() })
+    Ok(RigidBodyMotion { samples, angles, ended, steps: integrator.steps() })
 }
 
 /// Sampling of a quantity that is not a number.
@@ -366,8 +376,13 @@ const NO_LOOK: Sampling = Sampling { value: f64::NAN, smooth: f64::NAN, rate: f6
 /// Follows a free motion in steps of about a part of a radian that keep energy and angular momentum.
 ///
 /// # Errors
-/// `Inertia`, `NotFinite`, `Step`; `Motion` when it is stopped or asks for too many steps.
-pub fn simulate_free(body: &Body, start: &Turning, radians: f64, run: &Run) -> Result<Motion, SimulateError> {
+/// `Inertia`, `NotFinite`, `Step`; `RigidBodyMotion` when it is stopped or asks for too many steps.
+pub fn simulate_free(
+    body: &RotatingBody,
+    start: &RotationState,
+    radians: f64,
+    run: &RotationRun,
+) -> Result<RigidBodyMotion, SimulateError> {
     simulate_free_watching(body, start, radians, run, None)
 }
 
@@ -376,12 +391,12 @@ pub fn simulate_free(body: &Body, start: &Turning, radians: f64, run: &Run) -> R
 /// # Errors
 /// As [`simulate_free`].
 pub fn simulate_free_watching(
-    body: &Body,
-    start: &Turning,
+    body: &RotatingBody,
+    start: &RotationState,
     radians: f64,
-    run: &Run,
-    watched: Option<Watched>,
-) -> Result<Motion, SimulateError> {
+    run: &RotationRun,
+    watched: Option<WatchedAngles>,
+) -> Result<RigidBodyMotion, SimulateError> {
     let (moments, axes) = body.principal()?;
     let to_body = principal_attitude(&axes);
     let omega = axes.tr_mul(&start.omega_body);
@@ -397,9 +412,9 @@ pub fn simulate_free_watching(
     let mut samples = Vec::with_capacity(gaps + 1);
     let sampled = |rotation: &FreeRotation, time: f64| {
         let attitude = rotation.attitude();
-        Sample {
+        RotationSample {
             time,
-            turning: Turning {
+            turning: RotationState {
                 attitude: attitude * to_body.inverse(),
                 omega_body: axes * rotation.omega_body(),
             },
@@ -441,7 +456,7 @@ pub fn simulate_free_watching(
         }
         samples.push(sampled(&rotation, run.duration * n as f64 / gaps as f64));
     }
-    Ok(Motion { samples, angles, ended: None, steps: each * gaps })
+    Ok(RigidBodyMotion { samples, angles, ended: None, steps: each * gaps })
 }
 
 /// The rotation whose columns are the principal axes.

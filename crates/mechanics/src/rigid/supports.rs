@@ -19,7 +19,7 @@ pub struct Wrench {
 
 /// One unknown of the supports.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Unknown {
+pub enum ReactionUnknown {
     /// A force along a direction.
     Force {
         /// The point that it acts on, m.
@@ -63,7 +63,7 @@ pub enum SupportError {
 /// The unknowns of one body with its supports, ready for any load.
 #[derive(Debug, Clone)]
 pub struct Supports {
-    unknowns: Vec<Unknown>,
+    unknowns: Vec<ReactionUnknown>,
     /// A length of the problem, which brings moments to the size of forces.
     length: f64,
     matrix: Elimination,
@@ -107,12 +107,12 @@ impl std::ops::Neg for Wrench {
     }
 }
 
-impl Unknown {
+impl ReactionUnknown {
     /// Wrench of a unit value of this unknown.
     pub fn wrench(&self) -> Wrench {
         match *self {
-            Unknown::Force { at, along } => Wrench::force_at(along, at),
-            Unknown::Couple { about } => Wrench::couple(about),
+            ReactionUnknown::Force { at, along } => Wrench::force_at(along, at),
+            ReactionUnknown::Couple { about } => Wrench::couple(about),
         }
     }
 }
@@ -122,14 +122,14 @@ impl Supports {
     ///
     /// # Errors
     /// [`SupportError::Indeterminate`] when unknowns balance among themselves; [`SupportError::Data`].
-    pub fn new(unknowns: Vec<Unknown>) -> Result<Self, SupportError> {
+    pub fn new(unknowns: Vec<ReactionUnknown>) -> Result<Self, SupportError> {
         let finite = |of: Wrench| of.force.iter().chain(of.moment.iter()).all(|x| x.is_finite());
         if !unknowns.iter().all(|unknown| finite(unknown.wrench())) {
             return Err(RigidError::NotFinite.into());
         }
         let length = unknowns.iter().fold(0.0f64, |length, unknown| match unknown {
-            Unknown::Force { at, .. } => length.max(at.amax()),
-            Unknown::Couple { .. } => length,
+            ReactionUnknown::Force { at, .. } => length.max(at.amax()),
+            ReactionUnknown::Couple { .. } => length,
         });
         let length = if length > 0.0 { length } else { 1.0 };
         let columns: Vec<[f64; 6]> = unknowns.iter().map(|unknown| column(unknown, length)).collect();
@@ -168,16 +168,16 @@ impl Supports {
             return Err(SupportError::Mechanism { turning: worst >= 3, axis });
         }
         let x = self.matrix.solve(&right).map_err(|_| RigidError::NotFinite)?;
-        let of_couple = |x: f64, unknown: &Unknown| match unknown {
-            Unknown::Couple { .. } => x * self.length,
-            Unknown::Force { .. } => x,
+        let of_couple = |x: f64, unknown: &ReactionUnknown| match unknown {
+            ReactionUnknown::Couple { .. } => x * self.length,
+            ReactionUnknown::Force { .. } => x,
         };
         let x: Vec<f64> = x.iter().zip(&self.unknowns).map(|(x, of)| of_couple(*x, of)).collect();
         if x.iter().all(|x| x.is_finite()) { Ok(x) } else { Err(RigidError::NotFinite.into()) }
     }
 
     /// The unknowns, in the order of the reactions.
-    pub fn unknowns(&self) -> &[Unknown] {
+    pub fn unknowns(&self) -> &[ReactionUnknown] {
         &self.unknowns
     }
 
@@ -206,8 +206,8 @@ fn components(wrench: &Wrench, length: f64) -> [f64; 6] {
 
 /// Column of an unknown in the six equilibrium equations; couples are divided by that length. What is rounding beside
 /// the rest is taken as zero, or it would count as an equation of its own.
-fn column(unknown: &Unknown, length: f64) -> [f64; 6] {
-    let arm = if matches!(unknown, Unknown::Couple { .. }) { length } else { 1.0 };
+fn column(unknown: &ReactionUnknown, length: f64) -> [f64; 6] {
+    let arm = if matches!(unknown, ReactionUnknown::Couple { .. }) { length } else { 1.0 };
     let column = components(&unknown.wrench(), length).map(|x| x * arm);
     let largest = column.iter().fold(0.0f64, |most, x| most.max(x.abs()));
     column.map(|x| if x.abs() > 1e-13 * largest { x } else { 0.0 })

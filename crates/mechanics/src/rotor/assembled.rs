@@ -4,7 +4,7 @@ use std::ops::{Add, AddAssign, Mul, Sub, SubAssign};
 
 use nalgebra::{DVector, Matrix2};
 
-use super::{Coefficients, Hold, Plane, Rotor, RotorError, Support, element};
+use super::{BearingSupport, Coefficients, Plane, Rotor, RotorError, SupportType, element};
 
 /// An element by its deformations: an assembled matrix has lost the small difference between a rigid motion and a
 /// slight bend, soft supports under a fine mesh leave nothing else.
@@ -37,7 +37,7 @@ pub struct Assembled {
     /// Stiffness of the tension alone, if there is one.
     pub(super) tension: Option<Plane>,
     /// Supports of the shaft.
-    pub supports: Vec<Support>,
+    pub supports: Vec<BearingSupport>,
     /// Degrees of freedom of a plane that do not move.
     pub fixed: Vec<usize>,
     /// Nodes that carry a disc.
@@ -107,9 +107,9 @@ impl Assembled {
         for support in &rotor.supports {
             let node = at(support.node)?;
             match support.hold {
-                Hold::Bearing(_) => {}
-                Hold::Pinned => all.fixed.push(2 * node),
-                Hold::Clamped => all.fixed.extend([2 * node, 2 * node + 1]),
+                SupportType::Bearing(_) => {}
+                SupportType::Pinned => all.fixed.push(2 * node),
+                SupportType::Clamped => all.fixed.extend([2 * node, 2 * node + 1]),
             }
         }
         all.fixed.sort_unstable();

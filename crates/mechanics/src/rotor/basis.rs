@@ -40,7 +40,7 @@ pub(super) struct Basis {
     pub(super) hysteretic: DMatrix<f64>,
     /// The mean stiffness of each bearing, by node.
     mean: Vec<(usize, f64)>,
-    factors: plane::Factors,
+    factors: plane::PlaneFactors,
     /// The shapes before they became Ritz modes, orthonormal in the stiffness.
     shapes: Vec<DVector<f64>>,
     /// The stiffness times each of them.
@@ -276,7 +276,7 @@ fn orthonormal(vectors: &mut DMatrix<f64>, mass: &Plane) {
 
 /// Factors of the stiffness on the mean bearings, some mass added where that has to be: soft supports or none leave so
 /// little of it that rounding would decide.
-fn supported(rotor: &Assembled, mean: &[(usize, f64)]) -> Result<(f64, plane::Factors), RotorError> {
+fn supported(rotor: &Assembled, mean: &[(usize, f64)]) -> Result<(f64, plane::PlaneFactors), RotorError> {
     let mut stiffness = rotor.stiffness.clone();
     for &(node, k) in mean {
         stiffness.diagonal[node][(0, 0)] += k;

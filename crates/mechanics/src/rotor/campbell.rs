@@ -2,7 +2,7 @@
 
 use super::{
     RotorError,
-    modes::{Mode, Reduced, Spectrum},
+    modes::{ReducedRotor, Spectrum, WhirlMode},
 };
 
 /// Modes over speeds.
@@ -11,7 +11,7 @@ pub struct Campbell {
     /// The speeds, rad/s, ascending.
     pub speeds: Vec<f64>,
     /// The modes, each at every speed where it oscillates and is among those computed.
-    pub branches: Vec<Vec<Option<Mode>>>,
+    pub branches: Vec<Vec<Option<WhirlMode>>>,
     /// All that was found at every speed.
     pub spectra: Vec<Spectrum>,
 }
@@ -23,14 +23,14 @@ pub struct Campbell {
 ///
 /// # Errors
 /// `Linalg`.
-pub fn campbell(reduced: &Reduced<'_>, speeds: &[f64]) -> Result<Campbell, RotorError> {
-    let mut branches: Vec<Vec<Option<Mode>>> = Vec::new();
+pub fn campbell(reduced: &ReducedRotor<'_>, speeds: &[f64]) -> Result<Campbell, RotorError> {
+    let mut branches: Vec<Vec<Option<WhirlMode>>> = Vec::new();
     let mut spectra = Vec::with_capacity(speeds.len());
     // The last sight of every branch.
-    let mut seen: Vec<Option<Mode>> = Vec::new();
+    let mut seen: Vec<Option<WhirlMode>> = Vec::new();
     for at in (0..speeds.len()).rev() {
         let spectrum = reduced.modes(speeds[at])?;
-        let mut modes: Vec<Option<Mode>> = spectrum.modes.iter().cloned().map(Some).collect();
+        let mut modes: Vec<Option<WhirlMode>> = spectrum.modes.iter().cloned().map(Some).collect();
         spectra.push(spectrum);
         if let Some(&above) = speeds.get(at + 1) {
             let places = follow(reduced, &seen, (above, speeds[at]), &modes, 5)?;
@@ -46,8 +46,9 @@ pub fn campbell(reduced: &Reduced<'_>, speeds: &[f64]) -> Result<Campbell, Rotor
             seen.push(Some(mode));
         }
     }
-    let first =
-        |branch: &Vec<Option<Mode>>| branch.iter().flatten().next().map_or(f64::INFINITY, Mode::frequency);
+    let first = |branch: &Vec<Option<WhirlMode>>| {
+        branch.iter().flatten().next().map_or(f64::INFINITY, WhirlMode::frequency)
+    };
     branches.sort_by(|a, b| first(a).total_cmp(&first(b)));
     spectra.reverse();
     Ok(Campbell { speeds: speeds.to_vec(), branches, spectra })
@@ -55,10 +56,10 @@ pub fn campbell(reduced: &Reduced<'_>, speeds: &[f64]) -> Result<Campbell, Rotor
 
 /// For each branch, the place of its mode among `modes`, one step of speed further on.
 fn follow(
-    reduced: &Reduced<'_>,
-    seen: &[Option<Mode>],
+    reduced: &ReducedRotor<'_>,
+    seen: &[Option<WhirlMode>],
     (from, to): (f64, f64),
-    modes: &[Option<Mode>],
+    modes: &[Option<WhirlMode>],
     depth: u8,
 ) -> Result<Vec<Option<usize>>, RotorError> {
     let mut pairs = Vec::new();
@@ -83,9 +84,9 @@ fn follow(
     // At rest two planes of equal frequency have no shapes of their own: no speed between would help.
     if worst < 0.7 && depth > 0 && to > 0.0 {
         let middle = 0.5 * (from + to);
-        let between: Vec<Option<Mode>> = reduced.modes(middle)?.modes.into_iter().map(Some).collect();
+        let between: Vec<Option<WhirlMode>> = reduced.modes(middle)?.modes.into_iter().map(Some).collect();
         let first = follow(reduced, seen, (from, middle), &between, depth - 1)?;
-        let mid: Vec<Option<Mode>> =
+        let mid: Vec<Option<WhirlMode>> =
             first.iter().map(|place| place.and_then(|place| between[place].clone())).collect();
         return follow(reduced, &mid, (middle, to), modes, depth - 1);
     }

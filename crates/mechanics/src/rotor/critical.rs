@@ -8,7 +8,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 use super::{
     Assembled, RotorError,
     campbell::Campbell,
-    modes::{Mode, Reduced, Spectrum, polished},
+    modes::{ReducedRotor, Spectrum, WhirlMode, polished},
     stiffness::{Node, Powers, Stiffness},
 };
 use dalembert_numerics::linalg;
@@ -19,7 +19,7 @@ pub struct Critical {
     /// Speed, rad/s.
     pub speed: f64,
     /// The mode there.
-    pub mode: Mode,
+    pub mode: WhirlMode,
 }
 
 /// Critical speeds and instabilities in a range of speeds, and the part of the range that could not be resolved.
@@ -71,7 +71,7 @@ impl Criticals {
 ///
 /// # Errors
 /// `Buckled` where `K` is not positive; `Linalg`.
-pub fn direct(reduced: &Reduced<'_>, slope: f64, highest: f64) -> Result<Criticals, RotorError> {
+pub fn direct(reduced: &ReducedRotor<'_>, slope: f64, highest: f64) -> Result<Criticals, RotorError> {
     let (stiffness, _) = reduced.matrices(0.0);
     let n = stiffness.nrows();
     let m = n / 2;
@@ -139,12 +139,12 @@ pub fn direct(reduced: &Reduced<'_>, slope: f64, highest: f64) -> Result<Critica
 
 /// The free whirl `(K − ω²N) v = 0`, `N = M − iG/s`, nearest to a mode of a reduced model: inverse iteration on all
 /// equations, its frequency by the Rayleigh quotient, which errs by the square of the error of the shape.
-fn whirl(rotor: &Assembled, mode: &Mode, slope: f64) -> Option<Mode> {
+fn whirl(rotor: &Assembled, mode: &WhirlMode, slope: f64) -> Option<WhirlMode> {
     // The larger shifts are for short elements on soft bearings, see `modes::OFFSETS`.
     [1e-4, 1e-3, 5e-3].into_iter().find_map(|offset| shifted_whirl(rotor, mode, slope, offset))
 }
 
-fn shifted_whirl(rotor: &Assembled, mode: &Mode, slope: f64, offset: f64) -> Option<Mode> {
+fn shifted_whirl(rotor: &Assembled, mode: &WhirlMode, slope: f64, offset: f64) -> Option<WhirlMode> {
     let first = mode.lambda.im;
     let image = |shape: &[Node], omega: f64, still: f64| {
         let lambda = Complex::new(0.0, omega);
@@ -182,7 +182,7 @@ fn shifted_whirl(rotor: &Assembled, mode: &Mode, slope: f64, offset: f64) -> Opt
             break;
         }
     }
-    Some(Mode { lambda: Complex::new(0.0, omega), shape, coordinates: mode.coordinates.clone() })
+    Some(WhirlMode { lambda: Complex::new(0.0, omega), shape, coordinates: mode.coordinates.clone() })
 }
 
 /// The critical speeds at which a natural frequency of a Campbell diagram meets the line `ω = s Ω`: where the `k`-th of
@@ -190,8 +190,12 @@ fn shifted_whirl(rotor: &Assembled, mode: &Mode, slope: f64, offset: f64) -> Opt
 ///
 /// # Errors
 /// `Linalg`, `Stopped`.
-pub fn crossings(reduced: &Reduced<'_>, campbell: &Campbell, slope: f64) -> Result<Criticals, RotorError> {
-    let above = |mode: &Mode, speed: f64| mode.frequency() - slope * speed;
+pub fn crossings(
+    reduced: &ReducedRotor<'_>,
+    campbell: &Campbell,
+    slope: f64,
+) -> Result<Criticals, RotorError> {
+    let above = |mode: &WhirlMode, speed: f64| mode.frequency() - slope * speed;
     let mut all = Criticals::default();
     let mut steps: Vec<(Spectrum, Spectrum)> =
         campbell.spectra.windows(2).map(|pair| (pair[0].clone(), pair[1].clone())).collect();
@@ -227,7 +231,7 @@ pub fn crossings(reduced: &Reduced<'_>, campbell: &Campbell, slope: f64) -> Resu
 ///
 /// # Errors
 /// `Linalg`, `Stopped`.
-pub fn instability(reduced: &Reduced<'_>, campbell: &Campbell) -> Result<Instability, RotorError> {
+pub fn instability(reduced: &ReducedRotor<'_>, campbell: &Campbell) -> Result<Instability, RotorError> {
     // Where the last of the lowest modes is one of a pair, either may be the one that is examined, and what grows would
     // come and go: then more of them are.
     for more in 0..MOST_MORE {
@@ -243,7 +247,11 @@ pub fn instability(reduced: &Reduced<'_>, campbell: &Campbell) -> Result<Instabi
 const MOST_MORE: usize = 4;
 
 /// The bands of the lowest modes, and whether every change of sign was a zero.
-fn bands(reduced: &Reduced<'_>, speeds: &[f64], count: usize) -> Result<(Instability, bool), RotorError> {
+fn bands(
+    reduced: &ReducedRotor<'_>,
+    speeds: &[f64],
+    count: usize,
+) -> Result<(Instability, bool), RotorError> {
     let mut settled = true;
     let of = |spectrum: &Spectrum| (spectrum.speed, growth(most_unstable(spectrum)));
     let look = |speed: f64| Ok::<_, RotorError>(of(&reduced.lowest(speed, count)?));
@@ -269,7 +277,7 @@ fn bands(reduced: &Reduced<'_>, speeds: &[f64], count: usize) -> Result<(Instabi
             continue;
         }
         let at = |speed: f64| Ok(most_unstable(&reduced.lowest(speed, count)?).cloned());
-        let function = |mode: &Mode, _| growth(Some(mode));
+        let function = |mode: &WhirlMode, _| growth(Some(mode));
         let end = match zero(reduced, ends, at, function, |lambda, _| lambda.re)? {
             Found::Refined(critical) => Some(critical),
             Found::Lost(speed) => {
@@ -301,12 +309,12 @@ const BISECTIONS: u8 = 6;
 const MOST_EXAMINED: usize = 250;
 
 /// The mode that grows most, or decays least, over the size of its eigenvalue.
-fn most_unstable(spectrum: &Spectrum) -> Option<&Mode> {
+fn most_unstable(spectrum: &Spectrum) -> Option<&WhirlMode> {
     spectrum.modes.iter().max_by(|a, b| growth(Some(a)).total_cmp(&growth(Some(b))))
 }
 
 /// Relative growth rate of a mode, Re s over |s|; below zero where rounding could be the reason.
-fn growth(mode: Option<&Mode>) -> f64 {
+fn growth(mode: Option<&WhirlMode>) -> f64 {
     mode.map_or(-1.0, |mode| mode.lambda.re / mode.lambda.norm() - NEUTRAL)
 }
 
@@ -321,10 +329,10 @@ enum Found {
 
 /// The zero of a function of a mode and the speed between two speeds where its signs differ.
 fn zero(
-    reduced: &Reduced<'_>,
+    reduced: &ReducedRotor<'_>,
     ends: [(f64, f64); 2],
-    mode_at: impl Fn(f64) -> Result<Option<Mode>, RotorError>,
-    rough: impl Fn(&Mode, f64) -> f64,
+    mode_at: impl Fn(f64) -> Result<Option<WhirlMode>, RotorError>,
+    rough: impl Fn(&WhirlMode, f64) -> f64,
     exact: impl Fn(Complex<f64>, f64) -> f64,
 ) -> Result<Found, RotorError> {
     let highest = ends[1].0;

@@ -11,7 +11,7 @@ use crate::section;
 
 /// A piece of shaft between two nodes, its diameters linear from left to right.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Element {
+pub struct ShaftElement {
     /// Length, m.
     pub length: f64,
     /// Outer diameters at the left and at the right, m.
@@ -39,7 +39,7 @@ pub struct Material {
 
 /// Beam theory: Euler–Bernoulli or Timoshenko.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub enum Theory {
+pub enum BeamTheory {
     /// Bending and shear, with Cowper's shear factor.
     #[default]
     Timoshenko,
@@ -74,8 +74,8 @@ pub fn shear_factor(poisson: f64, ratio: f64) -> f64 {
 ///
 /// # Errors
 /// `Value` where a length, diameter, modulus or density makes no shaft.
-pub fn matrices(element: &Element, theory: Theory) -> Result<Matrices, RotorError> {
-    let Element { length, outer, inner, material } = *element;
+pub fn matrices(element: &ShaftElement, theory: BeamTheory) -> Result<Matrices, RotorError> {
+    let ShaftElement { length, outer, inner, material } = *element;
     positive("the length of an element", length)?;
     positive("Young's modulus", material.young)?;
     positive("the density", material.density)?;
@@ -84,11 +84,11 @@ pub fn matrices(element: &Element, theory: Theory) -> Result<Matrices, RotorErro
         positive("the wall of the shaft", outer[end] - inner[end])?;
     }
     let shear = match theory {
-        Theory::Timoshenko => {
+        BeamTheory::Timoshenko => {
             positive("the shear modulus", material.shear)?;
             material.shear
         }
-        Theory::EulerBernoulli => f64::INFINITY,
+        BeamTheory::EulerBernoulli => f64::INFINITY,
     };
     let poisson = material.young / (2.0 * material.shear) - 1.0;
     let at = |share: f64| {

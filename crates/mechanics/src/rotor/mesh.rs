@@ -2,7 +2,7 @@
 
 use super::{
     RotorError,
-    element::{Element, Material, positive},
+    element::{Material, ShaftElement, positive},
 };
 
 /// A piece of shaft as it is drawn: its diameters are linear from left to right.
@@ -22,7 +22,7 @@ pub struct Segment {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
     /// The elements, from left to right.
-    pub elements: Vec<Element>,
+    pub elements: Vec<ShaftElement>,
     /// The node of every station, in the order they were given.
     pub stations: Vec<usize>,
 }
@@ -73,7 +73,7 @@ pub fn mesh(segments: &[Segment], stations: &[f64], count: usize) -> Result<Mesh
             let share = (from + step * n as f64 - left) / segment.length;
             ends[0] + share.clamp(0.0, 1.0) * (ends[1] - ends[0])
         };
-        elements.extend((0..count).map(|n| Element {
+        elements.extend((0..count).map(|n| ShaftElement {
             length: step,
             outer: [at(segment.outer, n), at(segment.outer, n + 1)],
             inner: [at(segment.inner, n), at(segment.inner, n + 1)],

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{
-    Assembled, RotorError, Support,
+    Assembled, BearingSupport, RotorError,
     basis::Basis,
     response::Orbit,
     stiffness::{Node, Powers, Stiffness},
@@ -25,7 +25,7 @@ const SWING: f64 = 0.3;
 
 /// A mode of free vibration `Re(shape · e^{λt})` with `Im λ > 0`.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Mode {
+pub struct WhirlMode {
     /// The eigenvalue, s⁻¹.
     pub lambda: Complex<f64>,
     /// Deflection and slope of every node, in the plane of `x` and then of `y`.
@@ -36,7 +36,7 @@ pub struct Mode {
 
 /// Direction of whirl of a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Direction {
+pub enum WhirlDirection {
     /// With the spin, at every node.
     Forward,
     /// Against the spin, at every node.
@@ -53,21 +53,21 @@ pub struct Spectrum {
     /// Speed, rad/s.
     pub speed: f64,
     /// The lowest modes that oscillate, by damped frequency.
-    pub modes: Vec<Mode>,
+    pub modes: Vec<WhirlMode>,
     /// Real parts of the eigenvalues no larger than the largest of those that hardly oscillate, s⁻¹: overdamped
     /// motions, back or away.
     pub overdamped: Vec<f64>,
 }
 
 /// A rotor in the coordinates of a few shapes, as many as its lowest modes need.
-pub struct Reduced<'a> {
+pub struct ReducedRotor<'a> {
     pub(super) rotor: &'a Assembled,
     basis: Basis,
     pub(super) count: usize,
     cancelled: &'a dyn Fn() -> bool,
 }
 
-impl Mode {
+impl WhirlMode {
     /// Damped natural frequency `ω_d = Im λ`, rad/s.
     pub fn frequency(&self) -> f64 {
         self.lambda.im
@@ -84,27 +84,27 @@ impl Mode {
     }
 
     /// Direction of whirl; nodes with negligible motion do not count.
-    pub fn direction(&self) -> Direction {
+    pub fn direction(&self) -> WhirlDirection {
         let orbits: Vec<Orbit> = (0..self.shape.len()).map(|node| self.orbit(node)).collect();
         let largest = orbits.iter().fold(0.0, |size: f64, orbit| size.max(orbit.major));
         let turning = |sign: f64| {
             orbits.iter().any(|orbit| orbit.major > 1e-4 * largest && sign * orbit.minor > 1e-6 * orbit.major)
         };
         match (turning(1.0), turning(-1.0)) {
-            (true, false) => Direction::Forward,
-            (false, true) => Direction::Backward,
-            (true, true) => Direction::Mixed,
-            (false, false) => Direction::Planar,
+            (true, false) => WhirlDirection::Forward,
+            (false, true) => WhirlDirection::Backward,
+            (true, true) => WhirlDirection::Mixed,
+            (false, false) => WhirlDirection::Planar,
         }
     }
 
     /// Modal assurance criterion of two modes of the same reduced model: 1 for the same shape, 0 for an unrelated one.
-    pub(super) fn assurance(&self, other: &Mode) -> f64 {
+    pub(super) fn assurance(&self, other: &WhirlMode) -> f64 {
         self.coordinates.dotc(&other.coordinates).norm_sqr()
     }
 }
 
-impl<'a> Reduced<'a> {
+impl<'a> ReducedRotor<'a> {
     /// Takes shapes until the `count` lowest modes at each of the speeds are exact to ten digits.
     ///
     /// # Errors
@@ -155,7 +155,7 @@ impl<'a> Reduced<'a> {
         }
         // Bearings that change with speed may ask for other shapes between these speeds, and overdamped motions,
         // back or away, have shapes that no mode holds.
-        let steady = !reduced.basis.free && rotor.supports.iter().all(Support::is_constant);
+        let steady = !reduced.basis.free && rotor.supports.iter().all(BearingSupport::is_constant);
         if steady && !overdamps && !found.is_empty() {
             reduced.basis.condense(rotor, &found, CONDENSED * share)?;
         }
@@ -238,7 +238,7 @@ impl<'a> Reduced<'a> {
         let mut order: Vec<usize> = (0..values.len()).filter(|&n| swings(&values[n])).collect();
         order.sort_by(|&a, &b| values[a].im.total_cmp(&values[b].im));
         order.truncate(count);
-        let modes: Vec<Mode> = order.iter().map(|&n| self.mode(values[n], &coordinates[n])).collect();
+        let modes: Vec<WhirlMode> = order.iter().map(|&n| self.mode(values[n], &coordinates[n])).collect();
         let largest = modes.iter().fold(0.0, |size: f64, mode| size.max(mode.lambda.norm()));
         let is_overdamped = |value: &&Complex<f64>| {
             value.im >= 0.0
@@ -315,7 +315,7 @@ impl<'a> Reduced<'a> {
     }
 
     /// The full mode of some coordinates.
-    pub(super) fn mode(&self, lambda: Complex<f64>, coordinates: &DVector<Complex<f64>>) -> Mode {
+    pub(super) fn mode(&self, lambda: Complex<f64>, coordinates: &DVector<Complex<f64>>) -> WhirlMode {
         let m = self.basis.frequencies.len();
         let size = coordinates.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
         let coordinates = coordinates.map(|x| x / size);
@@ -329,7 +329,7 @@ impl<'a> Reduced<'a> {
                     .map(|(row, plane)| freedom(row, plane))
             })
             .collect();
-        Mode { lambda, shape, coordinates }
+        WhirlMode { lambda, shape, coordinates }
     }
 }
 
@@ -348,7 +348,7 @@ fn alike(matrix: &DMatrix<f64>) -> bool {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Polished {
     /// The mode, its shape of unit mass.
-    pub mode: Mode,
+    pub mode: WhirlMode,
     /// Relative rounding error of the eigenvalue.
     pub rounding: f64,
 }
@@ -368,7 +368,7 @@ const ANOTHER: f64 = 1e-2;
 ///
 /// # Errors
 /// `NotConverged`.
-pub fn polished(rotor: &Assembled, mode: &Mode, speed: f64) -> Result<Polished, RotorError> {
+pub fn polished(rotor: &Assembled, mode: &WhirlMode, speed: f64) -> Result<Polished, RotorError> {
     let near = OFFSETS.into_iter().find_map(|offset| {
         let lambda = mode.lambda * (offset + 1.0);
         let dynamic = Stiffness::new(rotor, lambda, speed);
@@ -384,12 +384,12 @@ pub fn polished(rotor: &Assembled, mode: &Mode, speed: f64) -> Result<Polished, 
     let sum: f64 =
         shape.iter().flatten().zip(weighted.iter().flatten()).map(|(a, b)| (a.conj() * b).re).sum();
     let shape = shape.into_iter().map(|node| node.map(|x| x / sum.sqrt())).collect();
-    Ok(Polished { mode: Mode { lambda, shape, coordinates: mode.coordinates.clone() }, rounding })
+    Ok(Polished { mode: WhirlMode { lambda, shape, coordinates: mode.coordinates.clone() }, rounding })
 }
 
 /// The eigenvalue of a mode from its shape and the powers in it alone, `λ² vᴴMv + λ vᴴ(C + ΩG)v + vᴴKv = 0`, near the
 /// one it is said to have.
-pub fn energy_eigenvalue(rotor: &Assembled, mode: &Mode, speed: f64) -> Option<Complex<f64>> {
+pub fn energy_eigenvalue(rotor: &Assembled, mode: &WhirlMode, speed: f64) -> Option<Complex<f64>> {
     let [mass, damping, stiffness] = [0, 1, 2].map(|at| {
         let one = |n: usize| Complex::new(f64::from(u8::from(n == at)), 0.0);
         let powers = Powers { mass: one(0), damping: one(1), stiffness: one(2) };

@@ -15,7 +15,7 @@ pub struct Plane {
 
 /// A factorised positive definite matrix of that kind.
 #[derive(Debug, Clone)]
-pub(super) struct Factors {
+pub(super) struct PlaneFactors {
     /// Inverses of the pivots.
     pivots: Vec<Matrix2<f64>>,
     above: Vec<Matrix2<f64>>,
@@ -99,7 +99,7 @@ impl Plane {
     /// Factors of a positive definite matrix; `None` where a pivot is not above this share of its diagonal entry.
     ///
     /// A share is free of units: deflections and slopes stand side by side, and scaling either changes nothing.
-    pub(super) fn factors(&self, least: f64) -> Option<Factors> {
+    pub(super) fn factors(&self, least: f64) -> Option<PlaneFactors> {
         let mut pivots: Vec<Matrix2<f64>> = Vec::with_capacity(self.diagonal.len());
         for (n, block) in self.diagonal.iter().enumerate() {
             let mut pivot = *block;
@@ -116,11 +116,11 @@ impl Plane {
             let cross = -slant * second;
             pivots.push(Matrix2::new(1.0 / a - slant * cross, cross, cross, second));
         }
-        Some(Factors { pivots, above: self.above.clone() })
+        Some(PlaneFactors { pivots, above: self.above.clone() })
     }
 }
 
-impl Factors {
+impl PlaneFactors {
     /// The number of degrees of freedom.
     pub(super) fn size(&self) -> usize {
         2 * self.pivots.len()

@@ -7,7 +7,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::{Assembled, Hold, Rotor, RotorError, Support, basis::project, modes::Reduced};
+use super::{Assembled, BearingSupport, Rotor, RotorError, SupportType, basis::project, modes::ReducedRotor};
 use dalembert_numerics::linalg;
 
 /// Relative error allowed for the square of a frequency.
@@ -42,8 +42,8 @@ impl StiffnessMap {
     /// `Value`, `Node`; `Buckled` where the rotor can move with its bearings held; `Rigid` where nothing then moves;
     /// `Linalg`.
     pub fn new(rotor: &Rotor, shares: &[f64], count: usize, highest: f64) -> Result<Self, RotorError> {
-        let is_bearing = |support: &&Support| matches!(support.hold, Hold::Bearing(_));
-        let (bearings, fixed): (Vec<Support>, Vec<Support>) =
+        let is_bearing = |support: &&BearingSupport| matches!(support.hold, SupportType::Bearing(_));
+        let (bearings, fixed): (Vec<BearingSupport>, Vec<BearingSupport>) =
             rotor.supports.iter().cloned().partition(|support| is_bearing(&support));
         let free = Assembled::new(&Rotor { supports: fixed.clone(), ..rotor.clone() })?;
         let mut places: Vec<(usize, f64)> = Vec::new();
@@ -54,11 +54,11 @@ impl StiffnessMap {
                 None => places.push((support.node, *share)),
             }
         }
-        let pins = places.iter().map(|(node, _)| Support { node: *node, hold: Hold::Pinned });
+        let pins = places.iter().map(|(node, _)| BearingSupport { node: *node, hold: SupportType::Pinned });
         let held = Rotor { supports: fixed.into_iter().chain(pins).collect(), ..rotor.clone() };
         let held = Assembled::new(&held)?;
         let factors = held.stiffness.factors(0.0).ok_or(RotorError::Buckled)?;
-        let reduced = Reduced::to_within(&held, count + 4, &[0.0, highest], SHARE, &|| false)?;
+        let reduced = ReducedRotor::to_within(&held, count + 4, &[0.0, highest], SHARE, &|| false)?;
         let mut shapes: Vec<DVector<f64>> = Vec::new();
         for (node, _) in &places {
             let mut unit = DVector::zeros(2 * rotor.nodes());

@@ -1,9 +1,9 @@
 use super::*;
 use super::{
     campbell::campbell,
-    element::{Element, Material, Theory},
+    element::{BeamTheory, Material, ShaftElement},
     mesh::{Segment, mesh},
-    modes::{Direction, Reduced},
+    modes::{ReducedRotor, WhirlDirection},
     response::{Unbalance, unbalance_response},
 };
 use crate::section;
@@ -15,16 +15,18 @@ const STEEL: Material =
 /// 1.5 m of 50 mm shaft with two equal discs at the thirds.
 fn two_discs(elements: usize, bearing: Coefficients) -> Rotor {
     let element =
-        Element { length: 1.5 / elements as f64, outer: [0.05; 2], inner: [0.0; 2], material: STEEL };
+        ShaftElement { length: 1.5 / elements as f64, outer: [0.05; 2], inner: [0.0; 2], material: STEEL };
     let mass = disc::mass(7810.0, 0.28, 0.05, 0.07);
     let polar = disc::polar(mass, 0.28, 0.05);
     let diametral = disc::diametral(mass, polar, 0.07);
     Rotor {
         elements: vec![element; elements],
-        theory: Theory::Timoshenko,
+        theory: BeamTheory::Timoshenko,
         tension: 0.0,
-        discs: [elements / 3, 2 * elements / 3].map(|node| Disc { node, mass, diametral, polar }).to_vec(),
-        supports: [0, elements].map(|node| Support::bearing(node, bearing)).to_vec(),
+        discs: [elements / 3, 2 * elements / 3]
+            .map(|node| RigidDisc { node, mass, diametral, polar })
+            .to_vec(),
+        supports: [0, elements].map(|node| BearingSupport::bearing(node, bearing)).to_vec(),
     }
 }
 
@@ -64,7 +66,7 @@ fn natural_frequencies_agree_with_another_program_to_eight_digits() {
     ];
     for (rotor, rows) in [(&undamped, &coarse[..]), (&damped, &fine[..])] {
         let speeds: Vec<f64> = rows.iter().map(|row| row.0).collect();
-        let reduced = Reduced::new(rotor, 6, &speeds).unwrap();
+        let reduced = ReducedRotor::new(rotor, 6, &speeds).unwrap();
         for (speed, natural, damping) in rows {
             let modes = reduced.modes(*speed).unwrap().modes;
             for (n, (mode, theirs)) in modes.iter().zip_eq(natural).enumerate() {
@@ -110,13 +112,13 @@ fn unbalance_response_agrees_with_another_program_to_eight_digits() {
 fn directions_of_a_symmetric_rotor_alternate() {
     let rotor = Assembled::new(&two_discs(6, Coefficients::isotropic(1e6, 0.0))).unwrap();
     let speeds: Vec<f64> = (0..=20).map(|n| f64::from(n) * 20.0).collect();
-    let reduced = Reduced::new(&rotor, 6, &[0.0, 400.0]).unwrap();
+    let reduced = ReducedRotor::new(&rotor, 6, &[0.0, 400.0]).unwrap();
     let diagram = campbell(&reduced, &speeds).unwrap();
     assert_eq!(diagram.branches.len(), 6);
     for (n, branch) in diagram.branches.iter().enumerate() {
         for mode in branch[1..].iter().flatten() {
-            assert_ne!(mode.direction(), Direction::Mixed, "{n}");
-            assert_ne!(mode.direction(), Direction::Planar, "{n}");
+            assert_ne!(mode.direction(), WhirlDirection::Mixed, "{n}");
+            assert_ne!(mode.direction(), WhirlDirection::Planar, "{n}");
         }
     }
 }
@@ -158,10 +160,12 @@ fn nelson_mcvaugh() -> Rotor {
     assert_eq!(mesh.stations, [4, 10, 14]);
     Rotor {
         elements: mesh.elements,
-        theory: Theory::EulerBernoulli,
+        theory: BeamTheory::EulerBernoulli,
         tension: 0.0,
-        discs: vec![Disc { node: 4, mass: 1.401, diametral: 0.00136, polar: 0.002 }],
-        supports: [10, 14].map(|node| Support::bearing(node, Coefficients::isotropic(4.378e7, 0.0))).to_vec(),
+        discs: vec![RigidDisc { node: 4, mass: 1.401, diametral: 0.00136, polar: 0.002 }],
+        supports: [10, 14]
+            .map(|node| BearingSupport::bearing(node, Coefficients::isotropic(4.378e7, 0.0)))
+            .to_vec(),
     }
 }
 
@@ -173,7 +177,7 @@ fn critical_speeds_found_directly_are_where_the_branches_cross_the_line() {
         (1.0, 1e5, [15486.33, 17148.06, 46749.43, 50127.68, 64857.59, 95882.9]),
         (4.0, 2.1e4, [4016.807, 4120.531, 12024.92, 12235.9, 18188.97, 20130.45]),
     ] {
-        let reduced = Reduced::new(&rotor, 8, &[0.0, highest * rpm]).unwrap();
+        let reduced = ReducedRotor::new(&rotor, 8, &[0.0, highest * rpm]).unwrap();
         let speeds: Vec<f64> = (0..=20).map(|n| f64::from(n) * highest * rpm / 20.0).collect();
         let diagram = campbell(&reduced, &speeds).unwrap();
         let crossings = critical::crossings(&reduced, &diagram, slope).unwrap().found;
@@ -187,15 +191,15 @@ fn critical_speeds_found_directly_are_where_the_branches_cross_the_line() {
 }
 
 /// A uniform shaft between two equal supports.
-fn uniform(elements: usize, length: f64, diameter: f64, material: Material, hold: &Hold) -> Rotor {
+fn uniform(elements: usize, length: f64, diameter: f64, material: Material, hold: &SupportType) -> Rotor {
     let element =
-        Element { length: length / elements as f64, outer: [diameter; 2], inner: [0.0; 2], material };
+        ShaftElement { length: length / elements as f64, outer: [diameter; 2], inner: [0.0; 2], material };
     Rotor {
         elements: vec![element; elements],
-        theory: Theory::EulerBernoulli,
+        theory: BeamTheory::EulerBernoulli,
         tension: 0.0,
         discs: Vec::new(),
-        supports: [0, elements].map(|node| Support { node, hold: hold.clone() }).to_vec(),
+        supports: [0, elements].map(|node| BearingSupport { node, hold: hold.clone() }).to_vec(),
     }
 }
 
@@ -204,20 +208,20 @@ fn uniform(elements: usize, length: f64, diameter: f64, material: Material, hold
 fn internal_damping_turns_a_shaft_unstable_at_its_first_forward_critical_speed() {
     let material =
         Material { young: 210e9, shear: 81e9, density: 7800.0, viscous_damping: 2e-4, loss_factor: 0.0 };
-    let bearing = Hold::Bearing(vec![(0.0, Coefficients::isotropic(1.75e7, 0.0))]);
-    for hold in [bearing, Hold::Pinned] {
+    let bearing = SupportType::Bearing(vec![(0.0, Coefficients::isotropic(1.75e7, 0.0))]);
+    for hold in [bearing, SupportType::Pinned] {
         let rotor = Assembled::new(&uniform(5, 1.27, 0.1016, material, &hold)).unwrap();
         let speeds: Vec<f64> = (0..=16).map(|n| f64::from(n) * 1600.0 / 16.0).collect();
-        let reduced = Reduced::new(&rotor, 4, &[539.25, 1600.0]).unwrap();
+        let reduced = ReducedRotor::new(&rotor, 4, &[539.25, 1600.0]).unwrap();
         let diagram = campbell(&reduced, &speeds).unwrap();
         let instability = critical::instability(&reduced, &diagram).unwrap();
         assert_eq!((instability.bands.len(), instability.lost.len()), (1, 0));
         assert_eq!(instability.bands[0].to, None);
         let threshold = instability.bands[0].from.clone().unwrap();
-        assert_eq!(threshold.mode.direction(), Direction::Forward);
+        assert_eq!(threshold.mode.direction(), WhirlDirection::Forward);
         let criticals = critical::crossings(&reduced, &diagram, 1.0).unwrap().found;
         let first =
-            criticals.iter().find(|critical| critical.mode.direction() == Direction::Forward).unwrap();
+            criticals.iter().find(|critical| critical.mode.direction() == WhirlDirection::Forward).unwrap();
         close(threshold.speed, first.speed, 1e-9, "threshold");
     }
 }
@@ -227,9 +231,9 @@ fn internal_damping_turns_a_shaft_unstable_at_its_first_forward_critical_speed()
 fn a_uniform_shaft_on_rigid_bearings_whirls_as_the_closed_form_says() {
     let (length, diameter) = (1.0, 0.04);
     let (area, moment) = (section::round_area(diameter), section::round_second_moment(diameter));
-    let rotor = Assembled::new(&uniform(24, length, diameter, STEEL, &Hold::Pinned)).unwrap();
+    let rotor = Assembled::new(&uniform(24, length, diameter, STEEL, &SupportType::Pinned)).unwrap();
     for speed in [0.0, 700.0, 5000.0] {
-        let modes = Reduced::new(&rotor, 4, &[speed]).unwrap().modes(speed).unwrap().modes;
+        let modes = ReducedRotor::new(&rotor, 4, &[speed]).unwrap().modes(speed).unwrap().modes;
         for (n, pair) in modes.chunks(2).enumerate() {
             let k = (n as f64 + 1.0) * std::f64::consts::PI / length;
             let a = STEEL.density * (area + moment * k.powi(2));
@@ -238,8 +242,8 @@ fn a_uniform_shaft_on_rigid_bearings_whirls_as_the_closed_form_says() {
             close(pair[0].frequency(), (root - b) / a, 5e-6, "backward");
             close(pair[1].frequency(), (root + b) / a, 5e-6, "forward");
             if speed > 0.0 {
-                assert_eq!(pair[0].direction(), Direction::Backward);
-                assert_eq!(pair[1].direction(), Direction::Forward);
+                assert_eq!(pair[0].direction(), WhirlDirection::Backward);
+                assert_eq!(pair[1].direction(), WhirlDirection::Forward);
             }
         }
     }
@@ -250,7 +254,7 @@ fn a_uniform_shaft_on_rigid_bearings_whirls_as_the_closed_form_says() {
 fn the_other_spin_turns_every_whirl_round() {
     let rotor =
         Assembled::new(&two_discs(6, Coefficients::orthotropic([1e6, 0.8e6], [200.0, 150.0]))).unwrap();
-    let reduced = Reduced::new(&rotor, 6, &[-400.0, 400.0]).unwrap();
+    let reduced = ReducedRotor::new(&rotor, 6, &[-400.0, 400.0]).unwrap();
     let (one, other) = (reduced.modes(400.0).unwrap().modes, reduced.modes(-400.0).unwrap().modes);
     for (a, b) in one.iter().zip_eq(&other) {
         assert!((a.lambda - b.lambda).norm() < 1e-9 * a.lambda.norm());
@@ -264,7 +268,7 @@ fn the_other_spin_turns_every_whirl_round() {
 #[test]
 fn axes_do_not_matter() {
     let isotropic = Assembled::new(&two_discs(6, Coefficients::isotropic(1e6, 100.0))).unwrap();
-    let modes = Reduced::new(&isotropic, 6, &[0.0]).unwrap().modes(0.0).unwrap().modes;
+    let modes = ReducedRotor::new(&isotropic, 6, &[0.0]).unwrap().modes(0.0).unwrap().modes;
     for pair in modes.chunks(2) {
         close(pair[0].lambda.im, pair[1].lambda.im, 1e-10, "two planes");
     }
@@ -277,7 +281,7 @@ fn axes_do_not_matter() {
     };
     let seen = [0.0, 0.7].map(|angle| {
         let rotor = Assembled::new(&two_discs(6, turned(angle))).unwrap();
-        let modes = Reduced::new(&rotor, 6, &[300.0]).unwrap().modes(300.0).unwrap().modes;
+        let modes = ReducedRotor::new(&rotor, 6, &[300.0]).unwrap().modes(300.0).unwrap().modes;
         let unbalance = Unbalance { node: 2, size: 1e-3, angle };
         let response = unbalance_response(&rotor, &[unbalance], 300.0).unwrap();
         let orbit = response::Orbit::of(response[4][0], response[4][2]);
@@ -297,7 +301,7 @@ fn axes_do_not_matter() {
 fn no_two_modes_are_exchanged_over_speed() {
     let rotor =
         Assembled::new(&two_discs(6, Coefficients::orthotropic([1e6, 0.5e6], [200.0, 150.0]))).unwrap();
-    let reduced = Reduced::new(&rotor, 8, &[0.0, 1500.0]).unwrap();
+    let reduced = ReducedRotor::new(&rotor, 8, &[0.0, 1500.0]).unwrap();
     for count in [10, 60] {
         let speeds: Vec<f64> = (0..=count).map(|n| 1500.0 * f64::from(n) / f64::from(count)).collect();
         let diagram = campbell(&reduced, &speeds).unwrap();
@@ -313,7 +317,8 @@ fn no_two_modes_are_exchanged_over_speed() {
         let reference = campbell(&reduced, &fine).unwrap();
         for (first, last) in ends {
             let same = reference.branches.iter().any(|branch| {
-                let of = |mode: &Option<modes::Mode>| mode.as_ref().map_or(0.0, modes::Mode::frequency);
+                let of =
+                    |mode: &Option<modes::WhirlMode>| mode.as_ref().map_or(0.0, modes::WhirlMode::frequency);
                 (of(&branch[0]) - first).abs() < 1e-9 * first && (of(&branch[600]) - last).abs() < 1e-9 * last
             });
             assert!(same, "{first} at rest becomes {last} with {count} steps");
@@ -326,13 +331,13 @@ fn no_two_modes_are_exchanged_over_speed() {
 fn a_thin_overhung_disc_has_one_forward_critical_speed() {
     let material = Material { density: 1e-3, young: 196e9, ..STEEL };
     let diameter = section::round_diameter(1e-7);
-    let mut rotor = uniform(4, 0.3, diameter, material, &Hold::Clamped);
+    let mut rotor = uniform(4, 0.3, diameter, material, &SupportType::Clamped);
     rotor.supports.truncate(1);
-    rotor.discs = vec![Disc { node: 4, mass: 10.0, diametral: 0.075, polar: 0.144 }];
+    rotor.discs = vec![RigidDisc { node: 4, mass: 10.0, diametral: 0.075, polar: 0.144 }];
     let rotor = Assembled::new(&rotor).unwrap();
-    let reduced = Reduced::new(&rotor, 4, &[0.0, 3000.0]).unwrap();
+    let reduced = ReducedRotor::new(&rotor, 4, &[0.0, 3000.0]).unwrap();
     let rpm = std::f64::consts::PI / 30.0;
-    let found: Vec<(f64, Direction)> = critical::direct(&reduced, 1.0, 3000.0)
+    let found: Vec<(f64, WhirlDirection)> = critical::direct(&reduced, 1.0, 3000.0)
         .unwrap()
         .found
         .iter()
@@ -340,9 +345,9 @@ fn a_thin_overhung_disc_has_one_forward_critical_speed() {
         .collect();
     assert_eq!(found.len(), 3, "{found:?}");
     for ((speed, direction), (ours, way)) in found.iter().zip_eq([
-        (3504.3, Direction::Backward),
-        (4866.4, Direction::Forward),
-        (13265.4, Direction::Backward),
+        (3504.3, WhirlDirection::Backward),
+        (4866.4, WhirlDirection::Forward),
+        (13265.4, WhirlDirection::Backward),
     ]) {
         close(*speed, ours, 2e-5, "critical speed");
         assert_eq!(*direction, way);
@@ -353,12 +358,12 @@ fn a_thin_overhung_disc_has_one_forward_critical_speed() {
 #[test]
 fn the_response_at_an_undamped_critical_speed_is_refused() {
     let rotor = Assembled::new(&two_discs(6, Coefficients::isotropic(1e6, 0.0))).unwrap();
-    let reduced = Reduced::new(&rotor, 6, &[0.0, 400.0]).unwrap();
+    let reduced = ReducedRotor::new(&rotor, 6, &[0.0, 400.0]).unwrap();
     let forward = critical::direct(&reduced, 1.0, 400.0)
         .unwrap()
         .found
         .into_iter()
-        .find(|critical| critical.mode.direction() == Direction::Forward)
+        .find(|critical| critical.mode.direction() == WhirlDirection::Forward)
         .unwrap();
     let unbalance = [Unbalance { node: 2, size: 1e-3, angle: 0.0 }];
     let at = |speed: f64| unbalance_response(&rotor, &unbalance, speed);
@@ -375,13 +380,15 @@ fn critical_speeds_over_the_stiffness_of_the_bearings_are_those_found_for_each()
     for stiffness in [1e2, 1e5, 1e6, 3e7, 1e9, 1e13] {
         let mut rotor = rotor.clone();
         for (support, share) in rotor.supports.iter_mut().zip_eq([1.0, 0.5]) {
-            *support = Support::bearing(support.node, Coefficients::isotropic(share * stiffness, 0.0));
+            *support = BearingSupport::bearing(support.node, Coefficients::isotropic(share * stiffness, 0.0));
         }
         let all = Assembled::new(&rotor).unwrap();
-        let reduced = Reduced::new(&all, 6, &[0.0, 1000.0]).unwrap();
+        let reduced = ReducedRotor::new(&all, 6, &[0.0, 1000.0]).unwrap();
         let exact = critical::direct(&reduced, 1.0, 1e4).unwrap().found;
         let ours = map.at(stiffness, 1.0).unwrap();
-        for (direction, ours) in [(Direction::Forward, ours.forward), (Direction::Backward, ours.backward)] {
+        for (direction, ours) in
+            [(WhirlDirection::Forward, ours.forward), (WhirlDirection::Backward, ours.backward)]
+        {
             let theirs = exact.iter().filter(|critical| critical.mode.direction() == direction);
             let theirs: Vec<f64> = theirs.map(|critical| critical.speed).take(2).collect();
             assert!(!theirs.is_empty());

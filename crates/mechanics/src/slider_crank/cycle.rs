@@ -4,7 +4,7 @@ use dalembert_numerics::{gauss_legendre as quadrature, roots};
 
 /// Turning moment over a cycle: mean, energy fluctuation, extremes.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Cycle {
+pub struct TorqueCycle {
     /// Mean moment, N·m.
     pub mean: f64,
     /// Root mean square, N·m.
@@ -22,7 +22,7 @@ pub struct Cycle {
 /// Parts of a turn that are integrated by themselves.
 const PARTS: u32 = 96;
 
-impl Cycle {
+impl TorqueCycle {
     /// Of a moment that is continuous, repeats after `period`, and is smooth between the angles `corners`.
     pub fn of(moment: impl Fn(f64) -> f64, period: f64, corners: &[f64]) -> Self {
         let knots = knots(period, corners);

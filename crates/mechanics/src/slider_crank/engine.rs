@@ -2,7 +2,7 @@
 //!
 //! Axes: `x` along the stroke away from the crankshaft, `y` to its left, the crank turning from `x` to `y`. The rod is
 //! replaced by masses at its two pins and a moment of inertia that they have less than the rod has, which is exact
-//! (see [`equivalent`](super::equivalent)); [`Engine::reactions`] goes the other way, by Newton's and Euler's
+//! (see [`equivalent`](super::equivalent)); [`EngineCylinder::reactions`] goes the other way, by Newton's and Euler's
 //! equations of the rod itself.
 
 use super::{
@@ -14,7 +14,7 @@ use crate::{Real, balance::reciprocating::harmonic_by_series};
 
 /// Formulas of the piston motion: exact or approximate.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Model {
+pub enum PistonFormula {
     /// The closure of the slider-crank.
     Exact,
     /// Two terms.
@@ -25,7 +25,7 @@ pub enum Model {
 
 /// A cylinder with its crank, rod and piston.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Engine {
+pub struct EngineCylinder {
     /// Radius of the crank, m.
     pub crank: f64,
     /// Length of the rod, m.
@@ -33,7 +33,7 @@ pub struct Engine {
     /// Height of the line of stroke above the crankshaft, m. Other than zero with the exact motion alone.
     pub offset: f64,
     /// Motion of the piston.
-    pub model: Model,
+    pub model: PistonFormula,
     /// Mass that goes back and forth with the piston, kg.
     pub reciprocating: f64,
     /// Mass of the rod, kg.
@@ -101,15 +101,15 @@ pub struct Reactions {
     pub moment: f64,
 }
 
-impl Model {
+impl PistonFormula {
     /// Harmonics up to an even order.
     pub fn up_to(highest: u8, ratio: f64) -> Self {
         let even = (1..=highest / 2).map(|half| harmonic_by_series(1.0 / ratio, 2 * half));
-        Model::Harmonics(even.collect())
+        PistonFormula::Harmonics(even.collect())
     }
 }
 
-impl Engine {
+impl EngineCylinder {
     /// The stroke of the piston, m.
     pub fn stroke(&self) -> f64 {
         let far = piston::farthest(self.crank, self.rod, self.offset);
@@ -158,8 +158,8 @@ impl Engine {
             turn,
         };
         match &self.model {
-            Model::Exact => exact(),
-            Model::TwoTerm => PistonMotion {
+            PistonFormula::Exact => exact(),
+            PistonFormula::TwoTerm => PistonMotion {
                 obliquity,
                 displacement: two_term::displacement(r, n, angle),
                 velocity: two_term::velocity(r, n, angle, speed),
@@ -169,7 +169,7 @@ impl Engine {
                 arm,
                 turn,
             },
-            Model::Harmonics(amplitudes) => PistonMotion {
+            PistonFormula::Harmonics(amplitudes) => PistonMotion {
                 displacement: harmonics::displacement(r, amplitudes, angle),
                 velocity: harmonics::velocity(r, amplitudes, angle, speed),
                 acceleration: harmonics::acceleration(r, amplitudes, angle, speed, alpha),

@@ -8,20 +8,20 @@
 use super::Branch;
 use crate::{
     Real,
-    linkage::{Point, Turning},
+    linkage::{LinkRotation, PointMotion},
 };
 
 /// Motion of crank, rod and slider as functions of the crank angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Links<S> {
     /// The crank.
-    pub crank: Turning<S>,
+    pub crank: LinkRotation<S>,
     /// The crank pin.
-    pub crank_pin: Point<S>,
+    pub crank_pin: PointMotion<S>,
     /// The rod, from the crank pin.
-    pub rod: Turning<S>,
+    pub rod: LinkRotation<S>,
     /// The slider.
-    pub slider: Point<S>,
+    pub slider: PointMotion<S>,
 }
 
 /// The links at a crank angle, from the height of the slider, `r sin θ₂ + l sin θ₃ = e`, and its derivatives
@@ -31,8 +31,8 @@ pub struct Links<S> {
 #[inline(always)]
 pub fn links<S: Real>(crank: S, rod: S, offset: S, branch: Branch, crank_angle: S) -> Links<S> {
     let (zero, one) = (S::from(0.0), S::from(1.0));
-    let turning = Turning::crank(crank_angle);
-    let crank_pin = Point::fixed([zero; 2]).to(turning, [crank, zero]);
+    let turning = LinkRotation::crank(crank_angle);
+    let crank_pin = PointMotion::fixed([zero; 2]).to(turning, [crank, zero]);
     let [along, height] = crank_pin.at;
     let sine = (offset - height) / rod;
     let cosine = (one - sine * sine).sqrt();
@@ -43,7 +43,7 @@ pub fn links<S: Real>(crank: S, rod: S, offset: S, branch: Branch, crank_angle: 
     let over = one / (rod * cosine);
     let first = -along * over;
     let second = (height + rod * first * first * sine) * over;
-    let rod_turning = Turning { direction: [cosine, sine], first, second };
+    let rod_turning = LinkRotation { direction: [cosine, sine], first, second };
     Links { crank: turning, crank_pin, rod: rod_turning, slider: crank_pin.to(rod_turning, [rod, zero]) }
 }
 
@@ -51,7 +51,7 @@ pub fn links<S: Real>(crank: S, rod: S, offset: S, branch: Branch, crank_angle: 
 mod tests {
     use super::*;
     use crate::{
-        linkage::{Body, Reduced},
+        linkage::{LinkMass, ReducedMasses},
         slider_crank::{CrankMotion, SliderCrank},
     };
 
@@ -69,13 +69,13 @@ mod tests {
         for (step, printed) in (0..).zip(torques) {
             let angle = 0.3 + f64::from(step) * std::f64::consts::FRAC_PI_3;
             let links = links(0.05, 0.2, 0.0, Branch::Ahead, angle);
-            let masses = Body { mass: 1.2, centre: [0.02, 0.0], inertia: 8e-4 }
-                .reduced(Point::fixed([0.0; 2]), links.crank)
+            let masses = LinkMass { mass: 1.2, centre: [0.02, 0.0], inertia: 8e-4 }
+                .reduced(PointMotion::fixed([0.0; 2]), links.crank)
                 .and(
-                    Body { mass: 0.8, centre: [0.07, 0.0], inertia: 3.5e-3 }
+                    LinkMass { mass: 0.8, centre: [0.07, 0.0], inertia: 3.5e-3 }
                         .reduced(links.crank_pin, links.rod),
                 )
-                .and(Reduced::mass(0.5, links.slider));
+                .and(ReducedMasses::mass(0.5, links.slider));
             let torque = masses.torque(30.0, 5.0, 9.81) - 200.0 * links.slider.first[0];
             assert!((torque - printed).abs() < 1e-11, "at {angle}: {torque} for {printed}");
         }

@@ -39,7 +39,7 @@ pub struct CrankMotion {
 
 /// Motion of the rod and of the slider.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Motion {
+pub struct SliderCrankMotion {
     /// Angle of the rod `θ₃`, rad.
     pub rod_angle: f64,
     /// Angular velocity of the rod `ω₃`, rad/s.
@@ -83,7 +83,7 @@ impl SliderCrank {
     ///
     /// # Errors
     /// [`SliderCrankError`].
-    pub fn motion(&self, crank: CrankMotion) -> Result<Motion, SliderCrankError> {
+    pub fn motion(&self, crank: CrankMotion) -> Result<SliderCrankMotion, SliderCrankError> {
         let &Self { crank: r, rod: l, offset, branch } = self;
         let CrankMotion { angle, speed, acceleration } = crank;
         let numbers = [r, l, offset, angle, speed, acceleration];
@@ -105,7 +105,7 @@ impl SliderCrank {
         };
         let rod_speed = rod_speed(r, l, angle, rod_angle, speed);
         let rod_acceleration = rod_acceleration(r, l, angle, rod_angle, speed, rod_speed, acceleration);
-        let motion = Motion {
+        let motion = SliderCrankMotion {
             rod_angle,
             rod_speed,
             rod_acceleration,

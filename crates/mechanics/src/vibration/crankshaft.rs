@@ -9,7 +9,7 @@ use crate::Real;
 
 /// A crank throw, from the middle of one journal to the middle of the next, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Throw<S> {
+pub struct CrankThrow<S> {
     /// Length of a journal.
     pub journal_length: S,
     /// Diameter of the journals.
@@ -32,7 +32,7 @@ pub struct Throw<S> {
 
 /// Contributions of journals, crankpin and webs to `32/(π G)` over a stiffness, 1/m³.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parts<S> {
+pub struct ThrowContributions<S> {
     /// Of the journals.
     pub journal: S,
     /// Of the crankpin.
@@ -41,12 +41,12 @@ pub struct Parts<S> {
     pub webs: S,
 }
 
-impl<S: Real> Throw<S> {
+impl<S: Real> CrankThrow<S> {
     /// Carter's formula: `(Lⱼ + 0.8 t)/(Dⱼ⁴ − dⱼ⁴) + 0.75 L_c/(D_c⁴ − d_c⁴) + 1.5 R/(t W³)`. It fits shafts whose
     /// webs bend more than journals and pins twist.
     #[inline]
-    pub fn carter(&self) -> Parts<S> {
-        Parts {
+    pub fn carter(&self) -> ThrowContributions<S> {
+        ThrowContributions {
             journal: (self.journal_length + self.web_thickness * 0.8)
                 / fourth_powers(self.journal_diameter, self.journal_bore),
             pin: self.pin_length * 0.75 / fourth_powers(self.pin_diameter, self.pin_bore),
@@ -57,8 +57,8 @@ impl<S: Real> Throw<S> {
     /// Ker Wilson's formula: `(Lⱼ + 0.4 Dⱼ)/(Dⱼ⁴ − dⱼ⁴) + (L_c + 0.4 D_c)/(D_c⁴ − d_c⁴) + (R − 0.2 (Dⱼ + D_c))/(t W³)`.
     /// It fits shafts with stiff webs.
     #[inline]
-    pub fn ker_wilson(&self) -> Parts<S> {
-        Parts {
+    pub fn ker_wilson(&self) -> ThrowContributions<S> {
+        ThrowContributions {
             journal: (self.journal_length + self.journal_diameter * 0.4)
                 / fourth_powers(self.journal_diameter, self.journal_bore),
             pin: (self.pin_length + self.pin_diameter * 0.4)
@@ -69,7 +69,7 @@ impl<S: Real> Throw<S> {
     }
 }
 
-impl<S: Real> Parts<S> {
+impl<S: Real> ThrowContributions<S> {
     /// Torsional stiffness of the throw, `k = π G/(32 Σ)`, N·m/rad.
     #[inline]
     pub fn stiffness(&self, shear: S) -> S {
@@ -120,7 +120,7 @@ mod tests {
     #[test]
     fn a_straight_shaft_is_left_of_a_throw_without_webs() {
         // Webs so wide that they do not bend: journal and pin of one diameter are a round shaft of that length.
-        let throw = Throw {
+        let throw = CrankThrow {
             journal_length: 0.06,
             journal_diameter: 0.08,
             journal_bore: None,

@@ -29,7 +29,7 @@ pub struct Duffing {
 
 /// A steady vibration by the first harmonic: `x = A cos(ωt − φ)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Steady {
+pub struct DuffingResponse {
     /// Amplitude, m.
     pub amplitude: f64,
     /// Lag behind the force, rad.
@@ -83,7 +83,7 @@ impl Duffing {
 
     /// All steady vibrations by the first harmonic at `ω` under `F`, in ascending amplitude: one or three of
     /// `[(k − m ω² + ¾ h A²)² + (c ω)²] A² = F²`.
-    pub fn steady(&self, force: f64, frequency: f64) -> Vec<Steady> {
+    pub fn steady(&self, force: f64, frequency: f64) -> Vec<DuffingResponse> {
         let p = self.stiffness - self.mass * frequency * frequency;
         let (q, r) = (self.damping * frequency, 0.75 * self.cubic);
         // A cubic in s = A²; between its turning points it has one root or none.
@@ -98,7 +98,8 @@ impl Duffing {
         ends.extend(last);
         let root =
             |ends: &[f64]| roots::find(balance, [ends[0], ends[1]], |_| ControlFlow::Continue(())).ok();
-        let steady = |s: f64| Steady { amplitude: s.sqrt(), lag: q.atan2(p + r * s), stable: slope(s) > 0.0 };
+        let steady =
+            |s: f64| DuffingResponse { amplitude: s.sqrt(), lag: q.atan2(p + r * s), stable: slope(s) > 0.0 };
         ends.windows(2).filter_map(root).filter(|s| *s > 0.0).map(steady).collect()
     }
 
@@ -181,7 +182,7 @@ impl Duffing {
     /// The first and third harmonics at `ω` under `F`, from a steady vibration of the first.
     ///
     /// `None` where Newton's method does not reach a balance of both harmonics.
-    pub fn two_harmonics(&self, force: f64, frequency: f64, from: &Steady) -> Option<TwoHarmonics> {
+    pub fn two_harmonics(&self, force: f64, frequency: f64, from: &DuffingResponse) -> Option<TwoHarmonics> {
         let mut x = DVector::from_vec(vec![
             from.amplitude * from.lag.cos(),
             from.amplitude * from.lag.sin(),

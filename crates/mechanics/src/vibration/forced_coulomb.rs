@@ -41,7 +41,7 @@ pub struct Slide {
 
 /// The steady motion.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Steady {
+pub enum CoulombResponse {
     /// The force does not overcome friction.
     Stuck,
     /// At the natural frequency, with more force than friction can take up: the amplitude grows without bound.
@@ -98,17 +98,17 @@ pub fn equivalent_damping<S: Real>(friction: S, frequency: S, amplitude: S) -> S
 
 impl CoulombOscillator {
     /// The steady motion, exact.
-    pub fn steady(&self) -> Steady {
+    pub fn steady(&self) -> CoulombResponse {
         let Self { ratio: r, deflection: s, offset: f } = *self;
         if s <= f {
-            return Steady::Stuck;
+            return CoulombResponse::Stuck;
         }
         if r == 1.0 {
             if 4.0 * f < PI * s {
-                return Steady::Unbounded;
+                return CoulombResponse::Unbounded;
             }
         } else if let Some((amplitude, lag)) = self.sliding() {
-            return Steady::Sliding { amplitude, lag };
+            return CoulombResponse::Sliding { amplitude, lag };
         }
         self.stopping()
     }
@@ -148,7 +148,7 @@ impl CoulombOscillator {
     }
 
     /// Follows the motion with stops until a cycle repeats the one before.
-    fn stopping(&self) -> Steady {
+    fn stopping(&self) -> CoulombResponse {
         let Self { ratio: r, deflection: s, offset: f } = *self;
         let force = |tau: f64| s * (r * tau).cos();
         let cycle = TAU / r;
@@ -162,27 +162,29 @@ impl CoulombOscillator {
             while tau < cycle {
                 pieces += 1;
                 if pieces > 4000 {
-                    return Steady::NotSettled;
+                    return CoulombResponse::NotSettled;
                 }
                 let pull = force(tau) - x;
                 // At rest at (tau, x): does it move on at once, or stay until the force has changed enough?
                 let direction = if pull.abs() > f * (1.0 + 1e-12) {
                     pull.signum()
                 } else {
-                    let Some((leave, direction)) = self.leaves(x, tau) else { return Steady::Stuck };
+                    let Some((leave, direction)) = self.leaves(x, tau) else { return CoulombResponse::Stuck };
                     tau = leave;
                     direction
                 };
                 if tau >= cycle {
                     break;
                 }
-                let Some((at, to)) = self.slide(x, tau, direction) else { return Steady::NotSettled };
+                let Some((at, to)) = self.slide(x, tau, direction) else {
+                    return CoulombResponse::NotSettled;
+                };
                 slides.push(Slide { from: tau, start: x, direction, until: at, end: to });
                 (tau, x) = (at, to);
                 (least, most) = (least.min(x), most.max(x));
             }
             if [least, most].iter().zip(before).all(|(now, then)| (now - then).abs() <= 1e-12 * s) {
-                return Steady::Stopping { amplitude: (most - least) / 2.0, slides };
+                return CoulombResponse::Stopping { amplitude: (most - least) / 2.0, slides };
             }
             before = [least, most];
             // Time is counted from the beginning of the cycle, so that its rounding does not grow.
@@ -194,12 +196,12 @@ impl CoulombOscillator {
                 return steady;
             }
         }
-        Steady::NotSettled
+        CoulombResponse::NotSettled
     }
 
     /// The motion that rests once at each extreme, a slide's end being the opposite of its start: the fixed point of the
     /// half cycle near its last two extremes, m. `None` where there is no such motion.
-    fn two_stops(&self, one: f64, other: f64) -> Option<Steady> {
+    fn two_stops(&self, one: f64, other: f64) -> Option<CoulombResponse> {
         let Self { ratio: r, deflection: s, offset: f } = *self;
         let up = |x: f64| {
             let from = -((f - x) / s).acos() / r;
@@ -228,7 +230,7 @@ impl CoulombOscillator {
             until: up.until + half,
             end: -up.end,
         };
-        rests.then(|| Steady::Stopping { amplitude: found, slides: vec![up, down] })
+        rests.then(|| CoulombResponse::Stopping { amplitude: found, slides: vec![up, down] })
     }
 
     /// Time and direction in which a mass at rest at `x` since `from` begins to slip.

@@ -22,7 +22,7 @@ pub enum NetworkError {
 
 /// A spring and a damper side by side between two nodes, counted from 0; `None` is fixed ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Link {
+pub struct SpringDamper {
     /// The nodes.
     pub ends: [Option<usize>; 2],
     /// Stiffness, N/m; zero for a damper alone.
@@ -37,7 +37,7 @@ pub struct Network {
     /// The mass of each node, kg; zero for a light one.
     pub masses: Vec<f64>,
     /// The elements.
-    pub links: Vec<Link>,
+    pub links: Vec<SpringDamper>,
 }
 
 impl Network {
@@ -73,7 +73,11 @@ impl Network {
     /// Driving-point stiffness of a node, with the other nodes free and `of` giving the stiffness of an element (real,
     /// or complex `k + iωc`): the other nodes are eliminated one by one, each leaving `kᵢkⱼ/Σk` between its neighbours
     /// (star–mesh transformation). No subtraction occurs, so nothing cancels.
-    pub fn driving_point_stiffness(&self, node: usize, of: impl Fn(&Link) -> Complex<f64>) -> Complex<f64> {
+    pub fn driving_point_stiffness(
+        &self,
+        node: usize,
+        of: impl Fn(&SpringDamper) -> Complex<f64>,
+    ) -> Complex<f64> {
         let n = self.masses.len();
         // Ground is the last node.
         let mut between = DMatrix::<Complex<f64>>::zeros(n + 1, n + 1);
@@ -175,7 +179,7 @@ impl Network {
 
     /// A typical rate of the network, 1/s.
     fn scale(&self) -> f64 {
-        let sum = |of: fn(&Link) -> f64| self.links.iter().map(of).sum::<f64>();
+        let sum = |of: fn(&SpringDamper) -> f64| self.links.iter().map(of).sum::<f64>();
         let (stiffness, damping) = (sum(|link| link.stiffness), sum(|link| link.damping));
         let mass: f64 = self.masses.iter().sum();
         let scale = match (mass > 0.0, stiffness > 0.0) {
@@ -186,7 +190,7 @@ impl Network {
         if scale.is_finite() && scale > 0.0 { scale } else { 1.0 }
     }
 
-    fn assembled(&self, of: impl Fn(&Link) -> f64) -> DMatrix<f64> {
+    fn assembled(&self, of: impl Fn(&SpringDamper) -> f64) -> DMatrix<f64> {
         let n = self.masses.len();
         let mut matrix = DMatrix::zeros(n, n);
         for link in &self.links {
@@ -202,7 +206,7 @@ impl Network {
         matrix
     }
 
-    fn held_by(&self, counts: impl Fn(&Link) -> bool) -> Result<(), NetworkError> {
+    fn held_by(&self, counts: impl Fn(&SpringDamper) -> bool) -> Result<(), NetworkError> {
         let mut held = vec![false; self.masses.len()];
         for _ in 0..self.masses.len() {
             for link in self.links.iter().filter(|link| counts(link)) {
@@ -226,8 +230,8 @@ mod tests {
     use super::*;
     use itertools::Itertools as _;
 
-    fn link(a: Option<usize>, b: Option<usize>, stiffness: f64, damping: f64) -> Link {
-        Link { ends: [a, b], stiffness, damping }
+    fn link(a: Option<usize>, b: Option<usize>, stiffness: f64, damping: f64) -> SpringDamper {
+        SpringDamper { ends: [a, b], stiffness, damping }
     }
 
     fn close(ours: f64, expected: f64) {

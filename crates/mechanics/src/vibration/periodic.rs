@@ -1,6 +1,6 @@
 //! A periodic force, or a base that shakes periodically: its Fourier coefficients, and the exact steady motion.
 //!
-//! One period is cut into [`Piece`]s over the share `s = t/T` of the period, on each of which the drive is
+//! One period is cut into [`WaveSegment`]s over the share `s = t/T` of the period, on each of which the drive is
 //! `u = a + b s + g sin(ρ s)`. The oscillator is `ẍ + 2ζω_n ẋ + ω_n² x = ω_n² u` under a force (`u = F/k`) and
 //! `… = ω_n² u + 2ζω_n u̇` on a base (`u = y`). On every piece the motion is known in closed form; that it comes back
 //! after a period is a linear equation for where it begins. No series is cut off.
@@ -17,7 +17,7 @@ pub use pieces::{full_rectified, half_rectified, polygon, pulse, sawtooth, squar
 
 /// A piece of a period: `u = value + slope σ + sine sin(rate σ)` with `σ` the share of the period since `from`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Piece {
+pub struct WaveSegment {
     /// Start of the piece, as a share of the period.
     pub from: f64,
     /// End of the piece, as a share of the period.
@@ -34,7 +34,7 @@ pub struct Piece {
 
 /// Path of the excitation to the mass: force or base motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Drive {
+pub enum ExcitationPath {
     /// A force on the mass.
     Force,
     /// A base that shakes spring and damper.
@@ -42,8 +42,8 @@ pub enum Drive {
 }
 
 /// Mean of a period.
-pub fn mean(pieces: &[Piece]) -> f64 {
-    let of = |piece: &Piece| {
+pub fn mean(pieces: &[WaveSegment]) -> f64 {
+    let of = |piece: &WaveSegment| {
         let length = piece.to - piece.from;
         let sine = if piece.rate == 0.0 {
             0.0
@@ -57,10 +57,10 @@ pub fn mean(pieces: &[Piece]) -> f64 {
 
 /// Cosine and sine coefficient of the `n`th harmonic, `n ≥ 1`: `aₙ = 2∫u cos 2πns ds`, `bₙ = 2∫u sin 2πns ds`.
 /// S. S. Rao, *Mechanical Vibrations*, 5th ed., §1.11.
-pub fn harmonic(pieces: &[Piece], n: u32) -> (f64, f64) {
+pub fn harmonic(pieces: &[WaveSegment], n: u32) -> (f64, f64) {
     let theta = TAU * f64::from(n);
     let turned = |angle: f64| Complex::from_polar(1.0, -angle);
-    let of = |piece: &Piece| {
+    let of = |piece: &WaveSegment| {
         let length = piece.to - piece.from;
         // By parts, with the whole turns of the angle left out for the sake of its digits.
         let start = turned(TAU * (f64::from(n) * piece.from).fract());
@@ -88,21 +88,26 @@ pub fn harmonic(pieces: &[Piece], n: u32) -> (f64, f64) {
 
 /// The exact steady motion.
 #[derive(Clone, Debug)]
-pub struct Steady {
+pub struct PeriodicResponse {
     damping_ratio: f64,
     /// Radians of the free motion, without damping, in a period.
     angle: f64,
-    drive: Drive,
-    pieces: Vec<Piece>,
+    drive: ExcitationPath,
+    pieces: Vec<WaveSegment>,
     /// Displacement and momentum at the beginning of each piece.
     starts: Vec<Vector2<f64>>,
 }
 
-impl Steady {
+impl PeriodicResponse {
     /// The steady motion of an oscillator of a damping ratio, with `angle = ω_n T`.
     ///
     /// `None` where there is none, or none that numbers can hold: undamped with a harmonic at the natural frequency.
-    pub fn new(pieces: &[Piece], drive: Drive, damping_ratio: f64, angle: f64) -> Option<Self> {
+    pub fn new(
+        pieces: &[WaveSegment],
+        drive: ExcitationPath,
+        damping_ratio: f64,
+        angle: f64,
+    ) -> Option<Self> {
         let mut steady = Self {
             damping_ratio,
             angle,
@@ -157,7 +162,7 @@ impl Steady {
         Some(sum)
     }
 
-    /// The largest and the least displacement. `None` as for [`Steady::mean_square`].
+    /// The largest and the least displacement. `None` as for [`PeriodicResponse::mean_square`].
     pub fn extremes(&self) -> Option<[f64; 2]> {
         /// Samples an eighth of a radian apart miss less than this part of a swing.
         const CLOSE: f64 = 0.01;
@@ -247,8 +252,8 @@ impl Steady {
     /// The part of the drive that the damper feels.
     fn through(&self, drive: f64) -> f64 {
         match self.drive {
-            Drive::Force => 0.0,
-            Drive::Base => drive,
+            ExcitationPath::Force => 0.0,
+            ExcitationPath::Base => drive,
         }
     }
 

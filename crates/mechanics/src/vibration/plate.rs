@@ -5,7 +5,7 @@
 
 use crate::beam::dynamic_stiffness::{
     BeamError,
-    spans::{Joint, Span, SpanShape, Spans},
+    spans::{Span, SpanJoint, SpanShape, Spans},
 };
 use dalembert_numerics::roots;
 use dalembert_numerics::{bessel, gauss_legendre};
@@ -275,11 +275,11 @@ impl Levy {
 
     fn strip(&self, half_waves: usize) -> Spans {
         let alpha = (half_waves as f64 * std::f64::consts::PI / self.aspect).powi(2);
-        let joint = |edge: Edge, sign: f64| Joint {
+        let joint = |edge: Edge, sign: f64| SpanJoint {
             held: edge != Edge::Free,
             clamped: edge == Edge::Clamped,
             coupling: sign * self.poisson * alpha,
-            ..Joint::default()
+            ..SpanJoint::default()
         };
         Spans {
             spans: vec![Span {

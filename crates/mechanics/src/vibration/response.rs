@@ -12,7 +12,7 @@ use dalembert_numerics::{
 
 /// From a time on, a force changes evenly, until the next piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Piece {
+pub struct ForceSegment {
     /// Start time.
     pub start: f64,
     /// The force at its beginning, over the amplitude.
@@ -27,12 +27,12 @@ pub struct Push {
     /// The force on each mass, for a value of 1.
     pub force: DVector<f64>,
     /// The pieces, in the order of time.
-    pub pieces: Vec<Piece>,
+    pub pieces: Vec<ForceSegment>,
 }
 
 /// A force `F cos(Ωt − φ)` from time zero on.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Harmonic {
+pub struct HarmonicLoad {
     /// The amplitude on each mass.
     pub force: DVector<f64>,
     /// Ω.
@@ -43,7 +43,7 @@ pub struct Harmonic {
 
 /// A start and the forces after it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Excitation {
+pub struct TimeExcitation {
     /// The displacements at time zero.
     pub position: DVector<f64>,
     /// The velocities at time zero.
@@ -51,13 +51,13 @@ pub struct Excitation {
     /// Forces in straight pieces.
     pub pushes: Vec<Push>,
     /// Harmonic forces.
-    pub harmonics: Vec<Harmonic>,
+    pub harmonics: Vec<HarmonicLoad>,
 }
 
 /// The motion of a system from a start under forces; exact, since between two breaks of the forces every pole has
 /// a closed form.
 #[derive(Debug, Clone)]
-pub struct Motion<'a> {
+pub struct TimeResponse<'a> {
     poles: &'a Poles,
     /// Times at which a force changes its law, and the state then, harmonic forces aside.
     breaks: Vec<(f64, Vec<Complex<f64>>)>,
@@ -67,9 +67,9 @@ pub struct Motion<'a> {
     harmonics: Vec<(Vec<[Complex<f64>; 2]>, f64)>,
 }
 
-impl<'a> Motion<'a> {
+impl<'a> TimeResponse<'a> {
     /// Follows the forces from break to break. `momentum` is `ΦᵀM`, which gives modal coordinates.
-    pub fn new(poles: &'a Poles, momentum: &DMatrix<f64>, excitation: &Excitation) -> Self {
+    pub fn new(poles: &'a Poles, momentum: &DMatrix<f64>, excitation: &TimeExcitation) -> Self {
         let inputs: Vec<_> = excitation.pushes.iter().map(|push| poles.input(&push.force)).collect();
         let law = |from: f64| -> Vec<[Complex<f64>; 2]> {
             let laws: Vec<(f64, f64)> = excitation.pushes.iter().map(|push| push.during(from)).collect();
@@ -111,7 +111,7 @@ impl<'a> Motion<'a> {
     }
 }
 
-impl Motion<'_> {
+impl TimeResponse<'_> {
     /// The displacement of a mass that is farthest from zero from time zero to another one, to 1e-9; none where it takes
     /// more than so many examines the motion, or is cancelled.
     ///
@@ -235,7 +235,7 @@ fn later(poles: &Poles, state: &[Complex<f64>], law: &[[Complex<f64>; 2]], time:
 /// `Singular` mass; `TooLarge` when more than `limit` steps would be needed.
 pub fn by_series(
     matrices: [&DMatrix<f64>; 3],
-    excitation: &Excitation,
+    excitation: &TimeExcitation,
     time: f64,
     limit: usize,
 ) -> Result<DVector<f64>, LinalgError> {
@@ -248,7 +248,7 @@ pub fn by_series(
 /// As for [`by_series`].
 pub fn state_by_series(
     [m, c, k]: [&DMatrix<f64>; 3],
-    excitation: &Excitation,
+    excitation: &TimeExcitation,
     time: f64,
     limit: usize,
 ) -> Result<[DVector<f64>; 2], LinalgError> {
@@ -330,7 +330,7 @@ impl Push {
 }
 
 /// The times up to `time` at which a force changes its law, with both ends.
-fn breaks(excitation: &Excitation, time: f64) -> Vec<f64> {
+fn breaks(excitation: &TimeExcitation, time: f64) -> Vec<f64> {
     let starts = excitation.pushes.iter().flat_map(|push| &push.pieces).map(|piece| piece.start);
     let mut breaks: Vec<f64> =
         starts.filter(|start| *start > 0.0 && *start < time).chain([0.0, time]).collect();

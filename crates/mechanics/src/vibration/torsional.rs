@@ -50,7 +50,7 @@ pub const MOST_DISCS: usize = 200;
 
 /// A shaft between two discs, counted from 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shaft {
+pub struct TrainShaft {
     /// The discs.
     pub ends: [usize; 2],
     /// Torsional stiffness, N·m/rad.
@@ -72,7 +72,7 @@ pub struct Train {
 
 /// A way in which a train vibrates by itself.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Mode {
+pub struct TorsionalMode {
     /// Natural frequency, rad/s; zero for the turning of the whole train.
     pub frequency: f64,
     /// The amplitude of each disc, reduced to the one speed; the largest is 1.
@@ -102,7 +102,7 @@ impl Train {
     ///
     /// # Errors
     /// All of [`TrainError`] but `Resonance`.
-    pub fn new(inertias: &[f64], walls: &[f64], shafts: &[Shaft]) -> Result<Self, TrainError> {
+    pub fn new(inertias: &[f64], walls: &[f64], shafts: &[TrainShaft]) -> Result<Self, TrainError> {
         let n = inertias.len();
         if n == 0 || walls.len() != n {
             return Err(TrainError::Empty);
@@ -119,7 +119,7 @@ impl Train {
             return Err(TrainError::Massless);
         }
         let mut joined = vec![Vec::new(); n];
-        for (at, &Shaft { ends: [a, b], stiffness }) in shafts.iter().enumerate() {
+        for (at, &TrainShaft { ends: [a, b], stiffness }) in shafts.iter().enumerate() {
             if a >= n || b >= n || a == b {
                 return Err(TrainError::Ends { shaft: at + 1 });
             }
@@ -203,7 +203,7 @@ impl Train {
     ///
     /// # Errors
     /// `NotFinite`.
-    pub fn modes(&self) -> Result<Vec<Mode>, TrainError> {
+    pub fn modes(&self) -> Result<Vec<TorsionalMode>, TrainError> {
         let n = self.inertias.len();
         let mut held = self.walls.clone();
         for disc in 0..n {
@@ -218,9 +218,9 @@ impl Train {
             return Err(TrainError::NotFinite);
         }
         let count = self.inertias.iter().filter(|inertia| **inertia > 0.0).count();
-        let mut modes: Vec<Mode> = Vec::new();
+        let mut modes: Vec<TorsionalMode> = Vec::new();
         if self.is_free() {
-            modes.push(Mode { frequency: 0.0, shape: vec![1.0; n] });
+            modes.push(TorsionalMode { frequency: 0.0, shape: vec![1.0; n] });
         }
         for index in modes.len()..count {
             let (mut low, mut high) = (f64::MIN_POSITIVE.to_bits(), (highest * 1.001).to_bits());
@@ -233,15 +233,15 @@ impl Train {
                 }
             }
             let square = f64::from_bits(low);
-            let near = |mode: &&Mode| (mode.frequency.powi(2) - square).abs() <= 1e-6 * square;
-            let neighbours: Vec<&Mode> = modes.iter().filter(near).collect();
+            let near = |mode: &&TorsionalMode| (mode.frequency.powi(2) - square).abs() <= 1e-6 * square;
+            let neighbours: Vec<&TorsionalMode> = modes.iter().filter(near).collect();
             let shape = self.shape(square, &neighbours)?;
-            modes.push(Mode { frequency: square.sqrt(), shape });
+            modes.push(TorsionalMode { frequency: square.sqrt(), shape });
         }
         Ok(modes)
     }
 
-    fn shape(&self, square: f64, neighbours: &[&Mode]) -> Result<Vec<f64>, TrainError> {
+    fn shape(&self, square: f64, neighbours: &[&TorsionalMode]) -> Result<Vec<f64>, TrainError> {
         // A start that no mode of a symmetric train is orthogonal to.
         let mut shape: Vec<f64> =
             (0..self.inertias.len()).map(|disc| 1.0 + (1.7 * disc as f64).sin() / 3.0).collect();
@@ -268,7 +268,7 @@ impl Train {
     }
 
     /// Takes the parts along `modes` out of a shape.
-    fn remove(&self, modes: &[&Mode], shape: &mut [f64]) {
+    fn remove(&self, modes: &[&TorsionalMode], shape: &mut [f64]) {
         for mode in modes {
             let weighed = |other: &[f64]| -> f64 {
                 (0..other.len()).map(|i| self.inertias[i] * mode.shape[i] * other[i]).sum()
@@ -366,8 +366,8 @@ mod tests {
     use itertools::Itertools as _;
 
     fn chain(inertias: &[f64], stiffnesses: &[f64]) -> Train {
-        let shaft = |(at, &stiffness): (usize, &f64)| Shaft { ends: [at, at + 1], stiffness };
-        let shafts: Vec<Shaft> = stiffnesses.iter().enumerate().map(shaft).collect();
+        let shaft = |(at, &stiffness): (usize, &f64)| TrainShaft { ends: [at, at + 1], stiffness };
+        let shafts: Vec<TrainShaft> = stiffnesses.iter().enumerate().map(shaft).collect();
         Train::new(inertias, &vec![0.0; inertias.len()], &shafts).unwrap()
     }
 
@@ -409,7 +409,7 @@ mod tests {
 
     #[test]
     fn a_symmetric_branched_train_has_two_equal_frequencies() {
-        let spoke = |end| Shaft { ends: [0, end], stiffness: 8.0 };
+        let spoke = |end| TrainShaft { ends: [0, end], stiffness: 8.0 };
         let train = Train::new(&[5.0, 2.0, 2.0, 2.0], &[0.0; 4], &[spoke(1), spoke(2), spoke(3)]).unwrap();
         let modes = train.modes().unwrap();
         close(modes[1].frequency, 2.0, 1e-14);
@@ -430,10 +430,10 @@ mod tests {
             &[4.0, 0.0, 7.0, 1.0, 2.0],
             &[0.0; 5],
             &[
-                Shaft { ends: [0, 1], stiffness: 300.0 },
-                Shaft { ends: [1, 2], stiffness: 500.0 },
-                Shaft { ends: [2, 3], stiffness: 100.0 },
-                Shaft { ends: [2, 4], stiffness: 250.0 },
+                TrainShaft { ends: [0, 1], stiffness: 300.0 },
+                TrainShaft { ends: [1, 2], stiffness: 500.0 },
+                TrainShaft { ends: [2, 3], stiffness: 100.0 },
+                TrainShaft { ends: [2, 4], stiffness: 250.0 },
             ],
         )
         .unwrap();
@@ -470,10 +470,10 @@ mod tests {
     }
 
     /// A tree of `n` discs: each hangs on an earlier one.
-    fn tree(seed: u64, n: usize) -> (Vec<f64>, Vec<Shaft>) {
+    fn tree(seed: u64, n: usize) -> (Vec<f64>, Vec<TrainShaft>) {
         let (inertias, stiffnesses) = (spread(seed, n, 0.5, 20.0), spread(seed + 99, n, 10.0, 1e4));
         let parents = spread(seed + 7, n, 0.0, 1.0);
-        let shaft = |disc: usize| Shaft {
+        let shaft = |disc: usize| TrainShaft {
             ends: [(parents[disc] * disc as f64) as usize, disc],
             stiffness: stiffnesses[disc],
         };
@@ -487,7 +487,7 @@ mod tests {
             let (inertias, shafts) = tree(seed, n);
             let modes = Train::new(&inertias, &vec![0.0; n], &shafts).unwrap().modes().unwrap();
             let mut stiffness = nalgebra::DMatrix::zeros(n, n);
-            for &Shaft { ends: [a, b], stiffness: k } in &shafts {
+            for &TrainShaft { ends: [a, b], stiffness: k } in &shafts {
                 stiffness[(a, a)] += k;
                 stiffness[(b, b)] += k;
                 stiffness[(a, b)] -= k;
@@ -500,7 +500,7 @@ mod tests {
             }
             for (a, first) in modes.iter().enumerate() {
                 for second in &modes[..a] {
-                    let dot = |x: &Mode, y: &Mode| -> f64 {
+                    let dot = |x: &TorsionalMode, y: &TorsionalMode| -> f64 {
                         (0..n).map(|i| inertias[i] * x.shape[i] * y.shape[i]).sum()
                     };
                     let size = (dot(first, first) * dot(second, second)).sqrt();
@@ -542,7 +542,7 @@ mod tests {
 
     #[test]
     fn what_is_no_tree_is_refused() {
-        let shaft = |a, b| Shaft { ends: [a, b], stiffness: 1.0 };
+        let shaft = |a, b| TrainShaft { ends: [a, b], stiffness: 1.0 };
         let free = [0.0; 3];
         let triangle = [shaft(0, 1), shaft(1, 2), shaft(2, 0)];
         assert!(matches!(Train::new(&[1.0; 3], &free, &triangle), Err(TrainError::Loop { .. })));

@@ -17,7 +17,7 @@ mod unit;
 
 pub use unit::UnitResponses;
 
-use coupled::Coupled;
+use coupled::LoadedOscillator;
 
 /// One degree of freedom.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +30,7 @@ pub struct Oscillator {
 
 /// Displacement and velocity.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct State {
+pub struct OscillatorState {
     /// Displacement, m.
     pub displacement: f64,
     /// Velocity, m/s.
@@ -39,7 +39,7 @@ pub struct State {
 
 /// Law of the load over a piece, as a static displacement in m; `τ` counts from the start of the piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Law {
+pub enum LoadLaw {
     /// `start + slope τ`.
     Line {
         /// Value at the start, m.
@@ -65,16 +65,16 @@ pub enum Law {
 
 /// A piece of the load: it lasts until the next one begins, the last one for ever.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Piece {
+pub struct LoadSegment {
     /// Start time, s.
     pub from: f64,
     /// Law of the load over the piece.
-    pub law: Law,
+    pub law: LoadLaw,
 }
 
 /// Output to examine: `a x + b ẋ/ωₙ`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Output {
+pub struct TransientOutput {
     /// Weight of the displacement.
     pub displacement: f64,
     /// Weight of the velocity over the natural frequency.
@@ -105,7 +105,7 @@ pub enum TransientError {
 
 /// The motion from time zero on.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Motion {
+pub struct TransientMotion {
     oscillator: Oscillator,
     pieces: Vec<Started>,
 }
@@ -114,29 +114,29 @@ pub struct Motion {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Started {
     from: f64,
-    law: Law,
-    state: State,
+    law: LoadLaw,
+    state: OscillatorState,
 }
 
-impl Output {
+impl TransientOutput {
     /// The displacement.
-    pub const DISPLACEMENT: Output = Output { displacement: 1.0, velocity: 0.0 };
+    pub const DISPLACEMENT: TransientOutput = TransientOutput { displacement: 1.0, velocity: 0.0 };
 
     /// The force of spring and damper together over the stiffness, `x + 2ζ ẋ/ωₙ`; on a excited base, the absolute
     /// acceleration over `−ωₙ²`.
-    pub fn support(ratio: f64) -> Output {
-        Output { displacement: 1.0, velocity: 2.0 * ratio }
+    pub fn support(ratio: f64) -> TransientOutput {
+        TransientOutput { displacement: 1.0, velocity: 2.0 * ratio }
     }
 }
 
-impl Law {
+impl LoadLaw {
     /// The load `tau` seconds after the start of the piece.
     pub fn at(self, tau: f64) -> f64 {
         match self {
-            Law::Line { start, slope: 0.0 } => start,
-            Law::Line { start, slope } => start + slope * tau,
-            Law::Sine { amplitude, frequency } => amplitude * (frequency * tau).sin(),
-            Law::Decay { amplitude, rate } => amplitude * (-rate * tau).exp(),
+            LoadLaw::Line { start, slope: 0.0 } => start,
+            LoadLaw::Line { start, slope } => start + slope * tau,
+            LoadLaw::Sine { amplitude, frequency } => amplitude * (frequency * tau).sin(),
+            LoadLaw::Decay { amplitude, rate } => amplitude * (-rate * tau).exp(),
         }
     }
 }
@@ -152,34 +152,40 @@ impl Oscillator {
     }
 
     /// The state `tau` seconds on under a load that begins with it.
-    pub fn advance(self, state: State, law: Law, tau: f64) -> State {
+    pub fn advance(self, state: OscillatorState, law: LoadLaw, tau: f64) -> OscillatorState {
         let theta = self.natural * tau;
         let unit = UnitResponses::at(self.ratio, theta);
         let (x, u) = (state.displacement, state.velocity / self.natural);
         let free = [unit.release * x + unit.impulse * u, unit.release_rate() * x + unit.impulse_rate * u];
         let forced = match law {
-            Law::Line { start, slope: 0.0 } => [unit.step * start, unit.impulse * start],
-            Law::Line { start, slope } => {
+            LoadLaw::Line { start, slope: 0.0 } => [unit.step * start, unit.impulse * start],
+            LoadLaw::Line { start, slope } => {
                 let slope = slope / self.natural;
                 [unit.step * start + unit.ramp * slope, unit.impulse * start + unit.step * slope]
             }
-            Law::Sine { amplitude, frequency } => Coupled::sine(self.ratio, frequency / self.natural)
+            LoadLaw::Sine { amplitude, frequency } => {
+                LoadedOscillator::sine(self.ratio, frequency / self.natural)
+                    .response(&unit, theta)
+                    .map(|y| y * amplitude)
+            }
+            LoadLaw::Decay { amplitude, rate } => LoadedOscillator::decay(self.ratio, rate / self.natural)
                 .response(&unit, theta)
                 .map(|y| y * amplitude),
-            Law::Decay { amplitude, rate } => {
-                Coupled::decay(self.ratio, rate / self.natural).response(&unit, theta).map(|y| y * amplitude)
-            }
         };
-        State { displacement: free[0] + forced[0], velocity: (free[1] + forced[1]) * self.natural }
+        OscillatorState { displacement: free[0] + forced[0], velocity: (free[1] + forced[1]) * self.natural }
     }
 }
 
-impl Motion {
+impl TransientMotion {
     /// The motion that begins at time zero in a state, under a load; before its first piece the load is zero.
-    pub fn new(oscillator: Oscillator, initial: State, load: &[Piece]) -> Result<Self, TransientError> {
+    pub fn new(
+        oscillator: Oscillator,
+        initial: OscillatorState,
+        load: &[LoadSegment],
+    ) -> Result<Self, TransientError> {
         let Oscillator { natural, ratio } = oscillator;
         Oscillator::new(natural, ratio)?;
-        let nothing = Piece { from: 0.0, law: Law::Line { start: 0.0, slope: 0.0 } };
+        let nothing = LoadSegment { from: 0.0, law: LoadLaw::Line { start: 0.0, slope: 0.0 } };
         let mut pieces = vec![Started { from: 0.0, law: nothing.law, state: initial }];
         for piece in load {
             let last = pieces.last().expect("there is a first piece");
@@ -200,7 +206,7 @@ impl Motion {
     }
 
     /// Displacement and velocity at a time, zero or later.
-    pub fn at(&self, time: f64) -> State {
+    pub fn at(&self, time: f64) -> OscillatorState {
         let piece = self.piece(time);
         self.oscillator.advance(piece.state, piece.law, time - piece.from)
     }
@@ -212,13 +218,17 @@ impl Motion {
     }
 
     /// Value of an output at a time.
-    pub fn output(&self, output: Output, time: f64) -> f64 {
+    pub fn output(&self, output: TransientOutput, time: f64) -> f64 {
         self.value(output, self.at(time))
     }
 
     /// The least and the largest value of an output between two times; the second may be infinite. Extremes
     /// between the pieces' ends are found where the rate is zero, to `1e-13` of the time.
-    pub fn extremes(&self, output: Output, [from, to]: [f64; 2]) -> Result<Extremes, TransientError> {
+    pub fn extremes(
+        &self,
+        output: TransientOutput,
+        [from, to]: [f64; 2],
+    ) -> Result<Extremes, TransientError> {
         let mut found = Extremes::at(from, self.output(output, from));
         for (n, piece) in self.pieces.iter().enumerate() {
             let end = self.pieces.get(n + 1).map_or(f64::INFINITY, |next| next.from).min(to);
@@ -227,9 +237,9 @@ impl Motion {
                 continue;
             }
             let (begun, state, law) = match piece.law {
-                Law::Line { start: at, slope } if start > piece.from => {
+                LoadLaw::Line { start: at, slope } if start > piece.from => {
                     let by = start - piece.from;
-                    let law = Law::Line { start: if slope == 0.0 { at } else { at + slope * by }, slope };
+                    let law = LoadLaw::Line { start: if slope == 0.0 { at } else { at + slope * by }, slope };
                     (start, self.oscillator.advance(piece.state, piece.law, by), law)
                 }
                 law => (piece.from, piece.state, law),
@@ -239,7 +249,7 @@ impl Motion {
                 _ if end.is_finite() => Some(self.oscillator.advance(state, law, end - begun)),
                 _ => None,
             };
-            if let Law::Line { start, slope } = law {
+            if let LoadLaw::Line { start, slope } = law {
                 let ends = [Some(state), last].map(|state| state.map(|state| self.value(output, state)));
                 let [low, high] =
                     self.oscillator.line_bounds(state, [start, slope], output, end - begun, ends);
@@ -261,11 +271,11 @@ impl Motion {
     }
 
     /// The displacement by Duhamel's integral from rest, by Gauss–Legendre quadrature: a second method to
-    /// [`Motion::at`]. `None` where it would take too many points, or the motion does not begin at rest.
+    /// [`TransientMotion::at`]. `None` where it would take too many points, or the motion does not begin at rest.
     /// Clough & Penzien, 2nd ed., §7-1.
     pub fn duhamel(&self, time: f64) -> Option<f64> {
         let first = self.pieces.first()?.state;
-        if first != State::default() {
+        if first != OscillatorState::default() {
             return None;
         }
         let Oscillator { natural, ratio } = self.oscillator;
@@ -276,9 +286,9 @@ impl Motion {
                 continue;
             }
             let fastest = match piece.law {
-                Law::Line { .. } => 0.0,
-                Law::Sine { frequency, .. } => frequency,
-                Law::Decay { rate, .. } => rate,
+                LoadLaw::Line { .. } => 0.0,
+                LoadLaw::Sine { frequency, .. } => frequency,
+                LoadLaw::Decay { rate, .. } => rate,
             };
             let panels = ((end - piece.from) * (natural * (1.0 + 2.0 * ratio) + fastest)).ceil().max(1.0);
             if panels > 300.0 {
@@ -304,7 +314,7 @@ impl Motion {
         self.pieces[after.saturating_sub(1)]
     }
 
-    fn value(&self, output: Output, state: State) -> f64 {
+    fn value(&self, output: TransientOutput, state: OscillatorState) -> f64 {
         output.displacement * state.displacement + output.velocity * state.velocity / self.oscillator.natural
     }
 }

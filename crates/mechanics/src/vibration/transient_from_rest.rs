@@ -10,7 +10,7 @@ const LONGEST: f64 = 1e5;
 
 /// Harmonic drive of the oscillator, as its static deflection.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drive {
+pub struct HarmonicDrive {
     /// Frequency `ω`, rad/s.
     pub frequency: f64,
     /// Amplitude of the sine, m.
@@ -26,7 +26,7 @@ pub struct Drive {
 pub fn history(
     natural_frequency: f64,
     damping_ratio: f64,
-    drive: Drive,
+    drive: HarmonicDrive,
     last: f64,
     count: u16,
 ) -> Option<Vec<(f64, f64)>> {

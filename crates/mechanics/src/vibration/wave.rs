@@ -14,7 +14,7 @@ use dalembert_numerics::{
 
 /// Mass and stiffness at an end of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct End {
+pub struct WaveEnd {
     /// Stiffness of a spring to the ground, over `S/L`; infinite for a fixed end.
     pub stiffness: f64,
     /// Mass at the end, over the mass of the body.
@@ -23,17 +23,17 @@ pub struct End {
 
 /// The shape of a vibration, largest deflection one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shape {
+pub struct WaveShape {
     wave_number: f64,
     phase: f64,
     scale: f64,
 }
 
-impl End {
+impl WaveEnd {
     /// An end that does not move.
-    pub const FIXED: End = End { stiffness: f64::INFINITY, mass: 0.0 };
+    pub const FIXED: WaveEnd = WaveEnd { stiffness: f64::INFINITY, mass: 0.0 };
     /// An end that carries nothing.
-    pub const FREE: End = End { stiffness: 0.0, mass: 0.0 };
+    pub const FREE: WaveEnd = WaveEnd { stiffness: 0.0, mass: 0.0 };
 
     /// The angle `θ` of the end, in `[0, π]`: seen from a fixed point of the wave it stands `θ` away. It never falls
     /// with the wave number, which is why the roots can be counted.
@@ -44,7 +44,7 @@ impl End {
         wave_number.atan2(self.stiffness - self.mass * wave_number.powi(2))
     }
 
-    /// The rate of [`angle`](End::angle), never negative.
+    /// The rate of [`angle`](WaveEnd::angle), never negative.
     fn turn(self, wave_number: f64) -> f64 {
         if self.stiffness.is_infinite() {
             return 0.0;
@@ -60,7 +60,7 @@ impl End {
 }
 
 /// Motions of the body as a whole at no frequency: one where no end holds it.
-pub fn rigid_motions(ends: [End; 2]) -> usize {
+pub fn rigid_motions(ends: [WaveEnd; 2]) -> usize {
     usize::from(ends.iter().all(|end| end.is_loose()))
 }
 
@@ -71,7 +71,7 @@ pub fn rigid_motions(ends: [End; 2]) -> usize {
 ///
 /// # Errors
 /// `NotFinite` for data that are not finite numbers, or out of their range; others of [`RootError`].
-pub fn roots(ends: [End; 2], count: usize) -> Result<Vec<f64>, RootError> {
+pub fn roots(ends: [WaveEnd; 2], count: usize) -> Result<Vec<f64>, RootError> {
     let bad = |x: f64| x.is_nan() || x < 0.0;
     if ends.iter().any(|end| bad(end.stiffness) || bad(end.mass) || end.mass.is_infinite()) {
         return Err(RootError::NotFinite { at: 0.0 });
@@ -97,21 +97,21 @@ pub fn roots(ends: [End; 2], count: usize) -> Result<Vec<f64>, RootError> {
 
 /// The frequency function `(g₀ g₁ − β²) sin β + (g₀ + g₁) β cos β` with `g = κ − μ β²` at each end, over a positive
 /// number that keeps it of order one.
-pub fn characteristic(ends: [End; 2], wave_number: f64) -> f64 {
+pub fn characteristic(ends: [WaveEnd; 2], wave_number: f64) -> f64 {
     (wave_number + ends[0].angle(wave_number) + ends[1].angle(wave_number)).sin()
 }
 
 /// The shape at a root.
-pub fn shape(ends: [End; 2], root: f64) -> Shape {
+pub fn shape(ends: [WaveEnd; 2], root: f64) -> WaveShape {
     let phase = ends[0].angle(root);
     // The largest of |sin| over the stretch from the one end to the other.
     let (from, to) = (phase, phase + root);
     let passes_a_crest = ((to - PI / 2.0) / PI).floor() >= ((from - PI / 2.0) / PI).ceil();
     let largest = if passes_a_crest { 1.0 } else { from.sin().abs().max(to.sin().abs()) };
-    Shape { wave_number: root, phase, scale: 1.0 / largest }
+    WaveShape { wave_number: root, phase, scale: 1.0 / largest }
 }
 
-impl Shape {
+impl WaveShape {
     /// Deflection at `ξ`, 0 to 1.
     pub fn deflection(&self, xi: f64) -> f64 {
         self.scale * (self.phase + self.wave_number * xi).sin()
@@ -134,11 +134,11 @@ impl Shape {
 
     /// Rayleigh's quotient of the shape: twice the largest strain energy over twice the kinetic energy at unit
     /// frequency, by Gauss quadrature. At a root it is `β²`.
-    pub fn rayleigh_quotient(&self, ends: [End; 2]) -> f64 {
+    pub fn rayleigh_quotient(&self, ends: [WaveEnd; 2]) -> f64 {
         let panels = 1 + (self.wave_number / 2.0) as usize;
         let strain = gauss_legendre::integral(panels, |xi| self.slope(xi).powi(2));
         let kinetic = gauss_legendre::integral(panels, |xi| self.deflection(xi).powi(2));
-        let at = |end: End, xi: f64| {
+        let at = |end: WaveEnd, xi: f64| {
             let square = self.deflection(xi).powi(2);
             let spring = if end.stiffness.is_infinite() { 0.0 } else { end.stiffness * square };
             (spring, end.mass * square)
@@ -148,7 +148,7 @@ impl Shape {
     }
 
     /// `∫ U V dξ + Σ μ U V` of two shapes: zero where they belong to different roots.
-    pub fn inertia_product(&self, other: &Shape, ends: [End; 2]) -> f64 {
+    pub fn inertia_product(&self, other: &WaveShape, ends: [WaveEnd; 2]) -> f64 {
         let panels = 1 + ((self.wave_number + other.wave_number) / 3.0) as usize;
         let product = |xi: f64| self.deflection(xi) * other.deflection(xi);
         gauss_legendre::integral(panels, product) + ends[0].mass * product(0.0) + ends[1].mass * product(1.0)
@@ -169,10 +169,10 @@ mod tests {
     #[test]
     fn plain_ends_have_multiples_of_a_quarter_wave() {
         for (ends, quarters) in [
-            ([End::FIXED, End::FIXED], [2.0, 4.0, 6.0]),
-            ([End::FREE, End::FREE], [2.0, 4.0, 6.0]),
-            ([End::FIXED, End::FREE], [1.0, 3.0, 5.0]),
-            ([End::FREE, End::FIXED], [1.0, 3.0, 5.0]),
+            ([WaveEnd::FIXED, WaveEnd::FIXED], [2.0, 4.0, 6.0]),
+            ([WaveEnd::FREE, WaveEnd::FREE], [2.0, 4.0, 6.0]),
+            ([WaveEnd::FIXED, WaveEnd::FREE], [1.0, 3.0, 5.0]),
+            ([WaveEnd::FREE, WaveEnd::FIXED], [1.0, 3.0, 5.0]),
         ] {
             for (root, quarter) in roots(ends, 3).unwrap().into_iter().zip_eq(quarters) {
                 close(root, quarter * PI / 2.0);
@@ -183,14 +183,14 @@ mod tests {
     #[test]
     fn a_mass_at_the_end_by_the_classical_equation() {
         // β tan β = 1/μ (Rao §8.3): β₁ = 0.8603336 for μ = 1.
-        let ends = [End::FIXED, End { stiffness: 0.0, mass: 1.0 }];
+        let ends = [WaveEnd::FIXED, WaveEnd { stiffness: 0.0, mass: 1.0 }];
         let found = roots(ends, 8).unwrap();
         close(found[0], 0.860333589019380);
         for root in found {
             assert!((root * root.sin() - root.cos()).abs() < 1e-13 * root, "{root}");
         }
         // A very heavy end on a light rod: β² → 1/μ.
-        let heavy = roots([End::FIXED, End { stiffness: 0.0, mass: 1e8 }], 2).unwrap();
+        let heavy = roots([WaveEnd::FIXED, WaveEnd { stiffness: 0.0, mass: 1e8 }], 2).unwrap();
         assert!((heavy[0] - 1e-4).abs() < 1e-12, "{}", heavy[0]);
         assert!((heavy[1] - PI).abs() < 1e-8, "{}", heavy[1]);
     }
@@ -200,13 +200,13 @@ mod tests {
         fn roots_ascend_and_satisfy_equation_and_energy(
             k in prop::array::uniform2(-3.0..4.0f64), m in prop::array::uniform2(-3.0..3.0f64),
         ) {
-            let end = |n: usize| End { stiffness: 10f64.powf(k[n]), mass: 10f64.powf(m[n]) };
+            let end = |n: usize| WaveEnd { stiffness: 10f64.powf(k[n]), mass: 10f64.powf(m[n]) };
             let ends = [end(0), end(1)];
             let found = roots(ends, 8).unwrap();
             for pair in found.windows(2) {
                 prop_assert!(pair[1] > pair[0]);
             }
-            let shapes: Vec<Shape> = found.iter().map(|root| shape(ends, *root)).collect();
+            let shapes: Vec<WaveShape> = found.iter().map(|root| shape(ends, *root)).collect();
             for (n, (root, shape)) in found.iter().zip_eq(&shapes).enumerate() {
                 let quotient = shape.rayleigh_quotient(ends);
                 prop_assert!((quotient / root.powi(2) - 1.0).abs() < 1e-9, "{} {}", quotient, root.powi(2));
@@ -219,7 +219,7 @@ mod tests {
 
         #[test]
         fn a_stiffer_end_never_lowers_a_frequency(k in -3.0..4.0f64, more in 0.0..2.0f64, m in 0.0..3.0f64) {
-            let ends = |k: f64| [End { stiffness: 10f64.powf(k), mass: m }, End { stiffness: 0.0, mass: 0.3 }];
+            let ends = |k: f64| [WaveEnd { stiffness: 10f64.powf(k), mass: m }, WaveEnd { stiffness: 0.0, mass: 0.3 }];
             let (soft, stiff) = (roots(ends(k), 6).unwrap(), roots(ends(k + more), 6).unwrap());
             for (soft, stiff) in soft.iter().zip_eq(stiff) {
                 prop_assert!(stiff >= soft * (1.0 - 1e-12));

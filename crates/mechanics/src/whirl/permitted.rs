@@ -13,15 +13,15 @@ pub struct PermittedStiffness {
     pub set: IntervalSet,
     /// The largest stiffness of the soft branch, where the rotor runs above its critical speed; `None` when
     /// nothing is forbidden or no soft shaft is permitted.
-    pub soft: Option<Limit>,
+    pub soft: Option<StiffnessLimit>,
     /// The smallest stiffness of the stiff branch, where the rotor runs below its critical speed; `None` when
     /// nothing is forbidden: the clearance is never reached.
-    pub stiff: Option<Limit>,
+    pub stiff: Option<StiffnessLimit>,
 }
 
 /// A stiffness at which the amplitude just reaches the clearance.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limit {
+pub struct StiffnessLimit {
     /// The stiffness, N/m.
     pub stiffness: f64,
     /// The speed at which the clearance is reached, rad/s.
@@ -94,9 +94,16 @@ pub fn permitted_stiffness(
     let Some([lower, upper]) = forbidden_ratios(unbalance / clearance / mass, damping_ratio) else {
         return Ok(nothing_forbidden());
     };
-    let soft = Limit { stiffness: lower * mass * lowest.powi(2), speed: lowest, by: LimitedBy::LowestSpeed };
-    let stiff =
-        Limit { stiffness: upper * mass * highest.powi(2), speed: highest, by: LimitedBy::HighestSpeed };
+    let soft = StiffnessLimit {
+        stiffness: lower * mass * lowest.powi(2),
+        speed: lowest,
+        by: LimitedBy::LowestSpeed,
+    };
+    let stiff = StiffnessLimit {
+        stiffness: upper * mass * highest.powi(2),
+        speed: highest,
+        by: LimitedBy::HighestSpeed,
+    };
     permitted_outside((lower >= 0.0).then_some(soft), stiff)
 }
 
@@ -124,7 +131,7 @@ pub fn permitted_stiffness_at_damping(
     }
     let half_width =
         |speed: f64| speed * ((reach * speed - damping) * (reach * speed + damping)).max(0.0).sqrt();
-    let stiff = Limit {
+    let stiff = StiffnessLimit {
         stiffness: mass * highest.powi(2) + half_width(highest),
         speed: highest,
         by: LimitedBy::HighestSpeed,
@@ -135,7 +142,7 @@ pub fn permitted_stiffness_at_damping(
         let sum = mass * speed.powi(2) + half_width(speed);
         let stiffness = speed.powi(2)
             * ((mass - reach) * ((mass + reach) * speed.powi(2) / sum) + damping * (damping / sum));
-        Limit { stiffness, speed, by }
+        StiffnessLimit { stiffness, speed, by }
     };
     let soft = if reach >= mass {
         at_end(highest, LimitedBy::HighestSpeed)
@@ -145,14 +152,14 @@ pub fn permitted_stiffness_at_damping(
         if tangent > highest {
             at_end(highest, LimitedBy::HighestSpeed)
         } else if tangent > lowest {
-            Limit {
+            StiffnessLimit {
                 stiffness: (damping / reach).powi(2) * (mass + root) / 2.0,
                 speed: tangent,
                 by: LimitedBy::Peak,
             }
         } else if lowest == 0.0 {
             // Undamped from rest: every stiffness but zero meets its resonance.
-            Limit { stiffness: 0.0, speed: 0.0, by: LimitedBy::LowestSpeed }
+            StiffnessLimit { stiffness: 0.0, speed: 0.0, by: LimitedBy::LowestSpeed }
         } else {
             at_end(lowest, LimitedBy::LowestSpeed)
         }
@@ -216,7 +223,10 @@ pub(super) fn forbidden_ratios(mu: f64, damping_ratio: f64) -> Option<[f64; 2]> 
     })
 }
 
-fn permitted_outside(soft: Option<Limit>, stiff: Limit) -> Result<PermittedStiffness, WhirlError> {
+fn permitted_outside(
+    soft: Option<StiffnessLimit>,
+    stiff: StiffnessLimit,
+) -> Result<PermittedStiffness, WhirlError> {
     if !(stiff.stiffness.is_finite() && soft.is_none_or(|soft| soft.stiffness.is_finite())) {
         return Err(WhirlError::OutOfRange);
     }

@@ -4,9 +4,9 @@ use itertools::Itertools as _;
 use std::f64::consts::TAU;
 
 use dalembert_mechanics::balance::{
-    self, BalanceError, Kind, PartlyKnown, PlaneUnbalance, UnknownsError, Vanishing, balance_planes,
+    self, BalanceError, PartlyKnown, PlaneUnbalance, UnbalanceKind, UnknownsError, Vanishing, balance_planes,
     balance_unknowns,
-    linkage::{Counterweight, Follower, Link, Linkage},
+    linkage::{Counterweight, Follower, LinkInertia, Linkage},
 };
 use proptest::prelude::*;
 
@@ -127,7 +127,7 @@ proptest! {
         match balance_unknowns(&given, Vanishing::ForceAndCouple) {
             Ok(balances) => {
                 let scale = size(rotor);
-                let is_it = |balance: &Vec<balance::Known>| {
+                let is_it = |balance: &Vec<balance::RotorMass>| {
                     balance.iter().zip_eq(&all).all(|(found, (u, z))| {
                         let [x, y] = [found.product * found.angle.cos(), found.product * found.angle.sin()];
                         (x - u[0]).hypot(y - u[1]) < 1e-5 * scale && (found.position - z).abs() < 1e-4
@@ -183,16 +183,16 @@ fn what_is_not_determined_is_refused_by_name() {
 fn kinds_of_unbalance() {
     let at = |x: f64, y: f64, position: f64| PlaneUnbalance { position, components: [x, y] };
     let kind = |all: &[PlaneUnbalance]| balance::kind(all, 0.0, 1e-9);
-    assert_eq!(kind(&[at(1.0, 0.0, 1.0), at(-1.0, 0.0, 1.0)]), Kind::Balanced);
-    assert_eq!(kind(&[at(1.0, 2.0, 1.0), at(1.0, 2.0, -1.0)]), Kind::Static);
-    assert_eq!(kind(&[at(1.0, 2.0, 1.0), at(-1.0, -2.0, -1.0)]), Kind::Couple);
-    assert_eq!(kind(&[at(1.0, 2.0, 1.0)]), Kind::QuasiStatic);
-    assert_eq!(kind(&[at(1.0, 0.0, 1.0), at(0.0, 1.0, -1.0)]), Kind::Dynamic);
+    assert_eq!(kind(&[at(1.0, 0.0, 1.0), at(-1.0, 0.0, 1.0)]), UnbalanceKind::Balanced);
+    assert_eq!(kind(&[at(1.0, 2.0, 1.0), at(1.0, 2.0, -1.0)]), UnbalanceKind::Static);
+    assert_eq!(kind(&[at(1.0, 2.0, 1.0), at(-1.0, -2.0, -1.0)]), UnbalanceKind::Couple);
+    assert_eq!(kind(&[at(1.0, 2.0, 1.0)]), UnbalanceKind::QuasiStatic);
+    assert_eq!(kind(&[at(1.0, 0.0, 1.0), at(0.0, 1.0, -1.0)]), UnbalanceKind::Dynamic);
 }
 
 #[test]
 fn a_four_bar_linkage_is_balanced_by_two_counterweights() {
-    let bar = |mass, distance, inertia| Link { mass, distance, offset: 0.0, inertia };
+    let bar = |mass, distance, inertia| LinkInertia { mass, distance, offset: 0.0, inertia };
     let linkage = Linkage {
         crank: 0.04,
         coupler: 0.12,

@@ -2,7 +2,8 @@
 //! whole.
 
 use dalembert_mechanics::planar::{
-    Body, Effort, Frame, InstantCentre, Joint, Load, Measure, Mechanism, Model, Point, State,
+    BodyFrame, BodyPoint, Effort, InstantCentre, Model, PlanarBody, PlanarJoint, PlanarLoad, PlanarMechanism,
+    PlanarState, RelativeCoordinate,
 };
 
 use crate::{
@@ -12,17 +13,17 @@ use crate::{
 
 const LENGTHS: [f64; 4] = [0.05, 0.151, 0.111, 0.1];
 
-fn four_bar_at(angle: f64) -> (Model, State) {
+fn four_bar_at(angle: f64) -> (Model, PlanarState) {
     let driver = turning(0, angle, 95.0, 0.0);
-    moving(&four_bar(LENGTHS, [Body::default(); 3], driver), &drawn(LENGTHS, [angle, 0.3, 1.3]))
+    moving(&four_bar(LENGTHS, [PlanarBody::default(); 3], driver), &drawn(LENGTHS, [angle, 0.3, 1.3]))
 }
 
-fn centre(system: &Model, state: &State, parts: [Frame; 2]) -> InstantCentre {
+fn centre(system: &Model, state: &PlanarState, parts: [BodyFrame; 2]) -> InstantCentre {
     system.instant_centre(parts, &state.positions, &state.velocities)
 }
 
 #[track_caller]
-fn point(system: &Model, state: &State, parts: [Frame; 2]) -> [f64; 2] {
+fn point(system: &Model, state: &PlanarState, parts: [BodyFrame; 2]) -> [f64; 2] {
     match centre(system, state, parts) {
         InstantCentre::At(at) => at,
         other => panic!("{parts:?}: {other:?}"),
@@ -35,7 +36,7 @@ fn the_centres_of_a_four_bar_are_its_pins_and_where_its_lines_meet() {
     for angle in [0.7, 2.1, 2.8] {
         let (system, state) = four_bar_at(angle);
         let [crank, coupler, rocker] = [0, 1, 2].map(Some);
-        let at = |parts: [Frame; 2]| point(&system, &state, parts);
+        let at = |parts: [BodyFrame; 2]| point(&system, &state, parts);
         let crank_pin = [a * angle.cos(), a * angle.sin()];
         let swing = state.positions[2][2];
         let rocker_pin = [d + c * swing.cos(), c * swing.sin()];
@@ -64,7 +65,7 @@ fn three_centres_of_three_parts_lie_on_a_line() {
     let (system, state) = four_bar_at(2.1);
     let parts = [None, Some(0), Some(1), Some(2)];
     for left_out in parts {
-        let three: Vec<Frame> = parts.into_iter().filter(|part| *part != left_out).collect();
+        let three: Vec<BodyFrame> = parts.into_iter().filter(|part| *part != left_out).collect();
         let [p, q, r] = [[0, 1], [1, 2], [0, 2]].map(|pair| point(&system, &state, pair.map(|k| three[k])));
         let ([ux, uy], [vx, vy]) = ([q[0] - p[0], q[1] - p[1]], [r[0] - p[0], r[1] - p[1]]);
         let size = ux.hypot(uy) * vx.hypot(vy);
@@ -90,18 +91,19 @@ fn a_joint_pulls_its_two_parts_with_opposite_forces_and_the_ground_takes_what_is
     let (mechanism, angle) = braced();
     let disc = {
         let mut disc = mechanism.clone();
-        let (centre, floor) = (Point::body(2, [0.0; 2]), Point::ground([0.0, -0.15]));
+        let (centre, floor) = (BodyPoint::body(2, [0.0; 2]), BodyPoint::ground([0.0, -0.15]));
         disc.bodies[2].inertia = 0.045;
         disc.joints.pop();
-        disc.joints.push(Joint::Slot { guide: floor, direction: 0.0, pin: centre, offset: 0.15 });
-        disc.joints.push(Joint::Rack { guide: floor, direction: 0.0, centre, radius: 0.15 });
+        disc.joints.push(PlanarJoint::Slot { guide: floor, direction: 0.0, pin: centre, offset: 0.15 });
+        disc.joints.push(PlanarJoint::Rack { guide: floor, direction: 0.0, centre, radius: 0.15 });
         disc
     };
     for mechanism in [mechanism, disc] {
         let (system, state) = moving(&mechanism, &[[0.0, 0.0, angle], [0.2, 0.04, -0.4], [0.3, 0.0, 0.0]]);
         let dynamics = found(system.inverse_dynamics(&state));
-        let on =
-            |part: Frame, owner: usize| system.force_on(part, owner, &state.positions, &dynamics.multipliers);
+        let on = |part: BodyFrame, owner: usize| {
+            system.force_on(part, owner, &state.positions, &dynamics.multipliers)
+        };
         let mut ground = spring_on_the_wall(&system, &state);
         for owner in 0..mechanism.joints.len() + mechanism.drivers.len() {
             let parts = system.connected_parts(owner);
@@ -117,23 +119,23 @@ fn a_joint_pulls_its_two_parts_with_opposite_forces_and_the_ground_takes_what_is
 }
 
 /// A slider-crank at 30° with a force that turns with its rod, and a spring and a damper from a wall.
-fn braced() -> (Mechanism, f64) {
+fn braced() -> (PlanarMechanism, f64) {
     let (rod, angle, wall) = (0.2, 30f64.to_radians(), wall());
     let [_, end] = ends(1, rod, rod / 2.0);
     let loads = vec![
-        Load::Force { at: end, force: [500.0, 70.0], turns_with: Some(1) },
-        Load::Effort { measure: wall, effort: Effort::Spring { stiffness: 800.0, free: 0.1 } },
-        Load::Effort { measure: wall, effort: Effort::Damper { coefficient: 25.0 } },
+        PlanarLoad::Force { at: end, force: [500.0, 70.0], turns_with: Some(1) },
+        PlanarLoad::Effort { measure: wall, effort: Effort::Spring { stiffness: 800.0, free: 0.1 } },
+        PlanarLoad::Effort { measure: wall, effort: Effort::Damper { coefficient: 25.0 } },
     ];
     (slider_crank([0.15, rod], angle, loads), angle)
 }
 
-fn wall() -> Measure {
-    Measure::Distance { from: Point::ground([-0.2, 0.1]), to: Point::body(2, [0.0, 0.0]) }
+fn wall() -> RelativeCoordinate {
+    RelativeCoordinate::Distance { from: BodyPoint::ground([-0.2, 0.1]), to: BodyPoint::body(2, [0.0, 0.0]) }
 }
 
 /// Force of spring and damper on the wall.
-fn spring_on_the_wall(system: &Model, state: &State) -> [f64; 2] {
+fn spring_on_the_wall(system: &Model, state: &PlanarState) -> [f64; 2] {
     let (length, rate) = (system.value(&wall(), &state.positions), system.rate(&wall(), state));
     let thrust = -800.0 * (length - 0.1) - 25.0 * rate;
     let [x, y, _] = state.positions[2];

@@ -2,7 +2,7 @@
 
 use dalembert_mechanics::rigid::{
     RigidError,
-    chain::{self, Joint, frames, turned_about},
+    chain::{self, ChainJoint, frames, turned_about},
     numerical_rate,
 };
 use nalgebra::{Matrix3, Rotation3, Unit, Vector3};
@@ -10,8 +10,8 @@ use proptest::prelude::*;
 
 use crate::close::found;
 
-fn joint(axis: [f64; 3], angle: f64, rate: f64, acceleration: f64, offset: [f64; 3]) -> Joint {
-    Joint { axis: axis.into(), angle, rate, acceleration, offset: offset.into() }
+fn joint(axis: [f64; 3], angle: f64, rate: f64, acceleration: f64, offset: [f64; 3]) -> ChainJoint {
+    ChainJoint { axis: axis.into(), angle, rate, acceleration, offset: offset.into() }
 }
 
 fn near(ours: Vector3<f64>, other: Vector3<f64>, scale: f64) {
@@ -42,7 +42,7 @@ fn an_axis_without_length_is_refused() {
     );
 }
 
-fn any_joint() -> impl Strategy<Value = Joint> {
+fn any_joint() -> impl Strategy<Value = ChainJoint> {
     let axis = prop::array::uniform3(-1.0..1.0f64).prop_filter("length", |v| v.iter().any(|x| x.abs() > 0.1));
     let offset = prop::array::uniform3(-1.0..1.0f64);
     (axis, -3.0..3.0f64, -5.0..5.0f64, -5.0..5.0f64, offset)

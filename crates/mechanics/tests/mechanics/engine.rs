@@ -4,8 +4,8 @@ use dalembert_mechanics::{
     balance::reciprocating::harmonic_by_series,
     slider_crank::{
         CrankMotion,
-        cycle::Cycle,
-        engine::{Engine, Model},
+        cycle::TorqueCycle,
+        engine::{EngineCylinder, PistonFormula},
         equivalent,
         gas::{self, Diagram},
         piston::{self, harmonics, two_term},
@@ -15,12 +15,12 @@ use proptest::prelude::*;
 
 use crate::close::{ROUNDING, close, found, printed};
 
-fn engine() -> Engine {
-    Engine {
+fn engine() -> EngineCylinder {
+    EngineCylinder {
         crank: 0.075,
         rod: 0.225,
         offset: 0.0,
-        model: Model::Exact,
+        model: PistonFormula::Exact,
         reciprocating: 2.4,
         rod_mass: 1.6,
         rod_centre: 0.075,
@@ -52,7 +52,7 @@ fn harmonics_approach_the_exact_motion() {
 
 #[test]
 fn offset_dead_centres_are_where_the_piston_turns() {
-    let engine = Engine { offset: 0.02, ..engine() };
+    let engine = EngineCylinder { offset: 0.02, ..engine() };
     for angle in engine.dead_centres() {
         let motion = engine.motion(CrankMotion { angle, speed: 1.0, acceleration: 0.0 });
         assert!(motion.velocity.abs() < 1e-15, "{motion:?}");
@@ -106,7 +106,7 @@ fn a_diagram_over_the_angle_repeats() {
 
 #[test]
 fn a_sine_fluctuates_by_its_amplitude() {
-    let cycle = Cycle::of(|angle| 1000.0 + 583.0 * (2.0 * angle + 0.4).sin(), TAU, &[]);
+    let cycle = TorqueCycle::of(|angle| 1000.0 + 583.0 * (2.0 * angle + 0.4).sin(), TAU, &[]);
     close(cycle.mean, 1000.0, ROUNDING);
     close(cycle.rms, (1e6f64 + 583.0 * 583.0 / 2.0).sqrt(), ROUNDING);
     close(cycle.fluctuation, 583.0, 1e-12);
@@ -121,7 +121,7 @@ fn corners_are_found_where_they_are() {
     // A roof with its ridge where no part of a turn ends.
     let ridge = 1.2345;
     let roof = |angle: f64| -(angle - ridge).abs();
-    let cycle = Cycle::of(roof, TAU, &[ridge]);
+    let cycle = TorqueCycle::of(roof, TAU, &[ridge]);
     assert_eq!(cycle.largest, (ridge, 0.0));
 }
 
@@ -134,8 +134,8 @@ proptest! {
         along in -10.0..10.0f64, across in -10.0..10.0f64, friction in 0.0..500.0f64,
     ) {
         let rod = slenderness * crank;
-        let engine = Engine {
-            crank, rod, offset: lift * crank, model: Model::Exact, reciprocating, rod_mass,
+        let engine = EngineCylinder {
+            crank, rod, offset: lift * crank, model: PistonFormula::Exact, reciprocating, rod_mass,
             rod_centre: part * rod, rod_inertia: rod_mass * (gyration * rod).powi(2),
             gravity: [along, across], friction,
         };
@@ -158,7 +158,7 @@ proptest! {
         slenderness in 1.02..6.0f64, angle in -4.0..4.0f64, part in 0.0..1.0f64, gyration in 0.0..0.6f64,
     ) {
         let rod = slenderness * 0.075;
-        let engine = Engine {
+        let engine = EngineCylinder {
             rod, rod_centre: part * rod, rod_inertia: 1.6 * (gyration * rod).powi(2), gravity: [0.0; 2], ..engine()
         };
         let at = CrankMotion { angle, speed: 200.0, acceleration: 0.0 };

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use dalembert_mechanics::sdof;
 use dalembert_mechanics::vibration::instrument::{Reads, usable_ratios};
 use dalembert_mechanics::vibration::isolation::{self, Shaking, worst_motion, worst_transmission};
-use dalembert_mechanics::vibration::periodic::{self, Drive, Piece, Steady};
+use dalembert_mechanics::vibration::periodic::{self, ExcitationPath, PeriodicResponse, WaveSegment};
 use dalembert_mechanics::vibration::transient_from_rest::{self, history};
 use proptest::prelude::*;
 
@@ -13,7 +13,7 @@ use crate::close::{ROUNDING, close};
 
 #[test]
 fn resonance_grows_with_the_time_without_damping() {
-    let drive = transient_from_rest::Drive { frequency: 50.0, sine: 2e-4, cosine: 0.0 };
+    let drive = transient_from_rest::HarmonicDrive { frequency: 50.0, sine: 2e-4, cosine: 0.0 };
     for (t, x) in history(50.0, 0.0, drive, 10.0, 97).unwrap() {
         let angle = 50.0 * t;
         let exact = 1e-4 * (angle.sin() - angle * angle.cos());
@@ -68,9 +68,9 @@ proptest! {
         zeta in 0.02f64..6.0, ratio in 0.1f64..4.0, wave in 0usize..7, base in any::<bool>(),
     ) {
         let pieces = waves().swap_remove(wave);
-        let drive = if base { Drive::Base } else { Drive::Force };
+        let drive = if base { ExcitationPath::Base } else { ExcitationPath::Force };
         let factor = |r: f64| if base { sdof::transmissibility(r, zeta) } else { sdof::magnification(r, zeta) };
-        let steady = Steady::new(&pieces, drive, zeta, TAU / ratio).unwrap();
+        let steady = PeriodicResponse::new(&pieces, drive, zeta, TAU / ratio).unwrap();
         let mut square = periodic::mean(&pieces).powi(2);
         // A heavily damped base passes on harmonics up to 2ζ/r in full measure: what is left out falls as (2ζ/r)²/n³.
         let harmonics = 3000 + (200.0 * zeta / ratio) as u32;
@@ -118,7 +118,7 @@ fn coefficients_of_the_tables() {
 fn undamped_square_wave_in_closed_form() {
     // About the deflection of each half period the motion is a cosine: x = 1 − cos(ω_n(t − T/4))/cos(ω_n T/4).
     let ratio = 0.3;
-    let steady = Steady::new(&periodic::square(), Drive::Force, 0.0, TAU / ratio).unwrap();
+    let steady = PeriodicResponse::new(&periodic::square(), ExcitationPath::Force, 0.0, TAU / ratio).unwrap();
     for n in 0..50 {
         let share = f64::from(n) / 100.0;
         let exact = 1.0 - (TAU / ratio * (share - 0.25)).cos() / (TAU / ratio / 4.0).cos();
@@ -126,20 +126,22 @@ fn undamped_square_wave_in_closed_form() {
         assert!((steady.displacement(share + 0.5) + exact).abs() < 1e-12);
     }
     // The third harmonic at the natural frequency: no steady motion.
-    assert!(Steady::new(&periodic::square(), Drive::Force, 0.0, TAU * 3.0).is_none());
+    assert!(PeriodicResponse::new(&periodic::square(), ExcitationPath::Force, 0.0, TAU * 3.0).is_none());
 }
 
 #[test]
 fn damping_through_one_changes_nothing_suddenly() {
     let pieces = periodic::triangle();
-    let at = |zeta: f64| Steady::new(&pieces, Drive::Base, zeta, 5.0).unwrap().displacement(0.4);
+    let at = |zeta: f64| {
+        PeriodicResponse::new(&pieces, ExcitationPath::Base, zeta, 5.0).unwrap().displacement(0.4)
+    };
     for step in [1e-12, 1e-9, 1e-6] {
         close(at(1.0 + step), at(1.0), 2.0 * step + ROUNDING);
         close(at(1.0 - step), at(1.0), 2.0 * step + ROUNDING);
     }
 }
 
-fn waves() -> Vec<Vec<Piece>> {
+fn waves() -> Vec<Vec<WaveSegment>> {
     vec![
         periodic::square(),
         periodic::triangle(),
@@ -155,14 +157,16 @@ fn waves() -> Vec<Vec<Piece>> {
 fn a_slow_wave_is_followed_at_rest() {
     // Far below the natural frequency the mean square is that of the wave: 1/3 of a triangle, 1/2 of arches.
     for zeta in [0.3, 1.0, 20.0] {
-        let triangle = Steady::new(&periodic::triangle(), Drive::Force, zeta, 1e6).unwrap();
+        let triangle =
+            PeriodicResponse::new(&periodic::triangle(), ExcitationPath::Force, zeta, 1e6).unwrap();
         close(triangle.mean_square().unwrap(), 1.0 / 3.0, 1e-3 * zeta);
-        let arches = Steady::new(&periodic::full_rectified(), Drive::Force, zeta, 1e6).unwrap();
+        let arches =
+            PeriodicResponse::new(&periodic::full_rectified(), ExcitationPath::Force, zeta, 1e6).unwrap();
         close(arches.mean_square().unwrap(), 0.5, 1e-3 * zeta);
     }
     // Undamped it would ring through a million radians.
     assert!(
-        Steady::new(&periodic::triangle(), Drive::Force, 0.0, 1e6 + 1.0)
+        PeriodicResponse::new(&periodic::triangle(), ExcitationPath::Force, 0.0, 1e6 + 1.0)
             .is_none_or(|s| s.mean_square().is_none())
     );
 }

@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 use dalembert_mechanics::sdof;
 use dalembert_mechanics::vibration::{
     decay_fit,
-    forced_coulomb::{CoulombOscillator, Steady},
+    forced_coulomb::{CoulombOscillator, CoulombResponse},
     free::FreeMotion,
     friction::FrictionDecay,
     jenkins::JenkinsOscillator,
@@ -145,12 +145,12 @@ proptest! {
     fn forced_friction_closes_its_energy(r in 0.05..3.0f64, share in 0.01..0.9999f64) {
         let excited = CoulombOscillator { ratio: r, deflection: 1.0, offset: share };
         match excited.steady() {
-            Steady::Sliding { amplitude, .. } => {
+            CoulombResponse::Sliding { amplitude, .. } => {
                 near(excited.sliding_work(), 4.0 * share * amplitude, amplitude, 1e-9);
                 near(excited.sliding_at(0.0), amplitude, amplitude, 1e-9);
                 near(excited.sliding_at(1.0), -amplitude, amplitude, 1e-9);
             }
-            Steady::Stopping { amplitude, slides } => {
+            CoulombResponse::Stopping { amplitude, slides } => {
                 let work: f64 = slides.iter().map(|slide| excited.work(slide)).sum();
                 let way: f64 = slides.iter().map(|slide| (slide.end - slide.start).abs()).sum();
                 // Each turning point is steady to 1e-12 of the static deflection.
@@ -158,7 +158,7 @@ proptest! {
                 prop_assert!(way > 0.0 && slides.len() >= 2, "{slides:?}");
                 prop_assert!(way >= 4.0 * (amplitude * (1.0 - 1e-9) - 1e-12));
             }
-            other => prop_assert_eq!(other, Steady::Unbounded),
+            other => prop_assert_eq!(other, CoulombResponse::Unbounded),
         }
     }
 

@@ -3,8 +3,8 @@
 
 use dalembert_mechanics::{
     planar::{
-        Body, Contact, Driver, Effort, Event, Joint, JointFriction, Load, Measure, Mechanism, Model,
-        PlanarError, Point, Run, State, Trajectory,
+        BodyPoint, Contact, Driver, Effort, Event, JointFriction, Model, PlanarBody, PlanarError,
+        PlanarJoint, PlanarLoad, PlanarMechanism, PlanarRun, PlanarState, RelativeCoordinate, Trajectory,
     },
     vibration::{free::FreeMotion, friction::FrictionDecay},
 };
@@ -16,33 +16,34 @@ use crate::close::{close, found};
 
 const G: f64 = 9.81;
 
-fn run(duration: f64, tolerance: f64, samples: usize) -> Run<'static> {
-    Run { duration, tolerance, samples, ends: &[], most_steps: 100_000, cancelled: &|| false }
+fn run(duration: f64, tolerance: f64, samples: usize) -> PlanarRun<'static> {
+    PlanarRun { duration, tolerance, samples, ends: &[], most_steps: 100_000, cancelled: &|| false }
 }
 
-fn rubs(joint: usize, coefficient: f64, radius: f64) -> Load {
-    Load::Friction { joint, coefficient, radius }
+fn rubs(joint: usize, coefficient: f64, radius: f64) -> PlanarLoad {
+    PlanarLoad::Friction { joint, coefficient, radius }
 }
 
 /// A block of 2 kg on a rail of the ground in this direction.
-fn block(direction: f64, coefficient: f64, loads: Vec<Load>) -> (Model, Vec<[f64; 3]>) {
-    let slides = Point::body(0, [0.0, 0.0]);
-    let rail = Joint::Slider { guide: Point::ground([0.0, 0.0]), direction, slides, angle: direction };
-    let mechanism = Mechanism {
-        bodies: vec![Body { mass: 2.0, inertia: 0.1 }],
+fn block(direction: f64, coefficient: f64, loads: Vec<PlanarLoad>) -> (Model, Vec<[f64; 3]>) {
+    let slides = BodyPoint::body(0, [0.0, 0.0]);
+    let rail =
+        PlanarJoint::Slider { guide: BodyPoint::ground([0.0, 0.0]), direction, slides, angle: direction };
+    let mechanism = PlanarMechanism {
+        bodies: vec![PlanarBody { mass: 2.0, inertia: 0.1 }],
         joints: vec![rail],
         loads: [rubs(0, coefficient, 0.0)].into_iter().chain(loads).collect(),
         gravity: [0.0, -G],
-        ..Mechanism::default()
+        ..PlanarMechanism::default()
     };
     let drawn = vec![[0.0, 0.0, direction]];
     (found(Model::new(&mechanism, &drawn)), drawn)
 }
 
-fn along(direction: f64, to: Point) -> Measure {
-    Measure::Along {
+fn along(direction: f64, to: BodyPoint) -> RelativeCoordinate {
+    RelativeCoordinate::Along {
         direction: [f64::cos(direction), f64::sin(direction)],
-        from: Point::ground([0.0, 0.0]),
+        from: BodyPoint::ground([0.0, 0.0]),
         to,
     }
 }
@@ -103,10 +104,10 @@ fn a_block_thrown_uphill_comes_back_or_stays() {
 fn a_spring_comes_to_rest_stroke_by_stroke() {
     let (stiffness, coefficient) = (800.0, 0.4);
     let spring = |damping: f64| {
-        let measure = along(0.0, Point::body(0, [0.0, 0.0]));
+        let measure = along(0.0, BodyPoint::body(0, [0.0, 0.0]));
         vec![
-            Load::Effort { measure, effort: Effort::Spring { stiffness, free: 0.0 } },
-            Load::Effort { measure, effort: Effort::Damper { coefficient: damping } },
+            PlanarLoad::Effort { measure, effort: Effort::Spring { stiffness, free: 0.0 } },
+            PlanarLoad::Effort { measure, effort: Effort::Damper { coefficient: damping } },
         ]
     };
     for damping in [0.0, 5.0] {
@@ -139,24 +140,24 @@ fn a_spring_comes_to_rest_stroke_by_stroke() {
 #[test]
 fn a_motion_that_ends_at_rest_ends_there() {
     let (system, drawn) = block(0.0, 0.25, vec![]);
-    let ends = [Event::Rests(along(0.0, Point::body(0, [0.0, 0.0])))];
+    let ends = [Event::Rests(along(0.0, BodyPoint::body(0, [0.0, 0.0])))];
     let moved =
-        found(system.simulate(&drawn, &[[2.0, 0.0, 0.0]], &Run { ends: &ends, ..run(9.0, 1e-11, 11) }));
+        found(system.simulate(&drawn, &[[2.0, 0.0, 0.0]], &PlanarRun { ends: &ends, ..run(9.0, 1e-11, 11) }));
     let last = moved.samples.last().expect("a sample");
     assert_eq!(moved.ended, Some(0));
     close(last.time, 2.0 / (0.25 * G), 1e-10);
     close(last.state.positions[0][0], 2.0 / (0.25 * G), 1e-10);
-    let State { velocities, accelerations, .. } = &last.state;
+    let PlanarState { velocities, accelerations, .. } = &last.state;
     assert!(velocities[0][0].abs() < 1e-14 && accelerations[0][0].abs() < 1e-13, "{last:?}");
 }
 
 /// A plate of 3 kg that a driver moves along the ground, and a block of 2 kg on it.
 fn plate(velocity: f64, acceleration: f64) -> (Model, Vec<[f64; 3]>) {
-    let (below, on) = (Point::body(0, [0.0, 0.0]), Point::body(1, [0.0, 0.0]));
-    let slider = |guide, slides| Joint::Slider { guide, direction: 0.0, slides, angle: 0.0 };
-    let mechanism = Mechanism {
-        bodies: vec![Body { mass: 3.0, inertia: 0.1 }, Body { mass: 2.0, inertia: 0.1 }],
-        joints: vec![slider(Point::ground([0.0, 0.0]), below), slider(below, on)],
+    let (below, on) = (BodyPoint::body(0, [0.0, 0.0]), BodyPoint::body(1, [0.0, 0.0]));
+    let slider = |guide, slides| PlanarJoint::Slider { guide, direction: 0.0, slides, angle: 0.0 };
+    let mechanism = PlanarMechanism {
+        bodies: vec![PlanarBody { mass: 3.0, inertia: 0.1 }, PlanarBody { mass: 2.0, inertia: 0.1 }],
+        joints: vec![slider(BodyPoint::ground([0.0, 0.0]), below), slider(below, on)],
         drivers: vec![Driver { measure: along(0.0, below), value: 0.0, velocity, acceleration }],
         loads: vec![rubs(1, 0.3, 0.0)],
         gravity: [0.0, -G],
@@ -191,16 +192,19 @@ fn a_block_is_taken_along() {
 #[test]
 fn a_spring_that_is_drawn_tears_a_block_loose() {
     // A spring of 200 N/m to a plate that goes on with 0.05 m/s: it sticks until k v t = μ m g.
-    let slider = |guide, slides| Joint::Slider { guide, direction: 0.0, slides, angle: 0.0 };
-    let (ahead, behind) = (Point::body(0, [0.0, 0.0]), Point::body(1, [0.0, 0.0]));
-    let between = Measure::Along { direction: [1.0, 0.0], from: behind, to: ahead };
-    let mechanism = Mechanism {
-        bodies: vec![Body { mass: 1.0, inertia: 0.1 }, Body { mass: 2.0, inertia: 0.1 }],
-        joints: vec![slider(Point::ground([0.0, 0.0]), ahead), slider(Point::ground([0.0, 0.0]), behind)],
+    let slider = |guide, slides| PlanarJoint::Slider { guide, direction: 0.0, slides, angle: 0.0 };
+    let (ahead, behind) = (BodyPoint::body(0, [0.0, 0.0]), BodyPoint::body(1, [0.0, 0.0]));
+    let between = RelativeCoordinate::Along { direction: [1.0, 0.0], from: behind, to: ahead };
+    let mechanism = PlanarMechanism {
+        bodies: vec![PlanarBody { mass: 1.0, inertia: 0.1 }, PlanarBody { mass: 2.0, inertia: 0.1 }],
+        joints: vec![
+            slider(BodyPoint::ground([0.0, 0.0]), ahead),
+            slider(BodyPoint::ground([0.0, 0.0]), behind),
+        ],
         drivers: vec![Driver { measure: along(0.0, ahead), value: 0.0, velocity: 0.05, acceleration: 0.0 }],
         loads: vec![
             rubs(1, 0.3, 0.0),
-            Load::Effort { measure: between, effort: Effort::Spring { stiffness: 200.0, free: 0.0 } },
+            PlanarLoad::Effort { measure: between, effort: Effort::Spring { stiffness: 200.0, free: 0.0 } },
         ],
         gravity: [0.0, -G],
     };
@@ -219,8 +223,8 @@ fn a_spring_that_is_drawn_tears_a_block_loose() {
 
 /// A slider-crank on the ground with friction in all its joints: crank and rod of 0.1 m and 0.3 m, an offset guide.
 fn slider_crank(turned: f64, coefficients: [f64; 4], radius: f64, springs: bool) -> (Model, Vec<[f64; 3]>) {
-    let pin = |a, b| Joint::Pin { a, b };
-    let slides = Point::body(2, [0.0, 0.0]);
+    let pin = |a, b| PlanarJoint::Pin { a, b };
+    let slides = BodyPoint::body(2, [0.0, 0.0]);
     let tip = [0.1 * turned.cos(), 0.1 * turned.sin()];
     let rod = ((0.02 - tip[1]) / 0.3).asin();
     let drawn = vec![
@@ -229,46 +233,49 @@ fn slider_crank(turned: f64, coefficients: [f64; 4], radius: f64, springs: bool)
         [tip[0] + 0.3 * rod.cos(), 0.02, 0.0],
     ];
     let frictions = coefficients.into_iter().enumerate().map(|(joint, μ)| rubs(joint, μ, radius));
-    let spring = Load::Effort {
-        measure: Measure::Distance { from: Point::ground([0.5, 0.02]), to: slides },
+    let spring = PlanarLoad::Effort {
+        measure: RelativeCoordinate::Distance { from: BodyPoint::ground([0.5, 0.02]), to: slides },
         effort: Effort::Spring { stiffness: 60.0, free: 0.1 },
     };
-    let mechanism = Mechanism {
+    let mechanism = PlanarMechanism {
         bodies: vec![
-            Body { mass: 1.0, inertia: 1.0e-3 },
-            Body { mass: 0.6, inertia: 4.5e-3 },
-            Body { mass: 0.8, inertia: 1.0e-3 },
+            PlanarBody { mass: 1.0, inertia: 1.0e-3 },
+            PlanarBody { mass: 0.6, inertia: 4.5e-3 },
+            PlanarBody { mass: 0.8, inertia: 1.0e-3 },
         ],
         joints: vec![
-            pin(Point::ground([0.0, 0.0]), Point::body(0, [-0.05, 0.0])),
-            pin(Point::body(0, [0.05, 0.0]), Point::body(1, [-0.15, 0.0])),
-            pin(Point::body(1, [0.15, 0.0]), slides),
-            Joint::Slider { guide: Point::ground([0.0, 0.02]), direction: 0.0, slides, angle: 0.0 },
+            pin(BodyPoint::ground([0.0, 0.0]), BodyPoint::body(0, [-0.05, 0.0])),
+            pin(BodyPoint::body(0, [0.05, 0.0]), BodyPoint::body(1, [-0.15, 0.0])),
+            pin(BodyPoint::body(1, [0.15, 0.0]), slides),
+            PlanarJoint::Slider { guide: BodyPoint::ground([0.0, 0.02]), direction: 0.0, slides, angle: 0.0 },
         ],
         loads: frictions.chain(springs.then_some(spring)).collect(),
         gravity: [0.0, -G],
-        ..Mechanism::default()
+        ..PlanarMechanism::default()
     };
     (found(Model::new(&mechanism, &drawn)), drawn)
 }
 
 /// Two cranks on the ground and two rods between them, all of uniform thickness: two degrees of freedom and five pins.
 fn five_bar(coefficients: &[f64], radius: f64) -> (Model, Vec<[f64; 3]>) {
-    let pin = |a, b| Joint::Pin { a, b };
+    let pin = |a, b| PlanarJoint::Pin { a, b };
     let lengths = [0.15, 0.25, 0.25, 0.15];
-    let ends = |body: usize| [-0.5, 0.5].map(|part: f64| Point::body(body, [part * lengths[body], 0.0]));
-    let mechanism = Mechanism {
-        bodies: lengths.iter().map(|l| Body { mass: 4.0 * l, inertia: 4.0 * l * l * l / 12.0 }).collect(),
+    let ends = |body: usize| [-0.5, 0.5].map(|part: f64| BodyPoint::body(body, [part * lengths[body], 0.0]));
+    let mechanism = PlanarMechanism {
+        bodies: lengths
+            .iter()
+            .map(|l| PlanarBody { mass: 4.0 * l, inertia: 4.0 * l * l * l / 12.0 })
+            .collect(),
         joints: vec![
-            pin(Point::ground([0.0, 0.0]), ends(0)[0]),
+            pin(BodyPoint::ground([0.0, 0.0]), ends(0)[0]),
             pin(ends(0)[1], ends(1)[0]),
             pin(ends(1)[1], ends(2)[0]),
             pin(ends(2)[1], ends(3)[1]),
-            pin(Point::ground([0.3, 0.0]), ends(3)[0]),
+            pin(BodyPoint::ground([0.3, 0.0]), ends(3)[0]),
         ],
         loads: coefficients.iter().enumerate().map(|(joint, &μ)| rubs(joint, μ, radius)).collect(),
         gravity: [0.0, -G],
-        ..Mechanism::default()
+        ..PlanarMechanism::default()
     };
     let drawn = found(Model::initial_guess(&mechanism, &[1.8, 0.9, -0.9, 1.3], &[])).positions;
     let system = found(Model::new(&mechanism, &drawn));
@@ -278,13 +285,14 @@ fn five_bar(coefficients: &[f64], radius: f64) -> (Model, Vec<[f64; 3]>) {
 
 /// Driving efforts that these bodies would need in addition in a moving mechanism, by [`Model::inverse_dynamics`] with the
 /// given motion.
-fn added(system: &Model, state: &State, cranks: &[usize]) -> Vec<f64> {
+fn added(system: &Model, state: &PlanarState, cranks: &[usize]) -> Vec<f64> {
     let driver = |&body: &usize| {
         let [.., value] = state.positions[body];
-        let measure = Measure::Angle { of: Some(body), against: None };
+        let measure = RelativeCoordinate::Angle { of: Some(body), against: None };
         Driver { measure, value, velocity: 0.0, acceleration: 0.0 }
     };
-    let driven = Mechanism { drivers: cranks.iter().map(driver).collect(), ..system.mechanism().clone() };
+    let driven =
+        PlanarMechanism { drivers: cranks.iter().map(driver).collect(), ..system.mechanism().clone() };
     found(found(Model::new(&driven, &state.positions)).inverse_dynamics(state)).efforts
 }
 
@@ -292,7 +300,7 @@ fn most_kinetic(moved: &Trajectory) -> f64 {
     moved.samples.iter().fold(0.0, |most, moment| f64::max(most, moment.kinetic))
 }
 
-fn slides(moved: &Trajectory) -> impl Iterator<Item = &State> {
+fn slides(moved: &Trajectory) -> impl Iterator<Item = &PlanarState> {
     moved.samples.iter().map(|moment| &moment.state).filter(|state| state.velocities[0][2].abs() > 1e-6)
 }
 
@@ -305,7 +313,7 @@ proptest! {
         (a, b, c, d) in (0.0..0.3f64, 0.0..0.3f64, 0.0..0.3f64, 0.0..0.3f64),
     ) {
         let (system, drawn) = slider_crank(turned, [a, b, c, d], 0.01, springs);
-        let crank = Measure::Angle { of: Some(0), against: None };
+        let crank = RelativeCoordinate::Angle { of: Some(0), against: None };
         let velocities = found(system.initial_velocities(&drawn, &[(crank, speed)]));
         let moved = found(system.simulate(&drawn, &velocities, &run(1.0, 1e-11, 101)));
         let energy = most_kinetic(&moved);
@@ -322,7 +330,7 @@ proptest! {
     #[test]
     fn two_degrees_of_freedom_keep_their_energy(speeds in prop::array::uniform2(-8.0..8.0f64)) {
         let (system, drawn) = five_bar(&[], 0.0);
-        let crank = |body| Measure::Angle { of: Some(body), against: None };
+        let crank = |body| RelativeCoordinate::Angle { of: Some(body), against: None };
         let velocities = found(system.initial_velocities(&drawn, &[(crank(0), speeds[0]), (crank(3), speeds[1])]));
         let moved = found(system.simulate(&drawn, &velocities, &run(0.4, 1e-11, 41)));
         let energy = most_kinetic(&moved);
@@ -334,7 +342,7 @@ proptest! {
         speeds in prop::array::uniform2(-8.0..8.0f64), coefficients in prop::array::uniform5(0.0..0.4f64),
     ) {
         let (system, drawn) = five_bar(&coefficients, 0.005);
-        let crank = |body| Measure::Angle { of: Some(body), against: None };
+        let crank = |body| RelativeCoordinate::Angle { of: Some(body), against: None };
         let velocities = found(system.initial_velocities(&drawn, &[(crank(0), speeds[0]), (crank(3), speeds[1])]));
         let moved = system.simulate(&drawn, &velocities, &run(0.4, 1e-11, 41));
         // With collinear rods friction may lock them, or stop them by forces too large to be followed.
@@ -365,10 +373,10 @@ proptest! {
         let solved = found(system.forward_dynamics(&drawn, &[[0.0; 3]; 3]));
         let [.., begins] = solved.state.accelerations[0];
         // Moved slowly one way and the other by a driver: the loads overcome friction if the driver has to hold back.
-        let crank = Measure::Angle { of: Some(0), against: None };
+        let crank = RelativeCoordinate::Angle { of: Some(0), against: None };
         let slowly = |sense: f64| {
             let velocities = found(system.initial_velocities(&drawn, &[(crank, sense * 1e-9)]));
-            let state = State { positions: drawn.clone(), velocities, accelerations: vec![[0.0; 3]; 3] };
+            let state = PlanarState { positions: drawn.clone(), velocities, accelerations: vec![[0.0; 3]; 3] };
             sense * added(&system, &state, &[0])[0]
         };
         let (forth, back) = (slowly(1.0), slowly(-1.0));
@@ -383,17 +391,17 @@ proptest! {
         first in -2.0..2.0f64, second in -2.0..2.0f64, (μ, other) in (0.05..0.5f64, 0.05..0.5f64),
     ) {
         // The couple that a pin at rest would have to bear against what friction it has: by statics alone.
-        let rod = Body { mass: 1.0, inertia: 1.0 / 12.0 };
-        let pin = |a, b| Joint::Pin { a, b };
-        let mechanism = Mechanism {
+        let rod = PlanarBody { mass: 1.0, inertia: 1.0 / 12.0 };
+        let pin = |a, b| PlanarJoint::Pin { a, b };
+        let mechanism = PlanarMechanism {
             bodies: vec![rod; 2],
             joints: vec![
-                pin(Point::ground([0.0, 0.0]), Point::body(0, [-0.5, 0.0])),
-                pin(Point::body(0, [0.5, 0.0]), Point::body(1, [-0.5, 0.0])),
+                pin(BodyPoint::ground([0.0, 0.0]), BodyPoint::body(0, [-0.5, 0.0])),
+                pin(BodyPoint::body(0, [0.5, 0.0]), BodyPoint::body(1, [-0.5, 0.0])),
             ],
             loads: vec![rubs(0, μ, 0.5), rubs(1, other, 0.5)],
             gravity: [0.0, -G],
-            ..Mechanism::default()
+            ..PlanarMechanism::default()
         };
         let end = [first.cos(), first.sin()];
         let drawn = vec![
@@ -433,7 +441,7 @@ fn energy_is_kept_between_the_ends_of_steps() {
     // With the tolerance 1e-11 the estimates of a first step that was three times too long agreed by chance.
     let coefficients = [0.14930735782699764, 0.004390033805746685, 0.2863405449914543, 0.1584830368641202];
     let (system, drawn) = slider_crank(-0.2342346151995596, coefficients, 0.01, false);
-    let crank = Measure::Angle { of: Some(0), against: None };
+    let crank = RelativeCoordinate::Angle { of: Some(0), against: None };
     let velocities = found(system.initial_velocities(&drawn, &[(crank, 14.31938508619414)]));
     for tolerance in [1e-9, 1e-10, 1e-11, 1e-12] {
         let moved = found(system.simulate(&drawn, &velocities, &run(1.0, tolerance, 1001)));
@@ -448,7 +456,7 @@ fn a_moment_is_found_also_where_rods_come_into_line() {
     let coefficients =
         [0.3062552739379483, 0.02017023102364639, 0.1531730666584383, 0.1394442795213686, 0.03743];
     let (system, drawn) = five_bar(&coefficients, 0.005);
-    let crank = |body| Measure::Angle { of: Some(body), against: None };
+    let crank = |body| RelativeCoordinate::Angle { of: Some(body), against: None };
     let velocities = found(
         system.initial_velocities(&drawn, &[(crank(0), 0.5720531259271828), (crank(3), -0.2942246286701375)]),
     );
@@ -463,7 +471,7 @@ fn a_moment_is_found_also_where_rods_come_into_line() {
 fn friction_that_locks_a_guide_is_named() {
     // A block that a rod pushes so steeply against its guide that friction takes more than the push gives.
     let (system, drawn) = slider_crank(4.25, [0.0, 0.0, 0.0, 10.0], 0.0, false);
-    let crank = Measure::Angle { of: Some(0), against: None };
+    let crank = RelativeCoordinate::Angle { of: Some(0), against: None };
     let velocities = found(system.initial_velocities(&drawn, &[(crank, -3.0)]));
     let moved = system.simulate(&drawn, &velocities, &run(1.0, 1e-8, 2));
     assert!(matches!(moved, Err(PlanarError::Jammed { joint: 3 })), "{moved:?}");

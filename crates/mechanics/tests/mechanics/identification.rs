@@ -1,7 +1,8 @@
 use std::f64::consts::TAU;
 
 use dalembert_mechanics::identification::modal::{
-    Complex, DampingModel, ModalError, ModalFit, Point, Residuals, Response, circle_fit, modal_fit,
+    Complex, DampingModel, MeasuredResponse, ModalError, ModalFit, Residuals, ResponsePoint, circle_fit,
+    modal_fit,
 };
 use dalembert_mechanics::identification::{self, FitError, fit_receptance, measured_peak};
 use dalembert_mechanics::sdof;
@@ -113,9 +114,9 @@ proptest! {
 fn mode(
     [natural, damping, a, r, s]: [f64; 5],
     model: DampingModel,
-    response: Response,
+    response: MeasuredResponse,
     ratios: impl IntoIterator<Item = f64>,
-) -> Vec<Point> {
+) -> Vec<ResponsePoint> {
     let fit = ModalFit {
         natural_frequency: natural,
         damping,
@@ -130,9 +131,9 @@ fn mode(
         let receptance = fit.receptance(model, frequency);
         let i = Complex::new(0.0, frequency);
         let value = match response {
-            Response::Receptance => receptance,
-            Response::Mobility => receptance * i,
-            Response::Accelerance => receptance * i * i,
+            MeasuredResponse::Receptance => receptance,
+            MeasuredResponse::Mobility => receptance * i,
+            MeasuredResponse::Accelerance => receptance * i * i,
         };
         (frequency, value)
     };
@@ -142,22 +143,24 @@ fn mode(
 #[test]
 fn three_receptances_of_a_chain() {
     // Code_Aster SDLD21 at 5.0, 5.5 and 6.0 Hz; the model has 5.5274 Hz and ζ = 0.00868.
-    let points: Vec<Point> =
+    let points: Vec<ResponsePoint> =
         [(5.0, 1.0237e-4, -8.5187e-6), (5.5, 4.5066e-4, -7.7914e-4), (6.0, -9.4101e-5, -1.0585e-5)]
             .into_iter()
             .map(|(f, re, im)| (TAU * f, Complex::new(re, im)))
             .collect();
-    let fit = found(modal_fit(&points, Response::Receptance, DampingModel::Viscous, Residuals::Stiffness));
+    let fit =
+        found(modal_fit(&points, MeasuredResponse::Receptance, DampingModel::Viscous, Residuals::Stiffness));
     printed(fit.natural_frequency / TAU, 5.5274, 4);
     close(fit.damping, 0.00868242, 1e-3);
-    let circle = found(circle_fit(&points, Response::Receptance, DampingModel::Hysteretic));
+    let circle = found(circle_fit(&points, MeasuredResponse::Receptance, DampingModel::Hysteretic));
     close(2.0 * circle.circle.radius, 0.001028953972043863, 1e-10);
 }
 
 #[test]
 fn what_is_no_mode_is_refused() {
-    let line: Vec<Point> = (1..6).map(|n| (f64::from(n), Complex::new(f64::from(n), 1.0))).collect();
-    let fit = |points: &[Point]| circle_fit(points, Response::Receptance, DampingModel::Hysteretic);
+    let line: Vec<ResponsePoint> = (1..6).map(|n| (f64::from(n), Complex::new(f64::from(n), 1.0))).collect();
+    let fit =
+        |points: &[ResponsePoint]| circle_fit(points, MeasuredResponse::Receptance, DampingModel::Hysteretic);
     assert_eq!(fit(&line).unwrap_err(), ModalError::NoCircle);
     assert!(matches!(fit(&line[..2]), Err(ModalError::TooFew { .. })));
     assert!(matches!(fit(&[(0.0, Complex::new(1.0, 0.0)); 3]), Err(ModalError::Point { .. })));
@@ -171,7 +174,7 @@ proptest! {
         viscous in any::<bool>(), which in 0..3usize, antiphase in any::<bool>(),
     ) {
         let model = if viscous { DampingModel::Viscous } else { DampingModel::Hysteretic };
-        let response = [Response::Receptance, Response::Mobility, Response::Accelerance][which];
+        let response = [MeasuredResponse::Receptance, MeasuredResponse::Mobility, MeasuredResponse::Accelerance][which];
         let a = if antiphase { -a } else { a };
         // The residual as a share of the peak.
         let r = share * a / (damping * natural.powi(2));
@@ -200,8 +203,8 @@ proptest! {
     ) {
         let model = if viscous { DampingModel::Viscous } else { DampingModel::Hysteretic };
         let ratios = (-10..=10).map(|n| 1.0 + f64::from(n) / 10.0 * (3.0 * damping).min(0.8));
-        let points = mode([natural, damping, 2.0, 0.0, 0.0], model, Response::Receptance, ratios);
-        let fit = found(circle_fit(&points, Response::Receptance, model));
+        let points = mode([natural, damping, 2.0, 0.0, 0.0], model, MeasuredResponse::Receptance, ratios);
+        let fit = found(circle_fit(&points, MeasuredResponse::Receptance, model));
         close(fit.natural_frequency, natural, 1e-9);
         close(fit.damping, damping, 1e-8);
         close(fit.modal_constant, 2.0, 1e-8);
@@ -216,9 +219,9 @@ proptest! {
     fn any_points_are_fitted_or_refused(
         numbers in prop::collection::vec((1e-3..1e6f64, -1e9..1e9f64, -1e9..1e9f64), 0..12),
     ) {
-        let points: Vec<Point> = numbers.into_iter().map(|(w, x, y)| (w, Complex::new(x, y))).collect();
+        let points: Vec<ResponsePoint> = numbers.into_iter().map(|(w, x, y)| (w, Complex::new(x, y))).collect();
         for model in [DampingModel::Viscous, DampingModel::Hysteretic] {
-            if let Ok(fit) = modal_fit(&points, Response::Mobility, model, Residuals::StiffnessAndMass) {
+            if let Ok(fit) = modal_fit(&points, MeasuredResponse::Mobility, model, Residuals::StiffnessAndMass) {
                 prop_assert!(fit.natural_frequency.is_finite() && fit.damping.is_finite());
             }
         }

@@ -4,7 +4,7 @@ use dalembert_mechanics::vibration::{
     modes::{ModesError, complex_modes, is_proportional, natural_modes},
     poles::Poles,
     receptance::{column_of_modes, column_of_poles, direct, sum_of_modes, sum_of_poles},
-    response::{Excitation, Harmonic, Motion, Piece, Push, by_series},
+    response::{ForceSegment, HarmonicLoad, Push, TimeExcitation, TimeResponse, by_series},
 };
 use dalembert_numerics::linalg::solve_complex;
 use itertools::Itertools as _;
@@ -173,22 +173,22 @@ proptest! {
         let Chain { mass, damping, stiffness } = &chain;
         let n = mass.nrows();
         let on = |row: usize, size: f64| DVector::from_fn(n, |i, _| if i == row % n { size } else { 0.0 });
-        let excitation = Excitation {
+        let excitation = TimeExcitation {
             position: on(at, start),
             velocity: on(at + 1, 10.0 * start),
             pushes: vec![Push {
                 force: on(at + 2, 50.0),
                 pieces: vec![
-                    Piece { start: 0.0, value: 0.0, slope: 1.0 / rise },
-                    Piece { start: rise, value: 1.0, slope: 0.0 },
-                    Piece { start: 0.6, value: 0.0, slope: 0.0 },
+                    ForceSegment { start: 0.0, value: 0.0, slope: 1.0 / rise },
+                    ForceSegment { start: rise, value: 1.0, slope: 0.0 },
+                    ForceSegment { start: 0.6, value: 0.0, slope: 0.0 },
                 ],
             }],
-            harmonics: vec![Harmonic { force: on(at, 30.0), frequency, lag: 0.3 }],
+            harmonics: vec![HarmonicLoad { force: on(at, 30.0), frequency, lag: 0.3 }],
         };
         let modes = found(natural_modes(mass, stiffness));
         let poles = found(Poles::new(&modes, &modes.damping(damping), time));
-        let state = Motion::new(&poles, &(modes.shapes.transpose() * mass), &excitation).state(time);
+        let state = TimeResponse::new(&poles, &(modes.shapes.transpose() * mass), &excitation).state(time);
         let series = found(by_series([mass, damping, stiffness], &excitation, time, 100_000));
         let size = series.amax().max(excitation.position.amax());
         for row in 0..n {
@@ -237,7 +237,7 @@ fn damping_that_meets_a_double_root_is_continuous() {
     // ẍ + 2ζω ẋ + ω² x = 0 from x = 1 across ζ = 1, and a free mass under a constant force.
     let one = DMatrix::from_element(1, 1, 1.0);
     let modes = found(natural_modes(&one, &(&one * 4.0)));
-    let start = Excitation {
+    let start = TimeExcitation {
         position: DVector::from_element(1, 1.0),
         velocity: DVector::zeros(1),
         pushes: Vec::new(),
@@ -246,17 +246,17 @@ fn damping_that_meets_a_double_root_is_continuous() {
     let exact = 3.0 * (-2.0f64).exp();
     for away in [0.0, 1e-15, -1e-13, 1e-11, -1e-10, 1e-9] {
         let poles = found(Poles::new(&modes, &(&one * (4.0 * (1.0 + away))), 1.0));
-        let x = poles.displacement(0, &Motion::new(&poles, &one, &start).state(1.0));
+        let x = poles.displacement(0, &TimeResponse::new(&poles, &one, &start).state(1.0));
         assert!((x - exact).abs() < 1e-8, "{away:e}: {x} is not {exact}");
     }
     let free = found(natural_modes(&one, &(&one * 0.0)));
     let poles = found(Poles::new(&free, &(&one * 0.0), 3.0));
     let push = Push {
         force: DVector::from_element(1, 2.0),
-        pieces: vec![Piece { start: 0.0, value: 1.0, slope: 0.0 }],
+        pieces: vec![ForceSegment { start: 0.0, value: 1.0, slope: 0.0 }],
     };
-    let pushed = Excitation { position: DVector::zeros(1), pushes: vec![push], ..start };
-    close(poles.displacement(0, &Motion::new(&poles, &one, &pushed).state(3.0)), 9.0, 1e-9);
+    let pushed = TimeExcitation { position: DVector::zeros(1), pushes: vec![push], ..start };
+    close(poles.displacement(0, &TimeResponse::new(&poles, &one, &pushed).state(3.0)), 9.0, 1e-9);
 }
 
 #[test]

@@ -5,29 +5,32 @@
 //! §VII.7, and of the test set for IVP solvers.
 
 use dalembert_mechanics::planar::{
-    Body, Driver, Effort, Event, Joint, Load, Measure, Mechanism, Model, PlanarError, Point, Run, Snapshot,
-    Trajectory,
+    BodyPoint, Driver, Effort, Event, Model, PlanarBody, PlanarError, PlanarJoint, PlanarLoad,
+    PlanarMechanism, PlanarRun, RelativeCoordinate, Snapshot, Trajectory,
 };
 use itertools::Itertools as _;
 
 use crate::close::{close, found};
 use crate::models::{andrews, four_bars};
 
-fn run(duration: f64, tolerance: f64, samples: usize) -> Run<'static> {
-    Run { duration, tolerance, samples, ends: &[], most_steps: 100_000, cancelled: &|| false }
+fn run(duration: f64, tolerance: f64, samples: usize) -> PlanarRun<'static> {
+    PlanarRun { duration, tolerance, samples, ends: &[], most_steps: 100_000, cancelled: &|| false }
 }
 
-fn angle(body: usize) -> Measure {
-    Measure::Angle { of: Some(body), against: None }
+fn angle(body: usize) -> RelativeCoordinate {
+    RelativeCoordinate::Angle { of: Some(body), against: None }
 }
 
 /// A point mass on a massless bar of 1 m.
 fn pendulum(start: f64) -> (Model, Vec<[f64; 3]>) {
-    let mechanism = Mechanism {
-        bodies: vec![Body { mass: 1.0, inertia: 0.0 }],
-        joints: vec![Joint::Pin { a: Point::ground([0.0, 0.0]), b: Point::body(0, [-1.0, 0.0]) }],
+    let mechanism = PlanarMechanism {
+        bodies: vec![PlanarBody { mass: 1.0, inertia: 0.0 }],
+        joints: vec![PlanarJoint::Pin {
+            a: BodyPoint::ground([0.0, 0.0]),
+            b: BodyPoint::body(0, [-1.0, 0.0]),
+        }],
         gravity: [0.0, -9.81],
-        ..Mechanism::default()
+        ..PlanarMechanism::default()
     };
     let drawn = vec![[start.cos(), start.sin(), start]];
     (found(Model::new(&mechanism, &drawn)), drawn)
@@ -55,13 +58,15 @@ fn a_motion_ends_where_it_is_reported_to() {
     let (system, drawn) = pendulum(std::f64::consts::PI);
     let through = [Event::Reaches(angle(0), 1.5 * std::f64::consts::PI)];
     let period = 2.3678419475762373;
-    let moved = found(system.simulate(&drawn, &[[0.0; 3]], &Run { ends: &through, ..run(10.0, 1e-12, 101) }));
+    let moved =
+        found(system.simulate(&drawn, &[[0.0; 3]], &PlanarRun { ends: &through, ..run(10.0, 1e-12, 101) }));
     let last = moved.samples.last().expect("a sample");
     close(last.time, period / 4.0, 1e-10);
     close(last.state.velocities[0][2], (2.0f64 * 9.81).sqrt(), 1e-10);
     assert_eq!(moved.ended, Some(0));
     let rests = [Event::Reaches(angle(0), 0.5), Event::Rests(angle(0))];
-    let moved = found(system.simulate(&drawn, &[[0.0; 3]], &Run { ends: &rests, ..run(10.0, 1e-12, 11) }));
+    let moved =
+        found(system.simulate(&drawn, &[[0.0; 3]], &PlanarRun { ends: &rests, ..run(10.0, 1e-12, 11) }));
     assert_eq!(moved.ended, Some(1));
     close(moved.samples.last().expect("a sample").time, period / 2.0, 1e-10);
 }
@@ -198,27 +203,32 @@ fn drivers_do_the_work_that_a_motion_takes() {
     // A crank turned at an even speed from rest of the rest: its torque is that of the dynamics at every moment, and
     // its work closes the balance.
     let ends = |body: usize, length: f64| {
-        [Point::body(body, [-length / 2.0, 0.0]), Point::body(body, [length / 2.0, 0.0])]
+        [BodyPoint::body(body, [-length / 2.0, 0.0]), BodyPoint::body(body, [length / 2.0, 0.0])]
     };
     let ([o, p], [q, s]) = (ends(0, 0.1), ends(1, 0.35));
-    let piston = Point::body(2, [0.0, 0.0]);
-    let mechanism = Mechanism {
+    let piston = BodyPoint::body(2, [0.0, 0.0]);
+    let mechanism = PlanarMechanism {
         bodies: vec![
-            Body { mass: 1.0, inertia: 0.01 },
-            Body { mass: 2.0, inertia: 0.03 },
-            Body { mass: 3.0, inertia: 0.0 },
+            PlanarBody { mass: 1.0, inertia: 0.01 },
+            PlanarBody { mass: 2.0, inertia: 0.03 },
+            PlanarBody { mass: 3.0, inertia: 0.0 },
         ],
         joints: vec![
-            Joint::Pin { a: Point::ground([0.0, 0.0]), b: o },
-            Joint::Pin { a: p, b: q },
-            Joint::Pin { a: s, b: piston },
-            Joint::Slider { guide: Point::ground([0.0, 0.0]), direction: 0.0, slides: piston, angle: 0.0 },
+            PlanarJoint::Pin { a: BodyPoint::ground([0.0, 0.0]), b: o },
+            PlanarJoint::Pin { a: p, b: q },
+            PlanarJoint::Pin { a: s, b: piston },
+            PlanarJoint::Slider {
+                guide: BodyPoint::ground([0.0, 0.0]),
+                direction: 0.0,
+                slides: piston,
+                angle: 0.0,
+            },
         ],
         drivers: vec![Driver { measure: angle(0), value: 0.7, velocity: 20.0, acceleration: 15.0 }],
-        loads: vec![Load::Effort {
-            measure: Measure::Component {
+        loads: vec![PlanarLoad::Effort {
+            measure: RelativeCoordinate::Component {
                 direction: [1.0, 0.0],
-                from: Point::ground([0.0, 0.0]),
+                from: BodyPoint::ground([0.0, 0.0]),
                 to: piston,
             },
             effort: Effort::Damper { coefficient: 40.0 },
@@ -243,12 +253,12 @@ fn drivers_do_the_work_that_a_motion_takes() {
 #[test]
 fn parallel_bars_beyond_what_is_needed_change_nothing() {
     // A parallelogram on three equal rockers, one too many: as on two whose mass and inertia are one and a half times.
-    let coupler = |body: usize, x: f64| Point::body(body, [x, 0.0]);
+    let coupler = |body: usize, x: f64| BodyPoint::body(body, [x, 0.0]);
     let swing = |rockers: &[f64], mass: f64| {
-        let bodies: Vec<Body> = rockers
+        let bodies: Vec<PlanarBody> = rockers
             .iter()
-            .map(|_| Body { mass, inertia: mass / 12.0 })
-            .chain([Body { mass: 2.0, inertia: 0.7 }])
+            .map(|_| PlanarBody { mass, inertia: mass / 12.0 })
+            .chain([PlanarBody { mass: 2.0, inertia: 0.7 }])
             .collect();
         let last = rockers.len();
         let joints = rockers
@@ -256,12 +266,13 @@ fn parallel_bars_beyond_what_is_needed_change_nothing() {
             .enumerate()
             .flat_map(|(k, &x)| {
                 [
-                    Joint::Pin { a: Point::ground([x, 0.0]), b: Point::body(k, [-0.5, 0.0]) },
-                    Joint::Pin { a: Point::body(k, [0.5, 0.0]), b: coupler(last, x) },
+                    PlanarJoint::Pin { a: BodyPoint::ground([x, 0.0]), b: BodyPoint::body(k, [-0.5, 0.0]) },
+                    PlanarJoint::Pin { a: BodyPoint::body(k, [0.5, 0.0]), b: coupler(last, x) },
                 ]
             })
             .collect();
-        let mechanism = Mechanism { bodies, joints, gravity: [0.0, -9.81], ..Mechanism::default() };
+        let mechanism =
+            PlanarMechanism { bodies, joints, gravity: [0.0, -9.81], ..PlanarMechanism::default() };
         let start = 0.3f64;
         let drawn: Vec<[f64; 3]> = rockers
             .iter()
@@ -280,14 +291,14 @@ fn parallel_bars_beyond_what_is_needed_change_nothing() {
 #[test]
 fn what_cannot_move_freely_is_named() {
     let (_, drawn) = pendulum(1.0);
-    let mechanism = Mechanism {
-        bodies: vec![Body { mass: 1.0, inertia: 0.0 }, Body::default()],
+    let mechanism = PlanarMechanism {
+        bodies: vec![PlanarBody { mass: 1.0, inertia: 0.0 }, PlanarBody::default()],
         joints: vec![
-            Joint::Pin { a: Point::ground([0.0, 0.0]), b: Point::body(0, [-1.0, 0.0]) },
-            Joint::Pin { a: Point::body(0, [0.0, 0.0]), b: Point::body(1, [0.0, 0.0]) },
+            PlanarJoint::Pin { a: BodyPoint::ground([0.0, 0.0]), b: BodyPoint::body(0, [-1.0, 0.0]) },
+            PlanarJoint::Pin { a: BodyPoint::body(0, [0.0, 0.0]), b: BodyPoint::body(1, [0.0, 0.0]) },
         ],
         gravity: [0.0, -9.81],
-        ..Mechanism::default()
+        ..PlanarMechanism::default()
     };
     let drawn = [drawn[0], drawn[0]];
     let still = [[0.0; 3]; 2];
@@ -297,18 +308,18 @@ fn what_cannot_move_freely_is_named() {
     let (system, drawn) = pendulum(1.0);
     let twice = [(angle(0), 1.0), (angle(0), 2.0)];
     assert_eq!(system.initial_velocities(&drawn, &twice), Err(PlanarError::Rate { index: 1 }));
-    let stop = Run { cancelled: &|| true, ..run(1.0, 1e-8, 2) };
+    let stop = PlanarRun { cancelled: &|| true, ..run(1.0, 1e-8, 2) };
     assert!(matches!(system.simulate(&drawn, &[[0.0; 3]], &stop), Err(PlanarError::Motion(_))));
 }
 
 /// A body of 2 kg whose origin or angle is driven.
-fn driven_body(joints: Vec<Joint>, drivers: Vec<Driver>) -> (Model, Vec<[f64; 3]>) {
-    let mechanism = Mechanism {
-        bodies: vec![Body { mass: 2.0, inertia: 0.1 }],
+fn driven_body(joints: Vec<PlanarJoint>, drivers: Vec<Driver>) -> (Model, Vec<[f64; 3]>) {
+    let mechanism = PlanarMechanism {
+        bodies: vec![PlanarBody { mass: 2.0, inertia: 0.1 }],
         joints,
         drivers,
         gravity: [0.0, -9.81],
-        ..Mechanism::default()
+        ..PlanarMechanism::default()
     };
     let drawn = vec![[0.0; 3]];
     (found(Model::new(&mechanism, &drawn)), drawn)
@@ -316,7 +327,7 @@ fn driven_body(joints: Vec<Joint>, drivers: Vec<Driver>) -> (Model, Vec<[f64; 3]
 
 #[test]
 fn a_mechanism_without_a_degree_of_freedom_follows_its_driver() {
-    let pin = Joint::Pin { a: Point::ground([0.0, 0.0]), b: Point::body(0, [0.0, 0.0]) };
+    let pin = PlanarJoint::Pin { a: BodyPoint::ground([0.0, 0.0]), b: BodyPoint::body(0, [0.0, 0.0]) };
     let driver = Driver { measure: angle(0), value: 0.0, velocity: 1.5, acceleration: 0.5 };
     let (model, drawn) = driven_body(vec![pin], vec![driver]);
     let moved = found(model.simulate(&drawn, &[[0.0, 0.0, 1.5]], &run(2.0, 1e-9, 5)));
@@ -331,10 +342,10 @@ fn a_mechanism_without_a_degree_of_freedom_follows_its_driver() {
 
 #[test]
 fn both_components_of_a_point_can_be_driven_from_zero() {
-    let component = |direction| Measure::Component {
+    let component = |direction| RelativeCoordinate::Component {
         direction,
-        from: Point::ground([0.0, 0.0]),
-        to: Point::body(0, [0.0, 0.0]),
+        from: BodyPoint::ground([0.0, 0.0]),
+        to: BodyPoint::body(0, [0.0, 0.0]),
     };
     let driver = |direction, velocity| Driver {
         measure: component(direction),

@@ -4,9 +4,10 @@
 use itertools::Itertools as _;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use dalembert_mechanics::balance::linkage::{Follower, Link, Linkage};
+use dalembert_mechanics::balance::linkage::{Follower, LinkInertia, Linkage};
 use dalembert_mechanics::planar::{
-    Body, Driver, Effort, Joint, Load, Measure, Mechanism, Model, PlanarError, Point, Pose, Stability, State,
+    BodyPoint, Driver, Effort, Model, PlanarBody, PlanarError, PlanarJoint, PlanarLoad, PlanarMechanism,
+    PlanarState, Pose, RelativeCoordinate, Stability,
 };
 use dalembert_mechanics::slider_crank::{Branch, CrankMotion, SliderCrank};
 use proptest::prelude::*;
@@ -18,27 +19,32 @@ use crate::{
 
 /// A driver of the angle of a body.
 pub(crate) fn turning(body: usize, value: f64, velocity: f64, acceleration: f64) -> Driver {
-    Driver { measure: Measure::Angle { of: Some(body), against: None }, value, velocity, acceleration }
+    Driver {
+        measure: RelativeCoordinate::Angle { of: Some(body), against: None },
+        value,
+        velocity,
+        acceleration,
+    }
 }
 
 /// The ends of a bar along its own x axis, with its centre of mass so far from the first.
-pub(crate) fn ends(body: usize, length: f64, centre: f64) -> [Point; 2] {
-    [Point::body(body, [-centre, 0.0]), Point::body(body, [length - centre, 0.0])]
+pub(crate) fn ends(body: usize, length: f64, centre: f64) -> [BodyPoint; 2] {
+    [BodyPoint::body(body, [-centre, 0.0]), BodyPoint::body(body, [length - centre, 0.0])]
 }
 
 /// Crank 0, coupler 1 and rocker 2 between the pivots (0, 0) and (d, 0); centre of masss in the middle.
-pub(crate) fn four_bar([a, b, c, d]: [f64; 4], bodies: [Body; 3], driver: Driver) -> Mechanism {
+pub(crate) fn four_bar([a, b, c, d]: [f64; 4], bodies: [PlanarBody; 3], driver: Driver) -> PlanarMechanism {
     let ([o, p], [q, r], [s, t]) = (ends(0, a, a / 2.0), ends(1, b, b / 2.0), ends(2, c, c / 2.0));
-    Mechanism {
+    PlanarMechanism {
         bodies: bodies.to_vec(),
         joints: vec![
-            Joint::Pin { a: Point::ground([0.0, 0.0]), b: o },
-            Joint::Pin { a: p, b: q },
-            Joint::Pin { a: r, b: t },
-            Joint::Pin { a: Point::ground([d, 0.0]), b: s },
+            PlanarJoint::Pin { a: BodyPoint::ground([0.0, 0.0]), b: o },
+            PlanarJoint::Pin { a: p, b: q },
+            PlanarJoint::Pin { a: r, b: t },
+            PlanarJoint::Pin { a: BodyPoint::ground([d, 0.0]), b: s },
         ],
         drivers: vec![driver],
-        ..Mechanism::default()
+        ..PlanarMechanism::default()
     }
 }
 
@@ -53,16 +59,25 @@ pub(crate) fn drawn([a, b, c, d]: [f64; 4], [crank, coupler, rocker]: [f64; 3]) 
 }
 
 /// A slider-crank at 20 rad/s, with a rod of 3 kg and a slider of 2 kg, their weights and other loads.
-pub(crate) fn slider_crank([r, l]: [f64; 2], angle: f64, loads: Vec<Load>) -> Mechanism {
+pub(crate) fn slider_crank([r, l]: [f64; 2], angle: f64, loads: Vec<PlanarLoad>) -> PlanarMechanism {
     let ([o, p], [q, s]) = (ends(0, r, 0.0), ends(1, l, l / 2.0));
-    let piston = Point::body(2, [0.0, 0.0]);
-    Mechanism {
-        bodies: vec![Body::default(), Body { mass: 3.0, inertia: 0.1 }, Body { mass: 2.0, inertia: 0.0 }],
+    let piston = BodyPoint::body(2, [0.0, 0.0]);
+    PlanarMechanism {
+        bodies: vec![
+            PlanarBody::default(),
+            PlanarBody { mass: 3.0, inertia: 0.1 },
+            PlanarBody { mass: 2.0, inertia: 0.0 },
+        ],
         joints: vec![
-            Joint::Pin { a: Point::ground([0.0, 0.0]), b: o },
-            Joint::Pin { a: p, b: q },
-            Joint::Pin { a: s, b: piston },
-            Joint::Slider { guide: Point::ground([0.0, 0.0]), direction: 0.0, slides: piston, angle: 0.0 },
+            PlanarJoint::Pin { a: BodyPoint::ground([0.0, 0.0]), b: o },
+            PlanarJoint::Pin { a: p, b: q },
+            PlanarJoint::Pin { a: s, b: piston },
+            PlanarJoint::Slider {
+                guide: BodyPoint::ground([0.0, 0.0]),
+                direction: 0.0,
+                slides: piston,
+                angle: 0.0,
+            },
         ],
         drivers: vec![turning(0, angle, 20.0, 0.0)],
         loads,
@@ -70,7 +85,7 @@ pub(crate) fn slider_crank([r, l]: [f64; 2], angle: f64, loads: Vec<Load>) -> Me
     }
 }
 
-pub(crate) fn moving(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> (Model, State) {
+pub(crate) fn moving(mechanism: &PlanarMechanism, drawn: &[[f64; 3]]) -> (Model, PlanarState) {
     let system = found(Model::new(mechanism, drawn));
     let positions = found(system.assemble(drawn));
     let state = found(system.kinematics(&positions));
@@ -80,8 +95,11 @@ pub(crate) fn moving(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> (Model, State
 #[test]
 fn a_four_bar_with_massive_links_needs_its_torque() {
     let lengths = [0.05, 0.151, 0.111, 0.1];
-    let bodies =
-        [Body::default(), Body { mass: 0.5, inertia: 1.21e-3 }, Body { mass: 0.4, inertia: 0.91e-3 }];
+    let bodies = [
+        PlanarBody::default(),
+        PlanarBody { mass: 0.5, inertia: 1.21e-3 },
+        PlanarBody { mass: 0.4, inertia: 0.91e-3 },
+    ];
     let angle = 120f64.to_radians();
     let (system, state) =
         moving(&four_bar(lengths, bodies, turning(0, angle, 95.0, 0.0)), &drawn(lengths, [angle, 0.3, 1.3]));
@@ -98,7 +116,8 @@ fn a_four_bar_with_massive_links_needs_its_torque() {
 #[test]
 fn a_slider_crank_is_the_one_of_the_formulas() {
     let (r, l, angle) = (0.15, 0.2, 30f64.to_radians());
-    let force = Load::Force { at: Point::body(2, [0.0, 0.0]), force: [5000.0, 0.0], turns_with: None };
+    let force =
+        PlanarLoad::Force { at: BodyPoint::body(2, [0.0, 0.0]), force: [5000.0, 0.0], turns_with: None };
     let mechanism = slider_crank([r, l], angle, vec![force]);
     let (system, state) = moving(&mechanism, &[[0.0, 0.0, angle], [0.2, 0.04, -0.4], [0.3, 0.0, 0.0]]);
     let formulas = SliderCrank { crank: r, rod: l, offset: 0.0, branch: Branch::Ahead };
@@ -118,24 +137,28 @@ fn a_slider_crank_is_the_one_of_the_formulas() {
 fn a_roberval_balance_does_not_mind_where_its_pans_are_loaded() {
     // Two equal beams, one above the other, and two upright pans: a parallelogram with one joint too many of its kind.
     let beam = |body: usize| {
-        [Point::body(body, [-0.25, 0.0]), Point::body(body, [0.0, 0.0]), Point::body(body, [0.25, 0.0])]
+        [
+            BodyPoint::body(body, [-0.25, 0.0]),
+            BodyPoint::body(body, [0.0, 0.0]),
+            BodyPoint::body(body, [0.25, 0.0]),
+        ]
     };
     let (upper, lower) = (beam(0), beam(1));
-    let pan = |body: usize| [Point::body(body, [0.0, 0.1]), Point::body(body, [0.0, -0.1])];
+    let pan = |body: usize| [BodyPoint::body(body, [0.0, 0.1]), BodyPoint::body(body, [0.0, -0.1])];
     let (left, right) = (pan(2), pan(3));
-    let weight = |at: Point| Load::Force { at, force: [0.0, -5.0 * 9.81], turns_with: None };
-    let mechanism = Mechanism {
-        bodies: vec![Body::default(); 4],
+    let weight = |at: BodyPoint| PlanarLoad::Force { at, force: [0.0, -5.0 * 9.81], turns_with: None };
+    let mechanism = PlanarMechanism {
+        bodies: vec![PlanarBody::default(); 4],
         joints: vec![
-            Joint::Pin { a: Point::ground([0.0, 0.1]), b: upper[1] },
-            Joint::Pin { a: Point::ground([0.0, -0.1]), b: lower[1] },
-            Joint::Pin { a: upper[0], b: left[0] },
-            Joint::Pin { a: lower[0], b: left[1] },
-            Joint::Pin { a: upper[2], b: right[0] },
-            Joint::Pin { a: lower[2], b: right[1] },
+            PlanarJoint::Pin { a: BodyPoint::ground([0.0, 0.1]), b: upper[1] },
+            PlanarJoint::Pin { a: BodyPoint::ground([0.0, -0.1]), b: lower[1] },
+            PlanarJoint::Pin { a: upper[0], b: left[0] },
+            PlanarJoint::Pin { a: lower[0], b: left[1] },
+            PlanarJoint::Pin { a: upper[2], b: right[0] },
+            PlanarJoint::Pin { a: lower[2], b: right[1] },
         ],
         drivers: vec![turning(0, 0.2, 0.0, 0.0)],
-        loads: vec![weight(Point::body(2, [-0.3, 0.1])), weight(Point::body(3, [0.1, 0.1]))],
+        loads: vec![weight(BodyPoint::body(2, [-0.3, 0.1])), weight(BodyPoint::body(3, [0.1, 0.1]))],
         gravity: [0.0; 2],
     };
     let drawn = [[0.0, 0.1, 0.2], [0.0, -0.1, 0.2], [-0.25, 0.0, 0.0], [0.25, 0.0, 0.0]];
@@ -152,18 +175,18 @@ fn a_geared_five_bar_and_its_rolling_and_cord_kin() {
     let crank = |body| ends(body, 0.05, 0.0);
     let rod = |body| ends(body, 0.12, 0.06);
     let ([o, p], [c, q], [pr, apex], [qr, apex2]) = (crank(0), crank(1), rod(2), rod(3));
-    let mechanism = Mechanism {
-        bodies: vec![Body::default(); 4],
+    let mechanism = PlanarMechanism {
+        bodies: vec![PlanarBody::default(); 4],
         joints: vec![
-            Joint::Pin { a: Point::ground([0.0, 0.0]), b: o },
-            Joint::Pin { a: Point::ground([0.1, 0.0]), b: c },
-            Joint::Pin { a: p, b: pr },
-            Joint::Pin { a: q, b: qr },
-            Joint::Pin { a: apex, b: apex2 },
-            Joint::Gears { a: Some(0), b: Some(1), carrier: None, sizes: [1.0, 1.0], internal: false },
+            PlanarJoint::Pin { a: BodyPoint::ground([0.0, 0.0]), b: o },
+            PlanarJoint::Pin { a: BodyPoint::ground([0.1, 0.0]), b: c },
+            PlanarJoint::Pin { a: p, b: pr },
+            PlanarJoint::Pin { a: q, b: qr },
+            PlanarJoint::Pin { a: apex, b: apex2 },
+            PlanarJoint::Gears { a: Some(0), b: Some(1), carrier: None, sizes: [1.0, 1.0], internal: false },
         ],
         drivers: vec![turning(0, first, 1.0, 0.0)],
-        loads: vec![Load::Force { at: apex, force: [0.0, 100.0], turns_with: None }],
+        loads: vec![PlanarLoad::Force { at: apex, force: [0.0, 100.0], turns_with: None }],
         gravity: [0.0; 2],
     };
     let drawn = [[0.0, 0.0, first], [0.1, 0.0, second], [0.03, 0.1, 1.2], [0.07, 0.1, 1.9]];
@@ -177,22 +200,26 @@ fn a_geared_five_bar_and_its_rolling_and_cord_kin() {
 fn a_disc_is_rolled_by_a_crank_against_spring_and_damper() {
     let (r, l, angle) = (0.06, 0.2, 50f64.to_radians());
     let ([o, p], [q, s]) = (ends(0, r, 0.0), ends(1, l, l / 2.0));
-    let centre = Point::body(2, [0.0, 0.0]);
-    let floor = Point::ground([0.0, -0.15]);
-    let wall = Measure::Distance { from: Point::ground([-0.2, 0.0]), to: centre };
-    let mechanism = Mechanism {
-        bodies: vec![Body::default(), Body::default(), Body { mass: 4.0, inertia: 4.0 * 0.15 * 0.15 / 2.0 }],
+    let centre = BodyPoint::body(2, [0.0, 0.0]);
+    let floor = BodyPoint::ground([0.0, -0.15]);
+    let wall = RelativeCoordinate::Distance { from: BodyPoint::ground([-0.2, 0.0]), to: centre };
+    let mechanism = PlanarMechanism {
+        bodies: vec![
+            PlanarBody::default(),
+            PlanarBody::default(),
+            PlanarBody { mass: 4.0, inertia: 4.0 * 0.15 * 0.15 / 2.0 },
+        ],
         joints: vec![
-            Joint::Pin { a: Point::ground([0.0, 0.0]), b: o },
-            Joint::Pin { a: p, b: q },
-            Joint::Pin { a: s, b: centre },
-            Joint::Slot { guide: floor, direction: 0.0, pin: centre, offset: 0.15 },
-            Joint::Rack { guide: floor, direction: 0.0, centre, radius: 0.15 },
+            PlanarJoint::Pin { a: BodyPoint::ground([0.0, 0.0]), b: o },
+            PlanarJoint::Pin { a: p, b: q },
+            PlanarJoint::Pin { a: s, b: centre },
+            PlanarJoint::Slot { guide: floor, direction: 0.0, pin: centre, offset: 0.15 },
+            PlanarJoint::Rack { guide: floor, direction: 0.0, centre, radius: 0.15 },
         ],
         drivers: vec![turning(0, angle, 8.0, 0.0)],
         loads: vec![
-            Load::Effort { measure: wall, effort: Effort::Spring { stiffness: 800.0, free: 0.1 } },
-            Load::Effort { measure: wall, effort: Effort::Damper { coefficient: 25.0 } },
+            PlanarLoad::Effort { measure: wall, effort: Effort::Spring { stiffness: 800.0, free: 0.1 } },
+            PlanarLoad::Effort { measure: wall, effort: Effort::Damper { coefficient: 25.0 } },
         ],
         gravity: [0.0; 2],
     };
@@ -210,7 +237,7 @@ fn a_crank_too_short_to_turn_stops_at_its_limit() {
     let lengths = [0.2, 0.1, 0.12, 0.15];
     let [a, b, c, d] = lengths;
     let start = 0.8;
-    let mechanism = four_bar(lengths, [Body::default(); 3], turning(0, start, 0.0, 0.0));
+    let mechanism = four_bar(lengths, [PlanarBody::default(); 3], turning(0, start, 0.0, 0.0));
     let (system, state) = moving(&mechanism, &drawn(lengths, [start, -0.6, 1.0]));
     let limit = ((a * a + d * d - (b + c) * (b + c)) / (2.0 * a * d)).acos();
     match system.continue_to(&state.positions, &[2.5]) {
@@ -222,16 +249,16 @@ fn a_crank_too_short_to_turn_stops_at_its_limit() {
 #[test]
 fn what_is_wrong_is_named() {
     let lengths = [0.1, 0.1, 0.1, 0.5];
-    let apart = four_bar(lengths, [Body::default(); 3], turning(0, 1.0, 0.0, 0.0));
+    let apart = four_bar(lengths, [PlanarBody::default(); 3], turning(0, 1.0, 0.0, 0.0));
     let system = found(Model::new(&apart, &drawn(lengths, [1.0, 0.0, 2.0])));
     assert!(matches!(
         system.assemble(&drawn(lengths, [1.0, 0.0, 2.0])),
         Err(PlanarError::DoesNotClose { residual, .. }) if residual > 0.05
     ));
     let lengths = [0.04, 0.12, 0.08, 0.1];
-    let good = four_bar(lengths, [Body::default(); 3], turning(0, 1.0, 0.0, 0.0));
+    let good = four_bar(lengths, [PlanarBody::default(); 3], turning(0, 1.0, 0.0, 0.0));
     let at = drawn(lengths, [1.0, 0.3, 1.2]);
-    let without = Mechanism { drivers: vec![], ..good.clone() };
+    let without = PlanarMechanism { drivers: vec![], ..good.clone() };
     let (system, positions) = {
         let system = found(Model::new(&without, &at));
         let positions = found(system.assemble(&at));
@@ -240,15 +267,15 @@ fn what_is_wrong_is_named() {
     assert_eq!(system.kinematics(&positions), Err(PlanarError::UnderDriven { free: 1, singular: false }));
     let mut twice = good.clone();
     let rocker = found(Model::new(&good, &positions)).value(
-        &Measure::Angle { of: Some(2), against: None },
+        &RelativeCoordinate::Angle { of: Some(2), against: None },
         &found(found(Model::new(&good, &at)).assemble(&at)),
     );
     twice.drivers.push(turning(2, rocker, 0.0, 0.0));
     let system = found(Model::new(&twice, &at));
     let positions = found(system.assemble(&at));
     assert!(matches!(system.kinematics(&positions), Err(PlanarError::OverDriven { .. })));
-    let astray = Mechanism {
-        joints: vec![Joint::Pin { a: Point::ground([0.0; 2]), b: Point::body(7, [0.0; 2]) }],
+    let astray = PlanarMechanism {
+        joints: vec![PlanarJoint::Pin { a: BodyPoint::ground([0.0; 2]), b: BodyPoint::body(7, [0.0; 2]) }],
         ..good
     };
     assert!(matches!(Model::new(&astray, &at), Err(PlanarError::NoSuchBody { body: 7, bodies: 3, .. })));
@@ -258,22 +285,26 @@ fn what_is_wrong_is_named() {
 fn friction_in_a_guide_is_that_of_an_inclined_plane() {
     // A block pushed up a plane of 20° by a horizontal force: P = W tan(20° + φ).
     let (slope, mu, weight) = (20f64.to_radians(), 0.25f64, 120.0);
-    let block = Point::body(0, [0.0, 0.0]);
-    let mechanism = Mechanism {
-        bodies: vec![Body { mass: 12.0, inertia: 0.0 }],
-        joints: vec![Joint::Slider {
-            guide: Point::ground([0.0, 0.0]),
+    let block = BodyPoint::body(0, [0.0, 0.0]);
+    let mechanism = PlanarMechanism {
+        bodies: vec![PlanarBody { mass: 12.0, inertia: 0.0 }],
+        joints: vec![PlanarJoint::Slider {
+            guide: BodyPoint::ground([0.0, 0.0]),
             direction: slope,
             slides: block,
             angle: slope,
         }],
         drivers: vec![Driver {
-            measure: Measure::Component { direction: [1.0, 0.0], from: Point::ground([0.0, 0.0]), to: block },
+            measure: RelativeCoordinate::Component {
+                direction: [1.0, 0.0],
+                from: BodyPoint::ground([0.0, 0.0]),
+                to: block,
+            },
             value: 0.3,
             velocity: 0.1,
             acceleration: 0.0,
         }],
-        loads: vec![Load::Friction { joint: 0, coefficient: mu, radius: 0.0 }],
+        loads: vec![PlanarLoad::Friction { joint: 0, coefficient: mu, radius: 0.0 }],
         gravity: [0.0, -10.0],
     };
     let (system, state) = moving(&mechanism, &[[0.3, 0.1, slope]]);
@@ -281,7 +312,7 @@ fn friction_in_a_guide_is_that_of_an_inclined_plane() {
     close(dynamics.newton_euler[0], weight * (slope + mu.atan()).tan(), 1e-12);
     close(dynamics.efforts[0], dynamics.newton_euler[0], 1e-12);
     let mut steep = mechanism;
-    steep.loads = vec![Load::Friction { joint: 0, coefficient: 2.9, radius: 0.0 }];
+    steep.loads = vec![PlanarLoad::Friction { joint: 0, coefficient: 2.9, radius: 0.0 }];
     let (system, state) = moving(&steep, &[[0.3, 0.1, slope]]);
     assert!(matches!(system.inverse_dynamics(&state), Err(PlanarError::Jammed { joint: 0 })));
 }
@@ -299,13 +330,13 @@ proptest! {
     ) {
         prop_assume!(a + b.max(c).max(d) < 0.95 * (b + c + d - b.max(c).max(d)));
         let lengths = [a, b, c, d];
-        let bodies = [0, 1, 2].map(|k| Body { mass: masses[k], inertia: inertias[k] });
+        let bodies = [0, 1, 2].map(|k| PlanarBody { mass: masses[k], inertia: inertias[k] });
         let mut mechanism = four_bar(lengths, bodies, turning(0, 0.0, speed, acceleration));
         mechanism.gravity = [0.7, -9.81];
         mechanism.loads = vec![
-            Load::Force { at: Point::body(1, [0.2, 0.3]), force: [push, 12.0], turns_with: Some(2) },
-            Load::Effort {
-                measure: Measure::Distance { from: Point::ground([0.3, 2.5]), to: Point::body(1, [0.1, 0.4]) },
+            PlanarLoad::Force { at: BodyPoint::body(1, [0.2, 0.3]), force: [push, 12.0], turns_with: Some(2) },
+            PlanarLoad::Effort {
+                measure: RelativeCoordinate::Distance { from: BodyPoint::ground([0.3, 2.5]), to: BodyPoint::body(1, [0.1, 0.4]) },
                 effort: Effort::Spring { stiffness, free: 0.5 },
             },
         ];
@@ -339,7 +370,7 @@ proptest! {
     #[test]
     fn the_branch_is_the_same_after_two_turns(step in 1.0..179.0f64, crossed in any::<bool>()) {
         let lengths = [0.04, 0.12, 0.08, 0.1];
-        let mechanism = four_bar(lengths, [Body::default(); 3], turning(0, 1.0, 0.0, 0.0));
+        let mechanism = four_bar(lengths, [PlanarBody::default(); 3], turning(0, 1.0, 0.0, 0.0));
         let side = if crossed { -1.0 } else { 1.0 };
         let at = drawn(lengths, [1.0, side * 0.4, side * 1.2]);
         let system = found(Model::new(&mechanism, &at));
@@ -376,7 +407,7 @@ fn a_parallelogram_goes_on_from_close_to_a_change_point() {
 
 fn goes_through_its_change_points(step: f64) {
     let lengths = [0.3, 0.5, 0.3, 0.5];
-    let mechanism = four_bar(lengths, [Body::default(); 3], turning(0, 1.0, 0.0, 0.0));
+    let mechanism = four_bar(lengths, [PlanarBody::default(); 3], turning(0, 1.0, 0.0, 0.0));
     let at = drawn(lengths, [1.0, 0.0, 1.0]);
     let system = found(Model::new(&mechanism, &at));
     let (mut here, mut angle, mut passed) = (found(system.assemble(&at)), 1.0, 0);
@@ -394,7 +425,7 @@ fn goes_through_its_change_points(step: f64) {
 fn velocities_and_accelerations_are_derivatives_of_the_positions() {
     let lengths = [0.04, 0.12, 0.08, 0.1];
     let at = |angle: f64| {
-        let mechanism = four_bar(lengths, [Body::default(); 3], turning(0, angle, 1.0, 0.0));
+        let mechanism = four_bar(lengths, [PlanarBody::default(); 3], turning(0, angle, 1.0, 0.0));
         moving(&mechanism, &drawn(lengths, [angle, 0.3, 1.2])).1
     };
     let h = 1e-3;
@@ -402,7 +433,7 @@ fn velocities_and_accelerations_are_derivatives_of_the_positions() {
     let [a, b, now, c, d] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| at(FRAC_PI_2 / 1.5 + k * h));
     for body in 0..3 {
         for part in 0..3 {
-            let q = |state: &State| state.positions[body][part];
+            let q = |state: &PlanarState| state.positions[body][part];
             let slope = (q(&a) - 8.0 * q(&b) + 8.0 * q(&c) - q(&d)) / (12.0 * h);
             assert!((slope - now.velocities[body][part]).abs() < 1e-10, "{slope}");
             let bend = (-q(&a) + 16.0 * q(&b) - 30.0 * q(&now) + 16.0 * q(&c) - q(&d)) / (12.0 * h * h);
@@ -412,13 +443,13 @@ fn velocities_and_accelerations_are_derivatives_of_the_positions() {
 }
 
 /// n bars of 1 m hung in a chain from (0, 0), drawn at these angles.
-fn chain(angles: &[f64], loads: Vec<Load>) -> (Mechanism, Vec<[f64; 3]>) {
-    let mut mechanism = Mechanism { gravity: [0.0, -9.81], loads, ..Mechanism::default() };
-    let (mut drawn, mut end, mut last) = (Vec::new(), [0.0, 0.0], Point::ground([0.0, 0.0]));
+fn chain(angles: &[f64], loads: Vec<PlanarLoad>) -> (PlanarMechanism, Vec<[f64; 3]>) {
+    let mut mechanism = PlanarMechanism { gravity: [0.0, -9.81], loads, ..PlanarMechanism::default() };
+    let (mut drawn, mut end, mut last) = (Vec::new(), [0.0, 0.0], BodyPoint::ground([0.0, 0.0]));
     for (body, &angle) in angles.iter().enumerate() {
         let [a, b] = ends(body, 1.0, 0.5);
-        mechanism.bodies.push(Body { mass: 3.0, inertia: 0.25 });
-        mechanism.joints.push(Joint::Pin { a: last, b: a });
+        mechanism.bodies.push(PlanarBody { mass: 3.0, inertia: 0.25 });
+        mechanism.joints.push(PlanarJoint::Pin { a: last, b: a });
         mechanism.drivers.push(turning(body, angle, 0.0, 0.0));
         drawn.push([end[0] + 0.5 * angle.cos(), end[1] + 0.5 * angle.sin(), angle]);
         end = [end[0] + angle.cos(), end[1] + angle.sin()];
@@ -431,8 +462,8 @@ fn chain(angles: &[f64], loads: Vec<Load>) -> (Mechanism, Vec<[f64; 3]>) {
 fn a_chain_of_bars_hangs_where_its_weights_and_the_pull_let_it() {
     // tan θ from the vertical is the pull over the weight that hangs below the middle of each bar.
     let pull = 1.5 * 3.0 * 9.81;
-    let tip = Point::body(2, [0.5, 0.0]);
-    let load = Load::Force { at: tip, force: [pull, 0.0], turns_with: None };
+    let tip = BodyPoint::body(2, [0.5, 0.0]);
+    let load = PlanarLoad::Force { at: tip, force: [pull, 0.0], turns_with: None };
     let (mechanism, drawn) = chain(&[-1.2, -0.9, -0.2], vec![load]);
     let system = found(Model::new(&mechanism, &drawn));
     let here = found(system.equilibrium_near(&found(system.assemble(&drawn))));
@@ -486,13 +517,13 @@ proptest! {
         motion in prop::array::uniform2(prop::array::uniform3(prop::array::uniform3(-3.0..3.0f64))),
         points in prop::array::uniform2(prop::array::uniform2(-2.0..2.0f64)), turn in 0.0..TAU, kind in 0..4usize,
     ) {
-        let [from, to] = [Point::body(0, points[0]), Point::body(1, points[1])];
+        let [from, to] = [BodyPoint::body(0, points[0]), BodyPoint::body(1, points[1])];
         let direction = [turn.cos(), turn.sin()];
         let measure = [
-            Measure::Angle { of: Some(1), against: Some(0) },
-            Measure::Component { direction, from, to },
-            Measure::Along { direction, from, to },
-            Measure::Distance { from, to },
+            RelativeCoordinate::Angle { of: Some(1), against: Some(0) },
+            RelativeCoordinate::Component { direction, from, to },
+            RelativeCoordinate::Along { direction, from, to },
+            RelativeCoordinate::Distance { from, to },
         ][kind];
         // Each body: x, y, θ, each with velocity and acceleration.
         let jets = motion.map(|body| Pose::new(body.map(Jet)));
@@ -516,7 +547,7 @@ fn the_joints_of_a_linkage_carry_what_the_balance_of_its_links_says() {
     let (lengths, speed) = ([0.05, 0.151, 0.111, 0.1], 95.0);
     let [a, b, c, d] = lengths;
     let bodies = [(0.2, 1e-4), (0.5, 1.21e-3), (0.4, 0.91e-3)];
-    let link = |k: usize, length: f64| Link {
+    let link = |k: usize, length: f64| LinkInertia {
         mass: bodies[k].0,
         distance: length / 2.0,
         offset: 0.0,
@@ -531,7 +562,7 @@ fn the_joints_of_a_linkage_carry_what_the_balance_of_its_links_says() {
     };
     for angle in [0.4, 2.1, 3.9, 5.5] {
         let pose = linkage.pose(angle, speed).expect("the loop closes");
-        let bodies = bodies.map(|(mass, inertia)| Body { mass, inertia });
+        let bodies = bodies.map(|(mass, inertia)| PlanarBody { mass, inertia });
         let mechanism = four_bar(lengths, bodies, turning(0, angle, speed, 0.0));
         let (system, state) = moving(&mechanism, &drawn(lengths, pose.angles));
         let dynamics = found(system.inverse_dynamics(&state));

@@ -5,14 +5,14 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use dalembert_mechanics::rigid::{
     simulate::{
-        Body, End, FreeRotation, History, Loads, Motion, Run, SimulateError, Torque, Turning, simulate,
-        simulate_free,
+        AppliedTorque, FreeRotation, History, Loads, RigidBodyMotion, RotatingBody, RotationEvent,
+        RotationRun, RotationState, SimulateError, simulate, simulate_free,
     },
     torque_free::FreeBody,
 };
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-const RUN: Run<'static> = Run {
+const RUN: RotationRun<'static> = RotationRun {
     duration: 1.0,
     tolerance: 1e-13,
     samples: 2,
@@ -25,22 +25,23 @@ fn diagonal(x: f64, y: f64, z: f64) -> Matrix3<f64> {
     Matrix3::from_diagonal(&Vector3::new(x, y, z))
 }
 
-fn free(inertia: Matrix3<f64>) -> Body {
-    Body { mass: 1.0, inertia, arm: Vector3::zeros() }
+fn free(inertia: Matrix3<f64>) -> RotatingBody {
+    RotatingBody { mass: 1.0, inertia, arm: Vector3::zeros() }
 }
 
-fn start(x: f64, y: f64, z: f64) -> Turning {
-    Turning { attitude: UnitQuaternion::identity(), omega_body: Vector3::new(x, y, z) }
+fn start(x: f64, y: f64, z: f64) -> RotationState {
+    RotationState { attitude: UnitQuaternion::identity(), omega_body: Vector3::new(x, y, z) }
 }
 
 /// The heavy top of Brüls, Cardona and Arnold.
-fn heavy_top() -> (Body, Turning, Loads) {
-    let body = Body { mass: 15.0, inertia: diagonal(15.234375, 0.46875, 15.234375), arm: Vector3::y() };
+fn heavy_top() -> (RotatingBody, RotationState, Loads) {
+    let body =
+        RotatingBody { mass: 15.0, inertia: diagonal(15.234375, 0.46875, 15.234375), arm: Vector3::y() };
     let loads = Loads { gravity: Vector3::z() * -9.81, torques: Vec::new() };
     (body, start(0.0, 150.0, -4.61538), loads)
 }
 
-fn last(motion: &Motion) -> dalembert_mechanics::rigid::simulate::Sample {
+fn last(motion: &RigidBodyMotion) -> dalembert_mechanics::rigid::simulate::RotationSample {
     *motion.samples.last().expect("a motion has its start")
 }
 
@@ -49,7 +50,7 @@ fn last(motion: &Motion) -> dalembert_mechanics::rigid::simulate::Sample {
 #[test]
 fn the_heavy_top_after_two_seconds() {
     let (body, from, loads) = heavy_top();
-    let motion = simulate(&body, &from, &loads, &Run { duration: 2.0, ..RUN }).unwrap();
+    let motion = simulate(&body, &from, &loads, &RotationRun { duration: 2.0, ..RUN }).unwrap();
     let end = last(&motion);
     assert!((end.omega.y - -106.163804142).abs() < 1e-8, "{}", end.omega.y);
     let centre = end.turning.attitude * body.arm;
@@ -63,7 +64,7 @@ fn the_heavy_top_after_two_seconds() {
     assert!(motion.energy_drift() < 1e-12 && motion.momentum_drift(Some(loads.gravity)) < 1e-12);
     // The axis moves slowly: the steps are few, since the spin has no part in them.
     assert!(motion.steps < 200, "{}", motion.steps);
-    let early = last(&simulate(&body, &from, &loads, &Run { duration: 0.01, ..RUN }).unwrap());
+    let early = last(&simulate(&body, &from, &loads, &RotationRun { duration: 0.01, ..RUN }).unwrap());
     assert!((early.omega.y - 149.8473939540).abs() < 1e-9, "{}", early.omega.y);
 }
 
@@ -71,8 +72,8 @@ fn the_heavy_top_after_two_seconds() {
 #[test]
 fn the_axes_without_spin_change_nothing() {
     let (body, from, loads) = heavy_top();
-    let nearly = Body { inertia: diagonal(15.234375 * (1.0 + 1e-12), 0.46875, 15.234375), ..body };
-    let run = Run { duration: 2.0, ..RUN };
+    let nearly = RotatingBody { inertia: diagonal(15.234375 * (1.0 + 1e-12), 0.46875, 15.234375), ..body };
+    let run = RotationRun { duration: 2.0, ..RUN };
     let (one, other) = (simulate(&body, &from, &loads, &run), simulate(&nearly, &from, &loads, &run));
     let (one, other) = (one.unwrap(), other.unwrap());
     assert!(other.steps > 3 * one.steps);
@@ -95,14 +96,15 @@ fn the_accelerations_with_which_the_heavy_top_starts() {
 /// a cubic (Goldstein, §5.7).
 #[test]
 fn the_nutation_of_a_fast_top() {
-    let body = Body { mass: 20.0, inertia: diagonal(5.0, 5.0, 1.0), arm: Vector3::z() };
+    let body = RotatingBody { mass: 20.0, inertia: diagonal(5.0, 5.0, 1.0), arm: Vector3::z() };
     let tilted = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), 0.05);
-    let from = Turning { attitude: tilted, omega_body: Vector3::new(0.0, 0.0, 50.0) };
+    let from = RotationState { attitude: tilted, omega_body: Vector3::new(0.0, 0.0, 50.0) };
     let loads = Loads { gravity: -Vector3::z(), torques: Vec::new() };
-    let motion = simulate(&body, &from, &loads, &Run { duration: 10.0, samples: 20_001, ..RUN }).unwrap();
+    let motion =
+        simulate(&body, &from, &loads, &RotationRun { duration: 10.0, samples: 20_001, ..RUN }).unwrap();
     let first = motion.samples[0];
     assert!((first.kinetic + first.potential - 1269.9750052078994).abs() < 1e-9);
-    let tilt = |sample: &dalembert_mechanics::rigid::simulate::Sample| {
+    let tilt = |sample: &dalembert_mechanics::rigid::simulate::RotationSample| {
         (sample.turning.attitude * Vector3::z()).angle(&Vector3::z())
     };
     let most = motion.samples.iter().map(tilt).fold(0.0, f64::max);
@@ -122,7 +124,7 @@ fn free_motions_of_a_body_of_revolution_are_two_rotations() {
     let momentum = body.inertia * from.omega_body;
     let closed = UnitQuaternion::new(momentum * (time / transverse))
         * UnitQuaternion::new(Vector3::z() * ((1.0 - axial / transverse) * from.omega_body.z * time));
-    let run = Run { duration: time, ..RUN };
+    let run = RotationRun { duration: time, ..RUN };
     let followed = last(&simulate(&body, &from, &Loads::default(), &run).unwrap());
     let kept = last(&simulate_free(&body, &from, 0.02, &run).unwrap());
     assert!(followed.turning.attitude.angle_to(&closed) < 1e-11);
@@ -143,7 +145,7 @@ fn a_body_near_its_unstable_axis() {
         (10.0, [0.012714870629462084, 4.999993833202685, 0.010979798649094277], 1e-12),
         (100.0, [0.06021783543923199, 4.999647368794625, 0.03571268544456075], 5e-11),
     ] {
-        let run = Run { duration: time, tolerance: 1e-14, ..RUN };
+        let run = RotationRun { duration: time, tolerance: 1e-14, ..RUN };
         let kept = last(&simulate_free(&body, &from, 0.005, &run).unwrap()).turning.omega_body;
         let followed = last(&simulate(&body, &from, &Loads::default(), &run).unwrap()).turning.omega_body;
         assert!((kept - Vector3::from(wanted)).amax() < within, "{time}: {kept}");
@@ -228,9 +230,14 @@ fn a_torque_about_the_axis_of_revolution() {
     let body = free(diagonal(transverse, transverse, axial));
     let loads = Loads {
         gravity: Vector3::zeros(),
-        torques: vec![Torque { vector: Vector3::z() * torque, in_body: true, history: History::Constant }],
+        torques: vec![AppliedTorque {
+            vector: Vector3::z() * torque,
+            in_body: true,
+            history: History::Constant,
+        }],
     };
-    let motion = simulate(&body, &start(0.3, 0.0, 1.0), &loads, &Run { duration: time, ..RUN }).unwrap();
+    let motion =
+        simulate(&body, &start(0.3, 0.0, 1.0), &loads, &RotationRun { duration: time, ..RUN }).unwrap();
     let turned = (axial - transverse) / transverse * (time + torque / axial * time * time / 2.0);
     let wanted = Vector3::new(0.3 * turned.cos(), 0.3 * turned.sin(), 1.0 + torque / axial * time);
     assert!((last(&motion).turning.omega_body - wanted).norm() < 1e-11);
@@ -245,7 +252,7 @@ fn work_and_impulse_of_changing_torques() {
     let rotation = turn.to_rotation_matrix().into_inner();
     let inertia = diagonal(1.0, 2.0, 2.5);
     let table = History::Table(vec![[0.0, 0.0], [1.0, 2.0], [1.5, -1.0], [3.0, 0.5]]);
-    let torque = |in_body, vector: Vector3<f64>, history| Torque { vector, in_body, history };
+    let torque = |in_body, vector: Vector3<f64>, history| AppliedTorque { vector, in_body, history };
     let harmonic = History::Harmonic { frequency: 3.0, phase: 0.4 };
     let loads = |of: &dyn Fn(Vector3<f64>) -> Vector3<f64>| Loads {
         gravity: Vector3::zeros(),
@@ -254,12 +261,12 @@ fn work_and_impulse_of_changing_torques() {
             torque(false, Vector3::new(0.0, 0.5, 0.2), harmonic.clone()),
         ],
     };
-    let run = Run { duration: 4.0, samples: 41, ..RUN };
+    let run = RotationRun { duration: 4.0, samples: 41, ..RUN };
     let plain = simulate(&free(inertia), &start(0.2, 1.0, -0.3), &loads(&|v| v), &run).unwrap();
     assert!(plain.energy_drift() < 1e-11, "{}", plain.energy_drift());
     assert!(plain.momentum_drift(None) < 1e-11, "{}", plain.momentum_drift(None));
     let body = free(rotation * inertia * rotation.transpose());
-    let from = Turning { attitude: turn.inverse(), omega_body: turn * Vector3::new(0.2, 1.0, -0.3) };
+    let from = RotationState { attitude: turn.inverse(), omega_body: turn * Vector3::new(0.2, 1.0, -0.3) };
     let turned = simulate(&body, &from, &loads(&|v| turn * v), &run).unwrap();
     for (a, b) in plain.samples.iter().zip_eq(&turned.samples) {
         assert!((a.omega - b.omega).norm() < 1e-10 && (a.work - b.work).abs() < 1e-10);
@@ -269,15 +276,15 @@ fn work_and_impulse_of_changing_torques() {
 /// A pendulum released level turns through the angle of its end at a known speed: `ω² = 2 m g a sin φ/J`.
 #[test]
 fn a_motion_ends_at_an_angle_or_a_reversal() {
-    let body = Body { mass: 2.0, inertia: diagonal(1.0, 0.5, 1.2), arm: Vector3::new(0.3, 0.0, 0.0) };
+    let body = RotatingBody { mass: 2.0, inertia: diagonal(1.0, 0.5, 1.2), arm: Vector3::new(0.3, 0.0, 0.0) };
     let loads = Loads { gravity: Vector3::z() * -9.81, torques: Vec::new() };
-    let ends = [End::Angle { of: Vector3::x(), against: Vector3::z(), angle: FRAC_PI_2 + 1.0 }];
-    let run = Run { duration: 5.0, ends: &ends, ..RUN };
+    let ends = [RotationEvent::Angle { of: Vector3::x(), against: Vector3::z(), angle: FRAC_PI_2 + 1.0 }];
+    let run = RotationRun { duration: 5.0, ends: &ends, ..RUN };
     let end = simulate(&body, &start(0.0, 0.0, 0.0), &loads, &run).unwrap();
     assert_eq!(end.ended, Some(0));
     let speed = (2.0 * 2.0 * 9.81 * 0.3 * 1.0_f64.sin() / 0.5).sqrt();
     assert!((last(&end).turning.omega_body.y - speed).abs() < 1e-10);
-    let run = Run { duration: 5.0, ends: &[End::Reverses(1)], ..RUN };
+    let run = RotationRun { duration: 5.0, ends: &[RotationEvent::Reverses(1)], ..RUN };
     let end = simulate(&body, &start(0.0, 0.0, 0.0), &loads, &run).unwrap();
     // It comes to rest on the other side, as high as it began.
     assert!((last(&end).turning.attitude * Vector3::x()).angle(&-Vector3::x()) < 1e-6);
@@ -290,9 +297,9 @@ fn what_cannot_be_followed_is_refused() {
         assert_eq!(simulate(&free(inertia), &start(1.0, 0.0, 0.0), &none, &RUN), Err(SimulateError::Inertia));
     }
     let body = free(diagonal(1.0, 2.0, 3.0));
-    let endless = Run { duration: f64::INFINITY, ..RUN };
+    let endless = RotationRun { duration: f64::INFINITY, ..RUN };
     assert_eq!(simulate(&body, &start(1.0, 0.0, 0.0), &none, &endless), Err(SimulateError::NotFinite));
-    let long = Run { duration: 1e9, ..RUN };
+    let long = RotationRun { duration: 1e9, ..RUN };
     assert!(matches!(simulate_free(&body, &start(1.0, 0.0, 0.0), 0.1, &long), Err(SimulateError::Motion(_))));
     assert!(matches!(
         FreeRotation::new(Vector3::new(1.0, 2.0, 3.0), UnitQuaternion::identity(), Vector3::x(), 1.0),

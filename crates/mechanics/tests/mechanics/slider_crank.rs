@@ -1,7 +1,9 @@
 use itertools::Itertools as _;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use dalembert_mechanics::slider_crank::{self, Branch, CrankMotion, Motion, SliderCrank, SliderCrankError};
+use dalembert_mechanics::slider_crank::{
+    self, Branch, CrankMotion, SliderCrank, SliderCrankError, SliderCrankMotion,
+};
 use proptest::prelude::*;
 
 use crate::close::{ROUNDING, close, found, printed};
@@ -20,7 +22,7 @@ fn closure_of_example_1_needs_another_rod_speed() {
     close(velocity, -500.0, ROUNDING);
 }
 
-fn at(mechanism: SliderCrank, t: f64, speed: f64, acceleration: f64) -> Motion {
+fn at(mechanism: SliderCrank, t: f64, speed: f64, acceleration: f64) -> SliderCrankMotion {
     found(mechanism.motion(CrankMotion {
         angle: 0.7 + speed * t + 0.5 * acceleration * t * t,
         speed: speed + acceleration * t,
@@ -45,7 +47,7 @@ proptest! {
         // Central differences of eighth order.
         let quick = speed.abs() + acceleration.abs().sqrt() + 1.0;
         let step = 0.02 / quick;
-        let rate = |of: &dyn Fn(Motion) -> f64| {
+        let rate = |of: &dyn Fn(SliderCrankMotion) -> f64| {
             [672.0, -168.0, 32.0, -3.0]
                 .into_iter()
                 .zip_eq([1.0, 2.0, 3.0, 4.0])

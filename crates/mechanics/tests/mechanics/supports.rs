@@ -2,7 +2,7 @@
 
 use dalembert_mechanics::rigid::{
     Axis, RigidError,
-    supports::{SupportError, Supports, Unknown, Wrench},
+    supports::{ReactionUnknown, SupportError, Supports, Wrench},
 };
 use itertools::Itertools as _;
 use nalgebra::{Rotation3, Vector3};
@@ -10,8 +10,8 @@ use proptest::prelude::*;
 
 use crate::close::{close, found};
 
-fn force(at: [f64; 3], along: [f64; 3]) -> Unknown {
-    Unknown::Force { at: at.into(), along: along.into() }
+fn force(at: [f64; 3], along: [f64; 3]) -> ReactionUnknown {
+    ReactionUnknown::Force { at: at.into(), along: along.into() }
 }
 
 const X: [f64; 3] = [1.0, 0.0, 0.0];
@@ -19,7 +19,7 @@ const Y: [f64; 3] = [0.0, 1.0, 0.0];
 const Z: [f64; 3] = [0.0, 0.0, 1.0];
 
 /// A shaft along x with a bearing at 0 that takes the axial force, and one at `length`.
-fn shaft(length: f64) -> Vec<Unknown> {
+fn shaft(length: f64) -> Vec<ReactionUnknown> {
     let (a, b) = ([0.0; 3], [length, 0.0, 0.0]);
     vec![force(a, X), force(a, Y), force(a, Z), force(b, Y), force(b, Z)]
 }
@@ -90,11 +90,11 @@ proptest! {
         let near = if shaft.z.abs() > 0.7 { Vector3::x() } else { Vector3::z() };
         let first = shaft.cross(&near).normalize();
         let scale = 10f64.powf(size);
-        let unknowns: Vec<Unknown> = [X, Y, Z]
-            .map(|axis| Unknown::Force { at: a * scale, along: axis.into() })
+        let unknowns: Vec<ReactionUnknown> = [X, Y, Z]
+            .map(|axis| ReactionUnknown::Force { at: a * scale, along: axis.into() })
             .into_iter()
-            .chain([first, shaft.cross(&first)].map(|along| Unknown::Force { at: b * scale, along }))
-            .chain([Unknown::Force { at: c * scale, along: wire.normalize() }])
+            .chain([first, shaft.cross(&first)].map(|along| ReactionUnknown::Force { at: b * scale, along }))
+            .chain([ReactionUnknown::Force { at: c * scale, along: wire.normalize() }])
             .collect();
         let load = Wrench::force_at(load, at * scale) + Wrench::couple(couple * scale);
         let Ok(supports) = Supports::new(unknowns.clone()) else { return Ok(()) };
@@ -109,11 +109,11 @@ proptest! {
         // The same in axes that were turned and moved.
         let rotation = Rotation3::new(turn);
         let there = |point: Vector3<f64>| rotation * (point + by * scale);
-        let moved: Vec<Unknown> = unknowns
+        let moved: Vec<ReactionUnknown> = unknowns
             .iter()
             .map(|unknown| match unknown {
-                Unknown::Force { at, along } => Unknown::Force { at: there(*at), along: rotation * along },
-                Unknown::Couple { about } => Unknown::Couple { about: rotation * about },
+                ReactionUnknown::Force { at, along } => ReactionUnknown::Force { at: there(*at), along: rotation * along },
+                ReactionUnknown::Couple { about } => ReactionUnknown::Couple { about: rotation * about },
             })
             .collect();
         let force = rotation * load.force;

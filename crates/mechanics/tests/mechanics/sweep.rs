@@ -4,7 +4,8 @@ use itertools::Itertools as _;
 use std::f64::consts::TAU;
 
 use dalembert_mechanics::planar::{
-    Body, Driver, Effort, Joint, Load, Measure, Mechanism, Model, PlanarError, Point, Profile, SweepResult,
+    BodyPoint, Driver, Effort, Model, PlanarBody, PlanarError, PlanarJoint, PlanarLoad, PlanarMechanism,
+    Profile, RelativeCoordinate, SweepResult,
 };
 
 use crate::{
@@ -81,34 +82,38 @@ fn the_torque_of_the_four_bar_and_the_slider_crank_are_the_known_ones() {
 fn cams_gas_and_several_drivers_are_swept_too() {
     let lift = Profile::through(&[[0.0, 0.0], [1.5, 0.01], [3.0, 0.03], [4.5, 0.012]], Some(TAU))
         .expect("the lifts ascend");
-    let follower = Point::body(1, [0.0, 0.0]);
-    let up = |to: Point| Measure::Component { direction: [0.0, 1.0], from: Point::ground([0.0, 0.0]), to };
-    let turning = |body| Measure::Angle { of: Some(body), against: None };
-    let mechanism = Mechanism {
+    let follower = BodyPoint::body(1, [0.0, 0.0]);
+    let up = |to: BodyPoint| RelativeCoordinate::Component {
+        direction: [0.0, 1.0],
+        from: BodyPoint::ground([0.0, 0.0]),
+        to,
+    };
+    let turning = |body| RelativeCoordinate::Angle { of: Some(body), against: None };
+    let mechanism = PlanarMechanism {
         bodies: vec![
-            Body { mass: 2.0, inertia: 0.01 },
-            Body { mass: 0.4, inertia: 0.0 },
-            Body { mass: 1.0, inertia: 0.02 },
+            PlanarBody { mass: 2.0, inertia: 0.01 },
+            PlanarBody { mass: 0.4, inertia: 0.0 },
+            PlanarBody { mass: 1.0, inertia: 0.02 },
         ],
         joints: vec![
-            Joint::Pin { a: Point::ground([0.0, 0.0]), b: Point::body(0, [0.0, 0.0]) },
-            Joint::Slider {
-                guide: Point::ground([0.0, 0.0]),
+            PlanarJoint::Pin { a: BodyPoint::ground([0.0, 0.0]), b: BodyPoint::body(0, [0.0, 0.0]) },
+            PlanarJoint::Slider {
+                guide: BodyPoint::ground([0.0, 0.0]),
                 direction: TAU / 4.0,
                 slides: follower,
                 angle: 0.0,
             },
-            Joint::Cam { follower: up(follower), cam: turning(0), profile: lift },
-            Joint::Pin { a: Point::body(0, [0.2, 0.0]), b: Point::body(2, [-0.1, 0.0]) },
+            PlanarJoint::Cam { follower: up(follower), cam: turning(0), profile: lift },
+            PlanarJoint::Pin { a: BodyPoint::body(0, [0.2, 0.0]), b: BodyPoint::body(2, [-0.1, 0.0]) },
         ],
         drivers: vec![
             Driver { measure: turning(0), value: 0.4, velocity: 3.0, acceleration: 1.0 },
             Driver { measure: turning(2), value: 1.0, velocity: -2.0, acceleration: 0.5 },
         ],
-        loads: vec![Load::Effort {
-            measure: Measure::Component {
+        loads: vec![PlanarLoad::Effort {
+            measure: RelativeCoordinate::Component {
                 direction: [0.0, 1.0],
-                from: Point::ground([0.0, -0.1]),
+                from: BodyPoint::ground([0.0, -0.1]),
                 to: follower,
             },
             effort: Effort::Gas { area: 1e-3, pressure: 2e5, column: 0.1, exponent: 1.3, ambient: 1e5 },
@@ -127,7 +132,7 @@ fn a_sweep_ends_at_the_limit_that_following_finds() {
     let (system, drawn) = crank_rocker([0.0, 0.0]);
     let mut mechanism = system.mechanism().clone();
     mechanism.drivers[0] = Driver {
-        measure: Measure::Angle { of: Some(2), against: None },
+        measure: RelativeCoordinate::Angle { of: Some(2), against: None },
         value: drawn[2][2],
         velocity: 1.0,
         acceleration: 0.0,
@@ -154,7 +159,7 @@ fn a_sweep_ends_at_the_limit_that_following_finds() {
 fn redundant_joints_and_friction_are_swept_the_general_way() {
     let (system, drawn) = driven_slider([10.0, 0.0]);
     let mut mechanism = system.mechanism().clone();
-    mechanism.loads.push(Load::Friction { joint: 3, coefficient: 0.1, radius: 0.0 });
+    mechanism.loads.push(PlanarLoad::Friction { joint: 3, coefficient: 0.1, radius: 0.0 });
     let rough = found(Model::new(&mechanism, &drawn));
     let mut swept = SweepResult::default();
     found(found(rough.sweep(&drawn, 0)).over(&turn(0.4, 80), &mut swept));

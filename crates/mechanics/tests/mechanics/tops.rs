@@ -27,7 +27,7 @@ fn integrated(inertia: [f64; 3], start: [f64; 3], times: &[f64]) -> Vec<(Vector3
         dy[..3].copy_from_slice(rate.as_slice());
         dy[3..].copy_from_slice(&[turn.w, turn.i, turn.j, turn.k]);
     };
-    let mut problem = ode::Function { rates, relative: 1e-13, absolute: 1e-13 };
+    let mut problem = ode::OdeFunction { rates, relative: 1e-13, absolute: 1e-13 };
     let state = [start[0], start[1], start[2], 1.0, 0.0, 0.0, 0.0];
     found(ode::states(&mut problem, &state, times, 10_000_000))
         .into_iter()
@@ -176,7 +176,7 @@ fn a_top_moves_as_its_equations_say() {
             dy[2] = phi_rate;
             dy[3] = axial_velocity - phi_rate * cos;
         };
-        let mut problem = ode::Function { rates, relative: 1e-13, absolute: 1e-13 };
+        let mut problem = ode::OdeFunction { rates, relative: 1e-13, absolute: 1e-13 };
         let times = [0.0, 0.05, 0.4, 1.0];
         let states = found(ode::states(&mut problem, &[theta, theta_rate, 0.0, 0.0], &times, 1_000_000));
         let motion = found(body.released(theta, theta_rate, phi_rate, axial_velocity));

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use super::{Integrator, Problem};
+use super::{Integrator, OdeSystem};
 use crate::roots;
 
 /// The places of a step between which a change of sign is searched for, in parts of it: just before its end too, since
@@ -16,7 +16,7 @@ const RISES: i32 = 24;
 impl Integrator {
     /// Time of the first sign change, within the last step, of a function of time and state; a zero at the start of the
     /// step does not count.
-    pub fn first_zero<P: Problem>(
+    pub fn first_zero<P: OdeSystem>(
         &mut self,
         problem: &mut P,
         mut number: impl FnMut(&mut P, f64, &[f64]) -> f64,
@@ -41,7 +41,7 @@ impl Integrator {
     /// Time and index of the first of several functions of time and state that falls through zero in the last step. A
     /// number that is not above `noise` at the begin has to rise above it before; one that falls below −`noise`
     /// without, has fallen at the begin.
-    pub fn first_fall<P: Problem>(
+    pub fn first_fall<P: OdeSystem>(
         &mut self,
         problem: &mut P,
         noise: f64,

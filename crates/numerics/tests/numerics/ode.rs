@@ -3,20 +3,20 @@
 use itertools::Itertools as _;
 use std::f64::consts::TAU;
 
-use dalembert_numerics::ode::{Function, Integrator, OdeError, Problem, states};
+use dalembert_numerics::ode::{Integrator, OdeError, OdeFunction, OdeSystem, states};
 
 use crate::close::{close, found};
 
 /// `ẍ = −x` from (1, 0): (cos t, −sin t).
-fn oscillator(tolerance: f64) -> Function<impl FnMut(f64, &[f64], &mut [f64])> {
+fn oscillator(tolerance: f64) -> OdeFunction<impl FnMut(f64, &[f64], &mut [f64])> {
     let rates = |_: f64, y: &[f64], rates: &mut [f64]| (rates[0], rates[1]) = (y[1], -y[0]);
-    Function { rates, relative: 0.0, absolute: tolerance }
+    OdeFunction { rates, relative: 0.0, absolute: tolerance }
 }
 
 /// Steps of a given length, whatever their error.
 struct Fixed;
 
-impl Problem for Fixed {
+impl OdeSystem for Fixed {
     fn rates(&mut self, _: f64, y: &[f64], rates: &mut [f64]) {
         (rates[0], rates[1]) = (y[1], -y[0]);
     }
@@ -87,7 +87,7 @@ fn a_stiff_motion_is_followed_as_long_as_there_are_steps() {
     const LAMBDA: f64 = 1e4;
     let rates = |t: f64, y: &[f64], rates: &mut [f64]| rates[0] = -LAMBDA * (y[0] - t.cos());
     for tolerance in [1e-6, 1e-8, 1e-10] {
-        let mut problem = Function { rates, relative: 0.0, absolute: tolerance };
+        let mut problem = OdeFunction { rates, relative: 0.0, absolute: tolerance };
         let states = found(states(&mut problem, &[0.0], &[0.0, 10.0], 100_000));
         let exact = (LAMBDA * LAMBDA * 10f64.cos() + LAMBDA * 10f64.sin()) / (LAMBDA * LAMBDA + 1.0);
         assert!((states[1][0] - exact).abs() < 30.0 * tolerance, "{:e}", states[1][0] - exact);
@@ -97,13 +97,13 @@ fn a_stiff_motion_is_followed_as_long_as_there_are_steps() {
 #[test]
 fn what_cannot_go_on_is_named() {
     let blow_up = |_: f64, y: &[f64], rates: &mut [f64]| rates[0] = y[0] * y[0];
-    let mut problem = Function { rates: blow_up, relative: 1e-8, absolute: 1e-8 };
+    let mut problem = OdeFunction { rates: blow_up, relative: 1e-8, absolute: 1e-8 };
     assert!(matches!(
         states(&mut problem, &[1.0], &[0.0, 2.0], 10_000),
         Err(OdeError::TooShort { at } | OdeError::NotFinite { at }) if (at - 1.0).abs() < 1e-3
     ));
     let stiff = |_: f64, y: &[f64], rates: &mut [f64]| rates[0] = -1e7 * (y[0] - 1.0);
-    let mut problem = Function { rates: stiff, relative: 1e-6, absolute: 1e-6 };
+    let mut problem = OdeFunction { rates: stiff, relative: 1e-6, absolute: 1e-6 };
     assert!(matches!(states(&mut problem, &[0.0], &[0.0, 10.0], 100_000), Err(OdeError::Stiff { .. })));
     let mut problem = oscillator(1e-10);
     assert!(matches!(

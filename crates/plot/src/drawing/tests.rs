@@ -1,4 +1,4 @@
-use dalembert_core::{Ink, Side};
+use dalembert_core::{Ink, LabelSide};
 
 use super::*;
 
@@ -6,7 +6,7 @@ fn drawing(shapes: Vec<DrawnShape>) -> Drawing {
     Drawing { title: "title".into(), shapes }
 }
 
-fn drawn(drawing: &Drawing, look: &Look, width: u16, height: u16) -> Vec<String> {
+fn drawn(drawing: &Drawing, look: &Appearance, width: u16, height: u16) -> Vec<String> {
     let area = Rect::new(0, 0, width, height);
     let mut buffer = Buffer::empty(area);
     render(drawing, look, &Locale::english(), area, &mut buffer);
@@ -17,8 +17,8 @@ fn drawn(drawing: &Drawing, look: &Look, width: u16, height: u16) -> Vec<String>
 fn a_circle_is_round() {
     // Rows are twice as high as columns are wide, so twice as many columns as rows hold a circle.
     let circle = drawing(vec![DrawnShape::Circle((3.0, -2.0), 5.0, Ink::Body)]);
-    let ascii = Look { ascii: true, ..Look::default() };
-    for look in [Look::default(), ascii] {
+    let ascii = Appearance { ascii: true, ..Appearance::default() };
+    for look in [Appearance::default(), ascii] {
         let rows = drawn(&circle, &look, 200, 81);
         let high = rows[1..].iter().filter(|row| !row.trim().is_empty()).count();
         let columns =
@@ -32,9 +32,9 @@ fn a_circle_is_round() {
 fn a_drawing_stands_upright_and_the_right_way_round() {
     let shapes = vec![
         DrawnShape::Polyline(vec![(0.0, 0.0), (10.0, 0.0), (10.0, 4.0)], Ink::Body),
-        DrawnShape::Label((0.0, 4.0), Side::Right, "up".into()),
+        DrawnShape::Label((0.0, 4.0), LabelSide::Right, "up".into()),
     ];
-    let rows = drawn(&drawing(shapes), &Look { ascii: true, ..Look::default() }, 40, 12);
+    let rows = drawn(&drawing(shapes), &Appearance { ascii: true, ..Appearance::default() }, 40, 12);
     let row = |words: &str| rows.iter().position(|row| row.contains(words)).unwrap();
     assert!(row("up") < row("-----"), "{rows:#?}");
     let last = rows[row("-----")].rfind('-').unwrap();
@@ -46,7 +46,7 @@ fn a_drawing_stands_upright_and_the_right_way_round() {
 fn a_block_hides_what_lies_under_it() {
     let spring = DrawnShape::Polyline(vec![(0.0, 0.0), (10.0, 0.0)], Ink::Faint);
     let block = DrawnShape::Block((3.0, -2.0), (7.0, 2.0), Ink::Body);
-    let ascii = Look { ascii: true, ..Look::default() };
+    let ascii = Appearance { ascii: true, ..Appearance::default() };
     let middle = |shapes: Vec<DrawnShape>| drawn(&drawing(shapes), &ascii, 42, 14)[1..].join("\n");
     let over = middle(vec![spring.clone(), block.clone()]);
     let under = middle(vec![block, spring]);
@@ -57,9 +57,9 @@ fn a_block_hides_what_lies_under_it() {
 #[test]
 fn words_do_not_stand_on_one_another() {
     let labels = ["alpha", "beta", "gamma", "delta"]
-        .map(|name| DrawnShape::Label((1.0, 1.0), Side::Right, name.into()));
+        .map(|name| DrawnShape::Label((1.0, 1.0), LabelSide::Right, name.into()));
     let shapes = [DrawnShape::Circle((0.0, 0.0), 2.0, Ink::Body)].into_iter().chain(labels).collect();
-    let all = drawn(&drawing(shapes), &Look::default(), 60, 20).join("\n");
+    let all = drawn(&drawing(shapes), &Appearance::default(), 60, 20).join("\n");
     for name in ["alpha", "beta", "gamma", "delta"] {
         assert!(all.contains(name), "{name} is missing in\n{all}");
     }
@@ -69,14 +69,14 @@ fn words_do_not_stand_on_one_another() {
 fn arrows_point_where_they_point() {
     for (head, sign) in [((5.0, 0.0), '>'), ((-5.0, 0.0), '<'), ((0.0, 5.0), '^'), ((0.0, -5.0), 'v')] {
         let arrow = drawing(vec![DrawnShape::Arrow((0.0, 0.0), head, Ink::Force)]);
-        let all = drawn(&arrow, &Look { ascii: true, ..Look::default() }, 30, 12).join("");
+        let all = drawn(&arrow, &Appearance { ascii: true, ..Appearance::default() }, 30, 12).join("");
         assert_eq!(all.matches(sign).count(), 1, "{head:?}");
     }
 }
 
 #[test]
 fn a_spring_is_a_zigzag_and_ground_is_hatched_where_a_cell_is_a_dot() {
-    let ascii = Look { ascii: true, ..Look::default() };
+    let ascii = Appearance { ascii: true, ..Appearance::default() };
     let across = vec![DrawnShape::Spring((0.0, 0.0), (10.0, 0.0), 5)];
     let all = drawn(&drawing(across), &ascii, 42, 12).join("\n");
     assert!(all.contains(r"-/\/\/\/\/\/\/\/\") || all.contains(r"-\/\/\/\/\/\/\/\/"), "{all}");
@@ -102,6 +102,7 @@ fn the_smallest_circle_is_one_sign() {
         DrawnShape::Polyline(vec![(0.0, 0.0), (40.0, 0.0)], Ink::Body),
         DrawnShape::Circle((20.0, 3.0), 0.5, Ink::Body),
     ];
-    let all = drawn(&drawing(shapes), &Look { ascii: true, ..Look::default() }, 42, 12).join("\n");
+    let all =
+        drawn(&drawing(shapes), &Appearance { ascii: true, ..Appearance::default() }, 42, 12).join("\n");
     assert_eq!((all.matches('O').count(), all.matches('o').count()), (1, 0), "{all}");
 }

@@ -6,18 +6,18 @@ use super::*;
 
 #[test]
 fn what_is_left_out_is_seen_to_be() {
-    let look = Look::default();
+    let look = Appearance::default();
     assert_eq!(look.shortened("amplitude", 9), "amplitude");
     assert_eq!(look.shortened("amplitude", 5), "ampl…");
     assert_eq!(look.shortened("at this speed", 4), "at…");
     assert_eq!(look.shortened("梁の振動", 4), "梁…");
     assert_eq!(look.shortened("x", 0), "");
-    assert_eq!(Look { ascii: true, ..look }.shortened("amplitude", 5), "ampl~");
+    assert_eq!(Appearance { ascii: true, ..look }.shortened("amplitude", 5), "ampl~");
 }
 
 #[test]
 fn without_colours_nothing_is_coloured_and_still_tells_apart() {
-    let look = Look { colors: Colors::None, ..Look::default() };
+    let look = Appearance { colors: Colors::None, ..Appearance::default() };
     for style in [look.error(), look.warning(), look.answer(), look.focus(), look.key(), look.border(true)] {
         assert_eq!((style.fg, style.bg), (None, None));
         assert_ne!(style, Style::new());
@@ -80,7 +80,7 @@ fn contrast_is_that_of_the_guidelines() {
 fn every_text_of_a_theme_stands_out_from_its_ground() {
     for (theme, least) in [(Theme::Dark, 4.5), (Theme::Light, 4.5), (Theme::HighContrast, 7.0)] {
         for colors in [Colors::True, Colors::Indexed256, Colors::Sixteen] {
-            let look = Look { colors, theme, ..Look::default() };
+            let look = Appearance { colors, theme, ..Appearance::default() };
             let inks = [Ink::Body, Ink::Faint, Ink::Force, Ink::Motion, Ink::Result, Ink::Danger];
             let mut styles = vec![
                 look.title(),
@@ -115,7 +115,7 @@ fn every_text_of_a_theme_stands_out_from_its_ground() {
 #[test]
 fn a_terminal_without_colours_stays_without_them_in_every_theme() {
     for theme in Theme::ALL {
-        let look = Look { colors: Colors::None, theme, ..Look::default() };
+        let look = Appearance { colors: Colors::None, theme, ..Appearance::default() };
         let mut buffer = Buffer::empty(Rect::new(0, 0, 2, 1));
         buffer.set_string(0, 0, "x", look.error());
         let before = buffer.clone();
@@ -125,7 +125,7 @@ fn a_terminal_without_colours_stays_without_them_in_every_theme() {
 }
 
 /// The colour that is shown for a style, as a terminal of xterm's colours on black shows it.
-fn shown(look: &Look, style: Style) -> (Color, Color) {
+fn shown(look: &Appearance, style: Style) -> (Color, Color) {
     let mut buffer = Buffer::empty(Rect::new(0, 0, 1, 1));
     buffer.set_string(0, 0, "x", style);
     look.ground(&mut buffer);
@@ -138,7 +138,7 @@ fn shown(look: &Look, style: Style) -> (Color, Color) {
 fn curves_of_one_plot_are_no_shades_of_one_another() {
     for theme in [Theme::Terminal, Theme::Dark, Theme::Light, Theme::HighContrast] {
         for colors in [Colors::True, Colors::Indexed256, Colors::Sixteen] {
-            let look = Look { colors, theme, ..Look::default() };
+            let look = Appearance { colors, theme, ..Appearance::default() };
             assert!(look.curves() >= 4, "{theme:?} in {colors:?}");
             let curves: Vec<(Color, Color)> =
                 (0..look.curves()).map(|n| shown(&look, look.series(n))).collect();

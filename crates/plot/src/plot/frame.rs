@@ -9,11 +9,11 @@ use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 use unicode_width::UnicodeWidthStr;
 
 use super::{
-    Marker, State,
+    Marker, PlotState,
     dots::{Pen, per_cell},
     pen, pinned_pen, point, rows, shade,
 };
-use crate::{look::Look, wrap};
+use crate::{look::Appearance, wrap};
 
 /// Words and ticks round a canvas, each at its place.
 pub(crate) struct Frame {
@@ -44,12 +44,12 @@ struct Rows {
 pub(crate) struct Setting<'a> {
     pub(crate) area: Rect,
     pub(crate) marker: Marker,
-    pub(crate) look: &'a Look,
+    pub(crate) look: &'a Appearance,
     pub(crate) locale: &'a Locale,
 }
 
 impl Frame {
-    pub(crate) fn of(axes: &Axes, state: &State, setting: Setting) -> Self {
+    pub(crate) fn of(axes: &Axes, state: &PlotState, setting: Setting) -> Self {
         let Setting { area, marker, look, locale } = setting;
         let height = area.height;
         let from = |least: u16| u16::from(height >= least);
@@ -88,7 +88,7 @@ impl Frame {
         let above = rows.title + rows.head + rows.legend;
         let below = rows.axis + rows.labels + rows.foot + rows.readout;
         let inner = Rect { y: area.y + above, height: height.saturating_sub(above + below), ..area };
-        let (up, ticks) = rows_of(inner.height).ticked(axes.y.span, locale.style);
+        let (up, ticks) = rows_of(inner.height).with_ticks(axes.y.span, locale.style);
         let gutter = ticks.ticks.iter().map(|tick| tick.label.width()).max().unwrap_or(0) as u16 + 1;
         let gutter = if rows.axis > 0 && gutter + 8 <= area.width { gutter } else { 0 };
         let canvas = Rect { x: area.x + gutter, width: area.width - gutter, ..inner };
@@ -128,7 +128,7 @@ impl Frame {
         frame
     }
 
-    pub(crate) fn draw(&self, look: &Look, buffer: &mut Buffer) {
+    pub(crate) fn draw(&self, look: &Appearance, buffer: &mut Buffer) {
         for at in &self.grid {
             buffer[*at].set_char(if look.ascii { '.' } else { '·' }).set_style(look.dim());
         }
@@ -274,7 +274,7 @@ fn legend_rows(legend: &[Sample], area: Rect) -> u16 {
 }
 
 /// The curves by their names; empty where one curve needs no name.
-fn curves(axes: &Axes, marker: Marker, look: &Look, locale: &Locale) -> Vec<Sample> {
+fn curves(axes: &Axes, marker: Marker, look: &Appearance, locale: &Locale) -> Vec<Sample> {
     let series = &axes.plot.series;
     if series.len() < 2 && axes.pinned.is_none() {
         return Vec::new();
@@ -298,7 +298,7 @@ fn curves(axes: &Axes, marker: Marker, look: &Look, locale: &Locale) -> Vec<Samp
 }
 
 /// Meaning of the shades that there are: bands of one name by that name, others by being permitted or forbidden.
-fn shades(axes: &Axes, look: &Look, locale: &Locale) -> Vec<Sample> {
+fn shades(axes: &Axes, look: &Appearance, locale: &Locale) -> Vec<Sample> {
     let meaning = |(permitted, words): (bool, &'static str)| {
         let mut names =
             axes.plot.bands.iter().filter(|band| band.permitted == permitted).map(|band| &band.label);
@@ -311,7 +311,7 @@ fn shades(axes: &Axes, look: &Look, locale: &Locale) -> Vec<Sample> {
 }
 
 /// Parts side by side, in no more than `most` lines; the last says with an ellipsis that there are more.
-fn flow(parts: &[String], width: usize, most: usize, look: &Look) -> Vec<String> {
+fn flow(parts: &[String], width: usize, most: usize, look: &Appearance) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for part in parts {
         let full = lines.len() == most;

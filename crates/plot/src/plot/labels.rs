@@ -1,6 +1,6 @@
 //! Words beside points, none over another.
 
-use dalembert_core::Side;
+use dalembert_core::LabelSide;
 use ratatui::{buffer::Buffer, layout::Rect, style::Style};
 use unicode_width::UnicodeWidthStr;
 
@@ -98,14 +98,14 @@ impl Labels {
         words: &str,
         style: Style,
         (x, y): (u16, u16),
-        side: Side,
+        side: LabelSide,
         free: impl Fn(u16, u16) -> bool,
     ) -> bool {
         let (x, y, width) = (i32::from(x), i32::from(y), words.width() as i32);
-        let mut sides = Side::AROUND;
+        let mut sides = LabelSide::AROUND;
         sides.sort_by_key(|other| side.turn_to(*other));
         let mut places = Vec::new();
-        if side == Side::Over {
+        if side == LabelSide::Over {
             places.push(((x - width / 2, y), 0));
         }
         for other in sides {

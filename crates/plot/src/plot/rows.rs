@@ -23,7 +23,7 @@ pub(super) struct Rows {
 impl Rows {
     /// The span, as little wider as it may be, from the middle of its lowest dot to that of its highest, with its
     /// ticks. One that no wider span helps (its ends are the largest numbers there are) stays as it is.
-    pub(super) fn ticked(self, span: Span, style: Style) -> (Span, Ticks) {
+    pub(super) fn with_ticks(self, span: Span, style: Style) -> (Span, Ticks) {
         self.wider(span, style).unwrap_or_else(|| {
             let ticks =
                 span.ticks_that_fit(self.most(), style, |ticks| self.are_apart(&self.rows_of(&span, ticks)));
@@ -220,7 +220,7 @@ mod tests {
     #[test]
     fn the_middle_of_a_row_with_a_label_is_what_it_says() {
         for (rows, span) in cases() {
-            let (wider, ticks) = rows.ticked(span, Style::default());
+            let (wider, ticks) = rows.with_ticks(span, Style::default());
             let inside = |value: f64| (-1e-9..=1.0 + 1e-9).contains(&wider.place(value).unwrap());
             assert!(inside(span.from) && inside(span.to), "{rows:?} {span:?} {wider:?}");
             let quarter = 0.25 / rows.all();
@@ -240,7 +240,7 @@ mod tests {
     #[test]
     fn equal_steps_are_equal_numbers_of_rows() {
         for (rows, span) in cases().filter(|(_, span)| span.scale == Scale::Linear) {
-            let (wider, ticks) = rows.ticked(span, Style::default());
+            let (wider, ticks) = rows.with_ticks(span, Style::default());
             let steps: Vec<f64> =
                 rows.rows_of(&wider, &ticks).windows(2).map(|pair| pair[1] - pair[0]).collect();
             for step in &steps {
@@ -253,7 +253,7 @@ mod tests {
     #[test]
     fn most_rows_are_used_and_more_than_one_is_labelled() {
         for (rows, span) in cases().filter(|(rows, _)| rows.rows >= 8) {
-            let (wider, ticks) = rows.ticked(span, Style::default());
+            let (wider, ticks) = rows.with_ticks(span, Style::default());
             let used = wider.place(span.to).unwrap() - wider.place(span.from).unwrap();
             assert!(used > 0.5, "{used}: {rows:?} {span:?} {wider:?}");
             assert!(labelled(&ticks).count() >= 2, "{rows:?} {span:?} {wider:?}");

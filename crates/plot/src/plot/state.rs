@@ -1,25 +1,25 @@
 //! Settings of a user on a plot: cursor, marks, the part that is shown, how values are spread.
 
 use dalembert_core::{Plot, Scale};
-use dalembert_report::figure::axes::{Axes, Spread, View, has_logarithms, has_logarithms_across};
+use dalembert_report::figure::axes::{Axes, PlotWindow, Spread, has_logarithms, has_logarithms_across};
 
 use super::Marker;
 
 /// Settings of a user on a plot.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct State {
+pub struct PlotState {
     /// Place of the cursor: a value of `x` in SI. One beyond the axis is shown at its end.
     pub cursor: Option<f64>,
     /// Marks that curves are drawn with.
     pub marker: Marker,
     /// The part that is shown.
-    pub view: View,
+    pub view: PlotWindow,
 }
 
 /// The least part of an axis that is worth a look.
 const LEAST: f64 = 1e-6;
 
-impl State {
+impl PlotState {
     /// The cursor moved by a share of the axis (0.01 to the right, −0.1 to the left), to a computed point or a
     /// mark, and at least to the next one; what is shown follows it. A plot without a cursor gets one: at its first
     /// mark, else in its middle.
@@ -50,7 +50,7 @@ impl State {
 
     /// The cursor at the computed point or mark nearest to a place of the axis, from 0 to 1.
     #[must_use]
-    pub fn pointed(self, plot: &Plot, place: f64) -> Self {
+    pub fn with_pointer(self, plot: &Plot, place: f64) -> Self {
         let Some(axes) = Axes::seen(plot, None, &self.view) else { return self };
         let place = place.clamp(0.0, 1.0);
         let nearest =
@@ -117,7 +117,7 @@ impl State {
             Spread::Log => Spread::Decibel,
             Spread::Decibel => Spread::Linear,
         };
-        Ok(Self { view: View { spread: Some(spread), ..self.view }, ..self })
+        Ok(Self { view: PlotWindow { spread: Some(spread), ..self.view }, ..self })
     }
 
     /// The horizontal axis linear where it is logarithmic, and the other way round; or why it cannot be.
@@ -133,13 +133,13 @@ impl State {
             Scale::Linear => Scale::Log,
             Scale::Log => Scale::Linear,
         };
-        Ok(Self { view: View { across: Some(across), ..self.view }, ..self })
+        Ok(Self { view: PlotWindow { across: Some(across), ..self.view }, ..self })
     }
 
     /// The same with that part of `x`, in SI; with all of it for `None`.
     #[must_use]
     pub fn windowed(self, window: Option<(f64, f64)>) -> Self {
-        Self { view: View { window, ..self.view }, ..self }
+        Self { view: PlotWindow { window, ..self.view }, ..self }
     }
 
     /// From one place of the axis, as it is shown, to another: no further than the data reach.

@@ -5,7 +5,8 @@ use ratatui::style::Color;
 use super::*;
 use crate::look::Theme;
 
-const BARE: Look = Look { ascii: false, colors: Colors::None, theme: Theme::Terminal, basic: false };
+const BARE: Appearance =
+    Appearance { ascii: false, colors: Colors::None, theme: Theme::Terminal, basic: false };
 
 /// Straight lines through the origin, the steepest last.
 fn lines(count: usize) -> Plot {
@@ -16,7 +17,7 @@ fn lines(count: usize) -> Plot {
     Plot::new("", Axis::linear("x", ""), Axis::linear("y", ""), (0..count).map(line).collect())
 }
 
-fn buffer(plot: &Plot, state: &State, look: &Look, (width, height): (u16, u16)) -> Buffer {
+fn buffer(plot: &Plot, state: &PlotState, look: &Appearance, (width, height): (u16, u16)) -> Buffer {
     let area = Rect::new(0, 0, width, height);
     let mut buffer = Buffer::empty(area);
     render(plot, None, state, look, &Locale::english(), area, &mut buffer);
@@ -31,9 +32,9 @@ fn rows(buffer: &Buffer) -> Vec<String> {
 #[test]
 fn no_two_of_eight_curves_look_alike() {
     let looks = Theme::ALL.into_iter().flat_map(|theme| {
-        [Colors::None, Colors::Sixteen, Colors::Indexed256, Colors::True]
-            .into_iter()
-            .flat_map(move |colors| [true, false].map(|ascii| Look { ascii, colors, theme, basic: false }))
+        [Colors::None, Colors::Sixteen, Colors::Indexed256, Colors::True].into_iter().flat_map(
+            move |colors| [true, false].map(|ascii| Appearance { ascii, colors, theme, basic: false }),
+        )
     });
     for look in looks {
         for marker in [Marker::Braille, Marker::HalfBlock, Marker::Dot, Marker::Ascii] {
@@ -54,7 +55,7 @@ fn no_two_of_eight_curves_look_alike() {
 
 #[test]
 fn without_colours_the_legend_shows_the_signs_of_the_curves() {
-    let buffer = buffer(&lines(5), &State::default(), &BARE, (70, 24));
+    let buffer = buffer(&lines(5), &PlotState::default(), &BARE, (70, 24));
     let all = rows(&buffer);
     assert!(all[0..3].join(" ").contains("── curve 1  ─◆─ curve 2  ─▲─ curve 3  ─■─ curve 4"), "{all:#?}");
     let curves = all[4..20].join("\n");
@@ -66,7 +67,7 @@ fn without_colours_the_legend_shows_the_signs_of_the_curves() {
 #[test]
 fn a_mark_and_its_words_have_a_colour_of_their_own_and_stand_together() {
     let plot = lines(4).mark("answer", (50.0, 0.5));
-    let buffer = buffer(&plot, &State::default(), &Look::default(), (70, 24));
+    let buffer = buffer(&plot, &PlotState::default(), &Appearance::default(), (70, 24));
     let find = |sign: &str| {
         let cells = (0..24).flat_map(|y| (0..70).map(move |x| (x, y)));
         cells.into_iter().find(|at| buffer[*at].symbol() == sign)
@@ -84,10 +85,10 @@ fn a_mark_and_its_words_have_a_colour_of_their_own_and_stand_together() {
 
 #[test]
 fn every_marker_makes_another_picture() {
-    let mut state = State::default();
+    let mut state = PlotState::default();
     let mut seen: Vec<Vec<String>> = Vec::new();
     for _ in 0..4 {
-        let drawn = rows(&buffer(&lines(2), &state, &Look::default(), (60, 16)));
+        let drawn = rows(&buffer(&lines(2), &state, &Appearance::default(), (60, 16)));
         assert!(!seen.contains(&drawn), "{drawn:#?}");
         seen.push(drawn);
         state = state.next_marker();
@@ -96,8 +97,8 @@ fn every_marker_makes_another_picture() {
 
 #[test]
 fn the_cursor_reads_every_curve_of_a_pane_of_half_a_screen() {
-    let state = State { cursor: Some(50.0), ..State::default() };
-    let all = rows(&buffer(&lines(6), &state, &Look::default(), (38, 19)));
+    let state = PlotState { cursor: Some(50.0), ..PlotState::default() };
+    let all = rows(&buffer(&lines(6), &state, &Appearance::default(), (38, 19)));
     for n in 1..=6 {
         let reading = format!(
             "curve {n} = {}",
@@ -115,7 +116,7 @@ fn a_reading_between_points_has_no_digit_that_they_do_not_give() {
             .mark("off the curve", (5.05, 3.0))
     };
     let read = |step: f64| {
-        let state = State { cursor: Some(5.05), ..State::default() };
+        let state = PlotState { cursor: Some(5.05), ..PlotState::default() };
         readout(&parabola(step), &state, &Locale::english()).expect("there is a cursor")
     };
     // 1 + 5.05² = 26.5025. A chord lies h²/4 above the middle of a parabola x²: 0.0025 for points 0.1 apart.
@@ -124,7 +125,7 @@ fn a_reading_between_points_has_no_digit_that_they_do_not_give() {
     assert!(read(2.0).ends_with("y ≈ 30"), "{}", read(2.0));
     // A mark that lies on the curve, as closely as its points tell, is a point of it.
     let on = parabola(0.1).mark("on the curve", (5.05, 26.5025));
-    let state = State { cursor: Some(5.05), ..State::default() };
+    let state = PlotState { cursor: Some(5.05), ..PlotState::default() };
     let said = readout(&on, &state, &Locale::english()).expect("there is a cursor");
     assert!(said.contains("on the curve = 26.503") && said.ends_with("y = 26.503"), "{said}");
 }
@@ -140,16 +141,20 @@ fn marks_ticks_and_curves_tell_the_same_values() {
                 if log {
                     plot.y.scale = dalembert_core::Scale::Log;
                 }
-                let state = State { marker, ..State::default() };
-                let labels = rows(&buffer(&plot, &state, &Look::default(), (60, height)));
+                let state = PlotState { marker, ..PlotState::default() };
+                let labels = rows(&buffer(&plot, &state, &Appearance::default(), (60, height)));
                 for (row, at) in labels.iter().enumerate().filter_map(|(row, line)| {
                     let label = line.split_once('┤')?.0.trim().replace('−', "-");
                     Some((row, label.parse::<f64>().ok().filter(|at| (from..=to).contains(at))?))
                 }) {
                     let level = Series::line("level", vec![(0.0, at), (1.0, at)]);
                     let marked = Plot { series: vec![level, plot.series[0].clone()], ..plot.clone() };
-                    let drawn =
-                        rows(&buffer(&marked.mark("", (0.7, at)), &state, &Look::default(), (60, height)));
+                    let drawn = rows(&buffer(
+                        &marked.mark("", (0.7, at)),
+                        &state,
+                        &Appearance::default(),
+                        (60, height),
+                    ));
                     assert!(drawn[row].contains('●'), "{at} in\n{drawn:#?}");
                     assert!(
                         !drawn[row].ends_with('┤') && drawn[row].chars().count() > 50,

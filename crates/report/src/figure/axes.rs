@@ -36,7 +36,7 @@ pub struct Ruler<'a> {
 
 /// Reading of a curve at the cursor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reading {
+pub struct CurveReading {
     /// The value, in SI.
     pub y: f64,
     /// Error bound of the reading, in the unit of the axis; `None` for a computed point.
@@ -45,7 +45,7 @@ pub struct Reading {
 
 /// Visible part of a plot.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct View {
+pub struct PlotWindow {
     /// The part of `x`, in SI; `None` for all of it.
     pub window: Option<(f64, f64)>,
     /// Vertical scale, `None` for that of the plot.
@@ -65,7 +65,7 @@ pub enum Spread {
     Decibel,
 }
 
-impl View {
+impl PlotWindow {
     /// Vertical scale of a plot: the requested one if the values permit it, else that of the plot.
     pub fn spread_of(&self, plot: &Plot) -> Spread {
         let own = if plot.y.scale == Scale::Log { Spread::Log } else { Spread::Linear };
@@ -100,11 +100,11 @@ pub fn has_logarithms_across(plot: &Plot) -> bool {
 impl<'a> Axes<'a> {
     /// `None` where there is nothing to draw.
     pub fn of(plot: &'a Plot) -> Option<Self> {
-        Self::seen(plot, None, &View::default())
+        Self::seen(plot, None, &PlotWindow::default())
     }
 
     /// The same for a part of it, with the curves of a pinned plot in sight.
-    pub fn seen(plot: &'a Plot, pinned: Option<&'a Plot>, view: &View) -> Option<Self> {
+    pub fn seen(plot: &'a Plot, pinned: Option<&'a Plot>, view: &PlotWindow) -> Option<Self> {
         let (spread, x_scale) = (view.spread_of(plot), view.scale_across(plot));
         let (across, up) =
             (Ruler::of_axis(&plot.x, false), Ruler::of_axis(&plot.y, spread == Spread::Decibel));
@@ -165,10 +165,10 @@ impl<'a> Axes<'a> {
     /// no better than the curve bends there: parabolas through a third point on either side tell how much. A mark at
     /// `x` that is no further off is one of the curve, and is read itself, so that no answer is contradicted. Separate
     /// points are read at themselves alone.
-    pub fn read(&self, series: &Series, x: f64) -> Option<Reading> {
+    pub fn read(&self, series: &Series, x: f64) -> Option<CurveReading> {
         let place = |at: &(f64, f64)| Some((self.x.of(at.0)?, self.y.of(at.1)?));
         if let Some(at) = series.points.iter().find(|at| at.0 == x && place(at).is_some()) {
-            return Some(Reading { y: at.1, error: None });
+            return Some(CurveReading { y: at.1, error: None });
         }
         if !series.joined {
             return None;
@@ -196,7 +196,7 @@ impl<'a> Axes<'a> {
         let off = |mark: &f64| (self.y.value(*mark) - self.y.value(y)).abs();
         let marks = self.plot.marks.iter().filter(|mark| mark.at.0 == x).map(|mark| mark.at.1);
         let mark = marks.min_by(|a, b| off(a).total_cmp(&off(b))).filter(|mark| off(mark) <= error);
-        Some(mark.map_or(Reading { y, error: Some(error) }, |y| Reading { y, error: None }))
+        Some(mark.map_or(CurveReading { y, error: Some(error) }, |y| CurveReading { y, error: None }))
     }
 
     /// `speed = 1500 rpm`, `X = 4.62 mm`, … and the marks at the cursor.
@@ -204,7 +204,7 @@ impl<'a> Axes<'a> {
         let Some(x) = self.within(cursor) else { return Vec::new() };
         let label = self.x.axis.label.render(locale);
         let mut parts = vec![format!("{label} = {}", self.x.write(x, locale.style))];
-        let mut found = |label: String, Reading { y, error }: Reading| {
+        let mut found = |label: String, CurveReading { y, error }: CurveReading| {
             let sign = match (error.is_none(), locale.style.ascii) {
                 (true, _) => "=",
                 (false, false) => "≈",
@@ -221,7 +221,7 @@ impl<'a> Axes<'a> {
             });
         };
         for mark in self.plot.marks.iter().filter(|mark| mark.at.0 == x && self.y.of(mark.at.1).is_some()) {
-            found(mark.label.render(locale), Reading { y: mark.at.1, error: None });
+            found(mark.label.render(locale), CurveReading { y: mark.at.1, error: None });
         }
         for series in &self.plot.series {
             if let Some(reading) = self.read(series, x) {

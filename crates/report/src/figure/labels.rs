@@ -1,9 +1,9 @@
 //! Words beside points of a picture: none over another, and over as little else as possible.
 
-use dalembert_core::Side;
+use dalembert_core::LabelSide;
 use unicode_width::UnicodeWidthStr;
 
-use super::picture::{Anchor, Part, Tone, WORDS};
+use super::picture::{Anchor, PictureElement, Tone, WORDS};
 
 /// The width of words, about.
 pub(super) fn width(text: &str) -> f64 {
@@ -17,7 +17,7 @@ pub(super) struct Labels {
     ink: Vec<(f64, f64)>,
     placed: Vec<(f64, f64, f64, f64)>,
     /// The words at their places.
-    pub(super) parts: Vec<Part>,
+    pub(super) parts: Vec<PictureElement>,
 }
 
 impl Labels {
@@ -51,13 +51,13 @@ impl Labels {
     }
 
     /// Words at a side of a point, farther out where they would cover something, or at the nearest side where they do not.
-    pub(super) fn at_side(&mut self, text: &str, tone: Tone, (x, y): (f64, f64), side: Side) {
+    pub(super) fn at_side(&mut self, text: &str, tone: Tone, (x, y): (f64, f64), side: LabelSide) {
         let long = width(text);
         let level = y + 0.35 * WORDS;
-        let mut sides = Side::AROUND;
+        let mut sides = LabelSide::AROUND;
         sides.sort_by_key(|other| side.turn_to(*other));
         let mut places = Vec::new();
-        if side == Side::Over {
+        if side == LabelSide::Over {
             places.push(((x - long / 2.0, level), 0));
         }
         for other in sides {
@@ -99,7 +99,7 @@ impl Labels {
             .reduce(|best, next| if next.0 < best.0 { next } else { best });
         if let Some((_, at)) = best.filter(|_| !text.is_empty()) {
             self.placed.push(box_of(at, long));
-            self.parts.push(Part::Words { at, anchor: Anchor::Start, text: text.to_owned(), tone });
+            self.parts.push(PictureElement::Words { at, anchor: Anchor::Start, text: text.to_owned(), tone });
         }
     }
 

@@ -18,12 +18,12 @@ pub struct Picture {
     /// Height.
     pub height: f64,
     /// Parts, later ones over earlier ones.
-    pub parts: Vec<Part>,
+    pub parts: Vec<PictureElement>,
 }
 
 /// A part of a picture.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Part {
+pub enum PictureElement {
     /// Straight lines from point to point.
     Line {
         /// The points.
@@ -173,11 +173,11 @@ pub fn tikz_colours() -> String {
     CURVES.iter().enumerate().map(colour).collect()
 }
 
-fn svg(part: &Part) -> String {
+fn svg(part: &PictureElement) -> String {
     let paint = |tone: &Tone| tone.rgb().map_or_else(|| "currentColor".to_owned(), |rgb| format!("#{rgb}"));
     let faint = |tone: &Tone| if *tone == Tone::Faint { " opacity=\"0.35\"" } else { "" };
     match part {
-        Part::Line { points, tone, width, dash } => {
+        PictureElement::Line { points, tone, width, dash } => {
             let dash = match dash.lengths() {
                 [] => String::new(),
                 lengths => {
@@ -196,7 +196,7 @@ fn svg(part: &Part) -> String {
                 faint(tone)
             )
         }
-        Part::Disc { at, radius, tone } => format!(
+        PictureElement::Disc { at, radius, tone } => format!(
             "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\"{}/>",
             short(at.0),
             short(at.1),
@@ -204,7 +204,7 @@ fn svg(part: &Part) -> String {
             paint(tone),
             faint(tone)
         ),
-        Part::Area { from, to, tone } => format!(
+        PictureElement::Area { from, to, tone } => format!(
             "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" opacity=\"0.15\"/>",
             short(from.0),
             short(from.1),
@@ -212,7 +212,7 @@ fn svg(part: &Part) -> String {
             short(to.1 - from.1),
             paint(tone)
         ),
-        Part::Words { at, anchor, text, tone } => {
+        PictureElement::Words { at, anchor, text, tone } => {
             let anchor = match anchor {
                 Anchor::Start => "",
                 Anchor::Middle => " text-anchor=\"middle\"",
@@ -229,7 +229,7 @@ fn svg(part: &Part) -> String {
     }
 }
 
-fn tikz(part: &Part, set: &impl Fn(&str) -> String) -> String {
+fn tikz(part: &PictureElement, set: &impl Fn(&str) -> String) -> String {
     let paint = |tone: &Tone| match tone {
         Tone::Ink => "black".to_owned(),
         Tone::Faint => "black!35".to_owned(),
@@ -239,7 +239,7 @@ fn tikz(part: &Part, set: &impl Fn(&str) -> String) -> String {
     };
     let place = |(x, y): &(f64, f64)| format!("({},{})", short(*x), short(*y));
     match part {
-        Part::Line { points, tone, width, dash } => {
+        PictureElement::Line { points, tone, width, dash } => {
             let dash = match dash.lengths() {
                 [] => String::new(),
                 lengths => {
@@ -264,13 +264,13 @@ fn tikz(part: &Part, set: &impl Fn(&str) -> String) -> String {
             }
             format!("\\draw[{},line width={}bp{dash}]{path};", paint(tone), short(0.6 * width))
         }
-        Part::Disc { at, radius, tone } => {
+        PictureElement::Disc { at, radius, tone } => {
             format!("\\fill[{}] {} circle[radius={}bp];", paint(tone), place(at), short(0.6 * radius))
         }
-        Part::Area { from, to, tone } => {
+        PictureElement::Area { from, to, tone } => {
             format!("\\fill[{},opacity=0.15] {} rectangle {};", paint(tone), place(from), place(to))
         }
-        Part::Words { at, anchor, text, tone } => {
+        PictureElement::Words { at, anchor, text, tone } => {
             let anchor = match anchor {
                 Anchor::Start => "base west",
                 Anchor::Middle => "base",

@@ -6,7 +6,7 @@ use super::{
     Seen,
     axes::Axes,
     labels::{Labels, width},
-    picture::{Anchor, LineStyle, Part, Picture, Tone, WORDS},
+    picture::{Anchor, LineStyle, Picture, PictureElement, Tone, WORDS},
     ticks::{Tick, Ticks},
 };
 
@@ -46,7 +46,7 @@ pub(super) fn picture(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<P
     for mark in &plot.marks {
         if let Some(at) = area.inside(mark.at) {
             labels.avoid(&[at]);
-            parts.push(Part::Disc { at, radius: 4.0, tone: Tone::Ink });
+            parts.push(PictureElement::Disc { at, radius: 4.0, tone: Tone::Ink });
         }
     }
     for mark in &plot.marks {
@@ -56,7 +56,7 @@ pub(super) fn picture(plot: &Plot, seen: &Seen<'_>, locale: &Locale) -> Option<P
     }
     area.band_names(locale, &mut labels);
     parts.append(&mut labels.parts);
-    let words = |at, anchor, text| Part::Words { at, anchor, text, tone: Tone::Ink };
+    let words = |at, anchor, text| PictureElement::Words { at, anchor, text, tone: Tone::Ink };
     parts.push(words((12.0, LINE - 4.0), Anchor::Start, axes.y.title(up.ten, locale)));
     parts.extend(legend.parts);
     let foot = (f64::midpoint(left, right), area.bottom + 2.0 * LINE);
@@ -104,15 +104,15 @@ impl Area<'_> {
     }
 
     /// A line down the plot, with a point on every curve it reads; and what it reads, in lines.
-    fn cursor(&self, cursor: f64, locale: &Locale, parts: &mut Vec<Part>) -> Vec<String> {
+    fn cursor(&self, cursor: f64, locale: &Locale, parts: &mut Vec<PictureElement>) -> Vec<String> {
         let Some(x) = self.axes.within(cursor) else { return Vec::new() };
         if let Some(place) = self.axes.x.of(x) {
             let points = vec![(self.x(place), self.top), (self.x(place), self.bottom)];
-            parts.push(Part::Line { points, tone: Tone::Ink, width: 1.0, dash: LineStyle::Solid });
+            parts.push(PictureElement::Line { points, tone: Tone::Ink, width: 1.0, dash: LineStyle::Solid });
         }
         for (n, series) in self.axes.plot.series.iter().enumerate() {
             let at = self.axes.read(series, x).and_then(|reading| self.inside((x, reading.y)));
-            parts.extend(at.map(|at| Part::Disc { at, radius: 3.5, tone: Tone::Curve(n) }));
+            parts.extend(at.map(|at| PictureElement::Disc { at, radius: 3.5, tone: Tone::Curve(n) }));
         }
         let mut lines: Vec<String> = Vec::new();
         for part in self.axes.readout(cursor, locale) {
@@ -126,9 +126,9 @@ impl Area<'_> {
         lines
     }
 
-    fn grid(&self, across: &[Tick], up: &[Tick], parts: &mut Vec<Part>) {
+    fn grid(&self, across: &[Tick], up: &[Tick], parts: &mut Vec<PictureElement>) {
         let mut line = |from, to, tone, width| {
-            parts.push(Part::Line { points: vec![from, to], tone, width, dash: LineStyle::Solid });
+            parts.push(PictureElement::Line { points: vec![from, to], tone, width, dash: LineStyle::Solid });
         };
         let mut words = Vec::new();
         for tick in across {
@@ -136,14 +136,24 @@ impl Area<'_> {
             let named = !tick.label.is_empty();
             line((x, self.top), (x, self.bottom), Tone::Faint, if named { 0.8 } else { 0.3 });
             let at = (x, self.bottom + LINE);
-            words.push(Part::Words { at, anchor: Anchor::Middle, text: tick.label.clone(), tone: Tone::Ink });
+            words.push(PictureElement::Words {
+                at,
+                anchor: Anchor::Middle,
+                text: tick.label.clone(),
+                tone: Tone::Ink,
+            });
         }
         for tick in up {
             let Some(y) = self.axes.y.span.place(tick.at).map(|place| self.y(place)) else { continue };
             let named = !tick.label.is_empty();
             line((self.left, y), (self.right, y), Tone::Faint, if named { 0.8 } else { 0.3 });
             let at = (self.left - 6.0, y + 0.35 * WORDS);
-            words.push(Part::Words { at, anchor: Anchor::End, text: tick.label.clone(), tone: Tone::Ink });
+            words.push(PictureElement::Words {
+                at,
+                anchor: Anchor::End,
+                text: tick.label.clone(),
+                tone: Tone::Ink,
+            });
         }
         if self.axes.y.passes_zero()
             && let Some(place) = self.axes.y.of(0.0)
@@ -155,7 +165,9 @@ impl Area<'_> {
             line(from, to, Tone::Ink, 1.2);
         }
         parts.extend(
-            words.into_iter().filter(|part| !matches!(part, Part::Words { text, .. } if text.is_empty())),
+            words
+                .into_iter()
+                .filter(|part| !matches!(part, PictureElement::Words { text, .. } if text.is_empty())),
         );
     }
 
@@ -165,12 +177,12 @@ impl Area<'_> {
         dash: LineStyle,
         series: &Series,
         labels: &mut Labels,
-        parts: &mut Vec<Part>,
+        parts: &mut Vec<PictureElement>,
     ) {
         if !series.joined {
             for at in series.points.iter().filter_map(|at| self.inside(*at)) {
                 labels.avoid(&[at]);
-                parts.push(Part::Disc { at, radius: 2.5, tone });
+                parts.push(PictureElement::Disc { at, radius: 2.5, tone });
             }
             return;
         }
@@ -180,16 +192,16 @@ impl Area<'_> {
             for points in pieces(&points, &self.corners()) {
                 if points.len() > 1 {
                     labels.avoid(&points);
-                    parts.push(Part::Line { points, tone, width: 1.8, dash });
+                    parts.push(PictureElement::Line { points, tone, width: 1.8, dash });
                 } else if let [at] = points[..] {
-                    parts.push(Part::Disc { at, radius: 1.8, tone });
+                    parts.push(PictureElement::Disc { at, radius: 1.8, tone });
                 }
             }
         }
     }
 
     /// Lines across, named at their right end; a level beyond the axis is named at its edge, with its value.
-    fn levels(&self, locale: &Locale, labels: &mut Labels, parts: &mut Vec<Part>) {
+    fn levels(&self, locale: &Locale, labels: &mut Labels, parts: &mut Vec<PictureElement>) {
         for level in &self.axes.plot.levels {
             let Some(place) = self.axes.y.of(level.y) else { continue };
             let name = level.label.render(locale);
@@ -198,7 +210,12 @@ impl Area<'_> {
             let name = if inside {
                 let points = vec![(self.left, y), (self.right, y)];
                 labels.avoid(&points);
-                parts.push(Part::Line { points, tone: Tone::Bad, width: 1.2, dash: LineStyle::Long });
+                parts.push(PictureElement::Line {
+                    points,
+                    tone: Tone::Bad,
+                    width: 1.2,
+                    dash: LineStyle::Long,
+                });
                 name
             } else {
                 let arrow = match (place > 1.0, locale.style.ascii) {
@@ -227,11 +244,11 @@ impl Area<'_> {
         (to >= 0.0 && from <= 1.0).then(|| (self.x(from.clamp(0.0, 1.0)), self.x(to.clamp(0.0, 1.0))))
     }
 
-    fn bands(&self, parts: &mut Vec<Part>) {
+    fn bands(&self, parts: &mut Vec<PictureElement>) {
         for band in &self.axes.plot.bands {
             if let Some((from, to)) = self.ends(band.from, band.to) {
                 let tone = if band.permitted { Tone::Good } else { Tone::Bad };
-                parts.push(Part::Area { from: (from, self.top), to: (to, self.bottom), tone });
+                parts.push(PictureElement::Area { from: (from, self.top), to: (to, self.bottom), tone });
             }
         }
     }
@@ -252,7 +269,7 @@ impl Area<'_> {
 /// The names of the curves, in rows above the axes.
 struct Legend {
     height: f64,
-    parts: Vec<Part>,
+    parts: Vec<PictureElement>,
 }
 
 impl Legend {
@@ -278,12 +295,17 @@ impl Legend {
             let middle = base - 0.35 * WORDS;
             legend.parts.push(if joined {
                 let points = vec![(x, middle), (x + SAMPLE, middle)];
-                Part::Line { points, tone, width: 1.8, dash }
+                PictureElement::Line { points, tone, width: 1.8, dash }
             } else {
-                Part::Disc { at: (x + SAMPLE / 2.0, middle), radius: 2.5, tone }
+                PictureElement::Disc { at: (x + SAMPLE / 2.0, middle), radius: 2.5, tone }
             });
             let at = (x + SAMPLE + 6.0, base);
-            legend.parts.push(Part::Words { at, anchor: Anchor::Start, text: name, tone: Tone::Ink });
+            legend.parts.push(PictureElement::Words {
+                at,
+                anchor: Anchor::Start,
+                text: name,
+                tone: Tone::Ink,
+            });
             x += long;
         }
         legend

@@ -1,10 +1,10 @@
 //! A drawing as a picture.
 
-use dalembert_core::{Drawing, DrawnShape, Ink, Locale, Point, Side};
+use dalembert_core::{Drawing, DrawnShape, Ink, LabelSide, Locale, Point};
 
 use super::{
     labels::{Labels, width},
-    picture::{LineStyle, Part, Picture, Tone},
+    picture::{LineStyle, Picture, PictureElement, Tone},
     strokes::{self, Box2, Stroke, strokes},
 };
 
@@ -16,7 +16,7 @@ const MARGIN: f64 = 24.0;
 /// The drawing as large as it fits, with equal scales across and up.
 pub(super) fn picture(drawing: &Drawing, locale: &Locale) -> Option<Picture> {
     let strokes = strokes(drawing);
-    let labels: Vec<(Point, Side, String)> =
+    let labels: Vec<(Point, LabelSide, String)> =
         drawing.shapes.iter().filter_map(|shape| label(shape, locale)).collect();
     let corners = strokes.iter().flat_map(|stroke| &stroke.points).chain(labels.iter().map(|(at, ..)| at));
     let bounds = Box2::of(corners.copied())?;
@@ -40,7 +40,7 @@ pub(super) fn picture(drawing: &Drawing, locale: &Locale) -> Option<Picture> {
     Some(Picture { title: drawing.title.render(locale), width: size.0, height: size.1, parts })
 }
 
-fn label(shape: &DrawnShape, locale: &Locale) -> Option<(Point, Side, String)> {
+fn label(shape: &DrawnShape, locale: &Locale) -> Option<(Point, LabelSide, String)> {
     match shape {
         DrawnShape::Label(at, side, text) if at.0.is_finite() && at.1.is_finite() => {
             Some((*at, *side, text.render(locale)))
@@ -49,7 +49,7 @@ fn label(shape: &DrawnShape, locale: &Locale) -> Option<(Point, Side, String)> {
     }
 }
 
-fn line(stroke: &Stroke, points: Vec<Point>) -> Part {
+fn line(stroke: &Stroke, points: Vec<Point>) -> PictureElement {
     let tone = match stroke.ink {
         Ink::Body => Tone::Ink,
         Ink::Faint => Tone::Faint,
@@ -59,9 +59,9 @@ fn line(stroke: &Stroke, points: Vec<Point>) -> Part {
         Ink::Danger => Tone::Bad,
     };
     let width = match stroke.part {
-        strokes::Part::Hatch => 0.8,
+        strokes::StrokeRole::Hatch => 0.8,
         _ if stroke.ink == Ink::Faint => 1.0,
         _ => 1.6,
     };
-    Part::Line { points, tone, width, dash: LineStyle::Solid }
+    PictureElement::Line { points, tone, width, dash: LineStyle::Solid }
 }

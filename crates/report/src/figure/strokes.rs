@@ -12,12 +12,12 @@ pub struct Stroke {
     /// Colour role.
     pub ink: Ink,
     /// Part of the drawing.
-    pub part: Part,
+    pub part: StrokeRole,
 }
 
 /// Part of a drawing to which a line belongs: some are drawn in another way where a cell is one dot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum StrokeRole {
     /// Nothing particular.
     Line,
     /// A circle or a part of one.
@@ -116,24 +116,28 @@ impl Strokes {
     fn shape(&mut self, shape: &DrawnShape) {
         match shape {
             DrawnShape::Polyline(points, ink) => self.line(points.clone(), *ink),
-            DrawnShape::Circle(at, radius, ink) => self.part(arc(*at, *radius, 0.0, TAU), *ink, Part::Round),
+            DrawnShape::Circle(at, radius, ink) => {
+                self.part(arc(*at, *radius, 0.0, TAU), *ink, StrokeRole::Round);
+            }
             DrawnShape::Arc(at, radius, from, to, ink) => {
                 // Counter-clockwise, and no more than once round.
                 let turn = match to - from {
                     turn if (0.0..=TAU).contains(&turn) => turn,
                     turn => turn.rem_euclid(TAU),
                 };
-                self.part(arc(*at, *radius, *from, from + turn), *ink, Part::Round);
+                self.part(arc(*at, *radius, *from, from + turn), *ink, StrokeRole::Round);
             }
             DrawnShape::Block(a, b, ink) => {
                 let points = vec![*a, (b.0, a.1), *b, (a.0, b.1), *a];
-                self.part(points, *ink, Part::Solid);
+                self.part(points, *ink, StrokeRole::Solid);
             }
             DrawnShape::Body(corners, ink) => {
                 let closed = corners.iter().chain(corners.first()).copied().collect();
-                self.part(closed, *ink, Part::Solid);
+                self.part(closed, *ink, StrokeRole::Solid);
             }
-            DrawnShape::Disc(at, radius, ink) => self.part(arc(*at, *radius, 0.0, TAU), *ink, Part::Disc),
+            DrawnShape::Disc(at, radius, ink) => {
+                self.part(arc(*at, *radius, 0.0, TAU), *ink, StrokeRole::Disc);
+            }
             DrawnShape::Pin(at) => self.pin(*at),
             DrawnShape::Ground(a, b) => self.ground(*a, *b),
             DrawnShape::Spring(a, b, coils) => self.spring(*a, *b, *coils),
@@ -144,10 +148,10 @@ impl Strokes {
     }
 
     fn line(&mut self, points: Vec<Point>, ink: Ink) {
-        self.part(points, ink, Part::Line);
+        self.part(points, ink, StrokeRole::Line);
     }
 
-    fn part(&mut self, points: Vec<Point>, ink: Ink, part: Part) {
+    fn part(&mut self, points: Vec<Point>, ink: Ink, part: StrokeRole) {
         self.out.push(Stroke { points, ink, part });
     }
 
@@ -157,17 +161,17 @@ impl Strokes {
         let (left, right) = ((at.0 - half, at.1 - deep), (at.0 + half, at.1 - deep));
         self.line(vec![at, left, right, at], Ink::Body);
         self.ground((left.0 - self.sign / 2.0, left.1), (right.0 + self.sign / 2.0, right.1));
-        self.part(arc(at, self.sign / 2.0, 0.0, TAU), Ink::Body, Part::Disc);
+        self.part(arc(at, self.sign / 2.0, 0.0, TAU), Ink::Body, StrokeRole::Disc);
     }
 
     fn ground(&mut self, a: Point, b: Point) {
-        self.part(vec![a, b], Ink::Body, Part::Ground);
+        self.part(vec![a, b], Ink::Body, StrokeRole::Ground);
         let Some(along) = Along::new(a, b) else { return };
         let count = (along.length / (1.2 * self.sign)).round().clamp(1.0, 60.0);
         for n in 1..=count as u32 {
             let at = along.length * f64::from(n) / count;
             let end = along.at(at - self.sign, -self.sign);
-            self.part(vec![along.at(at, 0.0), end], Ink::Faint, Part::Hatch);
+            self.part(vec![along.at(at, 0.0), end], Ink::Faint, StrokeRole::Hatch);
         }
     }
 
@@ -183,7 +187,7 @@ impl Strokes {
             points.push(along.at(at, if n % 2 == 0 { half } else { -half }));
         }
         points.extend([along.at(last, 0.0), b]);
-        self.part(points, Ink::Body, Part::Spring);
+        self.part(points, Ink::Body, StrokeRole::Spring);
     }
 
     /// A dashpot: a cylinder on the first point, a piston on the second.
@@ -207,11 +211,11 @@ impl Strokes {
     }
 
     fn arrow(&mut self, tail: Point, head: Point, ink: Ink) {
-        self.part(vec![tail, head], ink, Part::Shaft);
+        self.part(vec![tail, head], ink, StrokeRole::Shaft);
         let Some(along) = Along::new(tail, head) else { return };
         let size = (1.6 * self.sign).min(0.45 * along.length);
         for side in [0.5, -0.5] {
-            self.part(vec![along.at(along.length - size, side * size), head], ink, Part::Head);
+            self.part(vec![along.at(along.length - size, side * size), head], ink, StrokeRole::Head);
         }
     }
 }

@@ -1,7 +1,7 @@
 use super::*;
 
 /// Everything the bytes mean, with what is left at the end settled.
-fn decode(bytes: &[u8]) -> Vec<Input> {
+fn decode(bytes: &[u8]) -> Vec<TerminalInput> {
     let (mut decoder, mut inputs) = (Decoder::default(), Vec::new());
     decoder.feed(bytes, &mut inputs);
     decoder.settle(&mut inputs);
@@ -9,7 +9,7 @@ fn decode(bytes: &[u8]) -> Vec<Input> {
     inputs
 }
 
-fn press(code: KeyCode, modifiers: KeyModifiers) -> Vec<Input> {
+fn press(code: KeyCode, modifiers: KeyModifiers) -> Vec<TerminalInput> {
     vec![key(code, modifiers)]
 }
 
@@ -77,8 +77,9 @@ fn keys_of_xterm() {
 
 #[test]
 fn mouse_reports_count_from_zero_and_never_underflow() {
-    let report =
-        |kind, column, row, modifiers| vec![Input::Mouse(MouseEvent { kind, column, row, modifiers })];
+    let report = |kind, column, row, modifiers| {
+        vec![TerminalInput::Mouse(MouseEvent { kind, column, row, modifiers })]
+    };
     let none = KeyModifiers::NONE;
     assert_eq!(decode(b"\x1b[<0;3;7M"), report(MouseEventKind::Down(MouseButton::Left), 2, 6, none));
     assert_eq!(decode(b"\x1b[<2;3;7m"), report(MouseEventKind::Up(MouseButton::Right), 2, 6, none));
@@ -148,7 +149,10 @@ fn an_open_paste_ends_with_silence_and_the_keys_live_on() {
     assert_eq!((decoder.patience(), &inputs[..]), (Some(PASTE_PATIENCE), &[][..]));
     decoder.settle(&mut inputs);
     decoder.feed(b"k", &mut inputs);
-    assert_eq!(inputs, [Input::Paste("mass = 3 kg".into()), key(KeyCode::Char('k'), KeyModifiers::NONE)]);
+    assert_eq!(
+        inputs,
+        [TerminalInput::Paste("mass = 3 kg".into()), key(KeyCode::Char('k'), KeyModifiers::NONE)]
+    );
 }
 
 #[test]
@@ -156,7 +160,7 @@ fn a_paste_is_cut_at_its_limit_with_a_notice() {
     let paste = |length: usize| [b"\x1b[200~", &vec![b'x'; length][..], b"\x1b[201~k"].concat();
     let at = |length: usize| {
         let inputs = decode(&paste(length));
-        let [Input::Paste(text), rest @ ..] = &inputs[..] else { panic!("no paste: {length}") };
+        let [TerminalInput::Paste(text), rest @ ..] = &inputs[..] else { panic!("no paste: {length}") };
         (text.len(), rest.len(), rest.last().cloned())
     };
     let last = Some(key(KeyCode::Char('k'), KeyModifiers::NONE));
@@ -169,7 +173,7 @@ fn a_paste_is_cut_at_its_limit_with_a_notice() {
 fn a_paste_may_hold_anything_but_its_end() {
     assert_eq!(
         decode(b"\x1b[200~a\x1b[31m\x03\xff\x1b[20\x1b[201~"),
-        [Input::Paste("a\x1b[31m\x03\u{FFFD}\x1b[20".into())]
+        [TerminalInput::Paste("a\x1b[31m\x03\u{FFFD}\x1b[20".into())]
     );
     assert_eq!(decode(b"\x1b[200~\x1b[201~"), []);
 }
@@ -195,7 +199,7 @@ fn no_bytes_stall_it() {
             .collect();
         let mut inputs = decode(&bytes);
         for input in &inputs {
-            if let Input::Key(KeyEvent { code: KeyCode::Char(character), .. }) = input {
+            if let TerminalInput::Key(KeyEvent { code: KeyCode::Char(character), .. }) = input {
                 assert!(!character.is_control(), "{}", bytes.escape_ascii());
             }
         }

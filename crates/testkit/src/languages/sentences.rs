@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use dalembert_core::{
     AnswerValue, Arg, DrawnShape, Exhibit, Field, Shape, Solution, Text,
-    cases::{Case, Hold},
+    cases::{Case, ComparisonRule},
     exhibit::Cell,
 };
 
@@ -135,8 +135,8 @@ impl Sentences {
 /// The words of a case that people read.
 pub(super) fn words_of(case: &Case) -> Vec<Text> {
     let reasons = case.expect.iter().filter_map(|expected| match &expected.how {
-        Hold::Within(_, why) | Hold::Disputed { why, .. } => Some(why.clone()),
-        Hold::ToTheLastPlace | Hold::Computed => None,
+        ComparisonRule::Within(_, why) | ComparisonRule::Disputed { why, .. } => Some(why.clone()),
+        ComparisonRule::ToTheLastPlace | ComparisonRule::Computed => None,
     });
     [case.title(), case.source.clone(), case.note.clone()].into_iter().chain(reasons).collect()
 }

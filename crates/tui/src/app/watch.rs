@@ -16,7 +16,7 @@ use crate::{
 const PERIOD: Duration = Duration::from_secs(1);
 
 /// The open file.
-pub(super) struct Watched {
+pub(super) struct WatchedFile {
     path: PathBuf,
     /// Modification time and length; `None` if the file does not exist.
     stamp: Option<(SystemTime, u64)>,
@@ -24,7 +24,7 @@ pub(super) struct Watched {
     pub(super) next: Instant,
 }
 
-impl Watched {
+impl WatchedFile {
     /// Watches the file of the problem that is worked on, if there is one.
     pub(super) fn follow<'w>(watched: &'w mut Option<Self>, model: &Model) -> Option<&'w Self> {
         let open = model

@@ -22,7 +22,7 @@ use super::{
     Before, FileError, failed,
     process::{began, runs},
     read,
-    save::{remove_strays, save},
+    save::{remove_leftovers, save},
 };
 
 /// The unsaved work of this session, by the numbers of its problems.
@@ -78,7 +78,7 @@ impl Autosave {
     /// The autosave in a folder of the user's own, which is created if it is not there.
     pub fn in_folder(folder: PathBuf) -> Result<Self, FileError> {
         private_folder(&folder)?;
-        remove_strays(&folder);
+        remove_leftovers(&folder);
         Ok(Self { folder: Some(folder), work: Mutex::default() })
     }
 

@@ -13,7 +13,7 @@ use etcetera::{BaseStrategy, choose_base_strategy};
 
 use super::{Before, FileError, failed, read, save};
 use crate::{
-    remembered::{self, Change, Remembered},
+    remembered::{self, HistoryChange, Remembered},
     settings::Fault,
 };
 
@@ -26,14 +26,14 @@ const TRIES: usize = 4;
 #[derive(Debug)]
 pub struct Memory {
     /// `None` once the end has come.
-    changes: Option<Sender<Change>>,
+    changes: Option<Sender<HistoryChange>>,
     done: Receiver<()>,
 }
 
 impl Memory {
     /// A writer of this file; `trouble` is reported, from another thread, what could not be written.
     pub fn of(path: PathBuf, trouble: impl Fn(FileError) + Send + 'static) -> io::Result<Self> {
-        let (changes, incoming) = mpsc::channel::<Change>();
+        let (changes, incoming) = mpsc::channel::<HistoryChange>();
         let (finished, done) = mpsc::channel();
         thread::Builder::new().name("memory".into()).spawn(move || {
             for change in incoming {
@@ -48,7 +48,7 @@ impl Memory {
     }
 
     /// Has a change written, some time soon.
-    pub fn note(&self, change: Change) {
+    pub fn note(&self, change: HistoryChange) {
         if let Some(changes) = &self.changes {
             // A thread that has ended has reported its trouble.
             let _ = changes.send(change);
@@ -85,7 +85,7 @@ pub fn recall(path: &Path) -> Result<Remembered, FileError> {
 }
 
 /// Writes a change into the file, which another session may write to as well. A file that cannot be read is left.
-pub fn remember(path: &Path, change: &Change) -> Result<(), FileError> {
+pub fn remember(path: &Path, change: &HistoryChange) -> Result<(), FileError> {
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(failed("make the folder", folder))?;
     }

@@ -50,8 +50,8 @@ pub fn save_all(files: &[(PathBuf, String)], before: Before) -> (PathBuf, Result
 
 /// Removes what crashed programs left in a folder: their temporary files, older than a minute, whose process has
 /// ended. Answers how many were removed; what cannot be examined is left.
-pub fn remove_strays(folder: &Path) -> usize {
-    remove_strays_older(folder, Duration::from_mins(1))
+pub fn remove_leftovers(folder: &Path) -> usize {
+    remove_leftovers_older(folder, Duration::from_mins(1))
 }
 
 /// A step of a save, reported before it is done. Tests let each of them fail.
@@ -113,12 +113,12 @@ pub(super) fn save_with(
             io::ErrorKind::AlreadyExists => FileError::Exists(path.to_owned()),
             _ => failed("replace", path)(error),
         })?;
-    remove_strays(folder);
+    remove_leftovers(folder);
     step(Step::SyncFolder).and_then(|()| sync_folder(folder)).map_err(failed("make sure of", path))?;
     Ok(Fingerprint::of(text.as_bytes()))
 }
 
-pub(super) fn remove_strays_older(folder: &Path, age: Duration) -> usize {
+pub(super) fn remove_leftovers_older(folder: &Path, age: Duration) -> usize {
     let Ok(entries) = fs::read_dir(folder) else { return 0 };
     entries
         .flatten()

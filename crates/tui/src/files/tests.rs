@@ -12,7 +12,7 @@ use super::{
     process::began,
     save::{
         Step::{Create, Permit, Rename, Sync, SyncFolder, Write},
-        remove_strays_older, save_with,
+        remove_leftovers_older, save_with,
     },
     *,
 };
@@ -216,8 +216,8 @@ fn strays_of_the_dead_are_removed_and_nothing_else() {
         fs::write(folder.path().join(name), "").unwrap();
     }
     symlink("mine.tmp", folder.path().join(format!(".dalembert-{dead}-link.tmp"))).unwrap();
-    assert_eq!(remove_strays(folder.path()), 0, "too young");
-    assert_eq!(remove_strays_older(folder.path(), Duration::ZERO), 1);
+    assert_eq!(remove_leftovers(folder.path()), 0, "too young");
+    assert_eq!(remove_leftovers_older(folder.path(), Duration::ZERO), 1);
     assert!(!folder.path().join(format!(".dalembert-{dead}-abc.tmp")).exists());
     assert_eq!(names(folder.path()).len(), 4);
 }
@@ -318,7 +318,7 @@ fn a_kill_at_any_moment_leaves_a_whole_file() {
             text if text == version(1) => second += 1,
             text => panic!("torn at kill {kill}: {} bytes, beginning {:?}", text.len(), text.get(..8)),
         }
-        strays += remove_strays_older(folder.path(), Duration::ZERO);
+        strays += remove_leftovers_older(folder.path(), Duration::ZERO);
         assert_eq!(names(folder.path()), ["precious.toml"], "kill {kill}");
     }
     // Otherwise the kills did not fall into saves, and nothing was tested.

@@ -5,7 +5,7 @@ use dalembert_units::{Decimal, Unit};
 use tui_input::{Input, InputRequest};
 
 use super::{
-    Change, Form, Line, Role, settled,
+    Change, Form, FormLine, Role, settled,
     units::{own_unit, with_unit, written_unit},
 };
 
@@ -34,7 +34,7 @@ pub struct Sign {
 impl Form {
     /// Begins to type in the field under the cursor, in its text or in an empty one.
     pub fn begin(&mut self, text: Option<String>) -> bool {
-        let Some(Line { path, role: Role::Leaf { text: old, shape }, .. }) = self.line() else {
+        let Some(FormLine { path, role: Role::Leaf { text: old, shape }, .. }) = self.line() else {
             return false;
         };
         let replaced = text.is_some();
@@ -103,7 +103,7 @@ impl Form {
     }
 
     /// The unit of a number that is typed alone on this line.
-    pub fn unit_of_number(&self, line: &Line) -> Option<Unit> {
+    pub fn unit_of_number(&self, line: &FormLine) -> Option<Unit> {
         let Role::Leaf { text, shape } = &line.role else { return None };
         match self.edit.as_ref().filter(|edit| edit.path == line.path) {
             Some(edit) => edit.unit.clone(),

@@ -5,13 +5,13 @@ use std::collections::BTreeSet;
 use dalembert_core::{Draft, is_within};
 
 use super::{
-    Form, Line, Role,
+    Form, FormLine, Role,
     lines::{lines, summary},
 };
 
 impl Form {
     /// Every line, those of folded rows among them.
-    pub(super) fn all_lines(&self) -> Vec<Line> {
+    pub(super) fn all_lines(&self) -> Vec<FormLine> {
         lines(&self.shape, &self.draft)
     }
 
@@ -104,6 +104,6 @@ fn rows_around(path: &str) -> impl Iterator<Item = &str> {
 }
 
 /// Returns true if a row has lines below its heading.
-fn has_lines(all: &[Line], row: &str) -> bool {
+fn has_lines(all: &[FormLine], row: &str) -> bool {
     all.iter().any(|line| line.path != row && is_within(&line.path, row))
 }

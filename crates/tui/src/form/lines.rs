@@ -4,7 +4,7 @@ use dalembert_core::{Draft, Field, Shape, Variant};
 
 /// A line of a form.
 #[derive(Clone, Debug)]
-pub struct Line {
+pub struct FormLine {
     /// Path in the draft: `masses[2].radius`.
     pub path: String,
     /// Nesting depth.
@@ -55,7 +55,7 @@ pub enum Role {
     Absent,
 }
 
-impl PartialEq for Line {
+impl PartialEq for FormLine {
     fn eq(&self, other: &Self) -> bool {
         let same_role = match (&self.role, &other.role) {
             (Role::Leaf { text: a, .. }, Role::Leaf { text: b, .. }) => a == b,
@@ -71,7 +71,7 @@ impl PartialEq for Line {
 }
 
 /// The lines of a draft.
-pub fn lines(shape: &Shape, draft: &Draft) -> Vec<Line> {
+pub fn lines(shape: &Shape, draft: &Draft) -> Vec<FormLine> {
     let mut lines = Vec::new();
     if let (Shape::Group(fields), Draft::Group(drafts)) = (shape, draft) {
         push_fields(fields(), drafts, "", 0, &mut lines);
@@ -79,35 +79,41 @@ pub fn lines(shape: &Shape, draft: &Draft) -> Vec<Line> {
     lines
 }
 
-fn push_fields(fields: &'static [Field], drafts: &[Draft], path: &str, depth: u16, lines: &mut Vec<Line>) {
+fn push_fields(
+    fields: &'static [Field],
+    drafts: &[Draft],
+    path: &str,
+    depth: u16,
+    lines: &mut Vec<FormLine>,
+) {
     for (field, draft) in fields.iter().zip(drafts) {
         let path = if path.is_empty() { field.name.to_owned() } else { format!("{path}.{}", field.name) };
-        let line = Line { path, depth, field, number: None, optional: false, role: Role::Absent };
+        let line = FormLine { path, depth, field, number: None, optional: false, role: Role::Absent };
         push(line, &field.shape, draft, lines);
     }
 }
 
 /// Pushes the line, with the role that the draft gives it, and the lines below it.
-fn push(mut line: Line, shape: &Shape, draft: &Draft, lines: &mut Vec<Line>) {
+fn push(mut line: FormLine, shape: &Shape, draft: &Draft, lines: &mut Vec<FormLine>) {
     let (path, depth, field) = (line.path.clone(), line.depth, line.field);
     match (shape, draft) {
         (Shape::Optional(inner), Draft::Absent) if inner().is_leaf() => {
             line.optional = true;
             push(line, inner(), &Draft::Leaf(String::new()), lines);
         }
-        (Shape::Optional(_), Draft::Absent) => lines.push(Line { optional: true, ..line }),
+        (Shape::Optional(_), Draft::Absent) => lines.push(FormLine { optional: true, ..line }),
         (Shape::Optional(inner), _) => {
             line.optional = true;
             push(line, inner(), draft, lines);
         }
         (Shape::Group(fields), Draft::Group(drafts)) => {
             let summary = if line.number.is_some() { summary(draft) } else { String::new() };
-            lines.push(Line { role: Role::Group { summary }, ..line });
+            lines.push(FormLine { role: Role::Group { summary }, ..line });
             push_fields(fields(), drafts, &path, depth + 1, lines);
         }
         (Shape::OneOf(variants), Draft::OneOf(chosen, inner)) => {
             let variants = variants();
-            lines.push(Line { role: Role::Choice { variants, chosen: Some(*chosen) }, ..line });
+            lines.push(FormLine { role: Role::Choice { variants, chosen: Some(*chosen) }, ..line });
             if let (Some(variant), Draft::Group(drafts)) = (variants.get(*chosen), &**inner) {
                 push_fields(
                     (variant.fields)(),
@@ -119,24 +125,24 @@ fn push(mut line: Line, shape: &Shape, draft: &Draft, lines: &mut Vec<Line>) {
             }
         }
         (Shape::OneOf(variants), _) => {
-            lines.push(Line { role: Role::Choice { variants: variants(), chosen: None }, ..line });
+            lines.push(FormLine { role: Role::Choice { variants: variants(), chosen: None }, ..line });
         }
         (Shape::Rows { item, .. }, Draft::Rows(rows)) => {
-            lines.push(Line { role: Role::Rows { count: rows.len() }, ..line });
+            lines.push(FormLine { role: Role::Rows { count: rows.len() }, ..line });
             for (n, row) in rows.iter().enumerate() {
                 let path = format!("{path}[{}]", n + 1);
                 let number = Some(n + 1);
                 let line =
-                    Line { path, depth: depth + 1, field, number, optional: false, role: Role::Absent };
+                    FormLine { path, depth: depth + 1, field, number, optional: false, role: Role::Absent };
                 push(line, item(), row, lines);
             }
         }
         (Shape::Table(_), Draft::Leaf(text)) => {
             let filled = text.lines().filter(|line| !line.trim().is_empty()).count();
-            lines.push(Line { role: Role::Table { lines: filled }, ..line });
+            lines.push(FormLine { role: Role::Table { lines: filled }, ..line });
         }
         (_, Draft::Leaf(text)) => {
-            lines.push(Line { role: Role::Leaf { shape: *shape, text: text.clone() }, ..line });
+            lines.push(FormLine { role: Role::Leaf { shape: *shape, text: text.clone() }, ..line });
         }
         _ => lines.push(line),
     }

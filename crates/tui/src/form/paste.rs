@@ -3,7 +3,7 @@
 use dalembert_core::{Draft, Shape};
 use dalembert_units::Decimal;
 
-use super::{Change, Form, Line, Role, as_line, lines::lines, row_of, rows_mut, settled};
+use super::{Change, Form, FormLine, Role, as_line, lines::lines, row_of, rows_mut, settled};
 
 /// So many rows are filled at once: more numbers than these belong in a table.
 const MOST_ROWS: usize = 1_000;
@@ -85,9 +85,9 @@ impl Form {
 }
 
 /// The fields of one line of a row, in their order; those of lists within it are not among them.
-fn fields_of<'l>(all: &'l [Line], list: &str, row: usize) -> Vec<(&'l str, Shape)> {
+fn fields_of<'l>(all: &'l [FormLine], list: &str, row: usize) -> Vec<(&'l str, Shape)> {
     let row = format!("{list}[{}]", row + 1);
-    let of_row = |line: &'l Line| {
+    let of_row = |line: &'l FormLine| {
         let rest = line.path.strip_prefix(&row)?;
         let own = !rest.contains('[') && (rest.is_empty() || rest.starts_with('.'));
         match line.role {

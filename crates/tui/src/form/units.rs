@@ -108,7 +108,7 @@ fn same(a: &Unit, b: &Unit) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use dalembert_core::{Limit, Measure};
+    use dalembert_core::{FieldLimit, Measure};
 
     use super::*;
 
@@ -117,8 +117,8 @@ mod tests {
         let shape = Shape::Quantity(Measure {
             unit: "rad/s",
             kind: None,
-            min: Limit::None,
-            max: Limit::None,
+            min: FieldLimit::None,
+            max: FieldLimit::None,
             others: &[],
         });
         let mut shown = "1000.0 rpm".to_owned();
@@ -138,10 +138,11 @@ mod tests {
 
     #[test]
     fn a_number_alone_takes_the_unit_that_is_there_whatever_it_is() {
-        let measure = |unit| Measure { unit, kind: None, min: Limit::None, max: Limit::None, others: &[] };
+        let measure =
+            |unit| Measure { unit, kind: None, min: FieldLimit::None, max: FieldLimit::None, others: &[] };
         for known in dalembert_units::spellings() {
             let Ok(unit) = units::unit(known.symbols[0]) else { continue };
-            if unit.sense == dalembert_units::Sense::Level {
+            if unit.sense == dalembert_units::UnitMeaning::Level {
                 continue;
             }
             let shape = Shape::Quantity(measure(known.symbols[0]));
@@ -159,8 +160,13 @@ mod tests {
 
     #[test]
     fn the_unit_of_a_text_is_what_a_user_wrote() {
-        let measure =
-            Measure { unit: "m", kind: None, min: Limit::Excluding(0.0), max: Limit::None, others: &[] };
+        let measure = Measure {
+            unit: "m",
+            kind: None,
+            min: FieldLimit::Excluding(0.0),
+            max: FieldLimit::None,
+            others: &[],
+        };
         let (length, vector) = (Shape::Quantity(measure), Shape::Vector(measure, 3));
         let angle = Shape::Quantity(Measure { unit: "rad", ..measure });
         for (old, shape, typed, wanted) in [

@@ -3,14 +3,14 @@
 use dalembert_core::Text;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use super::{ALWAYS, Action, Binding, Key, Place};
+use super::{ALWAYS, Action, Binding, Key, KeyContext};
 
 /// Key bindings, place by place: the tables of the program with the user's changes. The tables of the program, with the
 /// user's changes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KeyMap {
     /// Every binding that holds in a place, the most useful first.
-    places: Vec<(Place, Vec<Bound>)>,
+    places: Vec<(KeyContext, Vec<Bound>)>,
 }
 
 /// A line of a table with the keys that hold.
@@ -24,9 +24,9 @@ pub struct Bound {
 
 /// A change that the settings ask for.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Change {
+pub struct KeyChange {
     /// Place; `None` for every place in which the action is possible.
-    pub place: Option<Place>,
+    pub place: Option<KeyContext>,
     /// The [`Action::id`] of what is done.
     pub action: &'static str,
     /// The keys that do it from now on.
@@ -47,7 +47,7 @@ impl PartialEq for Bound {
 
 impl KeyMap {
     /// The tables of these places.
-    pub fn of(places: &[Place]) -> Self {
+    pub fn of(places: &[KeyContext]) -> Self {
         let bound = |binding: &'static Binding| Bound { binding, keys: binding.keys.to_vec() };
         Self { places: places.iter().map(|place| (*place, place.bindings().map(bound).collect())).collect() }
     }
@@ -56,7 +56,7 @@ impl KeyMap {
     ///
     /// What is asked for one place counts more than what is asked for all. Where characters are text, a change for
     /// all places takes no character. A key that would mean two things in a place refuses the later change.
-    pub fn changed(places: &[Place], changes: &[Change]) -> (Self, Vec<(usize, Text)>) {
+    pub fn changed(places: &[KeyContext], changes: &[KeyChange]) -> (Self, Vec<(usize, Text)>) {
         let mut refused: Vec<(usize, Text)> =
             changes.iter().enumerate().filter_map(|(n, change)| Some((n, change.fault()?))).collect();
         loop {
@@ -86,18 +86,18 @@ impl KeyMap {
     }
 
     /// Action of a key in a place.
-    pub fn action(&self, place: Place, event: KeyEvent) -> Option<Action> {
+    pub fn action(&self, place: KeyContext, event: KeyEvent) -> Option<Action> {
         let key = Key::of(event);
         self.bindings(place).iter().find(|bound| bound.keys.contains(&key)).map(|bound| bound.binding.action)
     }
 
     /// Every binding that holds in a place, the most useful first.
-    pub fn bindings(&self, place: Place) -> &[Bound] {
+    pub fn bindings(&self, place: KeyContext) -> &[Bound] {
         self.places.iter().find(|(known, _)| *known == place).map_or(&[], |(_, bindings)| bindings)
     }
 
     /// The usual key of an action in a place.
-    pub fn key(&self, place: Place, action: Action) -> Option<Key> {
+    pub fn key(&self, place: KeyContext, action: Action) -> Option<Key> {
         let mut bounds = self.bindings(place).iter().filter(|bound| bound.binding.action == action);
         bounds.find_map(|bound| bound.keys.first()).copied()
     }
@@ -108,17 +108,17 @@ impl KeyMap {
     }
 
     /// The places where keys mean something, as the help and the settings list them.
-    pub fn places(&self) -> impl Iterator<Item = Place> {
+    pub fn places(&self) -> impl Iterator<Item = KeyContext> {
         self.places.iter().map(|(place, _)| *place)
     }
 
     /// Every key of a binding, as it holds in a place.
-    pub fn keys_of(&self, place: Place, binding: &Binding) -> &[Key] {
+    pub fn keys_of(&self, place: KeyContext, binding: &Binding) -> &[Key] {
         let same = |bound: &&Bound| bound.binding == binding;
         self.bindings(place).iter().find(same).map_or(&[], |bound| &bound.keys)
     }
 
-    fn change(&mut self, change: &Change) {
+    fn change(&mut self, change: &KeyChange) {
         for (place, bounds) in
             self.places.iter_mut().filter(|(place, _)| change.place.is_none_or(|at| at == *place))
         {
@@ -144,7 +144,7 @@ impl KeyMap {
     }
 
     /// A key that means two things in a place.
-    fn conflict(&self) -> Option<(Place, Key, Action, Action)> {
+    fn conflict(&self) -> Option<(KeyContext, Key, Action, Action)> {
         for (place, bounds) in &self.places {
             let mut seen: Vec<(Key, Action)> = Vec::new();
             for bound in bounds {
@@ -163,10 +163,10 @@ impl KeyMap {
     }
 }
 
-impl Change {
+impl KeyChange {
     /// Reason for which the change is impossible, whatever else is changed.
     fn fault(&self) -> Option<Text> {
-        let does = |place: &Place| place.bindings().any(|binding| binding.action.id() == self.action);
+        let does = |place: &KeyContext| place.bindings().any(|binding| binding.action.id() == self.action);
         if let Some(place) = self.place.filter(|place| !does(place)) {
             return Some(
                 Text::new("`{action}` has no effect in [keys.{place}]")
@@ -192,7 +192,8 @@ impl Change {
             }
             // There a digit begins a text.
             let is_digit = matches!(key.0, KeyCode::Char(character) if character.is_ascii_digit());
-            let begins = [(Place::Form, key.begins_a_number()), (Place::Cells, key.is_text() && is_digit)];
+            let begins =
+                [(KeyContext::Form, key.begins_a_number()), (KeyContext::Cells, key.is_text() && is_digit)];
             let typed = begins.into_iter().filter(|(_, begins)| *begins).map(|(place, _)| place);
             let place = typed.filter(does).find(|place| self.place.is_none_or(|at| at == *place));
             place.map(|place| {
@@ -209,27 +210,27 @@ mod tests {
     use super::*;
     use crate::panes::places;
 
-    fn changed(changes: &[Change]) -> (KeyMap, Vec<(usize, Text)>) {
+    fn changed(changes: &[KeyChange]) -> (KeyMap, Vec<(usize, Text)>) {
         KeyMap::changed(&places(), changes)
     }
 
-    fn plot() -> Place {
+    fn plot() -> KeyContext {
         places().into_iter().find(|place| place.id() == "plot").expect("a place")
     }
 
-    fn change(place: Option<Place>, action: &'static str, keys: &[&str]) -> Change {
+    fn change(place: Option<KeyContext>, action: &'static str, keys: &[&str]) -> KeyChange {
         let keys = keys.iter().map(|key| Key::parse(key).expect("a key")).collect();
-        Change { place, action, keys }
+        KeyChange { place, action, keys }
     }
 
-    fn refusals(changes: &[Change]) -> Vec<(usize, String)> {
+    fn refusals(changes: &[KeyChange]) -> Vec<(usize, String)> {
         changed(changes).1.into_iter().map(|(n, why)| (n, why.english())).collect()
     }
 
     #[test]
     fn no_place_is_called_like_an_action() {
         for place in places() {
-            let named = |other: Place| other.bindings().any(|binding| binding.action.id() == place.id());
+            let named = |other: KeyContext| other.bindings().any(|binding| binding.action.id() == place.id());
             assert!(!places().into_iter().any(named), "{} is an action too", place.id());
         }
     }
@@ -242,7 +243,7 @@ mod tests {
             change(None, "next-frame", &[]),
         ]);
         assert_eq!(refused, []);
-        for place in [Place::Form, plot()] {
+        for place in [KeyContext::Form, plot()] {
             assert_eq!(map.key(place, Action::Save), Key::parse("f5").ok());
             assert_eq!(map.action(place, KeyEvent::from(KeyCode::Char('s'))), None);
         }
@@ -255,7 +256,7 @@ mod tests {
         let (map, refused) = changed(&[change(None, "undo", &["Z"]), change(None, "redo", &["z"])]);
         assert_eq!(refused, []);
         assert_eq!(
-            (map.key(Place::Form, Action::Undo), map.key(Place::Form, Action::Redo)),
+            (map.key(KeyContext::Form, Action::Undo), map.key(KeyContext::Form, Action::Redo)),
             (Key::parse("Z").ok(), Key::parse("z").ok())
         );
     }
@@ -281,7 +282,7 @@ mod tests {
         );
         let (map, _) = changed(&changes);
         assert_eq!(
-            (map.key(Place::Form, Action::Undo), map.key(Place::Form, Action::Save)),
+            (map.key(KeyContext::Form, Action::Undo), map.key(KeyContext::Form, Action::Save)),
             (Key::parse("w").ok(), Key::parse("s").ok())
         );
     }
@@ -292,7 +293,7 @@ mod tests {
             refusals(&[
                 change(None, "save", &["esc"]),
                 change(None, "help", &["ctrl-c"]),
-                change(Some(Place::Edit), "enter", &["g"]),
+                change(Some(KeyContext::Edit), "enter", &["g"]),
                 change(None, "save", &["5"]),
                 change(Some(plot()), "add-row", &["w"]),
             ]),

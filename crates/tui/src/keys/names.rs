@@ -1,6 +1,6 @@
 //! Names of actions and places as they are written in the settings.
 
-use super::{Action, Place};
+use super::{Action, KeyContext};
 
 impl Action {
     /// Id in the settings. It never changes: people have it in their files.
@@ -83,22 +83,22 @@ impl Action {
     }
 }
 
-impl Place {
+impl KeyContext {
     /// Id in the settings: `[keys.plot]`. No action has the same: both stand below `[keys]`.
     pub fn id(self) -> &'static str {
         match self {
-            Place::Picker => "picker",
-            Place::Filter => "filter-line",
-            Place::Form => "inputs",
-            Place::Edit => "field",
-            Place::Pane => "results",
-            Place::Own(keys) => keys.id,
-            Place::List => "choices",
-            Place::Prompt => "prompt",
-            Place::Sheet => "sheet",
-            Place::Help => "help-page",
-            Place::Cells => "cells",
-            Place::Cell => "cell",
+            KeyContext::Picker => "picker",
+            KeyContext::Filter => "filter-line",
+            KeyContext::Form => "inputs",
+            KeyContext::Edit => "field",
+            KeyContext::Pane => "results",
+            KeyContext::Own(keys) => keys.id,
+            KeyContext::List => "choices",
+            KeyContext::Prompt => "prompt",
+            KeyContext::Sheet => "sheet",
+            KeyContext::Help => "help-page",
+            KeyContext::Cells => "cells",
+            KeyContext::Cell => "cell",
         }
     }
 }

@@ -203,7 +203,7 @@ fn unknown(name: &str, rest: &str) -> Text {
 mod tests {
     use super::{
         super::{
-            Place,
+            KeyContext,
             tables::{ctrl, plain, shift, typed},
         },
         *,
@@ -212,7 +212,7 @@ mod tests {
 
     #[test]
     fn every_key_of_the_tables_is_written_and_read_again() {
-        for binding in places().into_iter().flat_map(Place::bindings) {
+        for binding in places().into_iter().flat_map(KeyContext::bindings) {
             for key in binding.keys {
                 assert_eq!(Key::parse(&key.id()), Ok(*key), "{}", key.id());
                 let text = written(KeyEvent::new(key.0, key.1));

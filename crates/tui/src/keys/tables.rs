@@ -2,7 +2,7 @@
 
 use ratatui::crossterm::event::{KeyCode, KeyModifiers};
 
-use super::{Action, Binding, Key, Table};
+use super::{Action, Binding, BindingTable, Key};
 
 /// Line by line.
 pub(crate) const LINES: &[Binding] =
@@ -23,7 +23,7 @@ pub(crate) const ENDS: &[Binding] =
     &[bind(Action::First, FIRST, "to the first line", ""), bind(Action::Last, LAST, "to the last line", "")];
 
 /// Keys of the list of analyses.
-pub(super) const PICKER: Table = &[
+pub(super) const PICKER: BindingTable = &[
     &[
         bind(Action::Enter, ENTER, "open; expand or collapse a heading", "open"),
         bind(Action::Filter, &[typed('/')], "filter", "filter"),
@@ -46,7 +46,7 @@ pub(super) const PICKER: Table = &[
 ];
 
 /// Keys of the filter of the list.
-pub(super) const FILTER: Table = &[&[
+pub(super) const FILTER: BindingTable = &[&[
     bind(Action::Enter, ENTER, "open", "open"),
     bind(Action::Back, ESC, "clear the filter", "clear the filter"),
     bind(Action::Up, &[plain(KeyCode::Up)], "line up", ""),
@@ -55,7 +55,7 @@ pub(super) const FILTER: Table = &[&[
 ]];
 
 /// Keys of the inputs.
-pub(super) const FORM: Table = &[
+pub(super) const FORM: BindingTable = &[
     &[
         bind(Action::Enter, &[plain(KeyCode::Enter), plain(KeyCode::F(2))], "edit or choose", "edit"),
         bind(Action::Clear, &[plain(KeyCode::Delete), plain(KeyCode::Backspace)], "clear and edit", ""),
@@ -97,7 +97,7 @@ pub(super) const FORM: Table = &[
 ];
 
 /// Keys while a field is typed in.
-pub(super) const EDIT: Table = &[&[
+pub(super) const EDIT: BindingTable = &[&[
     bind(Action::Enter, ENTER, "accept", "accept"),
     bind(Action::Back, ESC, "cancel", "cancel"),
     bind(
@@ -115,7 +115,7 @@ pub(super) const EDIT: Table = &[&[
 ]];
 
 /// Keys of a pane that has no table of its own.
-pub(super) const RESULTS: Table = &[
+pub(super) const RESULTS: BindingTable = &[
     &[
         bind(Action::Enter, ENTER, "load the case", ""),
         bind(Action::NextDisplayUnit, &[typed('v')], "change the unit of an answer", ""),
@@ -127,7 +127,7 @@ pub(super) const RESULTS: Table = &[
 ];
 
 /// Keys of the cells of a tab: of the user's own answers.
-pub(super) const CELLS: Table = &[
+pub(super) const CELLS: BindingTable = &[
     &[
         bind(Action::Enter, ENTER, "edit the cell, or choose", "type"),
         bind(
@@ -146,7 +146,7 @@ pub(super) const CELLS: Table = &[
 ];
 
 /// Keys while a cell is typed in.
-pub(super) const CELL: Table = &[&[
+pub(super) const CELL: BindingTable = &[&[
     bind(Action::Enter, ENTER, "accept", "accept"),
     bind(Action::Back, ESC, "accept", ""),
     bind(Action::Down, &[plain(KeyCode::Down), plain(KeyCode::Tab)], "accept, next cell", "next cell"),
@@ -188,14 +188,14 @@ pub const PROBLEM: &[Binding] = &[
 ];
 
 /// Keys of a list to choose from.
-pub(super) const LIST: Table = &[
+pub(super) const LIST: BindingTable = &[
     &[bind(Action::Enter, ENTER, "choose", "choose"), bind(Action::Back, ESC, "close", "close")],
     LINES,
     ENDS,
 ];
 
 /// Keys of a text that is asked for, and of the palette.
-pub(super) const PROMPT: Table = &[&[
+pub(super) const PROMPT: BindingTable = &[&[
     bind(Action::Enter, ENTER, "apply", "apply"),
     bind(Action::Back, ESC, "close", "close"),
     bind(
@@ -208,13 +208,13 @@ pub(super) const PROMPT: Table = &[&[
 ]];
 
 /// Keys of a text of many lines.
-pub(super) const SHEET: Table = &[&[
+pub(super) const SHEET: BindingTable = &[&[
     bind(Action::Back, ESC, "accept and close", "accept and close"),
     bind(Action::GiveUp, &[ctrl('g')], "close without changes", "cancel"),
 ]];
 
 /// Keys of the help.
-pub(super) const HELP: Table = &[
+pub(super) const HELP: BindingTable = &[
     &[bind(
         Action::Back,
         &[plain(KeyCode::Esc), plain(KeyCode::Enter), typed('q'), typed('?')],

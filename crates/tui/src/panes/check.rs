@@ -22,8 +22,8 @@ use crate::{
     ask::{Question, Reply},
     glyphs::filter_untrusted,
     intent::Intent,
-    keys::{Action, Place},
-    look::{Glyph, Look},
+    keys::{Action, KeyContext},
+    look::{Appearance, Glyph},
     pane::{Page, Pane, Ui, register_pane},
     problem::Problem,
     remembered::Progress,
@@ -45,7 +45,7 @@ pub struct Check {
     /// The mistakes that give what was typed, for each wrong answer; `None` while they are searched for.
     mistakes: Option<Vec<(String, Vec<Mistake>)>>,
     /// True if it was said that everything is right.
-    praised: bool,
+    congratulated: bool,
 }
 
 register_pane!(Check, 60);
@@ -55,8 +55,8 @@ impl Pane for Check {
         "Check"
     }
 
-    fn place(&self) -> Place {
-        Place::Cells
+    fn place(&self) -> KeyContext {
+        KeyContext::Cells
     }
 
     fn is_useful(&self, problem: &Problem) -> bool {
@@ -130,7 +130,7 @@ impl Pane for Check {
         };
         if wanted.is_empty()
             || !self.is_right(solution, &wanted)
-            || std::mem::replace(&mut self.praised, true)
+            || std::mem::replace(&mut self.congratulated, true)
         {
             return Vec::new();
         }
@@ -163,7 +163,7 @@ impl Pane for Check {
 
     fn forget(&mut self, _: &mut Problem, inputs: bool) {
         self.mistakes = None;
-        self.praised &= !inputs;
+        self.congratulated &= !inputs;
     }
 }
 
@@ -232,7 +232,7 @@ impl Check {
         one: &One<'_>,
         solution: &Solution,
         waits: bool,
-        (look, locale, width): (&Look, &Locale, usize),
+        (look, locale, width): (&Appearance, &Locale, usize),
         lines: &mut Vec<Line<'static>>,
     ) {
         let name = one.answer.name.to_string();
@@ -295,7 +295,7 @@ struct One<'a> {
 }
 
 impl One<'_> {
-    fn line(&self, columns: &Columns, look: &Look, lines: &mut Vec<Line<'static>>) {
+    fn line(&self, columns: &Columns, look: &Appearance, lines: &mut Vec<Line<'static>>) {
         let pointer = if self.focused { look.glyph(Glyph::Pointer) } else { " " };
         let name = if self.focused { look.title() } else { Style::new() };
         let mut label = wrap::words(self.label, columns.label);

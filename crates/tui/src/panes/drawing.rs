@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use dalembert_core::{Drawing as Picture, Exhibit, Locale, Text, View};
+use dalembert_core::{Drawing as Picture, Exhibit, Locale, Text, Viewpoint3};
 use dalembert_report::figure;
 use ratatui::{
     buffer::Buffer,
@@ -15,7 +15,7 @@ use crate::{
     drawing,
     intent::Intent,
     keys::{
-        Action, PaneKeys, Place,
+        Action, KeyContext, PaneKeys,
         tables::{DOWN, LEFT, RIGHT, UP, bind, typed},
         turned,
     },
@@ -53,7 +53,7 @@ pub struct Drawing {
     /// The frame that is shown of an animation.
     frame: usize,
     /// From where a scene in space is seen, where it was turned.
-    view: Option<View>,
+    view: Option<Viewpoint3>,
 }
 
 register_pane!(Drawing, 40);
@@ -63,8 +63,8 @@ impl Pane for Drawing {
         "Drawing"
     }
 
-    fn place(&self) -> Place {
-        Place::Own(&KEYS)
+    fn place(&self) -> KeyContext {
+        KeyContext::Own(&KEYS)
     }
 
     fn column(&self) -> Column {
@@ -157,7 +157,7 @@ impl Pane for Drawing {
 
 impl Drawing {
     /// From where a scene in space is seen, where it was turned.
-    pub fn view(&self) -> Option<View> {
+    pub fn view(&self) -> Option<Viewpoint3> {
         self.view
     }
 

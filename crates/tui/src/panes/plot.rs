@@ -2,7 +2,7 @@
 
 use dalembert_core::{Locale, Plot as Curves, Text};
 use dalembert_report::{
-    figure::{self, Seen, axes::View},
+    figure::{self, Seen, axes::PlotWindow},
     plot_csv,
 };
 use ratatui::{
@@ -15,12 +15,12 @@ use super::reasons;
 use crate::{
     intent::Intent,
     keys::{
-        Action, PaneKeys, Place,
+        Action, KeyContext, PaneKeys,
         tables::{FIRST, LAST, LEFT, PAGE_DOWN_OR_SPACE, PAGE_UP, RIGHT, bind, shift, typed},
         turned,
     },
     pane::{Column, Gesture, Pane, Ui, register_pane},
-    plot::{self, State},
+    plot::{self, PlotState},
     problem::Problem,
 };
 
@@ -66,7 +66,7 @@ pub struct Plot {
     /// The plot that is shown, of several.
     at: usize,
     /// The cursor, and the part of the axis that is shown.
-    state: State,
+    state: PlotState,
 }
 
 register_pane!(Plot, 30);
@@ -76,8 +76,8 @@ impl Pane for Plot {
         "Plot"
     }
 
-    fn place(&self) -> Place {
-        Place::Own(&KEYS)
+    fn place(&self) -> KeyContext {
+        KeyContext::Own(&KEYS)
     }
 
     fn column(&self) -> Column {
@@ -110,7 +110,7 @@ impl Pane for Plot {
         }
         let next = turned(self.at, 1, self.pictures(problem));
         if let Some((plot, pinned)) = problem.plot_at(next) {
-            let state = State { marker: ui.marker, ..State::default() };
+            let state = PlotState { marker: ui.marker, ..PlotState::default() };
             plot::render(plot, pinned, &state, ui.look, ui.locale, room, buffer);
             reasons::dim_stale(problem, ui, room, buffer);
         }
@@ -158,7 +158,7 @@ impl Pane for Plot {
             Action::NextExhibit => {
                 self.at = turned(self.at, 1, plots);
                 // Another plot has another axis.
-                self.state.view = View::default();
+                self.state.view = PlotWindow::default();
                 return Some(Vec::new());
             }
             Action::Back if self.state.cursor.is_some() => {
@@ -189,7 +189,7 @@ impl Pane for Plot {
             Gesture::Drag(held) if state.view.window.is_some() => {
                 state.panned(plot, (f64::from(held) - f64::from(at.x)) / f64::from(cells))
             }
-            Gesture::Press | Gesture::Drag(_) => state.pointed(plot, place),
+            Gesture::Press | Gesture::Drag(_) => state.with_pointer(plot, place),
             Gesture::WheelUp => state.zoomed_at(plot, place, NOTCH),
             Gesture::WheelDown => state.zoomed_at(plot, place, 1.0 / NOTCH),
         };
@@ -226,12 +226,12 @@ impl Pane for Plot {
 
 impl Plot {
     /// The cursor, and the part of the axis that is shown.
-    pub fn state(&self) -> State {
+    pub fn state(&self) -> PlotState {
         self.state
     }
 
-    fn marked(&self, ui: &Ui<'_>) -> State {
-        State { marker: ui.marker, ..self.state }
+    fn marked(&self, ui: &Ui<'_>) -> PlotState {
+        PlotState { marker: ui.marker, ..self.state }
     }
 
     /// Another part of the plot, or its values spread in another way; what cannot be done is said.

@@ -11,11 +11,11 @@ use ratatui::{
 use super::{label_of, wrap};
 use crate::{
     glyphs::filter_untrusted,
-    keys::{Action, Place},
-    look::{Glyph, Look},
+    keys::{Action, KeyContext},
+    look::{Appearance, Glyph},
     pane::{Page, Ui},
-    problem::{Problem, State},
-    solver::Failure,
+    problem::{Freshness, Problem},
+    solver::JobFailure,
     text::{fit, wrapped},
 };
 
@@ -25,7 +25,7 @@ const MOST_ERRORS: usize = 100;
 /// Reason for which the present inputs have no solution: invalid inputs, a refusal, an internal error.
 pub(super) fn why_not(problem: &Problem, ui: &Ui<'_>, width: u16) -> Vec<Line<'static>> {
     let (look, locale) = (ui.look, ui.locale);
-    if problem.found.state == State::Unread {
+    if problem.found.state == Freshness::Unread {
         let (wrong, needed) = (problem.wrong().count(), problem.needed().count());
         let is_without_numbers = problem.hides_numbers() || problem.found.solution.is_none();
         let headline = match (wrong, needed) {
@@ -53,8 +53,10 @@ pub(super) fn why_not(problem: &Problem, ui: &Ui<'_>, width: u16) -> Vec<Line<'s
     }
     match &problem.found.failure {
         None => Vec::new(),
-        Some(Failure::Unsolved(error)) => refusal(Some(&problem.entry.shape()), error, look, locale, width),
-        Some(Failure::Fault(panic)) => {
+        Some(JobFailure::Unsolved(error)) => {
+            refusal(Some(&problem.entry.shape()), error, look, locale, width)
+        }
+        Some(JobFailure::Fault(panic)) => {
             let said = Text::new("this analysis failed (internal error); your inputs are kept");
             let mut lines = wrapped(&said.render(locale), width.into());
             lines.extend(wrapped(&filter_untrusted(panic), width.into()));
@@ -84,10 +86,10 @@ fn unread(problem: &Problem, ui: &Ui<'_>, error: &FieldError, width: u16) -> Vec
 pub(super) fn nothing(problem: &Problem, ui: &Ui<'_>, width: u16) -> Page {
     let why = match (&problem.found.solution, problem.found.state) {
         (Some(_), _) => "nothing to show here".into(),
-        (None, State::Solving(_)) => "solving".into(),
-        (None, State::Unread) => problem.to_do().unwrap_or_else(|| "solving".into()),
-        (None, State::Stopped) => "cancelled".into(),
-        (None, State::Current) => "no solution".into(),
+        (None, Freshness::Solving(_)) => "solving".into(),
+        (None, Freshness::Unread) => problem.to_do().unwrap_or_else(|| "solving".into()),
+        (None, Freshness::Stopped) => "cancelled".into(),
+        (None, Freshness::Current) => "no solution".into(),
     };
     let lines = wrapped(&why.render(ui.locale), width.into());
     Page::of(lines.into_iter().map(|text| Line::styled(text, ui.look.dim())).collect())
@@ -96,7 +98,7 @@ pub(super) fn nothing(problem: &Problem, ui: &Ui<'_>, width: u16) -> Page {
 /// The page of a pane whose content would give away what is to be found.
 pub(super) fn covered(ui: &Ui<'_>, width: u16) -> Page {
     let words = Text::new("hidden until every step is revealed; {key} shows the results")
-        .with("key", ui.key(Place::Form, Action::TryByHand))
+        .with("key", ui.key(KeyContext::Form, Action::TryByHand))
         .render(ui.locale);
     let lines = wrapped(&words, width.into()).into_iter();
     Page::of(lines.map(|text| Line::styled(text, ui.look.dim())).collect())
@@ -129,7 +131,7 @@ pub(super) fn dim_stale(problem: &Problem, ui: &Ui<'_>, room: Rect, buffer: &mut
 pub fn refusal(
     shape: Option<&Shape>,
     error: &SolveError,
-    look: &Look,
+    look: &Appearance,
     locale: &Locale,
     width: u16,
 ) -> Vec<Line<'static>> {
@@ -164,7 +166,12 @@ pub fn refusal(
 }
 
 /// Lines of a pane that belong to the inputs before the last change: dimmed, under a note that reports it.
-pub fn stale(lines: Vec<Line<'static>>, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
+pub fn stale(
+    lines: Vec<Line<'static>>,
+    look: &Appearance,
+    locale: &Locale,
+    width: u16,
+) -> Vec<Line<'static>> {
     let note = Text::new("results for the previous, complete inputs").render(locale);
     let note = marked(look, Glyph::Warning, look.warning(), &note, look.warning(), usize::from(width).max(1));
     let dimmed = lines.into_iter().map(|line| {
@@ -176,7 +183,7 @@ pub fn stale(lines: Vec<Line<'static>>, look: &Look, locale: &Locale, width: u16
 
 /// A pictogram, and words beside it.
 pub(super) fn marked(
-    look: &Look,
+    look: &Appearance,
     glyph: Glyph,
     glyph_style: Style,
     words: &str,

@@ -18,8 +18,8 @@ use super::{
 };
 use crate::{
     intent::Intent,
-    keys::{Action, Place},
-    look::{Glyph, Look},
+    keys::{Action, KeyContext},
+    look::{Appearance, Glyph},
     pane::{Column, Page, Pane, Ui, register_pane},
     problem::Problem,
 };
@@ -63,10 +63,10 @@ impl Pane for Results {
     fn about(&self, _: &Problem, ui: &Ui<'_>) -> Vec<Text> {
         let text = match self.chosen {
             Some(_) => Text::new("{keys} select the answer; {unit} unit, {digits} digits")
-                .with("keys", ui.pair(Place::Pane, Action::Up, Action::Down)),
+                .with("keys", ui.pair(KeyContext::Pane, Action::Up, Action::Down)),
             None => Text::new("{unit} unit of an answer, {digits} digits"),
         };
-        let key = |action| ui.key(Place::Pane, action);
+        let key = |action| ui.key(KeyContext::Pane, action);
         vec![text.with("unit", key(Action::NextDisplayUnit)).with("digits", key(Action::NextDigits))]
     }
 
@@ -99,9 +99,9 @@ impl Results {
         };
         let Some(at) = self.chosen else {
             self.chosen = Some(0);
-            let key = |action| ui.key(Place::Pane, action);
+            let key = |action| ui.key(KeyContext::Pane, action);
             let said = Text::new("{keys} select the answer; {unit} unit, {digits} digits; {back} back")
-                .with("keys", ui.pair(Place::Pane, Action::Up, Action::Down))
+                .with("keys", ui.pair(KeyContext::Pane, Action::Up, Action::Down))
                 .with("unit", key(Action::NextDisplayUnit))
                 .with("digits", key(Action::NextDigits))
                 .with("back", key(Action::Back));
@@ -153,7 +153,7 @@ fn put(problem: &mut Problem, name: &str, display: &Display) {
 }
 
 /// Answers, warnings and checks of a solution; faults of the program before them.
-pub fn lines(solution: &Solution, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
+pub fn lines(solution: &Solution, look: &Appearance, locale: &Locale, width: u16) -> Vec<Line<'static>> {
     read(solution, None, None, look, locale, width)
 }
 
@@ -163,7 +163,7 @@ pub fn read(
     solution: &Solution,
     revealed: Option<usize>,
     pinned: Option<&Solution>,
-    look: &Look,
+    look: &Appearance,
     locale: &Locale,
     width: u16,
 ) -> Vec<Line<'static>> {
@@ -175,7 +175,7 @@ fn page(
     solution: &Solution,
     reading: (Option<usize>, Option<usize>),
     pinned: Option<&Solution>,
-    look: &Look,
+    look: &Appearance,
     locale: &Locale,
     width: u16,
 ) -> Page {
@@ -228,7 +228,7 @@ fn answers(
     solution: &Solution,
     (revealed, chosen): (Option<usize>, Option<usize>),
     pinned: Option<&Solution>,
-    look: &Look,
+    look: &Appearance,
     locale: &Locale,
     width: usize,
 ) -> Page {
@@ -335,7 +335,7 @@ fn unit_column(one: &Aligned) -> String {
 /// A relative difference below this is not shown: its digits are rounding and differ from processor to processor.
 const ROUNDING: f64 = 1e-9;
 
-fn check(check: &Check, look: &Look, locale: &Locale, width: usize) -> Vec<Line<'static>> {
+fn check(check: &Check, look: &Appearance, locale: &Locale, width: usize) -> Vec<Line<'static>> {
     let difference = write_number(check.residual, Digits { digits: 1, ..locale.style });
     let outcome = match (check.passed, check.residual <= ROUNDING) {
         (true, true) => Text::new("verified by a second method"),

@@ -2,7 +2,7 @@
 
 use dalembert_core::{
     Answer, Locale, Refusal, Solution, SolveError, Text,
-    sensitivity::{Influence, Sensitivity as Found},
+    sensitivity::{InputInfluence, Sensitivity as Found},
     vary,
 };
 use dalembert_units::{Unit, write_number, write_quantity};
@@ -22,8 +22,8 @@ use crate::{
     ask::{Question, Reply},
     glyphs::filter_untrusted,
     intent::Intent,
-    keys::{Action, Place, turned},
-    look::{Glyph, Look},
+    keys::{Action, KeyContext, turned},
+    look::{Appearance, Glyph},
     pane::{Page, Pane, Ui, register_pane},
     problem::Problem,
 };
@@ -55,8 +55,8 @@ impl Pane for Sensitivity {
         "Sensitivity"
     }
 
-    fn place(&self) -> Place {
-        Place::Cells
+    fn place(&self) -> KeyContext {
+        KeyContext::Cells
     }
 
     fn is_useful(&self, problem: &Problem) -> bool {
@@ -76,7 +76,7 @@ impl Pane for Sensitivity {
     fn about(&self, _: &Problem, ui: &Ui<'_>) -> Vec<Text> {
         vec![
             Text::new("{keys} another answer; type a tolerance of the input, such as 2 %")
-                .with("keys", ui.pair(Place::Cells, Action::Left, Action::Right)),
+                .with("keys", ui.pair(KeyContext::Cells, Action::Left, Action::Right)),
         ]
     }
 
@@ -164,10 +164,10 @@ impl Sensitivity {
     }
 
     /// The inputs that change the answer, the most influential first; those that do not, last.
-    fn sorted(&self) -> Vec<&Influence> {
+    fn sorted(&self) -> Vec<&InputInfluence> {
         let Some(Ok(found)) = &self.found else { return Vec::new() };
-        let mut sorted: Vec<&Influence> = found.influences.iter().collect();
-        let size = |one: &Influence| match one.change(found.value).abs() {
+        let mut sorted: Vec<&InputInfluence> = found.influences.iter().collect();
+        let size = |one: &InputInfluence| match one.change(found.value).abs() {
             change if change.is_nan() => 0.0,
             change => change,
         };
@@ -176,7 +176,7 @@ impl Sensitivity {
     }
 
     /// The input under the cursor.
-    fn input(&self) -> Option<&Influence> {
+    fn input(&self) -> Option<&InputInfluence> {
         // The order must not change while a tolerance is typed.
         let sorted = self.sorted();
         sorted.get(self.cursor.min(sorted.len().checked_sub(1)?)).copied()
@@ -265,7 +265,7 @@ impl Sensitivity {
 }
 
 /// `±`, also where there is no such sign.
-fn plus_minus(text: &str, look: &Look) -> String {
+fn plus_minus(text: &str, look: &Appearance) -> String {
     if look.ascii { text.replace('±', "+/-") } else { text.to_owned() }
 }
 
@@ -276,7 +276,7 @@ struct Columns {
 }
 
 struct Row<'a> {
-    one: &'a Influence,
+    one: &'a InputInfluence,
     found: &'a Found,
     /// The largest change of all.
     most: f64,
@@ -288,7 +288,7 @@ struct Row<'a> {
 }
 
 impl Row<'_> {
-    fn line(&self, columns: &Columns, look: &Look, locale: &Locale) -> Line<'static> {
+    fn line(&self, columns: &Columns, look: &Appearance, locale: &Locale) -> Line<'static> {
         let pointer = if self.under_cursor { look.glyph(Glyph::Pointer) } else { " " };
         let label = look.shortened(&self.one.input.label.render(locale), columns.label);
         let change = self.one.change(self.found.value);
@@ -337,7 +337,7 @@ impl Row<'_> {
         &self,
         answer: &Unit,
         columns: &Columns,
-        look: &Look,
+        look: &Appearance,
         locale: &Locale,
         lines: &mut Vec<Line<'static>>,
     ) {

@@ -2,7 +2,7 @@
 
 use dalembert_core::{
     Answer, Entry, Locale, Refusal, SolveError, Text,
-    cases::{Case, Outcome, Truth, Verdict},
+    cases::{Case, Comparison, Truth, Verdict},
 };
 use dalembert_units::Decimal;
 use ratatui::{
@@ -15,11 +15,11 @@ use super::{columns::padded, wrap};
 use crate::{
     effect::Effect,
     intent::Intent,
-    keys::{Action, Place},
-    look::{Glyph, Look},
+    keys::{Action, KeyContext},
+    look::{Appearance, Glyph},
     pane::{Page, Pane, Ui, register_pane},
     problem::Problem,
-    remembered::{Change, Progress},
+    remembered::{HistoryChange, Progress},
     solver::CheckedCase,
 };
 
@@ -44,8 +44,8 @@ impl Pane for Sources {
     fn about(&self, _: &Problem, ui: &Ui<'_>) -> Vec<Text> {
         vec![
             Text::new("{keys} choose a case; {enter} loads it")
-                .with("keys", ui.pair(Place::Pane, Action::Up, Action::Down))
-                .with("enter", ui.key(Place::Pane, Action::Enter)),
+                .with("keys", ui.pair(KeyContext::Pane, Action::Up, Action::Down))
+                .with("enter", ui.key(KeyContext::Pane, Action::Enter)),
         ]
     }
 
@@ -68,7 +68,7 @@ impl Pane for Sources {
     }
 
     fn turned_to(&mut self, problem: &mut Problem) -> Vec<Intent> {
-        if std::mem::replace(&mut problem.judging, true) {
+        if std::mem::replace(&mut problem.checking, true) {
             return Vec::new();
         }
         vec![Intent::Do(Effect::Judge(problem.entry))]
@@ -83,14 +83,14 @@ fn load(problem: &mut Problem, ui: &Ui<'_>) -> Vec<Intent> {
     let untouched = !problem.is_unsaved() && problem.document.file.is_none();
     let said = Text::new("{case} loaded; {key} restores the previous inputs")
         .with_text("case", case.title())
-        .with("key", ui.key(Place::Form, Action::Undo));
+        .with("key", ui.key(KeyContext::Form, Action::Undo));
     problem.inputs.form.replace(case.draft.clone());
     problem.document.title.clear();
     problem.document.origin = Some(case);
     if untouched {
         problem.mark_saved();
     }
-    let opened = Change::Open(problem.entry.about.id.to_owned());
+    let opened = HistoryChange::Open(problem.entry.about.id.to_owned());
     vec![Intent::Say(said), Intent::Changed, Intent::Reach(Progress::Opened), Intent::Remember(opened)]
 }
 
@@ -102,7 +102,7 @@ pub fn lines(
     cases: &[CheckedCase],
     chosen: Option<usize>,
     answers: Option<&[Answer]>,
-    look: &Look,
+    look: &Appearance,
     locale: &Locale,
     width: u16,
 ) -> Page {
@@ -111,9 +111,9 @@ pub fn lines(
     let words = Words { answers, look, locale, width };
     let mut page = Page::default();
     heading("Published cases", look, locale, width, &mut page.lines);
-    for (n, judged) in cases.iter().enumerate() {
+    for (n, checked) in cases.iter().enumerate() {
         page.starts.push(page.lines.len());
-        case(judged, n, chosen == Some(n), &words, &mut page.lines);
+        case(checked, n, chosen == Some(n), &words, &mut page.lines);
         page.lines.push(Line::default());
     }
     if cases.is_empty() {
@@ -127,7 +127,13 @@ pub fn lines(
     page
 }
 
-fn heading(words: &'static str, look: &Look, locale: &Locale, width: usize, lines: &mut Vec<Line<'static>>) {
+fn heading(
+    words: &'static str,
+    look: &Appearance,
+    locale: &Locale,
+    width: usize,
+    lines: &mut Vec<Line<'static>>,
+) {
     let words = wrap::words(&Text::new(words).render(locale), width);
     lines.extend(words.into_iter().map(|line| Line::styled(line, look.title())));
 }
@@ -139,7 +145,7 @@ const A_NUMBER: usize = 20;
 #[derive(Clone, Copy)]
 struct Words<'a> {
     answers: Option<&'a [Answer]>,
-    look: &'a Look,
+    look: &'a Appearance,
     locale: &'a Locale,
     width: usize,
 }
@@ -201,10 +207,10 @@ fn replaced(text: &str, from: char, to: char, wanted: impl Fn(Option<char>, Opti
         .collect()
 }
 
-fn case(judged: &CheckedCase, n: usize, chosen: bool, words: &Words, lines: &mut Vec<Line<'static>>) {
+fn case(checked: &CheckedCase, n: usize, chosen: bool, words: &Words, lines: &mut Vec<Line<'static>>) {
     let Words { look, locale, width, .. } = *words;
-    let Case { source, note, truth, .. } = &judged.case;
-    let [name, source, note] = [&judged.case.title(), source, note].map(|text| text.render(locale));
+    let Case { source, note, truth, .. } = &checked.case;
+    let [name, source, note] = [&checked.case.title(), source, note].map(|text| text.render(locale));
     let pointer = if chosen { look.glyph(Glyph::Pointer) } else { " " };
     let head = vec![
         Span::styled(format!("{pointer} "), look.key()),
@@ -219,7 +225,7 @@ fn case(judged: &CheckedCase, n: usize, chosen: bool, words: &Words, lines: &mut
     if !note.is_empty() {
         lines.extend(wrap::hanging(space(0), &note, look.dim(), width));
     }
-    match &judged.verdicts {
+    match &checked.verdicts {
         _ if words.answers.is_none() => {
             let words = Text::new("published values hidden").render(locale);
             lines.extend(wrap::hanging(space(0), &words, look.dim(), width));
@@ -250,7 +256,7 @@ fn compared(verdicts: &[Verdict], space: &[Span<'static>], words: &Words, lines:
     let (printed, ours) = (Text::new("published").render(locale), Text::new("computed").render(locale));
     let name = |one: &Verdict| words.name(&one.answer);
     let theirs = |one: &Verdict| words.printed(&one.printed);
-    let mine = |one: &Verdict| words.number(&one.ours);
+    let mine = |one: &Verdict| words.number(&one.computed);
     let names = widest(&name);
     let printed_width = widest(&theirs).max(printed.width());
     let ours_width = widest(&mine).max(ours.width());
@@ -264,9 +270,9 @@ fn compared(verdicts: &[Verdict], space: &[Span<'static>], words: &Words, lines:
     }
     for one in verdicts {
         let (glyph, style) = match one.outcome {
-            Outcome::Agreed => (Glyph::Good, look.good()),
-            Outcome::Disputed => (Glyph::Warning, look.warning()),
-            Outcome::Differing => (Glyph::Bad, look.error()),
+            Comparison::Agreed => (Glyph::Good, look.good()),
+            Comparison::Disputed => (Glyph::Warning, look.warning()),
+            Comparison::Differing => (Glyph::Bad, look.error()),
         };
         let mark = Span::styled(format!("{} ", look.glyph(glyph)), style);
         if columns {

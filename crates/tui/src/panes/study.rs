@@ -21,7 +21,7 @@ use crate::{
     ask::{Question, Reply},
     glyphs::filter_untrusted,
     intent::Intent,
-    keys::{Action, Place},
+    keys::{Action, KeyContext},
     look::Glyph,
     pane::{Page, Pane, Ui, register_pane},
     plot,
@@ -44,8 +44,8 @@ impl Pane for Study {
         "Study"
     }
 
-    fn place(&self) -> Place {
-        Place::Cells
+    fn place(&self) -> KeyContext {
+        KeyContext::Cells
     }
 
     fn is_useful(&self, problem: &Problem) -> bool {
@@ -69,7 +69,7 @@ impl Pane for Study {
             && problem.found.revealed.is_none()
             && let Some(plot) = problem.studied()
         {
-            let state = plot::State { marker: ui.marker, ..plot::State::default() };
+            let state = plot::PlotState { marker: ui.marker, ..plot::PlotState::default() };
             plot::render(plot, None, &state, ui.look, ui.locale, room, buffer);
         }
     }
@@ -219,7 +219,7 @@ impl Study {
             None => page.lines.push(dim("cancelled")),
             Some(Err(error)) => page.lines.extend(reasons::refusal(None, error, look, locale, width)),
             Some(Ok(found)) => {
-                for text in &found.says {
+                for text in &found.remarks {
                     page.lines.extend(wrap::words(&text.render(locale), cells).into_iter().map(|line| {
                         Line::styled(line, if found.numbers.is_empty() { look.dim() } else { look.answer() })
                     }));

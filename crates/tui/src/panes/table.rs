@@ -13,7 +13,7 @@ use super::{
     reasons, wrap,
 };
 use crate::{
-    look::{Glyph, Look},
+    look::{Appearance, Glyph},
     pane::{Page, Pane, Ui, register_pane},
     problem::Problem,
 };
@@ -64,7 +64,7 @@ const NAMES: usize = 12;
 /// The table: its columns side by side as far as the width goes; the others below, after the first column again.
 /// Where the names of the rows and a column do not fit side by side, the heading goes on below, and the names are
 /// shortened.
-pub fn lines(table: &TableExhibit, look: &Look, locale: &Locale, width: u16) -> Vec<Line<'static>> {
+pub fn lines(table: &TableExhibit, look: &Appearance, locale: &Locale, width: u16) -> Vec<Line<'static>> {
     let width = usize::from(width).max(1);
     let locale = &locale.ascii(look.ascii);
     let title = wrap::words(&table.title.render(locale), width);
@@ -100,7 +100,7 @@ impl Written {
     fn of(
         n: usize,
         table: &TableExhibit,
-        look: &Look,
+        look: &Appearance,
         locale: &Locale,
         (most, whole): (usize, usize),
     ) -> Self {
@@ -160,7 +160,7 @@ fn blocks(columns: &[Written], names: usize, width: usize) -> Vec<Vec<&Written>>
     blocks
 }
 
-fn written(block: &[&Written], rows: usize, look: &Look) -> Vec<Line<'static>> {
+fn written(block: &[&Written], rows: usize, look: &Appearance) -> Vec<Line<'static>> {
     let row = |cell: &dyn Fn(&Written) -> String, style: Style| {
         let cells: Vec<String> = block.iter().map(|column| cell(column)).collect();
         Line::from(Span::styled(cells.join(&" ".repeat(GAP)).trim_end().to_owned(), style))

@@ -20,10 +20,10 @@ use super::{
 use crate::{
     intent::Intent,
     keys::{
-        Action, PaneKeys, Place,
+        Action, KeyContext, PaneKeys,
         tables::{ENDS, ENTER, LEFT, LINES, PAGES, RIGHT, bind, typed},
     },
-    look::Look,
+    look::Appearance,
     pane::{Column, Page, Pane, Ui, register_pane},
     problem::Problem,
 };
@@ -56,7 +56,7 @@ pub struct Working {
     /// The symbol that the cursor is at.
     symbol: Option<Symbol>,
     /// The symbols that were followed to where it is.
-    trail: Vec<Symbol>,
+    visited: Vec<Symbol>,
 }
 
 /// A symbol of a step: the places of both.
@@ -69,8 +69,8 @@ impl Pane for Working {
         "Working"
     }
 
-    fn place(&self) -> Place {
-        Place::Own(&KEYS)
+    fn place(&self) -> KeyContext {
+        KeyContext::Own(&KEYS)
     }
 
     fn column(&self) -> Column {
@@ -104,7 +104,7 @@ impl Pane for Working {
         if action == Action::Back {
             // Back to the symbol that was followed here; from the first one, to no symbol at all.
             self.symbol?;
-            let before = self.trail.pop();
+            let before = self.visited.pop();
             return Some(self.put(before));
         }
         let found = &mut problem.found;
@@ -129,7 +129,7 @@ impl Pane for Working {
                     return Some(Intent::say("this step depends on no other symbol"));
                 };
                 if let Some(step) = step_of(solution, id) {
-                    self.trail.push(symbol);
+                    self.visited.push(symbol);
                     self.put(Some((step, 0)))
                 } else if let Op::Given { path, .. } = &solution.trace.node(id).op {
                     vec![Intent::GoToInput(path.clone())]
@@ -190,7 +190,7 @@ impl Working {
 ///
 /// Each step is a number, its reason and source, and below them `symbol = formula`, `= substitution`, `= result`
 /// with the signs of equality under one another. A long formula goes on below its beginning.
-pub fn lines(solution: &Solution, look: &Look, locale: &Locale, width: u16) -> Page {
+pub fn lines(solution: &Solution, look: &Appearance, locale: &Locale, width: u16) -> Page {
     read(solution, (None, None), "", look, locale, width)
 }
 
@@ -200,7 +200,7 @@ fn read(
     solution: &Solution,
     (revealed, symbol): (Option<usize>, Option<Symbol>),
     reveal: &str,
-    look: &Look,
+    look: &Appearance,
     locale: &Locale,
     width: u16,
 ) -> Page {
@@ -290,20 +290,20 @@ fn made_of(
 }
 
 /// A step in what the terminal can show.
-fn plain(step: &WrittenStep, look: &Look) -> WrittenStep {
+fn plain(step: &WrittenStep, look: &Appearance) -> WrittenStep {
     step.map(&|text| look.words(text).into_owned())
 }
 
 /// For whom it is written, and where.
 struct Reader<'a> {
-    look: &'a Look,
+    look: &'a Appearance,
     locale: &'a Locale,
     width: usize,
     indent: usize,
 }
 
 /// The number of the step and why it is taken; the source at the right, or below where it does not fit.
-fn reason(step: &WrittenStep, head: String, look: &Look, width: usize, lines: &mut Vec<Line<'static>>) {
+fn reason(step: &WrittenStep, head: String, look: &Appearance, width: usize, lines: &mut Vec<Line<'static>>) {
     let indent = head.width();
     lines.extend(wrap::hanging(vec![Span::styled(head, look.dim())], &step.why, look.title(), width));
     if step.source.is_empty() {
@@ -320,7 +320,13 @@ fn reason(step: &WrittenStep, head: String, look: &Look, width: usize, lines: &m
     }
 }
 
-fn equalities(step: &WrittenStep, indent: usize, look: &Look, width: usize, lines: &mut Vec<Line<'static>>) {
+fn equalities(
+    step: &WrittenStep,
+    indent: usize,
+    look: &Appearance,
+    width: usize,
+    lines: &mut Vec<Line<'static>>,
+) {
     let sides =
         [(&step.formula, Style::new()), (&step.substitution, look.dim()), (&step.result, look.answer())];
     let symbol = &step.symbol;
@@ -360,7 +366,7 @@ fn equalities(step: &WrittenStep, indent: usize, look: &Look, width: usize, line
 fn terms(
     terms: &[(String, String)],
     indent: usize,
-    look: &Look,
+    look: &Appearance,
     width: usize,
     lines: &mut Vec<Line<'static>>,
 ) {
@@ -410,9 +416,9 @@ mod tests {
 
     fn written(step: &WrittenStep, width: usize) -> Vec<String> {
         let mut lines = Vec::new();
-        reason(step, "1  ".into(), &Look::default(), width, &mut lines);
-        equalities(step, 3, &Look::default(), width, &mut lines);
-        terms(&step.terms, 5, &Look::default(), width, &mut lines);
+        reason(step, "1  ".into(), &Appearance::default(), width, &mut lines);
+        equalities(step, 3, &Appearance::default(), width, &mut lines);
+        terms(&step.terms, 5, &Appearance::default(), width, &mut lines);
         assert!(lines.iter().all(|line| line.width() <= width), "{lines:?}");
         lines.iter().map(ToString::to_string).collect()
     }

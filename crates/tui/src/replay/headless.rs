@@ -13,7 +13,7 @@ use crate::{Msg, harness::Harness, view::tempo};
 
 /// Result of a replayed session.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Played {
+pub struct ReplayResult {
     /// The screens it marked, in their order.
     pub pictures: Vec<Picture>,
     /// The last screen, as text.
@@ -33,7 +33,7 @@ pub struct Picture {
 
 /// Reason for which a replay stopped early.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Failure {
+pub enum ReplayFailure {
     /// Session that opens neither an analysis nor a file.
     NothingToOpen(String),
     /// The screen does not show what it should.
@@ -49,44 +49,44 @@ pub enum Failure {
     Ended(usize),
 }
 
-impl Failure {
+impl ReplayFailure {
     /// The sentence, for a user.
     pub fn text(&self) -> Text {
         match self {
-            Failure::NothingToOpen(named) => {
+            ReplayFailure::NothingToOpen(named) => {
                 let words = "`{named}` is neither the id of an analysis nor a file beside the session";
                 Text::new(words).with("named", named)
             }
-            Failure::NotSeen { line, text, .. } => {
+            ReplayFailure::NotSeen { line, text, .. } => {
                 Text::new("line {line}: `{text}` is not on the screen").with("line", line).with("text", text)
             }
-            Failure::Ended(line) => {
+            ReplayFailure::Ended(line) => {
                 Text::new("line {line}: the program has already ended").with("line", line)
             }
         }
     }
 }
 
-impl fmt::Display for Failure {
+impl fmt::Display for ReplayFailure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text().english())
     }
 }
 
-impl std::error::Error for Failure {}
+impl std::error::Error for ReplayFailure {}
 
 /// Plays a session that stands in a folder. An animation shows the frames that the time of a `wait` has room for.
-pub fn play(replay: &Replay, folder: &Path) -> Result<Played, Failure> {
+pub fn play(replay: &Replay, folder: &Path) -> Result<ReplayResult, ReplayFailure> {
     let mut harness = Harness::new(registry(), replay.screen, replay.language, replay.look);
-    (harness.model.readonly, harness.model.played) = (true, true);
+    (harness.model.readonly, harness.model.is_replay) = (true, true);
     if let Some(named) = &replay.open {
         let (file, analysis) = to_open(named, folder)?;
         harness.begins(file, analysis);
     }
     let mut pictures = Vec::new();
     for (line, act) in &replay.acts {
-        if harness.has_left {
-            return Err(Failure::Ended(*line));
+        if harness.has_quit {
+            return Err(ReplayFailure::Ended(*line));
         }
         match act {
             Act::Type(keys) => keys.iter().for_each(|key| harness.happens(Msg::Key(*key))),
@@ -101,21 +101,24 @@ pub fn play(replay: &Replay, folder: &Path) -> Result<Played, Failure> {
             Act::Expect(text) => {
                 let screen = harness.text();
                 if !collapsed(&screen).contains(&collapsed(text)) {
-                    return Err(Failure::NotSeen { line: *line, text: text.clone(), screen });
+                    return Err(ReplayFailure::NotSeen { line: *line, text: text.clone(), screen });
                 }
             }
         }
     }
-    Ok(Played { pictures, last: harness.text() })
+    Ok(ReplayResult { pictures, last: harness.text() })
 }
 
 /// File or analysis that a session opens.
-pub fn to_open(named: &str, folder: &Path) -> Result<(Option<PathBuf>, Option<&'static Entry>), Failure> {
+pub fn to_open(
+    named: &str,
+    folder: &Path,
+) -> Result<(Option<PathBuf>, Option<&'static Entry>), ReplayFailure> {
     let path = folder.join(named);
     match find(named) {
         Some(entry) => Ok((None, Some(entry))),
         None if path.is_file() => Ok((Some(path), None)),
-        None => Err(Failure::NothingToOpen(named.to_owned())),
+        None => Err(ReplayFailure::NothingToOpen(named.to_owned())),
     }
 }
 

@@ -10,7 +10,7 @@ use ratatui::crossterm::event::{KeyCode, KeyEvent};
 use super::{Act, Replay};
 use crate::{
     model::{Model, Msg},
-    problem::State,
+    problem::Freshness,
 };
 
 /// Between the characters of a text.
@@ -67,7 +67,7 @@ impl Player {
             let solving = model
                 .bench
                 .as_ref()
-                .is_some_and(|bench| matches!(bench.problem.found.state, State::Solving(_)));
+                .is_some_and(|bench| matches!(bench.problem.found.state, Freshness::Solving(_)));
             if solving && since.elapsed() < PATIENCE {
                 self.due = now + CHARACTER;
                 return None;

@@ -10,7 +10,7 @@ use std::{
 use dalembert_core::Language;
 
 use super::quoted;
-use crate::{keys::notation::written, look::Look, model::Msg};
+use crate::{keys::notation::written, look::Appearance, model::Msg};
 
 /// Shorter pauses are those between the keys of one hand.
 const PAUSE: Duration = Duration::from_millis(600);
@@ -32,7 +32,7 @@ impl Recorder {
         path: &Path,
         (columns, rows): (u16, u16),
         language: Language,
-        look: &Look,
+        look: &Appearance,
         open: Option<&str>,
     ) -> io::Result<Self> {
         let mut file = File::create_new(path)?;

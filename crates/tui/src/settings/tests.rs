@@ -50,8 +50,8 @@ fn what_cannot_be_taken_is_named_with_its_line_and_the_rest_holds() {
 }
 
 /// Action of each key, place by place, however the tables divide it.
-fn meaning(settings: &Settings) -> Vec<(Place, Key, &'static str)> {
-    let mut all: Vec<(Place, Key, &'static str)> = Vec::new();
+fn meaning(settings: &Settings) -> Vec<(KeyContext, Key, &'static str)> {
+    let mut all: Vec<(KeyContext, Key, &'static str)> = Vec::new();
     for place in places() {
         for bound in settings.keys.bindings(place) {
             all.extend(bound.keys.iter().map(|key| (place, *key, bound.binding.action.id())));

@@ -7,16 +7,16 @@ use crate::{
     dialog::{Dialog, Purpose},
     effect::Effect,
     intent::Intent,
-    keys::{Action, Place},
+    keys::{Action, KeyContext},
     layout::Focus,
     model::Model,
     pane::Tab,
-    problem::State,
+    problem::Freshness,
     view,
 };
 
 /// Does what a key means on the screen of a problem; `None` where its place says what it means.
-pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Option<Vec<Intent>> {
+pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Option<Vec<Intent>> {
     let bench = model.bench.as_mut()?;
     Some(match action {
         Action::Save => vec![Intent::Save],
@@ -53,7 +53,7 @@ pub(super) fn act(model: &mut Model, place: Place, action: Action) -> Option<Vec
 
 /// One step back: from a running job, from what the pane is at, from an input to the symbol that led there, from a pane
 /// that is alone. `None`: to where the place leads back.
-fn back(model: &mut Model, place: Place) -> Option<Vec<Intent>> {
+fn back(model: &mut Model, place: KeyContext) -> Option<Vec<Intent>> {
     // Where a text is typed the key ends that first.
     if place.is_text() {
         return None;
@@ -62,7 +62,7 @@ fn back(model: &mut Model, place: Place) -> Option<Vec<Intent>> {
     if bench.is_working() {
         return Some(stop(model));
     }
-    if place == Place::Form && bench.shown().led_to_input() {
+    if place == KeyContext::Form && bench.shown().led_to_input() {
         bench.focus = Focus::Pane;
         return Some(Vec::new());
     }
@@ -94,8 +94,8 @@ fn stop(model: &mut Model) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
     let asked = bench.stop();
     let problem = &mut bench.problem;
-    let said = if matches!(problem.found.state, State::Solving(_)) {
-        problem.found.state = State::Stopped;
+    let said = if matches!(problem.found.state, Freshness::Solving(_)) {
+        problem.found.state = Freshness::Stopped;
         problem.found.hidden |= !problem.is_near_the_solved();
         Some("solve cancelled; the next change of an input restarts it".into())
     } else {
@@ -117,7 +117,7 @@ fn pin(model: &mut Model) -> Vec<Intent> {
     }
     problem.found.pinned.clone_from(&problem.found.solution);
     let said = Text::new("result pinned: later answers show the difference from it; {key} unpins it");
-    Intent::say(said.with("key", model.key(Place::Form, Action::Pin)))
+    Intent::say(said.with("key", model.key(KeyContext::Form, Action::Pin)))
 }
 
 /// Covers what was found, or covers it no more.
@@ -131,7 +131,7 @@ fn try_by_hand(model: &mut Model) -> Vec<Intent> {
     }
     let said = Text::new("results hidden: {next} in Working reveals the next step, {all} shows all");
     let next = model.keys.anywhere(Action::Reveal).map_or_else(String::new, |key| key.name(&model.locale));
-    Intent::say(said.with("next", next).with("all", model.key(Place::Form, Action::TryByHand)))
+    Intent::say(said.with("next", next).with("all", model.key(KeyContext::Form, Action::TryByHand)))
 }
 
 /// Lets the animation on the screen move, holds it, or holds it at a frame beside the one that is shown.
@@ -179,12 +179,12 @@ pub(super) fn show_tab(model: &mut Model, tab: Tab) -> Vec<Intent> {
 fn copy(model: &mut Model) -> Vec<Intent> {
     let Some(bench) = &model.bench else { return Vec::new() };
     if bench.problem.is_stale() {
-        return Intent::complain("not copied: the results shown are for other inputs");
+        return Intent::report_error("not copied: the results shown are for other inputs");
     }
     let text = with_shown(model, |pane, problem, ui| pane.copied(problem, ui)).unwrap_or_default();
     if text.trim().is_empty() {
         let said = Text::new("no text to copy here; {key} exports the plot or drawing");
-        return Intent::say(said.with("key", model.key(Place::Form, Action::ExportSeen)));
+        return Intent::say(said.with("key", model.key(KeyContext::Form, Action::ExportSeen)));
     }
     vec![Intent::Say("copied".into()), Intent::Do(Effect::Copy(text))]
 }

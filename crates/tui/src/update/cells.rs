@@ -11,7 +11,7 @@ use crate::{
     keys::Action,
     layout::Focus,
     model::Model,
-    solver::{Job, Outcome, Work},
+    solver::{Job, JobOutcome, Work},
 };
 
 /// A key on the cells of a pane.
@@ -101,14 +101,14 @@ pub(super) fn begin_job(model: &mut Model, work: Work) -> Vec<Intent> {
     if !bench.waits(bench.tab) {
         bench.stop();
     }
-    bench.awaited = Some((generation, bench.tab));
+    bench.pending = Some((generation, bench.tab));
     vec![Intent::Do(Effect::Ask(Job { generation, work }))]
 }
 
 /// Takes what was found.
-pub(super) fn answered(model: &mut Model, outcome: Outcome) -> Vec<Intent> {
+pub(super) fn answered(model: &mut Model, outcome: JobOutcome) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
-    let Some((_, tab)) = bench.awaited.take_if(|(number, _)| *number == outcome.generation) else {
+    let Some((_, tab)) = bench.pending.take_if(|(number, _)| *number == outcome.generation) else {
         return Vec::new();
     };
     let intents = bench.panes[tab.0].answered(&mut bench.problem, outcome.reply);

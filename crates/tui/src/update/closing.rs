@@ -12,7 +12,7 @@ use crate::{
 /// Does what ends problems, or asks first what becomes of unsaved work.
 pub(super) fn leave(model: &Model, after: After) -> Vec<Intent> {
     let unsaved = match after {
-        _ if model.readonly && !model.played => Vec::new(),
+        _ if model.readonly && !model.is_replay => Vec::new(),
         After::Quit => unsaved(model),
         After::Stay | After::Close => {
             let shown = model.bench.iter().filter(|bench| bench.problem.is_unsaved());

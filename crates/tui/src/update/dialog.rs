@@ -12,10 +12,10 @@ use crate::{
     files::Before,
     glyphs::filter_untrusted,
     intent::Intent,
-    keys::{Action, Place},
+    keys::{Action, KeyContext},
     model::Model,
-    palette::offered,
-    problem::State,
+    palette::matching_actions,
+    problem::Freshness,
     solver::{Job, Work},
     terminal::Fault,
     view,
@@ -124,7 +124,7 @@ pub(super) fn close(model: &mut Model) -> Vec<Intent> {
 
 fn choose(model: &mut Model, action: Action) {
     let offers = match &model.dialog {
-        Some(Dialog::Palette { input, .. }) => offered(model, input.value()).len(),
+        Some(Dialog::Palette { input, .. }) => matching_actions(model, input.value()).len(),
         _ => 0,
     };
     let (chosen, count) = match &mut model.dialog {
@@ -185,26 +185,28 @@ fn command(model: &mut Model, typed: &str, chosen: usize) -> Vec<Intent> {
         return match kind.parse::<Fault>() {
             Ok(fault)
                 if fault.belongs_to_solver()
-                    && model.shown_bench().is_some_and(|bench| bench.shown().place() == Place::Cells) =>
+                    && model
+                        .shown_bench()
+                        .is_some_and(|bench| bench.shown().place() == KeyContext::Cells) =>
             {
                 vec![Intent::Await(Work::Fault(fault))]
             }
             Ok(fault) if fault.belongs_to_solver() => {
                 let generation = model.next_generation();
                 if let Some(bench) = &mut model.bench {
-                    bench.problem.found.state = State::Solving(generation);
+                    bench.problem.found.state = Freshness::Solving(generation);
                 }
                 vec![Intent::Do(Effect::Solve(Job { generation, work: Work::Fault(fault) }))]
             }
             Ok(fault) => vec![Intent::Do(Effect::Fault(fault))],
-            Err(why) => Intent::complain(Text::new("{text}").with("text", why)),
+            Err(why) => Intent::report_error(Text::new("{text}").with("text", why)),
         };
     }
-    let offers = offered(model, typed);
+    let offers = matching_actions(model, typed);
     let Some((place, action)) = offers.get(chosen).map(|(place, bound)| (*place, bound.binding.action))
     else {
         let shown = filter_untrusted(typed).chars().take(60).collect::<String>();
-        return Intent::complain(Text::new("unknown command `{typed}`").with("typed", shown));
+        return Intent::report_error(Text::new("unknown command `{typed}`").with("typed", shown));
     };
     if let Some(bench) = &mut model.bench
         && !bench.go_to(place)

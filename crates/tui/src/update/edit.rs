@@ -4,7 +4,7 @@ use std::path::Path;
 
 use dalembert_core::{
     Text,
-    file::{self, Problem},
+    file::{self, ProblemFile},
 };
 
 use crate::{
@@ -48,7 +48,7 @@ pub(super) fn edited(model: &mut Model, edited: Editing, result: Result<Opened, 
             return without(model, edited, Text::new(why).with("command", command));
         }
         Err(EditError::File(error)) => {
-            model.complain(error.text());
+            model.report_error(error.text());
             return Vec::new();
         }
     };
@@ -78,7 +78,7 @@ pub(super) fn edited(model: &mut Model, edited: Editing, result: Result<Opened, 
 
 /// Nothing was edited, and why.
 fn without(model: &mut Model, edited: Editing, why: Text) -> Vec<Intent> {
-    model.complain(why);
+    model.report_error(why);
     match edited {
         Editing::Copy(path) => vec![Intent::Do(Effect::Remove(path))],
         _ => Vec::new(),
@@ -101,11 +101,11 @@ pub(super) fn changed_on_disk(
         Ok(opened) => opened,
         Err(FileError::Missing(_)) => {
             let gone = Text::new("{file} no longer exists; saving creates it again");
-            model.complain(gone.with("file", shown(path)));
+            model.report_error(gone.with("file", shown(path)));
             return Vec::new();
         }
         Err(error) => {
-            model.complain(error.text());
+            model.report_error(error.text());
             return Vec::new();
         }
     };
@@ -114,7 +114,7 @@ pub(super) fn changed_on_disk(
         let question = question.with("file", shown(path));
         if model.dialog.is_some() {
             // What lies over the screen is not pushed aside: a save asks, if it is forgotten.
-            model.complain(question);
+            model.report_error(question);
         } else {
             let answers = vec![
                 ("keep this version", Answer::Cancel),
@@ -130,14 +130,20 @@ pub(super) fn changed_on_disk(
             let faults = faults(&opened.text, &errors, &model.locale);
             let why = Text::new("{file} was changed by another program and cannot be read: {why}");
             let first = faults.into_iter().next().unwrap_or_default();
-            model.complain(why.with("file", shown(path)).with("why", first));
+            model.report_error(why.with("file", shown(path)).with("why", first));
             Vec::new()
         }
     }
 }
 
 /// The file says something else now; what is examined stays where it is.
-fn reload(model: &mut Model, path: &Path, read: Problem, opened: Opened, said: &'static str) -> Vec<Intent> {
+fn reload(
+    model: &mut Model,
+    path: &Path,
+    read: ProblemFile,
+    opened: Opened,
+    said: &'static str,
+) -> Vec<Intent> {
     let Some(bench) = &model.bench else { return Vec::new() };
     let unchanged =
         bench.problem.document.file.as_ref().is_some_and(|file| file.fingerprint == Some(opened.fingerprint));
@@ -163,7 +169,7 @@ fn reload(model: &mut Model, path: &Path, read: Problem, opened: Opened, said: &
 }
 
 /// Replaces the problem by an edited copy, not saved yet; it can be undone.
-fn take_copy(model: &mut Model, read: Problem, text: String) -> Vec<Intent> {
+fn take_copy(model: &mut Model, read: ProblemFile, text: String) -> Vec<Intent> {
     let Some(bench) = &model.bench else { return Vec::new() };
     let before = bench.problem.as_file();
     if (&before.title, &before.draft, &before.show) == (&read.title, &read.draft, &read.show)
@@ -189,7 +195,7 @@ fn take_copy(model: &mut Model, read: Problem, text: String) -> Vec<Intent> {
 }
 
 /// Puts what was read in the place of what is there, as a change that can be taken back.
-fn take(model: &mut Model, read: Problem) {
+fn take(model: &mut Model, read: ProblemFile) {
     let read = model.problem_of(read);
     if let Some(bench) = &mut model.bench {
         let document = &mut bench.problem.document;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use dalembert_core::{Locale, Text, cases::Case};
-use dalembert_report::{Paper, Worked, document};
+use dalembert_report::{DocumentFormat, WorkedProblem, document};
 use dalembert_units::Style;
 
 use crate::{
@@ -14,13 +14,13 @@ use crate::{
     intent::Intent,
     model::Model,
     pane::{Column, Tab},
-    problem::{Problem, State},
+    problem::{Freshness, Problem},
     view,
 };
 
 /// Asks for the file of what is exported; its ending says what is written.
 pub(super) fn ask_path(model: &Model, purpose: Purpose) -> Vec<Intent> {
-    if model.readonly && !model.played {
+    if model.readonly && !model.is_replay {
         return vec![Intent::Refuse];
     }
     if let Some(why) = hindrance(model, purpose) {
@@ -66,7 +66,7 @@ pub(super) fn write(model: &Model, purpose: Purpose, path: PathBuf, before: Befo
             (text.map(|text| vec![(path.clone(), text)]), pane.file_names().1)
         }
         _ => (
-            Paper::of(&path).and_then(|paper| files(&bench.problem, paper, &path, &locale)),
+            DocumentFormat::of(&path).and_then(|paper| files(&bench.problem, paper, &path, &locale)),
             "enter a name ending in .html, .tex, .typ, .md or .txt",
         ),
     };
@@ -78,7 +78,7 @@ pub(super) fn write(model: &Model, purpose: Purpose, path: PathBuf, before: Befo
 
 /// Says where it is, or what stands in its way.
 pub(super) fn written(path: &Path, result: Result<(), FileError>) -> Vec<Intent> {
-    let purpose = if Paper::of(path).is_some() { Purpose::Export } else { Purpose::ExportSeen };
+    let purpose = if DocumentFormat::of(path).is_some() { Purpose::Export } else { Purpose::ExportSeen };
     match result {
         Ok(()) => {
             let said = match purpose {
@@ -107,7 +107,7 @@ pub(super) fn written(path: &Path, result: Result<(), FileError>) -> Vec<Intent>
 fn hindrance(model: &Model, purpose: Purpose) -> Option<Text> {
     let bench = model.bench.as_ref()?;
     let found = &bench.problem.found;
-    if found.state != State::Current || found.solution.is_none() {
+    if found.state != Freshness::Current || found.solution.is_none() {
         return Some("no solution to export for these inputs".into());
     }
     if purpose != Purpose::ExportSeen {
@@ -128,14 +128,19 @@ fn picture(model: &Model) -> Option<Tab> {
     all.iter().find(|tab| bench.tab == **tab).or(all.first().filter(|_| beside)).copied()
 }
 
-fn files(problem: &Problem, paper: Paper, path: &Path, locale: &Locale) -> Option<Vec<(PathBuf, String)>> {
+fn files(
+    problem: &Problem,
+    paper: DocumentFormat,
+    path: &Path,
+    locale: &Locale,
+) -> Option<Vec<(PathBuf, String)>> {
     let record = problem.inputs.form.draft.read(&problem.entry.shape()).ok()?;
     let unchanged =
         |case: &&Case| problem.document.title.is_empty() && case.draft == problem.inputs.form.draft;
     let case = problem.document.origin.as_ref().filter(unchanged);
     let title = case.map_or_else(|| Text::verbatim(&problem.document.title), Case::title);
     let none = Text::from("");
-    let worked = Worked {
+    let worked = WorkedProblem {
         entry: problem.entry,
         case: &title,
         source: case.map_or(&none, |case| &case.source),

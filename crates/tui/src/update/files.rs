@@ -9,7 +9,7 @@ use crate::{
     effect::Effect,
     files::{Before, Crashed, FileError, Fingerprint, Opened, faults, holds_data, shown},
     intent::Intent,
-    keys::{Action, Place},
+    keys::{Action, KeyContext},
     model::Model,
     problem::{OpenFile, Problem},
 };
@@ -19,7 +19,7 @@ const ENDING: &str = "toml";
 
 /// Saves the problem in its file, or asks for one.
 pub(super) fn save(model: &mut Model) -> Vec<Intent> {
-    if model.readonly && !model.played {
+    if model.readonly && !model.is_replay {
         return vec![Intent::Refuse];
     }
     match model.bench.as_ref().and_then(|bench| bench.problem.document.file.as_ref()) {
@@ -50,7 +50,7 @@ pub(super) fn overwrite(model: &mut Model, path: PathBuf) -> Vec<Intent> {
 
 /// Asks for a path to save under.
 pub(super) fn ask_path(model: &mut Model) -> Vec<Intent> {
-    if model.readonly && !model.played {
+    if model.readonly && !model.is_replay {
         return vec![Intent::Refuse];
     }
     let Some(bench) = &model.bench else { return Vec::new() };
@@ -106,7 +106,7 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
         let title = Text::new("{file} holds data, not a problem").with("file", shown(&path));
         let how =
             Text::new("Open an analysis that has a table, move to it, and import the file there with {key}.")
-                .with("key", model.key(Place::Form, Action::Import));
+                .with("key", model.key(KeyContext::Form, Action::Import));
         let lines = vec![how.render(&model.locale)];
         return vec![Intent::Show(Dialog::Message { title, lines }), Intent::Preview];
     }

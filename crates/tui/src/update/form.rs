@@ -7,13 +7,13 @@ use dalembert_units::Decimal;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
 use crate::{
-    dialog::{Choice, Chosen, Dialog, Purpose, Sheet},
+    dialog::{Choice, Chosen, Dialog, DialogContent, Purpose},
     effect::Effect,
     files::FileError,
-    form::{self, Filled, Form, Line, Role},
+    form::{self, Filled, Form, FormLine, Role},
     glyphs::filter_untrusted,
     intent::Intent,
-    keys::{Action, Key, Place},
+    keys::{Action, Key, KeyContext},
     layout::Focus,
     model::Model,
 };
@@ -75,7 +75,7 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
 fn enter(model: &mut Model) -> Vec<Intent> {
     let locale = model.locale;
     let Some(bench) = &mut model.bench else { return Vec::new() };
-    let Some(Line { path, role, .. }) = bench.problem.inputs.form.line() else { return Vec::new() };
+    let Some(FormLine { path, role, .. }) = bench.problem.inputs.form.line() else { return Vec::new() };
     match role {
         Role::Leaf { shape: Shape::Flag, .. } | Role::Absent => {
             return after(model, Form::toggle, "");
@@ -102,7 +102,7 @@ fn enter(model: &mut Model) -> Vec<Intent> {
                 Ok((Draft::Leaf(text), _)) => text.clone(),
                 _ => String::new(),
             };
-            model.dialog = Some(Dialog::Sheet(Sheet::new(path, &text)));
+            model.dialog = Some(Dialog::Sheet(DialogContent::new(path, &text)));
         }
         Role::Choice { variants, chosen } => {
             let options = variants
@@ -171,12 +171,12 @@ pub(super) fn instead_of_number(model: &Model) -> Vec<Intent> {
         }
         Some(Role::Table { .. }) => {
             let text = Text::new("{key} edits, paste replaces, {import} imports a file");
-            (text.with("import", model.key(Place::Form, Action::Import)), Action::Enter)
+            (text.with("import", model.key(KeyContext::Form, Action::Import)), Action::Enter)
         }
         Some(Role::Absent) => (Text::new("{key} includes it"), Action::Toggle),
         _ => return Vec::new(),
     };
-    Intent::say(instead.with("key", model.key(Place::Form, action)))
+    Intent::say(instead.with("key", model.key(KeyContext::Form, action)))
 }
 
 /// The cursor goes to the input at a path, and the keys with it.
@@ -224,7 +224,7 @@ pub(super) fn table_read(model: &mut Model, field: &str, result: Result<String, 
             Vec::new()
         }
         (Err(err), None) => {
-            model.complain(err.text());
+            model.report_error(err.text());
             Vec::new()
         }
     }
@@ -233,8 +233,8 @@ pub(super) fn table_read(model: &mut Model, field: &str, result: Result<String, 
 /// Asks for the file of the table under the cursor, or of the only one there is.
 fn ask_import(model: &mut Model) -> Vec<Intent> {
     let Some(bench) = &mut model.bench else { return Vec::new() };
-    let is_table = |line: &Line| matches!(line.role, Role::Table { .. });
-    let tables: Vec<Line> = bench.problem.inputs.form.lines().into_iter().filter(is_table).collect();
+    let is_table = |line: &FormLine| matches!(line.role, Role::Table { .. });
+    let tables: Vec<FormLine> = bench.problem.inputs.form.lines().into_iter().filter(is_table).collect();
     let under_cursor = bench.problem.inputs.form.line().filter(is_table);
     match (under_cursor, tables.as_slice()) {
         (None, []) => model.say("this problem has no table of numbers; choose a table option first"),
@@ -272,7 +272,7 @@ pub(super) fn paste(model: &mut Model, text: &str) -> Vec<Intent> {
             if let Some(effect) = file_of_table(model, &path, text) {
                 return vec![Intent::Do(effect)];
             }
-            let mut sheet = Sheet::new(path.clone(), "");
+            let mut sheet = DialogContent::new(path.clone(), "");
             sheet.insert(text);
             after(model, |form| form.set(&path, sheet.text(), Decimal::Point), "")
         }
@@ -307,7 +307,7 @@ fn reported_filled(model: &mut Model, filled: Filled) -> Vec<Intent> {
         .unwrap_or_else(|| Text::from(""));
     let effects = if filled.changed { vec![Intent::Changed] } else { Vec::new() };
     if filled.cells + filled.lines > 0 {
-        model.complain(text);
+        model.report_error(text);
     } else {
         model.say(text);
     }
@@ -322,7 +322,7 @@ fn paste_on_field(model: &mut Model, text: &str) -> Vec<Intent> {
         Some((path, Role::Leaf { .. })) => {
             let (line, cut) = form::as_line(text);
             if cut {
-                model.complain(too_long());
+                model.report_error(too_long());
             }
             after(model, |form| form.set(&path, line, decimal), "")
         }

@@ -12,7 +12,7 @@ use ratatui::{
 use crate::{
     dialog::Dialog,
     intent::Intent,
-    keys::{Action, Place},
+    keys::{Action, KeyContext},
     layout::Focus,
     model::Model,
     pane::{Column, Gesture, Pane, Tab},
@@ -66,7 +66,7 @@ fn click(model: &mut Model, spot: HitTarget, at: Position) -> Vec<Intent> {
         HitTarget::Tab(tab) => look_at(model, tab),
         HitTarget::Arrow(tab, action) => {
             let mut intents = look_at(model, tab);
-            intents.push(Intent::Press(Place::Cells, action));
+            intents.push(Intent::Press(KeyContext::Cells, action));
             intents
         }
         HitTarget::Listing(line) => {
@@ -90,7 +90,7 @@ fn field(model: &mut Model, line: Option<usize>) -> Vec<Intent> {
     let form = &mut bench.problem.inputs.form;
     let here = bench.focus == Focus::Form && line == Some(form.cursor);
     if here && form.edit.is_none() {
-        intents.push(Intent::Press(Place::Form, Action::Enter));
+        intents.push(Intent::Press(KeyContext::Form, Action::Enter));
     } else if let Some(line) = line.filter(|_| !here) {
         form.keep();
         form.cursor = line;
@@ -114,7 +114,7 @@ fn go_to(model: &mut Model, tab: Tab, part: usize) -> Vec<Intent> {
     let shown = bench.focus == Focus::Pane && bench.tab == tab;
     let here = shown && bench.cursor(tab).is_some_and(|cursor| *cursor == part);
     match (here, bench.place()) {
-        (true, Place::Cell) => Vec::new(),
+        (true, KeyContext::Cell) => Vec::new(),
         (true, place) => vec![Intent::Press(place, Action::Enter)],
         (false, _) => {
             let mut intents = look_at(model, tab);
@@ -162,7 +162,9 @@ fn turn(model: &mut Model, at: Position, up: bool) -> Vec<Intent> {
         _ if matches!(model.dialog, Some(Dialog::Help { .. })) => {
             (0..NOTCH).map(|_| Intent::Press(place, action)).collect()
         }
-        Some(HitTarget::Offer(_) | HitTarget::Over) if matches!(place, Place::List | Place::Prompt) => {
+        Some(HitTarget::Offer(_) | HitTarget::Over)
+            if matches!(place, KeyContext::List | KeyContext::Prompt) =>
+        {
             vec![Intent::Press(place, action)]
         }
         Some(HitTarget::Form(_)) => {

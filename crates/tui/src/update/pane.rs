@@ -5,7 +5,7 @@ use dalembert_core::Text;
 use super::with_shown;
 use crate::{
     intent::Intent,
-    keys::{Action, Place},
+    keys::{Action, KeyContext},
     layout::Focus,
     model::Model,
     pane::Tab,
@@ -32,9 +32,9 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
             return Vec::new();
         }
         Action::NextDisplayUnit | Action::NextDigits => return Intent::say("the answers are in Results"),
-        Action::Enter if bench.place() == Place::Pane => {
+        Action::Enter if bench.place() == KeyContext::Pane => {
             let said = Text::new("nothing to open here: {key} loads a case in Sources");
-            return Intent::say(said.with("key", model.key(Place::Pane, Action::Enter)));
+            return Intent::say(said.with("key", model.key(KeyContext::Pane, Action::Enter)));
         }
         _ => return Vec::new(),
     };

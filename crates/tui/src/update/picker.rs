@@ -6,11 +6,11 @@ use crate::{
     bench::Bench,
     effect::Effect,
     intent::Intent,
-    keys::{Action, Place},
+    keys::{Action, KeyContext},
     model::{Model, Screen},
     picker::{Heading, Leaf, Preview, Row},
-    remembered::{Change, Progress},
-    solver::{Job, Outcome, Work},
+    remembered::{HistoryChange, Progress},
+    solver::{Job, JobOutcome, Work},
 };
 
 pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
@@ -112,7 +112,7 @@ fn pin(model: &mut Model) -> Vec<Intent> {
     };
     let id = model.listings[leaf.listing].entry.about.id;
     let pinned = !model.remembered.pinned.iter().any(|other| other == id);
-    let effects = remember(model, Change::Pin(id.to_owned(), pinned));
+    let effects = remember(model, HistoryChange::Pin(id.to_owned(), pinned));
     model.say(if pinned { "pinned at the top of the list" } else { "unpinned" });
     let mut all = preview(model);
     all.extend(effects);
@@ -123,13 +123,13 @@ fn pin(model: &mut Model) -> Vec<Intent> {
 fn mark(model: &mut Model) -> Vec<Intent> {
     let Some((leaf, case)) = model.chosen_exercise() else {
         let said = Text::new("{key} ticks an exercise of a list");
-        model.say(said.with("key", model.key(Place::Picker, Action::Toggle)));
+        model.say(said.with("key", model.key(KeyContext::Picker, Action::Toggle)));
         return Vec::new();
     };
     let listing = &model.listings[leaf.listing];
     let progress = if model.contents().progress(leaf).is_done() { Progress::Opened } else { Progress::Done };
     let (analysis, case) = (listing.entry.about.id.to_owned(), listing.cases()[case].name.clone());
-    remember(model, Change::Reach { analysis, case, progress })
+    remember(model, HistoryChange::Reach { analysis, case, progress })
 }
 
 fn back(model: &mut Model) -> Vec<Intent> {
@@ -200,9 +200,9 @@ pub(super) fn preview(model: &mut Model) -> Vec<Intent> {
 }
 
 /// Compares the cases of the chosen analysis with what was printed: it is solved, so the user rests on it.
-fn judge(model: &Model) -> Vec<Intent> {
+fn check_cases(model: &Model) -> Vec<Intent> {
     let listing = chosen_leaf(model).and_then(|leaf| model.listings.get(leaf.listing));
-    let unjudged = listing.filter(|listing| listing.judged.is_none() && !listing.cases().is_empty());
+    let unjudged = listing.filter(|listing| listing.checked.is_none() && !listing.cases().is_empty());
     unjudged.map(|listing| Intent::Do(Effect::Judge(listing.entry))).into_iter().collect()
 }
 
@@ -229,7 +229,7 @@ pub(super) fn begin(model: &mut Model) {
 }
 
 /// Back to the list, to the analysis of the problem that is left, where it is shown.
-pub(super) fn come_back(model: &mut Model) -> Vec<Intent> {
+pub(super) fn return_to_list(model: &mut Model) -> Vec<Intent> {
     model.screen = Screen::Picker;
     let left = model.bench.as_ref().map(|bench| bench.problem.entry.about.id);
     let is_left = |leaf: Leaf| Some(model.listings[leaf.listing].entry.about.id) == left;
@@ -249,18 +249,18 @@ fn chosen_leaf(model: &Model) -> Option<Leaf> {
 }
 
 /// Takes what was solved to be seen beside the list.
-pub(super) fn solved(model: &mut Model, outcome: Outcome) -> Vec<Intent> {
+pub(super) fn solved(model: &mut Model, outcome: JobOutcome) -> Vec<Intent> {
     match &mut model.picker.preview {
         Some(preview) if preview.generation == outcome.generation => {
             preview.solution = outcome.result.ok().flatten();
-            judge(model)
+            check_cases(model)
         }
         _ => Vec::new(),
     }
 }
 
 /// Remembers something, and has it written where anything is written.
-pub(super) fn remember(model: &mut Model, change: Change) -> Vec<Intent> {
+pub(super) fn remember(model: &mut Model, change: HistoryChange) -> Vec<Intent> {
     let taken = holding(model, |model| model.remembered.take(&change));
     if taken && !model.readonly { vec![Intent::Do(Effect::Remember(change))] } else { Vec::new() }
 }

@@ -6,26 +6,30 @@ use crate::{
     bench::Bench,
     effect::Effect,
     intent::Intent,
-    keys::{Action, Place},
+    keys::{Action, KeyContext},
     model::{MOST_PROBLEMS, Model, Screen, gives_way},
-    problem::{Problem, State},
-    remembered::{Change, Progress},
+    problem::{Freshness, Problem},
+    remembered::{HistoryChange, Progress},
 };
 
 /// Opens a problem beside those that are open, and solves it.
 pub(super) fn open(model: &mut Model, mut problem: Problem) -> Vec<Intent> {
     let Some(mut intents) = make_room(model) else {
-        return Intent::complain(
+        return Intent::report_error(
             Text::new("{count} problems are open, the maximum; {key} closes the current one")
                 .with("count", MOST_PROBLEMS)
-                .with("key", model.key(Place::Form, Action::CloseProblem)),
+                .with("key", model.key(KeyContext::Form, Action::CloseProblem)),
         );
     };
     problem.number = model.next_generation();
     put_aside(model);
     let id = problem.entry.about.id.to_owned();
     show(model, problem);
-    intents.extend([Intent::Changed, Intent::Reach(Progress::Opened), Intent::Remember(Change::Open(id))]);
+    intents.extend([
+        Intent::Changed,
+        Intent::Reach(Progress::Opened),
+        Intent::Remember(HistoryChange::Open(id)),
+    ]);
     intents
 }
 
@@ -47,17 +51,17 @@ pub(super) fn bring(model: &mut Model, number: u64) -> Vec<Intent> {
     if let Some(at) = model.others.iter().position(|bench| bench.problem.number == number) {
         let mut bench = model.others.swap_remove(at);
         // What was asked for long ago may have been given up.
-        bench.problem.judging = bench.problem.cases.iter().any(|judged| judged.verdicts.is_some());
+        bench.problem.checking = bench.problem.cases.iter().any(|checked| checked.verdicts.is_some());
         put_aside(model);
         model.bench = Some(bench);
     }
     model.screen = Screen::Bench;
     // Only the newest job is worked on: what this one waited for may never come.
     let Some(bench) = &mut model.bench else { return Vec::new() };
-    if matches!(bench.problem.found.state, State::Solving(_)) {
+    if matches!(bench.problem.found.state, Freshness::Solving(_)) {
         return vec![Intent::Changed];
     }
-    bench.awaited = None;
+    bench.pending = None;
     vec![Intent::Turn(bench.tab)]
 }
 
@@ -83,7 +87,7 @@ pub(super) fn reach(model: &Model, progress: Progress) -> Vec<Intent> {
     };
     let (analysis, case) = (problem.entry.about.id.to_owned(), case.name.clone());
     let progress = progress.max(model.remembered.progress(&analysis, &case));
-    vec![Intent::Remember(Change::Reach { analysis, case, progress })]
+    vec![Intent::Remember(HistoryChange::Reach { analysis, case, progress })]
 }
 
 fn put_aside(model: &mut Model) {

@@ -28,7 +28,7 @@ pub(super) fn faulty(model: &mut Model, files: &[(PathBuf, Vec<Fault>)]) {
         .then(|| Text::new("and {more} more: `dalembert info` lists all").with("more", all.len() - seen));
     if model.dialog.is_some() {
         let first = first.text_in(shown(path));
-        model.complain(match more {
+        model.report_error(match more {
             Some(more) => Text::new("{why}; {more}").with_text("why", first).with_text("more", more),
             None => first,
         });

@@ -13,12 +13,12 @@ use crate::{
     bench::Bench,
     form::{self, Role},
     glyphs::filter_untrusted,
-    keys::{Action, Bound, Place},
+    keys::{Action, Bound, KeyContext},
     look::Glyph,
     model::{Model, Notice},
     pane::Column,
     panes::about_number,
-    problem::State,
+    problem::Freshness,
     text::{fit, shortened, width, wrapped},
 };
 
@@ -77,7 +77,7 @@ pub(super) fn help(model: &Model, area: Rect, buffer: &mut Buffer) {
                 let hints = bench.shown().about(&bench.problem, &model.ui(bench, bench.tab, Rect::ZERO));
                 hints.iter().map(|hint| hint.render(&model.locale)).collect::<Vec<_>>().join("; ")
             }
-            Place::Cell => about_cell(model, bench),
+            KeyContext::Cell => about_cell(model, bench),
             _ => about_field(model, bench),
         },
         None => String::new(),
@@ -160,7 +160,7 @@ fn draw_notice(model: &Model, notice: &Notice, foot: Rect, buffer: &mut Buffer) 
 }
 
 /// As many keys of a place as there is room for; the way on is always among them: the help, or that out of a dialog.
-fn hints(model: &Model, place: Place, room: usize) -> Vec<Hint> {
+fn hints(model: &Model, place: KeyContext, room: usize) -> Vec<Hint> {
     let written = |bound: &Bound| {
         let binding = bound.binding;
         let pair = pair(binding.action);
@@ -181,7 +181,7 @@ fn hints(model: &Model, place: Place, room: usize) -> Vec<Hint> {
         Action::Play | Action::PreviousFrame => has_animation,
         Action::ExportSeen => in_picture,
         Action::Copy | Action::Export => !in_picture,
-        Action::Toggle if place == Place::Picker => model.chosen_exercise().is_some(),
+        Action::Toggle if place == KeyContext::Picker => model.chosen_exercise().is_some(),
         action if place.is_pane() => shown.is_none_or(|bench| bench.shown().serves(&bench.problem, action)),
         _ => true,
     };
@@ -233,7 +233,7 @@ fn pair(action: Action) -> Option<(Action, Action)> {
 fn about_field(model: &Model, bench: &Bench) -> String {
     let Some(line) = bench.problem.inputs.form.line() else { return String::new() };
     let say = |text: &'static str| Text::from(text).render(&model.locale);
-    let key = |action| model.key(Place::Form, action);
+    let key = |action| model.key(KeyContext::Form, action);
     let mut parts = Vec::new();
     let label = say(line.field.label);
     match &line.role {
@@ -323,7 +323,7 @@ fn file_name(model: &Model, bench: &Bench) -> String {
     };
     let solving = match bench.problem.found.state {
         _ if bench.is_working() => format!("{}  ", word("solving; Esc cancels", model)),
-        State::Stopped => format!("{}  ", word("cancelled", model)),
+        Freshness::Stopped => format!("{}  ", word("cancelled", model)),
         _ => String::new(),
     };
     let all = model.problems();

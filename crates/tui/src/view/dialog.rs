@@ -12,13 +12,13 @@ use tui_input::Input;
 
 use super::{HitTarget, bars, boxed, draw_lines, scroll_mark, word};
 use crate::{
-    dialog::{Answer, Choice, Dialog, Names, Purpose, Sheet},
+    dialog::{Answer, Choice, Dialog, DialogContent, Names, Purpose},
     glyphs::filter_untrusted,
-    keys::{ALWAYS, Action, Binding, COMMON, PANES, PROBLEM, Place},
+    keys::{ALWAYS, Action, Binding, COMMON, KeyContext, PANES, PROBLEM},
     layout,
     look::Glyph,
     model::{Model, Screen},
-    palette::offered,
+    palette::matching_actions,
     panes,
     text::{fit, padded, shortened, width, wrapped},
 };
@@ -140,7 +140,7 @@ pub(super) fn spot(model: &Model, dialog: &Dialog, screen: Rect, at: Position) -
         }
         Dialog::Palette { input, chosen } => {
             let area = palette_area(screen, footer);
-            let offers = offered(model, input.value()).len();
+            let offers = matching_actions(model, input.value()).len();
             let inside = layout::inside(area);
             let first = chosen.saturating_sub(usize::from(inside.height).saturating_sub(1));
             let row = usize::from(at.y.saturating_sub(inside.y));
@@ -171,18 +171,18 @@ pub(crate) fn longest_scroll_of_help(model: &Model) -> usize {
 /// Lines of the help: every key, place by place. A key that a user moved in one place alone stands with that place.
 fn help_lines(model: &Model, room: usize) -> Vec<Line<'static>> {
     let (screen, look, locale) = (model.screen, &model.look, &model.locale);
-    let places: Vec<Place> = match screen {
-        Screen::Picker => vec![Place::Picker, Place::Filter, Place::Prompt],
+    let places: Vec<KeyContext> = match screen {
+        Screen::Picker => vec![KeyContext::Picker, KeyContext::Filter, KeyContext::Prompt],
         Screen::Bench => {
-            let own = model.keys.places().filter(|place| matches!(place, Place::Own(_)));
-            let before = [Place::Form, Place::Edit, Place::Pane].into_iter();
-            before.chain(own).chain([Place::Cells, Place::Cell, Place::Sheet]).collect()
+            let own = model.keys.places().filter(|place| matches!(place, KeyContext::Own(_)));
+            let before = [KeyContext::Form, KeyContext::Edit, KeyContext::Pane].into_iter();
+            before.chain(own).chain([KeyContext::Cells, KeyContext::Cell, KeyContext::Sheet]).collect()
         }
     };
     let say = |text: &'static str| Text::from(text).render(locale);
     let mut lines = Vec::new();
     let mut section = |name: &'static str,
-                       place: Place,
+                       place: KeyContext,
                        bindings: &mut dyn Iterator<Item = &'static Binding>| {
         if !lines.is_empty() {
             lines.push(Line::default());
@@ -205,9 +205,9 @@ fn help_lines(model: &Model, room: usize) -> Vec<Line<'static>> {
     };
     // Keys that several places share are shown once, as they hold in one of them.
     let home = |binding: &Binding| match screen {
-        Screen::Picker => Place::Picker,
-        Screen::Bench if PANES.contains(binding) => Place::Pane,
-        Screen::Bench => Place::Form,
+        Screen::Picker => KeyContext::Picker,
+        Screen::Bench if PANES.contains(binding) => KeyContext::Pane,
+        Screen::Bench => KeyContext::Form,
     };
     for place in places {
         let differs = |binding: &&Binding| {
@@ -219,8 +219,8 @@ fn help_lines(model: &Model, room: usize) -> Vec<Line<'static>> {
         section(place.name(), place, &mut own().chain(shared));
     }
     if screen == Screen::Bench {
-        section("In every tab", Place::Pane, &mut PANES.iter());
-        section("In a problem", Place::Form, &mut PROBLEM.iter());
+        section("In every tab", KeyContext::Pane, &mut PANES.iter());
+        section("In a problem", KeyContext::Form, &mut PROBLEM.iter());
     }
     let first = home(&COMMON[0]);
     section("Everywhere", first, &mut COMMON.iter().chain(ALWAYS));
@@ -251,7 +251,7 @@ fn draw_palette(
     buffer: &mut Buffer,
 ) -> Option<Position> {
     let look = &model.look;
-    let offers = offered(model, input.value());
+    let offers = matching_actions(model, input.value());
     let area = palette_area(screen, footer);
     let rows = usize::from(area.height).saturating_sub(2);
     if rows > 0 {
@@ -284,8 +284,8 @@ fn draw_palette(
 /// Area of the matches of the palette.
 fn palette_area(screen: Rect, footer: Rect) -> Rect {
     let (tall, more) = OFFERED_ON_A_TALL_SCREEN;
-    let offered = if screen.height < tall { OFFERED } else { more };
-    let height = offered.min(usize::from(screen.height.saturating_sub(4))) as u16 + 2;
+    let matching_actions = if screen.height < tall { OFFERED } else { more };
+    let height = matching_actions.min(usize::from(screen.height.saturating_sub(4))) as u16 + 2;
     Rect::new(screen.x, footer.y.saturating_sub(height), screen.width.min(56), height)
 }
 
@@ -419,7 +419,7 @@ fn lay_choice(model: &Model, options: &[Choice], chosen: usize, screen: Rect) ->
     Laid { lines, owners, first: 0, area, inside: layout::inside(area) }
 }
 
-fn draw_sheet(model: &Model, sheet: &Sheet, area: Rect, buffer: &mut Buffer) -> Position {
+fn draw_sheet(model: &Model, sheet: &DialogContent, area: Rect, buffer: &mut Buffer) -> Position {
     let look = &model.look;
     let about = about_table(model, sheet, layout::inside(area));
     framed(model, &about.title, area, buffer);
@@ -453,7 +453,7 @@ struct AboutTable {
     foot: Vec<Line<'static>>,
 }
 
-fn about_table(model: &Model, sheet: &Sheet, inside: Rect) -> AboutTable {
+fn about_table(model: &Model, sheet: &DialogContent, inside: Rect) -> AboutTable {
     let Some(bench) = &model.bench else { return AboutTable::default() };
     let (look, locale, room) = (&model.look, &model.locale, usize::from(inside.width));
     let whole = bench.problem.entry.shape();

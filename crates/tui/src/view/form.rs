@@ -16,11 +16,11 @@ use ratatui::{
 use super::{boxed, scroll_mark, word};
 use crate::{
     bench::Bench,
-    form::{self, BETWEEN, Line, Role},
+    form::{self, BETWEEN, FormLine, Role},
     glyphs::filter_untrusted,
     layout,
     layout::Focus,
-    look::{Glyph, Look},
+    look::{Appearance, Glyph},
     model::Model,
     text::{fit, fit_label, padded, shortened, width, wrapped},
 };
@@ -194,7 +194,7 @@ impl Laid {
     }
 }
 
-fn columns(model: &Model, lines: &[Line], room: usize) -> Columns {
+fn columns(model: &Model, lines: &[FormLine], room: usize) -> Columns {
     let room = room.saturating_sub(POINTER);
     let leaves = || lines.iter().filter(|line| matches!(line.role, Role::Leaf { .. } | Role::Table { .. }));
     let label = leaves().map(|line| indent(line) + width(&label(model, line))).max().unwrap_or(0);
@@ -218,16 +218,16 @@ fn columns(model: &Model, lines: &[Line], room: usize) -> Columns {
 }
 
 /// The texts of a row, set apart by what the terminal can show: a dot would be a product in ASCII.
-fn side_by_side(summary: &str, look: &Look) -> String {
+fn side_by_side(summary: &str, look: &Appearance) -> String {
     let between = if look.ascii { " | " } else { BETWEEN };
     filter_untrusted(summary).replace(BETWEEN, between)
 }
 
-fn indent(line: &Line) -> usize {
+fn indent(line: &FormLine) -> usize {
     usize::from(line.depth.min(8)) * 2
 }
 
-fn label(model: &Model, line: &Line) -> String {
+fn label(model: &Model, line: &FormLine) -> String {
     let label = Text::from(line.field.label).render(&model.locale);
     match line.number {
         Some(number) if matches!(line.role, Role::Leaf { .. }) => format!("{label} {number}"),
@@ -241,7 +241,7 @@ fn draw_line(
     model: &Model,
     bench: &Bench,
     faults: &Faults<'_>,
-    line: &Line,
+    line: &FormLine,
     under_cursor: bool,
     columns: &Columns,
 ) -> (Shown<'static>, Option<usize>) {
@@ -363,7 +363,7 @@ fn draw_line(
 #[expect(clippy::too_many_arguments, reason = "a line of a form has this many sides")]
 fn push_value(
     model: &Model,
-    line: &Line,
+    line: &FormLine,
     shape: &Shape,
     text: &str,
     state: Filled,
@@ -444,7 +444,7 @@ fn point_out(shown: &mut Shown<'static>, value: usize, text: &str, digit: Range<
 fn draw_errors(
     model: &Model,
     faults: &Faults<'_>,
-    line: &Line,
+    line: &FormLine,
     under_cursor: bool,
     room: usize,
 ) -> Vec<Shown<'static>> {
@@ -467,7 +467,7 @@ fn draw_errors(
 }
 
 /// A value made to fit: of a number with a unit the last digits go first, since without its unit it says nothing.
-fn fit_quantity(text: &str, room: usize, look: &Look) -> String {
+fn fit_quantity(text: &str, room: usize, look: &Appearance) -> String {
     match text.split_once(' ') {
         Some((number, unit)) if width(text) > room && width(unit) + 5 <= room => {
             format!("{} {unit}", fit(number, room - width(unit) - 1, look))

@@ -9,7 +9,7 @@ use super::word;
 use crate::{
     bench::Bench,
     layout::Focus,
-    look::{Glyph, Look},
+    look::{Appearance, Glyph},
     model::Model,
     pane::Tab,
     text::width,
@@ -71,7 +71,7 @@ pub(super) fn bar(model: &Model, bench: &Bench, tabs: &[Tab], columns: u16) -> B
 
 /// The name of a tab that has a frame of its own, and which of several it shows.
 pub(super) fn title(model: &Model, bench: &Bench, tab: Tab) -> Line<'static> {
-    let look: &Look = &model.look;
+    let look: &Appearance = &model.look;
     let focused = bench.focus == Focus::Pane && bench.tab == tab;
     let place = place_of_shown(bench, tab).map_or_else(String::new, |place| format!("{place} "));
     let style = match (focused, bench.tab == tab) {

@@ -2,7 +2,7 @@
 
 use std::{fmt, ops::Range};
 
-use crate::{Dim, Kind, Sense, Unit, table};
+use crate::{Dim, Kind, Unit, UnitMeaning, table};
 
 /// Reason for which a text could not be read. `span` is in bytes of the text typed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -215,8 +215,8 @@ pub enum ReadError {
 #[error(
     "`{text}` is {}; {} expected, e.g. in {}{}",
     found(unit),
-    expected(*kind, bare),
-    example(*kind, bare),
+    expected(*kind, default),
+    example(*kind, default),
     hinted(hint.as_ref())
 )]
 pub struct WrongKind {
@@ -227,7 +227,7 @@ pub struct WrongKind {
     /// The kind that is wanted.
     pub kind: Kind,
     /// The unit of a number written alone.
-    pub bare: Unit,
+    pub default: Unit,
     /// Probable intention.
     pub hint: Option<Hint>,
     /// Position in the text.
@@ -340,25 +340,25 @@ fn hinted(hint: Option<&Hint>) -> String {
 
 fn found(unit: &Unit) -> String {
     match (unit.sense, Kind::of(unit)) {
-        (Sense::Level, _) => "a level".into(),
+        (UnitMeaning::Level, _) => "a level".into(),
         (_, Kind::Other) => format!("a quantity in {}", unit.pretty()),
         (_, Kind::Amplitude) => format!("an amplitude in {}", unit.pretty()),
         (_, kind) => kind.name().into(),
     }
 }
 
-fn expected(kind: Kind, bare: &Unit) -> String {
+fn expected(kind: Kind, default: &Unit) -> String {
     match kind {
-        Kind::Other => format!("a quantity in {}", bare.pretty()),
-        Kind::Amplitude => format!("an amplitude in {}", bare.pretty()),
+        Kind::Other => format!("a quantity in {}", default.pretty()),
+        Kind::Amplitude => format!("an amplitude in {}", default.pretty()),
         kind => kind.name().into(),
     }
 }
 
-fn example(kind: Kind, bare: &Unit) -> String {
+fn example(kind: Kind, default: &Unit) -> String {
     match kind.units() {
-        [first, ..] if bare.text.is_empty() => (*first).to_owned(),
-        _ => bare.ascii(),
+        [first, ..] if default.text.is_empty() => (*first).to_owned(),
+        _ => default.ascii(),
     }
 }
 

@@ -6,15 +6,15 @@
 use std::ops::Range;
 
 use super::{
-    Amount, ReadError, Reading,
+    Amount, QuantityReader, ReadError,
     scan::{Cursor, DEPTH, is_product, is_quotient, starts_symbol, superscript_digit, takes_digit},
     units::{POWER, power, symbol, two_readings},
     value::{Value, compose},
 };
-use crate::{Sense, Unit, decimal, scale::Scale};
+use crate::{Unit, UnitMeaning, decimal, scale::Scale};
 
 /// The value of the whole text from the cursor on.
-pub(super) fn evaluate(cursor: Cursor<'_>) -> Result<Reading<'_>, ReadError> {
+pub(super) fn evaluate(cursor: Cursor<'_>) -> Result<QuantityReader<'_>, ReadError> {
     if let Some(angle) = sexagesimal(cursor) {
         return Ok(angle);
     }
@@ -27,7 +27,7 @@ pub(super) fn evaluate(cursor: Cursor<'_>) -> Result<Reading<'_>, ReadError> {
     if !value.written {
         return Err(number_missing(text, span));
     }
-    if value.scale.sense == Sense::Level && (value.literal.is_none() || *value.symbols != [("dB", 1)]) {
+    if value.scale.sense == UnitMeaning::Level && (value.literal.is_none() || *value.symbols != [("dB", 1)]) {
         return Err(ReadError::Alone { symbol: "dB".into(), after: "a plain number", example: "20 dB" });
     }
     let steep = value.symbols.iter().any(|(_, n)| n.unsigned_abs() > POWER);
@@ -39,7 +39,7 @@ pub(super) fn evaluate(cursor: Cursor<'_>) -> Result<Reading<'_>, ReadError> {
         Unit::new(value.scale, text.into())
     });
     let amount = value.literal.map_or(Amount::Computed(value.number), Amount::Literal);
-    Ok(Reading { amount, unit, pi: reader.pi })
+    Ok(QuantityReader { amount, unit, pi: reader.pi })
 }
 
 struct Reader<'t> {
@@ -60,7 +60,7 @@ impl<'t> Reader<'t> {
                 Some('-' | '−') => -1.0,
                 _ => return Ok(value),
             };
-            self.cursor.bump();
+            self.cursor.advance();
             self.cursor.skip_space();
             let from = self.cursor.at;
             let other = self.product(depth)?;
@@ -75,7 +75,7 @@ impl<'t> Reader<'t> {
             if value.scale.dim != other.scale.dim {
                 return Err(ReadError::Sum { left: value.scale.dim, right: other.scale.dim, span });
             }
-            if value.scale.sense == Sense::Level || other.scale.sense == Sense::Level {
+            if value.scale.sense == UnitMeaning::Level || other.scale.sense == UnitMeaning::Level {
                 return Err(ReadError::Alone {
                     symbol: "dB".into(),
                     after: "a plain number",
@@ -104,7 +104,7 @@ impl<'t> Reader<'t> {
             let divides = is_quotient(next);
             let explicit = divides || is_product(next) || self.is_cross() || self.is_point(&value, gap);
             if explicit {
-                self.cursor.bump();
+                self.cursor.advance();
                 self.cursor.skip_space();
                 if !divides {
                     self.refuse_ten_minus(start)?;
@@ -146,11 +146,11 @@ impl<'t> Reader<'t> {
         self.cursor.skip_space();
         match self.cursor.peek() {
             Some('-' | '−') => {
-                self.cursor.bump();
+                self.cursor.advance();
                 Ok(self.signed(depth + 1)?.negated())
             }
             Some('+') => {
-                self.cursor.bump();
+                self.cursor.advance();
                 self.signed(depth + 1)
             }
             _ => self.power(depth),
@@ -164,7 +164,7 @@ impl<'t> Reader<'t> {
         ahead.skip_space();
         let exponent = if base.has_unit {
             f64::from(power(&mut self.cursor, false)?)
-        } else if ahead.eat_caret() {
+        } else if ahead.accept_caret() {
             self.cursor = ahead;
             let exponent = self.signed(depth + 1)?;
             if exponent.has_unit {
@@ -205,21 +205,21 @@ impl<'t> Reader<'t> {
         let start = self.cursor.at;
         match self.cursor.peek() {
             Some('(') => {
-                self.cursor.bump();
+                self.cursor.advance();
                 let value = self.sum(depth + 1)?;
                 self.cursor.skip_space();
-                if !self.cursor.eat(')') {
+                if !self.cursor.accept(')') {
                     return Err(self.cursor.unexpected("a closing bracket"));
                 }
                 Ok(value)
             }
             Some('√') => {
-                self.cursor.bump();
+                self.cursor.advance();
                 let value = self.atom(depth + 1)?;
                 self.root(value, start)
             }
             Some('π') => {
-                self.cursor.bump();
+                self.cursor.advance();
                 self.pi = true;
                 Ok(Value::number(std::f64::consts::PI))
             }
@@ -402,10 +402,10 @@ impl<'t> Reader<'t> {
 }
 
 /// `30°15'20"`: degrees, minutes and seconds of arc, as an angle in degrees.
-fn sexagesimal(mut cursor: Cursor<'_>) -> Option<Reading<'_>> {
+fn sexagesimal(mut cursor: Cursor<'_>) -> Option<QuantityReader<'_>> {
     let sign = if cursor.peek().is_some_and(|c| matches!(c, '-' | '−')) { -1.0 } else { 1.0 };
     if sign < 0.0 {
-        cursor.bump();
+        cursor.advance();
     }
     let mut degrees = 0.0;
     for (marks, part) in [(['°', 'º'], 1.0), (['\'', '′'], 60.0), (['"', '″'], 3600.0)] {
@@ -415,11 +415,15 @@ fn sexagesimal(mut cursor: Cursor<'_>) -> Option<Reading<'_>> {
         if !cursor.peek().is_some_and(|c| marks.contains(&c)) {
             return None;
         }
-        cursor.bump();
+        cursor.advance();
         cursor.skip_space();
         if cursor.rest().is_empty() {
             let unit = super::unit("°").ok()?;
-            return Some(Reading { amount: Amount::Computed(sign * degrees), unit: Some(unit), pi: false });
+            return Some(QuantityReader {
+                amount: Amount::Computed(sign * degrees),
+                unit: Some(unit),
+                pi: false,
+            });
         }
     }
     None
@@ -429,7 +433,7 @@ fn sexagesimal(mut cursor: Cursor<'_>) -> Option<Reading<'_>> {
 fn proper_fraction(cursor: &mut Cursor) -> Option<f64> {
     let start = cursor.at;
     let numerator = f64::from(cursor.signed_digits()?);
-    if !cursor.eat('/') {
+    if !cursor.accept('/') {
         return None;
     }
     let denominator = f64::from(cursor.signed_digits()?);

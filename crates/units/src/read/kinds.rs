@@ -2,29 +2,29 @@
 
 use std::ops::Range;
 
-use super::{Amount, Hint, ReadError, Reading, WrongKind, si};
-use crate::{Dim, Kind, Sense, Style, Unit, table, write_number};
+use super::{Amount, Hint, QuantityReader, ReadError, WrongKind, si};
+use crate::{Dim, Kind, Style, Unit, UnitMeaning, table, write_number};
 
 pub(super) fn check(
-    reading: &Reading,
+    reading: &QuantityReader,
     text: &str,
     span: Range<usize>,
-    bare: &Unit,
+    default: &Unit,
     kind: Kind,
 ) -> Result<(), ReadError> {
     let Some(unit) = &reading.unit else {
-        return match bare.factor {
+        return match default.factor {
             // `pi/2` in a field of degrees is meant in radians.
-            factor if reading.pi && factor != 1.0 && bare.dim.angle != 0 => {
+            factor if reading.pi && factor != 1.0 && default.dim.angle != 0 => {
                 let text = text[span.clone()].to_owned();
-                let rate = if bare.dim.time == 0 { "rad" } else { "rad/s" };
-                let readings = [format!("({text}) {rate}"), format!("({text}) {}", bare.ascii())];
+                let rate = if default.dim.time == 0 { "rad" } else { "rad/s" };
+                let readings = [format!("({text}) {rate}"), format!("({text}) {}", default.ascii())];
                 Err(ReadError::Ambiguous { text, readings, span })
             }
             _ => Ok(()),
         };
     };
-    let dim = wanted(bare, kind);
+    let dim = wanted(default, kind);
     if fits(unit, dim, kind) {
         return Ok(());
     }
@@ -34,16 +34,21 @@ pub(super) fn check(
         text,
         unit: unit.clone(),
         kind,
-        bare: bare.clone(),
+        default: default.clone(),
         span,
     })))
 }
 
 /// Feet and inches, `3'6"`, where a length is asked for: the marks are those of angles, so they are refused with what to
 /// write. The two numbers as they were typed, where a text is these.
-pub(super) fn refuse_feet(text: &str, span: Range<usize>, bare: &Unit, kind: Kind) -> Result<(), ReadError> {
+pub(super) fn refuse_feet(
+    text: &str,
+    span: Range<usize>,
+    default: &Unit,
+    kind: Kind,
+) -> Result<(), ReadError> {
     let typed = &text[span.clone()];
-    let Some((feet, inches)) = feet_and_inches(typed).filter(|_| wanted(bare, kind) == Dim::LENGTH) else {
+    let Some((feet, inches)) = feet_and_inches(typed).filter(|_| wanted(default, kind) == Dim::LENGTH) else {
         return Ok(());
     };
     Err(ReadError::WrongKind(Box::new(WrongKind {
@@ -51,7 +56,7 @@ pub(super) fn refuse_feet(text: &str, span: Range<usize>, bare: &Unit, kind: Kin
         text: typed.to_owned(),
         unit: super::unit("'")?,
         kind,
-        bare: bare.clone(),
+        default: default.clone(),
         span,
     })))
 }
@@ -68,10 +73,10 @@ fn feet_and_inches(text: &str) -> Option<(&str, &str)> {
 }
 
 /// The dimension asked for.
-fn wanted(bare: &Unit, kind: Kind) -> Dim {
+fn wanted(default: &Unit, kind: Kind) -> Dim {
     match kind {
-        Kind::Amplitude | Kind::Other => bare.dim,
-        kind => kind.dim().unwrap_or(bare.dim),
+        Kind::Amplitude | Kind::Other => default.dim,
+        kind => kind.dim().unwrap_or(default.dim),
     }
 }
 
@@ -84,10 +89,10 @@ fn fits(unit: &Unit, dim: Dim, kind: Kind) -> bool {
         _ => false,
     };
     let sense = match unit.sense {
-        Sense::Plain => true,
-        Sense::Energy => kind != Kind::Torque,
-        Sense::Level => dim == Dim::NONE && kind != Kind::Angle,
-        Sense::Peak | Sense::PeakToPeak | Sense::Rms => kind == Kind::Amplitude,
+        UnitMeaning::Plain => true,
+        UnitMeaning::Energy => kind != Kind::Torque,
+        UnitMeaning::Level => dim == Dim::NONE && kind != Kind::Angle,
+        UnitMeaning::Peak | UnitMeaning::PeakToPeak | UnitMeaning::Rms => kind == Kind::Amplitude,
     };
     // A percentage of an angle would be read as radians.
     let percent = kind == Kind::Angle && unit.dim == Dim::NONE && unit.factor != 1.0;
@@ -99,10 +104,12 @@ fn hint(amount: Amount, unit: &Unit, dim: Dim, kind: Kind, text: &str) -> Option
     let value = write_number(si(amount, unit).0, style);
     let number = write_number(unit.value(si(amount, unit).0), style);
     let force = Dim::new(1, 1, -2, 0);
-    if matches!(unit.sense, Sense::Peak | Sense::PeakToPeak | Sense::Rms) && kind != Kind::Amplitude {
+    if matches!(unit.sense, UnitMeaning::Peak | UnitMeaning::PeakToPeak | UnitMeaning::Rms)
+        && kind != Kind::Amplitude
+    {
         return Some(Hint::NoAmplitude);
     }
-    if unit.sense == Sense::Energy && kind == Kind::Torque {
+    if unit.sense == UnitMeaning::Energy && kind == Kind::Torque {
         return Some(Hint::TorqueOf(value));
     }
     if kind == Kind::Angle && unit.dim == Dim::NONE {

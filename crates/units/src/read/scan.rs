@@ -46,21 +46,21 @@ impl<'t> Cursor<'t> {
         self.rest().chars().next()
     }
 
-    pub(crate) fn bump(&mut self) {
+    pub(crate) fn advance(&mut self) {
         self.at += self.peek().map_or(0, char::len_utf8);
     }
 
     pub(crate) fn skip_space(&mut self) {
         while self.peek().is_some_and(char::is_whitespace) {
-            self.bump();
+            self.advance();
         }
     }
 
     /// Goes past `mark` if it is here.
-    pub(crate) fn eat(&mut self, mark: char) -> bool {
+    pub(crate) fn accept(&mut self, mark: char) -> bool {
         let here = self.peek() == Some(mark);
         if here {
-            self.bump();
+            self.advance();
         }
         here
     }
@@ -133,13 +133,13 @@ impl<'t> Cursor<'t> {
         let start = self.at;
         let negative = self.peek().is_some_and(|c| matches!(c, '-' | '−'));
         if negative || self.peek() == Some('+') {
-            self.bump();
+            self.advance();
         }
         let first = self.at;
         let mut n = 0i32;
         while let Some(digit) = self.peek().and_then(|c| c.to_digit(10)) {
             n = (n * 10 + digit as i32).min(99_999);
-            self.bump();
+            self.advance();
         }
         if self.at == first {
             self.at = start;
@@ -153,13 +153,13 @@ impl<'t> Cursor<'t> {
         let start = self.at;
         let negative = self.peek() == Some('⁻');
         if negative || self.peek() == Some('⁺') {
-            self.bump();
+            self.advance();
         }
         let first = self.at;
         let mut n = 0i32;
         while let Some(digit) = self.peek().and_then(superscript_digit) {
             n = (n * 10 + digit).min(99_999);
-            self.bump();
+            self.advance();
         }
         if self.at == first {
             self.at = start;
@@ -169,12 +169,12 @@ impl<'t> Cursor<'t> {
     }
 
     /// `^` or `**`, if one is here.
-    pub(crate) fn eat_caret(&mut self) -> bool {
+    pub(crate) fn accept_caret(&mut self) -> bool {
         if self.rest().starts_with("**") {
             self.at += 2;
             return true;
         }
-        self.eat('^')
+        self.accept('^')
     }
 
     /// The letters of a unit symbol, if one is here: `mm`, `g0`, `g's`, `°`.
@@ -291,10 +291,10 @@ fn two_marks(text: &str, span: Range<usize>) -> ReadError {
     let is_mark = |c| matches!(c, '.' | ',');
     let first = text.find(is_mark).unwrap_or(0);
     let last = text.rfind(is_mark).unwrap_or(0);
-    let bare = |part: &str| part.replace(['.', ','], "");
-    let kept = |at: usize| format!("{}.{}", bare(&text[..at]), bare(&text[at + 1..]));
+    let default = |part: &str| part.replace(['.', ','], "");
+    let kept = |at: usize| format!("{}.{}", default(&text[..at]), default(&text[at + 1..]));
     let same = text.contains('.') != text.contains(',');
-    let readings = if same { [bare(text), kept(first)] } else { [kept(last), kept(first)] };
+    let readings = if same { [default(text), kept(first)] } else { [kept(last), kept(first)] };
     ReadError::TwoMarks { text: text.into(), readings, span }
 }
 

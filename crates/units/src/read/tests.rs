@@ -15,12 +15,12 @@ fn any(text: &str) -> Quantity {
     read_any(text).unwrap_or_else(|error| panic!("`{text}`: {error}"))
 }
 
-fn in_field(text: &str, bare: &str, kind: Kind) -> Quantity {
-    read_quantity(text, &unit(bare).unwrap(), kind).unwrap_or_else(|error| panic!("`{text}`: {error}"))
+fn in_field(text: &str, default: &str, kind: Kind) -> Quantity {
+    read_quantity(text, &unit(default).unwrap(), kind).unwrap_or_else(|error| panic!("`{text}`: {error}"))
 }
 
-fn refused(text: &str, bare: &str, kind: Kind) -> String {
-    match read_quantity(text, &unit(bare).unwrap(), kind) {
+fn refused(text: &str, default: &str, kind: Kind) -> String {
+    match read_quantity(text, &unit(default).unwrap(), kind) {
         Ok(quantity) => panic!("`{text}` was read as {quantity:?}"),
         Err(error) => error.to_string(),
     }
@@ -107,8 +107,8 @@ fn a_turn_a_second() {
         "2 pi 1/s",
         "3600 rev/h",
     ] {
-        for bare in ["rpm", "rad/s", "Hz"] {
-            let speed = in_field(text, bare, Kind::AngularVelocity).si;
+        for default in ["rpm", "rad/s", "Hz"] {
+            let speed = in_field(text, default, Kind::AngularVelocity).si;
             assert!((speed / TAU - 1.0).abs() < 3e-16, "`{text}`: {speed}");
         }
     }
@@ -119,7 +119,7 @@ fn a_turn_a_second() {
 
 #[test]
 fn a_missing_angle_is_accepted_and_a_wrong_one_is_not() {
-    for (text, bare, kind) in [
+    for (text, default, kind) in [
         ("5 N*m", "N*m/rad", Kind::TorsionalStiffness),
         ("5 N*m/rad", "N*m/rad", Kind::TorsionalStiffness),
         ("5 N*m*s", "N*m*s/rad", Kind::TorsionalDamping),
@@ -130,7 +130,7 @@ fn a_missing_angle_is_accepted_and_a_wrong_one_is_not() {
         ("5 N*m", "J", Kind::Energy),
         ("5 rad", "deg", Kind::Angle),
     ] {
-        assert_eq!(in_field(text, bare, kind).si, 5.0, "`{text}`");
+        assert_eq!(in_field(text, default, kind).si, 5.0, "`{text}`");
     }
     refused("5 N*m/rad", "N*m", Kind::Torque);
     refused("5 rad^2/s", "rad/s", Kind::AngularVelocity);
@@ -140,7 +140,7 @@ fn a_missing_angle_is_accepted_and_a_wrong_one_is_not() {
 
 #[test]
 fn the_wrong_kind_is_named_with_what_was_meant() {
-    for (text, bare, kind, words) in [
+    for (text, default, kind, words) in [
         (
             "10 kg",
             "N",
@@ -178,7 +178,7 @@ fn the_wrong_kind_is_named_with_what_was_meant() {
         ("5 mm", "mm/s", Kind::Amplitude, "an amplitude in mm/s expected"),
         ("3 kg^3", "N", Kind::Force, "is a quantity in kg³"),
     ] {
-        let message = refused(text, bare, kind);
+        let message = refused(text, default, kind);
         assert!(message.contains(words), "`{text}`: {message}");
     }
 }
@@ -195,8 +195,8 @@ fn repairs_can_be_typed() {
         ("(N/m)*s * 2", Kind::Other, 2.0),
         ("2 N/(m*s)", Kind::Other, 2.0),
     ] {
-        let bare = kind.units().first().copied();
-        let quantity = bare.map_or_else(|| any(text), |bare| in_field(text, bare, kind));
+        let default = kind.units().first().copied();
+        let quantity = default.map_or_else(|| any(text), |default| in_field(text, default, kind));
         assert!((quantity.si - si).abs() < 1e-14 * si, "`{text}`: {}", quantity.si);
     }
 }
@@ -511,9 +511,9 @@ fn vectors() {
         ("0 m/s", [0.0; 3], 3),
         ("0", [0.0; 3], 3),
     ] {
-        let bare = unit("m/s").unwrap();
-        let vector =
-            read_vector(text, &bare, Kind::Velocity, 3).unwrap_or_else(|error| panic!("`{text}`: {error}"));
+        let default = unit("m/s").unwrap();
+        let vector = read_vector(text, &default, Kind::Velocity, 3)
+            .unwrap_or_else(|error| panic!("`{text}`: {error}"));
         assert_eq!((vector.si, vector.len), (si, len), "`{text}`");
     }
     let vector = read_vector("(1.25; 2) mm", &unit("m").unwrap(), Kind::Length, 3).unwrap();

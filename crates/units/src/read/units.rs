@@ -6,7 +6,7 @@ use super::{
     ReadError,
     scan::{Cursor, DEPTH, guard, is_product, is_quotient, starts_symbol, takes_digit},
 };
-use crate::{Dim, Sense, Unit, scale::Scale, table};
+use crate::{Dim, Unit, UnitMeaning, scale::Scale, table};
 
 /// The largest power of a unit.
 pub(super) const POWER: u8 = 12;
@@ -24,7 +24,7 @@ const LIMIT: usize = 100;
 pub fn unit(text: &str) -> Result<Unit, ReadError> {
     let range = guard(text, LIMIT)?;
     let (range, sense) = split_suffix(text, range);
-    if range.is_empty() && sense == Sense::Plain {
+    if range.is_empty() && sense == UnitMeaning::Plain {
         return Ok(Unit::ONE);
     }
     let mut cursor = Cursor::new(text, range);
@@ -47,7 +47,7 @@ pub(super) fn whole(cursor: &mut Cursor) -> Result<Unit, ReadError> {
     if !scale.is_sane() {
         return Err(ReadError::Exponent { text: text.into(), limit: POWER, span });
     }
-    if scale.sense == Sense::Level && only != Some(text) {
+    if scale.sense == UnitMeaning::Level && only != Some(text) {
         return Err(ReadError::Alone { symbol: "dB".into(), after: "a plain number", example: "20 dB" });
     }
     Ok(match only {
@@ -58,30 +58,30 @@ pub(super) fn whole(cursor: &mut Cursor) -> Result<Unit, ReadError> {
 }
 
 /// Takes `pp`, `rms` or `pk` off the end of the text.
-pub(super) fn split_suffix(text: &str, range: Range<usize>) -> (Range<usize>, Sense) {
+pub(super) fn split_suffix(text: &str, range: Range<usize>) -> (Range<usize>, UnitMeaning) {
     let part = &text[range.clone()];
     if !part.ends_with(['p', 's', 'k', 'S']) {
-        return (range, Sense::Plain);
+        return (range, UnitMeaning::Plain);
     }
-    let Some(space) = part.rfind(char::is_whitespace) else { return (range, Sense::Plain) };
+    let Some(space) = part.rfind(char::is_whitespace) else { return (range, UnitMeaning::Plain) };
     let sense = match part[space..].trim_start() {
-        "pp" | "p-p" | "pk-pk" | "peak-to-peak" => Sense::PeakToPeak,
-        "rms" | "RMS" => Sense::Rms,
-        "pk" | "peak" | "0-pk" | "0-p" => Sense::Peak,
-        _ => return (range, Sense::Plain),
+        "pp" | "p-p" | "pk-pk" | "peak-to-peak" => UnitMeaning::PeakToPeak,
+        "rms" | "RMS" => UnitMeaning::Rms,
+        "pk" | "peak" | "0-pk" | "0-p" => UnitMeaning::Peak,
+        _ => return (range, UnitMeaning::Plain),
     };
     (range.start..range.start + part[..space].trim_end().len(), sense)
 }
 
 /// The unit in which the amplitude of an oscillation is written.
-pub(super) fn with_suffix(unit: Unit, sense: Sense) -> Result<Unit, ReadError> {
+pub(super) fn with_suffix(unit: Unit, sense: UnitMeaning) -> Result<Unit, ReadError> {
     let (mantissa, suffix) = match sense {
-        Sense::PeakToPeak => (0.5, "pp"),
-        Sense::Rms => (std::f64::consts::SQRT_2, "rms"),
-        Sense::Peak => (1.0, "pk"),
-        Sense::Plain | Sense::Energy | Sense::Level => return Ok(unit),
+        UnitMeaning::PeakToPeak => (0.5, "pp"),
+        UnitMeaning::Rms => (std::f64::consts::SQRT_2, "rms"),
+        UnitMeaning::Peak => (1.0, "pk"),
+        UnitMeaning::Plain | UnitMeaning::Energy | UnitMeaning::Level => return Ok(unit),
     };
-    if unit.text.is_empty() || unit.sense == Sense::Level {
+    if unit.text.is_empty() || unit.sense == UnitMeaning::Level {
         return Err(ReadError::Alone {
             symbol: suffix.into(),
             after: "a unit of length, velocity or acceleration",
@@ -99,12 +99,12 @@ pub(crate) fn power(cursor: &mut Cursor, digit: bool) -> Result<i8, ReadError> {
     let start = cursor.at;
     let mut ahead = *cursor;
     ahead.skip_space();
-    let power = if ahead.eat_caret() {
+    let power = if ahead.accept_caret() {
         *cursor = ahead;
         cursor.skip_space();
-        let bracket = cursor.eat('(');
+        let bracket = cursor.accept('(');
         let power = cursor.signed_digits();
-        let closed = !bracket || cursor.eat(')');
+        let closed = !bracket || cursor.accept(')');
         match power {
             Some(power) if closed && !matches!(cursor.peek(), Some('.' | ',')) => Some(power),
             _ => {
@@ -166,7 +166,7 @@ impl Reader<'_> {
         self.cursor.skip_space();
         let start = self.cursor.at;
         let mut scale = if self.cursor.peek() == Some('1') {
-            self.cursor.bump();
+            self.cursor.advance();
             let mut ahead = self.cursor;
             ahead.skip_space();
             // `1/s`; `1 m` would make a slip of `51 m` another number.
@@ -184,10 +184,10 @@ impl Reader<'_> {
             let Some(next) = ahead.peek() else { break };
             let divides = is_quotient(next);
             if divides || (is_product(next) && !ahead.rest().starts_with("**")) {
-                ahead.bump();
+                ahead.advance();
             } else if next == '.' && ahead.at == self.cursor.at {
                 // `N.m`
-                ahead.bump();
+                ahead.advance();
             } else if !(starts_symbol(next) || next == '(') {
                 break;
             }
@@ -212,10 +212,10 @@ impl Reader<'_> {
         if depth == DEPTH {
             return Err(ReadError::TooDeep { limit: DEPTH, span: self.cursor.at..self.cursor.end });
         }
-        if self.cursor.eat('(') {
+        if self.cursor.accept('(') {
             let scale = self.product(depth + 1)?;
             self.cursor.skip_space();
-            if !self.cursor.eat(')') {
+            if !self.cursor.accept(')') {
                 return Err(self.cursor.unexpected("a closing bracket"));
             }
             return Ok(scale.powi(power(&mut self.cursor, false)?));

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{Amount, ReadError, Reading, check_range, empty, kinds, read, scan::guard, si, units};
+use super::{Amount, QuantityReader, ReadError, check_range, empty, kinds, read, scan::guard, si, units};
 use crate::{Kind, Unit, VectorQuantity};
 
 /// The longest text of a vector, in characters.
@@ -16,18 +16,18 @@ const LIMIT: usize = 600;
 ///
 /// # Errors
 /// As [`read_quantity`](crate::read_quantity) for each component, and another number of components.
-pub fn read_vector(text: &str, bare: &Unit, kind: Kind, len: usize) -> Result<VectorQuantity, ReadError> {
+pub fn read_vector(text: &str, default: &Unit, kind: Kind, len: usize) -> Result<VectorQuantity, ReadError> {
     let range = guard(text, LIMIT)?;
     if range.is_empty() {
-        return Err(empty(bare));
+        return Err(empty(default));
     }
     let (inner, rest) = brackets(text, range.clone()).unwrap_or((range.clone(), range.end..range.end));
-    let (mut readings, written) = if let Some(parts) = components(text, inner.clone(), bare)? {
+    let (mut readings, written) = if let Some(parts) = components(text, inner.clone(), default)? {
         parts
     } else {
         // One component alone: the zero vector, or too little.
-        let reading = read(text, range.clone(), bare)?;
-        if si(reading.amount, reading.unit.as_ref().unwrap_or(bare)).0 != 0.0 {
+        let reading = read(text, range.clone(), default)?;
+        if si(reading.amount, reading.unit.as_ref().unwrap_or(default)).0 != 0.0 {
             return Err(wrong_count(1, len, range));
         }
         (vec![Some(reading)], len)
@@ -43,8 +43,8 @@ pub fn read_vector(text: &str, bare: &Unit, kind: Kind, len: usize) -> Result<Ve
         if reading.unit.is_none() {
             reading.unit.clone_from(&unit);
         }
-        kinds::check(reading, text, range.clone(), bare, kind)?;
-        let (value, last) = si(reading.amount, reading.unit.as_ref().unwrap_or(bare));
+        kinds::check(reading, text, range.clone(), default, kind)?;
+        let (value, last) = si(reading.amount, reading.unit.as_ref().unwrap_or(default));
         check_range(reading.amount, value, &text[range.clone()], range.clone())?;
         *place = value;
         last_place = last_place.max(last);
@@ -53,13 +53,13 @@ pub fn read_vector(text: &str, bare: &Unit, kind: Kind, len: usize) -> Result<Ve
     Ok(VectorQuantity {
         si: si_values,
         len: written,
-        unit: shown.unwrap_or_else(|| bare.clone()),
+        unit: shown.unwrap_or_else(|| default.clone()),
         last_place,
     })
 }
 
 /// The components, a missing one along i, j or k as `None`, and how many were written.
-type Components<'t> = (Vec<Option<Reading<'t>>>, usize);
+type Components<'t> = (Vec<Option<QuantityReader<'t>>>, usize);
 
 /// Range inside the brackets that open the text, and range after them.
 fn brackets(text: &str, range: Range<usize>) -> Option<(Range<usize>, Range<usize>)> {
@@ -89,7 +89,7 @@ fn brackets(text: &str, range: Range<usize>) -> Option<(Range<usize>, Range<usiz
 fn components<'t>(
     text: &'t str,
     inner: Range<usize>,
-    bare: &Unit,
+    default: &Unit,
 ) -> Result<Option<Components<'t>>, ReadError> {
     if text[inner.clone()].contains(';') {
         let mut readings = Vec::new();
@@ -98,7 +98,7 @@ fn components<'t>(
                 let text = text.trim().to_owned();
                 return Err(ReadError::Unfinished { text, expected: "a component", span: part });
             }
-            readings.push(Some(read(text, part, bare)?));
+            readings.push(Some(read(text, part, default)?));
             if readings.len() > 3 {
                 break;
             }
@@ -107,13 +107,13 @@ fn components<'t>(
         return Ok(Some((readings, written)));
     }
     if is_along_axes(&text[inner.clone()]) {
-        return along_axes(text, inner, bare).map(Some);
+        return along_axes(text, inner, default).map(Some);
     }
     Ok(None)
 }
 
 /// `300 i − 200 j`: each term ends in an axis.
-fn along_axes<'t>(text: &'t str, inner: Range<usize>, bare: &Unit) -> Result<Components<'t>, ReadError> {
+fn along_axes<'t>(text: &'t str, inner: Range<usize>, default: &Unit) -> Result<Components<'t>, ReadError> {
     let mut readings = vec![None, None, None];
     let parts = split(text, inner, |c, before| matches!(c, '+' | '-' | '−') && !is_exponent(before));
     for (n, part) in parts.into_iter().enumerate() {
@@ -130,9 +130,9 @@ fn along_axes<'t>(text: &'t str, inner: Range<usize>, bare: &Unit) -> Result<Com
         })?;
         let number = term[..term.len() - 1].trim_end().trim_end_matches(['*', '·']).trim_end();
         let mut reading = if number.is_empty() {
-            Reading { amount: Amount::Computed(1.0), unit: None, pi: false }
+            QuantityReader { amount: Amount::Computed(1.0), unit: None, pi: false }
         } else {
-            read(text, part.start..part.start + number.len(), bare)?
+            read(text, part.start..part.start + number.len(), default)?
         };
         if sign {
             reading.amount = match reading.amount {
@@ -151,7 +151,7 @@ fn along_axes<'t>(text: &'t str, inner: Range<usize>, bare: &Unit) -> Result<Com
 
 /// The unit that goes with every component that has none.
 fn common_unit(
-    readings: &mut [Option<Reading>],
+    readings: &mut [Option<QuantityReader>],
     text: &str,
     rest: Range<usize>,
     all: &Range<usize>,

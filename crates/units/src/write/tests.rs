@@ -140,7 +140,9 @@ fn what_is_written_can_be_read() {
         if let Some(dim) = kind.dim() {
             assert_eq!(unit.dim, dim, "{text}");
         }
-        let kind = if kind == Kind::Other && unit.sense == Sense::PeakToPeak || unit.sense == Sense::Rms {
+        let kind = if kind == Kind::Other && unit.sense == UnitMeaning::PeakToPeak
+            || unit.sense == UnitMeaning::Rms
+        {
             Kind::Amplitude
         } else {
             kind
@@ -150,11 +152,11 @@ fn what_is_written_can_be_read() {
             for style in [SCREEN, COMMA, ASCII, Style { ascii: true, ..COMMA }] {
                 for places in [1, 3, 5, 12, 17] {
                     let style = Style { digits: places, ..style };
-                    let si = if unit.sense == Sense::Level { si.abs() } else { si };
+                    let si = if unit.sense == UnitMeaning::Level { si.abs() } else { si };
                     let shown = write_quantity(si, &unit, style);
                     let read = read_quantity(&with_point(&shown), &unit, kind)
                         .unwrap_or_else(|error| panic!("{shown}: {error}"));
-                    if unit.sense == Sense::Level {
+                    if unit.sense == UnitMeaning::Level {
                         let level = 20.0 * (read.si / si).log10();
                         assert!(
                             level.abs() <= 0.5 * 10f64.powi(3 - i32::from(places)) + 1e-12,
@@ -173,7 +175,7 @@ fn what_is_written_can_be_read() {
                     write_vector(vector, &unit, digits_of(style)),
                     write_components(&vector, &unit, digits_of(style)),
                 ] {
-                    if unit.sense == Sense::Level {
+                    if unit.sense == UnitMeaning::Level {
                         continue;
                     }
                     let read = read_vector(&shown, &unit, kind, 3)

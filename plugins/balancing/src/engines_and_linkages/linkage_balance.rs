@@ -10,7 +10,7 @@ use dalembert_mechanics::{
     Real,
     balance::{
         self,
-        linkage::{Counterweight, Follower, Link, Linkage, Pose, Shaking},
+        linkage::{Counterweight, Follower, LinkInertia, Linkage, Pose, Shaking},
     },
 };
 use dalembert_numerics::extremes::{self, Extreme};
@@ -25,7 +25,7 @@ use links::FrameLoads;
 #[derive(Clone, Debug, Inputs)]
 pub struct LinkageBalance {
     /// Mechanism.
-    pub mechanism: Mechanism,
+    pub mechanism: LinkageInput,
     /// Speed of the crank.
     #[input("ω", "rpm", positive)]
     pub speed: f64,
@@ -40,7 +40,7 @@ pub struct LinkageBalance {
 
 /// A linkage with a crank.
 #[derive(Clone, Debug, Inputs)]
-pub enum Mechanism {
+pub enum LinkageInput {
     /// Four-bar linkage
     FourBar {
         /// Crank.
@@ -59,13 +59,13 @@ pub enum Mechanism {
         closing: Closing,
         /// Masses of the crank.
         #[input("2")]
-        crank_body: Body,
+        crank_body: LinkMassInput,
         /// Masses of the coupler.
         #[input("3")]
-        coupler_body: Body,
+        coupler_body: LinkMassInput,
         /// Masses of the rocker.
         #[input("4")]
-        rocker_body: Body,
+        rocker_body: LinkMassInput,
     },
     /// Slider-crank
     SliderCrank {
@@ -80,10 +80,10 @@ pub enum Mechanism {
         offset: f64,
         /// Masses of the crank.
         #[input("2")]
-        crank_body: Body,
+        crank_body: LinkMassInput,
         /// Masses of the connecting rod.
         #[input("3")]
-        rod_body: Body,
+        rod_body: LinkMassInput,
         /// Mass of the slider.
         #[input("m_4", "kg", nonnegative)]
         slider: f64,
@@ -101,7 +101,7 @@ pub enum Closing {
 
 /// The mass of a link and where it is.
 #[derive(Clone, Debug, Inputs)]
-pub struct Body {
+pub struct LinkMassInput {
     /// Mass.
     #[input("m", "kg", nonnegative)]
     pub mass: f64,
@@ -146,8 +146,14 @@ impl Analysis for LinkageBalance {
         }
         sheet.keep_going()?;
         let counterweights = match &given.mechanism {
-            MechanismGiven::FourBar {
-                crank, coupler, rocker, crank_body, coupler_body, rocker_body, ..
+            LinkageInputGiven::FourBar {
+                crank,
+                coupler,
+                rocker,
+                crank_body,
+                coupler_body,
+                rocker_body,
+                ..
             } => {
                 let (two, three, four) = (crank_body, coupler_body, rocker_body);
                 let carried = three.mass * *crank;
@@ -173,7 +179,7 @@ impl Analysis for LinkageBalance {
                 let y = sheet.step("U_4y", "kg*mm", y, why);
                 [on_crank, counterweight(sheet, 2, (x, y), given.other_radius, &ROCKER)]
             }
-            MechanismGiven::SliderCrank { crank, rod, crank_body, rod_body, slider, .. } => {
+            LinkageInputGiven::SliderCrank { crank, rod, crank_body, rod_body, slider, .. } => {
                 let (two, three) = (crank_body, rod_body);
                 let why =
                     "Rod: its counterweight brings the centre of mass of rod and slider to the crank pin";
@@ -214,8 +220,9 @@ impl Analysis for LinkageBalance {
             let what = "the forces of the frame on crank and output link equal the reversed shaking force";
             sheet.check_zero(what, gaps.into(), most.fold(effort, f64::max));
         });
-        let found =
-            |symbol, unit, si, why: &'static str| sheet.found(symbol, unit, si, (why, NORTON.at("ch. 12")));
+        let found = |symbol, unit, si, why: &'static str| {
+            sheet.numerical(symbol, unit, si, (why, NORTON.at("ch. 12")))
+        };
         let why_force = "Maximum shaking force over a revolution";
         let weights = [&[], counterweights.as_slice()];
         // The largest of a number before and after, and the same by the equations of all links at the crank angle of each.
@@ -270,8 +277,8 @@ impl Analysis for LinkageBalance {
             });
         }
         let names = match self.mechanism {
-            Mechanism::FourBar { .. } => FOUR_BAR_JOINTS,
-            Mechanism::SliderCrank { .. } => SLIDER_CRANK_JOINTS,
+            LinkageInput::FourBar { .. } => FOUR_BAR_JOINTS,
+            LinkageInput::SliderCrank { .. } => SLIDER_CRANK_JOINTS,
         };
         for (joint, label) in names.into_iter().enumerate() {
             let of = move |s: &Shaking| s.joints[joint][0].hypot(s.joints[joint][1]);
@@ -282,8 +289,8 @@ impl Analysis for LinkageBalance {
                 (why.with_text("when", when).with_text("joint", label), NORTON.at("ch. 11"))
             };
             let at = most(&of);
-            let first = sheet.found(("P_before", joint + 1), "N", at[0].value, why("before"));
-            let last = sheet.found(("P_after", joint + 1), "N", at[1].value, why("after"));
+            let first = sheet.numerical(("P_before", joint + 1), "N", at[0].value, why("before"));
+            let last = sheet.numerical(("P_after", joint + 1), "N", at[1].value, why("after"));
             sheet.answer(("joint_force", joint + 1), label, first);
             sheet.answer(("joint_force_after", joint + 1), label, last);
             let what = "force in a joint at that angle by the Newton–Euler equations of all links";
@@ -399,16 +406,16 @@ fn counterweight<W: Worksheet>(
     Counterweight { link, mass: mass.value(), distance: radius.value(), angle }
 }
 
-impl Body {
-    fn link(&self) -> Link {
-        Link { mass: self.mass, distance: self.distance, offset: self.offset, inertia: self.inertia }
+impl LinkMassInput {
+    fn link(&self) -> LinkInertia {
+        LinkInertia { mass: self.mass, distance: self.distance, offset: self.offset, inertia: self.inertia }
     }
 }
 
 impl LinkageBalance {
     fn linkage(&self) -> Linkage {
         match &self.mechanism {
-            Mechanism::FourBar {
+            LinkageInput::FourBar {
                 crank,
                 coupler,
                 rocker,
@@ -429,7 +436,7 @@ impl LinkageBalance {
                     link: rocker_body.link(),
                 },
             },
-            Mechanism::SliderCrank { crank, rod, offset, crank_body, rod_body, slider } => Linkage {
+            LinkageInput::SliderCrank { crank, rod, offset, crank_body, rod_body, slider } => Linkage {
                 crank: *crank,
                 coupler: *rod,
                 crank_link: crank_body.link(),
@@ -518,7 +525,7 @@ fn left<W: Worksheet>(
 ) -> W::Num {
     let worst = (0..after.len()).max_by(|a, b| size(&after[*a]).total_cmp(&size(&after[*b]))).unwrap_or(0);
     let own = linkage.shaking(&poses[worst], &[]).force;
-    let weightless = |link: Link| Link { mass: 0.0, inertia: 0.0, ..link };
+    let weightless = |link: LinkInertia| LinkInertia { mass: 0.0, inertia: 0.0, ..link };
     let follower = match linkage.follower {
         Follower::Rocker { frame, length, crossed, link } => {
             Follower::Rocker { frame, length, crossed, link: weightless(link) }
@@ -534,8 +541,8 @@ fn left<W: Worksheet>(
         let (one, other) = (own[axis], added[axis]);
         let other = if (one + other).abs() < 1e-9 * effort { -one } else { other };
         let why = "Force of the moving links on the frame, at the crank angle of maximum residual force";
-        let one = sheet.found(names[axis][0], "N", one, why);
-        one + sheet.found(names[axis][1], "N", other, "Force of the counterweights at that crank angle")
+        let one = sheet.numerical(names[axis][0], "N", one, why);
+        one + sheet.numerical(names[axis][1], "N", other, "Force of the counterweights at that crank angle")
     });
     let why = ("Maximum shaking force over a revolution", NORTON.at("ch. 12"));
     sheet.step("F_after", "N", balance::magnitude(x, y), why)

@@ -53,7 +53,7 @@ pub struct Locomotive {
     #[input("P", "kN", positive)]
     pub load: Option<f64>,
     /// Coupled wheels.
-    pub coupled: Option<Coupled>,
+    pub coupled: Option<CoupledWheels>,
 }
 
 /// Balanced fraction of the reciprocating masses, or the limit that determines it.
@@ -94,7 +94,7 @@ pub enum Running {
 
 /// Wheels coupled to the driving ones.
 #[derive(Clone, Debug, Inputs)]
-pub struct Coupled {
+pub struct CoupledWheels {
     /// Axles that share the balance of the reciprocating masses.
     /// The driving axle is one of them.
     #[input(min = 1, max = 8)]

@@ -66,7 +66,7 @@ pub enum Arrangement {
         /// Spacing.
         spacing: Spacing,
         /// Cranks.
-        cranks: Cranks,
+        cranks: CrankAngles,
     },
     /// V or W: banks on the same cranks
     /// The banks lie evenly about the vertical, cylinders are numbered bank by bank.
@@ -85,7 +85,7 @@ pub enum Arrangement {
         /// Spacing.
         spacing: Spacing,
         /// Cranks.
-        cranks: Cranks,
+        cranks: CrankAngles,
         /// Splay angle of a crank pin.
         /// From one bank to the next.
         #[input("δ", "deg", default = "0 deg")]
@@ -106,7 +106,7 @@ pub enum Arrangement {
         pitch: f64,
         /// Cranks.
         /// Of the first cylinder of each pair.
-        cranks: Cranks,
+        cranks: CrankAngles,
     },
     /// Radial: cylinders all round one crank
     Radial {
@@ -126,7 +126,7 @@ pub enum Arrangement {
         /// Spacing.
         spacing: Spacing,
         /// Cranks.
-        cranks: Cranks,
+        cranks: CrankAngles,
         /// Lead of the second crank.
         #[input("δ", "deg", default = "0 deg")]
         lead: f64,
@@ -135,7 +135,7 @@ pub enum Arrangement {
     Cylinders {
         /// Cylinders.
         #[input(min = 1)]
-        cylinders: Vec<Cylinder>,
+        cylinders: Vec<PlacedCylinder>,
     },
 }
 
@@ -175,7 +175,7 @@ pub enum Spacing {
 
 /// Crank angles.
 #[derive(Clone, Debug, Inputs)]
-pub enum Cranks {
+pub enum CrankAngles {
     /// Crank angles given
     Angles {
         /// Crank angles.
@@ -208,7 +208,7 @@ pub enum Strokes {
 
 /// A cylinder by itself.
 #[derive(Clone, Debug, Inputs)]
-pub struct Cylinder {
+pub struct PlacedCylinder {
     /// Reciprocating mass.
     #[input("m", "kg", positive)]
     pub reciprocating: f64,
@@ -320,7 +320,7 @@ impl Analysis for Reciprocating {
         let (_, largest) = engine::largest(|angle| engine::shaking(&pistons, motion, at, angle).0);
         let largest = if largest < 1e-11 * scale { 0.0 } else { largest };
         let whole =
-            sheet.found("F_max", "N", largest, "Maximum shaking force of all orders over a revolution");
+            sheet.numerical("F_max", "N", largest, "Maximum shaking force of all orders over a revolution");
         sheet.answer("greatest_force", "Maximum shaking force over a revolution", whole);
         sheet.verify(|| {
             let again = orders::largest_again(&found, &pistons, motion);
@@ -332,7 +332,7 @@ impl Analysis for Reciprocating {
         });
         let residual = counterweight::rotating(given, &cylinders, &primary, &found, about, sheet);
         if let Some(shafts) = self.shafts {
-            let engine = counterweight::Engine { cylinders: &cylinders, pistons: &pistons, motion };
+            let engine = counterweight::CylinderEngine { cylinders: &cylinders, pistons: &pistons, motion };
             counterweight::shafts(shafts, given.speed, &engine, &found, &residual, about, sheet)?;
         }
         sheet.show(|| Exhibit::Plot(pictures::forces(&pistons, motion, at)));

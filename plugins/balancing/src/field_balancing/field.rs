@@ -22,7 +22,7 @@ mod readings;
 mod show;
 mod worked;
 
-pub use self::readings::{InfluenceSource, KnownCoefficient, Measurements, TrialRun, TrialWeights};
+pub use self::readings::{InfluenceSource, KnownCoefficient, Measurements, TrialRunInput, TrialWeights};
 use self::{
     numbers::Numbers,
     readings::{Influence, Job},
@@ -146,7 +146,7 @@ impl Analysis for Field {
         let factors = self.factors(numbers.first.len())?;
         let squares = influence::least_squares(&numbers.alpha, &numbers.first, &factors)
             .map_err(|error| refusal(error, &numbers.alpha))?;
-        numbers.judge_planes(squares.condition, spread, sheet)?;
+        numbers.assess_planes(squares.condition, spread, sheet)?;
 
         let corrections = match &self.method {
             Method::MinMax { limit } => self.min_max(&numbers, *limit, sheet)?,
@@ -213,8 +213,8 @@ impl Field {
             _ => "Correction mass that minimises the sum of squares of all readings",
         };
         let found = |(n, weight): (usize, &Complex<f64>)| Found {
-            mass: sheet.found(("m_c", n), "g", weight.norm(), (how, GOODMAN.at("pp. 273–277"))),
-            angle: sheet.found(
+            mass: sheet.numerical(("m_c", n), "g", weight.norm(), (how, GOODMAN.at("pp. 273–277"))),
+            angle: sheet.numerical(
                 ("θ_c", n),
                 "deg",
                 balance::marked_angle_found(weight.arg()),
@@ -237,8 +237,8 @@ impl Field {
             BOYD.at("§11.6"),
         );
         let found = |(n, weight): (usize, &Complex<f64>)| Found {
-            mass: sheet.found(("m_c", n), "g", weight.norm(), how),
-            angle: sheet.found(
+            mass: sheet.numerical(("m_c", n), "g", weight.norm(), how),
+            angle: sheet.numerical(
                 ("θ_c", n),
                 "deg",
                 balance::marked_angle_found(weight.arg()),
@@ -329,13 +329,14 @@ impl Field {
         let sizes: Vec<f64> = left.iter().map(|r| r.norm()).collect();
         let largest = sizes.iter().copied().fold(0.0, f64::max);
         let mean = size * (sizes.iter().map(|r| (r / size).powi(2)).sum::<f64>() / sizes.len() as f64).sqrt();
-        let largest = sheet.found(
+        let largest = sheet.numerical(
             "r_max",
             unit,
             largest,
             "Maximum predicted residual vibration: initial reading plus influence coefficients times corrections",
         );
-        let mean = sheet.found("r_rms", unit, mean, "Root mean square of all predicted residual readings");
+        let mean =
+            sheet.numerical("r_rms", unit, mean, "Root mean square of all predicted residual readings");
         sheet.answer("largest_residual", "Maximum predicted residual vibration", largest);
         sheet.answer("rms_residual", "RMS of the predicted residual vibration", mean);
         sheet.verify(|| {
@@ -422,13 +423,13 @@ fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) {
             numbers.runs.iter().filter(|run| run.plane == plane).map(|run| run.weight).sum();
         let trim = weight - on;
         let n = plane + 1;
-        let mass = sheet.found(
+        let mass = sheet.numerical(
             ("m_a", n),
             "g",
             trim.norm(),
             "Mass to add with all trial weights retained: the correction minus the trial weights in this plane",
         );
-        let angle = sheet.found(
+        let angle = sheet.numerical(
             ("θ_a", n),
             "deg",
             balance::marked_angle_found(trim.arg()),
@@ -456,7 +457,7 @@ fn trim<W: Worksheet>(numbers: &Numbers, weights: &[Complex<f64>], sheet: W) {
 fn condition<W: Worksheet>(condition: f64, numbers: &Numbers, factors: &[f64], sheet: W) {
     let how =
         "Condition number of the influence coefficients: maximum amplification of errors of the readings";
-    let condition = sheet.found("κ", "1", condition, how);
+    let condition = sheet.numerical("κ", "1", condition, how);
     sheet.answer("condition", "Condition number", condition);
     sheet.verify(|| {
         let Some((again, error)) = numbers.condition_by_eigenvalues(factors) else { return };

@@ -9,7 +9,7 @@ use dalembert_mechanics::{
     balance::{
         self,
         influence::{self, InfluenceError},
-        without_phase::{Effect, effect},
+        without_phase::{TrialEffect, effect},
     },
 };
 use dalembert_numerics::linalg::LinalgError;
@@ -39,7 +39,7 @@ pub struct Amplitudes {
     /// Runs with the trial weight.
     /// At least three angles for each plane.
     #[input(min = 3)]
-    pub runs: Vec<TrialRun>,
+    pub runs: Vec<AmplitudeRun>,
 }
 
 /// Amplitude read by a sensor.
@@ -53,7 +53,7 @@ pub struct SensorAmplitude {
 
 /// A run with the trial weight.
 #[derive(Clone, Debug, Inputs)]
-pub struct TrialRun {
+pub struct AmplitudeRun {
     /// Plane of the trial weight.
     /// Planes are numbered from 1.
     #[input(min = 1, max = 20)]
@@ -98,7 +98,7 @@ impl Analysis for WithoutPhase {
 
     fn solve<W: Worksheet>(&self, given: &WithoutPhaseGiven<W>, sheet: W) -> Result<(), Refusal> {
         let job = self.job(given);
-        let planes = job.judge()?;
+        let planes = job.assess()?;
         let effects = job.effects(planes)?;
         for (plane, sensor, effect) in each(&effects) {
             sheet.check_zero(
@@ -124,7 +124,7 @@ impl Analysis for WithoutPhase {
 }
 
 /// Every effect with the numbers of its plane and sensor, counted from 1.
-fn each(effects: &[Vec<Effect>]) -> impl Iterator<Item = (usize, usize, &Effect)> {
+fn each(effects: &[Vec<TrialEffect>]) -> impl Iterator<Item = (usize, usize, &TrialEffect)> {
     (1..)
         .zip(effects)
         .flat_map(|(plane, of)| (1..).zip(of).map(move |(sensor, effect)| (plane, sensor, effect)))
@@ -134,7 +134,7 @@ impl WithoutPhase {
     fn job<W: Worksheet>(&self, given: &WithoutPhaseGiven<W>) -> Job<W::Num> {
         let (own, given) = (&self.measured, &given.measured);
         let sizes = |given: &[SensorAmplitudeGiven<W>]| given.iter().map(|size| size.amplitude).collect();
-        let run = |(run, given): (&TrialRun, &TrialRunGiven<W>)| Run {
+        let run = |(run, given): (&AmplitudeRun, &AmplitudeRunGiven<W>)| Run {
             plane: run.plane - 1,
             angle: given.angle,
             sizes: sizes(&given.readings),
@@ -149,7 +149,7 @@ impl WithoutPhase {
 
 impl<N: Real> Job<N> {
     /// Number of correction planes; refuses inputs that cannot be balanced.
-    fn judge(&self) -> Result<usize, Refusal> {
+    fn assess(&self) -> Result<usize, Refusal> {
         let sensors = self.first.len();
         if let Some(dead) = self.first.iter().position(|size| size.value() == 0.0) {
             return Err(Refusal::because(
@@ -184,7 +184,7 @@ impl<N: Real> Job<N> {
     }
 
     /// The effects of the trial weight, by plane and sensor.
-    fn effects(&self, planes: usize) -> Result<Vec<Vec<Effect>>, Refusal> {
+    fn effects(&self, planes: usize) -> Result<Vec<Vec<TrialEffect>>, Refusal> {
         let of = |plane: usize, sensor: usize| {
             let first = self.first[sensor].value();
             let runs = self.runs.iter().filter(|run| run.plane == plane);
@@ -203,7 +203,7 @@ impl<N: Real> Job<N> {
 }
 
 /// The construction with circles, by its formulas: one plane and one sensor.
-fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect: &Effect, sheet: W) {
+fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect: &TrialEffect, sheet: W) {
     let count = job.runs.len() as f64;
     let angle = |run: &Run<W::Num>| run.angle.value();
     // Cosines and sines of the angles and of twice the angles vanish in the sum where they are spread evenly.
@@ -222,9 +222,9 @@ fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect
     } else {
         let size = first.value();
         let why = "S² = O² + T² + 2 O T cos(θ − ψ), linear in T cos ψ, T sin ψ and T²: by least squares";
-        let x = sheet.found("T_x", job.unit, effect.linear.re * size, why);
-        let y = sheet.found("T_y", job.unit, -effect.linear.im * size, why);
-        let t = sheet.found("T_s", job.unit, effect.mean_square.abs().sqrt() * size, why);
+        let x = sheet.numerical("T_x", job.unit, effect.linear.re * size, why);
+        let y = sheet.numerical("T_y", job.unit, -effect.linear.im * size, why);
+        let t = sheet.numerical("T_s", job.unit, effect.mean_square.abs().sqrt() * size, why);
         (x, y, if effect.mean_square < 0.0 { -t.powi(2) } else { t.powi(2) })
     };
     sheet.check_zero(
@@ -308,7 +308,7 @@ fn circles<W: Worksheet>(trial: W::Num, first: W::Num, job: &Job<W::Num>, effect
 fn correct<W: Worksheet>(
     trial: W::Num,
     job: &Job<W::Num>,
-    effects: &[Vec<Effect>],
+    effects: &[Vec<TrialEffect>],
     sheet: W,
 ) -> Result<Vec<Complex<f64>>, Refusal> {
     let sensors = job.first.len();
@@ -332,14 +332,14 @@ fn correct<W: Worksheet>(
     })?;
     let mut weights = Vec::new();
     for (n, weight) in (1..).zip(&solved.weights) {
-        let ratio = sheet.found(
+        let ratio = sheet.numerical(
             ("w", n),
             "1",
             weight.norm(),
             "Correction over trial weight: best fit of the effects to all amplitudes, with the masses that minimise the residual vibration",
         );
         let mass = sheet.step(("m_c", n), "g", ratio * trial, "Correction mass");
-        let angle = sheet.found(
+        let angle = sheet.numerical(
             ("θ_c", n),
             "deg",
             balance::marked_angle_found(weight.arg()),
@@ -362,7 +362,7 @@ fn correct<W: Worksheet>(
     Ok(solved.weights)
 }
 
-fn misfit<W: Worksheet>(job: &Job<W::Num>, effects: &[Vec<Effect>], sheet: W) {
+fn misfit<W: Worksheet>(job: &Job<W::Num>, effects: &[Vec<TrialEffect>], sheet: W) {
     let all = || {
         each(effects).flat_map(|(_, sensor, effect)| {
             let size = job.first[sensor - 1].value();
@@ -374,7 +374,7 @@ fn misfit<W: Worksheet>(job: &Job<W::Num>, effects: &[Vec<Effect>], sheet: W) {
     // Amplitudes that agree leave nothing but rounding.
     let worst = if worst < 1e-9 * largest { 0.0 } else { worst };
     let share = all().map(|(share, _)| share).fold(0.0, f64::max);
-    let misfit = sheet.found(
+    let misfit = sheet.numerical(
         "e",
         job.unit,
         worst,
@@ -407,7 +407,7 @@ fn misfit<W: Worksheet>(job: &Job<W::Num>, effects: &[Vec<Effect>], sheet: W) {
     }
 }
 
-fn table<N: Real>(job: &Job<N>, effects: &[Vec<Effect>]) -> TableExhibit {
+fn table<N: Real>(job: &Job<N>, effects: &[Vec<TrialEffect>]) -> TableExhibit {
     let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
     let number = |n: usize| Cell::Text(Text::new(n.to_string()));
     let rows = each(effects).flat_map(|(plane, sensor, effect)| {
@@ -439,7 +439,7 @@ fn table<N: Real>(job: &Job<N>, effects: &[Vec<Effect>]) -> TableExhibit {
 
 /// The circles: about a point of the first circle for each angle, with the amplitude of that run; they meet where the
 /// effect of the trial weight ends, in the direction of the correction.
-fn drawing<N: Real>(job: &Job<N>, plane: usize, sensor: usize, effect: &Effect) -> Drawing {
+fn drawing<N: Real>(job: &Job<N>, plane: usize, sensor: usize, effect: &TrialEffect) -> Drawing {
     let first = job.first[sensor - 1].value();
     let title =
         Text::new("Circles of plane {plane} at sensor {sensor}").with("plane", plane).with("sensor", sensor);

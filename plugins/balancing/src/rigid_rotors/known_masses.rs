@@ -8,8 +8,8 @@ use dalembert_mechanics::{
 
 use crate::{
     shared::{
-        rotor::{Angles, Correction, Way},
-        views::{self, Shown},
+        rotor::{Angles, Correction, CorrectionMethod},
+        views::{self, ListedUnbalance},
     },
     sources::{ISO_TERMS, KHURMI, NORTON, RIUL},
 };
@@ -35,7 +35,7 @@ pub struct KnownMasses {
     pub gravity: f64,
     /// Bearings and speed.
     /// For the forces on the bearings.
-    pub bearings: Option<Bearings>,
+    pub bearings: Option<BearingPositions>,
     /// Planes for the equivalent unbalance.
     /// Any two planes: the unbalance of the masses as two vectors, and as a static and a couple component.
     pub equivalent: Option<EquivalentPlanes>,
@@ -45,7 +45,7 @@ pub struct KnownMasses {
 #[derive(Clone, Debug, Inputs)]
 pub struct RotorMass {
     /// Quantity given.
-    pub amount: Amount,
+    pub amount: UnbalanceAmount,
     /// Radius.
     #[input("r", "mm", nonnegative)]
     pub radius: Option<f64>,
@@ -61,7 +61,7 @@ pub struct RotorMass {
 
 /// Magnitude of an unbalance.
 #[derive(Clone, Debug, Inputs)]
-pub enum Amount {
+pub enum UnbalanceAmount {
     /// Mass
     Mass {
         /// Mass.
@@ -92,7 +92,7 @@ pub enum Task {
         #[input(min = 1)]
         planes: Vec<CorrectionPlane>,
         /// Correction method.
-        way: Way,
+        way: CorrectionMethod,
     },
     /// Complete balance: four unknown quantities, left empty
     /// Neither a rotating force nor a rotating couple remains.
@@ -117,7 +117,7 @@ pub struct CorrectionPlane {
 
 /// Axial positions of the bearings.
 #[derive(Clone, Debug, Inputs)]
-pub struct Bearings {
+pub struct BearingPositions {
     /// Position of the first bearing.
     #[input("z_I", "mm")]
     pub first: f64,
@@ -306,14 +306,14 @@ impl KnownMasses {
         let mut all = Vec::new();
         for (row, m) in (1..).zip(&given.masses) {
             let (mass, product, only_product) = match m.amount {
-                AmountGiven::Mass { mass } => (mass, None, false),
-                AmountGiven::Weight { weight } => {
+                UnbalanceAmountGiven::Mass { mass } => (mass, None, false),
+                UnbalanceAmountGiven::Weight { weight } => {
                     let mass = weight.map(|weight| {
                         sheet.step(("m", row), "kg", weight / given.gravity, "Mass of the weight")
                     });
                     (mass, None, false)
                 }
-                AmountGiven::Product { product } => (None, product, true),
+                UnbalanceAmountGiven::Product { product } => (None, product, true),
             };
             let angle = match (self.angles, m.angle) {
                 (Angles::Absolute, angle) => angle,
@@ -396,8 +396,8 @@ fn shown<N: Real>(
     loads: &[Load<N>],
     masses: &[Unbalance<N>],
     corrections: &[corrections::Corrected<N>],
-) -> Vec<Shown> {
-    let of_masses = loads.iter().zip(masses).map(|(load, u)| Shown {
+) -> Vec<ListedUnbalance> {
+    let of_masses = loads.iter().zip(masses).map(|(load, u)| ListedUnbalance {
         name: Text::new("mass {n}").with("n", load.row),
         label: format!("m{}", dalembert_units::subscript(load.row)),
         mass_and_radius: match load.product {
@@ -408,7 +408,7 @@ fn shown<N: Real>(
         position: u.z.value(),
         ink: Ink::Force,
     });
-    let of_planes = corrections.iter().zip(1..).map(|(c, n)| Shown {
+    let of_planes = corrections.iter().zip(1..).map(|(c, n)| ListedUnbalance {
         name: Text::new("plane {n}").with("n", n),
         label: format!("P{}", dalembert_units::subscript(n)),
         mass_and_radius: c.mass_and_radius,

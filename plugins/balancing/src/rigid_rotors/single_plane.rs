@@ -5,8 +5,8 @@ use dalembert_mechanics::{Real, balance};
 
 use crate::{
     shared::{
-        rotor::{self, Angles, Correction, CorrectionGiven, Keys, Symbols, Way},
-        views::{self, Shown},
+        rotor::{self, Angles, Correction, CorrectionGiven, CorrectionMethod, Keys, Symbols},
+        views::{self, ListedUnbalance},
     },
     sources::{MABIE, NORTON, RIUL},
 };
@@ -22,7 +22,7 @@ pub struct SinglePlane {
     /// Correction.
     pub correction: Correction,
     /// Correction method.
-    pub way: Way,
+    pub way: CorrectionMethod,
     /// Gravity.
     /// Only turns masses into weights; the balance does not depend on it.
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
@@ -37,7 +37,7 @@ pub struct SinglePlane {
 #[derive(Clone, Debug, Inputs)]
 pub struct PlaneMass {
     /// Quantity given.
-    pub amount: Amount,
+    pub amount: MassOrWeight,
     /// Radius.
     #[input("r", "mm", nonnegative)]
     pub radius: f64,
@@ -49,7 +49,7 @@ pub struct PlaneMass {
 
 /// A mass, or its weight.
 #[derive(Clone, Debug, Inputs)]
-pub enum Amount {
+pub enum MassOrWeight {
     /// Mass
     Mass {
         /// Mass.
@@ -101,8 +101,8 @@ impl Analysis for SinglePlane {
         let mut unbalances = Vec::new();
         for (n, m) in (1..).zip(&given.masses) {
             let mass = match m.amount {
-                AmountGiven::Mass { mass } => mass,
-                AmountGiven::Weight { weight } => {
+                MassOrWeightGiven::Mass { mass } => mass,
+                MassOrWeightGiven::Weight { weight } => {
                     sheet.step(("m", n), "kg", weight / given.gravity, "Mass of the weight")
                 }
             };
@@ -189,10 +189,10 @@ impl SinglePlane {
         angles: &[f64],
         (x, y): (f64, f64),
         correction: &CorrectionGiven<W>,
-    ) -> Vec<Shown> {
+    ) -> Vec<ListedUnbalance> {
         let masses = self.masses.iter().zip(angles).zip(1..).map(|((m, angle), n)| {
             let mass = m.amount.mass(self.gravity);
-            Shown {
+            ListedUnbalance {
                 name: Text::new("mass {n}").with("n", n),
                 label: format!("m{}", dalembert_units::subscript(n)),
                 mass_and_radius: Some((mass, m.radius)),
@@ -202,7 +202,7 @@ impl SinglePlane {
             }
         });
         let size = x.hypot(y);
-        let correction = Shown {
+        let correction = ListedUnbalance {
             name: "Correction".into(),
             label: "c".into(),
             mass_and_radius: match correction {
@@ -218,11 +218,11 @@ impl SinglePlane {
     }
 }
 
-impl Amount {
+impl MassOrWeight {
     fn mass(&self, gravity: f64) -> f64 {
         match self {
-            Amount::Mass { mass } => *mass,
-            Amount::Weight { weight } => weight / gravity,
+            MassOrWeight::Mass { mass } => *mass,
+            MassOrWeight::Weight { weight } => weight / gravity,
         }
     }
 }

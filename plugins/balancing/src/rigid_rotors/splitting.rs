@@ -160,7 +160,7 @@ fn places_of<W: Worksheet>(
             let before = ((angle.value() - start.value()) / pitch + 1e-12).floor();
             let number = before.rem_euclid(*count as f64) + 1.0;
             let next = number % *count as f64 + 1.0;
-            let step = sheet.found(
+            let step = sheet.numerical(
                 "δ",
                 "deg",
                 pitch,
@@ -176,7 +176,7 @@ fn places_of<W: Worksheet>(
                 ("second_place", "Number of the second position", next),
             ];
             for (name, label, number) in numbers {
-                let number = sheet.found(
+                let number = sheet.numerical(
                     if name == "first_place" { "N₁" } else { "N₂" },
                     "1",
                     number,
@@ -258,8 +258,8 @@ fn choose<W: Worksheet>(
         .min_by(|a, b| remains(a.0, a.1).total_cmp(&remains(b.0, b.1)))
         .unwrap_or_default();
     let why = "Among the available weights, the pair with the smallest residual";
-    let one = sheet.found("m_h₁", "g", one, why);
-    let two = sheet.found("m_h₂", "g", two, why);
+    let one = sheet.numerical("m_h₁", "g", one, why);
+    let two = sheet.numerical("m_h₂", "g", two, why);
     let along = one * first.cos() + two * second.cos() - mass * angle.cos();
     let across = one * first.sin() + two * second.sin() - mass * angle.sin();
     let left = sheet.step("m_r", "g", balance::magnitude(along, across), "Uncorrected residual weight");

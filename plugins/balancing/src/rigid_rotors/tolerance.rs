@@ -54,7 +54,7 @@ pub enum Criterion {
     /// Kind of machine
     Machine {
         /// Machine.
-        machine: Machine,
+        machine: MachineClass,
     },
     /// Specific unbalance
     Specific {
@@ -79,7 +79,7 @@ pub enum Criterion {
 
 /// Machines and the grades that are customary for them; the grade may be changed.
 #[derive(Clone, Debug, Inputs)]
-pub enum Machine {
+pub enum MachineClass {
     /// Gyroscopes, spindles and drives of high precision
     Precision {
         /// Grade.
@@ -345,20 +345,20 @@ fn permissible<W: Worksheet>(given: &ToleranceGiven<W>, sheet: W) -> (W::Num, W:
     }
 }
 
-impl<W: Worksheet> MachineGiven<W> {
+impl<W: Worksheet> MachineClassGiven<W> {
     fn grade(&self) -> W::Num {
         match self {
-            MachineGiven::Precision { grade }
-            | MachineGiven::Grinding { grade }
-            | MachineGiven::Turbine { grade }
-            | MachineGiven::General { grade }
-            | MachineGiven::Agricultural { grade }
-            | MachineGiven::Car { grade }
-            | MachineGiven::Engine { grade }
-            | MachineGiven::RigidCrankshaft { grade }
-            | MachineGiven::ElasticCrankshaft { grade }
-            | MachineGiven::BalancedMarine { grade }
-            | MachineGiven::UnbalancedMarine { grade } => *grade,
+            MachineClassGiven::Precision { grade }
+            | MachineClassGiven::Grinding { grade }
+            | MachineClassGiven::Turbine { grade }
+            | MachineClassGiven::General { grade }
+            | MachineClassGiven::Agricultural { grade }
+            | MachineClassGiven::Car { grade }
+            | MachineClassGiven::Engine { grade }
+            | MachineClassGiven::RigidCrankshaft { grade }
+            | MachineClassGiven::ElasticCrankshaft { grade }
+            | MachineClassGiven::BalancedMarine { grade }
+            | MachineClassGiven::UnbalancedMarine { grade } => *grade,
         }
     }
 }

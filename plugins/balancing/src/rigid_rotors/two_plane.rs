@@ -8,8 +8,8 @@ use dalembert_mechanics::{
 
 use crate::{
     shared::{
-        rotor::{self, Way},
-        views::{self, Shown},
+        rotor::{self, CorrectionMethod},
+        views::{self, ListedUnbalance},
     },
     sources::{MABIE, RIUL},
 };
@@ -34,7 +34,7 @@ pub struct TwoPlane {
     #[input("B")]
     pub correction_b: Correction,
     /// Correction method.
-    pub way: Way,
+    pub way: CorrectionMethod,
     /// Gravity.
     /// Only turns masses into weights; the balance does not depend on it.
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
@@ -222,18 +222,18 @@ impl TwoPlane {
             }
         };
         let (direction, why) = match self.way {
-            Way::Add => (
+            CorrectionMethod::Add => (
                 balance::marked_direction(x, y),
                 "Angle where the mass is added, counter-clockwise from the mark",
             ),
-            Way::Drill => (
+            CorrectionMethod::Drill => (
                 balance::marked_direction(-x, -y),
                 "Angle where the mass is removed, opposite to where it would be added",
             ),
         };
         let angle = sheet.step(angle, "deg", direction, (why, RIUL.at("eq. 19")));
         sheet.verify(|| {
-            let product = if self.way == Way::Add { product } else { -product };
+            let product = if self.way == CorrectionMethod::Add { product } else { -product };
             let scale = size.value();
             sheet.check_sum(
                 "mass, radius and angle make up the component along x",
@@ -292,8 +292,8 @@ impl TwoPlane {
     }
 
     /// The masses and the corrections, to be listed and drawn.
-    fn shown(&self, corrections: [(f64, f64); 2]) -> Vec<Shown> {
-        let masses = self.masses.iter().zip(1..).map(|(m, n)| Shown {
+    fn shown(&self, corrections: [(f64, f64); 2]) -> Vec<ListedUnbalance> {
+        let masses = self.masses.iter().zip(1..).map(|(m, n)| ListedUnbalance {
             name: Text::new("mass {n}").with("n", n),
             label: format!("m{}", dalembert_units::subscript(n)),
             mass_and_radius: None,
@@ -302,7 +302,7 @@ impl TwoPlane {
             ink: Ink::Force,
         });
         let [in_a, in_b] = corrections;
-        let plane = |name: &'static str, label: &str, unbalance, position| Shown {
+        let plane = |name: &'static str, label: &str, unbalance, position| ListedUnbalance {
             name: name.into(),
             label: label.into(),
             mass_and_radius: None,

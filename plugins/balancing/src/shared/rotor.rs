@@ -28,7 +28,7 @@ pub enum Correction {
 
 /// Method of correction: material added or removed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum Way {
+pub enum CorrectionMethod {
     /// Mass is added
     Add,
     /// Mass is removed by drilling
@@ -79,7 +79,7 @@ pub(crate) fn correct<W: Worksheet>(
     keys: &Keys,
     (x, y): (W::Num, W::Num),
     known: &CorrectionGiven<W>,
-    way: Way,
+    way: CorrectionMethod,
     gravity: W::Num,
     scale: f64,
 ) {
@@ -104,11 +104,11 @@ pub(crate) fn correct<W: Worksheet>(
         CorrectionGiven::Product {} => (None, size),
     };
     let (direction, why) = match way {
-        Way::Add => (
+        CorrectionMethod::Add => (
             balance::marked_direction(x, y),
             "Angle where the mass is added, in the sense of the angles given",
         ),
-        Way::Drill => (
+        CorrectionMethod::Drill => (
             balance::marked_direction(-x, -y),
             "Angle where the mass is removed, opposite to where it would be added",
         ),
@@ -124,7 +124,7 @@ pub(crate) fn correct<W: Worksheet>(
     sheet.answer((keys.angle.0, row), keys.angle.1, angle);
     sheet.answer((keys.other_angle.0, row), keys.other_angle.1, other);
     sheet.verify(|| {
-        let sign = if way == Way::Add { 1.0 } else { -1.0 };
+        let sign = if way == CorrectionMethod::Add { 1.0 } else { -1.0 };
         let along_x = product * angle.cos() * sign;
         let along_y = product * other.sin() * -sign;
         sheet.check_sum("mass, radius and angle make up the component along x", along_x, x, size.value());

@@ -6,7 +6,7 @@ use dalembert_core::{Cell, Column, Drawing, Ink, Point, Sketch, TableExhibit, Te
 
 /// An unbalance as it is listed and drawn.
 #[derive(Clone, Debug)]
-pub(crate) struct Shown {
+pub(crate) struct ListedUnbalance {
     /// Name in the table.
     pub name: Text,
     /// Name in drawings.
@@ -21,7 +21,7 @@ pub(crate) struct Shown {
     pub ink: Ink,
 }
 
-impl Shown {
+impl ListedUnbalance {
     fn size(&self) -> f64 {
         self.unbalance.0.hypot(self.unbalance.1)
     }
@@ -33,7 +33,7 @@ impl Shown {
 
 /// The table of textbooks, with the corrections under the masses and the sums under both. Positions and moments
 /// stand in it for rotors with more than one plane.
-pub(crate) fn table(shown: &[Shown], planes: bool) -> TableExhibit {
+pub(crate) fn table(shown: &[ListedUnbalance], planes: bool) -> TableExhibit {
     let with_masses = shown.iter().any(|s| s.mass_and_radius.is_some());
     let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
     let mut columns = vec![column("", "")];
@@ -48,7 +48,7 @@ pub(crate) fn table(shown: &[Shown], planes: bool) -> TableExhibit {
     if planes {
         columns.extend([column("m r z cos θ", "kg*mm^2"), column("m r z sin θ", "kg*mm^2")]);
     }
-    let row = |s: &Shown| -> Vec<Cell> {
+    let row = |s: &ListedUnbalance| -> Vec<Cell> {
         let (x, y) = s.unbalance;
         let (u, angle) = (s.size(), y.atan2(x).rem_euclid(TAU));
         // The cosine of a right angle is zero, not its rounding.
@@ -85,8 +85,8 @@ pub(crate) fn table(shown: &[Shown], planes: bool) -> TableExhibit {
 }
 
 /// Polar diagram of unbalances and corrections, along the shaft.
-pub(crate) fn polar(shown: &[Shown]) -> Drawing {
-    let reach = shown.iter().map(Shown::size).fold(0.0, f64::max);
+pub(crate) fn polar(shown: &[ListedUnbalance]) -> Drawing {
+    let reach = shown.iter().map(ListedUnbalance::size).fold(0.0, f64::max);
     let reach = if reach > 0.0 { reach } else { 1.0 };
     let mut sketch = dial("End view: unbalances and corrections");
     sketch.circle((0.0, 0.0), 0.5, Ink::Faint);
@@ -105,12 +105,12 @@ pub(crate) fn dial(title: impl Into<Text>) -> Sketch {
 }
 
 /// The shaft from the side: planes, masses and corrections at their positions.
-pub(crate) fn side(shown: &[Shown], bearings: Option<[f64; 2]>) -> Drawing {
+pub(crate) fn side(shown: &[ListedUnbalance], bearings: Option<[f64; 2]>) -> Drawing {
     let positions = || shown.iter().map(|s| s.position).chain(bearings.into_iter().flatten());
     let (low, high) = positions().fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
     let span = (high - low).max(f64::MIN_POSITIVE);
     let at = |z: f64| 4.0 * (z - low) / span;
-    let largest = shown.iter().map(Shown::size).fold(0.0, f64::max);
+    let largest = shown.iter().map(ListedUnbalance::size).fold(0.0, f64::max);
     let height = |y: f64| if largest > 0.0 { y / largest } else { 0.0 };
     let mut sketch = Sketch::new("The shaft from the side");
     sketch.bars([(-0.4, 0.0), (4.4, 0.0)]);
@@ -130,16 +130,16 @@ pub(crate) fn side(shown: &[Shown], bearings: Option<[f64; 2]>) -> Drawing {
 }
 
 /// The unbalances one after another: with the corrections the polygon closes.
-pub(crate) fn force_polygon(shown: &[Shown]) -> Drawing {
+pub(crate) fn force_polygon(shown: &[ListedUnbalance]) -> Drawing {
     polygon("Polygon of the unbalances", shown.iter().map(|s| (s, s.unbalance)))
 }
 
 /// The moments of the unbalances about the origin one after another: balanced, the polygon closes.
-pub(crate) fn couple_polygon(shown: &[Shown]) -> Drawing {
+pub(crate) fn couple_polygon(shown: &[ListedUnbalance]) -> Drawing {
     polygon("Polygon of the moments about the origin", shown.iter().map(|s| (s, s.along())))
 }
 
-fn polygon<'s>(title: &'static str, vectors: impl Iterator<Item = (&'s Shown, Point)>) -> Drawing {
+fn polygon<'s>(title: &'static str, vectors: impl Iterator<Item = (&'s ListedUnbalance, Point)>) -> Drawing {
     let mut at = (0.0, 0.0);
     let mut edges = Vec::new();
     for (shown, (x, y)) in vectors {

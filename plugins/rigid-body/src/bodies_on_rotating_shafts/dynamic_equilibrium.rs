@@ -33,7 +33,7 @@ pub struct DynamicEquilibrium {
     #[input("a", "m", nonnegative, default = "0 m")]
     pub offset: f64,
     /// Known quantity.
-    pub known: Known,
+    pub known: SteadyMotionInput,
     /// Acceleration of gravity.
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
     pub gravity: f64,
@@ -70,7 +70,7 @@ pub enum Hanging {
 
 /// Given quantity of the steady motion.
 #[derive(Clone, Debug, Inputs)]
-pub enum Known {
+pub enum SteadyMotionInput {
     /// Speed of the shaft
     Speed {
         /// Angular velocity of the shaft.
@@ -114,10 +114,10 @@ impl Analysis for DynamicEquilibrium {
             "Maximum moment of the weight about the pin",
         );
         let (speed, angle) = match given.known {
-            KnownGiven::Angle { angle } => {
+            SteadyMotionInputGiven::Angle { angle } => {
                 (self.speed_for(angle, given, [centre, out, weight], sheet)?, angle)
             }
-            KnownGiven::Speed { speed } => (speed, self.angle_at(speed, out, weight, sheet)?),
+            SteadyMotionInputGiven::Speed { speed } => (speed, self.angle_at(speed, out, weight, sheet)?),
         };
         if self.offset == 0.0 && out.value() > 0.0 {
             let critical = sheet.step(
@@ -320,10 +320,10 @@ impl DynamicEquilibrium {
             sheet.step("θ", "deg", cosine.acos(), "Equilibrium angle of the body")
         } else if self.offset == 0.0 {
             let how = "Too slow to leave the vertical: cos θ would exceed 1";
-            sheet.found("θ", "deg", 0.0, how)
+            sheet.numerical("θ", "deg", 0.0, how)
         } else {
             let how = "Root of ω² (m a r cos θ + D sin θ cos θ) = m g r sin θ between the downward vertical and the horizontal";
-            sheet.found("θ", "deg", found, (how, RIUL.at("eqs. 22–23")))
+            sheet.numerical("θ", "deg", found, (how, RIUL.at("eqs. 22–23")))
         };
         sheet.answer("angle", "Angle to the vertical", angle);
         Ok(angle)

@@ -41,7 +41,7 @@ pub struct EdgeMill {
     #[input(min = 1, max = 12, default = "1")]
     pub rollers: u32,
     /// Speed.
-    pub speed: Speed,
+    pub speed: MillSpeed,
     /// Width of the roller.
     /// For the slip at its edges, which does the grinding.
     #[input("b", "m", positive)]
@@ -72,7 +72,7 @@ pub enum RollerInertia {
 
 /// Known quantity of the motion.
 #[derive(Clone, Debug, Inputs)]
-pub enum Speed {
+pub enum MillSpeed {
     /// Speed of the shaft
     Shaft {
         /// Speed of the shaft.
@@ -118,8 +118,8 @@ impl Analysis for EdgeMill {
         };
         let weight = sheet.step("W", "N", given.mass * given.gravity, "Weight of the roller");
         let (omega, wanted) = match given.speed {
-            SpeedGiven::Shaft { speed } => (speed, None),
-            SpeedGiven::CrushingForce { force } => {
+            MillSpeedGiven::Shaft { speed } => (speed, None),
+            MillSpeedGiven::CrushingForce { force } => {
                 if force.value() < weight.value() {
                     return Err(Refusal::because(
                         "the required force is below the weight of the roller, which already acts at rest: write a larger one",

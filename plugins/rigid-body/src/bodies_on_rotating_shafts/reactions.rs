@@ -14,15 +14,15 @@ use nalgebra::{Rotation3, Vector3};
 use crate::{
     shared::{
         body::Body,
-        inertia::Inertia,
-        joints::{self, Axes, Joint, Named, Worked, seen_from},
+        inertia::WorkedInertia,
+        joints::{self, Axes, Joint, Named, WorkedChain, seen_from},
     },
     sources::{BEER, HIBBELER, KHURMI, MERIAM, RIUL},
 };
-use second_methods::Parts;
+use second_methods::ReactionParts;
 use supports::Held;
 
-pub use supports::{Kind, KindGiven, Support, SupportGiven};
+pub use supports::{Support, SupportGiven, SupportKind, SupportKindGiven};
 
 /// A rigid body whose motion is given, its supports and its loads.
 ///
@@ -37,14 +37,14 @@ pub struct Reactions {
     #[input(min = 1)]
     pub joints: Vec<Joint>,
     /// Drive of the last joint.
-    pub drive: Drive,
+    pub drive: ShaftDrive,
     /// Axes of supports, loads and reactions.
     pub axes: Axes,
     /// Supports.
     #[input(min = 1)]
     pub supports: Vec<Support>,
     /// Loads.
-    pub loads: Vec<Load>,
+    pub loads: Vec<AppliedLoad>,
     /// Acceleration of gravity, in the fixed axes.
     /// Zero to neglect the weight.
     #[input("g", "m/s^2", default = "(0; 0; -9.81) m/s^2")]
@@ -53,7 +53,7 @@ pub struct Reactions {
 
 /// Given quantity of the drive.
 #[derive(Clone, Debug, Inputs)]
-pub enum Drive {
+pub enum ShaftDrive {
     /// Given motion; its couple is calculated
     Motion,
     /// Given couple about the axis; the acceleration is calculated
@@ -67,7 +67,7 @@ pub enum Drive {
 
 /// A load besides the weight.
 #[derive(Clone, Debug, Inputs)]
-pub struct Load {
+pub struct AppliedLoad {
     /// Name.
     pub name: String,
     /// Type of load.
@@ -111,7 +111,7 @@ impl Analysis for Reactions {
     fn solve<W: Worksheet>(&self, given: &ReactionsGiven<W>, sheet: W) -> Result<(), Refusal> {
         let body = self.body.properties()?;
         let frames = joints::frames(&self.joints)?;
-        if matches!(self.drive, Drive::Couple { .. })
+        if matches!(self.drive, ShaftDrive::Couple { .. })
             && self.joints.last().is_some_and(|joint| joint.plain().acceleration != 0.0)
         {
             return Err(Refusal::because(
@@ -135,10 +135,10 @@ impl Analysis for Reactions {
 }
 
 /// The motion of the body in the axes of the supports.
-struct Motion<'a, W: Worksheet> {
-    worked: Worked<'a, W>,
+struct ShaftMotion<'a, W: Worksheet> {
+    worked: WorkedChain<'a, W>,
     mass: W::Num,
-    inertia: Inertia<W>,
+    inertia: WorkedInertia<W>,
     /// From the origin of the axes to G.
     centre: W::Vec,
     /// From the origin of the last frame to G.
@@ -193,15 +193,15 @@ impl Reactions {
         &'a self,
         given: &ReactionsGiven<W>,
         body: &MassProperties,
-        frames: &[chain::Frame],
+        frames: &[chain::ChainFrame],
         sheet: W,
-    ) -> Motion<'a, W> {
+    ) -> ShaftMotion<'a, W> {
         let axes = self.axes.place();
         let last = &frames[self.joints.len()];
         let turned = body.turned(&(frames[axes].rotation.inverse() * last.rotation));
         let origin = seen_from(&frames[axes], last.origin - frames[axes].origin);
-        let mass = sheet.found("m", "kg", turned.mass, "Mass of the whole body");
-        let arm = sheet.found_vector(
+        let mass = sheet.numerical("m", "kg", turned.mass, "Mass of the whole body");
+        let arm = sheet.numerical_vector(
             "ρ_G",
             "m",
             turned.centre,
@@ -211,32 +211,37 @@ impl Reactions {
             arm
         } else {
             let why = "Centre of mass G from the origin of the axes of the supports";
-            sheet.found_vector("r_G", "m", turned.centre + origin, why)
+            sheet.numerical_vector("r_G", "m", turned.centre + origin, why)
         };
-        let inertia = Inertia::found(&turned.inertia, sheet);
-        let worked = Worked::new(&self.joints, &given.joints, axes, sheet);
+        let inertia = WorkedInertia::found(&turned.inertia, sheet);
+        let worked = WorkedChain::new(&self.joints, &given.joints, axes, sheet);
         let n = self.joints.len();
         let (omega, alpha) = (worked.omega[n], worked.alpha[n]);
         let base = worked.origins(&given.joints, sheet)[n];
         let (_, acceleration) = joints::carried(base, omega, alpha, arm);
         let acceleration = sheet.step_vector(
-            if matches!(self.drive, Drive::Motion) { "a_G" } else { "a_0" },
+            if matches!(self.drive, ShaftDrive::Motion) { "a_G" } else { "a_0" },
             "m/s^2",
             acceleration,
             match self.drive {
-                Drive::Motion => ("Acceleration of the centre of mass", BEER.at("§15.5B")),
-                Drive::Couple { .. } => {
+                ShaftDrive::Motion => ("Acceleration of the centre of mass", BEER.at("§15.5B")),
+                ShaftDrive::Couple { .. } => {
                     ("Acceleration of the centre of mass excluding that of the last joint", BEER.at("§15.5B"))
                 }
             },
         );
         let momentum = inertia.momentum(omega, sheet);
         let to_fixed = frames[axes].rotation;
-        Motion { worked, mass, inertia, centre, arm, origin, to_fixed, momentum, acceleration, alpha }
+        ShaftMotion { worked, mass, inertia, centre, arm, origin, to_fixed, momentum, acceleration, alpha }
     }
 
     /// Weight and loads.
-    fn loads<W: Worksheet>(&self, given: &ReactionsGiven<W>, motion: &Motion<'_, W>, sheet: W) -> Known<W> {
+    fn loads<W: Worksheet>(
+        &self,
+        given: &ReactionsGiven<W>,
+        motion: &ShaftMotion<'_, W>,
+        sheet: W,
+    ) -> Known<W> {
         let (mut forces, mut moments) = (Vec::new(), Vec::new());
         if self.gravity != Vector3::zeros() {
             let gravity = motion.worked.expressed(
@@ -274,7 +279,7 @@ impl Reactions {
     fn driven<W: Worksheet>(
         &self,
         given: &ReactionsGiven<W>,
-        motion: &Motion<'_, W>,
+        motion: &ShaftMotion<'_, W>,
         loads: Known<W>,
         held: &Held<'_>,
         sheet: W,
@@ -302,7 +307,7 @@ impl Reactions {
             sum(["Ḣ_rel", "Ḣ_G"], alpha, why)
         };
         let last = &self.joints[self.joints.len() - 1];
-        let DriveGiven::Couple { couple } = given.drive else {
+        let ShaftDriveGiven::Couple { couple } = given.drive else {
             return Ok(Moved {
                 acceleration: motion.acceleration,
                 rate: rate_with(motion.alpha),
@@ -341,7 +346,7 @@ impl Reactions {
             moment = moment + axis.dot(sum);
         }
         if let (Some(force), true) = (loads.force, motion.origin != Vector3::zeros()) {
-            let origin = sheet.found_vector(
+            let origin = sheet.numerical_vector(
                 "r_O",
                 "m",
                 motion.origin,
@@ -382,7 +387,7 @@ impl Reactions {
     fn reactions<W: Worksheet>(
         &self,
         given: &ReactionsGiven<W>,
-        motion: &Motion<'_, W>,
+        motion: &ShaftMotion<'_, W>,
         loads: Known<W>,
         moved: &Moved<W>,
         held: &Held<'_>,
@@ -429,13 +434,13 @@ impl Reactions {
         };
         // Weight and loads with the body at rest, held by a couple about the axis of the last joint.
         let at_rest = held.reactions(&loads.plain(), true).ok();
-        let mut parts = Parts::default();
+        let mut parts = ReactionParts::default();
         let mut total = all;
         let mut turning = moment;
         for (n, (support, of)) in self.supports.iter().zip(&supports).enumerate() {
             let how =
                 "Reaction of {name}, from the six equations of equilibrium with the inertia force and couple";
-            let reaction = sheet.found_vector(
+            let reaction = sheet.numerical_vector(
                 ("R", n + 1),
                 "N",
                 of.force,
@@ -448,17 +453,18 @@ impl Reactions {
                 Named("Magnitude of the reaction of {name}", &support.name, None),
             );
             sheet.answer_vector(("reaction", n + 1), "Reaction", reaction);
-            sheet.whose(("reaction", n + 1), &support.name);
+            sheet.row_label(("reaction", n + 1), &support.name);
             sheet.answer(("reaction_size", n + 1), "Magnitude of the reaction", size);
-            sheet.whose(("reaction_size", n + 1), &support.name);
+            sheet.row_label(("reaction_size", n + 1), &support.name);
             total = total + reaction;
             turning = turning + given.supports[n].at.cross(reaction);
             if held.has_couples(n) {
                 let own = of.moment_about(support.at);
                 let how = "Couple of {name}, from the same equations";
-                let couple = sheet.found_vector(("C", n + 1), "N*m", own, Named(how, &support.name, None));
+                let couple =
+                    sheet.numerical_vector(("C", n + 1), "N*m", own, Named(how, &support.name, None));
                 sheet.answer_vector(("reaction_couple", n + 1), "Support couple", couple);
-                sheet.whose(("reaction_couple", n + 1), &support.name);
+                sheet.row_label(("reaction_couple", n + 1), &support.name);
                 turning = turning + couple;
             }
             let fixed = motion.to_fixed * of.force;
@@ -469,7 +475,7 @@ impl Reactions {
         if let (Some(drive), None) = (drive, moved.couple) {
             let how = "Driving torque about the axis of the last joint, from the same equations";
             // Not −0.
-            let drive = sheet.found("T", "N*m", drive + 0.0, how);
+            let drive = sheet.numerical("T", "N*m", drive + 0.0, how);
             sheet.answer("drive_couple", "Driving torque", drive);
             turning = turning + motion.worked.last_axis * drive;
         }
@@ -523,14 +529,15 @@ impl Reactions {
         fixed: Vector3<f64>,
         at_rest: Option<&Wrench>,
         reaction: W::Vec,
-        parts: &mut Parts,
+        parts: &mut ReactionParts,
         sheet: W,
     ) {
         let name = &self.supports[n].name;
         if let Some(at_rest) = at_rest.filter(|_| self.gravity != Vector3::zeros() || !self.loads.is_empty())
         {
             let how = "Reaction of {name} to weight and loads at rest, with the body restrained by a couple about the last axis";
-            let static_part = sheet.found_vector(("R_s", n + 1), "N", at_rest.force, Named(how, name, None));
+            let static_part =
+                sheet.numerical_vector(("R_s", n + 1), "N", at_rest.force, Named(how, name, None));
             let dynamic = sheet.step_vector(
                 ("R_d", n + 1),
                 "N",
@@ -538,23 +545,23 @@ impl Reactions {
                 Named("Dynamic part of the reaction of {name}", name, None),
             );
             sheet.answer_vector(("static_reaction", n + 1), "Static reaction", static_part);
-            sheet.whose(("static_reaction", n + 1), name);
+            sheet.row_label(("static_reaction", n + 1), name);
             sheet.answer_vector(("dynamic_reaction", n + 1), "Dynamic reaction", dynamic);
-            sheet.whose(("dynamic_reaction", n + 1), name);
+            sheet.row_label(("dynamic_reaction", n + 1), name);
             parts.at_rest.push(static_part.value());
             parts.added.push(dynamic.value());
         }
         if self.axes.place() > 0 {
             let how = "Reaction of {name} in the fixed axes";
-            let fixed = sheet.found_vector(("R_F", n + 1), "N", fixed, Named(how, name, None));
+            let fixed = sheet.numerical_vector(("R_F", n + 1), "N", fixed, Named(how, name, None));
             sheet.answer_vector(("fixed_reaction", n + 1), "Reaction in the fixed axes", fixed);
-            sheet.whose(("fixed_reaction", n + 1), name);
+            sheet.row_label(("fixed_reaction", n + 1), name);
             parts.fixed.push(fixed.value());
         }
     }
 
     /// The joints, the last with that acceleration.
-    fn joints_with(&self, acceleration: f64) -> Vec<chain::Joint> {
+    fn joints_with(&self, acceleration: f64) -> Vec<chain::ChainJoint> {
         let mut all = joints::later(&self.joints, 0.0);
         if let Some(last) = all.last_mut() {
             last.acceleration = acceleration;

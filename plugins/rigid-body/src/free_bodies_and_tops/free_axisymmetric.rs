@@ -26,7 +26,7 @@ pub struct FreeAxisymmetric {
     /// Moments of inertia.
     pub inertia: AxisymmetricInertia,
     /// Known quantity of the motion.
-    pub motion: FreeMotion,
+    pub motion: FreeMotionInput,
     /// Instant.
     /// If given, the angular velocity and attitude at this time after the start are also calculated.
     #[input("t", "s", nonnegative)]
@@ -68,7 +68,7 @@ pub enum AxisymmetricInertia {
 
 /// Known quantity of the motion.
 #[derive(Clone, Debug, Inputs)]
-pub enum FreeMotion {
+pub enum FreeMotionInput {
     /// Angular velocity and its angle to the axis
     Speed {
         /// Angular velocity.
@@ -129,7 +129,7 @@ impl Analysis for FreeAxisymmetric {
     };
 
     fn solve<W: Worksheet>(&self, given: &FreeAxisymmetricGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let body = Body::of(&given.inertia, sheet);
+        let body = AxisymmetricBody::of(&given.inertia, sheet);
         if body.ratio.value() > 2.0 * (1.0 + 1e-9) {
             return Err(Refusal::because(
                 "no body has a moment about its axis above twice its transverse moment: a thin plate has exactly twice",
@@ -329,13 +329,13 @@ impl Analysis for FreeAxisymmetric {
 }
 
 /// Parameters of the body in the motion.
-struct Body<N> {
+struct AxisymmetricBody<N> {
     ratio: N,
     /// About the axis and across it.
     moments: Option<(N, N)>,
 }
 
-impl<N: Real> Body<N> {
+impl<N: Real> AxisymmetricBody<N> {
     fn of<W: Worksheet<Num = N>>(inertia: &AxisymmetricInertiaGiven<W>, sheet: W) -> Self {
         const RATIO: &str =
             "Ratio of the moments of inertia: above 1 for a flat body, below 1 for a long one";
@@ -364,8 +364,8 @@ impl<N: Real> Body<N> {
 
 /// `ω_a`, `ω_t` and the angular velocity at the start in axes of the body.
 fn velocities<W: Worksheet>(
-    motion: &FreeMotionGiven<W>,
-    body: &Body<W::Num>,
+    motion: &FreeMotionInputGiven<W>,
+    body: &AxisymmetricBody<W::Num>,
     sheet: W,
 ) -> Result<(W::Num, W::Num, W::Vec), Refusal> {
     const ALONG: &str = "Angular velocity about the axis";
@@ -374,16 +374,16 @@ fn velocities<W: Worksheet>(
     let across = |value, why: &'static str| sheet.step("ω_t", "rad/s", value, why);
     let ratio = body.ratio;
     let (axial, transverse) = match motion {
-        FreeMotionGiven::Components { velocity } => {
+        FreeMotionInputGiven::Components { velocity } => {
             let [x, y, z] = velocity.components();
             let axial = along(z, ALONG);
             let transverse = across((x.powi(2) + y.powi(2)).sqrt(), ACROSS);
             return Ok((axial, transverse, *velocity));
         }
-        FreeMotionGiven::Speed { speed, angle } => {
+        FreeMotionInputGiven::Speed { speed, angle } => {
             (along(*speed * angle.cos(), ALONG), across(*speed * angle.sin(), ACROSS))
         }
-        FreeMotionGiven::Momentum { momentum, angle } => {
+        FreeMotionInputGiven::Momentum { momentum, angle } => {
             let Some((axial, transverse)) = body.moments else {
                 return Err(Refusal::because(
                     "the angular momentum defines the motion only together with the moments of inertia: give them, or the angular velocity",
@@ -394,14 +394,14 @@ fn velocities<W: Worksheet>(
                 across(*momentum * angle.sin() / transverse, "Transverse angular velocity, H_t/I_t"),
             )
         }
-        FreeMotionGiven::Precession { precession, angle } => (
+        FreeMotionInputGiven::Precession { precession, angle } => (
             along(
                 *precession * angle.cos() / ratio,
                 "Angular velocity about the axis: I_a ω_a = H_G cos θ with H_G = I_t φ̇",
             ),
             across(*precession * angle.sin(), "Transverse angular velocity: the component of the precession"),
         ),
-        FreeMotionGiven::Spin { spin, angle } => {
+        FreeMotionInputGiven::Spin { spin, angle } => {
             if ratio.value() == 1.0 {
                 return Err(Refusal::because(
                     "a body whose moments of inertia are equal does not spin about its axis: give the precession or the angular velocity",

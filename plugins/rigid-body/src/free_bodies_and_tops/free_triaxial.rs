@@ -146,7 +146,7 @@ impl Analysis for FreeTriaxial {
             Polhode::Around(axis) => self.around(&body, axis, inertia, velocity, doubled, size, sheet),
             Polhode::Separatrix => {
                 let argument_rate = body.argument_rate();
-                let argument_rate = sheet.found(
+                let argument_rate = sheet.numerical(
                     "p",
                     "1/s",
                     argument_rate,
@@ -269,7 +269,7 @@ impl FreeTriaxial {
             ("Square of the modulus of the elliptic functions", LANDAU.at("§37")),
         );
         let (_, complement) = body.modulus();
-        let quarter = sheet.found(
+        let quarter = sheet.numerical(
             "K",
             "1",
             body.period() * body.argument_rate() / 4.0,
@@ -295,7 +295,7 @@ impl FreeTriaxial {
         sheet.answer("period", "Period of the angular velocity in body axes", period);
         sheet.answer("flip_interval", "Time between flips", half);
         if let Some(first) = body.first_flip() {
-            let first = sheet.found(
+            let first = sheet.numerical(
                 "t₁",
                 "s",
                 first,
@@ -310,7 +310,7 @@ impl FreeTriaxial {
                 );
             });
         }
-        let advance = sheet.found(
+        let advance = sheet.numerical(
             "Δφ",
             "deg",
             body.advance(),
@@ -460,7 +460,7 @@ fn permanent<W: Worksheet>(
     [energy, momentum]: [W::Num; 2],
     sheet: W,
 ) {
-    let speed = sheet.found(
+    let speed = sheet.numerical(
         "ω",
         "rad/s",
         start.norm(),
@@ -476,7 +476,7 @@ fn permanent<W: Worksheet>(
 }
 
 fn at_instant<W: Worksheet>(body: &FreeBody, inertia: Vector3<f64>, t: f64, sheet: W) {
-    let velocity = sheet.found_vector(
+    let velocity = sheet.numerical_vector(
         "ω",
         "rad/s",
         body.velocity(t),
@@ -487,7 +487,7 @@ fn at_instant<W: Worksheet>(body: &FreeBody, inertia: Vector3<f64>, t: f64, shee
     );
     sheet.answer_vector("velocity", "Angular velocity at the instant, principal axes", velocity);
     let attitude = body.attitude(t);
-    let fixed = sheet.found_vector(
+    let fixed = sheet.numerical_vector(
         "ω_XYZ",
         "rad/s",
         attitude * body.velocity(t),
@@ -501,7 +501,7 @@ fn at_instant<W: Worksheet>(body: &FreeBody, inertia: Vector3<f64>, t: f64, shee
     ];
     let mut axes = Matrix3::zeros();
     for (n, (name, symbol, label)) in AXES.into_iter().enumerate() {
-        let axis = sheet.found_vector(
+        let axis = sheet.numerical_vector(
             symbol,
             "1",
             attitude.matrix().column(n).into_owned(),

@@ -138,7 +138,7 @@ impl Analysis for TopNutation {
             .map_err(refused)?;
         let trace = motion.trace();
         let [high, low] = motion.limits();
-        let high = sheet.found(
+        let high = sheet.numerical(
             "θ₁",
             "deg",
             high,
@@ -147,8 +147,9 @@ impl Analysis for TopNutation {
                 GOLDSTEIN.at("§5-7"),
             ),
         );
-        let low = sheet.found("θ₂", "deg", low, "Lowest position of the axis: the next zero of the cubic");
-        let third = sheet.found(
+        let low =
+            sheet.numerical("θ₂", "deg", low, "Lowest position of the axis: the next zero of the cubic");
+        let third = sheet.numerical(
             "u₃",
             "1",
             motion.third_zero(),
@@ -164,7 +165,7 @@ impl Analysis for TopNutation {
                 let rate = (vertical - own * angle.cos()) / (transverse * angle.sin().powi(2));
                 sheet.step(symbol, "rad/s", rate, why)
             } else {
-                sheet.found(symbol, "rad/s", by_kernel, why)
+                sheet.numerical(symbol, "rad/s", by_kernel, why)
             }
         };
         let rate_high = rate_at(
@@ -202,7 +203,7 @@ impl Analysis for TopNutation {
             (couple * (third - low.cos()) / (transverse * 2.0)).sqrt(),
             "Rate of the elliptic-function argument: cos θ varies as sn²(p t) between its limits",
         );
-        let quarter = sheet.found(
+        let quarter = sheet.numerical(
             "K_k",
             "1",
             motion.period() * argument_rate.value() / 2.0,
@@ -216,7 +217,7 @@ impl Analysis for TopNutation {
             "Period of the nutation: time from one lowest position to the next",
         );
         let frequency = sheet.step("f_n", "Hz", W::Num::from(TAU) / period, "Its frequency");
-        let advance = sheet.found(
+        let advance = sheet.numerical(
             "Δφ",
             "deg",
             motion.advance(),
@@ -343,22 +344,22 @@ impl TopNutation {
 fn at_instant<W: Worksheet>(motion: &Nutation, t: f64, body: Top, invariants: [f64; 3], sheet: W) {
     let [own, vertical, energy] = invariants;
     let at = motion.at(t);
-    let theta = sheet.found(
+    let theta = sheet.numerical(
         "θ",
         "deg",
         at.nutation,
         ("cos θ = u₂ + (u₁ − u₂) sn² p(t − t₂), from the lowest position on", GOLDSTEIN.at("§5-7")),
     );
-    let theta_rate = sheet.found("θ̇", "rad/s", at.nutation_rate, "Its rate of change");
-    let phi = sheet.found(
+    let theta_rate = sheet.numerical("θ̇", "rad/s", at.nutation_rate, "Its rate of change");
+    let phi = sheet.numerical(
         "φ",
         "deg",
         at.precession,
         "Precession since the start, by elliptic integrals of the third kind",
     );
     let phi_rate =
-        sheet.found("φ̇", "rad/s", at.precession_rate, "Its rate of change, (H_z − H₃ cos θ)/(I_t sin²θ)");
-    let psi = sheet.found(
+        sheet.numerical("φ̇", "rad/s", at.precession_rate, "Its rate of change, (H_z − H₃ cos θ)/(I_t sin²θ)");
+    let psi = sheet.numerical(
         "ψ",
         "deg",
         at.spin,

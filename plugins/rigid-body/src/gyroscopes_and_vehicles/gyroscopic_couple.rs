@@ -24,9 +24,9 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct GyroscopicCouple {
     /// Carrier.
-    pub carrier: Carrier,
+    pub carrier: RotorCarrier,
     /// Rotor.
-    pub rotor: Rotor,
+    pub rotor: GyroRotor,
     /// Transverse moment of inertia of the rotor.
     /// About an axis through G transverse to the axle. It matters where the carrier turns about an axis that is not
     /// normal to the axle, and at the ends of a harmonic motion.
@@ -42,14 +42,14 @@ pub struct GyroscopicCouple {
     /// Position of the viewer who looks along the axle and sees that sense.
     pub seen_from: Viewpoint,
     /// Motion of the carrier.
-    pub motion: Motion,
+    pub motion: CarrierMotion,
     /// Bearings.
-    pub bearings: Option<Bearings>,
+    pub bearings: Option<AxleBearings>,
 }
 
 /// Carrier of the rotor, on which the wording of the effect depends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum Carrier {
+pub enum RotorCarrier {
     /// Ship
     Ship,
     /// Aircraft
@@ -62,7 +62,7 @@ pub enum Carrier {
 
 /// A symmetric rotor.
 #[derive(Clone, Debug, Inputs)]
-pub enum Rotor {
+pub enum GyroRotor {
     /// Mass and radius of gyration
     RadiusOfGyration {
         /// Mass.
@@ -121,7 +121,7 @@ pub enum Viewpoint {
 
 /// Rotation of the carrier, or the couple that causes it.
 #[derive(Clone, Debug, Inputs)]
-pub enum Motion {
+pub enum CarrierMotion {
     /// Steady turn
     SteadyTurn {
         /// Speed.
@@ -131,7 +131,7 @@ pub enum Motion {
         #[input("R", "m", positive)]
         radius: f64,
         /// Turn to.
-        towards: Side,
+        towards: LeftOrRight,
     },
     /// Pitching at a given rate
     Pitching {
@@ -147,7 +147,7 @@ pub enum Motion {
         #[input("ω_p", "rad/s", nonnegative)]
         rate: f64,
         /// Descending side.
-        falling: Side,
+        falling: LeftOrRight,
     },
     /// Pitching in simple harmonic motion
     HarmonicPitching {
@@ -171,7 +171,7 @@ pub enum Motion {
         #[input("T", "s", positive)]
         period: f64,
         /// Descending side, at mid-position.
-        falling: Side,
+        falling: LeftOrRight,
     },
     /// Any angular velocity
     AnyPrecession {
@@ -194,7 +194,7 @@ pub enum Motion {
 
 /// Left or right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum Side {
+pub enum LeftOrRight {
     /// Left, port
     Left,
     /// Right, starboard
@@ -212,7 +212,7 @@ pub enum Bow {
 
 /// Two bearings that hold the axle.
 #[derive(Clone, Debug, Inputs)]
-pub struct Bearings {
+pub struct AxleBearings {
     /// Distance of bearing A from G.
     /// A lies behind G; for a transverse axle on its right, for a vertical axle below. Negative where it lies on the
     /// other side.
@@ -282,7 +282,7 @@ impl Analysis for GyroscopicCouple {
         let harmonic = self.harmonic().is_some();
         let label = if harmonic { "Maximum gyroscopic couple" } else { "Gyroscopic couple" };
         sheet.answer("couple", label, size);
-        if matches!(self.motion, Motion::HeldAtOneEnd { .. }) {
+        if matches!(self.motion, CarrierMotion::HeldAtOneEnd { .. }) {
             self.check_fall(given, mass, axle, couple, sheet);
         } else {
             let reaction = sheet.step_vector(
@@ -317,9 +317,9 @@ impl Analysis for GyroscopicCouple {
 }
 
 /// Moment of inertia about the axle, and the mass where it is known.
-fn rotor<W: Worksheet>(rotor: &RotorGiven<W>, sheet: W) -> (W::Num, Option<W::Num>) {
+fn rotor<W: Worksheet>(rotor: &GyroRotorGiven<W>, sheet: W) -> (W::Num, Option<W::Num>) {
     let (inertia, mass) = match *rotor {
-        RotorGiven::RadiusOfGyration { mass, radius_of_gyration } => {
+        GyroRotorGiven::RadiusOfGyration { mass, radius_of_gyration } => {
             let inertia = sheet.step(
                 "I_a",
                 "kg*m^2",
@@ -328,7 +328,7 @@ fn rotor<W: Worksheet>(rotor: &RotorGiven<W>, sheet: W) -> (W::Num, Option<W::Nu
             );
             (inertia, Some(mass))
         }
-        RotorGiven::Disc { mass, radius } => {
+        GyroRotorGiven::Disc { mass, radius } => {
             let inertia = sheet.step(
                 "I_a",
                 "kg*m^2",
@@ -338,7 +338,7 @@ fn rotor<W: Worksheet>(rotor: &RotorGiven<W>, sheet: W) -> (W::Num, Option<W::Nu
             check_disc(inertia, mass, radius, sheet);
             (inertia, Some(mass))
         }
-        RotorGiven::MomentOfInertia { inertia, mass } => return (inertia, mass),
+        GyroRotorGiven::MomentOfInertia { inertia, mass } => return (inertia, mass),
     };
     sheet.answer("axial_inertia", "Moment of inertia about the axle", inertia);
     (inertia, mass)
@@ -366,8 +366,8 @@ impl GyroscopicCouple {
     /// Amplitude and period of a harmonic motion.
     fn harmonic(&self) -> Option<(f64, f64)> {
         match self.motion {
-            Motion::HarmonicPitching { amplitude, period, .. }
-            | Motion::HarmonicRolling { amplitude, period, .. } => Some((amplitude, period)),
+            CarrierMotion::HarmonicPitching { amplitude, period, .. }
+            | CarrierMotion::HarmonicRolling { amplitude, period, .. } => Some((amplitude, period)),
             _ => None,
         }
     }
@@ -395,7 +395,7 @@ impl GyroscopicCouple {
             )
         };
         let (rate, along, why) = match (&self.motion, &given.motion) {
-            (Motion::AnyPrecession { .. }, MotionGiven::AnyPrecession { precession }) => {
+            (CarrierMotion::AnyPrecession { .. }, CarrierMotionGiven::AnyPrecession { precession }) => {
                 let rate = sheet.step(
                     "ω_p",
                     "rad/s",
@@ -404,33 +404,38 @@ impl GyroscopicCouple {
                 );
                 return Ok((*precession, rate));
             }
-            (Motion::SteadyTurn { towards, .. }, MotionGiven::SteadyTurn { speed, radius, .. }) => {
+            (
+                CarrierMotion::SteadyTurn { towards, .. },
+                CarrierMotionGiven::SteadyTurn { speed, radius, .. },
+            ) => {
                 let rate = sheet.step(
                     "ω_p",
                     "rad/s",
                     *speed / *radius,
                     ("Angular velocity of the carrier on its curve", KHURMI.at("§14.6")),
                 );
-                let up = if *towards == Side::Left { Vector3::z() } else { -Vector3::z() };
+                let up = if *towards == LeftOrRight::Left { Vector3::z() } else { -Vector3::z() };
                 (
                     rate,
                     up,
                     "Seen from above, a turn to the left is counter-clockwise: Ω points up; to the right, down",
                 )
             }
-            (Motion::Pitching { bow, .. }, MotionGiven::Pitching { rate, .. }) => (*rate, pitch(*bow), PITCH),
+            (CarrierMotion::Pitching { bow, .. }, CarrierMotionGiven::Pitching { rate, .. }) => {
+                (*rate, pitch(*bow), PITCH)
+            }
             (
-                Motion::HarmonicPitching { bow, .. },
-                MotionGiven::HarmonicPitching { amplitude, period, .. },
+                CarrierMotion::HarmonicPitching { bow, .. },
+                CarrierMotionGiven::HarmonicPitching { amplitude, period, .. },
             ) => (largest(*amplitude, *period), pitch(*bow), PITCH),
-            (Motion::Rolling { falling, .. }, MotionGiven::Rolling { rate, .. }) => {
+            (CarrierMotion::Rolling { falling, .. }, CarrierMotionGiven::Rolling { rate, .. }) => {
                 (*rate, roll(*falling), ROLL)
             }
             (
-                Motion::HarmonicRolling { falling, .. },
-                MotionGiven::HarmonicRolling { amplitude, period, .. },
+                CarrierMotion::HarmonicRolling { falling, .. },
+                CarrierMotionGiven::HarmonicRolling { amplitude, period, .. },
             ) => (largest(*amplitude, *period), roll(*falling), ROLL),
-            (_, MotionGiven::HeldAtOneEnd { arm, gravity }) => {
+            (_, CarrierMotionGiven::HeldAtOneEnd { arm, gravity }) => {
                 let mass = mass.ok_or_else(|| {
                     Refusal::because("the weight makes the axle precess: write the mass of the rotor")
                 })?;
@@ -466,8 +471,8 @@ impl GyroscopicCouple {
 
     /// Answers of a harmonic motion alone: its maximum angular acceleration.
     fn harmonic_answers<W: Worksheet>(&self, given: &GyroscopicCoupleGiven<W>, sheet: W) {
-        let (MotionGiven::HarmonicPitching { amplitude, period, .. }
-        | MotionGiven::HarmonicRolling { amplitude, period, .. }) = &given.motion
+        let (CarrierMotionGiven::HarmonicPitching { amplitude, period, .. }
+        | CarrierMotionGiven::HarmonicRolling { amplitude, period, .. }) = &given.motion
         else {
             return;
         };
@@ -484,7 +489,7 @@ impl GyroscopicCouple {
             let what = "second difference quotient of the angle at the end of the swing";
             sheet.check(what, acceleration, (-found).into());
         });
-        let pitching = matches!(self.motion, Motion::HarmonicPitching { .. });
+        let pitching = matches!(self.motion, CarrierMotion::HarmonicPitching { .. });
         if let Some(transverse) = given.transverse_inertia
             && (pitching || self.spin_direction().x == 0.0)
             && !(pitching && self.spin_direction().y != 0.0)
@@ -518,7 +523,7 @@ impl GyroscopicCouple {
         couple: W::Vec,
         sheet: W,
     ) {
-        if let (MotionGiven::HeldAtOneEnd { arm, gravity }, Some(mass)) = (&given.motion, mass) {
+        if let (CarrierMotionGiven::HeldAtOneEnd { arm, gravity }, Some(mass)) = (&given.motion, mass) {
             let zero = W::Num::from(0.0);
             sheet.verify(|| {
                 sheet.check_vector(
@@ -581,6 +586,6 @@ fn pitch(bow: Bow) -> Vector3<f64> {
 }
 
 /// Direction of the angular velocity of a rolling carrier.
-fn roll(falling: Side) -> Vector3<f64> {
-    if falling == Side::Right { Vector3::x() } else { -Vector3::x() }
+fn roll(falling: LeftOrRight) -> Vector3<f64> {
+    if falling == LeftOrRight::Right { Vector3::x() } else { -Vector3::x() }
 }

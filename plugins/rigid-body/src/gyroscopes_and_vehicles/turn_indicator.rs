@@ -23,7 +23,7 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct TurnIndicator {
     /// Rotor.
-    pub rotor: Rotor,
+    pub rotor: IndicatorRotor,
     /// Speed of the rotor.
     /// Relative to the yoke.
     #[input("ω", "rad/s", positive)]
@@ -41,7 +41,7 @@ pub struct TurnIndicator {
 
 /// The rotor.
 #[derive(Clone, Debug, Inputs)]
-pub enum Rotor {
+pub enum IndicatorRotor {
     /// Thin disc
     Disc {
         /// Mass.
@@ -103,7 +103,7 @@ impl Analysis for TurnIndicator {
 
     fn solve<W: Worksheet>(&self, given: &TurnIndicatorGiven<W>, sheet: W) -> Result<(), Refusal> {
         let (axial, transverse) = match given.rotor {
-            RotorGiven::Disc { mass, radius } => {
+            IndicatorRotorGiven::Disc { mass, radius } => {
                 let axial = sheet.step(
                     "I_a",
                     "kg*m^2",
@@ -120,7 +120,7 @@ impl Analysis for TurnIndicator {
                 check_disc(axial, mass, radius, sheet);
                 (axial, transverse)
             }
-            RotorGiven::Moments { axial, transverse } => (axial, transverse),
+            IndicatorRotorGiven::Moments { axial, transverse } => (axial, transverse),
         };
         let spring = sheet.step(
             "K",

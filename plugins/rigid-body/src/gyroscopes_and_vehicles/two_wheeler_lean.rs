@@ -37,7 +37,7 @@ pub struct TwoWheelerLean {
     #[input("I_w", "kg*m^2", nonnegative)]
     pub wheel_inertia: f64,
     /// Engine.
-    pub engine: Option<Engine>,
+    pub engine: Option<TransverseEngine>,
     /// Yaw less pitch moment of inertia of the whole vehicle.
     /// With wheels and rider, about axes through G: the one about the vehicle's own vertical axis less the one about
     /// its transverse axis. Textbooks neglect it; it is small compared with m h².
@@ -49,7 +49,7 @@ pub struct TwoWheelerLean {
     /// Radius measured.
     pub measured: Measured,
     /// Required result.
-    pub motion: Motion,
+    pub motion: KnownMotion,
     /// Friction coefficient of the tyres.
     #[input("µ", "1", positive)]
     pub friction: Option<f64>,
@@ -60,7 +60,7 @@ pub struct TwoWheelerLean {
 
 /// The turning parts of an engine whose shaft lies across the vehicle.
 #[derive(Clone, Debug, Inputs)]
-pub struct Engine {
+pub struct TransverseEngine {
     /// Moment of inertia of its rotating parts.
     #[input("I_e", "kg*m^2", nonnegative)]
     pub inertia: f64,
@@ -93,7 +93,7 @@ pub enum Measured {
 
 /// Known quantity of the motion.
 #[derive(Clone, Debug, Inputs)]
-pub enum Motion {
+pub enum KnownMotion {
     /// The lean at a given speed
     Speed {
         /// Speed of the wheels.
@@ -140,8 +140,8 @@ impl Analysis for TwoWheelerLean {
             ),
         );
         let (speed, lean) = match given.motion {
-            MotionGiven::Speed { speed } => (speed, self.lean(given, inertia, speed, sheet)?),
-            MotionGiven::Lean { lean } => (self.speed(given, inertia, lean, sheet)?, lean),
+            KnownMotionGiven::Speed { speed } => (speed, self.lean(given, inertia, speed, sheet)?),
+            KnownMotionGiven::Lean { lean } => (self.speed(given, inertia, lean, sheet)?, lean),
         };
         let rate = sheet.step("Ω", "rad/s", speed / given.radius, "Angular velocity of the turn");
         let path = match self.measured {
@@ -290,7 +290,7 @@ impl TwoWheelerLean {
                             "no lean balances the couples: the speed is too high for this radius",
                         )
                     })?;
-                sheet.found(
+                sheet.numerical(
                     "θ",
                     "deg",
                     found,

@@ -34,7 +34,7 @@ pub struct WheelLoads {
     #[input("w", "m", positive)]
     pub track: f64,
     /// Axles.
-    pub layout: Layout,
+    pub layout: AxleLayout,
     /// Radius of the wheels.
     #[input("r", "m", positive)]
     pub wheel_radius: f64,
@@ -45,13 +45,13 @@ pub struct WheelLoads {
     #[input("I_t", "kg*m^2", positive)]
     pub transverse_inertia: Option<f64>,
     /// Engine or motors.
-    pub engine: Option<Engine>,
+    pub engine: Option<GearedInertia>,
     /// Radius of the curve.
     /// Of the centre of mass.
     #[input("R", "m", positive)]
     pub radius: f64,
     /// Turn to.
-    pub towards: Side,
+    pub towards: TurnDirection,
     /// Bank.
     /// Angle of the road or the track, which falls to the inside; the superelevation of a railway.
     #[input("β", "rad", nonnegative, max = 1.2, default = "0 deg")]
@@ -70,7 +70,7 @@ pub struct WheelLoads {
 
 /// The axles and where the mass stands between them.
 #[derive(Clone, Debug, Inputs)]
-pub enum Layout {
+pub enum AxleLayout {
     /// Two axles, centre of mass in the middle
     TwoEqualAxles,
     /// Two axles, centre of mass given
@@ -128,7 +128,7 @@ pub enum WheelInertia {
 
 /// Turning parts that are geared to the wheels.
 #[derive(Clone, Debug, Inputs)]
-pub struct Engine {
+pub struct GearedInertia {
     /// Moment of inertia.
     /// Of all parts that rotate at the same speed.
     #[input("I_e", "kg*m^2", nonnegative)]
@@ -138,12 +138,12 @@ pub struct Engine {
     #[input("G", "1", nonnegative)]
     pub ratio: f64,
     /// Shaft and sense.
-    pub shaft: Shaft,
+    pub shaft: EngineOrientation,
 }
 
 /// Orientation and sense of rotation of the engine shaft.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum Shaft {
+pub enum EngineOrientation {
     /// Transverse, same sense as the wheels
     AcrossLikeWheels,
     /// Transverse, opposite to the wheels
@@ -156,7 +156,7 @@ pub enum Shaft {
 
 /// Left or right.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum Side {
+pub enum TurnDirection {
     /// Left
     Left,
     /// Right
@@ -177,14 +177,14 @@ impl Analysis for WheelLoads {
     };
 
     fn solve<W: Worksheet>(&self, given: &WheelLoadsGiven<W>, sheet: W) -> Result<(), Refusal> {
-        if let (Layout::TwoEqualAxles | Layout::OneAxle, Some(engine)) = (&self.layout, &self.engine)
+        if let (AxleLayout::TwoEqualAxles | AxleLayout::OneAxle, Some(engine)) = (&self.layout, &self.engine)
             && engine.lies_along()
         {
             return Err(Refusal::because(
                 "an engine along the vehicle shifts load between the axles: choose two axles with the centre of mass given, and write the wheelbase",
             ));
         }
-        if let Layout::TwoAxles { wheelbase, behind_front, .. } = self.layout
+        if let AxleLayout::TwoAxles { wheelbase, behind_front, .. } = self.layout
             && !(0.0..=wheelbase).contains(&behind_front)
         {
             return Err(Refusal::because(
@@ -206,9 +206,12 @@ impl Analysis for WheelLoads {
     }
 }
 
-impl Engine {
+impl GearedInertia {
     fn lies_along(&self) -> bool {
-        matches!(self.shaft, Shaft::AlongClockwiseFromFront | Shaft::AlongClockwiseFromRear)
+        matches!(
+            self.shaft,
+            EngineOrientation::AlongClockwiseFromFront | EngineOrientation::AlongClockwiseFromRear
+        )
     }
 }
 
@@ -222,7 +225,7 @@ struct Couples<N> {
 
 impl WheelLoads {
     fn axles(&self) -> f64 {
-        if matches!(self.layout, Layout::OneAxle) { 1.0 } else { 2.0 }
+        if matches!(self.layout, AxleLayout::OneAxle) { 1.0 } else { 2.0 }
     }
 
     /// Moment of inertia of all wheels about their axles.
@@ -294,7 +297,7 @@ impl WheelLoads {
             ),
         );
         let couples = match engine {
-            Some(engine) if self.engine.as_ref().is_some_and(Engine::lies_along) => {
+            Some(engine) if self.engine.as_ref().is_some_and(GearedInertia::lies_along) => {
                 Couples { tilting: wheels + overturning, pitching: Some(engine) }
             }
             Some(engine) => Couples { tilting: wheels + engine + overturning, pitching: None },
@@ -348,7 +351,7 @@ impl WheelLoads {
             let moment = up * outwards + out * weight;
             sheet.check_sum(what, overturning, moment.into(), size * self.centre_height);
             // Axles that are alike are written once.
-            let times = if matches!(self.layout, Layout::TwoEqualAxles) { 2.0 } else { 1.0 };
+            let times = if matches!(self.layout, AxleLayout::TwoEqualAxles) { 2.0 } else { 1.0 };
             let sum = Real::sum(loads.iter().map(|(_, load)| *load)) * times;
             sheet.check("the wheel loads sum to the total", sum, normal);
             let outer = |(wheel, load): &(Wheel, W::Num)| if wheel.outer { *load } else { -*load };
@@ -377,8 +380,10 @@ impl WheelLoads {
         let couple = if self.bank == 0.0 { level } else { level * given.bank.cos() };
         let couple = if self.engine_sign() > 0.0 { couple } else { -couple };
         let why = match engine.shaft {
-            Shaft::AcrossLikeWheels => "Gyroscopic couple of the engine, which adds to that of the wheels",
-            Shaft::AcrossAgainstWheels => {
+            EngineOrientation::AcrossLikeWheels => {
+                "Gyroscopic couple of the engine, which adds to that of the wheels"
+            }
+            EngineOrientation::AcrossAgainstWheels => {
                 "Gyroscopic couple of the engine, which is subtracted from that of the wheels"
             }
             _ if self.engine_sign() > 0.0 => {
@@ -396,19 +401,19 @@ impl WheelLoads {
     /// Across: +1 like the wheels. Along: +1 where the couple presses on the front axle. Clockwise from the front the
     /// spin points backward; in a turn to the left Ω × H then points right, its reaction left, which lowers the nose.
     fn engine_sign(&self) -> f64 {
-        let left = self.towards == Side::Left;
+        let left = self.towards == TurnDirection::Left;
         match self.engine.as_ref().map(|engine| engine.shaft) {
             None => 0.0,
-            Some(Shaft::AcrossLikeWheels) => 1.0,
-            Some(Shaft::AcrossAgainstWheels) => -1.0,
-            Some(Shaft::AlongClockwiseFromFront) => {
+            Some(EngineOrientation::AcrossLikeWheels) => 1.0,
+            Some(EngineOrientation::AcrossAgainstWheels) => -1.0,
+            Some(EngineOrientation::AlongClockwiseFromFront) => {
                 if left {
                     1.0
                 } else {
                     -1.0
                 }
             }
-            Some(Shaft::AlongClockwiseFromRear) => {
+            Some(EngineOrientation::AlongClockwiseFromRear) => {
                 if left {
                     -1.0
                 } else {
@@ -429,7 +434,7 @@ impl WheelLoads {
     ) -> Vec<(Wheel, W::Num)> {
         let wheels = self.wheel_list();
         let (front, rear, front_transfer, rear_transfer) = match given.layout {
-            LayoutGiven::TwoAxles { wheelbase, behind_front, front_share } => {
+            AxleLayoutGiven::TwoAxles { wheelbase, behind_front, front_share } => {
                 let front = normal * (wheelbase - behind_front) / wheelbase;
                 let front = match pitching {
                     Some(couple) => front + couple / wheelbase,
@@ -442,11 +447,11 @@ impl WheelLoads {
                     sheet.step("ΔN_f", "N", transfer * front_share, "Load transfer at the front axle");
                 (front, rear, shifted, transfer - shifted)
             }
-            LayoutGiven::TwoEqualAxles { .. } => {
+            AxleLayoutGiven::TwoEqualAxles { .. } => {
                 let axle = normal / 2.0;
                 (axle, axle, transfer / 2.0, transfer / 2.0)
             }
-            LayoutGiven::OneAxle { .. } => (normal, normal, transfer, transfer),
+            AxleLayoutGiven::OneAxle { .. } => (normal, normal, transfer, transfer),
         };
         wheels
             .into_iter()

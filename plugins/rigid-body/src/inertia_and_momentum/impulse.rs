@@ -8,7 +8,7 @@ use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, register};
 use nalgebra::Vector3;
 
 use crate::{
-    shared::body::{Body, Going, Turning},
+    shared::body::{Body, BodyRotation, BodyVelocity},
     sources::{BEER, HIBBELER, MERIAM, RIUL},
 };
 
@@ -19,17 +19,17 @@ pub struct Impulse {
     pub body: Body,
     /// Its rotation before.
     #[input(default = "vector")]
-    pub turning: Turning,
+    pub turning: BodyRotation,
     /// Its motion before.
     #[input(default = "mass-centre")]
-    pub going: Going,
+    pub going: BodyVelocity,
     /// Impulses.
     pub blows: Vec<Blow>,
     /// Projectiles that stick.
     pub projectiles: Vec<Projectile>,
     /// Constraint after the impact.
     #[input(default = "nothing")]
-    pub hold: Hold,
+    pub hold: BodyConstraint,
     /// Required angular speed after impact.
     /// About an axis, from rest: calculates the mass for which the body, with the same shape, reaches this speed.
     #[input("ω*", "rad/s", positive)]
@@ -99,7 +99,7 @@ pub enum MassAfter {
 
 /// Constraint of the body after the impact.
 #[derive(Clone, Debug, Inputs)]
-pub enum Hold {
+pub enum BodyConstraint {
     /// Nothing
     Nothing,
     /// Point suddenly fixed

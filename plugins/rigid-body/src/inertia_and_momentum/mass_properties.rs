@@ -15,7 +15,10 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::{
     shared::{
-        body::{AboutPoint, Body, Line, LineGiven, PAIRS, Part, Worked, about_line, about_point, refused},
+        body::{
+            AboutPoint, Body, BodyLine, BodyLineGiven, BodyPart, PAIRS, WorkedBody, about_line, about_point,
+            refused,
+        },
         scene::Scene,
     },
     sources::{BEER, MERIAM, RIUL},
@@ -34,7 +37,7 @@ pub struct MassProperties {
     pub point: Vector3<f64>,
     /// A line.
     /// The moment of inertia about it is calculated.
-    pub line: Option<Line>,
+    pub line: Option<BodyLine>,
 }
 
 register!(MassProperties);
@@ -130,7 +133,7 @@ const POINT_A: AboutPoint = AboutPoint {
 };
 
 /// Principal moments and axes.
-fn show_principal<W: Worksheet>(body: &Worked<W>, principal: &Principal, sheet: W) {
+fn show_principal<W: Worksheet>(body: &WorkedBody<W>, principal: &Principal, sheet: W) {
     let tensor = body.properties.inertia;
     for n in 0..3 {
         let reason = if n == 0 {
@@ -139,8 +142,8 @@ fn show_principal<W: Worksheet>(body: &Worked<W>, principal: &Principal, sheet: 
             "The next root"
         };
         let moment =
-            sheet.found(("I_p", n + 1), "kg*m^2", principal.moments[n], (reason, MERIAM.at("App. B/2")));
-        let axis = sheet.found_vector(
+            sheet.numerical(("I_p", n + 1), "kg*m^2", principal.moments[n], (reason, MERIAM.at("App. B/2")));
+        let axis = sheet.numerical_vector(
             ("u", n + 1),
             "1",
             principal.axis(n),
@@ -182,7 +185,7 @@ fn show_principal<W: Worksheet>(body: &Worked<W>, principal: &Principal, sheet: 
 }
 
 impl MassProperties {
-    fn radii<W: Worksheet>(&self, body: &Worked<W>, sheet: W) {
+    fn radii<W: Worksheet>(&self, body: &WorkedBody<W>, sheet: W) {
         let names = [
             ("k_x", "radius_x", "Radius of gyration about the x axis through G"),
             ("k_y", "radius_y", "Radius of gyration about the y axis through G"),
@@ -193,7 +196,7 @@ impl MassProperties {
             let radius = if moment.value() > 1e-14 * body.properties.inertia.amax() {
                 sheet.step(symbol, "m", (moment / body.mass).sqrt(), (label, MERIAM.at("App. B/1")))
             } else {
-                sheet.found(symbol, "m", 0.0, (label, MERIAM.at("App. B/1")))
+                sheet.numerical(symbol, "m", 0.0, (label, MERIAM.at("App. B/1")))
             };
             sheet.answer(name, label, radius);
             radius
@@ -228,8 +231,13 @@ impl MassProperties {
     }
 }
 
-impl Line {
-    fn inertia<W: Worksheet>(&self, body: &Worked<W>, given: &LineGiven<W>, sheet: W) -> Result<(), Refusal> {
+impl BodyLine {
+    fn inertia<W: Worksheet>(
+        &self,
+        body: &WorkedBody<W>,
+        given: &BodyLineGiven<W>,
+        sheet: W,
+    ) -> Result<(), Refusal> {
         if !(self.direction.amax() > 0.0 && self.direction.iter().all(|x| x.is_finite())) {
             return Err(Refusal::because(
                 "the line has no direction: write any vector along it, such as (1; 0; 0)",
@@ -263,7 +271,7 @@ impl Line {
         let radius = if about.value() > 1e-14 * body.properties.inertia.amax() {
             sheet.step("k_L", "m", (about / body.mass).sqrt(), "Radius of gyration about the line")
         } else {
-            sheet.found("k_L", "m", 0.0, "Radius of gyration about the line")
+            sheet.numerical("k_L", "m", 0.0, "Radius of gyration about the line")
         };
         sheet.answer("line_radius", "Radius of gyration about the line", radius);
         sheet.verify(|| {
@@ -327,7 +335,7 @@ pub(crate) fn matrix(title: &'static str, tensor: &Matrix3<f64>) -> TableExhibit
 }
 
 /// Mass and centre of mass of each part.
-fn listed(parts: &[Part], whole: &rigid::MassProperties) -> TableExhibit {
+fn listed(parts: &[BodyPart], whole: &rigid::MassProperties) -> TableExhibit {
     let row = |name: Cell, body: &rigid::MassProperties| {
         let [x, y, z] = body.centre.into();
         vec![name, body.mass.into(), x.into(), y.into(), z.into()]

@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::{
     shared::{
-        body::{Body, Going, Line, LineGiven, Turning, Worked, directed, refused},
+        body::{Body, BodyLine, BodyLineGiven, BodyRotation, BodyVelocity, WorkedBody, directed, refused},
         scene::Scene,
     },
     sources::{BEER, MERIAM, RIUL},
@@ -18,17 +18,17 @@ pub struct Momentum {
     /// Body.
     pub body: Body,
     /// Its rotation.
-    pub turning: Turning,
+    pub turning: BodyRotation,
     /// Its motion.
     #[input(default = "mass-centre")]
-    pub going: Going,
+    pub going: BodyVelocity,
     /// Position of a point A.
     /// The angular momentum about it is also calculated.
     #[input("r_A", "m", default = "(0; 0; 0) m")]
     pub point: Vector3<f64>,
     /// A line.
     /// The angular momentum about it is calculated.
-    pub line: Option<Line>,
+    pub line: Option<BodyLine>,
 }
 
 register!(Momentum);
@@ -165,9 +165,9 @@ impl Analysis for Momentum {
 
 /// The angular momentum about a line, and the angle between it and the angular momentum about G.
 fn line_momentum<W: Worksheet>(
-    line: &Line,
-    given: &LineGiven<W>,
-    body: &Worked<W>,
+    line: &BodyLine,
+    given: &BodyLineGiven<W>,
+    body: &WorkedBody<W>,
     about_g: W::Vec,
     linear: W::Vec,
     sheet: W,
@@ -230,7 +230,7 @@ impl Momentum {
     /// Final rotation when energy is dissipated inside the body and the angular momentum is conserved.
     fn energy_sink<W: Worksheet>(
         &self,
-        body: &Worked<W>,
+        body: &WorkedBody<W>,
         about_g: W::Vec,
         rotation: W::Num,
         sheet: W,
@@ -239,7 +239,7 @@ impl Momentum {
             return Ok(());
         }
         let principal = body.properties.check().map_err(|error| refused(&error, "this body"))?;
-        let largest = sheet.found(
+        let largest = sheet.numerical(
             "I_max",
             "kg*m^2",
             principal.moments.z,
@@ -288,7 +288,12 @@ impl Momentum {
         Ok(())
     }
 
-    fn drawn<W: Worksheet>(&self, body: &Worked<W>, omega: Vector3<f64>, momentum: Vector3<f64>) -> Exhibit {
+    fn drawn<W: Worksheet>(
+        &self,
+        body: &WorkedBody<W>,
+        omega: Vector3<f64>,
+        momentum: Vector3<f64>,
+    ) -> Exhibit {
         let mut scene = Scene::new();
         if let Ok(principal) = body.properties.check() {
             let size = self.body.draw(&mut scene, &body.properties, &principal);

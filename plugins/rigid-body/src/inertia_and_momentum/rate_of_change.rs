@@ -14,8 +14,8 @@ use nalgebra::Vector3;
 use crate::{
     shared::{
         body::Body,
-        inertia::Inertia,
-        joints::{self, Axes, Joint, Worked, seen_from},
+        inertia::WorkedInertia,
+        joints::{self, Axes, Joint, WorkedChain, seen_from},
         scene::Scene,
     },
     sources::{BEER, IRODOV, RIUL},
@@ -36,12 +36,12 @@ pub struct RateOfChange {
     /// All vectors are resolved along its axes.
     pub frame: Axes,
     /// Reference point for moments.
-    pub about: Point,
+    pub about: MomentCentre,
 }
 
 /// A point about which moments are taken.
 #[derive(Clone, Debug, Inputs)]
-pub enum Point {
+pub enum MomentCentre {
     /// The centre of mass G
     MassCentre,
     /// The fixed origin O
@@ -74,14 +74,14 @@ impl Analysis for RateOfChange {
         let (axes, last) = (self.frame.place(), self.joints.len());
         let frame = &frames[axes];
         let turned = body.turned(&(frame.rotation.inverse() * frames[last].rotation));
-        let mass = sheet.found("m", "kg", turned.mass, "Mass of the whole body");
-        let inertia = Inertia::found(&turned.inertia, sheet);
-        let worked = Worked::new(&self.joints, &given.joints, axes, sheet);
+        let mass = sheet.numerical("m", "kg", turned.mass, "Mass of the whole body");
+        let inertia = WorkedInertia::found(&turned.inertia, sheet);
+        let worked = WorkedChain::new(&self.joints, &given.joints, axes, sheet);
         let (omega, alpha) = (worked.omega[last], worked.alpha[last]);
         let momentum = inertia.momentum(omega, sheet);
         let rate = self.rate(&worked, &inertia, momentum, sheet);
         // The motion of G, and what it adds about another point.
-        let arm = sheet.found_vector(
+        let arm = sheet.numerical_vector(
             "ρ_G",
             "m",
             turned.centre,
@@ -99,14 +99,14 @@ impl Analysis for RateOfChange {
         );
         let centre = seen_from(frame, frames[last].point(body.centre).place);
         let from = match &self.about {
-            Point::MassCentre => None,
-            Point::Origin => Some(centre),
-            Point::Fixed { at } => Some(centre - at),
+            MomentCentre::MassCentre => None,
+            MomentCentre::Origin => Some(centre),
+            MomentCentre::Fixed { at } => Some(centre - at),
         };
         let (about, moment) = match from.filter(|from| *from != Vector3::zeros()) {
             None => (momentum, rate),
             Some(from) => {
-                let from = sheet.found_vector(
+                let from = sheet.numerical_vector(
                     "r",
                     "m",
                     from,
@@ -187,9 +187,9 @@ impl Analysis for RateOfChange {
                 );
             }
             let point = match &self.about {
-                Point::MassCentre => None,
-                Point::Origin => Some(Vector3::zeros()),
-                Point::Fixed { at } => Some(frame.rotation * at),
+                MomentCentre::MassCentre => None,
+                MomentCentre::Origin => Some(Vector3::zeros()),
+                MomentCentre::Fixed { at } => Some(frame.rotation * at),
             };
             self.check_by_differences(&body, point, about, moment, frame, sheet);
             self.check_force(&body, force, frame, sheet);
@@ -218,8 +218,8 @@ impl RateOfChange {
     /// dH/dt about G, from what is seen in the moving frame and from the turning of that frame.
     fn rate<W: Worksheet>(
         &self,
-        worked: &Worked<'_, W>,
-        inertia: &Inertia<W>,
+        worked: &WorkedChain<'_, W>,
+        inertia: &WorkedInertia<W>,
         momentum: W::Vec,
         sheet: W,
     ) -> W::Vec {
@@ -291,7 +291,7 @@ impl RateOfChange {
     fn momentum_at(
         &self,
         body: &MassProperties,
-        joints: &[chain::Joint],
+        joints: &[chain::ChainJoint],
         point: Option<Vector3<f64>>,
     ) -> Option<Vector3<f64>> {
         let frames = chain::frames(joints).ok()?;
@@ -310,7 +310,7 @@ impl RateOfChange {
         point: Option<Vector3<f64>>,
         about: W::Vec,
         moment: W::Vec,
-        frame: &chain::Frame,
+        frame: &chain::ChainFrame,
         sheet: W,
     ) {
         let at = |t: f64| {
@@ -342,7 +342,7 @@ impl RateOfChange {
         &self,
         body: &MassProperties,
         force: W::Vec,
-        frame: &chain::Frame,
+        frame: &chain::ChainFrame,
         sheet: W,
     ) {
         let momentum = |t: f64| {
@@ -390,7 +390,12 @@ impl RateOfChange {
     }
 
     /// The body's frame with ω, H and dH/dt at G, in the moving axes.
-    fn drawing(&self, frames: &[chain::Frame], centre: Vector3<f64>, vectors: [Vector3<f64>; 3]) -> Exhibit {
+    fn drawing(
+        &self,
+        frames: &[chain::ChainFrame],
+        centre: Vector3<f64>,
+        vectors: [Vector3<f64>; 3],
+    ) -> Exhibit {
         let mut scene = Scene::new();
         let last = &frames[frames.len() - 1];
         let frame = &frames[self.frame.place()];

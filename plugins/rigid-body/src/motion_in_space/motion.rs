@@ -14,14 +14,18 @@ use dalembert_mechanics::{
     Real, Vector,
     rigid::{
         self,
-        simulate::{self as follow, Body, Loads, Run, Sample, SimulateError, Turning, Watched},
+        simulate::{
+            self as follow, Loads, RotatingBody, RotationRun, RotationSample, RotationState, SimulateError,
+            WatchedAngles,
+        },
     },
 };
 use dalembert_numerics::ode::OdeError;
 use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 pub use self::inputs::{
-    Attitude, BodyAxis, Carrier, Course, Ends, Instant, Moments, Motion, Pivot, Place, TorqueRow, Velocity,
+    Attitude, BodyAxis, InertiaPoint, Instant, Moments, Motion, MotionEvent, Pivot, TorqueAxes,
+    TorqueHistory, TorqueRow, Velocity,
 };
 use self::inputs::{MomentsGiven, MotionGiven, PivotGiven};
 use crate::{
@@ -55,12 +59,12 @@ impl Analysis for Motion {
 
     fn solve<W: Worksheet>(&self, given: &MotionGiven<W>, sheet: W) -> Result<(), Refusal> {
         let (body, loads) = (self.body()?, self.loads());
-        let from = Turning { attitude: self.attitude.turned()?, omega_body: self.omega_body()? };
+        let from = RotationState { attitude: self.attitude.turned()?, omega_body: self.omega_body()? };
         let energy = self.start(given, sheet, &body, &loads, &from)?;
         sheet.keep_going()?;
-        let ends: Vec<follow::End> = self.end.end(self.axis).into_iter().collect();
+        let ends: Vec<follow::RotationEvent> = self.end.end(self.axis).into_iter().collect();
         let cancelled = || sheet.keep_going().is_err();
-        let run = Run {
+        let run = RotationRun {
             duration: self.duration,
             tolerance: TOLERANCE,
             samples: MOMENTS,
@@ -69,9 +73,9 @@ impl Analysis for Motion {
             cancelled: &cancelled,
         };
         let free = loads.torques.is_empty() && body.arm == Vector3::zeros() && ends.is_empty();
-        let watched = Some(Watched { of: self.axis.vector(), against: Vector3::z() });
+        let watched = Some(WatchedAngles { of: self.axis.vector(), against: Vector3::z() });
         let moved = if free {
-            let run = Run { most_steps: FREE_STEPS, ..run };
+            let run = RotationRun { most_steps: FREE_STEPS, ..run };
             follow::simulate_free_watching(&body, &from, RADIANS, &run, watched)
         } else {
             follow::simulate_watching(&body, &from, &loads, &run, watched)
@@ -96,12 +100,16 @@ impl Motion {
         &self,
         given: &MotionGiven<W>,
         sheet: W,
-        body: &Body,
+        body: &RotatingBody,
         loads: &Loads,
-        from: &Turning,
+        from: &RotationState,
     ) -> Result<W::Num, Refusal> {
-        let omega =
-            sheet.found_vector("ω", "rad/s", from.omega_body, "Angular velocity at the start, in body axes");
+        let omega = sheet.numerical_vector(
+            "ω",
+            "rad/s",
+            from.omega_body,
+            "Angular velocity at the start, in body axes",
+        );
         let principal = self.principal(given, sheet);
         let momentum = momentum(sheet, body, principal, omega);
         let kinetic = sheet.step(
@@ -112,7 +120,7 @@ impl Motion {
         );
         let moment = body.inertia * body.acceleration(from, loads).map_err(|error| refusal(&error))?
             + from.omega_body.cross(body.inertia * from.omega_body);
-        let about = sheet.found_vector(
+        let about = sheet.numerical_vector(
             "M",
             "N*m",
             clean(moment, moment.norm()),
@@ -127,7 +135,7 @@ impl Motion {
             Some(alpha) => sheet.step_vector("α", "rad/s^2", alpha, why),
             None => {
                 let alpha = body.acceleration(from, loads).map_err(|error| refusal(&error))?;
-                sheet.found_vector("α", "rad/s^2", clean(alpha, alpha.norm()), why)
+                sheet.numerical_vector("α", "rad/s^2", clean(alpha, alpha.norm()), why)
             }
         };
         sheet.verify(|| {
@@ -144,16 +152,20 @@ impl Motion {
             PivotGiven::MassCentre {} => None,
             PivotGiven::FixedPoint { mass, centre, gravity, .. } => Some((mass, centre, gravity)),
             PivotGiven::Origin { gravity } => {
-                let mass = sheet.found("m", "kg", body.mass, "Mass of the body as described");
+                let mass = sheet.numerical("m", "kg", body.mass, "Mass of the body as described");
                 let reason = "Centre of mass of the body as described, from its origin";
-                let centre = sheet.found_vector("r_G", "m", clean(body.arm, body.arm.norm()), reason);
+                let centre = sheet.numerical_vector("r_G", "m", clean(body.arm, body.arm.norm()), reason);
                 Some((mass, centre, gravity))
             }
         };
         if let Some((mass, centre, gravity)) = weight {
             let up = from.attitude.inverse() * Vector3::z();
-            let up =
-                sheet.found_vector("n", "1", up, "The upward vertical at the start, in the axes of the body");
+            let up = sheet.numerical_vector(
+                "n",
+                "1",
+                up,
+                "The upward vertical at the start, in the axes of the body",
+            );
             let potential = sheet.step(
                 "V_0",
                 "J",
@@ -206,9 +218,9 @@ impl Motion {
         };
         let off_axes = centre.value().iter().filter(|part| **part != 0.0).count();
         match about {
-            Place::FixedPoint => Some(moments),
-            Place::MassCentre if off_axes > 1 => None,
-            Place::MassCentre => {
+            InertiaPoint::FixedPoint => Some(moments),
+            InertiaPoint::MassCentre if off_axes > 1 => None,
+            InertiaPoint::MassCentre => {
                 let distance = sheet.step(
                     "d",
                     "m",
@@ -231,9 +243,9 @@ impl Motion {
     fn finish<W: Worksheet>(
         &self,
         sheet: W,
-        body: &Body,
-        (loads, run): (&Loads, &Run<'_>),
-        moved: &follow::Motion,
+        body: &RotatingBody,
+        (loads, run): (&Loads, &RotationRun<'_>),
+        moved: &follow::RigidBodyMotion,
         (energy, free): (W::Num, bool),
     ) {
         let last = moved.samples.last().expect("a motion has its start");
@@ -252,14 +264,14 @@ impl Motion {
                 HAIRER.at("§II.5"),
             )
         };
-        let time = sheet.found("t", "s", last.time, how);
+        let time = sheet.numerical("t", "s", last.time, how);
         sheet.answer("time", "Time at the end", time);
-        let most = |of: fn(&Sample) -> Vector3<f64>| {
+        let most = |of: fn(&RotationSample) -> Vector3<f64>| {
             moved.samples.iter().map(|sample| of(sample).norm()).fold(0.0, f64::max)
         };
         let fastest = most(|sample| sample.omega);
         let vector = |symbol: &'static str, unit: &'static str, value, reason: &'static str| {
-            sheet.found_vector(symbol, unit, value, reason)
+            sheet.numerical_vector(symbol, unit, value, reason)
         };
         let in_body = vector(
             "ω_xyz",
@@ -283,22 +295,26 @@ impl Motion {
         );
         sheet.answer_vector("momentum", "Angular momentum at the end, fixed axes", momentum);
         let quaternion = last.turning.attitude.into_inner();
-        let scalar =
-            sheet.found("q0", "1", quaternion.w, "Attitude at the end as a unit quaternion: its real part");
+        let scalar = sheet.numerical(
+            "q0",
+            "1",
+            quaternion.w,
+            "Attitude at the end as a unit quaternion: its real part",
+        );
         sheet.answer("quaternion_real", "Attitude at the end, unit quaternion, real part", scalar);
         let parts =
             vector("q", "1", clean(quaternion.imag(), 1.0), "The other three components of that quaternion");
         sheet.answer_vector("quaternion", "Attitude at the end, unit quaternion, the other parts", parts);
-        let followed = last.turning.attitude * self.axis.vector();
+        let integrated = last.turning.attitude * self.axis.vector();
         let axis =
-            vector("a", "1", clean(followed, 1.0), "Direction of the tracked axis of the body at the end");
+            vector("a", "1", clean(integrated, 1.0), "Direction of the tracked axis of the body at the end");
         sheet.answer_vector("axis", "Direction of the axis at the end", axis);
         if let Some(tilts) = moved.angles {
             let why = "Minimum angle of the axis to the vertical Z over the motion";
-            let least = sheet.found("θ_min", "deg", clean_angle(tilts.least.value), why);
+            let least = sheet.numerical("θ_min", "deg", clean_angle(tilts.least.value), why);
             sheet.answer("least_tilt", "Minimum angle of the axis to Z", least);
             let why = "Maximum angle of the axis to the vertical Z over the motion";
-            let largest = sheet.found("θ_max", "deg", clean_angle(tilts.largest.value), why);
+            let largest = sheet.numerical("θ_max", "deg", clean_angle(tilts.largest.value), why);
             sheet.answer("largest_tilt", "Maximum angle of the axis to Z", largest);
             sheet.verify(|| {
                 let axis = self.axis.vector();
@@ -325,7 +341,7 @@ impl Motion {
             sheet.answer_vector("centre", "Centre of mass at the end, fixed axes", centre);
             centre_shown = Some(centre.value());
         }
-        let kinetic = sheet.found("T", "J", last.kinetic, "Kinetic energy of rotation at the end");
+        let kinetic = sheet.numerical("T", "J", last.kinetic, "Kinetic energy of rotation at the end");
         sheet.answer("kinetic_energy", "Kinetic energy at the end", kinetic);
         sheet.verify(|| {
             let parts = parts.value();
@@ -336,10 +352,10 @@ impl Motion {
                 let what = "the centre of mass, rotated from the body axes";
                 sheet.check_zero(what, (attitude * body.arm - centre).norm().into(), body.arm.norm());
             }
-            if let Some(end) = second_methods::followed(body, loads, run, moved, time.value()) {
+            if let Some(end) = second_methods::integrated(body, loads, run, moved, time.value()) {
                 let what = "the attitude at the end, continued from the previous instant";
                 let off = end.attitude.angle_to(&attitude);
-                sheet.check_residual(what, off.into(), 1.0, second_methods::FOLLOWED);
+                sheet.check_residual(what, off.into(), 1.0, second_methods::INTEGRATION_ERROR);
             }
             let left = last.kinetic + last.potential - last.work;
             let size =
@@ -376,10 +392,10 @@ impl Motion {
     }
 
     /// Drift of energy and angular momentum.
-    fn drift<W: Worksheet>(&self, sheet: W, body: &Body, moved: &follow::Motion) {
+    fn drift<W: Worksheet>(&self, sheet: W, body: &RotatingBody, moved: &follow::RigidBodyMotion) {
         let weight = (body.arm != Vector3::zeros()).then(Vector3::z);
         let (energy, momentum) = (moved.energy_drift(), moved.momentum_drift(weight));
-        let bound = sheet.found(
+        let bound = sheet.numerical(
             "δ_E",
             "1",
             next_power(energy),
@@ -391,7 +407,7 @@ impl Motion {
         } else {
             "Bound on |H − ∫M dt − H₀| over the motion, relative to the maximum |H|"
         };
-        let bound = sheet.found("δ_H", "1", next_power(momentum), reason);
+        let bound = sheet.numerical("δ_H", "1", next_power(momentum), reason);
         sheet.answer("momentum_drift", "Angular momentum conserved to within", bound);
         if energy.max(momentum) > 1e-9 {
             sheet.warn(|| "energy and angular momentum are not conserved to nine digits: the last digits of the motion are unreliable".into());
@@ -405,18 +421,18 @@ impl Motion {
     fn second_method<W: Worksheet>(
         &self,
         sheet: W,
-        body: &Body,
-        from: &Turning,
-        run: &Run,
-        moved: &follow::Motion,
+        body: &RotatingBody,
+        from: &RotationState,
+        run: &RotationRun,
+        moved: &follow::RigidBodyMotion,
     ) {
         sheet.verify(|| {
             if from.omega_body.norm() * self.duration > CHECKED {
                 return;
             }
-            let run = Run { samples: 2, ..*run };
+            let run = RotationRun { samples: 2, ..*run };
             let end = |omega_body: Vector3<f64>| {
-                let from = Turning { omega_body, ..*from };
+                let from = RotationState { omega_body, ..*from };
                 let moved = follow::simulate(body, &from, &Loads::default(), &run).ok()?;
                 Some(moved.samples.last()?.turning.attitude)
             };
@@ -440,7 +456,12 @@ impl Motion {
 }
 
 /// `H = J ω`, in principal axes where they are known, otherwise with the rows of the tensor.
-fn momentum<W: Worksheet>(sheet: W, body: &Body, principal: Option<[W::Num; 3]>, omega: W::Vec) -> W::Vec {
+fn momentum<W: Worksheet>(
+    sheet: W,
+    body: &RotatingBody,
+    principal: Option<[W::Num; 3]>,
+    omega: W::Vec,
+) -> W::Vec {
     let why = ("Angular momentum about the point at the start: H = J ω", GOLDSTEIN.at("§5.1"));
     if let Some(moments) = principal {
         return sheet.step_vector("H", "kg*m^2/s", rigid::angular_momentum(moments, omega), why);
@@ -448,7 +469,7 @@ fn momentum<W: Worksheet>(sheet: W, body: &Body, principal: Option<[W::Num; 3]>,
     let row = |n: usize, symbol: &'static str| {
         let row = clean(body.inertia.row(n).transpose(), body.inertia.amax());
         let reason = "Row of the inertia tensor about the point: J = J_G + m (r² 1 − r rᵀ)";
-        sheet.found_vector(symbol, "kg*m^2", row, reason)
+        sheet.numerical_vector(symbol, "kg*m^2", row, reason)
     };
     let rows = [row(0, "J_1"), row(1, "J_2"), row(2, "J_3")];
     let [x, y, z] = rows.map(|row| row.dot(omega));

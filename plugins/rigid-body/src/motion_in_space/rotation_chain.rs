@@ -16,7 +16,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::{
     shared::{
-        joints::{self, Axes, Joint, Named, Worked, given_name, seen_from},
+        joints::{self, Axes, Joint, Named, WorkedChain, given_name, seen_from},
         scene::{self, Scene},
     },
     sources::{BEER, MERIAM},
@@ -71,7 +71,7 @@ impl Analysis for RotationChain {
     fn solve<W: Worksheet>(&self, given: &RotationChainGiven<W>, sheet: W) -> Result<(), Refusal> {
         let frames = joints::frames(&self.joints)?;
         let axes = self.axes.place();
-        let worked = Worked::new(&self.joints, &given.joints, axes, sheet);
+        let worked = WorkedChain::new(&self.joints, &given.joints, axes, sheet);
         let last = self.joints.len();
         if last > 1 {
             for n in 1..=last {
@@ -121,7 +121,7 @@ impl RotationChain {
     fn points<W: Worksheet>(
         &self,
         given: &RotationChainGiven<W>,
-        worked: &Worked<'_, W>,
+        worked: &WorkedChain<'_, W>,
         sheet: W,
     ) -> Vec<[W::Vec; 2]> {
         if self.points.is_empty() {
@@ -162,8 +162,8 @@ impl RotationChain {
     /// A second method: orientation and places at other times, by differences.
     fn check_by_differences<W: Worksheet>(
         &self,
-        frames: &[chain::Frame],
-        worked: &Worked<'_, W>,
+        frames: &[chain::ChainFrame],
+        worked: &WorkedChain<'_, W>,
         points: &[[W::Vec; 2]],
         sheet: W,
     ) {
@@ -214,7 +214,7 @@ impl RotationChain {
     }
 
     /// The frames with their axes, the angular velocity and the angular acceleration of the last.
-    fn scene(&self, frames: &[chain::Frame]) -> Scene {
+    fn scene(&self, frames: &[chain::ChainFrame]) -> Scene {
         let mut scene = Scene::new();
         let offsets: f64 = self.joints.iter().map(|joint| joint.offset.norm()).sum();
         let reach = self.points.iter().map(|point| point.place.norm()).fold(offsets, f64::max);
@@ -242,7 +242,7 @@ impl RotationChain {
     }
 
     /// The frames while the joints go on with their accelerations.
-    fn animation(&self, now: &[chain::Frame]) -> Exhibit {
+    fn animation(&self, now: &[chain::ChainFrame]) -> Exhibit {
         let span = chain::period(&joints::later(&self.joints, 0.0));
         scene::animation("The frames of the chain", SHOWN, |part| {
             let later = chain::frames(&joints::later(&self.joints, part * span));
@@ -251,7 +251,7 @@ impl RotationChain {
     }
 
     /// Components of the angular velocity of the last frame while the joints go on with their accelerations.
-    fn over_time(&self, now: &chain::Frame, axes: usize) -> Plot {
+    fn over_time(&self, now: &chain::ChainFrame, axes: usize) -> Plot {
         let span = chain::period(&joints::later(&self.joints, 0.0));
         let mut curves: [Vec<(f64, f64)>; 3] = Default::default();
         for n in 0..=120 {
@@ -272,7 +272,7 @@ impl RotationChain {
 }
 
 /// The axes of each frame, in the axes of the answers.
-pub(crate) fn orientation(joints: &[Joint], frames: &[chain::Frame], axes: usize) -> TableExhibit {
+pub(crate) fn orientation(joints: &[Joint], frames: &[chain::ChainFrame], axes: usize) -> TableExhibit {
     let number = |heading: &'static str| Column { heading: heading.into(), unit: "1" };
     let mut rows = Vec::new();
     for (joint, frame) in joints.iter().zip(&frames[1..]) {

@@ -33,7 +33,7 @@ pub struct RollingCone {
     /// It is.
     pub cone: Cone,
     /// Known.
-    pub known: Known,
+    pub known: ConeMotionInput,
     /// Acceleration of gravity.
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
     pub gravity: f64,
@@ -62,7 +62,7 @@ pub enum Cone {
 
 /// Known quantity of the motion.
 #[derive(Clone, Debug, Inputs)]
-pub enum Known {
+pub enum ConeMotionInput {
     /// Precession
     Precession {
         /// Angular velocity of the line of contact.
@@ -134,7 +134,7 @@ impl Analysis for RollingCone {
             ));
         }
         let (precession, omega) = match given.known {
-            KnownGiven::Precession { precession } => {
+            ConeMotionInputGiven::Precession { precession } => {
                 let omega = sheet.step(
                     "ω",
                     "rad/s",
@@ -146,7 +146,7 @@ impl Analysis for RollingCone {
                 );
                 (precession, omega)
             }
-            KnownGiven::Omega { omega } => {
+            ConeMotionInputGiven::Omega { omega } => {
                 let precession = sheet.step(
                     "φ̇",
                     "rad/s",
@@ -221,8 +221,10 @@ impl Analysis for RollingCone {
             "Precession at which the normal force reaches the edge of the base, x_N = s: above it the apex would lift",
         );
         match self.known {
-            Known::Precession { .. } => sheet.answer("omega", "Angular velocity of the cone", omega),
-            Known::Omega { .. } => sheet.answer("precession", "Precession", precession),
+            ConeMotionInput::Precession { .. } => {
+                sheet.answer("omega", "Angular velocity of the cone", omega);
+            }
+            ConeMotionInput::Omega { .. } => sheet.answer("precession", "Precession", precession),
         }
         sheet.answer("energy", "Kinetic energy", energy);
         sheet.answer_vector("momentum", "Angular momentum about the apex", momentum);
@@ -288,8 +290,8 @@ impl Analysis for RollingCone {
                 vec![Series::line("x_N", (0..=200).map(at).collect()).of("normal_place")],
             );
             let plot = match self.known {
-                Known::Precession { .. } => plot.over("known.precession.precession"),
-                Known::Omega { .. } => plot.over_answer("known.omega.omega", "precession"),
+                ConeMotionInput::Precession { .. } => plot.over("known.precession.precession"),
+                ConeMotionInput::Omega { .. } => plot.over_answer("known.omega.omega", "precession"),
             };
             Exhibit::Plot(
                 plot.level("edge of the base", slant).mark("here", at_point(now, lever, part, normal)),

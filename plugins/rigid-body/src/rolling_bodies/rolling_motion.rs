@@ -72,7 +72,7 @@ pub struct RollingMotion {
 register!(RollingMotion);
 
 /// Error of a moment between two steps, in parts of a radian and of the largest.
-const FOLLOWED: f64 = 1e-10;
+const INTEGRATION_ERROR: f64 = 1e-10;
 
 impl Analysis for RollingMotion {
     const ABOUT: About = About {
@@ -167,7 +167,7 @@ impl Analysis for RollingMotion {
 impl RollingMotion {
     fn finish<W: Worksheet>(&self, sheet: W, disc: &Rolling, rolled: &Rolled, cancelled: &dyn Fn() -> bool) {
         let last = rolled.moments.last().expect("a motion has its start");
-        let time = sheet.found(
+        let time = sheet.numerical(
             "t",
             "s",
             last.time,
@@ -192,7 +192,7 @@ impl RollingMotion {
             }),
         }
         let found = |symbol: &'static str, unit: &'static str, value: f64, reason: &'static str| {
-            sheet.found(symbol, unit, value, reason)
+            sheet.numerical(symbol, unit, value, reason)
         };
         let reach =
             rolled.moments.iter().map(|m| m.contact[0].hypot(m.contact[1])).fold(self.radius, f64::max);
@@ -219,7 +219,7 @@ impl RollingMotion {
         );
         sheet.answer("largest_inclination", "Maximum angle over the motion", most_inclined);
         let fastest = rolled.moments.iter().flat_map(|m| m.omega).fold(0.0, |most: f64, x| most.max(x.abs()));
-        let omega = sheet.found_vector(
+        let omega = sheet.numerical_vector(
             "ω_e",
             "rad/s",
             Vector3::from(last.omega.map(|x| clean(x, fastest))),
@@ -260,22 +260,27 @@ impl RollingMotion {
                 self.mass * self.gravity,
             );
             // The last moments again, from the one that is kept before them.
-            let again = |time: f64| followed(disc, &rolled.moments, time, self.flat, cancelled);
+            let again = |time: f64| integrated(disc, &rolled.moments, time, self.flat, cancelled);
             if let Some(end) = again(time.value()) {
                 let place = (end.contact[0] - x.value()).hypot(end.contact[1] - y.value());
                 let what = "the contact at the end, continued from the previous instant";
-                sheet.check_residual(what, place.into(), reach, FOLLOWED * reach);
+                sheet.check_residual(what, place.into(), reach, INTEGRATION_ERROR * reach);
                 let what = "the angle at the end, continued from the previous instant";
-                sheet.check_residual(what, (end.inclination - angle.value()).into(), 1.0, FOLLOWED);
+                sheet.check_residual(what, (end.inclination - angle.value()).into(), 1.0, INTEGRATION_ERROR);
                 let what = "the angular velocity at the end, continued from the previous instant";
                 let off = Vector3::from(end.omega) - omega.value();
-                sheet.check_residual(what, off.norm().into(), fastest, FOLLOWED * fastest);
+                sheet.check_residual(what, off.norm().into(), fastest, INTEGRATION_ERROR * fastest);
             }
             let extremes = [rolled.inclination.least.time, rolled.inclination.largest.time];
             for (shown, at) in [least, most_inclined].into_iter().zip(extremes) {
                 let Some(there) = again(at) else { continue };
                 let what = "the minimum and maximum angle, continued from the previous instant";
-                sheet.check_residual(what, (there.inclination - shown.value()).into(), 1.0, FOLLOWED);
+                sheet.check_residual(
+                    what,
+                    (there.inclination - shown.value()).into(),
+                    1.0,
+                    INTEGRATION_ERROR,
+                );
             }
             let beyond = rolled
                 .moments
@@ -396,7 +401,7 @@ impl RollingMotion {
 }
 
 /// The state at a time, followed on from the kept moment before it, with a contact that counts on.
-fn followed(
+fn integrated(
     disc: &Rolling,
     moments: &[Moment],
     time: f64,

@@ -31,7 +31,7 @@ pub struct SteadyRolling {
     /// It is a.
     pub wheel: Wheel,
     /// Known.
-    pub known: Known,
+    pub known: RollingMotionInput,
     /// Coefficient of friction with the floor.
     #[input("μ", "1", nonnegative)]
     pub friction: Option<f64>,
@@ -42,7 +42,7 @@ pub struct SteadyRolling {
 
 /// Known quantity of the motion.
 #[derive(Clone, Debug, Inputs)]
-pub enum Known {
+pub enum RollingMotionInput {
     /// Angle and circle of the centre
     CentreCircle {
         /// Angle between its plane and the floor.
@@ -118,10 +118,10 @@ impl Analysis for SteadyRolling {
             )
         };
         let (inclination, centre, precession) = match given.known {
-            KnownGiven::CentreCircle { inclination, radius: centre } => {
+            RollingMotionInputGiven::CentreCircle { inclination, radius: centre } => {
                 (inclination, centre, precession(inclination, centre))
             }
-            KnownGiven::FloorCircle { inclination, radius: floor } => {
+            RollingMotionInputGiven::FloorCircle { inclination, radius: floor } => {
                 let centre = sheet.step(
                     "a",
                     "m",
@@ -135,7 +135,7 @@ impl Analysis for SteadyRolling {
                 }
                 (inclination, centre, precession(inclination, centre))
             }
-            KnownGiven::Precession { inclination, precession } => {
+            RollingMotionInputGiven::Precession { inclination, precession } => {
                 let centre = sheet.step(
                     "a",
                     "m",
@@ -152,7 +152,7 @@ impl Analysis for SteadyRolling {
                 }
                 (inclination, centre, precession)
             }
-            KnownGiven::Speed { radius: centre, speed } => {
+            RollingMotionInputGiven::Speed { radius: centre, speed } => {
                 let precession =
                     sheet.step("φ̇", "rad/s", speed / centre, "The centre completes one revolution in 2π a/v");
                 let found = disc.steady_inclinations(centre.value(), precession.value());
@@ -161,7 +161,7 @@ impl Analysis for SteadyRolling {
                         "no angle was found for this rolling motion; the speed is too small or too large for the circle",
                     ));
                 };
-                let inclination = sheet.found(
+                let inclination = sheet.numerical(
                     "θ",
                     "deg",
                     angle,
@@ -170,7 +170,7 @@ impl Analysis for SteadyRolling {
                 (inclination, centre, precession)
             }
         };
-        let lean = sheet.found(
+        let lean = sheet.numerical(
             "λ",
             "deg",
             FRAC_PI_2 - inclination.value(),
@@ -237,17 +237,20 @@ impl Analysis for SteadyRolling {
             "Small oscillations of the angle, ε̈ + K ε = 0: derivative of the moments about the tangent at the contact, divided by I_t + m r²",
         );
         match self.known {
-            Known::Precession { .. } => {}
-            Known::CentreCircle { .. } | Known::FloorCircle { .. } => {
+            RollingMotionInput::Precession { .. } => {}
+            RollingMotionInput::CentreCircle { .. } | RollingMotionInput::FloorCircle { .. } => {
                 sheet.answer("precession", "Precession", precession);
             }
-            Known::Speed { .. } => {
+            RollingMotionInput::Speed { .. } => {
                 sheet.answer("precession", "Precession", precession);
                 sheet.answer("inclination", "Angle between its plane and the floor", inclination);
             }
         }
         sheet.answer("lean", "Lean angle from the vertical", lean);
-        if matches!(self.known, Known::FloorCircle { .. } | Known::Precession { .. }) {
+        if matches!(
+            self.known,
+            RollingMotionInput::FloorCircle { .. } | RollingMotionInput::Precession { .. }
+        ) {
             sheet.answer("centre_radius", "Radius of the circle of the centre", centre);
         }
         sheet.answer("floor_radius", "Radius of the circle on the floor", floor);
@@ -321,7 +324,7 @@ impl Analysis for SteadyRolling {
                 floor - centre,
                 floor.value().abs() + centre.value().abs(),
             );
-            if let KnownGiven::FloorCircle { radius: circle, .. } = given.known {
+            if let RollingMotionInputGiven::FloorCircle { radius: circle, .. } = given.known {
                 let size = floor.value().abs() + centre.value().abs();
                 sheet.check_sum("the circle on the floor is the given one", floor, circle, size);
             }

@@ -12,19 +12,20 @@ use nalgebra::Vector3;
 
 pub(crate) use description::refused;
 pub use description::{
-    Amount, AmountGiven, Body, BodyGiven, Direction, DirectionGiven, Part, PartGiven, Presence,
-    ReferencePoint, TakenAbout, TakenAboutGiven,
+    Amount, AmountGiven, Body, BodyGiven, BodyPart, BodyPartGiven, Presence, ReferencePoint,
+    ShapeOrientation, ShapeOrientationGiven, TakenAbout, TakenAboutGiven,
 };
 pub(crate) use motion::directed;
-pub use motion::{Going, GoingGiven, Turning, TurningGiven};
+pub use motion::{BodyRotation, BodyRotationGiven, BodyVelocity, BodyVelocityGiven};
 pub use shape::{Shape, ShapeGiven};
 pub(crate) use working::{
-    AboutPoint, PAIRS, Worked, about_line, about_point, crossed, gained, matrix_times, transferred,
+    AboutPoint, PAIRS, WorkedBody, about_line, about_point, crossed, matrix_times, transferred,
+    transferred_sum,
 };
 
 /// A line in the body.
 #[derive(Clone, Debug, Inputs)]
-pub struct Line {
+pub struct BodyLine {
     /// Position of a point on it.
     #[input("r_B", "m", default = "(0; 0; 0) m")]
     pub through: Vector3<f64>,

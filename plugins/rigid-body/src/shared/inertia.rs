@@ -10,13 +10,13 @@ use crate::{
 };
 
 /// Moments and products of inertia about G as numbers of a worksheet.
-pub(crate) struct Inertia<W: Worksheet> {
+pub(crate) struct WorkedInertia<W: Worksheet> {
     moments: [W::Num; 3],
     /// I_yz, I_zx, I_xy; `None` where the product is zero.
     products: [Option<W::Num>; 3],
 }
 
-impl<W: Worksheet> Inertia<W> {
+impl<W: Worksheet> WorkedInertia<W> {
     /// Brings in the tensor about G in the axes used.
     pub(crate) fn found(tensor: &Matrix3<f64>, sheet: W) -> Self {
         let largest = tensor.amax();
@@ -25,11 +25,16 @@ impl<W: Worksheet> Inertia<W> {
         let products =
             MassProperties::products(tensor).map(|x| if x.abs() > 1e-14 * largest { x } else { 0.0 });
         let moment = |symbol: &'static str, si: f64| {
-            sheet.found(symbol, "kg*m^2", si, ("Moment of inertia of the body about G", BEER.at("§18.1A")))
+            sheet.numerical(
+                symbol,
+                "kg*m^2",
+                si,
+                ("Moment of inertia of the body about G", BEER.at("§18.1A")),
+            )
         };
         let product = |symbol: &'static str, si: f64| {
             let why = ("Product of inertia of the body about G, such as I_xy = ∫ xy dm", BEER.at("§18.1A"));
-            (si != 0.0).then(|| sheet.found(symbol, "kg*m^2", si, why))
+            (si != 0.0).then(|| sheet.numerical(symbol, "kg*m^2", si, why))
         };
         Self {
             moments: [moment("Iₓ", moments.x), moment("I_y", moments.y), moment("I_z", moments.z)],

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Cite, Inputs, Reference, Refusal, Text, Why, Worksheet};
+use dalembert_core::{Cite, Inputs, Reason, Reference, Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real, Vector,
     rigid::{self, RigidError, chain},
@@ -21,7 +21,7 @@ pub struct Joint {
     #[input("a", "1")]
     pub axis: Vector3<f64>,
     /// Motion of the joint.
-    pub motion: Turning,
+    pub motion: JointRotation,
     /// Origin of the frame after the joint.
     /// In the axes of the preceding frame.
     #[input("d", "m", default = "(0; 0; 0) m")]
@@ -30,7 +30,7 @@ pub struct Joint {
 
 /// Rotation of a joint.
 #[derive(Clone, Debug, Inputs)]
-pub enum Turning {
+pub enum JointRotation {
     /// Values at this instant
     Now {
         /// Angle.
@@ -80,20 +80,20 @@ pub enum Turning {
 
 impl Joint {
     /// The joint as the kernel knows it.
-    pub(crate) fn plain(&self) -> chain::Joint {
+    pub(crate) fn plain(&self) -> chain::ChainJoint {
         let (angle, rate, acceleration) = match self.motion {
-            Turning::Now { angle, rate, acceleration } => (angle, rate, acceleration),
-            Turning::Harmonic { amplitude, period, time, middle } => {
+            JointRotation::Now { angle, rate, acceleration } => (angle, rate, acceleration),
+            JointRotation::Harmonic { amplitude, period, time, middle } => {
                 let speed = TAU / period;
                 let phase = TAU * time / period;
                 let swing = amplitude * phase.sin();
                 (middle + swing, amplitude * speed * phase.cos(), -(speed.powi(2) * swing))
             }
-            Turning::Circle { speed, radius, acceleration, angle } => {
+            JointRotation::Circle { speed, radius, acceleration, angle } => {
                 (angle, speed / radius, acceleration / radius)
             }
         };
-        chain::Joint { axis: self.axis, angle, rate, acceleration, offset: self.offset }
+        chain::ChainJoint { axis: self.axis, angle, rate, acceleration, offset: self.offset }
     }
 }
 
@@ -124,8 +124,8 @@ impl Axes {
 ///
 /// # Errors
 /// A refusal that names the joint.
-pub(crate) fn frames(joints: &[Joint]) -> Result<Vec<chain::Frame>, Refusal> {
-    let mut all = vec![chain::Frame::fixed()];
+pub(crate) fn frames(joints: &[Joint]) -> Result<Vec<chain::ChainFrame>, Refusal> {
+    let mut all = vec![chain::ChainFrame::fixed()];
     for joint in joints {
         let next = all[all.len() - 1].next(&joint.plain()).map_err(|error| {
             Refusal::NoAnswer(
@@ -146,7 +146,7 @@ pub(crate) fn frames(joints: &[Joint]) -> Result<Vec<chain::Frame>, Refusal> {
 }
 
 /// The joints with their motion a time `t` later.
-pub(crate) fn later(joints: &[Joint], t: f64) -> Vec<chain::Joint> {
+pub(crate) fn later(joints: &[Joint], t: f64) -> Vec<chain::ChainJoint> {
     joints.iter().map(|joint| joint.plain().after(t)).collect()
 }
 
@@ -158,23 +158,23 @@ pub(crate) fn given_name(name: &str) -> Text {
 /// A reason with names in it; written only where somebody reads it.
 pub(crate) struct Named<'a>(pub &'static str, pub &'a str, pub Option<Cite>);
 
-impl From<Named<'_>> for Why {
+impl From<Named<'_>> for Reason {
     fn from(Named(reason, name, cite): Named<'_>) -> Self {
-        Why { reason: Text::new(reason).with("name", name), cite }
+        Reason { reason: Text::new(reason).with("name", name), cite }
     }
 }
 
 /// A reason with two names in it.
 struct Between<'a>(&'static str, &'a str, &'a str);
 
-impl From<Between<'_>> for Why {
+impl From<Between<'_>> for Reason {
     fn from(Between(reason, name, by): Between<'_>) -> Self {
         Text::new(reason).with("name", name).with("by", by).into()
     }
 }
 
 /// The angular motion of all frames of a chain, in the axes of one of them.
-pub(crate) struct Worked<'a, W: Worksheet> {
+pub(crate) struct WorkedChain<'a, W: Worksheet> {
     joints: &'a [Joint],
     /// Unit vectors along the axes of the joints, each in the frames beside its joint.
     own: Vec<W::Vec>,
@@ -189,7 +189,7 @@ pub(crate) struct Worked<'a, W: Worksheet> {
     pub last_axis: W::Vec,
 }
 
-impl<'a, W: Worksheet> Worked<'a, W> {
+impl<'a, W: Worksheet> WorkedChain<'a, W> {
     /// Works the chain in the axes of frame `axes` (0 for the fixed ones), which [`frames`] has found sound.
     pub(crate) fn new(joints: &'a [Joint], given: &[JointGiven<W>], axes: usize, sheet: W) -> Self {
         let motions: Vec<[W::Num; 3]> = (1..).zip(given).map(|(n, given)| motion(n, given, sheet)).collect();
@@ -364,8 +364,8 @@ pub(crate) fn carried<V: Vector>(origin: Option<[V; 2]>, omega: V, alpha: V, arm
 /// Angle, rate and acceleration of joint `n`, counted from 1.
 fn motion<W: Worksheet>(n: usize, given: &JointGiven<W>, sheet: W) -> [W::Num; 3] {
     match given.motion {
-        TurningGiven::Now { angle, rate, acceleration } => [angle, rate, acceleration],
-        TurningGiven::Harmonic { amplitude, period, time, middle } => {
+        JointRotationGiven::Now { angle, rate, acceleration } => [angle, rate, acceleration],
+        JointRotationGiven::Harmonic { amplitude, period, time, middle } => {
             let turn = W::Num::from(TAU);
             let speed = sheet.step(("p", n), "rad/s", turn / period, "Angular frequency of the oscillation");
             let phase = turn * time / period;
@@ -386,7 +386,7 @@ fn motion<W: Worksheet>(n: usize, given: &JointGiven<W>, sheet: W) -> [W::Num; 3
                 ),
             ]
         }
-        TurningGiven::Circle { speed, radius, acceleration, angle } => [
+        JointRotationGiven::Circle { speed, radius, acceleration, angle } => [
             angle,
             sheet.step(("θ̇", n), "rad/s", speed / radius, "The vehicle rotates once per lap of the circle"),
             sheet.step(("θ̈", n), "rad/s^2", acceleration / radius, "Angular acceleration of the vehicle"),
@@ -395,7 +395,7 @@ fn motion<W: Worksheet>(n: usize, given: &JointGiven<W>, sheet: W) -> [W::Num; 3
 }
 
 /// Components in the axes of `frame`, of a vector in the fixed axes.
-pub(crate) fn seen_from(frame: &chain::Frame, vector: Vector3<f64>) -> Vector3<f64> {
+pub(crate) fn seen_from(frame: &chain::ChainFrame, vector: Vector3<f64>) -> Vector3<f64> {
     frame.rotation.inverse() * vector
 }
 
@@ -411,7 +411,8 @@ pub(crate) fn rates_by_differences(
     // ω = ½ Σ e × ė over the three axes of the frame.
     let mut omega = Vector3::zeros();
     for n in 0..3 {
-        let axis = |frame: chain::Frame| -> Vector3<f64> { frame.rotation.matrix().column(n).into_owned() };
+        let axis =
+            |frame: chain::ChainFrame| -> Vector3<f64> { frame.rotation.matrix().column(n).into_owned() };
         let rate = rigid::numerical_rate(|t| at(t).map_or_else(|_| Vector3::repeat(f64::NAN), axis), period)?;
         omega += nalgebra::Matrix::cross(&axis(now), &rate) / 2.0;
     }

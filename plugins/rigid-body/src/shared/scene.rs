@@ -5,7 +5,7 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Exhibit, Ink, Point3, Shape3, Text, View, exhibit};
+use dalembert_core::{Exhibit, Ink, Point3, Shape3, Text, Viewpoint3, exhibit};
 use nalgebra::{Matrix3, Vector3};
 
 /// Frames of an animation.
@@ -16,7 +16,7 @@ const PARTS: usize = 36;
 /// Shapes drawn so far, later ones over earlier ones.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
-    view: View,
+    view: Viewpoint3,
     y_up: bool,
     shapes: Vec<Shape3>,
 }
@@ -29,7 +29,7 @@ impl Scene {
 
     /// Seen at first from the direction of an azimuth, from x about z, and of an elevation above the plane xy, rad.
     pub fn seen_from(azimuth: f64, elevation: f64) -> Self {
-        Self { view: View { azimuth, elevation }, ..Self::default() }
+        Self { view: Viewpoint3 { azimuth, elevation }, ..Self::default() }
     }
 
     /// A scene whose y axis points up: z towards the viewer and to the left, x to the right.
@@ -159,7 +159,7 @@ impl Scene {
 /// An animation of scenes that are each drawn for a part of the whole, from 0 to 1.
 pub fn animation(title: impl Into<Text>, period: f64, mut frame: impl FnMut(f64) -> Scene) -> Exhibit {
     let scenes: Vec<Scene> = (0..FRAMES).map(|k| frame(k as f64 / (FRAMES - 1) as f64)).collect();
-    let view = scenes.first().map_or_else(View::default, |scene| scene.view);
+    let view = scenes.first().map_or_else(Viewpoint3::default, |scene| scene.view);
     let frames = scenes.into_iter().map(|scene| scene.shapes).collect();
     Exhibit::Scene(exhibit::Scene { title: title.into(), frames, period, view })
 }

@@ -18,9 +18,9 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct BarOnTwoSprings {
     /// Mass of the bar.
-    pub body: Body,
+    pub body: BarMass,
     /// Moment of inertia about the centre of mass.
-    pub inertia: Inertia,
+    pub inertia: BarInertia,
     /// Front spring.
     #[input("k_f", "N/m", positive)]
     pub front: f64,
@@ -39,7 +39,7 @@ pub struct BarOnTwoSprings {
 
 /// Mass or weight of the bar.
 #[derive(Clone, Debug, Inputs)]
-pub enum Body {
+pub enum BarMass {
     /// Mass given
     Mass {
         /// Mass.
@@ -59,7 +59,7 @@ pub enum Body {
 
 /// Rotational inertia of the bar.
 #[derive(Clone, Debug, Inputs)]
-pub enum Inertia {
+pub enum BarInertia {
     /// Moment of inertia given
     Moment {
         /// Moment of inertia.
@@ -101,17 +101,17 @@ impl Analysis for BarOnTwoSprings {
             ));
         }
         let mass = match &given.body {
-            BodyGiven::Mass { mass } => *mass,
-            BodyGiven::Weight { weight, gravity } => {
+            BarMassGiven::Mass { mass } => *mass,
+            BarMassGiven::Weight { weight, gravity } => {
                 sheet.step("m", "kg", *weight / *gravity, "The mass has this weight")
             }
         };
         let moment = match &given.inertia {
-            InertiaGiven::Moment { moment } => *moment,
-            InertiaGiven::Radius { radius } => {
+            BarInertiaGiven::Moment { moment } => *moment,
+            BarInertiaGiven::Radius { radius } => {
                 sheet.step("J", "kg*m^2", mass * radius.powi(2), "Moment of inertia about the centre of mass")
             }
-            InertiaGiven::Slender { length } => sheet.step(
+            BarInertiaGiven::Slender { length } => sheet.step(
                 "J",
                 "kg*m^2",
                 mass * length.powi(2) / 12.0,

@@ -18,7 +18,7 @@ use dalembert_mechanics::{
 
 use crate::{
     shared::{
-        decay::{Counted, CountedGiven},
+        decay::{DecayCount, DecayCountGiven},
         oscillator::{Mass, given_weight, mass},
     },
     sources::{GROVER, RAO},
@@ -35,7 +35,7 @@ pub struct CoulombDamping {
     #[input("k", "N/m", positive)]
     pub stiffness: f64,
     /// Friction.
-    pub friction: Friction,
+    pub friction: FrictionForce,
     /// Static friction over kinetic friction.
     #[input("µₛ/µ", "1", min = 1, default = "1")]
     pub static_ratio: f64,
@@ -59,7 +59,7 @@ pub struct CoulombDamping {
 
 /// Friction force, or the coefficient that gives it.
 #[derive(Clone, Debug, Inputs)]
-pub enum Friction {
+pub enum FrictionForce {
     /// Friction force given
     Force {
         /// Friction force.
@@ -93,7 +93,7 @@ pub enum Friction {
         #[input("X₂", "m", positive)]
         last_amplitude: f64,
         /// Counted quantity.
-        counted: Counted,
+        counted: DecayCount,
         /// Gravity.
         /// For the coefficient of friction on a horizontal surface.
         #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
@@ -167,7 +167,7 @@ impl Analysis for CoulombDamping {
                 "the spring does not overcome the friction at the start: the mass remains at rest; write a larger displacement, or a velocity",
             ));
         }
-        let system = steps::System { mass, natural, force, offset, hold, zeta };
+        let system = steps::CoulombSystem { mass, natural, force, offset, hold, zeta };
         let (position, first) = steps::to_rest(&system, given, &decay, &rest, sheet);
         if let Some(first) = first {
             let equivalent = sheet.step(
@@ -214,16 +214,18 @@ impl Analysis for CoulombDamping {
 fn friction<W: Worksheet>(given: &CoulombDampingGiven<W>, mass: W::Num, sheet: W) -> Result<W::Num, Refusal> {
     let why = ("Friction force", RAO.at("§2.9"));
     Ok(match &given.friction {
-        FrictionGiven::Force { force } => *force,
-        FrictionGiven::Coefficient { coefficient, gravity } => {
+        FrictionForceGiven::Force { force } => *force,
+        FrictionForceGiven::Coefficient { coefficient, gravity } => {
             let force = match given_weight(&given.mass, *gravity) {
                 Some(weight) => *coefficient * weight,
                 None => *coefficient * mass * *gravity,
             };
             sheet.step("F", "N", force, why)
         }
-        FrictionGiven::Normal { coefficient, normal } => sheet.step("F", "N", *coefficient * *normal, why),
-        FrictionGiven::Decay { first_amplitude: first, last_amplitude: last, counted, gravity } => {
+        FrictionForceGiven::Normal { coefficient, normal } => {
+            sheet.step("F", "N", *coefficient * *normal, why)
+        }
+        FrictionForceGiven::Decay { first_amplitude: first, last_amplitude: last, counted, gravity } => {
             if given.damping.value() > 0.0 {
                 return Err(Refusal::because(
                     "with viscous damping present, two amplitudes do not determine the friction: use the identification from a decay record, or write the friction force",
@@ -233,8 +235,8 @@ fn friction<W: Worksheet>(given: &CoulombDampingGiven<W>, mass: W::Num, sheet: W
                 return Err(Refusal::because("the last amplitude is not below the first one: exchange them"));
             }
             let cycles = match counted {
-                CountedGiven::Cycles { cycles } => *cycles,
-                CountedGiven::Amplitudes { amplitudes } => {
+                DecayCountGiven::Cycles { cycles } => *cycles,
+                DecayCountGiven::Amplitudes { amplitudes } => {
                     sheet.step("N", "1", *amplitudes - 1.0, "Successive amplitudes are one cycle apart")
                 }
             };

@@ -54,7 +54,7 @@ pub enum DecayRecord {
         /// Samples.
         /// In time order, at least ten per cycle.
         #[input(table)]
-        samples: Vec<Sample>,
+        samples: Vec<DecaySample>,
         /// Fraction of the range below which an extremum counts as noise.
         #[input("p", "%", positive, below = 50, default = "2 %")]
         noise: f64,
@@ -74,7 +74,7 @@ pub struct Peak {
 
 /// A sample of the motion.
 #[derive(Clone, Debug, Inputs)]
-pub struct Sample {
+pub struct DecaySample {
     /// Time.
     #[input("t", "s")]
     pub time: f64,
@@ -112,7 +112,7 @@ impl Analysis for DecayIdentification {
             DecayFitError::Points => Refusal::because("the amplitudes do not belong to different cycles"),
         })?;
         let natural = ends.map(|ends| period(ends, points.len(), &fits, sheet));
-        let count = sheet.found("N", "1", points.len() as f64, "Number of amplitudes");
+        let count = sheet.numerical("N", "1", points.len() as f64, "Number of amplitudes");
         sheet.answer("amplitudes", "Number of amplitudes", count);
         viscous(&fits, &points, sheet);
         friction(&fits, &points, sheet);
@@ -252,10 +252,11 @@ impl HalfCycle {
 fn period<W: Worksheet>([first, last]: [f64; 2], strokes: usize, fits: &DecayFits, sheet: W) -> W::Num {
     let strokes = strokes as f64;
     let half = (last - first) / strokes;
-    let half = sheet.found("T/2", "s", half, "Mean time from one turning point of the record to the next");
+    let half =
+        sheet.numerical("T/2", "s", half, "Mean time from one turning point of the record to the next");
     let damped = sheet.step("ω_d", "rad/s", W::Num::from(PI) / half, "Frequency of the decaying motion");
     let zeta = sdof::damping_ratio_from_decrement(fits.both.decrement);
-    let zeta = sheet.found("ζ₀", "1", zeta, "Viscous damping ratio, from the combined fit below");
+    let zeta = sheet.numerical("ζ₀", "1", zeta, "Viscous damping ratio, from the combined fit below");
     let natural = sheet.step(
         "ωₙ",
         "rad/s",
@@ -299,7 +300,7 @@ fn released<W: Worksheet>(ratio: W::Num, decrement: W::Num, sheet: W) {
 
 fn viscous<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
     let fit = &fits.viscous;
-    let decrement = sheet.found(
+    let decrement = sheet.numerical(
         "δᵥ",
         "1",
         fit.decrement,
@@ -319,7 +320,7 @@ fn viscous<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
         sdof::damping_ratio_from_decrement(decrement),
         ("Damping ratio from that decrement", RAO.at("§2.6.3")),
     );
-    let scatter = sheet.found("εᵥ", "mm", fit.scatter, "Its rms deviation from the amplitudes");
+    let scatter = sheet.numerical("εᵥ", "mm", fit.scatter, "Its rms deviation from the amplitudes");
     sheet.answer("viscous_decrement", "Viscous only: decrement", decrement);
     sheet.answer("viscous_ratio", "Viscous only: damping ratio", ratio);
     sheet.answer("viscous_scatter", "Viscous only: fit residual", scatter);
@@ -335,7 +336,7 @@ fn viscous<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
 
 fn friction<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
     let fit = &fits.friction;
-    let loss = sheet.found(
+    let loss = sheet.numerical(
         "ΔX",
         "mm",
         fit.loss,
@@ -348,7 +349,7 @@ fn friction<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
     );
     let offset =
         sheet.step("f_f", "mm", loss / 4.0, ("Amplitude decrease per cycle: 4F/k; F/k", RAO.at("§2.9")));
-    let scatter = sheet.found("ε_f", "mm", fit.scatter, "Its rms deviation from the amplitudes");
+    let scatter = sheet.numerical("ε_f", "mm", fit.scatter, "Its rms deviation from the amplitudes");
     sheet.answer("friction_loss", "Friction alone: amplitude decrease per cycle", loss);
     sheet.answer("friction_offset", "Friction alone: F/k", offset);
     sheet.answer("friction_scatter", "Friction alone: fit residual", scatter);
@@ -367,7 +368,7 @@ fn both<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
         fits.both.normal_equations,
         1.0,
     );
-    let scatter = sheet.found(
+    let scatter = sheet.numerical(
         "ε",
         "mm",
         fits.both.scatter,
@@ -383,15 +384,19 @@ fn both<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) {
 /// Damping ratio and `F/k` of the fit with both.
 fn of_both<W: Worksheet>(fits: &DecayFits, points: &[(f64, f64)], sheet: W) -> [W::Num; 2] {
     let fit = &fits.both;
-    let decrement = sheet.found("δ", "1", fit.decrement, "Combined fit: viscous decrement");
+    let decrement = sheet.numerical("δ", "1", fit.decrement, "Combined fit: viscous decrement");
     let ratio = sheet.step(
         "ζ",
         "1",
         sdof::damping_ratio_from_decrement(decrement),
         ("Damping ratio from that decrement", RAO.at("§2.6.3")),
     );
-    let loss =
-        sheet.found("d", "mm", fit.loss, "Combined fit: amplitude decrease per cycle with friction alone");
+    let loss = sheet.numerical(
+        "d",
+        "mm",
+        fit.loss,
+        "Combined fit: amplitude decrease per cycle with friction alone",
+    );
     let offset = if fit.decrement > 1e-3 {
         // tanh(δ/4) = (1 − q)/(1 + q) with q = e^(−δ/2), what viscous damping leaves in a stroke.
         let one = W::Num::from(1.0);
@@ -449,13 +454,13 @@ fn verdict<W: Worksheet>(fits: &DecayFits, sheet: W) -> Verdict {
     let floor = 1e-6 * size;
     let [viscous, friction, both] =
         [fits.viscous, fits.friction, fits.both].map(|fit| fit.scatter.max(floor));
-    let ratio = sheet.found(
+    let ratio = sheet.numerical(
         "ρ",
         "1",
         viscous / friction,
         "Fit residual of the exponential over that of the straight line: below 1 indicates viscous damping, above 1 friction; a residual below one millionth of the amplitude is set to that value",
     );
-    let gain = sheet.found(
+    let gain = sheet.numerical(
         "ρ₂",
         "1",
         viscous.min(friction) / both,
@@ -535,7 +540,7 @@ fn envelopes(points: &[(f64, f64)], fits: &DecayFits) -> Plot {
 }
 
 /// The record with its turning points; long records are thinned.
-fn record_plot(samples: &[Sample], noise: f64) -> Plot {
+fn record_plot(samples: &[DecaySample], noise: f64) -> Plot {
     let record: Vec<(f64, f64)> = samples.iter().map(|sample| (sample.time, sample.displacement)).collect();
     let every = record.len().div_ceil(500).max(1);
     let turning = decay_fit::turning_points(&record, noise);

@@ -12,7 +12,7 @@ mod form;
 
 use self::{
     damping::{coefficient_of, critical_damping, ratio_of},
-    form::{Form, Units},
+    form::{FreeResponse, Units},
 };
 use crate::{
     shared::oscillator::{Mass, mass},
@@ -43,7 +43,7 @@ pub enum Oscillator {
         #[input("k", "N/m", positive)]
         stiffness: f64,
         /// Damping.
-        damping: Damping,
+        damping: TranslationalDamping,
         /// Initial displacement.
         #[input("x₀", "m", default = "0 mm")]
         displacement: f64,
@@ -88,7 +88,7 @@ pub enum Oscillator {
 
 /// Damping of a mass on a spring.
 #[derive(Clone, Debug, Inputs)]
-pub enum Damping {
+pub enum TranslationalDamping {
     /// Damping ratio given
     Ratio {
         /// Damping ratio.
@@ -155,7 +155,7 @@ impl Analysis for FreeVibration {
     };
 
     fn solve<W: Worksheet>(&self, given: &FreeVibrationGiven<W>, sheet: W) -> Result<(), Refusal> {
-        let System { natural, zeta, x0, v0, elastic, units } = system(given, sheet);
+        let FreeOscillator { natural, zeta, x0, v0, elastic, units } = system(given, sheet);
         if x0.value() == 0.0 && v0.value() == 0.0 {
             return Err(Refusal::because(
                 "the mass starts at rest in its equilibrium position and does not move: write an initial displacement or velocity",
@@ -169,7 +169,7 @@ impl Analysis for FreeVibration {
         };
         sheet.answer("natural_frequency", "Natural frequency", natural);
         sheet.answer("damping_ratio", "Damping ratio", zeta);
-        let form = Form::of(natural, zeta, [x0, v0], &units, sheet);
+        let form = FreeResponse::of(natural, zeta, [x0, v0], &units, sheet);
         sheet.verify(|| checks::amplitude(&form, &motion, sheet));
         let largest = events(&form, &motion, &units, x0, sheet);
         if zeta.value() > 0.0 {
@@ -208,7 +208,7 @@ impl Analysis for FreeVibration {
 }
 
 /// The oscillator by its ratios, and its mass and stiffness where they are known.
-struct System<N> {
+struct FreeOscillator<N> {
     natural: N,
     zeta: N,
     x0: N,
@@ -217,7 +217,7 @@ struct System<N> {
     units: Units,
 }
 
-fn system<W: Worksheet>(given: &FreeVibrationGiven<W>, sheet: W) -> System<W::Num> {
+fn system<W: Worksheet>(given: &FreeVibrationGiven<W>, sheet: W) -> FreeOscillator<W::Num> {
     match &given.oscillator {
         OscillatorGiven::Translation { mass: body, stiffness, damping, displacement, velocity } => {
             let mass = mass(body, sheet);
@@ -225,12 +225,14 @@ fn system<W: Worksheet>(given: &FreeVibrationGiven<W>, sheet: W) -> System<W::Nu
             let critical = critical_damping(*stiffness, mass, Units::TRANSLATION, sheet);
             let one = W::Num::from(1.0);
             let zeta = match damping {
-                DampingGiven::Ratio { ratio } => *ratio,
-                DampingGiven::Coefficient { coefficient } => {
+                TranslationalDampingGiven::Ratio { ratio } => *ratio,
+                TranslationalDampingGiven::Coefficient { coefficient } => {
                     ratio_of(*coefficient, critical, *stiffness, mass, sheet)
                 }
-                DampingGiven::Critical {} => sheet.step("ζ", "1", one, "The damping is critical"),
-                DampingGiven::Overshoot { overshoot } => {
+                TranslationalDampingGiven::Critical {} => {
+                    sheet.step("ζ", "1", one, "The damping is critical")
+                }
+                TranslationalDampingGiven::Overshoot { overshoot } => {
                     let log = sheet.step(
                         "Λ",
                         "1",
@@ -244,7 +246,7 @@ fn system<W: Worksheet>(given: &FreeVibrationGiven<W>, sheet: W) -> System<W::Nu
                         ("Damping ratio from that decrement", RAO.at("§2.6.3")),
                     )
                 }
-                DampingGiven::Settling { time } => sheet.step(
+                TranslationalDampingGiven::Settling { time } => sheet.step(
                     "ζ",
                     "1",
                     (one / given.settled).ln() / (natural * *time),
@@ -252,12 +254,12 @@ fn system<W: Worksheet>(given: &FreeVibrationGiven<W>, sheet: W) -> System<W::Nu
                 ),
             };
             match damping {
-                DampingGiven::Coefficient { coefficient } => {
+                TranslationalDampingGiven::Coefficient { coefficient } => {
                     sheet.answer("damping", "Damping coefficient", *coefficient);
                 }
                 _ => coefficient_of(zeta, critical, Units::TRANSLATION, sheet),
             }
-            System {
+            FreeOscillator {
                 natural,
                 zeta,
                 x0: *displacement,
@@ -283,7 +285,7 @@ fn system<W: Worksheet>(given: &FreeVibrationGiven<W>, sheet: W) -> System<W::Nu
                     coefficient_of(zeta, critical, Units::ROTATION, sheet);
                 }
             }
-            System {
+            FreeOscillator {
                 natural,
                 zeta,
                 x0: *angle,
@@ -292,7 +294,7 @@ fn system<W: Worksheet>(given: &FreeVibrationGiven<W>, sheet: W) -> System<W::Nu
                 units: Units::ROTATION,
             }
         }
-        OscillatorGiven::Ratios { natural_frequency, ratio, displacement, velocity } => System {
+        OscillatorGiven::Ratios { natural_frequency, ratio, displacement, velocity } => FreeOscillator {
             natural: *natural_frequency,
             zeta: *ratio,
             x0: *displacement,
@@ -314,7 +316,7 @@ fn natural_frequency<W: Worksheet>(stiffness: W::Num, mass: W::Num, sheet: W) ->
 
 /// First passage through rest, first turning point, largest displacement; the last is the result.
 fn events<W: Worksheet>(
-    form: &Form<W::Num>,
+    form: &FreeResponse<W::Num>,
     motion: &FreeMotion,
     units: &Units,
     x0: W::Num,
@@ -376,7 +378,7 @@ fn events<W: Worksheet>(
 fn settling<W: Worksheet>(
     share: W::Num,
     largest: W::Num,
-    form: &Form<W::Num>,
+    form: &FreeResponse<W::Num>,
     motion: &FreeMotion,
     sheet: W,
 ) {
@@ -386,7 +388,7 @@ fn settling<W: Worksheet>(
     }
     let level = share.value() * largest.value();
     let Some(time) = motion.settling_time(level) else { return };
-    let settled = sheet.found(
+    let settled = sheet.numerical(
         "tₚ",
         "s",
         time,
@@ -407,7 +409,7 @@ fn settling<W: Worksheet>(
 /// The motion at the asked time.
 fn at_time<W: Worksheet>(
     time: W::Num,
-    form: &Form<W::Num>,
+    form: &FreeResponse<W::Num>,
     motion: &FreeMotion,
     units: &Units,
     sheet: W,

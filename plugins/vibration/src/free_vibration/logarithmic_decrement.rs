@@ -22,9 +22,9 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct LogarithmicDecrement {
     /// Decay.
-    pub decay: Known,
+    pub decay: DecayInput,
     /// System.
-    pub system: System,
+    pub system: SystemData,
     /// Amplitude ratio for which cycles and time are computed.
     /// The larger amplitude over the smaller one.
     #[input("X₁/X₂", "1", above = 1)]
@@ -33,7 +33,7 @@ pub struct LogarithmicDecrement {
 
 /// Given quantity of the decay.
 #[derive(Clone, Debug, Inputs)]
-pub enum Known {
+pub enum DecayInput {
     /// Two amplitudes
     Amplitudes {
         /// Amplitudes.
@@ -74,7 +74,7 @@ pub struct MeasuredPeak {
 
 /// Given quantities of the system.
 #[derive(Clone, Debug, Inputs)]
-pub enum System {
+pub enum SystemData {
     /// No further data
     Unknown,
     /// Period of the decaying motion
@@ -243,16 +243,16 @@ impl LogarithmicDecrement {
         sheet: W,
     ) -> Result<(W::Num, W::Num), Refusal> {
         match (&self.decay, &given.decay) {
-            (Known::Peaks { peaks }, _) => {
+            (DecayInput::Peaks { peaks }, _) => {
                 let decrement = fit::least_squares(peaks, sheet)?;
                 Ok((decrement, ratio_of(decrement, sheet)))
             }
-            (_, KnownGiven::Amplitudes { amplitudes }) => {
+            (_, DecayInputGiven::Amplitudes { amplitudes }) => {
                 let found = decrement(amplitudes, sheet);
                 Ok((found.decrement, found.damping_ratio))
             }
-            (_, KnownGiven::Decrement { decrement }) => Ok((*decrement, ratio_of(*decrement, sheet))),
-            (_, KnownGiven::Ratio { ratio }) => {
+            (_, DecayInputGiven::Decrement { decrement }) => Ok((*decrement, ratio_of(*decrement, sheet))),
+            (_, DecayInputGiven::Ratio { ratio }) => {
                 if ratio.value() >= 1.0 {
                     return Err(Refusal::because(
                         "with a damping ratio of 1 or more the motion does not oscillate and has no decrement: \
@@ -272,14 +272,14 @@ impl LogarithmicDecrement {
                 );
                 Ok((decrement, *ratio))
             }
-            (_, KnownGiven::Peaks { .. }) => unreachable!("what is given is made from what is known"),
+            (_, DecayInputGiven::Peaks { .. }) => unreachable!("what is given is made from what is known"),
         }
     }
 
     /// The decay over its cycles, with what was measured.
     fn decay_plot(&self, (decrement, fall): (f64, Option<f64>)) -> Plot {
         let measured: Vec<(f64, f64)> = match &self.decay {
-            Known::Peaks { peaks } => peaks.iter().map(|peak| (peak.cycles, peak.amplitude)).collect(),
+            DecayInput::Peaks { peaks } => peaks.iter().map(|peak| (peak.cycles, peak.amplitude)).collect(),
             _ => Vec::new(),
         };
         let fallen = fall.filter(|_| decrement > 0.0).map(|fall| fall.ln() / decrement);
@@ -323,13 +323,13 @@ fn system<W: Worksheet>(
     sheet: W,
 ) -> Option<Oscillation<W::Num>> {
     match &given.system {
-        SystemGiven::Unknown {} => None,
-        SystemGiven::Period { period } => {
+        SystemDataGiven::Unknown {} => None,
+        SystemDataGiven::Period { period } => {
             let natural = natural_of_period(*period, zeta, "ωₙ", sheet);
             sheet.answer("natural_frequency", "Natural frequency", natural);
             Some(Oscillation { period: *period, natural })
         }
-        SystemGiven::MassStiffness { mass: body, stiffness, period } => {
+        SystemDataGiven::MassStiffness { mass: body, stiffness, period } => {
             let mass = mass(body, sheet);
             let oscillation = elastic(mass, *stiffness, zeta, LINE, sheet);
             if let Some(measured) = period {
@@ -360,7 +360,7 @@ fn system<W: Worksheet>(
             }
             Some(oscillation)
         }
-        SystemGiven::MassPeriod { mass: body, period } => {
+        SystemDataGiven::MassPeriod { mass: body, period } => {
             let mass = mass(body, sheet);
             let natural = natural_of_period(*period, zeta, "ωₙ", sheet);
             let stiffness = sheet.step(
@@ -374,7 +374,7 @@ fn system<W: Worksheet>(
             coefficients([mass, stiffness, zeta, *period], LINE, sheet);
             Some(Oscillation { period: *period, natural })
         }
-        SystemGiven::StiffnessPeriod { stiffness, period } => {
+        SystemDataGiven::StiffnessPeriod { stiffness, period } => {
             let natural = natural_of_period(*period, zeta, "ωₙ", sheet);
             let mass = sheet.step(
                 "m",
@@ -387,8 +387,10 @@ fn system<W: Worksheet>(
             coefficients([mass, *stiffness, zeta, *period], LINE, sheet);
             Some(Oscillation { period: *period, natural })
         }
-        SystemGiven::Torsion { inertia, stiffness } => Some(elastic(*inertia, *stiffness, zeta, AXIS, sheet)),
-        SystemGiven::Shaft { inertia, shear, length, diameter } => {
+        SystemDataGiven::Torsion { inertia, stiffness } => {
+            Some(elastic(*inertia, *stiffness, zeta, AXIS, sheet))
+        }
+        SystemDataGiven::Shaft { inertia, shear, length, diameter } => {
             let polar = sheet.step(
                 "I_p",
                 "cm^4",

@@ -29,7 +29,7 @@ pub struct BaseExcitation {
     pub base: Base,
     /// Start from rest.
     /// The base motion starts as a sine; the mass is at rest until then.
-    pub start: Option<Start>,
+    pub start: Option<FromRest>,
 }
 
 /// Motion of the base.
@@ -72,7 +72,7 @@ pub enum Base {
 
 /// The time at which the motion from rest is asked for.
 #[derive(Clone, Debug, Inputs)]
-pub struct Start {
+pub struct FromRest {
     /// Time.
     /// From the start of the base motion.
     #[input("t", "s", nonnegative)]

@@ -21,7 +21,7 @@ pub struct EquivalentDamping {
     #[input("k", "N/m", positive)]
     pub stiffness: f64,
     /// Damping.
-    pub damping: Damping,
+    pub damping: DampingLaw,
     /// Amplitude of the force.
     #[input("F₀", "N", positive)]
     pub force: f64,
@@ -32,7 +32,7 @@ pub struct EquivalentDamping {
 
 /// Damping law and its parameters.
 #[derive(Clone, Debug, Inputs)]
-pub enum Damping {
+pub enum DampingLaw {
     /// Hysteretic: loss factor given
     /// The damping force is a fixed fraction of the elastic force at any frequency: k(1 + iη).
     LossFactor {
@@ -92,7 +92,7 @@ impl Analysis for EquivalentDamping {
         let why =
             ("Steady-state amplitude: spring and inertia on one side, damping on the other", RAO.at("§3.9"));
         let (loss, amplitude, damping) = match &given.damping {
-            DampingGiven::QuadraticDrag { drag } => {
+            DampingLawGiven::QuadraticDrag { drag } => {
                 let elastic = sheet.step(
                     "K",
                     "N/m",
@@ -130,20 +130,20 @@ impl Analysis for EquivalentDamping {
             }
             other => {
                 let loss = match other {
-                    DampingGiven::LossFactor { loss_factor } => *loss_factor,
-                    DampingGiven::LoopArea { energy, amplitude } => sheet.step(
+                    DampingLawGiven::LossFactor { loss_factor } => *loss_factor,
+                    DampingLawGiven::LoopArea { energy, amplitude } => sheet.step(
                         "η",
                         "1",
                         *energy / (stiffness * amplitude.powi(2) * PI),
                         ("Loss factor: the area of the loop is πηkX²", RAO.at("§2.10")),
                     ),
-                    DampingGiven::StiffnessMultiplier { multiplier } => sheet.step(
+                    DampingLawGiven::StiffnessMultiplier { multiplier } => sheet.step(
                         "η",
                         "1",
                         frequency * *multiplier,
                         "Loss factor at this frequency: the damping force βωkX over the elastic one",
                     ),
-                    DampingGiven::QuadraticDrag { .. } => unreachable!("done above"),
+                    DampingLawGiven::QuadraticDrag { .. } => unreachable!("done above"),
                 };
                 if loss.value() == 0.0 && stiffness.value() == mass.value() * frequency.value().powi(2) {
                     return Err(Refusal::because(
@@ -218,7 +218,7 @@ impl Analysis for EquivalentDamping {
         sheet.answer("equivalent_ratio", "Equivalent damping ratio", ratio);
         sheet.answer("energy", "Energy lost per cycle", energy);
         sheet.answer("damping_capacity", "Specific damping capacity", capacity);
-        if let DampingGiven::LossFactor { .. } | DampingGiven::LoopArea { .. } = &given.damping
+        if let DampingLawGiven::LossFactor { .. } | DampingLawGiven::LoopArea { .. } = &given.damping
             && loss.value() > 0.0
         {
             let largest = sheet.step(
@@ -268,7 +268,7 @@ impl EquivalentDamping {
     /// The damping force at a phase of the cycle `x = X sin ψ`.
     fn damping_force(&self, amplitude: f64, loss: f64, phase: f64) -> f64 {
         match self.damping {
-            Damping::QuadraticDrag { drag } => {
+            DampingLaw::QuadraticDrag { drag } => {
                 let velocity = self.frequency * amplitude * phase.cos();
                 drag * velocity * velocity.abs()
             }
@@ -331,13 +331,13 @@ impl EquivalentDamping {
         let here = |w: f64| {
             let elastic = (stiffness - mass * w * w).abs();
             let amplitude = match self.damping {
-                Damping::QuadraticDrag { drag } => {
+                DampingLaw::QuadraticDrag { drag } => {
                     let first = 8.0 * drag * w * w / (3.0 * PI);
                     (2.0 * force * force
                         / (elastic * elastic + (elastic.powi(4) + (2.0 * first * force).powi(2)).sqrt()))
                     .sqrt()
                 }
-                Damping::StiffnessMultiplier { multiplier } => {
+                DampingLaw::StiffnessMultiplier { multiplier } => {
                     force / elastic.hypot(multiplier * w * stiffness)
                 }
                 _ => force / elastic.hypot(loss * stiffness),

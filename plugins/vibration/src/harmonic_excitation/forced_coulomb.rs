@@ -7,7 +7,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real, sdof,
-    vibration::forced_coulomb::{self, CoulombOscillator, Steady},
+    vibration::forced_coulomb::{self, CoulombOscillator, CoulombResponse},
 };
 use dalembert_numerics::quadrature::integral;
 
@@ -25,17 +25,17 @@ pub struct ForcedCoulomb {
     #[input("k", "N/m", positive)]
     pub stiffness: f64,
     /// Friction.
-    pub friction: Friction,
+    pub friction: FrictionLevel,
     /// Frequency of the force.
     #[input("ω", "rad/s", positive)]
     pub frequency: f64,
     /// Excitation.
-    pub excitation: Excitation,
+    pub excitation: ForceOrAmplitude,
 }
 
 /// Friction force, or the coefficient that gives it.
 #[derive(Clone, Debug, Inputs)]
-pub enum Friction {
+pub enum FrictionLevel {
     /// Friction force given
     Force {
         /// Friction force.
@@ -64,7 +64,7 @@ pub enum Friction {
 
 /// Given quantities of force and motion.
 #[derive(Clone, Debug, Inputs)]
-pub enum Excitation {
+pub enum ForceOrAmplitude {
     /// Force given, amplitude unknown
     Force {
         /// Amplitude of the force.
@@ -104,15 +104,15 @@ impl Analysis for ForcedCoulomb {
         let ratio = sheet.step("r", "1", sdof::frequency_ratio(given.frequency, natural), "Frequency ratio");
         let why = ("Friction force", RAO.at("§2.9"));
         let friction = match &given.friction {
-            FrictionGiven::Force { force } => *force,
-            FrictionGiven::Coefficient { coefficient, gravity } => {
+            FrictionLevelGiven::Force { force } => *force,
+            FrictionLevelGiven::Coefficient { coefficient, gravity } => {
                 let force = match given_weight(&given.mass, *gravity) {
                     Some(weight) => *coefficient * weight,
                     None => *coefficient * mass * *gravity,
                 };
                 sheet.step("F", "N", force, why)
             }
-            FrictionGiven::Normal { coefficient, normal } => {
+            FrictionLevelGiven::Normal { coefficient, normal } => {
                 sheet.step("F", "N", *coefficient * *normal, why)
             }
         };
@@ -128,8 +128,8 @@ impl Analysis for ForcedCoulomb {
         let system =
             Excited { mass, stiffness: given.stiffness, frequency: given.frequency, ratio, friction, offset };
         let (force, amplitude) = match &given.excitation {
-            ExcitationGiven::Force { force } => (force.value(), amplitude_of(&system, *force, sheet)?),
-            ExcitationGiven::Amplitude { amplitude } => {
+            ForceOrAmplitudeGiven::Force { force } => (force.value(), amplitude_of(&system, *force, sheet)?),
+            ForceOrAmplitudeGiven::Amplitude { amplitude } => {
                 (force_of(&system, *amplitude, sheet), amplitude.value())
             }
         };
@@ -141,7 +141,7 @@ impl Analysis for ForcedCoulomb {
         sheet.show(|| {
             let plot = response(&excited, natural.value(), self.frequency, amplitude);
             // Of an amplitude that is given, the force at this frequency is kept.
-            let is_given = matches!(self.excitation, Excitation::Amplitude { .. });
+            let is_given = matches!(self.excitation, ForceOrAmplitude::Amplitude { .. });
             Exhibit::Plot(if is_given { plot } else { plot.over("frequency") })
         });
         sheet.show(|| Exhibit::Plot(hysteresis(friction.value(), self.stiffness, amplitude)));
@@ -173,10 +173,10 @@ fn amplitude_of<W: Worksheet>(system: &Excited<W::Num>, force: W::Num, sheet: W)
     let excited =
         CoulombOscillator { ratio: ratio.value(), deflection: deflection.value(), offset: offset.value() };
     let steady = excited.steady();
-    if steady == Steady::Stuck {
+    if steady == CoulombResponse::Stuck {
         return Err(stuck());
     }
-    if steady == Steady::Unbounded {
+    if steady == CoulombResponse::Unbounded {
         return Err(Refusal::because(
             "at the natural frequency this force supplies more energy per cycle than friction dissipates, since 4F/π is below F₀: the amplitude grows with time without bound",
         ));
@@ -225,7 +225,7 @@ fn amplitude_of<W: Worksheet>(system: &Excited<W::Num>, force: W::Num, sheet: W)
         None
     };
     let exact = match &steady {
-        Steady::Sliding { lag, .. } => {
+        CoulombResponse::Sliding { lag, .. } => {
             let amplitude = sliding(deflection, offset, ratio, sheet);
             sheet.verify(|| {
                 sheet.check(
@@ -234,13 +234,13 @@ fn amplitude_of<W: Worksheet>(system: &Excited<W::Num>, force: W::Num, sheet: W)
                     W::Num::from(4.0 * friction.value() * amplitude.value()),
                 );
             });
-            let lag = sheet.found("φ", "deg", *lag, "Lag of its extremes behind those of the force");
+            let lag = sheet.numerical("φ", "deg", *lag, "Lag of its extremes behind those of the force");
             sheet.answer("exact_phase", "Phase lag, exact", lag);
             sheet.verify(|| held_by(&excited, lag.value(), sheet));
             amplitude
         }
-        Steady::Stopping { amplitude, slides } => {
-            let found = sheet.found(
+        CoulombResponse::Stopping { amplitude, slides } => {
+            let found = sheet.numerical(
                 "X",
                 "mm",
                 *amplitude,
@@ -258,7 +258,7 @@ fn amplitude_of<W: Worksheet>(system: &Excited<W::Num>, force: W::Num, sheet: W)
                     size,
                 );
             });
-            let stops = sheet.found("n_s", "1", slides.len() as f64, "Stops per cycle");
+            let stops = sheet.numerical("n_s", "1", slides.len() as f64, "Stops per cycle");
             sheet.answer("stops", "Stops per cycle", stops);
             found
         }
@@ -470,7 +470,7 @@ fn history(excited: &CoulombOscillator, natural: f64) -> Plot {
     let force = |tau: f64| excited.deflection * (excited.ratio * tau).cos();
     let mut motion = Vec::new();
     match excited.steady() {
-        Steady::Sliding { lag, .. } => {
+        CoulombResponse::Sliding { lag, .. } => {
             for n in 0..=300u16 {
                 let part = f64::from(n) / 150.0;
                 // The motion at its extreme at part 0; the force had its own before.
@@ -478,7 +478,7 @@ fn history(excited: &CoulombOscillator, natural: f64) -> Plot {
                 motion.push(((part / 2.0 * cycle + lag / excited.ratio) / natural, x));
             }
         }
-        Steady::Stopping { slides, .. } => {
+        CoulombResponse::Stopping { slides, .. } => {
             let begun = slides.first().map_or(0.0, |slide| slide.from);
             for slide in &slides {
                 for n in 0..=60u16 {

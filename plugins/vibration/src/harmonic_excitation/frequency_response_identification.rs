@@ -19,7 +19,7 @@ pub use self::{
         AccelerancePart, AccelerancePolar, DampingKind, MobilityPart, MobilityPolar, ReceptancePart,
         ReceptancePolar, ResidualKind, ResponseTable,
     },
-    few_points::{Excitation, PeakRead},
+    few_points::{MachineExcitation, PeakRead},
 };
 use crate::shared::oscillator;
 use crate::sources::{EWINS, LISTS, RAO};
@@ -119,7 +119,7 @@ pub enum Measurement {
     /// Amplitude at resonance over that at another frequency
     ResonanceRatio {
         /// Excitation.
-        excitation: Excitation,
+        excitation: MachineExcitation,
         /// Amplitude at the natural frequency over the other amplitude.
         #[input("q", "1", positive)]
         amplitude_ratio: f64,
@@ -184,7 +184,7 @@ impl Analysis for FrequencyResponseIdentification {
             }
             (measured, given) => return few_points::identify(measured, given, sheet),
         };
-        let System { stiffness, mass, damping, damping_ratio, natural, peak } = system;
+        let IdentifiedSystem { stiffness, mass, damping, damping_ratio, natural, peak } = system;
         sheet.answer("stiffness", "Stiffness", stiffness);
         sheet.answer("natural_frequency", "Natural frequency", natural);
         sheet.answer("damping_ratio", "Damping ratio", damping_ratio);
@@ -214,7 +214,7 @@ impl Analysis for FrequencyResponseIdentification {
 
 /// One degree of freedom, identified.
 #[derive(Clone, Copy)]
-struct System<N> {
+struct IdentifiedSystem<N> {
     stiffness: N,
     mass: N,
     damping: N,
@@ -235,7 +235,7 @@ fn from_points<W: Worksheet>(
     static_receptance: W::Num,
     peak: Peak<W::Num>,
     sheet: W,
-) -> Result<System<W::Num>, Refusal> {
+) -> Result<IdentifiedSystem<W::Num>, Refusal> {
     let stiffness = sheet.step(
         "k",
         "N/m",
@@ -288,14 +288,14 @@ fn from_points<W: Worksheet>(
         identification::damping_from_mass_and_peak(mass, stiffness, peak.receptance, peak.frequency),
         damping,
     );
-    let system = System { stiffness, mass, damping, damping_ratio, natural, peak };
+    let system = IdentifiedSystem { stiffness, mass, damping, damping_ratio, natural, peak };
     hold_at_peak(&system, sheet);
     Ok(system)
 }
 
 /// Holds a system to the peak it was found from: the height, and the slope there.
-fn hold_at_peak<W: Worksheet>(system: &System<W::Num>, sheet: W) {
-    let System { stiffness, mass, damping, peak, .. } = *system;
+fn hold_at_peak<W: Worksheet>(system: &IdentifiedSystem<W::Num>, sheet: W) {
+    let IdentifiedSystem { stiffness, mass, damping, peak, .. } = *system;
     sheet.check(
         "stiffness, mass and damping reproduce the measured receptance at the peak",
         sdof::receptance(stiffness, mass, damping, peak.frequency),
@@ -309,7 +309,7 @@ fn hold_at_peak<W: Worksheet>(system: &System<W::Num>, sheet: W) {
 }
 
 /// The reading of most textbooks, which takes the frequency of the peak as the natural one, beside the exact one.
-fn textbook<W: Worksheet>(system: &System<W::Num>, sheet: W) {
+fn textbook<W: Worksheet>(system: &IdentifiedSystem<W::Num>, sheet: W) {
     let peak = system.peak;
     let mass = sheet.step(
         "m′",
@@ -358,7 +358,7 @@ fn textbook<W: Worksheet>(system: &System<W::Num>, sheet: W) {
 }
 
 /// The amplitude at resonance: for each newton, and for the force where it is given.
-fn resonance<W: Worksheet>(force: Option<W::Num>, system: &System<W::Num>, sheet: W) {
+fn resonance<W: Worksheet>(force: Option<W::Num>, system: &IdentifiedSystem<W::Num>, sheet: W) {
     let peak = system.peak;
     let for_each_newton = sheet.step(
         "X/F₀",

@@ -7,7 +7,7 @@ use dalembert_mechanics::{Real, sdof};
 
 use crate::{
     shared::oscillator::{
-        AtFrequency, Body, Damping, Elasticity, Loss, Mass, Suspension, mass, plots, suspension,
+        AtFrequency, Damping, Elasticity, Loss, Mass, MassAndStiffness, Suspension, mass, plots, suspension,
         transient_from_rest::{BuildUp, Wave},
     },
     sources::{RAO, THOMSON},
@@ -26,15 +26,15 @@ pub struct HarmonicForce {
     #[input("ω", "rad/s", positive)]
     pub frequency: f64,
     /// Magnitude.
-    pub excitation: Excitation,
+    pub excitation: ForceStrength,
     /// Start from rest.
     /// The displacement at a time after the force is applied.
-    pub start: Option<Start>,
+    pub start: Option<StartFromRest>,
 }
 
 /// Amplitude of the force, or the amplitude or power that determines it.
 #[derive(Clone, Debug, Inputs)]
-pub enum Excitation {
+pub enum ForceStrength {
     /// Force given
     Force {
         /// Amplitude of the force.
@@ -58,7 +58,7 @@ pub enum Excitation {
 
 /// The oscillator is at rest until the force sets in.
 #[derive(Clone, Debug, Inputs)]
-pub struct Start {
+pub struct StartFromRest {
     /// Force.
     pub wave: Wave,
     /// Time.
@@ -92,7 +92,7 @@ impl Analysis for HarmonicForce {
             return self.unbounded(given, &suspension, at, sheet);
         }
         let c = at.damping.expect("the mass is given");
-        let system = System { frequency: given.frequency, body, c, at };
+        let system = ForcedOscillator { frequency: given.frequency, body, c, at };
         let (force, amplitude) = strength(given, &system, sheet)?;
         let phase = sheet.step(
             "φ",
@@ -142,9 +142,9 @@ impl Analysis for HarmonicForce {
 }
 
 /// Parameters of the steady-state motion.
-struct System<N> {
+struct ForcedOscillator<N> {
     frequency: N,
-    body: Body<N>,
+    body: MassAndStiffness<N>,
     c: N,
     at: AtFrequency<N>,
 }
@@ -161,10 +161,10 @@ fn own_damping<N: Real>(suspension: &Suspension<N>) -> impl Fn(f64) -> f64 + Cop
 /// Force and amplitude, the one from the other.
 fn strength<W: Worksheet>(
     given: &HarmonicForceGiven<W>,
-    system: &System<W::Num>,
+    system: &ForcedOscillator<W::Num>,
     sheet: W,
 ) -> Result<(W::Num, W::Num), Refusal> {
-    let System { frequency, body: Body { mass, stiffness: k }, c, at } = *system;
+    let ForcedOscillator { frequency, body: MassAndStiffness { mass, stiffness: k }, c, at } = *system;
     let magnification = sheet.step(
         "M",
         "1",
@@ -177,12 +177,12 @@ fn strength<W: Worksheet>(
         sheet.step("F₀", "N", amplitude * k / magnification, why)
     };
     let (force, amplitude) = match &given.excitation {
-        ExcitationGiven::Force { force } => {
+        ForceStrengthGiven::Force { force } => {
             let why = ("Steady-state amplitude", RAO.at("§3.4"));
             (*force, sheet.step("X", "mm", *force / k * magnification, why))
         }
-        ExcitationGiven::Motion { amplitude } => (sought(*amplitude), *amplitude),
-        ExcitationGiven::Power { power } => {
+        ForceStrengthGiven::Motion { amplitude } => (sought(*amplitude), *amplitude),
+        ForceStrengthGiven::Power { power } => {
             if c.value() == 0.0 {
                 return Err(Refusal::because(
                     "without damping the steady-state motion requires no power: write some damping, or give the force",
@@ -203,11 +203,11 @@ fn strength<W: Worksheet>(
     Ok((force, amplitude))
 }
 
-impl<N: Real> System<N> {
+impl<N: Real> ForcedOscillator<N> {
     /// Velocity, acceleration and the forces in spring, damper and ground; the velocity, and the sizes of the forces of
     /// spring, damper and inertia.
     fn forces<W: Worksheet<Num = N>>(&self, force: N, amplitude: N, sheet: W) -> (N, [f64; 3]) {
-        let System { frequency, body: Body { mass, stiffness: k }, c, .. } = *self;
+        let ForcedOscillator { frequency, body: MassAndStiffness { mass, stiffness: k }, c, .. } = *self;
         let velocity = sheet.step("V", "mm/s", amplitude * frequency, "Amplitude of the velocity");
         let acceleration =
             sheet.step("A", "m/s^2", amplitude * frequency.powi(2), "Amplitude of the acceleration");
@@ -240,7 +240,7 @@ impl<N: Real> System<N> {
     }
 
     fn power<W: Worksheet<Num = N>>(&self, force: N, amplitude: N, (velocity, phase): (N, N), sheet: W) {
-        let System { frequency, c, .. } = *self;
+        let ForcedOscillator { frequency, c, .. } = *self;
         let work = sheet.step(
             "E",
             "J",
@@ -273,7 +273,12 @@ impl<N: Real> System<N> {
 }
 
 /// Resonance frequencies of displacement, velocity and acceleration.
-fn resonances<W: Worksheet>(suspension: &Suspension<W::Num>, body: Body<W::Num>, force: W::Num, sheet: W) {
+fn resonances<W: Worksheet>(
+    suspension: &Suspension<W::Num>,
+    body: MassAndStiffness<W::Num>,
+    force: W::Num,
+    sheet: W,
+) {
     let natural = suspension.natural;
     match suspension.loss {
         Loss::Viscous(zeta, Some(c)) if zeta.value() > 0.0 => {
@@ -336,7 +341,7 @@ impl HarmonicForce {
         at: AtFrequency<W::Num>,
         sheet: W,
     ) -> Result<(), Refusal> {
-        let ExcitationGiven::Force { force } = &given.excitation else {
+        let ForceStrengthGiven::Force { force } = &given.excitation else {
             return Err(Refusal::because(
                 "without damping no force is needed to keep a motion at the natural frequency, and any force makes it \
                  grow without bound: give the force",
@@ -370,7 +375,7 @@ impl HarmonicForce {
             through_dashpot: false,
         };
         match (&given.start, &self.start) {
-            (Some(start), Some(Start { wave, .. })) => {
+            (Some(start), Some(StartFromRest { wave, .. })) => {
                 let build_up = build_up(*wave);
                 let x = build_up.displacement(start.time, sheet);
                 sheet.answer("displacement", "Displacement at that time", x);

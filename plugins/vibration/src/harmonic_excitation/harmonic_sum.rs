@@ -19,12 +19,12 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct HarmonicSum {
     /// Question.
-    pub question: Question,
+    pub question: HarmonicTask,
 }
 
 /// Quantity to compute.
 #[derive(Clone, Debug, Inputs)]
-pub enum Question {
+pub enum HarmonicTask {
     /// Sum of harmonic motions
     Sum {
         /// Written as.
@@ -91,13 +91,14 @@ impl Analysis for HarmonicSum {
 
     fn solve<W: Worksheet>(&self, given: &HarmonicSumGiven<W>, sheet: W) -> Result<(), Refusal> {
         match (&given.question, &self.question) {
-            (QuestionGiven::Work { force, amplitude, frequency, lag, time }, _) => {
+            (HarmonicTaskGiven::Work { force, amplitude, frequency, lag, time }, _) => {
                 work::solve([*force, *amplitude], *frequency, *lag, *time, sheet);
                 Ok(())
             }
-            (QuestionGiven::Sum { motions, time, .. }, Question::Sum { wave, motions: typed, .. }) => {
-                sum(motions, typed, *wave, *time, sheet)
-            }
+            (
+                HarmonicTaskGiven::Sum { motions, time, .. },
+                HarmonicTask::Sum { wave, motions: typed, .. },
+            ) => sum(motions, typed, *wave, *time, sheet),
             _ => unreachable!("what is given is made from what was typed"),
         }
     }

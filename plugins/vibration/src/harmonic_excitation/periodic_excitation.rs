@@ -6,7 +6,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real, sdof,
-    vibration::periodic::{self, Drive, Piece, Steady},
+    vibration::periodic::{self, ExcitationPath, PeriodicResponse, WaveSegment},
 };
 
 mod checks;
@@ -14,7 +14,7 @@ mod waveform;
 
 use self::waveform::{Waveform, WaveformGiven};
 use crate::{
-    shared::oscillator::{Damping, Elasticity, Loss, Mass, is_one, mass, plots, put_up, suspension},
+    shared::oscillator::{Damping, Elasticity, Loss, Mass, is_one, mass, plots, resisting_force, suspension},
     sources::{RAO, THOMSON},
 };
 
@@ -36,7 +36,7 @@ pub struct PeriodicExcitation {
     /// Damping.
     pub damping: Damping,
     /// Excitation.
-    pub excitation: Excitation,
+    pub excitation: PeriodicWave,
     /// Wave.
     pub waveform: Waveform,
     /// Frequency of the wave.
@@ -51,7 +51,7 @@ pub struct PeriodicExcitation {
 
 /// Periodic excitation.
 #[derive(Clone, Debug, Inputs)]
-pub enum Excitation {
+pub enum PeriodicWave {
     /// Force on the mass
     Force {
         /// Height of the wave.
@@ -105,24 +105,28 @@ impl Analysis for PeriodicExcitation {
         sheet.answer("frequency_ratio", "Frequency ratio of the first harmonic", ratio);
         refuse_resonance(&pieces, ratio.value(), zeta.value())?;
         let (excited, source, height) = match &given.excitation {
-            ExcitationGiven::Force { force } => {
+            PeriodicWaveGiven::Force { force } => {
                 let body = suspension.body.ok_or_else(|| {
                     Refusal::because("a force moves a mass: write the mass, or choose base excitation")
                 })?;
                 let why = ("Static deflection under the height of the waveform", RAO.at("§4.2"));
                 let height = sheet.step("δ", "mm", *force / body.stiffness, why);
-                (Excited::Mass { stiffness: body.stiffness }, *force, height)
+                (ExcitedSystem::Mass { stiffness: body.stiffness }, *force, height)
             }
-            ExcitationGiven::Base { height } => (Excited::Base, *height, *height),
+            PeriodicWaveGiven::Base { height } => (ExcitedSystem::Base, *height, *height),
         };
-        let system = System { ratio, zeta, excited, height, source };
+        let system = ExcitedOscillator { ratio, zeta, excited, height, source };
         system.mean(&given.waveform, &pieces, sheet);
         for (row, n) in written(&self.waveform, &pieces).into_iter().enumerate() {
             sheet.keep_going()?;
             system.harmonic(&given.waveform, &pieces, n, row, sheet);
         }
-        let steady =
-            Steady::new(&pieces, system.drive(), zeta.value(), std::f64::consts::TAU / ratio.value());
+        let steady = PeriodicResponse::new(
+            &pieces,
+            system.drive(),
+            zeta.value(),
+            std::f64::consts::TAU / ratio.value(),
+        );
         self.together(&system, &pieces, steady.as_ref(), given.time, sheet);
         system.spectrum(&pieces, given.frequency.value(), sheet);
         Ok(())
@@ -130,10 +134,10 @@ impl Analysis for PeriodicExcitation {
 }
 
 /// Parameters of the response to the harmonics.
-struct System<N> {
+struct ExcitedOscillator<N> {
     ratio: N,
     zeta: N,
-    excited: Excited<N>,
+    excited: ExcitedSystem<N>,
     /// Deflection at rest under the height of the wave, m.
     height: N,
     /// Height of the wave in its own unit.
@@ -142,7 +146,7 @@ struct System<N> {
 
 /// System under excitation.
 #[derive(Clone, Copy)]
-enum Excited<N> {
+enum ExcitedSystem<N> {
     /// The mass, on a spring of this stiffness.
     Mass { stiffness: N },
     /// The base.
@@ -151,20 +155,20 @@ enum Excited<N> {
 
 /// The harmonics that are written out: of a textbook's wave the first that are there, which its symmetry says. Of a table
 /// the first of all: whether one of them vanishes would be left to the last places of what was typed.
-fn written(waveform: &Waveform, pieces: &[Piece]) -> Vec<u32> {
+fn written(waveform: &Waveform, pieces: &[WaveSegment]) -> Vec<u32> {
     if matches!(waveform, Waveform::Table { .. }) {
         return (1..=OF_TABLE).collect();
     }
     (1..=60).filter(|n| is_there(pieces, *n)).take(WRITTEN).collect()
 }
 
-fn is_there(pieces: &[Piece], n: u32) -> bool {
+fn is_there(pieces: &[WaveSegment], n: u32) -> bool {
     let (a, b) = periodic::harmonic(pieces, n);
     a.hypot(b) > 1e-9
 }
 
 /// Undamped, with a harmonic at the natural frequency.
-fn refuse_resonance(pieces: &[Piece], ratio: f64, zeta: f64) -> Result<(), Refusal> {
+fn refuse_resonance(pieces: &[WaveSegment], ratio: f64, zeta: f64) -> Result<(), Refusal> {
     let order = (1.0 / ratio).round();
     if zeta == 0.0 && order >= 1.0 && order <= f64::from(ADDED) && is_one(order * ratio) {
         let order = order as u32;
@@ -180,39 +184,39 @@ fn refuse_resonance(pieces: &[Piece], ratio: f64, zeta: f64) -> Result<(), Refus
     Ok(())
 }
 
-impl<N: Real> System<N> {
-    fn drive(&self) -> Drive {
+impl<N: Real> ExcitedOscillator<N> {
+    fn drive(&self) -> ExcitationPath {
         match self.excited {
-            Excited::Mass { .. } => Drive::Force,
-            Excited::Base => Drive::Base,
+            ExcitedSystem::Mass { .. } => ExcitationPath::Force,
+            ExcitedSystem::Base => ExcitationPath::Base,
         }
     }
 
     /// Symbol and unit of the wave.
     fn wave(&self) -> (&'static str, &'static str) {
         match self.excited {
-            Excited::Mass { .. } => ("F", "N"),
-            Excited::Base => ("Y", "mm"),
+            ExcitedSystem::Mass { .. } => ("F", "N"),
+            ExcitedSystem::Base => ("Y", "mm"),
         }
     }
 
     /// Motion over static deflection at a harmonic.
     fn factor<S: Real>(&self, ratio: S, zeta: S) -> S {
         match self.excited {
-            Excited::Mass { .. } => sdof::magnification(ratio, zeta),
-            Excited::Base => sdof::transmissibility(ratio, zeta),
+            ExcitedSystem::Mass { .. } => sdof::magnification(ratio, zeta),
+            ExcitedSystem::Base => sdof::transmissibility(ratio, zeta),
         }
     }
 
     fn lag<S: Real>(&self, ratio: S, zeta: S) -> S {
         match self.excited {
-            Excited::Mass { .. } => sdof::phase_lag_from_ratios(ratio, zeta),
-            Excited::Base => sdof::transmissibility_phase(ratio, zeta),
+            ExcitedSystem::Mass { .. } => sdof::phase_lag_from_ratios(ratio, zeta),
+            ExcitedSystem::Base => sdof::transmissibility_phase(ratio, zeta),
         }
     }
 
     /// The mean of the motion: the deflection at rest under the mean of the wave.
-    fn mean<W: Worksheet<Num = N>>(&self, wave: &WaveformGiven<W>, pieces: &[Piece], sheet: W) {
+    fn mean<W: Worksheet<Num = N>>(&self, wave: &WaveformGiven<W>, pieces: &[WaveSegment], sheet: W) {
         let mean = periodic::mean(pieces);
         let offset = wave.mean(self.height, mean, sheet);
         sheet.check_zero(
@@ -227,7 +231,7 @@ impl<N: Real> System<N> {
     fn harmonic<W: Worksheet<Num = N>>(
         &self,
         wave: &WaveformGiven<W>,
-        pieces: &[Piece],
+        pieces: &[WaveSegment],
         n: u32,
         row: usize,
         sheet: W,
@@ -248,11 +252,11 @@ impl<N: Real> System<N> {
         );
         let ratio = sheet.step(("r", index), "1", self.ratio * f64::from(n), "Its frequency ratio");
         let (amplitude, why) = match self.excited {
-            Excited::Mass { stiffness } => (
+            ExcitedSystem::Mass { stiffness } => (
                 source / stiffness * self.factor(ratio, self.zeta),
                 ("Response to this harmonic: magnified static deflection", RAO.at("§4.2")),
             ),
-            Excited::Base => (
+            ExcitedSystem::Base => (
                 source * self.factor(ratio, self.zeta),
                 ("Response to this harmonic: transmitted motion of the base", RAO.at("§4.2")),
             ),
@@ -265,10 +269,10 @@ impl<N: Real> System<N> {
             sheet.answer("phase", "Phase lag of the first of them", lag);
         }
         sheet.verify(|| {
-            let ([in_phase, across], size) = put_up([ratio, self.zeta], amplitude, lag);
+            let ([in_phase, across], size) = resisting_force([ratio, self.zeta], amplitude, lag);
             let [drive, ahead] = match self.excited {
-                Excited::Mass { stiffness } => [source / stiffness, N::from(0.0)],
-                Excited::Base => [source, source * self.zeta * ratio * 2.0],
+                ExcitedSystem::Mass { stiffness } => [source / stiffness, N::from(0.0)],
+                ExcitedSystem::Base => [source, source * self.zeta * ratio * 2.0],
             };
             let what = Text::new("harmonic {n}: equation of motion, component in phase with the wave")
                 .with("n", n as usize);
@@ -276,14 +280,14 @@ impl<N: Real> System<N> {
             let what = Text::new("harmonic {n}: equation of motion, quadrature component (90° ahead)");
             let what = what.with("n", n as usize);
             match self.excited {
-                Excited::Mass { .. } => sheet.check_zero(what, across, size),
-                Excited::Base => sheet.check_sum(what, across, ahead, size),
+                ExcitedSystem::Mass { .. } => sheet.check_zero(what, across, size),
+                ExcitedSystem::Base => sheet.check_sum(what, across, ahead, size),
             }
         });
     }
 
     /// Table and line spectrum of the harmonics.
-    fn spectrum<W: Worksheet<Num = N>>(&self, pieces: &[Piece], frequency: f64, sheet: W) {
+    fn spectrum<W: Worksheet<Num = N>>(&self, pieces: &[WaveSegment], frequency: f64, sheet: W) {
         let (ratio, zeta, height, source) =
             (self.ratio.value(), self.zeta.value(), self.height.value(), self.source.value());
         let lines: Vec<(u32, f64)> = (1..=20)
@@ -338,8 +342,8 @@ impl<N: Real> System<N> {
         });
         let (own, here) = (zeta, ratio);
         match self.excited {
-            Excited::Mass { .. } => plots::force_families(here, move |_| own, None, sheet),
-            Excited::Base => {
+            ExcitedSystem::Mass { .. } => plots::force_families(here, move |_| own, None, sheet),
+            ExcitedSystem::Base => {
                 sheet.show(|| Exhibit::Plot(plots::transmissibility_family(here, move |_| own)));
             }
         }
@@ -348,7 +352,7 @@ impl<N: Real> System<N> {
 
 /// The sum of the squares of the harmonics of the motion, halved, in units of the deflection at rest; and whether the
 /// harmonics left out are too small to matter.
-fn parseval<N: Real>(system: &System<N>, pieces: &[Piece]) -> (f64, bool) {
+fn parseval<N: Real>(system: &ExcitedOscillator<N>, pieces: &[WaveSegment]) -> (f64, bool) {
     let (ratio, zeta) = (system.ratio.value(), system.zeta.value());
     let most = (40_000 / pieces.len().max(1) as u32).clamp(20, ADDED);
     let mut sum = periodic::mean(pieces).powi(2);
@@ -369,9 +373,9 @@ impl PeriodicExcitation {
     /// Root mean square, extremes, displacement at a time, and the motion over two periods.
     fn together<W: Worksheet>(
         &self,
-        system: &System<W::Num>,
-        pieces: &[Piece],
-        steady: Option<&Steady>,
+        system: &ExcitedOscillator<W::Num>,
+        pieces: &[WaveSegment],
+        steady: Option<&PeriodicResponse>,
         time: Option<W::Num>,
         sheet: W,
     ) {
@@ -384,7 +388,7 @@ impl PeriodicExcitation {
             return;
         };
         let how = "Root mean square over the static deflection, of the exact motion: piece by piece, closed over a period";
-        let share = sheet.found("q_rms", "1", square.sqrt(), (how, RAO.at("§4.3")));
+        let share = sheet.numerical("q_rms", "1", square.sqrt(), (how, RAO.at("§4.3")));
         let rms = sheet.step("x_rms", "mm", height * share, "Root mean square of the displacement");
         sheet.verify(|| {
             let (sum, whole) = parseval(system, pieces);
@@ -397,8 +401,8 @@ impl PeriodicExcitation {
             }
         });
         let why = "Maximum displacement of the exact motion, over the static deflection";
-        let largest = sheet.found("q_max", "1", largest, (why, RAO.at("§4.3")));
-        let least = sheet.found(
+        let largest = sheet.numerical("q_max", "1", largest, (why, RAO.at("§4.3")));
+        let least = sheet.numerical(
             "q_min",
             "1",
             least,
@@ -423,7 +427,7 @@ impl PeriodicExcitation {
         if let Some(time) = time {
             let share = (time.value() / period).fract();
             let why = "Displacement of the exact motion at that time, over the static deflection";
-            let at = sheet.found("q", "1", steady.displacement(share), (why, RAO.at("§4.3")));
+            let at = sheet.numerical("q", "1", steady.displacement(share), (why, RAO.at("§4.3")));
             let x = sheet.step("x", "mm", height * at, "Displacement at that time");
             sheet.answer("displacement", "Displacement at that time", x);
             sheet.verify(|| checks::displacement(&circle, share, x.value() / height.value(), sheet));
@@ -462,7 +466,7 @@ impl PeriodicExcitation {
     }
 }
 
-fn drive_at(pieces: &[Piece], share: f64) -> f64 {
+fn drive_at(pieces: &[WaveSegment], share: f64) -> f64 {
     let share = share - share.floor();
     pieces.iter().rev().find(|piece| piece.from <= share).map_or(0.0, |piece| {
         let since = share - piece.from;

@@ -29,7 +29,7 @@ pub struct RotatingUnbalance {
     /// Support.
     pub support: Spring,
     /// Damping.
-    pub damping: Damping,
+    pub damping: MachineDamping,
     /// Speed of the machine.
     #[input("ω", "rad/s", positive)]
     pub speed: f64,
@@ -37,7 +37,7 @@ pub struct RotatingUnbalance {
 
 /// Damping of the machine.
 #[derive(Clone, Debug, Inputs)]
-pub enum Damping {
+pub enum MachineDamping {
     /// Damping ratio given
     Ratio {
         /// Damping ratio.
@@ -97,8 +97,8 @@ impl Analysis for RotatingUnbalance {
         );
         let ratio = sheet.step("r", "1", sdof::frequency_ratio(given.speed, natural), "Frequency ratio");
         let zeta = match &given.damping {
-            DampingGiven::Ratio { ratio } => *ratio,
-            DampingGiven::Between { least, most } => {
+            MachineDampingGiven::Ratio { ratio } => *ratio,
+            MachineDampingGiven::Between { least, most } => {
                 if least.value() > most.value() {
                     return Err(Refusal::because(
                         "the minimum damping ratio exceeds the maximum one: exchange them",
@@ -106,13 +106,13 @@ impl Analysis for RotatingUnbalance {
                 }
                 *least
             }
-            DampingGiven::Coefficient { coefficient } => sheet.step(
+            MachineDampingGiven::Coefficient { coefficient } => sheet.step(
                 "ζ",
                 "1",
                 sdof::damping_ratio(*coefficient, k, given.mass),
                 ("Damping ratio: damping over critical damping", RAO.at("§2.6")),
             ),
-            DampingGiven::LargestAmplitude { amplitude } => {
+            MachineDampingGiven::LargestAmplitude { amplitude } => {
                 let peak = sheet.step(
                     "Λₘₐₓ",
                     "1",
@@ -148,7 +148,7 @@ impl Analysis for RotatingUnbalance {
                 );
                 zeta
             }
-            DampingGiven::Decay { amplitudes } => decrement(amplitudes, sheet).damping_ratio,
+            MachineDampingGiven::Decay { amplitudes } => decrement(amplitudes, sheet).damping_ratio,
         };
         if zeta.value() == 0.0 && ratio.value() == 1.0 {
             return Err(Refusal::because(
@@ -205,7 +205,7 @@ impl Analysis for RotatingUnbalance {
         sheet.answer("amplitude", "Amplitude at this speed", amplitude);
         sheet.answer("phase", "Phase lag", phase);
         sheet.answer("transmitted_force", "Force transmitted to the foundation", force);
-        if let DampingGiven::Between { most, .. } = &given.damping {
+        if let MachineDampingGiven::Between { most, .. } = &given.damping {
             let least = sheet.step(
                 "X_b",
                 "mm",
@@ -230,7 +230,7 @@ impl Analysis for RotatingUnbalance {
                 ("Speed of maximum steady-state amplitude", RAO.at("§3.7")),
             );
             sheet.answer("worst_speed", "Peak-response speed", worst);
-            if !matches!(self.damping, Damping::LargestAmplitude { .. }) {
+            if !matches!(self.damping, MachineDamping::LargestAmplitude { .. }) {
                 let largest = sheet.step(
                     "Xₘₐₓ",
                     "mm",

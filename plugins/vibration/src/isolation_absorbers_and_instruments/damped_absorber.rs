@@ -211,14 +211,14 @@ impl Analysis for DampedAbsorber {
 }
 
 /// The main system, in ratios and in full where it is known.
-struct System<N> {
+struct AbsorberSystem<N> {
     ratio: N,
     zeta: N,
-    body: Option<Body<N>>,
+    body: Option<DampedMass<N>>,
 }
 
 /// Body with all parameters known.
-struct Body<N> {
+struct DampedMass<N> {
     stiffness: N,
     natural: N,
     absorber: N,
@@ -244,7 +244,7 @@ fn needs_masses() -> Refusal {
     )
 }
 
-fn system<W: Worksheet>(given: &DampedAbsorberGiven<W>, sheet: W) -> Result<System<W::Num>, Refusal> {
+fn system<W: Worksheet>(given: &DampedAbsorberGiven<W>, sheet: W) -> Result<AbsorberSystem<W::Num>, Refusal> {
     let (ratio, body) = match &given.main {
         MainGiven::Ratio { ratio } => (*ratio, None),
         MainGiven::Masses { mass: main, springs, absorber, force } => {
@@ -261,7 +261,7 @@ fn system<W: Worksheet>(given: &DampedAbsorberGiven<W>, sheet: W) -> Result<Syst
                 }
             };
             let ratio = sheet.step("μ", "1", *absorber / mass, "Mass ratio: absorber over main mass");
-            (ratio, Some(Body { stiffness, natural, absorber: *absorber, force: *force }))
+            (ratio, Some(DampedMass { stiffness, natural, absorber: *absorber, force: *force }))
         }
     };
     if !(1e-6..=1e6).contains(&ratio.value()) {
@@ -269,10 +269,10 @@ fn system<W: Worksheet>(given: &DampedAbsorberGiven<W>, sheet: W) -> Result<Syst
             "the mass ratio of the absorber is not between 0.000001 and 1000000, where an absorber means something",
         ));
     }
-    Ok(System { ratio, zeta: given.main_damping, body })
+    Ok(AbsorberSystem { ratio, zeta: given.main_damping, body })
 }
 
-impl<N: Real> System<N> {
+impl<N: Real> AbsorberSystem<N> {
     fn kernel(&self, chosen: &Chosen<N>) -> Kernel {
         Kernel {
             mass_ratio: self.ratio.value(),
@@ -343,7 +343,7 @@ impl<N: Real> System<N> {
 
 /// The absorber in full, its peak and its stroke, and its motion at a frequency.
 fn assess<W: Worksheet>(
-    system: &System<W::Num>,
+    system: &AbsorberSystem<W::Num>,
     chosen: &Chosen<W::Num>,
     at: Option<&FrequencyGiven<W>>,
     sheet: W,
@@ -398,20 +398,20 @@ fn assess<W: Worksheet>(
 }
 
 /// The largest motions over all frequencies.
-fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, full: Option<&InFull>, sheet: W) {
+fn peak<W: Worksheet>(system: &AbsorberSystem<W::Num>, kernel: &Kernel, full: Option<&InFull>, sheet: W) {
     let Some(peak) = kernel.largest_peak() else {
         sheet.warn(|| {
             Text::new("the response of the main system has no peak: it is largest at frequency zero")
         });
         return;
     };
-    let ratio = sheet.found(
+    let ratio = sheet.numerical(
         "gₚ",
         "1",
         peak.ratio,
         "Frequency ratio of the highest peak: the response has zero slope there",
     );
-    let height = sheet.found("Hₚ", "1", peak.height, "Maximum magnification with the chosen absorber");
+    let height = sheet.numerical("Hₚ", "1", peak.height, "Maximum magnification with the chosen absorber");
     sheet.verify(|| {
         let [main, _] = optimum::equations(kernel, peak.ratio);
         sheet.check(
@@ -445,7 +445,7 @@ fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, full: Option<&In
     let relative = kernel.largest_relative_motion();
     let stroke = relative.map(|relative| {
         let how = "Maximum relative motion of the absorber, over the static deflection of the main mass";
-        let stroke = sheet.found("Sₚ", "1", relative.height, how);
+        let stroke = sheet.numerical("Sₚ", "1", relative.height, how);
         sheet.verify(|| {
             let [_, found] = optimum::equations(kernel, relative.ratio);
             sheet.check("relative motion from the equations of both masses", W::Num::from(found), stroke);
@@ -489,7 +489,7 @@ fn peak<W: Worksheet>(system: &System<W::Num>, kernel: &Kernel, full: Option<&In
 
 /// The motion at one frequency.
 fn motion_at<W: Worksheet>(
-    system: &System<W::Num>,
+    system: &AbsorberSystem<W::Num>,
     chosen: &Chosen<W::Num>,
     kernel: &Kernel,
     at: &FrequencyGiven<W>,

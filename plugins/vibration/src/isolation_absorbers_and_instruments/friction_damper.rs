@@ -99,13 +99,13 @@ impl Analysis for FrictionDamper {
                 "the force supplies more energy per cycle than the slipping element can dissipate, since 4F_d/π is below F₀, and there is no other damping: the resonance grows with time without bound",
             ));
         };
-        let frequency = sheet.found(
+        let frequency = sheet.numerical(
             "ωₚ",
             "rad/s",
             peak.frequency,
             "Peak of the response by one harmonic: the frequency at which that amplitude requires the least force",
         );
-        let amplitude = sheet.found("Xₚ", "µm", peak.amplitude, "Amplitude at that frequency");
+        let amplitude = sheet.numerical("Xₚ", "µm", peak.amplitude, "Amplitude at that frequency");
         let [stiffness, quadrature] =
             balance(given, [mass, slip, frequency, amplitude], PEAK, &oscillator, sheet);
         sheet.verify(|| {
@@ -134,7 +134,7 @@ impl Analysis for FrictionDamper {
                     Text::new("there is more than one amplitude at this frequency; the largest is given")
                 });
             }
-            let found = sheet.found(
+            let found = sheet.numerical(
                 "X",
                 "µm",
                 largest,

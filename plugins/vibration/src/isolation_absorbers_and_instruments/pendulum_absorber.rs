@@ -7,7 +7,7 @@ mod coupled;
 mod exhibits;
 mod gravity;
 
-use self::coupled::Coupled;
+use self::coupled::BodyWithPendulum;
 use crate::{
     shared::inertia::{self, Inertia},
     sources::{DEN_HARTOG, KER_WILSON},
@@ -17,12 +17,12 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct PendulumAbsorber {
     /// Problem.
-    pub problem: Problem,
+    pub problem: PendulumCarrier,
 }
 
 /// Body on which the pendulum hangs.
 #[derive(Clone, Debug, Inputs)]
-pub enum Problem {
+pub enum PendulumCarrier {
     /// On a rotor
     /// The centrifugal field restores the pendulum, so its frequency is proportional to the speed.
     Rotor {
@@ -35,7 +35,7 @@ pub enum Problem {
         /// Arm.
         arm: Arm,
         /// Mass of a pendulum.
-        mass: Mass,
+        mass: PendulumMass,
         /// Pendulums.
         #[input(min = 1, max = 100, default = "1")]
         count: u32,
@@ -75,7 +75,7 @@ pub enum Problem {
         /// Length of the pendulum.
         length: Length,
         /// Mass of the pendulum.
-        mass: Mass,
+        mass: PendulumMass,
         /// Gravity.
         #[input("g", "m/s^2", positive, default = "9.81 m/s^2")]
         gravity: f64,
@@ -156,7 +156,7 @@ pub enum Length {
 
 /// Mass of a pendulum, or the requirement that determines it.
 #[derive(Clone, Debug, Inputs)]
-pub enum Mass {
+pub enum PendulumMass {
     /// Mass given
     Given {
         /// Mass.
@@ -188,9 +188,9 @@ impl Analysis for PendulumAbsorber {
 
     fn solve<W: Worksheet>(&self, given: &PendulumAbsorberGiven<W>, sheet: W) -> Result<(), Refusal> {
         match &given.problem {
-            ProblemGiven::Rotor { .. } => self.on_rotor(given, sheet),
-            ProblemGiven::Gravity { body, stiffness, frequency, force, length, mass, gravity } => {
-                gravity::Hung {
+            PendulumCarrierGiven::Rotor { .. } => self.on_rotor(given, sheet),
+            PendulumCarrierGiven::Gravity { body, stiffness, frequency, force, length, mass, gravity } => {
+                gravity::MassWithPendulum {
                     body: *body,
                     stiffness: *stiffness,
                     frequency: *frequency,
@@ -206,16 +206,25 @@ impl Analysis for PendulumAbsorber {
 impl PendulumAbsorber {
     fn on_rotor<W: Worksheet>(&self, given: &PendulumAbsorberGiven<W>, sheet: W) -> Result<(), Refusal> {
         let (
-            ProblemGiven::Rotor {
-                pendulum, pivot, arm, mass, inertia, stiffness, speed, order, torque, ..
+            PendulumCarrierGiven::Rotor {
+                pendulum,
+                pivot,
+                arm,
+                mass,
+                inertia,
+                stiffness,
+                speed,
+                order,
+                torque,
+                ..
             },
-            Problem::Rotor { pendulum: kind, count, .. },
+            PendulumCarrier::Rotor { pendulum: kind, count, .. },
         ) = (&given.problem, &self.problem)
         else {
             return Ok(());
         };
         let (pivot, speed, count) = (*pivot, *speed, f64::from(*count));
-        let limit = if let MassGiven::Swing { swing } = mass { Some(*swing) } else { None };
+        let limit = if let PendulumMassGiven::Swing { swing } = mass { Some(*swing) } else { None };
         let rotor = inertia::moment_of_inertia(inertia, sheet, "J".into());
         // Radius of gyration of a roller, and what of it swings: κ²/a² for each r².
         let (gyration, rolling) = match (pendulum, kind) {
@@ -229,7 +238,7 @@ impl PendulumAbsorber {
                         (1.0, "Square of the radius of gyration of a ring over that of its radius")
                     }
                 };
-                let share = sheet.found("q", "1", share, why);
+                let share = sheet.numerical("q", "1", share, why);
                 let gyration =
                     sheet.step("κ", "m", *radius * share.sqrt(), "Radius of gyration of the roller");
                 (Some(gyration), Some((share, *radius)))
@@ -343,8 +352,8 @@ impl PendulumAbsorber {
         );
         sheet.answer("antiresonance", "Frequency at which the rotor is at rest", antiresonance);
         let mass = match mass {
-            MassGiven::Given { mass } => *mass,
-            MassGiven::Swing { swing: limit } => {
+            PendulumMassGiven::Given { mass } => *mass,
+            PendulumMassGiven::Swing { swing: limit } => {
                 let Some(torque) = torque else {
                     return Err(Refusal::because(
                         "the mass for a limited swing follows from the torque: write its amplitude",
@@ -388,7 +397,7 @@ impl PendulumAbsorber {
                 *torque,
             );
         }
-        let motion = Coupled {
+        let motion = BodyWithPendulum {
             on_rotor: true,
             body: together,
             coupling: coupled,
@@ -455,7 +464,7 @@ impl PendulumAbsorber {
         if let Some(torque) = torque {
             motion.steady(frequency, *torque, sheet)?;
         }
-        let view = exhibits::Rotor {
+        let view = exhibits::PendulumRotor {
             pair,
             alone: rotor.value(),
             speed: speed.value(),
@@ -465,7 +474,8 @@ impl PendulumAbsorber {
             arm: arm.value(),
         };
         // A mass that a swing tells is another at another order or speed.
-        let is_given = matches!(self.problem, Problem::Rotor { mass: Mass::Given { .. }, .. });
+        let is_given =
+            matches!(self.problem, PendulumCarrier::Rotor { mass: PendulumMass::Given { .. }, .. });
         let over = |plot: Plot, input| Exhibit::Plot(if is_given { plot.over(input) } else { plot });
         sheet.show(|| over(view.effective(), "problem.rotor.order"));
         sheet.show(|| over(view.against_speed(), "problem.rotor.speed"));

@@ -11,8 +11,8 @@ mod motion;
 mod trial;
 
 use self::{
-    design::{Wanted, main_system},
-    motion::Motion,
+    design::{AbsorberRequirement, main_system},
+    motion::AbsorberMotion,
     trial::{KeptOut, TrialBody},
 };
 use crate::{
@@ -28,12 +28,12 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct VibrationAbsorber {
     /// Problem.
-    pub problem: Problem,
+    pub problem: MainSystem,
 }
 
 /// Machine or rotor, and its given quantities.
 #[derive(Clone, Debug, Inputs)]
-pub enum Problem {
+pub enum MainSystem {
     /// Machine on springs
     Translation {
         /// Mass of the machine.
@@ -42,10 +42,10 @@ pub enum Problem {
         springs: MainSprings,
         /// Speed of the excitation.
         /// The absorber is tuned to it.
-        speed: Speed,
+        speed: ExcitationSpeed,
         /// Excitation.
         /// For the amplitudes; required for a stroke limit.
-        excitation: Option<Excitation>,
+        excitation: Option<AbsorberExcitation>,
         /// Absorber.
         absorber: LinearAbsorber,
     },
@@ -57,7 +57,7 @@ pub enum Problem {
         shaft: ShaftStiffness,
         /// Speed of the excitation.
         /// The absorber is tuned to it.
-        speed: Speed,
+        speed: ExcitationSpeed,
         /// Amplitude of the torque.
         /// For the amplitudes; required for a stroke limit.
         #[input("T", "N*m", positive)]
@@ -108,7 +108,7 @@ pub enum ShaftStiffness {
 
 /// The speed of the excitation.
 #[derive(Clone, Debug, Inputs)]
-pub enum Speed {
+pub enum ExcitationSpeed {
     /// Speed given
     Given {
         /// Speed.
@@ -125,7 +125,7 @@ pub enum Speed {
 
 /// Excitation of the machine.
 #[derive(Clone, Debug, Inputs)]
-pub enum Excitation {
+pub enum AbsorberExcitation {
     /// Force
     Force {
         /// Amplitude of the force.
@@ -258,8 +258,8 @@ impl Analysis for VibrationAbsorber {
 
     fn solve<W: Worksheet>(&self, given: &VibrationAbsorberGiven<W>, sheet: W) -> Result<(), Refusal> {
         match &given.problem {
-            ProblemGiven::Translation { mass: body, springs, speed, excitation, absorber } => {
-                let motion = Motion::Translation;
+            MainSystemGiven::Translation { mass: body, springs, speed, excitation, absorber } => {
+                let motion = AbsorberMotion::Translation;
                 let mass = mass(body, sheet);
                 let (stiffness, natural) = match springs {
                     MainSpringsGiven::Stiffness { stiffness } => (*stiffness, None),
@@ -270,25 +270,31 @@ impl Analysis for VibrationAbsorber {
                 let main = main_system(motion, mass, stiffness, natural, speed, sheet);
                 let force = match excitation {
                     None => None,
-                    Some(ExcitationGiven::Force { force }) => Some(*force),
-                    Some(ExcitationGiven::Unbalance { unbalance }) => {
+                    Some(AbsorberExcitationGiven::Force { force }) => Some(*force),
+                    Some(AbsorberExcitationGiven::Unbalance { unbalance }) => {
                         let why = ("Unbalance force at this speed", RAO.at("§3.7"));
                         Some(sheet.step("F₀", "N", *unbalance * main.speed.powi(2), why))
                     }
                 };
                 let wanted = match absorber {
-                    LinearAbsorberGiven::Stroke { stroke } => Wanted::Stroke(*stroke),
-                    LinearAbsorberGiven::Separation { separation } => Wanted::Separation(*separation),
-                    LinearAbsorberGiven::Range { range } => Wanted::Range(range.lowest, range.highest),
-                    LinearAbsorberGiven::Ratio { ratio } => Wanted::Ratio(*ratio),
-                    LinearAbsorberGiven::Mass { mass } => Wanted::Mass(*mass),
-                    LinearAbsorberGiven::Given { mass, stiffness } => Wanted::Given(*mass, *stiffness),
+                    LinearAbsorberGiven::Stroke { stroke } => AbsorberRequirement::Stroke(*stroke),
+                    LinearAbsorberGiven::Separation { separation } => {
+                        AbsorberRequirement::Separation(*separation)
+                    }
+                    LinearAbsorberGiven::Range { range } => {
+                        AbsorberRequirement::Range(range.lowest, range.highest)
+                    }
+                    LinearAbsorberGiven::Ratio { ratio } => AbsorberRequirement::Ratio(*ratio),
+                    LinearAbsorberGiven::Mass { mass } => AbsorberRequirement::Mass(*mass),
+                    LinearAbsorberGiven::Given { mass, stiffness } => {
+                        AbsorberRequirement::Given(*mass, *stiffness)
+                    }
                 };
                 main.absorbed(&wanted, force, sheet)?;
                 Ok(())
             }
-            ProblemGiven::Torsion { inertia, shaft, speed, torque, absorber, springs } => {
-                let motion = Motion::Torsion;
+            MainSystemGiven::Torsion { inertia, shaft, speed, torque, absorber, springs } => {
+                let motion = AbsorberMotion::Torsion;
                 let inertia = inertia::moment_of_inertia(inertia, sheet, "J".into());
                 let (stiffness, natural) = match shaft {
                     ShaftStiffnessGiven::Stiffness { stiffness } => (*stiffness, None),
@@ -298,17 +304,21 @@ impl Analysis for VibrationAbsorber {
                 };
                 let main = main_system(motion, inertia, stiffness, natural, speed, sheet);
                 let wanted = match absorber {
-                    TorsionalAbsorberGiven::Stroke { stroke } => Wanted::Stroke(*stroke),
-                    TorsionalAbsorberGiven::Separation { separation } => Wanted::Separation(*separation),
-                    TorsionalAbsorberGiven::Range { range } => Wanted::Range(range.lowest, range.highest),
-                    TorsionalAbsorberGiven::Ratio { ratio } => Wanted::Ratio(*ratio),
-                    TorsionalAbsorberGiven::Inertia { inertia } => Wanted::Mass(*inertia),
+                    TorsionalAbsorberGiven::Stroke { stroke } => AbsorberRequirement::Stroke(*stroke),
+                    TorsionalAbsorberGiven::Separation { separation } => {
+                        AbsorberRequirement::Separation(*separation)
+                    }
+                    TorsionalAbsorberGiven::Range { range } => {
+                        AbsorberRequirement::Range(range.lowest, range.highest)
+                    }
+                    TorsionalAbsorberGiven::Ratio { ratio } => AbsorberRequirement::Ratio(*ratio),
+                    TorsionalAbsorberGiven::Inertia { inertia } => AbsorberRequirement::Mass(*inertia),
                     TorsionalAbsorberGiven::Given { inertia, stiffness } => {
-                        Wanted::Given(*inertia, *stiffness)
+                        AbsorberRequirement::Given(*inertia, *stiffness)
                     }
                 };
                 let stiffness = main.absorbed(&wanted, *torque, sheet)?;
-                if let (Some(given), Problem::Torsion { springs: Some(springs), .. }) =
+                if let (Some(given), MainSystem::Torsion { springs: Some(springs), .. }) =
                     (springs, &self.problem)
                 {
                     let each = stiffness / (given.radius.powi(2) * f64::from(springs.count));
@@ -333,7 +343,7 @@ impl Analysis for VibrationAbsorber {
                 }
                 Ok(())
             }
-            ProblemGiven::Trial { body, tuned, lower, upper, kept_out } => {
+            MainSystemGiven::Trial { body, tuned, lower, upper, kept_out } => {
                 trial::solve(body, *tuned, [*lower, *upper], kept_out.as_ref(), sheet)
             }
         }

@@ -12,7 +12,7 @@ use dalembert_numerics::intervals::IntervalSet;
 mod record;
 
 use crate::{
-    shared::oscillator::{is_one, plots, put_up},
+    shared::oscillator::{is_one, plots, resisting_force},
     sources::{RAO, THOMSON},
 };
 
@@ -26,7 +26,7 @@ pub struct VibrationInstrument {
     #[input("ωₙ", "Hz", positive)]
     pub natural_frequency: f64,
     /// Damping.
-    pub damping: Damping,
+    pub damping: InstrumentDamping,
     /// Allowed error.
     /// Of the amplitude, up or down: the frequencies within it are reported.
     #[input("p", "%", positive, below = 100)]
@@ -37,7 +37,7 @@ pub struct VibrationInstrument {
     pub frequency: Option<f64>,
     /// Reading.
     /// The true motion at that frequency is computed.
-    pub reading: Option<Reading>,
+    pub reading: Option<InstrumentReading>,
     /// Harmonic components of a motion.
     /// How each tone is recorded, and whether the record preserves the waveform.
     #[input(table)]
@@ -69,7 +69,7 @@ pub enum Instrument {
 
 /// Damping of the seismic mass.
 #[derive(Clone, Debug, Inputs)]
-pub enum Damping {
+pub enum InstrumentDamping {
     /// Damping ratio given
     Ratio {
         /// Damping ratio.
@@ -87,7 +87,7 @@ pub enum Damping {
 
 /// Reading of the instrument.
 #[derive(Clone, Debug, Inputs)]
-pub enum Reading {
+pub enum InstrumentReading {
     /// Displacement
     /// The relative motion of the seismic mass, as a vibrometer shows it.
     Displacement {
@@ -164,8 +164,8 @@ impl Analysis for VibrationInstrument {
 
 fn damping_ratio<W: Worksheet>(given: &VibrationInstrumentGiven<W>, sheet: W) -> Result<W::Num, Refusal> {
     match &given.damping {
-        DampingGiven::Ratio { ratio } => Ok(*ratio),
-        DampingGiven::DampedFrequency { frequency } => {
+        InstrumentDampingGiven::Ratio { ratio } => Ok(*ratio),
+        InstrumentDampingGiven::DampedFrequency { frequency } => {
             let natural = given.natural_frequency;
             if frequency.value() > natural.value() {
                 return Err(Refusal::because(
@@ -265,7 +265,7 @@ impl VibrationInstrument {
                 Instrument::Vibrometer => ratio.powi(2),
                 Instrument::Accelerometer => one,
             };
-            let ([in_phase, across], size) = put_up([ratio, zeta], factor, frequency * delay);
+            let ([in_phase, across], size) = resisting_force([ratio, zeta], factor, frequency * delay);
             let what =
                 "equation of relative motion with this delay: component in phase with the motion of the case";
             sheet.check_sum(what, in_phase, drive, size);
@@ -274,7 +274,7 @@ impl VibrationInstrument {
         });
         let natural = given.natural_frequency;
         let compared_with = |relative: W::Num, motion: W::Num, acceleration: W::Num| {
-            let ([in_phase, _], _) = put_up([ratio, zeta], relative, lag);
+            let ([in_phase, _], _) = resisting_force([ratio, zeta], relative, lag);
             let what = "equation of the relative motion under the true acceleration";
             sheet.check(what, in_phase * natural.powi(2), acceleration);
             let what = "equation of the relative motion under the true displacement";
@@ -282,7 +282,7 @@ impl VibrationInstrument {
         };
         match (&given.reading, self.instrument) {
             (None, _) => {}
-            (Some(ReadingGiven::Displacement { amplitude }), Instrument::Vibrometer) => {
+            (Some(InstrumentReadingGiven::Displacement { amplitude }), Instrument::Vibrometer) => {
                 let why = ("True amplitude for the given reading", RAO.at("§10.3"));
                 let motion = sheet.step("Y", "mm", *amplitude / factor, why);
                 let why = "Its acceleration";
@@ -291,7 +291,7 @@ impl VibrationInstrument {
                 sheet.answer("acceleration", "True acceleration", acceleration);
                 sheet.verify(|| compared_with(*amplitude, motion, acceleration));
             }
-            (Some(ReadingGiven::Acceleration { acceleration }), Instrument::Accelerometer) => {
+            (Some(InstrumentReadingGiven::Acceleration { acceleration }), Instrument::Accelerometer) => {
                 let why = ("True acceleration for the given reading", RAO.at("§10.3"));
                 let truth = sheet.step("A", "m/s^2", *acceleration / factor, why);
                 let why = "Amplitude of the motion with this acceleration";
@@ -353,7 +353,7 @@ impl VibrationInstrument {
             "Frequency ratio at which the allowed error is reached: a root of the quadratic equation in r² of the error",
             RAO.at("§10.3"),
         );
-        let limit = sheet.found("r_p", "1", limit, why);
+        let limit = sheet.numerical("r_p", "1", limit, why);
         let high = self.factor(limit, zeta).value() > 1.0;
         let reached = if high { error + 1.0 } else { W::Num::from(1.0) - error };
         let rounding = "the error of the reading at that ratio equals the allowed error";

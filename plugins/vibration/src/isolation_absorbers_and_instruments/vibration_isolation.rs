@@ -10,7 +10,9 @@ mod pictures;
 mod shock;
 
 use crate::{
-    shared::oscillator::{Body, DampingGiven, Elasticity, Loss, Mass, Suspension, mass, suspension},
+    shared::oscillator::{
+        DampingGiven, Elasticity, Loss, Mass, MassAndStiffness, Suspension, mass, suspension,
+    },
     sources::{RAO, THOMSON},
 };
 
@@ -32,12 +34,12 @@ pub struct VibrationIsolation {
     #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
     pub gravity: f64,
     /// Question.
-    pub question: Question,
+    pub question: IsolationTask,
 }
 
 /// Quantity to compute of the mounts.
 #[derive(Clone, Debug, Inputs)]
-pub enum Question {
+pub enum IsolationTask {
     /// Mounts for a required isolation
     Design {
         /// Required.
@@ -179,10 +181,10 @@ impl Analysis for VibrationIsolation {
         };
         let mounts = Mounts { mass, count: f64::from(self.mounts), gravity: given.gravity };
         match &given.question {
-            QuestionGiven::Design { required, damping_ratio, speeds, disturbance } => {
+            IsolationTaskGiven::Design { required, damping_ratio, speeds, disturbance } => {
                 mounts.design(required, *damping_ratio, speeds, disturbance.as_ref(), sheet)
             }
-            QuestionGiven::Judge { elasticity, damping, speeds, disturbance, required } => {
+            IsolationTaskGiven::Judge { elasticity, damping, speeds, disturbance, required } => {
                 let damping = match damping {
                     MountDampingGiven::Ratio { ratio } => DampingGiven::Ratio { ratio: *ratio },
                     MountDampingGiven::Coefficient { coefficient } => {
@@ -190,9 +192,9 @@ impl Analysis for VibrationIsolation {
                     }
                 };
                 let suspension = suspension(Some(mass), elasticity, &damping, sheet)?;
-                mounts.judge(&suspension, required.as_ref(), speeds, disturbance.as_ref(), sheet)
+                mounts.answer_isolation(&suspension, required.as_ref(), speeds, disturbance.as_ref(), sheet)
             }
-            QuestionGiven::Shock { arrival, acceleration, travel } => {
+            IsolationTaskGiven::Shock { arrival, acceleration, travel } => {
                 shock::solve(&mounts, arrival, *acceleration, *travel, sheet)
             }
         }
@@ -278,7 +280,7 @@ impl<N: Real> Mounts<N> {
     }
 
     /// Given mounts.
-    fn judge<W: Worksheet<Num = N>>(
+    fn answer_isolation<W: Worksheet<Num = N>>(
         &self,
         suspension: &Suspension<N>,
         required: Option<&RequirementGiven<W>>,
@@ -286,7 +288,7 @@ impl<N: Real> Mounts<N> {
         disturbance: Option<&DisturbanceGiven<W>>,
         sheet: W,
     ) -> Result<(), Refusal> {
-        let (Some(Body { stiffness, .. }), Loss::Viscous(zeta, Some(damping))) =
+        let (Some(MassAndStiffness { stiffness, .. }), Loss::Viscous(zeta, Some(damping))) =
             (suspension.body, suspension.loss)
         else {
             unreachable!("the mass is given and the damping is viscous")
@@ -441,7 +443,7 @@ impl<N: Real> Mounts<N> {
         } else {
             let peak = || {
                 let how = "Frequency ratio at maximum force: the slope of r² TR is zero there";
-                let ratio = sheet.found("r_F", "1", worst, how);
+                let ratio = sheet.numerical("r_F", "1", worst, how);
                 let (u, a) = (worst * worst, 4.0 * zeta.value() * zeta.value());
                 let terms = [a * u * u * u, 2.0 * a * (a - 2.0) * u * u, (4.0 * a - 2.0) * u, 2.0];
                 let scale = terms.iter().map(|term| term.abs()).sum();

@@ -8,7 +8,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real, sdof,
-    vibration::duffing::{self, Duffing, Steady},
+    vibration::duffing::{self, Duffing, DuffingResponse},
 };
 
 mod checks;
@@ -29,12 +29,12 @@ pub struct DuffingOscillator {
     #[input("h", "N/m^3")]
     pub cubic: f64,
     /// Motion.
-    pub motion: Motion,
+    pub motion: DuffingMotion,
 }
 
 /// Type of motion: free or forced.
 #[derive(Clone, Debug, Inputs)]
-pub enum Motion {
+pub enum DuffingMotion {
     /// Free, released from rest
     Free {
         /// Amplitude.
@@ -86,12 +86,12 @@ impl Analysis for DuffingOscillator {
             );
         });
         match (&self.motion, &given.motion) {
-            (Motion::Free { amplitude: a }, MotionGiven::Free { amplitude }) => {
+            (DuffingMotion::Free { amplitude: a }, DuffingMotionGiven::Free { amplitude }) => {
                 self.free(given, *a, *amplitude, sheet)
             }
             (
-                Motion::Forced { damping: c, force: f, frequency: w },
-                MotionGiven::Forced { damping, force, frequency },
+                DuffingMotion::Forced { damping: c, force: f, frequency: w },
+                DuffingMotionGiven::Forced { damping, force, frequency },
             ) => {
                 let oscillator = Duffing { damping: *c, ..self.undamped() };
                 self.forced(given, &oscillator, [*f, *w], [*damping, *force, *frequency], sheet)
@@ -218,7 +218,7 @@ impl DuffingOscillator {
             } else {
                 "Root of the balance of the first harmonic; unstable: a larger amplitude requires a smaller force, so it jumps away"
             };
-            let amplitude = sheet.found(("A", n), "mm", one.amplitude, (how, NAYFEH.at("§4.1")));
+            let amplitude = sheet.numerical(("A", n), "mm", one.amplitude, (how, NAYFEH.at("§4.1")));
             let held =
                 given.stiffness - given.mass * frequency.powi(2) + given.cubic * amplitude.powi(2) * 0.75;
             // Near resonance the force is a small difference of spring and inertia.
@@ -233,7 +233,7 @@ impl DuffingOscillator {
                 );
             });
             sheet.answer(("amplitude", n), "Amplitude of the first harmonic", amplitude);
-            let lag = sheet.found(("φ", n), "deg", one.lag, "The motion lags the force by");
+            let lag = sheet.numerical(("φ", n), "deg", one.lag, "The motion lags the force by");
             sheet.answer(("phase", n), "Phase lag", lag);
             sheet.verify(|| {
                 let size =
@@ -253,7 +253,7 @@ impl DuffingOscillator {
             });
             if let Some(both) = oscillator.two_harmonics(f, w, one) {
                 let [_, third] = both.amplitudes();
-                let largest = sheet.found(
+                let largest = sheet.numerical(
                     ("X", n),
                     "mm",
                     both.amplitude(),
@@ -267,7 +267,7 @@ impl DuffingOscillator {
                     "Maximum displacement with the third harmonic",
                     largest,
                 );
-                let third = sheet.found(("A‴", n), "mm", third, "Amplitude of the third harmonic");
+                let third = sheet.numerical(("A‴", n), "mm", third, "Amplitude of the third harmonic");
                 sheet.answer(("third_harmonic", n), "Amplitude of the third harmonic", third);
                 sheet.verify(|| {
                     checks::two_harmonics(oscillator, [f, w], one.amplitude, &both, [largest, third], sheet);
@@ -318,14 +318,15 @@ impl DuffingOscillator {
         }
         let jumps = oscillator.jumps(f);
         for (n, (at, amplitude)) in (1..).zip(&jumps) {
-            let at = sheet.found(
+            let at = sheet.numerical(
                 ("ω_J", n),
                 "rad/s",
                 *at,
                 "Vertical tangent of the response curve: jump of the amplitude",
             );
             sheet.answer(("jump_frequency", n), "Frequency of a jump", at);
-            let amplitude = sheet.found(("A_J", n), "mm", *amplitude, "Amplitude at which the jump occurs");
+            let amplitude =
+                sheet.numerical(("A_J", n), "mm", *amplitude, "Amplitude at which the jump occurs");
             sheet.answer(("jump_amplitude", n), "Amplitude before the jump", amplitude);
             sheet.verify(|| {
                 let hardening = given.cubic * amplitude.powi(2) * 0.75;
@@ -382,7 +383,7 @@ fn backbone_plot(oscillator: &Duffing, amplitude: f64, period: f64) -> Plot {
 fn response_plot(
     oscillator: &Duffing,
     force: f64,
-    (at, steady): (f64, &[Steady]),
+    (at, steady): (f64, &[DuffingResponse]),
     jumps: &[(f64, f64)],
 ) -> Plot {
     let natural = (oscillator.stiffness / oscillator.mass).sqrt();
@@ -422,8 +423,8 @@ fn response_plot(
     plot
 }
 
-fn table(steady: &[Steady]) -> TableExhibit {
-    let row = |one: &Steady| {
+fn table(steady: &[DuffingResponse]) -> TableExhibit {
+    let row = |one: &DuffingResponse| {
         let word = if one.stable { "stable" } else { "unstable" };
         vec![Cell::from(one.amplitude), Cell::from(one.lag), Cell::from(word)]
     };

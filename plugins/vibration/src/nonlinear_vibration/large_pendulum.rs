@@ -128,13 +128,13 @@ impl Analysis for LargePendulum {
         sheet.answer("largest_angular_velocity", "Maximum angular velocity", fastest);
         if let (Some(t), Some(instant)) = (self.instant, instant) {
             let (angle, rate) = self.motion(t);
-            let angle = sheet.found(
+            let angle = sheet.numerical(
                 "θ",
                 "deg",
                 angle,
                 ("sin(θ/2) = κ sn(K(κ) + ω₀ t), with Jacobi's function sn", ABRAMOWITZ.at("§16.4")),
             );
-            let rate = sheet.found("θ′", "rad/s", rate, "θ′ = 2 κ ω₀ cn(K(κ) + ω₀ t)");
+            let rate = sheet.numerical("θ′", "rad/s", rate, "θ′ = 2 κ ω₀ cn(K(κ) + ω₀ t)");
             sheet.check_zero(
                 "energy at the instant is that at the start",
                 rate.powi(2) / 2.0 - *gravity / *length * (angle.cos() - amplitude.cos()),

@@ -141,7 +141,7 @@ impl Analysis for PiecewiseSpring {
             sheet.step("A", "mm", corner + beyond, "Maximum displacement")
         };
         let reach = amplitude.value();
-        let period = sheet.found(
+        let period = sheet.numerical(
             "T",
             "s",
             spring.period(self.mass, reach),
@@ -176,7 +176,7 @@ impl Analysis for PiecewiseSpring {
         sheet.answer("period", "Period", period);
         sheet.answer("frequency", "Frequency", frequency);
         sheet.answer("largest_speed", "Maximum velocity", speed);
-        let largest_force = sheet.found(
+        let largest_force = sheet.numerical(
             "Fₘₐₓ",
             "N",
             force,

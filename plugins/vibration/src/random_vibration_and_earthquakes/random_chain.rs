@@ -12,7 +12,7 @@ use dalembert_mechanics::{
 
 use crate::{
     shared::{
-        chain::{self, Link, Mode},
+        chain::{self, ChainMass, WorkedMode},
         spectral_density::{AccelerationDensity, Spectrum, not_found},
     },
     sources::{CHOPRA, RAO},
@@ -24,7 +24,7 @@ pub struct RandomChain {
     /// Masses and springs.
     /// Starting from the base.
     #[input(min = 1)]
-    pub links: Vec<Link>,
+    pub links: Vec<ChainMass>,
     /// Damping ratio of every mode.
     #[input("ζ", "1", nonnegative, default = "0.02")]
     pub ratio: f64,
@@ -80,9 +80,9 @@ enum Response {
 }
 
 impl Excited {
-    fn new<N: Real>(modes: &[Mode<N>], ratio: f64, spectrum: Spectrum) -> Self {
+    fn new<N: Real>(modes: &[WorkedMode<N>], ratio: f64, spectrum: Spectrum) -> Self {
         let at = |mass: usize| {
-            let mode = |mode: &Mode<N>| {
+            let mode = |mode: &WorkedMode<N>| {
                 (Resonance { natural: mode.numbers.natural, ratio }, mode.shares[mass].value())
             };
             modes.iter().map(mode).collect()
@@ -150,8 +150,12 @@ impl Excited {
                 "Absolute acceleration of this mass: the base acceleration is added before squaring"
             }
         };
-        let value =
-            sheet.found(Symbol::from(symbol).row(mass + 1), unit, integral.sqrt(), (why, RAO.at("ch. 14")));
+        let value = sheet.numerical(
+            Symbol::from(symbol).row(mass + 1),
+            unit,
+            integral.sqrt(),
+            (why, RAO.at("ch. 14")),
+        );
         sheet.verify(|| match self.partial_fractions(mass, response) {
             Some((closed, scale)) => sheet.check_zero(
                 "mean square by partial fractions, mode by mode with their cross terms",

@@ -10,7 +10,7 @@ use dalembert_mechanics::{
 
 use crate::{
     shared::{
-        free_motion::{System, system},
+        free_motion::{DampedOscillator, system},
         oscillator::{Damping, Elasticity, Mass, mass},
         spectral_density::{
             AccelerationDensity, AccelerationDensityGiven, ForceDensity, ForceDensityGiven, Spectrum,
@@ -32,12 +32,12 @@ pub struct RandomResponse {
     pub damping: Damping,
     /// Excitation.
     /// Stationary, Gaussian, zero mean.
-    pub excitation: Excitation,
+    pub excitation: RandomExcitation,
 }
 
 /// Excitation of the mass.
 #[derive(Clone, Debug, Inputs)]
-pub enum Excitation {
+pub enum RandomExcitation {
     /// Base acceleration
     Base {
         /// Power spectral density of the acceleration.
@@ -75,8 +75,8 @@ impl Analysis for RandomResponse {
         sheet.answer("natural_frequency", "Natural frequency", system.natural);
         sheet.answer("damping_ratio", "Damping ratio", system.ratio);
         let (spectrum, scale) = match &self.excitation {
-            Excitation::Base { density } => (density.spectrum()?, 1.0),
-            Excitation::Force { density } => {
+            RandomExcitation::Base { density } => (density.spectrum()?, 1.0),
+            RandomExcitation::Force { density } => {
                 let body = system.body.ok_or_else(|| {
                     Refusal::because(
                         "a force moves a mass: give the mass in addition to the natural frequency",
@@ -94,7 +94,7 @@ impl Analysis for RandomResponse {
             });
         }
         match &given.excitation {
-            ExcitationGiven::Base { density } => {
+            RandomExcitationGiven::Base { density } => {
                 let level = match density {
                     AccelerationDensityGiven::White { level } => {
                         Some(sheet.step("S₀", "m^2/s^3/rad", *level, PER_RADIAN))
@@ -103,7 +103,7 @@ impl Analysis for RandomResponse {
                 };
                 problem.base(level, sheet)?;
             }
-            ExcitationGiven::Force { density } => {
+            RandomExcitationGiven::Force { density } => {
                 let level = match density {
                     ForceDensityGiven::White { level } => {
                         Some(sheet.step("S₀", "N^2*s/rad", *level, PER_RADIAN))
@@ -113,7 +113,7 @@ impl Analysis for RandomResponse {
                 problem.force(level, sheet)?;
             }
         }
-        sheet.show(|| Exhibit::Plot(problem.plot(matches!(self.excitation, Excitation::Base { .. }))));
+        sheet.show(|| Exhibit::Plot(problem.plot(matches!(self.excitation, RandomExcitation::Base { .. }))));
         Ok(())
     }
 }
@@ -126,7 +126,7 @@ struct Random<N> {
     spectrum: Spectrum,
     /// Factor from the density to that of an acceleration: one over the square of the mass for a force.
     scale: f64,
-    system: System<N>,
+    system: DampedOscillator<N>,
 }
 
 /// Weight of a response quantity: `∫ (a + b ω²) ω^m |H|² S dω`.
@@ -144,7 +144,7 @@ impl<N: Real> Random<N> {
 
     /// The relative displacement and the absolute acceleration of a mass on a base.
     fn base<W: Worksheet<Num = N>>(&self, level: Option<N>, sheet: W) -> Result<(), Refusal> {
-        let System { natural, ratio, .. } = self.system;
+        let DampedOscillator { natural, ratio, .. } = self.system;
         let displacement = self.rms(
             ["σ_z", "mm"],
             Weight { power: 0, constant: 1.0, square: 0.0 },
@@ -174,7 +174,7 @@ impl<N: Real> Random<N> {
             Some(level) => Some(level),
             None if self.spectrum.reaches(wn) => {
                 let why = "Power spectral density of the acceleration at the natural frequency";
-                Some(sheet.found("S_n", "m^2/s^4/Hz", self.spectrum.at(wn), why))
+                Some(sheet.numerical("S_n", "m^2/s^4/Hz", self.spectrum.at(wn), why))
             }
             None => None,
         };
@@ -207,7 +207,7 @@ impl<N: Real> Random<N> {
 
     /// The displacement of a mass under a force, and the force on its support.
     fn force<W: Worksheet<Num = N>>(&self, level: Option<N>, sheet: W) -> Result<(), Refusal> {
-        let System { natural, ratio, .. } = self.system;
+        let DampedOscillator { natural, ratio, .. } = self.system;
         let body = self.system.body.expect("a force has a mass to move");
         let level = level.map(|level| level / body.mass.powi(2));
         let displacement = self.rms(
@@ -314,7 +314,7 @@ impl<N: Real> Random<N> {
         let integral = self.integral(weight)?;
         let reason = Text::new("{what}: the integral of |H|²S over the frequency, by adaptive quadrature")
             .with_text("what", why);
-        let value = sheet.found(symbol, unit, integral.sqrt(), (reason, RAO.at("ch. 14")));
+        let value = sheet.numerical(symbol, unit, integral.sqrt(), (reason, RAO.at("ch. 14")));
         sheet.verify(|| match self.partial_fractions(weight) {
             Some((closed, scale)) => sheet.check_zero(
                 "mean square by partial fractions over the band",

@@ -19,7 +19,7 @@ mod combination;
 use self::combination::combined;
 use crate::{
     shared::{
-        chain::{self, Link, LinkGiven},
+        chain::{self, ChainMass, ChainMassGiven},
         section::{Section, second_moment},
     },
     sources::{BEER, BIGGS, CHOPRA, RAO},
@@ -46,7 +46,7 @@ pub enum Structure {
         /// Masses and springs.
         /// Starting from the base.
         #[input(min = 1)]
-        links: Vec<Link>,
+        links: Vec<ChainMass>,
     },
     /// Modes given
     Modes {
@@ -223,7 +223,7 @@ impl<W: Worksheet> Problem<'_, W> {
         Ok(sheet.step(Symbol::from("S_d").row(n), "mm", value, (why, CHOPRA.at("§6.6"))))
     }
 
-    fn chain(&self, links: &[LinkGiven<W>], sheet: W) -> Result<(), Refusal> {
+    fn chain(&self, links: &[ChainMassGiven<W>], sheet: W) -> Result<(), Refusal> {
         let modes = chain::modes(links, sheet)?;
         let naturals: Vec<W::Num> = modes.iter().map(|mode| mode.natural).collect();
         let mut spectral = Vec::new();
@@ -266,7 +266,7 @@ impl<W: Worksheet> Problem<'_, W> {
                 "Maximum force on the base in this mode: its effective mass times its pseudo-acceleration",
                 CHOPRA.at("§13.2"),
             );
-            let mass = sheet.found(
+            let mass = sheet.numerical(
                 Symbol::from("m*").row(n + 1),
                 "kg",
                 mode.numbers.participation.powi(2),
@@ -464,7 +464,7 @@ fn interpolated<W: Worksheet>(
     match above.checked_sub(1) {
         Some(row) if points[row].frequency == omega => {
             let why = said("Pseudo-acceleration of this mode: row {row} of the spectrum", row);
-            return Ok(sheet.found(symbol, "m/s^2", points[row].acceleration, why));
+            return Ok(sheet.numerical(symbol, "m/s^2", points[row].acceleration, why));
         }
         Some(_) if above < points.len() => {}
         _ => {
@@ -476,10 +476,10 @@ fn interpolated<W: Worksheet>(
     }
     let row = |at: usize, frequency: &'static str, acceleration: &'static str| {
         let why = said("Frequency of row {row} of the spectrum", at);
-        let frequency = sheet.found(Symbol::from(frequency).row(n), "Hz", points[at].frequency, why);
+        let frequency = sheet.numerical(Symbol::from(frequency).row(n), "Hz", points[at].frequency, why);
         let why = said("Pseudo-acceleration of row {row} of the spectrum", at);
         let acceleration =
-            sheet.found(Symbol::from(acceleration).row(n), "m/s^2", points[at].acceleration, why);
+            sheet.numerical(Symbol::from(acceleration).row(n), "m/s^2", points[at].acceleration, why);
         (frequency, acceleration)
     };
     let (f_l, s_l) = row(above - 1, "f_l", "S_l");

@@ -14,8 +14,8 @@ use nalgebra::{Complex, DMatrix, DVector};
 use crate::{
     shared::system::{
         Assembled, System, assemble,
-        damping::{Damping, ModalDamping, in_modes},
-        modes::{Found, find},
+        damping::{ModalDamping, SystemDamping, in_modes},
+        modes::{WorkedModes, find},
         picture,
     },
     sources::{EWINS, RAO},
@@ -30,7 +30,7 @@ pub struct FrequencyResponseMatrix {
     /// System.
     pub system: System,
     /// Damping.
-    pub damping: Damping,
+    pub damping: SystemDamping,
     /// Forces.
     /// All at the same frequency. A single force of 1 N gives a column of the frequency response matrix.
     #[input(min = 1)]
@@ -38,7 +38,7 @@ pub struct FrequencyResponseMatrix {
     /// Frequencies.
     /// At which the response is requested.
     #[input(table)]
-    pub frequencies: Vec<AskedFrequency>,
+    pub frequencies: Vec<OutputFrequency>,
     /// Observed coordinates.
     #[input(min = 1)]
     pub observed: Vec<Observed>,
@@ -66,7 +66,7 @@ pub struct HarmonicForce {
 
 /// A frequency that is asked for.
 #[derive(Clone, Debug, Inputs)]
-pub struct AskedFrequency {
+pub struct OutputFrequency {
     /// Frequency.
     #[input("ω", "Hz", nonnegative, default_before = "rad/s")]
     pub frequency: f64,
@@ -190,7 +190,7 @@ impl FrequencyResponseMatrix {
         system: &Assembled<N>,
         damped: &ModalDamping,
         force: &DVector<Complex<f64>>,
-        found: &Found<N>,
+        found: &WorkedModes<N>,
     ) -> Result<DVector<Complex<f64>>, Refusal> {
         let square = frequency * frequency;
         let largest = found.modes.squares.last().copied().unwrap_or(0.0);
@@ -239,7 +239,8 @@ impl FrequencyResponseMatrix {
             return None;
         }
         let row = |base: &'static str, at: usize| Symbol::from(base).row(place + 1).row(at);
-        let frequency = sheet.found(("ω", place + 1), "rad/s", frequency, "From the table of frequencies");
+        let frequency =
+            sheet.numerical(("ω", place + 1), "rad/s", frequency, "From the table of frequencies");
         let square = frequency.powi(2);
         let z1 = sheet.step(
             row("Z", 1),
@@ -303,9 +304,9 @@ impl FrequencyResponseMatrix {
                     );
                     both[at - 1]
                 }
-                None => sheet.found(symbol("Re"), unit, clean(value.re), (why, RAO.at("§6.15"))),
+                None => sheet.numerical(symbol("Re"), unit, clean(value.re), (why, RAO.at("§6.15"))),
             };
-            let imaginary = sheet.found(
+            let imaginary = sheet.numerical(
                 symbol("Im"),
                 unit,
                 clean(value.im),
@@ -333,7 +334,7 @@ impl FrequencyResponseMatrix {
         frequency: f64,
         damped: &ModalDamping,
         force: &DVector<Complex<f64>>,
-        found: &Found<W::Num>,
+        found: &WorkedModes<W::Num>,
         answered: &[Answered],
         sheet: W,
     ) {
@@ -364,7 +365,7 @@ impl FrequencyResponseMatrix {
         system: &Assembled<W::Num>,
         damped: &ModalDamping,
         force: &DVector<Complex<f64>>,
-        found: &Found<W::Num>,
+        found: &WorkedModes<W::Num>,
         table: &[(f64, DVector<Complex<f64>>)],
         sheet: W,
     ) {
@@ -476,7 +477,7 @@ fn matrix<N>(system: &Assembled<N>, damped: &ModalDamping, frequency: f64) -> Op
 fn by_modes<N>(
     damped: &ModalDamping,
     force: &DVector<Complex<f64>>,
-    found: &Found<N>,
+    found: &WorkedModes<N>,
     frequency: f64,
 ) -> Option<DVector<Complex<f64>>> {
     let rows = (0..force.len()).map(|row| Some(curve(damped, force, found, row, &[frequency])?[0]));
@@ -487,7 +488,7 @@ fn by_modes<N>(
 fn curve<N>(
     damped: &ModalDamping,
     force: &DVector<Complex<f64>>,
-    found: &Found<N>,
+    found: &WorkedModes<N>,
     row: usize,
     grid: &[f64],
 ) -> Option<Vec<Complex<f64>>> {

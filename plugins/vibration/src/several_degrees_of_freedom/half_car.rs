@@ -9,7 +9,7 @@ use nalgebra::DMatrix;
 use crate::{
     shared::system::{
         Assembled,
-        damping::{Damping, DampingGiven, in_modes},
+        damping::{SystemDamping, SystemDampingGiven, in_modes},
         modal_properties::modal_properties,
         modes::{find, largest_one},
     },
@@ -122,8 +122,8 @@ impl Analysis for HalfCar {
         let system = Assembled { mass, damping, stiffness, two: None, parallel: true };
         let found = find(&system, sheet)?;
         let damped = in_modes(
-            &Damping::Dampers,
-            &DampingGiven::Dampers {},
+            &SystemDamping::Dampers,
+            &SystemDampingGiven::Dampers {},
             &system.damping,
             &system.mass,
             &found.modes,

@@ -9,9 +9,9 @@ use nalgebra::DMatrix;
 use crate::{
     shared::system::{
         Assembled, System, assemble,
-        damping::{Damping, ModalDamping, in_modes},
+        damping::{ModalDamping, SystemDamping, in_modes},
         modal_properties::modal_properties,
-        modes::{Found, SHOWN, find, largest_one},
+        modes::{SHOWN, WorkedModes, find, largest_one},
         picture,
     },
     sources::{EWINS, RAO},
@@ -26,7 +26,7 @@ pub struct ModalAnalysis {
     /// System.
     pub system: System,
     /// Damping.
-    pub damping: Damping,
+    pub damping: SystemDamping,
     /// Mode normalisation.
     pub normalisation: Normalisation,
 }
@@ -141,7 +141,7 @@ impl ModalAnalysis {
     fn exhibits<W: Worksheet>(
         &self,
         system: &Assembled<W::Num>,
-        found: &Found<W::Num>,
+        found: &WorkedModes<W::Num>,
         damped: &ModalDamping,
         shapes: &[Vec<f64>],
         sheet: W,

@@ -7,7 +7,7 @@ use dalembert_mechanics::{
     Real,
     vibration::{
         poles::Poles,
-        response::{Excitation, Harmonic, Motion, Piece, Push, state_by_series},
+        response::{ForceSegment, HarmonicLoad, Push, TimeExcitation, TimeResponse, state_by_series},
     },
 };
 use nalgebra::{Complex, DMatrix, DVector};
@@ -15,8 +15,8 @@ use nalgebra::{Complex, DMatrix, DVector};
 use crate::{
     shared::system::{
         Assembled, System, assemble,
-        damping::{Damping, ModalDamping, in_modes},
-        modes::{Found, find},
+        damping::{ModalDamping, SystemDamping, in_modes},
+        modes::{WorkedModes, find},
         picture,
     },
     sources::RAO,
@@ -35,16 +35,16 @@ pub struct MultiDegreeResponse {
     /// System.
     pub system: System,
     /// Damping.
-    pub damping: Damping,
+    pub damping: SystemDamping,
     /// Initial conditions.
     /// Coordinates that are not listed start from rest.
-    pub start: Vec<Start>,
+    pub start: Vec<InitialCondition>,
     /// Forces.
     pub forces: Vec<Force>,
     /// Times.
     /// At which the motion is requested.
     #[input(table)]
-    pub times: Vec<AskedTime>,
+    pub times: Vec<OutputTime>,
     /// Observed coordinates.
     #[input(min = 1)]
     pub observed: Vec<Observed>,
@@ -55,7 +55,7 @@ pub struct MultiDegreeResponse {
 
 /// Initial condition of a coordinate.
 #[derive(Clone, Debug, Inputs)]
-pub struct Start {
+pub struct InitialCondition {
     /// Coordinate.
     #[input(min = 1, max = 500)]
     pub coordinate: usize,
@@ -74,12 +74,12 @@ pub struct Force {
     #[input(min = 1, max = 500)]
     pub coordinate: usize,
     /// Time history.
-    pub course: Course,
+    pub course: ForceHistory,
 }
 
 /// Time history of a force.
 #[derive(Clone, Debug, Inputs)]
-pub enum Course {
+pub enum ForceHistory {
     /// Step: constant from its start
     Step {
         /// Force.
@@ -143,7 +143,7 @@ pub struct ForcePoint {
 
 /// A time that is asked for.
 #[derive(Clone, Debug, Inputs)]
-pub struct AskedTime {
+pub struct OutputTime {
     /// Time.
     #[input("t", "s", nonnegative)]
     pub time: f64,
@@ -189,7 +189,7 @@ impl Analysis for MultiDegreeResponse {
             )
         })?;
         let momentum = found.modes.shapes.transpose() * &system.mass;
-        let motion = Motion::new(&poles, &momentum, &excitation);
+        let motion = TimeResponse::new(&poles, &momentum, &excitation);
         self.write(&system, &damped, &excitation, &poles, &motion, sheet)?;
         self.resonance(&found, &damped, sheet);
         sheet.show(|| Exhibit::Drawing(picture::at_rest(&self.system)));
@@ -200,7 +200,7 @@ impl Analysis for MultiDegreeResponse {
 
 impl MultiDegreeResponse {
     /// The start and the forces, as vectors over all coordinates.
-    fn excitation(&self, n: usize) -> Result<Excitation, Refusal> {
+    fn excitation(&self, n: usize) -> Result<TimeExcitation, Refusal> {
         let all =
             self.start.iter().map(|row| row.coordinate).chain(self.forces.iter().map(|row| row.coordinate));
         if let Some(wrong) = all.chain(self.observed.iter().map(|row| row.coordinate)).find(|&at| at > n) {
@@ -210,7 +210,7 @@ impl MultiDegreeResponse {
         if self.times.len() > 50 || self.observed.len() > 50 {
             return Err(Refusal::because("at most 50 times and 50 coordinates are computed at a time"));
         }
-        let mut excitation = Excitation {
+        let mut excitation = TimeExcitation {
             position: DVector::zeros(n),
             velocity: DVector::zeros(n),
             pushes: Vec::new(),
@@ -224,32 +224,32 @@ impl MultiDegreeResponse {
             let on =
                 |size: f64| DVector::from_fn(n, |at, _| if at + 1 == row.coordinate { size } else { 0.0 });
             let (force, pieces) = match &row.course {
-                Course::Harmonic { force, frequency, lag } => {
-                    excitation.harmonics.push(Harmonic {
+                ForceHistory::Harmonic { force, frequency, lag } => {
+                    excitation.harmonics.push(HarmonicLoad {
                         force: on(*force),
                         frequency: *frequency,
                         lag: *lag,
                     });
                     continue;
                 }
-                Course::Step { force, start } => {
-                    (*force, vec![Piece { start: *start, value: 1.0, slope: 0.0 }])
+                ForceHistory::Step { force, start } => {
+                    (*force, vec![ForceSegment { start: *start, value: 1.0, slope: 0.0 }])
                 }
-                Course::Pulse { force, start, duration } => (
+                ForceHistory::Pulse { force, start, duration } => (
                     *force,
                     vec![
-                        Piece { start: *start, value: 1.0, slope: 0.0 },
-                        Piece { start: start + duration, value: 0.0, slope: 0.0 },
+                        ForceSegment { start: *start, value: 1.0, slope: 0.0 },
+                        ForceSegment { start: start + duration, value: 0.0, slope: 0.0 },
                     ],
                 ),
-                Course::Ramp { force, rise } => (
+                ForceHistory::Ramp { force, rise } => (
                     *force,
                     vec![
-                        Piece { start: 0.0, value: 0.0, slope: 1.0 / rise },
-                        Piece { start: *rise, value: 1.0, slope: 0.0 },
+                        ForceSegment { start: 0.0, value: 0.0, slope: 1.0 / rise },
+                        ForceSegment { start: *rise, value: 1.0, slope: 0.0 },
                     ],
                 ),
-                Course::Table { points } => (1.0, table(points)?),
+                ForceHistory::Table { points } => (1.0, table(points)?),
             };
             excitation.pushes.push(Push { force: on(force), pieces });
         }
@@ -257,7 +257,7 @@ impl MultiDegreeResponse {
     }
 
     /// Default time span of the curves.
-    fn shown<N>(&self, last_asked: f64, found: &Found<N>) -> f64 {
+    fn shown<N>(&self, last_asked: f64, found: &WorkedModes<N>) -> f64 {
         let period = found
             .modes
             .squares
@@ -265,11 +265,11 @@ impl MultiDegreeResponse {
             .find(|square| **square > 0.0)
             .map_or(0.0, |square| std::f64::consts::TAU / square.sqrt());
         let forced = self.forces.iter().map(|row| match &row.course {
-            Course::Step { start, .. } => *start,
-            Course::Pulse { start, duration, .. } => start + duration,
-            Course::Ramp { rise, .. } => *rise,
-            Course::Harmonic { frequency, .. } => 6.0 * std::f64::consts::TAU / frequency,
-            Course::Table { points } => points.iter().map(|point| point.time).fold(0.0, f64::max),
+            ForceHistory::Step { start, .. } => *start,
+            ForceHistory::Pulse { start, duration, .. } => start + duration,
+            ForceHistory::Ramp { rise, .. } => *rise,
+            ForceHistory::Harmonic { frequency, .. } => 6.0 * std::f64::consts::TAU / frequency,
+            ForceHistory::Table { points } => points.iter().map(|point| point.time).fold(0.0, f64::max),
         });
         let forced = forced.fold(0.0, f64::max);
         (1.2 * last_asked).max(forced + 3.0 * period).max(1e-9)
@@ -279,9 +279,9 @@ impl MultiDegreeResponse {
         &self,
         system: &Assembled<W::Num>,
         damped: &ModalDamping,
-        excitation: &Excitation,
+        excitation: &TimeExcitation,
         poles: &Poles,
-        motion: &Motion<'_>,
+        motion: &TimeResponse<'_>,
         sheet: W,
     ) -> Result<(), Refusal> {
         for (place, asked) in self.times.iter().enumerate() {
@@ -297,9 +297,9 @@ impl MultiDegreeResponse {
                 let why = why.with("at", at).with("place", place + 1);
                 let x = finite(poles.displacement(at - 1, &state))?;
                 let v = finite(poles.velocity(at - 1, &state))?;
-                let x = sheet.found(symbol("x"), "m", x, (why, RAO.at("§6.14")));
+                let x = sheet.numerical(symbol("x"), "m", x, (why, RAO.at("§6.14")));
                 sheet.answer(("displacement", place + 1, at), "Displacement", x);
-                let v = sheet.found(symbol("v"), "m/s", v, "Velocity at that time");
+                let v = sheet.numerical(symbol("v"), "m/s", v, "Velocity at that time");
                 sheet.answer(("velocity", place + 1, at), "Velocity", v);
                 shown.push([x.value(), v.value()]);
             }
@@ -331,9 +331,9 @@ impl MultiDegreeResponse {
     }
 
     /// A harmonic force at a natural frequency without damping: the motion is right, and grows.
-    fn resonance<W: Worksheet>(&self, found: &Found<W::Num>, damped: &ModalDamping, sheet: W) {
+    fn resonance<W: Worksheet>(&self, found: &WorkedModes<W::Num>, damped: &ModalDamping, sheet: W) {
         for row in &self.forces {
-            let Course::Harmonic { frequency, .. } = &row.course else { continue };
+            let ForceHistory::Harmonic { frequency, .. } = &row.course else { continue };
             let square = frequency * frequency;
             let near = (0..found.modes.squares.len()).find(|&mode| {
                 (found.modes.squares[mode] - square).abs() <= 1e-9 * square
@@ -354,8 +354,8 @@ impl MultiDegreeResponse {
     fn curves<W: Worksheet>(
         &self,
         poles: &Poles,
-        motion: &Motion<'_>,
-        (matrices, excitation): ([&DMatrix<f64>; 3], &Excitation),
+        motion: &TimeResponse<'_>,
+        (matrices, excitation): ([&DMatrix<f64>; 3], &TimeExcitation),
         duration: f64,
         sheet: W,
     ) -> Result<(), Refusal> {
@@ -373,13 +373,13 @@ impl MultiDegreeResponse {
                 });
                 continue;
             };
-            let largest = sheet.found(
+            let largest = sheet.numerical(
                 ("x_m", row.coordinate),
                 "m",
                 finite(farthest.value)?,
                 "Maximum displacement in the plotted time: the extremum farthest from zero, end points included",
             );
-            let time = sheet.found(("t_m", row.coordinate), "s", farthest.time, "Its time");
+            let time = sheet.numerical(("t_m", row.coordinate), "s", farthest.time, "Its time");
             sheet.answer(("largest", row.coordinate), "Maximum displacement in the time shown", largest);
             sheet.answer(("largest_time", row.coordinate), "Time of maximum displacement", time);
             sheet.verify(|| {
@@ -439,21 +439,21 @@ fn fastest(poles: &Poles) -> f64 {
 }
 
 /// The pieces of a table of force.
-fn table(points: &[ForcePoint]) -> Result<Vec<Piece>, Refusal> {
+fn table(points: &[ForcePoint]) -> Result<Vec<ForceSegment>, Refusal> {
     if points.windows(2).any(|pair| pair[0].time > pair[1].time) {
         return Err(Refusal::because("the times of a force table must not decrease: sort its rows"));
     }
-    let mut pieces: Vec<Piece> = points
+    let mut pieces: Vec<ForceSegment> = points
         .windows(2)
         .filter(|pair| pair[1].time > pair[0].time)
-        .map(|pair| Piece {
+        .map(|pair| ForceSegment {
             start: pair[0].time,
             value: pair[0].force,
             slope: (pair[1].force - pair[0].force) / (pair[1].time - pair[0].time),
         })
         .collect();
     if let Some(last) = points.last() {
-        pieces.push(Piece { start: last.time, value: 0.0, slope: 0.0 });
+        pieces.push(ForceSegment { start: last.time, value: 0.0, slope: 0.0 });
     }
     Ok(pieces)
 }

@@ -1,9 +1,9 @@
 //! Torsional vibration of an engine: which orders of the cylinders' torques meet which natural frequency.
 
-use dalembert_core::{About, Analysis, Exhibit, Inputs, Refusal, Symbol, Text, Why, Worksheet, register};
+use dalembert_core::{About, Analysis, Exhibit, Inputs, Reason, Refusal, Symbol, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real,
-    vibration::{crankshaft, torsional::Mode},
+    vibration::{crankshaft, torsional::TorsionalMode},
 };
 
 mod critical;
@@ -14,7 +14,7 @@ mod line;
 use self::{
     critical::Critical,
     firing::Cylinders,
-    line::{Line, Throw},
+    line::{CrankshaftLine, ThrowStiffness},
 };
 use crate::{
     shared::{inertia::Inertia, spring::torsional::TorsionalSpring},
@@ -25,11 +25,11 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct EngineOrders {
     /// Cycle.
-    pub cycle: Cycle,
+    pub cycle: WorkingCycle,
     /// Firing.
     pub firing: Firing,
     /// Cranks.
-    pub cranks: Cranks,
+    pub cranks: CrankshaftCranks,
     /// In front of the cranks.
     /// Damper, pulley, pump: starting from the free end.
     #[input("f")]
@@ -53,7 +53,7 @@ pub struct EngineOrders {
     pub modes: u32,
     /// Damping.
     /// Without it the amplitude at a critical speed is unbounded.
-    pub damping: Option<Damping>,
+    pub damping: Option<CrankshaftDamping>,
     /// Diameter of the crankshaft.
     /// The smallest diameter that transmits the torque within the shear stress limit.
     #[input("d", "m", positive)]
@@ -62,7 +62,7 @@ pub struct EngineOrders {
 
 /// Working cycle: two- or four-stroke.
 #[derive(Clone, Debug, Inputs)]
-pub enum Cycle {
+pub enum WorkingCycle {
     /// Four strokes
     /// Each cylinder fires once every two revolutions: half orders too.
     Four,
@@ -86,13 +86,13 @@ pub enum Firing {
     Angles {
         /// Cylinders.
         #[input(min = 1)]
-        cylinders: Vec<Cylinder>,
+        cylinders: Vec<FiringAngle>,
     },
 }
 
 /// Firing angle of a cylinder.
 #[derive(Clone, Debug, Inputs)]
-pub struct Cylinder {
+pub struct FiringAngle {
     /// Crank.
     /// Counted from the free end.
     #[input(min = 1, max = 24)]
@@ -105,7 +105,7 @@ pub struct Cylinder {
 
 /// The cranks.
 #[derive(Clone, Debug, Inputs)]
-pub enum Cranks {
+pub enum CrankshaftCranks {
     /// All equal
     Alike {
         /// Moment of inertia of a crank.
@@ -113,7 +113,7 @@ pub enum Cranks {
         #[input("J_c", "kg*m^2", positive)]
         inertia: f64,
         /// Stiffness between two cranks.
-        throw: Throw,
+        throw: ThrowStiffness,
     },
     /// One by one
     Each {
@@ -202,7 +202,7 @@ pub struct PressureHarmonic {
 
 /// Damping of the vibration.
 #[derive(Clone, Debug, Inputs)]
-pub enum Damping {
+pub enum CrankshaftDamping {
     /// Damping ratio given
     /// The same for every mode.
     Ratio {
@@ -283,7 +283,7 @@ impl Analysis for EngineOrders {
             sheet.answer_list("major_orders", "Major orders: all cylinders push together", "1", &major);
         }
         let criticals = self.criticals(&vibrations, &orders, &sums);
-        let count = sheet.found(
+        let count = sheet.numerical(
             "N",
             "1",
             criticals.len() as f64,
@@ -356,8 +356,8 @@ impl EngineOrders {
     /// The orders that are examined, ascending.
     fn orders(&self) -> Result<Vec<Order>, Refusal> {
         let step = match self.cycle {
-            Cycle::Four => 0.5,
-            Cycle::Two => 1.0,
+            WorkingCycle::Four => 0.5,
+            WorkingCycle::Two => 1.0,
         };
         let mut orders: Vec<Order> = match &self.torques {
             Torques::Unknown { highest } => {
@@ -382,10 +382,10 @@ impl EngineOrders {
         };
         if !orders.iter().all(whole) {
             return Err(Refusal::because(match self.cycle {
-                Cycle::Four => {
+                WorkingCycle::Four => {
                     "an order of a four-stroke engine is a multiple of one half: write orders such as 0.5, 1 or 4.5"
                 }
-                Cycle::Two => {
+                WorkingCycle::Two => {
                     "an order of a two-stroke engine is a whole number: write orders such as 1, 2 or 6"
                 }
             }));
@@ -423,8 +423,8 @@ impl EngineOrders {
 /// A mode as it is worked: frequency, amplitudes, inertia, nodes, and two more ways to the frequency.
 fn vibration<W: Worksheet>(
     n: usize,
-    mode: &Mode,
-    line: &Line<W::Num>,
+    mode: &TorsionalMode,
+    line: &CrankshaftLine<W::Num>,
     cylinders: &Cylinders<W::Num>,
     sheet: W,
 ) -> Vibration<W::Num> {
@@ -432,8 +432,8 @@ fn vibration<W: Worksheet>(
         "By Holzer's method: at this frequency the residual torque at the last mass is zero",
         DEN_HARTOG.at("ch. 5"),
     );
-    let why = if n == 1 { Why::from(holzer) } else { Why::from("Similarly") };
-    let frequency = sheet.found(("ω", n), "rad/s", mode.frequency, why);
+    let why = if n == 1 { Reason::from(holzer) } else { Reason::from("Similarly") };
+    let frequency = sheet.numerical(("ω", n), "rad/s", mode.frequency, why);
     let counted = sheet.step(("fₙ", n), "Hz", frequency, "The same frequency in Hz");
     sheet.answer(("frequency", n), "Natural frequency", counted);
     let largest =
@@ -454,7 +454,7 @@ fn vibration<W: Worksheet>(
             _ if i > last => Symbol { of: "r", ..Symbol::from("β") }.row(n).row(i - last),
             _ => Symbol::from("β").row(n).row(i - first + 1),
         };
-        sheet.found(symbol, "1", *x, why)
+        sheet.numerical(symbol, "1", *x, why)
     };
     let terms: Vec<W::Num> = shape.iter().enumerate().map(amplitude).collect();
     let kinetic = line.inertias.iter().zip(&terms).map(|(inertia, beta)| *inertia * beta.powi(2));
@@ -486,7 +486,7 @@ fn vibration<W: Worksheet>(
         sheet.answer_list(("nodes", n), "Nodes from the free end (position in mass spacings)", "1", &nodes);
     }
     // Where several cylinders share a crank, each has its amplitude by a name of its own.
-    let of_cylinder = |(k, one): (usize, &firing::Cylinder<W::Num>)| {
+    let of_cylinder = |(k, one): (usize, &firing::FiringCylinder<W::Num>)| {
         let beta = terms[one.mass];
         if cylinders.one_to_a_crank {
             return beta;

@@ -12,9 +12,9 @@ use crate::sources::{BEER, BEVAN, RAO, SHIGLEY};
 #[derive(Clone, Debug, Inputs)]
 pub struct MassOnShaft {
     /// Body.
-    pub body: Body,
+    pub body: ShaftBody,
     /// Support.
-    pub support: Support,
+    pub support: ShaftSupport,
     /// Section.
     pub section: RoundSection,
     /// Young's modulus.
@@ -27,7 +27,7 @@ pub struct MassOnShaft {
 
 /// The body on the shaft.
 #[derive(Clone, Debug, Inputs)]
-pub enum Body {
+pub enum ShaftBody {
     /// Mass given
     Mass {
         /// Mass.
@@ -47,7 +47,7 @@ pub enum Body {
 
 /// Supports of the shaft, and position of the body.
 #[derive(Clone, Debug, Inputs)]
-pub enum Support {
+pub enum ShaftSupport {
     /// Fixed at one end, body at the other
     Cantilever {
         /// Length.
@@ -140,8 +140,8 @@ impl Analysis for MassOnShaft {
             ));
         }
         let mass = match &given.body {
-            BodyGiven::Mass { mass } => *mass,
-            BodyGiven::Weight { weight, gravity } => {
+            ShaftBodyGiven::Mass { mass } => *mass,
+            ShaftBodyGiven::Weight { weight, gravity } => {
                 sheet.step("m", "kg", *weight / *gravity, "Mass of the weight")
             }
         };
@@ -212,12 +212,12 @@ enum Held<N> {
     BothSides(N, N),
 }
 
-fn held<W: Worksheet>(support: &SupportGiven<W>) -> Option<Held<W::Num>> {
+fn held<W: Worksheet>(support: &ShaftSupportGiven<W>) -> Option<Held<W::Num>> {
     match support {
-        SupportGiven::Cantilever { length } => Some(Held::OneSide(*length)),
-        SupportGiven::ClampedPinned { left, .. } => Some(Held::OneSide(*left)),
-        SupportGiven::Clamped { left, right } => Some(Held::BothSides(*left, *right)),
-        SupportGiven::SimplySupported { .. } => None,
+        ShaftSupportGiven::Cantilever { length } => Some(Held::OneSide(*length)),
+        ShaftSupportGiven::ClampedPinned { left, .. } => Some(Held::OneSide(*left)),
+        ShaftSupportGiven::Clamped { left, right } => Some(Held::BothSides(*left, *right)),
+        ShaftSupportGiven::SimplySupported { .. } => None,
     }
 }
 
@@ -245,7 +245,7 @@ fn transverse<W: Worksheet>(given: &MassOnShaftGiven<W>, mass: W::Num, sheet: W)
     let young = given.young;
     // The bending moments under a unit force: at one end, at the force, at the other end.
     let (k, why, moments) = match &given.support {
-        SupportGiven::Cantilever { length } => {
+        ShaftSupportGiven::Cantilever { length } => {
             let k = beam::cantilever(young, moment, *length);
             let zero = *length * 0.0;
             (
@@ -254,7 +254,7 @@ fn transverse<W: Worksheet>(given: &MassOnShaftGiven<W>, mass: W::Num, sheet: W)
                 vec![(*length, *length, zero)],
             )
         }
-        SupportGiven::SimplySupported { left, right } => {
+        ShaftSupportGiven::SimplySupported { left, right } => {
             let (l, zero) = (span(*left, *right), *left * 0.0);
             let k = young * moment * l * 3.0 / (left.powi(2) * right.powi(2));
             let top = *left * *right / l;
@@ -264,7 +264,7 @@ fn transverse<W: Worksheet>(given: &MassOnShaftGiven<W>, mass: W::Num, sheet: W)
                 vec![(*left, zero, top), (*right, top, zero)],
             )
         }
-        SupportGiven::Clamped { left, right } => {
+        ShaftSupportGiven::Clamped { left, right } => {
             let l = span(*left, *right);
             let k = young * moment * l.powi(3) * 3.0 / (left.powi(3) * right.powi(3));
             let top = left.powi(2) * right.powi(2) * 2.0 / l.powi(3);
@@ -275,7 +275,7 @@ fn transverse<W: Worksheet>(given: &MassOnShaftGiven<W>, mass: W::Num, sheet: W)
                 vec![(*left, ends[0], top), (*right, top, ends[1])],
             )
         }
-        SupportGiven::ClampedPinned { left, right } => {
+        ShaftSupportGiven::ClampedPinned { left, right } => {
             let l = span(*left, *right);
             let k = beam::clamped_pinned(young, moment, l, *left);
             let reaction = left.powi(2) * (l * 3.0 - *left) / (l.powi(3) * 2.0);
@@ -401,23 +401,25 @@ impl MassOnShaft {
     /// The shaft with its body, to scale along its length.
     fn drawing(&self) -> Drawing {
         let (left, right) = match self.support {
-            Support::Cantilever { length } => (length, 0.0),
-            Support::Clamped { left, right }
-            | Support::SimplySupported { left, right }
-            | Support::ClampedPinned { left, right } => (left, right),
+            ShaftSupport::Cantilever { length } => (length, 0.0),
+            ShaftSupport::Clamped { left, right }
+            | ShaftSupport::SimplySupported { left, right }
+            | ShaftSupport::ClampedPinned { left, right } => (left, right),
         };
         let scale = 8.0 / (left + right);
         let (at, end) = (left * scale, 8.0f64);
         let mut sketch = Sketch::new("The body on the shaft");
         sketch.bars([(0.0, 0.0), (end.max(at), 0.0)]);
         match self.support {
-            Support::SimplySupported { .. } => sketch.pin("", (0.0, 0.0)),
+            ShaftSupport::SimplySupported { .. } => sketch.pin("", (0.0, 0.0)),
             _ => sketch.ground((0.0, 1.0), (0.0, -1.0)),
         };
         match self.support {
-            Support::Cantilever { .. } => &mut sketch,
-            Support::Clamped { .. } => sketch.ground((end, -1.0), (end, 1.0)),
-            Support::SimplySupported { .. } | Support::ClampedPinned { .. } => sketch.pin("", (end, 0.0)),
+            ShaftSupport::Cantilever { .. } => &mut sketch,
+            ShaftSupport::Clamped { .. } => sketch.ground((end, -1.0), (end, 1.0)),
+            ShaftSupport::SimplySupported { .. } | ShaftSupport::ClampedPinned { .. } => {
+                sketch.pin("", (end, 0.0))
+            }
         };
         sketch
             .mass("m", (at - 0.25, -1.2), (at + 0.25, 1.2))

@@ -103,7 +103,7 @@ register!(OverhungDisc);
 
 /// The shaft at the disc and the inertia of the disc.
 #[derive(Clone, Copy)]
-struct System<N> {
+struct OverhungRotor<N> {
     k11: N,
     k12: N,
     k22: N,
@@ -129,7 +129,7 @@ impl Analysis for OverhungDisc {
 
     fn solve<W: Worksheet>(&self, given: &OverhungDiscGiven<W>, sheet: W) -> Result<(), Refusal> {
         let [mass, diametral, polar] = inertia(&given.disc, sheet);
-        let system = System { mass, diametral, polar, ..held(&given.shaft, mass, sheet)? };
+        let system = OverhungRotor { mass, diametral, polar, ..held(&given.shaft, mass, sheet)? };
 
         let rest = whirls(&system, diametral, ["p", "ω"], &AT_REST, sheet);
         for (n, square) in rest.into_iter().flatten().enumerate() {
@@ -224,13 +224,13 @@ const BACKWARD: Words = Words {
 
 /// The positive roots of the frequency equation with a tilting inertia.
 fn whirls<W: Worksheet>(
-    system: &System<W::Num>,
+    system: &OverhungRotor<W::Num>,
     inertia: W::Num,
     [half, symbol]: [&'static str; 2],
     words: &Words,
     sheet: W,
 ) -> [Option<W::Num>; 2] {
-    let System { k11, k22, determinant, mass, influence: [a, b, c], .. } = *system;
+    let OverhungRotor { k11, k22, determinant, mass, influence: [a, b, c], .. } = *system;
     let cite = DEN_HARTOG.at(words.cite);
     let half_sum =
         sheet.step(half, "kg*N*m", overhung::half_sum(k11, k22, mass, inertia), (words.half_sum, cite));
@@ -306,7 +306,11 @@ fn inertia<W: Worksheet>(given: &TiltingDiscGiven<W>, sheet: W) -> [W::Num; 3] {
 }
 
 /// The shaft at the disc.
-fn held<W: Worksheet>(given: &LightShaftGiven<W>, mass: W::Num, sheet: W) -> Result<System<W::Num>, Refusal> {
+fn held<W: Worksheet>(
+    given: &LightShaftGiven<W>,
+    mass: W::Num,
+    sheet: W,
+) -> Result<OverhungRotor<W::Num>, Refusal> {
     let (stiffness, influence) = match given {
         LightShaftGiven::Cantilever { length, young, section } => {
             let moment = second_moment(section, sheet, Symbol::from("I"))?;
@@ -344,7 +348,7 @@ fn held<W: Worksheet>(given: &LightShaftGiven<W>, mass: W::Num, sheet: W) -> Res
         overhung::determinant(k11, k12, k22),
         "Determinant of the stiffness of the shaft at the disc",
     );
-    Ok(System { k11, k12, k22, determinant, influence, mass, diametral: mass, polar: mass })
+    Ok(OverhungRotor { k11, k12, k22, determinant, influence, mass, diametral: mass, polar: mass })
 }
 
 /// The system as plain numbers.
@@ -358,7 +362,7 @@ struct Numbers {
 }
 
 impl Numbers {
-    fn of<N: Real>(system: &System<N>) -> Self {
+    fn of<N: Real>(system: &OverhungRotor<N>) -> Self {
         Self {
             k11: system.k11.value(),
             k22: system.k22.value(),
@@ -383,16 +387,16 @@ impl Numbers {
 }
 
 /// The frequencies of whirl at a speed.
-fn at_speed<W: Worksheet>(system: &System<W::Num>, speed: W::Num, sheet: W) -> Result<(), Refusal> {
+fn at_speed<W: Worksheet>(system: &OverhungRotor<W::Num>, speed: W::Num, sheet: W) -> Result<(), Refusal> {
     let numbers = Numbers::of(system);
     let Some([b2, b1, f1, f2]) = numbers.whirl(speed.value()) else {
         return Err(Refusal::because(
             "the frequency equation at this speed could not be solved: check units and sizes",
         ));
     };
-    let System { k11, k12, k22, determinant, mass, diametral, polar, .. } = *system;
+    let OverhungRotor { k11, k12, k22, determinant, mass, diametral, polar, .. } = *system;
     let root = |symbol: (&'static str, usize), value: f64, words: &'static str, sign: f64| {
-        let whirl = sheet.found(symbol, "rpm", value, (words, DEN_HARTOG.at("§6.6")));
+        let whirl = sheet.numerical(symbol, "rpm", value, (words, DEN_HARTOG.at("§6.6")));
         sheet.verify(|| {
             let moved = k11 - mass * whirl.powi(2);
             let tilted = k22 - diametral * whirl.powi(2) + polar * speed * whirl * sign;

@@ -7,12 +7,12 @@ use dalembert_core::{About, Analysis, Inputs, Refusal, Text, Worksheet, register
 use dalembert_mechanics::{
     Real,
     rotor::{
-        Assembled, Complex, Disc, Hold, Rotor, RotorError, Support as Held,
+        Assembled, BearingSupport as Held, Complex, RigidDisc, Rotor, RotorError, SupportType,
         campbell::{Campbell, campbell},
         critical::{self, Critical, Criticals},
-        element::{Material, Theory as Bending},
+        element::{BeamTheory as Bending, Material},
         mesh::{Segment, mesh},
-        modes::{self, Direction, Mode, Polished, Reduced, Spectrum},
+        modes::{self, Polished, ReducedRotor, Spectrum, WhirlDirection, WhirlMode},
         response::{Unbalance, residual, unbalance_response},
     },
 };
@@ -26,7 +26,7 @@ mod tables;
 pub use parts::{
     Bearing, BearingGiven, DiscSize, DiscSizeGiven, InternalDamping, InternalDampingGiven, RotorDisc,
     RotorDiscGiven, RotorSupport, RotorSupportGiven, RotorUnbalance, RotorUnbalanceGiven, ShaftMaterial,
-    ShaftMaterialGiven, ShaftSegment, ShaftSegmentGiven, SpeedRow, SpeedRowGiven, Theory,
+    ShaftMaterialGiven, ShaftSegment, ShaftSegmentGiven, ShaftTheory, SpeedRow, SpeedRowGiven,
 };
 
 use crate::sources::{FRISWELL, NELSON, ZORZI};
@@ -67,7 +67,7 @@ pub struct RotorDynamics {
     #[input("N", "N")]
     pub tension: Option<f64>,
     /// Bending of the shaft.
-    pub theory: Theory,
+    pub theory: ShaftTheory,
     /// Elements per segment.
     /// Between neighbouring steps of the shaft, discs, supports and unbalances.
     #[input(min = 1, max = 40)]
@@ -141,7 +141,7 @@ impl Analysis for RotorDynamics {
         let asked = [self.speed, self.highest_speed.max(self.speed)];
         let cancelled = || sheet.keep_going().is_err();
         let reduced =
-            Reduced::to_within(&all, self.modes, &asked, modes::EXACT, &cancelled).map_err(refusal)?;
+            ReducedRotor::to_within(&all, self.modes, &asked, modes::EXACT, &cancelled).map_err(refusal)?;
         let mut spectrum = reduced.modes(self.speed).map_err(refusal)?;
         if spectrum.modes.is_empty() {
             return Err(Refusal::because(
@@ -187,7 +187,7 @@ impl Analysis for RotorDynamics {
         let finer = || finer.get_or_init(|| self.finer(&sizes)).as_ref();
         sheet.verify(|| warn_of_mesh(&spectrum, finer(), sheet));
 
-        let shown = pictures::Shown {
+        let shown = pictures::RotorFigures {
             problem: self,
             rotor: &rotor,
             all: &all,
@@ -287,7 +287,7 @@ impl RotorDynamics {
         let discs = at_discs
             .iter()
             .zip(discs)
-            .map(|(&node, &[mass, diametral, polar])| Disc { node, mass, diametral, polar })
+            .map(|(&node, &[mass, diametral, polar])| RigidDisc { node, mass, diametral, polar })
             .collect();
         let supports = at_supports
             .iter()
@@ -295,8 +295,8 @@ impl RotorDynamics {
             .map(|(&node, support)| Held { node, hold: support.bearing.hold() })
             .collect();
         let theory = match self.theory {
-            Theory::Timoshenko => Bending::Timoshenko,
-            Theory::EulerBernoulli => Bending::EulerBernoulli,
+            ShaftTheory::Timoshenko => Bending::Timoshenko,
+            ShaftTheory::EulerBernoulli => Bending::EulerBernoulli,
         };
         let stations = Stations {
             unbalances: at_unbalances.to_vec(),
@@ -311,7 +311,7 @@ impl RotorDynamics {
         rotor: &Rotor,
         all: &Assembled,
         n: usize,
-        mode: &Mode,
+        mode: &WhirlMode,
         sheet: W,
     ) -> Option<Complex<f64>> {
         let Ok(Polished { mode: exact, rounding }) = modes::polished(all, mode, self.speed) else {
@@ -335,7 +335,7 @@ impl RotorDynamics {
             .with("n", n),
             FRISWELL.at("ch. 5"),
         );
-        let frequency = sheet.found(("ω", n), "rad/s", lambda.im, how);
+        let frequency = sheet.numerical(("ω", n), "rad/s", lambda.im, how);
         let by_energy = modes::energy_eigenvalue(all, &exact, self.speed);
         let by_energy = by_energy.unwrap_or(Complex::new(f64::NAN, f64::NAN));
         sheet.verify(|| {
@@ -347,7 +347,7 @@ impl RotorDynamics {
         });
         let cycles = sheet.step(("f", n), "Hz", frequency, "The same in hertz");
         sheet.answer(("frequency", n), "Damped natural frequency", cycles);
-        let growth = sheet.found(
+        let growth = sheet.numerical(
             ("σ", n),
             "s^-1",
             lambda.re,
@@ -395,7 +395,7 @@ impl RotorDynamics {
                 .with_text("direction", in_words(mode.direction())),
                 FRISWELL.at("ch. 3"),
             );
-            let whirl = sheet.found(("b/a", n), "1", ratio, how);
+            let whirl = sheet.numerical(("b/a", n), "1", ratio, how);
             sheet.answer(("whirl", n), "Whirl direction and ellipticity (+ forward, − backward)", whirl);
             sheet.verify(|| {
                 let Some((node, _)) = widest else { return };
@@ -447,7 +447,7 @@ impl RotorDynamics {
                 )
             };
             let how = (how.with_text("direction", in_words(critical.mode.direction())), NELSON.at(""));
-            let speed = sheet.found(("Ω_c", n + 1), "rpm", critical.speed, how);
+            let speed = sheet.numerical(("Ω_c", n + 1), "rpm", critical.speed, how);
             sheet.verify(|| {
                 // From the other side in each case: the free whirl at this spin, or the powers in the shape that was found.
                 let there = if conservative {
@@ -479,7 +479,7 @@ impl RotorDynamics {
         &self,
         rotor: &Rotor,
         all: &Assembled,
-        reduced: &Reduced<'_>,
+        reduced: &ReducedRotor<'_>,
         diagram: &Campbell,
         grows: bool,
         sheet: W,
@@ -520,7 +520,7 @@ impl RotorDynamics {
         let edge = |symbol: (&'static str, usize), edge: &Critical, words: &'static str| {
             let how =
                 (Text::new(words).with_text("direction", in_words(edge.mode.direction())), ZORZI.at(""));
-            let speed = sheet.found(symbol, "rpm", edge.speed, how);
+            let speed = sheet.numerical(symbol, "rpm", edge.speed, how);
             sheet.verify(|| {
                 let there = modes::energy_eigenvalue(all, &edge.mode, speed.value());
                 sheet.check_zero(
@@ -596,7 +596,7 @@ impl RotorDynamics {
         let size = x.norm().max(y.norm());
         let clean = |part: f64| if part.abs() <= 1e-9 * size { 0.0 } else { part };
         let part = |symbol: &'static str, value: f64, words: &'static str| {
-            sheet.found(symbol, "um", value, (words, FRISWELL.at("ch. 6")))
+            sheet.numerical(symbol, "um", value, (words, FRISWELL.at("ch. 6")))
         };
         let xc = part(
             "X_c",
@@ -690,7 +690,7 @@ impl RotorDynamics {
     fn finer(&self, discs: &[[f64; 3]]) -> Option<Spectrum> {
         let (rotor, _) = self.rotor(discs, 2 * self.elements).ok()?;
         let all = Assembled::new(&rotor).ok()?;
-        let reduced = Reduced::to_within(&all, self.modes, &[self.speed], 1e-7, &|| false).ok()?;
+        let reduced = ReducedRotor::to_within(&all, self.modes, &[self.speed], 1e-7, &|| false).ok()?;
         reduced.modes(self.speed).ok()
     }
 
@@ -703,7 +703,7 @@ impl RotorDynamics {
             });
         }
         let one_sided = self.supports.iter().any(|support| {
-            let Hold::Bearing(table) = support.bearing.hold() else { return false };
+            let SupportType::Bearing(table) = support.bearing.hold() else { return false };
             table.iter().any(|(_, here)| {
                 let [[_, xy], [yx, _]] = here.stiffness;
                 (xy == 0.0) != (yx == 0.0)
@@ -756,12 +756,12 @@ fn warn_of_modes<W: Worksheet>(spectrum: &Spectrum, grows: bool, sheet: W) {
 }
 
 /// The direction of a mode in words.
-pub(super) fn in_words(direction: Direction) -> Text {
+pub(super) fn in_words(direction: WhirlDirection) -> Text {
     match direction {
-        Direction::Forward => Text::new("rotates forward"),
-        Direction::Backward => Text::new("rotates backward"),
-        Direction::Mixed => Text::new("rotates forward at some points and backward at others"),
-        Direction::Planar => Text::new("stays in a plane"),
+        WhirlDirection::Forward => Text::new("rotates forward"),
+        WhirlDirection::Backward => Text::new("rotates backward"),
+        WhirlDirection::Mixed => Text::new("rotates forward at some points and backward at others"),
+        WhirlDirection::Planar => Text::new("stays in a plane"),
     }
 }
 

@@ -35,14 +35,14 @@ pub struct ShaftClearance {
     #[input("R", "m", positive)]
     pub clearance: f64,
     /// Damping.
-    pub damping: Damping,
+    pub damping: ClearanceDamping,
     /// Unknown.
-    pub sought: Sought,
+    pub sought: PermittedQuantity,
 }
 
 /// The quantity whose permitted values are sought, and what is given of the others.
 #[derive(Clone, Debug, Inputs)]
-pub enum Sought {
+pub enum PermittedQuantity {
     /// Diameter of the shaft
     Diameter {
         /// Unbalance.
@@ -52,7 +52,7 @@ pub enum Sought {
         /// Speeds.
         speeds: SpeedRange,
         /// Shaft.
-        shaft: Shaft,
+        shaft: RoundShaft,
         /// Minimum available diameter.
         #[input("d_min", "m", positive)]
         smallest_diameter: Option<f64>,
@@ -116,7 +116,7 @@ pub struct SpeedRange {
 
 /// Damping of the whirl.
 #[derive(Clone, Debug, Inputs)]
-pub enum Damping {
+pub enum ClearanceDamping {
     /// Undamped
     Undamped,
     /// Damping ratio given
@@ -137,7 +137,7 @@ pub enum Damping {
 
 /// A solid round shaft.
 #[derive(Clone, Debug, Inputs)]
-pub struct Shaft {
+pub struct RoundShaft {
     /// Mounting.
     pub mounting: Mounting,
     /// Length.
@@ -165,10 +165,14 @@ impl Analysis for ShaftClearance {
 
     fn solve<W: Worksheet>(&self, given: &ShaftClearanceGiven<W>, sheet: W) -> Result<(), Refusal> {
         match (&self.sought, &given.sought) {
-            (Sought::Diameter { .. }, SoughtGiven::Diameter { .. }) => self.diameters(given, sheet),
-            (Sought::Stiffness { .. }, SoughtGiven::Stiffness { .. }) => self.stiffnesses(given, sheet),
-            (Sought::Eccentricity { .. }, _) => self.eccentricities(given, sheet),
-            (Sought::Speed { .. }, _) => self.speeds(given, sheet),
+            (PermittedQuantity::Diameter { .. }, PermittedQuantityGiven::Diameter { .. }) => {
+                self.diameters(given, sheet)
+            }
+            (PermittedQuantity::Stiffness { .. }, PermittedQuantityGiven::Stiffness { .. }) => {
+                self.stiffnesses(given, sheet)
+            }
+            (PermittedQuantity::Eccentricity { .. }, _) => self.eccentricities(given, sheet),
+            (PermittedQuantity::Speed { .. }, _) => self.speeds(given, sheet),
             _ => unreachable!("what is given is made from what is sought"),
         }?;
         sheet.show(|| Exhibit::Drawing(self.drawing()));
@@ -243,10 +247,10 @@ impl ShaftClearance {
         self.largest_amplitude(given, eccentricity, sheet);
         let permitted = self.permitted(unbalance.value(), speeds.map(Real::value))?;
         let (soft, stiff) = match &given.damping {
-            DampingGiven::Coefficient { coefficient } => {
+            ClearanceDampingGiven::Coefficient { coefficient } => {
                 limits::found_limits(&rotor, *coefficient, &permitted, sheet)
             }
-            DampingGiven::Ratio { ratio } if ratio.value() > 0.0 => {
+            ClearanceDampingGiven::Ratio { ratio } if ratio.value() > 0.0 => {
                 limits::ratio_limits(&rotor, *ratio, speeds, &permitted, sheet)
             }
             _ => limits::undamped_limits(&rotor, speeds, &permitted, sheet),
@@ -264,9 +268,9 @@ impl ShaftClearance {
     fn permitted(&self, unbalance: f64, speeds: [f64; 2]) -> Result<PermittedStiffness, Refusal> {
         let (m, u, r) = (self.mass, unbalance, self.clearance);
         let permitted = match self.damping {
-            Damping::Undamped => whirl::permitted_stiffness(m, u, r, speeds, 0.0),
-            Damping::Ratio { ratio } => whirl::permitted_stiffness(m, u, r, speeds, ratio),
-            Damping::Coefficient { coefficient } => {
+            ClearanceDamping::Undamped => whirl::permitted_stiffness(m, u, r, speeds, 0.0),
+            ClearanceDamping::Ratio { ratio } => whirl::permitted_stiffness(m, u, r, speeds, ratio),
+            ClearanceDamping::Coefficient { coefficient } => {
                 whirl::permitted_stiffness_at_damping(m, u, r, speeds, coefficient)
             }
         };
@@ -284,7 +288,7 @@ impl ShaftClearance {
         eccentricity: W::Num,
         sheet: W,
     ) {
-        if matches!(self.damping, Damping::Coefficient { .. }) {
+        if matches!(self.damping, ClearanceDamping::Coefficient { .. }) {
             return;
         }
         let room = sheet.step(
@@ -314,7 +318,7 @@ impl ShaftClearance {
                 enough,
             );
         }
-        let DampingGiven::Ratio { ratio } = &given.damping else { return };
+        let ClearanceDampingGiven::Ratio { ratio } = &given.damping else { return };
         if ratio.value() > 0.0 && ratio.value() < FRAC_1_SQRT_2 {
             let largest = sheet.step(
                 "Xₘₐₓ",
@@ -334,9 +338,9 @@ impl ShaftClearance {
     /// The rotor on its shaft, inside the stator.
     fn drawing(&self) -> Drawing {
         let mounting = match &self.sought {
-            Sought::Diameter { shaft, .. } => shaft.mounting,
-            Sought::Eccentricity { shaft: RotorShaft::Round { mounting, .. }, .. }
-            | Sought::Speed { shaft: RotorShaft::Round { mounting, .. }, .. } => *mounting,
+            PermittedQuantity::Diameter { shaft, .. } => shaft.mounting,
+            PermittedQuantity::Eccentricity { shaft: RotorShaft::Round { mounting, .. }, .. }
+            | PermittedQuantity::Speed { shaft: RotorShaft::Round { mounting, .. }, .. } => *mounting,
             _ => Mounting::SimplySupported,
         };
         let mut sketch = Sketch::new("The rotor in its stator");
@@ -348,7 +352,7 @@ impl ShaftClearance {
             .axis((x - 0.35, 0.0), (x + 0.8, 0.0))
             .dimension("R", (x + 0.5, 0.0), (x + 0.5, 1.0), 0.0)
             .round("e", (x, 0.12), 0.06, Ink::Danger);
-        if matches!(self.sought, Sought::Diameter { .. }) {
+        if matches!(self.sought, PermittedQuantity::Diameter { .. }) {
             sketch.label("d", (-1.4, 0.0));
         }
         sketch.finish()
@@ -357,16 +361,16 @@ impl ShaftClearance {
 
 /// The damping ratio of a rotor on a known shaft; `None` without damping.
 fn damping_ratio<W: Worksheet>(
-    damping: &DampingGiven<W>,
+    damping: &ClearanceDampingGiven<W>,
     stiffness: W::Num,
     mass: W::Num,
     sheet: W,
 ) -> Option<W::Num> {
     let ratio = match damping {
-        DampingGiven::Undamped {} => return None,
-        DampingGiven::Ratio { ratio } => *ratio,
-        DampingGiven::Coefficient { coefficient } if coefficient.value() == 0.0 => return None,
-        DampingGiven::Coefficient { coefficient } => sheet.step(
+        ClearanceDampingGiven::Undamped {} => return None,
+        ClearanceDampingGiven::Ratio { ratio } => *ratio,
+        ClearanceDampingGiven::Coefficient { coefficient } if coefficient.value() == 0.0 => return None,
+        ClearanceDampingGiven::Coefficient { coefficient } => sheet.step(
             "ζ",
             "1",
             sdof::damping_ratio(*coefficient, stiffness, mass),

@@ -8,7 +8,7 @@ use dalembert_core::{
 use dalembert_mechanics::{
     Real,
     beam::{
-        dynamic_stiffness::{Beam, Station},
+        dynamic_stiffness::{Beam, BeamStation},
         influence,
     },
     vibration::lumped,
@@ -17,7 +17,7 @@ use dalembert_numerics::gauss_legendre;
 
 use crate::{
     shared::{
-        body_load::Load,
+        body_load::MassOrWeight,
         continuous::{LineMass, line_mass},
         section::{Profile, profile},
     },
@@ -40,7 +40,7 @@ pub struct ShaftWithDiscs {
     /// Discs.
     /// Thin: they load the shaft without stiffening it.
     #[input(min = 1)]
-    pub discs: Vec<Disc>,
+    pub discs: Vec<ShaftDisc>,
     /// Mass of the shaft itself.
     /// Neglected if omitted.
     pub own_mass: Option<LineMass>,
@@ -66,12 +66,12 @@ pub enum Bearings {
 
 /// A disc or another mass on the shaft.
 #[derive(Clone, Debug, Inputs)]
-pub struct Disc {
+pub struct ShaftDisc {
     /// Distance from the left end.
     #[input("x", "m", positive)]
     pub distance: f64,
     /// Its mass or weight.
-    pub load: Load,
+    pub load: MassOrWeight,
 }
 
 register!(ShaftWithDiscs);
@@ -96,7 +96,7 @@ impl Analysis for ShaftWithDiscs {
         let (area, second_moment) = profile(&given.section, 0, sheet)?;
         let bending = sheet.step("EI", "N*m^2", given.young * second_moment, "Bending stiffness");
         let line = given.own_mass.as_ref().map(|own| line_mass(own, 0, area, sheet));
-        let mass = |(n, disc): (usize, &DiscGiven<W>)| {
+        let mass = |(n, disc): (usize, &ShaftDiscGiven<W>)| {
             disc.load.mass(given.gravity, sheet, ("m", n), "Mass of the disc: weight over gravity")
         };
         let shaft = Shaft {
@@ -260,7 +260,7 @@ impl<W: Worksheet> Shaft<'_, W> {
         let mut terms: Vec<W::Num> =
             (0..self.masses.len()).map(|n| influence[n][n] * self.masses[n]).collect();
         if let Some(line) = self.line {
-            let beta = sheet.found(
+            let beta = sheet.numerical(
                 "β_s",
                 "1",
                 self.bare()?,
@@ -301,13 +301,13 @@ impl<W: Worksheet> Shaft<'_, W> {
             None => (W::Num::sum(potential), W::Num::sum(kinetic)),
             Some(line) => {
                 let [work, square, own] = self.own_integrals(line.value(), gravity.value());
-                let work_found = sheet.found(
+                let work_found = sheet.numerical(
                     "∫wy",
                     "N*m",
                     work,
                     "Weight of the shaft times its static deflection, integrated over the length",
                 );
-                let square_found = sheet.found(
+                let square_found = sheet.numerical(
                     "∫m̄y²",
                     "kg*m^2",
                     square,
@@ -388,7 +388,7 @@ impl<W: Worksheet> Shaft<'_, W> {
         let (rows, masses) = self.numbers(influence);
         let all = lumped::frequencies(&rows, &masses).map_err(|_| Refusal::because(NOT_FOUND))?;
         let lowest = all[0];
-        let frequency = sheet.found(
+        let frequency = sheet.numerical(
             "ω₁",
             "Hz",
             lowest,
@@ -427,7 +427,7 @@ impl<W: Worksheet> Shaft<'_, W> {
         let beam = self.beam(Some(line.value()));
         let root = beam.roots(1).map_err(|_| Refusal::because(NOT_FOUND))?[0];
         let shape = beam.shape(root).map_err(|_| Refusal::because(NOT_FOUND))?;
-        let beta = sheet.found(
+        let beta = sheet.numerical(
             "β₁",
             "1",
             root,
@@ -457,12 +457,18 @@ impl<W: Worksheet> Shaft<'_, W> {
     /// The shaft as a beam, with its discs where the mass of the shaft per unit length is given.
     fn beam(&self, with_discs: Option<f64>) -> Beam {
         let length = self.length.value();
-        let at = |at: f64| Station { at, ..Station::default() };
+        let at = |at: f64| BeamStation { at, ..BeamStation::default() };
         let mut stations = match self.lengths_value() {
-            Lengths::Span(_) => vec![Station { held: true, ..at(0.0) }, Station { held: true, ..at(1.0) }],
-            Lengths::Cantilever(_) => vec![Station { held: true, clamped: true, ..at(0.0) }, at(1.0)],
+            Lengths::Span(_) => {
+                vec![BeamStation { held: true, ..at(0.0) }, BeamStation { held: true, ..at(1.0) }]
+            }
+            Lengths::Cantilever(_) => vec![BeamStation { held: true, clamped: true, ..at(0.0) }, at(1.0)],
             Lengths::Overhang(span, _) => {
-                vec![Station { held: true, ..at(0.0) }, Station { held: true, ..at(span / length) }, at(1.0)]
+                vec![
+                    BeamStation { held: true, ..at(0.0) },
+                    BeamStation { held: true, ..at(span / length) },
+                    at(1.0),
+                ]
             }
         };
         if let Some(line) = with_discs {

@@ -3,11 +3,11 @@
 use std::fmt::Display;
 
 use dalembert_core::{
-    About, Analysis, Exhibit, Inputs, Reference, Refusal, Symbol, Text, Why, Worksheet, register,
+    About, Analysis, Exhibit, Inputs, Reason, Reference, Refusal, Symbol, Text, Worksheet, register,
 };
 use dalembert_mechanics::{
     Real, spring as kernel,
-    vibration::torsional::{Mode, TrainError},
+    vibration::torsional::{TorsionalMode, TrainError},
 };
 
 mod drawing;
@@ -15,7 +15,7 @@ mod exhibits;
 mod forced;
 mod reduced;
 
-use self::reduced::{Reduced, reduce};
+use self::reduced::{ReducedTrain, reduce};
 use crate::{
     shared::{
         inertia::RotorInertia,
@@ -51,12 +51,12 @@ pub struct Disc {
     /// Name.
     pub name: String,
     /// Inertia.
-    pub inertia: Inertia,
+    pub inertia: TrainInertia,
 }
 
 /// The inertia of a disc.
 #[derive(Clone, Debug, Inputs)]
-pub enum Inertia {
+pub enum TrainInertia {
     /// Of a rotor
     #[input(flatten)]
     Rotor(RotorInertia),
@@ -68,7 +68,7 @@ pub enum Inertia {
 
 impl Disc {
     fn is_held(&self) -> bool {
-        matches!(self.inertia, Inertia::Held)
+        matches!(self.inertia, TrainInertia::Held)
     }
 }
 
@@ -109,12 +109,12 @@ pub struct Torques {
     pub frequency: f64,
     /// Torques.
     #[input(min = 1)]
-    pub torques: Vec<Torque>,
+    pub torques: Vec<DiscTorque>,
 }
 
 /// A harmonic torque on a disc.
 #[derive(Clone, Debug, Inputs)]
-pub struct Torque {
+pub struct DiscTorque {
     /// Disc.
     #[input(rows = "discs")]
     pub disc: Reference,
@@ -154,7 +154,7 @@ impl Analysis for TorsionalTrain {
             ));
         }
         if rigid == 1 {
-            sheet.found(
+            sheet.numerical(
                 "ω₀",
                 "rad/s",
                 0.0,
@@ -202,7 +202,11 @@ impl Analysis for TorsionalTrain {
 
 /// The natural frequencies that become answers: by their formulas for two and three discs in a free line, by
 /// Holzer's method otherwise.
-fn natural_frequencies<W: Worksheet>(reduced: &Reduced<W::Num>, modes: &[Mode], sheet: W) -> Vec<W::Num> {
+fn natural_frequencies<W: Worksheet>(
+    reduced: &ReducedTrain<W::Num>,
+    modes: &[TorsionalMode],
+    sheet: W,
+) -> Vec<W::Num> {
     if let Some(Line { inertias, stiffnesses }) = free_line(reduced, sheet) {
         match (&inertias[..], &stiffnesses[..]) {
             (&[first, second], &[k]) => {
@@ -249,8 +253,8 @@ fn natural_frequencies<W: Worksheet>(reduced: &Reduced<W::Num>, modes: &[Mode], 
         .take(MOST_FREQUENCIES)
         .enumerate()
         .map(|(n, mode)| {
-            let why = if n == 0 { Why::from(why) } else { Why::from("Similarly") };
-            sheet.found(("ω", n + 1), "rad/s", mode.frequency, why)
+            let why = if n == 0 { Reason::from(why) } else { Reason::from("Similarly") };
+            sheet.numerical(("ω", n + 1), "rad/s", mode.frequency, why)
         })
         .collect()
 }
@@ -263,7 +267,7 @@ struct Line<N> {
 
 /// The moments of inertia and the stiffnesses between them of a train in one line that nothing holds, with shafts
 /// joined that have no inertia between them, if there are two or three discs.
-fn free_line<W: Worksheet>(reduced: &Reduced<W::Num>, sheet: W) -> Option<Line<W::Num>> {
+fn free_line<W: Worksheet>(reduced: &ReducedTrain<W::Num>, sheet: W) -> Option<Line<W::Num>> {
     if !reduced.train.is_chain() || !reduced.train.is_free() {
         return None;
     }
@@ -300,12 +304,12 @@ fn free_line<W: Worksheet>(reduced: &Reduced<W::Num>, sheet: W) -> Option<Line<W
 }
 
 /// The Holzer residual at the trial frequency.
-fn residual<W: Worksheet>(reduced: &Reduced<W::Num>, trial: W::Num, sheet: W) {
+fn residual<W: Worksheet>(reduced: &ReducedTrain<W::Num>, trial: W::Num, sheet: W) {
     let rows = reduced.train.holzer(trial.value());
     let (Some(last), size) = (rows.last(), rows.iter().map(|row| row.size).sum()) else {
         return;
     };
-    let left = sheet.found(
+    let left = sheet.numerical(
         "T_r",
         "N*m",
         last.shaft_torque,
@@ -345,7 +349,7 @@ struct Node {
 
 impl TorsionalTrain {
     /// The amplitudes of the discs as they are, the first one 1, or the largest where the first hardly moves.
-    fn actual<N: Real>(&self, reduced: &Reduced<N>, mode: &Mode) -> Vec<f64> {
+    fn actual<N: Real>(&self, reduced: &ReducedTrain<N>, mode: &TorsionalMode) -> Vec<f64> {
         let amplitude = |disc: usize| {
             reduced.station_of[disc].map_or(0.0, |station| mode.shape[station] * reduced.speed(disc))
         };
@@ -358,7 +362,7 @@ impl TorsionalTrain {
         amplitudes.into_iter().map(clean).collect()
     }
 
-    fn nodes<N: Real>(&self, reduced: &Reduced<N>, modes: &[Mode]) -> Vec<Node> {
+    fn nodes<N: Real>(&self, reduced: &ReducedTrain<N>, modes: &[TorsionalMode]) -> Vec<Node> {
         let mut nodes = Vec::new();
         for (mode, found) in modes.iter().enumerate() {
             for (shaft, link) in reduced.links.iter().enumerate() {
@@ -380,14 +384,19 @@ impl TorsionalTrain {
 }
 
 /// Two more ways to a frequency.
-fn verify_mode<W: Worksheet>(reduced: &Reduced<W::Num>, mode: &Mode, frequency: W::Num, sheet: W) {
+fn verify_mode<W: Worksheet>(
+    reduced: &ReducedTrain<W::Num>,
+    mode: &TorsionalMode,
+    frequency: W::Num,
+    sheet: W,
+) {
     let at = |end: Option<usize>| end.map_or(0.0, |station| mode.shape[station]);
     let elastic: f64 = reduced
         .links
         .iter()
         .map(|link| link.stiffness.value() * (at(link.ends[0]) - at(link.ends[1])).powi(2))
         .sum();
-    let inertia = |station: &reduced::Station<W::Num>| station.inertia.map_or(0.0, Real::value);
+    let inertia = |station: &reduced::RigidDiscs<W::Num>| station.inertia.map_or(0.0, Real::value);
     let kinetic: f64 =
         reduced.stations.iter().zip(&mode.shape).map(|(station, x)| inertia(station) * x.powi(2)).sum();
     // Twists of stiff shafts are small differences of amplitudes, and a part of the train that is hardly coupled
@@ -468,7 +477,7 @@ fn answer_nodes<W: Worksheet>(nodes: &[Node], sheet: W) {
         let why = "Node of the shaft, from its first end: the amplitude falls from one end to the other as the \
                    compliance adds up";
         let why = if std::mem::take(&mut first) { why } else { "Similarly" };
-        let distance = sheet.found(place, "m", distance, why);
+        let distance = sheet.numerical(place, "m", distance, why);
         let [first, second] = node.ends;
         let before = compliance(&node.parts, distance.value());
         let after = compliance(&node.parts, f64::INFINITY) - before;

@@ -28,14 +28,14 @@ pub struct WhirlingShaft {
     /// Shaft.
     pub shaft: RotorShaft,
     /// Damping.
-    pub damping: Damping,
+    pub damping: WhirlDamping,
     /// Speed.
-    pub speed: Speed,
+    pub speed: ShaftSpeed,
     /// Shaft orientation.
     pub axis: ShaftAxis,
     /// Limit.
     /// If given, the speeds that satisfy it are also computed.
-    pub limit: Option<Limit>,
+    pub limit: Option<WhirlLimit>,
 }
 
 /// Eccentricity of the centre of mass, or the unbalance that gives it.
@@ -59,7 +59,7 @@ pub enum Imbalance {
 
 /// Damping of the whirl.
 #[derive(Clone, Debug, Inputs)]
-pub enum Damping {
+pub enum WhirlDamping {
     /// Undamped
     Undamped,
     /// Damping ratio given
@@ -85,7 +85,7 @@ pub enum Damping {
 
 /// Speed of the shaft.
 #[derive(Clone, Debug, Inputs)]
-pub enum Speed {
+pub enum ShaftSpeed {
     /// Speed given
     Given {
         /// Speed of the shaft.
@@ -116,7 +116,7 @@ pub enum ShaftAxis {
 
 /// Limit of the whirl.
 #[derive(Clone, Debug, Inputs)]
-pub enum Limit {
+pub enum WhirlLimit {
     /// Maximum whirl amplitude
     Amplitude {
         /// Maximum permitted whirl amplitude.
@@ -172,11 +172,11 @@ impl Analysis for WhirlingShaft {
         );
         let zeta = damping_ratio(given, k, eccentricity, sheet)?;
         let (speed, ratio) = match &given.speed {
-            SpeedGiven::Given { speed } => {
+            ShaftSpeedGiven::Given { speed } => {
                 let ratio = sheet.step("r", "1", sdof::frequency_ratio(*speed, natural), "Frequency ratio");
                 (*speed, ratio)
             }
-            SpeedGiven::Multiple { ratio } => {
+            ShaftSpeedGiven::Multiple { ratio } => {
                 (sheet.step("ω", "rpm", *ratio * natural, "Speed of the shaft"), *ratio)
             }
         };
@@ -260,15 +260,15 @@ fn damping_ratio<W: Worksheet>(
     sheet: W,
 ) -> Result<Option<W::Num>, Refusal> {
     Ok(match &given.damping {
-        DampingGiven::Undamped {} => None,
-        DampingGiven::Ratio { ratio } => Some(*ratio),
-        DampingGiven::Coefficient { coefficient } => Some(sheet.step(
+        WhirlDampingGiven::Undamped {} => None,
+        WhirlDampingGiven::Ratio { ratio } => Some(*ratio),
+        WhirlDampingGiven::Coefficient { coefficient } => Some(sheet.step(
             "ζ",
             "1",
             sdof::damping_ratio(*coefficient, stiffness, given.mass),
             ("Damping ratio: damping over critical damping", RAO.at("§2.6")),
         )),
-        DampingGiven::LargestAmplitude { amplitude } => {
+        WhirlDampingGiven::LargestAmplitude { amplitude } => {
             let peak = sheet.step(
                 "Λₘₐₓ",
                 "1",
@@ -335,7 +335,7 @@ fn whirl_at<W: Worksheet>(rotor: &Rotor<W::Num>, speed: W::Num, ratio: W::Num, s
                     "Above the critical speed, undamped: the centre of mass lies on the inside, opposite to the deflection",
                 )
             };
-            (amplitude, sheet.found("φ", "deg", lag, how), None)
+            (amplitude, sheet.numerical("φ", "deg", lag, how), None)
         }
     };
     sheet.verify(|| {

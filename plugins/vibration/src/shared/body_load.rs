@@ -1,10 +1,10 @@
 //! A body by its mass or by its weight, with the gravity of the problem.
 
-use dalembert_core::{Inputs, Symbol, Why, Worksheet};
+use dalembert_core::{Inputs, Reason, Symbol, Worksheet};
 
 /// A mass or a weight.
 #[derive(Clone, Debug, Inputs)]
-pub enum Load {
+pub enum MassOrWeight {
     /// Mass given
     Mass {
         /// Mass.
@@ -19,7 +19,7 @@ pub enum Load {
     },
 }
 
-impl<W: Worksheet> LoadGiven<W> {
+impl<W: Worksheet> MassOrWeightGiven<W> {
     /// The mass, kg, written as the step `symbol` where the weight is given.
     #[inline]
     pub(crate) fn mass(
@@ -27,11 +27,11 @@ impl<W: Worksheet> LoadGiven<W> {
         gravity: W::Num,
         sheet: W,
         symbol: impl Into<Symbol>,
-        why: impl Into<Why>,
+        why: impl Into<Reason>,
     ) -> W::Num {
         match *self {
-            LoadGiven::Mass { mass } => mass,
-            LoadGiven::Weight { weight } => sheet.step(symbol, "kg", weight / gravity, why),
+            MassOrWeightGiven::Mass { mass } => mass,
+            MassOrWeightGiven::Weight { weight } => sheet.step(symbol, "kg", weight / gravity, why),
         }
     }
 }

@@ -13,7 +13,7 @@ use crate::{
 
 /// A mass and the spring that joins it to the one before, the first one to the base.
 #[derive(Clone, Debug, Inputs)]
-pub struct Link {
+pub struct ChainMass {
     /// Mass.
     pub mass: Mass,
     /// Stiffness of its spring.
@@ -26,7 +26,7 @@ pub struct Link {
 const MOST_LINKS: usize = 12;
 
 /// A mode with its numbers on a worksheet.
-pub(crate) struct Mode<N> {
+pub(crate) struct WorkedMode<N> {
     /// Natural frequency.
     pub(crate) natural: N,
     /// `Γφᵢ` at each mass: the share of this mode in a unit displacement of all masses.
@@ -41,7 +41,10 @@ pub(crate) struct Mode<N> {
 ///
 /// # Errors
 /// No masses or too many; numbers that leave the range of the eigenvalue problem.
-pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Vec<Mode<W::Num>>, Refusal> {
+pub(crate) fn modes<W: Worksheet>(
+    links: &[ChainMassGiven<W>],
+    sheet: W,
+) -> Result<Vec<WorkedMode<W::Num>>, Refusal> {
     if links.len() > MOST_LINKS {
         return Err(Refusal::because(
             "a chain of more than twelve masses is not written out here: join some of them",
@@ -61,17 +64,17 @@ pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Ve
             "Natural frequency of this mode: an eigenvalue of the stiffness and mass matrices of the chain",
             CHOPRA.at("§10.2"),
         );
-        let natural = sheet.found(Symbol::from("ω").row(n + 1), "rad/s", numbers.natural, why);
+        let natural = sheet.numerical(Symbol::from("ω").row(n + 1), "rad/s", numbers.natural, why);
         let shares = numbers.shape.iter().enumerate().map(|(i, shape)| {
             let why = (
                 "Modal contribution to the motion of this mass under base excitation: Γφ, with Γ = Σmφ/Σmφ²",
                 CHOPRA.at("§13.1"),
             );
             let symbol = Symbol::from("Γφ").row(n + 1).row(i + 1);
-            sheet.found(symbol, "1", numbers.participation * shape, why)
+            sheet.numerical(symbol, "1", numbers.participation * shape, why)
         });
         let shares = shares.collect();
-        modes.push(Mode { natural, shares, numbers, masses: weights.clone() });
+        modes.push(WorkedMode { natural, shares, numbers, masses: weights.clone() });
     }
     sheet.verify(|| {
         for i in 0..links.len() {
@@ -100,7 +103,7 @@ pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Ve
             "Effective mass of the mode over the whole mass: how much of it moves with the base",
             CHOPRA.at("§13.2"),
         );
-        let mass = sheet.found(Symbol::from("μ").row(n + 1), "%", mass, why);
+        let mass = sheet.numerical(Symbol::from("μ").row(n + 1), "%", mass, why);
         sheet.answer(("effective_mass", n + 1), "Effective mass of the mode", mass);
         together = together + mass;
     }
@@ -111,8 +114,8 @@ pub(crate) fn modes<W: Worksheet>(links: &[LinkGiven<W>], sheet: W) -> Result<Ve
 /// Holds the displacements of the masses in a mode, each of them in every mode, to the equations of motion
 /// `mᵢω²xᵢ = kᵢ(xᵢ − xᵢ₋₁) − kᵢ₊₁(xᵢ₊₁ − xᵢ)`.
 pub(crate) fn check_motions<W: Worksheet>(
-    links: &[LinkGiven<W>],
-    modes: &[Mode<W::Num>],
+    links: &[ChainMassGiven<W>],
+    modes: &[WorkedMode<W::Num>],
     moved: &[Vec<W::Num>],
     sheet: W,
 ) {

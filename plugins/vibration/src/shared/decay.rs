@@ -13,12 +13,12 @@ pub struct Decay {
     #[input("(x₁/xₙ)", "1", min = 1)]
     pub amplitude_ratio: f64,
     /// Counted quantity.
-    pub counted: Counted,
+    pub counted: DecayCount,
 }
 
 /// Number of cycles, or time, from the first amplitude to the last.
 #[derive(Clone, Debug, Inputs)]
-pub enum Counted {
+pub enum DecayCount {
     /// Cycles between the two amplitudes
     Cycles {
         /// Number of cycles.
@@ -48,8 +48,8 @@ pub(crate) struct FreeDecay<N> {
 #[inline]
 pub(crate) fn decrement<W: Worksheet>(given: &DecayGiven<W>, sheet: W) -> FreeDecay<W::Num> {
     let cycles = match &given.counted {
-        CountedGiven::Cycles { cycles } => *cycles,
-        CountedGiven::Amplitudes { amplitudes } => {
+        DecayCountGiven::Cycles { cycles } => *cycles,
+        DecayCountGiven::Amplitudes { amplitudes } => {
             sheet.step("N", "1", *amplitudes - 1.0, "Successive amplitudes are one cycle apart")
         }
     };

@@ -5,19 +5,19 @@ use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{Real, sdof, vibration::transient::closed};
 
 use crate::{
-    shared::oscillator::{Body, DampingGiven, ElasticityGiven, Loss, Suspension, suspension},
+    shared::oscillator::{DampingGiven, ElasticityGiven, Loss, MassAndStiffness, Suspension, suspension},
     sources::RAO,
 };
 
 /// A viscously damped oscillator.
 #[derive(Clone, Copy)]
-pub(crate) struct System<N> {
+pub(crate) struct DampedOscillator<N> {
     /// Natural frequency without damping.
     pub(crate) natural: N,
     /// Damping ratio.
     pub(crate) ratio: N,
     /// Mass and stiffness, where the mass is known.
-    pub(crate) body: Option<Body<N>>,
+    pub(crate) body: Option<MassAndStiffness<N>>,
 }
 
 /// Writes the numbers of an oscillator.
@@ -29,10 +29,10 @@ pub(crate) fn system<W: Worksheet>(
     elasticity: &ElasticityGiven<W>,
     damping: &DampingGiven<W>,
     sheet: W,
-) -> Result<System<W::Num>, Refusal> {
+) -> Result<DampedOscillator<W::Num>, Refusal> {
     let Suspension { natural, loss, body } = suspension(mass, elasticity, damping, sheet)?;
     match loss {
-        Loss::Viscous(ratio, _) => Ok(System { natural, ratio, body }),
+        Loss::Viscous(ratio, _) => Ok(DampedOscillator { natural, ratio, body }),
         Loss::Hysteretic(_) => Err(Refusal::because(
             "a loss factor describes steady-state vibration at one frequency, not a transient or random motion: give the damping ratio, which for light damping is half the loss factor",
         )),
@@ -41,7 +41,7 @@ pub(crate) fn system<W: Worksheet>(
 
 /// Parameters of the closed forms of the free motion.
 #[derive(Clone, Copy)]
-pub(crate) struct FreeMotion<N> {
+pub(crate) struct WorkedFreeMotion<N> {
     natural: N,
     ratio: N,
     regime: Regime<N>,
@@ -56,9 +56,9 @@ enum Regime<N> {
     Over { slow: N, fast: N },
 }
 
-impl<N: Real> FreeMotion<N> {
+impl<N: Real> WorkedFreeMotion<N> {
     /// Writes the damped frequency, or the rates of decay.
-    pub(crate) fn new<W: Worksheet<Num = N>>(system: &System<N>, sheet: W) -> Self {
+    pub(crate) fn new<W: Worksheet<Num = N>>(system: &DampedOscillator<N>, sheet: W) -> Self {
         let (natural, ratio) = (system.natural, system.ratio);
         let regime = match ratio.value() {
             0.0 => Regime::Undamped,

@@ -1,12 +1,14 @@
 //! Loads in the course of time: steps, ramps, pulses, tables; what transients and shock spectra share.
 
 use dalembert_core::{Inputs, Refusal};
-use dalembert_mechanics::vibration::transient::{Law, Oscillator, Output, Piece, State, UnitResponses};
+use dalembert_mechanics::vibration::transient::{
+    LoadLaw, LoadSegment, Oscillator, OscillatorState, TransientOutput, UnitResponses,
+};
 use dalembert_numerics::quadrature::integral;
 
 /// Time history of a load.
 #[derive(Clone, Debug, Inputs)]
-pub enum Course {
+pub enum LoadHistory {
     /// Step
     /// Applied suddenly and held constant.
     Step,
@@ -69,28 +71,36 @@ pub struct AccelerationPoint {
 /// A load as straight, sinusoidal and exponential pieces, each with a size of one.
 pub(crate) struct Pieces {
     /// The pieces.
-    pub(crate) pieces: Vec<Piece>,
+    pub(crate) pieces: Vec<LoadSegment>,
     /// End of the load, for one that ends.
     pub(crate) end: Option<f64>,
 }
 
-impl Course {
+impl LoadHistory {
     /// The pieces of a load of that size.
     ///
     /// # Errors
     /// A peak after the end of its pulse.
     pub(crate) fn pieces(&self, size: f64) -> Result<Pieces, Refusal> {
-        let line = |from, start, slope| Piece { from, law: Law::Line { start, slope } };
+        let line = |from, start, slope| LoadSegment { from, law: LoadLaw::Line { start, slope } };
         let none = |from| line(from, 0.0, 0.0);
         let (pieces, end) = match *self {
-            Course::Step => (vec![line(0.0, size, 0.0)], None),
-            Course::RampStep { rise } => (vec![line(0.0, 0.0, size / rise), line(rise, size, 0.0)], None),
-            Course::Ramp { rise } => (vec![line(0.0, 0.0, size / rise)], None),
-            Course::Exponential { constant } => {
-                (vec![Piece { from: 0.0, law: Law::Decay { amplitude: size, rate: 1.0 / constant } }], None)
+            LoadHistory::Step => (vec![line(0.0, size, 0.0)], None),
+            LoadHistory::RampStep { rise } => {
+                (vec![line(0.0, 0.0, size / rise), line(rise, size, 0.0)], None)
             }
-            Course::Rectangular { duration } => (vec![line(0.0, size, 0.0), none(duration)], Some(duration)),
-            Course::Triangular { duration, peak } => {
+            LoadHistory::Ramp { rise } => (vec![line(0.0, 0.0, size / rise)], None),
+            LoadHistory::Exponential { constant } => (
+                vec![LoadSegment {
+                    from: 0.0,
+                    law: LoadLaw::Decay { amplitude: size, rate: 1.0 / constant },
+                }],
+                None,
+            ),
+            LoadHistory::Rectangular { duration } => {
+                (vec![line(0.0, size, 0.0), none(duration)], Some(duration))
+            }
+            LoadHistory::Triangular { duration, peak } => {
                 let peak = peak.unwrap_or(duration / 2.0);
                 if peak > duration {
                     return Err(Refusal::because(
@@ -107,9 +117,9 @@ impl Course {
                 pieces.push(none(duration));
                 (pieces, Some(duration))
             }
-            Course::HalfSine { duration } => {
-                let law = Law::Sine { amplitude: size, frequency: std::f64::consts::PI / duration };
-                (vec![Piece { from: 0.0, law }, none(duration)], Some(duration))
+            LoadHistory::HalfSine { duration } => {
+                let law = LoadLaw::Sine { amplitude: size, frequency: std::f64::consts::PI / duration };
+                (vec![LoadSegment { from: 0.0, law }, none(duration)], Some(duration))
             }
         };
         Ok(Pieces { pieces, end })
@@ -135,21 +145,22 @@ pub(crate) fn table(points: &[(f64, f64)]) -> Result<Pieces, Refusal> {
     for pair in points.windows(2) {
         let ((from, start), (to, end)) = (pair[0], pair[1]);
         if to > from {
-            pieces.push(Piece { from, law: Law::Line { start, slope: (end - start) / (to - from) } });
+            pieces
+                .push(LoadSegment { from, law: LoadLaw::Line { start, slope: (end - start) / (to - from) } });
         }
     }
-    pieces.push(Piece { from: last, law: Law::Line { start: 0.0, slope: 0.0 } });
+    pieces.push(LoadSegment { from: last, law: LoadLaw::Line { start: 0.0, slope: 0.0 } });
     Ok(Pieces { pieces, end: Some(last) })
 }
 
 /// Pieces whose values are multiplied by a factor.
-pub(crate) fn scaled(pieces: &[Piece], factor: f64) -> Vec<Piece> {
-    let law = |law: Law| match law {
-        Law::Line { start, slope } => Law::Line { start: start * factor, slope: slope * factor },
-        Law::Sine { amplitude, frequency } => Law::Sine { amplitude: amplitude * factor, frequency },
-        Law::Decay { amplitude, rate } => Law::Decay { amplitude: amplitude * factor, rate },
+pub(crate) fn scaled(pieces: &[LoadSegment], factor: f64) -> Vec<LoadSegment> {
+    let law = |law: LoadLaw| match law {
+        LoadLaw::Line { start, slope } => LoadLaw::Line { start: start * factor, slope: slope * factor },
+        LoadLaw::Sine { amplitude, frequency } => LoadLaw::Sine { amplitude: amplitude * factor, frequency },
+        LoadLaw::Decay { amplitude, rate } => LoadLaw::Decay { amplitude: amplitude * factor, rate },
     };
-    pieces.iter().map(|piece| Piece { from: piece.from, law: law(piece.law) }).collect()
+    pieces.iter().map(|piece| LoadSegment { from: piece.from, law: law(piece.law) }).collect()
 }
 
 fn few() -> Refusal {
@@ -160,9 +171,9 @@ fn few() -> Refusal {
 /// motion begins in a state under a load of pieces. `None` where too much would have to be added up.
 pub(crate) fn by_impulses(
     oscillator: Oscillator,
-    begun: State,
-    pieces: &[Piece],
-    output: Output,
+    begun: OscillatorState,
+    pieces: &[LoadSegment],
+    output: TransientOutput,
     time: f64,
 ) -> Option<f64> {
     const MOST: f64 = 2000.0;
@@ -174,13 +185,13 @@ pub(crate) fn by_impulses(
     let (mut sum, mut parts) = (weighed(free[0], free[1]), 0.0);
     for (n, piece) in pieces.iter().enumerate() {
         let end = pieces.get(n + 1).map_or(time, |next| next.from).min(time);
-        if end <= piece.from || piece.law == (Law::Line { start: 0.0, slope: 0.0 }) {
+        if end <= piece.from || piece.law == (LoadLaw::Line { start: 0.0, slope: 0.0 }) {
             continue;
         }
         let fastest = match piece.law {
-            Law::Line { .. } => 0.0,
-            Law::Sine { frequency, .. } => frequency,
-            Law::Decay { rate, .. } => rate,
+            LoadLaw::Line { .. } => 0.0,
+            LoadLaw::Sine { frequency, .. } => frequency,
+            LoadLaw::Decay { rate, .. } => rate,
         };
         let here = (2.0 * (end - piece.from) * (natural * (1.0 + 2.0 * ratio) + fastest)).ceil().max(1.0);
         parts += here;

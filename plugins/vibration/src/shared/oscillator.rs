@@ -111,12 +111,12 @@ pub(crate) struct Suspension<N> {
     /// Damping mechanism.
     pub(crate) loss: Loss<N>,
     /// Quantities that depend on the mass; `None` if no mass is given.
-    pub(crate) body: Option<Body<N>>,
+    pub(crate) body: Option<MassAndStiffness<N>>,
 }
 
 /// The mass and its spring.
 #[derive(Clone, Copy)]
-pub(crate) struct Body<N> {
+pub(crate) struct MassAndStiffness<N> {
     pub(crate) mass: N,
     pub(crate) stiffness: N,
 }
@@ -200,12 +200,12 @@ pub(crate) fn suspension<W: Worksheet>(
         let stiffness = known_stiffness.unwrap_or_else(|| {
             sheet.step("k", "N/m", sdof::stiffness_from_natural_frequency(mass, natural), why)
         });
-        Body { mass, stiffness }
+        MassAndStiffness { mass, stiffness }
     });
     let loss = match damping {
         DampingGiven::LossFactor { loss_factor } => Loss::Hysteretic(*loss_factor),
         DampingGiven::Coefficient { coefficient } => {
-            let Body { mass, stiffness } = body.ok_or_else(|| {
+            let MassAndStiffness { mass, stiffness } = body.ok_or_else(|| {
                 Refusal::because(
                     "a damping coefficient is not sufficient without the mass: write the mass, or the damping ratio",
                 )
@@ -283,7 +283,7 @@ impl<N: Real> AtFrequency<N> {
 
 /// Resisting force of spring, damper and inertia in a steady motion `X cos(ωt − φ)`, over the stiffness: in phase with
 /// the excitation, and a quarter of a cycle ahead of it; and the magnitude of its terms.
-pub(crate) fn put_up<N: Real>([ratio, zeta]: [N; 2], amplitude: N, lag: N) -> ([N; 2], f64) {
+pub(crate) fn resisting_force<N: Real>([ratio, zeta]: [N; 2], amplitude: N, lag: N) -> ([N; 2], f64) {
     let (held, damped) = (N::from(1.0) - ratio.powi(2), zeta * ratio * 2.0);
     let size = amplitude.value().abs() * (1.0 + ratio.value().powi(2) + damped.value());
     let in_phase = amplitude * (held * lag.cos() + damped * lag.sin());

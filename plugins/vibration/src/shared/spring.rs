@@ -9,7 +9,7 @@ mod single;
 pub(crate) mod sketch;
 pub mod torsional;
 
-use self::element::{Build, Motion};
+use self::element::{Build, SpringMotion};
 pub(crate) use self::element::{Element, Joined, symbol};
 use crate::shared::section::{AxialSection, Section, ShaftSection};
 
@@ -334,7 +334,7 @@ pub(crate) fn network<W: Worksheet>(
     sheet: W,
     place: &[usize],
 ) -> Result<Element<W::Num>, Refusal> {
-    let build = Build { motion: Motion::Translation, place, label: label(given), sheet };
+    let build = Build { motion: SpringMotion::Translation, place, label: label(given), sheet };
     let inside = |members: &[SpringGiven<W>]| {
         let row = |(n, member): (usize, &SpringGiven<W>)| network(member, sheet, &[place, &[n + 1]].concat());
         members.iter().enumerate().map(row).collect::<Result<Vec<_>, _>>()

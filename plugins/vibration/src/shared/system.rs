@@ -47,7 +47,7 @@ pub enum System {
         #[input("c", "N*s/m", nonnegative)]
         damper: Option<f64>,
         /// Ends.
-        ends: Ends,
+        ends: ChainEnds,
     },
     /// Masses on a stretched string
     String {
@@ -74,7 +74,7 @@ pub enum System {
 
 /// End conditions of a chain of equal masses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum Ends {
+pub enum ChainEnds {
     /// Springs to a wall at both ends
     BothFixed,
     /// Spring to a wall before the first mass, last mass free
@@ -202,9 +202,9 @@ pub(crate) fn assemble<W: Worksheet>(
             let links: Vec<Link<W::Num>> = (0..=*count)
                 .map(|place| {
                     let held = match ends {
-                        Ends::BothFixed => true,
-                        Ends::FirstFixed => place < *count,
-                        Ends::Free => place > 0 && place < *count,
+                        ChainEnds::BothFixed => true,
+                        ChainEnds::FirstFixed => place < *count,
+                        ChainEnds::Free => place > 0 && place < *count,
                     };
                     Link {
                         spring: held.then_some(*spring),
@@ -346,7 +346,7 @@ fn matrices<W: Worksheet>(entries: &[Entry], sheet: W) -> Result<Assembled<W::Nu
     }
     let two = (n == 2 && mass[(0, 1)] == 0.0 && stiffness[(0, 1)] != 0.0).then(|| {
         let listed = |base, row, column, unit, value| {
-            sheet.found(symbol(base, row, column), unit, value, "From the table of the matrices")
+            sheet.numerical(symbol(base, row, column), unit, value, "From the table of the matrices")
         };
         let masses = [0, 1].map(|row| listed("M", row, row, "kg", mass[(row, row)]));
         let places = [(0, 0), (0, 1), (1, 1)];

@@ -7,13 +7,15 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    vibration::transient::{Law, Motion, Oscillator, Output, Piece, State},
+    vibration::transient::{
+        LoadLaw, LoadSegment, Oscillator, OscillatorState, TransientMotion, TransientOutput,
+    },
 };
 use dalembert_numerics::roots;
 
 use crate::{
     shared::{
-        free_motion::{FreeMotion, System, system},
+        free_motion::{DampedOscillator, WorkedFreeMotion, system},
         oscillator::{Damping, Elasticity, Mass, mass},
     },
     sources::{MERIAM, RAO, THOMSON},
@@ -120,13 +122,13 @@ impl Analysis for DropImpact {
             sheet.step("δ_p", "mm", pan * gravity / stiffness, why)
         });
 
-        let motion = Motion::new(
+        let motion = TransientMotion::new(
             Oscillator { natural: system.natural.value(), ratio: system.ratio.value() },
-            State { displacement: 0.0, velocity: start.value() },
-            &[Piece { from: 0.0, law: Law::Line { start: sag.value(), slope: 0.0 } }],
+            OscillatorState { displacement: 0.0, velocity: start.value() },
+            &[LoadSegment { from: 0.0, law: LoadLaw::Line { start: sag.value(), slope: 0.0 } }],
         )
         .map_err(cannot)?;
-        let free = FreeMotion::new(&system, sheet);
+        let free = WorkedFreeMotion::new(&system, sheet);
         let fall = Drop { body, pan, gravity, speed, sag, start, system, pan_sag, motion, free };
         sheet.answer("contact_speed", "Speed at contact", speed);
         if let Some((_, time)) = contact {
@@ -153,10 +155,10 @@ struct Drop<N> {
     speed: N,
     sag: N,
     start: N,
-    system: System<N>,
+    system: DampedOscillator<N>,
     pan_sag: Option<N>,
-    motion: Motion,
-    free: FreeMotion<N>,
+    motion: TransientMotion,
+    free: WorkedFreeMotion<N>,
 }
 
 impl<N: Real> Drop<N> {
@@ -171,13 +173,17 @@ impl<N: Real> Drop<N> {
         contact: Option<(N, N)>,
         sheet: W,
     ) -> Result<Option<(f64, f64)>, Refusal> {
-        let found = self.motion.extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]).map_err(cannot)?.largest;
+        let found = self
+            .motion
+            .extremes(TransientOutput::DISPLACEMENT, [0.0, f64::INFINITY])
+            .map_err(cannot)?
+            .largest;
         let natural = self.system.natural;
         // A motion that never turns has its largest value at no time.
         let turns = found.time > 0.0;
         let (after, deflection, by_recurrence) = if turns {
             let why = "Time from contact to maximum deflection: the first zero of the velocity";
-            let after = sheet.found("τₘ", "s", found.time, why);
+            let after = sheet.numerical("τₘ", "s", found.time, why);
             let why = (
                 "Maximum deflection from the static position of pan or cushion: a step of the weight and the velocity at contact",
                 RAO.at("§4.5"),
@@ -240,13 +246,13 @@ impl<N: Real> Drop<N> {
             }
         });
         let stiffness = self.system.body.expect("the mass is known").stiffness;
-        let output = Output::support(self.system.ratio.value());
+        let output = TransientOutput::support(self.system.ratio.value());
         let support = self.motion.extremes(output, [0.0, f64::INFINITY]).map_err(cannot)?.largest.value;
         let reached = if self.free.is_undamped() {
             deflection
         } else {
             let why = "Maximum value of y + 2ζẏ/ωₙ, the force of spring and damper over the stiffness";
-            sheet.found("y_F", "mm", support, why)
+            sheet.numerical("y_F", "mm", support, why)
         };
         let pressed = self.pan_sag.map_or(reached, |pan| reached + pan);
         let why = "Maximum force of spring and damper on the ground";
@@ -283,7 +289,7 @@ impl<N: Real> Drop<N> {
 
     /// Time of separation of the body from the pan or cushion, counted from contact; `None` if it stays.
     fn parting<W: Worksheet<Num = N>>(&self, sheet: W) -> Result<Option<N>, Refusal> {
-        let output = Output::support(self.system.ratio.value());
+        let output = TransientOutput::support(self.system.ratio.value());
         let limit = -self.pan_sag.map_or(0.0, Real::value);
         let found = self.motion.extremes(output, [0.0, f64::INFINITY]).map_err(cannot)?;
         let (top, bottom) = (found.largest.time, found.least);
@@ -295,7 +301,7 @@ impl<N: Real> Drop<N> {
             return Ok(None);
         };
         let why = "Time from contact until the body leaves the pan: the force between them is zero";
-        let parting = sheet.found("τ_s", "s", time, why);
+        let parting = sheet.numerical("τ_s", "s", time, why);
         sheet.check_zero("the force is zero then", force(parting.value()).into(), found.largest.value);
         sheet.answer("contact_duration", "Contact duration", parting);
         Ok(Some(parting))

@@ -106,7 +106,7 @@ impl Analysis for GunRecoil {
         );
         let out =
             sheet.step("t₁", "s", W::Num::from(PI) / (natural * 2.0), "Recoil time: a quarter of the period");
-        let back = sheet.found(
+        let back = sheet.numerical(
             "t₂",
             "s",
             return_angle(share) / natural.value(),

@@ -8,12 +8,12 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    vibration::transient::{Motion, Oscillator, Output, Piece, State},
+    vibration::transient::{LoadSegment, Oscillator, OscillatorState, TransientMotion, TransientOutput},
 };
 use dalembert_numerics::quadrature::integral;
 
 use crate::{
-    shared::load::{self, AccelerationPoint, Course},
+    shared::load::{self, AccelerationPoint, LoadHistory},
     sources::{CHOPRA, HARRIS, RAO},
 };
 
@@ -27,7 +27,7 @@ pub struct ShockResponseSpectrum {
     #[input("ζ", "1", nonnegative, default = "0.05")]
     pub ratio: f64,
     /// Quantity plotted.
-    pub measure: Measure,
+    pub measure: SpectrumQuantity,
     /// Lowest frequency.
     #[input("f₁", "Hz", positive)]
     pub lowest: f64,
@@ -49,7 +49,7 @@ pub enum Shock {
         #[input("a₀", "m/s^2", positive)]
         acceleration: f64,
         /// Form.
-        form: Form,
+        form: PulseForm,
     },
     /// Table
     /// Linear between the points, zero before the first and after the last.
@@ -63,7 +63,7 @@ pub enum Shock {
 
 /// The form of a pulse.
 #[derive(Clone, Debug, Inputs)]
-pub enum Form {
+pub enum PulseForm {
     /// Half sine
     HalfSine {
         /// Duration.
@@ -90,7 +90,7 @@ pub enum Form {
 
 /// Response quantity of the plot.
 #[derive(Clone, Debug, Inputs)]
-pub enum Measure {
+pub enum SpectrumQuantity {
     /// Absolute acceleration
     Absolute,
     /// Pseudo-acceleration: relative displacement times ωₙ²
@@ -119,7 +119,7 @@ impl Analysis for ShockResponseSpectrum {
         let spectrum = Spectrum {
             shock: &shock,
             ratio: self.ratio,
-            absolute: matches!(self.measure, Measure::Absolute),
+            absolute: matches!(self.measure, SpectrumQuantity::Absolute),
         };
         let pulse = match &given.shock {
             ShockGiven::Pulse { acceleration, form } => Some((*acceleration, duration(form))),
@@ -127,13 +127,13 @@ impl Analysis for ShockResponseSpectrum {
         };
         if let (Some((acceleration, duration)), ShockGiven::Pulse { form, .. }) = (pulse, &given.shock) {
             let (change, why) = match form {
-                FormGiven::HalfSine { .. } => {
+                PulseFormGiven::HalfSine { .. } => {
                     (acceleration * duration * 2.0 / PI, "Velocity change: area of the half-sine pulse")
                 }
-                FormGiven::Rectangle { .. } => {
+                PulseFormGiven::Rectangle { .. } => {
                     (acceleration * duration, "Velocity change: area of the rectangular pulse")
                 }
-                FormGiven::Triangle { .. } => {
+                PulseFormGiven::Triangle { .. } => {
                     (acceleration * duration / 2.0, "Velocity change: area of the triangular pulse")
                 }
             };
@@ -157,7 +157,7 @@ impl Analysis for ShockResponseSpectrum {
 
 /// A shock as pieces, with the end that parts primary from residual.
 struct Pieces {
-    pieces: Vec<Piece>,
+    pieces: Vec<LoadSegment>,
     end: f64,
 }
 
@@ -165,7 +165,7 @@ impl Pieces {
     /// Velocity change of the base.
     fn area(&self) -> f64 {
         let ends = self.pieces.iter().skip(1).map(|next| next.from).chain([self.end]);
-        let of = |(piece, end): (&Piece, f64)| {
+        let of = |(piece, end): (&LoadSegment, f64)| {
             integral(|time| piece.law.at(time - piece.from), [piece.from, end], 8)
         };
         self.pieces.iter().zip(ends).map(of).sum()
@@ -197,14 +197,14 @@ impl Ordinate {
 
 impl Spectrum<'_> {
     /// The motion relative to the base of an oscillator of that frequency.
-    fn motion(&self, frequency: f64) -> Result<Motion, Refusal> {
+    fn motion(&self, frequency: f64) -> Result<TransientMotion, Refusal> {
         let oscillator = Oscillator { natural: frequency, ratio: self.ratio };
         let pieces = load::scaled(&self.shock.pieces, -1.0 / (frequency * frequency));
-        Motion::new(oscillator, State::default(), &pieces).map_err(cannot)
+        TransientMotion::new(oscillator, OscillatorState::default(), &pieces).map_err(cannot)
     }
 
-    fn output(&self) -> Output {
-        if self.absolute { Output::support(self.ratio) } else { Output::DISPLACEMENT }
+    fn output(&self) -> TransientOutput {
+        if self.absolute { TransientOutput::support(self.ratio) } else { TransientOutput::DISPLACEMENT }
     }
 
     fn at(&self, frequency: f64) -> Result<Ordinate, Refusal> {
@@ -224,8 +224,9 @@ impl Spectrum<'_> {
     /// Primary and residual of an ordinate by the integral over impulses. `None` where that is too much.
     fn by_impulses(&self, ordinate: &Ordinate) -> Option<[f64; 2]> {
         let oscillator = Oscillator { natural: ordinate.frequency, ratio: self.ratio };
-        let at =
-            |time| load::by_impulses(oscillator, State::default(), &self.shock.pieces, self.output(), time);
+        let at = |time| {
+            load::by_impulses(oscillator, OscillatorState::default(), &self.shock.pieces, self.output(), time)
+        };
         let [primary, residual] = ordinate.times;
         Some([at(primary)?.abs(), at(residual)?.abs()])
     }
@@ -306,9 +307,9 @@ impl ShockResponseSpectrum {
         let built = match &self.shock {
             Shock::Pulse { acceleration, form } => {
                 let course = match *form {
-                    Form::HalfSine { duration } => Course::HalfSine { duration },
-                    Form::Rectangle { duration } => Course::Rectangular { duration },
-                    Form::Triangle { duration, peak } => Course::Triangular { duration, peak },
+                    PulseForm::HalfSine { duration } => LoadHistory::HalfSine { duration },
+                    PulseForm::Rectangle { duration } => LoadHistory::Rectangular { duration },
+                    PulseForm::Triangle { duration, peak } => LoadHistory::Triangular { duration, peak },
                 };
                 course.pieces(*acceleration)?
             }
@@ -348,9 +349,9 @@ impl ShockResponseSpectrum {
             "Maximum response during the shock: the motion is exact over each piece of the shock, its peaks are where its rate is zero",
             HARRIS.at("ch. 8"),
         );
-        let primary = sheet.found(row("S_p"), "m/s^2", ordinate.primary, why);
+        let primary = sheet.numerical(row("S_p"), "m/s^2", ordinate.primary, why);
         let why = "Maximum response after the shock, from the free motion starting at its end";
-        let residual = sheet.found(row("S_r"), "m/s^2", ordinate.residual, why);
+        let residual = sheet.numerical(row("S_r"), "m/s^2", ordinate.residual, why);
         let (larger, why) = if ordinate.primary >= ordinate.residual {
             (primary, "The maximax is the larger one: the primary")
         } else {
@@ -420,11 +421,11 @@ impl ShockResponseSpectrum {
             return None;
         }
         match form {
-            Form::Rectangle { .. } => {
+            PulseForm::Rectangle { .. } => {
                 let primary = if n >= 0.5 { 2.0 } else { 1.0 - (2.0 * PI * n).cos() };
                 Some([primary, 2.0 * (PI * n).sin().abs()])
             }
-            Form::HalfSine { .. } if (n - 0.5).abs() > 1e-3 => {
+            PulseForm::HalfSine { .. } if (n - 0.5).abs() > 1e-3 => {
                 // r = Ω/ωₙ. The velocity is zero where Ωt = 2πj r/(1 + r) or 2πj r/(1 − r).
                 let r = 0.5 / n;
                 let at = |angle: f64| (angle.sin() - r * (angle / r).sin()).abs() / (1.0 - r * r).abs();
@@ -469,7 +470,7 @@ fn largest<W: Worksheet>(
         Some(_) => "Maximum ordinate of the spectrum over the range, where its slope is zero",
         None => "Maximum ordinate of the spectrum among the plotted frequencies",
     };
-    let largest_value = sheet.found("Sₘ", "m/s^2", largest.maximax(), why);
+    let largest_value = sheet.numerical("Sₘ", "m/s^2", largest.maximax(), why);
     sheet.answer("largest", "Maximum ordinate over the range", largest_value);
     if let Some((acceleration, _)) = pulse {
         let why = ("Maximum amplification over the range", RAO.at("§4.6"));
@@ -489,7 +490,7 @@ fn largest<W: Worksheet>(
         }
     });
     if let Some([frequency, step]) = peak {
-        let frequency = sheet.found("fₘ", "Hz", frequency, "Its natural frequency");
+        let frequency = sheet.numerical("fₘ", "Hz", frequency, "Its natural frequency");
         sheet.answer("largest_frequency", "Natural frequency of the maximum ordinate", frequency);
         if let Some((_, duration)) = pulse {
             let why = "Duration over the natural period, at the maximum ordinate";
@@ -572,11 +573,11 @@ fn table(curve: &[Ordinate]) -> TableExhibit {
     }
 }
 
-fn duration<W: Worksheet>(form: &FormGiven<W>) -> W::Num {
+fn duration<W: Worksheet>(form: &PulseFormGiven<W>) -> W::Num {
     match form {
-        FormGiven::HalfSine { duration }
-        | FormGiven::Rectangle { duration }
-        | FormGiven::Triangle { duration, .. } => *duration,
+        PulseFormGiven::HalfSine { duration }
+        | PulseFormGiven::Rectangle { duration }
+        | PulseFormGiven::Triangle { duration, .. } => *duration,
     }
 }
 

@@ -7,7 +7,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    vibration::transient::{Extreme, Output, State, TransientError},
+    vibration::transient::{Extreme, OscillatorState, TransientError, TransientOutput},
 };
 
 mod model;
@@ -15,13 +15,13 @@ mod stress;
 mod superposition;
 
 use self::{
-    model::Model,
+    model::LoadModel,
     superposition::{Instant, Superposition},
 };
 use crate::{
     shared::{
-        free_motion::{System, system},
-        load::{AccelerationPoint, Course},
+        free_motion::{DampedOscillator, system},
+        load::{AccelerationPoint, LoadHistory},
         oscillator::{Damping, Elasticity, Mass, mass, plots},
     },
     sources::{CHOPRA, RAO, THOMSON},
@@ -58,7 +58,7 @@ pub enum Excitation {
         /// Magnitude.
         size: ForceSize,
         /// Time history.
-        course: Course,
+        course: LoadHistory,
     },
     /// Force on the mass from a table
     /// Linear between the points, zero before the first and after the last.
@@ -81,7 +81,7 @@ pub enum Excitation {
         #[input("a₀", "m/s^2", positive)]
         acceleration: f64,
         /// Time history.
-        course: Course,
+        course: LoadHistory,
     },
     /// Acceleration of the base by a table
     /// Straight between the points, zero before the first and after the last. The displacement is relative to the
@@ -166,11 +166,11 @@ impl Analysis for TransientResponse {
             sheet.answer("duration_ratio", "Duration over the natural period", ratio);
         }
         for (n, time) in given.times.iter().enumerate() {
-            let instant = Instant::asked(*time, n + 1);
+            let instant = Instant::output_at(*time, n + 1);
             let x = superposition.displacement(&instant, sheet)?;
             sheet.answer(("displacement", n + 1), "Displacement at time", x);
         }
-        let found = match model.motion.extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]) {
+        let found = match model.motion.extremes(TransientOutput::DISPLACEMENT, [0.0, f64::INFINITY]) {
             Ok(found) => Some(found.farthest()),
             Err(TransientError::Unbounded) => {
                 sheet.warn(|| {
@@ -198,13 +198,13 @@ impl TransientResponse {
         &self,
         given: &TransientResponseGiven<W>,
         largest: Extreme,
-        system: &System<W::Num>,
-        model: &Model<W::Num>,
+        system: &DampedOscillator<W::Num>,
+        model: &LoadModel<W::Num>,
         superposition: &Superposition<W::Num>,
         sheet: W,
     ) -> Result<(), Refusal> {
         let why = "Time of maximum displacement: the first zero of the velocity at which it is reached";
-        let time = sheet.found("tₘ", "s", largest.time, why);
+        let time = sheet.numerical("tₘ", "s", largest.time, why);
         let x = superposition.displacement(&Instant::largest(time), sheet)?;
         let at = model.motion.at(time.value());
         sheet.check_zero(
@@ -229,15 +229,15 @@ impl TransientResponse {
         }
         if let Some(end) = model.end {
             let residual =
-                model.motion.extremes(Output::DISPLACEMENT, [end, f64::INFINITY]).map_err(cannot)?;
+                model.motion.extremes(TransientOutput::DISPLACEMENT, [end, f64::INFINITY]).map_err(cannot)?;
             let why = "Maximum displacement after the load, from the free motion starting at its end";
             let left = residual.farthest().value.abs();
             // A pulse of whole periods leaves nothing, and its rounding is no displacement.
             let left = if left > 1e-13 * superposition.scale(end) { left } else { 0.0 };
-            let residual = sheet.found("x_r", "mm", left, why);
+            let residual = sheet.numerical("x_r", "mm", left, why);
             sheet.verify(|| {
                 if system.ratio.value() == 0.0 {
-                    let State { displacement, velocity } = model.motion.at(end);
+                    let OscillatorState { displacement, velocity } = model.motion.at(end);
                     sheet.check_sum(
                         "without damping, the residual amplitude is that of the state at the end of the load",
                         residual,
@@ -258,14 +258,14 @@ impl TransientResponse {
     /// Closed forms of the largest displacement, where there is one.
     fn closed_form<W: Worksheet>(
         &self,
-        system: &System<W::Num>,
+        system: &DampedOscillator<W::Num>,
         factor: W::Num,
         overshoot: Option<W::Num>,
         sheet: W,
     ) {
         let ratio = system.ratio.value();
         sheet.verify(|| match self.course() {
-            Some(Course::Step) if ratio < 1.0 => {
+            Some(LoadHistory::Step) if ratio < 1.0 => {
                 let damped = ((1.0 - ratio) * (1.0 + ratio)).sqrt();
                 sheet.check(
                     "dynamic load factor of a step from its closed form, 1 + e^(−πζ/√(1 − ζ²))",
@@ -281,7 +281,7 @@ impl TransientResponse {
                     );
                 }
             }
-            Some(Course::RampStep { rise }) if ratio == 0.0 => {
+            Some(LoadHistory::RampStep { rise }) if ratio == 0.0 => {
                 let half = system.natural.value() * rise / 2.0;
                 sheet.check(
                     "dynamic load factor of the ramp from its closed form, 1 + |sin(πt_r/T)|/(πt_r/T)",
@@ -296,18 +296,18 @@ impl TransientResponse {
     /// The largest force on the support, or the largest acceleration of a mass on an excited base.
     fn support<W: Worksheet>(
         &self,
-        system: &System<W::Num>,
-        model: &Model<W::Num>,
+        system: &DampedOscillator<W::Num>,
+        model: &LoadModel<W::Num>,
         sheet: W,
     ) -> Result<(), Refusal> {
-        let output = Output::support(system.ratio.value());
+        let output = TransientOutput::support(system.ratio.value());
         let found = model.motion.extremes(output, [0.0, f64::INFINITY]).map_err(cannot)?.farthest();
         let natural = system.natural.value();
         let state = model.motion.at(found.time);
         let rate = 2.0 * system.ratio.value() * state.velocity / natural;
         let scale = found.value.abs().max(state.displacement.abs()).max(rate.abs());
         let level = |sheet: W| {
-            let State { displacement, velocity } = model.motion.at(found.time);
+            let OscillatorState { displacement, velocity } = model.motion.at(found.time);
             let load = model.motion.load(found.time);
             let slope = 2.0 * system.ratio.value() * velocity / natural;
             let rate = velocity / natural + 2.0 * system.ratio.value() * (load - displacement - slope);
@@ -319,7 +319,7 @@ impl TransientResponse {
         };
         if self.is_relative() {
             let why = "Maximum acceleration of the mass itself, −2ζωₙż − ωₙ²z, where its rate is zero";
-            let largest = sheet.found("aₘ", "m/s^2", found.value.abs() * natural * natural, why);
+            let largest = sheet.numerical("aₘ", "m/s^2", found.value.abs() * natural * natural, why);
             sheet.verify(|| {
                 level(sheet);
                 if let Some(by_impulses) = model.by_impulses(natural, system.ratio.value(), found.time) {
@@ -331,7 +331,7 @@ impl TransientResponse {
             sheet.answer("acceleration", "Maximum absolute acceleration", largest);
         } else if let Some(body) = system.body {
             let why = "Maximum force of spring and damper on the support, kx + cẋ, where its rate is zero";
-            let largest = sheet.found("F_T", "kN", found.value.abs() * body.stiffness.value(), why);
+            let largest = sheet.numerical("F_T", "kN", found.value.abs() * body.stiffness.value(), why);
             sheet.verify(|| {
                 level(sheet);
                 if let Some(by_impulses) = model.by_impulses(natural, system.ratio.value(), found.time) {
@@ -346,7 +346,7 @@ impl TransientResponse {
         Ok(())
     }
 
-    fn course(&self) -> Option<&Course> {
+    fn course(&self) -> Option<&LoadHistory> {
         match &self.excitation {
             Excitation::Force { course, .. } | Excitation::BaseAcceleration { course, .. } => Some(course),
             _ => None,
@@ -359,7 +359,7 @@ impl TransientResponse {
     }
 
     /// Until when the motion is shown.
-    fn shown<N: Real>(&self, period: f64, model: &Model<N>, found: Option<Extreme>) -> f64 {
+    fn shown<N: Real>(&self, period: f64, model: &LoadModel<N>, found: Option<Extreme>) -> f64 {
         let settled = model.last_change();
         let asked = self.times.iter().copied().fold(0.0, f64::max);
         let reached = found.map_or(0.0, |found| found.time);
@@ -394,7 +394,7 @@ fn cannot(err: TransientError) -> Refusal {
     }
 }
 
-impl<N: Real> Model<N> {
+impl<N: Real> LoadModel<N> {
     /// Displacement and load in time.
     fn plot(&self, last: f64, found: Option<Extreme>, relative: bool) -> Plot {
         let time = |n: u16| last * f64::from(n) / 480.0;

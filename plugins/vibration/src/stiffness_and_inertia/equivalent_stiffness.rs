@@ -13,7 +13,7 @@ use crate::{
         spring::{
             Spring, SpringGiven, network,
             shares::{Loaded, shares},
-            sketch::{self, Hung},
+            sketch::{self, Suspended},
             torsional::{self, TorsionalSpring, TorsionalSpringGiven},
         },
     },
@@ -24,12 +24,12 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct EquivalentStiffness {
     /// Motion.
-    pub motion: Motion,
+    pub motion: SupportedMotion,
 }
 
 /// Type of motion of the body: translation or rotation.
 #[derive(Clone, Debug, Inputs)]
-pub enum Motion {
+pub enum SupportedMotion {
     /// Along a line
     Translation {
         /// Springs.
@@ -37,7 +37,7 @@ pub enum Motion {
         springs: Spring,
         /// Supported body.
         /// If omitted, only the stiffness is found.
-        load: Option<Load>,
+        load: Option<SupportedLoad>,
         /// Masses of the springs themselves.
         spring_masses: Vec<SpringMass>,
         /// Gravity.
@@ -52,7 +52,7 @@ pub enum Motion {
         springs: TorsionalSpring,
         /// Supported body.
         /// If omitted, only the stiffness is found.
-        body: Option<Body>,
+        body: Option<TorsionalBody>,
         /// Moment of inertia of the shaft about its axis.
         /// One third of it rotates with the body; omitted for a light shaft.
         #[input("J_s", "kg*m^2", nonnegative)]
@@ -76,7 +76,7 @@ pub enum Motion {
 
 /// Load on linear springs.
 #[derive(Clone, Debug, Inputs)]
-pub enum Load {
+pub enum SupportedLoad {
     /// Mass given
     Mass {
         /// Mass.
@@ -134,7 +134,7 @@ pub enum Deflected {
 
 /// Body on torsion springs.
 #[derive(Clone, Debug, Inputs)]
-pub enum Body {
+pub enum TorsionalBody {
     /// Moment of inertia known
     Known {
         /// Body.
@@ -164,13 +164,13 @@ impl Analysis for EquivalentStiffness {
 
     fn solve<W: Worksheet>(&self, given: &EquivalentStiffnessGiven<W>, sheet: W) -> Result<(), Refusal> {
         match &given.motion {
-            MotionGiven::Translation { springs, load, spring_masses, gravity } => {
+            SupportedMotionGiven::Translation { springs, load, spring_masses, gravity } => {
                 translation(springs, load.as_ref(), spring_masses, *gravity, sheet)?;
             }
-            MotionGiven::Rotation { springs, body, shaft_inertia } => {
+            SupportedMotionGiven::Rotation { springs, body, shaft_inertia } => {
                 rotation(springs, body.as_ref(), *shaft_inertia, sheet)?;
             }
-            MotionGiven::Sought { mass, natural_frequency, gravity } => {
+            SupportedMotionGiven::Sought { mass, natural_frequency, gravity } => {
                 sought(*mass, *natural_frequency, *gravity, sheet);
             }
         }
@@ -182,16 +182,18 @@ impl Analysis for EquivalentStiffness {
 impl EquivalentStiffness {
     fn drawing(&self) -> Drawing {
         match &self.motion {
-            Motion::Translation { springs, load, .. } => sketched(springs, load.as_ref().map(|_| "m")),
-            Motion::Rotation { springs, body, .. } => sketched(springs, body.as_ref().map(|_| "J")),
-            Motion::Sought { .. } => sketched(&Spring::Stiffness { stiffness: 1.0 }, Some("m")),
+            SupportedMotion::Translation { springs, load, .. } => {
+                sketched(springs, load.as_ref().map(|_| "m"))
+            }
+            SupportedMotion::Rotation { springs, body, .. } => sketched(springs, body.as_ref().map(|_| "J")),
+            SupportedMotion::Sought { .. } => sketched(&Spring::Stiffness { stiffness: 1.0 }, Some("m")),
         }
     }
 }
 
 fn translation<W: Worksheet>(
     springs: &SpringGiven<W>,
-    load: Option<&LoadGiven<W>>,
+    load: Option<&SupportedLoadGiven<W>>,
     spring_masses: &[SpringMassGiven<W>],
     gravity: W::Num,
     sheet: W,
@@ -240,7 +242,7 @@ fn translation<W: Worksheet>(
         )
     };
     let (mass, natural) = match load {
-        LoadGiven::Frequency { natural_frequency } => {
+        SupportedLoadGiven::Frequency { natural_frequency } => {
             let all = sdof::mass_from_natural_frequency(k, *natural_frequency);
             let why = ("Mass that has this natural frequency on the springs", RAO.at("§2.2"));
             let mass = if moving.is_empty() {
@@ -262,12 +264,12 @@ fn translation<W: Worksheet>(
             };
             (mass, *natural_frequency)
         }
-        LoadGiven::Mass { mass } => (*mass, natural(k, with_springs(*mass), sheet)),
-        LoadGiven::Weight { weight } => {
+        SupportedLoadGiven::Mass { mass } => (*mass, natural(k, with_springs(*mass), sheet)),
+        SupportedLoadGiven::Weight { weight } => {
             let mass = sheet.step("m", "kg", *weight / gravity, "Mass of the weight");
             (mass, natural(k, with_springs(mass), sheet))
         }
-        LoadGiven::Deflection { static_deflection } => {
+        SupportedLoadGiven::Deflection { static_deflection } => {
             let mass = sheet.step(
                 "m",
                 "kg",
@@ -277,13 +279,13 @@ fn translation<W: Worksheet>(
             (mass, natural(k, with_springs(mass), sheet))
         }
     };
-    answer_frequency(natural, matches!(load, LoadGiven::Frequency { .. }), sheet);
+    answer_frequency(natural, matches!(load, SupportedLoadGiven::Frequency { .. }), sheet);
     let weight = match load {
-        LoadGiven::Weight { weight } => *weight,
+        SupportedLoadGiven::Weight { weight } => *weight,
         _ => sheet.step("W", "N", mass * gravity, "Weight of the mass"),
     };
     let deflection = match load {
-        LoadGiven::Deflection { static_deflection } => *static_deflection,
+        SupportedLoadGiven::Deflection { static_deflection } => *static_deflection,
         _ => sheet.step("δ", "mm", weight / k, ("Static deflection under the weight", RAO.at("§2.2"))),
     };
     let moving_in_all = W::Num::sum(std::iter::once(mass).chain(moving.iter().copied()));
@@ -316,7 +318,7 @@ fn translation<W: Worksheet>(
 
 fn rotation<W: Worksheet>(
     springs: &TorsionalSpringGiven<W>,
-    body: Option<&BodyGiven<W>>,
+    body: Option<&TorsionalBodyGiven<W>>,
     shaft_inertia: Option<W::Num>,
     sheet: W,
 ) -> Result<(), Refusal> {
@@ -336,7 +338,7 @@ fn rotation<W: Worksheet>(
         )
     });
     let (inertia, natural) = match body {
-        BodyGiven::Frequency { natural_frequency } => {
+        TorsionalBodyGiven::Frequency { natural_frequency } => {
             let all = sdof::mass_from_natural_frequency(k, *natural_frequency);
             let why = ("Moment of inertia that has this natural frequency on the springs", RAO.at("§2.3"));
             let inertia = match shaft {
@@ -358,7 +360,7 @@ fn rotation<W: Worksheet>(
             };
             (inertia, *natural_frequency)
         }
-        BodyGiven::Known { inertia } => {
+        TorsionalBodyGiven::Known { inertia } => {
             let inertia = moment_of_inertia(inertia, sheet, "J".into());
             let all = match shaft {
                 None => inertia,
@@ -372,7 +374,7 @@ fn rotation<W: Worksheet>(
             (inertia, natural(k, all, sheet))
         }
     };
-    answer_frequency(natural, matches!(body, BodyGiven::Frequency { .. }), sheet);
+    answer_frequency(natural, matches!(body, TorsionalBodyGiven::Frequency { .. }), sheet);
     let turning = shaft.map_or(inertia, |shaft| inertia + shaft);
     sheet.verify(|| {
         sheet.check(
@@ -444,7 +446,7 @@ fn against_load(load: f64, natural: impl Fn(f64) -> f64, x: Axis) -> Plot {
 }
 
 /// The network under its support, with what it carries.
-fn sketched<T: Hung>(springs: &T, carried: Option<&'static str>) -> Drawing {
+fn sketched<T: Suspended>(springs: &T, carried: Option<&'static str>) -> Drawing {
     let (width, height) = sketch::size(springs);
     let half = (width / 2.0).max(0.9);
     let mut sketch = Sketch::new("The springs and the body they support");

@@ -1,10 +1,12 @@
 //! A network of springs and dampers as a graph: what it gives under a load, at rest, under harmonic forces and by
 //! itself.
 
-use dalembert_core::{About, Analysis, Exhibit, Inputs, Reference, Refusal, Text, Why, Worksheet, register};
+use dalembert_core::{
+    About, Analysis, Exhibit, Inputs, Reason, Reference, Refusal, Text, Worksheet, register,
+};
 use dalembert_mechanics::{
     Real, sdof,
-    vibration::network::{Link, Network, NetworkError},
+    vibration::network::{Network, NetworkError, SpringDamper},
 };
 use nalgebra::Complex;
 
@@ -23,10 +25,10 @@ pub struct SpringNetwork {
     /// Nodes.
     /// Points that move along one line; the ground is already included.
     #[input(min = 1)]
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<NetworkNode>,
     /// Elements.
     #[input(min = 1)]
-    pub elements: Vec<Element>,
+    pub elements: Vec<NetworkElement>,
     /// Loaded node.
     #[input(rows = "nodes")]
     pub loaded: Reference,
@@ -41,7 +43,7 @@ pub struct SpringNetwork {
 
 /// A point that moves.
 #[derive(Clone, Debug, Inputs)]
-pub struct Node {
+pub struct NetworkNode {
     /// Name.
     pub name: String,
     /// Mass.
@@ -52,7 +54,7 @@ pub struct Node {
 
 /// Element between two nodes, or between a node and ground.
 #[derive(Clone, Debug, Inputs)]
-pub struct Element {
+pub struct NetworkElement {
     /// From node.
     #[input(rows = "nodes")]
     pub from: Reference,
@@ -61,12 +63,12 @@ pub struct Element {
     #[input(rows = "nodes")]
     pub to: Option<Reference>,
     /// Kind.
-    pub kind: Kind,
+    pub kind: ElementKind,
 }
 
 /// Type of an element.
 #[derive(Clone, Debug, Inputs)]
-pub enum Kind {
+pub enum ElementKind {
     /// Spring
     Spring {
         /// Spring.
@@ -154,11 +156,11 @@ impl SpringNetwork {
                 ));
             }
             elements.push(match &element.kind {
-                KindGiven::Spring { spring } => {
+                ElementKindGiven::Spring { spring } => {
                     Between { stiffness: Some(network(spring, sheet, &[n + 1])?.stiffness), damping: None }
                 }
-                KindGiven::Damper { damping } => Between { stiffness: None, damping: Some(*damping) },
-                KindGiven::KelvinVoigt { stiffness, damping } => {
+                ElementKindGiven::Damper { damping } => Between { stiffness: None, damping: Some(*damping) },
+                ElementKindGiven::KelvinVoigt { stiffness, damping } => {
                     Between { stiffness: Some(*stiffness), damping: Some(*damping) }
                 }
             });
@@ -167,7 +169,7 @@ impl SpringNetwork {
     }
 
     fn system<N: Real>(&self, elements: &[Between<N>]) -> Network {
-        let links = elements.iter().enumerate().map(|(n, element)| Link {
+        let links = elements.iter().enumerate().map(|(n, element)| SpringDamper {
             ends: self.ends(n),
             stiffness: element.stiffness.map_or(0.0, Real::value),
             damping: element.damping.map_or(0.0, Real::value),
@@ -212,8 +214,8 @@ impl SpringNetwork {
             RAO.at("§1.7"),
         );
         let node = |(n, x): (usize, &f64)| {
-            let why = if n == 0 { Why::from(why) } else { Why::from("Similarly") };
-            sheet.found(("x", n + 1), "mm", *x, why)
+            let why = if n == 0 { Reason::from(why) } else { Reason::from("Similarly") };
+            sheet.numerical(("x", n + 1), "mm", *x, why)
         };
         let displacements: Vec<W::Num> = found.iter().enumerate().map(node).collect();
         let k = sheet.step(
@@ -283,8 +285,8 @@ impl SpringNetwork {
             "Complex amplitude of the loaded node, from the equilibrium of every node with k + iωc for each element and −mω² for each mass",
             RAO.at("§3.5"),
         );
-        let real = sheet.found("X'", "mm", x.re, why);
-        let imaginary = sheet.found("X''", "mm", x.im, "Its imaginary part");
+        let real = sheet.numerical("X'", "mm", x.re, why);
+        let imaginary = sheet.numerical("X''", "mm", x.im, "Its imaginary part");
         let size =
             sheet.step("X", "mm", (real.powi(2) + imaginary.powi(2)).sqrt(), "Amplitude of the loaded node");
         let lag = sheet.step("φ", "deg", (-imaginary).atan2(real), "The motion lags the force by");
@@ -314,8 +316,15 @@ impl SpringNetwork {
             factor = Some(tangent);
         }
         sheet.verify(|| {
-            let shown =
-                checks::Shown { force: given.force, amplitude: size, lag, storage, loss, dynamic, factor };
+            let shown = checks::NodeResponse {
+                force: given.force,
+                amplitude: size,
+                lag,
+                storage,
+                loss,
+                dynamic,
+                factor,
+            };
             checks::harmonic_response(system, omega, &moved, &shown, sheet);
             if self.nodes.iter().enumerate().all(|(n, node)| n == loaded || node.mass.is_none()) {
                 let driving_point = system.driving_point_stiffness(loaded, |link| {
@@ -357,12 +366,12 @@ impl SpringNetwork {
         let mut shown = Vec::new();
         for (n, root) in oscillations.iter().enumerate().take(MOST / 2) {
             let why = "Exact: frequency of the motion e^(st) that meets the equations of all nodes";
-            let damped = sheet.found(("ω_d", n + 1), "rad/s", root.im, why);
+            let damped = sheet.numerical(("ω_d", n + 1), "rad/s", root.im, why);
             sheet.answer(("frequency", n + 1), "Exact frequency of free vibration", damped);
             let mut as_shown = Complex::new(0.0, damped.value());
             let mut damping_ratio = None;
             if dashpots {
-                let decay = sheet.found(("σ", n + 1), "rad/s", -root.re + 0.0, "Its rate of decay");
+                let decay = sheet.numerical(("σ", n + 1), "rad/s", -root.re + 0.0, "Its rate of decay");
                 let ratio = sheet.step(
                     ("ζ", n + 1),
                     "1",
@@ -428,13 +437,14 @@ impl SpringNetwork {
 
 /// Springs and dampers combined apart from one another, as books do.
 fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W) {
-    let driving_point =
-        |of: fn(&Link) -> f64| system.driving_point_stiffness(node, |link| Complex::from(of(link))).re;
+    let driving_point = |of: fn(&SpringDamper) -> f64| {
+        system.driving_point_stiffness(node, |link| Complex::from(of(link))).re
+    };
     let (stiffness, damping) = (driving_point(|link| link.stiffness), driving_point(|link| link.damping));
     if stiffness <= 0.0 {
         return;
     }
-    let k = sheet.found(
+    let k = sheet.numerical(
         "k_e",
         "kN/m",
         stiffness,
@@ -464,7 +474,7 @@ fn combined<W: Worksheet>(system: &Network, node: usize, mass: W::Num, sheet: W)
     if damping <= 0.0 {
         return;
     }
-    let c = sheet.found(
+    let c = sheet.numerical(
         "c_e",
         "N*s/m",
         damping,

@@ -7,7 +7,7 @@ use dalembert_mechanics::{Real, vibration::swing};
 
 use crate::{
     shared::{
-        body_load::{Load, LoadGiven},
+        body_load::{MassOrWeight, MassOrWeightGiven},
         inertia::{self, Inertia},
     },
     sources::{ABRAMOWITZ, RAO, THOMSON},
@@ -35,7 +35,7 @@ pub enum Test {
     /// A compound pendulum: a connecting rod on a knife edge.
     OnePoint {
         /// Body.
-        body: Load,
+        body: MassOrWeight,
         /// From the point of suspension to the centre of mass.
         #[input("s", "m", positive)]
         distance: f64,
@@ -50,12 +50,12 @@ pub enum Test {
     /// The two points and the centre of mass are collinear.
     TwoPoints {
         /// Body.
-        body: Load,
+        body: MassOrWeight,
         /// Between the two points.
         #[input("L", "m", positive)]
         distance: f64,
         /// Position of the centre of mass.
-        side: Side,
+        side: CentreSide,
         /// Oscillations about the first point.
         #[input("1")]
         first: Swings,
@@ -71,7 +71,7 @@ pub enum Test {
     /// Bifilar, trifilar: the body rotates about the vertical line through its centre of mass.
     Wires {
         /// Body.
-        body: Load,
+        body: MassOrWeight,
         /// From the axis to the wires, at the body.
         #[input("r", "m", positive)]
         radius: f64,
@@ -99,7 +99,7 @@ pub enum Test {
     /// On its journals.
     Rails {
         /// Body.
-        body: Load,
+        body: MassOrWeight,
         /// Radius of the journals.
         #[input("ρ", "m", positive)]
         journal: f64,
@@ -113,7 +113,7 @@ pub enum Test {
     /// On its journals, from rest and without slipping.
     Incline {
         /// Body.
-        body: Load,
+        body: MassOrWeight,
         /// Radius of the journals.
         #[input("ρ", "m", positive)]
         journal: f64,
@@ -153,7 +153,7 @@ pub enum Swings {
 
 /// Position of the centre of mass.
 #[derive(Clone, Debug, Inputs)]
-pub enum Side {
+pub enum CentreSide {
     /// Between the two points
     Between,
     /// Beyond the second point
@@ -249,7 +249,7 @@ impl Analysis for SwingTest {
                 let (gyration, g) = (found.gyration.value(), gravity.value());
                 sheet.show(|| Exhibit::Plot(period_over_distance(gyration, g, &marks)));
                 let share = found.distances[1].value() / found.distances[0].value();
-                let second = if matches!(side, Side::Between) { -share } else { share };
+                let second = if matches!(side, CentreSide::Between) { -share } else { share };
                 sheet.show(|| Exhibit::Drawing(pendulum(&[("1", 1.0), ("2", second)])));
                 answer(found.inertia, mass, sheet);
             }
@@ -340,7 +340,7 @@ fn answer<W: Worksheet>(inertia: W::Num, mass: W::Num, sheet: W) {
 }
 
 /// The mass of the body.
-fn mass<W: Worksheet>(given: &LoadGiven<W>, gravity: W::Num, sheet: W) -> W::Num {
+fn mass<W: Worksheet>(given: &MassOrWeightGiven<W>, gravity: W::Num, sheet: W) -> W::Num {
     given.mass(gravity, sheet, "m", "Mass of the weight")
 }
 
@@ -407,7 +407,7 @@ fn mean_alone<W: Worksheet>(amplitude: W::Num, sheet: W) -> W::Num {
     for _ in 0..6 {
         (arithmetic, geometric) = (f64::midpoint(arithmetic, geometric), (arithmetic * geometric).sqrt());
     }
-    sheet.found("a", "1", arithmetic, "The same mean as for the first point")
+    sheet.numerical("a", "1", arithmetic, "The same mean as for the first point")
 }
 
 /// The moment of inertia of a body that rolls, about its axis.

@@ -5,7 +5,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    beam::dynamic_stiffness::{Beam, BeamError, Shape, Station},
+    beam::dynamic_stiffness::{Beam, BeamError, BeamShape, BeamStation},
 };
 
 use crate::{
@@ -92,12 +92,12 @@ pub struct Attachment {
     #[input("x", "m", nonnegative)]
     pub distance: f64,
     /// Attached part.
-    pub part: Part,
+    pub part: AttachedPart,
 }
 
 /// Something fixed to the beam.
 #[derive(Clone, Debug, Inputs)]
-pub enum Part {
+pub enum AttachedPart {
     /// Mass
     Mass {
         /// Mass.
@@ -166,7 +166,7 @@ impl Analysis for BeamVibration {
         };
         buckling(&beam, bending, length, given.axial, sheet)?;
         let roots = beam.roots(self.modes).map_err(|err| refusal(&err))?;
-        let shapes: Vec<Shape> = roots
+        let shapes: Vec<BeamShape> = roots
             .iter()
             .map(|root| beam.shape(*root))
             .collect::<Result<_, _>>()
@@ -175,7 +175,7 @@ impl Analysis for BeamVibration {
         for (n, (root, shape)) in (1..).zip(roots.iter().zip(&shapes)) {
             sheet.keep_going()?;
             let cite = if why.1 { RAO.at("§8.5") } else { WITTRICK.at("pp. 263–284") };
-            let beta = sheet.found(("β", n), "1", *root, (why.0.clone(), cite));
+            let beta = sheet.numerical(("β", n), "1", *root, (why.0.clone(), cite));
             let omega = sheet.step(
                 ("ω", n),
                 "rad/s",
@@ -223,8 +223,9 @@ impl Analysis for BeamVibration {
         self.warnings(&beam, sheet);
         sheet.show(|| frequency_function(&beam, &roots));
         let sampled = || -> Vec<Sampled> {
-            let one =
-                |(n, shape): (usize, &Shape)| Sampled::new(n, self.length, |xi| shape.state(xi).deflection);
+            let one = |(n, shape): (usize, &BeamShape)| {
+                Sampled::new(n, self.length, |xi| shape.state(xi).deflection)
+            };
             (1..).zip(&shapes).map(one).collect()
         };
         sheet.show(|| shapes_plot(&sampled()));
@@ -237,11 +238,11 @@ impl Analysis for BeamVibration {
 
 impl BeamVibration {
     /// Supports and lumped elements along the beam, in units of the beam.
-    fn stations(&self, bending: f64, mass: f64) -> Result<Vec<Station>, Refusal> {
+    fn stations(&self, bending: f64, mass: f64) -> Result<Vec<BeamStation>, Refusal> {
         let length = self.length;
         let end = |at: f64, support: &Support| {
             let Restraint { held, clamped, spring, turning_spring } = support.restraint(length, bending);
-            Station { at, held, clamped, spring, turning_spring, ..Station::default() }
+            BeamStation { at, held, clamped, spring, turning_spring, ..BeamStation::default() }
         };
         let mut stations = vec![end(0.0, &self.left), end(1.0, &self.right)];
         for attachment in &self.attachments {
@@ -254,18 +255,20 @@ impl BeamVibration {
             let near = stations.iter().position(|station| (station.at - at).abs() <= 1e-9);
             let place = near.unwrap_or_else(|| {
                 let place = stations.partition_point(|station| station.at < at);
-                stations.insert(place, Station { at, ..Station::default() });
+                stations.insert(place, BeamStation { at, ..BeamStation::default() });
                 place
             });
             let station = &mut stations[place];
             match attachment.part {
-                Part::Mass { mass: own, inertia } => {
+                AttachedPart::Mass { mass: own, inertia } => {
                     station.mass += own / mass;
                     station.inertia += inertia.unwrap_or(0.0) / (mass * length.powi(2));
                 }
-                Part::Spring { stiffness } => station.spring += stiffness * length.powi(3) / bending,
-                Part::RotationSpring { stiffness } => station.turning_spring += stiffness * length / bending,
-                Part::Pin => station.held = true,
+                AttachedPart::Spring { stiffness } => station.spring += stiffness * length.powi(3) / bending,
+                AttachedPart::RotationSpring { stiffness } => {
+                    station.turning_spring += stiffness * length / bending;
+                }
+                AttachedPart::Pin => station.held = true,
             }
         }
         Ok(stations)
@@ -378,7 +381,7 @@ fn buckling<W: Worksheet>(
         }
         return Ok(());
     };
-    let ratio = sheet.found(
+    let ratio = sheet.numerical(
         "p",
         "1",
         load,
@@ -416,7 +419,7 @@ fn classical(beam: &Beam, beta: f64) -> Option<f64> {
     const PINNED: (bool, bool) = (true, false);
     const GUIDED: (bool, bool) = (false, true);
     const CLAMPED: (bool, bool) = (true, true);
-    let plain = |at: &Station| {
+    let plain = |at: &BeamStation| {
         let loaded = at.spring != 0.0 || at.turning_spring != 0.0 || at.mass != 0.0 || at.inertia != 0.0;
         (!loaded).then_some((at.held, at.clamped))
     };
@@ -439,7 +442,7 @@ fn classical(beam: &Beam, beta: f64) -> Option<f64> {
 /// where frequencies of shear stand between those of bending.
 fn pinned(beam: &Beam, n: usize) -> Option<f64> {
     let [left, right] = beam.stations[..] else { return None };
-    let pin = |at: f64| Station { at, held: true, ..Station::default() };
+    let pin = |at: f64| BeamStation { at, held: true, ..BeamStation::default() };
     if left != pin(0.0) || right != pin(1.0) || beam.axial < 0.0 && beam.foundation > 0.0 {
         return None;
     }

@@ -6,7 +6,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real, Vector,
-    beam::tip_body::{Bending, Cantilever, Mode, Point},
+    beam::tip_body::{BeamMode, Bending, Cantilever, PointMass},
     section::{self, shear, torsion},
 };
 use nalgebra::Vector3;
@@ -154,7 +154,7 @@ impl Analysis for BeamWithTipBody {
             polar: polar.value(),
             bending: [bending[0], bending[1]],
         };
-        let body: Vec<Point> = self.masses.iter().map(|mass| (mass.mass, mass.place)).collect();
+        let body: Vec<PointMass> = self.masses.iter().map(|mass| (mass.mass, mass.place)).collect();
         sheet.keep_going()?;
         let modes = beam.modes(&body, self.modes).map_err(|_| {
             Refusal::because(
@@ -162,7 +162,7 @@ impl Analysis for BeamWithTipBody {
             )
         })?;
         for (n, mode) in (1..).zip(&modes) {
-            let omega = sheet.found(
+            let omega = sheet.numerical(
                 ("ω", n),
                 "rad/s",
                 mode.frequency,
@@ -237,7 +237,7 @@ fn tip_section<W: Worksheet>(
                 moment("I_z", section::rectangle_second_moment(*side_z, *side_y)),
                 moment("I_y", section::rectangle_second_moment(*side_y, *side_z)),
             ];
-            let torsion = sheet.found(
+            let torsion = sheet.numerical(
                 "J",
                 "cm^4",
                 torsion::rectangle(side_y.value(), side_z.value()),
@@ -274,9 +274,9 @@ fn clean(share: f64) -> f64 {
 }
 
 /// The motion of the tip in each vibration.
-fn motions(modes: &[Mode]) -> Exhibit {
+fn motions(modes: &[BeamMode]) -> Exhibit {
     let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
-    let row = |(n, mode): (usize, &Mode)| {
+    let row = |(n, mode): (usize, &BeamMode)| {
         let mut row = vec![Cell::Number(n as f64), Cell::Number(mode.frequency)];
         row.extend(mode.tip.iter().map(|x| Cell::Number(clean(*x))));
         row

@@ -7,7 +7,7 @@ use dalembert_mechanics::{
     Real,
     beam::dynamic_stiffness::{
         BeamError,
-        spans::{Joint, Span, SpanShape, Spans},
+        spans::{Span, SpanJoint, SpanShape, Spans},
     },
 };
 
@@ -126,7 +126,7 @@ impl Analysis for MultiSpanBeam {
         sheet.keep_going()?;
         let duplicates = |n: usize| roots.get(n).is_some_and(|next| next / roots[n - 1] < 1.0 + 1e-7);
         for (n, (root, shape)) in (1..).zip(roots.iter().zip(&shapes)) {
-            let beta = sheet.found(
+            let beta = sheet.numerical(
                 ("β", n),
                 "1",
                 *root,
@@ -221,14 +221,14 @@ impl MultiSpanBeam {
         let joint = |joint: &BeamJoint| {
             let Restraint { held, clamped, spring, turning_spring } =
                 joint.support.restraint(length, bending);
-            Joint {
+            SpanJoint {
                 held,
                 clamped,
                 spring,
                 turning_spring,
                 mass: joint.mass.unwrap_or(0.0) / (mass * length),
                 inertia: joint.inertia.unwrap_or(0.0) / (mass * length.powi(3)),
-                ..Joint::default()
+                ..SpanJoint::default()
             }
         };
         let ends = self.spans.iter().map(|span| &span.end);
@@ -244,8 +244,8 @@ impl MultiSpanBeam {
 fn equal_spans(beam: &Spans, root: f64) -> Option<f64> {
     let [first, inner @ .., last] = &beam.joints[..] else { return None };
     let span = &beam.spans[0];
-    let pin = Joint { held: true, ..Joint::default() };
-    let clamp = Joint { clamped: true, ..pin };
+    let pin = SpanJoint { held: true, ..SpanJoint::default() };
+    let clamp = SpanJoint { clamped: true, ..pin };
     let same = |other: &Span| {
         Span { length: span.length, ..*other } == *span && (other.length / span.length - 1.0).abs() < 1e-12
     };

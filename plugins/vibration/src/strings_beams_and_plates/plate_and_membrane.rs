@@ -18,7 +18,7 @@ use crate::sources::{ABRAMOWITZ, LEISSA, RAO};
 #[derive(Clone, Debug, Inputs)]
 pub struct PlateAndMembrane {
     /// Vibrating system.
-    pub body: Body,
+    pub body: ThinBody,
     /// Number of frequencies.
     #[input(min = 1, max = 12, default = "6")]
     pub modes: usize,
@@ -26,7 +26,7 @@ pub struct PlateAndMembrane {
 
 /// A thin body.
 #[derive(Clone, Debug, Inputs)]
-pub enum Body {
+pub enum ThinBody {
     /// Membrane: under tension, without bending stiffness
     Membrane {
         /// Tension.
@@ -158,7 +158,7 @@ impl Analysis for PlateAndMembrane {
 
     fn solve<W: Worksheet>(&self, given: &PlateAndMembraneGiven<W>, sheet: W) -> Result<(), Refusal> {
         let figures = match &given.body {
-            BodyGiven::Membrane { tension, mass, outline } => {
+            ThinBodyGiven::Membrane { tension, mass, outline } => {
                 let mass = match mass {
                     SurfaceMassGiven::PerArea { mass } => *mass,
                     SurfaceMassGiven::Density { density, thickness } => {
@@ -187,7 +187,7 @@ impl Analysis for PlateAndMembrane {
                     }
                 }
             }
-            BodyGiven::Plate { young, poisson, thickness, density, carried, outline } => {
+            ThinBodyGiven::Plate { young, poisson, thickness, density, carried, outline } => {
                 let rigidity = sheet.step(
                     "D",
                     "N*m",
@@ -269,7 +269,7 @@ impl PlateAndMembrane {
     }
 
     fn plate<W: Worksheet>(&self, poisson: W::Num, unit: W::Num, sheet: W) -> Result<Vec<Figure>, Refusal> {
-        let Body::Plate { outline, .. } = &self.body else { return Ok(Vec::new()) };
+        let ThinBody::Plate { outline, .. } = &self.body else { return Ok(Vec::new()) };
         let poisson = poisson.value();
         match outline {
             PlateOutline::Circle { edge, .. } => {
@@ -295,7 +295,7 @@ impl PlateAndMembrane {
         let mut figures = Vec::new();
         for (k, mode) in (1..).zip(modes) {
             sheet.keep_going()?;
-            let number = sheet.found(
+            let number = sheet.numerical(
                 ("Λ", k),
                 "1",
                 mode.number,
@@ -356,7 +356,7 @@ impl PlateAndMembrane {
         for (k, mode) in (1..).zip(body.modes(self.modes)) {
             sheet.keep_going()?;
             let why = Text::new(why).with("s", mode.place).with("n", mode.diameters);
-            let root = sheet.found(("λ", k), "1", mode.root, (why, cite));
+            let root = sheet.numerical(("λ", k), "1", mode.root, (why, cite));
             let reason = Text::new("Natural frequency {n}").with("n", k);
             let (number, omega) = match body {
                 Round::Membrane => (root, sheet.step(("ω", k), "rad/s", root * unit, reason)),
@@ -396,8 +396,8 @@ impl PlateAndMembrane {
 
     fn outline(&self) -> Shown {
         match &self.body {
-            Body::Membrane { outline: MembraneOutline::Rectangle { length, breadth }, .. }
-            | Body::Plate { outline: PlateOutline::Rectangle { length, breadth, .. }, .. } => {
+            ThinBody::Membrane { outline: MembraneOutline::Rectangle { length, breadth }, .. }
+            | ThinBody::Plate { outline: PlateOutline::Rectangle { length, breadth, .. }, .. } => {
                 let largest = length.max(*breadth);
                 Shown::Rectangle(length / largest, breadth / largest)
             }
@@ -406,7 +406,7 @@ impl PlateAndMembrane {
     }
 
     fn thickness_warning<W: Worksheet>(&self, sheet: W) {
-        let Body::Plate { thickness, outline, .. } = &self.body else { return };
+        let ThinBody::Plate { thickness, outline, .. } = &self.body else { return };
         let smallest = match outline {
             PlateOutline::Rectangle { length, breadth, .. } => length.min(*breadth),
             PlateOutline::Circle { radius, .. } => 2.0 * radius,

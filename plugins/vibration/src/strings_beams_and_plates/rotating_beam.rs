@@ -9,7 +9,7 @@ use dalembert_mechanics::{
     Real,
     beam::{
         rotating::Rotating,
-        tapered::{Ritz, Shape},
+        tapered::{Ritz, RitzShape},
     },
 };
 use dalembert_numerics::gauss_legendre;
@@ -46,7 +46,7 @@ pub struct RotatingBeam {
     #[input("n", "rpm", nonnegative)]
     pub speed: f64,
     /// Direction of the motion.
-    pub direction: Direction,
+    pub direction: BladeDirection,
     /// Number of frequencies.
     #[input(min = 1, max = 5, default = "3")]
     pub modes: usize,
@@ -54,7 +54,7 @@ pub struct RotatingBeam {
 
 /// Direction of vibration of the blade.
 #[derive(Clone, Debug, Inputs)]
-pub enum Direction {
+pub enum BladeDirection {
     /// Out of the plane of rotation (flapwise)
     Flapwise,
     /// In the plane of rotation (lagwise)
@@ -105,9 +105,9 @@ impl Analysis for RotatingBeam {
             .map(|tip| sheet.step("μ", "1", tip / (line * length), "Mass at the tip over that of the blade"));
         // The share of the square of the speed that the motion in the plane of rotation loses.
         let plane = match &given.direction {
-            DirectionGiven::Flapwise {} => None,
-            DirectionGiven::Lagwise {} => Some(W::Num::from(1.0)),
-            DirectionGiven::Angle { angle } => Some(angle.sin()),
+            BladeDirectionGiven::Flapwise {} => None,
+            BladeDirectionGiven::Lagwise {} => Some(W::Num::from(1.0)),
+            BladeDirectionGiven::Angle { angle } => Some(angle.sin()),
         };
         let blade = Rotating { speed: eta.value(), hub: hub.value(), tip: tip.map_or(0.0, Real::value) };
         let Ritz { lambdas, shapes } = ritz(&blade, TERMS, self.modes)?;
@@ -122,7 +122,7 @@ impl Analysis for RotatingBeam {
                     "the blade rotates so fast for its stiffness that its mode shapes do not converge: write a lower speed, or analyse it as a string",
                 ));
             }
-            let still = sheet.found(
+            let still = sheet.numerical(
                 ("Λ₀", n),
                 "1",
                 rest.lambdas[n - 1].sqrt(),
@@ -131,7 +131,7 @@ impl Analysis for RotatingBeam {
                     RAO.at("§8.5"),
                 ),
             );
-            let number = sheet.found(
+            let number = sheet.numerical(
                 ("Λ", n),
                 "1",
                 lambda.sqrt(),
@@ -196,7 +196,7 @@ impl Analysis for RotatingBeam {
                 );
                 sheet.answer(("southwell", n), "Southwell's coefficient at this speed", coefficient);
             }
-            let coefficient = sheet.found(
+            let coefficient = sheet.numerical(
                 ("S₀", n),
                 "1",
                 blade.southwell(still_shape),
@@ -236,7 +236,8 @@ impl Analysis for RotatingBeam {
         }
         sheet.show(|| self.campbell(&blade, unit.value()));
         let sampled = || -> Vec<Sampled> {
-            let one = |(n, shape): (usize, &Shape)| Sampled::new(n, self.length, |xi| shape.deflection(xi));
+            let one =
+                |(n, shape): (usize, &RitzShape)| Sampled::new(n, self.length, |xi| shape.deflection(xi));
             (1..).zip(&shapes).map(one).collect()
         };
         sheet.show(|| shapes_plot(&sampled()));
@@ -251,7 +252,7 @@ impl Analysis for RotatingBeam {
 
 /// Work of the centrifugal forces of unit speed on the way by which each point comes nearer as the blade bends,
 /// `½ ∫₀ˢ φ′² dξ`, over half the kinetic energy of the shape.
-fn shortening_work(blade: &Rotating, shape: &Shape) -> f64 {
+fn shortening_work(blade: &Rotating, shape: &RitzShape) -> f64 {
     let points = gauss_legendre::legendre(TERMS + 4);
     let over = |to: f64, of: &dyn Fn(f64) -> f64| -> f64 {
         points.iter().map(|(xi, weight)| to * weight * of(to * xi)).sum()
@@ -268,9 +269,9 @@ impl RotatingBeam {
         const POINTS: u16 = 24;
         let last = if blade.speed > 0.0 { 2.0 * blade.speed } else { 4.0 };
         let share = match self.direction {
-            Direction::Flapwise => 0.0,
-            Direction::Lagwise => 1.0,
-            Direction::Angle { angle } => angle.sin(),
+            BladeDirection::Flapwise => 0.0,
+            BladeDirection::Lagwise => 1.0,
+            BladeDirection::Angle { angle } => angle.sin(),
         };
         let speeds: Vec<f64> = (0..=POINTS).map(|n| last * f64::from(n) / f64::from(POINTS)).collect();
         let roots: Vec<Vec<f64>> = speeds

@@ -24,7 +24,7 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct StringRodShaft {
     /// Body.
-    pub body: Body,
+    pub body: WaveCarrier,
     /// Length.
     #[input("L", "m", positive)]
     pub length: f64,
@@ -36,7 +36,7 @@ pub struct StringRodShaft {
 
 /// Body that carries the waves: string, rod or shaft.
 #[derive(Clone, Debug, Inputs)]
-pub enum Body {
+pub enum WaveCarrier {
     /// String or cable under tension
     String {
         /// Tension.
@@ -50,10 +50,10 @@ pub enum Body {
         area: Option<f64>,
         /// Left end.
         #[input("0")]
-        left: End,
+        left: BodyEnd,
         /// Right end.
         #[input("L")]
-        right: End,
+        right: BodyEnd,
     },
     /// Rod along its axis
     Rod {
@@ -69,10 +69,10 @@ pub enum Body {
         area: Option<f64>,
         /// Left end.
         #[input("0")]
-        left: End,
+        left: BodyEnd,
         /// Right end.
         #[input("L")]
-        right: End,
+        right: BodyEnd,
     },
     /// Shaft in torsion
     Shaft {
@@ -106,16 +106,16 @@ pub enum Body {
         area: Option<f64>,
         /// Left end.
         #[input("0")]
-        left: End,
+        left: BodyEnd,
         /// Right end.
         #[input("L")]
-        right: End,
+        right: BodyEnd,
     },
 }
 
 /// An end that moves.
 #[derive(Clone, Debug, Inputs)]
-pub enum End {
+pub enum BodyEnd {
     /// Fixed
     Fixed,
     /// Free
@@ -252,7 +252,7 @@ impl Analysis for StringRodShaft {
 
     fn solve<W: Worksheet>(&self, given: &StringRodShaftGiven<W>, sheet: W) -> Result<(), Refusal> {
         let body = body(&given.body, given.length, sheet)?;
-        let ends = body.ends.map(|end| wave::End {
+        let ends = body.ends.map(|end| wave::WaveEnd {
             stiffness: end
                 .ratio_of_stiffness
                 .map_or(if end.fixed { f64::INFINITY } else { 0.0 }, Real::value),
@@ -265,10 +265,10 @@ impl Analysis for StringRodShaft {
         })?;
         sheet.answer("wave_speed", "Wave speed", body.speed);
         let why = equation(ends);
-        let shapes: Vec<wave::Shape> = roots.iter().map(|root| wave::shape(ends, *root)).collect();
+        let shapes: Vec<wave::WaveShape> = roots.iter().map(|root| wave::shape(ends, *root)).collect();
         for (n, (root, shape)) in (1..).zip(roots.iter().zip(&shapes)) {
             sheet.keep_going()?;
-            let beta = sheet.found(("β", n), "1", *root, (why.clone(), RAO.at("§§8.2–8.4")));
+            let beta = sheet.numerical(("β", n), "1", *root, (why.clone(), RAO.at("§§8.2–8.4")));
             let omega = sheet.step(
                 ("ω", n),
                 "rad/s",
@@ -338,7 +338,11 @@ struct EndRatios<N> {
 }
 
 /// Wave speed and the ratios of the ends.
-fn body<W: Worksheet>(given: &BodyGiven<W>, length: W::Num, sheet: W) -> Result<WaveBody<W::Num>, Refusal> {
+fn body<W: Worksheet>(
+    given: &WaveCarrierGiven<W>,
+    length: W::Num,
+    sheet: W,
+) -> Result<WaveBody<W::Num>, Refusal> {
     let need = |area: Option<W::Num>| {
         area.ok_or_else(|| {
             Refusal::because(
@@ -347,7 +351,7 @@ fn body<W: Worksheet>(given: &BodyGiven<W>, length: W::Num, sheet: W) -> Result<
         })
     };
     match given {
-        BodyGiven::String { tension, mass, area, left, right } => {
+        WaveCarrierGiven::String { tension, mass, area, left, right } => {
             let line = match mass {
                 LineMassGiven::Density { .. } => line_mass(mass, 0, need(*area)?, sheet),
                 // The mass of each length does not ask for the area.
@@ -365,7 +369,7 @@ fn body<W: Worksheet>(given: &BodyGiven<W>, length: W::Num, sheet: W) -> Result<
             })?;
             Ok(WaveBody { speed, ends })
         }
-        BodyGiven::Rod { young, density, area, left, right } => {
+        WaveCarrierGiven::Rod { young, density, area, left, right } => {
             let speed = sheet.step(
                 "c",
                 "m/s",
@@ -379,7 +383,7 @@ fn body<W: Worksheet>(given: &BodyGiven<W>, length: W::Num, sheet: W) -> Result<
             })?;
             Ok(WaveBody { speed, ends })
         }
-        BodyGiven::Shaft { shear, density, section, left, right } => {
+        WaveCarrierGiven::Shaft { shear, density, section, left, right } => {
             let modulus = shear_modulus(shear, sheet);
             let (torsion, polar) = torsion_section(section, sheet)?;
             let why = ("Torsional wave speed along a shaft", RAO.at("§8.4"));
@@ -396,7 +400,7 @@ fn body<W: Worksheet>(given: &BodyGiven<W>, length: W::Num, sheet: W) -> Result<
             })?;
             Ok(WaveBody { speed, ends })
         }
-        BodyGiven::ShearBeam { shear, density, coefficient, area, left, right } => {
+        WaveCarrierGiven::ShearBeam { shear, density, coefficient, area, left, right } => {
             let modulus = shear_modulus(shear, sheet);
             let kappa = shear_coefficient(coefficient, sheet);
             let speed = sheet.step(
@@ -424,14 +428,14 @@ struct Carried<N> {
     mass: Option<N>,
 }
 
-fn moving<W: Worksheet>(end: &EndGiven<W>) -> Carried<W::Num> {
+fn moving<W: Worksheet>(end: &BodyEndGiven<W>) -> Carried<W::Num> {
     let none = Carried { fixed: false, stiffness: None, mass: None };
     match end {
-        EndGiven::Fixed {} => Carried { fixed: true, ..none },
-        EndGiven::Free {} => none,
-        EndGiven::Spring { stiffness } => Carried { stiffness: Some(*stiffness), ..none },
-        EndGiven::Mass { mass } => Carried { mass: Some(*mass), ..none },
-        EndGiven::SpringAndMass { stiffness, mass } => {
+        BodyEndGiven::Fixed {} => Carried { fixed: true, ..none },
+        BodyEndGiven::Free {} => none,
+        BodyEndGiven::Spring { stiffness } => Carried { stiffness: Some(*stiffness), ..none },
+        BodyEndGiven::Mass { mass } => Carried { mass: Some(*mass), ..none },
+        BodyEndGiven::SpringAndMass { stiffness, mass } => {
             Carried { stiffness: Some(*stiffness), mass: Some(*mass), ..none }
         }
     }
@@ -496,7 +500,7 @@ fn torsion_section<W: Worksheet>(
         TorsionSectionGiven::Rectangle { breadth, height } => {
             let (a, b) = (*breadth, *height);
             let constant = torsion::rectangle(a.value(), b.value());
-            let torsion = sheet.found(
+            let torsion = sheet.numerical(
                 "J",
                 "cm^4",
                 constant,
@@ -522,12 +526,12 @@ fn shear_coefficient<W: Worksheet>(given: &ShearCoefficientGiven<W>, sheet: W) -
 }
 
 /// The frequency equation, in words.
-fn equation(ends: [wave::End; 2]) -> Text {
-    let plain = |end: wave::End| end == wave::End::FIXED || end == wave::End::FREE;
+fn equation(ends: [wave::WaveEnd; 2]) -> Text {
+    let plain = |end: wave::WaveEnd| end == wave::WaveEnd::FIXED || end == wave::WaveEnd::FREE;
     Text::new(match ends {
         [a, b] if plain(a) && a == b => "Root of sin β = 0, the frequency equation of these ends",
         [a, b] if plain(a) && plain(b) => "Root of cos β = 0, the frequency equation of these ends",
-        [wave::End::FIXED, _] | [_, wave::End::FIXED] => {
+        [wave::WaveEnd::FIXED, _] | [_, wave::WaveEnd::FIXED] => {
             "Root of (κ − μβ²) sin β + β cos β = 0, the frequency equation of these ends"
         }
         _ => {
@@ -537,7 +541,7 @@ fn equation(ends: [wave::End; 2]) -> Text {
 }
 
 /// The frequency equation over β, with its roots.
-fn frequency_function(ends: [wave::End; 2], last: f64) -> Plot {
+fn frequency_function(ends: [wave::WaveEnd; 2], last: f64) -> Plot {
     let end = 1.08 * last;
     let at = |n: u16| {
         let beta = end * f64::from(n) / 400.0;
@@ -555,7 +559,7 @@ fn frequency_function(ends: [wave::End; 2], last: f64) -> Plot {
 }
 
 /// Draws the supports of a body from `(0, y)` to `(width, y)`.
-fn draw_ends(ends: [wave::End; 2], sketch: &mut Sketch, width: f64, y: f64) {
+fn draw_ends(ends: [wave::WaveEnd; 2], sketch: &mut Sketch, width: f64, y: f64) {
     for (end, x, left_end) in [(ends[0], 0.0, true), (ends[1], width, false)] {
         if end.stiffness.is_infinite() {
             draw_support(sketch, (true, true), (x, y), left_end);

@@ -125,7 +125,7 @@ impl Analysis for TaperedBeam {
                     "the frequencies do not converge with more terms: the taper is too strong, choose fewer frequencies",
                 ));
             }
-            let number = sheet.found(
+            let number = sheet.numerical(
                 ("Λ", n),
                 "1",
                 lambda.sqrt(),
@@ -169,7 +169,7 @@ impl Analysis for TaperedBeam {
         sheet.show(|| convergence(series(), self.modes, unit.value()));
         sheet.show(|| distance(series(), &lambdas));
         let sampled = || -> Vec<Sampled> {
-            let one = |(n, shape): (usize, &tapered::Shape)| {
+            let one = |(n, shape): (usize, &tapered::RitzShape)| {
                 Sampled::new(n, self.length, |xi| shape.deflection(xi))
             };
             (1..).zip(&shapes).map(one).collect()
@@ -182,7 +182,7 @@ impl Analysis for TaperedBeam {
 }
 
 impl TaperedBeam {
-    fn supports(&self) -> Result<[tapered::Support; 2], Refusal> {
+    fn supports(&self) -> Result<[tapered::EndSupport; 2], Refusal> {
         let pointed = match self.section {
             TaperedSection::Rectangle { end_breadth, end_height, .. } => {
                 end_breadth == 0.0 || end_height == 0.0
@@ -195,9 +195,9 @@ impl TaperedBeam {
             ));
         }
         Ok([&self.left, &self.right].map(|support| match support {
-            TaperedSupport::Free => tapered::Support::Free,
-            TaperedSupport::Pinned => tapered::Support::Pinned,
-            TaperedSupport::Clamped => tapered::Support::Clamped,
+            TaperedSupport::Free => tapered::EndSupport::Free,
+            TaperedSupport::Pinned => tapered::EndSupport::Pinned,
+            TaperedSupport::Clamped => tapered::EndSupport::Clamped,
         }))
     }
 

@@ -3,10 +3,10 @@
 use itertools::Itertools as _;
 use std::{f64::consts::TAU, ops::Range};
 
-use dalembert_core::{Analysis, Inputs, Lift, Sheet, Solution, Stop, Trail};
+use dalembert_core::{Analysis, FieldPath, Inputs, Lift, Sheet, Solution, Stop};
 use dalembert_vibration::shafts_and_rotors::rotor_dynamics::{
     Bearing, DiscSize, InternalDamping, RotorDisc, RotorDynamics, RotorSupport, ShaftMaterial, ShaftSegment,
-    SpeedRow, Theory,
+    ShaftTheory, SpeedRow,
 };
 
 const RPM: f64 = TAU / 60.0;
@@ -66,7 +66,7 @@ impl Draw {
             slope: 1.0,
             place: None,
             tension: None,
-            theory: if self.unit() < 0.5 { Theory::Timoshenko } else { Theory::EulerBernoulli },
+            theory: if self.unit() < 0.5 { ShaftTheory::Timoshenko } else { ShaftTheory::EulerBernoulli },
             elements: self.count(2, 20),
             modes: self.count(2, 8),
         }
@@ -101,7 +101,7 @@ impl Draw {
 fn solved(problem: &RotorDynamics) -> Result<Solution, String> {
     let stop = Stop::new();
     let sheet = Sheet::new(&stop);
-    let given = problem.given(Lift { sheet: &sheet, value: None, trail: &Trail::TOP });
+    let given = problem.given(Lift { sheet: &sheet, value: None, field_path: &FieldPath::TOP });
     problem.solve(&given, &sheet).map_err(|refusal| format!("{refusal:?}"))?;
     sheet.into_solution().map_err(|refusal| format!("{refusal:?}"))
 }

@@ -2,26 +2,26 @@
 
 use std::f64::consts::TAU;
 
-use dalembert_core::{Analysis, AnswerValue, Inputs, Lift, Sheet, Stop, Trail};
+use dalembert_core::{Analysis, AnswerValue, FieldPath, Inputs, Lift, Sheet, Stop};
 use dalembert_mechanics::{beam, sdof, section};
 use dalembert_numerics::intervals::IntervalSet;
 use dalembert_vibration::shafts_and_rotors::shaft_clearance::{
-    Damping, Mounting, Shaft, ShaftClearance, Sought, SpeedRange,
+    ClearanceDamping, Mounting, PermittedQuantity, RoundShaft, ShaftClearance, SpeedRange,
 };
 
 const SPEEDS: [f64; 2] = [600.0 * TAU / 60.0, 6000.0 * TAU / 60.0];
 const LENGTH: f64 = 2.0;
 const YOUNG: f64 = 207e9;
 
-fn turbine(damping: Damping, unbalance: f64) -> ShaftClearance {
+fn turbine(damping: ClearanceDamping, unbalance: f64) -> ShaftClearance {
     ShaftClearance {
         mass: 250.0,
         clearance: 5e-3,
         damping,
-        sought: Sought::Diameter {
+        sought: PermittedQuantity::Diameter {
             unbalance,
             speeds: SpeedRange { lowest: SPEEDS[0], highest: SPEEDS[1], margin: None },
-            shaft: Shaft { mounting: Mounting::Clamped, length: LENGTH, young: YOUNG },
+            shaft: RoundShaft { mounting: Mounting::Clamped, length: LENGTH, young: YOUNG },
             smallest_diameter: None,
             largest_diameter: None,
             diameter: None,
@@ -32,7 +32,7 @@ fn turbine(damping: Damping, unbalance: f64) -> ShaftClearance {
 fn permitted_diameters(problem: &ShaftClearance) -> IntervalSet {
     let stop = Stop::new();
     let sheet = Sheet::new(&stop);
-    let given = problem.given(Lift { sheet: &sheet, value: None, trail: &Trail::TOP });
+    let given = problem.given(Lift { sheet: &sheet, value: None, field_path: &FieldPath::TOP });
     problem.solve(&given, &sheet).unwrap();
     let solution = sheet.into_solution().unwrap();
     assert!(solution.checks.iter().all(|check| check.passed));
@@ -46,9 +46,9 @@ fn permitted_diameters(problem: &ShaftClearance) -> IntervalSet {
 fn by_brute_force(problem: &ShaftClearance, unbalance: f64, diameter: f64) -> f64 {
     let k = beam::clamped_clamped_middle(YOUNG, section::round_second_moment(diameter), LENGTH);
     let c = match problem.damping {
-        Damping::Undamped => 0.0,
-        Damping::Ratio { ratio } => sdof::damping_from_ratio(ratio, k, problem.mass),
-        Damping::Coefficient { coefficient } => coefficient,
+        ClearanceDamping::Undamped => 0.0,
+        ClearanceDamping::Ratio { ratio } => sdof::damping_from_ratio(ratio, k, problem.mass),
+        ClearanceDamping::Coefficient { coefficient } => coefficient,
     };
     let amplitude = |n: u16| {
         let share = f64::from(n) / 4000.0;
@@ -61,13 +61,13 @@ fn by_brute_force(problem: &ShaftClearance, unbalance: f64, diameter: f64) -> f6
 #[test]
 fn a_diameter_is_permitted_where_no_speed_reaches_the_clearance() {
     let dampings = [
-        Damping::Ratio { ratio: 0.03 },
-        Damping::Ratio { ratio: 0.2 },
-        Damping::Ratio { ratio: 0.5 },
-        Damping::Ratio { ratio: 1.2 },
-        Damping::Coefficient { coefficient: 3e3 },
-        Damping::Coefficient { coefficient: 3e4 },
-        Damping::Coefficient { coefficient: 3e5 },
+        ClearanceDamping::Ratio { ratio: 0.03 },
+        ClearanceDamping::Ratio { ratio: 0.2 },
+        ClearanceDamping::Ratio { ratio: 0.5 },
+        ClearanceDamping::Ratio { ratio: 1.2 },
+        ClearanceDamping::Coefficient { coefficient: 3e3 },
+        ClearanceDamping::Coefficient { coefficient: 3e4 },
+        ClearanceDamping::Coefficient { coefficient: 3e5 },
     ];
     let mut seen = [0, 0];
     for damping in dampings {

@@ -1,6 +1,6 @@
 //! Springs by their tables, and networks of them.
 
-use dalembert_core::{Inputs, Lift, Plain, Refusal, Stop, Trail};
+use dalembert_core::{FieldPath, Inputs, Lift, Plain, Refusal, Stop};
 use dalembert_vibration::{
     shared::section::{RoundSection, Section, ShaftSection},
     shared::spring::{Spring, stiffness},
@@ -10,7 +10,7 @@ use itertools::Itertools as _;
 fn stiffness_of(spring: &Spring) -> Result<f64, Refusal> {
     let stop = Stop::new();
     let plain = Plain::new(&stop);
-    let given = spring.given(Lift { sheet: &plain, value: None, trail: &Trail::TOP });
+    let given = spring.given(Lift { sheet: &plain, value: None, field_path: &FieldPath::TOP });
     stiffness(&given, &plain)
 }
 

@@ -1,6 +1,6 @@
 //! Torsional springs by their tables, and networks of them.
 
-use dalembert_core::{Inputs, Lift, Plain, Stop, Trail};
+use dalembert_core::{FieldPath, Inputs, Lift, Plain, Stop};
 use dalembert_vibration::{
     shared::section::{RoundSection, Section, ShaftSection},
     shared::spring::{
@@ -12,7 +12,7 @@ use dalembert_vibration::{
 fn stiffness_of(spring: &TorsionalSpring) -> f64 {
     let stop = Stop::new();
     let plain = Plain::new(&stop);
-    let given = spring.given(Lift { sheet: &plain, value: None, trail: &Trail::TOP });
+    let given = spring.given(Lift { sheet: &plain, value: None, field_path: &FieldPath::TOP });
     stiffness(&given, &plain).unwrap()
 }
 

@@ -6,7 +6,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    planar::{Equilibrium as Found, Model, PlanarError, Sample, Stability},
+    planar::{Equilibrium as Found, Model, PlanarError, Stability, SweepSample},
 };
 use nalgebra::{DMatrix, Vector3};
 
@@ -165,7 +165,7 @@ impl Equilibrium {
         for (driver, drive) in self.drivers.iter().enumerate() {
             // One coordinate has many equilibria, many coordinates have one.
             let row = if self.drivers.len() > 1 { driver + 1 } else { number };
-            let value = sheet.found(
+            let value = sheet.numerical(
                 ("q", row),
                 self.parts().unit(driver),
                 here.values[driver],
@@ -176,8 +176,8 @@ impl Equilibrium {
                 ),
             );
             sheet.answer(("coordinate", row), "Coordinate at equilibrium", value);
-            sheet.whose(("coordinate", row), &drive.name);
-            let stiffness = sheet.found(
+            sheet.row_label(("coordinate", row), &drive.name);
+            let stiffness = sheet.numerical(
                 ("V''", row),
                 self.of_stiffness(driver),
                 here.stiffness[(driver, driver)],
@@ -191,12 +191,12 @@ impl Equilibrium {
                 ),
             );
             sheet.answer(("stiffness", row), "Second derivative of the potential energy", stiffness);
-            sheet.whose(("stiffness", row), &drive.name);
+            sheet.row_label(("stiffness", row), &drive.name);
             shown.push([value.value(), stiffness.value()]);
         }
         if self.drivers.len() > 1 {
             let why = "Lowest eigenvalue of the matrix of second derivatives, scaled to a diagonal of ones: positive in a stable equilibrium";
-            let found = sheet.found("λ_1", "1", here.lowest, why);
+            let found = sheet.numerical("λ_1", "1", here.lowest, why);
             sheet.answer("lowest_eigenvalue", "Lowest eigenvalue of the second derivatives", found);
             lowest = Some(found);
         }
@@ -268,7 +268,7 @@ impl Equilibrium {
         }
     }
 
-    fn plots<W: Worksheet>(&self, system: &Model, samples: &[Sample], found: &[Found], sheet: W) {
+    fn plots<W: Worksheet>(&self, system: &Model, samples: &[SweepSample], found: &[Found], sheet: W) {
         let axis = || Axis::linear(verbatim(&self.drivers[0].name), self.parts().unit(0));
         let energies: Option<Vec<(f64, f64)>> =
             samples.iter().map(|sample| Some((sample.value, sample.potential?))).collect();

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real, Vector,
-    planar::{InverseDynamics, Model, PlanarError, State, SweepResult},
+    planar::{InverseDynamics, Model, PlanarError, PlanarState, SweepResult},
 };
 use nalgebra::Vector3;
 
@@ -42,7 +42,7 @@ pub struct Mechanism {
     #[input("g", "m/s^2", planar, default = "(0; -9.81) m/s^2")]
     pub gravity: Vector3<f64>,
     /// Points whose motion is computed.
-    pub watched: Vec<Watched>,
+    pub watched: Vec<WatchedPoint>,
     /// Range of the first driver in the plots.
     #[input(default = "turn")]
     pub range: Range,
@@ -50,7 +50,7 @@ pub struct Mechanism {
 
 /// A point whose motion is asked for.
 #[derive(Clone, Debug, Inputs)]
-pub struct Watched {
+pub struct WatchedPoint {
     /// Point.
     #[input(rows = "points")]
     pub point: Reference,
@@ -131,7 +131,7 @@ struct Solved<'a> {
     /// The row of each joint.
     rows: &'a [usize],
     system: &'a Model,
-    state: &'a State,
+    state: &'a PlanarState,
     dynamics: &'a InverseDynamics,
 }
 
@@ -139,7 +139,7 @@ struct Solved<'a> {
 struct Sample {
     /// The first driver.
     value: f64,
-    state: State,
+    state: PlanarState,
     /// The multiplier of each equation: those of the joints, then the effort of each driver.
     multipliers: Vec<f64>,
 }
@@ -160,11 +160,11 @@ impl Mechanism {
     fn motion<W: Worksheet>(&self, this: &Solved<'_>, sheet: W) -> Vec<W::Num> {
         let mut angular = Vec::with_capacity(self.bodies.len());
         let mut shown = this.state.clone();
-        let State { positions, velocities, accelerations } = this.state;
+        let PlanarState { positions, velocities, accelerations } = this.state;
         for (body, part) in self.bodies.iter().enumerate() {
             let row = body + 1;
             let named = |reason: &'static str| Text::new(reason).with("name", &part.name);
-            let angle = sheet.found(
+            let angle = sheet.numerical(
                 ("θ", row),
                 "deg",
                 positions[body][2],
@@ -174,8 +174,8 @@ impl Mechanism {
                 ),
             );
             sheet.answer(("angle", row), "Angle of the body", angle);
-            sheet.whose(("angle", row), &part.name);
-            let speed = sheet.found(
+            sheet.row_label(("angle", row), &part.name);
+            let speed = sheet.numerical(
                 ("ω", row),
                 "rad/s",
                 velocities[body][2],
@@ -185,15 +185,15 @@ impl Mechanism {
                 ),
             );
             sheet.answer(("angular_velocity", row), "Angular velocity of the body", speed);
-            sheet.whose(("angular_velocity", row), &part.name);
-            let acceleration = sheet.found(
+            sheet.row_label(("angular_velocity", row), &part.name);
+            let acceleration = sheet.numerical(
                 ("α", row),
                 "rad/s^2",
                 accelerations[body][2],
                 (named("Angular acceleration of {name}, from Φ_q q̈ = γ"), NIKRAVESH.at("ch. 3")),
             );
             sheet.answer(("angular_acceleration", row), "Angular acceleration of the body", acceleration);
-            sheet.whose(("angular_acceleration", row), &part.name);
+            sheet.row_label(("angular_acceleration", row), &part.name);
             for (of_bodies, number) in [
                 (&mut shown.positions, angle),
                 (&mut shown.velocities, speed),
@@ -210,21 +210,21 @@ impl Mechanism {
                 this.system.point(this.parts.point(watched.point), this.state);
             let vector = |[x, y]: [f64; 2]| Vector3::new(x, y, 0.0);
             let named = |reason: &'static str| Text::new(reason).with("name", name);
-            let at = sheet.found_vector(("P", row), "mm", vector(position), named("Position of {name}"));
+            let at = sheet.numerical_vector(("P", row), "mm", vector(position), named("Position of {name}"));
             sheet.answer_vector(("position", row), "Position of the point", at);
-            sheet.whose(("position", row), name);
+            sheet.row_label(("position", row), name);
             let velocity =
-                sheet.found_vector(("V", row), "m/s", vector(velocity), named("Velocity of {name}"));
+                sheet.numerical_vector(("V", row), "m/s", vector(velocity), named("Velocity of {name}"));
             sheet.answer_vector(("velocity", row), "Velocity of the point", velocity);
-            sheet.whose(("velocity", row), name);
-            let acceleration = sheet.found_vector(
+            sheet.row_label(("velocity", row), name);
+            let acceleration = sheet.numerical_vector(
                 ("A", row),
                 "m/s^2",
                 vector(acceleration),
                 named("Acceleration of {name}"),
             );
             sheet.answer_vector(("acceleration", row), "Acceleration of the point", acceleration);
-            sheet.whose(("acceleration", row), name);
+            sheet.row_label(("acceleration", row), name);
             sheet.verify(|| {
                 let shown_of_point = [at, velocity, acceleration].map(|of| [of.value().x, of.value().y]);
                 let point = (this.parts.point(watched.point), name.as_str());

@@ -6,17 +6,18 @@ mod witness;
 
 use dalembert_core::{About, Analysis, Inputs, Reference, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::planar::{
-    Contact, Event, ForwardDynamics, JointFriction, Measure, Model, PlanarError, Run, Snapshot, State,
-    Trajectory,
+    Contact, Event, ForwardDynamics, JointFriction, Model, PlanarError, PlanarRun, PlanarState,
+    RelativeCoordinate, Snapshot, Trajectory,
 };
 use dalembert_mechanics::{Real, Vector};
 use dalembert_numerics::ode::OdeError;
 use nalgebra::Vector3;
 
-pub use self::ends::{Ends, EndsGiven};
+pub use self::ends::{MechanismEvent, MechanismEventGiven};
 use crate::{
     shared::parts::{
-        Carrier, Connection, Drive, Driven, Load, LoadGiven, NamedLoad, Part, Parts, Spot, carried, closure,
+        Connection, Drive, Driven, NamedLoad, Part, PartLoad, PartLoadGiven, PartReference, Parts, Spot,
+        carried, closure,
     },
     sources::{HAIRER, HAUG, NIKRAVESH, PFEIFFER, RIUL},
 };
@@ -66,7 +67,7 @@ pub struct Motion {
     pub duration: f64,
     /// What ends the motion before.
     #[input(default = "nothing")]
-    pub end: Ends,
+    pub end: MechanismEvent,
     /// Points whose motion is computed.
     pub watched: Vec<Continuation>,
 }
@@ -77,19 +78,19 @@ pub struct Start {
     /// Name.
     pub name: String,
     /// Given quantity.
-    pub what: Moving,
+    pub what: InitialCoordinate,
 }
 
 /// A measure, its value and its velocity.
 #[derive(Clone, Debug, Inputs)]
-pub enum Moving {
+pub enum InitialCoordinate {
     /// Angle of a body
     Angle {
         /// Body.
         #[input(rows = "bodies")]
         body: Reference,
         /// Body relative to which it turns.
-        against: Carrier,
+        against: PartReference,
         /// Angle.
         #[input("θ", "deg", kept_in = "drawn")]
         value: f64,
@@ -157,7 +158,8 @@ impl Analysis for Motion {
         let refuse = |error: PlanarError| parts.refusal(&error, &rows);
         let (mechanism, _) = parts.mechanism()?;
         let system = Model::new(&mechanism, &positions).map_err(refuse)?;
-        let rates: Vec<(Measure, f64)> = self.starts.iter().map(|start| parts.rate(&start.what)).collect();
+        let rates: Vec<(RelativeCoordinate, f64)> =
+            self.starts.iter().map(|start| parts.rate(&start.what)).collect();
         let velocities = system.initial_velocities(&positions, &rates).map_err(refuse)?;
         let solved = system.forward_dynamics(&positions, &velocities).map_err(refuse)?;
         if solved.degrees_of_freedom == 0 {
@@ -168,7 +170,7 @@ impl Analysis for Motion {
         sheet.keep_going()?;
         let ends: Vec<Event> = self.end.end(&parts).into_iter().collect();
         let cancelled = || sheet.keep_going().is_err();
-        let run = |tolerance: f64| Run {
+        let run = |tolerance: f64| PlanarRun {
             duration: self.duration,
             tolerance,
             samples: MOMENTS,
@@ -191,7 +193,7 @@ impl Analysis for Motion {
         }
         sheet.keep_going()?;
         let moved = moved.map_err(refuse)?;
-        self.end.means_something(&moved, &self.bodies)?;
+        self.end.check_relevance(&moved, &self.bodies)?;
         let this = Solved {
             parts: &parts,
             rows: &rows,
@@ -248,12 +250,12 @@ impl Motion {
 }
 
 impl Parts<'_> {
-    fn rate(&self, moving: &Moving) -> (Measure, f64) {
+    fn rate(&self, moving: &InitialCoordinate) -> (RelativeCoordinate, f64) {
         match *moving {
-            Moving::Angle { body, ref against, velocity, .. } => {
-                (Measure::Angle { of: Some(body.0), against: against.frame() }, velocity)
+            InitialCoordinate::Angle { body, ref against, velocity, .. } => {
+                (RelativeCoordinate::Angle { of: Some(body.0), against: against.frame() }, velocity)
             }
-            Moving::Position { from, to, direction, velocity, .. } => {
+            InitialCoordinate::Position { from, to, direction, velocity, .. } => {
                 (self.along(from, to, direction), velocity)
             }
         }
@@ -264,10 +266,10 @@ impl Start {
     /// The driver that would hold the start.
     fn held(&self) -> Drive {
         let what = match self.what.clone() {
-            Moving::Angle { body, against, value, drawn, velocity } => {
+            InitialCoordinate::Angle { body, against, value, drawn, velocity } => {
                 Driven::Angle { body, against, value, drawn, velocity, acceleration: 0.0 }
             }
-            Moving::Position { from, to, direction, value, drawn, velocity } => {
+            InitialCoordinate::Position { from, to, direction, value, drawn, velocity } => {
                 Driven::Position { from, to, direction, value, drawn, velocity, acceleration: 0.0 }
             }
         };
@@ -295,7 +297,7 @@ impl Solved<'_> {
 
     /// The accelerations and the forces in the joints with which the motion begins.
     fn start<W: Worksheet>(&self, given: &MotionGiven<W>, sheet: W) {
-        let State { accelerations, .. } = &self.dynamics.state;
+        let PlanarState { accelerations, .. } = &self.dynamics.state;
         let mut shown = self.dynamics.state.clone();
         let largest = accelerations.iter().fold(0.0f64, |most, a| most.max(a[2].abs()));
         for (row, part) in (1..).zip(self.parts.bodies) {
@@ -305,14 +307,14 @@ impl Solved<'_> {
             } else {
                 "Angular acceleration of {name} at the start"
             };
-            let acceleration = sheet.found(
+            let acceleration = sheet.numerical(
                 ("α0", row),
                 "rad/s^2",
                 self.without_error(accelerations[row - 1][2], largest),
                 (Text::new(reason).with("name", &part.name), HAUG.at("ch. 6")),
             );
             sheet.answer(("initial_acceleration", row), "Angular acceleration at the start", acceleration);
-            sheet.whose(("initial_acceleration", row), &part.name);
+            sheet.row_label(("initial_acceleration", row), &part.name);
             shown.accelerations[row - 1][2] = acceleration.value();
         }
         sheet.verify(|| {
@@ -330,19 +332,19 @@ impl Solved<'_> {
             let why = (Text::new(reason).with("name", &connection.name), HAUG.at("ch. 6"));
             match self.carried(row - 1) {
                 [Some(x), Some(y)] => {
-                    let force = sheet.found_vector(("R", row), "N", Vector3::new(x, y, 0.0), why);
+                    let force = sheet.numerical_vector(("R", row), "N", Vector3::new(x, y, 0.0), why);
                     sheet.answer_vector(("joint_force", row), "Force in the joint at the start", force);
-                    sheet.whose(("joint_force", row), &connection.name);
+                    sheet.row_label(("joint_force", row), &connection.name);
                     carried[row - 1] = Some(force.magnitude());
                 }
                 [Some(one), None] | [None, Some(one)] => {
-                    let force = sheet.found(("R", row), "N", one, why);
+                    let force = sheet.numerical(("R", row), "N", one, why);
                     sheet.answer(
                         ("joint_effort", row),
                         "Force along the line of the joint at the start",
                         force,
                     );
-                    sheet.whose(("joint_effort", row), &connection.name);
+                    sheet.row_label(("joint_effort", row), &connection.name);
                     carried[row - 1] = Some(force.abs());
                 }
                 [None, None] => {}
@@ -367,7 +369,7 @@ impl Solved<'_> {
     fn joint_friction<W: Worksheet>(
         &self,
         joint_friction: &JointFriction,
-        given: &LoadGiven<W>,
+        given: &PartLoadGiven<W>,
         carried: &[Option<W::Num>],
         sheet: W,
     ) {
@@ -377,7 +379,7 @@ impl Solved<'_> {
         let why = |reason| (Text::new(reason).with("name", name), PFEIFFER.at("ch. 6"));
         let effort = match (joint_friction.contact, given, load) {
             (Contact::Indeterminate, ..) => return,
-            (Contact::Sliding { sense, .. }, LoadGiven::Friction { coefficient, radius }, Load::Friction { joint, .. }) => {
+            (Contact::Sliding { sense, .. }, PartLoadGiven::Friction { coefficient, radius }, PartLoad::Friction { joint, .. }) => {
                 let Some(force) = carried[joint.0] else { return };
                 let (most, reason) = if joint_friction.pin {
                     (
@@ -393,7 +395,7 @@ impl Solved<'_> {
                 let against = if sense > 0.0 { -most } else { most };
                 sheet.step(("F", row), unit, against, why(reason))
             }
-            _ => sheet.found(
+            _ => sheet.numerical(
                 ("F", row),
                 unit,
                 joint_friction.effort,
@@ -401,7 +403,7 @@ impl Solved<'_> {
             ),
         };
         sheet.answer(("friction", row), "Friction at the start", effort);
-        sheet.whose(("friction", row), name);
+        sheet.row_label(("friction", row), name);
         sheet.verify(|| {
             let size = self
                 .dynamics
@@ -416,7 +418,7 @@ impl Solved<'_> {
     /// Answers the final state of the motion.
     fn finish<W: Worksheet>(&self, problem: &Motion, sheet: W) -> Result<(), Refusal> {
         let last = self.moved.samples.last().expect("a motion has its start");
-        let time = sheet.found(
+        let time = sheet.numerical(
             "t",
             "s",
             last.time,
@@ -426,12 +428,12 @@ impl Solved<'_> {
             ),
         );
         sheet.answer("time", "Time at the end", time);
-        if self.moved.ended.is_none() && !matches!(problem.end, Ends::Nothing) {
+        if self.moved.ended.is_none() && !matches!(problem.end, MechanismEvent::Nothing) {
             sheet.warn(|| {
                 Text::new("the end condition of the motion is not reached within the duration; increase the duration")
             });
         }
-        let State { positions, velocities, accelerations } = &last.state;
+        let PlanarState { positions, velocities, accelerations } = &last.state;
         let mut shown = last.state.clone();
         let most = |part: fn(&Snapshot) -> &[[f64; 3]]| {
             let turns = self.moved.samples.iter().flat_map(part).map(|of_body| of_body[2].abs());
@@ -443,30 +445,30 @@ impl Solved<'_> {
         for (row, part) in (1..).zip(self.parts.bodies) {
             let named = |reason: &'static str| Text::new(reason).with("name", &part.name);
             let body = row - 1;
-            let angle = sheet.found(
+            let angle = sheet.numerical(
                 ("θ", row),
                 "deg",
                 self.without_error(positions[body][2], turned),
                 named("Angle of {name} at the end"),
             );
             sheet.answer(("angle", row), "Angle of the body", angle);
-            sheet.whose(("angle", row), &part.name);
-            let speed = sheet.found(
+            sheet.row_label(("angle", row), &part.name);
+            let speed = sheet.numerical(
                 ("ω", row),
                 "rad/s",
                 self.without_error(velocities[body][2], fastest),
                 named("Angular velocity of {name} at the end"),
             );
             sheet.answer(("angular_velocity", row), "Angular velocity of the body", speed);
-            sheet.whose(("angular_velocity", row), &part.name);
-            let acceleration = sheet.found(
+            sheet.row_label(("angular_velocity", row), &part.name);
+            let acceleration = sheet.numerical(
                 ("α", row),
                 "rad/s^2",
                 self.without_error(accelerations[body][2], quickest),
                 named("Angular acceleration of {name} at the end"),
             );
             sheet.answer(("angular_acceleration", row), "Angular acceleration of the body", acceleration);
-            sheet.whose(("angular_acceleration", row), &part.name);
+            sheet.row_label(("angular_acceleration", row), &part.name);
             for (of_bodies, number) in [
                 (&mut shown.positions, angle),
                 (&mut shown.velocities, speed),
@@ -493,25 +495,25 @@ impl Solved<'_> {
             };
             let named = |reason: &'static str| Text::new(reason).with("name", name);
             let at =
-                sheet.found_vector(("P", row), "mm", vector(position, size), named("Position of {name}"));
+                sheet.numerical_vector(("P", row), "mm", vector(position, size), named("Position of {name}"));
             sheet.answer_vector(("position", row), "Position of the point", at);
-            sheet.whose(("position", row), name);
-            let velocity = sheet.found_vector(
+            sheet.row_label(("position", row), name);
+            let velocity = sheet.numerical_vector(
                 ("V", row),
                 "m/s",
                 vector(velocity, size / time),
                 named("Velocity of {name}"),
             );
             sheet.answer_vector(("velocity", row), "Velocity of the point", velocity);
-            sheet.whose(("velocity", row), name);
-            let acceleration = sheet.found_vector(
+            sheet.row_label(("velocity", row), name);
+            let acceleration = sheet.numerical_vector(
                 ("A", row),
                 "m/s^2",
                 vector(acceleration, f64::max(size / (time * time), problem.gravity.norm())),
                 named("Acceleration of {name}"),
             );
             sheet.answer_vector(("acceleration", row), "Acceleration of the point", acceleration);
-            sheet.whose(("acceleration", row), name);
+            sheet.row_label(("acceleration", row), name);
             sheet.verify(|| {
                 let least = [size, size / time, f64::max(size / (time * time), problem.gravity.norm())];
                 let of_point =
@@ -522,7 +524,7 @@ impl Solved<'_> {
             });
         }
         let kinetic =
-            sheet.found("T", "J", last.kinetic, "Kinetic energy at the end, T = Σ (m v² + I_G ω²)/2");
+            sheet.numerical("T", "J", last.kinetic, "Kinetic energy at the end, T = Σ (m v² + I_G ω²)/2");
         sheet.answer("kinetic_energy", "Kinetic energy at the end", kinetic);
         self.balance(kinetic, sheet);
         // A second method to the accelerations at the end: the whole of the equations instead of their plan.

@@ -3,14 +3,14 @@
 mod slider_crank;
 
 use dalembert_core::{
-    About, Analysis, Cite, Exhibit, Inputs, Reference, Refusal, TableExhibit, Text, Why, Worksheet,
+    About, Analysis, Cite, Exhibit, Inputs, Reason, Reference, Refusal, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column},
     register,
 };
 use dalembert_mechanics::{Real, Vector, work};
 use nalgebra::Vector3;
 
-pub use slider_crank::{Geometry, GeometryGiven, SliderCrank, SliderCrankGiven};
+pub use slider_crank::{Geometry, GeometryGiven, GivenSliderCrank, GivenSliderCrankGiven};
 
 use crate::sources::{BEER, RIUL, SHIGLEY};
 
@@ -21,29 +21,29 @@ use crate::sources::{BEER, RIUL, SHIGLEY};
 #[derive(Clone, Debug, Inputs)]
 pub struct VirtualPower {
     /// Unknown.
-    pub unknown: Unknown,
+    pub unknown: PowerUnknown,
     /// Acceleration of gravity.
     /// Every body has the weight m g at its centre of mass; zero for a mechanism in a horizontal plane.
     #[input("g", "m/s^2", planar, default = "(0; -9.81) m/s^2")]
     pub gravity: Vector3<f64>,
     /// Bodies.
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<MovingBody>,
     /// Forces.
     pub forces: Vec<Force>,
     /// Couples.
     pub couples: Vec<Couple>,
     /// The mechanism is a slider-crank.
     /// The given motion is then checked against loop closure.
-    pub slider_crank: Option<SliderCrank>,
+    pub slider_crank: Option<GivenSliderCrank>,
 }
 
 /// Unknown of the sum of virtual powers.
 #[derive(Clone, Debug, Inputs)]
-pub enum Unknown {
+pub enum PowerUnknown {
     /// Driving torque on a link
     DrivingTorque {
         /// Link it acts on.
-        link: Link,
+        link: RotatingLink,
     },
     /// Driving force at a point
     DrivingForce {
@@ -52,13 +52,13 @@ pub enum Unknown {
         #[input("e", "1", planar)]
         direction: Vector3<f64>,
         /// Point that it acts on.
-        point: Point,
+        point: MovingPoint,
     },
 }
 
 /// A link, by its rotation.
 #[derive(Clone, Debug, Inputs)]
-pub enum Link {
+pub enum RotatingLink {
     /// Rotating at
     Turning {
         /// Angular velocity of the link.
@@ -75,7 +75,7 @@ pub enum Link {
 
 /// A point, by its velocity.
 #[derive(Clone, Debug, Inputs)]
-pub enum Point {
+pub enum MovingPoint {
     /// Moving at
     Moving {
         /// Velocity of the point.
@@ -92,7 +92,7 @@ pub enum Point {
 
 /// A rigid body and its motion.
 #[derive(Clone, Debug, Inputs)]
-pub struct Body {
+pub struct MovingBody {
     /// Name.
     pub name: String,
     /// Mass.
@@ -124,7 +124,7 @@ pub struct Force {
     #[input("F", "N", planar)]
     pub force: Vector3<f64>,
     /// Point that it acts on.
-    pub point: Point,
+    pub point: MovingPoint,
 }
 
 /// A couple and the link that it acts on.
@@ -136,7 +136,7 @@ pub struct Couple {
     #[input("T", "N*m")]
     pub moment: f64,
     /// Link it acts on.
-    pub link: Link,
+    pub link: RotatingLink,
 }
 
 register!(VirtualPower);
@@ -171,8 +171,8 @@ impl Analysis for VirtualPower {
         };
         let (load, rate) = self.unknown_load(given, total, sheet)?;
         match self.unknown {
-            Unknown::DrivingTorque { .. } => sheet.answer("torque", "Driving torque", load),
-            Unknown::DrivingForce { .. } => sheet.answer("force", "Driving force", load),
+            PowerUnknown::DrivingTorque { .. } => sheet.answer("torque", "Driving torque", load),
+            PowerUnknown::DrivingForce { .. } => sheet.answer("force", "Driving force", load),
         }
         for (kind, sum) in &sums {
             let (name, label) = kind.answer();
@@ -221,9 +221,9 @@ enum Kind {
 /// A reason that names a load; written only where somebody reads it.
 struct Named<'a>(&'static str, &'a str, Cite);
 
-impl From<Named<'_>> for Why {
+impl From<Named<'_>> for Reason {
     fn from(Named(reason, name, cite): Named<'_>) -> Self {
-        Why { reason: Text::new(reason).with("name", name), cite: Some(cite) }
+        Reason { reason: Text::new(reason).with("name", name), cite: Some(cite) }
     }
 }
 
@@ -357,7 +357,7 @@ impl VirtualPower {
         sheet: W,
     ) -> Result<(W::Num, W::Num), Refusal> {
         match (&self.unknown, &given.unknown) {
-            (Unknown::DrivingTorque { link }, UnknownGiven::DrivingTorque { link: given_link }) => {
+            (PowerUnknown::DrivingTorque { link }, PowerUnknownGiven::DrivingTorque { link: given_link }) => {
                 let speed = speed_of(link, given_link, &given.bodies);
                 if speed.value() == 0.0 {
                     return Err(Refusal::because(
@@ -373,8 +373,8 @@ impl VirtualPower {
                 Ok((torque, speed))
             }
             (
-                Unknown::DrivingForce { direction, point },
-                UnknownGiven::DrivingForce { direction: given_direction, point: given_point },
+                PowerUnknown::DrivingForce { direction, point },
+                PowerUnknownGiven::DrivingForce { direction: given_direction, point: given_point },
             ) => {
                 let velocity = velocity_of(point, given_point, &given.bodies);
                 if velocity.value() == Vector3::zeros() {
@@ -461,8 +461,8 @@ impl VirtualPower {
         let row = |name: Text, power: f64| vec![Cell::Text(name), Cell::Number(power), share(power)];
         let known = loads.iter().map(|load| row(self.name_of(load.kind, load.row), load.power.value()));
         let driving = match self.unknown {
-            Unknown::DrivingTorque { .. } => Text::from("Driving torque"),
-            Unknown::DrivingForce { .. } => Text::from("Driving force"),
+            PowerUnknown::DrivingTorque { .. } => Text::from("Driving torque"),
+            PowerUnknown::DrivingForce { .. } => Text::from("Driving force"),
         };
         TableExhibit {
             title: "Powers of the loads".into(),
@@ -492,18 +492,26 @@ impl VirtualPower {
     }
 }
 
-fn velocity_of<W: Worksheet>(point: &Point, given: &PointGiven<W>, bodies: &[BodyGiven<W>]) -> W::Vec {
+fn velocity_of<W: Worksheet>(
+    point: &MovingPoint,
+    given: &MovingPointGiven<W>,
+    bodies: &[MovingBodyGiven<W>],
+) -> W::Vec {
     match (point, given) {
-        (_, PointGiven::Moving { velocity }) => *velocity,
-        (Point::MassCentre { body }, PointGiven::MassCentre {}) => bodies[body.0].velocity,
+        (_, MovingPointGiven::Moving { velocity }) => *velocity,
+        (MovingPoint::MassCentre { body }, MovingPointGiven::MassCentre {}) => bodies[body.0].velocity,
         _ => unreachable!("the given numbers are those of this point"),
     }
 }
 
-fn speed_of<W: Worksheet>(link: &Link, given: &LinkGiven<W>, bodies: &[BodyGiven<W>]) -> W::Num {
+fn speed_of<W: Worksheet>(
+    link: &RotatingLink,
+    given: &RotatingLinkGiven<W>,
+    bodies: &[MovingBodyGiven<W>],
+) -> W::Num {
     match (link, given) {
-        (_, LinkGiven::Turning { speed }) => *speed,
-        (Link::Body { body }, LinkGiven::Body {}) => bodies[body.0].angular_velocity,
+        (_, RotatingLinkGiven::Turning { speed }) => *speed,
+        (RotatingLink::Body { body }, RotatingLinkGiven::Body {}) => bodies[body.0].angular_velocity,
         _ => unreachable!("the given numbers are those of this link"),
     }
 }

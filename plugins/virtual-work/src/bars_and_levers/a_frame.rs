@@ -7,7 +7,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    planar::{Body, Driver, Joint, Measure, Mechanism, Point},
+    planar::{BodyPoint, Driver, PlanarBody, PlanarJoint, PlanarMechanism, RelativeCoordinate},
 };
 
 use crate::{
@@ -28,14 +28,14 @@ pub struct AFrame {
     #[input("Q", "N", nonnegative, default = "0 N")]
     pub load: f64,
     /// Restraint of the feet.
-    pub held: Held,
+    pub held: FootRestraint,
     /// Sought.
-    pub sought: Sought,
+    pub sought: AFrameUnknown,
 }
 
 /// Restraint of the feet against sliding apart.
 #[derive(Clone, Copy, Debug, PartialEq, Inputs)]
-pub enum Held {
+pub enum FootRestraint {
     /// Horizontal forces at the feet
     Feet,
     /// A rope between the ladders
@@ -48,7 +48,7 @@ pub enum Held {
 
 /// Unknown of the problem.
 #[derive(Clone, Debug, Inputs)]
-pub enum Sought {
+pub enum AFrameUnknown {
     /// Force at a given angle
     Force {
         /// Angle of each ladder from the vertical.
@@ -82,13 +82,13 @@ impl Analysis for AFrame {
         }
         let AFrameGiven { length, weight, load, held, sought, .. } = given;
         let spread_part = |x: W::Num| match held {
-            HeldGiven::Feet {} => x,
-            HeldGiven::Rope { part } => x * *part,
+            FootRestraintGiven::Feet {} => x,
+            FootRestraintGiven::Rope { part } => x * *part,
         };
         let reason =
             "The total virtual work of weights, load and holding force is zero: 2 W δy_G + Q δy + T δx = 0";
         let (angle, force) = match sought {
-            SoughtGiven::Force { angle } => {
+            AFrameUnknownGiven::Force { angle } => {
                 let fall = sheet.step(
                     "y′",
                     "m",
@@ -104,12 +104,12 @@ impl Analysis for AFrame {
                 let force =
                     sheet.step("T", "N", (*weight + *load) * fall / apart, (reason, RIUL.at("eq. 3")));
                 match self.held {
-                    Held::Feet => sheet.answer("force", "Force at each foot", force),
-                    Held::Rope { .. } => sheet.answer("force", "Tension of the rope", force),
+                    FootRestraint::Feet => sheet.answer("force", "Force at each foot", force),
+                    FootRestraint::Rope { .. } => sheet.answer("force", "Tension of the rope", force),
                 }
                 (*angle, force)
             }
-            SoughtGiven::Angle { force } => {
+            AFrameUnknownGiven::Angle { force } => {
                 let slope = sheet.step(
                     "tan θ",
                     "1",
@@ -128,7 +128,7 @@ impl Analysis for AFrame {
         };
         let floor = sheet.step("N", "N", *weight + *load / 2.0, "Force of the floor on each foot");
         sheet.answer("floor_force", "Force of the floor on each foot", floor);
-        let friction = matches!(self.held, Held::Feet).then(|| {
+        let friction = matches!(self.held, FootRestraint::Feet).then(|| {
             let friction =
                 sheet.step("μ", "1", force / floor, "Coefficient of friction required at the feet");
             sheet.answer("friction", "Coefficient of friction required at the feet", friction);
@@ -136,8 +136,8 @@ impl Analysis for AFrame {
         });
         sheet.verify(|| {
             let arm = match held {
-                HeldGiven::Feet {} => *length * angle.cos(),
-                HeldGiven::Rope { part } => *length * angle.cos() * *part,
+                FootRestraintGiven::Feet {} => *length * angle.cos(),
+                FootRestraintGiven::Rope { part } => *length * angle.cos() * *part,
             };
             let moment = floor * *length * angle.sin() - *weight * *length * angle.sin() / 2.0;
             sheet.check("the force from the moments on one ladder about the hinge", moment / arm, force);
@@ -169,26 +169,26 @@ impl Analysis for AFrame {
 impl AFrame {
     fn part(&self) -> f64 {
         match self.held {
-            Held::Feet => 1.0,
-            Held::Rope { part } => part,
+            FootRestraint::Feet => 1.0,
+            FootRestraint::Rope { part } => part,
         }
     }
 
     /// Both ladders from the hinge downwards; the hinge stays on the line of symmetry.
-    fn built(&self, at: f64) -> (Mechanism, Vec<[f64; 3]>) {
+    fn built(&self, at: f64) -> (PlanarMechanism, Vec<[f64; 3]>) {
         let l = self.length;
-        let on = |body: usize, s: f64| Point::body(body, [s, 0.0]);
-        let floor = Point::ground([0.0; 2]);
-        let mechanism = Mechanism {
-            bodies: vec![Body::default(); 2],
+        let on = |body: usize, s: f64| BodyPoint::body(body, [s, 0.0]);
+        let floor = BodyPoint::ground([0.0; 2]);
+        let mechanism = PlanarMechanism {
+            bodies: vec![PlanarBody::default(); 2],
             joints: vec![
-                Joint::Pin { a: on(0, 0.0), b: on(1, 0.0) },
-                Joint::Slot { guide: floor, direction: FRAC_PI_2, pin: on(0, 0.0), offset: 0.0 },
-                Joint::Slot { guide: floor, direction: 0.0, pin: on(0, l), offset: 0.0 },
-                Joint::Slot { guide: floor, direction: 0.0, pin: on(1, l), offset: 0.0 },
+                PlanarJoint::Pin { a: on(0, 0.0), b: on(1, 0.0) },
+                PlanarJoint::Slot { guide: floor, direction: FRAC_PI_2, pin: on(0, 0.0), offset: 0.0 },
+                PlanarJoint::Slot { guide: floor, direction: 0.0, pin: on(0, l), offset: 0.0 },
+                PlanarJoint::Slot { guide: floor, direction: 0.0, pin: on(1, l), offset: 0.0 },
             ],
             drivers: vec![Driver {
-                measure: Measure::Component {
+                measure: RelativeCoordinate::Component {
                     direction: [1.0, 0.0],
                     from: on(0, self.part() * l),
                     to: on(1, self.part() * l),
@@ -236,7 +236,7 @@ impl AFrame {
                 let (x, y) = on(0.5, side);
                 sketch.force("W", (x, y), (x, y - 0.2 * l));
             }
-            if self.held == Held::Feet {
+            if self.held == FootRestraint::Feet {
                 let (x, y) = on(1.0, side);
                 sketch
                     .force("", (x + side * 0.3 * l, y), (x + side * 0.05 * l, y))
@@ -246,7 +246,7 @@ impl AFrame {
         if self.load > 0.0 {
             sketch.force("", (0.0, top + 0.3 * l), (0.0, top + 0.03 * l)).label("Q", (0.0, top + 0.3 * l));
         }
-        if let Held::Rope { part } = self.held {
+        if let FootRestraint::Rope { part } = self.held {
             sketch.line("T", on(part, -1.0), on(part, 1.0), Ink::Result);
         }
         sketch.finish()

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use dalembert_core::{About, Analysis, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::{
     Real,
-    planar::{Body, Driver, Joint, Measure, Mechanism, Point},
+    planar::{BodyPoint, Driver, PlanarBody, PlanarJoint, PlanarMechanism, RelativeCoordinate},
 };
 
 pub use crate::shared::one_degree_of_freedom::Position;
@@ -13,7 +13,7 @@ use crate::shared::one_degree_of_freedom::PositionGiven;
 use crate::{
     shared::{
         equilibria::down,
-        one_degree_of_freedom::{Machine, Part, Shapes},
+        one_degree_of_freedom::{PotentialTerm, Shapes, SingleDofMachine},
     },
     sources::{BEER, HIBBELER, RIUL},
 };
@@ -66,7 +66,7 @@ impl Analysis for BarAndCord {
             given.mass.map(|mass| sheet.step("P", "N", mass * given.gravity, "Weight of the hanging mass"));
         let lengths = [given.length, given.attachment, given.pulley];
         let parts = [
-            Part {
+            PotentialTerm {
                 name: "weight of the bar",
                 load: Some(bar),
                 rate: [
@@ -77,7 +77,7 @@ impl Analysis for BarAndCord {
                 symbol: ["W", "N"],
                 answer: ["bar_weight", "Weight of the bar"],
             },
-            Part {
+            PotentialTerm {
                 name: "weight of the hanging mass",
                 load: hanging,
                 rate: ["y′_P", "m", "Upward virtual displacement of the hanging mass per unit δθ"],
@@ -85,7 +85,8 @@ impl Analysis for BarAndCord {
                 answer: ["hanging_weight", "Hanging weight for equilibrium"],
             },
         ];
-        let machine = Machine { shapes: self, lengths: &lengths, parts: &parts, joints: &["Pin of the bar"] };
+        let machine =
+            SingleDofMachine { shapes: self, lengths: &lengths, parts: &parts, joints: &["Pin of the bar"] };
         let balanced = machine.solve(&given.position, sheet, |loads, at| self.built(loads, at))?;
         if let Some(weight) = balanced.load {
             let mass = sheet.step("m", "kg", weight / given.gravity, "Hanging mass");
@@ -158,21 +159,24 @@ fn rises<N: Real>(lengths: &[N], angle: N, s: N, s1: N) -> Vec<[N; 3]> {
 }
 
 impl BarAndCord {
-    fn built(&self, loads: &[f64], at: f64) -> (Mechanism, Vec<[f64; 3]>) {
-        let bar = |s: f64| Point::body(0, [s, 0.0]);
-        let block = Point::body(1, [0.0; 2]);
+    fn built(&self, loads: &[f64], at: f64) -> (PlanarMechanism, Vec<[f64; 3]>) {
+        let bar = |s: f64| BodyPoint::body(0, [s, 0.0]);
+        let block = BodyPoint::body(1, [0.0; 2]);
         // The pulley is a point; the mass hangs beside the bar, from a point at the same height.
         let side = -0.2 * self.pulley;
-        let (over, above) = (Point::ground([0.0, self.pulley]), Point::ground([side, self.pulley]));
-        let mechanism = Mechanism {
-            bodies: vec![Body::default(); 2],
+        let (over, above) = (BodyPoint::ground([0.0, self.pulley]), BodyPoint::ground([side, self.pulley]));
+        let mechanism = PlanarMechanism {
+            bodies: vec![PlanarBody::default(); 2],
             joints: vec![
-                Joint::Pin { a: Point::ground([0.0; 2]), b: bar(0.0) },
-                Joint::Slider { guide: above, direction: FRAC_PI_2, slides: block, angle: 0.0 },
-                Joint::Cord { runs: vec![[over, bar(self.attachment)], [above, block]], drums: Vec::new() },
+                PlanarJoint::Pin { a: BodyPoint::ground([0.0; 2]), b: bar(0.0) },
+                PlanarJoint::Slider { guide: above, direction: FRAC_PI_2, slides: block, angle: 0.0 },
+                PlanarJoint::Cord {
+                    runs: vec![[over, bar(self.attachment)], [above, block]],
+                    drums: Vec::new(),
+                },
             ],
             drivers: vec![Driver {
-                measure: Measure::Angle { of: Some(0), against: None },
+                measure: RelativeCoordinate::Angle { of: Some(0), against: None },
                 value: at,
                 velocity: 0.0,
                 acceleration: 0.0,

@@ -7,7 +7,10 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    planar::{Body, Driver, Effort, Joint, Load as Acting, Measure, Mechanism, Point},
+    planar::{
+        BodyPoint, Driver, Effort, PlanarBody, PlanarJoint, PlanarLoad as Acting, PlanarMechanism,
+        RelativeCoordinate,
+    },
 };
 
 use crate::{
@@ -26,17 +29,17 @@ pub struct CompoundLever {
     /// None for a single lever.
     // The second method solves a dense system of three equations for each.
     #[input(most = 200)]
-    pub links: Vec<Link>,
+    pub links: Vec<LeverLink>,
     /// Loads.
     #[input(min = 1, most = 200)]
-    pub loads: Vec<Load>,
+    pub loads: Vec<LeverLoad>,
     /// Sought.
-    pub sought: Sought,
+    pub sought: LeverUnknown,
 }
 
 /// The link from a lever to the next one.
 #[derive(Clone, Debug, Inputs)]
-pub struct Link {
+pub struct LeverLink {
     /// Arm on the driving lever.
     #[input("b", "m")]
     pub driving: f64,
@@ -48,19 +51,19 @@ pub struct Link {
 
 /// A load on one of the levers.
 #[derive(Clone, Debug, Inputs)]
-pub struct Load {
+pub struct LeverLoad {
     /// Name.
     pub name: String,
     /// Lever it acts on.
     #[input(min = 1, max = 50)]
     pub lever: u32,
     /// Kind.
-    pub kind: Kind,
+    pub kind: LoadKind,
 }
 
 /// A force or a couple.
 #[derive(Clone, Debug, Inputs)]
-pub enum Kind {
+pub enum LoadKind {
     /// Force
     Force {
         /// Force.
@@ -80,7 +83,7 @@ pub enum Kind {
 
 /// Unknown that balances the loads.
 #[derive(Clone, Debug, Inputs)]
-pub enum Sought {
+pub enum LeverUnknown {
     /// Force on a lever
     Force {
         /// Lever it acts on.
@@ -136,8 +139,8 @@ impl Analysis for CompoundLever {
         let mut works = Vec::new();
         for (row, (load, this)) in self.loads.iter().zip(&given.loads).enumerate() {
             let moment = match &this.kind {
-                KindGiven::Force { force, arm } => *force * *arm,
-                KindGiven::Couple { couple } => *couple,
+                LoadKindGiven::Force { force, arm } => *force * *arm,
+                LoadKindGiven::Couple { couple } => *couple,
             };
             let words =
                 Text::new("Virtual work of {name}, for a unit rotation of lever 1").with("name", &load.name);
@@ -155,8 +158,8 @@ impl Analysis for CompoundLever {
             )
         };
         let (value, way) = match &given.sought {
-            SoughtGiven::Force { arm, .. } => {
-                let Sought::Force { lever, .. } = self.sought else {
+            LeverUnknownGiven::Force { arm, .. } => {
+                let LeverUnknown::Force { lever, .. } = self.sought else {
                     unreachable!("the sought one is this one")
                 };
                 let way = sheet.step(
@@ -172,8 +175,8 @@ impl Analysis for CompoundLever {
                 sheet.answer("force", "Equilibrant force", force);
                 (force, way)
             }
-            SoughtGiven::Couple { .. } => {
-                let Sought::Couple { lever } = self.sought else {
+            LeverUnknownGiven::Couple { .. } => {
+                let LeverUnknown::Couple { lever } = self.sought else {
                     unreachable!("the sought one is this one")
                 };
                 let way = match turn_of(lever)? {
@@ -190,8 +193,8 @@ impl Analysis for CompoundLever {
             }
         };
         let mut advantage = None;
-        if let (SoughtGiven::Force { .. }, [only]) = (&given.sought, &given.loads[..])
-            && let KindGiven::Force { force, .. } = &only.kind
+        if let (LeverUnknownGiven::Force { .. }, [only]) = (&given.sought, &given.loads[..])
+            && let LoadKindGiven::Force { force, .. } = &only.kind
             && force.value() != 0.0
         {
             let ratio =
@@ -261,54 +264,58 @@ impl CompoundLever {
     fn size(&self) -> f64 {
         let in_links = self.links.iter().flat_map(|link| [link.driving.abs(), link.driven.abs()]);
         let in_loads = self.loads.iter().map(|load| match load.kind {
-            Kind::Force { arm, .. } => arm.abs(),
-            Kind::Couple { .. } => 0.0,
+            LoadKind::Force { arm, .. } => arm.abs(),
+            LoadKind::Couple { .. } => 0.0,
         });
         let sought = match self.sought {
-            Sought::Force { arm, .. } => arm.abs(),
-            Sought::Couple { .. } => 0.0,
+            LeverUnknown::Force { arm, .. } => arm.abs(),
+            LeverUnknown::Couple { .. } => 0.0,
         };
         let largest = in_links.chain(in_loads).chain([sought]).fold(0.0, f64::max);
         if largest > 0.0 { largest } else { 1.0 }
     }
 
     /// Level levers, upright rods, and vertical forces; driven by what is sought.
-    fn built(&self) -> Option<(Mechanism, Vec<[f64; 3]>)> {
+    fn built(&self) -> Option<(PlanarMechanism, Vec<[f64; 3]>)> {
         let pivots = self.pivots();
         let drop = self.size();
-        let on = |lever: usize, arm: f64| Point::body(lever, [arm, 0.0]);
-        let turn = |lever: u32| Measure::Angle { of: Some(lever as usize - 1), against: None };
-        let mut joints: Vec<Joint> = pivots
+        let on = |lever: usize, arm: f64| BodyPoint::body(lever, [arm, 0.0]);
+        let turn = |lever: u32| RelativeCoordinate::Angle { of: Some(lever as usize - 1), against: None };
+        let mut joints: Vec<PlanarJoint> = pivots
             .iter()
             .enumerate()
-            .map(|(lever, &at)| Joint::Pin { a: Point::ground(at), b: on(lever, 0.0) })
+            .map(|(lever, &at)| PlanarJoint::Pin { a: BodyPoint::ground(at), b: on(lever, 0.0) })
             .collect();
         for (lever, link) in self.links.iter().enumerate() {
-            joints.push(Joint::Rod {
+            joints.push(PlanarJoint::Rod {
                 from: on(lever, link.driving),
                 to: on(lever + 1, link.driven),
                 length: drop,
             });
         }
         let loads = self.loads.iter().map(|load| match load.kind {
-            Kind::Force { force, arm } => {
+            LoadKind::Force { force, arm } => {
                 Acting::Force { at: on(load.lever as usize - 1, arm), force: [0.0, force], turns_with: None }
             }
-            Kind::Couple { couple } => {
+            LoadKind::Couple { couple } => {
                 Acting::Effort { measure: turn(load.lever), effort: Effort::Constant(couple) }
             }
         });
         let (measure, value) = match self.sought {
-            Sought::Force { lever, arm } => {
+            LeverUnknown::Force { lever, arm } => {
                 let pivot = pivots.get(lever as usize - 1)?;
                 let to = on(lever as usize - 1, arm);
-                let measure = Measure::Component { direction: [0.0, 1.0], from: Point::ground(*pivot), to };
+                let measure = RelativeCoordinate::Component {
+                    direction: [0.0, 1.0],
+                    from: BodyPoint::ground(*pivot),
+                    to,
+                };
                 (measure, 0.0)
             }
-            Sought::Couple { lever } => (turn(lever), 0.0),
+            LeverUnknown::Couple { lever } => (turn(lever), 0.0),
         };
-        let mechanism = Mechanism {
-            bodies: vec![Body::default(); pivots.len()],
+        let mechanism = PlanarMechanism {
+            bodies: vec![PlanarBody::default(); pivots.len()],
             joints,
             drivers: vec![Driver { measure, value, velocity: 0.0, acceleration: 0.0 }],
             loads: loads.collect(),
@@ -349,11 +356,11 @@ impl CompoundLever {
             );
             arms.extend(self.loads.iter().filter(|load| load.lever as usize == number).filter_map(|load| {
                 match load.kind {
-                    Kind::Force { arm, .. } => Some(arm),
-                    Kind::Couple { .. } => None,
+                    LoadKind::Force { arm, .. } => Some(arm),
+                    LoadKind::Couple { .. } => None,
                 }
             }));
-            if let Sought::Force { lever, arm } = self.sought
+            if let LeverUnknown::Force { lever, arm } = self.sought
                 && lever as usize == number
             {
                 arms.push(arm);
@@ -367,13 +374,13 @@ impl CompoundLever {
             sketch.bars([from, to]).joint("", from).joint("", to);
         }
         for load in &self.loads {
-            let Kind::Force { force, arm } = load.kind else { continue };
+            let LoadKind::Force { force, arm } = load.kind else { continue };
             let Some(at) = place(load.lever, arm) else { continue };
             let up = 0.4 * size * force.signum();
             let tail = (at.0, at.1 - up);
             sketch.force("", tail, at).label(Text::new("{x}").with("x", &load.name), tail);
         }
-        if let Sought::Force { lever, arm } = self.sought
+        if let LeverUnknown::Force { lever, arm } = self.sought
             && let Some(at) = place(lever, arm)
         {
             sketch.force("P", at, (at.0, at.1 + 0.4 * size));

@@ -5,14 +5,16 @@ use std::f64::consts::FRAC_PI_2;
 use dalembert_core::{About, Analysis, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::{
     Real,
-    planar::{Body, Driver, Effort, Joint, Load, Measure, Mechanism, Point},
+    planar::{
+        BodyPoint, Driver, Effort, PlanarBody, PlanarJoint, PlanarLoad, PlanarMechanism, RelativeCoordinate,
+    },
 };
 
 pub use crate::shared::one_degree_of_freedom::Position;
 use crate::{
     shared::{
         equilibria::down,
-        one_degree_of_freedom::{Machine, Part, Shapes, spring, weight},
+        one_degree_of_freedom::{PotentialTerm, Shapes, SingleDofMachine, spring, weight},
     },
     sources::{BEER, HIBBELER, RIUL},
 };
@@ -21,7 +23,7 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct GuidedBar {
     /// End A.
-    pub side: Side,
+    pub side: GuideSide,
     /// Length.
     #[input("L", "m", positive)]
     pub length: f64,
@@ -41,7 +43,7 @@ pub struct GuidedBar {
     #[input("F", "N")]
     pub force_b: Option<f64>,
     /// Spring.
-    pub spring: Spring,
+    pub spring: GuidedSpring,
     /// Position.
     /// The angle θ is measured between the bar and the vertical guide.
     pub position: Position,
@@ -49,7 +51,7 @@ pub struct GuidedBar {
 
 /// Side of A.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum Side {
+pub enum GuideSide {
     /// Above the horizontal guide
     Above,
     /// Below the horizontal guide
@@ -58,7 +60,7 @@ pub enum Side {
 
 /// A spring on the bar that keeps its direction.
 #[derive(Clone, Debug, Inputs)]
-pub enum Spring {
+pub enum GuidedSpring {
     /// None
     None,
     /// Horizontal
@@ -107,21 +109,21 @@ impl Analysis for GuidedBar {
         let weight = weight(given.mass, given.gravity, "Weight of the bar", sheet);
         let mut lengths = vec![given.length];
         let mut parts = vec![
-            Part {
+            PotentialTerm {
                 name: "weight of the bar",
                 load: Some(weight),
                 rate: ["y′_G", "m", "Upward virtual displacement of the centre of mass per unit δθ"],
                 symbol: ["W", "N"],
                 answer: ["weight", "Weight of the bar"],
             },
-            Part {
+            PotentialTerm {
                 name: "force at A",
                 load: given.force_a,
                 rate: ["y′_A", "m", "Upward virtual displacement of A per unit δθ"],
                 symbol: ["P", "N"],
                 answer: ["force_a", "Vertical force at A"],
             },
-            Part {
+            PotentialTerm {
                 name: "force at B",
                 load: given.force_b,
                 rate: ["x′_B", "m", "Virtual displacement of B per unit δθ, away from the vertical guide"],
@@ -129,11 +131,11 @@ impl Analysis for GuidedBar {
                 answer: ["force_b", "Horizontal force at B"],
             },
         ];
-        if let SpringGiven::Horizontal { stiffness, distance, free }
-        | SpringGiven::Vertical { stiffness, distance, free } = &given.spring
+        if let GuidedSpringGiven::Horizontal { stiffness, distance, free }
+        | GuidedSpringGiven::Vertical { stiffness, distance, free } = &given.spring
         {
             lengths.extend([*distance, *free]);
-            parts.push(Part {
+            parts.push(PotentialTerm {
                 name: "spring",
                 load: *stiffness,
                 rate: ["u′", "m^2", "Extension of the spring times its virtual change per unit δθ"],
@@ -141,8 +143,12 @@ impl Analysis for GuidedBar {
                 answer: ["stiffness", "Stiffness of the spring"],
             });
         }
-        let machine =
-            Machine { shapes: self, lengths: &lengths, parts: &parts, joints: &["Guide of A", "Guide of B"] };
+        let machine = SingleDofMachine {
+            shapes: self,
+            lengths: &lengths,
+            parts: &parts,
+            joints: &["Guide of A", "Guide of B"],
+        };
         let balanced = machine.solve(&given.position, sheet, |loads, at| self.built(loads, at))?;
         sheet.show(|| balanced.animation("The bar in its guides", 0.5, |at| self.frame(at)));
         Ok(())
@@ -153,18 +159,18 @@ impl Shapes for GuidedBar {
     fn shapes<N: Real>(&self, lengths: &[N], angle: N) -> Vec<[N; 3]> {
         let (sin, cos) = (angle.sin(), angle.cos());
         let up = |height: N| match self.side {
-            Side::Above => [height * cos, -(height * sin), -(height * cos)],
-            Side::Below => [-(height * cos), height * sin, height * cos],
+            GuideSide::Above => [height * cos, -(height * sin), -(height * cos)],
+            GuideSide::Below => [-(height * cos), height * sin, height * cos],
         };
         let length = lengths[0];
         let mut shapes = vec![up(length / 2.0), up(length), [length * sin, length * cos, -(length * sin)]];
         match self.spring {
-            Spring::None => {}
-            Spring::Horizontal { .. } => {
+            GuidedSpring::None => {}
+            GuidedSpring::Horizontal { .. } => {
                 let (c, free) = (lengths[1], lengths[2]);
                 shapes.push(spring([c * sin, c * cos, -(c * sin)], c * free.sin()));
             }
-            Spring::Vertical { .. } => {
+            GuidedSpring::Vertical { .. } => {
                 let (c, free) = (lengths[1], lengths[2]);
                 shapes.push(spring([c * cos, -(c * sin), -(c * cos)], c * free.cos()));
             }
@@ -175,31 +181,35 @@ impl Shapes for GuidedBar {
 
 impl GuidedBar {
     fn sign(&self) -> f64 {
-        if self.side == Side::Above { 1.0 } else { -1.0 }
+        if self.side == GuideSide::Above { 1.0 } else { -1.0 }
     }
 
     /// The bar as a mechanism; its axis runs from A to B.
-    fn built(&self, loads: &[f64], at: f64) -> (Mechanism, Vec<[f64; 3]>) {
+    fn built(&self, loads: &[f64], at: f64) -> (PlanarMechanism, Vec<[f64; 3]>) {
         let (length, sign) = (self.length, self.sign());
-        let point = |s: f64| Point::body(0, [s, 0.0]);
+        let point = |s: f64| BodyPoint::body(0, [s, 0.0]);
         let measure = match self.side {
-            Side::Above => Measure::Angle { of: Some(0), against: None },
-            Side::Below => Measure::Angle { of: None, against: Some(0) },
+            GuideSide::Above => RelativeCoordinate::Angle { of: Some(0), against: None },
+            GuideSide::Below => RelativeCoordinate::Angle { of: None, against: Some(0) },
         };
-        let corner = Point::ground([0.0; 2]);
+        let corner = BodyPoint::ground([0.0; 2]);
         let mut acting = vec![
             down(point(length / 2.0), loads[0]),
             down(point(0.0), loads[1]),
-            Load::Force { at: point(length), force: [-loads[2], 0.0], turns_with: None },
+            PlanarLoad::Force { at: point(length), force: [-loads[2], 0.0], turns_with: None },
         ];
         match self.spring {
-            Spring::None => {}
-            Spring::Horizontal { distance, free, .. } => acting.push(Load::Effort {
-                measure: Measure::Component { direction: [1.0, 0.0], from: corner, to: point(distance) },
+            GuidedSpring::None => {}
+            GuidedSpring::Horizontal { distance, free, .. } => acting.push(PlanarLoad::Effort {
+                measure: RelativeCoordinate::Component {
+                    direction: [1.0, 0.0],
+                    from: corner,
+                    to: point(distance),
+                },
                 effort: Effort::Spring { stiffness: loads[3], free: distance * free.sin() },
             }),
-            Spring::Vertical { distance, free, .. } => acting.push(Load::Effort {
-                measure: Measure::Component {
+            GuidedSpring::Vertical { distance, free, .. } => acting.push(PlanarLoad::Effort {
+                measure: RelativeCoordinate::Component {
                     direction: [0.0, sign],
                     from: corner,
                     to: point(length - distance),
@@ -207,11 +217,11 @@ impl GuidedBar {
                 effort: Effort::Spring { stiffness: loads[3], free: distance * free.cos() },
             }),
         }
-        let mechanism = Mechanism {
-            bodies: vec![Body::default()],
+        let mechanism = PlanarMechanism {
+            bodies: vec![PlanarBody::default()],
             joints: vec![
-                Joint::Slot { guide: corner, direction: FRAC_PI_2, pin: point(0.0), offset: 0.0 },
-                Joint::Slot { guide: corner, direction: 0.0, pin: point(length), offset: 0.0 },
+                PlanarJoint::Slot { guide: corner, direction: FRAC_PI_2, pin: point(0.0), offset: 0.0 },
+                PlanarJoint::Slot { guide: corner, direction: 0.0, pin: point(length), offset: 0.0 },
             ],
             drivers: vec![Driver { measure, value: at - FRAC_PI_2, velocity: 0.0, acceleration: 0.0 }],
             loads: acting,
@@ -247,12 +257,12 @@ impl GuidedBar {
             sketch.force("", tail, (b.0 + 0.08 * l, b.1)).label("F", tail);
         }
         match self.spring {
-            Spring::None => {}
-            Spring::Horizontal { distance, .. } => {
+            GuidedSpring::None => {}
+            GuidedSpring::Horizontal { distance, .. } => {
                 let end = on(distance / l);
                 sketch.spring("k", (1.3 * l.max(distance), end.1), end);
             }
-            Spring::Vertical { distance, .. } => {
+            GuidedSpring::Vertical { distance, .. } => {
                 let end = on(1.0 - distance / l);
                 sketch.spring("k", (end.0, sign * 1.3 * l.max(distance)), end);
             }

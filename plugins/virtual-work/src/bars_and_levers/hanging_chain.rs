@@ -7,7 +7,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    planar::{Body, Driver, Joint, Load, Measure, Mechanism, Point},
+    planar::{BodyPoint, Driver, PlanarBody, PlanarJoint, PlanarLoad, PlanarMechanism, RelativeCoordinate},
 };
 use std::f64::consts::FRAC_PI_2;
 
@@ -26,7 +26,7 @@ pub struct HangingChain {
     #[input("Q", "N", default = "0 N")]
     pub vertical: f64,
     /// Sought.
-    pub sought: Sought,
+    pub sought: ChainUnknown,
 }
 
 /// A bar of the chain.
@@ -43,7 +43,7 @@ pub struct Bar {
 
 /// Unknown of the problem.
 #[derive(Clone, Debug, Inputs)]
-pub enum Sought {
+pub enum ChainUnknown {
     /// Angles under a horizontal force
     Angles {
         /// Horizontal force at the free end.
@@ -93,8 +93,8 @@ impl Analysis for HangingChain {
             ));
         }
         let force = match (&self.sought, &given.sought) {
-            (_, SoughtGiven::Angles { force }) => *force,
-            (Sought::Force { bar, .. }, SoughtGiven::Force { angle, .. }) => {
+            (_, ChainUnknownGiven::Angles { force }) => *force,
+            (ChainUnknown::Force { bar, .. }, ChainUnknownGiven::Force { angle, .. }) => {
                 let Some(pull) = pulls.get(*bar as usize - 1) else {
                     let why = Text::new("bar {bar} does not exist: the chain has {bars}");
                     return Err(Refusal::NoAnswer(why.with("bar", bar).with("bars", self.bars.len())));
@@ -175,7 +175,7 @@ impl Analysis for HangingChain {
         sheet.verify(|| {
             // A bar whose angle was given is held at that.
             let mut held = plain.clone();
-            if let Sought::Force { bar, angle } = self.sought {
+            if let ChainUnknown::Force { bar, angle } = self.sought {
                 held[bar as usize - 1] = angle;
             }
             let (mechanism, drawn) = self.built(force, &held);
@@ -230,17 +230,17 @@ impl HangingChain {
     }
 
     /// The bars from their upper ends, every one held at its angle.
-    fn built(&self, force: f64, angles: &[f64]) -> (Mechanism, Vec<[f64; 3]>) {
-        let on = |body: usize, s: f64| Point::body(body, [s, 0.0]);
+    fn built(&self, force: f64, angles: &[f64]) -> (PlanarMechanism, Vec<[f64; 3]>) {
+        let on = |body: usize, s: f64| BodyPoint::body(body, [s, 0.0]);
         let mut joints = Vec::new();
         let mut drivers = Vec::new();
         let mut loads = Vec::new();
         let mut drawn = Vec::new();
-        let (mut upper, mut place) = (Point::ground([0.0; 2]), [0.0, 0.0]);
+        let (mut upper, mut place) = (BodyPoint::ground([0.0; 2]), [0.0, 0.0]);
         for (body, (bar, angle)) in self.bars.iter().zip(angles).enumerate() {
-            joints.push(Joint::Pin { a: upper, b: on(body, 0.0) });
+            joints.push(PlanarJoint::Pin { a: upper, b: on(body, 0.0) });
             drivers.push(Driver {
-                measure: Measure::Angle { of: Some(body), against: None },
+                measure: RelativeCoordinate::Angle { of: Some(body), against: None },
                 value: angle - FRAC_PI_2,
                 velocity: 0.0,
                 acceleration: 0.0,
@@ -250,9 +250,9 @@ impl HangingChain {
             place = [place[0] + bar.length * angle.sin(), place[1] - bar.length * angle.cos()];
             upper = on(body, bar.length);
         }
-        loads.push(Load::Force { at: upper, force: [force, -self.vertical], turns_with: None });
-        let bodies = vec![Body::default(); drawn.len()];
-        (Mechanism { bodies, joints, drivers, loads, gravity: [0.0; 2] }, drawn)
+        loads.push(PlanarLoad::Force { at: upper, force: [force, -self.vertical], turns_with: None });
+        let bodies = vec![PlanarBody::default(); drawn.len()];
+        (PlanarMechanism { bodies, joints, drivers, loads, gravity: [0.0; 2] }, drawn)
     }
 
     fn table(&self, angles: &[f64]) -> TableExhibit {

@@ -5,14 +5,16 @@ use std::f64::consts::FRAC_PI_2;
 use dalembert_core::{About, Analysis, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::{
     Real,
-    planar::{Body, Driver, Effort, Joint, Load, Measure, Mechanism, Point},
+    planar::{
+        BodyPoint, Driver, Effort, PlanarBody, PlanarJoint, PlanarLoad, PlanarMechanism, RelativeCoordinate,
+    },
 };
 
 pub use crate::shared::one_degree_of_freedom::Position;
 use crate::{
     shared::{
         equilibria::down,
-        one_degree_of_freedom::{Machine, Part, Shapes, spring, weight},
+        one_degree_of_freedom::{PotentialTerm, Shapes, SingleDofMachine, spring, weight},
     },
     sources::{BEER, HIBBELER, RIUL},
 };
@@ -74,7 +76,7 @@ impl Analysis for Rhombus {
         let weight = weight(given.mass, given.gravity, "Weight of each bar", sheet);
         let lengths = [given.length, given.free];
         let parts = [
-            Part {
+            PotentialTerm {
                 name: "weights of the bars",
                 load: Some(weight),
                 rate: [
@@ -85,14 +87,14 @@ impl Analysis for Rhombus {
                 symbol: ["W", "N"],
                 answer: ["weight", "Weight of each bar"],
             },
-            Part {
+            PotentialTerm {
                 name: "load at the lower corner",
                 load: given.load,
                 rate: ["y′_D", "m", "Upward virtual displacement of the lower corner per unit δθ"],
                 symbol: ["Q", "N"],
                 answer: ["load", "Load at the lower corner"],
             },
-            Part {
+            PotentialTerm {
                 name: "spring",
                 load: given.stiffness,
                 rate: ["u′", "m^2", "Extension of the spring times its virtual change per unit δθ"],
@@ -100,7 +102,7 @@ impl Analysis for Rhombus {
                 answer: ["stiffness", "Stiffness of the spring"],
             },
         ];
-        let machine = Machine {
+        let machine = SingleDofMachine {
             shapes: self,
             lengths: &lengths,
             parts: &parts,
@@ -133,37 +135,38 @@ impl Shapes for Rhombus {
 impl Rhombus {
     /// Upper left, upper right, lower left and lower right bar, each from its upper end, in the lower corner of
     /// which a pin slides in a vertical slot.
-    fn built(&self, loads: &[f64], at: f64) -> (Mechanism, Vec<[f64; 3]>) {
+    fn built(&self, loads: &[f64], at: f64) -> (PlanarMechanism, Vec<[f64; 3]>) {
         let l = self.length;
-        let bar = |body: usize, s: f64| Point::body(body, [s, 0.0]);
-        let top = Point::ground([0.0; 2]);
-        let mut acting: Vec<Load> = (0..4).map(|body| down(bar(body, l / 2.0), loads[0])).collect();
+        let bar = |body: usize, s: f64| BodyPoint::body(body, [s, 0.0]);
+        let top = BodyPoint::ground([0.0; 2]);
+        let mut acting: Vec<PlanarLoad> = (0..4).map(|body| down(bar(body, l / 2.0), loads[0])).collect();
         acting.push(down(bar(2, l), loads[1]));
         let (measure, free) = match self.across {
             Across::Sides => (
-                Measure::Component { direction: [1.0, 0.0], from: bar(0, l), to: bar(1, l) },
+                RelativeCoordinate::Component { direction: [1.0, 0.0], from: bar(0, l), to: bar(1, l) },
                 self.free.sin(),
             ),
-            Across::Height => {
-                (Measure::Component { direction: [0.0, -1.0], from: top, to: bar(2, l) }, self.free.cos())
-            }
+            Across::Height => (
+                RelativeCoordinate::Component { direction: [0.0, -1.0], from: top, to: bar(2, l) },
+                self.free.cos(),
+            ),
         };
-        acting.push(Load::Effort {
+        acting.push(PlanarLoad::Effort {
             measure,
             effort: Effort::Spring { stiffness: loads[2], free: 2.0 * l * free },
         });
-        let mechanism = Mechanism {
-            bodies: vec![Body::default(); 4],
+        let mechanism = PlanarMechanism {
+            bodies: vec![PlanarBody::default(); 4],
             joints: vec![
-                Joint::Pin { a: top, b: bar(0, 0.0) },
-                Joint::Pin { a: top, b: bar(1, 0.0) },
-                Joint::Pin { a: bar(0, l), b: bar(2, 0.0) },
-                Joint::Pin { a: bar(1, l), b: bar(3, 0.0) },
-                Joint::Pin { a: bar(2, l), b: bar(3, l) },
-                Joint::Slot { guide: top, direction: FRAC_PI_2, pin: bar(2, l), offset: 0.0 },
+                PlanarJoint::Pin { a: top, b: bar(0, 0.0) },
+                PlanarJoint::Pin { a: top, b: bar(1, 0.0) },
+                PlanarJoint::Pin { a: bar(0, l), b: bar(2, 0.0) },
+                PlanarJoint::Pin { a: bar(1, l), b: bar(3, 0.0) },
+                PlanarJoint::Pin { a: bar(2, l), b: bar(3, l) },
+                PlanarJoint::Slot { guide: top, direction: FRAC_PI_2, pin: bar(2, l), offset: 0.0 },
             ],
             drivers: vec![Driver {
-                measure: Measure::Angle { of: Some(1), against: None },
+                measure: RelativeCoordinate::Angle { of: Some(1), against: None },
                 value: at - FRAC_PI_2,
                 velocity: 0.0,
                 acceleration: 0.0,

@@ -3,7 +3,7 @@
 use dalembert_core::{About, Analysis, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::{
     Real,
-    planar::{Body, Driver, Joint, Measure, Mechanism, Point},
+    planar::{BodyPoint, Driver, PlanarBody, PlanarJoint, PlanarMechanism, RelativeCoordinate},
 };
 
 use crate::{
@@ -159,21 +159,21 @@ impl Analysis for RobervalBalance {
 }
 
 impl RobervalBalance {
-    fn built(&self, left: f64, right: f64) -> (Mechanism, Vec<[f64; 3]>) {
+    fn built(&self, left: f64, right: f64) -> (PlanarMechanism, Vec<[f64; 3]>) {
         let (l1, l2, half) = (self.left_arm, self.right_arm, self.height / 2.0);
-        let on = |body: usize, x: f64, y: f64| Point::body(body, [x, y]);
-        let mechanism = Mechanism {
-            bodies: vec![Body::default(); 4],
+        let on = |body: usize, x: f64, y: f64| BodyPoint::body(body, [x, y]);
+        let mechanism = PlanarMechanism {
+            bodies: vec![PlanarBody::default(); 4],
             joints: vec![
-                Joint::Pin { a: Point::ground([0.0, half]), b: on(0, 0.0, 0.0) },
-                Joint::Pin { a: Point::ground([0.0, -half]), b: on(1, 0.0, 0.0) },
-                Joint::Pin { a: on(0, -l1, 0.0), b: on(2, 0.0, half) },
-                Joint::Pin { a: on(1, -l1, 0.0), b: on(2, 0.0, -half) },
-                Joint::Pin { a: on(0, l2, 0.0), b: on(3, 0.0, half) },
-                Joint::Pin { a: on(1, l2, 0.0), b: on(3, 0.0, -half) },
+                PlanarJoint::Pin { a: BodyPoint::ground([0.0, half]), b: on(0, 0.0, 0.0) },
+                PlanarJoint::Pin { a: BodyPoint::ground([0.0, -half]), b: on(1, 0.0, 0.0) },
+                PlanarJoint::Pin { a: on(0, -l1, 0.0), b: on(2, 0.0, half) },
+                PlanarJoint::Pin { a: on(1, -l1, 0.0), b: on(2, 0.0, -half) },
+                PlanarJoint::Pin { a: on(0, l2, 0.0), b: on(3, 0.0, half) },
+                PlanarJoint::Pin { a: on(1, l2, 0.0), b: on(3, 0.0, -half) },
             ],
             drivers: vec![Driver {
-                measure: Measure::Angle { of: Some(0), against: None },
+                measure: RelativeCoordinate::Angle { of: Some(0), against: None },
                 value: self.angle,
                 velocity: 0.0,
                 acceleration: 0.0,

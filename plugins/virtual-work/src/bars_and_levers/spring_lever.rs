@@ -9,10 +9,12 @@ use dalembert_mechanics::Real;
 pub use crate::shared::one_degree_of_freedom::Position;
 use crate::shared::one_degree_of_freedom::PositionGiven;
 use crate::{
-    shared::equilibria::{Equilibrium, Stability, check_curvature, check_held, reactions, solved, telling},
+    shared::equilibria::{
+        Stability, WorkedEquilibrium, check_curvature, check_held, illustrative_angle, reactions, solved,
+    },
     sources::{BEER, HIBBELER, RIUL},
 };
-use law::{Geometry, Height, Law};
+use law::{Geometry, Height, PotentialLaw};
 
 /// An arm on a pivot, loaded, and held by a spring.
 ///
@@ -21,18 +23,18 @@ use law::{Geometry, Height, Law};
 #[derive(Clone, Debug, Inputs)]
 pub struct SpringLever {
     /// The arm at θ = 0.
-    pub reference: Start,
+    pub reference: ArmPosition,
     /// Load.
-    pub load: Load,
+    pub load: ArmLoad,
     /// Spring.
-    pub spring: Spring,
+    pub spring: ArmSpring,
     /// Position.
     pub position: Position,
 }
 
 /// Position of the arm at θ = 0; θ grows clockwise.
 #[derive(Clone, Copy, Debug, Inputs)]
-pub enum Start {
+pub enum ArmPosition {
     /// Vertical, upwards
     Upright,
     /// Horizontal, to the right
@@ -50,7 +52,7 @@ pub enum Start {
 
 /// Load on the arm.
 #[derive(Clone, Debug, Inputs)]
-pub enum Load {
+pub enum ArmLoad {
     /// Mass on the arm
     Mass {
         /// Mass.
@@ -85,7 +87,7 @@ pub enum Load {
 
 /// Spring of the arm.
 #[derive(Clone, Debug, Inputs)]
-pub enum Spring {
+pub enum ArmSpring {
     /// Torsion spring at the pivot
     Torsion {
         /// Stiffness.
@@ -132,7 +134,7 @@ pub enum Spring {
         #[input("δ", "deg", min = -360, max = 360)]
         fixed_angle: f64,
         /// Unstretched.
-        unstretched: Unstretched,
+        unstretched: FreeConfiguration,
     },
     /// Two springs, one on each side
     /// Perpendicular to the arm at θ = 0, unstretched there, and long enough to keep their direction.
@@ -149,7 +151,7 @@ pub enum Spring {
 
 /// Configuration in which a spring between points is unstretched.
 #[derive(Clone, Debug, Inputs)]
-pub enum Unstretched {
+pub enum FreeConfiguration {
     /// At a given angle of the arm
     Angle {
         /// Angle of the arm.
@@ -180,15 +182,15 @@ impl Analysis for SpringLever {
 
     fn solve<W: Worksheet>(&self, given: &SpringLeverGiven<W>, sheet: W) -> Result<(), Refusal> {
         let height = match &given.reference {
-            StartGiven::Upright {} => Height::Upright,
-            StartGiven::Horizontal {} => Height::Horizontal,
-            StartGiven::Hanging {} => Height::Hanging,
-            StartGiven::Tilted { tilt } => Height::Tilted(*tilt),
+            ArmPositionGiven::Upright {} => Height::Upright,
+            ArmPositionGiven::Horizontal {} => Height::Horizontal,
+            ArmPositionGiven::Hanging {} => Height::Hanging,
+            ArmPositionGiven::Tilted { tilt } => Height::Tilted(*tilt),
         };
-        let height = if matches!(given.load, LoadGiven::Couple { .. }) { Height::Couple } else { height };
+        let height = if matches!(given.load, ArmLoadGiven::Couple { .. }) { Height::Couple } else { height };
         let moment = load_moment(&given.load, sheet);
         let (stiffness, geometry) = spring(&given.spring, sheet);
-        let law = Law { geometry, height };
+        let law = PotentialLaw { geometry, height };
         let numbers = law.value();
         match &given.position {
             PositionGiven::Sought { from, to } => {
@@ -209,7 +211,8 @@ impl Analysis for SpringLever {
                         let size = numbers.size(k.value(), moment.value(), one.at);
                         check_curvature(sheet, *bend, size, &machine);
                     }
-                    let (mechanism, drawn) = self.built(&numbers, k.value(), moment.value(), telling(&list));
+                    let (mechanism, drawn) =
+                        self.built(&numbers, k.value(), moment.value(), illustrative_angle(&list));
                     if let Some(table) = reactions(&mechanism, &drawn, &["Pivot".into()]) {
                         sheet.show(|| table);
                     }
@@ -220,7 +223,7 @@ impl Analysis for SpringLever {
                 let (k, moment) = self.at_angle(given, &law, stiffness, moment, *angle, sheet)?;
                 let at = angle.value();
                 let [energy, _, curvature] = numbers.potential(k, moment, at);
-                let here = Equilibrium { at, energy, curvature, stability: Stability::Critical };
+                let here = WorkedEquilibrium { at, energy, curvature, stability: Stability::Critical };
                 let range = [at.min(0.0) - 0.5, at.max(0.0) + 0.5];
                 self.show(&numbers, k, None, range, &[here], sheet);
             }
@@ -230,27 +233,27 @@ impl Analysis for SpringLever {
 }
 
 /// The load about the pivot with a horizontal arm, where it is known.
-fn load_moment<W: Worksheet>(load: &LoadGiven<W>, sheet: W) -> Option<W::Num> {
+fn load_moment<W: Worksheet>(load: &ArmLoadGiven<W>, sheet: W) -> Option<W::Num> {
     let words = "Moment of the load about the pivot with the arm horizontal";
     match load {
-        LoadGiven::Mass { mass, arm, gravity } => {
+        ArmLoadGiven::Mass { mass, arm, gravity } => {
             let weight = sheet.step("W", "N", (*mass)? * *gravity, "Weight");
             Some(sheet.step("M", "N*m", weight * *arm, words))
         }
-        LoadGiven::Force { force, arm } => Some(sheet.step("M", "N*m", (*force)? * *arm, words)),
-        LoadGiven::Couple { couple } => *couple,
+        ArmLoadGiven::Force { force, arm } => Some(sheet.step("M", "N*m", (*force)? * *arm, words)),
+        ArmLoadGiven::Couple { couple } => *couple,
     }
 }
 
 /// The stiffness of the spring, where it is known, and how the spring is stretched.
-fn spring<W: Worksheet>(spring: &SpringGiven<W>, sheet: W) -> (Option<W::Num>, Geometry<W::Num>) {
+fn spring<W: Worksheet>(spring: &ArmSpringGiven<W>, sheet: W) -> (Option<W::Num>, Geometry<W::Num>) {
     match spring {
-        SpringGiven::Torsion { stiffness, free } => (*stiffness, Geometry::Torsion { free: *free }),
-        SpringGiven::Drum { stiffness, radius, free } => {
+        ArmSpringGiven::Torsion { stiffness, free } => (*stiffness, Geometry::Torsion { free: *free }),
+        ArmSpringGiven::Drum { stiffness, radius, free } => {
             (*stiffness, Geometry::Drum { radius: *radius, free: *free })
         }
-        SpringGiven::Sides { stiffness, height } => (*stiffness, Geometry::Sides { height: *height }),
-        SpringGiven::Points { stiffness, on_arm, on_arm_angle, fixed, fixed_angle, unstretched } => {
+        ArmSpringGiven::Sides { stiffness, height } => (*stiffness, Geometry::Sides { height: *height }),
+        ArmSpringGiven::Points { stiffness, on_arm, on_arm_angle, fixed, fixed_angle, unstretched } => {
             let between = sheet.step(
                 "ψ₀",
                 "deg",
@@ -258,8 +261,8 @@ fn spring<W: Worksheet>(spring: &SpringGiven<W>, sheet: W) -> (Option<W::Num>, G
                 "Angle at the pivot between the two ends of the spring at θ = 0; at θ it is θ + ψ₀",
             );
             let free = match unstretched {
-                UnstretchedGiven::Length { length } => *length,
-                UnstretchedGiven::Angle { angle } => sheet.step(
+                FreeConfigurationGiven::Length { length } => *length,
+                FreeConfigurationGiven::Angle { angle } => sheet.step(
                     "s₀",
                     "mm",
                     law::length(*on_arm, *fixed, *angle + between),
@@ -276,7 +279,7 @@ impl SpringLever {
     fn at_angle<W: Worksheet>(
         &self,
         given: &SpringLeverGiven<W>,
-        law: &Law<W::Num>,
+        law: &PotentialLaw<W::Num>,
         stiffness: Option<W::Num>,
         moment: Option<W::Num>,
         angle: W::Num,
@@ -318,19 +321,19 @@ impl SpringLever {
                 let moment = if down { spring / drop } else { -spring / drop };
                 let words = ("Load whose virtual work balances that of the spring", BEER.at("§10.1C"));
                 let moment = match &given.load {
-                    LoadGiven::Mass { arm, gravity, .. } => {
+                    ArmLoadGiven::Mass { arm, gravity, .. } => {
                         let weight = sheet.step("W", "N", moment / *arm, words);
                         let mass = sheet.step("m", "kg", weight / *gravity, "Mass of that weight");
                         sheet.answer("mass", "Mass for equilibrium at this angle", mass);
                         hung = Some(mass.value() * gravity.value() * arm.value());
                         weight * *arm
                     }
-                    LoadGiven::Force { arm, .. } => {
+                    ArmLoadGiven::Force { arm, .. } => {
                         let force = sheet.step("P", "N", moment / *arm, words);
                         sheet.answer("force", "Force for equilibrium at this angle", force);
                         force * *arm
                     }
-                    LoadGiven::Couple { .. } => {
+                    ArmLoadGiven::Couple { .. } => {
                         let couple = sheet.step("M", "N*m", moment, words);
                         sheet.answer("couple", "Couple for equilibrium at this angle", couple);
                         couple
@@ -400,7 +403,7 @@ impl SpringLever {
         given: &SpringLeverGiven<W>,
         k: W::Num,
         moment: W::Num,
-        law: &Law<W::Num>,
+        law: &PotentialLaw<W::Num>,
         sheet: W,
     ) {
         let numbers = law.value();
@@ -440,17 +443,17 @@ impl SpringLever {
             });
         };
         match &given.load {
-            LoadGiven::Mass { arm, gravity, .. } => {
+            ArmLoadGiven::Mass { arm, gravity, .. } => {
                 let mass = sheet.step("m_c", "kg", held / (*gravity * *arm), words);
                 sheet.answer("critical_mass", "Critical mass of the vertical (inverted) position", mass);
                 limit(mass * *gravity * *arm);
             }
-            LoadGiven::Force { arm, .. } => {
+            ArmLoadGiven::Force { arm, .. } => {
                 let force = sheet.step("P_c", "N", held / *arm, words);
                 sheet.answer("critical_force", "Critical force of the vertical (inverted) position", force);
                 limit(force * *arm);
             }
-            LoadGiven::Couple { .. } => {}
+            ArmLoadGiven::Couple { .. } => {}
         }
         sheet.verify(|| {
             let [_, _, left] = numbers.potential(critical.value(), moment.value(), 0.0);
@@ -464,19 +467,19 @@ impl SpringLever {
 
     fn show<W: Worksheet>(
         &self,
-        numbers: &Law<f64>,
+        numbers: &PotentialLaw<f64>,
         k: f64,
         moment: Option<f64>,
         range: [f64; 2],
-        list: &[Equilibrium],
+        list: &[WorkedEquilibrium],
         sheet: W,
     ) {
         let arm = match &self.load {
-            Load::Mass { arm, .. } | Load::Force { arm, .. } => Some(*arm),
-            Load::Couple { .. } => None,
+            ArmLoad::Mass { arm, .. } | ArmLoad::Force { arm, .. } => Some(*arm),
+            ArmLoad::Couple { .. } => None,
         };
         sheet.show(|| Exhibit::Plot(picture::load_over_angle(numbers, k, arm, moment, range)));
-        let at = telling(list);
+        let at = illustrative_angle(list);
         sheet.show(|| self.animation(at, range));
     }
 }

@@ -3,14 +3,16 @@
 use dalembert_core::{About, Analysis, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::{
     Real,
-    planar::{Body, Driver, Effort, Joint, Load, Measure, Mechanism, Point},
+    planar::{
+        BodyPoint, Driver, Effort, PlanarBody, PlanarJoint, PlanarLoad, PlanarMechanism, RelativeCoordinate,
+    },
 };
 
 pub use crate::shared::one_degree_of_freedom::Position;
 use crate::{
     shared::{
         equilibria::down,
-        one_degree_of_freedom::{Machine, Part, Shapes, spring, weight},
+        one_degree_of_freedom::{PotentialTerm, Shapes, SingleDofMachine, spring, weight},
     },
     sources::{BEER, HIBBELER, RIUL},
 };
@@ -39,7 +41,7 @@ pub struct TwoBarLinkage {
     #[input("F", "N")]
     pub force_c: Option<f64>,
     /// Spring between A and C.
-    pub spring: Spring,
+    pub spring: EndSpring,
     /// Position.
     /// The angle θ of each bar is measured from the line AC.
     pub position: Position,
@@ -56,7 +58,7 @@ pub enum Knee {
 
 /// A spring between the ends.
 #[derive(Clone, Debug, Inputs)]
-pub enum Spring {
+pub enum EndSpring {
     /// None
     None,
     /// Spring
@@ -89,7 +91,7 @@ impl Analysis for TwoBarLinkage {
         let weight = weight(given.mass, given.gravity, "Weight of each bar", sheet);
         let mut lengths = vec![given.length];
         let mut parts = vec![
-            Part {
+            PotentialTerm {
                 name: "weights of the bars",
                 load: Some(weight),
                 rate: [
@@ -100,14 +102,14 @@ impl Analysis for TwoBarLinkage {
                 symbol: ["W", "N"],
                 answer: ["weight", "Weight of each bar"],
             },
-            Part {
+            PotentialTerm {
                 name: "force at B",
                 load: given.force_b,
                 rate: ["y′_B", "m", "Upward virtual displacement of B per unit δθ"],
                 symbol: ["Q", "N"],
                 answer: ["force_b", "Vertical force at B"],
             },
-            Part {
+            PotentialTerm {
                 name: "force at C",
                 load: given.force_c,
                 rate: ["x′_C", "m", "Virtual displacement of C towards A per unit δθ"],
@@ -115,9 +117,9 @@ impl Analysis for TwoBarLinkage {
                 answer: ["force_c", "Horizontal force at C"],
             },
         ];
-        if let SpringGiven::Spring { stiffness, free } = &given.spring {
+        if let EndSpringGiven::Spring { stiffness, free } = &given.spring {
             lengths.push(*free);
-            parts.push(Part {
+            parts.push(PotentialTerm {
                 name: "spring",
                 load: *stiffness,
                 rate: ["u′", "m^2", "Extension of the spring times its virtual change per unit δθ"],
@@ -125,7 +127,7 @@ impl Analysis for TwoBarLinkage {
                 answer: ["stiffness", "Stiffness of the spring"],
             });
         }
-        let machine = Machine {
+        let machine = SingleDofMachine {
             shapes: self,
             lengths: &lengths,
             parts: &parts,
@@ -145,7 +147,7 @@ impl Shapes for TwoBarLinkage {
             Knee::Below => [-(l * sin), -(l * cos), l * sin],
         };
         let mut shapes = vec![rise, rise, [-(l * cos * 2.0), l * sin * 2.0, l * cos * 2.0]];
-        if matches!(self.spring, Spring::Spring { .. }) {
+        if matches!(self.spring, EndSpring::Spring { .. }) {
             shapes.push(spring(
                 [l * cos * 2.0, -(l * sin * 2.0), -(l * cos * 2.0)],
                 l * lengths[1].cos() * 2.0,
@@ -161,33 +163,33 @@ impl TwoBarLinkage {
     }
 
     /// The linkage with A in the origin and C to the right; each bar's axis runs from A towards C.
-    fn built(&self, loads: &[f64], at: f64) -> (Mechanism, Vec<[f64; 3]>) {
+    fn built(&self, loads: &[f64], at: f64) -> (PlanarMechanism, Vec<[f64; 3]>) {
         let (l, sign) = (self.length, self.sign());
-        let first = |s: f64| Point::body(0, [s, 0.0]);
-        let second = |s: f64| Point::body(1, [s, 0.0]);
-        let pin = Point::ground([0.0; 2]);
+        let first = |s: f64| BodyPoint::body(0, [s, 0.0]);
+        let second = |s: f64| BodyPoint::body(1, [s, 0.0]);
+        let pin = BodyPoint::ground([0.0; 2]);
         let measure = match self.knee {
-            Knee::Above => Measure::Angle { of: Some(0), against: None },
-            Knee::Below => Measure::Angle { of: None, against: Some(0) },
+            Knee::Above => RelativeCoordinate::Angle { of: Some(0), against: None },
+            Knee::Below => RelativeCoordinate::Angle { of: None, against: Some(0) },
         };
         let mut acting = vec![
             down(first(l / 2.0), loads[0]),
             down(second(l / 2.0), loads[0]),
             down(first(l), loads[1]),
-            Load::Force { at: second(l), force: [loads[2], 0.0], turns_with: None },
+            PlanarLoad::Force { at: second(l), force: [loads[2], 0.0], turns_with: None },
         ];
-        if let Spring::Spring { free, .. } = self.spring {
-            acting.push(Load::Effort {
-                measure: Measure::Component { direction: [1.0, 0.0], from: pin, to: second(l) },
+        if let EndSpring::Spring { free, .. } = self.spring {
+            acting.push(PlanarLoad::Effort {
+                measure: RelativeCoordinate::Component { direction: [1.0, 0.0], from: pin, to: second(l) },
                 effort: Effort::Spring { stiffness: loads[3], free: 2.0 * l * free.cos() },
             });
         }
-        let mechanism = Mechanism {
-            bodies: vec![Body::default(); 2],
+        let mechanism = PlanarMechanism {
+            bodies: vec![PlanarBody::default(); 2],
             joints: vec![
-                Joint::Pin { a: pin, b: first(0.0) },
-                Joint::Pin { a: first(l), b: second(0.0) },
-                Joint::Slot { guide: pin, direction: 0.0, pin: second(l), offset: 0.0 },
+                PlanarJoint::Pin { a: pin, b: first(0.0) },
+                PlanarJoint::Pin { a: first(l), b: second(0.0) },
+                PlanarJoint::Slot { guide: pin, direction: 0.0, pin: second(l), offset: 0.0 },
             ],
             drivers: vec![Driver { measure, value: at, velocity: 0.0, acceleration: 0.0 }],
             loads: acting,
@@ -202,7 +204,7 @@ impl TwoBarLinkage {
         let (a, b, c) = ((0.0, 0.0), (l * angle.cos(), sign * l * angle.sin()), (2.0 * l * angle.cos(), 0.0));
         let mut sketch = Sketch::default();
         sketch.size(2.2 * l).guide(a, (2.2 * l, 0.0)).slider("", c, 0.0);
-        if matches!(self.spring, Spring::Spring { .. }) {
+        if matches!(self.spring, EndSpring::Spring { .. }) {
             sketch.spring("k", a, c);
         }
         sketch.bars([a, b, c]).pin("A", a).joint("B", b).joint("C", c);

@@ -14,10 +14,10 @@ mod rod;
 mod witness;
 
 pub use self::{
-    flywheel::{Output, OutputGiven, Resisting, ResistingGiven},
+    flywheel::{EngineLoad, EngineLoadGiven, Resisting, ResistingGiven},
     gas::{
-        Acting, ActingGiven, AngleRow, Behind, BehindGiven, Datum, DatumGiven, Gas, GasGiven, Law, LawGiven,
-        StrokeRow,
+        Acting, ActingGiven, AngleRow, Behind, BehindGiven, Datum, DatumGiven, ExpansionLaw,
+        ExpansionLawGiven, Gas, GasGiven, StrokeRow,
     },
     rod::{Centre, CentreGiven, RodInertia, RodInertiaGiven, RodMass, RodMassGiven},
 };
@@ -40,7 +40,7 @@ pub struct Engine {
     #[input("θ", "deg")]
     pub angle: f64,
     /// Motion.
-    pub motion: Motion,
+    pub motion: EngineMotion,
     /// Formulas of the motion.
     pub terms: Terms,
     /// Reciprocating mass.
@@ -61,7 +61,7 @@ pub struct Engine {
     #[input("F_f", "N", nonnegative)]
     pub friction: Option<f64>,
     /// Flywheel and driven load.
-    pub output: Option<Output>,
+    pub output: Option<EngineLoad>,
 }
 
 /// Crank radius or stroke.
@@ -101,7 +101,7 @@ pub enum RodLength {
 
 /// Motion of the engine.
 #[derive(Clone, Debug, Inputs)]
-pub enum Motion {
+pub enum EngineMotion {
     /// Running
     Running {
         /// Speed of the crank.
@@ -182,8 +182,13 @@ impl Analysis for Engine {
         if let (Some(rod), Some(_)) = (&rod, moving.speed) {
             rod::inertia_force(rod, &lengths, &moving, &kernel, sheet);
         }
-        let problem =
-            forces::Problem { given, lengths: &lengths, moving: &moving, rod: rod.as_ref(), field: &field };
+        let problem = forces::EngineProblem {
+            given,
+            lengths: &lengths,
+            moving: &moving,
+            rod: rod.as_ref(),
+            field: &field,
+        };
         let forces = forces::forces(self, &problem, &kernel, sheet)?;
         sheet.verify(|| witness::motion(self, &lengths, &moving, &kernel, sheet));
         if let Some(forces) = &forces {
@@ -204,7 +209,7 @@ impl Analysis for Engine {
             kernel: &kernel,
             crank: moving.crank(),
             given_acceleration: match self.motion {
-                Motion::PistonAcceleration { acceleration } => Some(acceleration),
+                EngineMotion::PistonAcceleration { acceleration } => Some(acceleration),
                 _ => None,
             },
             running: moving.speed.is_some(),
@@ -236,7 +241,7 @@ impl Engine {
             ));
         }
         let weightless_rod = matches!(self.rod_mass, RodMass::Massless);
-        if matches!(self.motion, Motion::PistonAcceleration { .. }) && !weightless_rod {
+        if matches!(self.motion, EngineMotion::PistonAcceleration { .. }) && !weightless_rod {
             return Err(Refusal::because(
                 "the acceleration of the piston does not determine that of the rod: give the speed, or leave the rod without mass and add its share to the reciprocating mass",
             ));
@@ -249,10 +254,10 @@ impl Engine {
         &self,
         lengths: &motion::Lengths<N>,
         rod: Option<&rod::Masses<N>>,
-        field: &forces::Field<N>,
-    ) -> kernel::Engine {
+        field: &forces::GravityField<N>,
+    ) -> kernel::EngineCylinder {
         let (crank, length) = (lengths.crank.value(), lengths.rod.value());
-        kernel::Engine {
+        kernel::EngineCylinder {
             crank,
             rod: length,
             offset: lengths.offset.map_or(0.0, Real::value),
@@ -266,12 +271,12 @@ impl Engine {
         }
     }
 
-    fn model(&self, ratio: f64) -> kernel::Model {
+    fn model(&self, ratio: f64) -> kernel::PistonFormula {
         match self.terms {
-            Terms::Exact => kernel::Model::Exact,
-            Terms::Two => kernel::Model::TwoTerm,
+            Terms::Exact => kernel::PistonFormula::Exact,
+            Terms::Two => kernel::PistonFormula::TwoTerm,
             Terms::Harmonics { highest } => {
-                kernel::Model::up_to(u8::try_from(highest).unwrap_or(u8::MAX), ratio)
+                kernel::PistonFormula::up_to(u8::try_from(highest).unwrap_or(u8::MAX), ratio)
             }
         }
     }

@@ -5,12 +5,12 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    planar::{Joint, Measure, PlanarError, Point},
+    planar::{BodyPoint, PlanarError, PlanarJoint, RelativeCoordinate},
 };
 
 use crate::{
     shared::{
-        built::{self, Built, Link, Mass, Solved},
+        built::{self, Built, BuiltMass, Link, Solved},
         works::symbol,
     },
     sources::{BEVAN, NORTON, SHIGLEY},
@@ -33,7 +33,7 @@ pub struct EpicyclicTrain {
     #[input("ω_in", "rpm", default = "1000 rpm")]
     pub speed: f64,
     /// Known torque.
-    pub torque: Torque,
+    pub torque: KnownTorque,
 }
 
 /// The gears of the train.
@@ -105,7 +105,7 @@ pub struct Pinion {
 
 /// The torque that is known.
 #[derive(Clone, Debug, Inputs)]
-pub enum Torque {
+pub enum KnownTorque {
     /// Torque on the driving shaft
     Driving {
         /// Torque on the driving shaft.
@@ -148,7 +148,7 @@ impl Analysis for EpicyclicTrain {
         self.fits(teeth)?;
         let [sun, first, second, ring] = teeth;
         let found = |name: &'static str, value: f64| {
-            sheet.found(
+            sheet.numerical(
                 symbol("z", name),
                 "1",
                 value,
@@ -217,7 +217,7 @@ impl Analysis for EpicyclicTrain {
         };
         let arm = speed_of(Member::Arm);
         let size = first;
-        let planet = sheet.found(symbol("z", "P"), "1", size, "Teeth of the planet on the sun");
+        let planet = sheet.numerical(symbol("z", "P"), "1", size, "Teeth of the planet on the sun");
         let against = if self.fixed == Member::Sun {
             let why = "Speed of the planet relative to the arm: it rolls on the fixed sun";
             let against = sheet.step(symbol("ω", "P/A"), "rpm", arm * zs / planet, why);
@@ -232,12 +232,12 @@ impl Analysis for EpicyclicTrain {
             against
         };
         let (input, load) = match given.torque {
-            TorqueGiven::Driving { torque } => {
+            KnownTorqueGiven::Driving { torque } => {
                 let why =
                     "Virtual power, T_in ω_in + T_out ω_out = 0: torque of the load on the driven member";
                 (torque, sheet.step(symbol("T", "out"), "N*m", -(torque / total), (why, BEVAN.at("ch. 12"))))
             }
-            TorqueGiven::Load { torque } => {
+            KnownTorqueGiven::Load { torque } => {
                 let why = "Virtual power, T_in ω_in + T_out ω_out = 0: torque on the driving shaft";
                 (sheet.step(symbol("T", "in"), "N*m", -(torque * total), (why, BEVAN.at("ch. 12"))), torque)
             }
@@ -336,28 +336,34 @@ impl EpicyclicTrain {
     ) -> Result<(Solved, [Link; 3], usize), PlanarError> {
         let mut it = Built::new([0.0; 2]);
         let internal = !matches!(self.gears, Gears::Suns { .. });
-        let still = Mass::default();
+        let still = BuiltMass::default();
         let names = ["sun", "ring", "arm"];
         let links = names.map(|name| it.link(name, [0.0; 2], 0.0, still));
         let reach = 0.1;
         let planet = it.link("planet", [reach, 0.0], 0.0, still);
         for link in links {
-            it.pin(Point::ground([0.0; 2]), link.point([0.0; 2]));
+            it.pin(BodyPoint::ground([0.0; 2]), link.point([0.0; 2]));
         }
         let [s, r, arm] = links;
         it.pin(arm.point([reach, 0.0]), planet.point([0.0; 2]));
         let carrier = arm.frame();
-        it.join(Joint::Gears {
+        it.join(PlanarJoint::Gears {
             a: s.frame(),
             b: planet.frame(),
             carrier,
             sizes: [sun, first],
             internal: false,
         });
-        it.join(Joint::Gears { a: planet.frame(), b: r.frame(), carrier, sizes: [second, ring], internal });
+        it.join(PlanarJoint::Gears {
+            a: planet.frame(),
+            b: r.frame(),
+            carrier,
+            sizes: [second, ring],
+            internal,
+        });
         let held = links[self.fixed as usize];
-        let measure = |link: Link| Measure::Angle { of: link.frame(), against: None };
-        let hold = it.join(Joint::Relation { terms: vec![(1.0, measure(held))], constant: Some(0.0) });
+        let measure = |link: Link| RelativeCoordinate::Angle { of: link.frame(), against: None };
+        let hold = it.join(PlanarJoint::Relation { terms: vec![(1.0, measure(held))], constant: Some(0.0) });
         if torque != 0.0 {
             it.couple("Torque on the driving member", links[self.driver as usize], torque);
         }

@@ -20,7 +20,7 @@ pub struct EquivalentRod {
     #[input("l", "mm", positive)]
     pub length: f64,
     /// Known inertia data.
-    pub known: Known,
+    pub known: RodData,
     /// Angular acceleration of the rod.
     /// For the couple that corrects masses at its pins.
     #[input("α", "rad/s^2")]
@@ -29,7 +29,7 @@ pub struct EquivalentRod {
 
 /// Centre of mass and moment of inertia, or oscillations that tell them.
 #[derive(Clone, Debug, Inputs)]
-pub enum Known {
+pub enum RodData {
     /// Centre of mass and radius of gyration
     Gyration {
         /// Distance of the centre of mass from the gudgeon pin.
@@ -164,7 +164,7 @@ impl Analysis for EquivalentRod {
         sheet.verify(|| {
             check_swings(given, near, radius, sheet);
             let own = match given.known {
-                KnownGiven::Moment { inertia, .. } => inertia,
+                RodDataGiven::Moment { inertia, .. } => inertia,
                 _ => mass * radius.powi(2),
             };
             sheet.check("the two masses add up to the mass of the rod", first + second, mass);
@@ -199,16 +199,18 @@ impl EquivalentRod {
             radius
         };
         match given.known {
-            KnownGiven::Gyration { distance, radius } => Ok((distance, radius)),
-            KnownGiven::Moment { distance, inertia } => Ok((distance, named((inertia / given.mass).sqrt()))),
-            KnownGiven::Swung { distance, period, gravity } => {
+            RodDataGiven::Gyration { distance, radius } => Ok((distance, radius)),
+            RodDataGiven::Moment { distance, inertia } => {
+                Ok((distance, named((inertia / given.mass).sqrt())))
+            }
+            RodDataGiven::Swung { distance, period, gravity } => {
                 let length = pendulum("L_g", period, gravity);
                 if length.value() < distance.value() {
                     return Err(too_fast());
                 }
                 Ok((distance, named((distance * (length - distance)).sqrt())))
             }
-            KnownGiven::SwungTwice { gudgeon, crank_pin, gravity } => {
+            RodDataGiven::SwungTwice { gudgeon, crank_pin, gravity } => {
                 let first = pendulum("L_g", gudgeon, gravity);
                 let second = pendulum("L_c", crank_pin, gravity);
                 let span = given.length;
@@ -240,13 +242,13 @@ fn check_swings<W: Worksheet>(given: &EquivalentRodGiven<W>, near: W::Num, radiu
     };
     let about_gudgeon = "period of the rod as a compound pendulum about the gudgeon pin";
     match given.known {
-        KnownGiven::Swung { period, gravity, .. } => swing(near, period, gravity, about_gudgeon),
-        KnownGiven::SwungTwice { gudgeon, crank_pin, gravity } => {
+        RodDataGiven::Swung { period, gravity, .. } => swing(near, period, gravity, about_gudgeon),
+        RodDataGiven::SwungTwice { gudgeon, crank_pin, gravity } => {
             swing(near, gudgeon, gravity, about_gudgeon);
             let what = "period of the rod as a compound pendulum about the crank pin";
             swing(given.length - near, crank_pin, gravity, what);
         }
-        KnownGiven::Gyration { .. } | KnownGiven::Moment { .. } => {}
+        RodDataGiven::Gyration { .. } | RodDataGiven::Moment { .. } => {}
     }
 }
 

@@ -7,7 +7,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    slider_crank::{cycle::Cycle, gas::Diagram as Curve},
+    slider_crank::{cycle::TorqueCycle, gas::Diagram as Curve},
 };
 
 use crate::{
@@ -24,7 +24,7 @@ pub struct Flywheel {
     #[input("ω", "rpm", positive)]
     pub speed: f64,
     /// Sought.
-    pub sought: Sought,
+    pub sought: FlywheelUnknown,
 }
 
 /// Turning moment of the cycle.
@@ -37,7 +37,7 @@ pub enum Moment {
         mean: f64,
         /// Harmonics.
         #[input(table)]
-        rows: Vec<Harmonic>,
+        rows: Vec<TorqueHarmonic>,
     },
     /// Table against the crank angle
     /// Linear interpolation between its rows.
@@ -71,7 +71,7 @@ pub enum Moment {
 
 /// A harmonic of the turning moment, a sin kθ + b cos kθ.
 #[derive(Clone, Debug, Inputs)]
-pub struct Harmonic {
+pub struct TorqueHarmonic {
     /// Order.
     /// An integer, or a half-integer in a cycle of two revolutions.
     #[input("k", "1", positive, max = 48)]
@@ -97,7 +97,7 @@ pub struct MomentRow {
 
 /// Inertia or fluctuation of speed.
 #[derive(Clone, Debug, Inputs)]
-pub enum Sought {
+pub enum FlywheelUnknown {
     /// Inertia for a given fluctuation of speed
     Inertia {
         /// Coefficient of fluctuation of speed.
@@ -120,7 +120,7 @@ register!(Flywheel);
 
 /// The moment over a cycle.
 struct Curved {
-    cycle: Cycle,
+    cycle: TorqueCycle,
     period: f64,
     points: Vec<(f64, f64)>,
 }
@@ -144,7 +144,7 @@ impl Analysis for Flywheel {
         let cite = KHURMI.at("ch. 16");
         let mut rim = None;
         let (inertia, fluctuation) = match &given.sought {
-            SoughtGiven::Inertia { fluctuation, radius } => {
+            FlywheelUnknownGiven::Inertia { fluctuation, radius } => {
                 if energy.value() == 0.0 {
                     return Err(Refusal::because(
                         "the turning moment is constant and equal to its mean: no flywheel is needed",
@@ -162,7 +162,7 @@ impl Analysis for Flywheel {
                 }
                 (inertia, *fluctuation)
             }
-            SoughtGiven::Fluctuation { inertia } => {
+            FlywheelUnknownGiven::Fluctuation { inertia } => {
                 let inertia = inertia.moment(sheet);
                 let why = ("Coefficient of fluctuation of speed, from I ω² C_s = ΔE", cite);
                 (inertia, sheet.step("C_s", "%", energy / (inertia * square), why))
@@ -216,7 +216,7 @@ impl Flywheel {
                 sheet.verify(|| {
                     // The work above the mean has a closed form: the integral of every harmonic.
                     let work = |angle: f64| -> f64 {
-                        let of = |row: &Harmonic| {
+                        let of = |row: &TorqueHarmonic| {
                             let (sine, cosine) = (row.order * angle).sin_cos();
                             (row.cosine * sine - row.sine * cosine) / row.order
                         };
@@ -252,7 +252,8 @@ impl Flywheel {
                 let curve = Curve::Angle { rows, turns };
                 let moment = |angle: f64| curve.pressure(angle, 0.0, true);
                 let curved = curved(moment, period, &corners);
-                let mean = sheet.found("T_m", "N*m", curved.cycle.mean, "Mean turning moment over the cycle");
+                let mean =
+                    sheet.numerical("T_m", "N*m", curved.cycle.mean, "Mean turning moment over the cycle");
                 sheet.verify(|| {
                     let scale = curved.cycle.rms;
                     let what = "mean turning moment from the trapezia between the rows";
@@ -284,13 +285,14 @@ fn fluctuation<W: Worksheet>(curved: &Curved, speed: W::Num, mean: W::Num, done:
         cycle.crossings.iter().max_by(|a, b| work(a).total_cmp(&work(b))).map_or((0.0, 0.0), |it| *it)
     };
     let (most, least) = (by(1.0), by(-1.0));
-    let most_work = sheet.found(
+    let most_work = sheet.numerical(
         "E₁",
         "J",
         most.1,
         "Maximum work above the mean, from the start of the cycle to a crossing: the speed is maximum there",
     );
-    let least_work = sheet.found("E₂", "J", least.1, "Minimum of the same work: the speed is minimum there");
+    let least_work =
+        sheet.numerical("E₂", "J", least.1, "Minimum of the same work: the speed is minimum there");
     let energy =
         sheet.step("ΔE", "J", most_work - least_work, ("Fluctuation of energy", KHURMI.at("ch. 16")));
     let power = sheet.step("P", "kW", mean * speed, "Mean power");
@@ -386,7 +388,7 @@ fn trapezia(rows: &[[f64; 2]], period: f64) -> f64 {
 }
 
 /// One turn where all orders are whole, two where some are halves.
-fn period(rows: &[Harmonic]) -> Result<f64, Refusal> {
+fn period(rows: &[TorqueHarmonic]) -> Result<f64, Refusal> {
     let whole = |x: f64| (x - x.round()).abs() < 1e-9;
     if rows.is_empty() {
         return Err(Refusal::because(
@@ -405,7 +407,7 @@ fn period(rows: &[Harmonic]) -> Result<f64, Refusal> {
 }
 
 fn curved(moment: impl Fn(f64) -> f64, period: f64, corners: &[f64]) -> Curved {
-    let cycle = Cycle::of(&moment, period, corners);
+    let cycle = TorqueCycle::of(&moment, period, corners);
     let points =
         (0..=360).map(|k| period * f64::from(k) / 360.0).map(|angle| (angle, moment(angle))).collect();
     Curved { cycle, period, points }

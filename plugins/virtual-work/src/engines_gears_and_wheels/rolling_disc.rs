@@ -7,14 +7,14 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    planar::{Effort, Joint, Load, Measure, PlanarError, Point},
+    planar::{BodyPoint, Effort, PlanarError, PlanarJoint, PlanarLoad, RelativeCoordinate},
     slider_crank as loops,
 };
 
 use crate::{
     shared::{
-        built::{self, Built, Cycle, Link, Mass, Range, Solved, Template},
-        works::{self, FOUR, Moving, Works, plane, symbol},
+        built::{self, Built, BuiltMass, Link, Range, Solved, Template, TemplateRange},
+        works::{self, FOUR, PointWork, Works, plane, symbol},
     },
     sources::{NORTON, RIUL, SHIGLEY},
 };
@@ -35,7 +35,7 @@ pub struct RollingDisc {
     #[input("θ_2", "deg")]
     pub angle: f64,
     /// Unknown.
-    pub unknown: Unknown,
+    pub unknown: RollingDiscUnknown,
     /// Angular velocity of the crank.
     /// Zero in statics.
     #[input("ω_2", "rad/s", default = "0 rad/s")]
@@ -50,9 +50,9 @@ pub struct RollingDisc {
     #[input("R", "mm", positive)]
     pub radius: f64,
     /// Moment of inertia of the disc.
-    pub inertia: Inertia,
+    pub inertia: RollingInertia,
     /// Spring from a wall to the centre.
-    pub spring: Option<Spring>,
+    pub spring: Option<WallSpring>,
     /// Damper along the floor.
     #[input("c", "N*s/m", nonnegative, default = "0 N*s/m")]
     pub damping: f64,
@@ -63,7 +63,7 @@ pub struct RollingDisc {
 
 /// The moment of inertia of what rolls, about its centre.
 #[derive(Clone, Debug, Inputs)]
-pub enum Inertia {
+pub enum RollingInertia {
     /// Uniform disc
     Disc,
     /// Thin ring
@@ -78,7 +78,7 @@ pub enum Inertia {
 
 /// A spring between a wall and the centre of the disc.
 #[derive(Clone, Debug, Inputs)]
-pub struct Spring {
+pub struct WallSpring {
     /// Stiffness.
     #[input("k", "N/m", positive)]
     pub stiffness: f64,
@@ -93,7 +93,7 @@ pub struct Spring {
 
 /// Unknown of the sum of virtual works.
 #[derive(Clone, Debug, Inputs)]
-pub enum Unknown {
+pub enum RollingDiscUnknown {
     /// Torque on the crank
     Torque {
         /// Force on the centre of the disc.
@@ -111,7 +111,7 @@ pub enum Unknown {
 }
 
 /// Results in one position.
-pub struct Found<N> {
+pub struct RollingDiscPosition<N> {
     rod_angle: N,
     position: N,
     shift: N,
@@ -146,8 +146,10 @@ impl Analysis for RollingDisc {
             sheet.answer("acceleration", "Acceleration of the centre", found.acceleration);
         }
         match self.unknown {
-            Unknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
-            Unknown::Force { .. } => sheet.answer("force", "Force on the centre of the disc", found.force),
+            RollingDiscUnknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
+            RollingDiscUnknown::Force { .. } => {
+                sheet.answer("force", "Force on the centre of the disc", found.force);
+            }
         }
         // The disc by itself: moments about its centre, and about the crank pin of the massless rod.
         let (square, _) = self.gyration(given);
@@ -161,7 +163,7 @@ impl Analysis for RollingDisc {
         let label = "Force in the bearing of the crank";
         works::reaction(["O", "Ox", "Oy"], ("bearing_force", label), (&solved, bearing), sheet);
         let why = "Normal force of the floor, upwards, by the same equations";
-        let normal = sheet.found("N", "N", solved.reaction(floor)[0], (why, SHIGLEY.at("ch. 11")));
+        let normal = sheet.numerical("N", "N", solved.reaction(floor)[0], (why, SHIGLEY.at("ch. 11")));
         sheet.answer("normal_force", "Normal force of the floor", normal);
         if normal.value() > 0.0 {
             let needed = friction.abs() / normal;
@@ -179,8 +181,8 @@ impl Analysis for RollingDisc {
         }
         sheet.verify(|| {
             let effort = match self.unknown {
-                Unknown::Torque { .. } => found.torque,
-                Unknown::Force { .. } => found.force,
+                RollingDiscUnknown::Torque { .. } => found.torque,
+                RollingDiscUnknown::Force { .. } => found.force,
             };
             solved.check_effort(0, effort, sheet);
             let grip = -solved.reaction(rack)[0];
@@ -194,7 +196,7 @@ impl Analysis for RollingDisc {
             let along = self.along(&found);
             works::check_balance(
                 &[forces, [friction.value() + along + found.force.value(), normal.value()]],
-                solved.demanded(),
+                solved.inertia_resultant(),
                 sheet,
             );
         });
@@ -205,9 +207,13 @@ impl Analysis for RollingDisc {
 }
 
 impl Template for RollingDisc {
-    type Found<N: Real> = Found<N>;
+    type Found<N: Real> = RollingDiscPosition<N>;
 
-    fn efforts<W: Worksheet>(&self, given: &RollingDiscGiven<W>, sheet: W) -> Result<Found<W::Num>, Refusal> {
+    fn efforts<W: Worksheet>(
+        &self,
+        given: &RollingDiscGiven<W>,
+        sheet: W,
+    ) -> Result<RollingDiscPosition<W::Num>, Refusal> {
         let rise = (self.crank * self.angle.sin()).abs();
         if rise > self.rod {
             return Err(Refusal::because(
@@ -262,7 +268,7 @@ impl Template for RollingDisc {
             let why = "Virtual work of the damper, −c v u".into();
             works.push(symbol("δW", "c"), -(given.damping * velocity) * shift, why, RIUL.at("eq. 1"));
         }
-        let disc = Moving { shift: plane::<W>(shift, zero), acceleration: plane::<W>(acceleration, zero) };
+        let disc = PointWork { shift: plane::<W>(shift, zero), acceleration: plane::<W>(acceleration, zero) };
         works.mass(FOUR, given.mass, disc);
         let (square, why) = self.gyration(given);
         if self.moves() && square.value() > 0.0 && self.mass > 0.0 {
@@ -272,11 +278,11 @@ impl Template for RollingDisc {
             works.push(symbol("δW_I", "4"), work, why, RIUL.at("eq. 5"));
         }
         let (torque, force) = match given.unknown {
-            UnknownGiven::Torque { force } => (
+            RollingDiscUnknownGiven::Torque { force } => (
                 works.balanced("F", force * shift, "Virtual work of the force on the centre of the disc"),
                 force,
             ),
-            UnknownGiven::Force { torque } => {
+            RollingDiscUnknownGiven::Force { torque } => {
                 if shift.value().abs() <= DEAD * self.crank {
                     return Err(Refusal::because(
                         "crank and rod are collinear (dead centre): no force on the disc can balance a torque; rotate the crank slightly",
@@ -287,7 +293,7 @@ impl Template for RollingDisc {
                 (torque, sheet.step("F", "N", -(works.sum() / shift), (why, RIUL.at("eq. 5"))))
             }
         };
-        Ok(Found { rod_angle: three, position, shift, velocity, acceleration, torque, force })
+        Ok(RollingDiscPosition { rod_angle: three, position, shift, velocity, acceleration, torque, force })
     }
 }
 
@@ -299,16 +305,18 @@ impl RollingDisc {
     /// The square of the radius of gyration, and what is said of it.
     fn gyration<W: Worksheet>(&self, given: &RollingDiscGiven<W>) -> (W::Num, &'static str) {
         match given.inertia {
-            InertiaGiven::Disc {} => (given.radius.powi(2) / 2.0, "Moment of inertia of a uniform disc"),
-            InertiaGiven::Ring {} => (given.radius.powi(2), "Moment of inertia of a thin ring"),
-            InertiaGiven::Gyration { radius } => {
+            RollingInertiaGiven::Disc {} => {
+                (given.radius.powi(2) / 2.0, "Moment of inertia of a uniform disc")
+            }
+            RollingInertiaGiven::Ring {} => (given.radius.powi(2), "Moment of inertia of a thin ring"),
+            RollingInertiaGiven::Gyration { radius } => {
                 (radius.powi(2), "Moment of inertia from the radius of gyration")
             }
         }
     }
 
     /// Force of spring and damper on the disc along x.
-    fn along<N: Real>(&self, found: &Found<N>) -> f64 {
+    fn along<N: Real>(&self, found: &RollingDiscPosition<N>) -> f64 {
         let spring = self
             .spring
             .as_ref()
@@ -321,49 +329,49 @@ impl RollingDisc {
     }
 
     /// The same mechanism put together, and its joints: bearing, floor, rolling.
-    fn built<N: Real>(&self, found: &Found<N>) -> Result<(Solved, [usize; 3]), PlanarError> {
+    fn built<N: Real>(&self, found: &RollingDiscPosition<N>) -> Result<(Solved, [usize; 3]), PlanarError> {
         let square = match self.inertia {
-            Inertia::Disc => self.radius * self.radius / 2.0,
-            Inertia::Ring => self.radius * self.radius,
-            Inertia::Gyration { radius } => radius * radius,
+            RollingInertia::Disc => self.radius * self.radius / 2.0,
+            RollingInertia::Ring => self.radius * self.radius,
+            RollingInertia::Gyration { radius } => radius * radius,
         };
         let mut it = Built::new([0.0, -self.gravity]);
-        let crank: Link = it.link("crank", [0.0; 2], self.angle, Mass::default());
-        let rod = it.link("rod", self.pin(), found.rod_angle.value(), Mass::default());
+        let crank: Link = it.link("crank", [0.0; 2], self.angle, BuiltMass::default());
+        let rod = it.link("rod", self.pin(), found.rod_angle.value(), BuiltMass::default());
         let place = [found.position.value(), 0.0];
-        let disc = Mass { inertia: self.mass * square, ..Mass::at_pin(self.mass) };
+        let disc = BuiltMass { inertia: self.mass * square, ..BuiltMass::at_pin(self.mass) };
         let disc = it.link("disc", place, 0.0, disc);
-        let (start, floor) = (Point::ground([0.0; 2]), Point::ground([0.0, -self.radius]));
+        let (start, floor) = (BodyPoint::ground([0.0; 2]), BodyPoint::ground([0.0, -self.radius]));
         let centre = disc.point([0.0; 2]);
         let bearing = it.pin(start, crank.point([0.0; 2]));
         it.pin(crank.point([self.crank, 0.0]), rod.point([0.0; 2]));
         it.pin(rod.point([self.rod, 0.0]), centre);
         let joints = [
             bearing,
-            it.join(Joint::Slot { guide: floor, direction: 0.0, pin: centre, offset: self.radius }),
-            it.join(Joint::Rack { guide: floor, direction: 0.0, centre, radius: self.radius }),
+            it.join(PlanarJoint::Slot { guide: floor, direction: 0.0, pin: centre, offset: self.radius }),
+            it.join(PlanarJoint::Rack { guide: floor, direction: 0.0, centre, radius: self.radius }),
         ];
-        let along = |from: f64| Measure::Component {
+        let along = |from: f64| RelativeCoordinate::Component {
             direction: [1.0, 0.0],
-            from: Point::ground([from, 0.0]),
+            from: BodyPoint::ground([from, 0.0]),
             to: centre,
         };
-        if let Some(Spring { stiffness, wall, free }) = self.spring {
+        if let Some(WallSpring { stiffness, wall, free }) = self.spring {
             let effort = Effort::Spring { stiffness, free };
-            it.load("Spring", Load::Effort { measure: along(wall), effort });
+            it.load("Spring", PlanarLoad::Effort { measure: along(wall), effort });
         }
         if self.damping > 0.0 {
             let effort = Effort::Damper { coefficient: self.damping };
-            it.load("Damper", Load::Effort { measure: along(0.0), effort });
+            it.load("Damper", PlanarLoad::Effort { measure: along(0.0), effort });
         }
         match self.unknown {
-            Unknown::Torque { force } => {
+            RollingDiscUnknown::Torque { force } => {
                 if force != 0.0 {
                     it.force("Force on the centre of the disc", centre, [force, 0.0]);
                 }
                 it.turn(crank, [self.angle, self.speed, self.acceleration]);
             }
-            Unknown::Force { torque } => {
+            RollingDiscUnknown::Force { torque } => {
                 if torque != 0.0 {
                     it.couple("Torque on the crank", crank, torque);
                 }
@@ -376,10 +384,10 @@ impl RollingDisc {
     fn show<W: Worksheet>(&self, sheet: W) {
         let at = |angle: f64| RollingDisc { angle, ..self.clone() };
         let range = Range::about(self.angle, |angle| (self.crank * angle.sin()).abs() < self.rod);
-        let cycle = Cycle::new(range, "angle", at);
+        let cycle = TemplateRange::new(range, "angle", at);
         match self.unknown {
-            Unknown::Torque { .. } => sheet.show(|| cycle.torque(|found| found.torque)),
-            Unknown::Force { .. } => sheet.show(|| {
+            RollingDiscUnknown::Torque { .. } => sheet.show(|| cycle.torque(|found| found.torque)),
+            RollingDiscUnknown::Force { .. } => sheet.show(|| {
                 cycle.plot(
                     "Force over one revolution",
                     ("Force on the centre of the disc", "N"),

@@ -8,15 +8,15 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real, Vector,
-    planar::{Joint, PlanarError, Point},
+    planar::{BodyPoint, PlanarError, PlanarJoint},
 };
 use nalgebra::Vector3;
 
 use crate::{
     shared::{
-        built::{self, Built, Cycle, Mass, Range, Solved, Template},
-        dyad::{self, Support},
-        works::{self, FOUR, Moving, THREE, Turning, plane, symbol},
+        built::{self, Built, BuiltMass, Range, Solved, Template, TemplateRange},
+        dyad::{self, DyadPin},
+        works::{self, FOUR, PointWork, RotatingLinkWork, THREE, plane, symbol},
     },
     sources::{NORTON, RIUL, SHIGLEY},
 };
@@ -57,9 +57,9 @@ pub struct FiveBar {
     #[input("θ_5", "deg")]
     pub second_angle: f64,
     /// Cranks.
-    pub cranks: Cranks,
+    pub cranks: CrankDrive,
     /// Unknown.
-    pub unknown: Unknown,
+    pub unknown: FiveBarUnknown,
 }
 
 /// On which side of the way from A to B the rods meet.
@@ -73,7 +73,7 @@ pub enum Apex {
 
 /// Drive of the cranks.
 #[derive(Clone, Debug, Inputs)]
-pub enum Cranks {
+pub enum CrankDrive {
     /// Independent: two degrees of freedom
     Free,
     /// Geared together: one degree of freedom
@@ -100,7 +100,7 @@ pub enum Mesh {
 
 /// Unknown of the sum of virtual works.
 #[derive(Clone, Debug, Inputs)]
-pub enum Unknown {
+pub enum FiveBarUnknown {
     /// Torques on the cranks
     Torques {
         /// Force at the common pin of the rods.
@@ -119,7 +119,7 @@ pub enum Unknown {
 }
 
 /// Results in one position.
-pub struct Found<N> {
+pub struct FiveBarPosition<N> {
     angles: [N; 2],
     /// Common pin of the rods, m.
     place: [f64; 2],
@@ -150,7 +150,7 @@ impl Analysis for FiveBar {
         sheet.answer("first_rod_angle", "Angle of the first rod", found.angles[0]);
         sheet.answer("second_rod_angle", "Angle of the second rod", found.angles[1]);
         match self.unknown {
-            Unknown::Torques { .. } => {
+            FiveBarUnknown::Torques { .. } => {
                 if let Some(torque) = found.torques[0] {
                     sheet.answer("first_torque", "Torque on the first crank", torque);
                 }
@@ -158,7 +158,7 @@ impl Analysis for FiveBar {
                     sheet.answer("second_torque", "Torque on the second crank", torque);
                 }
             }
-            Unknown::Force { .. } => {
+            FiveBarUnknown::Force { .. } => {
                 sheet.answer("force_x", "Force at the common pin of the rods, along x", found.force[0]);
                 sheet.answer("force_y", "Force at the common pin of the rods, along y", found.force[1]);
             }
@@ -185,12 +185,12 @@ impl Analysis for FiveBar {
                     solved.check_effort(driver, torque, sheet);
                 }
             }
-            if let Cranks::Free = self.cranks {
-                works::check_balance(&[forces[0], forces[1], force], solved.demanded(), sheet);
+            if let CrankDrive::Free = self.cranks {
+                works::check_balance(&[forces[0], forces[1], force], solved.inertia_resultant(), sheet);
             }
         });
         sheet.show(|| solved.works(0));
-        if let Cranks::Free = self.cranks {
+        if let CrankDrive::Free = self.cranks {
             sheet.show(|| solved.works(1));
         }
         self.show(sheet);
@@ -199,11 +199,16 @@ impl Analysis for FiveBar {
 }
 
 impl Template for FiveBar {
-    type Found<N: Real> = Found<N>;
+    type Found<N: Real> = FiveBarPosition<N>;
 
-    fn efforts<W: Worksheet>(&self, given: &FiveBarGiven<W>, sheet: W) -> Result<Found<W::Num>, Refusal> {
+    fn efforts<W: Worksheet>(
+        &self,
+        given: &FiveBarGiven<W>,
+        sheet: W,
+    ) -> Result<FiveBarPosition<W::Num>, Refusal> {
         let zero = W::Num::from(0.0);
-        let crank = |angle: W::Num| Turning { angle, ratio: 1.0.into(), speed: zero, acceleration: zero };
+        let crank =
+            |angle: W::Num| RotatingLinkWork { angle, ratio: 1.0.into(), speed: zero, acceleration: zero };
         let arm = works::direction::<W>(given.first_angle) * given.first_crank;
         let arm = sheet.step_vector(symbol("r", "2"), "mm", arm, "First crank, from O to A");
         let gear = self.gear(sheet);
@@ -221,8 +226,8 @@ impl Template for FiveBar {
         let end = plane::<W>(given.frame, zero) + other;
         let end = sheet.step_vector(symbol("s", "B"), "mm", end, "B, from the origin");
         let supports = [
-            Support { name: "A", at: arm, moving: Some(a) },
-            Support { name: "B", at: end, moving: Some(b) },
+            DyadPin { name: "A", at: arm, moving: Some(a) },
+            DyadPin { name: "B", at: end, moving: Some(b) },
         ];
         let lengths = [given.first_rod, given.second_rod];
         let left = self.apex == Apex::Left;
@@ -230,23 +235,28 @@ impl Template for FiveBar {
         // Each crank turned by itself.
         let [by_first, other_by_first] = pair.turns("h′", [Some(a.shift), None]);
         let [other_by_second, by_second] = pair.turns("h″", [None, Some(b.shift)]);
-        let bar = |ratio: W::Num, n: usize| Turning {
+        let bar = |ratio: W::Num, n: usize| RotatingLinkWork {
             angle: pair.angles[n],
             ratio,
             speed: zero,
             acceleration: zero,
         };
-        let first: Moving<W> = works::moving("P2", a, pair.reach[0], bar(by_first, 0), false, sheet);
-        let second: Moving<W> = works::moving("P5", b, pair.reach[1], bar(by_second, 1), false, sheet);
+        let first: PointWork<W> = works::moving("P2", a, pair.reach[0], bar(by_first, 0), false, sheet);
+        let second: PointWork<W> = works::moving("P5", b, pair.reach[1], bar(by_second, 1), false, sheet);
         sheet.verify(|| {
             let what = "the other rod moves the common pin in the same way";
             sheet.check_vector(what, works::across::<W>(pair.reach[1]) * other_by_first, first.shift);
             sheet.check_vector(what, works::across::<W>(pair.reach[0]) * other_by_second, second.shift);
         });
         let place = pair.at.value();
-        let found = |torques, force| Found { angles: pair.angles, place: [place.x, place.y], torques, force };
+        let found = |torques, force| FiveBarPosition {
+            angles: pair.angles,
+            place: [place.x, place.y],
+            torques,
+            force,
+        };
         match (&given.unknown, gear) {
-            (&UnknownGiven::Torques { force }, Some(gear)) => {
+            (&FiveBarUnknownGiven::Torques { force }, Some(gear)) => {
                 let why = "Displacement of P for δθ_2 = 1: by the first crank and, through the gears, by the second";
                 let shift = first.shift + second.shift * gear;
                 let shift = sheet.step_vector(symbol("u", "P"), "mm", shift, (why, SHIGLEY.at("ch. 3")));
@@ -256,7 +266,7 @@ impl Template for FiveBar {
                 let [x, y, _] = force.components();
                 Ok(found([Some(torque), None], [x, y]))
             }
-            (&UnknownGiven::Torques { force }, None) => {
+            (&FiveBarUnknownGiven::Torques { force }, None) => {
                 let why = "Torque on the first crank, the second fixed: T_2 δθ_2 + F · u_P2 = 0";
                 let one =
                     sheet.step(symbol("T", "2"), "N*m", -(force.dot(first.shift)), (why, RIUL.at("eq. 1")));
@@ -266,10 +276,10 @@ impl Template for FiveBar {
                 let [x, y, _] = force.components();
                 Ok(found([Some(one), Some(two)], [x, y]))
             }
-            (UnknownGiven::Force { .. }, Some(_)) => Err(Refusal::because(
+            (FiveBarUnknownGiven::Force { .. }, Some(_)) => Err(Refusal::because(
                 "the gears leave one degree of freedom: one torque cannot determine both components of the force; give the force and choose the torque as unknown",
             )),
-            (&UnknownGiven::Force { first: t2, second: t5 }, None) => {
+            (&FiveBarUnknownGiven::Force { first: t2, second: t5 }, None) => {
                 let (one, two) = (first.shift, second.shift);
                 let sine = Vector::cross(one.value(), two.value()).z;
                 if sine.abs() <= DEAD * one.value().norm() * two.value().norm() {
@@ -293,10 +303,10 @@ impl Template for FiveBar {
 impl FiveBar {
     /// The turn of the second crank for a turn of the first, where they are geared.
     fn gear<W: Worksheet>(&self, sheet: W) -> Option<W::Num> {
-        let Cranks::Geared { first, second, mesh } = self.cranks else { return None };
+        let CrankDrive::Geared { first, second, mesh } = self.cranks else { return None };
         let why = "Teeth, as given";
-        let z2 = sheet.found(symbol("z", "2"), "1", f64::from(first), why);
-        let z5 = sheet.found(symbol("z", "5"), "1", f64::from(second), why);
+        let z2 = sheet.numerical(symbol("z", "2"), "1", f64::from(first), why);
+        let z5 = sheet.numerical(symbol("z", "5"), "1", f64::from(second), why);
         let why = "Virtual rotation of the second crank for δθ_2 = 1, by the gears";
         let ratio = z2 / z5;
         let ratio = if mesh == Mesh::Outside { -ratio } else { ratio };
@@ -307,14 +317,14 @@ impl FiveBar {
     fn built(&self, angles: [f64; 2], force: [f64; 2]) -> Result<(Solved, [usize; 2]), PlanarError> {
         let mut it = Built::new([0.0; 2]);
         let [a, b] = self.pins();
-        let (still, fixed) = (Mass::default(), [self.frame, 0.0]);
+        let (still, fixed) = (BuiltMass::default(), [self.frame, 0.0]);
         let two = it.link("first crank", [0.0; 2], self.first_angle, still);
         let five = it.link("second crank", fixed, self.second(), still);
         let three = it.link("first rod", a, angles[0], still);
         let four = it.link("second rod", b, angles[1], still);
         let joints = [
-            it.pin(Point::ground([0.0; 2]), two.point([0.0; 2])),
-            it.pin(Point::ground(fixed), five.point([0.0; 2])),
+            it.pin(BodyPoint::ground([0.0; 2]), two.point([0.0; 2])),
+            it.pin(BodyPoint::ground(fixed), five.point([0.0; 2])),
         ];
         it.pin(two.point([self.first_crank, 0.0]), three.point([0.0; 2]));
         it.pin(five.point([self.second_crank, 0.0]), four.point([0.0; 2]));
@@ -325,9 +335,9 @@ impl FiveBar {
         }
         it.turn(two, [self.first_angle, 0.0, 0.0]);
         match self.cranks {
-            Cranks::Free => it.turn(five, [self.second(), 0.0, 0.0]),
-            Cranks::Geared { first, second, mesh } => {
-                it.join(Joint::Gears {
+            CrankDrive::Free => it.turn(five, [self.second(), 0.0, 0.0]),
+            CrankDrive::Geared { first, second, mesh } => {
+                it.join(PlanarJoint::Gears {
                     a: two.frame(),
                     b: five.frame(),
                     carrier: None,
@@ -347,8 +357,8 @@ impl FiveBar {
     /// The second crank's angle: geared, it has turned with the first from the drawn position; free, it is as given.
     fn second(&self) -> f64 {
         let follow = match self.cranks {
-            Cranks::Free => 0.0,
-            Cranks::Geared { first, second, mesh } => {
+            CrankDrive::Free => 0.0,
+            CrankDrive::Geared { first, second, mesh } => {
                 let ratio = f64::from(first) / f64::from(second);
                 if mesh == Mesh::Outside { -ratio } else { ratio }
             }
@@ -369,12 +379,12 @@ impl FiveBar {
             distance < self.first_rod + self.second_rod && distance > (self.first_rod - self.second_rod).abs()
         };
         let range = Range::about(self.first_angle, closes);
-        let cycle = Cycle::new(range, "first_angle", at);
-        if let Unknown::Torques { .. } = self.unknown {
+        let cycle = TemplateRange::new(range, "first_angle", at);
+        if let FiveBarUnknown::Torques { .. } = self.unknown {
             sheet.show(|| {
                 let torque = |n: usize| cycle.curve(|found| found.torques[n].unwrap_or(f64::INFINITY));
                 let mut series = vec![Series::line("first crank", torque(0)).of("first_torque")];
-                if let Cranks::Free = self.cranks {
+                if let CrankDrive::Free = self.cranks {
                     series.push(Series::line("second crank", torque(1)).of("second_torque"));
                 }
                 Exhibit::Plot(
@@ -411,7 +421,7 @@ impl FiveBar {
                     let found = there.plain()?;
                     let [a, b, place] = [there.pins()[0], there.pins()[1], found.place].map(At::from);
                     let (o, fixed) = ((0.0, 0.0), (there.frame, 0.0));
-                    if let Cranks::Geared { first, second, mesh: Mesh::Outside } = there.cranks {
+                    if let CrankDrive::Geared { first, second, mesh: Mesh::Outside } = there.cranks {
                         let part = there.frame * f64::from(first) / f64::from(first + second);
                         sketch.circle(o, part, Ink::Faint).circle(fixed, there.frame - part, Ink::Faint);
                     }

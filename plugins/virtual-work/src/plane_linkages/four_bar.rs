@@ -5,16 +5,16 @@ mod pictures;
 use dalembert_core::{About, Analysis, Inputs, Refusal, Text, Worksheet, register};
 use dalembert_mechanics::{
     Real, Vector, four_bar as kernel,
-    planar::{PlanarError, Point},
+    planar::{BodyPoint, PlanarError},
 };
 use nalgebra::Vector3;
 
 use crate::{
     shared::{
         built::{self, Built, Link, Solved, Template},
-        dyad::{self, Support},
+        dyad::{self, DyadPin},
         linkage::Closing,
-        works::{self, FOUR, LinkMass, THREE, TWO, Turning, Works, plane, symbol},
+        works::{self, FOUR, LinkMass, RotatingLinkWork, THREE, TWO, Works, plane, symbol},
     },
     sources::{NORTON, RIUL, SHIGLEY},
 };
@@ -44,7 +44,7 @@ pub struct FourBar {
     #[input("θ_2", "deg")]
     pub angle: f64,
     /// Unknown.
-    pub unknown: Unknown,
+    pub unknown: FourBarUnknown,
     /// Point of the coupler.
     pub point: Option<CouplerPoint>,
     /// Angular velocity of the crank.
@@ -71,7 +71,7 @@ pub struct FourBar {
 
 /// Unknown of the virtual work.
 #[derive(Clone, Debug, Inputs)]
-pub enum Unknown {
+pub enum FourBarUnknown {
     /// Torque on the crank
     Torque {
         /// Torque on the rocker.
@@ -103,7 +103,7 @@ pub struct CouplerPoint {
 }
 
 /// Results in one position.
-pub struct Found<N> {
+pub struct FourBarPosition<N> {
     angles: [N; 2],
     ratios: [N; 2],
     speeds: [N; 2],
@@ -157,8 +157,8 @@ impl Analysis for FourBar {
             sheet.answer("rocker_acceleration", label, found.accelerations[1]);
         }
         match self.unknown {
-            Unknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
-            Unknown::Load { .. } => sheet.answer("load", "Torque on the rocker", found.load),
+            FourBarUnknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
+            FourBarUnknown::Load { .. } => sheet.answer("load", "Torque on the rocker", found.load),
         }
         self.instant_centres(given, &found, sheet);
         self.limits(given, sheet);
@@ -190,12 +190,16 @@ impl Analysis for FourBar {
         );
         sheet.verify(|| {
             let effort = match self.unknown {
-                Unknown::Torque { .. } => found.torque,
-                Unknown::Load { .. } => found.load,
+                FourBarUnknown::Torque { .. } => found.torque,
+                FourBarUnknown::Load { .. } => found.load,
             };
             solved.check_effort(0, effort, sheet);
             let force = self.point.as_ref().map_or([0.0; 2], |point| [point.force.x, point.force.y]);
-            works::check_balance(&[solved.reaction(o), solved.reaction(c), force], solved.demanded(), sheet);
+            works::check_balance(
+                &[solved.reaction(o), solved.reaction(c), force],
+                solved.inertia_resultant(),
+                sheet,
+            );
             let lengths = kernel::FourBar {
                 frame: self.frame,
                 crank: self.crank,
@@ -216,7 +220,7 @@ impl Analysis for FourBar {
             }
             if self.moves() {
                 let (w, alpha) = (self.speed, self.acceleration);
-                let of = |link: dalembert_mechanics::linkage::Turning<f64>| {
+                let of = |link: dalembert_mechanics::linkage::LinkRotation<f64>| {
                     link.first * alpha + link.second * w * w
                 };
                 let size = of(links.coupler).abs().max(of(links.rocker).abs()).max(w * w);
@@ -243,11 +247,15 @@ impl Analysis for FourBar {
 }
 
 impl Template for FourBar {
-    type Found<N: Real> = Found<N>;
+    type Found<N: Real> = FourBarPosition<N>;
 
-    fn efforts<W: Worksheet>(&self, given: &FourBarGiven<W>, sheet: W) -> Result<Found<W::Num>, Refusal> {
+    fn efforts<W: Worksheet>(
+        &self,
+        given: &FourBarGiven<W>,
+        sheet: W,
+    ) -> Result<FourBarPosition<W::Num>, Refusal> {
         let moves = self.moves();
-        let crank = Turning {
+        let crank = RotatingLinkWork {
             angle: given.angle,
             ratio: 1.0.into(),
             speed: given.speed,
@@ -258,8 +266,8 @@ impl Template for FourBar {
         let fixed = plane::<W>(given.frame, 0.0.into());
         let pin = works::moving("A", works::fixed(), arm, crank, moves, sheet);
         let supports = [
-            Support { name: "A", at: arm, moving: Some(pin) },
-            Support { name: "C", at: fixed, moving: None },
+            DyadPin { name: "A", at: arm, moving: Some(pin) },
+            DyadPin { name: "C", at: fixed, moving: None },
         ];
         let lengths = [given.coupler, given.rocker];
         let open = self.closing == Closing::Open;
@@ -283,13 +291,13 @@ impl Template for FourBar {
             place = Some([at.x, at.y]);
         }
         let (torque, load) = match given.unknown {
-            UnknownGiven::Torque { load } => {
+            FourBarUnknownGiven::Torque { load } => {
                 works.couple(FOUR, load, rocker.ratio);
                 let sum = works.sum();
                 let why = "Torque: the total virtual work is zero, T_2 δθ_2 + ΣδW = 0";
                 (sheet.step(symbol("T", "2"), "N*m", -sum, (why, RIUL.at("eq. 5"))), load)
             }
-            UnknownGiven::Load { torque } => {
+            FourBarUnknownGiven::Load { torque } => {
                 if rocker.ratio.value().abs() < DEAD {
                     return Err(Refusal::because(
                         "crank and coupler are collinear and the rocker reverses: no torque on the rocker can balance one on the crank; rotate the crank slightly",
@@ -303,7 +311,7 @@ impl Template for FourBar {
                 (torque, load)
             }
         };
-        Ok(Found {
+        Ok(FourBarPosition {
             angles: pair.angles,
             ratios,
             speeds: [coupler.speed, rocker.speed],
@@ -331,7 +339,12 @@ impl FourBar {
     }
 
     /// Instant centres, at the intersections of the lines of the links: a graphical check of the velocity ratios.
-    fn instant_centres<W: Worksheet>(&self, given: &FourBarGiven<W>, found: &Found<W::Num>, sheet: W) {
+    fn instant_centres<W: Worksheet>(
+        &self,
+        given: &FourBarGiven<W>,
+        found: &FourBarPosition<W::Num>,
+        sheet: W,
+    ) {
         let [coupler, rocker] = found.ratios;
         if rocker.value().abs() > DEAD {
             let advantage = rocker.abs();
@@ -401,7 +414,7 @@ impl FourBar {
     fn built<N: Real>(
         &self,
         [coupler, rocker]: [f64; 2],
-        found: &Found<N>,
+        found: &FourBarPosition<N>,
     ) -> Result<(Solved, [usize; 4]), PlanarError> {
         let mut it = Built::new([self.gravity.x, self.gravity.y]);
         let (pin, fixed) = (built::away([0.0; 2], self.crank, self.angle), [self.frame, 0.0]);
@@ -410,23 +423,23 @@ impl FourBar {
         let three = it.link("coupler", pin, coupler, mass(&self.coupler_mass, self.coupler));
         let four = it.link("rocker", fixed, rocker, mass(&self.rocker_mass, self.rocker));
         let joints = [
-            it.pin(Point::ground([0.0; 2]), two.point([0.0; 2])),
+            it.pin(BodyPoint::ground([0.0; 2]), two.point([0.0; 2])),
             it.pin(two.point([self.crank, 0.0]), three.point([0.0; 2])),
             it.pin(three.point([self.coupler, 0.0]), four.point([self.rocker, 0.0])),
-            it.pin(Point::ground(fixed), four.point([0.0; 2])),
+            it.pin(BodyPoint::ground(fixed), four.point([0.0; 2])),
         ];
         if let Some(point) = self.point.as_ref().filter(|point| point.force != Vector3::zeros()) {
             let force = [point.force.x, point.force.y];
             it.force("Force on the point of the coupler", three.point([point.along, point.across]), force);
         }
         match self.unknown {
-            Unknown::Torque { load } => {
+            FourBarUnknown::Torque { load } => {
                 if load != 0.0 {
                     it.couple("Torque on the rocker", four, load);
                 }
                 it.turn(two, [self.angle, self.speed, self.acceleration]);
             }
-            Unknown::Load { torque } => {
+            FourBarUnknown::Load { torque } => {
                 if torque != 0.0 {
                     it.couple("Torque on the crank", two, torque);
                 }

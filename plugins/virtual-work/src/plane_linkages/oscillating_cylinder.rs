@@ -5,14 +5,14 @@ use std::f64::consts::TAU;
 use dalembert_core::{About, Analysis, Ink, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
 use dalembert_mechanics::{
     Real, Vector,
-    planar::{Effort, Joint, Load, Measure, PlanarError, Point},
+    planar::{BodyPoint, Effort, PlanarError, PlanarJoint, PlanarLoad, RelativeCoordinate},
 };
 use nalgebra::Vector3;
 
 use crate::{
     shared::{
-        built::{self, Built, Cycle, Link, Mass, Range, Solved, Template},
-        works::{self, FOUR, LinkMass, THREE, TWO, Turning, Works, symbol},
+        built::{self, Built, BuiltMass, Link, Range, Solved, Template, TemplateRange},
+        works::{self, FOUR, LinkMass, RotatingLinkWork, THREE, TWO, Works, symbol},
     },
     sources::{BEER, RIUL, SHIGLEY},
 };
@@ -34,7 +34,7 @@ pub struct OscillatingCylinder {
     #[input("θ_2", "deg")]
     pub angle: f64,
     /// Unknown.
-    pub unknown: Unknown,
+    pub unknown: CylinderUnknown,
     /// Force on the crank pin.
     /// It acts on the crank.
     #[input("F_A", "N", planar, default = "(0; 0) N")]
@@ -91,7 +91,7 @@ pub struct Cylinder {
 
 /// Unknown of the sum of virtual works.
 #[derive(Clone, Debug, Inputs)]
-pub enum Unknown {
+pub enum CylinderUnknown {
     /// Torque on the crank, from the force of the cylinder
     Torque {
         /// Force of the cylinder.
@@ -118,7 +118,7 @@ pub enum Unknown {
 }
 
 /// Results in one position.
-pub struct Found<N> {
+pub struct CylinderPosition<N> {
     length: N,
     tilt: N,
     /// Change of the length for a unit turn.
@@ -159,9 +159,9 @@ impl Analysis for OscillatingCylinder {
             sheet.answer("cylinder_acceleration", "Angular acceleration of the cylinder", found.turning);
         }
         match self.unknown {
-            Unknown::Force { .. } => sheet.answer("force", "Force of the cylinder", found.force),
-            Unknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
-            Unknown::Pressure { .. } => {
+            CylinderUnknown::Force { .. } => sheet.answer("force", "Force of the cylinder", found.force),
+            CylinderUnknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
+            CylinderUnknown::Pressure { .. } => {
                 sheet.answer("torque", "Torque on the crank", found.torque);
                 sheet.answer("cylinder_force", "Force of the cylinder", found.force);
             }
@@ -189,10 +189,11 @@ impl Analysis for OscillatingCylinder {
         works::reaction(["A", "Ax", "Ay"], ("crank_pin_force", label), (&solved, joints[2]), sheet);
         sheet.verify(|| {
             // Known torque and known force: with the one as a load, the other must come out as the effort.
-            let effort = if let Unknown::Force { .. } = self.unknown { found.force } else { found.torque };
+            let effort =
+                if let CylinderUnknown::Force { .. } = self.unknown { found.force } else { found.torque };
             solved.check_effort(0, effort, sheet);
             let force = [self.pin_force.x, self.pin_force.y];
-            works::check_balance(&[forces[0], forces[1], force], solved.demanded(), sheet);
+            works::check_balance(&[forces[0], forces[1], force], solved.inertia_resultant(), sheet);
         });
         sheet.show(|| solved.works(0));
         self.show(sheet);
@@ -201,16 +202,16 @@ impl Analysis for OscillatingCylinder {
 }
 
 impl Template for OscillatingCylinder {
-    type Found<N: Real> = Found<N>;
+    type Found<N: Real> = CylinderPosition<N>;
 
     fn efforts<W: Worksheet>(
         &self,
         given: &OscillatingCylinderGiven<W>,
         sheet: W,
-    ) -> Result<Found<W::Num>, Refusal> {
+    ) -> Result<CylinderPosition<W::Num>, Refusal> {
         let moves = self.moves();
         let zero = W::Num::from(0.0);
-        let crank = Turning {
+        let crank = RotatingLinkWork {
             angle: given.angle,
             ratio: 1.0.into(),
             speed: given.speed,
@@ -238,7 +239,7 @@ impl Template for OscillatingCylinder {
         let why = ("Virtual rotation of the cylinder for δθ_2 = 1", SHIGLEY.at("ch. 3"));
         let ratio = sheet.step(symbol("h", "4"), "1", pin.shift.dot(across) / length, why);
         let (mut rate, mut lengthening) = (zero, zero);
-        let mut swing = Turning { angle: tilt, ratio, speed: zero, acceleration: zero };
+        let mut swing = RotatingLinkWork { angle: tilt, ratio, speed: zero, acceleration: zero };
         if moves {
             let why = "Velocity of the piston in the cylinder";
             rate = sheet.step(symbol("v", "s"), "m/s", shift * given.speed, why);
@@ -262,7 +263,7 @@ impl Template for OscillatingCylinder {
             works.body(FOUR, works::fixed(), arm, swing, cylinder.mass, cylinder.inertia);
         }
         let (torque, force) = match given.unknown {
-            UnknownGiven::Force { torque } => {
+            CylinderUnknownGiven::Force { torque } => {
                 if shift.value().abs() <= DEAD * self.crank {
                     return Err(Refusal::because(
                         "crank and cylinder are collinear (dead centre): no force of the cylinder can balance a torque; rotate the crank slightly",
@@ -273,17 +274,17 @@ impl Template for OscillatingCylinder {
                 let force = -(works.sum() / shift);
                 (torque, sheet.step(symbol("F", "c"), "N", force, (why, RIUL.at("eq. 5"))))
             }
-            UnknownGiven::Torque { force } => {
+            CylinderUnknownGiven::Torque { force } => {
                 (works.balanced("c", force * shift, "Virtual work of the force of the cylinder"), force)
             }
-            UnknownGiven::Pressure { pressure, bore } => {
+            CylinderUnknownGiven::Pressure { pressure, bore } => {
                 let force = pressure * bore.powi(2) * std::f64::consts::PI / 4.0;
                 let why = "Force of the cylinder: pressure times area of the bore";
                 let force = sheet.step(symbol("F", "c"), "N", force, why);
                 (works.balanced("c", force * shift, "Virtual work of the force of the cylinder"), force)
             }
         };
-        Ok(Found {
+        Ok(CylinderPosition {
             length,
             tilt,
             shift,
@@ -306,7 +307,7 @@ impl OscillatingCylinder {
     fn check_triangle<W: Worksheet>(
         &self,
         given: &OscillatingCylinderGiven<W>,
-        found: &Found<W::Num>,
+        found: &CylinderPosition<W::Num>,
         sheet: W,
     ) {
         let (r, two, tilt) = (given.crank, given.angle, found.tilt);
@@ -334,18 +335,18 @@ impl OscillatingCylinder {
     }
 
     /// The same mechanism put together, and its pins O, C, A.
-    fn built(&self, found: &Found<f64>) -> Result<(Solved, [usize; 3]), PlanarError> {
+    fn built(&self, found: &CylinderPosition<f64>) -> Result<(Solved, [usize; 3]), PlanarError> {
         let mut it = Built::new([self.gravity.x, self.gravity.y]);
         let (pin, pivot) = (built::away([0.0; 2], self.crank, self.angle), [self.pivot.x, self.pivot.y]);
         let mass = LinkMass::built(self.crank_mass.as_ref(), self.crank);
         let crank: Link = it.link("crank", [0.0; 2], self.angle, mass);
-        let piston = self.piston.as_ref().map_or(Mass::default(), |piston| Mass {
+        let piston = self.piston.as_ref().map_or(BuiltMass::default(), |piston| BuiltMass {
             mass: piston.mass,
             centre: [-piston.distance, 0.0],
             inertia: piston.inertia,
         });
         let piston = it.link("piston", pin, found.tilt, piston);
-        let cylinder = self.cylinder.as_ref().map_or(Mass::default(), |cylinder| Mass {
+        let cylinder = self.cylinder.as_ref().map_or(BuiltMass::default(), |cylinder| BuiltMass {
             mass: cylinder.mass,
             centre: [cylinder.distance, 0.0],
             inertia: cylinder.inertia,
@@ -353,17 +354,17 @@ impl OscillatingCylinder {
         let cylinder = it.link("cylinder", pivot, found.tilt, cylinder);
         let (foot, head) = (cylinder.point([0.0; 2]), piston.point([0.0; 2]));
         let joints = [
-            it.pin(Point::ground([0.0; 2]), crank.point([0.0; 2])),
-            it.pin(Point::ground(pivot), foot),
+            it.pin(BodyPoint::ground([0.0; 2]), crank.point([0.0; 2])),
+            it.pin(BodyPoint::ground(pivot), foot),
             it.pin(crank.point([self.crank, 0.0]), head),
         ];
-        it.join(Joint::Slider { guide: foot, direction: 0.0, slides: head, angle: 0.0 });
+        it.join(PlanarJoint::Slider { guide: foot, direction: 0.0, slides: head, angle: 0.0 });
         if self.pin_force != Vector3::zeros() {
             let at = crank.point([self.crank, 0.0]);
             it.force("Force on the crank pin", at, [self.pin_force.x, self.pin_force.y]);
         }
-        let length = Measure::Along { direction: [1.0, 0.0], from: foot, to: head };
-        if let Unknown::Force { torque } = self.unknown {
+        let length = RelativeCoordinate::Along { direction: [1.0, 0.0], from: foot, to: head };
+        if let CylinderUnknown::Force { torque } = self.unknown {
             if torque != 0.0 {
                 it.couple("Torque on the crank", crank, torque);
             }
@@ -371,7 +372,7 @@ impl OscillatingCylinder {
         } else {
             if found.force != 0.0 {
                 let effort = Effort::Constant(found.force);
-                it.load("Force of the cylinder", Load::Effort { measure: length, effort });
+                it.load("Force of the cylinder", PlanarLoad::Effort { measure: length, effort });
             }
             it.turn(crank, [self.angle, self.speed, self.acceleration]);
         }
@@ -381,11 +382,12 @@ impl OscillatingCylinder {
     fn show<W: Worksheet>(&self, sheet: W) {
         let at = |angle: f64| OscillatingCylinder { angle, ..self.clone() };
         let range = Range::Turn(self.angle);
-        let cycle = Cycle::new(range, "angle", at);
+        let cycle = TemplateRange::new(range, "angle", at);
         sheet.show(|| {
-            if let Unknown::Force { .. } = self.unknown {
+            if let CylinderUnknown::Force { .. } = self.unknown {
                 let label = "Force of the cylinder";
-                let force = |found: &Found<f64>| built::bounded(found.force, found.shift, self.crank);
+                let force =
+                    |found: &CylinderPosition<f64>| built::bounded(found.force, found.shift, self.crank);
                 cycle.plot("Force over one revolution", (label, "N"), &[(label, "force", &force)])
             } else {
                 let label = "Torque on the crank";

@@ -5,15 +5,15 @@ use std::f64::consts::{PI, TAU};
 use dalembert_core::{About, Analysis, Ink, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
 use dalembert_mechanics::{
     Real, Vector,
-    planar::{Joint, Load, Measure, PlanarError, Point},
+    planar::{BodyPoint, PlanarError, PlanarJoint, PlanarLoad, RelativeCoordinate},
 };
 use nalgebra::Vector3;
 
 use crate::{
     shared::{
-        built::{self, Built, Cycle, Range, Solved, Template},
-        dyad::{self, Line, Support},
-        works::{self, FIVE, FOUR, LinkMass, Moving, SIX, TWO, Turning, Works, plane, symbol},
+        built::{self, Built, Range, Solved, Template, TemplateRange},
+        dyad::{self, DyadPin, SliderLine},
+        works::{self, FIVE, FOUR, LinkMass, PointWork, RotatingLinkWork, SIX, TWO, Works, plane, symbol},
     },
     sources::{KHURMI, NORTON, RIUL, SHIGLEY},
 };
@@ -41,9 +41,9 @@ pub struct QuickReturn {
     #[input("θ_2", "deg")]
     pub angle: f64,
     /// Output of the lever.
-    pub output: Output,
+    pub output: LeverOutput,
     /// Unknown.
-    pub unknown: Unknown,
+    pub unknown: QuickReturnUnknown,
     /// Angular velocity of the crank.
     /// Zero in statics.
     #[input("ω_2", "rad/s", default = "0 rad/s")]
@@ -65,7 +65,7 @@ pub struct QuickReturn {
 
 /// Output of the lever.
 #[derive(Clone, Debug, Inputs)]
-pub enum Output {
+pub enum LeverOutput {
     /// A force perpendicular to the lever at its end
     Lever,
     /// A slider through a link: shaper
@@ -79,7 +79,7 @@ pub enum Output {
         height: f64,
         /// Side of the slider.
         /// Viewed from the end of the lever, along x.
-        side: Side,
+        side: RamSide,
         /// Mass of the link.
         #[input("5")]
         link_mass: Option<LinkMass>,
@@ -91,7 +91,7 @@ pub enum Output {
 
 /// On which side of the end of the lever the slider is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum Side {
+pub enum RamSide {
     /// Ahead
     Ahead,
     /// Behind
@@ -100,7 +100,7 @@ pub enum Side {
 
 /// Unknown of the sum of virtual works.
 #[derive(Clone, Debug, Inputs)]
-pub enum Unknown {
+pub enum QuickReturnUnknown {
     /// Torque on the crank
     Torque {
         /// Force on the output.
@@ -118,8 +118,8 @@ pub enum Unknown {
 }
 
 /// Results in one position.
-pub struct Found<N> {
-    lever: Turning<N>,
+pub struct QuickReturnPosition<N> {
+    lever: RotatingLinkWork<N>,
     reach: N,
     slip: N,
     link: Option<(N, N, N, N)>,
@@ -177,8 +177,8 @@ impl Analysis for QuickReturn {
             sheet.answer("slider_position", "Position of the slider", position);
         }
         match self.unknown {
-            Unknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
-            Unknown::Force { .. } => sheet.answer("force", "Force on the output", found.force),
+            QuickReturnUnknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
+            QuickReturnUnknown::Force { .. } => sheet.answer("force", "Force on the output", found.force),
         }
         self.times(given, sheet);
         let (solved, joints) = self.built(&found).map_err(built::refusal)?;
@@ -196,21 +196,21 @@ impl Analysis for QuickReturn {
             sheet,
         );
         let why = "Force of the lever on the crank pin, perpendicular to the lever, by the same equations";
-        let across = sheet.found("N", "N", forces[2][0], (why, SHIGLEY.at("ch. 11")));
+        let across = sheet.numerical("N", "N", forces[2][0], (why, SHIGLEY.at("ch. 11")));
         sheet.answer("pin_force", "Force of the lever on the crank pin, perpendicular to the lever", across);
         sheet.verify(|| {
             let effort = match (&self.unknown, &self.output) {
-                (Unknown::Force { .. }, Output::Slider { .. }) => found.force,
+                (QuickReturnUnknown::Force { .. }, LeverOutput::Slider { .. }) => found.force,
                 _ => found.torque,
             };
             solved.check_effort(0, effort, sheet);
             solved.check_across(joints[2], across, sheet);
             let force = found.force.value();
             let outside = match self.output {
-                Output::Lever => built::turned([0.0, force], found.lever.angle.value()),
-                Output::Slider { .. } => [force, solved.reaction(joints[3])[0]],
+                LeverOutput::Lever => built::turned([0.0, force], found.lever.angle.value()),
+                LeverOutput::Slider { .. } => [force, solved.reaction(joints[3])[0]],
             };
-            works::check_balance(&[forces[0], forces[1], outside], solved.demanded(), sheet);
+            works::check_balance(&[forces[0], forces[1], outside], solved.inertia_resultant(), sheet);
         });
         sheet.show(|| solved.works(0));
         self.show(sheet);
@@ -219,12 +219,16 @@ impl Analysis for QuickReturn {
 }
 
 impl Template for QuickReturn {
-    type Found<N: Real> = Found<N>;
+    type Found<N: Real> = QuickReturnPosition<N>;
 
-    fn efforts<W: Worksheet>(&self, given: &QuickReturnGiven<W>, sheet: W) -> Result<Found<W::Num>, Refusal> {
+    fn efforts<W: Worksheet>(
+        &self,
+        given: &QuickReturnGiven<W>,
+        sheet: W,
+    ) -> Result<QuickReturnPosition<W::Num>, Refusal> {
         let moves = self.moves();
         let zero = W::Num::from(0.0);
-        let crank = Turning {
+        let crank = RotatingLinkWork {
             angle: given.angle,
             ratio: 1.0.into(),
             speed: given.speed,
@@ -258,7 +262,7 @@ impl Template for QuickReturn {
         let why = "Virtual rotation of the lever: it follows the crank pin across its slot";
         let ratio = pin.shift.dot(across) / reach;
         let ratio = sheet.step(symbol("h", "4"), "1", ratio, (why, SHIGLEY.at("ch. 3")));
-        let mut lever = Turning { angle, ratio, speed: zero, acceleration: zero };
+        let mut lever = RotatingLinkWork { angle, ratio, speed: zero, acceleration: zero };
         let mut slip = zero;
         if moves {
             lever.speed =
@@ -284,8 +288,8 @@ impl Template for QuickReturn {
         works.link(FOUR, given.lever_mass.as_ref(), given.lever, works::fixed(), lever);
         let (shift, velocity, acceleration, link) = match (&self.output, &given.output) {
             (
-                Output::Slider { side, .. },
-                OutputGiven::Slider { link, height, link_mass, slider_mass, .. },
+                LeverOutput::Slider { side, .. },
+                LeverOutputGiven::Slider { link, height, link_mass, slider_mass, .. },
             ) => {
                 let arm = sheet.step_vector(
                     symbol("r", "B"),
@@ -294,13 +298,13 @@ impl Template for QuickReturn {
                     "Lever, from C to its end B",
                 );
                 let end = works::moving("B", works::fixed(), arm, lever, moves, sheet);
-                let support = Support { name: "B", at: arm, moving: Some(end) };
-                let line = Line {
+                let support = DyadPin { name: "B", at: arm, moving: Some(end) };
+                let line = SliderLine {
                     through: plane::<W>(zero, *height),
                     angle: None,
                     along: plane::<W>(1.0.into(), zero),
                     left: plane::<W>(zero, 1.0.into()),
-                    behind: *side == Side::Behind,
+                    behind: *side == RamSide::Behind,
                 };
                 let slide = dyad::bar_and_slider(
                     "D",
@@ -312,7 +316,7 @@ impl Template for QuickReturn {
                     sheet,
                 )?;
                 works.link(FIVE, link_mass.as_ref(), *link, end, slide.bar);
-                let moving = Moving {
+                let moving = PointWork {
                     shift: plane::<W>(slide.shift, zero),
                     acceleration: plane::<W>(slide.acceleration, zero),
                 };
@@ -328,10 +332,10 @@ impl Template for QuickReturn {
             }
         };
         let (torque, force) = match given.unknown {
-            UnknownGiven::Torque { force } => {
+            QuickReturnUnknownGiven::Torque { force } => {
                 (works.balanced("F", force * shift, "Virtual work of the force on the output"), force)
             }
-            UnknownGiven::Force { torque } => {
+            QuickReturnUnknownGiven::Force { torque } => {
                 if shift.value().abs() <= DEAD * self.crank {
                     return Err(Refusal::because(
                         "the output reverses here (dead centre): no force on it can balance a torque on the crank; rotate the crank slightly",
@@ -342,7 +346,7 @@ impl Template for QuickReturn {
                 (torque, sheet.step("F", "N", -(works.sum() / shift), (why, RIUL.at("eq. 5"))))
             }
         };
-        Ok(Found { lever, reach, slip, link, shift, velocity, acceleration, torque, force })
+        Ok(QuickReturnPosition { lever, reach, slip, link, shift, velocity, acceleration, torque, force })
     }
 }
 
@@ -404,52 +408,54 @@ impl QuickReturn {
     }
 
     /// The same mechanism put together from its lengths, and its joints: O, C, slot, and the guide of the slider.
-    fn built<N: Real>(&self, found: &Found<N>) -> Result<(Solved, [usize; 4]), PlanarError> {
+    fn built<N: Real>(&self, found: &QuickReturnPosition<N>) -> Result<(Solved, [usize; 4]), PlanarError> {
         let mut it = Built::new([self.gravity.x, self.gravity.y]);
         let centre = [0.0, self.frame];
         let mass = |mass: &Option<LinkMass>, length: f64| LinkMass::built(mass.as_ref(), length);
         let crank = it.link("crank", centre, self.angle, mass(&self.crank_mass, self.crank));
         let angle = found.lever.angle.value();
         let lever = it.link("lever", [0.0; 2], angle, mass(&self.lever_mass, self.lever));
-        let slot = Joint::Slot {
+        let slot = PlanarJoint::Slot {
             guide: lever.point([0.0; 2]),
             direction: 0.0,
             pin: crank.point([self.crank, 0.0]),
             offset: 0.0,
         };
         let mut joints = [
-            it.pin(Point::ground(centre), crank.point([0.0; 2])),
-            it.pin(Point::ground([0.0; 2]), lever.point([0.0; 2])),
+            it.pin(BodyPoint::ground(centre), crank.point([0.0; 2])),
+            it.pin(BodyPoint::ground([0.0; 2]), lever.point([0.0; 2])),
             it.join(slot),
             0,
         ];
         let end = lever.point([self.lever, 0.0]);
         let mut slides = None;
-        if let (Output::Slider { link, height, link_mass, slider_mass, .. }, Some((position, tilt, ..))) =
-            (&self.output, &found.link)
+        if let (
+            LeverOutput::Slider { link, height, link_mass, slider_mass, .. },
+            Some((position, tilt, ..)),
+        ) = (&self.output, &found.link)
         {
             let at = built::away([0.0; 2], self.lever, angle);
             let bar = it.link("link", at, tilt.value(), mass(link_mass, *link));
             let place = [position.value(), *height];
-            let slider = it.link("slider", place, 0.0, built::Mass::at_pin(*slider_mass));
-            let (guide, pin) = (Point::ground([0.0, *height]), slider.point([0.0; 2]));
+            let slider = it.link("slider", place, 0.0, built::BuiltMass::at_pin(*slider_mass));
+            let (guide, pin) = (BodyPoint::ground([0.0, *height]), slider.point([0.0; 2]));
             it.pin(end, bar.point([0.0; 2]));
             it.pin(bar.point([*link, 0.0]), pin);
-            joints[3] = it.join(Joint::Slider { guide, direction: 0.0, slides: pin, angle: 0.0 });
-            let along = Measure::Component { direction: [1.0, 0.0], from: guide, to: pin };
+            joints[3] = it.join(PlanarJoint::Slider { guide, direction: 0.0, slides: pin, angle: 0.0 });
+            let along = RelativeCoordinate::Component { direction: [1.0, 0.0], from: guide, to: pin };
             let motion = [position.value(), found.velocity.value(), found.acceleration.value()];
             slides = Some((pin, along, motion));
         }
         let force = found.force.value();
         let turning = [self.angle, self.speed, self.acceleration];
         match (&self.unknown, slides) {
-            (Unknown::Torque { .. }, Some((pin, ..))) => {
+            (QuickReturnUnknown::Torque { .. }, Some((pin, ..))) => {
                 if force != 0.0 {
                     it.force("Force on the output", pin, [force, 0.0]);
                 }
                 it.turn(crank, turning);
             }
-            (Unknown::Force { torque }, Some((_, along, motion))) => {
+            (QuickReturnUnknown::Force { torque }, Some((_, along, motion))) => {
                 if *torque != 0.0 {
                     it.couple("Torque on the crank", crank, *torque);
                 }
@@ -458,7 +464,8 @@ impl QuickReturn {
             // With the force on the lever the torque on the crank must come out, whichever of the two was asked for.
             (_, None) => {
                 if force != 0.0 {
-                    let across = Load::Force { at: end, force: [0.0, force], turns_with: lever.frame() };
+                    let across =
+                        PlanarLoad::Force { at: end, force: [0.0, force], turns_with: lever.frame() };
                     it.load("Force on the output", across);
                 }
                 it.turn(crank, turning);
@@ -470,10 +477,10 @@ impl QuickReturn {
     fn show<W: Worksheet>(&self, sheet: W) {
         let at = |angle: f64| QuickReturn { angle, ..self.clone() };
         let range = Range::about(self.angle, |angle| self.reached(angle));
-        let cycle = Cycle::new(range, "angle", at);
+        let cycle = TemplateRange::new(range, "angle", at);
         match self.unknown {
-            Unknown::Torque { .. } => sheet.show(|| cycle.torque(|found| found.torque)),
-            Unknown::Force { .. } => sheet.show(|| {
+            QuickReturnUnknown::Torque { .. } => sheet.show(|| cycle.torque(|found| found.torque)),
+            QuickReturnUnknown::Force { .. } => sheet.show(|| {
                 cycle.plot(
                     "Force over one revolution",
                     ("Force on the output", "N"),
@@ -488,7 +495,7 @@ impl QuickReturn {
                 &[("lever", "lever_ratio", &|found| found.lever.ratio)],
             )
         });
-        if self.moves() && matches!(self.output, Output::Slider { .. }) {
+        if self.moves() && matches!(self.output, LeverOutput::Slider { .. }) {
             sheet.show(|| {
                 cycle.plot(
                     "Velocity of the slider",
@@ -510,11 +517,11 @@ impl QuickReturn {
                     let end = At::from(built::away([0.0; 2], there.lever, found.lever.angle));
                     let mut force = ("F", end, built::turned([0.0, found.force], found.lever.angle));
                     sketch.circle(centre, there.crank, Ink::Faint);
-                    if let (Output::Slider { height, link, side, .. }, Some((position, ..))) =
+                    if let (LeverOutput::Slider { height, link, side, .. }, Some((position, ..))) =
                         (&there.output, found.link)
                     {
                         let slider = (position, *height);
-                        let middle = if *side == Side::Ahead { *link } else { -*link };
+                        let middle = if *side == RamSide::Ahead { *link } else { -*link };
                         sketch
                             .guide((middle - there.lever, *height), (middle + there.lever, *height))
                             .slider("", slider, 0.0)
@@ -540,7 +547,7 @@ impl QuickReturn {
 
     /// Returns true if the mechanism closes at a crank angle, dead centres included.
     fn reached(&self, angle: f64) -> bool {
-        let Output::Slider { link, height, .. } = self.output else { return true };
+        let LeverOutput::Slider { link, height, .. } = self.output else { return true };
         let [x, y] = QuickReturn { angle: angle.rem_euclid(TAU), ..self.clone() }.pin();
         (height - self.lever * y / x.hypot(y)).abs() < link
     }

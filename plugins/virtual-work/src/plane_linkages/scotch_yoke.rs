@@ -5,14 +5,14 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use dalembert_core::{About, Analysis, Ink, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
 use dalembert_mechanics::{
     Real,
-    planar::{Joint, Measure, PlanarError, Point},
+    planar::{BodyPoint, PlanarError, PlanarJoint, RelativeCoordinate},
 };
 use nalgebra::Vector3;
 
 use crate::{
     shared::{
-        built::{self, Built, Cycle, Range, Solved, Template},
-        works::{self, FOUR, LinkMass, Moving, TWO, Turning, Works, plane, symbol},
+        built::{self, Built, Range, Solved, Template, TemplateRange},
+        works::{self, FOUR, LinkMass, PointWork, RotatingLinkWork, TWO, Works, plane, symbol},
     },
     sources::{NORTON, RIUL, SHIGLEY},
 };
@@ -30,7 +30,7 @@ pub struct ScotchYoke {
     #[input("θ_2", "deg")]
     pub angle: f64,
     /// Unknown.
-    pub unknown: Unknown,
+    pub unknown: ScotchYokeUnknown,
     /// Angular velocity of the crank.
     /// Zero in statics.
     #[input("ω_2", "rad/s", default = "0 rad/s")]
@@ -52,7 +52,7 @@ pub struct ScotchYoke {
 
 /// Unknown of the sum of virtual works.
 #[derive(Clone, Debug, Inputs)]
-pub enum Unknown {
+pub enum ScotchYokeUnknown {
     /// Torque on the crank
     Torque {
         /// Force on the yoke.
@@ -70,7 +70,7 @@ pub enum Unknown {
 }
 
 /// Results in one position.
-pub struct Found<N> {
+pub struct ScotchYokePosition<N> {
     position: N,
     shift: N,
     velocity: N,
@@ -104,21 +104,21 @@ impl Analysis for ScotchYoke {
             sheet.answer("acceleration", "Acceleration of the yoke", found.acceleration);
         }
         match self.unknown {
-            Unknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
-            Unknown::Force { .. } => sheet.answer("force", "Force on the yoke", found.force),
+            ScotchYokeUnknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
+            ScotchYokeUnknown::Force { .. } => sheet.answer("force", "Force on the yoke", found.force),
         }
         let (solved, [bearing, slot, guide]) = self.built(&found).map_err(built::refusal)?;
         let forces = solved.reaction(bearing);
         let label = "Force in the bearing of the crank";
         works::reaction(["O", "Ox", "Oy"], ("bearing_force", label), (&solved, bearing), sheet);
         let why = "Force of the yoke on the crank pin, along x, by the same equations";
-        let pin = sheet.found("N", "N", -solved.reaction(slot)[0], (why, SHIGLEY.at("ch. 11")));
+        let pin = sheet.numerical("N", "N", -solved.reaction(slot)[0], (why, SHIGLEY.at("ch. 11")));
         sheet.answer("pin_force", "Force of the yoke on the crank pin, along x", pin);
         self.largest(given, sheet);
         sheet.verify(|| {
             let effort = match self.unknown {
-                Unknown::Torque { .. } => found.torque,
-                Unknown::Force { .. } => found.force,
+                ScotchYokeUnknown::Torque { .. } => found.torque,
+                ScotchYokeUnknown::Force { .. } => found.force,
             };
             solved.check_effort(0, effort, sheet);
             solved.check_across(slot, -pin, sheet);
@@ -128,7 +128,7 @@ impl Analysis for ScotchYoke {
                 sheet.check(what, both, (given.crank * given.speed).powi(2));
             }
             let across = solved.reaction(guide)[0];
-            works::check_balance(&[forces, [found.force.value(), across]], solved.demanded(), sheet);
+            works::check_balance(&[forces, [found.force.value(), across]], solved.inertia_resultant(), sheet);
         });
         sheet.show(|| solved.works(0));
         self.show(sheet);
@@ -137,9 +137,13 @@ impl Analysis for ScotchYoke {
 }
 
 impl Template for ScotchYoke {
-    type Found<N: Real> = Found<N>;
+    type Found<N: Real> = ScotchYokePosition<N>;
 
-    fn efforts<W: Worksheet>(&self, given: &ScotchYokeGiven<W>, sheet: W) -> Result<Found<W::Num>, Refusal> {
+    fn efforts<W: Worksheet>(
+        &self,
+        given: &ScotchYokeGiven<W>,
+        sheet: W,
+    ) -> Result<ScotchYokePosition<W::Num>, Refusal> {
         let (r, theta) = (given.crank, given.angle);
         let moves = self.moves();
         let why = ("Position of the yoke: that of the crank pin along x", NORTON.at("ch. 3"));
@@ -153,17 +157,21 @@ impl Template for ScotchYoke {
             let value = -(r * given.speed.powi(2) * theta.cos()) - r * given.acceleration * theta.sin();
             acceleration = sheet.step("a", "m/s^2", value, "Acceleration of the yoke");
         }
-        let crank =
-            Turning { angle: theta, ratio: 1.0.into(), speed: given.speed, acceleration: given.acceleration };
+        let crank = RotatingLinkWork {
+            angle: theta,
+            ratio: 1.0.into(),
+            speed: given.speed,
+            acceleration: given.acceleration,
+        };
         let mut works = Works::new(given.gravity, moves, sheet);
         works.link(TWO, given.crank_mass.as_ref(), r, works::fixed(), crank);
-        let yoke = Moving { shift: plane::<W>(shift, zero), acceleration: plane::<W>(acceleration, zero) };
+        let yoke = PointWork { shift: plane::<W>(shift, zero), acceleration: plane::<W>(acceleration, zero) };
         works.mass(FOUR, given.yoke_mass, yoke);
         let (torque, force) = match given.unknown {
-            UnknownGiven::Torque { force } => {
+            ScotchYokeUnknownGiven::Torque { force } => {
                 (works.balanced("F", force * shift, "Virtual work of the force on the yoke"), force)
             }
-            UnknownGiven::Force { torque } => {
+            ScotchYokeUnknownGiven::Force { torque } => {
                 if shift.value().abs() <= DEAD * self.crank {
                     return Err(Refusal::because(
                         "the crank lies along the line of the yoke (dead centre): no force on the yoke can balance a torque; rotate the crank slightly",
@@ -174,7 +182,7 @@ impl Template for ScotchYoke {
                 (torque, sheet.step("F", "N", -(works.sum() / shift), (why, RIUL.at("eq. 5"))))
             }
         };
-        Ok(Found { position, shift, velocity, acceleration, torque, force })
+        Ok(ScotchYokePosition { position, shift, velocity, acceleration, torque, force })
     }
 }
 
@@ -186,7 +194,7 @@ impl ScotchYoke {
     /// The largest torque of a turn: `T = sin θ (r F − m r² ω² cos θ)` has its extremes where
     /// `2 B cos² θ + A cos θ − B = 0`.
     fn largest<W: Worksheet>(&self, given: &ScotchYokeGiven<W>, sheet: W) {
-        let UnknownGiven::Torque { force } = given.unknown else { return };
+        let ScotchYokeUnknownGiven::Torque { force } = given.unknown else { return };
         let level = self.gravity.x == 0.0 && self.crank_mass.is_none() && self.acceleration == 0.0;
         if !level || force.value() == 0.0 || self.yoke_mass == 0.0 || self.speed == 0.0 {
             return;
@@ -224,32 +232,32 @@ impl ScotchYoke {
     }
 
     /// The same mechanism put together, and its joints: bearing, slot, guide.
-    fn built<N: Real>(&self, found: &Found<N>) -> Result<(Solved, [usize; 3]), PlanarError> {
+    fn built<N: Real>(&self, found: &ScotchYokePosition<N>) -> Result<(Solved, [usize; 3]), PlanarError> {
         let mut it = Built::new([self.gravity.x, self.gravity.y]);
         let mass = LinkMass::built(self.crank_mass.as_ref(), self.crank);
         let crank = it.link("crank", [0.0; 2], self.angle, mass);
         let place = [found.position.value(), 0.0];
-        let yoke = it.link("yoke", place, 0.0, built::Mass::at_pin(self.yoke_mass));
-        let (start, middle) = (Point::ground([0.0; 2]), yoke.point([0.0; 2]));
+        let yoke = it.link("yoke", place, 0.0, built::BuiltMass::at_pin(self.yoke_mass));
+        let (start, middle) = (BodyPoint::ground([0.0; 2]), yoke.point([0.0; 2]));
         let quarter = FRAC_PI_2;
         let pin = crank.point([self.crank, 0.0]);
         let joints = [
             it.pin(start, crank.point([0.0; 2])),
-            it.join(Joint::Slot { guide: middle, direction: quarter, pin, offset: 0.0 }),
-            it.join(Joint::Slider { guide: start, direction: 0.0, slides: middle, angle: 0.0 }),
+            it.join(PlanarJoint::Slot { guide: middle, direction: quarter, pin, offset: 0.0 }),
+            it.join(PlanarJoint::Slider { guide: start, direction: 0.0, slides: middle, angle: 0.0 }),
         ];
         match self.unknown {
-            Unknown::Torque { force } => {
+            ScotchYokeUnknown::Torque { force } => {
                 if force != 0.0 {
                     it.force("Force on the yoke", middle, [force, 0.0]);
                 }
                 it.turn(crank, [self.angle, self.speed, self.acceleration]);
             }
-            Unknown::Force { torque } => {
+            ScotchYokeUnknown::Force { torque } => {
                 if torque != 0.0 {
                     it.couple("Torque on the crank", crank, torque);
                 }
-                let along = Measure::Component { direction: [1.0, 0.0], from: start, to: middle };
+                let along = RelativeCoordinate::Component { direction: [1.0, 0.0], from: start, to: middle };
                 it.drive(along, [place[0], found.velocity.value(), found.acceleration.value()]);
             }
         }
@@ -259,10 +267,10 @@ impl ScotchYoke {
     fn show<W: Worksheet>(&self, sheet: W) {
         let at = |angle: f64| ScotchYoke { angle, ..self.clone() };
         let range = Range::Turn(self.angle);
-        let cycle = Cycle::new(range, "angle", at);
+        let cycle = TemplateRange::new(range, "angle", at);
         match self.unknown {
-            Unknown::Torque { .. } => sheet.show(|| cycle.torque(|found| found.torque)),
-            Unknown::Force { .. } => sheet.show(|| {
+            ScotchYokeUnknown::Torque { .. } => sheet.show(|| cycle.torque(|found| found.torque)),
+            ScotchYokeUnknown::Force { .. } => sheet.show(|| {
                 cycle.plot(
                     "Force over one revolution",
                     ("Force on the yoke", "N"),

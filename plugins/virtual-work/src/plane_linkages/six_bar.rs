@@ -5,16 +5,18 @@ use std::f64::consts::TAU;
 use dalembert_core::{About, Analysis, Inputs, Refusal, Worksheet, exhibit::Point as At, register};
 use dalembert_mechanics::{
     Real, Vector,
-    planar::{Joint, PlanarError, Point},
+    planar::{BodyPoint, PlanarError, PlanarJoint},
 };
 use nalgebra::Vector3;
 
 use crate::{
     shared::{
-        built::{self, Built, Cycle, Range, Solved, Template},
-        dyad::{self, Line, Support},
+        built::{self, Built, Range, Solved, Template, TemplateRange},
+        dyad::{self, DyadPin, SliderLine},
         linkage::Closing,
-        works::{self, FIVE, FOUR, LinkMass, Moving, SIX, THREE, TWO, Turning, Works, plane, symbol},
+        works::{
+            self, FIVE, FOUR, LinkMass, PointWork, RotatingLinkWork, SIX, THREE, TWO, Works, plane, symbol,
+        },
     },
     sources::{NORTON, RIUL, SHIGLEY},
 };
@@ -50,10 +52,10 @@ pub struct SixBar {
     #[input("l_5", "mm", positive)]
     pub link: f64,
     /// Output of link 5.
-    pub output: Output,
+    pub output: LinkOutput,
     /// Load on the output.
     /// A force along the line of a slider, or a torque on a second rocker.
-    pub load: Load,
+    pub load: OutputLoad,
     /// Angular velocity of the crank.
     /// Zero in statics.
     #[input("ω_2", "rad/s", default = "0 rad/s")]
@@ -104,7 +106,7 @@ pub enum Attached {
 
 /// Output of link 5.
 #[derive(Clone, Debug, Inputs)]
-pub enum Output {
+pub enum LinkOutput {
     /// A slider
     Slider {
         /// A point of its line.
@@ -116,7 +118,7 @@ pub enum Output {
         direction: f64,
         /// Side of the slider.
         /// Viewed from the attachment point of the pair, along the line.
-        side: Side,
+        side: SliderSide,
         /// Mass of the slider.
         #[input("m_6", "kg", nonnegative, default = "0 kg")]
         mass: f64,
@@ -140,7 +142,7 @@ pub enum Output {
 
 /// On which side of the driving point the slider is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum Side {
+pub enum SliderSide {
     /// Ahead
     Ahead,
     /// Behind
@@ -149,7 +151,7 @@ pub enum Side {
 
 /// The load on the output, and what is asked for.
 #[derive(Clone, Debug, Inputs)]
-pub enum Load {
+pub enum OutputLoad {
     /// Force on the slider
     Force {
         /// Force along its line.
@@ -172,7 +174,7 @@ pub enum Load {
 }
 
 /// Results in one position.
-pub struct Found<N> {
+pub struct SixBarPosition<N> {
     angles: [N; 4],
     /// Turns of links 3, 4, 5 for a unit turn of the crank.
     ratios: [N; 3],
@@ -209,7 +211,7 @@ impl Analysis for SixBar {
         sheet.answer("rocker_ratio", "Ratio of angular velocities, rocker to crank", found.ratios[1]);
         let [place, shift, velocity, acceleration] = found.output;
         match self.output {
-            Output::Slider { .. } => {
+            LinkOutput::Slider { .. } => {
                 sheet.answer("slider_position", "Position of the slider", place);
                 sheet.answer(
                     "slider_displacement",
@@ -221,7 +223,7 @@ impl Analysis for SixBar {
                     sheet.answer("slider_acceleration", "Acceleration of the slider", acceleration);
                 }
             }
-            Output::Rocker { .. } => {
+            LinkOutput::Rocker { .. } => {
                 sheet.answer("output_angle", "Angle of the second rocker", place);
                 sheet.answer("output_ratio", "Ratio of angular velocities, second rocker to crank", shift);
                 if self.moves() {
@@ -232,10 +234,10 @@ impl Analysis for SixBar {
             }
         }
         match (&self.load, &self.output) {
-            (Load::Unknown { .. }, Output::Slider { .. }) => {
+            (OutputLoad::Unknown { .. }, LinkOutput::Slider { .. }) => {
                 sheet.answer("force", "Force on the slider", found.load);
             }
-            (Load::Unknown { .. }, Output::Rocker { .. }) => {
+            (OutputLoad::Unknown { .. }, LinkOutput::Rocker { .. }) => {
                 sheet.answer("load", "Torque on the second rocker", found.load);
             }
             _ => sheet.answer("torque", "Torque on the crank", found.torque),
@@ -265,10 +267,10 @@ impl Analysis for SixBar {
             // Known torque and known load: one of them must come out as the effort.
             solved.check_effort(0, found.torque, sheet);
             let last = match self.output {
-                Output::Slider { direction, .. } => built::turned([plain.load, forces[3][0]], direction),
-                Output::Rocker { .. } => forces[3],
+                LinkOutput::Slider { direction, .. } => built::turned([plain.load, forces[3][0]], direction),
+                LinkOutput::Rocker { .. } => forces[3],
             };
-            works::check_balance(&[forces[0], forces[1], last], solved.demanded(), sheet);
+            works::check_balance(&[forces[0], forces[1], last], solved.inertia_resultant(), sheet);
         });
         sheet.show(|| solved.works(0));
         self.show(sheet);
@@ -277,16 +279,20 @@ impl Analysis for SixBar {
 }
 
 impl Template for SixBar {
-    type Found<N: Real> = Found<N>;
+    type Found<N: Real> = SixBarPosition<N>;
 
-    fn efforts<W: Worksheet>(&self, given: &SixBarGiven<W>, sheet: W) -> Result<Found<W::Num>, Refusal> {
+    fn efforts<W: Worksheet>(
+        &self,
+        given: &SixBarGiven<W>,
+        sheet: W,
+    ) -> Result<SixBarPosition<W::Num>, Refusal> {
         match (&self.load, &self.output) {
-            (Load::Force { .. }, Output::Rocker { .. }) => {
+            (OutputLoad::Force { .. }, LinkOutput::Rocker { .. }) => {
                 return Err(Refusal::because(
                     "the output is a rocker: give its load as a torque on the second rocker",
                 ));
             }
-            (Load::Torque { .. }, Output::Slider { .. }) => {
+            (OutputLoad::Torque { .. }, LinkOutput::Slider { .. }) => {
                 return Err(Refusal::because(
                     "the output is a slider: give its load as a force on the slider",
                 ));
@@ -295,7 +301,7 @@ impl Template for SixBar {
         }
         let moves = self.moves();
         let zero = W::Num::from(0.0);
-        let crank = Turning {
+        let crank = RotatingLinkWork {
             angle: given.angle,
             ratio: 1.0.into(),
             speed: given.speed,
@@ -306,8 +312,8 @@ impl Template for SixBar {
         let fixed = plane::<W>(given.frame, zero);
         let pin = works::moving("A", works::fixed(), arm, crank, moves, sheet);
         let supports = [
-            Support { name: "A", at: arm, moving: Some(pin) },
-            Support { name: "C", at: fixed, moving: None },
+            DyadPin { name: "A", at: arm, moving: Some(pin) },
+            DyadPin { name: "C", at: fixed, moving: None },
         ];
         let lengths = [given.coupler, given.rocker];
         let open = self.closing == Closing::Open;
@@ -331,9 +337,9 @@ impl Template for SixBar {
         let reach = sheet.step_vector(symbol("r", "D"), "mm", reach, "From the first pin of its link to D");
         let place = sheet.step_vector(symbol("s", "D"), "mm", from + reach, "Point D, from the origin");
         let driving = works::moving("D", first, reach, link, moves, sheet);
-        let support = Support { name: "D", at: place, moving: Some(driving) };
+        let support = DyadPin { name: "D", at: place, moving: Some(driving) };
         let (output, last, angles, end) = match (&self.output, &given.output) {
-            (Output::Slider { side, .. }, OutputGiven::Slider { through, direction, mass, .. }) => {
+            (LinkOutput::Slider { side, .. }, LinkOutputGiven::Slider { through, direction, mass, .. }) => {
                 let level = direction.value() == 0.0;
                 let along = if level {
                     plane::<W>(1.0.into(), zero)
@@ -341,12 +347,12 @@ impl Template for SixBar {
                     let why = "Unit vector along the line of the slider";
                     sheet.step_vector("ê", "1", works::direction::<W>(*direction), why)
                 };
-                let line = Line {
+                let line = SliderLine {
                     through: *through,
                     angle: (!level).then_some(*direction),
                     along,
                     left: if level { plane::<W>(zero, 1.0.into()) } else { works::across::<W>(along) },
-                    behind: *side == Side::Behind,
+                    behind: *side == SliderSide::Behind,
                 };
                 let pin = (support, driving);
                 let slide = dyad::bar_and_slider(
@@ -358,15 +364,16 @@ impl Template for SixBar {
                     moves.then_some(given.speed),
                     sheet,
                 )?;
-                let slider = Moving { shift: along * slide.shift, acceleration: along * slide.acceleration };
+                let slider =
+                    PointWork { shift: along * slide.shift, acceleration: along * slide.acceleration };
                 works.link(FIVE, given.link_mass.as_ref(), given.link, driving, slide.bar);
                 works.mass(SIX, *mass, slider);
                 let output = [slide.position, slide.shift, slide.velocity, slide.acceleration];
                 let end = place.value() + works::direction::<W>(slide.bar.angle).value() * self.link;
                 (output, slide.bar, [slide.bar.angle, zero], end)
             }
-            (Output::Rocker { closing, .. }, OutputGiven::Rocker { pivot, length, mass, .. }) => {
-                let supports = [support, Support { name: "E", at: *pivot, moving: None }];
+            (LinkOutput::Rocker { closing, .. }, LinkOutputGiven::Rocker { pivot, length, mass, .. }) => {
+                let supports = [support, DyadPin { name: "E", at: *pivot, moving: None }];
                 let open = *closing == Closing::Open;
                 let second = dyad::two_bars("DE", supports, [given.link, *length], [FIVE, SIX], open, sheet)?;
                 let ratios = second.turns("h", [Some(driving.shift), None]);
@@ -379,7 +386,7 @@ impl Template for SixBar {
             _ => unreachable!("the given numbers are those of this problem"),
         };
         let (torque, load) = match given.load {
-            LoadGiven::Force { force: load } | LoadGiven::Torque { torque: load } => {
+            OutputLoadGiven::Force { force: load } | OutputLoadGiven::Torque { torque: load } => {
                 if load.value() != 0.0 {
                     let why = "Virtual work of the load on the output".into();
                     works.push(symbol("δW", "out"), load * output[1], why, RIUL.at("eq. 1"));
@@ -387,8 +394,8 @@ impl Template for SixBar {
                 let why = "Torque: the total virtual work is zero, T_2 δθ_2 + ΣδW = 0";
                 (sheet.step(symbol("T", "2"), "N*m", -works.sum(), (why, RIUL.at("eq. 5"))), load)
             }
-            LoadGiven::Unknown { torque } => {
-                let size = if let Output::Slider { .. } = self.output { self.crank } else { 1.0 };
+            OutputLoadGiven::Unknown { torque } => {
+                let size = if let LinkOutput::Slider { .. } = self.output { self.crank } else { 1.0 };
                 if output[1].value().abs() <= DEAD * size {
                     return Err(Refusal::because(
                         "the output reverses here (dead centre): no load on it can balance a torque on the crank; rotate the crank slightly",
@@ -398,8 +405,8 @@ impl Template for SixBar {
                 let load = -(works.sum() / output[1]);
                 let why = "Load, from the principle of virtual work";
                 let load = match self.output {
-                    Output::Slider { .. } => sheet.step("F", "N", load, (why, RIUL.at("eq. 5"))),
-                    Output::Rocker { .. } => {
+                    LinkOutput::Slider { .. } => sheet.step("F", "N", load, (why, RIUL.at("eq. 5"))),
+                    LinkOutput::Rocker { .. } => {
                         sheet.step(symbol("T", "6"), "N*m", load, (why, RIUL.at("eq. 5")))
                     }
                 };
@@ -407,7 +414,7 @@ impl Template for SixBar {
             }
         };
         let place = place.value();
-        Ok(Found {
+        Ok(SixBarPosition {
             angles: [pair.angles[0], pair.angles[1], angles[0], angles[1]],
             ratios: [ratios[0], ratios[1], last.ratio],
             output,
@@ -418,10 +425,10 @@ impl Template for SixBar {
     }
 }
 
-impl<N: Real> Found<N> {
+impl<N: Real> SixBarPosition<N> {
     /// The same as plain numbers.
-    fn values(&self) -> Found<f64> {
-        Found {
+    fn values(&self) -> SixBarPosition<f64> {
+        SixBarPosition {
             angles: self.angles.map(Real::value),
             ratios: self.ratios.map(Real::value),
             output: self.output.map(Real::value),
@@ -439,7 +446,7 @@ impl SixBar {
 
     /// The same mechanism put together from its lengths, and its joints O, C, D and the last one to the frame. The
     /// crank is driven; the load acts on the output.
-    fn built(&self, found: &Found<f64>) -> Result<(Solved, [usize; 4]), PlanarError> {
+    fn built(&self, found: &SixBarPosition<f64>) -> Result<(Solved, [usize; 4]), PlanarError> {
         let mut it = Built::new([self.gravity.x, self.gravity.y]);
         let (pin, fixed) = (built::away([0.0; 2], self.crank, self.angle), [self.frame, 0.0]);
         let mass = |mass: &Option<LinkMass>, length: f64| LinkMass::built(mass.as_ref(), length);
@@ -452,31 +459,31 @@ impl SixBar {
             Attached::Rocker { along, across } => four.point([along, across]),
             Attached::Coupler { along, across } => three.point([along, across]),
         };
-        let first = it.pin(Point::ground([0.0; 2]), two.point([0.0; 2]));
+        let first = it.pin(BodyPoint::ground([0.0; 2]), two.point([0.0; 2]));
         it.pin(two.point([self.crank, 0.0]), three.point([0.0; 2]));
         it.pin(three.point([self.coupler, 0.0]), four.point([self.rocker, 0.0]));
-        let second = it.pin(Point::ground(fixed), four.point([0.0; 2]));
+        let second = it.pin(BodyPoint::ground(fixed), four.point([0.0; 2]));
         let third = it.pin(driving, five.point([0.0; 2]));
         let tip = five.point([self.link, 0.0]);
         let last = match &self.output {
-            Output::Slider { through, direction, mass, .. } => {
-                let six = it.link("slider", end, *direction, built::Mass::at_pin(*mass));
+            LinkOutput::Slider { through, direction, mass, .. } => {
+                let six = it.link("slider", end, *direction, built::BuiltMass::at_pin(*mass));
                 let slides = six.point([0.0; 2]);
                 it.pin(tip, slides);
                 if found.load != 0.0 {
                     it.force("Load", slides, built::turned([found.load, 0.0], *direction));
                 }
-                let guide = Point::ground([through.x, through.y]);
-                it.join(Joint::Slider { guide, direction: *direction, slides, angle: *direction })
+                let guide = BodyPoint::ground([through.x, through.y]);
+                it.join(PlanarJoint::Slider { guide, direction: *direction, slides, angle: *direction })
             }
-            Output::Rocker { pivot, length, mass: of, .. } => {
+            LinkOutput::Rocker { pivot, length, mass: of, .. } => {
                 let at = [pivot.x, pivot.y];
                 let six = it.link("second rocker", at, found.angles[3], mass(of, *length));
                 it.pin(tip, six.point([*length, 0.0]));
                 if found.load != 0.0 {
                     it.couple("Load", six, found.load);
                 }
-                it.pin(Point::ground(at), six.point([0.0; 2]))
+                it.pin(BodyPoint::ground(at), six.point([0.0; 2]))
             }
         };
         it.turn(two, [self.angle, self.speed, self.acceleration]);
@@ -487,22 +494,22 @@ impl SixBar {
         let at = |angle: f64| SixBar { angle, ..self.clone() };
         let kinematic = |angle: f64| {
             let load = match self.output {
-                Output::Slider { .. } => Load::Force { force: 0.0 },
-                Output::Rocker { .. } => Load::Torque { torque: 0.0 },
+                LinkOutput::Slider { .. } => OutputLoad::Force { force: 0.0 },
+                LinkOutput::Rocker { .. } => OutputLoad::Torque { torque: 0.0 },
             };
             SixBar { angle, load, speed: 0.0, acceleration: 0.0, ..self.clone() }.plain().is_some()
         };
         let range = Range::about(self.angle, kinematic);
-        let cycle = Cycle::new(range, "angle", at);
-        if !matches!(self.load, Load::Unknown { .. }) {
+        let cycle = TemplateRange::new(range, "angle", at);
+        if !matches!(self.load, OutputLoad::Unknown { .. }) {
             sheet.show(|| cycle.torque(|found| found.torque));
         }
         sheet.show(|| {
             let (title, label, unit, answer) = match self.output {
-                Output::Slider { .. } => {
+                LinkOutput::Slider { .. } => {
                     ("Displacement of the slider", "Position of the slider", "mm", "slider_position")
                 }
-                Output::Rocker { .. } => {
+                LinkOutput::Rocker { .. } => {
                     ("Swing of the second rocker", "Angle of the second rocker", "deg", "output_angle")
                 }
             };
@@ -519,7 +526,7 @@ impl SixBar {
                 let (o, a, c) = ((0.0, 0.0), At::from(a), (there.frame, 0.0));
                 let [d, end] = found.pins.map(At::from);
                 let root = if let Attached::Rocker { .. } = there.attached { c } else { a };
-                if let Output::Slider { direction, .. } = &there.output {
+                if let LinkOutput::Slider { direction, .. } = &there.output {
                     let reach = built::turned([2.0 * there.crank, 0.0], *direction);
                     sketch
                         .guide(
@@ -541,11 +548,11 @@ impl SixBar {
                     .joint("D", d)
                     .angle("θ₂", o, 0.0, angle.rem_euclid(TAU));
                 match &there.output {
-                    Output::Slider { direction, .. } => {
+                    LinkOutput::Slider { direction, .. } => {
                         let force = built::turned([found.load, 0.0], *direction);
                         built::forces(sketch.joint("", end), &[("F", end, force)], there.crank);
                     }
-                    Output::Rocker { pivot, .. } => {
+                    LinkOutput::Rocker { pivot, .. } => {
                         let pivot = (pivot.x, pivot.y);
                         sketch.link("6", pivot, end).pin("O₆", pivot).joint("E", end);
                     }

@@ -5,7 +5,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    planar::{Joint, Measure, PlanarError, Point},
+    planar::{BodyPoint, PlanarError, PlanarJoint, RelativeCoordinate},
     slider_crank as loops,
 };
 use nalgebra::Vector3;
@@ -13,8 +13,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::{
     shared::{
-        built::{self, Built, Cycle, Range, Solved, Template},
-        works::{self, FOUR, LinkMass, Moving, THREE, TWO, Turning, Works, plane, symbol},
+        built::{self, Built, Range, Solved, Template, TemplateRange},
+        works::{self, FOUR, LinkMass, PointWork, RotatingLinkWork, THREE, TWO, Works, plane, symbol},
     },
     sources::{BEER, NORTON, RIUL, SHIGLEY},
 };
@@ -40,7 +40,7 @@ pub struct SliderCrank {
     #[input("θ_2", "deg")]
     pub angle: f64,
     /// Unknown.
-    pub unknown: Unknown,
+    pub unknown: SliderCrankUnknown,
     /// Force on the crank pin.
     /// It acts on the crank.
     #[input("F_A", "N", planar, default = "(0; 0) N")]
@@ -69,7 +69,7 @@ pub struct SliderCrank {
 
 /// Unknown of the sum of virtual works.
 #[derive(Clone, Debug, Inputs)]
-pub enum Unknown {
+pub enum SliderCrankUnknown {
     /// Torque on the crank
     Torque {
         /// Force on the slider.
@@ -87,7 +87,7 @@ pub enum Unknown {
 }
 
 /// Results in one position.
-pub struct Found<N> {
+pub struct SliderCrankPosition<N> {
     rod_angle: N,
     position: N,
     ratio: N,
@@ -131,8 +131,8 @@ impl Analysis for SliderCrank {
             sheet.answer("slider_acceleration", "Acceleration of the slider", found.acceleration);
         }
         match self.unknown {
-            Unknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
-            Unknown::Force { .. } => sheet.answer("force", "Force on the slider", found.force),
+            SliderCrankUnknown::Torque { .. } => sheet.answer("torque", "Torque on the crank", found.torque),
+            SliderCrankUnknown::Force { .. } => sheet.answer("force", "Force on the slider", found.force),
         }
         if found.shift.value().abs() > DEAD * self.crank {
             let why = "Ratio of the force on the slider to the force perpendicular to the crank at its pin, T/r, neglecting masses";
@@ -146,7 +146,7 @@ impl Analysis for SliderCrank {
                 sheet.check(what, advantage * arm.abs(), given.crank);
             });
         }
-        let plain = Found {
+        let plain = SliderCrankPosition {
             rod_angle: found.rod_angle.value(),
             position: found.position.value(),
             ratio: found.ratio.value(),
@@ -175,17 +175,17 @@ impl Analysis for SliderCrank {
             sheet,
         );
         let why = "Force of the guide on the slider, perpendicular to its line, by the same equations";
-        let across = sheet.found("N", "N", guide[0], (why, SHIGLEY.at("ch. 11")));
+        let across = sheet.numerical("N", "N", guide[0], (why, SHIGLEY.at("ch. 11")));
         sheet.answer("guide_force", "Force of the guide on the slider", across);
         sheet.verify(|| {
             let effort = match self.unknown {
-                Unknown::Torque { .. } => found.torque,
-                Unknown::Force { .. } => found.force,
+                SliderCrankUnknown::Torque { .. } => found.torque,
+                SliderCrankUnknown::Force { .. } => found.force,
             };
             solved.check_effort(0, effort, sheet);
             solved.check_across(joints[3], across, sheet);
             let outside = [bearing, [plain.force, guide[0]], [self.pin_force.x, self.pin_force.y]];
-            works::check_balance(&outside, solved.demanded(), sheet);
+            works::check_balance(&outside, solved.inertia_resultant(), sheet);
             if self.moves() {
                 let (r, l, two, three) = (given.crank, given.rod, given.angle, found.rod_angle);
                 let speed = loops::rod_speed(r, l, two, three, given.speed);
@@ -208,9 +208,13 @@ impl Analysis for SliderCrank {
 }
 
 impl Template for SliderCrank {
-    type Found<N: Real> = Found<N>;
+    type Found<N: Real> = SliderCrankPosition<N>;
 
-    fn efforts<W: Worksheet>(&self, given: &SliderCrankGiven<W>, sheet: W) -> Result<Found<W::Num>, Refusal> {
+    fn efforts<W: Worksheet>(
+        &self,
+        given: &SliderCrankGiven<W>,
+        sheet: W,
+    ) -> Result<SliderCrankPosition<W::Num>, Refusal> {
         let bridged = (self.offset - self.crank * self.angle.sin()).abs();
         if bridged > self.rod {
             return Err(Refusal::because(
@@ -275,9 +279,13 @@ impl Template for SliderCrank {
                 ("Acceleration of the slider", SHIGLEY.at("ch. 4")),
             );
         }
-        let crank =
-            Turning { angle: two, ratio: 1.0.into(), speed: given.speed, acceleration: given.acceleration };
-        let rod = Turning { angle: three, ratio, speed: rod_speed, acceleration: rod_acceleration };
+        let crank = RotatingLinkWork {
+            angle: two,
+            ratio: 1.0.into(),
+            speed: given.speed,
+            acceleration: given.acceleration,
+        };
+        let rod = RotatingLinkWork { angle: three, ratio, speed: rod_speed, acceleration: rod_acceleration };
         let mut works = Works::new(given.gravity, moves, sheet);
         works.link(TWO, given.crank_mass.as_ref(), r, works::fixed(), crank);
         let pin_matters = self.rod_mass.is_some() || self.pin_force != Vector3::zeros();
@@ -292,13 +300,14 @@ impl Template for SliderCrank {
             works.force("A", given.pin_force, pin.shift);
             works.link(THREE, given.rod_mass.as_ref(), l, pin, rod);
         }
-        let slider = Moving { shift: plane::<W>(shift, zero), acceleration: plane::<W>(acceleration, zero) };
+        let slider =
+            PointWork { shift: plane::<W>(shift, zero), acceleration: plane::<W>(acceleration, zero) };
         works.mass(FOUR, given.slider_mass, slider);
         let (torque, force) = match given.unknown {
-            UnknownGiven::Torque { force } => {
+            SliderCrankUnknownGiven::Torque { force } => {
                 (works.balanced("B", force * shift, "Virtual work of the force on the slider"), force)
             }
-            UnknownGiven::Force { torque } => {
+            SliderCrankUnknownGiven::Force { torque } => {
                 if shift.value().abs() <= DEAD * self.crank {
                     return Err(Refusal::because(
                         "crank and rod are collinear (dead centre): no force on the slider can balance a torque; rotate the crank slightly",
@@ -310,7 +319,7 @@ impl Template for SliderCrank {
                 (torque, sheet.step(symbol("F", "B"), "N", -(sum / shift), (why, RIUL.at("eq. 5"))))
             }
         };
-        Ok(Found {
+        Ok(SliderCrankPosition {
             rod_angle: three,
             position,
             ratio,
@@ -361,38 +370,46 @@ impl SliderCrank {
     }
 
     /// The same mechanism put together from its lengths, and its joints: bearing, crank pin, pin of the slider, guide.
-    fn built(&self, found: &Found<f64>) -> Result<(Solved, [usize; 4]), PlanarError> {
+    fn built(&self, found: &SliderCrankPosition<f64>) -> Result<(Solved, [usize; 4]), PlanarError> {
         let mut it = Built::new([self.gravity.x, self.gravity.y]);
         let crank =
             it.link("crank", [0.0; 2], self.angle, LinkMass::built(self.crank_mass.as_ref(), self.crank));
         let rod =
             it.link("rod", self.pin(), found.rod_angle, LinkMass::built(self.rod_mass.as_ref(), self.rod));
         let slider =
-            it.link("slider", [found.position, self.offset], 0.0, built::Mass::at_pin(self.slider_mass));
-        let (start, guide) = (Point::ground([0.0; 2]), Point::ground([0.0, self.offset]));
+            it.link("slider", [found.position, self.offset], 0.0, built::BuiltMass::at_pin(self.slider_mass));
+        let (start, guide) = (BodyPoint::ground([0.0; 2]), BodyPoint::ground([0.0, self.offset]));
         let joints = [
             it.pin(start, crank.point([0.0; 2])),
             it.pin(crank.point([self.crank, 0.0]), rod.point([0.0; 2])),
             it.pin(rod.point([self.rod, 0.0]), slider.point([0.0; 2])),
-            it.join(Joint::Slider { guide, direction: 0.0, slides: slider.point([0.0; 2]), angle: 0.0 }),
+            it.join(PlanarJoint::Slider {
+                guide,
+                direction: 0.0,
+                slides: slider.point([0.0; 2]),
+                angle: 0.0,
+            }),
         ];
         if self.pin_force != Vector3::zeros() {
             let force = [self.pin_force.x, self.pin_force.y];
             it.force("Force on the crank pin", crank.point([self.crank, 0.0]), force);
         }
         match self.unknown {
-            Unknown::Torque { force } => {
+            SliderCrankUnknown::Torque { force } => {
                 if force != 0.0 {
                     it.force("Force on the slider", slider.point([0.0; 2]), [force, 0.0]);
                 }
                 it.turn(crank, [self.angle, self.speed, self.acceleration]);
             }
-            Unknown::Force { torque } => {
+            SliderCrankUnknown::Force { torque } => {
                 if torque != 0.0 {
                     it.couple("Torque on the crank", crank, torque);
                 }
-                let along =
-                    Measure::Component { direction: [1.0, 0.0], from: start, to: slider.point([0.0; 2]) };
+                let along = RelativeCoordinate::Component {
+                    direction: [1.0, 0.0],
+                    from: start,
+                    to: slider.point([0.0; 2]),
+                };
                 it.drive(along, [found.position, found.velocity, found.acceleration]);
             }
         }
@@ -403,10 +420,10 @@ impl SliderCrank {
         let at = |angle: f64| SliderCrank { angle, ..self.clone() };
         let closes = |angle: f64| (self.offset - self.crank * angle.sin()).abs() < self.rod;
         let range = Range::about(self.angle, closes);
-        let cycle = Cycle::new(range, "angle", at);
+        let cycle = TemplateRange::new(range, "angle", at);
         match self.unknown {
-            Unknown::Torque { .. } => sheet.show(|| cycle.torque(|found| found.torque)),
-            Unknown::Force { .. } => sheet.show(|| {
+            SliderCrankUnknown::Torque { .. } => sheet.show(|| cycle.torque(|found| found.torque)),
+            SliderCrankUnknown::Force { .. } => sheet.show(|| {
                 cycle.plot(
                     "Force over one revolution",
                     ("Force on the slider", "N"),

@@ -8,7 +8,9 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    planar::{Body, Driver, Joint, Load as Acting, Measure, Mechanism, Point},
+    planar::{
+        BodyPoint, Driver, PlanarBody, PlanarJoint, PlanarLoad as Acting, PlanarMechanism, RelativeCoordinate,
+    },
 };
 
 use crate::{
@@ -32,12 +34,12 @@ pub struct LazyTongs {
     pub angle: f64,
     /// Loads.
     #[input(min = 1)]
-    pub loads: Vec<Load>,
+    pub loads: Vec<HingeLoad>,
 }
 
 /// A vertical load at a hinge.
 #[derive(Clone, Debug, Inputs)]
-pub struct Load {
+pub struct HingeLoad {
     /// Square, counted from A.
     #[input(min = 1, max = 12)]
     pub square: u32,
@@ -187,13 +189,13 @@ impl Analysis for LazyTongs {
 impl LazyTongs {
     /// First the bars from A to the first square, upper and lower, then the pairs of long bars that cross between
     /// squares, falling and rising, then the bars from the last square to B.
-    fn built(&self) -> (Mechanism, Vec<[f64; 3]>) {
+    fn built(&self) -> (PlanarMechanism, Vec<[f64; 3]>) {
         let (n, l, angle) = (self.squares as usize, self.side, self.angle);
         let (wide, high) = (l * angle.cos(), l * angle.sin());
-        let on = |body: usize, s: f64| Point::body(body, [s, 0.0]);
-        let a = Point::ground([0.0; 2]);
+        let on = |body: usize, s: f64| BodyPoint::body(body, [s, 0.0]);
+        let a = BodyPoint::ground([0.0; 2]);
         let mut drawn = vec![[0.0, 0.0, angle], [0.0, 0.0, -angle]];
-        let mut joints = vec![Joint::Pin { a, b: on(0, 0.0) }, Joint::Pin { a, b: on(1, 0.0) }];
+        let mut joints = vec![PlanarJoint::Pin { a, b: on(0, 0.0) }, PlanarJoint::Pin { a, b: on(1, 0.0) }];
         // The bar and the place on it that ends at the upper and lower hinge of the square.
         let (mut upper, mut lower) = (on(0, l), on(1, l));
         let mut uppers = vec![upper];
@@ -203,9 +205,9 @@ impl LazyTongs {
             let (falling, rising) = (drawn.len(), drawn.len() + 1);
             drawn.push([x, high, -angle]);
             drawn.push([x, -high, angle]);
-            joints.push(Joint::Pin { a: upper, b: on(falling, 0.0) });
-            joints.push(Joint::Pin { a: lower, b: on(rising, 0.0) });
-            joints.push(Joint::Pin { a: on(falling, l), b: on(rising, l) });
+            joints.push(PlanarJoint::Pin { a: upper, b: on(falling, 0.0) });
+            joints.push(PlanarJoint::Pin { a: lower, b: on(rising, 0.0) });
+            joints.push(PlanarJoint::Pin { a: on(falling, l), b: on(rising, l) });
             (upper, lower) = (on(rising, 2.0 * l), on(falling, 2.0 * l));
             uppers.push(upper);
             lowers.push(lower);
@@ -214,12 +216,12 @@ impl LazyTongs {
         let (from_above, from_below) = (drawn.len(), drawn.len() + 1);
         drawn.push([x, high, -angle]);
         drawn.push([x, -high, angle]);
-        joints.push(Joint::Pin { a: upper, b: on(from_above, 0.0) });
-        joints.push(Joint::Pin { a: lower, b: on(from_below, 0.0) });
-        joints.push(Joint::Pin { a: on(from_above, l), b: on(from_below, l) });
+        joints.push(PlanarJoint::Pin { a: upper, b: on(from_above, 0.0) });
+        joints.push(PlanarJoint::Pin { a: lower, b: on(from_below, 0.0) });
+        joints.push(PlanarJoint::Pin { a: on(from_above, l), b: on(from_below, l) });
         let b = on(from_above, l);
         let driver = |direction: [f64; 2], value: f64| Driver {
-            measure: Measure::Component { direction, from: a, to: b },
+            measure: RelativeCoordinate::Component { direction, from: a, to: b },
             value,
             velocity: 0.0,
             acceleration: 0.0,
@@ -232,8 +234,8 @@ impl LazyTongs {
                 down(if load.hinge == Hinge::Upper { uppers[at] } else { lowers[at] }, load.force)
             })
             .collect();
-        let mechanism = Mechanism {
-            bodies: vec![Body::default(); drawn.len()],
+        let mechanism = PlanarMechanism {
+            bodies: vec![PlanarBody::default(); drawn.len()],
             joints,
             drivers: vec![driver([1.0, 0.0], 2.0 * n as f64 * wide), driver([0.0, 1.0], 0.0)],
             loads,

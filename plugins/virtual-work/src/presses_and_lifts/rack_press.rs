@@ -3,7 +3,7 @@
 use dalembert_core::{About, Analysis, Inputs, Refusal, Sketch, Worksheet, register};
 use dalembert_mechanics::{
     Real,
-    planar::{Body, Driver, Joint, Load, Measure, Mechanism, Point},
+    planar::{BodyPoint, Driver, PlanarBody, PlanarJoint, PlanarLoad, PlanarMechanism, RelativeCoordinate},
 };
 use std::f64::consts::TAU;
 
@@ -27,7 +27,7 @@ pub struct RackPress {
     #[input("η", "%", positive, max = 100, default = "100 %")]
     pub efficiency: f64,
     /// Sought.
-    pub sought: Sought,
+    pub sought: RackPressUnknown,
 }
 
 /// The size of the pinion.
@@ -52,7 +52,7 @@ pub enum Pinion {
 
 /// Unknown of the problem.
 #[derive(Clone, Debug, Inputs)]
-pub enum Sought {
+pub enum RackPressUnknown {
     /// Force of the ram
     Ram {
         /// Force on the handle, perpendicular to it.
@@ -118,14 +118,14 @@ impl Analysis for RackPress {
             RIUL.at("eq. 3"),
         );
         let (force, press) = match &given.sought {
-            SoughtGiven::Ram { handle } => {
+            RackPressUnknownGiven::Ram { handle } => {
                 let ideal = *handle * ratio;
                 let press =
                     sheet.step("Q", "N", if lossless { ideal } else { ideal * given.efficiency }, reason);
                 sheet.answer("ram", "Force of the ram", press);
                 (*handle, press)
             }
-            SoughtGiven::Handle { ram } => {
+            RackPressUnknownGiven::Handle { ram } => {
                 let ideal = *ram / ratio;
                 let force =
                     sheet.step("F", "N", if lossless { ideal } else { ideal / given.efficiency }, reason);
@@ -160,38 +160,38 @@ impl Analysis for RackPress {
 
 impl RackPress {
     /// Handle, pinion and rack; the gears between handle and pinion keep the sense of the turn.
-    fn built(&self, radius: f64, press: f64) -> (Mechanism, Vec<[f64; 3]>) {
-        let ground = Point::ground([0.0; 2]);
-        let beside = Point::ground([2.0 * radius, 0.0]);
-        let ram = Point::body(2, [0.0; 2]);
+    fn built(&self, radius: f64, press: f64) -> (PlanarMechanism, Vec<[f64; 3]>) {
+        let ground = BodyPoint::ground([0.0; 2]);
+        let beside = BodyPoint::ground([2.0 * radius, 0.0]);
+        let ram = BodyPoint::body(2, [0.0; 2]);
         let upwards = std::f64::consts::FRAC_PI_2;
-        let mechanism = Mechanism {
-            bodies: vec![Body::default(); 3],
+        let mechanism = PlanarMechanism {
+            bodies: vec![PlanarBody::default(); 3],
             joints: vec![
-                Joint::Pin { a: ground, b: Point::body(0, [0.0; 2]) },
-                Joint::Pin { a: ground, b: Point::body(1, [0.0; 2]) },
-                Joint::Gears {
+                PlanarJoint::Pin { a: ground, b: BodyPoint::body(0, [0.0; 2]) },
+                PlanarJoint::Pin { a: ground, b: BodyPoint::body(1, [0.0; 2]) },
+                PlanarJoint::Gears {
                     a: Some(0),
                     b: Some(1),
                     carrier: None,
                     sizes: [1.0, self.reduction],
                     internal: true,
                 },
-                Joint::Slider { guide: beside, direction: upwards, slides: ram, angle: 0.0 },
-                Joint::Rack {
-                    guide: Point::body(2, [-radius, 0.0]),
+                PlanarJoint::Slider { guide: beside, direction: upwards, slides: ram, angle: 0.0 },
+                PlanarJoint::Rack {
+                    guide: BodyPoint::body(2, [-radius, 0.0]),
                     direction: upwards,
-                    centre: Point::body(1, [0.0; 2]),
+                    centre: BodyPoint::body(1, [0.0; 2]),
                     radius,
                 },
             ],
             drivers: vec![Driver {
-                measure: Measure::Angle { of: Some(0), against: None },
+                measure: RelativeCoordinate::Angle { of: Some(0), against: None },
                 value: 0.0,
                 velocity: 0.0,
                 acceleration: 0.0,
             }],
-            loads: vec![Load::Force { at: ram, force: [0.0, -press], turns_with: None }],
+            loads: vec![PlanarLoad::Force { at: ram, force: [0.0, -press], turns_with: None }],
             gravity: [0.0; 2],
         };
         (mechanism, vec![[0.0; 3], [0.0; 3], [2.0 * radius, 0.0, 0.0]])

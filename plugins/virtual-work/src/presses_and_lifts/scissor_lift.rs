@@ -34,11 +34,11 @@ pub struct ScissorLift {
     #[input(min = 1, max = 10)]
     pub frames: u32,
     /// Lower end of the cylinder.
-    pub lower: End,
+    pub lower: CylinderEnd,
     /// Upper end of the cylinder.
-    pub upper: End,
+    pub upper: CylinderEnd,
     /// Sought.
-    pub sought: Sought,
+    pub sought: ScissorLiftUnknown,
     /// Extension speed of the cylinder.
     /// If given, the speed of the table is also calculated.
     #[input("v", "m/s")]
@@ -47,7 +47,7 @@ pub struct ScissorLift {
 
 /// A point of the lift.
 #[derive(Clone, Debug, Inputs)]
-pub enum End {
+pub enum CylinderEnd {
     /// On the ground
     Ground {
         /// Distance to the right of the fixed foot.
@@ -88,7 +88,7 @@ pub enum End {
 
 /// Unknown of the problem.
 #[derive(Clone, Debug, Inputs)]
-pub enum Sought {
+pub enum ScissorLiftUnknown {
     /// Force of the cylinder
     Cylinder {
         /// Load on the table.
@@ -125,7 +125,7 @@ impl Analysis for ScissorLift {
 
     fn solve<W: Worksheet>(&self, given: &ScissorLiftGiven<W>, sheet: W) -> Result<(), Refusal> {
         for end in [&self.lower, &self.upper] {
-            if let End::Rising { stage, .. } | End::Falling { stage, .. } = end
+            if let CylinderEnd::Rising { stage, .. } | CylinderEnd::Falling { stage, .. } = end
                 && *stage > self.stages
             {
                 return Err(Refusal::because(
@@ -198,14 +198,14 @@ impl Analysis for ScissorLift {
         let reason = "The total virtual work of cylinder, load and weights of a frame is zero";
         let frames = f64::from(self.frames);
         let (force, load) = match &given.sought {
-            SoughtGiven::Cylinder { load } => {
+            ScissorLiftUnknownGiven::Cylinder { load } => {
                 let share = if self.frames == 1 { *load } else { *load / frames };
                 let work = bars.map_or(share * rise, |bars| share * rise + bars);
                 let force = sheet.step("F", "N", work / growth, (reason, RIUL.at("eq. 3")));
                 sheet.answer("cylinder_force", "Force of each cylinder", force);
                 (force, *load)
             }
-            SoughtGiven::Load { cylinder } => {
+            ScissorLiftUnknownGiven::Load { cylinder } => {
                 let work = bars.map_or(*cylinder * growth, |bars| *cylinder * growth - bars);
                 let load = if self.frames == 1 { work / rise } else { work / rise * frames };
                 let load = sheet.step("W", "N", load, (reason, RIUL.at("eq. 3")));
@@ -268,8 +268,8 @@ impl Analysis for ScissorLift {
 
 /// Position of an end of the cylinder and its virtual displacement for δθ.
 fn place<W: Worksheet>(
-    end: &End,
-    given: &EndGiven<W>,
+    end: &CylinderEnd,
+    given: &CylinderEndGiven<W>,
     length: W::Num,
     angle: W::Num,
     stages: u32,
@@ -280,16 +280,18 @@ fn place<W: Worksheet>(
     };
     let (sin, cos) = (angle.sin(), angle.cos());
     match (end, given) {
-        (End::Ground { .. }, EndGiven::Ground { x, y }) => Place { at: [*x, *y], way: [None, None] },
-        (End::Table { .. }, EndGiven::Table { x, y }) => {
+        (CylinderEnd::Ground { .. }, CylinderEndGiven::Ground { x, y }) => {
+            Place { at: [*x, *y], way: [None, None] }
+        }
+        (CylinderEnd::Table { .. }, CylinderEndGiven::Table { x, y }) => {
             let all = length * f64::from(stages);
             Place { at: [*x, all * sin + *y], way: [None, Some(all * cos)] }
         }
-        (End::Rising { stage, .. }, EndGiven::Rising { distance, .. }) => {
+        (CylinderEnd::Rising { stage, .. }, CylinderEndGiven::Rising { distance, .. }) => {
             let up = lifted(stage - 1, *distance);
             Place { at: [*distance * cos, up * sin], way: [Some(-(*distance * sin)), Some(up * cos)] }
         }
-        (End::Falling { stage, .. }, EndGiven::Falling { distance, .. }) => {
+        (CylinderEnd::Falling { stage, .. }, CylinderEndGiven::Falling { distance, .. }) => {
             let (up, left) = (lifted(stage - 1, *distance), length - *distance);
             Place { at: [left * cos, up * sin], way: [Some(-(left * sin)), Some(up * cos)] }
         }

@@ -17,17 +17,17 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct ScrewJack {
     /// Frame.
-    pub frame: Frame,
+    pub frame: JackFrame,
     /// Screw.
     /// If left blank, only the axial force is computed.
     pub screw: Option<Screw>,
     /// Sought.
-    pub sought: Sought,
+    pub sought: ScrewJackUnknown,
 }
 
 /// Member between load and screw.
 #[derive(Clone, Debug, PartialEq, Inputs)]
-pub enum Frame {
+pub enum JackFrame {
     /// The load rests on the screw
     Plain,
     /// Rhombus with the screw across
@@ -91,7 +91,7 @@ pub enum Threads {
 
 /// Unknown of the problem.
 #[derive(Clone, Debug, Inputs)]
-pub enum Sought {
+pub enum ScrewJackUnknown {
     /// Force and torque for a given load
     Effort {
         /// Load.
@@ -143,7 +143,7 @@ impl Analysis for ScrewJack {
         };
         let over = |load: W::Num| ratio.map_or(load, |ratio| load * ratio);
         let (load, force) = match &given.sought {
-            SoughtGiven::Effort { load } => {
+            ScrewJackUnknownGiven::Effort { load } => {
                 let force = match ratio {
                     None => *load,
                     Some(_) => sheet.step(
@@ -156,7 +156,7 @@ impl Analysis for ScrewJack {
                 sheet.answer("axial_force", "Axial force in the screw", force);
                 (*load, force)
             }
-            SoughtGiven::Load { torque } => {
+            ScrewJackUnknownGiven::Load { torque } => {
                 let Some(torques) = &torques else {
                     return Err(Refusal::because("a torque needs a screw: write its diameter and lead"));
                 };
@@ -164,7 +164,7 @@ impl Analysis for ScrewJack {
                     sheet.step("T", "N", *torque / torques.raise, "Axial force overcome by the torque");
                 (self.carried(ratio, force, sheet), force)
             }
-            SoughtGiven::Held { force } => (self.carried(ratio, *force, sheet), *force),
+            ScrewJackUnknownGiven::Held { force } => (self.carried(ratio, *force, sheet), *force),
         };
         if let Some(torques) = &torques {
             self.answer_torques(given, torques, force, sheet);
@@ -189,14 +189,14 @@ impl Analysis for ScrewJack {
         }
         if let Some(angle) = self.angle() {
             let input = match self.frame {
-                Frame::Scissors { .. } => "frame.scissors.angle",
+                JackFrame::Scissors { .. } => "frame.scissors.angle",
                 _ => "frame.rhombus.angle",
             };
             let stages = self.stages();
             sheet.show(|| {
                 let plot = force_over_angle(stages, plain_load, angle, plain_force);
                 // Under another load than asked for, where a torque or a force tells the load.
-                let is_asked = matches!(self.sought, Sought::Effort { .. });
+                let is_asked = matches!(self.sought, ScrewJackUnknown::Effort { .. });
                 Exhibit::Plot(if is_asked { plot.over(input) } else { plot })
             });
             let range = [(0.4 * angle).max(0.1), (1.3 * angle).min(1.4)];
@@ -207,11 +207,12 @@ impl Analysis for ScrewJack {
 }
 
 /// Axial force over load; none where the load stands on the screw.
-fn force_ratio<W: Worksheet>(frame: &FrameGiven<W>, stages: f64, sheet: W) -> Option<W::Num> {
-    let (FrameGiven::Rhombus { link, angle } | FrameGiven::Scissors { link, angle, .. }) = frame else {
+fn force_ratio<W: Worksheet>(frame: &JackFrameGiven<W>, stages: f64, sheet: W) -> Option<W::Num> {
+    let (JackFrameGiven::Rhombus { link, angle } | JackFrameGiven::Scissors { link, angle, .. }) = frame
+    else {
         return None;
     };
-    let rhombus = matches!(frame, FrameGiven::Rhombus { .. });
+    let rhombus = matches!(frame, JackFrameGiven::Rhombus { .. });
     let times = |value: W::Num, count: f64| if count == 1.0 { value } else { value * count };
     let rise = sheet.step(
         "y′",
@@ -259,15 +260,15 @@ fn force_ratio<W: Worksheet>(frame: &FrameGiven<W>, stages: f64, sheet: W) -> Op
 impl ScrewJack {
     fn stages(&self) -> f64 {
         match self.frame {
-            Frame::Scissors { stages, .. } => f64::from(stages),
-            Frame::Plain | Frame::Rhombus { .. } => 1.0,
+            JackFrame::Scissors { stages, .. } => f64::from(stages),
+            JackFrame::Plain | JackFrame::Rhombus { .. } => 1.0,
         }
     }
 
     fn angle(&self) -> Option<f64> {
         match self.frame {
-            Frame::Plain => None,
-            Frame::Rhombus { angle, .. } | Frame::Scissors { angle, .. } => Some(angle),
+            JackFrame::Plain => None,
+            JackFrame::Rhombus { angle, .. } | JackFrame::Scissors { angle, .. } => Some(angle),
         }
     }
 
@@ -340,7 +341,7 @@ impl ScrewJack {
         sheet: W,
     ) {
         let raise = match &given.sought {
-            SoughtGiven::Load { torque } => *torque,
+            ScrewJackUnknownGiven::Load { torque } => *torque,
             _ => {
                 let raise = sheet.step("M", "N*m", force * torques.raise, "Torque to raise the load");
                 sheet.answer("raising_torque", "Torque to raise the load", raise);
@@ -391,8 +392,8 @@ impl ScrewJack {
         let (sin, cos) = angle.sin_cos();
         let mut sketch = Sketch::default();
         match self.frame {
-            Frame::Plain => {}
-            Frame::Rhombus { link: l, .. } => {
+            JackFrame::Plain => {}
+            JackFrame::Rhombus { link: l, .. } => {
                 let (wide, high) = (l * cos, l * sin);
                 let corners = [(0.0, 0.0), (wide, high), (0.0, 2.0 * high), (-wide, high)];
                 sketch
@@ -408,7 +409,7 @@ impl ScrewJack {
                     .force("", (0.0, 2.0 * high + 0.45 * l), (0.0, 2.0 * high + 0.05 * l))
                     .label("P", (0.0, 2.0 * high + 0.45 * l));
             }
-            Frame::Scissors { stages, link: l, .. } => {
+            JackFrame::Scissors { stages, link: l, .. } => {
                 let (wide, high) = (l * cos, l * sin);
                 let top = f64::from(stages) * high;
                 sketch

@@ -7,7 +7,7 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{
     Real,
-    planar::{Body, Driver, Joint, Load, Measure, Mechanism, Point},
+    planar::{BodyPoint, Driver, PlanarBody, PlanarJoint, PlanarLoad, PlanarMechanism, RelativeCoordinate},
 };
 
 use crate::{
@@ -28,12 +28,12 @@ pub struct TogglePress {
     #[input("α", "deg", positive, below = 90)]
     pub angle: f64,
     /// Sought.
-    pub sought: Sought,
+    pub sought: TogglePressUnknown,
 }
 
 /// Unknown of the problem.
 #[derive(Clone, Debug, Inputs)]
-pub enum Sought {
+pub enum TogglePressUnknown {
     /// Thrust of the ram
     Thrust {
         /// Force on the knee, perpendicular to the line of thrust.
@@ -97,12 +97,12 @@ impl Analysis for TogglePress {
         );
         let words = "P δy + Q δx = 0: the virtual works of the knee force and of the thrust cancel";
         let (knee, thrust) = match &given.sought {
-            SoughtGiven::Thrust { knee } => {
+            TogglePressUnknownGiven::Thrust { knee } => {
                 let thrust = sheet.step("Q", "N", *knee * rise / retreat, (words, RIUL.at("eq. 3")));
                 sheet.answer("thrust", "Thrust of the ram", thrust);
                 (*knee, thrust)
             }
-            SoughtGiven::Knee { thrust } => {
+            TogglePressUnknownGiven::Knee { thrust } => {
                 let knee = sheet.step("P", "N", *thrust * retreat / rise, (words, RIUL.at("eq. 3")));
                 sheet.answer("knee", "Force on the knee", knee);
                 (knee, *thrust)
@@ -191,25 +191,25 @@ impl TogglePress {
         (self.fixed_link * angle.sin() / self.ram_link).min(1.0).asin()
     }
 
-    fn built(&self, beta: f64, knee: f64) -> (Mechanism, Vec<[f64; 3]>) {
+    fn built(&self, beta: f64, knee: f64) -> (PlanarMechanism, Vec<[f64; 3]>) {
         let (l1, l2, alpha) = (self.fixed_link, self.ram_link, self.angle);
-        let pin = Point::ground([0.0; 2]);
-        let (at_knee, ram) = (Point::body(0, [l1, 0.0]), Point::body(1, [l2, 0.0]));
+        let pin = BodyPoint::ground([0.0; 2]);
+        let (at_knee, ram) = (BodyPoint::body(0, [l1, 0.0]), BodyPoint::body(1, [l2, 0.0]));
         let x = l1 * alpha.cos() + l2 * beta.cos();
-        let mechanism = Mechanism {
-            bodies: vec![Body::default(); 2],
+        let mechanism = PlanarMechanism {
+            bodies: vec![PlanarBody::default(); 2],
             joints: vec![
-                Joint::Pin { a: pin, b: Point::body(0, [0.0; 2]) },
-                Joint::Pin { a: at_knee, b: Point::body(1, [0.0; 2]) },
-                Joint::Slot { guide: pin, direction: 0.0, pin: ram, offset: 0.0 },
+                PlanarJoint::Pin { a: pin, b: BodyPoint::body(0, [0.0; 2]) },
+                PlanarJoint::Pin { a: at_knee, b: BodyPoint::body(1, [0.0; 2]) },
+                PlanarJoint::Slot { guide: pin, direction: 0.0, pin: ram, offset: 0.0 },
             ],
             drivers: vec![Driver {
-                measure: Measure::Component { direction: [1.0, 0.0], from: pin, to: ram },
+                measure: RelativeCoordinate::Component { direction: [1.0, 0.0], from: pin, to: ram },
                 value: x,
                 velocity: 0.0,
                 acceleration: 0.0,
             }],
-            loads: vec![Load::Force { at: at_knee, force: [0.0, -knee], turns_with: None }],
+            loads: vec![PlanarLoad::Force { at: at_knee, force: [0.0, -knee], turns_with: None }],
             gravity: [0.0; 2],
         };
         (mechanism, vec![[0.0, 0.0, alpha], [l1 * alpha.cos(), l1 * alpha.sin(), -beta]])

@@ -4,21 +4,21 @@
 use std::{cell::OnceCell, f64::consts::TAU};
 
 use dalembert_core::{
-    Axis, Cell, Column, Exhibit, Inputs, Lift, Plain, Plot, Refusal, Series, Sketch, Stop, TableExhibit,
-    Text, Trail, Worksheet, exhibit::Point as At,
+    Axis, Cell, Column, Exhibit, FieldPath, Inputs, Lift, Plain, Plot, Refusal, Series, Sketch, Stop,
+    TableExhibit, Text, Worksheet, exhibit::Point as At,
 };
 use dalembert_mechanics::{
     Real,
     planar::{
-        Body, Driver, Effort, Frame, InverseDynamics, Joint, Load, LoadId, Measure, Mechanism, Model,
-        PlanarError, Point, State,
+        BodyFrame, BodyPoint, Driver, Effort, InverseDynamics, LoadId, Model, PlanarBody, PlanarError,
+        PlanarJoint, PlanarLoad, PlanarMechanism, PlanarState, RelativeCoordinate,
     },
 };
 
 /// A mechanism while it is put together. Names are for its table of works.
 #[derive(Clone, Default)]
 pub(crate) struct Built {
-    mechanism: Mechanism,
+    mechanism: PlanarMechanism,
     drawn: Vec<[f64; 3]>,
     links: Vec<&'static str>,
     loads: Vec<&'static str>,
@@ -33,8 +33,7 @@ pub(crate) struct Link {
 
 /// The mass of a link, with its centre in the axes of the link; SI.
 #[derive(Clone, Copy, Default)]
-#[expect(clippy::struct_field_names, reason = "a mass is called mass")]
-pub(crate) struct Mass {
+pub(crate) struct BuiltMass {
     pub(crate) mass: f64,
     pub(crate) centre: [f64; 2],
     pub(crate) inertia: f64,
@@ -43,7 +42,7 @@ pub(crate) struct Mass {
 /// A mechanism that closes, with its motion and its efforts.
 pub(crate) struct Solved {
     system: Model,
-    pub(crate) state: State,
+    pub(crate) state: PlanarState,
     pub(crate) dynamics: InverseDynamics,
     links: Vec<&'static str>,
     loads: Vec<&'static str>,
@@ -51,18 +50,18 @@ pub(crate) struct Solved {
 
 impl Link {
     /// A point of the link, in the axes of the link.
-    pub(crate) fn point(&self, at: [f64; 2]) -> Point {
-        Point::body(self.body, [at[0] - self.centre[0], at[1] - self.centre[1]])
+    pub(crate) fn point(&self, at: [f64; 2]) -> BodyPoint {
+        BodyPoint::body(self.body, [at[0] - self.centre[0], at[1] - self.centre[1]])
     }
 
     /// The link as the body that joints and measures name.
     #[expect(clippy::unnecessary_wraps, reason = "what they name may be the ground")]
-    pub(crate) fn frame(&self) -> Frame {
+    pub(crate) fn frame(&self) -> BodyFrame {
         Some(self.body)
     }
 }
 
-impl Mass {
+impl BuiltMass {
     /// A mass at the first pin.
     pub(crate) fn at_pin(mass: f64) -> Self {
         Self { mass, ..Self::default() }
@@ -72,54 +71,54 @@ impl Mass {
 impl Built {
     /// No links yet, in a field of gravity.
     pub(crate) fn new(gravity: [f64; 2]) -> Self {
-        Self { mechanism: Mechanism { gravity, ..Mechanism::default() }, ..Self::default() }
+        Self { mechanism: PlanarMechanism { gravity, ..PlanarMechanism::default() }, ..Self::default() }
     }
 
     /// A link whose first pin is about at `start` and whose x axis makes about that angle with the ground's.
-    pub(crate) fn link(&mut self, name: &'static str, start: [f64; 2], angle: f64, mass: Mass) -> Link {
+    pub(crate) fn link(&mut self, name: &'static str, start: [f64; 2], angle: f64, mass: BuiltMass) -> Link {
         let [x, y] = turned(mass.centre, angle);
-        self.mechanism.bodies.push(Body { mass: mass.mass, inertia: mass.inertia });
+        self.mechanism.bodies.push(PlanarBody { mass: mass.mass, inertia: mass.inertia });
         self.drawn.push([start[0] + x, start[1] + y, angle]);
         self.links.push(name);
         Link { body: self.drawn.len() - 1, centre: mass.centre }
     }
 
     /// A joint; its number.
-    pub(crate) fn join(&mut self, joint: Joint) -> usize {
+    pub(crate) fn join(&mut self, joint: PlanarJoint) -> usize {
         self.mechanism.joints.push(joint);
         self.mechanism.joints.len() - 1
     }
 
     /// A pin; its number.
-    pub(crate) fn pin(&mut self, a: Point, b: Point) -> usize {
-        self.join(Joint::Pin { a, b })
+    pub(crate) fn pin(&mut self, a: BodyPoint, b: BodyPoint) -> usize {
+        self.join(PlanarJoint::Pin { a, b })
     }
 
     /// A driven measure: value, velocity, acceleration.
-    pub(crate) fn drive(&mut self, measure: Measure, [value, velocity, acceleration]: [f64; 3]) {
+    pub(crate) fn drive(&mut self, measure: RelativeCoordinate, [value, velocity, acceleration]: [f64; 3]) {
         self.mechanism.drivers.push(Driver { measure, value, velocity, acceleration });
     }
 
     /// A driven link: angle, angular velocity, angular acceleration.
     pub(crate) fn turn(&mut self, link: Link, motion: [f64; 3]) {
-        self.drive(Measure::Angle { of: link.frame(), against: None }, motion);
+        self.drive(RelativeCoordinate::Angle { of: link.frame(), against: None }, motion);
     }
 
     /// A load.
-    pub(crate) fn load(&mut self, name: &'static str, load: Load) {
+    pub(crate) fn load(&mut self, name: &'static str, load: PlanarLoad) {
         self.mechanism.loads.push(load);
         self.loads.push(name);
     }
 
     /// A force in the axes of the ground.
-    pub(crate) fn force(&mut self, name: &'static str, at: Point, force: [f64; 2]) {
-        self.load(name, Load::Force { at, force, turns_with: None });
+    pub(crate) fn force(&mut self, name: &'static str, at: BodyPoint, force: [f64; 2]) {
+        self.load(name, PlanarLoad::Force { at, force, turns_with: None });
     }
 
     /// A couple on a link.
     pub(crate) fn couple(&mut self, name: &'static str, link: Link, moment: f64) {
-        let measure = Measure::Angle { of: link.frame(), against: None };
-        self.load(name, Load::Effort { measure, effort: Effort::Constant(moment) });
+        let measure = RelativeCoordinate::Angle { of: link.frame(), against: None };
+        self.load(name, PlanarLoad::Effort { measure, effort: Effort::Constant(moment) });
     }
 
     /// Closes the mechanism where it is drawn and finds motion, efforts and reactions.
@@ -150,8 +149,8 @@ impl Solved {
     }
 
     /// `Σ m (a − g)`: what all forces from outside must add up to.
-    pub(crate) fn demanded(&self) -> [f64; 2] {
-        let Mechanism { bodies, gravity, .. } = self.system.mechanism();
+    pub(crate) fn inertia_resultant(&self) -> [f64; 2] {
+        let PlanarMechanism { bodies, gravity, .. } = self.system.mechanism();
         let of = |axis: usize| {
             let rates = bodies.iter().zip(&self.state.accelerations);
             rates.map(|(body, a)| body.mass * (a[axis] - gravity[axis])).sum()
@@ -235,7 +234,7 @@ impl Solved {
 /// place, and the magnitude of its terms. None where its equations are not measures of their own.
 fn released(
     system: &Model,
-    state: &State,
+    state: &PlanarState,
     dynamics: &InverseDynamics,
     joint: usize,
     measures: usize,
@@ -258,7 +257,7 @@ fn released(
 
 /// Holds the size of the force in a pin to its virtual power with the pin released.
 pub(crate) fn check_pin<W: Worksheet>(
-    (system, state, dynamics): (&Model, &State, &InverseDynamics),
+    (system, state, dynamics): (&Model, &PlanarState, &InverseDynamics),
     (joint, point): (usize, &str),
     force: W::Num,
     sheet: W,
@@ -311,7 +310,7 @@ pub(crate) trait Template: Inputs {
     fn plain(&self) -> Option<Self::Found<f64>> {
         let stop = Stop::new();
         let sheet = Plain::new(&stop);
-        let given = self.given(Lift { sheet: &sheet, value: None, trail: &Trail::TOP });
+        let given = self.given(Lift { sheet: &sheet, value: None, field_path: &FieldPath::TOP });
         self.efforts(&given, &sheet).ok()
     }
 }
@@ -351,7 +350,7 @@ impl Range {
 }
 
 /// A template through its range, computed when somebody looks.
-pub(crate) struct Cycle<P: Template, A: Fn(f64) -> P> {
+pub(crate) struct TemplateRange<P: Template, A: Fn(f64) -> P> {
     pub(crate) range: Range,
     /// The path of the input that is the coordinate.
     input: &'static str,
@@ -359,7 +358,7 @@ pub(crate) struct Cycle<P: Template, A: Fn(f64) -> P> {
     found: OnceCell<Vec<(f64, Option<P::Found<f64>>)>>,
 }
 
-impl<P: Template, A: Fn(f64) -> P> Cycle<P, A> {
+impl<P: Template, A: Fn(f64) -> P> TemplateRange<P, A> {
     /// The template at each value of the coordinate, which is the input at a path.
     pub(crate) fn new(range: Range, input: &'static str, at: A) -> Self {
         Self { range, input, at, found: OnceCell::new() }

@@ -10,7 +10,7 @@ use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{Real, Vector};
 
 use crate::{
-    shared::works::{Moving, Number, Turning, across, direction, symbol},
+    shared::works::{Number, PointWork, RotatingLinkWork, across, direction, symbol},
     sources::SHIGLEY,
 };
 
@@ -19,13 +19,13 @@ const DEAD: f64 = 1e-9;
 
 /// A pin that a pair hangs on.
 #[derive(Clone, Copy)]
-pub(crate) struct Support<W: Worksheet> {
+pub(crate) struct DyadPin<W: Worksheet> {
     /// Name of the point.
     pub(crate) name: &'static str,
     /// Position.
     pub(crate) at: W::Vec,
     /// Motion; `None` for a fixed point.
-    pub(crate) moving: Option<Moving<W>>,
+    pub(crate) moving: Option<PointWork<W>>,
 }
 
 /// Two bars that meet: the first from one support, the second from the other.
@@ -41,7 +41,7 @@ pub(crate) struct Bars<W: Worksheet> {
 
 /// A bar from a pin to a slider.
 pub(crate) struct Slide<W: Worksheet> {
-    pub(crate) bar: Turning<W::Num>,
+    pub(crate) bar: RotatingLinkWork<W::Num>,
     /// Position of the slider along its line.
     pub(crate) position: W::Num,
     /// Virtual displacement along the line per unit of the coordinate.
@@ -54,7 +54,7 @@ pub(crate) struct Slide<W: Worksheet> {
 /// to the second, or to its right. `span` names that way.
 pub(crate) fn two_bars<W: Worksheet>(
     span: &'static str,
-    [p, q]: [Support<W>; 2],
+    [p, q]: [DyadPin<W>; 2],
     [b, c]: [W::Num; 2],
     numbers: [Number; 2],
     left: bool,
@@ -154,14 +154,18 @@ impl<W: Worksheet> Bars<W> {
     /// The whole motion of both bars: their supports' and the velocity of the coordinate are known.
     pub(crate) fn motion(
         &self,
-        [p, q]: [Support<W>; 2],
+        [p, q]: [DyadPin<W>; 2],
         ratios: [W::Num; 2],
         rate: W::Num,
         moves: bool,
-    ) -> [Turning<W::Num>; 2] {
+    ) -> [RotatingLinkWork<W::Num>; 2] {
         let zero = W::Num::from(0.0);
-        let still =
-            |n: usize| Turning { angle: self.angles[n], ratio: ratios[n], speed: zero, acceleration: zero };
+        let still = |n: usize| RotatingLinkWork {
+            angle: self.angles[n],
+            ratio: ratios[n],
+            speed: zero,
+            acceleration: zero,
+        };
         if !moves {
             return [still(0), still(1)];
         }
@@ -179,13 +183,17 @@ impl<W: Worksheet> Bars<W> {
             self.check_common(what, ends, turning);
         });
         let accelerations = self.accelerations([p, q], [w1, w2]);
-        [(0, w1), (1, w2)].map(|(n, speed)| Turning { speed, acceleration: accelerations[n], ..still(n) })
+        [(0, w1), (1, w2)].map(|(n, speed)| RotatingLinkWork {
+            speed,
+            acceleration: accelerations[n],
+            ..still(n)
+        })
     }
 
     /// The angular accelerations of both bars.
-    pub(crate) fn accelerations(&self, [p, q]: [Support<W>; 2], [w1, w2]: [W::Num; 2]) -> [W::Num; 2] {
+    pub(crate) fn accelerations(&self, [p, q]: [DyadPin<W>; 2], [w1, w2]: [W::Num; 2]) -> [W::Num; 2] {
         let [one, two] = self.reach;
-        let of = |support: Support<W>| support.moving.map(|moving| moving.acceleration);
+        let of = |support: DyadPin<W>| support.moving.map(|moving| moving.acceleration);
         let inward = one * w1.powi(2) - two * w2.powi(2);
         let apart = match against::<W>(of(p), of(q)) {
             Some(apart) => inward - apart,
@@ -221,7 +229,7 @@ impl<W: Worksheet> Bars<W> {
 
 /// A line that a slider moves on: a point of it, its direction as an angle and as a vector, and the vector to its left.
 #[derive(Clone, Copy)]
-pub(crate) struct Line<W: Worksheet> {
+pub(crate) struct SliderLine<W: Worksheet> {
     pub(crate) through: W::Vec,
     pub(crate) angle: Option<W::Num>,
     pub(crate) along: W::Vec,
@@ -235,9 +243,9 @@ pub(crate) struct Line<W: Worksheet> {
 pub(crate) fn bar_and_slider<W: Worksheet>(
     of: &'static str,
     number: Number,
-    pin: (Support<W>, Moving<W>),
+    pin: (DyadPin<W>, PointWork<W>),
     length: W::Num,
-    line: Line<W>,
+    line: SliderLine<W>,
     rate: Option<W::Num>,
     sheet: W,
 ) -> Result<Slide<W>, Refusal> {
@@ -286,7 +294,7 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
     let shift = sheet.step(symbol("u", of), "mm", shift, (why, SHIGLEY.at("ch. 3")));
     let zero = W::Num::from(0.0);
     let Some(rate) = rate else {
-        let bar = Turning { angle, ratio, speed: zero, acceleration: zero };
+        let bar = RotatingLinkWork { angle, ratio, speed: zero, acceleration: zero };
         return Ok(Slide { bar, position, shift, velocity: zero, acceleration: zero });
     };
     let why = Text::new("Angular velocity of link {n}").with("n", number.link);
@@ -305,6 +313,6 @@ pub(crate) fn bar_and_slider<W: Worksheet>(
     let acceleration = (inward + turned * turning).dot(line.along);
     let why = ("Acceleration of the slider", SHIGLEY.at("ch. 4"));
     let acceleration = sheet.step(symbol("a", of), "m/s^2", acceleration, why);
-    let bar = Turning { angle, ratio, speed, acceleration: turning };
+    let bar = RotatingLinkWork { angle, ratio, speed, acceleration: turning };
     Ok(Slide { bar, position, shift, velocity, acceleration })
 }

@@ -4,7 +4,9 @@ use dalembert_core::{
     Axis, Exhibit, Plot, Refusal, Series, Sketch, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column},
 };
-use dalembert_mechanics::planar::{InverseDynamics, Joint, Load, Mechanism, Model, Point};
+use dalembert_mechanics::planar::{
+    BodyPoint, InverseDynamics, Model, PlanarJoint, PlanarLoad, PlanarMechanism,
+};
 use dalembert_numerics::roots;
 
 use crate::sources::{BEER, HIBBELER};
@@ -18,7 +20,7 @@ const ROUNDING: f64 = 1e-11;
 
 /// An equilibrium.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Equilibrium {
+pub(crate) struct WorkedEquilibrium {
     pub(crate) at: f64,
     pub(crate) energy: f64,
     pub(crate) curvature: f64,
@@ -77,7 +79,7 @@ pub(crate) fn answer_equilibria<W: Worksheet>(
     [from, to]: [f64; 2],
     terms: impl Fn(usize, W::Num) -> [W::Num; 3],
     numbers: impl Fn(f64) -> [f64; 3],
-) -> Result<(Vec<Equilibrium>, Vec<W::Num>), Refusal> {
+) -> Result<(Vec<WorkedEquilibrium>, Vec<W::Num>), Refusal> {
     if from >= to {
         return Err(Refusal::because(
             "the range of angles ends where it begins or before: write the smaller angle first",
@@ -136,7 +138,7 @@ pub(crate) fn answer_equilibria<W: Worksheet>(
         } else {
             Stability::Unstable
         };
-        let angle = sheet.found(
+        let angle = sheet.numerical(
             ("θ", n),
             "deg",
             at,
@@ -166,7 +168,7 @@ pub(crate) fn answer_equilibria<W: Worksheet>(
         let [(angle_key, angle_label), (curvature_key, curvature_label)] = stability.answers();
         sheet.answer((angle_key, *count), angle_label, angle);
         sheet.answer((curvature_key, *count), curvature_label, bend);
-        list.push(Equilibrium { at, energy, curvature: second, stability });
+        list.push(WorkedEquilibrium { at, energy, curvature: second, stability });
         bends.push(bend);
     }
     let shown = list.clone();
@@ -185,9 +187,9 @@ fn polished(at: f64, numbers: impl Fn(f64) -> [f64; 3]) -> f64 {
 /// Holds the virtual work to the equations of Newton and Euler: at every equilibrium the holding couple is zero.
 pub(crate) fn check_held<W: Worksheet>(
     sheet: W,
-    list: &[Equilibrium],
+    list: &[WorkedEquilibrium],
     scale: f64,
-    built: impl Fn(f64) -> Option<(Mechanism, Vec<[f64; 3]>)>,
+    built: impl Fn(f64) -> Option<(PlanarMechanism, Vec<[f64; 3]>)>,
 ) {
     for equilibrium in list {
         let effort = built(equilibrium.at).and_then(|(mechanism, drawn)| solved(&mechanism, &drawn));
@@ -207,7 +209,7 @@ pub(crate) fn check_curvature<W: Worksheet>(
     sheet: W,
     curvature: W::Num,
     scale: f64,
-    (mechanism, drawn): &(Mechanism, Vec<[f64; 3]>),
+    (mechanism, drawn): &(PlanarMechanism, Vec<[f64; 3]>),
 ) {
     let stiffness = || {
         let system = Model::new(mechanism, drawn).ok()?;
@@ -224,7 +226,7 @@ pub(crate) fn check_curvature<W: Worksheet>(
 }
 
 /// The efforts and reactions of a mechanism that is at rest; none where it does not determine them.
-pub(crate) fn solved(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> Option<InverseDynamics> {
+pub(crate) fn solved(mechanism: &PlanarMechanism, drawn: &[[f64; 3]]) -> Option<InverseDynamics> {
     let system = Model::new(mechanism, drawn).ok()?;
     let (_, dynamics) = system.kinetostatics(&system.assemble(drawn).ok()?).ok()?;
     Some(dynamics)
@@ -232,17 +234,18 @@ pub(crate) fn solved(mechanism: &Mechanism, drawn: &[[f64; 3]]) -> Option<Invers
 
 /// The forces in the joints of a machine that is at rest, each on the second of its parts, by Newton and Euler.
 /// Sliding joints are those of the ground.
-pub(crate) fn reactions(mechanism: &Mechanism, drawn: &[[f64; 3]], names: &[Text]) -> Option<Exhibit> {
+pub(crate) fn reactions(mechanism: &PlanarMechanism, drawn: &[[f64; 3]], names: &[Text]) -> Option<Exhibit> {
     let effort = solved(mechanism, drawn)?;
     let mut left = effort.multipliers.iter().copied();
     let mut rows = Vec::new();
     for (joint, name) in mechanism.joints.iter().zip(names) {
         let efforts: Vec<f64> = left.by_ref().take(joint.equations().len()).collect();
         let [x, y] = match (joint, &efforts[..]) {
-            (Joint::Pin { .. }, &[x, y]) => [x, y],
-            (&Joint::Slot { direction, .. } | &Joint::Slider { direction, .. }, &[across, ..]) => {
-                [-across * direction.sin(), across * direction.cos()]
-            }
+            (PlanarJoint::Pin { .. }, &[x, y]) => [x, y],
+            (
+                &PlanarJoint::Slot { direction, .. } | &PlanarJoint::Slider { direction, .. },
+                &[across, ..],
+            ) => [-across * direction.sin(), across * direction.cos()],
             _ => continue,
         };
         let size = x.hypot(y);
@@ -264,8 +267,8 @@ pub(crate) fn reactions(mechanism: &Mechanism, drawn: &[[f64; 3]], names: &[Text
 }
 
 /// A downward force.
-pub(crate) fn down(at: Point, force: f64) -> Load {
-    Load::Force { at, force: [0.0, -force], turns_with: None }
+pub(crate) fn down(at: BodyPoint, force: f64) -> PlanarLoad {
+    PlanarLoad::Force { at, force: [0.0, -force], turns_with: None }
 }
 
 /// Angles of an animation that swings through a range and back, beginning with the present one.
@@ -297,12 +300,12 @@ pub(crate) fn spread([from, to]: [f64; 2], steps: u32) -> impl Iterator<Item = f
 }
 
 /// The angle most worth drawing: the first stable equilibrium that is not the origin, else the first.
-pub(crate) fn telling(list: &[Equilibrium]) -> f64 {
+pub(crate) fn illustrative_angle(list: &[WorkedEquilibrium]) -> f64 {
     let stable = list.iter().find(|one| one.stability == Stability::Stable && one.at != 0.0);
     stable.or(list.first()).map_or(0.0, |one| one.at)
 }
 
-fn potential(list: &[Equilibrium], range: [f64; 2], numbers: impl Fn(f64) -> [f64; 3]) -> Plot {
+fn potential(list: &[WorkedEquilibrium], range: [f64; 2], numbers: impl Fn(f64) -> [f64; 3]) -> Plot {
     let curve = spread(range, 360).map(|at| (at, numbers(at)[0])).collect();
     let plot = Plot::new(
         "Potential energy and its equilibria",
@@ -313,7 +316,7 @@ fn potential(list: &[Equilibrium], range: [f64; 2], numbers: impl Fn(f64) -> [f6
     list.iter().fold(plot, |plot, one| plot.mark(one.stability.word(), (one.at, one.energy)))
 }
 
-fn table(list: &[Equilibrium]) -> TableExhibit {
+fn table(list: &[WorkedEquilibrium]) -> TableExhibit {
     let column = |heading: &'static str, unit: &'static str| Column { heading: heading.into(), unit };
     TableExhibit {
         title: "Equilibria in the range".into(),

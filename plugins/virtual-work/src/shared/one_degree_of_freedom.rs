@@ -2,12 +2,12 @@
 //! heights, stiffnesses times half the square of a stretch, forces times distances.
 
 use dalembert_core::{Axis, Exhibit, Inputs, Plot, Refusal, Series, Sketch, Text, Worksheet};
-use dalembert_mechanics::{Real, planar::Mechanism};
+use dalembert_mechanics::{Real, planar::PlanarMechanism};
 
 use crate::{
     shared::equilibria::{
-        Equilibrium, Stability, animation, answer_equilibria, check_curvature, check_held, reactions, solved,
-        spread, telling,
+        Stability, WorkedEquilibrium, animation, answer_equilibria, check_curvature, check_held,
+        illustrative_angle, reactions, solved, spread,
     },
     sources::{BEER, RIUL},
 };
@@ -52,7 +52,7 @@ pub(crate) trait Shapes {
 }
 
 /// A load and what is said of it.
-pub(crate) struct Part<N> {
+pub(crate) struct PotentialTerm<N> {
     /// Name in words.
     pub(crate) name: &'static str,
     /// The load; none where it is sought.
@@ -66,17 +66,17 @@ pub(crate) struct Part<N> {
 }
 
 /// A machine: its shapes, its lengths, its loads.
-pub(crate) struct Machine<'a, S, N> {
+pub(crate) struct SingleDofMachine<'a, S, N> {
     pub(crate) shapes: &'a S,
     pub(crate) lengths: &'a [N],
-    pub(crate) parts: &'a [Part<N>],
+    pub(crate) parts: &'a [PotentialTerm<N>],
     /// The joints of the mechanism that is built, in their order, as the table of forces names them.
     pub(crate) joints: &'a [&'static str],
 }
 
 /// Results: equilibria, or the one position, and all loads.
 pub(crate) struct Balanced<N> {
-    pub(crate) list: Vec<Equilibrium>,
+    pub(crate) list: Vec<WorkedEquilibrium>,
     /// The load that was sought.
     pub(crate) load: Option<N>,
     pub(crate) range: [f64; 2],
@@ -90,7 +90,7 @@ impl<N> Balanced<N> {
         angle: f64,
         frame: impl Fn(f64) -> Sketch,
     ) -> Exhibit {
-        let at = telling(&self.list);
+        let at = illustrative_angle(&self.list);
         let [from, to] = self.range;
         let range = [from.max(at - angle), to.min(at + angle)];
         animation(title, ("position.given.angle", at), range, frame)
@@ -102,14 +102,14 @@ pub(crate) fn weight<W: Worksheet>(mass: W::Num, gravity: W::Num, why: &'static 
     if mass.value() == 0.0 { W::Num::from(0.0) } else { sheet.step("W", "N", mass * gravity, why) }
 }
 
-impl<S: Shapes, N: Real> Machine<'_, S, N> {
+impl<S: Shapes, N: Real> SingleDofMachine<'_, S, N> {
     /// Answers the equilibria, or the one load that is left out. `built` is the machine as a mechanism with all loads,
     /// held at an angle by a couple in the sense of θ.
     pub(crate) fn solve<W: Worksheet<Num = N>>(
         &self,
         position: &PositionGiven<W>,
         sheet: W,
-        built: impl Fn(&[f64], f64) -> (Mechanism, Vec<[f64; 3]>),
+        built: impl Fn(&[f64], f64) -> (PlanarMechanism, Vec<[f64; 3]>),
     ) -> Result<Balanced<N>, Refusal> {
         let sought: Vec<usize> = (0..self.parts.len()).filter(|&at| self.parts[at].load.is_none()).collect();
         match position {
@@ -136,7 +136,7 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
         loads: &[N],
         range: [f64; 2],
         sheet: W,
-        built: impl Fn(&[f64], f64) -> (Mechanism, Vec<[f64; 3]>),
+        built: impl Fn(&[f64], f64) -> (PlanarMechanism, Vec<[f64; 3]>),
     ) -> Result<Balanced<N>, Refusal> {
         let lengths: Vec<f64> = self.lengths.iter().map(|length| length.value()).collect();
         let plain: Vec<f64> = loads.iter().map(|load| load.value()).collect();
@@ -153,7 +153,7 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
                 check_held(sheet, std::slice::from_ref(one), scale, |at| Some(built(&plain, at)));
                 check_curvature(sheet, *bend, scale + bent(&plain, &shapes), &built(&plain, one.at));
             }
-            self.show_joints(&built(&plain, telling(&list)), sheet);
+            self.show_joints(&built(&plain, illustrative_angle(&list)), sheet);
         });
         Ok(Balanced { list, load: None, range })
     }
@@ -191,7 +191,7 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
         sought: usize,
         angle: N,
         sheet: W,
-        built: impl Fn(&[f64], f64) -> (Mechanism, Vec<[f64; 3]>),
+        built: impl Fn(&[f64], f64) -> (PlanarMechanism, Vec<[f64; 3]>),
     ) -> Result<Balanced<N>, Refusal> {
         let (shapes, rates, works) = self.works(angle, sheet);
         let part = &self.parts[sought];
@@ -234,7 +234,7 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
         &self,
         angle: N,
         sheet: W,
-        built: impl Fn(&[f64], f64) -> (Mechanism, Vec<[f64; 3]>),
+        built: impl Fn(&[f64], f64) -> (PlanarMechanism, Vec<[f64; 3]>),
     ) -> Result<Balanced<N>, Refusal> {
         let (shapes, _, works) = self.works(angle, sheet);
         if works.is_empty() {
@@ -272,7 +272,7 @@ impl<S: Shapes, N: Real> Machine<'_, S, N> {
         Ok(Balanced { list: vec![here], load: None, range: around(angle.value()) })
     }
 
-    fn show_joints<W: Worksheet>(&self, (mechanism, drawn): &(Mechanism, Vec<[f64; 3]>), sheet: W) {
+    fn show_joints<W: Worksheet>(&self, (mechanism, drawn): &(PlanarMechanism, Vec<[f64; 3]>), sheet: W) {
         let names: Vec<Text> = self.joints.iter().map(|name| Text::from(*name)).collect();
         if let Some(table) = reactions(mechanism, drawn, &names) {
             sheet.show(|| table);
@@ -313,13 +313,13 @@ fn here<W: Worksheet>(
     shapes: &[[W::Num; 3]],
     angle: W::Num,
     sheet: W,
-) -> (Equilibrium, W::Num) {
+) -> (WorkedEquilibrium, W::Num) {
     let [energy, _, bend] = total(loads, shapes);
     let words =
         ("Second derivative of the potential energy: positive at a stable equilibrium", BEER.at("§10.2D"));
     let bend = sheet.step("V″", "N*m/rad", bend, words);
     sheet.answer("curvature", "Second derivative of the potential energy", bend);
-    let here = Equilibrium {
+    let here = WorkedEquilibrium {
         at: angle.value(),
         energy: energy.value(),
         curvature: bend.value(),

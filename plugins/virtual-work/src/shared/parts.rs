@@ -43,7 +43,7 @@ pub struct Spot {
     /// Name.
     pub name: String,
     /// Body that carries it.
-    pub on: Carrier,
+    pub on: PartReference,
     /// Position, in the axes of its body.
     #[input("P", "mm", planar)]
     pub at: Vector3<f64>,
@@ -51,7 +51,7 @@ pub struct Spot {
 
 /// A part of a mechanism.
 #[derive(Clone, Debug, Inputs)]
-pub enum Carrier {
+pub enum PartReference {
     /// Ground
     Ground,
     /// Body
@@ -140,11 +140,11 @@ pub enum Joint {
     /// Gears in mesh
     Gears {
         /// Gear.
-        a: Carrier,
+        a: PartReference,
         /// Gear that it meshes with.
-        b: Carrier,
+        b: PartReference,
         /// Body that carries both gears.
-        carrier: Carrier,
+        carrier: PartReference,
         /// Teeth or pitch radius of the first.
         #[input("z_a", "1", positive)]
         size_a: f64,
@@ -176,7 +176,7 @@ pub enum Joint {
     Cord {
         /// Straight runs.
         #[input(min = 1)]
-        runs: Vec<Run>,
+        runs: Vec<CordRun>,
         /// Drums that wind the cord.
         drums: Vec<Drum>,
     },
@@ -214,7 +214,7 @@ pub struct LiftPoint {
 
 /// A straight run of a cord.
 #[derive(Clone, Debug, Inputs)]
-pub struct Run {
+pub struct CordRun {
     /// From.
     #[input(rows = "points")]
     pub from: Reference,
@@ -227,9 +227,9 @@ pub struct Run {
 #[derive(Clone, Debug, Inputs)]
 pub struct Drum {
     /// Rotating body.
-    pub of: Carrier,
+    pub of: PartReference,
     /// Body relative to which it turns.
-    pub against: Carrier,
+    pub against: PartReference,
     /// Radius.
     /// Positive if a counter-clockwise rotation winds in the cord.
     #[input("r", "mm")]
@@ -254,7 +254,7 @@ pub enum Driven {
         #[input(rows = "bodies")]
         body: Reference,
         /// Body relative to which it turns.
-        against: Carrier,
+        against: PartReference,
         /// Angle.
         #[input("θ", "deg", kept_in = "drawn")]
         value: f64,
@@ -354,12 +354,12 @@ pub struct NamedLoad {
     /// Name.
     pub name: String,
     /// Kind of load.
-    pub load: Load,
+    pub load: PartLoad,
 }
 
 /// Load on a mechanism.
 #[derive(Clone, Debug, Inputs)]
-pub enum Load {
+pub enum PartLoad {
     /// Force at a point
     Force {
         /// Point.
@@ -369,14 +369,14 @@ pub enum Load {
         #[input("F", "N", planar)]
         force: Vector3<f64>,
         /// Body in whose axes it is given.
-        axes: Carrier,
+        axes: PartReference,
     },
     /// Couple
     Couple {
         /// Body it acts on.
-        on: Carrier,
+        on: PartReference,
         /// Body that takes the reaction.
-        against: Carrier,
+        against: PartReference,
         /// Moment.
         #[input("T", "N*m")]
         moment: f64,
@@ -412,9 +412,9 @@ pub enum Load {
     /// Torsion spring
     TorsionSpring {
         /// Rotating body.
-        of: Carrier,
+        of: PartReference,
         /// Body relative to which it turns.
-        against: Carrier,
+        against: PartReference,
         /// Stiffness.
         #[input("κ", "N*m/rad", nonnegative)]
         stiffness: f64,
@@ -474,11 +474,11 @@ pub enum Load {
     },
 }
 
-impl Carrier {
-    pub(crate) fn frame(&self) -> planar::Frame {
+impl PartReference {
+    pub(crate) fn frame(&self) -> planar::BodyFrame {
         match self {
-            Carrier::Ground => None,
-            Carrier::Body { body } => Some(body.0),
+            PartReference::Ground => None,
+            PartReference::Body { body } => Some(body.0),
         }
     }
 }

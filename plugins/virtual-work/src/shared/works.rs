@@ -60,14 +60,14 @@ pub(crate) const SIX: Number = Number { link: "6", centre: "G6" };
 
 /// A point: its virtual displacement for a unit of the coordinate, and its acceleration.
 #[derive(Clone, Copy)]
-pub(crate) struct Moving<W: Worksheet> {
+pub(crate) struct PointWork<W: Worksheet> {
     pub(crate) shift: W::Vec,
     pub(crate) acceleration: W::Vec,
 }
 
 /// A link that turns: its angle, its virtual turn for a unit of the coordinate, and its real motion.
 #[derive(Clone, Copy)]
-pub(crate) struct Turning<N> {
+pub(crate) struct RotatingLinkWork<N> {
     pub(crate) angle: N,
     pub(crate) ratio: N,
     pub(crate) speed: N,
@@ -103,20 +103,20 @@ pub(crate) fn across<W: Worksheet>(a: W::Vec) -> W::Vec {
 }
 
 /// A point that is at rest.
-pub(crate) fn fixed<W: Worksheet>() -> Moving<W> {
+pub(crate) fn fixed<W: Worksheet>() -> PointWork<W> {
     let zero = plane::<W>(0.0.into(), 0.0.into());
-    Moving { shift: zero, acceleration: zero }
+    PointWork { shift: zero, acceleration: zero }
 }
 
 /// The point at `arm` from the first pin of a link.
 pub(crate) fn moving<W: Worksheet>(
     of: &'static str,
-    pin: Moving<W>,
+    pin: PointWork<W>,
     arm: W::Vec,
-    turning: Turning<W::Num>,
+    turning: RotatingLinkWork<W::Num>,
     moves: bool,
     sheet: W,
-) -> Moving<W> {
+) -> PointWork<W> {
     let still = pin.shift.value() == Vector3::zeros();
     let turned = across::<W>(arm);
     // The coordinate itself turns by 1.
@@ -125,25 +125,25 @@ pub(crate) fn moving<W: Worksheet>(
     let why = Text::new("Virtual displacement of {point} per unit of the coordinate").with("point", of);
     let shift = sheet.step_vector(symbol("u", of), "mm", shift, (why, SHIGLEY.at("ch. 3")));
     if !moves {
-        return Moving { shift, acceleration: plane::<W>(0.0.into(), 0.0.into()) };
+        return PointWork { shift, acceleration: plane::<W>(0.0.into(), 0.0.into()) };
     }
     let turned = across::<W>(arm) * turning.acceleration - arm * turning.speed.powi(2);
     let acceleration = if still { turned } else { pin.acceleration + turned };
     let why = Text::new("Acceleration of {point}").with("point", of);
     let acceleration = sheet.step_vector(symbol("a", of), "m/s^2", acceleration, (why, SHIGLEY.at("ch. 4")));
-    Moving { shift, acceleration }
+    PointWork { shift, acceleration }
 }
 
 impl LinkMass {
     /// The mass in the axes of a link of that length.
-    pub(crate) fn built(this: Option<&Self>, length: f64) -> built::Mass {
+    pub(crate) fn built(this: Option<&Self>, length: f64) -> built::BuiltMass {
         match this {
-            None => built::Mass::default(),
+            None => built::BuiltMass::default(),
             Some(&LinkMass::Uniform { mass }) => {
-                built::Mass { mass, centre: [length / 2.0, 0.0], inertia: mass * length * length / 12.0 }
+                built::BuiltMass { mass, centre: [length / 2.0, 0.0], inertia: mass * length * length / 12.0 }
             }
             Some(&LinkMass::Given { mass, distance, offset, inertia }) => {
-                built::Mass { mass, centre: built::away([0.0; 2], distance, offset), inertia }
+                built::BuiltMass { mass, centre: built::away([0.0; 2], distance, offset), inertia }
             }
         }
     }
@@ -189,7 +189,7 @@ impl<W: Worksheet> Works<W> {
     }
 
     /// The works of the weight and of the inertia force of a mass.
-    pub(crate) fn mass(&mut self, of: Number, mass: W::Num, point: Moving<W>) {
+    pub(crate) fn mass(&mut self, of: Number, mass: W::Num, point: PointWork<W>) {
         if mass.value() == 0.0 {
             return;
         }
@@ -211,8 +211,8 @@ impl<W: Worksheet> Works<W> {
         of: Number,
         mass: Option<&LinkMassGiven<W>>,
         length: W::Num,
-        pin: Moving<W>,
-        turning: Turning<W::Num>,
+        pin: PointWork<W>,
+        turning: RotatingLinkWork<W::Num>,
     ) {
         let Some(mass) = mass else { return };
         let (sheet, n) = (self.sheet, of.link);
@@ -239,9 +239,9 @@ impl<W: Worksheet> Works<W> {
     pub(crate) fn body(
         &mut self,
         of: Number,
-        point: Moving<W>,
+        point: PointWork<W>,
         arm: W::Vec,
-        turning: Turning<W::Num>,
+        turning: RotatingLinkWork<W::Num>,
         mass: W::Num,
         inertia: W::Num,
     ) {
@@ -269,7 +269,7 @@ impl<W: Worksheet> Works<W> {
     /// The sum of the works.
     pub(crate) fn sum(&self) -> W::Num {
         match self.done[..] {
-            [] => self.sheet.found("ΣδW", "N*m", 0.0, "No load does work: there is nothing to balance"),
+            [] => self.sheet.numerical("ΣδW", "N*m", 0.0, "No load does work: there is nothing to balance"),
             [only] => only,
             _ => {
                 let sum = Real::sum(self.done.iter().copied());
@@ -289,8 +289,8 @@ pub(crate) fn reaction<W: Worksheet>(
 ) {
     let [x, y] = solved.reaction(joint);
     let why = "From the equations of Newton and Euler of every link, solved together";
-    let x = sheet.found(symbol("R", of[1]), "N", x, (why, SHIGLEY.at("ch. 11")));
-    let y = sheet.found(symbol("R", of[2]), "N", y, (why, SHIGLEY.at("ch. 11")));
+    let x = sheet.numerical(symbol("R", of[1]), "N", x, (why, SHIGLEY.at("ch. 11")));
+    let y = sheet.numerical(symbol("R", of[2]), "N", y, (why, SHIGLEY.at("ch. 11")));
     let size = sheet.step(symbol("R", of[0]), "N", (x.powi(2) + y.powi(2)).sqrt(), "Force in the joint");
     sheet.answer(name, label, size);
     sheet.verify(|| solved.check_pin(joint, of[0], size, sheet));

@@ -399,7 +399,7 @@ fn a_sweep_is_the_direct_solve_at_each_of_its_values() {
 fn effort_row(solution: &Solution, title: &str) -> usize {
     let name = title.trim_start_matches("Driving force or torque of ");
     let efforts = solution.answers.iter().filter(|answer| answer.name.to_string().starts_with("effort["));
-    efforts.into_iter().position(|answer| answer.whose == name).map_or(1, |at| at + 1)
+    efforts.into_iter().position(|answer| answer.row_label == name).map_or(1, |at| at + 1)
 }
 
 /// Changing the value of a driver writes the old one beside it, once.

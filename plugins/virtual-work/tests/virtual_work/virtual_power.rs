@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use dalembert_core::{Refusal, SolveError};
-use dalembert_mechanics::slider_crank::{Branch, CrankMotion, Motion, SliderCrank};
+use dalembert_mechanics::slider_crank::{Branch, CrankMotion, SliderCrank, SliderCrankMotion};
 
 use crate::solved::solve;
 
@@ -38,7 +38,7 @@ impl Engine {
         }
     }
 
-    fn rod_centre(&self, motion: &Motion) -> Moving {
+    fn rod_centre(&self, motion: &SliderCrankMotion) -> Moving {
         let pin = self.pin();
         let between = |a: [f64; 2], b: [f64; 2]| {
             [a[0] + (b[0] - a[0]) * self.centre, a[1] + (b[1] - a[1]) * self.centre]
@@ -51,7 +51,7 @@ impl Engine {
     }
 
     /// The torque on the crank from the forces in the joints: each link by itself.
-    fn newton_euler_torque(&self, motion: &Motion) -> f64 {
+    fn newton_euler_torque(&self, motion: &SliderCrankMotion) -> f64 {
         let (pin, centre) = (self.pin(), self.rod_centre(motion));
         let to_pin = [pin.position[0] - centre.position[0], pin.position[1] - centre.position[1]];
         let to_slider = [motion.slider_position - centre.position[0], self.shape.offset - centre.position[1]];
@@ -66,7 +66,7 @@ impl Engine {
         pin.position[0] * pin_y - pin.position[1] * pin_x
     }
 
-    fn problem(&self, motion: &Motion) -> String {
+    fn problem(&self, motion: &SliderCrankMotion) -> String {
         let centre = self.rod_centre(motion);
         let vector = |[x, y]: [f64; 2], unit: &str| format!("({x:e}; {y:e}) {unit}");
         let mut text = problem(

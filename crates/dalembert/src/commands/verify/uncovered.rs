@@ -4,9 +4,9 @@ use std::process::ExitCode;
 
 use dalembert_core::{
     Entry, Stop, Text,
-    coverage::{Coverage, Standing, coverage},
+    coverage::{Coverage, CoverageStatus, coverage},
 };
-use dalembert_report::{Block, Document, Line};
+use dalembert_report::{Block, Document, NamedValue};
 use serde_json::json;
 
 use crate::{
@@ -47,12 +47,12 @@ impl Counts {
     fn of<'c>(all: impl IntoIterator<Item = &'c Coverage>) -> Self {
         let mut counts = Self::default();
         for one in all {
-            match (&one.standing, one.reason) {
-                (Standing::Covered(_), _) => counts.covered += 1,
-                (Standing::Form, _) => counts.forms += 1,
-                (Standing::Input, _) => counts.inputs += 1,
-                (Standing::Uncovered, Some(_)) => counts.explained += 1,
-                (Standing::Uncovered, None) => counts.unexplained += 1,
+            match (&one.status, one.reason) {
+                (CoverageStatus::Covered(_), _) => counts.covered += 1,
+                (CoverageStatus::Form, _) => counts.forms += 1,
+                (CoverageStatus::Input, _) => counts.inputs += 1,
+                (CoverageStatus::Uncovered, Some(_)) => counts.explained += 1,
+                (CoverageStatus::Uncovered, None) => counts.unexplained += 1,
             }
             counts.stale += usize::from(one.is_stale());
         }
@@ -101,11 +101,11 @@ fn why(one: &Coverage) -> Text {
 fn rows(all: &All, total: Counts) -> serde_json::Value {
     let rows = all.iter().flat_map(|(entry, coverage)| {
         coverage.iter().map(|one| {
-            let (standing, check) = match &one.standing {
-                Standing::Covered(what) => ("covered", Some(what.english())),
-                Standing::Form => ("other form", None),
-                Standing::Input => ("input", None),
-                Standing::Uncovered => ("uncovered", None),
+            let (standing, check) = match &one.status {
+                CoverageStatus::Covered(what) => ("covered", Some(what.english())),
+                CoverageStatus::Form => ("other form", None),
+                CoverageStatus::Input => ("input", None),
+                CoverageStatus::Uncovered => ("uncovered", None),
             };
             json!({
                 "analysis": entry.about.id,
@@ -129,22 +129,22 @@ fn document(all: &All, total: Counts, console: &Console) -> Document {
     let render = |text: &Text| text.render(&console.locale);
     let mut blocks = Vec::new();
     for (entry, coverage) in all {
-        let listed = |one: &&Coverage| one.standing == Standing::Uncovered || one.is_stale();
-        let line = |one: &Coverage| Line {
+        let listed = |one: &&Coverage| one.status == CoverageStatus::Uncovered || one.is_stale();
+        let line = |one: &Coverage| NamedValue {
             label: one.answer.to_owned(),
             value: render(&why(one)),
-            ..Line::default()
+            ..NamedValue::default()
         };
-        let lines: Vec<Line> = coverage.iter().filter(listed).map(line).collect();
+        let lines: Vec<NamedValue> = coverage.iter().filter(listed).map(line).collect();
         if !lines.is_empty() {
             blocks.push(Block::Heading(entry.about.id.to_owned()));
             blocks.push(Block::Lines(lines));
         }
     }
-    let of_family = |(family, counts): (&str, Counts)| Line {
+    let of_family = |(family, counts): (&str, Counts)| NamedValue {
         label: family.to_owned(),
         value: render(&counts.words()),
-        ..Line::default()
+        ..NamedValue::default()
     };
     blocks.push(Block::Lines(by_family(all).map(of_family).collect()));
     blocks.push(Block::Paragraph(render(&Text::from(

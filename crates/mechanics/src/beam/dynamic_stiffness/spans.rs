@@ -29,7 +29,7 @@ pub struct Span {
 
 /// Support and lumped elements at an end of a span.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Joint {
+pub struct SpanJoint {
     /// True if the deflection is zero (support).
     pub held: bool,
     /// True if the rotation is zero (clamp).
@@ -52,7 +52,7 @@ pub struct Spans {
     /// The spans.
     pub spans: Vec<Span>,
     /// The joints.
-    pub joints: Vec<Joint>,
+    pub joints: Vec<SpanJoint>,
 }
 
 /// The shape of a vibration, largest deflection one.
@@ -348,7 +348,7 @@ impl SpanShape {
         sum
     }
 
-    fn at_joints(&self, mut look: impl FnMut(&Joint, f64)) {
+    fn at_joints(&self, mut look: impl FnMut(&SpanJoint, f64)) {
         let mut x = 0.0;
         for (n, joint) in self.beam.joints.iter().enumerate() {
             look(joint, x);
@@ -400,7 +400,7 @@ mod tests {
     use itertools::Itertools as _;
 
     const PLAIN: Span = Span { length: 1.0, bending: 1.0, mass: 1.0, axial: 0.0, foundation: 0.0 };
-    const PIN: Joint = Joint {
+    const PIN: SpanJoint = SpanJoint {
         held: true,
         clamped: false,
         spring: 0.0,
@@ -413,7 +413,7 @@ mod tests {
     /// At the inner joints `near + far cos(jπ/N) = 0`, with the stiffnesses of a span that turns at one end.
     #[test]
     fn equal_spans_have_a_closed_form() {
-        let clamp = Joint { clamped: true, ..PIN };
+        let clamp = SpanJoint { clamped: true, ..PIN };
         for count in 2..6 {
             for end in [PIN, clamp] {
                 let mut joints = vec![PIN; count + 1];
@@ -443,10 +443,10 @@ mod tests {
                 Span { length: 0.3, mass: 0.5, ..PLAIN },
             ],
             joints: vec![
-                Joint { spring: 30.0, turning_spring: 2.0, ..Joint::default() },
+                SpanJoint { spring: 30.0, turning_spring: 2.0, ..SpanJoint::default() },
                 PIN,
-                Joint { mass: 0.4, inertia: 0.01, ..Joint::default() },
-                Joint { spring: 5.0, mass: 0.1, ..Joint::default() },
+                SpanJoint { mass: 0.4, inertia: 0.01, ..SpanJoint::default() },
+                SpanJoint { spring: 5.0, mass: 0.1, ..SpanJoint::default() },
             ],
         };
         let roots = beam.roots(4).unwrap();

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 
 use super::*;
 
-const FREE: Station = Station {
+const FREE: BeamStation = BeamStation {
     at: 0.0,
     held: false,
     clamped: false,
@@ -14,17 +14,17 @@ const FREE: Station = Station {
     mass: 0.0,
     inertia: 0.0,
 };
-const PINNED: Station = Station { held: true, ..FREE };
-const GUIDED: Station = Station { clamped: true, ..FREE };
-const CLAMPED: Station = Station { held: true, clamped: true, ..FREE };
+const PINNED: BeamStation = BeamStation { held: true, ..FREE };
+const GUIDED: BeamStation = BeamStation { clamped: true, ..FREE };
+const CLAMPED: BeamStation = BeamStation { held: true, clamped: true, ..FREE };
 
-fn beam(left: Station, right: Station) -> Beam {
+fn beam(left: BeamStation, right: BeamStation) -> Beam {
     Beam {
         shear: 0.0,
         rotary: 0.0,
         axial: 0.0,
         foundation: 0.0,
-        stations: vec![left, Station { at: 1.0, ..right }],
+        stations: vec![left, BeamStation { at: 1.0, ..right }],
     }
 }
 
@@ -39,7 +39,7 @@ type Residual = fn(f64, f64) -> f64;
 #[test]
 fn every_pair_of_supports_satisfies_its_equation() {
     let sech = |b: f64| 1.0 / b.cosh();
-    let residuals: [(Station, Station, Residual); 10] = [
+    let residuals: [(BeamStation, BeamStation, Residual); 10] = [
         (FREE, FREE, |b, s| b.cos() - s),
         (CLAMPED, CLAMPED, |b, s| b.cos() - s),
         (CLAMPED, FREE, |b, s| b.cos() + s),
@@ -54,7 +54,7 @@ fn every_pair_of_supports_satisfies_its_equation() {
     for (left, right, residual) in residuals {
         for (left, right) in [(left, right), (right, left)] {
             let roots = beam(left, right).roots(12).unwrap();
-            let shapes: Vec<Shape> =
+            let shapes: Vec<BeamShape> =
                 roots.iter().map(|root| beam(left, right).shape(*root).unwrap()).collect();
             for (n, shape) in shapes.iter().enumerate() {
                 close(shape.rayleigh_quotient(), roots[n].powi(4), 1e-12);
@@ -75,7 +75,7 @@ fn every_pair_of_supports_satisfies_its_equation() {
 
 #[test]
 fn rigid_motions_are_counted() {
-    let elastic = |k: f64| Station { spring: k, ..FREE };
+    let elastic = |k: f64| BeamStation { spring: k, ..FREE };
     for (left, right, motions) in [
         (FREE, FREE, 2),
         (PINNED, FREE, 1),
@@ -150,7 +150,7 @@ fn double_roots_are_counted_twice() {
 #[test]
 fn a_cantilever_with_a_heavy_tip_is_a_spring_and_a_mass() {
     for tip in [1e3, 1e6] {
-        let heavy = beam(CLAMPED, Station { mass: tip, ..FREE });
+        let heavy = beam(CLAMPED, BeamStation { mass: tip, ..FREE });
         let roots = heavy.roots(2).unwrap();
         // λ = 3/(μ + 33/140).
         close(roots[0].powi(4), 3.0 / (tip + 33.0 / 140.0), 1e-4 / tip);
@@ -169,11 +169,11 @@ fn very_high_roots_neither_overflow_nor_cancel() {
 
 #[test]
 fn mirrored_and_cut_beams_are_the_same_beam() {
-    let left = Station { spring: 20.0, turning_spring: 3.0, mass: 0.2, inertia: 0.01, ..FREE };
+    let left = BeamStation { spring: 20.0, turning_spring: 3.0, mass: 0.2, inertia: 0.01, ..FREE };
     let one = Beam { shear: 0.01, rotary: 0.004, axial: -1.0, ..beam(left, PINNED) };
-    let mut other = Beam { stations: vec![PINNED, Station { at: 1.0, ..left }], ..one.clone() };
+    let mut other = Beam { stations: vec![PINNED, BeamStation { at: 1.0, ..left }], ..one.clone() };
     let expected = one.roots(8).unwrap();
-    for stations in [vec![], vec![Station { at: 0.3, ..FREE }, Station { at: 0.77, ..FREE }]] {
+    for stations in [vec![], vec![BeamStation { at: 0.3, ..FREE }, BeamStation { at: 0.77, ..FREE }]] {
         other.stations.splice(1..1, stations);
         for (a, b) in other.roots(8).unwrap().into_iter().zip_eq(&expected) {
             close(a, *b, 1e-12);
@@ -200,8 +200,8 @@ fn any_beam() -> impl Strategy<Value = Beam> {
                 0 => CLAMPED,
                 1 => PINNED,
                 2 => GUIDED,
-                3 => Station { mass: 10f64.powf(m), inertia: 10f64.powf(j), ..FREE },
-                _ => Station { spring: 10f64.powf(k), turning_spring: 10f64.powf(t), ..FREE },
+                3 => BeamStation { mass: 10f64.powf(m), inertia: 10f64.powf(j), ..FREE },
+                _ => BeamStation { spring: 10f64.powf(k), turning_spring: 10f64.powf(t), ..FREE },
             }
         });
     (station.clone(), station, 0..3usize, 0.001..0.03f64, -2.0..30.0f64, 0.0..300.0f64).prop_map(
@@ -222,7 +222,7 @@ proptest! {
             prop_assert!(beam.axial < 0.0);
             return Ok(());
         };
-        let shapes: Vec<Shape> = roots.iter().map(|root| beam.shape(*root).unwrap()).collect();
+        let shapes: Vec<BeamShape> = roots.iter().map(|root| beam.shape(*root).unwrap()).collect();
         for (n, (root, shape)) in roots.iter().zip_eq(&shapes).enumerate() {
             prop_assert!(n == 0 || *root > roots[n - 1]);
             // Half a step to each side of the root there is one frequency more.

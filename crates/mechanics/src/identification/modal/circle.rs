@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{
-    DampingModel, ModalError, Point, Response, beyond_rounding, check,
+    DampingModel, MeasuredResponse, ModalError, ResponsePoint, beyond_rounding, check,
     minimise::{Minimum, minimise},
 };
 use dalembert_numerics::linalg;
@@ -81,8 +81,8 @@ pub fn fit_circle(points: &[Complex<f64>]) -> Result<Circle, ModalError> {
 /// # Errors
 /// All of [`ModalError`].
 pub fn circle_fit(
-    points: &[Point],
-    response: Response,
+    points: &[ResponsePoint],
+    response: MeasuredResponse,
     model: DampingModel,
 ) -> Result<CircleFit, ModalError> {
     check(points, 3)?;
@@ -127,7 +127,7 @@ pub fn circle_fit(
     };
     let towards = angles[largest];
     let rows = |parameters: &[f64; 3]| -> Vec<(f64, [f64; 3])> {
-        let row = |(point, angle): (&Point, &f64)| {
+        let row = |(point, angle): (&ResponsePoint, &f64)| {
             let (u, [du_dp, du_dg]) = sweep_of(point.0 / reference, parameters);
             // Clockwise from the direction of the diameter.
             let model = towards + parameters[2] - 2.0 * u.atan();
@@ -192,7 +192,7 @@ pub fn circle_fit(
 /// `η = (ω_a² − ω_b²)/(ω_n²(t_a + t_b))` and `ζ = (ω_a² − ω_b²)/(2ω_n(ω_a t_a + ω_b t_b))` with
 /// `t = tan(θ/2)`. Ewins, 2nd ed., §4.3.3.
 fn of_pairs(
-    points: &[Point],
+    points: &[ResponsePoint],
     angles: &[f64],
     natural: f64,
     direction: f64,

@@ -3,7 +3,8 @@
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{
-    DampingModel, ModalError, Point, Response, beyond_rounding, check, circle_fit, minimise::minimise,
+    DampingModel, MeasuredResponse, ModalError, ResponsePoint, beyond_rounding, check, circle_fit,
+    minimise::minimise,
 };
 use dalembert_numerics::linalg;
 
@@ -43,8 +44,8 @@ pub struct ModalFit {
 /// # Errors
 /// All of [`ModalError`].
 pub fn modal_fit(
-    points: &[Point],
-    response: Response,
+    points: &[ResponsePoint],
+    response: MeasuredResponse,
     model: DampingModel,
     residuals: Residuals,
 ) -> Result<ModalFit, ModalError> {

@@ -5,7 +5,7 @@ use crate::planar::{
     Contact, PlanarError,
     tolerances::{REST_SPEED, REST_SPEED_IN_TOLERANCES},
 };
-use dalembert_numerics::ode::Problem;
+use dalembert_numerics::ode::OdeSystem;
 
 impl EquationsOfMotion<'_> {
     /// Reports whether a joint has friction.
@@ -23,7 +23,7 @@ impl EquationsOfMotion<'_> {
         REST_SPEED.max(REST_SPEED_IN_TOLERANCES * self.tolerance)
     }
 
-    /// The margins of friction in a state ([`Response::margins`](super::super::friction::Response::margins)).
+    /// The margins of friction in a state ([`Response::margins`](super::super::friction::FrictionResponse::margins)).
     pub(in super::super) fn margins(&mut self, time: f64, state: &[f64], margins: &mut Vec<f64>) {
         let (tree, independent) = (self.tree(), self.independent());
         let Self { data, frictions, contacts, max_velocity, .. } = self;

@@ -3,7 +3,7 @@
 use itertools::Itertools;
 use nalgebra::DMatrix;
 
-use super::{Contact, Response};
+use super::{Contact, FrictionResponse};
 use crate::planar::{
     PlanarError,
     tolerances::{
@@ -14,7 +14,7 @@ use crate::planar::{
 };
 use dalembert_numerics::linalg::Elimination;
 
-impl Response<'_> {
+impl FrictionResponse<'_> {
     /// Finds which joints stick and which begin to slide, from those that slide already, whose contacts are given as
     /// [`Contact::Sliding`]; and the efforts of the frictions, N. A joint that slides slower than `rounding` times
     /// `max_velocity` may be put to rest again; an acceleration below `rounding` times the largest is none, and one

@@ -1,11 +1,11 @@
-//! Compilation of the constraint equations into a [`Layout`].
+//! Compilation of the constraint equations into a [`EquationLayout`].
 
 use std::collections::VecDeque;
 
-use super::{Assignment, Explicit, Kernel, Layout};
-use crate::planar::{Equation, Frame, Measure, Point, Term};
+use super::{Assignment, EquationLayout, Explicit, Kernel};
+use crate::planar::{BodyFrame, BodyPoint, ConstraintTerm, Equation, RelativeCoordinate};
 
-impl Layout {
+impl EquationLayout {
     /// Compiles the equations, of which so many are of joints, for bodies in a mechanism of this size, m.
     pub(in super::super) fn new(
         equations: &[Equation],
@@ -26,7 +26,7 @@ impl Layout {
                 shape.iter().map(place).collect()
             })
             .collect();
-        let place = |row: usize, frame: Frame, part: usize| {
+        let place = |row: usize, frame: BodyFrame, part: usize| {
             let column = frame.map(|body| 3 * body + part);
             rows[row].iter().find(|(at, _)| Some(*at) == column).map_or(0, |(_, place)| *place)
         };
@@ -42,7 +42,7 @@ impl Layout {
                     Kernel::Pin { row, points, bodies, places: [of_row(row), of_row(row + 1)], is_loop: true }
                 }
                 None => {
-                    let of_term = |term: &Term| {
+                    let of_term = |term: &ConstraintTerm| {
                         let of = |frame| [0, 1, 2].map(|part| place(row, frame, part));
                         (term.clone(), term.measure.bodies().map(of))
                     };
@@ -130,13 +130,15 @@ fn numbered(tree: &[usize]) -> [Vec<(usize, usize)>; 2] {
 }
 
 /// The two points of a pin, if these equations of joints begin with those of one.
-fn pin(equations: &[Equation]) -> Option<[Point; 2]> {
+fn pin(equations: &[Equation]) -> Option<[BodyPoint; 2]> {
     let component = |equation: &Equation, along: [f64; 2]| match equation.terms[..] {
-        [Term { weight: 1.0, measure: Measure::Component { direction, from, to }, profile: None }]
-            if direction == along && from.on != to.on && equation.constant == Some(0.0) =>
-        {
-            Some([from, to])
-        }
+        [
+            ConstraintTerm {
+                weight: 1.0,
+                measure: RelativeCoordinate::Component { direction, from, to },
+                profile: None,
+            },
+        ] if direction == along && from.on != to.on && equation.constant == Some(0.0) => Some([from, to]),
         _ => None,
     };
     let [x, y, ..] = equations else { return None };
@@ -147,7 +149,7 @@ fn pin(equations: &[Equation]) -> Option<[Point; 2]> {
 /// The columns of an equation in ascending order, and their Jacobian entries where these are constant.
 fn shape(equation: &Equation, length: f64) -> Vec<(usize, Option<f64>)> {
     let mut shape: Vec<(usize, Option<f64>)> = Vec::new();
-    let mut add = |frame: Frame, part: usize, entry: Option<f64>| {
+    let mut add = |frame: BodyFrame, part: usize, entry: Option<f64>| {
         let Some(body) = frame else { return };
         if entry == Some(0.0) {
             return;
@@ -158,15 +160,15 @@ fn shape(equation: &Equation, length: f64) -> Vec<(usize, Option<f64>)> {
             None => shape.push((column, entry)),
         }
     };
-    for Term { weight, measure, profile } in &equation.terms {
+    for ConstraintTerm { weight, measure, profile } in &equation.terms {
         let constant = |entry: f64| profile.is_none().then_some(weight * entry);
-        let arm = |point: Point| if point.at == [0.0, 0.0] { Some(0.0) } else { None };
+        let arm = |point: BodyPoint| if point.at == [0.0, 0.0] { Some(0.0) } else { None };
         match *measure {
-            Measure::Angle { of, against } => {
+            RelativeCoordinate::Angle { of, against } => {
                 add(of, 2, constant(1.0 / length));
                 add(against, 2, constant(-1.0 / length));
             }
-            Measure::Component { direction: [ux, uy], from, to } => {
+            RelativeCoordinate::Component { direction: [ux, uy], from, to } => {
                 for (part, u) in [ux, uy].into_iter().enumerate() {
                     if u != 0.0 {
                         add(from.on, part, constant(-u));
@@ -176,7 +178,7 @@ fn shape(equation: &Equation, length: f64) -> Vec<(usize, Option<f64>)> {
                 add(from.on, 2, arm(from));
                 add(to.on, 2, arm(to));
             }
-            Measure::Along { direction: [ux, uy], from, to } => {
+            RelativeCoordinate::Along { direction: [ux, uy], from, to } => {
                 for (part, u) in [ux, uy].into_iter().enumerate() {
                     let u = if from.on.is_none() { Some(u) } else { None };
                     if u != Some(0.0) {
@@ -187,7 +189,7 @@ fn shape(equation: &Equation, length: f64) -> Vec<(usize, Option<f64>)> {
                 add(from.on, 2, None);
                 add(to.on, 2, if to.on == from.on { None } else { arm(to) });
             }
-            Measure::Distance { from, to } => {
+            RelativeCoordinate::Distance { from, to } => {
                 for part in 0..3 {
                     add(from.on, part, None);
                     add(to.on, part, None);

@@ -1,9 +1,9 @@
 //! Validation of a mechanism: finite numbers, and references to bodies and joints that exist.
 
-use crate::planar::{Frame, Joint, Load, Measure, Mechanism, PlanarError};
+use crate::planar::{BodyFrame, PlanarError, PlanarJoint, PlanarLoad, PlanarMechanism, RelativeCoordinate};
 
 /// Refuses the first number or reference of a mechanism that is not valid; `guess` has a position for each body.
-pub(in super::super) fn check(mechanism: &Mechanism, guess: &[[f64; 3]]) -> Result<(), PlanarError> {
+pub(in super::super) fn check(mechanism: &PlanarMechanism, guess: &[[f64; 3]]) -> Result<(), PlanarError> {
     let bodies = mechanism.bodies.len();
     let number = |what: &'static str, index: usize| PlanarError::Number { what, index };
     for (index, body) in mechanism.bodies.iter().enumerate() {
@@ -16,17 +16,18 @@ pub(in super::super) fn check(mechanism: &Mechanism, guess: &[[f64; 3]]) -> Resu
     if mechanism.gravity.iter().any(|x| !x.is_finite()) {
         return Err(number("the acceleration of gravity, body", 0));
     }
-    let frame = |what: &'static str, index: usize, frame: Frame| match frame {
+    let frame = |what: &'static str, index: usize, frame: BodyFrame| match frame {
         Some(body) if body >= bodies => Err(PlanarError::NoSuchBody { what, index, body, bodies }),
         _ => Ok(()),
     };
-    let measured = |what: &'static str, index: usize, measure: &Measure| {
+    let measured = |what: &'static str, index: usize, measure: &RelativeCoordinate| {
         let finite = match *measure {
-            Measure::Angle { .. } => true,
-            Measure::Component { direction, from, to } | Measure::Along { direction, from, to } => {
+            RelativeCoordinate::Angle { .. } => true,
+            RelativeCoordinate::Component { direction, from, to }
+            | RelativeCoordinate::Along { direction, from, to } => {
                 direction.iter().chain(&from.at).chain(&to.at).all(|x| x.is_finite())
             }
-            Measure::Distance { from, to } => from.at.iter().chain(&to.at).all(|x| x.is_finite()),
+            RelativeCoordinate::Distance { from, to } => from.at.iter().chain(&to.at).all(|x| x.is_finite()),
         };
         if !finite {
             return Err(number(what, index));
@@ -45,7 +46,7 @@ pub(in super::super) fn check(mechanism: &Mechanism, guess: &[[f64; 3]]) -> Resu
                 return Err(number("joint", index));
             }
         }
-        if let Joint::Rod { length, .. } = joint
+        if let PlanarJoint::Rod { length, .. } = joint
             && *length <= 0.0
         {
             return Err(number("joint", index));
@@ -59,15 +60,15 @@ pub(in super::super) fn check(mechanism: &Mechanism, guess: &[[f64; 3]]) -> Resu
     }
     for (index, load) in mechanism.loads.iter().enumerate() {
         match load {
-            Load::Force { at, force, turns_with } => {
+            PlanarLoad::Force { at, force, turns_with } => {
                 frame("load", index, at.on)?;
                 frame("load", index, *turns_with)?;
                 if force.iter().chain(&at.at).any(|x| !x.is_finite()) {
                     return Err(number("load", index));
                 }
             }
-            Load::Effort { measure, .. } => measured("load", index, measure)?,
-            Load::Friction { joint, coefficient, radius } => {
+            PlanarLoad::Effort { measure, .. } => measured("load", index, measure)?,
+            PlanarLoad::Friction { joint, coefficient, radius } => {
                 let good = |x: f64| x.is_finite() && x >= 0.0;
                 if *joint >= mechanism.joints.len() || !good(*coefficient) || !good(*radius) {
                     return Err(number("load", index));

@@ -5,9 +5,9 @@
 use super::{SweepResult, history::History};
 use crate::planar::{
     Model,
-    elimination::{Factors, PivotOrder},
+    elimination::{LuFactors, PivotOrder},
     givens::GivensQr,
-    layout::{Layout, Position},
+    layout::{EquationLayout, Position},
     tolerances::{
         MAX_CORRECTION, MAX_SMOOTH_CORRECTION, MAX_STEP, ROUNDINGS_OF_CORRECTION, STALLED_RESIDUAL,
         SWEEP_MAX_ITERATIONS, SWEEP_MIN_PIVOT, SWEEP_MIN_STEP, SWEEP_RESIDUAL, SWEEP_STALLED_RESIDUAL,
@@ -19,7 +19,7 @@ use dalembert_numerics::simd::{SimdReal, widest};
 #[derive(Clone, Copy)]
 pub(super) struct Path<'a> {
     pub(super) model: &'a Model,
-    pub(super) layout: &'a Layout,
+    pub(super) layout: &'a EquationLayout,
     /// The elimination of the explicit coordinates.
     pub(super) order: &'a PivotOrder,
     /// The entries of each loop equation: places and numbers of tree coordinates.
@@ -39,7 +39,7 @@ impl Path<'_> {
 /// model.
 #[derive(Debug, Clone)]
 pub(super) struct Station<S> {
-    factors: Factors<S>,
+    factors: LuFactors<S>,
     loops: GivensQr<S>,
     position: Position<S>,
     /// The value of the driver, m or rad.
@@ -73,7 +73,7 @@ pub(super) struct Station<S> {
 impl<S: SimdReal> Station<S> {
     pub(super) fn new(
         model: &Model,
-        layout: &Layout,
+        layout: &EquationLayout,
         loops: &[Vec<(usize, usize)>],
         order: &PivotOrder,
     ) -> Self {
@@ -399,7 +399,7 @@ fn widest_of<S: SimdReal, R>(mut work: impl FnMut() -> R) -> R {
 #[inline(always)]
 fn solve<S: SimdReal>(
     path: &Path,
-    factors: &Factors<S>,
+    factors: &LuFactors<S>,
     loops: &GivensQr<S>,
     loop_rhs: &mut [S],
     rhs: &mut [S],

@@ -2,7 +2,7 @@
 
 use dalembert_numerics::{
     extremes::{Extremes, Sampling},
-    ode::{Integrator, OdeError, Problem},
+    ode::{Integrator, OdeError, OdeSystem},
     roots,
 };
 
@@ -213,7 +213,7 @@ pub fn roll(
     let rate = omega.iter().fold(fall, |most, x| most.max(x.abs())).max(1.0 / duration);
     let mut problem = Following { disc, rate, cancelled };
     let start = [inclination, heading, 0.0, omega[0], omega[1], omega[2], 0.0, 0.0];
-    let mut integrator = Integrator::new(&mut problem, 0.0, &start, duration, STEPS)?.looked_between();
+    let mut integrator = Integrator::new(&mut problem, 0.0, &start, duration, STEPS)?.examined_between();
     let gaps = samples.saturating_sub(1).max(1);
     let time_of = |n: usize| if n == gaps { duration } else { duration * n as f64 / gaps as f64 };
     let mut moments = vec![disc.moment(0.0, &start)];
@@ -293,7 +293,7 @@ struct Following<'a> {
     cancelled: &'a dyn Fn() -> bool,
 }
 
-impl Problem for Following<'_> {
+impl OdeSystem for Following<'_> {
     fn rates(&mut self, _: f64, state: &[f64], rates: &mut [f64]) {
         let (sin, cos) = state[0].sin_cos();
         let omega = [state[3], state[4], state[5]];

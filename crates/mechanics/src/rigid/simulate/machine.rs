@@ -3,17 +3,18 @@
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use super::{
-    Body, End, History, Loads, Run, Sample, SimulateError, Turning, equal, finite, principal_attitude,
+    History, Loads, RotatingBody, RotationEvent, RotationRun, RotationSample, RotationState, SimulateError,
+    equal, finite, principal_attitude,
 };
-use dalembert_numerics::ode::Problem;
+use dalembert_numerics::ode::OdeSystem;
 
 /// Attitude of the axes (4), angular momentum in them (3), spin against them; with torques also their work and their
 /// impulse (3).
 const ALONE: usize = 8;
 const WITH_TORQUES: usize = 12;
 
-pub(super) struct Machine<'a> {
-    body: &'a Body,
+pub(super) struct RotationSystem<'a> {
+    body: &'a RotatingBody,
     loads: &'a Loads,
     tolerance: f64,
     cancelled: &'a dyn Fn() -> bool,
@@ -38,12 +39,12 @@ struct Read {
     spin: f64,
 }
 
-impl<'a> Machine<'a> {
+impl<'a> RotationSystem<'a> {
     pub(super) fn new(
-        body: &'a Body,
-        start: &Turning,
+        body: &'a RotatingBody,
+        start: &RotationState,
         loads: &'a Loads,
-        run: &Run<'a>,
+        run: &RotationRun<'a>,
     ) -> Result<Self, SimulateError> {
         let (moments, axes) = body.principal()?;
         let torques: Vec<_> = loads
@@ -83,7 +84,7 @@ impl<'a> Machine<'a> {
         })
     }
 
-    pub(super) fn state(&self, start: &Turning) -> Vec<f64> {
+    pub(super) fn state(&self, start: &RotationState) -> Vec<f64> {
         let attitude = start.attitude * self.to_body;
         let momentum = self.moments.component_mul(&self.axes.tr_mul(&start.omega_body));
         let size = if self.loads.torques.is_empty() { ALONE } else { WITH_TORQUES };
@@ -104,16 +105,16 @@ impl<'a> Machine<'a> {
         breaks
     }
 
-    pub(super) fn sample(&self, time: f64, state: &[f64]) -> Result<Sample, SimulateError> {
+    pub(super) fn sample(&self, time: f64, state: &[f64]) -> Result<RotationSample, SimulateError> {
         let Read { attitude, momentum, omega, spin } = self.read(state);
         let turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), spin);
         let principal = attitude * turned;
         let omega_body = self.axes * (turned.inverse() * omega);
         let centre = principal * self.arm;
         let more = |n: usize| state.get(ALONE + n).copied().unwrap_or(0.0);
-        Ok(Sample {
+        Ok(RotationSample {
             time,
-            turning: Turning {
+            turning: RotationState {
                 attitude: principal * self.to_body.inverse(),
                 omega_body: finite(omega_body)?,
             },
@@ -127,15 +128,15 @@ impl<'a> Machine<'a> {
     }
 
     /// A number that changes its sign when the end is reached.
-    pub(super) fn before(&self, end: &End, state: &[f64]) -> f64 {
+    pub(super) fn before(&self, end: &RotationEvent, state: &[f64]) -> f64 {
         let Read { attitude, omega, spin, .. } = self.read(state);
         let turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), spin);
         match end {
-            End::Angle { of, against, angle } => {
+            RotationEvent::Angle { of, against, angle } => {
                 let of = attitude * (turned * self.axes.tr_mul(of));
                 of.angle(against) - angle
             }
-            End::Reverses(component) => (self.axes * (turned.inverse() * omega))[*component],
+            RotationEvent::Reverses(component) => (self.axes * (turned.inverse() * omega))[*component],
         }
     }
 
@@ -152,7 +153,7 @@ impl<'a> Machine<'a> {
     }
 }
 
-impl Problem for Machine<'_> {
+impl OdeSystem for RotationSystem<'_> {
     fn rates(&mut self, time: f64, state: &[f64], rates: &mut [f64]) {
         let Read { attitude, momentum, omega, spin } = self.read(state);
         // The body against the axes that the state is written in.

@@ -47,9 +47,9 @@ pub fn integrate(function: impl Fn(f64) -> f64, points: &[f64]) -> Result<f64, Q
         _ => None,
     };
     let over_tail = |t: f64| if t == 0.0 { 0.0 } else { function(1.0 / t) / (t * t) };
-    let mut parts: Vec<Part> =
-        points.windows(2).map(|pair| Part::new(&function, pair[0], pair[1], false)).collect();
-    parts.extend(tail.map(|tail| Part::new(&over_tail, 0.0, tail, true)));
+    let mut parts: Vec<QuadratureInterval> =
+        points.windows(2).map(|pair| QuadratureInterval::new(&function, pair[0], pair[1], false)).collect();
+    parts.extend(tail.map(|tail| QuadratureInterval::new(&over_tail, 0.0, tail, true)));
     while parts.len() < MOST_PARTS {
         let total: f64 = parts.iter().map(|part| part.value).sum();
         let error: f64 = parts.iter().map(|part| part.error).sum();
@@ -64,9 +64,9 @@ pub fn integrate(function: impl Fn(f64) -> f64, points: &[f64]) -> Result<f64, Q
         let middle = 0.5 * (part.from + part.to);
         let halves = [(part.from, middle), (middle, part.to)].map(|(from, to)| {
             if part.tail {
-                Part::new(&over_tail, from, to, true)
+                QuadratureInterval::new(&over_tail, from, to, true)
             } else {
-                Part::new(&function, from, to, false)
+                QuadratureInterval::new(&function, from, to, false)
             }
         });
         parts.swap_remove(n);
@@ -94,7 +94,7 @@ pub fn integrate_about(function: impl Fn(f64) -> f64, points: &[f64], [centre, w
 }
 
 #[derive(Clone, Copy)]
-struct Part {
+struct QuadratureInterval {
     from: f64,
     to: f64,
     value: f64,
@@ -102,7 +102,7 @@ struct Part {
     tail: bool,
 }
 
-impl Part {
+impl QuadratureInterval {
     fn new(function: &impl Fn(f64) -> f64, from: f64, to: f64, tail: bool) -> Self {
         let half = 0.5 * (to - from);
         let (kronrod, gauss) = kronrod(function, 0.5 * (from + to), half);

@@ -3,7 +3,7 @@
 use super::UnitResponses;
 
 /// An oscillator under a unit load `q` with `(q, p)′ = B (q, p)`, from a given `(q, p)` on.
-pub(super) struct Coupled {
+pub(super) struct LoadedOscillator {
     ratio: f64,
     law: Unit,
 }
@@ -22,7 +22,7 @@ const NEAR: f64 = 1e-3;
 
 type Matrix = [[f64; 4]; 4];
 
-impl Coupled {
+impl LoadedOscillator {
     pub(super) fn sine(ratio: f64, frequency: f64) -> Self {
         Self { ratio, law: Unit::Sine(frequency) }
     }

@@ -6,17 +6,17 @@ use proptest::prelude::*;
 
 use super::*;
 
-fn motion(natural: f64, ratio: f64, load: &[Piece]) -> Motion {
-    Motion::new(Oscillator { natural, ratio }, State::default(), load).unwrap()
+fn motion(natural: f64, ratio: f64, load: &[LoadSegment]) -> TransientMotion {
+    TransientMotion::new(Oscillator { natural, ratio }, OscillatorState::default(), load).unwrap()
 }
 
-fn line(from: f64, start: f64, slope: f64) -> Piece {
-    Piece { from, law: Law::Line { start, slope } }
+fn line(from: f64, start: f64, slope: f64) -> LoadSegment {
+    LoadSegment { from, law: LoadLaw::Line { start, slope } }
 }
 
-fn half_sine(duration: f64) -> [Piece; 2] {
-    let law = Law::Sine { amplitude: 1.0, frequency: PI / duration };
-    [Piece { from: 0.0, law }, line(duration, 0.0, 0.0)]
+fn half_sine(duration: f64) -> [LoadSegment; 2] {
+    let law = LoadLaw::Sine { amplitude: 1.0, frequency: PI / duration };
+    [LoadSegment { from: 0.0, law }, line(duration, 0.0, 0.0)]
 }
 
 fn close(ours: f64, expected: f64, scale: f64) {
@@ -27,7 +27,7 @@ fn close(ours: f64, expected: f64, scale: f64) {
 fn a_step_overshoots_by_its_closed_form() {
     for ratio in [0.0, 0.05, 0.3, 0.7] {
         let peak = motion(3.0, ratio, &[line(0.0, 2.0, 0.0)])
-            .extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY])
+            .extremes(TransientOutput::DISPLACEMENT, [0.0, f64::INFINITY])
             .unwrap()
             .largest;
         let damped = (1.0 - ratio * ratio).sqrt();
@@ -40,7 +40,8 @@ fn a_step_overshoots_by_its_closed_form() {
 fn a_ramp_that_is_held_overshoots_by_its_closed_form() {
     for rise in [0.05, 0.4, 0.9, 2.7] {
         let load = [line(0.0, 0.0, 1.0 / rise), line(rise, 1.0, 0.0)];
-        let peak = motion(TAU, 0.0, &load).extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]).unwrap();
+        let peak =
+            motion(TAU, 0.0, &load).extremes(TransientOutput::DISPLACEMENT, [0.0, f64::INFINITY]).unwrap();
         close(peak.largest.value, 1.0 + (PI * rise).sin().abs() / (PI * rise), 1.0);
     }
 }
@@ -50,7 +51,7 @@ fn a_ramp_that_is_held_overshoots_by_its_closed_form() {
 fn a_half_sine_leaves_its_closed_form() {
     for duration in [1e-3, 0.1, 0.31, 0.499_999_9, 0.5, 0.500_01, 0.81, 1.7, 12.3] {
         let residual = motion(TAU, 0.0, &half_sine(duration))
-            .extremes(Output::DISPLACEMENT, [duration, f64::INFINITY])
+            .extremes(TransientOutput::DISPLACEMENT, [duration, f64::INFINITY])
             .unwrap()
             .farthest();
         let detuning = 1.0 - (2.0 * duration).powi(2);
@@ -68,7 +69,11 @@ fn a_half_sine_leaves_its_closed_form() {
 #[test]
 fn the_half_sine_amplifies_by_1_768_at_most() {
     let at = |part: f64| {
-        motion(TAU, 0.0, &half_sine(part)).extremes(Output::DISPLACEMENT, [0.0, part]).unwrap().largest.value
+        motion(TAU, 0.0, &half_sine(part))
+            .extremes(TransientOutput::DISPLACEMENT, [0.0, part])
+            .unwrap()
+            .largest
+            .value
     };
     assert!((at(0.810_133_3) - 1.768_458).abs() < 1e-6);
 }
@@ -91,8 +96,10 @@ fn damping_passes_critical_without_a_jump() {
 fn a_shock_far_shorter_than_the_period_is_an_impulse() {
     let short = 1e-7;
     let load = [line(0.0, 1.0, 0.0), line(short, 0.0, 0.0)];
-    let residual =
-        motion(1.0, 0.0, &load).extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]).unwrap().largest;
+    let residual = motion(1.0, 0.0, &load)
+        .extremes(TransientOutput::DISPLACEMENT, [0.0, f64::INFINITY])
+        .unwrap()
+        .largest;
     assert!((residual.value / short - 1.0).abs() < 1e-12, "{}", residual.value / short);
 }
 
@@ -100,7 +107,7 @@ fn a_shock_far_shorter_than_the_period_is_an_impulse() {
 fn an_exponential_at_a_root_of_the_oscillator_is_no_pole() {
     // ζ = 1.25: the roots are −0.5 and −2.
     let at = |rate: f64| {
-        let load = [Piece { from: 0.0, law: Law::Decay { amplitude: 1.0, rate } }];
+        let load = [LoadSegment { from: 0.0, law: LoadLaw::Decay { amplitude: 1.0, rate } }];
         motion(1.0, 1.25, &load).at(3.0).displacement
     };
     let exact = 2.0 / 3.0 * (3.0 * (-1.5f64).exp() - ((-1.5f64).exp() - (-6.0f64).exp()) / 1.5);
@@ -113,7 +120,7 @@ fn an_exponential_at_a_root_of_the_oscillator_is_no_pole() {
 fn a_ramp_without_end_has_no_largest_value() {
     let load = [line(0.0, 0.0, 1.0)];
     assert_eq!(
-        motion(1.0, 0.1, &load).extremes(Output::DISPLACEMENT, [0.0, f64::INFINITY]),
+        motion(1.0, 0.1, &load).extremes(TransientOutput::DISPLACEMENT, [0.0, f64::INFINITY]),
         Err(TransientError::Unbounded)
     );
 }
@@ -150,8 +157,8 @@ proptest! {
     fn duhamel_and_the_recurrence_agree(
         ratio in 0.0..2.0f64, frequency in 0.05..5.0f64, rate in 0.05..5.0f64, end in 0.1..6.0f64, time in 0.1..20.0f64,
     ) {
-        let sine = [Piece { from: 0.0, law: Law::Sine { amplitude: 1.0, frequency } }, line(end, 0.0, 0.0)];
-        let decay = [Piece { from: 0.0, law: Law::Decay { amplitude: 0.7, rate } }, line(end, 0.3, -0.1)];
+        let sine = [LoadSegment { from: 0.0, law: LoadLaw::Sine { amplitude: 1.0, frequency } }, line(end, 0.0, 0.0)];
+        let decay = [LoadSegment { from: 0.0, law: LoadLaw::Decay { amplitude: 0.7, rate } }, line(end, 0.3, -0.1)];
         for load in [&sine, &decay] {
             let motion = motion(1.0, ratio, load);
             let integral = motion.duhamel(time).unwrap();
@@ -165,14 +172,14 @@ proptest! {
     fn the_extremes_are_the_extremes(
         ratio in 0.0..1.5f64, values in prop::collection::vec(-1.0..1.0f64, 3..6), step in 0.1..9.0f64,
     ) {
-        let load: Vec<Piece> = values
+        let load: Vec<LoadSegment> = values
             .windows(2)
             .enumerate()
             .map(|(n, pair)| line(step * n as f64, pair[0], (pair[1] - pair[0]) / step))
             .chain([line(step * (values.len() - 1) as f64, 0.0, 0.0)])
             .collect();
         let motion = motion(1.0, ratio, &load);
-        let output = Output { displacement: 0.6, velocity: 0.8 };
+        let output = TransientOutput { displacement: 0.6, velocity: 0.8 };
         let found = motion.extremes(output, [0.0, f64::INFINITY]).unwrap();
         for n in 0..4000 {
             let value = motion.output(output, f64::from(n) * step * values.len() as f64 / 3000.0);
@@ -185,9 +192,9 @@ proptest! {
     /// Without damping and load nothing is lost.
     #[test]
     fn energy_is_kept_without_damping(x in -1.0..1.0f64, v in -1.0..1.0f64, time in 0.0..200.0f64) {
-        let initial = State { displacement: x, velocity: v };
-        let motion = Motion::new(Oscillator { natural: 1.7, ratio: 0.0 }, initial, &[]).unwrap();
-        let energy = |state: State| state.velocity.powi(2) + (1.7 * state.displacement).powi(2);
+        let initial = OscillatorState { displacement: x, velocity: v };
+        let motion = TransientMotion::new(Oscillator { natural: 1.7, ratio: 0.0 }, initial, &[]).unwrap();
+        let energy = |state: OscillatorState| state.velocity.powi(2) + (1.7 * state.displacement).powi(2);
         prop_assert!((energy(motion.at(time)) - energy(initial)).abs() <= 1e-12 * energy(initial));
     }
 }
@@ -196,8 +203,9 @@ proptest! {
 #[test]
 fn a_slow_half_sine_is_found_in_its_middle() {
     let duration = 500.25;
-    let found =
-        motion(TAU, 0.0, &half_sine(duration)).extremes(Output::DISPLACEMENT, [0.0, duration]).unwrap();
+    let found = motion(TAU, 0.0, &half_sine(duration))
+        .extremes(TransientOutput::DISPLACEMENT, [0.0, duration])
+        .unwrap();
     let r = 0.5 / duration;
     // The velocity is zero where Ωt = 2πj r/(1 + r); the peak is the one nearest to a quarter wave.
     let peak = (1..1000).map(|j| (TAU * f64::from(j) * r / (1.0 + r)).sin() / (1.0 - r)).fold(0.0, f64::max);
@@ -210,17 +218,17 @@ proptest! {
     fn motions_add_up(
         ratio in 0.0..2.0f64, rate in 0.1..3.0f64, frequency in 0.1..3.0f64, end in 0.5..5.0f64, time in 0.0..20.0f64,
     ) {
-        let one = [Piece { from: 0.0, law: Law::Line { start: 1.0, slope: -0.3 } }, line(end, 0.0, 0.0)];
-        let both = [Piece { from: 0.0, law: Law::Line { start: 2.5, slope: -0.6 } }, line(end, 0.0, 0.0)];
+        let one = [LoadSegment { from: 0.0, law: LoadLaw::Line { start: 1.0, slope: -0.3 } }, line(end, 0.0, 0.0)];
+        let both = [LoadSegment { from: 0.0, law: LoadLaw::Line { start: 2.5, slope: -0.6 } }, line(end, 0.0, 0.0)];
         let step = [line(0.0, 0.5, 0.0), line(end, 0.0, 0.0)];
-        let at = |load: &[Piece]| motion(1.3, ratio, load).at(time).displacement;
+        let at = |load: &[LoadSegment]| motion(1.3, ratio, load).at(time).displacement;
         prop_assert!((2.0 * at(&one) + at(&step) - at(&both)).abs() <= 1e-12 * (1.0 + at(&both).abs()));
         // A sine and an exponential scale with their size.
         for law in [
-            |size, _, frequency| Law::Sine { amplitude: size, frequency },
-            |size, rate, _| Law::Decay { amplitude: size, rate },
+            |size, _, frequency| LoadLaw::Sine { amplitude: size, frequency },
+            |size, rate, _| LoadLaw::Decay { amplitude: size, rate },
         ] {
-            let of = |size| at(&[Piece { from: 0.0, law: law(size, rate, frequency) }]);
+            let of = |size| at(&[LoadSegment { from: 0.0, law: law(size, rate, frequency) }]);
             prop_assert!((of(3.0) - 3.0 * of(1.0)).abs() <= 1e-12 * (1.0 + of(3.0).abs()));
         }
     }

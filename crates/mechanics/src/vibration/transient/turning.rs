@@ -2,7 +2,7 @@
 
 use std::{f64::consts::PI, ops::ControlFlow};
 
-use super::{Law, Oscillator, Output, State, TransientError};
+use super::{LoadLaw, Oscillator, OscillatorState, TransientError, TransientOutput};
 use dalembert_numerics::roots;
 
 /// The most turning points that are searched for at either end of a piece.
@@ -16,17 +16,19 @@ impl Oscillator {
     /// Times, from the start of a stretch, at which the rate of the output is zero: all that may be extremes.
     pub(super) fn turning_points(
         self,
-        state: State,
-        law: Law,
-        output: Output,
+        state: OscillatorState,
+        law: LoadLaw,
+        output: TransientOutput,
         length: f64,
     ) -> Result<Vec<f64>, TransientError> {
         let windows = match law {
-            Law::Line { start, slope } => {
+            LoadLaw::Line { start, slope } => {
                 return self.line_turning_points(state, [start, slope], output, length);
             }
-            Law::Sine { frequency, .. } => windows(length.min(1e9 / frequency), self.natural.max(frequency)),
-            Law::Decay { rate, .. } => {
+            LoadLaw::Sine { frequency, .. } => {
+                windows(length.min(1e9 / frequency), self.natural.max(frequency))
+            }
+            LoadLaw::Decay { rate, .. } => {
                 let seen = 10.0 / rate + 16.0 * PI / self.natural;
                 windows(length.min(seen), self.natural.max(rate))
             }
@@ -41,9 +43,9 @@ impl Oscillator {
     /// Zero of the rate of the output between two times, if its sign changes there.
     fn turn(
         self,
-        state: State,
-        law: Law,
-        output: Output,
+        state: OscillatorState,
+        law: LoadLaw,
+        output: TransientOutput,
         [from, to]: [f64; 2],
     ) -> Result<Option<f64>, TransientError> {
         let rate = |tau: f64| self.rate(self.advance(state, law, tau), law.at(tau), output);
@@ -64,9 +66,9 @@ impl Oscillator {
     /// short piece whose values at both ends are known, how far it may bulge between them.
     pub(super) fn line_bounds(
         self,
-        state: State,
+        state: OscillatorState,
         [start, slope]: [f64; 2],
-        output: Output,
+        output: TransientOutput,
         length: f64,
         ends: [Option<f64>; 2],
     ) -> [f64; 2] {
@@ -89,7 +91,12 @@ impl Oscillator {
     }
 
     /// The output about the line of a straight load, and its rate: a free vibration.
-    fn about_line(self, state: State, [start, slope]: [f64; 2], output: Output) -> [f64; 2] {
+    fn about_line(
+        self,
+        state: OscillatorState,
+        [start, slope]: [f64; 2],
+        output: TransientOutput,
+    ) -> [f64; 2] {
         let zeta = self.ratio;
         let (x, u, slope) = (state.displacement, state.velocity / self.natural, slope / self.natural);
         let (x, u) = (x - (start - 2.0 * zeta * slope), u - slope);
@@ -100,7 +107,7 @@ impl Oscillator {
     }
 
     /// The rate of the rate of the output under a straight load, and its own rate: a free vibration too.
-    fn bend(self, state: State, [start, slope]: [f64; 2], output: Output) -> [f64; 2] {
+    fn bend(self, state: OscillatorState, [start, slope]: [f64; 2], output: TransientOutput) -> [f64; 2] {
         let zeta = self.ratio;
         let (x, u, slope) = (state.displacement, state.velocity / self.natural, slope / self.natural);
         let acceleration = start - x - 2.0 * zeta * u;
@@ -116,13 +123,13 @@ impl Oscillator {
     /// straight line and the amplitude that is left about it, is within what was found already are passed over.
     fn line_turning_points(
         self,
-        state: State,
+        state: OscillatorState,
         [start, slope]: [f64; 2],
-        output: Output,
+        output: TransientOutput,
         length: f64,
     ) -> Result<Vec<f64>, TransientError> {
         let zeta = self.ratio;
-        let law = Law::Line { start, slope };
+        let law = LoadLaw::Line { start, slope };
         let points = self.level_points(state, [start, slope], output, length)?;
         let amplitude = if zeta < 1.0 {
             let [value, rate] = self.about_line(state, [start, slope], output);
@@ -169,7 +176,13 @@ impl Oscillator {
 
     /// The parts of some windows that may hold an extreme: those where the rate changes its sign near the least or the
     /// largest of all samples.
-    fn sampled(self, state: State, law: Law, output: Output, windows: Vec<Vec<f64>>) -> Vec<[f64; 2]> {
+    fn sampled(
+        self,
+        state: OscillatorState,
+        law: LoadLaw,
+        output: TransientOutput,
+        windows: Vec<Vec<f64>>,
+    ) -> Vec<[f64; 2]> {
         let mut found = Vec::new();
         let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);
         for window in windows {
@@ -195,7 +208,7 @@ impl Oscillator {
     }
 
     /// The rate of an output, over the natural frequency.
-    fn rate(self, state: State, load: f64, output: Output) -> f64 {
+    fn rate(self, state: OscillatorState, load: f64, output: TransientOutput) -> f64 {
         let (x, u) = (state.displacement, state.velocity / self.natural);
         output.displacement * u + output.velocity * (load - x - 2.0 * self.ratio * u)
     }
@@ -204,9 +217,9 @@ impl Oscillator {
     /// is a free vibration, whose zeros are known.
     fn level_points(
         self,
-        state: State,
+        state: OscillatorState,
         [start, slope]: [f64; 2],
-        output: Output,
+        output: TransientOutput,
         length: f64,
     ) -> Result<Vec<f64>, TransientError> {
         let zeta = self.ratio;

@@ -8,7 +8,7 @@ use ratatui::{
 };
 use unicode_width::UnicodeWidthStr;
 
-use crate::{look::Look, panes::wrap};
+use crate::{look::Appearance, panes::wrap};
 
 /// Numbers that differ by less than this share of them are the same.
 const ROUNDING: f64 = 1e-12;
@@ -41,7 +41,7 @@ pub(super) fn of(answer: &Answer, pinned: &Solution, locale: &Locale) -> Option<
 }
 
 /// Puts it at the right of the last line where it fits, else on a line of its own.
-pub(super) fn add(text: &str, look: &Look, width: usize, lines: &mut Vec<Line<'static>>) {
+pub(super) fn add(text: &str, look: &Appearance, width: usize, lines: &mut Vec<Line<'static>>) {
     match lines.last_mut() {
         Some(line) if line.width() + 2 + text.width() <= width => {
             let gap = " ".repeat(width - line.width() - text.width());

@@ -3,7 +3,7 @@
 use dalembert_core::{
     Answer, Record, Scale, Solution, Text, check,
     study::{Distribution, Plan},
-    vary::{self, Input},
+    vary::{self, VariedInput},
 };
 use dalembert_units::{Decimal, Style, Unit, write_quantity};
 
@@ -45,7 +45,7 @@ pub(super) struct Cells {
 #[derive(Debug)]
 pub(super) struct Subject<'s> {
     /// The inputs that are numbers.
-    pub(super) inputs: Vec<Input>,
+    pub(super) inputs: Vec<VariedInput>,
     /// The place of the one that the answer runs over.
     pub(super) input: usize,
     /// The answers that are numbers.
@@ -216,7 +216,8 @@ impl Cells {
             return words(typed);
         }
         let style = Style { decimal, ..Style::default() };
-        let written = |input: &Input, share: f64| write_quantity(part(input, share), &input.unit, style);
+        let written =
+            |input: &VariedInput, share: f64| write_quantity(part(input, share), &input.unit, style);
         let end = |share: f64| of.input().map_or_else(|| words(""), |input| words(&written(input, share)));
         match cell {
             Cell::Kind => match self.kind {
@@ -269,12 +270,13 @@ impl Cells {
         let none = || (Cell::Input, Text::new("this problem has no numeric input"));
         let answer =
             of.answer().ok_or_else(|| (Cell::Answer, Text::new("this problem has no scalar answer")))?;
-        let value = |input: &Input, cell: Cell, share: f64| match self.text(cell).trim() {
+        let value = |input: &VariedInput, cell: Cell, share: f64| match self.text(cell).trim() {
             "" => Ok(part(input, share)),
             typed => input.read(typed).map_err(|why| (cell, why)),
         };
-        let range =
-            |input: &Input| Ok([value(input, Cell::From, RANGE[0])?, value(input, Cell::To, RANGE[1])?]);
+        let range = |input: &VariedInput| {
+            Ok([value(input, Cell::From, RANGE[0])?, value(input, Cell::To, RANGE[1])?])
+        };
         Ok(match self.kind {
             Kind::Sweep => {
                 let input = of.input().ok_or_else(none)?;
@@ -310,7 +312,7 @@ impl Cells {
         })
     }
 
-    fn values(&self, input: &Input) -> Result<Vec<f64>, (Cell, Text)> {
+    fn values(&self, input: &VariedInput) -> Result<Vec<f64>, (Cell, Text)> {
         match self.text(Cell::Values).trim() {
             "" => Ok(FAMILY.map(|share| part(input, share)).to_vec()),
             typed => {
@@ -334,7 +336,7 @@ impl Cells {
 
 impl<'s> Subject<'s> {
     /// The input that the answer runs over.
-    pub(super) fn input(&self) -> Option<&Input> {
+    pub(super) fn input(&self) -> Option<&VariedInput> {
         self.inputs.get(self.input)
     }
 
@@ -344,7 +346,7 @@ impl<'s> Subject<'s> {
     }
 
     /// The input of which every value gives a curve.
-    pub(super) fn family(&self) -> Option<&Input> {
+    pub(super) fn family(&self) -> Option<&VariedInput> {
         self.inputs.get(self.family?)
     }
 
@@ -360,7 +362,7 @@ fn name(answer: &Answer) -> String {
 
 /// An input that is so large a share of what it is; of one that is zero, off by that share of its unit to both sides, or
 /// from zero on where it cannot be negative.
-fn part(input: &Input, share: f64) -> f64 {
+fn part(input: &VariedInput, share: f64) -> f64 {
     if input.si != 0.0 {
         return share * input.si;
     }

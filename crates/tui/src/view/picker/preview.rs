@@ -3,7 +3,7 @@
 
 use std::{borrow::Cow, collections::BTreeSet};
 
-use dalembert_core::{Drawing, Text, cases::Outcome};
+use dalembert_core::{Drawing, Text, cases::Comparison};
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -14,7 +14,7 @@ use ratatui::{
 use crate::{
     drawing,
     glyphs::filter_untrusted,
-    keys::{Action, Place},
+    keys::{Action, KeyContext},
     layout,
     look::Glyph,
     model::Model,
@@ -62,7 +62,7 @@ fn of_heading(model: &Model, heading: Heading, area: Rect, buffer: &mut Buffer) 
         Heading::Exercises | Heading::Set(_) => {
             Text::new("{done} of {count} exercises done; {key} ticks one")
                 .with("done", done)
-                .with("key", model.key(Place::Picker, Action::Toggle))
+                .with("key", model.key(KeyContext::Picker, Action::Toggle))
         }
         _ if count == 1 => Text::from("1 analysis"),
         _ => Text::new("{count} analyses"),
@@ -133,7 +133,7 @@ pub(super) fn case_at(model: &Model, row: Row, area: Rect, at: Position) -> Opti
 }
 
 /// Description of an analysis, and its area.
-struct Sheet<'m> {
+struct Preview<'m> {
     /// Begins at each case.
     page: Page,
     /// The first line that is shown.
@@ -143,7 +143,7 @@ struct Sheet<'m> {
     picture: Rect,
 }
 
-fn sheet<'m>(model: &'m Model, leaf: Leaf, listing: &Listing, inner: Rect) -> Sheet<'m> {
+fn sheet<'m>(model: &'m Model, leaf: Leaf, listing: &Listing, inner: Rect) -> Preview<'m> {
     let about = listing.entry.about;
     let room = usize::from(inner.width);
     let solution = model
@@ -184,7 +184,7 @@ fn sheet<'m>(model: &'m Model, leaf: Leaf, listing: &Listing, inner: Rect) -> Sh
     let picture = Rect { y: text.bottom(), height, ..inner };
     let shown = chosen.and_then(|case| page.starts.get(case));
     let first = shown.map_or(0, |line| (line + 1).saturating_sub(text.height.into()));
-    Sheet { page, first, text, drawing: drawing.filter(|_| height > 0), picture }
+    Preview { page, first, text, drawing: drawing.filter(|_| height > 0), picture }
 }
 
 /// The published cases with their verdicts.
@@ -210,9 +210,9 @@ fn cases(model: &Model, listing: &Listing, chosen: Option<usize>, room: usize, p
         let is_chosen = chosen == Some(n);
         page.starts.push(page.lines.len());
         let pointer = if is_chosen { look.glyph(Glyph::Pointer) } else { " " };
-        let judged = listing.judged.as_ref().and_then(|judged| judged.get(n));
+        let checked = listing.checked.as_ref().and_then(|checked| checked.get(n));
         let (mark, style) =
-            judged.map_or((look.glyph(Glyph::Bullet), look.dim()), |judged| verdict(model, judged));
+            checked.map_or((look.glyph(Glyph::Bullet), look.dim()), |checked| verdict(model, checked));
         let name_style = match (is_chosen, model.picker.case) {
             (true, Some(_)) => look.focus(),
             (true, None) => look.title(),
@@ -236,15 +236,15 @@ fn cases(model: &Model, listing: &Listing, chosen: Option<usize>, room: usize, p
 
 /// Numbers of published answers that agree, are disputed, disagree.
 fn sums(model: &Model, listing: &Listing) -> Vec<(&'static str, Style, usize)> {
-    let all: Vec<Outcome> = listing
-        .judged
+    let all: Vec<Comparison> = listing
+        .checked
         .iter()
         .flatten()
-        .filter_map(|judged| judged.verdicts.as_ref()?.as_ref().ok())
+        .filter_map(|checked| checked.verdicts.as_ref()?.as_ref().ok())
         .flatten()
         .map(|verdict| verdict.outcome)
         .collect();
-    [Outcome::Agreed, Outcome::Disputed, Outcome::Differing]
+    [Comparison::Agreed, Comparison::Disputed, Comparison::Differing]
         .into_iter()
         .map(|outcome| {
             let (mark, style) = marked(model, outcome);
@@ -255,29 +255,29 @@ fn sums(model: &Model, listing: &Listing) -> Vec<(&'static str, Style, usize)> {
 }
 
 /// The mark of a case: that of its worst answer.
-fn verdict(model: &Model, judged: &CheckedCase) -> (&'static str, Style) {
+fn verdict(model: &Model, checked: &CheckedCase) -> (&'static str, Style) {
     let look = &model.look;
-    match &judged.verdicts {
+    match &checked.verdicts {
         None => (look.glyph(Glyph::Bullet), look.dim()),
-        Some(Err(_)) => marked(model, Outcome::Differing),
+        Some(Err(_)) => marked(model, Comparison::Differing),
         Some(Ok(verdicts)) => {
             let any = |outcome| verdicts.iter().any(|verdict| verdict.outcome == outcome);
-            match (any(Outcome::Differing), any(Outcome::Disputed)) {
-                (true, _) => marked(model, Outcome::Differing),
-                (false, true) => marked(model, Outcome::Disputed),
+            match (any(Comparison::Differing), any(Comparison::Disputed)) {
+                (true, _) => marked(model, Comparison::Differing),
+                (false, true) => marked(model, Comparison::Disputed),
                 _ if verdicts.is_empty() => (look.glyph(Glyph::Bullet), look.dim()),
-                (false, false) => marked(model, Outcome::Agreed),
+                (false, false) => marked(model, Comparison::Agreed),
             }
         }
     }
 }
 
-fn marked(model: &Model, outcome: Outcome) -> (&'static str, Style) {
+fn marked(model: &Model, outcome: Comparison) -> (&'static str, Style) {
     let look = &model.look;
     match outcome {
-        Outcome::Agreed => (look.glyph(Glyph::Good), look.good()),
-        Outcome::Disputed => (look.glyph(Glyph::Unequal), look.warning()),
-        Outcome::Differing => (look.glyph(Glyph::Bad), look.error()),
+        Comparison::Agreed => (look.glyph(Glyph::Good), look.good()),
+        Comparison::Disputed => (look.glyph(Glyph::Unequal), look.warning()),
+        Comparison::Differing => (look.glyph(Glyph::Bad), look.error()),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Newton's and Euler's equations of all links at once: the forces in the joints and the torque on the crank.
 
-use dalembert_mechanics::balance::linkage::{Counterweight, Follower, Link, Linkage, Pose};
+use dalembert_mechanics::balance::linkage::{Counterweight, Follower, LinkInertia, Linkage, Pose};
 use dalembert_numerics::linalg;
 use nalgebra::{DMatrix, DVector};
 
@@ -26,7 +26,7 @@ struct Sums {
 }
 
 impl Sums {
-    fn add(&mut self, link: Link, turned: f64) {
+    fn add(&mut self, link: LinkInertia, turned: f64) {
         let (sine, cosine) = (turned + link.offset).sin_cos();
         self.mass += link.mass;
         self.first[0] += link.mass * link.distance * cosine;
@@ -57,7 +57,7 @@ pub(super) fn frame_loads(
         Follower::Slider { mass, .. } => sums[2].mass += mass,
     }
     for c in counterweights {
-        let link = Link { mass: c.mass, distance: c.distance, offset: c.angle, inertia: 0.0 };
+        let link = LinkInertia { mass: c.mass, distance: c.distance, offset: c.angle, inertia: 0.0 };
         sums[c.link].add(link, pose.angles[c.link]);
     }
     // Velocities and accelerations that keep the loop closed.

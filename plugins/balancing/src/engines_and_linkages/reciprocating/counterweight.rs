@@ -20,7 +20,7 @@ use crate::{
 };
 
 /// Rotating force and couple, forward and backward, that a pair of balance shafts counteracts.
-pub(super) struct Turning<N> {
+pub(super) struct RotatingExcitation<N> {
     pub force: Pair<N>,
     /// Sizes of the couples that turn forward and backward.
     pub couple: Option<[N; 2]>,
@@ -29,7 +29,7 @@ pub(super) struct Turning<N> {
 }
 
 /// An engine, cylinder by cylinder.
-pub(super) struct Engine<'a, N> {
+pub(super) struct CylinderEngine<'a, N> {
     pub cylinders: &'a [Placed<N>],
     pub pistons: &'a [Piston],
     pub motion: PistonMotion,
@@ -43,7 +43,7 @@ pub(super) fn rotating<W: Worksheet>(
     found: &[Order<W::Num>],
     about: Option<W::Num>,
     sheet: W,
-) -> Turning<W::Num> {
+) -> RotatingExcitation<W::Num> {
     let first = &found[0];
     let Some(counterweight) = &given.counterweight else {
         return with_rotating_masses(given, cylinders, first, about, sheet);
@@ -141,7 +141,7 @@ pub(super) fn rotating<W: Worksheet>(
     if first.force.forward_size.value() > 1e-9 * first.scale {
         best(first, sheet);
     }
-    Turning { force: pair, couple, centrifugal }
+    RotatingExcitation { force: pair, couple, centrifugal }
 }
 
 /// The fraction with the least largest force: half, found again by a search.
@@ -149,7 +149,7 @@ fn best<W: Worksheet>(first: &Order<W::Num>, sheet: W) {
     let (p, q) = (first.force.forward_size.value(), first.force.backward_size.value());
     let how =
         "Fraction that minimises the maximum force: the counterweights cancel the forward rotating vector";
-    let best = sheet.found("c_best", "1", 0.5, (how, DEN_HARTOG.at("ch. 5")));
+    let best = sheet.numerical("c_best", "1", 0.5, (how, DEN_HARTOG.at("ch. 5")));
     let why = "Maximum primary force at that fraction: the backward rotating vector alone";
     let least = sheet.step("F_best", "N", first.force.backward_size, why);
     sheet.answer("best_fraction", "Optimum balanced fraction of the reciprocating mass", best);
@@ -209,10 +209,10 @@ fn with_rotating_masses<W: Worksheet>(
     first: &Order<W::Num>,
     about: Option<W::Num>,
     sheet: W,
-) -> Turning<W::Num> {
+) -> RotatingExcitation<W::Num> {
     if cylinders.iter().all(|c| c.rotating.value() == 0.0) {
         let couple = first.couple.map(|couple| [couple.forward_size, couple.backward_size]);
-        return Turning { force: first.force, couple, centrifugal: vec![0.0; cylinders.len()] };
+        return RotatingExcitation { force: first.force, couple, centrifugal: vec![0.0; cylinders.len()] };
     }
     let alike = cylinders[0].row == 0;
     let mut strengths: Vec<W::Num> = Vec::new();
@@ -257,7 +257,7 @@ fn with_rotating_masses<W: Worksheet>(
     let [px, py] = first.force.forward;
     let (px, py) = (px + x, py + y);
     let force = Pair { forward: [px, py], forward_size: balance::magnitude(px, py), ..first.force };
-    Turning { force, couple: all, centrifugal }
+    RotatingExcitation { force, couple: all, centrifugal }
 }
 
 /// Holds the size of a sum of vectors along the cranks to the angles of the cranks from the first one.
@@ -272,9 +272,9 @@ fn by_angles<W: Worksheet>(size: W::Num, cylinders: &[Placed<W::Num>], amounts: 
 pub(super) fn shafts<W: Worksheet>(
     which: Shafts,
     speed: W::Num,
-    engine: &Engine<'_, W::Num>,
+    engine: &CylinderEngine<'_, W::Num>,
     found: &[Order<W::Num>],
-    first: &Turning<W::Num>,
+    first: &RotatingExcitation<W::Num>,
     about: Option<W::Num>,
     sheet: W,
 ) -> Result<(), Refusal> {

@@ -5,7 +5,9 @@ use std::f64::consts::{PI, TAU};
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{Real, balance::reciprocating as engine};
 
-use super::{Arrangement, ArrangementGiven, Cranks, CranksGiven, EveryGiven, SpacingGiven, Strokes};
+use super::{
+    Arrangement, ArrangementGiven, CrankAngles, CrankAnglesGiven, EveryGiven, SpacingGiven, Strokes,
+};
 use crate::sources::{DEN_HARTOG, KHURMI};
 
 /// A cylinder in its place.
@@ -165,8 +167,8 @@ fn number(what: &'static str, found: usize, wanted: usize) -> Refusal {
 
 /// Crank angles as given, or from the firing order, or the best. `lines` are the directions of the banks.
 fn throws<W: Worksheet>(
-    cranks: &Cranks,
-    given: &CranksGiven<W>,
+    cranks: &CrankAngles,
+    given: &CrankAnglesGiven<W>,
     count: usize,
     lines: &[f64],
     split: f64,
@@ -179,9 +181,9 @@ fn throws<W: Worksheet>(
         Strokes::Two => TAU / pistons as f64,
     };
     match (cranks, given) {
-        (_, CranksGiven::Angles { angles }) if angles.len() == count => Ok(angles.clone()),
-        (_, CranksGiven::Angles { angles }) => Err(number("crank angles", angles.len(), count)),
-        (Cranks::Firing { order, strokes }, _) => {
+        (_, CrankAnglesGiven::Angles { angles }) if angles.len() == count => Ok(angles.clone()),
+        (_, CrankAnglesGiven::Angles { angles }) => Err(number("crank angles", angles.len(), count)),
+        (CrankAngles::Firing { order, strokes }, _) => {
             let turns = turns(order, pistons)?;
             let interval = interval(strokes);
             // A cylinder is at its top, φ + θ = ψ, when it fires.
@@ -217,7 +219,7 @@ fn throws<W: Worksheet>(
                 })
                 .collect())
         }
-        (Cranks::Best { strokes }, _) => {
+        (CrankAngles::Best { strokes }, _) => {
             if lines.len() > 1 || count > 8 {
                 return Err(Refusal::because(
                     "the best order is searched for engines in line of up to eight cylinders; give the firing order or the crank angles",

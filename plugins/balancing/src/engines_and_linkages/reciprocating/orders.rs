@@ -120,7 +120,7 @@ pub(super) fn strengths<W: Worksheet>(
                         4 => "A₄",
                         _ => "A₆",
                     };
-                    let harmonic = sheet.found((symbol, c.row), "1", harmonic, how);
+                    let harmonic = sheet.numerical((symbol, c.row), "1", harmonic, how);
                     if c.row <= 1 {
                         sheet.answer(
                             ("harmonic", usize::from(order)),

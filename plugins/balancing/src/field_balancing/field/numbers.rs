@@ -13,7 +13,7 @@ use nalgebra::{Complex, DMatrix};
 
 use super::{
     Influence, Job,
-    readings::{Reading, Run},
+    readings::{WorkedReading, WorkedRun},
     refusal,
 };
 
@@ -44,7 +44,7 @@ impl Numbers {
         spread: ReadingSpread,
         sheet: W,
     ) -> Result<Self, Refusal> {
-        let reading = |reading: &Reading<W::Num>| {
+        let reading = |reading: &WorkedReading<W::Num>| {
             let phase = reading.phase.value();
             Complex::from_polar(reading.amplitude.value(), if opposed { -phase } else { phase })
         };
@@ -68,7 +68,7 @@ impl Numbers {
             }
             Influence::Runs { stay, runs } => {
                 same_readings(&job.first, runs)?;
-                let numbers = |run: &Run<W::Num>| TrialRun {
+                let numbers = |run: &WorkedRun<W::Num>| TrialRun {
                     plane: run.plane,
                     weight: Complex::from_polar(run.mass.value(), run.angle.value()),
                     readings: run.readings.iter().map(reading).collect(),
@@ -84,7 +84,7 @@ impl Numbers {
     }
 
     /// Refuses planes that the uncertainty cannot tell apart, and warns of those that are nearly so.
-    pub(super) fn judge_planes<W: Worksheet>(
+    pub(super) fn assess_planes<W: Worksheet>(
         &self,
         condition: f64,
         spread: ReadingSpread,
@@ -242,7 +242,7 @@ fn known(rows: &[(f64, f64, f64, f64)], readings: usize) -> Result<DMatrix<Compl
 }
 
 /// Every run has the readings of the first one, at the same speeds.
-fn same_readings<N: Real>(first: &[Reading<N>], runs: &[Run<N>]) -> Result<(), Refusal> {
+fn same_readings<N: Real>(first: &[WorkedReading<N>], runs: &[WorkedRun<N>]) -> Result<(), Refusal> {
     for (n, run) in (1..).zip(runs) {
         if run.readings.len() != first.len() {
             return Err(Refusal::because(

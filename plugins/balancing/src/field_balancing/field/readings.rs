@@ -25,7 +25,7 @@ pub enum InfluenceSource {
         /// Runs.
         /// At least one for each plane.
         #[input(min = 1)]
-        runs: Vec<TrialRun>,
+        runs: Vec<TrialRunInput>,
     },
     /// Influence coefficients known
     /// The table of an earlier job, for a trim run without trial weights.
@@ -48,7 +48,7 @@ pub enum TrialWeights {
 
 /// A run with a trial weight.
 #[derive(Clone, Debug, Inputs)]
-pub struct TrialRun {
+pub struct TrialRunInput {
     /// Plane of the trial weight.
     /// Planes are numbered from 1.
     #[input(min = 1, max = 20)]
@@ -86,26 +86,26 @@ pub struct KnownCoefficient {
 }
 
 /// A reading as numbers of a worksheet.
-pub(super) struct Reading<N> {
+pub(super) struct WorkedReading<N> {
     pub(super) amplitude: N,
     pub(super) phase: N,
     pub(super) speed: Option<f64>,
 }
 
 /// A run as numbers of a worksheet.
-pub(super) struct Run<N> {
+pub(super) struct WorkedRun<N> {
     /// Counted from 0.
     pub(super) plane: usize,
     pub(super) mass: N,
     pub(super) angle: N,
-    pub(super) readings: Vec<Reading<N>>,
+    pub(super) readings: Vec<WorkedReading<N>>,
 }
 
 /// Source of the influence coefficients: trial runs or known values.
 pub(super) enum Influence<N> {
     Runs {
         stay: bool,
-        runs: Vec<Run<N>>,
+        runs: Vec<WorkedRun<N>>,
     },
     /// Plane and reading counted from 1, size, angle.
     Known(Vec<(f64, f64, f64, f64)>),
@@ -114,7 +114,7 @@ pub(super) enum Influence<N> {
 /// All that was measured as numbers of a worksheet.
 pub(super) struct Job<N> {
     pub(super) units: Units,
-    pub(super) first: Vec<Reading<N>>,
+    pub(super) first: Vec<WorkedReading<N>>,
     pub(super) influence: Influence<N>,
 }
 
@@ -137,7 +137,7 @@ impl Measurements {
         };
         let influence = match (&self.influence, &given.influence) {
             (InfluenceSource::Runs { after, runs }, InfluenceSourceGiven::Runs { runs: given, .. }) => {
-                let run = |(run, given): (&TrialRun, &TrialRunGiven<W>)| Run {
+                let run = |(run, given): (&TrialRunInput, &TrialRunInputGiven<W>)| WorkedRun {
                     plane: run.plane - 1,
                     mass: given.mass,
                     angle: given.angle,
@@ -159,8 +159,11 @@ impl Measurements {
     }
 }
 
-fn readings<W: Worksheet>(own: &[SensorReading], given: &[SensorReadingGiven<W>]) -> Vec<Reading<W::Num>> {
-    let reading = |(own, given): (&SensorReading, &SensorReadingGiven<W>)| Reading {
+fn readings<W: Worksheet>(
+    own: &[SensorReading],
+    given: &[SensorReadingGiven<W>],
+) -> Vec<WorkedReading<W::Num>> {
+    let reading = |(own, given): (&SensorReading, &SensorReadingGiven<W>)| WorkedReading {
         amplitude: given.amplitude,
         phase: given.phase,
         speed: own.speed,

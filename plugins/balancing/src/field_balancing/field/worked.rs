@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 use super::{
     Found, Influence, Job,
-    readings::{Reading, Run, Units},
+    readings::{Units, WorkedReading, WorkedRun},
 };
 use crate::sources::RAO;
 
@@ -28,14 +28,14 @@ pub(super) fn solve<W: Worksheet>(job: &Job<W::Num>, opposed: bool, sheet: W) ->
 }
 
 /// The phase in the sense in which weights are counted.
-fn phase<N: Real>(reading: &Reading<N>, opposed: bool) -> N {
+fn phase<N: Real>(reading: &WorkedReading<N>, opposed: bool) -> N {
     if opposed { -reading.phase } else { reading.phase }
 }
 
 /// A reading by its components.
 fn components<W: Worksheet>(
     symbols: [Symbol; 2],
-    reading: &Reading<W::Num>,
+    reading: &WorkedReading<W::Num>,
     opposed: bool,
     unit: &'static str,
     sheet: W,
@@ -48,8 +48,8 @@ fn components<W: Worksheet>(
 
 /// The vector triangle of one plane and one sensor.
 fn triangle<W: Worksheet>(
-    first: &Reading<W::Num>,
-    run: &Run<W::Num>,
+    first: &WorkedReading<W::Num>,
+    run: &WorkedRun<W::Num>,
     opposed: bool,
     units: Units,
     sheet: W,
@@ -96,7 +96,7 @@ fn triangle<W: Worksheet>(
 /// Two planes and two sensors: four influence coefficients and Cramer's rule.
 fn two_planes<W: Worksheet>(
     job: &Job<W::Num>,
-    runs: &[Run<W::Num>],
+    runs: &[WorkedRun<W::Num>],
     stay: bool,
     opposed: bool,
     sheet: W,
@@ -107,12 +107,12 @@ fn two_planes<W: Worksheet>(
         let cite = || (why, RAO.at("§9.4.2"));
         Phasor { x: sheet.step(x, unit, vector.x, cite()), y: sheet.step(y, unit, vector.y, cite()) }
     };
-    let vectors = |bases: [&'static str; 2], readings: &[Reading<W::Num>], run: Option<usize>| {
+    let vectors = |bases: [&'static str; 2], readings: &[WorkedReading<W::Num>], run: Option<usize>| {
         let symbol = |base: &'static str, n: usize| {
             let symbol = Symbol::from(base);
             run.map_or(symbol, |run| symbol.row(run)).row(n)
         };
-        let of = |(n, read): (usize, &Reading<W::Num>)| {
+        let of = |(n, read): (usize, &WorkedReading<W::Num>)| {
             components(bases.map(|base| symbol(base, n)), read, opposed, reading, sheet)
         };
         (1..).zip(readings).map(of).collect::<Vec<_>>()

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use dalembert_core::{Cell, Column, Exhibit, Refusal, Symbol, TableExhibit, Text, Worksheet};
 use dalembert_mechanics::{
     Real,
-    balance::{self, Known, PartlyKnown, UnknownsError, Vanishing},
+    balance::{self, PartlyKnown, RotorMass, UnknownsError, Vanishing},
 };
 
 use super::{Load, Partly, Product, Unbalance};
@@ -79,7 +79,7 @@ pub(super) fn check<W: Worksheet>(masses: &[Unbalance<W::Num>], both: bool, shee
 }
 
 /// A mass of the first balance, with what was found of it as answers.
-fn load<W: Worksheet>(m: &Partly<W::Num>, found: Known, both: bool, sheet: W) -> Load<W::Num> {
+fn load<W: Worksheet>(m: &Partly<W::Num>, found: RotorMass, both: bool, sheet: W) -> Load<W::Num> {
     let row = m.row;
     let why = || {
         let reason = if both {
@@ -89,7 +89,7 @@ fn load<W: Worksheet>(m: &Partly<W::Num>, found: Known, both: bool, sheet: W) ->
         };
         (reason, KHURMI.at("ch. 21"))
     };
-    let size = || sheet.found(("U", row), "kg*mm", found.product, why());
+    let size = || sheet.numerical(("U", row), "kg*mm", found.product, why());
     let product = match (m.mass, m.radius, m.product) {
         (Some(mass), Some(radius), _) => Product::Of(mass, radius),
         (_, _, Some(product)) => Product::Is(product),
@@ -110,7 +110,7 @@ fn load<W: Worksheet>(m: &Partly<W::Num>, found: Known, both: bool, sheet: W) ->
         }
     };
     let angle = m.angle.unwrap_or_else(|| {
-        let angle = sheet.found(("θ", row), "deg", found.angle, why());
+        let angle = sheet.numerical(("θ", row), "deg", found.angle, why());
         sheet.answer(("angle", row), "Angle", angle);
         let why = "The same position, measured in the opposite sense";
         let other = sheet.step(("θ′", row), "deg", -angle + TAU, why);
@@ -129,7 +129,7 @@ fn load<W: Worksheet>(m: &Partly<W::Num>, found: Known, both: bool, sheet: W) ->
     });
     let position = if both {
         Some(m.position.unwrap_or_else(|| {
-            let position = sheet.found(("z", row), "mm", found.position, why());
+            let position = sheet.numerical(("z", row), "mm", found.position, why());
             sheet.answer(("position", row), "Position", position);
             position
         }))
@@ -140,11 +140,11 @@ fn load<W: Worksheet>(m: &Partly<W::Num>, found: Known, both: bool, sheet: W) ->
 }
 
 /// Answers the unknowns of a mass in the `k`-th balance.
-fn another<W: Worksheet>(m: &Partly<W::Num>, found: Known, k: usize, both: bool, sheet: W) {
+fn another<W: Worksheet>(m: &Partly<W::Num>, found: RotorMass, k: usize, both: bool, sheet: W) {
     let row = m.row;
     let symbol = |base: &'static str| Symbol::from(base).row(row).row(k);
     let why = || Text::new("Another arrangement that closes the polygons, number {number}").with("number", k);
-    let found_here = |base, unit, si| sheet.found(symbol(base), unit, si, why());
+    let found_here = |base, unit, si| sheet.numerical(symbol(base), unit, si, why());
     match (m.mass, m.radius, m.product) {
         (None, Some(radius), None) => {
             let mass = found_here("m", "kg", found.product / radius.value());
@@ -170,7 +170,7 @@ fn another<W: Worksheet>(m: &Partly<W::Num>, found: Known, k: usize, both: bool,
     }
 }
 
-fn table(balances: &[Vec<Known>], both: bool) -> TableExhibit {
+fn table(balances: &[Vec<RotorMass>], both: bool) -> TableExhibit {
     let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
     let mut columns =
         vec![column("Arrangement", ""), column("", ""), column("m r", "kg*mm"), column("θ", "deg")];
@@ -178,7 +178,7 @@ fn table(balances: &[Vec<Known>], both: bool) -> TableExhibit {
         columns.push(column("z", "mm"));
     }
     let rows = (1..).zip(balances).flat_map(|(k, balance)| {
-        let row = move |(n, mass): (usize, &Known)| -> Vec<Cell> {
+        let row = move |(n, mass): (usize, &RotorMass)| -> Vec<Cell> {
             let mut cells: Vec<Cell> = vec![
                 Text::new("{number}").with("number", k).into(),
                 Text::new("mass {n}").with("n", n).into(),

@@ -5,7 +5,7 @@ use dalembert_mechanics::{Real, balance};
 
 use super::{CorrectionPlane, CorrectionPlaneGiven, Unbalance, by_pairs};
 use crate::{
-    shared::rotor::{self, CorrectionGiven, Keys, Symbols, Way},
+    shared::rotor::{self, CorrectionGiven, CorrectionMethod, Keys, Symbols},
     sources::RIUL,
 };
 
@@ -34,7 +34,7 @@ pub(super) fn find<W: Worksheet>(
     masses: &[Unbalance<W::Num>],
     planes: &[CorrectionPlane],
     known: &[CorrectionPlaneGiven<W>],
-    way: Way,
+    way: CorrectionMethod,
     gravity: W::Num,
     sheet: W,
 ) -> Result<Vec<Corrected<W::Num>>, Refusal> {

@@ -3,11 +3,11 @@
 use dalembert_core::{Cell, Column, Refusal, TableExhibit, Text, Worksheet};
 use dalembert_mechanics::{
     Real,
-    balance::{self, Kind, PlaneUnbalance},
+    balance::{self, PlaneUnbalance, UnbalanceKind},
 };
 
 use super::{
-    Bearings, BearingsGiven, EquivalentPlanes, EquivalentPlanesGiven, Unbalance, by_pairs,
+    BearingPositions, BearingPositionsGiven, EquivalentPlanes, EquivalentPlanesGiven, Unbalance, by_pairs,
     corrections::Corrected,
 };
 use crate::sources::{ISO_TERMS, RIUL};
@@ -48,8 +48,8 @@ pub(super) fn of_the_masses<W: Worksheet>(masses: &[Unbalance<W::Num>], referenc
 pub(super) fn bearing_forces<W: Worksheet>(
     masses: &[Unbalance<W::Num>],
     corrections: Option<&[Corrected<W::Num>]>,
-    known: &Bearings,
-    bearings: &BearingsGiven<W>,
+    known: &BearingPositions,
+    bearings: &BearingPositionsGiven<W>,
     gravity: W::Num,
     reference: W::Num,
     sheet: W,
@@ -160,7 +160,7 @@ const AFTER: [Written; 2] = [
 
 fn forces<W: Worksheet>(
     all: &[&Unbalance<W::Num>],
-    bearings: &BearingsGiven<W>,
+    bearings: &BearingPositionsGiven<W>,
     written: &[Written; 2],
     sheet: W,
 ) -> [W::Num; 2] {
@@ -332,12 +332,12 @@ pub(super) fn kinds<N: Real>(
     let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
     let row = |name: &'static str, all: Vec<PlaneUnbalance>| -> Vec<Cell> {
         let kind = match (balance::kind(&all, centre.unwrap_or(reference), 1e-9), centre) {
-            (Kind::Balanced, _) => "balanced",
-            (Kind::Couple, _) => "couple unbalance",
-            (Kind::Dynamic, _) => "dynamic unbalance",
-            (Kind::Static, Some(_)) => "static unbalance",
-            (Kind::QuasiStatic, Some(_)) => "quasi-static unbalance",
-            (Kind::Static | Kind::QuasiStatic, None) => "static or quasi-static unbalance",
+            (UnbalanceKind::Balanced, _) => "balanced",
+            (UnbalanceKind::Couple, _) => "couple unbalance",
+            (UnbalanceKind::Dynamic, _) => "dynamic unbalance",
+            (UnbalanceKind::Static, Some(_)) => "static unbalance",
+            (UnbalanceKind::QuasiStatic, Some(_)) => "quasi-static unbalance",
+            (UnbalanceKind::Static | UnbalanceKind::QuasiStatic, None) => "static or quasi-static unbalance",
         };
         let all_sizes: f64 = all.iter().map(|u| u.components[0].hypot(u.components[1])).sum();
         let sum = |axis: usize| all.iter().map(|u| u.components[axis]).sum::<f64>();

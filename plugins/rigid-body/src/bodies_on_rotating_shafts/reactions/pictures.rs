@@ -7,13 +7,13 @@ use dalembert_mechanics::{
     Real as _,
     rigid::{
         self, MassProperties,
-        chain::{self, Frame},
+        chain::{self, ChainFrame},
         supports::Wrench,
     },
 };
 use nalgebra::Vector3;
 
-use super::{Acts, Drive, Found, Held, Kind, Reactions};
+use super::{Acts, Found, Held, Reactions, ShaftDrive, SupportKind};
 use crate::shared::{
     joints::{self, Named, given_name, seen_from},
     scene::Scene,
@@ -21,7 +21,7 @@ use crate::shared::{
 
 impl Reactions {
     /// The reactions for joints in other places or at other speeds, in the fixed axes; `None` where there are none.
-    fn reactions_at(&self, body: &MassProperties, joints: &[chain::Joint]) -> Option<Vec<Vector3<f64>>> {
+    fn reactions_at(&self, body: &MassProperties, joints: &[chain::ChainJoint]) -> Option<Vec<Vector3<f64>>> {
         let frames = chain::frames(joints).ok()?;
         let held = Held::new(self, &frames).ok()?;
         let found = |acceleration: f64| {
@@ -33,7 +33,7 @@ impl Reactions {
         let (supports, drive) = found(given)?;
         let supports = match (&self.drive, drive) {
             // The couple of the drive grows with the acceleration along a straight line.
-            (Drive::Couple { couple }, Some(drive)) => {
+            (ShaftDrive::Couple { couple }, Some(drive)) => {
                 let step = 1.0 + given.abs();
                 let (_, further) = found(given + step)?;
                 found(given + step * (couple - drive) / (further? - drive))?.0
@@ -48,7 +48,7 @@ impl Reactions {
     pub(super) fn unloading<W: Worksheet>(
         &self,
         body: &MassProperties,
-        axes: &Frame,
+        axes: &ChainFrame,
         acceleration: f64,
         sheet: W,
     ) {
@@ -56,13 +56,13 @@ impl Reactions {
         let rate = if joint.rate == 0.0 { TAU / chain::period(&[joint]) } else { joint.rate };
         for (n, support) in self.supports.iter().enumerate() {
             let along = match support.kind {
-                Kind::Wire { direction } => direction,
-                Kind::Contact { normal, .. } => normal,
+                SupportKind::Wire { direction } => direction,
+                SupportKind::Contact { normal, .. } => normal,
                 _ => continue,
             };
             let along = axes.rotation * (along / along.amax()).normalize();
             let force = |rate: f64| {
-                self.reactions_at(body, &[chain::Joint { rate, ..joint }]).map(|all| all[n].dot(&along))
+                self.reactions_at(body, &[chain::ChainJoint { rate, ..joint }]).map(|all| all[n].dot(&along))
             };
             let (Some(still), Some(turning)) = (force(0.0), force(rate)) else { continue };
             let square = still / (still - turning) * rate.powi(2);
@@ -72,9 +72,10 @@ impl Reactions {
             }
             let how =
                 "Speed at which the force of {name} is zero: its static part plus a part proportional to ω²";
-            let speed = sheet.found(("ω_0", n + 1), "rad/s", square.sqrt(), Named(how, &support.name, None));
+            let speed =
+                sheet.numerical(("ω_0", n + 1), "rad/s", square.sqrt(), Named(how, &support.name, None));
             sheet.answer(("unloaded_speed", n + 1), "Speed at which the support force is zero", speed);
-            sheet.whose(("unloaded_speed", n + 1), &support.name);
+            sheet.row_label(("unloaded_speed", n + 1), &support.name);
             sheet.verify(|| {
                 let left = force(speed.value()).unwrap_or(f64::NAN);
                 sheet.check_zero(
@@ -88,7 +89,7 @@ impl Reactions {
     }
 
     /// Weight, loads, inertia force and couple, in the axes of the supports.
-    fn known(&self, body: &MassProperties, frames: &[Frame]) -> Wrench {
+    fn known(&self, body: &MassProperties, frames: &[ChainFrame]) -> Wrench {
         let axes = &frames[self.axes.place()];
         let last = &frames[frames.len() - 1];
         let point = last.point(body.centre);
@@ -120,7 +121,7 @@ impl Reactions {
         }
     }
 
-    fn over_a_turn(&self, body: &MassProperties, now: &[chain::Joint]) -> Plot {
+    fn over_a_turn(&self, body: &MassProperties, now: &[chain::ChainJoint]) -> Plot {
         let shown = self.supports.len().min(2);
         let mut curves: Vec<[Vec<(f64, f64)>; 3]> = vec![Default::default(); shown];
         for n in 0..=72 {
@@ -155,12 +156,12 @@ impl Reactions {
         .over("joints[1].motion.now.angle")
     }
 
-    fn against_speed(&self, body: &MassProperties, joint: chain::Joint) -> Plot {
+    fn against_speed(&self, body: &MassProperties, joint: chain::ChainJoint) -> Plot {
         let mut curves: Vec<Vec<(f64, f64)>> = vec![Vec::new(); self.supports.len().min(4)];
         let mut now = None;
         for n in 0..=60 {
             let speed = joint.rate * 1.5 * f64::from(n) / 60.0;
-            let Some(found) = self.reactions_at(body, &[chain::Joint { rate: speed, ..joint }]) else {
+            let Some(found) = self.reactions_at(body, &[chain::ChainJoint { rate: speed, ..joint }]) else {
                 continue;
             };
             if n == 40 {
@@ -187,7 +188,7 @@ impl Reactions {
     }
 
     /// Axes, supports with their reactions, G with the angular velocity.
-    pub(super) fn drawing(&self, body: &MassProperties, frames: &[Frame], found: &Found) -> Exhibit {
+    pub(super) fn drawing(&self, body: &MassProperties, frames: &[ChainFrame], found: &Found) -> Exhibit {
         let mut scene = Scene::new();
         let axes = &frames[self.axes.place()];
         let last = &frames[frames.len() - 1];

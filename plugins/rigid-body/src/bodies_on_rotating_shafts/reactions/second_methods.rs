@@ -8,13 +8,13 @@ use super::{Found, Moved, Reactions};
 
 /// The reactions at rest, what the motion adds to them, and the whole in the fixed axes, as they are shown.
 #[derive(Default)]
-pub(super) struct Parts {
+pub(super) struct ReactionParts {
     pub(super) at_rest: Vec<Vector3<f64>>,
     pub(super) added: Vec<Vector3<f64>>,
     pub(super) fixed: Vec<Vector3<f64>>,
 }
 
-impl Parts {
+impl ReactionParts {
     /// The parts at rest against weight, loads and what holds the body; the others against inertia force and couple
     /// alone.
     pub(super) fn check<W: Worksheet>(
@@ -47,7 +47,7 @@ impl Reactions {
         body: &MassProperties,
         moved: &Moved<W>,
         found: &Found,
-        axes: &chain::Frame,
+        axes: &chain::ChainFrame,
         sheet: W,
     ) {
         let chain_at = |t: f64| {

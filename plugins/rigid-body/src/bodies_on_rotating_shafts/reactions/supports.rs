@@ -8,8 +8,8 @@ use dalembert_mechanics::{
     Real, Vector,
     rigid::{
         Axis,
-        chain::Frame,
-        supports::{SupportError, Supports, Unknown, Wrench},
+        chain::ChainFrame,
+        supports::{ReactionUnknown, SupportError, Supports, Wrench},
     },
 };
 use nalgebra::Vector3;
@@ -27,12 +27,12 @@ pub struct Support {
     #[input("r", "m")]
     pub at: Vector3<f64>,
     /// Kind of support.
-    pub kind: Kind,
+    pub kind: SupportKind,
 }
 
 /// Constraint of a support.
 #[derive(Clone, Debug, Inputs)]
-pub enum Kind {
+pub enum SupportKind {
     /// Bearing
     /// Two forces normal to the shaft.
     Bearing {
@@ -95,25 +95,25 @@ pub enum Kind {
 
 impl Support {
     /// Unknown reactions of the support.
-    fn unknowns(&self) -> Result<Vec<Unknown>, Refusal> {
-        let force = |along: Vector3<f64>| Unknown::Force { at: self.at, along };
+    fn unknowns(&self) -> Result<Vec<ReactionUnknown>, Refusal> {
+        let force = |along: Vector3<f64>| ReactionUnknown::Force { at: self.at, along };
         let forces = || [Vector3::x(), Vector3::y(), Vector3::z()].map(force).to_vec();
-        let couple = |about: Vector3<f64>| Unknown::Couple { about };
+        let couple = |about: Vector3<f64>| ReactionUnknown::Couple { about };
         Ok(match self.kind {
-            Kind::Bearing { shaft } => across(self.unit(shaft)?).map(force).to_vec(),
-            Kind::ThrustBearing | Kind::BallAndSocket => forces(),
-            Kind::Clevis { pin } => {
+            SupportKind::Bearing { shaft } => across(self.unit(shaft)?).map(force).to_vec(),
+            SupportKind::ThrustBearing | SupportKind::BallAndSocket => forces(),
+            SupportKind::Clevis { pin } => {
                 let mut all = forces();
                 all.extend(across(self.unit(pin)?).map(couple));
                 all
             }
-            Kind::Weld => {
+            SupportKind::Weld => {
                 let mut all = forces();
                 all.extend([Vector3::x(), Vector3::y(), Vector3::z()].map(couple));
                 all
             }
-            Kind::Wire { direction } => vec![force(self.unit(direction)?)],
-            Kind::Contact { normal, friction, sliding } => {
+            SupportKind::Wire { direction } => vec![force(self.unit(direction)?)],
+            SupportKind::Contact { normal, friction, sliding } => {
                 let normal = self.unit(normal)?;
                 if friction == 0.0 {
                     return Ok(vec![force(normal)]);
@@ -121,11 +121,11 @@ impl Support {
                 let along = sliding - normal * normal.dot(sliding);
                 vec![force(normal - self.unit(along)? * friction)]
             }
-            Kind::RoughContact { normal } => {
+            SupportKind::RoughContact { normal } => {
                 self.unit(normal)?;
                 forces()
             }
-            Kind::Couple { about } => vec![couple(self.unit(about)?)],
+            SupportKind::Couple { about } => vec![couple(self.unit(about)?)],
         })
     }
 
@@ -160,7 +160,7 @@ pub(super) struct Held<'a> {
 
 impl<'a> Held<'a> {
     /// Counts the unknowns.
-    pub(super) fn new(problem: &'a Reactions, frames: &[Frame]) -> Result<Self, Refusal> {
+    pub(super) fn new(problem: &'a Reactions, frames: &[ChainFrame]) -> Result<Self, Refusal> {
         let all = &problem.supports;
         let (mut unknowns, mut owners) = (Vec::new(), Vec::new());
         for (n, support) in all.iter().enumerate() {
@@ -177,7 +177,7 @@ impl<'a> Held<'a> {
         let driven = if alone.hold_against(axis) {
             None
         } else {
-            unknowns.push(Unknown::Couple { about: axis });
+            unknowns.push(ReactionUnknown::Couple { about: axis });
             Some(Supports::new(unknowns).map_err(|error| refused(&error, all, &owners))?)
         };
         Ok(Self { all, owners, alone, driven })
@@ -206,7 +206,10 @@ impl<'a> Held<'a> {
 
     /// Returns true if a support exerts couples.
     pub(super) fn has_couples(&self, n: usize) -> bool {
-        matches!(self.all[n].kind, Kind::Clevis { .. } | Kind::Weld | Kind::Couple { .. })
+        matches!(
+            self.all[n].kind,
+            SupportKind::Clevis { .. } | SupportKind::Weld | SupportKind::Couple { .. }
+        )
     }
 
     /// The largest distance of a support from the origin, m.
@@ -225,7 +228,7 @@ impl<'a> Held<'a> {
     ) {
         let name = &self.all[n].name;
         match given.kind {
-            KindGiven::Wire { direction } => {
+            SupportKindGiven::Wire { direction } => {
                 let tension = sheet.step(
                     ("S", n + 1),
                     "N",
@@ -233,13 +236,13 @@ impl<'a> Held<'a> {
                     Named("Tension of {name}", name, None),
                 );
                 sheet.answer(("tension", n + 1), "Tension", tension);
-                sheet.whose(("tension", n + 1), name);
+                sheet.row_label(("tension", n + 1), name);
                 sheet.verify(|| {
                     let what = Text::new("the whole reaction of {name} acts along it").with("name", name);
                     sheet.check_vector(what, direction * tension, reaction * direction.magnitude());
                 });
             }
-            KindGiven::Contact { normal, .. } | KindGiven::RoughContact { normal } => {
+            SupportKindGiven::Contact { normal, .. } | SupportKindGiven::RoughContact { normal } => {
                 let force = sheet.step(
                     ("N", n + 1),
                     "N",
@@ -247,8 +250,8 @@ impl<'a> Held<'a> {
                     Named("Normal force of {name}", name, None),
                 );
                 sheet.answer(("normal_force", n + 1), "Normal force", force);
-                sheet.whose(("normal_force", n + 1), name);
-                if let KindGiven::Contact { friction, .. } = given.kind {
+                sheet.row_label(("normal_force", n + 1), name);
+                if let SupportKindGiven::Contact { friction, .. } = given.kind {
                     sheet.check_sum(
                         Text::new("normal force and friction make up the reaction of {name}")
                             .with("name", name),
@@ -257,7 +260,7 @@ impl<'a> Held<'a> {
                         of.force.norm_squared(),
                     );
                 }
-                let rough = matches!(given.kind, KindGiven::RoughContact { .. });
+                let rough = matches!(given.kind, SupportKindGiven::RoughContact { .. });
                 if rough && force.value() > 1e-12 * of.force.norm() {
                     let along = sheet.step(
                         ("F_f", n + 1),
@@ -272,7 +275,7 @@ impl<'a> Held<'a> {
                         Named("Coefficient of friction required to keep {name} from sliding", name, None),
                     );
                     sheet.answer(("friction_needed", n + 1), "Required coefficient of friction", needed);
-                    sheet.whose(("friction_needed", n + 1), name);
+                    sheet.row_label(("friction_needed", n + 1), name);
                 }
             }
             _ => {}
@@ -283,10 +286,10 @@ impl<'a> Held<'a> {
     pub(super) fn warn<W: Worksheet>(&self, problem: &Reactions, found: &[Wrench], sheet: W) {
         for (support, of) in problem.supports.iter().zip(found) {
             let (direction, words) = match support.kind {
-                Kind::Wire { direction } => {
+                SupportKind::Wire { direction } => {
                     (direction, "the wire {name} would have to push: it goes slack and the motion changes")
                 }
-                Kind::Contact { normal, .. } | Kind::RoughContact { normal } => {
+                SupportKind::Contact { normal, .. } | SupportKind::RoughContact { normal } => {
                     (normal, "the contact {name} would have to pull: contact is lost and the motion changes")
                 }
                 _ => continue,

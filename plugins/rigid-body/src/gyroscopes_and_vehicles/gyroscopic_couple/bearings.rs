@@ -3,7 +3,10 @@
 use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{Real, Vector, rigid::gyroscope};
 
-use super::{Bearings, BearingsGiven, GyroscopicCouple, GyroscopicCoupleGiven, Motion, MotionGiven, Side};
+use super::{
+    AxleBearings, AxleBearingsGiven, CarrierMotion, CarrierMotionGiven, GyroscopicCouple,
+    GyroscopicCoupleGiven, LeftOrRight,
+};
 use crate::sources::MERIAM;
 
 impl GyroscopicCouple {
@@ -11,15 +14,15 @@ impl GyroscopicCouple {
     #[expect(clippy::too_many_arguments, reason = "what acts on the rotor is known only here")]
     pub(super) fn bearing_reactions<W: Worksheet>(
         &self,
-        bearings: &Bearings,
+        bearings: &AxleBearings,
         given: &GyroscopicCoupleGiven<W>,
-        given_bearings: &BearingsGiven<W>,
+        given_bearings: &AxleBearingsGiven<W>,
         mass: W::Num,
         axle: W::Vec,
         couple: W::Vec,
         sheet: W,
     ) -> Result<(), Refusal> {
-        if matches!(self.motion, Motion::HeldAtOneEnd { .. }) {
+        if matches!(self.motion, CarrierMotion::HeldAtOneEnd { .. }) {
             return Err(Refusal::because(
                 "an axle held at one end has no two bearings: leave the bearings out",
             ));
@@ -38,9 +41,12 @@ impl GyroscopicCouple {
         };
         let zero = W::Num::from(0.0);
         let inwards = match (&self.motion, &given.motion) {
-            (Motion::SteadyTurn { towards, .. }, MotionGiven::SteadyTurn { speed, radius, .. }) => {
+            (
+                CarrierMotion::SteadyTurn { towards, .. },
+                CarrierMotionGiven::SteadyTurn { speed, radius, .. },
+            ) => {
                 let inwards = mass * speed.powi(2) / *radius;
-                if *towards == Side::Left { inwards } else { -inwards }
+                if *towards == LeftOrRight::Left { inwards } else { -inwards }
             }
             _ => zero,
         };

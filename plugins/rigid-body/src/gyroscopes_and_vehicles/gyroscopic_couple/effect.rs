@@ -6,13 +6,13 @@ use dalembert_core::{
 };
 use dalembert_mechanics::{Real, Vector};
 
-use super::Carrier;
+use super::RotorCarrier;
 
 /// Components of a reaction that are this small beside the couple are rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// Answers each part of the reaction under the words of its effect, and shows them in a table.
-pub(super) fn answer<W: Worksheet>(carrier: Carrier, reaction: W::Vec, size: W::Num, sheet: W) {
+pub(super) fn answer<W: Worksheet>(carrier: RotorCarrier, reaction: W::Vec, size: W::Num, sheet: W) {
     let least = ROUNDING * size.value();
     let mut rows = Vec::new();
     for (axis, part) in reaction.components().into_iter().enumerate() {
@@ -48,8 +48,8 @@ const NAMES: [(&str, &str); 3] =
     [("rolling_effect", "Cₓ"), ("pitching_effect", "C_y"), ("yawing_effect", "C_z")];
 
 /// The effect of a couple on a carrier about its axis 0 (forward), 1 (left) or 2 (up), in the positive sense or not.
-pub(super) fn words(carrier: Carrier, axis: usize, positive: bool) -> &'static str {
-    use Carrier::{Aircraft, Frame, Ship, Vehicle};
+pub(super) fn words(carrier: RotorCarrier, axis: usize, positive: bool) -> &'static str {
+    use RotorCarrier::{Aircraft, Frame, Ship, Vehicle};
     match (carrier, axis, positive) {
         (Ship, 0, true) => "Effect: heels the ship to starboard",
         (Ship, 0, false) => "Effect: heels the ship to port",

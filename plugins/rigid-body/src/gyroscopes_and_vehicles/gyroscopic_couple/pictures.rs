@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_3, PI, TAU};
 use dalembert_core::{Axis, Exhibit, Ink, Plot, Series};
 use nalgebra::{Rotation3, Vector3};
 
-use super::{Carrier, GyroscopicCouple, Motion};
+use super::{CarrierMotion, GyroscopicCouple, RotorCarrier};
 use crate::shared::scene::{self, Scene};
 
 impl GyroscopicCouple {
@@ -26,7 +26,7 @@ impl GyroscopicCouple {
                 .mark("largest", (0.0, couple)),
             ));
         }
-        let Motion::SteadyTurn { radius, .. } = self.motion else { return None };
+        let CarrierMotion::SteadyTurn { radius, .. } = self.motion else { return None };
         let at = |n: u16| {
             let share = 0.3 + 2.7 * f64::from(n) / 200.0;
             (radius * share, couple / share)
@@ -65,7 +65,7 @@ impl GyroscopicCouple {
             };
             arrow(axle * self.spin, 1.5, Ink::Motion, "ω");
             arrow(precession, 1.3, Ink::Motion, "Ω");
-            if matches!(self.motion, Motion::HeldAtOneEnd { .. }) {
+            if matches!(self.motion, CarrierMotion::HeldAtOneEnd { .. }) {
                 arrow(couple, 1.7, Ink::Force, "M");
             } else {
                 arrow(-couple, 1.7, Ink::Result, "M_R");
@@ -77,10 +77,12 @@ impl GyroscopicCouple {
     /// The plan of the carrier under the rotor, with an arrow forward.
     fn outline(&self, scene: &mut Scene) {
         let plan: &[(f64, f64)] = match self.carrier {
-            Carrier::Ship => &[(2.6, 0.0), (1.5, 0.8), (-2.0, 0.8), (-2.0, -0.8), (1.5, -0.8), (2.6, 0.0)],
-            Carrier::Aircraft => &AIRCRAFT,
-            Carrier::Vehicle => &[(2.0, 0.8), (-2.0, 0.8), (-2.0, -0.8), (2.0, -0.8), (2.0, 0.8)],
-            Carrier::Frame => &[(1.4, 1.0), (-1.4, 1.0), (-1.4, -1.0), (1.4, -1.0), (1.4, 1.0)],
+            RotorCarrier::Ship => {
+                &[(2.6, 0.0), (1.5, 0.8), (-2.0, 0.8), (-2.0, -0.8), (1.5, -0.8), (2.6, 0.0)]
+            }
+            RotorCarrier::Aircraft => &AIRCRAFT,
+            RotorCarrier::Vehicle => &[(2.0, 0.8), (-2.0, 0.8), (-2.0, -0.8), (2.0, -0.8), (2.0, 0.8)],
+            RotorCarrier::Frame => &[(1.4, 1.0), (-1.4, 1.0), (-1.4, -1.0), (1.4, -1.0), (1.4, 1.0)],
         };
         scene.line(plan.iter().map(|&(x, y)| Vector3::new(x, y, -0.8)), Ink::Faint);
         let front = plan.iter().map(|(x, _)| *x).fold(0.0, f64::max);

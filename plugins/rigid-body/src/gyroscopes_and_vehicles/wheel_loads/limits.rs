@@ -4,7 +4,7 @@ use dalembert_core::Worksheet;
 use dalembert_mechanics::Real;
 
 use super::{
-    Engine, Layout, LayoutGiven, WheelLoads, WheelLoadsGiven,
+    AxleLayout, AxleLayoutGiven, GearedInertia, WheelLoads, WheelLoadsGiven,
     wheels::{self, Constants, Wheel},
 };
 use crate::sources::KHURMI;
@@ -72,7 +72,7 @@ impl WheelLoads {
     ) -> W::Num {
         let banked = self.bank != 0.0;
         let reduced = match &given.engine {
-            Some(engine) if !self.engine.as_ref().is_some_and(Engine::lies_along) => {
+            Some(engine) if !self.engine.as_ref().is_some_and(GearedInertia::lies_along) => {
                 let share = engine.ratio * engine.inertia;
                 if self.engine_sign() > 0.0 { inertia + share } else { inertia - share }
             }
@@ -100,18 +100,20 @@ impl WheelLoads {
         );
         // The parts of this wheel of what all wheels carry, and of what goes from side to side.
         let own = |all: W::Num| match given.layout {
-            LayoutGiven::TwoAxles { wheelbase, behind_front, .. } if wheel.front => {
+            AxleLayoutGiven::TwoAxles { wheelbase, behind_front, .. } if wheel.front => {
                 all * (wheelbase - behind_front) / (wheelbase * 2.0)
             }
-            LayoutGiven::TwoAxles { wheelbase, behind_front, .. } => all * behind_front / (wheelbase * 2.0),
-            LayoutGiven::TwoEqualAxles { .. } => all / 4.0,
-            LayoutGiven::OneAxle { .. } => all / 2.0,
+            AxleLayoutGiven::TwoAxles { wheelbase, behind_front, .. } => {
+                all * behind_front / (wheelbase * 2.0)
+            }
+            AxleLayoutGiven::TwoEqualAxles { .. } => all / 4.0,
+            AxleLayoutGiven::OneAxle { .. } => all / 2.0,
         };
         let shifted = |all: W::Num| match given.layout {
-            LayoutGiven::TwoAxles { front_share, .. } if wheel.front => all * front_share,
-            LayoutGiven::TwoAxles { front_share, .. } => all * (W::Num::from(1.0) - front_share),
-            LayoutGiven::TwoEqualAxles { .. } => all / 2.0,
-            LayoutGiven::OneAxle { .. } => all,
+            AxleLayoutGiven::TwoAxles { front_share, .. } if wheel.front => all * front_share,
+            AxleLayoutGiven::TwoAxles { front_share, .. } => all * (W::Num::from(1.0) - front_share),
+            AxleLayoutGiven::TwoEqualAxles { .. } => all / 2.0,
+            AxleLayoutGiven::OneAxle { .. } => all,
         };
         let weight = given.mass * given.gravity;
         let rest = if banked {
@@ -126,7 +128,9 @@ impl WheelLoads {
         let loss = if wheel.outer { -outwards } else { outwards };
         let loss = if banked { loss - own(given.mass * given.bank.sin() / given.radius) } else { loss };
         let loss = match (&given.engine, given.layout_base()) {
-            (Some(engine), Some(wheelbase)) if self.engine.as_ref().is_some_and(Engine::lies_along) => {
+            (Some(engine), Some(wheelbase))
+                if self.engine.as_ref().is_some_and(GearedInertia::lies_along) =>
+            {
                 let couple = engine.ratio * engine.inertia / (given.wheel_radius * given.radius);
                 let couple = if banked { couple * given.bank.cos() } else { couple };
                 let part = couple / (wheelbase * 2.0);
@@ -159,14 +163,14 @@ impl WheelLoads {
         let weight = self.mass * self.gravity;
         let engine =
             self.engine.as_ref().map_or(0.0, |engine| engine.inertia * engine.ratio) * self.engine_sign();
-        let along = self.engine.as_ref().is_some_and(Engine::lies_along);
+        let along = self.engine.as_ref().is_some_and(GearedInertia::lies_along);
         let across = if along { 0.0 } else { engine };
         let transverse = self.transverse_inertia.map_or(inertia, |transverse| transverse * self.axles());
         let tilting = (self.mass * self.centre_height + (inertia + across) / self.wheel_radius) * cos
             / self.radius
             - (inertia - transverse) * sin * cos / self.radius.powi(2);
         let base =
-            if let Layout::TwoAxles { wheelbase, .. } = self.layout { wheelbase } else { f64::INFINITY };
+            if let AxleLayout::TwoAxles { wheelbase, .. } = self.layout { wheelbase } else { f64::INFINITY };
         let pitching = if along { engine * cos / (self.wheel_radius * self.radius) / base } else { 0.0 };
         Constants {
             normal: (weight * cos, self.mass * sin / self.radius),
@@ -178,9 +182,9 @@ impl WheelLoads {
     /// The wheels that differ from each other.
     pub(super) fn wheel_list(&self) -> Vec<Wheel> {
         match self.layout {
-            Layout::TwoEqualAxles => wheels::alike(0.5),
-            Layout::OneAxle => wheels::alike(1.0),
-            Layout::TwoAxles { wheelbase, behind_front, front_share } => {
+            AxleLayout::TwoEqualAxles => wheels::alike(0.5),
+            AxleLayout::OneAxle => wheels::alike(1.0),
+            AxleLayout::TwoAxles { wheelbase, behind_front, front_share } => {
                 wheels::four((wheelbase - behind_front) / wheelbase, front_share)
             }
         }
@@ -191,7 +195,7 @@ impl<W: Worksheet> WheelLoadsGiven<W> {
     /// The wheelbase, where it is given.
     fn layout_base(&self) -> Option<W::Num> {
         match self.layout {
-            LayoutGiven::TwoAxles { wheelbase, .. } => Some(wheelbase),
+            AxleLayoutGiven::TwoAxles { wheelbase, .. } => Some(wheelbase),
             _ => None,
         }
     }

@@ -3,7 +3,7 @@
 use dalembert_core::{Axis, Drawing, Plot, Series, Sketch};
 
 use super::{
-    Side, WheelLoads,
+    TurnDirection, WheelLoads,
     wheels::{Constants, Wheel},
 };
 
@@ -43,7 +43,7 @@ impl WheelLoads {
     /// The vehicle from behind on its road, with the loads of the two sides, the larger one as long as the track.
     pub(super) fn rear_view(&self, constants: &Constants, wheels: &[Wheel]) -> Drawing {
         // Towards the inside the road falls.
-        let inside = if self.towards == Side::Left { -1.0 } else { 1.0 };
+        let inside = if self.towards == TurnDirection::Left { -1.0 } else { 1.0 };
         let (sin, cos) = self.bank.sin_cos();
         let at = |across: f64, up: f64| (across * inside * cos + up * sin * inside, up * cos - across * sin);
         let height = (self.centre_height / self.track).clamp(0.2, 2.0);

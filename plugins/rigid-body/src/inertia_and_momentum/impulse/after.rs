@@ -1,6 +1,6 @@
 //! The solution: momenta before, what is given, momenta after.
 
-use dalembert_core::{Exhibit, Ink, Refusal, Text, Why, Worksheet};
+use dalembert_core::{Exhibit, Ink, Reason, Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real, Vector,
     rigid::{MassProperties, Principal},
@@ -8,14 +8,14 @@ use dalembert_mechanics::{
 use nalgebra::{Matrix3, Vector3};
 
 use super::{
-    Hold, HoldGiven, Impulse, ImpulseGiven, MassAfter, Strength, StrengthGiven,
+    BodyConstraint, BodyConstraintGiven, Impulse, ImpulseGiven, MassAfter, Strength, StrengthGiven,
     free::{self, After},
 };
 use crate::{
     shared::{
         body::{
-            AboutPoint, Worked, about_line, about_point, crossed, directed, gained, matrix_times, refused,
-            transferred,
+            AboutPoint, WorkedBody, about_line, about_point, crossed, directed, matrix_times, refused,
+            transferred, transferred_sum,
         },
         scene::Scene,
     },
@@ -25,9 +25,9 @@ use crate::{
 /// A reason that names a blow or a projectile; written only where somebody reads it.
 struct Named<'a>(&'static str, &'a str);
 
-impl From<Named<'_>> for Why {
+impl From<Named<'_>> for Reason {
     fn from(Named(reason, name): Named<'_>) -> Self {
-        Why { reason: Text::new(reason).with("name", name), cite: None }
+        Reason { reason: Text::new(reason).with("name", name), cite: None }
     }
 }
 
@@ -115,7 +115,7 @@ impl Impulse {
         }
         let change = self.energies(given, &body, after_body, [omega, velocity], &after, sheet);
         free::axis(after_body, &after, sheet);
-        if matches!(self.hold, Hold::Nothing | Hold::Surface { .. }) {
+        if matches!(self.hold, BodyConstraint::Nothing | BodyConstraint::Surface { .. }) {
             free::precession(after_body, &after, sheet)?;
         }
         self.wanted_mass(given, &body, momentum.value(), &after, &gifts, sheet)?;
@@ -158,9 +158,9 @@ impl Impulse {
     fn joined<W: Worksheet>(
         &self,
         given: &ImpulseGiven<W>,
-        body: &Worked<W>,
+        body: &WorkedBody<W>,
         sheet: W,
-    ) -> Result<(Worked<W>, W::Vec), Refusal> {
+    ) -> Result<(WorkedBody<W>, W::Vec), Refusal> {
         let stay = || {
             self.projectiles
                 .iter()
@@ -200,7 +200,7 @@ impl Impulse {
             }))
             .collect();
         let inertia = |symbol: &'static str, own: W::Num, gain: &dyn Fn(W::Num, W::Vec) -> Option<W::Num>| {
-            let value = arms.iter().fold(own, |sum, (mass, arm)| gained(sum, gain(*mass, *arm)));
+            let value = arms.iter().fold(own, |sum, (mass, arm)| transferred_sum(sum, gain(*mass, *arm)));
             sheet.step(
                 symbol,
                 "kg*m^2",
@@ -227,14 +227,14 @@ impl Impulse {
             .chain(stay().map(|(one, _)| MassProperties::particle(one.mass, one.point)))
             .collect();
         let properties = MassProperties::composite(&parts).map_err(|error| refused(&error, "this body"))?;
-        Ok((Worked { mass, centre, moments, products, properties }, own))
+        Ok((WorkedBody { mass, centre, moments, products, properties }, own))
     }
 
     /// The motion after: free, or held.
     fn after<W: Worksheet>(
         &self,
         given: &ImpulseGiven<W>,
-        body: &Worked<W>,
+        body: &WorkedBody<W>,
         linear: W::Vec,
         momentum: W::Vec,
         sheet: W,
@@ -250,7 +250,7 @@ impl Impulse {
             Ok([omega, velocity])
         };
         match (&self.hold, &given.hold) {
-            (Hold::Point { point: at }, HoldGiven::Point { point }) => {
+            (BodyConstraint::Point { point: at }, BodyConstraintGiven::Point { point }) => {
                 let arm =
                     sheet.step_vector("ρ", "m", body.centre - *point, "From the newly fixed point to G");
                 let about = about_point(body, arm, &POINT_C, sheet);
@@ -265,7 +265,7 @@ impl Impulse {
                 let (velocity, reaction) = held(body, omega, arm, linear, sheet);
                 Ok(After { omega, velocity, reaction: Some((reaction, *at)), couple: None })
             }
-            (Hold::Axis { point: at, axis: along }, HoldGiven::Axis { point, axis }) => {
+            (BodyConstraint::Axis { point: at, axis: along }, BodyConstraintGiven::Axis { point, axis }) => {
                 directed(*along)?;
                 let cosines =
                     sheet.step_vector("λ", "1", *axis / axis.magnitude(), "Direction cosines of the axis");
@@ -321,13 +321,13 @@ impl Impulse {
                         let what = "moment of inertia about the axis from the tensor about the point on it";
                         sheet.check_sum(what, inertia, about.into(), size);
                     }
-                    let gained =
+                    let transferred_sum =
                         matrix_times(body.moments, body.products, omega) + arm.cross(velocity * body.mass);
                     sheet.check_sum(
                         "angular momentum about the axis from the motion just after impact",
-                        gained.dot(cosines),
+                        transferred_sum.dot(cosines),
                         component,
-                        gained.value().norm(),
+                        transferred_sum.value().norm(),
                     );
                 });
                 let couple = sheet.step_vector(
@@ -340,8 +340,8 @@ impl Impulse {
                 Ok(After { omega, velocity, reaction: Some((reaction, *at)), couple: Some(couple) })
             }
             (
-                Hold::Surface { point: at, normal: out, .. },
-                HoldGiven::Surface { point, normal, restitution },
+                BodyConstraint::Surface { point: at, normal: out, .. },
+                BodyConstraintGiven::Surface { point, normal, restitution },
             ) => {
                 directed(*out)?;
                 let [omega, velocity] = free(["ω₀", "v_G0"])?;
@@ -407,13 +407,13 @@ impl Impulse {
     fn energies<W: Worksheet>(
         &self,
         given: &ImpulseGiven<W>,
-        body: &Worked<W>,
-        after_body: &Worked<W>,
+        body: &WorkedBody<W>,
+        after_body: &WorkedBody<W>,
         [omega, velocity]: [W::Vec; 2],
         after: &After<W>,
         sheet: W,
     ) -> W::Num {
-        let energy = |body: &Worked<W>, omega: W::Vec, velocity: W::Vec| {
+        let energy = |body: &WorkedBody<W>, omega: W::Vec, velocity: W::Vec| {
             (body.mass * velocity.dot(velocity) + omega.dot(body.momentum(omega))) / 2.0
         };
         let own = energy(body, omega, velocity);
@@ -440,7 +440,7 @@ impl Impulse {
 
     fn drawn<W: Worksheet>(
         &self,
-        body: &Worked<W>,
+        body: &WorkedBody<W>,
         gifts: &[Given<W>],
         omega: Vector3<f64>,
         velocity: Vector3<f64>,
@@ -500,7 +500,7 @@ fn turning<W: Worksheet>(
     } else {
         "The three equations I ω = H about the constrained point, with the products of inertia"
     };
-    let found = sheet.found_vector(symbol, unit, solved, (why, HIBBELER.at("§21.2")));
+    let found = sheet.numerical_vector(symbol, unit, solved, (why, HIBBELER.at("§21.2")));
     sheet.verify(|| {
         let left = tensor * solved - momentum.value();
         sheet.check_zero(
@@ -514,7 +514,7 @@ fn turning<W: Worksheet>(
 
 /// A body that turns about a point at rest: velocity of G, and the impulse at the point.
 fn held<W: Worksheet>(
-    body: &Worked<W>,
+    body: &WorkedBody<W>,
     omega: W::Vec,
     arm: W::Vec,
     linear: W::Vec,

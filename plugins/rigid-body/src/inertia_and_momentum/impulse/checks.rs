@@ -4,15 +4,15 @@ use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{Real, Vector, rigid::MassProperties};
 use nalgebra::Vector3;
 
-use super::{Hold, Impulse, ImpulseGiven, after::Given, free::After};
-use crate::shared::body::Worked;
+use super::{BodyConstraint, Impulse, ImpulseGiven, after::Given, free::After};
+use crate::shared::body::WorkedBody;
 
 impl Impulse {
     /// With which mass the body would turn as fast as is wanted.
     pub(super) fn wanted_mass<W: Worksheet>(
         &self,
         given: &ImpulseGiven<W>,
-        body: &Worked<W>,
+        body: &WorkedBody<W>,
         before: Vector3<f64>,
         after: &After<W>,
         gifts: &[Given<W>],
@@ -20,7 +20,7 @@ impl Impulse {
     ) -> Result<(), Refusal> {
         let Some(wanted) = given.wanted_speed else { return Ok(()) };
         let moves = before != Vector3::zeros() || body.mass.value() == 0.0;
-        if !matches!(self.hold, Hold::Axis { .. }) || moves || !self.projectiles.is_empty() {
+        if !matches!(self.hold, BodyConstraint::Axis { .. }) || moves || !self.projectiles.is_empty() {
             return Err(Refusal::because(
                 "the mass for a required angular speed is calculated only for a body at rest that is held by an axis and struck by blows: otherwise leave the required angular speed out",
             ));
@@ -33,7 +33,7 @@ impl Impulse {
         );
         sheet.answer("wanted_mass", "Mass for the required angular speed", mass);
         sheet.verify(|| {
-            let Hold::Axis { point, axis } = self.hold else { return };
+            let BodyConstraint::Axis { point, axis } = self.hold else { return };
             let Ok(inertia) = body.properties.inertia_about_line(point, axis) else { return };
             let blows = gifts.iter().map(|one| (one.point.value() - point).cross(one.impulse.value()));
             let (moments, sizes): (Vec<_>, Vec<_>) =
@@ -56,8 +56,8 @@ impl Impulse {
     )]
     pub(super) fn check<W: Worksheet>(
         &self,
-        body: &Worked<W>,
-        after_body: &Worked<W>,
+        body: &WorkedBody<W>,
+        after_body: &WorkedBody<W>,
         [omega, velocity]: [Vector3<f64>; 2],
         gifts: &[Given<W>],
         after: &After<W>,
@@ -88,7 +88,8 @@ impl Impulse {
                       omega: Vector3<f64>,
                       velocity: Vector3<f64>,
                       centre: Vector3<f64>| { velocity + omega.cross(point - centre) };
-            if let (Hold::Point { point } | Hold::Axis { point, .. }, Some(_)) = (&self.hold, after.reaction)
+            if let (BodyConstraint::Point { point } | BodyConstraint::Axis { point, .. }, Some(_)) =
+                (&self.hold, after.reaction)
             {
                 let left = at(*point, turns, goes, second.centre);
                 sheet.check_zero(

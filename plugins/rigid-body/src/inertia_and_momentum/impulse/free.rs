@@ -5,7 +5,7 @@ use dalembert_mechanics::{Real, Vector};
 use nalgebra::Vector3;
 
 use crate::{
-    shared::body::{Worked, refused},
+    shared::body::{WorkedBody, refused},
     sources::BEER,
 };
 
@@ -20,7 +20,7 @@ pub(super) struct After<W: Worksheet> {
 }
 
 /// The instantaneous axis: its direction, its point nearest to G, and the sliding along it.
-pub(super) fn axis<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet: W) {
+pub(super) fn axis<W: Worksheet>(body: &WorkedBody<W>, after: &After<W>, sheet: W) {
     let (omega, velocity) = (after.omega, after.velocity);
     let spin = omega.value().norm();
     let reach =
@@ -61,7 +61,11 @@ pub(super) fn axis<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet: W) {
 }
 
 /// The free motion of a body of revolution afterwards.
-pub(super) fn precession<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet: W) -> Result<(), Refusal> {
+pub(super) fn precession<W: Worksheet>(
+    body: &WorkedBody<W>,
+    after: &After<W>,
+    sheet: W,
+) -> Result<(), Refusal> {
     let principal = body.properties.check().map_err(|error| refused(&error, "this body"))?;
     let omega = after.omega.value();
     let Some(alone) = principal.symmetry_axis() else { return Ok(()) };
@@ -72,7 +76,7 @@ pub(super) fn precession<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet
     }
     // The axis is taken in the sense in which the body spins about it.
     let unit = if unit.dot(omega) < 0.0 { -unit } else { unit };
-    let axis = sheet.found_vector(
+    let axis = sheet.numerical_vector(
         "u",
         "1",
         unit,
@@ -81,8 +85,9 @@ pub(super) fn precession<W: Worksheet>(body: &Worked<W>, after: &After<W>, sheet
             BEER.at("§18.3C"),
         ),
     );
-    let axial = sheet.found("I_a", "kg*m^2", principal.moments[alone], "Moment of inertia about this axis");
-    let transverse = sheet.found("I_t", "kg*m^2", across, "Transverse moment of inertia");
+    let axial =
+        sheet.numerical("I_a", "kg*m^2", principal.moments[alone], "Moment of inertia about this axis");
+    let transverse = sheet.numerical("I_t", "kg*m^2", across, "Transverse moment of inertia");
     let momentum = sheet.step_vector(
         "H",
         "kg*m^2/s",

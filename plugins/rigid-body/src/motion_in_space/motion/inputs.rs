@@ -1,7 +1,7 @@
 //! Inputs of a body in motion, converted for the integration.
 
 use dalembert_core::{Inputs, Refusal};
-use dalembert_mechanics::rigid::simulate::{Body, End, History, Loads, Torque};
+use dalembert_mechanics::rigid::simulate::{AppliedTorque, History, Loads, RotatingBody, RotationEvent};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// A body that turns, from a start.
@@ -29,7 +29,7 @@ pub struct Motion {
     pub duration: f64,
     /// Early stop condition.
     #[input(default = "nothing")]
-    pub end: Ends,
+    pub end: MotionEvent,
 }
 
 /// The point that a body turns about.
@@ -47,7 +47,7 @@ pub enum Pivot {
         #[input("r_G", "m")]
         centre: Vector3<f64>,
         /// The moments of inertia are about.
-        about: Place,
+        about: InertiaPoint,
         /// Acceleration of gravity, along −Z.
         #[input("g", "m/s^2", nonnegative, default = "9.81 m/s^2")]
         gravity: f64,
@@ -63,7 +63,7 @@ pub enum Pivot {
 
 /// A point that moments of inertia are about.
 #[derive(Clone, Debug, Inputs)]
-pub enum Place {
+pub enum InertiaPoint {
     /// The fixed point
     FixedPoint,
     /// The centre of mass
@@ -189,14 +189,14 @@ pub struct TorqueRow {
     #[input("M", "N*m")]
     pub torque: Vector3<f64>,
     /// Direction fixed in.
-    pub carrier: Carrier,
+    pub carrier: TorqueAxes,
     /// Its time history.
-    pub course: Course,
+    pub course: TorqueHistory,
 }
 
 /// Axes in which a torque keeps its direction.
 #[derive(Clone, Debug, Inputs)]
-pub enum Carrier {
+pub enum TorqueAxes {
     /// The body
     Body,
     /// Space
@@ -205,7 +205,7 @@ pub enum Carrier {
 
 /// Time history of a torque.
 #[derive(Clone, Debug, Inputs)]
-pub enum Course {
+pub enum TorqueHistory {
     /// Constant
     Constant,
     /// Harmonic
@@ -251,7 +251,7 @@ pub enum BodyAxis {
 
 /// Terminal event of a motion.
 #[derive(Clone, Debug, Inputs)]
-pub enum Ends {
+pub enum MotionEvent {
     /// Nothing
     Nothing,
     /// The axis reaches an angle to Z
@@ -269,7 +269,7 @@ pub enum Ends {
 
 impl Motion {
     /// The body about the point that it turns about.
-    pub(super) fn body(&self) -> Result<Body, Refusal> {
+    pub(super) fn body(&self) -> Result<RotatingBody, Refusal> {
         let inertia = match self.moments {
             Moments::Principal { x, y, z } => Matrix3::from_diagonal(&Vector3::new(x, y, z)),
             Moments::Revolution { axial, transverse } => {
@@ -289,11 +289,11 @@ impl Motion {
         };
         match self.pivot {
             Pivot::MassCentre => about_point(0.0, inertia, Vector3::zeros()),
-            Pivot::FixedPoint { mass, centre, about: Place::MassCentre, .. } => {
+            Pivot::FixedPoint { mass, centre, about: InertiaPoint::MassCentre, .. } => {
                 about_point(mass, inertia, centre)
             }
-            Pivot::FixedPoint { mass, centre, about: Place::FixedPoint, .. } => {
-                Ok(Body { mass, inertia, arm: centre })
+            Pivot::FixedPoint { mass, centre, about: InertiaPoint::FixedPoint, .. } => {
+                Ok(RotatingBody { mass, inertia, arm: centre })
             }
             Pivot::Origin { .. } => Err(Refusal::because(
                 "only a body defined as a whole has an origin; let the body turn about a fixed point and give its mass and centre of mass",
@@ -354,11 +354,11 @@ impl Attitude {
 }
 
 impl TorqueRow {
-    fn torque(&self) -> Torque {
+    fn torque(&self) -> AppliedTorque {
         let history = match self.course {
-            Course::Constant => History::Constant,
-            Course::Harmonic { frequency, phase } => History::Harmonic { frequency, phase },
-            Course::Table { ref rows } => {
+            TorqueHistory::Constant => History::Constant,
+            TorqueHistory::Harmonic { frequency, phase } => History::Harmonic { frequency, phase },
+            TorqueHistory::Table { ref rows } => {
                 let mut rows: Vec<[f64; 2]> = rows.iter().map(|row| [row.time, row.factor]).collect();
                 rows.sort_by(|a, b| a[0].total_cmp(&b[0]));
                 // Of two factors at one time the later row counts.
@@ -368,7 +368,7 @@ impl TorqueRow {
                 History::Table(rows)
             }
         };
-        Torque { vector: self.torque, in_body: matches!(self.carrier, Carrier::Body), history }
+        AppliedTorque { vector: self.torque, in_body: matches!(self.carrier, TorqueAxes::Body), history }
     }
 }
 
@@ -397,22 +397,24 @@ impl BodyAxis {
     }
 }
 
-impl Ends {
-    pub(super) fn end(&self, axis: BodyAxis) -> Option<End> {
+impl MotionEvent {
+    pub(super) fn end(&self, axis: BodyAxis) -> Option<RotationEvent> {
         match *self {
-            Ends::Nothing => None,
-            Ends::Tilt { angle } => Some(End::Angle { of: axis.vector(), against: Vector3::z(), angle }),
-            Ends::Reverses { component } => Some(End::Reverses(component.index())),
+            MotionEvent::Nothing => None,
+            MotionEvent::Tilt { angle } => {
+                Some(RotationEvent::Angle { of: axis.vector(), against: Vector3::z(), angle })
+            }
+            MotionEvent::Reverses { component } => Some(RotationEvent::Reverses(component.index())),
         }
     }
 }
 
 /// A body about a point, from its inertia about its centre of mass.
-fn about_point(mass: f64, about_g: Matrix3<f64>, arm: Vector3<f64>) -> Result<Body, Refusal> {
+fn about_point(mass: f64, about_g: Matrix3<f64>, arm: Vector3<f64>) -> Result<RotatingBody, Refusal> {
     let steiner = (Matrix3::identity() * arm.norm_squared() - arm * arm.transpose()) * mass;
     let inertia = about_g + steiner;
     if inertia.iter().all(|entry| entry.is_finite()) {
-        Ok(Body { mass, inertia, arm })
+        Ok(RotatingBody { mass, inertia, arm })
     } else {
         Err(Refusal::because(
             "the moment of inertia of the mass about the fixed point exceeds the numerical range",

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use dalembert_core::{Axis, Exhibit, Ink, Plot, Series, Text, Worksheet};
-use dalembert_mechanics::rigid::simulate::{self as follow, Body, Sample};
+use dalembert_mechanics::rigid::simulate::{self as follow, RotatingBody, RotationSample};
 use nalgebra::{Matrix3, Vector3};
 
 use super::Motion;
@@ -11,11 +11,11 @@ use crate::shared::scene::{self, Scene};
 
 impl Motion {
     /// All figures and tables.
-    pub(super) fn show<W: Worksheet>(&self, sheet: W, body: &Body, moved: &follow::Motion) {
+    pub(super) fn show<W: Worksheet>(&self, sheet: W, body: &RotatingBody, moved: &follow::RigidBodyMotion) {
         let samples = &moved.samples;
         sheet.show(|| self.animation(body, samples));
         sheet.show(|| {
-            let omega: fn(&Sample) -> Vector3<f64> = |sample| sample.turning.omega_body;
+            let omega: fn(&RotationSample) -> Vector3<f64> = |sample| sample.turning.omega_body;
             Exhibit::Plot(components(
                 "Angular velocity in body axes",
                 ["ωₓ", "ω_y", "ω_z"],
@@ -25,7 +25,7 @@ impl Motion {
             ))
         });
         sheet.show(|| {
-            let omega: fn(&Sample) -> Vector3<f64> = |sample| sample.omega;
+            let omega: fn(&RotationSample) -> Vector3<f64> = |sample| sample.omega;
             Exhibit::Plot(components(
                 "Angular velocity in the fixed axes",
                 ["ω_X", "ω_Y", "ω_Z"],
@@ -58,12 +58,12 @@ impl Motion {
         sheet.show(|| Exhibit::Plot(drifts(body, samples)));
     }
 
-    fn axis_of(&self, sample: &Sample) -> Vector3<f64> {
+    fn axis_of(&self, sample: &RotationSample) -> Vector3<f64> {
         sample.turning.attitude * self.axis.vector()
     }
 
     /// Euler's angles of the followed axis: nutation, and precession and spin without jumps.
-    fn angles(&self, samples: &[Sample]) -> Plot {
+    fn angles(&self, samples: &[RotationSample]) -> Plot {
         let third = self.axis.index();
         let order = [(third + 1) % 3, (third + 2) % 3, third];
         let mut angles: Vec<[f64; 3]> = Vec::with_capacity(samples.len());
@@ -96,10 +96,10 @@ impl Motion {
         Plot::new("Euler's angles", Axis::linear("Time", "s"), Axis::linear("angle", "deg"), series)
     }
 
-    fn animation(&self, body: &Body, samples: &[Sample]) -> Exhibit {
+    fn animation(&self, body: &RotatingBody, samples: &[RotationSample]) -> Exhibit {
         let edges = edges(body);
         let size = edges.max().max(body.arm.norm());
-        let most = |of: fn(&Sample) -> f64| samples.iter().map(of).fold(f64::MIN_POSITIVE, f64::max);
+        let most = |of: fn(&RotationSample) -> f64| samples.iter().map(of).fold(f64::MIN_POSITIVE, f64::max);
         let (omega, momentum) = (most(|s| s.omega.norm()), most(|s| s.momentum.norm()));
         let reach = body.arm.norm().max(size);
         let trace: Vec<Vector3<f64>> = samples.iter().map(|s| self.axis_of(s) * reach).collect();
@@ -125,7 +125,7 @@ impl Motion {
 
 /// The edges of a box along the axes of the body with moments in the same proportions; of length 1 for a body without
 /// an arm.
-fn edges(body: &Body) -> Vector3<f64> {
+fn edges(body: &RotatingBody) -> Vector3<f64> {
     let arm = body.arm;
     let moments = body.inertia.diagonal();
     let steiner = (Vector3::repeat(arm.norm_squared()) - arm.component_mul(&arm)) * body.mass;
@@ -143,8 +143,8 @@ fn components(
     title: &'static str,
     names: [&'static str; 3],
     answer: &'static str,
-    samples: &[Sample],
-    of: fn(&Sample) -> Vector3<f64>,
+    samples: &[RotationSample],
+    of: fn(&RotationSample) -> Vector3<f64>,
 ) -> Plot {
     let line = |(n, name): (usize, &'static str)| {
         let points = samples.iter().map(|sample| (sample.time, of(sample)[n])).collect();
@@ -155,8 +155,8 @@ fn components(
         .over("duration")
 }
 
-fn energies(samples: &[Sample]) -> Plot {
-    let line = |name: &'static str, of: fn(&Sample) -> f64| {
+fn energies(samples: &[RotationSample]) -> Plot {
+    let line = |name: &'static str, of: fn(&RotationSample) -> f64| {
         Series::line(name, samples.iter().map(|sample| (sample.time, of(sample))).collect())
     };
     let series = vec![
@@ -168,9 +168,9 @@ fn energies(samples: &[Sample]) -> Plot {
 }
 
 /// Plot of the relative drift of energy and angular momentum.
-fn drifts(body: &Body, samples: &[Sample]) -> Plot {
-    let left = |sample: &Sample| sample.kinetic + sample.potential - sample.work;
-    let along = |sample: &Sample| {
+fn drifts(body: &RotatingBody, samples: &[RotationSample]) -> Plot {
+    let left = |sample: &RotationSample| sample.kinetic + sample.potential - sample.work;
+    let along = |sample: &RotationSample| {
         let off = sample.momentum - sample.impulse - samples[0].momentum;
         if body.arm == Vector3::zeros() { off.norm() } else { off.z }
     };

@@ -16,7 +16,7 @@ pub enum Body {
     Parts {
         /// Parts.
         #[input(min = 1)]
-        parts: Vec<Part>,
+        parts: Vec<BodyPart>,
     },
     /// Defined by its inertia matrix
     Matrix {
@@ -66,7 +66,7 @@ pub enum TakenAbout {
 
 /// A part of a body: a shape with a mass, in its place.
 #[derive(Clone, Debug, Inputs)]
-pub struct Part {
+pub struct BodyPart {
     /// Name.
     pub name: String,
     /// Shape.
@@ -81,7 +81,7 @@ pub struct Part {
     pub reference: ReferencePoint,
     /// Direction of the axes of the shape.
     #[input(default = "same")]
-    pub direction: Direction,
+    pub direction: ShapeOrientation,
     /// It is.
     #[input(default = "material")]
     pub presence: Presence,
@@ -137,7 +137,7 @@ pub enum ReferencePoint {
 
 /// Orientation of the axes of a shape in the frame of the body.
 #[derive(Clone, Debug, Inputs)]
-pub enum Direction {
+pub enum ShapeOrientation {
     /// Along x, y and z
     Same,
     /// Its z axis along
@@ -198,7 +198,7 @@ impl Body {
     pub fn properties(&self) -> Result<MassProperties, Refusal> {
         let whole = match self {
             Body::Parts { parts } => {
-                let parts = parts.iter().map(Part::properties).collect::<Result<Vec<_>, _>>()?;
+                let parts = parts.iter().map(BodyPart::properties).collect::<Result<Vec<_>, _>>()?;
                 MassProperties::composite(&parts).map_err(|error| refused(&error, "this body"))?
             }
             Body::Matrix { mass, centre, moments, products, about } => {
@@ -220,7 +220,7 @@ impl Body {
     }
 }
 
-impl Part {
+impl BodyPart {
     /// Mass, centre of mass and inertia about it in the frame of the body; negative for a hole.
     ///
     /// # Errors
@@ -232,7 +232,7 @@ impl Part {
             (Amount::PerLength { density }, Extent::Length(extent))
             | (Amount::PerArea { density }, Extent::Area(extent))
             | (Amount::PerVolume { density }, Extent::Volume(extent)) => density * extent,
-            _ => return Err(self.misfilled()),
+            _ => return Err(self.wrong_measure()),
         };
         let centre = self.shape.to_centre(self.reference.anchor()).ok_or_else(|| self.without_point())?;
         let own = MassProperties { mass, centre, inertia: self.shape.tensor(mass) };
@@ -267,18 +267,18 @@ impl Part {
 
     fn direction(&self) -> Result<Rotation3<f64>, Refusal> {
         if let Some((from, to)) = self.shape.ends() {
-            if !matches!(self.direction, Direction::Same) {
+            if !matches!(self.direction, ShapeOrientation::Same) {
                 return Err(named(
                     "the two ends of {name} define its direction: leave that along x, y and z",
                     &self.name,
                 ));
             }
-            return Ok(Direction::z_along(self.unit(to - from)?));
+            return Ok(ShapeOrientation::z_along(self.unit(to - from)?));
         }
         match &self.direction {
-            Direction::Same => Ok(Rotation3::identity()),
-            Direction::Axis { axis } => Ok(Direction::z_along(self.unit(*axis)?)),
-            Direction::Axes { axis, side } => {
+            ShapeOrientation::Same => Ok(Rotation3::identity()),
+            ShapeOrientation::Axis { axis } => Ok(ShapeOrientation::z_along(self.unit(*axis)?)),
+            ShapeOrientation::Axes { axis, side } => {
                 let (z, side) = (self.unit(*axis)?, self.unit(*side)?);
                 let x = side - z * z.dot(&side);
                 if x.norm() < 1e-9 {
@@ -290,10 +290,10 @@ impl Part {
                 let x = x.normalize();
                 Ok(Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[x, z.cross(&x), z])))
             }
-            Direction::Turned { axis, angle } => {
+            ShapeOrientation::Turned { axis, angle } => {
                 Ok(Rotation3::from_axis_angle(&Unit::new_unchecked(self.unit(*axis)?), *angle))
             }
-            Direction::Euler { precession, nutation, spin } => {
+            ShapeOrientation::Euler { precession, nutation, spin } => {
                 let about = |axis, angle| Rotation3::from_axis_angle(&axis, angle);
                 Ok(about(Vector3::z_axis(), *precession)
                     * about(Vector3::x_axis(), *nutation)
@@ -329,7 +329,7 @@ impl Part {
         )
     }
 
-    pub(super) fn misfilled(&self) -> Refusal {
+    pub(super) fn wrong_measure(&self) -> Refusal {
         named(
             match self.shape.extent() {
                 Extent::Point => "{name} has neither length, area nor volume: give its mass",
@@ -368,7 +368,7 @@ impl ReferencePoint {
     }
 }
 
-impl Direction {
+impl ShapeOrientation {
     /// The shortest turn that lays z along a unit vector; half a turn about x where that is −z.
     fn z_along(axis: Vector3<f64>) -> Rotation3<f64> {
         Rotation3::rotation_between(&Vector3::z(), &axis).unwrap_or_else(|| {

@@ -4,12 +4,12 @@ use dalembert_core::{Inputs, Refusal, Worksheet};
 use dalembert_mechanics::{Real, Vector, rigid};
 use nalgebra::Vector3;
 
-use super::{Worked, refused};
+use super::{WorkedBody, refused};
 use crate::sources::{BEER, MERIAM};
 
 /// Angular velocity of a body.
 #[derive(Clone, Debug, Inputs)]
-pub enum Turning {
+pub enum BodyRotation {
     /// Angular velocity
     Vector {
         /// Angular velocity.
@@ -51,7 +51,7 @@ pub enum Turning {
 
 /// Given velocity of a body: of its centre of mass or of another point.
 #[derive(Clone, Debug, Inputs)]
-pub enum Going {
+pub enum BodyVelocity {
     /// Velocity of the centre of mass
     MassCentre {
         /// Velocity of the centre of mass.
@@ -94,22 +94,22 @@ pub enum Going {
     },
 }
 
-impl Turning {
+impl BodyRotation {
     /// The angular velocity, written down.
     ///
     /// # Errors
     /// A refusal in words.
     pub(crate) fn work<W: Worksheet>(
         &self,
-        given: &TurningGiven<W>,
-        body: &Worked<W>,
+        given: &BodyRotationGiven<W>,
+        body: &WorkedBody<W>,
         sheet: W,
     ) -> Result<W::Vec, Refusal> {
         match (self, given) {
-            (Turning::Vector { .. }, TurningGiven::Vector { omega }) => {
+            (BodyRotation::Vector { .. }, BodyRotationGiven::Vector { omega }) => {
                 Ok(sheet.step_vector("ω", "rad/s", *omega, "Angular velocity"))
             }
-            (Turning::Axis { axis: along, .. }, TurningGiven::Axis { axis, speed }) => {
+            (BodyRotation::Axis { axis: along, .. }, BodyRotationGiven::Axis { axis, speed }) => {
                 directed(*along)?;
                 Ok(sheet.step_vector(
                     "ω",
@@ -119,8 +119,8 @@ impl Turning {
                 ))
             }
             (
-                Turning::RestingPoints { first: a, second: b, axis: along, .. },
-                TurningGiven::RestingPoints { first, second, axis, speed },
+                BodyRotation::RestingPoints { first: a, second: b, axis: along, .. },
+                BodyRotationGiven::RestingPoints { first, second, axis, speed },
             ) => {
                 directed(*along)?;
                 let (line, along) = (b - a, *along / along.amax());
@@ -142,12 +142,12 @@ impl Turning {
                     ("Angular velocity: along the instantaneous axis, with the given component along the axis of the body", BEER.at("§15.6A")),
                 ))
             }
-            (Turning::Momentum { momentum }, TurningGiven::Momentum { .. }) => {
+            (BodyRotation::Momentum { momentum }, BodyRotationGiven::Momentum { .. }) => {
                 let principal =
                     body.properties.check_turnable().map_err(|error| refused(&error, "this body"))?;
                 let omega =
                     principal.angular_velocity(*momentum).map_err(|error| refused(&error, "this body"))?;
-                Ok(sheet.found_vector(
+                Ok(sheet.numerical_vector(
                     "ω",
                     "rad/s",
                     omega,
@@ -159,23 +159,23 @@ impl Turning {
     }
 }
 
-impl Going {
+impl BodyVelocity {
     /// The velocity of the centre of mass, written down.
     ///
     /// # Errors
     /// A refusal in words.
     pub(crate) fn work<W: Worksheet>(
         &self,
-        given: &GoingGiven<W>,
-        body: &Worked<W>,
+        given: &BodyVelocityGiven<W>,
+        body: &WorkedBody<W>,
         omega: W::Vec,
         sheet: W,
     ) -> Result<W::Vec, Refusal> {
         Ok(match (self, given) {
-            (Going::MassCentre { .. }, GoingGiven::MassCentre { velocity }) => {
+            (BodyVelocity::MassCentre { .. }, BodyVelocityGiven::MassCentre { velocity }) => {
                 sheet.step_vector("v_G", "m/s", *velocity, "Velocity of the centre of mass")
             }
-            (Going::Fixed { .. }, GoingGiven::Fixed { point }) => {
+            (BodyVelocity::Fixed { .. }, BodyVelocityGiven::Fixed { point }) => {
                 let arm = sheet.step_vector("ρ", "m", body.centre - *point, "From the fixed point to G");
                 sheet.step_vector(
                     "v_G",
@@ -184,7 +184,7 @@ impl Going {
                     ("Velocity of the centre of mass: G rotates about the fixed point", BEER.at("§15.6B")),
                 )
             }
-            (Going::Point { .. }, GoingGiven::Point { point, velocity }) => {
+            (BodyVelocity::Point { .. }, BodyVelocityGiven::Point { point, velocity }) => {
                 let arm = sheet.step_vector("ρ", "m", body.centre - *point, "From the point to G");
                 sheet.step_vector(
                     "v_G",
@@ -193,7 +193,7 @@ impl Going {
                     ("Velocity of the centre of mass, from that of the point", BEER.at("§15.6B")),
                 )
             }
-            (Going::Carried { .. }, GoingGiven::Carried { point, omega: arm_omega }) => {
+            (BodyVelocity::Carried { .. }, BodyVelocityGiven::Carried { point, omega: arm_omega }) => {
                 let arm = sheet.step_vector(
                     "ρ",
                     "m",
@@ -207,7 +207,7 @@ impl Going {
                     ("Velocity of the centre of mass, which rotates with the arm", BEER.at("§15.6A")),
                 )
             }
-            (Going::Fallen { gravity: down, .. }, GoingGiven::Fallen { height, gravity }) => {
+            (BodyVelocity::Fallen { gravity: down, .. }, BodyVelocityGiven::Fallen { height, gravity }) => {
                 directed(*down)?;
                 let speed = sheet.step(
                     "v_h",

@@ -6,7 +6,7 @@ use dalembert_core::Ink;
 use dalembert_mechanics::rigid::{MassProperties, Principal, primitive::Primitive};
 use nalgebra::Vector3;
 
-use super::{Body, Part, Presence, shape::Described};
+use super::{Body, BodyPart, Presence, shape::Described};
 use crate::shared::scene::Scene;
 
 type Lines = Vec<Vec<Vector3<f64>>>;
@@ -37,7 +37,7 @@ fn equal_ellipsoid(mass: f64, moments: Vector3<f64>) -> Vector3<f64> {
     moments.map(|moment| (2.5 * (sum - 2.0 * moment) / mass).max(0.0).sqrt())
 }
 
-impl Part {
+impl BodyPart {
     /// Outline in the axes of the body.
     fn lines(&self) -> Lines {
         let (Ok(there), Ok(rotation)) = (self.properties(), self.rotation()) else { return Vec::new() };

@@ -8,23 +8,24 @@ use dalembert_mechanics::{
 use nalgebra::{Matrix3, Vector3};
 
 use super::{
-    Amount, AmountGiven, Direction, DirectionGiven, Part, PartGiven, Presence, ReferencePoint,
+    Amount, AmountGiven, BodyPart, BodyPartGiven, Presence, ReferencePoint, ShapeOrientation,
+    ShapeOrientationGiven,
     shape::Described,
-    working::{MOMENTS, Named, PAIRS, PRODUCTS, Piece},
+    working::{MOMENTS, Named, PAIRS, PRODUCTS, WorkedPart},
 };
 use crate::sources::MERIAM;
 
 const OWN_MOMENTS: [&str; 3] = ["I_1", "I_2", "I_3"];
 const OWN_PRODUCTS: [&str; 3] = ["I_23", "I_31", "I_12"];
 
-impl Part {
+impl BodyPart {
     /// Writes down a part; `row` is 0 for a part that is the whole body, whose symbols then carry no number.
     pub(super) fn work<W: Worksheet>(
         &self,
-        given: &PartGiven<W>,
+        given: &BodyPartGiven<W>,
         row: usize,
         sheet: W,
-    ) -> Result<Piece<W>, Refusal> {
+    ) -> Result<WorkedPart<W>, Refusal> {
         let shape = given.shape.described();
         let length = match shape {
             Described::Between(from, to) => Some(sheet.step(
@@ -79,12 +80,12 @@ impl Part {
         let (moments, products) =
             self.inertia(shape.inertia(mass, length), shape, axes, rotation, row, sheet);
         let named = axes.is_some() || (!turned && !shape.is_round());
-        Ok(Piece { mass, centre, moments, products, named })
+        Ok(WorkedPart { mass, centre, moments, products, named })
     }
 
     fn mass<W: Worksheet>(
         &self,
-        given: &PartGiven<W>,
+        given: &BodyPartGiven<W>,
         shape: Described<W::Vec>,
         length: Option<W::Num>,
         row: usize,
@@ -116,7 +117,7 @@ impl Part {
             (Amount::PerVolume { .. }, AmountGiven::PerVolume { density }, Extent::Volume(extent)) => {
                 (*density, sheet.step(("V", row), "m^3", extent, named("Volume of {name}")))
             }
-            _ => return Err(self.misfilled()),
+            _ => return Err(self.wrong_measure()),
         };
         Ok(if hole {
             sheet.step(("m", row), "kg", -(density * extent), named("Mass of {name}, subtracted"))
@@ -129,7 +130,7 @@ impl Part {
     /// along x, y and z in some order.
     fn axes<W: Worksheet>(
         &self,
-        given: &PartGiven<W>,
+        given: &BodyPartGiven<W>,
         shape: Described<W::Vec>,
         rotation: Matrix3<f64>,
         row: usize,
@@ -147,10 +148,10 @@ impl Part {
                 (_, _, Described::Between(from, to)) => {
                     sheet.step_vector(("λ", row), "1", (to - from) / (to - from).magnitude(), reason)
                 }
-                (Direction::Axis { .. }, DirectionGiven::Axis { axis }, _) => {
+                (ShapeOrientation::Axis { .. }, ShapeOrientationGiven::Axis { axis }, _) => {
                     sheet.step_vector(("λ", row), "1", *axis / axis.magnitude(), reason)
                 }
-                _ => sheet.found_vector(("λ", row), "1", column(2), reason),
+                _ => sheet.numerical_vector(("λ", row), "1", column(2), reason),
             };
             return Some([axis; 3]);
         }
@@ -158,7 +159,7 @@ impl Part {
             return None;
         }
         let axis = |n: usize, symbol: &'static str, reason: &'static str| {
-            sheet.found_vector((symbol, row), "1", column(n), named(reason))
+            sheet.numerical_vector((symbol, row), "1", column(n), named(reason))
         };
         Some([
             axis(0, "e_1", "Direction of the x axis of {name}"),

@@ -1,14 +1,14 @@
 //! Mass, centre of mass and inertia of a body, written down step by step.
 
-use dalembert_core::{Cite, Refusal, Text, Why, Worksheet};
+use dalembert_core::{Cite, Reason, Refusal, Text, Worksheet};
 use dalembert_mechanics::{Real, Vector, rigid::MassProperties};
 use nalgebra::Vector3;
 
-use super::{Body, BodyGiven, Part, PartGiven, TakenAbout, TakenAboutGiven};
+use super::{Body, BodyGiven, BodyPart, BodyPartGiven, TakenAbout, TakenAboutGiven};
 use crate::sources::MERIAM;
 
 /// A body on a worksheet.
-pub(crate) struct Worked<W: Worksheet> {
+pub(crate) struct WorkedBody<W: Worksheet> {
     /// Mass.
     pub(crate) mass: W::Num,
     /// Position of the centre of mass.
@@ -22,7 +22,7 @@ pub(crate) struct Worked<W: Worksheet> {
 }
 
 /// A part on a worksheet; what is exactly zero is left out.
-pub(super) struct Piece<W: Worksheet> {
+pub(super) struct WorkedPart<W: Worksheet> {
     pub(super) mass: W::Num,
     pub(super) centre: W::Vec,
     pub(super) moments: [Option<W::Num>; 3],
@@ -34,9 +34,9 @@ pub(super) struct Piece<W: Worksheet> {
 /// A reason that names a part; written only where somebody reads it.
 pub(super) struct Named<'a>(pub(super) &'static str, pub(super) &'a str, pub(super) Option<Cite>);
 
-impl From<Named<'_>> for Why {
+impl From<Named<'_>> for Reason {
     fn from(Named(reason, name, cite): Named<'_>) -> Self {
-        Why { reason: Text::new(reason).with("name", name), cite }
+        Reason { reason: Text::new(reason).with("name", name), cite }
     }
 }
 
@@ -45,7 +45,7 @@ pub(crate) const PAIRS: [(usize, usize); 3] = [(1, 2), (2, 0), (0, 1)];
 pub(super) const MOMENTS: [&str; 3] = ["I_x", "I_y", "I_z"];
 pub(super) const PRODUCTS: [&str; 3] = ["I_yz", "I_zx", "I_xy"];
 
-impl<W: Worksheet> Worked<W> {
+impl<W: Worksheet> WorkedBody<W> {
     /// Angular momentum about the centre of mass of the body turning at `ω`, or a row of the inertia matrix for each
     /// of its components: `H_x = I_x ω_x − I_xy ω_y − I_zx ω_z`.
     pub(crate) fn momentum(&self, omega: W::Vec) -> W::Vec {
@@ -93,7 +93,11 @@ impl Body {
     ///
     /// # Errors
     /// A refusal that names the part.
-    pub(crate) fn work<W: Worksheet>(&self, given: &BodyGiven<W>, sheet: W) -> Result<Worked<W>, Refusal> {
+    pub(crate) fn work<W: Worksheet>(
+        &self,
+        given: &BodyGiven<W>,
+        sheet: W,
+    ) -> Result<WorkedBody<W>, Refusal> {
         let properties = self.properties()?;
         let (mass, centre, moments, products) = match (self, given) {
             (Body::Parts { parts }, BodyGiven::Parts { parts: given }) => composed(parts, given, sheet)?,
@@ -150,7 +154,7 @@ impl Body {
                     )
                 };
                 let moments = [moment(0), moment(1), moment(2)];
-                let none = |n: usize| sheet.found(PRODUCTS[n], "kg*m^2", 0.0, NO_PRODUCT);
+                let none = |n: usize| sheet.numerical(PRODUCTS[n], "kg*m^2", 0.0, NO_PRODUCT);
                 (*mass, *centre, moments, [none(0), none(1), none(2)])
             }
             _ => return Err(Refusal::because("the body is not defined")),
@@ -163,7 +167,7 @@ impl Body {
             Body::Parts { .. } => centre,
             _ => sheet.step_vector("r_G", "m", centre, "Position of the centre of mass G"),
         };
-        let worked = Worked { mass, centre, moments, products, properties };
+        let worked = WorkedBody { mass, centre, moments, products, properties };
         sheet.verify(|| worked.check(sheet));
         Ok(worked)
     }
@@ -171,7 +175,7 @@ impl Body {
 
 const NO_PRODUCT: &str = "No product of inertia: the axes through G are principal";
 
-impl<W: Worksheet> Worked<W> {
+impl<W: Worksheet> WorkedBody<W> {
     /// Against sums of tensors.
     fn check(&self, sheet: W) {
         let tensor = self.properties.inertia;
@@ -200,13 +204,17 @@ type Whole<W> =
     (<W as Worksheet>::Num, <W as Worksheet>::Vec, [<W as Worksheet>::Num; 3], [<W as Worksheet>::Num; 3]);
 
 /// The body of the parts: one alone, or the sum of all by the theorem of parallel axes.
-fn composed<W: Worksheet>(parts: &[Part], given: &[PartGiven<W>], sheet: W) -> Result<Whole<W>, Refusal> {
+fn composed<W: Worksheet>(
+    parts: &[BodyPart],
+    given: &[BodyPartGiven<W>],
+    sheet: W,
+) -> Result<Whole<W>, Refusal> {
     let sole = parts.len() == 1;
     let mut pieces = Vec::with_capacity(parts.len());
     for (row, (part, given)) in (1..).zip(parts.iter().zip(given)) {
         pieces.push(part.work(given, if sole { 0 } else { row }, sheet)?);
     }
-    let zero = |symbol: &'static str, why: &'static str| sheet.found(symbol, "kg*m^2", 0.0, why);
+    let zero = |symbol: &'static str, why: &'static str| sheet.numerical(symbol, "kg*m^2", 0.0, why);
     if let [piece] = &pieces[..] {
         let named = |symbol: &'static str, value: W::Num, reason: &'static str| {
             if piece.named { value } else { sheet.step(symbol, "kg*m^2", value, reason) }
@@ -249,8 +257,8 @@ fn composed<W: Worksheet>(parts: &[Part], given: &[PartGiven<W>], sheet: W) -> R
             )
         })
         .collect();
-    let together = |own: &dyn Fn(&Piece<W>) -> Option<W::Num>,
-                    shift: &dyn Fn(&Piece<W>, W::Vec) -> Option<W::Num>| {
+    let together = |own: &dyn Fn(&WorkedPart<W>) -> Option<W::Num>,
+                    shift: &dyn Fn(&WorkedPart<W>, W::Vec) -> Option<W::Num>| {
         let terms: Vec<W::Num> = pieces
             .iter()
             .zip(&arms)
@@ -309,7 +317,7 @@ pub(crate) fn crossed<V: Vector>(mass: V::Scalar, arm: V, pair: usize) -> Option
 }
 
 /// A moment or product of inertia and what it gains.
-pub(crate) fn gained<S: Real>(own: S, gain: Option<S>) -> S {
+pub(crate) fn transferred_sum<S: Real>(own: S, gain: Option<S>) -> S {
     match gain {
         Some(gain) if own.value() == 0.0 => gain,
         Some(gain) => own + gain,
@@ -329,7 +337,7 @@ pub(crate) struct AboutPoint {
 
 /// Moments and products of inertia about a point of the body, from which `arm` leads to G.
 pub(crate) fn about_point<W: Worksheet>(
-    body: &Worked<W>,
+    body: &WorkedBody<W>,
     arm: W::Vec,
     named: &AboutPoint,
     sheet: W,
@@ -340,11 +348,11 @@ pub(crate) fn about_point<W: Worksheet>(
         return [x, y, z, yz, zx, xy];
     }
     let moment = |own: W::Num, n: usize| {
-        let value = gained(own, transferred(body.mass, arm, n));
+        let value = transferred_sum(own, transferred(body.mass, arm, n));
         sheet.step(named.symbols[n], "kg*m^2", value, (named.moment, MERIAM.at("App. B/1")))
     };
     let product = |own: W::Num, n: usize| {
-        let value = gained(own, crossed(body.mass, arm, n));
+        let value = transferred_sum(own, crossed(body.mass, arm, n));
         sheet.step(named.symbols[n + 3], "kg*m^2", value, (named.product, MERIAM.at("App. B/2")))
     };
     [moment(x, 0), moment(y, 1), moment(z, 2), product(yz, 0), product(zx, 1), product(xy, 2)]

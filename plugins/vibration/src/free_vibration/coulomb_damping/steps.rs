@@ -16,7 +16,7 @@ use super::CoulombDampingGiven;
 use crate::sources::{GROVER, RAO};
 
 /// The oscillator and its friction.
-pub(super) struct System<N> {
+pub(super) struct CoulombSystem<N> {
     pub(super) mass: N,
     pub(super) natural: N,
     pub(super) force: N,
@@ -45,7 +45,7 @@ pub(super) struct First<N> {
 /// From the start to rest. The result is the position of rest and the first turning point; `None` where viscous
 /// damping leaves no strokes.
 pub(super) fn to_rest<W: Worksheet>(
-    system: &System<W::Num>,
+    system: &CoulombSystem<W::Num>,
     given: &CoulombDampingGiven<W>,
     decay: &FrictionDecay,
     rest: &Rest,
@@ -73,7 +73,7 @@ pub(super) fn to_rest<W: Worksheet>(
         );
     }
     let strokes =
-        sheet.found("n", "1", more, ("Half-cycles to rest: that number rounded up", RAO.at("§2.9")));
+        sheet.numerical("n", "1", more, ("Half-cycles to rest: that number rounded up", RAO.at("§2.9")));
     let distance = match viscous {
         None => first.amplitude - strokes * system.offset * 2.0,
         Some([kept, constant]) => {
@@ -134,7 +134,7 @@ fn last_stroke<W: Worksheet>(
 }
 
 /// The time of a stroke, what it takes of the amplitude, and what viscous damping leaves.
-fn stroke<W: Worksheet>(system: &System<W::Num>, sheet: W) -> (W::Num, Option<[W::Num; 2]>) {
+fn stroke<W: Worksheet>(system: &CoulombSystem<W::Num>, sheet: W) -> (W::Num, Option<[W::Num; 2]>) {
     let Some(zeta) = system.zeta else {
         let half = sheet.step(
             "T/2",
@@ -182,7 +182,7 @@ fn stroke<W: Worksheet>(system: &System<W::Num>, sheet: W) -> (W::Num, Option<[W
 
 /// The first turning point: the release itself, or the end of the first stroke.
 fn first_turning<W: Worksheet>(
-    system: &System<W::Num>,
+    system: &CoulombSystem<W::Num>,
     given: &CoulombDampingGiven<W>,
     decay: &FrictionDecay,
     half: W::Num,
@@ -217,13 +217,13 @@ fn first_turning<W: Worksheet>(
         (turned, sheet.step("x₁", "mm", displacement, "Displacement at that instant"))
     } else {
         (
-            sheet.found(
+            sheet.numerical(
                 "t₁",
                 "s",
                 time,
                 "First turning point after the start: zero of the velocity in the first half-cycle",
             ),
-            sheet.found("x₁", "mm", at, "Displacement at that instant"),
+            sheet.numerical("x₁", "mm", at, "Displacement at that instant"),
         )
     };
     sheet.verify(|| {
@@ -250,7 +250,7 @@ fn first_turning<W: Worksheet>(
 
 /// Energy at the start = energy at rest + friction times the way, without viscous damping.
 fn energy<W: Worksheet>(
-    system: &System<W::Num>,
+    system: &CoulombSystem<W::Num>,
     given: &CoulombDampingGiven<W>,
     first: &First<W::Num>,
     [strokes, position]: [W::Num; 2],
@@ -273,13 +273,18 @@ fn energy<W: Worksheet>(
 }
 
 /// Viscous damping so strong that the mass approaches, without oscillating, the shifted position of rest.
-fn creeping<W: Worksheet>(system: &System<W::Num>, decay: &FrictionDecay, rest: &Rest, sheet: W) -> W::Num {
+fn creeping<W: Worksheet>(
+    system: &CoulombSystem<W::Num>,
+    decay: &FrictionDecay,
+    rest: &Rest,
+    sheet: W,
+) -> W::Num {
     let position = match rest.time {
         // The first turning point already lies where friction holds.
         Some(time) => {
-            let time = sheet.found("t_R", "s", time, "Time to rest: end of the first half-cycle");
+            let time = sheet.numerical("t_R", "s", time, "Time to rest: end of the first half-cycle");
             sheet.answer("stop_time", "Time to rest", time);
-            sheet.found(
+            sheet.numerical(
                 "x_R",
                 "mm",
                 rest.position,
@@ -317,7 +322,7 @@ fn creeping<W: Worksheet>(system: &System<W::Num>, decay: &FrictionDecay, rest: 
 
 /// Cycles and time to fall to an amplitude.
 pub(super) fn fall<W: Worksheet>(
-    system: &System<W::Num>,
+    system: &CoulombSystem<W::Num>,
     asked: W::Num,
     first: &First<W::Num>,
     decay: &FrictionDecay,
@@ -345,7 +350,7 @@ pub(super) fn fall<W: Worksheet>(
         exact,
         ("Cycles for the amplitude to decay to the requested value", GROVER.at("§3.6")),
     );
-    let strokes = sheet.found(
+    let strokes = sheet.numerical(
         "nₐ",
         "1",
         decay.strokes_from(first.amplitude.value(), asked.value()),
@@ -397,7 +402,7 @@ pub(super) fn fall<W: Worksheet>(
 
 /// The motion at the asked time.
 pub(super) fn at_time<W: Worksheet>(
-    system: &System<W::Num>,
+    system: &CoulombSystem<W::Num>,
     given: &CoulombDampingGiven<W>,
     [time, rest]: [W::Num; 2],
     decay: &FrictionDecay,
@@ -406,13 +411,13 @@ pub(super) fn at_time<W: Worksheet>(
     let stroke = decay.stroke(time.value());
     let Some(motion) = stroke.motion else {
         let rests = sheet.step("x", "mm", rest, "Already at rest, at its rest position");
-        let still = sheet.found("v", "m/s", 0.0, "It is at rest");
+        let still = sheet.numerical("v", "m/s", 0.0, "It is at rest");
         sheet.answer("displacement", "Displacement at that time", rests);
         sheet.answer("velocity", "Velocity at that time", still);
         return;
     };
     let begun =
-        sheet.found("t_j", "s", stroke.begun, "Start of the half-cycle that contains the requested time");
+        sheet.numerical("t_j", "s", stroke.begun, "Start of the half-cycle that contains the requested time");
     let centre = if stroke.centre > 0.0 { system.offset } else { -system.offset };
     let centre = sheet.step(
         "x_c",
@@ -430,7 +435,7 @@ pub(super) fn at_time<W: Worksheet>(
             "Start of the half-cycle, from the shifted equilibrium position",
         )
     } else {
-        sheet.found(
+        sheet.numerical(
             "y",
             "mm",
             motion.displacement,
@@ -474,7 +479,7 @@ pub(super) fn at_time<W: Worksheet>(
         Some(_) => {
             let [x, v] = decay.state(time.value());
             let how = "From the overdamped motion about the shifted equilibrium position";
-            (sheet.found("x", "mm", x, how), sheet.found("v", "m/s", v, how))
+            (sheet.numerical("x", "mm", x, how), sheet.numerical("v", "m/s", v, how))
         }
     };
     sheet.verify(|| {

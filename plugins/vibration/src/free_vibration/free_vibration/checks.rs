@@ -6,14 +6,14 @@ use dalembert_core::Worksheet;
 use dalembert_mechanics::{Real, vibration::free::FreeMotion};
 use dalembert_numerics::quadrature::integral;
 
-use super::form::Form;
+use super::form::FreeResponse;
 
 /// The most parts of a quadrature.
 const PARTS: f64 = 4000.0;
 
 /// The envelope at the start, from the motion an eighth of a cycle later, or as soon as it has fallen to `1/e`: near
 /// critical damping a cycle is so long that nothing is left.
-pub(super) fn amplitude<W: Worksheet>(form: &Form<W::Num>, motion: &FreeMotion, sheet: W) {
+pub(super) fn amplitude<W: Worksheet>(form: &FreeResponse<W::Num>, motion: &FreeMotion, sheet: W) {
     let Some(size) = form.size() else { return };
     let rate = motion.damping_ratio * motion.natural_frequency;
     let time = (PI / 4.0 / motion.damped_frequency()).min(1.0 / rate.abs());

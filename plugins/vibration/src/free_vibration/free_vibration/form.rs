@@ -44,7 +44,7 @@ impl Units {
 const DOUBLE: f64 = 1e-12;
 
 /// The free motion, by the roots of its characteristic equation.
-pub(super) enum Form<N> {
+pub(super) enum FreeResponse<N> {
     /// `x₀ cos ωₙt + B sin ωₙt`
     Harmonic { natural: N, x0: N, v0: N, b: N, size: N },
     /// `e^(−ζωₙt) (x₀ cos ω_d t + B sin ω_d t)`
@@ -55,7 +55,7 @@ pub(super) enum Form<N> {
     Exponentials { natural: N, zeta: N, roots: [N; 2], shares: [N; 2] },
 }
 
-impl<N: Real> Form<N> {
+impl<N: Real> FreeResponse<N> {
     /// The form of a motion, with the steps that lead to its constants.
     pub(super) fn of<W: Worksheet<Num = N>>(
         natural: N,
@@ -86,7 +86,7 @@ impl<N: Real> Form<N> {
                 ("Amplitude: constant", RAO.at("§2.2")),
             );
             sheet.answer("amplitude", "Amplitude", size);
-            return Form::Harmonic { natural, x0, v0, b, size };
+            return FreeResponse::Harmonic { natural, x0, v0, b, size };
         }
         if ((z - 1.0) * (z + 1.0)).abs() < DOUBLE {
             let b = sheet.step(
@@ -95,7 +95,7 @@ impl<N: Real> Form<N> {
                 v0 + zeta * natural * x0,
                 ("Critically damped, ζ = 1: a double root −ζωₙ, and the motion is (A + B t) e^(−ζωₙt) with A the initial displacement", RAO.at("§2.6")),
             );
-            return Form::Double { natural, zeta, x0, v0, b };
+            return FreeResponse::Double { natural, zeta, x0, v0, b };
         }
         if z.abs() < 1.0 {
             return Self::oscillating(natural, zeta, [x0, v0], units, sheet);
@@ -127,7 +127,7 @@ impl<N: Real> Form<N> {
             (roots[0] * x0 - v0) / (roots[0] - roots[1]),
             "The other constant",
         );
-        Form::Exponentials { natural, zeta, roots, shares: [first, second] }
+        FreeResponse::Exponentials { natural, zeta, roots, shares: [first, second] }
     }
 
     fn oscillating<W: Worksheet<Num = N>>(
@@ -193,18 +193,20 @@ impl<N: Real> Form<N> {
             ("Initial envelope", RAO.at("§2.6")),
         );
         sheet.answer("amplitude", "Initial envelope", size);
-        Form::Oscillating { natural, zeta, damped, x0, v0, b, size }
+        FreeResponse::Oscillating { natural, zeta, damped, x0, v0, b, size }
     }
 
     /// `x(t)`.
     pub(super) fn displacement(&self, t: N) -> N {
         match *self {
-            Form::Harmonic { natural, x0, b, .. } => x0 * (natural * t).cos() + b * (natural * t).sin(),
-            Form::Oscillating { natural, zeta, damped, x0, b, .. } => {
+            FreeResponse::Harmonic { natural, x0, b, .. } => {
+                x0 * (natural * t).cos() + b * (natural * t).sin()
+            }
+            FreeResponse::Oscillating { natural, zeta, damped, x0, b, .. } => {
                 (-(zeta * natural * t)).exp() * (x0 * (damped * t).cos() + b * (damped * t).sin())
             }
-            Form::Double { natural, zeta, x0, b, .. } => (x0 + b * t) * (-(zeta * natural * t)).exp(),
-            Form::Exponentials { roots, shares, .. } => {
+            FreeResponse::Double { natural, zeta, x0, b, .. } => (x0 + b * t) * (-(zeta * natural * t)).exp(),
+            FreeResponse::Exponentials { roots, shares, .. } => {
                 shares[0] * (roots[0] * t).exp() + shares[1] * (roots[1] * t).exp()
             }
         }
@@ -213,17 +215,17 @@ impl<N: Real> Form<N> {
     /// `v(t)`.
     pub(super) fn velocity(&self, t: N) -> N {
         match *self {
-            Form::Harmonic { natural, x0, v0, .. } => {
+            FreeResponse::Harmonic { natural, x0, v0, .. } => {
                 v0 * (natural * t).cos() - natural * x0 * (natural * t).sin()
             }
-            Form::Oscillating { natural, zeta, damped, x0, v0, b, .. } => {
+            FreeResponse::Oscillating { natural, zeta, damped, x0, v0, b, .. } => {
                 (-(zeta * natural * t)).exp()
                     * (v0 * (damped * t).cos() - (damped * x0 + zeta * natural * b) * (damped * t).sin())
             }
-            Form::Double { natural, zeta, v0, b, .. } => {
+            FreeResponse::Double { natural, zeta, v0, b, .. } => {
                 (v0 - zeta * natural * b * t) * (-(zeta * natural * t)).exp()
             }
-            Form::Exponentials { roots, shares, .. } => {
+            FreeResponse::Exponentials { roots, shares, .. } => {
                 shares[0] * roots[0] * (roots[0] * t).exp() + shares[1] * roots[1] * (roots[1] * t).exp()
             }
         }
@@ -232,21 +234,21 @@ impl<N: Real> Form<N> {
     /// `ẍ(t)`, with the square of each root.
     pub(super) fn second_derivative(&self, t: N) -> N {
         match *self {
-            Form::Harmonic { natural, x0, b, .. } => {
+            FreeResponse::Harmonic { natural, x0, b, .. } => {
                 -(natural.powi(2) * x0 * (natural * t).cos()) - natural.powi(2) * b * (natural * t).sin()
             }
-            Form::Oscillating { natural, zeta, damped, x0, b, .. } => {
+            FreeResponse::Oscillating { natural, zeta, damped, x0, b, .. } => {
                 let rate = zeta * natural;
                 let (cosine, sine) = ((damped * t).cos(), (damped * t).sin());
                 (-(rate * t)).exp()
                     * ((rate.powi(2) - damped.powi(2)) * (x0 * cosine + b * sine)
                         + rate * damped * 2.0 * (x0 * sine - b * cosine))
             }
-            Form::Double { natural, zeta, x0, b, .. } => {
+            FreeResponse::Double { natural, zeta, x0, b, .. } => {
                 let rate = zeta * natural;
                 (rate.powi(2) * (x0 + b * t) - rate * b * 2.0) * (-(rate * t)).exp()
             }
-            Form::Exponentials { roots, shares, .. } => {
+            FreeResponse::Exponentials { roots, shares, .. } => {
                 shares[0] * roots[0].powi(2) * (roots[0] * t).exp()
                     + shares[1] * roots[1].powi(2) * (roots[1] * t).exp()
             }
@@ -256,7 +258,7 @@ impl<N: Real> Form<N> {
     /// Size of the oscillation at the start, where there is one.
     pub(super) fn size(&self) -> Option<N> {
         match *self {
-            Form::Oscillating { size, .. } | Form::Harmonic { size, .. } => Some(size),
+            FreeResponse::Oscillating { size, .. } | FreeResponse::Harmonic { size, .. } => Some(size),
             _ => None,
         }
     }
@@ -264,11 +266,11 @@ impl<N: Real> Form<N> {
     /// Square of the envelope at a state: `x² + ((v + ζωₙ x)/ω_d)²`, once the motion oscillates.
     pub(super) fn radius_squared(&self, [x, v]: [N; 2]) -> N {
         match *self {
-            Form::Oscillating { natural, zeta, damped, .. } => {
+            FreeResponse::Oscillating { natural, zeta, damped, .. } => {
                 x.powi(2) + ((v + zeta * natural * x) / damped).powi(2)
             }
-            Form::Harmonic { natural, .. } => x.powi(2) + (v / natural).powi(2),
-            Form::Double { .. } | Form::Exponentials { .. } => N::from(f64::NAN),
+            FreeResponse::Harmonic { natural, .. } => x.powi(2) + (v / natural).powi(2),
+            FreeResponse::Double { .. } | FreeResponse::Exponentials { .. } => N::from(f64::NAN),
         }
     }
 
@@ -283,10 +285,12 @@ impl<N: Real> Form<N> {
         );
         let v = sheet.step(v, units.velocity, self.velocity(t), "Velocity at that time: its derivative");
         let acceleration = match *self {
-            Form::Harmonic { natural, .. } => -(natural.powi(2) * x),
-            Form::Oscillating { natural, zeta, .. }
-            | Form::Double { natural, zeta, .. }
-            | Form::Exponentials { natural, zeta, .. } => -(natural.powi(2) * x) - zeta * natural * v * 2.0,
+            FreeResponse::Harmonic { natural, .. } => -(natural.powi(2) * x),
+            FreeResponse::Oscillating { natural, zeta, .. }
+            | FreeResponse::Double { natural, zeta, .. }
+            | FreeResponse::Exponentials { natural, zeta, .. } => {
+                -(natural.powi(2) * x) - zeta * natural * v * 2.0
+            }
         };
         let a = sheet.step(
             a,
@@ -299,7 +303,7 @@ impl<N: Real> Form<N> {
 
     /// The envelope at a time, where there is one.
     pub(super) fn envelope<W: Worksheet<Num = N>>(&self, t: N, units: &Units, sheet: W) -> Option<N> {
-        let Form::Oscillating { natural, zeta, size, .. } = *self else { return None };
+        let FreeResponse::Oscillating { natural, zeta, size, .. } = *self else { return None };
         let envelope = size * (-(zeta * natural * t)).exp();
         Some(sheet.step(
             "X_t",
@@ -311,7 +315,7 @@ impl<N: Real> Form<N> {
 
     /// Time at which the envelope has decayed to a level.
     pub(super) fn settling_of_envelope<W: Worksheet<Num = N>>(&self, level: N, sheet: W) -> Option<N> {
-        let Form::Oscillating { natural, zeta, size, .. } = *self else { return None };
+        let FreeResponse::Oscillating { natural, zeta, size, .. } = *self else { return None };
         let time = (size / level).ln() / (zeta * natural);
         Some(sheet.step(
             "tₑ",
@@ -325,10 +329,10 @@ impl<N: Real> Form<N> {
     pub(super) fn first_zero<W: Worksheet<Num = N>>(&self, sheet: W) -> N {
         let why = "First passage through the equilibrium position";
         let time = match *self {
-            Form::Harmonic { natural, x0, b, .. } => turn(phase(x0, b, sheet), natural),
-            Form::Oscillating { damped, x0, b, .. } => turn(phase(x0, b, sheet), damped),
-            Form::Double { x0, b, .. } => -(x0 / b),
-            Form::Exponentials { roots, shares, .. } => {
+            FreeResponse::Harmonic { natural, x0, b, .. } => turn(phase(x0, b, sheet), natural),
+            FreeResponse::Oscillating { damped, x0, b, .. } => turn(phase(x0, b, sheet), damped),
+            FreeResponse::Double { x0, b, .. } => -(x0 / b),
+            FreeResponse::Exponentials { roots, shares, .. } => {
                 (-(shares[1] / shares[0])).ln() / (roots[0] - roots[1])
             }
         };
@@ -339,14 +343,14 @@ impl<N: Real> Form<N> {
     pub(super) fn first_turning<W: Worksheet<Num = N>>(&self, sheet: W) -> N {
         let why = "First instant at which the velocity is zero";
         let time = match *self {
-            Form::Harmonic { natural, x0, v0, .. } => {
+            FreeResponse::Harmonic { natural, x0, v0, .. } => {
                 turn(phase_of_velocity(v0, -(natural * x0), sheet), natural)
             }
-            Form::Oscillating { natural, zeta, damped, x0, v0, b, .. } => {
+            FreeResponse::Oscillating { natural, zeta, damped, x0, v0, b, .. } => {
                 turn(phase_of_velocity(v0, -(damped * x0 + zeta * natural * b), sheet), damped)
             }
-            Form::Double { natural, zeta, v0, b, .. } => v0 / (zeta * natural * b),
-            Form::Exponentials { roots, shares, .. } => {
+            FreeResponse::Double { natural, zeta, v0, b, .. } => v0 / (zeta * natural * b),
+            FreeResponse::Exponentials { roots, shares, .. } => {
                 (-(shares[1] * roots[1] / (shares[0] * roots[0]))).ln() / (roots[0] - roots[1])
             }
         };

@@ -27,10 +27,10 @@ pub(super) fn least_squares<W: Worksheet>(peaks: &[MeasuredPeak], sheet: W) -> R
             "the amplitudes do not fall with the cycles: are the rows in the order of time?",
         ));
     }
-    let number = sheet.found("N", "1", count, "Number of amplitudes");
+    let number = sheet.numerical("N", "1", count, "Number of amplitudes");
     sheet.answer("amplitudes", "Number of amplitudes", number);
-    let products = sheet.found("S_nx", "1", both, "Sum of (n − n̄)(ln X − mean of ln X) over the table");
-    let spread = sheet.found("S_nn", "1", squares, "Sum of (n − n̄)² over the table");
+    let products = sheet.numerical("S_nx", "1", both, "Sum of (n − n̄)(ln X − mean of ln X) over the table");
+    let spread = sheet.numerical("S_nn", "1", squares, "Sum of (n − n̄)² over the table");
     let decrement = sheet.step(
         "δ",
         "1",
@@ -45,13 +45,13 @@ pub(super) fn least_squares<W: Worksheet>(peaks: &[MeasuredPeak], sheet: W) -> R
     });
     let slope = decrement.value();
     let misfit = sum(&|n, log| (log + slope * n).powi(2));
-    let scatter = sheet.found(
+    let scatter = sheet.numerical(
         "ε",
         "%",
         (misfit / count).sqrt(),
         "Root mean square of the relative differences between the amplitudes and the fitted decay",
     );
-    let uncertainty = sheet.found(
+    let uncertainty = sheet.numerical(
         "σ_δ",
         "1",
         (misfit / (count - 2.0) / squares).sqrt(),

@@ -3,19 +3,21 @@
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real,
-    identification::modal::{self, CircleFit, Complex, DampingModel, ModalError, Point, Response},
+    identification::modal::{
+        self, CircleFit, Complex, DampingModel, MeasuredResponse, ModalError, ResponsePoint,
+    },
 };
 
-use super::mode::{DampingKind, Mode};
+use super::mode::{DampingKind, IdentifiedMode};
 use crate::sources::EWINS;
 
 /// The mode of the circle, with the circle for the plot.
 pub(super) fn circle<W: Worksheet>(
-    points: &[Point],
-    response: Response,
+    points: &[ResponsePoint],
+    response: MeasuredResponse,
     damping: DampingKind,
     sheet: W,
-) -> Result<(Mode<W::Num>, CircleFit), Refusal> {
+) -> Result<(IdentifiedMode<W::Num>, CircleFit), Refusal> {
     let model = damping.model();
     let fit = modal::circle_fit(points, response, model).map_err(|err| refused(&err))?;
     let unit = match model {
@@ -30,8 +32,8 @@ pub(super) fn circle<W: Worksheet>(
             "Diameter of the circle through the receptances, from a least-squares fit of x² + y² + ax + by + c"
         }
     };
-    let diameter = sheet.found("D", unit, 2.0 * fit.circle.radius, (how, EWINS.at("§4.3.3")));
-    let misfit = sheet.found(
+    let diameter = sheet.numerical("D", unit, 2.0 * fit.circle.radius, (how, EWINS.at("§4.3.3")));
+    let misfit = sheet.numerical(
         "ε_D",
         "%",
         fit.circle.misfit,
@@ -39,10 +41,10 @@ pub(super) fn circle<W: Worksheet>(
     );
     let why =
         "Natural frequency: where the points go round the circle fastest, by least squares of their angles";
-    let natural = sheet.found("ω_D", "Hz", fit.natural_frequency, (why, EWINS.at("§4.3.3")));
+    let natural = sheet.numerical("ω_D", "Hz", fit.natural_frequency, (why, EWINS.at("§4.3.3")));
     let why = "Frequency a quarter of the circle before it: lower half-power point";
-    let lower = sheet.found("ω_l", "Hz", fit.half_power[0], (why, EWINS.at("§4.3.3")));
-    let upper = sheet.found(
+    let lower = sheet.numerical("ω_l", "Hz", fit.half_power[0], (why, EWINS.at("§4.3.3")));
+    let upper = sheet.numerical(
         "ω_u",
         "Hz",
         fit.half_power[1],
@@ -137,7 +139,7 @@ pub(super) fn circle<W: Worksheet>(
             .with_quantity("spread", (most - least) / most, "%")
         });
     }
-    Ok((Mode { natural, damping_ratio: ratio, constant }, fit))
+    Ok((IdentifiedMode { natural, damping_ratio: ratio, constant }, fit))
 }
 
 /// A fit that could not be made, in words.

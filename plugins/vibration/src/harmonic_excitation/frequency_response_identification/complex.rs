@@ -7,13 +7,13 @@ use dalembert_mechanics::{
     Real,
     identification::{
         self,
-        modal::{self, Complex, DampingModel, Point, Residuals, Response},
+        modal::{self, Complex, DampingModel, MeasuredResponse, Residuals, ResponsePoint},
     },
     sdof,
 };
 
 pub use super::mode::DampingKind;
-use super::{circle, mode::Mode, normal_equations::normal_equations, plots, points::ordered};
+use super::{circle, mode::IdentifiedMode, normal_equations::normal_equations, plots, points::ordered};
 use crate::sources::{EWINS, RAO};
 
 /// The fewest points whose fit has something left to judge it by.
@@ -166,31 +166,31 @@ pub enum ResidualKind {
 
 impl ResponseTable {
     /// Measured quantity and its points.
-    fn read(&self) -> (Response, Vec<Point>) {
+    fn read(&self) -> (MeasuredResponse, Vec<ResponsePoint>) {
         let polar = Complex::from_polar;
         match self {
             ResponseTable::ReceptanceParts { points } => (
-                Response::Receptance,
+                MeasuredResponse::Receptance,
                 points.iter().map(|p| (p.frequency, Complex::new(p.real, p.imaginary))).collect(),
             ),
             ResponseTable::ReceptancePolar { points } => (
-                Response::Receptance,
+                MeasuredResponse::Receptance,
                 points.iter().map(|p| (p.frequency, polar(p.amplitude, p.phase))).collect(),
             ),
             ResponseTable::MobilityParts { points } => (
-                Response::Mobility,
+                MeasuredResponse::Mobility,
                 points.iter().map(|p| (p.frequency, Complex::new(p.real, p.imaginary))).collect(),
             ),
             ResponseTable::MobilityPolar { points } => (
-                Response::Mobility,
+                MeasuredResponse::Mobility,
                 points.iter().map(|p| (p.frequency, polar(p.amplitude, p.phase))).collect(),
             ),
             ResponseTable::AcceleranceParts { points } => (
-                Response::Accelerance,
+                MeasuredResponse::Accelerance,
                 points.iter().map(|p| (p.frequency, Complex::new(p.real, p.imaginary))).collect(),
             ),
             ResponseTable::AccelerancePolar { points } => (
-                Response::Accelerance,
+                MeasuredResponse::Accelerance,
                 points.iter().map(|p| (p.frequency, polar(p.amplitude, p.phase))).collect(),
             ),
         }
@@ -209,9 +209,10 @@ pub(super) fn identify<W: Worksheet>(
     let (response, all) = table.read();
     let all = ordered(all, sheet)?;
     let points = within(all, range, sheet)?;
-    let receptances: Vec<Point> = points.iter().map(|point| (point.0, response.receptance(*point))).collect();
+    let receptances: Vec<ResponsePoint> =
+        points.iter().map(|point| (point.0, response.receptance(*point))).collect();
 
-    let mut modes: Vec<(&'static str, Mode<W::Num>)> = Vec::new();
+    let mut modes: Vec<(&'static str, IdentifiedMode<W::Num>)> = Vec::new();
     if let Some(mode) = by_amplitude(&receptances, sheet) {
         modes.push(("peak and half-power points", mode));
     }
@@ -241,10 +242,10 @@ pub(super) fn identify<W: Worksheet>(
 
 /// The points above zero and within the range that is read.
 fn within<W: Worksheet>(
-    mut points: Vec<Point>,
+    mut points: Vec<ResponsePoint>,
     [lowest, highest]: [Option<f64>; 2],
     sheet: W,
-) -> Result<Vec<Point>, Refusal> {
+) -> Result<Vec<ResponsePoint>, Refusal> {
     if let (Some(lowest), Some(highest)) = (lowest, highest)
         && lowest >= highest
     {
@@ -269,7 +270,7 @@ fn within<W: Worksheet>(
 }
 
 /// The reading of the amplitude alone: peak and half-power points of the receptance.
-fn by_amplitude<W: Worksheet>(receptances: &[Point], sheet: W) -> Option<Mode<W::Num>> {
+fn by_amplitude<W: Worksheet>(receptances: &[ResponsePoint], sheet: W) -> Option<IdentifiedMode<W::Num>> {
     let amplitudes: Vec<(f64, f64)> = receptances.iter().map(|(w, a)| (*w, a.norm())).collect();
     let Some(peak) = identification::measured_peak(&amplitudes) else {
         sheet.warn(|| {
@@ -287,15 +288,15 @@ fn by_amplitude<W: Worksheet>(receptances: &[Point], sheet: W) -> Option<Mode<W:
         });
         return None;
     };
-    let height = sheet.found(
+    let height = sheet.numerical(
         "Hₕ",
         "mm/N",
         peak.receptance,
         "Height of the measured peak: vertex of the parabola of 1/H² against ω² through the highest point and its neighbours",
     );
     let why = "Half-power frequency below the peak: the receptance is 1/√2 of the peak value";
-    let lower = sheet.found("ω_a", "Hz", lower, (why, RAO.at("§3.4")));
-    let upper = sheet.found("ω_b", "Hz", upper, "Half-power frequency above the peak");
+    let lower = sheet.numerical("ω_a", "Hz", lower, (why, RAO.at("§3.4")));
+    let upper = sheet.numerical("ω_b", "Hz", upper, "Half-power frequency above the peak");
     let zeta = sheet.step(
         "ζₕ",
         "1",
@@ -323,17 +324,17 @@ fn by_amplitude<W: Worksheet>(receptances: &[Point], sheet: W) -> Option<Mode<W:
         constant,
     );
     sheet.answer("half_power_damping_ratio", "Damping ratio, half-power points", zeta);
-    Some(Mode { natural, damping_ratio: zeta, constant })
+    Some(IdentifiedMode { natural, damping_ratio: zeta, constant })
 }
 
 /// The mode nearest to all points.
 fn least_squares<W: Worksheet>(
-    points: &[Point],
-    response: Response,
+    points: &[ResponsePoint],
+    response: MeasuredResponse,
     damping: DampingKind,
     residuals: ResidualKind,
     sheet: W,
-) -> Result<(Mode<W::Num>, modal::ModalFit), Refusal> {
+) -> Result<(IdentifiedMode<W::Num>, modal::ModalFit), Refusal> {
     let model = damping.model();
     let with = match residuals {
         ResidualKind::None => Residuals::None,
@@ -349,14 +350,14 @@ fn least_squares<W: Worksheet>(
             "Natural frequency by least squares of the complex differences from A/(ωₙ² − ω² + iηωₙ²) + R − S/ω²"
         }
     };
-    let natural = sheet.found("ωₙ", "Hz", fit.natural_frequency, (how, EWINS.at("§4.4")));
+    let natural = sheet.numerical("ωₙ", "Hz", fit.natural_frequency, (how, EWINS.at("§4.4")));
     let (damping, zeta) = match model {
         DampingModel::Viscous => {
-            let zeta = sheet.found("ζ", "1", fit.damping, "Damping ratio by the same least squares");
+            let zeta = sheet.numerical("ζ", "1", fit.damping, "Damping ratio by the same least squares");
             (zeta, zeta)
         }
         DampingModel::Hysteretic => {
-            let eta = sheet.found("η", "1", fit.damping, "Loss factor by the same least squares");
+            let eta = sheet.numerical("η", "1", fit.damping, "Loss factor by the same least squares");
             sheet.answer("loss_factor", "Loss factor", eta);
             let zeta = sheet.step(
                 "ζ",
@@ -367,8 +368,9 @@ fn least_squares<W: Worksheet>(
             (eta, zeta)
         }
     };
-    let constant = sheet.found("A", "1/kg", fit.modal_constant, "Modal constant by the same least squares");
-    let misfit = sheet.found(
+    let constant =
+        sheet.numerical("A", "1/kg", fit.modal_constant, "Modal constant by the same least squares");
+    let misfit = sheet.numerical(
         "ε",
         "%",
         fit.misfit,
@@ -380,12 +382,12 @@ fn least_squares<W: Worksheet>(
     let mut answered = vec![natural.value(), damping.value(), constant.value()];
     if residuals != ResidualKind::None {
         let residual =
-            sheet.found("R", "mm/N", fit.stiffness_residual, "Stiffness residual, for the higher modes");
+            sheet.numerical("R", "mm/N", fit.stiffness_residual, "Stiffness residual, for the higher modes");
         sheet.answer("stiffness_residual", "Stiffness residual", residual);
         answered.push(residual.value());
     }
     if residuals == ResidualKind::StiffnessAndMass {
-        let residual = sheet.found("S", "1/kg", fit.mass_residual, "Mass residual, for the modes below");
+        let residual = sheet.numerical("S", "1/kg", fit.mass_residual, "Mass residual, for the modes below");
         sheet.answer("mass_residual", "Mass residual", residual);
         answered.push(residual.value());
     }
@@ -404,12 +406,17 @@ fn least_squares<W: Worksheet>(
             )
         });
     }
-    Ok((Mode { natural, damping_ratio: zeta, constant }, fit))
+    Ok((IdentifiedMode { natural, damping_ratio: zeta, constant }, fit))
 }
 
 /// Mass, stiffness and damping, where force and motion are those of one mass, and the response at resonance.
-fn answers<W: Worksheet>(mode: &Mode<W::Num>, damping: DampingKind, force: Option<W::Num>, sheet: W) {
-    let Mode { natural, damping_ratio, constant } = *mode;
+fn answers<W: Worksheet>(
+    mode: &IdentifiedMode<W::Num>,
+    damping: DampingKind,
+    force: Option<W::Num>,
+    sheet: W,
+) {
+    let IdentifiedMode { natural, damping_ratio, constant } = *mode;
     let resonant = sheet.step(
         "Hₙ",
         "mm/N",
@@ -474,8 +481,8 @@ fn answers<W: Worksheet>(mode: &Mode<W::Num>, damping: DampingKind, force: Optio
 }
 
 /// Differences between the methods.
-fn spread<W: Worksheet>(modes: &[(&'static str, Mode<W::Num>)], sheet: W) {
-    let of = |which: fn(&Mode<W::Num>) -> W::Num| {
+fn spread<W: Worksheet>(modes: &[(&'static str, IdentifiedMode<W::Num>)], sheet: W) {
+    let of = |which: fn(&IdentifiedMode<W::Num>) -> W::Num| {
         let by_size = |a: &W::Num, b: &W::Num| a.value().total_cmp(&b.value());
         let all = || modes.iter().map(|(_, mode)| which(mode));
         all().min_by(by_size).zip(all().max_by(by_size))

@@ -17,7 +17,7 @@ pub enum PeakRead {
 
 /// Excitation of the machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Inputs)]
-pub enum Excitation {
+pub enum MachineExcitation {
     /// A force of constant amplitude
     Force,
     /// A rotating unbalance
@@ -70,7 +70,7 @@ pub(super) fn identify<W: Worksheet>(
             MeasurementGiven::ResonanceRatio { amplitude_ratio, frequency_ratio, .. },
         ) => {
             let zeta = resonance_ratio(*excitation, *amplitude_ratio, *frequency_ratio, sheet)?;
-            let unbalance = *excitation == Excitation::Unbalance;
+            let unbalance = *excitation == MachineExcitation::Unbalance;
             let height = 0.5 / zeta.value();
             let other = (frequency_ratio.value(), height / amplitude_ratio.value());
             (zeta, unbalance, vec![(1.0, height), other])
@@ -250,7 +250,7 @@ fn two_speeds<W: Worksheet>(
 }
 
 fn resonance_ratio<W: Worksheet>(
-    excitation: Excitation,
+    excitation: MachineExcitation,
     amplitude_ratio: W::Num,
     frequency_ratio: W::Num,
     sheet: W,
@@ -262,12 +262,12 @@ fn resonance_ratio<W: Worksheet>(
         ));
     }
     let (least, zeta, why) = match excitation {
-        Excitation::Force => (
+        MachineExcitation::Force => (
             r,
             identification::damping_ratio_from_force_ratio(amplitude_ratio, frequency_ratio),
             "Damping ratio, from q² = ((1 − r²)² + (2ζr)²)/(2ζ)²",
         ),
-        Excitation::Unbalance => (
+        MachineExcitation::Unbalance => (
             1.0 / r,
             identification::damping_ratio_from_unbalance_ratio(amplitude_ratio, frequency_ratio),
             "Damping ratio, from q² = ((1 − r²)² + (2ζr)²)/(2ζr²)²",
@@ -280,8 +280,10 @@ fn resonance_ratio<W: Worksheet>(
     let zeta = sheet.step("ζ", "1", zeta, (why, RAO.at("§3.4")));
     let one = W::Num::from(1.0);
     let ratio = match excitation {
-        Excitation::Force => sdof::magnification(one, zeta) / sdof::magnification(frequency_ratio, zeta),
-        Excitation::Unbalance => {
+        MachineExcitation::Force => {
+            sdof::magnification(one, zeta) / sdof::magnification(frequency_ratio, zeta)
+        }
+        MachineExcitation::Unbalance => {
             sdof::unbalance_magnification(one, zeta) / sdof::unbalance_magnification(frequency_ratio, zeta)
         }
     };

@@ -14,7 +14,7 @@ pub enum DampingKind {
 
 /// A mode as one method reads it.
 #[derive(Clone, Copy)]
-pub(super) struct Mode<N> {
+pub(super) struct IdentifiedMode<N> {
     pub(super) natural: N,
     pub(super) damping_ratio: N,
     pub(super) constant: N,

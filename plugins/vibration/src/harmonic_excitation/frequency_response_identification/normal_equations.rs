@@ -1,12 +1,12 @@
 //! The normal equations of the complex least squares, in the numbers that are answered.
 
-use dalembert_mechanics::identification::modal::{Complex, DampingModel, Point, Response};
+use dalembert_mechanics::identification::modal::{Complex, DampingModel, MeasuredResponse, ResponsePoint};
 
 /// The normal equations of natural frequency, damping, modal constant and residuals, each over the sizes of its derivative
 /// and of its own part of the response: zero where the sum of squares is least.
 pub(super) fn normal_equations(
-    points: &[Point],
-    response: Response,
+    points: &[ResponsePoint],
+    response: MeasuredResponse,
     model: DampingModel,
     answered: &[f64],
 ) -> Vec<f64> {
@@ -19,9 +19,9 @@ pub(super) fn normal_equations(
     for &(frequency, value) in points {
         // Receptance, mobility or accelerance, as it was measured.
         let factor = match response {
-            Response::Receptance => Complex::new(1.0, 0.0),
-            Response::Mobility => Complex::new(0.0, frequency),
-            Response::Accelerance => Complex::new(-frequency * frequency, 0.0),
+            MeasuredResponse::Receptance => Complex::new(1.0, 0.0),
+            MeasuredResponse::Mobility => Complex::new(0.0, frequency),
+            MeasuredResponse::Accelerance => Complex::new(-frequency * frequency, 0.0),
         };
         // ∂d/∂ωₙ and ∂d/∂ζ or ∂d/∂η of the term i d of the damping.
         let (loss, by_natural, by_damping) = match model {

@@ -7,14 +7,17 @@ use dalembert_mechanics::{
     sdof,
 };
 
-use super::{Peak, System, comparison, hold_at_peak};
+use super::{IdentifiedSystem, Peak, comparison, hold_at_peak};
 use crate::sources::{EWINS, RAO};
 
 /// The fewest points that a least-squares fit is worth the name with.
 const FEWEST: usize = 5;
 
 /// The system of the least squares over all points, beside the other readings.
-pub(super) fn identify<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<System<W::Num>, Refusal> {
+pub(super) fn identify<W: Worksheet>(
+    points: &[(f64, f64)],
+    sheet: W,
+) -> Result<IdentifiedSystem<W::Num>, Refusal> {
     if points.len() < FEWEST {
         return Err(Refusal::because("the table has fewer than five points: measure more frequencies"));
     }
@@ -39,18 +42,20 @@ pub(super) fn identify<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<
     }
     spread(&rows, sheet);
     sheet.show(|| {
-        let numbers = |system: &System<W::Num>| {
+        let numbers = |system: &IdentifiedSystem<W::Num>| {
             [system.stiffness, system.mass, system.damping, system.damping_ratio, system.natural]
                 .map(Real::value)
         };
-        let row = |(method, system): &(&'static str, System<W::Num>)| (Text::new(*method), numbers(system));
+        let row = |(method, system): &(&'static str, IdentifiedSystem<W::Num>)| {
+            (Text::new(*method), numbers(system))
+        };
         Exhibit::Table(comparison(rows.iter().map(row).collect()))
     });
     Ok(system)
 }
 
 /// Least squares of `1/H²` over all points.
-fn least_squares<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<System<W::Num>, Refusal> {
+fn least_squares<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<IdentifiedSystem<W::Num>, Refusal> {
     let fit = identification::fit_receptance(points).map_err(|err| match err {
         FitError::NegativeDamping => Refusal::because(
             "the points are higher than any damping allows: do they belong to one mass on one spring?",
@@ -64,7 +69,7 @@ fn least_squares<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<System
             "the least-squares fit finds no damping: measure more points about the peak",
         ));
     }
-    let stiffness = sheet.found(
+    let stiffness = sheet.numerical(
         "k",
         "N/m",
         fit.stiffness,
@@ -73,10 +78,10 @@ fn least_squares<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<System
             EWINS.at("§4.3"),
         ),
     );
-    let mass = sheet.found("m", "kg", fit.mass, "Mass by the same least squares");
-    let damping = sheet.found("c", "N*s/m", fit.damping, "Damping by the same least squares");
+    let mass = sheet.numerical("m", "kg", fit.mass, "Mass by the same least squares");
+    let damping = sheet.numerical("c", "N*s/m", fit.damping, "Damping by the same least squares");
     sheet.check_zeros("the least-squares solution satisfies its normal equations", fit.normal_equations, 1.0);
-    let misfit = sheet.found(
+    let misfit = sheet.numerical(
         "ε",
         "%",
         fit.misfit / 2.0,
@@ -105,7 +110,7 @@ fn least_squares<W: Worksheet>(points: &[(f64, f64)], sheet: W) -> Result<System
     }
     let (natural, damping_ratio) = ratios(stiffness, mass, damping, ["ωₙ", "ζ"], sheet);
     let peak = fitted_peak(stiffness, natural, damping_ratio, sheet)?;
-    let system = System { stiffness, mass, damping, damping_ratio, natural, peak };
+    let system = IdentifiedSystem { stiffness, mass, damping, damping_ratio, natural, peak };
     hold_at_peak(&system, sheet);
     Ok(system)
 }
@@ -164,16 +169,16 @@ pub(super) fn from_peak<W: Worksheet>(
     lowest: (f64, f64),
     measured: &MeasuredPeak,
     sheet: W,
-) -> System<W::Num> {
-    let frequency = sheet.found(
+) -> IdentifiedSystem<W::Num> {
+    let frequency = sheet.numerical(
         "ωₕ",
         "rad/s",
         measured.frequency,
         "The measured peak: vertex of the parabola of 1/H² over ω² through the highest point and its neighbours",
     );
-    let receptance = sheet.found("Hₕ", "mm/N", measured.receptance, "Height of the measured peak");
-    let first = sheet.found("ω₀", "rad/s", lowest.0, "Lowest frequency of the table");
-    let at_first = sheet.found("H₀", "mm/N", lowest.1, "Receptance at this point");
+    let receptance = sheet.numerical("Hₕ", "mm/N", measured.receptance, "Height of the measured peak");
+    let first = sheet.numerical("ω₀", "rad/s", lowest.0, "Lowest frequency of the table");
+    let at_first = sheet.numerical("H₀", "mm/N", lowest.1, "Receptance at this point");
     let mass = sheet.step(
         "mₕ",
         "kg",
@@ -195,11 +200,11 @@ pub(super) fn from_half_power<W: Worksheet>(
     upper: f64,
     measured: &MeasuredPeak,
     sheet: W,
-) -> System<W::Num> {
+) -> IdentifiedSystem<W::Num> {
     let below = "Half-power frequency below the peak: the receptance is 1/√2 of the peak value";
-    let lower = sheet.found("ω₁", "rad/s", lower, (below, RAO.at("§3.4")));
-    let upper = sheet.found("ω₂", "rad/s", upper, "Half-power frequency above the peak");
-    let receptance = sheet.found("H_b", "mm/N", measured.receptance, "Height of the measured peak");
+    let lower = sheet.numerical("ω₁", "rad/s", lower, (below, RAO.at("§3.4")));
+    let upper = sheet.numerical("ω₂", "rad/s", upper, "Half-power frequency above the peak");
+    let receptance = sheet.numerical("H_b", "mm/N", measured.receptance, "Height of the measured peak");
     let mass = sheet.step(
         "m_b",
         "kg",
@@ -247,7 +252,7 @@ fn from_mass<W: Worksheet>(
     frequency: W::Num,
     [k, c, natural, ratio]: [&'static str; 4],
     sheet: W,
-) -> System<W::Num> {
+) -> IdentifiedSystem<W::Num> {
     let stiffness = sheet.step(
         k,
         "N/m",
@@ -262,13 +267,13 @@ fn from_mass<W: Worksheet>(
     );
     let (natural, damping_ratio) = ratios(stiffness, mass, damping, [natural, ratio], sheet);
     let peak = Peak { receptance, frequency };
-    let system = System { stiffness, mass, damping, damping_ratio, natural, peak };
+    let system = IdentifiedSystem { stiffness, mass, damping, damping_ratio, natural, peak };
     hold_at_peak(&system, sheet);
     system
 }
 
 /// Difference between the damping ratio readings.
-fn spread<W: Worksheet>(rows: &[(&'static str, System<W::Num>)], sheet: W) {
+fn spread<W: Worksheet>(rows: &[(&'static str, IdentifiedSystem<W::Num>)], sheet: W) {
     let by_size = |a: &W::Num, b: &W::Num| a.value().total_cmp(&b.value());
     let ratios = || rows.iter().map(|(_, system)| system.damping_ratio);
     let (Some(least), Some(most)) = (ratios().min_by(by_size), ratios().max_by(by_size)) else { return };

@@ -1,7 +1,7 @@
 //! The steady motion in a second method: what every impulse of the wave, period after period, leaves of itself.
 
 use dalembert_core::Worksheet;
-use dalembert_mechanics::vibration::periodic::{Drive, Piece, Steady};
+use dalembert_mechanics::vibration::periodic::{ExcitationPath, PeriodicResponse, WaveSegment};
 use dalembert_numerics::quadrature::integral;
 use nalgebra::Complex;
 
@@ -10,8 +10,8 @@ pub(super) struct Circle<'p> {
     pub(super) zeta: f64,
     /// Radians of the free motion, without damping, in a period.
     pub(super) angle: f64,
-    pub(super) drive: Drive,
-    pub(super) pieces: &'p [Piece],
+    pub(super) drive: ExcitationPath,
+    pub(super) pieces: &'p [WaveSegment],
 }
 
 /// The most radians that are added up.
@@ -33,8 +33,8 @@ impl Circle<'_> {
         let weights = [0, 1].map(|n| {
             let sign = if n == 0 { 1.0 } else { -1.0 };
             let through = match self.drive {
-                Drive::Force => Complex::new(1.0, 0.0),
-                Drive::Base => roots[n] * (2.0 * self.zeta) + 1.0,
+                ExcitationPath::Force => Complex::new(1.0, 0.0),
+                ExcitationPath::Base => roots[n] * (2.0 * self.zeta) + 1.0,
             };
             through * sign / (spread * 2.0 * returned[n])
         });
@@ -80,7 +80,12 @@ pub(super) fn displacement<W: Worksheet>(circle: &Circle<'_>, share: f64, shown:
 }
 
 /// Holds the largest and the least displacement: where the velocity changes its sign.
-pub(super) fn extremes<W: Worksheet>(circle: &Circle<'_>, steady: &Steady, shown: [f64; 2], sheet: W) {
+pub(super) fn extremes<W: Worksheet>(
+    circle: &Circle<'_>,
+    steady: &PeriodicResponse,
+    shown: [f64; 2],
+    sheet: W,
+) {
     let radians = circle.angle * (1.0 + 2.0 * circle.zeta);
     if radians.is_nan() || radians > MOST {
         return;

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use dalembert_core::{Inputs, Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real,
-    vibration::periodic::{self, Piece},
+    vibration::periodic::{self, WaveSegment},
 };
 
 use crate::sources::RAO;
@@ -61,7 +61,7 @@ pub struct WavePoint {
 
 impl Waveform {
     /// The pieces of a period.
-    pub(super) fn pieces(&self) -> Result<Vec<Piece>, Refusal> {
+    pub(super) fn pieces(&self) -> Result<Vec<WaveSegment>, Refusal> {
         Ok(match self {
             Waveform::Square => periodic::square(),
             Waveform::Triangle => periodic::triangle(),
@@ -109,7 +109,8 @@ impl<W: Worksheet> WaveformGiven<W> {
                 "Mean of the motion: the mean of the pulses is their fraction of the period",
             ),
             WaveformGiven::Table { .. } => {
-                let mean = sheet.found("u₀", "1", found, "Mean of the wave, integrated segment by segment");
+                let mean =
+                    sheet.numerical("u₀", "1", found, "Mean of the wave, integrated segment by segment");
                 (height * mean, "Mean of the motion: the static deflection under the mean of the wave")
             }
         };
@@ -152,9 +153,9 @@ impl<W: Worksheet> WaveformGiven<W> {
             ),
             WaveformGiven::Table { .. } => {
                 let why = ("Cosine coefficient, integrated segment by segment", RAO.at("§1.11"));
-                let a = sheet.found(("a", n as usize), "1", found.0, why);
+                let a = sheet.numerical(("a", n as usize), "1", found.0, why);
                 let why = "Sine coefficient, integrated segment by segment";
-                let b = sheet.found(("b", n as usize), "1", found.1, why);
+                let b = sheet.numerical(("b", n as usize), "1", found.1, why);
                 (height * (a.powi(2) + b.powi(2)).sqrt(), "Amplitude from the cosine and sine coefficients")
             }
         };

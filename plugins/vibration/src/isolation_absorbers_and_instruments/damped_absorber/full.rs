@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::Body;
+use super::DampedMass;
 use dalembert_mechanics::Real;
 
 /// Masses, springs and dampers.
@@ -17,7 +17,7 @@ pub(super) struct InFull {
 
 impl InFull {
     /// The main system with an absorber of that spring and damper.
-    pub(super) fn of<N: Real>(body: &Body<N>, zeta: f64, spring: f64, damper: f64) -> Self {
+    pub(super) fn of<N: Real>(body: &DampedMass<N>, zeta: f64, spring: f64, damper: f64) -> Self {
         let (stiffness, natural) = (body.stiffness.value(), body.natural.value());
         let mass = stiffness / (natural * natural);
         let damping = 2.0 * zeta * mass * natural;

@@ -8,11 +8,11 @@ use dalembert_mechanics::{
 use dalembert_numerics::linalg;
 use nalgebra::{Complex, DMatrix};
 
-use super::{Chosen, System, no_peaks};
+use super::{AbsorberSystem, Chosen, no_peaks};
 use crate::sources::{BROCK, DEN_HARTOG, NISHIHARA};
 
 /// Den Hartog's tuning and Brock's damping.
-pub(super) fn fixed_points<W: Worksheet>(system: &System<W::Num>, sheet: W) -> Chosen<W::Num> {
+pub(super) fn fixed_points<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet: W) -> Chosen<W::Num> {
     let ratio = system.ratio;
     if system.zeta.value() > 0.0 {
         sheet.warn(|| {
@@ -66,7 +66,7 @@ pub(super) fn fixed_points<W: Worksheet>(system: &System<W::Num>, sheet: W) -> C
     let kernel = system.kernel(&chosen);
     if let Some(peak) = kernel.largest_peak() {
         let how = "Maximum magnification with this tuning and damping: the peaks lie a little above the fixed points";
-        let found = sheet.found("H_opt", "1", peak.height, how);
+        let found = sheet.numerical("H_opt", "1", peak.height, how);
         sheet.verify(|| {
             let [main, _] = equations(&kernel, peak.ratio);
             sheet.check("that magnification from the equations of both masses", W::Num::from(main), found);
@@ -77,7 +77,7 @@ pub(super) fn fixed_points<W: Worksheet>(system: &System<W::Num>, sheet: W) -> C
 }
 
 /// Tuning and damping of the least possible peak; `None` where the main system is too damped for one.
-pub(super) fn least_peak<W: Worksheet>(system: &System<W::Num>, sheet: W) -> Option<Chosen<W::Num>> {
+pub(super) fn least_peak<W: Worksheet>(system: &AbsorberSystem<W::Num>, sheet: W) -> Option<Chosen<W::Num>> {
     let (ratio, zeta) = (system.ratio, system.zeta.value());
     let names = ["best_damping_ratio_absorber", "best_damping_ratio_main"];
     let found = absorber::least_peak(ratio.value(), zeta).ok();
@@ -101,12 +101,12 @@ pub(super) fn least_peak<W: Worksheet>(system: &System<W::Num>, sheet: W) -> Opt
             return None;
         };
         let how = "Optimum tuning with this damping of the main system: two peaks of equal height, where no change lowers both (Newton's method)";
-        let tuning = sheet.found("f*", "1", found.absorber.tuning, how);
+        let tuning = sheet.numerical("f*", "1", found.absorber.tuning, how);
         let how = "Its damping ratio, relative to the absorber alone";
-        let own = sheet.found("ζ_a*", "1", found.absorber.damping / found.absorber.tuning, how);
+        let own = sheet.numerical("ζ_a*", "1", found.absorber.damping / found.absorber.tuning, how);
         sheet.answer("best_tuning", "Optimum tuning, minimum peak", tuning);
         let damping = answer_dampings(tuning, own, names, "γ*", sheet);
-        let height = sheet.found("H*", "1", found.height, "The minimum peak");
+        let height = sheet.numerical("H*", "1", found.height, "The minimum peak");
         (Chosen { tuning: Some(tuning), damping }, height)
     };
     sheet.verify(|| {
@@ -139,7 +139,10 @@ fn answer_dampings<W: Worksheet>(
 }
 
 /// Best damping of an absorber without spring.
-pub(super) fn viscous<W: Worksheet>(system: &System<W::Num>, sheet: W) -> Result<Chosen<W::Num>, Refusal> {
+pub(super) fn viscous<W: Worksheet>(
+    system: &AbsorberSystem<W::Num>,
+    sheet: W,
+) -> Result<Chosen<W::Num>, Refusal> {
     let (ratio, zeta) = (system.ratio, system.zeta.value());
     let why = (
         "Optimum damping relative to the main frequency, c/(2 m_a ω_m): the peak lies at the invariant point of an undamped main system",
@@ -183,8 +186,8 @@ pub(super) fn viscous<W: Worksheet>(system: &System<W::Num>, sheet: W) -> Result
     });
     let found = found?;
     let how = "Damping for the minimum peak with this damping of the main system (Newton's method)";
-    let best = sheet.found("γ*", "1", found.absorber.damping, how);
-    let least = sheet.found("H*", "1", found.height, "The minimum peak");
+    let best = sheet.numerical("γ*", "1", found.absorber.damping, how);
+    let least = sheet.numerical("H*", "1", found.height, "The minimum peak");
     sheet.verify(|| {
         if let Some(peak) = found.absorber.largest_peak() {
             sheet.check("the highest of all peaks", W::Num::from(peak.height), least);

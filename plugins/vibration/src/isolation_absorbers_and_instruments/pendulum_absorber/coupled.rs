@@ -6,7 +6,7 @@ use dalembert_mechanics::{Real, vibration::pendulum_absorber::Pair};
 use crate::sources::DEN_HARTOG;
 
 /// A body with a pendulum.
-pub(super) struct Coupled<N> {
+pub(super) struct BodyWithPendulum<N> {
     /// True for a rotor, false for a body in translation.
     pub(super) on_rotor: bool,
     /// Inertia of the body with what hangs on it.
@@ -19,7 +19,7 @@ pub(super) struct Coupled<N> {
     pub(super) held: Option<N>,
 }
 
-impl<N: Real> Coupled<N> {
+impl<N: Real> BodyWithPendulum<N> {
     /// The numbers of it.
     pub(super) fn pair(&self) -> Pair {
         Pair {

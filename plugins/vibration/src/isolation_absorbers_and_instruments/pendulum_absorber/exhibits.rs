@@ -9,7 +9,7 @@ use dalembert_mechanics::vibration::pendulum_absorber::Pair;
 const POINTS: u32 = 400;
 
 /// A rotor with pendulums.
-pub(super) struct Rotor {
+pub(super) struct PendulumRotor {
     pub(super) pair: Pair,
     /// Moment of inertia without the pendulums.
     pub(super) alone: f64,
@@ -20,7 +20,7 @@ pub(super) struct Rotor {
     pub(super) arm: f64,
 }
 
-impl Rotor {
+impl PendulumRotor {
     /// Effective inertia of the pendulums against the order.
     pub(super) fn effective(&self) -> Plot {
         let last = 2.0 * self.tuned.max(self.order);
@@ -97,13 +97,13 @@ impl Rotor {
 }
 
 /// A mass with a pendulum under it.
-pub(super) struct Hung {
+pub(super) struct SuspendedPendulum {
     pub(super) pair: Pair,
     pub(super) frequency: f64,
     pub(super) length: f64,
 }
 
-impl Hung {
+impl SuspendedPendulum {
     /// Amplitudes against the frequency, for a unit of the force.
     pub(super) fn response(&self) -> Plot {
         let last = 1.6 * self.pair.frequencies()[1].max(self.frequency);

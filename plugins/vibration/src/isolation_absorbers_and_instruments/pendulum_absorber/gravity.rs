@@ -3,11 +3,11 @@
 use dalembert_core::{Exhibit, Refusal, Worksheet};
 use dalembert_mechanics::Real;
 
-use super::{LengthGiven, MassGiven, coupled::Coupled, exhibits};
+use super::{LengthGiven, PendulumMassGiven, coupled::BodyWithPendulum, exhibits};
 use crate::sources::DEN_HARTOG;
 
 /// An oscillating mass with a pendulum.
-pub(super) struct Hung<N> {
+pub(super) struct MassWithPendulum<N> {
     pub(super) body: N,
     pub(super) stiffness: N,
     pub(super) frequency: N,
@@ -15,16 +15,16 @@ pub(super) struct Hung<N> {
     pub(super) gravity: N,
 }
 
-impl<N: Real> Hung<N> {
+impl<N: Real> MassWithPendulum<N> {
     /// Frequencies, amplitudes and, where they are asked for, length and mass of the pendulum.
     pub(super) fn solve<W: Worksheet<Num = N>>(
         &self,
         length: &LengthGiven<W>,
-        mass: &MassGiven<W>,
+        mass: &PendulumMassGiven<W>,
         sheet: W,
     ) -> Result<(), Refusal> {
         // A pendulum that is tuned, or as heavy as its swing asks for, is another one under another force.
-        let is_given = matches!((length, mass), (LengthGiven::Given { .. }, MassGiven::Given { .. }));
+        let is_given = matches!((length, mass), (LengthGiven::Given { .. }, PendulumMassGiven::Given { .. }));
         let is_tuned = matches!(length, LengthGiven::Tuned {});
         let (length, gyration) = match length {
             LengthGiven::Given { length, gyration } => (*length, *gyration),
@@ -56,10 +56,10 @@ impl<N: Real> Hung<N> {
         if is_tuned {
             sheet.check("the pendulum frequency equals the force frequency", antiresonance, self.frequency);
         }
-        let limit = if let MassGiven::Swing { swing } = mass { Some(*swing) } else { None };
+        let limit = if let PendulumMassGiven::Swing { swing } = mass { Some(*swing) } else { None };
         let mass = match mass {
-            MassGiven::Given { mass } => *mass,
-            MassGiven::Swing { swing } => {
+            PendulumMassGiven::Given { mass } => *mass,
+            PendulumMassGiven::Swing { swing } => {
                 let Some(force) = self.force else {
                     return Err(Refusal::because(
                         "the mass for a limited swing follows from the force: write its amplitude",
@@ -75,7 +75,7 @@ impl<N: Real> Hung<N> {
                 mass
             }
         };
-        let motion = Coupled {
+        let motion = BodyWithPendulum {
             on_rotor: false,
             body: sheet.step("M₁", "kg", self.body + mass, "Mass and pendulum move sideways together"),
             coupling: sheet.step(
@@ -107,8 +107,11 @@ impl<N: Real> Hung<N> {
         if let Some(force) = self.force {
             motion.steady(self.frequency, force, sheet)?;
         }
-        let view =
-            exhibits::Hung { pair: motion.pair(), frequency: self.frequency.value(), length: length.value() };
+        let view = exhibits::SuspendedPendulum {
+            pair: motion.pair(),
+            frequency: self.frequency.value(),
+            length: length.value(),
+        };
         sheet.show(|| {
             let plot = view.response();
             Exhibit::Plot(if is_given { plot.over("problem.gravity.frequency") } else { plot })

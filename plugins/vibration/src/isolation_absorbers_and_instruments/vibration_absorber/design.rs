@@ -6,15 +6,15 @@ use dalembert_numerics::linalg;
 use nalgebra::DMatrix;
 
 use super::{
-    SpeedGiven,
-    exhibits::{self, Response},
-    motion::Motion,
+    ExcitationSpeedGiven,
+    exhibits::{self, AbsorberResponse},
+    motion::AbsorberMotion,
     trial,
 };
 use crate::{shared::oscillator::is_one, sources::RAO};
 
 /// Requirement on the absorber, or its known parameter.
-pub(super) enum Wanted<N> {
+pub(super) enum AbsorberRequirement<N> {
     Stroke(N),
     Separation(N),
     Range(N, N),
@@ -25,7 +25,7 @@ pub(super) enum Wanted<N> {
 
 /// The main system and the speed that shakes it.
 pub(super) struct Main<N> {
-    pub(super) motion: Motion,
+    pub(super) motion: AbsorberMotion,
     pub(super) mass: N,
     pub(super) stiffness: N,
     pub(super) natural: N,
@@ -33,11 +33,11 @@ pub(super) struct Main<N> {
 }
 
 pub(super) fn main_system<W: Worksheet>(
-    motion: Motion,
+    motion: AbsorberMotion,
     mass: W::Num,
     stiffness: W::Num,
     natural: Option<W::Num>,
-    speed: &SpeedGiven<W>,
+    speed: &ExcitationSpeedGiven<W>,
     sheet: W,
 ) -> Main<W::Num> {
     let natural = natural.unwrap_or_else(|| {
@@ -45,8 +45,8 @@ pub(super) fn main_system<W: Worksheet>(
         sheet.step("ω_m", "rad/s", sdof::natural_frequency(stiffness, mass), why)
     });
     let speed = match speed {
-        SpeedGiven::Given { speed } => *speed,
-        SpeedGiven::Ratio { ratio } => sheet.step(
+        ExcitationSpeedGiven::Given { speed } => *speed,
+        ExcitationSpeedGiven::Ratio { ratio } => sheet.step(
             "ω",
             "rad/s",
             *ratio * natural,
@@ -60,17 +60,17 @@ impl<N: Real> Main<N> {
     /// The absorber, its resonances and amplitudes. The result is its stiffness.
     pub(super) fn absorbed<W: Worksheet<Num = N>>(
         &self,
-        wanted: &Wanted<N>,
+        wanted: &AbsorberRequirement<N>,
         force: Option<N>,
         sheet: W,
     ) -> Result<N, Refusal> {
         let motion = self.motion;
-        let tuned = !matches!(wanted, Wanted::Given(..));
+        let tuned = !matches!(wanted, AbsorberRequirement::Given(..));
         // What a design has written down already is not written again.
         let (mut known_tuning, mut known_ratio) = (None, None);
         let (mass, stiffness) = match wanted {
-            Wanted::Given(mass, stiffness) => (*mass, *stiffness),
-            Wanted::Stroke(stroke) => {
+            AbsorberRequirement::Given(mass, stiffness) => (*mass, *stiffness),
+            AbsorberRequirement::Stroke(stroke) => {
                 let Some(force) = force else {
                     return Err(Refusal::because(
                         "the stroke of the absorber follows from the force: write the excitation",
@@ -90,12 +90,12 @@ impl<N: Real> Main<N> {
                 );
                 (mass, stiffness)
             }
-            Wanted::Mass(mass) => (*mass, self.tuned(*mass, sheet)),
-            Wanted::Ratio(ratio) => {
+            AbsorberRequirement::Mass(mass) => (*mass, self.tuned(*mass, sheet)),
+            AbsorberRequirement::Ratio(ratio) => {
                 known_ratio = Some(*ratio);
                 self.sized(*ratio, sheet)
             }
-            Wanted::Separation(separation) => {
+            AbsorberRequirement::Separation(separation) => {
                 let one = N::from(1.0);
                 let ratios = ["p₁", "p₂"];
                 let why = [
@@ -108,7 +108,7 @@ impl<N: Real> Main<N> {
                 (known_tuning, known_ratio) = (Some(tuning), Some(ratio));
                 self.sized(ratio, sheet)
             }
-            Wanted::Range(lowest, highest) => {
+            AbsorberRequirement::Range(lowest, highest) => {
                 let [low, high] = [lowest.value(), highest.value()];
                 trial::holds_speed(low, self.speed.value(), high)?;
                 let why =
@@ -127,14 +127,14 @@ impl<N: Real> Main<N> {
             self.amplitudes(mass, stiffness, tuned, force, sheet);
         }
         let range = match wanted {
-            Wanted::Separation(s) => {
+            AbsorberRequirement::Separation(s) => {
                 let [s, speed] = [s.value(), self.speed.value()];
                 Some([(1.0 - s) * speed, (1.0 + s) * speed])
             }
-            Wanted::Range(lowest, highest) => Some([lowest.value(), highest.value()]),
+            AbsorberRequirement::Range(lowest, highest) => Some([lowest.value(), highest.value()]),
             _ => None,
         };
-        let response = Response {
+        let response = AbsorberResponse {
             mass: self.mass.value(),
             stiffness: self.stiffness.value(),
             absorber_mass: mass.value(),

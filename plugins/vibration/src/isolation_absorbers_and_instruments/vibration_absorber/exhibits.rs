@@ -3,10 +3,10 @@
 use dalembert_core::{Axis, Drawing, Ink, Plot, Series, Sketch};
 use dalembert_mechanics::vibration::absorber;
 
-use super::motion::Motion;
+use super::motion::AbsorberMotion;
 
 /// Both masses and springs.
-pub(super) struct Response {
+pub(super) struct AbsorberResponse {
     pub(super) mass: f64,
     pub(super) stiffness: f64,
     pub(super) absorber_mass: f64,
@@ -16,7 +16,7 @@ pub(super) struct Response {
 /// Amplitudes above this many static deflections are not drawn.
 const TOP: f64 = 30.0;
 
-impl Response {
+impl AbsorberResponse {
     /// Amplitudes of main mass and absorber over the static deflection of the main mass.
     fn at(&self, frequency: f64) -> [f64; 2] {
         let determinant = absorber::determinant(
@@ -101,10 +101,10 @@ fn drawn(amplitude: f64) -> f64 {
     if amplitude <= TOP { amplitude } else { f64::INFINITY }
 }
 
-pub(super) fn drawing(motion: Motion) -> Drawing {
+pub(super) fn drawing(motion: AbsorberMotion) -> Drawing {
     let mut sketch = Sketch::new("The main system and its absorber");
     match motion {
-        Motion::Translation => sketch
+        AbsorberMotion::Translation => sketch
             .ground((-1.5, -2.4), (1.5, -2.4))
             .spring("", (-0.6, -2.4), (-0.6, -1.0))
             .spring("k", (0.6, -2.4), (0.6, -1.0))
@@ -113,7 +113,7 @@ pub(super) fn drawing(motion: Motion) -> Drawing {
             .spring("k_a", (0.0, 0.2), (0.0, 1.3))
             .block("m_a", (-0.5, 1.3), (0.5, 2.0), Ink::Result)
             .motion("", (0.8, 1.3), (0.8, 2.0)),
-        Motion::Torsion => sketch
+        AbsorberMotion::Torsion => sketch
             .ground((-2.6, 0.9), (-2.6, -0.9))
             .link("k_t", (-2.6, 0.06), (-0.5, 0.06))
             .link("", (-2.6, -0.06), (-0.5, -0.06))

@@ -7,16 +7,16 @@ use crate::sources::RAO;
 
 /// Type of motion of the masses: translation or rotation.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Motion {
+pub(super) enum AbsorberMotion {
     Translation,
     Torsion,
 }
 
-impl Motion {
+impl AbsorberMotion {
     fn of<T>(self, translation: T, torsion: T) -> T {
         match self {
-            Motion::Translation => translation,
-            Motion::Torsion => torsion,
+            AbsorberMotion::Translation => translation,
+            AbsorberMotion::Torsion => torsion,
         }
     }
 

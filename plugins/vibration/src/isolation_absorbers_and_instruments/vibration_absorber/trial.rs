@@ -6,8 +6,8 @@ use dalembert_numerics::linalg;
 use nalgebra::DMatrix;
 
 use super::{
-    exhibits::{self, Response},
-    motion::Motion,
+    exhibits::{self, AbsorberResponse},
+    motion::AbsorberMotion,
 };
 use crate::sources::{GROVER, RAO};
 
@@ -51,7 +51,7 @@ pub(super) fn holds_speed(lowest: f64, speed: f64, highest: f64) -> Result<(), R
 }
 
 /// One reading of the measurement: the main system, and its new absorber.
-struct Reading<N> {
+struct TrialReading<N> {
     mass: N,
     stiffness: N,
     natural: N,
@@ -65,8 +65,8 @@ pub(super) fn solve<W: Worksheet>(
     sheet: W,
 ) -> Result<(), Refusal> {
     let (motion, trial) = match body {
-        TrialBodyGiven::Mass { mass } => (Motion::Translation, *mass),
-        TrialBodyGiven::Inertia { inertia } => (Motion::Torsion, *inertia),
+        TrialBodyGiven::Mass { mass } => (AbsorberMotion::Translation, *mass),
+        TrialBodyGiven::Inertia { inertia } => (AbsorberMotion::Torsion, *inertia),
     };
     if !(lower.value() < tuned.value() && tuned.value() < upper.value()) {
         return Err(Refusal::because(
@@ -88,7 +88,7 @@ pub(super) fn solve<W: Worksheet>(
     let why = ("Stiffness, from the natural frequency of the absorber", RAO.at("§2.2"));
     let stiffness = sdof::stiffness_from_natural_frequency(mass, tuned);
     let stiffness = sheet.step(motion.main_stiffness(), motion.stiffness_unit(), stiffness, why);
-    let averaged = Reading { mass, stiffness, natural: tuned };
+    let averaged = TrialReading { mass, stiffness, natural: tuned };
 
     // Both resonances at once: two equations for two unknowns.
     let why = (
@@ -99,8 +99,8 @@ pub(super) fn solve<W: Worksheet>(
     let why = ("Mass ratio, from the sum of the squares of the two resonances", RAO.at("§9.11"));
     let ratio = sheet.step("μ", "1", absorber::mass_ratio_of_split(first, second), why);
     let exact_symbols = match motion {
-        Motion::Translation => ["m′", "k′", "m_a′", "k_a′"],
-        Motion::Torsion => ["J′", "k_t′", "J_a′", "k_ta′"],
+        AbsorberMotion::Translation => ["m′", "k′", "m_a′", "k_a′"],
+        AbsorberMotion::Torsion => ["J′", "k_t′", "J_a′", "k_ta′"],
     };
     let mass = sheet.step(
         exact_symbols[0],
@@ -111,7 +111,7 @@ pub(super) fn solve<W: Worksheet>(
     let why = ("Its stiffness", RAO.at("§2.2"));
     let stiffness = sdof::stiffness_from_natural_frequency(mass, natural);
     let stiffness = sheet.step(exact_symbols[1], motion.stiffness_unit(), stiffness, why);
-    let exact = Reading { mass, stiffness, natural };
+    let exact = TrialReading { mass, stiffness, natural };
 
     let trial_stiffness = sdof::stiffness_from_natural_frequency(trial, tuned);
     sheet.verify(|| {
@@ -144,8 +144,10 @@ pub(super) fn solve<W: Worksheet>(
         });
     }
     let [main, main_exact] = match motion {
-        Motion::Translation => [("main_mass", "Mass, by the mean"), ("exact_main_mass", "Mass, exact")],
-        Motion::Torsion => {
+        AbsorberMotion::Translation => {
+            [("main_mass", "Mass, by the mean"), ("exact_main_mass", "Mass, exact")]
+        }
+        AbsorberMotion::Torsion => {
             [("main_inertia", "Inertia, by the mean"), ("exact_main_inertia", "Inertia, exact")]
         }
     };
@@ -159,7 +161,7 @@ pub(super) fn solve<W: Worksheet>(
     if let Some(range) = kept_out {
         new = Some(absorber_for(motion, tuned, range, [&averaged, &exact], exact_symbols, sheet)?);
     }
-    let response = |absorber_mass: f64, absorber_stiffness: f64| Response {
+    let response = |absorber_mass: f64, absorber_stiffness: f64| AbsorberResponse {
         mass: exact.mass.value(),
         stiffness: exact.stiffness.value(),
         absorber_mass,
@@ -184,10 +186,10 @@ pub(super) fn solve<W: Worksheet>(
 
 /// The lightest absorber with both resonances outside the range, by the mean and exactly. The result is the exact one.
 fn absorber_for<W: Worksheet>(
-    motion: Motion,
+    motion: AbsorberMotion,
     tuned: W::Num,
     range: &KeptOutGiven<W>,
-    [averaged, exact]: [&Reading<W::Num>; 2],
+    [averaged, exact]: [&TrialReading<W::Num>; 2],
     symbols: [&'static str; 4],
     sheet: W,
 ) -> Result<[f64; 2], Refusal> {
@@ -223,8 +225,8 @@ fn absorber_for<W: Worksheet>(
     let why = ("Its stiffness, tuned like the trial absorber", GROVER.at("§5.7"));
     let stiffness = sheet.step(motion.absorber_stiffness(), motion.stiffness_unit(), stiffness, why);
     let (name, label) = match motion {
-        Motion::Translation => ("absorber_mass", "Mass of the new absorber, by the mean"),
-        Motion::Torsion => ("absorber_inertia", "Inertia of the new absorber, by the mean"),
+        AbsorberMotion::Translation => ("absorber_mass", "Mass of the new absorber, by the mean"),
+        AbsorberMotion::Torsion => ("absorber_inertia", "Inertia of the new absorber, by the mean"),
     };
     sheet.answer(name, label, mass);
     sheet.answer("absorber_stiffness", "Stiffness of the new absorber, from the mean", stiffness);
@@ -253,8 +255,8 @@ fn absorber_for<W: Worksheet>(
         }
     });
     let (name, label) = match motion {
-        Motion::Translation => ("exact_absorber_mass", "Mass of the new absorber, exact"),
-        Motion::Torsion => ("exact_absorber_inertia", "Inertia of the new absorber, exact"),
+        AbsorberMotion::Translation => ("exact_absorber_mass", "Mass of the new absorber, exact"),
+        AbsorberMotion::Torsion => ("exact_absorber_inertia", "Inertia of the new absorber, exact"),
     };
     sheet.answer(name, label, mass);
     sheet.answer("exact_absorber_stiffness", "Stiffness of the new absorber, exact", stiffness);
@@ -262,7 +264,7 @@ fn absorber_for<W: Worksheet>(
 }
 
 /// The two resonances of the main system with an absorber, as eigenvalues.
-fn eigenvalues<N: Real>(main: &Reading<N>, mass: f64, stiffness: f64) -> Option<[f64; 2]> {
+fn eigenvalues<N: Real>(main: &TrialReading<N>, mass: f64, stiffness: f64) -> Option<[f64; 2]> {
     let k = main.stiffness.value();
     let matrix = DMatrix::from_row_slice(2, 2, &[k + stiffness, -stiffness, -stiffness, stiffness]);
     let masses = DMatrix::from_row_slice(2, 2, &[main.mass.value(), 0.0, 0.0, mass]);

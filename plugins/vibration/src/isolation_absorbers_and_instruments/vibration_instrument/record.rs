@@ -7,7 +7,7 @@ use dalembert_mechanics::{Real, sdof};
 
 use super::{Instrument, Tone, VibrationInstrument};
 use crate::{
-    shared::oscillator::{is_one, put_up},
+    shared::oscillator::{is_one, resisting_force},
     sources::RAO,
 };
 
@@ -29,7 +29,8 @@ pub(super) fn solve<W: Worksheet>(
     }
     let mut delays = Vec::new();
     for (n, tone) in (1..).zip(tones) {
-        let frequency = sheet.found(("ω", n), "Hz", tone.frequency, "A tone of the motion, from the table");
+        let frequency =
+            sheet.numerical(("ω", n), "Hz", tone.frequency, "A tone of the motion, from the table");
         let ratio = sheet.step(("r", n), "1", frequency / natural, "Its frequency ratio");
         if zeta.value() == 0.0 && is_one(ratio.value()) {
             return Err(Refusal::because(
@@ -57,7 +58,7 @@ pub(super) fn solve<W: Worksheet>(
                 Instrument::Vibrometer => -ratio.powi(2),
                 Instrument::Accelerometer => W::Num::from(1.0),
             };
-            let ([in_phase, across], size) = put_up([ratio, zeta], factor, frequency * delay);
+            let ([in_phase, across], size) = resisting_force([ratio, zeta], factor, frequency * delay);
             let what = Text::new("tone {n}: equation of relative motion with this delay, in-phase component");
             sheet.check_sum(what.with("n", n), in_phase, drive, size);
             let what = Text::new(

@@ -7,8 +7,8 @@ use dalembert_mechanics::Real;
 use dalembert_numerics::quadrature::integral;
 
 use super::{
-    Damping, DampingGiven, EngineOrders, EngineOrdersGiven, Order, TorquesGiven, Vibration, WORKED,
-    firing::Cylinders, line::Line,
+    CrankshaftDamping, CrankshaftDampingGiven, EngineOrders, EngineOrdersGiven, Order, TorquesGiven,
+    Vibration, WORKED, firing::Cylinders, line::CrankshaftLine,
 };
 use crate::sources::DEN_HARTOG;
 
@@ -45,9 +45,9 @@ pub(super) fn magnifier<N: Real>(
     vibration: &Vibration<N>,
 ) -> Option<f64> {
     problem.damping.as_ref().map(|damping| match damping {
-        Damping::Ratio { ratio } => 0.5 / ratio,
-        Damping::Magnifier { magnifier } => *magnifier,
-        Damping::Cranks { coefficient } => {
+        CrankshaftDamping::Ratio { ratio } => 0.5 / ratio,
+        CrankshaftDamping::Magnifier { magnifier } => *magnifier,
+        CrankshaftDamping::Cranks { coefficient } => {
             let squares: f64 =
                 cylinders.each.iter().map(|one| vibration.shape[one.mass].value().powi(2)).sum();
             vibration.frequency.value() * vibration.inertia.value() / (coefficient * squares)
@@ -58,7 +58,7 @@ pub(super) fn magnifier<N: Real>(
 /// Works a critical speed, the `row`th that is written.
 pub(super) fn work<W: Worksheet>(
     given: &EngineOrdersGiven<W>,
-    line: &Line<W::Num>,
+    line: &CrankshaftLine<W::Num>,
     cylinders: &Cylinders<W::Num>,
     vibrations: &[Vibration<W::Num>],
     critical: &Critical,
@@ -69,7 +69,7 @@ pub(super) fn work<W: Worksheet>(
     let why = Text::new("Order of a torque that is critical in mode {mode}").with("mode", critical.mode + 1);
     // An index in letters: the sums run over the numbers of the cylinders alone.
     let order = Symbol { of: ["A", "B", "C", "D", "E", "F"][(row - 1) % WORKED], ..Symbol::from("n") };
-    let order = sheet.found(order, "1", critical.order.order, why);
+    let order = sheet.numerical(order, "1", critical.order.order, why);
     sheet.answer(("order", row), "Order", order);
     let speed = sheet.step(
         ("Ω", row),
@@ -124,11 +124,14 @@ pub(super) fn work<W: Worksheet>(
     let amplitude = critical.order.amplitude;
     let torque = match &given.torques {
         TorquesGiven::Unknown { .. } => return,
-        TorquesGiven::Given { .. } => {
-            sheet.found(("T", row), "N*m", amplitude, "Torque of a cylinder for this order, from the table")
-        }
+        TorquesGiven::Given { .. } => sheet.numerical(
+            ("T", row),
+            "N*m",
+            amplitude,
+            "Torque of a cylinder for this order, from the table",
+        ),
         TorquesGiven::Pressure { bore, stroke, .. } => {
-            let pressure = sheet.found(
+            let pressure = sheet.numerical(
                 ("p", row),
                 "bar",
                 amplitude,
@@ -156,19 +159,19 @@ pub(super) fn work<W: Worksheet>(
     let Some(damping) = &given.damping else { return };
     let balance = "Energy balance: the work π T Θ S of the torques per cycle equals the energy π c ω Θ² Σ β² dissipated by damping";
     let (steady, lost) = match damping {
-        DampingGiven::Ratio { ratio } => {
+        CrankshaftDampingGiven::Ratio { ratio } => {
             let why = "Amplitude at resonance, larger by the factor 1/(2 ζ)";
             let steady = sheet.step(("Θ", row), "deg", equilibrium / (*ratio * 2.0), why);
             let coefficient = 2.0 * ratio.value() * vibration.frequency.value() * vibration.inertia.value();
             (steady, coefficient)
         }
-        DampingGiven::Magnifier { magnifier } => {
+        CrankshaftDampingGiven::Magnifier { magnifier } => {
             let why = "Amplitude at resonance: larger by the dynamic magnifier";
             let steady = sheet.step(("Θ", row), "deg", equilibrium * *magnifier, why);
             let coefficient = vibration.frequency.value() * vibration.inertia.value() / magnifier.value();
             (steady, coefficient)
         }
-        DampingGiven::Cranks { coefficient } => {
+        CrankshaftDampingGiven::Cranks { coefficient } => {
             let squares = W::Num::sum(arms().map(|(beta, _)| beta.powi(2)));
             let squares =
                 sheet.step(("B", row), "1", squares, "Sum of the squared amplitudes of the damped cranks");

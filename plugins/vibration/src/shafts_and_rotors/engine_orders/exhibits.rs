@@ -11,7 +11,7 @@ use super::{
     EngineOrders, Order, Torques, Vibration,
     critical::{self, Critical},
     firing::Cylinders,
-    line::Line,
+    line::CrankshaftLine,
 };
 
 /// The most rays of the interference diagram and the most stars that are drawn.
@@ -21,7 +21,7 @@ const MOST_STARS: usize = 6;
 /// Data of the plots and tables.
 pub(super) struct View<'a, N> {
     pub(super) problem: &'a EngineOrders,
-    pub(super) line: &'a Line<N>,
+    pub(super) line: &'a CrankshaftLine<N>,
     pub(super) cylinders: &'a Cylinders<N>,
     pub(super) vibrations: &'a [Vibration<N>],
     pub(super) orders: &'a [Order],

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use dalembert_core::{Refusal, Text, Worksheet};
 use dalembert_mechanics::Real;
 
-use super::{Cranks, Cycle, EngineOrders, EngineOrdersGiven, Firing, FiringGiven};
+use super::{CrankshaftCranks, EngineOrders, EngineOrdersGiven, Firing, FiringGiven, WorkingCycle};
 use crate::sources::DEN_HARTOG;
 
 /// The most cranks of an engine.
@@ -14,7 +14,7 @@ const MOST_CRANKS: usize = 24;
 /// The cylinders of an engine.
 pub(super) struct Cylinders<N> {
     /// Cylinder by cylinder.
-    pub(super) each: Vec<Cylinder<N>>,
+    pub(super) each: Vec<FiringCylinder<N>>,
     /// Number of cranks.
     pub(super) cranks: usize,
     /// True if each crank has a cylinder of its own, in order.
@@ -22,7 +22,7 @@ pub(super) struct Cylinders<N> {
 }
 
 /// A cylinder.
-pub(super) struct Cylinder<N> {
+pub(super) struct FiringCylinder<N> {
     /// The mass of the line that is its crank, counted from 0.
     pub(super) mass: usize,
     /// Firing angle.
@@ -47,20 +47,20 @@ pub(super) fn cylinders<W: Worksheet>(
         (Firing::Even { order }, _) => {
             let places = places(order)?;
             let (turn, why) = match problem.cycle {
-                Cycle::Four => (4.0 * PI, "A four-stroke cylinder fires once every two revolutions"),
-                Cycle::Two => (2.0 * PI, "A two-stroke cylinder fires once per revolution"),
+                WorkingCycle::Four => (4.0 * PI, "A four-stroke cylinder fires once every two revolutions"),
+                WorkingCycle::Two => (2.0 * PI, "A two-stroke cylinder fires once per revolution"),
             };
-            let turn = sheet.found("ψ_z", "deg", turn, why);
+            let turn = sheet.numerical("ψ_z", "deg", turn, why);
             let interval = sheet.step(
                 "Δψ",
                 "deg",
                 turn / places.len() as f64,
                 "Crank angle from one firing to the next",
             );
-            let each: Vec<Cylinder<W::Num>> = places
+            let each: Vec<FiringCylinder<W::Num>> = places
                 .iter()
                 .enumerate()
-                .map(|(cylinder, place)| Cylinder {
+                .map(|(cylinder, place)| FiringCylinder {
                     mass: front + cylinder,
                     angle: sheet.step(
                         ("ψ", cylinder + 1),
@@ -74,10 +74,10 @@ pub(super) fn cylinders<W: Worksheet>(
             (each, count)
         }
         (Firing::Angles { cylinders }, FiringGiven::Angles { cylinders: angles }) => {
-            let each: Vec<Cylinder<W::Num>> = cylinders
+            let each: Vec<FiringCylinder<W::Num>> = cylinders
                 .iter()
                 .zip(angles)
-                .map(|(cylinder, given)| Cylinder {
+                .map(|(cylinder, given)| FiringCylinder {
                     mass: front + cylinder.crank as usize - 1,
                     angle: given.angle,
                 })
@@ -91,15 +91,15 @@ pub(super) fn cylinders<W: Worksheet>(
         return Err(Refusal::because("there are more than 48 cylinders: write fewer"));
     }
     let cranks = match &problem.cranks {
-        Cranks::Alike { .. } => cranks,
-        Cranks::Each { cranks: listed } if listed.len() < cranks => {
+        CrankshaftCranks::Alike { .. } => cranks,
+        CrankshaftCranks::Each { cranks: listed } if listed.len() < cranks => {
             return Err(Refusal::because(
                 Text::new("a cylinder acts on crank {crank}, but there are only {count}: write more cranks or another number")
                     .with("crank", cranks)
                     .with("count", listed.len()),
             ));
         }
-        Cranks::Each { cranks: listed } => listed.len(),
+        CrankshaftCranks::Each { cranks: listed } => listed.len(),
     };
     let one_to_a_crank = matches!(problem.firing, Firing::Even { .. });
     Ok(Cylinders { each, cranks, one_to_a_crank })

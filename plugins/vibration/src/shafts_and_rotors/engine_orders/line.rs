@@ -6,13 +6,15 @@ use dalembert_core::{Inputs, Refusal, Symbol, Text, Worksheet};
 use dalembert_mechanics::{
     Real, section, spring as kernel,
     vibration::{
-        crankshaft::{self, Parts},
-        torsional::{Shaft, Train, TrainError},
+        crankshaft::{self, ThrowContributions},
+        torsional::{Train, TrainError, TrainShaft},
     },
 };
 use dalembert_numerics::quadrature::integral;
 
-use super::{Attached, AttachedGiven, CranksGiven, EngineOrders, EngineOrdersGiven, firing::Cylinders};
+use super::{
+    Attached, AttachedGiven, CrankshaftCranksGiven, EngineOrders, EngineOrdersGiven, firing::Cylinders,
+};
 use crate::{
     shared::{inertia, spring::torsional::network},
     sources::KER_WILSON,
@@ -20,7 +22,7 @@ use crate::{
 
 /// Shaft between two cranks, by stiffness or dimensions.
 #[derive(Clone, Debug, Inputs)]
-pub enum Throw {
+pub enum ThrowStiffness {
     /// Stiffness given
     Stiffness {
         /// Torsional stiffness.
@@ -93,7 +95,7 @@ pub enum Rule {
 }
 
 /// Masses in one line and the stiffnesses between them.
-pub(super) struct Line<N> {
+pub(super) struct CrankshaftLine<N> {
     pub(super) inertias: Vec<N>,
     pub(super) stiffnesses: Vec<N>,
     pub(super) names: Vec<Text>,
@@ -110,7 +112,7 @@ pub(super) fn line<W: Worksheet>(
     given: &EngineOrdersGiven<W>,
     cylinders: &Cylinders<W::Num>,
     sheet: W,
-) -> Result<Line<W::Num>, Refusal> {
+) -> Result<CrankshaftLine<W::Num>, Refusal> {
     let (mut inertias, mut stiffnesses, mut names) = (Vec::new(), Vec::new(), Vec::new());
     let attached = |side: usize, n: usize, given: &AttachedGiven<W>| {
         let symbol = Symbol { of: if side == 1 { "f" } else { "r" }, ..Symbol::from("J") }.row(n + 1);
@@ -125,7 +127,7 @@ pub(super) fn line<W: Worksheet>(
         names.push(name(part));
     }
     match &given.cranks {
-        CranksGiven::Alike { inertia, throw } => {
+        CrankshaftCranksGiven::Alike { inertia, throw } => {
             inertias.extend(std::iter::repeat_n(*inertia, cylinders.cranks));
             if cylinders.cranks > 1 {
                 let between = throw_stiffness(problem, throw, sheet)?;
@@ -133,7 +135,7 @@ pub(super) fn line<W: Worksheet>(
                 stiffnesses.extend(std::iter::repeat_n(between, cylinders.cranks - 1));
             }
         }
-        CranksGiven::Each { cranks } => {
+        CrankshaftCranksGiven::Each { cranks } => {
             for (n, crank) in cranks.iter().enumerate() {
                 inertias.push(crank.inertia);
                 match crank.stiffness {
@@ -167,10 +169,11 @@ pub(super) fn line<W: Worksheet>(
     let cranks = [problem.front.len(), last];
     let crankshaft = [problem.front.len(), (last + 1).min(inertias.len() - 1)];
     let values: Vec<f64> = inertias.iter().map(|inertia: &W::Num| inertia.value()).collect();
-    let shaft = |(n, stiffness): (usize, &W::Num)| Shaft { ends: [n, n + 1], stiffness: stiffness.value() };
-    let shafts: Vec<Shaft> = stiffnesses.iter().enumerate().map(shaft).collect();
+    let shaft =
+        |(n, stiffness): (usize, &W::Num)| TrainShaft { ends: [n, n + 1], stiffness: stiffness.value() };
+    let shafts: Vec<TrainShaft> = stiffnesses.iter().enumerate().map(shaft).collect();
     let train = Train::new(&values, &vec![0.0; values.len()], &shafts).map_err(|error| refusal(&error))?;
-    Ok(Line { inertias, stiffnesses, names, cranks, crankshaft, train })
+    Ok(CrankshaftLine { inertias, stiffnesses, names, cranks, crankshaft, train })
 }
 
 /// Message for a refusal of the kernel.
@@ -186,12 +189,12 @@ pub(super) fn refusal(error: &TrainError) -> Refusal {
 /// The stiffness between two cranks.
 fn throw_stiffness<W: Worksheet>(
     problem: &EngineOrders,
-    given: &ThrowGiven<W>,
+    given: &ThrowStiffnessGiven<W>,
     sheet: W,
 ) -> Result<W::Num, Refusal> {
     match given {
-        ThrowGiven::Stiffness { stiffness } => Ok(*stiffness),
-        ThrowGiven::Equivalent { shear, length, diameter } => {
+        ThrowStiffnessGiven::Stiffness { stiffness } => Ok(*stiffness),
+        ThrowStiffnessGiven::Equivalent { shear, length, diameter } => {
             let polar = sheet.step(
                 "I_p",
                 "cm^4",
@@ -201,7 +204,7 @@ fn throw_stiffness<W: Worksheet>(
             let why = "Stiffness between two cranks: that of the equivalent shaft";
             Ok(sheet.step("k_c", "N*m/rad", kernel::torsional(*shear, polar, *length), why))
         }
-        ThrowGiven::Dimensions {
+        ThrowStiffnessGiven::Dimensions {
             shear,
             journal_length,
             journal_diameter,
@@ -221,7 +224,7 @@ fn throw_stiffness<W: Worksheet>(
                     "a bore is not smaller than the surrounding diameter: write a smaller bore or leave it out",
                 ));
             }
-            let throw = crankshaft::Throw {
+            let throw = crankshaft::CrankThrow {
                 journal_length: *journal_length,
                 journal_diameter: *journal_diameter,
                 journal_bore: *journal_bore,
@@ -232,8 +235,8 @@ fn throw_stiffness<W: Worksheet>(
                 web_width: *web_width,
                 radius: *radius,
             };
-            let parts = |parts: Parts<W::Num>, which: usize| {
-                Parts {
+            let parts = |parts: ThrowContributions<W::Num>, which: usize| {
+                ThrowContributions {
                 journal: sheet.step(
                     Symbol::from("a").row(which),
                     "1/m^3",
@@ -249,7 +252,9 @@ fn throw_stiffness<W: Worksheet>(
             let carter = sheet.step("k_C", "N*m/rad", carter, why);
             sheet.answer("carter", "Stiffness by Carter's formula", carter);
             let short = radius.value() <= 0.2 * (journal_diameter.value() + pin_diameter.value());
-            let super::Cranks::Alike { throw: Throw::Dimensions { rule, .. }, .. } = &problem.cranks else {
+            let super::CrankshaftCranks::Alike { throw: ThrowStiffness::Dimensions { rule, .. }, .. } =
+                &problem.cranks
+            else {
                 return Ok(carter);
             };
             if short {

@@ -3,7 +3,7 @@
 use dalembert_core::{Inputs, Refusal, Worksheet};
 use dalembert_mechanics::{
     Real,
-    rotor::{Coefficients, Hold, disc as formula},
+    rotor::{Coefficients, SupportType, disc as formula},
 };
 
 use crate::sources::FRISWELL;
@@ -238,7 +238,7 @@ pub struct RotorUnbalance {
 
 /// Beam theory of the shaft.
 #[derive(Clone, Debug, Inputs)]
-pub enum Theory {
+pub enum ShaftTheory {
     /// Timoshenko: bending and shear
     Timoshenko,
     /// Euler–Bernoulli: bending alone
@@ -246,7 +246,7 @@ pub enum Theory {
 }
 
 /// The inertia of a disc.
-pub(super) struct Inertia<N> {
+pub(super) struct DiscInertia<N> {
     pub(super) mass: N,
     pub(super) diametral: N,
     pub(super) polar: N,
@@ -257,10 +257,10 @@ pub(super) fn disc<W: Worksheet>(
     given: &RotorDiscGiven<W>,
     n: usize,
     sheet: W,
-) -> Result<Inertia<W::Num>, Refusal> {
+) -> Result<DiscInertia<W::Num>, Refusal> {
     match &given.size {
         DiscSizeGiven::Inertia { mass, diametral, polar } => {
-            Ok(Inertia { mass: *mass, diametral: *diametral, polar: *polar })
+            Ok(DiscInertia { mass: *mass, diametral: *diametral, polar: *polar })
         }
         DiscSizeGiven::Geometry { outer, bore, width, density } => {
             if bore.value() >= outer.value() {
@@ -286,7 +286,7 @@ pub(super) fn disc<W: Worksheet>(
                 formula::diametral(mass, polar, *width),
                 ("Moment of inertia of the disc about a diameter", FRISWELL.at("app. 1")),
             );
-            Ok(Inertia { mass, diametral, polar })
+            Ok(DiscInertia { mass, diametral, polar })
         }
     }
 }
@@ -306,8 +306,8 @@ pub(super) fn segment_mass<W: Worksheet>(given: &ShaftSegmentGiven<W>, density: 
 
 impl Bearing {
     /// The bearing as the elements need it.
-    pub(super) fn hold(&self) -> Hold {
-        let always = |coefficients| Hold::Bearing(vec![(0.0, coefficients)]);
+    pub(super) fn hold(&self) -> SupportType {
+        let always = |coefficients| SupportType::Bearing(vec![(0.0, coefficients)]);
         match self {
             Bearing::Isotropic { stiffness, damping } => {
                 always(Coefficients::isotropic(*stiffness, *damping))
@@ -319,7 +319,7 @@ impl Bearing {
                 stiffness: [[*kxx, *kxy], [*kyx, *kyy]],
                 damping: [[*cxx, *cxy], [*cyx, *cyy]],
             }),
-            Bearing::Table { rows } => Hold::Bearing(
+            Bearing::Table { rows } => SupportType::Bearing(
                 rows.iter()
                     .map(|row| {
                         let coefficients = Coefficients {
@@ -330,8 +330,8 @@ impl Bearing {
                     })
                     .collect(),
             ),
-            Bearing::Pinned => Hold::Pinned,
-            Bearing::Clamped => Hold::Clamped,
+            Bearing::Pinned => SupportType::Pinned,
+            Bearing::Clamped => SupportType::Clamped,
         }
     }
 }

@@ -7,17 +7,17 @@ use dalembert_core::{
     Worksheet,
 };
 use dalembert_mechanics::rotor::{
-    Assembled, Complex, Hold, Rotor,
+    Assembled, Complex, Rotor, SupportType,
     campbell::Campbell,
     critical::Critical,
-    modes::{Mode, Spectrum},
+    modes::{Spectrum, WhirlMode},
     response::{Orbit, unbalance_response},
 };
 
 use super::{RotorDynamics, Stations, in_words, stiffness_map};
 
 /// Data of the figures.
-pub(super) struct Shown<'a> {
+pub(super) struct RotorFigures<'a> {
     pub(super) problem: &'a RotorDynamics,
     pub(super) rotor: &'a Rotor,
     pub(super) all: &'a Assembled,
@@ -27,10 +27,10 @@ pub(super) struct Shown<'a> {
 }
 
 /// The amplitude of a node along an axis.
-type Motion = Complex<f64>;
+type ComplexAmplitude = Complex<f64>;
 
 /// A speed and the motion along x and y; none where it is unbounded.
-type Sample = (f64, Option<[Motion; 2]>);
+type Sample = (f64, Option<[ComplexAmplitude; 2]>);
 
 /// Speeds of the response.
 const POINTS: u16 = 240;
@@ -39,7 +39,7 @@ const POINTS: u16 = 240;
 const FRAMES: usize = 24;
 
 pub(super) fn show<'a, W: Worksheet>(
-    shown: &Shown<'_>,
+    shown: &RotorFigures<'_>,
     diagram: &impl Fn() -> Option<&'a Campbell>,
     finer: &impl Fn() -> Option<&'a Spectrum>,
     sheet: W,
@@ -67,12 +67,12 @@ pub(super) fn show<'a, W: Worksheet>(
     }
 }
 
-impl Shown<'_> {
+impl RotorFigures<'_> {
     /// The modes at the speed, with the frequencies of a mesh twice as fine.
     fn modes(&self, finer: Option<&Spectrum>) -> TableExhibit {
         let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
-        let row = |(n, mode): (usize, &Mode)| {
-            let fine = finer.and_then(|finer| finer.modes.get(n)).map(Mode::frequency);
+        let row = |(n, mode): (usize, &WhirlMode)| {
+            let fine = finer.and_then(|finer| finer.modes.get(n)).map(WhirlMode::frequency);
             let change = fine.map(|fine| fine / mode.frequency() - 1.0);
             let number = |x: Option<f64>| x.map_or(Cell::Empty, Cell::Number);
             vec![
@@ -106,7 +106,7 @@ impl Shown<'_> {
     }
 
     fn campbell(&self, diagram: Option<&Campbell>) -> Plot {
-        let mut series = branches(diagram, "frequency[*]", Mode::frequency);
+        let mut series = branches(diagram, "frequency[*]", WhirlMode::frequency);
         let (last, slope) = (self.problem.highest_speed, self.problem.slope);
         let top = series
             .iter()
@@ -179,11 +179,11 @@ impl Shown<'_> {
         for (support, held) in self.problem.supports.iter().zip(&self.rotor.supports) {
             let z = support.position;
             match held.hold {
-                Hold::Bearing(_) => sketch
+                SupportType::Bearing(_) => sketch
                     .spring("", (z, -2.5 * drop), (z, -thickest / 2.0))
                     .ground((z - 0.04 * length, -2.5 * drop), (z + 0.04 * length, -2.5 * drop)),
-                Hold::Pinned => sketch.pin("", (z, -thickest / 2.0)),
-                Hold::Clamped => sketch.ground((z, drop), (z, -drop)),
+                SupportType::Pinned => sketch.pin("", (z, -thickest / 2.0)),
+                SupportType::Clamped => sketch.ground((z, drop), (z, -drop)),
             };
         }
         for unbalance in &self.problem.unbalances {
@@ -193,7 +193,7 @@ impl Shown<'_> {
     }
 
     /// A mode: the centre line of the shaft seen from the side and a little from above.
-    fn animation(&self, n: usize, mode: &Mode) -> Animation {
+    fn animation(&self, n: usize, mode: &WhirlMode) -> Animation {
         let length = self.all.positions.last().copied().unwrap_or(1.0);
         let largest = (0..self.all.nodes())
             .map(|node| mode.orbit(node).major)
@@ -202,7 +202,7 @@ impl Shown<'_> {
         let size = 0.25 * length / largest;
         let place = |z: f64, x: f64, y: f64| (z + 0.35 * size * y, size * x + 0.15 * size * y);
         let at = |node: usize, angle: f64| {
-            let turn = |part: Motion| part.re * angle.cos() - part.im * angle.sin();
+            let turn = |part: ComplexAmplitude| part.re * angle.cos() - part.im * angle.sin();
             place(self.all.positions[node], turn(mode.shape[node][0]), turn(mode.shape[node][2]))
         };
         let orbits: Vec<Vec<Point>> = self
@@ -275,9 +275,9 @@ fn phase(sweep: &[Sample]) -> Plot {
 }
 
 /// A curve for each mode.
-fn branches(diagram: Option<&Campbell>, answer: &'static str, value: fn(&Mode) -> f64) -> Vec<Series> {
+fn branches(diagram: Option<&Campbell>, answer: &'static str, value: fn(&WhirlMode) -> f64) -> Vec<Series> {
     let Some(diagram) = diagram else { return Vec::new() };
-    let branch = |(n, branch): (usize, &Vec<Option<Mode>>)| {
+    let branch = |(n, branch): (usize, &Vec<Option<WhirlMode>>)| {
         let points = diagram
             .speeds
             .iter()
@@ -289,7 +289,7 @@ fn branches(diagram: Option<&Campbell>, answer: &'static str, value: fn(&Mode) -
 }
 
 /// Logarithmic decrement of a mode; zero if it is within the rounding error of the eigenvalue.
-fn decrement(mode: &Mode) -> f64 {
+fn decrement(mode: &WhirlMode) -> f64 {
     let decrement = mode.log_decrement();
     if decrement.abs() > 1e-12 { decrement } else { 0.0 }
 }

@@ -4,8 +4,8 @@ use dalembert_core::{Exhibit, Refusal, Worksheet};
 use dalembert_mechanics::{Real, section};
 
 use super::{
-    Branch, Mounting, Shaft, ShaftClearance, ShaftClearanceGiven, ShaftGiven, Sought, SoughtGiven,
-    available_set, say_what_limits,
+    Branch, Mounting, PermittedQuantity, PermittedQuantityGiven, RoundShaft, RoundShaftGiven, ShaftClearance,
+    ShaftClearanceGiven, available_set, say_what_limits,
 };
 use crate::sources::{BEER, RAO, SHIGLEY};
 
@@ -16,8 +16,8 @@ impl ShaftClearance {
         sheet: W,
     ) -> Result<(), Refusal> {
         let (
-            Sought::Diameter { speeds: range, shaft, smallest_diameter, largest_diameter, .. },
-            SoughtGiven::Diameter { unbalance, speeds, shaft: shaft_given, diameter, .. },
+            PermittedQuantity::Diameter { speeds: range, shaft, smallest_diameter, largest_diameter, .. },
+            PermittedQuantityGiven::Diameter { unbalance, speeds, shaft: shaft_given, diameter, .. },
         ) = (&self.sought, &given.sought)
         else {
             return Ok(());
@@ -57,7 +57,7 @@ impl ShaftClearance {
                 shaft.mounting.stiffness(shaft_given.young, moment, shaft_given.length),
                 ("Its stiffness at the rotor", RAO.at("§1.7")),
             );
-            self.judge(given, *unbalance, k, speeds, sheet)?;
+            self.assess(given, *unbalance, k, speeds, sheet)?;
         }
         let (range, unbalance) = (branches.range(), unbalance.value());
         sheet.show(|| {
@@ -90,8 +90,8 @@ impl ShaftClearance {
         sheet: W,
     ) -> Result<(), Refusal> {
         let (
-            Sought::Stiffness { speeds: range, smallest_stiffness, largest_stiffness, .. },
-            SoughtGiven::Stiffness { unbalance, speeds, stiffness, .. },
+            PermittedQuantity::Stiffness { speeds: range, smallest_stiffness, largest_stiffness, .. },
+            PermittedQuantityGiven::Stiffness { unbalance, speeds, stiffness, .. },
         ) = (&self.sought, &given.sought)
         else {
             return Ok(());
@@ -111,7 +111,7 @@ impl ShaftClearance {
         ];
         say_what_limits(&branches.permitted, &set, words, sheet);
         if let Some(k) = *stiffness {
-            self.judge(given, *unbalance, k, speeds, sheet)?;
+            self.assess(given, *unbalance, k, speeds, sheet)?;
         }
         let (range, unbalance) = (branches.range(), unbalance.value());
         sheet.show(|| {
@@ -135,8 +135,8 @@ impl ShaftClearance {
 /// The diameter with a stiffness.
 fn diameter_of<W: Worksheet>(
     stiffness: W::Num,
-    shaft: &Shaft,
-    given: &ShaftGiven<W>,
+    shaft: &RoundShaft,
+    given: &RoundShaftGiven<W>,
     branch: Branch,
     sheet: W,
 ) -> W::Num {

@@ -9,7 +9,9 @@ use dalembert_mechanics::{
 };
 use dalembert_numerics::intervals::IntervalSet;
 
-use super::{ShaftClearance, ShaftClearanceGiven, Sought, SoughtGiven, damping_ratio, reached};
+use super::{
+    PermittedQuantity, PermittedQuantityGiven, ShaftClearance, ShaftClearanceGiven, damping_ratio, reached,
+};
 use crate::{shared::jeffcott, sources::RAO};
 
 impl ShaftClearance {
@@ -19,8 +21,8 @@ impl ShaftClearance {
         sheet: W,
     ) -> Result<(), Refusal> {
         let (
-            Sought::Eccentricity { speeds: range, shaft },
-            SoughtGiven::Eccentricity { speeds, shaft: shaft_given },
+            PermittedQuantity::Eccentricity { speeds: range, shaft },
+            PermittedQuantityGiven::Eccentricity { speeds, shaft: shaft_given },
         ) = (&self.sought, &given.sought)
         else {
             return Ok(());

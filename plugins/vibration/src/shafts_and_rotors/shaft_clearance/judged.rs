@@ -6,12 +6,12 @@ use dalembert_mechanics::{
     whirl::{self, LimitedBy},
 };
 
-use super::{DampingGiven, ShaftClearance, ShaftClearanceGiven};
+use super::{ClearanceDampingGiven, ShaftClearance, ShaftClearanceGiven};
 use crate::sources::RAO;
 
 impl ShaftClearance {
     /// Answers the critical speed and the largest amplitude of a shaft.
-    pub(super) fn judge<W: Worksheet>(
+    pub(super) fn assess<W: Worksheet>(
         &self,
         given: &ShaftClearanceGiven<W>,
         unbalance: W::Num,
@@ -27,15 +27,15 @@ impl ShaftClearance {
         );
         sheet.answer("critical_speed", "Critical speed of the shaft to be checked", natural);
         let damping = match &given.damping {
-            DampingGiven::Undamped {} => None,
-            DampingGiven::Ratio { ratio } if ratio.value() == 0.0 => None,
-            DampingGiven::Ratio { ratio } => Some(sheet.step(
+            ClearanceDampingGiven::Undamped {} => None,
+            ClearanceDampingGiven::Ratio { ratio } if ratio.value() == 0.0 => None,
+            ClearanceDampingGiven::Ratio { ratio } => Some(sheet.step(
                 "c",
                 "N*s/m",
                 sdof::damping_from_ratio(*ratio, k, given.mass),
                 ("Its damping coefficient", RAO.at("§2.6")),
             )),
-            DampingGiven::Coefficient { coefficient } => {
+            ClearanceDampingGiven::Coefficient { coefficient } => {
                 Some(*coefficient).filter(|coefficient| coefficient.value() > 0.0)
             }
         };
@@ -60,7 +60,7 @@ impl ShaftClearance {
             LimitedBy::HighestSpeed => "Its worst-case speed: the highest",
             LimitedBy::Peak => "Its worst-case speed: the peak of the response, within the range",
         };
-        let speed = sheet.found("ω_w", "rpm", worst, how);
+        let speed = sheet.numerical("ω_w", "rpm", worst, how);
         let amplitude = match damping {
             Some(c) => sdof::unbalance_amplitude(unbalance, k, given.mass, c, speed),
             None => unbalance * speed.powi(2) / (k - given.mass * speed.powi(2)).abs(),

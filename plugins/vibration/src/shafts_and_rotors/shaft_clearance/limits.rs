@@ -102,18 +102,19 @@ pub(super) fn found_limits<W: Worksheet>(
     permitted: &PermittedStiffness,
     sheet: W,
 ) -> Limits<W::Num> {
-    let find = |limit: &whirl::Limit, [k, speed, amplitude]: [&'static str; 3], how: &'static str| {
-        let k = sheet.found(k, "MN/m", limit.stiffness, (how, RAO.at("§3.7")));
-        let speed = sheet.found(speed, "rpm", limit.speed, "Speed of maximum amplitude");
-        let amplitude = sheet.step(
-            amplitude,
-            "mm",
-            sdof::unbalance_amplitude(rotor.unbalance, k, rotor.mass, coefficient, speed),
-            ("Amplitude at that speed", RAO.at("§3.7")),
-        );
-        sheet.check("the amplitude with that stiffness is the clearance", amplitude, rotor.clearance);
-        k
-    };
+    let find =
+        |limit: &whirl::StiffnessLimit, [k, speed, amplitude]: [&'static str; 3], how: &'static str| {
+            let k = sheet.numerical(k, "MN/m", limit.stiffness, (how, RAO.at("§3.7")));
+            let speed = sheet.numerical(speed, "rpm", limit.speed, "Speed of maximum amplitude");
+            let amplitude = sheet.step(
+                amplitude,
+                "mm",
+                sdof::unbalance_amplitude(rotor.unbalance, k, rotor.mass, coefficient, speed),
+                ("Amplitude at that speed", RAO.at("§3.7")),
+            );
+            sheet.check("the amplitude with that stiffness is the clearance", amplitude, rotor.clearance);
+            k
+        };
     let soft = permitted.soft.as_ref().map(|limit| {
         find(
             limit,

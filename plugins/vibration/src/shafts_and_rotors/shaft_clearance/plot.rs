@@ -4,7 +4,7 @@ use dalembert_core::{Axis, Plot, Series};
 use dalembert_mechanics::{sdof, whirl};
 use dalembert_numerics::intervals::IntervalSet;
 
-use super::{Damping, ShaftClearance};
+use super::{ClearanceDamping, ShaftClearance};
 use crate::shared::jeffcott::pairs;
 
 /// The curve of a plot that is still without words.
@@ -32,9 +32,9 @@ impl ShaftClearance {
     /// Infinite where an undamped rotor meets its critical speed.
     fn worst_amplitude(&self, k: f64, unbalance: f64, speeds: [f64; 2]) -> f64 {
         let c = match self.damping {
-            Damping::Undamped => 0.0,
-            Damping::Ratio { ratio } => sdof::damping_from_ratio(ratio, k, self.mass),
-            Damping::Coefficient { coefficient } => coefficient,
+            ClearanceDamping::Undamped => 0.0,
+            ClearanceDamping::Ratio { ratio } => sdof::damping_from_ratio(ratio, k, self.mass),
+            ClearanceDamping::Coefficient { coefficient } => coefficient,
         };
         let natural = sdof::natural_frequency(k, self.mass);
         if c == 0.0 && (speeds[0]..=speeds[1]).contains(&natural) {

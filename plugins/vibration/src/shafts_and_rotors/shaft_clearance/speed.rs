@@ -3,7 +3,7 @@
 use dalembert_core::{Axis, Exhibit, Plot, Refusal, Series, Worksheet};
 use dalembert_mechanics::{Real, sdof, whirl};
 
-use super::{ShaftClearance, ShaftClearanceGiven, Sought, SoughtGiven, damping_ratio};
+use super::{PermittedQuantity, PermittedQuantityGiven, ShaftClearance, ShaftClearanceGiven, damping_ratio};
 use crate::{shared::jeffcott, sources::RAO};
 
 impl ShaftClearance {
@@ -12,8 +12,10 @@ impl ShaftClearance {
         given: &ShaftClearanceGiven<W>,
         sheet: W,
     ) -> Result<(), Refusal> {
-        let (Sought::Speed { shaft, .. }, SoughtGiven::Speed { unbalance, shaft: shaft_given }) =
-            (&self.sought, &given.sought)
+        let (
+            PermittedQuantity::Speed { shaft, .. },
+            PermittedQuantityGiven::Speed { unbalance, shaft: shaft_given },
+        ) = (&self.sought, &given.sought)
         else {
             return Ok(());
         };

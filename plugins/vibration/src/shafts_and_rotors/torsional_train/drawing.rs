@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use dalembert_core::{Animation, Drawing, Ink, Sketch, Text};
 
-use super::{Inertia, TorsionalTrain, verbatim};
+use super::{TorsionalTrain, TrainInertia, verbatim};
 
 /// Half the height of a disc, the height of an amplitude of one, and the distance of shaft lines.
 const DISC: f64 = 0.7;
@@ -101,7 +101,7 @@ impl Layout {
         for (disc, &(x, y)) in problem.discs.iter().zip(&self.at) {
             if disc.is_held() {
                 sketch.ground((x, y - DISC), (x, y + DISC));
-            } else if !matches!(disc.inertia, Inertia::Light) && ink == Ink::Body {
+            } else if !matches!(disc.inertia, TrainInertia::Light) && ink == Ink::Body {
                 sketch.mass("", (x - 0.15, y - DISC), (x + 0.15, y + DISC));
             } else {
                 sketch.curve([(x, y - DISC), (x, y + DISC)], ink);

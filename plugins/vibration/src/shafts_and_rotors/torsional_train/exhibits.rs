@@ -3,10 +3,10 @@
 use dalembert_core::{Axis, Cell, Column, Plot, Series, TableExhibit, Text};
 use dalembert_mechanics::{
     Real,
-    vibration::torsional::{Mode, Train},
+    vibration::torsional::{TorsionalMode, Train},
 };
 
-use super::{Node, Reduced, TorsionalTrain, station_name, verbatim};
+use super::{Node, ReducedTrain, TorsionalTrain, station_name, verbatim};
 
 fn column(heading: &'static str, unit: &'static str) -> Column {
     Column { heading: heading.into(), unit }
@@ -16,7 +16,7 @@ fn column(heading: &'static str, unit: &'static str) -> Column {
 pub(super) fn frequencies(
     problem: &TorsionalTrain,
     rigid: bool,
-    modes: &[Mode],
+    modes: &[TorsionalMode],
     shapes: &[Vec<f64>],
 ) -> TableExhibit {
     let shown = problem.discs.len().min(8);
@@ -47,7 +47,7 @@ pub(super) fn frequencies(
 /// The Holzer table at a trial frequency.
 pub(super) fn holzer<N: Real>(
     problem: &TorsionalTrain,
-    reduced: &Reduced<N>,
+    reduced: &ReducedTrain<N>,
     frequency: f64,
 ) -> TableExhibit {
     let lines = reduced.train.holzer(frequency);
@@ -118,7 +118,7 @@ pub(super) fn nodes(problem: &TorsionalTrain, nodes: &[Node]) -> TableExhibit {
 }
 
 /// The Holzer residual against the trial frequency.
-pub(super) fn residual(train: &Train, modes: &[Mode]) -> Plot {
+pub(super) fn residual(train: &Train, modes: &[TorsionalMode]) -> Plot {
     let shown = &modes[..modes.len().min(5)];
     let last = 1.15 * shown.last().map_or(1.0, |mode| mode.frequency);
     let at = |n: u16| {

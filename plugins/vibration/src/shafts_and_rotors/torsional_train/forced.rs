@@ -1,16 +1,16 @@
 //! A train under harmonic torques.
 
-use dalembert_core::{Cell, Column, Exhibit, Refusal, TableExhibit, Why, Worksheet};
-use dalembert_mechanics::{Real, vibration::torsional::Mode};
+use dalembert_core::{Cell, Column, Exhibit, Reason, Refusal, TableExhibit, Worksheet};
+use dalembert_mechanics::{Real, vibration::torsional::TorsionalMode};
 
-use super::{MOST_AMPLITUDES, Reduced, Torques, TorquesGiven, TorsionalTrain, refusal, verbatim};
+use super::{MOST_AMPLITUDES, ReducedTrain, Torques, TorquesGiven, TorsionalTrain, refusal, verbatim};
 use crate::sources::DEN_HARTOG;
 
 /// The steady amplitudes under harmonic torques; positive with the torques, negative against them.
 pub(super) fn forced<W: Worksheet>(
     problem: &TorsionalTrain,
-    reduced: &Reduced<W::Num>,
-    modes: &[Mode],
+    reduced: &ReducedTrain<W::Num>,
+    modes: &[TorsionalMode],
     torques: &Torques,
     given: &TorquesGiven<W>,
     sheet: W,
@@ -38,8 +38,8 @@ pub(super) fn forced<W: Worksheet>(
         let actual = amplitudes[station] * reduced.speed(disc);
         table.push((disc, actual));
         if table.len() <= MOST_AMPLITUDES {
-            let why = if table.len() == 1 { Why::from(why) } else { Why::from("Similarly") };
-            let found = sheet.found(("Θ", disc + 1), "rad", actual, why);
+            let why = if table.len() == 1 { Reason::from(why) } else { Reason::from("Similarly") };
+            let found = sheet.numerical(("Θ", disc + 1), "rad", actual, why);
             sheet.answer(("amplitude", disc + 1), "Amplitude of disc", found);
             answered[station] = found.value() / reduced.speed(disc);
         }
@@ -65,8 +65,8 @@ pub(super) fn forced<W: Worksheet>(
 }
 
 fn verify<W: Worksheet>(
-    reduced: &Reduced<W::Num>,
-    modes: &[Mode],
+    reduced: &ReducedTrain<W::Num>,
+    modes: &[TorsionalMode],
     loads: &[f64],
     amplitudes: &[f64],
     frequency: f64,

@@ -8,33 +8,33 @@ use dalembert_mechanics::{
     vibration::torsional::{self, Train},
 };
 
-use super::{InertiaGiven, TorsionalTrain, TorsionalTrainGiven};
+use super::{TorsionalTrain, TorsionalTrainGiven, TrainInertiaGiven};
 use crate::{
     shared::spring::{Element, torsional::network},
     sources::BEVAN,
 };
 
 /// A train reduced to the speed of its first disc: meshing gears turn as one station.
-pub(super) struct Reduced<N> {
+pub(super) struct ReducedTrain<N> {
     /// The speed of each disc over that of the first; `None` where it is the same.
     pub(super) speeds: Vec<Option<N>>,
     /// The station of each disc; `None` for one that is held.
     pub(super) station_of: Vec<Option<usize>>,
-    pub(super) stations: Vec<Station<N>>,
-    pub(super) links: Vec<Link<N>>,
+    pub(super) stations: Vec<RigidDiscs<N>>,
+    pub(super) links: Vec<ReducedShaft<N>>,
     /// The numbers of it.
     pub(super) train: Train,
 }
 
 /// Discs that turn as one.
-pub(super) struct Station<N> {
+pub(super) struct RigidDiscs<N> {
     pub(super) discs: Vec<usize>,
     /// Reduced; `None` for a light one.
     pub(super) inertia: Option<N>,
 }
 
 /// A shaft between two stations, or from one to a wall.
-pub(super) struct Link<N> {
+pub(super) struct ReducedShaft<N> {
     /// The stations at its first end and at its second; `None` for a wall.
     pub(super) ends: [Option<usize>; 2],
     /// The stiffness as it is.
@@ -51,7 +51,7 @@ enum Joint {
     Driven(usize),
 }
 
-impl<N: Real> Reduced<N> {
+impl<N: Real> ReducedTrain<N> {
     /// The speed of a disc over that of the first.
     pub(super) fn speed(&self, disc: usize) -> f64 {
         self.speeds[disc].map_or(1.0, Real::value)
@@ -63,13 +63,13 @@ pub(super) fn reduce<W: Worksheet>(
     problem: &TorsionalTrain,
     given: &TorsionalTrainGiven<W>,
     sheet: W,
-) -> Result<Reduced<W::Num>, Refusal> {
+) -> Result<ReducedTrain<W::Num>, Refusal> {
     let count = problem.discs.len();
     let inertia = |disc: usize| {
         let symbol = ("J", disc + 1).into();
         match &given.discs[disc].inertia {
-            InertiaGiven::Rotor(rotor) => Some(rotor.moment(sheet, symbol)),
-            InertiaGiven::Light {} | InertiaGiven::Held {} => None,
+            TrainInertiaGiven::Rotor(rotor) => Some(rotor.moment(sheet, symbol)),
+            TrainInertiaGiven::Light {} | TrainInertiaGiven::Held {} => None,
         }
     };
     let inertias: Vec<Option<W::Num>> = (0..count).map(inertia).collect();
@@ -80,7 +80,7 @@ pub(super) fn reduce<W: Worksheet>(
     let walk = walk(problem)?;
     let mut speeds: Vec<Option<W::Num>> = vec![None; count];
     let mut station_of: Vec<Option<usize>> = vec![None; count];
-    let mut stations: Vec<Station<W::Num>> = Vec::new();
+    let mut stations: Vec<RigidDiscs<W::Num>> = Vec::new();
     for &(disc, from) in &walk {
         let geared = match from {
             Some((Joint::Shaft, up)) => {
@@ -104,7 +104,7 @@ pub(super) fn reduce<W: Worksheet>(
             station_of[disc] = station_of[up];
         } else {
             station_of[disc] = Some(stations.len());
-            stations.push(Station { discs: Vec::new(), inertia: None });
+            stations.push(RigidDiscs { discs: Vec::new(), inertia: None });
         }
         if let Some(station) = station_of[disc] {
             stations[station].discs.push(disc);
@@ -154,10 +154,10 @@ pub(super) fn reduce<W: Worksheet>(
                 ),
             ),
         };
-        links.push(Link { ends, element, stiffness });
+        links.push(ReducedShaft { ends, element, stiffness });
     }
     let train = numbers(&stations, &links)?;
-    Ok(Reduced { speeds, station_of, stations, links, train })
+    Ok(ReducedTrain { speeds, station_of, stations, links, train })
 }
 
 /// Every disc that is not held, each after the one that it hangs on and with what joins them.
@@ -239,7 +239,7 @@ fn walk(problem: &TorsionalTrain) -> Result<Walk, Refusal> {
     }
 }
 
-fn numbers<N: Real>(stations: &[Station<N>], links: &[Link<N>]) -> Result<Train, Refusal> {
+fn numbers<N: Real>(stations: &[RigidDiscs<N>], links: &[ReducedShaft<N>]) -> Result<Train, Refusal> {
     let inertias: Vec<f64> =
         stations.iter().map(|station| station.inertia.map_or(0.0, Real::value)).collect();
     let mut walls = vec![0.0; stations.len()];
@@ -247,7 +247,7 @@ fn numbers<N: Real>(stations: &[Station<N>], links: &[Link<N>]) -> Result<Train,
     for link in links {
         let stiffness = link.stiffness.value();
         match link.ends {
-            [Some(a), Some(b)] => shafts.push(torsional::Shaft { ends: [a, b], stiffness }),
+            [Some(a), Some(b)] => shafts.push(torsional::TrainShaft { ends: [a, b], stiffness }),
             [Some(end), None] | [None, Some(end)] => walls[end] += stiffness,
             [None, None] => {}
         }

@@ -3,7 +3,7 @@
 use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::Real;
 
-use super::{LimitGiven, Rotor, ShaftAxisGiven, WhirlingShaft, WhirlingShaftGiven};
+use super::{Rotor, ShaftAxisGiven, WhirlLimitGiven, WhirlingShaft, WhirlingShaftGiven};
 use crate::{
     shared::jeffcott::{RotorShaft, RotorShaftGiven, Whirl, permitted_speeds},
     sources::{BEER, RAO},
@@ -21,7 +21,7 @@ pub(super) struct Limited {
 pub(super) fn speeds<W: Worksheet>(
     problem: &WhirlingShaft,
     given: &WhirlingShaftGiven<W>,
-    limit: &LimitGiven<W>,
+    limit: &WhirlLimitGiven<W>,
     rotor: &Rotor<W::Num>,
     sheet: W,
 ) -> Result<Limited, Refusal> {
@@ -40,21 +40,21 @@ pub(super) fn speeds<W: Worksheet>(
 fn permitted_amplitude<W: Worksheet>(
     problem: &WhirlingShaft,
     given: &WhirlingShaftGiven<W>,
-    limit: &LimitGiven<W>,
+    limit: &WhirlLimitGiven<W>,
     rotor: &Rotor<W::Num>,
     sheet: W,
 ) -> Result<W::Num, Refusal> {
     match limit {
-        LimitGiven::Amplitude { amplitude } => {
+        WhirlLimitGiven::Amplitude { amplitude } => {
             Ok(sheet.step("A_R", "mm", *amplitude, "Permitted whirl amplitude"))
         }
-        LimitGiven::Force { force } => Ok(sheet.step(
+        WhirlLimitGiven::Force { force } => Ok(sheet.step(
             "A_R",
             "mm",
             *force / rotor.stiffness,
             ("Permitted whirl amplitude: the force of the bent shaft is k A", RAO.at("§9.5")),
         )),
-        LimitGiven::Stress { stress } => {
+        WhirlLimitGiven::Stress { stress } => {
             let (RotorShaft::Round { mounting, .. }, RotorShaftGiven::Round { length, diameter, young, .. }) =
                 (&problem.shaft, &given.shaft)
             else {

@@ -3,7 +3,7 @@
 use dalembert_core::{Axis, Exhibit, Inputs, Plot, Series, Text, Worksheet};
 use dalembert_mechanics::{
     Real, sdof,
-    vibration::transient_from_rest::{Drive, history},
+    vibration::transient_from_rest::{HarmonicDrive, history},
 };
 
 use super::{AtFrequency, is_one};
@@ -100,7 +100,7 @@ impl<N: Real> BuildUp<N> {
             Wave::Sine => (deflection, dashpot),
             Wave::Cosine => (-dashpot, deflection),
         };
-        let drive = Drive { frequency: self.frequency.value(), sine, cosine };
+        let drive = HarmonicDrive { frequency: self.frequency.value(), sine, cosine };
         history(self.natural.value(), self.at.damping_ratio.value(), drive, last, count)
     }
 

@@ -12,7 +12,7 @@ pub(crate) struct Element<N> {
     /// Name of the type of the element.
     pub(crate) label: &'static str,
     /// Type of motion: translation or rotation.
-    pub(crate) motion: Motion,
+    pub(crate) motion: SpringMotion,
     /// Stiffness, N/m or N·m/rad.
     pub(crate) stiffness: N,
     /// Connection of its members: series or parallel.
@@ -33,27 +33,27 @@ pub(crate) enum Joined<N> {
 
 /// Type of motion of springs: translation or rotation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Motion {
+pub(crate) enum SpringMotion {
     /// Along a line: forces and deflections.
     Translation,
     /// About an axis: torques and angles of twist.
     Rotation,
 }
 
-impl Motion {
+impl SpringMotion {
     /// The symbol of a stiffness.
     pub(crate) fn symbol(self) -> &'static str {
         match self {
-            Motion::Translation => "k",
-            Motion::Rotation => "k_t",
+            SpringMotion::Translation => "k",
+            SpringMotion::Rotation => "k_t",
         }
     }
 
     /// The unit of a stiffness.
     pub(crate) fn unit(self) -> &'static str {
         match self {
-            Motion::Translation => "kN/m",
-            Motion::Rotation => "N*m/rad",
+            SpringMotion::Translation => "kN/m",
+            SpringMotion::Rotation => "N*m/rad",
         }
     }
 }
@@ -65,7 +65,7 @@ pub(crate) fn symbol(base: &'static str, place: &[usize]) -> Symbol {
 
 /// Writer of the steps of an element of a network.
 pub(super) struct Build<'p, W> {
-    pub(super) motion: Motion,
+    pub(super) motion: SpringMotion,
     pub(super) place: &'p [usize],
     pub(super) label: &'static str,
     pub(super) sheet: W,
@@ -78,8 +78,8 @@ impl<W: Worksheet> Build<'_, W> {
 
     pub(super) fn series(self, members: Vec<Element<W::Num>>) -> Element<W::Num> {
         let why = match self.motion {
-            Motion::Translation => "Springs in series: the deflections add up",
-            Motion::Rotation => "Torsional springs in series: the angles of twist add up",
+            SpringMotion::Translation => "Springs in series: the deflections add up",
+            SpringMotion::Rotation => "Torsional springs in series: the angles of twist add up",
         };
         let k = self.step(spring::series(members.iter().map(|member| member.stiffness)), why);
         self.element(k, Joined::Series(members))
@@ -87,8 +87,8 @@ impl<W: Worksheet> Build<'_, W> {
 
     pub(super) fn parallel(self, members: Vec<Element<W::Num>>) -> Element<W::Num> {
         let why = match self.motion {
-            Motion::Translation => "Springs in parallel: the forces add up",
-            Motion::Rotation => "Torsional springs in parallel: the torques add up",
+            SpringMotion::Translation => "Springs in parallel: the forces add up",
+            SpringMotion::Rotation => "Torsional springs in parallel: the torques add up",
         };
         let k = self.step(spring::parallel(members.iter().map(|member| member.stiffness)), why);
         self.element(k, Joined::Parallel(members))

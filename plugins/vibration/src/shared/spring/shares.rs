@@ -5,7 +5,7 @@ use dalembert_mechanics::Real;
 
 use super::{
     Element, Joined,
-    element::{Motion, symbol},
+    element::{SpringMotion, symbol},
 };
 use crate::sources::RAO;
 
@@ -128,9 +128,9 @@ struct Words {
 }
 
 impl Words {
-    fn of(motion: Motion) -> &'static Self {
+    fn of(motion: SpringMotion) -> &'static Self {
         match motion {
-            Motion::Translation => &Words {
+            SpringMotion::Translation => &Words {
                 in_series: "Fraction of the deflection: in series the force is the same",
                 in_parallel: "Fraction of the force: in parallel the deflection is the same",
                 behind: "Deflection beyond the lever, over that of the load",
@@ -142,7 +142,7 @@ impl Words {
                 vibrating: [("amplitude of the force", "N"), ("amplitude of the deflection", "mm")],
                 at_rest: [("force", "N"), ("deflection", "mm")],
             },
-            Motion::Rotation => &Words {
+            SpringMotion::Rotation => &Words {
                 in_series: "Fraction of the twist: in series the torque is the same",
                 in_parallel: "Fraction of the torque: in parallel the twist is the same",
                 behind: "Angle beyond the gears, over that of the body",
@@ -158,7 +158,7 @@ impl Words {
     }
 }
 
-fn table(all: &[Share], motion: Motion, stiffness: f64, loaded: Option<Loaded>) -> TableExhibit {
+fn table(all: &[Share], motion: SpringMotion, stiffness: f64, loaded: Option<Loaded>) -> TableExhibit {
     let words = Words::of(motion);
     let column = |heading: &'static str, unit| Column { heading: heading.into(), unit };
     let mut columns = vec![

@@ -1,6 +1,6 @@
 //! The stiffness of single springs.
 
-use dalembert_core::{Refusal, Why, Worksheet};
+use dalembert_core::{Reason, Refusal, Worksheet};
 use dalembert_mechanics::{Real, beam, sdof, spring};
 
 use super::{SpringGiven, symbol};
@@ -16,7 +16,7 @@ pub(super) fn stiffness<W: Worksheet>(
     sheet: W,
     place: &[usize],
 ) -> Result<W::Num, Refusal> {
-    let written = |k: W::Num, why: Why| sheet.step(symbol("k", place), "kN/m", k, why);
+    let written = |k: W::Num, why: Reason| sheet.step(symbol("k", place), "kN/m", k, why);
     let moment = |section: &SectionGiven<W>| second_moment(section, sheet, symbol("I", place));
     let (k, why) = match given {
         SpringGiven::Stiffness { stiffness } => return Ok(*stiffness),

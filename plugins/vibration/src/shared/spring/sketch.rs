@@ -9,7 +9,7 @@ const HEIGHT: f64 = 1.2;
 const WIDTH: f64 = 1.6;
 
 /// A spring or a network that can be drawn hanging down.
-pub(crate) trait Hung: Sized {
+pub(crate) trait Suspended: Sized {
     /// The symbol of its stiffness.
     const SYMBOL: &'static str;
     /// Connection of its members.
@@ -26,7 +26,7 @@ pub(crate) enum Hanging<'a, T> {
     One(&'static str),
 }
 
-impl Hung for Spring {
+impl Suspended for Spring {
     const SYMBOL: &'static str = "k";
     fn hanging(&self) -> Hanging<'_, Self> {
         Hanging::One(match self {
@@ -55,7 +55,7 @@ impl Hung for Spring {
     }
 }
 
-impl Hung for TorsionalSpring {
+impl Suspended for TorsionalSpring {
     const SYMBOL: &'static str = "k_t";
     fn hanging(&self) -> Hanging<'_, Self> {
         Hanging::One(match self {
@@ -77,7 +77,7 @@ impl Hung for TorsionalSpring {
 }
 
 /// The size of a spring or a network that is drawn hanging down: width and height.
-pub(crate) fn size<T: Hung>(spring: &T) -> (f64, f64) {
+pub(crate) fn size<T: Suspended>(spring: &T) -> (f64, f64) {
     match spring.hanging() {
         Hanging::Series(members) => {
             members.iter().map(size).fold((0.0, 0.0), |all, one| (f64::max(all.0, one.0), all.1 + one.1))
@@ -90,7 +90,13 @@ pub(crate) fn size<T: Hung>(spring: &T) -> (f64, f64) {
 }
 
 /// A spring or a network hanging down from `top`, filling its size in height or more.
-pub(crate) fn hanging<T: Hung>(spring: &T, top: Point, height: f64, place: &[usize], sketch: &mut Sketch) {
+pub(crate) fn hanging<T: Suspended>(
+    spring: &T,
+    top: Point,
+    height: f64,
+    place: &[usize],
+    sketch: &mut Sketch,
+) {
     let end = (top.0, top.1 - height);
     match spring.hanging() {
         Hanging::Series(members) => {

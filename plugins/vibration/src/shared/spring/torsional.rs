@@ -1,11 +1,11 @@
 //! Torsional springs: what brings a body back that turns about an axis, as one number `k_t`.
 
-use dalembert_core::{Inputs, Refusal, Why, Worksheet};
+use dalembert_core::{Inputs, Reason, Refusal, Worksheet};
 use dalembert_mechanics::{Real, beam, spring as kernel};
 
 use super::{
     Spring, SpringGiven,
-    element::{Build, Element, Motion, symbol},
+    element::{Build, Element, SpringMotion, symbol},
 };
 use crate::{
     shared::section::{Section, SectionGiven, ShaftSection, ShaftSectionGiven, polar_moment, second_moment},
@@ -190,7 +190,7 @@ pub(crate) fn network<W: Worksheet>(
     sheet: W,
     place: &[usize],
 ) -> Result<Element<W::Num>, Refusal> {
-    let build = Build { motion: Motion::Rotation, place, label: label(given), sheet };
+    let build = Build { motion: SpringMotion::Rotation, place, label: label(given), sheet };
     let inside = |members: &[TorsionalSpringGiven<W>]| {
         let row = |(n, member): (usize, &TorsionalSpringGiven<W>)| {
             network(member, sheet, &[place, &[n + 1]].concat())
@@ -220,7 +220,7 @@ fn single<W: Worksheet>(
 ) -> Result<W::Num, Refusal> {
     let moment = |section: &SectionGiven<W>| second_moment(section, sheet, symbol("I", place));
     let polar = |section: &ShaftSectionGiven<W>| polar_moment(section, sheet, symbol("I_p", place));
-    let (k, why): (W::Num, Why) = match given {
+    let (k, why): (W::Num, Reason) = match given {
         TorsionalSpringGiven::Stiffness { stiffness } => return Ok(*stiffness),
         TorsionalSpringGiven::Shaft { length, shear, section } => (
             kernel::torsional(*shear, polar(section)?, *length),

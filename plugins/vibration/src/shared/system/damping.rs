@@ -11,7 +11,7 @@ use crate::sources::RAO;
 
 /// Damping of the system.
 #[derive(Clone, Debug, Inputs)]
-pub enum Damping {
+pub enum SystemDamping {
     /// The dampers of the system, if any
     Dampers,
     /// The same damping ratio in every mode
@@ -90,8 +90,8 @@ impl ModalDamping {
 
 /// The damping in the modes; writes α and β where they follow from two points.
 pub(crate) fn in_modes<W: Worksheet>(
-    damping: &Damping,
-    given: &DampingGiven<W>,
+    damping: &SystemDamping,
+    given: &SystemDampingGiven<W>,
     dampers: &DMatrix<f64>,
     mass: &DMatrix<f64>,
     modes: &NaturalModes,
@@ -108,7 +108,7 @@ pub(crate) fn in_modes<W: Worksheet>(
         from_diagonal(modes.squares.iter().map(|square| alpha + beta * square).collect())
     };
     let damped = match (damping, given) {
-        (Damping::Dampers, _) => {
+        (SystemDamping::Dampers, _) => {
             let mut matrix = modes.damping(dampers);
             let proportional = is_proportional(&matrix);
             if proportional {
@@ -116,10 +116,10 @@ pub(crate) fn in_modes<W: Worksheet>(
             }
             ModalDamping { matrix, physical: dampers.clone(), proportional }
         }
-        (Damping::Ratio { ratio }, _) => {
+        (SystemDamping::Ratio { ratio }, _) => {
             from_diagonal(modes.squares.iter().map(|square| 2.0 * ratio * square.sqrt()).collect())
         }
-        (Damping::Ratios { ratios }, _) => {
+        (SystemDamping::Ratios { ratios }, _) => {
             let ratio = |mode: usize| ratios[mode.min(ratios.len() - 1)].ratio;
             from_diagonal(
                 modes
@@ -130,10 +130,10 @@ pub(crate) fn in_modes<W: Worksheet>(
                     .collect(),
             )
         }
-        (Damping::Rayleigh { alpha, beta }, _) => rayleigh(*alpha, *beta),
+        (SystemDamping::Rayleigh { alpha, beta }, _) => rayleigh(*alpha, *beta),
         (
-            Damping::TwoPoints { first_frequency: a, second_frequency: b, .. },
-            DampingGiven::TwoPoints { first_ratio, first_frequency, second_ratio, second_frequency },
+            SystemDamping::TwoPoints { first_frequency: a, second_frequency: b, .. },
+            SystemDampingGiven::TwoPoints { first_ratio, first_frequency, second_ratio, second_frequency },
         ) => {
             if a == b {
                 return Err(Refusal::because(

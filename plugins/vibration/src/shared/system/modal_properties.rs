@@ -12,7 +12,7 @@ mod checks;
 use super::{
     Assembled,
     damping::ModalDamping,
-    modes::{self, Found, SHOWN},
+    modes::{self, SHOWN, WorkedModes},
 };
 use crate::sources::{EWINS, RAO};
 
@@ -20,7 +20,7 @@ use crate::sources::{EWINS, RAO};
 /// the damping leaves the modes alone, a complex mode where it couples them.
 pub(crate) fn modal_properties<W: Worksheet>(
     system: &Assembled<W::Num>,
-    found: &Found<W::Num>,
+    found: &WorkedModes<W::Num>,
     damped: &ModalDamping,
     shapes: &[Vec<f64>],
     sheet: W,
@@ -35,14 +35,19 @@ pub(crate) fn modal_properties<W: Worksheet>(
 }
 
 /// Modal masses and, where the coordinates are parallel, the share of each mode in a motion of the ground.
-fn masses<W: Worksheet>(system: &Assembled<W::Num>, found: &Found<W::Num>, shapes: &[Vec<f64>], sheet: W) {
+fn masses<W: Worksheet>(
+    system: &Assembled<W::Num>,
+    found: &WorkedModes<W::Num>,
+    shapes: &[Vec<f64>],
+    sheet: W,
+) {
     let unit = DVector::from_element(system.size(), 1.0);
     let total = unit.dot(&(&system.mass * &unit));
     let mut effective_sum = 0.0;
     for (mode, frequency) in found.frequencies.iter().enumerate() {
         let shape = DVector::from_column_slice(&shapes[mode]);
         let momenta = &system.mass * &shape;
-        let mass = sheet.found(
+        let mass = sheet.numerical(
             ("μ", mode + 1),
             "kg",
             shape.dot(&momenta),
@@ -62,7 +67,7 @@ fn masses<W: Worksheet>(system: &Assembled<W::Num>, found: &Found<W::Num>, shape
         if system.parallel {
             let excitation = unit.dot(&momenta);
             let nothing = excitation.abs() <= 1e-12 * momenta.lp_norm(1);
-            let excited = sheet.found(
+            let excited = sheet.numerical(
                 ("L", mode + 1),
                 "kg",
                 if nothing { 0.0 } else { excitation },
@@ -84,13 +89,13 @@ fn masses<W: Worksheet>(system: &Assembled<W::Num>, found: &Found<W::Num>, shape
 }
 
 /// Damping ratios where the damping leaves the modes alone.
-fn ratios<W: Worksheet>(found: &Found<W::Num>, damped: &ModalDamping, sheet: W) {
+fn ratios<W: Worksheet>(found: &WorkedModes<W::Num>, damped: &ModalDamping, sheet: W) {
     let mut shown = Vec::new();
     for (mode, frequency) in found.frequencies.iter().enumerate() {
         if frequency.value() == 0.0 {
             continue;
         }
-        let decay = sheet.found(
+        let decay = sheet.numerical(
             ("γ", mode + 1),
             "1/s",
             damped.decay(mode),
@@ -145,7 +150,7 @@ fn ratios<W: Worksheet>(found: &Found<W::Num>, damped: &ModalDamping, sheet: W) 
 fn complex<W: Worksheet>(
     system: &Assembled<W::Num>,
     damping: &ModalDamping,
-    found: &Found<W::Num>,
+    found: &WorkedModes<W::Num>,
     sheet: W,
 ) -> Result<(), Refusal> {
     sheet.warn(|| {
@@ -162,7 +167,7 @@ fn complex<W: Worksheet>(
             continue;
         }
         let place = at + 1;
-        let real = sheet.found(
+        let real = sheet.numerical(
             ("Re λ", place),
             "1/s",
             mode.root.re,
@@ -173,7 +178,7 @@ fn complex<W: Worksheet>(
             continue;
         }
         oscillations += 1;
-        let damped = sheet.found(
+        let damped = sheet.numerical(
             ("ω_d", place),
             "rad/s",
             mode.root.im,

@@ -43,14 +43,17 @@ pub(crate) fn refusal(error: ModesError) -> Refusal {
 }
 
 /// Modes and frequencies, with the steps that lead to them.
-pub(crate) struct Found<N> {
+pub(crate) struct WorkedModes<N> {
     pub(crate) modes: NaturalModes,
     /// ω of the first modes, at most [`SHOWN`].
     pub(crate) frequencies: Vec<N>,
 }
 
 /// Finds the modes: two degrees of freedom in closed form, more numerically.
-pub(crate) fn find<W: Worksheet>(system: &Assembled<W::Num>, sheet: W) -> Result<Found<W::Num>, Refusal> {
+pub(crate) fn find<W: Worksheet>(
+    system: &Assembled<W::Num>,
+    sheet: W,
+) -> Result<WorkedModes<W::Num>, Refusal> {
     let modes = natural_modes(&system.mass, &system.stiffness).map_err(refusal)?;
     let frequencies = match system.two {
         Some((masses, stiffness)) => {
@@ -66,7 +69,7 @@ pub(crate) fn find<W: Worksheet>(system: &Assembled<W::Num>, sheet: W) -> Result
                 } else {
                     Text::new("Eigenvalue, λ = ω²: root of det(K − λM) = 0, found numerically")
                 };
-                let square = sheet.found(("λ", mode + 1), "rad^2/s^2", square, (why, RAO.at("§6.10")));
+                let square = sheet.numerical(("λ", mode + 1), "rad^2/s^2", square, (why, RAO.at("§6.10")));
                 sheet.step(("ω", mode + 1), "rad/s", square.sqrt(), "Natural frequency")
             })
             .collect(),
@@ -85,7 +88,7 @@ pub(crate) fn find<W: Worksheet>(system: &Assembled<W::Num>, sheet: W) -> Result
             .with("second", mode + 1)
         });
     }
-    Ok(Found { modes, frequencies })
+    Ok(WorkedModes { modes, frequencies })
 }
 
 /// The closed form of two degrees of freedom against the eigenproblem.

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use dalembert_core::{Animation, Drawing, Ink, Point, Sketch, Text};
 
-use super::{Ends, System};
+use super::{ChainEnds, System};
 
 /// Distance from mass to mass, and half the width of a mass.
 const STEP: f64 = 2.0;
@@ -57,9 +57,9 @@ fn sketch(system: &System, moved: &[f64], labels: bool) -> Sketch {
         System::Uniform { count, damper, ends, .. } if *count <= DRAWN => {
             let link = |place: usize| {
                 let held = match ends {
-                    Ends::BothFixed => true,
-                    Ends::FirstFixed => place < *count,
-                    Ends::Free => place > 0 && place < *count,
+                    ChainEnds::BothFixed => true,
+                    ChainEnds::FirstFixed => place < *count,
+                    ChainEnds::Free => place > 0 && place < *count,
                 };
                 (held, held && damper.is_some())
             };

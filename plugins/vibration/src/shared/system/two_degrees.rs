@@ -52,13 +52,13 @@ pub(crate) fn solve<W: Worksheet>(
         sheet.step(("ω", place), "rad/s", square.sqrt(), ("Natural frequency", RAO.at("§5.3")))
     };
     let (lower, lowest) = if rigid {
-        let zero = sheet.found(
+        let zero = sheet.numerical(
             ("λ", 1),
             "rad^2/s^2",
             0.0,
             ("Λ₁Λ₂ = Γ: the smaller root is zero, a rigid body mode", RAO.at("§5.7")),
         );
-        let still = sheet.found(
+        let still = sheet.numerical(
             ("ω", 1),
             "rad/s",
             0.0,

@@ -3,37 +3,39 @@
 use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::{
     Real,
-    vibration::transient::{Law, Motion, Oscillator, Output, Piece, State},
+    vibration::transient::{
+        LoadLaw, LoadSegment, Oscillator, OscillatorState, TransientMotion, TransientOutput,
+    },
 };
 
 use super::{Excitation, ExcitationGiven, ForceSizeGiven, cannot};
 use crate::{
     shared::{
-        free_motion::System,
-        load::{self, Course, CourseGiven},
+        free_motion::DampedOscillator,
+        load::{self, LoadHistory, LoadHistoryGiven},
     },
     sources::{RAO, THOMSON},
 };
 
 /// A load and the motion under it.
-pub(super) struct Model<N> {
+pub(super) struct LoadModel<N> {
     /// The displacement that the size of the load would hold: what the terms are multiples of.
     pub(super) size: Option<N>,
     /// Duration of a pulse.
     pub(super) duration: Option<N>,
     /// Terms of the superposition; `None` for a table.
-    pub(super) terms: Option<Vec<Term<N>>>,
+    pub(super) terms: Option<Vec<LoadTerm<N>>>,
     /// The motion.
-    pub(super) motion: Motion,
+    pub(super) motion: TransientMotion,
     /// End of the load.
     pub(super) end: Option<f64>,
     /// True if the load remains at its final value.
     pub(super) is_held: bool,
-    pieces: Vec<Piece>,
+    pieces: Vec<LoadSegment>,
 }
 
 /// A response that begins at a moment.
-pub(super) struct Term<N> {
+pub(super) struct LoadTerm<N> {
     /// Onset time; time zero if `None`.
     pub(super) onset: Option<N>,
     /// Unit load that it is the response to.
@@ -67,12 +69,12 @@ pub(super) enum Weight<N> {
     Over(N),
 }
 
-impl<N: Real> Model<N> {
+impl<N: Real> LoadModel<N> {
     /// Time of the last change of the law of the load.
     pub(super) fn last_change(&self) -> f64 {
         let last = self.pieces.last().map_or(0.0, |piece| match piece.law {
-            Law::Decay { rate, .. } => piece.from + 3.0 / rate,
-            Law::Line { slope, .. } if slope != 0.0 => piece.from + 1.0,
+            LoadLaw::Decay { rate, .. } => piece.from + 3.0 / rate,
+            LoadLaw::Line { slope, .. } if slope != 0.0 => piece.from + 1.0,
             _ => piece.from,
         });
         if last.is_finite() { last } else { 0.0 }
@@ -81,7 +83,13 @@ impl<N: Real> Model<N> {
     /// Restoring displacement of spring and damper at a time, by the Duhamel integral over unit impulses.
     pub(super) fn by_impulses(&self, natural: f64, ratio: f64, time: f64) -> Option<f64> {
         let begun = self.motion.at(0.0);
-        load::by_impulses(Oscillator { natural, ratio }, begun, &self.pieces, Output::support(ratio), time)
+        load::by_impulses(
+            Oscillator { natural, ratio },
+            begun,
+            &self.pieces,
+            TransientOutput::support(ratio),
+            time,
+        )
     }
 
     /// Returns true if the load or its rate is discontinuous at a time.
@@ -94,13 +102,13 @@ impl<N: Real> Model<N> {
 pub(super) fn model<W: Worksheet>(
     excitation: &Excitation,
     given: &ExcitationGiven<W>,
-    system: &System<W::Num>,
+    system: &DampedOscillator<W::Num>,
     sheet: W,
-) -> Result<Model<W::Num>, Refusal> {
+) -> Result<LoadModel<W::Num>, Refusal> {
     let natural = system.natural.value();
-    let start = |state: State, pieces: Vec<Piece>| {
+    let start = |state: OscillatorState, pieces: Vec<LoadSegment>| {
         let oscillator = Oscillator { natural, ratio: system.ratio.value() };
-        Motion::new(oscillator, state, &pieces).map(|motion| (motion, pieces)).map_err(cannot)
+        TransientMotion::new(oscillator, state, &pieces).map(|motion| (motion, pieces)).map_err(cannot)
     };
     let stiffness = || system.body.map(|body| body.stiffness).ok_or_else(massless);
     match (excitation, given) {
@@ -128,34 +136,34 @@ pub(super) fn model<W: Worksheet>(
             let points: Vec<_> = points.iter().map(|point| (point.time, point.force)).collect();
             let table = load::table(&points)?;
             let pieces = load::scaled(&table.pieces, 1.0 / stiffness()?.value());
-            Ok(of_table(start(State::default(), pieces)?, table.end))
+            Ok(of_table(start(OscillatorState::default(), pieces)?, table.end))
         }
         (Excitation::BaseTable { points }, _) => {
             let points: Vec<_> = points.iter().map(|point| (point.time, point.acceleration)).collect();
             let table = load::table(&points)?;
             let pieces = load::scaled(&table.pieces, -1.0 / (natural * natural));
-            Ok(of_table(start(State::default(), pieces)?, table.end))
+            Ok(of_table(start(OscillatorState::default(), pieces)?, table.end))
         }
         (_, ExcitationGiven::Impulse { impulse }) => {
             let mass = system.body.ok_or_else(massless)?.mass;
             let why = ("The impulse instantaneously gives the mass its momentum", RAO.at("§4.5"));
             let velocity = sheet.step("v₀", "m/s", *impulse / mass, why);
-            let state = State { displacement: 0.0, velocity: velocity.value() };
-            Ok(free(start(state, Vec::new())?, vec![Term::new(Unit::Impulse).times(velocity)]))
+            let state = OscillatorState { displacement: 0.0, velocity: velocity.value() };
+            Ok(free(start(state, Vec::new())?, vec![LoadTerm::new(Unit::Impulse).times(velocity)]))
         }
         (_, ExcitationGiven::Initial { displacement, velocity }) => {
-            let state = State { displacement: displacement.value(), velocity: velocity.value() };
-            if state == State::default() {
+            let state = OscillatorState { displacement: displacement.value(), velocity: velocity.value() };
+            if state == OscillatorState::default() {
                 return Err(Refusal::because(
                     "without an initial displacement or velocity nothing moves: write at least one of them",
                 ));
             }
             let mut terms = Vec::new();
             if state.displacement != 0.0 {
-                terms.push(Term::new(Unit::Release).times(*displacement));
+                terms.push(LoadTerm::new(Unit::Release).times(*displacement));
             }
             if state.velocity != 0.0 {
-                terms.push(Term::new(Unit::Impulse).times(*velocity));
+                terms.push(LoadTerm::new(Unit::Impulse).times(*velocity));
             }
             Ok(free(start(state, Vec::new())?, terms))
         }
@@ -163,108 +171,116 @@ pub(super) fn model<W: Worksheet>(
     }
 }
 
-type Begun = (Motion, Vec<Piece>);
+type Begun = (TransientMotion, Vec<LoadSegment>);
 
-fn of_table<N>((motion, pieces): Begun, end: Option<f64>) -> Model<N> {
-    Model { size: None, duration: None, terms: None, motion, end, is_held: false, pieces }
+fn of_table<N>((motion, pieces): Begun, end: Option<f64>) -> LoadModel<N> {
+    LoadModel { size: None, duration: None, terms: None, motion, end, is_held: false, pieces }
 }
 
-fn free<N>((motion, pieces): Begun, terms: Vec<Term<N>>) -> Model<N> {
-    Model { size: None, duration: None, terms: Some(terms), motion, end: None, is_held: false, pieces }
+fn free<N>((motion, pieces): Begun, terms: Vec<LoadTerm<N>>) -> LoadModel<N> {
+    LoadModel { size: None, duration: None, terms: Some(terms), motion, end: None, is_held: false, pieces }
 }
 
 fn of_course<W: Worksheet>(
     size: W::Num,
     value: f64,
-    course: &Course,
-    given: &CourseGiven<W>,
-    system: &System<W::Num>,
-    start: impl Fn(State, Vec<Piece>) -> Result<Begun, Refusal>,
+    course: &LoadHistory,
+    given: &LoadHistoryGiven<W>,
+    system: &DampedOscillator<W::Num>,
+    start: impl Fn(OscillatorState, Vec<LoadSegment>) -> Result<Begun, Refusal>,
     sheet: W,
-) -> Result<Model<W::Num>, Refusal> {
+) -> Result<LoadModel<W::Num>, Refusal> {
     let built = course.pieces(value)?;
-    let (motion, pieces) = start(State::default(), built.pieces)?;
+    let (motion, pieces) = start(OscillatorState::default(), built.pieces)?;
     let duration = match given {
-        CourseGiven::Rectangular { duration }
-        | CourseGiven::Triangular { duration, .. }
-        | CourseGiven::HalfSine { duration } => Some(*duration),
+        LoadHistoryGiven::Rectangular { duration }
+        | LoadHistoryGiven::Triangular { duration, .. }
+        | LoadHistoryGiven::HalfSine { duration } => Some(*duration),
         _ => None,
     };
-    let is_held = matches!(course, Course::Step | Course::RampStep { .. });
+    let is_held = matches!(course, LoadHistory::Step | LoadHistory::RampStep { .. });
     let terms = terms(given, system, sheet);
-    Ok(Model { size: Some(size), duration, terms: Some(terms), motion, end: built.end, is_held, pieces })
+    Ok(LoadModel { size: Some(size), duration, terms: Some(terms), motion, end: built.end, is_held, pieces })
 }
 
 /// Terms of a time history as a superposition.
-fn terms<W: Worksheet>(given: &CourseGiven<W>, system: &System<W::Num>, sheet: W) -> Vec<Term<W::Num>> {
+fn terms<W: Worksheet>(
+    given: &LoadHistoryGiven<W>,
+    system: &DampedOscillator<W::Num>,
+    sheet: W,
+) -> Vec<LoadTerm<W::Num>> {
     match given {
-        CourseGiven::Step {} => vec![Term::new(Unit::Step)],
-        CourseGiven::Ramp { rise } => vec![Term::new(Unit::Ramp).over(*rise)],
-        CourseGiven::RampStep { rise } => {
-            vec![Term::new(Unit::Ramp).over(*rise), Term::new(Unit::Ramp).over(*rise).less(*rise)]
+        LoadHistoryGiven::Step {} => vec![LoadTerm::new(Unit::Step)],
+        LoadHistoryGiven::Ramp { rise } => vec![LoadTerm::new(Unit::Ramp).over(*rise)],
+        LoadHistoryGiven::RampStep { rise } => {
+            vec![LoadTerm::new(Unit::Ramp).over(*rise), LoadTerm::new(Unit::Ramp).over(*rise).less(*rise)]
         }
-        CourseGiven::Exponential { constant } => vec![Term::new(Unit::Exponential(*constant))],
-        CourseGiven::Rectangular { duration } => {
-            vec![Term::new(Unit::Step), Term::new(Unit::Step).less(*duration)]
+        LoadHistoryGiven::Exponential { constant } => vec![LoadTerm::new(Unit::Exponential(*constant))],
+        LoadHistoryGiven::Rectangular { duration } => {
+            vec![LoadTerm::new(Unit::Step), LoadTerm::new(Unit::Step).less(*duration)]
         }
-        CourseGiven::Triangular { duration, peak } => {
+        LoadHistoryGiven::Triangular { duration, peak } => {
             let peak = match peak {
                 Some(peak) => *peak,
                 None => sheet.step("t_p", "s", *duration / 2.0, "The peak is at the middle of the pulse"),
             };
             triangle(*duration, peak)
         }
-        CourseGiven::HalfSine { duration } => {
+        LoadHistoryGiven::HalfSine { duration } => {
             let why = "Frequency of the sine of which the pulse is one half-wave";
             let frequency = sheet.step("Ω", "rad/s", W::Num::from(std::f64::consts::PI) / *duration, why);
             let ratio = sheet.step("r", "1", frequency / system.natural, "Frequency ratio of that sine");
-            let sine = || Term::new(Unit::Sine(frequency, ratio));
+            let sine = || LoadTerm::new(Unit::Sine(frequency, ratio));
             vec![sine(), sine().after(*duration)]
         }
     }
 }
 
 /// A triangle: ramps that begin at its corners.
-fn triangle<N: Real>(duration: N, peak: N) -> Vec<Term<N>> {
+fn triangle<N: Real>(duration: N, peak: N) -> Vec<LoadTerm<N>> {
     if peak.value() == 0.0 {
         return vec![
-            Term::new(Unit::Step),
-            Term { negative: true, ..Term::new(Unit::Ramp).over(duration) },
-            Term::new(Unit::Ramp).over(duration).after(duration),
+            LoadTerm::new(Unit::Step),
+            LoadTerm { negative: true, ..LoadTerm::new(Unit::Ramp).over(duration) },
+            LoadTerm::new(Unit::Ramp).over(duration).after(duration),
         ];
     }
-    let rise = Term::new(Unit::Ramp).over(peak);
+    let rise = LoadTerm::new(Unit::Ramp).over(peak);
     if peak.value() >= duration.value() {
         return vec![
             rise,
-            Term::new(Unit::Ramp).over(duration).less(duration),
-            Term::new(Unit::Step).less(duration),
+            LoadTerm::new(Unit::Ramp).over(duration).less(duration),
+            LoadTerm::new(Unit::Step).less(duration),
         ];
     }
     vec![
         rise,
-        Term::new(Unit::Ramp).times(duration / (peak * (duration - peak))).less(peak),
-        Term::new(Unit::Ramp).over(duration - peak).after(duration),
+        LoadTerm::new(Unit::Ramp).times(duration / (peak * (duration - peak))).less(peak),
+        LoadTerm::new(Unit::Ramp).over(duration - peak).after(duration),
     ]
 }
 
 /// The largest force of a pulse whose impulse is known.
-fn from_impulse<W: Worksheet>(impulse: W::Num, course: &CourseGiven<W>, sheet: W) -> Result<W::Num, Refusal> {
+fn from_impulse<W: Worksheet>(
+    impulse: W::Num,
+    course: &LoadHistoryGiven<W>,
+    sheet: W,
+) -> Result<W::Num, Refusal> {
     let (force, why) = match course {
-        CourseGiven::Rectangular { duration } => {
+        LoadHistoryGiven::Rectangular { duration } => {
             (impulse / *duration, "Maximum force: the impulse is the area of the rectangle, F₀t_d")
         }
-        CourseGiven::Triangular { duration, .. } => {
+        LoadHistoryGiven::Triangular { duration, .. } => {
             (impulse * 2.0 / *duration, "Maximum force: the impulse is the area of the triangle, F₀t_d/2")
         }
-        CourseGiven::HalfSine { duration } => (
+        LoadHistoryGiven::HalfSine { duration } => (
             impulse * std::f64::consts::PI / (*duration * 2.0),
             "Maximum force: the impulse is the area of the half sine, 2F₀t_d/π",
         ),
-        CourseGiven::Exponential { constant } => {
+        LoadHistoryGiven::Exponential { constant } => {
             (impulse / *constant, "Maximum force: the impulse is the area under the exponential, F₀τ")
         }
-        CourseGiven::Step {} | CourseGiven::Ramp { .. } | CourseGiven::RampStep { .. } => {
+        LoadHistoryGiven::Step {} | LoadHistoryGiven::Ramp { .. } | LoadHistoryGiven::RampStep { .. } => {
             return Err(Refusal::because(
                 "a sustained load has no finite impulse: give its maximum force, or choose a pulse",
             ));
@@ -277,7 +293,7 @@ fn massless() -> Refusal {
     Refusal::because("a force moves a mass: give the mass in addition to the natural frequency")
 }
 
-impl<N: Real> Term<N> {
+impl<N: Real> LoadTerm<N> {
     fn new(unit: Unit<N>) -> Self {
         Self { onset: None, unit, weight: Weight::One, negative: false }
     }

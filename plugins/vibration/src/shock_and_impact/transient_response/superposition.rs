@@ -4,19 +4,19 @@ use dalembert_core::{Refusal, Symbol, Worksheet};
 use dalembert_mechanics::{Real, vibration::transient::closed};
 
 use super::{
-    Model,
-    model::{Term, Unit, Weight},
+    LoadModel,
+    model::{LoadTerm, Unit, Weight},
 };
 use crate::{
-    shared::free_motion::{FreeMotion, System},
+    shared::free_motion::{DampedOscillator, WorkedFreeMotion},
     sources::{CHOPRA, RAO},
 };
 
 /// Parameters of the closed forms.
 pub(super) struct Superposition<'m, N> {
-    system: System<N>,
-    free: FreeMotion<N>,
-    model: &'m Model<N>,
+    system: DampedOscillator<N>,
+    free: WorkedFreeMotion<N>,
+    model: &'m LoadModel<N>,
 }
 
 /// A moment, and how its numbers are called.
@@ -30,7 +30,7 @@ const NEAR: f64 = 1e-5;
 
 impl<N> Instant<N> {
     /// The `n`th asked time, counted from 1.
-    pub(super) fn asked(time: N, n: usize) -> Self {
+    pub(super) fn output_at(time: N, n: usize) -> Self {
         Self { time, row: Some(n) }
     }
 
@@ -50,8 +50,12 @@ impl<N> Instant<N> {
 
 impl<'m, N: Real> Superposition<'m, N> {
     /// Writes what the free motion needs.
-    pub(super) fn new<W: Worksheet<Num = N>>(system: &System<N>, model: &'m Model<N>, sheet: W) -> Self {
-        Self { system: *system, free: FreeMotion::new(system, sheet), model }
+    pub(super) fn new<W: Worksheet<Num = N>>(
+        system: &DampedOscillator<N>,
+        model: &'m LoadModel<N>,
+        sheet: W,
+    ) -> Self {
+        Self { system: *system, free: WorkedFreeMotion::new(system, sheet), model }
     }
 
     /// The displacement at a moment, written as the sum of its terms and compared with the other two ways.
@@ -71,7 +75,7 @@ impl<'m, N: Real> Superposition<'m, N> {
                     "Displacement by the exact recurrence over the segments of the load, each linear or sinusoidal",
                     CHOPRA.at("§5.2"),
                 );
-                let x = sheet.found(symbol, "mm", exact, why);
+                let x = sheet.numerical(symbol, "mm", exact, why);
                 sheet.verify(|| self.hold_to_duhamel(time, x, sheet));
                 return Ok(x);
             }
@@ -127,7 +131,7 @@ impl<'m, N: Real> Superposition<'m, N> {
     }
 
     /// Returns true if a sine or exponential is too near a pole of its closed form.
-    fn is_near_a_pole(&self, terms: &[Term<N>]) -> bool {
+    fn is_near_a_pole(&self, terms: &[LoadTerm<N>]) -> bool {
         let zeta = self.system.ratio.value();
         terms.iter().any(|term| match &term.unit {
             Unit::Sine(_, r) => {
@@ -145,7 +149,7 @@ impl<'m, N: Real> Superposition<'m, N> {
     /// A term at a moment, without its sign; `None` before it begins.
     fn part<W: Worksheet<Num = N>>(
         &self,
-        term: &Term<N>,
+        term: &LoadTerm<N>,
         n: usize,
         instant: &Instant<N>,
         sheet: W,
@@ -158,7 +162,7 @@ impl<'m, N: Real> Superposition<'m, N> {
                 sheet.step(symbol, "s", instant.time - onset, "Time since this part of the load began")
             }
         };
-        let System { natural, ratio, .. } = self.system;
+        let DampedOscillator { natural, ratio, .. } = self.system;
         let undamped = self.free.is_undamped();
         let release = || {
             let why = ("Free vibration from a unit displacement, after that time", RAO.at("§2.6"));

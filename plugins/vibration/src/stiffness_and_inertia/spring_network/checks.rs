@@ -3,7 +3,7 @@
 use dalembert_core::Worksheet;
 use dalembert_mechanics::{
     Real,
-    vibration::network::{Link, Network},
+    vibration::network::{Network, SpringDamper},
 };
 use dalembert_numerics::linalg::ComplexLu;
 use nalgebra::{Complex, DMatrix};
@@ -16,8 +16,8 @@ struct Sums {
 }
 
 fn sums(system: &Network, moved: &[Complex<f64>]) -> Sums {
-    let over = |of: fn(&Link) -> f64| {
-        let part = |link: &Link| {
+    let over = |of: fn(&SpringDamper) -> f64| {
+        let part = |link: &SpringDamper| {
             let [from, to] = link.ends.map(|end| end.map_or(Complex::ZERO, |node| moved[node]));
             of(link) * (from - to).norm_sqr()
         };
@@ -41,12 +41,13 @@ pub(super) fn elastic(system: &Network, node: usize) -> Option<f64> {
 
 /// The network with its dampers in the place of its springs: velocities instead of displacements.
 pub(super) fn dampers_alone(system: &Network) -> Network {
-    let links = system.links.iter().map(|link| Link { stiffness: link.damping, damping: 0.0, ..*link });
+    let links =
+        system.links.iter().map(|link| SpringDamper { stiffness: link.damping, damping: 0.0, ..*link });
     Network { masses: system.masses.clone(), links: links.collect() }
 }
 
 /// Displayed results of the harmonic motion of the loaded node.
-pub(super) struct Shown<N> {
+pub(super) struct NodeResponse<N> {
     pub(super) force: N,
     pub(super) amplitude: N,
     pub(super) lag: N,
@@ -61,7 +62,7 @@ pub(super) fn harmonic_response<W: Worksheet>(
     system: &Network,
     omega: f64,
     moved: &[Complex<f64>],
-    shown: &Shown<W::Num>,
+    shown: &NodeResponse<W::Num>,
     sheet: W,
 ) {
     let Sums { inertia, damping, stiffness } = sums(system, moved);
@@ -141,7 +142,7 @@ fn shape(system: &Network, root: Complex<f64>) -> Option<(Vec<Complex<f64>>, f64
     let mut matrix = damping.clone();
     let masses = system.masses.iter().map(|mass| Complex::from(*mass));
     let masses = DMatrix::from_diagonal(&nalgebra::DVector::from_iterator(count, masses));
-    let add = |matrix: &mut DMatrix<Complex<f64>>, link: &Link, value: Complex<f64>| {
+    let add = |matrix: &mut DMatrix<Complex<f64>>, link: &SpringDamper, value: Complex<f64>| {
         for end in link.ends.into_iter().flatten() {
             matrix[(end, end)] += value;
         }

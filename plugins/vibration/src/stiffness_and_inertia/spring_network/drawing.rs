@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use dalembert_core::{Drawing, Point, Sketch, Text};
 
-use super::{Kind, SpringNetwork};
+use super::{ElementKind, SpringNetwork};
 
 /// Nodes in columns by their distance from ground, elements between them, the load at its node.
 pub(super) fn drawing(problem: &SpringNetwork) -> Drawing {
@@ -25,9 +25,9 @@ pub(super) fn drawing(problem: &SpringNetwork) -> Drawing {
         let (from, to) = ((from.0, from.1 + shift), (to.0, to.1 + shift));
         let name = Text::new((n + 1).to_string());
         match &element.kind {
-            Kind::Spring { .. } => sketch.spring(name, from, to),
-            Kind::Damper { .. } => sketch.damper(name, from, to),
-            Kind::KelvinVoigt { .. } => sketch.spring_and_damper((name, ""), from, to, 0.5),
+            ElementKind::Spring { .. } => sketch.spring(name, from, to),
+            ElementKind::Damper { .. } => sketch.damper(name, from, to),
+            ElementKind::KelvinVoigt { .. } => sketch.spring_and_damper((name, ""), from, to, 0.5),
         };
     }
     for (node, &(x, y)) in problem.nodes.iter().zip(&at) {

@@ -3,7 +3,7 @@
 use dalembert_core::{Axis, Cell, Column, Plot, Series, TableExhibit, Text};
 use dalembert_mechanics::{
     Real,
-    vibration::network::{Link, Network},
+    vibration::network::{Network, SpringDamper},
 };
 use nalgebra::Complex;
 
@@ -50,7 +50,7 @@ impl SpringNetwork {
     /// Forces and deflections under the harmonic force.
     pub(super) fn table_excited(&self, system: &Network, omega: f64, moved: &[Complex<f64>]) -> TableExhibit {
         let at = |end: Option<usize>| end.map_or(Complex::ZERO, |node| moved[node]);
-        let row = |(n, link): (usize, &Link)| {
+        let row = |(n, link): (usize, &SpringDamper)| {
             let deflection = at(link.ends[0]) - at(link.ends[1]);
             let force = deflection * Complex::new(link.stiffness, link.damping * omega);
             vec![

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use dalembert_core::{Axis, Drawing, Ink, Plot, Refusal, Series, Sketch, Text, Worksheet};
 use dalembert_mechanics::{Real, vibration::swing};
 
-use super::Side;
+use super::CentreSide;
 use crate::sources::RAO;
 
 /// About one point: the moment of inertia about the centre of mass, and the radius of gyration.
@@ -71,7 +71,7 @@ pub(super) fn two_points<W: Worksheet>(
     mass: W::Num,
     distance: W::Num,
     periods: [W::Num; 2],
-    side: &Side,
+    side: &CentreSide,
     gravity: W::Num,
     sheet: W,
 ) -> Result<Centre<W::Num>, Refusal> {
@@ -86,8 +86,8 @@ pub(super) fn two_points<W: Worksheet>(
     let (first, second) = (reduced(1), reduced(2));
     let length = distance.value();
     let rest = match side {
-        Side::Between => 2.0 * length - first.value() - second.value(),
-        Side::Beyond => 2.0 * length - first.value() + second.value(),
+        CentreSide::Between => 2.0 * length - first.value() - second.value(),
+        CentreSide::Beyond => 2.0 * length - first.value() + second.value(),
     };
     if rest.abs() <= 1e-9 * length {
         return Err(Refusal::because(
@@ -95,7 +95,7 @@ pub(super) fn two_points<W: Worksheet>(
         ));
     }
     let [near, far] = match side {
-        Side::Between => {
+        CentreSide::Between => {
             let near = sheet.step(
                 ("h", 1),
                 "mm",
@@ -104,7 +104,7 @@ pub(super) fn two_points<W: Worksheet>(
             );
             [near, sheet.step(("h", 2), "mm", distance - near, "From the second point to the centre of mass")]
         }
-        Side::Beyond => {
+        CentreSide::Beyond => {
             let far = sheet.step(
                 ("h", 1),
                 "mm",

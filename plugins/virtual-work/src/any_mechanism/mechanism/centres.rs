@@ -6,7 +6,7 @@ use dalembert_core::{
     TableExhibit, Text,
     exhibit::{Cell, Column},
 };
-use dalembert_mechanics::planar::{Frame, InstantCentre};
+use dalembert_mechanics::planar::{BodyFrame, InstantCentre};
 
 use super::Solved;
 use crate::shared::parts::verbatim;
@@ -31,10 +31,10 @@ impl Solved<'_> {
         let against_ground = (0..bodies).map(|body| [None, Some(body)]);
         let others = if bodies > MOST_BODIES { 0 } else { bodies };
         let of_bodies = (0..others).flat_map(|a| (a + 1..bodies).map(move |b| [Some(a), Some(b)]));
-        let row = |parts: [Frame; 2]| {
+        let row = |parts: [BodyFrame; 2]| {
             let centre = self.system.instant_centre(parts, &self.state.positions, velocities);
             let [x, y, otherwise] = cells(centre, self.system.size());
-            let [one, other] = parts.map(|part| self.called(part));
+            let [one, other] = parts.map(|part| self.name_of(part));
             let pair = Text::new("{one} and {other}").with_text("one", one).with_text("other", other);
             vec![Cell::Text(pair), x, y, otherwise]
         };
@@ -52,7 +52,7 @@ impl Solved<'_> {
     }
 
     /// Name of a part.
-    pub(super) fn called(&self, part: Frame) -> Text {
+    pub(super) fn name_of(&self, part: BodyFrame) -> Text {
         part.map_or("the ground".into(), |body| verbatim(&self.parts.bodies[body].name))
     }
 }

@@ -4,13 +4,13 @@ use dalembert_core::{
     Axis, Exhibit, Plot, Series, TableExhibit, Text, Worksheet,
     exhibit::{Cell, Column},
 };
-use dalembert_mechanics::planar::Frame;
+use dalembert_mechanics::planar::BodyFrame;
 
 use super::{Sample, Solved};
 use crate::{
     shared::{
         built::{check_pin, turned},
-        parts::{Connection, Joint, Load, carried, verbatim},
+        parts::{Connection, Joint, PartLoad, carried, verbatim},
     },
     sources::HAUG,
 };
@@ -36,15 +36,15 @@ impl Solved<'_> {
                 "Force transmitted by {name}, by the equations of Newton and Euler, M q̈ = Q + Φ_qᵀ λ",
             );
             let why = (reason.with("name", &connection.name), HAUG.at("ch. 6"));
-            let force = sheet.found(("R", row + 1), "N", size, why);
+            let force = sheet.numerical(("R", row + 1), "N", size, why);
             sheet.answer(("reaction", row + 1), "Force in the joint", force);
-            sheet.whose(("reaction", row + 1), &connection.name);
+            sheet.row_label(("reaction", row + 1), &connection.name);
             if let Joint::Pin { .. } = connection.joint {
                 pins.extend(self.owners(row).map(|joint| (joint, connection.name.as_str(), force)));
             }
         }
         // Friction goes with the force in its joint, and has none in a joint that is released.
-        let is_smooth = !self.parts.loads.iter().any(|load| matches!(load.load, Load::Friction { .. }));
+        let is_smooth = !self.parts.loads.iter().any(|load| matches!(load.load, PartLoad::Friction { .. }));
         if determined && is_smooth {
             sheet.verify(|| {
                 for (joint, name, force) in pins.into_iter().take(MOST_CHECKED) {
@@ -60,7 +60,7 @@ impl Solved<'_> {
     }
 
     /// The parts between which a joint exerts forces, in the order of its points.
-    fn joined(&self, row: usize) -> Vec<Frame> {
+    fn joined(&self, row: usize) -> Vec<BodyFrame> {
         let mut parts = Vec::new();
         for part in self.owners(row).flat_map(|owner| self.system.connected_parts(owner)) {
             if !parts.contains(&part) {
@@ -76,7 +76,7 @@ impl Solved<'_> {
     }
 
     /// The force of a joint on a part, in the axes of the ground.
-    fn force_on(&self, part: Frame, row: usize, positions: &[[f64; 3]], multipliers: &[f64]) -> [f64; 2] {
+    fn force_on(&self, part: BodyFrame, row: usize, positions: &[[f64; 3]], multipliers: &[f64]) -> [f64; 2] {
         let largest = multipliers.iter().fold(0.0f64, |most, x| most.max(x.abs()));
         self.owners(row)
             .map(|owner| self.system.force_on(part, owner, positions, multipliers))
@@ -157,8 +157,8 @@ impl Solved<'_> {
     /// The forces of the pins and the shaking force over the range, each as the curve of its head from a fixed tail.
     pub(super) fn show_polar_diagrams<W: Worksheet>(&self, samples: &[Sample], sheet: W) {
         let pins = self.pins(samples);
-        let curve = |&(row, part): &(usize, Frame)| {
-            let label = Text::new("{name} on {body}").with_text("body", self.called(part));
+        let curve = |&(row, part): &(usize, BodyFrame)| {
+            let label = Text::new("{name} on {body}").with_text("body", self.name_of(part));
             let label = label.with("name", &self.parts.joints[row].name);
             polar(label, samples, |sample| self.force_at(sample, (row, part)))
         };
@@ -174,20 +174,21 @@ impl Solved<'_> {
     }
 
     /// The pins that have a diagram, each with the part whose force is shown: those on the ground first, with the ground.
-    fn pins(&self, samples: &[Sample]) -> Vec<(usize, Frame)> {
+    fn pins(&self, samples: &[Sample]) -> Vec<(usize, BodyFrame)> {
         let of_pin =
             |(row, connection): (usize, &Connection)| match (&connection.joint, &self.joined(row)[..]) {
                 (Joint::Pin { .. }, &[first, second]) => Some((row, first.and(second))),
                 _ => None,
             };
-        let mut pins: Vec<(usize, Frame)> = self.parts.joints.iter().enumerate().filter_map(of_pin).collect();
+        let mut pins: Vec<(usize, BodyFrame)> =
+            self.parts.joints.iter().enumerate().filter_map(of_pin).collect();
         pins.retain(|&pin| changes(samples, |sample| self.force_at(sample, pin)));
         pins.sort_by_key(|(_, part)| part.is_some());
         pins.truncate(MOST_PINS);
         pins
     }
 
-    fn force_at(&self, sample: &Sample, (row, part): (usize, Frame)) -> [f64; 2] {
+    fn force_at(&self, sample: &Sample, (row, part): (usize, BodyFrame)) -> [f64; 2] {
         self.force_on(part, row, &sample.state.positions, &sample.multipliers)
     }
 }

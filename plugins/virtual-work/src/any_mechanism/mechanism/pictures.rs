@@ -5,7 +5,7 @@ use dalembert_core::{
     exhibit::Point as At,
     exhibit::{Cell, Column},
 };
-use dalembert_mechanics::planar::{LoadId, Point, State};
+use dalembert_mechanics::planar::{BodyPoint, LoadId, PlanarState};
 
 use super::{Mechanism, Sample, Solved};
 use crate::shared::parts::{Driven, Joint, drawing::place, verbatim};
@@ -113,8 +113,8 @@ impl Solved<'_> {
     }
 
     /// The path of a point over the range.
-    fn path(&self, point: Point, (row, name): (usize, &str), samples: &[Sample]) -> Plot {
-        let at = |state: &State| {
+    fn path(&self, point: BodyPoint, (row, name): (usize, &str), samples: &[Sample]) -> Plot {
+        let at = |state: &PlanarState| {
             let [[x, y], ..] = self.system.point(point, state);
             (x, y)
         };
@@ -178,7 +178,7 @@ impl Solved<'_> {
                 samples.iter().map(at).collect()
             })
             .collect();
-        let frame = |state: &State| {
+        let frame = |state: &PlanarState| {
             let mut sketch = Sketch::default();
             for path in &paths {
                 sketch.curve(path.as_slice(), Ink::Faint);

@@ -4,7 +4,7 @@ use dalembert_core::{
     TableExhibit, Text,
     exhibit::{Cell, Column},
 };
-use dalembert_mechanics::planar::{Point, State};
+use dalembert_mechanics::planar::{BodyPoint, PlanarState};
 
 use super::{Sample, Solved};
 use crate::shared::parts::Joint;
@@ -13,19 +13,23 @@ use crate::shared::parts::Joint;
 const STILL: f64 = 1e-9;
 
 /// A link that can only push and pull along the line of its two pins, if nothing else loads it.
-pub(super) struct Link<'a> {
+pub(super) struct TwoForceLink<'a> {
     name: &'a str,
     /// The pin at each end, by its name and its point.
-    ends: [(&'a str, Point); 2],
+    ends: [(&'a str, BodyPoint); 2],
 }
 
 impl Solved<'_> {
     /// The transmission angle at both ends of each link: the acute angle between its line and the normal of the path of
     /// its pin, which is the line of the crank or rocker that the pin moves, `sin μ = |v·u|/|v|`.
-    pub(super) fn table_of_transmission(&self, links: &[Link<'_>], samples: &[Sample]) -> TableExhibit {
+    pub(super) fn table_of_transmission(
+        &self,
+        links: &[TwoForceLink<'_>],
+        samples: &[Sample],
+    ) -> TableExhibit {
         let velocities = self.dynamics.coefficients[0].clone();
-        let here = State { velocities, ..self.state.clone() };
-        let there: Vec<State> = samples.iter().filter_map(|sample| self.moving(sample)).collect();
+        let here = PlanarState { velocities, ..self.state.clone() };
+        let there: Vec<PlanarState> = samples.iter().filter_map(|sample| self.moving(sample)).collect();
         let mut rows = Vec::new();
         for link in links {
             let [(_, a), (_, b)] = link.ends;
@@ -55,7 +59,7 @@ impl Solved<'_> {
 
     /// Rods, and bodies that nothing but two pins holds, none of whose pins is on the ground; none where there are several
     /// drivers, since the pins have no paths of their own then.
-    pub(super) fn links(&self) -> Vec<Link<'_>> {
+    pub(super) fn links(&self) -> Vec<TwoForceLink<'_>> {
         if self.dynamics.coefficients.len() != 1 {
             return Vec::new();
         }
@@ -66,7 +70,7 @@ impl Solved<'_> {
             let names = [from, to].map(|end| self.parts.points[end.0].name.as_str());
             let ends = [(names[0], pin(from)), (names[1], pin(to))];
             if ends.iter().all(|(_, end)| end.on.is_some()) {
-                links.push(Link { name: &connection.name, ends });
+                links.push(TwoForceLink { name: &connection.name, ends });
             }
         }
         for (body, part) in self.parts.bodies.iter().enumerate() {
@@ -85,7 +89,7 @@ impl Solved<'_> {
                 }
             }
             if let (true, Ok(ends)) = (is_link, ends.try_into()) {
-                links.push(Link { name: &part.name, ends });
+                links.push(TwoForceLink { name: &part.name, ends });
             }
         }
         links
@@ -100,17 +104,17 @@ impl Solved<'_> {
     }
 
     /// A position with velocities: those of the virtual motion where the driver is at rest.
-    fn moving(&self, sample: &Sample) -> Option<State> {
+    fn moving(&self, sample: &Sample) -> Option<PlanarState> {
         if self.system.mechanism().drivers.iter().any(|driver| driver.velocity != 0.0) {
             return Some(sample.state.clone());
         }
         let (_, dynamics) = self.system.kinetostatics(&sample.state.positions).ok()?;
         let velocities = dynamics.coefficients.into_iter().next()?;
-        Some(State { velocities, ..sample.state.clone() })
+        Some(PlanarState { velocities, ..sample.state.clone() })
     }
 
     /// The transmission angle at the first of two points of a link; none where it is at rest.
-    fn transmission(&self, ends: [Point; 2], state: &State) -> Option<f64> {
+    fn transmission(&self, ends: [BodyPoint; 2], state: &PlanarState) -> Option<f64> {
         let [[at, velocity, _], [other, ..]] = ends.map(|end| self.system.point(end, state));
         let size = |[x, y, turn]: &[f64; 3]| x.hypot(*y).max(turn.abs() * self.system.size());
         let fastest = state.velocities.iter().map(size).fold(0.0, f64::max);

@@ -1,16 +1,16 @@
 //! The balance of virtual power of a mechanism, load by load, and what Newton and Euler say to it.
 
-use dalembert_core::{Symbol, Text, Why, Worksheet};
+use dalembert_core::{Reason, Symbol, Text, Worksheet};
 use dalembert_mechanics::{
     Real,
-    planar::{LoadId, Measure, Point, State},
+    planar::{BodyPoint, LoadId, PlanarState, RelativeCoordinate},
     work,
 };
 use nalgebra::{Rotation2, Vector2, Vector3};
 
 use super::{MechanismGiven, Solved};
 use crate::{
-    shared::parts::{Carrier, Driven, Load, LoadGiven},
+    shared::parts::{Driven, PartLoad, PartLoadGiven, PartReference},
     sources::RIUL,
 };
 
@@ -45,12 +45,12 @@ impl Solved<'_> {
             let row = driver + 1;
             let why = (Text::new(reason).with("name", &drive.name), RIUL.at("eq. 5"));
             let effort = if works.is_empty() {
-                sheet.found(("T", row), per.effort, 0.0, why)
+                sheet.numerical(("T", row), per.effort, 0.0, why)
             } else {
                 sheet.step(("T", row), per.effort, -<W::Num as Real>::sum(works), why)
             };
             sheet.answer(("effort", row), "Driving force or torque", effort);
-            sheet.whose(("effort", row), &drive.name);
+            sheet.row_label(("effort", row), &drive.name);
             sheet.verify(|| {
                 let largest = powers.iter().fold(0.0f64, |most, p| most.max(p.generalised[driver].abs()));
                 sheet.check_zero(
@@ -98,50 +98,52 @@ impl Solved<'_> {
             if self.parts.drivers.len() > 1 { symbol.row(driver + 1) } else { symbol }
         };
         let name = self.name(of);
-        let why = |reason: &'static str| Why { reason: Text::new(reason).with("name", name), cite: None };
-        let moved = State { velocities: self.dynamics.coefficients[driver].clone(), ..self.state.clone() };
-        let way = |point: Point, reason: &'static str| {
+        let why = |reason: &'static str| Reason { reason: Text::new(reason).with("name", name), cite: None };
+        let moved =
+            PlanarState { velocities: self.dynamics.coefficients[driver].clone(), ..self.state.clone() };
+        let way = |point: BodyPoint, reason: &'static str| {
             let [_, [x, y], _] = self.system.point(point, &moved);
-            sheet.found_vector(symbol("u"), per.length, Vector3::new(x, y, 0.0), why(reason))
+            sheet.numerical_vector(symbol("u"), per.length, Vector3::new(x, y, 0.0), why(reason))
         };
-        let rate = |measure: &Measure| {
+        let rate = |measure: &RelativeCoordinate| {
             let unit = if measure.is_angle() { per.angle } else { per.length };
             let reason = if measure.is_angle() {
                 "Rotation of {name} per unit displacement of the driver"
             } else {
                 "Elongation of {name} per unit displacement of the driver"
             };
-            sheet.found(symbol("u"), unit, self.system.rate(measure, &moved), why(reason))
+            sheet.numerical(symbol("u"), unit, self.system.rate(measure, &moved), why(reason))
         };
-        let power = Why {
+        let power = Reason {
             reason: Text::new("Virtual power of {name}").with("name", name),
             cite: Some(RIUL.at("eqs. 1, 5")),
         };
-        let of_force = |force: W::Vec, way: W::Vec, power: Why| {
+        let of_force = |force: W::Vec, way: W::Vec, power: Reason| {
             sheet.step(symbol("W"), per.effort, work::force_power(force, way), power)
         };
-        let of_effort = |effort: W::Num, rate: W::Num, power: Why| {
+        let of_effort = |effort: W::Num, rate: W::Num, power: Reason| {
             sheet.step(symbol("W"), per.effort, effort * rate, power)
         };
         const OF_CENTRE: &str =
             "Displacement of the centre of mass of {name} per unit displacement of the driver";
         match of {
             LoadId::Weight(body) => {
-                let way = way(Point::body(body, [0.0; 2]), OF_CENTRE);
+                let way = way(BodyPoint::body(body, [0.0; 2]), OF_CENTRE);
                 let weight = work::weight(given.bodies[body].mass, given.gravity);
                 of_force(sheet.step_vector(symbol("F"), "N", weight, why("Weight of {name}")), way, power)
             }
             LoadId::InertiaForce(body) => {
-                let way = way(Point::body(body, [0.0; 2]), OF_CENTRE);
+                let way = way(BodyPoint::body(body, [0.0; 2]), OF_CENTRE);
                 let [x, y, _] = self.state.accelerations[body];
                 let reason = why("Acceleration of the centre of mass of {name}");
-                let acceleration = sheet.found_vector(symbol("a"), "m/s^2", Vector3::new(x, y, 0.0), reason);
+                let acceleration =
+                    sheet.numerical_vector(symbol("a"), "m/s^2", Vector3::new(x, y, 0.0), reason);
                 let force = work::inertia_force(given.bodies[body].mass, acceleration);
                 let reason = why("Inertia force of {name}, opposite to the acceleration");
                 of_force(sheet.step_vector(symbol("F"), "N", force, reason), way, power)
             }
             LoadId::InertiaCouple(body) => {
-                let turning = rate(&Measure::Angle { of: Some(body), against: None });
+                let turning = rate(&RelativeCoordinate::Angle { of: Some(body), against: None });
                 let couple = -(given.bodies[body].inertia * angular[body]);
                 let reason = why("Inertia couple of {name}, opposite to the angular acceleration");
                 of_effort(sheet.step(symbol("M"), "N*m", couple, reason), turning, power)
@@ -153,55 +155,55 @@ impl Solved<'_> {
                     (measure, value, self.system.rate(&measure, self.state))
                 });
                 match (described, &given.loads[load].load, measured) {
-                    (Load::Force { at, axes, force: typed }, LoadGiven::Force { force, .. }, _) => {
+                    (PartLoad::Force { at, axes, force: typed }, PartLoadGiven::Force { force, .. }, _) => {
                         let reason =
                             "Displacement of the point of {name} per unit displacement of the driver";
                         let way = way(self.parts.point(*at), reason);
                         let force = match axes {
-                            Carrier::Ground => *force,
-                            Carrier::Body { body } => {
+                            PartReference::Ground => *force,
+                            PartReference::Body { body } => {
                                 let turned = Rotation2::new(self.state.positions[body.0][2])
                                     * Vector2::new(typed.x, typed.y);
                                 let reason =
                                     why("Force {name}, rotated with the body in whose axes it is given");
-                                sheet.found_vector(symbol("F"), "N", turned.push(0.0), reason)
+                                sheet.numerical_vector(symbol("F"), "N", turned.push(0.0), reason)
                             }
                         };
                         of_force(force, way, power)
                     }
-                    (_, LoadGiven::Couple { moment, .. }, Some((measure, ..))) => {
+                    (_, PartLoadGiven::Couple { moment, .. }, Some((measure, ..))) => {
                         of_effort(*moment, rate(&measure), power)
                     }
-                    (_, LoadGiven::Thrust { force }, Some((measure, ..))) => {
+                    (_, PartLoadGiven::Thrust { force }, Some((measure, ..))) => {
                         of_effort(*force, rate(&measure), power)
                     }
-                    (_, LoadGiven::Spring { stiffness, free }, Some((measure, value, _))) => {
-                        let length = sheet.found(symbol("L"), "mm", value, why("Length of {name}"));
+                    (_, PartLoadGiven::Spring { stiffness, free }, Some((measure, value, _))) => {
+                        let length = sheet.numerical(symbol("L"), "mm", value, why("Length of {name}"));
                         let reason = why("Force of {name}, positive when it pushes its ends apart");
                         let force = -(*stiffness * (length - *free));
                         of_effort(sheet.step(symbol("F"), "N", force, reason), rate(&measure), power)
                     }
-                    (_, LoadGiven::TorsionSpring { stiffness, free, .. }, Some((measure, value, _))) => {
-                        let angle = sheet.found(symbol("φ"), "deg", value, why("Angle at {name}"));
+                    (_, PartLoadGiven::TorsionSpring { stiffness, free, .. }, Some((measure, value, _))) => {
+                        let angle = sheet.numerical(symbol("φ"), "deg", value, why("Angle at {name}"));
                         let couple = -(*stiffness * (angle - *free));
                         let couple = sheet.step(symbol("M"), "N*m", couple, why("Couple of {name}"));
                         of_effort(couple, rate(&measure), power)
                     }
-                    (_, LoadGiven::Damper { coefficient }, Some((measure, _, velocity))) => {
+                    (_, PartLoadGiven::Damper { coefficient }, Some((measure, _, velocity))) => {
                         let reason = why("Rate of extension of {name}");
-                        let velocity = sheet.found(symbol("v"), "m/s", velocity, reason);
+                        let velocity = sheet.numerical(symbol("v"), "m/s", velocity, reason);
                         let reason = why("Force of {name}, positive when it pushes its ends apart");
                         let force = sheet.step(symbol("F"), "N", -(*coefficient * velocity), reason);
                         of_effort(force, rate(&measure), power)
                     }
                     (
-                        &Load::Gas { area, pressure, column, exponent, ambient, .. },
+                        &PartLoad::Gas { area, pressure, column, exponent, ambient, .. },
                         _,
                         Some((measure, value, _)),
                     ) => {
                         let force = area * (pressure * (column / value).powf(exponent) - ambient);
                         let reason = why("Force of the gas of {name}, A (p₁ (L₁/L)ⁿ − p₀)");
-                        of_effort(sheet.found(symbol("F"), "N", force, reason), rate(&measure), power)
+                        of_effort(sheet.numerical(symbol("F"), "N", force, reason), rate(&measure), power)
                     }
                     _ => {
                         let reason = why(
@@ -209,7 +211,7 @@ impl Solved<'_> {
                         );
                         let found = self.dynamics.powers.iter().find(|power| power.of == of);
                         let si = found.map_or(0.0, |power| power.generalised[driver]);
-                        sheet.found(symbol("W"), per.effort, si, reason)
+                        sheet.numerical(symbol("W"), per.effort, si, reason)
                     }
                 }
             }

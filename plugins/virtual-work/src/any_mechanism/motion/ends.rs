@@ -1,13 +1,13 @@
 //! Terminal events of a motion.
 
 use dalembert_core::{Inputs, Reference, Refusal, Text};
-use dalembert_mechanics::planar::{Event, Measure, Snapshot, Trajectory};
+use dalembert_mechanics::planar::{Event, RelativeCoordinate, Snapshot, Trajectory};
 
 use crate::shared::parts::{Part, Parts};
 
 /// Terminal event of a motion.
 #[derive(Clone, Debug, Inputs)]
-pub enum Ends {
+pub enum MechanismEvent {
     /// Nothing
     Nothing,
     /// A body reaches an angle
@@ -49,21 +49,23 @@ pub enum Ends {
     },
 }
 
-impl Ends {
+impl MechanismEvent {
     pub(super) fn end(&self, parts: &Parts<'_>) -> Option<Event> {
-        let angle = |body: Reference| Measure::Angle { of: Some(body.0), against: None };
+        let angle = |body: Reference| RelativeCoordinate::Angle { of: Some(body.0), against: None };
         match *self {
-            Ends::Nothing => None,
-            Ends::Angle { body, value } => Some(Event::Reaches(angle(body), value)),
-            Ends::Rest { body } => Some(Event::Rests(angle(body))),
-            Ends::Distance { from, to, value } => Some(Event::Reaches(parts.distance(from, to), value)),
-            Ends::Still { from, to } => Some(Event::Rests(parts.distance(from, to))),
+            MechanismEvent::Nothing => None,
+            MechanismEvent::Angle { body, value } => Some(Event::Reaches(angle(body), value)),
+            MechanismEvent::Rest { body } => Some(Event::Rests(angle(body))),
+            MechanismEvent::Distance { from, to, value } => {
+                Some(Event::Reaches(parts.distance(from, to), value))
+            }
+            MechanismEvent::Still { from, to } => Some(Event::Rests(parts.distance(from, to))),
         }
     }
 
     /// Refuses the rest of a body that keeps its angle: the zeros of its angular velocity are those of rounding.
-    pub(super) fn means_something(&self, moved: &Trajectory, bodies: &[Part]) -> Result<(), Refusal> {
-        let (Ends::Rest { body }, Some(_)) = (self, moved.ended) else { return Ok(()) };
+    pub(super) fn check_relevance(&self, moved: &Trajectory, bodies: &[Part]) -> Result<(), Refusal> {
+        let (MechanismEvent::Rest { body }, Some(_)) = (self, moved.ended) else { return Ok(()) };
         let angle = |moment: &Snapshot| moment.state.positions[body.0][2];
         let start = moved.samples.first().map_or(0.0, angle);
         if moved.samples.iter().any(|moment| (angle(moment) - start).abs() > 1e-9) {

@@ -3,15 +3,20 @@
 use dalembert_core::{Text, Worksheet};
 use dalembert_mechanics::{
     Real,
-    planar::{self, Contact, Frame, JointFriction, Run, State},
+    planar::{self, BodyFrame, Contact, JointFriction, PlanarRun, PlanarState},
 };
 
 use super::{DOUBTFUL, ROUNDINGS, STEPS, Solved, WRONG};
-use crate::shared::parts::Load;
+use crate::shared::parts::PartLoad;
 
 impl Solved<'_> {
     /// Answers the sliding velocity of a joint with friction at the end.
-    pub(super) fn sliding<W: Worksheet>(&self, joint_friction: &JointFriction, shown: &State, sheet: W) {
+    pub(super) fn sliding<W: Worksheet>(
+        &self,
+        joint_friction: &JointFriction,
+        shown: &PlanarState,
+        sheet: W,
+    ) {
         let row = joint_friction.load + 1;
         let name = &self.parts.loads[joint_friction.load].name;
         let (reason, sliding) = match joint_friction.contact {
@@ -22,10 +27,10 @@ impl Solved<'_> {
         };
         let unit = if joint_friction.pin { "rad/s" } else { "m/s" };
         let why = Text::new(reason).with("name", name);
-        let sliding = sheet.found(("u", row), unit, sliding, why);
+        let sliding = sheet.numerical(("u", row), unit, sliding, why);
         sheet.answer(("sliding", row), "Sliding velocity against friction at the end", sliding);
-        sheet.whose(("sliding", row), name);
-        let (Contact::Sliding { .. }, Load::Friction { joint, .. }) =
+        sheet.row_label(("sliding", row), name);
+        let (Contact::Sliding { .. }, PartLoad::Friction { joint, .. }) =
             (joint_friction.contact, &self.parts.loads[joint_friction.load].load)
         else {
             return;
@@ -33,11 +38,13 @@ impl Solved<'_> {
         let joints = &self.system.mechanism().joints;
         let Some(owner) = self.rows.iter().position(|row| *row == joint.0) else { return };
         sheet.verify(|| {
-            let turn = |part: Frame| part.map_or(0.0, |body| shown.velocities[body][2]);
+            let turn = |part: BodyFrame| part.map_or(0.0, |body| shown.velocities[body][2]);
             let (again, size) = match joints[owner] {
-                planar::Joint::Pin { a, b } => (turn(b.on) - turn(a.on), turn(b.on).abs() + turn(a.on).abs()),
-                planar::Joint::Slider { guide, direction, slides: at, .. }
-                | planar::Joint::Slot { guide, direction, pin: at, .. } => {
+                planar::PlanarJoint::Pin { a, b } => {
+                    (turn(b.on) - turn(a.on), turn(b.on).abs() + turn(a.on).abs())
+                }
+                planar::PlanarJoint::Slider { guide, direction, slides: at, .. }
+                | planar::PlanarJoint::Slot { guide, direction, pin: at, .. } => {
                     let [[start, of_start, _], [end, of_end, _]] =
                         [guide, at].map(|point| self.system.point(point, shown));
                     let tilt = direction + guide.on.map_or(0.0, |body| shown.positions[body][2]);
@@ -63,7 +70,7 @@ impl Solved<'_> {
         let (samples, Some(last)) = (&self.moved.samples, self.moved.samples.last()) else { return };
         let before = samples.iter().rev().find(|moment| moment.time < last.time * (1.0 - 1e-3));
         let (true, Some(before)) = (goes_on, before) else { return };
-        let run = Run {
+        let run = PlanarRun {
             duration: time - before.time,
             tolerance: self.tolerance,
             samples: 2,
@@ -71,7 +78,7 @@ impl Solved<'_> {
             most_steps: STEPS,
             cancelled: &|| sheet.keep_going().is_err(),
         };
-        let State { positions, velocities, .. } = &before.state;
+        let PlanarState { positions, velocities, .. } = &before.state;
         let Ok(again) = self.system.simulate(positions, velocities, &run) else { return };
         let Some(again) = again.samples.last() else { return };
         let arm = self.system.size();
@@ -97,14 +104,14 @@ impl Solved<'_> {
         let rounding = f64::EPSILON * stored;
         size = size.max(rounding);
         let last = self.moved.samples.last().unwrap_or(first);
-        let gained = sheet.found(
+        let gained = sheet.numerical(
             "V",
             "J",
             self.without_error(last.stored - start, size),
             "Energy gained by weights, springs and constant forces since the start",
         );
         sheet.answer("stored_energy", "Energy stored since the start", gained);
-        let work = sheet.found(
+        let work = sheet.numerical(
             "W",
             "J",
             last.work,

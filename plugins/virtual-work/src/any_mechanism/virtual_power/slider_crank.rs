@@ -11,12 +11,12 @@ use dalembert_mechanics::{Real, Vector, slider_crank as loops};
 use nalgebra::Vector3;
 
 use self::compared::Compared;
-use super::{BodyGiven, VirtualPower, VirtualPowerGiven};
+use super::{MovingBodyGiven, VirtualPower, VirtualPowerGiven};
 use crate::sources::SHIGLEY;
 
 /// A slider-crank whose slider moves along x.
 #[derive(Clone, Debug, Inputs)]
-pub struct SliderCrank {
+pub struct GivenSliderCrank {
     /// Geometry.
     pub geometry: Geometry,
     /// Angular velocity of the crank.
@@ -85,8 +85,8 @@ struct Loop<N> {
 pub(super) fn hold_against_closure<W: Worksheet>(
     problem: &VirtualPower,
     given: &VirtualPowerGiven<W>,
-    mechanism: &SliderCrank,
-    given_mechanism: &SliderCrankGiven<W>,
+    mechanism: &GivenSliderCrank,
+    given_mechanism: &GivenSliderCrankGiven<W>,
     sheet: W,
 ) {
     let (rod, slider) = (&given.bodies[mechanism.rod.0], &given.bodies[mechanism.slider.0]);
@@ -111,8 +111,8 @@ pub(super) fn hold_against_closure<W: Worksheet>(
 
 /// The lengths, angles and angular velocities of the closed loop, or why it does not close.
 fn close_loop<W: Worksheet>(
-    given: &SliderCrankGiven<W>,
-    slider: &BodyGiven<W>,
+    given: &GivenSliderCrankGiven<W>,
+    slider: &MovingBodyGiven<W>,
     sheet: W,
 ) -> Result<Loop<W::Num>, &'static str> {
     let crank_speed = given.crank_speed;
@@ -178,10 +178,10 @@ fn close_loop<W: Worksheet>(
 
 /// Holds the velocities against the loop, and the accelerations too where any are given.
 fn compare<W: Worksheet>(
-    given_mechanism: &SliderCrankGiven<W>,
+    given_mechanism: &GivenSliderCrankGiven<W>,
     closed: Loop<W::Num>,
-    given_rod: &BodyGiven<W>,
-    given_slider: &BodyGiven<W>,
+    given_rod: &MovingBodyGiven<W>,
+    given_slider: &MovingBodyGiven<W>,
     sheet: W,
 ) -> Vec<Compared> {
     let Loop { crank, rod, crank_angle, rod_angle, crank_speed, rod_speed } = closed;
@@ -271,7 +271,7 @@ fn compare<W: Worksheet>(
 /// are, the other way round.
 fn angular_accelerations<W: Worksheet>(
     given_rod_acceleration: W::Num,
-    given_mechanism: &SliderCrankGiven<W>,
+    given_mechanism: &GivenSliderCrankGiven<W>,
     closed: Loop<W::Num>,
     compared: &mut Vec<Compared>,
     sheet: W,

@@ -3,7 +3,7 @@
 use dalembert_core::{Refusal, Worksheet};
 use dalembert_mechanics::Real;
 
-use crate::shared::equilibria::{Equilibrium, answer_equilibria};
+use crate::shared::equilibria::{WorkedEquilibrium, answer_equilibria};
 
 /// Geometry of the spring: `u = stretch²/2`, so that its energy is `k u`.
 #[derive(Clone, Copy, Debug)]
@@ -27,7 +27,7 @@ pub(super) enum Height<N> {
 
 /// `V = k u(θ) + M h(θ)`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Law<N> {
+pub(super) struct PotentialLaw<N> {
     pub(super) geometry: Geometry<N>,
     pub(super) height: Height<N>,
 }
@@ -80,8 +80,8 @@ impl<N: Real> Height<N> {
     }
 }
 
-impl<N: Real> Law<N> {
-    pub(super) fn value(&self) -> Law<f64> {
+impl<N: Real> PotentialLaw<N> {
+    pub(super) fn value(&self) -> PotentialLaw<f64> {
         let free = |free: Option<N>| free.map(Real::value);
         let geometry = match self.geometry {
             Geometry::Torsion { free: at } => Geometry::Torsion { free: free(at) },
@@ -101,7 +101,7 @@ impl<N: Real> Law<N> {
             Height::Tilted(tilt) => Height::Tilted(tilt.value()),
             Height::Couple => Height::Couple,
         };
-        Law { geometry, height }
+        PotentialLaw { geometry, height }
     }
 
     /// `u`, `u′` and `u″` at an angle, with the lengths of a spring between points.
@@ -177,7 +177,7 @@ impl<N: Real> Law<N> {
         moment: N,
         range: [f64; 2],
         sheet: W,
-    ) -> Result<(Vec<Equilibrium>, Vec<N>), Refusal> {
+    ) -> Result<(Vec<WorkedEquilibrium>, Vec<N>), Refusal> {
         let numbers = self.value();
         answer_equilibria(
             sheet,
@@ -188,7 +188,7 @@ impl<N: Real> Law<N> {
     }
 }
 
-impl Law<f64> {
+impl PotentialLaw<f64> {
     /// `u`, `u′` and `u″`.
     pub(super) fn plain_spring(&self, angle: f64) -> [f64; 3] {
         let lengths = match self.geometry {

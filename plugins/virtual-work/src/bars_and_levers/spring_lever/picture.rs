@@ -3,64 +3,84 @@
 use std::f64::consts::FRAC_PI_2;
 
 use dalembert_core::{Axis, Exhibit, Ink, Plot, Series, Sketch, Text, exhibit::Point as At};
-use dalembert_mechanics::planar::{Body, Driver, Effort, Joint, Load as Acting, Measure, Mechanism, Point};
+use dalembert_mechanics::planar::{
+    BodyPoint, Driver, Effort, PlanarBody, PlanarJoint, PlanarLoad as Acting, PlanarMechanism,
+    RelativeCoordinate,
+};
 
-use super::{Geometry, Height, Law, Load, Spring, SpringLever, Start};
+use super::{ArmLoad, ArmPosition, ArmSpring, Geometry, Height, PotentialLaw, SpringLever};
 use crate::shared::equilibria::{animation, down, spread};
 
 impl SpringLever {
     /// Angle of the arm from the upright position, clockwise, at θ = 0.
     fn tilt(&self) -> f64 {
         match self.reference {
-            Start::Upright => 0.0,
-            Start::Horizontal => FRAC_PI_2,
-            Start::Hanging => 2.0 * FRAC_PI_2,
-            Start::Tilted { tilt } => tilt,
+            ArmPosition::Upright => 0.0,
+            ArmPosition::Horizontal => FRAC_PI_2,
+            ArmPosition::Hanging => 2.0 * FRAC_PI_2,
+            ArmPosition::Tilted { tilt } => tilt,
         }
     }
 
     fn arm(&self) -> f64 {
         match (&self.load, &self.spring) {
-            (Load::Mass { arm, .. } | Load::Force { arm, .. }, _) => *arm,
-            (_, Spring::Drum { radius, .. }) => 2.0 * radius,
-            (_, Spring::Points { on_arm, .. }) => *on_arm,
-            (_, Spring::Sides { height, .. }) => *height,
-            (_, Spring::Torsion { .. }) => 1.0,
+            (ArmLoad::Mass { arm, .. } | ArmLoad::Force { arm, .. }, _) => *arm,
+            (_, ArmSpring::Drum { radius, .. }) => 2.0 * radius,
+            (_, ArmSpring::Points { on_arm, .. }) => *on_arm,
+            (_, ArmSpring::Sides { height, .. }) => *height,
+            (_, ArmSpring::Torsion { .. }) => 1.0,
         }
     }
 
     /// The arm as a plane mechanism of one body, held at an angle.
-    pub(super) fn built(&self, law: &Law<f64>, k: f64, moment: f64, at: f64) -> (Mechanism, Vec<[f64; 3]>) {
+    pub(super) fn built(
+        &self,
+        law: &PotentialLaw<f64>,
+        k: f64,
+        moment: f64,
+        at: f64,
+    ) -> (PlanarMechanism, Vec<[f64; 3]>) {
         let start = FRAC_PI_2 - self.tilt();
-        let angle = Measure::Angle { of: Some(0), against: None };
+        let angle = RelativeCoordinate::Angle { of: Some(0), against: None };
         let arm = self.arm();
         let load = if matches!(law.height, Height::Couple) {
             Acting::Effort { measure: angle, effort: Effort::Constant(-moment) }
         } else {
-            down(Point::body(0, [arm, 0.0]), moment / arm)
+            down(BodyPoint::body(0, [arm, 0.0]), moment / arm)
         };
         let (measure, stiffness, free) = match (&self.spring, law.geometry) {
             (_, Geometry::Torsion { free }) => (angle, k, start - free.unwrap_or(0.0)),
             (_, Geometry::Drum { radius, free }) => (angle, k * radius * radius, start - free.unwrap_or(0.0)),
             (_, Geometry::Sides { height }) => {
                 let direction = [self.tilt().cos(), -self.tilt().sin()];
-                let on_arm = Point::body(0, [height, 0.0]);
-                (Measure::Component { direction, from: Point::ground([0.0; 2]), to: on_arm }, 2.0 * k, 0.0)
+                let on_arm = BodyPoint::body(0, [height, 0.0]);
+                (
+                    RelativeCoordinate::Component {
+                        direction,
+                        from: BodyPoint::ground([0.0; 2]),
+                        to: on_arm,
+                    },
+                    2.0 * k,
+                    0.0,
+                )
             }
             (
-                Spring::Points { on_arm_angle, fixed_angle, .. },
+                ArmSpring::Points { on_arm_angle, fixed_angle, .. },
                 Geometry::Points { on_arm, fixed, free, .. },
             ) => {
                 let (gamma, delta) = (-on_arm_angle, start - fixed_angle);
-                let on_arm = Point::body(0, [on_arm * gamma.cos(), on_arm * gamma.sin()]);
-                let fixed = Point::ground([fixed * delta.cos(), fixed * delta.sin()]);
-                (Measure::Distance { from: fixed, to: on_arm }, k, free)
+                let on_arm = BodyPoint::body(0, [on_arm * gamma.cos(), on_arm * gamma.sin()]);
+                let fixed = BodyPoint::ground([fixed * delta.cos(), fixed * delta.sin()]);
+                (RelativeCoordinate::Distance { from: fixed, to: on_arm }, k, free)
             }
             (_, Geometry::Points { .. }) => unreachable!("the geometry is that of this spring"),
         };
-        let mechanism = Mechanism {
-            bodies: vec![Body::default()],
-            joints: vec![Joint::Pin { a: Point::ground([0.0; 2]), b: Point::body(0, [0.0; 2]) }],
+        let mechanism = PlanarMechanism {
+            bodies: vec![PlanarBody::default()],
+            joints: vec![PlanarJoint::Pin {
+                a: BodyPoint::ground([0.0; 2]),
+                b: BodyPoint::body(0, [0.0; 2]),
+            }],
             drivers: vec![Driver { measure: angle, value: start - at, velocity: 0.0, acceleration: 0.0 }],
             loads: vec![load, Acting::Effort { measure, effort: Effort::Spring { stiffness, free } }],
             gravity: [0.0; 2],
@@ -83,10 +103,10 @@ impl SpringLever {
         let mut sketch = Sketch::default();
         sketch.size(2.0 * arm).axis(o, polar(1.1 * arm, self.tilt()));
         match &self.spring {
-            Spring::Torsion { .. } => {
+            ArmSpring::Torsion { .. } => {
                 sketch.torsion_spring("k", o, FRAC_PI_2 - turned);
             }
-            Spring::Drum { radius, .. } => {
+            ArmSpring::Drum { radius, .. } => {
                 let bottom = -1.3 * arm;
                 let wound = (radius * angle).max(-0.4 * arm).min(0.4 * arm) - 0.5 * arm;
                 sketch
@@ -95,12 +115,12 @@ impl SpringLever {
                     .spring("k", (-radius, bottom), (-radius, wound))
                     .ground((-radius - 0.2 * arm, bottom), (0.2 * arm - radius, bottom));
             }
-            Spring::Points { on_arm, on_arm_angle, fixed, fixed_angle, .. } => {
+            ArmSpring::Points { on_arm, on_arm_angle, fixed, fixed_angle, .. } => {
                 let (end, fixed) =
                     (polar(*on_arm, turned + on_arm_angle), polar(*fixed, self.tilt() + fixed_angle));
                 sketch.bars([o, end]).spring("k", fixed, end).pin("", fixed);
             }
-            Spring::Sides { height, .. } => {
+            ArmSpring::Sides { height, .. } => {
                 let end = polar(*height, turned);
                 let across = polar(1.2 * arm, self.tilt() + FRAC_PI_2);
                 let foot = polar(*height, self.tilt());
@@ -113,9 +133,9 @@ impl SpringLever {
         sketch.link("", o, tip).pin("", o).label("θ", polar(0.5 * arm, self.tilt() + angle / 2.0));
         let below = (tip.0, tip.1 - 0.4 * arm);
         match &self.load {
-            Load::Mass { .. } => sketch.particle("", tip).force("W", tip, below),
-            Load::Force { .. } => sketch.force("P", tip, below),
-            Load::Couple { .. } => sketch.couple("M", o, (2.4, 0.3), Ink::Force),
+            ArmLoad::Mass { .. } => sketch.particle("", tip).force("W", tip, below),
+            ArmLoad::Force { .. } => sketch.force("P", tip, below),
+            ArmLoad::Couple { .. } => sketch.couple("M", o, (2.4, 0.3), Ink::Force),
         };
         sketch
     }
@@ -123,7 +143,7 @@ impl SpringLever {
 
 /// The load that the spring holds at each angle, in equilibrium.
 pub(super) fn load_over_angle(
-    law: &Law<f64>,
+    law: &PotentialLaw<f64>,
     k: f64,
     arm: Option<f64>,
     moment: Option<f64>,

@@ -7,24 +7,24 @@ use dalembert_mechanics::{
     Real,
     slider_crank::{
         CrankMotion,
-        cycle::Cycle,
-        engine::{Engine as Kernel, Forces, Model, PistonMotion},
+        cycle::TorqueCycle,
+        engine::{EngineCylinder as Kernel, Forces, PistonFormula, PistonMotion},
         gas::{self, Corners, Diagram},
     },
 };
 use dalembert_numerics::{gauss_legendre, roots};
 
-use super::{Engine, Gas, forces::Problem, gas::Cylinder};
+use super::{Engine, Gas, forces::EngineProblem, gas::GasCycle};
 use crate::shared::flywheel::FlywheelInertiaGiven;
 
 /// The cycle at a steady speed.
 pub(super) struct Turned {
-    pub cycle: Cycle,
+    pub cycle: TorqueCycle,
     pub period: f64,
 }
 
 /// The forces at a crank angle of a cycle: that of the gas, and all others.
-pub(super) fn at(kernel: &Kernel, gas: Option<&Cylinder>, crank: CrankMotion) -> (f64, Forces) {
+pub(super) fn at(kernel: &Kernel, gas: Option<&GasCycle>, crank: CrankMotion) -> (f64, Forces) {
     let motion = kernel.motion(crank);
     let fraction = motion.displacement / kernel.stroke();
     let force = gas.map_or(0.0, |gas| gas.force(crank.angle, fraction, motion.arm >= 0.0));
@@ -34,9 +34,9 @@ pub(super) fn at(kernel: &Kernel, gas: Option<&Cylinder>, crank: CrankMotion) ->
 /// Mean, extremes and fluctuation, where the force of the gas is known all over the cycle.
 pub(super) fn cycle<W: Worksheet>(
     problem: &Engine,
-    of: &Problem<'_, W>,
+    of: &EngineProblem<'_, W>,
     kernel: &Kernel,
-    gas: Option<&Cylinder>,
+    gas: Option<&GasCycle>,
     speed: W::Num,
     sheet: W,
 ) -> Result<Option<Turned>, Refusal> {
@@ -48,7 +48,7 @@ pub(super) fn cycle<W: Worksheet>(
     let steady = |angle: f64| CrankMotion { angle, speed: speed.value(), acceleration: 0.0 };
     let moment = |angle: f64| at(kernel, gas, steady(angle)).1.moment;
     let corners = corners(kernel, gas, turns);
-    let cycle = Cycle::of(moment, period, &corners);
+    let cycle = TorqueCycle::of(moment, period, &corners);
     sheet.keep_going()?;
     let size = cycle.largest.1.abs().max(cycle.least.1.abs());
     if !size.is_finite() {
@@ -56,17 +56,19 @@ pub(super) fn cycle<W: Worksheet>(
             "the turning moment over the cycle cannot be represented: check the inputs",
         ));
     }
-    let mean = sheet.found(
+    let mean = sheet.numerical(
         "T_m",
         "N*m",
         cycle.mean,
         "Mean turning moment at constant speed, integrated over the cycle",
     );
-    let most = sheet.found("T_max", "N*m", cycle.largest.1, "Maximum turning moment of the cycle");
-    let most_at = sheet.found("θ_max", "deg", cycle.largest.0, "Crank angle at the maximum turning moment");
-    let least = sheet.found("T_min", "N*m", cycle.least.1, "Minimum turning moment of the cycle");
-    let least_at = sheet.found("θ_min", "deg", cycle.least.0, "Crank angle at the minimum turning moment");
-    let rms = sheet.found("T_rms", "N*m", cycle.rms, "Root mean square of the turning moment");
+    let most = sheet.numerical("T_max", "N*m", cycle.largest.1, "Maximum turning moment of the cycle");
+    let most_at =
+        sheet.numerical("θ_max", "deg", cycle.largest.0, "Crank angle at the maximum turning moment");
+    let least = sheet.numerical("T_min", "N*m", cycle.least.1, "Minimum turning moment of the cycle");
+    let least_at =
+        sheet.numerical("θ_min", "deg", cycle.least.0, "Crank angle at the minimum turning moment");
+    let rms = sheet.numerical("T_rms", "N*m", cycle.rms, "Root mean square of the turning moment");
     sheet.answer("mean_moment", "Mean turning moment over the cycle", mean);
     sheet.answer("greatest_moment", "Maximum turning moment", most);
     sheet.answer("greatest_moment_angle", "Crank angle at the maximum turning moment", most_at);
@@ -78,7 +80,7 @@ pub(super) fn cycle<W: Worksheet>(
         sheet.answer("power", "Mean power", power);
         power
     });
-    let energy = sheet.found(
+    let energy = sheet.numerical(
         "ΔE",
         "J",
         cycle.fluctuation,
@@ -126,7 +128,7 @@ pub(super) fn cycle<W: Worksheet>(
         let [coarse, fine] = [1, 2].map(|parts| mean_square(work_at, period, &corners, 48 * parts).sqrt());
         let what = "root mean square of the turning moment from the virtual work over the cycle";
         sheet.check_residual(what, (rms.value() - fine).into(), size, fine - coarse);
-        if kernel.model == Model::Exact {
+        if kernel.model == PistonFormula::Exact {
             let reaction_at = |angle: f64| {
                 let force = force(&kernel.motion(steady(angle)), angle);
                 kernel.reactions(steady(angle), force).map_or(f64::NAN, |reactions| reactions.moment)
@@ -146,7 +148,7 @@ pub(super) fn cycle<W: Worksheet>(
         let friction = 2.0 * f64::from(turns) * kernel.stroke() * kernel.friction;
         let done = match (gas, &kernel.model) {
             (None, _) => Some(0.0),
-            (Some(gas), Model::Exact) => work(gas, kernel.stroke()),
+            (Some(gas), PistonFormula::Exact) => work(gas, kernel.stroke()),
             _ => None,
         };
         if let Some(done) = done {
@@ -202,7 +204,7 @@ fn mean_square(moment: impl Fn(f64) -> f64, period: f64, corners: &[f64], parts:
 }
 
 /// Work of the gas in a turn, from its diagram over the stroke.
-fn work(gas: &Cylinder, stroke: f64) -> Option<f64> {
+fn work(gas: &GasCycle, stroke: f64) -> Option<f64> {
     let mean = match &gas.diagram {
         &Diagram::Expansion { admission, exhaust, cut_off, clearance, exponent } => {
             if (exponent - 1.0).abs() > 1e-6 {
@@ -226,7 +228,7 @@ fn work(gas: &Cylinder, stroke: f64) -> Option<f64> {
 }
 
 /// Crank angles at which the moment has a corner: dead centres, where friction turns, and corners of the diagram.
-fn corners(kernel: &Kernel, gas: Option<&Cylinder>, turns: u8) -> Vec<f64> {
+fn corners(kernel: &Kernel, gas: Option<&GasCycle>, turns: u8) -> Vec<f64> {
     let [outer, inner] = kernel.dead_centres();
     let mut once = vec![outer, inner];
     let mut all = Vec::new();

@@ -5,12 +5,12 @@ use std::f64::consts::TAU;
 use dalembert_core::{Axis, Cell, Column, Plot, Series, TableExhibit, Text, exhibit::Point};
 use dalembert_mechanics::slider_crank::{
     CrankMotion,
-    engine::{Engine as Kernel, Forces, Model},
+    engine::{EngineCylinder as Kernel, Forces, PistonFormula},
 };
 
 use super::{
     cycle::{self, Turned},
-    gas::Cylinder,
+    gas::GasCycle,
 };
 
 /// Points of a turn.
@@ -24,7 +24,7 @@ pub(super) struct View<'a> {
     pub given_acceleration: Option<f64>,
     pub running: bool,
     /// The gas, where its whole cycle is known.
-    pub gas: Option<&'a Cylinder>,
+    pub gas: Option<&'a GasCycle>,
     /// The force on the piston at the crank angle, where there are forces.
     pub force: Option<f64>,
     pub cycle: Option<&'a Turned>,
@@ -51,13 +51,13 @@ impl View<'_> {
 
     /// The same engine in all models that hold for it.
     fn all_models(&self) -> Vec<(&'static str, Kernel)> {
-        let with = |model: Model| Kernel { model, ..self.kernel.clone() };
-        let mut models = vec![("Exact", with(Model::Exact))];
+        let with = |model: PistonFormula| Kernel { model, ..self.kernel.clone() };
+        let mut models = vec![("Exact", with(PistonFormula::Exact))];
         if self.kernel.offset == 0.0 {
-            models.push(("Two terms", with(Model::TwoTerm)));
+            models.push(("Two terms", with(PistonFormula::TwoTerm)));
             let harmonics = match &self.kernel.model {
-                Model::Harmonics(all) => Model::Harmonics(all.clone()),
-                _ => Model::up_to(6, self.kernel.rod / self.kernel.crank),
+                PistonFormula::Harmonics(all) => PistonFormula::Harmonics(all.clone()),
+                _ => PistonFormula::up_to(6, self.kernel.rod / self.kernel.crank),
             };
             models.push(("Harmonics", with(harmonics)));
         }

@@ -3,12 +3,12 @@
 use dalembert_core::{Inputs, Refusal, Worksheet};
 use dalembert_mechanics::Real;
 
-use super::motion::Moving;
+use super::motion::PistonState;
 use crate::shared::flywheel::FlywheelInertia;
 
 /// The flywheel and the load.
 #[derive(Clone, Debug, Inputs)]
-pub struct Output {
+pub struct EngineLoad {
     /// Inertia of the flywheel.
     pub inertia: FlywheelInertia,
     /// Resisting load.
@@ -35,8 +35,8 @@ pub enum Resisting {
 /// The angular acceleration of the flywheel at the crank angle. `works` is the turning moment by the virtual works of all
 /// loads, and the size of what it is added up from.
 pub(super) fn acceleration<W: Worksheet>(
-    given: &OutputGiven<W>,
-    moving: &Moving<W::Num>,
+    given: &EngineLoadGiven<W>,
+    moving: &PistonState<W::Num>,
     moment: W::Num,
     works: Option<[f64; 2]>,
     sheet: W,

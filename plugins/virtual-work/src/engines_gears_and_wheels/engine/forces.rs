@@ -8,32 +8,32 @@ use dalembert_mechanics::{
 
 use super::{
     Engine, EngineGiven, Orientation, OrientationGiven,
-    gas::{self, Cylinder, GasGiven},
-    motion::{Lengths, Moving},
+    gas::{self, GasCycle, GasGiven},
+    motion::{Lengths, PistonState},
     rod::Masses,
 };
 use crate::sources::{BEVAN, KHURMI, RIUL};
 
 /// Gravity along the stroke towards the crank, and across it; none where it is nothing.
-pub(super) struct Field<N> {
+pub(super) struct GravityField<N> {
     pub along: Option<N>,
     pub across: Option<N>,
 }
 
 /// Parameters of the forces.
-pub(super) struct Problem<'a, W: Worksheet> {
+pub(super) struct EngineProblem<'a, W: Worksheet> {
     pub given: &'a EngineGiven<W>,
     pub lengths: &'a Lengths<W::Num>,
-    pub moving: &'a Moving<W::Num>,
+    pub moving: &'a PistonState<W::Num>,
     pub rod: Option<&'a Masses<W::Num>>,
-    pub field: &'a Field<W::Num>,
+    pub field: &'a GravityField<W::Num>,
 }
 
 /// The forces that others need.
 pub(super) struct Forces<N> {
     /// The force on the piston, given or found.
     pub pressure: f64,
-    pub gas: Option<Cylinder>,
+    pub gas: Option<GasCycle>,
     pub gudgeon: N,
     pub guide: N,
     pub radial: N,
@@ -49,16 +49,16 @@ pub(super) fn gravity<W: Worksheet>(
     given: &EngineGiven<W>,
     rod: Option<&Masses<W::Num>>,
     sheet: W,
-) -> Field<W::Num> {
-    let none = Field { along: None, across: None };
+) -> GravityField<W::Num> {
+    let none = GravityField { along: None, across: None };
     if problem.gravity == 0.0 || (problem.reciprocating == 0.0 && rod.is_none()) {
         return none;
     }
     let g = given.gravity;
     match (&problem.orientation, &given.orientation) {
-        (Orientation::Vertical, _) => Field { along: Some(g), across: None },
-        (Orientation::Horizontal, _) => Field { along: None, across: Some(g) },
-        (_, OrientationGiven::Inclined { angle }) => Field {
+        (Orientation::Vertical, _) => GravityField { along: Some(g), across: None },
+        (Orientation::Horizontal, _) => GravityField { along: None, across: Some(g) },
+        (_, OrientationGiven::Inclined { angle }) => GravityField {
             along: Some(sheet.step(
                 "g_x",
                 "m/s^2",
@@ -74,11 +74,11 @@ pub(super) fn gravity<W: Worksheet>(
 /// All forces; nothing where there is neither a load nor a mass.
 pub(super) fn forces<W: Worksheet>(
     problem: &Engine,
-    at: &Problem<'_, W>,
-    kernel: &kernel::Engine,
+    at: &EngineProblem<'_, W>,
+    kernel: &kernel::EngineCylinder,
     sheet: W,
 ) -> Result<Option<Forces<W::Num>>, Refusal> {
-    let &Problem { given, lengths, moving, rod, field } = at;
+    let &EngineProblem { given, lengths, moving, rod, field } = at;
     let known = gas::force(&problem.gas, &given.gas, lengths, moving, kernel.stroke(), sheet)?;
     let sought = match &given.gas {
         GasGiven::Balancing { moment } => Some(*moment),
@@ -144,8 +144,8 @@ struct Resistances<N> {
 fn resistances<W: Worksheet>(
     mass: Option<W::Num>,
     friction: Option<W::Num>,
-    moving: &Moving<W::Num>,
-    field: &Field<W::Num>,
+    moving: &PistonState<W::Num>,
+    field: &GravityField<W::Num>,
     sheet: W,
 ) -> Resistances<W::Num> {
     let inertia = mass.zip(moving.acceleration).map(|(mass, acceleration)| {
@@ -207,8 +207,8 @@ impl<N: Real> Moments<N> {
     }
 }
 
-fn other_moments<W: Worksheet>(at: &Problem<'_, W>, sheet: W) -> Moments<W::Num> {
-    let &Problem { lengths, moving, rod, field, .. } = at;
+fn other_moments<W: Worksheet>(at: &EngineProblem<'_, W>, sheet: W) -> Moments<W::Num> {
+    let &EngineProblem { lengths, moving, rod, field, .. } = at;
     let none = Moments { weight: None, correction: None, turning: None };
     let Some(rod) = rod else { return none };
     let (crank, angle) = (lengths.crank, moving.angle);
@@ -246,7 +246,7 @@ fn sought_force<W: Worksheet>(
     moment: W::Num,
     resisting: &Resistances<W::Num>,
     others: &Moments<W::Num>,
-    moving: &Moving<W::Num>,
+    moving: &PistonState<W::Num>,
     sheet: W,
 ) -> Result<(W::Num, W::Num), Refusal> {
     if moving.arm.value().abs() <= 1e-12 * moving.displacement.value().abs().max(moving.arm.value().abs())
@@ -268,13 +268,13 @@ fn sought_force<W: Worksheet>(
 
 /// The load of the piston alone on the gudgeon pin.
 fn gudgeon<W: Worksheet>(
-    at: &Problem<'_, W>,
+    at: &EngineProblem<'_, W>,
     pressure: Option<W::Num>,
     effort: W::Num,
     friction: Option<W::Num>,
     sheet: W,
 ) -> W::Num {
-    let &Problem { given, moving, rod, field, .. } = at;
+    let &EngineProblem { given, moving, rod, field, .. } = at;
     if rod.is_none_or(|rod| rod.at_gudgeon.value() == 0.0) {
         return effort;
     }
@@ -299,7 +299,7 @@ fn turning_moment<W: Worksheet>(
     effort: W::Num,
     resisting: &Resistances<W::Num>,
     others: &Moments<W::Num>,
-    moving: &Moving<W::Num>,
+    moving: &PistonState<W::Num>,
     sheet: W,
 ) -> (W::Num, Option<W::Num>) {
     let alone = others.all().next().is_none();
@@ -335,13 +335,13 @@ struct Pins<N> {
 }
 
 fn pins<W: Worksheet>(
-    at: &Problem<'_, W>,
+    at: &EngineProblem<'_, W>,
     effort: W::Num,
     mass: Option<W::Num>,
     moment: W::Num,
     sheet: W,
 ) -> Pins<W::Num> {
-    let &Problem { lengths, moving, rod, field, .. } = at;
+    let &EngineProblem { lengths, moving, rod, field, .. } = at;
     let (angle, obliquity) = (moving.angle, moving.obliquity);
     let weight_across = mass.zip(field.across).map(|(mass, gravity)| mass * gravity);
     let cite = KHURMI.at("ch. 15");
@@ -430,14 +430,14 @@ fn guide<W: Worksheet>(across: W::Num, weight: Option<W::Num>, sheet: W) -> W::N
 
 /// The speed at which the load on the gudgeon pin is zero at this crank angle.
 fn reversal<W: Worksheet>(
-    at: &Problem<'_, W>,
+    at: &EngineProblem<'_, W>,
     pressure: W::Num,
     reciprocating: Option<W::Num>,
     friction: Option<W::Num>,
-    kernel: &kernel::Engine,
+    kernel: &kernel::EngineCylinder,
     sheet: W,
 ) {
-    let &Problem { moving, field, .. } = at;
+    let &EngineProblem { moving, field, .. } = at;
     let (Some(mass), Some(speed), Some(acceleration)) = (reciprocating, moving.speed, moving.acceleration)
     else {
         return;

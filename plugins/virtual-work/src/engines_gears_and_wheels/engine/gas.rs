@@ -7,7 +7,7 @@ use dalembert_mechanics::{
 };
 use dalembert_numerics::gauss_legendre;
 
-use super::motion::{Lengths, Moving};
+use super::motion::{Lengths, PistonState};
 use crate::{shared::flywheel::Strokes, sources::KHURMI};
 
 /// The force on the piston towards the crank, and what is known of it.
@@ -66,7 +66,7 @@ pub enum Gas {
         #[input("κ", "1", nonnegative, max = 1, default = "0")]
         clearance: f64,
         /// Expansion law.
-        law: Law,
+        law: ExpansionLaw,
         /// Pressure reference.
         datum: Datum,
     },
@@ -151,7 +151,7 @@ pub enum Datum {
 
 /// The law of an expansion.
 #[derive(Clone, Debug, Inputs)]
-pub enum Law {
+pub enum ExpansionLaw {
     /// Hyperbolic, p v constant
     Hyperbolic,
     /// Polytropic, p vᵏ constant
@@ -188,7 +188,7 @@ pub struct AngleRow {
 }
 
 /// The gas over a whole cycle, in absolute pressures.
-pub(super) struct Cylinder {
+pub(super) struct GasCycle {
     pub diagram: Diagram,
     pub area: f64,
     /// Of the side towards the crank, where it works too.
@@ -196,7 +196,7 @@ pub(super) struct Cylinder {
     pub atmosphere: f64,
 }
 
-impl Cylinder {
+impl GasCycle {
     /// Force towards the crank.
     pub(super) fn force(&self, angle: f64, fraction: f64, out: bool) -> f64 {
         let cover = self.diagram.pressure(angle, fraction, out) - self.atmosphere;
@@ -213,10 +213,10 @@ pub(super) fn force<W: Worksheet>(
     problem: &Gas,
     given: &GasGiven<W>,
     lengths: &Lengths<W::Num>,
-    moving: &Moving<W::Num>,
+    moving: &PistonState<W::Num>,
     stroke: f64,
     sheet: W,
-) -> Result<Option<(W::Num, Option<Cylinder>)>, Refusal> {
+) -> Result<Option<(W::Num, Option<GasCycle>)>, Refusal> {
     match (problem, given) {
         (Gas::Force { .. }, GasGiven::Force { force }) => Ok(Some((*force, None))),
         (_, GasGiven::Pressures { bore, pressure, behind, datum }) => {
@@ -254,8 +254,8 @@ pub(super) fn force<W: Worksheet>(
                 ));
             }
             let exponent = match law {
-                LawGiven::Hyperbolic { .. } => None,
-                LawGiven::Polytropic { exponent } => Some(*exponent),
+                ExpansionLawGiven::Hyperbolic { .. } => None,
+                ExpansionLawGiven::Polytropic { exponent } => Some(*exponent),
             };
             let diagram = Diagram::Expansion {
                 admission: admission.value(),
@@ -275,7 +275,7 @@ pub(super) fn force<W: Worksheet>(
                 sheet,
             );
             let atmosphere = of_datum(datum);
-            let cylinder = Cylinder {
+            let cylinder = GasCycle {
                 diagram,
                 area: area.value(),
                 crank_side: crank_side.map(Real::value),
@@ -310,7 +310,7 @@ impl<N: Real> Steam<N> {
     fn force<W: Worksheet<Num = N>>(
         &self,
         lengths: &Lengths<N>,
-        moving: &Moving<N>,
+        moving: &PistonState<N>,
         [area, crank_side_area]: [N; 2],
         double: bool,
         (datum, diagram): (&DatumGiven<W>, &Diagram),
@@ -450,15 +450,15 @@ fn from_diagram<W: Worksheet>(
     area: W::Num,
     crank_side: Option<W::Num>,
     datum: &DatumGiven<W>,
-    moving: &Moving<W::Num>,
+    moving: &PistonState<W::Num>,
     stroke: f64,
     sheet: W,
-) -> (W::Num, Option<Cylinder>) {
+) -> (W::Num, Option<GasCycle>) {
     let atmosphere = of_datum(datum).value();
     let (angle, fraction) = (moving.angle.value(), moving.displacement.value() / stroke);
     let out = moving.arm.value() >= 0.0;
     let read = |symbol, absolute: f64| {
-        sheet.found(
+        sheet.numerical(
             symbol,
             "kPa",
             absolute - atmosphere,
@@ -472,7 +472,7 @@ fn from_diagram<W: Worksheet>(
     };
     let force = of_gas(force, sheet);
     let cylinder =
-        Cylinder { diagram, area: area.value(), crank_side: crank_side.map(Real::value), atmosphere };
+        GasCycle { diagram, area: area.value(), crank_side: crank_side.map(Real::value), atmosphere };
     (force, Some(cylinder))
 }
 

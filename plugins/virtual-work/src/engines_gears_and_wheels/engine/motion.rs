@@ -1,6 +1,6 @@
 //! The motion of the piston, worked.
 
-use dalembert_core::{Refusal, Why, Worksheet};
+use dalembert_core::{Reason, Refusal, Worksheet};
 use dalembert_mechanics::{
     Real,
     balance::reciprocating::{PistonMotion, harmonic_by_series, inertia_force},
@@ -11,7 +11,9 @@ use dalembert_mechanics::{
 };
 use dalembert_numerics::{gauss_legendre, roots};
 
-use super::{Engine, EngineGiven, Motion, MotionGiven, RodLengthGiven, Terms, ThrowGiven, too_short};
+use super::{
+    Engine, EngineGiven, EngineMotion, EngineMotionGiven, RodLengthGiven, Terms, ThrowGiven, too_short,
+};
 use crate::sources::KHURMI;
 
 /// Lengths of the engine.
@@ -25,7 +27,7 @@ pub(super) struct Lengths<N> {
 }
 
 /// The motion at the crank angle.
-pub(super) struct Moving<N> {
+pub(super) struct PistonState<N> {
     pub angle: N,
     /// Speed, if the engine runs.
     pub speed: Option<N>,
@@ -44,7 +46,7 @@ pub(super) struct Moving<N> {
     pub rod_speed: Option<N>,
 }
 
-impl<N: Real> Moving<N> {
+impl<N: Real> PistonState<N> {
     pub(super) fn crank(&self) -> CrankMotion {
         CrankMotion {
             angle: self.angle.value(),
@@ -91,7 +93,7 @@ pub(super) fn motion<W: Worksheet>(
     given: &EngineGiven<W>,
     lengths: &Lengths<W::Num>,
     sheet: W,
-) -> Moving<W::Num> {
+) -> PistonState<W::Num> {
     let &Lengths { crank, rod, ratio, offset } = lengths;
     let angle = given.angle;
     let obliquity = sheet.step(
@@ -113,7 +115,7 @@ pub(super) fn motion<W: Worksheet>(
         "Virtual displacement of the piston for that of the crank, δs = h δθ: the arm of the effort along the stroke",
     );
     sheet.answer("arm", "Arm of the piston effort about the crankshaft", arm);
-    let mut moving = Moving {
+    let mut moving = PistonState {
         angle,
         speed: None,
         turning: None,
@@ -127,12 +129,17 @@ pub(super) fn motion<W: Worksheet>(
         rod_speed: None,
     };
     match (&problem.motion, &given.motion) {
-        (Motion::Running { acceleration: alpha, .. }, MotionGiven::Running { speed, acceleration }) => {
+        (
+            EngineMotion::Running { acceleration: alpha, .. },
+            EngineMotionGiven::Running { speed, acceleration },
+        ) => {
             moving.speed = Some(*speed);
             moving.turning = (*alpha != 0.0).then_some(*acceleration);
             running(problem, lengths, &amplitudes, &mut moving, *speed, sheet);
         }
-        (_, MotionGiven::PistonAcceleration { acceleration }) => moving.acceleration = Some(*acceleration),
+        (_, EngineMotionGiven::PistonAcceleration { acceleration }) => {
+            moving.acceleration = Some(*acceleration);
+        }
         _ => {}
     }
     moving
@@ -201,7 +208,7 @@ fn amplitudes<W: Worksheet>(problem: &Engine, ratio: W::Num, sheet: W) -> Vec<W:
         let order = u8::try_from(2 * half).unwrap_or(u8::MAX);
         let series = harmonic_by_series(lambda, order);
         let how = "Amplitude of this order of the acceleration over r ω², by its series in 1/n";
-        let amplitude = sheet.found(("A", usize::from(order)), "1", series, how);
+        let amplitude = sheet.numerical(("A", usize::from(order)), "1", series, how);
         sheet.verify(|| {
             const POINTS: u32 = 512;
             let turn = std::f64::consts::TAU;
@@ -225,12 +232,12 @@ fn running<W: Worksheet>(
     problem: &Engine,
     lengths: &Lengths<W::Num>,
     amplitudes: &[W::Num],
-    moving: &mut Moving<W::Num>,
+    moving: &mut PistonState<W::Num>,
     speed: W::Num,
     sheet: W,
 ) {
     let &Lengths { crank, rod, ratio, .. } = lengths;
-    let &mut Moving { angle, obliquity, arm, turning, .. } = moving;
+    let &mut PistonState { angle, obliquity, arm, turning, .. } = moving;
     let turn = sheet.step(
         "φ′",
         "1",
@@ -309,7 +316,7 @@ fn zero_acceleration<W: Worksheet>(
     let found = |acceleration: &dyn Fn(f64) -> f64| {
         let keep_on = |_| std::ops::ControlFlow::Continue(());
         let angle = roots::find(acceleration, [0.0, std::f64::consts::PI], keep_on).ok()?;
-        Some(sheet.found("θ₀", "deg", angle, Why::from((why, KHURMI.at("ch. 15")))))
+        Some(sheet.numerical("θ₀", "deg", angle, Reason::from((why, KHURMI.at("ch. 15")))))
     };
     let angle = match problem.terms {
         Terms::Two => {

@@ -4,12 +4,12 @@ use dalembert_core::{Inputs, Refusal, Text, Worksheet};
 use dalembert_mechanics::{
     Real,
     slider_crank::{
-        engine::{self, Model},
+        engine::{self, PistonFormula},
         equivalent,
     },
 };
 
-use super::motion::{Lengths, Moving};
+use super::motion::{Lengths, PistonState};
 use crate::sources::{BEVAN, KHURMI};
 
 /// Mass distribution of the connecting rod.
@@ -174,8 +174,8 @@ pub(super) fn masses<W: Worksheet>(
 pub(super) fn inertia_force<W: Worksheet>(
     rod: &Masses<W::Num>,
     lengths: &Lengths<W::Num>,
-    moving: &Moving<W::Num>,
-    kernel: &engine::Engine,
+    moving: &PistonState<W::Num>,
+    kernel: &engine::EngineCylinder,
     sheet: W,
 ) {
     let (Some(speed), Some(piston)) = (moving.speed, moving.acceleration) else { return };
@@ -205,12 +205,17 @@ pub(super) fn inertia_force<W: Worksheet>(
 }
 
 /// The inertia force of the rod as what its two pins exert on it, where nothing but inertia acts.
-fn rod_force<W: Worksheet>(moving: &Moving<W::Num>, rod: &engine::Engine, force: W::Num, sheet: W) {
-    if rod.model != Model::Exact {
+fn rod_force<W: Worksheet>(
+    moving: &PistonState<W::Num>,
+    rod: &engine::EngineCylinder,
+    force: W::Num,
+    sheet: W,
+) {
+    if rod.model != PistonFormula::Exact {
         return;
     }
     let crank = moving.crank();
-    let inert = engine::Engine { gravity: [0.0; 2], friction: 0.0, ..rod.clone() };
+    let inert = engine::EngineCylinder { gravity: [0.0; 2], friction: 0.0, ..rod.clone() };
     let Ok(reactions) = inert.reactions(crank, 0.0) else { return };
     let [x, y] = [0, 1].map(|axis| reactions.gudgeon_pin[axis] - reactions.crank_pin[axis]);
     let natural = rod.crank * (crank.speed.powi(2) + crank.acceleration.abs());

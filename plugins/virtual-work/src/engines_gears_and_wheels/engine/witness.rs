@@ -5,23 +5,23 @@ use dalembert_mechanics::{
     Real,
     slider_crank::{
         Branch, SliderCrank,
-        engine::{self as kernel, Model},
+        engine::{self as kernel, PistonFormula},
         piston::harmonics,
     },
 };
 
 use super::{
     Engine, Terms,
-    forces::{Forces, Problem},
-    motion::{Lengths, Moving},
+    forces::{EngineProblem, Forces},
+    motion::{Lengths, PistonState},
 };
 
 /// The motion by the closure of the slider-crank, or as a sum of turning vectors.
 pub(super) fn motion<W: Worksheet>(
     problem: &Engine,
     lengths: &Lengths<W::Num>,
-    moving: &Moving<W::Num>,
-    engine: &kernel::Engine,
+    moving: &PistonState<W::Num>,
+    engine: &kernel::EngineCylinder,
     sheet: W,
 ) {
     let mechanism =
@@ -72,8 +72,8 @@ pub(super) fn motion<W: Worksheet>(
 /// The turning moment from the virtual works of all loads on piston and rod, and the size of what it is added up from;
 /// none of a piston with a given acceleration, whose crank does not turn.
 pub(super) fn moment<N: Real>(
-    moving: &Moving<N>,
-    engine: &kernel::Engine,
+    moving: &PistonState<N>,
+    engine: &kernel::EngineCylinder,
     pressure: f64,
 ) -> Option<[f64; 2]> {
     if moving.acceleration.is_some() && moving.speed.is_none() {
@@ -92,8 +92,8 @@ pub(super) fn moment<N: Real>(
 
 /// Forces by Newton's and Euler's equations, and the inertia moment from the kinetic energy.
 pub(super) fn forces<W: Worksheet>(
-    problem: &Problem<'_, W>,
-    engine: &kernel::Engine,
+    problem: &EngineProblem<'_, W>,
+    engine: &kernel::EngineCylinder,
     forces: &Forces<W::Num>,
     sheet: W,
 ) {
@@ -114,7 +114,7 @@ pub(super) fn forces<W: Worksheet>(
             + loads * natural
     };
     let pressure = forces.pressure;
-    if engine.model == Model::Exact {
+    if engine.model == PistonFormula::Exact {
         let plain = engine.forces(crank, &engine.motion(crank), pressure);
         let scale = size(&plain) * (1.0 + engine.rod / engine.crank);
         if let Ok(reactions) = engine.reactions(crank, pressure) {

@@ -6,17 +6,17 @@ use dalembert_core::{
     Axis, Cell, Column, Exhibit, Ink, Plot, Series, TableExhibit, Text, Worksheet, exhibit::Point as At,
 };
 
-use super::{Closing, Found, FourBar, Unknown};
-use crate::shared::built::{self, Cycle, Range, Template};
+use super::{Closing, FourBar, FourBarPosition, FourBarUnknown};
+use crate::shared::built::{self, Range, Template, TemplateRange};
 
 impl FourBar {
     pub(super) fn show<W: Worksheet>(&self, sheet: W) {
         let at = |angle: f64| FourBar { angle, ..self.clone() };
         let range = Range::about(self.angle, |angle| self.closes(angle));
-        let cycle = Cycle::new(range, "angle", at);
+        let cycle = TemplateRange::new(range, "angle", at);
         match self.unknown {
-            Unknown::Torque { .. } => sheet.show(|| cycle.torque(|found| found.torque)),
-            Unknown::Load { .. } => sheet.show(|| {
+            FourBarUnknown::Torque { .. } => sheet.show(|| cycle.torque(|found| found.torque)),
+            FourBarUnknown::Load { .. } => sheet.show(|| {
                 cycle.plot(
                     "Torque over one revolution",
                     ("Torque on the rocker", "N*m"),
@@ -103,7 +103,7 @@ impl FourBar {
         distance < self.coupler + self.rocker && distance > (self.coupler - self.rocker).abs()
     }
 
-    fn pins(&self, found: &Found<f64>) -> [[f64; 2]; 4] {
+    fn pins(&self, found: &FourBarPosition<f64>) -> [[f64; 2]; 4] {
         let a = built::away([0.0; 2], self.crank, self.angle);
         [[0.0; 2], a, built::away(a, self.coupler, found.angles[0]), [self.frame, 0.0]]
     }

@@ -4,9 +4,9 @@ use dalembert_core::{
     TableExhibit, Text,
     exhibit::{Cell, Column},
 };
-use dalembert_mechanics::planar::{Driver, InverseDynamics, Load, Measure, Point};
+use dalembert_mechanics::planar::{BodyPoint, Driver, InverseDynamics, PlanarLoad, RelativeCoordinate};
 
-use super::{End, ScissorLift};
+use super::{CylinderEnd, ScissorLift};
 use crate::shared::{
     equilibria::{down, solved},
     scissor::Scissor,
@@ -17,24 +17,26 @@ impl ScissorLift {
         Scissor { stages: self.stages as usize, bar: self.bar }
     }
 
-    fn point(&self, end: &End) -> Point {
+    fn point(&self, end: &CylinderEnd) -> BodyPoint {
         let scissor = self.scissor();
         match *end {
-            End::Ground { x, y } => Point::ground([x, y]),
-            End::Table { x, y } => scissor.table(x, y),
-            End::Rising { stage, distance } => scissor.rising(stage as usize - 1, distance),
-            End::Falling { stage, distance } => scissor.falling(stage as usize - 1, distance),
+            CylinderEnd::Ground { x, y } => BodyPoint::ground([x, y]),
+            CylinderEnd::Table { x, y } => scissor.table(x, y),
+            CylinderEnd::Rising { stage, distance } => scissor.rising(stage as usize - 1, distance),
+            CylinderEnd::Falling { stage, distance } => scissor.falling(stage as usize - 1, distance),
         }
     }
 
     /// An end of the cylinder at an angle of the bars.
-    pub(super) fn place_at(&self, end: &End, angle: f64) -> (f64, f64) {
+    pub(super) fn place_at(&self, end: &CylinderEnd, angle: f64) -> (f64, f64) {
         let (l, (sin, cos)) = (self.bar, angle.sin_cos());
         match *end {
-            End::Ground { x, y } => (x, y),
-            End::Table { x, y } => (x, f64::from(self.stages) * l * sin + y),
-            End::Rising { stage, distance } => (distance * cos, (f64::from(stage - 1) * l + distance) * sin),
-            End::Falling { stage, distance } => {
+            CylinderEnd::Ground { x, y } => (x, y),
+            CylinderEnd::Table { x, y } => (x, f64::from(self.stages) * l * sin + y),
+            CylinderEnd::Rising { stage, distance } => {
+                (distance * cos, (f64::from(stage - 1) * l + distance) * sin)
+            }
+            CylinderEnd::Falling { stage, distance } => {
                 ((l - distance) * cos, (f64::from(stage - 1) * l + distance) * sin)
             }
         }
@@ -46,15 +48,18 @@ impl ScissorLift {
         let (mut mechanism, drawn) = scissor.built(angle);
         let (lower, upper) = (self.place_at(&self.lower, angle), self.place_at(&self.upper, angle));
         mechanism.drivers = vec![Driver {
-            measure: Measure::Distance { from: self.point(&self.lower), to: self.point(&self.upper) },
+            measure: RelativeCoordinate::Distance {
+                from: self.point(&self.lower),
+                to: self.point(&self.upper),
+            },
             value: (upper.0 - lower.0).hypot(upper.1 - lower.1),
             velocity: 0.0,
             acceleration: 0.0,
         }];
         mechanism.loads = vec![down(scissor.table(self.bar * angle.cos() / 2.0, 0.0), share)];
-        let weights =
-            (0..2 * scissor.stages).map(|bar| down(Point::body(bar, [self.bar / 2.0, 0.0]), self.bar_weight));
-        mechanism.loads.extend(weights.collect::<Vec<Load>>());
+        let weights = (0..2 * scissor.stages)
+            .map(|bar| down(BodyPoint::body(bar, [self.bar / 2.0, 0.0]), self.bar_weight));
+        mechanism.loads.extend(weights.collect::<Vec<PlanarLoad>>());
         solved(&mechanism, &drawn)
     }
 

@@ -2,7 +2,7 @@
 
 use dalembert_core::{Axis, Ink, Plot, Series, Sketch};
 
-use super::{ScissorLift, Sought};
+use super::{ScissorLift, ScissorLiftUnknown};
 use crate::shared::equilibria::spread;
 
 impl ScissorLift {
@@ -27,9 +27,9 @@ impl ScissorLift {
             vec![Series::line("F", spread([0.05, 1.5], 300).map(at).collect()).of("cylinder_force")],
         )
         .over(match self.sought {
-            Sought::Cylinder { .. } => "angle",
+            ScissorLiftUnknown::Cylinder { .. } => "angle",
             // The load of the table is another at another angle.
-            Sought::Load { .. } => "",
+            ScissorLiftUnknown::Load { .. } => "",
         })
         .mark("at this angle", (self.angle, force))
     }

@@ -2,22 +2,24 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use dalembert_mechanics::planar::{Body, Driver, Joint, Measure, Mechanism, Point};
+use dalembert_mechanics::planar::{
+    BodyPoint, Driver, PlanarBody, PlanarJoint, PlanarMechanism, RelativeCoordinate,
+};
 
-use super::{Frame, ScrewJack};
+use super::{JackFrame, ScrewJack};
 use crate::shared::{equilibria::down, scissor::Scissor};
 
 impl ScrewJack {
     /// None where the load stands on the screw.
-    pub(super) fn built(&self, load: f64) -> Option<(Mechanism, Vec<[f64; 3]>)> {
+    pub(super) fn built(&self, load: f64) -> Option<(PlanarMechanism, Vec<[f64; 3]>)> {
         match self.frame {
-            Frame::Plain => None,
-            Frame::Rhombus { link, angle } => Some(rhombus(link, angle, load)),
-            Frame::Scissors { stages, link, angle } => {
+            JackFrame::Plain => None,
+            JackFrame::Rhombus { link, angle } => Some(rhombus(link, angle, load)),
+            JackFrame::Scissors { stages, link, angle } => {
                 let scissor = Scissor { stages: stages as usize, bar: link };
                 let (mut mechanism, drawn) = scissor.built(angle);
                 mechanism.drivers =
-                    vec![apart(Point::ground([0.0; 2]), scissor.falling(0, 0.0), link * angle.cos())];
+                    vec![apart(BodyPoint::ground([0.0; 2]), scissor.falling(0, 0.0), link * angle.cos())];
                 mechanism.loads = vec![down(scissor.table(link * angle.cos() / 2.0, 0.0), load)];
                 Some((mechanism, drawn))
             }
@@ -26,19 +28,19 @@ impl ScrewJack {
 }
 
 /// The lower links from the foot, the upper ones from the nuts; the head stays over the foot.
-fn rhombus(l: f64, angle: f64, load: f64) -> (Mechanism, Vec<[f64; 3]>) {
-    let on = |body: usize, s: f64| Point::body(body, [s, 0.0]);
-    let foot = Point::ground([0.0; 2]);
+fn rhombus(l: f64, angle: f64, load: f64) -> (PlanarMechanism, Vec<[f64; 3]>) {
+    let on = |body: usize, s: f64| BodyPoint::body(body, [s, 0.0]);
+    let foot = BodyPoint::ground([0.0; 2]);
     let (wide, high) = (l * angle.cos(), l * angle.sin());
-    let mechanism = Mechanism {
-        bodies: vec![Body::default(); 4],
+    let mechanism = PlanarMechanism {
+        bodies: vec![PlanarBody::default(); 4],
         joints: vec![
-            Joint::Pin { a: foot, b: on(0, 0.0) },
-            Joint::Pin { a: foot, b: on(1, 0.0) },
-            Joint::Pin { a: on(0, l), b: on(2, 0.0) },
-            Joint::Pin { a: on(1, l), b: on(3, 0.0) },
-            Joint::Pin { a: on(2, l), b: on(3, l) },
-            Joint::Slot { guide: foot, direction: FRAC_PI_2, pin: on(2, l), offset: 0.0 },
+            PlanarJoint::Pin { a: foot, b: on(0, 0.0) },
+            PlanarJoint::Pin { a: foot, b: on(1, 0.0) },
+            PlanarJoint::Pin { a: on(0, l), b: on(2, 0.0) },
+            PlanarJoint::Pin { a: on(1, l), b: on(3, 0.0) },
+            PlanarJoint::Pin { a: on(2, l), b: on(3, l) },
+            PlanarJoint::Slot { guide: foot, direction: FRAC_PI_2, pin: on(2, l), offset: 0.0 },
         ],
         drivers: vec![apart(on(1, l), on(0, l), 2.0 * wide)],
         loads: vec![down(on(2, l), load)],
@@ -49,7 +51,7 @@ fn rhombus(l: f64, angle: f64, load: f64) -> (Mechanism, Vec<[f64; 3]>) {
     (mechanism, drawn)
 }
 
-fn apart(from: Point, to: Point, value: f64) -> Driver {
-    let measure = Measure::Component { direction: [1.0, 0.0], from, to };
+fn apart(from: BodyPoint, to: BodyPoint, value: f64) -> Driver {
+    let measure = RelativeCoordinate::Component { direction: [1.0, 0.0], from, to };
     Driver { measure, value, velocity: 0.0, acceleration: 0.0 }
 }

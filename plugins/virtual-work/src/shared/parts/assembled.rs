@@ -1,10 +1,10 @@
 //! The mechanism that its parts make.
 
 use dalembert_core::{Reference, Refusal, Text, Worksheet};
-use dalembert_mechanics::planar::{self, InitialGuess, Measure, Model, PlanarError, Profile};
+use dalembert_mechanics::planar::{self, InitialGuess, Model, PlanarError, Profile, RelativeCoordinate};
 use nalgebra::Vector3;
 
-use super::{Connection, Drive, Driven, Joint, Load, NamedLoad, Part, Spot};
+use super::{Connection, Drive, Driven, Joint, NamedLoad, Part, PartLoad, Spot};
 
 /// The parts of a mechanism together.
 pub(crate) struct Parts<'a> {
@@ -18,26 +18,29 @@ pub(crate) struct Parts<'a> {
 
 impl Parts<'_> {
     /// A point, from the centre of mass of its body.
-    pub(crate) fn point(&self, reference: Reference) -> planar::Point {
+    pub(crate) fn point(&self, reference: Reference) -> planar::BodyPoint {
         let spot = &self.points[reference.0];
         let on = spot.on.frame();
         let origin = on.map_or(Vector3::zeros(), |body| self.bodies[body].centre);
-        planar::Point { on, at: [spot.at.x - origin.x, spot.at.y - origin.y] }
+        planar::BodyPoint { on, at: [spot.at.x - origin.x, spot.at.y - origin.y] }
     }
 
-    pub(crate) fn along(&self, from: Reference, to: Reference, direction: f64) -> Measure {
+    pub(crate) fn along(&self, from: Reference, to: Reference, direction: f64) -> RelativeCoordinate {
         let direction = [direction.cos(), direction.sin()];
-        Measure::Along { direction, from: self.point(from), to: self.point(to) }
+        RelativeCoordinate::Along { direction, from: self.point(from), to: self.point(to) }
     }
 
-    pub(crate) fn distance(&self, from: Reference, to: Reference) -> Measure {
-        Measure::Distance { from: self.point(from), to: self.point(to) }
+    pub(crate) fn distance(&self, from: Reference, to: Reference) -> RelativeCoordinate {
+        RelativeCoordinate::Distance { from: self.point(from), to: self.point(to) }
     }
 
     /// The mechanism, and the rows of its joints: a joint of the form may stand for two of the mechanism.
-    pub(crate) fn mechanism(&self) -> Result<(planar::Mechanism, Vec<usize>), Refusal> {
-        let bodies =
-            self.bodies.iter().map(|body| planar::Body { mass: body.mass, inertia: body.inertia }).collect();
+    pub(crate) fn mechanism(&self) -> Result<(planar::PlanarMechanism, Vec<usize>), Refusal> {
+        let bodies = self
+            .bodies
+            .iter()
+            .map(|body| planar::PlanarBody { mass: body.mass, inertia: body.inertia })
+            .collect();
         let (mut joints, mut rows) = (Vec::new(), Vec::new());
         for (row, connection) in self.joints.iter().enumerate() {
             for joint in self.joint(connection)? {
@@ -48,32 +51,32 @@ impl Parts<'_> {
         let drivers = self.drivers.iter().map(|drive| self.driver(&drive.what)).collect();
         let loads = self.loads.iter().map(|load| self.load(&load.load, &rows)).collect();
         let gravity = [self.gravity.x, self.gravity.y];
-        Ok((planar::Mechanism { bodies, joints, drivers, loads, gravity }, rows))
+        Ok((planar::PlanarMechanism { bodies, joints, drivers, loads, gravity }, rows))
     }
 
-    fn joint(&self, connection: &Connection) -> Result<Vec<planar::Joint>, Refusal> {
+    fn joint(&self, connection: &Connection) -> Result<Vec<planar::PlanarJoint>, Refusal> {
         let point = |reference: &Reference| self.point(*reference);
         Ok(match &connection.joint {
-            Joint::Pin { a, b } => vec![planar::Joint::Pin { a: point(a), b: point(b) }],
-            Joint::Slider { guide, direction, slides, angle } => vec![planar::Joint::Slider {
+            Joint::Pin { a, b } => vec![planar::PlanarJoint::Pin { a: point(a), b: point(b) }],
+            Joint::Slider { guide, direction, slides, angle } => vec![planar::PlanarJoint::Slider {
                 guide: point(guide),
                 direction: *direction,
                 slides: point(slides),
                 angle: *angle,
             }],
-            Joint::Slot { guide, direction, pin, offset } => vec![planar::Joint::Slot {
+            Joint::Slot { guide, direction, pin, offset } => vec![planar::PlanarJoint::Slot {
                 guide: point(guide),
                 direction: *direction,
                 pin: point(pin),
                 offset: *offset,
             }],
             Joint::Weld { a, b, angle } => {
-                vec![planar::Joint::Weld { a: point(a), b: point(b), angle: *angle }]
+                vec![planar::PlanarJoint::Weld { a: point(a), b: point(b), angle: *angle }]
             }
             Joint::Rod { from, to, length } => {
-                vec![planar::Joint::Rod { from: point(from), to: point(to), length: *length }]
+                vec![planar::PlanarJoint::Rod { from: point(from), to: point(to), length: *length }]
             }
-            Joint::Gears { a, b, carrier, size_a, size_b, internal } => vec![planar::Joint::Gears {
+            Joint::Gears { a, b, carrier, size_a, size_b, internal } => vec![planar::PlanarJoint::Gears {
                 a: a.frame(),
                 b: b.frame(),
                 carrier: carrier.frame(),
@@ -82,11 +85,13 @@ impl Parts<'_> {
             }],
             Joint::Rolling { guide, direction, centre, radius, resting } => {
                 let (guide, centre) = (point(guide), point(centre));
-                let rolling = planar::Joint::Rack { guide, direction: *direction, centre, radius: *radius };
-                let held = planar::Joint::Slot { guide, direction: *direction, pin: centre, offset: *radius };
+                let rolling =
+                    planar::PlanarJoint::Rack { guide, direction: *direction, centre, radius: *radius };
+                let held =
+                    planar::PlanarJoint::Slot { guide, direction: *direction, pin: centre, offset: *radius };
                 if *resting { vec![held, rolling] } else { vec![rolling] }
             }
-            Joint::Cord { runs, drums } => vec![planar::Joint::Cord {
+            Joint::Cord { runs, drums } => vec![planar::PlanarJoint::Cord {
                 runs: runs.iter().map(|run| [point(&run.from), point(&run.to)]).collect(),
                 drums: drums
                     .iter()
@@ -101,9 +106,9 @@ impl Parts<'_> {
                             .with("name", &connection.name),
                     )
                 })?;
-                vec![planar::Joint::Cam {
+                vec![planar::PlanarJoint::Cam {
                     follower: self.along(*guide, *follower, *direction),
-                    cam: Measure::Angle { of: Some(cam.0), against: None },
+                    cam: RelativeCoordinate::Angle { of: Some(cam.0), against: None },
                     profile,
                 }]
             }
@@ -113,7 +118,7 @@ impl Parts<'_> {
     fn driver(&self, what: &Driven) -> planar::Driver {
         match *what {
             Driven::Angle { body, ref against, value, velocity, acceleration, .. } => {
-                let measure = Measure::Angle { of: Some(body.0), against: against.frame() };
+                let measure = RelativeCoordinate::Angle { of: Some(body.0), against: against.frame() };
                 planar::Driver { measure, value, velocity, acceleration }
             }
             Driven::Position { from, to, direction, value, velocity, acceleration, .. } => {
@@ -127,43 +132,43 @@ impl Parts<'_> {
     }
 
     /// Relative coordinate along which a load acts; none for a force at a point and for friction.
-    pub(crate) fn measure(&self, load: &Load) -> Option<Measure> {
+    pub(crate) fn measure(&self, load: &PartLoad) -> Option<RelativeCoordinate> {
         match load {
-            Load::Couple { on: of, against, .. } | Load::TorsionSpring { of, against, .. } => {
-                Some(Measure::Angle { of: of.frame(), against: against.frame() })
+            PartLoad::Couple { on: of, against, .. } | PartLoad::TorsionSpring { of, against, .. } => {
+                Some(RelativeCoordinate::Angle { of: of.frame(), against: against.frame() })
             }
-            Load::Thrust { from, to, .. }
-            | Load::Spring { from, to, .. }
-            | Load::Damper { from, to, .. }
-            | Load::Gas { from, to, .. } => Some(self.distance(*from, *to)),
-            Load::Force { .. } | Load::Friction { .. } => None,
+            PartLoad::Thrust { from, to, .. }
+            | PartLoad::Spring { from, to, .. }
+            | PartLoad::Damper { from, to, .. }
+            | PartLoad::Gas { from, to, .. } => Some(self.distance(*from, *to)),
+            PartLoad::Force { .. } | PartLoad::Friction { .. } => None,
         }
     }
 
-    fn load(&self, load: &Load, rows: &[usize]) -> planar::Load {
+    fn load(&self, load: &PartLoad, rows: &[usize]) -> planar::PlanarLoad {
         use planar::Effort;
         let effort = match *load {
-            Load::Force { at, force, ref axes } => {
+            PartLoad::Force { at, force, ref axes } => {
                 let (at, force) = (self.point(at), [force.x, force.y]);
-                return planar::Load::Force { at, force, turns_with: axes.frame() };
+                return planar::PlanarLoad::Force { at, force, turns_with: axes.frame() };
             }
-            Load::Friction { joint, coefficient, radius } => {
+            PartLoad::Friction { joint, coefficient, radius } => {
                 let joint = rows.iter().position(|row| *row == joint.0).unwrap_or(usize::MAX);
-                return planar::Load::Friction { joint, coefficient, radius };
+                return planar::PlanarLoad::Friction { joint, coefficient, radius };
             }
-            Load::Couple { moment: constant, .. } | Load::Thrust { force: constant, .. } => {
+            PartLoad::Couple { moment: constant, .. } | PartLoad::Thrust { force: constant, .. } => {
                 Effort::Constant(constant)
             }
-            Load::Spring { stiffness, free, .. } | Load::TorsionSpring { stiffness, free, .. } => {
+            PartLoad::Spring { stiffness, free, .. } | PartLoad::TorsionSpring { stiffness, free, .. } => {
                 Effort::Spring { stiffness, free }
             }
-            Load::Damper { coefficient, .. } => Effort::Damper { coefficient },
-            Load::Gas { area, pressure, column, exponent, ambient, .. } => {
+            PartLoad::Damper { coefficient, .. } => Effort::Damper { coefficient },
+            PartLoad::Gas { area, pressure, column, exponent, ambient, .. } => {
                 Effort::Gas { area, pressure, column, exponent, ambient }
             }
         };
         let measure = self.measure(load).expect("every load but a force and friction has a measure");
-        planar::Load::Effort { measure, effort }
+        planar::PlanarLoad::Effort { measure, effort }
     }
 
     /// The mechanism, assembled in the drawn position and taken from there to the values of its drivers by continuation.
@@ -184,7 +189,7 @@ impl Parts<'_> {
         }
         let mut angles: Vec<f64> = self.bodies.iter().map(|body| body.angle).collect();
         for driver in &mechanism.drivers {
-            if let Measure::Angle { of: Some(body), against: None } = driver.measure {
+            if let RelativeCoordinate::Angle { of: Some(body), against: None } = driver.measure {
                 angles[body] = driver.value;
             }
         }
@@ -252,10 +257,10 @@ pub(crate) fn carried(
         }
         let meets = matches!(
             system.mechanism().joints.get(joint),
-            Some(planar::Joint::Pin { .. } | planar::Joint::Weld { .. })
+            Some(planar::PlanarJoint::Pin { .. } | planar::PlanarJoint::Weld { .. })
         );
         let place = match described.terms[0].measure {
-            Measure::Angle { .. } => 2,
+            RelativeCoordinate::Angle { .. } => 2,
             _ => usize::from(meets && carried[0].is_some()),
         };
         let effort = multipliers[equation];

@@ -1,14 +1,14 @@
 //! The closure of the pins by the motion of single bodies: what the equations of the joints must come to.
 
 use dalembert_core::{Text, Worksheet};
-use dalembert_mechanics::planar::{Joint, Model, Point, State};
+use dalembert_mechanics::planar::{BodyPoint, Model, PlanarJoint, PlanarState};
 
 /// Closure errors of the pins: maximum distance of the two points of a pin, and differences of their velocities and
 /// accelerations; each with the magnitude of its terms.
-pub(crate) fn pins(system: &Model, state: &State) -> [(f64, f64); 3] {
+pub(crate) fn pins(system: &Model, state: &PlanarState) -> [(f64, f64); 3] {
     let mut worst = rotation_sizes(system, state).map(|size| (0.0f64, size));
     for joint in &system.mechanism().joints {
-        let &Joint::Pin { a, b } = joint else { continue };
+        let &PlanarJoint::Pin { a, b } = joint else { continue };
         let [one, other] = [a, b].map(|point| system.point(point, state));
         let sizes = [a, b].map(|point| sizes(point, state));
         for (order, (gap, size)) in worst.iter_mut().enumerate() {
@@ -21,7 +21,7 @@ pub(crate) fn pins(system: &Model, state: &State) -> [(f64, f64); 3] {
 }
 
 /// The sizes of what place, velocity and acceleration of a point are added up from.
-fn sizes(point: Point, state: &State) -> [f64; 3] {
+fn sizes(point: BodyPoint, state: &PlanarState) -> [f64; 3] {
     let reach = point.at[0].hypot(point.at[1]);
     let Some(body) = point.on else { return [reach, 0.0, 0.0] };
     let ([x, y, _], [vx, vy, w]) = (state.positions[body], state.velocities[body]);
@@ -31,7 +31,7 @@ fn sizes(point: Point, state: &State) -> [f64; 3] {
 
 /// Magnitudes of position, velocity and acceleration of points, wherever on the bodies they lie: a pin at rest closes
 /// as well as the mechanism that turns about it.
-fn rotation_sizes(system: &Model, state: &State) -> [f64; 3] {
+fn rotation_sizes(system: &Model, state: &PlanarState) -> [f64; 3] {
     let arm = system.size();
     let fastest = state.velocities.iter().fold(0.0f64, |most, [.., w]| most.max(w.abs()));
     let hardest = state.accelerations.iter().fold(0.0f64, |most, [.., turning]| most.max(turning.abs()));
@@ -43,7 +43,7 @@ fn rotation_sizes(system: &Model, state: &State) -> [f64; 3] {
 /// balance where nothing moves.
 pub(crate) fn check_pins<W: Worksheet>(
     system: &Model,
-    state: &State,
+    state: &PlanarState,
     (errors, driving): ([f64; 3], f64),
     sheet: W,
 ) {
@@ -74,17 +74,17 @@ pub(crate) fn driving(system: &Model, multipliers: &[f64]) -> f64 {
 /// against the pin; nothing where its body has no pin. `errors` are what each may be off by.
 pub(crate) fn check_point<W: Worksheet>(
     system: &Model,
-    state: &State,
-    (point, name): (Point, &str),
+    state: &PlanarState,
+    (point, name): (BodyPoint, &str),
     shown: [[f64; 2]; 3],
     errors: [f64; 3],
     sheet: W,
 ) {
     let Some(body) = point.on else { return };
-    let own = |end: Point| end.on == point.on;
+    let own = |end: BodyPoint| end.on == point.on;
     let beyond = system.mechanism().joints.iter().find_map(|joint| match *joint {
-        Joint::Pin { a, b } if own(a) && !own(b) => Some((a, b)),
-        Joint::Pin { a, b } if own(b) && !own(a) => Some((b, a)),
+        PlanarJoint::Pin { a, b } if own(a) && !own(b) => Some((a, b)),
+        PlanarJoint::Pin { a, b } if own(b) && !own(a) => Some((b, a)),
         _ => None,
     });
     let Some((here, there)) = beyond else { return };

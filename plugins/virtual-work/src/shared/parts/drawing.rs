@@ -3,13 +3,13 @@
 use std::f64::consts::FRAC_PI_2;
 
 use dalembert_core::{Ink, Reference, Sketch};
-use dalembert_mechanics::planar::{Model, Point, Pose, State};
+use dalembert_mechanics::planar::{BodyPoint, Model, PlanarState, Pose};
 
-use super::{Carrier, Joint, Load, Parts, verbatim};
+use super::{Joint, PartLoad, PartReference, Parts, verbatim};
 
 impl Parts<'_> {
     /// The size of the drawing; that of the mechanism where all points are in one place.
-    pub(crate) fn size(&self, system: &Model, state: &State) -> f64 {
+    pub(crate) fn size(&self, system: &Model, state: &PlanarState) -> f64 {
         let all: Vec<(f64, f64)> =
             (0..self.points.len()).map(|row| place(system, self.point(Reference(row)), state)).collect();
         let extent = |of: fn(&(f64, f64)) -> f64| {
@@ -49,14 +49,14 @@ impl Parts<'_> {
             }
         }
         for load in self.loads {
-            if let Load::Spring { from, to, .. } = &load.load {
+            if let PartLoad::Spring { from, to, .. } = &load.load {
                 sketch.spring("", at(*from), at(*to));
             }
         }
     }
 
     /// Bodies, joints and loads of a position.
-    pub(crate) fn draw(&self, system: &Model, state: &State, size: f64, sketch: &mut Sketch) {
+    pub(crate) fn draw(&self, system: &Model, state: &PlanarState, size: f64, sketch: &mut Sketch) {
         let at = |reference: Reference| place(system, self.point(reference), state);
         sketch.size(size);
         for connection in self.joints {
@@ -70,7 +70,7 @@ impl Parts<'_> {
                     let way = (px - gx) * cos + (py - gy) * sin;
                     let (low, high) = (way.min(0.0) - 0.1 * size, way.max(0.0) + 0.1 * size);
                     let along = |s: f64| (gx + s * cos, gy + s * sin);
-                    let ink = if matches!(self.points[guide.0].on, Carrier::Ground) {
+                    let ink = if matches!(self.points[guide.0].on, PartReference::Ground) {
                         Ink::Faint
                     } else {
                         Ink::Body
@@ -96,22 +96,22 @@ impl Parts<'_> {
         for (row, spot) in self.points.iter().enumerate() {
             let (name, point) = (verbatim(&spot.name), at(Reference(row)));
             match spot.on {
-                Carrier::Ground => sketch.pin(name, point),
-                Carrier::Body { .. } => sketch.joint(name, point),
+                PartReference::Ground => sketch.pin(name, point),
+                PartReference::Body { .. } => sketch.joint(name, point),
             };
         }
         self.draw_loads(system, state, size, sketch);
     }
 
-    fn draw_loads(&self, system: &Model, state: &State, size: f64, sketch: &mut Sketch) {
+    fn draw_loads(&self, system: &Model, state: &PlanarState, size: f64, sketch: &mut Sketch) {
         let at = |reference: Reference| place(system, self.point(reference), state);
         let largest = self.loads.iter().fold(0.0f64, |most, load| match &load.load {
-            Load::Force { force, .. } => most.max(force.norm()),
+            PartLoad::Force { force, .. } => most.max(force.norm()),
             _ => most,
         });
         for load in self.loads {
             match &load.load {
-                Load::Force { at: point, force, axes } if largest > 0.0 => {
+                PartLoad::Force { at: point, force, axes } if largest > 0.0 => {
                     let turned = axes.frame().map_or(0.0, |body| state.positions[body][2]);
                     let (sin, cos) = turned.sin_cos();
                     let (x, y) = (force.x * cos - force.y * sin, force.x * sin + force.y * cos);
@@ -120,10 +120,10 @@ impl Parts<'_> {
                     let tail = (tip.0 - scale * x, tip.1 - scale * y);
                     sketch.force("", tail, tip).label(verbatim(&load.name), tail);
                 }
-                Load::Damper { from, to, .. } | Load::Gas { from, to, .. } => {
+                PartLoad::Damper { from, to, .. } | PartLoad::Gas { from, to, .. } => {
                     sketch.damper("", at(*from), at(*to));
                 }
-                Load::Thrust { from, to, .. } => {
+                PartLoad::Thrust { from, to, .. } => {
                     sketch.force("", at(*from), at(*to));
                 }
                 _ => {}
@@ -133,7 +133,7 @@ impl Parts<'_> {
 }
 
 /// Position of a point.
-pub(crate) fn place(system: &Model, point: Point, state: &State) -> (f64, f64) {
+pub(crate) fn place(system: &Model, point: BodyPoint, state: &PlanarState) -> (f64, f64) {
     let [[x, y], ..] = system.point(point, state);
     (x, y)
 }

@@ -18,7 +18,7 @@ pub(super) struct Compared {
     /// For a vector, its magnitude; for one along x, its component.
     pub(super) given: f64,
     /// Likewise.
-    pub(super) demanded: f64,
+    pub(super) required: f64,
     /// Difference of the two; for a vector, the magnitude of the difference.
     pub(super) apart: f64,
     /// Natural magnitude of this quantity in this mechanism: a difference far below it is rounding.
@@ -30,10 +30,10 @@ impl Compared {
         what: &'static str,
         unit: &'static str,
         given: f64,
-        demanded: f64,
+        required: f64,
         natural: f64,
     ) -> Self {
-        Self { what, unit, given, demanded, apart: (given - demanded).abs(), natural }
+        Self { what, unit, given, required, apart: (given - required).abs(), natural }
     }
 
     /// A vector along x, by its component; what is given across x counts as a difference.
@@ -41,11 +41,11 @@ impl Compared {
         what: &'static str,
         unit: &'static str,
         given: Vector3<f64>,
-        demanded: f64,
+        required: f64,
         natural: f64,
     ) -> Self {
-        let apart = (given - Vector3::x() * demanded).norm();
-        Self { what, unit, given: given.x, demanded, apart, natural }
+        let apart = (given - Vector3::x() * required).norm();
+        Self { what, unit, given: given.x, required, apart, natural }
     }
 
     /// Two vectors, by their magnitudes and the length of their difference.
@@ -53,22 +53,22 @@ impl Compared {
         what: &'static str,
         unit: &'static str,
         given: Vector3<f64>,
-        demanded: Vector3<f64>,
+        required: Vector3<f64>,
         natural: f64,
     ) -> Self {
         Self {
             what,
             unit,
             given: given.norm(),
-            demanded: demanded.norm(),
-            apart: (given - demanded).norm(),
+            required: required.norm(),
+            apart: (given - required).norm(),
             natural,
         }
     }
 
     /// The difference over the larger of the two; zero where it is rounding alone.
     fn share(&self) -> f64 {
-        let larger = self.given.abs().max(self.demanded.abs());
+        let larger = self.given.abs().max(self.required.abs());
         if self.apart <= 1e-9 * larger { 0.0 } else { self.apart / larger }
     }
 
@@ -80,7 +80,7 @@ impl Compared {
         Text::new("{what}: given {given}, loop closure requires {demanded} (difference {apart}, {share} of the larger)")
             .with_text("what", self.what)
             .with_quantity("given", self.given, self.unit)
-            .with_quantity("demanded", self.demanded, self.unit)
+            .with_quantity("demanded", self.required, self.unit)
             .with_quantity("apart", self.apart, self.unit)
             .with_quantity("share", self.share(), "%")
     }
@@ -93,7 +93,7 @@ pub(super) fn table(compared: &[Compared]) -> TableExhibit {
         vec![
             Cell::Text(it.what.into()),
             quantity(it.given, it.unit),
-            quantity(it.demanded, it.unit),
+            quantity(it.required, it.unit),
             quantity(if it.share() == 0.0 { 0.0 } else { it.apart }, it.unit),
             Cell::Number(it.share()),
         ]

@@ -3,13 +3,13 @@
 use dalembert_core::{Drawing, Ink, Reference, Sketch, Text, exhibit::Point as At};
 use nalgebra::Vector3;
 
-use super::{super::Point, SliderCrank, VirtualPower};
+use super::{super::MovingPoint, GivenSliderCrank, VirtualPower};
 
 /// The mechanism with the velocities that were given and the forces on rod and slider; arrows of each kind are in
 /// scale with each other.
 pub(super) fn draw(
     problem: &VirtualPower,
-    mechanism: &SliderCrank,
+    mechanism: &GivenSliderCrank,
     (crank, rod, crank_angle, rod_angle): (f64, f64, f64, f64),
 ) -> Drawing {
     let a = (crank * crank_angle.cos(), crank * crank_angle.sin());
@@ -44,7 +44,7 @@ pub(super) fn draw(
         .forces
         .iter()
         .filter_map(|force| {
-            let Point::MassCentre { body } = force.point else { return None };
+            let MovingPoint::MassCentre { body } = force.point else { return None };
             let at = if body == mechanism.slider { b } else { g };
             let known = body == mechanism.slider || body == mechanism.rod;
             known.then(|| (at, force.force, Text::new("{x}").with("x", &force.name)))

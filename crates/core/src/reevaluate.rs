@@ -9,7 +9,7 @@ use crate::{
 
 /// The numbers of the trace with those of `set` in place of its own, and with another operation at one node. What a
 /// numerical method found stays as it is.
-pub(crate) fn retrace(solution: &Solution, set: &[(Id, Number)], op: Option<(Id, &Op)>) -> Vec<Number> {
+pub(crate) fn reevaluate(solution: &Solution, set: &[(Id, Number)], op: Option<(Id, &Op)>) -> Vec<Number> {
     let nodes = &solution.trace.nodes;
     let mut numbers: Vec<Number> = nodes.iter().map(|node| node.number).collect();
     let first = set.iter().map(|(id, _)| *id).chain(op.map(|(id, _)| id)).min();

@@ -11,7 +11,7 @@ const COLUMNS: usize = 80;
 
 /// Output format of a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Paper {
+pub enum DocumentFormat {
     /// Plain text, without figures.
     Text,
     /// Markdown; its figures are files beside it.
@@ -24,15 +24,15 @@ pub enum Paper {
     Typst,
 }
 
-impl Paper {
+impl DocumentFormat {
     /// Format by the extension of a file.
     pub fn of(path: &Path) -> Option<Self> {
         Some(match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
-            "txt" => Paper::Text,
-            "md" | "markdown" => Paper::Markdown,
-            "html" | "htm" => Paper::Html,
-            "tex" => Paper::Latex,
-            "typ" => Paper::Typst,
+            "txt" => DocumentFormat::Text,
+            "md" | "markdown" => DocumentFormat::Markdown,
+            "html" | "htm" => DocumentFormat::Html,
+            "tex" => DocumentFormat::Latex,
+            "typ" => DocumentFormat::Typst,
             _ => return None,
         })
     }
@@ -40,11 +40,11 @@ impl Paper {
     /// The document; where it links to figures, their files begin with `figures`.
     pub fn write(self, document: &Document, figures: Option<&str>, locale: &Locale) -> String {
         match self {
-            Paper::Text => text(document, COLUMNS),
-            Paper::Markdown => markdown(document, figures),
-            Paper::Html => html(document, locale),
-            Paper::Latex => latex(document),
-            Paper::Typst => typst(document, figures, locale),
+            DocumentFormat::Text => text(document, COLUMNS),
+            DocumentFormat::Markdown => markdown(document, figures),
+            DocumentFormat::Html => html(document, locale),
+            DocumentFormat::Latex => latex(document),
+            DocumentFormat::Typst => typst(document, figures, locale),
         }
     }
 
@@ -54,7 +54,7 @@ impl Paper {
         let name = path.file_name()?.to_string_lossy().into_owned();
         let stem = path.file_stem()?.to_string_lossy().into_owned();
         let mut files = vec![(name, self.write(document, Some(&stem), locale))];
-        if matches!(self, Paper::Markdown | Paper::Typst) {
+        if matches!(self, DocumentFormat::Markdown | DocumentFormat::Typst) {
             files.extend(document.figures(&stem));
         }
         Some(files)
