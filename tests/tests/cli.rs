@@ -10,6 +10,7 @@ use std::{
 
 use dalembert_core::{Draft, Field, FieldLimit, Measure, Shape, cases, draft::read_leaf, registry};
 use dalembert_plugins as _;
+use dalembert_testkit::on_all_cores;
 use dalembert_tests::pty;
 use serde_json::Value as Json;
 
@@ -304,7 +305,7 @@ fn both_languages_and_ascii() {
     assert_eq!(stdout(&overruled), printed(&["solve", FAN]));
     assert_eq!(printed(&["--lang", "pt-BR", "solve", FAN]), stdout(&portuguese));
     assert!(stdout(&run(&["--help"], &[("LC_MESSAGES", "pt_BR")])).contains("Listar as análises"));
-    for entry in registry() {
+    on_all_cores(registry(), |_, entry| {
         for command in [vec!["solve"], vec!["show"], vec!["verify"]] {
             for language in ["en", "pt-BR"] {
                 let arguments = [&command[..], &[entry.about.id, "--ascii", "--lang", language]].concat();
@@ -321,7 +322,7 @@ fn both_languages_and_ascii() {
                 assert_eq!(text.matches('?').count(), questions.matches('?').count(), "{arguments:?}");
             }
         }
-    }
+    });
 }
 
 #[test]

@@ -11,7 +11,7 @@ fn every_answer_scales_with_its_dimension() {
 
 #[test]
 fn the_unit_of_an_input_does_not_change_the_answers() {
-    invariance::the_unit_of_an_input_does_not_change_the_answers(&chosen());
+    invariance::the_unit_of_an_input_does_not_change_the_answers(&chosen(), times());
 }
 
 #[test]

@@ -2,6 +2,7 @@
 // Long because every key and every screen has its test here, and they share their words.
 
 use dalembert_core::registry;
+use dalembert_testkit::on_all_cores;
 use dalembert_tests::person::Person;
 use dalembert_tui::{
     Msg,
@@ -523,7 +524,7 @@ fn rows_are_added_duplicated_moved_and_deleted() {
 
 #[test]
 fn every_analysis_opens_with_its_first_case_solved() {
-    for entry in registry() {
+    on_all_cores(registry(), |_, entry| {
         let id = entry.about.id;
         for (columns, rows) in [(80, 24), (160, 50)] {
             let mut person = Person::at(columns, rows).opens(id);
@@ -539,7 +540,7 @@ fn every_analysis_opens_with_its_first_case_solved() {
                 assert!(!screen.contains("nothing to show"), "{id}:\n{screen}");
             }
         }
-    }
+    });
 }
 
 #[test]

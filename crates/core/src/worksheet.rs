@@ -58,7 +58,7 @@ pub trait Worksheet: Copy {
         error: f64,
         how: impl Into<Reason>,
     ) -> Self::Num;
-    /// Brings in a vector (SI) that a numerical method found, as [`found`](Worksheet::found) does a number.
+    /// Brings in a vector (SI) that a numerical method found, as [`numerical`](Worksheet::numerical) does a number.
     fn numerical_vector(
         self,
         symbol: impl Into<Symbol>,

@@ -460,7 +460,7 @@ struct Pair {
     /// Value.
     #[input("x", "m")]
     value: f64,
-    /// Trail.
+    /// Field path.
     #[input("y", "m")]
     field_path: f64,
     /// Errors.
@@ -476,7 +476,7 @@ fn fields_may_have_any_name() {
     let mut draft = Draft::blank(&Names::SHAPE);
     let typed = [
         ("first.value", "1 m"),
-        ("first.trail", "2 m"),
+        ("first.field_path", "2 m"),
         ("first.lift", "3 m"),
         ("rest", "4 m"),
         ("path", "5 m"),

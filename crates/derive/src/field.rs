@@ -136,7 +136,7 @@ impl FieldKind {
         })
     }
 
-    /// An expression of `Option<Self>`, from `value: &Value` and `field_path: &Trail`, noting faults in `errors`.
+    /// An expression of `Option<Self>`, from `value: &Value` and `field_path: &FieldPath`, noting faults in `errors`.
     pub(crate) fn read(&self) -> Tokens {
         match self {
             FieldKind::Quantity => code! { support::quantity(value, field_path, errors) },

@@ -24,16 +24,18 @@
 //! - forward dynamics: [`Model::forward_dynamics`], [`Model::simulate`].
 //!
 //! ```
-//! use dalembert_mechanics::planar::{Body, Driver, Joint, Measure, Mechanism, Model, Point};
+//! use dalembert_mechanics::planar::{
+//!     BodyPoint, Driver, Model, PlanarBody, PlanarJoint, PlanarMechanism, RelativeCoordinate,
+//! };
 //!
 //! // A bar of 1 m and 3 kg, turned at 2 rad/s about a pin at its end.
-//! let measure = Measure::Angle { of: Some(0), against: None };
-//! let mechanism = Mechanism {
-//!     bodies: vec![Body { mass: 3.0, inertia: 0.25 }],
-//!     joints: vec![Joint::Pin { a: Point::ground([0.0, 0.0]), b: Point::body(0, [-0.5, 0.0]) }],
+//! let measure = RelativeCoordinate::Angle { of: Some(0), against: None };
+//! let mechanism = PlanarMechanism {
+//!     bodies: vec![PlanarBody { mass: 3.0, inertia: 0.25 }],
+//!     joints: vec![PlanarJoint::Pin { a: BodyPoint::ground([0.0, 0.0]), b: BodyPoint::body(0, [-0.5, 0.0]) }],
 //!     drivers: vec![Driver { measure, value: 0.0, velocity: 2.0, acceleration: 0.0 }],
 //!     gravity: [0.0, -9.81],
-//!     ..Mechanism::default()
+//!     ..PlanarMechanism::default()
 //! };
 //! let guess = [[0.5, 0.0, 0.0]];
 //! let model = Model::new(&mechanism, &guess)?;

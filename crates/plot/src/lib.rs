@@ -8,8 +8,8 @@
 //! ```
 //! use dalembert_core::{Axis, Locale, Plot, Series};
 //! use dalembert_plot::{
-//!     look::Look,
-//!     plot::{self, State},
+//!     look::Appearance,
+//!     plot::{self, PlotState},
 //! };
 //! use ratatui::{buffer::Buffer, layout::Rect};
 //!
@@ -19,8 +19,8 @@
 //!
 //! let area = Rect::new(0, 0, 60, 16);
 //! let mut buffer = Buffer::empty(area);
-//! let state = State::default().moved(&motion, 0.0);
-//! plot::render(&motion, None, &state, &Look::default(), &Locale::english(), area, &mut buffer);
+//! let state = PlotState::default().moved(&motion, 0.0);
+//! plot::render(&motion, None, &state, &Appearance::default(), &Locale::english(), area, &mut buffer);
 //!
 //! let title: String = (0..14).map(|x| buffer[(x, 0)].symbol()).collect();
 //! assert_eq!(title, "Free vibration");

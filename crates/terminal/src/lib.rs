@@ -10,7 +10,7 @@
 //! use std::{process::ExitCode, time::Duration};
 //!
 //! use dalembert_terminal::{
-//!     Guarded, Input, Options, Session, TerminalError,
+//!     Guarded, Options, Session, TerminalError, TerminalInput,
 //!     glyphs::{Capabilities, Environment},
 //!     run_guarded,
 //! };
@@ -22,7 +22,7 @@
 //!     loop {
 //!         session.draw(|frame| frame.render_widget("q ends", frame.area()))?;
 //!         for input in session.next_events(Duration::from_secs(1))? {
-//!             if matches!(input, Input::Key(key) if key.code == KeyCode::Char('q')) {
+//!             if matches!(input, TerminalInput::Key(key) if key.code == KeyCode::Char('q')) {
 //!                 return Ok(());
 //!             }
 //!         }
@@ -45,7 +45,7 @@
 //! The parts can be used alone. [`decode`] turns bytes into keys, mouse reports and pastes, without a terminal:
 //!
 //! ```
-//! use dalembert_terminal::{Input, decode::Decoder};
+//! use dalembert_terminal::{TerminalInput, decode::Decoder};
 //! use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 //!
 //! let (mut decoder, mut inputs) = (Decoder::default(), Vec::new());
@@ -53,14 +53,14 @@
 //! assert_eq!(
 //!     inputs,
 //!     [
-//!         Input::Key(KeyEvent::new(KeyCode::Right, KeyModifiers::CONTROL)),
-//!         Input::Paste("two\nlines".to_owned()),
+//!         TerminalInput::Key(KeyEvent::new(KeyCode::Right, KeyModifiers::CONTROL)),
+//!         TerminalInput::Paste("two\nlines".to_owned()),
 //!     ]
 //! );
 //! ```
 //!
-//! [`glyphs`] finds in the environment what a terminal can show, and reduces finished frames to it; [`contained`] keeps
-//! a panic from the screen; [`Fault`] breaks a program on demand, to test all of this.
+//! [`glyphs`] finds in the environment what a terminal can show, and reduces finished frames to it; [`catch_panic`]
+//! keeps a panic from the screen; [`Fault`] breaks a program on demand, to test all of this.
 //!
 //! Input bytes are decoded here and not by crossterm, whose reader loses the rest of a burst, never leaves an open
 //! paste, and panics on some mouse reports. Nothing here knows the program: what it is called and what it advises come

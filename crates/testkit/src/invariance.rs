@@ -42,12 +42,14 @@ pub fn every_answer_scales_with_its_dimension(entries: &[&'static Entry]) {
     });
 }
 
-/// Types every input in each of its units: a unit changes how a number is shown, never what is found.
-pub fn the_unit_of_an_input_does_not_change_the_answers(entries: &[&'static Entry]) {
-    on_all_cores(&forms(entries), |_, SolvedCase { name, entry, record, solution: here }| {
-        for Varied { path, field, si, unit, .. } in varied(record) {
+/// Types every input in each of its units: a unit changes how a number is shown, never what is found. Every text is read;
+/// for each input `times` of the units are solved with, in turn, so that each unit of a quantity is met in some problem.
+pub fn the_unit_of_an_input_does_not_change_the_answers(entries: &[&'static Entry], times: usize) {
+    on_all_cores(&forms(entries), |form, SolvedCase { name, entry, record, solution: here }| {
+        for Varied { place, path, field, si, unit } in varied(record) {
             let Some(measure) = measure(&field.shape).map(|measure| measure.of(&unit)) else { continue };
-            for unit in measure.units() {
+            let all = measure.units();
+            for (n, unit) in all.iter().enumerate() {
                 let mut draft = Draft::of_record(record);
                 let unit = units::unit(unit).unwrap_or_else(|err| panic!("{name}: {err}"));
                 let style = units::Style { digits: 17, ascii: true, ..units::Style::default() };
@@ -55,6 +57,21 @@ pub fn the_unit_of_an_input_does_not_change_the_answers(entries: &[&'static Entr
                 draft.set(&entry.shape(), &path, &text).unwrap_or_else(|err| panic!("{name}: {err}"));
                 let record =
                     draft.read(&entry.shape()).unwrap_or_else(|err| panic!("{name}: {text}: {err:?}"));
+                let mut read = f64::NAN;
+                record.leaves(&mut |at, _, value| {
+                    if let Value::Quantity(quantity) = value
+                        && at == path
+                    {
+                        read = quantity.si;
+                    }
+                });
+                assert!(
+                    (read - si).abs() <= 1e-14 * si.abs(),
+                    "{name}: {path} = {text} is read as {read}, not {si}"
+                );
+                if (n + form + place) % all.len() >= times {
+                    continue;
+                }
                 let there =
                     entry.solve(&record, &Stop::new()).unwrap_or_else(|err| panic!("{name}: {text}: {err}"));
                 assert_eq!(names(here), names(&there), "{name}: other answers with {path} = {text}");

@@ -126,7 +126,6 @@ macro_rules! registry_tests {
         });
         $crate::registry_tests!(@ $laboratory => invariance {
             every_answer_scales_with_its_dimension
-            the_unit_of_an_input_does_not_change_the_answers
             the_plain_reading_is_the_worked_reading
         });
         $crate::registry_tests!(@ $laboratory => alternatives {
@@ -160,6 +159,14 @@ macro_rules! registry_tests {
             printed_steps_give_their_results
             what_is_shown_is_right_to_any_number_of_digits
         });
+
+        #[test]
+        fn the_unit_of_an_input_does_not_change_the_answers() {
+            $crate::invariance::the_unit_of_an_input_does_not_change_the_answers(
+                &$laboratory.entries(),
+                usize::MAX,
+            );
+        }
 
         #[test]
         fn extreme_values_are_answered_or_refused() {

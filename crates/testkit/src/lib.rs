@@ -38,7 +38,7 @@ mod problems;
 
 use dalembert_core::Entry;
 
-pub use crate::laboratory::Laboratory;
+pub use crate::{laboratory::Laboratory, problems::on_all_cores};
 
 /// Refuses an empty list, over which every test would pass.
 fn some(entries: &[&'static Entry]) {

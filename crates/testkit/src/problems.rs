@@ -60,8 +60,11 @@ pub(crate) fn first_solutions(
     })
 }
 
-/// Calls `work` with each item and its place, on all cores.
-pub(crate) fn on_all_cores<T: Sync>(items: &[T], work: impl Fn(usize, &T) + Sync) {
+/// Calls `work` with each item and its place, on all cores; panics of it are those of the caller.
+///
+/// # Panics
+/// If there is no item, or where `work` panics.
+pub fn on_all_cores<T: Sync>(items: &[T], work: impl Fn(usize, &T) + Sync) {
     assert!(!items.is_empty(), "there is nothing to examine");
     let next = AtomicUsize::new(0);
     let workers = thread::available_parallelism().map_or(1, NonZero::get);
