@@ -191,6 +191,17 @@ impl Shape {
         if let Shape::Optional(inner) = self { inner().present() } else { self }
     }
 
+    /// Measure of a quantity or vector: of an optional one, and of the rows of a list, as well.
+    #[must_use]
+    pub fn measure(&self) -> Option<Measure> {
+        match self {
+            Shape::Quantity(measure) | Shape::Vector(measure, _) => Some(*measure),
+            Shape::Optional(inner) => inner().measure(),
+            Shape::Rows { item, .. } => item().measure(),
+            _ => None,
+        }
+    }
+
     /// The fields directly inside: of a group, or of the alternative `variant` of a one-of.
     pub fn fields(&self, variant: Option<usize>) -> &'static [Field] {
         match self {

@@ -45,17 +45,8 @@ pub(crate) fn mixed(record: &Record) -> Vec<FieldError> {
 }
 
 fn found(shape: &Shape, path: &str, dim: Dim, shown: impl FnOnce() -> String) -> Option<Found> {
-    let measure = measure(shape).filter(|measure| !measure.others.is_empty())?;
+    let measure = shape.measure().filter(|measure| !measure.others.is_empty())?;
     Some(Found { path: path.to_owned(), shown: shown(), place: measure.place(dim)? })
-}
-
-fn measure(shape: &Shape) -> Option<Measure> {
-    match shape {
-        Shape::Quantity(measure) => Some(*measure),
-        Shape::Optional(inner) => measure(inner()),
-        Shape::Rows { item, .. } => measure(item()),
-        _ => None,
-    }
 }
 
 /// Reason why a text is of none of the kinds of a field.

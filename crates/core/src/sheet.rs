@@ -142,7 +142,7 @@ impl<'a> Sheet<'a> {
         self.record(symbol, self.unit(unit), Some(id), number, dim, why)
     }
 
-    fn write_found(&self, symbol: Symbol, unit: &'static str, number: Number, how: Reason) -> Id {
+    fn write_numerical(&self, symbol: Symbol, unit: &'static str, number: Number, how: Reason) -> Id {
         let unit = self.unit(unit);
         let dim = unit.dim;
         self.record(symbol, unit, None, number, dim, how)
@@ -247,7 +247,7 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         si: f64,
         how: impl Into<Reason>,
     ) -> Term<'s> {
-        Term::Node(self, self.write_found(symbol.into(), unit, Number::Scalar(si), how.into()))
+        Term::Node(self, self.write_numerical(symbol.into(), unit, Number::Scalar(si), how.into()))
     }
 
     fn numerical_within(
@@ -273,7 +273,10 @@ impl<'s> Worksheet for &'s Sheet<'s> {
         si: Vector3<f64>,
         how: impl Into<Reason>,
     ) -> VectorTerm<'s> {
-        VectorTerm::Node(self, self.write_found(symbol.into(), unit, Number::Vector(si.into()), how.into()))
+        VectorTerm::Node(
+            self,
+            self.write_numerical(symbol.into(), unit, Number::Vector(si.into()), how.into()),
+        )
     }
 
     fn check(self, what: impl Into<Text>, left: Term<'s>, right: Term<'s>) {

@@ -42,7 +42,7 @@ pub struct Perturbed {
 pub fn inputs(record: &Record) -> Vec<VariedInput> {
     let mut found: Vec<VariedInput> = Vec::new();
     record.leaves(&mut |path, field, value| {
-        let Some(measure) = measure_of(&field.shape) else { return };
+        let Some(measure) = field.shape.measure() else { return };
         if gravity::is_gravity(field)
             && gravity::shared(record, path).first().is_some_and(|first| first != path)
         {
@@ -254,15 +254,6 @@ enum Place<'r> {
     Record(&'r mut Record),
     Value(&'r mut Value, Shape),
     Number(&'r mut f64),
-}
-
-fn measure_of(shape: &Shape) -> Option<Measure> {
-    match shape {
-        Shape::Quantity(measure) | Shape::Vector(measure, _) => Some(*measure),
-        Shape::Optional(inner) => measure_of(inner()),
-        Shape::Rows { item, .. } => measure_of(item()),
-        _ => None,
-    }
 }
 
 fn label(label: &'static str, path: &str, axis: &str) -> Text {

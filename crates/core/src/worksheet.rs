@@ -40,7 +40,7 @@ pub trait Worksheet: Copy {
         why: impl Into<Reason>,
     ) -> Self::Vec;
     /// Brings in a number (SI) that a numerical method found, saying how; a [`check`](Worksheet::check)
-    /// must then hold it to its equation.
+    /// must then verify its equation.
     fn numerical(
         self,
         symbol: impl Into<Symbol>,

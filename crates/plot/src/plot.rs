@@ -276,20 +276,8 @@ impl Canvas<'_> {
 
     /// The columns of a band inside the axes.
     fn columns(&self, from: f64, to: f64) -> Option<(u16, u16)> {
-        let end = |at: f64| match at {
-            f64::INFINITY => Some(1.0),
-            // An end that a logarithmic axis cannot show lies at or below zero: left of it.
-            _ if at == f64::NEG_INFINITY || (!at.is_nan() && self.axes.x.of(at).is_none()) => Some(0.0),
-            _ => self.axes.x.of(at),
-        };
-        let (from, to) = (end(from)?, end(to)?);
-        let (from, to) = (from.min(to), from.max(to));
-        if to < 0.0 || from > 1.0 {
-            return None;
-        }
         let last = f64::from(self.area.width) - 1.0;
-        let column = |place: f64| (place.clamp(0.0, 1.0) * last).round() as u16;
-        Some((column(from), column(to)))
+        self.axes.band(from, to).map(|ends| ends.map(|place| (place * last).round() as u16).into())
     }
 
     /// Forbidden ranges are hatched, permitted ones have a bar at the top and at the bottom.

@@ -7,9 +7,7 @@ use std::{
     time::{Duration, Instant},
 };
 
-use dalembert_core::{
-    Answer, Draft, Entry, Field, Measure, Record, Shape, Solution, SolveError, Stop, Value, vary,
-};
+use dalembert_core::{Answer, Draft, Entry, Field, Record, Solution, SolveError, Stop, Value, vary};
 use dalembert_units::{self as units, Dim};
 use itertools::Itertools as _;
 
@@ -47,7 +45,7 @@ pub fn every_answer_scales_with_its_dimension(entries: &[&'static Entry]) {
 pub fn the_unit_of_an_input_does_not_change_the_answers(entries: &[&'static Entry], times: usize) {
     on_all_cores(&forms(entries), |form, SolvedCase { name, entry, record, solution: here }| {
         for Varied { place, path, field, si, unit } in varied(record) {
-            let Some(measure) = measure(&field.shape).map(|measure| measure.of(&unit)) else { continue };
+            let Some(measure) = field.shape.measure().map(|measure| measure.of(&unit)) else { continue };
             let all = measure.units();
             for (n, unit) in all.iter().enumerate() {
                 let mut draft = Draft::of_record(record);
@@ -221,15 +219,6 @@ fn replace(record: &mut Record, change: &mut impl FnMut(&mut units::Quantity)) {
         }
     }
     record.values.iter_mut().for_each(|here| value(here, change));
-}
-
-fn measure(shape: &Shape) -> Option<Measure> {
-    match shape {
-        Shape::Quantity(measure) => Some(*measure),
-        Shape::Optional(inner) => measure(inner()),
-        Shape::Rows { item, .. } => measure(item()),
-        _ => None,
-    }
 }
 
 /// An input that is varied by itself.

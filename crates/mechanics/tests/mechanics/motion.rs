@@ -12,6 +12,7 @@ use itertools::Itertools as _;
 
 use crate::close::{close, found};
 use crate::models::{andrews, four_bars};
+use crate::planar::{ends, slider_crank_joints};
 
 fn run(duration: f64, tolerance: f64, samples: usize) -> PlanarRun<'static> {
     PlanarRun { duration, tolerance, samples, ends: &[], most_steps: 100_000, cancelled: &|| false }
@@ -202,10 +203,6 @@ fn the_accelerations_of_a_motion_are_those_of_the_full_equations() {
 fn drivers_do_the_work_that_a_motion_takes() {
     // A crank turned at an even speed from rest of the rest: its torque is that of the dynamics at every moment, and
     // its work closes the balance.
-    let ends = |body: usize, length: f64| {
-        [BodyPoint::body(body, [-length / 2.0, 0.0]), BodyPoint::body(body, [length / 2.0, 0.0])]
-    };
-    let ([o, p], [q, s]) = (ends(0, 0.1), ends(1, 0.35));
     let piston = BodyPoint::body(2, [0.0, 0.0]);
     let mechanism = PlanarMechanism {
         bodies: vec![
@@ -213,17 +210,7 @@ fn drivers_do_the_work_that_a_motion_takes() {
             PlanarBody { mass: 2.0, inertia: 0.03 },
             PlanarBody { mass: 3.0, inertia: 0.0 },
         ],
-        joints: vec![
-            PlanarJoint::Pin { a: BodyPoint::ground([0.0, 0.0]), b: o },
-            PlanarJoint::Pin { a: p, b: q },
-            PlanarJoint::Pin { a: s, b: piston },
-            PlanarJoint::Slider {
-                guide: BodyPoint::ground([0.0, 0.0]),
-                direction: 0.0,
-                slides: piston,
-                angle: 0.0,
-            },
-        ],
+        joints: slider_crank_joints(ends(0, 0.1, 0.05), ends(1, 0.35, 0.35 / 2.0)),
         drivers: vec![Driver { measure: angle(0), value: 0.7, velocity: 20.0, acceleration: 15.0 }],
         loads: vec![PlanarLoad::Effort {
             measure: RelativeCoordinate::Component {

@@ -32,7 +32,7 @@ pub(crate) fn ends(body: usize, length: f64, centre: f64) -> [BodyPoint; 2] {
     [BodyPoint::body(body, [-centre, 0.0]), BodyPoint::body(body, [length - centre, 0.0])]
 }
 
-/// Crank 0, coupler 1 and rocker 2 between the pivots (0, 0) and (d, 0); centre of masss in the middle.
+/// Crank 0, coupler 1 and rocker 2 between the pivots (0, 0) and (d, 0); centres of mass in the middle.
 pub(crate) fn four_bar([a, b, c, d]: [f64; 4], bodies: [PlanarBody; 3], driver: Driver) -> PlanarMechanism {
     let ([o, p], [q, r], [s, t]) = (ends(0, a, a / 2.0), ends(1, b, b / 2.0), ends(2, c, c / 2.0));
     PlanarMechanism {
@@ -58,27 +58,31 @@ pub(crate) fn drawn([a, b, c, d]: [f64; 4], [crank, coupler, rocker]: [f64; 3]) 
     ]
 }
 
+/// Joints of a crank 0, rod 1 and piston 2 that slides along the x axis, from the ends of crank and rod.
+pub(crate) fn slider_crank_joints([o, p]: [BodyPoint; 2], [q, s]: [BodyPoint; 2]) -> Vec<PlanarJoint> {
+    let piston = BodyPoint::body(2, [0.0, 0.0]);
+    vec![
+        PlanarJoint::Pin { a: BodyPoint::ground([0.0, 0.0]), b: o },
+        PlanarJoint::Pin { a: p, b: q },
+        PlanarJoint::Pin { a: s, b: piston },
+        PlanarJoint::Slider {
+            guide: BodyPoint::ground([0.0, 0.0]),
+            direction: 0.0,
+            slides: piston,
+            angle: 0.0,
+        },
+    ]
+}
+
 /// A slider-crank at 20 rad/s, with a rod of 3 kg and a slider of 2 kg, their weights and other loads.
 pub(crate) fn slider_crank([r, l]: [f64; 2], angle: f64, loads: Vec<PlanarLoad>) -> PlanarMechanism {
-    let ([o, p], [q, s]) = (ends(0, r, 0.0), ends(1, l, l / 2.0));
-    let piston = BodyPoint::body(2, [0.0, 0.0]);
     PlanarMechanism {
         bodies: vec![
             PlanarBody::default(),
             PlanarBody { mass: 3.0, inertia: 0.1 },
             PlanarBody { mass: 2.0, inertia: 0.0 },
         ],
-        joints: vec![
-            PlanarJoint::Pin { a: BodyPoint::ground([0.0, 0.0]), b: o },
-            PlanarJoint::Pin { a: p, b: q },
-            PlanarJoint::Pin { a: s, b: piston },
-            PlanarJoint::Slider {
-                guide: BodyPoint::ground([0.0, 0.0]),
-                direction: 0.0,
-                slides: piston,
-                angle: 0.0,
-            },
-        ],
+        joints: slider_crank_joints(ends(0, r, 0.0), ends(1, l, l / 2.0)),
         drivers: vec![turning(0, angle, 20.0, 0.0)],
         loads,
         gravity: [0.0, -10.0],

@@ -161,6 +161,20 @@ impl<'a> Axes<'a> {
         Some(self.x.si(end))
     }
 
+    /// Ends of a band from `from` to `to` (SI, perhaps infinite), as fractions of the horizontal axis in their order;
+    /// `None` for a band that is not seen.
+    pub fn band(&self, from: f64, to: f64) -> Option<[f64; 2]> {
+        let end = |at: f64| match at {
+            f64::INFINITY => Some(1.0),
+            // An end that a logarithmic axis cannot show lies at or below zero: left of it.
+            _ if at == f64::NEG_INFINITY || (!at.is_nan() && self.x.of(at).is_none()) => Some(0.0),
+            _ => self.x.of(at),
+        };
+        let (from, to) = (end(from)?, end(to)?);
+        let (from, to) = (from.min(to), from.max(to));
+        (to >= 0.0 && from <= 1.0).then(|| [from, to].map(|place| place.clamp(0.0, 1.0)))
+    }
+
     /// Reading of a curve at `x`. Between two computed points a joined curve is read along the line that is drawn, and
     /// no better than the curve bends there: parabolas through a third point on either side tell how much. A mark at
     /// `x` that is no further off is one of the curve, and is read itself, so that no answer is contradicted. Separate

@@ -233,15 +233,7 @@ impl Area<'_> {
 
     /// Ends of a band inside the axes.
     fn ends(&self, from: f64, to: f64) -> Option<(f64, f64)> {
-        let end = |at: f64| match at {
-            f64::INFINITY => Some(1.0),
-            // An end that a logarithmic axis cannot show lies at or below zero: left of it.
-            _ if at == f64::NEG_INFINITY || (!at.is_nan() && self.axes.x.of(at).is_none()) => Some(0.0),
-            _ => self.axes.x.of(at),
-        };
-        let (from, to) = (end(from)?, end(to)?);
-        let (from, to) = (from.min(to), from.max(to));
-        (to >= 0.0 && from <= 1.0).then(|| (self.x(from.clamp(0.0, 1.0)), self.x(to.clamp(0.0, 1.0))))
+        self.axes.band(from, to).map(|ends| ends.map(|place| self.x(place)).into())
     }
 
     fn bands(&self, parts: &mut Vec<PictureElement>) {

@@ -7,9 +7,12 @@ use dalembert_mechanics::{Real, vibration::modes::natural_modes};
 use nalgebra::{DMatrix, DVector};
 
 use crate::{
-    shared::system::{
-        modes::{agreement, refusal},
-        two_degrees,
+    shared::{
+        oscillator::{Mass, MassGiven},
+        system::{
+            modes::{agreement, refusal},
+            two_degrees,
+        },
     },
     sources::RAO,
 };
@@ -18,7 +21,7 @@ use crate::{
 #[derive(Clone, Debug, Inputs)]
 pub struct BarOnTwoSprings {
     /// Mass of the bar.
-    pub body: BarMass,
+    pub body: Mass,
     /// Moment of inertia about the centre of mass.
     pub inertia: BarInertia,
     /// Front spring.
@@ -35,26 +38,6 @@ pub struct BarOnTwoSprings {
     /// Negative if it is ahead of it.
     #[input("b", "m")]
     pub rear_distance: f64,
-}
-
-/// Mass or weight of the bar.
-#[derive(Clone, Debug, Inputs)]
-pub enum BarMass {
-    /// Mass given
-    Mass {
-        /// Mass.
-        #[input("m", "kg", positive)]
-        mass: f64,
-    },
-    /// Weight given
-    Weight {
-        /// Weight.
-        #[input("W", "N", positive)]
-        weight: f64,
-        /// Gravity.
-        #[input("g", "m/s^2", positive, default = "9.81 m/s^2", default_before = "9.80665 m/s^2")]
-        gravity: f64,
-    },
 }
 
 /// Rotational inertia of the bar.
@@ -101,8 +84,8 @@ impl Analysis for BarOnTwoSprings {
             ));
         }
         let mass = match &given.body {
-            BarMassGiven::Mass { mass } => *mass,
-            BarMassGiven::Weight { weight, gravity } => {
+            MassGiven::Mass { mass } => *mass,
+            MassGiven::Weight { weight, gravity } => {
                 sheet.step("m", "kg", *weight / *gravity, "The mass has this weight")
             }
         };

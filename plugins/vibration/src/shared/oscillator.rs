@@ -14,7 +14,7 @@ use crate::{
     sources::RAO,
 };
 
-/// The mass, said as such or as a weight.
+/// Mass, given directly or by the weight.
 #[derive(Clone, Debug, Inputs)]
 pub enum Mass {
     /// Mass given
