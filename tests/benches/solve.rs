@@ -1,6 +1,7 @@
 //! Benchmark of a solve: the inputs are read and solved, for the first case of every analysis.
 //!
-//! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them.
+//! Prints `name<TAB>figure<TAB>goal`, a row a line; `cargo xtask bench` makes a table of them. Of an id as argument that
+//! analysis alone is solved, as for a profile: `cargo bench -p dalembert-tests --bench solve -- half-car`.
 
 use std::{hint::black_box, time::Instant};
 
@@ -10,7 +11,8 @@ use dalembert_plugins as _;
 const ROUNDS: usize = 500;
 
 fn main() {
-    for entry in registry() {
+    let wanted = std::env::args().skip(1).find(|word| !word.starts_with("--")).unwrap_or_default();
+    for entry in registry().iter().filter(|entry| entry.about.id.contains(&wanted)) {
         let Some(case) = cases::first(entry) else { continue };
         let shape = entry.shape();
         let mut times: Vec<f64> = (0..ROUNDS)

@@ -1,6 +1,7 @@
 //! Plots, tables and drawings: what a solution shows beside its numbers. Plain data in SI.
 
 mod clip;
+mod frames;
 mod side;
 mod space;
 
@@ -11,6 +12,7 @@ use std::{
 };
 
 pub use self::clip::clipped;
+pub use self::frames::Frames;
 pub use self::side::LabelSide;
 pub use self::space::{Point3, Scene, Shape3, Viewpoint3};
 use crate::Text;
@@ -180,7 +182,7 @@ pub struct Animation {
     /// Title.
     pub title: Text,
     /// Frames; the first one stands for the animation where nothing can move.
-    pub frames: Vec<Vec<DrawnShape>>,
+    pub frames: Frames,
     /// The time of all frames on the screen, in seconds.
     pub period: f64,
     /// The path of the input that it runs over, and its value in SI at every frame; `None` where no input does.
@@ -292,7 +294,7 @@ impl Plot {
 
 impl Animation {
     /// An animation that runs over no input.
-    pub fn new(title: impl Into<Text>, frames: Vec<Vec<DrawnShape>>, period: f64) -> Self {
+    pub fn new(title: impl Into<Text>, frames: Frames, period: f64) -> Self {
         Self { title: title.into(), frames, period, over: None }
     }
 

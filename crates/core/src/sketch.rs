@@ -37,7 +37,7 @@ use self::{
     part::{Item, Part, items},
     placement::{Words, sides},
 };
-use crate::{Animation, Drawing, DrawnShape, Ink, LabelSide, Point, Text};
+use crate::{Animation, Drawing, DrawnShape, Frames, Ink, LabelSide, Point, Text};
 
 /// A drawing in the making. Names that are empty are not written.
 #[derive(Clone, Debug, Default)]
@@ -293,8 +293,12 @@ impl Sketch {
     ) -> Animation {
         let frames: Vec<Sketch> = frames.into_iter().collect();
         let size = frames.iter().find_map(|frame| frame.size);
-        let parts: Vec<&[Part]> = frames.iter().map(|frame| frame.parts.as_slice()).collect();
-        Animation::new(title, placed(&parts, size), period)
+        let parts: Vec<Vec<Part>> = frames.into_iter().map(|frame| frame.parts).collect();
+        let frames = Frames::new(parts.len(), move || {
+            let parts: Vec<&[Part]> = parts.iter().map(Vec::as_slice).collect();
+            placed(&parts, size)
+        });
+        Animation::new(title, frames, period)
     }
 
     fn shape(&mut self, shape: DrawnShape) -> &mut Self {

@@ -47,45 +47,19 @@ const DISTANCES: [f64; 4] = [0.0, 1.0, 2.0, 3.0];
 /// The sides of the words of every frame, in their order. Words that are the same in several frames, counted among equal
 /// ones, keep their side; `unit` is the size of a symbol.
 pub fn sides(words: &[Vec<Words>], shapes: &[Vec<DrawnShape>], unit: f64) -> Vec<Vec<LabelSide>> {
-    let names = names(words);
-    let marks: Vec<Vec<Point>> = seen(shapes.len())
-        .map(|frame| {
-            let mut marks = Vec::new();
-            shapes[frame].iter().for_each(|shape| mark(shape, unit, &mut marks));
-            marks
-        })
-        .collect();
-    let frames: Vec<usize> = seen(shapes.len()).collect();
+    let marks: Vec<Marks> = seen(shapes.len()).map(|frame| Marks::of(&shapes[frame], unit)).collect();
     let centre = centre(shapes.iter().flatten());
-    let mut chosen: Vec<Option<LabelSide>> = vec![None; names.len()];
-    for name in 0..names.len() {
-        let first = &words[names[name][0].0][names[name][0].1];
-        if let Towards::Over(room) = first.towards
-            && width(&first.text, unit) <= room
-        {
-            chosen[name] = Some(LabelSide::Over);
-        }
-    }
-    let over = chosen.clone();
+    let names = names(words);
+    let candidates: Vec<Candidate> =
+        names.iter().map(|name| Candidate::new(name, words, &marks, centre, unit)).collect();
+    let mut chosen: Vec<Option<LabelSide>> = candidates.iter().map(|name| name.fixed).collect();
     for _ in 0..2 {
-        for name in (0..names.len()).filter(|name| over[*name].is_none()) {
-            let price = |side: LabelSide| -> f64 {
-                let mut sum = 0.0;
-                for (frame, marks) in frames.iter().zip(&marks) {
-                    let Some(one) = on(&names[name], *frame).map(|row| &words[*frame][row]) else { continue };
-                    let others = (0..names.len()).filter(|other| *other != name).filter_map(|other| {
-                        let row = on(&names[other], *frame)?;
-                        let one = &words[*frame][row];
-                        Some(place(one, chosen[other]?, 0.0, unit))
-                    });
-                    sum += covered(one, side, marks, &others.collect::<Vec<_>>(), unit);
-                }
-                let first = &words[names[name][0].0][names[name][0].1];
-                sum / frames.len().max(1) as f64 + turn(first, side, centre)
-            };
-            chosen[name] = LabelSide::AROUND
-                .into_iter()
-                .map(|side| (price(side), side))
+        for name in (0..names.len()).filter(|name| candidates[*name].fixed.is_none()) {
+            let others = (0..names.len()).filter(|other| *other != name);
+            let others: Vec<(&Candidate, LabelSide)> =
+                others.filter_map(|other| Some((&candidates[other], chosen[other]?))).collect();
+            chosen[name] = (0..LabelSide::AROUND.len())
+                .map(|side| (candidates[name].price(side, &others), LabelSide::AROUND[side]))
                 .reduce(|best, next| if next.0 < best.0 - 1e-9 { next } else { best })
                 .map(|(_, side)| side);
         }
@@ -100,13 +74,82 @@ pub fn sides(words: &[Vec<Words>], shapes: &[Vec<DrawnShape>], unit: f64) -> Vec
     sides
 }
 
+/// A name whose side is to be chosen, with what each side costs for itself.
+struct Candidate {
+    /// The side of words that stand over their point.
+    fixed: Option<LabelSide>,
+    /// In each frame that sides are chosen by: the area at each side, and the price of the lines that it covers.
+    frames: Vec<Option<[(Area, f64); LabelSide::AROUND.len()]>>,
+    /// Area over the point in each of these frames.
+    over: Vec<Option<Area>>,
+    /// The price of each side for not being the wanted one.
+    turns: [f64; LabelSide::AROUND.len()],
+}
+
+impl Candidate {
+    fn new(name: &[(usize, usize)], words: &[Vec<Words>], marks: &[Marks], centre: Point, unit: f64) -> Self {
+        let first = &words[name[0].0][name[0].1];
+        let is_over = matches!(first.towards, Towards::Over(room) if width(&first.text, unit) <= room);
+        let fixed = is_over.then_some(LabelSide::Over);
+        let here: Vec<Option<&Words>> = seen(words.len())
+            .map(|frame| {
+                let row = name.binary_search_by_key(&frame, |(at, _)| *at).ok()?;
+                Some(&words[frame][name[row].1])
+            })
+            .collect();
+        let place = |words: &Words, side| place(words.at, width(&words.text, unit), side, 0.0, unit);
+        let frames = here.iter().zip(marks).map(|(one, marks)| {
+            let one = one.filter(|_| !is_over)?;
+            let wide = width(&one.text, unit);
+            let near = marks.near(one.at, wide, unit);
+            Some(LabelSide::AROUND.map(|side| (place(one, side), near.covered(one.at, wide, side, unit))))
+        });
+        Self {
+            fixed,
+            frames: frames.collect(),
+            over: here.iter().map(|one| Some(place((*one)?, LabelSide::Over)).filter(|_| is_over)).collect(),
+            turns: LabelSide::AROUND.map(|side| turn(first, side, centre)),
+        }
+    }
+
+    /// The area of the name at a side, in one of the frames that sides are chosen by.
+    fn area(&self, frame: usize, side: LabelSide) -> Option<Area> {
+        match LabelSide::AROUND.iter().position(|known| *known == side) {
+            Some(side) => self.frames[frame].as_ref().map(|sides| sides[side].0),
+            None => self.over[frame],
+        }
+    }
+
+    /// The price of a side beside other names at theirs: the mean over the frames, and the turn.
+    fn price(&self, side: usize, others: &[(&Candidate, LabelSide)]) -> f64 {
+        let mut sum = 0.0;
+        for (frame, sides) in self.frames.iter().enumerate() {
+            let Some(sides) = sides else { continue };
+            let ([left, bottom, right, top], lines) = sides[side];
+            let over =
+                |other: &Area| other[0] < right && other[2] > left && other[1] < top && other[3] > bottom;
+            let covered = others.iter().filter_map(|(other, side)| other.area(frame, *side)).filter(over);
+            sum += lines + OVER_WORDS * covered.count() as f64;
+        }
+        sum / self.frames.len().max(1) as f64 + self.turns[side]
+    }
+}
+
 /// The frames and rows of each name.
 fn names(words: &[Vec<Words>]) -> Vec<Vec<(usize, usize)>> {
     let mut keys: Vec<(&Text, usize)> = Vec::new();
     let mut names: Vec<Vec<(usize, usize)>> = Vec::new();
-    for (frame, words) in words.iter().enumerate() {
-        for (row, one) in words.iter().enumerate() {
-            let before = words[..row].iter().filter(|other| other.text == one.text).count();
+    for (frame, here) in words.iter().enumerate() {
+        // Nearly always the words of the first frame.
+        let is_first = |first: &Vec<Words>| {
+            first.len() == here.len() && first.iter().zip(here).all(|(a, b)| a.text == b.text)
+        };
+        if frame > 0 && words.first().is_some_and(is_first) {
+            names.iter_mut().zip(0..here.len()).for_each(|(name, row)| name.push((frame, row)));
+            continue;
+        }
+        for (row, one) in here.iter().enumerate() {
+            let before = here[..row].iter().filter(|other| other.text == one.text).count();
             let key = (&one.text, before);
             match keys.iter().position(|other| *other == key) {
                 Some(name) => names[name].push((frame, row)),
@@ -118,11 +161,6 @@ fn names(words: &[Vec<Words>]) -> Vec<Vec<(usize, usize)>> {
         }
     }
     names
-}
-
-/// The row of a name in a frame.
-fn on(name: &[(usize, usize)], frame: usize) -> Option<usize> {
-    name.iter().find(|(at, _)| *at == frame).map(|(_, row)| *row)
 }
 
 /// The frames that sides are chosen by.
@@ -137,32 +175,16 @@ fn width(text: &Text, unit: f64) -> f64 {
 /// A box: left, bottom, right, top.
 type Area = [f64; 4];
 
-/// The area of words at a side of their point.
-fn place(words: &Words, side: LabelSide, distance: f64, unit: f64) -> Area {
-    let (wide, high) = (width(&words.text, unit), LINE * unit);
+/// The area of words of a width at a side of their point.
+fn place(at: Point, wide: f64, side: LabelSide, distance: f64, unit: f64) -> Area {
+    let high = LINE * unit;
     let (x, y) = side.direction();
     let towards = |part: f64| if part.abs() < 0.1 { 0.0 } else { part.signum() };
     // Words at a corner begin nearer to the point than words straight beside it.
     let near = if x != 0.0 && y != 0.0 { 0.5 } else { 1.0 };
     let gap = |from: f64| near * (from + distance) * unit;
-    let centre = (
-        words.at.0 + towards(x) * (gap(0.9) + wide / 2.0),
-        words.at.1 + towards(y) * (gap(0.4) + high / 2.0),
-    );
+    let centre = (at.0 + towards(x) * (gap(0.9) + wide / 2.0), at.1 + towards(y) * (gap(0.4) + high / 2.0));
     [centre.0 - wide / 2.0, centre.1 - high / 2.0, centre.0 + wide / 2.0, centre.1 + high / 2.0]
-}
-
-/// The price of what words would cover at a side: other words, and lines at the best distance from their point.
-fn covered(words: &Words, side: LabelSide, marks: &[Point], others: &[Area], unit: f64) -> f64 {
-    let on = |distance: f64| {
-        let [left, bottom, right, top] = place(words, side, distance, unit);
-        let inside = |at: &&Point| at.0 > left && at.0 < right && at.1 > bottom && at.1 < top;
-        marks.iter().filter(inside).count() as f64 + 0.8 * distance
-    };
-    let [left, bottom, right, top] = place(words, side, 0.0, unit);
-    let over = |other: &&Area| other[0] < right && other[2] > left && other[1] < top && other[3] > bottom;
-    let least = DISTANCES.into_iter().map(on).fold(f64::INFINITY, f64::min);
-    least + OVER_WORDS * others.iter().filter(over).count() as f64
 }
 
 /// The price of a side that is not the wanted one.
@@ -189,7 +211,56 @@ fn centre<'a>(shapes: impl Iterator<Item = &'a DrawnShape>) -> Point {
     (f64::midpoint(low.0, high.0), f64::midpoint(low.1, high.1))
 }
 
-/// Points of the lines of a shape, near enough to each other that none passes under words unseen.
+/// Points of the lines of a frame, near enough to each other that none passes under words unseen.
+#[derive(Default)]
+struct Marks {
+    x: Vec<f64>,
+    y: Vec<f64>,
+}
+
+impl Marks {
+    fn of(shapes: &[DrawnShape], unit: f64) -> Self {
+        let mut marks = Vec::new();
+        shapes.iter().for_each(|shape| mark(shape, unit, &mut marks));
+        let (x, y) = marks.into_iter().unzip();
+        Self { x, y }
+    }
+
+    /// The marks that words of a width can cover at some side of a point.
+    fn near(&self, at: Point, wide: f64, unit: f64) -> Self {
+        let [left, bottom, right, top] = LabelSide::AROUND
+            .into_iter()
+            .map(|side| place(at, wide, side, DISTANCES[DISTANCES.len() - 1], unit))
+            .fold([at.0, at.1, at.0, at.1], |[left, bottom, right, top], area| {
+                [left.min(area[0]), bottom.min(area[1]), right.max(area[2]), top.max(area[3])]
+            });
+        let marks = self.x.iter().copied().zip(self.y.iter().copied());
+        let (x, y) = marks.filter(|(x, y)| *x > left && *x < right && *y > bottom && *y < top).unzip();
+        Self { x, y }
+    }
+
+    fn inside(&self, [left, bottom, right, top]: Area) -> usize {
+        let marks = self.x.iter().zip(&self.y);
+        // Without a branch, so that it is computed by SIMD.
+        marks.map(|(x, y)| usize::from((*x > left) & (*x < right) & (*y > bottom) & (*y < top))).sum()
+    }
+
+    /// The price of the lines that words cover at a side, at the best distance from their point.
+    fn covered(&self, at: Point, wide: f64, side: LabelSide, unit: f64) -> f64 {
+        let mut least = f64::INFINITY;
+        for distance in DISTANCES {
+            // Farther out the distance alone costs more.
+            if least <= 0.8 * distance {
+                break;
+            }
+            let covered = self.inside(place(at, wide, side, distance, unit));
+            least = least.min(covered as f64 + 0.8 * distance);
+        }
+        least
+    }
+}
+
+/// The marks of a shape.
 fn mark(shape: &DrawnShape, unit: f64, marks: &mut Vec<Point>) {
     match shape {
         DrawnShape::Polyline(points, _) | DrawnShape::Body(points, _) => {

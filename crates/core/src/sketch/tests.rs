@@ -117,7 +117,7 @@ fn names_and_symbols_do_not_change_while_a_machine_moves() {
         shapes.iter().filter_map(one).collect()
     };
     assert_eq!(fixed(first).len(), 8);
-    for frame in &animation.frames {
+    for frame in animation.frames.iter() {
         assert_eq!(fixed(frame), fixed(first));
     }
 }
