@@ -201,6 +201,20 @@ fn json_of_a_solve_has_the_agreed_shape() {
 }
 
 #[test]
+fn an_input_is_set_by_its_former_path() {
+    let set = |change: &str| {
+        let output = run(&["solve", "balancing/field", "--case", "1", "--set", change], &[]);
+        assert_eq!(output.status.code(), Some(0), "{change}: {}", stderr(&output));
+        (stdout(&output), stderr(&output))
+    };
+    let (now, quiet) = set("measured.first[1].phase=31 deg");
+    let (former, note) = set("measured.velocity.first[1].phase=31 deg");
+    assert_eq!(now, former);
+    assert_eq!(quiet, "");
+    assert!(note.contains("measured.velocity.first[1].phase: read as measured.first[1].phase"), "{note}");
+}
+
+#[test]
 fn inputs_units_and_digits_are_changed() {
     let solved = json(&["solve", FAN, "--case", "1", "--set", "speed=1500 rpm", "--format", "json"]);
     assert_eq!(solved["inputs"]["speed"]["text"], "1500 rpm");

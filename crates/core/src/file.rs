@@ -11,6 +11,7 @@
 
 mod format;
 mod former;
+pub use former::former_input;
 
 use std::ops::Range;
 
@@ -334,7 +335,7 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Fil
         _ => match item.as_value() {
             Some(value @ (Toml::String(_) | Toml::Integer(_) | Toml::Float(_) | Toml::Boolean(_))) => {
                 let text = format::with_decimal_commas(plain(value), shape, path, reading);
-                Draft::Leaf(former::with_unit(text, shape, reading))
+                Draft::Leaf(former::with_unit(text, shape, reading.kind))
             }
             _ => fail("one value is needed here".into(), item.span()),
         },

@@ -91,7 +91,7 @@ fn of_analysis(
     let shape = entry.shape();
     let base = case.as_ref().map_or_else(|| Draft::blank(&shape), |case| case.draft.clone());
     let mut draft = base.clone();
-    let mut errors = change(&mut draft, &shape, asked.changes);
+    let mut errors = change(&mut draft, &shape, asked.changes, console);
     let mut is_incomplete = false;
     let record = draft.read(&shape).map_err(|found| {
         is_incomplete = found.iter().any(|err| typed(&draft, &shape, &err.path).is_empty());
@@ -147,7 +147,7 @@ fn of_file(path: &Path, asked: &ProblemSource<'_>, console: &Console) -> Result<
     })?;
     let shape = problem.entry.shape();
     let mut draft = problem.draft;
-    let errors = change(&mut draft, &shape, asked.changes);
+    let errors = change(&mut draft, &shape, asked.changes, console);
     if !errors.is_empty() {
         return Err(Failure::Input(errors));
     }
@@ -196,7 +196,7 @@ fn reported(notes: Vec<Text>, template: &'static str, console: &Console) -> Vec<
 }
 
 /// Makes the changes of `--set`, and says what is wrong with those that cannot be made.
-fn change(draft: &mut Draft, shape: &Shape, changes: &[String]) -> Vec<Text> {
+fn change(draft: &mut Draft, shape: &Shape, changes: &[String], console: &Console) -> Vec<Text> {
     let mut errors = Vec::new();
     for change in changes {
         let Some((path, value)) = change.split_once('=') else {
@@ -206,7 +206,13 @@ fn change(draft: &mut Draft, shape: &Shape, changes: &[String]) -> Vec<Text> {
             );
             continue;
         };
-        let path = path.trim();
+        let former = file::former_input(shape, path.trim(), value);
+        if let Some((now, _)) = &former {
+            let words = Text::new("{was}: read as {now}; the units now say what was measured");
+            console.notify("note: {words}", &words.with("was", path.trim()).with("now", now));
+        }
+        let (path, value) =
+            former.as_ref().map_or((path.trim(), value), |(path, value)| (path.as_str(), value.as_str()));
         match from_file(draft, shape, path, value) {
             Ok(text) => {
                 let before = draft.clone();

@@ -5,7 +5,10 @@ use dalembert_units as units;
 use toml_edit::{InlineTable, Item, Table, Value as Toml};
 
 use super::{FileNotes, draft_of as read};
-use crate::{Draft, Field, Shape, Text, Variant};
+use crate::{
+    Draft, Field, Shape, Text, Variant,
+    path::{Segment, segments, step},
+};
 
 /// The place of a name among former alternatives.
 pub(super) fn place(former: &[&str], name: &str) -> Option<usize> {
@@ -39,9 +42,42 @@ pub(super) fn draft_of(
     draft
 }
 
+/// Today's path and text of an input that is named through a former alternative; `None` if the path has none.
+pub fn former_input(shape: &Shape, path: &str, text: &str) -> Option<(String, String)> {
+    let (mut shape, mut former, mut kind) = (*shape, &[][..], None);
+    let mut now = String::new();
+    for mut segment in segments(path).ok()? {
+        if let Segment::Name(name) = &segment {
+            if let Some(at) = place(former, name) {
+                (kind, former) = (Some(at), &[]);
+                continue;
+            }
+            if let Shape::OneOf(variants) = shape.present() {
+                let renamed =
+                    variants().iter().find_map(|variant| Some((variant.name, place(variant.former, name)?)));
+                if let Some((name, at)) = renamed {
+                    kind = Some(at);
+                    segment = Segment::Name(name.to_owned());
+                }
+            }
+        }
+        let present = shape.present();
+        let (at, inner) = step(&present, &segment, path).ok()?;
+        former = if let Shape::Group(fields) = present { fields()[at].former } else { &[] };
+        match segment {
+            Segment::Name(name) if now.is_empty() => now = name,
+            Segment::Name(name) => now = format!("{now}.{name}"),
+            Segment::Row(row) => now = format!("{now}[{}]", row + 1),
+        }
+        shape = inner;
+    }
+    kind?;
+    Some((now, with_unit(text.to_owned(), &shape.present(), kind)))
+}
+
 /// A number alone in a former alternative, with the unit that it had there.
-pub(super) fn with_unit(text: String, shape: &Shape, reading: &FileNotes) -> String {
-    let (Some(place), Shape::Quantity(measure)) = (reading.kind, shape) else { return text };
+pub(super) fn with_unit(text: String, shape: &Shape, kind: Option<usize>) -> String {
+    let (Some(place), Shape::Quantity(measure)) = (kind, shape) else { return text };
     let unit = measure.all().nth(place).filter(|_| !measure.others.is_empty()).map(|kind| kind.own_unit());
     match unit {
         Some(unit)
