@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use dalembert_core::{Answer, Stop, Text, file};
+use dalembert_core::{Answer, Stop, Text, cases, file, find, registry};
 use dalembert_tests::person::Person;
 use dalembert_tui::{Msg, files::FileError};
 
@@ -267,6 +267,47 @@ fn what_was_measured_was_an_alternative_in_earlier_files() {
     let bare = solved(&field_balancing(&known("")));
     let stated = solved(&field_balancing(&known("[1]; [1]; [mm/(s*g)]; [deg]\n")));
     assert_eq!(bare.to_bits(), stated.to_bits());
+}
+
+#[test]
+fn a_path_of_an_earlier_file_is_read_with_the_unit_it_meant() {
+    let shape = find("balancing/field").expect("it is registered").shape();
+    let now = |path: &str, text: &str| file::former_input(&shape, path, text);
+    let pair = |path: &str, text: &str| Some((path.to_owned(), text.to_owned()));
+    let first = "measured.first[1].amplitude";
+    assert_eq!(now("measured.velocity.first[1].amplitude", "80"), pair(first, "80 mm/s"));
+    assert_eq!(now("measured.displacement.first[1].amplitude", "2*50"), pair(first, "(2*50) um"));
+    assert_eq!(now("measured.acceleration.first[1].amplitude", "3 in/s^2"), pair(first, "3 in/s^2"));
+    assert_eq!(now("measured.number.first[1].phase", "30 deg"), pair("measured.first[1].phase", "30 deg"));
+    // Today's paths, and paths of nothing, are left alone.
+    for path in [first, "measured", "measured.speed.first", "velocity.first"] {
+        assert_eq!(now(path, "80"), None, "{path}");
+    }
+}
+
+#[test]
+fn a_case_is_found_by_its_former_title() {
+    let mut renamed = 0;
+    for entry in registry() {
+        let cases = cases::cases(entry).expect("the cases can be read");
+        for former in cases.iter().filter_map(|case| case.former.as_deref()) {
+            let named = cases.iter().filter(|case| case.is_named(former)).count();
+            assert_eq!(named, 1, "{}: {former}", entry.about.id);
+            renamed += 1;
+        }
+    }
+    assert!(renamed > 250, "{renamed}");
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("fan.toml");
+    let mut person = fan(80, 24);
+    person.types("S<c-u>").types(path.to_str().expect("a readable path")).types("<enter>");
+    let text = fs::read_to_string(&path).expect("the file is there");
+    let old = text.replace("Fan on a cantilever", "The fan as it should have come out");
+    fs::write(&path, old).expect("written");
+    let person = Person::at(80, 24).opens_file(&path);
+    let bench = person.model.bench.as_ref().expect("a problem is open");
+    let origin = bench.problem.document.origin.as_ref().map(|case| case.name.as_str());
+    assert_eq!(origin, Some("Fan on a cantilever, corrected"), "{text}");
 }
 
 #[test]

@@ -13,6 +13,8 @@ use crate::{
 pub struct Case {
     /// Name in files; [`title`](Self::title) is for display.
     pub name: String,
+    /// Name that it had before; files and exercise lists that say it are still read.
+    pub former: Option<String>,
     /// Publication of the problem.
     pub source: Text,
     /// Kind of truth of its answers.
@@ -133,6 +135,11 @@ pub fn first(entry: &Entry) -> Option<Case> {
 }
 
 impl Case {
+    /// Returns true if it has this name, or had it before.
+    pub fn is_named(&self, name: &str) -> bool {
+        self.name == name || self.former.as_deref() == Some(name)
+    }
+
     /// Title for display.
     pub fn title(&self) -> Text {
         Text::new(self.name.clone())
@@ -216,7 +223,9 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
     let text = |key: &str| table.get(key).and_then(Item::as_str).map(str::to_owned);
     let name = text("name").ok_or("a case has no name")?;
     for (key, _) in table {
-        if !["name", "source", "truth", "seen", "note", "inputs", "expect", "refused"].contains(&key) {
+        if !["name", "former", "source", "truth", "seen", "note", "inputs", "expect", "refused"]
+            .contains(&key)
+        {
             return Err(format!("{name}: there is no key `{key}` in a case"));
         }
     }
@@ -264,7 +273,7 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
         _ => {}
     }
     let (source, note) = (Text::new(source), Text::new(text("note").unwrap_or_default()));
-    Ok(Case { name, source, truth, seen, note, draft, expect, refused })
+    Ok(Case { name, former: text("former"), source, truth, seen, note, draft, expect, refused })
 }
 
 fn expected(answer: &str, item: &Item, truth: Truth) -> Result<Expected, String> {

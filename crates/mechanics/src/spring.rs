@@ -39,7 +39,7 @@ pub fn helical<S: Real>(shear: S, wire_diameter: S, coil_diameter: S, active_coi
     shear * wire_diameter.powi(4) / (coil_diameter.powi(3) * active_coils * 8.0)
 }
 
-/// Helical spring turned about its axis, `k = E d⁴/(64 D n)`, N·m/rad: the wire bends along its length `π D n`.
+/// Helical spring twisted about its axis, `k = E d⁴/(64 D n)`, N·m/rad: the wire bends along its length `π D n`.
 #[inline]
 pub fn helical_torsional<S: Real>(young: S, wire_diameter: S, coil_diameter: S, active_coils: S) -> S {
     young * wire_diameter.powi(4) / (coil_diameter * active_coils * 64.0)

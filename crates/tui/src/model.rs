@@ -330,7 +330,8 @@ impl Model {
     /// change.
     pub fn problem_of(&self, read: file::ProblemFile) -> Problem {
         let cases = self.cases_of(read.entry);
-        let origin = cases.iter().map(|checked| &checked.case).find(|case| case.name == read.title).cloned();
+        let origin =
+            cases.iter().map(|checked| &checked.case).find(|case| case.is_named(&read.title)).cloned();
         let title = if origin.is_some() { String::new() } else { read.title };
         let mut problem = Problem::new(read.entry, title, read.draft, cases);
         (problem.document.origin, problem.document.show) = (origin, read.show);

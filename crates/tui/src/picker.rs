@@ -258,7 +258,7 @@ impl<'m> Contents<'m> {
                     let cases = self.listings[listing].cases();
                     let case = match exercise.case.as_str() {
                         "" => 0,
-                        name => cases.iter().position(|case| case.name == name)?,
+                        name => cases.iter().position(|case| case.is_named(name))?,
                     };
                     Some(leaf(listing, Some(case)))
                 };

@@ -967,11 +967,11 @@ two-probes-at-each-of-two-bearings = Dois sensores em cada um de dois mancais
 pavelek-as-the-test-set-of-hsbalance-gives-it = Pavelek, conforme o conjunto de testes do hsbalance
 the-test-set-says-that-the-paper-prints-the-second-angle-as-0-and-that-9-is-what-it-works-out-to-by = O conjunto de testes diz que o artigo imprime o segundo ângulo como 0° e que −9° é o que se obtém à mão.
 the-coefficients-have-two-digits-and-the-paper-works-graphically = os coeficientes têm dois algarismos, e o artigo trabalha graficamente
-three-planes-two-of-them-nearly-alike = Três planos, dois deles quase iguais
+three-planes-two-of-them-nearly-dependent = Três planos, dois deles quase dependentes
 m-s-darlow-balancing-of-high-speed-machinery-1982-paper-case-2 = M. S. Darlow, Balancing of High-Speed Machinery (artigo de 1982), caso 2
 planes-2-and-3-differ-at-one-reading-only-their-weights-are-large-and-opposite-which-is-the-symptom = Os planos 2 e 3 diferem em uma só leitura: suas massas são grandes e opostas, o que é o sintoma.
 the-data-are-printed-to-three-digits-and-the-angles-to-whole-degrees-and-the-planes-are-nearly-alike = os dados estão impressos com três algarismos e os ângulos em graus inteiros, e os planos são quase iguais
-the-same-rotor-without-the-plane-that-is-alike = O mesmo rotor sem o plano que é igual
+the-same-rotor-without-the-dependent-plane = O mesmo rotor sem o plano dependente
 m-s-darlow-balancing-of-high-speed-machinery-1982-paper-case-3 = M. S. Darlow, Balancing of High-Speed Machinery (artigo de 1982), caso 3
 plane-2-is-left-out-the-third-plane-is-the-second-one-here = O plano 2 fica de fora; o terceiro plano é aqui o segundo.
 trial-weights-left-on = Massas de teste mantidas
@@ -983,43 +983,43 @@ the-same-runs-with-the-first-weight-taken-off = As mesmas medições com a prime
 balanceit-worked-example-of-two-planes-and-four-readings-read-otherwise = Balanceit, exemplo resolvido de dois planos e quatro leituras, lido de outra maneira
 result-if-the-first-trial-weight-had-been-removed-another-correction-with-the-same-sum-of-squares-so = Resultado se a primeira massa de teste tivesse sido retirada: outra correção com a mesma soma de quadrados, de modo que o resíduo não revela o erro.
 rounded-to-whole-degrees-by-another-program = arredondado a graus inteiros por outro programa
-eleven-readings-four-planes-the-largest-reading-least-weights-limited = Onze leituras, quatro planos, maior leitura mínima, massas limitadas
+eleven-readings-four-planes-min-max-with-limited-weights = Onze leituras, quatro planos, mínimo da maior leitura com massas limitadas
 r-foiles-as-the-test-set-of-hsbalance-gives-it = R. Foiles, conforme o conjunto de testes do hsbalance
 the-largest-initial-reading-is-138 = A maior leitura inicial é 138.
 the-optimum-is-flat-the-printed-weights-leave-75-80-at-most-where-72-93-is-the-least = o ótimo é achatado: as massas impressas deixam 75,80 no máximo, quando o menor possível é 72,93
-the-same-its-proved-optimum = O mesmo caso, ótimo comprovado
+the-same-proved-optimum = O mesmo caso, ótimo comprovado
 by-a-general-optimiser-apart-from-this-program = Por um otimizador geral, fora deste programa.
 the-optimiser-stopped-earlier = o otimizador parou antes
 the-same-by-least-squares = O mesmo caso por mínimos quadrados
 least-squares-give-a-larger-maximum-reading-than-the-minimax-solution = Os mínimos quadrados dão uma leitura máxima maior que a da solução minimax.
-weighting-factors-alike-are-no-weighting = Fatores de ponderação iguais não ponderam
+equal-weighting-factors = Fatores de ponderação iguais
 goodman-s-example-with-factors-of-2 = exemplo de Goodman com fatores iguais a 2
 least-squares-by-hand-17-21-and-31-21 = Mínimos quadrados à mão: 17/21 e 31/21.
-trial-weight-where-the-correction-belongs = Massa de teste na posição da correção
+trial-weight-at-the-place-of-the-correction = Massa de teste na posição da correção
 a-trial-that-brings-the-vibration-to-half-twice-the-weight-at-the-same-angle = um teste que reduz a vibração à metade: o dobro da massa no mesmo ângulo
 the-effect-of-the-weight-is-3-mm-s-at-20-6-mm-s-at-20-are-required = O efeito da massa é de 3 mm/s a 20°; procuram-se 6 mm/s a 20°.
 lagging-phase-weights-counted-with-the-rotation = Fase em atraso, massas contadas no sentido da rotação
 the-grinding-wheel-with-phases-measured-in-the-opposite-sense = o rebolo, com as fases medidas no sentido oposto
 the-same-vibration-on-an-instrument-that-displays-phase-lag-only-the-signs-of-the-phases-change = A mesma vibração em um instrumento que indica atraso de fase: só mudam os sinais das fases.
-a-trial-that-changed-too-little = Medição de teste que mudou pouco demais
+trial-weight-with-too-small-an-effect = Massa de teste com efeito pequeno demais
 a-trial-weight-of-2-g-that-moves-the-vector-by-1 = uma massa de teste de 2 g que desloca o vetor em 1 %
 the-bare-formulas-would-give-hundreds-of-grams = Só com as fórmulas o resultado seria de centenas de gramas.
-a-trial-without-effect = Medição de teste sem efeito
+trial-weight-without-effect = Massa de teste sem efeito
 a-run-equal-to-the-initial-one = uma medição igual à inicial
-two-planes-that-act-alike = Dois planos que atuam igualmente
+two-planes-with-the-same-influence-coefficients = Dois planos com os mesmos coeficientes de influência
 two-trial-runs-whose-effects-are-parallel = duas medições de teste cujos efeitos são paralelos
 runs-at-different-speeds = Medições em velocidades diferentes
 a-trial-run-at-another-speed = uma medição de teste em outra rotação
-nothing-vibrates = Nada vibra
+all-readings-zero = Todas as leituras nulas
 an-initial-run-of-zero = uma medição inicial nula
-a-sensor-forgotten = Um sensor esquecido
+missing-reading-of-one-sensor = Falta a leitura de um sensor
 a-trial-run-with-fewer-readings = uma medição de teste com menos leituras
 
 # known_masses.toml
 the-rotor-of-the-course-notes-with-its-bearings = O rotor da apostila, com seus mancais
 riul-unit-ii-example-2-with-bearings-30-mm-outside-the-planes = Riul, Unidade II, exemplo 2, com mancais 30 mm além dos planos
 the-numbers-of-the-notes-require-a-65-mm-25-mm-from-plane-b-they-print-weights-with-g-10-m-s-the = Os números da apostila exigem a₂ = 65 mm, a 25 mm do plano B. Ela imprime pesos com g = 10 m/s²; as forças nos mancais são calculadas aqui, e no segundo método os planos são tomados um a um.
-the-same-rotor-as-its-statement-reads = O mesmo rotor conforme o enunciado
+the-same-rotor-with-the-data-of-the-statement = O mesmo rotor com os dados do enunciado
 riul-unit-ii-example-2 = Riul, Unidade II, exemplo 2
 the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-it-is-5-531-kg = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado são 5,531 kg.
 the-printed-numbers-belong-to-a-65-mm-with-the-25-mm-of-the-statement-it-is-318-34 = Os números impressos correspondem a a₂ = 65 mm; com os 25 mm do enunciado são 318,34°.
@@ -1064,17 +1064,17 @@ a-couple-and-the-weight-on-two-bearings = Um conjugado e o peso sobre dois manca
 n-1-kg-at-10-mm-in-both-planes-half-a-turn-apart-0-4-m-c-4-g-m-over-a-span-of-0-5-m-and-half-of-10-kg = 1 kg a 10 mm nos dois planos, com defasagem de meia volta, 0,4 m: C = 4 g·m² · ω², sobre um vão de 0,5 m; e a metade de 10 kg
 a-triangle-of-forces = Triângulo de forças
 n-3-4-5-triangle-3-and-4-kg-at-90-to-each-other-are-balanced-by-5-kg-at-180-53-13 = triângulo 3-4-5: 3 e 4 kg defasados de 90° são equilibrados por 5 kg a 180° + 53,13°
-all-correction-planes-in-one-place = Todos os planos de correção no mesmo lugar
+coincident-correction-planes = Planos de correção coincidentes
 a-rotor-whose-correction-planes-coincide = um rotor cujos planos de correção coincidem
-too-many-quantities-left-empty = Grandezas deixadas vazias em excesso
+too-many-unknowns = Incógnitas em excesso
 five-unknowns-for-four-equations = cinco incógnitas para quatro equações
 masses-that-cannot-balance = Massas que não podem se equilibrar
 n-1-kg-cannot-be-balanced-by-two-masses-of-0-2-kg-at-the-same-radius = 1 kg não pode ser equilibrado por duas massas de 0,2 kg no mesmo raio
-a-mass-missing-where-nothing-shall-be-found = Falta uma massa onde nada se procura
+mass-missing-without-an-unknown-to-solve-for = Massa ausente sem incógnita a determinar
 an-empty-field-in-a-task-without-unknowns = um campo vazio em uma tarefa sem incógnitas
 no-masses-but-on-the-axis = Só massas no eixo
 a-mass-at-radius-0-has-no-unbalance = uma massa no raio 0 não tem desbalanceamento
-both-bearings-in-one-place = Os dois mancais no mesmo lugar
+coincident-bearings = Mancais coincidentes
 a-rotor-carried-at-one-point = um rotor apoiado em um só ponto
 
 # linkage_balance.toml
@@ -1085,7 +1085,7 @@ the-same-linkage-crossed-with-centres-off-the-lines = O mesmo mecanismo cruzado,
 coupler-of-0-5-kg-with-its-centre-60-mm-out-at-30-0-5-40-1-cos-30-2-and-0-5-40-sin-30-2-kg-mm-from-a = acoplador de 0,5 kg com o centro de massa afastado 60 mm, a 30°: 0,5·40·(1 − cos 30°/2) e −0,5·40·sen 30°/2 kg·mm, com manivela sem massa
 a-slider-crank-with-rod-and-crank-counterweights = Biela-manivela com contrapesos na biela e na manivela
 rod-and-slider-about-the-crank-pin-0-4-50-0-6-150-110-kg-mm-2-2-kg-at-50-mm-crank-0-4-0-6-2-2-40-0-5 = biela e cursor em relação ao pino da manivela: 0,4·50 + 0,6·150 = 110 kg·mm, 2,2 kg a 50 mm; manivela: (0,4 + 0,6 + 2,2)·40 + 0,5·20 = 138 kg·mm
-a-crank-that-cannot-turn-round = Manivela que não dá a volta
+crank-that-cannot-make-a-full-turn = Manivela que não completa uma volta
 a-crank-too-long-for-rocker-and-frame = uma manivela longa demais para balancim e base
 a-linkage-without-masses = Mecanismo sem massas
 no-shaking-force = sem força de trepidação
@@ -1113,12 +1113,12 @@ the-second-method-uses-the-sums-of-forces-and-moments-of-all-masses-and-the-maxi
 everything-balanced = Tudo equilibrado
 with-c-1-there-is-no-variation-of-tractive-effort-and-no-swaying-couple-the-entire-force-is-hammer = com c = 1 não há variação do esforço de tração nem binário de balanço: toda a força é golpe de martelo
 e-2-3-1-3-of-m-r-10-kn = e = √((2/3)² + (1/3)²) de m r ω² = 10 kN.
-nothing-of-the-reciprocating-masses-balanced = Nada das massas alternativas equilibrado
+no-part-of-the-reciprocating-masses-balanced = Nenhuma parte das massas alternativas balanceada
 with-c-0-there-is-no-hammer-blow-the-tractive-effort-varies-by-2-m-r = com c = 0 não há golpe de martelo; o esforço de tração varia de √2 m r ω²
 three-coupled-axles = Três eixos acoplados
 each-axle-carries-a-third-of-the-balance-of-the-reciprocating-masses = cada eixo leva um terço do balanceamento das massas alternativas
 the-coupling-rods-run-in-the-planes-of-the-wheels-opposite-the-cranks = As barras de acoplamento ficam nos planos das rodas, opostas às manivelas.
-a-blow-that-needs-more-than-the-whole-mass = Golpe de martelo que exige mais que toda a massa
+hammer-blow-that-needs-more-than-the-whole-mass = Golpe de martelo que exige mais que toda a massa
 there-is-no-such-fraction = não existe tal fração
 limit-of-speed-without-a-dead-load = Velocidade limite sem carga estática
 a-wheel-lifts-in-spite-of-its-dead-load = uma roda levanta apesar da sua carga estática
@@ -1129,7 +1129,7 @@ the-wheels-roll-on-the-rail = as rodas rolam sobre o trilho
 inline-four-with-a-flat-crank = Quatro cilindros em linha com virabrequim plano
 inline-four-cylinder-engine-at-6000-rpm = motor de quatro cilindros em linha a 6000 rpm
 the-four-secondary-forces-add-up-to-4-m-r-two-shafts-at-twice-the-speed-cancel-them-each-with-m-r-2 = As quatro forças secundárias somam 4 m r ω² λ; dois eixos no dobro da velocidade as anulam, cada um com m r λ/2 (Lanchester), no meio do motor.
-a-vertical-engine-two-thirds-balanced = Motor vertical com dois terços equilibrados
+vertical-engine-two-thirds-balanced = Motor vertical com dois terços equilibrados
 the-stroke-is-printed-as-18-mm-the-answers-belong-to-180-mm = O curso está impresso como 18 mm; as respostas correspondem a 180 mm.
 printed-with-a-rounded-fraction-calculated-3264-06-n = impresso com uma fração arredondada; calculado: 3264,06 N
 a-horizontal-engine-half-balanced = Motor horizontal com metade equilibrada
@@ -1147,8 +1147,8 @@ the-pitch-of-150-mm-and-the-crank-order-follow-from-the-printed-coefficients = A
 printed-with-0-019-for-the-coefficient-0-019092-calculated-678-35-n-m = impresso com 0,019 para o coeficiente 0,019092; calculado: 678,35 N m
 inline-four-with-cranks-at-right-angles-in-the-order-1-4-2-3 = Quatro cilindros em linha com manivelas em ângulo reto na ordem 1-4-2-3
 the-second-method-is-the-direct-sum-over-the-pistons = O segundo método é a soma direta sobre os pistões.
-three-cylinders-round-one-crank = Três cilindros em torno de uma só manivela
-three-cylinders-round-one-crank-metric = Três cilindros em torno de uma só manivela, em unidades métricas
+three-cylinder-radial-engine = Motor radial de três cilindros
+three-cylinder-radial-engine-metric = Motor radial de três cilindros, em unidades métricas
 the-primary-forces-make-a-vector-of-3-2-m-r-that-turns-with-the-crank-the-secondary-ones-one-of-3-2-m = As forças primárias formam um vetor de 3/2 m r ω² que gira com a manivela; as secundárias, um de 3/2 m r ω² λ no sentido contrário.
 twelve-cylinders-in-w = Doze cilindros em W
 three-banks-of-flat-crank-fours-at-60-as-the-printed-factors-2-and-6-require-the-pitch-is-chosen-here = Três bancadas de quatro cilindros com virabrequim plano, a 60°, como exigem os fatores impressos 2 e 6; a distância entre cilindros é escolhida aqui e só afeta binários.
@@ -1207,7 +1207,7 @@ four-masses-by-absolute-angles = Quatro massas por ângulos absolutos
 mass-times-radius-of-two-masses = Massa vezes raio de duas massas
 norton-design-of-machinery-ex-12-1 = Norton, Design of Machinery, ex. 12-1
 components-rounded-to-three-places-unrounded-it-is-2-4027-kg-m = Componentes arredondadas para três casas; sem arredondar são 2,4027 kg·m.
-the-radius-of-a-mass-at-hand = O raio de uma massa disponível
+radius-for-a-given-mass = Raio para uma massa dada
 gate-question-on-a-disc-with-two-masses-interviewmania-com = questão do GATE sobre um disco com duas massas, interviewmania.com
 four-masses-and-a-far-balance-mass = Quatro massas e uma massa de balanceamento afastada
 exercise-of-a-theory-of-machines-course-tutorsglobe-com-without-answer = exercício de um curso de teoria das máquinas, tutorsglobe.com, sem resposta
@@ -1224,7 +1224,7 @@ masses-on-the-axis = Massas no eixo
 # splitting.toml
 between-holes-at-30-and-60 = Entre furos a 30° e 60°
 n-12-5-g-at-37-where-there-are-holes-every-30-parallelogram-of-weights = 12,5 g a 37° onde há furos a cada 30°; paralelogramo de massas
-twelve-holes-all-around-weights-at-hand-in-steps = Doze furos em toda a volta, massas disponíveis escalonadas
+twelve-holes-around-the-rotor-weights-in-stock-sizes = Doze furos em volta do rotor, massas de tamanhos disponíveis
 the-best-pair-of-2-3-5-8-and-10-g-is-10-g-and-3-g = O melhor par entre 2, 3, 5, 8 e 10 g é 10 g e 3 g.
 a-weight-at-a-hole-needs-that-hole-alone = Massa sobre um furo só precisa desse furo
 a-weight-in-the-direction-of-the-first-of-two-positions = uma massa na direção da primeira de duas posições
@@ -1235,9 +1235,9 @@ cylinder-and-cone-a-point-of-90-is-as-high-as-half-the-diameter = cilindro e con
 d-10-mm-cone-25-5-3-130-900-mm-and-5-mm-of-cylinder-25-5-392-699-mm-together-500-3-mm-of-8000-kg-m-4 = d = 10 mm: cone π·25·5/3 = 130,900 mm³, e 5 mm de cilindro π·25·5 = 392,699 mm³; juntos, π·500/3 mm³ de 8000 kg/m³, 4,188790 g.
 drilling-with-a-flat-bottom = Furação com fundo plano
 a-cylinder-alone = apenas um cilindro
-less-than-the-point-removes = Menos do que a ponta retira
+less-than-the-drill-point-removes = Menos do que a ponta da broca retira
 an-eighth-of-a-cone-of-90-is-half-as-deep = um oitavo de um cone de 90° tem metade da profundidade
-places-opposite-to-each-other = Lugares opostos entre si
+opposite-positions = Posições opostas
 two-holes-on-one-diameter = dois furos em um mesmo diâmetro
 weights-that-balance-each-other = Massas que se equilibram
 two-equal-weights-opposite-to-each-other = duas massas iguais, opostas entre si
@@ -1246,7 +1246,7 @@ two-equal-weights-opposite-to-each-other = duas massas iguais, opostas entre si
 accelerations-at-two-bearings = Acelerações em dois mancais
 readings-of-two-bearings = Leituras de dois mancais
 half-the-sum-and-half-the-difference-of-100-m-at-30-and-80-m-at-200 = a metade da soma e a metade da diferença de 100 µm a 30° e 80 µm a 200°
-weights-that-are-a-couple-alone = Massas que formam só um conjugado
+weights-that-form-a-pure-couple = Massas que formam um conjugado puro
 equal-weights-half-a-turn-apart = massas iguais defasadas de meia volta
 weights-at-a-right-angle = Massas em ângulo reto
 n-3-g-at-0-and-3-g-at-90-both-components-are-3-2-g = 3 g a 0° e 3 g a 90°: as duas componentes são 3/√2 g
@@ -1281,7 +1281,7 @@ n-6-g-mm-in-the-middle-gives-3-at-each-bearing-the-couple-of-400-g-mm-over-100-m
 both-planes-are-out-of-tolerance-2-5-g-mm-are-permitted-in-each = Os dois planos estão fora da tolerância: admitem-se 2,5 g·mm em cada um.
 a-centre-of-mass-near-a-bearing = Centro de massa perto de um mancal
 n-9-10-and-1-10-of-the-distance-limited-to-0-7-and-0-3 = 9/10 e 1/10 da distância, limitados a 0,7 e 0,3
-a-rotor-that-overhangs-by-half-the-span = Rotor em balanço por meio vão
+rotor-with-an-overhang-of-half-the-span = Rotor em balanço por meio vão
 shares-0-5-and-1-5-the-second-limited-to-1-3 = parcelas 0,5 e 1,5, a segunda limitada a 1,3
 a-trial-mass-on-a-disc = Massa de teste em um disco
 n-10-of-98-0665-n-is-9-80665-n-0-980665-g-m-at-100-rad-s-on-100-mm = 10 % de 98,0665 N são 9,80665 N: 0,980665 g·m a 100 rad/s, em 100 mm
@@ -1301,7 +1301,7 @@ each-correction-is-opposite-to-the-mass-in-its-plane-if-drilled-it-is-at-the-mas
 both-corrections-in-one-plane = As duas correções em um só plano
 
 # without_phase.toml
-four-runs-whose-circles-nearly-meet = Quatro medições cujos círculos quase se encontram
+four-runs-whose-circles-nearly-intersect-in-one-point = Quatro medições cujos círculos quase se cortam em um ponto
 shreve-balancing-without-phase-reliabilityweb = Shreve, Balancing Without Phase, Reliabilityweb
 the-printed-result-is-truncated-in-the-copy-of-the-article-the-amplitudes-are-over-determined-and = O resultado impresso está truncado na cópia do artigo. As amplitudes estão sobredeterminadas e discordam em 5 %: 2 O T é 170,1 pela média dos quadrados e 161,3 pelas componentes. Três métodos, cada um também calculado fora deste programa.
 four-runs-that-agree-at-uneven-angles = Quatro medições concordantes, em ângulos desiguais
@@ -1314,7 +1314,7 @@ three-runs-are-too-few = Três medições são poucas
 a-trial-weight-at-two-angles-only = uma massa de teste em apenas dois ângulos
 angles-that-repeat = Ângulos que se repetem
 a-trial-weight-at-two-directions-in-three-runs = uma massa de teste em duas direções em três medições
-no-first-amplitude = Sem primeira amplitude
+no-initial-amplitude = Sem amplitude inicial
 by-definition-a-firing-order-names-each-cylinder-once = Por definição: uma ordem de ignição cita cada cilindro uma vez
 the-ranges-of-the-weights-are-left-out-to-solve-the-min-max-problem-of-readings-readings-and-planes = os intervalos das massas são omitidos: resolver de novo o problema minimax de { $readings } leituras e { $planes } planos para cada uma de { $samples } amostras demora demais; os mínimos quadrados dão os seus intervalos de imediato
 a-spindle-of-high-precision = Um fuso de alta precisão
@@ -1337,7 +1337,7 @@ a-balanced-crankshaft-of-a-slow-marine-engine = Um virabrequim balanceado de um 
 grade-g-1600-of-iso-21940-11-table-1-e-g-u-m-e-at-1470-rpm = grau G 1600 da ISO 21940-11, tabela 1; e = G/Ω, U = m e a 1470 rpm
 an-unbalanced-crankshaft-of-a-slow-marine-engine = Um virabrequim não balanceado de um motor marítimo lento
 grade-g-4000-of-iso-21940-11-table-1-e-g-u-m-e-at-1470-rpm = grau G 4000 da ISO 21940-11, tabela 1; e = G/Ω, U = m e a 1470 rpm
-velocities-at-two-bearings-with-one-part-larger = Velocidades em dois mancais, com uma parte maior
+velocities-at-two-bearings-static-part-dominant = Velocidades em dois mancais, com a parte estática dominante
 a-a-2-of-7-5-20-and-4-2-95 = (A₁ ± A₂)/2 de 7,5 ∠20° e 4,2 ∠95°
 divisions-at-two-bearings = Divisões em dois mancais
 displacements-of-four-runs-that-agree = Deslocamentos de quatro medições que concordam
@@ -1348,7 +1348,7 @@ weights-in-newtons-on-one-disc = Pesos em newtons em um disco
 w-g-r-e-i-and-its-opposite-at-80-mm = Σ (W/g) r e^(iθ) e o seu oposto a 80 mm
 accelerations-one-trial-run = Acelerações, uma medição com massa de teste
 a-rotor-of-known-s-and-the-correction-is-s = um rotor de S e α conhecidos: a correção é −S/α
-divisions-of-an-old-instrument-one-trial-run = Divisões de um instrumento antigo, uma medição com massa de teste
+scale-divisions-of-an-old-instrument-one-trial-run = Divisões da escala de um instrumento antigo, uma medição com massa de teste
 accelerations-the-influence-known = Acelerações, a influência conhecida
 velocities-the-influence-known = Velocidades, a influência conhecida
 weights-counted-against-the-rotation = Massas contadas contra a rotação

@@ -1915,12 +1915,12 @@ rolling-bodies = Rolamento sem deslizamento
 # dipping_rail.toml
 locomotive-at-95-km-h = Locomotiva a 95 km/h
 one-rail-dips-by-6-mm-in-0-1-s-in-simple-harmonic-motion = Um trilho rebaixa-se 6 mm em 0,1 s, em movimento harmônico simples.
-dip-of-10-m-with-a-couple-that-tilts = Rebaixo de 10 m com um binário que inclina
+dip-of-10-m-with-the-couple-of-the-roll-acceleration = Rebaixo de 10 m com o conjugado da aceleração de rolagem
 closed-form-c-i-a-2v-d-t-w-and-2-t-w = forma fechada: C = I_a (2v/D) (πδ/t)/w e α = 2π²δ/(t² w)
 v-20-m-s-t-0-5-s-40-rad-s-8-0-005-1-6-rad-s = v = 20 m/s, t = 0,5 s, ω = 40 rad/s, α = 8π² · 0,005/1,6 rad/s².
 level-track = Via nivelada
 closed-form-no-dip-no-couple = forma fechada: sem rebaixo, sem binário
-standing-wheels = Rodas paradas
+wheels-at-rest = Rodas paradas
 a-dip-of-a-given-length-is-passed-in-v = um rebaixo de dado comprimento é percorrido em λ/v
 
 # dynamic_equilibrium.toml
@@ -1944,7 +1944,7 @@ inverse-of-the-preceding-case-9-81-4-5-2 = Inverso do caso anterior: ω² = 9,81
 thick-bar-on-the-axis = Barra grossa sobre o eixo
 closed-form-cos-g-r-k-k = forma fechada: cos θ = g r/(ω² (k_ξ² − k_η²))
 r-0-2-m-k-0-06-m-k-0-01-m-at-8-rad-s-cos-1-962-3-2 = r = 0,2 m, k_ξ² = 0,06 m², k_η² = 0,01 m² a 8 rad/s: cos θ = 1,962/3,2.
-angle-above-the-level-of-the-pin = Ângulo acima do nível do pino
+angle-above-the-horizontal-through-the-pin = Ângulo acima da horizontal pelo pino
 closed-form-cos-3-g-2-l-is-positive = forma fechada: cos θ = 3 g/(2 ω² L) é positivo
 rod-on-the-axis-hanging-down = Haste sobre o eixo, pendente na vertical
 closed-form-it-remains-there-at-any-speed = forma fechada: permanece ali a qualquer velocidade
@@ -1965,7 +1965,7 @@ the-force-is-m-g-i-a-r = a força é m g + I_a Ω²/r
 flat-body-8-rad-s-at-25 = Corpo achatado, 8 rad/s a 25°
 tan-t-r-a-h-g-i-t-1-r-a-beer-johnston-dynamics-18-3 = tan θ = ω_t/(r ω_a), φ̇ = H_G/I_t, ψ̇ = (1 − r) ω_a: Beer & Johnston, Dynamics, §18.3
 spin-and-precession-have-opposite-senses-retrograde = Rotação própria e precessão têm sentidos opostos: retrógrada.
-satellite-hit-by-a-meteorite-the-motion-after = Satélite atingido por um meteorito: o movimento depois
+satellite-struck-by-a-meteorite-motion-after-the-impact = Satélite atingido por um meteorito, movimento após o impacto
 beer-johnston-dynamics-sample-problem-18-6 = Beer & Johnston, Dynamics, problema resolvido 18.6
 two-thin-discs-of-0-8-m-each-m-2-on-a-light-rod-of-1-6-m-i-a-0-32-m-and-i-t-0-8-m-in-m-r-0-4-spinning = Dois discos finos de 0,8 m, cada um com m/2, em uma haste leve de 1,6 m: I_a = 0,32 m e I_t = 0,8 m em m², r = 0,4. Girando a 60 rpm, recebe m₀ v₀ a = 1,6 m: ω_t = 2 rad/s.
 plate-thrown-at-45 = Placa lançada a 45°
@@ -1978,7 +1978,7 @@ r-c-hibbeler-engineering-mechanics-dynamics-12th-ed-problem-21-71-by-tan-t-r-a-h
 space-station-of-four-shells-at-20 = Estação espacial de quatro cascas, a 20°
 j-l-meriam-l-g-kraige-engineering-mechanics-dynamics-sample-problem-7-9 = J. L. Meriam, L. G. Kraige, Engineering Mechanics: Dynamics, problema resolvido 7/9
 four-thin-shells-of-mass-m-and-radius-r-2-r-from-the-hub-i-zz-56-3-m-r-and-i-xx-32-3-m-r-here-m-1-kg = Quatro cascas finas de massa m e raio r, a 2 r do cubo: I_zz = 56/3 m r² e I_xx = 32/3 m r²; aqui m = 1 kg e r = 1 m. A estação dá uma volta de rotação própria em 4 s.
-space-station-of-four-shells-hardly-tilted = Estação espacial de quatro cascas, quase sem inclinação
+space-station-of-four-shells-small-nutation = Estação espacial de quatro cascas, nutação pequena
 precession-revolutions-per-spin-revolution-at-a-small-tilt-i-zz-i-xx-i-zz-the-sign-shows-that-their = Voltas de precessão por volta da rotação própria, com pequena inclinação, φ̇/ψ̇ = I_zz/(I_xx − I_zz); o sinal mostra que têm sentidos opostos.
 free-body-of-a-regression-test = Corpo livre de um teste de regressão
 kynema-fmb-regression-test-of-a-precessing-body-i-1-1-0-5-0-5-0-5-1-attitude-after-5-s = Kynema-FMB, teste de regressão de um corpo em precessão: I = (1; 1; 0,5), ω₀ = (0,5; 0,5; 1), atitude após 5 s
@@ -1997,7 +1997,7 @@ the-flat-body-by-its-precession = O corpo achatado, pela precessão
 inverse-of-the-first-case = inverso do primeiro caso
 ball = Esfera
 with-equal-moments-of-inertia-is-along-h = com momentos de inércia iguais, ω fica ao longo de H
-flatter-than-flat = Mais plano que o plano
+i-a-above-twice-the-transverse-moment = I_a acima do dobro do momento transversal
 i-z-i-x-i-y-for-a-thin-plate-and-less-for-every-other-body = I_z = I_x + I_y para uma placa fina, e menor para qualquer outro corpo
 spin-of-a-ball = Rotação própria de uma esfera
 a-sphere-does-not-spin-about-an-axis-while-it-rotates-about-h = uma esfera não tem rotação própria em torno de um eixo enquanto gira em torno de H
@@ -2008,13 +2008,13 @@ h-g-without-the-moments-of-inertia-does-not-determine-the-angular-velocity = H_G
 body-of-1-2-and-3-kg-m = Corpo de 1, 2 e 3 kg·m²
 l-d-landau-e-m-lifshitz-mechanics-37-the-solution-by-elliptic-functions = L. D. Landau, E. M. Lifshitz, Mechanics, §37: a solução por funções elípticas
 integration-agrees-to-twelve-digits = A integração concorda em doze algarismos.
-flips-about-the-middle-axis = Inversões em torno do eixo intermediário
+flips-about-the-intermediate-axis = Inversões em torno do eixo intermediário
 growth-rate-i-i-i-i-i-i-and-half-period-2-k-k-p-landau-lifshitz-mechanics-37 = taxa de crescimento ω₂ √((I₂ − I₁)(I₃ − I₂)/(I₁ I₃)) e meio período 2 K(k)/p: Landau & Lifshitz, Mechanics, §37
 spun-about-the-intermediate-axis-with-a-disturbance-of-0-001-rad-s-about-the-other-two-like-a-tennis = Girado em torno do eixo intermediário com uma perturbação de 0,001 rad/s em torno dos outros dois, como uma raquete ou uma porca borboleta.
 beside-the-unstable-axis-10-s = Ao lado do eixo instável, 10 s
 taylor-series-to-thirty-digits = série de Taylor com trinta algarismos
 beside-the-unstable-axis-100-s = Ao lado do eixo instável, 100 s
-telephone-thrown-flat = Telefone lançado deitado
+telephone-spun-about-its-intermediate-axis = Telefone girado em torno do eixo intermediário
 growth-rate-of-a-homogeneous-box-i-b-i-a-i-c-i-b-i-a-i-c = taxa de crescimento de um paralelepípedo homogêneo, ω √((I_b − I_a)(I_c − I_b)/(I_a I_c))
 n-0-2-kg-75-mm-by-150-mm-by-8-mm-spun-about-its-intermediate-axis-the-shorter-one-in-its-plane-at-one = 0,2 kg, 75 mm por 150 mm por 8 mm, girado em torno do eixo intermediário, o mais curto do seu plano, a uma volta e meia por segundo.
 body-of-revolution = Corpo de revolução
@@ -2025,7 +2025,7 @@ a-body-spinning-exactly-about-a-principal-axis-continues-to-do-so = um corpo pos
 separatrix = Separatriz
 h-2-t-i-with-the-intermediate-moment-6-2-2-12-4-1 = H² = 2 T I com o momento intermediário: 6 · 2 · 2² = 12 · 4 · 1²
 y-goes-from-a-to-a-as-a-hyperbolic-tangent-a-1-6-6-2-8-4-5-5-and-p-4-6-6-8-a-z-with-a-z-1-8-2-12-6-11 = ω_y vai de −A a A como uma tangente hiperbólica: A² = 1 + 6 · 6 · 2²/(8 · 4) = 5,5 e p = √(4 · 6/(6 · 8)) A_z com A_z² = 1 + 8 · 2/(12 · 6) = 11/9.
-no-body = Corpo impossível
+moments-of-inertia-of-no-real-body = Momentos de inércia que nenhum corpo real tem
 each-moment-of-inertia-is-at-most-the-sum-of-the-other-two = cada momento de inércia é no máximo a soma dos outros dois
 what-does-not-turn-has-no-motion = o que não gira não tem movimento
 
@@ -2060,7 +2060,7 @@ the-book-rounds-both-shares-to-three-digits = o livro arredonda as duas parcelas
 disc-between-bearings = Disco entre mancais
 disc-at-the-middle-of-a-100-mm-span-precession-of-60-rpm-about-the-vertical-the-sense-is-the-one-for = Disco no meio de um vão de 100 mm, precessão de 60 rpm em torno da vertical. O sentido é aquele em que A empurra para cima e B para baixo.
 the-book-rounds-the-moment-of-inertia-to-0-014-kg-m = o livro arredonda o momento de inércia para 0,014 kg·m²
-disc-on-an-axle-held-at-one-end = Disco em um eixo apoiado em uma ponta
+disc-on-an-overhung-axle = Disco em um eixo em balanço
 precession-about-an-axis-at-60-to-the-axle = Precessão em torno de um eixo a 60° do eixo do rotor
 closed-form-i-a-sin-i-a-i-t-sin-cos = forma fechada: I_a ω Ω sen θ + (I_a − I_t) Ω² sen θ cos θ
 i-a-2-i-t-1-2-kg-m-50-rad-s-4-rad-s-200-3-0-8-16-3-4-n-m-about-y-on-the-carrier = I_a = 2, I_t = 1,2 kg·m², ω = 50 rad/s, Ω = 4 rad/s: 200√3 + 0,8 · 16 · √3/4 N·m, em torno de −y do veículo.
@@ -2083,7 +2083,7 @@ stability-of-the-upright-top-i-a-4-i-t-k-goldstein-classical-mechanics-5-7 = est
 a-hundredth-of-a-degree-off-the-vertical-represents-the-upright-position-what-happens-5-above-and = Um centésimo de grau fora da vertical representa a posição vertical. O que acontece 5 % acima e abaixo do limiar está entre os casos de rigid-body/top-nutation.
 spin-for-a-precession-of-5-228-rad-s = Rotação própria para uma precessão de 5,228 rad/s
 top-of-30-rev-s-fast = Pião de 30 rev/s, rápido
-axis-level = Eixo na horizontal
+horizontal-axis = Eixo horizontal
 at-90-the-quadratic-is-linear-k-i-a = com θ = 90° a equação do segundo grau é linear: φ̇ = K/(I_a ψ̇)
 the-fast-top-formula-is-exact-here-the-transverse-moment-is-given-about-the-centre-of-mass-4-10-0-5-0 = A fórmula do pião rápido é exata aqui. O momento transversal é dado em relação ao centro de massa: 4·10⁻⁴ + 0,5 · 0,06² kg·m².
 without-spin-i-a-i-t-cos-k = sem rotação própria (I_a − I_t) cos θ φ̇² = K
@@ -2095,7 +2095,7 @@ no-precession = Sem precessão
 a-top-whose-axis-does-not-precess-falls = um pião cujo eixo não precessiona cai
 
 # impulse.toml
-meteorite-that-hits-a-spinning-satellite = Meteorito que atinge um satélite em rotação
+meteorite-striking-a-spinning-satellite = Meteorito que atinge um satélite em rotação
 the-satellite-is-modelled-as-two-thin-discs-of-radius-a-800-mm-each-of-half-its-mass-joined-by-a = O satélite é modelado como dois discos finos de raio a = 800 mm, cada um com metade da sua massa, unidos por uma haste leve de comprimento 2a; gira a 60 rpm. O meteorito, de um milésimo da sua massa, bate com um braço a em relação a G a 2000 m/s, e sua massa é desprezada depois. m = 1000 kg é escolhida aqui; ela se cancela.
 hanging-plate-struck-at-a-corner = Placa suspensa golpeada em um canto
 beer-johnston-dynamics-sample-problem-18-1 = Beer & Johnston, Dynamics, problema resolvido 18.1
@@ -2109,7 +2109,7 @@ square-plate-of-4-kg-and-200-mm-hanging-by-a-corner-o-60-n-s-along-x-at-the-adja
 square-plate-seized-along-an-edge = Placa quadrada presa de repente por uma aresta
 huston-liu-dynamics-of-mechanical-systems-9-12 = Huston & Liu, Dynamics of Mechanical Systems, §9.12
 the-plate-turns-about-its-diagonal-then-an-edge-is-suddenly-fixed-with-m-1-kg-a-1-m-1-rad-s-the-speed = A placa gira em torno da diagonal; depois uma aresta é fixada de repente. Com m = 1 kg, a = 1 m, Ω = 1 rad/s, a velocidade depois é a razão √2/8, e o momento angular em relação à aresta é o coeficiente √2/24 de m a² Ω.
-weight-of-a-hollow-cube-that-is-pushed = Peso de um cubo oco que é empurrado
+weight-of-a-hollow-cube-from-its-angular-impulse = Peso de um cubo oco a partir do impulso angular
 beer-johnston-dynamics-sculpture-cube-of-18-1 = Beer & Johnston, Dynamics, cubo (escultura) do §18.1
 a-hollow-cube-of-six-sheets-of-5-ft-rotates-about-its-vertical-diagonal-12-5-lbf-for-1-2-s-at-a = Um cubo oco de seis chapas de 5 ft gira em torno da sua diagonal vertical. 12,5 lbf durante 1,2 s em um canto, perpendicularmente ao plano da diagonal e do canto; depois uma volta leva 5 s, 12 rpm. Seu raio de giração é a √(5/18) = 2,635231 ft em relação a todo eixo por G; as 100 lb se cancelam.
 rod-struck-at-its-end = Haste golpeada na extremidade
@@ -2122,9 +2122,9 @@ closed-form-v-v = forma fechada: v′ = ε v
 putty-that-sticks-to-the-end-of-a-rod = Massa de vidraceiro que gruda na extremidade de uma haste
 closed-form-momenta-of-rod-and-putty-together = forma fechada: quantidades de movimento da haste e da massa de vidraceiro juntas
 rod-of-2-kg-and-1-2-m-struck-at-its-end-by-0-5-kg-of-putty-at-10-m-s-normal-to-the-rod-g-moves-by-0 = Haste de 2 kg e 1,2 m, atingida na extremidade por 0,5 kg de massa de vidraceiro a 10 m/s, na direção normal à haste: G desloca-se 0,12 m, I = 0,384 kg·m², H = 2,4 kg·m²/s.
-surface-that-the-point-leaves = Superfície da qual o ponto se afasta
-rod-held-along-itself = Haste presa ao longo de si mesma
-mass-for-a-speed-without-an-axis = Massa para uma velocidade, sem eixo
+point-moving-away-from-the-surface = Ponto que se afasta da superfície
+rod-held-along-its-own-axis = Haste presa ao longo do próprio eixo
+mass-for-a-wanted-speed-of-a-body-without-a-fixed-axis = Massa para uma velocidade desejada de um corpo sem eixo fixo
 
 # mass_properties.toml
 three-rods-along-the-axes = Três hastes ao longo dos eixos
@@ -2171,27 +2171,27 @@ closed-form-a-hole-is-a-negative-mass = forma fechada: um furo é uma massa nega
 m-10-0-4-kg-about-o-i-z-10-6-0-4-0-04-2-0-04-and-i-10-12-0-4-0-01 = m = 10 − 0,4 π kg; em relação a O, I_z = 10/6 − 0,4 π (0,04/2 + 0,04) e Iₓ = 10/12 − 0,4 π · 0,01.
 disc-with-its-axis-along-1-1-1 = Disco com o eixo ao longo de (1; 1; 1)
 closed-form-i-i-t-1-i-a-i-t = forma fechada: I = I_t 1 + (I_a − I_t) λ λᵀ
-plate-turned-by-an-euler-angle-of-45 = Placa girada de um ângulo de Euler de 45°
+plate-rotated-by-an-euler-angle-of-45 = Placa girada de um ângulo de Euler de 45°
 closed-form-mohr-circle-of-the-plate = forma fechada: círculo de Mohr da placa
 the-long-side-lies-along-1-1-0-i-xy-m-a-12-m-b-12-2-0 = O lado maior fica ao longo de (−1; 1; 0): I_xy = (m a²/12 − m b²/12)/2 < 0.
 triangle-on-its-edge = Triângulo em pé sobre um lado
 closed-form-the-triangular-plate-in-the-plane-zx-its-legs-along-z-and-x = forma fechada: a placa triangular no plano zx, com os catetos ao longo de z e x
 leg-a-along-z-leg-b-along-x-i-zx-m-a-b-36-about-g-and-m-a-b-12-about-the-right-angle = Cateto a ao longo de z, cateto b ao longo de x: I_zx = −m a b/36 em relação a G e m a b/12 em relação ao ângulo reto.
-known-about-a-point-wanted-about-g = Inércia conhecida em relação a um ponto, procurada em relação a G
+inertia-known-about-a-point-required-about-g = Inércia conhecida em relação a um ponto, pedida em relação a G
 closed-form-parallel-axis-theorem-back-to-g = forma fechada: teorema dos eixos paralelos, de volta a G
 m-10-kg-d-0-2-0-2-0-2-m-each-moment-loses-0-8-each-product-0-4-kg-m = m = 10 kg, d = (0,2; 0,2; 0,2) m: cada momento perde 0,8, cada produto 0,4 kg·m².
-known-by-radii-of-gyration = Inércia conhecida pelos raios de giração
+inertia-given-by-radii-of-gyration = Inércia dada pelos raios de giração
 closed-form-i-m-k = forma fechada: I = m k²
 k-y-0-4-m-and-a-distance-of-0-3-m-k-l-0-5-m = k_y = 0,4 m e uma distância de 0,3 m: k_L = 0,5 m.
 a-hole-as-large-as-the-body = Um furo tão grande quanto o corpo
 a-moment-larger-than-the-two-others = Um momento maior que os dois outros
 refusal-the-triangle-inequality = recusa: a desigualdade triangular
-products-too-large-for-the-moments = Produtos grandes demais para os momentos
+products-of-inertia-too-large-for-the-moments = Produtos de inércia grandes demais para os momentos
 refusal-not-positive-definite = recusa: não é definida positiva
 density-of-a-line = Massa específica de uma linha
 a-bore-wider-than-the-cylinder = Um furo mais largo que o cilindro
-the-corner-of-a-sphere = O canto de uma esfera
-a-line-without-direction = Uma reta sem direção
+sphere-about-a-corner = Esfera em relação a um canto
+line-without-direction = Reta sem direção
 
 # momentum.toml
 disc-on-an-axle-rolling-about-a-fixed-point = Disco em um eixo, rolando em torno de um ponto fixo
@@ -2225,9 +2225,9 @@ i-2-i-y-3-i-z-4-i-xy-1-kg-m-3-5-1-5-5-5-2-5-5-2-4-3-2-rad-s = Iₓ = 2, I_y = 3,
 rolling-wheel = Roda que rola
 closed-form-t-3-4-m-v = forma fechada: T = 3/4 m v²
 a-disc-of-10-kg-and-0-5-m-radius-rolls-at-4-m-s-the-point-of-contact-is-fixed-t-120-j-l-40-n-s-about = Um disco de 10 kg e 0,5 m de raio rola a 4 m/s: o ponto de contato é fixo. T = 120 J, L = 40 N·s, em relação ao ponto de contato 3/2 m r v = 30 kg·m²/s.
-rod-asked-to-turn-about-itself = Haste levada a girar em torno de si mesma
+rod-turning-about-its-own-axis = Haste girando em torno do próprio eixo
 an-axis-without-direction = Um eixo sem direção
-resting-points-across-the-axis = Pontos em repouso transversais ao eixo
+points-at-rest-on-a-line-perpendicular-to-the-axis = Pontos em repouso sobre uma reta perpendicular ao eixo
 
 # motion.toml
 heavy-top-after-2-s = Pião após 2 s
@@ -2239,13 +2239,13 @@ br-ls-cardona-arnold-2012-heavy-top-benchmark-converged-value-of-exudyn-explicit
 the-y-component-is-published-converged-to-2e-9-rad-s-the-other-two-are-listed-here-as-computed = O valor publicado é a componente em Y, convergida até 2e-9 rad/s; as outras duas constam aqui como calculadas.
 angular-velocity-of-the-heavy-top-after-10-ms = Velocidade angular do pião após 10 ms
 the-y-component-is-published-the-other-two-are-listed-here-as-computed = O valor publicado é a componente em Y; as outras duas constam aqui como calculadas.
-fast-top-let-go-at-0-05-rad = Pião rápido solto a 0,05 rad
+fast-top-released-at-0-05-rad = Pião rápido solto a 0,05 rad
 simo-wong-1991-heavy-symmetrical-top-as-given-in-the-solfec-validation-manual = Simo & Wong (1991), pião simétrico pesado, conforme o manual de validação do Solfec
 the-axis-starts-at-rest-and-nutates-between-0-05-rad-cos-0-99875-as-published-and-a-root-of-the-cubic = O eixo parte do repouso e nuta entre 0,05 rad (cos θ = 0,99875, como publicado) e uma raiz da cúbica da integral da energia, 0,0545516902 rad. Nenhum corpo real de 20 kg com o centro de massa a 1 m do ponto tem 5 kg·m² em relação a ele; o movimento depende só de m g l.
 free-body-of-revolution-after-5-s = Corpo de revolução livre após 5 s
 closed-form-a-rotation-by-h-t-i-t-about-h-after-one-by-1-i-a-i-t-z-t-about-z = forma fechada: uma rotação de |H| t/I_t em torno de H, depois de uma de (1 − I_a/I_t) ω_z t em torno de z
 with-i-t-1-i-a-0-5-kg-m-and-0-5-0-5-1-rad-s = Com I_t = 1, I_a = 0,5 kg·m² e ω = (0,5; 0,5; 1) rad/s.
-free-body-of-revolution-after-5-s-by-a-coarse-run = Corpo de revolução livre após 5 s, por um cálculo grosseiro
+free-body-of-revolution-after-5-s-coarse-integration = Corpo de revolução livre após 5 s, integração grosseira
 kynema-regression-test-of-a-precessing-free-body-test-precession = Kynema, teste de regressão de um corpo livre em precessão (test_precession)
 the-moments-are-1-1-and-0-5-kg-m = Os momentos são 1, 1 e 0,5 kg·m².
 the-published-value-comes-from-a-second-order-method-with-10-ms-steps-and-is-kept-as-a-regression = O valor publicado vem de um método de segunda ordem com passos de 10 ms e é mantido como valor de regressão; a forma fechada dá −0,630514.
@@ -2256,15 +2256,15 @@ examination-question-manchester-1999-with-numbers-chosen-here = Questão de exam
 body-near-its-unstable-axis-after-10-s = Corpo perto do seu eixo instável após 10 s
 euler-s-equations-by-a-taylor-series-in-30-digits = equações de Euler por uma série de Taylor com 30 algarismos
 moments-1-2-and-3-kg-m-rotating-about-the-intermediate-axis-with-small-components-about-the-others = Momentos 1, 2 e 3 kg·m², girando em torno do eixo intermediário com pequenas componentes em torno dos outros.
-compound-pendulum-let-go-level = Pêndulo físico solto na horizontal
+compound-pendulum-released-from-the-horizontal = Pêndulo físico solto na horizontal
 closed-form-2-m-g-a-sin-j-for-a-fall-by = forma fechada: ω² = 2 m g a sen φ/J para uma queda de φ
 ends-when-its-line-has-fallen-by-60-at-150-to-the-upward-vertical = Termina quando sua linha caiu 60°, a 150° da vertical para cima.
 harmonic-torque-about-a-principal-axis = Torque harmônico em torno de um eixo principal
 closed-form-m-i-1-cos-t = forma fechada: ω = M/(I Ω) (1 − cos Ω t)
 from-rest-with-m-0-8-n-m-i-2-kg-m-3-rad-s-t-2-s-with-phase-0-the-torque-is-a-sine-entered-with-zero = A partir do repouso, com M = 0,8 N·m, I = 2 kg·m², Ω = 3 rad/s, t = 2 s; com fase 0 o torque é um seno. Dado com produtos de inércia nulos.
-products-of-inertia-that-no-body-has = Produtos de inércia que nenhum corpo tem
+products-of-inertia-of-no-real-body = Produtos de inércia que nenhum corpo real tem
 closed-form-the-moments-1-2-of-the-plane-xy-are-not-both-positive = forma fechada: os momentos 1 ± 2 do plano xy não são ambos positivos
-rod-let-go-level-about-its-end = Haste solta na horizontal, em torno da extremidade
+rod-released-from-the-horizontal-about-its-end = Haste solta na horizontal, em torno da extremidade
 closed-form-3-g-sin-l-for-a-fall-by = forma fechada: ω² = 3 g sen φ/l para uma queda de φ
 the-rod-is-defined-as-a-whole-along-x-from-its-end-at-the-origin-at-the-end-it-has-fallen-through-60 = A haste é definida por inteiro, ao longo de x a partir da extremidade na origem; no fim ela caiu 60°, com ω² = 3 · 9,81 · sen 60°/0,8.
 
@@ -2285,7 +2285,7 @@ disc-on-an-arm-r-0-1015-m = Disco em um braço, r = 0,1015 m
 here-r-0-1015-m-the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-is-given-in-a-lost-figure-of-which = Aqui r = 0,1015 m: as notas imprimem H = 3,63 r² j + 21,78 r² k; o raio está em uma figura perdida, da qual só se conhece a cota 0,406 m.
 disc-on-an-arm-r-0-406-m = Disco em um braço, r = 0,406 m
 here-r-0-406-m-the-notes-print-h-3-63-r-j-21-78-r-k-the-radius-is-given-in-a-lost-figure-of-which = Aqui r = 0,406 m: as notas imprimem H = 3,63 r² j + 21,78 r² k; o raio está em uma figura perdida, da qual só se conhece a cota 0,406 m.
-plate-welded-to-a-shaft-that-speeds-up = Placa soldada a um eixo que acelera
+plate-welded-to-an-accelerating-shaft = Placa soldada a um eixo acelerado
 university-homework-square-plate-on-a-vertical-shaft-at-30 = Lista de exercícios universitária, placa quadrada em um eixo vertical a 30°
 a-plate-of-1-kg-and-side-2-m-is-welded-at-the-midpoint-o-of-an-edge-y-along-its-centre-line-30-from = Uma placa de 1 kg e lado 2 m é soldada pelo meio O de uma borda, y ao longo de sua linha média, a 30° do eixo; 3 rad/s, crescendo a 5 rad/s².
 the-same-disc-from-axes-fixed-in-it = O mesmo disco, em eixos fixos nele
@@ -2300,7 +2300,7 @@ axis-without-length = Eixo sem comprimento
 an-axis-must-have-a-direction = um eixo deve ter uma direção
 
 # reactions.toml
-shaft-with-one-branch-that-swings-down = Eixo com um ramo que cai
+shaft-with-one-arm-that-swings-down = Eixo com um braço que cai
 hibbeler-engineering-mechanics-dynamics-14th-ed-problem-21-46-21-41-of-the-12th = Hibbeler, Engineering Mechanics: Dynamics, 14ª ed., problema 21-46 (21-41 da 12ª)
 rods-of-5-kg-m-a-shaft-of-3-m-between-a-which-also-takes-the-axial-force-and-b-and-a-branch-of-1-m-at = Hastes de 5 kg/m: um eixo de 3 m entre A, que recebe também a força axial, e B, e um ramo de 1 m a 1 m de A, horizontal neste instante, com o eixo girando livremente a 2 rad/s. O livro dá os módulos das forças transversais; elas apontam do ramo para o eixo, aqui ao longo de −y.
 two-spheres-on-opposite-arms = Duas esferas em braços opostos
@@ -2309,7 +2309,7 @@ published-in-symbols-m-r-3-at-each-bearing-in-opposite-senses-here-m-2-kg-r-0-25
 plate-that-turns-about-its-diagonal = Placa que gira em torno da diagonal
 analytic-couple-m-a-b-b-a-12-a-b-forces-couple-a-b-of-the-kind-of-manchester-pc167-sheet-4 = analítico: binário m a b (b² − a²) ω²/12(a² + b²), forças binário/√(a² + b²); do tipo de Manchester PC167, folha 4
 plate-of-4-kg-0-3-m-by-0-5-m-on-bearings-at-the-ends-of-a-diagonal-at-25-rad-s = Placa de 4 kg, 0,3 m por 0,5 m, em mancais nas extremidades de uma diagonal, a 25 rad/s.
-disc-out-of-square-on-its-shaft = Disco fora de esquadro em seu eixo
+skewed-disc-on-its-shaft = Disco inclinado em relação ao seu eixo
 disc-of-30-kg-and-0-6-m-diameter-1-out-of-square-at-1200-rev-min-it-is-rigidly-fixed-to-the-shaft = Disco de 30 kg e 0,6 m de diâmetro, 1° fora de esquadro, a 1200 rev/min. É fixado rigidamente ao eixo.
 ship-s-rotor-in-a-turn = Rotor de navio em curva
 course-handout-on-gyroscopes-example-4-3 = Apostila de curso sobre giroscópios, exemplo 4.3
@@ -2326,7 +2326,7 @@ disc-on-an-axle-that-rolls-on-the-floor = Disco em um eixo, rolando no piso
 beer-johnston-dynamics-sample-problems-18-2-and-18-5 = Beer & Johnston, Dynamics, problemas resolvidos 18.2 e 18.5
 disc-of-3-kg-and-150-mm-on-a-light-axle-of-400-mm-with-a-ball-and-socket-at-o-rolling-on-a-level = Disco de 3 kg e 150 mm em um eixo leve de 400 mm com uma rótula em O, rolando em um piso nivelado a 20 rad/s em torno do eixo: precessiona a r ω₁/L = 7,5 rad/s. A velocidade constante, o piso exerce só uma força normal.
 rod-of-example-4-as-a-weld = Haste do exemplo 4, como solda
-unbalanced-rotor-between-bearings-a-quarter-turn-on = Rotor desbalanceado entre mancais, um quarto de volta depois
+unbalanced-rotor-between-bearings-a-quarter-turn-later = Rotor desbalanceado entre mancais, um quarto de volta depois
 closed-form-m-g-2-and-m-e-2-at-each-bearing = forma fechada: m g/2 e m e ω²/2 em cada mancal
 n-10-kg-at-1-mm-from-the-axis-100-rad-s-with-its-heavy-side-up-49-05-n-from-the-weight-and-50-n-from = 10 kg a 1 mm do eixo, 100 rad/s, com o lado pesado para cima: 49,05 N do peso e 50 N do movimento em cada mancal.
 box-on-a-turntable = Caixa em uma plataforma giratória
@@ -2335,7 +2335,7 @@ at-0-3-m-from-the-axis-and-3-rad-s-it-requires-a-friction-of-2-7-9-81-not-to-sli
 sled-pulled-over-a-sliding-floor = Trenó puxado, deslizando sobre um piso
 closed-form-n-m-g-friction-n-against-the-sliding = forma fechada: N = m g, atrito µ N contra o deslizamento
 a-force-of-10-n-at-the-contact-on-a-particle-of-2-kg-that-a-table-rotates-at-0-rad-s-the-wire-carries = Uma força de 10 N no contato, sobre uma partícula de 2 kg que uma mesa gira a 0 rad/s; o fio suporta o que o atrito de 0,2 não equilibra.
-hanging-rod-held-in-by-a-wire = Haste pendente retida por um fio
+hanging-rod-retained-by-a-wire = Haste pendente retida por um fio
 closed-form-the-wire-force-is-zero-at-3-g-2-l-cos-and-m-l-3-sin-m-g-tan-2-at-another-speed = forma fechada: a força no fio é nula com ω² = 3 g/(2 L cos θ), e m L ω²/3 · sen θ − m g tan θ/2 a outra velocidade
 rod-of-1-kg-and-0-6-m-hinged-on-the-axis-60-from-the-downward-vertical-with-a-horizontal-wire-from = Haste de 1 kg e 0,6 m articulada sobre o eixo, a 60° da vertical descendente, com um fio horizontal da sua ponta ao eixo; a 10 rad/s, 17,320508 − 8,495709 N.
 shaft-kept-from-turning-by-a-key = Eixo impedido de girar por uma chaveta
@@ -2354,7 +2354,7 @@ the-notes-print-m-1-6-m-b-sin-2-k-and-h-g-1-3-m-b-cos-sin-i-cos-j-in-symbols-the
 rod-at-25-to-the-horizontal = Haste a 25° da horizontal
 the-published-formula-with-m-2-kg-b-0-4-m-10-rad-s-m-z-16-3-sin-50-n-m = A fórmula publicada com m = 2 kg, b = 0,4 m, ω = 10 rad/s: M_z = −(16/3) sen 50° N·m.
 published-in-symbols-with-the-angle-from-the-axle-and-the-length-l-2b-m-1-12-m-l-sin-along-the-axle-m = Publicado em símbolos, com o ângulo θ a partir do eixo e o comprimento l = 2b: M = (1/12) m l² ω sen θ, ao longo do eixo M sen θ, momento sobre o eixo (1/24) m l² ω² sen 2θ. Aqui m = 2 kg, l = 0,8 m, θ = 65°, ω = 10 rad/s.
-horizontal-rod-speeding-up = Haste horizontal que acelera
+horizontal-rod-with-angular-acceleration = Haste horizontal com aceleração angular
 closed-form-m-i-j-for-a-principal-axis = forma fechada: M = I α j para um eixo principal
 at-0-the-shaft-is-a-principal-axis-no-couple-tilts-it-and-i-0-18-50-n-m-accelerates-the-rod = Com β = 0 o eixo de rotação é um eixo principal: nenhum binário o inclina, e I α = 0,18 · 50 N·m acelera a haste.
 
@@ -2365,7 +2365,7 @@ t-3-m-h-1-5-cos-40-the-normal-force-must-stay-between-the-apex-and-the-edge-of-t
 conical-shell-given-by-its-angular-velocity = Casca cônica dada pela velocidade angular
 closed-form-t-i-a-cos-i-t-sin-2 = forma fechada: T = (I_a cos² α + I_t sen² α) ω²/2
 n-30-h-0-3-m-m-1-kg-i-a-m-r-2-i-t-m-r-4-h-2-through-the-apex-4-cot-30-rad-s = α = 30°, h = 0,3 m, m = 1 kg: I_a = m r²/2, I_t = m (r²/4 + h²/2) pelo vértice; ω = 4 cot 30° rad/s.
-cone-on-the-point-of-tipping = Cone a ponto de tombar
+cone-about-to-tip = Cone na iminência de tombar
 closed-form-m-g-s-l-cos-i-a-cos-i-t-sin-cot = forma fechada: m g (s − l cos α) = (I_a cos² α + I_t sen² α) cot α φ̇²
 the-solid-cone-of-25-at-the-precession-that-brings-the-normal-force-to-the-edge-of-its-base = O cone maciço de 25° na precessão que leva a força normal à borda da sua base.
 
@@ -2392,10 +2392,10 @@ closed-form-3-is-below-the-angle-that-counts-as-flat = forma fechada: 3° está 
 disc-rolling-straight-on = Disco rolando em linha reta
 closed-form-v-g-r-3-for-a-thin-disc-routh = forma fechada: v² = g r/3 para um disco fino (Routh)
 the-eigenvalues-of-the-equations-linearised-by-differences-are-at-their-limit-there-too = Os autovalores das equações, linearizadas por diferenças, também estão no seu limite ali.
-disc-spinning-on-the-spot = Disco girando no lugar
+disc-spinning-about-its-vertical-diameter = Disco girando em torno do seu diâmetro vertical
 closed-form-g-5-r-4-for-a-thin-disc = forma fechada: Ω² = g/(5 r/4) para um disco fino
 stable-above-5-1147-rad-s-at-4-rad-s-a-tilt-grows = Estável acima de 5,1147 rad/s; a 4 rad/s uma inclinação cresce.
-hoop-spinning-on-the-spot = Aro girando no lugar
+hoop-spinning-about-its-vertical-diameter = Aro girando em torno do seu diâmetro vertical
 closed-form-g-3-r-2-for-a-thin-hoop = forma fechada: Ω² = g/(3 r/2) para um aro fino
 hoop-rolling-straight-on-by-its-radii-of-gyration = Aro rolando em linha reta, pelos raios de giração
 closed-form-v-g-r-4-for-a-thin-hoop = forma fechada: v² = g r/4 para um aro fino
@@ -2444,7 +2444,7 @@ closed-form-2-g-cos-sin-4-a-r-cos-for-a-hoop = forma fechada: φ̇² = 2 g cos �
 disc-at-70-from-its-speed = Disco a 70°, a partir da velocidade
 closed-form-g-cos-sin-3-a-2-r-cos-4-for-a-disc = forma fechada: φ̇² = g cos θ/(sen θ (3 a/2 + r cos θ/4)) para um disco
 the-speed-is-the-value-given-by-the-formula-for-70 = A velocidade é o valor dado pela fórmula para θ = 70°.
-coin-that-wobbles-about-a-resting-centre-at-10 = Moeda que bamboleia com o centro em repouso, a 10°
+coin-wobbling-about-a-centre-at-rest-at-10 = Moeda que bamboleia com o centro em repouso, a 10°
 closed-form-with-the-centre-at-rest-a-disc-precesses-with-4-g-r-sin = forma fechada: com o centro em repouso, um disco precessiona com φ̇² = 4 g/(r sen θ)
 final-stage-of-the-motion-of-a-coin-on-a-table-radius-37-5-mm = Fase final do movimento de uma moeda em uma mesa, raio de 37,5 mm.
 hoop-on-a-large-circle = Aro em um círculo grande
@@ -2452,14 +2452,14 @@ closed-form-tan-lean-2-v-g-a-for-a-hoop-whose-circle-is-much-larger-than-itself 
 at-a-lean-of-10-on-a-circle-of-3-km-v-g-a-tan-10-2-to-one-part-in-10 = Com inclinação de 10° em um círculo de 3 km: v² = g a tan 10°/2, a uma parte em 10⁵.
 
 # top_nutation.toml
-axis-held-at-35-and-let-go = Eixo segurado a 35° e solto
+axis-released-from-rest-at-35 = Eixo solto do repouso a 35°
 zeros-of-the-cubic-of-energy-and-angular-momenta-goldstein-classical-mechanics-5-7 = zeros da cúbica da energia e dos momentos angulares, Goldstein, Classical Mechanics, §5-7
 the-axis-is-momentarily-at-rest-at-its-highest-position-cusps-for-a-fast-top-the-frequency-would-be-i = O eixo fica momentaneamente em repouso na sua posição mais alta: cúspides. Para um pião rápido a frequência seria I_a ω₃/(2π I_t) = 4,63 Hz; aqui fica bem abaixo.
-loops = Laços
+looping-precession = Precessão com laços
 zeros-of-the-cubic-period-and-precession-by-quadrature-to-twenty-digits = zeros da cúbica; período e precessão por quadratura com vinte algarismos
-loops-from-any-start = Laços, a partir de um início qualquer
+looping-precession-from-arbitrary-initial-conditions = Precessão com laços a partir de condições iniciais quaisquer
 released-downwards-and-backwards = Solto para baixo e para trás.
-waves = Ondas
+unidirectional-precession = Precessão unidirecional
 sleeping-top-5-above-its-threshold = Pião adormecido, 5 % acima do limiar
 released-0-1-mrad-off-the-vertical-the-same-from-the-integrated-equations = solto a 0,1 mrad da vertical; o mesmo pelas equações integradas
 sleeping-top-5-below-its-threshold = Pião adormecido, 5 % abaixo do limiar
@@ -2470,7 +2470,7 @@ m-20-g-1-and-l-1-moments-of-inertia-5-and-1-about-the-fixed-point-cosine-of-the-
 fast-top-of-the-multibody-benchmarks-2-s = Pião rápido dos problemas de referência de multicorpos, 2 s
 o-br-ls-a-cardona-m-arnold-lie-group-generalized-time-integration-of-constrained-flexible-multibody = O. Brüls, A. Cardona, M. Arnold, Lie group generalized-α time integration of constrained flexible multibody systems, Mechanism and Machine Theory 48 (2012), pião; altura do centro de massa em 2 s por integração com treze algarismos, −0,673022269560 m
 i-a-0-46875-and-i-t-0-234375-15-1-kg-m-released-with-its-axis-level-with-precession-4-61538-rad-s-its = I_a = 0,46875 e I_t = 0,234375 + 15 · 1² kg·m². Solto na horizontal com precessão de −4,61538 rad/s: seu eixo passa a 0,00004° do ponto mais baixo.
-a-top-that-does-not-turn-swings-as-a-pendulum = Um pião que não gira oscila como um pêndulo
+top-without-spin-a-pendulum = Pião sem rotação própria, um pêndulo
 half-the-period-of-a-pendulum-released-from-the-horizontal-4-k-1-2-l-g-2 = metade do período de um pêndulo solto na horizontal, 4 K(1/√2) √(l/g)/2
 steady-precession = Precessão estacionária
 the-slow-root-of-i-t-cos-i-a-k-0 = a raiz lenta de I_t cos θ φ̇² − I_a ω₃ φ̇ + K = 0
@@ -2480,7 +2480,7 @@ nutation-depends-on-it = a nutação depende dele
 # turn_indicator.toml
 level-turn-at-800-km-h = Curva nivelada a 800 km/h
 disc-of-200-g-40-mm-10-000-rpm-the-springs-of-500-n-m-100-mm-apart-and-the-radius-of-600-m-complete = Disco de 200 g, 40 mm, 10 000 rpm; as molas de 500 N/m, afastadas de 100 mm, e o raio de 600 m completam os dados.
-level-turn-our-value = Curva nivelada, nosso valor
+level-turn-corrected = Curva nivelada, corrigida
 closed-form-sin-i-a-2-k-d-2-i-a-i-t = forma fechada: sen θ = I_a ω Ω/(2 k (d/2)² − (I_a − I_t) Ω²)
 the-gyroscopic-couple-with-the-axle-horizontal-is-0-062056-n-m-the-part-i-a-i-t-changes-the-angle-in = O binário giroscópico com o eixo do rotor horizontal é 0,062056 N·m. A parte (I_a − I_t) Ω² altera o ângulo no quinto algarismo.
 the-indicator-shows-30 = O indicador mostra 30°
@@ -2492,7 +2492,7 @@ sin-cannot-be-above-1 = sen θ não pode ser maior que 1
 # two_bladed_rotor.toml
 airscrew-with-two-blades = Hélice de duas pás
 n-250-lb-ft-with-g-32-2-ft-s-1600-rpm-150-mph-on-500-ft-the-book-measures-the-blade-angle-from-the = 250 lb·ft² com g = 32,2 ft/s², 1600 rpm, 150 mph em 500 ft. O livro mede as pás a partir do eixo do binário (37°); aqui elas estão a 53° do eixo da precessão: T (1 − cos 2·37°) e T sen 2·37°.
-the-small-part-about-the-axle = A pequena parcela em torno do eixo do rotor
+small-component-about-the-axle = Pequena componente em torno do eixo do rotor
 closed-form-i-sin-2-2-which-the-book-neglects = forma fechada: I Ω² sen 2χ / 2, que o livro despreza
 the-same-propeller-0-44-rad-s = A mesma hélice, 0,44 rad/s.
 rod-of-12-kg = Haste de 12 kg
@@ -2500,7 +2500,6 @@ closed-form-a-uniform-rod-blades-parallel-and-normal-to-the-precession-axis = fo
 m-l-12-4-kg-m-100-rad-s-and-0-5-rad-s-2-200-n-m-with-the-blades-along-the-axis-of-the-precession-0 = m L²/12 = 4 kg·m², 100 rad/s e 0,5 rad/s: 2 · 200 N·m com as pás ao longo do eixo de precessão, 0 com elas transversais a ele; 200 · √2 a 45°.
 symmetric-rotor-as-a-limit = Rotor simétrico como caso-limite
 closed-form-with-i-b-i-c-there-is-no-pulsation = forma fechada: com I_b = I_c não há pulsação
-moments-that-no-body-has = Momentos que nenhum corpo tem
 i-a-i-b-i-c-for-every-body = I_a ≤ I_b + I_c para todo corpo
 
 # two_wheeler_lean.toml
@@ -2508,7 +2507,7 @@ motorcycle-at-90-km-h = Motocicleta a 90 km/h
 speed-for-a-lean-of-45 = Velocidade para uma inclinação de 45°
 closed-form-v-g-r-1-i-m-r-h = forma fechada: v² = g R/(1 + I/(m r h))
 i-m-r-h-3-5-45-with-the-same-motorcycle-v-490-5-1-7-90-m-s = I/(m r h) = 3,5/45 com a mesma motocicleta: v = √(490,5/(1 + 7/90)) m/s.
-without-turning-parts = Sem partes girantes
+without-rotating-parts = Sem partes girantes
 closed-form-tan-v-g-r = forma fechada: tan θ = v²/(g R)
 v-g-r-45-and-the-tyres-require-1 = v² = g R: 45°, e os pneus precisam de µ = 1.
 radius-to-the-track = Raio até o rastro
@@ -2527,13 +2526,13 @@ car-that-turns-to-the-right = Automóvel em curva para a direita
 wheels-1-and-3-are-the-inner-ones-1-and-2-in-front-engine-train-of-75-kg-k-100-mm-at-four-times-the = As rodas 1 e 3 são as internas, 1 e 2 as da frente. Conjunto do motor de 75 kg, k = 100 mm, a quatro vezes a rotação das rodas, horário visto de frente. As cargas calculadas equilibram os binários C_W + C_O = 4666,7 N·m; as publicadas, só 2334 N·m.
 the-companion-halves-every-load-twice-c-2w-is-already-the-share-of-one-wheel-with-both-sides-at-2-c = o complemento divide cada carga ao meio duas vezes: C/(2w) já é a parcela de uma só roda; com os dois lados em 2 · C/(2w) os momentos em relação ao eixo longitudinal se equilibram
 the-companion-halves-every-load-twice = o complemento divide cada carga ao meio duas vezes
-car-that-turns-to-the-right-our-loads = Automóvel em curva para a direita, nossas cargas
+car-that-turns-to-the-right-corrected-loads = Automóvel em curva para a direita, cargas corrigidas
 moments-about-the-long-and-the-cross-axis-of-khurmi-gupta-example-14-12 = momentos em relação aos eixos longitudinal e transversal de Khurmi & Gupta, exemplo 14.12
 trolley-car-with-motors-against-the-wheels = Bonde com motores que giram ao contrário das rodas
 two-axles-of-18-kg-m-two-motors-of-12-kg-m-at-five-times-their-speed-in-the-opposite-sense-the = Dois eixos de 18 kg·m², dois motores de 12 kg·m² a cinco vezes a sua rotação, em sentido contrário. As cargas publicadas diferem das calculadas em metade da parcela giroscópica.
 the-companion-halves-the-gyroscopic-share-twice-and-the-centrifugal-one-once-7131-74-n-holds-the = o complemento divide a parcela giroscópica ao meio duas vezes e a centrífuga uma; 7131,74 N mantém os momentos em equilíbrio
 the-companion-halves-the-gyroscopic-share-twice-and-the-centrifugal-one-once-5130-76-n-holds-the = o complemento divide a parcela giroscópica ao meio duas vezes e a centrífuga uma; 5130,76 N mantém os momentos em equilíbrio
-trolley-car-our-loads = Bonde, nossas cargas
+trolley-car-corrected-loads = Bonde, cargas corrigidas
 moments-about-the-long-axis-of-khurmi-gupta-example-14-10 = momentos em relação ao eixo longitudinal de Khurmi & Gupta, exemplo 14.10
 m-g-4-3333-33-331-85-n-m-2-1-5-m = m g/4 ± (3333,33 − 331,85) N·m/(2 · 1,5 m).
 car-with-its-engine-in-the-rear-the-limit = Automóvel com motor traseiro: o limite
@@ -2658,7 +2657,7 @@ the-rate-required-by-the-precession-of-minimum-rate = a rotação requerida pela
 twice-the-energy-as-angular-momentum-times-angular-velocity-along-it = o dobro da energia como momento angular vezes a velocidade angular ao longo dele
 twice-the-kinetic-energy-as-h = o dobro da energia cinética como H ω
 n-2-kg-at-0-1-m-beside-the-axis-level-with-it-1-n-m-for-the-acceleration-and-1-962-n-m-against-the = 2 kg a 0,1 m do eixo, na mesma altura: 1 N·m para a aceleração e 1,962 N·m contra o peso.
-eccentric-mass-that-is-speeded-up = Massa excêntrica que é acelerada
+eccentric-mass-with-angular-acceleration = Massa excêntrica com aceleração angular
 over-half-a-revolution-everything-reverses-except-the-angular-momentum-about-the-axis = Em meia volta tudo se inverte, menos o momento angular em torno do eixo
 acceleration-of-the-centre-of-mass-at-that-speed-by-finite-differences-of-its-position = aceleração do centro de massa nessa velocidade, por diferenças finitas de sua posição
 acceleration-of-the-centre-of-mass-by-finite-differences-of-its-position = aceleração do centro de massa por diferenças finitas de sua posição

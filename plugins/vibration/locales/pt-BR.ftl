@@ -825,7 +825,6 @@ the-bar-on-its-springs = A barra sobre as suas molas
 the-dampers-of-the-system-if-any = Os amortecedores do sistema, se houver
 the-force-on-a-mass-for-a-unit-displacement-of-its-neighbour = A força em uma massa para um deslocamento unitário da sua vizinha
 the-half-car = O meio veículo
-the-mass-has-this-weight = A massa tem esse peso
 the-motion-passes-from-one-pendulum-to-the-other-and-back-beats = O movimento passa de um pêndulo ao outro e volta: batimentos
 the-component-leading-by-90-a-lag-is-negative = A componente adiantada de 90°; o atraso é negativo
 the-pendulums-and-their-spring = Os pêndulos e a sua mola
@@ -1466,7 +1465,7 @@ no-mode-can-grow-up-to-the-highest-speed-of-the-diagrams-every-stiffness-is-symm
 the-limit-of-stability-near-speed-could-not-be-refined-on-the-equations-of-all-nodes-it-is-omitted = o limite de estabilidade perto de { $speed } não pôde ser refinado nas equações de todos os nós: foi omitido
 no-mode-grows-at-the-count-speeds-examined-up-to-the-highest-speed-of-the-diagrams = nenhum modo cresce nas { $count } rotações examinadas até a maior rotação dos diagramas
 at-the-limit-of-stability-the-mode-neither-grows-nor-decays = no limite de estabilidade o modo não cresce nem decai
-uniform-rotor-on-soft-bearings-bending-alone = Rotor uniforme sobre mancais moles, só flexão
+uniform-rotor-on-soft-bearings-euler-bernoulli = Rotor uniforme sobre mancais flexíveis, Euler-Bernoulli
 the-same-rotor-with-more-elements = O mesmo rotor com mais elementos
 the-same-rotor-on-bearings-ten-times-as-stiff-at-rest = O mesmo rotor sobre mancais dez vezes mais rígidos, em repouso
 a-thick-shaft-on-soft-bearings-at-rest = Um eixo grosso sobre mancais moles, em repouso
@@ -2246,7 +2245,7 @@ the-table-has-fewer-than-three-amplitudes-measure-more-or-write-their-ratio-as-t
 duration-of-these-cycles = Duração desses ciclos
 torsional-stiffness-of-the-shaft = Rigidez torcional do eixo
 two-amplitudes = Duas amplitudes
-two-beams-side-by-side-both-loaded-away-from-their-middles = Duas vigas lado a lado, ambas carregadas fora do meio
+two-beams-in-parallel-both-loaded-off-their-midpoints = Duas vigas em paralelo, ambas carregadas fora do meio do vão
 with-a-damping-ratio-of-1-or-more-the-motion-does-not-oscillate-and-has-no-decrement-write-a-ratio = com fator de amortecimento 1 ou maior o movimento não oscila e não tem decremento: escreva um fator abaixo de 1
 # spring
 area-given = Área dada
@@ -2343,7 +2342,7 @@ twist = torção
 shaft-in-torsion = Eixo em torção
 a-stepped-shaft-is-a-series-combination-of-its-segments-two-shafts-from-one-disc-to-two-walls-are-in = Um eixo escalonado é a associação em série dos seus trechos; dois eixos de um disco a duas paredes estão em paralelo.
 tapered-round-shaft-in-torsion = Eixo circular cônico em torção
-helical-spring-turned-about-its-axis = Mola helicoidal girada em torno do seu eixo
+helical-spring-twisted-about-its-axis = Mola helicoidal torcida em torno do seu eixo
 length-of-the-strip = Comprimento da fita
 cantilever-moment-at-its-tip = Viga em balanço com momento na ponta
 simply-supported-beam-moment-at-one-end = Viga biapoiada com momento numa extremidade
@@ -2898,7 +2897,6 @@ periods-until-the-instant = Períodos até o instante
 angle-against-time = Ângulo em função do tempo
 as-for-small-angles = como para pequenos ângulos
 period-against-amplitude = Período em função da amplitude
-small-swings = pequenas oscilações
 small-oscillations = pequenas oscilações
 the-swing = A oscilação
 the-oscillation = A oscilação
@@ -4211,7 +4209,7 @@ a-uniform-bar-on-equal-springs-at-its-ends = Barra uniforme sobre molas iguais n
 bounce-2k-m-pitch-6k-m-without-coupling = Salto vertical ω² = 2k/m, arfagem ω² = 6k/m, sem acoplamento
 nodes-of-a-bar-with-unequal-springs = Nós de uma barra com molas desiguais
 k-3-k-1-a-b-1-m-j-1-8-12-0-2-and-6-y-4-2 = k₁ = 3, k₂ = 1, a = b = 1, m = J = 1: λ² − 8λ + 12 = 0, λ = 2 e 6; θ/y = (4 − λ)/2
-both-springs-at-the-same-place = As duas molas no mesmo lugar
+coincident-springs = Molas coincidentes
 springs-at-one-point-exert-no-moment-about-it-the-pitch-is-free = Molas num mesmo ponto não exercem momento em relação a ele: a arfagem é livre
 
 # base_excitation.toml
@@ -4220,14 +4218,14 @@ the-springs-are-specified-by-their-static-deflection-no-damping = As molas são 
 vehicle-on-a-rough-road = Veículo em estrada irregular
 s-s-rao-mechanical-vibrations-ch-3-vehicle-on-a-rough-road = S. S. Rao, Mechanical Vibrations, cap. 3: veículo em estrada irregular
 the-source-rounds-the-frequency-of-the-road = a fonte arredonda a frequência da estrada
-seismic-mass-at-rest-when-its-base-sets-in = Massa sísmica em repouso quando a base começa a se mover
+seismic-mass-at-rest-base-motion-switched-on = Massa sísmica em repouso, início súbito do movimento da base
 free-period-of-0-8-s-the-base-motion-is-18-sin-2-t-mm = Período livre de 0,8 s; o movimento da base é 18 sen 2πt mm.
-every-damping-meets-at-2 = Todos os amortecimentos se encontram em √2
+frequency-ratio-2-transmissibility-1-for-all-damping = Razão de frequências √2, transmissibilidade 1 para todo amortecimento
 at-r-2-the-transmissibility-is-one-for-any-damping-rao-5th-ed-3-6 = Em r = √2 a transmissibilidade é um para qualquer amortecimento (Rao, 5ª ed., §3.6)
-damped-start-of-the-base = Início do movimento da base, com amortecimento
+base-motion-switched-on-with-damping = Início súbito do movimento da base, com amortecimento
 x-t-of-4-100x-4-100y-with-y-0-01-sin-10t-by-residues-of-the-laplace-transform = x(t) de ẍ + 4ẋ + 100x = 4ẏ + 100y com y = 0,01 sen 10t, por resíduos da transformada de Laplace
 n-0-2-at-resonance-tr-1-16-0-4 = ζ = 0,2 na ressonância: TR = √1,16/0,4.
-undamped-base-at-the-natural-frequency = Excitação pela base na frequência natural, sem amortecimento
+base-motion-at-the-natural-frequency-without-damping = Excitação pela base na frequência natural, sem amortecimento
 x-y-2-sin-t-t-cos-t-at-t-the-amplitude-grows-by-y-2-each-second = x = (Y/2)(sen ωt − ωt cos ωt) em ωt = π: a amplitude cresce de Yω/2 a cada segundo
 hysteretic-mounts-at-resonance = Coxins histeréticos na ressonância
 tr-1-at-r-1 = TR = √(1 + η²)/η em r = 1
@@ -4244,7 +4242,7 @@ the-decay-ratio-15-1-was-not-used-the-damping-ratio-was-taken-from-1-1-2-with-22
 follows-from-12-and-r-0-0832-with-0-0716-and-r-22-7-18-90-the-force-on-the-support-is-2-14-times-the = Decorre de ζ = 12 e r = 0,0832. Com ζ = 0,0716 e r = 22,7/18,90 a força no apoio é 2,14 vezes a força na massa, qualquer que seja a interpretação da figura perdida.
 the-cantilever-of-question-4-alone = Só a viga em balanço da questão 4
 the-printed-stiffness-of-the-beam-is-right-with-e-210-gpa = A rigidez impressa da viga está certa, com E = 210 GPa.
-question-4-as-it-should-have-come-out = A questão 4 com o resultado correto
+question-4-corrected = Questão 4, corrigida
 lists-06-08-list-08-question-4-solved-with-k-1-1-k-4-d-1 = Listas 06–08, lista 08, questão 4, resolvida com k = 1/Σ(1/k), ζ = δ/√(4π² + δ²), ωₙ = ω_d/√(1 − ζ²)
 seven-amplitudes-read-as-seven-cycles = Sete amplitudes lidas como sete ciclos
 lists-06-08-list-08-question-4-another-reading = Listas 06–08, lista 08, questão 4, outra leitura
@@ -4252,14 +4250,14 @@ the-transmissibility-changes-by-one-per-cent-only = A transmissibilidade muda ap
 the-figure-read-as-the-cantilever-beside-two-springs-in-series = A figura lida como a viga em balanço ao lado de duas molas em série
 mass-and-damping-scale-with-the-stiffness-the-transmissibility-does-not-change = Massa e amortecimento variam com a rigidez; a transmissibilidade não muda.
 e-120-gpa-as-printed = E = 120 GPa, como impresso
-three-springs-in-series-beside-two-in-parallel = Três molas em série ao lado de duas em paralelo
+three-springs-in-series-in-parallel-with-two-more = Três molas em série, em paralelo com outras duas
 the-mass-that-gives-10-hz-without-damping = A massa que dá 10 Hz sem amortecimento.
 reed-of-a-tachometer-tuned-to-1800-cycles-a-minute = Lâmina de um tacômetro sintonizada em 1800 ciclos por minuto
 a-thin-cantilever-of-rectangular-section-without-damping = Uma viga em balanço delgada, de seção retangular, sem amortecimento.
-three-helical-springs-of-a-truck-side-by-side = Três molas helicoidais de um caminhão lado a lado
+three-helical-springs-of-a-truck-in-parallel = Três molas helicoidais de um caminhão em paralelo
 s-s-rao-mechanical-vibrations-si-ed-2017-ex-1-5 = S. S. Rao, Mechanical Vibrations, ed. SI, 2017, ex. 1.5
 only-the-stiffness-is-asked-for-frequency-and-decay-are-computed-values = Pede-se apenas a rigidez; a frequência e o decaimento são valores calculados.
-an-undamped-mass-shaken-at-its-natural-frequency = Massa sem amortecimento excitada na sua frequência natural
+undamped-mass-excited-at-its-natural-frequency = Massa sem amortecimento excitada na sua frequência natural
 no-steady-state-exists-rao-5th-ed-3-3 = Não existe regime permanente (Rao, 5ª ed., §3.3)
 
 # beam_vibration.toml
@@ -4301,18 +4299,18 @@ compression-beyond-the-buckling-load = Compressão além da carga de flambagem
 euler-s-buckling-load-ei-l-19-74-kn = Carga de flambagem de Euler π²EI/L² = 19,74 kN
 
 # beam_with_tip_body.toml
-cantilever-with-two-masses-off-its-axis = Viga em balanço com duas massas fora do seu eixo
+cantilever-with-two-eccentric-masses = Viga em balanço com duas massas excêntricas
 nafems-test-fv4-targets-in-the-verification-problem-vmp09-t4-of-ansys-mechanical-apdl = NAFEMS, teste FV4; valores de referência no problema de verificação VMP09-T4 do Ansys Mechanical APDL
 n-10-m-of-round-bar-10000-kg-at-2-m-and-1000-kg-at-2-m-across-the-axis-on-rigid-arms-without-shear = 10 m de barra circular, 10000 kg a +2 m e 1000 kg a −2 m transversalmente à linha de centro, em braços rígidos. Sem cisalhamento e sem inércia de rotação as frequências são as de elementos de pórtico convergidos: 1,723278; 1,726843; 7,413388; 9,974768; 18,1816 e 26,9855 Hz.
 the-target-value-lies-between-the-theories-of-euler-bernoulli-9-975-hz-and-timoshenko-9-947-hz = o valor de referência fica entre as teorias de Euler–Bernoulli, 9,975 Hz, e de Timoshenko, 9,947 Hz
 the-target-value-lies-between-the-theories-of-euler-bernoulli-18-182-hz-and-timoshenko = o valor de referência fica entre as teorias de Euler–Bernoulli, 18,182 Hz, e de Timoshenko
 the-target-value-lies-between-the-theories-of-euler-bernoulli-26-985-hz-and-timoshenko-26-687-hz = o valor de referência fica entre as teorias de Euler–Bernoulli, 26,985 Hz, e de Timoshenko, 26,687 Hz
-the-masses-off-the-axis-by-frame-elements = As massas fora do eixo por elementos de pórtico
+eccentric-masses-by-frame-elements = Massas excêntricas por elementos de pórtico
 converged-frame-model-of-euler-bernoulli-elements-with-consistent-masses = Modelo de pórtico convergido, de elementos de Euler–Bernoulli com massas consistentes
-next-to-no-body = Quase nenhum corpo
+tip-body-of-negligible-mass = Corpo na ponta com massa desprezível
 cantilever-1-875104-and-4-694091-in-both-planes-torsion-c-4l = Viga em balanço: β = 1,875104 e 4,694091 nos dois planos; torção c/(4L)
 n-1-m-of-round-bar-100-mm-ei-m-125-m-s-69-95-hz-twice-438-4-hz-twice-torsion-g-4-775-22-hz = 1 m de barra circular, 100 mm: √(EI/m̄) = 125 m²/s; 69,95 Hz duas vezes, 438,4 Hz duas vezes, torção √(G/ρ)/4 = 775,22 Hz.
-strip-with-a-mass-beside-its-axis = Lâmina com uma massa fora do seu eixo
+strip-with-an-eccentric-mass = Lâmina com uma massa excêntrica
 exact-stiffness-at-the-tip-verified-by-the-balance-of-the-forces-there = Rigidez exata na ponta; verificada pelo equilíbrio das forças nela
 a-tube-without-a-wall = Um tubo sem parede
 the-inner-diameter-must-be-below-the-outer-one = O diâmetro interno deve ser menor que o externo
@@ -4322,17 +4320,17 @@ amplitude-of-50-mm-to-be-halved = Amplitude de 50 mm a reduzir à metade
 n-5-kg-on-980-n-m-with-0-025-and-g-9-81-m-s-the-printed-solution-counts-whole-cycles = 5 kg sobre 980 N/m com µ = 0,025 e g = 9,81 m/s²; a solução impressa conta ciclos inteiros.
 block-pulled-by-an-inch-after-0-09-s = Bloco puxado uma polegada, após 0,09 s
 f-s-tse-i-e-morse-and-r-t-hinkle-mechanical-vibrations-p-175-target-of-the-verification-problem-vm73 = F. S. Tse, I. E. Morse e R. T. Hinkle, Mechanical Vibrations, p. 175; valor de referência do problema de verificação VM73 do Ansys Mechanical APDL
-the-block-on-its-way-back-after-0-102-s = O bloco no caminho de volta, após 0,102 s
+the-block-on-its-return-after-0-102-s = O bloco no retorno, após 0,102 s
 the-block-after-nearly-a-cycle-0-183-s = O bloco após quase um ciclo, 0,183 s
 the-block-at-rest = O bloco em repouso
 n-1-1-16-1-8-7-5-strokes-rounded-up-x-r-1-8-8-in = n = (1 − 1/16)/(1/8) = 7,5 cursos, arredondado para cima; x_R = ∓(1 − 8/8) in
-a-blow-against-friction = Um golpe contra o atrito
+impulse-against-friction = Impulso contra o atrito
 r-f-v-f-2-mm-v-20-mm-then-2f-4-mm-per-half-cycle = R = √(f² + (v₀/ωₙ)²), f = 2 mm, v₀/ωₙ = 20 mm; depois 2f = 4 mm por meio ciclo
 friction-beside-viscous-damping = Atrito ao lado de amortecimento viscoso
 x-q-x-f-1-q-f-2-mm-0-1-from-50-mm = Xₙ₊₁ = q Xₙ − f (1 + q), f = 2 mm, ζ = 0,1, a partir de 50 mm
-friction-that-the-decay-tells-of = Atrito determinado pelo decaimento
+friction-identified-from-the-decay = Atrito identificado pelo decaimento
 f-k-x-4-f-m-g-the-numbers-of-grover-s-ex-3-6-1-backwards = F = k ΔX/4, µ = F/(m g): os números do ex. 3.6.1 de Grover, ao contrário
-viscous-damping-above-the-critical-one = Amortecimento viscoso acima do crítico
+viscous-damping-above-critical = Amortecimento viscoso acima do crítico
 the-mass-approaches-f-k-2-mm-without-oscillation = A massa tende a F/k = 2 mm sem oscilar
 a-spring-too-weak-for-the-friction = Mola fraca demais para o atrito
 k-x-0-1-n-is-below-f-0-2-n = k x₀ = 0,1 N está abaixo de F = 0,2 N
@@ -4341,16 +4339,16 @@ k-x-0-1-n-is-below-f-0-2-n = k x₀ = 0,1 N está abaixo de F = 0,2 N
 two-rods-joined-at-their-free-ends = Duas barras unidas nas suas extremidades livres
 rods-of-5-kg-m-and-0-75-m-and-1-m-without-gravity-the-other-mode-is-a-rotation-of-both-with-the = Barras de 5 kg/m com 0,75 m e 1 m; sem gravidade, o outro modo é um giro das duas com a mola indeformada.
 the-exact-ratio-is-9-16-0-5625 = a razão exata é −9/16 = −0,5625
-two-equal-pendulums-in-step-and-opposed = Dois pêndulos iguais: em fase e em oposição
+two-equal-pendulums-in-phase-and-in-antiphase = Dois pêndulos iguais: em fase e em oposição
 g-l-g-l-2ka-ml = ω₁² = g/l, ω₂² = g/l + 2ka²/(ml²)
-two-pendulums-that-stand-upright = Dois pêndulos invertidos
+two-inverted-pendulums = Dois pêndulos invertidos
 in-phase-the-spring-has-no-effect-k-k-mgl-0 = Em fase a mola não tem efeito: K₁₁ + K₁₂ = −mgl < 0
 
 # damped_absorber.toml
 mass-ratio-of-one-twentieth-by-the-fixed-points = Razão de massas de um vigésimo, pelos pontos fixos
 j-p-den-hartog-mechanical-vibrations-4th-ed-3-3-f-1-1-3-8-1-h-1-2 = J. P. Den Hartog, Mechanical Vibrations, 4ª ed., §3.3: f = 1/(1 + μ), γ² = 3μ/(8(1 + μ)³), H = √(1 + 2/μ)
 c-2-m-a-m-and-a-c-2-m-a-a-differ-by-the-tuning-the-true-peak-with-these-values-lies-0-08-above-the = γ = c/(2 m_a ω_m) e ζ_a = c/(2 m_a ω_a) diferem pela sintonia. O pico verdadeiro com estes valores fica 0,08 % acima dos pontos fixos.
-mass-ratio-of-one-twentieth-for-the-least-peak = Razão de massas de um vigésimo, para o menor pico
+mass-ratio-of-one-twentieth-for-the-lowest-peak = Razão de massas de um vigésimo, para o menor pico
 direct-minimisation-of-the-maximum-magnification-over-tuning-and-damping = Minimização direta da amplificação máxima em relação à sintonia e ao amortecimento
 tuning-and-damping-differ-by-0-001-and-0-24-from-the-invariant-point-values-the-peak-falls-from-6 = Sintonia e amortecimento diferem 0,001 % e 0,24 % dos valores dos pontos invariantes; o pico cai de 6,408443 para 6,40792. Um mínimo é achatado: uma busca direta encontra o pico com precisão total, mas a sintonia e o amortecimento só com poucos algarismos. O segundo método é a forma fechada de Nishihara e Asami.
 found-by-a-direct-search-where-the-minimum-is-flat = encontrado por uma busca direta, onde o mínimo é achatado
@@ -4360,7 +4358,7 @@ houdaille-damper-the-optimum-damping-is-1-12-relative-to-the-main-frequency-and-
 the-book-truncates-the-digits-of-0-28868 = o livro trunca os algarismos de 0,28868
 the-same-damper-by-its-closed-form = O mesmo amortecedor pela sua fórmula fechada
 n-1-2-1-2-1-12-g-2-3-h-1-2 = γ = 1/√(2(1 + μ)(2 + μ)) = 1/√12, g = √(2/3), H = 1 + 2/μ
-the-least-peak-with-5-3 = O menor pico com μ = 5/3
+lowest-peak-with-5-3 = O menor pico com μ = 5/3
 nishihara-and-asami-with-s-4-3-3-f-6-43-a-165-40-h-43-3-275-3 = Nishihara e Asami com s = √(4 + 3μ) = 3: f = √(6/43), ζ_a = ¼√(165/40), H = 43/(3√(275/3))
 building-with-an-absorber-of-given-tuning-and-damping = Edifício com absorvedor de sintonia e amortecimento dados
 f-1-0-1-0-1-at-g-1-x-x-st-2i-1-2i-s-1-1-2i = f = 1, γ = 0,1, μ = 0,1 em g = 1: X/X_st = |2iγ/(−μ(1 + 2iγ))|, S = 1/(μ|1 + 2iγ|)
@@ -4370,18 +4368,18 @@ viscous-damper-with-a-given-coefficient = Amortecedor viscoso com coeficiente da
 n-1-2-1-4-at-the-fixed-point-g-2-2-0-8-h-1-2-5-for-every-damping = μ = 1/2, γ = 1/4 no ponto fixo g² = 2/(2 + μ) = 0,8: H = 1 + 2/μ = 5 para qualquer amortecimento
 a-damped-main-system = Sistema principal amortecido
 a-main-system-with-2-damping-and-an-absorber-with-5-of-its-mass = Um sistema principal com 2 % de amortecimento e um absorvedor com 5 % da sua massa.
-a-main-system-that-is-damped-too-much = Sistema principal amortecido demais
+main-system-with-too-much-damping = Sistema principal com amortecimento excessivo
 with-0-9-the-response-of-the-main-system-has-no-peak-and-a-light-absorber-does-not-produce-two = Com ζ = 0,9 a resposta do sistema principal não tem pico, e um absorvedor leve não produz dois
 
 # decay_identification.toml
 amplitudes-that-halve-in-every-cycle = Amplitudes que caem à metade em cada ciclo
 x-80-mm-2-n-ln-2 = X = 80 mm · 2^(−n): δ = ln 2
-amplitudes-that-fall-by-the-same-piece = Amplitudes que diminuem sempre do mesmo valor
+amplitudes-that-decrease-by-equal-steps = Amplitudes que diminuem em passos iguais
 x-50-mm-4n-f-k-with-f-k-1-25-mm-f-k-g = X = 50 mm − 4n F/k com F/k = 1,25 mm; µ = (F/k) ωₙ²/g
 near-the-numbers-of-grover-s-ex-3-6-1-5-kg-on-980-n-m = Próximo dos números do ex. 3.6.1 de Grover: 5 kg sobre 980 N/m.
-both-at-once-by-their-turning-points = Ambos juntos, pelos pontos de retorno
+viscous-and-coulomb-damping-by-the-turning-points = Amortecimento viscoso e de Coulomb, pelos pontos de retorno
 x-q-x-f-f-in-each-half-cycle-0-02-f-0-5-mm-from-50-mm = Xₙ₊₁ = q (Xₙ − f) − f em cada meio ciclo, ζ = 0,02, f = 0,5 mm, a partir de 50 mm
-both-at-once-by-samples-of-the-motion = Ambos juntos, por amostras do movimento
+viscous-and-coulomb-damping-by-samples-of-the-motion = Amortecimento viscoso e de Coulomb, por amostras do movimento
 exact-motion-half-cycle-by-half-cycle-with-0-02-f-k-0-5-mm-and-10-rad-s-released-at-50-mm-sampled-at = Movimento exato, meio ciclo a meio ciclo, com ζ = 0,02, F/k = 0,5 mm e ωₙ = 10 rad/s, solto a 50 mm; 60 amostras por segundo
 the-turning-points-lie-between-the-samples-a-parabola-through-three-of-them-finds-each-to-a-few = Os pontos de retorno ficam entre as amostras: uma parábola por três delas encontra cada um com erro de alguns milésimos.
 the-turning-points-lie-between-the-samples = os pontos de retorno ficam entre as amostras
@@ -4400,7 +4398,7 @@ a-body-with-zero-moment-of-inertia-is-a-point-mass-2-2-g-l = Um corpo com moment
 a-light-pendulum-under-a-heavy-one = Pêndulo leve sob um pêndulo pesado
 with-m-much-smaller-than-m-each-oscillates-independently-g-l = Com m₂ muito menor que m₁ cada um oscila por si: √(g/l)
 a-millionth-of-the-mass-l-2-5-m-l-0-4-m-g-10-m-s = Um milionésimo da massa; l₁ = 2,5 m, l₂ = 0,4 m, g = 10 m/s².
-a-body-balanced-above-its-pivot = Corpo equilibrado acima do seu pivô
+body-with-its-centre-of-mass-above-the-pivot = Corpo com o centro de massa acima do pivô
 k-m-c-m-l-g-0 = K₁₁ = (m₁c₁ + m₂l₁) g < 0
 
 # drop_impact.toml
@@ -4416,24 +4414,24 @@ the-printed-time-is-that-of-the-nearest-time-step = o tempo impresso é o do pas
 the-printed-value-comes-from-time-steps = o valor impresso vem de uma integração com passos de tempo
 the-package-by-energy = O produto, por energia
 mg-h-y-ky-2-y-2-h = mg(h + y) = ky²/2: y = δ + √(δ² + 2δh)
-set-down-without-a-fall = Pousado sem queda
+suddenly-applied-load = Carga aplicada subitamente
 a-load-released-from-zero-height-compresses-a-spring-to-twice-the-static-deflection = Uma carga solta de altura zero comprime a mola o dobro da deflexão estática
 a-cushion-with-damping = Embalagem com amortecimento
 runge-kutta-integration-of-m-c-k-y-m-g = Integração de Runge–Kutta de m ÿ + c ẏ + k y = m g
-the-package-after-it-has-jumped-off-again = O produto depois de saltar de volta
+the-package-after-its-rebound = O produto após o ressalto
 without-damping-the-cushion-throws-the-package-back = Sem amortecimento a embalagem lança o produto de volta
 
 # duffing_oscillator.toml
-a-hardening-spring-let-go-at-1-in = Mola que endurece, solta a 1 in
+hardening-spring-released-at-1-in = Mola com enrijecimento, solta a 1 in
 ansys-mechanical-apdl-verification-manual-vm156-natural-frequency-of-a-nonlinear-spring-mass-system = ANSYS Mechanical APDL Verification Manual, VM156 (frequência natural de um sistema massa–mola não linear)
 the-target-was-read-from-a-transient-of-finite-steps-the-elliptic-integral-gives-0-14404-s = o valor de referência foi lido de uma resposta transitória com passos finitos; a integral elíptica dá 0,14404 s
 the-same-spring-by-the-elliptic-integral-and-by-harmonic-balance = A mesma mola pela integral elíptica e pelo balanço harmônico
 t-4k-with-6-0-002588-s-1-3-t-2-0-002588-5 = T = 4K(κ)/Ω com Ω² = 6/0,002588 s⁻², κ² = 1/3; T′ = 2π√(0,002588/5)
-forced-to-its-peak-the-smaller-force = Forçada até o pico, com a força menor
+forced-at-the-peak-of-its-response-smaller-force = Forçada no pico da resposta, força menor
 ansys-mechanical-apdl-verification-manual-vm319-forced-duffing-oscillator-f-m-125-mm-s = ANSYS Mechanical APDL Verification Manual, VM319 (oscilador de Duffing forçado), F/m = 125 mm/s²
 n-200-x-46-752-x-125-cos-t-in-mm-and-s-with-8766-2-s-for-a-mass-of-1-kg = ẍ + (ω₀/200) ẋ + ω₀² x + 46,752 x³ = 125 cos ωt em mm e s, com ω₀² = 8766,2 s⁻², para uma massa de 1 kg.
 printed-to-two-digits = impresso com dois algarismos
-forced-to-its-peak-the-larger-force = Forçada até o pico, com a força maior
+forced-at-the-peak-of-its-response-larger-force = Forçada no pico da resposta, força maior
 ansys-mechanical-apdl-verification-manual-vm319-forced-duffing-oscillator-f-m-250-mm-s = ANSYS Mechanical APDL Verification Manual, VM319 (oscilador de Duffing forçado), F/m = 250 mm/s²
 the-printed-peak-is-read-from-a-stepped-sweep = o pico impresso é lido de uma varredura em passos
 a-softening-spring-at-its-limit = Mola que amolece, no seu limite
@@ -4450,14 +4448,14 @@ k-j-j-j-j-t-j-j-j-with-an-amplitude-of-j-j-of-the-flywheel = ω = √(k (J₁ + 
 one-cylinder-every-order-is-major-and-the-sum-of-the-phase-vectors-is-one = Um só cilindro: toda ordem é principal e a soma dos fasores é um.
 tangential-pressure-and-damping-at-the-crank = Pressão tangencial, e amortecimento na manivela
 t-c-for-one-cylinder-t-p-b-s-8 = Θ = T/(c ω) para um cilindro, T = p π B² S/8
-two-cylinders-that-swing-against-each-other = Dois cilindros que oscilam um contra o outro
+two-cylinders-vibrating-in-antiphase = Dois cilindros vibrando em oposição de fase
 n-2k-j-amplitudes-1-and-1-cylinders-half-a-revolution-apart-reinforce-each-other-at-odd-orders-and = ω = √(2k/J), amplitudes 1 e −1: cilindros defasados de meia volta se reforçam nas ordens ímpares e se cancelam nas pares
 the-even-orders-are-the-major-orders-and-harmless-in-this-mode-the-two-cranks-move-in-antiphase = As ordens harmônicas pares são as principais, e inofensivas: neste modo as duas manivelas movem-se em oposição de fase.
-v8-with-crossed-cranks = V8 com manivelas em cruz
+v8-with-a-cross-plane-crankshaft = V8 com virabrequim em cruz
 two-cylinders-on-each-crank-firing-every-90-order-4-is-major-order-2-vanishes-in-every-mode = Dois cilindros em cada manivela, com ignição a cada 90°. A ordem 4 é principal; a ordem 2 anula-se em todos os modos.
 stiffness-of-a-throw-by-two-formulas = Rigidez de um cotovelo por duas fórmulas
 carter-l-0-8t-d-0-75l-c-d-c-d-c-1-5r-tw-ker-wilson-l-0-4d-d-l-c-0-4d-c-d-c-d-c-r-0-2-d-d-c-tw-as-in-w = Carter: (Lⱼ + 0,8t)/Dⱼ⁴ + 0,75L_c/(D_c⁴ − d_c⁴) + 1,5R/(tW³); Ker Wilson: (Lⱼ + 0,4Dⱼ)/Dⱼ⁴ + (L_c + 0,4D_c)/(D_c⁴ − d_c⁴) + (R − 0,2(Dⱼ + D_c))/(tW³), como em W. Ker Wilson, Practical Solution of Torsional Vibration Problems
-half-orders-of-two-strokes = Meias ordens em dois tempos
+half-orders-of-a-two-stroke-engine = Meias ordens de um motor de dois tempos
 
 # equivalent_damping.toml
 structural-damping-at-resonance = Amortecimento estrutural na ressonância
@@ -4469,13 +4467,13 @@ loop-of-1-2-j-at-20-mm = Laço de 1,2π J a 20 mm
 w-kx-0-3-x-f-k-m-k = η = ΔW/(πkX²) = 0,3; X = F₀/√((k − mω²)² + (ηk)²)
 drag-with-the-square-of-the-velocity-at-resonance = Arrasto com o quadrado da velocidade, na ressonância
 x-3-f-8a-at-the-natural-frequency = X = √(3πF₀/(8aω²)) na frequência natural
-a-spring-that-loses-nothing = Uma mola que nada dissipa
+spring-without-damping = Mola sem amortecimento
 without-damping-the-amplitude-at-resonance-is-unbounded = Sem amortecimento a amplitude na ressonância é ilimitada
 
 # equivalent_stiffness.toml
 the-mass-that-has-a-natural-frequency-of-10-hz = A massa que tem uma frequência natural de 10 Hz.
 the-mass-at-the-tip-of-a-thin-steel-reed-the-mass-of-the-reed-is-neglected = A massa na ponta de uma lâmina delgada de aço; a massa da lâmina é desprezada.
-weight-on-a-reed-that-answers-at-50-hz = Peso sobre uma lâmina que responde a 50 Hz
+weight-on-a-reed-tuned-to-50-hz = Peso sobre uma lâmina sintonizada em 50 Hz
 a-four-inch-steel-reed-the-weight-is-in-pounds-force-with-g-386-in-s = Uma lâmina de aço de quatro polegadas; o peso está em libras-força, com g = 386 in/s².
 weight-of-35-lb-on-a-spring = Peso de 35 lb sobre uma mola
 the-weight-is-a-force-g-386-in-s = O peso é uma força; g = 386 in/s².
@@ -4491,11 +4489,11 @@ the-same-solution-prints-22-57-rad-s-which-is-3-59-hz-misplaced-decimal-point = 
 spring-for-a-mass-with-a-period-of-one-second = Mola para uma massa com período de um segundo
 code-aster-validation-manual-test-sdld32-v2-01-032 = Code_Aster, manual de validação, teste SDLD32 (V2.01.032)
 the-manual-prints-k-m-2-with-2-rad-s-it-is-4-39-48-n-m = O manual imprime k = m ω₀² = 2π; com ω₀ = 2π rad/s são 4π² = 39,48 N/m.
-the-spring-of-a-period-of-one-second-as-it-should-be = A mola do período de um segundo com o resultado correto
+spring-for-a-mass-with-a-period-of-one-second-corrected = Mola para uma massa com período de um segundo, corrigida
 k-4-m-t = k = 4π² m/T²
-helical-spring-that-is-not-light = Mola helicoidal que não é leve
+helical-spring-with-mass = Mola helicoidal com massa
 k-100-n-m-m-m-s-3-1-kg-10-rad-s = k = 100 N/m, m + m_s/3 = 1 kg: ωₙ = 10 rad/s
-spring-felt-through-a-lever-in-series-with-a-spring-on-its-load = Mola sentida através de uma alavanca, em série com uma mola na sua carga
+spring-acting-through-a-lever-in-series-with-a-spring-at-the-load = Mola que atua por uma alavanca, em série com uma mola na carga
 the-spring-of-16-kn-m-at-half-of-the-load-s-arm-is-equivalent-to-4-kn-m-with-4-kn-m-in-series-k-2-kn = A mola de 16 kN/m na metade do braço da carga equivale a 4 kN/m; com 4 kN/m em série k = 2 kN/m
 stepped-shaft-with-a-geared-branch = Eixo escalonado com um ramo engrenado
 two-equal-lengths-with-diameters-in-the-ratio-1-to-2-have-16-17-of-the-stiffness-of-the-thinner-one-a = Dois trechos iguais com diâmetros na razão de 1 para 2 têm 16/17 da rigidez do mais fino; uma mola atrás de engrenagens de razão 3 é multiplicada por nove
@@ -4513,16 +4511,16 @@ x-f-v-k-fu-k-with-the-numbers-of-grover-s-ex-4-6-1-a-time-integration-gives-4-67
 force-for-40-mm-at-2-hz = Força para 40 mm a 2 Hz
 s-s-rao-mechanical-vibrations-problem-of-ch-3-on-forced-vibration-with-coulomb-damping = S. S. Rao, Mechanical Vibrations, problema do cap. 3 sobre vibração forçada com amortecimento de Coulomb
 the-printed-value-is-computed-from-rounded-numbers-g-9-81-m-s-gives-97-9877-n = o valor impresso é calculado com números arredondados; g = 9,81 m/s² dá 97,9877 N
-exact-motion-without-stops-at-twice-the-natural-frequency = Movimento exato sem paradas no dobro da frequência natural
+exact-motion-without-sticking-at-twice-the-natural-frequency = Movimento exato sem adesão no dobro da frequência natural
 j-p-den-hartog-forced-vibrations-with-combined-coulomb-and-viscous-friction-1931-v-1-3-u-tan-4-2-1-2 = J. P. Den Hartog, Forced vibrations with combined Coulomb and viscous friction, 1931: V = −1/3, U = tan(π/4)/2 = 1/2 em r = 2
 the-force-of-that-motion = A força desse movimento
 f-k-1-r-x-f-u-the-inverse-of-the-case-above = F₀ = k |1 − r²| √(X² + (f U)²), o inverso do caso acima
-motion-with-stops = Movimento com paradas
+motion-with-stick-slip = Movimento com adesão e deslizamento
 slip-and-stick-phases-solved-piecewise-a-time-integration-with-20-s-steps-also-gives-125-159-mm = Fases de deslizamento e aderência resolvidas trecho a trecho; uma integração no tempo com passos de 20 µs também dá 125,159 mm
 friction-balances-60-of-the-force-the-mass-is-at-rest-twice-per-cycle = O atrito equilibra 60 % da força; a massa fica em repouso duas vezes por ciclo.
-resonance-that-friction-cannot-hold = Ressonância que o atrito não consegue conter
+resonance-that-friction-cannot-limit = Ressonância que o atrito não limita
 n-4f-1-27-n-is-below-f-10-n = 4F/π = 1,27 N está abaixo de F₀ = 10 N
-a-force-below-the-friction = Força abaixo do atrito
+force-below-the-friction = Força abaixo do atrito
 the-mass-does-not-move = A massa não se move
 
 # free_vibration.toml
@@ -4541,13 +4539,12 @@ damping-for-an-overshoot-of-20 = Amortecimento para um sobressinal de 20 %
 ln-5-ln-5 = ζ = ln 5/√(π² + (ln 5)²)
 damping-for-an-envelope-that-settles-in-half-a-second = Amortecimento para uma envoltória que se acomoda em meio segundo
 ln-1-p-t-with-p-2 = ζ = ln(1/p)/(ωₙ tₛ) com p = 2 %
-critically-damped-after-a-blow = Amortecimento crítico após um golpe
 x-v-t-e-t-largest-v-e-at-1 = x = v₀ t e^(−ωₙt), máximo v₀/(e ωₙ) em 1/ωₙ
 x-v-t-e-t-maximum-v-e-at-1 = x = v₀ t e^(−ωₙt), máximo v₀/(e ωₙ) em 1/ωₙ
 torsional-pendulum-with-negative-damping = Pêndulo de torção com amortecimento negativo
 e-0-5-s-t-cos-d-t-0-5-d-sin-d-t-with-5-rad-s-0-1 = θ = θ₀ e^(0,5 s⁻¹ t) (cos ω_d t − (0,5/ω_d) sen ω_d t) com ωₙ = 5 rad/s, ζ = −0,1
 galloping-lines-and-dry-friction-brakes-have-negative-damping-about-their-equilibrium-position = Linhas de transmissão em galope e freios com atrito seco têm amortecimento negativo em torno da sua posição de equilíbrio.
-at-rest-where-it-belongs = Parado na sua posição de repouso
+at-rest-in-the-equilibrium-position = Em repouso na posição de equilíbrio
 without-displacement-or-velocity-there-is-no-motion = Sem deslocamento nem velocidade não há movimento
 
 # frequency_response_identification.toml
@@ -4555,7 +4552,7 @@ frequency-sweep-of-a-vehicle-suspension = Varredura em frequência de uma suspen
 lists-06-08-list-06-question-1 = Listas 06–08, lista 06, questão 1
 the-static-value-and-peak-are-read-from-the-printed-curve-the-printed-solution-takes-the-peak = O valor estático e o pico são lidos da curva impressa. A solução impressa toma a frequência do pico como frequência natural, boa aproximação com este amortecimento: m sai 0,8 % e c 0,2 % acima. A amplitude na ressonância, que ela pede, fica sem resposta: 1,6 mm por newton.
 the-printed-solution-calls-the-peak-frequency-the-natural-frequency = a solução impressa chama a frequência do pico de frequência natural
-the-suspension-read-exactly-under-100-n = A suspensão lida com exatidão, sob 100 N
+the-suspension-by-its-exact-peak-under-100-n = A suspensão pelo seu pico exato, sob 100 N
 lists-06-08-list-06-question-1-with-the-peak-at-1-2 = Listas 06–08, lista 06, questão 1, com o pico em ωₙ√(1 − 2ζ²)
 the-suspension-as-a-table-of-points = A suspensão como tabela de pontos
 n-1-k-m-c-with-k-5000-n-m-m-34-45-kg-c-51-98-n-s-m-to-five-digits = 1/√((k − m ω²)² + (c ω)²) com k = 5000 N/m, m = 34,45 kg, c = 51,98 N·s/m, com cinco algarismos
@@ -4575,7 +4572,7 @@ code-aster-validation-manual-sdld21-sdld21a-comm-three-points-of-node-n5-the-cir
 a-mobility-by-amplitude-and-phase = Mobilidade por amplitude e fase
 i-k-m-ic-with-m-2-kg-10-hz-and-0-02-to-six-digits = iω/(k − mω² + icω) com m = 2 kg, 10 Hz e ζ = 0,02, com seis algarismos
 all-readings-should-give-the-same-mode = Todas as leituras devem dar o mesmo modo.
-a-hysteretic-mode-beside-the-stiffness-of-others = Modo histerético ao lado da rigidez de outros
+hysteretic-mode-with-residual-stiffness-of-other-modes = Modo histerético com rigidez residual dos outros modos
 n-1-k-1-0-04i-m-2-10-m-n-with-m-2-kg-and-10-hz-to-six-digits = 1/(k(1 + 0,04i) − mω²) + 2·10⁻⁶ m/N com m = 2 kg e 10 Hz, com seis algarismos
 the-residual-shifts-the-circle-away-from-the-origin-without-changing-its-diameter-1-k = O resíduo desloca a circunferência da origem sem alterar o seu diâmetro 1/(ηk).
 the-residual-is-a-thousandth-of-the-peak-and-the-table-has-six-digits = o resíduo é um milésimo do pico, e a tabela tem seis algarismos
@@ -4588,9 +4585,9 @@ the-same-test-in-a-companion-to-the-book = O mesmo ensaio num complemento do liv
 fossee-scilab-companion-to-g-k-grover-mechanical-vibrations-ex-4-2-2 = Complemento FOSSEE em Scilab a G. K. Grover, Mechanical Vibrations, ex. 4.2.2
 the-companion-confuses-d-with-its-square-d-1-2-1-so-that-0-19706-as-in-the-book = O complemento confunde ωₚ/ω_d com o seu quadrado: (ωₚ/ω_d)² = (1 − 2ζ²)/(1 − ζ²), de modo que ζ = 0,19706, como no livro.
 it-follows-from-the-damping-ratio-without-the-square-9-8-hz-1-0-19706-is-9-996-hz = Decorre do fator de amortecimento sem o quadrado; 9,8 Hz/√(1 − 0,19706²) é 9,996 Hz.
-the-same-test-without-rounding-on-the-way = O mesmo ensaio sem arredondamentos intermediários
+the-same-test-without-intermediate-rounding = O mesmo ensaio sem arredondamentos intermediários
 d-2-d-3-88-99-92 = ζ² = (ω_d² − ωₚ²)/(2ω_d² − ωₚ²) = 3,88/99,92
-unbalance-12-mm-at-resonance-1-3-mm-far-above = Desbalanceamento: 12 mm na ressonância, 1,3 mm muito acima dela
+unbalance-12-mm-at-resonance-1-3-mm-far-above-it = Desbalanceamento: 12 mm na ressonância, 1,3 mm muito acima dela
 the-same-with-12-mm-as-the-largest-amplitude-of-all = O mesmo com 12 mm como a maior amplitude de todas
 w-g-mclean-and-e-w-nelson-schaum-s-engineering-mechanics-prob-19-28-with-the-peak-1-2-1 = W. G. McLean e E. W. Nelson, Schaum's Engineering Mechanics, probl. 19-28, com o pico 1/(2ζ√(1 − ζ²))
 unbalance-at-two-speeds = Desbalanceamento em duas rotações
@@ -4618,7 +4615,7 @@ modal-damping-of-one-mass-is-that-of-one-degree-of-freedom = O amortecimento mod
 x-f-k-m-c-at-f-2-k = X = F/√((k − mω²)² + (cω)²) em ω = ωₙ: F/(2ζk)
 resonance-without-damping = Ressonância sem amortecimento
 the-motion-grows-with-t-there-is-no-steady-state-rao-5th-ed-3-3 = O movimento cresce com t: não há regime permanente (Rao, 5ª ed., §3.3)
-a-force-on-a-mass-that-is-not-there = Força numa massa que não existe
+force-on-a-mass-that-does-not-exist = Força numa massa que não existe
 a-chain-of-one-mass-has-one-coordinate = Uma cadeia de uma só massa tem uma só coordenada
 
 # friction_damper.toml
@@ -4626,12 +4623,12 @@ oscillator-of-944-6-kg-with-an-elastic-friction-damper = Oscilador de 944,6 kg c
 j-guillen-and-c-pierre-1999-target-of-the-verification-problem-vm320-of-ansys-mechanical-apdl = J. Guillen e C. Pierre, 1999; valor de referência do problema de verificação VM320 do Ansys Mechanical APDL
 the-printed-peak-is-read-off-the-curve-of-the-reference = O pico impresso é lido da curva da referência.
 read-off-a-curve = lido de uma curva
-where-half-the-amplitude-is-slip = Onde metade da amplitude é deslizamento
+slip-of-half-the-amplitude = Deslizamento de metade da amplitude
 x-2x-y-2-k-j-k-d-2-h-k-d = X = 2x_y: θ = π/2, k_j = k_d/2, h = k_d/π
 without-viscous-damping-the-peak-takes-f-hx-2f-d-at-k-k-d-2-m = Sem amortecimento viscoso, o pico exige F₀ = hX = 2F_d/π em √((k + k_d/2)/m).
-an-element-that-never-slips = Um elemento que nunca desliza
+friction-element-that-always-sticks = Elemento de atrito que nunca desliza
 viscous-oscillator-with-k-k-d-100-n-m-and-0-1-x-f-2-k-1 = Oscilador viscoso com k + k_d = 100 N/m e ζ = 0,1: X = F₀/(2ζk√(1 − ζ²))
-a-force-that-slip-cannot-hold = Uma força que o deslizamento não consegue conter
+force-that-slip-cannot-limit = Força que o deslizamento não limita
 n-4f-d-is-below-f-and-c-0 = 4F_d/π é menor que F₀ e c = 0
 
 # gun_recoil.toml
@@ -4640,16 +4637,16 @@ spring-of-294-kn-m-recoil-of-1-3-m-the-return-is-timed-up-to-50-mm-from-the-equi
 the-printed-time-is-read-from-a-table-of-x-t-in-steps-of-0-01-s-at-0-22-s-of-the-return-there-the = O tempo impresso é o de uma tabela de x(t) em passos de 0,01 s, lida a 0,22 s do retorno; ali o cano ainda está a 59 mm. Ele passa por 50 mm aos 0,22858 s; 0,29954 s ao todo.
 the-barrel-timed-exactly = O cano com os tempos exatos
 x-r-1-t-e-t-with-the-numbers-of-grover-s-ex-3-3-3 = x₁ = R (1 + ωₙt) e^(−ωₙt) com os números do ex. 3.3.3 de Grover
-a-return-that-ends-before-it-begins = Retorno que termina antes de começar
+return-that-ends-before-it-begins = Retorno que termina antes de começar
 the-return-goes-from-the-end-of-the-recoil-towards-the-equilibrium-position = O retorno vai do fim do recuo em direção à posição de equilíbrio
 
 # half_car.toml
-a-car-whose-front-and-rear-do-not-mix = Carro em que a dianteira e a traseira não se acoplam
+car-with-uncoupled-front-and-rear = Carro com dianteira e traseira desacopladas
 j-m-l-f-l-r-each-end-is-a-body-mass-m-l-r-l-and-m-l-f-l-on-its-own-axle-two-systems-of-two-masses = J = m l_f l_r: cada extremidade é uma massa da carroceria, m l_r/l e m l_f/l, sobre o seu próprio eixo; dois sistemas de duas massas
 front-600-kg-on-18-kn-m-over-a-wheel-of-40-kg-on-160-kn-m-rear-400-kg-on-16-kn-m-over-40-kg-on-160-kn = Dianteira: 600 kg sobre 18 kN/m, acima de uma roda de 40 kg sobre 160 kN/m; traseira: 400 kg sobre 16 kN/m, acima de 40 kg sobre 160 kN/m. Cada par satisfaz (18e3 − 600λ)(178e3 − 40λ) = (18e3)² e (16e3 − 400λ)(176e3 − 40λ) = (16e3)².
 the-same-car-with-dampers = O mesmo carro com amortecedores
 roots-of-600s-1200s-18e3-40s-1200s-178e3-1200s-18e3-at-the-front-and-of-400s-1000s-16e3-40s-1000s = Raízes de (600s² + 1200s + 18e3)(40s² + 1200s + 178e3) = (1200s + 18e3)² na dianteira e de (400s² + 1000s + 16e3)(40s² + 1000s + 176e3) = (1000s + 16e3)² na traseira
-a-body-as-heavy-as-no-number = Carroceria pesada demais para qualquer número
+mass-beyond-the-range-of-numbers = Massa além do alcance dos números
 a-mass-of-10-kg-beside-one-of-40-kg-cannot-be-represented = Uma massa de 10³⁰⁰ kg ao lado de uma de 40 kg não pode ser representada
 
 # harmonic_force.toml
@@ -4676,7 +4673,7 @@ k-100-n-m-c-25-n-s-m-x-8-250-m-90-so-x-0-032-sin-10t-c-e-5t-c-e-20t-with-c-c-0-3
 force-for-a-given-power = Força para uma potência dada
 p-c-x-and-f-x-k-m-c = P = ½ c ω² X² e F₀ = X √((k − mω²)² + (cω)²)
 c-20-n-s-m-30-rad-s-x-0-1-m-p-90-w-k-m-1000-900-100-n-m-f-0-1-100-600-n = c = 20 N·s/m, ω = 30 rad/s, X = 0,1 m: P = 90 W; k − mω² = 1000 − 900 = 100 N/m, F₀ = 0,1 √(100² + 600²) N.
-force-sought-at-an-undamped-resonance = Força procurada numa ressonância sem amortecimento
+force-required-at-an-undamped-resonance = Força procurada numa ressonância sem amortecimento
 any-force-at-the-natural-frequency-makes-an-undamped-motion-grow = Qualquer força na frequência natural faz crescer um movimento sem amortecimento
 
 # harmonic_sum.toml
@@ -4689,16 +4686,16 @@ three-motions-of-different-frequencies = Três movimentos de frequências difere
 mean-square-half-the-sum-of-the-squares-of-the-amplitudes = Valor quadrático médio: metade da soma dos quadrados das amplitudes
 two-motions-of-one-frequency-beat-with-a-third = Dois movimentos de uma mesma frequência batem com um terceiro
 n-3-and-4-mm-a-quarter-of-a-cycle-apart-add-up-to-5-mm-with-6-mm-the-amplitude-varies-between-11-and = 3 e 4 mm defasados de um quarto de ciclo somam 5 mm; com 6 mm a amplitude varia entre 11 e 1 mm
-a-force-beyond-the-range-of-numbers = Força além do alcance dos números
+force-beyond-the-range-of-numbers = Força além do alcance dos números
 the-work-is-1e399-j-beyond-the-range-of-representable-numbers = O trabalho é de 1e399 J, além da faixa dos números representáveis
 
 # large_pendulum.toml
 pendulum-of-100-in-released-at-36-87 = Pêndulo de 100 in solto a 36,87°
 w-t-thomson-vibration-theory-and-applications-ex-5-4-1-ansys-mechanical-apdl-verification-manual-vm91 = W. T. Thomson, Vibration Theory and Applications, ex. 5.4-1; ANSYS Mechanical APDL Verification Manual, VM91
-a-metre-of-rod-released-level = Haste de um metro solta na horizontal
+rod-of-one-metre-released-from-the-horizontal = Haste de um metro solta na horizontal
 iftomm-technical-committee-for-multibody-dynamics-library-of-computational-benchmark-problems-a01-1-m = IFToMM Technical Committee for Multibody Dynamics, Library of Computational Benchmark Problems, A01: 1 m, a partir do repouso a 90°
 published-positions-of-the-mass-good-to-six-digits-over-2000-s-follow-from-the-same-elliptic = As posições publicadas da massa, com seis algarismos corretos ao longo de 2000 s, decorrem das mesmas funções elípticas. Aos 10 s a massa está em x = −0,27509 m, do lado de onde foi solta, e à altura de −0,96142 m.
-half-a-circle-short-of-the-top = Meio círculo, quase até o topo
+amplitude-close-to-180 = Amplitude próxima de 180°
 abramowitz-and-stegun-handbook-of-mathematical-functions-table-17-1-k-m-0-99-3-695637362989875 = Abramowitz e Stegun, Handbook of Mathematical Functions, tabela 17.1: K(m = 0,99) = 3,695637362989875
 sin-2-0-99-1-rad-s = sen²(θ₀/2) = 0,99; ω₀ = 1 rad/s.
 t-2-l-g-1-16 = T = 2π√(L/g) (1 + θ₀²/16)
@@ -4736,7 +4733,7 @@ the-printed-solution-takes-as-3-147-and-f-as-0-4985 = a solução impressa toma 
 body-on-a-simply-supported-shaft = Corpo num eixo biapoiado
 flywheel-on-a-shaft-fixed-at-both-ends = Volante num eixo engastado nas duas extremidades
 the-printed-solution-takes-as-3-147 = a solução impressa toma π como 3,147
-a-bearing-at-the-far-end = Mancal na extremidade oposta
+bearing-at-the-far-end = Mancal na extremidade oposta
 k-768-e-i-7-l-at-the-middle-along-and-about-the-axis-only-the-clamped-half-contributes = k = 768 E I/(7 L³) no meio; ao longo da linha de centro e em torno dela só a metade engastada contribui
 e-i-200e9-0-04-64-25132-7-n-m-l-1-m-k-2757420-n-m = E I = 200e9·π·0,04⁴/64 = 25132,7 N·m², L = 1 m: k = 2757420 N/m.
 a-hollow-shaft = Eixo oco
@@ -4745,7 +4742,7 @@ a-bore-wider-than-the-shaft = Furo mais largo que o eixo
 no-such-shaft-exists = Um eixo assim não existe
 
 # modal_analysis.toml
-eight-masses-on-nine-springs-between-walls = Oito massas em nove molas entre paredes
+eight-masses-and-nine-springs-between-walls = Oito massas e nove molas entre paredes
 code-aster-validation-manual-v2-test-sdld02 = Manual de validação do Code_Aster, V2, teste SDLD02
 two-equal-masses-and-three-equal-springs = Duas massas iguais e três molas iguais
 w-t-thomson-theory-of-vibration-with-applications-problem-5-2-answer-p-529 = W. T. Thomson, Theory of Vibration with Applications, problema 5-2, resposta na p. 529
@@ -4764,7 +4761,7 @@ rayleigh-damping-of-5-at-2-hz-and-3-at-8-hz = Amortecimento de Rayleigh de 5 % a
 n-2-2-at-the-frequencies-k-m-4-rad-s-and-3k-m-of-two-masses-rao-5th-ed-6-15 = ζ = α/(2ω) + βω/2 nas frequências √(k/m) = 4π rad/s e √(3k/m) de duas massas (Rao, 5ª ed., §6.15)
 three-equal-masses-in-a-ring-of-two-equal-frequencies = Três massas iguais em anel, com duas frequências iguais
 k-k-3-1-1-1-zero-once-and-3k-m-twice = K = k (3·1 − 1 1ᵀ): zero uma vez e 3k/m duas vezes
-a-spring-that-pushes = Uma mola que empurra
+negative-stiffness = Rigidez negativa
 an-indefinite-stiffness-matrix-has-no-stable-equilibrium-position = Uma matriz de rigidez indefinida não tem posição de equilíbrio estável
 a-matrix-that-is-not-symmetric = Uma matriz que não é simétrica
 maxwell-s-reciprocity = Reciprocidade de Maxwell
@@ -4777,7 +4774,7 @@ ansys-mechanical-apdl-verification-manual-vm182-vierck-vibration-analysis-5-8 = 
 the-free-mass-is-coordinate-2-here-y1-in-the-manual = A massa livre é aqui a coordenada 2, y1 no manual.
 resonance-from-rest-without-damping = Ressonância a partir do repouso, sem amortecimento
 x-f-t-sin-t-2m-rao-5th-ed-3-3-at-t-2-s-with-1-rad-s-4-m = x = F t sen(ωₙt)/(2mωₙ) (Rao, 5ª ed., §3.3): em t = π/2 s com ωₙ = 1 rad/s, π/4 m
-two-free-masses-and-a-constant-force-the-common-motion-goes-on = Duas massas livres e uma força constante: o movimento comum prossegue
+two-free-masses-and-a-constant-force-with-the-rigid-body-motion = Duas massas livres e uma força constante, com o movimento de corpo rígido
 x-f-t-2-m-m-and-a-relative-vibration-about-rest-at-a-whole-period-of-it-2-2k-m = x = F t²/(2(m₁ + m₂)) e uma vibração relativa em torno do repouso; ao fim de um período inteiro dela, 2π/√(2k/m)
 m-1-kg-each-k-2-n-m-so-2-rad-s-and-the-period-is-s-f-4-n-on-the-first-4-4-9-869604-m-for-both = m = 1 kg cada uma, k = 2 N/m, portanto ω = 2 rad/s e o período é π s; F = 4 N na primeira: π²·4/4 = 9,869604 m para as duas.
 a-damped-chain-with-a-start-and-three-kinds-of-force = Cadeia amortecida com condições iniciais e três tipos de força
@@ -4794,16 +4791,16 @@ of-one-span-is-a-quarter-of-the-computed-value-3-1416-3-3932-3-9266-4-4633-then-
 three-equal-spans-between-clamped-ends = Três vãos iguais entre extremidades engastadas
 near-far-cos-j-3-0-for-j-2-and-1-then-cos-cosh-1 = próxima + distante · cos(jπ/3) = 0 para j = 2 e 1, depois cos β cosh β = 1
 the-third-frequency-is-that-of-a-span-clamped-at-both-ends-the-slopes-at-the-pins-are-zero = A terceira frequência é a de um vão biengastado: as inclinações nos apoios são nulas.
-clamped-between-the-spans-two-beams-of-their-own = Engaste entre os vãos: duas vigas independentes
+clamped-intermediate-support-two-independent-beams = Engaste intermediário: duas vigas independentes
 roots-of-tan-tanh-each-of-them-twice = Raízes de tan β = tanh β, cada uma delas duas vezes
 a-clamp-uncouples-the-spans-2-3-926602 = Um engaste desacopla os vãos: 2 · 3,926602.
-a-step-without-a-step = Um degrau sem degrau
+stepped-beam-with-equal-sections = Viga escalonada de seções iguais
 cantilever-in-three-parts-roots-of-cos-cosh-1-rao-5th-ed-8-5 = Viga em balanço em três partes: raízes de cos β cosh β = −1 (Rao, 5ª ed., §8.5)
 the-joints-between-the-spans-carry-no-load-and-have-no-effect = As junções entre os vãos não suportam carga e não têm efeito.
-two-spans-of-one-pinned-beam-on-the-ground = Dois vãos de uma mesma viga biapoiada sobre o solo
+two-spans-of-one-pinned-beam-on-an-elastic-foundation = Dois vãos de uma viga biapoiada sobre base elástica
 ei-n-l-n-n-l-k-m-of-a-beam-pinned-at-both-ends = ω² = (EI(nπ/L)⁴ + N(nπ/L)² + k)/m̄ de uma viga biapoiada
 an-unsupported-joint-at-0-7-m-2-m-long = Uma junção sem apoio a 0,7 m; 2 m de comprimento.
-a-shaft-that-nothing-holds-in-two-diameters-of-one = Eixo sem nenhum apoio, em dois trechos de mesmo diâmetro
+free-free-shaft-in-two-segments-of-one-diameter = Eixo livre-livre em dois trechos de mesmo diâmetro
 roots-of-cos-cosh-1-of-a-free-beam-rao-5th-ed-8-5 = Raízes de cos β cosh β = 1 de uma viga livre (Rao, 5ª ed., §8.5)
 the-two-rigid-body-modes-are-not-counted = Os dois modos de corpo rígido não são contados.
 too-much-compression = Compressão demais
@@ -4814,12 +4811,12 @@ overhung-disc-of-10-kg = Disco em balanço de 10 kg
 the-example-calls-4071-8-and-19509-rpm-critical-speeds-its-frequency-equation-uses-i-d-so-they-are = O exemplo chama 4071,8 e 19509 rpm de velocidades críticas; a sua equação das frequências usa + I_d, portanto são as frequências naturais do disco sem rotação. Com o efeito giroscópico, a velocidade crítica excitada pelo desbalanceamento é 4866 rpm, e é a única: I_p é maior que I_d.
 the-same-disc-synchronous-whirl = O mesmo disco, precessão síncrona
 the-frequency-equation-with-i-d-i-p-and-i-d-i-p-in-the-place-of-i-d-den-hartog-6-6 = A equação das frequências com I_d − I_p e I_d + I_p no lugar de I_d (Den Hartog, §6.6)
-a-disc-so-small-that-it-does-not-tilt = Disco tão pequeno que não inclina
+disc-of-negligible-size = Disco de dimensões desprezíveis
 mass-at-the-tip-of-a-cantilever-3ei-ml-here-3-200e9-1e-7-10-1-6000-s = Massa na ponta de uma viga em balanço, ω² = 3EI/(mL³); aqui 3·200e9·1e-7/(10·1) = 6000 s⁻²
-a-long-disc-between-two-equal-bearings = Disco longo entre dois mancais iguais
+long-disc-between-two-equal-bearings = Disco longo entre dois mancais iguais
 deflection-and-slope-uncoupled-0-1-m-and-the-tilting-mode-has-1-i-d-i-p-forward-1-i-d-i-p-backward = Deflexão e inclinação desacopladas, β = 0: ω = 1/√(α m), e o modo de inclinação tem ω² = 1/(γ (I_d − I_p)) direta, 1/(γ (I_d + I_p)) retrógrada
 n-1e-6-m-n-m-25-kg-200-rad-s-1e-4-rad-n-m-i-d-i-p-0-04-kg-m-and-i-d-i-p-0-16-kg-m-500-and-250-rad-s = α = 1e-6 m/N, m = 25 kg: 200 rad/s. γ = 1e-4 rad/(N m), I_d − I_p = 0,04 kg m² e I_d + I_p = 0,16 kg m²: 500 e 250 rad/s. Em repouso I_d = 0,1 kg m²: 316,228 rad/s.
-influence-coefficients-of-no-shaft = Coeficientes de influência de eixo nenhum
+influence-coefficients-that-no-shaft-has = Coeficientes de influência que nenhum eixo tem
 the-elastic-energy-is-positive-for-any-load = A energia elástica é positiva para qualquer carga: α γ > β²
 
 # pendulum_absorber.toml
@@ -4836,9 +4833,9 @@ a-body-whose-arm-is-the-larger-root = Corpo cujo braço é a raiz maior
 r-75-r-900-0-in-mm-r-60-mm-or-15-mm-from-n-r-r-r = r² − 75 r + 900 = 0 em mm: r = 60 mm ou 15 mm, por n² = R r/(r² + κ²)
 rotor-on-a-shaft-torque-of-the-second-order = Rotor num eixo, torque de segunda ordem
 roots-and-steady-state-amplitudes-of-the-2-2-matrices-of-the-small-motions = Raízes e amplitudes em regime permanente das matrizes 2 × 2 dos pequenos movimentos
-a-floor-held-still-by-a-weight-on-a-string = Piso mantido imóvel por um peso num fio
+floor-kept-at-rest-by-a-weight-on-a-string = Piso mantido imóvel por um peso num fio
 l-g-m-f-l-roots-of-the-2-2-matrices-of-the-small-motions = l = g/ω², m = F₀/(l ω² φ), raízes das matrizes 2 × 2 dos pequenos movimentos
-a-body-with-inertia-of-its-own-under-a-mass = Corpo com inércia própria sob uma massa
+body-with-moment-of-inertia-below-a-point-mass = Corpo com momento de inércia abaixo de uma massa pontual
 g-l-l-and-the-2-2-matrices-of-the-small-motions = ω₀ = √(g l/(l² + κ²)) e as matrizes 2 × 2 dos pequenos movimentos
 a-body-too-large-for-its-order = Corpo grande demais para a sua ordem
 r-2-h-r-has-no-real-root-for-h = r² − 2 h r + κ² não tem raiz real para κ > h
@@ -4849,7 +4846,7 @@ the-mass-follows-from-the-absorbed-torque = A massa decorre do torque que é abs
 square-wave-at-a-third-of-the-natural-frequency = Onda quadrada a um terço da frequência natural
 u-4-sin-n-t-n-over-odd-n-undamped-r-0-3-x-4f-n-k-1-n-r = u = (4/π) Σ sen(nωt)/n para n ímpar; sem amortecimento, r = 0,3: |Xₙ| = 4F₀/(nπk |1 − n²r²|)
 the-third-harmonic-lies-at-0-9-of-the-natural-frequency-and-is-the-largest = O terceiro harmônico fica a 0,9 da frequência natural e é o maior.
-cam-that-lifts-and-drops = Came que levanta e deixa cair
+cam-with-a-sawtooth-lift = Came com elevação em dente de serra
 sawtooth-y-y-t-t-on-spring-and-damper-mean-y-2-harmonics-y-n-transmissibility-of-each = Dente de serra y = Y t/T sobre mola e amortecedor: média Y/2, harmônicos Y/(nπ), transmissibilidade de cada um
 slow-triangular-force = Força triangular lenta
 far-below-the-natural-frequency-the-displacement-is-force-over-stiffness-rms-value-1-3-of-the-height = Muito abaixo da frequência natural o deslocamento é a força sobre a rigidez: valor eficaz igual a 1/√3 da altura
@@ -4866,15 +4863,15 @@ undamped-with-the-third-harmonic-at-resonance = Sem amortecimento e com o tercei
 a-square-wave-has-odd-harmonics = Uma onda quadrada tem harmônicos ímpares
 
 # piecewise_spring.toml
-a-spring-that-saturates = Mola com saturação
+saturating-spring = Mola com saturação
 w-t-thomson-vibration-theory-and-applications-fig-5-6-1-ansys-mechanical-apdl-verification-manual = W. T. Thomson, Vibration Theory and Applications, fig. 5.6-1; ANSYS Mechanical APDL Verification Manual, VM79
-two-stops-with-play = Dois batentes com folga
+two-stops-with-clearance = Dois batentes com folga
 t-4y-v-2-m-k-free-flight-between-the-stops-and-half-an-oscillation-at-each = T = 4y/v + 2π√(m/k): percurso livre entre os batentes e meia oscilação em cada um
-below-the-corner-the-spring-is-linear = Abaixo do canto a mola é linear
+amplitude-below-the-breakpoint-linear = Amplitude abaixo do ponto de quebra, linear
 t-2-m-k-a-x-m-v-k = T = 2π√(m/k), A = √(x₀² + m v₀²/k)
-against-a-stiffer-stop = Contra um batente mais rígido
+stiffer-stop = Batente mais rígido
 m-v-k-y-k-y-d-k-d-8-j-2-j-80-d-100-d-d-0-06904158-m = ½ m v² = ½ k₁ y² + k₁ y d + ½ k₂ d²: 8 J = 2 J + 80 d + 100 d², d = 0,06904158 m
-at-rest-inside-the-gap = Em repouso dentro da folga
+at-rest-within-the-clearance = Em repouso dentro da folga
 limit-nothing-moves = Limite: nada se move
 
 # plate_and_membrane.toml
@@ -4895,7 +4892,7 @@ two-nodal-diameters-one-nodal-circle-three-nodal-diameters = Dois diâmetros nod
 the-roots-of-the-determinant-are-5-2620-9-0689-and-12-2439-reproduced-by-the-energies-of-the-mode = As raízes do determinante são 5,2620; 9,0689 e 12,2439, reproduzidas pelas energias das formas modais com nove algarismos; a tabela, compilada de antigos cálculos à mão, erra no terceiro ou no quarto algarismo.
 free-circular-plate-with-0-3 = Placa circular livre com ν = 0,3
 later-tables-5-358-for-two-nodal-diameters-9-003-for-one-nodal-circle-12-439 = Tabelas posteriores: λ² = 5,358 para dois diâmetros nodais; 9,003 para uma circunferência nodal; 12,439
-simply-supported-all-round = Simplesmente apoiada em todo o contorno
+simply-supported-on-all-edges = Simplesmente apoiada em todas as bordas
 navier-m-na-b = Navier: Λ = π²(m² + (na/b)²)
 a-b-1-5 = a/b = 1,5.
 two-edges-simply-supported-two-clamped = Duas bordas simplesmente apoiadas, duas engastadas
@@ -4904,14 +4901,14 @@ three-edges-simply-supported-one-clamped = Três bordas simplesmente apoiadas, u
 three-edges-simply-supported-one-free = Três bordas simplesmente apoiadas, uma livre
 two-edges-simply-supported-one-clamped-one-free = Duas bordas simplesmente apoiadas, uma engastada, uma livre
 two-edges-simply-supported-two-free = Duas bordas simplesmente apoiadas, duas livres
-a-plate-that-carries-twice-its-mass-besides = Placa que carrega ainda o dobro da sua massa
+plate-with-an-added-mass-of-twice-its-own = Placa com massa adicional igual ao dobro da sua
 frequencies-decrease-by-3 = As frequências diminuem por um fator √3
 the-first-number-is-2-for-a-square-plate = O primeiro número é 2π² para uma placa quadrada.
 a-strip = Uma faixa
 one-side-is-200-times-the-other = Um lado é 200 vezes o outro
 
 # random_chain.toml
-two-masses-on-a-base-shaken-from-10-to-100-hz = Duas massas sobre uma base excitada de 10 a 100 Hz
+two-masses-on-a-base-with-random-vibration-from-10-to-100-hz = Duas massas sobre uma base com vibração aleatória de 10 a 100 Hz
 r-k-vierck-vibration-analysis-2nd-ed-ch-7-target-of-the-verification-problem-vm68-of-ansys-mechanical = R. K. Vierck, Vibration Analysis, 2ª ed., cap. 7; valor de referência do problema de verificação VM68 do Ansys Mechanical APDL
 one-sigma-accelerations-relative-to-the-base-in-multiples-of-386-4-in-s = Acelerações de um sigma relativas à base, em múltiplos de 386,4 in/s².
 the-printed-value-comes-from-modal-sums-in-steps-of-frequency = o valor impresso vem de somas modais em passos de frequência
@@ -4965,13 +4962,13 @@ a-mode-outside-the-table = Um modo fora da tabela
 a-spectrum-is-not-defined-outside-its-range = Um espectro não é definido fora da sua faixa
 
 # rod_impact.toml
-bar-stopped-at-one-end = Barra detida numa extremidade
+bar-suddenly-stopped-at-one-end = Barra parada subitamente em uma extremidade
 s-timoshenko-vibration-problems-in-engineering-p-305-target-of-the-verification-problem-vm85-of-ansys = S. Timoshenko, Vibration Problems in Engineering, p. 305; valor de referência do problema de verificação VM85 do Ansys Mechanical APDL
 a-bar-of-10000-in-at-100-in-s-density-0-00073-lbf-s-in = Uma barra de 10000 in a 100 in/s; massa específica de 0,00073 lbf·s²/in⁴.
 steel-rod-at-one-metre-a-second = Barra de aço a um metro por segundo
 c-v-v-l-c-contact-2-l-c-timoshenko-ch-5 = σ = ρ c v, δ = v L/c, contato 2 L/c (Timoshenko, cap. 5)
 c-200-10-8000-5000-m-s-8000-5000-1-40-mpa-1-5000-m-0-4-ms-1-cm-carries-4-kn-250-mpa-are-reached-at-6 = c = √(200·10⁹/8000) = 5000 m/s: σ = 8000·5000·1 = 40 MPa, δ = 1/5000 m, 0,4 ms; 1 cm² leva 4 kN; chega-se a 250 MPa com 6,25 m/s.
-faster-than-its-waves = Mais rápida que as suas ondas
+impact-faster-than-the-wave-speed = Impacto mais rápido que a velocidade da onda
 the-strain-v-c-would-reach-one = A deformação v/c chegaria a um
 
 # rotating_beam.toml
@@ -4989,7 +4986,7 @@ computed-from-the-printed-6-4495 = calculado a partir do valor impresso 6,4495
 at-45-degrees = A 45 graus
 f-2 = ω² = ω_f² − Ω²/2
 n-6-4495-12-5-5-3938 = √(6,4495² − 12,5) = 5,3938.
-too-fast = Rápida demais
+speed-too-high = Rotação alta demais
 a-blade-without-stiffness-is-a-string = Uma pá sem rigidez é uma corda
 
 # rotating_unbalance.toml
@@ -4998,7 +4995,7 @@ lists-06-08-list-07-question-2 = Listas 06–08, lista 07, questão 2
 the-damping-is-known-only-from-the-maximum-steady-state-amplitude-at-any-speed-20-3-mm = O amortecimento é conhecido apenas pela amplitude máxima em regime permanente em qualquer rotação, 20,3 mm.
 the-peak-ratio-is-m-x-max-m-e-8-12-the-printed-solution-uses-20-3e-3-m-instead-finds-no-real-root-and = A razão do pico é Λ = m X_max/(m₀e) = 8,12; a solução impressa usa 20,3e-3 m em seu lugar, não encontra raiz real e supõe 0,707. A raiz é ζ = 0,06169.
 follows-from-the-assumed-0-707-with-the-damping-determined-by-the-stated-20-3-mm-x-19-456-mm = Decorre da hipótese ζ = 0,707. Com o amortecimento que os 20,3 mm do enunciado determinam, X = 19,456 mm.
-the-fan-as-it-should-have-come-out = O ventilador com o resultado correto
+fan-on-a-cantilever-corrected = Ventilador em uma viga em balanço, corrigido
 lists-06-08-list-07-question-2-with-the-smaller-root-of-4-1-1 = Listas 06–08, lista 07, questão 2, com a menor raiz de 4Λ²ζ²(1 − ζ²) = 1
 the-fan-with-the-assumed-damping = O ventilador com o amortecimento adotado
 lists-06-08-list-07-question-2-with-0-707-as-the-printed-solution-assumes = Listas 06–08, lista 07, questão 2, com ζ = 0,707, como supõe a solução impressa
@@ -5018,7 +5015,7 @@ the-exciter-far-above-its-natural-frequency = O excitador muito acima da sua fre
 shaft-on-two-bearings-with-a-light-disc = Eixo em dois mancais com um disco leve
 turbine-disc-problem-of-rao-ch-9-amplitude-e-r-1-r-2-r-at-6000-rpm = Problema do disco de turbina de Rao, cap. 9: amplitude e r²/√((1 − r²)² + (2ζr)²) a 6000 rpm
 e-207-gpa-is-assumed = Supõe-se E = 207 GPa.
-a-largest-amplitude-below-that-of-a-very-fast-machine = Maior amplitude abaixo da de uma máquina muito rápida
+allowed-amplitude-below-m-e-m = Amplitude admissível abaixo de m₀e/M
 the-peak-is-never-below-m-e-m-rao-5th-ed-3-7 = O pico nunca é menor que m₀e/m (Rao, 5ª ed., §3.7)
 
 # rotor_dynamics.toml
@@ -5048,7 +5045,7 @@ example-rotor-of-ross-at-100-rad-s = Rotor de exemplo do ROSS a 100 rad/s
 ross-2-3-0-rotor-example = ROSS 2.3.0, rotor_example
 damped-rotor-of-thirty-elements-with-its-unbalance-response = Rotor amortecido de trinta elementos, com a sua resposta ao desbalanceamento
 ross-2-3-0-1-5-m-two-equal-discs-30-elements-at-400-rad-s = ROSS 2.3.0: 1,5 m, dois discos iguais, 30 elementos, a 400 rad/s
-stepped-rotor-of-18-stations-whirl-as-fast-as-it-spins = Rotor escalonado de 18 estações, precessão tão rápida quanto a rotação
+stepped-rotor-of-18-stations-synchronous-whirl = Rotor escalonado de 18 estações, precessão síncrona
 h-d-nelson-and-j-m-mcvaugh-1976-targets-of-the-verification-problem-vm247-of-ansys-mechanical-apdl = H. D. Nelson e J. M. McVaugh (1976); valores de referência do problema de verificação VM247 do Ansys Mechanical APDL
 the-stations-are-those-of-the-input-file-of-vm247-shear-is-neglected-the-first-third-and-fifth-modes = As estações são as do arquivo de entrada do VM247; o cisalhamento é desprezado. O primeiro, o terceiro e o quinto modos têm precessão retrógrada.
 the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-15486 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 15486 rpm
@@ -5057,7 +5054,7 @@ the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-
 the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-50128 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 50128 rpm
 the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-64858 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 64858 rpm
 the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-95883 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 95883 rpm
-stepped-rotor-of-18-stations-whirl-four-times-as-fast = Rotor escalonado de 18 estações, precessão quatro vezes mais rápida
+stepped-rotor-of-18-stations-whirl-at-four-times-the-spin-speed = Rotor escalonado de 18 estações, precessão a quatro vezes a rotação
 the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-4016 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 4016,8 rpm
 the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-4120 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 4120,5 rpm
 the-paper-reduces-its-model-before-it-solves-one-beam-element-a-station-without-reduction-gives-12025 = o artigo reduz o seu modelo antes de resolvê-lo; um elemento de viga por estação, sem redução, dá 12025 rpm
@@ -5075,9 +5072,9 @@ read-off-a-figure-the-decrement-of-the-second-forward-mode-at-1444-rad-s-is-0-01
 uniform-shaft-on-rigid-bearings = Eixo uniforme em mancais rígidos
 a-1-ik-a-2-ik-eik-with-k-n-l-critical-at-eik-a-1-ik-a-forward-1-3ik-a-backward = ρA(1 + Ik²/A)ω² ∓ 2ρIk²Ωω = EIk⁴ com k = nπ/L; crítica em ω² = EIk⁴/(ρA(1 ∓ Ik²/A)) na precessão direta, 1 + 3Ik²/A na retrógrada
 twelve-elements = doze elementos
-internal-damping-turns-a-shaft-on-rigid-bearings-unstable-at-its-critical-speed = O amortecimento interno torna instável um eixo em mancais rígidos na sua velocidade crítica
+internal-damping-onset-of-instability-of-a-shaft-on-rigid-bearings-at-its-critical-speed = Amortecimento interno, início da instabilidade de um eixo em mancais rígidos na velocidade crítica
 with-v-alone-the-whirl-frequency-is-at-the-damping-stability-limit-where-at-the-forward-critical = Só com η_v, a frequência de precessão ω está no limite de estabilidade do amortecimento onde ω = Ω: na velocidade crítica direta, 4714,72 rpm
-bearings-that-stiffen-with-speed = Mancais que enrijecem com a rotação
+bearings-with-stiffness-rising-with-speed = Mancais com rigidez crescente com a rotação
 short-stiff-shaft-on-two-bearings-m-2k-with-and-k-10-kn-m-390-kn-m-3000-rpm-m-12-3308-kg = Eixo curto e rígido sobre dois mancais: mω² = 2k(Ω) com ω = Ω e k = 10 kN/m + Ω·390 kN/m/(3000 rpm); m = 12,3308 kg
 the-shaft-is-not-quite-rigid = o eixo não é totalmente rígido
 the-same-bearings-their-table-from-500-rpm-on = Os mesmos mancais, com a tabela a partir de 500 rpm
@@ -5095,7 +5092,7 @@ francis-turbine-with-a-damping-ratio-of-0-30 = Turbina Francis com razão de amo
 lists-06-08-list-08-question-3 = Listas 06–08, lista 08, questão 3
 length-and-young-s-modulus-are-those-of-the-figure-of-rao-s-example-2-m-and-207-gpa-with-0-30-the = O comprimento e o módulo de elasticidade são os da figura do exemplo de Rao, 2 m e 207 GPa. Com ζ = 0,30 a amplitude nunca passa de 0,035 mm, de modo que todo diâmetro é permitido.
 the-printed-solution-uses-the-damping-ratio-in-place-of-the-coefficient-c-0-3-n-s-m-which-is-almost = A solução impressa usa o fator de amortecimento no lugar do coeficiente, c = 0,3 N·s/m, o que é quase nenhum amortecimento, considera apenas a maior rotação e omite a operação supercrítica. Com ζ = 0,30 a amplitude máxima de qualquer eixo é 0,0349 mm, contra uma folga de 5 mm: todo diâmetro é permitido.
-the-turbine-with-a-damping-ratio-of-0-30-as-it-should-have-come-out = A turbina com razão de amortecimento de 0,30, com o resultado correto
+francis-turbine-with-a-damping-ratio-of-0-30-corrected = Turbina Francis com fator de amortecimento de 0,30, corrigida
 lists-06-08-list-08-question-3-with-the-peak-e-2-1 = Listas 06–08, lista 08, questão 3, com o pico e/(2ζ√(1 − ζ²))
 the-turbine-without-damping = A turbina sem amortecimento
 lists-06-08-list-08-question-3-with-k-m-m-e-r-at-480-and-7200-rpm = Listas 06–08, lista 08, questão 3, com k = (m ∓ m₀e/R)ω² a 480 e 7200 rpm
@@ -5107,9 +5104,9 @@ supercritical-operation-is-missing-diameters-up-to-113-4-mm-also-keep-the-rotor-
 the-turbine-of-the-textbook-without-damping-and-margins = A turbina do livro, sem amortecimento nem margens
 s-s-rao-mechanical-vibrations-4th-ed-ex-3-5 = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5
 the-printed-solution-solves-m-e-k-m-r-at-600-rpm-which-there-is-the-subcritical-side-of-the-resonance = A solução impressa resolve m₀eω²/(k − mω²) = R a 600 rpm, que ali é o lado subcrítico da ressonância. Um eixo de 127,0 mm tem a sua velocidade crítica em 601 rpm, dentro da faixa. Os eixos supercríticos terminam em 126,74 mm, os subcríticos começam em 401,6 mm.
-the-textbook-turbine-as-it-should-have-come-out = A turbina do livro com o resultado correto
+the-turbine-of-the-textbook-corrected = A turbina do livro, corrigida
 s-s-rao-mechanical-vibrations-4th-ed-ex-3-5-with-k-m-m-e-r-at-600-and-6000-rpm = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5, com k = (m ∓ m₀e/R)ω² a 600 e 6000 rpm
-the-turbine-with-next-to-no-damping = A turbina quase sem amortecimento
+the-turbine-with-negligible-damping = A turbina com amortecimento desprezível
 k-m-1-2-m-e-m-r-4-1-with-0-001 = k/(m ω²) = 1 − 2ζ² ∓ √((m₀e/(m R))² − 4ζ²(1 − ζ²)) com ζ = 0,001
 the-undamped-turbine-with-shafts-from-150-to-400-mm-only = A turbina sem amortecimento, só com eixos de 150 a 400 mm
 the-permitted-diameters-up-to-113-4-mm-or-from-439-9-mm-include-none-of-these = Os diâmetros permitidos, de até 113,4 mm ou a partir de 439,9 mm, não incluem nenhum destes
@@ -5122,7 +5119,7 @@ largest-unbalance-of-a-damped-rotor-that-runs-through-its-resonance = Maior desb
 the-peak-e-2-1-is-the-clearance-e-2-0-05-1-0-05-5-mm = O pico e/(2ζ√(1 − ζ²)) é a folga: e = 2·0,05·√(1 − 0,05²)·5 mm
 largest-eccentricity-of-an-undamped-rotor-below-its-critical-speed = Maior excentricidade de um rotor sem amortecimento abaixo da sua velocidade crítica
 e-r-1-r-r-with-r-m-k-at-half-the-critical-speed-3r = e = R(1 − r²)/r² com r² = ω²m/k; na metade da velocidade crítica, 3R
-no-eccentricity-will-do = Nenhuma excentricidade serve
+no-admissible-eccentricity = Nenhuma excentricidade admissível
 an-undamped-rotor-with-its-critical-speed-within-the-range-rao-5th-ed-9-5 = Um rotor sem amortecimento com a velocidade crítica dentro da faixa (Rao, 5ª ed., §9.5)
 speeds-of-the-textbook-turbine-on-its-shaft-of-127-mm = Rotações da turbina do livro no seu eixo de 127 mm
 s-s-rao-mechanical-vibrations-4th-ed-ex-3-5-with-r-r-e = S. S. Rao, Mechanical Vibrations, 4ª ed., ex. 3.5, com ω = ωₙ√(R/(R ± e))
@@ -5135,7 +5132,7 @@ s-s-rao-mechanical-vibrations-4th-ed-ex-3-5-subcritical-operation-begins-at-99-0
 # shaft_with_discs.toml
 three-loads-on-a-shaft-of-3-m = Três cargas num eixo de 3 m
 the-companion-uses-the-second-load-2000-n-in-place-of-the-third-1000-n-with-the-loads-of-the = O complemento usa a segunda carga, 2000 N, no lugar da terceira, 1000 N. Com as cargas do enunciado a fórmula de Dunkerley dá 4,276 Hz; com 2000 N duas vezes dá 4,076 Hz.
-the-three-loads-with-the-slip-of-the-companion = As três cargas com o lapso do complemento
+the-three-loads-with-the-error-of-the-companion = As três cargas com o erro do material de apoio
 the-printed-frequency-follows-from-the-error-the-companion-takes-as-3-147-and-f-as-0-4985 = A frequência impressa decorre do erro; o complemento toma π como 3,147 e f como 0,4985/√δ.
 one-load-and-a-heavy-shaft = Uma carga e um eixo pesado
 the-density-of-40000-kg-m-is-that-of-the-statement-the-exact-value-is-that-of-the-dynamic-stiffness = A massa específica de 40000 kg/m³ é a do enunciado. O valor exato é o da rigidez dinâmica.
@@ -5145,7 +5142,7 @@ the-companion-calls-1962-the-weight-of-the-shaft-in-n-its-formula-and-the-densit
 one-disc-at-the-middle = Um disco no meio
 n-48ei-l-m-rao-5th-ed-2-2-with-one-disc-all-methods-are-exact = ω² = 48EI/(L³m) (Rao, 5ª ed., §2.2): com um só disco todos os métodos são exatos
 e-i-4-kn-m-48-4000-10-138-564-rad-s = E I = 4 kN·m²: ω = √(48·4000/10) = 138,564 rad/s.
-shaft-with-next-to-no-disc = Eixo quase sem disco
+shaft-with-a-disc-of-negligible-mass = Eixo com um disco de massa desprezível
 ei-m-l-with-the-static-deflection-rayleigh-s-quotient-gives-1-00144-times-that-rao-5th-ed-8-5-8-7 = ω = π²√(EI/(m̄L⁴)); com a deflexão estática, Rayleigh dá π²√(1,00144…) disso (Rao, 5ª ed., §§8.5, 8.7)
 e-i-4-kn-m-m-4-kg-m-312-104-rad-s-rayleigh-s-quotient-with-the-deflection-under-self-weight-wy-m-y = E I = 4 kN·m², m̄ = 4 kg/m: 312,104 rad/s. Quociente de Rayleigh com a deflexão sob o peso próprio: ω² = (∫wy)/(∫m̄y²) = 3024/31·EI/(m̄L⁴), 312,327 rad/s.
 e-i-y-by-singularity-functions-unit-loads-one-after-the-other-a-2-66667-a-3-33333-a-2-m-n-det-a-m-1-0 = E I y'' por funções de singularidade, uma carga unitária de cada vez: a₁₁ = 2.66667, a₂₂ = 3.33333, a₁₂ = −2 µm/N; det(A M − 1/ω²) = 0
@@ -5167,9 +5164,9 @@ at-100-hz-the-pulse-lasts-1-1-periods-the-residual-is-4n-cos-n-1-4n = A 100 Hz o
 amplification-2-sin-n-up-to-n-1-2-2-from-there-on-rao-5th-ed-4-6 = Amplificação 2 sen(πn) até n = 1/2, 2 a partir daí (Rao, 5ª ed., §4.6)
 terminal-peak-sawtooth-with-a-twentieth-of-critical-damping = Dente de serra de pico final com um vigésimo do amortecimento crítico
 runge-kutta-integration-of-the-motion-relative-to-the-base = Integração de Runge–Kutta do movimento relativo à base
-a-record-by-its-table = Um registro pela sua tabela
+acceleration-record-by-a-table = Registro de aceleração por uma tabela
 the-table-of-a-rectangle-reproduces-the-rectangle-2-sin-n = A tabela de um retângulo reproduz o retângulo: 2 sen(πn)
-a-range-without-width = Faixa sem largura
+range-of-zero-width = Faixa de largura nula
 a-spectrum-needs-a-range = Um espectro precisa de uma faixa
 
 # spring_network.toml
@@ -5178,17 +5175,17 @@ the-book-combines-the-springs-in-series-and-the-dampers-in-series-the-exact-root
 the-two-pads-exactly = Os dois coxins com exatidão
 m-c-c-s-m-k-k-c-c-s-k-c-k-c-s-k-k-0 = m (c₁ + c₂) s³ + (m (k₁ + k₂) + c₁ c₂) s² + (k₁ c₂ + k₂ c₁) s + k₁ k₂ = 0
 for-a-kelvin-voigt-element-in-series-with-another-only-the-form-k-cs-is-exact-treating-spring-and = Para um elemento de Kelvin–Voigt em série com outro só a forma k + cs é exata; tratar mola e amortecedor separadamente dá aqui um erro de 0,03 % na frequência.
-a-bridge-of-springs = Uma ponte de molas
+bridge-of-springs = Ponte de molas
 balanced-bridge-the-cross-spring-carries-no-force-and-two-series-pairs-are-in-parallel = Ponte equilibrada: a mola transversal não transmite força, e dois pares em série ficam em paralelo
 n-3-and-6-kn-m-in-series-are-2-kn-m-6-and-12-kn-m-in-series-are-4-kn-m = 3 e 6 kN/m em série são 2 kN/m, 6 e 12 kN/m em série são 4 kN/m.
-a-spring-beside-a-spring-and-damper-in-series = Mola ao lado de mola e amortecedor em série
+spring-in-parallel-with-a-spring-and-damper-in-series = Mola em paralelo com mola e amortecedor em série
 standard-linear-solid-k-i-k-k-i-c-k-i-c = Sólido linear padrão: k(iω) = k₁ + k₂ iωc/(k₂ + iωc)
 at-k-c-the-branch-gives-k-1-i-2 = Em ω = k₂/c o ramo dá k₂ (1 + i)/2.
-two-masses-in-a-row = Duas massas em sequência
+two-masses-in-series = Duas massas em série
 equal-masses-and-springs-one-end-fixed-2-k-m-sin-10-and-sin-3-10 = Massas e molas iguais, uma extremidade fixa: ω = 2 √(k/m) sen(π/10) e sen(3π/10)
-a-node-that-nothing-holds = Um nó que nada segura
+unsupported-node = Nó sem apoio
 no-such-equilibrium-exists = Um equilíbrio assim não existe
-a-mass-shaken-at-its-natural-frequency = Massa excitada na sua frequência natural
+mass-excited-at-its-natural-frequency = Massa excitada na sua frequência natural
 
 # string_rod_shaft.toml
 guitar-string = Corda de violão
@@ -5213,9 +5210,9 @@ n-10-m-long-and-2-m-by-2-m-torsion-is-restrained-at-one-end-only = 10 m de compr
 the-target-takes-the-torsion-constant-of-the-square-as-0-1406-a-saint-venant-s-series-gives-0-140577 = o valor de referência toma a constante de torção do quadrado como 0,1406 a⁴; a série de Saint-Venant dá 0,140577 a⁴
 deep-square-beam-in-torsion-with-the-constant-of-the-tables = Viga alta de seção quadrada em torção com a constante das tabelas
 the-torsion-constant-is-0-1406-a = A constante de torção é 0,1406 a⁴.
-deep-square-beam-along-its-axis = Viga alta de seção quadrada ao longo do seu eixo
+deep-square-beam-axial = Viga alta de seção quadrada, axial
 nafems-test-fv5-axial-mode-target-in-the-verification-problem-vmp09-t5-of-ansys-mechanical-apdl = NAFEMS, teste FV5, modo axial; valor de referência no problema de verificação VMP09-T5 do Ansys Mechanical APDL
-short-beam-along-its-axis = Viga curta ao longo do seu eixo
+short-beam-axial = Viga curta, axial
 code-aster-validation-manual-v2-test-sdll01-axial-modes = Manual de validação do Code_Aster, V2, teste SDLL01, modos axiais
 axially-fixed-at-one-end-only = Fixo axialmente em uma só extremidade.
 rod-with-its-own-mass-at-its-end = Barra com a sua própria massa na extremidade
@@ -5234,16 +5231,16 @@ the-mass-per-unit-length-is-density-times-area = A massa por unidade de comprime
 connecting-rod-on-a-knife-edge = Biela sobre um cutelo
 g-t-4-j-o-m-s-j-m-s-s = λ = g T²/(4π²), J_O = m s λ, J = m s (λ − s)
 fifty-oscillations-in-85-70-s = Cinquenta oscilações em 85,70 s.
-a-uniform-bar-gives-its-own-moment-of-inertia = Uma barra uniforme devolve o seu próprio momento de inércia
+uniform-bar-to-check-its-moment-of-inertia = Barra uniforme, para conferir o seu momento de inércia
 j-m-l-12-with-l-1-2-m-t-2-s-g-s-with-s-0-5-m = J = m L²/12 com L = 1,2 m, T = 2π √((κ² + s²)/(g s)) com s = 0,5 m
-the-rod-swings-by-60-degrees-to-each-side = A biela oscila 60 graus para cada lado
+the-rod-with-an-amplitude-of-60 = A biela com amplitude de 60°
 t-t-agm-1-cos-2 = T₀ = T agm(1, cos θ₀/2)
 if-treated-as-small-these-oscillations-would-give-a-moment-of-inertia-more-than-50-too-large = Tomadas como pequenas, estas oscilações dariam um momento de inércia maior em mais da metade.
 a-weight-in-pounds = Um peso em libras
 g-t-4-j-m-s-s-m-w-g = λ = g T²/(4π²), J = m s (λ − s), m = W/g
-two-points-the-mass-centre-between-them = Dois pontos, com o centro de massa entre eles
+two-points-the-centre-of-mass-between-them = Dois pontos, com o centro de massa entre eles
 h-l-l-2l-h-h-periods-of-0-2-m-at-0-3-m-and-0-15-m-to-0-1-ms = h₁ = L (L − λ₂)/(2L − λ₁ − λ₂), κ² = h₁ (λ₁ − h₁); períodos para κ = 0,2 m a 0,3 m e 0,15 m, com precisão de 0,1 ms
-two-points-on-one-side-of-the-mass-centre = Dois pontos de um mesmo lado do centro de massa
+two-points-on-one-side-of-the-centre-of-mass = Dois pontos de um mesmo lado do centro de massa
 h-l-l-2l-periods-of-0-2-m-at-0-3-m-and-0-12-m-to-0-1-ms = h₁ = L (L + λ₂)/(2L − λ₁ + λ₂); períodos para κ = 0,2 m a 0,3 m e 0,12 m, com precisão de 0,1 ms
 on-a-trifilar-platform = Numa plataforma trifilar
 j-m-m-g-r-t-4-l-m-g-r-t-4-l = J = (m + m₀) g r² T²/(4π² l) − m₀ g r² T₀²/(4π² l)
@@ -5255,9 +5252,9 @@ a-torsion-wire-of-known-stiffness = Fio de torção de rigidez conhecida
 j-k-t-t-4 = J = k_t T²/(4π²)
 a-known-body-instead-on-the-same-wire = Um corpo conhecido no lugar, no mesmo fio
 j-j-k-t-t-k = J = J_k (T/T_k)²
-a-wheel-on-its-journals-in-hollow-rails = Roda sobre os seus munhões em trilhos côncavos
+wheel-rolling-with-its-journals-on-curved-rails = Roda que rola com os munhões em trilhos curvos
 g-t-4-r-1 = κ² = ρ² (g T²/(4π² (R − ρ)) − 1)
-a-wheel-that-rolls-down-inclined-rails = Roda que desce trilhos inclinados
+wheel-rolling-down-inclined-rails = Roda que rola por trilhos inclinados
 g-sin-t-2-s-1 = κ² = ρ² (g sen α t²/(2 s) − 1)
 a-period-too-short-for-its-distance = Período curto demais para a sua distância
 s-for-every-body = λ > s para todo corpo
@@ -5269,7 +5266,7 @@ triangular-plate-spring = Mola de lâmina triangular
 s-timoshenko-vibration-problems-in-engineering-art-62-target-of-the-verification-problem-vm62-of = S. Timoshenko, Vibration Problems in Engineering, art. 62; valor de referência do problema de verificação VM62 do Ansys Mechanical APDL
 a-cantilever-16-in-long-4-in-wide-at-the-root-and-tapering-to-a-point-1-in-thick-density-0-000728-lbf = Uma viga em balanço de 16 in, com 4 in de largura na raiz e terminada em ponta, de 1 in de espessura; massa específica de 0,000728 lbf·s²/in⁴.
 the-converged-frequency-number-is-7-1565-which-gives-260-72-hz-rayleigh-ritz-an-upper-bound-and-the = O número de frequência convergido é 7,1565, o que dá 260,72 Hz: Rayleigh–Ritz, um limite superior, e o quociente dos momentos concordam em nove algarismos. O valor de referência está 0,6 % abaixo.
-the-plate-spring-as-it-should-have-come-out = A mola de lâmina com o resultado correto
+triangular-plate-spring-corrected = Mola de lâmina triangular, corrigida
 finite-elements-260-716-hz-frequency-number-7-156 = Elementos finitos, 260,716 Hz (número de frequência 7,156)
 double-taper-breadth-ratio-4 = Afilamento duplo, razão de larguras 4
 h-h-mabie-and-c-b-rogers-j-acoust-soc-am-51-1972-code-aster-validation-manual-test-sdll09-v2-02-009 = H. H. Mabie e C. B. Rogers, J. Acoust. Soc. Am. 51 (1972); manual de validação do Code_Aster, teste SDLL09 (V2.02.009)
@@ -5292,7 +5289,7 @@ kirchhoff-5-315-ei-a-l-for-a-clamped-wedge-timoshenko-art-62 = Kirchhoff: ω = 5
 kirchhoff-8-719-ei-a-l-for-a-clamped-cone-timoshenko-art-62 = Kirchhoff: ω = 8,719 √(EI₀/(ρA₀L⁴)) para um cone engastado (Timoshenko, art. 62)
 no-taper = Sem afilamento
 uniform-cantilever-roots-of-cos-cosh-1-rao-5th-ed-8-5 = Viga em balanço uniforme: Λ = β², raízes de cos β cosh β = −1 (Rao, 5ª ed., §8.5)
-a-point-that-is-to-be-held = Uma ponta aguda que se quer apoiar
+support-at-a-pointed-end = Apoio em uma extremidade pontiaguda
 a-section-without-area-carries-no-load = Uma seção sem área não suporta carga
 
 # torsional_train.toml
@@ -5302,11 +5299,11 @@ the-printed-value-follows-from-node-positions-read-to-three-figures = o valor im
 two-rotors-on-a-shaft-of-five-steps = Dois rotores num eixo de cinco degraus
 w-r-is-printed-in-lb-times-ft-g-32-2-ft-s = W R² está impresso em lb vezes ft²; g = 32,2 ft/s².
 the-companion-program-uses-integer-division-so-that-3-5-and-3-7-become-zero-and-the-steps-of-5-in-and = O programa complementar usa divisão inteira, de modo que (3/5)⁴ e (3/7)⁴ se tornam zero e os trechos de 5 in e 7 in desaparecem; com eles a frequência é 22,26 Hz.
-the-five-steps-as-they-should-have-come-out = Os cinco degraus com o resultado correto
+two-rotors-on-a-shaft-of-five-steps-corrected = Dois rotores em um eixo de cinco trechos, corrigido
 k-j-j-j-j-1-k-32-l-g-d-g-32-2-ft-s = ω = √(k (J₁ + J₂)/(J₁ J₂)), 1/k = Σ 32 l/(π G d⁴), g = 32,2 ft/s²
 two-discs-on-a-long-shaft = Dois discos num eixo longo
 n-58-16595-was-truncated-not-rounded = 58,16595 foi truncado, não arredondado
-the-two-discs-with-half-of-the-shaft-twice-as-thick = Os dois discos com metade do eixo duas vezes mais grossa
+the-two-discs-with-half-of-the-shaft-of-twice-the-diameter = Os dois discos com metade do eixo com o dobro do diâmetro
 printed-as-a-ratio-of-1-372-to-the-first-frequency-9-257-hz-12-70-hz = Impresso como razão de 1,372 para a primeira frequência, 9,257 Hz: 12,70 Hz.
 two-equal-flywheels = Dois volantes iguais
 motor-and-pump-through-a-gear-of-three-to-one = Motor e bomba por uma engrenagem de três para um
@@ -5321,9 +5318,9 @@ three-equal-branches-on-a-hub-k-j-of-a-branch-double-root-and-k-1-j-3-j-h = Trê
 the-third-branch-is-behind-2-1-gears-with-a-quarter-of-the-stiffness-and-inertia-reduced-it-is-like = O terceiro ramo está atrás de engrenagens 2:1, com um quarto da rigidez e da inércia: reduzido, é como os outros.
 a-disc-between-two-walls-at-a-trial-frequency = Disco entre duas paredes, a uma frequência de tentativa
 k-k-j-at-30-rad-s-the-walls-must-supply-900-n-m-rad-less-than-their-capacity-of-2500 = ω = √((k₁ + k₂)/J); em ω = 30 rad/s as paredes devem fornecer 900 N·m/rad a menos que a sua capacidade de 2500
-a-torque-at-a-natural-frequency = Torque numa frequência natural
+torque-at-a-natural-frequency = Torque numa frequência natural
 two-discs-of-1-kg-m-on-50-n-m-rad-10-rad-s = Dois discos de 1 kg·m² ligados por 50 N·m/rad: ω = 10 rad/s
-a-shaft-that-closes-a-loop = Eixo que fecha uma malha
+shaft-that-closes-a-loop = Eixo que fecha uma malha
 a-torsional-train-must-be-a-tree-no-closed-loops = Um trem torcional deve ser uma árvore (sem malhas fechadas)
 
 # transient_response.toml
@@ -5344,10 +5341,10 @@ unit-step-on-a-second-order-system = Degrau unitário num sistema de segunda ord
 c-m-close-and-d-k-frederick-modeling-and-analysis-of-dynamic-systems-p-314-target-of-the-verification = C. M. Close e D. K. Frederick, Modeling and Analysis of Dynamic Systems, p. 314; valor de referência do problema de verificação VME3 do Ansys Mechanical APDL
 the-peak-is-required-as-a-multiple-of-the-final-value = O pico é pedido como múltiplo do valor final.
 the-peak-is-printed-as-1-5 = o pico está impresso como 1,5
-impulse-in-the-shape-of-a-triangle = Impulso em forma de triângulo
+triangular-impulse = Impulso triangular
 w-t-thomson-theory-of-vibration-with-applications-prob-4-20 = W. T. Thomson, Theory of Vibration with Applications, probl. 4-20
 no-answer-is-printed-the-triangle-is-symmetric-g-386-in-s-the-value-is-the-sum-of-three-ramps = Nenhuma resposta é impressa. O triângulo é simétrico; g = 386 in/s². O valor é a soma de três rampas.
-the-triangle-s-impulse-given-at-once = O impulso do triângulo aplicado de uma só vez
+the-same-impulse-applied-instantaneously = O mesmo impulso aplicado instantaneamente
 x-max-i-m-w-t-thomson-theory-of-vibration-with-applications-prob-4-20-taken-as-an-ideal-impulse = x_max = I/(m ωₙ): W. T. Thomson, Theory of Vibration with Applications, probl. 4-20, tomado como um impulso ideal
 the-triangle-lasts-most-of-a-period-treating-it-as-an-impulse-overestimates-the-motion-by-two-thirds = O triângulo dura a maior parte de um período: tomá-lo como impulso superestima o movimento em dois terços.
 half-sine-pulse-in-resonance = Pulso de meio seno em ressonância
@@ -5365,13 +5362,13 @@ exponential-force = Força exponencial
 x-e-t-cos-t-sin-t-1-1-its-first-peak = x = δ(e^(−t/τ) − cos ωt + sen(ωt)/(ωτ))/(1 + 1/(ωτ)²), o seu primeiro pico
 fifty-g-for-eleven-milliseconds-on-a-damped-20-hz-mount = Cinquenta g durante onze milissegundos sobre um coxim amortecido de 20 Hz
 half-sine-base-pulse-integrated-numerically-classical-runge-kutta-400-000-steps-a-second = Pulso de meio seno na base, integrado numericamente (Runge–Kutta clássico, 400 000 passos por segundo)
-a-triangle-by-its-table = Um triângulo pela sua tabela
+triangular-pulse-by-a-table = Pulso triangular por uma tabela
 the-table-of-the-symmetric-triangle-reproduces-the-triangle = A tabela do triângulo simétrico reproduz o triângulo
 same-as-the-triangle-of-prob-4-20-defined-by-three-points = Igual ao triângulo do probl. 4-20, definido por três pontos.
 released-with-a-velocity = Solto com uma velocidade
 free-vibration-x-x-v = Vibração livre: X = √(x₀² + (v₀/ωₙ)²)
 x-t-sin-t-t-r-unbounded-but-known-at-every-time = x = δ(t − sen(ωt)/ω)/t_r: ilimitado, mas conhecido em qualquer instante
-a-force-on-a-mass-that-is-not-known = Força numa massa que não é conhecida
+force-on-an-unknown-mass = Força em uma massa desconhecida
 a-force-moves-a-mass = Uma força move uma massa
 
 # vibration_absorber.toml
@@ -5380,20 +5377,20 @@ exercise-on-a-machine-of-1500-kg-physicsforums-com-368412-by-k-a-f-x-a-m-a-k-a-a
 the-thread-has-no-answer-the-force-of-200-n-acts-at-80-of-the-natural-frequency-and-the-absorber-may = A discussão não tem resposta. A força de 200 N atua a 80 % da frequência natural, e o absorvedor pode mover-se 10 mm.
 rotor-with-a-torsional-absorber-on-four-springs = Rotor com absorvedor torcional em quatro molas
 both-resonances-must-be-at-least-20-away-from-the-speed-the-lower-one-governs-the-book-numbers-the = As duas ressonâncias devem ficar a pelo menos 20 % da rotação; a inferior é a determinante. O livro dá ao absorvedor o número 2: J₂, b₂.
-trial-absorber-of-1-kg-then-a-better-one = Absorvedor de ensaio de 1 kg, depois um melhor
+trial-absorber-of-1-kg-then-a-new-design = Absorvedor de teste de 1 kg, depois um novo projeto
 tuned-to-220-cpm-the-trial-absorber-splits-the-resonance-into-188-and-258-cpm-with-the-new-one-there = Sintonizado em 220 cpm, o absorvedor de ensaio divide a ressonância em 188 e 258 cpm; com o novo não deve haver ressonância de 150 a 310 cpm. O livro toma a média de duas razões de massas; o complemento chama o segundo par de sistema principal, mas é o novo absorvedor.
-the-same-trial-both-resonances-met-exactly = O mesmo ensaio, com as duas ressonâncias atendidas com exatidão
+the-same-trial-both-resonances-at-the-exact-limits = O mesmo teste, com as duas ressonâncias exatamente nos limites
 m-a-and-1-p-p-1-on-the-numbers-of-g-k-grover-ex-5-7-2 = ω_m = Ω₁Ω₂/ω_a e μ = (1 − p₁²)(p₂² − 1), com os números de G. K. Grover, ex. 5.7.2
 two-resonances-give-two-unknowns-mass-and-stiffness-the-main-system-has-220-47-cpm-and-not-220 = Duas ressonâncias dão duas incógnitas: massa e rigidez. O sistema principal tem 220,47 cpm e não 220.
 a-mass-ratio-of-one-quarter-tuned-to-resonance = Razão de massas de um quarto, sintonizada na ressonância
 g-2-25g-1-0-g-4-25-0-5-2 = g⁴ − 2,25g² + 1 = 0: g = (√4,25 ∓ 0,5)/2
-an-absorber-that-is-not-tuned = Absorvedor que não está sintonizado
+detuned-absorber = Absorvedor dessintonizado
 two-equations-by-hand-k-300-k-a-200-m-m-a-1-at-100-400-100-200-0-is-a-resonance-at-400-100-200-200 = Duas equações à mão: k = 300, k_a = 200, m = m_a = 1 em ω² = 100: Δ = 400·100 − 200² = 0 é uma ressonância; em ω² = 400, Δ = 100·(−200) − 200² = −60000
 a-disc-absorber-of-known-inertia = Absorvedor em disco de inércia conhecida
 j-a-j-4-tuned-to-resonance-g-4-25-0-5-2-k-ta-j-a = J_a = J/4 sintonizado na ressonância: g = (√4,25 ∓ 0,5)/2; k_ta = J_a ω²
-resonances-that-are-not-on-both-sides-of-the-absorber = Ressonâncias que não estão dos dois lados do absorvedor
+resonances-on-one-side-of-the-absorber-frequency = Ressonâncias de um só lado da frequência do absorvedor
 interlacing-the-natural-frequency-of-an-undamped-absorber-lies-between-the-two-resonances = Entrelaçamento: a frequência natural de um absorvedor sem amortecimento fica entre as duas ressonâncias
-a-stroke-without-a-force = Curso sem força
+stroke-limit-without-an-excitation = Limite de curso sem excitação
 k-a-f-x-a-needs-f = k_a = F₀/X_a precisa de F₀
 
 # vibration_instrument.toml
@@ -5402,10 +5399,10 @@ s-s-rao-mechanical-vibrations-ch-10-vibrometer-with-4-rad-s-and-0-2 = S. S. Rao,
 the-source-writes-2z-0-0008-m-and-goes-on-with-z-0-004-m-the-record-is-8-mm-from-peak-to-peak = A fonte escreve 2Z = 0,0008 m e continua com Z = 0,004 m; o registro é de 8 mm de pico a pico.
 undamped-vibrometer-at-twice-its-natural-frequency = Vibrômetro sem amortecimento no dobro da sua frequência natural
 accelerometer-far-above-its-natural-frequency = Acelerômetro muito acima da sua frequência natural
-the-accelerometer-as-it-should-have-come-out = O acelerômetro com o resultado correto
+accelerometer-far-above-its-natural-frequency-corrected = Acelerômetro muito acima da sua frequência natural, corrigido
 r-from-1-r-4-r-1-1-01-factor-and-phase-in-closed-form = r por (1 − r²)² + 4ζ²r² = 1/1,01²; fator e fase em forma fechada
-vibrometer-known-by-its-two-natural-frequencies = Vibrômetro conhecido pelas suas duas frequências naturais
-the-same-vibrometer-as-it-should-have-come-out = O mesmo vibrômetro com o resultado correto
+vibrometer-given-by-its-damped-and-undamped-natural-frequencies = Vibrômetro dado pelas frequências naturais amortecida e não amortecida
+the-same-vibrometer-corrected = O mesmo vibrômetro, corrigido
 u-2-1-2-u-1-1-1-02-in-u-f-f-peak-1-2-1 = u² − 2(1 − 2ζ²)u + 1 = 1/1,02² em u = (fₙ/f)²; pico 1/(2ζ√(1 − ζ²))
 flattest-accelerometer = Acelerômetro de resposta mais plana
 with-1-2-the-reading-is-1-1-r = Com ζ = 1/√2 a leitura é 1/√(1 + r⁴)
@@ -5413,7 +5410,7 @@ n-1-is-reached-at-r-1-0-99-1-at-r-0-2-the-reading-is-1-1-0016 = 1 % é atingido 
 two-tones-on-an-accelerometer-of-seven-tenths-of-critical-damping = Dois tons num acelerômetro com sete décimos do amortecimento crítico
 factor-1-1-r-2-r-and-delay-of-each-tone = Fator 1/√((1 − r²)² + (2ζr)²) e atraso φ/ω de cada tom
 with-0-7-the-phase-lag-is-nearly-proportional-to-the-frequency-the-delays-at-20-hz-and-40-hz-differ = Com ζ = 0,7 o atraso de fase é quase proporcional à frequência: os atrasos de 20 Hz e 40 Hz diferem pouco.
-a-vibrometer-that-reads-an-acceleration = Vibrômetro que lê uma aceleração
+vibrometer-used-for-acceleration = Vibrômetro usado para aceleração
 a-vibrometer-reads-displacements = Um vibrômetro lê deslocamentos
 
 # vibration_isolation.toml
@@ -5436,13 +5433,13 @@ engine-with-a-piston-on-rubber = Motor com um pistão sobre borracha
 run-up-through-resonance-on-damped-mounts = Partida com passagem pela ressonância sobre coxins amortecidos
 maximum-transmissibility-at-r-1-8-1-4-with-0-5-that-is-3-1-and-tr-1-1-r = Transmissibilidade máxima em r² = (√(1 + 8ζ²) − 1)/(4ζ²); com ζ = 0,5 isso é √3 − 1, e TR² = 1/(1 − r⁴)
 the-speeds-range-from-far-below-to-far-above-the-natural-frequency-of-100-rad-s-80-isolation-with = As rotações vão de muito abaixo a muito acima da frequência natural de 100 rad/s; 80 % de isolamento com este amortecimento exige r² = 13 + √193.
-instrument-in-a-case-that-falls = Instrumento numa caixa que cai
+instrument-in-a-dropped-case = Instrumento numa caixa que cai
 v-2gh-k-between-m-v-d-and-m-a-v = v₀ = √(2gh), k entre m v₀²/d² e m A²/v₀²
-undamped-mounts-within-the-speeds = Coxins sem amortecimento, com a ressonância entre as rotações
+undamped-mounts-resonance-within-the-speed-range = Coxins sem amortecimento, ressonância dentro da faixa de rotações
 without-damping-there-is-no-steady-state-at-the-natural-frequency = Sem amortecimento não há regime permanente na frequência natural
 run-up-of-a-lightly-damped-machine-to-just-above-resonance = Partida de uma máquina pouco amortecida até logo acima da ressonância
 maximum-of-r-1-4-r-1-r-4-r-within-the-speed-range-by-golden-section-search = Máximo de r⁴(1 + 4ζ²r²)/((1 − r²)² + 4ζ²r²) na faixa de rotações, por seção áurea
-damped-mounts-for-nine-tenths-of-isolation = Coxins amortecidos para nove décimos de isolamento
+damped-mounts-for-90-isolation = Coxins amortecidos para 90 % de isolamento
 r-b-b-1-t-1-with-b-1-2-2-t = r² = b + √(b² + 1/T² − 1) com b = 1 − 2ζ² + 2ζ²/T²
 with-0-15-a-transmissibility-of-0-1-needs-r-4-0990-and-not-11-3-3166 = Com ζ = 0,15, uma transmissibilidade de 0,1 exige r = 4,0990 e não √11 = 3,3166.
 
@@ -5457,14 +5454,14 @@ the-turbine-disc-at-one-and-a-half-times-its-critical-speed = O disco de turbina
 forbidden-band-of-a-vertical-shaft-under-a-stress-limit = Faixa proibida de um eixo vertical sob um limite de tensão
 n-15-kg-at-midspan-of-a-15-mm-shaft-clamped-at-both-ends-the-companion-takes-the-critical-frequency = 15 kg no meio do vão de um eixo biengastado de 15 mm. O complemento toma a frequência crítica como 0,4985/√δ em metros e π como 3,147; as suas rotações ficam todas 0,09 % acima.
 the-printed-solution-rounds-g-2-to-0-4985 = a solução impressa arredonda √g/(2π) para 0,4985
-the-same-band-without-rounding-on-the-way = A mesma faixa sem arredondamentos intermediários
+the-same-band-without-intermediate-rounding = A mesma faixa sem arredondamentos intermediários
 b-k-sarkar-theory-of-machines-ch-11-ill-13-with-r-r-e-and-r-l-12ed = B. K. Sarkar, Theory of Machines, cap. 11, il. 13, com ω = ωₙ√(R/(R ± e)) e R = σL²/(12Ed)
-rotor-of-60-kg-at-its-speed-and-on-the-way-to-it = Rotor de 60 kg, na sua rotação e a caminho dela
+rotor-of-60-kg-at-operating-speed-and-during-run-up = Rotor de 60 kg, na rotação de operação e durante a partida
 tutorsglobe-com-question-51533194 = tutorsglobe.com, questão 51533194
 no-answer-is-printed-checked-against-a-e-r-1-r-2-r-and-its-peak-e-2-1 = Nenhuma resposta é impressa. Conferido com A = e r²/√((1 − r²)² + (2ζr)²) e com o seu pico e/(2ζ√(1 − ζ²)).
 the-same-rotor-its-damping-read-from-the-run-up = O mesmo rotor, com o amortecimento lido na partida
 n-1-1-e-a-2-of-the-peak-a-20-02505-mm = ζ = √((1 − √(1 − (e/A)²))/2) pelo pico A = 20,02505 mm
-so-much-damping-that-the-limit-is-never-reached = Amortecimento tão grande que o limite nunca é atingido
+damping-so-high-that-the-limit-is-never-reached = Amortecimento tão alto que o limite nunca é atingido
 the-peak-e-2-1-with-0-3-is-1-747-e = O pico e/(2ζ√(1 − ζ²)) com ζ = 0,3 é 1,747 e
 a-limit-below-the-eccentricity = Limite abaixo da excentricidade
 far-above-its-critical-speed-a-rotor-rotates-about-its-centre-of-mass-the-shaft-deflects-by-e-r-r-e = Muito acima da sua velocidade crítica um rotor gira em torno do seu centro de massa: a deflexão do eixo é e. ω = ωₙ√(R/(R + e)) com R = e/2 é ωₙ/√3
@@ -5502,13 +5499,13 @@ k-8nebt-3l-from-the-bending-energy-of-a-lozenge-of-width-nb = k = 8nEbt³/(3L³)
 tapered-bar-in-tension = Barra cônica em tração
 k-e-d-d-4l-by-the-integral-of-dx-ea = k = πE d₁d₂/(4L), pela integral de dx/(EA)
 k-ga-h-of-a-pad = k = GA/h de um coxim
-gas-behind-a-piston = Gás atrás de um pistão
+gas-spring-of-a-piston = Mola a gás de um pistão
 k-npa-v-by-differences-of-p-p-v-v = k = npA²/V, por diferenças de p = p₀(V₀/V)ⁿ
-taut-string-pushed-sideways = Corda tensa empurrada de lado
+taut-string-displaced-laterally = Corda tensa deslocada lateralmente
 k-t-a-t-b-by-statics-of-the-deflected-string = k = T/a + T/b, pela estática da corda defletida
-bob-of-a-pendulum-pushed-sideways = Massa de um pêndulo empurrada de lado
+bob-of-a-pendulum-displaced-laterally = Massa de um pêndulo deslocada lateralmente
 k-mg-l-of-a-pendulum = k = mg/l de um pêndulo
-pontoon-that-heaves-in-sea-water = Flutuador que oscila na água do mar
+pontoon-heaving-in-sea-water = Flutuador que oscila na água do mar
 k-ga-by-the-potential-energy-of-the-displaced-liquid = k = ρgA, pela energia potencial do líquido deslocado
 mercury-in-a-u-tube = Mercúrio em um tubo em U
 k-2-ga-by-the-potential-energy-gaz-of-the-columns = k = 2ρgA, pela energia potencial ρgAz² das colunas
@@ -5520,17 +5517,17 @@ hairspring-of-1-5-m = Mola espiral de 1,5 m
 k-t-ei-l-of-the-strip = k_t = EI/L da fita
 wedge-on-two-pins = Cunha sobre dois pinos
 rayleigh-ritz-with-14-powers-of-x-times-1-x-in-60-digits-by-mpmath = Rayleigh–Ritz com 14 potências de x vezes 1 − x, com 60 dígitos por mpmath
-torsional-absorber-of-a-limited-stroke = Absorvedor torcional de curso limitado
+torsional-absorber-with-a-limited-amplitude = Absorvedor torcional com amplitude limitada
 t-k-a-a-k-a-j-a-j-wr-g-and-both-roots-of-the-frequency-equation = T = k_a θ_a, k_a = J_a ω², J = WR²/g, e as duas raízes da equação das frequências
-torsional-absorber-that-clears-a-range-of-speeds = Absorvedor torcional que libera uma faixa de velocidades
+torsional-absorber-with-resonances-outside-a-speed-range = Absorvedor torcional com ressonâncias fora de uma faixa de rotações
 j-a-j-r-1-with-r-k-j-the-larger-of-both-ends = J_a/J = (R − λ)(1 − λ)/λ com R = k/(J ω²), λ = (Ω/ω)², o maior dos dois extremos
 torsional-absorber-of-a-quarter-of-the-inertia = Absorvedor torcional de um quarto da inércia
 k-k-a-j-k-a-j-a-k-a-with-k-a-j-a = (k + k_a − J Ω²)(k_a − J_a Ω²) = k_a² com k_a = J_a ω²
-torsional-absorber-off-its-tuning = Absorvedor torcional fora da sintonia
+detuned-torsional-absorber = Absorvedor torcional dessintonizado
 both-roots-of-the-frequency-equation-t-k-a-j-a-a-t-k-a = as duas raízes da equação das frequências; θ = T (k_a − J_a ω²)/Δ, θ_a = T k_a/Δ
-resonances-a-fifth-away-from-the-speed = Ressonâncias a um quinto da velocidade
+resonances-at-least-20-away-from-the-operating-speed = Ressonâncias a pelo menos 20 % da rotação de operação
 m-a-m-r-1-with-r-k-m-the-larger-of-both-ends = m_a/m = (R − λ)(1 − λ)/λ com R = k/(m ω²), λ = (Ω/ω)², o maior dos dois extremos
-resonances-out-of-a-range-of-speeds = Ressonâncias fora de uma faixa de velocidades
+resonances-outside-a-speed-range = Ressonâncias fora de uma faixa de rotações
 absorber-of-12-kg-tuned-to-the-speed = Absorvedor de 12 kg sintonizado na velocidade
 k-k-a-m-k-a-m-a-k-a-with-k-a-m-a = (k + k_a − m Ω²)(k_a − m_a Ω²) = k_a² com k_a = m_a ω²
 rotor-identified-by-a-trial-disc = Rotor identificado por um disco de teste
@@ -5547,7 +5544,7 @@ two-discs-on-a-clamped-tube = Dois discos em um tubo engastado
 a-3-x-a-6-e-i-dunkerley-m-exact-the-larger-root-of-its-characteristic-equation = δ = a² (3 x − a)/(6 E I): Dunkerley Σ m δ, exata a maior raiz da sua equação característica
 torsional-pendulum-of-a-known-damping-ratio = Pêndulo de torção de fator de amortecimento conhecido
 n-2-1-c-2-k-j-t-2-1 = δ = 2πζ/√(1 − ζ²), c = 2 ζ √(k J), T = 2π/(ωₙ √(1 − ζ²))
-force-of-a-density-in-straight-lines = Força de densidade em linhas retas
+spectral-density-of-force-in-straight-lines = Densidade espectral de força em segmentos de reta
 s-f-h-f-df-with-straight-lines-through-4-12-and-20-hz-by-quadrature-in-30-digits = √∫S(f)|H(f)|² df com linhas retas por 4, 12 e 20 Hz, por quadratura com 30 dígitos
 velocity-in-a-uniform-chain-on-a-wall = Velocidade em uma cadeia uniforme em uma parede
 k-i-c-m-x-f-for-three-masses-velocity-i-x-by-the-sine-formula-of-a-uniform-chain = (K + iωC − ω²M) X = F para três massas, velocidade iωX; ωₙ pela fórmula dos senos de uma cadeia uniforme
@@ -5579,7 +5576,7 @@ tubular-cantilever-with-a-point-mass = Viga tubular em balanço com massa pontua
 n-1-cos-cosh-m-m-l-sin-cosh-cos-sinh-the-same-in-both-planes = 1 + cos β cosh β = (M/m L) β (sen β cosh β − cos β senh β), igual nos dois planos
 stout-cantilever-with-a-point-mass-by-timoshenko = Viga curta em balanço com massa pontual, por Timoshenko
 determinant-of-the-four-exponentials-of-timoshenko-s-equations-with-6-1-7-6-in-30-digits = determinante das quatro exponenciais das equações de Timoshenko com κ = 6(1 + ν)/(7 + 6ν), com 30 dígitos
-two-cranks-one-by-one-a-tube-and-a-given-shaft = Duas manivelas uma a uma, um tubo e um eixo dado
+two-separate-cranks-a-tube-and-a-given-shaft = Duas manivelas separadas, um tubo e um eixo dado
 eigenvalues-of-k-j-of-five-discs-with-k-g-d-d-32-l-and-g-i-t-l-by-mpmath = autovalores de K − ω²J de cinco discos com k = G π(D⁴ − d⁴)/(32 L) e G I_t/L, por mpmath
 throw-by-its-equivalent-length = Manivela pelo seu comprimento equivalente
 k-g-d-e-32-l-e-2-k-j-of-two-equal-cranks = k = G π D_e⁴/(32 L_e), ω = √(2 k/J) de duas manivelas iguais
@@ -5587,17 +5584,17 @@ throw-by-carter = Manivela por Carter
 k-g-32-l-j-0-8-t-d-j-0-75-l-c-d-c-1-5-r-t-w = k = (π G/32)/((L_j + 0,8 t)/D_j⁴ + 0,75 L_c/D_c⁴ + 1.5 R/(t W³))
 throw-by-ker-wilson = Manivela por Ker Wilson
 k-g-32-l-j-0-4-d-j-d-j-l-c-0-4-d-c-d-c-r-0-2-d-j-d-c-t-w = k = (π G/32)/((L_j + 0,4 D_j)/D_j⁴ + (L_c + 0,4 D_c)/D_c⁴ + (R − 0,2(D_j + D_c))/(t W³))
-clamped-clamped-and-pinned-and-a-column-side-by-side = Biengastada, engastada e apoiada, e uma coluna em paralelo
+clamped-clamped-beam-clamped-pinned-beam-and-column-in-parallel = Viga biengastada, viga engastada-apoiada e coluna em paralelo
 k-192-768-7-12-e-i-l-m-k-g = k = (192 + 768/7 + 12) E I/L³, m = k δ/g
-bars-of-four-sections-pulled-along-their-axes = Barras de quatro seções tracionadas ao longo dos eixos
+bars-of-four-cross-sections-in-tension = Barras de quatro seções em tração
 k-e-a-l = k = E Σ A/L
 torsion-bar-with-a-lever-beside-an-inclined-spring-springs-with-mass = Barra de torção com alavanca ao lado de uma mola inclinada, molas com massa
 k-g-i-t-l-a-k-cos-m-33-140-m-17-35-m-13-35-m-0-4-m-m-3 = k = G I_t/(L a²) + k₁ cos² α; m + 33/140 m₁ + 17/35 m₂ + 13/35 m₃ + 0,4 m₄ + m₅/3
-beams-turned-at-their-ends-springs-at-an-arm-and-a-pendulum = Vigas giradas nas pontas, molas em um braço e um pêndulo
+beams-rotated-at-their-ends-springs-at-an-arm-and-a-pendulum = Vigas giradas nas pontas, molas em um braço e um pêndulo
 k-1-3-4-e-i-l-2-k-r-m-g-l-j-k = k = (1 + 3 + 4) E I/L + 2 k₁ r² + m g l; J = k/ω²
-damping-read-from-a-decay = Amortecimento lido de um decaimento
+damping-from-a-decay = Amortecimento a partir de um decaimento
 ln-8-3-4-x-m-e-m-r-1-r-2-r = δ = ln 8/3, ζ = δ/√(4π² + δ²), X = (m₀e/m) r²/√((1 − r²)² + (2ζr)²), do decaimento
-shock-that-arrives-with-a-velocity = Choque que chega com uma velocidade
+velocity-shock = Choque de velocidade
 a-v-k-m-travel-v-a = ωₙ = A/v₀, k = m ωₙ², curso v₀²/A
 tubular-beam-at-a-constant-pseudo-velocity = Viga tubular sob pseudo-velocidade constante
 y-4-s-v-e-c-l-y-l-e-i-m = y = (4/π) S_v/ω₁, σ = E c (π/L)² y, ω₁ = (π/L)² √(E I/m̄)
@@ -5740,7 +5737,7 @@ the-squares-of-the-real-and-imaginary-parts-of-the-dynamic-stiffness-sum-to-the-
 torsional-stiffness-from-the-shear-strain-at-the-rim-16t-gd-over-the-radius = rigidez torcional pela distorção na periferia, 16T/(πGd³), sobre o raio
 overdamped-the-body-approaches-its-rest-position-asymptotically-and-the-maximum-deflection-is-that = Superamortecido: o corpo tende assintoticamente ao repouso, e a deflexão máxima é a devida ao peso
 the-damping-is-so-strong-that-the-body-approaches-rest-without-oscillating-the-maximum-deflection-is = o amortecimento é tão forte que o corpo tende ao repouso sem oscilar: a deflexão máxima é aproximada, mas nunca ultrapassada, e não tem instante
-set-down-on-a-strongly-damped-cushion = Pousado em uma embalagem fortemente amortecida
+suddenly-applied-load-on-a-strongly-damped-cushion = Carga aplicada subitamente sobre um amortecedor de embalagem forte
 overdamped-2-y-1-s-e-s-t-s-e-s-t-s-s-approaches-m-g-k-asymptotically-and-never-exceeds-it = Superamortecido, ζ = 2: y = δ (1 − (s₂ e^(−s₁t) − s₁ e^(−s₂t))/(s₂ − s₁)) tende assintoticamente a δ = m g/k e nunca o ultrapassa
 newton-s-second-law-at-the-largest-force-f-t-m-t-g-m-t-a = segunda lei de Newton na maior força: F_T − m_t g = m_t aₘ
 area-under-the-characteristic-up-to-the-maximum-displacement-equals-the-kinetic-energy-at-the = a área sob a característica até o deslocamento máximo é igual à energia cinética na posição de equilíbrio
@@ -5772,5 +5769,5 @@ scatter-the-relative-residuals-of-1-h-are-orthogonal-to-the-fit-so-that-d-d = di
 square-of-the-radius-is-the-mean-square-of-the-distances-of-the-points-from-the-centre = o quadrado do raio é a média dos quadrados das distâncias dos pontos ao centro
 the-complex-residuals-are-orthogonal-to-the-derivatives-of-the-fit-with-respect-to-each-of-its = os resíduos complexos são ortogonais às derivadas do ajuste em relação a cada um dos seus parâmetros
 mass-stiffness-and-damping-reproduce-the-measured-receptance-at-the-lowest-frequency = massa, rigidez e amortecimento reproduzem a receptância medida na frequência mais baixa
-a-hysteretic-mode-between-others-below-and-above = Um modo histerético entre outros abaixo e acima
+hysteretic-mode-with-residual-terms-of-lower-and-higher-modes = Modo histerético com termos residuais dos modos inferiores e superiores
 n-0-5-1-0-04i-2-10-0-05-with-10-hz-to-seven-digits = 0,5/(ωₙ²(1 + 0,04i) − ω²) + 2·10⁻⁵ − 0,05/ω² com 10 Hz, com sete algarismos

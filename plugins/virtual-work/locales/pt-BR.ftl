@@ -1018,7 +1018,7 @@ two-nuts-on-a-right-hand-and-a-left-hand-thread = Duas porcas, em rosca direita 
 force-and-torque-for-a-given-load = Força e torque para uma carga dada
 load-raised-by-a-torque = Carga levantada por um torque
 torque-on-the-screw = Torque no parafuso
-load-that-an-axial-force-holds = Carga que uma força axial sustenta
+load-balanced-by-an-axial-force = Carga equilibrada por uma força axial
 axial-force-in-the-screw = Força axial no parafuso
 axial-force-in-the-screw-from-p-y-t-x-0 = Força axial no parafuso, de P δy + T δx = 0
 a-torque-needs-a-screw-write-its-diameter-and-lead = um torque precisa de um parafuso: escreva seu diâmetro e avanço
@@ -1838,19 +1838,19 @@ no-load-no-force = Sem carga, não há força
 # bar_and_cord.toml
 bar-at-20-under-a-pulley = Barra a 20° sob uma polia
 a-uniform-bar-of-10-kg-and-1-5-m-pinned-at-its-lower-end-the-pulley-is-1-2-m-above-the-pin = Uma barra uniforme de 10 kg e 1,5 m, articulada na extremidade inferior; a polia está 1,2 m acima da articulação.
-all-positions-that-6-5334708-kg-holds = Todas as posições que 6,5334708 kg mantêm
+all-equilibrium-positions-under-6-5334708-kg = Todas as posições de equilíbrio com 6,5334708 kg
 r-c-hibbeler-a-gupta-engineering-mechanics-example-11-6-solved-in-reverse = R. C. Hibbeler, A. Gupta, Engineering Mechanics, exemplo 11.6, resolvido no sentido inverso
 cos-0-is-an-equilibrium-too-the-bar-straight-up-or-down = cos θ = 0 também é equilíbrio: a barra na vertical, para cima ou para baixo.
 cord-to-the-middle-of-the-bar = Cabo no meio da barra
 m-m-s-2-b-for-b-l-2-and-h-the-moment-of-the-cord-p-b-h-cos-s-against-w-l-2-cos-gives-p-w-s-h = m = M s/(2 b) para b = L/2 e h: o momento do cabo, P b h cos θ/s, contra W (L/2) cos θ, dá P = W s/h
-no-mass-can-tell-an-upright-bar = Barra na vertical não determina a massa
+vertical-bar-mass-indeterminate = Barra vertical, massa indeterminada
 at-90-neither-weight-does-virtual-work = Em θ = 90° nenhum dos pesos realiza trabalho virtual
 
 # compound_lever.toml
 bolt-cutter = Alicate corta-vergalhão
 ratio-400-30-60-20-40-of-its-two-levers = Razão (400/30)·(60/20) = 40 das suas duas alavancas
 one-half-the-handle-turns-about-the-common-pin-and-pushes-the-rear-arm-of-the-jaw = Uma metade: o cabo gira em torno do pino comum e empurra o braço traseiro da mandíbula.
-two-levers-with-loads-that-help-and-hinder = Duas alavancas com cargas a favor e contra
+two-levers-with-aiding-and-opposing-loads = Duas alavancas com cargas a favor e contra
 beer-johnston-vector-mechanics-for-engineers-statics-9th-ed-problem-10-1 = Beer & Johnston, Vector Mechanics for Engineers: Statics, 9ª ed., problema 10.1
 moving-a-by-y-moves-c-by-2-y-d-by-y-e-and-g-by-y-2-arms-that-give-these-ratios = Deslocar A de δy desloca C de 2 δy, D de δy, E e G de δy/2. Braços que dão estas razões.
 the-two-levers-with-the-loads-of-the-later-edition = As duas alavancas com as cargas da edição posterior
@@ -1862,7 +1862,7 @@ couple-on-one-lever-force-on-another-couple-on-defg = Conjugado em uma alavanca,
 beer-johnston-vector-mechanics-for-engineers-statics-8th-ed-problem-10-3-of-two-levers-abc-and-defg = Beer & Johnston, Vector Mechanics for Engineers: Statics, 8ª ed., problema 10.3 com duas alavancas ABC e DEFG
 single-lever = Uma só alavanca
 f-a-p-b = F a = P b
-a-lever-that-is-not-there = Alavanca inexistente
+load-on-a-lever-that-does-not-exist = Carga em uma alavanca que não existe
 one-link-two-levers = Uma ligação, duas alavancas
 
 # engine.toml
@@ -1898,7 +1898,7 @@ loop-closure-of-the-slider-crank-r-cos-n-sin = fechamento da cadeia do cursor-ma
 inertia-force-of-reciprocating-parts = Força de inércia das peças alternativas
 by-graphical-construction-the-book-also-finds-18-78-kn = Por construção gráfica o livro também obtém 18,78 kN.
 printed-with-52-4-rad-s-for-500-rpm-calculated-18-506-kn = impresso com 52,4 rad/s para 500 rpm; calculado: 18,506 kN
-vertical-steam-engine-on-its-way-down = Máquina a vapor vertical na descida
+vertical-steam-engine-piston-moving-down = Máquina a vapor vertical, pistão descendo
 petrol-engine-and-the-speed-at-which-the-gudgeon-pin-is-unloaded = Motor a gasolina e a rotação em que o pino do pistão fica sem carga
 printed-with-the-cosine-of-a-rounded-angle-calculated-1865-39-n = impresso com o cosseno de um ângulo arredondado; calculado: 1865,39 N
 steam-engine-with-the-acceleration-of-its-piston-given = Máquina a vapor com a aceleração do pistão dada
@@ -1954,9 +1954,9 @@ n-6-bar-on-the-outward-stroke-and-1-bar-on-the-return-with-a-stroke-of-l-r-e-l-r
 sixteen-orders-of-the-motion = Dezesseis ordens do movimento
 fourier-series-of-the-exact-motion-the-remainder-beyond-the-sixteenth-order-is-below-one-millionth = série de Fourier do movimento exato: o resto além da décima sexta ordem é menor que um milionésimo
 r-0-15-m-n-4-450-rpm-and-60-as-above-with-the-exact-motion = r = 0,15 m, n = 4, 450 rpm e 60°, como acima com o movimento exato.
-a-crank-that-gathers-speed = Manivela que ganha velocidade
+crank-with-angular-acceleration = Manivela com aceleração angular
 newton-euler-equations-as-a-second-method = equações de Newton–Euler como segundo método
-the-force-that-gives-this-engine-its-moment = A força que dá a este motor o seu torque
+gas-force-from-the-turning-moment-of-this-engine = Força do gás a partir do torque deste motor
 the-engine-above-from-its-turning-moment-back-to-the-900-n = o motor acima, do seu torque de volta aos 900 N
 polytropic-expansion-with-clearance = Expansão politrópica com folga
 closed-form-p-m-p-a-k-1-1-1-p-b = forma fechada: p_m = p_a [ε + (ε + κ)/(k − 1) (1 − ((ε + κ)/(1 + κ))ᵏ⁻¹)] − p_b
@@ -1967,19 +1967,19 @@ a-given-acceleration-and-a-rod-with-mass = Aceleração dada e biela com massa
 the-motion-of-the-rod-is-not-known = o movimento da biela não é conhecido
 
 # epicyclic_train.toml
-ring-with-outside-teeth-driven-by-a-pinion = Coroa com dentes externos movida por um pinhão
+ring-with-external-teeth-driven-by-a-pinion = Coroa com dentes externos movida por um pinhão
 sun-of-31-teeth-fixed-ring-of-83-internal-and-90-external-teeth-driven-by-a-pinion-of-25-the-arm-is = Sol de 31 dentes, fixo; coroa de 83 dentes internos e 90 externos, movida por um pinhão de 25; o braço é movido. 10 lbf·ft no pinhão; a carga atua no braço no mesmo sentido em que gira o pinhão, pois braço e coroa giram no sentido contrário.
 the-same-train-to-more-digits = O mesmo trem com mais algarismos
 n-10-90-25-83-31-83 = 10·(90/25)·(83 + 31)/83
 fixed-ring-driving-sun = Coroa fixa, sol motor
 a-s-z-s-z-s-z-r-1-4-with-24-and-72-teeth-t-a-4-t-s-t-r-3-t-s = ω_A/ω_S = z_S/(z_S + z_R) = 1/4 com 24 e 72 dentes; T_A = −4 T_S, T_R = 3 T_S
-great-reduction-with-two-suns = Grande redução com dois sóis
+high-reduction-with-two-suns = Alta redução com dois sóis
 e-101-99-100-100-0-9999-with-the-first-sun-fixed-the-second-turns-by-1-e-1-10000-of-the-arm = e = (101·99)/(100·100) = 0,9999: com o primeiro sol fixo, o segundo gira 1 − e = 1/10000 do braço
 star-gear-the-arm-is-fixed = Trem estrela: o braço é fixo
 r-s-z-s-z-2-z-1-z-r-20-30-40-90 = ω_R/ω_S = −z_S z_2/(z_1 z_R) = −20·30/(40·90)
 a-fixed-member-cannot-drive = Um membro fixo não pode ser motor
 two-different-members-are-needed = são necessários dois membros diferentes
-suns-that-hold-each-other = Sóis que se travam
+suns-that-lock-each-other = Sóis que se travam
 e-1-both-suns-have-the-same-speed = e = 1: os dois sóis têm a mesma velocidade
 fixed-sun-driving-arm = Sol fixo, braço motor
 r-a-1-z-s-z-r-1-40-80-t-r-t-a-1-5-the-sun-is-held-by-the-rest = ω_R/ω_A = 1 + z_S/z_R = 1 + 40/80; T_R = −T_A/1,5, e o sol é retido pelo restante
@@ -2000,7 +2000,7 @@ inverted-bar-between-two-springs-just-stiff-enough = Barra invertida entre duas 
 k-p-l-2-a = k = P l/(2 a²)
 a-weight-of-200-n-at-900-mm-on-a-pin-springs-at-500-mm-on-both-sides-360-n-m-each-is-critical-with = Um peso de 200 N a 900 mm de uma articulação, molas a 500 mm dos dois lados: 360 N/m em cada uma é o valor crítico. Com 361 N/m a posição vertical (invertida) é estável e outras duas, onde cos φ = P l/(2 k a²), não são; V″ = 2 k a² − P l = 0,5 N·m/rad na primeira ordem das molas longas.
 the-springs-are-long-but-not-infinite = as molas são longas, mas não infinitas
-a-weight-that-only-falls = Peso que só cai
+weight-without-an-equilibrium-position = Peso sem posição de equilíbrio
 a-pendulum-away-from-its-two-equilibrium-positions = Um pêndulo longe das suas duas posições de equilíbrio
 
 # equivalent_rod.toml
@@ -2009,15 +2009,15 @@ the-masses-are-printed-to-a-tenth-of-a-kilogram-the-correction-couple-is-that-of
 a-uniform-rod = Biela uniforme
 k-l-12-and-a-l-2-in-the-formulas = k² = l²/12 e a = l/2 nas fórmulas
 a-quarter-of-the-mass-at-the-end-three-quarters-at-l-6-beyond-the-middle-b-l-6-m-m-4-m-3m-4-masses-m = Um quarto da massa na extremidade, três quartos a l/6 além do meio: b′ = l/6, m₁ = m/4, m₂ = 3m/4; massas m/2 nos pinos têm m l²/4, m l²/6 a mais.
-a-rod-swung-about-its-gudgeon-pin = Biela oscilando em torno do pino do pistão
+rod-oscillating-about-its-gudgeon-pin = Biela oscilando em torno do pino do pistão
 the-first-rod-with-the-period-2-k-a-g-a-of-its-oscillation = a primeira biela, com o período 2π √((k² + a²)/(g a)) da sua oscilação
-a-rod-swung-about-both-pins = Biela oscilando em torno dos dois pinos
+rod-oscillating-about-each-pin-in-turn = Biela oscilando em torno de cada pino
 the-first-rod-with-the-periods-of-its-oscillations-about-either-pin = a primeira biela, com os períodos das suas oscilações em torno de cada pino
 a-centre-of-mass-beyond-the-rod = Centro de massa além da biela
 a-distance-above-the-length-of-the-rod = uma distância maior que o comprimento da biela
 
 # five_bar.toml
-two-cranks-hold-a-force-at-the-apex = Duas manivelas sustentam uma força no vértice
+two-cranks-balance-a-force-at-the-apex = Duas manivelas equilibram uma força no vértice
 t-j-f-with-the-displacements-of-the-apex-by-each-crank-the-torques-of-the-assembled-mechanism-were = T = −Jᵀ F com os deslocamentos do vértice por cada manivela; os torques do mecanismo montado peça a peça foram os mesmos
 links-50-120-120-and-50-mm-pivots-100-mm-apart-cranks-at-75-and-120-100-n-up-and-40-n-to-the-right = Barras de 50, 120, 120 e 50 mm, pivôs distantes 100 mm, manivelas a 75° e 120°; 100 N para cima e 40 N para a direita.
 geared-cranks = Manivelas engrenadas
@@ -2042,10 +2042,10 @@ speeds-of-a-heavy-flywheel = Rotações de um volante pesado
 e-i = ΔE = ½ I (ω₁² − ω₂²)
 inertia-for-one-per-cent = Inércia para um por cento
 t-20-000-9500-sin-2-5700-cos-2-n-m-e-9500-5700-n-m-i-c-s-after-khurmi-gupta-theory-of-machines-ch-16 = T = 20 000 + 9500 sen 2θ − 5700 cos 2θ N·m: ΔE = √(9500² + 5700²) N·m = I ω² C_s; segundo Khurmi & Gupta, Theory of Machines, cap. 16
-a-triangle-on-the-power-stroke-of-four = Um triângulo no tempo motor de um ciclo de quatro tempos
+triangular-moment-on-the-power-stroke-of-a-four-stroke-engine = Torque triangular no tempo motor de um motor de quatro tempos
 a-triangle-of-800-n-m-over-180-of-720-t-m-100-n-m-above-the-mean-t-max-7-8-2-of-its-base = um triângulo de 800 N·m em 180° de 720°: T_m = 100 N·m; acima da média, T_max (7/8)²/2 da sua base
 e-700-n-m-7-8 = ΔE = ½ × 700 N·m × (7/8) π.
-a-moment-that-does-not-repeat = Um torque que não se repete
+turning-moment-that-is-not-periodic = Torque que não é periódico
 an-order-of-0-3 = uma ordem de 0,3
 
 # four_bar.toml
@@ -2065,15 +2065,15 @@ ab-300-mm-at-100-rpm-bc-cd-360-mm-ad-600-mm-angle-bad-60-the-book-measures-the-d
 the-book-takes-the-distance-to-the-instant-centre-from-a-drawing = o livro toma de um desenho a distância ao centro instantâneo
 parallelogram-with-a-force-on-its-coupler = Paralelogramo com uma força no acoplador
 a-c-b-d-the-coupler-keeps-its-angle-and-all-its-points-move-like-the-crank-pin-t-f-a-cos = a = c, b = d: o acoplador conserva o seu ângulo, e todos os seus pontos se movem como o pino da manivela; T = F a cos θ
-crossed-closing-of-the-crank-rocker = Fechamento cruzado da manivela-balancim
+crank-rocker-crossed-configuration = Manivela-balancim, configuração cruzada
 t-4-t-2-h-4-with-h-4-a-sin-2-3-c-sin-4-3-on-the-crossed-branch = T_4 = T_2/h_4 com h_4 = a sen(θ_2 − θ_3)/(c sen(θ_4 − θ_3)) no ramo cruzado
-a-double-rocker-comes-to-its-end = Um duplo balancim chega ao seu limite
+double-rocker-at-its-limit-position = Duplo balancim na posição limite
 cos-a-d-b-c-2-a-d-where-coupler-and-rocker-are-extended-and-collinear = cos θ = (a² + d² − (b + c)²)/(2 a d) onde acoplador e balancim estão estendidos e colineares
 weights-of-uniform-bars = Pesos de barras uniformes
 parallelogram-centres-of-crank-and-rocker-rise-by-a-2-cos-that-of-the-coupler-by-a-cos-t-2-2-3-2-2-g = Paralelogramo: os centros de manivela e balancim sobem (a/2) cos θ δθ, o do acoplador a cos θ δθ: T = (2/2 + 3 + 2/2) g a cos θ
-links-that-do-not-reach = Barras que não se alcançam
+links-too-short-to-assemble = Barras curtas demais para montar
 the-distance-from-a-to-c-is-0-5-0-1-0-4-m-coupler-and-rocker-span-0-2-m = a distância de A a C é 0,5 − 0,1 = 0,4 m; acoplador e balancim alcançam 0,2 m
-coupler-and-rocker-in-one-line = Acoplador e balancim alinhados
+coupler-and-rocker-collinear = Acoplador e balancim alinhados
 n-3-4-5-at-90-ac-is-500-mm-the-links-are-200-mm-and-300-mm = 3-4-5: em θ = 90° AC mede 500 mm, as barras têm 200 mm e 300 mm
 
 # guided_bar.toml
@@ -2089,7 +2089,7 @@ p-l-sin-k-l-cos-cos-sin-p-k-l-cos-cos = P L sen θ = k L² (cos θ₀ − cos θ
 the-spring-between-a-and-the-corner-is-unstretched-with-the-bar-vertical-and-compressed-as-a-moves = A mola entre A e o canto não está deformada com a barra na vertical, e é comprimida quando A desce.
 upright-bar-on-a-spring = Barra na vertical sobre uma mola
 v-0-at-0-for-f-0-the-vertical-bar-is-stable-for-k-l-m-g-l-2-with-the-horizontal-spring-at-b = V″ = 0 em θ = 0 para F = 0: a barra na vertical é estável para k L² > m g L/2 com a mola horizontal em B
-a-bar-along-its-guide-tells-no-force-at-a = Barra ao longo da sua guia não determina força em A
+bar-along-its-guide-force-at-a-indeterminate = Barra ao longo da sua guia, força em A indeterminada
 at-0-the-point-a-has-no-virtual-displacement = Em θ = 0 o ponto A não tem deslocamento virtual
 
 # hanging_chain.toml
@@ -2099,7 +2099,7 @@ force-that-holds-the-second-bar-at-45 = Força que mantém a segunda barra a 45�
 f-w-2-w-tan = F = (W₂/2 + W₃) tan θ₂
 weight-at-the-end-of-a-light-chain = Peso na ponta de uma cadeia leve
 without-self-weight-all-bars-lie-along-the-resultant-of-q-and-f = Sem peso próprio, todas as barras ficam ao longo da resultante de Q e F
-a-bar-that-nothing-pulls-at = Barra sem nada que a puxe
+bar-without-a-force = Barra sem força
 without-loads-every-angle-is-an-equilibrium = Sem cargas, todo ângulo é de equilíbrio
 
 # lazy_tongs.toml
@@ -2109,7 +2109,7 @@ one-square-a-load-at-its-lower-hinge = Um quadrado, carga na articulação infer
 a-load-below-pulls-the-supports-together-x-b-p-cot-2 = Uma carga embaixo puxa os apoios um para o outro: X_B = −P cot θ/2
 loads-above-and-below = Cargas em cima e embaixo
 equal-loads-at-the-upper-and-lower-hinges-of-a-square-produce-no-force-along-the-line = Cargas iguais nas articulações superior e inferior de um quadrado não produzem força ao longo da linha
-a-square-that-is-not-there = Quadrado inexistente
+load-on-a-square-that-does-not-exist = Carga em um quadrado que não existe
 three-squares = Três quadrados
 
 # mechanism.toml
@@ -2141,7 +2141,6 @@ ten-points-of-s-20-mm-1-cos-2-at-90-the-slope-of-the-spline-is-10-mm-rad-to-with
 the-spline-through-ten-points-reproduces-the-slope-of-the-cosine-to-a-few-parts-in-a-thousand = a spline pelos dez pontos reproduz a inclinação do cosseno a menos de alguns milésimos
 a-linkage-without-a-driver = Mecanismo sem acionamento
 a-linkage-that-is-free-to-move = Um mecanismo livre para se mover
-links-too-short-to-meet = Barras curtas demais para se encontrarem
 sides-of-50-20-and-20-on-a-base-of-100 = Lados de 50, 20 e 20 em uma base de 100
 a-crank-driven-from-its-dead-centre = Manivela acionada a partir do ponto morto
 crank-and-rod-in-line = Manivela e biela alinhadas
@@ -2153,27 +2152,27 @@ seven-bodies-in-three-loops-at-rest-a-spring-and-a-motor-of-0-033-n-m-the-source
 simple-pendulum-from-the-horizontal-ten-seconds = Pêndulo simples a partir da horizontal, dez segundos
 problem-a01-of-the-iftomm-library-of-computational-benchmark-problems-exact-by-elliptic-functions = Problema A01 da biblioteca da IFToMM de problemas de referência computacionais; exato por funções elípticas
 x-sin-y-cos-with-sin-2-k-sn-k-k-t-g-l-k-sin-45 = x = −sen α, y = −cos α com sen(α/2) = k sn(K(k) − t √(g/L)), k = sen 45°.
-pendulum-until-it-hangs = Pêndulo até a posição pendente
+pendulum-released-from-the-horizontal-to-its-lowest-point = Pêndulo solto da horizontal, até o ponto mais baixo
 quarter-period-of-a-pendulum-with-an-amplitude-of-90-and-its-fall = Um quarto do período de um pêndulo com amplitude de 90°, e a sua queda
 t-4-k-sin-45-l-g-and-v-2-g-l-for-1-m-and-9-81-m-s = T/4 = K(sen 45°) √(L/g) e v = √(2 g L), para 1 m e 9,81 m/s².
 disc-that-rolls-down-a-plane-of-30 = Disco que desce rolando um plano de 30°
 a-2-3-g-sin-30-for-a-uniform-disc-that-rolls-without-slip = a = (2/3) g sen 30° para um disco uniforme que rola sem escorregar
 from-rest-for-two-seconds-6-54-m-along-the-plane-the-disc-of-100-mm-turns-by-65-4-rad = A partir do repouso, durante dois segundos: 6,54 m ao longo do plano; o disco de 100 mm gira 65,4 rad.
-swing-on-a-torsion-spring-from-its-middle = Oscilação em uma mola de torção, a partir do meio
+bar-on-a-torsion-spring-started-at-its-equilibrium-position = Barra em mola de torção, a partir da posição de equilíbrio
 sin-t-with-i = θ = (ω₀/ωₙ) sen ωₙ t com ωₙ² = κ/I
 n-32-n-m-rad-and-i-0-23-3-0-3-0-5-kg-m-8-rad-s-4-rad-s-for-one-second = κ = 32 N m/rad e I = 0,23 + 3·0,3² = 0,5 kg m²: ωₙ = 8 rad/s, ω₀ = 4 rad/s, durante um segundo.
 ansys-mechanical-apdl-verification-manual-vm73-after-f-s-tse-i-e-morse-r-t-hinkle-mechanical = Manual de verificação do ANSYS Mechanical APDL, VM73, conforme F. S. Tse, I. E. Morse, R. T. Hinkle, Mechanical Vibrations, p. 175
-block-on-a-slope-below-the-angle-of-friction = Bloco em um plano inclinado abaixo do ângulo de atrito
+block-on-an-incline-below-the-angle-of-friction = Bloco em um plano inclinado abaixo do ângulo de atrito
 at-rest-the-pin-carries-only-a-vertical-force-its-friction-is-part-of-the-equilibrium-that-determines = Em repouso o pino transmite apenas uma força vertical; o seu atrito faz parte do equilíbrio que a determina.
-bar-let-go-on-a-rough-pin = Barra solta em um pino com atrito
+bar-released-on-a-rough-pin = Barra solta em um pino com atrito
 i-g-m-l-m-g-l-r-n-with-n-m-g-l = (I_G + m L²) α = m g L − μ r N com N = m (g − α L)
-block-thrown-up-a-slope-comes-back = Bloco lançado plano acima que volta
+block-projected-up-an-incline-until-it-returns = Bloco lançado plano inclinado acima, até voltar
 half-a-period-of-a-mass-with-dry-friction-the-amplitude-decreases-by-2-m-g-k = Meio período de uma massa com atrito seco: a amplitude diminui 2 μ m g/k
 it-remains-at-rest-as-long-as-tan-the-friction-is-m-g-sin = Permanece em repouso enquanto tan φ ≤ μ; o atrito é m g sen φ
 it-rises-for-v-g-sin-cos-and-falls-with-g-sin-cos = Sobe durante v/(g (sen φ + μ cos φ)) e desce com g (sen φ − μ cos φ)
 mass-of-10-lb-with-a-spring-and-dry-friction-pulled-by-an-inch = Massa de 10 lb com mola e atrito seco, puxada uma polegada
-mass-that-a-spring-throws-until-it-first-rests = Massa lançada por uma mola, até o primeiro repouso
-spring-weaker-than-the-friction-until-the-block-first-rests = Mola mais fraca que o atrito, até o bloco parar pela primeira vez
+mass-released-on-a-spring-until-it-first-comes-to-rest = Massa solta em uma mola, até o primeiro repouso
+spring-weaker-than-the-friction-until-the-block-first-comes-to-rest = Mola mais fraca que o atrito, até o bloco parar pela primeira vez
 k-l-l-m-g-the-block-remains-where-it-is-placed = k (L₀ − L) < μ m g: o bloco permanece onde é colocado
 k-l-l-4-07758-n-m-g-5-93117-n-a-block-that-never-moves-never-comes-to-rest = k (L₀ − L) = 4,07758 N, μ m g = 5,93117 N. Um bloco que nunca se move nunca para.
 the-friction-of-1-875-lbf-is-0-1875-of-the-weight-the-motion-reverses-once-at-0-0923-s-before-the = O atrito de 1,875 lbf é 0,1875 do peso. O movimento se inverte uma vez, em 0,0923 s, antes do instante pedido, 0,183 s.
@@ -2198,7 +2197,7 @@ crank-and-cylinder-collinear-s-0 = manivela e cilindro alinhados: δs = 0
 shaper-in-its-working-stroke = Plaina limadora no curso de trabalho
 m-campbell-s-nestinger-whitworth-quick-return-mechanism-lengths-and-speed-force-and-masses-are-chosen = M. Campbell, S. Nestinger, Whitworth quick-return mechanism: comprimentos e velocidade; força e massas são escolhidas aqui
 pivots-25-mm-apart-crank-10-mm-at-30-15-rad-s-lever-65-mm-and-0-2-kg-link-30-mm-line-of-the-slider-50 = Pivôs distantes 25 mm, manivela de 10 mm a −30°, −15 rad/s; alavanca de 65 mm e 0,2 kg, biela de 30 mm, linha do cursor 50 mm acima do pivô da alavanca; 0,5 kg no cursor, 100 N contra o seu movimento. A potência virtual e as equações de Newton e Euler deram o mesmo.
-crank-and-slotted-lever-45-past-the-line-of-the-pivots = Manivela e alavanca ranhurada, 45° além da linha dos pivôs
+crank-and-slotted-lever-45-past-the-line-of-centres = Manivela e alavanca ranhurada, 45° além da linha dos centros
 crank-of-150-mm-at-120-rpm-pivots-400-mm-apart-from-the-printed-intermediate-values-the-book-solves = Manivela de 150 mm a 120 rpm, pivôs distantes 400 mm (dos valores intermediários impressos). O livro resolve graficamente. Acrescenta-se aqui 1 kN perpendicular à alavanca na ponta, a 700 mm.
 the-book-reads-the-velocities-off-a-drawing = o livro lê as velocidades em um desenho
 the-book-reads-the-accelerations-off-a-drawing = o livro lê as acelerações em um desenho
@@ -2206,9 +2205,9 @@ the-same-lever-to-more-digits = A mesma alavanca com mais algarismos
 r-s-khurmi-j-k-gupta-theory-of-machines-ex-8-13-t-2-f-l-4-and-the-derivatives-of-tan-4 = R. S. Khurmi, J. K. Gupta, Theory of Machines, ex. 8.13: T ω_2 = F L ω_4 e as derivadas de tan θ_4
 crank-across-the-lever = Manivela transversal à alavanca
 at-2-90-crank-and-lever-are-collinear-h-4-r-d-r-no-slip-t-f-l-r-d-r = Em θ_2 = 90° manivela e alavanca são colineares: h_4 = r/(d + r), sem deslizamento; T = F L r/(d + r)
-whitworth-the-lever-turns-round = Whitworth: a alavanca dá a volta
+whitworth-quick-return-lever-with-full-rotation = Retorno rápido de Whitworth, alavanca com rotação completa
 at-2-90-h-4-r-d-r-time-ratio-2-arcsin-d-r-2-arcsin-d-r-2-for-d-r-2 = Em θ_2 = 90°, h_4 = r/(d + r); razão de tempos (π + 2 arcsen(d/r))/(π − 2 arcsen(d/r)) = 2 para d = r/2
-force-where-the-lever-turns-back = Força onde a alavanca inverte o movimento
+force-at-the-end-of-the-lever-s-stroke = Força no fim de curso da alavanca
 sin-2-r-d-the-lever-touches-the-circle-of-the-crank-pin = sen θ_2 = −r/d: a alavanca tangencia o círculo do pino da manivela
 link-too-short-for-the-slider-s-line = Biela curta demais para a linha do cursor
 the-end-of-the-lever-is-60-mm-below-the-line-the-link-is-50-mm-long = a ponta da alavanca está 60 mm abaixo da linha, a biela tem 50 mm
@@ -2218,17 +2217,17 @@ arbor-press = Prensa manual de cremalheira
 q-f-r-r = Q = F R/r
 geared-press-with-losses = Prensa com engrenagens e perdas
 f-q-r-r-i-with-r-m-z-2 = F = Q r/(R i η) com r = m z/2
-a-pinion-with-half-a-tooth = Pinhão com meio dente
+pinion-with-half-a-tooth = Pinhão com meio dente
 numbers-of-teeth-are-integers = Os números de dentes são inteiros
 
 # rhombus.toml
 load-on-a-rhombus-with-a-spring-between-the-sides = Carga em um losango com mola entre os lados
 n-2-q-l-sin-4-w-l-sin-4-k-l-sin-sin-cos = 2 Q L sen θ + 4 W L sen θ = 4 k L² (sen θ₀ − sen θ) cos θ
-the-same-load-and-where-it-hangs = A mesma carga, e onde ela fica suspensa
+the-same-load-and-its-equilibrium-position = A mesma carga, e a sua posição de equilíbrio
 n-2-q-l-sin-4-k-l-sin-sin-cos = 2 Q L sen θ = 4 k L² (sen θ₀ − sen θ) cos θ
 spring-along-the-height = Mola ao longo da altura
 q-2-w-2-k-l-cos-cos-with-w-0-the-spring-carries-the-load-itself = Q + 2 W = 2 k L (cos θ − cos θ₀) com W = 0: a própria mola sustenta a carga
-a-closed-rhombus-tells-nothing = Um losango fechado nada determina
+closed-rhombus-load-indeterminate = Losango fechado, carga indeterminada
 at-0-the-lower-corner-has-no-virtual-displacement = Em θ = 0 o vértice inferior não tem deslocamento virtual
 
 # roberval_balance.toml
@@ -2240,7 +2239,7 @@ unequal-arms = Braços desiguais
 m-l-m-l = m₁ l₁ = m₂ l₂
 a-heavier-right-pan = Prato direito mais pesado
 t-m-l-m-l-g-cos = T = (m₂ l₂ − m₁ l₁) g cos φ
-beams-upright = Barras na vertical
+vertical-beams = Barras verticais
 at-90-the-pans-move-only-sideways-and-no-weight-does-virtual-work = A 90° os pratos só se movem para o lado, e nenhum peso realiza trabalho virtual
 
 # rolling_disc.toml
@@ -2250,7 +2249,7 @@ crank-60-mm-at-50-rod-200-mm-disc-of-4-kg-and-150-mm-spring-of-800-n-m-from-a-wa
 a-ring-accelerates-as-twice-its-mass = Um anel acelera como o dobro da sua massa
 i-m-r-t-2-m-a-u-at-90-with-l-2-r-u-r-a-r-sin-cos-r = I = m R²: T = 2 m a u; em 90° com l = √2 r: u = −r, a = r ω² (sen² θ)/cos³ φ… = r ω²
 at-2-90-the-rod-has-tan-r-l-r-1-so-x-l-r-sin-r-cos-has-x-r-l-r-r = Em θ_2 = 90° a biela tem tan φ = r/√(l² − r²) = 1, portanto x = √(l² − r² sen² θ) + r cos θ tem x'' = r²/√(l² − r²) = r.
-spring-held-at-rest = Mola mantida em repouso
+spring-in-static-equilibrium = Mola em equilíbrio estático
 f-k-s-l-0-with-s-300-mm-200-mm-500-0-1-50-n-holds-the-disc-without-a-torque = F = k (s − L_0) com s = 300 mm + 200 mm: 500·0,1 = 50 N mantêm o disco sem torque
 force-at-a-dead-centre = Força em um ponto morto
 crank-and-rod-collinear-x-0 = manivela e biela alinhadas: δx = 0
@@ -2261,13 +2260,13 @@ beer-johnston-vector-mechanics-for-engineers-9th-and-10th-ed-sample-problem-10-3
 two-frames-each-with-a-cylinder-from-the-ground-at-3-2-m-from-the-fixed-foot-to-the-middle-of-a-bar = Dois quadros, cada um com um cilindro do solo, a 3,2 m do pé fixo, ao meio de uma barra de 1,4 m. F = ½ W √(a² + L² − 2 a L cos θ)/L · 2 cot θ/2. O livro arredonda para 5,15 kN; a sua transcrição publicada dá 5,16 kN.
 the-lift-table-more-digits = A plataforma pantográfica, mais algarismos
 beer-johnston-sample-problem-10-3-f-w-a-l-2-a-l-cos-cot-l-for-both-cylinders-together = Beer & Johnston, problema resolvido 10.3: F = W √(a² + L² − 2 a L cos θ) cot θ/L para os dois cilindros juntos
-load-that-the-cylinders-lift = Carga que os cilindros levantam
+load-lifted-by-the-cylinders = Carga levantada pelos cilindros
 the-same-closed-form-solved-in-reverse = A mesma forma fechada, resolvida no sentido inverso
 three-stages-with-a-level-cylinder-between-the-feet = Três estágios com um cilindro horizontal entre os pés
 f-n-w-n-g-cot-for-a-cylinder-along-the-ground-with-2-n-bars-of-weight-g = F = −n (W + n G) cot θ para um cilindro ao longo do solo, com 2 n barras de peso G
-upright-cylinder-under-the-table = Cilindro na vertical sob a mesa
+vertical-cylinder-under-the-table = Cilindro na vertical sob a mesa
 a-vertical-cylinder-from-ground-to-table-carries-the-whole-load = Um cilindro vertical, do solo à mesa, sustenta toda a carga
-a-cylinder-that-does-not-grow = Cilindro que não se alonga
+cylinder-of-stationary-length = Cilindro de comprimento estacionário
 both-ends-on-one-bar = As duas extremidades em uma mesma barra
 
 # scotch_yoke.toml
@@ -2302,7 +2301,7 @@ crank-rocker-60-140-110-150-mm-whose-rocker-end-drives-a-slider-on-the-line-of-t
 steel-links-as-uniform-bars-of-1-2-0-9-and-1-5-kg-slider-of-6-kg-2-kn-against-x-12-rad-s-with-5-rad-s = Elos de aço como barras uniformes de 1,2, 0,9 e 1,5 kg, cursor de 6 kg, 2 kN contra x, 12 rad/s com 5 rad/s². Ao longo das 24 posições o torque varia de −99,787728 a 151,8945 N·m, com média de 0,069 N·m.
 the-same-press-at-its-least-torque = A mesma prensa no seu menor torque
 crank-rocker-60-140-110-150-mm-with-a-slider-virtual-power-and-the-equations-of-newton-and-euler = Manivela-balancim 60/140/110/150 mm com um cursor: potência virtual e as equações de Newton e Euler
-watt-two-parallelograms-in-a-row = Watt: dois paralelogramos em série
+watt-chain-two-parallelograms-in-series = Watt: dois paralelogramos em série
 crank-rocker-and-second-rocker-stay-parallel-t-2-t-6-all-have-the-same-rotation = Manivela, balancim e segundo balancim permanecem paralelos: T_2 = −T_6, todos têm a mesma rotação
 stephenson-a-slider-crank-hung-on-a-parallelogram-s-crank-pin = Stephenson: um cursor-manivela ligado ao pino da manivela de um paralelogramo
 d-a-t-f-r-sin-tan-cos-beer-johnston-12e-prob-10-21-a-with-additional-links = D = A: T = F r (sen θ + tan φ cos θ), Beer & Johnston, 12ª ed., probl. 10.21 (a), com elos adicionais
@@ -2310,11 +2309,11 @@ force-on-an-inclined-slider-from-the-torque = Força em um cursor inclinado a pa
 the-same-slider-crank-turned-by-20-crank-at-50-line-at-20 = O mesmo cursor-manivela girado de 20°: manivela a 50°, linha a 20°
 a-force-on-a-rocker = Força em um balancim
 a-rocker-takes-a-torque = um balancim recebe um torque
-a-second-pair-that-does-not-reach = Segundo par que não alcança
+second-dyad-too-short-to-assemble = Segunda díade curta demais para montar
 the-distance-from-d-to-e-is-more-than-the-links-can-span = a distância de D a E é maior do que os elos alcançam
 
 # slider_crank.toml
-the-slider-crank-of-the-course-with-a-motion-that-closes = O cursor-manivela da disciplina com um movimento que fecha
+slider-crank-of-the-course-with-a-motion-that-closes-its-loop = Cursor-manivela da disciplina com um movimento que fecha a malha
 riul-unit-ii-example-1-its-layout-with-r-150-mm-l-200-mm-and-the-motion-that-follows = Riul, Unidade II, exemplo 1: sua configuração com r = 150 mm, l = 200 mm e o movimento que daí resulta
 crank-at-30-steady-20-rad-s-rod-of-3-kg-with-its-centre-of-mass-in-the-middle-slider-of-2-kg-5-kn-on = Manivela a 30°, 20 rad/s constantes; biela de 3 kg com o centro de massa no meio, cursor de 2 kg, com 5 kN no sentido de afastá-lo do mancal. A potência virtual e as equações de Newton e Euler deram o mesmo.
 horizontal-force-that-holds-a-loaded-linkage = Força horizontal que mantém um mecanismo carregado
@@ -2337,7 +2336,7 @@ engine-with-a-massive-rod-at-314-rad-s = Motor com biela com massa a 314 rad/s
 dynamics-of-machines-turkish-lecture-notes-example-9-the-answers-are-known-from-a-program-that-quotes = Dinâmica das máquinas, notas de aula em turco, exemplo 9 (as respostas são conhecidas por um programa que as cita)
 lengths-51-mm-and-200-mm-at-60-rod-of-1-36-kg-with-its-centre-of-mass-51-mm-from-the-crank-pin-piston = Comprimentos de 51 mm e 200 mm a 60°; biela de 1,36 kg com o centro de massa a 51 mm do pino da manivela, pistão de 0,91 kg, com 6,3 kN em direção ao mancal. As notas de aula resolvem graficamente.
 with-the-rod-along-the-line-the-transmission-angle-is-90-with-the-crank-on-the-opposite-side-the-rod = Com a biela na linha, o ângulo de transmissão é 90°; meia volta depois, a biela tem de cobrir 2 r, e cos μ_min = 2 r/l.
-crank-across-the-line-of-an-offset-slider = Manivela transversal à linha de um cursor excêntrico
+crank-perpendicular-to-the-line-of-an-offset-slider = Manivela perpendicular à linha de um cursor excêntrico
 n-2-90-e-r-the-rod-lies-along-the-line-u-b-r-so-t-f-r-the-guide-carries-no-force = θ_2 = 90°, e = r: a biela fica ao longo da linha, u_B = −r, logo T = F r; a guia não suporta força
 weights-alone = Só os pesos
 two-uniform-bars-of-equal-length-a-both-centres-of-mass-rise-by-a-2-cos-so-t-m-2-m-3-g-a-2-cos = duas barras uniformes de igual comprimento a: os dois centros de massa sobem (a/2) cos θ δθ, logo T = (m_2 + m_3) g (a/2) cos θ
@@ -2355,7 +2354,7 @@ p-l-cos-k-with-k-150-lbf-ft-rad = P l cos θ = K θ, com K = 150 lbf·ft/rad.
 weight-on-a-drum-with-a-spring = Peso em um tambor com mola
 w-l-sin-k-r-that-is-sin-0-9 = W l sen θ = k r² θ, isto é, sen θ = 0,9 θ.
 at-44-1-sin-0-6959-and-0-9-0-6927-no-equilibrium-the-root-of-sin-0-9-is-45-07-the-printed-value-is-an = A 44,1° sen θ = 0,6959 e 0,9 θ = 0,6927: não há equilíbrio. A raiz de sen θ = 0,9 θ é θ = 45,07°; o valor impresso é um erro da solução por tentativas.
-the-drum-as-it-should-have-come-out = O tambor como deveria ter resultado
+weight-on-a-drum-with-a-spring-corrected = Peso sobre um tambor com mola, corrigido
 e-w-nelson-c-l-best-w-g-mclean-schaum-s-outline-of-engineering-mechanics-problem-11-10-with-the-root = E. W. Nelson, C. L. Best, W. G. McLean, Schaum's Outline of Engineering Mechanics, problema 11.10, com a raiz de sen θ = 0,9 θ
 inverted-bar-between-two-springs = Barra invertida entre duas molas
 beer-johnston-vector-mechanics-for-engineers-statics-problems-on-stability-of-a-bar-with-springs-on = Beer & Johnston, Vector Mechanics for Engineers: Statics, problemas sobre a estabilidade de uma barra com molas dos dois lados; 2 k a² = P l
@@ -2372,11 +2371,11 @@ tilted-arm-held-by-hand = Braço inclinado segurado com a mão
 t-k-a-m-g-b-sin = T = k a² (θ − θ₀) − m g b sen(θ + φ₀)
 hanging-arm-under-a-couple = Braço pendente sob um conjugado
 m-w-l-sin-k = M = W l sen θ + K θ
-lamp-arm-with-springs-of-no-free-length = Braço de luminária com molas de comprimento livre nulo
+lamp-arm-with-zero-free-length-springs = Braço de luminária com molas de comprimento livre nulo
 v-w-l-cos-k-b-d-2-b-d-cos-2-is-constant-for-k-b-d-w-l = V = W l cos θ + k (b² + d² − 2 b d cos θ)/2 é constante para k b d = W l
 no-equilibrium-in-the-range = Nenhum equilíbrio no intervalo
 sin-0-87-has-no-root-between-60-and-120 = sen θ = 0,87 θ não tem raiz entre 60° e 120°
-an-upright-arm-tells-no-load = Um braço na vertical não determina a carga
+vertical-arm-load-indeterminate = Braço vertical, carga indeterminada
 at-0-the-weight-does-no-virtual-work = Em θ = 0 o peso não realiza trabalho virtual
 
 # toggle_press.toml
@@ -2384,7 +2383,7 @@ symmetric-toggle-at-10 = Prensa de joelho simétrica a 10°
 q-p-2-tan = Q = P/(2 tan α)
 force-on-the-knee-for-a-thrust = Força no joelho para um empuxo
 p-q-tan-tan-sin-l-sin-l-0-25 = P = Q (tan α + tan β), sen β = L₁ sen α/L₂ = 0,25
-a-link-that-does-not-reach = Barra que não alcança
+link-too-short-to-assemble = Barra curta demais para montar
 l-sin-212-1-mm-is-more-than-l-200-mm = L₁ sen α = 212,1 mm é mais que L₂ = 200 mm
 
 # two_bar_linkage.toml
@@ -2392,10 +2391,10 @@ two-bars-pulled-apart = Duas barras puxadas nas extremidades
 two-uniform-bars-of-10-kg-and-1-m-sag-between-a-pin-and-a-roller-that-is-pulled-with-25-n-tan-w-2-f = Duas barras uniformes de 10 kg e 1 m pendem entre uma articulação e um rolete puxado com 25 N: tan θ = W/(2 F).
 force-that-holds-the-two-bars-at-45 = Força que mantém as duas barras a 45°
 f-w-2-tan = F = W/(2 tan θ)
-bars-that-stand-on-a-roller-and-a-spring = Barras apoiadas em um rolete e uma mola
+bars-on-a-roller-and-a-spring = Barras sobre um rolete e uma mola
 q-cos-4-k-l-cos-cos-sin = Q cos θ = 4 k L (cos θ − cos θ₀) sen θ
 the-load-presses-the-joint-down-and-the-spring-between-the-feet-holds-them-together = A carga empurra a articulação para baixo, e a mola entre os pés os mantém juntos.
-upright-bars-tell-no-load = Barras na vertical não determinam a carga
+vertical-bars-load-indeterminate = Barras verticais, carga indeterminada
 at-90-the-loads-on-b-do-no-virtual-work = Em θ = 90° as cargas em B não realizam trabalho virtual
 
 # virtual_power.toml
@@ -2452,20 +2451,20 @@ a-disc-accelerates-as-one-and-a-half-times-its-mass = Um disco acelera como uma 
 i-m-r-2-t-3-2-m-a-u-at-90-with-l-2-r-u-r-a-r-friction-m-a-2 = I = m R²/2: T = 3/2 m a u a 90° com l = √2 r, u = −r, a = r ω²; atrito −m a/2
 two-geared-links-a-couple-on-the-second = Duas barras engrenadas, um conjugado na segunda
 t-t-m-g-v-i-0 = T₁ ω₁ + T₂ ω₂ − m g v − I α ω₂ = 0
-slider-behind-the-pin-that-drives-it = Corredor atrás do pino que o aciona
+slider-behind-its-driving-pin = Cursor atrás do seu pino de acionamento
 x-p-x-l-p-y-with-p-on-the-rocker-of-the-closed-loop-t-f-dx-d = x = P_x − √(l² − P_y²) com P no balancim da cadeia fechada; T = −F dx/dθ
 pressure-over-the-crank-angle-against-a-torque = Pressão sobre o ângulo da manivela contra um torque
 f-p-p-a-with-p-halfway-between-4-and-1-mpa-m-f-r-sin-cos-f-m-t-r-i-f = F = (p − p₀) A com p a meio caminho entre 4 e 1 MPa; M = F r sen(θ + φ)/cos φ; α_F = (M − T_R)/I_F
-triangle-of-a-two-stroke-engine-on-a-known-flywheel = Triângulo de um motor de dois tempos em um volante conhecido
+triangular-moment-of-a-two-stroke-engine-on-a-known-flywheel = Torque triangular de um motor de dois tempos com volante conhecido
 the-mean-is-200-n-m-e-600-n-m-135-c-s-e-i = a média é 200 N·m; ΔE = ½ · 600 N·m · 135°; C_s = ΔE/(I ω²)
-hanging-bar-whose-spring-is-sought = Barra suspensa cuja mola é procurada
+hanging-bar-spring-stiffness-unknown = Barra suspensa, rigidez da mola desconhecida
 k-m-g-2-p-l-sin-c-sin-sin-cos-and-v-there = k = (m g/2 + P) L sen θ/(c² (sen θ₀ − sen θ) cos θ) e V″ ali
-rods-that-meet-on-the-right = Bielas que se encontram à direita
+rods-with-the-apex-on-the-right = Bielas com o vértice à direita
 the-loop-closed-by-two-circles-differentiated-t-f-dp-d = a cadeia fechada por dois círculos, derivada: T = −F·dP/dθ
-cranks-in-outside-mesh-one-to-two = Manivelas em engrenamento externo, um para dois
+cranks-in-external-mesh-ratio-1-2 = Manivelas em engrenamento externo, razão 1:2
 the-loop-closed-by-two-circles-turning-by-of-t-f-dp-d = a cadeia fechada por dois círculos, θ₅ girando ∓½ de θ₂: T = −F·dP/dθ₂
-cranks-in-inside-mesh-one-to-two = Manivelas em engrenamento interno, um para dois
-spring-between-two-points-unstretched-at-an-angle-its-stiffness-sought = Mola entre dois pontos, sem deformação em um ângulo, com a rigidez procurada
+cranks-in-internal-mesh-ratio-1-2 = Manivelas em engrenamento interno, razão 1:2
+spring-between-two-points-unstretched-at-an-angle-stiffness-unknown = Mola entre dois pontos, sem deformação em um ângulo, rigidez desconhecida
 s-b-d-2-b-d-cos-k-m-g-l-sin-s-s-s-and-v = s² = b² + d² − 2 b d cos(θ + γ − δ): k = m g l sen θ/((s − s₀) s′) e V″
 spring-between-two-points-of-a-given-length = Mola entre dois pontos, de comprimento dado
 s-b-d-2-b-d-cos-m-v-of-m-g-l-cos-k-s-s = s² = b² + d² − 2 b d cos(θ + γ − δ): M = V′ de m g l cos θ + ½ k (s − s₀)²
@@ -2474,13 +2473,13 @@ e-l-e-i-with-the-direction-of-i-d-r-e-i-x-e-x-l-h-e-y-t-f-dx-d = E = L e^(iβ) c
 shaper-with-its-slider-behind = Limadora com o corredor atrás
 cart-with-a-welded-box-pushed-over-a-distance = Carrinho com uma caixa soldada, empurrado por uma distância
 t-2-m-m-s-f-and-f-s-5-kg-30-n-1-2-m = t = √(2 (m₁ + m₂) s/F) e F s: 5 kg, 30 N, 1,2 m
-gas-throws-a-piston = Gás lança um pistão
+piston-driven-by-expanding-gas = Pistão movido pela expansão de um gás
 m-v-a-p-l-l-1-n-l-1-n-n-1-p-l-l = ½ m v² = A (p₁ L₁ⁿ (L₁^(1−n) − L₂^(1−n))/(n − 1) − p₀ (L₂ − L₁))
-arm-lifted-by-a-cylinder-beside-a-free-slider = Braço levantado por um cilindro ao lado de um corredor livre
+arm-raised-by-a-cylinder-beside-a-free-slider = Braço erguido por um cilindro ao lado de um cursor livre
 cos-a-b-s-2-a-b-with-s-s-v-t-differentiated = cos θ = (a² + b² − s²)/(2 a b) com s = s₀ + v t, derivado
-slider-held-by-a-spring-from-above = Corredor sustentado por uma mola de cima
+slider-hung-from-a-spring = Cursor suspenso por uma mola
 the-spring-is-unstretched-at-s-l-h-0-4-m-v-k-s-l = a mola está sem deformação em s = √(L₀² − h²) = 0,4 m, V″ = k s²/L₀²
-rest-of-a-body-that-only-slides = Repouso de um corpo que só translada
+stop-at-rest-for-a-body-in-translation = Parada no repouso para um corpo em translação
 a-bar-on-two-equal-rods-keeps-its-direction-its-angular-velocity-is-zero-at-every-instant = uma barra em duas hastes iguais mantém a sua direção: a sua velocidade angular é nula em todo instante
 it-stops-rotating-for-a-body-that-only-translates-use-two-points = Ele deixa de girar; para um corpo que só translada, use dois pontos.
 body-does-not-turn-so-this-end-condition-does-not-apply-to-it-use-two-points-that-come-to-relative = { $body } não gira, portanto esta condição de fim não se aplica a ele: use dois pontos que param um em relação ao outro
@@ -2518,11 +2517,11 @@ fossee-scilab-companion-to-nelson-best-mclean-schaum-s-outline-of-engineering-me
 fossee-scilab-companion-to-nelson-best-mclean-schaum-s-outline-of-engineering-mechanics-problem-11-10 = Complemento FOSSEE em Scilab a Nelson, Best & McLean, Schaum's Outline of Engineering Mechanics, problema 11.10
 bar-that-falls-and-pushes-a-slider-by-a-rod = Barra que cai e empurra um corredor por uma haste
 i-m-c-m-x-m-g-c-sin-sin-with-x-b-cos-l-b-sin = ½ (I + m c² + M x′²) ω² = m g c (sen θ₀ − sen θ) com x = b cos θ + √(l² − b² sen² θ)
-rocker-that-rests-at-its-dead-centre = Balancim que para no seu ponto morto
+rocker-at-rest-at-its-dead-centre = Balancim em repouso no seu ponto morto
 crank-and-rod-folded-and-collinear-cos-b-a-d-c-2-b-a-d-i-i-i = manivela e haste dobradas e colineares: cos(θ − π) = ((b − a)² + d² − c²)/(2 (b − a) d), ½ I₂ ω² = ½ (I₂ + I₄ ψ′²) ω₀²
 angle-of-the-second-crank-rotated-by-the-gears-from-the-initial-configuration = Ângulo da segunda manivela, girada pelas engrenagens a partir da configuração inicial
 with-gears-the-angle-of-the-second-crank-is-that-of-the-drawn-position-from-there-they-turn-it-as-the = Com engrenagens, o ângulo da segunda manivela é o da posição desenhada; a partir dela giram-na conforme a primeira manivela gira. Se omitido, o mecanismo é desenhado com o ângulo acima.
-geared-cranks-turned-on-from-where-they-were-drawn = Manivelas engrenadas, giradas a partir de onde foram desenhadas
+geared-cranks-rotated-from-the-drawn-position = Manivelas engrenadas, giradas a partir da posição desenhada
 y-a-sin-b-d-2-a-cos-at-100-and-80-t-f-dy-d = y = a sen θ + √(b² − (d/2 − a cos θ)²) em 100° e 80°: T = −F dy/dθ
 
 # second ways

@@ -91,8 +91,10 @@ impl Retired<'_> {
         } else if ends_in(path, "md") {
             is("documents") && spaced(line).contains(&self.spaced)
         } else {
-            // Lists of exercises name cases, so these keep their names.
-            ends_in(path, "toml") && is("messages") && !line.starts_with("name = ") && is_quoted()
+            // Files and lists of exercises that say the former name of a case are still read.
+            let is_current = !line.starts_with("former = ");
+            let in_place = is("messages") || is("titles") && line.starts_with("name = ");
+            ends_in(path, "toml") && is_current && in_place && is_quoted()
         }
     }
 }

@@ -86,7 +86,7 @@ impl Analysis for BarOnTwoSprings {
         let mass = match &given.body {
             MassGiven::Mass { mass } => *mass,
             MassGiven::Weight { weight, gravity } => {
-                sheet.step("m", "kg", *weight / *gravity, "The mass has this weight")
+                sheet.step("m", "kg", *weight / *gravity, "Mass of this weight")
             }
         };
         let moment = match &given.inertia {

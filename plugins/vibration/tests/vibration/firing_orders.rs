@@ -6,7 +6,7 @@ use dalembert_core::{Draft, Solution, Stop, cases, find};
 fn fired(order: &str) -> Result<Solution, String> {
     let entry = find("vibration/engine-orders").unwrap();
     let cases = cases::cases(entry).unwrap();
-    let case = cases.iter().find(|case| case.name == "Two cylinders that swing against each other").unwrap();
+    let case = cases.iter().find(|case| case.name == "Two cylinders vibrating in antiphase").unwrap();
     let mut draft = Draft::of_record(&case.record(entry).unwrap());
     draft.set(&entry.shape(), "firing.even.order", order).unwrap();
     let record = draft.read(&entry.shape()).map_err(|errors| format!("{errors:?}"))?;

@@ -104,7 +104,7 @@ pub enum ScrewJackUnknown {
         #[input("M", "N*m", positive)]
         torque: f64,
     },
-    /// Load that an axial force holds
+    /// Load balanced by an axial force
     Held {
         /// Axial force in the screw.
         #[input("T", "N", positive)]

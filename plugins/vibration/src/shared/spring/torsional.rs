@@ -49,7 +49,7 @@ pub enum TorsionalSpring {
         #[input("d_b", "m", positive)]
         second_diameter: f64,
     },
-    /// Helical spring turned about its axis
+    /// Helical spring twisted about its axis
     Helical {
         /// Young's modulus.
         #[input("E", "Pa", positive)]
