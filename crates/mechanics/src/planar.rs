@@ -56,7 +56,6 @@ mod equilibrium;
 mod events;
 mod forward_dynamics;
 mod friction;
-mod givens;
 mod instant_centre;
 mod inverse_dynamics;
 mod kinematics;

@@ -241,6 +241,3 @@ fn pulls([[xx, xy], [yx, yy]]: [[f64; 2]; 2]) -> bool {
     let cross = 0.5 * (xy + yx);
     xx >= 0.0 && yy >= 0.0 && cross * cross <= xx * yy
 }
-
-#[cfg(test)]
-mod tests;

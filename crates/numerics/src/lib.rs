@@ -4,7 +4,7 @@
 //!
 //! | topic | modules |
 //! |---|---|
-//! | linear algebra | [`linalg`] |
+//! | linear algebra | [`linalg`], [`givens`] |
 //! | differential equations | [`ode`], with events and dense output |
 //! | roots and extremes | [`roots`], [`polynomial`], [`extremes`] |
 //! | quadrature | [`quadrature`], [`gauss_legendre`] |
@@ -30,6 +30,7 @@ pub mod bessel;
 pub mod elliptic;
 pub mod extremes;
 pub mod gauss_legendre;
+pub mod givens;
 pub mod intervals;
 pub mod linalg;
 pub mod ode;

@@ -23,7 +23,7 @@ use crate::Real;
 
 mod two_plane;
 
-pub use two_plane::{Statistics, two_plane_statistics};
+pub use two_plane::{SEED, Statistics, two_plane_statistics};
 
 /// Optimality gap of a minimax solution in each sample, over the uncertainty of the readings: a difference that a range
 /// cannot show need not be resolved.

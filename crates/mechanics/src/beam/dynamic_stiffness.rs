@@ -734,6 +734,3 @@ fn flat(k: &Matrix2<f64>) -> [f64; 4] {
 fn symmetric(k: &Matrix2<f64>) -> Matrix2<f64> {
     (k + k.transpose()) * 0.5
 }
-
-#[cfg(test)]
-mod tests;

@@ -12,11 +12,13 @@ use self::station::{Path, Station};
 use super::{
     Model, PlanarError, PlanarLoad, PlanarState,
     elimination::PivotOrder,
-    givens::ordering,
     layout::{EquationLayout, Position},
     tolerances::{MAX_LOOP_EQUATIONS, MIN_DIVIDED, SWEEP_PASSED_RESIDUAL, SWEEP_RESIDUAL},
 };
-use dalembert_numerics::simd::{SimdVector, WIDTH};
+use dalembert_numerics::{
+    givens::ordering,
+    simd::{SimdVector, WIDTH},
+};
 
 /// The states of a mechanism, one for each value of the driver.
 #[derive(Debug, Clone, Default, PartialEq)]

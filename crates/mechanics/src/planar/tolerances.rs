@@ -121,9 +121,6 @@ pub(super) const HISTORY: usize = 2;
 /// Step over the one before it beyond which the earlier position is left out: extrapolated further, the polynomial is
 /// worse than Taylor's series.
 pub(super) const MAX_STEP_GROWTH: f64 = 2.0;
-/// Added to the diagonal before a plane rotation, so that a column of zeros has a direction: its square is above the
-/// smallest number, and it changes no number above 10⁻¹³⁴.
-pub(super) const ROTATION_GUARD: f64 = 1e-150;
 
 // Elimination of the constraint Jacobian by a remembered order of pivots.
 

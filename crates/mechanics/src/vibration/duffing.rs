@@ -243,8 +243,8 @@ impl Duffing {
         ])
     }
 
-    /// Equivalent stiffness of the first harmonic, `k + ¾ h A²`.
-    fn equivalent(&self, amplitude: f64) -> f64 {
+    /// Equivalent stiffness of the first harmonic, `k + ¾ h A²`, N/m.
+    pub fn equivalent(&self, amplitude: f64) -> f64 {
         self.stiffness + 0.75 * self.cubic * amplitude * amplitude
     }
 }
@@ -314,94 +314,4 @@ pub fn free_motion(oscillator: &Duffing, amplitude: f64, period: f64, points: u3
         motion.push((period * f64::from(n) / f64::from(points), x));
     }
     motion
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const HARD: Duffing = Duffing { mass: 1.0, damping: 0.4681399, stiffness: 8766.2, cubic: 46.752e6 };
-
-    /// Elliptic integral against quadrature of the energy, hardening and softening up to its limit.
-    #[test]
-    fn the_exact_period_is_that_of_the_energy() {
-        for cubic in [-1.0, -0.3, 0.0, 0.5, 100.0] {
-            let duffing = Duffing { mass: 2.0, damping: 0.0, stiffness: 3.0, cubic };
-            for amplitude in [1e-6, 0.3, 1.0, 1.7] {
-                let Some(period) = duffing.free_period(amplitude) else {
-                    assert!(cubic * amplitude * amplitude <= -3.0 || amplitude > 1.7);
-                    continue;
-                };
-                let other = duffing.free_period_by_quadrature(amplitude);
-                assert!(
-                    (period / other - 1.0).abs() < 1e-10,
-                    "h = {cubic}, A = {amplitude}: {period} and {other}"
-                );
-            }
-        }
-        assert!(Duffing { mass: 1.0, damping: 0.0, stiffness: 1.0, cubic: -1.0 }.free_period(1.0).is_none());
-    }
-
-    /// The peak is the largest of a scan over frequencies.
-    #[test]
-    fn the_peak_of_the_first_harmonic() {
-        for force in [0.125, 0.25] {
-            let (largest, at) = HARD.peak(force).expect("a peak");
-            let scan = (-2000..=2000).map(|n| at * (1.0 + 1e-8 * f64::from(n)));
-            let found = scan
-                .flat_map(|frequency| HARD.steady(force, frequency))
-                .fold(0.0f64, |largest, one| largest.max(one.amplitude));
-            assert!(
-                found <= largest * (1.0 + 1e-9) && found > largest * (1.0 - 1e-6),
-                "{found} and {largest}"
-            );
-        }
-    }
-
-    /// Every steady vibration satisfies its equation; between the jumps there are three and the middle one is unstable.
-    #[test]
-    fn between_the_jumps_there_are_three_vibrations() {
-        let force = 0.25;
-        let jumps = HARD.jumps(force);
-        assert_eq!(jumps.len(), 2);
-        let [up, down] = [jumps[0].0, jumps[1].0];
-        for (share, count) in [(-0.2, 1), (0.01, 3), (0.5, 3), (0.99, 3), (1.2, 1)] {
-            let frequency = up + share * (down - up);
-            let steady = HARD.steady(force, frequency);
-            assert_eq!(steady.len(), count, "at {frequency}");
-            for one in &steady {
-                let held = HARD.equivalent(one.amplitude) - HARD.mass * frequency * frequency;
-                let needed = one.amplitude * held.hypot(HARD.damping * frequency);
-                assert!((needed / force - 1.0).abs() < 1e-9);
-            }
-            if count == 3 {
-                assert_eq!(steady.iter().map(|one| one.stable).collect::<Vec<_>>(), [true, false, true]);
-            }
-        }
-    }
-
-    /// The two harmonics, integrated over a hundred periods of the full equation, come back to themselves.
-    #[test]
-    fn two_harmonics_are_nearly_the_motion() {
-        let (force, frequency) = (0.125, 85.0);
-        let first = HARD.steady(force, frequency)[0];
-        let both = HARD.two_harmonics(force, frequency, &first).expect("a balance");
-        let acceleration = |t: f64, x: f64, v: f64| {
-            force * (frequency * t).cos() - HARD.damping * v - HARD.stiffness * x - HARD.cubic * x * x * x
-        };
-        let [_, b, _, d] = both.coefficients;
-        let (mut x, mut v) = (both.displacement(0.0), frequency * (b + 3.0 * d));
-        let h = TAU / frequency / 400.0;
-        for n in 0..400 * 5 {
-            let t = h * f64::from(n);
-            let (k1, l1) = (v, acceleration(t, x, v));
-            let (k2, l2) = (v + h / 2.0 * l1, acceleration(t + h / 2.0, x + h / 2.0 * k1, v + h / 2.0 * l1));
-            let (k3, l3) = (v + h / 2.0 * l2, acceleration(t + h / 2.0, x + h / 2.0 * k2, v + h / 2.0 * l2));
-            let (k4, l4) = (v + h * l3, acceleration(t + h, x + h * k3, v + h * l3));
-            x += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
-            v += h / 6.0 * (l1 + 2.0 * l2 + 2.0 * l3 + l4);
-        }
-        let off = (x - both.displacement(0.0)).abs() / both.amplitude();
-        assert!(off < 1e-4, "{off:e} after five periods");
-    }
 }

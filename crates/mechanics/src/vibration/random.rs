@@ -184,6 +184,3 @@ pub fn white_acceleration<R: crate::Real>(density: R, natural: R, ratio: R) -> R
 pub fn miles<R: crate::Real>(density: R, natural: R, ratio: R) -> R {
     density * std::f64::consts::PI * natural / (ratio * 4.0)
 }
-
-#[cfg(test)]
-mod tests;

@@ -4,6 +4,7 @@ mod close;
 
 mod eigen;
 mod extremes;
+mod givens;
 mod intervals;
 mod linalg;
 mod ode;

@@ -11,7 +11,9 @@ use dalembert_numerics::simd::{SimdVector, WIDTH, widest};
 
 /// Samples whose sums are taken together, whatever thread does it: a whole number of lanes.
 const BLOCK: usize = 4096;
-const SEED: u64 = 0x5eed_ba1a;
+/// Seed of the normal numbers: sample n takes `normal_pair(SEED, n, place)` at the places 1 to 6, first for the four
+/// coefficients by rows, then for the two readings.
+pub const SEED: u64 = 0x5eed_ba1a;
 
 /// Mean and standard deviation of the size of the weight in a plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -133,44 +135,4 @@ fn normal_lanes(keys: &[u64; WIDTH], place: u64) -> Phasor<SimdVector> {
     }
     let [x, y] = normals(SimdVector(u), SimdVector(v));
     Phasor { x, y }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::balance::spread::normal_pair;
-    use itertools::Itertools as _;
-
-    #[test]
-    fn normal_numbers_are_those_of_one_sample() {
-        for first in (0..100_000).step_by(WIDTH) {
-            let pairs = normal_lanes(&from_fn(|lane| key(SEED, (first + lane) as u64)), 3);
-            for lane in 0..WIDTH {
-                let [x, y] = normal_pair(SEED, (first + lane) as u64, 3);
-                let off = (pairs.x.0[lane] - x).abs().max((pairs.y.0[lane] - y).abs());
-                assert!(off <= 1e-14, "sample {}: {off:e}", first + lane);
-            }
-        }
-    }
-
-    #[test]
-    fn threads_do_not_change_a_bit_and_statistics_are_the_exact_ones() {
-        let p = |x, y| Phasor { x, y };
-        let alpha = [[p(0.8, 0.3), p(0.2, -0.1)], [p(0.15, 0.05), p(0.7, -0.25)]];
-        let readings = [Phasor::polar(4.2, 0.6), Phasor::polar(3.1, -1.9)];
-        let run = |samples, threads| two_plane_statistics(alpha, readings, [0.02, 0.05], samples, threads);
-        let one = run(100_003, 1);
-        for threads in [2, 3, 16] {
-            assert_eq!(one, run(100_003, threads));
-        }
-        // Without disturbance nothing spreads.
-        let still = two_plane_statistics(alpha, readings, [0.0, 0.0], 1000, 1);
-        let exact = two_plane_weights(alpha, readings);
-        for (still, (exact, noisy)) in still.iter().zip_eq(exact.iter().zip_eq(&one)) {
-            assert!((still.mean - exact.size()).abs() < 1e-14 && still.deviation < 1e-14);
-            assert!((noisy.mean / exact.size() - 1.0).abs() < 2e-3, "{noisy:?} about {}", exact.size());
-            // Each of the parts, 2 % of the coefficients and 0.05 of the readings, spreads the size by about 2 %.
-            assert!((0.01..0.05).contains(&(noisy.deviation / exact.size())), "{noisy:?}");
-        }
-    }
 }

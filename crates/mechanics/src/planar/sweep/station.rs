@@ -6,14 +6,16 @@ use super::{SweepResult, history::History};
 use crate::planar::{
     Model,
     elimination::{LuFactors, PivotOrder},
-    givens::GivensQr,
     layout::{EquationLayout, Position},
     tolerances::{
         MAX_CORRECTION, MAX_SMOOTH_CORRECTION, MAX_STEP, ROUNDINGS_OF_CORRECTION, STALLED_RESIDUAL,
         SWEEP_MAX_ITERATIONS, SWEEP_MIN_PIVOT, SWEEP_MIN_STEP, SWEEP_RESIDUAL, SWEEP_STALLED_RESIDUAL,
     },
 };
-use dalembert_numerics::simd::{SimdReal, widest};
+use dalembert_numerics::{
+    givens::GivensQr,
+    simd::{SimdReal, widest},
+};
 
 /// The immutable part of a sweep.
 #[derive(Clone, Copy)]

@@ -257,16 +257,3 @@ fn excess(inertia: Vector3<f64>, velocity: Vector3<f64>) -> f64 {
     let (sum, size) = (terms.iter().sum::<f64>(), terms.iter().map(|term| term.abs()).sum::<f64>());
     if sum.abs() <= 8.0 * f64::EPSILON * size { 0.0 } else { sum }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_body_must_be_one() {
-        let new = |a, b, c| FreeBody::new(Vector3::new(a, b, c), Vector3::new(1.0, 2.0, 3.0)).map(|_| ());
-        assert_eq!(new(1.0, 2.0, 3.5), Err(FreeBodyError::Triangle { axis: 2 }));
-        assert_eq!(new(1.0, -2.0, 3.0), Err(FreeBodyError::Moment { axis: 1 }));
-        assert_eq!(new(1.0, 2.0, 3.0), Ok(()));
-    }
-}

@@ -1,12 +1,14 @@
-use super::*;
-use super::{
+//! Tests of `rotor`.
+
+use dalembert_mechanics::rotor::{
     campbell::campbell,
     element::{BeamTheory, Material, ShaftElement},
     mesh::{Segment, mesh},
     modes::{ReducedRotor, WhirlDirection},
     response::{Unbalance, unbalance_response},
+    *,
 };
-use crate::section;
+use dalembert_mechanics::section;
 use itertools::Itertools as _;
 
 const STEEL: Material =
@@ -156,7 +158,7 @@ fn nelson_mcvaugh() -> Rotor {
             Segment { length, outer: [outer * 1e-3; 2], inner: [inner * 1e-3; 2], material }
         })
         .collect();
-    let mesh = mesh(&segments, &[0.0889, 0.1651, 0.287], 1).unwrap();
+    let mesh = mesh(&segments, &[0.0889, 0.1651, 0.287], 1).expect("the stations lie on the shaft");
     assert_eq!(mesh.stations, [4, 10, 14]);
     Rotor {
         elements: mesh.elements,

@@ -4,10 +4,11 @@ use std::f64::consts::{PI, TAU};
 
 use proptest::prelude::*;
 
-use super::*;
+use dalembert_mechanics::vibration::transient::*;
 
 fn motion(natural: f64, ratio: f64, load: &[LoadSegment]) -> TransientMotion {
-    TransientMotion::new(Oscillator { natural, ratio }, OscillatorState::default(), load).unwrap()
+    TransientMotion::new(Oscillator { natural, ratio }, OscillatorState::default(), load)
+        .expect("the load has an answer")
 }
 
 fn line(from: f64, start: f64, slope: f64) -> LoadSegment {

@@ -1,9 +1,11 @@
+//! Tests of `beam::dynamic_stiffness`.
+
 use itertools::Itertools as _;
 use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use super::*;
+use dalembert_mechanics::beam::dynamic_stiffness::*;
 
 const FREE: BeamStation = BeamStation {
     at: 0.0,

@@ -1,17 +1,20 @@
-//! QR factorisation of the loop equations by plane rotations: a small dense matrix, factored without any branch, so
-//! that several positions can be taken in the lanes of a SIMD vector.
+//! QR factorisation by plane rotations of a small matrix with a known pattern of zeros: factored without any branch, so
+//! that several matrices can be taken in the lanes of a SIMD vector.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for the widest registers")]
 
 use std::collections::BTreeSet;
 
-use super::tolerances::ROTATION_GUARD;
-use dalembert_numerics::simd::SimdReal;
+use crate::simd::SimdReal;
+
+/// Added to the diagonal before a plane rotation, so that a column of zeros has a direction: its square is above the
+/// smallest number, and it changes no number above 10⁻¹³⁴.
+const ROTATION_GUARD: f64 = 1e-150;
 
 /// Orders of rows and columns of a square matrix that take few rotations, from the places and columns of the entries of
 /// each row: of what is left, the column that the fewest rows have goes first (J. A. George, M. T. Heath, *Linear
 /// Algebra and its Applications* 34, 1980). So a loop that depends on another one is separated from it.
-pub(super) fn ordering(rows: &[Vec<(usize, usize)>]) -> [Vec<usize>; 2] {
+pub fn ordering(rows: &[Vec<(usize, usize)>]) -> [Vec<usize>; 2] {
     let mut left: Vec<(usize, BTreeSet<usize>)> =
         rows.iter().map(|row| row.iter().map(|(_, column)| *column).collect()).enumerate().collect();
     let mut columns: Vec<usize> = (0..rows.len()).collect();
@@ -37,7 +40,7 @@ pub(super) fn ordering(rows: &[Vec<(usize, usize)>]) -> [Vec<usize>; 2] {
 /// `A = Q R` by plane rotations (Golub and Van Loan, *Matrix Computations*, 4th ed., §5.2.5): stable without a choice
 /// of pivots, which would differ from one position to the next.
 #[derive(Debug, Clone)]
-pub(super) struct GivensQr<S> {
+pub struct GivensQr<S> {
     size: usize,
     /// The rotations, in order: the column, which is the row of its diagonal too, and the row below.
     pairs: Vec<[usize; 2]>,
@@ -51,7 +54,7 @@ pub(super) struct GivensQr<S> {
 
 impl<S: SimdReal> GivensQr<S> {
     /// For matrices whose rows have these columns.
-    pub(super) fn new(rows: &[Vec<(usize, usize)>]) -> Self {
+    pub fn new(rows: &[Vec<(usize, usize)>]) -> Self {
         let size = rows.len();
         let zero = S::from(0.0);
         let mut entries = vec![vec![false; size]; size];
@@ -81,12 +84,13 @@ impl<S: SimdReal> GivensQr<S> {
     }
 
     /// The matrix, by rows, to be overwritten and factored.
-    pub(super) fn entries(&mut self) -> &mut [S] {
+    pub fn entries(&mut self) -> &mut [S] {
         &mut self.r
     }
 
+    /// Factors the matrix in the entries.
     #[inline(always)]
-    pub(super) fn factor(&mut self) {
+    pub fn factor(&mut self) {
         let n = self.size;
         for (turn, &[column, row]) in self.turns.iter_mut().zip(&self.pairs) {
             let (a, b) = (self.r[column * n + column] + ROTATION_GUARD, self.r[row * n + column]);
@@ -106,7 +110,7 @@ impl<S: SimdReal> GivensQr<S> {
     /// The product of the diagonals of R whose signs are left open, which has the sign of the determinant, and the
     /// smallest diagonal over the largest: small near a singular position.
     #[inline(always)]
-    pub(super) fn determinant(&self) -> [S; 2] {
+    pub fn determinant(&self) -> [S; 2] {
         let n = self.size;
         let one = S::from(1.0);
         let Some(last) = self.r.last() else { return [one, one] };
@@ -125,7 +129,7 @@ impl<S: SimdReal> GivensQr<S> {
 
     /// `A x = b` in place.
     #[inline(always)]
-    pub(super) fn solve(&self, x: &mut [S]) {
+    pub fn solve(&self, x: &mut [S]) {
         let n = self.size;
         for ([cos, sin], &[column, row]) in self.turns.iter().zip(&self.pairs) {
             let [p, q] = [x[column], x[row]];
@@ -143,7 +147,7 @@ impl<S: SimdReal> GivensQr<S> {
 
     /// `Aᵀ y = g` in place.
     #[inline(always)]
-    pub(super) fn solve_transposed(&self, y: &mut [S]) {
+    pub fn solve_transposed(&self, y: &mut [S]) {
         let n = self.size;
         for column in 0..n {
             let mut sum = y[column];
@@ -156,52 +160,6 @@ impl<S: SimdReal> GivensQr<S> {
             let [p, q] = [y[column], y[row]];
             y[column] = *cos * p - *sin * q;
             y[row] = *cos * q + *sin * p;
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use nalgebra::{DMatrix, DVector};
-    use proptest::prelude::*;
-
-    const SIZE: usize = 6;
-
-    /// Matrices with many zeros and a diagonal that keeps them regular, in any order of rows.
-    fn sparse() -> impl Strategy<Value = DMatrix<f64>> {
-        let entry = prop_oneof![2 => Just(0.0), 1 => -1.0..1.0];
-        let rows: Vec<usize> = (0..SIZE).collect();
-        (prop::collection::vec(entry, SIZE * SIZE), Just(rows).prop_shuffle()).prop_map(|(entries, rows)| {
-            DMatrix::from_fn(SIZE, SIZE, |row, column| {
-                let large = if rows[row] == column { 8.0 } else { 0.0 };
-                entries[row * SIZE + column] + large
-            })
-        })
-    }
-
-    fn pattern(a: &DMatrix<f64>) -> Vec<Vec<(usize, usize)>> {
-        let row = |row: usize| (0..SIZE).filter(|&at| a[(row, at)] != 0.0).map(|at| (0, at)).collect();
-        (0..SIZE).map(row).collect()
-    }
-
-    proptest! {
-        #[test]
-        fn sparse_equations_are_solved_and_the_sign_of_the_determinant_is_kept(a in sparse()) {
-            let [rows, columns] = ordering(&pattern(&a));
-            let arranged = DMatrix::from_fn(SIZE, SIZE, |i, j| a[(rows[i], columns[j])]);
-            let mut qr = GivensQr::new(&pattern(&arranged));
-            qr.entries().copy_from_slice(arranged.transpose().as_slice());
-            qr.factor();
-            let wanted = DVector::from_fn(SIZE, |i, _| 1.0 + i as f64);
-            let mut x: Vec<f64> = (&arranged * &wanted).as_slice().to_vec();
-            qr.solve(&mut x);
-            prop_assert!((DVector::from_vec(x) - &wanted).amax() < 1e-12);
-            let mut y: Vec<f64> = (arranged.transpose() * &wanted).as_slice().to_vec();
-            qr.solve_transposed(&mut y);
-            prop_assert!((DVector::from_vec(y) - &wanted).amax() < 1e-12);
-            let sign = qr.determinant()[0].signum();
-            prop_assert_eq!(sign, arranged.determinant().signum());
         }
     }
 }

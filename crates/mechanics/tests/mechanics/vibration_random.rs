@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use super::*;
+use dalembert_mechanics::vibration::random::*;
 
 fn close(ours: f64, expected: f64, scale: f64, tolerance: f64) {
     assert!((ours - expected).abs() <= tolerance * scale.abs(), "{ours} is not {expected}");
