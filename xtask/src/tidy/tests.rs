@@ -271,6 +271,7 @@ const GLOSSARY: &str = "\
 |---|---|---|---|
 | `gap` | residual | code, documents | `crates/core/src/lib.rs`: a gap in a text |
 | `mass centre` | centre of mass | messages | |
+| `at hand` | given | titles | |
 
 ## More
 | `sound` | nothing | documents | |
@@ -290,11 +291,14 @@ fn retired_phrases_are_found_in_their_places() {
         &with("plugins/balancing/cases/two_plane.toml", "note = \"its mass centre\"\n"),
         "two_plane.toml:1: `mass centre`",
     );
+    let path = "plugins/balancing/cases/two_plane.toml";
+    finds(&with(path, "name = \"A weight at hand\"\n"), "two_plane.toml:1: `at hand`");
     for (path, text) in [
         ("crates/core/src/a.rs", "fn gapless() {}\n"),
         ("crates/core/src/lib.rs", "/// A gap between digits.\nfn x() {}\n"),
         ("crates/core/src/a.rs", "/// The mass centre.\nconst A: &str = \"mass, centre and mass-centre\";\n"),
-        ("plugins/balancing/cases/two_plane.toml", "name = \"its mass centre\"\n"),
+        (path, "former = \"its mass centre at hand\"\n"),
+        (path, "note = \"A weight at hand\"\n"),
         ("docs/a.md", "A sound tree.\n"),
     ] {
         let faults = faults(&tree(&with(path, text)));
