@@ -221,7 +221,9 @@ struct Marks {
 impl Marks {
     fn of(shapes: &[DrawnShape], unit: f64) -> Self {
         let mut marks = Vec::new();
-        shapes.iter().for_each(|shape| mark(shape, unit, &mut marks));
+        for shape in shapes {
+            mark(shape, unit, &mut marks);
+        }
         let (x, y) = marks.into_iter().unzip();
         Self { x, y }
     }
@@ -240,9 +242,9 @@ impl Marks {
     }
 
     fn inside(&self, [left, bottom, right, top]: Area) -> usize {
-        let marks = self.x.iter().zip(&self.y);
-        // Without a branch, so that it is computed by SIMD.
-        marks.map(|(x, y)| usize::from((*x > left) & (*x < right) & (*y > bottom) & (*y < top))).sum()
+        // A product of flags has no branch, so that it is computed by SIMD.
+        let within = |at: f64, low: f64, high: f64| usize::from(at > low) * usize::from(at < high);
+        self.x.iter().zip(&self.y).map(|(x, y)| within(*x, left, right) * within(*y, bottom, top)).sum()
     }
 
     /// The price of the lines that words cover at a side, at the best distance from their point.
