@@ -50,7 +50,9 @@ pub(super) fn a_plugin_is_named_only_by_the_bundle(tree: &Tree) -> Vec<String> {
         });
         for (path, text) in others {
             for (n, line) in lines(without_tests(text)) {
-                if names.iter().any(|name| has_word(line, name)) {
+                // A profile says how a crate is compiled, whatever it holds.
+                let is_profile = path.ends_with("Cargo.toml") && line.starts_with("[profile.");
+                if !is_profile && names.iter().any(|name| has_word(line, name)) {
                     faults.push(format!(
                         "{path}:{n}: names a plugin; only plugins/bundle may, the registry is for all others"
                     ));

@@ -178,6 +178,12 @@ fn a_plugin_is_in_the_bundle_and_nowhere_else() {
     let sound =
         "// dalembert-balancing-of-rotors\n#[cfg(test)]\nconst NAME: &str = \"dalembert-balancing\";\n";
     assert_eq!(faults(&tree(&[("crates/core/src/x.rs", sound)])), [""; 0]);
+    let named = |line: &str| {
+        let manifest = format!("{MANIFEST}{line}\n");
+        let faults = faults(&tree(&[("crates/core/Cargo.toml", &manifest)]));
+        faults.iter().any(|fault| fault.contains("names a plugin"))
+    };
+    assert!(named("dalembert-balancing = \"1\"") && !named("[profile.release.package.dalembert-balancing]"));
 }
 
 #[test]
