@@ -376,3 +376,33 @@ fn a_choice_that_a_file_leaves_out_is_asked_for() {
     person.types("<enter><down><enter>");
     assert!(!person.sees().contains("choose one of 4"), "{}", person.sees());
 }
+
+#[test]
+fn a_definition_and_a_question_are_typed_into_the_form() {
+    let mut person = Person::at(120, 40).opens("vibration/rotating-unbalance");
+    assert!(!person.sees().contains("Definitions"), "{}", person.sees());
+    // 12 g at 8.3333 m: the unbalance of the case.
+    person.types("N<enter>bolt<tab>12 g<enter>");
+    assert!(person.sees().contains("Definitions"), "{}", person.sees());
+    let move_to = |person: &mut Person, path: &str| {
+        let bench = person.model.bench.as_mut().expect("a problem is open");
+        bench.problem.inputs.form.go_to(path);
+    };
+    move_to(&mut person, "unbalance");
+    person.types("<enter><c-u>bolt*25 m/3<enter>");
+    assert!(person.sees().contains("19.456") && person.sees().contains("bolt*25 m/3"), "{}", person.sees());
+    person.types("A<enter>peak to peak<tab>2*X<enter>");
+    let screen = person.sees();
+    assert!(screen.contains("Questions") && screen.contains("38.913"), "{screen}");
+    // What is wrong with a formula is named at its field, and mended there.
+    person.types("<enter><c-u>2*Xx<enter>");
+    assert!(person.sees().contains("there is no `Xx` here"), "{}", person.sees());
+    person.types("<enter><bs><enter>");
+    assert!(person.sees().contains("38.913"), "{}", person.sees());
+    // A definition may change like an input, and the change is taken back.
+    move_to(&mut person, "let[1].formula");
+    person.types("<enter><c-u>24 g<enter>");
+    assert!(!person.sees().contains("38.913"), "{}", person.sees());
+    person.types("z");
+    assert!(person.sees().contains("38.913"), "{}", person.sees());
+}

@@ -37,6 +37,21 @@ fn the_fan() {
     );
 }
 
+/// X = (m₀e/m) r²/√((1 − r²)² + (2ζr)²) with r = π/2, m₀eω², cω²X²/2 with c = 2ζ√(km), E/(2(1 + ν)).
+#[test]
+fn the_fan_with_questions() {
+    answers(
+        "fan_questions.toml",
+        &[
+            ("amplitude", "60.18930 um"),
+            ("peak_to_peak", "120.3786 um"),
+            ("force_amplitude", "35.53058 N"),
+            ("power", "17.87756 mW"),
+            ("shear_modulus", "80.76923 GPa"),
+        ],
+    );
+}
+
 /// Σ m r z about each plane, with complex numbers; a drilled hole lies opposite to an added mass.
 #[test]
 fn the_rotor() {
@@ -73,7 +88,7 @@ fn every_example_is_tested() {
         .filter(|name| Path::new(name).extension().is_some_and(|ending| ending == "toml"))
         .collect();
     names.sort();
-    assert_eq!(names, ["fan.toml", "rotor.toml", "table.toml"]);
+    assert_eq!(names, ["fan.toml", "fan_questions.toml", "rotor.toml", "table.toml"]);
 }
 
 fn folder() -> PathBuf {

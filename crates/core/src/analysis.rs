@@ -10,7 +10,7 @@ use std::{
 
 use crate::{
     Exhibit, Field, FieldError, FieldPath, Inputs, Name, Plain, Record, Shape, Sheet, Solution, Source, Text,
-    Value, Worksheet, assumed, gravity, input::Lift, kept, vary,
+    Value, Worksheet, assumed, definitions, gravity, input::Lift, kept, vary,
 };
 
 /// Description of an analysis, read before picking it.
@@ -64,10 +64,12 @@ pub enum SolveError {
 pub struct Stop(AtomicBool);
 
 /// One registered analysis, with its types erased.
+#[derive(Clone, Copy)]
 pub struct Entry {
     /// Description shown in the list of analyses.
     pub about: &'static About,
     shape: fn() -> Shape,
+    own: fn() -> Shape,
     solve: fn(&Record, &Stop, perturbed: Option<usize>) -> Result<Solution, SolveError>,
     prepare: Prepare,
 }
@@ -109,17 +111,28 @@ pub fn find(id: &str) -> Option<&'static Entry> {
 impl Entry {
     /// The entry of an analysis.
     pub const fn of<A: Analysis>() -> Self {
-        Self { about: &A::ABOUT, shape: || A::SHAPE, solve: solve::<A>, prepare: prepare::<A> }
+        Self {
+            about: &A::ABOUT,
+            shape: definitions::shape_of::<A>,
+            own: || A::SHAPE,
+            solve: solve::<A>,
+            prepare: prepare::<A>,
+        }
     }
 
-    /// The shape of its inputs: a group.
+    /// The shape of a problem of it: a group of its inputs, and behind them definitions and questions.
     pub fn shape(&self) -> Shape {
         (self.shape)()
     }
 
-    /// Input fields of the analysis.
+    /// Shape of the inputs of the analysis itself: a group.
+    pub fn inputs(&self) -> Shape {
+        (self.own)()
+    }
+
+    /// Input fields of the analysis itself.
     pub fn fields(&self) -> &'static [Field] {
-        self.shape().fields(None)
+        (self.own)().fields(None)
     }
 
     /// The family: the part of the id before `/`.
@@ -145,7 +158,10 @@ impl Entry {
         vary: &[&str],
         wanted: &[&str],
     ) -> Result<Box<dyn Evaluate>, SolveError> {
-        (self.prepare)(record, vary, wanted)
+        match &record.plan {
+            Some(plan) => definitions::prepare(self, record, plan, vary, wanted),
+            None => (self.prepare)(record, vary, wanted),
+        }
     }
 }
 
@@ -232,7 +248,13 @@ fn worked(
 ) -> Result<Solution, SolveError> {
     let value = Value::Group(record.clone());
     let sheet = perturbed.map_or_else(|| Sheet::new(stop), |step| Sheet::perturbed(stop, step));
+    if let Some(plan) = &record.plan {
+        plan.record(&sheet)?;
+    }
     solve(&value, &sheet)?;
+    if let Some(plan) = &record.plan {
+        definitions::ask(plan, &sheet);
+    }
     let mut solution = sheet.into_solution()?;
     solution.warnings.splice(0..0, assumed::warnings(record));
     forget_absent(&mut solution.exhibits, value);

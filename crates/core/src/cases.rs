@@ -223,7 +223,7 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
     let text = |key: &str| table.get(key).and_then(Item::as_str).map(str::to_owned);
     let name = text("name").ok_or("a case has no name")?;
     for (key, _) in table {
-        if !["name", "former", "source", "truth", "seen", "note", "inputs", "expect", "refused"]
+        if !["name", "former", "source", "truth", "seen", "note", "let", "inputs", "ask", "expect", "refused"]
             .contains(&key)
         {
             return Err(format!("{name}: there is no key `{key}` in a case"));
@@ -247,7 +247,7 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
     };
     let inputs = table.get("inputs").ok_or_else(|| format!("{name}: there are no inputs"))?;
     let mut reading = FileNotes { format: Format::LATEST, errors: Vec::new(), notes: Vec::new(), kind: None };
-    let draft = file::draft_of(inputs, &entry.shape(), "inputs", &mut reading);
+    let draft = file::problem_of(table, inputs, entry, &mut reading);
     if let Some(err) = reading.errors.first() {
         return Err(format!("{name}: {}", err.why.english()));
     }

@@ -245,6 +245,10 @@ fn classes(solution: &Solution) -> Vec<u32> {
             Op::Magnitude(a) => (15, vec![class(a)], ""),
             Op::Component(a, axis) => (16, vec![class(a), u64::from(*axis)], ""),
             Op::Compose(all) => (17, all.iter().map(class).collect(), ""),
+            Op::Constant(_) => (18, vec![node.number.size().to_bits(), u64::from(is_negative(node))], ""),
+            Op::Raised(a, b) => (19, ordered([a, b]), ""),
+            Op::Min(a, b) => (20, any_order(&[*a, *b]), ""),
+            Op::Max(a, b) => (21, any_order(&[*a, *b]), ""),
         };
         let next = u32::try_from(of_key.len()).expect("a trace has fewer than 2³² nodes");
         classes.push(*of_key.entry(key).or_insert(next));

@@ -8,7 +8,9 @@ use std::collections::{HashMap, HashSet};
 use dalembert_units::{self as units, Style};
 
 use crate::{
-    Field, FieldError, FieldLimit, Measure, Record, Shape, Text, Value, gravity, kinds,
+    Field, FieldError, Record, Shape, Text, Value,
+    definitions::{self, Pending},
+    gravity, kinds,
     path::{segments, step, unknown},
     reading, table,
 };
@@ -101,11 +103,13 @@ impl Draft {
 
     /// Reads the draft: the record, or every error. `shape` is that of the whole problem.
     pub fn read(&self, shape: &Shape) -> Result<Record, Vec<FieldError>> {
-        let mut errors = Vec::new();
+        let mut faults = Faults::default();
         let filled = gravity::filled(self, shape);
-        let Value::Group(mut record) = read(&filled, shape, "", &mut errors) else {
+        let Value::Group(mut record) = read(&filled, shape, "", &mut faults) else {
             return Err(vec![FieldError::new("", "a group of inputs is needed")]);
         };
+        let Faults { mut errors, pending } = faults;
+        definitions::plan(&mut record, pending, &mut errors);
         let lists = lists(&record);
         errors.extend(ambiguous(&lists, &record));
         resolve_record(&mut record, &lists, "", &mut errors);
@@ -201,9 +205,10 @@ impl Draft {
 
 /// Reads one leaf as it is typed.
 pub fn read_leaf(text: &str, shape: &Shape, path: &str) -> Result<Value, Vec<FieldError>> {
-    let mut errors = Vec::new();
-    let value = leaf(text, shape, path, &mut errors);
-    if errors.is_empty() { Ok(value) } else { Err(errors) }
+    let mut faults = Faults::default();
+    let value = leaf(text, shape, path, &mut faults);
+    faults.errors.extend(faults.pending.into_iter().map(|pending| pending.error));
+    if faults.errors.is_empty() { Ok(value) } else { Err(faults.errors) }
 }
 
 /// The text that gives this value again, for a leaf; exact, in ASCII.
@@ -306,20 +311,29 @@ fn of_value(value: &Value) -> Draft {
     }
 }
 
-fn read(draft: &Draft, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> Value {
+/// Faults of the texts of a problem, and texts that may still be formulas.
+#[derive(Default)]
+struct Faults {
+    errors: Vec<FieldError>,
+    pending: Vec<Pending>,
+}
+
+fn read(draft: &Draft, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
     match (shape, draft) {
         (Shape::Optional(_), Draft::Absent) => Value::Absent,
         (Shape::Optional(inner), Draft::Leaf(text)) if inner().is_leaf() && text.trim().is_empty() => {
             Value::Absent
         }
-        (Shape::Optional(inner), _) => read(draft, inner(), path, errors),
+        (Shape::Optional(inner), _) => read(draft, inner(), path, faults),
         (Shape::Group(fields), Draft::Group(drafts)) => {
             const MISSING: &Draft = &Draft::Leaf(String::new());
+            const NO_ROWS: &Draft = &Draft::Rows(Vec::new());
             let fields = fields();
             let values = fields.iter().enumerate().map(|(n, field)| {
-                read(drafts.get(n).unwrap_or(MISSING), &field.shape, &join(path, field.name), errors)
+                let missing = if matches!(field.shape, Shape::Rows { .. }) { NO_ROWS } else { MISSING };
+                read(drafts.get(n).unwrap_or(missing), &field.shape, &join(path, field.name), faults)
             });
-            Value::Group(Record { fields, values: values.collect() })
+            Value::Group(Record::new(fields, values.collect()))
         }
         (Shape::OneOf(variants), _) => {
             let chosen = match draft {
@@ -328,17 +342,19 @@ fn read(draft: &Draft, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) 
             };
             let Some((at, variant, fields)) = chosen else {
                 let known = variants().iter().map(|variant| variant.name).collect::<Vec<_>>().join(", ");
-                errors.push(FieldError::new(path, Text::new("write one of {known}").with("known", known)));
+                faults
+                    .errors
+                    .push(FieldError::new(path, Text::new("write one of {known}").with("known", known)));
                 return Value::Absent;
             };
-            match read(fields, &Shape::Group(variant.fields), &join(path, variant.name), errors) {
+            match read(fields, &Shape::Group(variant.fields), &join(path, variant.name), faults) {
                 Value::Group(fields) => Value::OneOf { variant: at, fields },
                 _ => Value::Absent,
             }
         }
         (Shape::Rows { item, min, most }, Draft::Rows(drafts)) => {
             if drafts.len() > *most {
-                errors.push(FieldError::new(path, too_many_rows(drafts.len(), *most)));
+                faults.errors.push(FieldError::new(path, too_many_rows(drafts.len(), *most)));
                 return Value::Absent;
             }
             if drafts.len() < *min {
@@ -348,24 +364,24 @@ fn read(draft: &Draft, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) 
                         .with("min", min)
                         .with("have", drafts.len()),
                 };
-                errors.push(FieldError::new(path, why));
+                faults.errors.push(FieldError::new(path, why));
             }
             let rows = drafts.iter().enumerate();
             Value::Rows(
-                rows.map(|(n, row)| read(row, item(), &format!("{path}[{}]", n + 1), errors)).collect(),
+                rows.map(|(n, row)| read(row, item(), &format!("{path}[{}]", n + 1), faults)).collect(),
             )
         }
-        (shape, Draft::Leaf(text)) if shape.is_leaf() => leaf(text, shape, path, errors),
+        (shape, Draft::Leaf(text)) if shape.is_leaf() => leaf(text, shape, path, faults),
         _ => {
-            errors.push(FieldError::new(path, "is missing"));
+            faults.errors.push(FieldError::new(path, "is missing"));
             Value::Absent
         }
     }
 }
 
-fn leaf(text: &str, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> Value {
+fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
     let mut fail = |why: Text, span| {
-        errors.push(FieldError { path: path.into(), why, span });
+        faults.errors.push(FieldError { path: path.into(), why, span });
         Value::Absent
     };
     if !matches!(shape, Shape::Table(_)) {
@@ -382,11 +398,21 @@ fn leaf(text: &str, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> 
         Shape::Quantity(measure) => {
             let one = measure.meant(text);
             match units::read_quantity(text, &one.own_unit(), one.kind()) {
-                Ok(quantity) => match outside(&one, quantity.si, text) {
+                Ok(quantity) => match one.outside(quantity.si, text) {
                     Some(why) => fail(why, None),
                     None => Value::Quantity(quantity),
                 },
-                Err(err) => fail(kinds::also(reading::text(&err), *measure), err.span()),
+                Err(err) => {
+                    let why = kinds::also(reading::text(&err), *measure);
+                    if !text.chars().any(char::is_alphabetic) {
+                        return fail(why, err.span());
+                    }
+                    let error = FieldError { path: path.into(), why, span: err.span() };
+                    faults.pending.push(Pending { path: path.into(), text: text.to_owned(), error });
+                    // The value follows, if it is a formula.
+                    let unit = one.own_unit();
+                    Value::Quantity(units::Quantity { si: f64::NAN, unit, last_place: 0.0 })
+                }
             }
         }
         Shape::Vector(measure, len) => {
@@ -423,37 +449,9 @@ fn leaf(text: &str, shape: &Shape, path: &str, errors: &mut Vec<FieldError>) -> 
                 Value::Absent
             }
         },
-        Shape::Optional(inner) => leaf(text, inner(), path, errors),
+        Shape::Optional(inner) => leaf(text, inner(), path, faults),
         Shape::OneOf(_) | Shape::Group(_) | Shape::Rows { .. } => fail("is missing".into(), None),
     }
-}
-
-/// Message for a value outside its limits.
-fn outside(measure: &Measure, si: f64, text: &str) -> Option<Text> {
-    let own = measure.own_unit();
-    let value = own.value(si);
-    let limit =
-        |why: &'static str, limit: f64| Text::new(why).with_quantity("limit", own.si(limit), measure.unit);
-    let why = match (measure.min, measure.max) {
-        (FieldLimit::Excluding(0.0), _) if value <= 0.0 => Text::new("must be above zero; you wrote {text}"),
-        (FieldLimit::Including(0.0), _) if value < 0.0 => {
-            Text::new("must not be below zero; you wrote {text}")
-        }
-        (FieldLimit::Excluding(min), _) if value <= min => {
-            limit("must be above {limit}; you wrote {text}", min)
-        }
-        (FieldLimit::Including(min), _) if value < min => {
-            limit("must be {limit} or more; you wrote {text}", min)
-        }
-        (_, FieldLimit::Excluding(max)) if value >= max => {
-            limit("must be below {limit}; you wrote {text}", max)
-        }
-        (_, FieldLimit::Including(max)) if value > max => {
-            limit("must be {limit} or less; you wrote {text}", max)
-        }
-        _ => return None,
-    };
-    Some(why.with("text", text.trim()))
 }
 
 /// The most references without a row for which the nearest name is sought.

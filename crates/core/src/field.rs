@@ -1,9 +1,10 @@
 //! Description of the inputs of a problem, which forms, files and the command line share.
 
+use crate::Text;
 use dalembert_units::{self as units, Dim, Unit};
 
 /// One line of the form, one key of the file, one `--set` of the command line.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Field {
     /// The Rust name: the key in files and paths.
     pub name: &'static str,
@@ -67,7 +68,7 @@ pub enum Shape {
 }
 
 /// The unit, kind and limits of a quantity.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measure {
     /// The unit of a number written alone, and of the limits.
     pub unit: &'static str,
@@ -127,6 +128,36 @@ impl Measure {
     /// The unit of a number written alone.
     pub fn own_unit(&self) -> Unit {
         units::unit(self.unit).expect("the derive and a test hold the units of fields to be well formed")
+    }
+
+    /// Message for a value outside its limits, written as this text; `None` within them.
+    pub(crate) fn outside(&self, si: f64, text: &str) -> Option<Text> {
+        let own = self.own_unit();
+        let value = own.value(si);
+        let limit =
+            |why: &'static str, limit: f64| Text::new(why).with_quantity("limit", own.si(limit), self.unit);
+        let why = match (self.min, self.max) {
+            (FieldLimit::Excluding(0.0), _) if value <= 0.0 => {
+                Text::new("must be above zero; you wrote {text}")
+            }
+            (FieldLimit::Including(0.0), _) if value < 0.0 => {
+                Text::new("must not be below zero; you wrote {text}")
+            }
+            (FieldLimit::Excluding(min), _) if value <= min => {
+                limit("must be above {limit}; you wrote {text}", min)
+            }
+            (FieldLimit::Including(min), _) if value < min => {
+                limit("must be {limit} or more; you wrote {text}", min)
+            }
+            (_, FieldLimit::Excluding(max)) if value >= max => {
+                limit("must be below {limit}; you wrote {text}", max)
+            }
+            (_, FieldLimit::Including(max)) if value > max => {
+                limit("must be {limit} or less; you wrote {text}", max)
+            }
+            _ => return None,
+        };
+        Some(why.with("text", text.trim()))
     }
 
     /// Itself and the others.

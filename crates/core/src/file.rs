@@ -9,6 +9,7 @@
 //! mass = "40 kg"
 //! ```
 
+mod definitions;
 mod format;
 mod former;
 pub use former::former_input;
@@ -23,7 +24,7 @@ use crate::{
 };
 
 /// The keys a problem file may have at the top.
-const KEYS: [&str; 5] = ["format", "analysis", "title", "inputs", "show"];
+const KEYS: [&str; 7] = ["format", "analysis", "title", "let", "inputs", "ask", "show"];
 
 /// The contents of a problem file.
 #[derive(Clone, Debug)]
@@ -82,7 +83,7 @@ pub fn parse(text: &str) -> Result<ProblemFile, Vec<FileError>> {
     };
     let mut reading = FileNotes { format, errors, notes: Vec::new(), kind: None };
     let no_inputs = Item::Table(Table::new());
-    let draft = draft_of(root.get("inputs").unwrap_or(&no_inputs), &entry.shape(), "inputs", &mut reading);
+    let draft = problem_of(root, root.get("inputs").unwrap_or(&no_inputs), entry, &mut reading);
     let FileNotes { mut errors, notes, .. } = reading;
     let title = text_at(root, "title", &mut errors).unwrap_or_default();
     let mut show = Vec::new();
@@ -122,7 +123,8 @@ pub fn write(problem: &ProblemFile, over: &str) -> String {
         set_text(root, "title", &problem.title);
     }
     let inputs = root.entry("inputs").or_insert_with(|| Item::Table(Table::new()));
-    write_item(inputs, &problem.draft, &problem.entry.shape());
+    write_item(inputs, &problem.draft, &problem.entry.inputs());
+    definitions::write(root, &problem.draft, &problem.entry.shape());
     if !problem.show.is_empty() {
         let show = root.entry("show").or_insert_with(|| Item::Table(Table::new()));
         if let Some(table) = show.as_table_like_mut() {
@@ -219,6 +221,18 @@ pub(crate) fn document(text: &str) -> Result<Document<&str>, Vec<FileError>> {
         };
         vec![FileError { why, span: err.span() }]
     })
+}
+
+/// Draft of a problem: its inputs, and the tables of definitions and questions beside them.
+pub(crate) fn problem_of(
+    root: &dyn TableLike,
+    inputs: &Item,
+    entry: &Entry,
+    reading: &mut FileNotes,
+) -> Draft {
+    let mut draft = draft_of(inputs, &entry.inputs(), "inputs", reading);
+    definitions::read(root, &entry.shape(), &mut draft, reading);
+    draft
 }
 
 /// Draft of an item of a file, in the shape of the inputs.

@@ -334,6 +334,6 @@ pub mod derive_support {
             Value::Quantity(units::Quantity { si: *si, unit: unit.clone(), last_place: 0.0 })
         };
         let values = numbers.iter().zip(units).map(quantity).collect();
-        R::read(&Value::Group(Record { fields, values }), &FieldPath::TOP, &mut Vec::new())
+        R::read(&Value::Group(Record::new(fields, values)), &FieldPath::TOP, &mut Vec::new())
     }
 }

@@ -117,6 +117,10 @@ pub fn function(function: Function) -> &'static str {
         Function::Acos => "arccos",
         Function::Exp => "exp",
         Function::Ln => "ln",
+        Function::Log10 => "log10",
+        Function::Sinh => "sinh",
+        Function::Cosh => "cosh",
+        Function::Tanh => "tanh",
         Function::Abs => "abs",
     }
 }
@@ -287,6 +291,14 @@ impl<'s> Writer<'s> {
     fn factor(&self, id: Id) -> String {
         match self.op(id) {
             Op::Literal => self.literal(id),
+            Op::Constant(unit) => {
+                let text = number(self.value(id), unit, self.style);
+                if self.value(id).size() > 0.0 && text.starts_with(['-', '−']) {
+                    format!("({text})")
+                } else {
+                    text
+                }
+            }
             Op::Given { .. } | Op::Step(_) if self.is_negative(id) => format!("({})", self.named(id)),
             Op::Given { .. } | Op::Step(_) => self.named(id),
             Op::Power(base, n) => format!("{}{}", self.base(*base), self.power(*n)),
@@ -305,6 +317,9 @@ impl<'s> Writer<'s> {
             Op::Call(Function::Abs, of) | Op::Magnitude(of) => format!("|{}|", self.expression(*of)),
             Op::Call(name, of) => format!("{}{}", function(*name), self.argument(*of)),
             Op::Atan2(y, x) => format!("atan2({}, {})", self.expression(*y), self.expression(*x)),
+            Op::Raised(base, exponent) => format!("{}^({})", self.base(*base), self.expression(*exponent)),
+            Op::Min(a, b) => format!("min({}, {})", self.expression(*a), self.expression(*b)),
+            Op::Max(a, b) => format!("max({}, {})", self.expression(*a), self.expression(*b)),
             Op::Sum(all) if all.len() > LONGEST_SUM => self.sigma(all),
             Op::Dot(a, b) => format!("({} · {})", self.operand(*a), self.operand(*b)),
             Op::Cross(a, b) => format!("({} × {})", self.operand(*a), self.operand(*b)),
@@ -389,6 +404,7 @@ impl<'s> Writer<'s> {
         let inner = match self.op(id) {
             Op::Call(function, _) if *function != Function::Abs => Vec::new(),
             Op::Atan2(..) => Vec::new(),
+            Op::Raised(base, _) => vec![*base],
             _ => self.solution.trace.operands(id),
         };
         for operand in inner {
@@ -544,7 +560,7 @@ impl<'s> Writer<'s> {
 }
 
 /// The SI unit of a dimension, as the field writes it.
-fn si_unit(dim: units::Dim) -> units::Unit {
+pub(crate) fn si_unit(dim: units::Dim) -> units::Unit {
     let usual =
         units::Kind::of_dim(dim).units().first().map_or_else(|| dim.to_string(), |unit| (*unit).to_owned());
     units::unit(&usual).unwrap_or(units::Unit::ONE)

@@ -134,7 +134,8 @@ fn in_unit(kind: Kind, unit: &Unit) -> Text {
     }
 }
 
-fn of_dim(dim: Dim) -> Text {
+/// A dimension in words.
+pub(crate) fn of_dim(dim: Dim) -> Text {
     match Kind::of_dim(dim) {
         Kind::Other => Text::new("a quantity in {unit}").with("unit", dim),
         Kind::Ratio => Text::new("a number without a unit"),

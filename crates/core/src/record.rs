@@ -1,8 +1,10 @@
 //! Record of the inputs as read: values in SI with the units they were written in.
 
+use std::sync::Arc;
+
 use dalembert_units::{Quantity, Unit, VectorQuantity};
 
-use crate::{Field, Shape};
+use crate::{Field, Shape, definitions::Plan};
 
 /// A value of some [`Shape`].
 #[derive(Clone, Debug, PartialEq)]
@@ -59,15 +61,22 @@ pub struct Record {
     pub fields: &'static [Field],
     /// Values; as many as `fields`.
     pub values: Vec<Value>,
+    /// The definitions, formulas and questions of a problem; `None` where it has none, and of nested fields.
+    pub(crate) plan: Option<Arc<Plan>>,
 }
 
 impl PartialEq for Record {
     fn eq(&self, other: &Self) -> bool {
-        std::ptr::eq(self.fields, other.fields) && self.values == other.values
+        std::ptr::eq(self.fields, other.fields) && self.values == other.values && self.plan == other.plan
     }
 }
 
 impl Record {
+    /// The values of a list of fields.
+    pub fn new(fields: &'static [Field], values: Vec<Value>) -> Self {
+        Self { fields, values, plan: None }
+    }
+
     /// The value of the field of that name.
     pub fn get(&self, name: &str) -> Option<&Value> {
         self.fields.iter().position(|field| field.name == name).map(|at| &self.values[at])

@@ -52,7 +52,7 @@ fn evaluated(solution: &Solution, op: &Op, at: usize, numbers: &[Number]) -> Num
         _ => Scalar(f64::NAN),
     };
     match op {
-        Op::Literal | Op::Given { .. } => own,
+        Op::Literal | Op::Constant(_) | Op::Given { .. } => own,
         Op::Step(step) => solution.steps[*step].formula.map_or(own, of),
         Op::Add(a, b) => each(of(*a), of(*b), |a, b| a + b),
         Op::Sub(a, b) => each(of(*a), of(*b), |a, b| a - b),
@@ -71,6 +71,9 @@ fn evaluated(solution: &Solution, op: &Op, at: usize, numbers: &[Number]) -> Num
         },
         Op::Power(a, n) => Scalar(scalar(*a).powi((*n).into())),
         Op::Root(a, n) => Scalar(Real::root(scalar(*a), *n)),
+        Op::Raised(a, b) => Scalar(scalar(*a).powf(scalar(*b))),
+        Op::Min(a, b) => Scalar(scalar(*a).min(scalar(*b))),
+        Op::Max(a, b) => Scalar(scalar(*a).max(scalar(*b))),
         Op::Call(function, a) => Scalar(call(*function, scalar(*a))),
         Op::Atan2(y, x) => Scalar(f64::atan2(scalar(*y), scalar(*x))),
         Op::Sum(all) => {
@@ -101,6 +104,10 @@ fn call(function: Function, x: f64) -> f64 {
         Function::Acos => x.acos(),
         Function::Exp => x.exp(),
         Function::Ln => x.ln(),
+        Function::Log10 => x.log10(),
+        Function::Sinh => x.sinh(),
+        Function::Cosh => x.cosh(),
+        Function::Tanh => x.tanh(),
         Function::Abs => x.abs(),
     }
 }

@@ -6,7 +6,7 @@
 mod term;
 mod vect;
 
-use std::cell::RefCell;
+use std::{cell::RefCell, collections::HashMap};
 
 use dalembert_numerics::intervals::IntervalSet;
 use dalembert_numerics::{Real, Vector};
@@ -33,6 +33,8 @@ const WAYS: f64 = 8.0;
 pub struct Sheet<'a> {
     solution: RefCell<Solution>,
     stop: &'a Stop,
+    /// The inputs that formulas needed before the solve, by path.
+    lifted: RefCell<HashMap<String, Id>>,
     /// The step whose result is written down with a relative error of [`PERTURBATION`].
     perturbed: Option<usize>,
 }
@@ -40,7 +42,7 @@ pub struct Sheet<'a> {
 impl<'a> Sheet<'a> {
     /// An empty sheet.
     pub fn new(stop: &'a Stop) -> Self {
-        Self { solution: RefCell::default(), stop, perturbed: None }
+        Self { solution: RefCell::default(), stop, lifted: RefCell::default(), perturbed: None }
     }
 
     /// An empty sheet on which the result of one step comes out wrong by [`PERTURBATION`](crate::trace::PERTURBATION):
@@ -212,12 +214,22 @@ impl<'s> Worksheet for &'s Sheet<'s> {
 
     fn given(self, input: InputNumber<'_>, si: f64) -> Term<'s> {
         let (unit, op) = self.input(&input);
+        if let Some(id) = self.lifted_before(&op) {
+            return Term::Node(self, id);
+        }
         Term::Node(self, self.push(Number::Scalar(si), unit.dim, op))
     }
 
     fn given_vector(self, input: InputNumber<'_>, si: Vector3<f64>) -> VectorTerm<'s> {
         let (unit, op) = self.input(&input);
+        if let Some(id) = self.lifted_before(&op) {
+            return VectorTerm::Node(self, id);
+        }
         VectorTerm::Node(self, self.push(Number::Vector(si.into()), unit.dim, op))
+    }
+
+    fn constant(self, si: f64, unit: &Unit) -> Term<'s> {
+        Term::Node(self, self.push(Number::Scalar(si), unit.dim, Op::Constant(unit.clone())))
     }
 
     fn step(
@@ -360,7 +372,48 @@ impl<'s> Worksheet for &'s Sheet<'s> {
     }
 }
 
-impl Sheet<'_> {
+impl<'a> Sheet<'a> {
+    /// Operations recorded so far.
+    pub(crate) fn solution(&self) -> std::cell::Ref<'_, Solution> {
+        self.solution.borrow()
+    }
+
+    /// The number at a node.
+    pub(crate) fn term(&'a self, id: Id) -> Term<'a> {
+        Term::Node(self, id)
+    }
+
+    /// The vector at a node.
+    pub(crate) fn vector_term(&'a self, id: Id) -> VectorTerm<'a> {
+        VectorTerm::Node(self, id)
+    }
+
+    /// An input or a definition that formulas need before the solve.
+    pub(crate) fn lift(&'a self, path: &str, symbol: Symbol, unit: &Unit, number: Number) -> Id {
+        let op = Op::Given { symbol, unit: unit.clone(), path: path.to_owned() };
+        let id = self.push(number, unit.dim, op);
+        self.lifted.borrow_mut().insert(path.to_owned(), id);
+        id
+    }
+
+    /// The result of a formula takes the place of an input.
+    pub(crate) fn lift_formula(&self, path: &str, id: Id) {
+        self.lifted.borrow_mut().insert(path.to_owned(), id);
+    }
+
+    /// Marks the answer of that name as one the user asked for.
+    pub(crate) fn mark_asked(&self, name: Name) {
+        if let Some(answer) = self.solution.borrow_mut().answers.iter_mut().find(|answer| answer.name == name)
+        {
+            answer.asked = true;
+        }
+    }
+
+    fn lifted_before(&self, op: &Op) -> Option<Id> {
+        let Op::Given { path, .. } = op else { return None };
+        self.lifted.borrow().get(path).copied()
+    }
+
     fn input(&self, input: &InputNumber<'_>) -> (Unit, Op) {
         let (value, field_path) = match input.at {
             Some(at) => (
@@ -380,6 +433,17 @@ impl Sheet<'_> {
             path: field_path.path(),
         };
         (unit, op)
+    }
+
+    /// The dimension of a power with a computed exponent.
+    fn power_dim(&self, base: Id, exponent: Id) -> Dim {
+        let (Number::Scalar(exponent), (_, dim)) = (self.node(exponent).0, self.node(base)) else {
+            return Dim::NONE;
+        };
+        dim.powf(exponent).unwrap_or_else(|| {
+            self.defect(format!("a number in {dim} to the power {exponent}"));
+            Dim::NONE
+        })
     }
 
     /// The dimension of a sum of two.

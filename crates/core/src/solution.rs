@@ -49,6 +49,8 @@ pub struct Answer {
     pub noise: f64,
     /// The digits it is shown with, where the user chose them.
     pub digits: Option<u8>,
+    /// True if it answers a question of the user's own.
+    pub asked: bool,
 }
 
 /// The key of an answer: a name and, for one of several, its place, counted from 1: `frequency[2]`, `mode[1][3]`.
@@ -163,7 +165,7 @@ impl Solution {
 impl Answer {
     /// An answer in the unit and with the digits of the analysis.
     pub(crate) fn new(name: Name, label: &'static str, value: AnswerValue, unit: Unit, noise: f64) -> Self {
-        Self { name, label, row_label: String::new(), value, unit, noise, digits: None }
+        Self { name, label, row_label: String::new(), value, unit, noise, digits: None, asked: false }
     }
 
     /// The answer as a number in SI, where it is one.

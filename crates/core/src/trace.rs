@@ -49,6 +49,8 @@ pub enum Number {
 pub enum Op {
     /// A number of the formula itself: the 3 of `3 E I / L³`.
     Literal,
+    /// A number with a unit in a formula that a user wrote: the 2 kg of `m + 2 kg`.
+    Constant(Unit),
     /// An input, in the unit it was typed in.
     Given {
         /// Symbol in formulas.
@@ -74,6 +76,12 @@ pub enum Op {
     Power(Id, i8),
     /// The `n`th root.
     Root(Id, u8),
+    /// `aᵇ` with an exponent that is computed.
+    Raised(Id, Id),
+    /// The smaller of two.
+    Min(Id, Id),
+    /// The larger of two.
+    Max(Id, Id),
     /// A function of one number.
     Call(Function, Id),
     /// `atan2(y, x)`
@@ -109,6 +117,14 @@ pub enum Function {
     Exp,
     /// `ln`
     Ln,
+    /// `log₁₀`
+    Log10,
+    /// `sinh`
+    Sinh,
+    /// `cosh`
+    Cosh,
+    /// `tanh`
+    Tanh,
     /// `|x|`
     Abs,
 }
@@ -163,7 +179,7 @@ impl Trace {
     pub(crate) fn scale_of(&self, op: &Op, number: Number) -> f64 {
         let (scale, size) = (|id: Id| self.node(id).scale, |id: Id| self.node(id).number.size());
         let scale = match *op {
-            Op::Add(a, b) | Op::Sub(a, b) => scale(a).max(scale(b)),
+            Op::Add(a, b) | Op::Sub(a, b) | Op::Min(a, b) | Op::Max(a, b) => scale(a).max(scale(b)),
             Op::Mul(a, b) | Op::Dot(a, b) | Op::Cross(a, b) => scale(a) * scale(b),
             Op::Div(a, b) => scale(a) / size(b),
             Op::Neg(a) | Op::Magnitude(a) | Op::Component(a, _) | Op::Call(Function::Abs, a) => scale(a),
@@ -185,8 +201,12 @@ impl Trace {
         let own = f64::EPSILON * number.size();
         let product = |a: Id, b: Id| size(a) * error(b) + size(b) * error(a);
         let carried = match *op {
-            Op::Literal | Op::Given { .. } | Op::Step(_) => 0.0,
+            Op::Literal | Op::Constant(_) | Op::Given { .. } | Op::Step(_) => 0.0,
             Op::Add(a, b) | Op::Sub(a, b) => error(a) + error(b),
+            Op::Min(a, b) | Op::Max(a, b) => error(a).max(error(b)),
+            Op::Raised(a, b) => {
+                number.size() * (size(b) * error(a) / size(a) + size(a).ln().abs() * error(b))
+            }
             Op::Mul(a, b) => product(a, b),
             Op::Dot(a, b) | Op::Cross(a, b) => product(a, b) + f64::EPSILON * size(a) * size(b),
             Op::Div(a, b) => (error(a) + number.size() * error(b)) / size(b),
@@ -208,6 +228,10 @@ impl Trace {
                     }
                     Function::Exp => number.size() * error,
                     Function::Ln => error / x,
+                    Function::Log10 => error / x * std::f64::consts::LOG10_E,
+                    Function::Sinh => x.cosh() * error,
+                    Function::Cosh => x.sinh().abs() * error,
+                    Function::Tanh => (1.0 - number.size().powi(2)) * error,
                     Function::Abs => error,
                 }
             }
@@ -221,8 +245,11 @@ impl Trace {
     /// The nodes that `id` was made from.
     pub fn operands(&self, id: Id) -> Vec<Id> {
         match &self.node(id).op {
-            Op::Literal | Op::Given { .. } | Op::Step(_) => Vec::new(),
+            Op::Literal | Op::Constant(_) | Op::Given { .. } | Op::Step(_) => Vec::new(),
             Op::Add(a, b)
+            | Op::Raised(a, b)
+            | Op::Min(a, b)
+            | Op::Max(a, b)
             | Op::Sub(a, b)
             | Op::Mul(a, b)
             | Op::Div(a, b)

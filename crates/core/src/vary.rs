@@ -3,7 +3,10 @@
 use dalembert_units::{self as units, Dim, Kind, Quantity, Unit};
 
 use crate::{
-    Entry, Evaluate, FieldLimit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value, gravity,
+    Entry, Evaluate, FieldLimit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value,
+    definitions::Plan,
+    gravity,
+    intern::intern,
     kept,
     path::{Segment, segments},
     reading,
@@ -67,12 +70,38 @@ pub fn inputs(record: &Record) -> Vec<VariedInput> {
             _ => {}
         }
     });
+    if let Some(plan) = &record.plan {
+        found.retain(|input| !plan.has_formula(&input.path));
+        found.extend(plan.levers().map(|(name, unit, si)| VariedInput {
+            path: name.to_owned(),
+            label: Text::verbatim(name),
+            symbol: intern(name),
+            measure: Measure {
+                unit: intern(&unit.ascii()),
+                kind: Some(Kind::Other),
+                min: FieldLimit::None,
+                max: FieldLimit::None,
+                others: &[],
+            },
+            unit: unit.clone(),
+            si,
+        }));
+    }
     found
 }
 
 /// The record with another number at a path of [`inputs`], or at that of an optional one that was left out; `None` where
 /// there is none.
 pub fn changed(record: &Record, path: &str, si: f64) -> Option<Record> {
+    let Some(plan) = &record.plan else { return with_number(record, path, si) };
+    let mut plan = Plan::clone(plan);
+    let mut record = if plan.set(path, si) { record.clone() } else { with_number(record, path, si)? };
+    plan.renew(&mut record).ok()?;
+    record.plan = Some(plan.into());
+    Some(record)
+}
+
+fn with_number(record: &Record, path: &str, si: f64) -> Option<Record> {
     gravity::shared(record, path).iter().try_fold(record.clone(), |mut record, path| {
         kept::keep(&mut record, path);
         *number(&mut record, path)? = si;

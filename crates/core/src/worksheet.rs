@@ -4,6 +4,7 @@ use std::cell::Cell;
 
 use dalembert_numerics::intervals::IntervalSet;
 use dalembert_numerics::{Real, Vector};
+use dalembert_units::Unit;
 use nalgebra::Vector3;
 
 use crate::{Cite, Exhibit, Field, Name, Refusal, Stop, Symbol, Text, Value};
@@ -22,6 +23,10 @@ pub trait Worksheet: Copy {
     /// An input vector.
     #[doc(hidden)]
     fn given_vector(self, input: InputNumber<'_>, si: Vector3<f64>) -> Self::Vec;
+
+    /// A number with a unit in a formula that a user wrote.
+    #[doc(hidden)]
+    fn constant(self, si: f64, unit: &Unit) -> Self::Num;
 
     /// Writes `symbol = formula = substitution = result in unit` and goes on with the symbol.
     fn step(
@@ -214,6 +219,10 @@ impl Worksheet for &Plain<'_> {
     }
     #[inline]
     fn given_vector(self, _: InputNumber<'_>, si: Vector3<f64>) -> Vector3<f64> {
+        si
+    }
+    #[inline]
+    fn constant(self, si: f64, _: &Unit) -> f64 {
         si
     }
     #[inline]

@@ -148,3 +148,7 @@ covered-although-a-reason-is-given = coberta, embora haja um motivo
 no-reason-given = nenhum motivo dado
 an-answer-is-covered-if-a-check-of-one-of-its-cases-fails-when-the-answer-is-changed-by-one-part-in-a = Uma resposta está coberta se uma verificação de um de seus casos falha quando ela muda uma parte em um milhão.
 list-the-answers-that-no-check-covers-each-with-the-reason = Listar as respostas que nenhuma verificação cobre, cada uma com o motivo
+define-a-quantity-for-formulas-in-inputs-and-questions-nu-0-3-g-e-2-1-nu = Definir uma grandeza para fórmulas em dados e perguntas: nu=0.3, 'G=E/(2*(1+nu))'
+ask-a-question-over-inputs-answers-and-steps-peak-to-peak-2-x = Fazer uma pergunta com dados, resultados e passos: 'pico a pico=2*X'
+write-a-name-and-a-formula-as-in-let-nu-0-3 = escreva um nome e uma fórmula, como em --let nu=0.3
+flag-text-why = { $flag } { $text }: { $why }

@@ -93,6 +93,12 @@ pub(crate) struct Solve {
     /// Change an input: mass="40 kg", masses[2].radius="0.1 m"; a table can be read from a file: samples=@data.csv
     #[arg(long, value_name = "PATH=VALUE")]
     pub(crate) set: Vec<String>,
+    /// Define a quantity for formulas in inputs and questions: nu=0.3, 'G=E/(2*(1+nu))'
+    #[arg(long = "let", value_name = "NAME=FORMULA")]
+    pub(crate) define: Vec<String>,
+    /// Ask a question over inputs, answers and steps: 'peak to peak=2*X'
+    #[arg(long, value_name = "NAME=FORMULA")]
+    pub(crate) ask: Vec<String>,
     /// Output format; default: by the file extension, otherwise text
     #[arg(long, value_enum)]
     pub(crate) format: Option<Format>,

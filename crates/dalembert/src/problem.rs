@@ -49,6 +49,10 @@ pub(crate) struct ProblemSource<'a> {
     pub(crate) case: Option<u32>,
     /// The inputs to change.
     pub(crate) changes: &'a [String],
+    /// The definitions to add.
+    pub(crate) define: &'a [String],
+    /// The questions to add.
+    pub(crate) ask: &'a [String],
     /// True if a number without a unit is refused.
     pub(crate) strict: bool,
 }
@@ -91,7 +95,7 @@ fn of_analysis(
     let shape = entry.shape();
     let base = case.as_ref().map_or_else(|| Draft::blank(&shape), |case| case.draft.clone());
     let mut draft = base.clone();
-    let mut errors = change(&mut draft, &shape, asked.changes, console);
+    let mut errors = change(&mut draft, &shape, asked, console);
     let mut is_incomplete = false;
     let record = draft.read(&shape).map_err(|found| {
         is_incomplete = found.iter().any(|err| typed(&draft, &shape, &err.path).is_empty());
@@ -147,7 +151,7 @@ fn of_file(path: &Path, asked: &ProblemSource<'_>, console: &Console) -> Result<
     })?;
     let shape = problem.entry.shape();
     let mut draft = problem.draft;
-    let errors = change(&mut draft, &shape, asked.changes, console);
+    let errors = change(&mut draft, &shape, asked, console);
     if !errors.is_empty() {
         return Err(Failure::Input(errors));
     }
@@ -195,10 +199,25 @@ fn reported(notes: Vec<Text>, template: &'static str, console: &Console) -> Vec<
     notes
 }
 
-/// Makes the changes of `--set`, and says what is wrong with those that cannot be made.
-fn change(draft: &mut Draft, shape: &Shape, changes: &[String], console: &Console) -> Vec<Text> {
+/// Makes the changes of `--let`, `--ask` and `--set`, and says what is wrong with those that cannot be made.
+fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: &Console) -> Vec<Text> {
     let mut errors = Vec::new();
-    for change in changes {
+    type Add = fn(&mut Draft, &Shape, &str, &str) -> Result<(), FieldError>;
+    let added: [(&str, &[String], Add); 2] =
+        [("--let", asked.define, Draft::define), ("--ask", asked.ask, Draft::ask)];
+    for (flag, texts, add) in added {
+        for text in texts {
+            let added = match text.split_once('=') {
+                Some((name, formula)) => add(draft, shape, name, formula).map_err(|err| err.why),
+                None => Err("write a name and a formula, as in --let nu=0.3".into()),
+            };
+            if let Err(why) = added {
+                let error = Text::new("{flag} {text}: {why}").with("flag", flag).with("text", short(text));
+                errors.push(error.with_text("why", why));
+            }
+        }
+    }
+    for change in asked.changes {
         let Some((path, value)) = change.split_once('=') else {
             errors.push(
                 Text::new("--set {change}: write a path and a value, as in --set mass=\"40 kg\"")

@@ -61,6 +61,28 @@ pub trait Real:
     /// `ln x`.
     #[must_use]
     fn ln(self) -> Self;
+    /// `log₁₀ x`.
+    #[must_use]
+    fn log10(self) -> Self;
+    /// `sinh x`.
+    #[must_use]
+    fn sinh(self) -> Self;
+    /// `cosh x`.
+    #[must_use]
+    fn cosh(self) -> Self;
+    /// `tanh x`.
+    #[must_use]
+    fn tanh(self) -> Self;
+    /// `xʸ` for an exponent that is no constant of the formula; a constant one takes [`powi`](Real::powi) or
+    /// [`root`](Real::root).
+    #[must_use]
+    fn pow(self, exponent: Self) -> Self;
+    /// The smaller of two.
+    #[must_use]
+    fn min(self, other: Self) -> Self;
+    /// The larger of two.
+    #[must_use]
+    fn max(self, other: Self) -> Self;
     /// The sum of all terms; zero for none. Worked solutions write it with `Σ` when it is long.
     #[must_use]
     fn sum(terms: impl IntoIterator<Item = Self>) -> Self;
@@ -150,6 +172,34 @@ impl Real for f64 {
     #[inline]
     fn ln(self) -> f64 {
         f64::ln(self)
+    }
+    #[inline]
+    fn log10(self) -> f64 {
+        f64::log10(self)
+    }
+    #[inline]
+    fn sinh(self) -> f64 {
+        f64::sinh(self)
+    }
+    #[inline]
+    fn cosh(self) -> f64 {
+        f64::cosh(self)
+    }
+    #[inline]
+    fn tanh(self) -> f64 {
+        f64::tanh(self)
+    }
+    #[inline]
+    fn pow(self, exponent: f64) -> f64 {
+        f64::powf(self, exponent)
+    }
+    #[inline]
+    fn min(self, other: f64) -> f64 {
+        f64::min(self, other)
+    }
+    #[inline]
+    fn max(self, other: f64) -> f64 {
+        f64::max(self, other)
     }
     #[inline]
     fn sum(terms: impl IntoIterator<Item = f64>) -> f64 {

@@ -250,6 +250,29 @@ impl Real for SimdVector {
     fn ln(self) -> Self {
         self.map(ln)
     }
+    fn log10(self) -> Self {
+        self.map(f64::log10)
+    }
+    fn sinh(self) -> Self {
+        self.map(f64::sinh)
+    }
+    fn cosh(self) -> Self {
+        self.map(f64::cosh)
+    }
+    fn tanh(self) -> Self {
+        self.map(f64::tanh)
+    }
+    fn pow(self, exponent: Self) -> Self {
+        self.with(exponent, f64::powf)
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.with(other, f64::min)
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.with(other, f64::max)
+    }
     #[inline(always)]
     fn sum(terms: impl IntoIterator<Item = Self>) -> Self {
         // A loop: what `reduce` calls is not always inlined.

@@ -86,6 +86,9 @@ fn answer(answer: &Answer, locale: &Locale) -> Json {
     let mut entry = with_units(&numbers, &answer.unit);
     entry.insert("label".into(), answer.label(locale).into());
     entry.insert("shown".into(), answer.shown(locale).into());
+    if answer.asked {
+        entry.insert("asked".into(), true.into());
+    }
     Json::Object(entry)
 }
 

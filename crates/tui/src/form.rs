@@ -306,6 +306,23 @@ impl Form {
         done
     }
 
+    /// A definition (`let`) or a question (`ask`) more; the cursor goes to its name.
+    pub fn add_to(&mut self, list: &str) -> bool {
+        let mut name = String::new();
+        let done = self.change(Change::Other, |draft, shape| {
+            let (rows, shape) = rows_mut(draft, shape, list)?;
+            let Shape::Rows { item, most, .. } = shape else { return None };
+            if rows.len() >= most {
+                return None;
+            }
+            rows.push(Draft::blank(item()));
+            name = format!("{list}[{}].name", rows.len());
+            Some(())
+        });
+        self.go_to(&name);
+        done
+    }
+
     /// A copy of the row of the cursor, below it.
     pub fn duplicate_row(&mut self) -> bool {
         let Some((list, at)) = self.row().and_then(|row| Some((row.list, row.at?))) else { return false };

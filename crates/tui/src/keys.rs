@@ -97,6 +97,10 @@ pub enum Action {
     GiveUp,
     /// A row more, below this one.
     AddRow,
+    /// A definition more: a named quantity for formulas.
+    Define,
+    /// A question more: a formula over answers.
+    Ask,
     /// A copy of this row.
     DuplicateRow,
     /// Deletes this row, or leaves an optional input out.

@@ -66,6 +66,19 @@ impl Dim {
         Some(Self::new(self.length / n, self.mass / n, self.time / n, self.angle / n))
     }
 
+    /// This dimension to a power that need not be whole, when the exponents of length, mass and time stay whole; the
+    /// exponent of the angle is rounded towards zero.
+    #[must_use]
+    pub fn powf(self, exponent: f64) -> Option<Self> {
+        let whole = |n: i8| {
+            let power = f64::from(n) * exponent;
+            let rounded = power.round();
+            ((power - rounded).abs() < 1e-9 && rounded.abs() <= f64::from(i8::MAX)).then_some(rounded as i8)
+        };
+        let angle = (f64::from(self.angle) * exponent).trunc() as i8;
+        Some(Self::new(whole(self.length)?, whole(self.mass)?, whole(self.time)?, angle))
+    }
+
     /// Returns true if two quantities may be compared or added: all exponents but that of the angle are equal.
     #[must_use]
     pub const fn agrees(self, other: Dim) -> bool {

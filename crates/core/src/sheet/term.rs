@@ -30,7 +30,7 @@ impl<'s> Term<'s> {
     }
 
     /// The node of this number; a literal has none.
-    pub(super) fn node(self) -> Option<Id> {
+    pub(crate) fn node(self) -> Option<Id> {
         if let Term::Node(_, id) = self { Some(id) } else { None }
     }
 
@@ -197,6 +197,34 @@ impl Real for Term<'_> {
 
     fn ln(self) -> Self {
         self.call(Function::Ln, self.value().ln(), Dim::NONE)
+    }
+
+    fn log10(self) -> Self {
+        self.call(Function::Log10, self.value().log10(), Dim::NONE)
+    }
+
+    fn sinh(self) -> Self {
+        self.call(Function::Sinh, self.value().sinh(), Dim::NONE)
+    }
+
+    fn cosh(self) -> Self {
+        self.call(Function::Cosh, self.value().cosh(), Dim::NONE)
+    }
+
+    fn tanh(self) -> Self {
+        self.call(Function::Tanh, self.value().tanh(), Dim::NONE)
+    }
+
+    fn pow(self, exponent: Self) -> Self {
+        self.binary(exponent, self.value().powf(exponent.value()), Sheet::power_dim, Op::Raised)
+    }
+
+    fn min(self, other: Self) -> Self {
+        self.binary(other, self.value().min(other.value()), Sheet::same_dim, Op::Min)
+    }
+
+    fn max(self, other: Self) -> Self {
+        self.binary(other, self.value().max(other.value()), Sheet::same_dim, Op::Max)
     }
 
     fn sum(terms: impl IntoIterator<Item = Self>) -> Self {

@@ -37,7 +37,22 @@ fn of(entry: &Entry, locale: &Locale) -> Json {
             "format": { "type": "integer", "minimum": 1, "maximum": 2 },
             "analysis": { "const": about.id },
             "title": { "type": "string" },
+            "let": { "type": "object", "additionalProperties": { "type": ["string", "number"] } },
             "inputs": inputs,
+            "ask": { "type": "object", "additionalProperties": { "oneOf": [
+                { "type": ["string", "number"] },
+                {
+                    "type": "object",
+                    "additionalProperties": false,
+                    "required": ["value"],
+                    "properties": {
+                        "value": { "type": ["string", "number"] },
+                        "unit": { "type": "string" },
+                        "symbol": { "type": "string" },
+                        "key": { "type": "string" },
+                    },
+                },
+            ] } },
             "show": { "type": "object", "additionalProperties": { "type": "string" } },
         },
         "$defs": writer.definitions,

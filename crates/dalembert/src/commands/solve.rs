@@ -23,8 +23,14 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
     if let Some(output) = &solve.output {
         output::allowed(output, Path::new(&solve.problem), solve.force)?;
     }
-    let asked =
-        ProblemSource { named: &solve.problem, case: solve.case, changes: &solve.set, strict: solve.strict };
+    let asked = ProblemSource {
+        named: &solve.problem,
+        case: solve.case,
+        changes: &solve.set,
+        define: &solve.define,
+        ask: &solve.ask,
+        strict: solve.strict,
+    };
     let mut problem = problem::read(&asked, console)?;
     for asked in &solve.unit {
         let (answer, unit) = asked.split_once('=').ok_or_else(|| {

@@ -24,7 +24,14 @@ const FIRST: &str = "vibration/rotating-unbalance";
 pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, Failure> {
     let named = arguments.problem.as_deref();
     if !console.interactive {
-        let asked = ProblemSource { named: named.unwrap_or(FIRST), case: None, changes: &[], strict: false };
+        let asked = ProblemSource {
+            named: named.unwrap_or(FIRST),
+            case: None,
+            changes: &[],
+            define: &[],
+            ask: &[],
+            strict: false,
+        };
         return print_worked(&problem::read(&asked, console)?, console);
     }
     if let Some(path) = &arguments.record {

@@ -127,6 +127,29 @@ impl Real for Jet {
         let x = self.0[0];
         self.through([x.ln(), 1.0 / x, -1.0 / (x * x)])
     }
+    fn log10(self) -> Jet {
+        self.ln() / std::f64::consts::LN_10
+    }
+    fn sinh(self) -> Jet {
+        let (s, c) = (self.0[0].sinh(), self.0[0].cosh());
+        self.through([s, c, s])
+    }
+    fn cosh(self) -> Jet {
+        let (s, c) = (self.0[0].sinh(), self.0[0].cosh());
+        self.through([c, s, c])
+    }
+    fn tanh(self) -> Jet {
+        self.sinh() / self.cosh()
+    }
+    fn pow(self, exponent: Jet) -> Jet {
+        (self.ln() * exponent).exp()
+    }
+    fn min(self, other: Jet) -> Jet {
+        if other.0[0] < self.0[0] { other } else { self }
+    }
+    fn max(self, other: Jet) -> Jet {
+        if other.0[0] > self.0[0] { other } else { self }
+    }
     fn sum(terms: impl IntoIterator<Item = Jet>) -> Jet {
         terms.into_iter().fold(Jet::from(0.0), Add::add)
     }

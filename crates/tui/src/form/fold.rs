@@ -12,7 +12,11 @@ use super::{
 impl Form {
     /// Every line, those of folded rows among them.
     pub(super) fn all_lines(&self) -> Vec<FormLine> {
-        lines(&self.shape, &self.draft)
+        let mut lines = lines(&self.shape, &self.draft);
+        // Definitions and questions stand in the form once there are some.
+        let is_empty = |line: &FormLine| matches!(line.role, Role::Rows { count: 0 });
+        lines.retain(|line| !is_empty(line) || !matches!(line.path.as_str(), "let" | "ask"));
+        lines
     }
 
     /// Returns true if the row of a path is collapsed.

@@ -53,6 +53,8 @@ impl Action {
             Action::Import => "import",
             Action::GiveUp => "give-up",
             Action::AddRow => "add-row",
+            Action::Define => "define",
+            Action::Ask => "ask",
             Action::DuplicateRow => "duplicate-row",
             Action::DeleteRow => "delete-row",
             Action::MoveRowUp => "move-row-up",

@@ -83,6 +83,8 @@ pub(super) const FORM: BindingTable = &[
         bind(Action::Toggle, &[typed(' ')], "toggle yes/no; include or omit", ""),
         bind(Action::AddRow, &[typed('a')], "add a row", ""),
         bind(Action::DuplicateRow, &[typed('d')], "duplicate the row", ""),
+        bind(Action::Define, &[typed('N')], "define a quantity", ""),
+        bind(Action::Ask, &[typed('A')], "ask for a quantity", ""),
         bind(Action::DeleteRow, &[typed('x')], "delete the row, or omit the input", ""),
         bind(Action::MoveRowUp, &[typed('K')], "move the row up", ""),
         bind(Action::MoveRowDown, &[typed('J')], "move the row down", ""),

@@ -56,6 +56,8 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
         }
         Action::Import => return ask_import(model),
         Action::AddRow => return after(model, Form::add_row, "not in a list"),
+        Action::Define => return after(model, |form| form.add_to("let"), ""),
+        Action::Ask => return after(model, |form| form.add_to("ask"), ""),
         Action::DuplicateRow => {
             return after(model, Form::duplicate_row, "no row selected");
         }

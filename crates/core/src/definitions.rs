@@ -1,0 +1,499 @@
+//! Definitions, formulas of inputs, and questions of the user's own: what every problem has beside its inputs.
+//!
+//! A definition is a named quantity, `nu = 0.3` or `G = E/(2*(1+nu))`. An input takes a formula over definitions and
+//! other inputs. A question is a formula over definitions, inputs, answers and steps, and is an answer like any other.
+//! They are read into a [`Plan`], which every reading of the problem follows: the worked one records each formula as a
+//! step, the plain one does the same operations in the same order.
+
+mod names;
+mod plain_reading;
+mod questions;
+mod reader;
+mod typed;
+
+use std::{collections::BTreeMap, sync::OnceLock};
+
+use dalembert_units::{Quantity, Unit};
+
+use self::{
+    names::{Names, Place},
+    reader::{Reader, text_of},
+};
+pub(crate) use self::{plain_reading::prepare, questions::ask};
+use crate::{
+    Field, FieldError, Inputs, Measure, Number, Plain, Record, Refusal, Shape, Sheet, Stop, Symbol, Text,
+    Value,
+    formula::{Formula, FormulaError, Operand, evaluate, normalised, unit_of},
+    intern::intern,
+};
+
+/// The most definitions, and the most questions, of a problem.
+const MOST: usize = 200;
+
+/// The fields that every problem has behind its own inputs.
+pub(crate) static FIELDS: [Field; 2] = [
+    Field {
+        label: "Definitions",
+        help: "Quantities of your own, for formulas in inputs and questions: nu = 0.3, G = E/(2*(1+nu)).",
+        ..field("let", || &Shape::Group(|| &DEFINITION))
+    },
+    Field {
+        label: "Questions",
+        help: "Formulas over inputs, answers and steps, answered like the rest: peak to peak = 2*X.",
+        ..field("ask", || &Shape::Group(|| &QUESTION))
+    },
+];
+
+static DEFINITION: [Field; 2] = [
+    Field { label: "Name", help: "As formulas write it: nu, E_1, bolt.", ..text("name") },
+    Field {
+        label: "Value or formula",
+        help: "12 g, or E/(2*(1+nu)) over other definitions and inputs.",
+        ..text("formula")
+    },
+];
+
+static QUESTION: [Field; 5] = [
+    Field { label: "Quantity", help: "In words: peak to peak.", ..text("name") },
+    Field {
+        label: "Formula",
+        help: "Over definitions, inputs, answers and steps: 2*X, c*(omega*X)^2/2.",
+        ..text("formula")
+    },
+    Field {
+        label: "Unit of the result",
+        help: "The unit of the result; left out, that of its parts.",
+        ..optional("unit")
+    },
+    Field {
+        label: "Symbol",
+        help: "The symbol in the worked solution; left out, Q and a number.",
+        ..optional("symbol")
+    },
+    Field {
+        label: "Key",
+        help: "The name in files and on the command line; left out, made from the words.",
+        ..optional("key")
+    },
+];
+
+const fn text(name: &'static str) -> Field {
+    Field {
+        name,
+        label: "",
+        help: "",
+        symbol: "",
+        default: None,
+        default_before: None,
+        kept_in: None,
+        former: &[],
+        shape: Shape::Text,
+    }
+}
+
+const fn optional(name: &'static str) -> Field {
+    Field { shape: Shape::Optional(|| &Shape::Text), ..text(name) }
+}
+
+const fn field(name: &'static str, item: fn() -> &'static Shape) -> Field {
+    Field { shape: Shape::Rows { item, min: 0, most: MOST }, ..text(name) }
+}
+
+/// The shape of a whole problem: the inputs of an analysis, and the fields that every problem has.
+pub(crate) fn shape_of<A: Inputs>() -> Shape {
+    Shape::Group(fields_of::<A>)
+}
+
+/// One list for each analysis, made when it is first asked for.
+fn fields_of<A: Inputs>() -> &'static [Field] {
+    use std::{any::TypeId, collections::HashMap, sync::Mutex, sync::PoisonError};
+    type Lists = Mutex<HashMap<TypeId, &'static [Field]>>;
+    static LISTS: OnceLock<Lists> = OnceLock::new();
+    let lists = LISTS.get_or_init(Lists::default);
+    let mut lists = lists.lock().unwrap_or_else(PoisonError::into_inner);
+    lists.entry(TypeId::of::<A>()).or_insert_with(|| {
+        let own = A::SHAPE.fields(None).iter().chain(&FIELDS);
+        own.copied().collect::<Vec<Field>>().leak()
+    })
+}
+
+/// The formulas of a problem, in an order in which each rests on earlier ones.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Plan {
+    definitions: Vec<Definition>,
+    /// The inputs that have a formula, and those that a formula names.
+    inputs: Vec<PlannedInput>,
+    order: Vec<Place>,
+    questions: Vec<Question>,
+    names: Names,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Definition {
+    name: String,
+    formula: Formula,
+    unit: Unit,
+    si: f64,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct PlannedInput {
+    path: String,
+    label: &'static str,
+    symbol: Symbol,
+    measure: Measure,
+    unit: Unit,
+    value: Number,
+    formula: Option<Formula>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+struct Question {
+    label: String,
+    key: String,
+    symbol: Option<String>,
+    unit: Option<Unit>,
+    formula: Formula,
+}
+
+/// A text of an input that is no quantity, and may be a formula.
+pub(crate) struct Pending {
+    /// The path of the input.
+    pub(crate) path: String,
+    /// The text.
+    pub(crate) text: String,
+    /// Reason for which it is no quantity.
+    pub(crate) error: FieldError,
+}
+
+/// Reads definitions, formulas and questions, and writes the values of the inputs that have a formula into the record.
+pub(crate) fn plan(record: &mut Record, pending: Vec<Pending>, errors: &mut Vec<FieldError>) {
+    let rows = |name: &str| match record.get(name) {
+        Some(Value::Rows(rows)) => rows.clone(),
+        _ => Vec::new(),
+    };
+    let (definitions, questions) = (rows("let"), rows("ask"));
+    if definitions.is_empty() && questions.is_empty() && pending.is_empty() {
+        return;
+    }
+    let names = Names::of(record, definitions.iter().map(|row| text_of(row, "name")));
+    let mut reader = Reader { names: &names, errors: Vec::new() };
+    let mut found = Plan {
+        definitions: Vec::new(),
+        inputs: Vec::new(),
+        order: Vec::new(),
+        questions: Vec::new(),
+        names: Names::default(),
+    };
+    for (n, row) in definitions.iter().enumerate() {
+        found.definitions.extend(reader.definition(n, row));
+    }
+    for (n, row) in questions.iter().enumerate() {
+        found.questions.extend(reader.question(n, row, &found.questions));
+    }
+    let mut wrong = reader.errors;
+    // Only what names something that is there is taken for a formula; any other text keeps its own error.
+    for Pending { path, text, error } in pending {
+        match Formula::parse(&text, &|name| names.contains(name)) {
+            Ok(formula) if formula.names().iter().any(|(name, _)| names.contains(name)) => {
+                if let Some(mut input) = names.input(&path) {
+                    input.formula = Some(formula);
+                    found.inputs.push(input);
+                    continue;
+                }
+                wrong.push(error);
+            }
+            Err(formula) if mentions(&text, &names) => wrong.push(field_error(&path, formula)),
+            _ => wrong.push(error),
+        }
+    }
+    if found.definitions.len() < definitions.len() || !wrong.is_empty() {
+        errors.extend(wrong);
+        return;
+    }
+    found.names = names;
+    found.add_named_inputs();
+    let evaluated = found.arrange().and_then(|()| found.renew(record));
+    match evaluated {
+        Ok(()) => record.plan = Some(std::sync::Arc::new(found)),
+        Err(error) => errors.push(error),
+    }
+}
+
+/// Returns true if a text has a word that is a name.
+fn mentions(text: &str, names: &Names) -> bool {
+    let words = text.split(|c: char| !(c.is_alphanumeric() || matches!(c, '_' | '.' | '[' | ']')));
+    words.filter(|word| !word.is_empty()).any(|word| names.contains(word))
+}
+
+fn field_error(path: &str, error: FormulaError) -> FieldError {
+    FieldError { path: path.to_owned(), why: error.why, span: error.span }
+}
+
+impl Plan {
+    /// Name, unit and value in SI of each definition that is a quantity and no formula: what can be varied.
+    pub(crate) fn levers(&self) -> impl Iterator<Item = (&str, &Unit, f64)> {
+        let levers = self.definitions.iter().filter(|definition| definition.formula.quantity().is_some());
+        levers.map(|definition| (definition.name.as_str(), &definition.unit, definition.si))
+    }
+
+    /// Returns true if an input takes its value from a formula.
+    pub(crate) fn has_formula(&self, path: &str) -> bool {
+        self.inputs.iter().any(|input| input.path == path && input.formula.is_some())
+    }
+
+    /// Gives a definition another value; whether there is one of that name that can take it.
+    pub(crate) fn set(&mut self, name: &str, si: f64) -> bool {
+        let levers = self.definitions.iter_mut().filter(|definition| definition.formula.quantity().is_some());
+        match levers.into_iter().find(|definition| definition.name == name) {
+            Some(definition) => {
+                definition.si = si;
+                true
+            }
+            None => false,
+        }
+    }
+
+    /// Adds the inputs that formulas name.
+    fn add_named_inputs(&mut self) {
+        let formulas: Vec<&Formula> = self
+            .definitions
+            .iter()
+            .map(|definition| &definition.formula)
+            .chain(self.inputs.iter().filter_map(|input| input.formula.as_ref()))
+            .collect();
+        let named: Vec<String> = formulas
+            .into_iter()
+            .flat_map(Formula::names)
+            .filter_map(|(name, _)| self.names.path_of_input(name))
+            .collect();
+        for path in named {
+            if self.inputs.iter().all(|input| input.path != path)
+                && let Some(input) = self.names.input(&path)
+            {
+                self.inputs.push(input);
+            }
+        }
+    }
+
+    /// Finds the order of evaluation.
+    fn arrange(&mut self) -> Result<(), FieldError> {
+        let all: Vec<Place> = (0..self.definitions.len())
+            .map(Place::Definition)
+            .chain((0..self.inputs.len()).map(Place::Input))
+            .collect();
+        let (mut order, mut open) = (Vec::new(), Vec::new());
+        for place in all {
+            self.visit(place, &mut order, &mut open)?;
+        }
+        self.order = order;
+        Ok(())
+    }
+
+    fn visit(&self, place: Place, order: &mut Vec<Place>, open: &mut Vec<Place>) -> Result<(), FieldError> {
+        if order.contains(&place) {
+            return Ok(());
+        }
+        if let Some(start) = open.iter().position(|before| *before == place) {
+            let circle: Vec<&str> =
+                open[start..].iter().chain([&place]).map(|place| self.name_of(*place)).collect();
+            let why = Text::new("defined in a circle: {circle}").with("circle", circle.join(" → "));
+            return Err(FieldError::new(self.path_of(place), why));
+        }
+        open.push(place);
+        for (name, _) in self.formula_of(place).map(Formula::names).unwrap_or_default() {
+            if let Some(on) = self.find(name) {
+                self.visit(on, order, open)?;
+            }
+        }
+        open.pop();
+        order.push(place);
+        Ok(())
+    }
+
+    /// Meaning of a name in the formula of a definition or an input.
+    fn find(&self, name: &str) -> Option<Place> {
+        let by_path = |path: &str| self.inputs.iter().position(|input| input.path == path).map(Place::Input);
+        if let Some(place) = by_path(name) {
+            return Some(place);
+        }
+        let wanted = normalised(name);
+        let definition =
+            self.definitions.iter().position(|definition| normalised(&definition.name) == wanted);
+        definition.map(Place::Definition).or_else(|| by_path(&self.names.path_of_input(name)?))
+    }
+
+    fn formula_of(&self, place: Place) -> Option<&Formula> {
+        match place {
+            Place::Definition(at) => Some(&self.definitions[at].formula),
+            Place::Input(at) => self.inputs[at].formula.as_ref(),
+        }
+    }
+
+    fn name_of(&self, place: Place) -> &str {
+        match place {
+            Place::Definition(at) => &self.definitions[at].name,
+            Place::Input(at) => &self.inputs[at].path,
+        }
+    }
+
+    /// The path that an error of a formula is reported at.
+    fn path_of(&self, place: Place) -> String {
+        match place {
+            Place::Definition(at) => format!("let[{}].formula", at + 1),
+            Place::Input(at) => self.inputs[at].path.clone(),
+        }
+    }
+
+    /// Evaluates every formula, and writes the inputs that have one into the record.
+    pub(crate) fn renew(&mut self, record: &mut Record) -> Result<(), FieldError> {
+        for input in &mut self.inputs {
+            if input.formula.is_none()
+                && let Some(value) = names::value_at(record, &input.path)
+            {
+                input.value = value;
+            }
+        }
+        let stop = Stop::new();
+        let plain = Plain::new(&stop);
+        self.evaluate(&plain)?;
+        for input in self.inputs.iter().filter(|input| input.formula.is_some()) {
+            let Number::Scalar(si) = input.value else { continue };
+            let quantity = Quantity { si, unit: input.unit.clone(), last_place: 0.0 };
+            names::write_quantity(record, &input.path, quantity);
+        }
+        Ok(())
+    }
+
+    /// Evaluates every formula on numbers, in order.
+    fn evaluate(&mut self, plain: &Plain<'_>) -> Result<(), FieldError> {
+        for n in 0..self.order.len() {
+            let place = self.order[n];
+            let Some(formula) = self.formula_of(place) else { continue };
+            // A quantity keeps the value it has: as typed, or as a study set it.
+            if formula.quantity().is_some() {
+                continue;
+            }
+            let fail = |error| field_error(&self.path_of(place), error);
+            let scope = |name: &str| Ok(self.find(name).map(|place| self.operand(place)));
+            let found = evaluate::<&Plain<'_>>(formula, &scope, plain).map_err(fail)?;
+            let Operand::Number(si, dim) = found else {
+                let why = Text::new("`{text}` is no single number").with("text", &formula.text);
+                return Err(FieldError::new(self.path_of(place), why));
+            };
+            let unit = unit_of(formula, dim, &|name| self.find(name).map(|place| self.unit(place)));
+            match place {
+                Place::Definition(at) => {
+                    let definition = &mut self.definitions[at];
+                    (definition.unit, definition.si) = (unit, si);
+                }
+                Place::Input(at) => {
+                    let input = &self.inputs[at];
+                    let own = input.measure.own_unit();
+                    if !own.dim.agrees(dim) {
+                        let why = Text::new("`{text}` is {found}; {expected} expected, e.g. in {example}")
+                            .with("text", &formula.text)
+                            .with_text("found", crate::reading::of_dim(dim))
+                            .with_text("expected", crate::reading::of_dim(own.dim))
+                            .with("example", own.ascii());
+                        return Err(FieldError::new(&input.path, why));
+                    }
+                    let written = format!(
+                        "{} = {}",
+                        formula.text,
+                        dalembert_units::write_quantity(si, &own, <_>::default())
+                    );
+                    if let Some(why) = input.measure.outside(si, &written) {
+                        return Err(FieldError::new(&input.path, why));
+                    }
+                    let unit = if unit.dim == own.dim { unit } else { own };
+                    let input = &mut self.inputs[at];
+                    (input.unit, input.value) = (unit, Number::Scalar(si));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn unit(&self, place: Place) -> Unit {
+        match place {
+            Place::Definition(at) => self.definitions[at].unit.clone(),
+            Place::Input(at) => self.inputs[at].unit.clone(),
+        }
+    }
+
+    fn operand<'p>(&self, place: Place) -> Operand<&'p Plain<'p>> {
+        match place {
+            Place::Definition(at) => Operand::Number(self.definitions[at].si, self.definitions[at].unit.dim),
+            Place::Input(at) => match self.inputs[at].value {
+                Number::Scalar(si) => Operand::Number(si, self.inputs[at].unit.dim),
+                Number::Vector(si) => Operand::Vector(si.into(), self.inputs[at].unit.dim),
+            },
+        }
+    }
+
+    /// Writes definitions and the formulas of inputs down as steps, before the problem itself.
+    pub(crate) fn record(&self, sheet: &Sheet<'_>) -> Result<(), Refusal> {
+        let mut nodes: BTreeMap<Place, crate::trace::Id> = BTreeMap::new();
+        for &place in &self.order {
+            let formula = self.formula_of(place);
+            let id = match (place, formula) {
+                (Place::Definition(at), Some(formula)) if formula.quantity().is_some() => {
+                    let Definition { name, unit, si, .. } = &self.definitions[at];
+                    sheet.lift(name, Symbol::from(intern(name)), unit, Number::Scalar(*si))
+                }
+                (Place::Input(at), None) => {
+                    let input = &self.inputs[at];
+                    sheet.lift(&input.path, input.symbol, &input.unit, input.value)
+                }
+                (_, Some(formula)) => {
+                    let scope = |name: &str| {
+                        Ok(self.find(name).and_then(|place| {
+                            let id = *nodes.get(&place)?;
+                            Some(operand_at(sheet, id))
+                        }))
+                    };
+                    let found = evaluate::<&Sheet<'_>>(formula, &scope, sheet)
+                        .map_err(|error| Refusal::NoAnswer(error.why))?;
+                    let Operand::Number(value, _) = found else { continue };
+                    let (symbol, why) = match place {
+                        Place::Definition(at) => {
+                            (Symbol::from(intern(&self.definitions[at].name)), Text::new("Definition"))
+                        }
+                        Place::Input(at) => {
+                            let label = self.inputs[at].label;
+                            (
+                                self.inputs[at].symbol,
+                                Text::new("{input}, by its formula").with_text("input", label),
+                            )
+                        }
+                    };
+                    let unit = intern(&self.unit(place).ascii());
+                    let unit = if unit.is_empty() { "1" } else { unit };
+                    let step = crate::Worksheet::step(sheet, symbol, unit, value, why);
+                    let Some(id) = step.node() else { continue };
+                    if let Place::Input(at) = place {
+                        sheet.lift_formula(&self.inputs[at].path, id);
+                    }
+                    id
+                }
+                (Place::Definition(_), None) => continue,
+            };
+            nodes.insert(place, id);
+        }
+        Ok(())
+    }
+}
+
+/// A node of the sheet as a value in a formula.
+fn operand_at<'s>(sheet: &'s Sheet<'s>, id: crate::trace::Id) -> Operand<&'s Sheet<'s>> {
+    let (number, dim) = {
+        let solution = sheet.solution();
+        let node = solution.trace.node(id);
+        (node.number, node.dim)
+    };
+    match number {
+        Number::Scalar(_) => Operand::Number(sheet.term(id), dim),
+        Number::Vector(_) => Operand::Vector(sheet.vector_term(id), dim),
+    }
+}

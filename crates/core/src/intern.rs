@@ -1,0 +1,19 @@
+//! Names that users write, kept for the whole run: symbols and names of answers are `&'static str`.
+
+use std::{
+    collections::HashSet,
+    sync::{Mutex, PoisonError},
+};
+
+/// The same text, kept once for the whole run. The pool grows by the names that are typed, a few bytes each.
+pub(crate) fn intern(text: &str) -> &'static str {
+    static POOL: Mutex<Option<HashSet<&'static str>>> = Mutex::new(None);
+    let mut pool = POOL.lock().unwrap_or_else(PoisonError::into_inner);
+    let pool = pool.get_or_insert_default();
+    if let Some(known) = pool.get(text) {
+        return known;
+    }
+    let kept: &'static str = String::from(text).leak();
+    pool.insert(kept);
+    kept
+}
