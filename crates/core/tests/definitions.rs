@@ -121,6 +121,7 @@ force = "(3; 4; 0) N"
 "size" = "norm(F) + F.x"
 "largest" = "maximum(shape)"
 "rows" = "step[3] / (1 rad/s)"
+"turning" = "omega*2"
 "#;
 
 fn solved(text: &str) -> dalembert_core::Solution {
@@ -160,11 +161,14 @@ fn definitions_and_questions_of_a_file_are_answered() {
     close("size", 8.0);
     close("largest", 1.0);
     close("rows", 100.0);
+    // An angle drops out of a product; a rate keeps it, in the unit of its part.
+    let unit = |name: &str| solution.answer(name).expect("it is asked").unit.ascii();
+    assert_eq!([unit("force_amplitude"), unit("turning")], ["N", "rpm"]);
     assert!(solution.warnings.is_empty(), "{:?}", solution.warnings);
     assert!(solution.defects.is_empty(), "{:?}", solution.defects);
     let asked: Vec<&str> =
         solution.answers.iter().filter(|answer| answer.asked).map(|answer| answer.label).collect();
-    assert_eq!(asked.len(), 7, "{asked:?}");
+    assert_eq!(asked.len(), 8, "{asked:?}");
 }
 
 #[test]

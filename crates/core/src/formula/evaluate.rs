@@ -403,7 +403,13 @@ impl<W: Worksheet> Operand<W> {
 pub(crate) fn unit_of(formula: &Formula, dim: Dim, unit_of_name: &dyn Fn(&str) -> Option<Unit>) -> Unit {
     let mut found = None;
     first_unit(&formula.root, dim, unit_of_name, &mut found);
-    found.unwrap_or_else(|| crate::printer::si_unit(dim))
+    found.unwrap_or_else(|| crate::printer::si_unit(without_angle(dim)))
+}
+
+/// The dimension of a product in which an angle drops out: m e ω² is a force. Angles, rates of angles and quantities
+/// per angle keep theirs.
+fn without_angle(dim: Dim) -> Dim {
+    if dim.angle > 0 && (dim.length, dim.mass) != (0, 0) { Dim { angle: 0, ..dim } } else { dim }
 }
 
 fn first_unit(
