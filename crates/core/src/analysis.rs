@@ -126,13 +126,13 @@ impl Entry {
     }
 
     /// Shape of the inputs of the analysis itself: a group.
-    pub fn inputs(&self) -> Shape {
+    pub(crate) fn inputs(&self) -> Shape {
         (self.own)()
     }
 
     /// Input fields of the analysis itself.
     pub fn fields(&self) -> &'static [Field] {
-        (self.own)().fields(None)
+        self.inputs().fields(None)
     }
 
     /// The family: the part of the id before `/`.

@@ -29,7 +29,7 @@ pub fn ascii(text: &str) -> String {
             }
             out.push(plain);
             before = Run::Power;
-        } else if let Some((_, word)) = WORDS.iter().find(|(like, _)| *like == character) {
+        } else if let Some(word) = named(WORDS, character).or_else(|| greek(character)) {
             if out.ends_with(|last: char| last.is_ascii_alphanumeric()) {
                 out.push(' ');
             }
@@ -59,7 +59,8 @@ enum Run {
 const INDICES: &str = "₀0₁1₂2₃3₄4₅5₆6₇7₈8₉9₊+₋-₌=₍(₎)ₐaₑeₕhᵢiⱼjₖkₗlₘmₙnₒoₚpᵣrₛsₜtᵤuᵥvₓx";
 const POWERS: &str = "⁰0¹1²2³3⁴4⁵5⁶6⁷7⁸8⁹9⁺+⁻-ⁿnᵏkⁱiᵀT";
 
-const WORDS: &[(char, &str)] = &[
+/// The Greek letters by their English names.
+const GREEK: &[(char, &str)] = &[
     ('α', "alpha"),
     ('β', "beta"),
     ('γ', "gamma"),
@@ -92,10 +93,15 @@ const WORDS: &[(char, &str)] = &[
     ('Λ', "Lambda"),
     ('Ξ', "Xi"),
     ('Π', "Pi"),
-    ('Σ', "sum"),
+    ('Σ', "Sigma"),
     ('Φ', "Phi"),
     ('Ψ', "Psi"),
     ('Ω', "Omega"),
+];
+
+/// Signs that are words; the capital sigma is a sum.
+const WORDS: &[(char, &str)] = &[
+    ('Σ', "sum"),
     ('√', "sqrt"),
     ('∠', "@"),
     ('∑', "sum"),
@@ -183,6 +189,15 @@ pub fn index(character: char) -> Option<char> {
 /// The plain character that a raised one stands for: `²` is `2`.
 pub fn power(character: char) -> Option<char> {
     among(POWERS, character)
+}
+
+/// The English name of a Greek letter: `ω` is `omega`.
+pub fn greek(character: char) -> Option<&'static str> {
+    named(GREEK, character)
+}
+
+fn named(names: &[(char, &'static str)], character: char) -> Option<&'static str> {
+    names.iter().find(|(like, _)| *like == character).map(|(_, name)| *name)
 }
 
 /// The character that stands behind another one in a text of such pairs.

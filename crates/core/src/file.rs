@@ -12,7 +12,7 @@
 mod definitions;
 mod format;
 mod former;
-pub use former::former_input;
+pub use former::{FormerInput, former_input};
 
 use std::ops::Range;
 

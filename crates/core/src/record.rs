@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use dalembert_units::{Quantity, Unit, VectorQuantity};
 
-use crate::{Field, Shape, definitions::Plan};
+use crate::{Field, Shape, definitions::Plan, path::Segment};
 
 /// A value of some [`Shape`].
 #[derive(Clone, Debug, PartialEq)]
@@ -86,6 +86,29 @@ impl Record {
     pub fn get_mut(&mut self, name: &str) -> Option<&mut Value> {
         let at = self.fields.iter().position(|field| field.name == name)?;
         self.values.get_mut(at)
+    }
+
+    /// The value that a path leads to, its shape, and the rest of the path behind it: the axis of a vector.
+    pub(crate) fn place_mut<'p>(
+        &mut self,
+        path: &'p [Segment],
+    ) -> Option<(&mut Value, Shape, &'p [Segment])> {
+        let [Segment::Name(name), rest @ ..] = path else { return None };
+        let at = self.fields.iter().position(|field| field.name == name)?;
+        let (mut value, mut shape, mut rest) =
+            (self.values.get_mut(at)?, self.fields[at].shape.present(), rest);
+        loop {
+            match (value, shape, rest) {
+                (Value::Group(record), _, [_, ..]) => return record.place_mut(rest),
+                (Value::OneOf { variant, fields }, Shape::OneOf(all), [Segment::Name(name), inner @ ..]) => {
+                    return if all().get(*variant)?.name == name { fields.place_mut(inner) } else { None };
+                }
+                (Value::Rows(rows), Shape::Rows { item, .. }, [Segment::Row(row), inner @ ..]) => {
+                    (value, shape, rest) = (rows.get_mut(*row)?, item().present(), inner);
+                }
+                found => return Some(found),
+            }
+        }
     }
 
     /// Calls `visit` with the path, the field and the value of every leaf, in the order of the form.

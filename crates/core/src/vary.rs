@@ -111,35 +111,16 @@ fn with_number(record: &Record, path: &str, si: f64) -> Option<Record> {
 
 /// The number at a path. An optional one that was left out is put there.
 pub(crate) fn number<'r>(record: &'r mut Record, path: &str) -> Option<&'r mut f64> {
-    let mut place = Place::Record(record);
-    for segment in segments(path).ok()? {
-        place = match (place, segment) {
-            (Place::Record(record) | Place::Value(Value::Group(record), _), Segment::Name(name)) => {
-                let at = record.fields.iter().position(|field| field.name == name)?;
-                let (value, shape) = (record.values.get_mut(at)?, record.fields[at].shape.present());
-                if let (Value::Absent, Shape::Quantity(measure)) = (&*value, shape) {
-                    *value = Value::Quantity(Quantity { si: 0.0, unit: measure.own_unit(), last_place: 0.0 });
-                }
-                Place::Value(value, shape)
-            }
-            (Place::Value(Value::OneOf { variant, fields }, Shape::OneOf(all)), Segment::Name(name)) => {
-                if all().get(*variant)?.name != name {
-                    return None;
-                }
-                Place::Record(fields)
-            }
-            (Place::Value(Value::Rows(rows), Shape::Rows { item, .. }), Segment::Row(row)) => {
-                Place::Value(rows.get_mut(row)?, item().present())
-            }
-            (Place::Value(Value::Vector(vector), _), Segment::Name(axis)) => {
-                Place::Number(vector.si.get_mut(["x", "y", "z"].iter().position(|known| *known == axis)?)?)
-            }
-            _ => return None,
-        };
+    let segments = segments(path).ok()?;
+    let (value, shape, rest) = record.place_mut(&segments)?;
+    if let (Value::Absent, Shape::Quantity(measure), []) = (&*value, shape, rest) {
+        *value = Value::Quantity(Quantity { si: 0.0, unit: measure.own_unit(), last_place: 0.0 });
     }
-    match place {
-        Place::Number(number) => Some(number),
-        Place::Value(Value::Quantity(quantity), _) => Some(&mut quantity.si),
+    match (value, rest) {
+        (Value::Quantity(quantity), []) => Some(&mut quantity.si),
+        (Value::Vector(vector), [Segment::Name(axis)]) => {
+            vector.si.get_mut(["x", "y", "z"].iter().position(|known| known == axis)?)
+        }
         _ => None,
     }
 }
@@ -277,12 +258,6 @@ impl std::fmt::Debug for Perturbed {
             .field("answers", &self.answers)
             .finish_non_exhaustive()
     }
-}
-
-enum Place<'r> {
-    Record(&'r mut Record),
-    Value(&'r mut Value, Shape),
-    Number(&'r mut f64),
 }
 
 fn label(label: &'static str, path: &str, axis: &str) -> Text {

@@ -226,12 +226,10 @@ fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: 
             continue;
         };
         let former = file::former_input(shape, path.trim(), value);
-        if let Some((now, _)) = &former {
-            let words = Text::new("{was}: read as {now}; the units now say what was measured");
-            console.notify("note: {words}", &words.with("was", path.trim()).with("now", now));
+        if let Some(former) = &former {
+            console.notify("note: {words}", &former.note);
         }
-        let (path, value) =
-            former.as_ref().map_or((path.trim(), value), |(path, value)| (path.as_str(), value.as_str()));
+        let (path, value) = former.as_ref().map_or((path.trim(), value), |now| (&now.path, &now.text));
         match from_file(draft, shape, path, value) {
             Ok(text) => {
                 let before = draft.clone();

@@ -283,7 +283,15 @@ impl Form {
 
     /// A row more, below that of the cursor or at the end of its list; the cursor goes to its first field.
     pub fn add_row(&mut self) -> bool {
-        let Some(row) = self.row() else { return false };
+        self.row().is_some_and(|row| self.add_row_at(&row))
+    }
+
+    /// A definition (`let`) or a question (`ask`) more; the cursor goes to its name.
+    pub fn add_to(&mut self, list: &str) -> bool {
+        self.add_row_at(&Row { list: list.to_owned(), at: None })
+    }
+
+    fn add_row_at(&mut self, row: &Row) -> bool {
         let mut path = String::new();
         self.left.clear();
         let done = self.change(Change::Other, |draft, shape| {
@@ -303,23 +311,6 @@ impl Form {
         if self.line().is_some_and(|line| matches!(line.role, Role::Group { .. })) {
             self.step(1);
         }
-        done
-    }
-
-    /// A definition (`let`) or a question (`ask`) more; the cursor goes to its name.
-    pub fn add_to(&mut self, list: &str) -> bool {
-        let mut name = String::new();
-        let done = self.change(Change::Other, |draft, shape| {
-            let (rows, shape) = rows_mut(draft, shape, list)?;
-            let Shape::Rows { item, most, .. } = shape else { return None };
-            if rows.len() >= most {
-                return None;
-            }
-            rows.push(Draft::blank(item()));
-            name = format!("{list}[{}].name", rows.len());
-            Some(())
-        });
-        self.go_to(&name);
         done
     }
 

@@ -4,8 +4,7 @@ use dalembert_units::{Quantity, Unit};
 
 use super::PlannedInput;
 use crate::{
-    Number, Record, Shape, Value, formula::normalised, path::Segment, path::segments, printer,
-    worksheet::FieldPath,
+    Number, Record, Shape, Value, formula::normalised, path::segments, printer, worksheet::FieldPath,
 };
 
 /// A definition or an input of a plan, by its place.
@@ -139,7 +138,7 @@ fn value_of(
 
 /// The number or vector at a path.
 pub(super) fn value_at(record: &mut Record, path: &str) -> Option<Number> {
-    match at(record, &segments(path).ok()?)? {
+    match at(record, path)? {
         Value::Quantity(quantity) => Some(Number::Scalar(quantity.si)),
         Value::Vector(vector) => Some(Number::Vector(vector.si)),
         _ => None,
@@ -148,32 +147,12 @@ pub(super) fn value_at(record: &mut Record, path: &str) -> Option<Number> {
 
 /// Writes a quantity at a path.
 pub(super) fn write_quantity(record: &mut Record, path: &str, quantity: Quantity) {
-    if let Ok(segments) = segments(path)
-        && let Some(place) = at(record, &segments)
-    {
+    if let Some(place) = at(record, path) {
         *place = Value::Quantity(quantity);
     }
 }
 
-fn at<'r>(record: &'r mut Record, path: &[Segment]) -> Option<&'r mut Value> {
-    let (Segment::Name(first), mut rest) = path.split_first()? else { return None };
-    let mut value = record.get_mut(first)?;
-    while let Some((segment, after)) = rest.split_first() {
-        match (value, segment) {
-            (Value::Group(record), Segment::Name(_)) => return at(record, rest),
-            // The segment is the name of the alternative.
-            (Value::OneOf { fields, .. }, Segment::Name(_)) => return at(fields, after),
-            (Value::Rows(rows), Segment::Row(row)) => {
-                value = rows.get_mut(*row)?;
-                rest = after;
-            }
-            _ => return None,
-        }
-    }
-    Some(value)
-}
-
-/// A lowered digit or letter, as in `m₁`.
-pub(super) fn is_index(c: char) -> bool {
-    matches!(c, '₀'..='₉' | 'ₐ'..='ₜ' | 'ᵢ' | 'ⱼ' | 'ᵣ' | 'ᵤ' | 'ᵥ')
+fn at<'r>(record: &'r mut Record, path: &str) -> Option<&'r mut Value> {
+    let segments = segments(path).ok()?;
+    record.place_mut(&segments).filter(|(.., rest)| rest.is_empty()).map(|(value, ..)| value)
 }

@@ -2,12 +2,10 @@
 
 use dalembert_units::Unit;
 
-use super::{
-    Definition, Question, field_error,
-    names::{self, Names},
-};
+use super::{Definition, Question, field_error, names::Names};
 use crate::{
     FieldError, Text, Value,
+    ascii::index,
     formula::{Formula, Function},
 };
 
@@ -26,7 +24,11 @@ impl Reader<'_> {
         let wrong = if name.is_empty() {
             Some("a name is needed, for example nu".into())
         } else if !begins
-            || !name.chars().all(|c| c.is_alphanumeric() || matches!(c, '_' | '′') || names::is_index(c))
+            || !name.chars().all(|c| {
+                c.is_alphanumeric()
+                    || matches!(c, '_' | '′')
+                    || index(c).is_some_and(|plain| plain.is_ascii_alphanumeric())
+            })
         {
             Some(
                 Text::new("`{name}` is no name: write letters, digits and _, a letter first")

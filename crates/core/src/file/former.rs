@@ -34,16 +34,31 @@ pub(super) fn draft_of(
     place: usize,
     reading: &mut FileNotes,
 ) -> Draft {
-    let note = Text::new("{was}: read as {now}; the units now say what was measured");
-    reading.notes.push(note.with("was", was).with("now", now));
+    reading.notes.push(note(was, now));
     let outside = reading.kind.replace(place);
     let draft = read(item, shape, now, reading);
     reading.kind = outside;
     draft
 }
 
+fn note(was: &str, now: &str) -> Text {
+    let note = Text::new("{was}: read as {now}; the units now say what was measured");
+    note.with("was", was).with("now", now)
+}
+
+/// An input that is named through a former alternative, as it is named today.
+#[derive(Clone, Debug)]
+pub struct FormerInput {
+    /// Today's path.
+    pub path: String,
+    /// The text; a number alone has the unit that it had there.
+    pub text: String,
+    /// The note for the user.
+    pub note: Text,
+}
+
 /// Today's path and text of an input that is named through a former alternative; `None` if the path has none.
-pub fn former_input(shape: &Shape, path: &str, text: &str) -> Option<(String, String)> {
+pub fn former_input(shape: &Shape, path: &str, text: &str) -> Option<FormerInput> {
     let (mut shape, mut former, mut kind) = (*shape, &[][..], None);
     let mut now = String::new();
     for mut segment in segments(path).ok()? {
@@ -72,7 +87,8 @@ pub fn former_input(shape: &Shape, path: &str, text: &str) -> Option<(String, St
         shape = inner;
     }
     kind?;
-    Some((now, with_unit(text.to_owned(), &shape.present(), kind)))
+    let text = with_unit(text.to_owned(), &shape.present(), kind);
+    Some(FormerInput { note: note(path, &now), path: now, text })
 }
 
 /// A number alone in a former alternative, with the unit that it had there.

@@ -3,7 +3,12 @@
 use dalembert_units as units;
 
 use super::{Expression, FormulaError, Function, Operator};
-use crate::{Text, path::nearest, reading};
+use crate::{
+    Text,
+    ascii::{index, power},
+    path::nearest,
+    reading,
+};
 
 /// The longest formula, in bytes.
 const LONGEST: usize = 1_000;
@@ -31,17 +36,12 @@ fn begins_word(c: char) -> bool {
 
 /// Returns true if a character goes on with a name.
 fn continues_word(c: char) -> bool {
-    begins_word(c) || c.is_alphanumeric() || is_index(c)
-}
-
-/// A lowered digit or letter.
-fn is_index(c: char) -> bool {
-    matches!(c, '₀'..='₎' | 'ₐ'..='ₜ' | 'ᵢ' | 'ⱼ' | 'ᵣ' | 'ᵤ' | 'ᵥ')
+    begins_word(c) || c.is_alphanumeric() || index(c).is_some()
 }
 
 /// The digit of a raised one.
 fn raised(c: char) -> Option<char> {
-    "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|known| known == c).and_then(|n| char::from_digit(n as u32, 10))
+    power(c).filter(char::is_ascii_digit)
 }
 
 struct Parser<'t> {
