@@ -1,7 +1,7 @@
 //! Plots, tables and drawings: what a solution shows beside its numbers. Plain data in SI.
 
 mod clip;
-mod frames;
+mod deferred;
 mod side;
 mod space;
 
@@ -12,7 +12,7 @@ use std::{
 };
 
 pub use self::clip::clipped;
-pub use self::frames::Frames;
+pub use self::deferred::{Deferred, Frames};
 pub use self::side::LabelSide;
 pub use self::space::{Point3, Scene, Shape3, Viewpoint3};
 use crate::Text;
@@ -173,7 +173,7 @@ pub struct Drawing {
     /// Title.
     pub title: Text,
     /// Shapes, later ones over earlier ones.
-    pub shapes: Vec<DrawnShape>,
+    pub shapes: Deferred<Vec<DrawnShape>>,
 }
 
 /// A sketch that moves: its frames, all in the same coordinates, shown one after another and again.
@@ -324,7 +324,7 @@ impl Drawing {
         };
         let mut shapes = Vec::new();
         let mut after_result = false;
-        for shape in &self.shapes {
+        for shape in self.shapes.iter() {
             match shape {
                 shape if adds(shape) => after_result = true,
                 DrawnShape::Label(..) if after_result => {}
@@ -337,7 +337,7 @@ impl Drawing {
                 }
             }
         }
-        Self { title: self.title.without_numbers(), shapes }
+        Self { title: self.title.without_numbers(), shapes: shapes.into() }
     }
 }
 
@@ -381,9 +381,9 @@ impl Exhibit {
         match self {
             Exhibit::Drawing(drawing) => Some(Cow::Borrowed(drawing)),
             Exhibit::Animation(animation) => {
-                let shapes =
+                let shapes: Vec<DrawnShape> =
                     animation.frames.get(frame % animation.frames.len().max(1)).cloned().unwrap_or_default();
-                Some(Cow::Owned(Drawing { title: animation.title.clone(), shapes }))
+                Some(Cow::Owned(Drawing { title: animation.title.clone(), shapes: shapes.into() }))
             }
             Exhibit::Scene(scene) => Some(Cow::Owned(scene.seen(frame, view.unwrap_or(scene.view)))),
             Exhibit::Plot(_) | Exhibit::Table(_) => None,

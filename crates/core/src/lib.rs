@@ -56,8 +56,8 @@ pub use crate::{
     ascii::ascii,
     draft::Draft,
     exhibit::{
-        Animation, Axis, Band, Cell, Column, Drawing, DrawnShape, Exhibit, Frames, Ink, LabelSide, Level,
-        Mark, Over, Plot, Point, Point3, Scale, Scene, Series, Shape3, TableExhibit, Viewpoint3,
+        Animation, Axis, Band, Cell, Column, Deferred, Drawing, DrawnShape, Exhibit, Frames, Ink, LabelSide,
+        Level, Mark, Over, Plot, Point, Point3, Scale, Scene, Series, Shape3, TableExhibit, Viewpoint3,
     },
     field::{ChildList, Field, FieldLimit, Measure, Shape, Variant},
     input::{FieldError, Inputs, Lift, MeasuredQuantity, Reference},

@@ -37,7 +37,7 @@ use self::{
     part::{Item, Part, items},
     placement::{Words, sides},
 };
-use crate::{Animation, Drawing, DrawnShape, Frames, Ink, LabelSide, Point, Text};
+use crate::{Animation, Deferred, Drawing, DrawnShape, Frames, Ink, LabelSide, Point, Text};
 
 /// A drawing in the making. Names that are empty are not written.
 #[derive(Clone, Debug, Default)]
@@ -279,10 +279,10 @@ impl Sketch {
         self
     }
 
-    /// The drawing, with every name at its place. The sketch is empty afterwards.
+    /// The drawing; its names are placed when its shapes are first read. The sketch is empty afterwards.
     pub fn finish(&mut self) -> Drawing {
         let Self { title, size, parts } = std::mem::take(self);
-        Drawing { title, shapes: placed(&[&parts], size).concat() }
+        Drawing { title, shapes: Deferred::new(move || placed(&[&parts], size).concat()) }
     }
 
     /// The frames of an animation, in one window.

@@ -58,7 +58,7 @@ impl Scene {
                 DrawnShape::Label(view.point(*at), LabelSide::default(), words.clone())
             }
         };
-        Drawing { title: self.title.clone(), shapes: shapes.iter().map(seen).collect() }
+        Drawing { title: self.title.clone(), shapes: shapes.iter().map(seen).collect::<Vec<_>>().into() }
     }
 }
 

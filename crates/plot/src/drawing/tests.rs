@@ -3,7 +3,7 @@ use dalembert_core::{Ink, LabelSide};
 use super::*;
 
 fn drawing(shapes: Vec<DrawnShape>) -> Drawing {
-    Drawing { title: "title".into(), shapes }
+    Drawing { title: "title".into(), shapes: shapes.into() }
 }
 
 fn drawn(drawing: &Drawing, look: &Appearance, width: u16, height: u16) -> Vec<String> {

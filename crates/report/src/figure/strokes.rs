@@ -57,7 +57,7 @@ pub fn strokes(drawing: &Drawing) -> Vec<Stroke> {
     let corners = drawing.shapes.iter().flat_map(DrawnShape::corners);
     let sign = Box2::of(corners).map_or(1.0, |all| all.width().max(all.height()) / 30.0);
     let mut pen = Strokes { sign, out: Vec::new() };
-    for shape in &drawing.shapes {
+    for shape in drawing.shapes.iter() {
         pen.shape(shape);
     }
     pen.out.retain(|stroke| {
