@@ -344,7 +344,7 @@ fn every_shape_at_every_size() {
         DrawnShape::Label((1.2, 0.7), LabelSide::Right, "X".into()),
         DrawnShape::Label((2.6, 0.8), LabelSide::Right, "a rod".into()),
     ];
-    let good = Drawing { title: "A machine".into(), shapes: shapes.clone() };
+    let good = Drawing { title: "A machine".into(), shapes: shapes.clone().into() };
     let bad = Drawing {
         title: "Not a machine".into(),
         shapes: vec![
@@ -355,10 +355,11 @@ fn every_shape_at_every_size() {
             DrawnShape::Arc((0.0, 0.0), 1e-300, 5.0, 1.0, Ink::Body),
             DrawnShape::Label((f64::NAN, 1.0), LabelSide::Right, "nowhere".into()),
             DrawnShape::Polyline(Vec::new(), Ink::Body),
-        ],
+        ]
+        .into(),
     };
-    let point = Drawing { title: "".into(), shapes: vec![DrawnShape::Pin((1e9, 1e9))] };
-    let empty = Drawing { title: "".into(), shapes: Vec::new() };
+    let point = Drawing { title: "".into(), shapes: vec![DrawnShape::Pin((1e9, 1e9))].into() };
+    let empty = Drawing { title: "".into(), shapes: Vec::new().into() };
     for look in [UNICODE, ASCII] {
         for (width, height) in (0..100u16).flat_map(|width| (0..40u16).map(move |height| (width, height))) {
             for drawing in [&good, &bad, &point, &empty] {
@@ -639,7 +640,7 @@ fn verdicts_are_written_as_everything_else_is() {
 fn long_titles_go_on_in_a_second_line() {
     let title = "Steady-state amplitude of the machine against the speed of its motor";
     let plot = Plot { title: title.into(), ..fan() };
-    let drawing = Drawing { title: title.into(), shapes: vec![DrawnShape::Pin((0.0, 0.0))] };
+    let drawing = Drawing { title: title.into(), shapes: vec![DrawnShape::Pin((0.0, 0.0))].into() };
     let whole = |screen: &str| {
         let lines: Vec<&str> = screen.lines().take(2).map(str::trim).collect();
         lines.join(" ") == title

@@ -299,7 +299,6 @@ a-standard-or-an-empirical-rule-gives-it = dada por uma norma ou uma regra empí
 given-by-a-standard-or-an-empirical-rule = dado por uma norma ou regra empírica
 definition = Definição
 question-question = Pergunta: { $question }
-key-is-a-table-of-names-and-formulas-as-in-key-nu-0-3 = `{ $key }` é uma tabela de nomes e fórmulas, como em [{ $key }] nu = "0.3"
 name-has-several-meanings-write-one-of-known = `{ $name }` tem vários significados: escreva um destes: { $known }
 name-is-a-set-of-values-which-a-formula-cannot-take = `{ $name }` é um conjunto de valores, que uma fórmula não aceita
 name-is-defined-twice-keep-one-of-the-two = `{ $name }` está definido duas vezes: mantenha uma das duas
@@ -357,3 +356,41 @@ a-name-is-needed-for-example-nu = é necessário um nome, por exemplo nu
 a-name-is-needed-for-example-peak-to-peak = é necessário um nome, por exemplo pico a pico
 a-quantity-or-a-formula-in-quotes-is-needed-here = aqui é necessária uma grandeza ou uma fórmula entre aspas
 a-formula-is-needed-here-as-in-2-x = aqui é necessária uma fórmula, como em "2*X"
+
+## Unknowns
+given-answers-and-those-of-the-fit = Resultados dados e os do ajuste
+solutions-in-the-range-searched = Soluções no intervalo pesquisado
+key-is-a-table-of-names-and-formulas-as-in-key-example = `{ $key }` é uma tabela de nomes e fórmulas, como em [{ $key }] { $example }
+more-unknowns-unknowns-than-given-answers-givens-give-another-answer-as-in-given-natural-frequency-8 = mais incógnitas ({ $unknowns }) que resultados dados ({ $givens }): dê outro resultado, como em [given] natural_frequency = "8.2 Hz", ou digite um valor aqui
+no-solution-in-the-ranges-searched-the-nearest-reached-with-at-write-other-ranges-as-in-1-kg-100-kg = nenhuma solução nos intervalos pesquisados; a mais próxima: { $reached }, com { $at }; escreva outros intervalos, como em ? 1 kg .. 100 kg
+no-value-in-the-range-of-the-unknowns-is-permitted-with-these-inputs = nenhum valor no intervalo das incógnitas é permitido com estes dados
+no-input-from-from-to-to-gives-answer-given-the-answer-lies-between-least-at-at-least-and-most-at-at = nenhum valor de { $input } de { $from } a { $to } dá { $answer } = { $given }: o resultado fica entre { $least } (em { $at_least }) e { $most } (em { $at_most })
+no-input-from-from-to-to-gives-answer-given-the-problem-has-no-answer-there = nenhum valor de { $input } de { $from } a { $to } dá { $answer } = { $given }: o problema não tem solução ali
+only-a-quantity-can-be-unknown-enter-a-value-here = só uma grandeza pode ser incógnita: digite um valor aqui
+the-given-answers-do-not-determine-unknowns-separately-many-values-give-the-same-answers-give-another = os resultados dados não determinam { $unknowns } separadamente: muitos valores dão os mesmos resultados; dê outro resultado
+the-problem-has-no-answer-at-any-of-the-starts-of-the-search-write-narrower-ranges-as-in-1-kg-100-kg = o problema não tem solução em nenhum dos pontos de partida da busca: escreva intervalos menores, como em ? 1 kg .. 100 kg
+the-range-of-an-unknown-ascends-as-in-1-kg-100-kg = o intervalo de uma incógnita é crescente, como em ? 1 kg .. 100 kg
+the-uncertainty-behind-is-above-zero = a incerteza depois de ± é maior que zero
+no-answer-name-with-a-single-number-the-answers-are-known = nenhum resultado `{ $name }` com um único número; os resultados são { $known }
+answer-does-not-depend-on-what-is-unknown-give-another-answer = { $answer } não depende das incógnitas: dê outro resultado
+answer-is-the-given-one = { $answer } é o valor dado
+count-solutions-in-the-range-searched-solutions-the-first-is-worked-out-a-narrower-range-as-in-1-kg = { $count } soluções no intervalo pesquisado: { $solutions }; a resolução é a da primeira; um intervalo menor, como em ? 1 kg .. 100 kg, escolhe outra
+unknown-is-unknown-found-from-givens-solutions-from-from-to-to-at-points-points-count = { $unknown } é incógnita: obtida de { $givens }; soluções de { $from } a { $to }, em { $points } pontos: { $count }
+unknown-is-unknown-found-from-givens-solutions-from-from-to-to-from-points-starts-count = { $unknown } é incógnita: obtida de { $givens }; soluções de { $from } a { $to }, a partir de { $points } pontos: { $count }
+unknown-is-unknown-least-squares-of-givens = { $unknown } é incógnita: mínimos quadrados de { $givens }
+given-answers = Resultados dados
+known-values-of-answers-from-which-inputs-written-as-are-found-natural-frequency-8-2-hz = Valores conhecidos de resultados, dos quais se obtêm os dados escritos como ?: natural_frequency = 8.2 Hz.
+the-name-of-an-answer-or-a-question-natural-frequency = O nome de um resultado ou de uma pergunta: natural_frequency.
+known-value = Valor conhecido
+n-8-2-hz-with-its-standard-uncertainty-8-2-hz-0-05 = 8.2 Hz; com a incerteza-padrão, 8.2 Hz ± 0.05.
+a-quantity-in-quotes-is-needed-here-as-in-8-2-hz = aqui é necessária uma grandeza entre aspas, como em "8.2 Hz"
+the-name-of-an-answer-or-a-question-is-needed-for-example-natural-frequency = falta o nome de um resultado ou de uma pergunta, por exemplo natural_frequency
+write-a-range-as-in-1-kg-100-kg-it-gives-the-unit = escreva um intervalo, como em ? 1 kg .. 100 kg: ele dá a unidade
+nothing-is-unknown-write-in-the-input-that-is-to-be-found-from-it = não há incógnita: escreva ? no dado que se quer obter dele
+write-a-range-to-search-as-in-1-kg-100-kg = escreva um intervalo de busca, como em ? 1 kg .. 100 kg
+this-input-cannot-be-varied-so-it-cannot-be-unknown = este dado não pode ser variado, por isso não pode ser incógnita
+value-of-the-fit = valor do ajuste
+given-value = valor dado
+residual = resíduo
+answer = Resposta
+reached-value = { $reached_value }

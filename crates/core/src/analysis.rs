@@ -9,8 +9,8 @@ use std::{
 };
 
 use crate::{
-    Exhibit, Field, FieldError, FieldPath, Inputs, Name, Plain, Record, Shape, Sheet, Solution, Source, Text,
-    Value, Worksheet, assumed, definitions, gravity, input::Lift, kept, vary,
+    Answer, Exhibit, Field, FieldError, FieldPath, Inputs, Name, Plain, Record, Shape, Sheet, Solution,
+    Source, Text, Value, Worksheet, assumed, definitions, gravity, input::Lift, kept, unknowns, vary,
 };
 
 /// Description of an analysis, read before picking it.
@@ -142,13 +142,23 @@ impl Entry {
 
     /// Solves, leaving the worked solution.
     pub fn solve(&self, record: &Record, stop: &Stop) -> Result<Solution, SolveError> {
-        (self.solve)(record, stop, None)
+        self.solve_record(record, None, stop)
     }
 
     /// Solves with the result of one step wrong by [`trace::PERTURBATION`](crate::trace::PERTURBATION), to see which
     /// checks notice.
     pub fn solve_perturbed(&self, record: &Record, step: usize, stop: &Stop) -> Result<Solution, SolveError> {
-        (self.solve)(record, stop, Some(step))
+        self.solve_record(record, Some(step), stop)
+    }
+
+    fn solve_record(
+        &self,
+        record: &Record,
+        perturbed: Option<usize>,
+        stop: &Stop,
+    ) -> Result<Solution, SolveError> {
+        let determined = unknowns::determine(self, record, stop)?;
+        (self.solve)(determined.as_ref().unwrap_or(record), stop, perturbed)
     }
 
     /// Prepares the plain reading: `vary` are paths of quantities, `wanted` names of answers that are numbers.
@@ -254,8 +264,17 @@ fn worked(
     solve(&value, &sheet)?;
     if let Some(plan) = &record.plan {
         definitions::ask(plan, &sheet);
+        if let Some(determined) = plan.determined() {
+            determined.conclude(plan, &sheet);
+        }
     }
     let mut solution = sheet.into_solution()?;
+    // What was unknown is what was asked for: it comes first.
+    if let Some(determined) = record.plan.as_ref().and_then(|plan| plan.determined()) {
+        let found = |answer: &Answer| determined.unknowns.iter().any(|unknown| answer.name.is(&unknown.name));
+        solution.answers.sort_by_key(|answer| !(answer.asked && found(answer)));
+        solution.determined = Some(determined.clone());
+    }
     solution.warnings.splice(0..0, assumed::warnings(record));
     forget_absent(&mut solution.exhibits, value);
     Ok(solution)

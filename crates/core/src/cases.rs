@@ -219,13 +219,16 @@ impl Comparison {
     }
 }
 
+/// The keys of a case.
+const KEYS: [&str; 12] = [
+    "name", "former", "source", "truth", "seen", "note", "let", "inputs", "given", "ask", "expect", "refused",
+];
+
 fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
     let text = |key: &str| table.get(key).and_then(Item::as_str).map(str::to_owned);
     let name = text("name").ok_or("a case has no name")?;
     for (key, _) in table {
-        if !["name", "former", "source", "truth", "seen", "note", "let", "inputs", "ask", "expect", "refused"]
-            .contains(&key)
-        {
+        if !KEYS.contains(&key) {
             return Err(format!("{name}: there is no key `{key}` in a case"));
         }
     }

@@ -1,8 +1,8 @@
-//! Definitions, formulas of inputs, and questions of the user's own: what every problem has beside its inputs.
+//! Definitions, formulas of inputs, questions of the user's own, and unknowns: what every problem has beside its inputs.
 //!
 //! A definition is a named quantity, `nu = 0.3` or `G = E/(2*(1+nu))`. An input takes a formula over definitions and
 //! other inputs. A question is a formula over definitions, inputs, answers and steps, and is an answer like any other.
-//! They are read into a [`Plan`], which every reading of the problem follows: the worked one records each formula as a
+//! An input may be unknown, `?`, where an answer is given in its place. They are read into a [`Plan`], which every reading of the problem follows: the worked one records each formula as a
 //! step, the plain one does the same operations in the same order.
 
 mod names;
@@ -10,8 +10,12 @@ mod plain_reading;
 mod questions;
 mod reader;
 mod typed;
+mod unknowns;
 
-use std::{collections::BTreeMap, sync::OnceLock};
+use std::{
+    collections::BTreeMap,
+    sync::{Arc, OnceLock},
+};
 
 use dalembert_units::{Quantity, Unit};
 
@@ -19,10 +23,14 @@ use self::{
     names::{Names, Place},
     reader::{Reader, text_of},
 };
-pub(crate) use self::{plain_reading::prepare, questions::ask};
+pub(crate) use self::{
+    plain_reading::prepare,
+    questions::ask,
+    unknowns::{GivenAnswer, Unknown, is_unknown},
+};
 use crate::{
-    Field, FieldError, Inputs, Measure, Number, Plain, Record, Refusal, Shape, Sheet, Stop, Symbol, Text,
-    Value,
+    Determined, Field, FieldError, Inputs, Measure, Number, Plain, Record, Refusal, Shape, Sheet, Stop,
+    Symbol, Text, Value,
     formula::{Formula, FormulaError, Operand, evaluate, normalised, unit_of},
     intern::intern,
 };
@@ -31,7 +39,7 @@ use crate::{
 const MOST: usize = 200;
 
 /// The fields that every problem has behind its own inputs.
-pub(crate) static FIELDS: [Field; 2] = [
+pub(crate) static FIELDS: [Field; 3] = [
     Field {
         label: "Definitions",
         help: "Quantities of your own, for formulas in inputs and questions: nu = 0.3, G = E/(2*(1+nu)).",
@@ -41,6 +49,11 @@ pub(crate) static FIELDS: [Field; 2] = [
         label: "Questions",
         help: "Formulas over inputs, answers and steps, answered like the rest: peak to peak = 2*X.",
         ..field("ask", || &Shape::Group(|| &QUESTION))
+    },
+    Field {
+        label: "Given answers",
+        help: "Known values of answers, from which inputs written as ? are found: natural_frequency = 8.2 Hz.",
+        ..field("given", || &Shape::Group(|| &GIVEN))
     },
 ];
 
@@ -74,6 +87,19 @@ static QUESTION: [Field; 5] = [
         label: "Key",
         help: "The name in files and on the command line; left out, made from the words.",
         ..optional("key")
+    },
+];
+
+static GIVEN: [Field; 2] = [
+    Field {
+        label: "Answer",
+        help: "The name of an answer or a question: natural_frequency.",
+        ..text("name")
+    },
+    Field {
+        label: "Known value",
+        help: "8.2 Hz; with its standard uncertainty, 8.2 Hz ± 0.05.",
+        ..text("value")
     },
 ];
 
@@ -125,6 +151,12 @@ pub(crate) struct Plan {
     inputs: Vec<PlannedInput>,
     order: Vec<Place>,
     questions: Vec<Question>,
+    /// Unknowns; none once they are found.
+    unknowns: Vec<Unknown>,
+    /// The answers that it is found from.
+    givens: Vec<GivenAnswer>,
+    /// The unknowns as they were found.
+    determined: Option<Arc<Determined>>,
     names: Names,
 }
 
@@ -172,8 +204,8 @@ pub(crate) fn plan(record: &mut Record, pending: Vec<Pending>, errors: &mut Vec<
         Some(Value::Rows(rows)) => rows.clone(),
         _ => Vec::new(),
     };
-    let (definitions, questions) = (rows("let"), rows("ask"));
-    if definitions.is_empty() && questions.is_empty() && pending.is_empty() {
+    let (definitions, questions, givens) = (rows("let"), rows("ask"), rows("given"));
+    if definitions.is_empty() && questions.is_empty() && givens.is_empty() && pending.is_empty() {
         return;
     }
     let names = Names::of(record, definitions.iter().map(|row| text_of(row, "name")));
@@ -183,17 +215,42 @@ pub(crate) fn plan(record: &mut Record, pending: Vec<Pending>, errors: &mut Vec<
         inputs: Vec::new(),
         order: Vec::new(),
         questions: Vec::new(),
+        unknowns: Vec::new(),
+        givens: Vec::new(),
+        determined: None,
         names: Names::default(),
     };
     for (n, row) in definitions.iter().enumerate() {
-        found.definitions.extend(reader.definition(n, row));
+        found.definitions.extend(reader.definition(n, row, &mut found.unknowns));
     }
     for (n, row) in questions.iter().enumerate() {
         found.questions.extend(reader.question(n, row, &found.questions));
     }
     let mut wrong = reader.errors;
+    for (n, row) in givens.iter().enumerate() {
+        match unknowns::given(n, text_of(row, "name"), text_of(row, "value")) {
+            Ok(given) => found.givens.push(given),
+            Err(error) => wrong.push(error),
+        }
+    }
     // Only what names something that is there is taken for a formula; any other text keeps its own error.
     for Pending { path, text, error } in pending {
+        if is_unknown(&text) {
+            let input = names.input(&path);
+            let read =
+                input.map(|input| unknowns::read(&text, &path, Some(input.measure)).map(|of| (input, of)));
+            match read {
+                Some(Ok((mut input, (unknown, start)))) => {
+                    (input.unit, input.value) = (start.unit.clone(), Number::Scalar(start.si));
+                    names::write_quantity(record, &path, start);
+                    found.unknowns.push(unknown);
+                    found.inputs.push(input);
+                }
+                Some(Err(why)) => wrong.push(FieldError::new(path, why)),
+                None => wrong.push(error),
+            }
+            continue;
+        }
         match Formula::parse(&text, &|name| names.contains(name)) {
             Ok(formula) if formula.names().iter().any(|(name, _)| names.contains(name)) => {
                 if let Some(mut input) = names.input(&path) {
@@ -207,6 +264,7 @@ pub(crate) fn plan(record: &mut Record, pending: Vec<Pending>, errors: &mut Vec<
             _ => wrong.push(error),
         }
     }
+    wrong.extend(found.uneven());
     if found.definitions.len() < definitions.len() || !wrong.is_empty() {
         errors.extend(wrong);
         return;
@@ -215,7 +273,7 @@ pub(crate) fn plan(record: &mut Record, pending: Vec<Pending>, errors: &mut Vec<
     found.add_named_inputs();
     let evaluated = found.arrange().and_then(|()| found.renew(record));
     match evaluated {
-        Ok(()) => record.plan = Some(std::sync::Arc::new(found)),
+        Ok(()) => record.plan = Some(Arc::new(found)),
         Err(error) => errors.push(error),
     }
 }
@@ -240,6 +298,67 @@ impl Plan {
     /// Returns true if an input takes its value from a formula.
     pub(crate) fn has_formula(&self, path: &str) -> bool {
         self.inputs.iter().any(|input| input.path == path && input.formula.is_some())
+    }
+
+    /// Returns true if the value of an input or a definition is to be found.
+    pub(crate) fn is_unknown(&self, name: &str) -> bool {
+        self.unknowns.iter().any(|unknown| unknown.name == name)
+    }
+
+    /// The unknowns, and the answers that they are found from.
+    pub(crate) fn search(&self) -> Option<(&[Unknown], &[GivenAnswer])> {
+        (!self.unknowns.is_empty()).then_some((&self.unknowns, &self.givens))
+    }
+
+    /// The same plan with nothing to be found.
+    pub(crate) fn without_unknowns(&self) -> Self {
+        Self { unknowns: Vec::new(), givens: Vec::new(), ..self.clone() }
+    }
+
+    /// Takes the unknowns as they were found.
+    pub(crate) fn determine(&mut self, determined: Determined) {
+        self.determined = Some(Arc::new(determined));
+    }
+
+    /// The unknowns as they were found.
+    pub(crate) fn determined(&self) -> Option<&Arc<Determined>> {
+        self.determined.as_ref()
+    }
+
+    /// The key of the question of that key or in those words.
+    pub(crate) fn question(&self, name: &str) -> Option<&str> {
+        let is_it = |question: &&Question| question.key == name || question.label == name;
+        self.questions.iter().find(is_it).map(|question| question.key.as_str())
+    }
+
+    /// Reason for which there are too few given answers, or nothing to be found from them.
+    fn uneven(&self) -> Option<FieldError> {
+        let (unknowns, givens) = (self.unknowns.len(), self.givens.len());
+        if unknowns == 0 && givens > 0 {
+            let why = "nothing is unknown: write ? in the input that is to be found from it";
+            return Some(FieldError::new("given[1].name", why));
+        }
+        if unknowns > givens {
+            let why = Text::new(
+                "more unknowns ({unknowns}) than given answers ({givens}): give another answer, as in [given] natural_frequency = \"8.2 Hz\", or enter a value here",
+            );
+            let path = self.error_path(&self.unknowns[givens].name);
+            return Some(FieldError::new(path, why.with("unknowns", unknowns).with("givens", givens)));
+        }
+        None
+    }
+
+    /// Label of an input, or the name of a definition.
+    pub(crate) fn label(&self, name: &str) -> &'static str {
+        self.inputs.iter().find(|input| input.path == name).map_or_else(|| intern(name), |input| input.label)
+    }
+
+    /// The path that an error of an unknown is reported at.
+    pub(crate) fn error_path(&self, name: &str) -> String {
+        match self.definitions.iter().position(|definition| definition.name == name) {
+            Some(at) => format!("let[{}].formula", at + 1),
+            None => name.to_owned(),
+        }
     }
 
     /// Gives a definition another value; whether there is one of that name that can take it.
@@ -403,7 +522,9 @@ impl Plan {
                         formula.text,
                         dalembert_units::write_quantity(si, &own, <_>::default())
                     );
-                    if let Some(why) = input.measure.outside(si, &written) {
+                    // An unknown has no value yet that a limit could be compared with.
+                    let outside = input.measure.outside(si, &written).filter(|_| self.unknowns.is_empty());
+                    if let Some(why) = outside {
                         return Err(FieldError::new(&input.path, why));
                     }
                     let unit = if unit.dim == own.dim { unit } else { own };
@@ -440,11 +561,17 @@ impl Plan {
             let id = match (place, formula) {
                 (Place::Definition(at), Some(formula)) if formula.quantity().is_some() => {
                     let Definition { name, unit, si, .. } = &self.definitions[at];
-                    sheet.lift(name, Symbol::from(intern(name)), unit, Number::Scalar(*si))
+                    let symbol = Symbol::from(intern(name));
+                    self.record_unknown(sheet, name, symbol, unit, *si)
+                        .unwrap_or_else(|| sheet.lift(name, symbol, unit, Number::Scalar(*si)))
                 }
                 (Place::Input(at), None) => {
-                    let input = &self.inputs[at];
-                    sheet.lift(&input.path, input.symbol, &input.unit, input.value)
+                    let PlannedInput { path, symbol, unit, value, .. } = &self.inputs[at];
+                    let unknown = match value {
+                        Number::Scalar(si) => self.record_unknown(sheet, path, *symbol, unit, *si),
+                        Number::Vector(_) => None,
+                    };
+                    unknown.unwrap_or_else(|| sheet.lift(path, *symbol, unit, *value))
                 }
                 (_, Some(formula)) => {
                     let scope = |name: &str| {
@@ -482,6 +609,23 @@ impl Plan {
             nodes.insert(place, id);
         }
         Ok(())
+    }
+
+    /// Writes an unknown that was found down as a step; `None` where there is none of that name.
+    fn record_unknown(
+        &self,
+        sheet: &Sheet<'_>,
+        name: &str,
+        symbol: Symbol,
+        unit: &Unit,
+        si: f64,
+    ) -> Option<crate::trace::Id> {
+        let why = self.determined.as_ref()?.why(name)?;
+        let unit = intern(&unit.ascii());
+        let unit = if unit.is_empty() { "1" } else { unit };
+        let id = crate::Worksheet::numerical(sheet, symbol, unit, si, why).node()?;
+        sheet.lift_formula(name, id);
+        Some(id)
     }
 }
 

@@ -9,7 +9,7 @@ use dalembert_units::{self as units, Style};
 
 use crate::{
     Field, FieldError, Record, Shape, Text, Value,
-    definitions::{self, Pending},
+    definitions::{self, Pending, is_unknown},
     gravity, kinds,
     path::{segments, step, unknown},
     reading, table,
@@ -394,6 +394,10 @@ fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
             return fail(why.with("code", control.escape_unicode()), None);
         }
     }
+    let is_text = matches!(shape, Shape::Text | Shape::Table(_));
+    if is_unknown(text) && !is_text && !matches!(shape, Shape::Quantity(_)) {
+        return fail("only a quantity can be unknown: enter a value here".into(), None);
+    }
     match shape {
         Shape::Quantity(measure) => {
             let one = measure.meant(text);
@@ -404,7 +408,7 @@ fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
                 },
                 Err(err) => {
                     let why = kinds::also(reading::text(&err), *measure);
-                    if !text.chars().any(char::is_alphabetic) {
+                    if !text.chars().any(char::is_alphabetic) && !is_unknown(text) {
                         return fail(why, err.span());
                     }
                     let error = FieldError { path: path.into(), why, span: err.span() };

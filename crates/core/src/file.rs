@@ -24,7 +24,7 @@ use crate::{
 };
 
 /// The keys a problem file may have at the top.
-const KEYS: [&str; 7] = ["format", "analysis", "title", "let", "inputs", "ask", "show"];
+const KEYS: [&str; 8] = ["format", "analysis", "title", "let", "inputs", "given", "ask", "show"];
 
 /// The contents of a problem file.
 #[derive(Clone, Debug)]

@@ -4,7 +4,7 @@
 //! power = atom ^ signed, atom = quantity | π | √ atom | ( sum ) | name | function ( sum, … ).
 //!
 //! A word directly behind a number is a unit: `2 kg`. A word behind an operator or a bracket, or at the start, is a
-//! name, and a unit only where no name fits. A product of units in which a name is visible, as `3 N*m` where m is a mass,
+//! name, and a unit only where no name fits. Behind a stroke in a unit stands a unit: `7850 kg/m^3`. A product of units in which a name is visible, as `3 N*m` where m is a mass,
 //! is refused with both spellings.
 
 mod evaluate;

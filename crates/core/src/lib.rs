@@ -40,6 +40,7 @@ pub mod table;
 pub mod text;
 pub mod trace;
 pub mod uff;
+mod unknowns;
 pub mod vary;
 pub mod worksheet;
 
@@ -69,6 +70,7 @@ pub use crate::{
     source::{Cite, Source},
     text::{Arg, Language, Locale, Messages, Text},
     trace::{Number, Symbol, Trace},
+    unknowns::{Determined, DeterminedInput, ReachedAnswer},
     worksheet::{FieldPath, Plain, Reason, Worksheet},
 };
 

@@ -401,6 +401,11 @@ impl<'a> Sheet<'a> {
         self.lifted.borrow_mut().insert(path.to_owned(), id);
     }
 
+    /// The node that stands for an input or a definition.
+    pub(crate) fn lifted(&self, path: &str) -> Option<Id> {
+        self.lifted.borrow().get(path).copied()
+    }
+
     /// Marks the answer of that name as one the user asked for.
     pub(crate) fn mark_asked(&self, name: Name) {
         if let Some(answer) = self.solution.borrow_mut().answers.iter_mut().find(|answer| answer.name == name)
@@ -411,7 +416,7 @@ impl<'a> Sheet<'a> {
 
     fn lifted_before(&self, op: &Op) -> Option<Id> {
         let Op::Given { path, .. } = op else { return None };
-        self.lifted.borrow().get(path).copied()
+        self.lifted(path)
     }
 
     fn input(&self, input: &InputNumber<'_>) -> (Unit, Op) {

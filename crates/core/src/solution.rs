@@ -1,12 +1,12 @@
 //! Parts of a solution: plain data, for a screen, a file or a test.
 
-use std::fmt;
+use std::{fmt, sync::Arc};
 
 use dalembert_numerics::intervals::IntervalSet;
 use dalembert_units::{self as units, Dim, Unit};
 
 use crate::{
-    Cite, Exhibit, Locale, Text,
+    Cite, Determined, Exhibit, Locale, Text,
     path::is_within,
     reading,
     reevaluate::ancestors,
@@ -28,6 +28,8 @@ pub struct Solution {
     pub warnings: Vec<Text>,
     /// Faults of the program, never of its user: formulas whose two sides have different dimensions.
     pub defects: Vec<String>,
+    /// The unknown inputs as they were found; `None` where nothing was unknown.
+    pub determined: Option<Arc<Determined>>,
     /// Trace of the computation of every number.
     pub trace: Trace,
 }

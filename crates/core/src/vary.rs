@@ -71,8 +71,9 @@ pub fn inputs(record: &Record) -> Vec<VariedInput> {
         }
     });
     if let Some(plan) = &record.plan {
-        found.retain(|input| !plan.has_formula(&input.path));
-        found.extend(plan.levers().map(|(name, unit, si)| VariedInput {
+        found.retain(|input| !plan.has_formula(&input.path) && !plan.is_unknown(&input.path));
+        let levers = plan.levers().filter(|(name, ..)| !plan.is_unknown(name));
+        found.extend(levers.map(|(name, unit, si)| VariedInput {
             path: name.to_owned(),
             label: Text::verbatim(name),
             symbol: intern(name),
@@ -176,8 +177,29 @@ impl VariedInput {
         }
     }
 
-    fn is_angle(&self) -> bool {
+    pub(crate) fn is_angle(&self) -> bool {
         self.unit.dim == Dim::ANGLE
+    }
+
+    /// The part of a range, in SI, that is within the limits of the input; ends that it may not take are left out by a
+    /// millionth.
+    pub(crate) fn permitted(&self, [from, to]: [f64; 2]) -> [f64; 2] {
+        let own = self.measure.own_unit();
+        let inner =
+            |limit: f64, sign: f64| limit + sign * 1e-6 * if limit == 0.0 { 1.0 } else { limit.abs() };
+        let low = match self.measure.min {
+            FieldLimit::None => from,
+            FieldLimit::Including(min) => from.max(own.si(min)),
+            FieldLimit::Excluding(min) if from <= own.si(min) => own.si(inner(min, 1.0)),
+            FieldLimit::Excluding(_) => from,
+        };
+        let high = match self.measure.max {
+            FieldLimit::None => to,
+            FieldLimit::Including(max) => to.min(own.si(max)),
+            FieldLimit::Excluding(max) if to >= own.si(max) => own.si(inner(max, -1.0)),
+            FieldLimit::Excluding(_) => to,
+        };
+        [low, high]
     }
 
     /// Returns true if a value, in SI, is within the limits of the input.

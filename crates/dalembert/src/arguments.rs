@@ -99,6 +99,10 @@ pub(crate) struct Solve {
     /// Ask a question over inputs, answers and steps: 'peak to peak=2*X'
     #[arg(long, value_name = "NAME=FORMULA")]
     pub(crate) ask: Vec<String>,
+    /// Give an answer whose value is known, for an input that is to be found: --set 'mass=?' --given
+    /// 'natural_frequency=8.2 Hz'
+    #[arg(long, value_name = "ANSWER=VALUE")]
+    pub(crate) given: Vec<String>,
     /// Output format; default: by the file extension, otherwise text
     #[arg(long, value_enum)]
     pub(crate) format: Option<Format>,

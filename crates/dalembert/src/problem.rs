@@ -53,6 +53,8 @@ pub(crate) struct ProblemSource<'a> {
     pub(crate) define: &'a [String],
     /// The questions to add.
     pub(crate) ask: &'a [String],
+    /// The given answers to add.
+    pub(crate) given: &'a [String],
     /// True if a number without a unit is refused.
     pub(crate) strict: bool,
 }
@@ -199,17 +201,25 @@ fn reported(notes: Vec<Text>, template: &'static str, console: &Console) -> Vec<
     notes
 }
 
-/// Makes the changes of `--let`, `--ask` and `--set`, and says what is wrong with those that cannot be made.
+/// Makes the changes of `--let`, `--ask`, `--given` and `--set`, and says what is wrong with those that cannot be made.
 fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: &Console) -> Vec<Text> {
     let mut errors = Vec::new();
     type Add = fn(&mut Draft, &Shape, &str, &str) -> Result<(), FieldError>;
-    let added: [(&str, &[String], Add); 2] =
-        [("--let", asked.define, Draft::define), ("--ask", asked.ask, Draft::ask)];
-    for (flag, texts, add) in added {
+    let added: [(&str, &[String], Add, &str); 3] = [
+        ("--let", asked.define, Draft::define, "write a name and a formula, as in --let nu=0.3"),
+        ("--ask", asked.ask, Draft::ask, "write a name and a formula, as in --ask 'peak to peak=2*X'"),
+        (
+            "--given",
+            asked.given,
+            Draft::give,
+            "write an answer and its value, as in --given 'natural_frequency=8.2 Hz'",
+        ),
+    ];
+    for (flag, texts, add, form) in added {
         for text in texts {
             let added = match text.split_once('=') {
                 Some((name, formula)) => add(draft, shape, name, formula).map_err(|err| err.why),
-                None => Err("write a name and a formula, as in --let nu=0.3".into()),
+                None => Err(form.into()),
             };
             if let Err(why) = added {
                 let error = Text::new("{flag} {text}: {why}").with("flag", flag).with("text", short(text));

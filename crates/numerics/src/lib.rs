@@ -6,7 +6,7 @@
 //! |---|---|
 //! | linear algebra | [`linalg`], [`givens`] |
 //! | differential equations | [`ode`], with events and dense output |
-//! | roots and extremes | [`roots`], [`polynomial`], [`extremes`] |
+//! | roots and extremes | [`roots`], [`nonlinear`], [`polynomial`], [`extremes`] |
 //! | quadrature | [`quadrature`], [`gauss_legendre`] |
 //! | special functions | [`elliptic`], [`bessel`] |
 //! | sets of numbers | [`intervals`] |
@@ -33,6 +33,7 @@ pub mod gauss_legendre;
 pub mod givens;
 pub mod intervals;
 pub mod linalg;
+pub mod nonlinear;
 pub mod ode;
 pub mod polynomial;
 pub mod quadrature;

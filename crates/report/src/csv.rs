@@ -136,7 +136,7 @@ fn words(text: &str) -> String {
 
 fn write_inputs(worked: &WorkedProblem<'_>, sheet: &mut CsvSheet, locale: &Locale) {
     sheet.headings(&["path", "label", "symbol", "text", "value", "unit", "si"]);
-    for input in inputs(worked.draft, worked.record, locale) {
+    for input in inputs(worked.draft, worked.solved_record(), locale) {
         let (value, unit, si) = match input.value {
             Some(Value::Quantity(quantity)) => {
                 (number(quantity.unit.value(quantity.si)), quantity.unit.ascii(), number(quantity.si))

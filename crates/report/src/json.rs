@@ -2,15 +2,18 @@
 
 use std::ops::Bound;
 
-use dalembert_core::{Answer, AnswerValue, Exhibit, Locale, Number, Plot, Series, Value};
+use dalembert_core::{Answer, AnswerValue, Determined, Exhibit, Locale, Number, Plot, Series, Value};
 use dalembert_units::{Unit, is_invisible};
 use serde_json::{Map, Value as Json, json};
 
 use crate::{WorkedProblem, inputs::inputs};
 
 /// `{"analysis", "case", "notes": [], "inputs": {path: {"text", "value", "unit", "si", "si_unit"}}, "answers": {name:
-/// {"label", "value", "unit", "si", "si_unit", "shown"}}, "plots": [{"title", "over", "curves": [{"label", "of", "with"}]}],
+/// {"label", "value", "unit", "si", "si_unit", "shown"}}, "unknowns": {}, "plots": [{"title", "over", "curves": [{"label", "of", "with"}]}],
 /// "checks": [{"what", "residual", "passed"}], "warnings": [], "refusal": null | "…"}`.
+///
+/// `unknowns` has what was found from given answers, by its path: `{"label", "value", "unit", "si", "si_unit", "from", "to",
+/// "uncertainty"}`, a value for each solution in the range (in SI) that was searched.
 ///
 /// `value` is in `unit`, the one that is shown, and `si` in `si_unit`, which is coherent; both units can be typed, and that
 /// of a pure number is `1`. Each is a number that reads back bit for bit, `[x, y, z]` for a vector or a list, `[[from, to],
@@ -21,7 +24,7 @@ use crate::{WorkedProblem, inputs::inputs};
 pub fn json(worked: &WorkedProblem<'_>, locale: &Locale) -> Json {
     let locale = &locale.at(worked.entry.about.id);
     let mut given = Map::new();
-    for input in inputs(worked.draft, worked.record, locale) {
+    for input in inputs(worked.draft, worked.solved_record(), locale) {
         if let Some(value) = input.value {
             let mut entry = understood(value);
             entry.insert("text".into(), input.typed.into());
@@ -29,8 +32,10 @@ pub fn json(worked: &WorkedProblem<'_>, locale: &Locale) -> Json {
         }
     }
     let mut answers = Map::new();
+    let mut unknowns = Map::new();
     let (mut plots, mut checks, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
     if let Ok(solution) = worked.outcome {
+        unknowns = solution.determined.as_deref().map(|found| determined(found, locale)).unwrap_or_default();
         for found in &solution.answers {
             answers.insert(found.name.to_string(), answer(found, locale));
         }
@@ -49,6 +54,7 @@ pub fn json(worked: &WorkedProblem<'_>, locale: &Locale) -> Json {
         "notes": worked.notes.iter().map(|note| note.render(locale)).collect::<Vec<_>>(),
         "inputs": given,
         "answers": answers,
+        "unknowns": unknowns,
         "plots": plots,
         "checks": checks,
         "warnings": warnings,
@@ -90,6 +96,21 @@ fn answer(answer: &Answer, locale: &Locale) -> Json {
         entry.insert("asked".into(), true.into());
     }
     Json::Object(entry)
+}
+
+fn determined(found: &Determined, locale: &Locale) -> Map<String, Json> {
+    let unknown = |(n, unknown): (usize, &dalembert_core::DeterminedInput)| {
+        let values = |of: &dyn Fn(f64) -> f64| {
+            found.solutions.iter().map(|solution| of(solution[n])).collect::<Json>()
+        };
+        let mut entry = with_units(&values, &unknown.unit);
+        entry.insert("label".into(), unknown.label.render(locale).into());
+        entry.insert("from".into(), unknown.range[0].into());
+        entry.insert("to".into(), unknown.range[1].into());
+        entry.insert("uncertainty".into(), unknown.uncertainty.into());
+        (unknown.name.clone(), Json::Object(entry))
+    };
+    found.unknowns.iter().enumerate().map(unknown).collect()
 }
 
 fn plot(plot: &Plot, locale: &Locale) -> Json {

@@ -36,6 +36,14 @@ pub struct WorkedProblem<'a> {
     pub outcome: Result<&'a Solution, &'a Text>,
 }
 
+impl WorkedProblem<'_> {
+    /// The inputs with the values that the solution has: those of unknowns are found by it.
+    pub fn solved_record(&self) -> &Record {
+        let determined = self.outcome.ok().and_then(|solution| solution.determined.as_deref());
+        determined.map_or(self.record, |determined| &determined.record)
+    }
+}
+
 /// The worked solution as a user reads it: problem, inputs, answers, steps, figures and tables, checks, warnings, sources.
 pub fn document(worked: &WorkedProblem<'_>, locale: &Locale) -> Document {
     let about = worked.entry.about;
@@ -115,7 +123,7 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
 }
 
 fn given(worked: &WorkedProblem<'_>, locale: &Locale) -> Vec<Block> {
-    let inputs = inputs(worked.draft, worked.record, locale);
+    let inputs = inputs(worked.draft, worked.solved_record(), locale);
     let mut tables = Vec::new();
     for input in &inputs {
         if let Some(dalembert_core::Value::Table(table)) = input.value

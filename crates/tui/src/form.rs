@@ -159,6 +159,28 @@ impl Form {
         self.change(Change::Other, |draft, shape| draft.write(shape, path, text).ok())
     }
 
+    /// Makes the quantity of the cursor unknown: it is found from given answers.
+    pub fn make_unknown(&mut self) -> bool {
+        let quantity = |line: &FormLine| match &line.role {
+            Role::Leaf { shape, .. } => matches!(shape.present(), Shape::Quantity(_)),
+            _ => false,
+        };
+        match self.line().filter(quantity) {
+            Some(line) => {
+                self.change(Change::Other, |draft, shape| draft.write(shape, &line.path, "?".into()).ok())
+            }
+            None => false,
+        }
+    }
+
+    /// Gives the value of an answer; the path of its row.
+    pub fn give(&mut self, answer: &str, value: &str) -> Option<String> {
+        self.change(Change::Other, |draft, shape| draft.give(shape, answer, value).ok());
+        let Ok((Draft::Rows(rows), _)) = self.draft.at(&self.shape, "given") else { return None };
+        let is_it = |row: &Draft| matches!(row, Draft::Group(parts) if parts.first() == Some(&Draft::Leaf(answer.to_owned())));
+        rows.iter().position(is_it).map(|row| format!("given[{}].value", row + 1))
+    }
+
     /// Puts a whole draft in place of this one.
     pub fn replace(&mut self, with: Draft) -> bool {
         self.edit = None;

@@ -101,6 +101,10 @@ pub enum Action {
     Define,
     /// A question more: a formula over answers.
     Ask,
+    /// Makes the input unknown.
+    Unknown,
+    /// Gives the value of the answer, for an input that is unknown.
+    Give,
     /// A copy of this row.
     DuplicateRow,
     /// Deletes this row, or leaves an optional input out.

@@ -38,7 +38,7 @@ pub(crate) fn prepare(
         }
     }
     let asked = |name: &&str| plan.questions.iter().any(|question| question.key == *name);
-    let plain = if wanted.iter().any(asked) {
+    let plain = if wanted.iter().any(asked) || plan.search().is_some() {
         None
     } else {
         let mut inputs: Vec<String> = vary

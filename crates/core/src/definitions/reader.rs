@@ -2,11 +2,15 @@
 
 use dalembert_units::Unit;
 
-use super::{Definition, Question, field_error, names::Names};
+use super::{
+    Definition, Question, field_error,
+    names::Names,
+    unknowns::{self, Unknown, is_unknown},
+};
 use crate::{
     FieldError, Text, Value,
     ascii::index,
-    formula::{Formula, Function},
+    formula::{Expression, Formula, Function},
 };
 
 /// Reader of definitions and questions; what is wrong with them is kept.
@@ -17,7 +21,12 @@ pub(super) struct Reader<'n> {
 
 impl Reader<'_> {
     /// The definition in a row, counted from 0.
-    pub(super) fn definition(&mut self, n: usize, row: &Value) -> Option<Definition> {
+    pub(super) fn definition(
+        &mut self,
+        n: usize,
+        row: &Value,
+        unknowns: &mut Vec<Unknown>,
+    ) -> Option<Definition> {
         let path = |part: &str| format!("let[{}].{part}", n + 1);
         let (name, text) = (text_of(row, "name"), text_of(row, "formula"));
         let begins = name.chars().next().is_some_and(|c| c.is_alphabetic() || c == '_');
@@ -49,6 +58,20 @@ impl Reader<'_> {
         if let Some(why) = wrong {
             self.errors.push(FieldError::new(path("name"), why));
             return None;
+        }
+        if is_unknown(text) {
+            return match unknowns::read(text, name, None) {
+                Ok((unknown, start)) => {
+                    unknowns.push(unknown);
+                    let (unit, si) = (start.unit.clone(), start.si);
+                    let formula = Formula { root: Expression::Quantity(start), text: text.to_owned() };
+                    Some(Definition { name: name.to_owned(), formula, unit, si })
+                }
+                Err(why) => {
+                    self.errors.push(FieldError::new(path("formula"), why));
+                    None
+                }
+            };
         }
         let formula = self.formula(&path("formula"), text)?;
         let (unit, si) =

@@ -11,7 +11,7 @@ use crate::DrawnShape;
 /// Value that is computed when it is first read; copies share it.
 ///
 /// A solve makes all drawings of a problem, of which a screen shows one and a sweep none, so their shapes and the places
-/// of their letters are found by who looks at them.
+/// of their letters are found when they are first shown.
 #[derive(Clone)]
 pub struct Deferred<T>(Arc<LazyValue<T>>);
 

@@ -1,4 +1,4 @@
-//! The tables `[let]` and `[ask]` of a problem file: definitions and questions.
+//! The tables `[let]`, `[ask]` and `[given]` of a problem file: definitions, questions and given answers.
 
 use toml_edit::{Item, Table, TableLike, Value as Toml};
 
@@ -10,10 +10,12 @@ const QUESTION: [&str; 4] = ["value", "unit", "symbol", "key"];
 
 /// Adds what the tables of a file say to the draft of its inputs.
 pub(crate) fn read(root: &dyn TableLike, shape: &Shape, draft: &mut Draft, reading: &mut FileNotes) {
-    let rows = definitions(root, reading);
+    let rows = pairs(root, "let", "a quantity or a formula in quotes is needed here", reading);
     put(draft, shape, "let", rows);
     let rows = questions(root, reading);
     put(draft, shape, "ask", rows);
+    let rows = pairs(root, "given", "a quantity in quotes is needed here, as in \"8.2 Hz\"", reading);
+    put(draft, shape, "given", rows);
 }
 
 fn put(draft: &mut Draft, shape: &Shape, field: &str, rows: Vec<Draft>) {
@@ -29,23 +31,31 @@ fn table<'d>(root: &'d dyn TableLike, key: &str, reading: &mut FileNotes) -> Opt
     let item = root.get(key)?;
     let table = item.as_table_like();
     if table.is_none() {
-        let why = Text::new("`{key}` is a table of names and formulas, as in [{key}] nu = \"0.3\"")
-            .with("key", key);
+        let example = if key == "given" { "natural_frequency = \"8.2 Hz\"" } else { "nu = \"0.3\"" };
+        let why = Text::new("`{key}` is a table of names and formulas, as in [{key}] {example}")
+            .with("key", key)
+            .with("example", example);
         reading.errors.push(FileError { why, span: item.span() });
     }
     table
 }
 
-fn definitions(root: &dyn TableLike, reading: &mut FileNotes) -> Vec<Draft> {
-    let Some(table) = table(root, "let", reading) else { return Vec::new() };
+/// Rows of a table of names and texts.
+fn pairs(
+    root: &dyn TableLike,
+    key: &'static str,
+    needed: &'static str,
+    reading: &mut FileNotes,
+) -> Vec<Draft> {
+    let Some(table) = table(root, key, reading) else { return Vec::new() };
     let mut rows = Vec::new();
     for (name, item) in table.iter() {
         match formula(item) {
             Some(text) => rows.push(Draft::Group(vec![Draft::Leaf(name.to_owned()), Draft::Leaf(text)])),
             None => reading.errors.push(FileError {
                 why: Text::new("{path}: {why}")
-                    .with("path", format!("let.{name}"))
-                    .with_text("why", "a quantity or a formula in quotes is needed here"),
+                    .with("path", format!("{key}.{name}"))
+                    .with_text("why", needed),
                 span: item.span(),
             }),
         }
@@ -97,9 +107,9 @@ fn formula(item: &Item) -> Option<String> {
     }
 }
 
-/// Writes the definitions and questions of a draft into the tables of a file, in their order; what is gone is taken out.
+/// Writes the definitions, questions and given answers of a draft into the tables of a file, in their order; what is gone is taken out.
 pub(crate) fn write(root: &mut Table, draft: &Draft, shape: &Shape) {
-    for field in ["let", "ask"] {
+    for field in ["let", "ask", "given"] {
         let rows = match draft.at(shape, field) {
             Ok((Draft::Rows(rows), _)) => rows.as_slice(),
             _ => &[],

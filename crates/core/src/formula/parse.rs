@@ -252,7 +252,9 @@ impl<'t> Parser<'t> {
                 }
                 return Ok(());
             }
-            if operator.is_some() {
+            // Behind a stroke stands a unit, as in 7850 kg/m^3, whatever m is. Behind a sign of multiplication it may be
+            // either.
+            if operator.is_some() && (opens || operator != Some('/')) {
                 let names = word_parts(word);
                 if let Some(name) = names.into_iter().find(|name| (self.is_name)(name)) {
                     if opens {
@@ -260,12 +262,7 @@ impl<'t> Parser<'t> {
                         return Ok(());
                     }
                     let before = self.text[start..end].trim_end();
-                    let divides = operator == Some('/');
-                    let (as_unit, as_name) = if divides {
-                        (format!("{before} {word}^-1"), format!("{before}/({name})"))
-                    } else {
-                        (format!("{before} {word}"), format!("{before}*({name})"))
-                    };
+                    let (as_unit, as_name) = (format!("{before} {word}"), format!("{before}*({name})"));
                     let why = Text::new("`{text}` can be read in two ways: write `{first}` or `{second}`")
                         .with("text", &self.text[start..self.at])
                         .with("first", as_unit)

@@ -39,6 +39,7 @@ fn of(entry: &Entry, locale: &Locale) -> Json {
             "title": { "type": "string" },
             "let": { "type": "object", "additionalProperties": { "type": ["string", "number"] } },
             "inputs": inputs,
+            "given": { "type": "object", "additionalProperties": { "type": ["string", "number"] } },
             "ask": { "type": "object", "additionalProperties": { "oneOf": [
                 { "type": ["string", "number"] },
                 {

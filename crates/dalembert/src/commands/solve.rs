@@ -29,6 +29,7 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         changes: &solve.set,
         define: &solve.define,
         ask: &solve.ask,
+        given: &solve.given,
         strict: solve.strict,
     };
     let mut problem = problem::read(&asked, console)?;

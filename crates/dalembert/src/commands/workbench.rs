@@ -30,6 +30,7 @@ pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<
             changes: &[],
             define: &[],
             ask: &[],
+            given: &[],
             strict: false,
         };
         return print_worked(&problem::read(&asked, console)?, console);

@@ -7,6 +7,7 @@ mod extremes;
 mod givens;
 mod intervals;
 mod linalg;
+mod nonlinear;
 mod ode;
 mod polynomial;
 mod real;

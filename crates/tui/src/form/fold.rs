@@ -13,9 +13,9 @@ impl Form {
     /// Every line, those of folded rows among them.
     pub(super) fn all_lines(&self) -> Vec<FormLine> {
         let mut lines = lines(&self.shape, &self.draft);
-        // Definitions and questions stand in the form once there are some.
+        // Definitions, questions and given answers stand in the form once there are some.
         let is_empty = |line: &FormLine| matches!(line.role, Role::Rows { count: 0 });
-        lines.retain(|line| !is_empty(line) || !matches!(line.path.as_str(), "let" | "ask"));
+        lines.retain(|line| !is_empty(line) || !matches!(line.path.as_str(), "let" | "ask" | "given"));
         lines
     }
 

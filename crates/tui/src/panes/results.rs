@@ -62,8 +62,11 @@ impl Pane for Results {
 
     fn about(&self, _: &Problem, ui: &Ui<'_>) -> Vec<Text> {
         let text = match self.chosen {
-            Some(_) => Text::new("{keys} select the answer; {unit} unit, {digits} digits")
-                .with("keys", ui.pair(KeyContext::Pane, Action::Up, Action::Down)),
+            Some(_) => {
+                Text::new("{keys} select the answer; {unit} unit, {digits} digits, {give} give its value")
+                    .with("keys", ui.pair(KeyContext::Pane, Action::Up, Action::Down))
+                    .with("give", ui.key(KeyContext::Pane, Action::Give))
+            }
             None => Text::new("{unit} unit of an answer, {digits} digits"),
         };
         let key = |action| ui.key(KeyContext::Pane, action);
@@ -72,7 +75,10 @@ impl Pane for Results {
 
     fn act(&mut self, problem: &mut Problem, ui: &Ui<'_>, action: Action) -> Option<Vec<Intent>> {
         match (action, self.chosen) {
-            (Action::NextDisplayUnit | Action::NextDigits, _) => Some(self.display(problem, ui, action)),
+            (Action::Give, Some(at)) => Some(give(problem, at)),
+            (Action::NextDisplayUnit | Action::NextDigits | Action::Give, _) => {
+                Some(self.display(problem, ui, action))
+            }
             (Action::Up | Action::Down, Some(at)) => {
                 let answers = problem.found.solution.as_ref().map_or(0, |solution| solution.answers.len());
                 let by = if action == Action::Up { -1 } else { 1 };
@@ -100,11 +106,14 @@ impl Results {
         let Some(at) = self.chosen else {
             self.chosen = Some(0);
             let key = |action| ui.key(KeyContext::Pane, action);
-            let said = Text::new("{keys} select the answer; {unit} unit, {digits} digits; {back} back")
-                .with("keys", ui.pair(KeyContext::Pane, Action::Up, Action::Down))
-                .with("unit", key(Action::NextDisplayUnit))
-                .with("digits", key(Action::NextDigits))
-                .with("back", key(Action::Back));
+            let said = Text::new(
+                "{keys} select the answer; {unit} unit, {digits} digits, {give} give its value; {back} back",
+            )
+            .with("keys", ui.pair(KeyContext::Pane, Action::Up, Action::Down))
+            .with("unit", key(Action::NextDisplayUnit))
+            .with("digits", key(Action::NextDigits))
+            .with("give", key(Action::Give))
+            .with("back", key(Action::Back));
             return Intent::say(said);
         };
         let answer = &solution.answers[at.min(solution.answers.len() - 1)];
@@ -135,6 +144,18 @@ impl Results {
         put(problem, &name, &display);
         vec![Intent::Keep]
     }
+}
+
+/// Gives the value of an answer, so that an input can be found from it.
+fn give(problem: &mut Problem, at: usize) -> Vec<Intent> {
+    let answer = problem.found.solution.as_ref().and_then(|solution| solution.answers.get(at));
+    let Some((answer, si)) = answer.and_then(|answer| Some((answer, answer.si()?))) else {
+        return Intent::say("only the value of a single number can be given");
+    };
+    let value = unit::write_quantity(si, &answer.unit, Digits::default());
+    let Some(path) = problem.inputs.form.give(&answer.name.to_string(), &value) else { return Vec::new() };
+    let said = "enter the known value here, and ? in the input that is to be found";
+    vec![Intent::Changed, Intent::GoToInput(path), Intent::Say(said.into())]
 }
 
 /// Takes how an answer is shown from now on.

@@ -58,6 +58,9 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
         Action::AddRow => return after(model, Form::add_row, "not in a list"),
         Action::Define => return after(model, |form| form.add_to("let"), ""),
         Action::Ask => return after(model, |form| form.add_to("ask"), ""),
+        Action::Unknown => {
+            return after(model, Form::make_unknown, "only a quantity can be unknown");
+        }
         Action::DuplicateRow => {
             return after(model, Form::duplicate_row, "no row selected");
         }

@@ -31,7 +31,9 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
             bench.focus = Focus::Form;
             return Vec::new();
         }
-        Action::NextDisplayUnit | Action::NextDigits => return Intent::say("the answers are in Results"),
+        Action::NextDisplayUnit | Action::NextDigits | Action::Give => {
+            return Intent::say("the answers are in Results");
+        }
         Action::Enter if bench.place() == KeyContext::Pane => {
             let said = Text::new("nothing to open here: {key} loads a case in Sources");
             return Intent::say(said.with("key", model.key(KeyContext::Pane, Action::Enter)));

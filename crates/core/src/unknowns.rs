@@ -1,0 +1,429 @@
+//! Unknown inputs: found from answers that are given in their place.
+//!
+//! With one unknown and one given answer the range is examined at 400 points: every change of sign of
+//! `answer − given` is bracketed and refined, and so is every point where the difference comes nearest to zero. With
+//! several, the normalised differences are brought to zero by Levenberg and Marquardt's method from 33 starts; with more
+//! given answers than unknowns their squares are made least. A solution counts only if a solve with it returns every
+//! given answer to 1e-9.
+
+mod search;
+
+use std::sync::Arc;
+
+use dalembert_units::Unit;
+
+use self::search::{Target, Variable, search};
+use crate::{
+    Answer, AnswerValue, Cell, Column, Entry, Exhibit, FieldError, Name, Record, Refusal, Sheet, SolveError,
+    Stop, TableExhibit, Text, Worksheet, cases,
+    definitions::{GivenAnswer, Plan, Unknown},
+    intern::intern,
+    reading,
+    study::fixed,
+    vary::{self, Perturbed, VariedInput},
+};
+
+/// Unknown inputs of a problem as they were found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Determined {
+    /// The unknowns.
+    pub unknowns: Vec<DeterminedInput>,
+    /// The given answers that they were found from.
+    pub givens: Vec<ReachedAnswer>,
+    /// Every solution in the range, in SI, ascending; a value for each unknown. The working is that of the first one.
+    pub solutions: Vec<Vec<f64>>,
+    /// Number of points of the range of one unknown, or of starts for several.
+    pub points: usize,
+    /// The inputs with the first solution.
+    pub record: Record,
+}
+
+/// An input or a definition that was found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DeterminedInput {
+    /// The path of the input, or the name of the definition.
+    pub name: String,
+    /// Name in words.
+    pub label: Text,
+    /// Symbol in formulas.
+    pub symbol: &'static str,
+    /// The unit it is shown in.
+    pub unit: Unit,
+    /// The range that was searched, in SI.
+    pub range: [f64; 2],
+    /// Standard uncertainty, in SI, where every given answer has one.
+    pub uncertainty: Option<f64>,
+}
+
+/// A given answer, and what the problem answers with the unknowns found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReachedAnswer {
+    /// Name of the answer.
+    pub name: String,
+    /// Name in words.
+    pub label: Text,
+    /// The unit it was given in.
+    pub unit: Unit,
+    /// Given value, in SI.
+    pub given: f64,
+    /// Value with the unknowns found, in SI.
+    pub reached: f64,
+}
+
+/// The share of a given answer by which a solution may miss it.
+const ACCEPTED: f64 = 1e-9;
+/// The most solutions that are listed in a sentence.
+const LISTED: usize = 6;
+
+/// The problem with its unknowns found; `None` where nothing is unknown.
+pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<Option<Record>, SolveError> {
+    let Some(plan) = &record.plan else { return Ok(None) };
+    let Some((unknowns, givens)) = plan.search() else { return Ok(None) };
+    let known = Record { plan: Some(Arc::new(plan.without_unknowns())), ..record.clone() };
+    let inputs = unknown_inputs(&known, plan, unknowns)?;
+    let mut variables = Vec::new();
+    for (unknown, input) in unknowns.iter().zip(&inputs) {
+        variables.push(variable(entry, unknown, input)?);
+    }
+    let (begin, answers) = begin(entry, &known, &variables, &inputs, (plan, givens), stop)?;
+    let names: Vec<String> = answers.iter().map(|answer| answer.name.to_string()).collect();
+    let mut again = Perturbed::new(entry, &begin, inputs.clone(), names)?;
+    if again.inputs.len() < inputs.len() {
+        let lost = inputs.iter().find(|input| again.inputs.iter().all(|known| known.path != input.path));
+        let path = lost.map_or_else(String::new, |input| plan.error_path(&input.path));
+        return Err(fault(path, "this input cannot be varied, so it cannot be unknown"));
+    }
+    let targets: Vec<Target> =
+        givens.iter().map(|given| Target { si: given.si, tolerance: given.tolerance }).collect();
+    let mut evaluate = |x: &[f64]| {
+        let changes: Vec<(usize, f64)> = x.iter().copied().enumerate().collect();
+        again.with(&changes, stop)
+    };
+    let found = search(&mut evaluate, &variables, &targets)?;
+    let label = |answer: &Answer| answer.title();
+    if let Some(blind) = found.without_influence {
+        let why = Text::new("{answer} does not depend on what is unknown: give another answer")
+            .with_text("answer", label(&answers[blind]));
+        return Err(fault(format!("given[{}].name", blind + 1), why));
+    }
+    let Some(first) = found.solutions.first() else {
+        return Err(none(&found, &variables, &inputs, givens, &answers).into());
+    };
+    if !found.is_determined {
+        let names: Vec<&str> = inputs.iter().map(|input| input.path.as_str()).collect();
+        let why = Text::new(
+            "the given answers do not determine {unknowns} separately: many values give the same answers; give another answer",
+        );
+        return Err(Refusal::because(why.with("unknowns", names.join(", "))).into());
+    }
+    let mut solved = begin;
+    for (input, si) in inputs.iter().zip(first) {
+        solved = vary::changed(&solved, &input.path, *si).ok_or_else(|| {
+            fault(plan.error_path(&input.path), "this input cannot be varied, so it cannot be unknown")
+        })?;
+    }
+    let reached = evaluate(first)?;
+    let record = Record { plan: None, ..solved.clone() };
+    let determined = Determined {
+        unknowns: inputs
+            .into_iter()
+            .zip(&variables)
+            .enumerate()
+            .map(|(n, (input, variable))| DeterminedInput {
+                label: input.label,
+                symbol: input.symbol,
+                unit: input.unit,
+                range: variable.range,
+                uncertainty: found.uncertainties.as_ref().map(|all| all[n]),
+                name: input.path,
+            })
+            .collect(),
+        givens: givens
+            .iter()
+            .zip(&answers)
+            .zip(reached)
+            .map(|((given, answer), reached)| ReachedAnswer {
+                name: answer.name.to_string(),
+                label: label(answer),
+                unit: given.unit.clone(),
+                given: given.si,
+                reached,
+            })
+            .collect(),
+        solutions: found.solutions,
+        points: found.points,
+        record,
+    };
+    let mut plan = plan.without_unknowns();
+    if let Some(renewed) = &solved.plan {
+        plan = Plan::clone(renewed);
+    }
+    plan.determine(determined);
+    solved.plan = Some(Arc::new(plan));
+    Ok(Some(solved))
+}
+
+fn fault(path: impl Into<String>, why: impl Into<Text>) -> SolveError {
+    SolveError::Fields(vec![FieldError::new(path, why)])
+}
+
+/// The unknowns as inputs that vary.
+fn unknown_inputs(known: &Record, plan: &Plan, unknowns: &[Unknown]) -> Result<Vec<VariedInput>, SolveError> {
+    let all = vary::inputs(known);
+    let input = |unknown: &Unknown| {
+        let found = all.iter().find(|input| input.path == unknown.name).cloned();
+        found.ok_or_else(|| {
+            fault(plan.error_path(&unknown.name), "this input cannot be varied, so it cannot be unknown")
+        })
+    };
+    unknowns.iter().map(input).collect()
+}
+
+/// The range of an unknown: as typed, or from 1/1000 to 1000 times the value typed or that of the first case that has
+/// one, within the limits of the field; of an angle a whole turn.
+fn variable(entry: &Entry, unknown: &Unknown, input: &VariedInput) -> Result<Variable, SolveError> {
+    const WIDE: f64 = 1000.0;
+    if let Some(range) = unknown.range {
+        return Ok(Variable::new(range, unknown.start));
+    }
+    let start = unknown.start.or_else(|| {
+        let records = cases::cases(entry).ok()?.into_iter().filter_map(|case| case.record(entry).ok());
+        let mut values = records.filter_map(|mut record| vary::number(&mut record, &unknown.name).copied());
+        values.find(|si| si.is_finite() && *si != 0.0)
+    });
+    let own = input.measure.own_unit();
+    let around = start.unwrap_or_else(|| own.si(1.0));
+    let [from, to] = if input.is_angle() {
+        [-std::f64::consts::PI, std::f64::consts::PI]
+    } else {
+        let ends = [around / WIDE, around * WIDE];
+        [ends[0].min(ends[1]), ends[0].max(ends[1])]
+    };
+    let range = input.permitted([from, to]);
+    if range[0] < range[1] {
+        return Ok(Variable::new(range, start));
+    }
+    Err(fault(&unknown.name, "write a range to search, as in ? 1 kg .. 100 kg"))
+}
+
+/// A point of the range at which the problem has answers, and the answers that are given there.
+fn begin(
+    entry: &Entry,
+    known: &Record,
+    variables: &[Variable],
+    inputs: &[VariedInput],
+    (plan, givens): (&Plan, &[GivenAnswer]),
+    stop: &Stop,
+) -> Result<(Record, Vec<Answer>), SolveError> {
+    let mut refused = None;
+    for start in search::starts(variables) {
+        let changed = inputs
+            .iter()
+            .zip(&start)
+            .try_fold(known.clone(), |record, (input, si)| vary::changed(&record, &input.path, *si));
+        let Some(changed) = changed else { continue };
+        let solution = match entry.solve(&changed, stop) {
+            Ok(solution) => solution,
+            Err(SolveError::Refused(Refusal::Stopped)) => return Err(Refusal::Stopped.into()),
+            Err(error) => {
+                refused.get_or_insert(error);
+                continue;
+            }
+        };
+        let mut answers = Vec::new();
+        let mut errors = Vec::new();
+        for (n, given) in givens.iter().enumerate() {
+            let name = plan.question(&given.name).unwrap_or(&given.name);
+            match solution.answer(name).filter(|answer| answer.si().is_some()) {
+                None => {
+                    let scalars = solution.answers.iter().filter(|answer| answer.si().is_some());
+                    let known: Vec<String> = scalars.map(|answer| answer.name.to_string()).collect();
+                    let why = Text::new("no answer `{name}` with a single number; the answers are {known}");
+                    let why = why.with("name", name).with("known", known.join(", "));
+                    errors.push(FieldError::new(format!("given[{}].name", n + 1), why));
+                }
+                Some(answer) if !answer.dim().agrees(given.unit.dim) => {
+                    let why = Text::new("`{text}` is {found}; {expected} expected, e.g. in {example}")
+                        .with("text", dalembert_units::write_quantity(given.si, &given.unit, <_>::default()))
+                        .with_text("found", reading::of_dim(given.unit.dim))
+                        .with_text("expected", reading::of_dim(answer.dim()))
+                        .with("example", answer.unit.ascii());
+                    errors.push(FieldError::new(format!("given[{}].value", n + 1), why));
+                }
+                Some(answer) => answers.push(answer.clone()),
+            }
+        }
+        return if errors.is_empty() { Ok((changed, answers)) } else { Err(SolveError::Fields(errors)) };
+    }
+    Err(refused.unwrap_or_else(|| {
+        Refusal::because("no value in the range of the unknowns is permitted with these inputs").into()
+    }))
+}
+
+/// Reason for which there is no solution: what the answer covers, or how near the best values come.
+fn none(
+    found: &search::Found,
+    variables: &[Variable],
+    inputs: &[VariedInput],
+    givens: &[GivenAnswer],
+    answers: &[Answer],
+) -> Refusal {
+    let quantity = |text: Text, name, si, unit: &Unit| text.with_quantity(name, si, fixed(unit));
+    if let ([input], [given], [answer]) = (inputs, givens, answers) {
+        let range = variables[0].range;
+        let text = match found.covered {
+            Some([least, most]) => {
+                let text = Text::new(
+                    "no {input} from {from} to {to} gives {answer} = {given}: the answer lies between {least} (at {at_least}) and {most} (at {at_most})",
+                );
+                let text = quantity(text, "least", least.1, &given.unit);
+                let text = quantity(text, "most", most.1, &given.unit);
+                let text = quantity(text, "at_least", least.0, &input.unit);
+                quantity(text, "at_most", most.0, &input.unit)
+            }
+            None => Text::new(
+                "no {input} from {from} to {to} gives {answer} = {given}: the problem has no answer there",
+            ),
+        };
+        let text = quantity(text, "from", range[0], &input.unit);
+        let text = quantity(text, "to", range[1], &input.unit);
+        let text = quantity(text, "given", given.si, &given.unit);
+        return Refusal::because(
+            text.with_text("input", input.label.clone()).with_text("answer", answer.title()),
+        );
+    }
+    let Some((x, reached)) = &found.nearest else {
+        return Refusal::because(
+            "the problem has no answer at any of the starts of the search: write narrower ranges, as in ? 1 kg .. 100 kg",
+        );
+    };
+    let at = inputs.iter().zip(x).map(|(input, si)| equals(input.label.clone(), *si, &input.unit));
+    let found = givens.iter().zip(answers).zip(reached);
+    let found = found.map(|((given, answer), si)| equals(answer.title(), *si, &given.unit));
+    let text = Text::new(
+        "no solution in the ranges searched; the nearest: {reached}, with {at}; write other ranges, as in ? 1 kg .. 100 kg",
+    );
+    Refusal::because(text.with_text("reached", listed(found)).with_text("at", listed(at)))
+}
+
+fn equals(label: Text, si: f64, unit: &Unit) -> Text {
+    Text::new("{label} = {value}").with_text("label", label).with_quantity("value", si, fixed(unit))
+}
+
+/// Texts one after another: `a; b; c`.
+fn listed(texts: impl Iterator<Item = Text>) -> Text {
+    let joined = |all: Text, one: Text| Text::new("{all}; {one}").with_text("all", all).with_text("one", one);
+    texts.reduce(joined).unwrap_or_default()
+}
+
+impl Determined {
+    /// Description of the search for an unknown; `None` where there is none of that name.
+    pub(crate) fn why(&self, name: &str) -> Option<Text> {
+        let unknown = self.unknowns.iter().find(|unknown| unknown.name == name)?;
+        let givens = self.givens.iter().map(|given| equals(given.label.clone(), given.given, &given.unit));
+        let how = match self.unknowns.len() {
+            _ if self.givens.len() > self.unknowns.len() => {
+                Text::new("{unknown} is unknown: least squares of {givens}")
+            }
+            1 => Text::new(
+                "{unknown} is unknown: found from {givens}; solutions from {from} to {to}, at {points} points: {count}",
+            ),
+            _ => Text::new(
+                "{unknown} is unknown: found from {givens}; solutions from {from} to {to}, from {points} starts: {count}",
+            ),
+        };
+        let [from, to] = unknown.range;
+        let unit = fixed(&unknown.unit);
+        Some(
+            how.with_text("unknown", unknown.label.clone())
+                .with_text("givens", listed(givens))
+                .with_quantity("from", from, unit)
+                .with_quantity("to", to, unit)
+                .with("points", self.points)
+                .with("count", self.solutions.len()),
+        )
+    }
+
+    /// Compares the given answers with those of the solved sheet, and shows every solution.
+    pub(crate) fn conclude(&self, plan: &Plan, sheet: &Sheet<'_>) {
+        let exact = self.givens.len() == self.unknowns.len();
+        for given in self.givens.iter().filter(|_| exact) {
+            let node = match sheet.solution().answer(&given.name).map(|answer| answer.value.clone()) {
+                Some(AnswerValue::Number(_, id)) => id,
+                _ => continue,
+            };
+            let residual = sheet.term(node) - sheet.constant(given.given, &given.unit);
+            let what = Text::new("{answer} is the given one").with_text("answer", given.label.clone());
+            let scale = given.given.abs().max(given.reached.abs());
+            sheet.check_residual(what, residual, scale, ACCEPTED * scale);
+        }
+        for unknown in &self.unknowns {
+            let name = Name::from(intern(&unknown.name));
+            if let Some(id) = sheet.lifted(&unknown.name)
+                && sheet.solution().answer(&unknown.name).is_none()
+            {
+                sheet.answer(name, plan.label(&unknown.name), sheet.term(id));
+                sheet.mark_asked(name);
+            }
+        }
+        if self.solutions.len() > 1 {
+            let shown = self.solutions.iter().take(LISTED).map(|solution| {
+                let values = self.unknowns.iter().zip(solution);
+                listed(values.map(|(unknown, si)| equals(unknown.label.clone(), *si, &unknown.unit)))
+            });
+            let text = Text::new(
+                "{count} solutions in the range searched: {solutions}; the first is worked out; a narrower range, as in ? 1 kg .. 100 kg, chooses another",
+            );
+            let shown = shown
+                .enumerate()
+                .map(|(n, one)| Text::new("({n}) {one}").with("n", n + 1).with_text("one", one));
+            let text = text.with("count", self.solutions.len()).with_text("solutions", listed(shown));
+            sheet.warn(|| text);
+        }
+        if self.solutions.len() > 1 {
+            sheet.show(|| Exhibit::Table(self.table()));
+        }
+        if !exact {
+            sheet.show(|| Exhibit::Table(self.residuals()));
+        }
+    }
+
+    fn table(&self) -> TableExhibit {
+        let columns = self.unknowns.iter().map(|unknown| column(unknown.label.clone(), &unknown.unit));
+        TableExhibit {
+            title: Text::new("Solutions in the range searched"),
+            columns: columns.collect(),
+            rows: self.solutions.iter().map(|row| row.iter().copied().map(Cell::Number).collect()).collect(),
+            foot: Vec::new(),
+        }
+    }
+
+    fn residuals(&self) -> TableExhibit {
+        let mut rows = Vec::new();
+        for given in &self.givens {
+            let value = |si| {
+                let unit = fixed(&given.unit);
+                Cell::Text(Text::new("{reached_value}").with_quantity("reached_value", si, unit))
+            };
+            let share = (given.reached - given.given) / given.given;
+            let share = if share.is_finite() { Cell::Number(share) } else { Cell::Empty };
+            rows.push(vec![given.label.clone().into(), value(given.given), value(given.reached), share]);
+        }
+        let words = |heading: &'static str| Column { heading: heading.into(), unit: "" };
+        TableExhibit {
+            title: Text::new("Given answers and those of the fit"),
+            columns: vec![
+                words("Answer"),
+                words("given value"),
+                words("value of the fit"),
+                Column { heading: "residual".into(), unit: "%" },
+            ],
+            rows,
+            foot: Vec::new(),
+        }
+    }
+}
+
+fn column(heading: Text, unit: &Unit) -> Column {
+    Column { heading, unit: fixed(unit) }
+}
