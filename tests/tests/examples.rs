@@ -52,6 +52,12 @@ fn the_fan_with_questions() {
     );
 }
 
+/// m = k/(2π fₙ)², m₀e = X m √((1 − r²)² + (2ζr)²)/r².
+#[test]
+fn the_fan_with_unknowns() {
+    answers("mass_from_frequency.toml", &[("mass", "126.51969 kg"), ("unbalance", "0.06056020 kg*m")]);
+}
+
 /// Σ m r z about each plane, with complex numbers; a drilled hole lies opposite to an added mass.
 #[test]
 fn the_rotor() {
@@ -88,7 +94,10 @@ fn every_example_is_tested() {
         .filter(|name| Path::new(name).extension().is_some_and(|ending| ending == "toml"))
         .collect();
     names.sort();
-    assert_eq!(names, ["fan.toml", "fan_questions.toml", "rotor.toml", "table.toml"]);
+    assert_eq!(
+        names,
+        ["fan.toml", "fan_questions.toml", "mass_from_frequency.toml", "rotor.toml", "table.toml"]
+    );
 }
 
 fn folder() -> PathBuf {

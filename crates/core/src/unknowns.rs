@@ -348,10 +348,8 @@ impl Determined {
     pub(crate) fn conclude(&self, plan: &Plan, sheet: &Sheet<'_>) {
         let exact = self.givens.len() == self.unknowns.len();
         for given in self.givens.iter().filter(|_| exact) {
-            let node = match sheet.solution().answer(&given.name).map(|answer| answer.value.clone()) {
-                Some(AnswerValue::Number(_, id)) => id,
-                _ => continue,
-            };
+            let value = sheet.solution().answer(&given.name).map(|answer| answer.value.clone());
+            let Some(AnswerValue::Number(_, node)) = value else { continue };
             let residual = sheet.term(node) - sheet.constant(given.given, &given.unit);
             let what = Text::new("{answer} is the given one").with_text("answer", given.label.clone());
             let scale = given.given.abs().max(given.reached.abs());

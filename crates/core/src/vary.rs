@@ -188,16 +188,14 @@ impl VariedInput {
         let inner =
             |limit: f64, sign: f64| limit + sign * 1e-6 * if limit == 0.0 { 1.0 } else { limit.abs() };
         let low = match self.measure.min {
-            FieldLimit::None => from,
             FieldLimit::Including(min) => from.max(own.si(min)),
             FieldLimit::Excluding(min) if from <= own.si(min) => own.si(inner(min, 1.0)),
-            FieldLimit::Excluding(_) => from,
+            FieldLimit::None | FieldLimit::Excluding(_) => from,
         };
         let high = match self.measure.max {
-            FieldLimit::None => to,
             FieldLimit::Including(max) => to.min(own.si(max)),
             FieldLimit::Excluding(max) if to >= own.si(max) => own.si(inner(max, -1.0)),
-            FieldLimit::Excluding(_) => to,
+            FieldLimit::None | FieldLimit::Excluding(_) => to,
         };
         [low, high]
     }

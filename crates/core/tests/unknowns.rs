@@ -69,7 +69,7 @@ impl Analysis for Exercise {
             return Err(Refusal::because("resonance without damping"));
         }
         let amplitude = sheet.step("X", "mm", given.force / dynamic, "Amplitude");
-        let gravity = sheet.constant(9.81, &dalembert_units::unit("m/s^2").unwrap());
+        let gravity = sheet.constant(9.81, &dalembert_units::unit("m/s^2").expect("it is a unit"));
         let range = given.velocity.powi(2) * (given.angle * W::Num::from(2.0)).sin() / gravity;
         let range = sheet.step("R", "m", range, "Range of the throw");
         let static_deflection =

@@ -49,11 +49,8 @@ fn pair(entry: &Entry, record: &Record) -> Option<(VariedInput, Answer)> {
     let inputs = again.inputs.clone();
     for (at, input) in inputs.iter().enumerate() {
         // Components of vectors cannot be unknown.
-        if input.si == 0.0
-            || input.path.ends_with(".x")
-            || input.path.ends_with(".y")
-            || input.path.ends_with(".z")
-        {
+        let is_component = matches!(input.path.rsplit('.').next(), Some("x" | "y" | "z"));
+        if input.si == 0.0 || is_component {
             continue;
         }
         let [near, far] = [1.001, 1.01].map(|share| again.with(&[(at, share * input.si)], &Stop::new()).ok());

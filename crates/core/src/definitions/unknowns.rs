@@ -128,6 +128,9 @@ pub(super) fn given(n: usize, name: &str, text: &str) -> Result<GivenAnswer, Fie
 
 /// The value of a quantity or of an expression without names, in SI, and its unit.
 fn constant(text: &str) -> Result<(f64, Unit), Text> {
+    if let Ok(quantity) = units::read_any(text) {
+        return Ok((quantity.si, quantity.unit));
+    }
     let formula = Formula::parse(text, &|_| false).map_err(|error| error.why)?;
     let stop = Stop::new();
     let plain = Plain::new(&stop);
