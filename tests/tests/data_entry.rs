@@ -406,3 +406,27 @@ fn a_definition_and_a_question_are_typed_into_the_form() {
     person.types("z");
     assert!(person.sees().contains("38.913"), "{}", person.sees());
 }
+
+#[test]
+fn an_unknown_is_found_from_an_answer_that_is_given_in_results() {
+    let mut person = Person::at(120, 40).opens("vibration/rotating-unbalance");
+    // Only a quantity can be unknown: the support is a choice.
+    person.types("<home><down><down>U");
+    assert!(person.sees().contains("only a quantity can be unknown"), "{}", person.sees());
+    person.types("<home>U");
+    assert!(person.sees().contains("more unknowns (1) than given answers (0)"), "{}", person.sees());
+    // = chooses among the answers, and gives the second one: the natural frequency.
+    person.types("<tab>=<down>=");
+    let screen = person.sees();
+    assert!(screen.contains("Given answers") && screen.contains("106.23 rad/s"), "{screen}");
+    // m = k/(2π fₙ)² = 451 389 N/m/(24π/s)².
+    person.types("<enter><c-u>12 Hz<enter>");
+    assert!(person.sees().contains("79.401"), "{}", person.sees());
+    // A range that leaves it out is refused with what the answer covers there.
+    let bench = person.model.bench.as_mut().expect("a problem is open");
+    bench.problem.inputs.form.go_to("mass");
+    person.types("<enter><c-u>? 1 kg .. 50 kg<enter>");
+    assert!(person.sees().contains("the answer lies"), "{}", person.sees());
+    person.types("zz");
+    assert!(person.sees().contains("106.23 rad/s"), "{}", person.sees());
+}

@@ -159,6 +159,9 @@ macro_rules! registry_tests {
             printed_steps_give_their_results
             what_is_shown_is_right_to_any_number_of_digits
         });
+        $crate::registry_tests!(@ $laboratory => unknowns {
+            an_input_is_found_back_from_an_answer
+        });
 
         #[test]
         fn the_unit_of_an_input_does_not_change_the_answers() {
