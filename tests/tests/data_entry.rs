@@ -391,6 +391,7 @@ fn a_definition_and_a_question_are_typed_into_the_form() {
     move_to(&mut person, "unbalance");
     person.types("<enter><c-u>bolt*25 m/3<enter>");
     assert!(person.sees().contains("19.456") && person.sees().contains("bolt*25 m/3"), "{}", person.sees());
+    assert!(person.sees().contains("bolt*25 m/3  = 0.1 kg·m"), "{}", person.sees());
     person.types("A<enter>peak to peak<tab>2*X<enter>");
     let screen = person.sees();
     assert!(screen.contains("Questions") && screen.contains("38.913"), "{screen}");
@@ -422,6 +423,7 @@ fn an_unknown_is_found_from_an_answer_that_is_given_in_results() {
     // m = k/(2π fₙ)² = 451 389 N/m/(24π/s)².
     person.types("<enter><c-u>12 Hz<enter>");
     assert!(person.sees().contains("79.401"), "{}", person.sees());
+    assert!(person.sees().contains("?  = 79.401 kg"), "{}", person.sees());
     // A range that leaves it out is refused with what the answer covers there.
     let bench = person.model.bench.as_mut().expect("a problem is open");
     bench.problem.inputs.form.go_to("mass");

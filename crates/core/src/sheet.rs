@@ -54,6 +54,13 @@ impl<'a> Sheet<'a> {
     /// Recorded solution. Refused when a number left the finite range, with the first such number named.
     pub fn into_solution(self) -> Result<Solution, Refusal> {
         let mut solution = self.solution.into_inner();
+        let is_step = |id: &Id| match solution.trace.node(*id).op {
+            Op::Step(step) => Some(step),
+            _ => None,
+        };
+        let lifted = self.lifted.into_inner();
+        solution.computed = lifted.into_iter().filter_map(|(path, id)| Some((path, is_step(&id)?))).collect();
+        solution.computed.sort_unstable();
         let wild = solution.steps.iter().find(|step| !solution.trace.node(step.result).number.is_finite());
         if let Some(step) = wild {
             let why = Text::new("these inputs lead to a number that cannot be represented: {symbol}")

@@ -30,6 +30,8 @@ pub struct Solution {
     pub defects: Vec<String>,
     /// The unknown inputs as they were found; `None` where nothing was unknown.
     pub determined: Option<Arc<Determined>>,
+    /// Inputs and definitions whose value is that of a formula or was found, by path or name, with their steps.
+    pub computed: Vec<(String, usize)>,
     /// Trace of the computation of every number.
     pub trace: Trace,
 }
@@ -132,6 +134,16 @@ impl Sides {
 }
 
 impl Solution {
+    /// Value, in SI, and unit of an input or a definition that a formula gives or that was found.
+    pub fn computed_input(&self, path: &str) -> Option<(f64, &Unit)> {
+        let (_, step) = self.computed.iter().find(|(known, _)| known == path)?;
+        let step = &self.steps[*step];
+        match self.trace.node(step.result).number {
+            Number::Scalar(si) => Some((si, &step.unit)),
+            Number::Vector(_) => None,
+        }
+    }
+
     /// The answer of that name.
     pub fn answer(&self, name: &str) -> Option<&Answer> {
         self.answers.iter().find(|answer| answer.name.is(name))

@@ -5,7 +5,8 @@ use std::{
     ops::Range,
 };
 
-use dalembert_core::{FieldError, Shape, Text, Value, draft};
+use dalembert_core::{Draft, FieldError, Shape, Text, Value, draft};
+use dalembert_units::write_quantity;
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -35,6 +36,8 @@ const LEAST_VALUE: usize = 12;
 const USUAL: (usize, usize) = (3, 4);
 /// Cells that a label keeps at least where its value needs the room.
 const LEAST_LABEL: usize = 10;
+/// Cells between a text and the value that it stands for: `  = `.
+const BESIDE: usize = 4;
 /// Cells before every line, for the pointer.
 const POINTER: usize = 2;
 
@@ -262,7 +265,9 @@ fn draw_line(
     let open = look.glyph(Glyph::Open);
     match &line.role {
         Role::Leaf { shape, text } => {
-            let columns = &columns.with_room_for(width(text));
+            let beside = computed(model, line);
+            let wide = beside.as_deref().map_or(0, |value| width(value) + BESIDE);
+            let columns = &columns.with_room_for(width(text) + wide);
             shown.push_span(Span::styled(
                 padded(&fit_label(&name, columns.label, look), columns.label, look),
                 if focused { look.title() } else { Style::new() },
@@ -293,7 +298,7 @@ fn draw_line(
                 _ => Filled::Well,
             };
             let value = shown.spans.len();
-            push_value(model, line, shape, text, state, picked, columns.value, &mut shown);
+            push_value(model, line, shape, text, (state, beside), picked, columns.value, &mut shown);
             if let Some(digit) = bench.problem.inputs.form.digit(&line.path, text).filter(|_| focused) {
                 point_out(&mut shown, value, text, digit);
             }
@@ -366,7 +371,7 @@ fn push_value(
     line: &FormLine,
     shape: &Shape,
     text: &str,
-    state: Filled,
+    (state, beside): (Filled, Option<String>),
     picked: Style,
     room: usize,
     shown: &mut Shown<'static>,
@@ -414,14 +419,32 @@ fn push_value(
         }
         _ => {
             let value = fit_quantity(&seen, room, look);
-            let left = room.saturating_sub(width(&value) + 4);
+            let left = room.saturating_sub(width(&value) + BESIDE);
             shown.push_span(Span::styled(value, style.patch(picked)));
-            if let Some(echo) = form::echo(text, shape, model.locale.style).filter(|echo| width(echo) <= left)
-            {
+            let echo = form::echo(text, shape, model.locale.style).or(beside);
+            if let Some(echo) = echo.filter(|echo| width(echo) <= left) {
                 shown.push_span(Span::styled(format!("  = {echo}"), look.dim()));
             }
         }
     }
+}
+
+/// Value of an input or a definition that a formula gives, or that was found.
+fn computed(model: &Model, line: &FormLine) -> Option<String> {
+    let problem = &model.bench.as_ref()?.problem;
+    // Nothing is told of a problem that is solved by hand.
+    let shows = !problem.is_stale() && problem.found.revealed.is_none();
+    let solution = problem.found.solution.as_ref().filter(|_| shows)?;
+    let definition = line.path.strip_suffix(".formula").filter(|row| row.starts_with("let["));
+    let name = definition.and_then(|row| {
+        let shape = problem.entry.shape();
+        match problem.inputs.form.draft.at(&shape, &format!("{row}.name")) {
+            Ok((Draft::Leaf(name), _)) => Some(name.trim().to_owned()),
+            _ => None,
+        }
+    });
+    let (si, unit) = solution.computed_input(name.as_deref().unwrap_or(&line.path))?;
+    Some(write_quantity(si, unit, model.locale.style))
 }
 
 /// Underlines the digit of a value that keys change, where it is seen.
