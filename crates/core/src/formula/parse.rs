@@ -238,11 +238,13 @@ impl<'t> Parser<'t> {
                 self.at = end;
                 let name = self.word_ahead(from);
                 if operator.is_none() && !name.is_empty() {
-                    let why = match nearest_unit(name) {
-                        Some(near) if !(self.is_name)(name) => {
+                    let refusal = units::unit(name).err().filter(|_| !(self.is_name)(name));
+                    let why = match refusal {
+                        Some(error @ units::ReadError::SeveralUnits { .. }) => reading::text(&error),
+                        Some(units::ReadError::UnknownUnit { nearest, .. }) if !nearest.is_empty() => {
                             Text::new("unknown unit `{symbol}`: did you mean {nearest}?")
                                 .with("symbol", name)
-                                .with("nearest", format!("`{near}`"))
+                                .with("nearest", format!("`{}`", nearest[0]))
                         }
                         _ => Text::new("a word directly behind a number is a unit, and `{name}` is none: write `{number}*{name}`")
                             .with("name", name)
@@ -286,7 +288,7 @@ impl<'t> Parser<'t> {
         if !rest.starts_with(begins_word) {
             return "";
         }
-        self.at += length;
+        self.at += units::unit_of_two_words(rest).map_or(length, str::len);
         let tail = self.rest();
         if let Some(power) = tail.strip_prefix('^') {
             let sign = usize::from(power.starts_with(['-', '+']));
@@ -417,12 +419,4 @@ fn arguments_text(wanted: &std::ops::RangeInclusive<usize>) -> Text {
 /// The words of a unit.
 fn word_parts(unit: &str) -> Vec<&str> {
     unit.split(|c: char| !begins_word(c)).filter(|part| !part.is_empty()).collect()
-}
-
-/// The unit that a word was probably meant to be, where the units reader has one.
-fn nearest_unit(word: &str) -> Option<String> {
-    match units::unit(word) {
-        Err(units::ReadError::UnknownUnit { nearest, .. }) => nearest.into_iter().next().map(Into::into),
-        _ => None,
-    }
 }

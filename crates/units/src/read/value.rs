@@ -1,7 +1,7 @@
 //! Values of an expression while it is computed.
 
 use super::scan::Literal;
-use crate::scale::Scale;
+use crate::{Dim, scale::Scale};
 
 /// A value on the way: `number` of a unit made of `symbols`.
 pub(super) struct Value<'t> {
@@ -15,6 +15,14 @@ pub(super) struct Value<'t> {
     pub(super) written: bool,
     /// A unit was written, even if it cancelled out.
     pub(super) has_unit: bool,
+    /// A number came after a unit: the unit of that number, if one follows, is another.
+    pub(super) second: bool,
+    /// Quantities with units were multiplied or divided.
+    pub(super) combined: bool,
+    /// The exponent of the angle that angular velocities among those quantities brought: it drops out of `m e ω²`.
+    pub(super) rate: i8,
+    /// A unit stands behind an operator or alone, where a formula would have a name.
+    pub(super) loose: bool,
 }
 
 impl<'t> Value<'t> {
@@ -26,6 +34,10 @@ impl<'t> Value<'t> {
             symbols: Vec::new(),
             written: true,
             has_unit: false,
+            second: false,
+            combined: false,
+            rate: 0,
+            loose: false,
         }
     }
 
@@ -36,6 +48,8 @@ impl<'t> Value<'t> {
             (false, true) => other.literal,
             _ => None,
         };
+        let rate = self.rate_with(other, 1);
+        let (second, combined) = (self.is_second(other), self.is_combined(other));
         let mut symbols = self.symbols;
         other.symbols.iter().for_each(|&(symbol, n)| merge(&mut symbols, symbol, n));
         Value {
@@ -45,11 +59,17 @@ impl<'t> Value<'t> {
             symbols,
             written: self.written || other.written,
             has_unit: self.has_unit || other.has_unit,
+            second,
+            combined,
+            rate,
+            loose: self.loose || other.loose,
         }
     }
 
     pub(super) fn over(self, other: &Value<'t>) -> Value<'t> {
         let literal = if other.written { None } else { self.literal };
+        let rate = self.rate_with(other, -1);
+        let (second, combined) = (self.is_second(other), self.is_combined(other));
         let mut symbols = self.symbols;
         other.symbols.iter().for_each(|&(symbol, n)| merge(&mut symbols, symbol, n.saturating_neg()));
         Value {
@@ -59,7 +79,38 @@ impl<'t> Value<'t> {
             symbols,
             written: self.written || other.written,
             has_unit: self.has_unit || other.has_unit,
+            second,
+            combined,
+            rate,
+            loose: self.loose || other.loose,
         }
+    }
+
+    fn is_second(&self, other: &Value) -> bool {
+        self.second || (self.written && self.has_unit && other.written && !other.has_unit)
+    }
+
+    fn is_combined(&self, other: &Value) -> bool {
+        let both = self.has_unit && other.has_unit && (self.second || (self.written && other.written));
+        both || self.combined || other.combined
+    }
+
+    /// The angle brought by angular velocities when `other` multiplies (`sign` 1) or divides (−1).
+    fn rate_with(&self, other: &Value, sign: i8) -> i8 {
+        let of = |value: &Value| match value.scale.dim {
+            Dim { length: 0, mass: 0, time, angle } if time != 0 => angle,
+            _ => value.rate,
+        };
+        of(self).saturating_add(of(other).saturating_mul(sign))
+    }
+
+    /// This value to a whole power.
+    pub(super) fn unit_powi(mut self, n: i8) -> Self {
+        self.scale = self.scale.powi(n);
+        self.symbols.iter_mut().for_each(|(_, power)| *power = power.saturating_mul(n));
+        self.symbols.retain(|&(_, power)| power != 0);
+        self.rate = self.rate.saturating_mul(n);
+        self
     }
 
     pub(super) fn negated(self) -> Value<'t> {
