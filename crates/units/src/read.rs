@@ -55,17 +55,10 @@ pub fn read_quantity(text: &str, default: &Unit, kind: Kind) -> Result<Quantity,
     let reading = read(text, range.clone(), default)?;
     kinds::check(&reading, text, range.clone(), default, kind)?;
     let quantity = finish(&reading, default, &text[range.clone()], range)?;
-    Ok(match reading.combined {
-        Some(_) if !kind.units().contains(&&*quantity.unit.text) => reduced(quantity, default),
-        _ => quantity,
-    })
-}
-
-/// What was computed from several quantities, in the unit of its field: their own units would be a product such as
-/// kg·mm³/m³.
-fn reduced(quantity: Quantity, default: &Unit) -> Quantity {
-    let unit = if default.sense == UnitMeaning::Level { &Unit::ONE } else { default };
-    Quantity { unit: unit.clone(), ..quantity }
+    // Units of several quantities would make a product such as kg·mm³/m³.
+    let usual = reading.combined.is_none() || kind.units().contains(&&*quantity.unit.text);
+    let field = if default.sense == UnitMeaning::Level { &Unit::ONE } else { default };
+    Ok(if usual { quantity } else { Quantity { unit: field.clone(), ..quantity } })
 }
 
 /// Reads a quantity of any dimension; a number alone is a pure number.

@@ -13,7 +13,7 @@ pub use names::unit_of_two_words;
 pub(crate) struct Symbol {
     pub(crate) text: Cow<'static, str>,
     /// The symbol that a name stands for, `kN` for `kilonewtons`; that of a symbol is its text.
-    pub(crate) symbol: Cow<'static, str>,
+    pub(crate) stands_for: Cow<'static, str>,
     pub(crate) scale: Scale,
 }
 
@@ -75,7 +75,7 @@ pub(crate) fn with_one_letter_more(text: &str, dim: Dim) -> Option<&'static str>
     let longer = text.chars().count() + 1;
     let mut found = SYMBOLS.iter().filter(|symbol| {
         matches!(symbol.text, Cow::Borrowed(_))
-            && symbol.text == symbol.symbol
+            && symbol.text == symbol.stands_for
             && longer > 2
             && symbol.scale.dim == dim
             && symbol.text.chars().count() == longer
@@ -261,10 +261,10 @@ static SYMBOLS: LazyLock<Vec<Symbol>> = LazyLock::new(|| {
     let mut symbols = Vec::new();
     for row in ROWS {
         for &text in row.symbols {
-            symbols.push(Symbol { text: text.into(), symbol: text.into(), scale: row.scale });
+            symbols.push(Symbol { text: text.into(), stands_for: text.into(), scale: row.scale });
             for (prefix, ten) in prefixes_of(row) {
                 let text: Cow<'static, str> = format!("{prefix}{text}").into();
-                symbols.push(Symbol { symbol: text.clone(), text, scale: prefixed(row.scale, ten) });
+                symbols.push(Symbol { stands_for: text.clone(), text, scale: prefixed(row.scale, ten) });
             }
         }
         for name in names::written_out(row) {

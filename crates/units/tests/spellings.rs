@@ -8,7 +8,7 @@ use dalembert_units::{Kind, ReadError, read_quantity, read_vector, unit};
 
 use self::Outcome::{Read, Refused};
 
-/// What a text in a field must give.
+/// Expected outcome of a text in a field.
 enum Outcome {
     /// The value in SI.
     Read(f64),
@@ -164,7 +164,7 @@ const QUANTITIES: &[(&str, &str, Outcome)] = &[
     ("60 lbf/(12 lb*in*(1500 rpm)^2)", "1", Read(60.0 * LBF / (12.0 * LB * IN * 1500.0 * RPM * 1500.0 * RPM))), ("1500 rpm/(50 rad/s)", "1", Read(30.0 * RPM)),
     ("(3 rad/s)/(2 1/s)", "1", Read(1.5)), ("(20 g)*(5 mm)*(100 rad/s)^2", "N", Read(1.0)), ("10 N/((2 mm)*(100 rad/s)^2)", "kg", Read(0.5)),
     ("12 g*120 mm", "kg*m", Read(0.00144)), ("3 N/2 mm", "N*m", Refused(&[("(3 N/2)*mm", 0.0015)])), ("10 N*m*60 rpm", "W", Read(20.0 * PI)),
-    ("4*pi^2 N/m", "N/m", Read(4.0 * PI * PI)), ("210 GPa*(20 mm)^4/12", "N*m^2", Read(2800.0)), ("sqrt(40 kN/m/(10 kg))", "rad/s", Read(63.245_553_203_367_59)),
+    ("2*hertz", "Hz", Refused(&[("Hz", 2.0 * TAU)])), ("4*pi^2 N/m", "N/m", Read(4.0 * PI * PI)), ("210 GPa*(20 mm)^4/12", "N*m^2", Read(2800.0)), ("sqrt(40 kN/m/(10 kg))", "rad/s", Read(63.245_553_203_367_59)),
 ];
 
 /// Text, unit of the field, components asked, and the components in SI or a repair of the refusal.
@@ -190,7 +190,7 @@ fn quantities_are_read_or_refused_with_repairs_that_work() {
         let read = |text: &str| read_quantity(text, &field, kind);
         match (read(text), outcome) {
             (Ok(quantity), Read(si)) => {
-                assert!(near(quantity.si, *si), "`{text}`: {} in place of {si}", quantity.si)
+                assert!(near(quantity.si, *si), "`{text}`: {} in place of {si}", quantity.si);
             }
             (Err(error), Refused(repairs)) => {
                 let typed = |repair: &str| read(&put(text, &error, repair)).or_else(|_| read(repair));
@@ -222,7 +222,7 @@ fn vectors_are_read_or_refused_with_repairs_that_work() {
         let read = |text: &str| read_vector(text, &field, Kind::of(&field), *len);
         match (read(text), outcome) {
             (Ok(vector), Ok(si)) => {
-                let all = vector.si.into_iter().zip(*si).all(|(found, wanted)| near(found, wanted));
+                let all = (0..3).all(|axis| near(vector.si[axis], si[axis]));
                 assert!(all, "`{text}`: {:?} in place of {si:?}", vector.si);
             }
             (Err(error), Err(repair)) => {
@@ -251,7 +251,7 @@ fn shows(error: &ReadError, repair: &str) -> bool {
     error.to_string().contains(&format!("`{repair}`"))
 }
 
-/// What a message offers to write.
+/// Texts that a message offers to write.
 fn offered(error: &ReadError) -> Vec<String> {
     let message = error.to_string();
     let from = ["write ", "did you mean ", "arc: "].iter().filter_map(|word| message.rfind(word)).min();

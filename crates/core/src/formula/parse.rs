@@ -227,6 +227,9 @@ impl<'t> Parser<'t> {
     fn unit(&mut self, number_end: usize, start: usize) -> Result<(), FormulaError> {
         let mut first = true;
         loop {
+            if !first && self.hyphen(number_end) {
+                continue;
+            }
             let end = self.at;
             let operator = if first { None } else { self.eat(&['*', '·', '/']) };
             self.skip_space();
@@ -257,7 +260,8 @@ impl<'t> Parser<'t> {
             if operator.is_some() {
                 let names = word_parts(word);
                 if let Some(name) = names.into_iter().find(|name| (self.is_name)(name)) {
-                    if opens {
+                    // A unit written out, such as miles, is the name of something else here.
+                    if opens || units::unit(name).is_ok_and(|unit| unit.text != name) {
                         self.at = end;
                         return Ok(());
                     }
@@ -277,6 +281,27 @@ impl<'t> Parser<'t> {
             }
             first = false;
         }
+    }
+
+    /// Goes past a hyphen between two units and the second of them, `25 N-m`: one of another dimension, which could not be
+    /// subtracted, and no visible name.
+    fn hyphen(&mut self, number_end: usize) -> bool {
+        let end = self.at;
+        if !self.rest().starts_with('-') {
+            return false;
+        }
+        self.at += 1;
+        let word = self.unit_word();
+        let free = !word.is_empty() && !word_parts(word).into_iter().any(|name| (self.is_name)(name));
+        let dim = |text: &str| units::unit(text).ok().map(|unit| unit.dim);
+        let product = match (dim(&self.text[number_end..end]), dim(word)) {
+            (Some(before), Some(after)) => free && !before.agrees(after),
+            _ => false,
+        };
+        if !product {
+            self.at = end;
+        }
+        product
     }
 
     /// A unit with its power, such as `mm^2`, `s⁻¹` or `in2`.

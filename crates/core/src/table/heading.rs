@@ -174,7 +174,7 @@ fn of_cell(cell: &str, column: &'static Field) -> Result<Option<Unit>, Text> {
     if let Some(text) = round {
         return stated(text, column);
     }
-    for text in [after_slash, after_in].into_iter().flatten() {
+    for text in [after_in, after_slash].into_iter().flatten() {
         if units::unit(text).is_ok() {
             return Err(unfit(text, column));
         }

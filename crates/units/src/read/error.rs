@@ -303,7 +303,7 @@ impl ReadError {
     /// only a message needs.
     pub(super) fn suggesting(self, wanted: Dim) -> Self {
         match self {
-            Self::UnknownUnit { symbol, span, .. } => {
+            Self::UnknownUnit { symbol, nearest, span } if nearest.is_empty() => {
                 Self::UnknownUnit { nearest: table::nearest(&symbol, wanted), symbol, span }
             }
             other => other,

@@ -9,9 +9,9 @@ use super::{
     Amount, QuantityReader, ReadError,
     scan::{Cursor, DEPTH, is_product, is_quotient, starts_symbol, superscript_digit, takes_digit},
     units::{POWER, power, symbol, two_readings},
-    value::{Value, compose},
+    value::{Quantities, Value, compose},
 };
-use crate::{Unit, UnitMeaning, decimal, scale::Scale};
+use crate::{Unit, UnitMeaning, decimal, scale::Scale, table};
 
 /// The value of the whole text from the cursor on.
 pub(super) fn evaluate(cursor: Cursor<'_>) -> Result<QuantityReader<'_>, ReadError> {
@@ -39,7 +39,7 @@ pub(super) fn evaluate(cursor: Cursor<'_>) -> Result<QuantityReader<'_>, ReadErr
         Unit::new(value.scale, text.into())
     });
     let amount = value.literal.map_or(Amount::Computed(value.number), Amount::Literal);
-    let combined = value.combined.then_some(value.rate);
+    let combined = (value.quantities == Quantities::Several).then_some(value.rate);
     Ok(QuantityReader { amount, unit, pi: reader.pi, combined })
 }
 
@@ -88,7 +88,9 @@ impl<'t> Reader<'t> {
             value.number += sign * decimal::shift(other.number * ratio, ten);
             value.literal = None;
             value.has_unit |= other.has_unit;
-            value.combined |= other.combined;
+            if other.quantities == Quantities::Several {
+                value.quantities = other.quantities;
+            }
             value.loose |= other.loose;
             self.in_range(value.number, false, start)?;
         }
@@ -280,8 +282,24 @@ impl<'t> Reader<'t> {
     }
 
     /// A unit symbol with its power; behind a number also several with hyphens, `9.81*10 N-m`.
+    ///
+    /// Behind an operator or at the start a name is left to formulas, where it may be that of a definition.
     fn unit(&mut self) -> Result<Value<'t>, ReadError> {
+        let start = self.cursor.at;
         let behind_number = self.cursor.is_behind_number();
+        let before = self.cursor.text[..start].trim_end().chars().next_back();
+        let loose = before.is_none_or(|c| is_product(c) || is_quotient(c) || "(+-−√".contains(c));
+        if loose
+            && let Some(name) = { self.cursor }.symbol()
+            && let Some(known) = table::lookup(name).filter(|known| known.stands_for != known.text)
+        {
+            let span = start..start + name.len();
+            return Err(ReadError::UnknownUnit {
+                symbol: name.into(),
+                nearest: vec![&known.stands_for],
+                span,
+            });
+        }
         let mut unit = self.symbol()?;
         while behind_number && self.cursor.accept_hyphen() {
             unit = unit.times(&self.symbol()?);
@@ -295,7 +313,7 @@ impl<'t> Reader<'t> {
         let n = power(&mut self.cursor, digit)?;
         Ok(Value {
             scale: found.scale.powi(n),
-            symbols: if n == 0 { Vec::new() } else { vec![(&found.symbol, n)] },
+            symbols: if n == 0 { Vec::new() } else { vec![(&found.stands_for, n)] },
             written: false,
             has_unit: true,
             ..Value::number(1.0)

@@ -220,8 +220,8 @@ fn replaced(text: &str, written: &str, meant: &str) -> String {
     let (mut out, mut cursor) = (String::with_capacity(text.len()), Cursor::new(text, 0..text.len()));
     while let Some(next) = cursor.peek() {
         match cursor.symbol() {
-            Some(symbol) if table::lookup(symbol).is_some_and(|known| known.symbol == written) => {
-                out += meant
+            Some(symbol) if table::lookup(symbol).is_some_and(|known| known.stands_for == written) => {
+                out += meant;
             }
             Some(symbol) => out += symbol,
             None => {

@@ -249,9 +249,9 @@ impl Reader<'_> {
         let start = self.cursor.at;
         let symbol = symbol(&mut self.cursor)?;
         self.symbols += 1;
-        self.only = (self.symbols == 1).then_some(&symbol.symbol);
-        if symbol.symbol != symbol.text {
-            self.rewritten.push((start..self.cursor.at, &symbol.symbol));
+        self.only = (self.symbols == 1).then_some(&symbol.stands_for);
+        if symbol.stands_for != symbol.text {
+            self.rewritten.push((start..self.cursor.at, &symbol.stands_for));
         }
         Ok(symbol.scale.powi(power(&mut self.cursor, digit)?))
     }

@@ -3,6 +3,17 @@
 use super::scan::Literal;
 use crate::{Dim, scale::Scale};
 
+/// Number of quantities with units in a product.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Quantities {
+    /// One at most.
+    One,
+    /// A number came after a unit: the unit of that number, if one follows, is another.
+    Begun,
+    /// Two or more.
+    Several,
+}
+
 /// A value on the way: `number` of a unit made of `symbols`.
 pub(super) struct Value<'t> {
     pub(super) number: f64,
@@ -15,10 +26,8 @@ pub(super) struct Value<'t> {
     pub(super) written: bool,
     /// A unit was written, even if it cancelled out.
     pub(super) has_unit: bool,
-    /// A number came after a unit: the unit of that number, if one follows, is another.
-    pub(super) second: bool,
-    /// Quantities with units were multiplied or divided.
-    pub(super) combined: bool,
+    /// Quantities with units that were multiplied or divided.
+    pub(super) quantities: Quantities,
     /// The exponent of the angle that angular velocities among those quantities brought: it drops out of `m e ω²`.
     pub(super) rate: i8,
     /// A unit stands behind an operator or alone, where a formula would have a name.
@@ -34,8 +43,7 @@ impl<'t> Value<'t> {
             symbols: Vec::new(),
             written: true,
             has_unit: false,
-            second: false,
-            combined: false,
+            quantities: Quantities::One,
             rate: 0,
             loose: false,
         }
@@ -49,7 +57,7 @@ impl<'t> Value<'t> {
             _ => None,
         };
         let rate = self.rate_with(other, 1);
-        let (second, combined) = (self.is_second(other), self.is_combined(other));
+        let quantities = self.quantities_with(other);
         let mut symbols = self.symbols;
         other.symbols.iter().for_each(|&(symbol, n)| merge(&mut symbols, symbol, n));
         Value {
@@ -59,8 +67,7 @@ impl<'t> Value<'t> {
             symbols,
             written: self.written || other.written,
             has_unit: self.has_unit || other.has_unit,
-            second,
-            combined,
+            quantities,
             rate,
             loose: self.loose || other.loose,
         }
@@ -69,7 +76,7 @@ impl<'t> Value<'t> {
     pub(super) fn over(self, other: &Value<'t>) -> Value<'t> {
         let literal = if other.written { None } else { self.literal };
         let rate = self.rate_with(other, -1);
-        let (second, combined) = (self.is_second(other), self.is_combined(other));
+        let quantities = self.quantities_with(other);
         let mut symbols = self.symbols;
         other.symbols.iter().for_each(|&(symbol, n)| merge(&mut symbols, symbol, n.saturating_neg()));
         Value {
@@ -79,20 +86,23 @@ impl<'t> Value<'t> {
             symbols,
             written: self.written || other.written,
             has_unit: self.has_unit || other.has_unit,
-            second,
-            combined,
+            quantities,
             rate,
             loose: self.loose || other.loose,
         }
     }
 
-    fn is_second(&self, other: &Value) -> bool {
-        self.second || (self.written && self.has_unit && other.written && !other.has_unit)
-    }
-
-    fn is_combined(&self, other: &Value) -> bool {
-        let both = self.has_unit && other.has_unit && (self.second || (self.written && other.written));
-        both || self.combined || other.combined
+    fn quantities_with(&self, other: &Value) -> Quantities {
+        use Quantities::{Begun, One, Several};
+        let both = self.has_unit && other.has_unit;
+        match (self.quantities, other.quantities) {
+            (Several, _) | (_, Several) => Several,
+            (Begun, _) if both => Several,
+            _ if both && self.written && other.written => Several,
+            (Begun, _) => Begun,
+            _ if self.written && self.has_unit && other.written && !other.has_unit => Begun,
+            _ => One,
+        }
     }
 
     /// The angle brought by angular velocities when `other` multiplies (`sign` 1) or divides (−1).

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::{Row, Symbol, prefixed, prefixes_of};
 
 /// Names that are read as a symbol of a row.
-struct Names {
+struct Entry {
     /// The first symbol of the row.
     symbol: &'static str,
     names: &'static [&'static str],
@@ -13,12 +13,12 @@ struct Names {
     with_prefixes: bool,
 }
 
-const fn plain(symbol: &'static str, names: &'static [&'static str]) -> Names {
-    Names { symbol, names, with_prefixes: false }
+const fn plain(symbol: &'static str, names: &'static [&'static str]) -> Entry {
+    Entry { symbol, names, with_prefixes: false }
 }
 
-const fn prefixable(symbol: &'static str, names: &'static [&'static str]) -> Names {
-    Names { symbol, names, with_prefixes: true }
+const fn prefixable(symbol: &'static str, names: &'static [&'static str]) -> Entry {
+    Entry { symbol, names, with_prefixes: true }
 }
 
 /// Prefixes written out, with their letters.
@@ -42,7 +42,7 @@ const PREFIX_NAMES: [(&str, &str); 16] = [
 ];
 
 /// `second` and `minute` are not among them: they are ordinals and adjectives of headings and inputs too.
-static NAMES: &[Names] = &[
+static NAMES: &[Entry] = &[
     prefixable("m", &["metre", "metres", "meter", "meters", "metro", "metros"]),
     plain("ft", &["pés"]),
     plain("yd", &["yard", "yards", "jarda", "jardas"]),
@@ -94,8 +94,8 @@ pub(super) fn written_out(row: &'static Row) -> Vec<Symbol> {
     let Some(entry) = NAMES.iter().find(|entry| entry.symbol == row.symbols[0]) else { return Vec::new() };
     let mut found = Vec::new();
     for &name in entry.names {
-        let symbol = Cow::Borrowed(entry.symbol);
-        found.push(Symbol { text: name.into(), symbol, scale: row.scale });
+        let stands_for = Cow::Borrowed(entry.symbol);
+        found.push(Symbol { text: name.into(), stands_for, scale: row.scale });
         for (letter, ten) in prefixes_of(row).filter(|_| entry.with_prefixes) {
             for (prefix, _) in PREFIX_NAMES.iter().filter(|(_, short)| *short == letter) {
                 // In Portuguese the sound stays: milissegundos, milirradianos.
@@ -103,7 +103,7 @@ pub(super) fn written_out(row: &'static Row) -> Vec<Symbol> {
                     if matches!(name, "segundos" | "radiano" | "radianos") { &name[..1] } else { "" };
                 found.push(Symbol {
                     text: format!("{prefix}{doubled}{name}").into(),
-                    symbol: format!("{letter}{}", entry.symbol).into(),
+                    stands_for: format!("{letter}{}", entry.symbol).into(),
                     scale: prefixed(row.scale, ten),
                 });
             }
@@ -138,7 +138,7 @@ const SEVERAL: &[(&[&str], &[&str])] = &[
     (&["inlbf", "lbfin"], &["in*lbf"]),
 ];
 
-/// What a symbol with several meanings may stand for; nothing for any other.
+/// Units that a symbol with several meanings may stand for; none for any other.
 pub(crate) fn several(symbol: &str) -> &'static [&'static str] {
     SEVERAL.iter().find(|(symbols, _)| symbols.contains(&symbol)).map_or(&[], |(_, meant)| meant)
 }
