@@ -113,8 +113,7 @@ fn read<'t>(text: &'t str, range: Range<usize>, default: &Unit) -> Result<Quanti
     let mut reading = match literal_and_unit(cursor) {
         Some(reading) => reading,
         None => expression::evaluate(cursor).map_err(|error| {
-            let error = error.suggesting(default.dim);
-            error.choosing(|span, meant| has_dim(cursor, span, meant, default))
+            error.suggesting(default.dim, |span, meant| has_dim(cursor, span, meant, default))
         })?,
     };
     if suffix != UnitMeaning::Plain {

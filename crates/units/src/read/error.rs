@@ -300,19 +300,14 @@ impl fmt::Display for Hint {
 
 impl ReadError {
     /// Names the units that an unknown one may have been meant as, those of the wanted dimension first: a search that
-    /// only a message needs.
-    pub(super) fn suggesting(self, wanted: Dim) -> Self {
-        match self {
-            Self::UnknownUnit { symbol, nearest, span } if nearest.is_empty() => {
-                Self::UnknownUnit { nearest: table::nearest(&symbol, wanted), symbol, span }
-            }
-            other => other,
+    /// only a message needs. Of these, and of the units that a symbol may stand for, up to three stay: those that `fits`
+    /// takes in its place, if it takes any.
+    pub(super) fn suggesting(mut self, wanted: Dim, fits: impl Fn(&Range<usize>, &str) -> bool) -> Self {
+        if let Self::UnknownUnit { symbol, nearest, .. } = &mut self
+            && nearest.is_empty()
+        {
+            *nearest = table::nearest(symbol, wanted);
         }
-    }
-
-    /// Keeps, of the units that a symbol may stand for or have been meant as, up to three that `fits` takes in its place;
-    /// the first three if it takes none.
-    pub(super) fn choosing(mut self, fits: impl Fn(&Range<usize>, &str) -> bool) -> Self {
         if let Self::SeveralUnits { meant, span, .. } | Self::UnknownUnit { nearest: meant, span, .. } =
             &mut self
         {

@@ -91,7 +91,7 @@ impl<'t> Reader<'t> {
             if other.quantities == Quantities::Several {
                 value.quantities = other.quantities;
             }
-            value.loose |= other.loose;
+            value.ambiguous |= other.ambiguous;
             self.in_range(value.number, false, start)?;
         }
     }
@@ -101,7 +101,7 @@ impl<'t> Reader<'t> {
         let start = self.cursor.at;
         let mut ends_in_digit = self.starts_with_digit();
         let mut value = self.signed(depth)?;
-        value.loose |= !value.written;
+        value.ambiguous |= !value.written;
         // The unit directly behind a number goes on while units follow.
         let mut in_unit = false;
         let mut divisor: Option<Range<usize>> = None;
@@ -128,7 +128,7 @@ impl<'t> Reader<'t> {
             let mut factor = if explicit { self.signed(depth)? } else { self.power(depth)? };
             let range = from..self.cursor.at;
             in_unit = !factor.written && (in_unit || behind_number);
-            factor.loose |= explicit && !factor.written && !in_unit;
+            factor.ambiguous |= explicit && !factor.written && !in_unit;
             let zero = value.number == 0.0 || factor.number == 0.0;
             if divides {
                 if factor.number == 0.0 {
@@ -140,7 +140,7 @@ impl<'t> Reader<'t> {
             } else {
                 // 1/2 in is half an inch and 6/2*3 is 9; so is a number behind a sign of multiplication, as in
                 // 900 N/m*(0.8 m)^2. Whatever else follows a division is not clear.
-                let clear = explicit && factor.written && !value.loose && !factor.loose;
+                let clear = explicit && factor.written && !value.ambiguous && !factor.ambiguous;
                 match divisor.take() {
                     Some(divisor) if !clear && (value.has_unit || !(factor.has_unit || explicit)) => {
                         return Err(two_readings(self.cursor.text, start, divisor, range));
@@ -288,8 +288,8 @@ impl<'t> Reader<'t> {
         let start = self.cursor.at;
         let behind_number = self.cursor.is_behind_number();
         let before = self.cursor.text[..start].trim_end().chars().next_back();
-        let loose = before.is_none_or(|c| is_product(c) || is_quotient(c) || "(+-−√".contains(c));
-        if loose
+        let ambiguous = before.is_none_or(|c| is_product(c) || is_quotient(c) || "(+-−√".contains(c));
+        if ambiguous
             && let Some(name) = { self.cursor }.symbol()
             && let Some(known) = table::lookup(name).filter(|known| known.stands_for != known.text)
         {

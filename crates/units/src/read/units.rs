@@ -32,7 +32,7 @@ pub(super) fn unit_in(text: &str, range: Range<usize>) -> Result<Unit, ReadError
         return Ok(Unit::ONE);
     }
     let mut cursor = Cursor::new(text, range);
-    let unit = whole(&mut cursor).map_err(|error| error.suggesting(Dim::NONE).choosing(|_, _| false))?;
+    let unit = whole(&mut cursor).map_err(|error| error.suggesting(Dim::NONE, |_, _| false))?;
     if !cursor.rest().is_empty() {
         return Err(cursor.unexpected("a unit"));
     }

@@ -31,7 +31,7 @@ pub(super) struct Value<'t> {
     /// The exponent of the angle that angular velocities among those quantities brought: it drops out of `m e ω²`.
     pub(super) rate: i8,
     /// A unit stands behind an operator or alone, where a formula would have a name.
-    pub(super) loose: bool,
+    pub(super) ambiguous: bool,
 }
 
 impl<'t> Value<'t> {
@@ -45,7 +45,7 @@ impl<'t> Value<'t> {
             has_unit: false,
             quantities: Quantities::One,
             rate: 0,
-            loose: false,
+            ambiguous: false,
         }
     }
 
@@ -69,7 +69,7 @@ impl<'t> Value<'t> {
             has_unit: self.has_unit || other.has_unit,
             quantities,
             rate,
-            loose: self.loose || other.loose,
+            ambiguous: self.ambiguous || other.ambiguous,
         }
     }
 
@@ -88,7 +88,7 @@ impl<'t> Value<'t> {
             has_unit: self.has_unit || other.has_unit,
             quantities,
             rate,
-            loose: self.loose || other.loose,
+            ambiguous: self.ambiguous || other.ambiguous,
         }
     }
 
