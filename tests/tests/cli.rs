@@ -233,6 +233,7 @@ fn inputs_units_and_digits_are_changed() {
     assert_eq!(shown(&["--unit", "amplitude=um", "--ascii"]), "19456 um");
     for (arguments, words) in [
         (["--unit", "amplitude=kg"], "write a unit like mm"),
+        (["--unit", "transmitted_force=lb"], "lb is a mass: write `lbf`"),
         (["--unit", "amplitud=mm"], "did you mean `amplitude`"),
         (["--unit", "amplitude=mmm"], "mmm"),
         (["--unit", "amplitude"], "--unit amplitude=um"),

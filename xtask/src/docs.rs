@@ -69,11 +69,9 @@ fn generated(root: &Path) -> Result<Vec<(String, String)>> {
     let mut symbols = cargo::cargo(root);
     symbols.args(["run", "--quiet", "--package", "dalembert-units", "--example", "symbols"]);
     let units = cargo::output(&mut symbols)?;
-    let about = "# Units\n\nEvery symbol that can be read. A product is written `N*m`, `N·m` or `N m`, a quotient `m/s`, a power \
-        `m^2` or `m²`.\n";
     Ok(vec![
         ("docs/reference.md".to_owned(), reference),
-        ("docs/units.md".to_owned(), format!("{BEGIN}{about}{units}")),
+        ("docs/units.md".to_owned(), format!("{BEGIN}{}{units}", include_str!("docs/units.md"))),
     ])
 }
 

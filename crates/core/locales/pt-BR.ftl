@@ -4,7 +4,7 @@
 unexpected-found-expected-expected = `{ $found }` inesperado: espera-se { $expected }
 symbol-must-follow-after-write-a-single-value-for-example-example = `{ $symbol }` deve vir depois de { $after }: escreva um único valor, por exemplo { $example }
 text-divides-by-zero-write-another-divisor = `{ $text }` divide por zero: escreva outro divisor
-text-has-a-unit-with-some-components-only-write-one-unit-after-the-brackets-as-in-300-200-m-s = `{ $text }` tem unidade só em algumas componentes: escreva uma unidade depois dos parênteses, como em `(300; 200) m/s`
+text-has-a-unit-with-some-components-only-write-one-unit-after-the-brackets-as-in-example = `{ $text }` tem unidade só em algumas componentes: escreva uma unidade depois dos parênteses, como em `{ $example }`
 text-has-two-decimal-marks-write-first-or-second = `{ $text }` tem dois sinais decimais: escreva `{ $first }` ou `{ $second }`
 text-has-a-gap-between-digits-write-first-or-second = `{ $text }` tem um espaço entre algarismos: escreva `{ $first }` ou `{ $second }`
 text-can-be-read-in-two-ways-write-first-or-second = `{ $text }` pode ser lido de dois modos: escreva `{ $first }` ou `{ $second }`
@@ -29,8 +29,11 @@ a-value-is-needed-for-example-example = falta um valor, por exemplo { $example }
 a-mass-is-weight-g-write-weight-9-81-kg = massa é peso / g: escreva `{ $weight }/9.81 kg`
 a-weight-is-mass-g-write-9-81-mass-n-or-mass-kgf = peso é massa × g: escreva `9.81*{ $mass } N` ou `{ $mass } kgf`
 more-than-limit-nested-brackets-roots-powers-and-signs-write-a-simpler-expression = mais de { $limit } níveis de parênteses, raízes, potências e sinais: escreva uma expressão mais simples
-g-is-the-gram-write-number-g0-for-multiples-of-standard-gravity = g é o grama: escreva `{ $number } g0` para múltiplos da gravidade padrão
-lb-is-a-mass-write-number-lbf = lb é uma massa: escreva `{ $number } lbf`
+symbol-has-several-meanings-write-meant = `{ $symbol }` tem vários significados: escreva { $meant }
+g-is-the-gram-write-text-for-multiples-of-standard-gravity = g é o grama: escreva `{ $text }` para múltiplos da gravidade padrão
+g0-is-standard-gravity-write-text-for-grams = g0 é a gravidade padrão: escreva `{ $text }` para gramas
+unit-is-a-mass-write-text = { $unit } é uma massa: escreva `{ $text }`
+unit-is-a-force-write-text = { $unit } é uma força: escreva `{ $text }`
 peak-peak-to-peak-and-rms-belong-to-amplitudes-write-the-unit-alone = pico, pico a pico e rms são de amplitudes: escreva só a unidade
 the-marks-and-are-minutes-and-seconds-of-arc-write-text = os sinais ' e " são minutos e segundos de arco: escreva `{ $text }`
 the-square-root-of-dim-is-not-a-unit-write-a-root-of-an-even-power-such-as-sqrt-4-m-2 = a raiz quadrada de { $dim } não é uma unidade: escreva a raiz de uma potência par, como sqrt(4 m^2)
@@ -92,6 +95,7 @@ row-is-not-a-row-rows-count-from-1-as-in-masses-1 = `{ $row }` não é uma linha
 ## Tables
 line-line-why = linha { $line }: { $why }
 there-are-more-faults-these-are-the-first = há mais erros; estes são os primeiros
+the-heading-gives-unit-for-column-hint = o cabeçalho dá { $unit } para { $column }; { $hint }
 the-heading-gives-unit-for-column-write-a-unit-like-own = o cabeçalho dá { $unit } para { $column }; escreva uma unidade como { $own }
 no-row-of-numbers-follows-the-heading-in-line-line-write-one-row-a-line-columns = nenhuma linha de números segue o cabeçalho na linha { $line }; escreva uma linha de dados por linha: { $columns }
 the-table-is-empty-write-one-row-a-line-columns = a tabela está vazia; escreva uma linha de dados por linha: { $columns }
@@ -172,6 +176,8 @@ a-division = uma divisão
 a-component = uma componente
 a-component-along-i-j-or-k = uma componente ao longo de i, j ou k
 each-axis-once = cada eixo uma só vez
+one-unit = uma só unidade
+a-magnitude = um módulo
 
 ## Universal files
 is-between-datasets = está entre conjuntos de dados

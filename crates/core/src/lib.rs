@@ -63,6 +63,7 @@ pub use crate::{
     field::{ChildList, Field, FieldLimit, Measure, Shape, Variant},
     input::{FieldError, Inputs, Lift, MeasuredQuantity, Reference},
     path::{is_within, nearest},
+    reading::unit_hint,
     record::{NumberTable, Record, Value},
     sheet::{Sheet, Term, VectorTerm},
     sketch::Sketch,

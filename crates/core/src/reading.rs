@@ -1,6 +1,6 @@
 //! The words of a reading error, so that they can be said in every language.
 
-use dalembert_units::{Dim, Hint, Kind, ReadError, Unit, UnitMeaning, WrongKind};
+use dalembert_units::{self as units, Dim, Hint, Kind, ReadError, Unit, UnitMeaning, WrongKind};
 
 use crate::Text;
 
@@ -43,6 +43,9 @@ pub(crate) fn text(error: &ReadError) -> Text {
         ReadError::UnknownUnit { symbol, nearest, .. } => Text::new("unknown unit `{symbol}`: did you mean {nearest}?")
             .with("symbol", symbol)
             .with("nearest", nearest.iter().map(|near| format!("`{near}`")).collect::<Vec<_>>().join(", ")),
+        ReadError::SeveralUnits { symbol, meant, .. } => Text::new("`{symbol}` has several meanings: write {meant}")
+            .with("symbol", symbol)
+            .with("meant", meant.iter().map(|unit| format!("`{unit}`")).collect::<Vec<_>>().join(", ")),
         ReadError::Unexpected { found, expected, .. } => {
             Text::new("unexpected `{found}`: {expected} expected")
                 .with("found", found)
@@ -90,10 +93,11 @@ pub(crate) fn text(error: &ReadError) -> Text {
                 .with_text("expected", *expected)
                 .with("example", example)
         }
-        ReadError::MixedComponents { text, .. } => Text::new(
-            "`{text}` has a unit with some components only: write one unit after the brackets, as in `(300; 200) m/s`",
+        ReadError::MixedComponents { text, example, .. } => Text::new(
+            "`{text}` has a unit with some components only: write one unit after the brackets, as in `{example}`",
         )
-        .with("text", text),
+        .with("text", text)
+        .with("example", example),
         ReadError::NotACount { text, .. } => {
             Text::new("`{text}` is not a count: enter an integer, for example 4").with("text", text)
         }
@@ -151,10 +155,20 @@ fn hint(hint: &Hint) -> Text {
         Hint::MassOf(newtons) => {
             Text::new("a mass is weight / g: write `{weight}/9.81 kg`").with("weight", newtons)
         }
-        Hint::PoundForce(number) => Text::new("lb is a mass: write `{number} lbf`").with("number", number),
-        Hint::StandardGravity(number) => {
-            Text::new("g is the gram: write `{number} g0` for multiples of standard gravity")
-                .with("number", number)
+        Hint::Namesake("g", text) => {
+            Text::new("g is the gram: write `{text}` for multiples of standard gravity").with("text", text)
+        }
+        Hint::Namesake("g0", text) => {
+            Text::new("g0 is standard gravity: write `{text}` for grams").with("text", text)
+        }
+        Hint::Namesake(unit, text) => {
+            let is_force = units::unit(unit).is_ok_and(|unit| Kind::of(&unit) == Kind::Force);
+            let sentence = if is_force {
+                "{unit} is a force: write `{text}`"
+            } else {
+                "{unit} is a mass: write `{text}`"
+            };
+            Text::new(sentence).with("unit", unit).with("text", text)
         }
         Hint::TorqueOf(number) => Text::new("write N·m for a torque: `{number} N*m`").with("number", number),
         Hint::NoAmplitude => {
@@ -169,6 +183,12 @@ fn hint(hint: &Hint) -> Text {
             Text::new("write brackets if the divisor is meant to have the unit: `{text}`").with("text", text)
         }
     }
+}
+
+/// Correction of a unit that has not the dimension wanted because it has a unit of mass in place of one of force, or the
+/// like: "lb is a mass: write `lbf/in`".
+pub fn unit_hint(text: &str, dim: Dim) -> Option<Text> {
+    units::meant_unit(text, dim).as_ref().map(hint)
 }
 
 #[cfg(test)]
@@ -192,8 +212,20 @@ mod tests {
             "1 m + 1 s",
             "3 J",
             "5 m/",
+            "3 ton",
         ] {
             let error = read_quantity(typed, &metre, Kind::Length).unwrap_err();
+            assert_eq!(super::text(&error).english(), error.to_string(), "{typed}");
+        }
+        for (typed, default) in [
+            ("0.5 g", "m/s^2"),
+            ("0.04 g^2/Hz", "m^2/s^3"),
+            ("20 lb/in", "N/m"),
+            ("3 lbf", "kg"),
+            ("3 g0", "kg"),
+        ] {
+            let default = unit(default).unwrap();
+            let error = read_quantity(typed, &default, Kind::Other).unwrap_err();
             assert_eq!(super::text(&error).english(), error.to_string(), "{typed}");
         }
         let error = read_vector("(1; 2; 3; 4) m", &metre, Kind::Length, 3).unwrap_err();

@@ -245,6 +245,8 @@ fn what_is_wrong_is_named_with_its_repair() {
         ("2*X\"       #", "2*Y\"       #", "there is no `Y` here"),
         ("2*X\"       #", "2 X\"       #", "write `2*X`"),
         ("2*X\"       #", "3 kg*m\"       #", "write `3 kg m` or `3 kg*(m)`"),
+        ("2*X\"       #", "2 N-m\"       #", "both must be the same kind of quantity"),
+        ("2*X\"       #", "2 ton\"       #", "write `short ton`, `long ton`, `t`"),
         ("2*X\"       #", "sin(30)\"       #", "write `sin(30 deg)`"),
         ("2*X\"       #", "X + m\"       #", "both must be the same kind of quantity"),
         ("2*X\"       #", "cos(X)\"       #", "cos is of a number without a unit"),
@@ -283,6 +285,29 @@ several = "k"
     let solution = solved(springs);
     assert!((si(&solution, "total") - 8000.0).abs() < 1e-9);
     assert!((si(&solution, "several") - 8000.0).abs() < 1e-9);
+}
+
+/// Units that are written out, of two words or with a hyphen stand in formulas too; a name goes before them.
+#[test]
+fn formulas_take_units_as_people_write_them() {
+    let definitions = "[let]                        # the order does not matter\nvoltas = \"3\"\nW = \"0.3 long ton\"\nT = \"25 lbf-in\"\n";
+    let text = FILE.replace("[let]                        # the order does not matter\n", definitions);
+    let lbf = 0.453_592_37 * 9.806_65;
+    for (question, value) in [
+        ("W", 672.0 * 0.453_592_37),
+        ("W*2", 1344.0 * 0.453_592_37),
+        ("T", 25.0 * lbf * 0.0254),
+        ("2*voltas", 6.0),
+        ("2 kg*voltas", 6.0),
+        ("2*libras", 2.0 * 0.453_592_37),
+        ("2 m-1 mm", 1.999),
+    ] {
+        let asked = text.replace("2*X\"       #", &format!("{question}\"       #"));
+        assert_ne!(asked, text);
+        let solution = solved(&asked);
+        let found = si(&solution, "peak_to_peak");
+        assert!((found / value - 1.0).abs() < 1e-14, "{question}: {found}");
+    }
 }
 
 #[test]

@@ -128,6 +128,31 @@ fn the_unit_of_a_column_is_read_however_it_is_written() {
 }
 
 #[test]
+fn a_mass_in_place_of_a_force_is_named_with_the_unit_meant() {
+    for (text, words) in [
+        (
+            "m [kg]; k [lb/in]\n2; 300\n",
+            "the heading gives lb/in for Stiffness; lb is a mass: write `lbf/in`",
+        ),
+        ("m [lbf]; k [N/m]\n2; 300\n", "the heading gives lbf for Mass; lbf is a force: write `lb`"),
+        ("m in kg; k in lb/in\n2; 300\n", "such as [lbf/in]"),
+        ("m; k\n2 kg; 300 kg/cm\n", "write `300 kgf/cm`"),
+    ] {
+        let why = read::<Chain>(text).expect_err(text);
+        assert!(why.contains(words), "{text}: {why}");
+        assert!(
+            read::<Chain>(
+                &text.replace("lb/in", "lbf/in").replace("kg/cm", "kgf/cm").replace("[lbf];", "[lb];")
+            )
+            .is_ok()
+        );
+    }
+    // Names of units are read, and a word of a heading stays a word.
+    assert_eq!(units(&read::<Chain>("m [libras]; k [N/m]\n2; 3\n").unwrap()), ["lb", "N/m"]);
+    assert_eq!(read::<Motion>("ciclos de voltas [ms]; x [um]\n2; 3\n").unwrap().rows, [[0.002, 3e-6]]);
+}
+
+#[test]
 fn a_letter_that_is_the_symbol_of_a_quantity_is_not_its_unit() {
     for heading in
         ["m; k", "M; K", "mass m; stiffness k", "h; g", "m / m_0; k", "m_min; k_in", "m; k_N", "m_r; N"]

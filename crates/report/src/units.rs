@@ -1,6 +1,6 @@
 //! The units that answers are shown in.
 
-use dalembert_core::{AnswerValue, Display, Solution, Text, nearest, trace::Op};
+use dalembert_core::{AnswerValue, Display, Solution, Text, nearest, trace::Op, unit_hint};
 use dalembert_units as units;
 
 /// Shows an answer, and the step that found it, in another unit, and with other digits where they are asked for, as in
@@ -30,8 +30,11 @@ pub fn show_answer_in(solution: &mut Solution, name: &str, unit: &str) -> Result
             unit if unit.is_empty() => "1".to_owned(),
             unit => unit,
         };
-        let why = Text::new("{name} cannot be shown in {unit}; write a unit like {own}");
-        return Err(why.with("name", name).with("unit", unit).with("own", own));
+        let why = match unit_hint(unit, answer.unit.dim) {
+            Some(hint) => Text::new("{name} cannot be shown in {unit}; {hint}").with_text("hint", hint),
+            None => Text::new("{name} cannot be shown in {unit}; write a unit like {own}").with("own", own),
+        };
+        return Err(why.with("name", name).with("unit", unit));
     }
     answer.unit = wanted.clone();
     if let AnswerValue::Number(_, id) = answer.value

@@ -12,14 +12,20 @@ fn main() {
         };
         let code = |text: &str| format!("`{text}`");
         let symbols: Vec<String> = spelling.symbols.iter().map(|symbol| code(symbol)).collect();
-        let row = format!("| {} | {} | {} |", symbols.join(" "), prefixes(spelling.prefixes), size(&unit));
+        let names = spelling.names.join(", ");
+        let row = format!(
+            "| {} | {} | {names} | {} |",
+            symbols.join(" "),
+            prefixes(spelling.prefixes),
+            size(&unit)
+        );
         match kinds.iter_mut().find(|(name, _)| *name == kind) {
             Some((_, rows)) => rows.push(row),
             None => kinds.push((kind, vec![row])),
         }
     }
     for (kind, rows) in kinds {
-        println!("\n## {}\n\n| symbols | prefixes | in SI |\n|---|---|---|", heading(kind));
+        println!("\n## {}\n\n| symbols | prefixes | names | in SI |\n|---|---|---|---|", heading(kind));
         println!("{}", rows.join("\n"));
     }
 }

@@ -36,10 +36,10 @@ pub use crate::{
     dim::Dim,
     kind::Kind,
     read::{
-        Hint, ReadError, WrongKind, is_invisible, read_any, read_count, read_quantity, read_vector,
-        thousands, unit, with_point,
+        Hint, ReadError, WrongKind, is_invisible, meant_unit, read_any, read_count, read_quantity,
+        read_vector, thousands, unit, with_point,
     },
-    table::{Spelling, spellings},
+    table::{Spelling, spellings, unit_of_two_words},
     write::{
         Decimal, Style, best_unit, subscript, superscript, write_components, write_number, write_quantity,
         write_vector,

@@ -13,10 +13,11 @@ mod tests;
 
 use std::ops::Range;
 
-use crate::{Kind, Quantity, Unit, UnitMeaning};
+use crate::{Dim, Kind, Quantity, Unit, UnitMeaning};
 use scan::{Cursor, Literal, guard, is_product};
 
 pub use error::{Hint, ReadError, WrongKind};
+pub use kinds::meant_unit;
 pub use scan::{is_invisible, thousands, with_point};
 pub use units::unit;
 pub(crate) use value::compose;
@@ -28,7 +29,7 @@ const LIMIT: usize = 200;
 /// Reads a quantity of a given kind; `default` is the unit of a number written alone.
 ///
 /// Numbers take `.` or `,` as the decimal mark, `e-6` or `×10⁻⁶`, and arithmetic with `+ - * / ^ ( )`,
-/// `pi` and `sqrt`. A text has no language: `1,250`, which is 1250 in one and 1.25 in another, is refused with both
+/// `pi` and `sqrt`; the angle of an angular velocity drops out of a product such as m e ω². A text has no language: `1,250`, which is 1250 in one and 1.25 in another, is refused with both
 /// readings; where the language is known, [`with_point`](crate::with_point) goes before. Products and quotients of units are as in [`unit()`]. A missing angle is accepted
 /// (N·m/rad for N·m, 1/s for rad/s); for [`Kind::Other`] and [`Kind::Amplitude`] the dimension is that of `default`.
 ///
@@ -53,7 +54,11 @@ pub fn read_quantity(text: &str, default: &Unit, kind: Kind) -> Result<Quantity,
     kinds::refuse_feet(text, range.clone(), default, kind)?;
     let reading = read(text, range.clone(), default)?;
     kinds::check(&reading, text, range.clone(), default, kind)?;
-    finish(&reading, default, &text[range.clone()], range)
+    let quantity = finish(&reading, default, &text[range.clone()], range)?;
+    // Units of several quantities would make a product such as kg·mm³/m³.
+    let usual = reading.combined.is_none() || kind.units().contains(&&*quantity.unit.text);
+    let field = if default.sense == UnitMeaning::Level { &Unit::ONE } else { default };
+    Ok(if usual { quantity } else { Quantity { unit: field.clone(), ..quantity } })
 }
 
 /// Reads a quantity of any dimension; a number alone is a pure number.
@@ -89,6 +94,9 @@ struct QuantityReader<'t> {
     unit: Option<Unit>,
     /// π was written.
     pi: bool,
+    /// Several quantities with units were multiplied or divided: the exponent of the angle that angular velocities among
+    /// them brought.
+    combined: Option<i8>,
 }
 
 #[derive(Clone, Copy)]
@@ -104,7 +112,9 @@ fn read<'t>(text: &'t str, range: Range<usize>, default: &Unit) -> Result<Quanti
     let cursor = Cursor::new(text, range);
     let mut reading = match literal_and_unit(cursor) {
         Some(reading) => reading,
-        None => expression::evaluate(cursor).map_err(|error| error.suggesting(default.dim))?,
+        None => expression::evaluate(cursor).map_err(|error| {
+            error.suggesting(default.dim, |span, meant| has_dim(cursor, span, meant, default))
+        })?,
     };
     if suffix != UnitMeaning::Plain {
         let unit = match reading.unit {
@@ -117,6 +127,15 @@ fn read<'t>(text: &'t str, range: Range<usize>, default: &Unit) -> Result<Quanti
     Ok(reading)
 }
 
+/// Returns true if the text has the dimension of a field once a part of it is replaced.
+fn has_dim(cursor: Cursor, span: &Range<usize>, meant: &str, default: &Unit) -> bool {
+    let text =
+        format!("{}{meant}{}", &cursor.text[cursor.at..span.start], &cursor.text[span.end..cursor.end]);
+    let found = expression::evaluate(Cursor::new(&text, 0..text.len()));
+    default.dim != Dim::NONE
+        && found.is_ok_and(|found| found.unit.is_some_and(|unit| unit.dim.agrees(default.dim)))
+}
+
 fn literal_and_unit(mut cursor: Cursor<'_>) -> Option<QuantityReader<'_>> {
     let negative = cursor.accept('-') || cursor.accept('−');
     let mut literal = cursor.literal().ok()?;
@@ -127,12 +146,12 @@ fn literal_and_unit(mut cursor: Cursor<'_>) -> Option<QuantityReader<'_>> {
     cursor.skip_space();
     let amount = Amount::Literal(literal);
     if cursor.rest().is_empty() {
-        return Some(QuantityReader { amount, unit: None, pi: false });
+        return Some(QuantityReader { amount, unit: None, pi: false, combined: None });
     }
     let unit = units::whole(&mut cursor).ok()?;
     // `5 1` is no number and its unit.
     let complete = cursor.rest().is_empty() && !unit.text.is_empty();
-    complete.then_some(QuantityReader { amount, unit: Some(unit), pi: false })
+    complete.then_some(QuantityReader { amount, unit: Some(unit), pi: false, combined: None })
 }
 
 /// The `×10⁻⁶` of `1.3×10⁻⁶`.
@@ -192,6 +211,10 @@ fn check_range(amount: Amount, si: f64, text: &str, span: Range<usize>) -> Resul
 }
 
 fn empty(default: &Unit) -> ReadError {
-    let example = format!("20.3 {}", default.ascii());
-    ReadError::Empty { example: example.trim_end().to_owned() }
+    ReadError::Empty { example: example("20.3", default) }
+}
+
+/// Text of a quantity in the unit of its field.
+fn example(number: &str, default: &Unit) -> String {
+    format!("{number} {}", default.ascii()).trim_end().to_owned()
 }

@@ -1,12 +1,19 @@
 //! The units there are: one row a unit.
 
+mod names;
+
 use std::{borrow::Cow, f64::consts::TAU, sync::LazyLock};
 
 use crate::{Dim, Scale, UnitMeaning};
 
-/// A unit symbol as a user may write it, prefix included.
+pub(crate) use names::several;
+pub use names::unit_of_two_words;
+
+/// A unit symbol or name as a user may write it, prefix included.
 pub(crate) struct Symbol {
     pub(crate) text: Cow<'static, str>,
+    /// The symbol that a name stands for, `kN` for `kilonewtons`; that of a symbol is its text.
+    pub(crate) stands_for: Cow<'static, str>,
     pub(crate) scale: Scale,
 }
 
@@ -17,12 +24,18 @@ pub struct Spelling {
     pub symbols: &'static [&'static str],
     /// The prefixes that may stand before each of them.
     pub prefixes: &'static [&'static str],
+    /// Names that are read as the first symbol.
+    pub names: &'static [&'static str],
 }
 
 /// Every unit that can be read, in the order of its quantities. For a reference; what a text means is said by
 /// [`unit`](crate::unit).
 pub fn spellings() -> impl Iterator<Item = Spelling> {
-    ROWS.iter().map(|row| Spelling { symbols: row.symbols, prefixes: row.prefixes })
+    ROWS.iter().map(|row| Spelling {
+        symbols: row.symbols,
+        prefixes: row.prefixes,
+        names: names::of_symbol(row.symbols[0]),
+    })
 }
 
 /// The symbol written exactly so. Case matters: `mN` is no `MN`.
@@ -31,7 +44,7 @@ pub(crate) fn lookup(text: &str) -> Option<&'static Symbol> {
     symbols.binary_search_by(|symbol| (*symbol.text).cmp(text)).ok().map(|at| &symbols[at])
 }
 
-/// Up to three symbols that `text` may have been meant as: first those of the wanted dimension, where there is one, and
+/// Symbols that `text` may have been meant as: first those of the wanted dimension, where there is one, and
 /// among them those that differ in case alone.
 pub(crate) fn nearest(text: &str, wanted: Dim) -> Vec<&'static str> {
     let length = text.chars().count();
@@ -54,7 +67,7 @@ pub(crate) fn nearest(text: &str, wanted: Dim) -> Vec<&'static str> {
         })
         .collect();
     found.sort_unstable();
-    found.into_iter().map(|(_, _, _, text)| text).take(3).collect()
+    found.into_iter().map(|(_, _, _, text)| text).collect()
 }
 
 /// The unit without a prefix, of a dimension, that `text` becomes by one letter more; `None` where there are several.
@@ -62,6 +75,7 @@ pub(crate) fn with_one_letter_more(text: &str, dim: Dim) -> Option<&'static str>
     let longer = text.chars().count() + 1;
     let mut found = SYMBOLS.iter().filter(|symbol| {
         matches!(symbol.text, Cow::Borrowed(_))
+            && symbol.text == symbol.stands_for
             && longer > 2
             && symbol.scale.dim == dim
             && symbol.text.chars().count() == longer
@@ -134,6 +148,9 @@ const POWER: Dim = Dim::new(2, 1, -3, 0);
 const STRESS: Dim = Dim::new(-1, 1, -2, 0);
 const SPEED: Dim = Dim::new(0, 0, -1, 1);
 const VOLUME: Dim = Dim::new(3, 0, 0, 0);
+const MOMENTUM: Dim = Dim::new(1, 1, -1, 0);
+const ANGULAR_MOMENTUM: Dim = Dim::new(2, 1, -1, 0);
+const UNBALANCE: Dim = Dim::new(1, 1, 0, 0);
 const VISCOSITY: Dim = Dim::new(-1, 1, -1, 0);
 const DIFFUSIVITY: Dim = Dim::new(2, 0, -1, 0);
 
@@ -160,6 +177,10 @@ static ROWS: &[Row] = &[
     row(&["oz"], NONE, 28349523125.0, -12, Dim::MASS),
     row(&["slug", "slugs"], NONE, LBF / 0.3048, 0, Dim::MASS),
     row(&["slinch"], NONE, LBF / 0.0254, 0, Dim::MASS),
+    row(&["short ton"], NONE, 90718474.0, -5, Dim::MASS), // 2000 lb
+    row(&["long ton"], NONE, 10160469088.0, -7, Dim::MASS), // 2240 lb
+    row(&["short cwt"], NONE, 45359237.0, -6, Dim::MASS), // 100 lb
+    row(&["long cwt"], NONE, 5080234544.0, -8, Dim::MASS), // 112 lb
     // Time
     row(&["s"], SMALL, 1.0, 0, Dim::TIME),
     row(&["sec"], NONE, 1.0, 0, Dim::TIME),
@@ -178,6 +199,10 @@ static ROWS: &[Row] = &[
     row(&["Hz"], &["µ", "μ", "u", "m", "k", "M", "G"], TAU, 0, SPEED),
     // Velocity and acceleration
     row(&["mph"], NONE, 44704.0, -5, VELOCITY),
+    row(&["kph"], NONE, 1.0 / 3600.0, 3, VELOCITY),
+    row(&["fps"], NONE, 3048.0, -4, VELOCITY),
+    row(&["ips"], NONE, 254.0, -4, VELOCITY),
+    row(&["knot"], NONE, 1852.0 / 3600.0, 0, VELOCITY),
     row(&["g0", "gn", "gs", "g's"], NONE, 980665.0, -5, ACCELERATION),
     row(&["Gal"], &["m"], 1.0, -2, ACCELERATION),
     // Force
@@ -189,9 +214,15 @@ static ROWS: &[Row] = &[
     row(&["lbf"], &["k"], 44482216152605.0, -13, FORCE),
     row(&["kip", "kips"], NONE, 44482216152605.0, -10, FORCE),
     row(&["ozf"], NONE, LBF / 16.0, 0, FORCE),
-    // Torque, as it is often written
+    row(&["short tonf"], NONE, 8896443230521.0, -9, FORCE), // 2000 lbf
+    row(&["long tonf"], NONE, 996401641818352.0, -11, FORCE), // 2240 lbf
+    // Torque, impulse and unbalance, as they are often written
     row(&["Nm"], &["µ", "μ", "u", "m", "c", "k", "M"], 1.0, 0, ENERGY),
     row(&["Nmm"], &["k"], 1.0, -3, ENERGY),
+    row(&["kgfm"], NONE, 980665.0, -5, ENERGY),
+    row(&["Ns"], &["m", "k"], 1.0, 0, MOMENTUM),
+    row(&["Nms"], &["k"], 1.0, 0, ANGULAR_MOMENTUM),
+    row(&["gmm"], &["k"], 1.0, -6, UNBALANCE),
     // Energy and power
     work(&["J"], SI, 1.0, 0, ENERGY),
     work(&["erg"], NONE, 1.0, -7, ENERGY),
@@ -225,21 +256,33 @@ static ROWS: &[Row] = &[
     },
 ];
 
-/// Every row with each of its prefixes, sorted by text; built once, some 500 symbols.
+/// Every row with each of its prefixes and names, sorted by text; built once, some 1000 of them.
 static SYMBOLS: LazyLock<Vec<Symbol>> = LazyLock::new(|| {
     let mut symbols = Vec::new();
     for row in ROWS {
         for &text in row.symbols {
-            symbols.push(Symbol { text: Cow::Borrowed(text), scale: row.scale });
-            for (prefix, ten) in PREFIXES.iter().filter(|(prefix, _)| row.prefixes.contains(prefix)) {
-                let scale = Scale { ten: row.scale.ten + ten, ..row.scale };
-                symbols.push(Symbol { text: Cow::Owned(format!("{prefix}{text}")), scale });
+            symbols.push(Symbol { text: text.into(), stands_for: text.into(), scale: row.scale });
+            for (prefix, ten) in prefixes_of(row) {
+                let text: Cow<'static, str> = format!("{prefix}{text}").into();
+                symbols.push(Symbol { stands_for: text.clone(), text, scale: prefixed(row.scale, ten) });
             }
+        }
+        for name in names::written_out(row) {
+            symbols.push(name);
         }
     }
     symbols.sort_unstable_by(|a, b| a.text.cmp(&b.text));
     symbols
 });
+
+/// The prefixes of a row with their powers of ten.
+fn prefixes_of(row: &Row) -> impl Iterator<Item = (&'static str, i16)> {
+    PREFIXES.iter().copied().filter(|(prefix, _)| row.prefixes.contains(prefix))
+}
+
+fn prefixed(scale: Scale, ten: i16) -> Scale {
+    Scale { ten: scale.ten + ten, ..scale }
+}
 
 /// Returns true if the texts differ by one letter inserted, omitted, changed, or swapped with the next.
 fn is_one_step(a: &str, b: &str) -> bool {

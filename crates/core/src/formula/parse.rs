@@ -227,6 +227,9 @@ impl<'t> Parser<'t> {
     fn unit(&mut self, number_end: usize, start: usize) -> Result<(), FormulaError> {
         let mut first = true;
         loop {
+            if !first && self.hyphen(number_end) {
+                continue;
+            }
             let end = self.at;
             let operator = if first { None } else { self.eat(&['*', '·', '/']) };
             self.skip_space();
@@ -238,11 +241,13 @@ impl<'t> Parser<'t> {
                 self.at = end;
                 let name = self.word_ahead(from);
                 if operator.is_none() && !name.is_empty() {
-                    let why = match nearest_unit(name) {
-                        Some(near) if !(self.is_name)(name) => {
+                    let refusal = units::unit(name).err().filter(|_| !(self.is_name)(name));
+                    let why = match refusal {
+                        Some(error @ units::ReadError::SeveralUnits { .. }) => reading::text(&error),
+                        Some(units::ReadError::UnknownUnit { nearest, .. }) if !nearest.is_empty() => {
                             Text::new("unknown unit `{symbol}`: did you mean {nearest}?")
                                 .with("symbol", name)
-                                .with("nearest", format!("`{near}`"))
+                                .with("nearest", format!("`{}`", nearest[0]))
                         }
                         _ => Text::new("a word directly behind a number is a unit, and `{name}` is none: write `{number}*{name}`")
                             .with("name", name)
@@ -257,7 +262,8 @@ impl<'t> Parser<'t> {
             if operator.is_some() && (opens || operator != Some('/')) {
                 let names = word_parts(word);
                 if let Some(name) = names.into_iter().find(|name| (self.is_name)(name)) {
-                    if opens {
+                    // A unit written out, such as miles, is the name of something else here.
+                    if opens || units::unit(name).is_ok_and(|unit| unit.text != name) {
                         self.at = end;
                         return Ok(());
                     }
@@ -274,6 +280,27 @@ impl<'t> Parser<'t> {
         }
     }
 
+    /// Goes past a hyphen between two units and the second of them, `25 N-m`: one of another dimension, which could not be
+    /// subtracted, and no visible name.
+    fn hyphen(&mut self, number_end: usize) -> bool {
+        let end = self.at;
+        if !self.rest().starts_with('-') {
+            return false;
+        }
+        self.at += 1;
+        let word = self.unit_word();
+        let free = !word.is_empty() && !word_parts(word).into_iter().any(|name| (self.is_name)(name));
+        let dim = |text: &str| units::unit(text).ok().map(|unit| unit.dim);
+        let product = match (dim(&self.text[number_end..end]), dim(word)) {
+            (Some(before), Some(after)) => free && !before.agrees(after),
+            _ => false,
+        };
+        if !product {
+            self.at = end;
+        }
+        product
+    }
+
     /// A unit with its power, such as `mm^2`, `s⁻¹` or `in2`.
     fn unit_word(&mut self) -> &'t str {
         let from = self.at;
@@ -283,7 +310,7 @@ impl<'t> Parser<'t> {
         if !rest.starts_with(begins_word) {
             return "";
         }
-        self.at += length;
+        self.at += units::unit_of_two_words(rest).map_or(length, str::len);
         let tail = self.rest();
         if let Some(power) = tail.strip_prefix('^') {
             let sign = usize::from(power.starts_with(['-', '+']));
@@ -414,12 +441,4 @@ fn arguments_text(wanted: &std::ops::RangeInclusive<usize>) -> Text {
 /// The words of a unit.
 fn word_parts(unit: &str) -> Vec<&str> {
     unit.split(|c: char| !begins_word(c)).filter(|part| !part.is_empty()).collect()
-}
-
-/// The unit that a word was probably meant to be, where the units reader has one.
-fn nearest_unit(word: &str) -> Option<String> {
-    match units::unit(word) {
-        Err(units::ReadError::UnknownUnit { nearest, .. }) => nearest.into_iter().next().map(Into::into),
-        _ => None,
-    }
 }

@@ -12,10 +12,51 @@ use super::{Separator, measure, own_unit, takes};
 use crate::{Field, Text, reading};
 
 /// Units that are words or common subscripts too: `x_min`, `centre of the bar`, the angle psi, `x_cg`.
-const ALSO_WORDS: [&str; 36] = [
-    "in", "min", "bar", "day", "days", "turn", "turns", "cycle", "cycles", "rev", "revs", "rot", "foot",
-    "feet", "mil", "thou", "pol", "cal", "psi", "gs", "gn", "cg", "dm", "dg", "dN", "hN", "hm", "hs", "pm",
-    "ps", "kp", "kt", "cv", "um", "st", "cd",
+const ALSO_WORDS: [&str; 44] = [
+    "in",
+    "min",
+    "bar",
+    "day",
+    "days",
+    "turn",
+    "turns",
+    "cycle",
+    "cycles",
+    "rev",
+    "revs",
+    "rot",
+    "foot",
+    "feet",
+    "mil",
+    "thou",
+    "pol",
+    "cal",
+    "psi",
+    "gs",
+    "gn",
+    "cg",
+    "dm",
+    "dg",
+    "dN",
+    "hN",
+    "hm",
+    "hs",
+    "pm",
+    "ps",
+    "kp",
+    "kt",
+    "cv",
+    "um",
+    "st",
+    "cd",
+    "volta",
+    "voltas",
+    "ciclo",
+    "ciclos",
+    "revolution",
+    "revolutions",
+    "pound",
+    "nós",
 ];
 /// Words between a quantity and its unit, in English, Portuguese and Spanish.
 const IN: [&str; 3] = ["in", "em", "en"];
@@ -133,7 +174,7 @@ fn of_cell(cell: &str, column: &'static Field) -> Result<Option<Unit>, Text> {
     if let Some(text) = round {
         return stated(text, column);
     }
-    for text in [after_slash, after_in].into_iter().flatten() {
+    for text in [after_in, after_slash].into_iter().flatten() {
         if units::unit(text).is_ok() {
             return Err(unfit(text, column));
         }
@@ -168,9 +209,14 @@ fn stated(text: &str, column: &'static Field) -> Result<Option<Unit>, Text> {
     }
     match units::unit(text) {
         Ok(unit) if takes(column, |dim| unit.dim.agrees(dim)) => Ok(Some(unit)),
-        Ok(_) => Err(match own_unit(column).pretty() {
-            own if own.is_empty() => Text::new("the heading gives {unit} for {column}, which has no unit"),
-            own => {
+        Ok(_) => Err(match (own_unit(column).pretty(), reading::unit_hint(text, own_unit(column).dim)) {
+            (_, Some(hint)) => {
+                Text::new("the heading gives {unit} for {column}; {hint}").with_text("hint", hint)
+            }
+            (own, None) if own.is_empty() => {
+                Text::new("the heading gives {unit} for {column}, which has no unit")
+            }
+            (own, None) => {
                 Text::new("the heading gives {unit} for {column}; write a unit like {own}").with("own", own)
             }
         }
@@ -184,7 +230,10 @@ fn unfit(word: &str, column: &'static Field) -> Text {
     let why = Text::new(
         "the heading of {column} contains {word}, not recognised as its unit: write the unit in brackets, such as [{own}]",
     );
-    let own = own_unit(column).ascii();
+    let own = match units::meant_unit(word, own_unit(column).dim) {
+        Some(units::Hint::Namesake(_, unit)) => unit,
+        _ => own_unit(column).ascii(),
+    };
     let own = if own.is_empty() { "1".to_owned() } else { own };
     why.with("word", word).with("own", own).with_text("column", column.label)
 }

@@ -77,6 +77,16 @@ pub enum ReadError {
         /// Position in the text.
         span: Range<usize>,
     },
+    /// A symbol that stands for several units.
+    #[error("`{symbol}` has several meanings: write {}", quoted(meant))]
+    SeveralUnits {
+        /// Unit symbol as typed.
+        symbol: String,
+        /// Spellings of the units it may stand for, those of the wanted dimension where there are such.
+        meant: Vec<&'static str>,
+        /// Position in the text.
+        span: Range<usize>,
+    },
     /// A text with two readings, such as a product after a division.
     #[error("`{text}` can be read in two ways: write `{}` or `{}`", readings[0], readings[1])]
     Ambiguous {
@@ -186,17 +196,19 @@ pub enum ReadError {
         /// Number of components expected.
         expected: &'static str,
         /// Valid text to write instead.
-        example: &'static str,
+        example: String,
         /// Position in the text.
         span: Range<usize>,
     },
     /// Units with some components and not with others.
     #[error(
-        "`{text}` has a unit with some components only: write one unit after the brackets, as in `(300; 200) m/s`"
+        "`{text}` has a unit with some components only: write one unit after the brackets, as in `{example}`"
     )]
     MixedComponents {
         /// Text as typed.
         text: String,
+        /// Valid text to write instead.
+        example: String,
         /// Position in the text.
         span: Range<usize>,
     },
@@ -241,10 +253,8 @@ pub enum Hint {
     WeightOf(String),
     /// A force where a mass is wanted: its value in newtons.
     MassOf(String),
-    /// A pound where a force is wanted: the number.
-    PoundForce(String),
-    /// A gram where an acceleration is wanted: the number.
-    StandardGravity(String),
+    /// A unit of mass, force or acceleration in place of one that shares its name: the unit, and the text with the other.
+    Namesake(&'static str, String),
     /// A unit of energy where a torque is wanted: the value in N·m.
     TorqueOf(String),
     /// A peak, peak-to-peak or rms value where no amplitude is asked.
@@ -264,10 +274,14 @@ impl fmt::Display for Hint {
         match self {
             Hint::WeightOf(kg) => write!(f, "a weight is mass × g: write `9.81*{kg} N` or `{kg} kgf`"),
             Hint::MassOf(newtons) => write!(f, "a mass is weight / g: write `{newtons}/9.81 kg`"),
-            Hint::PoundForce(number) => write!(f, "lb is a mass: write `{number} lbf`"),
-            Hint::StandardGravity(number) => {
-                write!(f, "g is the gram: write `{number} g0` for multiples of standard gravity")
+            Hint::Namesake("g", text) => {
+                write!(f, "g is the gram: write `{text}` for multiples of standard gravity")
             }
+            Hint::Namesake("g0", text) => write!(f, "g0 is standard gravity: write `{text}` for grams"),
+            Hint::Namesake(unit, text) if is_force(unit) => {
+                write!(f, "{unit} is a force: write `{text}`")
+            }
+            Hint::Namesake(unit, text) => write!(f, "{unit} is a mass: write `{text}`"),
             Hint::TorqueOf(number) => write!(f, "write N·m for a torque: `{number} N*m`"),
             Hint::NoAmplitude => {
                 write!(f, "peak, peak-to-peak and rms belong to amplitudes: write the unit alone")
@@ -286,14 +300,23 @@ impl fmt::Display for Hint {
 
 impl ReadError {
     /// Names the units that an unknown one may have been meant as, those of the wanted dimension first: a search that
-    /// only a message needs.
-    pub(super) fn suggesting(self, wanted: Dim) -> Self {
-        match self {
-            Self::UnknownUnit { symbol, span, .. } => {
-                Self::UnknownUnit { nearest: table::nearest(&symbol, wanted), symbol, span }
-            }
-            other => other,
+    /// only a message needs. Of these, and of the units that a symbol may stand for, up to three stay: those that `fits`
+    /// takes in its place, if it takes any.
+    pub(super) fn suggesting(mut self, wanted: Dim, fits: impl Fn(&Range<usize>, &str) -> bool) -> Self {
+        if let Self::UnknownUnit { symbol, nearest, .. } = &mut self
+            && nearest.is_empty()
+        {
+            *nearest = table::nearest(symbol, wanted);
         }
+        if let Self::SeveralUnits { meant, span, .. } | Self::UnknownUnit { nearest: meant, span, .. } =
+            &mut self
+        {
+            if meant.iter().any(|unit| fits(span, unit)) {
+                meant.retain(|unit| fits(span, unit));
+            }
+            meant.truncate(3);
+        }
+        self
     }
 
     /// The bytes of the text typed that are at fault; `None` when it is the whole of it.
@@ -307,6 +330,7 @@ impl ReadError {
             | Self::TwoMarks { span, .. }
             | Self::Gap { span, .. }
             | Self::UnknownUnit { span, .. }
+            | Self::SeveralUnits { span, .. }
             | Self::Ambiguous { span, .. }
             | Self::Unexpected { span, .. }
             | Self::Unfinished { span, .. }
@@ -332,6 +356,15 @@ fn did_you_mean(nearest: &[&str]) -> String {
             format!(": did you mean {} or `{last}`?", first.join(", "))
         }
     }
+}
+
+fn quoted(units: &[&str]) -> String {
+    units.iter().map(|unit| format!("`{unit}`")).collect::<Vec<_>>().join(", ")
+}
+
+/// Returns true if a unit is one of force.
+fn is_force(unit: &str) -> bool {
+    crate::unit(unit).is_ok_and(|unit| unit.dim == Dim::new(1, 1, -2, 0))
 }
 
 fn hinted(hint: Option<&Hint>) -> String {

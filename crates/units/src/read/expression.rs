@@ -9,9 +9,9 @@ use super::{
     Amount, QuantityReader, ReadError,
     scan::{Cursor, DEPTH, is_product, is_quotient, starts_symbol, superscript_digit, takes_digit},
     units::{POWER, power, symbol, two_readings},
-    value::{Value, compose},
+    value::{Quantities, Value, compose},
 };
-use crate::{Unit, UnitMeaning, decimal, scale::Scale};
+use crate::{Unit, UnitMeaning, decimal, scale::Scale, table};
 
 /// The value of the whole text from the cursor on.
 pub(super) fn evaluate(cursor: Cursor<'_>) -> Result<QuantityReader<'_>, ReadError> {
@@ -39,7 +39,8 @@ pub(super) fn evaluate(cursor: Cursor<'_>) -> Result<QuantityReader<'_>, ReadErr
         Unit::new(value.scale, text.into())
     });
     let amount = value.literal.map_or(Amount::Computed(value.number), Amount::Literal);
-    Ok(QuantityReader { amount, unit, pi: reader.pi })
+    let combined = (value.quantities == Quantities::Several).then_some(value.rate);
+    Ok(QuantityReader { amount, unit, pi: reader.pi, combined })
 }
 
 struct Reader<'t> {
@@ -87,6 +88,10 @@ impl<'t> Reader<'t> {
             value.number += sign * decimal::shift(other.number * ratio, ten);
             value.literal = None;
             value.has_unit |= other.has_unit;
+            if other.quantities == Quantities::Several {
+                value.quantities = other.quantities;
+            }
+            value.ambiguous |= other.ambiguous;
             self.in_range(value.number, false, start)?;
         }
     }
@@ -96,6 +101,9 @@ impl<'t> Reader<'t> {
         let start = self.cursor.at;
         let mut ends_in_digit = self.starts_with_digit();
         let mut value = self.signed(depth)?;
+        value.ambiguous |= !value.written;
+        // The unit directly behind a number goes on while units follow.
+        let mut in_unit = false;
         let mut divisor: Option<Range<usize>> = None;
         loop {
             let gap = self.cursor.at;
@@ -115,9 +123,12 @@ impl<'t> Reader<'t> {
                 self.refuse_gap(&value, start, gap)?;
             }
             let from = self.cursor.at;
+            let behind_number = ends_in_digit && !explicit;
             ends_in_digit = self.starts_with_digit();
-            let factor = if explicit { self.signed(depth)? } else { self.power(depth)? };
+            let mut factor = if explicit { self.signed(depth)? } else { self.power(depth)? };
             let range = from..self.cursor.at;
+            in_unit = !factor.written && (in_unit || behind_number);
+            factor.ambiguous |= explicit && !factor.written && !in_unit;
             let zero = value.number == 0.0 || factor.number == 0.0;
             if divides {
                 if factor.number == 0.0 {
@@ -127,13 +138,18 @@ impl<'t> Reader<'t> {
                 value = value.over(&factor);
                 divisor = Some(range);
             } else {
-                // 1/2 in is half an inch and 6/2*3 is 9; whatever else follows a division is not clear.
+                // 1/2 in is half an inch and 6/2*3 is 9; so is a number behind a sign of multiplication, as in
+                // 900 N/m*(0.8 m)^2. Whatever else follows a division is not clear.
+                let clear = explicit && factor.written && !value.ambiguous && !factor.ambiguous;
                 match divisor.take() {
-                    Some(divisor) if value.has_unit || !(factor.has_unit || explicit) => {
+                    Some(divisor) if !clear && (value.has_unit || !(factor.has_unit || explicit)) => {
                         return Err(two_readings(self.cursor.text, start, divisor, range));
                     }
                     // From its first unit on a product is read like a unit.
-                    before => divisor = if factor.has_unit { None } else { before },
+                    before => {
+                        let settled = factor.has_unit || (clear && value.has_unit);
+                        divisor = if settled { None } else { before };
+                    }
                 }
                 value = value.times(&factor);
             }
@@ -188,15 +204,9 @@ impl<'t> Reader<'t> {
             return Err(ReadError::NotReal { text: text(), span });
         }
         self.in_range(number, base.number != 0.0, start)?;
-        let mut value = Value { number, literal: None, ..base };
-        if value.has_unit {
-            // Read by `units::power`, which holds it within ±12.
-            let n = exponent as i8;
-            value.scale = value.scale.powi(n);
-            value.symbols.iter_mut().for_each(|(_, power)| *power = power.saturating_mul(n));
-            value.symbols.retain(|&(_, power)| power != 0);
-        }
-        Ok(value)
+        let value = Value { number, literal: None, ..base };
+        // Read by `units::power`, which holds it within ±12.
+        Ok(if value.has_unit { value.unit_powi(exponent as i8) } else { value })
     }
 
     fn atom(&mut self, depth: usize) -> Result<Value<'t>, ReadError> {
@@ -271,13 +281,39 @@ impl<'t> Reader<'t> {
         Ok(Value::number(number + fraction))
     }
 
+    /// A unit symbol with its power; behind a number also several with hyphens, `9.81*10 N-m`.
+    ///
+    /// Behind an operator or at the start a name is left to formulas, where it may be that of a definition.
     fn unit(&mut self) -> Result<Value<'t>, ReadError> {
+        let start = self.cursor.at;
+        let behind_number = self.cursor.is_behind_number();
+        let before = self.cursor.text[..start].trim_end().chars().next_back();
+        let ambiguous = before.is_none_or(|c| is_product(c) || is_quotient(c) || "(+-−√".contains(c));
+        if ambiguous
+            && let Some(name) = { self.cursor }.symbol()
+            && let Some(known) = table::lookup(name).filter(|known| known.stands_for != known.text)
+        {
+            let span = start..start + name.len();
+            return Err(ReadError::UnknownUnit {
+                symbol: name.into(),
+                nearest: vec![&known.stands_for],
+                span,
+            });
+        }
+        let mut unit = self.symbol()?;
+        while behind_number && self.cursor.accept_hyphen() {
+            unit = unit.times(&self.symbol()?);
+        }
+        Ok(unit)
+    }
+
+    fn symbol(&mut self) -> Result<Value<'t>, ReadError> {
         let digit = self.cursor.peek().is_some_and(takes_digit);
         let found = symbol(&mut self.cursor)?;
         let n = power(&mut self.cursor, digit)?;
         Ok(Value {
             scale: found.scale.powi(n),
-            symbols: if n == 0 { Vec::new() } else { vec![(&found.text, n)] },
+            symbols: if n == 0 { Vec::new() } else { vec![(&found.stands_for, n)] },
             written: false,
             has_unit: true,
             ..Value::number(1.0)
@@ -300,6 +336,7 @@ impl<'t> Reader<'t> {
             literal: None,
             scale: Scale { dim, ..Scale::ONE },
             symbols: symbols.into_iter().filter(|&(_, n)| n != 0).collect(),
+            rate: value.rate / 2,
             ..value
         })
     }
@@ -356,6 +393,16 @@ impl<'t> Reader<'t> {
     /// Returns true if the number here multiplies the factor before it: `2 pi 50`, and `10 1/s`.
     fn may_multiply(&self, after_digit: bool, value: &Value) -> bool {
         if !after_digit && value.written && !value.has_unit {
+            return true;
+        }
+        // `1.5 10^3`
+        let power = self.cursor.rest().strip_prefix("10").map(str::trim_start);
+        let is_power = |rest: &str| {
+            rest.starts_with(['^', '⁻'])
+                || rest.starts_with("**")
+                || rest.starts_with(|c| superscript_digit(c).is_some())
+        };
+        if !value.has_unit && power.is_some_and(is_power) {
             return true;
         }
         let Some(rest) = self.cursor.rest().strip_prefix('1') else { return false };
@@ -423,6 +470,7 @@ fn sexagesimal(mut cursor: Cursor<'_>) -> Option<QuantityReader<'_>> {
                 amount: Amount::Computed(sign * degrees),
                 unit: Some(unit),
                 pi: false,
+                combined: None,
             });
         }
     }

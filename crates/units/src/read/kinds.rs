@@ -2,15 +2,60 @@
 
 use std::ops::Range;
 
-use super::{Amount, Hint, QuantityReader, ReadError, WrongKind, si};
+use super::{Amount, Hint, QuantityReader, ReadError, WrongKind, scan::Cursor, si};
 use crate::{Dim, Kind, Style, Unit, UnitMeaning, table, write_number};
 
+/// Units of mass, force and acceleration in place of those that share their name, with these.
+const NAMESAKES: [(&str, &str); 18] = [
+    ("lb", "lbf"),
+    ("lbs", "lbf"),
+    ("lbm", "lbf"),
+    ("kg", "kgf"),
+    ("g", "g0"),
+    ("g", "gf"),
+    ("oz", "ozf"),
+    ("t", "tf"),
+    ("short ton", "short tonf"),
+    ("long ton", "long tonf"),
+    ("lbf", "lb"),
+    ("kgf", "kg"),
+    ("gf", "g"),
+    ("g0", "g"),
+    ("ozf", "oz"),
+    ("tf", "t"),
+    ("short tonf", "short ton"),
+    ("long tonf", "long ton"),
+];
+
+/// Compares a reading with the kind and unit of its field. `text` is that of the whole quantity or vector.
 pub(super) fn check(
     reading: &QuantityReader,
     text: &str,
     span: Range<usize>,
     default: &Unit,
     kind: Kind,
+) -> Result<(), ReadError> {
+    compare(reading, text, span, default, kind, false)
+}
+
+/// As [`check`], for a component of the vector whose text this is.
+pub(super) fn check_component(
+    reading: &QuantityReader,
+    text: &str,
+    span: Range<usize>,
+    default: &Unit,
+    kind: Kind,
+) -> Result<(), ReadError> {
+    compare(reading, text, span, default, kind, true)
+}
+
+fn compare(
+    reading: &QuantityReader,
+    text: &str,
+    span: Range<usize>,
+    default: &Unit,
+    kind: Kind,
+    component: bool,
 ) -> Result<(), ReadError> {
     let Some(unit) = &reading.unit else {
         return match default.factor {
@@ -28,9 +73,22 @@ pub(super) fn check(
     if fits(unit, dim, kind) {
         return Ok(());
     }
+    if let Some(rate) = reading.combined
+        && fits(
+            &Unit { dim: Dim { angle: unit.dim.angle.saturating_sub(rate), ..unit.dim }, ..unit.clone() },
+            dim,
+            kind,
+        )
+    {
+        return Ok(());
+    }
     let text = text[span.clone()].to_owned();
     Err(ReadError::WrongKind(Box::new(WrongKind {
-        hint: hint(reading.amount, unit, dim, kind, &text),
+        hint: if component {
+            hint_for_any(unit, dim, kind, &text)
+        } else {
+            hint(reading.amount, unit, default, kind, &text)
+        },
         text,
         unit: unit.clone(),
         kind,
@@ -99,15 +157,29 @@ fn fits(unit: &Unit, dim: Dim, kind: Kind) -> bool {
     unit.dim.agrees(dim) && angle && sense && !percent
 }
 
-fn hint(amount: Amount, unit: &Unit, dim: Dim, kind: Kind, text: &str) -> Option<Hint> {
-    let style = Style { digits: 12, ascii: true, ..Style::default() };
-    let value = write_number(si(amount, unit).0, style);
-    let number = write_number(unit.value(si(amount, unit).0), style);
-    let force = Dim::new(1, 1, -2, 0);
+/// The hint for a quantity or a vector, whatever its numbers.
+fn hint_for_any(unit: &Unit, dim: Dim, kind: Kind, text: &str) -> Option<Hint> {
     if matches!(unit.sense, UnitMeaning::Peak | UnitMeaning::PeakToPeak | UnitMeaning::Rms)
         && kind != Kind::Amplitude
     {
         return Some(Hint::NoAmplitude);
+    }
+    let (written, meant) = namesake(&unit.text, |meant| fits(meant, dim, kind))?;
+    Some(Hint::Namesake(written, replaced(text, written, meant)))
+}
+
+fn hint(amount: Amount, unit: &Unit, default: &Unit, kind: Kind, text: &str) -> Option<Hint> {
+    let dim = wanted(default, kind);
+    let style = Style { digits: 12, ascii: true, ..Style::default() };
+    let value = write_number(si(amount, unit).0, style);
+    let number = write_number(unit.value(si(amount, unit).0), style);
+    let force = Dim::new(1, 1, -2, 0);
+    let symbol = &*unit.text;
+    if unit.dim == Dim::MASS && dim == force && matches!(symbol, "kg" | "g" | "t") {
+        return Some(Hint::WeightOf(value));
+    }
+    if let Some(hint) = hint_for_any(unit, dim, kind, text) {
+        return Some(hint);
     }
     if unit.sense == UnitMeaning::Energy && kind == Kind::Torque {
         return Some(Hint::TorqueOf(value));
@@ -115,18 +187,11 @@ fn hint(amount: Amount, unit: &Unit, dim: Dim, kind: Kind, text: &str) -> Option
     if kind == Kind::Angle && unit.dim == Dim::NONE {
         return Some(Hint::Slope);
     }
-    let symbol = &*unit.text;
     if unit.dim == Dim::MASS && dim == force {
-        return Some(match symbol {
-            "lb" | "lbs" | "lbm" => Hint::PoundForce(number),
-            _ => Hint::WeightOf(value),
-        });
+        return Some(Hint::WeightOf(value));
     }
     if unit.dim == force && dim == Dim::MASS {
         return Some(Hint::MassOf(value));
-    }
-    if symbol == "g" && dim == Dim::new(1, 0, -2, 0) {
-        return Some(Hint::StandardGravity(number));
     }
     if dim == Dim::LENGTH && matches!(symbol, "'" | "′" | "\"" | "″") {
         let name = if matches!(symbol, "'" | "′") { "ft" } else { "in" };
@@ -137,7 +202,47 @@ fn hint(amount: Amount, unit: &Unit, dim: Dim, kind: Kind, text: &str) -> Option
     }
     // `1/0.5 s` is half of what 1/(0.5 s) would be.
     let (above, below) = text.split_once('/')?;
-    let reciprocal = unit.dim != Dim::NONE && unit.dim.powi(-1).agrees(dim);
-    let once = !below.contains('/');
-    (reciprocal && once).then(|| Hint::Reciprocal(format!("{}/({})", above.trim_end(), below.trim_start())))
+    let repaired = format!("{}/({})", above.trim_end(), below.trim_start());
+    let read = super::read(&repaired, 0..repaired.len(), default).ok()?;
+    read.unit.is_some_and(|unit| fits(&unit, dim, kind)).then_some(Hint::Reciprocal(repaired))
+}
+
+/// A unit of mass, force or acceleration in a unit, and the one of its name that makes it a unit that `fits`.
+fn namesake(unit: &str, fits: impl Fn(&Unit) -> bool) -> Option<(&'static str, &'static str)> {
+    NAMESAKES.into_iter().find(|(written, meant)| {
+        let other = replaced(unit, written, meant);
+        other != unit && super::unit(&other).is_ok_and(|unit| fits(&unit))
+    })
+}
+
+/// A text with a unit, or a name of it, replaced by another unit.
+fn replaced(text: &str, written: &str, meant: &str) -> String {
+    let (mut out, mut cursor) = (String::with_capacity(text.len()), Cursor::new(text, 0..text.len()));
+    while let Some(next) = cursor.peek() {
+        match cursor.symbol() {
+            Some(symbol) if table::lookup(symbol).is_some_and(|known| known.stands_for == written) => {
+                out += meant;
+            }
+            Some(symbol) => out += symbol,
+            None => {
+                cursor.advance();
+                out.push(next);
+            }
+        }
+    }
+    out
+}
+
+/// Probable intention behind a unit that has not the dimension wanted: a unit of mass, force or acceleration stands in it
+/// in place of the one that shares its name, as in `lb/in` for a stiffness. The text of the hint is the unit meant.
+///
+/// ```
+/// use dalembert_units::{meant_unit, unit};
+/// let hint = meant_unit("lb/in", unit("N/m")?.dim).expect("lbf/in is meant");
+/// assert_eq!(hint.to_string(), "lb is a mass: write `lbf/in`");
+/// # Ok::<(), dalembert_units::ReadError>(())
+/// ```
+pub fn meant_unit(text: &str, dim: Dim) -> Option<Hint> {
+    let (written, meant) = namesake(&super::unit(text).ok()?.text, |unit| unit.dim.agrees(dim))?;
+    Some(Hint::Namesake(written, replaced(text, written, meant)))
 }

@@ -3,7 +3,7 @@
 use std::{borrow::Cow, ops::Range};
 
 use super::ReadError;
-use crate::decimal;
+use crate::{decimal, table};
 
 /// Maximum nesting depth of brackets, roots, powers and signs.
 pub(crate) const DEPTH: usize = 32;
@@ -65,6 +65,22 @@ impl<'t> Cursor<'t> {
         here
     }
 
+    /// Returns true if nothing but a number stands before this place, or nothing at all.
+    pub(crate) fn is_behind_number(&self) -> bool {
+        let before = self.text[..self.at].trim_end().chars().next_back();
+        before.is_none_or(|c| c.is_ascii_digit() || matches!(c, '.' | ',') || superscript_digit(c).is_some())
+    }
+
+    /// Goes past a hyphen between two units, `N-m`: no blank stands beside it, and a unit follows.
+    pub(crate) fn accept_hyphen(&mut self) -> bool {
+        let mut rest = self.rest().chars();
+        let here = matches!(rest.next(), Some('-' | '‐' | '‑')) && rest.next().is_some_and(starts_symbol);
+        if here {
+            self.advance();
+        }
+        here
+    }
+
     /// The text from `start` to here, without white space at its end.
     pub(crate) fn since(&self, start: usize) -> &'t str {
         self.text[start..self.at].trim_end()
@@ -102,7 +118,10 @@ impl<'t> Cursor<'t> {
                     exponent -= i32::from(marks > 0);
                 }
                 b'.' | b',' => marks += 1,
-                _ => break,
+                _ => match self.group_mark(start).filter(|_| marks == 0) {
+                    Some(mark) => self.at += mark - 1,
+                    None => break,
+                },
             }
             self.at += 1;
         }
@@ -126,6 +145,22 @@ impl<'t> Cursor<'t> {
             }
         }
         Ok(Literal { negative: false, digits, exponent, long: long.then_some(text) })
+    }
+
+    /// Length of the thin or no-break space here, if it sets three digits apart from the one to three before it.
+    fn group_mark(&self, start: usize) -> Option<usize> {
+        let mark = self.peek().filter(|c| is_group_mark(*c))?.len_utf8();
+        let before = self.text[start..self.at].rsplit(is_group_mark);
+        let mut groups = before.map(str::len).peekable();
+        let mut first = 0;
+        while let Some(length) = groups.next() {
+            if groups.peek().is_some() && length != 3 {
+                return None;
+            }
+            first = length;
+        }
+        let digits = self.rest()[mark..].bytes().take_while(u8::is_ascii_digit).count();
+        ((1..=3).contains(&first) && digits == 3).then_some(mark)
     }
 
     /// Digits after an optional sign, held within ±99 999.
@@ -177,19 +212,22 @@ impl<'t> Cursor<'t> {
         self.accept('^')
     }
 
-    /// The letters of a unit symbol, if one is here: `mm`, `g0`, `g's`, `°`.
+    /// The letters of a unit symbol, if one is here: `mm`, `g0`, `g's`, `°`, `long ton`, `pound-force`.
     pub(crate) fn symbol(&mut self) -> Option<&'t str> {
         let rest = self.rest();
         let first = rest.chars().next()?;
         let len = if is_lone_symbol(first) {
             first.len_utf8()
+        } else if let Some(words) = table::unit_of_two_words(rest) {
+            words.len()
         } else {
             let letters = rest.find(|c: char| !(c.is_alphabetic() || c == '_')).unwrap_or(rest.len());
-            let next = &rest.as_bytes()[letters..];
-            let tail = match (&rest[..letters], next) {
-                ("g", [b'0', ..]) => 1,
-                ("g", [b'\'', b's', ..]) => 2,
-                _ => 0,
+            let tail = match (&rest[..letters], &rest[letters..]) {
+                ("g", next) if next.starts_with('0') => 1,
+                ("g", next) if next.starts_with("'s") => 2,
+                // Cycles, where nothing else can be meant: `8.3 c/s`.
+                ("c", next @ ("/s" | "/sec" | "/min")) if self.is_behind_number() => next.len(),
+                (_, next) => FORCES.iter().find(|word| next.starts_with(**word)).map_or(0, |word| word.len()),
             };
             letters + tail
         };
@@ -200,6 +238,9 @@ impl<'t> Cursor<'t> {
         Some(&rest[..len])
     }
 }
+
+/// Ends of the names of units of force.
+const FORCES: [&str; 2] = ["-force", "-força"];
 
 /// The characters that multiply two factors.
 pub(crate) fn is_product(c: char) -> bool {
@@ -272,6 +313,11 @@ pub fn with_point(text: &str) -> Cow<'_, str> {
     pointed.into()
 }
 
+/// Returns true for the spaces with which printed numbers set groups of three digits apart (ISO 80000-1).
+fn is_group_mark(c: char) -> bool {
+    matches!(c, '\u{a0}' | '\u{2009}' | '\u{202f}')
+}
+
 fn is_of_a_number(c: char) -> bool {
     c.is_ascii_digit() || matches!(c, '.' | ',')
 }
@@ -323,7 +369,7 @@ impl Literal<'_> {
         let size = match self.long {
             None => decimal::join(self.digits, mantissa, exponent),
             Some(text) => {
-                let digits = text.replace(['.', ','], "");
+                let digits: String = text.chars().filter(char::is_ascii_digit).collect();
                 let number = format!("{digits}e{exponent}").parse::<f64>();
                 mantissa * number.expect("digits and a decimal exponent are a number")
             }

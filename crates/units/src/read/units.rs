@@ -22,13 +22,17 @@ const LIMIT: usize = 100;
 /// # Errors
 /// An unknown symbol, with the nearest known ones; a text that is no unit, or has two readings.
 pub fn unit(text: &str) -> Result<Unit, ReadError> {
-    let range = guard(text, LIMIT)?;
+    unit_in(text, guard(text, LIMIT)?)
+}
+
+/// The unit in a part of a text.
+pub(super) fn unit_in(text: &str, range: Range<usize>) -> Result<Unit, ReadError> {
     let (range, sense) = split_suffix(text, range);
     if range.is_empty() && sense == UnitMeaning::Plain {
         return Ok(Unit::ONE);
     }
     let mut cursor = Cursor::new(text, range);
-    let unit = whole(&mut cursor).map_err(|error| error.suggesting(Dim::NONE))?;
+    let unit = whole(&mut cursor).map_err(|error| error.suggesting(Dim::NONE, |_, _| false))?;
     if !cursor.rest().is_empty() {
         return Err(cursor.unexpected("a unit"));
     }
@@ -38,23 +42,38 @@ pub fn unit(text: &str) -> Result<Unit, ReadError> {
 /// The unit from here to the end of the text or to a closing bracket that is not its own.
 pub(super) fn whole(cursor: &mut Cursor) -> Result<Unit, ReadError> {
     let start = cursor.at;
-    let mut reader = Reader { cursor: *cursor, symbols: 0, only: None };
+    let mut reader = Reader { cursor: *cursor, symbols: 0, only: None, rewritten: Vec::new() };
     let scale = reader.product(0)?;
-    let Reader { cursor: end, symbols, only } = reader;
+    let Reader { cursor: end, symbols, only, rewritten } = reader;
     *cursor = end;
-    let text = cursor.since(start);
-    let span = start..start + text.len();
+    let typed = cursor.since(start);
+    let span = start..start + typed.len();
+    let text = rewrite(typed, start, &rewritten);
     if !scale.is_sane() {
-        return Err(ReadError::Exponent { text: text.into(), limit: POWER, span });
+        return Err(ReadError::Exponent { text: typed.into(), limit: POWER, span });
     }
-    if scale.sense == UnitMeaning::Level && only != Some(text) {
+    if scale.sense == UnitMeaning::Level && only != Some(&*text) {
         return Err(ReadError::Alone { symbol: "dB".into(), after: "a plain number", example: "20 dB" });
     }
     Ok(match only {
         Some(symbol) if symbol == text => Unit::new(scale, Cow::Borrowed(symbol)),
         _ if symbols == 0 => Unit::ONE,
-        _ => Unit::new(scale, Cow::Owned(text.into())),
+        _ => Unit::new(scale, Cow::Owned(text.into_owned())),
     })
+}
+
+/// A unit with symbols in place of names, and `*` in place of hyphens.
+fn rewrite<'t>(typed: &'t str, start: usize, rewritten: &[(Range<usize>, &str)]) -> Cow<'t, str> {
+    if rewritten.is_empty() {
+        return typed.into();
+    }
+    let (mut text, mut at) = (String::new(), 0);
+    for (range, symbol) in rewritten {
+        text += &typed[at..range.start - start];
+        text += symbol;
+        at = range.end - start;
+    }
+    (text + &typed[at..]).into()
 }
 
 /// Takes `pp`, `rms` or `pk` off the end of the text.
@@ -131,10 +150,12 @@ pub(crate) fn power(cursor: &mut Cursor, digit: bool) -> Result<i8, ReadError> {
 pub(super) fn symbol(cursor: &mut Cursor) -> Result<&'static table::Symbol, ReadError> {
     let start = cursor.at;
     let text = cursor.symbol().ok_or_else(|| cursor.unexpected("a unit"))?;
-    table::lookup(text).ok_or_else(|| ReadError::UnknownUnit {
-        symbol: text.into(),
-        nearest: Vec::new(),
-        span: start..cursor.at,
+    table::lookup(text).ok_or_else(|| {
+        let (symbol, span) = (text.into(), start..cursor.at);
+        match table::several(text) {
+            [] => ReadError::UnknownUnit { symbol, nearest: Vec::new(), span },
+            meant => ReadError::SeveralUnits { symbol, meant: meant.to_vec(), span },
+        }
     })
 }
 
@@ -159,6 +180,8 @@ struct Reader<'t> {
     symbols: usize,
     /// The symbol, as long as it is the only one.
     only: Option<&'static str>,
+    /// Parts of the text that are shown as something else.
+    rewritten: Vec<(Range<usize>, &'static str)>,
 }
 
 impl Reader<'_> {
@@ -188,6 +211,8 @@ impl Reader<'_> {
             } else if next == '.' && ahead.at == self.cursor.at {
                 // `N.m`
                 ahead.advance();
+            } else if ahead.at == self.cursor.at && ahead.accept_hyphen() {
+                self.rewritten.push((self.cursor.at..ahead.at, "*"));
             } else if !(starts_symbol(next) || next == '(') {
                 break;
             }
@@ -221,9 +246,13 @@ impl Reader<'_> {
             return Ok(scale.powi(power(&mut self.cursor, false)?));
         }
         let digit = self.cursor.peek().is_some_and(takes_digit);
+        let start = self.cursor.at;
         let symbol = symbol(&mut self.cursor)?;
         self.symbols += 1;
-        self.only = (self.symbols == 1).then_some(&symbol.text);
+        self.only = (self.symbols == 1).then_some(&symbol.stands_for);
+        if symbol.stands_for != symbol.text {
+            self.rewritten.push((start..self.cursor.at, &symbol.stands_for));
+        }
         Ok(symbol.scale.powi(power(&mut self.cursor, digit)?))
     }
 }

@@ -1,7 +1,18 @@
 //! Values of an expression while it is computed.
 
 use super::scan::Literal;
-use crate::scale::Scale;
+use crate::{Dim, scale::Scale};
+
+/// Number of quantities with units in a product.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Quantities {
+    /// One at most.
+    One,
+    /// A number came after a unit: the unit of that number, if one follows, is another.
+    Begun,
+    /// Two or more.
+    Several,
+}
 
 /// A value on the way: `number` of a unit made of `symbols`.
 pub(super) struct Value<'t> {
@@ -15,6 +26,12 @@ pub(super) struct Value<'t> {
     pub(super) written: bool,
     /// A unit was written, even if it cancelled out.
     pub(super) has_unit: bool,
+    /// Quantities with units that were multiplied or divided.
+    pub(super) quantities: Quantities,
+    /// The exponent of the angle that angular velocities among those quantities brought: it drops out of `m e ω²`.
+    pub(super) rate: i8,
+    /// A unit stands behind an operator or alone, where a formula would have a name.
+    pub(super) ambiguous: bool,
 }
 
 impl<'t> Value<'t> {
@@ -26,6 +43,9 @@ impl<'t> Value<'t> {
             symbols: Vec::new(),
             written: true,
             has_unit: false,
+            quantities: Quantities::One,
+            rate: 0,
+            ambiguous: false,
         }
     }
 
@@ -36,6 +56,8 @@ impl<'t> Value<'t> {
             (false, true) => other.literal,
             _ => None,
         };
+        let rate = self.rate_with(other, 1);
+        let quantities = self.quantities_with(other);
         let mut symbols = self.symbols;
         other.symbols.iter().for_each(|&(symbol, n)| merge(&mut symbols, symbol, n));
         Value {
@@ -45,11 +67,16 @@ impl<'t> Value<'t> {
             symbols,
             written: self.written || other.written,
             has_unit: self.has_unit || other.has_unit,
+            quantities,
+            rate,
+            ambiguous: self.ambiguous || other.ambiguous,
         }
     }
 
     pub(super) fn over(self, other: &Value<'t>) -> Value<'t> {
         let literal = if other.written { None } else { self.literal };
+        let rate = self.rate_with(other, -1);
+        let quantities = self.quantities_with(other);
         let mut symbols = self.symbols;
         other.symbols.iter().for_each(|&(symbol, n)| merge(&mut symbols, symbol, n.saturating_neg()));
         Value {
@@ -59,7 +86,41 @@ impl<'t> Value<'t> {
             symbols,
             written: self.written || other.written,
             has_unit: self.has_unit || other.has_unit,
+            quantities,
+            rate,
+            ambiguous: self.ambiguous || other.ambiguous,
         }
+    }
+
+    fn quantities_with(&self, other: &Value) -> Quantities {
+        use Quantities::{Begun, One, Several};
+        let both = self.has_unit && other.has_unit;
+        match (self.quantities, other.quantities) {
+            (Several, _) | (_, Several) => Several,
+            (Begun, _) if both => Several,
+            _ if both && self.written && other.written => Several,
+            (Begun, _) => Begun,
+            _ if self.written && self.has_unit && other.written && !other.has_unit => Begun,
+            _ => One,
+        }
+    }
+
+    /// The angle brought by angular velocities when `other` multiplies (`sign` 1) or divides (−1).
+    fn rate_with(&self, other: &Value, sign: i8) -> i8 {
+        let of = |value: &Value| match value.scale.dim {
+            Dim { length: 0, mass: 0, time, angle } if time != 0 => angle,
+            _ => value.rate,
+        };
+        of(self).saturating_add(of(other).saturating_mul(sign))
+    }
+
+    /// This value to a whole power.
+    pub(super) fn unit_powi(mut self, n: i8) -> Self {
+        self.scale = self.scale.powi(n);
+        self.symbols.iter_mut().for_each(|(_, power)| *power = power.saturating_mul(n));
+        self.symbols.retain(|&(_, power)| power != 0);
+        self.rate = self.rate.saturating_mul(n);
+        self
     }
 
     pub(super) fn negated(self) -> Value<'t> {

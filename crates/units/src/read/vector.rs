@@ -1,8 +1,12 @@
-//! Reading vectors: `(300; 200) m/s`, `300; 200; 0 m/s`, `(300 i + 200 j) m/s`.
+//! Reading vectors: `(300; 200) m/s`, `300; 200; 0 m/s`, `(300 i + 200 j) m/s`, `80 lbf @ 330 deg`.
 
-use std::ops::Range;
+use std::{f64::consts::FRAC_PI_2, ops::Range};
 
-use super::{Amount, QuantityReader, ReadError, check_range, empty, kinds, read, scan::guard, si, units};
+use super::{
+    Amount, QuantityReader, ReadError, check_range, example, kinds, read,
+    scan::{guard, starts_symbol},
+    si, units,
+};
 use crate::{Kind, Unit, VectorQuantity};
 
 /// The longest text of a vector, in characters.
@@ -10,32 +14,43 @@ const LIMIT: usize = 600;
 
 /// Reads a vector of `len` components, 2 or 3, and their unit: `(300; 200) m/s`.
 ///
-/// Components are set apart by `;`, or written along i, j and k: `(300 i + 200 j) m/s`. The unit stands after
-/// the brackets, after the last component, or after each of them. Where three components are asked,
-/// two are enough: the third is zero. A lone zero is the zero vector.
+/// Components are set apart by `;`, by commas as in `(300, 200) m/s`, or written along i, j and k: `(300 i + 200 j) m/s`.
+/// The unit stands after the brackets, after the last component, or after each of them. Where three components are
+/// asked, two are enough: the third is zero. A lone zero is the zero vector. A vector in the plane of x and y may be
+/// written by its magnitude and its angle, counter-clockwise from x: `80 lbf @ 330 deg`, `80 lbf ∠ 330°`.
 ///
 /// # Errors
 /// As [`read_quantity`](crate::read_quantity) for each component, and another number of components.
 pub fn read_vector(text: &str, default: &Unit, kind: Kind, len: usize) -> Result<VectorQuantity, ReadError> {
     let range = guard(text, LIMIT)?;
     if range.is_empty() {
-        return Err(empty(default));
+        return Err(ReadError::Empty { example: components_example(default, len) });
     }
-    let (inner, rest) = brackets(text, range.clone()).unwrap_or((range.clone(), range.end..range.end));
+    if let Some(at) = text[range.clone()].find(['@', '∠']) {
+        return polar(text, range.clone(), range.start + at, default, kind);
+    }
+    let (inner, mut rest) = brackets(text, range.clone()).unwrap_or((range.clone(), range.end..range.end));
     let (mut readings, written) = if let Some(parts) = components(text, inner.clone(), default)? {
         parts
     } else {
         // One component alone: the zero vector, or too little.
-        let reading = read(text, range.clone(), default)?;
-        if si(reading.amount, reading.unit.as_ref().unwrap_or(default)).0 != 0.0 {
-            return Err(wrong_count(1, len, range));
+        let lone = read(text, range.clone(), default);
+        let zero =
+            |reading: &QuantityReader| si(reading.amount, reading.unit.as_ref().unwrap_or(default)).0 == 0.0;
+        match (lone, between_commas(text, &range, inner.clone(), len)?) {
+            (Ok(reading), _) if zero(&reading) => {
+                rest = range.end..range.end;
+                (vec![Some(reading)], len)
+            }
+            (_, Some(parts)) => readings_of(text, parts, default)?,
+            (Ok(_), None) => return Err(wrong_count(1, default, len, range)),
+            (Err(error), None) => return Err(error),
         }
-        (vec![Some(reading)], len)
     };
     if written > len || written < 2 {
-        return Err(wrong_count(written, len, inner));
+        return Err(wrong_count(written, default, len, inner));
     }
-    let unit = common_unit(&mut readings, text, rest, &range)?;
+    let unit = common_unit(&mut readings, text, rest, &range, components_example(default, len))?;
     let mut si_values = [0.0; 3];
     let mut last_place = 0.0_f64;
     for (place, reading) in si_values.iter_mut().zip(&mut readings) {
@@ -43,7 +58,7 @@ pub fn read_vector(text: &str, default: &Unit, kind: Kind, len: usize) -> Result
         if reading.unit.is_none() {
             reading.unit.clone_from(&unit);
         }
-        kinds::check(reading, text, range.clone(), default, kind)?;
+        kinds::check_component(reading, text, range.clone(), default, kind)?;
         let (value, last) = si(reading.amount, reading.unit.as_ref().unwrap_or(default));
         check_range(reading.amount, value, &text[range.clone()], range.clone())?;
         *place = value;
@@ -58,6 +73,62 @@ pub fn read_vector(text: &str, default: &Unit, kind: Kind, len: usize) -> Result
     })
 }
 
+/// `80 lbf @ 330 deg`: a magnitude, and the angle from x, counter-clockwise. `at` is where the mark stands.
+fn polar(
+    text: &str,
+    range: Range<usize>,
+    at: usize,
+    default: &Unit,
+    kind: Kind,
+) -> Result<VectorQuantity, ReadError> {
+    let mark = if text[at..].starts_with('@') { 1 } else { '∠'.len_utf8() };
+    let (size, angle) = (trimmed(text, range.start..at), trimmed(text, at + mark..range.end));
+    for (part, expected) in [(&size, "a magnitude"), (&angle, "an angle")] {
+        if part.is_empty() {
+            let whole = text[range.clone()].to_owned();
+            return Err(ReadError::Unfinished { text: whole, expected, span: part.clone() });
+        }
+    }
+    let magnitude = read(text, size.clone(), default)?;
+    kinds::check_component(&magnitude, text, range.clone(), default, kind)?;
+    let degree = units::unit("deg")?;
+    let direction = read(text, angle.clone(), &degree)?;
+    kinds::check(&direction, text, angle.clone(), &degree, Kind::Angle)?;
+    let turned = si(direction.amount, direction.unit.as_ref().unwrap_or(&degree)).0;
+    if direction.unit.as_ref().is_none_or(|unit| unit.text.is_empty()) && turned != 0.0 {
+        let whole = &text[range.clone()];
+        let readings = [format!("{whole} deg"), format!("{whole} rad")];
+        return Err(ReadError::Ambiguous { text: whole.to_owned(), readings, span: range });
+    }
+    check_range(direction.amount, turned, &text[angle.clone()], angle)?;
+    let unit = magnitude.unit.unwrap_or_else(|| default.clone());
+    let (length, last_place) = si(magnitude.amount, &unit);
+    check_range(magnitude.amount, length, &text[size.clone()], size)?;
+    let [x, y] = direction_of(turned);
+    Ok(VectorQuantity { si: [length * x, length * y, 0.0], len: 2, unit, last_place })
+}
+
+/// A part of a text without the white space around it.
+fn trimmed(text: &str, part: Range<usize>) -> Range<usize> {
+    let piece = &text[part.clone()];
+    let start = part.start + piece.len() - piece.trim_start().len();
+    start..start + piece.trim().len()
+}
+
+/// Cosine and sine of an angle, exact at right angles.
+fn direction_of(angle: f64) -> [f64; 2] {
+    let quarters = (angle / FRAC_PI_2).round();
+    if (angle - quarters * FRAC_PI_2).abs() > 4.0 * f64::EPSILON * angle.abs() {
+        return [angle.cos(), angle.sin()];
+    }
+    match quarters.rem_euclid(4.0) {
+        0.0 => [1.0, 0.0],
+        1.0 => [0.0, 1.0],
+        2.0 => [-1.0, 0.0],
+        _ => [0.0, -1.0],
+    }
+}
+
 /// The components, a missing one along i, j or k as `None`, and how many were written.
 type Components<'t> = (Vec<Option<QuantityReader<'t>>>, usize);
 
@@ -67,19 +138,21 @@ fn brackets(text: &str, range: Range<usize>) -> Option<(Range<usize>, Range<usiz
     let closing = match part.chars().next()? {
         '(' => ')',
         '[' => ']',
+        '{' => '}',
         _ => return None,
     };
     let mut depth = 0;
     for (at, c) in part.char_indices() {
         match c {
-            '(' | '[' => depth += 1,
-            ')' | ']' => depth -= 1,
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
             _ => {}
         }
         if depth == 0 {
             let inner = range.start + 1..range.start + at;
-            let vector =
-                c == closing && (text[inner.clone()].contains(';') || is_along_axes(&text[inner.clone()]));
+            let inside = &text[inner.clone()];
+            let commas = inside.contains(',') && !is_along_axes(part);
+            let vector = c == closing && (inside.contains(';') || commas || is_along_axes(inside));
             return vector.then(|| (inner, range.start + at + 1..range.end));
         }
     }
@@ -92,19 +165,7 @@ fn components<'t>(
     default: &Unit,
 ) -> Result<Option<Components<'t>>, ReadError> {
     if text[inner.clone()].contains(';') {
-        let mut readings = Vec::new();
-        for part in split(text, inner, |c, _| c == ';') {
-            if part.is_empty() {
-                let text = text.trim().to_owned();
-                return Err(ReadError::Unfinished { text, expected: "a component", span: part });
-            }
-            readings.push(Some(read(text, part, default)?));
-            if readings.len() > 3 {
-                break;
-            }
-        }
-        let written = readings.len();
-        return Ok(Some((readings, written)));
+        return readings_of(text, split(text, inner, |c, _| c == ';'), default).map(Some);
     }
     if is_along_axes(&text[inner.clone()]) {
         return along_axes(text, inner, default).map(Some);
@@ -112,7 +173,66 @@ fn components<'t>(
     Ok(None)
 }
 
-/// `300 i − 200 j`: each term ends in an axis.
+fn readings_of<'t>(
+    text: &'t str,
+    parts: Vec<Range<usize>>,
+    default: &Unit,
+) -> Result<Components<'t>, ReadError> {
+    let written = parts.len();
+    let mut readings = Vec::new();
+    // One more than there can be is enough to see that there are too many.
+    for part in parts.into_iter().take(4) {
+        if part.is_empty() {
+            let text = text.trim().to_owned();
+            return Err(ReadError::Unfinished { text, expected: "a component", span: part });
+        }
+        readings.push(Some(read(text, part, default)?));
+    }
+    Ok((readings, written.min(4)))
+}
+
+/// The parts between commas, which are decimal marks too: `(1, 1, 2)`, `(1,1,2)`, and `(1,1, 2)` where two are asked.
+fn between_commas(
+    text: &str,
+    range: &Range<usize>,
+    inner: Range<usize>,
+    len: usize,
+) -> Result<Option<Vec<Range<usize>>>, ReadError> {
+    if !text[inner.clone()].contains(',') {
+        return Ok(None);
+    }
+    let all = split(text, inner.clone(), |c, _| c == ',');
+    let is_spaced = |before: &str| text[inner.start + before.len() + 1..].starts_with(char::is_whitespace);
+    let spaced = split(text, inner.clone(), |c, before| c == ',' && is_spaced(before));
+    let fits = |parts: &[Range<usize>]| (2..=len).contains(&parts.len());
+    Ok(match (all.len(), spaced.len()) {
+        (a, b) if a == b => Some(all),
+        // `1,5 m` is a number.
+        (_, 1) if inner == *range => None,
+        (_, 1) => Some(all),
+        _ if fits(&all) && fits(&spaced) => {
+            let joined = |parts: &[Range<usize>]| {
+                let parts: Vec<_> = parts.iter().map(|part| &text[part.clone()]).collect();
+                format!(
+                    "{}{}{}",
+                    &text[range.start..inner.start],
+                    parts.join("; "),
+                    &text[inner.end..range.end]
+                )
+            };
+            let readings = [joined(&all), joined(&spaced)];
+            return Err(ReadError::Ambiguous {
+                text: text[range.clone()].into(),
+                readings,
+                span: range.clone(),
+            });
+        }
+        _ if fits(&all) => Some(all),
+        _ => Some(spaced),
+    })
+}
+
+/// `300 i − 200 j m/s`: each term ends in an axis, or in an axis and a unit.
 fn along_axes<'t>(text: &'t str, inner: Range<usize>, default: &Unit) -> Result<Components<'t>, ReadError> {
     let mut readings = vec![None, None, None];
     let parts = split(text, inner, |c, before| matches!(c, '+' | '-' | '−') && !is_exponent(before));
@@ -123,17 +243,25 @@ fn along_axes<'t>(text: &'t str, inner: Range<usize>, default: &Unit) -> Result<
             // A sign stands before the first term.
             continue;
         }
-        let axis = term.chars().last().and_then(axis).ok_or_else(|| ReadError::Unexpected {
+        let (at, axis) = axis_in(term).ok_or_else(|| ReadError::Unexpected {
             found: term.into(),
             expected: "a component along i, j or k",
             span: part.clone(),
         })?;
-        let number = term[..term.len() - 1].trim_end().trim_end_matches(['*', '·']).trim_end();
+        let number = term[..at].trim_end().trim_end_matches(['*', '·']).trim_end();
+        let behind = trimmed(text, part.start + at + 1..part.end);
         let mut reading = if number.is_empty() {
-            QuantityReader { amount: Amount::Computed(1.0), unit: None, pi: false }
+            QuantityReader { amount: Amount::Computed(1.0), unit: None, pi: false, combined: None }
         } else {
             read(text, part.start..part.start + number.len(), default)?
         };
+        if !behind.is_empty() {
+            if reading.unit.is_some() {
+                let found = text[behind.clone()].into();
+                return Err(ReadError::Unexpected { found, expected: "one unit", span: behind });
+            }
+            reading.unit = Some(units::unit_in(text, behind)?);
+        }
         if sign {
             reading.amount = match reading.amount {
                 Amount::Literal(literal) => Amount::Literal(literal.negated()),
@@ -155,13 +283,14 @@ fn common_unit(
     text: &str,
     rest: Range<usize>,
     all: &Range<usize>,
+    example: String,
 ) -> Result<Option<Unit>, ReadError> {
     let written = readings.iter().flatten().filter(|reading| reading.unit.is_some()).count();
     let count = readings.iter().flatten().count();
-    let after = text[rest.clone()].trim();
-    let mixed = || ReadError::MixedComponents { text: text[all.clone()].into(), span: all.clone() };
+    let after = trimmed(text, rest);
+    let mixed = || ReadError::MixedComponents { text: text[all.clone()].into(), example, span: all.clone() };
     if !after.is_empty() {
-        let unit = units::unit(after)?;
+        let unit = units::unit_in(text, after)?;
         return if written == 0 { Ok(Some(unit)) } else { Err(mixed()) };
     }
     let last = readings.iter().flatten().last().and_then(|reading| reading.unit.clone());
@@ -178,16 +307,11 @@ fn split(text: &str, inner: Range<usize>, is_mark: impl Fn(char, &str) -> bool) 
     let part = &text[inner.clone()];
     let mut parts = Vec::new();
     let (mut start, mut depth) = (0, 0);
-    let mut push = |from: usize, to: usize| {
-        let piece = &part[from..to];
-        let lead = piece.len() - piece.trim_start().len();
-        let begin = inner.start + from + lead;
-        parts.push(begin..begin + piece.trim().len());
-    };
+    let mut push = |from: usize, to: usize| parts.push(trimmed(text, inner.start + from..inner.start + to));
     for (at, c) in part.char_indices() {
         match c {
-            '(' | '[' => depth += 1,
-            ')' | ']' => depth -= 1,
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
             c if depth == 0 && is_mark(c, &part[..at]) => {
                 push(start, at);
                 start = at + c.len_utf8();
@@ -199,11 +323,23 @@ fn split(text: &str, inner: Range<usize>, is_mark: impl Fn(char, &str) -> bool) 
     parts
 }
 
-/// Returns true if the last word is an axis.
+/// Returns true if the last word is an axis, or the last but a unit.
 fn is_along_axes(text: &str) -> bool {
-    let mut chars = text.trim_end().chars().rev();
-    let last = chars.next().and_then(axis).is_some();
-    last && !chars.next().is_some_and(char::is_alphabetic)
+    let last = split(text, 0..text.len(), |c, before| matches!(c, '+' | '-' | '−') && !is_exponent(before));
+    last.last().is_some_and(|part| axis_in(&text[part.clone()]).is_some())
+}
+
+/// The axis of a term, `k` in `10 k` and `10 k rad/s`, and where it stands: at the end or before a unit.
+fn axis_in(term: &str) -> Option<(usize, usize)> {
+    let found = |(at, c): (usize, char)| {
+        let number = axis(c)?;
+        let behind = &term[at + 1..];
+        let alone = !term[..at].ends_with(char::is_alphabetic) && !behind.starts_with(char::is_alphanumeric);
+        let unit = behind.trim_start();
+        (alone && (unit.is_empty() || unit.starts_with(starts_symbol) || unit.starts_with(['(', '1'])))
+            .then_some((at, number))
+    };
+    term.char_indices().rev().find_map(found)
 }
 
 fn axis(c: char) -> Option<usize> {
@@ -225,7 +361,12 @@ fn is_exponent(before: &str) -> bool {
     }
 }
 
-fn wrong_count(found: usize, len: usize, span: Range<usize>) -> ReadError {
-    let (expected, example) = if len == 2 { ("2", "(3; 4) m") } else { ("2 or 3", "(3; 4; 0) m") };
-    ReadError::Components { found, expected, example, span }
+fn wrong_count(found: usize, default: &Unit, len: usize, span: Range<usize>) -> ReadError {
+    let expected = if len == 2 { "2" } else { "2 or 3" };
+    ReadError::Components { found, expected, example: components_example(default, len), span }
+}
+
+/// Text of a vector in the unit of its field.
+fn components_example(default: &Unit, len: usize) -> String {
+    example(if len == 2 { "(3; 4)" } else { "(3; 4; 0)" }, default)
 }
