@@ -357,3 +357,24 @@ a-name-is-needed-for-example-nu = é necessário um nome, por exemplo nu
 a-name-is-needed-for-example-peak-to-peak = é necessário um nome, por exemplo pico a pico
 a-quantity-or-a-formula-in-quotes-is-needed-here = aqui é necessária uma grandeza ou uma fórmula entre aspas
 a-formula-is-needed-here-as-in-2-x = aqui é necessária uma fórmula, como em "2*X"
+
+## Inputs in words, and the file that a problem begins with
+a-whole-number-from-min = um número inteiro a partir de { $min }
+a-whole-number-from-min-to-max = um número inteiro de { $min } a { $max }
+above-limit = acima de { $limit }
+at-least-limit = no mínimo { $limit }
+at-most-limit = no máximo { $limit }
+below-limit = abaixo de { $limit }
+one-of = uma de
+or-nothing = ou nada
+default-default = padrão { $default }
+the-name-of-one-of-list = o nome de um de { $list }
+these = estes
+words = palavras
+yes-or-no = sim ou não
+rows-at-most-most = linhas, no máximo { $most }
+rows-min-to-most = linhas, de { $min } a { $most }
+len-components-what-written-form = { $len } componentes, { $what }, na forma { $form }
+a-table-as-lines-of-text-under-the-heading-heading-or-as-rows-form-with-the-columns = uma tabela, como linhas de texto sob o cabeçalho "{ $heading }" ou como linhas { $form }, com as colunas
+write-each-value-between-its-quotation-marks-with-its-unit-what-stands-behind-a-single-may-be-left = Escreva cada valor entre as aspas, com a unidade. O que está depois de um único # pode ser omitido.
+a-problem-may-have-quantities-of-its-own-for-formulas-in-let-questions-of-its-own-in-ask-and-units-of = Um problema pode ter grandezas próprias para fórmulas em [let], perguntas próprias em [ask] e unidades das respostas em [show].

@@ -12,7 +12,9 @@
 mod definitions;
 mod format;
 mod former;
+mod template;
 pub use former::{FormerInput, former_input};
+pub use template::template;
 
 use std::ops::Range;
 

@@ -13,6 +13,7 @@ pub mod cases;
 pub mod check;
 pub mod coverage;
 mod definitions;
+pub mod describe;
 pub mod draft;
 pub mod exercises;
 pub mod exhibit;
