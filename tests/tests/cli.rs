@@ -798,6 +798,19 @@ fn a_problem_is_read_from_the_standard_input() {
 }
 
 #[test]
+fn a_value_alone_is_set_as_the_only_input_of_an_alternative() {
+    let solve = |damping: &str| run(&["solve", FAN, "--case", "1", "--set", damping], &[]);
+    let full = solve("damping.ratio.ratio=0.05");
+    for damping in ["damping=0.05", "damping.ratio=0.05"] {
+        let solved = solve(damping);
+        assert_eq!(stdout(&solved), stdout(&full), "{damping}");
+        assert!(stderr(&solved).contains("note: damping"), "{}", stderr(&solved));
+    }
+    let error = refused(&["solve", FAN, "--case", "1", "--set", "support.cantilever=1"], 2);
+    assert!(error.contains("name one of them: support.cantilever.length"), "{error}");
+}
+
+#[test]
 fn no_file_is_written_over_unasked() {
     let (folder, path) = file(PROBLEM.as_bytes());
     let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();

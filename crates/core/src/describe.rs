@@ -6,6 +6,8 @@ use crate::{Field, FieldLimit, Locale, Measure, Shape, Text, Variant, table};
 
 /// The most fields of a group that a form shows.
 const MOST_FIELDS: usize = 6;
+/// The longest list of alternatives with what is in them, in bytes.
+const MOST_FORMS: usize = 300;
 /// Levels of groups and alternatives that a form shows.
 const DEPTH: usize = 2;
 
@@ -75,6 +77,23 @@ pub fn form(shape: &Shape) -> String {
 /// The form of an alternative: its name, or a table with its name.
 pub fn form_of(variant: &Variant) -> String {
     variant_within(variant, 1)
+}
+
+/// The forms of all alternatives; what is in them only where there is room for it.
+pub(crate) fn forms_of(variants: &'static [Variant]) -> String {
+    let within = |depth| {
+        let forms: Vec<String> = variants.iter().map(|variant| variant_within(variant, depth)).collect();
+        forms.join("; ")
+    };
+    Some(within(1)).filter(|forms| forms.len() <= MOST_FORMS).unwrap_or_else(|| within(0))
+}
+
+/// How a table is written in a file.
+pub(crate) fn table(columns: &'static [Field]) -> Text {
+    let row = fields_within(columns, 1);
+    Text::new("write a table as lines of text with the heading \"{heading}\", or as a list of rows {row}")
+        .with("heading", table::heading(columns))
+        .with("row", row)
 }
 
 fn form_within(shape: &Shape, depth: usize) -> String {

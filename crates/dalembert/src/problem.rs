@@ -253,11 +253,11 @@ fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: 
             );
             continue;
         };
-        let former = file::former_input(shape, path.trim(), value);
-        if let Some(former) = &former {
-            console.notify("note: {words}", &former.note);
+        let named = file::named_input(shape, path.trim(), value);
+        if let Some(named) = &named {
+            console.notify("note: {words}", &named.note);
         }
-        let (path, value) = former.as_ref().map_or((path.trim(), value), |now| (&now.path, &now.text));
+        let (path, value) = named.as_ref().map_or((path.trim(), value), |now| (&now.path, &now.text));
         match from_file(draft, shape, path, value) {
             Ok(text) => {
                 let before = draft.clone();
