@@ -1,7 +1,10 @@
 //! Forms in which a problem file writes its inputs, and refusals that show them.
 
-use dalembert_core::{Entry, Locale, Shape, Stop, cases, describe, draft::leaf_text, file, find, registry};
+use dalembert_core::{
+    Entry, Locale, Shape, Stop, Text, cases, describe, draft::leaf_text, file, find, registry,
+};
 use dalembert_plugins as _;
+use itertools::zip_eq;
 
 const FAN: &str = "vibration/rotating-unbalance";
 
@@ -33,7 +36,7 @@ fn solved(text: &str) -> (String, Vec<String>) {
     let record =
         problem.draft.read(&problem.entry.shape()).unwrap_or_else(|errors| panic!("{errors:?}\n{text}"));
     let solution = problem.entry.solve(&record, &Stop::new()).expect("there is an answer");
-    (format!("{:?}", solution.answers), problem.notes.iter().map(|note| note.english()).collect())
+    (format!("{:?}", solution.answers), problem.notes.iter().map(Text::english).collect())
 }
 
 /// The tables of numbers of an analysis at the top of its inputs or of an alternative, in the first case that has one.
@@ -48,8 +51,7 @@ fn tables(entry: &'static Entry) -> Vec<(String, Vec<String>, Vec<Vec<String>>, 
             let Some(heading) = lines.next() else { return };
             let units: Vec<&str> = heading.split("; ").map(|unit| unit.trim_matches(['[', ']'])).collect();
             let rows = lines.map(|line| {
-                line.split("; ")
-                    .zip(&units)
+                zip_eq(line.split("; "), &units)
                     .map(|(number, unit)| format!("{number} {unit}").trim().to_owned())
                     .collect()
             });
@@ -70,7 +72,7 @@ fn rows_with_names_lists_of_cells_and_text_are_one_table() {
             let cells =
                 |row: &Vec<String>| row.iter().map(|cell| quoted(cell)).collect::<Vec<_>>().join(", ");
             let named = |row: &Vec<String>| {
-                let cells = names.iter().zip(row).map(|(name, cell)| format!("{name} = {}", quoted(cell)));
+                let cells = zip_eq(&names, row).map(|(name, cell)| format!("{name} = {}", quoted(cell)));
                 format!("{{ {} }}", cells.collect::<Vec<_>>().join(", "))
             };
             let lines = rows.iter().map(|row| row.join("; ")).collect::<Vec<_>>().join("\n");

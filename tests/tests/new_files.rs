@@ -7,6 +7,7 @@ use dalembert_core::{
 };
 use dalembert_plugins as _;
 use dalembert_testkit::on_all_cores;
+use itertools::zip_eq;
 
 const LANGUAGES: [fn() -> Locale; 2] = [Locale::english, Locale::portuguese];
 
@@ -28,7 +29,7 @@ fn an_empty_file_is_read_and_its_errors_are_what_is_missing() {
             let found = errors(&problem.draft);
             assert_eq!(paths(&found), paths(&errors(&first)), "{id}\n{text}");
             // Each is found where its value is to be written.
-            for (error, place) in found.iter().zip(locate(&text, &found)) {
+            for (error, place) in zip_eq(&found, locate(&text, &found)) {
                 let place = place.unwrap_or_else(|| panic!("{id}: {} has no place\n{text}", error.path));
                 let value = &text[place];
                 let is_empty = value == "\"\"" || (value.starts_with("'''") && value.lines().count() == 3);
@@ -64,11 +65,11 @@ fn every_input_is_explained() {
     for entry in registry() {
         let text = file::template(entry, None, &Locale::english());
         for field in entry.fields() {
-            let key = format!("{}", field.name);
+            let key = field.name;
             let stands = text.lines().any(|line| {
                 let line = line.trim_start_matches("# ").trim_start_matches(['[']);
                 let line = line.strip_prefix("inputs.").unwrap_or(line);
-                line.strip_prefix(key.as_str()).is_some_and(|rest| rest.starts_with([' ', '.', ']']))
+                line.strip_prefix(key).is_some_and(|rest| rest.starts_with([' ', '.', ']']))
             });
             assert!(
                 stands && text.contains(&format!("## {}", field.label.split(' ').next().unwrap_or_default())),

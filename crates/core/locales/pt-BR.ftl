@@ -381,3 +381,10 @@ is-in-a-list-name-a-row-as-in-row = está em uma lista; nomeie uma linha, como e
 is-a-list-name-a-row-as-in-row = é uma lista; nomeie uma linha, como em { $row }
 there-is-no-such-input-what-it-would-be-part-of-is-one-value = não há tal dado: aquilo de que faria parte é um único valor
 path-text-read-as-full = { $path } = { $text }: lido como { $full }
+default-that-of-the-problem-else-default-or-customary-among-us-customary-units = padrão: a do problema, senão { $default }, ou { $customary } entre unidades inglesas
+
+## Families
+balancing = Balanceamento
+rigid-bodies = Corpos rígidos
+vibration = Vibrações
+virtual-work = Trabalho virtual

@@ -2,7 +2,7 @@
 
 use dalembert_units as units;
 
-use crate::{Field, FieldLimit, Locale, Measure, Shape, Text, Variant, table};
+use crate::{Field, FieldLimit, Locale, Measure, Shape, Text, Variant, gravity, table};
 
 /// The most fields of a group that a form shows.
 const MOST_FIELDS: usize = 6;
@@ -42,6 +42,18 @@ pub fn in_words(shape: &Shape, locale: &Locale) -> String {
         }
     };
     text.render(locale)
+}
+
+/// The default of a field in words.
+pub fn default_of(field: &Field) -> Option<Text> {
+    let default = field.default?;
+    let text = if gravity::is_gravity(field) {
+        Text::new("default that of the problem, else {default}, or {customary} among US customary units")
+            .with("customary", gravity::in_feet(default))
+    } else {
+        Text::new("default {default}")
+    };
+    Some(text.with("default", default))
 }
 
 /// `kg, above 0`
@@ -88,7 +100,7 @@ pub(crate) fn forms_of(variants: &'static [Variant]) -> String {
     Some(within(1)).filter(|forms| forms.len() <= MOST_FORMS).unwrap_or_else(|| within(0))
 }
 
-/// How a table is written in a file.
+/// Forms of a table in a file.
 pub(crate) fn table(columns: &'static [Field]) -> Text {
     let row = fields_within(columns, 1);
     Text::new("write a table as lines of text with the heading \"{heading}\", or as a list of rows {row}")

@@ -30,7 +30,6 @@ subcommand-default-the-whole-program = Subcomando; padrão: o programa todo
 the-table-to-print-as-csv-answers-inputs-steps-checks-table-1-plot-1 = A tabela a imprimir como CSV: answers, inputs, steps, checks, table-1, plot-1
 output-format-default-by-the-file-extension-otherwise-text = Formato da saída; padrão: pela extensão do arquivo, senão texto
 without-arguments-the-workbench-in-a-terminal-a-worked-problem-elsewhere-exit-status-0-solved-1 = Sem argumentos: a bancada em um terminal, um problema resolvido fora dele. Código de saída: 0 resolvido; 1 recusado, ou uma verificação falhou; 2 entrada ou uso errado.
-words-to-find-in-id-title-summary-or-keywords = Palavras a procurar no id, título, resumo ou palavras-chave
 
 ## Descriptions of analyses
 cases = Casos
@@ -140,3 +139,5 @@ overwrite-an-existing-file = Sobrescrever um arquivo existente
 session-file-as-written-by-record-reads-the-standard-input = Arquivo de sessão, como --record o escreve; - lê a entrada padrão
 the-id-of-an-analysis-or-a-problem-file-reads-the-standard-input = O id de uma análise, ou um arquivo de problema; - lê a entrada padrão
 the-workbench-reads-its-keys-from-standard-input-name-a-file-or-use-dalembert-solve = a bancada lê as teclas da entrada padrão: informe um arquivo, ou use `dalembert solve -`
+dalembert-new-id-writes-a-file-in-which-these-inputs-are-to-be-filled-in = `dalembert new { $id }` escreve um arquivo em que estes dados são preenchidos.
+words-in-any-order-and-either-language-of-titles-topics-books-cases-inputs-and-answers = Palavras em qualquer ordem e em qualquer das línguas, de títulos, temas, livros, casos, dados e respostas

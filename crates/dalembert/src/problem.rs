@@ -151,7 +151,7 @@ pub(crate) fn case(entry: &Entry, number: u32) -> Result<Case, Failure> {
 /// The text of a file, or of the standard input.
 pub(crate) fn text_of(named: &str) -> Result<String, Failure> {
     let opened = match named {
-        STDIN => files::read_stream(io::stdin().lock(), shown_path(named)),
+        STDIN => files::read_from(io::stdin().lock(), shown_path(named)),
         path => files::read(Path::new(path)),
     };
     Ok(opened?.text)
@@ -163,7 +163,7 @@ fn shown_path(named: &str) -> &Path {
 }
 
 /// Returns true if a name stands for the standard input.
-pub(crate) fn is_stdin(named: &str) -> bool {
+pub(crate) fn is_standard_input(named: &str) -> bool {
     named == STDIN
 }
 

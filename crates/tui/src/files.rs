@@ -213,7 +213,7 @@ pub fn read(path: &Path) -> Result<Opened, FileError> {
 }
 
 /// Reads a stream of UTF-8 text of at most [`LARGEST`] bytes to its end; messages call it `name`.
-pub fn read_stream(stream: impl Read, name: &Path) -> Result<Opened, FileError> {
+pub fn read_from(stream: impl Read, name: &Path) -> Result<Opened, FileError> {
     let mut bytes = Vec::new();
     stream.take(LARGEST + 1).read_to_end(&mut bytes).map_err(failed("read", name))?;
     if bytes.len() as u64 > LARGEST {

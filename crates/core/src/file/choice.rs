@@ -13,9 +13,9 @@ use crate::{
 /// An input as it is named in full, in place of a shorter or a former name.
 #[derive(Clone, Debug)]
 pub struct NamedInput {
-    /// Its path.
+    /// Full path.
     pub path: String,
-    /// Its text; a number alone in a former alternative has the unit that it had there.
+    /// Text; a number alone in a former alternative has the unit that it had there.
     pub text: String,
     /// The note for the user.
     pub note: Text,

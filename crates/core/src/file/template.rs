@@ -186,10 +186,12 @@ impl<'d> Writer<'_, 'd> {
                 if explained {
                     self.explain(field, true);
                     let text = field.default.unwrap_or_default();
-                    match shape.is_leaf() && !matches!(shape, Shape::Table(_)) {
-                        true => self.text += &format!("# {key} = {}\n", quoted(text)),
-                        false => self.text += &format!("# {key} = {}\n", describe::form(&shape)),
-                    }
+                    let form = if shape.is_leaf() && !matches!(shape, Shape::Table(_)) {
+                        quoted(text)
+                    } else {
+                        describe::form(&shape)
+                    };
+                    self.text += &format!("# {key} = {form}\n");
                 }
                 continue;
             }
@@ -259,7 +261,8 @@ impl<'d> Writer<'_, 'd> {
                             self.text += &format!("# {key} = {}\n", describe::form(&field.shape));
                         }
                         _ => {
-                            self.text += &format!("# {key} = {}\n", quoted(field.default.unwrap_or_default()))
+                            let text = quoted(field.default.unwrap_or_default());
+                            self.text += &format!("# {key} = {text}\n");
                         }
                     }
                 }
@@ -288,8 +291,7 @@ impl<'d> Writer<'_, 'd> {
         let symbol = if field.symbol.is_empty() { String::new() } else { format!(" {}", field.symbol) };
         let shape = field.shape.present();
         let mut words = format!("{}{symbol}: {}", say(field.label), describe::in_words(&shape, self.locale));
-        if let Some(default) = field.default {
-            let default = Text::new("default {default}").with("default", default);
+        if let Some(default) = describe::default_of(field) {
             words = format!("{words}, {}", default.render(self.locale));
         }
         if optional && field.default.is_none() {

@@ -65,6 +65,8 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
     let say = |words: &'static str| Text::from(words).render(locale);
     let mut inputs = Vec::new();
     Lister { locale, lines: &mut inputs, described: Described::default() }.fields(entry.fields(), "", 0);
+    let begin = Text::new("`dalembert new {id}` writes a file in which these inputs are to be filled in.");
+    let begin = begin.with("id", about.id);
     let answer = |promise: &Promise| NamedValue {
         label: promise.name.clone(),
         value: match promise.unit.pretty() {
@@ -86,6 +88,7 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
             Block::Paragraph(say(about.summary)),
             Block::Heading(say("Inputs")),
             Block::Lines(inputs),
+            Block::Paragraph(begin.render(locale)),
             Block::Heading(say("Answers")),
             Block::Lines(answers.iter().map(answer).collect()),
             Block::Heading(say("Cases")),
@@ -145,11 +148,8 @@ impl Lister<'_> {
     fn fields(&mut self, fields: &'static [Field], above: &str, depth: usize) {
         for field in fields {
             let mut value = describe::in_words(&field.shape, self.locale);
-            if let Some(default) = field.default {
-                value = format!(
-                    "{value}, {}",
-                    Text::new("default {default}").with("default", default).render(self.locale)
-                );
+            if let Some(default) = describe::default_of(field) {
+                value = format!("{value}, {}", default.render(self.locale));
             }
             let symbol = if field.symbol.is_empty() { String::new() } else { format!(" {}", field.symbol) };
             let label = self.say(field.label);
@@ -161,6 +161,9 @@ impl Lister<'_> {
                 value = format!("{value}, {}", like.render(self.locale));
             }
             self.line(depth, field.name.to_owned(), format!("{label}{symbol}: {value}"));
+            if !field.help.is_empty() {
+                self.line(depth, String::new(), self.say(field.help));
+            }
             if first.is_none() {
                 self.inside(&shape, &path, depth + 1);
             }
@@ -173,6 +176,9 @@ impl Lister<'_> {
             Shape::OneOf(variants) => {
                 for variant in variants() {
                     self.line(depth, variant.name.to_owned(), self.say(variant.label));
+                    if !variant.help.is_empty() {
+                        self.line(depth, String::new(), self.say(variant.help));
+                    }
                     self.fields((variant.fields)(), &format!("{path}.{}.", variant.name), depth + 1);
                 }
             }
