@@ -141,6 +141,10 @@ fn analyses_are_listed() {
     }
     let fans = json(&["list", "--json", "ventilador", "fan"]);
     assert!(fans.as_array().unwrap().iter().any(|json| json["id"] == FAN), "{fans}");
+    // The best match first, with the case that the words speak of.
+    let found = printed(&["list", "struck", "meteorite"]);
+    assert!(found.contains("rigid-body/free-axisymmetric") && found.contains("▸ Satellite"), "{found}");
+    assert_eq!(json(&["list", "--json", "flywheel"])[0]["id"], "virtual-work/flywheel");
     assert_eq!(json(&["list", "--json", "no such thing"]), serde_json::json!([]));
     assert!(refused(&["list", "no such thing"], 2).contains("no such thing"));
 }
@@ -156,6 +160,11 @@ fn an_analysis_is_shown() {
         }
         let text = printed(&["show", id]);
         assert!(text.lines().count() < 1000, "{id}: what is described once is not described again");
+        let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let joined = words(&text);
+        for note in notes(&shown["inputs"]) {
+            assert!(joined.contains(&words(&note)), "{id}: {note}");
+        }
         for answer in shown["answers"].as_array().unwrap() {
             assert!(text.contains(answer["name"].as_str().unwrap()), "{id}: {answer}");
         }
@@ -173,6 +182,19 @@ fn an_analysis_is_shown() {
         refused(&["show", "vibration/rotating-unbalence"], 2)
             .contains("did you mean `vibration/rotating-unbalance`")
     );
+}
+
+/// The help, defaults and datums of inputs, at whatever depth.
+fn notes(json: &Json) -> Vec<String> {
+    match json {
+        Json::Object(object) => {
+            let own = ["help", "default"].iter().filter_map(|key| object.get(*key)?.as_str());
+            let own: Vec<String> = own.filter(|text| !text.is_empty()).map(str::to_owned).collect();
+            own.into_iter().chain(object.values().flat_map(notes)).collect()
+        }
+        Json::Array(all) => all.iter().flat_map(notes).collect(),
+        _ => Vec::new(),
+    }
 }
 
 #[test]

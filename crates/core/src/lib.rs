@@ -31,6 +31,7 @@ pub mod printer;
 mod reading;
 mod record;
 mod reevaluate;
+pub mod search;
 pub mod sensitivity;
 mod sheet;
 pub mod sketch;

@@ -67,7 +67,7 @@ pub(crate) enum Command {
 
 #[derive(Debug, Args)]
 pub(crate) struct List {
-    /// Words to find in id, title, summary or keywords
+    /// Words in any order and either language, of titles, topics, books, cases, inputs and answers
     pub(crate) filter: Vec<String>,
     /// Print JSON
     #[arg(long)]
@@ -159,7 +159,7 @@ pub(crate) enum Format {
 
 #[derive(Debug, Args)]
 pub(crate) struct Verify {
-    /// Words to find in id, title, summary or keywords
+    /// Words in any order and either language, of titles, topics, books, cases, inputs and answers
     pub(crate) filter: Vec<String>,
     /// List the answers that no check covers, each with the reason
     #[arg(long)]
