@@ -39,6 +39,22 @@ fn stderr(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).expect("what is printed is UTF-8")
 }
 
+/// Runs the program with a text on its standard input.
+fn run_with(arguments: &[&str], input: &[u8]) -> Output {
+    let mut child = Command::new(pty::program())
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .env("LC_ALL", "C.UTF-8")
+        .env("XDG_CONFIG_HOME", env!("CARGO_TARGET_TMPDIR"))
+        .spawn()
+        .expect("the program runs");
+    // A program that does not read its input to the end closes it.
+    let _ = child.stdin.take().expect("the input is piped").write_all(input);
+    child.wait_with_output().expect("the program ends")
+}
+
 /// Output of a successful run.
 fn printed(arguments: &[&str]) -> String {
     let output = run(arguments, &[]);
@@ -125,6 +141,10 @@ fn analyses_are_listed() {
     }
     let fans = json(&["list", "--json", "ventilador", "fan"]);
     assert!(fans.as_array().unwrap().iter().any(|json| json["id"] == FAN), "{fans}");
+    // The best match first, with the case that the words speak of.
+    let found = printed(&["list", "struck", "meteorite"]);
+    assert!(found.contains("rigid-body/free-axisymmetric") && found.contains("▸ Satellite"), "{found}");
+    assert_eq!(json(&["list", "--json", "flywheel"])[0]["id"], "virtual-work/flywheel");
     assert_eq!(json(&["list", "--json", "no such thing"]), serde_json::json!([]));
     assert!(refused(&["list", "no such thing"], 2).contains("no such thing"));
 }
@@ -140,6 +160,11 @@ fn an_analysis_is_shown() {
         }
         let text = printed(&["show", id]);
         assert!(text.lines().count() < 1000, "{id}: what is described once is not described again");
+        let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let joined = words(&text);
+        for note in notes(&shown["inputs"]) {
+            assert!(joined.contains(&words(&note)), "{id}: {note}");
+        }
         for answer in shown["answers"].as_array().unwrap() {
             assert!(text.contains(answer["name"].as_str().unwrap()), "{id}: {answer}");
         }
@@ -157,6 +182,19 @@ fn an_analysis_is_shown() {
         refused(&["show", "vibration/rotating-unbalence"], 2)
             .contains("did you mean `vibration/rotating-unbalance`")
     );
+}
+
+/// The help, defaults and datums of inputs, at whatever depth.
+fn notes(json: &Json) -> Vec<String> {
+    match json {
+        Json::Object(object) => {
+            let own = ["help", "default"].iter().filter_map(|key| object.get(*key)?.as_str());
+            let own: Vec<String> = own.filter(|text| !text.is_empty()).map(str::to_owned).collect();
+            own.into_iter().chain(object.values().flat_map(notes)).collect()
+        }
+        Json::Array(all) => all.iter().flat_map(notes).collect(),
+        _ => Vec::new(),
+    }
 }
 
 #[test]
@@ -724,6 +762,75 @@ fn a_comma_before_three_digits_is_refused_with_both_readings() {
     let mass = &solved["inputs"]["mass"];
     assert_eq!((&mass["si"], &mass["text"]), (&1.25.into(), &"1.250 kg".into()));
     assert!(solved["notes"].to_string().contains("1,250 kg: read as 1.250 kg"), "{solved}");
+}
+
+#[test]
+fn a_problem_is_begun_filled_in_and_solved() {
+    let empty = printed(&["new", FAN]);
+    let (folder, path) = file(empty.as_bytes());
+    let error = refused(&["solve", &path], 2);
+    let missing = ["mass", "unbalance", "support.stiffness.stiffness", "damping.ratio.ratio", "speed"];
+    for input in missing {
+        assert!(error.contains(&format!("{input}: a value is needed")), "{input}: {error}");
+    }
+    assert_eq!(error.matches("a value is needed").count(), missing.len(), "{error}");
+    let portuguese = printed(&["new", FAN, "--lang", "pt-BR"]);
+    assert!(portuguese.contains("## Massa da máquina") && portuguese.contains("mass = \"\""), "{portuguese}");
+    // Filled in, it is the case.
+    let filled = folder.path().join("filled.toml");
+    let filled = filled.to_str().unwrap();
+    assert_eq!(printed(&["new", FAN, "--case", "2", "-o", filled]), "");
+    assert_eq!(fs::read_to_string(filled).unwrap(), printed(&["new", FAN, "--case", "2"]));
+    let answers = |solved: Json| solved["answers"].clone();
+    assert_eq!(
+        answers(json(&["solve", filled, "--format", "json"])),
+        answers(json(&["solve", FAN, "--case", "2", "--format", "json"]))
+    );
+    // An existing file is written over only where that is said.
+    assert!(refused(&["new", FAN, "-o", filled], 2).contains("already exists"));
+    printed(&["new", FAN, "-o", filled, "--force"]);
+    assert_eq!(fs::read_to_string(filled).unwrap(), empty);
+    assert!(refused(&["new", FAN, "--case", "99"], 2).contains("has no case 99"));
+    assert!(refused(&["new", "vibration/rotating-unbalence"], 2).contains("did you mean"));
+}
+
+#[test]
+fn a_problem_is_read_from_the_standard_input() {
+    let solved = run_with(&["solve", "-"], PROBLEM.as_bytes());
+    let (_folder, path) = file(PROBLEM.as_bytes());
+    assert_eq!((solved.status.code(), stdout(&solved)), (Some(0), printed(&["solve", &path])));
+    assert_eq!(stdout(&run_with(&["-"], PROBLEM.as_bytes())), printed(&[&path]));
+    for (text, words) in [
+        (PROBLEM.replace("40 kg", "40 s"), "<stdin>:5:"),
+        (PROBLEM.replace("mass =", "mess ="), "<stdin>:5:"),
+        ("analysis = ".to_owned(), "<stdin>:1:"),
+        (String::new(), "<stdin>"),
+    ] {
+        let refused = run_with(&["solve", "-"], text.as_bytes());
+        assert_eq!((refused.status.code(), stdout(&refused)), (Some(2), String::new()));
+        assert!(stderr(&refused).contains(words), "{words}: {}", stderr(&refused));
+    }
+    let refused = run_with(&["solve", "-"], b"\xff\xfe");
+    assert!(stderr(&refused).contains("<stdin> is not UTF-8"), "{}", stderr(&refused));
+    let session = "size 80 24\ntype q\n";
+    let (_folder, path) = file(session.as_bytes());
+    assert_eq!(
+        stderr(&run_with(&["replay", "-", "--headless"], session.as_bytes())),
+        stderr(&run(&["replay", &path, "--headless"], &[]))
+    );
+}
+
+#[test]
+fn a_value_alone_is_set_as_the_only_input_of_an_alternative() {
+    let solve = |damping: &str| run(&["solve", FAN, "--case", "1", "--set", damping], &[]);
+    let full = solve("damping.ratio.ratio=0.05");
+    for damping in ["damping=0.05", "damping.ratio=0.05"] {
+        let solved = solve(damping);
+        assert_eq!(stdout(&solved), stdout(&full), "{damping}");
+        assert!(stderr(&solved).contains("note: damping"), "{}", stderr(&solved));
+    }
+    let error = refused(&["solve", FAN, "--case", "1", "--set", "support.cantilever=1"], 2);
+    assert!(error.contains("name one of them: support.cantilever.length"), "{error}");
 }
 
 #[test]

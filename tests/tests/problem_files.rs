@@ -272,7 +272,7 @@ fn what_was_measured_was_an_alternative_in_earlier_files() {
 #[test]
 fn a_path_of_an_earlier_file_is_read_with_the_unit_it_meant() {
     let shape = find("balancing/field").expect("it is registered").shape();
-    let now = |path: &str, text: &str| file::former_input(&shape, path, text).map(|now| (now.path, now.text));
+    let now = |path: &str, text: &str| file::named_input(&shape, path, text).map(|now| (now.path, now.text));
     let pair = |path: &str, text: &str| Some((path.to_owned(), text.to_owned()));
     let first = "measured.first[1].amplitude";
     assert_eq!(now("measured.velocity.first[1].amplitude", "80"), pair(first, "80 mm/s"));

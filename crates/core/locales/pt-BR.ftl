@@ -75,16 +75,11 @@ one-of-the-alternatives-is-needed-here = aqui é necessária uma das alternativa
 a-list-is-needed-here = aqui é necessária uma lista
 a-table-is-needed-here = aqui é necessária uma tabela
 a-group-of-inputs-is-needed = é necessário um grupo de dados
-a-table-of-inputs-is-needed-here = aqui é necessária uma tabela de dados
-one-value-is-needed-here = aqui é necessário um único valor
 one-alternative-is-needed-here-known = aqui é necessária uma das alternativas: { $known }
-holds-several-inputs-name-one-of-them-as-in-masses-1-radius = contém vários dados; nomeie um deles, como em masses[1].radius
-is-a-list-name-a-row-as-in-masses-1 = é uma lista; nomeie uma linha, como em masses[1]
 is-not-an-input-of-the-problem-with-its-present-options = não é um dado do problema com as opções atuais
 is-not-a-quantity-of-this-problem-so-it-cannot-be-varied = não é uma grandeza deste problema, portanto não pode ser variada
 is-not-a-number-among-the-answers = não é um número entre as respostas
 a-name-is-missing-write-a-path-such-as-masses-1-radius = falta um nome; escreva um caminho como masses[1].radius
-there-is-no-such-field = não há tal campo
 there-are-no-list-to-name = não há { $list } para nomear
 there-are-rows-rows-the-next-is-next = há { $rows } linhas; a próxima é { $next }
 there-is-no-name-did-you-mean-near = não há `{ $name }`; seria `{ $near }`?
@@ -400,3 +395,39 @@ given-value = valor dado
 residual = resíduo
 answer = Resposta
 reached-value = { $reached_value }
+
+## Inputs in words, and the file that a problem begins with
+a-whole-number-from-min = um número inteiro a partir de { $min }
+a-whole-number-from-min-to-max = um número inteiro de { $min } a { $max }
+above-limit = acima de { $limit }
+at-least-limit = no mínimo { $limit }
+at-most-limit = no máximo { $limit }
+below-limit = abaixo de { $limit }
+one-of = uma de
+or-nothing = ou nada
+default-default = padrão { $default }
+the-name-of-one-of-list = o nome de um de { $list }
+these = estes
+words = palavras
+yes-or-no = sim ou não
+rows-at-most-most = linhas, no máximo { $most }
+rows-min-to-most = linhas, de { $min } a { $most }
+len-components-what-written-form = { $len } componentes, { $what }, na forma { $form }
+a-table-as-lines-of-text-under-the-heading-heading-or-as-rows-form-with-the-columns = uma tabela, como linhas de texto sob o cabeçalho "{ $heading }" ou como linhas { $form }, com as colunas
+write-each-value-between-its-quotation-marks-with-its-unit-what-stands-behind-a-single-may-be-left = Escreva cada valor entre as aspas, com a unidade. O que está depois de um único # pode ser omitido.
+let-has-quantities-of-your-own-for-formulas-ask-questions-of-your-own-given-known-answers-from-which = [let] tem grandezas próprias para fórmulas, [ask] perguntas próprias, [given] resultados conhecidos dos quais se obtêm os dados escritos como ?, [show] unidades das respostas.
+a-table-of-inputs-is-needed-here-written-form = aqui é necessária uma tabela de dados, na forma { $form }
+a-list-is-needed-here-written-form = aqui é necessária uma lista, na forma { $form }
+one-value-is-needed-here-written-form = aqui é necessário um único valor, na forma { $form }
+holds-several-inputs-name-one-of-them-known = contém vários dados; nomeie um deles: { $known }
+is-in-a-list-name-a-row-as-in-row = está em uma lista; nomeie uma linha, como em { $row }
+is-a-list-name-a-row-as-in-row = é uma lista; nomeie uma linha, como em { $row }
+there-is-no-such-input-what-it-would-be-part-of-is-one-value = não há tal dado: aquilo de que faria parte é um único valor
+path-text-read-as-full = { $path } = { $text }: lido como { $full }
+default-that-of-the-problem-else-default-or-customary-among-us-customary-units = padrão: a do problema, senão { $default }, ou { $customary } entre unidades inglesas
+
+## Families
+balancing = Balanceamento
+rigid-bodies = Corpos rígidos
+vibration = Vibrações
+virtual-work = Trabalho virtual

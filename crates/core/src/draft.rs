@@ -236,11 +236,22 @@ pub(crate) fn written(shape: &Shape, text: &str, path: &str) -> Result<Draft, Fi
         }
         Shape::Optional(_) if text.trim().is_empty() => Ok(Draft::Absent),
         Shape::Optional(inner) => written(inner(), text, path),
-        Shape::Group(_) | Shape::Rows { .. } => {
-            Err(FieldError::new(path, "holds several inputs; name one of them, as in masses[1].radius"))
-        }
+        Shape::Group(fields) => Err(several(path, fields())),
+        Shape::Rows { item, .. } => match item().present() {
+            Shape::Group(fields) => Err(several(&format!("{path}[1]"), fields())),
+            _ => {
+                let why = Text::new("is a list; name a row, as in {row}").with("row", format!("{path}[1]"));
+                Err(FieldError::new(path, why))
+            }
+        },
         _ => Ok(Draft::Leaf(text.to_owned())),
     }
+}
+
+fn several(path: &str, fields: &[Field]) -> FieldError {
+    let names: Vec<String> = fields.iter().map(|field| format!("{path}.{}", field.name)).collect();
+    let why = Text::new("holds several inputs; name one of them: {known}");
+    FieldError::new(path, why.with("known", names.join(", ")))
 }
 
 /// The fields of a group, with the first alternative where none is chosen.

@@ -9,10 +9,14 @@
 //! mass = "40 kg"
 //! ```
 
+mod choice;
 mod definitions;
 mod format;
 mod former;
-pub use former::{FormerInput, former_input};
+mod rows;
+mod template;
+pub use choice::{NamedInput, named_input};
+pub use template::template;
 
 use std::ops::Range;
 
@@ -20,7 +24,8 @@ use toml_edit::{ArrayOfTables, Document, DocumentMut, InlineTable, Item, Table, 
 
 pub use self::format::Format;
 use crate::{
-    Display, Draft, Entry, Field, FieldError, Shape, Text, draft, find, path, path::Segment, registry, table,
+    Display, Draft, Entry, Field, FieldError, Shape, Text, describe, draft, find, path, path::Segment,
+    registry, table,
 };
 
 /// The keys a problem file may have at the top.
@@ -237,6 +242,13 @@ pub(crate) fn problem_of(
 
 /// Draft of an item of a file, in the shape of the inputs.
 pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut FileNotes) -> Draft {
+    if let Shape::OneOf(variants) = shape
+        && let Some((at, field, value)) = choice::value_alone(item, variants(), path, reading)
+    {
+        let path = format!("{path}.{}.{}", variants()[at].name, field.name);
+        let only = draft_of(value, &field.shape, &path, reading);
+        return Draft::OneOf(at, Box::new(Draft::Group(vec![only])));
+    }
     let mut fail = |why: Text, span: Option<Range<usize>>| {
         reading.errors.push(FileError {
             why: Text::new("{path}: {why}").with("path", path).with_text("why", why),
@@ -248,8 +260,7 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Fil
         Shape::Optional(inner) => draft_of(item, inner(), path, reading),
         Shape::Group(fields) => match item.as_table_like() {
             Some(table) => {
-                let names: Vec<&str> = fields().iter().map(|field| field.name).collect();
-                check_keys(table, &names, &mut reading.errors);
+                check_inputs(table, fields(), &mut reading.errors);
                 let Draft::Group(mut drafts) = Draft::blank(shape) else { return Draft::Absent };
                 for (field, draft) in fields().iter().zip(&mut drafts) {
                     let path = format!("{path}.{}", field.name);
@@ -260,7 +271,10 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Fil
                 }
                 Draft::Group(drafts)
             }
-            None => fail("a table of inputs is needed here".into(), item.span()),
+            None => {
+                let why = Text::new("a table of inputs is needed here, written {form}");
+                fail(why.with("form", describe::form(shape)), item.span())
+            }
         },
         // No alternative is chosen: `Draft::read` asks for one.
         Shape::OneOf(_) if item.as_table_like().is_some_and(TableLike::is_empty) => Draft::Absent,
@@ -272,10 +286,7 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Fil
                     Some((name, fields)) => (name, Some(fields)),
                     None => ("", None),
                 },
-                _ => {
-                    let why = Text::new("one alternative is needed here: {known}");
-                    return fail(why.with("known", names().collect::<Vec<_>>().join(", ")), item.span());
-                }
+                _ => return fail(choice::needed(variants()), item.span()),
             };
             match names().position(|known| known == name) {
                 Some(at) => match fields {
@@ -298,7 +309,7 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Fil
                         .enumerate()
                         .find_map(|(at, variant)| Some((at, former::place(variant.former, name)?, fields?)));
                     let Some((at, place, fields)) = former else {
-                        return fail(path::unknown("", name, names()).why, item.span());
+                        return fail(choice::unknown(name, variants()), item.span());
                     };
                     let group = Shape::Group(variants()[at].fields);
                     let now = format!("{path}.{}", variants()[at].name);
@@ -320,7 +331,10 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Fil
                 Item::ArrayOfTables(tables) => tables.iter().cloned().map(Item::Table).collect(),
                 _ => match item.as_array() {
                     Some(array) => array.iter().cloned().map(Item::Value).collect(),
-                    None => return fail("a list is needed here".into(), item.span()),
+                    None => {
+                        let why = Text::new("a list is needed here, written {form}");
+                        return fail(why.with("form", describe::form(shape)), item.span());
+                    }
                 },
             };
             let rows = rows.iter().enumerate();
@@ -328,7 +342,7 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Fil
                 rows.map(|(n, row)| draft_of(row, inner(), &format!("{path}[{}]", n + 1), reading)).collect(),
             )
         }
-        Shape::Table(columns) => match table_text(item, columns()) {
+        Shape::Table(columns) => match rows::table_text(item, columns()) {
             Ok(text) => {
                 let text = reading
                     .kind
@@ -340,19 +354,31 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Fil
         },
         Shape::Vector(..) => match item.as_value() {
             Some(Toml::Array(components)) => {
-                let text = format!("({})", cells(components));
+                let text = format!("({})", rows::cells(components));
                 Draft::Leaf(format::with_decimal_commas(text, shape, path, reading))
             }
             Some(value) => Draft::Leaf(format::with_decimal_commas(plain(value), shape, path, reading)),
-            None => fail("one value is needed here".into(), item.span()),
+            None => fail(one_value(shape), item.span()),
         },
         _ => match item.as_value() {
             Some(value @ (Toml::String(_) | Toml::Integer(_) | Toml::Float(_) | Toml::Boolean(_))) => {
                 let text = format::with_decimal_commas(plain(value), shape, path, reading);
                 Draft::Leaf(former::with_unit(text, shape, reading.kind))
             }
-            _ => fail("one value is needed here".into(), item.span()),
+            _ => fail(one_value(shape), item.span()),
         },
+    }
+}
+
+fn one_value(shape: &Shape) -> Text {
+    Text::new("one value is needed here, written {form}").with("form", describe::form(shape))
+}
+
+/// Every key is that of an input.
+fn check_inputs(table: &dyn TableLike, fields: &'static [Field], errors: &mut Vec<FileError>) {
+    for (key, item) in table.iter().filter(|(key, _)| !fields.iter().any(|field| field.name == *key)) {
+        let span = table.key(key).and_then(toml_edit::Key::span).or_else(|| item.span());
+        errors.push(FileError { why: path::unknown_input("", key, fields).why, span });
     }
 }
 
@@ -384,47 +410,6 @@ fn plain(value: &Toml) -> String {
         Toml::String(text) => text.value().clone(),
         other => other.clone().decorated("", "").to_string(),
     }
-}
-
-fn cells(array: &toml_edit::Array) -> String {
-    array.iter().map(plain).collect::<Vec<_>>().join("; ")
-}
-
-/// A table as a user types it, of a text, a list of lists, or a list of tables with the names of the columns.
-fn table_text(item: &Item, columns: &'static [Field]) -> Result<String, (Text, Option<Range<usize>>)> {
-    let named = |row: &dyn TableLike, span: Option<Range<usize>>| {
-        let names = columns.iter().map(|column| column.name);
-        if let Some((key, _)) = row.iter().find(|(key, _)| !columns.iter().any(|column| column.name == *key))
-        {
-            return Err((path::unknown("", key, names).why, span));
-        }
-        let cell = |column: &Field| match row.get(column.name).and_then(Item::as_value) {
-            Some(value) => Ok(plain(value)),
-            None => {
-                let why =
-                    Text::new("this row has no {column}; a row has {columns}").with("column", column.name);
-                Err((why.with("columns", names.clone().collect::<Vec<_>>().join(", ")), span.clone()))
-            }
-        };
-        Ok(columns.iter().map(cell).collect::<Result<Vec<_>, _>>()?.join("; "))
-    };
-    let rows: Result<Vec<String>, _> = match item {
-        Item::ArrayOfTables(rows) => rows.iter().map(|row| named(row, row.span())).collect(),
-        Item::Value(Toml::Array(rows)) => {
-            let row = |row: &Toml| match row {
-                Toml::Array(row) => Ok(cells(row)),
-                Toml::InlineTable(row) => named(row, row.span()),
-                other => Ok(plain(other)),
-            };
-            rows.iter().map(row).collect()
-        }
-        Item::Value(value @ (Toml::InlineTable(_) | Toml::Datetime(_))) => {
-            return Err((table::how_to_write(columns), value.span()));
-        }
-        Item::Value(value) => return Ok(plain(value)),
-        _ => return Err((table::how_to_write(columns), item.span())),
-    };
-    Ok(rows?.join("\n"))
 }
 
 fn set_text(table: &mut dyn TableLike, key: &str, text: &str) {

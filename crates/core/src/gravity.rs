@@ -137,7 +137,7 @@ fn is_customary(text: &str, shape: &Shape, measure: &Measure) -> Option<bool> {
 }
 
 /// A default, along an axis or not, in US customary units.
-fn in_feet(default: &str) -> String {
+pub(crate) fn in_feet(default: &str) -> String {
     default.replace("9.81", "32.2").replace("m/s^2", "ft/s^2")
 }
 

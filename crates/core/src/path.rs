@@ -1,9 +1,11 @@
 //! Paths of fields as text: `supports[2].cantilever.length`. Rows count from 1, as in `m₁`.
 
-use crate::{FieldError, Shape, Text};
+use crate::{ChildList, Field, FieldError, Shape, Text, ascii};
 
 /// The most names that an error lists.
 const MOST_KNOWN: usize = 40;
+/// The most inputs that an error offers for a name.
+const MOST_NEAR: usize = 3;
 /// The longest name that is compared with others, or repeated in full in an error.
 const LONGEST_NAME: usize = 100;
 
@@ -75,7 +77,7 @@ pub(crate) fn step(shape: &Shape, segment: &Segment, path: &str) -> Result<(usiz
         (Shape::Group(fields), Segment::Name(name)) => {
             let fields = fields();
             let at = fields.iter().position(|field| field.name == name);
-            let at = at.ok_or_else(|| unknown(path, name, fields.iter().map(|field| field.name)))?;
+            let at = at.ok_or_else(|| unknown_input(path, name, fields))?;
             Ok((at, fields[at].shape))
         }
         (Shape::OneOf(variants), Segment::Name(name)) => {
@@ -85,10 +87,11 @@ pub(crate) fn step(shape: &Shape, segment: &Segment, path: &str) -> Result<(usiz
             Ok((at, Shape::Group(variants[at].fields)))
         }
         (Shape::Rows { item, .. }, Segment::Row(row)) => Ok((*row, *item())),
-        (Shape::Rows { .. }, Segment::Name(_)) => {
-            Err(FieldError::new(path, "is a list; name a row, as in masses[1]"))
+        (Shape::Rows { .. }, Segment::Name(name)) => {
+            let row = path.replacen(&format!(".{name}"), &format!("[1].{name}"), 1);
+            Err(FieldError::new(path, Text::new("is in a list; name a row, as in {row}").with("row", row)))
         }
-        _ => Err(FieldError::new(path, "there is no such field")),
+        _ => Err(FieldError::new(path, "there is no such input: what it would be part of is one value")),
     }
 }
 
@@ -107,6 +110,55 @@ pub(crate) fn unknown<'k>(path: &str, name: &str, known: impl Iterator<Item = &'
         }
     };
     FieldError::new(path, why)
+}
+
+/// The error of a name that is no input among `fields`: with the nearest of them, or those of that symbol, or those of that
+/// name in a group or an alternative.
+pub(crate) fn unknown_input(path: &str, name: &str, fields: &'static [Field]) -> FieldError {
+    let names = || fields.iter().map(|field| field.name);
+    if nearest(name, names()).is_some() || name.len() > LONGEST_NAME {
+        return unknown(path, name, names());
+    }
+    let mut found = Vec::new();
+    meant(name, fields, "", &mut Vec::new(), &mut found);
+    found.truncate(MOST_NEAR);
+    if found.is_empty() {
+        return unknown(path, name, names());
+    }
+    let why = Text::new("there is no `{name}`; did you mean `{near}`?").with("name", name);
+    FieldError::new(path, why.with("near", found.join("`, `")))
+}
+
+/// Paths of the inputs that have a name or a symbol, those of the nearest level first in each branch.
+fn meant(
+    name: &str,
+    fields: &'static [Field],
+    above: &str,
+    seen: &mut Vec<ChildList>,
+    found: &mut Vec<String>,
+) {
+    let plain = |text: &str| ascii(text).replace(['_', ' '], "");
+    let is_meant = |field: &&Field| {
+        field.name == name || (!field.symbol.is_empty() && plain(field.symbol) == plain(name))
+    };
+    found.extend(fields.iter().filter(is_meant).map(|field| format!("{above}{}", field.name)));
+    for field in fields {
+        let (mut shape, mut path) = (field.shape.present(), format!("{above}{}", field.name));
+        while let Shape::Rows { item, .. } = shape {
+            (shape, path) = (item().present(), format!("{path}[1]"));
+        }
+        let Some(list) = shape.child_list().filter(|list| !seen.contains(list)) else { continue };
+        seen.push(list);
+        match shape {
+            Shape::Group(fields) => meant(name, fields(), &format!("{path}."), seen, found),
+            Shape::OneOf(variants) => {
+                for variant in variants() {
+                    meant(name, (variant.fields)(), &format!("{path}.{}.", variant.name), seen, found);
+                }
+            }
+            _ => {}
+        }
+    }
 }
 
 /// Returns true if a path is equal to another or within it: `force.x` is within `force`.
@@ -129,7 +181,7 @@ pub fn nearest<'k>(name: &str, known: impl Iterator<Item = &'k str>) -> Option<&
 }
 
 /// A name as an error repeats it.
-fn shortened(name: &str) -> String {
+pub(crate) fn shortened(name: &str) -> String {
     match name.char_indices().nth(LONGEST_NAME) {
         Some((end, _)) => format!("{}…", &name[..end]),
         None => name.to_owned(),

@@ -27,14 +27,6 @@ pub fn heading(columns: &'static [Field]) -> String {
     columns.iter().map(one).collect::<Vec<_>>().join("; ")
 }
 
-/// Explanation of the format of a table.
-pub(crate) fn how_to_write(columns: &'static [Field]) -> Text {
-    let row = columns.iter().map(|column| format!("{} = …", column.name)).collect::<Vec<_>>().join(", ");
-    Text::new("write a table as lines of text with the heading \"{heading}\", or as a list of rows {row}")
-        .with("heading", heading(columns))
-        .with("row", format!("{{ {row} }}"))
-}
-
 /// The text of a table with the units of its columns above the first row, where it has numbers alone in a column whose
 /// unit was another before, and these units.
 pub(crate) fn with_units_of_before(text: &str, columns: &'static [Field]) -> Option<(String, String)> {

@@ -10,7 +10,6 @@ open-the-file-read-only = Abrir o arquivo só para leitura
 replay-a-recorded-or-written-session-of-the-workbench = Reproduzir uma sessão gravada ou escrita da bancada
 replay-at-once-without-a-terminal-and-print-the-marked-screens-or-the-last-one = Reproduzir de uma vez, sem terminal, e escrever as telas marcadas, ou a última
 speed-factor-relative-to-the-typing-speed = Fator de velocidade em relação à digitação
-session-file-as-written-by-record = Arquivo da sessão, como gravado por --record
 write-the-marked-screens-as-svg-to-this-folder-instead-of-printing-them = Gravar as telas marcadas como SVG nesta pasta em vez de escrevê-las
 record-the-session-to-a-new-file-for-dalembert-replay = Gravar a sessão em um novo arquivo, para `dalembert replay`
 no-terminal-to-replay-in-use-headless = não há terminal para a reprodução; use --headless
@@ -24,7 +23,6 @@ unit-of-an-answer-amplitude-um = Unidade de uma resposta: amplitude=um
 number-of-significant-digits = Número de algarismos significativos
 show-the-inputs-and-answers-of-an-analysis = Mostrar os dados e as respostas de uma análise
 solve-a-problem-and-print-its-worked-solution = Resolver um problema e imprimir a solução passo a passo
-the-id-of-an-analysis-or-a-problem-file = O id de uma análise, ou um arquivo de problema
 the-id-of-an-analysis-such-as-vibration-rotating-unbalance = O id de uma análise, como vibration/rotating-unbalance
 language-of-the-output = Língua da saída
 the-shell = O shell
@@ -32,31 +30,16 @@ subcommand-default-the-whole-program = Subcomando; padrão: o programa todo
 the-table-to-print-as-csv-answers-inputs-steps-checks-table-1-plot-1 = A tabela a imprimir como CSV: answers, inputs, steps, checks, table-1, plot-1
 output-format-default-by-the-file-extension-otherwise-text = Formato da saída; padrão: pela extensão do arquivo, senão texto
 without-arguments-the-workbench-in-a-terminal-a-worked-problem-elsewhere-exit-status-0-solved-1 = Sem argumentos: a bancada em um terminal, um problema resolvido fora dele. Código de saída: 0 resolvido; 1 recusado, ou uma verificação falhou; 2 entrada ou uso errado.
-words-to-find-in-id-title-summary-or-keywords = Palavras a procurar no id, título, resumo ou palavras-chave
 
 ## Descriptions of analyses
-a-whole-number-from-min = um número inteiro a partir de { $min }
-a-whole-number-from-min-to-max = um número inteiro de { $min } a { $max }
-above-limit = acima de { $limit }
-at-least-limit = no mínimo { $limit }
-at-most-limit = no máximo { $limit }
-below-limit = abaixo de { $limit }
 cases = Casos
 closed-form = forma fechada
 inputs = Dados de entrada
-len-components-what = { $len } componentes, { $what }
-one-of = uma de
-or-nothing = ou nada
 other-program = outro programa
 otherwise-default = senão { $default }
-default-default = padrão { $default }
 own-earlier-value = valor próprio anterior
 published = publicado
-the-name-of-one-of-list = o nome de um de { $list }
 as-in-field = como em { $field }
-these = estes
-words = palavras
-yes-or-no = sim ou não
 
 ## Verdicts
 agreed = confere
@@ -119,7 +102,6 @@ ignored-settings = configurações ignoradas
 ignored-exercises = exercícios ignorados
 file-already-exists-and-is-never-overwritten-by-a-recording-choose-another-name-or-delete-it = { $file } já existe, e uma gravação nunca o sobrescreve: escolha outro nome, ou apague-o
 file-cannot-be-recorded-folder-not-found = { $file } não pode ser gravado: pasta não encontrada
-a-table-as-lines-of-numbers-under-the-heading-heading-with-the-columns = uma tabela, como linhas de números sob o cabeçalho "{ $heading }", com as colunas
 start-from-the-inputs-of-this-published-case-counted-from-1-without-it-set-starts-from-empty-inputs = Partir dos dados deste caso publicado, contado a partir de 1; sem isso, --set parte de dados vazios, e um id sozinho resolve o caso 1
 write-to-a-new-file-markdown-and-typst-write-their-figures-beside-it = Gravar em um arquivo novo; Markdown e Typst gravam as figuras ao lado dele
 overwrite-existing-files-never-a-problem-file = Sobrescrever arquivos existentes; nunca um arquivo de problema
@@ -130,8 +112,6 @@ file-is-the-problem-itself-write-its-solution-to-another-file = { $file } é o p
 file-is-a-problem-file-write-the-solution-to-another-file = { $file } é um arquivo de problema: grave a solução em outro arquivo
 file-already-exists-choose-another-name-or-use-force-to-overwrite = { $file } já existe: escolha outro nome, ou use --force para sobrescrever
 inputs-that-are-not-set-stay-empty-case-1-starts-from-the-first-published-case = dados não definidos ficam vazios; --case 1 parte do primeiro caso publicado
-rows-at-most-most = linhas, no máximo { $most }
-rows-min-to-most = linhas, de { $min } a { $most }
 check-failed-what-relative-difference-residual-limit-limit = verificação falhou: { $what }: diferença relativa { $residual }, limite { $limit }
 fault-of-the-program-what = defeito do programa: { $what }
 internal-error-what = erro interno do programa: { $what }
@@ -155,3 +135,12 @@ write-a-name-and-a-formula-as-in-ask-peak-to-peak-2-x = escreva um nome e uma f�
 write-an-answer-and-its-value-as-in-given-natural-frequency-8-2-hz = escreva um resultado e seu valor, como em --given 'natural_frequency=8.2 Hz'
 write-a-name-and-a-formula-as-in-let-nu-0-3 = escreva um nome e uma fórmula, como em --let nu=0.3
 flag-text-why = { $flag } { $text }: { $why }
+begin-a-problem-file-with-comments-on-every-input = Iniciar um arquivo de problema, com comentários sobre cada dado
+fill-in-the-inputs-of-this-published-case-counted-from-1-without-it-the-values-are-left-empty = Preencher com os dados deste caso publicado, contado a partir de 1; sem isso os valores ficam vazios
+write-to-a-new-file = Escrever em um arquivo novo
+overwrite-an-existing-file = Sobrescrever um arquivo existente
+session-file-as-written-by-record-reads-the-standard-input = Arquivo de sessão, como --record o escreve; - lê a entrada padrão
+the-id-of-an-analysis-or-a-problem-file-reads-the-standard-input = O id de uma análise, ou um arquivo de problema; - lê a entrada padrão
+the-workbench-reads-its-keys-from-standard-input-name-a-file-or-use-dalembert-solve = a bancada lê as teclas da entrada padrão: informe um arquivo, ou use `dalembert solve -`
+dalembert-new-id-writes-a-file-in-which-these-inputs-are-to-be-filled-in = `dalembert new { $id }` escreve um arquivo em que estes dados são preenchidos.
+words-in-any-order-and-either-language-of-titles-topics-books-cases-inputs-and-answers = Palavras em qualquer ordem e em qualquer das línguas, de títulos, temas, livros, casos, dados e respostas

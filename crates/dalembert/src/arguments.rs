@@ -45,6 +45,8 @@ pub(crate) enum Command {
     List(List),
     /// Show the inputs and answers of an analysis
     Show(Show),
+    /// Begin a problem file, with comments on every input
+    New(New),
     /// Solve a problem and print its worked solution
     Solve(Solve),
     /// Check all published answers
@@ -65,7 +67,7 @@ pub(crate) enum Command {
 
 #[derive(Debug, Args)]
 pub(crate) struct List {
-    /// Words to find in id, title, summary or keywords
+    /// Words in any order and either language, of titles, topics, books, cases, inputs and answers
     pub(crate) filter: Vec<String>,
     /// Print JSON
     #[arg(long)]
@@ -82,9 +84,24 @@ pub(crate) struct Show {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct New {
+    /// The id of an analysis, such as vibration/rotating-unbalance
+    pub(crate) id: String,
+    /// Fill in the inputs of this published case, counted from 1; without it the values are left empty
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) case: Option<u32>,
+    /// Write to a new file
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+    /// Overwrite an existing file
+    #[arg(long, requires = "output")]
+    pub(crate) force: bool,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct Solve {
-    /// The id of an analysis, or a problem file
-    #[arg(value_name = "ID|FILE")]
+    /// The id of an analysis, or a problem file; - reads the standard input
+    #[arg(value_name = "ID|FILE|-")]
     pub(crate) problem: String,
     /// Start from the inputs of this published case, counted from 1; without it, --set starts from empty
     /// inputs, and an id alone solves case 1
@@ -146,7 +163,7 @@ pub(crate) enum Format {
 
 #[derive(Debug, Args)]
 pub(crate) struct Verify {
-    /// Words to find in id, title, summary or keywords
+    /// Words in any order and either language, of titles, topics, books, cases, inputs and answers
     pub(crate) filter: Vec<String>,
     /// List the answers that no check covers, each with the reason
     #[arg(long)]
@@ -164,8 +181,8 @@ pub(crate) struct Schema {
 
 #[derive(Debug, Args)]
 pub(crate) struct Replay {
-    /// Session file, as written by --record
-    pub(crate) file: PathBuf,
+    /// Session file, as written by --record; - reads the standard input
+    pub(crate) file: String,
     /// Speed factor relative to the typing speed
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = speed)]
     pub(crate) speed: f64,

@@ -4,6 +4,7 @@ pub(crate) mod completions;
 pub(crate) mod info;
 pub(crate) mod list;
 pub(crate) mod man;
+pub(crate) mod new;
 pub(crate) mod replay;
 pub(crate) mod schema;
 pub(crate) mod settings;

@@ -71,6 +71,7 @@ fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<ExitCode, F
         None => commands::workbench::run(arguments, set, console),
         Some(Command::List(list)) => commands::list::run(list, console),
         Some(Command::Show(show)) => commands::show::run(show, console),
+        Some(Command::New(new)) => commands::new::run(new, console),
         Some(Command::Solve(solve)) => commands::solve::run(solve, console),
         Some(Command::Verify(verify)) => commands::verify::run(verify, console),
         Some(Command::Schema(schema)) => commands::schema::run(schema, console),

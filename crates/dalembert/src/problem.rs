@@ -1,6 +1,6 @@
 //! The problem that the command line names: an analysis with the inputs of a case, or a file.
 
-use std::path::Path;
+use std::{io, path::Path};
 
 use dalembert_core::{
     Draft, Entry, FieldError, Record, Shape, Text,
@@ -10,6 +10,9 @@ use dalembert_core::{
 use dalembert_tui::files::{self, FileError};
 
 use crate::{console::Console, failure::Failure, snippet};
+
+/// The name that stands for the standard input.
+const STDIN: &str = "-";
 
 /// The longest value that an error repeats in full, in characters.
 const LONGEST_VALUE: usize = 60;
@@ -43,7 +46,7 @@ pub(crate) fn analysis(id: &str) -> Result<&'static Entry, Failure> {
 /// Source of a problem: file or analysis, case and changes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ProblemSource<'a> {
-    /// The id of an analysis or the path of a file.
+    /// The id of an analysis, the path of a file, or `-` for the standard input.
     pub(crate) named: &'a str,
     /// The published case to begin with.
     pub(crate) case: Option<u32>,
@@ -72,7 +75,8 @@ pub(crate) fn read(asked: &ProblemSource<'_>, console: &Console) -> Result<Loade
             if asked.case.is_some() {
                 return Err(Failure::input("a problem file has no cases; leave out --case"));
             }
-            of_file(path, asked, console)
+            let text = text_of(named)?;
+            of_file(shown_path(named), &text, asked, console)
         }
     }
 }
@@ -135,7 +139,8 @@ fn of_analysis(
     }
 }
 
-fn case(entry: &Entry, number: u32) -> Result<Case, Failure> {
+/// The published case of a number, counted from 1.
+pub(crate) fn case(entry: &Entry, number: u32) -> Result<Case, Failure> {
     let cases = cases::cases(entry)
         .map_err(|why| Failure::Fault(format!("the cases of {}: {why}", entry.about.id)))?;
     let have = cases.len();
@@ -145,11 +150,34 @@ fn case(entry: &Entry, number: u32) -> Result<Case, Failure> {
     })
 }
 
-fn of_file(path: &Path, asked: &ProblemSource<'_>, console: &Console) -> Result<LoadedProblem, Failure> {
-    let text = files::read(path)?.text;
-    let problem = file::parse(&text).map_err(|errors| {
+/// The text of a file, or of the standard input.
+pub(crate) fn text_of(named: &str) -> Result<String, Failure> {
+    let opened = match named {
+        STDIN => files::read_from(io::stdin().lock(), shown_path(named)),
+        path => files::read(Path::new(path)),
+    };
+    Ok(opened?.text)
+}
+
+/// The path of a file as messages name it.
+fn shown_path(named: &str) -> &Path {
+    Path::new(if named == STDIN { "<stdin>" } else { named })
+}
+
+/// Returns true if a name stands for the standard input.
+pub(crate) fn is_standard_input(named: &str) -> bool {
+    named == STDIN
+}
+
+fn of_file(
+    path: &Path,
+    text: &str,
+    asked: &ProblemSource<'_>,
+    console: &Console,
+) -> Result<LoadedProblem, Failure> {
+    let problem = file::parse(text).map_err(|errors| {
         let places = errors.into_iter().map(|err| (err.why, err.span)).collect::<Vec<_>>();
-        Failure::InFile(snippet::show(path, &text, &places, console))
+        Failure::InFile(snippet::show(path, text, &places, console))
     })?;
     let shape = problem.entry.shape();
     let mut draft = problem.draft;
@@ -171,7 +199,7 @@ fn of_file(path: &Path, asked: &ProblemSource<'_>, console: &Console) -> Result<
     let (set, in_file): (Vec<&FieldError>, Vec<&FieldError>) = errors.iter().partition(|err| is_set(err));
     if !in_file.is_empty() {
         let typed = |err: &FieldError| typed(&draft, &shape, &err.path);
-        return Err(Failure::InFile(snippet::show_fields(path, &text, &in_file, &typed, console)));
+        return Err(Failure::InFile(snippet::show_fields(path, text, &in_file, &typed, console)));
     }
     match record {
         Ok(record) if set.is_empty() => Ok(LoadedProblem {
@@ -235,11 +263,11 @@ fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: 
             );
             continue;
         };
-        let former = file::former_input(shape, path.trim(), value);
-        if let Some(former) = &former {
-            console.notify("note: {words}", &former.note);
+        let named = file::named_input(shape, path.trim(), value);
+        if let Some(named) = &named {
+            console.notify("note: {words}", &named.note);
         }
-        let (path, value) = former.as_ref().map_or((path.trim(), value), |now| (&now.path, &now.text));
+        let (path, value) = named.as_ref().map_or((path.trim(), value), |now| (&now.path, &now.text));
         match from_file(draft, shape, path, value) {
             Ok(text) => {
                 let before = draft.clone();

@@ -24,10 +24,6 @@ choose-one = Escolha
 save-as = Salvar como
 file-to-open = Arquivo a abrir
 title-of-the-problem = Título do problema
-balancing = Balanceamento
-rigid-bodies = Corpos rígidos
-vibration = Vibrações
-virtual-work = Trabalho virtual
 
 # Ações
 open = abrir

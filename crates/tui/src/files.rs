@@ -209,6 +209,20 @@ pub fn read(path: &Path) -> Result<Opened, FileError> {
     if let Ok(target) = fs::canonicalize(path) {
         remove_leftovers(save::folder_of(&target));
     }
+    opened(path, bytes)
+}
+
+/// Reads a stream of UTF-8 text of at most [`LARGEST`] bytes to its end; messages call it `name`.
+pub fn read_from(stream: impl Read, name: &Path) -> Result<Opened, FileError> {
+    let mut bytes = Vec::new();
+    stream.take(LARGEST + 1).read_to_end(&mut bytes).map_err(failed("read", name))?;
+    if bytes.len() as u64 > LARGEST {
+        return Err(FileError::TooLarge(name.to_owned()));
+    }
+    opened(name, bytes)
+}
+
+fn opened(path: &Path, bytes: Vec<u8>) -> Result<Opened, FileError> {
     let fingerprint = Fingerprint::of(&bytes);
     let text = String::from_utf8(bytes).map_err(|error| {
         let byte = error.utf8_error().valid_up_to();

@@ -1,7 +1,5 @@
 //! The list of analyses: what can be picked, as a tree of families and topics, or as what a filter leaves of it.
 
-mod filter;
-
 use std::{
     cell::{OnceCell, RefCell},
     collections::BTreeSet,
@@ -11,10 +9,10 @@ use dalembert_core::{
     Entry, Locale, Solution, Text,
     cases::{self, Case},
     exercises::{Exercise, Exercises},
+    search::{self, Found, Index},
 };
 use tui_input::Input;
 
-use self::filter::Index;
 use crate::{
     remembered::{Progress, Remembered},
     solver::CheckedCase,
@@ -52,7 +50,7 @@ pub struct Picker {
     /// The headings that were opened, or folded, by hand.
     pub turned: BTreeSet<Heading>,
     /// The filter that was searched for last, and what it found: the rows are asked for several times at each key.
-    found: RefCell<(String, Vec<(usize, Option<usize>)>)>,
+    found: RefCell<(String, Vec<Found>)>,
 }
 
 /// A row of the list.
@@ -134,6 +132,10 @@ impl Listing {
         Text::from(self.entry.about.title).render(&locale.at(self.entry.about.id))
     }
 
+    fn index(&self) -> &Index {
+        self.index.get_or_init(|| Index::of(self.entry, self.cases()))
+    }
+
     fn topic(&self) -> Heading {
         Heading::Topic(self.entry.family(), self.entry.about.topic)
     }
@@ -148,9 +150,11 @@ impl Picker {
         }
         let mut found = self.found.borrow_mut();
         if found.0 != filter {
-            *found = (filter.to_owned(), filter::find(of.listings, filter));
+            let indices: Vec<&Index> = of.listings.iter().map(Listing::index).collect();
+            *found = (filter.to_owned(), search::find(&indices, filter));
         }
-        found.1.iter().map(|&(listing, case)| Row::Leaf(Leaf { under: None, listing, case })).collect()
+        let leaf = |found: &Found| Leaf { under: None, listing: found.place, case: found.case };
+        found.1.iter().map(|found| Row::Leaf(leaf(found))).collect()
     }
 
     /// The chosen row.
@@ -315,7 +319,7 @@ impl<'m> Contents<'m> {
             Heading::Set(set) => {
                 self.sets.get(set).map_or_else(String::new, |set| set.title(self.locale.language).to_owned())
             }
-            Heading::Family(family) => self::family(family).render(self.locale),
+            Heading::Family(family) => search::family(family).render(self.locale),
             Heading::Topic(_, topic) => Text::from(topic).render(self.locale),
         }
     }
@@ -349,15 +353,4 @@ impl Row {
     pub fn depth(self) -> usize {
         std::iter::successors(self.under(), |heading| heading.under()).count()
     }
-}
-
-/// The name of a family for people.
-pub fn family(id: &str) -> Text {
-    Text::from(match id {
-        "balancing" => "Balancing",
-        "rigid-body" => "Rigid bodies",
-        "vibration" => "Vibration",
-        "virtual-work" => "Virtual work",
-        _ => return Text::new(id.to_owned()),
-    })
 }

@@ -4,7 +4,7 @@
 use dalembert_units as units;
 use toml_edit::{InlineTable, Item, Table, Value as Toml};
 
-use super::{FileNotes, draft_of as read};
+use super::{FileNotes, NamedInput, draft_of as read};
 use crate::{
     Draft, Field, Shape, Text, Variant,
     path::{Segment, segments, step},
@@ -46,19 +46,8 @@ fn note(was: &str, now: &str) -> Text {
     note.with("was", was).with("now", now)
 }
 
-/// An input that is named through a former alternative, as it is named today.
-#[derive(Clone, Debug)]
-pub struct FormerInput {
-    /// Today's path.
-    pub path: String,
-    /// The text; a number alone has the unit that it had there.
-    pub text: String,
-    /// The note for the user.
-    pub note: Text,
-}
-
 /// Today's path and text of an input that is named through a former alternative; `None` if the path has none.
-pub fn former_input(shape: &Shape, path: &str, text: &str) -> Option<FormerInput> {
+pub(super) fn former_input(shape: &Shape, path: &str, text: &str) -> Option<NamedInput> {
     let (mut shape, mut former, mut kind) = (*shape, &[][..], None);
     let mut now = String::new();
     for mut segment in segments(path).ok()? {
@@ -88,7 +77,7 @@ pub fn former_input(shape: &Shape, path: &str, text: &str) -> Option<FormerInput
     }
     kind?;
     let text = with_unit(text.to_owned(), &shape.present(), kind);
-    Some(FormerInput { note: note(path, &now), path: now, text })
+    Some(NamedInput { note: note(path, &now), path: now, text })
 }
 
 /// A number alone in a former alternative, with the unit that it had there.

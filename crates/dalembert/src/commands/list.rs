@@ -2,7 +2,12 @@
 
 use std::process::ExitCode;
 
-use dalembert_core::{Entry, Locale, Text, cases, registry};
+use dalembert_core::{
+    Entry, Locale, Text,
+    cases::{self, Case},
+    registry,
+    search::{self, Found, Index},
+};
 use dalembert_report::{Block, Document, NamedValue};
 use serde_json::{Value as Json, json};
 
@@ -12,11 +17,11 @@ use crate::{
     failure::Failure,
 };
 
-/// Lists the analyses by family.
+/// Lists the analyses by family, or those that a search leaves, the best match first.
 pub(crate) fn run(list: &List, console: &Console) -> Result<ExitCode, Failure> {
     let found = matching(&list.filter);
     if list.json {
-        print_json(&found.iter().map(|entry| described(entry, &console.locale)).collect())?;
+        print_json(&found.iter().map(|found| described(found.entry, &console.locale)).collect())?;
         return Ok(ExitCode::SUCCESS);
     }
     if found.is_empty() {
@@ -24,35 +29,65 @@ pub(crate) fn run(list: &List, console: &Console) -> Result<ExitCode, Failure> {
         return Err(Failure::input(why.with("filter", list.filter.join(" "))));
     }
     let mut blocks = Vec::new();
-    for family in found.chunk_by(|a, b| a.family() == b.family()) {
-        blocks.push(Block::Heading(family[0].family().to_owned()));
-        let line = |entry: &&'static Entry| NamedValue {
-            label: entry.about.id.to_owned(),
-            value: Text::from(entry.about.title).render(&console.locale),
-            ..NamedValue::default()
-        };
-        blocks.push(Block::Lines(family.iter().map(line).collect()));
+    if list.filter.is_empty() {
+        for family in found.chunk_by(|a, b| a.entry.family() == b.entry.family()) {
+            blocks.push(Block::Heading(family[0].entry.family().to_owned()));
+            blocks.push(Block::Lines(family.iter().map(|found| found.line(&console.locale)).collect()));
+        }
+    } else {
+        blocks.push(Block::Lines(found.iter().map(|found| found.line(&console.locale)).collect()));
     }
     console.print(Document { title: String::new(), blocks })?;
     Ok(ExitCode::SUCCESS)
 }
 
-/// The analyses in which every word is found: in the id, the keywords, or title and summary in either language.
-pub(crate) fn matching(filter: &[String]) -> Vec<&'static Entry> {
-    let words: Vec<String> =
-        filter.iter().flat_map(|words| words.split_whitespace()).map(str::to_lowercase).collect();
-    let holds = |entry: &&&'static Entry| {
-        let about = entry.about;
-        let reported = |locale: Locale| {
-            let say = |words: &'static str| Text::from(words).render(&locale.at(about.id));
-            format!("{} {}", say(about.title), say(about.summary))
+/// An analysis that a search leaves, and the case that the words speak of.
+struct Match {
+    entry: &'static Entry,
+    case: Option<Case>,
+}
+
+impl Match {
+    fn line(&self, locale: &Locale) -> NamedValue {
+        let about = self.entry.about;
+        let locale = &locale.at(about.id);
+        let title = Text::from(about.title).render(locale);
+        let value = match &self.case {
+            Some(case) => format!("{title} ▸ {}", case.title().render(locale)),
+            None => title,
         };
-        let text = [about.id, about.keywords, &reported(Locale::english()), &reported(Locale::portuguese())]
-            .join(" ")
-            .to_lowercase();
-        words.iter().all(|word| text.contains(word.as_str()))
+        NamedValue { label: about.id.to_owned(), value, ..NamedValue::default() }
+    }
+}
+
+/// The analyses of a search, the best match first; all without words.
+fn matching(filter: &[String]) -> Vec<Match> {
+    searched(filter, search::find)
+}
+
+/// The analyses in which every word is found, in the order of their ids.
+pub(crate) fn with_words(filter: &[String]) -> Vec<&'static Entry> {
+    let mut found: Vec<&'static Entry> =
+        searched(filter, search::find_words).into_iter().map(|found| found.entry).collect();
+    found.sort_by_key(|entry| entry.about.id);
+    found
+}
+
+fn searched(filter: &[String], find: fn(&[&Index], &str) -> Vec<Found>) -> Vec<Match> {
+    let filter = filter.join(" ");
+    if filter.trim().is_empty() {
+        return registry().iter().map(|&entry| Match { entry, case: None }).collect();
+    }
+    let mut cases: Vec<Vec<Case>> =
+        registry().iter().map(|entry| cases::cases(entry).unwrap_or_default()).collect();
+    let indices: Vec<Index> =
+        registry().iter().zip(&cases).map(|(entry, cases)| Index::of(entry, cases)).collect();
+    let found = find(&indices.iter().collect::<Vec<_>>(), &filter);
+    let matched = |found: Found| Match {
+        entry: registry()[found.place],
+        case: found.case.map(|case| cases[found.place].swap_remove(case)),
     };
-    registry().iter().filter(holds).copied().collect()
+    found.into_iter().map(matched).collect()
 }
 
 fn described(entry: &Entry, locale: &Locale) -> Json {

@@ -20,13 +20,14 @@ use crate::{
     arguments::Replay,
     console::{Console, print},
     failure::Failure,
+    problem,
 };
 
 /// Plays a session, in the terminal or without one.
 pub(crate) fn run(asked: &Replay, set: Set, console: &Console) -> Result<ExitCode, Failure> {
-    let text = files::read(&asked.file)?.text;
+    let text = problem::text_of(&asked.file)?;
     let session = Session::read(&text).map_err(|err| Failure::input(err.text()))?;
-    let folder = asked.file.parent().unwrap_or(Path::new(""));
+    let folder = Path::new(&asked.file).parent().unwrap_or(Path::new(""));
     if asked.headless {
         let played = match replay::play(&session, folder) {
             Err(replay::ReplayFailure::NotSeen { line, text, screen }) => {

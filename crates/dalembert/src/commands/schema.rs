@@ -115,9 +115,13 @@ impl Writer<'_> {
                 json!({ "type": ["integer", "string"], "minimum": min, "maximum": max, "pattern": "^ *[0-9]+ *$" })
             }
             Shape::Reference(_) => json!({ "type": ["string", "integer"] }),
-            Shape::Table(_) => json!({
+            Shape::Table(columns) => json!({
                 "type": ["string", "array"],
-                "items": { "type": "array", "items": { "type": ["string", "number"] } },
+                "items": { "anyOf": [
+                    { "type": "array", "items": { "type": ["string", "number"] } },
+                    { "type": ["string", "number"] },
+                    self.group(columns()),
+                ] },
             }),
             Shape::Group(fields) => self.defined(shape, name, |writer| writer.group(fields())),
             Shape::OneOf(variants) => self.defined(shape, name, |writer| writer.one_of(variants())),
@@ -129,7 +133,8 @@ impl Writer<'_> {
         }
     }
 
-    /// An alternative is a table with its name, or its name alone where it asks for nothing.
+    /// An alternative is a table with its name, or its name alone where it asks for nothing; the value of the only
+    /// quantity of one may stand in place of its table, and of the choice.
     fn one_of(&mut self, variants: &'static [Variant]) -> Json {
         let names: Vec<&str> = variants
             .iter()
@@ -140,11 +145,20 @@ impl Writer<'_> {
         if !names.is_empty() {
             alternatives.push(json!({ "enum": names }));
         }
+        let is_one_value = |variant: &Variant| matches!((variant.fields)(), [only] if only.shape.is_leaf());
+        if variants.iter().any(is_one_value) {
+            alternatives.push(json!({ "type": ["string", "number"], "pattern": "^[^A-Za-z]" }));
+        }
         for variant in variants {
             let mut fields = self.group((variant.fields)());
             if let Json::Object(fields) = &mut fields {
                 fields.insert("title".into(), Text::from(variant.label).render(self.locale).into());
             }
+            let fields = if is_one_value(variant) {
+                json!({ "anyOf": [fields, { "type": ["string", "number"] }] })
+            } else {
+                fields
+            };
             alternatives.push(json!({
                 "type": "object",
                 "additionalProperties": false,

@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use dalembert_core::{
     ChildList, Entry, Field, FieldLimit, Locale, Measure, Shape, Stop, Text, Variant,
     cases::{self, Case, ComparisonRule, Seen},
-    table,
+    describe,
 };
 use dalembert_report::{Block, Document, NamedValue};
 use dalembert_units as units;
@@ -65,6 +65,8 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
     let say = |words: &'static str| Text::from(words).render(locale);
     let mut inputs = Vec::new();
     Lister { locale, lines: &mut inputs, described: Described::default() }.fields(entry.fields(), "", 0);
+    let begin = Text::new("`dalembert new {id}` writes a file in which these inputs are to be filled in.");
+    let begin = begin.with("id", about.id);
     let answer = |promise: &Promise| NamedValue {
         label: promise.name.clone(),
         value: match promise.unit.pretty() {
@@ -86,6 +88,7 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
             Block::Paragraph(say(about.summary)),
             Block::Heading(say("Inputs")),
             Block::Lines(inputs),
+            Block::Paragraph(begin.render(locale)),
             Block::Heading(say("Answers")),
             Block::Lines(answers.iter().map(answer).collect()),
             Block::Heading(say("Cases")),
@@ -144,12 +147,9 @@ impl Lister<'_> {
 
     fn fields(&mut self, fields: &'static [Field], above: &str, depth: usize) {
         for field in fields {
-            let mut value = self.asked(&field.shape);
-            if let Some(default) = field.default {
-                value = format!(
-                    "{value}, {}",
-                    Text::new("default {default}").with("default", default).render(self.locale)
-                );
+            let mut value = describe::in_words(&field.shape, self.locale);
+            if let Some(default) = describe::default_of(field) {
+                value = format!("{value}, {}", default.render(self.locale));
             }
             let symbol = if field.symbol.is_empty() { String::new() } else { format!(" {}", field.symbol) };
             let label = self.say(field.label);
@@ -161,6 +161,9 @@ impl Lister<'_> {
                 value = format!("{value}, {}", like.render(self.locale));
             }
             self.line(depth, field.name.to_owned(), format!("{label}{symbol}: {value}"));
+            if !field.help.is_empty() {
+                self.line(depth, String::new(), self.say(field.help));
+            }
             if first.is_none() {
                 self.inside(&shape, &path, depth + 1);
             }
@@ -173,68 +176,15 @@ impl Lister<'_> {
             Shape::OneOf(variants) => {
                 for variant in variants() {
                     self.line(depth, variant.name.to_owned(), self.say(variant.label));
+                    if !variant.help.is_empty() {
+                        self.line(depth, String::new(), self.say(variant.help));
+                    }
                     self.fields((variant.fields)(), &format!("{path}.{}.", variant.name), depth + 1);
                 }
             }
             _ => {}
         }
     }
-
-    /// Description of the value of a field.
-    fn asked(&self, shape: &Shape) -> String {
-        let text = match shape {
-            Shape::Quantity(measure) => return quantity(measure, self.locale),
-            Shape::Vector(measure, len) => Text::new("{len} components, {what}")
-                .with("len", len)
-                .with("what", quantity(measure, self.locale)),
-            Shape::Text => "words".into(),
-            Shape::Flag => "yes or no".into(),
-            Shape::Count { min, max: u64::MAX } => Text::new("a whole number from {min}").with("min", min),
-            Shape::Count { min, max } => {
-                Text::new("a whole number from {min} to {max}").with("min", min).with("max", max)
-            }
-            Shape::OneOf(_) => "one of".into(),
-            Shape::Group(_) => "these".into(),
-            Shape::Rows { min: 0, most, .. } => Text::new("rows, at most {most}").with("most", most),
-            Shape::Rows { min, most, .. } => {
-                Text::new("rows, {min} to {most}").with("min", min).with("most", most)
-            }
-            Shape::Table(columns) => {
-                Text::new("a table, as lines of numbers under the heading \"{heading}\", with the columns")
-                    .with("heading", table::heading(columns()))
-            }
-            Shape::Reference(list) => Text::new("the name of one of {list}").with("list", list),
-            Shape::Optional(inner) => {
-                return format!("{}, {}", self.asked(inner()), self.say("or nothing"));
-            }
-        };
-        text.render(self.locale)
-    }
-}
-
-/// `kg, above 0`
-fn quantity(measure: &Measure, locale: &Locale) -> String {
-    let own = measure.own_unit();
-    let unit = match own.shown(locale.style.ascii) {
-        _ if !measure.others.is_empty() => measure.units_of_kinds(locale.style.ascii),
-        unit if unit.is_empty() => Text::from("a number").render(locale),
-        unit => unit,
-    };
-    let limit = |words: &'static str, limit: f64| {
-        let limit = units::write_number(limit, locale.style);
-        format!(", {}", Text::new(words).with("limit", limit).render(locale))
-    };
-    let least = match measure.min {
-        FieldLimit::None => String::new(),
-        FieldLimit::Including(least) => limit("at least {limit}", least),
-        FieldLimit::Excluding(least) => limit("above {limit}", least),
-    };
-    let most = match measure.max {
-        FieldLimit::None => String::new(),
-        FieldLimit::Including(most) => limit("at most {limit}", most),
-        FieldLimit::Excluding(most) => limit("below {limit}", most),
-    };
-    format!("{unit}{least}{most}")
 }
 
 fn described(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale) -> Json {

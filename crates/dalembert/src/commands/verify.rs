@@ -13,7 +13,7 @@ use serde_json::json;
 
 use crate::{
     arguments::Verify,
-    commands::{list::matching, show::seen_in},
+    commands::{list::with_words, show::seen_in},
     console::{Console, print_json},
     failure::Failure,
     solving::guarded,
@@ -21,7 +21,7 @@ use crate::{
 
 /// Holds every answer of every case against ours. Status 1 as soon as one differs or a check fails.
 pub(crate) fn run(verify: &Verify, console: &Console) -> Result<ExitCode, Failure> {
-    let found = matching(&verify.filter);
+    let found = with_words(&verify.filter);
     if found.is_empty() {
         // Nothing verified must not pass for verified.
         let why = Text::new("no analysis matches {filter}; `dalembert list` shows them all");

@@ -35,6 +35,11 @@ pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<
         };
         return print_worked(&problem::read(&asked, console)?, console);
     }
+    if named.is_some_and(problem::is_standard_input) {
+        return Err(Failure::input(
+            "the workbench reads its keys from standard input: name a file, or use `dalembert solve -`",
+        ));
+    }
     if let Some(path) = &arguments.record {
         can_be_recorded(path)?;
     }

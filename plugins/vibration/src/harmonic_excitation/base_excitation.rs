@@ -87,7 +87,7 @@ impl Analysis for BaseExcitation {
         title: "Base excitation",
         topic: "Harmonic excitation",
         summary: "Absolute and relative motion, acceleration and force of a mass under harmonic base excitation, including a wavy road.",
-        keywords: "support motion transmissibility vehicle road ground seismic excitação de base movimento do suporte \
+        keywords: "support motion transmissibility quarter car vehicle road ground seismic excitação de base movimento do suporte \
                    transmissibilidade veículo estrada velocidade crítica",
         sources: &[&RAO, &THOMSON],
         cases: include_str!("../../cases/base_excitation.toml"),
