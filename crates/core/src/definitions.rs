@@ -5,6 +5,7 @@
 //! An input may be unknown, `?`, where an answer is given in its place. They are read into a [`Plan`], which every reading of the problem follows: the worked one records each formula as a
 //! step, the plain one does the same operations in the same order.
 
+mod fields;
 mod names;
 mod plain_reading;
 mod questions;
@@ -12,136 +13,25 @@ mod reader;
 mod typed;
 mod unknowns;
 
-use std::{
-    collections::BTreeMap,
-    sync::{Arc, OnceLock},
-};
+use std::{collections::BTreeMap, sync::Arc};
 
 use dalembert_units::{Quantity, Unit};
 
-use self::{
-    names::{Names, Place},
-    reader::{Reader, text_of},
-};
 pub(crate) use self::{
+    fields::shape_of,
     plain_reading::prepare,
     questions::ask,
     unknowns::{GivenAnswer, Unknown, is_unknown},
 };
+use self::{
+    names::{Names, Place},
+    reader::{Reader, text_of},
+};
 use crate::{
-    Determined, Field, FieldError, Inputs, Measure, Number, Plain, Record, Refusal, Shape, Sheet, Stop,
-    Symbol, Text, Value,
+    Determined, FieldError, Measure, Number, Plain, Record, Refusal, Sheet, Stop, Symbol, Text, Value,
     formula::{Formula, FormulaError, Operand, evaluate, normalised, unit_of},
     intern::intern,
 };
-
-/// The most definitions, and the most questions, of a problem.
-const MOST: usize = 200;
-
-/// The fields that every problem has behind its own inputs.
-pub(crate) static FIELDS: [Field; 3] = [
-    Field {
-        label: "Definitions",
-        help: "Quantities of your own, for formulas in inputs and questions: nu = 0.3, G = E/(2*(1+nu)).",
-        ..field("let", || &Shape::Group(|| &DEFINITION))
-    },
-    Field {
-        label: "Questions",
-        help: "Formulas over inputs, answers and steps, answered like the rest: peak to peak = 2*X.",
-        ..field("ask", || &Shape::Group(|| &QUESTION))
-    },
-    Field {
-        label: "Given answers",
-        help: "Known values of answers, from which inputs written as ? are found: natural_frequency = 8.2 Hz.",
-        ..field("given", || &Shape::Group(|| &GIVEN))
-    },
-];
-
-static DEFINITION: [Field; 2] = [
-    Field { label: "Name", help: "As formulas write it: nu, E_1, bolt.", ..text("name") },
-    Field {
-        label: "Value or formula",
-        help: "12 g, or E/(2*(1+nu)) over other definitions and inputs.",
-        ..text("formula")
-    },
-];
-
-static QUESTION: [Field; 5] = [
-    Field { label: "Quantity", help: "In words: peak to peak.", ..text("name") },
-    Field {
-        label: "Formula",
-        help: "Over definitions, inputs, answers and steps: 2*X, c*(omega*X)^2/2.",
-        ..text("formula")
-    },
-    Field {
-        label: "Unit of the result",
-        help: "The unit of the result; left out, that of its parts.",
-        ..optional("unit")
-    },
-    Field {
-        label: "Symbol",
-        help: "The symbol in the worked solution; left out, Q and a number.",
-        ..optional("symbol")
-    },
-    Field {
-        label: "Key",
-        help: "The name in files and on the command line; left out, made from the words.",
-        ..optional("key")
-    },
-];
-
-static GIVEN: [Field; 2] = [
-    Field {
-        label: "Answer",
-        help: "The name of an answer or a question: natural_frequency.",
-        ..text("name")
-    },
-    Field {
-        label: "Known value",
-        help: "8.2 Hz; with its standard uncertainty, 8.2 Hz ± 0.05.",
-        ..text("value")
-    },
-];
-
-const fn text(name: &'static str) -> Field {
-    Field {
-        name,
-        label: "",
-        help: "",
-        symbol: "",
-        default: None,
-        default_before: None,
-        kept_in: None,
-        former: &[],
-        shape: Shape::Text,
-    }
-}
-
-const fn optional(name: &'static str) -> Field {
-    Field { shape: Shape::Optional(|| &Shape::Text), ..text(name) }
-}
-
-const fn field(name: &'static str, item: fn() -> &'static Shape) -> Field {
-    Field { shape: Shape::Rows { item, min: 0, most: MOST }, ..text(name) }
-}
-
-/// The shape of a whole problem: the inputs of an analysis, and the fields that every problem has.
-pub(crate) fn shape_of<A: Inputs>() -> Shape {
-    Shape::Group(fields_of::<A>)
-}
-
-/// One list for each analysis, made when it is first asked for.
-fn fields_of<A: Inputs>() -> &'static [Field] {
-    use std::{any::TypeId, collections::HashMap, sync::Mutex, sync::PoisonError};
-    type Lists = Mutex<HashMap<TypeId, &'static [Field]>>;
-    static LISTS: OnceLock<Lists> = OnceLock::new();
-    let lists = LISTS.get_or_init(Lists::default);
-    let mut lists = lists.lock().unwrap_or_else(PoisonError::into_inner);
-    lists.entry(TypeId::of::<A>()).or_insert_with(|| {
-        let own = A::SHAPE.fields(None).iter().chain(&FIELDS);
-        own.copied().collect::<Vec<Field>>().leak()
-    })
-}
 
 /// The formulas of a problem, in an order in which each rests on earlier ones.
 #[derive(Clone, Debug, PartialEq)]

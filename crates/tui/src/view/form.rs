@@ -432,7 +432,7 @@ fn push_value(
 /// Value of an input or a definition that a formula gives, or that was found.
 fn computed(model: &Model, line: &FormLine) -> Option<String> {
     let problem = &model.bench.as_ref()?.problem;
-    // Nothing is told of a problem that is solved by hand.
+    // A problem that is solved by hand keeps its numbers covered.
     let shows = !problem.is_stale() && problem.found.revealed.is_none();
     let solution = problem.found.solution.as_ref().filter(|_| shows)?;
     let definition = line.path.strip_suffix(".formula").filter(|row| row.starts_with("let["));

@@ -1,0 +1,116 @@
+//! The fields that every problem has behind its own inputs: definitions, questions and given answers.
+
+use std::{
+    any::TypeId,
+    collections::HashMap,
+    sync::{Mutex, OnceLock, PoisonError},
+};
+
+use crate::{Field, Inputs, Shape};
+
+/// The most definitions, and the most questions, of a problem.
+const MOST: usize = 200;
+
+/// The fields that every problem has behind its own inputs.
+static FIELDS: [Field; 3] = [
+    Field {
+        label: "Definitions",
+        help: "Quantities of your own, for formulas in inputs and questions: nu = 0.3, G = E/(2*(1+nu)).",
+        ..field("let", || &Shape::Group(|| &DEFINITION))
+    },
+    Field {
+        label: "Questions",
+        help: "Formulas over inputs, answers and steps, answered like the rest: peak to peak = 2*X.",
+        ..field("ask", || &Shape::Group(|| &QUESTION))
+    },
+    Field {
+        label: "Given answers",
+        help: "Known values of answers, from which inputs written as ? are found: natural_frequency = 8.2 Hz.",
+        ..field("given", || &Shape::Group(|| &GIVEN))
+    },
+];
+
+static DEFINITION: [Field; 2] = [
+    Field { label: "Name", help: "As formulas write it: nu, E_1, bolt.", ..text("name") },
+    Field {
+        label: "Value or formula",
+        help: "12 g, or E/(2*(1+nu)) over other definitions and inputs.",
+        ..text("formula")
+    },
+];
+
+static QUESTION: [Field; 5] = [
+    Field { label: "Quantity", help: "In words: peak to peak.", ..text("name") },
+    Field {
+        label: "Formula",
+        help: "Over definitions, inputs, answers and steps: 2*X, c*(omega*X)^2/2.",
+        ..text("formula")
+    },
+    Field {
+        label: "Unit of the result",
+        help: "The unit of the result; left out, that of its parts.",
+        ..optional("unit")
+    },
+    Field {
+        label: "Symbol",
+        help: "The symbol in the worked solution; left out, Q and a number.",
+        ..optional("symbol")
+    },
+    Field {
+        label: "Key",
+        help: "The name in files and on the command line; left out, made from the words.",
+        ..optional("key")
+    },
+];
+
+static GIVEN: [Field; 2] = [
+    Field {
+        label: "Answer",
+        help: "The name of an answer or a question: natural_frequency.",
+        ..text("name")
+    },
+    Field {
+        label: "Known value",
+        help: "8.2 Hz; with its standard uncertainty, 8.2 Hz ± 0.05.",
+        ..text("value")
+    },
+];
+
+const fn text(name: &'static str) -> Field {
+    Field {
+        name,
+        label: "",
+        help: "",
+        symbol: "",
+        default: None,
+        default_before: None,
+        kept_in: None,
+        former: &[],
+        shape: Shape::Text,
+    }
+}
+
+const fn optional(name: &'static str) -> Field {
+    Field { shape: Shape::Optional(|| &Shape::Text), ..text(name) }
+}
+
+const fn field(name: &'static str, item: fn() -> &'static Shape) -> Field {
+    Field { shape: Shape::Rows { item, min: 0, most: MOST }, ..text(name) }
+}
+
+/// The shape of a whole problem: the inputs of an analysis, and the fields that every problem has.
+pub(crate) fn shape_of<A: Inputs>() -> Shape {
+    Shape::Group(fields_of::<A>)
+}
+
+/// One list for each analysis, made when it is first asked for.
+fn fields_of<A: Inputs>() -> &'static [Field] {
+    type Lists = Mutex<HashMap<TypeId, &'static [Field]>>;
+    static LISTS: OnceLock<Lists> = OnceLock::new();
+    let lists = LISTS.get_or_init(Lists::default);
+    let mut lists = lists.lock().unwrap_or_else(PoisonError::into_inner);
+    lists.entry(TypeId::of::<A>()).or_insert_with(|| {
+        let own = A::SHAPE.fields(None).iter().chain(&FIELDS);
+        own.copied().collect::<Vec<Field>>().leak()
+    })
+}
