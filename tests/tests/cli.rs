@@ -203,8 +203,12 @@ fn json_of_a_solve_has_the_agreed_shape() {
     let keys: Vec<&String> = solved.as_object().unwrap().keys().collect();
     assert_eq!(
         keys,
-        ["analysis", "case", "notes", "inputs", "answers", "plots", "checks", "warnings", "refusal"]
+        [
+            "analysis", "case", "notes", "inputs", "answers", "unknowns", "plots", "checks", "warnings",
+            "refusal"
+        ]
     );
+    assert_eq!(solved["unknowns"], serde_json::json!({}));
     let plot = &solved["plots"][0];
     assert_eq!(plot["over"], serde_json::json!({ "input": "speed", "answer": null }));
     assert_eq!(plot["curves"][0]["of"], "amplitude");
@@ -962,4 +966,21 @@ fn changes_without_a_case_begin_with_nothing() {
     for said in ["body.distance: a value is needed", "motion: write one of spin", "--case 1 starts from"] {
         assert!(error.contains(said), "{said}: {error}");
     }
+}
+
+#[test]
+fn an_unknown_is_found_on_the_command_line() {
+    let asked = ["solve", FAN, "--case", "1", "--set", "mass=?", "--given", "natural_frequency=12 Hz"];
+    let solved = json(&[&asked[..], &["--format", "json"]].concat());
+    // m = k/(2π fₙ)² with k = 3 E I/L³.
+    let mass = 3.0 * 200e9 * 1.3e-6 / 1.2f64.powi(3) / (24.0 * std::f64::consts::PI).powi(2);
+    let found = solved["unknowns"]["mass"]["value"].as_array().expect("a value for each solution");
+    assert_eq!(found.len(), 1);
+    assert!((found[0].as_f64().unwrap() / mass - 1.0).abs() < 1e-9, "{found:?} and {mass}");
+    assert_eq!(solved["unknowns"]["mass"]["unit"], "kg");
+    assert_eq!(solved["inputs"]["mass"]["text"], "?");
+    assert_eq!(solved["inputs"]["mass"]["value"], found[0]);
+    assert_eq!(solved["answers"]["mass"]["asked"], true);
+    let said = refused(&["solve", FAN, "--case", "1", "--set", "mass=?", "--given", "natural_frequency"], 2);
+    assert!(said.contains("write an answer and its value"), "{said}");
 }

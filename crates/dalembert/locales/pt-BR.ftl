@@ -130,7 +130,7 @@ an-answer-is-covered-if-a-check-of-one-of-its-cases-fails-when-the-answer-is-cha
 list-the-answers-that-no-check-covers-each-with-the-reason = Listar as respostas que nenhuma verificação cobre, cada uma com o motivo
 define-a-quantity-for-formulas-in-inputs-and-questions-nu-0-3-g-e-2-1-nu = Definir uma grandeza para fórmulas em dados e perguntas: nu=0.3, 'G=E/(2*(1+nu))'
 ask-a-question-over-inputs-answers-and-steps-peak-to-peak-2-x = Fazer uma pergunta com dados, resultados e passos: 'pico a pico=2*X'
-give-an-answer-whose-value-is-known-for-an-input-that-is-to-be-found-set-mass-given-natural-frequency-8-2-hz = Dar um resultado de valor conhecido, para um dado que se quer obter: --set 'mass=?' --given 'natural_frequency=8.2 Hz'
+give-an-answer-whose-value-is-known-for-an-input-that-is-to-be-found-set-mass-given-natural-frequency = Dar um resultado de valor conhecido, para um dado que se quer obter: --set 'mass=?' --given 'natural_frequency=8.2 Hz'
 write-a-name-and-a-formula-as-in-ask-peak-to-peak-2-x = escreva um nome e uma fórmula, como em --ask 'peak to peak=2*X'
 write-an-answer-and-its-value-as-in-given-natural-frequency-8-2-hz = escreva um resultado e seu valor, como em --given 'natural_frequency=8.2 Hz'
 write-a-name-and-a-formula-as-in-let-nu-0-3 = escreva um nome e uma fórmula, como em --let nu=0.3

@@ -28,10 +28,11 @@ const LIMIT: usize = 200;
 
 /// Reads a quantity of a given kind; `default` is the unit of a number written alone.
 ///
-/// Numbers take `.` or `,` as the decimal mark, `e-6` or `×10⁻⁶`, and arithmetic with `+ - * / ^ ( )`,
-/// `pi` and `sqrt`; the angle of an angular velocity drops out of a product such as m e ω². A text has no language: `1,250`, which is 1250 in one and 1.25 in another, is refused with both
-/// readings; where the language is known, [`with_point`](crate::with_point) goes before. Products and quotients of units are as in [`unit()`]. A missing angle is accepted
-/// (N·m/rad for N·m, 1/s for rad/s); for [`Kind::Other`] and [`Kind::Amplitude`] the dimension is that of `default`.
+/// Numbers take `.` or `,` as the decimal mark, `e-6` or `×10⁻⁶`, and arithmetic with `+ - * / ^ ( )`, `pi` and `sqrt`; the
+/// angle of an angular velocity drops out of a product such as m e ω². A text has no language: `1,250`, which is 1250 in one
+/// and 1.25 in another, is refused with both readings; where the language is known, [`with_point`](crate::with_point) goes
+/// before. Products and quotients of units are as in [`unit()`]. A missing angle is accepted (N·m/rad for N·m, 1/s for
+/// rad/s); for [`Kind::Other`] and [`Kind::Amplitude`] the dimension is that of `default`.
 ///
 /// # Errors
 /// Says what cannot be read and what to write; another kind of quantity than the one asked for is
