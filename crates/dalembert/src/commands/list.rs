@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use dalembert_core::{
     Entry, Locale, Text,
     cases::{self, Case},
-    registry,
+    find, registry,
     search::{self, Found, Index},
 };
 use dalembert_report::{Block, Document, NamedValue};
@@ -65,15 +65,20 @@ fn matching(filter: &[String]) -> Vec<Match> {
     searched(filter, search::find)
 }
 
-/// The analyses in which every word is found, in the order of their ids.
+/// The analysis of an id, or those in which every word is found, in the order of their ids.
 pub(crate) fn with_words(filter: &[String]) -> Vec<&'static Entry> {
+    if let [id] = filter
+        && let Some(entry) = find(id)
+    {
+        return vec![entry];
+    }
     let mut found: Vec<&'static Entry> =
         searched(filter, search::find_words).into_iter().map(|found| found.entry).collect();
     found.sort_by_key(|entry| entry.about.id);
     found
 }
 
-fn searched(filter: &[String], find: fn(&[&Index], &str) -> Vec<Found>) -> Vec<Match> {
+fn searched(filter: &[String], search: fn(&[&Index], &str) -> Vec<Found>) -> Vec<Match> {
     let filter = filter.join(" ");
     if filter.trim().is_empty() {
         return registry().iter().map(|&entry| Match { entry, case: None }).collect();
@@ -82,7 +87,7 @@ fn searched(filter: &[String], find: fn(&[&Index], &str) -> Vec<Found>) -> Vec<M
         registry().iter().map(|entry| cases::cases(entry).unwrap_or_default()).collect();
     let indices: Vec<Index> =
         registry().iter().zip(&cases).map(|(entry, cases)| Index::of(entry, cases)).collect();
-    let found = find(&indices.iter().collect::<Vec<_>>(), &filter);
+    let found = search(&indices.iter().collect::<Vec<_>>(), &filter);
     let matched = |found: Found| Match {
         entry: registry()[found.place],
         case: found.case.map(|case| cases[found.place].swap_remove(case)),
