@@ -2,8 +2,9 @@
 //!
 //! A definition is a named quantity, `nu = 0.3` or `G = E/(2*(1+nu))`. An input takes a formula over definitions and
 //! other inputs. A question is a formula over definitions, inputs, answers and steps, and is an answer like any other.
-//! An input may be unknown, `?`, where an answer is given in its place. They are read into a [`Plan`], which every reading of the problem follows: the worked one records each formula as a
-//! step, the plain one does the same operations in the same order.
+//! An input may be unknown, `?`, where an answer is given in its place. They are read into a [`Plan`], which every reading
+//! of the problem follows: the worked one records each formula as a step, the plain one does the same operations in the
+//! same order.
 
 mod fields;
 mod names;
@@ -43,7 +44,7 @@ pub(crate) struct Plan {
     questions: Vec<Question>,
     /// Unknowns; none once they are found.
     unknowns: Vec<Unknown>,
-    /// The answers that it is found from.
+    /// The answers that they are found from.
     givens: Vec<GivenAnswer>,
     /// The unknowns as they were found.
     determined: Option<Arc<Determined>>,
@@ -203,6 +204,13 @@ impl Plan {
     /// The same plan with nothing to be found.
     pub(crate) fn without_unknowns(&self) -> Self {
         Self { unknowns: Vec::new(), givens: Vec::new(), ..self.clone() }
+    }
+
+    /// Gives every unknown the range that it was searched in, so that a solve with other inputs need not look for it.
+    pub(crate) fn keep_ranges(&mut self, determined: &Determined) {
+        for (unknown, found) in self.unknowns.iter_mut().zip(&determined.unknowns) {
+            unknown.range = Some(found.range);
+        }
     }
 
     /// Takes the unknowns as they were found.
@@ -400,11 +408,7 @@ impl Plan {
                     let input = &self.inputs[at];
                     let own = input.measure.own_unit();
                     if !own.dim.agrees(dim) {
-                        let why = Text::new("`{text}` is {found}; {expected} expected, e.g. in {example}")
-                            .with("text", &formula.text)
-                            .with_text("found", crate::reading::of_dim(dim))
-                            .with_text("expected", crate::reading::of_dim(own.dim))
-                            .with("example", own.ascii());
+                        let why = crate::reading::of_another_dimension(&formula.text, dim, &own);
                         return Err(FieldError::new(&input.path, why));
                     }
                     let written = format!(

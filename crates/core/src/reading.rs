@@ -138,6 +138,15 @@ fn in_unit(kind: Kind, unit: &Unit) -> Text {
     }
 }
 
+/// Refusal of a text that has another dimension than a unit.
+pub(crate) fn of_another_dimension(text: &str, found: Dim, expected: &Unit) -> Text {
+    Text::new("`{text}` is {found}; {expected} expected, e.g. in {example}")
+        .with("text", text)
+        .with_text("found", of_dim(found))
+        .with_text("expected", of_dim(expected.dim))
+        .with("example", expected.ascii())
+}
+
 /// A dimension in words.
 pub(crate) fn of_dim(dim: Dim) -> Text {
     match Kind::of_dim(dim) {

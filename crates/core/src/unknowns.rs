@@ -90,8 +90,13 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
     let mut again = Perturbed::new(entry, &begin, inputs.clone(), names)?;
     if again.inputs.len() < inputs.len() {
         let lost = inputs.iter().find(|input| again.inputs.iter().all(|known| known.path != input.path));
-        let path = lost.map_or_else(String::new, |input| plan.error_path(&input.path));
-        return Err(fault(path, "this input cannot be varied, so it cannot be unknown"));
+        return Err(fixed_input(plan, lost.map_or("", |input| &input.path)));
+    }
+    if let Some(lost) = (0..answers.len()).find(|n| !again.answers.contains(&answers[*n].name.to_string())) {
+        return Err(fault(
+            format!("given[{}].name", lost + 1),
+            not_a_number(answers[lost].name, &again.answers),
+        ));
     }
     let targets: Vec<Target> =
         givens.iter().map(|given| Target { si: given.si, tolerance: given.tolerance }).collect();
@@ -118,9 +123,7 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
     }
     let mut solved = begin;
     for (input, si) in inputs.iter().zip(first) {
-        solved = vary::changed(&solved, &input.path, *si).ok_or_else(|| {
-            fault(plan.error_path(&input.path), "this input cannot be varied, so it cannot be unknown")
-        })?;
+        solved = vary::changed(&solved, &input.path, *si).ok_or_else(|| fixed_input(plan, &input.path))?;
     }
     let reached = evaluate(first)?;
     let record = Record { plan: None, ..solved.clone() };
@@ -154,12 +157,9 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
         points: found.points,
         record,
     };
-    let mut plan = plan.without_unknowns();
-    if let Some(renewed) = &solved.plan {
-        plan = Plan::clone(renewed);
+    if let Some(plan) = &mut solved.plan {
+        Arc::make_mut(plan).determine(determined);
     }
-    plan.determine(determined);
-    solved.plan = Some(Arc::new(plan));
     Ok(Some(solved))
 }
 
@@ -167,14 +167,24 @@ fn fault(path: impl Into<String>, why: impl Into<Text>) -> SolveError {
     SolveError::Fields(vec![FieldError::new(path, why)])
 }
 
+/// Refusal of an unknown that the analysis cannot change.
+fn fixed_input(plan: &Plan, name: &str) -> SolveError {
+    fault(plan.error_path(name), "this input cannot be varied, so it cannot be unknown")
+}
+
+/// Refusal of a given answer that is none of the numbers that are known.
+fn not_a_number(name: impl std::fmt::Display, known: &[String]) -> Text {
+    Text::new("no answer `{name}` with a single number; the answers are {known}")
+        .with("name", name)
+        .with("known", known.join(", "))
+}
+
 /// The unknowns as inputs that vary.
 fn unknown_inputs(known: &Record, plan: &Plan, unknowns: &[Unknown]) -> Result<Vec<VariedInput>, SolveError> {
     let all = vary::inputs(known);
     let input = |unknown: &Unknown| {
         let found = all.iter().find(|input| input.path == unknown.name).cloned();
-        found.ok_or_else(|| {
-            fault(plan.error_path(&unknown.name), "this input cannot be varied, so it cannot be unknown")
-        })
+        found.ok_or_else(|| fixed_input(plan, &unknown.name))
     };
     unknowns.iter().map(input).collect()
 }
@@ -238,16 +248,12 @@ fn begin(
                 None => {
                     let scalars = solution.answers.iter().filter(|answer| answer.si().is_some());
                     let known: Vec<String> = scalars.map(|answer| answer.name.to_string()).collect();
-                    let why = Text::new("no answer `{name}` with a single number; the answers are {known}");
-                    let why = why.with("name", name).with("known", known.join(", "));
+                    let why = not_a_number(name, &known);
                     errors.push(FieldError::new(format!("given[{}].name", n + 1), why));
                 }
                 Some(answer) if !answer.dim().agrees(given.unit.dim) => {
-                    let why = Text::new("`{text}` is {found}; {expected} expected, e.g. in {example}")
-                        .with("text", dalembert_units::write_quantity(given.si, &given.unit, <_>::default()))
-                        .with_text("found", reading::of_dim(given.unit.dim))
-                        .with_text("expected", reading::of_dim(answer.dim()))
-                        .with("example", answer.unit.ascii());
+                    let text = dalembert_units::write_quantity(given.si, &given.unit, <_>::default());
+                    let why = reading::of_another_dimension(&text, given.unit.dim, &answer.unit);
                     errors.push(FieldError::new(format!("given[{}].value", n + 1), why));
                 }
                 Some(answer) => answers.push(answer.clone()),

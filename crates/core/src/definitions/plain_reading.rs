@@ -1,5 +1,7 @@
 //! The plain reading of a problem with definitions, formulas and questions.
 
+use std::sync::Arc;
+
 use super::Plan;
 use crate::{Answer, Entry, Evaluate, FieldError, Record, Refusal, SolveError, Stop, Text, vary};
 
@@ -52,8 +54,12 @@ pub(crate) fn prepare(
         let paths: Vec<&str> = inputs.iter().map(String::as_str).collect();
         Some(PlainReading { evaluate: entry.prepare(&bare, &paths, wanted)?, inputs })
     };
+    let mut record = record.clone();
     if plain.is_none() {
-        let solution = entry.solve(record, &Stop::new())?;
+        let solution = entry.solve(&record, &Stop::new())?;
+        if let (Some(plan), Some(determined)) = (&mut record.plan, &solution.determined) {
+            Arc::make_mut(plan).keep_ranges(determined);
+        }
         for name in wanted {
             if solution.answer(name).and_then(Answer::si).is_none() {
                 return Err(unknown(name, "is not a number among the answers"));
@@ -62,7 +68,7 @@ pub(crate) fn prepare(
     }
     Ok(Box::new(Planned {
         entry: *entry,
-        record: record.clone(),
+        record,
         vary: vary.iter().map(|path| (*path).to_owned()).collect(),
         wanted: wanted.iter().map(|name| (*name).to_owned()).collect(),
         plain,

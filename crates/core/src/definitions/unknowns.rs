@@ -113,11 +113,7 @@ pub(super) fn given(n: usize, name: &str, text: &str) -> Result<GivenAnswer, Fie
             (true, _) => tolerance,
             (false, true) => unit.si(tolerance) - unit.si(0.0),
             (false, false) => {
-                return Err(Text::new("`{text}` is {found}; {expected} expected, e.g. in {example}")
-                    .with("text", text.trim())
-                    .with_text("found", reading::of_dim(of.dim))
-                    .with_text("expected", reading::of_dim(unit.dim))
-                    .with("example", unit.ascii()));
+                return Err(reading::of_another_dimension(text.trim(), of.dim, &unit));
             }
         };
         if size > 0.0 { Ok(size) } else { Err(Text::new("the uncertainty behind ± is above zero")) }
