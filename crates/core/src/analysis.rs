@@ -9,7 +9,7 @@ use std::{
 };
 
 use crate::{
-    Answer, Exhibit, Field, FieldError, FieldPath, Inputs, Name, Plain, Record, Shape, Sheet, Solution,
+    Answer, Exhibit, Field, FieldError, FieldPath, Inputs, LinkedProblem, Name, Plain, Record, Shape, Sheet, Solution,
     Source, Text, Value, Worksheet, assumed, definitions, gravity, input::Lift, kept, unknowns, vary,
 };
 
@@ -68,12 +68,16 @@ pub struct Stop(AtomicBool);
 pub struct Entry {
     /// Description shown in the list of analyses.
     pub about: &'static About,
-    shape: fn() -> Shape,
-    own: fn() -> Shape,
-    solve: fn(&Record, &Stop, perturbed: Option<usize>) -> Result<Solution, SolveError>,
+    shape: Shape,
+    inputs: Shape,
+    write: Write,
     prepare: Prepare,
+    /// The problems that are linked; none of an analysis itself.
+    linked: &'static [LinkedProblem],
 }
 
+/// Writes the solution of the inputs at a path onto a sheet.
+type Write = fn(&Value, &FieldPath<'_>, &Sheet<'_>) -> Result<(), SolveError>;
 type Prepare = fn(&Record, vary: &[&str], wanted: &[&str]) -> Result<Box<dyn Evaluate>, SolveError>;
 
 /// The plain reading of a problem, ready to be repeated with other inputs.
@@ -113,21 +117,48 @@ impl Entry {
     pub const fn of<A: Analysis>() -> Self {
         Self {
             about: &A::ABOUT,
-            shape: definitions::shape_of::<A>,
-            own: || A::SHAPE,
-            solve: solve::<A>,
+            shape: definitions::shape_of::<A>(),
+            inputs: A::SHAPE,
+            write: write::<A>,
             prepare: prepare::<A>,
+            linked: &[],
         }
+    }
+
+    /// The entry of linked problems: its inputs are theirs, each in a group of its name.
+    pub(crate) const fn of_linked(
+        about: &'static About,
+        [inputs, shape]: [Shape; 2],
+        linked: &'static [LinkedProblem],
+    ) -> Self {
+        let write: Write = |_, _, _| Ok(());
+        let prepare: Prepare = |_, _, _| Err(Refusal::because("linked problems are solved one by one").into());
+        Self { about, shape, inputs, write, prepare, linked }
+    }
+
+    /// The problems that are linked; none of an analysis itself.
+    pub fn linked(&self) -> &'static [LinkedProblem] {
+        self.linked
     }
 
     /// The shape of a problem of it: a group of its inputs, and behind them definitions and questions.
     pub fn shape(&self) -> Shape {
-        (self.shape)()
+        self.shape
     }
 
     /// Shape of the inputs of the analysis itself: a group.
     pub(crate) fn inputs(&self) -> Shape {
-        (self.own)()
+        self.inputs
+    }
+
+    /// Writes the solution of inputs, whose formulas have their values, onto a sheet. `field_path` leads to them.
+    pub(crate) fn write(
+        &self,
+        inputs: &Value,
+        field_path: &FieldPath<'_>,
+        sheet: &Sheet<'_>,
+    ) -> Result<(), SolveError> {
+        (self.write)(inputs, field_path, sheet)
     }
 
     /// Input fields of the analysis itself.
@@ -158,7 +189,7 @@ impl Entry {
         stop: &Stop,
     ) -> Result<Solution, SolveError> {
         let determined = unknowns::determine(self, record, stop)?;
-        (self.solve)(determined.as_ref().unwrap_or(record), stop, perturbed)
+        worked(self, determined.as_ref().unwrap_or(record), stop, perturbed)
     }
 
     /// Prepares the plain reading: `vary` are paths of quantities, `wanted` names of answers that are numbers.
@@ -237,36 +268,34 @@ impl Stop {
     }
 }
 
-fn solve<A: Analysis>(
-    record: &Record,
-    stop: &Stop,
-    perturbed: Option<usize>,
-) -> Result<Solution, SolveError> {
-    worked(record, stop, perturbed, &|value, sheet| {
-        let problem = A::read_all(value).map_err(SolveError::Fields)?;
-        let given = problem.given(Lift { sheet, value: Some(value), field_path: &FieldPath::TOP });
-        Ok(problem.solve(&given, sheet)?)
-    })
+fn write<A: Analysis>(
+    inputs: &Value,
+    field_path: &FieldPath<'_>,
+    sheet: &Sheet<'_>,
+) -> Result<(), SolveError> {
+    let mut errors = Vec::new();
+    let problem = A::read(inputs, field_path, &mut errors);
+    let Some(problem) = problem.filter(|_| errors.is_empty()) else { return Err(SolveError::Fields(errors)) };
+    let given = problem.given(Lift { sheet, value: Some(inputs), field_path });
+    Ok(problem.solve(&given, sheet)?)
 }
 
 /// Solves on a worksheet: the part that is the same for every analysis, compiled once.
 fn worked(
+    entry: &Entry,
     record: &Record,
     stop: &Stop,
     perturbed: Option<usize>,
-    solve: &dyn Fn(&Value, &Sheet<'_>) -> Result<(), SolveError>,
 ) -> Result<Solution, SolveError> {
-    let value = Value::Group(record.clone());
     let sheet = perturbed.map_or_else(|| Sheet::new(stop), |step| Sheet::perturbed(stop, step));
-    if let Some(plan) = &record.plan {
-        plan.record(&sheet)?;
+    match &record.plan {
+        Some(plan) => plan.solve(entry, record, &sheet)?,
+        None => entry.write(&Value::Group(record.clone()), &FieldPath::TOP, &sheet)?,
     }
-    solve(&value, &sheet)?;
-    if let Some(plan) = &record.plan {
-        definitions::ask(plan, &sheet);
-        if let Some(determined) = plan.determined() {
-            determined.conclude(plan, &sheet);
-        }
+    if let Some(plan) = &record.plan
+        && let Some(determined) = plan.determined()
+    {
+        determined.conclude(plan, &sheet);
     }
     let mut solution = sheet.into_solution()?;
     // What was unknown is what was asked for: it comes first.
@@ -276,13 +305,12 @@ fn worked(
         solution.determined = Some(determined.clone());
     }
     solution.warnings.splice(0..0, assumed::warnings(record));
-    forget_absent(&mut solution.exhibits, value);
+    forget_absent(&mut solution.exhibits, record.clone());
     Ok(solution)
 }
 
 /// Forgets inputs that exhibits run over where the problem has none of that name: another alternative is chosen.
-fn forget_absent(exhibits: &mut [Exhibit], problem: Value) {
-    let Value::Group(mut record) = problem else { return };
+fn forget_absent(exhibits: &mut [Exhibit], mut record: Record) {
     let mut has = |path: &str| vary::number(&mut record, path).is_some();
     for exhibit in exhibits {
         match exhibit {

@@ -220,8 +220,20 @@ impl Comparison {
 }
 
 /// The keys of a case.
-const KEYS: [&str; 12] = [
-    "name", "former", "source", "truth", "seen", "note", "let", "inputs", "given", "ask", "expect", "refused",
+const KEYS: [&str; 13] = [
+    "name",
+    "former",
+    "source",
+    "truth",
+    "seen",
+    "note",
+    "let",
+    "inputs",
+    "configuration",
+    "given",
+    "ask",
+    "expect",
+    "refused",
 ];
 
 fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
@@ -248,9 +260,11 @@ fn case(entry: &Entry, table: &toml_edit::Table) -> Result<Case, String> {
         Some("recalled") => Some(Seen::Recalled),
         Some(other) => return Err(format!("{name}: nothing is seen in a `{other}`")),
     };
-    let inputs = table.get("inputs").ok_or_else(|| format!("{name}: there are no inputs"))?;
+    if !table.contains_key("inputs") {
+        return Err(format!("{name}: there are no inputs"));
+    }
     let mut reading = FileNotes { format: Format::LATEST, errors: Vec::new(), notes: Vec::new(), kind: None };
-    let draft = file::problem_of(table, inputs, entry, &mut reading);
+    let draft = file::case_of(table, entry, &mut reading);
     if let Some(err) = reading.errors.first() {
         return Err(format!("{name}: {}", err.why.english()));
     }

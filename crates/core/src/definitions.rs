@@ -1,47 +1,54 @@
-//! Definitions, formulas of inputs, questions of the user's own, and unknowns: what every problem has beside its inputs.
+//! Definitions, formulas of inputs, questions of the user's own, unknowns, configurations and links: what every problem has
+//! beside its inputs.
 //!
 //! A definition is a named quantity, `nu = 0.3` or `G = E/(2*(1+nu))`. An input takes a formula over definitions and
-//! other inputs. A question is a formula over definitions, inputs, answers and steps, and is an answer like any other.
-//! An input may be unknown, `?`, where an answer is given in its place. They are read into a [`Plan`], which every reading
-//! of the problem follows: the worked one records each formula as a step, the plain one does the same operations in the
-//! same order.
+//! other inputs, and over the answers of problems that are linked. A question is a formula over definitions, inputs,
+//! answers and steps, and is an answer like any other. An input may be unknown, `?`, where an answer is given in its place.
+//! A configuration is the same problem with some inputs changed. They are read into a [`Plan`], which every reading of
+//! the problem follows: the worked one records each formula as a step, the plain one does the same operations in the same
+//! order.
 
 mod fields;
 mod names;
+mod order;
 mod plain_reading;
 mod questions;
 mod reader;
+mod scope;
 mod typed;
 mod unknowns;
+mod working;
 
-use std::{collections::BTreeMap, sync::Arc};
+use std::{collections::BTreeSet, sync::Arc};
 
-use dalembert_units::{Quantity, Unit};
+use dalembert_units::{Dim, Quantity, Unit};
 
 pub(crate) use self::{
-    fields::shape_of,
+    fields::{are_of_problem, shape_of, with_common, without_linked},
     plain_reading::prepare,
-    questions::ask,
     unknowns::{GivenAnswer, Unknown, is_unknown},
 };
 use self::{
-    names::{Names, Place},
+    names::{Named, Names, Place},
     reader::{Reader, text_of},
+    scope::Scope,
 };
 use crate::{
-    Determined, FieldError, Measure, Number, Plain, Record, Refusal, Sheet, Stop, Symbol, Text, Value,
-    formula::{Formula, FormulaError, Operand, evaluate, normalised, unit_of},
+    Determined, FieldError, Measure, Number, Plain, Record, Stop, Symbol, Text,
+    formula::{Formula, FormulaError, Operand, evaluate, unit_of},
     intern::intern,
 };
 
 /// The formulas of a problem, in an order in which each rests on earlier ones.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Plan {
     definitions: Vec<Definition>,
     /// The inputs that have a formula, and those that a formula names.
     inputs: Vec<PlannedInput>,
-    order: Vec<Place>,
     questions: Vec<Question>,
+    order: Vec<Place>,
+    /// What rests on the solution of a problem: it has no value before.
+    after_solution: BTreeSet<Place>,
     /// Unknowns; none once they are found.
     unknowns: Vec<Unknown>,
     /// The answers that they are found from.
@@ -53,6 +60,10 @@ pub(crate) struct Plan {
 
 #[derive(Clone, Debug, PartialEq)]
 struct Definition {
+    scope: usize,
+    /// Place in its list, counted from 0.
+    row: usize,
+    /// Name in its scope.
     name: String,
     formula: Formula,
     unit: Unit,
@@ -61,7 +72,13 @@ struct Definition {
 
 #[derive(Clone, Debug, PartialEq)]
 struct PlannedInput {
+    scope: usize,
+    /// Path from outside: `fan.mass`, of a configuration `weighted.mass`.
     path: String,
+    /// Path within its problem: `mass`.
+    inner: String,
+    /// Path that an error of its value is reported at.
+    error_path: String,
     label: &'static str,
     symbol: Symbol,
     measure: Measure,
@@ -72,6 +89,7 @@ struct PlannedInput {
 
 #[derive(Clone, Debug, PartialEq)]
 struct Question {
+    scope: usize,
     label: String,
     key: String,
     symbol: Option<String>,
@@ -91,76 +109,33 @@ pub(crate) struct Pending {
 
 /// Reads definitions, formulas and questions, and writes the values of the inputs that have a formula into the record.
 pub(crate) fn plan(record: &mut Record, pending: Vec<Pending>, errors: &mut Vec<FieldError>) {
-    let rows = |name: &str| match record.get(name) {
-        Some(Value::Rows(rows)) => rows.clone(),
-        _ => Vec::new(),
+    let names = Names::of(record);
+    let is_empty = |scope: &Scope| {
+        let own = scope::record_of(record, scope);
+        ["let", "ask", "given", "configuration"].iter().all(|list| scope::rows(own, list).is_empty())
     };
-    let (definitions, questions, givens) = (rows("let"), rows("ask"), rows("given"));
-    if definitions.is_empty() && questions.is_empty() && givens.is_empty() && pending.is_empty() {
+    if pending.is_empty() && names.scopes.len() == 1 && names.scopes.iter().all(is_empty) {
         return;
     }
-    let names = Names::of(record, definitions.iter().map(|row| text_of(row, "name")));
-    let mut reader = Reader { names: &names, errors: Vec::new() };
-    let mut found = Plan {
-        definitions: Vec::new(),
-        inputs: Vec::new(),
-        order: Vec::new(),
-        questions: Vec::new(),
-        unknowns: Vec::new(),
-        givens: Vec::new(),
-        determined: None,
-        names: Names::default(),
-    };
-    for (n, row) in definitions.iter().enumerate() {
-        found.definitions.extend(reader.definition(n, row, &mut found.unknowns));
-    }
-    for (n, row) in questions.iter().enumerate() {
-        found.questions.extend(reader.question(n, row, &found.questions));
-    }
-    let mut wrong = reader.errors;
-    for (n, row) in givens.iter().enumerate() {
-        match unknowns::given(n, text_of(row, "name"), text_of(row, "value")) {
-            Ok(given) => found.givens.push(given),
-            Err(error) => wrong.push(error),
+    let mut reader = Reader::new(names);
+    let mut found = Plan::default();
+    for scope in 0..reader.names.scopes.len() {
+        if reader.names.scopes[scope].problem == scope {
+            reader.read(scope, record, &mut found);
         }
     }
-    // Only what names something that is there is taken for a formula; any other text keeps its own error.
-    for Pending { path, text, error } in pending {
-        if is_unknown(&text) {
-            let input = names.input(&path);
-            let read =
-                input.map(|input| unknowns::read(&text, &path, Some(input.measure)).map(|of| (input, of)));
-            match read {
-                Some(Ok((mut input, (unknown, start)))) => {
-                    (input.unit, input.value) = (start.unit.clone(), Number::Scalar(start.si));
-                    names::write_quantity(record, &path, start);
-                    found.unknowns.push(unknown);
-                    found.inputs.push(input);
-                }
-                Some(Err(why)) => wrong.push(FieldError::new(path, why)),
-                None => wrong.push(error),
-            }
-            continue;
-        }
-        match Formula::parse(&text, &|name| names.contains(name)) {
-            Ok(formula) if formula.names().iter().any(|(name, _)| names.contains(name)) => {
-                if let Some(mut input) = names.input(&path) {
-                    input.formula = Some(formula);
-                    found.inputs.push(input);
-                    continue;
-                }
-                wrong.push(error);
-            }
-            Err(formula) if mentions(&text, &names) => wrong.push(field_error(&path, formula)),
-            _ => wrong.push(error),
+    let Reader { names, errors: mut wrong } = reader;
+    for pending in pending {
+        if let Err(error) = found.take(pending, &names, record) {
+            wrong.push(error);
         }
     }
+    found.names = names;
     wrong.extend(found.uneven());
-    if found.definitions.len() < definitions.len() || !wrong.is_empty() {
+    if !wrong.is_empty() {
         errors.extend(wrong);
         return;
     }
-    found.names = names;
     found.add_named_inputs();
     let evaluated = found.arrange().and_then(|()| found.renew(record));
     match evaluated {
@@ -170,9 +145,9 @@ pub(crate) fn plan(record: &mut Record, pending: Vec<Pending>, errors: &mut Vec<
 }
 
 /// Returns true if a text has a word that is a name.
-fn mentions(text: &str, names: &Names) -> bool {
+fn mentions(text: &str, scope: usize, names: &Names) -> bool {
     let words = text.split(|c: char| !(c.is_alphanumeric() || matches!(c, '_' | '.' | '[' | ']')));
-    words.filter(|word| !word.is_empty()).any(|word| names.contains(word))
+    words.filter(|word| !word.is_empty()).any(|word| names.contains(scope, word))
 }
 
 fn field_error(path: &str, error: FormulaError) -> FieldError {
@@ -180,10 +155,36 @@ fn field_error(path: &str, error: FormulaError) -> FieldError {
 }
 
 impl Plan {
-    /// Name, unit and value in SI of each definition that is a quantity and no formula: what can be varied.
-    pub(crate) fn levers(&self) -> impl Iterator<Item = (&str, &Unit, f64)> {
+    /// Takes the text of an input for a formula or an unknown. Only what names something that is there is taken for a
+    /// formula; any other text keeps its own error.
+    fn take(&mut self, pending: Pending, names: &Names, record: &mut Record) -> Result<(), FieldError> {
+        let Pending { path, text, error } = pending;
+        let Some(mut input) = names.input(&path) else { return Err(error) };
+        if is_unknown(&text) {
+            let read = unknowns::read(&text, &path, Some(input.measure));
+            let (unknown, start) = read.map_err(|why| FieldError::new(&path, why))?;
+            (input.unit, input.value) = (start.unit.clone(), Number::Scalar(start.si));
+            names::write_quantity(record, &path, start);
+            self.unknowns.push(unknown);
+            self.inputs.push(input);
+            return Ok(());
+        }
+        let scope = input.scope;
+        match Formula::parse(&text, &|name| names.contains(scope, name)) {
+            Ok(formula) if formula.names().iter().any(|(name, _)| names.contains(scope, name)) => {
+                input.formula = Some(formula);
+                self.inputs.push(input);
+                Ok(())
+            }
+            Err(formula) if mentions(&text, scope, names) => Err(field_error(&path, formula)),
+            _ => Err(error),
+        }
+    }
+
+    /// Name from outside, unit and value in SI of each definition that is a quantity and no formula: what can be varied.
+    pub(crate) fn levers(&self) -> impl Iterator<Item = (String, &Unit, f64)> {
         let levers = self.definitions.iter().filter(|definition| definition.formula.quantity().is_some());
-        levers.map(|definition| (definition.name.as_str(), &definition.unit, definition.si))
+        levers.map(|definition| (self.outside(definition), &definition.unit, definition.si))
     }
 
     /// Returns true if an input takes its value from a formula.
@@ -223,10 +224,25 @@ impl Plan {
         self.determined.as_ref()
     }
 
-    /// The key of the question of that key or in those words.
-    pub(crate) fn question(&self, name: &str) -> Option<&str> {
-        let is_it = |question: &&Question| question.key == name || question.label == name;
-        self.questions.iter().find(is_it).map(|question| question.key.as_str())
+    /// The name of the answer to the question of that key or in those words.
+    pub(crate) fn question(&self, name: &str) -> Option<String> {
+        let scopes = &self.names.scopes;
+        let is_it = |question: &&Question| {
+            let scope = &scopes[question.scope];
+            scope.inside(name).is_some_and(|name| question.key == name || question.label == name)
+        };
+        let found = self.questions.iter().find(is_it);
+        found.map(|question| scopes[question.scope].outside(&question.key))
+    }
+
+    /// The name of a definition from outside.
+    fn outside(&self, definition: &Definition) -> String {
+        self.names.scopes[definition.scope].outside(&definition.name)
+    }
+
+    /// The definition of that name from outside.
+    fn definition(&self, name: &str) -> Option<&Definition> {
+        self.definitions.iter().find(|definition| self.outside(definition) == name)
     }
 
     /// Reason for which there are too few given answers, or nothing to be found from them.
@@ -234,7 +250,7 @@ impl Plan {
         let (unknowns, givens) = (self.unknowns.len(), self.givens.len());
         if unknowns == 0 && givens > 0 {
             let why = "nothing is unknown: write ? in the input that is to be found from it";
-            return Some(FieldError::new("given[1].name", why));
+            return Some(FieldError::new(format!("{}.name", self.givens[0].path), why));
         }
         if unknowns > givens {
             let why = Text::new(
@@ -253,113 +269,23 @@ impl Plan {
 
     /// The path that an error of an unknown is reported at.
     pub(crate) fn error_path(&self, name: &str) -> String {
-        match self.definitions.iter().position(|definition| definition.name == name) {
-            Some(at) => format!("let[{}].formula", at + 1),
-            None => name.to_owned(),
-        }
+        self.definition(name)
+            .map_or_else(|| name.to_owned(), |definition| self.path_of_definition(definition))
+    }
+
+    fn path_of_definition(&self, definition: &Definition) -> String {
+        self.names.scopes[definition.scope].outside(&format!("let[{}].formula", definition.row + 1))
     }
 
     /// Gives a definition another value; whether there is one of that name that can take it.
     pub(crate) fn set(&mut self, name: &str, si: f64) -> bool {
-        let levers = self.definitions.iter_mut().filter(|definition| definition.formula.quantity().is_some());
-        match levers.into_iter().find(|definition| definition.name == name) {
-            Some(definition) => {
-                definition.si = si;
-                true
-            }
-            None => false,
+        let found = self.definitions.iter().position(|definition| {
+            definition.formula.quantity().is_some() && self.outside(definition) == name
+        });
+        if let Some(at) = found {
+            self.definitions[at].si = si;
         }
-    }
-
-    /// Adds the inputs that formulas name.
-    fn add_named_inputs(&mut self) {
-        let formulas: Vec<&Formula> = self
-            .definitions
-            .iter()
-            .map(|definition| &definition.formula)
-            .chain(self.inputs.iter().filter_map(|input| input.formula.as_ref()))
-            .collect();
-        let named: Vec<String> = formulas
-            .into_iter()
-            .flat_map(Formula::names)
-            .filter_map(|(name, _)| self.names.path_of_input(name))
-            .collect();
-        for path in named {
-            if self.inputs.iter().all(|input| input.path != path)
-                && let Some(input) = self.names.input(&path)
-            {
-                self.inputs.push(input);
-            }
-        }
-    }
-
-    /// Finds the order of evaluation.
-    fn arrange(&mut self) -> Result<(), FieldError> {
-        let all: Vec<Place> = (0..self.definitions.len())
-            .map(Place::Definition)
-            .chain((0..self.inputs.len()).map(Place::Input))
-            .collect();
-        let (mut order, mut open) = (Vec::new(), Vec::new());
-        for place in all {
-            self.visit(place, &mut order, &mut open)?;
-        }
-        self.order = order;
-        Ok(())
-    }
-
-    fn visit(&self, place: Place, order: &mut Vec<Place>, open: &mut Vec<Place>) -> Result<(), FieldError> {
-        if order.contains(&place) {
-            return Ok(());
-        }
-        if let Some(start) = open.iter().position(|before| *before == place) {
-            let circle: Vec<&str> =
-                open[start..].iter().chain([&place]).map(|place| self.name_of(*place)).collect();
-            let why = Text::new("defined in a circle: {circle}").with("circle", circle.join(" → "));
-            return Err(FieldError::new(self.path_of(place), why));
-        }
-        open.push(place);
-        for (name, _) in self.formula_of(place).map(Formula::names).unwrap_or_default() {
-            if let Some(on) = self.find(name) {
-                self.visit(on, order, open)?;
-            }
-        }
-        open.pop();
-        order.push(place);
-        Ok(())
-    }
-
-    /// Meaning of a name in the formula of a definition or an input.
-    fn find(&self, name: &str) -> Option<Place> {
-        let by_path = |path: &str| self.inputs.iter().position(|input| input.path == path).map(Place::Input);
-        if let Some(place) = by_path(name) {
-            return Some(place);
-        }
-        let wanted = normalised(name);
-        let definition =
-            self.definitions.iter().position(|definition| normalised(&definition.name) == wanted);
-        definition.map(Place::Definition).or_else(|| by_path(&self.names.path_of_input(name)?))
-    }
-
-    fn formula_of(&self, place: Place) -> Option<&Formula> {
-        match place {
-            Place::Definition(at) => Some(&self.definitions[at].formula),
-            Place::Input(at) => self.inputs[at].formula.as_ref(),
-        }
-    }
-
-    fn name_of(&self, place: Place) -> &str {
-        match place {
-            Place::Definition(at) => &self.definitions[at].name,
-            Place::Input(at) => &self.inputs[at].path,
-        }
-    }
-
-    /// The path that an error of a formula is reported at.
-    fn path_of(&self, place: Place) -> String {
-        match place {
-            Place::Definition(at) => format!("let[{}].formula", at + 1),
-            Place::Input(at) => self.inputs[at].path.clone(),
-        }
+        found.is_some()
     }
 
     /// Evaluates every formula, and writes the inputs that have one into the record.
@@ -373,70 +299,99 @@ impl Plan {
         }
         let stop = Stop::new();
         let plain = Plain::new(&stop);
-        self.evaluate(&plain)?;
-        for input in self.inputs.iter().filter(|input| input.formula.is_some()) {
-            let Number::Scalar(si) = input.value else { continue };
-            let quantity = Quantity { si, unit: input.unit.clone(), last_place: 0.0 };
-            names::write_quantity(record, &input.path, quantity);
-        }
-        Ok(())
-    }
-
-    /// Evaluates every formula on numbers, in order.
-    fn evaluate(&mut self, plain: &Plain<'_>) -> Result<(), FieldError> {
         for n in 0..self.order.len() {
             let place = self.order[n];
-            let Some(formula) = self.formula_of(place) else { continue };
-            // A quantity keeps the value it has: as typed, or as a study set it.
-            if formula.quantity().is_some() {
-                continue;
+            if !self.after_solution.contains(&place) {
+                self.evaluate(place, &plain, &|_| None)?;
             }
-            let fail = |error| field_error(&self.path_of(place), error);
-            let scope = |name: &str| Ok(self.find(name).map(|place| self.operand(place)));
-            let found = evaluate::<&Plain<'_>>(formula, &scope, plain).map_err(fail)?;
-            let Operand::Number(si, dim) = found else {
-                let why = Text::new("`{text}` is no single number").with("text", &formula.text);
-                return Err(FieldError::new(self.path_of(place), why));
-            };
-            let unit = unit_of(formula, dim, &|name| self.find(name).map(|place| self.unit(place)));
-            match place {
-                Place::Definition(at) => {
-                    let definition = &mut self.definitions[at];
-                    (definition.unit, definition.si) = (unit, si);
-                }
-                Place::Input(at) => {
-                    let input = &self.inputs[at];
-                    let own = input.measure.own_unit();
-                    if !own.dim.agrees(dim) {
-                        let why = crate::reading::of_another_dimension(&formula.text, dim, &own);
-                        return Err(FieldError::new(&input.path, why));
-                    }
-                    let written = format!(
-                        "{} = {}",
-                        formula.text,
-                        dalembert_units::write_quantity(si, &own, <_>::default())
-                    );
-                    // An unknown has no value yet that a limit could be compared with.
-                    let outside = input.measure.outside(si, &written).filter(|_| self.unknowns.is_empty());
-                    if let Some(why) = outside {
-                        return Err(FieldError::new(&input.path, why));
-                    }
-                    let unit = if unit.dim == own.dim { unit } else { own };
-                    let input = &mut self.inputs[at];
-                    (input.unit, input.value) = (unit, Number::Scalar(si));
-                }
+        }
+        self.write_inputs(record);
+        Ok(())
+    }
+
+    /// Writes the value of every formula of an input into the record.
+    fn write_inputs(&self, record: &mut Record) {
+        for input in self.inputs.iter().filter(|input| input.formula.is_some()) {
+            let problem = self.names.scopes[input.scope].problem == input.scope;
+            if let (true, Some(quantity)) = (problem, quantity_of(input)) {
+                names::write_quantity(record, &input.path, quantity);
             }
+        }
+    }
+
+    /// Evaluates a definition or an input on numbers. `answer` gives an answer or a question and its dimension.
+    fn evaluate(
+        &mut self,
+        place: Place,
+        plain: &Plain<'_>,
+        answer: &dyn Fn(&Named) -> Option<(f64, Dim)>,
+    ) -> Result<(), FieldError> {
+        let Some(formula) = self.formula_of(place) else { return Ok(()) };
+        // A quantity keeps the value it has: as typed, or as a study set it.
+        if formula.quantity().is_some() {
+            return Ok(());
+        }
+        let fail = |error| field_error(&self.path_of(place), error);
+        let scope = |name: &str| -> Result<Option<Operand<&Plain<'_>>>, Text> {
+            Ok(match self.find(place, name) {
+                Some(named @ (Named::Answer(..) | Named::Question(_))) => {
+                    answer(&named).map(|(si, dim)| Operand::Number(si, dim))
+                }
+                Some(named) => self.place(&named).map(|place| self.operand(place)),
+                None => None,
+            })
+        };
+        let found = evaluate::<&Plain<'_>>(formula, &scope, plain).map_err(fail)?;
+        let Operand::Number(si, dim) = found else {
+            let why = Text::new("`{text}` is no single number").with("text", &formula.text);
+            return Err(FieldError::new(self.path_of(place), why));
+        };
+        let unit = unit_of(formula, dim, &|name| {
+            self.find(place, name).and_then(|named| self.place(&named)).and_then(|place| self.unit(place))
+        });
+        self.take_value(place, si, unit)
+    }
+
+    /// Takes the value of a formula, within the limits of its field.
+    fn take_value(&mut self, place: Place, si: f64, unit: Unit) -> Result<(), FieldError> {
+        match place {
+            Place::Definition(at) => {
+                let definition = &mut self.definitions[at];
+                (definition.unit, definition.si) = (unit, si);
+            }
+            Place::Input(at) => {
+                let input = &self.inputs[at];
+                let Some(formula) = &input.formula else { return Ok(()) };
+                let own = input.measure.own_unit();
+                if !own.dim.agrees(unit.dim) {
+                    let why = crate::reading::of_another_dimension(&formula.text, unit.dim, &own);
+                    return Err(FieldError::new(self.path_of(place), why));
+                }
+                let value = dalembert_units::write_quantity(si, &own, <_>::default());
+                let written = format!("{} = {value}", formula.text);
+                // An unknown has no value yet that a limit could be compared with.
+                let outside = input.measure.outside(si, &written).filter(|_| self.unknowns.is_empty());
+                if let Some(why) = outside {
+                    return Err(FieldError::new(self.path_of(place), why));
+                }
+                let unit = if unit.dim == own.dim { unit } else { own };
+                let input = &mut self.inputs[at];
+                (input.unit, input.value) = (unit, Number::Scalar(si));
+            }
+            Place::Solution(_) | Place::Question(_) => {}
         }
         Ok(())
     }
 
-    fn unit(&self, place: Place) -> Unit {
+    fn unit(&self, place: Place) -> Option<Unit> {
         match place {
-            Place::Definition(at) => self.definitions[at].unit.clone(),
-            Place::Input(at) => self.inputs[at].unit.clone(),
+            Place::Definition(at) => Some(self.definitions[at].unit.clone()),
+            Place::Input(at) => Some(self.inputs[at].unit.clone()),
+            Place::Solution(_) | Place::Question(_) => None,
         }
     }
 
+    /// A definition or an input as a value in a formula.
     fn operand<'p>(&self, place: Place) -> Operand<&'p Plain<'p>> {
         match place {
             Place::Definition(at) => Operand::Number(self.definitions[at].si, self.definitions[at].unit.dim),
@@ -444,94 +399,13 @@ impl Plan {
                 Number::Scalar(si) => Operand::Number(si, self.inputs[at].unit.dim),
                 Number::Vector(si) => Operand::Vector(si.into(), self.inputs[at].unit.dim),
             },
+            Place::Solution(_) | Place::Question(_) => Operand::Number(f64::NAN, Dim::NONE),
         }
-    }
-
-    /// Writes definitions and the formulas of inputs down as steps, before the problem itself.
-    pub(crate) fn record(&self, sheet: &Sheet<'_>) -> Result<(), Refusal> {
-        let mut nodes: BTreeMap<Place, crate::trace::Id> = BTreeMap::new();
-        for &place in &self.order {
-            let formula = self.formula_of(place);
-            let id = match (place, formula) {
-                (Place::Definition(at), Some(formula)) if formula.quantity().is_some() => {
-                    let Definition { name, unit, si, .. } = &self.definitions[at];
-                    let symbol = Symbol::from(intern(name));
-                    self.record_unknown(sheet, name, symbol, unit, *si)
-                        .unwrap_or_else(|| sheet.lift(name, symbol, unit, Number::Scalar(*si)))
-                }
-                (Place::Input(at), None) => {
-                    let PlannedInput { path, symbol, unit, value, .. } = &self.inputs[at];
-                    let unknown = match value {
-                        Number::Scalar(si) => self.record_unknown(sheet, path, *symbol, unit, *si),
-                        Number::Vector(_) => None,
-                    };
-                    unknown.unwrap_or_else(|| sheet.lift(path, *symbol, unit, *value))
-                }
-                (_, Some(formula)) => {
-                    let scope = |name: &str| {
-                        Ok(self.find(name).and_then(|place| {
-                            let id = *nodes.get(&place)?;
-                            Some(operand_at(sheet, id))
-                        }))
-                    };
-                    let found = evaluate::<&Sheet<'_>>(formula, &scope, sheet)
-                        .map_err(|error| Refusal::NoAnswer(error.why))?;
-                    let Operand::Number(value, _) = found else { continue };
-                    let (symbol, why) = match place {
-                        Place::Definition(at) => {
-                            (Symbol::from(intern(&self.definitions[at].name)), Text::new("Definition"))
-                        }
-                        Place::Input(at) => {
-                            let label = self.inputs[at].label;
-                            (
-                                self.inputs[at].symbol,
-                                Text::new("{input}, by its formula").with_text("input", label),
-                            )
-                        }
-                    };
-                    let unit = intern(&self.unit(place).ascii());
-                    let unit = if unit.is_empty() { "1" } else { unit };
-                    let step = crate::Worksheet::step(sheet, symbol, unit, value, why);
-                    let Some(id) = step.node() else { continue };
-                    if let Place::Input(at) = place {
-                        sheet.lift_formula(&self.inputs[at].path, id);
-                    }
-                    id
-                }
-                (Place::Definition(_), None) => continue,
-            };
-            nodes.insert(place, id);
-        }
-        Ok(())
-    }
-
-    /// Writes an unknown that was found down as a step; `None` where there is none of that name.
-    fn record_unknown(
-        &self,
-        sheet: &Sheet<'_>,
-        name: &str,
-        symbol: Symbol,
-        unit: &Unit,
-        si: f64,
-    ) -> Option<crate::trace::Id> {
-        let why = self.determined.as_ref()?.why(name)?;
-        let unit = intern(&unit.ascii());
-        let unit = if unit.is_empty() { "1" } else { unit };
-        let id = crate::Worksheet::numerical(sheet, symbol, unit, si, why).node()?;
-        sheet.lift_formula(name, id);
-        Some(id)
     }
 }
 
-/// A node of the sheet as a value in a formula.
-fn operand_at<'s>(sheet: &'s Sheet<'s>, id: crate::trace::Id) -> Operand<&'s Sheet<'s>> {
-    let (number, dim) = {
-        let solution = sheet.solution();
-        let node = solution.trace.node(id);
-        (node.number, node.dim)
-    };
-    match number {
-        Number::Scalar(_) => Operand::Number(sheet.term(id), dim),
-        Number::Vector(_) => Operand::Vector(sheet.vector_term(id), dim),
-    }
+/// The value of an input as a quantity; `None` for a vector.
+fn quantity_of(input: &PlannedInput) -> Option<Quantity> {
+    let Number::Scalar(si) = input.value else { return None };
+    Some(Quantity { si, unit: input.unit.clone(), last_place: 0.0 })
 }

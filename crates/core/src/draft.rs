@@ -110,12 +110,7 @@ impl Draft {
         };
         let Faults { mut errors, pending } = faults;
         definitions::plan(&mut record, pending, &mut errors);
-        let lists = lists(&record);
-        errors.extend(ambiguous(&lists, &record));
-        resolve_record(&mut record, &lists, "", &mut errors);
-        if errors.is_empty() {
-            errors = kinds::mixed(&record);
-        }
+        resolve_problem(&mut record, "", &mut errors);
         if errors.is_empty() { Ok(record) } else { Err(errors) }
     }
 
@@ -508,10 +503,36 @@ fn lists(record: &Record) -> Vec<List> {
     lists.collect()
 }
 
+/// Finds the rows that references name, and compares what is common to the inputs of a problem; of each of several by
+/// itself.
+fn resolve_problem(record: &mut Record, path: &str, errors: &mut Vec<FieldError>) {
+    let lists = lists(record);
+    let own = definitions::without_linked(record);
+    errors.extend(ambiguous(&lists, &own).into_iter().map(|error| within(path, error)));
+    if errors.is_empty() {
+        errors.extend(kinds::mixed(&own).into_iter().map(|error| within(path, error)));
+    }
+    resolve_record(record, &lists, path, errors);
+    for (field, value) in record.fields.iter().zip(&mut record.values) {
+        if let Value::Group(inner) = value
+            && definitions::are_of_problem(inner.fields)
+        {
+            resolve_problem(inner, &join(path, field.name), errors);
+        }
+    }
+}
+
+fn within(path: &str, error: FieldError) -> FieldError {
+    FieldError { path: join(path, &error.path), ..error }
+}
+
 /// Finds the rows that references name.
 fn resolve_record(record: &mut Record, lists: &[List], path: &str, errors: &mut Vec<FieldError>) {
     for (field, value) in record.fields.iter().zip(&mut record.values) {
-        resolve(value, &field.shape, lists, &join(path, field.name), errors);
+        let is_problem = matches!(value, Value::Group(inner) if definitions::are_of_problem(inner.fields));
+        if !is_problem {
+            resolve(value, &field.shape, lists, &join(path, field.name), errors);
+        }
     }
 }
 

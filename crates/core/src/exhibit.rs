@@ -461,3 +461,38 @@ impl From<&'static str> for Cell {
         Cell::Text(text.into())
     }
 }
+
+impl Exhibit {
+    /// Renames the exhibit as that of one of several problems: its title, its answers and its inputs.
+    pub(crate) fn rename(
+        &mut self,
+        title: &dyn Fn(&Text) -> Text,
+        answer: &dyn Fn(&str) -> String,
+        input: &dyn Fn(&str) -> String,
+    ) {
+        match self {
+            Exhibit::Plot(plot) => {
+                plot.title = title(&plot.title);
+                if let Some(over) = &mut plot.over {
+                    over.input = input(&over.input);
+                    over.answer = over.answer.as_deref().map(answer);
+                }
+                for series in &mut plot.series {
+                    series.of = series.of.as_deref().map(answer);
+                    for (path, _) in &mut series.with {
+                        *path = input(path);
+                    }
+                }
+            }
+            Exhibit::Table(table) => table.title = title(&table.title),
+            Exhibit::Drawing(drawing) => drawing.title = title(&drawing.title),
+            Exhibit::Animation(animation) => {
+                animation.title = title(&animation.title);
+                if let Some((path, _)) = &mut animation.over {
+                    *path = input(path);
+                }
+            }
+            Exhibit::Scene(scene) => scene.title = title(&scene.title),
+        }
+    }
+}

@@ -1,5 +1,7 @@
 //! Description of the inputs of a problem, which forms, files and the command line share.
 
+use std::{fmt, ops::Deref};
+
 use crate::Text;
 use dalembert_units::{self as units, Dim, Unit};
 
@@ -49,7 +51,7 @@ pub enum Shape {
     /// One of several alternatives, each with fields of its own (or none: a plain choice).
     OneOf(fn() -> &'static [Variant]),
     /// Fields that belong together.
-    Group(fn() -> &'static [Field]),
+    Group(Fields),
     /// A list, each item of the same shape.
     Rows {
         /// The shape of an item.
@@ -60,12 +62,16 @@ pub enum Shape {
         most: usize,
     },
     /// Numbers in columns with units: typed, pasted or read from a file.
-    Table(fn() -> &'static [Field]),
+    Table(Fields),
     /// The name (or number) of an item of the top-level list of that name.
     Reference(&'static str),
     /// May be left out.
     Optional(fn() -> &'static Shape),
 }
+
+/// A list of fields, called for: of a type, or of problems that are linked when a file is read.
+#[derive(Clone, Copy)]
+pub struct Fields(pub &'static (dyn Fn() -> &'static [Field] + Sync));
 
 /// The unit, kind and limits of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,7 +110,7 @@ pub struct Variant {
     /// The rest of its documentation; may be empty.
     pub help: &'static str,
     /// Input fields of this alternative.
-    pub fields: fn() -> &'static [Field],
+    pub fields: Fields,
     /// The alternatives that stood here instead in earlier files.
     pub former: &'static [&'static str],
 }
@@ -116,6 +122,20 @@ pub struct ChildList {
     place: *const (),
     /// Number of fields or alternatives.
     pub parts: usize,
+}
+
+impl Deref for Fields {
+    type Target = dyn Fn() -> &'static [Field] + Sync;
+
+    fn deref(&self) -> &Self::Target {
+        self.0
+    }
+}
+
+impl fmt::Debug for Fields {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self().iter().map(|field| field.name)).finish()
+    }
 }
 
 impl ChildList {

@@ -13,9 +13,11 @@ mod choice;
 mod definitions;
 mod format;
 mod former;
+mod linked;
 mod rows;
 mod template;
 pub use choice::{NamedInput, named_input};
+pub use linked::{LinkedFile, ReadFile};
 pub use template::template;
 
 use std::ops::Range;
@@ -29,7 +31,8 @@ use crate::{
 };
 
 /// The keys a problem file may have at the top.
-const KEYS: [&str; 8] = ["format", "analysis", "title", "let", "inputs", "given", "ask", "show"];
+const KEYS: [&str; 10] =
+    ["format", "analysis", "title", "let", "inputs", "problem", "configuration", "given", "ask", "show"];
 
 /// The contents of a problem file.
 #[derive(Clone, Debug)]
@@ -44,6 +47,8 @@ pub struct ProblemFile {
     pub show: Vec<(String, String)>,
     /// Notes on values that an older format left implicit and that were written out as that format has them.
     pub notes: Vec<Text>,
+    /// The files that it links to, in the order in which they were read.
+    pub files: Vec<LinkedFile>,
 }
 
 /// The errors and notes of reading a file of a format.
@@ -64,35 +69,56 @@ pub struct FileError {
     pub span: Option<Range<usize>>,
 }
 
-/// Reads a problem file. The inputs are taken as they are typed; [`Draft::read`] says what is wrong with them,
-/// and [`locate`] where.
+/// Reads a problem file that links to no other. The inputs are taken as they are typed; [`Draft::read`] says what is wrong
+/// with them, and [`locate`] where.
 pub fn parse(text: &str) -> Result<ProblemFile, Vec<FileError>> {
+    parse_with(text, &mut |_| Err("no other file can be read here".into()))
+}
+
+/// Reads a problem file and those that it links to, whose texts `read` gives by their paths from its folder.
+pub fn parse_with(text: &str, read: &mut ReadFile<'_>) -> Result<ProblemFile, Vec<FileError>> {
+    parse_open(text, &mut linked::Links { read, open: Vec::new(), files: Vec::new() })
+}
+
+fn parse_open(text: &str, links: &mut linked::Links<'_, '_>) -> Result<ProblemFile, Vec<FileError>> {
     let document = document(text)?;
     let root = document.as_table();
     let mut errors = Vec::new();
     check_keys(root, &KEYS, &mut errors);
     let format = Format::of(root).map_err(|error| vec![error])?;
-    let entry = match root.get("analysis").map(|item| (item, item.as_str())) {
-        Some((_, Some(id))) => find(id).ok_or_else(|| no_such_analysis(id)),
-        Some((_, None)) => {
-            Err(Text::new("the analysis must be a text such as \"vibration/rotating-unbalance\""))
-        }
-        None => Err(Text::new("the analysis is not named; write analysis = \"family/name\" at the top")),
-    };
-    let entry = match entry {
-        Ok(entry) => entry,
+    let has_others = root.contains_key("problem") && !root.contains_key("analysis");
+    let main = match analysis_of(root) {
+        _ if has_others => None,
+        Ok(entry) => Some(entry),
         Err(why) => {
             errors.insert(0, FileError { why, span: span(root, "analysis") });
             return Err(errors);
         }
     };
     let mut reading = FileNotes { format, errors, notes: Vec::new(), kind: None };
-    let no_inputs = Item::Table(Table::new());
-    let draft = problem_of(root, root.get("inputs").unwrap_or(&no_inputs), entry, &mut reading);
+    let mut show = read_show(root, &mut reading.errors);
+    let (entry, draft) = problem_of(root, main, &mut show, links, &mut reading);
     let FileNotes { mut errors, notes, .. } = reading;
     let title = text_at(root, "title", &mut errors).unwrap_or_default();
+    let files = if links.open.is_empty() { std::mem::take(&mut links.files) } else { Vec::new() };
+    if errors.is_empty() { Ok(ProblemFile { entry, title, draft, show, notes, files }) } else { Err(errors) }
+}
+
+/// The analysis that a table names.
+fn analysis_of(table: &dyn TableLike) -> Result<&'static Entry, Text> {
+    match table.get("analysis").map(Item::as_str) {
+        Some(Some(id)) => find(id).ok_or_else(|| no_such_analysis(id)),
+        Some(None) => {
+            Err(Text::new("the analysis must be a text such as \"vibration/rotating-unbalance\""))
+        }
+        None => Err(Text::new("the analysis is not named; write analysis = \"family/name\" at the top")),
+    }
+}
+
+/// Display of answers, `[show]`.
+fn read_show(table: &dyn TableLike, errors: &mut Vec<FileError>) -> Vec<(String, String)> {
     let mut show = Vec::new();
-    match root.get("show").map(|item| (item, item.as_table_like())) {
+    match table.get("show").map(|item| (item, item.as_table_like())) {
         Some((_, Some(table))) => {
             for (answer, item) in table.iter() {
                 let display = item.as_str().ok_or_else(|| Text::from("a unit must be a text such as \"mm\""));
@@ -109,12 +135,13 @@ pub fn parse(text: &str) -> Result<ProblemFile, Vec<FileError>> {
         }),
         None => {}
     }
-    if errors.is_empty() { Ok(ProblemFile { entry, title, draft, show, notes }) } else { Err(errors) }
+    show
 }
 
 /// Returns true if a text is a problem file, however wrong its inputs may be.
 pub fn is_problem(text: &str) -> bool {
-    Document::parse(text).is_ok_and(|document| document.as_table().contains_key("analysis"))
+    let has = |key| Document::parse(text).is_ok_and(|document| document.as_table().contains_key(key));
+    has("analysis") || has("problem")
 }
 
 /// Writes a problem over the text of its file, in the latest format, keeping comments, order and everything that has
@@ -123,12 +150,23 @@ pub fn write(problem: &ProblemFile, over: &str) -> String {
     let mut document: DocumentMut = over.parse().unwrap_or_default();
     let root = document.as_table_mut();
     Format::LATEST.write(root);
-    set_text(root, "analysis", problem.entry.about.id);
+    let linked = problem.entry.linked();
+    let main = if linked.is_empty() {
+        Some(problem.entry)
+    } else {
+        linked.iter().find(|problem| problem.name.is_empty()).map(|problem| problem.entry)
+    };
+    if let Some(main) = main {
+        set_text(root, "analysis", main.about.id);
+    }
     if !problem.title.is_empty() || root.contains_key("title") {
         set_text(root, "title", &problem.title);
     }
-    let inputs = root.entry("inputs").or_insert_with(|| Item::Table(Table::new()));
-    write_item(inputs, &problem.draft, &problem.entry.inputs());
+    if let Some(main) = main {
+        let inputs = root.entry("inputs").or_insert_with(|| Item::Table(Table::new()));
+        write_item(inputs, &problem.draft, &main.inputs());
+    }
+    linked::write(root, problem.entry, &problem.draft);
     definitions::write(root, &problem.draft, &problem.entry.shape());
     if !problem.show.is_empty() {
         let show = root.entry("show").or_insert_with(|| Item::Table(Table::new()));
@@ -148,8 +186,15 @@ pub fn write(problem: &ProblemFile, over: &str) -> String {
 /// Byte ranges of the fields of errors in the text of a problem file: the value, or the smallest enclosing part.
 pub fn locate<'e>(text: &str, errors: impl IntoIterator<Item = &'e FieldError>) -> Vec<Option<Range<usize>>> {
     let document = Document::parse(text).ok();
-    let inputs = document.as_ref().and_then(|document| document.as_table().get("inputs"));
-    errors.into_iter().map(|error| place(inputs?, &error.path)).collect()
+    let root = document.as_ref().map(Document::as_table);
+    let located = |error: &FieldError| {
+        let root = root?;
+        match linked::place(root, &error.path) {
+            Some((problem, path)) => place(problem.get("inputs")?, path),
+            None => place(root.get("inputs")?, &error.path),
+        }
+    };
+    errors.into_iter().map(located).collect()
 }
 
 /// A part of a document.
@@ -228,14 +273,34 @@ pub(crate) fn document(text: &str) -> Result<Document<&str>, Vec<FileError>> {
     })
 }
 
-/// Draft of a problem: its inputs, and the tables of definitions and questions beside them.
-pub(crate) fn problem_of(
-    root: &dyn TableLike,
-    inputs: &Item,
-    entry: &Entry,
+/// Entry and draft of the problems of a table: the inputs of the analysis `main`, the problems under `problem`, those of
+/// linked files, and the tables of definitions and questions beside them.
+fn problem_of(
+    root: &Table,
+    main: Option<&'static Entry>,
+    show: &mut Vec<(String, String)>,
+    links: &mut linked::Links<'_, '_>,
     reading: &mut FileNotes,
-) -> Draft {
-    let mut draft = draft_of(inputs, &entry.inputs(), "inputs", reading);
+) -> (&'static Entry, Draft) {
+    let no_inputs = Item::Table(Table::new());
+    let main = main.map(|entry| {
+        let inputs = root.get("inputs").unwrap_or(&no_inputs);
+        (entry, draft_of(inputs, &entry.inputs(), "inputs", reading))
+    });
+    let mut others = linked::problems(root, show, reading);
+    let common = definitions::lists(root, reading);
+    let drafts = main.iter().map(|(_, draft)| draft).chain(others.iter().map(|(_, draft)| draft));
+    let files = linked::files(drafts.chain(&common), links, reading);
+    others.extend(files);
+    let (entry, mut draft) = linked::together(main, others);
+    definitions::put(&mut draft, &entry.shape(), common);
+    (entry, draft)
+}
+
+/// Draft of a case: a problem of an analysis, which links to no other.
+pub(crate) fn case_of(root: &Table, entry: &Entry, reading: &mut FileNotes) -> Draft {
+    let no_inputs = Item::Table(Table::new());
+    let mut draft = draft_of(root.get("inputs").unwrap_or(&no_inputs), &entry.inputs(), "inputs", reading);
     definitions::read(root, &entry.shape(), &mut draft, reading);
     draft
 }

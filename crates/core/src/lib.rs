@@ -25,6 +25,7 @@ mod input;
 mod intern;
 mod kept;
 mod kinds;
+pub mod linked;
 mod names;
 mod path;
 pub mod printer;
@@ -62,14 +63,15 @@ pub use crate::{
         Animation, Axis, Band, Cell, Column, Deferred, Drawing, DrawnShape, Exhibit, Frames, Ink, LabelSide,
         Level, Mark, Over, Plot, Point, Point3, Scale, Scene, Series, Shape3, TableExhibit, Viewpoint3,
     },
-    field::{ChildList, Field, FieldLimit, Measure, Shape, Variant},
+    field::{ChildList, Field, FieldLimit, Fields, Measure, Shape, Variant},
     input::{FieldError, Inputs, Lift, MeasuredQuantity, Reference},
+    linked::LinkedProblem,
     path::{is_within, nearest},
     reading::unit_hint,
     record::{NumberTable, Record, Value},
     sheet::{Sheet, Term, VectorTerm},
     sketch::Sketch,
-    solution::{Answer, AnswerValue, Check, Display, Name, Sides, Solution, Step},
+    solution::{Answer, AnswerValue, Check, Display, Name, ProblemSteps, Sides, Solution, Step},
     source::{Cite, Source},
     text::{Arg, Language, Locale, Messages, Text},
     trace::{Number, Symbol, Trace},

@@ -15,8 +15,8 @@ use nalgebra::Vector3;
 
 pub use self::{term::Term, vect::VectorTerm};
 use crate::{
-    Answer, Check, Exhibit, Locale, Name, Reason, Refusal, Sides, Solution, Step, Stop, Symbol, Text, Value,
-    Worksheet, derive_support, printer,
+    Answer, Check, Exhibit, Locale, Name, ProblemSteps, Reason, Refusal, Sides, Solution, Step, Stop, Symbol, Text, Value,
+    Worksheet, derive_support, intern::intern, printer,
     solution::AnswerValue,
     trace::{Id, Number, Op, ROUNDING, TraceNode},
     worksheet::InputNumber,
@@ -37,6 +37,15 @@ pub struct Sheet<'a> {
     lifted: RefCell<HashMap<String, Id>>,
     /// The step whose result is written down with a relative error of [`PERTURBATION`].
     perturbed: Option<usize>,
+}
+
+/// Lengths of the lists of a sheet before the solution of one of several problems.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Mark {
+    answers: usize,
+    checks: usize,
+    warnings: usize,
+    exhibits: usize,
 }
 
 impl<'a> Sheet<'a> {
@@ -413,11 +422,78 @@ impl<'a> Sheet<'a> {
         self.lifted.borrow().get(path).copied()
     }
 
-    /// Marks the answer of that name as one the user asked for.
-    pub(crate) fn mark_asked(&self, name: Name) {
+    /// Marks the answer of that name as one the user asked for, of a problem among several.
+    pub(crate) fn mark_asked(&self, name: Name, problem: &'static str) {
         if let Some(answer) = self.solution.borrow_mut().answers.iter_mut().find(|answer| answer.name == name)
         {
-            answer.asked = true;
+            (answer.asked, answer.problem) = (true, problem);
+        }
+    }
+
+    /// Puts another node, or none, in the place of an input; the node that was there.
+    pub(crate) fn put_lifted(&self, path: &str, node: Option<Id>) -> Option<Id> {
+        let mut lifted = self.lifted.borrow_mut();
+        match node {
+            Some(node) => lifted.insert(path.to_owned(), node),
+            None => lifted.remove(path),
+        }
+    }
+
+    /// Keeps the nodes of all inputs, so that the next solution of the same problem has the same ones.
+    pub(crate) fn keep_given_inputs(&self) {
+        let solution = self.solution.borrow();
+        let mut lifted = self.lifted.borrow_mut();
+        for (id, node) in (0..).zip(&solution.trace.nodes) {
+            if let Op::Given { path, .. } = &node.op
+                && !lifted.contains_key(path)
+            {
+                lifted.insert(path.clone(), id);
+            }
+        }
+    }
+
+    /// What the sheet has now, before the solution of one of several problems.
+    pub(crate) fn mark(&self) -> Mark {
+        let solution = self.solution.borrow();
+        Mark {
+            answers: solution.answers.len(),
+            checks: solution.checks.len(),
+            warnings: solution.warnings.len(),
+            exhibits: solution.exhibits.len(),
+        }
+    }
+
+    /// Writes the name of a problem or a configuration before what its solution has added since; `path` leads to its
+    /// inputs.
+    pub(crate) fn name_problem(&self, name: &'static str, path: &str, since: Mark) {
+        let mut solution = self.solution.borrow_mut();
+        for answer in &mut solution.answers[since.answers..] {
+            answer.name.base = intern(&format!("{name}.{}", answer.name.base));
+            answer.problem = name;
+        }
+        let named = |text: &Text| Text::new("{problem}: {title}").with("problem", name).with_text("title", text.clone());
+        for check in &mut solution.checks[since.checks..] {
+            check.what = named(&check.what);
+        }
+        for warning in &mut solution.warnings[since.warnings..] {
+            *warning = named(warning);
+        }
+        for exhibit in &mut solution.exhibits[since.exhibits..] {
+            exhibit.rename(
+                &named,
+                &|answer| format!("{name}.{answer}"),
+                &|input| if path.is_empty() { input.to_owned() } else { format!("{path}.{input}") },
+            );
+        }
+    }
+
+    /// Adds steps to those of a problem among several.
+    pub(crate) fn add_problem_steps(&self, more: ProblemSteps) {
+        let problems = &mut self.solution.borrow_mut().problems;
+        match problems.last_mut() {
+            Some(last) if last.name == more.name => last.steps.end = more.steps.end,
+            _ if more.steps.is_empty() => {}
+            _ => problems.push(more),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Parts of a solution: plain data, for a screen, a file or a test.
 
-use std::{fmt, sync::Arc};
+use std::{fmt, ops::Range, sync::Arc};
 
 use dalembert_numerics::intervals::IntervalSet;
 use dalembert_units::{self as units, Dim, Unit};
@@ -20,6 +20,8 @@ pub struct Solution {
     pub answers: Vec<Answer>,
     /// The worked solution.
     pub steps: Vec<Step>,
+    /// Steps of each of several problems or configurations; empty where there is one problem alone.
+    pub problems: Vec<ProblemSteps>,
     /// Plots, tables and drawings.
     pub exhibits: Vec<Exhibit>,
     /// Independent ways to the same numbers, and how near they came.
@@ -36,11 +38,22 @@ pub struct Solution {
     pub trace: Trace,
 }
 
+/// Steps of one of several problems or configurations.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ProblemSteps {
+    /// Name of the problem or configuration; empty for the problem that the others are linked to.
+    pub name: &'static str,
+    /// Its steps.
+    pub steps: Range<usize>,
+}
+
 /// An answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Answer {
     /// The key in cases, files and on the command line.
     pub name: Name,
+    /// Name of the linked problem or configuration that it is of; empty where there is one problem alone.
+    pub problem: &'static str,
     /// Name in words.
     pub label: &'static str,
     /// The row of the inputs that it is about, by the name the user gave it; empty where that has none.
@@ -179,7 +192,7 @@ impl Solution {
 impl Answer {
     /// An answer in the unit and with the digits of the analysis.
     pub(crate) fn new(name: Name, label: &'static str, value: AnswerValue, unit: Unit, noise: f64) -> Self {
-        Self { name, label, row_label: String::new(), value, unit, noise, digits: None, asked: false }
+        Self { name, problem: "", label, row_label: String::new(), value, unit, noise, digits: None, asked: false }
     }
 
     /// The answer as a number in SI, where it is one.
@@ -190,8 +203,17 @@ impl Answer {
         }
     }
 
-    /// Label followed by the row label or index: `Force in the joint, pin B`, `Natural frequency 2`.
+    /// Label followed by the row label or index, behind the name of its problem among several: `Force in the joint,
+    /// pin B`, `Natural frequency 2`, `fan: Amplitude`.
     pub fn title(&self) -> Text {
+        if self.problem.is_empty() {
+            return self.title_within();
+        }
+        Text::new("{problem}: {title}").with("problem", self.problem).with_text("title", self.title_within())
+    }
+
+    /// Title without the name of the problem.
+    pub fn title_within(&self) -> Text {
         let places = self.name.places().map(|row| row.to_string()).collect::<Vec<_>>().join(", ");
         match (&self.row_label[..], &places[..]) {
             ("", "") => Text::from(self.label),

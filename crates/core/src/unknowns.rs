@@ -18,7 +18,7 @@ use crate::{
     Stop, TableExhibit, Text, Worksheet, cases,
     definitions::{GivenAnswer, Plan, Unknown},
     intern::intern,
-    reading,
+    linked, reading,
     study::fixed,
     vary::{self, Perturbed, VariedInput},
 };
@@ -94,7 +94,7 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
     }
     if let Some(lost) = (0..answers.len()).find(|n| !again.answers.contains(&answers[*n].name.to_string())) {
         return Err(fault(
-            format!("given[{}].name", lost + 1),
+            format!("{}.name", givens[lost].path),
             not_a_number(answers[lost].name, &again.answers),
         ));
     }
@@ -109,7 +109,7 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
     if let Some(blind) = found.without_influence {
         let why = Text::new("{answer} does not depend on what is unknown: give another answer")
             .with_text("answer", label(&answers[blind]));
-        return Err(fault(format!("given[{}].name", blind + 1), why));
+        return Err(fault(format!("{}.name", givens[blind].path), why));
     }
     let Some(first) = found.solutions.first() else {
         return Err(none(&found, &variables, &inputs, givens, &answers).into());
@@ -197,8 +197,9 @@ fn variable(entry: &Entry, unknown: &Unknown, input: &VariedInput) -> Result<Var
         return Ok(Variable::new(range, unknown.start));
     }
     let start = unknown.start.or_else(|| {
+        let (entry, name) = linked::problem_of(entry, &unknown.name);
         let records = cases::cases(entry).ok()?.into_iter().filter_map(|case| case.record(entry).ok());
-        let mut values = records.filter_map(|mut record| vary::number(&mut record, &unknown.name).copied());
+        let mut values = records.filter_map(|mut record| vary::number(&mut record, name).copied());
         values.find(|si| si.is_finite() && *si != 0.0)
     });
     let own = input.measure.own_unit();
@@ -242,19 +243,19 @@ fn begin(
         };
         let mut answers = Vec::new();
         let mut errors = Vec::new();
-        for (n, given) in givens.iter().enumerate() {
-            let name = plan.question(&given.name).unwrap_or(&given.name);
-            match solution.answer(name).filter(|answer| answer.si().is_some()) {
+        for given in givens {
+            let name = plan.question(&given.name).unwrap_or_else(|| given.name.clone());
+            match solution.answer(&name).filter(|answer| answer.si().is_some()) {
                 None => {
                     let scalars = solution.answers.iter().filter(|answer| answer.si().is_some());
                     let known: Vec<String> = scalars.map(|answer| answer.name.to_string()).collect();
                     let why = not_a_number(name, &known);
-                    errors.push(FieldError::new(format!("given[{}].name", n + 1), why));
+                    errors.push(FieldError::new(format!("{}.name", given.path), why));
                 }
                 Some(answer) if !answer.dim().agrees(given.unit.dim) => {
                     let text = dalembert_units::write_quantity(given.si, &given.unit, <_>::default());
                     let why = reading::of_another_dimension(&text, given.unit.dim, &answer.unit);
-                    errors.push(FieldError::new(format!("given[{}].value", n + 1), why));
+                    errors.push(FieldError::new(format!("{}.value", given.path), why));
                 }
                 Some(answer) => answers.push(answer.clone()),
             }
@@ -367,7 +368,7 @@ impl Determined {
                 && sheet.solution().answer(&unknown.name).is_none()
             {
                 sheet.answer(name, plan.label(&unknown.name), sheet.term(id));
-                sheet.mark_asked(name);
+                sheet.mark_asked(name, "");
             }
         }
         if self.solutions.len() > 1 {

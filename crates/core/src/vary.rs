@@ -74,9 +74,9 @@ pub fn inputs(record: &Record) -> Vec<VariedInput> {
         found.retain(|input| !plan.has_formula(&input.path) && !plan.is_unknown(&input.path));
         let levers = plan.levers().filter(|(name, ..)| !plan.is_unknown(name));
         found.extend(levers.map(|(name, unit, si)| VariedInput {
-            path: name.to_owned(),
-            label: Text::verbatim(name),
-            symbol: intern(name),
+            label: Text::verbatim(&name),
+            symbol: intern(&name),
+            path: name,
             measure: Measure {
                 unit: intern(&unit.ascii()),
                 kind: Some(Kind::Other),

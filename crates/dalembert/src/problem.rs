@@ -175,7 +175,8 @@ fn of_file(
     asked: &ProblemSource<'_>,
     console: &Console,
 ) -> Result<LoadedProblem, Failure> {
-    let problem = file::parse(text).map_err(|errors| {
+    let mut read = |linked: &str| files::read_linked(path, linked);
+    let problem = file::parse_with(text, &mut read).map_err(|errors| {
         let places = errors.into_iter().map(|err| (err.why, err.span)).collect::<Vec<_>>();
         Failure::InFile(snippet::show(path, text, &places, console))
     })?;

@@ -157,7 +157,7 @@ fn structure(item: &DeriveInput, fields: &FieldsNamed) -> Result<Tokens> {
             static FIELDS: &[dalembert_core::Field] = &[#(#described),*];
 
             impl dalembert_core::Inputs for #name {
-                const SHAPE: dalembert_core::Shape = dalembert_core::Shape::Group(|| FIELDS);
+                const SHAPE: dalembert_core::Shape = dalembert_core::Shape::Group(dalembert_core::Fields(&|| FIELDS));
                 type Given<W: dalembert_core::Worksheet> = #given_name<W>;
 
                 fn read(
@@ -262,7 +262,7 @@ impl Alternatives {
         self.statics.push(code! { static #list: &[dalembert_core::Field] = &[#(#inner),*]; });
         self.described.push(code! {
             &[dalembert_core::Variant {
-                name: #key, label: #label, help: #help, fields: || #list, former: #former,
+                name: #key, label: #label, help: #help, fields: dalembert_core::Fields(&|| #list), former: #former,
             }]
         });
         let (read, names, given, slot) = (group.read(), &group.names, group.given(), group.slots());

@@ -129,7 +129,7 @@ impl FieldKind {
                 }
             }
             FieldKind::Table(row) => code! {
-                dalembert_core::Shape::Table(|| <#row as dalembert_core::Inputs>::SHAPE.fields(None))
+                dalembert_core::Shape::Table(dalembert_core::Fields(&|| <#row as dalembert_core::Inputs>::SHAPE.fields(None)))
             },
             // Behind a function, so that a type may contain itself.
             FieldKind::Nested(ty) => code! { <#ty as dalembert_core::Inputs>::SHAPE },

@@ -194,12 +194,62 @@ impl Fingerprint {
 }
 
 /// A file that was read.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Opened {
     /// Text, without a byte-order mark.
     pub text: String,
     /// Fingerprint of the content, for [`Before::Was`].
     pub fingerprint: Fingerprint,
+    /// Texts of the problem files that it links to.
+    pub linked: LinkedTexts,
+}
+
+/// Texts of the problem files that a problem file links to, by their paths from its folder; or why one was not read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LinkedTexts(Vec<(String, Result<String, Text>)>);
+
+impl LinkedTexts {
+    /// Reads the files that the text of a file at a path links to.
+    pub fn of(path: &Path, text: &str) -> Self {
+        let mut found = Vec::new();
+        if text.contains('@') {
+            // What is wrong with the problem is reported where it is read.
+            let _ = file::parse_with(text, &mut |linked| {
+                let read = read_linked(path, linked);
+                found.push((linked.to_owned(), read.clone()));
+                read
+            });
+        }
+        Self(found)
+    }
+
+    /// The problem of a text that links to these files.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text, and with the linked files.
+    pub fn parse(&self, text: &str) -> Result<file::ProblemFile, Vec<file::FileError>> {
+        file::parse_with(text, &mut |linked| {
+            let known = self.0.iter().find(|(path, _)| path == linked);
+            known.map_or_else(|| Err("this file is not read yet: save and open again".into()), |(_, read)| read.clone())
+        })
+    }
+}
+
+impl Opened {
+    /// The problem of the file.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the text, and with the linked files.
+    pub fn problem(&self) -> Result<file::ProblemFile, Vec<file::FileError>> {
+        self.linked.parse(&self.text)
+    }
+}
+
+/// Text of a problem file that the file at `beside` links to, by its path from there.
+pub fn read_linked(beside: &Path, linked: &str) -> Result<String, Text> {
+    let folder = beside.parent().unwrap_or(Path::new(""));
+    let bytes = read_bytes(&folder.join(linked)).map_err(|error| error.text())?;
+    opened(Path::new(linked), bytes).map(|opened| opened.text).map_err(|error| error.text())
 }
 
 /// Reads a regular file of UTF-8 text of at most [`LARGEST`] bytes. Never waits for a pipe, never reads a device. What
@@ -209,7 +259,9 @@ pub fn read(path: &Path) -> Result<Opened, FileError> {
     if let Ok(target) = fs::canonicalize(path) {
         remove_leftovers(save::folder_of(&target));
     }
-    opened(path, bytes)
+    let mut opened = opened(path, bytes)?;
+    opened.linked = LinkedTexts::of(path, &opened.text);
+    Ok(opened)
 }
 
 /// Reads a stream of UTF-8 text of at most [`LARGEST`] bytes to its end; messages call it `name`.
@@ -235,7 +287,7 @@ fn opened(path: &Path, bytes: Vec<u8>) -> Result<Opened, FileError> {
         }
     })?;
     let text = text.strip_prefix('\u{FEFF}').map(str::to_owned).unwrap_or(text);
-    Ok(Opened { text, fingerprint })
+    Ok(Opened { text, fingerprint, linked: LinkedTexts::default() })
 }
 
 /// Reads the text of a table from a file: of a universal file (dataset 58, in text or binary) the first function that

@@ -197,9 +197,9 @@ impl Harness {
         let edited = text.map(|text| (self.editor)(&text)).and_then(|text| match &file {
             Editing::Own(path) => {
                 let fingerprint = files::save(path, &text, Before::Whatever)?;
-                Ok(Opened { text, fingerprint })
+                Ok(Opened { text, fingerprint, linked: files::LinkedTexts::default() })
             }
-            _ => Ok(Opened { fingerprint: Fingerprint::of(text.as_bytes()), text }),
+            _ => Ok(Opened { fingerprint: Fingerprint::of(text.as_bytes()), text, linked: files::LinkedTexts::default() }),
         });
         Msg::Edited { file, result: edited.map_err(EditError::File) }
     }

@@ -184,6 +184,7 @@ impl Problem {
             draft: draft.clone(),
             show: self.document.show.clone(),
             notes: self.inputs.notes.clone(),
+            files: Vec::new(),
         }
     }
 

@@ -1,32 +1,38 @@
-//! The fields that every problem has behind its own inputs: definitions, questions and given answers.
+//! The fields that every problem has behind its own inputs: definitions, questions, given answers and configurations.
 
 use std::{
     any::TypeId,
+    borrow::Cow,
     collections::HashMap,
     sync::{Mutex, OnceLock, PoisonError},
 };
 
-use crate::{Field, Inputs, Shape};
+use crate::{Field, Fields, Inputs, Record, Shape, Value};
 
 /// The most definitions, and the most questions, of a problem.
 const MOST: usize = 200;
 
 /// The fields that every problem has behind its own inputs.
-static FIELDS: [Field; 3] = [
+static FIELDS: [Field; 4] = [
     Field {
         label: "Definitions",
         help: "Quantities of your own, for formulas in inputs and questions: nu = 0.3, G = E/(2*(1+nu)).",
-        ..field("let", || &Shape::Group(|| &DEFINITION))
+        ..field("let", || &Shape::Group(Fields(&|| &DEFINITION)))
     },
     Field {
         label: "Questions",
         help: "Formulas over inputs, answers and steps, answered like the rest: peak to peak = 2*X.",
-        ..field("ask", || &Shape::Group(|| &QUESTION))
+        ..field("ask", || &Shape::Group(Fields(&|| &QUESTION)))
     },
     Field {
         label: "Given answers",
         help: "Known values of answers, from which inputs written as ? are found: natural_frequency = 8.2 Hz.",
-        ..field("given", || &Shape::Group(|| &GIVEN))
+        ..field("given", || &Shape::Group(Fields(&|| &GIVEN)))
+    },
+    Field {
+        label: "Configurations",
+        help: "The same problem with some inputs changed, answered beside it: weighted, mass = m + 2 kg.",
+        ..field("configuration", || &Shape::Group(Fields(&|| &CHANGE)))
     },
 ];
 
@@ -76,6 +82,16 @@ static GIVEN: [Field; 2] = [
     },
 ];
 
+static CHANGE: [Field; 3] = [
+    Field { label: "Configuration", help: "A name of your own: weighted.", ..text("name") },
+    Field { label: "Input", help: "The path of the input that differs: mass.", ..text("input") },
+    Field {
+        label: "Value or formula",
+        help: "12 kg, or m + 2 kg over the inputs and definitions of the problem.",
+        ..text("formula")
+    },
+];
+
 const fn text(name: &'static str) -> Field {
     Field {
         name,
@@ -99,8 +115,29 @@ const fn field(name: &'static str, item: fn() -> &'static Shape) -> Field {
 }
 
 /// The shape of a whole problem: the inputs of an analysis, and the fields that every problem has.
-pub(crate) fn shape_of<A: Inputs>() -> Shape {
-    Shape::Group(fields_of::<A>)
+pub(crate) const fn shape_of<A: Inputs>() -> Shape {
+    Shape::Group(Fields(&fields_of::<A>))
+}
+
+/// The fields of linked problems with those that every problem has behind them.
+pub(crate) fn with_common(own: &[Field]) -> &'static [Field] {
+    own.iter().chain(&FIELDS).copied().collect::<Vec<Field>>().leak()
+}
+
+/// Returns true if fields are those of a whole problem.
+pub(crate) fn are_of_problem(fields: &[Field]) -> bool {
+    // No field of an analysis has this name: it is a keyword.
+    fields.iter().any(|field| field.name == "let")
+}
+
+/// A record without the problems that are linked to it.
+pub(crate) fn without_linked(record: &Record) -> Cow<'_, Record> {
+    let is_problem = |value: &Value| matches!(value, Value::Group(inner) if are_of_problem(inner.fields));
+    if !record.values.iter().any(is_problem) {
+        return Cow::Borrowed(record);
+    }
+    let own = |value: &Value| if is_problem(value) { Value::Absent } else { value.clone() };
+    Cow::Owned(Record { values: record.values.iter().map(own).collect(), ..record.clone() })
 }
 
 /// One list for each analysis, made when it is first asked for.
@@ -110,7 +147,6 @@ fn fields_of<A: Inputs>() -> &'static [Field] {
     let lists = LISTS.get_or_init(Lists::default);
     let mut lists = lists.lock().unwrap_or_else(PoisonError::into_inner);
     lists.entry(TypeId::of::<A>()).or_insert_with(|| {
-        let own = A::SHAPE.fields(None).iter().chain(&FIELDS);
-        own.copied().collect::<Vec<Field>>().leak()
+        with_common(A::SHAPE.fields(None))
     })
 }

@@ -1,75 +1,198 @@
-//! The names that formulas of a problem can use: paths and symbols of its inputs, and its definitions.
+//! The names that formulas of a problem can use: paths and symbols of its inputs, its definitions, and behind the name of
+//! a linked problem or a configuration those of that one.
 
 use dalembert_units::{Quantity, Unit};
 
-use super::PlannedInput;
+use super::{
+    PlannedInput,
+    scope::{self, Scope, TOP},
+};
 use crate::{
-    Number, Record, Shape, Value, formula::normalised, path::segments, printer, worksheet::FieldPath,
+    Field, Measure, Number, Record, Shape, Value, formula::normalised, path::segments, printer,
+    worksheet::FieldPath,
 };
 
-/// A definition or an input of a plan, by its place.
+/// A part of a plan, by its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Place {
     /// A definition.
     Definition(usize),
     /// An input.
     Input(usize),
+    /// The solution of a problem or a configuration, by its scope.
+    Solution(usize),
+    /// A question.
+    Question(usize),
+}
+
+/// Meaning of a name in a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Named {
+    /// The input at this path.
+    Input(String),
+    /// A definition, by its place.
+    Definition(usize),
+    /// A question of another problem, by its place.
+    Question(usize),
+    /// An answer or a step of the problem or the configuration of a scope.
+    Answer(usize, String),
 }
 
 /// The names of a problem.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Names {
+    pub(super) scopes: Vec<Scope>,
     inputs: Vec<PlannedInput>,
-    definitions: Vec<String>,
+    /// Scope and name of each definition.
+    definitions: Vec<(usize, String)>,
+    /// Scope, key and label of each question.
+    questions: Vec<(usize, [String; 2])>,
 }
 
 impl Names {
-    /// The names of the inputs of the chosen alternatives, and these definitions.
-    pub(super) fn of<'n>(record: &Record, definitions: impl Iterator<Item = &'n str>) -> Self {
-        let mut inputs = Vec::new();
-        collect(record, &FieldPath::TOP, &mut inputs);
-        Self { inputs, definitions: definitions.map(str::to_owned).collect() }
-    }
-
-    /// Returns true if a word is a name.
-    pub(super) fn contains(&self, name: &str) -> bool {
-        let wanted = normalised(name);
-        self.definitions.iter().any(|definition| normalised(definition) == wanted)
-            || self.path_of_input(name).is_some()
-    }
-
-    /// Returns true if a word is the path of an input, or the beginning of one.
-    pub(super) fn is_input_name(&self, name: &str) -> bool {
-        let begins = |path: &str| {
-            path.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
-        };
-        self.inputs.iter().any(|input| begins(&input.path))
-    }
-
-    /// True if one of the first `before` definitions has this name.
-    pub(super) fn earlier_definition(&self, name: &str, before: usize) -> bool {
-        let wanted = normalised(name);
-        self.definitions.iter().take(before).any(|definition| normalised(definition) == wanted)
-    }
-
-    /// The path of the input that a path or a symbol names; `None` where none or several have the symbol.
-    pub(super) fn path_of_input(&self, name: &str) -> Option<String> {
-        if let Some(input) = self.inputs.iter().find(|input| input.path == name) {
-            return Some(input.path.clone());
+    /// The names of the inputs of the chosen alternatives, of definitions and of questions.
+    pub(super) fn of(record: &Record) -> Self {
+        let scopes = scope::scopes(record);
+        let (mut inputs, mut definitions, mut questions) = (Vec::new(), Vec::new(), Vec::new());
+        for (at, scope) in scopes.iter().enumerate().filter(|(at, scope)| scope.problem == *at) {
+            let own = scope::record_of(record, scope);
+            let root = FieldPath::TOP;
+            let here = if at == TOP { root } else { root.field(scope.name) };
+            collect(own, &here, &mut |field, field_path, measure, unit, value| {
+                let path = field_path.path();
+                inputs.push(PlannedInput {
+                    scope: at,
+                    inner: scope.inside(&path).unwrap_or(&path).to_owned(),
+                    error_path: path.clone(),
+                    path,
+                    label: field.label,
+                    symbol: field_path.symbol(field.symbol),
+                    measure,
+                    unit: unit.clone(),
+                    value,
+                    formula: None,
+                });
+            });
+            let names = scope::rows(own, "let").iter();
+            definitions.extend(names.map(|row| (at, super::text_of(row, "name").to_owned())));
+            let asked = scope::rows(own, "ask").iter();
+            questions.extend(asked.map(|row| {
+                (at, [super::reader::question_key(row), super::text_of(row, "name").to_owned()])
+            }));
         }
-        match &self.with_symbol(name)[..] {
-            [only] => Some(only.path.clone()),
+        Self { scopes, inputs, definitions, questions }
+    }
+
+    /// Adds an input that a configuration changes.
+    pub(super) fn add(&mut self, input: PlannedInput) {
+        self.inputs.push(input);
+    }
+
+    /// Returns true if a word in a formula of a scope is a name.
+    pub(super) fn contains(&self, scope: usize, name: &str) -> bool {
+        self.find(scope, name).is_some()
+    }
+
+    /// Meaning of a name in a formula of a scope; `None` where it is none but of an answer or a step of its own.
+    pub(super) fn find(&self, scope: usize, name: &str) -> Option<Named> {
+        self.local(scope, name).or_else(|| self.outside(scope, name))
+    }
+
+    /// Meaning of a name without a prefix.
+    fn local(&self, scope: usize, name: &str) -> Option<Named> {
+        let problem = self.scopes[scope].problem;
+        let of = |scope: usize| {
+            self.inputs.iter().find(move |input| input.scope == scope && input.inner == name)
+        };
+        if let Some(input) = of(scope).or_else(|| of(problem)) {
+            return Some(Named::Input(input.path.clone()));
+        }
+        let wanted = normalised(name);
+        let definition = |of: usize| {
+            let is_it = |(scope, known): &(usize, String)| *scope == of && normalised(known) == wanted;
+            self.definitions.iter().position(is_it)
+        };
+        if let Some(at) = definition(problem).or_else(|| definition(TOP)) {
+            return Some(Named::Definition(at));
+        }
+        match &self.with_symbol(scope, name)[..] {
+            [only] => Some(Named::Input(only.path.clone())),
             _ => None,
         }
     }
 
-    /// The inputs with a symbol.
-    pub(super) fn with_symbol(&self, name: &str) -> Vec<&PlannedInput> {
-        let wanted = normalised(name);
-        let has = |input: &&PlannedInput| {
-            !input.symbol.base.is_empty() && normalised(&printer::symbol(&input.symbol)) == wanted
+    /// Meaning of a name behind that of another problem or configuration.
+    fn outside(&self, scope: usize, name: &str) -> Option<Named> {
+        let name = scope::without_file(name);
+        let from = &self.scopes[self.scopes[scope].problem];
+        let mut found: Option<(usize, &str)> = None;
+        let full = from.outside(&name);
+        for (at, other) in self.scopes.iter().enumerate().filter(|(_, other)| !other.name.is_empty()) {
+            let whole = other.inside(&name).or_else(|| {
+                let rest = other.inside(&full)?;
+                name.ends_with(rest).then(|| &name[name.len() - rest.len()..])
+            });
+            if let Some(rest) = whole
+                && at != scope
+                && found.is_none_or(|(_, before)| rest.len() < before.len())
+            {
+                found = Some((at, rest));
+            }
+        }
+        let (at, rest) = found?;
+        if let Some(named) = self.local(at, rest) {
+            return Some(named);
+        }
+        Some(match self.question(at, rest) {
+            Some(question) => Named::Question(question),
+            None => Named::Answer(at, rest.to_owned()),
+        })
+    }
+
+    /// The question of a scope by its key or its words.
+    pub(super) fn question(&self, scope: usize, name: &str) -> Option<usize> {
+        self.questions.iter().position(|(of, words)| *of == scope && words.iter().any(|word| word == name))
+    }
+
+    /// Returns true if a word is the path of an input of a scope or the beginning of one.
+    pub(super) fn is_input_name(&self, scope: usize, name: &str) -> bool {
+        let begins = |path: &str| {
+            path.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
         };
-        self.inputs.iter().filter(has).collect()
+        self.inputs.iter().any(|input| input.scope == scope && begins(&input.inner))
+    }
+
+    /// True if one of the definitions of a scope before the row `n` has this name.
+    pub(super) fn earlier_definition(&self, [scope, n]: [usize; 2], name: &str) -> bool {
+        let wanted = normalised(name);
+        let own = self.definitions.iter().filter(|(of, _)| *of == scope);
+        own.take(n).any(|(_, definition)| normalised(definition) == wanted)
+    }
+
+    /// The paths of the inputs of a scope within it.
+    pub(super) fn inner_paths(&self, scope: usize) -> Vec<&str> {
+        self.inputs.iter().filter(|input| input.scope == scope).map(|input| input.inner.as_str()).collect()
+    }
+
+    /// Returns true if a word is the name of a problem or a configuration.
+    pub(super) fn is_scope_name(&self, scope: usize, name: &str) -> bool {
+        let full = self.scopes[scope].outside(name);
+        self.scopes.iter().any(|scope| !scope.name.is_empty() && (scope.name == name || scope.name == full))
+    }
+
+    /// The inputs with a symbol.
+    pub(super) fn with_symbol(&self, scope: usize, name: &str) -> Vec<&PlannedInput> {
+        let wanted = normalised(name);
+        let of = |scope: usize| {
+            let has = |input: &&PlannedInput| {
+                input.scope == scope
+                    && !input.symbol.base.is_empty()
+                    && normalised(&printer::symbol(&input.symbol)) == wanted
+            };
+            self.inputs.iter().filter(has).collect::<Vec<_>>()
+        };
+        let own = of(scope);
+        if own.is_empty() { of(self.scopes[scope].problem) } else { own }
     }
 
     /// The input at a path.
@@ -78,12 +201,18 @@ impl Names {
     }
 }
 
-/// Every number and vector of a record, with its path and its symbol.
-fn collect(record: &Record, field_path: &FieldPath<'_>, found: &mut Vec<PlannedInput>) {
+/// Calls `visit` with every number and vector of a record.
+fn collect(
+    record: &Record,
+    field_path: &FieldPath<'_>,
+    visit: &mut dyn FnMut(&'static Field, &FieldPath<'_>, Measure, &Unit, Number),
+) {
     for (field, value) in record.fields.iter().zip(&record.values) {
+        let is_problem = matches!(value, Value::Group(inner) if super::fields::are_of_problem(inner.fields));
         let of = if is_nested(&field.shape) { field.symbol } else { "" };
-        let here = field_path.field_of(field.name, of);
-        value_of(value, &field.shape, field, &here, found);
+        if !is_problem {
+            value_of(value, &field.shape, field, &field_path.field_of(field.name, of), visit);
+        }
     }
 }
 
@@ -99,37 +228,26 @@ fn is_nested(shape: &Shape) -> bool {
 fn value_of(
     value: &Value,
     shape: &Shape,
-    field: &'static crate::Field,
+    field: &'static Field,
     field_path: &FieldPath<'_>,
-    found: &mut Vec<PlannedInput>,
+    visit: &mut dyn FnMut(&'static Field, &FieldPath<'_>, Measure, &Unit, Number),
 ) {
-    let mut push = |measure, unit: &Unit, value| {
-        found.push(PlannedInput {
-            path: field_path.path(),
-            label: field.label,
-            symbol: field_path.symbol(field.symbol),
-            measure,
-            unit: unit.clone(),
-            value,
-            formula: None,
-        });
-    };
     match (value, shape.present()) {
         (Value::Quantity(quantity), Shape::Quantity(measure)) => {
-            push(measure, &quantity.unit, Number::Scalar(quantity.si));
+            visit(field, field_path, measure, &quantity.unit, Number::Scalar(quantity.si));
         }
         (Value::Vector(vector), Shape::Vector(measure, _)) => {
-            push(measure, &vector.unit, Number::Vector(vector.si));
+            visit(field, field_path, measure, &vector.unit, Number::Vector(vector.si));
         }
-        (Value::Group(record), _) => collect(record, field_path, found),
+        (Value::Group(record), _) => collect(record, field_path, visit),
         (Value::OneOf { variant, fields }, Shape::OneOf(variants)) => {
             if let Some(variant) = variants().get(*variant) {
-                collect(fields, &field_path.field(variant.name), found);
+                collect(fields, &field_path.field(variant.name), visit);
             }
         }
         (Value::Rows(rows), Shape::Rows { item, .. }) => {
             for (n, row) in rows.iter().enumerate() {
-                value_of(row, item(), field, &field_path.row(n), found);
+                value_of(row, item(), field, &field_path.row(n), visit);
             }
         }
         _ => {}
@@ -138,21 +256,30 @@ fn value_of(
 
 /// The number or vector at a path.
 pub(super) fn value_at(record: &mut Record, path: &str) -> Option<Number> {
-    match at(record, path)? {
+    match at(record, path)?.0 {
         Value::Quantity(quantity) => Some(Number::Scalar(quantity.si)),
         Value::Vector(vector) => Some(Number::Vector(vector.si)),
         _ => None,
     }
 }
 
+/// The measure of the quantity at a path, an optional one that is left out included.
+pub(super) fn measure_at(record: &mut Record, path: &str) -> Option<Measure> {
+    match at(record, path)? {
+        (Value::Quantity(_) | Value::Absent, Shape::Quantity(measure)) => Some(measure),
+        _ => None,
+    }
+}
+
 /// Writes a quantity at a path.
 pub(super) fn write_quantity(record: &mut Record, path: &str, quantity: Quantity) {
-    if let Some(place) = at(record, path) {
+    if let Some((place, _)) = at(record, path) {
         *place = Value::Quantity(quantity);
     }
 }
 
-fn at<'r>(record: &'r mut Record, path: &str) -> Option<&'r mut Value> {
+fn at<'r>(record: &'r mut Record, path: &str) -> Option<(&'r mut Value, Shape)> {
     let segments = segments(path).ok()?;
-    record.place_mut(&segments).filter(|(.., rest)| rest.is_empty()).map(|(value, ..)| value)
+    let found = record.place_mut(&segments).filter(|(.., rest)| rest.is_empty());
+    found.map(|(value, shape, _)| (value, shape))
 }

@@ -1,9 +1,19 @@
-//! The plain reading of a problem with definitions, formulas and questions.
+//! The plain reading of a problem with definitions, formulas, questions, configurations and links.
 
 use std::sync::Arc;
 
-use super::Plan;
-use crate::{Answer, Entry, Evaluate, FieldError, Record, Refusal, SolveError, Stop, Text, vary};
+use dalembert_units::Dim;
+
+use super::{
+    Plan,
+    names::{self, Named, Place},
+    working::entry_of,
+};
+use crate::{
+    Answer, Entry, Evaluate, FieldError, Number, Plain, Record, Refusal, Solution, SolveError, Stop, Text,
+    formula::{Operand, evaluate, normalised},
+    gravity, printer, vary,
+};
 
 /// A problem with a plan, solved again and again with other values of its levers.
 struct Planned {
@@ -11,14 +21,50 @@ struct Planned {
     record: Record,
     vary: Vec<String>,
     wanted: Vec<String>,
-    /// The plain reading of the analysis, where every wanted answer is one of its own.
-    plain: Option<PlainReading>,
+    /// The plain readings, where all that is wanted is made of numbers among their answers.
+    readings: Option<Readings>,
 }
 
-/// The analysis alone, with the inputs that levers and formulas change.
-struct PlainReading {
-    evaluate: Box<dyn Evaluate>,
+/// The plain readings of the problems and configurations that the wanted answers rest on.
+struct Readings {
+    /// Of each scope.
+    solutions: Vec<PlainSolution>,
+    /// Values of the questions, and which of them are needed.
+    questions: Vec<Option<(f64, Dim)>>,
+    needed_questions: Vec<bool>,
+    wanted: Vec<Source>,
+}
+
+/// The plain reading of a problem or a configuration.
+#[derive(Default)]
+struct PlainSolution {
+    evaluate: Option<Box<dyn Evaluate>>,
+    /// Paths, within the problem, of the inputs that change.
     inputs: Vec<String>,
+    /// The answers that are needed.
+    answers: Vec<NeededAnswer>,
+    values: Vec<f64>,
+}
+
+/// An answer of a problem that is wanted or named in a formula.
+#[derive(Clone, PartialEq)]
+struct NeededAnswer {
+    /// Name in the formula, or of the answer.
+    called: String,
+    /// Name of the answer within its problem.
+    name: String,
+    dim: Dim,
+}
+
+/// Place of a wanted number.
+#[derive(Clone, Copy)]
+enum Source {
+    Answer(usize, usize),
+    Question(usize),
+}
+
+fn unknown(path: &str, why: &'static str) -> SolveError {
+    SolveError::Fields(vec![FieldError::new(path, Text::from(why))])
 }
 
 /// Prepares the plain reading: `vary` are paths of quantities and names of definitions, `wanted` names of answers.
@@ -29,8 +75,6 @@ pub(crate) fn prepare(
     vary: &[&str],
     wanted: &[&str],
 ) -> Result<Box<dyn Evaluate>, SolveError> {
-    let unknown =
-        |path: &str, why: &'static str| SolveError::Fields(vec![FieldError::new(path, Text::from(why))]);
     for path in vary {
         if plan.has_formula(path) {
             return Err(unknown(
@@ -39,73 +83,373 @@ pub(crate) fn prepare(
             ));
         }
     }
-    let asked = |name: &&str| plan.questions.iter().any(|question| question.key == *name);
-    let plain = if wanted.iter().any(asked) || plan.search().is_some() {
-        None
-    } else {
-        let mut inputs: Vec<String> = vary
-            .iter()
-            .filter(|path| !plan.levers().any(|(name, ..)| name == **path))
-            .map(|path| (*path).to_owned())
-            .collect();
-        let with_formula = plan.inputs.iter().filter(|input| input.formula.is_some());
-        inputs.extend(with_formula.map(|input| input.path.clone()));
-        let bare = Record { plan: None, ..record.clone() };
-        let paths: Vec<&str> = inputs.iter().map(String::as_str).collect();
-        Some(PlainReading { evaluate: entry.prepare(&bare, &paths, wanted)?, inputs })
+    let owned = |all: &[&str]| all.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
+    let mut planned = Planned {
+        entry: *entry,
+        record: record.clone(),
+        vary: owned(vary),
+        wanted: owned(wanted),
+        readings: None,
     };
-    let mut record = record.clone();
-    if plain.is_none() {
-        let solution = entry.solve(&record, &Stop::new())?;
-        if let (Some(plan), Some(determined)) = (&mut record.plan, &solution.determined) {
-            Arc::make_mut(plan).keep_ranges(determined);
-        }
-        for name in wanted {
-            if solution.answer(name).and_then(Answer::si).is_none() {
-                return Err(unknown(name, "is not a number among the answers"));
-            }
+    let is_asked = |name: &&str| plan.question(name).is_some();
+    let is_plain = plan.after_solution.iter().all(|place| matches!(place, Place::Question(_)));
+    if plan.search().is_none() && is_plain && !wanted.iter().any(is_asked) {
+        // Answers of the analyses alone: no unit is needed, so nothing is worked out.
+        planned.readings = Some(Readings::of_answers(plan, vary, wanted, record));
+        planned.first()?;
+        return Ok(Box::new(planned));
+    }
+    let solution = entry.solve(record, &Stop::new())?;
+    if let (Some(plan), Some(determined)) = (&mut planned.record.plan, &solution.determined) {
+        Arc::make_mut(plan).keep_ranges(determined);
+    }
+    for name in wanted {
+        if solution.answer(name).and_then(Answer::si).is_none() {
+            return Err(unknown(name, "is not a number among the answers"));
         }
     }
-    Ok(Box::new(Planned {
-        entry: *entry,
-        record,
-        vary: vary.iter().map(|path| (*path).to_owned()).collect(),
-        wanted: wanted.iter().map(|name| (*name).to_owned()).collect(),
-        plain,
-    }))
+    if plan.search().is_none() {
+        planned.readings = Readings::of_solution(plan, vary, wanted, record, &solution);
+        // What is read plainly is what is worked out, to the last bit; else the working is read.
+        let found = planned.first();
+        let worked = |name: &&str| solution.answer(name).and_then(Answer::si);
+        if !found.is_ok_and(|found| wanted.iter().filter_map(worked).eq(found)) {
+            planned.readings = None;
+        }
+    }
+    Ok(Box::new(planned))
+}
+
+impl Readings {
+    fn new(plan: &Plan, vary: &[&str], record: &Record) -> Self {
+        let scopes = &plan.names.scopes;
+        let mut solutions: Vec<PlainSolution> = scopes.iter().map(|_| PlainSolution::default()).collect();
+        let levers: Vec<String> = plan.levers().map(|(name, ..)| name).collect();
+        let varied = vary.iter().filter(|path| !levers.iter().any(|lever| lever == *path));
+        let varied: Vec<String> = varied.flat_map(|path| gravity::shared(record, path)).collect();
+        let with_formula = plan.inputs.iter().filter(|input| input.formula.is_some());
+        for (at, solution) in solutions.iter_mut().enumerate() {
+            let problem = scopes[at].problem;
+            let own = varied.iter().filter(|path| plan.problem_of(path) == problem);
+            let mut inputs: Vec<String> =
+                own.filter_map(|path| scopes[problem].inside(path)).map(str::to_owned).collect();
+            let computed = with_formula.clone().filter(|input| [at, problem].contains(&input.scope));
+            for input in computed {
+                if !inputs.contains(&input.inner) {
+                    inputs.push(input.inner.clone());
+                }
+            }
+            solution.inputs = inputs;
+        }
+        let questions = plan.questions.len();
+        Self {
+            solutions,
+            questions: vec![None; questions],
+            needed_questions: vec![false; questions],
+            wanted: Vec::new(),
+        }
+    }
+
+    fn of_answers(plan: &Plan, vary: &[&str], wanted: &[&str], record: &Record) -> Self {
+        let mut readings = Self::new(plan, vary, record);
+        for name in wanted {
+            let scope = plan.scope_of_answer(name);
+            let inner = plan.names.scopes[scope].inside(name).unwrap_or(name);
+            let answer =
+                NeededAnswer { called: inner.to_owned(), name: inner.to_owned(), dim: Dim::NONE };
+            let column = readings.solutions[scope].need(answer);
+            readings.wanted.push(Source::Answer(scope, column));
+        }
+        readings
+    }
+
+    /// `None` where a formula takes what is no number among the answers: a vector, a list, a step.
+    fn of_solution(
+        plan: &Plan,
+        vary: &[&str],
+        wanted: &[&str],
+        record: &Record,
+        solution: &Solution,
+    ) -> Option<Self> {
+        let mut readings = Self::new(plan, vary, record);
+        for name in wanted {
+            let question = plan.questions.iter().position(|question| {
+                plan.names.scopes[question.scope].outside(&question.key) == *name
+            });
+            let source = match question {
+                Some(at) => {
+                    readings.need_question(plan, at, solution)?;
+                    Source::Question(at)
+                }
+                None => {
+                    let scope = plan.scope_of_answer(name);
+                    let inner = plan.names.scopes[scope].inside(name)?;
+                    Source::Answer(scope, readings.need_answer(plan, scope, inner, solution)?)
+                }
+            };
+            readings.wanted.push(source);
+        }
+        for place in &plan.after_solution {
+            if matches!(place, Place::Question(_)) {
+                continue;
+            }
+            for (name, _) in plan.formula_of(*place)?.names() {
+                match plan.find(*place, name) {
+                    Some(Named::Answer(scope, name)) => {
+                        readings.need_answer(plan, scope, &name, solution)?;
+                    }
+                    Some(Named::Question(at)) => readings.need_question(plan, at, solution)?,
+                    _ => {}
+                }
+            }
+        }
+        Some(readings)
+    }
+
+    fn need_question(&mut self, plan: &Plan, at: usize, solution: &Solution) -> Option<()> {
+        if std::mem::replace(&mut self.needed_questions[at], true) {
+            return Some(());
+        }
+        let question = &plan.questions[at];
+        for (name, _) in question.formula.names() {
+            match plan.names.find(question.scope, name) {
+                Some(Named::Answer(scope, name)) => {
+                    self.need_answer(plan, scope, &name, solution)?;
+                }
+                Some(Named::Question(at)) => self.need_question(plan, at, solution)?,
+                Some(Named::Input(_) | Named::Definition(_)) => {}
+                None => match plan.names.question(question.scope, name).filter(|before| *before < at) {
+                    Some(before) => self.need_question(plan, before, solution)?,
+                    // A unit has no answer.
+                    None if dalembert_units::unit(name).is_ok() => {
+                        let _ = self.need_answer(plan, question.scope, name, solution);
+                    }
+                    None => {
+                        self.need_answer(plan, question.scope, name, solution)?;
+                    }
+                },
+            }
+        }
+        Some(())
+    }
+
+    /// The column of an answer of a scope by its name or its symbol.
+    fn need_answer(&mut self, plan: &Plan, scope: usize, name: &str, solution: &Solution) -> Option<usize> {
+        let of = &plan.names.scopes[scope];
+        let answer = solution.answer(&of.outside(name)).or_else(|| by_symbol(solution, of.name, name))?;
+        answer.si()?;
+        let own = answer.name.to_string();
+        let answer = NeededAnswer {
+            called: name.to_owned(),
+            name: of.inside(&own)?.to_owned(),
+            dim: answer.unit.dim,
+        };
+        Some(self.solutions[scope].need(answer))
+    }
+}
+
+/// The answer whose number is that of the one step of a problem with this symbol.
+fn by_symbol<'s>(solution: &'s Solution, problem: &str, name: &str) -> Option<&'s Answer> {
+    let wanted = normalised(name);
+    let is_own = |at: &usize| {
+        let mut of = solution.problems.iter().filter(|steps| steps.steps.contains(at));
+        solution.problems.is_empty() || of.any(|steps| steps.name == problem)
+    };
+    let has_symbol = |at: &usize| normalised(&printer::symbol(&solution.steps[*at].symbol)) == wanted;
+    let mut steps = (0..solution.steps.len()).filter(is_own).filter(has_symbol);
+    let (only, None) = (steps.next()?, steps.next()) else { return None };
+    let node = solution.steps[only].result;
+    let is_it = |answer: &&Answer| matches!(answer.value, crate::AnswerValue::Number(_, id) if id == node);
+    solution.answers.iter().filter(|answer| answer.problem == problem && !answer.asked).find(is_it)
+}
+
+impl PlainSolution {
+    fn need(&mut self, answer: NeededAnswer) -> usize {
+        self.answers.iter().position(|known| *known == answer).unwrap_or_else(|| {
+            self.answers.push(answer);
+            self.answers.len() - 1
+        })
+    }
+}
+
+impl Plan {
+    /// The problem that a path of an input is of.
+    fn problem_of(&self, path: &str) -> usize {
+        let scopes = self.names.scopes.iter().enumerate();
+        let of = scopes.filter(|(at, scope)| scope.problem == *at && scope.inside(path).is_some());
+        of.max_by_key(|(_, scope)| scope.name.len()).map_or(0, |(at, _)| at)
+    }
+
+    /// The scope that an answer is of.
+    fn scope_of_answer(&self, name: &str) -> usize {
+        let of = self.names.scopes.iter().enumerate().filter(|(_, scope)| scope.inside(name).is_some());
+        of.max_by_key(|(_, scope)| scope.name.len()).map_or(0, |(at, _)| at)
+    }
 }
 
 impl Planned {
+    /// The wanted answers with the inputs as they are.
+    fn first(&mut self) -> Result<Vec<f64>, SolveError> {
+        let mut row = vec![f64::NAN; self.wanted.len()];
+        let Some(readings) = &mut self.readings else { return Ok(row) };
+        readings.read(&self.entry, self.record.clone(), &mut row, &Stop::new())?;
+        Ok(row)
+    }
+
     fn point(&mut self, point: &[f64], row: &mut [f64], stop: &Stop) -> Result<(), Refusal> {
         let changed = self
             .vary
             .iter()
             .zip(point)
             .try_fold(self.record.clone(), |record, (path, si)| vary::changed(&record, path, *si));
-        let Some(mut changed) = changed else {
+        let Some(changed) = changed else {
             row.fill(f64::NAN);
             return Ok(());
         };
-        if let Some(plain) = &mut self.plain {
-            let point: Option<Vec<f64>> =
-                plain.inputs.iter().map(|path| vary::number(&mut changed, path).copied()).collect();
-            // Without an input there is still one point.
-            let point = point.filter(|point| !point.is_empty()).unwrap_or_else(|| vec![0.0]);
-            return plain.evaluate.sweep(&point, row, stop);
-        }
-        match self.entry.solve(&changed, stop) {
+        let found = match &mut self.readings {
+            Some(readings) => readings.read(&self.entry, changed, row, stop),
+            None => self.entry.solve(&changed, stop).map(|solution| {
+                for (place, name) in row.iter_mut().zip(&self.wanted) {
+                    *place = solution.answer(name).and_then(Answer::si).unwrap_or(f64::NAN);
+                }
+            }),
+        };
+        match found {
             Err(SolveError::Refused(Refusal::Stopped)) => Err(Refusal::Stopped),
             Err(_) => {
                 row.fill(f64::NAN);
                 Ok(())
             }
-            Ok(solution) => {
-                for (place, name) in row.iter_mut().zip(&self.wanted) {
-                    *place = solution.answer(name).and_then(Answer::si).unwrap_or(f64::NAN);
+            Ok(()) => Ok(()),
+        }
+    }
+}
+
+impl Readings {
+    /// Reads the wanted answers of a record in whose plan the formulas have their values.
+    fn read(
+        &mut self,
+        entry: &Entry,
+        mut record: Record,
+        row: &mut [f64],
+        stop: &Stop,
+    ) -> Result<(), SolveError> {
+        let Some(mut plan) = record.plan.take() else { return Ok(()) };
+        let plan = Arc::make_mut(&mut plan);
+        let plain = Plain::new(stop);
+        for n in 0..plan.order.len() {
+            match plan.order[n] {
+                Place::Solution(scope) => self.solve(entry, plan, scope, &mut record, stop)?,
+                Place::Question(at) if self.needed_questions[at] => {
+                    self.questions[at] = Some(self.question(plan, at, &record, &plain)?);
                 }
-                Ok(())
+                place @ (Place::Definition(_) | Place::Input(_)) if plan.after_solution.contains(&place) => {
+                    let answer = |named: &Named| self.number(named);
+                    plan.evaluate(place, &plain, &answer)
+                        .map_err(|error| SolveError::Fields(vec![error]))?;
+                }
+                _ => {}
             }
         }
+        for (place, source) in row.iter_mut().zip(&self.wanted) {
+            let found = match *source {
+                Source::Answer(scope, column) => self.solutions[scope].values.get(column).copied(),
+                Source::Question(at) => self.questions[at].map(|(si, _)| si),
+            };
+            *place = found.unwrap_or(f64::NAN);
+        }
+        Ok(())
+    }
+
+    /// Solves the problem or the configuration of a scope, where an answer of it is needed.
+    fn solve(
+        &mut self,
+        entry: &Entry,
+        plan: &Plan,
+        scope: usize,
+        record: &mut Record,
+        stop: &Stop,
+    ) -> Result<(), SolveError> {
+        let solution = &mut self.solutions[scope];
+        let problem = plan.names.scopes[scope].problem;
+        let name = plan.names.scopes[problem].name;
+        let Some(entry) = entry_of(entry, name).filter(|_| !solution.answers.is_empty()) else {
+            return Ok(());
+        };
+        let mut inputs = plan.record_of(scope, record);
+        if solution.evaluate.is_none() {
+            let names: Vec<&str> = solution.answers.iter().map(|answer| answer.name.as_str()).collect();
+            let paths: Vec<&str> = solution.inputs.iter().map(String::as_str).collect();
+            inputs.plan = None;
+            let evaluate = entry.prepare(&inputs, &paths, &names).map_err(|error| outside(error, name))?;
+            solution.evaluate = Some(evaluate);
+            solution.values = vec![f64::NAN; names.len()];
+        }
+        let Some(evaluate) = &mut solution.evaluate else { return Ok(()) };
+        let point: Option<Vec<f64>> =
+            solution.inputs.iter().map(|path| vary::number(&mut inputs, path).copied()).collect();
+        // Without an input there is still one point.
+        let point = point.filter(|point| !point.is_empty()).unwrap_or_else(|| vec![0.0]);
+        Ok(evaluate.sweep(&point, &mut solution.values, stop)?)
+    }
+
+    fn question(
+        &self,
+        plan: &Plan,
+        at: usize,
+        record: &Record,
+        plain: &Plain<'_>,
+    ) -> Result<(f64, Dim), SolveError> {
+        let question = &plan.questions[at];
+        let values = |name: &str| -> Result<Option<Operand<&Plain<'_>>>, Text> {
+            let named = match plan.names.find(question.scope, name) {
+                Some(Named::Input(path)) => {
+                    let unit = plan.names.input(&path).map(|input| input.unit.dim);
+                    let value = names::value_at(&mut record.clone(), &path);
+                    return Ok(value.zip(unit).map(|(value, dim)| match value {
+                        Number::Scalar(si) => Operand::Number(si, dim),
+                        Number::Vector(si) => Operand::Vector(si.into(), dim),
+                    }));
+                }
+                Some(Named::Definition(at)) => return Ok(Some(plan.operand(Place::Definition(at)))),
+                Some(named) => named,
+                None => match plan.names.question(question.scope, name).filter(|before| *before < at) {
+                    Some(before) => Named::Question(before),
+                    None => Named::Answer(question.scope, name.to_owned()),
+                },
+            };
+            Ok(self.number(&named).map(|(si, dim)| Operand::Number(si, dim)))
+        };
+        match evaluate::<&Plain<'_>>(&question.formula, &values, plain) {
+            Ok(Operand::Number(si, dim)) => Ok((si, dim)),
+            Ok(_) => Err(unknown(&question.key, "is not a number among the answers")),
+            Err(error) => Err(Refusal::because(error.why).into()),
+        }
+    }
+
+    fn number(&self, named: &Named) -> Option<(f64, Dim)> {
+        match named {
+            Named::Answer(scope, called) => {
+                let solution = &self.solutions[*scope];
+                let at = solution.answers.iter().position(|answer| answer.called == *called)?;
+                Some((*solution.values.get(at)?, solution.answers[at].dim))
+            }
+            Named::Question(at) => self.questions[*at],
+            Named::Input(_) | Named::Definition(_) => None,
+        }
+    }
+}
+
+/// An error of a problem with its paths from outside.
+fn outside(error: SolveError, problem: &str) -> SolveError {
+    match error {
+        SolveError::Fields(errors) if !problem.is_empty() => SolveError::Fields(
+            errors
+                .into_iter()
+                .map(|error| FieldError { path: format!("{problem}.{}", error.path), ..error })
+                .collect(),
+        ),
+        error => error,
     }
 }
 

@@ -1,30 +1,44 @@
-//! Questions of the user's own, answered behind the answers of the analysis.
+//! Questions of the user's own, answered behind the answers of the analysis, and the meaning of a name on a solved sheet.
 
 use dalembert_numerics::Real as _;
+use dalembert_units::Unit;
 
-use super::{Plan, Question, operand_at};
+use super::{
+    Plan,
+    names::Named,
+    working::{Working, operand_at, unit_text},
+};
 use crate::{
-    AnswerValue, Name, Sheet, Solution, Symbol, Text, Worksheet,
+    AnswerValue, Name, Symbol, Text, Worksheet,
     formula::{Operand, evaluate, normalised, unit_of},
     intern::intern,
     printer,
     trace::{Id, Op},
 };
 
-/// Answers every question on the sheet of a solved problem. One without a value costs no other answer: why it has none
-/// is a warning.
-pub(crate) fn ask(plan: &Plan, sheet: &Sheet<'_>) {
-    for (n, question) in plan.questions.iter().enumerate() {
-        if let Err(why) = answer(plan, question, n, sheet) {
-            let text = Text::new("{question}: no value: {why}");
-            sheet.warn(|| text.with("question", &question.label).with_text("why", why));
-        }
+/// Answers a question on the sheet of a solved problem. One without a value costs no other answer: why it has none is a
+/// warning.
+pub(super) fn ask(working: &Working<'_, '_>, at: usize) {
+    if let Err(why) = answer(working, at) {
+        let text = Text::new("{question}: no value: {why}");
+        let label = working.plan.questions[at].label.clone();
+        working.sheet.warn(|| text.with("question", label).with_text("why", why));
     }
 }
 
-fn answer(plan: &Plan, question: &Question, n: usize, sheet: &Sheet<'_>) -> Result<(), Text> {
-    let scope = |name: &str| found(plan, name, sheet);
-    let value = evaluate::<&Sheet<'_>>(&question.formula, &scope, sheet).map_err(|error| error.why)?;
+/// The path that an error of a question is reported at.
+pub(super) fn path(plan: &Plan, at: usize) -> String {
+    let question = &plan.questions[at];
+    let row = plan.questions[..at].iter().filter(|other| other.scope == question.scope).count();
+    plan.names.scopes[question.scope].outside(&format!("ask[{}].formula", row + 1))
+}
+
+fn answer<'s>(working: &Working<'_, 's>, at: usize) -> Result<(), Text> {
+    let (plan, sheet) = (&working.plan, working.sheet);
+    let question = &plan.questions[at];
+    let scope_of = &plan.names.scopes[question.scope];
+    let scope = |name: &str| found(working, question.scope, name);
+    let value = evaluate::<&crate::Sheet<'s>>(&question.formula, &scope, sheet).map_err(|error| error.why)?;
     let dim = value.dim();
     let unit = match &question.unit {
         Some(unit) if unit.dim.agrees(dim) => unit.clone(),
@@ -36,17 +50,14 @@ fn answer(plan: &Plan, question: &Question, n: usize, sheet: &Sheet<'_>) -> Resu
                 .with_text("found", found)
                 .with("unit", unit.ascii()));
         }
-        None => unit_of(&question.formula, dim, &|name| unit_at(plan, name, sheet)),
+        None => unit_of(&question.formula, dim, &|name| unit_of_name(working, question.scope, name)),
     };
-    let unit = match unit.ascii() {
-        unit if unit.is_empty() => "1",
-        unit => intern(&unit),
-    };
+    let unit = unit_text(&unit);
     let symbol = match &question.symbol {
         Some(symbol) => Symbol::from(intern(symbol)),
-        None => Symbol::from(("Q", n + 1)),
+        None => Symbol::from(("Q", at + 1)),
     };
-    let (name, label) = (Name::from(intern(&question.key)), intern(&question.label));
+    let (name, label) = (Name::from(intern(&scope_of.outside(&question.key))), intern(&question.label));
     let why = Text::new("Question: {question}").with("question", &question.label);
     match value {
         Operand::Number(number, _) => {
@@ -62,57 +73,96 @@ fn answer(plan: &Plan, question: &Question, n: usize, sheet: &Sheet<'_>) -> Resu
             sheet.answer_list(name, label, unit, &numbers);
         }
     }
-    sheet.mark_asked(name);
+    sheet.mark_asked(name, scope_of.name);
     Ok(())
 }
 
-/// Meaning of a name on a solved sheet: by its path or name, else by its symbol.
-fn found<'s>(plan: &Plan, name: &str, sheet: &'s Sheet<'s>) -> Result<Option<Operand<&'s Sheet<'s>>>, Text> {
-    let node = {
-        let solution = sheet.solution();
-        match meaning(plan, name, &solution)? {
-            Some(Meaning::Node(id)) => id,
-            Some(Meaning::List(numbers, unit)) => {
-                let unit = unit.clone();
-                drop(solution);
-                let all = numbers.iter().map(|si| sheet.constant(*si, &unit)).collect();
-                return Ok(Some(Operand::List(all, unit.dim)));
-            }
-            None => return Ok(None),
-        }
-    };
-    Ok(Some(operand_at(sheet, node)))
+/// Value of a name in a question of a scope.
+fn found<'s>(
+    working: &Working<'_, 's>,
+    scope: usize,
+    name: &str,
+) -> Result<Option<Operand<&'s crate::Sheet<'s>>>, Text> {
+    match elsewhere(working, scope, name) {
+        Some((of, rest)) => answered(working, of, &rest),
+        None => answered(working, scope, name),
+    }
 }
 
-fn unit_at(plan: &Plan, name: &str, sheet: &Sheet<'_>) -> Option<dalembert_units::Unit> {
-    let solution = sheet.solution();
-    match meaning(plan, name, &solution).ok()?? {
-        Meaning::Node(id) => match &solution.trace.node(id).op {
-            Op::Given { unit, .. } => Some(unit.clone()),
-            Op::Step(step) => Some(solution.steps[*step].unit.clone()),
-            _ => None,
-        },
+/// Scope and name of an answer or a question that is named from another scope.
+fn elsewhere(working: &Working<'_, '_>, scope: usize, name: &str) -> Option<(usize, String)> {
+    match working.plan.names.find(scope, name)? {
+        Named::Answer(of, rest) => Some((of, rest)),
+        Named::Question(at) => {
+            let question = &working.plan.questions[at];
+            Some((question.scope, question.key.clone()))
+        }
+        Named::Input(_) | Named::Definition(_) => None,
+    }
+}
+
+fn unit_of_name(working: &Working<'_, '_>, scope: usize, name: &str) -> Option<Unit> {
+    match elsewhere(working, scope, name) {
+        Some((of, rest)) => unit_at(working, of, &rest),
+        None => unit_at(working, scope, name),
+    }
+}
+
+/// Value of a name on the solved sheet of a scope: by its path or name, else by its symbol.
+pub(super) fn answered<'s>(
+    working: &Working<'_, 's>,
+    scope: usize,
+    name: &str,
+) -> Result<Option<Operand<&'s crate::Sheet<'s>>>, Text> {
+    let sheet = working.sheet;
+    match meaning(working, scope, name)? {
+        Some(Meaning::Node(id)) => Ok(Some(operand_at(sheet, id))),
+        Some(Meaning::List(numbers, unit)) => {
+            let all = numbers.iter().map(|si| sheet.constant(*si, &unit)).collect();
+            Ok(Some(Operand::List(all, unit.dim)))
+        }
+        None => Ok(None),
+    }
+}
+
+/// Unit of a name on the solved sheet of a scope.
+pub(super) fn unit_at(working: &Working<'_, '_>, scope: usize, name: &str) -> Option<Unit> {
+    match meaning(working, scope, name).ok()?? {
+        Meaning::Node(id) => {
+            let solution = working.sheet.solution();
+            match &solution.trace.node(id).op {
+                Op::Given { unit, .. } => Some(unit.clone()),
+                Op::Step(step) => Some(solution.steps[*step].unit.clone()),
+                _ => None,
+            }
+        }
         Meaning::List(_, unit) => Some(unit),
     }
 }
 
-/// Meaning of a name in a question.
+/// Meaning of a name on a solved sheet.
 enum Meaning {
     Node(Id),
     /// Numbers in SI, and their unit.
-    List(Vec<f64>, dalembert_units::Unit),
+    List(Vec<f64>, Unit),
 }
 
-fn meaning(plan: &Plan, name: &str, solution: &Solution) -> Result<Option<Meaning>, Text> {
-    let given = |wanted: &str| {
-        let is_it = |op: &Op| matches!(op, Op::Given { path, .. } if path == wanted);
-        solution.trace.nodes.iter().position(|node| is_it(&node.op)).map(|at| at as Id)
+fn meaning(working: &Working<'_, '_>, scope: usize, name: &str) -> Result<Option<Meaning>, Text> {
+    let (plan, solution) = (&working.plan, working.sheet.solution());
+    let given = |path: &str| {
+        let is_it = |op: &Op| matches!(op, Op::Given { path: of, .. } if of == path);
+        let at = solution.trace.nodes.iter().position(|node| is_it(&node.op));
+        working.sheet.lifted(path).or(at.map(|at| at as Id)).map(Meaning::Node)
     };
+    let named = plan.names.find(scope, name);
     // The whole name: an input, an answer, one of several answers, a step by its number.
-    if let Some(path) = plan.names.path_of_input(name).filter(|path| path == name) {
-        return Ok(input_node(plan, &path, solution).or_else(|| given(&path)).map(Meaning::Node));
+    if let Some(Named::Input(path)) = &named
+        && plan.names.input(path).is_some_and(|input| input.inner == name)
+    {
+        return Ok(given(path));
     }
-    if let Some(answer) = solution.answer(name) {
+    let outside = plan.names.scopes[scope].outside(name);
+    if let Some(answer) = solution.answer(&outside) {
         return Ok(Some(match &answer.value {
             AnswerValue::Number(_, id) => Meaning::Node(*id),
             AnswerValue::List(all) => Meaning::List(all.clone(), answer.unit.clone()),
@@ -123,7 +173,7 @@ fn meaning(plan: &Plan, name: &str, solution: &Solution) -> Result<Option<Meanin
             }
         }));
     }
-    let several: Vec<_> = solution.answers.iter().filter(|answer| answer.name.base == name).collect();
+    let several: Vec<_> = solution.answers.iter().filter(|answer| answer.name.base == outside).collect();
     if let Some(first) = several.first() {
         let numbers: Option<Vec<f64>> = several.iter().map(|answer| answer.si()).collect();
         if let Some(numbers) = numbers {
@@ -135,27 +185,26 @@ fn meaning(plan: &Plan, name: &str, solution: &Solution) -> Result<Option<Meanin
         return Ok(step.map(|step| Meaning::Node(step.result)));
     }
     // The symbol: of a definition, then of an input, then of a step.
+    match &named {
+        Some(named @ Named::Definition(at)) => {
+            let path = plan.outside(&plan.definitions[*at]);
+            return Ok(working.node(named).map(Meaning::Node).or_else(|| given(&path)));
+        }
+        Some(Named::Input(path)) => return Ok(given(path)),
+        Some(Named::Question(_) | Named::Answer(..)) | None => {}
+    }
+    if let several @ [_, _, ..] = &plan.names.with_symbol(scope, name)[..] {
+        let known: Vec<String> = several.iter().map(|input| input.inner.clone()).collect();
+        return Err(ambiguous(name, &known));
+    }
     let wanted = normalised(name);
-    if let Some(definition) =
-        plan.definitions.iter().find(|definition| normalised(&definition.name) == wanted)
-    {
-        let of_step =
-            solution.steps.iter().find(|step| step.symbol == Symbol::from(intern(&definition.name)));
-        return Ok(of_step.map(|step| step.result).or_else(|| given(&definition.name)).map(Meaning::Node));
-    }
-    match &plan.names.with_symbol(name)[..] {
-        [] => {}
-        [only] => {
-            return Ok(input_node(plan, &only.path, solution)
-                .or_else(|| given(&only.path))
-                .map(Meaning::Node));
-        }
-        several => {
-            let known: Vec<String> = several.iter().map(|input| input.path.clone()).collect();
-            return Err(ambiguous(name, &known));
-        }
-    }
+    // What is not yet of a problem is that of the question itself, whose steps end with this name.
+    let of_scope = |n: &usize| {
+        let of = solution.problems.iter().find(|problem| problem.steps.contains(n));
+        of.is_none_or(|problem| problem.name == plan.names.scopes[scope].name)
+    };
     let steps: Vec<usize> = (0..solution.steps.len())
+        .filter(of_scope)
         .filter(|n| normalised(&printer::symbol(&solution.steps[*n].symbol)) == wanted)
         .collect();
     match steps[..] {
@@ -166,12 +215,6 @@ fn meaning(plan: &Plan, name: &str, solution: &Solution) -> Result<Option<Meanin
             Err(ambiguous(name, &known))
         }
     }
-}
-
-/// The node of an input that takes its value from a formula: the step of the formula.
-fn input_node(plan: &Plan, path: &str, solution: &Solution) -> Option<Id> {
-    let input = plan.inputs.iter().find(|input| input.path == path && input.formula.is_some())?;
-    solution.steps.iter().find(|step| step.symbol == input.symbol).map(|step| step.result)
 }
 
 fn ambiguous(name: &str, known: &[String]) -> Text {

@@ -1,44 +1,81 @@
-//! Definitions and questions as they are typed, row by row.
+//! Definitions, questions, given answers and configurations as they are typed, row by row.
 
-use dalembert_units::Unit;
+use dalembert_units::{self as units, Unit};
 
 use super::{
-    Definition, Question, field_error,
-    names::Names,
+    Definition, Plan, PlannedInput, Question, field_error,
+    names::{self, Names},
+    scope,
     unknowns::{self, Unknown, is_unknown},
 };
 use crate::{
-    FieldError, Text, Value,
+    Field, FieldError, Number, Record, Symbol, Text, Value,
     ascii::index,
     formula::{Expression, Formula, Function},
+    intern::intern,
 };
 
 /// Reader of definitions and questions; what is wrong with them is kept.
-pub(super) struct Reader<'n> {
-    pub(super) names: &'n Names,
+pub(super) struct Reader {
+    pub(super) names: Names,
     pub(super) errors: Vec<FieldError>,
 }
 
-impl Reader<'_> {
+impl Reader {
+    pub(super) fn new(names: Names) -> Self {
+        Self { names, errors: Vec::new() }
+    }
+
+    /// Reads the lists of a problem into a plan.
+    pub(super) fn read(&mut self, scope: usize, record: &mut Record, plan: &mut Plan) {
+        let own = scope::record_of(record, &self.names.scopes[scope]);
+        let [definitions, questions, givens, changes] =
+            ["let", "ask", "given", "configuration"].map(|list| scope::rows(own, list).to_vec());
+        for (n, row) in definitions.iter().enumerate() {
+            plan.definitions.extend(self.definition([scope, n], row, &mut plan.unknowns));
+        }
+        for (n, row) in questions.iter().enumerate() {
+            plan.questions.extend(self.question([scope, n], row, &plan.questions));
+        }
+        for (n, row) in givens.iter().enumerate() {
+            let path = self.names.scopes[scope].outside(&format!("given[{}]", n + 1));
+            match unknowns::given(&path, text_of(row, "name"), text_of(row, "value")) {
+                Ok(mut given) => {
+                    given.name = self.names.scopes[scope].outside(&given.name);
+                    plan.givens.push(given);
+                }
+                Err(error) => self.errors.push(error),
+            }
+        }
+        for (n, row) in changes.iter().enumerate() {
+            match self.change([scope, n], row, record) {
+                Ok(input) if plan.inputs.iter().any(|other| other.path == input.path) => {
+                    let why = Text::new("`{name}` is changed twice: keep one of the two");
+                    self.errors.push(FieldError::new(&input.error_path, why.with("name", &input.path)));
+                }
+                Ok(input) => {
+                    self.names.add(input.clone());
+                    plan.inputs.push(input);
+                }
+                Err(error) => self.errors.push(error),
+            }
+        }
+    }
+
     /// The definition in a row, counted from 0.
-    pub(super) fn definition(
+    fn definition(
         &mut self,
-        n: usize,
+        [scope, n]: [usize; 2],
         row: &Value,
         unknowns: &mut Vec<Unknown>,
     ) -> Option<Definition> {
-        let path = |part: &str| format!("let[{}].{part}", n + 1);
+        let of = self.names.scopes[scope].name;
+        let outside = |name: &str| if of.is_empty() { name.to_owned() } else { format!("{of}.{name}") };
+        let path = |part: &str| outside(&format!("let[{}].{part}", n + 1));
         let (name, text) = (text_of(row, "name"), text_of(row, "formula"));
-        let begins = name.chars().next().is_some_and(|c| c.is_alphabetic() || c == '_');
         let wrong = if name.is_empty() {
             Some("a name is needed, for example nu".into())
-        } else if !begins
-            || !name.chars().all(|c| {
-                c.is_alphanumeric()
-                    || matches!(c, '_' | '′')
-                    || index(c).is_some_and(|plain| plain.is_ascii_alphanumeric())
-            })
-        {
+        } else if !is_name(name) {
             Some(
                 Text::new("`{name}` is no name: write letters, digits and _, a letter first")
                     .with("name", name),
@@ -48,9 +85,14 @@ impl Reader<'_> {
                 Text::new("`{name}` is the name of a function or a constant: choose another")
                     .with("name", name),
             )
-        } else if self.names.is_input_name(name) {
+        } else if self.names.is_input_name(scope, name) {
             Some(Text::new("`{name}` is the name of an input: choose another").with("name", name))
-        } else if self.names.earlier_definition(name, n) {
+        } else if self.names.is_scope_name(scope, name) {
+            Some(
+                Text::new("`{name}` is the name of a problem or a configuration: choose another")
+                    .with("name", name),
+            )
+        } else if self.names.earlier_definition([scope, n], name) {
             Some(Text::new("`{name}` is defined twice: keep one of the two").with("name", name))
         } else {
             None
@@ -59,13 +101,21 @@ impl Reader<'_> {
             self.errors.push(FieldError::new(path("name"), why));
             return None;
         }
+        let defined = |formula, unit, si| Definition {
+            scope,
+            row: n,
+            name: name.to_owned(),
+            formula,
+            unit,
+            si,
+        };
         if is_unknown(text) {
-            return match unknowns::read(text, name, None) {
+            return match unknowns::read(text, &outside(name), None) {
                 Ok((unknown, start)) => {
                     unknowns.push(unknown);
                     let (unit, si) = (start.unit.clone(), start.si);
                     let formula = Formula { root: Expression::Quantity(start), text: text.to_owned() };
-                    Some(Definition { name: name.to_owned(), formula, unit, si })
+                    Some(defined(formula, unit, si))
                 }
                 Err(why) => {
                     self.errors.push(FieldError::new(path("formula"), why));
@@ -73,31 +123,32 @@ impl Reader<'_> {
                 }
             };
         }
-        let formula = self.formula(&path("formula"), text)?;
+        let formula = self.formula(scope, &path("formula"), text)?;
         let (unit, si) =
             formula.quantity().map_or((Unit::ONE, 0.0), |quantity| (quantity.unit.clone(), quantity.si));
-        Some(Definition { name: name.to_owned(), formula, unit, si })
+        Some(defined(formula, unit, si))
     }
 
     /// The question in a row, with those before it.
-    pub(super) fn question(&mut self, n: usize, row: &Value, before: &[Question]) -> Option<Question> {
-        let path = |part: &str| format!("ask[{}].{part}", n + 1);
+    fn question(&mut self, [scope, n]: [usize; 2], row: &Value, before: &[Question]) -> Option<Question> {
+        let of = self.names.scopes[scope].name;
+        let path = |part: &str| {
+            let path = format!("ask[{}].{part}", n + 1);
+            if of.is_empty() { path } else { format!("{of}.{path}") }
+        };
         let (label, text) = (text_of(row, "name"), text_of(row, "formula"));
         if label.is_empty() {
             self.errors.push(FieldError::new(path("name"), "a name is needed, for example peak to peak"));
             return None;
         }
-        let key = match text_of(row, "key") {
-            "" => key_of(label),
-            key => key.to_owned(),
-        };
-        if before.iter().any(|question| question.key == key) {
+        let key = question_key(row);
+        if before.iter().any(|question| question.scope == scope && question.key == key) {
             let why =
                 Text::new("two questions have the key `{key}`: give one of them another").with("key", &key);
             self.errors.push(FieldError::new(path("name"), why));
             return None;
         }
-        let formula = self.formula(&path("formula"), text)?;
+        let formula = self.formula(scope, &path("formula"), text)?;
         let unit = match text_of(row, "unit") {
             "" => None,
             unit => match dalembert_units::unit(unit) {
@@ -109,11 +160,86 @@ impl Reader<'_> {
             },
         };
         let symbol = Some(text_of(row, "symbol")).filter(|symbol| !symbol.is_empty()).map(str::to_owned);
-        Some(Question { label: label.to_owned(), key, symbol, unit, formula })
+        Some(Question { scope, label: label.to_owned(), key, symbol, unit, formula })
     }
 
-    fn formula(&mut self, path: &str, text: &str) -> Option<Formula> {
-        match Formula::parse(text, &|name| self.names.contains(name)) {
+    /// The input that a row of a configuration changes, with its formula.
+    fn change(
+        &self,
+        [scope, n]: [usize; 2],
+        row: &Value,
+        record: &mut Record,
+    ) -> Result<PlannedInput, FieldError> {
+        let of = &self.names.scopes[scope];
+        let path = |part: &str| of.outside(&format!("configuration[{}].{part}", n + 1));
+        let [name, inner, text] = ["name", "input", "formula"].map(|field| text_of(row, field));
+        let fail = |part: &str, why: Text| Err(FieldError::new(path(part), why));
+        if !is_name(name) {
+            let why = "a name of letters and digits is needed, for example weighted";
+            return fail("name", why.into());
+        }
+        if self.names.is_input_name(scope, name) {
+            let why = Text::new("`{name}` is the name of an input: choose another");
+            return fail("name", why.with("name", name));
+        }
+        let named = self.names.with_symbol(scope, inner);
+        let inner = match &named[..] {
+            [only] => only.inner.clone(),
+            _ => inner.to_owned(),
+        };
+        let base = of.outside(&inner);
+        let Some(measure) = names::measure_at(record, &base) else {
+            let known: Vec<&str> = self.names.inner_paths(scope);
+            let why = match crate::nearest(&inner, known.iter().copied()) {
+                Some(near) => Text::new("`{name}` is no quantity of this problem; did you mean `{near}`?")
+                    .with("near", near),
+                None => Text::new("`{name}` is no quantity of this problem: a configuration changes quantities"),
+            };
+            return fail("input", why.with("name", &inner));
+        };
+        let configuration = of.outside(name);
+        let at = self.names.scopes.iter().position(|scope| scope.name == configuration);
+        let Some(at) = at.filter(|at| *at != scope) else {
+            return fail("name", Text::new("`{name}` is the name of a problem: choose another").with("name", name));
+        };
+        let one = measure.meant(text);
+        let (formula, unit, si) = match units::read_quantity(text, &one.own_unit(), one.kind()) {
+            Ok(quantity) => {
+                if let Some(why) = one.outside(quantity.si, text) {
+                    return fail("formula", why);
+                }
+                let (unit, si) = (quantity.unit.clone(), quantity.si);
+                (Formula { root: Expression::Quantity(quantity), text: text.to_owned() }, unit, si)
+            }
+            Err(error) => match Formula::parse(text, &|name| self.names.contains(scope, name)) {
+                Ok(formula) if !formula.names().is_empty() => (formula, measure.own_unit(), f64::NAN),
+                _ => {
+                    let why = crate::reading::text(&error);
+                    return Err(FieldError { path: path("formula"), why, span: error.span() });
+                }
+            },
+        };
+        let input = self.names.input(&base);
+        let field = input.as_ref().map_or_else(|| field_at(record, &base), |input| {
+            Some((input.label, input.symbol))
+        });
+        let (label, symbol) = field.unwrap_or((intern(&inner), Symbol::from("")));
+        Ok(PlannedInput {
+            scope: at,
+            path: self.names.scopes[at].outside(&inner),
+            inner,
+            error_path: path("formula"),
+            label,
+            symbol: Symbol { of: intern(name), ..symbol },
+            measure,
+            unit,
+            value: Number::Scalar(si),
+            formula: Some(formula),
+        })
+    }
+
+    fn formula(&mut self, scope: usize, path: &str, text: &str) -> Option<Formula> {
+        match Formula::parse(text, &|name| self.names.contains(scope, name)) {
             Ok(formula) => Some(formula),
             Err(error) => {
                 self.errors.push(field_error(path, error));
@@ -123,9 +249,34 @@ impl Reader<'_> {
     }
 }
 
-/// The key of a question: its words in small letters with `_` between them.
-fn key_of(label: &str) -> String {
-    let words = label.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+/// Returns true if a word may name a definition or a configuration.
+fn is_name(name: &str) -> bool {
+    let continues = |c: char| {
+        c.is_alphanumeric()
+            || matches!(c, '_' | '′')
+            || index(c).is_some_and(|plain| plain.is_ascii_alphanumeric())
+    };
+    name.chars().next().is_some_and(|c| c.is_alphabetic() || c == '_') && name.chars().all(continues)
+}
+
+/// Label and symbol of the optional input at a path that is left out.
+fn field_at(record: &Record, path: &str) -> Option<(&'static str, Symbol)> {
+    let mut found: Option<&'static Field> = None;
+    record.leaves(&mut |known, field, _| {
+        if known == path {
+            found = Some(field);
+        }
+    });
+    found.map(|field| (field.label, Symbol::from(field.symbol)))
+}
+
+/// The key of the question in a row: as it is typed, or its words in small letters with `_` between them.
+pub(super) fn question_key(row: &Value) -> String {
+    let key = text_of(row, "key");
+    if !key.is_empty() {
+        return key.to_owned();
+    }
+    let words = text_of(row, "name").split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
     words.map(str::to_lowercase).collect::<Vec<_>>().join("_")
 }
 

@@ -22,6 +22,8 @@ pub(crate) struct Unknown {
 /// An answer whose value is known.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct GivenAnswer {
+    /// Path of its row: `given[1]`.
+    pub(crate) path: String,
     /// Name of the answer or of the question.
     pub(crate) name: String,
     /// Value, in SI.
@@ -97,13 +99,13 @@ fn usual(measure: Measure) -> f64 {
     tried.into_iter().flatten().find(|value| measure.outside(unit.si(*value), "").is_none()).unwrap_or(1.0)
 }
 
-/// The given answer in the row `n`, counted from 0, by its name and the text of its value.
-pub(super) fn given(n: usize, name: &str, text: &str) -> Result<GivenAnswer, FieldError> {
+/// The given answer in the row at a path, by its name and the text of its value.
+pub(super) fn given(row: &str, name: &str, text: &str) -> Result<GivenAnswer, FieldError> {
     if name.is_empty() {
         let why = "the name of an answer or a question is needed, for example natural_frequency";
-        return Err(FieldError::new(format!("given[{}].name", n + 1), why));
+        return Err(FieldError::new(format!("{row}.name"), why));
     }
-    let path = format!("given[{}].value", n + 1);
+    let path = format!("{row}.value");
     let plus_minus = ["±", "+/-", "+-"].into_iter().find_map(|sign| text.split_once(sign));
     let (value, tolerance) = plus_minus.map_or((text, None), |(value, tolerance)| (value, Some(tolerance)));
     let (si, unit) = constant(value).map_err(|why| FieldError::new(&path, why))?;
@@ -119,7 +121,7 @@ pub(super) fn given(n: usize, name: &str, text: &str) -> Result<GivenAnswer, Fie
         if size > 0.0 { Ok(size) } else { Err(Text::new("the uncertainty behind ± is above zero")) }
     });
     let tolerance = tolerance.transpose().map_err(|why| FieldError::new(&path, why))?;
-    Ok(GivenAnswer { name: name.to_owned(), si, unit, tolerance })
+    Ok(GivenAnswer { path: row.to_owned(), name: name.to_owned(), si, unit, tolerance })
 }
 
 /// The value of a quantity or of an expression without names, in SI, and its unit.

@@ -183,6 +183,7 @@ impl<'t> Parser<'t> {
             }
             Some('0'..='9' | '.') => self.quantity(),
             Some(c) if begins_word(c) => self.word(),
+            Some('@') => self.link(),
             _ => Err(self.unexpected("a number, a name or a bracket")),
         }
     }
@@ -393,6 +394,22 @@ impl<'t> Parser<'t> {
             return Ok(Expression::Pi);
         }
         Ok(Expression::Name(name.to_owned(), start..self.at))
+    }
+
+    /// A name of a problem of another file: `@beam.toml:stiffness`.
+    fn link(&mut self) -> Result<Expression, FormulaError> {
+        let start = self.at;
+        let file = self.rest().split(|c: char| c.is_whitespace() || c == ':').next().unwrap_or_default();
+        if !self.rest()[file.len()..].starts_with(':') {
+            let why = "a link names a file and an answer of it, as in @beam.toml:stiffness";
+            return Err(FormulaError::at(start..start + file.len(), why));
+        }
+        self.at += file.len() + 1;
+        if !self.rest().starts_with(begins_word) {
+            return Err(self.unexpected("the name of an answer"));
+        }
+        self.word()?;
+        Ok(Expression::Name(self.text[start..self.at].to_owned(), start..self.at))
     }
 
     /// Returns true if a hyphen goes on with a name: the longer name is one, or the beginning of a path.

@@ -52,7 +52,7 @@ pub(super) fn edited(model: &mut Model, edited: Editing, result: Result<Opened, 
             return Vec::new();
         }
     };
-    match (file::parse(&opened.text), edited) {
+    match (opened.problem(), edited) {
         (Ok(read), Editing::Own(path)) => reload(model, &path, read, opened, "{file} reloaded"),
         (Ok(read), Editing::Copy(path)) => {
             let mut intents = take_copy(model, read, opened.text);
@@ -124,7 +124,7 @@ pub(super) fn changed_on_disk(
         }
         return Vec::new();
     }
-    match file::parse(&opened.text) {
+    match opened.problem() {
         Ok(read) => reload(model, path, read, opened, "{file} was changed by another program and reloaded"),
         Err(errors) => {
             let faults = faults(&opened.text, &errors, &model.locale);

@@ -122,7 +122,7 @@ pub(super) fn opened(model: &mut Model, path: PathBuf, result: Result<Opened, Fi
             return vec![Intent::Show(again), Intent::Preview];
         }
     };
-    let read = match file::parse(&opened.text) {
+    let read = match opened.problem() {
         Ok(read) => read,
         Err(errors) => {
             let title = Text::new("{file} cannot be opened as a problem").with("file", shown(&path));

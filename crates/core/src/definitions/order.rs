@@ -1,0 +1,164 @@
+//! Order of evaluation: each definition, input, solution and question behind what it rests on.
+
+use super::{
+    Plan,
+    names::{Named, Place},
+    questions,
+};
+use crate::{FieldError, Text, formula::Formula};
+
+impl Plan {
+    /// Adds the inputs that formulas name.
+    pub(super) fn add_named_inputs(&mut self) {
+        let mut named = Vec::new();
+        let places = (0..self.definitions.len()).map(Place::Definition);
+        for place in places.chain((0..self.inputs.len()).map(Place::Input)).collect::<Vec<_>>() {
+            for (name, _) in self.formula_of(place).map(Formula::names).unwrap_or_default() {
+                if let Some(Named::Input(path)) = self.find(place, name) {
+                    named.push(path);
+                }
+            }
+        }
+        for path in named {
+            if self.inputs.iter().all(|input| input.path != path)
+                && let Some(input) = self.names.input(&path)
+            {
+                self.inputs.push(input);
+            }
+        }
+    }
+
+    /// Finds the order of evaluation.
+    pub(super) fn arrange(&mut self) -> Result<(), FieldError> {
+        let (mut order, mut open) = (Vec::new(), Vec::new());
+        for scope in 0..self.names.scopes.len() {
+            let own = self.places(scope);
+            // The problems that this one rests on come whole before it, where they can.
+            for place in &own {
+                for on in self.needs(*place).into_iter().filter(|on| self.scope_of(*on) != scope) {
+                    self.visit(on, &mut order, &mut open)?;
+                }
+            }
+            for place in own {
+                self.visit(place, &mut order, &mut open)?;
+            }
+        }
+        self.order = order;
+        for place in self.order.clone() {
+            let rests = |on: &Place| {
+                matches!(on, Place::Solution(_) | Place::Question(_)) || self.after_solution.contains(on)
+            };
+            if self.needs(place).iter().any(rests) {
+                self.after_solution.insert(place);
+            }
+        }
+        Ok(())
+    }
+
+    /// Everything of a scope: definitions, inputs, the solution, questions.
+    fn places(&self, scope: usize) -> Vec<Place> {
+        let definitions = (0..self.definitions.len()).map(Place::Definition);
+        let inputs = (0..self.inputs.len()).map(Place::Input);
+        let questions = (0..self.questions.len()).map(Place::Question);
+        let all = definitions.chain(inputs).chain([Place::Solution(scope)]).chain(questions);
+        all.filter(|place| self.scope_of(*place) == scope).collect()
+    }
+
+    pub(super) fn scope_of(&self, place: Place) -> usize {
+        match place {
+            Place::Definition(at) => self.definitions[at].scope,
+            Place::Input(at) => self.inputs[at].scope,
+            Place::Solution(scope) => scope,
+            Place::Question(at) => self.questions[at].scope,
+        }
+    }
+
+    /// What a place rests on itself.
+    fn needs(&self, place: Place) -> Vec<Place> {
+        let names = self.formula_of(place).map(Formula::names).unwrap_or_default();
+        let named = names.into_iter().filter_map(|(name, _)| self.find(place, name));
+        let mut needs: Vec<Place> = named.filter_map(|named| self.place(&named)).collect();
+        match place {
+            Place::Solution(scope) => {
+                let problem = self.names.scopes[scope].problem;
+                let of = |input: &super::PlannedInput| [scope, problem].contains(&input.scope);
+                let inputs = (0..self.inputs.len()).filter(|at| of(&self.inputs[*at]));
+                needs.extend(inputs.map(Place::Input));
+                // A configuration is shown behind the problem that it changes.
+                needs.extend((problem != scope).then_some(Place::Solution(problem)));
+            }
+            Place::Question(at) => needs.push(Place::Solution(self.questions[at].scope)),
+            Place::Definition(_) | Place::Input(_) => {}
+        }
+        needs
+    }
+
+    fn visit(&self, place: Place, order: &mut Vec<Place>, open: &mut Vec<Place>) -> Result<(), FieldError> {
+        if order.contains(&place) {
+            return Ok(());
+        }
+        if let Some(start) = open.iter().position(|before| *before == place) {
+            let circle: Vec<String> =
+                open[start..].iter().chain([&place]).map(|place| self.name_of(*place)).collect();
+            let why = Text::new("defined in a circle: {circle}").with("circle", circle.join(" → "));
+            let at = open[start..].iter().find(|place| self.formula_of(**place).is_some());
+            return Err(FieldError::new(self.path_of(*at.unwrap_or(&place)), why));
+        }
+        open.push(place);
+        for on in self.needs(place) {
+            self.visit(on, order, open)?;
+        }
+        open.pop();
+        order.push(place);
+        Ok(())
+    }
+
+    /// Meaning of a name in the formula of a place.
+    pub(super) fn find(&self, place: Place, name: &str) -> Option<Named> {
+        let scope = match place {
+            // A formula of a configuration sees the problem that it changes.
+            Place::Input(at) => self.names.scopes[self.inputs[at].scope].problem,
+            place => self.scope_of(place),
+        };
+        self.names.find(scope, name)
+    }
+
+    /// The place that a name leads to: of an answer, the solution that it is of.
+    pub(super) fn place(&self, named: &Named) -> Option<Place> {
+        match named {
+            Named::Input(path) => self.inputs.iter().position(|input| input.path == *path).map(Place::Input),
+            Named::Definition(at) => Some(Place::Definition(*at)),
+            Named::Question(at) => Some(Place::Question(*at)),
+            Named::Answer(scope, _) => Some(Place::Solution(*scope)),
+        }
+    }
+
+    pub(super) fn formula_of(&self, place: Place) -> Option<&Formula> {
+        match place {
+            Place::Definition(at) => Some(&self.definitions[at].formula),
+            Place::Input(at) => self.inputs[at].formula.as_ref(),
+            Place::Solution(_) => None,
+            Place::Question(at) => Some(&self.questions[at].formula),
+        }
+    }
+
+    /// Name of a place from outside.
+    fn name_of(&self, place: Place) -> String {
+        match place {
+            Place::Definition(at) => self.outside(&self.definitions[at]),
+            Place::Input(at) => self.inputs[at].path.clone(),
+            Place::Solution(scope) => self.names.scopes[scope].name.to_owned(),
+            Place::Question(at) => self.names.scopes[self.questions[at].scope].outside(&self.questions[at].key),
+        }
+    }
+
+    /// The path that an error of a formula is reported at.
+    pub(super) fn path_of(&self, place: Place) -> String {
+        match place {
+            Place::Definition(at) => self.path_of_definition(&self.definitions[at]),
+            Place::Input(at) => self.inputs[at].error_path.clone(),
+            Place::Solution(_) => String::new(),
+            Place::Question(at) => questions::path(self, at),
+        }
+    }
+}

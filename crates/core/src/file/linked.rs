@@ -1,0 +1,251 @@
+//! Problems that feed problems: several in one file, `[problem.fan]`, and those of other files, `"@beam.toml:stiffness"`.
+
+use toml_edit::{Item, Table, TableLike};
+
+use super::{
+    FileError, FileNotes, ProblemFile, analysis_of, check_keys, definitions, draft_of, read_show,
+    set_text, write_item,
+};
+use crate::{Draft, Entry, LinkedProblem, Text, linked};
+
+/// The keys of one of several problems of a file.
+const KEYS: [&str; 8] = ["analysis", "title", "let", "inputs", "given", "ask", "configuration", "show"];
+/// The most files that are linked behind one another.
+const DEEPEST: usize = 16;
+/// The longest file that is linked, in bytes.
+const LONGEST: usize = 1 << 20;
+
+/// Reads the text of a linked file, by its path from the folder of the first one.
+pub type ReadFile<'f> = dyn FnMut(&str) -> Result<String, Text> + 'f;
+
+/// A file that another one links to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LinkedFile {
+    /// Path from the folder of the first file.
+    pub path: String,
+    /// Text that was read.
+    pub text: String,
+}
+
+/// The linked files of a file on the way to it, and the reader of their texts.
+pub(super) struct Links<'f, 'r> {
+    pub(super) read: &'r mut ReadFile<'f>,
+    /// Files that are being read, outermost first.
+    pub(super) open: Vec<String>,
+    pub(super) files: Vec<LinkedFile>,
+}
+
+/// Problems of a file under `[problem.NAME]`, with their drafts.
+pub(super) fn problems(
+    root: &Table,
+    show: &mut Vec<(String, String)>,
+    reading: &mut FileNotes,
+) -> Vec<(LinkedProblem, Draft)> {
+    let Some(item) = root.get("problem") else { return Vec::new() };
+    let Some(table) = item.as_table_like() else {
+        let why = "`problem` holds named problems, as in [problem.fan]";
+        reading.errors.push(FileError { why: why.into(), span: item.span() });
+        return Vec::new();
+    };
+    table.iter().filter_map(|(name, item)| problem(name, item, show, reading)).collect()
+}
+
+fn problem(
+    name: &str,
+    item: &Item,
+    show: &mut Vec<(String, String)>,
+    reading: &mut FileNotes,
+) -> Option<(LinkedProblem, Draft)> {
+    let mut fail = |why: Text| {
+        reading.errors.push(FileError { why, span: item.span() });
+    };
+    let is_name = name.chars().next().is_some_and(char::is_alphabetic)
+        && name.chars().all(|c| c.is_alphanumeric() || c == '_');
+    if !is_name {
+        fail(
+            Text::new("`{name}` is no name of a problem: write letters, digits and _, a letter first")
+                .with("name", name),
+        );
+        return None;
+    }
+    let Some(table) = item.as_table_like() else {
+        fail(
+            Text::new("problem.{name}: a table with an analysis is needed, as in [problem.{name}]")
+                .with("name", name),
+        );
+        return None;
+    };
+    let entry = match analysis_of(table) {
+        Ok(entry) => entry,
+        Err(why) => {
+            let span = table.get("analysis").unwrap_or(item).span();
+            let why = Text::new("problem.{name}: {why}").with("name", name).with_text("why", why);
+            reading.errors.push(FileError { why, span });
+            return None;
+        }
+    };
+    check_keys(table, &KEYS, &mut reading.errors);
+    let no_inputs = Item::Table(Table::new());
+    let inputs = table.get("inputs").unwrap_or(&no_inputs);
+    let mut draft = draft_of(inputs, &entry.inputs(), &format!("problem.{name}.inputs"), reading);
+    definitions::read(table, &entry.shape(), &mut draft, reading);
+    let shown = read_show(table, &mut reading.errors);
+    show.extend(shown.into_iter().map(|(answer, display)| (format!("{name}.{answer}"), display)));
+    Some((LinkedProblem::new(name, entry, None), draft))
+}
+
+/// The problems of the files that formulas of drafts link to, `@beam.toml:stiffness`.
+pub(super) fn files<'d>(
+    drafts: impl IntoIterator<Item = &'d Draft>,
+    links: &mut Links<'_, '_>,
+    reading: &mut FileNotes,
+) -> Vec<(LinkedProblem, Draft)> {
+    let mut named = Vec::new();
+    for draft in drafts {
+        leaves(draft, &mut |text| {
+            for link in links_in(text) {
+                if !named.contains(&link) {
+                    named.push(link);
+                }
+            }
+        });
+    }
+    let mut found: Vec<(LinkedProblem, Draft)> = Vec::new();
+    for file in named {
+        let fail = |why: Text| FileError { why, span: None };
+        let name = linked::name_of_file(&file);
+        if found.iter().any(|(problem, _)| problem.name == name) {
+            let why = Text::new("two linked files are called `{name}`: give one of them another name");
+            reading.errors.push(fail(why.with("name", name)));
+            continue;
+        }
+        match read(&file, links) {
+            Ok(problem) => {
+                let note = |note| Text::new("{file}: {note}").with("file", &file).with_text("note", note);
+                reading.notes.extend(problem.notes.into_iter().map(note));
+                found.push((LinkedProblem::new(&name, problem.entry, Some(&file)), problem.draft));
+            }
+            Err(why) => {
+                let why = Text::new("@{file}: {why}").with("file", &file).with_text("why", why);
+                reading.errors.push(fail(why));
+            }
+        }
+    }
+    found
+}
+
+/// The problem of a linked file.
+fn read(file: &str, links: &mut Links<'_, '_>) -> Result<ProblemFile, Text> {
+    let folder = links.open.last().and_then(|open| open.rsplit_once('/')).map(|(folder, _)| folder);
+    let path = normal(folder, file);
+    if let Some(start) = links.open.iter().position(|open| *open == path) {
+        let circle: Vec<&str> =
+            links.open[start..].iter().map(String::as_str).chain([path.as_str()]).collect();
+        return Err(Text::new("the files link to each other in a circle: {circle}")
+            .with("circle", circle.join(" → ")));
+    }
+    if links.open.len() >= DEEPEST {
+        return Err(Text::new("more than {most} files are linked behind one another").with("most", DEEPEST));
+    }
+    let text = (links.read)(&path)?;
+    if text.len() > LONGEST {
+        return Err("the file is larger than 1 MiB: it is no problem file".into());
+    }
+    if !super::is_problem(&text) {
+        return Err("this is no problem file: only problem files can be linked".into());
+    }
+    links.open.push(path.clone());
+    let problem = super::parse_open(&text, links);
+    links.open.pop();
+    if links.files.iter().all(|known| known.path != path) {
+        links.files.push(LinkedFile { path, text });
+    }
+    problem.map_err(|errors| errors.into_iter().next().map_or_else(Text::default, |error| error.why))
+}
+
+/// A path from a folder, without steps up and down.
+fn normal(folder: Option<&str>, file: &str) -> String {
+    let mut parts: Vec<&str> = Vec::new();
+    let absolute = file.starts_with('/');
+    let from = folder.filter(|_| !absolute).unwrap_or("");
+    for part in from.split('/').chain(file.split(['/', '\\'])) {
+        match part {
+            "" | "." => {}
+            ".." if parts.last().is_some_and(|last| *last != "..") => {
+                parts.pop();
+            }
+            part => parts.push(part),
+        }
+    }
+    format!("{}{}", if absolute { "/" } else { "" }, parts.join("/"))
+}
+
+fn leaves(draft: &Draft, visit: &mut dyn FnMut(&str)) {
+    match draft {
+        Draft::Leaf(text) => visit(text),
+        Draft::Group(all) | Draft::Rows(all) => all.iter().for_each(|inner| leaves(inner, visit)),
+        Draft::OneOf(_, inner) => leaves(inner, visit),
+        Draft::Absent => {}
+    }
+}
+
+/// The files that a text links to.
+fn links_in(text: &str) -> Vec<String> {
+    let links = text.split('@').skip(1).filter_map(|rest| {
+        let (file, _) = rest.split_once(':')?;
+        let is_path = !file.is_empty() && !file.contains(|c: char| c.is_whitespace() || "()*+,;\"".contains(c));
+        is_path.then(|| file.to_owned())
+    });
+    links.collect()
+}
+
+/// The entry of a problem with those that are linked to it, and the draft of them all.
+pub(super) fn together(
+    main: Option<(&'static Entry, Draft)>,
+    others: Vec<(LinkedProblem, Draft)>,
+) -> (&'static Entry, Draft) {
+    let mut problems: Vec<LinkedProblem> = Vec::new();
+    let mut drafts: Vec<Draft> = Vec::new();
+    if let Some((entry, draft)) = main {
+        if others.is_empty() {
+            return (entry, draft);
+        }
+        problems.push(LinkedProblem::new("", entry, None));
+        let Draft::Group(all) = draft else { return (entry, draft) };
+        drafts.extend(all.into_iter().take(entry.inputs().fields(None).len()));
+    }
+    for (problem, draft) in others {
+        problems.push(problem);
+        drafts.push(draft);
+    }
+    (linked::entry(&problems), Draft::Group(drafts))
+}
+
+/// Writes the linked problems of a draft that have no file of their own into the tables of a file.
+pub(super) fn write(root: &mut Table, entry: &Entry, draft: &Draft) {
+    let own = entry.linked().iter().filter(|problem| !problem.name.is_empty() && problem.file.is_none());
+    for problem in own {
+        let Ok((draft, _)) = draft.at(&entry.shape(), problem.name) else { continue };
+        let problems = root.entry("problem").or_insert_with(|| {
+            let mut table = Table::new();
+            table.set_implicit(true);
+            Item::Table(table)
+        });
+        let Some(problems) = problems.as_table_like_mut() else { return };
+        if !problems.contains_key(problem.name) {
+            problems.insert(problem.name, Item::Table(Table::new()));
+        }
+        let Some(table) = problems.get_mut(problem.name).and_then(Item::as_table_mut) else { continue };
+        set_text(table, "analysis", problem.entry.about.id);
+        let inputs = table.entry("inputs").or_insert_with(|| Item::Table(Table::new()));
+        write_item(inputs, draft, &problem.entry.inputs());
+        definitions::write(table, draft, &problem.entry.shape());
+    }
+}
+
+/// The item of the inputs of a problem that a path leads to, and the rest of the path.
+pub(super) fn place<'d, 'p>(root: &'d Table, path: &'p str) -> Option<(&'d dyn TableLike, &'p str)> {
+    let (name, rest) = path.split_once('.')?;
+    let problem = root.get("problem")?.as_table_like()?.get(name)?;
+    Some((problem.as_table_like()?, rest))
+}
