@@ -108,7 +108,7 @@ pub fn registry() -> &'static [&'static Entry] {
 }
 
 /// The analysis of that id.
-pub fn find(id: &str) -> Option<&'static Entry> {
+pub fn find_analysis(id: &str) -> Option<&'static Entry> {
     registry().iter().find(|entry| entry.about.id == id).copied()
 }
 
@@ -134,6 +134,11 @@ impl Entry {
         let write: Write = |_, _, _| Ok(());
         let prepare: Prepare = |_, _, _| Err(Refusal::because("linked problems are solved one by one").into());
         Self { about, shape, inputs, write, prepare, linked }
+    }
+
+    /// The same entry under another description.
+    pub(crate) fn with_about(self, about: &'static About) -> Self {
+        Self { about, ..self }
     }
 
     /// The problems that are linked; none of an analysis itself.

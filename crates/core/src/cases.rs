@@ -4,7 +4,7 @@ use dalembert_units::{self as units, Dim};
 use toml_edit::{Item, TableLike};
 
 use crate::{
-    Answer, AnswerValue, Draft, Entry, Locale, Number, Record, Refusal, Solution, SolveError, Stop, Text,
+    Answer, AnswerValue, Draft, Entry, LinkedProblem, Locale, Number, Record, Refusal, Solution, SolveError, Stop, Text,
     file::{self, FileError, FileNotes, Format},
 };
 
@@ -124,9 +124,53 @@ pub fn cases(entry: &Entry) -> Result<Vec<Case>, String> {
             .join("; ")
     };
     let document = file::document(text).map_err(words)?;
+    if !entry.linked().is_empty() {
+        return exam_case(document.as_table()).map(|(case, _)| vec![case]);
+    }
     let list =
         document.as_table().get("case").and_then(Item::as_array_of_tables).ok_or("there is no [[case]]")?;
     list.iter().map(|table| case(entry, table)).collect()
+}
+
+/// Title and problems of an exam question.
+pub(crate) fn exam(text: &str) -> Result<(String, Vec<LinkedProblem>), String> {
+    let document = file::document(text).map_err(|errors| {
+        errors.first().map_or_else(String::new, |error| error.why.english())
+    })?;
+    let (case, entry) = exam_case(document.as_table())?;
+    Ok((case.name, entry.linked().to_vec()))
+}
+
+/// The keys of an exam question.
+const EXAM_KEYS: [&str; 9] =
+    ["format", "title", "source", "statement", "let", "problem", "given", "ask", "expect"];
+
+/// The case of an exam question: its remark is the statement.
+fn exam_case(root: &toml_edit::Table) -> Result<(Case, &'static Entry), String> {
+    let text = |key: &str| {
+        let text = root.get(key).and_then(Item::as_str).map(|text| text.split_whitespace());
+        text.map(|words| words.collect::<Vec<_>>().join(" ")).ok_or_else(|| format!("`{key}` is missing"))
+    };
+    let name = text("title")?;
+    if let Some((key, _)) = root.iter().find(|(key, _)| !EXAM_KEYS.contains(key)) {
+        return Err(format!("{name}: there is no key `{key}` in an exam question"));
+    }
+    let mut reading = FileNotes { format: Format::LATEST, errors: Vec::new(), notes: Vec::new(), kind: None };
+    let (entry, draft) = file::exam_of(root, &mut reading);
+    if let Some(err) = reading.errors.first() {
+        return Err(format!("{name}: {}", err.why.english()));
+    }
+    let truth = Truth::ClosedForm;
+    let table = root.get("expect").and_then(Item::as_table_like).into_iter().flat_map(TableLike::iter);
+    let expect = table
+        .map(|(answer, item)| expected(answer, item, truth).map_err(|why| format!("{name}: {answer}: {why}")))
+        .collect::<Result<Vec<_>, _>>()?;
+    if expect.is_empty() {
+        return Err(format!("{name}: nothing is expected"));
+    }
+    let (source, note) = (Text::new(text("source")?), Text::new(text("statement")?));
+    let case = Case { name, former: None, source, truth, seen: None, note, draft, expect, refused: None };
+    Ok((case, entry))
 }
 
 /// The case that a problem opens with.

@@ -23,6 +23,7 @@ use std::{collections::BTreeSet, sync::Arc};
 
 use dalembert_units::{Dim, Quantity, Unit};
 
+pub use self::fields::own_fields;
 pub(crate) use self::{
     fields::{are_of_problem, shape_of, with_common, without_linked},
     plain_reading::prepare,
@@ -155,8 +156,8 @@ fn field_error(path: &str, error: FormulaError) -> FieldError {
 }
 
 impl Plan {
-    /// Takes the text of an input for a formula or an unknown. Only what names something that is there is taken for a
-    /// formula; any other text keeps its own error.
+    /// Takes the text of an input for a formula or an unknown. Only what names something that is there, or calls a
+    /// function, is taken for a formula; any other text keeps its own error.
     fn take(&mut self, pending: Pending, names: &Names, record: &mut Record) -> Result<(), FieldError> {
         let Pending { path, text, error } = pending;
         let Some(mut input) = names.input(&path) else { return Err(error) };
@@ -171,7 +172,9 @@ impl Plan {
         }
         let scope = input.scope;
         match Formula::parse(&text, &|name| names.contains(scope, name)) {
-            Ok(formula) if formula.names().iter().any(|(name, _)| names.contains(scope, name)) => {
+            Ok(formula)
+                if formula.calls() || formula.names().iter().any(|(name, _)| names.contains(scope, name)) =>
+            {
                 input.formula = Some(formula);
                 self.inputs.push(input);
                 Ok(())
@@ -265,6 +268,12 @@ impl Plan {
     /// Label of an input, or the name of a definition.
     pub(crate) fn label(&self, name: &str) -> &'static str {
         self.inputs.iter().find(|input| input.path == name).map_or_else(|| intern(name), |input| input.label)
+    }
+
+    /// The name of the problem or configuration that an input or a definition is of; empty for that of the file itself.
+    pub(crate) fn problem_name(&self, name: &str) -> &'static str {
+        let of = self.names.scopes.iter().filter(|scope| scope.inside(name).is_some());
+        of.max_by_key(|scope| scope.name.len()).map_or("", |scope| scope.name)
     }
 
     /// The path that an error of an unknown is reported at.

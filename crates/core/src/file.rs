@@ -26,7 +26,7 @@ use toml_edit::{ArrayOfTables, Document, DocumentMut, InlineTable, Item, Table, 
 
 pub use self::format::Format;
 use crate::{
-    Display, Draft, Entry, Field, FieldError, Shape, Text, describe, draft, find, path, path::Segment,
+    Display, Draft, Entry, Field, FieldError, Shape, Text, describe, draft, find_analysis, path, path::Segment,
     registry, table,
 };
 
@@ -107,7 +107,7 @@ fn parse_open(text: &str, links: &mut linked::Links<'_, '_>) -> Result<ProblemFi
 /// The analysis that a table names.
 fn analysis_of(table: &dyn TableLike) -> Result<&'static Entry, Text> {
     match table.get("analysis").map(Item::as_str) {
-        Some(Some(id)) => find(id).ok_or_else(|| no_such_analysis(id)),
+        Some(Some(id)) => find_analysis(id).ok_or_else(|| no_such_analysis(id)),
         Some(None) => {
             Err(Text::new("the analysis must be a text such as \"vibration/rotating-unbalance\""))
         }
@@ -303,6 +303,13 @@ pub(crate) fn case_of(root: &Table, entry: &Entry, reading: &mut FileNotes) -> D
     let mut draft = draft_of(root.get("inputs").unwrap_or(&no_inputs), &entry.inputs(), "inputs", reading);
     definitions::read(root, &entry.shape(), &mut draft, reading);
     draft
+}
+
+/// Problems and draft of an exam question: linked problems alone, which link to no file.
+pub(crate) fn exam_of(root: &Table, reading: &mut FileNotes) -> (&'static Entry, Draft) {
+    let read: &mut ReadFile<'_> = &mut |_| Err("no other file can be read here".into());
+    let mut links = linked::Links { read, open: Vec::new(), files: Vec::new() };
+    problem_of(root, None, &mut Vec::new(), &mut links, reading)
 }
 
 /// Draft of an item of a file, in the shape of the inputs.

@@ -164,6 +164,24 @@ impl Formula {
         found
     }
 
+    /// Returns true if it calls a function.
+    pub(crate) fn calls(&self) -> bool {
+        fn within(expression: &Expression) -> bool {
+            match expression {
+                Expression::Call(..) => true,
+                Expression::Negative(inner) => within(inner),
+                Expression::Binary(_, left, right, _) => within(left) || within(right),
+                Expression::Quantity(_) | Expression::Pi | Expression::Name(..) => false,
+            }
+        }
+        within(&self.root)
+    }
+
+    /// The name that it is, where it is one alone.
+    pub(crate) fn single_name(&self) -> Option<&str> {
+        if let Expression::Name(name, _) = &self.root { Some(name) } else { None }
+    }
+
     /// The quantity, where the formula is nothing else.
     pub(crate) fn quantity(&self) -> Option<&Quantity> {
         if let Expression::Quantity(quantity) = &self.root { Some(quantity) } else { None }

@@ -15,6 +15,7 @@ pub mod coverage;
 mod definitions;
 pub mod describe;
 pub mod draft;
+pub mod exams;
 pub mod exercises;
 pub mod exhibit;
 mod field;
@@ -56,9 +57,11 @@ pub use nalgebra;
 #[doc(hidden)]
 pub use crate::input::derive_support;
 pub use crate::{
-    analysis::{About, Analysis, Entry, Evaluate, Refusal, SolveError, Stop, find, registry},
+    analysis::{About, Analysis, Entry, Evaluate, Refusal, SolveError, Stop, find_analysis, registry},
     ascii::ascii,
+    definitions::own_fields,
     draft::Draft,
+    exams::{catalogue, find},
     exhibit::{
         Animation, Axis, Band, Cell, Column, Deferred, Drawing, DrawnShape, Exhibit, Frames, Ink, LabelSide,
         Level, Mark, Over, Plot, Point, Point3, Scale, Scene, Series, Shape3, TableExhibit, Viewpoint3,

@@ -82,7 +82,6 @@ fn group(problem: &LinkedProblem) -> Field {
 }
 
 fn about(problems: &'static [LinkedProblem]) -> About {
-    let names: Vec<&str> = problems.iter().map(|problem| problem.name).collect();
     let mut sources = Vec::new();
     for source in problems.iter().flat_map(|problem| problem.entry.about.sources) {
         if !sources.contains(source) {
@@ -91,7 +90,7 @@ fn about(problems: &'static [LinkedProblem]) -> About {
     }
     About {
         id: ID,
-        title: intern(&names.join(", ")),
+        title: "Linked problems",
         topic: "Linked problems",
         summary: "Several problems that feed each other.",
         keywords: "",

@@ -65,9 +65,11 @@ pub fn step(solution: &Solution, step: &Step, locale: &Locale) -> WrittenStep {
     if substitution == result {
         substitution.clear();
     }
+    let symbol = symbol_in(&step.symbol, locale.style);
     WrittenStep {
-        symbol: symbol_in(&step.symbol, locale.style),
-        formula,
+        // An input that is another quantity of the same symbol.
+        formula: if formula == symbol { String::new() } else { formula },
+        symbol,
         substitution,
         result,
         why: step.why.render(locale),

@@ -82,6 +82,7 @@ pub fn family(id: &str) -> Text {
         "rigid-body" => "Rigid bodies",
         "vibration" => "Vibration",
         "virtual-work" => "Virtual work",
+        "exam" => "Exam questions",
         _ => return Text::new(id.to_owned()),
     })
 }

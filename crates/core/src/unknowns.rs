@@ -368,7 +368,7 @@ impl Determined {
                 && sheet.solution().answer(&unknown.name).is_none()
             {
                 sheet.answer(name, plan.label(&unknown.name), sheet.term(id));
-                sheet.mark_asked(name, "");
+                sheet.mark_asked(name, plan.problem_name(&unknown.name));
             }
         }
         if self.solutions.len() > 1 {

@@ -136,8 +136,11 @@ fn words(text: &str) -> String {
 
 fn write_inputs(worked: &WorkedProblem<'_>, sheet: &mut CsvSheet, locale: &Locale) {
     sheet.headings(&["path", "label", "symbol", "text", "value", "unit", "si"]);
-    for input in inputs(worked.draft, worked.solved_record(), locale) {
+    for input in inputs(worked.draft, worked.solved_record(), worked.outcome.ok(), locale) {
         let (value, unit, si) = match input.value {
+            Some(_) if let Some((si, unit)) = &input.computed => {
+                (number(unit.value(*si)), unit.ascii(), number(*si))
+            }
             Some(Value::Quantity(quantity)) => {
                 (number(quantity.unit.value(quantity.si)), quantity.unit.ascii(), number(quantity.si))
             }

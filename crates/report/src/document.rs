@@ -18,6 +18,8 @@ pub struct Document {
 pub enum Block {
     /// The heading of what follows.
     Heading(String),
+    /// The heading of a part of what stands under a heading.
+    Subheading(String),
     /// Sentences.
     Paragraph(String),
     /// Names with values, in columns.
@@ -83,6 +85,7 @@ impl Block {
         let all = |texts: Vec<String>| texts.iter().map(|text| change(text)).collect::<Vec<_>>();
         match self {
             Block::Heading(text) => Block::Heading(change(&text)),
+            Block::Subheading(text) => Block::Subheading(change(&text)),
             Block::Paragraph(text) => Block::Paragraph(change(&text)),
             Block::Items(items) => Block::Items(all(items)),
             Block::Lines(lines) => Block::Lines(

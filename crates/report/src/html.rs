@@ -44,6 +44,7 @@ pub fn html(document: &Document, locale: &Locale) -> String {
 fn block(block: &Block) -> String {
     match block {
         Block::Heading(words) => format!("<h2>{}</h2>\n", escaped(words)),
+        Block::Subheading(words) => format!("<h3>{}</h3>\n", escaped(words)),
         Block::Paragraph(words) => format!("<p>{}</p>\n", escaped(words)),
         Block::Items(items) => {
             let items =

@@ -1,7 +1,9 @@
 //! The inputs of a problem as lines: what was typed, and what was understood.
 
-use dalembert_core::{Draft, Field, Locale, Record, Shape, Symbol, Text, Value, gravity, printer};
-use dalembert_units::{self as units, Style};
+use dalembert_core::{
+    Draft, Field, Locale, Record, Shape, Solution, Symbol, Text, Value, gravity, own_fields, printer,
+};
+use dalembert_units::{self as units, Style, Unit};
 
 /// The digits that an input is shown with: what was typed is not rounded.
 const TYPED_DIGITS: u8 = 12;
@@ -23,12 +25,23 @@ pub struct ReportedInput<'r> {
     pub value: Option<&'r Value>,
     /// Value as displayed.
     pub shown: String,
+    /// Value, in SI, and unit of an input that a formula gives or that was found.
+    pub computed: Option<(f64, Unit)>,
+    /// True of definitions, questions and the like, which every problem has.
+    pub is_common: bool,
 }
 
-/// The inputs in the order of the form. `draft` is what `record` was read from.
-pub fn inputs<'r>(draft: &Draft, record: &'r Record, locale: &Locale) -> Vec<ReportedInput<'r>> {
+/// The inputs in the order of the form. `draft` is what `record` was read from; `solution` has the values of formulas and
+/// of unknowns.
+pub fn inputs<'r>(
+    draft: &Draft,
+    record: &'r Record,
+    solution: Option<&Solution>,
+    locale: &Locale,
+) -> Vec<ReportedInput<'r>> {
     let mut found = Vec::new();
-    let place = Place { path: String::new(), depth: 0, rows: Vec::new(), locale };
+    let place =
+        Place { path: String::new(), depth: 0, rows: Vec::new(), locale, solution, is_common: false };
     place.record(Some(draft), record, &mut found);
     found
 }
@@ -39,6 +52,8 @@ struct Place<'l> {
     depth: usize,
     rows: Vec<usize>,
     locale: &'l Locale,
+    solution: Option<&'l Solution>,
+    is_common: bool,
 }
 
 impl Place<'_> {
@@ -49,7 +64,8 @@ impl Place<'_> {
                 _ => None,
             };
             let dot = if self.path.is_empty() { "" } else { "." };
-            let place = self.within(format!("{}{dot}{}", self.path, field.name), self.depth);
+            let mut place = self.within(format!("{}{dot}{}", self.path, field.name), self.depth);
+            place.is_common |= n >= own_fields(record.fields);
             place.value(field, &field.shape, draft, value, None, found);
         }
     }
@@ -82,6 +98,8 @@ impl Place<'_> {
             },
             value: Some(value),
             shown: String::new(),
+            computed: None,
+            is_common: self.is_common,
         };
         match (shape, value) {
             (Shape::Optional(inner), value) if *value != Value::Absent => {
@@ -117,6 +135,12 @@ impl Place<'_> {
             }
             _ => {
                 input.shown = shown(value, self.locale);
+                let computed = self.solution.and_then(|solution| solution.computed_input(&self.path));
+                if let (Some((si, unit)), Value::Quantity(_)) = (computed, value) {
+                    let value = units::write_quantity(si, unit, self.locale.style);
+                    input.shown = format!("{} = {value}", input.typed.trim());
+                    input.computed = Some((si, unit.clone()));
+                }
                 if gravity::is_gravity(field) && input.typed.trim().is_empty() && gravity::is_default(value) {
                     let default = Text::new("{value} (default)").with("value", &input.shown);
                     input.shown = default.render(self.locale);
@@ -127,7 +151,7 @@ impl Place<'_> {
     }
 
     fn within(&self, path: String, depth: usize) -> Self {
-        Self { path, depth, rows: self.rows.clone(), locale: self.locale }
+        Self { path, depth, rows: self.rows.clone(), ..*self }
     }
 }
 

@@ -24,9 +24,12 @@ use crate::{WorkedProblem, inputs::inputs};
 pub fn json(worked: &WorkedProblem<'_>, locale: &Locale) -> Json {
     let locale = &locale.at(worked.entry.about.id);
     let mut given = Map::new();
-    for input in inputs(worked.draft, worked.solved_record(), locale) {
+    for input in inputs(worked.draft, worked.solved_record(), worked.outcome.ok(), locale) {
         if let Some(value) = input.value {
-            let mut entry = understood(value);
+            let mut entry = match &input.computed {
+                Some((si, unit)) => with_units(&|of| json!(of(*si)), unit),
+                None => understood(value),
+            };
             entry.insert("text".into(), input.typed.into());
             given.insert(input.path, Json::Object(entry));
         }

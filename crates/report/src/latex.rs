@@ -38,6 +38,7 @@ pub fn latex(document: &Document) -> String {
 fn block(block: &Block) -> String {
     match block {
         Block::Heading(heading) => format!("\\subsection*{{{}}}\n", words(heading)),
+        Block::Subheading(heading) => format!("\\subsubsection*{{{}}}\n", words(heading)),
         Block::Paragraph(sentences) => format!("{}\n", words(sentences)),
         Block::Items(items) => {
             let items =

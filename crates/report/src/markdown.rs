@@ -21,6 +21,7 @@ pub fn markdown(document: &Document, figures: Option<&str>) -> String {
         }
         text += &match block {
             Block::Heading(heading) => format!("## {}\n", escaped(heading)),
+            Block::Subheading(heading) => format!("### {}\n", escaped(heading)),
             Block::Paragraph(words) => format!("{}\n", escaped(words)),
             Block::Items(items) => {
                 items.iter().map(|item| format!("- {}\n", escaped(item))).collect::<Vec<_>>().concat()

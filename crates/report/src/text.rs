@@ -25,6 +25,10 @@ pub fn text(document: &Document, width: usize) -> String {
                 page.sentences(heading, 0, 0);
                 page.line("-".repeat(columns(heading).min(width)));
             }
+            Block::Subheading(heading) => {
+                page.sentences(heading, 0, 0);
+                page.line("·".repeat(columns(heading).min(width)));
+            }
             Block::Paragraph(words) => page.sentences(words, 0, 0),
             Block::Items(items) => {
                 for item in items {
@@ -58,7 +62,11 @@ impl Page {
     fn gap(&mut self, block: &Block) {
         let under_heading = self.lines.len() >= 2 && self.lines.last().is_some_and(|last| is_rule(last));
         let wanted = match block {
-            Block::Heading(_) | Block::Paragraph(_) | Block::Step(..) | Block::Table(_) => !under_heading,
+            Block::Heading(_)
+            | Block::Subheading(_)
+            | Block::Paragraph(_)
+            | Block::Step(..)
+            | Block::Table(_) => !under_heading,
             Block::Lines(_) | Block::Items(_) | Block::Figure(_) => false,
         };
         if wanted && !self.lines.is_empty() {

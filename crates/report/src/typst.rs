@@ -23,6 +23,7 @@ pub fn typst(document: &Document, figures: Option<&str>, locale: &Locale) -> Str
         text.push('\n');
         text += &match block {
             Block::Heading(heading) => format!("== {}\n", words(heading)),
+            Block::Subheading(heading) => format!("=== {}\n", words(heading)),
             Block::Paragraph(sentences) => format!("{}\n", words(sentences)),
             Block::Items(items) => {
                 items.iter().map(|item| format!("- {}\n", words(item))).collect::<Vec<_>>().concat()

@@ -9,7 +9,7 @@ use dalembert_units as units;
 use crate::{
     document::{Block, Document, DocumentTable, NamedValue},
     figure::figure,
-    inputs::inputs,
+    inputs::{ReportedInput, inputs},
 };
 
 /// The longest table of inputs that is printed in full.
@@ -78,9 +78,13 @@ pub fn document(worked: &WorkedProblem<'_>, locale: &Locale) -> Document {
 fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
     let say = |words: &'static str| Text::from(words).render(locale);
     blocks.push(Block::Heading(say("Answers")));
-    blocks.push(Block::Lines(
-        solution.answers.iter().flat_map(|answer| answer_lines(answer, locale)).collect(),
-    ));
+    let several = !solution.problems.is_empty();
+    for answers in solution.answers.chunk_by(|a, b| a.problem == b.problem) {
+        if several {
+            blocks.extend(problem_heading(solution, answers[0].problem, locale));
+        }
+        blocks.push(Block::Lines(answers.iter().flat_map(|answer| answer_lines(answer, locale)).collect()));
+    }
     if !solution.warnings.is_empty() {
         blocks.push(Block::Heading(say("Warnings")));
         blocks.push(Block::Items(solution.warnings.iter().map(|warning| warning.render(locale)).collect()));
@@ -92,6 +96,9 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
     if !solution.steps.is_empty() {
         blocks.push(Block::Heading(say("Working")));
         for (n, step) in solution.steps.iter().enumerate() {
+            if let Some(of) = solution.problems.iter().find(|of| of.steps.start == n) {
+                blocks.extend(problem_heading(solution, of.name, locale));
+            }
             blocks.push(Block::Step(n + 1, printer::step(solution, step, locale)));
         }
     }
@@ -123,7 +130,7 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
 }
 
 fn given(worked: &WorkedProblem<'_>, locale: &Locale) -> Vec<Block> {
-    let inputs = inputs(worked.draft, worked.solved_record(), locale);
+    let inputs = inputs(worked.draft, worked.solved_record(), worked.outcome.ok(), locale);
     let mut tables = Vec::new();
     for input in &inputs {
         if let Some(dalembert_core::Value::Table(table)) = input.value
@@ -141,17 +148,83 @@ fn given(worked: &WorkedProblem<'_>, locale: &Locale) -> Vec<Block> {
             }));
         }
     }
-    let lines = inputs.into_iter().map(|input| NamedValue {
+    let lines = inputs.iter().filter(|input| !input.is_common).map(|input| NamedValue {
         depth: input.depth,
-        symbol: input.symbol,
-        label: input.label,
-        value: input.shown,
+        symbol: input.symbol.clone(),
+        label: input.label.clone(),
+        value: input.shown.clone(),
     });
-    std::iter::once(Block::Lines(lines.collect())).chain(tables).collect()
+    let common = common(&inputs, worked, locale);
+    std::iter::once(Block::Lines(lines.chain(common).collect())).chain(tables).collect()
+}
+
+/// Definitions, given answers and configurations, each on a line. Questions stand among the answers.
+fn common(inputs: &[ReportedInput<'_>], worked: &WorkedProblem<'_>, locale: &Locale) -> Vec<NamedValue> {
+    let computed = |name: &str| {
+        let (si, unit) = worked.outcome.ok()?.computed_input(name)?;
+        Some(units::write_quantity(si, unit, locale.style))
+    };
+    let say = |text: Text| text.render(locale);
+    let mut lines = Vec::new();
+    for row in inputs.iter().filter(|input| input.is_common && input.value.is_none()) {
+        let part = |name: &str| {
+            let path = format!("{}.{name}", row.path);
+            inputs.iter().find(|input| input.path == path).map_or("", |input| input.typed.trim())
+        };
+        let (problem, list) = row.path.rsplit_once('.').unwrap_or(("", &row.path));
+        let outside = |name: &str| if problem.is_empty() { name.to_owned() } else { format!("{problem}.{name}") };
+        let with_value = |text: &str, value: Option<String>| match value {
+            Some(value) if value != text => format!("{text} = {value}"),
+            _ => text.to_owned(),
+        };
+        let of = |text: Text| match problem {
+            "" => say(text),
+            problem => format!("{problem}: {}", say(text)),
+        };
+        match list.split('[').next() {
+            Some("let") => lines.push(NamedValue {
+                label: of(Text::new("Definition")),
+                symbol: part("name").to_owned(),
+                value: with_value(part("formula"), computed(&outside(part("name")))),
+                ..NamedValue::default()
+            }),
+            Some("given") => {
+                let name = outside(part("name"));
+                let answer = worked.outcome.ok().and_then(|solution| solution.answer(&name));
+                lines.push(NamedValue {
+                    label: say(Text::new("Given: {answer}")
+                        .with_text("answer", answer.map_or_else(|| Text::verbatim(&name), Answer::title))),
+                    value: part("value").to_owned(),
+                    ..NamedValue::default()
+                });
+            }
+            Some("configuration") => lines.push(NamedValue {
+                label: of(Text::new("Configuration {name}").with("name", part("name"))),
+                symbol: part("input").to_owned(),
+                value: with_value(
+                    part("formula"),
+                    computed(&outside(&format!("{}.{}", part("name"), part("input")))),
+                ),
+                ..NamedValue::default()
+            }),
+            _ => {}
+        }
+    }
+    lines
+}
+
+/// Heading of a problem or a configuration among several; none before that of the file itself.
+fn problem_heading(solution: &Solution, name: &str, locale: &Locale) -> Option<Block> {
+    if !name.is_empty() {
+        return Some(Block::Subheading(name.to_owned()));
+    }
+    let is_first = solution.problems.first().is_some_and(|first| first.name.is_empty());
+    let words = Text::new("All problems");
+    (!is_first).then(|| Block::Subheading(words.render(locale)))
 }
 
 fn answer_lines(answer: &Answer, locale: &Locale) -> Vec<NamedValue> {
-    let label = answer.label(locale);
+    let label = answer.title_within().render(locale);
     let mut lines = vec![NamedValue { depth: 0, symbol: String::new(), label, value: answer.shown(locale) }];
     if let AnswerValue::Set(_, limits) = &answer.value {
         let limit =

@@ -12,7 +12,7 @@ use std::{
 };
 
 use crossterm::{Command, clipboard::CopyToClipboard, event::MouseEventKind};
-use dalembert_core::{Entry, Language, Text, registry};
+use dalembert_core::{Entry, Language, Text, catalogue};
 
 use self::watch::WatchedFile;
 use crate::{
@@ -149,7 +149,7 @@ fn workbench(options: Options) -> Result<(), TerminalError> {
     let solver = Solver::new(teller(&sender, &session, Msg::Solved));
     let asker = Solver::new(teller(&sender, &session, Msg::Asked));
     let look = Appearance::new(&capabilities);
-    let mut model = Model::new(registry(), language, look, capabilities.marker);
+    let mut model = Model::new(catalogue(), language, look, capabilities.marker);
     model.adopt(&settings);
     model.mouse = mouse;
     model.look.basic = basic;

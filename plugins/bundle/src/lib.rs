@@ -1,4 +1,4 @@
-//! Every analysis that comes with the program, and the course's lists of exercises. A crate that depends on this one, and names it, links them all.
+//! Every analysis that comes with the program, the course's lists of exercises, and exam questions of several steps. A crate that depends on this one, and names it, links them all.
 
 use dalembert_balancing as _;
 use dalembert_rigid_body as _;
@@ -7,3 +7,28 @@ use dalembert_virtual_work as _;
 
 dalembert_core::exercises!("../sets/lists-06-08.toml");
 dalembert_core::exercises!("../sets/unit-ii.toml");
+
+dalembert_core::exams!("../exams":
+    "absorber-for-an-unknown-machine",
+    "diesel-generator-torsion",
+    "engine-shaking-force",
+    "fan-on-cantilever-bracket",
+    "grinding-wheel-balance",
+    "instrument-case-dropped",
+    "instrument-table-on-softer-springs",
+    "lift-table-with-screw-drive",
+    "motor-on-a-measured-beam",
+    "overhung-impeller",
+    "racing-car-on-a-wavy-road",
+    "rotor-balanced-in-two-planes",
+    "satellite-after-a-pulse",
+    "ship-turbine-gyroscopic-load",
+    "slide-with-dry-friction",
+    "toggle-press-with-flywheel",
+    "top-on-its-tip",
+    "turbine-disc-critical-speed",
+    "vibrometer-finds-an-unbalance",
+    "walking-beam-pump",
+);
+
+dalembert_core::messages!("../locales/pt-BR.ftl");

@@ -130,6 +130,11 @@ pub(crate) fn are_of_problem(fields: &[Field]) -> bool {
     fields.iter().any(|field| field.name == "let")
 }
 
+/// Number of fields before those that every problem has: the inputs of its analysis, and the problems linked to it.
+pub fn own_fields(fields: &[Field]) -> usize {
+    if are_of_problem(fields) { fields.len() - FIELDS.len() } else { fields.len() }
+}
+
 /// A record without the problems that are linked to it.
 pub(crate) fn without_linked(record: &Record) -> Cow<'_, Record> {
     let is_problem = |value: &Value| matches!(value, Value::Group(inner) if are_of_problem(inner.fields));

@@ -1,9 +1,12 @@
 //! Order of evaluation: each definition, input, solution and question behind what it rests on.
 
+use std::collections::BTreeSet;
+
 use super::{
     Plan,
     names::{Named, Place},
     questions,
+    scope::TOP,
 };
 use crate::{FieldError, Text, formula::Formula};
 
@@ -30,18 +33,15 @@ impl Plan {
 
     /// Finds the order of evaluation.
     pub(super) fn arrange(&mut self) -> Result<(), FieldError> {
-        let (mut order, mut open) = (Vec::new(), Vec::new());
-        for scope in 0..self.names.scopes.len() {
-            let own = self.places(scope);
-            // The problems that this one rests on come whole before it, where they can.
-            for place in &own {
-                for on in self.needs(*place).into_iter().filter(|on| self.scope_of(*on) != scope) {
-                    self.visit(on, &mut order, &mut open)?;
-                }
-            }
-            for place in own {
-                self.visit(place, &mut order, &mut open)?;
-            }
+        let (mut order, mut open, mut begun) = (Vec::new(), Vec::new(), BTreeSet::new());
+        let scopes = &self.names.scopes;
+        let (problems, configurations): (Vec<usize>, Vec<usize>) =
+            (0..scopes.len()).partition(|scope| scopes[*scope].problem == *scope);
+        for scope in problems.into_iter().chain(configurations) {
+            self.visit_scope(scope, &mut order, &mut open, &mut begun)?;
+        }
+        for at in 0..self.questions.len() {
+            self.visit(Place::Question(at), &mut order, &mut open)?;
         }
         self.order = order;
         for place in self.order.clone() {
@@ -55,13 +55,29 @@ impl Plan {
         Ok(())
     }
 
-    /// Everything of a scope: definitions, inputs, the solution, questions.
-    fn places(&self, scope: usize) -> Vec<Place> {
+    /// Visits a problem with its questions, whole, behind those whose answers it rests on, where they can come first.
+    /// The questions of the file itself come at its end.
+    fn visit_scope(
+        &self,
+        scope: usize,
+        order: &mut Vec<Place>,
+        open: &mut Vec<Place>,
+        begun: &mut BTreeSet<usize>,
+    ) -> Result<(), FieldError> {
+        if !begun.insert(scope) {
+            return Ok(());
+        }
         let definitions = (0..self.definitions.len()).map(Place::Definition);
         let inputs = (0..self.inputs.len()).map(Place::Input);
-        let questions = (0..self.questions.len()).map(Place::Question);
+        let questions = (0..self.questions.len()).map(Place::Question).filter(|_| scope != TOP);
         let all = definitions.chain(inputs).chain([Place::Solution(scope)]).chain(questions);
-        all.filter(|place| self.scope_of(*place) == scope).collect()
+        let own: Vec<Place> = all.filter(|place| self.scope_of(*place) == scope).collect();
+        for on in own.iter().flat_map(|place| self.needs(*place)) {
+            if matches!(on, Place::Solution(_) | Place::Question(_)) {
+                self.visit_scope(self.scope_of(on), order, open, begun)?;
+            }
+        }
+        own.into_iter().try_for_each(|place| self.visit(place, order, open))
     }
 
     pub(super) fn scope_of(&self, place: Place) -> usize {
@@ -98,8 +114,8 @@ impl Plan {
             return Ok(());
         }
         if let Some(start) = open.iter().position(|before| *before == place) {
-            let circle: Vec<String> =
-                open[start..].iter().chain([&place]).map(|place| self.name_of(*place)).collect();
+            let named = open[start..].iter().chain([&place]).map(|place| self.name_of(*place));
+            let circle: Vec<String> = named.filter(|name| !name.is_empty()).collect();
             let why = Text::new("defined in a circle: {circle}").with("circle", circle.join(" → "));
             let at = open[start..].iter().find(|place| self.formula_of(**place).is_some());
             return Err(FieldError::new(self.path_of(*at.unwrap_or(&place)), why));

@@ -55,7 +55,7 @@ fn answer<'s>(working: &Working<'_, 's>, at: usize) -> Result<(), Text> {
     let unit = unit_text(&unit);
     let symbol = match &question.symbol {
         Some(symbol) => Symbol::from(intern(symbol)),
-        None => Symbol::from(("Q", at + 1)),
+        None => Symbol::from(("Q", 1 + sheet.solution().answers.iter().filter(|answer| answer.asked).count())),
     };
     let (name, label) = (Name::from(intern(&scope_of.outside(&question.key))), intern(&question.label));
     let why = Text::new("Question: {question}").with("question", &question.label);

@@ -96,7 +96,8 @@ impl<'s> Working<'_, 's> {
     /// Records the formula of a definition or an input as a step.
     fn formula(&mut self, place: Place) -> Result<Option<Id>, SolveError> {
         let sheet = self.sheet;
-        let Some(formula) = self.plan.formula_of(place) else { return Ok(None) };
+        let Some(formula) = self.plan.formula_of(place).cloned() else { return Ok(None) };
+        let formula = &formula;
         let scope = |name: &str| match self.plan.find(place, name) {
             Some(named) => self.operand(&named),
             None => Ok(None),
@@ -118,7 +119,11 @@ impl<'s> Working<'_, 's> {
             }
             Place::Input(at) => {
                 let input = &self.plan.inputs[at];
-                (input.symbol, Text::new("{input}, by its formula").with_text("input", input.label))
+                let why = match formula.single_name() {
+                    Some(name) => Text::new("{input}, from {name}").with("name", name),
+                    None => Text::new("{input}, by its formula"),
+                };
+                (input.symbol, why.with_text("input", input.label))
             }
             Place::Solution(_) | Place::Question(_) => return Ok(None),
         };

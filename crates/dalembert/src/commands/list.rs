@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use dalembert_core::{
     Entry, Locale, Text,
     cases::{self, Case},
-    find, registry,
+    find, catalogue,
     search::{self, Found, Index},
 };
 use dalembert_report::{Block, Document, NamedValue};
@@ -81,15 +81,15 @@ pub(crate) fn with_words(filter: &[String]) -> Vec<&'static Entry> {
 fn searched(filter: &[String], search: fn(&[&Index], &str) -> Vec<Found>) -> Vec<Match> {
     let filter = filter.join(" ");
     if filter.trim().is_empty() {
-        return registry().iter().map(|&entry| Match { entry, case: None }).collect();
+        return catalogue().iter().map(|&entry| Match { entry, case: None }).collect();
     }
     let mut cases: Vec<Vec<Case>> =
-        registry().iter().map(|entry| cases::cases(entry).unwrap_or_default()).collect();
+        catalogue().iter().map(|entry| cases::cases(entry).unwrap_or_default()).collect();
     let indices: Vec<Index> =
-        registry().iter().zip(&cases).map(|(entry, cases)| Index::of(entry, cases)).collect();
+        catalogue().iter().zip(&cases).map(|(entry, cases)| Index::of(entry, cases)).collect();
     let found = search(&indices.iter().collect::<Vec<_>>(), &filter);
     let matched = |found: Found| Match {
-        entry: registry()[found.place],
+        entry: catalogue()[found.place],
         case: found.case.map(|case| cases[found.place].swap_remove(case)),
     };
     found.into_iter().map(matched).collect()

@@ -260,7 +260,7 @@ fn answers(
         .zip(&covered)
         .map(|(answer, covered)| if *covered { "?".into() } else { answer.shown(locale) })
         .collect();
-    let labels: Vec<String> = answers.iter().map(|answer| answer.label(locale)).collect();
+    let labels: Vec<String> = answers.iter().map(|answer| answer.title_within().render(locale)).collect();
     let aligned: Vec<Option<Aligned>> = answers
         .iter()
         .zip(&shown)
@@ -284,6 +284,10 @@ fn answers(
     for (n, (((answer, label), aligned), (shown, covered))) in
         answers.iter().zip(&labels).zip(aligned).zip(shown.into_iter().zip(covered)).enumerate()
     {
+        let problem = (n == 0 || answers[n - 1].problem != answer.problem)
+            .then(|| problem_heading(solution, answer.problem, look, locale))
+            .flatten();
+        lines.extend(problem);
         let first = lines.len();
         starts.push(first);
         match aligned {
@@ -342,6 +346,22 @@ fn answers(
         }
     }
     Page { lines, starts }
+}
+
+/// Heading of a problem or a configuration among several; none before that of the file itself.
+pub(super) fn problem_heading(
+    solution: &Solution,
+    name: &str,
+    look: &Appearance,
+    locale: &Locale,
+) -> Option<Line<'static>> {
+    let first = solution.problems.first()?;
+    let words = match name {
+        "" if first.name.is_empty() => return None,
+        "" => Text::new("All problems").render(locale),
+        name => name.to_owned(),
+    };
+    Some(Line::styled(words, look.title()))
 }
 
 /// The unit with the space before it that every unit of a column has, `°` too.

@@ -13,7 +13,9 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{
     columns::{Aligned, number, padded, widths},
-    reasons, steps,
+    reasons,
+    results::problem_heading,
+    steps,
     steps::{step_of, symbols},
     wrap,
 };
@@ -212,6 +214,9 @@ fn read(
     for (n, step) in solution.steps.iter().enumerate().take(revealed + 1) {
         if n > 0 {
             page.lines.push(Line::default());
+        }
+        if let Some(of) = solution.problems.iter().find(|of| of.steps.start == n) {
+            page.lines.extend(problem_heading(solution, of.name, look, locale));
         }
         page.starts.push(page.lines.len());
         let mut written = plain(&printer::step(solution, step, locale), look);

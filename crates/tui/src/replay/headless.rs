@@ -6,7 +6,7 @@ use std::{
     time::Duration,
 };
 
-use dalembert_core::{Entry, Text, find, registry};
+use dalembert_core::{Entry, Text, find, catalogue};
 
 use super::{Act, Replay, svg};
 use crate::{Msg, harness::Harness, view::tempo};
@@ -77,7 +77,7 @@ impl std::error::Error for ReplayFailure {}
 
 /// Plays a session that stands in a folder. An animation shows the frames that the time of a `wait` has room for.
 pub fn play(replay: &Replay, folder: &Path) -> Result<ReplayResult, ReplayFailure> {
-    let mut harness = Harness::new(registry(), replay.screen, replay.language, replay.look);
+    let mut harness = Harness::new(catalogue(), replay.screen, replay.language, replay.look);
     (harness.model.readonly, harness.model.is_replay) = (true, true);
     if let Some(named) = &replay.open {
         let (file, analysis) = to_open(named, folder)?;
