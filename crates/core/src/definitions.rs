@@ -145,10 +145,10 @@ pub(crate) fn plan(record: &mut Record, pending: Vec<Pending>, errors: &mut Vec<
     }
 }
 
-/// Returns true if a text has a word that is a name.
+/// Returns true if a text has a word that is a name, or a link to a file.
 fn mentions(text: &str, scope: usize, names: &Names) -> bool {
     let words = text.split(|c: char| !(c.is_alphanumeric() || matches!(c, '_' | '.' | '[' | ']')));
-    words.filter(|word| !word.is_empty()).any(|word| names.contains(scope, word))
+    text.contains('@') || words.filter(|word| !word.is_empty()).any(|word| names.contains(scope, word))
 }
 
 fn field_error(path: &str, error: FormulaError) -> FieldError {

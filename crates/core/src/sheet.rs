@@ -63,12 +63,12 @@ impl<'a> Sheet<'a> {
     /// Recorded solution. Refused when a number left the finite range, with the first such number named.
     pub fn into_solution(self) -> Result<Solution, Refusal> {
         let mut solution = self.solution.into_inner();
-        let is_step = |id: &Id| match solution.trace.node(*id).op {
-            Op::Step(step) => Some(step),
-            _ => None,
+        let nodes = &solution.trace.nodes;
+        let is_own = |path: &str, id: Id| {
+            matches!(&nodes[id as usize].op, Op::Given { path: own, .. } if own == path)
         };
-        let lifted = self.lifted.into_inner();
-        solution.computed = lifted.into_iter().filter_map(|(path, id)| Some((path, is_step(&id)?))).collect();
+        let lifted = self.lifted.into_inner().into_iter();
+        solution.computed = lifted.filter(|(path, id)| !is_own(path, *id)).collect();
         solution.computed.sort_unstable();
         let wild = solution.steps.iter().find(|step| !solution.trace.node(step.result).number.is_finite());
         if let Some(step) = wild {

@@ -32,8 +32,8 @@ pub struct Solution {
     pub defects: Vec<String>,
     /// The unknown inputs as they were found; `None` where nothing was unknown.
     pub determined: Option<Arc<Determined>>,
-    /// Inputs and definitions whose value is that of a formula or was found, by path or name, with their steps.
-    pub computed: Vec<(String, usize)>,
+    /// Inputs and definitions whose value is that of a formula or was found, by path or name, with their nodes.
+    pub computed: Vec<(String, Id)>,
     /// Trace of the computation of every number.
     pub trace: Trace,
 }
@@ -149,10 +149,15 @@ impl Sides {
 impl Solution {
     /// Value, in SI, and unit of an input or a definition that a formula gives or that was found.
     pub fn computed_input(&self, path: &str) -> Option<(f64, &Unit)> {
-        let (_, step) = self.computed.iter().find(|(known, _)| known == path)?;
-        let step = &self.steps[*step];
-        match self.trace.node(step.result).number {
-            Number::Scalar(si) => Some((si, &step.unit)),
+        let (_, id) = self.computed.iter().find(|(known, _)| known == path)?;
+        let node = self.trace.node(*id);
+        let unit = match &node.op {
+            Op::Step(step) => &self.steps[*step].unit,
+            Op::Given { unit, .. } => unit,
+            _ => return None,
+        };
+        match node.number {
+            Number::Scalar(si) => Some((si, unit)),
             Number::Vector(_) => None,
         }
     }

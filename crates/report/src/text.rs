@@ -27,7 +27,7 @@ pub fn text(document: &Document, width: usize) -> String {
             }
             Block::Subheading(heading) => {
                 page.sentences(heading, 0, 0);
-                page.line("·".repeat(columns(heading).min(width)));
+                page.line("~".repeat(columns(heading).min(width)));
             }
             Block::Paragraph(words) => page.sentences(words, 0, 0),
             Block::Items(items) => {
@@ -207,5 +207,5 @@ impl Page {
 }
 
 fn is_rule(line: &str) -> bool {
-    !line.is_empty() && (line.bytes().all(|byte| byte == b'-') || line.bytes().all(|byte| byte == b'='))
+    !line.is_empty() && ['-', '=', '~'].iter().any(|rule| line.chars().all(|c| c == *rule))
 }

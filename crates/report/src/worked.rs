@@ -78,11 +78,8 @@ pub fn document(worked: &WorkedProblem<'_>, locale: &Locale) -> Document {
 fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
     let say = |words: &'static str| Text::from(words).render(locale);
     blocks.push(Block::Heading(say("Answers")));
-    let several = !solution.problems.is_empty();
-    for answers in solution.answers.chunk_by(|a, b| a.problem == b.problem) {
-        if several {
-            blocks.extend(problem_heading(solution, answers[0].problem, locale));
-        }
+    for (n, answers) in solution.answers.chunk_by(|a, b| a.problem == b.problem).enumerate() {
+        blocks.extend(problem_heading(n == 0, answers[0].problem, locale));
         blocks.push(Block::Lines(answers.iter().flat_map(|answer| answer_lines(answer, locale)).collect()));
     }
     if !solution.warnings.is_empty() {
@@ -97,7 +94,7 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
         blocks.push(Block::Heading(say("Working")));
         for (n, step) in solution.steps.iter().enumerate() {
             if let Some(of) = solution.problems.iter().find(|of| of.steps.start == n) {
-                blocks.extend(problem_heading(solution, of.name, locale));
+                blocks.extend(problem_heading(n == 0, of.name, locale));
             }
             blocks.push(Block::Step(n + 1, printer::step(solution, step, locale)));
         }
@@ -154,18 +151,19 @@ fn given(worked: &WorkedProblem<'_>, locale: &Locale) -> Vec<Block> {
         label: input.label.clone(),
         value: input.shown.clone(),
     });
-    let common = common(&inputs, worked, locale);
-    std::iter::once(Block::Lines(lines.chain(common).collect())).chain(tables).collect()
+    let [definitions, others] = common(&inputs, worked, locale);
+    let lines = definitions.into_iter().chain(lines).chain(others);
+    std::iter::once(Block::Lines(lines.collect())).chain(tables).collect()
 }
 
-/// Definitions, given answers and configurations, each on a line. Questions stand among the answers.
-fn common(inputs: &[ReportedInput<'_>], worked: &WorkedProblem<'_>, locale: &Locale) -> Vec<NamedValue> {
+/// Definitions, and given answers and configurations, each on a line. Questions stand among the answers.
+fn common(inputs: &[ReportedInput<'_>], worked: &WorkedProblem<'_>, locale: &Locale) -> [Vec<NamedValue>; 2] {
     let computed = |name: &str| {
         let (si, unit) = worked.outcome.ok()?.computed_input(name)?;
         Some(units::write_quantity(si, unit, locale.style))
     };
     let say = |text: Text| text.render(locale);
-    let mut lines = Vec::new();
+    let (mut definitions, mut lines) = (Vec::new(), Vec::new());
     for row in inputs.iter().filter(|input| input.is_common && input.value.is_none()) {
         let part = |name: &str| {
             let path = format!("{}.{name}", row.path);
@@ -182,7 +180,7 @@ fn common(inputs: &[ReportedInput<'_>], worked: &WorkedProblem<'_>, locale: &Loc
             problem => format!("{problem}: {}", say(text)),
         };
         match list.split('[').next() {
-            Some("let") => lines.push(NamedValue {
+            Some("let") => definitions.push(NamedValue {
                 label: of(Text::new("Definition")),
                 symbol: part("name").to_owned(),
                 value: with_value(part("formula"), computed(&outside(part("name")))),
@@ -210,17 +208,16 @@ fn common(inputs: &[ReportedInput<'_>], worked: &WorkedProblem<'_>, locale: &Loc
             _ => {}
         }
     }
-    lines
+    [definitions, lines]
 }
 
-/// Heading of a problem or a configuration among several; none before that of the file itself.
-fn problem_heading(solution: &Solution, name: &str, locale: &Locale) -> Option<Block> {
-    if !name.is_empty() {
-        return Some(Block::Subheading(name.to_owned()));
+/// Heading of a problem or a configuration among several; none before that of the file itself where it comes first.
+fn problem_heading(is_first: bool, name: &str, locale: &Locale) -> Option<Block> {
+    match name {
+        "" if is_first => None,
+        "" => Some(Block::Subheading(Text::new("All problems").render(locale))),
+        name => Some(Block::Subheading(name.to_owned())),
     }
-    let is_first = solution.problems.first().is_some_and(|first| first.name.is_empty());
-    let words = Text::new("All problems");
-    (!is_first).then(|| Block::Subheading(words.render(locale)))
 }
 
 fn answer_lines(answer: &Answer, locale: &Locale) -> Vec<NamedValue> {

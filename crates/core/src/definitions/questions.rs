@@ -84,9 +84,34 @@ fn found<'s>(
     name: &str,
 ) -> Result<Option<Operand<&'s crate::Sheet<'s>>>, Text> {
     match elsewhere(working, scope, name) {
-        Some((of, rest)) => answered(working, of, &rest),
+        Some((of, rest)) => answered_outside(working, of, &rest),
         None => answered(working, scope, name),
     }
+}
+
+/// Value of an answer that a formula names behind its problem.
+pub(super) fn answered_outside<'s>(
+    working: &Working<'_, 's>,
+    scope: usize,
+    name: &str,
+) -> Result<Option<Operand<&'s crate::Sheet<'s>>>, Text> {
+    let found = answered(working, scope, name)?;
+    let is_component = name.rsplit_once(['.', '_']).is_some_and(|(_, axis)| matches!(axis, "x" | "y" | "z"));
+    if found.is_some() || is_component {
+        return Ok(found);
+    }
+    let of = &working.plan.names.scopes[scope];
+    let solution = working.sheet.solution();
+    let names = solution.answers.iter().filter(|answer| answer.problem == of.name);
+    let known: Vec<String> =
+        names.filter_map(|answer| of.inside(&answer.name.to_string()).map(str::to_owned)).collect();
+    let why = match crate::nearest(name, known.iter().map(String::as_str)) {
+        Some(near) => Text::new("`{problem}` has no answer `{name}` with these inputs; did you mean `{near}`?")
+            .with("near", near),
+        None => Text::new("`{problem}` has no answer `{name}` with these inputs; it has {known}")
+            .with("known", known.join(", ")),
+    };
+    Err(why.with("problem", of.name).with("name", name))
 }
 
 /// Scope and name of an answer or a question that is named from another scope.

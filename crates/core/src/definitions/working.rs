@@ -113,6 +113,13 @@ impl<'s> Working<'_, 's> {
             let si = dalembert_numerics::Real::value(value);
             self.plan.take_value(place, si, unit).map_err(|error| SolveError::Fields(vec![error]))?;
         }
+        let name = formula.single_name().and_then(|name| self.plan.find(place, name));
+        if let (Place::Input(at), Some(named @ (Named::Input(_) | Named::Definition(_)))) = (place, name) {
+            // The input is that quantity; there is nothing to work out.
+            let node = self.node(&named);
+            self.sheet.put_lifted(&self.plan.inputs[at].path, node);
+            return Ok(node);
+        }
         let (symbol, why) = match place {
             Place::Definition(at) => {
                 (Symbol::from(intern(&self.plan.definitions[at].name)), Text::new("Definition"))
@@ -129,9 +136,12 @@ impl<'s> Working<'_, 's> {
         };
         let unit = unit_text(&self.plan.unit(place).unwrap_or(Unit::ONE));
         let Some(id) = sheet.step(symbol, unit, value, why).node() else { return Ok(None) };
-        if let Place::Input(at) = place {
-            sheet.lift_formula(&self.plan.inputs[at].path, id);
-        }
+        let path = match place {
+            Place::Definition(at) => self.plan.outside(&self.plan.definitions[at]),
+            Place::Input(at) => self.plan.inputs[at].path.clone(),
+            Place::Solution(_) | Place::Question(_) => return Ok(None),
+        };
+        sheet.lift_formula(&path, id);
         Ok(Some(id))
     }
 
@@ -175,7 +185,7 @@ impl<'s> Working<'_, 's> {
     /// Value of a name in a formula of a definition or an input.
     pub(super) fn operand(&self, named: &Named) -> Result<Option<Operand<&'s Sheet<'s>>>, Text> {
         let node = match named {
-            Named::Answer(scope, name) => return questions::answered(self, *scope, name),
+            Named::Answer(scope, name) => return questions::answered_outside(self, *scope, name),
             Named::Question(at) => {
                 let question = &self.plan.questions[*at];
                 return questions::answered(self, question.scope, &question.key);

@@ -285,7 +285,7 @@ fn answers(
         answers.iter().zip(&labels).zip(aligned).zip(shown.into_iter().zip(covered)).enumerate()
     {
         let problem = (n == 0 || answers[n - 1].problem != answer.problem)
-            .then(|| problem_heading(solution, answer.problem, look, locale))
+            .then(|| problem_heading(n == 0, answer.problem, look, locale))
             .flatten();
         lines.extend(problem);
         let first = lines.len();
@@ -348,16 +348,15 @@ fn answers(
     Page { lines, starts }
 }
 
-/// Heading of a problem or a configuration among several; none before that of the file itself.
+/// Heading of a problem or a configuration among several; none before that of the file itself where it comes first.
 pub(super) fn problem_heading(
-    solution: &Solution,
+    is_first: bool,
     name: &str,
     look: &Appearance,
     locale: &Locale,
 ) -> Option<Line<'static>> {
-    let first = solution.problems.first()?;
     let words = match name {
-        "" if first.name.is_empty() => return None,
+        "" if is_first => return None,
         "" => Text::new("All problems").render(locale),
         name => name.to_owned(),
     };

@@ -216,7 +216,7 @@ fn read(
             page.lines.push(Line::default());
         }
         if let Some(of) = solution.problems.iter().find(|of| of.steps.start == n) {
-            page.lines.extend(problem_heading(solution, of.name, look, locale));
+            page.lines.extend(problem_heading(n == 0, of.name, look, locale));
         }
         page.starts.push(page.lines.len());
         let mut written = plain(&printer::step(solution, step, locale), look);
