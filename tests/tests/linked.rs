@@ -293,23 +293,47 @@ fn what_is_wrong_is_named() {
     let rows: &[(String, &[(&str, &str)], &str)] = &[
         (fan("\"bracket.stiffness\"", "\"bracket.stifness\""), &[], "did you mean `stiffness`"),
         (fan("\"fan.mass\"", "\"fan.amplitude*1 kg/m\""), &[], "defined in a circle: "),
-        (fan("analysis = \"vibration/rotating-unbalance\"", ""), &[], "problem.fan: the analysis is not named"),
-        (fan("vibration/rotating-unbalance", "vibration/rotating-unbalanc"), &[], "did you mean `vibration/rotating-unbalance`"),
+        (
+            fan("analysis = \"vibration/rotating-unbalance\"", ""),
+            &[],
+            "problem.fan: the analysis is not named",
+        ),
+        (
+            fan("vibration/rotating-unbalance", "vibration/rotating-unbalanc"),
+            &[],
+            "did you mean `vibration/rotating-unbalance`",
+        ),
         (fan("[problem.fan.let]\nbolt", "[problem.fan.let]\nmass"), &[], "is the name of an input"),
         (fan("[let]\nE =", "[let]\nfan = \"1 m\"\nE ="), &[], "`fan` is the name of a problem"),
-        (fan("[problem.fan.configuration.weighted]\nmass", "[problem.fan.configuration.weighted]\nmas"), &[], "did you mean `mass`"),
+        (
+            fan("[problem.fan.configuration.weighted]\nmass", "[problem.fan.configuration.weighted]\nmas"),
+            &[],
+            "did you mean `mass`",
+        ),
         (fan("\"m + 2 kg\"", "\"m + 2 m\""), &[], "m + 2 m"),
         (fan("\"m + 2 kg\"", "\"m - 50 kg\""), &[], "must be above zero"),
         (fan("\"m + 2 kg\"", "\"-2 kg\""), &[], "must be above zero"),
         (fan("\"bracket.stiffness\"", "\"bracket.period\""), &[], "a time"),
         (fan("\"bracket.stiffness\"", "\"-bracket.stiffness\""), &[], "must be above zero"),
-        (weighed("\"weighted.natural_frequency\"", "\"wheighted.natural_frequency\""), &[], "weighted.natural_frequency"),
-        (weighed("[configuration.weighted]\nmass", "[configuration.weighted]\nsupport"), &[], "changes quantities"),
+        (
+            weighed("\"weighted.natural_frequency\"", "\"wheighted.natural_frequency\""),
+            &[],
+            "weighted.natural_frequency",
+        ),
+        (
+            weighed("[configuration.weighted]\nmass", "[configuration.weighted]\nsupport"),
+            &[],
+            "changes quantities",
+        ),
         (LINKED.to_owned(), &[], "@parts/beam.toml: file not found"),
         (LINKED.to_owned(), &[("parts/beam.toml", "x = 1")], "only problem files can be linked"),
         (LINKED.to_owned(), circle, "in a circle: parts/beam.toml → parts/beam.toml"),
         (LINKED.replace("beam.toml:stiffness", "beam.toml:stifness"), steel, "did you mean `stiffness`"),
-        (LINKED.replace("@parts/beam.toml:stiffness", "@parts/beam.toml"), steel, "a link names a file and an answer"),
+        (
+            LINKED.replace("@parts/beam.toml:stiffness", "@parts/beam.toml"),
+            steel,
+            "a link names a file and an answer",
+        ),
     ];
     for (text, files, words) in rows {
         let why = wrong(text, files);

@@ -9,8 +9,9 @@ use std::{
 };
 
 use crate::{
-    Answer, Exhibit, Field, FieldError, FieldPath, Inputs, LinkedProblem, Name, Plain, Record, Shape, Sheet, Solution,
-    Source, Text, Value, Worksheet, assumed, definitions, gravity, input::Lift, kept, unknowns, vary,
+    Answer, Exhibit, Field, FieldError, FieldPath, Inputs, LinkedProblem, Name, Plain, Record, Shape, Sheet,
+    Solution, Source, Text, Value, Worksheet, assumed, definitions, gravity, input::Lift, kept, unknowns,
+    vary,
 };
 
 /// Description of an analysis, read before picking it.
@@ -132,7 +133,8 @@ impl Entry {
         linked: &'static [LinkedProblem],
     ) -> Self {
         let write: Write = |_, _, _| Ok(());
-        let prepare: Prepare = |_, _, _| Err(Refusal::because("linked problems are solved one by one").into());
+        let prepare: Prepare =
+            |_, _, _| Err(Refusal::because("linked problems are solved one by one").into());
         Self { about, shape, inputs, write, prepare, linked }
     }
 

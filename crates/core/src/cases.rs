@@ -4,7 +4,8 @@ use dalembert_units::{self as units, Dim};
 use toml_edit::{Item, TableLike};
 
 use crate::{
-    Answer, AnswerValue, Draft, Entry, LinkedProblem, Locale, Number, Record, Refusal, Solution, SolveError, Stop, Text,
+    Answer, AnswerValue, Draft, Entry, LinkedProblem, Locale, Number, Record, Refusal, Solution, SolveError,
+    Stop, Text,
     file::{self, FileError, FileNotes, Format},
 };
 
@@ -134,9 +135,8 @@ pub fn cases(entry: &Entry) -> Result<Vec<Case>, String> {
 
 /// Title and problems of an exam question.
 pub(crate) fn exam(text: &str) -> Result<(String, Vec<LinkedProblem>), String> {
-    let document = file::document(text).map_err(|errors| {
-        errors.first().map_or_else(String::new, |error| error.why.english())
-    })?;
+    let document = file::document(text)
+        .map_err(|errors| errors.first().map_or_else(String::new, |error| error.why.english()))?;
     let (case, entry) = exam_case(document.as_table())?;
     Ok((case.name, entry.linked().to_vec()))
 }

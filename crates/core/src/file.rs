@@ -26,8 +26,8 @@ use toml_edit::{ArrayOfTables, Document, DocumentMut, InlineTable, Item, Table, 
 
 pub use self::format::Format;
 use crate::{
-    Display, Draft, Entry, Field, FieldError, Shape, Text, describe, draft, find_analysis, path, path::Segment,
-    registry, table,
+    Display, Draft, Entry, Field, FieldError, Shape, Text, describe, draft, find_analysis, path,
+    path::Segment, registry, table,
 };
 
 /// The keys a problem file may have at the top.
@@ -98,9 +98,10 @@ fn parse_open(text: &str, links: &mut linked::Links<'_, '_>) -> Result<ProblemFi
     let mut reading = FileNotes { format, errors, notes: Vec::new(), kind: None };
     let mut show = read_show(root, &mut reading.errors);
     let (entry, draft) = problem_of(root, main, &mut show, links, &mut reading);
-    let FileNotes { mut errors, notes, .. } = reading;
+    let FileNotes { mut errors, mut notes, .. } = reading;
     let title = text_at(root, "title", &mut errors).unwrap_or_default();
     let files = if links.open.is_empty() { std::mem::take(&mut links.files) } else { Vec::new() };
+    notes.extend(files.iter().map(LinkedFile::note));
     if errors.is_empty() { Ok(ProblemFile { entry, title, draft, show, notes, files }) } else { Err(errors) }
 }
 
@@ -108,9 +109,7 @@ fn parse_open(text: &str, links: &mut linked::Links<'_, '_>) -> Result<ProblemFi
 fn analysis_of(table: &dyn TableLike) -> Result<&'static Entry, Text> {
     match table.get("analysis").map(Item::as_str) {
         Some(Some(id)) => find_analysis(id).ok_or_else(|| no_such_analysis(id)),
-        Some(None) => {
-            Err(Text::new("the analysis must be a text such as \"vibration/rotating-unbalance\""))
-        }
+        Some(None) => Err(Text::new("the analysis must be a text such as \"vibration/rotating-unbalance\"")),
         None => Err(Text::new("the analysis is not named; write analysis = \"family/name\" at the top")),
     }
 }

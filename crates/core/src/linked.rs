@@ -70,7 +70,7 @@ fn of(problems: &'static [LinkedProblem]) -> Entry {
 fn group(problem: &LinkedProblem) -> Field {
     Field {
         name: problem.name,
-        label: problem.name,
+        label: problem.file.map_or(problem.name, |file| intern(&format!("@{file}"))),
         help: problem.entry.about.title,
         symbol: "",
         default: None,

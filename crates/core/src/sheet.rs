@@ -15,8 +15,10 @@ use nalgebra::Vector3;
 
 pub use self::{term::Term, vect::VectorTerm};
 use crate::{
-    Answer, Check, Exhibit, Locale, Name, ProblemSteps, Reason, Refusal, Sides, Solution, Step, Stop, Symbol, Text, Value,
-    Worksheet, derive_support, intern::intern, printer,
+    Answer, Check, Exhibit, Locale, Name, ProblemSteps, Reason, Refusal, Sides, Solution, Step, Stop, Symbol,
+    Text, Value, Worksheet, derive_support,
+    intern::intern,
+    printer,
     solution::AnswerValue,
     trace::{Id, Number, Op, ROUNDING, TraceNode},
     worksheet::InputNumber,
@@ -64,9 +66,8 @@ impl<'a> Sheet<'a> {
     pub fn into_solution(self) -> Result<Solution, Refusal> {
         let mut solution = self.solution.into_inner();
         let nodes = &solution.trace.nodes;
-        let is_own = |path: &str, id: Id| {
-            matches!(&nodes[id as usize].op, Op::Given { path: own, .. } if own == path)
-        };
+        let is_own =
+            |path: &str, id: Id| matches!(&nodes[id as usize].op, Op::Given { path: own, .. } if own == path);
         let lifted = self.lifted.into_inner().into_iter();
         solution.computed = lifted.filter(|(path, id)| !is_own(path, *id)).collect();
         solution.computed.sort_unstable();
@@ -471,7 +472,9 @@ impl<'a> Sheet<'a> {
             answer.name.base = intern(&format!("{name}.{}", answer.name.base));
             answer.problem = name;
         }
-        let named = |text: &Text| Text::new("{problem}: {title}").with("problem", name).with_text("title", text.clone());
+        let named = |text: &Text| {
+            Text::new("{problem}: {title}").with("problem", name).with_text("title", text.clone())
+        };
         for check in &mut solution.checks[since.checks..] {
             check.what = named(&check.what);
         }
@@ -479,11 +482,9 @@ impl<'a> Sheet<'a> {
             *warning = named(warning);
         }
         for exhibit in &mut solution.exhibits[since.exhibits..] {
-            exhibit.rename(
-                &named,
-                &|answer| format!("{name}.{answer}"),
-                &|input| if path.is_empty() { input.to_owned() } else { format!("{path}.{input}") },
-            );
+            exhibit.rename(&named, &|answer| format!("{name}.{answer}"), &|input| {
+                if path.is_empty() { input.to_owned() } else { format!("{path}.{input}") }
+            });
         }
     }
 

@@ -197,7 +197,17 @@ impl Solution {
 impl Answer {
     /// An answer in the unit and with the digits of the analysis.
     pub(crate) fn new(name: Name, label: &'static str, value: AnswerValue, unit: Unit, noise: f64) -> Self {
-        Self { name, problem: "", label, row_label: String::new(), value, unit, noise, digits: None, asked: false }
+        Self {
+            name,
+            problem: "",
+            label,
+            row_label: String::new(),
+            value,
+            unit,
+            noise,
+            digits: None,
+            asked: false,
+        }
     }
 
     /// The answer as a number in SI, where it is one.

@@ -40,8 +40,7 @@ pub fn inputs<'r>(
     locale: &Locale,
 ) -> Vec<ReportedInput<'r>> {
     let mut found = Vec::new();
-    let place =
-        Place { path: String::new(), depth: 0, rows: Vec::new(), locale, solution, is_common: false };
+    let place = Place { path: String::new(), depth: 0, rows: Vec::new(), locale, solution, is_common: false };
     place.record(Some(draft), record, &mut found);
     found
 }

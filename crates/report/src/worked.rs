@@ -170,7 +170,8 @@ fn common(inputs: &[ReportedInput<'_>], worked: &WorkedProblem<'_>, locale: &Loc
             inputs.iter().find(|input| input.path == path).map_or("", |input| input.typed.trim())
         };
         let (problem, list) = row.path.rsplit_once('.').unwrap_or(("", &row.path));
-        let outside = |name: &str| if problem.is_empty() { name.to_owned() } else { format!("{problem}.{name}") };
+        let outside =
+            |name: &str| if problem.is_empty() { name.to_owned() } else { format!("{problem}.{name}") };
         let with_value = |text: &str, value: Option<String>| match value {
             Some(value) if value != text => format!("{text} = {value}"),
             _ => text.to_owned(),

@@ -230,7 +230,10 @@ impl LinkedTexts {
     pub fn parse(&self, text: &str) -> Result<file::ProblemFile, Vec<file::FileError>> {
         file::parse_with(text, &mut |linked| {
             let known = self.0.iter().find(|(path, _)| path == linked);
-            known.map_or_else(|| Err("this file is not read yet: save and open again".into()), |(_, read)| read.clone())
+            known.map_or_else(
+                || Err("this file is not read yet: save and open again".into()),
+                |(_, read)| read.clone(),
+            )
         })
     }
 }

@@ -199,7 +199,11 @@ impl Harness {
                 let fingerprint = files::save(path, &text, Before::Whatever)?;
                 Ok(Opened { text, fingerprint, linked: files::LinkedTexts::default() })
             }
-            _ => Ok(Opened { fingerprint: Fingerprint::of(text.as_bytes()), text, linked: files::LinkedTexts::default() }),
+            _ => Ok(Opened {
+                fingerprint: Fingerprint::of(text.as_bytes()),
+                text,
+                linked: files::LinkedTexts::default(),
+            }),
         });
         Msg::Edited { file, result: edited.map_err(EditError::File) }
     }

@@ -151,7 +151,5 @@ fn fields_of<A: Inputs>() -> &'static [Field] {
     static LISTS: OnceLock<Lists> = OnceLock::new();
     let lists = LISTS.get_or_init(Lists::default);
     let mut lists = lists.lock().unwrap_or_else(PoisonError::into_inner);
-    lists.entry(TypeId::of::<A>()).or_insert_with(|| {
-        with_common(A::SHAPE.fields(None))
-    })
+    lists.entry(TypeId::of::<A>()).or_insert_with(|| with_common(A::SHAPE.fields(None)))
 }

@@ -76,9 +76,11 @@ impl Names {
             let names = scope::rows(own, "let").iter();
             definitions.extend(names.map(|row| (at, super::text_of(row, "name").to_owned())));
             let asked = scope::rows(own, "ask").iter();
-            questions.extend(asked.map(|row| {
-                (at, [super::reader::question_key(row), super::text_of(row, "name").to_owned()])
-            }));
+            questions.extend(
+                asked.map(|row| {
+                    (at, [super::reader::question_key(row), super::text_of(row, "name").to_owned()])
+                }),
+            );
         }
         Self { scopes, inputs, definitions, questions }
     }
@@ -101,9 +103,8 @@ impl Names {
     /// Meaning of a name without a prefix.
     fn local(&self, scope: usize, name: &str) -> Option<Named> {
         let problem = self.scopes[scope].problem;
-        let of = |scope: usize| {
-            self.inputs.iter().find(move |input| input.scope == scope && input.inner == name)
-        };
+        let of =
+            |scope: usize| self.inputs.iter().find(move |input| input.scope == scope && input.inner == name);
         if let Some(input) = of(scope).or_else(|| of(problem)) {
             return Some(Named::Input(input.path.clone()));
         }

@@ -164,7 +164,9 @@ impl Plan {
             Place::Definition(at) => self.outside(&self.definitions[at]),
             Place::Input(at) => self.inputs[at].path.clone(),
             Place::Solution(scope) => self.names.scopes[scope].name.to_owned(),
-            Place::Question(at) => self.names.scopes[self.questions[at].scope].outside(&self.questions[at].key),
+            Place::Question(at) => {
+                self.names.scopes[self.questions[at].scope].outside(&self.questions[at].key)
+            }
         }
     }
 

@@ -155,8 +155,7 @@ impl Readings {
         for name in wanted {
             let scope = plan.scope_of_answer(name);
             let inner = plan.names.scopes[scope].inside(name).unwrap_or(name);
-            let answer =
-                NeededAnswer { called: inner.to_owned(), name: inner.to_owned(), dim: Dim::NONE };
+            let answer = NeededAnswer { called: inner.to_owned(), name: inner.to_owned(), dim: Dim::NONE };
             let column = readings.solutions[scope].need(answer);
             readings.wanted.push(Source::Answer(scope, column));
         }
@@ -173,9 +172,10 @@ impl Readings {
     ) -> Option<Self> {
         let mut readings = Self::new(plan, vary, record);
         for name in wanted {
-            let question = plan.questions.iter().position(|question| {
-                plan.names.scopes[question.scope].outside(&question.key) == *name
-            });
+            let question = plan
+                .questions
+                .iter()
+                .position(|question| plan.names.scopes[question.scope].outside(&question.key) == *name);
             let source = match question {
                 Some(at) => {
                     readings.need_question(plan, at, solution)?;
@@ -239,11 +239,8 @@ impl Readings {
         let answer = solution.answer(&of.outside(name)).or_else(|| by_symbol(solution, of.name, name))?;
         answer.si()?;
         let own = answer.name.to_string();
-        let answer = NeededAnswer {
-            called: name.to_owned(),
-            name: of.inside(&own)?.to_owned(),
-            dim: answer.unit.dim,
-        };
+        let answer =
+            NeededAnswer { called: name.to_owned(), name: of.inside(&own)?.to_owned(), dim: answer.unit.dim };
         Some(self.solutions[scope].need(answer))
     }
 }
@@ -345,8 +342,7 @@ impl Readings {
                 }
                 place @ (Place::Definition(_) | Place::Input(_)) if plan.after_solution.contains(&place) => {
                     let answer = |named: &Named| self.number(named);
-                    plan.evaluate(place, &plain, &answer)
-                        .map_err(|error| SolveError::Fields(vec![error]))?;
+                    plan.evaluate(place, &plain, &answer).map_err(|error| SolveError::Fields(vec![error]))?;
                 }
                 _ => {}
             }

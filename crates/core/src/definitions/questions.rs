@@ -55,7 +55,9 @@ fn answer<'s>(working: &Working<'_, 's>, at: usize) -> Result<(), Text> {
     let unit = unit_text(&unit);
     let symbol = match &question.symbol {
         Some(symbol) => Symbol::from(intern(symbol)),
-        None => Symbol::from(("Q", 1 + sheet.solution().answers.iter().filter(|answer| answer.asked).count())),
+        None => {
+            Symbol::from(("Q", 1 + sheet.solution().answers.iter().filter(|answer| answer.asked).count()))
+        }
     };
     let (name, label) = (Name::from(intern(&scope_of.outside(&question.key))), intern(&question.label));
     let why = Text::new("Question: {question}").with("question", &question.label);
@@ -106,8 +108,10 @@ pub(super) fn answered_outside<'s>(
     let known: Vec<String> =
         names.filter_map(|answer| of.inside(&answer.name.to_string()).map(str::to_owned)).collect();
     let why = match crate::nearest(name, known.iter().map(String::as_str)) {
-        Some(near) => Text::new("`{problem}` has no answer `{name}` with these inputs; did you mean `{near}`?")
-            .with("near", near),
+        Some(near) => {
+            Text::new("`{problem}` has no answer `{name}` with these inputs; did you mean `{near}`?")
+                .with("near", near)
+        }
         None => Text::new("`{problem}` has no answer `{name}` with these inputs; it has {known}")
             .with("known", known.join(", ")),
     };

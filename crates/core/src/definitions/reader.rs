@@ -101,14 +101,8 @@ impl Reader {
             self.errors.push(FieldError::new(path("name"), why));
             return None;
         }
-        let defined = |formula, unit, si| Definition {
-            scope,
-            row: n,
-            name: name.to_owned(),
-            formula,
-            unit,
-            si,
-        };
+        let defined =
+            |formula, unit, si| Definition { scope, row: n, name: name.to_owned(), formula, unit, si };
         if is_unknown(text) {
             return match unknowns::read(text, &outside(name), None) {
                 Ok((unknown, start)) => {
@@ -193,14 +187,19 @@ impl Reader {
             let why = match crate::nearest(&inner, known.iter().copied()) {
                 Some(near) => Text::new("`{name}` is no quantity of this problem; did you mean `{near}`?")
                     .with("near", near),
-                None => Text::new("`{name}` is no quantity of this problem: a configuration changes quantities"),
+                None => {
+                    Text::new("`{name}` is no quantity of this problem: a configuration changes quantities")
+                }
             };
             return fail("input", why.with("name", &inner));
         };
         let configuration = of.outside(name);
         let at = self.names.scopes.iter().position(|scope| scope.name == configuration);
         let Some(at) = at.filter(|at| *at != scope) else {
-            return fail("name", Text::new("`{name}` is the name of a problem: choose another").with("name", name));
+            return fail(
+                "name",
+                Text::new("`{name}` is the name of a problem: choose another").with("name", name),
+            );
         };
         let one = measure.meant(text);
         let (formula, unit, si) = match units::read_quantity(text, &one.own_unit(), one.kind()) {
@@ -220,9 +219,8 @@ impl Reader {
             },
         };
         let input = self.names.input(&base);
-        let field = input.as_ref().map_or_else(|| field_at(record, &base), |input| {
-            Some((input.label, input.symbol))
-        });
+        let field =
+            input.as_ref().map_or_else(|| field_at(record, &base), |input| Some((input.label, input.symbol)));
         let (label, symbol) = field.unwrap_or((intern(&inner), Symbol::from("")));
         Ok(PlannedInput {
             scope: at,

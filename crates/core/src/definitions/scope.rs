@@ -1,7 +1,11 @@
 //! Scopes of names: the problem, those that are linked to it, and the configurations of each.
 
 use super::fields::are_of_problem;
-use crate::{Record, Value, intern::intern, linked::{file_link, name_of_file}};
+use crate::{
+    Record, Value,
+    intern::intern,
+    linked::{file_link, name_of_file},
+};
 
 /// The problem of the file itself.
 pub(super) const TOP: usize = 0;
@@ -57,9 +61,11 @@ fn linked(record: &Record, name: &str, found: &mut Vec<Scope>) {
 
 /// The inputs of a problem, its definitions and questions among them.
 pub(super) fn record_of<'r>(record: &'r Record, problem: &Scope) -> &'r Record {
-    problem.name.split('.').filter(|name| !name.is_empty()).fold(record, |record, name| match record.get(name) {
-        Some(Value::Group(inner)) => inner,
-        _ => record,
+    problem.name.split('.').filter(|name| !name.is_empty()).fold(record, |record, name| {
+        match record.get(name) {
+            Some(Value::Group(inner)) => inner,
+            _ => record,
+        }
     })
 }
 

@@ -1,5 +1,6 @@
 //! Definitions, questions and given answers of a draft, by their names.
 
+use super::fields::are_of_problem;
 use crate::{Draft, FieldError, Shape};
 
 impl Draft {
@@ -36,6 +37,15 @@ impl Draft {
         text: &str,
     ) -> Result<(), FieldError> {
         let (name, text) = (name.trim(), text.trim());
+        // Of a linked problem, behind its name: fan.bolt.
+        let linked = name.split_once('.').filter(|(problem, _)| {
+            let field = shape.fields(None).iter().find(|field| field.name == *problem);
+            field.is_some_and(|field| are_of_problem(field.shape.fields(None)))
+        });
+        let (list, name) = match linked {
+            Some((problem, name)) if list != "given" => (&*format!("{problem}.{list}"), name),
+            _ => (list, name),
+        };
         let (Draft::Rows(rows), _) = self.at(shape, list)? else {
             return Err(FieldError::new(list, "is missing"));
         };

@@ -32,13 +32,7 @@ impl Plan {
     pub(crate) fn solve(&self, entry: &Entry, record: &Record, sheet: &Sheet<'_>) -> Result<(), SolveError> {
         let scopes = self.names.scopes.len();
         let plan = self.clone();
-        let mut working = Working {
-            sheet,
-            entry,
-            record: record.clone(),
-            nodes: BTreeMap::new(),
-            plan,
-        };
+        let mut working = Working { sheet, entry, record: record.clone(), nodes: BTreeMap::new(), plan };
         for at in 0..self.order.len() {
             let (place, start) = (self.order[at], sheet.solution().steps.len());
             working.place(place)?;

@@ -125,13 +125,7 @@ fn configurations(root: &dyn TableLike, reading: &mut FileNotes) -> Vec<Draft> {
 }
 
 /// The changed inputs of a configuration, at paths in quotes or in tables.
-fn changes(
-    name: &str,
-    within: &str,
-    inputs: &dyn TableLike,
-    rows: &mut Vec<Draft>,
-    reading: &mut FileNotes,
-) {
+fn changes(name: &str, within: &str, inputs: &dyn TableLike, rows: &mut Vec<Draft>, reading: &mut FileNotes) {
     for (input, item) in inputs.iter() {
         let path = if within.is_empty() { input.to_owned() } else { format!("{within}.{input}") };
         if let Some(inner) = item.as_table_like() {
@@ -169,7 +163,9 @@ fn write_configurations(root: &mut Table, rows: &[Draft]) {
         let own: Vec<(&str, &str)> =
             rows.iter().filter(|row| leaf(row, 0) == name).map(|row| (leaf(row, 1), leaf(row, 2))).collect();
         keep_only(table, &|key| {
-            own.iter().any(|(path, _)| path.strip_prefix(key).is_some_and(|rest| rest.is_empty() || rest.starts_with('.')))
+            own.iter().any(|(path, _)| {
+                path.strip_prefix(key).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+            })
         });
         for (path, text) in own {
             write_change(table, path, text);
@@ -179,9 +175,9 @@ fn write_configurations(root: &mut Table, rows: &[Draft]) {
 
 /// Writes a changed input: within the tables that are there, else at its path in quotes.
 fn write_change(table: &mut dyn TableLike, path: &str, text: &str) {
-    let inner = path.split_once('.').filter(|(first, _)| {
-        table.get(first).is_some_and(|item| item.as_table_like().is_some())
-    });
+    let inner = path
+        .split_once('.')
+        .filter(|(first, _)| table.get(first).is_some_and(|item| item.as_table_like().is_some()));
     match inner {
         Some((first, rest)) => {
             if let Some(inner) = table.get_mut(first).and_then(Item::as_table_like_mut) {

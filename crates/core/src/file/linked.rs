@@ -1,10 +1,11 @@
 //! Problems that feed problems: several in one file, `[problem.fan]`, and those of other files, `"@beam.toml:stiffness"`.
 
+use sha2::{Digest as _, Sha256};
 use toml_edit::{Item, Table, TableLike};
 
 use super::{
-    FileError, FileNotes, ProblemFile, analysis_of, check_keys, definitions, draft_of, read_show,
-    set_text, write_item,
+    FileError, FileNotes, ProblemFile, analysis_of, check_keys, definitions, draft_of, read_show, set_text,
+    write_item,
 };
 use crate::{Draft, Entry, LinkedProblem, Text, linked};
 
@@ -25,6 +26,15 @@ pub struct LinkedFile {
     pub path: String,
     /// Text that was read.
     pub text: String,
+}
+
+impl LinkedFile {
+    /// The note on it in reports: path and SHA-256 of the text that was read.
+    pub fn note(&self) -> Text {
+        let digest = Sha256::digest(self.text.as_bytes());
+        let digits = digest.iter().fold(String::new(), |digits, byte| digits + &format!("{byte:02x}"));
+        Text::new("linked file {file}, SHA-256 {digest}").with("file", &self.path).with("digest", digits)
+    }
 }
 
 /// The linked files of a file on the way to it, and the reader of their texts.
@@ -193,7 +203,8 @@ fn leaves(draft: &Draft, visit: &mut dyn FnMut(&str)) {
 fn links_in(text: &str) -> Vec<String> {
     let links = text.split('@').skip(1).filter_map(|rest| {
         let (file, _) = rest.split_once(':')?;
-        let is_path = !file.is_empty() && !file.contains(|c: char| c.is_whitespace() || "()*+,;\"".contains(c));
+        let is_path =
+            !file.is_empty() && !file.contains(|c: char| c.is_whitespace() || "()*+,;\"".contains(c));
         is_path.then(|| file.to_owned())
     });
     links.collect()

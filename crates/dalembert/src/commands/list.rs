@@ -5,7 +5,7 @@ use std::process::ExitCode;
 use dalembert_core::{
     Entry, Locale, Text,
     cases::{self, Case},
-    find, catalogue,
+    catalogue, find,
     search::{self, Found, Index},
 };
 use dalembert_report::{Block, Document, NamedValue};

@@ -4,7 +4,10 @@
 
 use std::process::ExitCode;
 
-use dalembert_core::{ChildList, Entry, Field, FieldLimit, Locale, Measure, Shape, Text, Variant};
+use dalembert_core::{
+    ChildList, Entry, Field, FieldLimit, LinkedProblem, Locale, Measure, Shape, Text, Variant, linked,
+    registry,
+};
 use serde_json::{Map, Value as Json, json};
 
 use crate::{
@@ -16,48 +19,125 @@ use crate::{
 
 /// Prints the schema.
 pub(crate) fn run(schema: &Schema, console: &Console) -> Result<ExitCode, Failure> {
-    let entry = problem::analysis(&schema.id)?;
-    print_json(&of(entry, &console.locale))?;
+    let schema = match schema.id.as_str() {
+        linked::ID => of_linked(&[], &console.locale),
+        id => match problem::analysis(id)? {
+            entry if entry.linked().is_empty() => of(entry, &console.locale),
+            entry => of_linked(entry.linked(), &console.locale),
+        },
+    };
+    print_json(&schema)?;
     Ok(ExitCode::SUCCESS)
 }
 
+/// Schema of the file of a problem of an analysis, to which others may be linked.
 fn of(entry: &Entry, locale: &Locale) -> Json {
     let about = entry.about;
     let locale = &locale.at(about.id);
     let mut writer = Writer { locale, known: Vec::new(), definitions: Map::new() };
-    let inputs = writer.group(entry.fields());
-    json!({
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "title": Text::from(about.title).render(locale),
-        "description": Text::from(about.summary).render(locale),
-        "type": "object",
-        "additionalProperties": false,
-        "required": ["analysis", "inputs"],
-        "properties": {
-            "format": { "type": "integer", "minimum": 1, "maximum": 2 },
-            "analysis": { "const": about.id },
-            "title": { "type": "string" },
-            "let": { "type": "object", "additionalProperties": { "type": ["string", "number"] } },
-            "inputs": inputs,
-            "given": { "type": "object", "additionalProperties": { "type": ["string", "number"] } },
-            "ask": { "type": "object", "additionalProperties": { "oneOf": [
-                { "type": ["string", "number"] },
-                {
-                    "type": "object",
-                    "additionalProperties": false,
-                    "required": ["value"],
-                    "properties": {
-                        "value": { "type": ["string", "number"] },
-                        "unit": { "type": "string" },
-                        "symbol": { "type": "string" },
-                        "key": { "type": "string" },
-                    },
-                },
-            ] } },
-            "show": { "type": "object", "additionalProperties": { "type": "string" } },
+    let mut properties = problem_of(entry, &mut writer);
+    properties.extend(of_file(any_problem()));
+    let (title, description) = (Text::from(about.title), Text::from(about.summary));
+    let texts = [title, description].map(|text| text.render(locale));
+    schema(texts, &["analysis", "inputs"], properties, writer)
+}
+
+/// Schema of a file of linked problems: of these, or of any.
+fn of_linked(problems: &[LinkedProblem], locale: &Locale) -> Json {
+    let mut writer = Writer { locale, known: Vec::new(), definitions: Map::new() };
+    let named: Map<String, Json> = problems
+        .iter()
+        .map(|problem| {
+            let properties = problem_of(problem.entry, &mut writer);
+            (problem.name.to_owned(), object(&["analysis", "inputs"], properties))
+        })
+        .collect();
+    let problem = if named.is_empty() {
+        any_problem()
+    } else {
+        json!({ "type": "object", "additionalProperties": false, "properties": named })
+    };
+    let mut properties = lists();
+    properties.extend(of_file(problem));
+    let texts = ["Linked problems", "Several problems that feed each other."];
+    let texts = texts.map(|text| Text::from(text).render(locale));
+    schema(texts, &["problem"], properties, writer)
+}
+
+fn schema(
+    [title, description]: [String; 2],
+    required: &[&str],
+    properties: Map<String, Json>,
+    writer: Writer<'_>,
+) -> Json {
+    let mut schema = object(required, properties);
+    schema["$schema"] = "https://json-schema.org/draft/2020-12/schema".into();
+    schema["title"] = title.into();
+    schema["description"] = description.into();
+    schema["$defs"] = writer.definitions.into();
+    schema
+}
+
+fn object(required: &[&str], properties: Map<String, Json>) -> Json {
+    let properties = Json::Object(properties);
+    json!({ "type": "object", "additionalProperties": false, "required": required, "properties": properties })
+}
+
+/// What a file has beside its problem.
+fn of_file(problem: Json) -> Map<String, Json> {
+    let format = json!({ "type": "integer", "minimum": 1, "maximum": 2 });
+    [("format".to_owned(), format), ("problem".to_owned(), problem)].into_iter().collect()
+}
+
+/// What a problem of an analysis has.
+fn problem_of(entry: &Entry, writer: &mut Writer<'_>) -> Map<String, Json> {
+    let mut properties = lists();
+    properties.insert("analysis".into(), json!({ "const": entry.about.id }));
+    properties.insert("inputs".into(), writer.group(entry.fields()));
+    properties
+}
+
+/// Named problems of any analysis, whose inputs are left to the schema of that.
+fn any_problem() -> Json {
+    let mut properties = lists();
+    let ids: Vec<&str> = registry().iter().map(|entry| entry.about.id).collect();
+    properties.insert("analysis".into(), json!({ "enum": ids }));
+    properties.insert("inputs".into(), json!({ "type": "object" }));
+    json!({ "type": "object", "additionalProperties": object(&["analysis"], properties) })
+}
+
+/// What every problem has beside its inputs.
+fn lists() -> Map<String, Json> {
+    let value = json!({ "type": ["string", "number"] });
+    let values = json!({ "type": "object", "additionalProperties": value });
+    let changes =
+        json!({ "type": "object", "additionalProperties": { "type": ["string", "number", "object"] } });
+    let question = json!({ "oneOf": [
+        value,
+        {
+            "type": "object",
+            "additionalProperties": false,
+            "required": ["value"],
+            "properties": {
+                "value": value,
+                "unit": { "type": "string" },
+                "symbol": { "type": "string" },
+                "key": { "type": "string" },
+            },
         },
-        "$defs": writer.definitions,
-    })
+    ] });
+    let all = json!({
+        "title": { "type": "string" },
+        "let": values,
+        "given": values,
+        "ask": { "type": "object", "additionalProperties": question },
+        "configuration": { "type": "object", "additionalProperties": changes },
+        "show": { "type": "object", "additionalProperties": { "type": "string" } },
+    });
+    match all {
+        Json::Object(all) => all,
+        _ => Map::new(),
+    }
 }
 
 struct Writer<'l> {

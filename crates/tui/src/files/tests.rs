@@ -35,7 +35,10 @@ fn what_is_saved_is_read_back() {
     let folder = folder();
     let path = folder.path().join("fan.toml");
     let saved = save(&path, "mass = \"20.3 mm\"\n", Before::Absent).unwrap();
-    assert_eq!(read(&path).unwrap(), Opened { text: "mass = \"20.3 mm\"\n".into(), fingerprint: saved, linked: LinkedTexts::default() });
+    assert_eq!(
+        read(&path).unwrap(),
+        Opened { text: "mass = \"20.3 mm\"\n".into(), fingerprint: saved, linked: LinkedTexts::default() }
+    );
     assert_eq!(names(folder.path()), ["fan.toml"]);
 }
 

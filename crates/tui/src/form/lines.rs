@@ -109,6 +109,10 @@ fn push(mut line: FormLine, shape: &Shape, draft: &Draft, lines: &mut Vec<FormLi
         (Shape::Group(fields), Draft::Group(drafts)) => {
             let summary = if line.number.is_some() { summary(draft) } else { String::new() };
             lines.push(FormLine { role: Role::Group { summary }, ..line });
+            // The inputs of a linked file are its own.
+            if field.label.starts_with('@') {
+                return;
+            }
             push_fields(fields(), drafts, &path, depth + 1, lines);
         }
         (Shape::OneOf(variants), Draft::OneOf(chosen, inner)) => {

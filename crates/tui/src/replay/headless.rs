@@ -6,7 +6,7 @@ use std::{
     time::Duration,
 };
 
-use dalembert_core::{Entry, Text, find, catalogue};
+use dalembert_core::{Entry, Text, catalogue, find};
 
 use super::{Act, Replay, svg};
 use crate::{Msg, harness::Harness, view::tempo};
