@@ -2,6 +2,7 @@
 
 mod clip;
 mod deferred;
+mod restated;
 mod side;
 mod space;
 

@@ -24,12 +24,12 @@ use toml_edit::{ArrayOfTables, Document, DocumentMut, InlineTable, Item, Table, 
 
 pub use self::format::Format;
 use crate::{
-    Display, Draft, Entry, Field, FieldError, Shape, Text, describe, draft, find, path, path::Segment,
-    registry, table,
+    Display, Draft, Entry, Field, FieldError, Shape, Text, UnitSetting, describe, draft, find, path,
+    path::Segment, registry, table,
 };
 
 /// The keys a problem file may have at the top.
-const KEYS: [&str; 8] = ["format", "analysis", "title", "let", "inputs", "given", "ask", "show"];
+const KEYS: [&str; 9] = ["format", "analysis", "title", "units", "let", "inputs", "given", "ask", "show"];
 
 /// The contents of a problem file.
 #[derive(Clone, Debug)]
@@ -40,6 +40,8 @@ pub struct ProblemFile {
     pub title: String,
     /// Texts of the inputs.
     pub draft: Draft,
+    /// Units of everything that is shown.
+    pub units: UnitSetting,
     /// Display of answers: `(answer, unit and digits)`, see [`Display`].
     pub show: Vec<(String, String)>,
     /// Notes on values that an older format left implicit and that were written out as that format has them.
@@ -89,8 +91,10 @@ pub fn parse(text: &str) -> Result<ProblemFile, Vec<FileError>> {
     let mut reading = FileNotes { format, errors, notes: Vec::new(), kind: None };
     let no_inputs = Item::Table(Table::new());
     let draft = problem_of(root, root.get("inputs").unwrap_or(&no_inputs), entry, &mut reading);
-    let FileNotes { mut errors, notes, .. } = reading;
+    let FileNotes { mut errors, mut notes, .. } = reading;
     let title = text_at(root, "title", &mut errors).unwrap_or_default();
+    let units = units_of(root, &mut errors)
+        .unwrap_or_else(|| format::left_out_units(format, &draft, &entry.shape(), &mut notes));
     let mut show = Vec::new();
     match root.get("show").map(|item| (item, item.as_table_like())) {
         Some((_, Some(table))) => {
@@ -109,7 +113,7 @@ pub fn parse(text: &str) -> Result<ProblemFile, Vec<FileError>> {
         }),
         None => {}
     }
-    if errors.is_empty() { Ok(ProblemFile { entry, title, draft, show, notes }) } else { Err(errors) }
+    if errors.is_empty() { Ok(ProblemFile { entry, title, draft, units, show, notes }) } else { Err(errors) }
 }
 
 /// Returns true if a text is a problem file, however wrong its inputs may be.
@@ -126,6 +130,9 @@ pub fn write(problem: &ProblemFile, over: &str) -> String {
     set_text(root, "analysis", problem.entry.about.id);
     if !problem.title.is_empty() || root.contains_key("title") {
         set_text(root, "title", &problem.title);
+    }
+    if problem.units != UnitSetting::Auto || root.contains_key("units") {
+        set_text(root, "units", &problem.units.to_string());
     }
     let inputs = root.entry("inputs").or_insert_with(|| Item::Table(Table::new()));
     write_item(inputs, &problem.draft, &problem.entry.inputs());
@@ -402,6 +409,15 @@ fn text_at(table: &Table, key: &str, errors: &mut Vec<FileError>) -> Option<Stri
         errors.push(FileError { why, span: item.span() });
     }
     item.as_str().map(str::to_owned)
+}
+
+/// The setting of units of a file; `None` where it is left out.
+fn units_of(table: &Table, errors: &mut Vec<FileError>) -> Option<UnitSetting> {
+    let text = text_at(table, "units", errors)?;
+    let read = UnitSetting::read(&text).map_err(|why| {
+        errors.push(FileError { why, span: span(table, "units") });
+    });
+    read.ok()
 }
 
 /// A value without quotes and comments.

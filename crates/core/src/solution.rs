@@ -11,6 +11,7 @@ use crate::{
     reading,
     reevaluate::ancestors,
     trace::{Id, Number, Op, Symbol, Trace},
+    unit_system::ShownUnits,
 };
 
 /// Everything that a solve found.
@@ -32,6 +33,9 @@ pub struct Solution {
     pub determined: Option<Arc<Determined>>,
     /// Inputs and definitions whose value is that of a formula or was found, by path or name, with their steps.
     pub computed: Vec<(String, usize)>,
+    /// System of units that it is shown in; `None` where answers are in the units of the analysis and inputs in those
+    /// that were typed.
+    pub units: Option<ShownUnits>,
     /// Trace of the computation of every number.
     pub trace: Trace,
 }

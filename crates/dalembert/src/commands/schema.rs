@@ -4,7 +4,9 @@
 
 use std::process::ExitCode;
 
-use dalembert_core::{ChildList, Entry, Field, FieldLimit, Locale, Measure, Shape, Text, Variant};
+use dalembert_core::{
+    ChildList, Entry, Field, FieldLimit, Locale, Measure, Shape, Text, UnitSetting, Variant,
+};
 use serde_json::{Map, Value as Json, json};
 
 use crate::{
@@ -37,6 +39,7 @@ fn of(entry: &Entry, locale: &Locale) -> Json {
             "format": { "type": "integer", "minimum": 1, "maximum": 2 },
             "analysis": { "const": about.id },
             "title": { "type": "string" },
+            "units": { "enum": UnitSetting::ALL.map(|setting| setting.to_string()) },
             "let": { "type": "object", "additionalProperties": { "type": ["string", "number"] } },
             "inputs": inputs,
             "given": { "type": "object", "additionalProperties": { "type": ["string", "number"] } },
