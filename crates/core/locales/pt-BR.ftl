@@ -431,3 +431,8 @@ balancing = Balanceamento
 rigid-bodies = Corpos rígidos
 vibration = Vibrações
 virtual-work = Trabalho virtual
+
+## Units of a problem
+units-system = Unidades: { $system }
+units-system-found-from-the-inputs = Unidades: { $system }, reconhecidas nos dados
+text-is-no-system-of-units-write-one-of-known = `{ $text }` não é um sistema de unidades; escreva um de { $known }

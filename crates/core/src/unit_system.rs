@@ -190,6 +190,15 @@ fn is_of_force(dim: Dim) -> bool {
 }
 
 impl Solution {
+    /// The same solution in the units of a setting: in the system that it names or the inputs show, or as it is.
+    #[must_use]
+    pub fn in_units_of(self, setting: UnitSetting, draft: &Draft, shape: &Shape) -> Self {
+        match setting.shown(draft, shape, &self) {
+            Some(units) => self.in_units(units, draft, shape),
+            None => self,
+        }
+    }
+
     /// The same solution in a system of units: answers, steps with what is put into them, tables, plots and sentences.
     /// Numbers stay what they are. The result of a question keeps the unit that `draft` asks for.
     #[must_use]

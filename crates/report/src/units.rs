@@ -7,8 +7,9 @@ use dalembert_units::{self as units, Kind, Unit};
 struct Meant {
     /// Their places in the solution.
     places: Vec<usize>,
-    /// How closely the name means them: 2 an answer, 1 all of a name with places, 0 all that a word is about.
-    closeness: u8,
+    /// How closely the name means them, from 0: all that a word is about, all of a name, all of a name and a place, one
+    /// answer.
+    closeness: usize,
 }
 
 /// Shows answers in other units, and with other digits where they are asked for: pairs of a name and, for example,
@@ -85,12 +86,12 @@ fn meant(solution: &Solution, name: &str) -> Meant {
     };
     let one = places(&|answer| answer.name.is(name));
     if !one.is_empty() {
-        return Meant { places: one, closeness: 2 };
+        return Meant { places: one, closeness: usize::MAX };
     }
     let first = format!("{name}[");
     let family = places(&|answer| answer.name.to_string().starts_with(&first));
     if !family.is_empty() {
-        return Meant { places: family, closeness: 1 };
+        return Meant { places: family, closeness: 1 + name.matches('[').count() };
     }
     let wanted = words(name);
     let has = |text: &str| !wanted.is_empty() && words(text).windows(wanted.len()).any(|some| some == wanted);

@@ -200,11 +200,9 @@ impl Problem {
     }
 
     /// A solution of the problem in the units that the problem is shown in: its system, then those chosen for answers.
-    pub fn in_its_units(&self, mut solution: Solution) -> Solution {
+    pub fn in_its_units(&self, solution: Solution) -> Solution {
         let (draft, shape) = (&self.inputs.form.draft, self.entry.shape());
-        if let Some(units) = self.document.units.shown(draft, &shape, &solution) {
-            solution = solution.in_units(units, draft, &shape);
-        }
+        let mut solution = solution.in_units_of(self.document.units, draft, &shape);
         // What a file asks for and cannot be is shown as it would be without.
         let _ = show_answers_in(&mut solution, &self.document.show);
         solution

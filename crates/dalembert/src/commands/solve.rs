@@ -124,10 +124,8 @@ fn outcome(
     asked_for: &[(String, String)],
 ) -> Result<solving::SolveOutcome, Failure> {
     let outcome = solving::solve(problem.entry, &problem.record)?;
-    let Ok(mut solution) = outcome else { return Ok(outcome) };
-    if let Some(units) = problem.units.shown(&problem.draft, &problem.entry.shape(), &solution) {
-        solution = solution.in_units(units, &problem.draft, &problem.entry.shape());
-    }
+    let Ok(solution) = outcome else { return Ok(outcome) };
+    let mut solution = solution.in_units_of(problem.units, &problem.draft, &problem.entry.shape());
     for show in [&problem.show, asked_for] {
         show_answers_in(&mut solution, show).map_err(Failure::input)?;
     }
