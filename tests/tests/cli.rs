@@ -204,8 +204,8 @@ fn json_of_a_solve_has_the_agreed_shape() {
     assert_eq!(
         keys,
         [
-            "analysis", "case", "notes", "inputs", "answers", "unknowns", "plots", "checks", "warnings",
-            "refusal"
+            "analysis", "case", "units", "notes", "inputs", "answers", "unknowns", "plots", "checks",
+            "warnings", "refusal"
         ]
     );
     assert_eq!(solved["unknowns"], serde_json::json!({}));

@@ -2,9 +2,13 @@
 
 #![expect(clippy::unwrap_used, reason = "a test ends where its data fails")]
 
-use std::process::{Command, Stdio};
+use std::{
+    fs,
+    path::Path,
+    process::{Command, Stdio},
+};
 
-use dalembert_core::{Locale, Solution, Stop, UnitSetting, file, registry};
+use dalembert_core::{Locale, Solution, Stop, Text, UnitSetting, file, registry};
 use dalembert_plugins as _;
 use dalembert_testkit::unit_systems;
 use dalembert_tests::{person::Person, pty};
@@ -166,13 +170,21 @@ fn a_wrong_setting_is_named_with_its_place() {
     assert_eq!(&wrong[errors[0].span.clone().unwrap()], "\"cgs\"");
 }
 
+#[test]
+fn the_schema_knows_the_settings() {
+    let (printed, _) = run(&["schema", "vibration/harmonic-force"]);
+    let schema: serde_json::Value = serde_json::from_str(&printed).unwrap();
+    let known = serde_json::json!(["auto", "SI", "in-lbf-s", "ft-slug-s", "mm-t-s", "as-typed"]);
+    assert_eq!(schema["properties"]["units"]["enum"], known);
+}
+
 /// A file of the first format is shown as it was.
 #[test]
 fn a_file_of_the_first_format_keeps_its_units() {
     let first = with(OSCILLATOR, &[("format = 2\n", "")]);
     let problem = file::parse(&first).unwrap();
     assert_eq!(problem.units, UnitSetting::AsTyped);
-    let notes: Vec<String> = problem.notes.iter().map(|note| note.english()).collect();
+    let notes: Vec<String> = problem.notes.iter().map(Text::english).collect();
     let note = "units omitted: as-typed assumed, the default of files without `format = 2`";
     assert!(notes.iter().any(|known| known == note), "{notes:?}");
     assert_eq!(shown(&solved(&first), "amplitude"), "2.1167 mm");
@@ -294,4 +306,16 @@ fn the_workbench_goes_through_the_systems() {
     // US customary units are found.
     let found = Person::in_portuguese(120, 40).opens("vibration/piecewise-spring").sees();
     assert!(found.contains("Unidades: in·lbf·s, reconhecidas nos dados"), "{found}");
+}
+
+#[test]
+fn the_workbench_saves_the_setting() {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("units.toml");
+    fs::write(&path, OSCILLATOR).unwrap();
+    let mut person = Person::at(120, 40).opens_file(&path);
+    assert!(person.sees().contains("Units: in·lbf·s, found from the inputs"), "{}", person.sees());
+    person.types("V").types("s");
+    assert!(fs::read_to_string(&path).unwrap().contains("units = \"SI\"\n"));
+    let again = Person::at(120, 40).opens_file(&path).sees();
+    assert!(again.contains("Units: SI") && again.contains("0.0021167 m"), "{again}");
 }

@@ -2,9 +2,10 @@
 
 mod clip;
 mod deferred;
-mod restated;
+
 mod side;
 mod space;
+mod units;
 
 use std::{
     borrow::Cow,

@@ -6,12 +6,11 @@ use dalembert_numerics::intervals::IntervalSet;
 use dalembert_units::{self as units, Dim, Unit};
 
 use crate::{
-    Cite, Determined, Exhibit, Locale, Text,
+    Cite, Determined, Exhibit, Locale, ShownUnits, Text,
     path::is_within,
     reading,
     reevaluate::ancestors,
     trace::{Id, Number, Op, Symbol, Trace},
-    unit_system::ShownUnits,
 };
 
 /// Everything that a solve found.

@@ -162,11 +162,11 @@ impl Text {
     }
 
     /// Shows every number of the sentence in the unit of a system.
-    pub(crate) fn restate(&mut self, system: UnitSystem) {
+    pub(crate) fn show_in(&mut self, system: UnitSystem) {
         for (_, arg) in &mut self.args {
             match arg {
                 Arg::Verbatim(_) => {}
-                Arg::Text(text) => text.restate(system),
+                Arg::Text(text) => text.show_in(system),
                 Arg::Quantity(_, unit) => *unit = unit_system::of_text(unit, system),
             }
         }

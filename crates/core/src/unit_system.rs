@@ -8,9 +8,7 @@ use std::{fmt, sync::Arc};
 
 use dalembert_units::{Dim, Unit, UnitSystem, read_any, unit};
 
-use crate::{
-    Answer, Draft, Shape, Solution, Text, gravity, solution::AnswerValue, study::fixed, table, trace::Op,
-};
+use crate::{Answer, AnswerValue, Draft, Shape, Solution, Text, gravity, study::fixed, table, trace::Op};
 
 /// Setting of the units of a problem.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -208,23 +206,23 @@ impl Solution {
         for answer in &mut self.answers {
             let is_chosen = answer.asked && chosen.iter().any(|name| name == answer.label);
             if !is_chosen && !is_named(&answer.unit) {
-                answer.restate(system);
+                answer.show_in(system);
             }
         }
         for step in &mut self.steps {
             if !is_named(&step.unit) {
                 step.unit = system.unit(&step.unit);
             }
-            step.why.restate(system);
+            step.why.show_in(system);
         }
         for node in &mut self.trace.nodes {
             if let Op::Constant(unit) | Op::Given { unit, .. } = &mut node.op {
                 *unit = system.unit(unit);
             }
         }
-        self.exhibits.iter_mut().for_each(|exhibit| exhibit.restate(system));
-        self.checks.iter_mut().for_each(|check| check.what.restate(system));
-        self.warnings.iter_mut().for_each(|warning| warning.restate(system));
+        self.exhibits.iter_mut().for_each(|exhibit| exhibit.show_in(system));
+        self.checks.iter_mut().for_each(|check| check.what.show_in(system));
+        self.warnings.iter_mut().for_each(|warning| warning.show_in(system));
         if let Some(determined) = &mut self.determined {
             let determined = Arc::make_mut(determined);
             for unknown in &mut determined.unknowns {
@@ -255,10 +253,12 @@ fn chosen_units(draft: &Draft, shape: &Shape) -> Vec<String> {
 }
 
 impl Answer {
-    fn restate(&mut self, system: UnitSystem) {
+    fn show_in(&mut self, system: UnitSystem) {
         self.unit = system.unit(&self.unit);
         if let AnswerValue::Set(_, limits) = &mut self.value {
-            limits.iter_mut().for_each(|limit| limit.restate(system));
+            for limit in limits {
+                limit.show_in(system);
+            }
         }
     }
 }

@@ -7,8 +7,7 @@ use dalembert_units::{self as units, Kind, Unit};
 struct Meant {
     /// Their places in the solution.
     places: Vec<usize>,
-    /// How closely the name means them, from 0: all that a word is about, all of a name, all of a name and a place, one
-    /// answer.
+    /// Rank of the name, from 0: all that a word is about, all of a name, all of a name and a place, one answer.
     closeness: usize,
 }
 

@@ -23,11 +23,11 @@ pub fn every_solution_is_coherent_in_every_system(entries: &[&'static Entry]) ->
     for (entry, solution) in first_solutions(entries) {
         let Some(case) = cases::first(entry) else { continue };
         for system in UnitSystem::ALL {
-            let shown = ShownUnits { system, is_found: false };
+            let units = ShownUnits { system, is_found: false };
             let name = format!("{} in {}", entry.about.id, system.key());
-            let restated = solution.clone().in_units(shown, &case.draft, &entry.shape());
+            let shown = solution.clone().in_units(units, &case.draft, &entry.shape());
             for ((what, unit, numbers), (_, before, _)) in
-                with_units(&restated).into_iter().zip(with_units(&solution))
+                itertools::zip_eq(with_units(&shown), with_units(&solution))
             {
                 seen += 1;
                 let is_material = unit.dim.length != 0 || unit.dim.mass != 0;
@@ -46,14 +46,14 @@ pub fn every_solution_is_coherent_in_every_system(entries: &[&'static Entry]) ->
                 }
             }
             for (digits, step) in
-                [5, 15].into_iter().flat_map(|digits| restated.steps.iter().map(move |step| (digits, step)))
+                [5, 15].into_iter().flat_map(|digits| shown.steps.iter().map(move |step| (digits, step)))
             {
-                let written = printer::step(&restated, step, &Locale::english().digits(digits));
+                let written = printer::step(&shown, step, &Locale::english().digits(digits));
                 if written.substitution.is_empty() {
                     continue;
                 }
                 read += 1;
-                let node = restated.trace.node(step.result);
+                let node = shown.trace.node(step.result);
                 if let Err(why) =
                     hold(&written, node.number, step.unit.dim, digits, 2.0 * ROUNDING * node.scale)
                 {

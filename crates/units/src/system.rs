@@ -210,7 +210,8 @@ mod tests {
         ];
         for (text, expected) in rows {
             let written = unit(text).unwrap();
-            for (system, expected) in UnitSystem::ALL.into_iter().zip(expected) {
+            for (n, system) in UnitSystem::ALL.into_iter().enumerate() {
+                let expected: &str = expected[n];
                 let found = system.unit(&written);
                 assert_eq!(found.ascii(), expected, "{text} in {}", system.key());
                 assert_eq!(found.dim, unit(expected).unwrap().dim, "{text} in {}", system.key());

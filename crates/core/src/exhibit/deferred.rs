@@ -28,17 +28,17 @@ impl<T: Send + Sync + 'static> Deferred<T> {
 
 impl Deferred<Vec<DrawnShape>> {
     /// The same shapes with every number of their words in the unit of a system.
-    pub(super) fn restated(&self, system: UnitSystem) -> Self {
+    pub(super) fn shown_in(&self, system: UnitSystem) -> Self {
         let shapes = self.clone();
-        Self::new(move || restated(&shapes, system))
+        Self::new(move || shown_in(&shapes, system))
     }
 }
 
-fn restated(shapes: &[DrawnShape], system: UnitSystem) -> Vec<DrawnShape> {
+fn shown_in(shapes: &[DrawnShape], system: UnitSystem) -> Vec<DrawnShape> {
     let one = |shape: &DrawnShape| match shape {
         DrawnShape::Label(at, side, words) => {
             let mut words = words.clone();
-            words.restate(system);
+            words.show_in(system);
             DrawnShape::Label(*at, *side, words)
         }
         other => other.clone(),
@@ -88,9 +88,9 @@ impl Frames {
     }
 
     /// The same frames with every number of their words in the unit of a system.
-    pub(super) fn restated(&self, system: UnitSystem) -> Self {
+    pub(super) fn shown_in(&self, system: UnitSystem) -> Self {
         let shapes = self.shapes.clone();
-        Self::new(self.count, move || shapes.iter().map(|frame| restated(frame, system)).collect())
+        Self::new(self.count, move || shapes.iter().map(|frame| shown_in(frame, system)).collect())
     }
 
     /// Number of frames; none is drawn for it.

@@ -119,7 +119,7 @@ pub(super) fn table_text(
 }
 
 /// The units of a file that names none: those that its inputs show. A file of the first format keeps the units of the
-/// analysis, and says so where that is a difference.
+/// analysis, with a note where that is a difference.
 pub(super) fn left_out_units(
     format: Format,
     draft: &Draft,
