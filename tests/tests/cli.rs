@@ -204,8 +204,8 @@ fn json_of_a_solve_has_the_agreed_shape() {
     assert_eq!(
         keys,
         [
-            "analysis", "case", "notes", "inputs", "answers", "unknowns", "plots", "checks", "warnings",
-            "refusal"
+            "analysis", "case", "units", "notes", "inputs", "answers", "unknowns", "plots", "checks",
+            "warnings", "refusal"
         ]
     );
     assert_eq!(solved["unknowns"], serde_json::json!({}));
@@ -619,7 +619,7 @@ fn every_kind_of_field_refuses_nonsense() {
         ("vector", Shape::Vector(KILOGRAM, 2), any),
         ("flag", Shape::Flag, any),
         ("count", Shape::Count { min: 1, max: 20 }, any),
-        ("table", Shape::Table(|| COLUMNS), any),
+        ("table", Shape::Table(Fields(&|| COLUMNS)), any),
         ("text", Shape::Text, words),
         ("reference", Shape::Reference("bodies"), &words[1..]),
     ] {

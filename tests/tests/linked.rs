@@ -99,7 +99,7 @@ fn wrong(text: &str, files: &[(&str, &str)]) -> String {
     };
     let record = problem.draft.read(&problem.entry.shape()).map_err(SolveError::Fields);
     match record.and_then(|record| problem.entry.solve(&record, &Stop::new())) {
-        Ok(solution) => solution.warnings.iter().map(|warning| warning.english()).collect(),
+        Ok(solution) => solution.warnings.iter().map(dalembert_core::Text::english).collect(),
         Err(error) => error.to_string(),
     }
 }

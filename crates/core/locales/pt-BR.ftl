@@ -415,7 +415,7 @@ rows-min-to-most = linhas, de { $min } a { $most }
 len-components-what-written-form = { $len } componentes, { $what }, na forma { $form }
 a-table-as-lines-of-text-under-the-heading-heading-or-as-rows-form-with-the-columns = uma tabela, como linhas de texto sob o cabeçalho "{ $heading }" ou como linhas { $form }, com as colunas
 write-each-value-between-its-quotation-marks-with-its-unit-what-stands-behind-a-single-may-be-left = Escreva cada valor entre as aspas, com a unidade. O que está depois de um único # pode ser omitido.
-let-has-quantities-of-your-own-for-formulas-ask-questions-of-your-own-given-known-answers-from-which = [let] tem grandezas próprias para fórmulas, [ask] perguntas próprias, [given] resultados conhecidos dos quais se obtêm os dados escritos como ?, [show] unidades das respostas.
+let-has-quantities-of-your-own-for-formulas-ask-questions-of-your-own-given-known-answers-from-which = [let] tem grandezas próprias para fórmulas, [ask] perguntas próprias, [given] resultados conhecidos dos quais se obtêm os dados escritos como ?, [show] unidades das respostas; units = "in-lbf-s" acima de [inputs] mostra tudo em um só sistema.
 a-table-of-inputs-is-needed-here-written-form = aqui é necessária uma tabela de dados, na forma { $form }
 a-list-is-needed-here-written-form = aqui é necessária uma lista, na forma { $form }
 one-value-is-needed-here-written-form = aqui é necessário um único valor, na forma { $form }
@@ -431,3 +431,8 @@ balancing = Balanceamento
 rigid-bodies = Corpos rígidos
 vibration = Vibrações
 virtual-work = Trabalho virtual
+
+## Units of a problem
+units-system = Unidades: { $system }
+units-system-found-from-the-inputs = Unidades: { $system }, reconhecidas nos dados
+text-is-no-system-of-units-write-one-of-known = `{ $text }` não é um sistema de unidades; escreva um de { $known }

@@ -2,8 +2,10 @@
 
 mod clip;
 mod deferred;
+
 mod side;
 mod space;
+mod units;
 
 use std::{
     borrow::Cow,

@@ -26,13 +26,24 @@ use toml_edit::{ArrayOfTables, Document, DocumentMut, InlineTable, Item, Table, 
 
 pub use self::format::Format;
 use crate::{
-    Display, Draft, Entry, Field, FieldError, Shape, Text, describe, draft, find_analysis, path,
+    Display, Draft, Entry, Field, FieldError, Shape, Text, UnitSetting, describe, draft, find_analysis, path,
     path::Segment, registry, table,
 };
 
 /// The keys a problem file may have at the top.
-const KEYS: [&str; 10] =
-    ["format", "analysis", "title", "let", "inputs", "problem", "configuration", "given", "ask", "show"];
+const KEYS: [&str; 11] = [
+    "format",
+    "analysis",
+    "title",
+    "units",
+    "let",
+    "inputs",
+    "problem",
+    "configuration",
+    "given",
+    "ask",
+    "show",
+];
 
 /// The contents of a problem file.
 #[derive(Clone, Debug)]
@@ -43,6 +54,8 @@ pub struct ProblemFile {
     pub title: String,
     /// Texts of the inputs.
     pub draft: Draft,
+    /// Units of everything that is shown.
+    pub units: UnitSetting,
     /// Display of answers: `(answer, unit and digits)`, see [`Display`].
     pub show: Vec<(String, String)>,
     /// Notes on values that an older format left implicit and that were written out as that format has them.
@@ -100,9 +113,12 @@ fn parse_open(text: &str, links: &mut linked::Links<'_, '_>) -> Result<ProblemFi
     let (entry, draft) = problem_of(root, main, &mut show, links, &mut reading);
     let FileNotes { mut errors, mut notes, .. } = reading;
     let title = text_at(root, "title", &mut errors).unwrap_or_default();
+    let units = units_of(root, &mut errors)
+        .unwrap_or_else(|| format::left_out_units(format, &draft, &entry.shape(), &mut notes));
     let files = if links.open.is_empty() { std::mem::take(&mut links.files) } else { Vec::new() };
     notes.extend(files.iter().map(LinkedFile::note));
-    if errors.is_empty() { Ok(ProblemFile { entry, title, draft, show, notes, files }) } else { Err(errors) }
+    let problem = ProblemFile { entry, title, draft, units, show, notes, files };
+    if errors.is_empty() { Ok(problem) } else { Err(errors) }
 }
 
 /// The analysis that a table names.
@@ -160,6 +176,9 @@ pub fn write(problem: &ProblemFile, over: &str) -> String {
     }
     if !problem.title.is_empty() || root.contains_key("title") {
         set_text(root, "title", &problem.title);
+    }
+    if problem.units != UnitSetting::Auto || root.contains_key("units") {
+        set_text(root, "units", &problem.units.to_string());
     }
     if let Some(main) = main {
         let inputs = root.entry("inputs").or_insert_with(|| Item::Table(Table::new()));
@@ -473,6 +492,15 @@ fn text_at(table: &Table, key: &str, errors: &mut Vec<FileError>) -> Option<Stri
         errors.push(FileError { why, span: item.span() });
     }
     item.as_str().map(str::to_owned)
+}
+
+/// The setting of units of a file; `None` where it is left out.
+fn units_of(table: &Table, errors: &mut Vec<FileError>) -> Option<UnitSetting> {
+    let text = text_at(table, "units", errors)?;
+    let read = UnitSetting::read(&text).map_err(|why| {
+        errors.push(FileError { why, span: span(table, "units") });
+    });
+    read.ok()
 }
 
 /// A value without quotes and comments.

@@ -6,9 +6,9 @@
 
 use std::borrow::Cow;
 
-use dalembert_units as units;
+use dalembert_units::{self as units, Unit};
 
-use crate::{Draft, Field, Measure, Record, Shape, Text, Value};
+use crate::{Draft, Field, Record, Shape, Text, Value};
 
 /// The default of every gravity, where units are metric.
 pub const METRIC: &str = "9.81 m/s^2";
@@ -56,14 +56,8 @@ pub(crate) fn filled<'d>(draft: &'d Draft, shape: &Shape) -> Cow<'d, Draft> {
         return Cow::Borrowed(draft);
     }
     let mut systems = Vec::new();
-    look(draft, shape, (None, String::new()), &mut |_, field, shape, text| {
-        // Nobody wrote a default.
-        let written = !text.trim().is_empty() && field.and_then(|field| field.default) != Some(text);
-        if let (true, Shape::Quantity(measure) | Shape::Vector(measure, _)) =
-            (written && !field.is_some_and(is_gravity), shape)
-        {
-            systems.extend(is_customary(text, shape, measure));
-        }
+    written(draft, shape, &mut |text, shape| {
+        systems.extend(unit_of(text, shape).and_then(|unit| is_customary(&unit)));
     });
     let customary = !systems.is_empty() && !systems.contains(&false);
     let mut draft = draft.clone();
@@ -123,17 +117,45 @@ fn scalars(record: &Record) -> Vec<(String, f64)> {
     found
 }
 
+/// Calls `visit` with each text that somebody wrote, and its shape: gravity is left aside, and so are defaults.
+pub(crate) fn written(draft: &Draft, shape: &Shape, visit: &mut impl FnMut(&str, &Shape)) {
+    look(draft, shape, (None, String::new()), &mut |_, field, shape, text| {
+        let is_default = field.and_then(|field| field.default) == Some(text);
+        if !text.trim().is_empty() && !is_default && !field.is_some_and(is_gravity) {
+            visit(text, shape);
+        }
+    });
+}
+
+/// The unit that a number or a vector is written in, that of the field where it is written alone; `None` for a formula,
+/// and for what cannot be read.
+pub(crate) fn unit_of(text: &str, shape: &Shape) -> Option<Unit> {
+    match shape {
+        Shape::Quantity(measure) => {
+            Some(units::read_quantity(text, &measure.own_unit(), measure.kind()).ok()?.unit)
+        }
+        Shape::Vector(measure, len) => {
+            Some(units::read_vector(text, &measure.own_unit(), measure.kind(), *len).ok()?.unit)
+        }
+        _ => None,
+    }
+}
+
 /// Returns true if a length, a mass, a force or a quantity derived from them is in US customary units; `None` for any
 /// other quantity.
-fn is_customary(text: &str, shape: &Shape, measure: &Measure) -> Option<bool> {
-    let own = measure.own_unit();
-    let unit = match shape {
-        Shape::Vector(_, len) => units::read_vector(text, &own, measure.kind(), *len).ok()?.unit,
-        _ => units::read_quantity(text, &own, measure.kind()).ok()?.unit,
-    };
+pub(crate) fn is_customary(unit: &Unit) -> Option<bool> {
     let mechanical = unit.dim.length != 0 || unit.dim.mass != 0;
-    let mut words = unit.text.split(|c: char| !c.is_alphabetic());
-    mechanical.then(|| words.any(|word| CUSTOMARY_UNITS.contains(&word)))
+    mechanical.then(|| words(unit).any(is_customary_symbol))
+}
+
+/// Returns true for the symbol of a US customary unit.
+pub(crate) fn is_customary_symbol(word: &str) -> bool {
+    CUSTOMARY_UNITS.contains(&word)
+}
+
+/// The symbols that a unit is written with.
+pub(crate) fn words(unit: &Unit) -> impl Iterator<Item = &str> {
+    unit.text.split(|c: char| !c.is_alphabetic())
 }
 
 /// A default, along an axis or not, in US customary units.

@@ -44,6 +44,7 @@ pub mod table;
 pub mod text;
 pub mod trace;
 pub mod uff;
+mod unit_system;
 mod unknowns;
 pub mod vary;
 pub mod worksheet;
@@ -78,6 +79,7 @@ pub use crate::{
     source::{Cite, Source},
     text::{Arg, Language, Locale, Messages, Text},
     trace::{Number, Symbol, Trace},
+    unit_system::{ShownUnits, UnitSetting},
     unknowns::{Determined, DeterminedInput, ReachedAnswer},
     worksheet::{FieldPath, Plain, Reason, Worksheet},
 };

@@ -414,13 +414,18 @@ impl<'s> Writer<'s> {
         }
     }
 
-    /// The unit of a value as it was typed or found in, or the SI unit that has radians in its place.
+    /// The unit of a value as it was typed or found in, or the one of the system that has radians in its place.
     fn written_in(&self, unit: &units::Unit) -> units::Unit {
         if self.radians && unit.dim.angle != 0 && !unit.is_decimal() {
-            si_unit(unit.dim)
+            self.unit_of_dim(unit.dim)
         } else {
             unit.clone()
         }
+    }
+
+    /// The coherent unit of a dimension, in the system of the solution.
+    fn unit_of_dim(&self, dim: units::Dim) -> units::Unit {
+        self.solution.units.map_or_else(|| si_unit(dim), |shown| shown.system.of_dim(dim))
     }
 
     fn unit_of(&self, id: Id) -> Option<&'s units::Unit> {
@@ -547,7 +552,7 @@ impl<'s> Writer<'s> {
         {
             for id in all {
                 let node = self.solution.trace.node(*id);
-                let unit = if node.dim.agrees(unit.dim) { unit.clone() } else { si_unit(node.dim) };
+                let unit = if node.dim.agrees(unit.dim) { unit.clone() } else { self.unit_of_dim(node.dim) };
                 out.push((
                     self.expression(*id),
                     number(self.solution.trace.without_noise(*id), &unit, self.style),

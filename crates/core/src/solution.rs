@@ -6,7 +6,7 @@ use dalembert_numerics::intervals::IntervalSet;
 use dalembert_units::{self as units, Dim, Unit};
 
 use crate::{
-    Cite, Determined, Exhibit, Locale, Text,
+    Cite, Determined, Exhibit, Locale, ShownUnits, Text,
     path::is_within,
     reading,
     reevaluate::ancestors,
@@ -34,6 +34,9 @@ pub struct Solution {
     pub determined: Option<Arc<Determined>>,
     /// Inputs and definitions whose value is that of a formula or was found, by path or name, with their nodes.
     pub computed: Vec<(String, Id)>,
+    /// System of units that it is shown in; `None` where answers are in the units of the analysis and inputs in those
+    /// that were typed.
+    pub units: Option<ShownUnits>,
     /// Trace of the computation of every number.
     pub trace: Trace,
 }

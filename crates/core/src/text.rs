@@ -13,9 +13,11 @@
 
 use std::{borrow::Cow, collections::HashMap, sync::OnceLock};
 
-use dalembert_units::{self as units, Decimal, Style};
+use dalembert_units::{self as units, Decimal, Style, UnitSystem};
 use fluent_bundle::{FluentArgs, FluentResource, concurrent::FluentBundle};
 use unic_langid::LanguageIdentifier;
+
+use crate::unit_system;
 
 /// A sentence, perhaps with `{names}` of arguments.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -157,6 +159,17 @@ impl Text {
         };
         let args = self.args.iter().map(|(name, arg)| (*name, covered(arg))).collect();
         Self { template: self.template.clone(), args }
+    }
+
+    /// Shows every number of the sentence in the unit of a system.
+    pub(crate) fn show_in(&mut self, system: UnitSystem) {
+        for (_, arg) in &mut self.args {
+            match arg {
+                Arg::Verbatim(_) => {}
+                Arg::Text(text) => text.show_in(system),
+                Arg::Quantity(_, unit) => *unit = unit_system::of_text(unit, system),
+            }
+        }
     }
 
     /// The sentence in English.

@@ -19,7 +19,8 @@ print-ascii-characters-only = Escrever só caracteres ASCII
 print-json = Imprimir JSON
 print-the-json-schema-of-a-problem-file-for-an-editor = Imprimir o JSON Schema de um arquivo de problema, para um editor
 print-the-manual-page = Imprimir a página de manual
-unit-of-an-answer-amplitude-um = Unidade de uma resposta: amplitude=um
+units-of-everything-that-is-shown-auto-the-system-that-the-inputs-show-as-typed-si-in-lbf-s-ft-slug-s = Unidades de tudo o que é mostrado: auto (o sistema usado nos dados), as-typed (como digitado), SI, in-lbf-s, ft-slug-s, mm-t-s
+unit-of-an-answer-or-of-all-answers-of-a-name-or-a-quantity-amplitude-um-force-lbf = Unidade de uma resposta, ou de todas as de um nome ou de uma grandeza: amplitude=um, force=lbf
 number-of-significant-digits = Número de algarismos significativos
 show-the-inputs-and-answers-of-an-analysis = Mostrar os dados e as respostas de uma análise
 solve-a-problem-and-print-its-worked-solution = Resolver um problema e imprimir a solução passo a passo

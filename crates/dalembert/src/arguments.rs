@@ -138,9 +138,13 @@ pub(crate) struct Solve {
     /// Number of significant digits
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(crate) digits: Option<u8>,
-    /// Unit of an answer: amplitude=um
+    /// Unit of an answer, or of all answers of a name or a quantity: amplitude=um, force=lbf
     #[arg(long, value_name = "ANSWER=UNIT")]
     pub(crate) unit: Vec<String>,
+    /// Units of everything that is shown: auto (the system that the inputs show), as-typed, SI, in-lbf-s, ft-slug-s,
+    /// mm-t-s
+    #[arg(long, value_name = "SYSTEM")]
+    pub(crate) units: Option<String>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

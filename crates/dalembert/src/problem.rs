@@ -3,7 +3,7 @@
 use std::{io, path::Path};
 
 use dalembert_core::{
-    Draft, Entry, FieldError, Record, Shape, Text,
+    Draft, Entry, FieldError, Record, Shape, Text, UnitSetting,
     cases::{self, Case},
     file, find,
 };
@@ -34,6 +34,8 @@ pub(crate) struct LoadedProblem {
     pub(crate) draft: Draft,
     /// Inputs as read.
     pub(crate) record: Record,
+    /// Units of everything that is shown.
+    pub(crate) units: UnitSetting,
     /// Units of answers: `(answer, unit)`.
     pub(crate) show: Vec<(String, String)>,
 }
@@ -125,6 +127,7 @@ fn of_analysis(
             notes: reported(notes, "warning: {words}", console),
             draft,
             record,
+            units: UnitSetting::default(),
             show: Vec::new(),
         }),
         _ => {
@@ -216,6 +219,7 @@ fn of_file(
             },
             draft,
             record,
+            units: problem.units,
             show: problem.show,
         }),
         _ => Err(Failure::Input(set.into_iter().map(|err| named(err, &draft, &shape)).collect())),

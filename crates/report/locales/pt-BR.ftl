@@ -6,6 +6,7 @@ count-rows = { $count } linhas
 faults-of-the-program = Falhas do programa
 internal-errors = Erros internos do programa
 given-data = Dados
+none-of-the-answers-of-name-can-be-shown-in-unit-found = nenhuma das respostas de `{ $name }` pode ser mostrada em { $unit }: { $found }
 name-cannot-be-shown-in-unit-hint = { $name } não pode ser mostrado em { $unit }; { $hint }
 name-cannot-be-shown-in-unit-write-a-unit-like-own = { $name } não pode ser mostrado em { $unit }; escreva uma unidade como { $own }
 no = não

@@ -3,7 +3,7 @@
 use dalembert_core::{
     Draft, Field, Locale, Record, Shape, Solution, Symbol, Text, Value, gravity, own_fields, printer,
 };
-use dalembert_units::{self as units, Style, Unit};
+use dalembert_units::{self as units, Style, Unit, UnitSystem};
 
 /// The digits that an input is shown with: what was typed is not rounded.
 const TYPED_DIGITS: u8 = 12;
@@ -166,5 +166,20 @@ fn shown(value: &Value, locale: &Locale) -> String {
         Value::Table(table) => Text::new("{count} rows").with("count", table.rows.len()).render(locale),
         Value::Absent => "—".into(),
         Value::OneOf { .. } | Value::Group(_) | Value::Rows(_) => String::new(),
+    }
+}
+
+/// A value in the unit of a system; `None` where it is in it, and for what has no unit.
+pub(crate) fn shown_in(value: &Value, system: UnitSystem, locale: &Locale) -> Option<String> {
+    let other = |unit: &Unit| Some(system.unit(unit)).filter(|other| other.text != unit.text);
+    match value {
+        Value::Quantity(quantity) if quantity.si != 0.0 => {
+            Some(units::write_quantity(quantity.si, &other(&quantity.unit)?, locale.style))
+        }
+        Value::Vector(vector) => {
+            let unit = other(&vector.unit)?;
+            Some(units::write_components(&vector.si[..vector.len], &unit, locale.style))
+        }
+        _ => None,
     }
 }

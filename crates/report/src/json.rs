@@ -8,7 +8,7 @@ use serde_json::{Map, Value as Json, json};
 
 use crate::{WorkedProblem, inputs::inputs};
 
-/// `{"analysis", "case", "notes": [], "inputs": {path: {"text", "value", "unit", "si", "si_unit"}}, "answers": {name:
+/// `{"analysis", "case", "units": null | "in-lbf-s", "notes": [], "inputs": {path: {"text", "value", "unit", "si", "si_unit"}}, "answers": {name:
 /// {"label", "value", "unit", "si", "si_unit", "shown"}}, "unknowns": {}, "plots": [{"title", "over", "curves": [{"label", "of", "with"}]}],
 /// "checks": [{"what", "residual", "passed"}], "warnings": [], "refusal": null | "…"}`.
 ///
@@ -54,6 +54,7 @@ pub fn json(worked: &WorkedProblem<'_>, locale: &Locale) -> Json {
     json!({
         "analysis": worked.entry.about.id,
         "case": worked.case.english(),
+        "units": worked.shown_units().map(|units| units.system.key()),
         "notes": worked.notes.iter().map(|note| note.render(locale)).collect::<Vec<_>>(),
         "inputs": given,
         "answers": answers,

@@ -34,7 +34,7 @@ pub use crate::{
     markdown::markdown,
     text::text,
     typst::typst,
-    units::show_answer_in,
+    units::{show_answer_in, show_answers_in},
     worked::{WorkedProblem, document},
 };
 

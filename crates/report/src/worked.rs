@@ -1,15 +1,15 @@
 //! Worked solution as a document: its parts and their order.
 
 use dalembert_core::{
-    Answer, AnswerValue, Cell, Draft, Entry, Exhibit, Locale, Plot, Record, Solution, TableExhibit, Text,
-    ascii, printer,
+    Answer, AnswerValue, Cell, Draft, Entry, Exhibit, Locale, Plot, Record, ShownUnits, Solution,
+    TableExhibit, Text, ascii, printer,
 };
 use dalembert_units as units;
 
 use crate::{
     document::{Block, Document, DocumentTable, NamedValue},
     figure::figure,
-    inputs::{ReportedInput, inputs},
+    inputs::{self, ReportedInput, inputs},
 };
 
 /// The longest table of inputs that is printed in full.
@@ -42,6 +42,11 @@ impl WorkedProblem<'_> {
         let determined = self.outcome.ok().and_then(|solution| solution.determined.as_deref());
         determined.map_or(self.record, |determined| &determined.record)
     }
+
+    /// The system of units that the solution is shown in; `None` for units as typed.
+    pub fn shown_units(&self) -> Option<ShownUnits> {
+        self.outcome.ok().and_then(|solution| solution.units)
+    }
 }
 
 /// The worked solution as a user reads it: problem, inputs, answers, steps, figures and tables, checks, warnings, sources.
@@ -53,6 +58,9 @@ pub fn document(worked: &WorkedProblem<'_>, locale: &Locale) -> Document {
     let [case, source, note] = [worked.case, worked.source, worked.note].map(|text| text.render(locale));
     let case = [case, source].into_iter().filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" — ");
     blocks.extend([case, note].into_iter().filter(|text| !text.is_empty()).map(Block::Paragraph));
+    if let Some(units) = worked.shown_units() {
+        blocks.push(Block::Paragraph(units.line().render(locale)));
+    }
     blocks.push(Block::Heading(say("Given data")));
     blocks.extend(given(worked, locale));
     if !worked.notes.is_empty() {
@@ -145,11 +153,19 @@ fn given(worked: &WorkedProblem<'_>, locale: &Locale) -> Vec<Block> {
             }));
         }
     }
+    let system = worked.shown_units().map(|units| units.system);
+    let in_system = |input: &ReportedInput<'_>| {
+        let value = input.value.filter(|_| input.computed.is_none())?;
+        inputs::shown_in(value, system?, locale)
+    };
     let lines = inputs.iter().filter(|input| !input.is_common).map(|input| NamedValue {
         depth: input.depth,
         symbol: input.symbol.clone(),
         label: input.label.clone(),
-        value: input.shown.clone(),
+        value: match in_system(input) {
+            Some(other) => format!("{} = {other}", input.shown),
+            None => input.shown.clone(),
+        },
     });
     let [definitions, others] = common(&inputs, worked, locale);
     let lines = definitions.into_iter().chain(lines).chain(others);

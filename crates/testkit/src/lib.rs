@@ -35,6 +35,7 @@ pub mod path_independence;
 pub mod perturbation;
 pub mod printed;
 mod problems;
+pub mod unit_systems;
 pub mod unknowns;
 
 use dalembert_core::Entry;

@@ -119,6 +119,8 @@ pub enum Action {
     Redo,
     /// The answer in its next unit.
     NextDisplayUnit,
+    /// Everything in the next system of units.
+    NextUnits,
     /// The answer with another number of digits.
     NextDigits,
     /// Copies what the pane shows.

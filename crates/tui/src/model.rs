@@ -334,7 +334,8 @@ impl Model {
             cases.iter().map(|checked| &checked.case).find(|case| case.is_named(&read.title)).cloned();
         let title = if origin.is_some() { String::new() } else { read.title };
         let mut problem = Problem::new(read.entry, title, read.draft, cases);
-        (problem.document.origin, problem.document.show) = (origin, read.show);
+        (problem.document.origin, problem.document.units, problem.document.show) =
+            (origin, read.units, read.show);
         problem.inputs.notes = read.notes;
         problem
     }

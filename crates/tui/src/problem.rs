@@ -4,11 +4,14 @@ use std::path::PathBuf;
 
 use dalembert_core::{
     Axis, Draft, Entry, Exhibit, FieldError, Plot, Record, Solution, SolveError, TableExhibit, Text,
+    UnitSetting,
     cases::Case,
     file,
     study::StudyResult,
     vary::{self, VariedInput},
 };
+
+use dalembert_report::show_answers_in;
 
 use crate::{
     files::Fingerprint,
@@ -60,9 +63,11 @@ pub struct Document {
     pub title: String,
     /// The published case that its inputs began as.
     pub origin: Option<Case>,
+    /// Units of everything that is shown.
+    pub units: UnitSetting,
     /// Display of answers: `(answer, unit and digits)`.
     pub show: Vec<(String, String)>,
-    /// True if that is otherwise than in the file.
+    /// True if one of these is otherwise than in the file.
     pub show_changed: bool,
     /// The file.
     pub file: Option<OpenFile>,
@@ -129,6 +134,7 @@ impl Problem {
                 saved: (title.clone(), draft.clone()),
                 title,
                 origin: None,
+                units: UnitSetting::default(),
                 show: Vec::new(),
                 show_changed: false,
                 file: None,
@@ -182,6 +188,7 @@ impl Problem {
             entry: self.entry,
             title,
             draft: draft.clone(),
+            units: self.document.units,
             show: self.document.show.clone(),
             notes: self.inputs.notes.clone(),
             files: Vec::new(),
@@ -191,6 +198,15 @@ impl Problem {
     /// The values of the inputs; `None` while they cannot be read.
     pub fn record(&self) -> Option<Record> {
         self.inputs.form.draft.read(&self.entry.shape()).ok()
+    }
+
+    /// A solution of the problem in the units that the problem is shown in: its system, then those chosen for answers.
+    pub fn in_its_units(&self, solution: Solution) -> Solution {
+        let (draft, shape) = (&self.inputs.form.draft, self.entry.shape());
+        let mut solution = solution.in_units_of(self.document.units, draft, &shape);
+        // What a file asks for and cannot be is shown as it would be without.
+        let _ = show_answers_in(&mut solution, &self.document.show);
+        solution
     }
 
     /// The tolerances that were typed and can be read, in SI.

@@ -20,7 +20,6 @@ mod settings;
 use std::path::PathBuf;
 
 use dalembert_core::{Draft, Entry, Language, Text, file};
-use dalembert_report::show_answer_in;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use tui_input::{Input, InputRequest};
 
@@ -349,11 +348,8 @@ fn solved(model: &mut Model, outcome: JobOutcome) -> Vec<Intent> {
     let before = problem.found.solution.as_ref().map(|solution| solution.warnings.clone());
     problem.found.state = Freshness::Current;
     match outcome.result {
-        Ok(mut solution) => {
-            for (answer, display) in &problem.document.show {
-                // What a file asks for and cannot be is shown as it would be without.
-                let _ = solution.as_mut().map(|solution| show_answer_in(solution, answer, display));
-            }
+        Ok(solution) => {
+            let solution = solution.map(|solution| problem.in_its_units(solution));
             problem.found.solution = solution.or(problem.found.solution.take());
             problem.found.of = Some(problem.inputs.form.draft.clone());
             (problem.found.failure, problem.found.hidden) = (None, false);

@@ -25,6 +25,7 @@ mod dim;
 mod kind;
 mod read;
 mod scale;
+mod system;
 mod table;
 mod write;
 
@@ -39,6 +40,7 @@ pub use crate::{
         Hint, ReadError, WrongKind, is_invisible, meant_unit, read_any, read_count, read_quantity,
         read_vector, thousands, unit, with_point,
     },
+    system::UnitSystem,
     table::{Spelling, spellings, unit_of_two_words},
     write::{
         Decimal, Style, best_unit, subscript, superscript, write_components, write_number, write_quantity,

@@ -155,7 +155,7 @@ const VISCOSITY: Dim = Dim::new(-1, 1, -1, 0);
 const DIFFUSIVITY: Dim = Dim::new(2, 0, -1, 0);
 
 /// The pound-force, exactly 0.453 592 37 kg × 9.806 65 m/s².
-const LBF: f64 = 4.4482216152605;
+pub(crate) const LBF: f64 = 4.4482216152605;
 
 /// Exact factors are by definition (SI brochure; international yard and pound agreement of 1959; standard gravity of
 /// the 3rd CGPM, 1901); derived ones are written as their definition.

@@ -6,6 +6,8 @@ use std::{
     sync::{Arc, LazyLock},
 };
 
+use dalembert_units::UnitSystem;
+
 use crate::DrawnShape;
 
 /// Value that is computed when it is first read; copies share it.
@@ -22,6 +24,26 @@ impl<T: Send + Sync + 'static> Deferred<T> {
     pub fn new(compute: impl FnOnce() -> T + Send + Sync + 'static) -> Self {
         Self(Arc::new(LazyLock::new(Box::new(compute))))
     }
+}
+
+impl Deferred<Vec<DrawnShape>> {
+    /// The same shapes with every number of their words in the unit of a system.
+    pub(super) fn shown_in(&self, system: UnitSystem) -> Self {
+        let shapes = self.clone();
+        Self::new(move || shown_in(&shapes, system))
+    }
+}
+
+fn shown_in(shapes: &[DrawnShape], system: UnitSystem) -> Vec<DrawnShape> {
+    let one = |shape: &DrawnShape| match shape {
+        DrawnShape::Label(at, side, words) => {
+            let mut words = words.clone();
+            words.show_in(system);
+            DrawnShape::Label(*at, *side, words)
+        }
+        other => other.clone(),
+    };
+    shapes.iter().map(one).collect()
 }
 
 impl<T: Send + Sync + 'static> From<T> for Deferred<T> {
@@ -63,6 +85,12 @@ impl Frames {
     /// So many frames, with what draws them all.
     pub fn new(count: usize, draw: impl FnOnce() -> Vec<Vec<DrawnShape>> + Send + Sync + 'static) -> Self {
         Self { count, shapes: Deferred::new(draw) }
+    }
+
+    /// The same frames with every number of their words in the unit of a system.
+    pub(super) fn shown_in(&self, system: UnitSystem) -> Self {
+        let shapes = self.shapes.clone();
+        Self::new(self.count, move || shapes.iter().map(|frame| shown_in(frame, system)).collect())
     }
 
     /// Number of frames; none is drawn for it.

@@ -5,7 +5,7 @@ use dalembert_units as units;
 use toml_edit::{Item, Table};
 
 use super::{FileError, FileNotes, span};
-use crate::{Draft, Field, Shape, Text, draft, gravity, table};
+use crate::{Draft, Field, Shape, Text, UnitSetting, draft, gravity, table, unit_system};
 
 /// A format of problem files. A file that names none is of the first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -116,6 +116,21 @@ pub(super) fn table_text(
         }
         None => text,
     }
+}
+
+/// The units of a file that names none: those that its inputs show. A file of the first format keeps the units of the
+/// analysis, with a note where that is a difference.
+pub(super) fn left_out_units(
+    format: Format,
+    draft: &Draft,
+    shape: &Shape,
+    notes: &mut Vec<Text>,
+) -> UnitSetting {
+    if format >= Format::Second || unit_system::found(draft, shape, true).is_none() {
+        return UnitSetting::Auto;
+    }
+    notes.push(left_out_note("units", &UnitSetting::AsTyped.to_string()));
+    UnitSetting::AsTyped
 }
 
 fn left_out_note(path: &str, value: &str) -> Text {

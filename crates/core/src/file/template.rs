@@ -47,7 +47,7 @@ pub fn template(entry: &Entry, case: Option<&Case>, locale: &Locale) -> String {
     if case.is_none() {
         writer.blank_line();
         let also = Text::new(
-            "[let] has quantities of your own for formulas, [ask] questions of your own, [given] known answers from which inputs written as ? are found, [configuration.NAME] the same problem with some inputs changed, [show] units of answers.",
+            "[let] has quantities of your own for formulas, [ask] questions of your own, [given] known answers from which inputs written as ? are found, [configuration.NAME] the same problem with some inputs changed, [show] units of answers; units = \"in-lbf-s\" above [inputs] shows everything in one system.",
         );
         writer.comment(&also.render(locale), false);
         return writer.text;

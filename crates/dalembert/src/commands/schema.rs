@@ -5,8 +5,8 @@
 use std::process::ExitCode;
 
 use dalembert_core::{
-    ChildList, Entry, Field, FieldLimit, LinkedProblem, Locale, Measure, Shape, Text, Variant, linked,
-    registry,
+    ChildList, Entry, Field, FieldLimit, LinkedProblem, Locale, Measure, Shape, Text, UnitSetting, Variant,
+    linked, registry,
 };
 use serde_json::{Map, Value as Json, json};
 
@@ -86,7 +86,11 @@ fn object(required: &[&str], properties: Map<String, Json>) -> Json {
 /// What a file has beside its problem.
 fn of_file(problem: Json) -> Map<String, Json> {
     let format = json!({ "type": "integer", "minimum": 1, "maximum": 2 });
-    [("format".to_owned(), format), ("problem".to_owned(), problem)].into_iter().collect()
+    let units = json!({ "enum": UnitSetting::ALL.map(|setting| setting.to_string()) });
+    [("format", format), ("units", units), ("problem", problem)]
+        .into_iter()
+        .map(|(key, value)| (key.to_owned(), value))
+        .collect()
 }
 
 /// What a problem of an analysis has.

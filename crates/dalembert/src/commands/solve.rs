@@ -2,9 +2,9 @@
 
 use std::{ffi::OsStr, path::Path, process::ExitCode};
 
-use dalembert_core::{Locale, Solution, Text};
+use dalembert_core::{Locale, Solution, Text, UnitSetting};
 use dalembert_report::{
-    DocumentFormat, WorkedProblem, csv, csv_tables, document, json, json_text, show_answer_in, text,
+    DocumentFormat, WorkedProblem, csv, csv_tables, document, json, json_text, show_answers_in, text,
 };
 use dalembert_tui::glyphs::filter_untrusted;
 use dalembert_units as units;
@@ -33,16 +33,20 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         strict: solve.strict,
     };
     let mut problem = problem::read(&asked, console)?;
+    if let Some(asked) = &solve.units {
+        problem.units = UnitSetting::read(asked).map_err(Failure::input)?;
+    }
+    let mut asked_for = Vec::new();
     for asked in &solve.unit {
         let (answer, unit) = asked.split_once('=').ok_or_else(|| {
             let why = Text::new("--unit {asked}: write an answer and a unit, as in --unit amplitude=um");
             Failure::input(why.with("asked", asked))
         })?;
-        problem.show.push((answer.trim().to_owned(), unit.trim().to_owned()));
+        asked_for.push((answer.trim().to_owned(), unit.trim().to_owned()));
     }
     let mut locale = console.locale.at(problem.entry.about.id);
     locale.style.digits = solve.digits.unwrap_or(locale.style.digits);
-    let outcome = outcome(&problem)?;
+    let outcome = outcome(&problem, &asked_for)?;
     let worked = worked(&problem, &outcome);
     let paper = match format(solve) {
         Format::Text => DocumentFormat::Text,
@@ -108,21 +112,24 @@ fn put(solve: &Solve, text: &str) -> Result<(), Failure> {
 
 /// Prints the worked solution of a problem on the screen.
 pub(crate) fn print_worked(problem: &LoadedProblem, console: &Console) -> Result<ExitCode, Failure> {
-    let outcome = outcome(problem)?;
+    let outcome = outcome(problem, &[])?;
     let worked = worked(problem, &outcome);
     console.print(document(&worked, &console.locale))?;
     status(&worked, console)
 }
 
-/// Solves a problem, with answers in the requested units.
-fn outcome(problem: &LoadedProblem) -> Result<solving::SolveOutcome, Failure> {
-    let mut outcome = solving::solve(problem.entry, &problem.record)?;
-    if let Ok(solution) = &mut outcome {
-        for (answer, unit) in &problem.show {
-            show_answer_in(solution, answer, unit).map_err(Failure::input)?;
-        }
+/// Solves a problem, with answers in the requested units: those of the problem, then those of the command line.
+fn outcome(
+    problem: &LoadedProblem,
+    asked_for: &[(String, String)],
+) -> Result<solving::SolveOutcome, Failure> {
+    let outcome = solving::solve(problem.entry, &problem.record)?;
+    let Ok(solution) = outcome else { return Ok(outcome) };
+    let mut solution = solution.in_units_of(problem.units, &problem.draft, &problem.entry.shape());
+    for show in [&problem.show, asked_for] {
+        show_answers_in(&mut solution, show).map_err(Failure::input)?;
     }
-    Ok(outcome)
+    Ok(Ok(solution))
 }
 
 fn worked<'p>(problem: &'p LoadedProblem, outcome: &'p solving::SolveOutcome) -> WorkedProblem<'p> {

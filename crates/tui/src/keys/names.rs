@@ -64,6 +64,7 @@ impl Action {
             Action::Undo => "undo",
             Action::Redo => "redo",
             Action::NextDisplayUnit => "unit-of-answer",
+            Action::NextUnits => "system-of-units",
             Action::NextDigits => "digits-of-answer",
             Action::Copy => "copy",
             Action::Save => "save",

@@ -177,6 +177,7 @@ pub const PROBLEM: &[Binding] = &[
         "hide the results to solve by hand, or show them",
         "solve by hand",
     ),
+    bind(Action::NextUnits, &[typed('V')], "change the units of all answers", ""),
     bind(Action::Play, &[typed('p')], "play or pause the animation", "animation"),
     bind(Action::Expand, &[typed('e')], "maximise the pane, or restore all", "maximise"),
     bind(Action::Pin, &[typed('c')], "pin or unpin this result for comparison", "compare"),

@@ -215,6 +215,10 @@ fn page(
         let note = Text::new("with the difference from the pinned result").render(locale);
         lines.extend(wrap::words(&note, width).into_iter().map(|line| Line::styled(line, look.dim())));
     }
+    if let Some(units) = solution.units {
+        let line = units.line().render(locale);
+        lines.extend(wrap::words(&line, width).into_iter().map(|line| Line::styled(line, look.dim())));
+    }
     let before = lines.len();
     let answers = answers(solution, reading, pinned, look, locale, width);
     let starts = answers.starts.into_iter().map(|start| start + before).collect();

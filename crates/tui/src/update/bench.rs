@@ -1,6 +1,6 @@
 //! Keys of a problem, wherever on its screen.
 
-use dalembert_core::Text;
+use dalembert_core::{Text, UnitSetting};
 
 use super::with_shown;
 use crate::{
@@ -33,6 +33,7 @@ pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Optio
         Action::Copy => copy(model),
         Action::Pin => pin(model),
         Action::TryByHand => try_by_hand(model),
+        Action::NextUnits => next_units(model),
         Action::Undo => changed(bench.problem.inputs.form.undo(), "nothing to undo"),
         Action::Redo => changed(bench.problem.inputs.form.redo(), "nothing to redo"),
         Action::Expand => {
@@ -118,6 +119,21 @@ fn pin(model: &mut Model) -> Vec<Intent> {
     problem.found.pinned.clone_from(&problem.found.solution);
     let said = Text::new("result pinned: later answers show the difference from it; {key} unpins it");
     Intent::say(said.with("key", model.key(KeyContext::Form, Action::Pin)))
+}
+
+/// Shows everything in the next system of units.
+fn next_units(model: &mut Model) -> Vec<Intent> {
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let problem = &mut bench.problem;
+    problem.document.units = problem.document.units.next();
+    problem.document.show_changed = true;
+    problem.found.pinned = problem.found.pinned.take().map(|pinned| problem.in_its_units(pinned));
+    let said = match problem.document.units {
+        UnitSetting::Auto => "units: the system that the inputs show".into(),
+        UnitSetting::AsTyped => "units: inputs as typed, answers in those of the analysis".into(),
+        UnitSetting::System(system) => Text::new("units: {system}").with("system", system.name(false)),
+    };
+    vec![Intent::Changed, Intent::Say(said)]
 }
 
 /// Covers what was found, or covers it no more.

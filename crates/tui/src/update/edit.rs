@@ -172,7 +172,8 @@ fn reload(
 fn take_copy(model: &mut Model, read: ProblemFile, text: String) -> Vec<Intent> {
     let Some(bench) = &model.bench else { return Vec::new() };
     let before = bench.problem.as_file();
-    if (&before.title, &before.draft, &before.show) == (&read.title, &read.draft, &read.show)
+    if (&before.title, &before.draft, before.units, &before.show)
+        == (&read.title, &read.draft, read.units, &read.show)
         && before.entry.about.id == read.entry.about.id
     {
         model.say("no changes");
@@ -199,8 +200,8 @@ fn take(model: &mut Model, read: ProblemFile) {
     let read = model.problem_of(read);
     if let Some(bench) = &mut model.bench {
         let document = &mut bench.problem.document;
-        (document.title, document.origin, document.show) =
-            (read.document.title, read.document.origin, read.document.show);
+        (document.title, document.origin) = (read.document.title, read.document.origin);
+        (document.units, document.show) = (read.document.units, read.document.show);
         bench.problem.inputs.form.replace(read.inputs.form.draft);
     }
 }

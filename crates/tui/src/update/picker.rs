@@ -1,6 +1,6 @@
 //! Keys of the list of analyses: the chosen row, and what is shown beside it.
 
-use dalembert_core::Text;
+use dalembert_core::{Text, UnitSetting};
 
 use crate::{
     bench::Bench,
@@ -252,7 +252,15 @@ fn chosen_leaf(model: &Model) -> Option<Leaf> {
 pub(super) fn solved(model: &mut Model, outcome: JobOutcome) -> Vec<Intent> {
     match &mut model.picker.preview {
         Some(preview) if preview.generation == outcome.generation => {
-            preview.solution = outcome.result.ok().flatten();
+            let solution = outcome.result.ok().flatten();
+            let listing = model.listings.iter().find(|listing| listing.entry.about.id == preview.id);
+            let case = listing.and_then(|listing| Some((listing.entry, listing.cases().get(preview.case)?)));
+            preview.solution = match (solution, case) {
+                (Some(solution), Some((entry, case))) => {
+                    Some(solution.in_units_of(UnitSetting::Auto, &case.draft, &entry.shape()))
+                }
+                (solution, _) => solution,
+            };
             check_cases(model)
         }
         _ => Vec::new(),
