@@ -23,7 +23,7 @@ use std::{collections::BTreeSet, sync::Arc};
 
 use dalembert_units::{Dim, Quantity, Unit};
 
-pub use self::fields::own_fields;
+pub use self::fields::{COMMON_LISTS, own_fields};
 pub(crate) use self::{
     fields::{are_of_problem, shape_of, with_common, without_linked},
     plain_reading::prepare,
@@ -113,7 +113,7 @@ pub(crate) fn plan(record: &mut Record, pending: Vec<Pending>, errors: &mut Vec<
     let names = Names::of(record);
     let is_empty = |scope: &Scope| {
         let own = scope::record_of(record, scope);
-        ["let", "ask", "given", "configuration"].iter().all(|list| scope::rows(own, list).is_empty())
+        COMMON_LISTS.iter().all(|list| scope::rows(own, list).is_empty())
     };
     if pending.is_empty() && names.scopes.len() == 1 && names.scopes.iter().all(is_empty) {
         return;

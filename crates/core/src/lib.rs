@@ -60,7 +60,7 @@ pub use crate::input::derive_support;
 pub use crate::{
     analysis::{About, Analysis, Entry, Evaluate, Refusal, SolveError, Stop, find_analysis, registry},
     ascii::ascii,
-    definitions::own_fields,
+    definitions::{COMMON_LISTS, own_fields},
     draft::Draft,
     exams::{catalogue, find},
     exhibit::{

@@ -25,3 +25,6 @@ curve-at-the-cursor = { $curve } no cursor
 value-default = { $value } (padrão)
 how-the-data-were-read = Como os dados foram lidos
 before = antes
+all-problems = Todos os problemas
+configuration-name = Configuração { $name }
+given-answer = Dado: { $answer }

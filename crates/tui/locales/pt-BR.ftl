@@ -476,3 +476,4 @@ no-result-yet-wrong-errors = Ainda sem resultado: { $wrong } erros
 no-result-yet-needed-missing-wrong-wrong = Ainda sem resultado: faltam { $needed }, { $wrong } com erro
 results-for-the-previous-complete-inputs = resultados dos dados anteriores, completos
 note-and-more-more-of-this-kind = { $note }; e mais { $more } desse tipo
+this-file-is-not-read-yet-save-and-open-again = este arquivo ainda não foi lido: salve e abra de novo

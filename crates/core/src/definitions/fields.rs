@@ -36,6 +36,9 @@ static FIELDS: [Field; 4] = [
     },
 ];
 
+/// The names of the lists that every problem has behind its own inputs.
+pub const COMMON_LISTS: [&str; 4] = ["let", "ask", "given", "configuration"];
+
 static DEFINITION: [Field; 2] = [
     Field { label: "Name", help: "As formulas write it: nu, E_1, bolt.", ..text("name") },
     Field {

@@ -3,7 +3,7 @@
 use dalembert_units::{self as units, Unit};
 
 use super::{
-    Definition, Plan, PlannedInput, Question, field_error,
+    COMMON_LISTS, Definition, Plan, PlannedInput, Question, field_error,
     names::{self, Names},
     scope,
     unknowns::{self, Unknown, is_unknown},
@@ -30,7 +30,7 @@ impl Reader {
     pub(super) fn read(&mut self, scope: usize, record: &mut Record, plan: &mut Plan) {
         let own = scope::record_of(record, &self.names.scopes[scope]);
         let [definitions, questions, givens, changes] =
-            ["let", "ask", "given", "configuration"].map(|list| scope::rows(own, list).to_vec());
+            COMMON_LISTS.map(|list| scope::rows(own, list).to_vec());
         for (n, row) in definitions.iter().enumerate() {
             plan.definitions.extend(self.definition([scope, n], row, &mut plan.unknowns));
         }

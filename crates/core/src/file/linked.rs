@@ -136,7 +136,7 @@ pub(super) fn files<'d>(
                 found.push((LinkedProblem::new(&name, problem.entry, Some(&file)), problem.draft));
             }
             Err(why) => {
-                let why = Text::new("@{file}: {why}").with("file", &file).with_text("why", why);
+                let why = Text::new("{file}: {why}").with("file", format!("@{file}")).with_text("why", why);
                 reading.errors.push(fail(why));
             }
         }

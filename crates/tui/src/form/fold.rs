@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use dalembert_core::{Draft, is_within};
+use dalembert_core::{COMMON_LISTS, Draft, is_within};
 
 use super::{
     Form, FormLine, Role,
@@ -13,9 +13,10 @@ impl Form {
     /// Every line, those of folded rows among them.
     pub(super) fn all_lines(&self) -> Vec<FormLine> {
         let mut lines = lines(&self.shape, &self.draft);
-        // Definitions, questions and given answers stand in the form once there are some.
+        // Definitions, questions and the like stand in the form once there are some.
         let is_empty = |line: &FormLine| matches!(line.role, Role::Rows { count: 0 });
-        lines.retain(|line| !is_empty(line) || !matches!(line.path.as_str(), "let" | "ask" | "given"));
+        let is_common = |line: &FormLine| COMMON_LISTS.contains(&line.field.name);
+        lines.retain(|line| !is_empty(line) || !is_common(line));
         lines
     }
 
