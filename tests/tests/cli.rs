@@ -799,6 +799,37 @@ fn a_problem_is_begun_filled_in_and_solved() {
 }
 
 #[test]
+fn a_usual_question_is_listed_and_asked_by_its_name() {
+    let id = "vibration/rotating-unbalance";
+    let shown = printed(&["show", id]);
+    let listed = part(&shown, "Usual questions");
+    assert!(listed.contains("--ask peak_to_peak"), "{listed}");
+    let questions = json(&["show", id, "--json"])["questions"].clone();
+    let questions = questions.as_array().expect("it lists them");
+    assert!(questions.len() > 20, "{questions:?}");
+    assert_eq!(questions[0]["key"], "peak_to_peak");
+    assert_eq!(questions[0]["formula"], "2*amplitude");
+    // By its key, by its words, and by its words in Portuguese, beside a question with a formula.
+    for name in ["rms_velocity", "Root mean square of the velocity"] {
+        let solved = json(&["solve", id, "--ask", name, "--ask", "half=X/2", "--format", "json"]);
+        let answers = solved["answers"].as_object().expect("it has answers");
+        let asked: Vec<&String> =
+            answers.iter().filter(|(_, answer)| answer["asked"] == true).map(|(name, _)| name).collect();
+        assert_eq!(asked, ["half", "rms_velocity"], "{solved}");
+    }
+    let portuguese = printed(&["solve", id, "--lang", "pt-BR", "--ask", "Valor eficaz da velocidade"]);
+    assert!(portuguese.contains("1440,7 mm/s"), "{portuguese}");
+    let error = refused(&["solve", id, "--ask", "rms_velocty"], 2);
+    assert!(error.contains("did you mean `rms_velocity`?"), "{error}");
+    let error = refused(&["solve", id, "--ask", "colour"], 2);
+    assert!(error.contains("as in --ask 'peak to peak=2*X', or one of peak_to_peak"), "{error}");
+    // The inputs that are set count.
+    let doubled =
+        printed(&["solve", id, "--case", "1", "--set", "speed=500 rpm", "--ask", "unbalance_force"]);
+    assert!(doubled.contains("274.16 N"), "{doubled}");
+}
+
+#[test]
 fn a_problem_is_read_from_the_standard_input() {
     let solved = run_with(&["solve", "-"], PROBLEM.as_bytes());
     let (_folder, path) = file(PROBLEM.as_bytes());

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use dalembert as _;
-use dalembert_core::registry;
+use dalembert_core::{registry, suggestions};
 use dalembert_plugins as _;
 use dalembert_report as _;
 use dalembert_testkit::languages::{self, SourceFile};
@@ -20,6 +20,11 @@ fn every_kind_of_quantity_has_its_portuguese() {
         "units",
         dalembert_units::Kind::all().map(dalembert_units::Kind::name),
     );
+}
+
+#[test]
+fn every_usual_question_has_its_portuguese() {
+    languages::sentences_have_their_portuguese("core", suggestions::labels());
 }
 
 #[test]

@@ -1,4 +1,7 @@
-//! New problem files, as `dalembert new` writes them: empty, or with the inputs of a published case.
+//! New problems: files as `dalembert new` writes them, empty or with the inputs of a published case, and blank forms of
+//! the workbench.
+
+use std::f64::consts::PI;
 
 use dalembert_core::{
     Draft, FieldError, Locale, Stop, cases,
@@ -7,6 +10,7 @@ use dalembert_core::{
 };
 use dalembert_plugins as _;
 use dalembert_testkit::on_all_cores;
+use dalembert_tests::person::Person;
 use itertools::zip_eq;
 
 const LANGUAGES: [fn() -> Locale; 2] = [Locale::english, Locale::portuguese];
@@ -78,4 +82,104 @@ fn every_input_is_explained() {
             );
         }
     }
+}
+
+const FAN: &str = "vibration/rotating-unbalance";
+
+/// Types a value into the field under the cursor and goes to the next one.
+fn fills(person: &mut Person, values: &[&str]) {
+    for value in values {
+        person.types(value).types("<down>");
+    }
+}
+
+#[test]
+fn a_blank_problem_is_typed_to_its_answer() {
+    let mut person = Person::at(80, 24).knows(&[FAN]);
+    person.types("/unbalance<c-n>");
+    let screen = person.sees();
+    assert!(screen.contains("5 values missing"), "{screen}");
+    for missing in ["Mass of the machine", "Unbalance", "Support", "Damping", "Speed of the machine"] {
+        let listed = screen.lines().any(|line| line.contains(&format!("· {missing}")));
+        assert!(listed, "{missing} is listed as missing:\n{screen}");
+    }
+    // Its units stand in the empty fields, and nothing of the published case does.
+    assert!(screen.contains("needed · kg"), "{screen}");
+    assert!(!screen.contains("40 kg") && !screen.contains("19.456"), "{screen}");
+    fills(&mut person, &["40 kg", "0.1 kg*m"]);
+    assert!(person.sees().contains("3 values missing"), "{}", person.sees());
+    // The stiffness itself and the damping ratio are chosen, and asked for at once.
+    person.types("<enter><enter><down>");
+    fills(&mut person, &["451.4 kN/m"]);
+    person.types("<enter><enter><down>");
+    assert!(person.sees().contains("2 values missing"), "{}", person.sees());
+    fills(&mut person, &["0.05"]);
+    assert!(person.sees().contains("one value missing"), "{}", person.sees());
+    person.types("1000 rpm");
+    // It is solved as soon as it is complete.
+    let (mass, unbalance, stiffness, damping, speed) = (40.0, 0.1, 451.4e3, 0.05, 1000.0 * PI / 30.0);
+    let impedance =
+        (stiffness - mass * speed * speed).hypot(2.0 * damping * (stiffness * mass).sqrt() * speed);
+    let amplitude = unbalance * speed * speed / impedance;
+    let bench = person.model.bench.as_ref().expect("a problem is open");
+    let solution = bench.problem.found.solution.as_ref().expect("it is solved");
+    let found =
+        solution.answer("amplitude").and_then(dalembert_core::Answer::si).expect("it has an amplitude");
+    assert!((found - amplitude).abs() < 1e-12 * amplitude, "{found} {amplitude}");
+    let shown = dalembert_units::write_number(1e3 * amplitude, dalembert_units::Style::default());
+    assert!(person.sees().contains(&format!("{shown} mm")), "{shown}\n{}", person.sees());
+}
+
+#[test]
+fn a_blank_problem_is_begun_in_portuguese() {
+    let mut person = Person::in_portuguese(80, 24).opens(FAN);
+    person.types("<c-n>");
+    let screen = person.sees();
+    for said in ["faltam 5 valores", "· Massa da máquina", "· Amortecimento", "falta · kg", "falta rad/s"]
+    {
+        assert!(screen.contains(said), "{said}:\n{screen}");
+    }
+    person.types("?");
+    let is_in_the_help = (0..10).any(|_| person.types("<pgdn>").sees().contains("Ctrl-N"));
+    assert!(is_in_the_help, "{}", person.sees());
+}
+
+#[test]
+fn a_blank_problem_leaves_the_one_that_is_worked_on_alone() {
+    let mut person = Person::at(120, 40).opens(FAN);
+    // Nothing was done to it: the blank one takes its place.
+    person.types("<c-n>");
+    assert_eq!(person.model.problems().len(), 1);
+    assert!(person.sees().contains("values missing"), "{}", person.sees());
+    person.types("<del>50 kg<enter>");
+    // What was typed stays, beside another blank one; nothing of it is seen there.
+    person.types("<c-n>");
+    assert_eq!(person.model.problems().len(), 2);
+    assert!(!person.sees().contains("50 kg"), "{}", person.sees());
+    person.types("b");
+    assert!(person.sees().contains("50 kg"), "{}", person.sees());
+}
+
+#[test]
+fn every_analysis_has_a_blank_form_that_says_what_is_missing() {
+    let mut seen = 0;
+    for entry in registry() {
+        let (id, shape) = (entry.about.id, entry.shape());
+        let mut person = Person::at(80, 24).opens(id);
+        person.types("<c-n>");
+        let bench = person.model.bench.as_ref().expect("a problem is open");
+        let problem = &bench.problem;
+        assert_eq!(problem.inputs.form.draft, Draft::blank(&shape), "{id}");
+        assert!(problem.found.solution.is_none() && problem.document.origin.is_none(), "{id}");
+        let first = problem.needed().next().map(|error| error.path.clone());
+        assert_eq!(problem.wrong().next(), None, "{id}");
+        let line = problem.inputs.form.line().expect("the cursor is on a line");
+        // The cursor is on the first empty input. A mechanism begins with empty lists, and reports it when it is solved.
+        match first {
+            Some(first) => assert_eq!(line.path, first, "{id}"),
+            None => assert!(problem.found.failure.is_some(), "{id}"),
+        }
+        seen += 1;
+    }
+    assert!(seen >= 120, "{seen}");
 }

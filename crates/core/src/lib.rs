@@ -40,6 +40,7 @@ pub mod sketch;
 mod solution;
 mod source;
 pub mod study;
+pub mod suggestions;
 pub mod table;
 pub mod text;
 pub mod trace;

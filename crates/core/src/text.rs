@@ -98,7 +98,8 @@ impl Text {
 
     /// Words that are the same in every language: what a user typed.
     pub fn verbatim(words: impl std::fmt::Display) -> Self {
-        Self::new("{words}").with("words", words)
+        // No sentence has this key: `{words}` is that of the word "words".
+        Self::new("{verbatim}").with("verbatim", words)
     }
 
     /// Returns true if the text is empty.
@@ -406,6 +407,13 @@ fn messages_of(file: &'static str) -> impl Iterator<Item = (&'static str, &'stat
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn words_of_the_user_are_no_sentence() {
+        for locale in [Locale::english(), Locale::portuguese()] {
+            assert_eq!(Text::verbatim("Fan on the roof").render(&locale), "Fan on the roof");
+        }
+    }
 
     #[test]
     fn keys_are_made_of_words() {

@@ -130,7 +130,7 @@ no-reason-given = nenhum motivo dado
 an-answer-is-covered-if-a-check-of-one-of-its-cases-fails-when-the-answer-is-changed-by-one-part-in-a = Uma resposta está coberta se uma verificação de um de seus casos falha quando ela muda uma parte em um milhão.
 list-the-answers-that-no-check-covers-each-with-the-reason = Listar as respostas que nenhuma verificação cobre, cada uma com o motivo
 define-a-quantity-for-formulas-in-inputs-and-questions-nu-0-3-g-e-2-1-nu = Definir uma grandeza para fórmulas em dados e perguntas: nu=0.3, 'G=E/(2*(1+nu))'
-ask-a-question-over-inputs-answers-and-steps-peak-to-peak-2-x = Fazer uma pergunta com dados, resultados e passos: 'pico a pico=2*X'
+ask-a-question-over-inputs-answers-and-steps-peak-to-peak-2-x-or-one-of-the-usual-ones-which-show = Fazer uma pergunta com dados, resultados e passos: 'pico a pico=2*X'; ou uma das usuais, que `show` lista: rms_velocity
 give-an-answer-whose-value-is-known-for-an-input-that-is-to-be-found-set-mass-given-natural-frequency = Dar um resultado de valor conhecido, para um dado que se quer obter: --set 'mass=?' --given 'natural_frequency=8.2 Hz'
 write-a-name-and-a-formula-as-in-ask-peak-to-peak-2-x = escreva um nome e uma fórmula, como em --ask 'peak to peak=2*X'
 write-an-answer-and-its-value-as-in-given-natural-frequency-8-2-hz = escreva um resultado e seu valor, como em --given 'natural_frequency=8.2 Hz'
@@ -145,3 +145,9 @@ the-id-of-an-analysis-or-a-problem-file-reads-the-standard-input = O id de uma a
 the-workbench-reads-its-keys-from-standard-input-name-a-file-or-use-dalembert-solve = a bancada lê as teclas da entrada padrão: informe um arquivo, ou use `dalembert solve -`
 dalembert-new-id-writes-a-file-in-which-these-inputs-are-to-be-filled-in = `dalembert new { $id }` escreve um arquivo em que estes dados são preenchidos.
 words-in-any-order-and-either-language-of-titles-topics-books-cases-inputs-and-answers = Palavras em qualquer ordem e em qualquer das línguas, de títulos, temas, livros, casos, dados e respostas
+
+## Usual questions
+usual-questions = Perguntas usuais
+ask-name-there-is-no-such-usual-question-here-did-you-mean-near = --ask { $name }: não há essa pergunta usual aqui; quis dizer `{ $near }`?
+ask-name-write-a-name-and-a-formula-as-in-ask-peak-to-peak-2-x = --ask { $name }: escreva um nome e uma fórmula, como em --ask 'pico a pico=2*X'
+ask-name-write-a-name-and-a-formula-as-in-ask-peak-to-peak-2-x-or-one-of-known = --ask { $name }: escreva um nome e uma fórmula, como em --ask 'pico a pico=2*X', ou uma destas: { $known }

@@ -113,8 +113,9 @@ pub(crate) struct Solve {
     /// Define a quantity for formulas in inputs and questions: nu=0.3, 'G=E/(2*(1+nu))'
     #[arg(long = "let", value_name = "NAME=FORMULA")]
     pub(crate) define: Vec<String>,
-    /// Ask a question over inputs, answers and steps: 'peak to peak=2*X'
-    #[arg(long, value_name = "NAME=FORMULA")]
+    /// Ask a question over inputs, answers and steps: 'peak to peak=2*X'; or one of the usual ones, which `show` lists:
+    /// rms_velocity
+    #[arg(long, value_name = "NAME[=FORMULA]")]
     pub(crate) ask: Vec<String>,
     /// Give an answer whose value is known, for an input that is to be found: --set 'mass=?' --given
     /// 'natural_frequency=8.2 Hz'

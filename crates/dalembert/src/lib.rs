@@ -9,6 +9,7 @@ mod console;
 mod failure;
 mod output;
 mod problem;
+mod questions;
 mod snippet;
 mod solving;
 

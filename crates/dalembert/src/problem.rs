@@ -9,7 +9,7 @@ use dalembert_core::{
 };
 use dalembert_tui::files::{self, FileError};
 
-use crate::{console::Console, failure::Failure, snippet};
+use crate::{console::Console, failure::Failure, questions, snippet};
 
 /// The name that stands for the standard input.
 const STDIN: &str = "-";
@@ -104,6 +104,9 @@ fn of_analysis(
     let base = case.as_ref().map_or_else(|| Draft::blank(&shape), |case| case.draft.clone());
     let mut draft = base.clone();
     let mut errors = change(&mut draft, &shape, asked, console);
+    if errors.is_empty() {
+        errors = questions::ask_usual(&mut draft, entry, asked.ask, console)?;
+    }
     let mut is_incomplete = false;
     let record = draft.read(&shape).map_err(|found| {
         is_incomplete = found.iter().any(|err| typed(&draft, &shape, &err.path).is_empty());
@@ -185,7 +188,10 @@ fn of_file(
     })?;
     let shape = problem.entry.shape();
     let mut draft = problem.draft;
-    let errors = change(&mut draft, &shape, asked, console);
+    let mut errors = change(&mut draft, &shape, asked, console);
+    if errors.is_empty() {
+        errors = questions::ask_usual(&mut draft, problem.entry, asked.ask, console)?;
+    }
     if !errors.is_empty() {
         return Err(Failure::Input(errors));
     }
@@ -249,7 +255,8 @@ fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: 
         ),
     ];
     for (flag, texts, add, form) in added {
-        for text in texts {
+        // A question without a formula is one of the usual ones, which are known once the problem is read.
+        for text in texts.iter().filter(|text| flag != "--ask" || text.contains('=')) {
             let added = match text.split_once('=') {
                 Some((name, formula)) => add(draft, shape, name, formula).map_err(|err| err.why),
                 None => Err(form.into()),

@@ -387,7 +387,7 @@ enter-the-known-value-here-and-in-the-input-that-is-to-be-found = digite aqui o 
 the-answers-are-in-results = as respostas estão em Resultados
 keys-select-the-answer-unit-unit-digits-digits-give-give-its-value-back-back = { $keys } selecionam a resposta; { $unit } unidade, { $digits } algarismos, { $give } dá seu valor; { $back } volta
 keys-select-the-answer-unit-unit-digits-digits-give-give-its-value = { $keys } selecionam a resposta; { $unit } unidade, { $digits } algarismos, { $give } dá seu valor
-unit-unit-of-an-answer-digits-digits = { $unit } unidade de uma resposta, { $digits } algarismos
+unit-unit-of-an-answer-digits-digits-ask-ask-a-question = { $unit } unidade de uma resposta, { $digits } algarismos, { $ask } fazer uma pergunta
 # Sessões
 word-must-come-before-the-first-action = `{ $word }` deve vir antes da primeira ação
 word-is-not-a-language-write-en-or-pt-br = `{ $word }` não é uma língua: escreva `en` ou `pt-BR`
@@ -477,3 +477,13 @@ no-result-yet-needed-missing-wrong-wrong = Ainda sem resultado: faltam { $needed
 results-for-the-previous-complete-inputs = resultados dos dados anteriores, completos
 note-and-more-more-of-this-kind = { $note }; e mais { $more } desse tipo
 this-file-is-not-read-yet-save-and-open-again = este arquivo ainda não foi lido: salve e abra de novo
+
+# Perguntas usuais, problema em branco
+ask-a-usual-question-or-one-of-your-own = fazer uma pergunta usual, ou uma sua
+a-question-of-your-own = Uma pergunta sua
+a-name-and-a-formula-over-inputs-answers-and-steps-2-x = um nome e uma fórmula sobre dados, respostas e passos: 2*X
+asked-question = perguntado: { $question }
+change-the-number-in-the-formula-to-yours = troque o número da fórmula pelo seu
+blank-problem-every-input-empty = problema em branco: todos os dados vazios
+blank = em branco
+select-an-analysis-to-begin-a-blank-problem = selecione uma análise para começar um problema em branco

@@ -4,7 +4,7 @@ mod names;
 
 use std::path::PathBuf;
 
-use dalembert_core::Text;
+use dalembert_core::{Text, suggestions::Suggestion};
 use tui_input::Input;
 
 pub use names::Names;
@@ -86,6 +86,10 @@ pub enum Chosen {
     Alternative(usize),
     /// A text.
     Text(String),
+    /// A usual question.
+    Question(Box<Suggestion>),
+    /// A question of the user's own.
+    OwnQuestion,
 }
 
 /// Purpose of a text.

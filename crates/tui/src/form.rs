@@ -6,6 +6,7 @@ mod fold;
 mod lines;
 mod nudge;
 mod paste;
+mod questions;
 mod units;
 
 use std::{

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use dalembert_core::{Entry, Text};
+use dalembert_core::{Entry, Text, suggestions::Suggestion};
 
 use crate::{
     dialog::{After, Dialog, Purpose},
@@ -41,6 +41,10 @@ pub enum Intent {
     Keep,
     /// The cursor goes to the input at a path, or to the innermost part of it that has a line.
     GoToInput(String),
+    /// The cursor goes to the first input that is still empty.
+    GoToMissing,
+    /// A usual question is asked.
+    AskUsual(Box<Suggestion>),
     /// The text of a table is taken, or the file that it names.
     TakeTable(String, String),
     /// A file is read into the table under the cursor.
@@ -67,6 +71,8 @@ pub enum Intent {
 
     /// A case of an analysis is opened.
     OpenCase(&'static Entry, usize),
+    /// A blank problem of an analysis is opened.
+    OpenBlank(&'static Entry),
     /// A problem is opened beside the others.
     Open(Box<Problem>),
     /// A problem takes the place of the one that is shown.

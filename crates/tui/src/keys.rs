@@ -101,6 +101,10 @@ pub enum Action {
     Define,
     /// A question more: a formula over answers.
     Ask,
+    /// The usual questions of the problem, to choose from.
+    UsualQuestions,
+    /// A blank problem of the analysis.
+    Blank,
     /// Makes the input unknown.
     Unknown,
     /// Gives the value of the answer, for an input that is unknown.

@@ -29,7 +29,7 @@ use crate::{
     form::{self as inputs, Sign},
     intent::Intent,
     keys::{Action, Key, KeyContext},
-    model::{Model, Msg, Notice, Screen},
+    model::{Model, Msg, Notice, Screen, gives_way},
     pane::{Pane, Tab, Ui},
     problem::{Freshness, Problem},
     solver::{Job, JobFailure, JobOutcome, Work},
@@ -96,6 +96,8 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
             Intent::Changed => changed(model),
             Intent::Keep => keep(model),
             Intent::GoToInput(path) => form::go_to(model, &path),
+            Intent::GoToMissing => form::go_to_missing(model),
+            Intent::AskUsual(question) => form::ask_usual(model, &question),
             Intent::TakeTable(path, text) => form::take_table(model, &path, text),
             Intent::Import(typed) => form::import(model, &typed),
             Intent::Rename(title) => bench::rename(model, &title),
@@ -108,6 +110,7 @@ fn carry_out(model: &mut Model, intents: Vec<Intent>) -> Vec<Effect> {
             Intent::Await(work) => cells::begin_job(model, work),
             Intent::Mark(marker) => pane::mark(model, marker),
             Intent::OpenCase(entry, case) => open_case(model, entry, case),
+            Intent::OpenBlank(entry) => open_blank(model, entry),
             Intent::Open(problem) => problems::open(model, *problem),
             Intent::Replace(problem) => problems::replace(model, *problem),
             Intent::Bring(number) => problems::bring(model, number),
@@ -295,6 +298,17 @@ fn open_case(model: &Model, entry: &'static Entry, case: usize) -> Vec<Intent> {
     let mut problem = Problem::new(entry, String::new(), draft, cases);
     (problem.case, problem.document.origin) = (case, origin);
     vec![Intent::Open(Box::new(problem))]
+}
+
+/// Opens a problem of an analysis with every input empty: in place of one of it that nothing was done to, or else
+/// beside what is open.
+fn open_blank(model: &Model, entry: &'static Entry) -> Vec<Intent> {
+    let shown = model.shown_bench().filter(|bench| bench.problem.entry.about.id == entry.about.id);
+    let in_place = shown.is_some_and(gives_way);
+    let problem = Problem::new(entry, String::new(), Draft::blank(&entry.shape()), model.cases_of(entry));
+    let problem = Box::new(problem);
+    let open = if in_place { Intent::Replace(problem) } else { Intent::Open(problem) };
+    vec![open, Intent::GoToMissing]
 }
 
 /// The inputs are others now: they are read, and solved or found wrong; nothing older counts any more.

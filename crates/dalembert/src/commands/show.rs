@@ -6,6 +6,7 @@ use dalembert_core::{
     ChildList, Entry, Field, FieldLimit, Locale, Measure, Shape, Stop, Text, Variant,
     cases::{self, Case, ComparisonRule, Seen},
     describe,
+    suggestions::{Suggestion, suggestions},
 };
 use dalembert_report::{Block, Document, NamedValue};
 use dalembert_units as units;
@@ -25,11 +26,11 @@ pub(crate) fn run(show: &Show, console: &Console) -> Result<ExitCode, Failure> {
     let cases = cases::cases(entry)
         .map_err(|why| Failure::Fault(format!("the cases of {}: {why}", entry.about.id)))?;
     let locale = console.locale.at(entry.about.id);
-    let answers = answers(entry, &cases, &locale)?;
+    let (answers, questions) = promises(entry, &cases, &locale)?;
     if show.json {
-        print_json(&described(entry, &cases, &answers, &locale))?;
+        print_json(&described(entry, &cases, &answers, &questions, &locale))?;
     } else {
-        console.print(document(entry, &cases, &answers, &locale))?;
+        console.print(document(entry, &cases, &answers, &questions, &locale))?;
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -41,12 +42,22 @@ struct Promise {
     unit: units::Unit,
 }
 
-/// Answers of all cases: an analysis has different answers for different alternatives.
-fn answers(entry: &'static Entry, cases: &[Case], locale: &Locale) -> Result<Vec<Promise>, Failure> {
+/// Answers and usual questions of all cases: an analysis has different ones for different alternatives.
+fn promises(
+    entry: &'static Entry,
+    cases: &[Case],
+    locale: &Locale,
+) -> Result<(Vec<Promise>, Vec<Suggestion>), Failure> {
     let mut promises: Vec<Promise> = Vec::new();
+    let mut questions: Vec<Suggestion> = Vec::new();
     for case in cases {
         let Ok(record) = case.record(entry) else { continue };
         let Ok(solution) = guarded(entry, || entry.solve(&record, &Stop::new()))? else { continue };
+        for question in suggestions(entry, &solution) {
+            if questions.iter().all(|known| known.key != question.key) {
+                questions.push(question);
+            }
+        }
         for answer in solution.answers {
             // One of several stands for all.
             let name = answer.name.base;
@@ -57,10 +68,16 @@ fn answers(entry: &'static Entry, cases: &[Case], locale: &Locale) -> Result<Vec
             }
         }
     }
-    Ok(promises)
+    Ok((promises, questions))
 }
 
-fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale) -> Document {
+fn document(
+    entry: &Entry,
+    cases: &[Case],
+    answers: &[Promise],
+    questions: &[Suggestion],
+    locale: &Locale,
+) -> Document {
     let about = entry.about;
     let say = |words: &'static str| Text::from(words).render(locale);
     let mut inputs = Vec::new();
@@ -81,24 +98,33 @@ fn document(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale)
         let seen = case.seen.map_or_else(String::new, |seen| format!(", {}", say(seen_in(seen))));
         format!("{}: {name} — {source} ({}{seen}){note}", n + 1, say(case.truth.name()))
     };
-    Document {
-        title: say(about.title),
-        blocks: vec![
-            Block::Paragraph(about.id.to_owned()),
-            Block::Paragraph(say(about.summary)),
-            Block::Heading(say("Inputs")),
-            Block::Lines(inputs),
-            Block::Paragraph(begin.render(locale)),
-            Block::Heading(say("Answers")),
-            Block::Lines(answers.iter().map(answer).collect()),
-            Block::Heading(say("Cases")),
-            Block::Items(cases.iter().enumerate().map(case).collect()),
-            Block::Heading(say("Sources")),
-            Block::Items(
-                about.sources.iter().map(|source| format!("{}: {}", source.short, source.full)).collect(),
-            ),
-        ],
+    let question = |question: &Suggestion| NamedValue {
+        label: format!("--ask {}", question.key),
+        value: format!("{}: {}", question.title(locale), question.formula),
+        ..NamedValue::default()
+    };
+    let mut blocks = vec![
+        Block::Paragraph(about.id.to_owned()),
+        Block::Paragraph(say(about.summary)),
+        Block::Heading(say("Inputs")),
+        Block::Lines(inputs),
+        Block::Paragraph(begin.render(locale)),
+        Block::Heading(say("Answers")),
+        Block::Lines(answers.iter().map(answer).collect()),
+    ];
+    if !questions.is_empty() {
+        blocks.push(Block::Heading(say("Usual questions")));
+        blocks.push(Block::Lines(questions.iter().map(question).collect()));
     }
+    blocks.extend([
+        Block::Heading(say("Cases")),
+        Block::Items(cases.iter().enumerate().map(case).collect()),
+        Block::Heading(say("Sources")),
+        Block::Items(
+            about.sources.iter().map(|source| format!("{}: {}", source.short, source.full)).collect(),
+        ),
+    ]);
+    Document { title: say(about.title), blocks }
 }
 
 /// Form in which a published answer was seen, in words.
@@ -187,7 +213,13 @@ impl Lister<'_> {
     }
 }
 
-fn described(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale) -> Json {
+fn described(
+    entry: &Entry,
+    cases: &[Case],
+    answers: &[Promise],
+    questions: &[Suggestion],
+    locale: &Locale,
+) -> Json {
     let about = entry.about;
     let say = |words: &'static str| Text::from(words).render(locale);
     let case = |case: &Case| {
@@ -213,6 +245,14 @@ fn described(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale
         })
     };
     let answer = |promise: &Promise| json!({ "name": promise.name, "label": promise.label, "unit": promise.unit.ascii() });
+    let question = |question: &Suggestion| {
+        json!({
+            "key": question.key,
+            "label": question.title(locale),
+            "formula": question.formula,
+            "unit": question.unit,
+        })
+    };
     json!({
         "id": about.id,
         "family": entry.family(),
@@ -220,6 +260,7 @@ fn described(entry: &Entry, cases: &[Case], answers: &[Promise], locale: &Locale
         "summary": say(about.summary),
         "inputs": fields(entry.fields(), locale, "", &mut Described::default()),
         "answers": answers.iter().map(answer).collect::<Vec<_>>(),
+        "questions": questions.iter().map(question).collect::<Vec<_>>(),
         "sources": about.sources.iter().map(|source| json!({ "short": source.short, "full": source.full })).collect::<Vec<_>>(),
         "cases": cases.iter().map(case).collect::<Vec<_>>(),
     })

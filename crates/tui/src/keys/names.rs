@@ -55,6 +55,8 @@ impl Action {
             Action::AddRow => "add-row",
             Action::Define => "define",
             Action::Ask => "ask",
+            Action::UsualQuestions => "usual-questions",
+            Action::Blank => "blank",
             Action::Unknown => "unknown",
             Action::Give => "give",
             Action::DuplicateRow => "duplicate-row",

@@ -36,6 +36,7 @@ pub(super) const PICKER: BindingTable = &[
         bind(Action::PreviousPane, BACK_TAB, "to the list", ""),
         bind(Action::PinAnalysis, &[typed('*')], "pin at the top of the list, or unpin", "pin/unpin"),
         bind(Action::Toggle, &[typed(' ')], "tick or untick an exercise", "done"),
+        bind(Action::Blank, BLANK, "blank problem: every input empty", "blank"),
     ],
     PAGES,
     ENDS,
@@ -52,6 +53,7 @@ pub(super) const FILTER: BindingTable = &[&[
     bind(Action::Up, &[plain(KeyCode::Up)], "line up", ""),
     bind(Action::Down, &[plain(KeyCode::Down)], "line down", ""),
     bind(Action::NextPane, TAB, "to the list", "to the list"),
+    bind(Action::Blank, BLANK, "blank problem: every input empty", ""),
 ]];
 
 /// Keys of the inputs.
@@ -123,6 +125,7 @@ pub(super) const RESULTS: BindingTable = &[
         bind(Action::Enter, ENTER, "load the case", ""),
         bind(Action::NextDisplayUnit, &[typed('v')], "change the unit of an answer", ""),
         bind(Action::NextDigits, &[typed('D')], "change the digits of an answer", ""),
+        bind(Action::UsualQuestions, &[typed('a')], "ask a usual question, or one of your own", ""),
         bind(Action::Give, &[typed('=')], "give the value of an answer, to find an input", ""),
     ],
     LINES,
@@ -187,6 +190,7 @@ pub const PROBLEM: &[Binding] = &[
     bind(Action::ExportSeen, &[typed('P')], "export this plot or drawing", "export"),
     bind(Action::Export, &[typed('X')], "export the worked solution", "export"),
     bind(Action::NextProblem, &[typed('b')], "next open problem", ""),
+    bind(Action::Blank, BLANK, "blank problem: every input empty", ""),
     bind(Action::CloseProblem, &[typed('B')], "close this problem", ""),
     bind(Action::Edit, &[typed('E')], "edit the problem in $EDITOR", ""),
     bind(Action::Back, ESC, "cancel a running solve, or back", "back"),
@@ -297,4 +301,5 @@ pub(crate) const LAST: &[Key] = &[plain(KeyCode::End), typed('G')];
 const TAB: &[Key] = &[plain(KeyCode::Tab)];
 const BACK_TAB: &[Key] = &[plain(KeyCode::BackTab)];
 pub(crate) const ENTER: &[Key] = &[plain(KeyCode::Enter)];
+const BLANK: &[Key] = &[ctrl('n')];
 const ESC: &[Key] = &[plain(KeyCode::Esc)];

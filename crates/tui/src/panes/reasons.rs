@@ -22,6 +22,9 @@ use crate::{
 /// The most errors that are listed.
 const MOST_ERRORS: usize = 100;
 
+/// The most empty inputs that are listed.
+const MOST_MISSING: usize = 12;
+
 /// Reason for which the present inputs have no solution: invalid inputs, a refusal, an internal error.
 pub(super) fn why_not(problem: &Problem, ui: &Ui<'_>, width: u16) -> Vec<Line<'static>> {
     let (look, locale) = (ui.look, ui.locale);
@@ -44,6 +47,7 @@ pub(super) fn why_not(problem: &Problem, ui: &Ui<'_>, width: u16) -> Vec<Line<'s
             let headline = wrapped(&headline, width.into()).into_iter();
             lines.extend(headline.map(|text| Line::styled(text, look.warning())));
         }
+        lines.extend(missing(problem, ui, width));
         lines.extend(problem.wrong().take(MOST_ERRORS).flat_map(|error| unread(problem, ui, error, width)));
         if wrong > MOST_ERRORS {
             let more = Text::new("and {more} more").with("more", wrong - MOST_ERRORS).render(locale);
@@ -63,6 +67,24 @@ pub(super) fn why_not(problem: &Problem, ui: &Ui<'_>, width: u16) -> Vec<Line<'s
             lines.into_iter().map(|text| Line::styled(text, look.error())).collect()
         }
     }
+}
+
+/// The inputs that are still empty, in the order of the form.
+fn missing(problem: &Problem, ui: &Ui<'_>, width: u16) -> Vec<Line<'static>> {
+    let (look, count) = (ui.look, problem.needed().count());
+    let shape = problem.entry.shape();
+    let label = |error: &FieldError| {
+        let label = label_of(&shape, &error.path, ui.locale).unwrap_or_else(|| error.path.clone());
+        let label = filter_untrusted(&label).into_owned();
+        let head = vec![Span::raw(format!("  {} ", look.glyph(Glyph::Dot)))];
+        wrap::hanging(head, &label, Style::new(), width.into()).collect::<Vec<_>>()
+    };
+    let mut lines: Vec<_> = problem.needed().take(MOST_MISSING).flat_map(label).collect();
+    if count > MOST_MISSING {
+        let more = Text::new("and {more} more").with("more", count - MOST_MISSING).render(ui.locale);
+        lines.push(Line::styled(format!("  {more}"), look.dim()));
+    }
+    lines
 }
 
 fn unread(problem: &Problem, ui: &Ui<'_>, error: &FieldError, width: u16) -> Vec<Line<'static>> {

@@ -1,6 +1,7 @@
 //! The answers, how they were checked, and what is doubtful about them.
 
 mod difference;
+mod questions;
 
 use dalembert_core::{AnswerValue, Check, Display, Locale, Number, Solution, Text};
 use dalembert_report::show_answer_in;
@@ -67,7 +68,8 @@ impl Pane for Results {
                     .with("keys", ui.pair(KeyContext::Pane, Action::Up, Action::Down))
                     .with("give", ui.key(KeyContext::Pane, Action::Give))
             }
-            None => Text::new("{unit} unit of an answer, {digits} digits"),
+            None => Text::new("{unit} unit of an answer, {digits} digits, {ask} ask a question")
+                .with("ask", ui.key(KeyContext::Pane, Action::UsualQuestions)),
         };
         let key = |action| ui.key(KeyContext::Pane, action);
         vec![text.with("unit", key(Action::NextDisplayUnit)).with("digits", key(Action::NextDigits))]
@@ -76,6 +78,7 @@ impl Pane for Results {
     fn act(&mut self, problem: &mut Problem, ui: &Ui<'_>, action: Action) -> Option<Vec<Intent>> {
         match (action, self.chosen) {
             (Action::Give, Some(at)) => Some(give(problem, at)),
+            (Action::UsualQuestions, _) => Some(vec![Intent::Show(questions::dialog(problem, ui))]),
             (Action::NextDisplayUnit | Action::NextDigits | Action::Give, _) => {
                 Some(self.display(problem, ui, action))
             }

@@ -24,6 +24,7 @@ pub(super) fn act(model: &mut Model, place: KeyContext, action: Action) -> Optio
         Action::Export => vec![Intent::AskPath(Purpose::Export)],
         Action::ExportSeen => vec![Intent::AskPath(Purpose::ExportSeen)],
         Action::Edit => vec![Intent::EditOutside],
+        Action::Blank => vec![Intent::OpenBlank(bench.problem.entry)],
         Action::Rename => {
             vec![Intent::Show(Dialog::prompt(Purpose::Title, bench.problem.document.title.clone()))]
         }

@@ -149,6 +149,11 @@ fn enter(model: &mut Model) -> Vec<Intent> {
         Some(Dialog::Choice { path, options, chosen }) => {
             let Some(bench) = &mut model.bench else { return Vec::new() };
             let done = match options.into_iter().nth(chosen).map(|choice| choice.value) {
+                Some(Chosen::Question(question)) => return vec![Intent::AskUsual(question)],
+                Some(Chosen::OwnQuestion) => {
+                    bench.go_to(KeyContext::Form);
+                    return vec![Intent::Press(KeyContext::Form, Action::Ask)];
+                }
                 Some(Chosen::Alternative(at)) => bench.problem.inputs.form.choose(&path, at),
                 Some(Chosen::Text(text)) => bench.problem.inputs.form.set(&path, text, Decimal::Point),
                 None => false,

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use dalembert_core::{Draft, Shape, Text};
+use dalembert_core::{Draft, Shape, Text, suggestions::Suggestion};
 use dalembert_units::Decimal;
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
@@ -191,6 +191,26 @@ pub(super) fn go_to(model: &mut Model, path: &str) -> Vec<Intent> {
         bench.focus = Focus::Form;
     }
     Vec::new()
+}
+
+/// The cursor goes to the first input that is still empty, and the keys with it.
+pub(super) fn go_to_missing(model: &mut Model) -> Vec<Intent> {
+    let first = model.bench.as_ref().and_then(|bench| bench.problem.needed().next());
+    first.map(|error| Intent::GoToInput(error.path.clone())).into_iter().collect()
+}
+
+/// Asks a usual question; where its formula has a number that is to be changed, the cursor goes to it.
+pub(super) fn ask_usual(model: &mut Model, question: &Suggestion) -> Vec<Intent> {
+    let locale = model.locale;
+    let Some(bench) = &mut model.bench else { return Vec::new() };
+    let locale = locale.at(bench.problem.entry.about.id);
+    let Some(row) = bench.problem.inputs.form.ask_usual(question, &locale) else { return Vec::new() };
+    if question.is_example {
+        let said = "change the number in the formula to yours";
+        return vec![Intent::Changed, Intent::GoToInput(format!("{row}.formula")), Intent::Say(said.into())];
+    }
+    let said = Text::new("asked: {question}").with("question", question.title(&locale));
+    vec![Intent::Changed, Intent::Say(said)]
 }
 
 /// Takes what was typed in a table: its text, or the file that it names.

@@ -31,7 +31,7 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
             bench.focus = Focus::Form;
             return Vec::new();
         }
-        Action::NextDisplayUnit | Action::NextDigits | Action::Give => {
+        Action::NextDisplayUnit | Action::NextDigits | Action::Give | Action::UsualQuestions => {
             return Intent::say("the answers are in Results");
         }
         Action::Enter if bench.place() == KeyContext::Pane => {

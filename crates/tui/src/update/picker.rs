@@ -38,6 +38,7 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
         Action::Left => left(model),
         Action::PinAnalysis => pin(model),
         Action::Toggle => mark(model),
+        Action::Blank => blank(model),
         Action::Back => back(model),
         Action::Enter => enter(model),
         _ => Vec::new(),
@@ -117,6 +118,15 @@ fn pin(model: &mut Model) -> Vec<Intent> {
     let mut all = preview(model);
     all.extend(effects);
     all
+}
+
+/// A blank problem of the chosen analysis.
+fn blank(model: &mut Model) -> Vec<Intent> {
+    let Some(leaf) = chosen_leaf(model) else {
+        return Intent::say("select an analysis to begin a blank problem");
+    };
+    model.picker.typing = false;
+    vec![Intent::OpenBlank(model.listings[leaf.listing].entry)]
 }
 
 /// Marks the chosen exercise as done, or as not done.

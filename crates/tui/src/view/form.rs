@@ -5,7 +5,7 @@ use std::{
     ops::Range,
 };
 
-use dalembert_core::{Draft, FieldError, Shape, Text, Value, draft};
+use dalembert_core::{Draft, FieldError, Shape, Text, Value, describe, draft};
 use dalembert_units::write_quantity;
 use ratatui::{
     buffer::Buffer,
@@ -390,14 +390,15 @@ fn push_value(
                 measure.units_of_kinds(look.ascii)
             }
             (Shape::Quantity(measure) | Shape::Vector(measure, _), None) => measure.own_unit().pretty(),
+            (Shape::Count { .. }, None) => describe::in_words(shape, &model.locale),
             _ => String::new(),
         };
         let hint = match (state, hint.is_empty()) {
             (Filled::Needed, true) => word("needed", model),
             (Filled::Needed, false) => {
                 let (needed, dot) = (word("needed", model), look.glyph(Glyph::Dot));
-                let with_unit = format!("{needed} {dot} {hint}");
-                if width(&with_unit) <= room { with_unit } else { needed }
+                let with_unit = [format!("{needed} {dot} {hint}"), format!("{needed} {hint}")];
+                with_unit.into_iter().find(|text| width(text) <= room).unwrap_or(needed)
             }
             (_, true) => word("empty", model),
             (_, false) => hint,
