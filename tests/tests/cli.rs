@@ -8,7 +8,7 @@ use std::{
     process::{Command, Output, Stdio},
 };
 
-use dalembert_core::{Draft, Field, FieldLimit, Measure, Shape, cases, draft::read_leaf, registry};
+use dalembert_core::{Draft, Field, FieldLimit, Fields, Measure, Shape, cases, draft::read_leaf, registry};
 use dalembert_plugins as _;
 use dalembert_testkit::on_all_cores;
 use dalembert_tests::pty;

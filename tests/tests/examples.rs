@@ -103,3 +103,23 @@ fn every_example_is_tested() {
 fn folder() -> PathBuf {
     xtask::root().join("examples")
 }
+
+/// k = 3EI/L³, fₙ = √(k/m)/2π, √(40/42).
+#[test]
+fn the_fan_on_its_bracket() {
+    answers(
+        "fan_on_bracket.toml",
+        &[
+            ("bracket.stiffness", "25200.00 N/m"),
+            ("fan.natural_frequency", "25.09980 rad/s"),
+            ("fan.force_amplitude", "35.53058 N"),
+            ("drop", "0.9759001"),
+        ],
+    );
+}
+
+/// m = 2 kg/((8.2/7.9)² − 1), k = m (2π 8.2 Hz)².
+#[test]
+fn the_fan_with_an_added_weight() {
+    answers("added_weight.toml", &[("mass", "25.84265 kg"), ("support.stiffness.stiffness", "68600.06 N/m")]);
+}

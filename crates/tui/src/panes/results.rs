@@ -292,7 +292,7 @@ fn answers(
         answers.iter().zip(&labels).zip(aligned).zip(shown.into_iter().zip(covered)).enumerate()
     {
         let problem = (n == 0 || answers[n - 1].problem != answer.problem)
-            .then(|| problem_heading(n == 0, answer.problem, look, locale))
+            .then(|| steps::problem_heading(n == 0, answer.problem, look, locale))
             .flatten();
         lines.extend(problem);
         let first = lines.len();
@@ -353,21 +353,6 @@ fn answers(
         }
     }
     Page { lines, starts }
-}
-
-/// Heading of a problem or a configuration among several; none before that of the file itself where it comes first.
-pub(super) fn problem_heading(
-    is_first: bool,
-    name: &str,
-    look: &Appearance,
-    locale: &Locale,
-) -> Option<Line<'static>> {
-    let words = match name {
-        "" if is_first => return None,
-        "" => Text::new("All problems").render(locale),
-        name => name.to_owned(),
-    };
-    Some(Line::styled(words, look.title()))
 }
 
 /// The unit with the space before it that every unit of a column has, `°` too.

@@ -13,9 +13,7 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{
     columns::{Aligned, number, padded, widths},
-    reasons,
-    results::problem_heading,
-    steps,
+    reasons, steps,
     steps::{step_of, symbols},
     wrap,
 };
@@ -216,7 +214,7 @@ fn read(
             page.lines.push(Line::default());
         }
         if let Some(of) = solution.problems.iter().find(|of| of.steps.start == n) {
-            page.lines.extend(problem_heading(n == 0, of.name, look, locale));
+            page.lines.extend(steps::problem_heading(n == 0, of.name, look, locale));
         }
         page.starts.push(page.lines.len());
         let mut written = plain(&printer::step(solution, step, locale), look);
