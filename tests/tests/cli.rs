@@ -8,7 +8,9 @@ use std::{
     process::{Command, Output, Stdio},
 };
 
-use dalembert_core::{Draft, Field, FieldLimit, Fields, Measure, Shape, cases, draft::read_leaf, registry};
+use dalembert_core::{
+    Draft, Field, FieldLimit, Fields, Measure, Shape, cases, catalogue, draft::read_leaf, registry,
+};
 use dalembert_plugins as _;
 use dalembert_testkit::on_all_cores;
 use dalembert_tests::pty;
@@ -134,8 +136,8 @@ fn analyses_are_listed() {
     let text = printed(&["list"]);
     let all = json(&["list", "--json"]);
     let all = all.as_array().unwrap();
-    assert_eq!(all.len(), registry().len());
-    for entry in registry() {
+    assert_eq!(all.len(), catalogue().len());
+    for entry in catalogue() {
         assert!(text.contains(entry.about.id));
         assert!(all.iter().any(|json| json["id"] == entry.about.id && json["title"] == entry.about.title));
     }

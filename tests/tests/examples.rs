@@ -96,7 +96,15 @@ fn every_example_is_tested() {
     names.sort();
     assert_eq!(
         names,
-        ["fan.toml", "fan_questions.toml", "mass_from_frequency.toml", "rotor.toml", "table.toml"]
+        [
+            "added_weight.toml",
+            "fan.toml",
+            "fan_on_bracket.toml",
+            "fan_questions.toml",
+            "mass_from_frequency.toml",
+            "rotor.toml",
+            "table.toml"
+        ]
     );
 }
 

@@ -91,7 +91,7 @@ fn parse(text: &str, files: &[(&str, &str)]) -> Result<file::ProblemFile, String
     read.map_err(|errors| errors.iter().map(|error| error.why.english()).collect::<Vec<_>>().join("; "))
 }
 
-/// What is wrong with a text: with the file, with its inputs, or with the solution.
+/// Error of a text: of the file, of its inputs, or of the solution.
 fn wrong(text: &str, files: &[(&str, &str)]) -> String {
     let problem = match parse(text, files) {
         Ok(problem) => problem,
@@ -111,7 +111,7 @@ fn solved(text: &str) -> Solution {
 
 fn number(solution: &Solution, name: &str) -> f64 {
     let answer = solution.answer(name).unwrap_or_else(|| panic!("there is no answer {name}"));
-    answer.si().unwrap_or_else(|| panic!("{name} is no number"))
+    answer.si().unwrap_or_else(|| panic!("{name} is not a number"))
 }
 
 fn near(found: f64, wanted: f64) {

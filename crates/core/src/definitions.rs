@@ -14,7 +14,9 @@ mod order;
 mod plain_reading;
 mod questions;
 mod reader;
+mod rows;
 mod scope;
+mod solve;
 mod typed;
 mod unknowns;
 mod working;
@@ -31,7 +33,8 @@ pub(crate) use self::{
 };
 use self::{
     names::{Named, Names, Place},
-    reader::{Reader, text_of},
+    reader::Reader,
+    rows::rows,
     scope::Scope,
 };
 use crate::{
@@ -48,7 +51,7 @@ pub(crate) struct Plan {
     inputs: Vec<PlannedInput>,
     questions: Vec<Question>,
     order: Vec<Place>,
-    /// What rests on the solution of a problem: it has no value before.
+    /// Definitions, inputs and questions that rest on the solution of a problem: they have no value before.
     after_solution: BTreeSet<Place>,
     /// Unknowns; none once they are found.
     unknowns: Vec<Unknown>,
@@ -113,7 +116,7 @@ pub(crate) fn plan(record: &mut Record, pending: Vec<Pending>, errors: &mut Vec<
     let names = Names::of(record);
     let is_empty = |scope: &Scope| {
         let own = scope::record_of(record, scope);
-        COMMON_LISTS.iter().all(|list| scope::rows(own, list).is_empty())
+        COMMON_LISTS.iter().all(|list| rows(own, list).is_empty())
     };
     if pending.is_empty() && names.scopes.len() == 1 && names.scopes.iter().all(is_empty) {
         return;

@@ -453,7 +453,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// What the sheet has now, before the solution of one of several problems.
+    /// The lengths of its lists now, before the solution of one of several problems.
     pub(crate) fn mark(&self) -> Mark {
         let solution = self.solution.borrow();
         Mark {

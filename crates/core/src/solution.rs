@@ -46,7 +46,7 @@ pub struct Solution {
 pub struct ProblemSteps {
     /// Name of the problem or configuration; empty for the problem that the others are linked to.
     pub name: &'static str,
-    /// Its steps.
+    /// Places of the steps in the solution.
     pub steps: Range<usize>,
 }
 

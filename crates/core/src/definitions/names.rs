@@ -5,6 +5,8 @@ use dalembert_units::{Quantity, Unit};
 
 use super::{
     PlannedInput,
+    fields::are_of_problem,
+    rows::{question_key, rows, text_of},
     scope::{self, Scope, TOP},
 };
 use crate::{
@@ -73,14 +75,10 @@ impl Names {
                     formula: None,
                 });
             });
-            let names = scope::rows(own, "let").iter();
-            definitions.extend(names.map(|row| (at, super::text_of(row, "name").to_owned())));
-            let asked = scope::rows(own, "ask").iter();
-            questions.extend(
-                asked.map(|row| {
-                    (at, [super::reader::question_key(row), super::text_of(row, "name").to_owned()])
-                }),
-            );
+            let names = rows(own, "let").iter();
+            definitions.extend(names.map(|row| (at, text_of(row, "name").to_owned())));
+            let asked = rows(own, "ask").iter();
+            questions.extend(asked.map(|row| (at, [question_key(row), text_of(row, "name").to_owned()])));
         }
         Self { scopes, inputs, definitions, questions }
     }
@@ -209,7 +207,7 @@ fn collect(
     visit: &mut dyn FnMut(&'static Field, &FieldPath<'_>, Measure, &Unit, Number),
 ) {
     for (field, value) in record.fields.iter().zip(&record.values) {
-        let is_problem = matches!(value, Value::Group(inner) if super::fields::are_of_problem(inner.fields));
+        let is_problem = matches!(value, Value::Group(inner) if are_of_problem(inner.fields));
         let of = if is_nested(&field.shape) { field.symbol } else { "" };
         if !is_problem {
             value_of(value, &field.shape, field, &field_path.field_of(field.name, of), visit);

@@ -89,7 +89,7 @@ impl Plan {
         }
     }
 
-    /// What a place rests on itself.
+    /// Places that a place rests on itself.
     fn needs(&self, place: Place) -> Vec<Place> {
         let names = self.formula_of(place).map(Formula::names).unwrap_or_default();
         let named = names.into_iter().filter_map(|(name, _)| self.find(place, name));

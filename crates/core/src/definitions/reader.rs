@@ -5,6 +5,7 @@ use dalembert_units::{self as units, Unit};
 use super::{
     COMMON_LISTS, Definition, Plan, PlannedInput, Question, field_error,
     names::{self, Names},
+    rows::{question_key, rows, text_of},
     scope,
     unknowns::{self, Unknown, is_unknown},
 };
@@ -29,8 +30,7 @@ impl Reader {
     /// Reads the lists of a problem into a plan.
     pub(super) fn read(&mut self, scope: usize, record: &mut Record, plan: &mut Plan) {
         let own = scope::record_of(record, &self.names.scopes[scope]);
-        let [definitions, questions, givens, changes] =
-            COMMON_LISTS.map(|list| scope::rows(own, list).to_vec());
+        let [definitions, questions, givens, changes] = COMMON_LISTS.map(|list| rows(own, list).to_vec());
         for (n, row) in definitions.iter().enumerate() {
             plan.definitions.extend(self.definition([scope, n], row, &mut plan.unknowns));
         }
@@ -266,25 +266,4 @@ fn field_at(record: &Record, path: &str) -> Option<(&'static str, Symbol)> {
         }
     });
     found.map(|field| (field.label, Symbol::from(field.symbol)))
-}
-
-/// The key of the question in a row: as it is typed, or its words in small letters with `_` between them.
-pub(super) fn question_key(row: &Value) -> String {
-    let key = text_of(row, "key");
-    if !key.is_empty() {
-        return key.to_owned();
-    }
-    let words = text_of(row, "name").split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
-    words.map(str::to_lowercase).collect::<Vec<_>>().join("_")
-}
-
-/// Text of a field of a row; empty where it has none.
-pub(super) fn text_of<'v>(row: &'v Value, field: &str) -> &'v str {
-    match row {
-        Value::Group(record) => match record.get(field) {
-            Some(Value::Text(text)) => text.trim(),
-            _ => "",
-        },
-        _ => "",
-    }
 }

@@ -1,6 +1,9 @@
 //! Scopes of names: the problem, those that are linked to it, and the configurations of each.
 
-use super::fields::are_of_problem;
+use super::{
+    fields::are_of_problem,
+    rows::{rows, text_of},
+};
 use crate::{
     Record, Value,
     intern::intern,
@@ -37,7 +40,7 @@ pub(super) fn scopes(record: &Record) -> Vec<Scope> {
     linked(record, "", &mut found);
     for problem in 0..found.len() {
         for row in rows(record_of(record, &found[problem]), "configuration") {
-            let name = found[problem].outside(super::reader::text_of(row, "name"));
+            let name = found[problem].outside(text_of(row, "name"));
             if !found.iter().any(|scope| scope.name == name) {
                 found.push(Scope { name: intern(&name), problem });
             }
@@ -67,14 +70,6 @@ pub(super) fn record_of<'r>(record: &'r Record, problem: &Scope) -> &'r Record {
             _ => record,
         }
     })
-}
-
-/// Rows of one of the lists that every problem has.
-pub(super) fn rows<'r>(record: &'r Record, list: &str) -> &'r [Value] {
-    match record.get(list) {
-        Some(Value::Rows(rows)) => rows,
-        _ => &[],
-    }
 }
 
 /// A link to a file as a name: `beam.stiffness` of `@beam.toml:stiffness`.

@@ -2,7 +2,7 @@
 
 use toml_edit::{Item, Table, TableLike, Value as Toml};
 
-use super::{FileError, FileNotes, plain, set_text};
+use super::{FileError, FileNotes, plain, write::set_text};
 use crate::{Draft, Shape, Text, path};
 
 /// The keys of a question that is a table.

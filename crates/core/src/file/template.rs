@@ -5,7 +5,7 @@
 
 use toml_edit::{DocumentMut, Value as Toml};
 
-use super::{Format, definitions, multiline};
+use super::{Format, definitions, write::multiline};
 use crate::{Draft, Entry, Field, Locale, Shape, Text, Variant, cases::Case, describe, gravity, table};
 
 /// The longest line of a comment, in characters.

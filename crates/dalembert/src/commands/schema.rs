@@ -83,7 +83,7 @@ fn object(required: &[&str], properties: Map<String, Json>) -> Json {
     json!({ "type": "object", "additionalProperties": false, "required": required, "properties": properties })
 }
 
-/// What a file has beside its problem.
+/// Keys of a file beside those of its problem.
 fn of_file(problem: Json) -> Map<String, Json> {
     let format = json!({ "type": "integer", "minimum": 1, "maximum": 2 });
     let units = json!({ "enum": UnitSetting::ALL.map(|setting| setting.to_string()) });
@@ -93,7 +93,7 @@ fn of_file(problem: Json) -> Map<String, Json> {
         .collect()
 }
 
-/// What a problem of an analysis has.
+/// Keys of a problem of an analysis.
 fn problem_of(entry: &Entry, writer: &mut Writer<'_>) -> Map<String, Json> {
     let mut properties = lists();
     properties.insert("analysis".into(), json!({ "const": entry.about.id }));
@@ -110,7 +110,7 @@ fn any_problem() -> Json {
     json!({ "type": "object", "additionalProperties": object(&["analysis"], properties) })
 }
 
-/// What every problem has beside its inputs.
+/// Keys that every problem has beside its inputs.
 fn lists() -> Map<String, Json> {
     let value = json!({ "type": ["string", "number"] });
     let values = json!({ "type": "object", "additionalProperties": value });

@@ -1,0 +1,151 @@
+//! References of a problem: names of rows of its lists.
+
+use std::collections::{HashMap, HashSet};
+
+use super::join;
+use crate::{FieldError, Record, Shape, Text, Value, definitions, kinds, path::unknown};
+
+/// The most references without a row for which the nearest name is sought.
+const MOST_NEAREST: usize = 100;
+
+/// The names of the rows of a top-level list.
+pub(crate) struct List {
+    pub(crate) field: &'static str,
+    /// Those of the rows in their order; a row without a name has an empty one.
+    pub(crate) names: Vec<String>,
+    /// The first row of each name.
+    first: HashMap<String, usize>,
+}
+
+impl List {
+    /// The first row of a name.
+    pub(crate) fn row_of(&self, name: &str) -> Option<usize> {
+        self.first.get(name).copied()
+    }
+}
+
+fn lists(record: &Record) -> Vec<List> {
+    let name = |row: &Value| match row {
+        Value::Group(record) => match record.get("name") {
+            Some(Value::Text(name)) => name.clone(),
+            _ => String::new(),
+        },
+        _ => String::new(),
+    };
+    let lists = record.fields.iter().zip(&record.values).filter_map(|(field, value)| match value {
+        Value::Rows(rows) => {
+            let names: Vec<String> = rows.iter().map(name).collect();
+            // Of rows of the same name the first stays.
+            let first = names.iter().cloned().enumerate().rev().map(|(row, name)| (name, row)).collect();
+            Some(List { field: field.name, names, first })
+        }
+        _ => None,
+    });
+    lists.collect()
+}
+
+/// Finds the rows that references name, and compares what is common to the inputs of a problem; of each of several by
+/// itself.
+pub(super) fn resolve_problem(record: &mut Record, path: &str, errors: &mut Vec<FieldError>) {
+    let lists = lists(record);
+    let own = definitions::without_linked(record);
+    errors.extend(ambiguous(&lists, &own).into_iter().map(|error| within(path, error)));
+    if errors.is_empty() {
+        errors.extend(kinds::mixed(&own).into_iter().map(|error| within(path, error)));
+    }
+    resolve_record(record, &lists, path, errors);
+    for (field, value) in record.fields.iter().zip(&mut record.values) {
+        if let Value::Group(inner) = value
+            && definitions::are_of_problem(inner.fields)
+        {
+            resolve_problem(inner, &join(path, field.name), errors);
+        }
+    }
+}
+
+fn within(path: &str, error: FieldError) -> FieldError {
+    FieldError { path: join(path, &error.path), ..error }
+}
+
+/// Finds the rows that references name.
+fn resolve_record(record: &mut Record, lists: &[List], path: &str, errors: &mut Vec<FieldError>) {
+    for (field, value) in record.fields.iter().zip(&mut record.values) {
+        let is_problem = matches!(value, Value::Group(inner) if definitions::are_of_problem(inner.fields));
+        if !is_problem {
+            resolve(value, &field.shape, lists, &join(path, field.name), errors);
+        }
+    }
+}
+
+fn resolve(value: &mut Value, shape: &Shape, lists: &[List], path: &str, errors: &mut Vec<FieldError>) {
+    match (value, shape.present()) {
+        (Value::Reference { name, row }, Shape::Reference(list)) => {
+            match find_row(lists, list, name, errors.len() < MOST_NEAREST) {
+                Ok(found) => *row = found,
+                Err(why) => errors.push(FieldError::new(path, why)),
+            }
+        }
+        (Value::Group(record), _) => resolve_record(record, lists, path, errors),
+        (Value::OneOf { variant, fields }, Shape::OneOf(variants)) => {
+            let name = variants().get(*variant).map_or("", |variant| variant.name);
+            resolve_record(fields, lists, &join(path, name), errors);
+        }
+        (Value::Rows(rows), Shape::Rows { item, .. }) => {
+            for (n, row) in rows.iter_mut().enumerate() {
+                resolve(row, item(), lists, &format!("{path}[{}]", n + 1), errors);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The row of a top-level list by the text of its field `name`, or by its number; `suggest` seeks the nearest name where
+/// there is none.
+fn find_row(lists: &[List], list: &str, name: &str, suggest: bool) -> Result<usize, Text> {
+    let Some(list) = lists.iter().find(|known| known.field == list) else {
+        return Err(Text::new("there are no {list} to name").with("list", list));
+    };
+    if let Some(row) = list.row_of(name) {
+        return Ok(row);
+    }
+    if let Some(row) = name.parse::<usize>().ok().filter(|row| (1..=list.names.len()).contains(row)) {
+        return Ok(row - 1);
+    }
+    if !suggest {
+        return Err(Text::new("there is no `{name}`").with("name", name));
+    }
+    Err(unknown("", name, list.names.iter().map(String::as_str).filter(|name| !name.is_empty())).why)
+}
+
+/// Rows of the same name where an input refers to one of them by it.
+fn ambiguous(lists: &[List], record: &Record) -> Vec<FieldError> {
+    let mut used: HashSet<(&str, &str)> = HashSet::new();
+    record.leaves(&mut |_, field, value| {
+        if let (Some(list), Value::Reference { name, .. }) = (refers_to(&field.shape), value) {
+            used.insert((list, name));
+        }
+    });
+    let mut errors = Vec::new();
+    for list in lists {
+        for (row, name) in list.names.iter().enumerate().filter(|(_, name)| !name.is_empty()) {
+            let Some(first) = list.row_of(name).filter(|first| *first < row) else { continue };
+            if used.contains(&(list.field, name)) {
+                let why = Text::new(
+                    "row {first} is called `{name}` too, and an input refers to that name: give each its own",
+                );
+                let why = why.with("first", first + 1).with("name", name);
+                errors.push(FieldError::new(format!("{}[{}].name", list.field, row + 1), why));
+            }
+        }
+    }
+    errors
+}
+
+/// The list that a reference names a row of.
+fn refers_to(shape: &Shape) -> Option<&'static str> {
+    match shape.present() {
+        Shape::Reference(list) => Some(list),
+        Shape::Rows { item, .. } => refers_to(item()),
+        _ => None,
+    }
+}
