@@ -43,7 +43,9 @@ fn generated(root: &Path) -> Result<Vec<(String, String)>> {
     let listed = json(&program, &["list", "--json"])?;
     let verdicts = verdicts(&json(&program, &["verify", "--json"])?);
     let mut families: BTreeMap<String, Vec<Json>> = BTreeMap::new();
-    for analysis in array(&listed) {
+    let (exams, analyses): (Vec<&Json>, Vec<&Json>) =
+        array(&listed).iter().partition(|entry| text(entry, "family") == "exam");
+    for analysis in analyses {
         let id = text(analysis, "id");
         families
             .entry(text(analysis, "family").to_owned())
@@ -58,6 +60,11 @@ fn generated(root: &Path) -> Result<Vec<(String, String)>> {
             reference += &format!("  - [{heading}](#{}): `{id}`\n", anchor(heading));
         }
     }
+    reference += "\n- Exam questions\n";
+    for exam in &exams {
+        let (heading, id) = (text(exam, "title"), text(exam, "id"));
+        reference += &format!("  - [{heading}](#{}): `{id}`\n", anchor(heading));
+    }
     for (family, analyses) in &families {
         reference += &format!("\n# {}\n", title(family));
         for analysis in analyses {
@@ -65,6 +72,11 @@ fn generated(root: &Path) -> Result<Vec<(String, String)>> {
             let solved = json(&program, &["solve", text(analysis, "id"), "--case", "1", "--format", "json"])?;
             reference += &described(analysis, &solved, &verdicts);
         }
+    }
+    reference += "\n# Exam questions\n";
+    for exam in exams {
+        let shown = json(&program, &["show", text(exam, "id"), "--json"])?;
+        reference += &exam_section(&shown, &verdicts);
     }
     let mut symbols = cargo::cargo(root);
     symbols.args(["run", "--quiet", "--package", "dalembert-units", "--example", "symbols"]);
@@ -99,6 +111,17 @@ fn described(analysis: &Json, solved: &Json, verdicts: &BTreeMap<(String, String
     section += "\nSources:\n\n";
     for source in array(&analysis["sources"]) {
         section += &format!("- {}: {}\n", text(source, "short"), text(source, "full"));
+    }
+    section
+}
+
+/// The section of an exam question: its statement and where it follows.
+fn exam_section(exam: &Json, verdicts: &BTreeMap<(String, String), Counts>) -> String {
+    let (id, title) = (text(exam, "id"), text(exam, "title"));
+    let mut section = format!("\n## {title}\n\n`{id}`\n");
+    for case in array(&exam["cases"]) {
+        let counts = verdicts.get(&(id.to_owned(), title.to_owned())).copied().unwrap_or_default();
+        section += &format!("\n{}\n\n{}: {counts}\n", text(case, "note"), text(case, "source"));
     }
     section
 }
