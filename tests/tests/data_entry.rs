@@ -409,6 +409,48 @@ fn a_definition_and_a_question_are_typed_into_the_form() {
 }
 
 #[test]
+fn a_configuration_is_typed_in_the_form() {
+    let mut person = Person::at(120, 40).opens("vibration/rotating-unbalance");
+    person.types("<home><down><down>C");
+    assert!(person.sees().contains("a configuration changes a quantity"), "{}", person.sees());
+    // C on the mass: its name, then what it is there.
+    person.types("<home>C<enter>weighted<enter>");
+    move_to(&mut person, "configuration[1].formula");
+    person.types("<enter>m + 2 kg<enter>");
+    // ωₙ = √(451 389 N/m/42 kg).
+    let screen = person.sees();
+    assert!(screen.contains("Configurations") && screen.contains("103.67"), "{screen}");
+    assert!(screen.contains("weighted") && screen.contains("106.23"), "{screen}");
+    person.types("zzz");
+    assert!(!person.sees().contains("103.67"), "{}", person.sees());
+}
+
+#[test]
+fn linked_problems_change_each_other_in_one_form() {
+    let text = fs::read_to_string(xtask::root().join("examples/fan_on_bracket.toml")).expect("an example");
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("fan.toml");
+    fs::write(&path, text).expect("written");
+    for (width, height) in [(80, 24), (160, 45)] {
+        let mut person = Person::at(width, height);
+        person.types("o<c-u>").types(path.to_str().expect("a readable path")).types("<enter>");
+        assert!(person.sees().contains("25.2"), "{}", person.sees());
+        // The thickness of the bracket doubled: its stiffness eightfold, 201.6 kN/m, and the fan takes it.
+        move_to(&mut person, "bracket.motion.translation.springs.cantilever.section.rectangle.height");
+        person.types("<enter><c-u>20 mm<enter>");
+        let screen = person.sees();
+        assert!(screen.contains("201.6"), "{screen}");
+        move_to(&mut person, "fan.support.stiffness.stiffness");
+        assert!(person.sees().contains("= 201.6 kN/m"), "{}", person.sees());
+        // The mass of the fan is that on the bracket.
+        move_to(&mut person, "fan.mass");
+        person.types("<enter><c-u>50 kg<enter>");
+        move_to(&mut person, "bracket.motion.translation.load.mass.mass");
+        assert!(person.sees().contains("= 50 kg"), "{}", person.sees());
+    }
+}
+
+#[test]
 fn an_unknown_is_found_from_an_answer_that_is_given_in_results() {
     let mut person = Person::at(120, 40).opens("vibration/rotating-unbalance");
     // Only a quantity can be unknown: the support is a choice.

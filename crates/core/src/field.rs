@@ -2,7 +2,7 @@
 
 use std::{fmt, ops::Deref};
 
-use crate::Text;
+use crate::{Text, definitions::are_of_problem};
 use dalembert_units::{self as units, Dim, Unit};
 
 /// One line of the form, one key of the file, one `--set` of the command line.
@@ -122,6 +122,16 @@ pub struct ChildList {
     place: *const (),
     /// Number of fields or alternatives.
     pub parts: usize,
+}
+
+impl Field {
+    /// Label for display: of a linked problem, its name as it was typed.
+    pub fn title(&self) -> Text {
+        match &self.shape {
+            Shape::Group(fields) if are_of_problem(fields()) => Text::verbatim(self.label),
+            _ => Text::from(self.label),
+        }
+    }
 }
 
 impl Deref for Fields {

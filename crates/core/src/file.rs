@@ -312,6 +312,7 @@ fn problem_of(
     let drafts = main.iter().map(|(_, draft)| draft).chain(others.iter().map(|(_, draft)| draft));
     let files = linked::files(drafts.chain(&common), links, reading);
     others.extend(files);
+    linked::check_names(main.as_ref().map(|(entry, _)| *entry), &others, reading);
     let (entry, mut draft) = linked::together(main, others);
     definitions::put(&mut draft, &entry.shape(), common);
     (entry, draft)

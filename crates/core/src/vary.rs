@@ -4,7 +4,7 @@ use dalembert_units::{self as units, Dim, Kind, Quantity, Unit};
 
 use crate::{
     Entry, Evaluate, FieldLimit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value,
-    definitions::Plan,
+    definitions::{Plan, are_of_problem},
     gravity,
     intern::intern,
     kept,
@@ -52,7 +52,7 @@ pub fn inputs(record: &Record) -> Vec<VariedInput> {
             return;
         }
         let input = |path: String, axis: &str, unit: &Unit, si: f64| VariedInput {
-            label: label(field.label, &path, axis),
+            label: of_problem(record, &path, label(field.label, &path, axis)),
             path,
             symbol: field.symbol,
             measure: measure.of(unit),
@@ -277,6 +277,20 @@ impl std::fmt::Debug for Perturbed {
             .field("inputs", &self.inputs)
             .field("answers", &self.answers)
             .finish_non_exhaustive()
+    }
+}
+
+/// Label of an input behind the name of its problem, where that is linked.
+fn of_problem(record: &Record, path: &str, label: Text) -> Text {
+    let linked = |name: &str| match record.get(name) {
+        Some(Value::Group(inner)) => are_of_problem(inner.fields),
+        _ => false,
+    };
+    match path.split_once('.').filter(|(name, _)| linked(name)) {
+        Some((problem, _)) => {
+            Text::new("{problem}: {title}").with("problem", problem).with_text("title", label)
+        }
+        None => label,
     }
 }
 

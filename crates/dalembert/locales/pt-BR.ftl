@@ -151,3 +151,5 @@ usual-questions = Perguntas usuais
 ask-name-there-is-no-such-usual-question-here-did-you-mean-near = --ask { $name }: não há essa pergunta usual aqui; quis dizer `{ $near }`?
 ask-name-write-a-name-and-a-formula-as-in-ask-peak-to-peak-2-x = --ask { $name }: escreva um nome e uma fórmula, como em --ask 'pico a pico=2*X'
 ask-name-write-a-name-and-a-formula-as-in-ask-peak-to-peak-2-x-or-one-of-known = --ask { $name }: escreva um nome e uma fórmula, como em --ask 'pico a pico=2*X', ou uma destas: { $known }
+write-a-changed-input-and-its-value-as-in-configuration-weighted-mass-m-2-kg = escreva um dado alterado e seu valor, como em --configuration 'carregado.mass=m + 2 kg'
+solve-the-same-problem-with-an-input-changed-beside-it-weighted-mass-m-2-kg = Resolve ao lado o mesmo problema com um dado alterado: 'carregado.mass=m + 2 kg'

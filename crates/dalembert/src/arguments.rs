@@ -121,6 +121,9 @@ pub(crate) struct Solve {
     /// 'natural_frequency=8.2 Hz'
     #[arg(long, value_name = "ANSWER=VALUE")]
     pub(crate) given: Vec<String>,
+    /// Solve the same problem with an input changed beside it: 'weighted.mass=m + 2 kg'
+    #[arg(long, value_name = "NAME.INPUT=FORMULA")]
+    pub(crate) configuration: Vec<String>,
     /// Output format; default: by the file extension, otherwise text
     #[arg(long, value_enum)]
     pub(crate) format: Option<Format>,

@@ -60,6 +60,8 @@ pub(crate) struct ProblemSource<'a> {
     pub(crate) ask: &'a [String],
     /// The given answers to add.
     pub(crate) given: &'a [String],
+    /// The changed inputs of configurations to add.
+    pub(crate) configuration: &'a [String],
     /// True if a number without a unit is refused.
     pub(crate) strict: bool,
 }
@@ -240,11 +242,11 @@ fn reported(notes: Vec<Text>, template: &'static str, console: &Console) -> Vec<
     notes
 }
 
-/// Makes the changes of `--let`, `--ask`, `--given` and `--set`, and says what is wrong with those that cannot be made.
+/// Makes the changes of `--let`, `--ask`, `--given`, `--configuration` and `--set`, and says what is wrong with those that cannot be made.
 fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: &Console) -> Vec<Text> {
     let mut errors = Vec::new();
     type Add = fn(&mut Draft, &Shape, &str, &str) -> Result<(), FieldError>;
-    let added: [(&str, &[String], Add, &str); 3] = [
+    let added: [(&str, &[String], Add, &str); 4] = [
         ("--let", asked.define, Draft::define, "write a name and a formula, as in --let nu=0.3"),
         ("--ask", asked.ask, Draft::ask, "write a name and a formula, as in --ask 'peak to peak=2*X'"),
         (
@@ -252,6 +254,12 @@ fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: 
             asked.given,
             Draft::give,
             "write an answer and its value, as in --given 'natural_frequency=8.2 Hz'",
+        ),
+        (
+            "--configuration",
+            asked.configuration,
+            Draft::configure,
+            "write a changed input and its value, as in --configuration 'weighted.mass=m + 2 kg'",
         ),
     ];
     for (flag, texts, add, form) in added {

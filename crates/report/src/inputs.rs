@@ -79,7 +79,7 @@ impl Place<'_> {
         row: Option<usize>,
         found: &mut Vec<ReportedInput<'r>>,
     ) {
-        let label = Text::from(field.label).render(self.locale);
+        let label = field.title().render(self.locale);
         let label = row.map_or_else(|| label.clone(), |row| format!("{label} {row}"));
         let symbol = self.rows.iter().fold(Symbol::from(field.symbol), |symbol, row| symbol.row(*row));
         let mut input = ReportedInput {

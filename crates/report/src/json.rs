@@ -2,7 +2,10 @@
 
 use std::ops::Bound;
 
-use dalembert_core::{Answer, AnswerValue, Determined, Exhibit, Locale, Number, Plot, Series, Value};
+use dalembert_core::{
+    Answer, AnswerValue, Determined, Draft, Entry, Exhibit, LinkedProblem, Locale, Number, Plot, Series, Solution,
+    Value, printer, vary,
+};
 use dalembert_units::{Unit, is_invisible};
 use serde_json::{Map, Value as Json, json};
 
@@ -10,7 +13,9 @@ use crate::{WorkedProblem, inputs::inputs};
 
 /// `{"analysis", "case", "units": null | "in-lbf-s", "notes": [], "inputs": {path: {"text", "value", "unit", "si", "si_unit"}}, "answers": {name:
 /// {"label", "value", "unit", "si", "si_unit", "shown"}}, "unknowns": {}, "plots": [{"title", "over", "curves": [{"label", "of", "with"}]}],
-/// "checks": [{"what", "residual", "passed"}], "warnings": [], "refusal": null | "…"}`.
+/// "definitions": {name: {"formula", "value", "unit", "si", "si_unit"}}, "problems": [{"name", "analysis", "file"}], "steps":
+/// [{"why", "symbol", "formula", "substitution", "result", "source"}], "checks": [{"what", "residual", "passed"}], "warnings":
+/// [], "refusal": null | "…"}`. A step, and the name of an answer, of one of several problems has the name of that.
 ///
 /// `unknowns` has what was found from given answers, by its path: `{"label", "value", "unit", "si", "si_unit", "from", "to",
 /// "uncertainty"}`, a value for each solution in the range (in SI) that was searched.
@@ -37,7 +42,9 @@ pub fn json(worked: &WorkedProblem<'_>, locale: &Locale) -> Json {
     let mut answers = Map::new();
     let mut unknowns = Map::new();
     let (mut plots, mut checks, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
+    let mut steps = Vec::new();
     if let Ok(solution) = worked.outcome {
+        steps.extend((0..solution.steps.len()).map(|n| step(solution, n, locale)));
         unknowns = solution.determined.as_deref().map(|found| determined(found, locale)).unwrap_or_default();
         for found in &solution.answers {
             answers.insert(found.name.to_string(), answer(found, locale));
@@ -59,6 +66,9 @@ pub fn json(worked: &WorkedProblem<'_>, locale: &Locale) -> Json {
         "inputs": given,
         "answers": answers,
         "unknowns": unknowns,
+        "definitions": definitions(worked),
+        "problems": problems(worked.entry),
+        "steps": steps,
         "plots": plots,
         "checks": checks,
         "warnings": warnings,
@@ -100,6 +110,58 @@ fn answer(answer: &Answer, locale: &Locale) -> Json {
         entry.insert("asked".into(), true.into());
     }
     Json::Object(entry)
+}
+
+/// A step as it is written.
+fn step(solution: &Solution, n: usize, locale: &Locale) -> Json {
+    let written = printer::step(solution, &solution.steps[n], locale);
+    let mut entry = json!({
+        "why": written.why,
+        "symbol": written.symbol,
+        "formula": written.formula,
+        "substitution": written.substitution,
+        "result": written.result,
+        "source": written.source,
+    });
+    if let Some(problem) = solution.problems.iter().find(|problem| problem.steps.contains(&n)) {
+        entry["problem"] = problem.name.into();
+    }
+    entry
+}
+
+/// Definitions by their names, of linked problems behind the name of the problem.
+fn definitions(worked: &WorkedProblem<'_>) -> Map<String, Json> {
+    let quantities = vary::inputs(worked.record);
+    let mut found = Map::new();
+    let problems = std::iter::once("").chain(worked.entry.linked().iter().map(|problem| problem.name));
+    for problem in problems {
+        let within = |name: &str| if problem.is_empty() { name.to_owned() } else { format!("{problem}.{name}") };
+        let rows = worked.draft.at(&worked.entry.shape(), &within("let"));
+        let Ok((Draft::Rows(rows), _)) = rows else { continue };
+        for row in rows {
+            let Draft::Group(parts) = row else { continue };
+            let [Draft::Leaf(name), Draft::Leaf(formula)] = &parts[..] else { continue };
+            let name = within(name);
+            let computed = worked.outcome.ok().and_then(|solution| solution.computed_input(&name));
+            let quantity = quantities.iter().find(|input| input.path == name);
+            let typed = quantity.map(|input| (input.si, &input.unit));
+            let mut entry = Map::new();
+            if let Some((si, unit)) = computed.or(typed) {
+                entry = with_units(&|of| json!(of(si)), unit);
+            }
+            entry.insert("formula".into(), formula.as_str().into());
+            found.insert(name, Json::Object(entry));
+        }
+    }
+    found
+}
+
+/// Linked problems with their analyses and files; none where there is one problem alone.
+fn problems(entry: &Entry) -> Vec<Json> {
+    let of = |problem: &LinkedProblem| {
+        json!({ "name": problem.name, "analysis": problem.entry.about.id, "file": problem.file })
+    };
+    entry.linked().iter().map(of).collect()
 }
 
 fn determined(found: &Determined, locale: &Locale) -> Map<String, Json> {

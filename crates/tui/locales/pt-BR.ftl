@@ -487,3 +487,5 @@ change-the-number-in-the-formula-to-yours = troque o número da fórmula pelo se
 blank-problem-every-input-empty = problema em branco: todos os dados vazios
 blank = em branco
 select-an-analysis-to-begin-a-blank-problem = selecione uma análise para começar um problema em branco
+change-this-input-in-a-configuration = alterar este dado em uma configuração
+a-configuration-changes-a-quantity-select-one = uma configuração altera uma grandeza: selecione uma

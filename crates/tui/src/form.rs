@@ -14,7 +14,7 @@ use std::{
     ops::Range,
 };
 
-use dalembert_core::{Draft, Entry, Shape, Value, ascii, draft, gravity};
+use dalembert_core::{Draft, Entry, Shape, Value, ascii, draft, gravity, own_fields};
 use dalembert_units::{Decimal, Style, thousands, with_point, write_quantity, write_vector};
 
 pub use edit::{Edit, Sign};
@@ -309,9 +309,44 @@ impl Form {
         self.row().is_some_and(|row| self.add_row_at(&row))
     }
 
-    /// A definition (`let`) or a question (`ask`) more; the cursor goes to its name.
+    /// A definition (`let`) or a question (`ask`) more, of the problem of the cursor; the cursor goes to its name.
     pub fn add_to(&mut self, list: &str) -> bool {
-        self.add_row_at(&Row { list: list.to_owned(), at: None })
+        let (list, _) = self.within_problem(list);
+        self.add_row_at(&Row { list, at: None })
+    }
+
+    /// A configuration more, in which the input of the cursor is changed; the cursor goes to its name.
+    pub fn configure(&mut self) -> bool {
+        let quantity = |line: &FormLine| match &line.role {
+            Role::Leaf { shape, .. } => matches!(shape.present(), Shape::Quantity(_)),
+            _ => false,
+        };
+        if !self.line().is_some_and(|line| quantity(&line)) {
+            return false;
+        }
+        let (list, input) = self.within_problem("configuration");
+        let mut row = String::new();
+        let done = self.change(Change::Other, |draft, shape| {
+            let Ok((Draft::Rows(rows), _)) = draft.at(shape, &list) else { return None };
+            row = format!("{list}[{}]", rows.len() + 1);
+            draft.set(shape, &format!("{row}.input"), &input).ok()
+        });
+        self.go_to(&format!("{row}.name"));
+        done
+    }
+
+    /// The path of a list of the problem of the cursor, and that of the input of the cursor within it.
+    fn within_problem(&self, list: &str) -> (String, String) {
+        let path = self.line().map_or_else(String::new, |line| line.path);
+        let is_problem = |name: &str| {
+            let field = self.shape.fields(None).iter().find(|field| field.name == name);
+            let fields = field.map_or(&[][..], |field| field.shape.fields(None));
+            own_fields(fields) < fields.len()
+        };
+        match path.split_once('.').filter(|(name, _)| is_problem(name)) {
+            Some((problem, input)) => (format!("{problem}.{list}"), input.to_owned()),
+            None => (list.to_owned(), path),
+        }
     }
 
     fn add_row_at(&mut self, row: &Row) -> bool {

@@ -101,6 +101,8 @@ pub enum Action {
     Define,
     /// A question more: a formula over answers.
     Ask,
+    /// A configuration more, in which this input is changed.
+    Configure,
     /// The usual questions of the problem, to choose from.
     UsualQuestions,
     /// A blank problem of the analysis.

@@ -70,7 +70,7 @@ pub fn label_of(shape: &Shape, path: &str, locale: &Locale) -> Option<String> {
         match shape {
             Shape::Group(fields) | Shape::Table(fields) => {
                 let field = field(fields())?;
-                label = Some(Text::new(field.label).render(locale));
+                label = Some(field.title().render(locale));
                 shape = field.shape;
             }
             Shape::OneOf(variants) => {

@@ -29,6 +29,32 @@ impl Draft {
         self.set_named(shape, ["given", "value"], name, value)
     }
 
+    /// Changes an input in a configuration, `weighted.mass`, or gives it another formula there. `shape` is that of the
+    /// whole problem.
+    ///
+    /// # Errors
+    /// A name that is none of a configuration and an input; as [`set`](Self::set).
+    pub fn configure(&mut self, shape: &Shape, name: &str, formula: &str) -> Result<(), FieldError> {
+        let (problem, name) = within(shape, name.trim());
+        let Some((configuration, input)) = name.split_once('.') else {
+            let why = "a configuration and an input are needed, as in weighted.mass";
+            return Err(FieldError::new(name, why));
+        };
+        let list = inside(problem, "configuration");
+        let (Draft::Rows(rows), _) = self.at(shape, &list)? else {
+            return Err(FieldError::new(list, "is missing"));
+        };
+        let leaf = |text: &str| Draft::Leaf(text.to_owned());
+        let is_it = |row: &Draft| {
+            matches!(row, Draft::Group(parts) if parts.starts_with(&[leaf(configuration), leaf(input)]))
+        };
+        let row = rows.iter().position(is_it).unwrap_or(rows.len()) + 1;
+        for (field, text) in [("name", configuration), ("input", input), ("formula", formula.trim())] {
+            self.set(shape, &format!("{list}[{row}].{field}"), text)?;
+        }
+        Ok(())
+    }
+
     fn set_named(
         &mut self,
         shape: &Shape,
@@ -37,16 +63,9 @@ impl Draft {
         text: &str,
     ) -> Result<(), FieldError> {
         let (name, text) = (name.trim(), text.trim());
-        // Of a linked problem, behind its name: fan.bolt.
-        let linked = name.split_once('.').filter(|(problem, _)| {
-            let field = shape.fields(None).iter().find(|field| field.name == *problem);
-            field.is_some_and(|field| are_of_problem(field.shape.fields(None)))
-        });
-        let (list, name) = match linked {
-            Some((problem, name)) if list != "given" => (&*format!("{problem}.{list}"), name),
-            _ => (list, name),
-        };
-        let (Draft::Rows(rows), _) = self.at(shape, list)? else {
+        let (problem, name) = if list == "given" { ("", name) } else { within(shape, name) };
+        let list = inside(problem, list);
+        let (Draft::Rows(rows), _) = self.at(shape, &list)? else {
             return Err(FieldError::new(list, "is missing"));
         };
         let is_named = |row: &Draft| matches!(row, Draft::Group(parts) if parts.first() == Some(&Draft::Leaf(name.to_owned())));
@@ -54,4 +73,17 @@ impl Draft {
         self.set(shape, &format!("{list}[{row}].name"), name)?;
         self.set(shape, &format!("{list}[{row}].{field}"), text)
     }
+}
+
+/// The linked problem that a name is of, `fan` of `fan.bolt`, and the rest of it; empty where it is of none.
+fn within<'n>(shape: &Shape, name: &'n str) -> (&'n str, &'n str) {
+    let linked = name.split_once('.').filter(|(problem, _)| {
+        let field = shape.fields(None).iter().find(|field| field.name == *problem);
+        field.is_some_and(|field| are_of_problem(field.shape.fields(None)))
+    });
+    linked.unwrap_or(("", name))
+}
+
+fn inside(problem: &str, list: &str) -> String {
+    if problem.is_empty() { list.to_owned() } else { format!("{problem}.{list}") }
 }

@@ -7,7 +7,7 @@ use super::{
     FileError, FileNotes, ProblemFile, analysis_of, check_keys, definitions, draft_of, read_show, set_text,
     write_item,
 };
-use crate::{Draft, Entry, LinkedProblem, Text, linked};
+use crate::{COMMON_LISTS, Draft, Entry, LinkedProblem, Text, linked};
 
 /// The keys of one of several problems of a file.
 const KEYS: [&str; 8] = ["analysis", "title", "let", "inputs", "given", "ask", "configuration", "show"];
@@ -124,11 +124,6 @@ pub(super) fn files<'d>(
     for file in named {
         let fail = |why: Text| FileError { why, span: None };
         let name = linked::name_of_file(&file);
-        if found.iter().any(|(problem, _)| problem.name == name) {
-            let why = Text::new("two linked files are called `{name}`: give one of them another name");
-            reading.errors.push(fail(why.with("name", name)));
-            continue;
-        }
         match read(&file, links) {
             Ok(problem) => {
                 let note = |note| Text::new("{file}: {note}").with("file", &file).with_text("note", note);
@@ -208,6 +203,28 @@ fn links_in(text: &str) -> Vec<String> {
         is_path.then(|| file.to_owned())
     });
     links.collect()
+}
+
+/// Reports names of linked problems that are those of inputs or of another problem.
+pub(super) fn check_names(
+    main: Option<&'static Entry>,
+    others: &[(LinkedProblem, Draft)],
+    reading: &mut FileNotes,
+) {
+    let own = main.map_or(&[][..], |entry| entry.inputs().fields(None));
+    for (n, (problem, _)) in others.iter().enumerate() {
+        let name = problem.name;
+        let is_input =
+            own.iter().any(|field| field.name == name) || COMMON_LISTS.contains(&name) || name == "inputs";
+        let why = if is_input {
+            Text::new("`{name}` is the name of an input: give the linked problem another name")
+        } else if others[..n].iter().any(|(before, _)| before.name == name) {
+            Text::new("two linked problems are called `{name}`: give one of them another name")
+        } else {
+            continue;
+        };
+        reading.errors.push(FileError { why: why.with("name", name), span: None });
+    }
 }
 
 /// The entry of a problem with those that are linked to it, and the draft of them all.

@@ -280,7 +280,7 @@ fn fields(list: &'static [Field], locale: &Locale, above: &str, described: &mut 
     let field = |field: &Field| {
         let mut json = json!({
             "name": field.name,
-            "label": Text::from(field.label).render(locale),
+            "label": field.title().render(locale),
             "help": Text::from(field.help).render(locale),
             "symbol": field.symbol,
             "default": field.default,

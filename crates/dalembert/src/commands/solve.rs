@@ -30,6 +30,7 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         define: &solve.define,
         ask: &solve.ask,
         given: &solve.given,
+        configuration: &solve.configuration,
         strict: solve.strict,
     };
     let mut problem = problem::read(&asked, console)?;

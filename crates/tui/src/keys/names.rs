@@ -55,6 +55,7 @@ impl Action {
             Action::AddRow => "add-row",
             Action::Define => "define",
             Action::Ask => "ask",
+            Action::Configure => "configure",
             Action::UsualQuestions => "usual-questions",
             Action::Blank => "blank",
             Action::Unknown => "unknown",

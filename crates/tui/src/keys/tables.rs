@@ -87,6 +87,7 @@ pub(super) const FORM: BindingTable = &[
         bind(Action::DuplicateRow, &[typed('d')], "duplicate the row", ""),
         bind(Action::Define, &[typed('N')], "define a quantity", ""),
         bind(Action::Ask, &[typed('A')], "ask for a quantity", ""),
+        bind(Action::Configure, &[typed('C')], "change this input in a configuration", ""),
         bind(Action::Unknown, &[typed('U')], "find this input from given answers", ""),
         bind(Action::DeleteRow, &[typed('x')], "delete the row, or omit the input", ""),
         bind(Action::MoveRowUp, &[typed('K')], "move the row up", ""),

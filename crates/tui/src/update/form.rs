@@ -58,6 +58,9 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
         Action::AddRow => return after(model, Form::add_row, "not in a list"),
         Action::Define => return after(model, |form| form.add_to("let"), ""),
         Action::Ask => return after(model, |form| form.add_to("ask"), ""),
+        Action::Configure => {
+            return after(model, Form::configure, "a configuration changes a quantity: select one");
+        }
         Action::Unknown => {
             return after(model, Form::make_unknown, "only a quantity can be unknown");
         }

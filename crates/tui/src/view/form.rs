@@ -231,7 +231,7 @@ fn indent(line: &FormLine) -> usize {
 }
 
 fn label(model: &Model, line: &FormLine) -> String {
-    let label = Text::from(line.field.label).render(&model.locale);
+    let label = line.field.title().render(&model.locale);
     match line.number {
         Some(number) if matches!(line.role, Role::Leaf { .. }) => format!("{label} {number}"),
         Some(number) => number.to_string(),
