@@ -206,8 +206,20 @@ fn json_of_a_solve_has_the_agreed_shape() {
     assert_eq!(
         keys,
         [
-            "analysis", "case", "units", "notes", "inputs", "answers", "unknowns", "definitions", "problems", "steps", "plots", "checks",
-            "warnings", "refusal"
+            "analysis",
+            "case",
+            "units",
+            "notes",
+            "inputs",
+            "answers",
+            "unknowns",
+            "definitions",
+            "problems",
+            "steps",
+            "plots",
+            "checks",
+            "warnings",
+            "refusal"
         ]
     );
     assert_eq!(solved["unknowns"], serde_json::json!({}));
@@ -1027,12 +1039,18 @@ fn an_unknown_is_found_on_the_command_line() {
 fn configurations_and_linked_problems_are_solved_on_the_command_line() {
     let given = ["natural_frequency=8.2 Hz", "weighted.natural_frequency=7.9 Hz"];
     let mut arguments = vec!["solve", FAN, "--case", "1", "--set", "mass=?"];
-    arguments.extend(["--set", "support=stiffness", "--set", "support.stiffness.stiffness=? 10 kN/m .. 10 MN/m"]);
+    arguments.extend([
+        "--set",
+        "support=stiffness",
+        "--set",
+        "support.stiffness.stiffness=? 10 kN/m .. 10 MN/m",
+    ]);
     arguments.extend(["--set", "damping=ratio", "--set", "damping.ratio.ratio=0.05"]);
     arguments.extend(["--configuration", "weighted.mass=m + 2 kg"]);
     arguments.extend(given.iter().flat_map(|given| ["--given", given]));
     let solved = json(&[&arguments[..], &["--format", "json"]].concat());
-    let value = |name: &str| solved["answers"][name]["si"].as_f64().unwrap_or_else(|| panic!("{name}: {solved:#}"));
+    let value =
+        |name: &str| solved["answers"][name]["si"].as_f64().unwrap_or_else(|| panic!("{name}: {solved:#}"));
     let mass = 2.0 / ((8.2f64 / 7.9).powi(2) - 1.0);
     assert!((value("mass") / mass - 1.0).abs() < 1e-9, "{}", value("mass"));
     assert!((value("weighted.natural_frequency") / (std::f64::consts::TAU * 7.9) - 1.0).abs() < 1e-9);
@@ -1046,13 +1064,19 @@ fn configurations_and_linked_problems_are_solved_on_the_command_line() {
     };
     let ratio = frequency(&["--set", "fan.mass=80 kg"]) / frequency(&[]);
     assert!((ratio * 2f64.sqrt() - 1.0).abs() < 1e-12, "{ratio}");
-    let asked = json(&["solve", file, "--format", "json", "--ask", "fan.peak to peak=2*X", "--let", "fan.bolt=24 g"]);
-    let [peak, amplitude] = ["fan.peak_to_peak", "fan.amplitude"].map(|name| asked["answers"][name]["si"].as_f64());
+    let asked =
+        json(&["solve", file, "--format", "json", "--ask", "fan.peak to peak=2*X", "--let", "fan.bolt=24 g"]);
+    let [peak, amplitude] =
+        ["fan.peak_to_peak", "fan.amplitude"].map(|name| asked["answers"][name]["si"].as_f64());
     assert_eq!(peak, amplitude.map(|amplitude| 2.0 * amplitude));
     // One sheet in every format and language, with the heading of each problem.
-    for (format, heading) in
-        [("text", "fan.weighted\n~"), ("markdown", "### fan.weighted"), ("html", "<h3>fan.weighted</h3>"), ("latex", "\\subsubsection*{fan.weighted}"), ("typst", "=== fan.weighted")]
-    {
+    for (format, heading) in [
+        ("text", "fan.weighted\n~"),
+        ("markdown", "### fan.weighted"),
+        ("html", "<h3>fan.weighted</h3>"),
+        ("latex", "\\subsubsection*{fan.weighted}"),
+        ("typst", "=== fan.weighted"),
+    ] {
         for language in ["en", "pt-BR"] {
             let text = printed(&["solve", file, "--format", format, "--lang", language]);
             assert!(text.contains(heading), "{format}: {text}");

@@ -325,8 +325,16 @@ fn what_is_wrong_is_named() {
             &[],
             "changes quantities",
         ),
-        (format!("{LINKED}[problem.mass]\nanalysis = \"vibration/rotating-unbalance\"\n"), steel, "`mass` is the name of an input"),
-        (format!("{LINKED}[problem.beam]\nanalysis = \"vibration/rotating-unbalance\"\n"), steel, "two linked problems are called `beam`"),
+        (
+            format!("{LINKED}[problem.mass]\nanalysis = \"vibration/rotating-unbalance\"\n"),
+            steel,
+            "`mass` is the name of an input",
+        ),
+        (
+            format!("{LINKED}[problem.beam]\nanalysis = \"vibration/rotating-unbalance\"\n"),
+            steel,
+            "two linked problems are called `beam`",
+        ),
         (LINKED.to_owned(), &[], "@parts/beam.toml: file not found"),
         (LINKED.to_owned(), &[("parts/beam.toml", "x = 1")], "only problem files can be linked"),
         (LINKED.to_owned(), circle, "in a circle: parts/beam.toml → parts/beam.toml"),

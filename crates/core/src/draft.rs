@@ -110,7 +110,7 @@ impl Draft {
         };
         let Faults { mut errors, pending } = faults;
         definitions::plan(&mut record, pending, &mut errors);
-        references::resolve_problem(&mut record, "", &mut errors);
+        references::read_references(&mut record, "", &mut errors);
         if errors.is_empty() { Ok(record) } else { Err(errors) }
     }
 

@@ -3,8 +3,8 @@
 use std::ops::Bound;
 
 use dalembert_core::{
-    Answer, AnswerValue, Determined, Draft, Entry, Exhibit, LinkedProblem, Locale, Number, Plot, Series, Solution,
-    Value, printer, vary,
+    Answer, AnswerValue, Determined, Draft, Entry, Exhibit, LinkedProblem, Locale, Number, Plot, Series,
+    Solution, Value, printer, vary,
 };
 use dalembert_units::{Unit, is_invisible};
 use serde_json::{Map, Value as Json, json};
@@ -135,7 +135,8 @@ fn definitions(worked: &WorkedProblem<'_>) -> Map<String, Json> {
     let mut found = Map::new();
     let problems = std::iter::once("").chain(worked.entry.linked().iter().map(|problem| problem.name));
     for problem in problems {
-        let within = |name: &str| if problem.is_empty() { name.to_owned() } else { format!("{problem}.{name}") };
+        let within =
+            |name: &str| if problem.is_empty() { name.to_owned() } else { format!("{problem}.{name}") };
         let rows = worked.draft.at(&worked.entry.shape(), &within("let"));
         let Ok((Draft::Rows(rows), _)) = rows else { continue };
         for row in rows {
@@ -158,9 +159,7 @@ fn definitions(worked: &WorkedProblem<'_>) -> Map<String, Json> {
 
 /// Linked problems with their analyses and files; none where there is one problem alone.
 fn problems(entry: &Entry) -> Vec<Json> {
-    let of = |problem: &LinkedProblem| {
-        json!({ "name": problem.name, "analysis": problem.entry.about.id, "file": problem.file })
-    };
+    let of = |problem: &LinkedProblem| json!({ "name": problem.name, "analysis": problem.entry.about.id, "file": problem.file });
     entry.linked().iter().map(of).collect()
 }
 

@@ -45,9 +45,7 @@ impl Draft {
             return Err(FieldError::new(list, "is missing"));
         };
         let leaf = |text: &str| Draft::Leaf(text.to_owned());
-        let is_it = |row: &Draft| {
-            matches!(row, Draft::Group(parts) if parts.starts_with(&[leaf(configuration), leaf(input)]))
-        };
+        let is_it = |row: &Draft| matches!(row, Draft::Group(parts) if parts.starts_with(&[leaf(configuration), leaf(input)]));
         let row = rows.iter().position(is_it).unwrap_or(rows.len()) + 1;
         for (field, text) in [("name", configuration), ("input", input), ("formula", formula.trim())] {
             self.set(shape, &format!("{list}[{row}].{field}"), text)?;

@@ -46,7 +46,7 @@ fn lists(record: &Record) -> Vec<List> {
 
 /// Finds the rows that references name, and compares what is common to the inputs of a problem; of each of several by
 /// itself.
-pub(super) fn resolve_problem(record: &mut Record, path: &str, errors: &mut Vec<FieldError>) {
+pub(super) fn read_references(record: &mut Record, path: &str, errors: &mut Vec<FieldError>) {
     let lists = lists(record);
     let own = definitions::without_linked(record);
     errors.extend(ambiguous(&lists, &own).into_iter().map(|error| within(path, error)));
@@ -58,7 +58,7 @@ pub(super) fn resolve_problem(record: &mut Record, path: &str, errors: &mut Vec<
         if let Value::Group(inner) = value
             && definitions::are_of_problem(inner.fields)
         {
-            resolve_problem(inner, &join(path, field.name), errors);
+            read_references(inner, &join(path, field.name), errors);
         }
     }
 }

@@ -5,7 +5,7 @@
 
 use toml_edit::{DocumentMut, Value as Toml};
 
-use super::{Format, definitions, write::multiline};
+use super::{Format, definitions, write::text_of_lines};
 use crate::{Draft, Entry, Field, Locale, Shape, Text, Variant, cases::Case, describe, gravity, table};
 
 /// The longest line of a comment, in characters.
@@ -59,7 +59,7 @@ pub fn template(entry: &Entry, case: Option<&Case>, locale: &Locale) -> String {
 
 /// A text in quotes.
 fn quoted(text: &str) -> String {
-    let value: Toml = if text.contains('\n') { multiline(text) } else { text.into() };
+    let value: Toml = if text.contains('\n') { text_of_lines(text) } else { text.into() };
     value.to_string().trim().to_owned()
 }
 

@@ -19,7 +19,7 @@ fn write_text(item: &mut Item, text: &str) {
     if item.as_value().is_some_and(|value| plain(value) == text) {
         return;
     }
-    let mut value: Toml = if text.contains('\n') { multiline(text) } else { text.into() };
+    let mut value: Toml = if text.contains('\n') { text_of_lines(text) } else { text.into() };
     if let Some(old) = item.as_value() {
         *value.decor_mut() = old.decor().clone();
     }
@@ -27,7 +27,7 @@ fn write_text(item: &mut Item, text: &str) {
 }
 
 /// A text of several lines, as `"""` lines.
-pub(super) fn multiline(text: &str) -> Toml {
+pub(super) fn text_of_lines(text: &str) -> Toml {
     let literal = format!("x = '''\n{text}'''");
     let parsed = if text.contains("'''") { None } else { literal.parse::<DocumentMut>().ok() };
     parsed.and_then(|mut document| document.remove("x")?.into_value().ok()).unwrap_or_else(|| text.into())
