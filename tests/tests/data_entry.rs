@@ -139,8 +139,12 @@ const ROTOR: &str = "vibration/rotor-dynamics";
 
 /// A user before the first case of an analysis, on the line of a path.
 fn on(mut person: Person, path: &str) -> Person {
-    person.model.bench.as_mut().expect("a problem is open").problem.inputs.form.go_to(path);
+    move_to(&mut person, path);
     person
+}
+
+fn move_to(person: &mut Person, path: &str) {
+    person.model.bench.as_mut().expect("a problem is open").problem.inputs.form.go_to(path);
 }
 
 fn rows(person: &Person, path: &str) -> usize {
@@ -384,10 +388,6 @@ fn a_definition_and_a_question_are_typed_into_the_form() {
     // 12 g at 8.3333 m: the unbalance of the case.
     person.types("N<enter>bolt<tab>12 g<enter>");
     assert!(person.sees().contains("Definitions"), "{}", person.sees());
-    let move_to = |person: &mut Person, path: &str| {
-        let bench = person.model.bench.as_mut().expect("a problem is open");
-        bench.problem.inputs.form.go_to(path);
-    };
     move_to(&mut person, "unbalance");
     person.types("<enter><c-u>bolt*25 m/3<enter>");
     assert!(person.sees().contains("19.456") && person.sees().contains("bolt*25 m/3"), "{}", person.sees());
@@ -441,7 +441,9 @@ fn linked_problems_change_each_other_in_one_form() {
         let screen = person.sees();
         assert!(screen.contains("201.6"), "{screen}");
         move_to(&mut person, "fan.support.stiffness.stiffness");
-        assert!(person.sees().contains("= 201.6 kN/m"), "{}", person.sees());
+        // In a narrow form the formula alone has room.
+        let beside = if width < 100 { "bracket.stiffness" } else { "bracket.stiffness  = 201.6 kN/m" };
+        assert!(person.sees().contains(beside), "{}", person.sees());
         // The mass of the fan is that on the bracket.
         move_to(&mut person, "fan.mass");
         person.types("<enter><c-u>50 kg<enter>");

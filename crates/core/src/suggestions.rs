@@ -1,8 +1,8 @@
 //! The usual questions of a problem: formulas over what its solution offers, ready to be asked.
 //!
-//! Two tables make them. A role ([`roles`]) is a physical quantity, and says under which name the analyses have it: the
+//! Two tables make them. A role (`roles`) is a physical quantity, and says under which name the analyses have it: the
 //! amplitude of a harmonic motion, the frequency of that motion, the stiffness of the spring that it deflects. A rule
-//! ([`rules`]) is a formula over roles: `{frequency}*{amplitude}` is the amplitude of the velocity. A rule is suggested
+//! (`rules`) is a formula over roles: `{frequency}*{amplitude}` is the amplitude of the velocity. A rule is suggested
 //! where every role of it has a value in the solution, where its own value is finite and not zero, and where no answer
 //! has that value already.
 
