@@ -60,8 +60,30 @@ pub(crate) struct ProblemSource<'a> {
     pub(crate) ask: &'a [String],
     /// The given answers to add.
     pub(crate) given: &'a [String],
+    /// The options that inputs and given answers are of, as errors name them.
+    pub(crate) options: ProblemOptions,
     /// True if a number without a unit is refused.
     pub(crate) strict: bool,
+}
+
+/// Options of the command line that change inputs and give answers.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ProblemOptions {
+    /// The option of an input.
+    pub(crate) input: &'static str,
+    /// The option of a given answer.
+    pub(crate) given: &'static str,
+    /// How a given answer is written.
+    pub(crate) given_form: &'static str,
+}
+
+impl ProblemOptions {
+    /// Those of `dalembert solve`.
+    pub(crate) const OF_SOLVE: Self = Self {
+        input: "--set",
+        given: "--given",
+        given_form: "write an answer and its value, as in --given 'natural_frequency=8.2 Hz'",
+    };
 }
 
 /// Reads a problem, and says on the error stream how its inputs were read where that does not stand in them.
@@ -247,12 +269,7 @@ fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: 
     let added: [(&str, &[String], Add, &str); 3] = [
         ("--let", asked.define, Draft::define, "write a name and a formula, as in --let nu=0.3"),
         ("--ask", asked.ask, Draft::ask, "write a name and a formula, as in --ask 'peak to peak=2*X'"),
-        (
-            "--given",
-            asked.given,
-            Draft::give,
-            "write an answer and its value, as in --given 'natural_frequency=8.2 Hz'",
-        ),
+        (asked.options.given, asked.given, Draft::give, asked.options.given_form),
     ];
     for (flag, texts, add, form) in added {
         // A question without a formula is one of the usual ones, which are known once the problem is read.
@@ -267,6 +284,8 @@ fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: 
             }
         }
     }
+    let wrong =
+        |path: &str| Text::new("{flag} {text}: {why}").with("flag", asked.options.input).with("text", path);
     for change in asked.changes {
         let Some((path, value)) = change.split_once('=') else {
             errors.push(
@@ -285,11 +304,10 @@ fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: 
                 let before = draft.clone();
                 match draft.set(shape, path, text.as_deref().unwrap_or(value)) {
                     Ok(()) => draft.keep_first(&before, shape),
-                    Err(err) => errors
-                        .push(Text::new("--set {path}: {why}").with("path", path).with_text("why", err.why)),
+                    Err(err) => errors.push(wrong(path).with_text("why", err.why)),
                 }
             }
-            Err(err) => errors.push(Text::new("--set {path}: {why}").with("path", path).with("why", err)),
+            Err(err) => errors.push(wrong(path).with("why", err)),
         }
     }
     errors

@@ -14,7 +14,7 @@ use crate::{
     console::{Console, print},
     failure::Failure,
     output,
-    problem::{self, LoadedProblem, ProblemSource},
+    problem::{self, LoadedProblem, ProblemOptions, ProblemSource},
     solving,
 };
 
@@ -30,6 +30,7 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         define: &solve.define,
         ask: &solve.ask,
         given: &solve.given,
+        options: ProblemOptions::OF_SOLVE,
         strict: solve.strict,
     };
     let mut problem = problem::read(&asked, console)?;

@@ -31,6 +31,7 @@ pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<
             define: &[],
             ask: &[],
             given: &[],
+            options: problem::ProblemOptions::OF_SOLVE,
             strict: false,
         };
         return print_worked(&problem::read(&asked, console)?, console);
