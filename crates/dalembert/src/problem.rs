@@ -73,7 +73,7 @@ pub(crate) struct ProblemOptions {
     pub(crate) input: &'static str,
     /// The option of a given answer.
     pub(crate) given: &'static str,
-    /// How a given answer is written.
+    /// Form of a given answer, with an example.
     pub(crate) given_form: &'static str,
 }
 

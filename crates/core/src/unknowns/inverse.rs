@@ -87,7 +87,7 @@ enum Link {
     AngleUnder(Id),
 }
 
-/// What an inverse is looked for with.
+/// Search for the inverse of a trace: the unknown, the given answer, and what is known of the range.
 pub(super) struct Question<'a, 'e> {
     /// The unknown.
     pub(super) unknown: &'a DeterminedInput,
@@ -200,7 +200,7 @@ fn path(solution: &Solution, unknown: Id, answer: Id) -> Option<Vec<Link>> {
             Op::Div(a, b) => side(a, b, Link::Over, Link::Under)?,
             Op::Neg(a) => (a, Link::Negated),
             Op::Power(a, n) if n != 0 => (a, Link::Power(n)),
-            Op::Root(a, n) if n > 0 && n <= i8::MAX as u8 => (a, Link::Root(n)),
+            Op::Root(a, n) if n > 0 && i8::try_from(n).is_ok() => (a, Link::Root(n)),
             Op::Raised(a, b) => side(a, b, Link::RaisedTo, Link::Exponent)?,
             Op::Atan2(y, x) => side(y, x, Link::AngleOver, Link::AngleUnder)?,
             Op::Call(function, a) if has_inverse(function) => (a, Link::Call(function)),

@@ -65,7 +65,7 @@ pub(crate) fn run(find: &Find, console: &Console) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// What was sought, each solution, and whether there are others.
+/// Lines of the output: the question, each solution, and whether there are others.
 fn lines(solution: &Solution, determined: &Determined, locale: &Locale) -> Vec<String> {
     let written = |si: f64, unit: &units::Unit| units::write_quantity(si, unit, locale.style);
     let mut lines = Vec::new();
