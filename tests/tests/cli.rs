@@ -1019,6 +1019,44 @@ fn changes_without_a_case_begin_with_nothing() {
 }
 
 #[test]
+fn a_wanted_answer_is_found_on_the_command_line() {
+    let asked = ["find", FAN, "--input", "mass", "--answer", "natural_frequency=12 Hz"];
+    let mass = 3.0 * 200e9 * 1.3e-6 / 1.2f64.powi(3) / (24.0 * std::f64::consts::PI).powi(2);
+    let found = json(&[&asked[..], &["--json"]].concat());
+    let values = found["unknowns"]["mass"]["value"].as_array().expect("a value for each solution");
+    assert_eq!(values.len(), 1);
+    assert!((values[0].as_f64().unwrap() / mass - 1.0).abs() < 1e-9, "{values:?} and {mass}");
+    assert_eq!(found["unknowns"]["mass"]["all"], true);
+    let text = printed(&asked);
+    for said in
+        ["Mass of the machine for", "= 12 Hz", "mass = 79.4", "these are all solutions in the range: m = "]
+    {
+        assert!(text.contains(said), "{said}: {text}");
+    }
+    // An amplitude is reached below the resonance and above it.
+    let asked = ["find", FAN, "--case", "1", "--input", "speed", "--answer", "amplitude=10 mm"];
+    let text = printed(&[&asked[..], &["--from", "500 rpm", "--to", "3000 rpm", "--lang", "pt-BR"]].concat());
+    assert_eq!(text.matches("speed = ").count(), 2, "{text}");
+    assert!(text.contains("para") && text.contains("busca em 401 pontos"), "{text}");
+    for (wrong, status, said) in [
+        (
+            ["--input", "mass", "--answer", "natural_frequency"],
+            2,
+            "--answer natural_frequency: write an answer",
+        ),
+        (["--input", "mas", "--answer", "natural_frequency=12 Hz"], 2, "--input mas: "),
+        (["--input", "mass", "--answer", "frequency=12 Hz"], 2, "no answer `frequency`"),
+        (["--input", "mass", "--answer", "natural_frequency=12 kg"], 2, "an angular velocity expected"),
+        (["--input", "mass", "--answer", "stiffness=1 N/m"], 2, "does not depend on what is unknown"),
+        (["--input", "unbalance", "--answer", "amplitude=900 km"], 1, "the answer lies between"),
+    ] {
+        let error = refused(&[&["find", FAN][..], &wrong].concat(), status);
+        assert!(error.contains(said), "{wrong:?}: {error}");
+    }
+    refused(&[&asked[..], &["--from", "500 rpm"]].concat(), 2);
+}
+
+#[test]
 fn an_unknown_is_found_on_the_command_line() {
     let asked = ["solve", FAN, "--case", "1", "--set", "mass=?", "--given", "natural_frequency=12 Hz"];
     let solved = json(&[&asked[..], &["--format", "json"]].concat());

@@ -378,6 +378,14 @@ answer-is-the-given-one = { $answer } é o valor dado
 count-solutions-in-the-range-searched-solutions-the-first-is-worked-out-a-narrower-range-as-in-1-kg = { $count } soluções no intervalo pesquisado: { $solutions }; a resolução é a da primeira; um intervalo menor, como em ? 1 kg .. 100 kg, escolhe outra
 unknown-is-unknown-found-from-givens-solutions-from-from-to-to-at-points-points-count = { $unknown } é incógnita: obtida de { $givens }; soluções de { $from } a { $to }, em { $points } pontos: { $count }
 unknown-is-unknown-found-from-givens-solutions-from-from-to-to-from-points-starts-count = { $unknown } é incógnita: obtida de { $givens }; soluções de { $from } a { $to }, a partir de { $points } pontos: { $count }
+unknown-is-unknown-its-formula-follows-from-givens-all-solutions-from-from-to-to-count = { $unknown } é incógnita: sua fórmula resulta de { $givens }; todas as soluções de { $from } a { $to }: { $count }
+unknown-is-unknown-its-formula-follows-from-givens-all-solutions-from-from-to-to-with-branches-count = { $unknown } é incógnita: sua fórmula resulta de { $givens }; todas as soluções de { $from } a { $to }, com { $branches }: { $count }
+unknown-by-its-formula-is-the-solution-of-the-search = { $unknown } pela fórmula é a solução da busca
+both-signs-of-the-root = os dois sinais da raiz
+both-signs-of-the-absolute-value = os dois sinais do valor absoluto
+the-angles-of-the-arcsine = os ângulos do arco seno
+the-angles-of-the-arccosine = os ângulos do arco cosseno
+the-angles-of-the-arctangent = os ângulos do arco tangente
 unknown-is-unknown-least-squares-of-givens = { $unknown } é incógnita: mínimos quadrados de { $givens }
 given-answers = Resultados dados
 known-values-of-answers-from-which-inputs-written-as-are-found-natural-frequency-8-2-hz = Valores conhecidos de resultados, dos quais se obtêm os dados escritos como ?: natural_frequency = 8.2 Hz.

@@ -3,6 +3,7 @@
 //! A [`Term`] is a number that remembers how it was found. The formula that is shown is the one that was
 //! evaluated, and its dimensions are followed as it is evaluated.
 
+mod early;
 mod term;
 mod vect;
 
@@ -37,6 +38,8 @@ pub struct Sheet<'a> {
     stop: &'a Stop,
     /// The inputs that formulas needed before the solve, by path.
     lifted: RefCell<HashMap<String, Id>>,
+    /// Steps that stand before the solution they are of: it goes on with them where it comes to them.
+    early: RefCell<Vec<usize>>,
     /// The step whose result is written down with a relative error of [`PERTURBATION`].
     perturbed: Option<usize>,
 }
@@ -53,7 +56,13 @@ pub(crate) struct Mark {
 impl<'a> Sheet<'a> {
     /// An empty sheet.
     pub fn new(stop: &'a Stop) -> Self {
-        Self { solution: RefCell::default(), stop, lifted: RefCell::default(), perturbed: None }
+        Self {
+            solution: RefCell::default(),
+            stop,
+            lifted: RefCell::default(),
+            early: RefCell::default(),
+            perturbed: None,
+        }
     }
 
     /// An empty sheet on which the result of one step comes out wrong by [`PERTURBATION`](crate::trace::PERTURBATION):
@@ -139,6 +148,9 @@ impl<'a> Sheet<'a> {
                 printer::symbol(&symbol),
                 unit.pretty()
             ));
+        }
+        if let Some(result) = self.early(symbol, formula, number, &why) {
+            return result;
         }
         let step = self.solution.borrow().steps.len();
         let rounded = match formula {

@@ -5,29 +5,24 @@ mod scatter;
 
 use std::{
     collections::BTreeSet,
-    ops::ControlFlow,
     sync::{Mutex, PoisonError},
 };
 
-use dalembert_numerics::roots;
 use dalembert_units::{Kind, Unit};
 
 pub use self::scatter::Distribution;
 use crate::{
     Answer, Axis, Entry, Plot, Record, Refusal, Scale, Series, SolveError, Stop, Text,
+    unknowns::search::{Target, Variable, search},
     vary::{self, Perturbed, VariedInput},
 };
 
-/// So many points are examined when a value is sought.
-const SCAN: usize = 400;
 /// The most points of a curve, and the most samples.
 pub const MOST_POINTS: usize = 10_000;
 /// The most curves of a family.
 pub const MOST_CURVES: usize = 6;
 /// So many ranges without an answer are reported.
 const MOST_GAPS: usize = 3;
-/// Answers that differ by no more of themselves are the same.
-const ROUNDING: f64 = 1e-12;
 
 /// Type and parameters of a study.
 #[derive(Clone, Debug)]
@@ -237,32 +232,19 @@ impl<'a> Curve<'a> {
 
     fn find(&self, wanted: f64, stop: &Stop) -> Result<StudyResult, SolveError> {
         let mut again = self.again()?;
-        let [from, to] = self.range;
-        let scale = if from > 0.0 && to / from > 30.0 { Scale::Log } else { Scale::Linear };
-        let places = self.places(SCAN, scale);
-        let values = self.values(&mut again, &places, None, stop)?;
         let at = place_of(&again, &self.input().path);
-        if let Some(first) = values.first()
-            && values.iter().all(|value| (value - first).abs() <= ROUNDING * first.abs())
-        {
+        let variable = Variable::new(self.range, None);
+        let scale = if variable.is_logarithmic { Scale::Log } else { Scale::Linear };
+        let mut evaluate = |x: &[f64]| again.with(&[(at, x[0])], stop);
+        let searched = search(&mut evaluate, &[variable], &[Target { si: wanted, tolerance: None }])?;
+        if searched.without_influence.is_some() {
             let remarks = Text::new("{answer} does not depend on {input}")
                 .with_text("answer", self.answer.title())
                 .with_text("input", self.input().label.clone());
             return Ok(StudyResult { remarks: vec![remarks], plot: None, numbers: Vec::new() });
         }
-        let mut found = Vec::new();
-        for pair in 1..places.len() {
-            let (before, after) = (values[pair - 1] - wanted, values[pair] - wanted);
-            if before == 0.0 {
-                found.push(places[pair - 1]);
-            } else if before * after < 0.0 {
-                let off = |x: f64| again.with(&[(at, x)], stop).map_or(f64::NAN, |values| values[0] - wanted);
-                let root = roots::find(off, [places[pair - 1], places[pair]], |_| ControlFlow::Continue(()));
-                stop.check()?;
-                found.extend(root.ok());
-            }
-        }
-        found.extend(places.last().filter(|_| values.last() == Some(&wanted)));
+        let found: Vec<f64> = searched.solutions.iter().map(|solution| solution[0]).collect();
+        let (places, values): (Vec<f64>, Vec<f64>) = searched.scan.iter().copied().unzip();
         let (x_unit, y_unit) = (fixed(&self.input().unit), fixed(&self.answer.unit));
         let mut remarks: Vec<Text> = found
             .iter()
@@ -273,23 +255,20 @@ impl<'a> Curve<'a> {
             })
             .collect();
         if found.is_empty() {
-            let ends = places.iter().zip(&values).filter(|(_, y)| y.is_finite());
-            let least = ends.clone().min_by(|a, b| a.1.total_cmp(b.1));
-            let most = ends.max_by(|a, b| a.1.total_cmp(b.1));
-            remarks.push(match least.zip(most) {
-                Some((least, most)) => Text::new(
+            remarks.push(match searched.covered {
+                Some([least, most]) => Text::new(
                     "target not reached in the range: the answer lies between {least} (at {at_least}) and {most} (at {at_most})",
                 )
-                .with_quantity("least", *least.1, y_unit)
-                .with_quantity("at_least", *least.0, x_unit)
-                .with_quantity("most", *most.1, y_unit)
-                .with_quantity("at_most", *most.0, x_unit),
+                .with_quantity("least", least.1, y_unit)
+                .with_quantity("at_least", least.0, x_unit)
+                .with_quantity("most", most.1, y_unit)
+                .with_quantity("at_most", most.0, x_unit),
                 None => Text::new("no answer in the whole range"),
             });
         }
         remarks.extend(self.gaps(&again, None, &places, &values, stop));
-        let points = places.iter().copied().zip(values).collect();
-        let mut plot = self.plot(vec![Series::line(self.answer.title(), points)]).level("target", wanted);
+        let mut plot =
+            self.plot(vec![Series::line(self.answer.title(), searched.scan)]).level("target", wanted);
         plot.x.scale = scale;
         for x in &found {
             plot = plot.mark("", (*x, wanted));

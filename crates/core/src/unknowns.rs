@@ -5,17 +5,23 @@
 //! several, the normalised differences are brought to zero by Levenberg and Marquardt's method from 33 starts; with more
 //! given answers than unknowns their squares are made least. A solution counts only if a solve with it returns every
 //! given answer to 1e-9.
+//!
+//! Where the trace of one unknown has an inverse, its formula is a step, and the solutions are all that there are.
 
-mod search;
+mod inverse;
+pub(crate) mod search;
 
 use std::sync::Arc;
 
 use dalembert_units::Unit;
 
-use self::search::{Target, Variable, search};
+use self::{
+    inverse::{Inverse, Question, inverse},
+    search::{ACCEPTED, Target, Variable, search},
+};
 use crate::{
     Answer, AnswerValue, Cell, Column, Entry, Exhibit, FieldError, Name, Record, Refusal, Sheet, SolveError,
-    Stop, TableExhibit, Text, Worksheet, cases,
+    Stop, Symbol, TableExhibit, Term, Text, Worksheet, cases,
     definitions::{GivenAnswer, Plan, Unknown},
     intern::intern,
     linked, reading,
@@ -36,6 +42,8 @@ pub struct Determined {
     pub points: usize,
     /// The inputs with the first solution.
     pub record: Record,
+    /// Formula of the one unknown, where the trace has an inverse.
+    pub(crate) inverse: Option<Inverse>,
 }
 
 /// An input or a definition that was found.
@@ -70,8 +78,6 @@ pub struct ReachedAnswer {
     pub reached: f64,
 }
 
-/// The share of a given answer by which a solution may miss it.
-const ACCEPTED: f64 = 1e-9;
 /// The most solutions that are listed in a sentence.
 const LISTED: usize = 6;
 
@@ -121,24 +127,21 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
         );
         return Err(Refusal::because(why.with("unknowns", names.join(", "))).into());
     }
-    let mut solved = begin;
-    for (input, si) in inputs.iter().zip(first) {
-        solved = vary::changed(&solved, &input.path, *si).ok_or_else(|| fixed_input(plan, &input.path))?;
-    }
+    let solved = solved(&begin, plan, &inputs, first)?;
+    let size = found.size(&targets[0]);
     let reached = evaluate(first)?;
-    let record = Record { plan: None, ..solved.clone() };
-    let determined = Determined {
+    let mut determined = Determined {
         unknowns: inputs
-            .into_iter()
+            .iter()
             .zip(&variables)
             .enumerate()
             .map(|(n, (input, variable))| DeterminedInput {
-                label: input.label,
+                label: input.label.clone(),
                 symbol: input.symbol,
-                unit: input.unit,
+                unit: input.unit.clone(),
                 range: variable.range,
                 uncertainty: found.uncertainties.as_ref().map(|all| all[n]),
-                name: input.path,
+                name: input.path.clone(),
             })
             .collect(),
         givens: givens
@@ -155,12 +158,52 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
             .collect(),
         solutions: found.solutions,
         points: found.points,
-        record,
+        record: Record { plan: None, ..solved.clone() },
+        inverse: None,
     };
+    let by_search = with_determined(solved, determined.clone());
+    let ([unknown], [given], [planned]) = (&determined.unknowns[..], &determined.givens[..], givens) else {
+        return Ok(Some(by_search));
+    };
+    let Ok(base) = entry.solve(&by_search, stop) else { return Ok(Some(by_search)) };
+    let defects = base.defects.len();
+    let question = Question {
+        unknown,
+        given,
+        row: &planned.path,
+        found: &determined.solutions,
+        scan: &found.scan,
+        size,
+        evaluate: &mut evaluate,
+    };
+    let Some((solutions, formula)) = inverse(base, question)? else { return Ok(Some(by_search)) };
+    let solved = self::solved(&begin, plan, &inputs, &solutions[0])?;
+    determined.record = Record { plan: None, ..solved.clone() };
+    (determined.solutions, determined.inverse) = (solutions, Some(formula));
+    let first = determined.solutions[0][0];
+    let name = determined.unknowns[0].name.clone();
+    let by_formula = with_determined(solved, determined);
+    // A formula that the sheet does not take is none.
+    let is_right = entry.solve(&by_formula, stop).is_ok_and(|solution| {
+        let is_near = |(si, _): (f64, &Unit)| (si - first).abs() <= ACCEPTED * first.abs();
+        solution.defects.len() == defects && solution.computed_input(&name).is_some_and(is_near)
+    });
+    stop.check()?;
+    Ok(Some(if is_right { by_formula } else { by_search }))
+}
+
+/// The problem with values of the unknowns.
+fn solved(begin: &Record, plan: &Plan, inputs: &[VariedInput], x: &[f64]) -> Result<Record, SolveError> {
+    inputs.iter().zip(x).try_fold(begin.clone(), |record, (input, si)| {
+        vary::changed(&record, &input.path, *si).ok_or_else(|| fixed_input(plan, &input.path))
+    })
+}
+
+fn with_determined(mut solved: Record, determined: Determined) -> Record {
     if let Some(plan) = &mut solved.plan {
         Arc::make_mut(plan).determine(determined);
     }
-    Ok(Some(solved))
+    solved
 }
 
 fn fault(path: impl Into<String>, why: impl Into<Text>) -> SolveError {
@@ -325,13 +368,22 @@ fn listed(texts: impl Iterator<Item = Text>) -> Text {
 
 impl Determined {
     /// Description of the search for an unknown; `None` where there is none of that name.
-    pub(crate) fn why(&self, name: &str) -> Option<Text> {
+    fn why(&self, name: &str) -> Option<Text> {
         let unknown = self.unknowns.iter().find(|unknown| unknown.name == name)?;
         let givens = self.givens.iter().map(|given| equals(given.label.clone(), given.given, &given.unit));
         let how = match self.unknowns.len() {
             _ if self.givens.len() > self.unknowns.len() => {
                 Text::new("{unknown} is unknown: least squares of {givens}")
             }
+            1 if let Some(inverse) = &self.inverse => match inverse.branches() {
+                [] => Text::new(
+                    "{unknown} is unknown: its formula follows from {givens}; all solutions from {from} to {to}: {count}",
+                ),
+                several => Text::new(
+                    "{unknown} is unknown: its formula follows from {givens}; all solutions from {from} to {to}, with {branches}: {count}",
+                )
+                .with_text("branches", listed(several.iter().cloned())),
+            },
             1 => Text::new(
                 "{unknown} is unknown: found from {givens}; solutions from {from} to {to}, at {points} points: {count}",
             ),
@@ -349,6 +401,26 @@ impl Determined {
                 .with("points", self.points)
                 .with("count", self.solutions.len()),
         )
+    }
+
+    /// Returns true if the solutions are all that there are in the range: the trace was inverted.
+    pub fn has_all(&self) -> bool {
+        self.inverse.is_some()
+    }
+
+    /// Writes an unknown as a step, by its formula where it has one; `None` where there is none of that name.
+    pub(crate) fn write<'s>(
+        &self,
+        sheet: &'s Sheet<'s>,
+        name: &str,
+        (symbol, unit): (Symbol, &'static str),
+        si: f64,
+    ) -> Option<Term<'s>> {
+        let why = self.why(name)?;
+        Some(match (&self.inverse, &self.givens[..]) {
+            (Some(inverse), [given]) => inverse.write(sheet, (symbol, unit), given, why),
+            _ => sheet.numerical(symbol, unit, si, why),
+        })
     }
 
     /// Compares the given answers with those of the solved sheet, and shows every solution.
@@ -369,6 +441,12 @@ impl Determined {
             {
                 sheet.answer(name, plan.label(&unknown.name), sheet.term(id));
                 sheet.mark_asked(name, plan.problem_name(&unknown.name));
+            }
+            let searched = self.inverse.as_ref().and_then(Inverse::searched);
+            if let (Some(searched), Some(id)) = (searched, sheet.lifted(&unknown.name)) {
+                let what = Text::new("{unknown} by its formula is the solution of the search");
+                let what = what.with_text("unknown", unknown.label.clone());
+                sheet.check(what, sheet.term(id), Term::from(searched));
             }
         }
         if self.solutions.len() > 1 {

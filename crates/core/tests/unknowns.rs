@@ -1,8 +1,8 @@
 //! Unknown inputs found from given answers, on a small analysis with closed forms.
 
 use dalembert_core::{
-    About, Analysis, Determined, Draft, Entry, FieldError, Inputs, Refusal, Solution, SolveError, Source,
-    Stop, Worksheet, file, register, vary,
+    About, Analysis, Determined, Draft, Entry, FieldError, Inputs, Locale, Refusal, Solution, SolveError,
+    Source, Stop, Worksheet, file, printer, register, vary,
 };
 use dalembert_numerics::Real;
 use itertools::Itertools as _;
@@ -140,10 +140,109 @@ fn one_unknown_is_found_and_comes_first() {
     close(solution.answers[0].si().unwrap(), mass, 1e-11);
     // A thousandth to a thousand times the mass of the first case.
     assert_eq!(determined.unknowns[0].range, [0.002, 2000.0]);
-    assert!(
-        solution.steps[0].why.english().starts_with("Mass is unknown: found from Natural frequency = 5 Hz")
-    );
+    assert!(solution.steps[0].why.english().starts_with(
+        "Mass is unknown: its formula follows from Natural frequency = 5 Hz; all solutions from"
+    ));
     assert!(solution.checks.iter().any(|check| check.what.english() == "Natural frequency is the given one"));
+}
+
+/// The first step: what was unknown, by its formula, and what is said of it.
+fn first_step(solution: &Solution) -> (String, String) {
+    let step = printer::step(solution, &solution.steps[0], &Locale::english());
+    (format!("{} = {}", step.symbol, step.formula), step.why)
+}
+
+#[test]
+fn an_unknown_has_the_formula_that_the_answer_leads_back_to() {
+    // Unknown, given answer, formula, solutions, and what is said of its branches.
+    type Solutions = Vec<f64>;
+    let root = |x: f64| x.sqrt();
+    let cases: [(&str, &str, (&str, &str), &str, Solutions, &str); 8] = [
+        ("mass", "?", ("natural_frequency", "20 rad/s"), "m = k / ω_n²", vec![2.0], ""),
+        ("stiffness", "?", ("natural_frequency", "5 rad/s"), "k = m ω_n²", vec![50.0], ""),
+        ("stiffness", "?", ("static_deflection", "9.81 mm"), "k = m 9.81 m/s² / δ", vec![2000.0], ""),
+        ("force", "? -1 kN .. 1 kN", ("amplitude", "10 mm"), "F = (k − m ω²) X", vec![6.0], ""),
+        ("stiffness", "? 1 N/m .. 1 kN/m", ("amplitude", "50 mm"), "k = F / X + m ω²", vec![400.0], ""),
+        (
+            "speed",
+            "? 0 .. 100 rad/s",
+            ("amplitude", "25 mm"),
+            "ω = √((k − F / X) / m)",
+            vec![root(200.0)],
+            "",
+        ),
+        (
+            "velocity",
+            "? 0 .. 50 m/s",
+            ("range", "8 m"),
+            "v = √(9.81 m/s² R / sin(2 θ))",
+            vec![root(8.0 * 9.81 / root(0.75))],
+            "",
+        ),
+        (
+            "angle",
+            "? 0 .. 90 deg",
+            ("range", "5 m"),
+            "θ = arcsin(9.81 m/s² R / v²) / 2",
+            vec![0.4905f64.asin() / 2.0, (std::f64::consts::PI - 0.4905f64.asin()) / 2.0],
+            "with the angles of the arcsine",
+        ),
+    ];
+    for (input, text, answer, formula, solutions, branches) in cases {
+        let solution = problem(&(inputs(&[(input, text)]) + &given(&[answer]))).expect("it has a solution");
+        let determined = found(&solution);
+        assert!(determined.has_all(), "{input} from {answer:?}");
+        let found: Vec<f64> = determined.solutions.iter().map(|one| one[0]).collect();
+        found.iter().zip_eq(solutions).for_each(|(found, wanted)| close(*found, wanted, 1e-12));
+        let (written, why) = first_step(&solution);
+        assert_eq!(written, formula, "{input} from {answer:?}");
+        assert!(why.contains("its formula follows from") && why.contains("all solutions from"), "{why}");
+        assert!(why.contains(branches), "{why}");
+        assert_eq!(why.contains(" with "), !branches.is_empty(), "{why}");
+        let what = "by its formula is the solution of the search";
+        assert!(solution.checks.iter().any(|check| check.what.english().ends_with(what)));
+    }
+}
+
+#[test]
+fn both_signs_of_a_root_are_solutions_where_the_range_has_them() {
+    let text = inputs(&[("speed", "10 rad/s")])
+        + "[let]\noffset = \"? -3 m .. 3 m\"\n[ask]\ndistance = \"sqrt(offset^2 + (1 m)^2)\"\n"
+        + &given(&[("distance", "2 m")]);
+    let solution = problem(&text).expect("it has solutions");
+    let determined = found(&solution);
+    assert!(determined.has_all());
+    let solutions: Vec<f64> = determined.solutions.iter().map(|one| one[0]).collect();
+    solutions.iter().zip_eq([-(3f64.sqrt()), 3f64.sqrt()]).for_each(|(found, x)| close(*found, x, 1e-12));
+    let (written, why) = first_step(&solution);
+    assert!(written.starts_with("offset = −√("), "{written}");
+    assert!(why.contains("with both signs of the root: 2"), "{why}");
+}
+
+#[test]
+fn a_formula_stands_behind_the_steps_that_it_needs() {
+    // The stiffness is a formula of two definitions; it is a step once, before that of the mass.
+    let text = inputs(&[("mass", "?"), ("stiffness", "2*a + b")])
+        + "[let]\na = \"300 N/m\"\nb = \"2*c\"\nc = \"100 N/m\"\n"
+        + &given(&[("natural_frequency", "20 rad/s")]);
+    let solution = problem(&text).expect("it has a solution");
+    assert!(found(&solution).has_all());
+    let steps: Vec<String> = solution.steps.iter().map(|step| printer::symbol(&step.symbol)).collect();
+    assert_eq!(steps[..4], ["b", "k", "m", "ω_n"], "{steps:?}");
+    assert_eq!(steps.iter().filter(|symbol| *symbol == "k").count(), 1);
+    close(found(&solution).solutions[0][0], 2.0, 1e-12);
+}
+
+#[test]
+fn an_unknown_on_two_paths_is_found_by_the_search() {
+    // The amplitude at a stiffness that is 100/s² of the mass: F/(m (100 − ω²)) by two paths.
+    let text =
+        inputs(&[("mass", "?"), ("stiffness", "400*mass/(1 s)^2")]) + &given(&[("amplitude", "10 mm")]);
+    let solution = problem(&text).expect("it has a solution");
+    let determined = found(&solution);
+    assert!(!determined.has_all());
+    close(determined.solutions[0][0], 10.0 / 300.0 / 0.01, 1e-9);
+    assert!(first_step(&solution).1.contains("found from Amplitude"), "{}", first_step(&solution).1);
 }
 
 #[test]

@@ -78,7 +78,6 @@ no-analysis-matches-filter-dalembert-list-shows-them-all = nenhuma análise corr
 no-answer-why = sem resposta: { $why }
 path-value-why = { $path } = { $value }: { $why }
 set-change-write-a-path-and-a-value-as-in-set-mass-40-kg = --set { $change }: escreva um caminho e um valor, como em --set mass="40 kg"
-set-path-why = --set { $path }: { $why }
 there-is-no-subcommand-name-did-you-mean-near = não há subcomando `{ $name }`; seria `{ $near }`?
 there-is-no-subcommand-name-see-dalembert-help = não há subcomando `{ $name }`; veja `dalembert --help`
 there-is-no-table-table-write-one-of-known = não há tabela `{ $table }`; escreva uma de { $known }
@@ -153,3 +152,16 @@ ask-name-write-a-name-and-a-formula-as-in-ask-peak-to-peak-2-x = --ask { $name }
 ask-name-write-a-name-and-a-formula-as-in-ask-peak-to-peak-2-x-or-one-of-known = --ask { $name }: escreva um nome e uma fórmula, como em --ask 'pico a pico=2*X', ou uma destas: { $known }
 write-a-changed-input-and-its-value-as-in-configuration-weighted-mass-m-2-kg = escreva um dado alterado e seu valor, como em --configuration 'carregado.mass=m + 2 kg'
 solve-the-same-problem-with-an-input-changed-beside-it-weighted-mass-m-2-kg = Resolve ao lado o mesmo problema com um dado alterado: 'carregado.mass=m + 2 kg'
+
+## Find
+find-the-values-of-an-input-with-which-an-answer-is-a-wanted-one = Obter os valores de um dado com os quais um resultado é o desejado
+take-the-other-inputs-of-this-published-case-counted-from-1-default-case-1 = Usar os outros dados deste caso publicado, contado a partir de 1; padrão: caso 1
+the-input-to-find-mass-masses-2-radius = O dado a obter: mass, masses[2].radius
+the-answer-or-question-and-the-value-that-it-is-to-have-natural-frequency-8-2-hz = O resultado ou a pergunta, e o valor que deve ter: 'natural_frequency=8.2 Hz'
+least-value-of-the-range-to-search-default-1-1000-to-1000-times-the-value-of-case-1 = Menor valor do intervalo de busca; padrão: de 1/1000 a 1000 vezes o valor do caso 1
+largest-value-of-the-range-to-search = Maior valor do intervalo de busca
+write-an-answer-and-its-value-as-in-answer-natural-frequency-8-2-hz = escreva um resultado e seu valor, como em --answer 'natural_frequency=8.2 Hz'
+unknown-for-answer-value-from-from-to-to = { $unknown } para { $answer } = { $value }, de { $from } a { $to }:
+these-are-all-solutions-in-the-range-formula = são todas as soluções do intervalo: { $formula }
+found-at-points-points-of-the-range = busca em { $points } pontos do intervalo
+found-from-points-starts = busca a partir de { $points } pontos

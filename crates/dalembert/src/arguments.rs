@@ -49,6 +49,8 @@ pub(crate) enum Command {
     New(New),
     /// Solve a problem and print its worked solution
     Solve(Solve),
+    /// Find the values of an input with which an answer is a wanted one
+    Find(Find),
     /// Check all published answers
     Verify(Verify),
     /// Print the JSON Schema of a problem file, for an editor
@@ -149,6 +151,34 @@ pub(crate) struct Solve {
     /// mm-t-s
     #[arg(long, value_name = "SYSTEM")]
     pub(crate) units: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Find {
+    /// The id of an analysis, or a problem file; - reads the standard input
+    #[arg(value_name = "ID|FILE|-")]
+    pub(crate) problem: String,
+    /// Take the other inputs of this published case, counted from 1; default: case 1
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) case: Option<u32>,
+    /// The input to find: mass, masses[2].radius
+    #[arg(long, value_name = "PATH")]
+    pub(crate) input: String,
+    /// The answer or question, and the value that it is to have: 'natural_frequency=8.2 Hz'
+    #[arg(long, value_name = "ANSWER=VALUE")]
+    pub(crate) answer: String,
+    /// Least value of the range to search; default: 1/1000 to 1000 times the value of case 1
+    #[arg(long, value_name = "VALUE", requires = "to", allow_hyphen_values = true)]
+    pub(crate) from: Option<String>,
+    /// Largest value of the range to search
+    #[arg(long, value_name = "VALUE", requires = "from", allow_hyphen_values = true)]
+    pub(crate) to: Option<String>,
+    /// Print JSON
+    #[arg(long)]
+    pub(crate) json: bool,
+    /// Number of significant digits
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
+    pub(crate) digits: Option<u8>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -62,8 +62,30 @@ pub(crate) struct ProblemSource<'a> {
     pub(crate) given: &'a [String],
     /// The changed inputs of configurations to add.
     pub(crate) configuration: &'a [String],
+    /// The options that inputs and given answers are of, as errors name them.
+    pub(crate) options: ProblemOptions,
     /// True if a number without a unit is refused.
     pub(crate) strict: bool,
+}
+
+/// Options of the command line that change inputs and give answers.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ProblemOptions {
+    /// The option of an input.
+    pub(crate) input: &'static str,
+    /// The option of a given answer.
+    pub(crate) given: &'static str,
+    /// Form of a given answer, with an example.
+    pub(crate) given_form: &'static str,
+}
+
+impl ProblemOptions {
+    /// Those of `dalembert solve`.
+    pub(crate) const OF_SOLVE: Self = Self {
+        input: "--set",
+        given: "--given",
+        given_form: "write an answer and its value, as in --given 'natural_frequency=8.2 Hz'",
+    };
 }
 
 /// Reads a problem, and says on the error stream how its inputs were read where that does not stand in them.
@@ -249,12 +271,7 @@ fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: 
     let added: [(&str, &[String], Add, &str); 4] = [
         ("--let", asked.define, Draft::define, "write a name and a formula, as in --let nu=0.3"),
         ("--ask", asked.ask, Draft::ask, "write a name and a formula, as in --ask 'peak to peak=2*X'"),
-        (
-            "--given",
-            asked.given,
-            Draft::give,
-            "write an answer and its value, as in --given 'natural_frequency=8.2 Hz'",
-        ),
+        (asked.options.given, asked.given, Draft::give, asked.options.given_form),
         (
             "--configuration",
             asked.configuration,
@@ -275,6 +292,8 @@ fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: 
             }
         }
     }
+    let wrong =
+        |path: &str| Text::new("{flag} {text}: {why}").with("flag", asked.options.input).with("text", path);
     for change in asked.changes {
         let Some((path, value)) = change.split_once('=') else {
             errors.push(
@@ -293,11 +312,10 @@ fn change(draft: &mut Draft, shape: &Shape, asked: &ProblemSource<'_>, console: 
                 let before = draft.clone();
                 match draft.set(shape, path, text.as_deref().unwrap_or(value)) {
                     Ok(()) => draft.keep_first(&before, shape),
-                    Err(err) => errors
-                        .push(Text::new("--set {path}: {why}").with("path", path).with_text("why", err.why)),
+                    Err(err) => errors.push(wrong(path).with_text("why", err.why)),
                 }
             }
-            Err(err) => errors.push(Text::new("--set {path}: {why}").with("path", path).with("why", err)),
+            Err(err) => errors.push(wrong(path).with("why", err)),
         }
     }
     errors

@@ -18,7 +18,8 @@ use crate::{WorkedProblem, inputs::inputs};
 /// [], "refusal": null | "…"}`. A step, and the name of an answer, of one of several problems has the name of that.
 ///
 /// `unknowns` has what was found from given answers, by its path: `{"label", "value", "unit", "si", "si_unit", "from", "to",
-/// "uncertainty"}`, a value for each solution in the range (in SI) that was searched.
+/// "uncertainty", "all", "formula"}`, a value for each solution in the range (in SI) that was searched; where `formula`, with its
+/// symbols, follows from the given answer, these are `all` solutions, else it is `null`.
 ///
 /// `value` is in `unit`, the one that is shown, and `si` in `si_unit`, which is coherent; both units can be typed, and that
 /// of a pure number is `1`. Each is a number that reads back bit for bit, `[x, y, z]` for a vector or a list, `[[from, to],
@@ -45,7 +46,11 @@ pub fn json(worked: &WorkedProblem<'_>, locale: &Locale) -> Json {
     let mut steps = Vec::new();
     if let Ok(solution) = worked.outcome {
         steps.extend((0..solution.steps.len()).map(|n| step(solution, n, locale)));
-        unknowns = solution.determined.as_deref().map(|found| determined(found, locale)).unwrap_or_default();
+        unknowns = solution
+            .determined
+            .as_deref()
+            .map(|found| determined(found, solution, locale))
+            .unwrap_or_default();
         for found in &solution.answers {
             answers.insert(found.name.to_string(), answer(found, locale));
         }
@@ -133,7 +138,8 @@ fn step(solution: &Solution, n: usize, locale: &Locale) -> Json {
 fn definitions(worked: &WorkedProblem<'_>) -> Map<String, Json> {
     let quantities = vary::inputs(worked.record);
     let mut found = Map::new();
-    let problems = std::iter::once("").chain(worked.entry.linked().iter().map(|problem| problem.name));
+    let problems = std::iter::once("")
+        .chain(worked.entry.linked().iter().map(|problem| problem.name).filter(|name| !name.is_empty()));
     for problem in problems {
         let within =
             |name: &str| if problem.is_empty() { name.to_owned() } else { format!("{problem}.{name}") };
@@ -163,7 +169,7 @@ fn problems(entry: &Entry) -> Vec<Json> {
     entry.linked().iter().map(of).collect()
 }
 
-fn determined(found: &Determined, locale: &Locale) -> Map<String, Json> {
+fn determined(found: &Determined, solution: &Solution, locale: &Locale) -> Map<String, Json> {
     let unknown = |(n, unknown): (usize, &dalembert_core::DeterminedInput)| {
         let values = |of: &dyn Fn(f64) -> f64| {
             found.solutions.iter().map(|solution| of(solution[n])).collect::<Json>()
@@ -173,9 +179,20 @@ fn determined(found: &Determined, locale: &Locale) -> Map<String, Json> {
         entry.insert("from".into(), unknown.range[0].into());
         entry.insert("to".into(), unknown.range[1].into());
         entry.insert("uncertainty".into(), unknown.uncertainty.into());
+        entry.insert("all".into(), found.has_all().into());
+        entry.insert("formula".into(), unknown_formula(solution, locale).into());
         (unknown.name.clone(), Json::Object(entry))
     };
     found.unknowns.iter().enumerate().map(unknown).collect()
+}
+
+/// Formula of the one unknown, `m = k / (2π fₙ)²`, where the trace was inverted: its solutions are all that there are.
+pub fn unknown_formula(solution: &Solution, locale: &Locale) -> Option<String> {
+    let unknown = solution.determined.as_ref().filter(|found| found.has_all())?.unknowns.first()?;
+    let (_, id) = solution.computed.iter().find(|(path, _)| *path == unknown.name)?;
+    let step = solution.steps.iter().find(|step| step.result == *id)?;
+    let written = printer::step(solution, step, locale);
+    Some(format!("{} = {}", written.symbol, written.formula))
 }
 
 fn plot(plot: &Plot, locale: &Locale) -> Json {

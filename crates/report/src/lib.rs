@@ -29,7 +29,7 @@ pub use crate::{
     format::DocumentFormat,
     html::html,
     inputs::{ReportedInput, inputs},
-    json::{json, json_text},
+    json::{json, json_text, unknown_formula},
     latex::latex,
     markdown::markdown,
     text::text,

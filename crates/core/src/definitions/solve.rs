@@ -64,7 +64,8 @@ impl<'s> Working<'_, 's> {
                 let Definition { name, unit, si, .. } = definition;
                 let (symbol, name) = (Symbol::from(intern(name)), self.plan.outside(definition));
                 let unknown = self.unknown(&name, symbol, unit, *si);
-                Ok(Some(unknown.unwrap_or_else(|| sheet.lift(&name, symbol, unit, Number::Scalar(*si)))))
+                let lifted = unknown.or_else(|| sheet.lifted(&name));
+                Ok(Some(lifted.unwrap_or_else(|| sheet.lift(&name, symbol, unit, Number::Scalar(*si)))))
             }
             (Place::Input(at), None) => {
                 let PlannedInput { path, symbol, unit, value, .. } = &self.plan.inputs[at];
@@ -72,7 +73,8 @@ impl<'s> Working<'_, 's> {
                     Number::Scalar(si) => self.unknown(path, *symbol, unit, *si),
                     Number::Vector(_) => None,
                 };
-                Ok(Some(unknown.unwrap_or_else(|| sheet.lift(path, *symbol, unit, *value))))
+                let lifted = unknown.or_else(|| sheet.lifted(path));
+                Ok(Some(lifted.unwrap_or_else(|| sheet.lift(path, *symbol, unit, *value))))
             }
             (_, Some(_)) => self.formula(place),
             (_, None) => Ok(None),
@@ -133,8 +135,8 @@ impl<'s> Working<'_, 's> {
 
     /// Writes an unknown that was found down as a step; `None` where there is none of that name.
     fn unknown(&self, name: &str, symbol: Symbol, unit: &Unit, si: f64) -> Option<Id> {
-        let why = self.plan.determined.as_ref()?.why(name)?;
-        let id = self.sheet.numerical(symbol, unit_text(unit), si, why).node()?;
+        let determined = self.plan.determined.as_ref()?;
+        let id = determined.write(self.sheet, name, (symbol, unit_text(unit)), si)?.node()?;
         self.sheet.lift_formula(name, id);
         Some(id)
     }

@@ -10,9 +10,10 @@ use dalembert_numerics::{
 };
 use nalgebra::{DMatrix, DVector};
 
-use super::ACCEPTED;
 use crate::Refusal;
 
+/// The share of a given answer by which a solution may miss it.
+pub(crate) const ACCEPTED: f64 = 1e-9;
 /// Points at which the range of one unknown is examined.
 const SCAN: usize = 400;
 /// Starts of the search for several unknowns, beside the typed one.
@@ -25,43 +26,57 @@ const SINGULAR: f64 = 1e-7;
 
 /// An unknown with its range, in SI.
 #[derive(Clone, Debug)]
-pub(super) struct Variable {
-    pub(super) range: [f64; 2],
+pub(crate) struct Variable {
+    pub(crate) range: [f64; 2],
     start: Option<f64>,
     /// True where equal ratios count, not equal differences.
-    is_logarithmic: bool,
+    pub(crate) is_logarithmic: bool,
 }
 
 /// A given answer, in SI.
-pub(super) struct Target {
-    pub(super) si: f64,
-    pub(super) tolerance: Option<f64>,
+pub(crate) struct Target {
+    pub(crate) si: f64,
+    pub(crate) tolerance: Option<f64>,
 }
 
 /// Result of a search.
 #[derive(Default)]
-pub(super) struct Found {
+pub(crate) struct Found {
     /// The solutions, ascending.
-    pub(super) solutions: Vec<Vec<f64>>,
+    pub(crate) solutions: Vec<Vec<f64>>,
     /// Points examined, or starts.
-    pub(super) points: usize,
+    pub(crate) points: usize,
+    /// The points examined of one unknown, each with the answer there; NaN where there is none.
+    pub(crate) scan: Vec<(f64, f64)>,
     /// Places of the least and of the largest answer, with the answer there, for one unknown.
-    pub(super) covered: Option<[(f64, f64); 2]>,
+    pub(crate) covered: Option<[(f64, f64); 2]>,
     /// The unknowns that come nearest, and the answers there.
-    pub(super) nearest: Option<(Vec<f64>, Vec<f64>)>,
+    pub(crate) nearest: Option<(Vec<f64>, Vec<f64>)>,
     /// A given answer that no unknown changes.
-    pub(super) without_influence: Option<usize>,
+    pub(crate) without_influence: Option<usize>,
     /// Returns true if the given answers determine every unknown.
-    pub(super) is_determined: bool,
+    pub(crate) is_determined: bool,
     /// Standard uncertainties of the unknowns, where every given answer has one.
-    pub(super) uncertainties: Option<Vec<f64>>,
+    pub(crate) uncertainties: Option<Vec<f64>>,
 }
 
 /// The answers with values of the unknowns; NaN where there is none.
-pub(super) type Evaluate<'e> = dyn FnMut(&[f64]) -> Result<Vec<f64>, Refusal> + 'e;
+pub(crate) type Evaluate<'e> = dyn FnMut(&[f64]) -> Result<Vec<f64>, Refusal> + 'e;
+
+impl Found {
+    /// The size of an answer that a solution is compared with.
+    pub(crate) fn size(&self, target: &Target) -> f64 {
+        if target.si == 0.0 {
+            self.covered.map_or(1.0, |[a, b]| a.1.abs().max(b.1.abs()))
+        } else {
+            target.si.abs()
+        }
+    }
+}
 
 impl Variable {
-    pub(super) fn new(range: [f64; 2], start: Option<f64>) -> Self {
+    /// An unknown in a range, with the value to begin with.
+    pub(crate) fn new(range: [f64; 2], start: Option<f64>) -> Self {
         let is_logarithmic = range[0] > 0.0 && range[1] / range[0] > 30.0;
         Self { range, start: start.filter(|si| (range[0]..=range[1]).contains(si)), is_logarithmic }
     }
@@ -92,7 +107,7 @@ impl Variable {
 }
 
 /// Values to begin with: those typed or of a case, then points that fill the ranges.
-pub(super) fn starts(variables: &[Variable]) -> impl Iterator<Item = Vec<f64>> {
+pub(crate) fn starts(variables: &[Variable]) -> impl Iterator<Item = Vec<f64>> {
     shares(variables).into_iter().map(|shares| at(variables, &shares))
 }
 
@@ -110,7 +125,7 @@ fn at(variables: &[Variable], shares: &[f64]) -> Vec<f64> {
 ///
 /// # Errors
 /// [`Refusal::Stopped`] alone.
-pub(super) fn search(
+pub(crate) fn search(
     evaluate: &mut Evaluate<'_>,
     variables: &[Variable],
     targets: &[Target],
@@ -131,7 +146,8 @@ fn one(evaluate: &mut Evaluate<'_>, variable: &Variable, target: &Target) -> Res
     let least = finite().min_by(|a, b| a.1.total_cmp(&b.1));
     let most = finite().max_by(|a, b| a.1.total_cmp(&b.1));
     let covered = least.zip(most).map(|(least, most)| [least, most]);
-    let mut found = Found { points: places.len(), covered, is_determined: true, ..Found::default() };
+    let scan = places.iter().copied().zip(values.iter().copied()).collect();
+    let mut found = Found { points: places.len(), scan, covered, is_determined: true, ..Found::default() };
     if let Some([least, most]) = covered
         && most.1 - least.1 <= 1e-12 * most.1.abs().max(least.1.abs())
     {
@@ -180,11 +196,7 @@ fn one(evaluate: &mut Evaluate<'_>, variable: &Variable, target: &Target) -> Res
             }
         }
     }
-    let size = if target.si == 0.0 {
-        covered.map_or(1.0, |[a, b]| a.1.abs().max(b.1.abs()))
-    } else {
-        target.si.abs()
-    };
+    let size = found.size(target);
     roots.retain(|root| residual(*root).abs() <= ACCEPTED * size);
     if let Some(refusal) = stopped {
         return Err(refusal);
@@ -301,13 +313,16 @@ fn uncertainties(jacobian: &DMatrix<f64>, targets: &[Target], scales: &[f64]) ->
 fn distinct(mut all: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
     let order = |a: &Vec<f64>, b: &Vec<f64>| a.partial_cmp(b).unwrap_or(Ordering::Equal);
     all.sort_by(order);
-    let same =
-        |a: &[f64], b: &[f64]| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME * a.abs().max(b.abs()));
     let mut kept: Vec<Vec<f64>> = Vec::new();
     for one in all {
-        if !kept.iter().any(|known| same(known, &one)) {
+        if !kept.iter().any(|known| is_same(known, &one)) {
             kept.push(one);
         }
     }
     kept
+}
+
+/// Returns true if two solutions are one.
+pub(super) fn is_same(a: &[f64], b: &[f64]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME * a.abs().max(b.abs()))
 }

@@ -14,7 +14,7 @@ use crate::{
     console::{Console, print},
     failure::Failure,
     output,
-    problem::{self, LoadedProblem, ProblemSource},
+    problem::{self, LoadedProblem, ProblemOptions, ProblemSource},
     solving,
 };
 
@@ -31,6 +31,7 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         ask: &solve.ask,
         given: &solve.given,
         configuration: &solve.configuration,
+        options: ProblemOptions::OF_SOLVE,
         strict: solve.strict,
     };
     let mut problem = problem::read(&asked, console)?;

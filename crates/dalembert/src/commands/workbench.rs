@@ -32,6 +32,7 @@ pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<
             ask: &[],
             given: &[],
             configuration: &[],
+            options: problem::ProblemOptions::OF_SOLVE,
             strict: false,
         };
         return print_worked(&problem::read(&asked, console)?, console);
