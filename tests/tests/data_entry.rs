@@ -453,6 +453,26 @@ fn linked_problems_change_each_other_in_one_form() {
 }
 
 #[test]
+fn a_link_that_is_typed_is_read_when_the_problem_is_opened_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let spring = "format = 2\nanalysis = \"vibration/equivalent-stiffness\"\n[inputs]\nmotion.translation.springs.stiffness.stiffness = \"30 kN/m\"\n";
+    fs::write(folder.path().join("spring.toml"), spring).expect("written");
+    let path = folder.path().join("fan.toml");
+    let path = path.to_str().expect("a readable path");
+    let mut person = Person::at(160, 45).opens("vibration/rotating-unbalance");
+    move_to(&mut person, "support.cantilever.length");
+    person.types("<enter><c-u>@spring.toml:period*1 m/s<enter>");
+    assert!(person.sees().contains("the linked file is not read yet"), "{}", person.sees());
+    let text = fs::read_to_string(xtask::root().join("examples/fan_questions.toml")).expect("an example");
+    let stiffness = text.lines().find(|line| line.contains("stiffness")).expect("it has a stiffness");
+    fs::write(path, text.replace(stiffness, "support.stiffness.stiffness = \"2*@spring.toml:stiffness\""))
+        .expect("written");
+    person.types("o<c-u>").types(path).types("<enter>");
+    let screen = person.sees();
+    assert!(screen.contains("@spring.toml") && screen.contains("= 60 kN/m"), "{screen}");
+}
+
+#[test]
 fn an_unknown_is_found_from_an_answer_that_is_given_in_results() {
     let mut person = Person::at(120, 40).opens("vibration/rotating-unbalance");
     // Only a quantity can be unknown: the support is a choice.

@@ -183,6 +183,10 @@ impl Plan {
                 Ok(())
             }
             Err(formula) if mentions(&text, scope, names) => Err(field_error(&path, formula)),
+            Ok(_) if text.contains('@') => {
+                let why = "the linked file is not read yet: save this problem beside it, and open it again";
+                Err(FieldError::new(&path, why))
+            }
             _ => Err(error),
         }
     }
