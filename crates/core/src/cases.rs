@@ -126,7 +126,7 @@ pub fn cases(entry: &Entry) -> Result<Vec<Case>, String> {
     };
     let document = file::document(text).map_err(words)?;
     if !entry.linked().is_empty() {
-        return exam_case(document.as_table()).map(|(case, _)| vec![case]);
+        return exam_case(document.as_table()).map(|case| vec![case]);
     }
     let list =
         document.as_table().get("case").and_then(Item::as_array_of_tables).ok_or("there is no [[case]]")?;
@@ -137,8 +137,10 @@ pub fn cases(entry: &Entry) -> Result<Vec<Case>, String> {
 pub(crate) fn exam(text: &str) -> Result<(String, Vec<LinkedProblem>), String> {
     let document = file::document(text)
         .map_err(|errors| errors.first().map_or_else(String::new, |error| error.why.english()))?;
-    let (case, entry) = exam_case(document.as_table())?;
-    Ok((case.name, entry.linked().to_vec()))
+    let root = document.as_table();
+    let title = root.get("title").and_then(Item::as_str).ok_or("`title` is missing")?;
+    let problems = file::exam_problems(root).map_err(|why| why.english())?;
+    Ok((title.to_owned(), problems))
 }
 
 /// The keys of an exam question.
@@ -146,7 +148,7 @@ const EXAM_KEYS: [&str; 9] =
     ["format", "title", "source", "statement", "let", "problem", "given", "ask", "expect"];
 
 /// The case of an exam question: its remark is the statement.
-fn exam_case(root: &toml_edit::Table) -> Result<(Case, &'static Entry), String> {
+fn exam_case(root: &toml_edit::Table) -> Result<Case, String> {
     let text = |key: &str| {
         let text = root.get(key).and_then(Item::as_str).map(|text| text.split_whitespace());
         text.map(|words| words.collect::<Vec<_>>().join(" ")).ok_or_else(|| format!("`{key}` is missing"))
@@ -156,7 +158,7 @@ fn exam_case(root: &toml_edit::Table) -> Result<(Case, &'static Entry), String> 
         return Err(format!("{name}: there is no key `{key}` in an exam question"));
     }
     let mut reading = FileNotes { format: Format::LATEST, errors: Vec::new(), notes: Vec::new(), kind: None };
-    let (entry, draft) = file::exam_of(root, &mut reading);
+    let draft = file::exam_of(root, &mut reading);
     if let Some(err) = reading.errors.first() {
         return Err(format!("{name}: {}", err.why.english()));
     }
@@ -169,8 +171,7 @@ fn exam_case(root: &toml_edit::Table) -> Result<(Case, &'static Entry), String> 
         return Err(format!("{name}: nothing is expected"));
     }
     let (source, note) = (Text::new(text("source")?), Text::new(text("statement")?));
-    let case = Case { name, former: None, source, truth, seen: None, note, draft, expect, refused: None };
-    Ok((case, entry))
+    Ok(Case { name, former: None, source, truth, seen: None, note, draft, expect, refused: None })
 }
 
 /// The case that a problem opens with.

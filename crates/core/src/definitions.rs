@@ -25,9 +25,9 @@ use std::{collections::BTreeSet, sync::Arc};
 
 use dalembert_units::{Dim, Quantity, Unit};
 
-pub use self::fields::{COMMON_LISTS, own_fields};
+pub use self::fields::{COMMON_LISTS, own_fields, within_problem};
 pub(crate) use self::{
-    fields::{are_of_problem, shape_of, with_common, without_linked},
+    fields::{are_of_problem, linked_problem, shape_of, with_common, without_linked},
     plain_reading::prepare,
     unknowns::{GivenAnswer, Unknown, is_unknown},
 };
@@ -35,7 +35,6 @@ use self::{
     names::{Named, Names, Place},
     reader::Reader,
     rows::rows,
-    scope::Scope,
 };
 use crate::{
     Determined, FieldError, Measure, Number, Plain, Record, Stop, Symbol, Text,
@@ -59,7 +58,7 @@ pub(crate) struct Plan {
     givens: Vec<GivenAnswer>,
     /// The unknowns as they were found.
     determined: Option<Arc<Determined>>,
-    names: Names,
+    names: Arc<Names>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -113,15 +112,12 @@ pub(crate) struct Pending {
 
 /// Reads definitions, formulas and questions, and writes the values of the inputs that have a formula into the record.
 pub(crate) fn plan(record: &mut Record, pending: Vec<Pending>, errors: &mut Vec<FieldError>) {
-    let names = Names::of(record);
-    let is_empty = |scope: &Scope| {
-        let own = scope::record_of(record, scope);
-        COMMON_LISTS.iter().all(|list| rows(own, list).is_empty())
-    };
-    if pending.is_empty() && names.scopes.len() == 1 && names.scopes.iter().all(is_empty) {
+    let scopes = scope::scopes(record);
+    let is_empty = COMMON_LISTS.iter().all(|list| rows(record, list).is_empty());
+    if pending.is_empty() && is_empty && scopes.len() == 1 {
         return;
     }
-    let mut reader = Reader::new(names);
+    let mut reader = Reader::new(Names::of(record, scopes));
     let mut found = Plan::default();
     for scope in 0..reader.names.scopes.len() {
         if reader.names.scopes[scope].problem == scope {
@@ -134,7 +130,7 @@ pub(crate) fn plan(record: &mut Record, pending: Vec<Pending>, errors: &mut Vec<
             wrong.push(error);
         }
     }
-    found.names = names;
+    found.names = Arc::new(names);
     wrong.extend(found.uneven());
     if !wrong.is_empty() {
         errors.extend(wrong);
@@ -321,17 +317,20 @@ impl Plan {
                 self.evaluate(place, &plain, &|_| None)?;
             }
         }
-        self.write_inputs(record);
+        for at in 0..self.inputs.len() {
+            if !self.after_solution.contains(&Place::Input(at)) {
+                self.write_input(at, record);
+            }
+        }
         Ok(())
     }
 
-    /// Writes the value of every formula of an input into the record.
-    fn write_inputs(&self, record: &mut Record) {
-        for input in self.inputs.iter().filter(|input| input.formula.is_some()) {
-            let problem = self.names.scopes[input.scope].problem == input.scope;
-            if let (true, Some(quantity)) = (problem, quantity_of(input)) {
-                names::write_quantity(record, &input.path, quantity);
-            }
+    /// Writes the value of the formula of an input into the record; one of a configuration stands beside it.
+    fn write_input(&self, at: usize, record: &mut Record) {
+        let input = &self.inputs[at];
+        let is_own = self.names.scopes[input.scope].problem == input.scope;
+        if let (true, Some(quantity)) = (is_own && input.formula.is_some(), quantity_of(input)) {
+            names::write_quantity(record, &input.path, quantity);
         }
     }
 

@@ -28,8 +28,8 @@ use toml_edit::{Document, DocumentMut, Item, Table, TableLike, Value as Toml};
 pub use self::format::Format;
 use self::write::{set_text, write_item};
 use crate::{
-    Display, Draft, Entry, Field, FieldError, Shape, Text, UnitSetting, describe, draft, find_analysis, path,
-    path::Segment, registry, table,
+    Display, Draft, Entry, Field, FieldError, LinkedProblem, Shape, Text, UnitSetting, describe, draft,
+    find_analysis, path, path::Segment, registry, table,
 };
 
 /// The keys a problem file may have at the top.
@@ -326,11 +326,21 @@ pub(crate) fn case_of(root: &Table, entry: &Entry, reading: &mut FileNotes) -> D
     draft
 }
 
-/// Problems and draft of an exam question: linked problems alone, which link to no file.
-pub(crate) fn exam_of(root: &Table, reading: &mut FileNotes) -> (&'static Entry, Draft) {
+/// Problems of an exam question, without their inputs.
+pub(crate) fn exam_problems(root: &Table) -> Result<Vec<LinkedProblem>, Text> {
+    let table = root.get("problem").and_then(Item::as_table_like).ok_or("there is no [problem.NAME]")?;
+    let problem = |(name, item): (&str, &Item)| {
+        let table = item.as_table_like().ok_or("a problem is a table")?;
+        Ok(LinkedProblem::new(name, analysis_of(table)?, None))
+    };
+    table.iter().map(problem).collect()
+}
+
+/// Draft of an exam question: linked problems alone, which link to no file.
+pub(crate) fn exam_of(root: &Table, reading: &mut FileNotes) -> Draft {
     let read: &mut ReadFile<'_> = &mut |_| Err("no other file can be read here".into());
     let mut links = linked::Links { read, open: Vec::new(), files: Vec::new() };
-    problem_of(root, None, &mut Vec::new(), &mut links, reading)
+    problem_of(root, None, &mut Vec::new(), &mut links, reading).1
 }
 
 /// Draft of an item of a file, in the shape of the inputs.

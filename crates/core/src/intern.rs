@@ -5,6 +5,8 @@ use std::{
     sync::{Mutex, PoisonError},
 };
 
+use dalembert_units::Unit;
+
 /// The same text, kept once for the whole run. The pool grows by the names that are typed, a few bytes each.
 pub(crate) fn intern(text: &str) -> &'static str {
     static POOL: Mutex<Option<HashSet<&'static str>>> = Mutex::new(None);
@@ -16,4 +18,17 @@ pub(crate) fn intern(text: &str) -> &'static str {
     let kept: &'static str = String::from(text).leak();
     pool.insert(kept);
     kept
+}
+
+/// The text of a unit for as long as the program runs.
+pub(crate) fn fixed(unit: &Unit) -> &'static str {
+    intern(&unit.ascii())
+}
+
+/// The text of a unit for a step; `1` for a pure number.
+pub(crate) fn unit_text(unit: &Unit) -> &'static str {
+    match unit.ascii() {
+        unit if unit.is_empty() => "1",
+        unit => intern(&unit),
+    }
 }

@@ -61,7 +61,7 @@ pub use crate::input::derive_support;
 pub use crate::{
     analysis::{About, Analysis, Entry, Evaluate, Refusal, SolveError, Stop, find_analysis, registry},
     ascii::ascii,
-    definitions::{COMMON_LISTS, own_fields},
+    definitions::{COMMON_LISTS, own_fields, within_problem},
     draft::Draft,
     exams::{catalogue, find},
     exhibit::{
@@ -76,7 +76,9 @@ pub use crate::{
     record::{NumberTable, Record, Value},
     sheet::{Sheet, Term, VectorTerm},
     sketch::Sketch,
-    solution::{Answer, AnswerValue, Check, Display, Name, ProblemSteps, Sides, Solution, Step},
+    solution::{
+        Answer, AnswerValue, Check, Display, Name, ProblemSteps, Sides, Solution, Step, problem_heading,
+    },
     source::{Cite, Source},
     text::{Arg, Language, Locale, Messages, Text},
     trace::{Number, Symbol, Trace},

@@ -4,7 +4,7 @@ use dalembert_numerics::Real;
 
 use crate::{
     Solution,
-    trace::{Function, Id, Number, Op},
+    trace::{Id, Number, Op},
 };
 
 /// The numbers of the trace with those of `set` in place of its own, and with another operation at one node. What a
@@ -74,7 +74,7 @@ fn evaluated(solution: &Solution, op: &Op, at: usize, numbers: &[Number]) -> Num
         Op::Raised(a, b) => Scalar(scalar(*a).powf(scalar(*b))),
         Op::Min(a, b) => Scalar(scalar(*a).min(scalar(*b))),
         Op::Max(a, b) => Scalar(scalar(*a).max(scalar(*b))),
-        Op::Call(function, a) => Scalar(call(*function, scalar(*a))),
+        Op::Call(function, a) => Scalar(function.of(scalar(*a))),
         Op::Atan2(y, x) => Scalar(f64::atan2(scalar(*y), scalar(*x))),
         Op::Sum(all) => {
             let mut all = all.iter().map(|id| of(*id));
@@ -92,22 +92,5 @@ fn evaluated(solution: &Solution, op: &Op, at: usize, numbers: &[Number]) -> Num
         Op::Magnitude(a) => Scalar(of(*a).size()),
         Op::Component(a, axis) => Scalar(vector(*a)[usize::from(*axis).min(2)]),
         Op::Compose(all) => Vector(all.map(scalar)),
-    }
-}
-
-fn call(function: Function, x: f64) -> f64 {
-    match function {
-        Function::Sin => x.sin(),
-        Function::Cos => x.cos(),
-        Function::Tan => x.tan(),
-        Function::Asin => x.asin(),
-        Function::Acos => x.acos(),
-        Function::Exp => x.exp(),
-        Function::Ln => x.ln(),
-        Function::Log10 => x.log10(),
-        Function::Sinh => x.sinh(),
-        Function::Cosh => x.cosh(),
-        Function::Tanh => x.tanh(),
-        Function::Abs => x.abs(),
     }
 }

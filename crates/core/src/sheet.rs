@@ -435,11 +435,11 @@ impl<'a> Sheet<'a> {
         self.lifted.borrow().get(path).copied()
     }
 
-    /// Marks the answer of that name as one the user asked for, of a problem among several.
-    pub(crate) fn mark_asked(&self, name: Name, problem: &'static str) {
+    /// Marks the answer of that name as one the user asked for, of a problem among several, perhaps in a unit.
+    pub(crate) fn mark_asked(&self, name: Name, problem: &'static str, is_unit_asked: bool) {
         if let Some(answer) = self.solution.borrow_mut().answers.iter_mut().find(|answer| answer.name == name)
         {
-            (answer.asked, answer.problem) = (true, problem);
+            (answer.asked, answer.problem, answer.is_unit_asked) = (true, problem, is_unit_asked);
         }
     }
 

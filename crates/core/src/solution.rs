@@ -41,6 +41,15 @@ pub struct Solution {
     pub trace: Trace,
 }
 
+/// Heading of a problem or a configuration among several; none before that of the file itself where it comes first.
+pub fn problem_heading(is_first: bool, name: &str) -> Option<Text> {
+    match name {
+        "" if is_first => None,
+        "" => Some(Text::new("All problems")),
+        name => Some(Text::verbatim(name)),
+    }
+}
+
 /// Steps of one of several problems or configurations.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProblemSteps {
@@ -71,6 +80,8 @@ pub struct Answer {
     pub digits: Option<u8>,
     /// True if it answers a question of the user's own.
     pub asked: bool,
+    /// True if that question states its unit, which no system of units changes.
+    pub is_unit_asked: bool,
 }
 
 /// The key of an answer: a name and, for one of several, its place, counted from 1: `frequency[2]`, `mode[1][3]`.
@@ -210,6 +221,7 @@ impl Answer {
             noise,
             digits: None,
             asked: false,
+            is_unit_asked: false,
         }
     }
 

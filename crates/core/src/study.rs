@@ -3,16 +3,10 @@
 
 mod scatter;
 
-use std::{
-    collections::BTreeSet,
-    sync::{Mutex, PoisonError},
-};
-
-use dalembert_units::{Kind, Unit};
-
 pub use self::scatter::Distribution;
 use crate::{
     Answer, Axis, Entry, Plot, Record, Refusal, Scale, Series, SolveError, Stop, Text,
+    intern::fixed,
     unknowns::search::{Target, Variable, search},
     vary::{self, Perturbed, VariedInput},
 };
@@ -322,23 +316,4 @@ impl<'a> Curve<'a> {
 
 fn place_of(again: &Perturbed, path: &str) -> usize {
     again.inputs.iter().position(|input| input.path == path).unwrap_or(0)
-}
-
-/// The text of a unit for as long as the program runs. Units that no kind offers are kept: there are as many as
-/// people type.
-pub(crate) fn fixed(unit: &Unit) -> &'static str {
-    static KEPT: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
-    let text = unit.ascii();
-    let known = Kind::of(unit).units().iter().copied().find(|known| *known == text);
-    known.unwrap_or_else(|| {
-        let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
-        match kept.get(text.as_str()).copied() {
-            Some(known) => known,
-            None => {
-                let new: &'static str = text.leak();
-                kept.insert(new);
-                new
-            }
-        }
-    })
 }

@@ -1,5 +1,6 @@
 //! Trace of a solution: the computation of every number, as plain data.
 
+use dalembert_numerics::Real;
 use dalembert_units::{Dim, Unit};
 
 /// The place of a node in its [`Trace`].
@@ -127,6 +128,26 @@ pub enum Function {
     Tanh,
     /// `|x|`
     Abs,
+}
+
+impl Function {
+    /// The function of a number.
+    pub(crate) fn of<N: Real>(self, x: N) -> N {
+        match self {
+            Function::Sin => x.sin(),
+            Function::Cos => x.cos(),
+            Function::Tan => x.tan(),
+            Function::Asin => x.asin(),
+            Function::Acos => x.acos(),
+            Function::Exp => x.exp(),
+            Function::Ln => x.ln(),
+            Function::Log10 => x.log10(),
+            Function::Sinh => x.sinh(),
+            Function::Cosh => x.cosh(),
+            Function::Tanh => x.tanh(),
+            Function::Abs => x.abs(),
+        }
+    }
 }
 
 /// Symbol of a quantity in formulas: its letter, subscript (`r_A`), and rows, counted from 1 (`m₁`).

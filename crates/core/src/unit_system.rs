@@ -8,7 +8,7 @@ use std::{fmt, sync::Arc};
 
 use dalembert_units::{Dim, Unit, UnitSystem, read_any, unit};
 
-use crate::{Answer, AnswerValue, Draft, Shape, Solution, Text, gravity, study::fixed, table, trace::Op};
+use crate::{Answer, AnswerValue, Draft, Shape, Solution, Text, gravity, intern::fixed, table, trace::Op};
 
 /// Setting of the units of a problem.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -192,20 +192,18 @@ impl Solution {
     #[must_use]
     pub fn in_units_of(self, setting: UnitSetting, draft: &Draft, shape: &Shape) -> Self {
         match setting.shown(draft, shape, &self) {
-            Some(units) => self.in_units(units, draft, shape),
+            Some(units) => self.in_units(units),
             None => self,
         }
     }
 
     /// The same solution in a system of units: answers, steps with what is put into them, tables, plots and sentences.
-    /// Numbers stay what they are. The result of a question keeps the unit that `draft` asks for.
+    /// Numbers stay what they are. The result of a question keeps the unit that it states.
     #[must_use]
-    pub fn in_units(mut self, units: ShownUnits, draft: &Draft, shape: &Shape) -> Self {
+    pub fn in_units(mut self, units: ShownUnits) -> Self {
         let system = units.system;
-        let chosen = chosen_units(draft, shape);
         for answer in &mut self.answers {
-            let is_chosen = answer.asked && chosen.iter().any(|name| name == answer.label);
-            if !is_chosen && !is_named(&answer.unit) {
+            if !answer.is_unit_asked && !is_named(&answer.unit) {
                 answer.show_in(system);
             }
         }
@@ -237,19 +235,6 @@ impl Solution {
 /// Returns true for a unit that the words beside it name: a permissible unbalance in ounce-inches.
 fn is_named(unit: &Unit) -> bool {
     unit.text == "oz*in"
-}
-
-/// The words of the questions whose unit the user chose.
-fn chosen_units(draft: &Draft, shape: &Shape) -> Vec<String> {
-    let text = |row: usize, field: &str| match draft.at(shape, &format!("ask[{row}].{field}")) {
-        Ok((Draft::Leaf(text), _)) => Some(text.trim().to_owned()),
-        _ => None,
-    };
-    let names = (1..).map_while(|row| Some((row, text(row, "name")?)));
-    names
-        .filter(|(row, _)| text(*row, "unit").is_some_and(|unit| !unit.is_empty()))
-        .map(|(_, name)| name)
-        .collect()
 }
 
 impl Answer {

@@ -23,9 +23,9 @@ use crate::{
     Answer, AnswerValue, Cell, Column, Entry, Exhibit, FieldError, Name, Record, Refusal, Sheet, SolveError,
     Stop, Symbol, TableExhibit, Term, Text, Worksheet, cases,
     definitions::{GivenAnswer, Plan, Unknown},
+    intern::fixed,
     intern::intern,
     linked, reading,
-    study::fixed,
     vary::{self, Perturbed, VariedInput},
 };
 
@@ -271,11 +271,8 @@ fn begin(
 ) -> Result<(Record, Vec<Answer>), SolveError> {
     let mut refused = None;
     for start in search::starts(variables) {
-        let changed = inputs
-            .iter()
-            .zip(&start)
-            .try_fold(known.clone(), |record, (input, si)| vary::changed(&record, &input.path, *si));
-        let Some(changed) = changed else { continue };
+        let changes = inputs.iter().zip(&start).map(|(input, si)| (input.path.as_str(), *si));
+        let Some(changed) = vary::changed_together(known, changes) else { continue };
         let solution = match entry.solve(&changed, stop) {
             Ok(solution) => solution,
             Err(SolveError::Refused(Refusal::Stopped)) => return Err(Refusal::Stopped.into()),
@@ -440,7 +437,7 @@ impl Determined {
                 && sheet.solution().answer(&unknown.name).is_none()
             {
                 sheet.answer(name, plan.label(&unknown.name), sheet.term(id));
-                sheet.mark_asked(name, plan.problem_name(&unknown.name));
+                sheet.mark_asked(name, plan.problem_name(&unknown.name), false);
             }
             let searched = self.inverse.as_ref().and_then(Inverse::searched);
             if let (Some(searched), Some(id)) = (searched, sheet.lifted(&unknown.name)) {

@@ -4,7 +4,7 @@ use dalembert_units::{self as units, Dim, Kind, Quantity, Unit};
 
 use crate::{
     Entry, Evaluate, FieldLimit, Measure, Record, Refusal, Shape, SolveError, Stop, Text, Value,
-    definitions::{Plan, are_of_problem},
+    definitions::{Plan, within_problem},
     gravity,
     intern::intern,
     kept,
@@ -94,20 +94,34 @@ pub fn inputs(record: &Record) -> Vec<VariedInput> {
 /// The record with another number at a path of [`inputs`], or at that of an optional one that was left out; `None` where
 /// there is none.
 pub fn changed(record: &Record, path: &str, si: f64) -> Option<Record> {
-    let Some(plan) = &record.plan else { return with_number(record, path, si) };
-    let mut plan = Plan::clone(plan);
-    let mut record = if plan.set(path, si) { record.clone() } else { with_number(record, path, si)? };
-    plan.renew(&mut record).ok()?;
-    record.plan = Some(plan.into());
+    changed_together(record, [(path, si)])
+}
+
+/// The record with other numbers at several paths.
+pub(crate) fn changed_together<'p>(
+    record: &Record,
+    changes: impl IntoIterator<Item = (&'p str, f64)>,
+) -> Option<Record> {
+    let mut record = record.clone();
+    let mut plan = record.plan.take().map(|plan| Plan::clone(&plan));
+    for (path, si) in changes {
+        if !plan.as_mut().is_some_and(|plan| plan.set(path, si)) {
+            put_number(&mut record, path, si)?;
+        }
+    }
+    if let Some(mut plan) = plan {
+        plan.renew(&mut record).ok()?;
+        record.plan = Some(plan.into());
+    }
     Some(record)
 }
 
-fn with_number(record: &Record, path: &str, si: f64) -> Option<Record> {
-    gravity::shared(record, path).iter().try_fold(record.clone(), |mut record, path| {
-        kept::keep(&mut record, path);
-        *number(&mut record, path)? = si;
-        Some(record)
-    })
+fn put_number(record: &mut Record, path: &str, si: f64) -> Option<()> {
+    for path in gravity::shared(record, path) {
+        kept::keep(record, &path);
+        *number(record, &path)? = si;
+    }
+    Some(())
 }
 
 /// The number at a path. An optional one that was left out is put there.
@@ -282,15 +296,9 @@ impl std::fmt::Debug for Perturbed {
 
 /// Label of an input behind the name of its problem, where that is linked.
 fn of_problem(record: &Record, path: &str, label: Text) -> Text {
-    let linked = |name: &str| match record.get(name) {
-        Some(Value::Group(inner)) => are_of_problem(inner.fields),
-        _ => false,
-    };
-    match path.split_once('.').filter(|(name, _)| linked(name)) {
-        Some((problem, _)) => {
-            Text::new("{problem}: {title}").with("problem", problem).with_text("title", label)
-        }
-        None => label,
+    match within_problem(record.fields, path) {
+        ("", _) => label,
+        (problem, _) => Text::new("{problem}: {title}").with("problem", problem).with_text("title", label),
     }
 }
 

@@ -7,9 +7,10 @@ use dalembert_core::{
     cases::{self, Case},
     file, find,
 };
+use dalembert_report::WorkedProblem;
 use dalembert_tui::files::{self, FileError};
 
-use crate::{console::Console, failure::Failure, questions, snippet};
+use crate::{console::Console, failure::Failure, questions, snippet, solving::SolveOutcome};
 
 /// The name that stands for the standard input.
 const STDIN: &str = "-";
@@ -38,6 +39,22 @@ pub(crate) struct LoadedProblem {
     pub(crate) units: UnitSetting,
     /// Units of answers: `(answer, unit)`.
     pub(crate) show: Vec<(String, String)>,
+}
+
+impl LoadedProblem {
+    /// The problem with what came of it, for a report.
+    pub(crate) fn worked<'p>(&'p self, outcome: &'p SolveOutcome) -> WorkedProblem<'p> {
+        WorkedProblem {
+            entry: self.entry,
+            case: &self.name,
+            source: &self.source,
+            note: &self.note,
+            notes: &self.notes,
+            draft: &self.draft,
+            record: &self.record,
+            outcome: outcome.as_ref(),
+        }
+    }
 }
 
 /// The analysis of an id.

@@ -25,6 +25,5 @@ curve-at-the-cursor = { $curve } no cursor
 value-default = { $value } (padrão)
 how-the-data-were-read = Como os dados foram lidos
 before = antes
-all-problems = Todos os problemas
 configuration-name = Configuração { $name }
 given-answer = Dado: { $answer }

@@ -2,7 +2,7 @@
 
 use dalembert_core::{
     Answer, AnswerValue, Cell, Draft, Entry, Exhibit, Locale, Plot, Record, ShownUnits, Solution,
-    TableExhibit, Text, ascii, printer,
+    TableExhibit, Text, ascii, printer, problem_heading,
 };
 use dalembert_units as units;
 
@@ -87,7 +87,7 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
     let say = |words: &'static str| Text::from(words).render(locale);
     blocks.push(Block::Heading(say("Answers")));
     for (n, answers) in solution.answers.chunk_by(|a, b| a.problem == b.problem).enumerate() {
-        blocks.extend(problem_heading(n == 0, answers[0].problem, locale));
+        blocks.extend(subheading(n == 0, answers[0].problem, locale));
         blocks.push(Block::Lines(answers.iter().flat_map(|answer| answer_lines(answer, locale)).collect()));
     }
     if !solution.warnings.is_empty() {
@@ -102,7 +102,7 @@ fn solved(solution: &Solution, blocks: &mut Vec<Block>, locale: &Locale) {
         blocks.push(Block::Heading(say("Working")));
         for (n, step) in solution.steps.iter().enumerate() {
             if let Some(of) = solution.problems.iter().find(|of| of.steps.start == n) {
-                blocks.extend(problem_heading(n == 0, of.name, locale));
+                blocks.extend(subheading(n == 0, of.name, locale));
             }
             blocks.push(Block::Step(n + 1, printer::step(solution, step, locale)));
         }
@@ -228,13 +228,8 @@ fn common(inputs: &[ReportedInput<'_>], worked: &WorkedProblem<'_>, locale: &Loc
     [definitions, lines]
 }
 
-/// Heading of a problem or a configuration among several; none before that of the file itself where it comes first.
-fn problem_heading(is_first: bool, name: &str, locale: &Locale) -> Option<Block> {
-    match name {
-        "" if is_first => None,
-        "" => Some(Block::Subheading(Text::new("All problems").render(locale))),
-        name => Some(Block::Subheading(name.to_owned())),
-    }
+fn subheading(is_first: bool, name: &str, locale: &Locale) -> Option<Block> {
+    problem_heading(is_first, name).map(|text| Block::Subheading(text.render(locale)))
 }
 
 fn answer_lines(answer: &Answer, locale: &Locale) -> Vec<NamedValue> {

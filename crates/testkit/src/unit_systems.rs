@@ -1,7 +1,7 @@
 //! Solutions in systems of units: every number in a coherent unit, and the working still true.
 
 use dalembert_core::{
-    Entry, Exhibit, Locale, Number, ShownUnits, Solution, cases, printer,
+    Entry, Exhibit, Locale, Number, ShownUnits, Solution, printer,
     trace::{Op, ROUNDING},
 };
 use dalembert_units::{Unit, UnitSystem, unit};
@@ -21,11 +21,10 @@ pub fn every_solution_is_coherent_in_every_system(entries: &[&'static Entry]) ->
     let mut faults = Vec::new();
     let (mut seen, mut read) = (0, 0);
     for (entry, solution) in first_solutions(entries) {
-        let Some(case) = cases::first(entry) else { continue };
         for system in UnitSystem::ALL {
             let units = ShownUnits { system, is_found: false };
             let name = format!("{} in {}", entry.about.id, system.key());
-            let shown = solution.clone().in_units(units, &case.draft, &entry.shape());
+            let shown = solution.clone().in_units(units);
             for ((what, unit, numbers), (_, before, _)) in
                 itertools::zip_eq(with_units(&shown), with_units(&solution))
             {

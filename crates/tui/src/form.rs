@@ -14,7 +14,7 @@ use std::{
     ops::Range,
 };
 
-use dalembert_core::{Draft, Entry, Shape, Value, ascii, draft, gravity, own_fields};
+use dalembert_core::{Draft, Entry, Shape, Value, ascii, draft, gravity, within_problem};
 use dalembert_units::{Decimal, Style, thousands, with_point, write_quantity, write_vector};
 
 pub use edit::{Edit, Sign};
@@ -338,14 +338,9 @@ impl Form {
     /// The path of a list of the problem of the cursor, and that of the input of the cursor within it.
     fn within_problem(&self, list: &str) -> (String, String) {
         let path = self.line().map_or_else(String::new, |line| line.path);
-        let is_problem = |name: &str| {
-            let field = self.shape.fields(None).iter().find(|field| field.name == name);
-            let fields = field.map_or(&[][..], |field| field.shape.fields(None));
-            own_fields(fields) < fields.len()
-        };
-        match path.split_once('.').filter(|(name, _)| is_problem(name)) {
-            Some((problem, input)) => (format!("{problem}.{list}"), input.to_owned()),
-            None => (list.to_owned(), path),
+        match within_problem(self.shape.fields(None), &path) {
+            ("", input) => (list.to_owned(), input.to_owned()),
+            (problem, input) => (format!("{problem}.{list}"), input.to_owned()),
         }
     }
 

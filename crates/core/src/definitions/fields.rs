@@ -138,9 +138,26 @@ pub fn own_fields(fields: &[Field]) -> usize {
     if are_of_problem(fields) { fields.len() - FIELDS.len() } else { fields.len() }
 }
 
+/// The inputs of a linked problem, where a value is them.
+pub(crate) fn linked_problem(value: &Value) -> Option<&Record> {
+    match value {
+        Value::Group(inner) if are_of_problem(inner.fields) => Some(inner),
+        _ => None,
+    }
+}
+
+/// The linked problem that a path or a name is of, `fan` of `fan.mass`, and the rest of it; empty where it is of none.
+pub fn within_problem<'p>(fields: &[Field], path: &'p str) -> (&'p str, &'p str) {
+    let linked = path.split_once('.').filter(|(problem, _)| {
+        let field = fields.iter().find(|field| field.name == *problem);
+        field.is_some_and(|field| are_of_problem(field.shape.fields(None)))
+    });
+    linked.unwrap_or(("", path))
+}
+
 /// A record without the problems that are linked to it.
 pub(crate) fn without_linked(record: &Record) -> Cow<'_, Record> {
-    let is_problem = |value: &Value| matches!(value, Value::Group(inner) if are_of_problem(inner.fields));
+    let is_problem = |value: &Value| linked_problem(value).is_some();
     if !record.values.iter().any(is_problem) {
         return Cow::Borrowed(record);
     }

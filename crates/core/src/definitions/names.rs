@@ -5,7 +5,7 @@ use dalembert_units::{Quantity, Unit};
 
 use super::{
     PlannedInput,
-    fields::are_of_problem,
+    fields::linked_problem,
     rows::{question_key, rows, text_of},
     scope::{self, Scope, TOP},
 };
@@ -53,8 +53,7 @@ pub(super) struct Names {
 
 impl Names {
     /// The names of the inputs of the chosen alternatives, of definitions and of questions.
-    pub(super) fn of(record: &Record) -> Self {
-        let scopes = scope::scopes(record);
+    pub(super) fn of(record: &Record, scopes: Vec<Scope>) -> Self {
         let (mut inputs, mut definitions, mut questions) = (Vec::new(), Vec::new(), Vec::new());
         for (at, scope) in scopes.iter().enumerate().filter(|(at, scope)| scope.problem == *at) {
             let own = scope::record_of(record, scope);
@@ -207,9 +206,8 @@ fn collect(
     visit: &mut dyn FnMut(&'static Field, &FieldPath<'_>, Measure, &Unit, Number),
 ) {
     for (field, value) in record.fields.iter().zip(&record.values) {
-        let is_problem = matches!(value, Value::Group(inner) if are_of_problem(inner.fields));
         let of = if is_nested(&field.shape) { field.symbol } else { "" };
-        if !is_problem {
+        if linked_problem(value).is_none() {
             value_of(value, &field.shape, field, &field_path.field_of(field.name, of), visit);
         }
     }

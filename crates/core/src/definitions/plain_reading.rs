@@ -1,6 +1,6 @@
 //! The plain reading of a problem with definitions, formulas, questions, configurations and links.
 
-use std::sync::Arc;
+use std::{collections::BTreeMap, sync::Arc};
 
 use dalembert_units::Dim;
 
@@ -270,6 +270,17 @@ impl PlainSolution {
 }
 
 impl Plan {
+    /// The number at a path within the problem or the configuration of a scope.
+    fn number_within(&self, scope: usize, inner: &str, record: &mut Record) -> Option<f64> {
+        let problem = self.names.scopes[scope].problem;
+        let changed = self.inputs.iter().filter(|_| scope != problem);
+        let mut changed = changed.filter(|input| input.scope == scope && input.inner == inner);
+        match changed.next().map(|input| input.value) {
+            Some(Number::Scalar(si)) => Some(si),
+            _ => vary::number(record, &self.names.scopes[problem].outside(inner)).copied(),
+        }
+    }
+
     /// The problem that a path of an input is of.
     fn problem_of(&self, path: &str) -> usize {
         let scopes = self.names.scopes.iter().enumerate();
@@ -294,12 +305,8 @@ impl Planned {
     }
 
     fn point(&mut self, point: &[f64], row: &mut [f64], stop: &Stop) -> Result<(), Refusal> {
-        let changed = self
-            .vary
-            .iter()
-            .zip(point)
-            .try_fold(self.record.clone(), |record, (path, si)| vary::changed(&record, path, *si));
-        let Some(changed) = changed else {
+        let changes = self.vary.iter().map(String::as_str).zip(point.iter().copied());
+        let Some(changed) = vary::changed_together(&self.record, changes) else {
             row.fill(f64::NAN);
             return Ok(());
         };
@@ -338,11 +345,14 @@ impl Readings {
             match plan.order[n] {
                 Place::Solution(scope) => self.solve(entry, plan, scope, &mut record, stop)?,
                 Place::Question(at) if self.needed_questions[at] => {
-                    self.questions[at] = Some(self.question(plan, at, &record, &plain)?);
+                    self.questions[at] = Some(self.question(plan, at, &mut record, &plain)?);
                 }
                 place @ (Place::Definition(_) | Place::Input(_)) if plan.after_solution.contains(&place) => {
                     let answer = |named: &Named| self.number(named);
                     plan.evaluate(place, &plain, &answer).map_err(|error| SolveError::Fields(vec![error]))?;
+                    if let Place::Input(at) = place {
+                        plan.write_input(at, &mut record);
+                    }
                 }
                 _ => {}
             }
@@ -372,18 +382,17 @@ impl Readings {
         let Some(entry) = entry_of(entry, name).filter(|_| !solution.answers.is_empty()) else {
             return Ok(());
         };
-        let mut inputs = plan.record_of(scope, record);
         if solution.evaluate.is_none() {
+            let inputs = Record { plan: None, ..plan.record_of(scope, record) };
             let names: Vec<&str> = solution.answers.iter().map(|answer| answer.name.as_str()).collect();
             let paths: Vec<&str> = solution.inputs.iter().map(String::as_str).collect();
-            inputs.plan = None;
             let evaluate = entry.prepare(&inputs, &paths, &names).map_err(|error| outside(error, name))?;
             solution.evaluate = Some(evaluate);
             solution.values = vec![f64::NAN; names.len()];
         }
         let Some(evaluate) = &mut solution.evaluate else { return Ok(()) };
         let point: Option<Vec<f64>> =
-            solution.inputs.iter().map(|path| vary::number(&mut inputs, path).copied()).collect();
+            solution.inputs.iter().map(|path| plan.number_within(scope, path, record)).collect();
         // Without an input there is still one point.
         let point = point.filter(|point| !point.is_empty()).unwrap_or_else(|| vec![0.0]);
         Ok(evaluate.sweep(&point, &mut solution.values, stop)?)
@@ -393,16 +402,22 @@ impl Readings {
         &self,
         plan: &Plan,
         at: usize,
-        record: &Record,
+        record: &mut Record,
         plain: &Plain<'_>,
     ) -> Result<(f64, Dim), SolveError> {
         let question = &plan.questions[at];
+        let mut inputs = BTreeMap::new();
+        for (name, _) in question.formula.names() {
+            if let Some(Named::Input(path)) = plan.names.find(question.scope, name) {
+                let unit = plan.names.input(&path).map(|input| input.unit.dim);
+                inputs.insert(name.to_owned(), names::value_at(record, &path).zip(unit));
+            }
+        }
         let values = |name: &str| -> Result<Option<Operand<&Plain<'_>>>, Text> {
             let named = match plan.names.find(question.scope, name) {
-                Some(Named::Input(path)) => {
-                    let unit = plan.names.input(&path).map(|input| input.unit.dim);
-                    let value = names::value_at(&mut record.clone(), &path);
-                    return Ok(value.zip(unit).map(|(value, dim)| match value {
+                Some(Named::Input(_)) => {
+                    let value = inputs.get(name).copied().flatten();
+                    return Ok(value.map(|(value, dim)| match value {
                         Number::Scalar(si) => Operand::Number(si, dim),
                         Number::Vector(si) => Operand::Vector(si.into(), dim),
                     }));

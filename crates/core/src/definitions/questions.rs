@@ -6,12 +6,12 @@ use dalembert_units::Unit;
 use super::{
     Plan,
     names::Named,
-    working::{Working, operand_at, unit_text},
+    working::{Working, operand_at},
 };
 use crate::{
     AnswerValue, Name, Symbol, Text, Worksheet,
     formula::{Operand, evaluate, normalised, unit_of},
-    intern::intern,
+    intern::{intern, unit_text},
     printer,
     trace::{Id, Op},
 };
@@ -75,7 +75,7 @@ fn answer<'s>(working: &Working<'_, 's>, at: usize) -> Result<(), Text> {
             sheet.answer_list(name, label, unit, &numbers);
         }
     }
-    sheet.mark_asked(name, scope_of.name);
+    sheet.mark_asked(name, scope_of.name, question.unit.is_some());
     Ok(())
 }
 

@@ -1,7 +1,7 @@
 //! Scopes of names: the problem, those that are linked to it, and the configurations of each.
 
 use super::{
-    fields::are_of_problem,
+    fields::linked_problem,
     rows::{rows, text_of},
 };
 use crate::{
@@ -52,9 +52,7 @@ pub(super) fn scopes(record: &Record) -> Vec<Scope> {
 /// Adds the problems that are linked to the one of a name, and those linked to them.
 fn linked(record: &Record, name: &str, found: &mut Vec<Scope>) {
     for (field, value) in record.fields.iter().zip(&record.values) {
-        if let Value::Group(inner) = value
-            && are_of_problem(inner.fields)
-        {
+        if let Some(inner) = linked_problem(value) {
             let name = if name.is_empty() { field.name } else { intern(&format!("{name}.{}", field.name)) };
             found.push(Scope { name, problem: found.len() });
             linked(inner, name, found);

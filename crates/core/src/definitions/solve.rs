@@ -9,13 +9,13 @@ use super::{
     names::{Named, Place},
     questions,
     scope::TOP,
-    working::{Working, entry_of, operand_at, unit_text},
+    working::{Working, entry_of, operand_at},
 };
 use crate::{
     Entry, FieldError, FieldPath, Number, ProblemSteps, Record, Refusal, Sheet, SolveError, Symbol, Text,
     Value, Worksheet,
     formula::{Operand, evaluate, unit_of},
-    intern::intern,
+    intern::{intern, unit_text},
     trace::Id,
 };
 
@@ -100,6 +100,9 @@ impl<'s> Working<'_, 's> {
             let unit = unit_of(formula, dim, &|name| self.unit(place, name));
             let si = dalembert_numerics::Real::value(value);
             self.plan.take_value(place, si, unit).map_err(|error| SolveError::Fields(vec![error]))?;
+            if let Place::Input(at) = place {
+                self.plan.write_input(at, &mut self.record);
+            }
         }
         let name = formula.single_name().and_then(|name| self.plan.find(place, name));
         if let (Place::Input(at), Some(named @ (Named::Input(_) | Named::Definition(_)))) = (place, name) {
@@ -146,7 +149,7 @@ impl<'s> Working<'_, 's> {
         let (own, problem) = (&self.plan.names.scopes[scope], self.plan.names.scopes[scope].problem);
         let of = &self.plan.names.scopes[problem];
         let Some(entry) = entry_of(self.entry, of.name) else { return Ok(()) };
-        let inputs = self.plan.record_of(scope, &mut self.record);
+        let inputs = self.plan.record_of(scope, &self.record);
         let (name, root) = (own.name, FieldPath::TOP);
         let here = if problem == TOP { root } else { root.field(of.name) };
         let mark = self.sheet.mark();

@@ -1,6 +1,6 @@
 //! Definitions, questions and given answers of a draft, by their names.
 
-use super::fields::are_of_problem;
+use super::fields::within_problem;
 use crate::{Draft, FieldError, Shape};
 
 impl Draft {
@@ -35,7 +35,7 @@ impl Draft {
     /// # Errors
     /// A name that is none of a configuration and an input; as [`set`](Self::set).
     pub fn configure(&mut self, shape: &Shape, name: &str, formula: &str) -> Result<(), FieldError> {
-        let (problem, name) = within(shape, name.trim());
+        let (problem, name) = within_problem(shape.fields(None), name.trim());
         let Some((configuration, input)) = name.split_once('.') else {
             let why = "a configuration and an input are needed, as in weighted.mass";
             return Err(FieldError::new(name, why));
@@ -61,7 +61,8 @@ impl Draft {
         text: &str,
     ) -> Result<(), FieldError> {
         let (name, text) = (name.trim(), text.trim());
-        let (problem, name) = if list == "given" { ("", name) } else { within(shape, name) };
+        let (problem, name) =
+            if list == "given" { ("", name) } else { within_problem(shape.fields(None), name) };
         let list = inside(problem, list);
         let (Draft::Rows(rows), _) = self.at(shape, &list)? else {
             return Err(FieldError::new(list, "is missing"));
@@ -71,15 +72,6 @@ impl Draft {
         self.set(shape, &format!("{list}[{row}].name"), name)?;
         self.set(shape, &format!("{list}[{row}].{field}"), text)
     }
-}
-
-/// The linked problem that a name is of, `fan` of `fan.bolt`, and the rest of it; empty where it is of none.
-fn within<'n>(shape: &Shape, name: &'n str) -> (&'n str, &'n str) {
-    let linked = name.split_once('.').filter(|(problem, _)| {
-        let field = shape.fields(None).iter().find(|field| field.name == *problem);
-        field.is_some_and(|field| are_of_problem(field.shape.fields(None)))
-    });
-    linked.unwrap_or(("", name))
 }
 
 fn inside(problem: &str, list: &str) -> String {

@@ -2,14 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use dalembert_units::Unit;
-
 use super::{
     Plan,
     names::{self, Named, Place},
     quantity_of, scope,
 };
-use crate::{Entry, Number, Record, Sheet, formula::Operand, intern::intern, trace::Id};
+use crate::{Entry, Number, Record, Sheet, formula::Operand, trace::Id};
 
 /// A plan on its way through a sheet.
 pub(super) struct Working<'w, 's> {
@@ -29,9 +27,8 @@ impl Working<'_, '_> {
 
 impl Plan {
     /// The inputs of a scope with the values of all formulas.
-    pub(super) fn record_of(&self, scope: usize, record: &mut Record) -> Record {
+    pub(super) fn record_of(&self, scope: usize, record: &Record) -> Record {
         let problem = self.names.scopes[scope].problem;
-        self.write_inputs(record);
         let mut inputs = scope::record_of(record, &self.names.scopes[problem]).clone();
         if scope != problem {
             for input in self.inputs.iter().filter(|input| input.scope == scope) {
@@ -57,14 +54,6 @@ pub(super) fn entry_of<'e>(entry: &'e Entry, name: &str) -> Option<&'e Entry> {
             _ => None,
         }
     })
-}
-
-/// The text of a unit for a step.
-pub(super) fn unit_text(unit: &Unit) -> &'static str {
-    match unit.ascii() {
-        unit if unit.is_empty() => "1",
-        unit => intern(&unit),
-    }
 }
 
 /// A node of the sheet as a value in a formula.

@@ -70,8 +70,7 @@ fn within(path: &str, error: FieldError) -> FieldError {
 /// Finds the rows that references name.
 fn resolve_record(record: &mut Record, lists: &[List], path: &str, errors: &mut Vec<FieldError>) {
     for (field, value) in record.fields.iter().zip(&mut record.values) {
-        let is_problem = matches!(value, Value::Group(inner) if definitions::are_of_problem(inner.fields));
-        if !is_problem {
+        if definitions::linked_problem(value).is_none() {
             resolve(value, &field.shape, lists, &join(path, field.name), errors);
         }
     }

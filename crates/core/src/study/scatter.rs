@@ -2,9 +2,11 @@
 
 use std::{f64::consts::TAU, thread};
 
-use super::{MOST_POINTS, StudyResult, fixed};
+use super::{MOST_POINTS, StudyResult};
 use crate::{
-    Answer, Axis, Entry, Plot, Record, Refusal, Series, SolveError, Stop, Text, sensitivity,
+    Answer, Axis, Entry, Plot, Record, Refusal, Series, SolveError, Stop, Text,
+    intern::fixed,
+    sensitivity,
     vary::{self, Perturbed, VariedInput},
 };
 

@@ -18,7 +18,7 @@ use super::{
 };
 use crate::{
     AnswerValue, Number, Reason, Refusal, Sheet, Solution, Symbol, Term, Text, Worksheet,
-    intern::intern,
+    intern::unit_text,
     reevaluate::ancestors,
     trace::{Function, Id, Op},
 };
@@ -41,7 +41,7 @@ pub(crate) struct Inverse {
     /// The solution whose trace the operations are of.
     base: Arc<Solution>,
     /// The operations from the answer to the unknown, each with the branch of its inverse.
-    links: Vec<(Link, i32)>,
+    operations: Vec<(Operation, i32)>,
     /// The nodes that other operands were made from, ascending.
     operands: Vec<Id>,
     /// Symbol of the given answer.
@@ -56,7 +56,7 @@ pub(crate) struct Inverse {
 
 /// An operation on `x`, and its other operand.
 #[derive(Clone, Debug, PartialEq)]
-enum Link {
+enum Operation {
     /// `x + a`, the sum of several others too.
     Plus(Vec<Id>),
     /// `x − a`
@@ -118,13 +118,13 @@ pub(super) fn inverse(
     let of_name = base.computed.iter().find(|(path, _)| *path == unknown.name);
     let value = base.answer(&given.name).map(|answer| &answer.value);
     let (Some((_, from)), Some(&AnswerValue::Number(_, to))) = (of_name, value) else { return Ok(None) };
-    let Some(links) = path(&base, *from, to) else { return Ok(None) };
-    let (Some(symbol), Some(operands)) = (symbol_of(&base, to), operands(&base, &links)) else {
+    let Some(operations) = path(&base, *from, to) else { return Ok(None) };
+    let (Some(symbol), Some(operands)) = (symbol_of(&base, to), operands(&base, &operations)) else {
         return Ok(None);
     };
     let of = |id: Id| scalar(&base, id).unwrap_or(f64::NAN);
-    let Some(covered) = covered(&links, scan, &of) else { return Ok(None) };
-    let Some(candidates) = candidates(&links, &covered, given.given, &of) else { return Ok(None) };
+    let Some(covered) = covered(&operations, scan, &of) else { return Ok(None) };
+    let Some(candidates) = candidates(&operations, &covered, given.given, &of) else { return Ok(None) };
     let [from, to] = unknown.range;
     let mut solutions: Vec<(f64, Vec<i32>)> = Vec::new();
     for (x, branches) in candidates {
@@ -142,15 +142,15 @@ pub(super) fn inverse(
         return Ok(None);
     };
     let differ = |n: usize| solutions.iter().any(|(_, branches)| branches[n] != first[n]);
-    let branches = links.iter().enumerate().filter(|(n, _)| differ(*n));
-    let branches = branches.map(|(_, link)| link.branches_in_words()).collect();
-    let links = links.into_iter().zip(first.iter().copied()).collect();
+    let branches = operations.iter().enumerate().filter(|(n, _)| differ(*n));
+    let branches = branches.map(|(_, operation)| operation.branches_in_words()).collect();
+    let operations = operations.into_iter().zip(first.iter().copied()).collect();
     let is_close = |searched: &f64| (searched - x).abs() <= ACCEPTED * x.abs();
     let searched = found.iter().map(|x| x[0]).find(is_close);
     let all = solutions.iter().map(|(x, _)| vec![*x]).collect();
     let path = format!("{row}.value");
     let base = Arc::new(base);
-    Ok(Some((all, Inverse { base, links, operands, symbol, path, branches, searched })))
+    Ok(Some((all, Inverse { base, operations, operands, symbol, path, branches, searched })))
 }
 
 fn scalar(solution: &Solution, id: Id) -> Option<f64> {
@@ -167,7 +167,7 @@ fn symbol_of(solution: &Solution, id: Id) -> Option<Symbol> {
 
 /// The operations from an answer back to the unknown; `None` where several paths lead there, or one of operations without
 /// an inverse.
-fn path(solution: &Solution, unknown: Id, answer: Id) -> Option<Vec<Link>> {
+fn path(solution: &Solution, unknown: Id, answer: Id) -> Option<Vec<Operation>> {
     let mut depends = vec![false; answer as usize + 1];
     for id in 0..=answer {
         let operands = match solution.trace.node(id).op {
@@ -178,43 +178,46 @@ fn path(solution: &Solution, unknown: Id, answer: Id) -> Option<Vec<Link>> {
     }
     let depends = |id: &Id| depends[*id as usize];
     // The operand that depends on the unknown: the left one, or the right.
-    let side = |a: Id, b: Id, left: fn(Id) -> Link, right: fn(Id) -> Link| match (depends(&a), depends(&b)) {
+    let side = |a: Id, b: Id, left: fn(Id) -> Operation, right: fn(Id) -> Operation| match (
+        depends(&a),
+        depends(&b),
+    ) {
         (true, false) => Some((a, left(b))),
         (false, true) => Some((b, right(a))),
         _ => None,
     };
-    let plus = |id: Id| Link::Plus(vec![id]);
-    let mut links = Vec::new();
+    let plus = |id: Id| Operation::Plus(vec![id]);
+    let mut operations = Vec::new();
     let mut at = answer;
     while at != unknown {
         scalar(solution, at)?;
-        let (next, link) = match solution.trace.node(at).op {
+        let (next, operation) = match solution.trace.node(at).op {
             Op::Step(step) => {
                 at = solution.steps[step].formula?;
                 continue;
             }
             Op::Add(a, b) => side(a, b, plus, plus)?,
-            Op::Sub(a, b) => side(a, b, Link::Minus, Link::From)?,
-            Op::Mul(a, b) if a == b => (a, Link::Power(2)),
-            Op::Mul(a, b) => side(a, b, Link::Times, Link::Times)?,
-            Op::Div(a, b) => side(a, b, Link::Over, Link::Under)?,
-            Op::Neg(a) => (a, Link::Negated),
-            Op::Power(a, n) if n != 0 => (a, Link::Power(n)),
-            Op::Root(a, n) if n > 0 && i8::try_from(n).is_ok() => (a, Link::Root(n)),
-            Op::Raised(a, b) => side(a, b, Link::RaisedTo, Link::Exponent)?,
-            Op::Atan2(y, x) => side(y, x, Link::AngleOver, Link::AngleUnder)?,
-            Op::Call(function, a) if has_inverse(function) => (a, Link::Call(function)),
+            Op::Sub(a, b) => side(a, b, Operation::Minus, Operation::From)?,
+            Op::Mul(a, b) if a == b => (a, Operation::Power(2)),
+            Op::Mul(a, b) => side(a, b, Operation::Times, Operation::Times)?,
+            Op::Div(a, b) => side(a, b, Operation::Over, Operation::Under)?,
+            Op::Neg(a) => (a, Operation::Negated),
+            Op::Power(a, n) if n != 0 => (a, Operation::Power(n)),
+            Op::Root(a, n) if n > 0 && i8::try_from(n).is_ok() => (a, Operation::Root(n)),
+            Op::Raised(a, b) => side(a, b, Operation::RaisedTo, Operation::Exponent)?,
+            Op::Atan2(y, x) => side(y, x, Operation::AngleOver, Operation::AngleUnder)?,
+            Op::Call(function, a) if has_inverse(function) => (a, Operation::Call(function)),
             Op::Sum(ref all) => {
                 let (inner, others): (Vec<Id>, Vec<Id>) = all.iter().copied().partition(depends);
                 let [one] = inner[..] else { return None };
-                (one, Link::Plus(others))
+                (one, Operation::Plus(others))
             }
             _ => return None,
         };
-        links.push(link);
+        operations.push(operation);
         at = next;
     }
-    (1..=LONGEST).contains(&links.len()).then_some(links)
+    (1..=LONGEST).contains(&operations.len()).then_some(operations)
 }
 
 fn has_inverse(function: Function) -> bool {
@@ -222,9 +225,9 @@ fn has_inverse(function: Function) -> bool {
 }
 
 /// The nodes that the other operands were made from, ascending, where each can be written again.
-fn operands(solution: &Solution, links: &[Link]) -> Option<Vec<Id>> {
+fn operands(solution: &Solution, operations: &[Operation]) -> Option<Vec<Id>> {
     let mut all = BTreeSet::new();
-    for id in links.iter().flat_map(Link::others) {
+    for id in operations.iter().flat_map(Operation::others) {
         all.extend(ancestors(solution, id));
     }
     let is_scalar = |id: &Id| {
@@ -239,15 +242,15 @@ fn operands(solution: &Solution, links: &[Link]) -> Option<Vec<Id>> {
 
 /// The least and the largest `x` of each operation in the range; `None` where the operations do not give the answer of
 /// the plain reading.
-fn covered(links: &[Link], scan: &[(f64, f64)], of: &impl Fn(Id) -> f64) -> Option<Vec<[f64; 2]>> {
+fn covered(operations: &[Operation], scan: &[(f64, f64)], of: &impl Fn(Id) -> f64) -> Option<Vec<[f64; 2]>> {
     let largest = scan.iter().map(|(_, answer)| answer.abs()).filter(|size| size.is_finite());
     let noise = 1e-12 * largest.fold(0.0, f64::max);
-    let mut covered = vec![[f64::INFINITY, f64::NEG_INFINITY]; links.len()];
+    let mut covered = vec![[f64::INFINITY, f64::NEG_INFINITY]; operations.len()];
     for &(at, answer) in scan {
         let mut x = at;
-        for (link, [least, most]) in links.iter().zip(&mut covered).rev() {
+        for (operation, [least, most]) in operations.iter().zip(&mut covered).rev() {
             (*least, *most) = (least.min(x), most.max(x));
-            x = link.applied(x, of);
+            x = operation.applied(x, of);
         }
         let near = |x: f64| (x - answer).abs() <= AGREEMENT * x.abs().max(answer.abs()) + noise;
         if answer.is_finite() && !near(x) {
@@ -259,19 +262,19 @@ fn covered(links: &[Link], scan: &[(f64, f64)], of: &impl Fn(Id) -> f64) -> Opti
 
 /// Values of the unknown for every branch, with the branches taken; `None` where there are too many.
 fn candidates(
-    links: &[Link],
+    operations: &[Operation],
     covered: &[[f64; 2]],
     given: f64,
     of: &impl Fn(Id) -> f64,
 ) -> Option<Vec<(f64, Vec<i32>)>> {
     let mut all = vec![(given, Vec::new())];
-    for (link, covered) in links.iter().zip(covered) {
+    for (operation, covered) in operations.iter().zip(covered) {
         let mut next = Vec::new();
         for (y, taken) in &all {
-            for branch in link.branches(*covered) {
+            for branch in operation.branches(*covered) {
                 let mut taken: Vec<i32> = taken.clone();
                 taken.push(branch);
-                next.push((link.undone(*y, branch, of), taken));
+                next.push((operation.undone(*y, branch, of), taken));
             }
         }
         next.retain(|(x, _)| x.is_finite());
@@ -283,40 +286,40 @@ fn candidates(
     Some(all)
 }
 
-impl Link {
+impl Operation {
     fn others(&self) -> Vec<Id> {
         match self {
-            Link::Plus(all) => all.clone(),
-            Link::Minus(a)
-            | Link::From(a)
-            | Link::Times(a)
-            | Link::Over(a)
-            | Link::Under(a)
-            | Link::RaisedTo(a)
-            | Link::Exponent(a)
-            | Link::AngleOver(a)
-            | Link::AngleUnder(a) => vec![*a],
-            Link::Negated | Link::Power(_) | Link::Root(_) | Link::Call(_) => Vec::new(),
+            Operation::Plus(all) => all.clone(),
+            Operation::Minus(a)
+            | Operation::From(a)
+            | Operation::Times(a)
+            | Operation::Over(a)
+            | Operation::Under(a)
+            | Operation::RaisedTo(a)
+            | Operation::Exponent(a)
+            | Operation::AngleOver(a)
+            | Operation::AngleUnder(a) => vec![*a],
+            Operation::Negated | Operation::Power(_) | Operation::Root(_) | Operation::Call(_) => Vec::new(),
         }
     }
 
     /// The result of the operation.
     fn applied(&self, x: f64, of: &impl Fn(Id) -> f64) -> f64 {
         match self {
-            Link::Plus(all) => x + all.iter().map(|id| of(*id)).sum::<f64>(),
-            Link::Minus(a) => x - of(*a),
-            Link::From(a) => of(*a) - x,
-            Link::Times(a) => of(*a) * x,
-            Link::Over(a) => x / of(*a),
-            Link::Under(a) => of(*a) / x,
-            Link::Negated => -x,
-            Link::Power(n) => x.powi((*n).into()),
-            Link::Root(n) => Real::root(x, *n),
-            Link::RaisedTo(a) => x.powf(of(*a)),
-            Link::Exponent(a) => of(*a).powf(x),
-            Link::Call(function) => called(*function, x),
-            Link::AngleOver(a) => x.atan2(of(*a)),
-            Link::AngleUnder(a) => of(*a).atan2(x),
+            Operation::Plus(all) => x + all.iter().map(|id| of(*id)).sum::<f64>(),
+            Operation::Minus(a) => x - of(*a),
+            Operation::From(a) => of(*a) - x,
+            Operation::Times(a) => of(*a) * x,
+            Operation::Over(a) => x / of(*a),
+            Operation::Under(a) => of(*a) / x,
+            Operation::Negated => -x,
+            Operation::Power(n) => x.powi((*n).into()),
+            Operation::Root(n) => Real::root(x, *n),
+            Operation::RaisedTo(a) => x.powf(of(*a)),
+            Operation::Exponent(a) => of(*a).powf(x),
+            Operation::Call(function) => function.of(x),
+            Operation::AngleOver(a) => x.atan2(of(*a)),
+            Operation::AngleUnder(a) => of(*a).atan2(x),
         }
     }
 
@@ -327,14 +330,14 @@ impl Link {
         let is_other = branch.rem_euclid(2) == 1;
         let plus = |x: N, constant: f64| if constant == 0.0 { x } else { x + N::from(constant) };
         match self {
-            Link::Plus(all) => all.iter().fold(y, |y, a| y - of(*a)),
-            Link::Minus(a) => y + of(*a),
-            Link::From(a) => of(*a) - y,
-            Link::Times(a) => y / of(*a),
-            Link::Over(a) => of(*a) * y,
-            Link::Under(a) => of(*a) / y,
-            Link::Negated => -y,
-            Link::Power(n) => {
+            Operation::Plus(all) => all.iter().fold(y, |y, a| y - of(*a)),
+            Operation::Minus(a) => y + of(*a),
+            Operation::From(a) => of(*a) - y,
+            Operation::Times(a) => y / of(*a),
+            Operation::Over(a) => of(*a) * y,
+            Operation::Under(a) => of(*a) / y,
+            Operation::Negated => -y,
+            Operation::Power(n) => {
                 let y = if *n < 0 { N::from(1.0) / y } else { y };
                 match n.unsigned_abs() {
                     1 => y,
@@ -343,13 +346,13 @@ impl Link {
                 }
             }
             // A root of an even order is never negative.
-            Link::Root(n) if n % 2 == 0 && y.value() < 0.0 => N::from(f64::NAN),
-            Link::Root(n) => y.powi(i8::try_from(*n).unwrap_or(i8::MAX)),
-            Link::RaisedTo(a) => y.pow(N::from(1.0) / of(*a)),
-            Link::Exponent(a) => y.ln() / of(*a).ln(),
-            Link::AngleOver(a) => of(*a) * y.tan(),
-            Link::AngleUnder(a) => of(*a) / y.tan(),
-            Link::Call(function) => match function {
+            Operation::Root(n) if n % 2 == 0 && y.value() < 0.0 => N::from(f64::NAN),
+            Operation::Root(n) => y.powi(i8::try_from(*n).unwrap_or(i8::MAX)),
+            Operation::RaisedTo(a) => y.pow(N::from(1.0) / of(*a)),
+            Operation::Exponent(a) => y.ln() / of(*a).ln(),
+            Operation::AngleOver(a) => of(*a) * y.tan(),
+            Operation::AngleUnder(a) => of(*a) / y.tan(),
+            Operation::Call(function) => match function {
                 Function::Sin if is_other => N::from(PI + turns) - y.asin(),
                 Function::Sin => plus(y.asin(), turns),
                 Function::Cos if is_other => plus(-y.acos(), turns),
@@ -374,10 +377,10 @@ impl Link {
             (limit(least) - outer..=limit(most) + outer).take(2 * MOST_BRANCHES).collect()
         };
         match self {
-            Link::Power(n) if n % 2 == 0 => vec![0, 1],
-            Link::Call(Function::Abs) => vec![0, 1],
-            Link::Call(Function::Sin | Function::Cos) => between(3.0),
-            Link::Call(Function::Tan) => between(2.0),
+            Operation::Power(n) if n % 2 == 0 => vec![0, 1],
+            Operation::Call(Function::Abs) => vec![0, 1],
+            Operation::Call(Function::Sin | Function::Cos) => between(3.0),
+            Operation::Call(Function::Tan) => between(2.0),
             _ => vec![0],
         }
     }
@@ -385,10 +388,10 @@ impl Link {
     /// The branches of the inverse, in words.
     fn branches_in_words(&self) -> Text {
         match self {
-            Link::Power(_) => Text::new("both signs of the root"),
-            Link::Call(Function::Sin) => Text::new("the angles of the arcsine"),
-            Link::Call(Function::Cos) => Text::new("the angles of the arccosine"),
-            Link::Call(Function::Tan) => Text::new("the angles of the arctangent"),
+            Operation::Power(_) => Text::new("both signs of the root"),
+            Operation::Call(Function::Sin) => Text::new("the angles of the arcsine"),
+            Operation::Call(Function::Cos) => Text::new("the angles of the arccosine"),
+            Operation::Call(Function::Tan) => Text::new("the angles of the arctangent"),
             _ => Text::new("both signs of the absolute value"),
         }
     }
@@ -424,8 +427,8 @@ impl Inverse {
             None => sheet.lift(&self.path, self.symbol, &given.unit, Number::Scalar(given.given)),
         };
         let of = |id: Id| written[&id];
-        let undone = |y: Term<'s>, (link, branch): &(Link, i32)| link.undone(y, *branch, &of);
-        let value = self.links.iter().fold(sheet.term(given), undone);
+        let undone = |y: Term<'s>, (operation, branch): &(Operation, i32)| operation.undone(y, *branch, &of);
+        let value = self.operations.iter().fold(sheet.term(given), undone);
         sheet.step(symbol, unit, value, why)
     }
 
@@ -443,10 +446,7 @@ impl Inverse {
             }
             Op::Step(step) => {
                 let step = &self.base.steps[*step];
-                let unit = match step.unit.ascii() {
-                    unit if unit.is_empty() => "1",
-                    unit => intern(&unit),
-                };
+                let unit = unit_text(&step.unit);
                 let why = Reason { reason: step.why.clone(), cite: step.cite };
                 let formula = step.formula.map(|formula| of(&formula));
                 let value_of = formula.map(|formula| Number::Scalar(formula.value()));
@@ -467,28 +467,11 @@ impl Inverse {
             Op::Max(a, b) => of(a).max(of(b)),
             Op::Atan2(y, x) => of(y).atan2(of(x)),
             Op::Sum(all) => Real::sum(all.iter().map(of)),
-            Op::Call(function, a) => called(*function, of(a)),
+            Op::Call(function, a) => function.of(of(a)),
             // `operands` lets no vector pass.
             Op::Dot(..) | Op::Cross(..) | Op::Magnitude(_) | Op::Component(..) | Op::Compose(_) => {
                 Term::from(f64::NAN)
             }
         }
-    }
-}
-
-fn called<N: Real>(function: Function, x: N) -> N {
-    match function {
-        Function::Sin => x.sin(),
-        Function::Cos => x.cos(),
-        Function::Tan => x.tan(),
-        Function::Asin => x.asin(),
-        Function::Acos => x.acos(),
-        Function::Exp => x.exp(),
-        Function::Ln => x.ln(),
-        Function::Log10 => x.log10(),
-        Function::Sinh => x.sinh(),
-        Function::Cosh => x.cosh(),
-        Function::Tanh => x.tanh(),
-        Function::Abs => x.abs(),
     }
 }

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use dalembert_core::{Determined, Locale, Solution, Text, find as analysis};
-use dalembert_report::{WorkedProblem, json, json_text, unknown_formula};
+use dalembert_report::{json, json_text, unknown_formula};
 use dalembert_units as units;
 
 use crate::{
@@ -41,16 +41,7 @@ pub(crate) fn run(find: &Find, console: &Console) -> Result<ExitCode, Failure> {
     let outcome = solving::solve(problem.entry, &problem.record)?;
     let mut locale = console.locale.at(problem.entry.about.id);
     locale.style.digits = find.digits.unwrap_or(locale.style.digits);
-    let worked = WorkedProblem {
-        entry: problem.entry,
-        case: &problem.name,
-        source: &problem.source,
-        note: &problem.note,
-        notes: &problem.notes,
-        draft: &problem.draft,
-        record: &problem.record,
-        outcome: outcome.as_ref(),
-    };
+    let worked = problem.worked(&outcome);
     if find.json {
         let all = json(&worked, &locale);
         let keys = ["analysis", "notes", "unknowns", "warnings", "refusal"];

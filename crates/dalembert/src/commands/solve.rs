@@ -49,7 +49,7 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
     let mut locale = console.locale.at(problem.entry.about.id);
     locale.style.digits = solve.digits.unwrap_or(locale.style.digits);
     let outcome = outcome(&problem, &asked_for)?;
-    let worked = worked(&problem, &outcome);
+    let worked = problem.worked(&outcome);
     let paper = match format(solve) {
         Format::Text => DocumentFormat::Text,
         Format::Markdown => DocumentFormat::Markdown,
@@ -115,7 +115,7 @@ fn put(solve: &Solve, text: &str) -> Result<(), Failure> {
 /// Prints the worked solution of a problem on the screen.
 pub(crate) fn print_worked(problem: &LoadedProblem, console: &Console) -> Result<ExitCode, Failure> {
     let outcome = outcome(problem, &[])?;
-    let worked = worked(problem, &outcome);
+    let worked = problem.worked(&outcome);
     console.print(document(&worked, &console.locale))?;
     status(&worked, console)
 }
@@ -132,19 +132,6 @@ fn outcome(
         show_answers_in(&mut solution, show).map_err(Failure::input)?;
     }
     Ok(Ok(solution))
-}
-
-fn worked<'p>(problem: &'p LoadedProblem, outcome: &'p solving::SolveOutcome) -> WorkedProblem<'p> {
-    WorkedProblem {
-        entry: problem.entry,
-        case: &problem.name,
-        source: &problem.source,
-        note: &problem.note,
-        notes: &problem.notes,
-        draft: &problem.draft,
-        record: &problem.record,
-        outcome: outcome.as_ref(),
-    }
 }
 
 fn spreadsheet(worked: &WorkedProblem<'_>, table: &str, locale: &Locale) -> Result<String, Failure> {

@@ -292,7 +292,7 @@ fn answers(
         answers.iter().zip(&labels).zip(aligned).zip(shown.into_iter().zip(covered)).enumerate()
     {
         let problem = (n == 0 || answers[n - 1].problem != answer.problem)
-            .then(|| steps::problem_heading(n == 0, answer.problem, look, locale))
+            .then(|| steps::heading(n == 0, answer.problem, look, locale))
             .flatten();
         lines.extend(problem);
         let first = lines.len();

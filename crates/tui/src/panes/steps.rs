@@ -3,25 +3,20 @@
 use std::collections::HashSet;
 
 use dalembert_core::{
-    Answer, AnswerValue, Locale, Solution, Text,
+    Answer, AnswerValue, Locale, Solution, problem_heading,
     trace::{Id, Op},
 };
 use dalembert_plot::look::Appearance;
 use ratatui::text::Line;
 
-/// Heading of a problem or a configuration among several; none before that of the file itself where it comes first.
-pub(super) fn problem_heading(
+/// Line of the heading of a problem or a configuration among several.
+pub(super) fn heading(
     is_first: bool,
     name: &str,
     look: &Appearance,
     locale: &Locale,
 ) -> Option<Line<'static>> {
-    let words = match name {
-        "" if is_first => return None,
-        "" => Text::new("All problems").render(locale),
-        name => name.to_owned(),
-    };
-    Some(Line::styled(words, look.title()))
+    problem_heading(is_first, name).map(|text| Line::styled(text.render(locale), look.title()))
 }
 
 /// The number of steps of a solution that are revealed.

@@ -214,7 +214,7 @@ fn read(
             page.lines.push(Line::default());
         }
         if let Some(of) = solution.problems.iter().find(|of| of.steps.start == n) {
-            page.lines.extend(steps::problem_heading(n == 0, of.name, look, locale));
+            page.lines.extend(steps::heading(n == 0, of.name, look, locale));
         }
         page.starts.push(page.lines.len());
         let mut written = plain(&printer::step(solution, step, locale), look);
