@@ -31,12 +31,10 @@ fn ignored(root: &Path, family: &str, test: &str) -> Result<()> {
 
 /// The nets over the registry that take samples, with so many times as many, optimised. (Coverage is exhaustive every day.)
 fn nets(root: &Path, times: &str) -> Result<()> {
-    let tests = ["--test", "path_independence", "--test", "invariance"];
     run_command(
         cargo(root)
-            .args(["test", "--release", "--package", "dalembert-tests", "--no-fail-fast"])
-            .args(tests)
-            .args(["--", "--nocapture"])
+            .args(["test", "--release", "--package", "dalembert-tests", "--test", "registry"])
+            .args(["--", "--nocapture", "path_independence::", "invariance::"])
             .env("DALEMBERT_TIMES", times),
     )
 }

@@ -68,8 +68,8 @@ struct Hunk {
 /// Missing translations reported by the test of languages, as `[crate] key = sentence`.
 fn missing(root: &Path) -> Result<Vec<Missing>> {
     let test = cargo(root)
-        .args(["test", "--quiet", "--package", "dalembert-tests", "--test", "languages"])
-        .args(["--", "every_sentence_has_its_portuguese"])
+        .args(["test", "--quiet", "--package", "dalembert-tests", "--test", "registry"])
+        .args(["--", "languages::every_sentence_has_its_portuguese"])
         .env("RUST_BACKTRACE", "0")
         .stderr(Stdio::inherit())
         .output()

@@ -13,9 +13,13 @@ use crate::cargo::{cargo, run as run_command, target};
 pub(super) fn soak(root: &Path, draws: &str) -> Result<()> {
     let draws: u64 = draws.parse().with_context(|| format!("`{draws}` is not a number of draws"))?;
     let report = target(root).join("perturbation.txt");
-    let test = ["test", "--release", "--package", "dalembert-tests", "--test", "perturbation"];
+    let test = ["test", "--release", "--package", "dalembert-tests", "--test", "registry"];
     let outcome = run_command(
-        cargo(root).args(test).env("DALEMBERT_DRAWS", draws.to_string()).env("DALEMBERT_REPORT", &report),
+        cargo(root)
+            .args(test)
+            .args(["--", "perturbation::"])
+            .env("DALEMBERT_DRAWS", draws.to_string())
+            .env("DALEMBERT_REPORT", &report),
     );
     if let Ok(text) = fs::read_to_string(&report) {
         print!("{text}");

@@ -1,0 +1,7 @@
+//! The program as it is run: the command line, and the workbench in a pseudo-terminal.
+
+mod cli;
+mod faults;
+mod replay;
+mod workbench;
+mod workflows;

@@ -1,0 +1,25 @@
+//! What holds for every analysis, every case and every problem file.
+
+mod alternatives;
+mod catalogue;
+mod coverage;
+mod engines;
+mod examples;
+mod exhibits;
+mod extremes;
+mod file_forms;
+mod glossary;
+mod gravity_and_tables;
+mod invariance;
+mod inverse;
+mod languages;
+mod linked;
+mod near_singular;
+mod papers;
+mod path_independence;
+mod perturbation;
+mod reports;
+mod suggestions;
+mod tidy;
+mod unit_systems;
+mod unknowns;

@@ -1,0 +1,15 @@
+//! The workbench before a user: what is typed or clicked, and the screens that follow.
+
+mod asking;
+mod data_entry;
+mod mouse;
+mod new_files;
+mod panes;
+mod picker;
+mod problem_files;
+mod screens;
+mod search;
+mod settings;
+mod studies;
+mod typing;
+mod widgets;
