@@ -1,4 +1,4 @@
-//! What holds for every analysis, every case and every problem file.
+//! Properties of every analysis, every case and every problem file.
 
 mod alternatives;
 mod catalogue;
