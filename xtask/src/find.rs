@@ -18,7 +18,7 @@ const ITEMS: [&str; 7] = ["fn", "struct", "enum", "trait", "type", "const", "sta
 /// # Errors
 /// There is none.
 pub fn run(tree: &Tree, term: &str) -> Result<()> {
-    let found = find(tree, term);
+    let found = Index::of(tree).find(term);
     if found.is_empty() {
         bail!("no file and no public name has the words of `{term}` or of its synonyms in {GLOSSARY}");
     }
@@ -28,34 +28,44 @@ pub fn run(tree: &Tree, term: &str) -> Result<()> {
     Ok(())
 }
 
-/// The files that match best: by a name of the very words of the term, else by one that has all of them: file, path,
-/// public items, first line. Synonyms are tried where the term itself is nobody's name.
-pub fn find(tree: &Tree, term: &str) -> Vec<String> {
-    let names = names(tree);
-    let synonyms = tree.text(GLOSSARY).map_or_else(Vec::new, |text| synonyms(text, term));
-    for term in std::iter::once(term.to_owned()).chain(synonyms) {
-        let wanted = words(&term);
-        let is_it = |name: &BTreeSet<String>| *name == wanted;
+/// Names of a tree, among which terms are found.
+pub struct Index<'t> {
+    /// The names in each source, by its path.
+    names: BTreeMap<String, Names>,
+    glossary: &'t str,
+}
+
+impl<'t> Index<'t> {
+    /// Names in the sources of a tree, and the synonyms of its glossary.
+    pub fn of(tree: &'t Tree) -> Self {
+        Self { names: names(tree), glossary: tree.text(GLOSSARY).unwrap_or_default() }
+    }
+
+    /// The files that match best: by a name of the very words of the term, else by one that has all of them: file, path,
+    /// public items, first line. Synonyms are tried where the term itself is nobody's name.
+    pub fn find(&self, term: &str) -> Vec<String> {
+        let terms = std::iter::once(term.to_owned()).chain(synonyms(self.glossary, term));
+        terms.map(|term| self.best(&words(&term))).find(|found| !found.is_empty()).unwrap_or_default()
+    }
+
+    fn best(&self, wanted: &BTreeSet<String>) -> Vec<String> {
+        let is_it = |name: &BTreeSet<String>| name == wanted;
         let has_it = |name: &BTreeSet<String>| wanted.is_subset(name);
-        let by = |is: &dyn Fn(&BTreeSet<String>) -> bool,
-                  of: fn(&Names) -> &[BTreeSet<String>]|
-         -> Vec<String> {
-            names.iter().filter(|(_, names)| of(names).iter().any(is)).map(|(path, _)| path.clone()).collect()
-        };
-        for found in [
+        let by =
+            |is: &dyn Fn(&BTreeSet<String>) -> bool, of: fn(&Names) -> &[BTreeSet<String>]| -> Vec<String> {
+                let found = self.names.iter().filter(|(_, names)| of(names).iter().any(is));
+                found.map(|(path, _)| path.clone()).collect()
+            };
+        let found = [
             by(&is_it, Names::file),
             by(&is_it, Names::items),
             by(&has_it, Names::file),
             by(&has_it, Names::path),
             by(&has_it, Names::items),
             by(&has_it, Names::heading),
-        ] {
-            if !found.is_empty() {
-                return found;
-            }
-        }
+        ];
+        found.into_iter().find(|found| !found.is_empty()).unwrap_or_default()
     }
-    Vec::new()
 }
 
 /// The words of the name of a file, of its whole path, of the line that says what it is, and of its public items.

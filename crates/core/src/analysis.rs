@@ -4,7 +4,7 @@ use std::{
     fmt,
     sync::{
         OnceLock,
-        atomic::{AtomicBool, Ordering},
+        atomic::{AtomicBool, AtomicU32, Ordering},
     },
 };
 
@@ -60,9 +60,13 @@ pub enum SolveError {
     Refused(Refusal),
 }
 
-/// A signal that ends a solve early.
+/// A signal that ends a solve early, and the part of a long one that is done.
 #[derive(Debug, Default)]
-pub struct Stop(AtomicBool);
+pub struct Stop {
+    given: AtomicBool,
+    /// Percentage of the work that is done; 0 where nothing is known of it.
+    done: AtomicU32,
+}
 
 /// One registered analysis, with its types erased.
 #[derive(Clone, Copy)]
@@ -260,18 +264,28 @@ impl From<Refusal> for SolveError {
 impl Stop {
     /// A signal that has not been given.
     pub const fn new() -> Self {
-        Self(AtomicBool::new(false))
+        Self { given: AtomicBool::new(false), done: AtomicU32::new(0) }
     }
 
     /// Gives the signal.
     pub fn stop(&self) {
-        self.0.store(true, Ordering::Relaxed);
+        self.given.store(true, Ordering::Relaxed);
     }
 
     /// `Err` once the signal has been given.
     #[inline]
     pub fn check(&self) -> Result<(), Refusal> {
-        if self.0.load(Ordering::Relaxed) { Err(Refusal::Stopped) } else { Ok(()) }
+        if self.given.load(Ordering::Relaxed) { Err(Refusal::Stopped) } else { Ok(()) }
+    }
+
+    /// Reports that a part of the work is done, of so many equal ones.
+    pub fn report(&self, part: usize, of: usize) {
+        self.done.store((100 * part / of.max(1)) as u32, Ordering::Relaxed);
+    }
+
+    /// Percentage of the work that is done, once the solve has reported it.
+    pub fn percentage(&self) -> Option<u32> {
+        Some(self.done.load(Ordering::Relaxed)).filter(|done| *done > 0)
     }
 }
 
@@ -414,7 +428,7 @@ fn prepared(
 impl Evaluate for Prepared {
     fn sweep(&mut self, points: &[f64], answers: &mut [f64], stop: &Stop) -> Result<(), Refusal> {
         let columns = self.vary.len().max(1);
-        let plain = Plain::new(stop);
+        let plain = Plain::wanting(stop, &self.wanted);
         for (n, (point, row)) in
             points.chunks(columns).zip(answers.chunks_mut(self.wanted.len().max(1))).enumerate()
         {
@@ -430,9 +444,11 @@ impl Evaluate for Prepared {
             }
             plain.clear();
             match self.problem.solve_plain(&plain) {
-                Err(Refusal::Stopped) => return Err(Refusal::Stopped),
+                Err(Refusal::Stopped) if stop.check().is_err() || !plain.is_complete() => {
+                    return Err(Refusal::Stopped);
+                }
                 Err(Refusal::NoAnswer(_)) => row.fill(f64::NAN),
-                Ok(()) => {
+                Ok(()) | Err(Refusal::Stopped) => {
                     for ((at, name), place) in self.wanted.iter().zip(row) {
                         *place = plain.answer_at(*at, *name).unwrap_or(f64::NAN);
                     }

@@ -21,7 +21,10 @@ mod typed;
 mod unknowns;
 mod working;
 
-use std::{collections::BTreeSet, sync::Arc};
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
 
 use dalembert_units::{Dim, Quantity, Unit};
 
@@ -52,6 +55,10 @@ pub(crate) struct Plan {
     order: Vec<Place>,
     /// Definitions, inputs and questions that rest on the solution of a problem: they have no value before.
     after_solution: BTreeSet<Place>,
+    /// Definitions and inputs whose formula has its unit.
+    with_unit: BTreeSet<Place>,
+    /// Meanings of the names in each formula.
+    meanings: Arc<BTreeMap<Place, Vec<(String, Option<Named>)>>>,
     /// Unknowns; none once they are found.
     unknowns: Vec<Unknown>,
     /// The answers that they are found from.
@@ -289,15 +296,16 @@ impl Plan {
         self.names.scopes[definition.scope].outside(&format!("let[{}].formula", definition.row + 1))
     }
 
-    /// Gives a definition another value; whether there is one of that name that can take it.
-    pub(crate) fn set(&mut self, name: &str, si: f64) -> bool {
-        let found = self.definitions.iter().position(|definition| {
+    /// The definition of that name that can take another value, by its place.
+    pub(crate) fn lever(&self, name: &str) -> Option<usize> {
+        self.definitions.iter().position(|definition| {
             definition.formula.quantity().is_some() && self.outside(definition) == name
-        });
-        if let Some(at) = found {
-            self.definitions[at].si = si;
-        }
-        found.is_some()
+        })
+    }
+
+    /// Gives a definition another value.
+    pub(crate) fn set(&mut self, definition: usize, si: f64) {
+        self.definitions[definition].si = si;
     }
 
     /// Evaluates every formula, and writes the inputs that have one into the record.
@@ -361,8 +369,12 @@ impl Plan {
             let why = Text::new("`{text}` is no single number").with("text", &formula.text);
             return Err(FieldError::new(self.path_of(place), why));
         };
-        let unit = unit_of(formula, dim, &|name| {
-            self.find(place, name).and_then(|named| self.place(&named)).and_then(|place| self.unit(place))
+        // The unit does not depend on the numbers.
+        let unit = self.unit(place).filter(|_| self.with_unit.contains(&place));
+        let unit = unit.unwrap_or_else(|| {
+            unit_of(formula, dim, &|name| {
+                self.find(place, name).and_then(|named| self.place(&named)).and_then(|place| self.unit(place))
+            })
         });
         self.take_value(place, si, unit)
     }
@@ -382,12 +394,13 @@ impl Plan {
                     let why = crate::reading::of_another_dimension(&formula.text, unit.dim, &own);
                     return Err(FieldError::new(self.path_of(place), why));
                 }
-                let value = dalembert_units::write_quantity(si, &own, <_>::default());
-                let written = format!("{} = {value}", formula.text);
                 // An unknown has no value yet that a limit could be compared with.
-                let outside = input.measure.outside(si, &written).filter(|_| self.unknowns.is_empty());
-                if let Some(why) = outside {
-                    return Err(FieldError::new(self.path_of(place), why));
+                if self.unknowns.is_empty() && !input.measure.permits(si) {
+                    let value = dalembert_units::write_quantity(si, &own, <_>::default());
+                    let written = format!("{} = {value}", formula.text);
+                    if let Some(why) = input.measure.outside(si, &written) {
+                        return Err(FieldError::new(self.path_of(place), why));
+                    }
                 }
                 let unit = if unit.dim == own.dim { unit } else { own };
                 let input = &mut self.inputs[at];
@@ -395,6 +408,7 @@ impl Plan {
             }
             Place::Solution(_) | Place::Question(_) => {}
         }
+        self.with_unit.insert(place);
         Ok(())
     }
 

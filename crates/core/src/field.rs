@@ -2,7 +2,7 @@
 
 use std::{fmt, ops::Deref};
 
-use crate::{Text, definitions::are_of_problem};
+use crate::{Text, definitions::are_of_problem, intern};
 use dalembert_units::{self as units, Dim, Unit};
 
 /// One line of the form, one key of the file, one `--set` of the command line.
@@ -157,7 +157,23 @@ impl ChildList {
 impl Measure {
     /// The unit of a number written alone.
     pub fn own_unit(&self) -> Unit {
-        units::unit(self.unit).expect("the derive and a test hold the units of fields to be well formed")
+        intern::unit_of_field(self.unit).clone()
+    }
+
+    /// Returns true if a value, in SI, is finite and within the limits.
+    pub fn permits(&self, si: f64) -> bool {
+        let value = intern::unit_of_field(self.unit).value(si);
+        let above = match self.min {
+            FieldLimit::None => true,
+            FieldLimit::Including(min) => value >= min,
+            FieldLimit::Excluding(min) => value > min,
+        };
+        let below = match self.max {
+            FieldLimit::None => true,
+            FieldLimit::Including(max) => value <= max,
+            FieldLimit::Excluding(max) => value < max,
+        };
+        above && below && si.is_finite()
     }
 
     /// Message for a value outside its limits, written as this text; `None` within them.

@@ -1,8 +1,8 @@
 //! Names that users write, kept for the whole run: symbols and names of answers are `&'static str`.
 
 use std::{
-    collections::HashSet,
-    sync::{Mutex, PoisonError},
+    collections::{HashMap, HashSet},
+    sync::{LazyLock, Mutex, PoisonError, RwLock},
 };
 
 use dalembert_units::Unit;
@@ -18,6 +18,24 @@ pub(crate) fn intern(text: &str) -> &'static str {
     let kept: &'static str = String::from(text).leak();
     pool.insert(kept);
     kept
+}
+
+/// The unit of a field, read once for the whole run: a study asks for it at every sample.
+///
+/// # Panics
+/// If the text is no unit.
+pub(crate) fn unit_of_field(text: &'static str) -> &'static Unit {
+    static UNITS: LazyLock<RwLock<HashMap<&str, &Unit>>> = LazyLock::new(RwLock::default);
+    if let Some(known) = UNITS.read().unwrap_or_else(PoisonError::into_inner).get(text) {
+        return known;
+    }
+    let unit = dalembert_units::unit(text);
+    let unit = unit.expect("the derive and a test hold the units of fields to be well formed");
+    UNITS
+        .write()
+        .unwrap_or_else(PoisonError::into_inner)
+        .entry(text)
+        .or_insert_with(|| Box::leak(unit.into()))
 }
 
 /// The text of a unit for as long as the program runs.

@@ -230,7 +230,8 @@ impl<'a> Curve<'a> {
         let variable = Variable::new(self.range, None);
         let scale = if variable.is_logarithmic { Scale::Log } else { Scale::Linear };
         let mut evaluate = |x: &[f64]| again.with(&[(at, x[0])], stop);
-        let searched = search(&mut evaluate, &[variable], &[Target { si: wanted, tolerance: None }])?;
+        let target = Target { si: wanted, tolerance: None };
+        let searched = search(&mut evaluate, &[variable], &[target], stop)?;
         if searched.without_influence.is_some() {
             let remarks = Text::new("{answer} does not depend on {input}")
                 .with_text("answer", self.answer.title())

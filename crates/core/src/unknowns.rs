@@ -110,7 +110,7 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
         let changes: Vec<(usize, f64)> = x.iter().copied().enumerate().collect();
         again.with(&changes, stop)
     };
-    let found = search(&mut evaluate, &variables, &targets)?;
+    let found = search(&mut evaluate, &variables, &targets, stop)?;
     let label = |answer: &Answer| answer.title();
     if let Some(blind) = found.without_influence {
         let why = Text::new("{answer} does not depend on what is unknown: give another answer")

@@ -105,8 +105,12 @@ pub(crate) fn changed_together<'p>(
     let mut record = record.clone();
     let mut plan = record.plan.take().map(|plan| Plan::clone(&plan));
     for (path, si) in changes {
-        if !plan.as_mut().is_some_and(|plan| plan.set(path, si)) {
-            put_number(&mut record, path, si)?;
+        if let Some(definition) = plan.as_ref().and_then(|plan| plan.lever(path)) {
+            plan.as_mut()?.set(definition, si);
+        } else {
+            for path in places(&mut record, path) {
+                *number(&mut record, &path)? = si;
+            }
         }
     }
     if let Some(mut plan) = plan {
@@ -116,12 +120,14 @@ pub(crate) fn changed_together<'p>(
     Some(record)
 }
 
-fn put_number(record: &mut Record, path: &str, si: f64) -> Option<()> {
-    for path in gravity::shared(record, path) {
-        kept::keep(record, &path);
-        *number(record, &path)? = si;
+/// The paths that take another number at a path, several for a gravity that is asked for more than once. Their present
+/// values are kept where a field beside them keeps the first one.
+pub(crate) fn places(record: &mut Record, path: &str) -> Vec<String> {
+    let all = gravity::shared(record, path);
+    for path in &all {
+        kept::keep(record, path);
     }
-    Some(())
+    all
 }
 
 /// The number at a path. An optional one that was left out is put there.
@@ -216,18 +222,7 @@ impl VariedInput {
 
     /// Returns true if a value, in SI, is within the limits of the input.
     pub fn permits(&self, si: f64) -> bool {
-        let value = self.measure.own_unit().value(si);
-        let above = match self.measure.min {
-            FieldLimit::None => true,
-            FieldLimit::Including(min) => value >= min,
-            FieldLimit::Excluding(min) => value > min,
-        };
-        let below = match self.measure.max {
-            FieldLimit::None => true,
-            FieldLimit::Including(max) => value <= max,
-            FieldLimit::Excluding(max) => value < max,
-        };
-        above && below && si.is_finite()
+        self.measure.permits(si)
     }
 }
 

@@ -119,7 +119,8 @@ pub trait Worksheet: Copy {
     fn show(self, exhibit: impl FnOnce() -> Exhibit);
     /// Warns of a valid but doubtful result.
     fn warn(self, warning: impl FnOnce() -> Text);
-    /// Ends a long computation that nobody waits for any more.
+    /// Ends a long computation that nobody waits for any more, or whose wanted answers are all there: stands before
+    /// whatever takes long.
     fn keep_going(self) -> Result<(), Refusal>;
 }
 
@@ -170,6 +171,8 @@ pub enum PathSegment {
 pub struct Plain<'a> {
     answers: [Cell<(Name, f64)>; MOST_ANSWERS],
     count: Cell<usize>,
+    /// The answers that are wanted, each with its expected place; none where all are.
+    wanted: &'a [(usize, Name)],
     stop: &'a Stop,
 }
 
@@ -181,7 +184,19 @@ impl<'a> Plain<'a> {
     #[inline]
     pub fn new(stop: &'a Stop) -> Self {
         let none = || Cell::new((Name::from(""), 0.0));
-        Self { answers: std::array::from_fn(|_| none()), count: Cell::new(0), stop }
+        Self { answers: std::array::from_fn(|_| none()), count: Cell::new(0), wanted: &[], stop }
+    }
+
+    /// A worksheet that goes on only until it has these answers, each with its expected place.
+    pub(crate) fn wanting(stop: &'a Stop, wanted: &'a [(usize, Name)]) -> Self {
+        Self { wanted, ..Self::new(stop) }
+    }
+
+    /// Returns true if every wanted answer is there.
+    pub(crate) fn is_complete(&self) -> bool {
+        let count = self.count.get();
+        let is_there = |(at, name): &(usize, Name)| *at < count && self.answer_at(*at, *name).is_some();
+        !self.wanted.is_empty() && self.wanted.iter().all(is_there)
     }
 
     /// Forgets the answers, for the next reading.
@@ -299,7 +314,8 @@ impl Worksheet for &Plain<'_> {
     fn warn(self, _: impl FnOnce() -> Text) {}
     #[inline]
     fn keep_going(self) -> Result<(), Refusal> {
-        self.stop.check()
+        self.stop.check()?;
+        if self.is_complete() { Err(Refusal::Stopped) } else { Ok(()) }
     }
 }
 

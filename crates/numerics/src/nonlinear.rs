@@ -19,30 +19,46 @@ const ITERATIONS: usize = 100;
 const DIFFERENCE: f64 = 1e-6;
 /// Damping at which no step helps any more.
 const MOST_DAMPING: f64 = 1e12;
+/// Step, of the unit cube, that is none.
+const SMALLEST_STEP: f64 = 1e-15;
+/// Sum of squares of residuals that are zero but for rounding.
+const ROUNDING: f64 = 1e-26;
+/// Iterations in which the residuals of a square system at least halve on the way to a root.
+const PATIENCE: usize = 8;
 
 /// Minimum of `½ Σ rᵢ(x)²` over `0 ≤ xⱼ ≤ 1` near a start: the root of a square system, where there is one near it.
 ///
 /// D. W. Marquardt, *J. SIAM* 11 (1963) 431: the step solves `(JᵀJ + λ diag JᵀJ) δ = −Jᵀr`; λ falls by ten where the sum
 /// gets smaller and grows by ten where it does not, or where the function has no value (`None`). The Jacobian is that of
-/// central differences. `None` where the start, or its surroundings, have no value.
+/// one-sided differences, and of central ones where these lead no further. A square system whose residuals do not halve in
+/// eight iterations is left: it nears a minimum that is no root. `None` where the start, or its surroundings, have no value.
 pub fn levenberg_marquardt(
     mut residuals: impl FnMut(&[f64]) -> Option<Vec<f64>>,
     start: &[f64],
 ) -> Option<LocalMinimum> {
     let mut x = start.to_vec();
     let mut r = residuals(&x)?;
+    let is_square = r.len() == x.len();
     let mut damping = 1e-3;
-    for _ in 0..ITERATIONS {
+    let mut central = !is_square;
+    let mut milestone = (0, squares(&r));
+    for iteration in 0..ITERATIONS {
         if r.iter().all(|r| *r == 0.0) {
             break;
         }
-        let jacobian = jacobian(&mut residuals, &x, &r)?;
+        if is_square && squares(&r) <= milestone.1 / 4.0 {
+            milestone = (iteration, squares(&r));
+        } else if is_square && iteration - milestone.0 > PATIENCE {
+            break;
+        }
+        let jacobian =
+            if central { jacobian(&mut residuals, &x, &r)? } else { one_sided(&mut residuals, &x, &r)? };
         let mut moved = false;
         while damping < MOST_DAMPING {
             let step = step_inside(&jacobian, &r, &x, damping)?;
             let next: Vec<f64> =
                 x.iter().zip(step.iter()).map(|(x, step)| (x + step).clamp(0.0, 1.0)).collect();
-            if next == x {
+            if x.iter().zip(&next).all(|(x, next)| (next - x).abs() <= SMALLEST_STEP) {
                 break;
             }
             match residuals(&next) {
@@ -54,11 +70,35 @@ pub fn levenberg_marquardt(
                 _ => damping *= 10.0,
             }
         }
-        if !moved {
-            break;
+        match (moved, central) {
+            (true, _) => {}
+            (false, false) if squares(&r) > ROUNDING => (central, damping) = (true, 1e-3),
+            (false, _) => break,
         }
     }
     Some(LocalMinimum { x, residuals: r })
+}
+
+/// Jacobian by differences to one side: above, or below where there is no value.
+fn one_sided(
+    residuals: &mut impl FnMut(&[f64]) -> Option<Vec<f64>>,
+    x: &[f64],
+    r: &[f64],
+) -> Option<DMatrix<f64>> {
+    let mut jacobian = DMatrix::zeros(r.len(), x.len());
+    for column in 0..x.len() {
+        let mut at = |shift: f64| {
+            let mut near = x.to_vec();
+            near[column] += shift;
+            let shifted = if (0.0..=1.0).contains(&near[column]) { residuals(&near) } else { None };
+            shifted.map(|shifted| (shifted, shift))
+        };
+        let (shifted, shift) = at(DIFFERENCE).or_else(|| at(-DIFFERENCE))?;
+        for row in 0..r.len() {
+            jacobian[(row, column)] = (shifted[row] - r[row]) / shift;
+        }
+    }
+    Some(jacobian)
 }
 
 /// Jacobian `∂rᵢ/∂xⱼ` by central differences within the unit cube, one-sided at its faces and beside points without a

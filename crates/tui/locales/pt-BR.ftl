@@ -204,6 +204,7 @@ pasted-text-truncated-a-line-takes-at-most-most-characters = texto colado trunca
 where-why = { $where }: { $why }
 solving = resolvendo
 solving-esc-cancels = resolvendo; Esc cancela
+solving-percentage-done-esc-cancels = resolvendo, { $percentage } % concluídos; Esc cancela
 stopped = interrompido
 cancelled = cancelado
 tab-cancelled-the-next-change-there-restarts-it = { $tab }: cancelado; a próxima mudança ali recomeça

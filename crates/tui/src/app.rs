@@ -16,6 +16,7 @@ use dalembert_core::{Entry, Language, Text, catalogue};
 
 use self::watch::WatchedFile;
 use crate::{
+    bench::Bench,
     dialog::{After, Editing},
     effect::Effect,
     files::{self, Autosave, Memory},
@@ -40,6 +41,8 @@ const KEEP_WHILE_TYPING: Duration = Duration::from_secs(10);
 const ANIMATION_BYTES: (f64, f64) = (64e3, 8e3);
 /// Of the time of a line that is slower still, animations take at most one part of so many.
 const ANIMATION_SHARE: u32 = 4;
+/// While a job is under way, its progress is looked at so often.
+const PROGRESS_EVERY: Duration = Duration::from_millis(250);
 /// Nothing is expected: until then the loop sleeps.
 const LONG: Duration = Duration::from_hours(24);
 /// Notice at the end of a replay.
@@ -253,7 +256,9 @@ impl Runtime {
             let look = WatchedFile::follow(&mut self.watched, model).map(|watched| watched.next);
             // A session without anything left to do has ended now.
             let played = self.player.as_ref().map(|player| player.due().unwrap_or_else(Instant::now));
-            let next = animation.into_iter().chain(keep).chain(look).chain(played).min();
+            let is_working = model.bench.as_ref().is_some_and(Bench::is_working);
+            let progress = is_working.then(|| Instant::now() + PROGRESS_EVERY);
+            let next = animation.into_iter().chain(keep).chain(look).chain(played).chain(progress).min();
             let wait = next.map_or(LONG, |next| next.saturating_duration_since(Instant::now()));
             let mut inputs = self.session.next_events(wait)?;
             if self.player.is_some() {
@@ -268,6 +273,11 @@ impl Runtime {
             if inputs.is_empty() && animation.is_some_and(|animation| animation <= Instant::now()) {
                 stale = true;
                 update(model, Msg::Tick);
+            }
+            let percentage = if is_working { self.solver.percentage() } else { None };
+            if percentage != model.progress {
+                stale = true;
+                update(model, Msg::Progress(percentage));
             }
             let resting = |noted: Instant| noted.elapsed() >= KEEP_AFTER && inputs.is_empty();
             if self.noted.is_some_and(|noted| resting(noted) || self.kept.elapsed() > KEEP_WHILE_TYPING) {

@@ -89,6 +89,8 @@ pub struct Model {
     pub reloading: Option<PathBuf>,
     /// The number of the newest job.
     pub generation: u64,
+    /// Percentage of the job under way that is done, where it is known.
+    pub progress: Option<u32>,
 }
 
 /// A screen.
@@ -137,6 +139,8 @@ pub enum Msg {
     Resize(u16, u16),
     /// A job is done.
     Solved(JobOutcome),
+    /// Percentage of the job under way that is done, where it is known.
+    Progress(Option<u32>),
     /// The cases of an analysis were compared with what was printed.
     CheckedCase(&'static str, Vec<CheckedCase>),
     /// A file was written, or not.
@@ -230,6 +234,7 @@ impl Model {
             after_save: After::Stay,
             reloading: None,
             generation: 0,
+            progress: None,
         };
         model.set_language(language);
         model

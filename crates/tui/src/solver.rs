@@ -126,6 +126,11 @@ impl Solver {
         self.desk.changed.notify_one();
     }
 
+    /// Percentage of the newest job that is done, where it is known.
+    pub fn percentage(&self) -> Option<u32> {
+        self.desk.lock().running.last().and_then(|stop| stop.percentage())
+    }
+
     /// Nothing that was submitted is wanted any more.
     pub fn cancel(&self) {
         let mut state = self.desk.lock();

@@ -162,6 +162,7 @@ fn take(model: &mut Model, msg: Msg) -> Vec<Intent> {
         Msg::Crashed(sessions) => return files::crashed(model, sessions),
         Msg::Faulty(files) => settings::faulty(model, &files),
         Msg::Resize(columns, rows) => model.size = (columns, rows),
+        Msg::Progress(percentage) => model.progress = percentage,
         Msg::CheckedCase(id, checked) => {
             if let Some(listing) = model.listings.iter_mut().find(|listing| listing.entry.about.id == id) {
                 listing.checked = Some(checked.clone());

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use dalembert_core::{Stop, cases, registry};
 use dalembert_plugins as _;
 use xtask::{
-    find::{find, public_names, words},
+    find::{Index, public_names, words},
     root,
     tidy::Tree,
 };
@@ -16,11 +16,12 @@ fn a_term_of_the_field_leads_to_its_one_file() {
     let text = std::fs::read_to_string(root().join("docs/finding.toml")).expect("the list is there");
     let expected: toml_edit::DocumentMut = text.parse().expect("the list is TOML");
     assert!(expected.len() >= 40, "{} terms", expected.len());
+    let index = Index::of(&tree);
     let wrong: Vec<String> = expected
         .iter()
         .filter_map(|(term, file)| {
             let file = file.as_str().expect("a path in quotes");
-            let found = find(&tree, term);
+            let found = index.find(term);
             (found != [file]).then(|| format!("{term}: {found:?} and not {file}"))
         })
         .collect();

@@ -45,6 +45,8 @@ pub(super) enum Named {
 pub(super) struct Names {
     pub(super) scopes: Vec<Scope>,
     inputs: Vec<PlannedInput>,
+    /// The symbol of each input, normalised.
+    symbols: Vec<String>,
     /// Scope and name of each definition.
     definitions: Vec<(usize, String)>,
     /// Scope, key and label of each question.
@@ -79,11 +81,13 @@ impl Names {
             let asked = rows(own, "ask").iter();
             questions.extend(asked.map(|row| (at, [question_key(row), text_of(row, "name").to_owned()])));
         }
-        Self { scopes, inputs, definitions, questions }
+        let symbols = inputs.iter().map(symbol_of).collect();
+        Self { scopes, inputs, symbols, definitions, questions }
     }
 
     /// Adds an input that a configuration changes.
     pub(super) fn add(&mut self, input: PlannedInput) {
+        self.symbols.push(symbol_of(&input));
         self.inputs.push(input);
     }
 
@@ -181,13 +185,13 @@ impl Names {
     /// The inputs with a symbol.
     pub(super) fn with_symbol(&self, scope: usize, name: &str) -> Vec<&PlannedInput> {
         let wanted = normalised(name);
+        if wanted.is_empty() {
+            return Vec::new();
+        }
         let of = |scope: usize| {
-            let has = |input: &&PlannedInput| {
-                input.scope == scope
-                    && !input.symbol.base.is_empty()
-                    && normalised(&printer::symbol(&input.symbol)) == wanted
-            };
-            self.inputs.iter().filter(has).collect::<Vec<_>>()
+            let all = self.inputs.iter().zip(&self.symbols);
+            let own = all.filter(|(input, symbol)| input.scope == scope && **symbol == wanted);
+            own.map(|(input, _)| input).collect::<Vec<_>>()
         };
         let own = of(scope);
         if own.is_empty() { of(self.scopes[scope].problem) } else { own }
@@ -197,6 +201,11 @@ impl Names {
     pub(super) fn input(&self, path: &str) -> Option<PlannedInput> {
         self.inputs.iter().find(|input| input.path == path).cloned()
     }
+}
+
+/// The symbol of an input, normalised; empty where it has none.
+fn symbol_of(input: &PlannedInput) -> String {
+    if input.symbol.base.is_empty() { String::new() } else { normalised(&printer::symbol(&input.symbol)) }
 }
 
 /// Calls `visit` with every number and vector of a record.

@@ -1,6 +1,9 @@
 //! Order of evaluation: each definition, input, solution and question behind what it rests on.
 
-use std::collections::BTreeSet;
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
 
 use super::{
     Plan,
@@ -33,6 +36,7 @@ impl Plan {
 
     /// Finds the order of evaluation.
     pub(super) fn arrange(&mut self) -> Result<(), FieldError> {
+        self.meanings = Arc::new(self.meanings());
         let (mut order, mut open, mut begun) = (Vec::new(), Vec::new(), BTreeSet::new());
         let scopes = &self.names.scopes;
         let (problems, configurations): (Vec<usize>, Vec<usize>) =
@@ -131,6 +135,24 @@ impl Plan {
 
     /// Meaning of a name in the formula of a place.
     pub(super) fn find(&self, place: Place, name: &str) -> Option<Named> {
+        let known = self.meanings.get(&place).into_iter().flatten().find(|(known, _)| known == name);
+        known.map_or_else(|| self.looked_up(place, name), |(_, named)| named.clone())
+    }
+
+    /// Meanings of the names in each formula, so that a formula that is evaluated again does not look them up.
+    fn meanings(&self) -> BTreeMap<Place, Vec<(String, Option<Named>)>> {
+        let definitions = (0..self.definitions.len()).map(Place::Definition);
+        let inputs = (0..self.inputs.len()).map(Place::Input);
+        let questions = (0..self.questions.len()).map(Place::Question);
+        let meanings = definitions.chain(inputs).chain(questions).filter_map(|place| {
+            let names = self.formula_of(place)?.names();
+            let meaning = |(name, _): (&str, _)| (name.to_owned(), self.looked_up(place, name));
+            Some((place, names.into_iter().map(meaning).collect()))
+        });
+        meanings.collect()
+    }
+
+    fn looked_up(&self, place: Place, name: &str) -> Option<Named> {
         let scope = match place {
             // A formula of a configuration sees the problem that it changes.
             Place::Input(at) => self.names.scopes[self.inputs[at].scope].problem,

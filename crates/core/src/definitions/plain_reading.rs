@@ -18,11 +18,21 @@ use crate::{
 /// A problem with a plan, solved again and again with other values of its levers.
 struct Planned {
     entry: Entry,
+    /// The inputs and the formulas beside them, with the values of the point.
     record: Record,
-    vary: Vec<String>,
+    plan: Plan,
+    levers: Vec<Lever>,
     wanted: Vec<String>,
     /// The plain readings, where all that is wanted is made of numbers among their answers.
     readings: Option<Readings>,
+}
+
+/// Place of a number that is varied.
+enum Lever {
+    /// A definition, by its place.
+    Definition(usize),
+    /// The input at these paths.
+    Input(Vec<String>),
 }
 
 /// The plain readings of the problems and configurations that the wanted answers rest on.
@@ -83,12 +93,17 @@ pub(crate) fn prepare(
             ));
         }
     }
-    let owned = |all: &[&str]| all.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
+    let mut inputs = Record { plan: None, ..record.clone() };
+    let levers = vary.iter().map(|path| match plan.lever(path) {
+        Some(definition) => Lever::Definition(definition),
+        None => Lever::Input(vary::places(&mut inputs, path)),
+    });
     let mut planned = Planned {
         entry: *entry,
-        record: record.clone(),
-        vary: owned(vary),
-        wanted: owned(wanted),
+        levers: levers.collect(),
+        record: inputs,
+        plan: plan.clone(),
+        wanted: wanted.iter().map(|name| (*name).to_owned()).collect(),
         readings: None,
     };
     let is_asked = |name: &&str| plan.question(name).is_some();
@@ -100,8 +115,8 @@ pub(crate) fn prepare(
         return Ok(Box::new(planned));
     }
     let solution = entry.solve(record, &Stop::new())?;
-    if let (Some(plan), Some(determined)) = (&mut planned.record.plan, &solution.determined) {
-        Arc::make_mut(plan).keep_ranges(determined);
+    if let Some(determined) = &solution.determined {
+        planned.plan.keep_ranges(determined);
     }
     for name in wanted {
         if solution.answer(name).and_then(Answer::si).is_none() {
@@ -300,23 +315,25 @@ impl Planned {
     fn first(&mut self) -> Result<Vec<f64>, SolveError> {
         let mut row = vec![f64::NAN; self.wanted.len()];
         let Some(readings) = &mut self.readings else { return Ok(row) };
-        readings.read(&self.entry, self.record.clone(), &mut row, &Stop::new())?;
+        readings.read(&self.entry, &mut self.plan, &mut self.record, &mut row, &Stop::new())?;
         Ok(row)
     }
 
     fn point(&mut self, point: &[f64], row: &mut [f64], stop: &Stop) -> Result<(), Refusal> {
-        let changes = self.vary.iter().map(String::as_str).zip(point.iter().copied());
-        let Some(changed) = vary::changed_together(&self.record, changes) else {
+        if self.set(point).is_none() {
             row.fill(f64::NAN);
             return Ok(());
-        };
+        }
         let found = match &mut self.readings {
-            Some(readings) => readings.read(&self.entry, changed, row, stop),
-            None => self.entry.solve(&changed, stop).map(|solution| {
-                for (place, name) in row.iter_mut().zip(&self.wanted) {
-                    *place = solution.answer(name).and_then(Answer::si).unwrap_or(f64::NAN);
-                }
-            }),
+            Some(readings) => readings.read(&self.entry, &mut self.plan, &mut self.record, row, stop),
+            None => {
+                let changed = Record { plan: Some(Arc::new(self.plan.clone())), ..self.record.clone() };
+                self.entry.solve(&changed, stop).map(|solution| {
+                    for (place, name) in row.iter_mut().zip(&self.wanted) {
+                        *place = solution.answer(name).and_then(Answer::si).unwrap_or(f64::NAN);
+                    }
+                })
+            }
         };
         match found {
             Err(SolveError::Refused(Refusal::Stopped)) => Err(Refusal::Stopped),
@@ -327,6 +344,21 @@ impl Planned {
             Ok(()) => Ok(()),
         }
     }
+
+    /// Gives the levers the numbers of a point, and the formulas their values; `None` where a formula has none.
+    fn set(&mut self, point: &[f64]) -> Option<()> {
+        for (lever, si) in self.levers.iter().zip(point) {
+            match lever {
+                Lever::Definition(definition) => self.plan.set(*definition, *si),
+                Lever::Input(paths) => {
+                    for path in paths {
+                        *vary::number(&mut self.record, path)? = *si;
+                    }
+                }
+            }
+        }
+        self.plan.renew(&mut self.record).ok()
+    }
 }
 
 impl Readings {
@@ -334,24 +366,23 @@ impl Readings {
     fn read(
         &mut self,
         entry: &Entry,
-        mut record: Record,
+        plan: &mut Plan,
+        record: &mut Record,
         row: &mut [f64],
         stop: &Stop,
     ) -> Result<(), SolveError> {
-        let Some(mut plan) = record.plan.take() else { return Ok(()) };
-        let plan = Arc::make_mut(&mut plan);
         let plain = Plain::new(stop);
         for n in 0..plan.order.len() {
             match plan.order[n] {
-                Place::Solution(scope) => self.solve(entry, plan, scope, &mut record, stop)?,
+                Place::Solution(scope) => self.solve(entry, plan, scope, record, stop)?,
                 Place::Question(at) if self.needed_questions[at] => {
-                    self.questions[at] = Some(self.question(plan, at, &mut record, &plain)?);
+                    self.questions[at] = Some(self.question(plan, at, record, &plain)?);
                 }
                 place @ (Place::Definition(_) | Place::Input(_)) if plan.after_solution.contains(&place) => {
                     let answer = |named: &Named| self.number(named);
                     plan.evaluate(place, &plain, &answer).map_err(|error| SolveError::Fields(vec![error]))?;
                     if let Place::Input(at) = place {
-                        plan.write_input(at, &mut record);
+                        plan.write_input(at, record);
                     }
                 }
                 _ => {}
@@ -408,13 +439,13 @@ impl Readings {
         let question = &plan.questions[at];
         let mut inputs = BTreeMap::new();
         for (name, _) in question.formula.names() {
-            if let Some(Named::Input(path)) = plan.names.find(question.scope, name) {
+            if let Some(Named::Input(path)) = plan.find(Place::Question(at), name) {
                 let unit = plan.names.input(&path).map(|input| input.unit.dim);
                 inputs.insert(name.to_owned(), names::value_at(record, &path).zip(unit));
             }
         }
         let values = |name: &str| -> Result<Option<Operand<&Plain<'_>>>, Text> {
-            let named = match plan.names.find(question.scope, name) {
+            let named = match plan.find(Place::Question(at), name) {
                 Some(Named::Input(_)) => {
                     let value = inputs.get(name).copied().flatten();
                     return Ok(value.map(|(value, dim)| match value {
@@ -466,10 +497,10 @@ fn outside(error: SolveError, problem: &str) -> SolveError {
 
 impl Evaluate for Planned {
     fn sweep(&mut self, points: &[f64], answers: &mut [f64], stop: &Stop) -> Result<(), Refusal> {
-        let (columns, wanted) = (self.vary.len().max(1), self.wanted.len().max(1));
+        let (columns, wanted) = (self.levers.len().max(1), self.wanted.len().max(1));
         for (point, row) in points.chunks(columns).zip(answers.chunks_mut(wanted)) {
             stop.check()?;
-            self.point(&point[..self.vary.len().min(point.len())], row, stop)?;
+            self.point(&point[..self.levers.len().min(point.len())], row, stop)?;
         }
         Ok(())
     }

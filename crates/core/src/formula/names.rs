@@ -10,6 +10,12 @@ const LIKE_GREEK: [(char, &str); 3] = [('µ', "mu"), ('ο', "omicron"), ('∆', 
 pub(crate) fn normalised(name: &str) -> String {
     let mut text = String::new();
     for c in name.chars() {
+        if c.is_ascii() {
+            if !matches!(c, '_' | '[' | ']' | ' ') {
+                text.push(c);
+            }
+            continue;
+        }
         let like = LIKE_GREEK.iter().find(|(letter, _)| *letter == c).map(|(_, spelled)| *spelled);
         if let Some(spelled) = greek(c).or(like) {
             text += spelled;
@@ -17,7 +23,7 @@ pub(crate) fn normalised(name: &str) -> String {
             text.push(plain);
         } else if c == '′' {
             text.push('\'');
-        } else if !matches!(c, '_' | '[' | ']' | ' ') {
+        } else {
             text.push(c);
         }
     }

@@ -10,7 +10,7 @@ use dalembert_numerics::{
 };
 use nalgebra::{DMatrix, DVector};
 
-use crate::Refusal;
+use crate::{Refusal, Stop};
 
 /// The share of a given answer by which a solution may miss it.
 pub(crate) const ACCEPTED: f64 = 1e-9;
@@ -129,18 +129,25 @@ pub(crate) fn search(
     evaluate: &mut Evaluate<'_>,
     variables: &[Variable],
     targets: &[Target],
+    stop: &Stop,
 ) -> Result<Found, Refusal> {
     match (variables, targets) {
-        ([variable], [target]) => one(evaluate, variable, target),
-        _ => several(evaluate, variables, targets),
+        ([variable], [target]) => one(evaluate, variable, target, stop),
+        _ => several(evaluate, variables, targets, stop),
     }
 }
 
-fn one(evaluate: &mut Evaluate<'_>, variable: &Variable, target: &Target) -> Result<Found, Refusal> {
+fn one(
+    evaluate: &mut Evaluate<'_>,
+    variable: &Variable,
+    target: &Target,
+    stop: &Stop,
+) -> Result<Found, Refusal> {
     let places: Vec<f64> = (0..=SCAN).map(|n| variable.value(n as f64 / SCAN as f64)).collect();
     let mut values = Vec::with_capacity(places.len());
-    for place in &places {
+    for (n, place) in places.iter().enumerate() {
         values.push(evaluate(&[*place])?[0]);
+        stop.report(n + 1, places.len());
     }
     let finite = || places.iter().copied().zip(values.iter().copied()).filter(|(_, value)| value.is_finite());
     let least = finite().min_by(|a, b| a.1.total_cmp(&b.1));
@@ -218,6 +225,7 @@ fn several(
     evaluate: &mut Evaluate<'_>,
     variables: &[Variable],
     targets: &[Target],
+    stop: &Stop,
 ) -> Result<Found, Refusal> {
     let shares = shares(variables);
     let weighted = targets.len() > variables.len() && targets.iter().all(|target| target.tolerance.is_some());
@@ -241,8 +249,11 @@ fn several(
             None
         }
     };
-    let mut minima: Vec<LocalMinimum> =
-        shares.iter().filter_map(|start| levenberg_marquardt(&mut residuals, start)).collect();
+    let mut minima: Vec<LocalMinimum> = Vec::new();
+    for (n, start) in shares.iter().enumerate() {
+        minima.extend(levenberg_marquardt(&mut residuals, start));
+        stop.report(n + 1, shares.len());
+    }
     let sum = |minimum: &LocalMinimum| minimum.residuals.iter().map(|r| r * r).sum::<f64>();
     minima.sort_by(|a, b| sum(a).total_cmp(&sum(b)));
     let mut found = Found { points: shares.len(), is_determined: true, ..Found::default() };

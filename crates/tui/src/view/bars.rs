@@ -322,7 +322,15 @@ fn file_name(model: &Model, bench: &Bench) -> String {
         None => String::new(),
     };
     let solving = match bench.problem.found.state {
-        _ if bench.is_working() => format!("{}  ", word("solving; Esc cancels", model)),
+        _ if bench.is_working() => {
+            let text = match model.progress {
+                Some(percentage) => {
+                    Text::new("solving, {percentage} % done; Esc cancels").with("percentage", percentage)
+                }
+                None => Text::new("solving; Esc cancels"),
+            };
+            format!("{}  ", text.render(&model.locale))
+        }
         Freshness::Stopped => format!("{}  ", word("cancelled", model)),
         _ => String::new(),
     };
