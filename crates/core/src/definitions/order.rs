@@ -129,14 +129,17 @@ impl Plan {
         Ok(())
     }
 
-    /// Meaning of a name in the formula of a place.
-    pub(super) fn find(&self, place: Place, name: &str) -> Option<Named> {
-        let scope = match place {
-            // A formula of a configuration sees the problem that it changes.
+    /// The scope whose names the formula of a place can use: one of a configuration sees the problem that it changes.
+    pub(super) fn scope_of_formula(&self, place: Place) -> usize {
+        match place {
             Place::Input(at) => self.names.scopes[self.inputs[at].scope].problem,
             place => self.scope_of(place),
-        };
-        self.names.find(scope, name)
+        }
+    }
+
+    /// Meaning of a name in the formula of a place.
+    pub(super) fn find(&self, place: Place, name: &str) -> Option<Named> {
+        self.names.find(self.scope_of_formula(place), name)
     }
 
     /// The place that a name leads to: of an answer, the solution that it is of.
