@@ -8,6 +8,7 @@
 //! the problem follows: the worked one records each formula as a step, the plain one does the same operations in the same
 //! order.
 
+mod configurations;
 mod fields;
 mod names;
 mod order;
@@ -26,22 +27,23 @@ use std::{
     sync::Arc,
 };
 
-use dalembert_units::{Dim, Quantity, Unit};
+use dalembert_units::{self as units, Dim, Quantity, Unit};
 
 pub use self::fields::{COMMON_LISTS, own_fields, within_problem};
-pub(crate) use self::{
-    fields::{are_of_problem, linked_problem, shape_of, with_common, without_linked},
-    plain_reading::prepare,
-    unknowns::{GivenAnswer, Unknown, is_unknown},
-};
 use self::{
+    configurations::Replacement,
     names::{Named, Names, Place},
     reader::Reader,
     rows::rows,
 };
+pub(crate) use self::{
+    fields::{are_of_problem, linked_problem, shape_of, with_common, without_linked},
+    plain_reading::prepare,
+    unknowns::{AXES, GivenAnswer, Unknown, has_unknown, is_unknown, read_vector},
+};
 use crate::{
     Determined, FieldError, Measure, Number, Plain, Record, Stop, Symbol, Text,
-    formula::{Formula, FormulaError, Operand, evaluate, unit_of},
+    formula::{Formula, FormulaError, Operand, evaluate, missing, nearest_names, unit_of},
     intern::intern,
 };
 
@@ -52,6 +54,8 @@ pub(crate) struct Plan {
     /// The inputs that have a formula, and those that a formula names.
     inputs: Vec<PlannedInput>,
     questions: Vec<Question>,
+    /// The parts of the inputs that configurations replace.
+    replacements: Vec<Replacement>,
     order: Vec<Place>,
     /// Definitions, inputs and questions that rest on the solution of a problem: they have no value before.
     after_solution: BTreeSet<Place>,
@@ -157,6 +161,18 @@ fn mentions(text: &str, scope: usize, names: &Names) -> bool {
     text.contains('@') || words.filter(|word| !word.is_empty()).any(|word| names.contains(scope, word))
 }
 
+/// The refusal of a formula with a word that is nearly a name, and no unit.
+fn misspelled(formula: &Formula, scope: usize, names: &Names) -> Option<FormulaError> {
+    let near = |name: &str| {
+        let known = names.known(scope, name);
+        (units::unit(name).is_err() && !nearest_names(name, &known).is_empty()).then_some(known)
+    };
+    formula
+        .names()
+        .into_iter()
+        .find_map(|(name, span)| Some(FormulaError { why: missing(name, &near(name)?), span: Some(span) }))
+}
+
 fn field_error(path: &str, error: FormulaError) -> FieldError {
     FieldError { path: path.to_owned(), why: error.why, span: error.span }
 }
@@ -167,6 +183,14 @@ impl Plan {
     fn take(&mut self, pending: Pending, names: &Names, record: &mut Record) -> Result<(), FieldError> {
         let Pending { path, text, error } = pending;
         let Some(mut input) = names.input(&path) else { return Err(error) };
+        if let Some((measure, len)) = names::vector_at(record, &path) {
+            let (unknowns, vector) =
+                read_vector(&text, &path, measure, len).map_err(|why| FieldError::new(&path, why))?;
+            (input.unit, input.value) = (vector.unit, Number::Vector(vector.si));
+            self.unknowns.extend(unknowns);
+            self.inputs.push(input);
+            return Ok(());
+        }
         if is_unknown(&text) {
             let read = unknowns::read(&text, &path, Some(input.measure));
             let (unknown, start) = read.map_err(|why| FieldError::new(&path, why))?;
@@ -190,7 +214,10 @@ impl Plan {
                 let why = "the linked file is not read yet: save this problem beside it, and open it again";
                 Err(FieldError::new(&path, why))
             }
-            _ => Err(error),
+            Ok(formula) => {
+                Err(misspelled(&formula, scope, names).map_or(error, |wrong| field_error(&path, wrong)))
+            }
+            Err(_) => Err(error),
         }
     }
 
@@ -277,7 +304,14 @@ impl Plan {
 
     /// Label of an input, or the name of a definition.
     pub(crate) fn label(&self, name: &str) -> &'static str {
-        self.inputs.iter().find(|input| input.path == name).map_or_else(|| intern(name), |input| input.label)
+        self.planned_input(name).map_or_else(|| intern(name), |input| input.label)
+    }
+
+    /// The input of that path, or that it is a component of.
+    fn planned_input(&self, name: &str) -> Option<&PlannedInput> {
+        let of = |path: &str| self.inputs.iter().find(|input| input.path == path);
+        of(name)
+            .or_else(|| of(name.rsplit_once('.')?.0).filter(|input| matches!(input.value, Number::Vector(_))))
     }
 
     /// The name of the problem or configuration that an input or a definition is of; empty for that of the file itself.
@@ -288,8 +322,9 @@ impl Plan {
 
     /// The path that an error of an unknown is reported at.
     pub(crate) fn error_path(&self, name: &str) -> String {
-        self.definition(name)
-            .map_or_else(|| name.to_owned(), |definition| self.path_of_definition(definition))
+        let input =
+            || self.planned_input(name).map_or_else(|| name.to_owned(), |input| input.error_path.clone());
+        self.definition(name).map_or_else(input, |definition| self.path_of_definition(definition))
     }
 
     fn path_of_definition(&self, definition: &Definition) -> String {
@@ -364,7 +399,8 @@ impl Plan {
                 None => None,
             })
         };
-        let found = evaluate::<&Plain<'_>>(formula, &scope, plain).map_err(fail)?;
+        let known = |name: &str| self.names.known(self.scope_of_formula(place), name);
+        let found = evaluate::<&Plain<'_>>(formula, &scope, &known, plain).map_err(fail)?;
         let Operand::Number(si, dim) = found else {
             let why = Text::new("`{text}` is no single number").with("text", &formula.text);
             return Err(FieldError::new(self.path_of(place), why));

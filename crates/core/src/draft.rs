@@ -5,13 +5,15 @@
 
 mod references;
 
+pub(crate) use references::read_references;
+
 use dalembert_units::{self as units, Style};
 
 use crate::{
-    Field, FieldError, Record, Shape, Text, Value,
-    definitions::{self, Pending, is_unknown},
+    Field, FieldError, Measure, Record, Shape, Text, Value,
+    definitions::{self, AXES, Pending, has_unknown, is_unknown},
     gravity, kinds,
-    path::{segments, step, unknown},
+    path::{Segment, segments, step, unknown},
     reading, table,
 };
 
@@ -110,7 +112,7 @@ impl Draft {
         };
         let Faults { mut errors, pending } = faults;
         definitions::plan(&mut record, pending, &mut errors);
-        references::read_references(&mut record, "", &mut errors);
+        read_references(&mut record, "", &mut errors);
         if errors.is_empty() { Ok(record) } else { Err(errors) }
     }
 
@@ -149,7 +151,8 @@ impl Draft {
 
     /// Writes a text at a path, making rows, alternatives and optional inputs on the way as needed.
     ///
-    /// At a one-of the text is the name of the alternative; an optional input is left out by an empty text.
+    /// At a one-of the text is the name of the alternative; an optional input is left out by an empty text. A component of
+    /// a vector is written into the text of the whole.
     pub fn set(&mut self, shape: &Shape, path: &str, text: &str) -> Result<(), FieldError> {
         let (mut draft, mut shape) = (self, *shape);
         for segment in segments(path)? {
@@ -157,6 +160,14 @@ impl Draft {
                 *draft = Draft::blank(inner());
             }
             shape = shape.present();
+            if let (Shape::Vector(measure, len), Segment::Name(axis), Draft::Leaf(typed)) =
+                (&shape, &segment, &mut *draft)
+                && let Some(axis) = AXES.iter().position(|known| known == axis).filter(|axis| axis < len)
+            {
+                *typed = with_component(typed, (*measure, *len), axis, text)
+                    .map_err(|why| FieldError::new(path, why))?;
+                return Ok(());
+            }
             let (at, inner) = step(&shape, &segment, path)?;
             match (&shape, &mut *draft) {
                 (Shape::OneOf(_), Draft::OneOf(chosen, _)) if *chosen == at => {}
@@ -198,6 +209,13 @@ impl Draft {
     }
 }
 
+/// Reads a part of a problem: its value, errors, and the texts that may be formulas. `path` leads to it.
+pub(crate) fn read_part(draft: &Draft, shape: &Shape, path: &str) -> (Value, Vec<FieldError>, Vec<Pending>) {
+    let mut faults = Faults::default();
+    let value = read(draft, shape, path, &mut faults);
+    (value, faults.errors, faults.pending)
+}
+
 /// Reads one leaf as it is typed.
 pub fn read_leaf(text: &str, shape: &Shape, path: &str) -> Result<Value, Vec<FieldError>> {
     let mut faults = Faults::default();
@@ -224,6 +242,11 @@ pub fn leaf_text(value: &Value) -> String {
 pub(crate) fn written(shape: &Shape, text: &str, path: &str) -> Result<Draft, FieldError> {
     match shape {
         Shape::OneOf(variants) => {
+            if is_unknown(text) {
+                let known = variants().iter().map(|variant| variant.name).collect::<Vec<_>>().join(", ");
+                let why = Text::new("a choice cannot be unknown: write one of {known}").with("known", known);
+                return Err(FieldError::new(path, why));
+            }
             let at = variants().iter().position(|variant| variant.name == text.trim());
             let at =
                 at.ok_or_else(|| unknown(path, text.trim(), variants().iter().map(|variant| variant.name)))?;
@@ -241,6 +264,28 @@ pub(crate) fn written(shape: &Shape, text: &str, path: &str) -> Result<Draft, Fi
         },
         _ => Ok(Draft::Leaf(text.to_owned())),
     }
+}
+
+/// The text of a vector with another component at an axis, each with its unit.
+fn with_component(
+    typed: &str,
+    (measure, len): (Measure, usize),
+    axis: usize,
+    text: &str,
+) -> Result<String, Text> {
+    let own = measure.own_unit();
+    let (si, unit) = if typed.trim().is_empty() {
+        ([0.0; 3], own)
+    } else {
+        let vector = units::read_vector(typed, &own, measure.kind(), len);
+        let vector = vector.map_err(|error| reading::text(&error))?;
+        (vector.si, vector.unit)
+    };
+    let style = Style { digits: 15, ascii: true, ..Style::default() };
+    let mut parts = si[..len].iter().map(|si| units::write_quantity(*si, &unit, style)).collect::<Vec<_>>();
+    let is_bare = !text.contains(char::is_alphabetic) && !is_unknown(text);
+    parts[axis] = if is_bare { format!("{} {}", text.trim(), unit.ascii()) } else { text.trim().to_owned() };
+    Ok(format!("({})", parts.join("; ")))
 }
 
 fn several(path: &str, fields: &[Field]) -> FieldError {
@@ -298,7 +343,7 @@ pub(crate) fn too_many_rows(have: usize, most: usize) -> Text {
     Text::new("{have} rows: at most {most} are accepted here").with("most", most).with("have", have)
 }
 
-fn no_row(path: &str, rows: usize) -> FieldError {
+pub(crate) fn no_row(path: &str, rows: usize) -> FieldError {
     let why = match rows {
         1 => Text::new("there is only one row; the next is {next}"),
         rows => Text::new("there are {rows} rows; the next is {next}").with("rows", rows),
@@ -401,7 +446,7 @@ fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
         }
     }
     let is_text = matches!(shape, Shape::Text | Shape::Table(_));
-    if is_unknown(text) && !is_text && !matches!(shape, Shape::Quantity(_)) {
+    if is_unknown(text) && !is_text && !matches!(shape.present(), Shape::Quantity(_) | Shape::Vector(..)) {
         return fail("only a quantity can be unknown: enter a value here".into(), None);
     }
     match shape {
@@ -423,6 +468,16 @@ fn leaf(text: &str, shape: &Shape, path: &str, faults: &mut Faults) -> Value {
                     let unit = one.own_unit();
                     Value::Quantity(units::Quantity { si: f64::NAN, unit, last_place: 0.0 })
                 }
+            }
+        }
+        Shape::Vector(measure, len) if has_unknown(text) => {
+            match definitions::read_vector(text, path, *measure, *len) {
+                Ok((_, vector)) => {
+                    let error = FieldError::new(path, "only an input of a problem can be unknown");
+                    faults.pending.push(Pending { path: path.into(), text: text.to_owned(), error });
+                    Value::Vector(vector)
+                }
+                Err(why) => fail(why, None),
             }
         }
         Shape::Vector(measure, len) => {

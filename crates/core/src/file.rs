@@ -188,19 +188,29 @@ pub fn write(problem: &ProblemFile, over: &str) -> String {
     }
     linked::write(root, problem.entry, &problem.draft);
     definitions::write(root, &problem.draft, &problem.entry.shape());
-    if !problem.show.is_empty() {
-        let show = root.entry("show").or_insert_with(|| Item::Table(Table::new()));
-        if let Some(table) = show.as_table_like_mut() {
-            for (answer, unit) in &problem.show {
-                if unit.is_empty() {
-                    table.remove(answer);
-                } else {
-                    set_text(table, answer, unit);
-                }
-            }
+    for (answer, unit) in &problem.show {
+        let is_here =
+            root.get("show").and_then(Item::as_table_like).is_some_and(|show| show.contains_key(answer));
+        match linked::place_of_answer(root, problem.entry, answer).filter(|_| !is_here) {
+            Some((table, answer)) => write_shown(table, answer, unit),
+            None => write_shown(root, answer, unit),
         }
     }
     document.to_string()
+}
+
+/// Writes the display of an answer into the `[show]` of a table; an empty one takes it out.
+fn write_shown(table: &mut dyn TableLike, answer: &str, unit: &str) {
+    if !unit.is_empty() && !table.contains_key("show") {
+        table.insert("show", Item::Table(Table::new()));
+    }
+    match table.get_mut("show").and_then(Item::as_table_like_mut) {
+        Some(show) if unit.is_empty() => {
+            show.remove(answer);
+        }
+        Some(show) => set_text(show, answer, unit),
+        None => {}
+    }
 }
 
 /// Byte ranges of the fields of errors in the text of a problem file: the value, or the smallest enclosing part.
@@ -382,6 +392,10 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Fil
         // No alternative is chosen: `Draft::read` asks for one.
         Shape::OneOf(_) if item.as_table_like().is_some_and(TableLike::is_empty) => Draft::Absent,
         Shape::OneOf(variants) => {
+            if item.as_str().is_some_and(|text| text.trim_start().starts_with('?')) {
+                let why = Text::new("a choice cannot be unknown: write one of {known}");
+                return fail(why.with("known", describe::forms_of(variants())), item.span());
+            }
             let names = || variants().iter().map(|variant| variant.name);
             let (name, fields) = match (item.as_str(), item.as_table_like()) {
                 (Some(name), _) => (name, None),
@@ -457,7 +471,7 @@ pub(crate) fn draft_of(item: &Item, shape: &Shape, path: &str, reading: &mut Fil
         },
         Shape::Vector(..) => match item.as_value() {
             Some(Toml::Array(components)) => {
-                let text = format!("({})", rows::cells(components));
+                let text = rows::in_brackets(components);
                 Draft::Leaf(format::with_decimal_commas(text, shape, path, reading))
             }
             Some(value) => Draft::Leaf(format::with_decimal_commas(plain(value), shape, path, reading)),

@@ -15,9 +15,10 @@ use std::ops::Range;
 
 use dalembert_units::Quantity;
 
+pub use self::names::normalised;
 pub(crate) use self::{
     evaluate::{Operand, evaluate, unit_of},
-    names::normalised,
+    names::{missing, nearest_names},
 };
 use crate::Text;
 

@@ -8,7 +8,7 @@ use std::borrow::Cow;
 
 use dalembert_units::{self as units, Unit};
 
-use crate::{Draft, Field, Record, Shape, Text, Value};
+use crate::{Draft, Field, Record, Shape, Text, Value, draft::leaf_text};
 
 /// The default of every gravity, where units are metric.
 pub const METRIC: &str = "9.81 m/s^2";
@@ -43,7 +43,23 @@ pub fn is_default(value: &Value) -> bool {
 
 /// The draft with the gravity that is left out filled in.
 pub(crate) fn filled<'d>(draft: &'d Draft, shape: &Shape) -> Cow<'d, Draft> {
-    let (mut stated, mut missing) = (None, Vec::new());
+    filled_with(draft, shape, None)
+}
+
+/// The gravity that inputs state, as a text.
+pub(crate) fn stated(record: &Record) -> Option<String> {
+    let mut found = None;
+    record.leaves(&mut |_, field, value| {
+        if let (true, Value::Quantity(_)) = (is_gravity(field), value) {
+            found.get_or_insert_with(|| leaf_text(value));
+        }
+    });
+    found
+}
+
+/// The draft of a part of a problem with the gravity that is left out filled in: the one that the problem states.
+pub(crate) fn filled_with<'d>(draft: &'d Draft, shape: &Shape, stated: Option<&'d str>) -> Cow<'d, Draft> {
+    let (mut stated, mut missing) = (stated, Vec::new());
     look(draft, shape, (None, String::new()), &mut |path, field, shape, text| {
         let blank = text.trim().is_empty();
         match (field.filter(|field| is_gravity(field)), shape) {

@@ -75,9 +75,15 @@ pub(crate) fn text(error: &ReadError) -> Text {
             Text::new("the square root of {dim} is not a unit: write a root of an even power, such as sqrt(4 m^2)")
                 .with("dim", dim)
         }
-        ReadError::Sum { left, right, .. } => Text::new(
-            "{left} and {right} cannot be added: give both the same kind of unit, or write brackets as in `(2 + 3) mm`",
-        )
+        ReadError::Sum { left, right, repairs, .. } => match &repairs[..] {
+            [] => Text::new(
+                "{left} and {right} cannot be added: give both the same kind of unit, or write brackets as in `(2 + 3) mm`",
+            ),
+            [one] => Text::new("{left} and {right} cannot be added: did you mean `{one}`?").with("one", one),
+            [first, second, ..] => Text::new("{left} and {right} cannot be added: write `{first}` or `{second}`")
+                .with("first", first)
+                .with("second", second),
+        }
         .with_text("left", of_dim(*left))
         .with_text("right", of_dim(*right)),
         ReadError::Alone { symbol, after, example } => {
@@ -212,13 +218,14 @@ mod tests {
             "",
             "abc",
             "1,2.3",
-            "1 000",
+            "12 34",
             "3 furlong",
             "3 kg",
             "3 N",
             "1/0",
             "sqrt(-1)",
             "1 m + 1 s",
+            "5 lb + 3 lbf",
             "3 J",
             "5 m/",
             "3 ton",

@@ -19,6 +19,7 @@ use crate::{
     Answer, Check, Exhibit, Locale, Name, ProblemSteps, Reason, Refusal, Sides, Solution, Step, Stop, Symbol,
     Text, Value, Worksheet, derive_support,
     intern::intern,
+    path::is_within,
     printer,
     solution::AnswerValue,
     trace::{Id, Number, Op, ROUNDING, TraceNode},
@@ -450,6 +451,15 @@ impl<'a> Sheet<'a> {
             Some(node) => lifted.insert(path.to_owned(), node),
             None => lifted.remove(path),
         }
+    }
+
+    /// Takes the nodes of all inputs within a path out; each with its path.
+    pub(crate) fn take_lifted(&self, within: &str) -> Vec<(String, Option<Id>)> {
+        let mut lifted = self.lifted.borrow_mut();
+        let paths: Vec<String> = lifted.keys().filter(|path| is_within(path, within)).cloned().collect();
+        let mut taken: Vec<_> = paths.into_iter().map(|path| (path.clone(), lifted.remove(&path))).collect();
+        taken.sort_unstable();
+        taken
     }
 
     /// Keeps the nodes of all inputs, so that the next solution of the same problem has the same ones.

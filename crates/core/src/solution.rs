@@ -163,6 +163,14 @@ impl Sides {
 impl Solution {
     /// Value, in SI, and unit of an input or a definition that a formula gives or that was found.
     pub fn computed_input(&self, path: &str) -> Option<(f64, &Unit)> {
+        match self.computed_value(path)? {
+            (Number::Scalar(si), unit) => Some((si, unit)),
+            (Number::Vector(_), _) => None,
+        }
+    }
+
+    /// Number or vector, in SI, and unit of an input or a definition that a formula gives or that was found.
+    pub fn computed_value(&self, path: &str) -> Option<(Number, &Unit)> {
         let (_, id) = self.computed.iter().find(|(known, _)| known == path)?;
         let node = self.trace.node(*id);
         let unit = match &node.op {
@@ -170,10 +178,7 @@ impl Solution {
             Op::Given { unit, .. } => unit,
             _ => return None,
         };
-        match node.number {
-            Number::Scalar(si) => Some((si, unit)),
-            Number::Vector(_) => None,
-        }
+        Some((node.number, unit))
     }
 
     /// The answer of that name.

@@ -200,7 +200,7 @@ fn takes(column: &Field, fits: impl Fn(Dim) -> bool) -> bool {
     }
 }
 
-fn own_unit(column: &Field) -> Unit {
+pub(crate) fn own_unit(column: &Field) -> Unit {
     measure(column).map_or(Unit::ONE, |measure| measure.own_unit())
 }
 

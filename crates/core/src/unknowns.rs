@@ -22,7 +22,7 @@ use self::{
 use crate::{
     Answer, AnswerValue, Cell, Column, Entry, Exhibit, FieldError, Name, Record, Refusal, Sheet, SolveError,
     Stop, Symbol, TableExhibit, Term, Text, Worksheet, cases,
-    definitions::{GivenAnswer, Plan, Unknown},
+    definitions::{AXES, GivenAnswer, Plan, Unknown},
     intern::fixed,
     intern::intern,
     linked, reading,
@@ -89,7 +89,7 @@ pub(crate) fn determine(entry: &Entry, record: &Record, stop: &Stop) -> Result<O
     let inputs = unknown_inputs(&known, plan, unknowns)?;
     let mut variables = Vec::new();
     for (unknown, input) in unknowns.iter().zip(&inputs) {
-        variables.push(variable(entry, unknown, input)?);
+        variables.push(variable(entry, &known, unknown, input)?);
     }
     let (begin, answers) = begin(entry, &known, &variables, &inputs, (plan, givens), stop)?;
     let names: Vec<String> = answers.iter().map(|answer| answer.name.to_string()).collect();
@@ -233,8 +233,13 @@ fn unknown_inputs(known: &Record, plan: &Plan, unknowns: &[Unknown]) -> Result<V
 }
 
 /// The range of an unknown: as typed, or from 1/1000 to 1000 times the value typed or that of the first case that has
-/// one, within the limits of the field; of an angle a whole turn.
-fn variable(entry: &Entry, unknown: &Unknown, input: &VariedInput) -> Result<Variable, SolveError> {
+/// one, within the limits of the field; of an angle a whole turn; of a component of a vector to both sides of zero.
+fn variable(
+    entry: &Entry,
+    known: &Record,
+    unknown: &Unknown,
+    input: &VariedInput,
+) -> Result<Variable, SolveError> {
     const WIDE: f64 = 1000.0;
     if let Some(range) = unknown.range {
         return Ok(Variable::new(range, unknown.start));
@@ -245,6 +250,10 @@ fn variable(entry: &Entry, unknown: &Unknown, input: &VariedInput) -> Result<Var
         let mut values = records.filter_map(|mut record| vary::number(&mut record, name).copied());
         values.find(|si| si.is_finite() && *si != 0.0)
     });
+    if unknown.is_component {
+        let size = size_of_vector(known, &unknown.name);
+        return Ok(Variable::new(input.permitted([-SIZES * size, SIZES * size]), unknown.start));
+    }
     let own = input.measure.own_unit();
     let around = start.unwrap_or_else(|| own.si(1.0));
     let [from, to] = if input.is_angle() {
@@ -258,6 +267,17 @@ fn variable(entry: &Entry, unknown: &Unknown, input: &VariedInput) -> Result<Var
         return Ok(Variable::new(range, start));
     }
     Err(fault(&unknown.name, "write a range to search, as in ? 1 kg .. 100 kg"))
+}
+
+/// The range of a component of a vector without one, in sizes of its largest component, to both sides.
+const SIZES: f64 = 100.0;
+
+/// The largest component, in SI, of the vector that a component is of; what is unknown counts as one unit.
+fn size_of_vector(known: &Record, component: &str) -> f64 {
+    let mut known = known.clone();
+    let vector = component.rsplit_once('.').map_or("", |(vector, _)| vector);
+    let mut size = |axis| vary::number(&mut known, &format!("{vector}.{axis}")).map_or(0.0, |si| si.abs());
+    AXES.into_iter().map(&mut size).fold(0.0, f64::max)
 }
 
 /// A point of the range at which the problem has answers, and the answers that are given there.

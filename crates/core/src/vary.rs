@@ -297,7 +297,8 @@ fn of_problem(record: &Record, path: &str, label: Text) -> Text {
     }
 }
 
-fn label(label: &'static str, path: &str, axis: &str) -> Text {
+/// A label with the rows of its path and its axis.
+pub(crate) fn label(label: &'static str, path: &str, axis: &str) -> Text {
     let rows = path.split('[').skip(1).filter_map(|rest| rest.split_once(']').map(|(row, _)| row));
     let place: Vec<&str> = rows.chain((!axis.is_empty()).then_some(axis)).collect();
     if place.is_empty() {

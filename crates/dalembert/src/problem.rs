@@ -83,6 +83,8 @@ pub(crate) struct ProblemSource<'a> {
     pub(crate) options: ProblemOptions,
     /// True if a number without a unit is refused.
     pub(crate) strict: bool,
+    /// The units of everything that is shown, in place of those of the problem.
+    pub(crate) units: Option<UnitSetting>,
 }
 
 /// Options of the command line that change inputs and give answers.
@@ -146,7 +148,8 @@ fn of_analysis(
     let mut draft = base.clone();
     let mut errors = change(&mut draft, &shape, asked, console);
     if errors.is_empty() {
-        errors = questions::ask_usual(&mut draft, entry, asked.ask, console)?;
+        errors =
+            questions::ask_usual(&mut draft, entry, asked.units.unwrap_or_default(), asked.ask, console)?;
     }
     let mut is_incomplete = false;
     let record = draft.read(&shape).map_err(|found| {
@@ -171,7 +174,7 @@ fn of_analysis(
             notes: reported(notes, "warning: {words}", console),
             draft,
             record,
-            units: UnitSetting::default(),
+            units: asked.units.unwrap_or_default(),
             show: Vec::new(),
         }),
         _ => {
@@ -227,11 +230,11 @@ fn of_file(
         let places = errors.into_iter().map(|err| (err.why, err.span)).collect::<Vec<_>>();
         Failure::InFile(snippet::show(path, text, &places, console))
     })?;
-    let shape = problem.entry.shape();
+    let (shape, units) = (problem.entry.shape(), asked.units.unwrap_or(problem.units));
     let mut draft = problem.draft;
     let mut errors = change(&mut draft, &shape, asked, console);
     if errors.is_empty() {
-        errors = questions::ask_usual(&mut draft, problem.entry, asked.ask, console)?;
+        errors = questions::ask_usual(&mut draft, problem.entry, units, asked.ask, console)?;
     }
     if !errors.is_empty() {
         return Err(Failure::Input(errors));
@@ -266,7 +269,7 @@ fn of_file(
             },
             draft,
             record,
-            units: problem.units,
+            units,
             show: problem.show,
         }),
         _ => Err(Failure::Input(set.into_iter().map(|err| named(err, &draft, &shape)).collect())),

@@ -1,17 +1,18 @@
 //! The usual questions of an analysis, on the command line.
 
 use dalembert_core::{
-    Draft, Entry, Text, nearest,
+    Draft, Entry, Text, UnitSetting, nearest,
     suggestions::{Suggestion, suggestions},
 };
 
 use crate::{console::Console, failure::Failure, solving::solve};
 
-/// Asks the usual questions that `--ask` names, by their words or their keys; says what is wrong with those that the
+/// Asks the usual questions that `--ask` names, by their words or their keys, in the units of a setting; says what is wrong with those that the
 /// problem does not offer. A problem that cannot be read or has no answer is reported where it is solved.
 pub(crate) fn ask_usual(
     draft: &mut Draft,
     entry: &'static Entry,
+    units: UnitSetting,
     asked: &[String],
     console: &Console,
 ) -> Result<Vec<Text>, Failure> {
@@ -19,7 +20,7 @@ pub(crate) fn ask_usual(
     let shape = entry.shape();
     let (false, Ok(record)) = (names.is_empty(), draft.read(&shape)) else { return Ok(Vec::new()) };
     let Ok(solution) = solve(entry, &record)? else { return Ok(Vec::new()) };
-    let offered = suggestions(entry, &solution);
+    let offered = suggestions(entry, &solution.in_units_of(units, draft, &shape));
     let locale = console.locale.at(entry.about.id);
     let mut errors = Vec::new();
     for name in names {
@@ -36,8 +37,8 @@ pub(crate) fn ask_usual(
 }
 
 fn unknown(name: &str, offered: &[Suggestion]) -> Text {
-    let keys = || offered.iter().map(|suggestion| suggestion.key);
-    let text = match nearest(name.trim(), keys()) {
+    let keys: Vec<String> = offered.iter().map(Suggestion::name).collect();
+    let text = match nearest(name.trim(), keys.iter().map(String::as_str)) {
         Some(near) => Text::new("--ask {name}: there is no such usual question here; did you mean `{near}`?")
             .with("near", near),
         None if offered.is_empty() => {
@@ -46,7 +47,7 @@ fn unknown(name: &str, offered: &[Suggestion]) -> Text {
         None => Text::new(
             "--ask {name}: write a name and a formula, as in --ask 'peak to peak=2*X', or one of {known}",
         )
-        .with("known", keys().collect::<Vec<_>>().join(", ")),
+        .with("known", keys.join(", ")),
     };
     text.with("name", name)
 }

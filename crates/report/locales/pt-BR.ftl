@@ -25,5 +25,5 @@ curve-at-the-cursor = { $curve } no cursor
 value-default = { $value } (padrão)
 how-the-data-were-read = Como os dados foram lidos
 before = antes
-configuration-name = Configuração { $name }
+configuration-name-input = Configuração { $name }: { $input }
 given-answer = Dado: { $answer }

@@ -140,6 +140,12 @@ impl Place<'_> {
                     input.shown = format!("{} = {value}", input.typed.trim());
                     input.computed = Some((si, unit.clone()));
                 }
+                // The components that were found stand in the record of the solution.
+                if let Value::Vector(_) = value
+                    && self.solution.is_some_and(|solution| solution.computed_value(&self.path).is_some())
+                {
+                    input.shown = format!("{} = {}", input.typed.trim(), input.shown);
+                }
                 if gravity::is_gravity(field) && input.typed.trim().is_empty() && gravity::is_default(value) {
                     let default = Text::new("{value} (default)").with("value", &input.shown);
                     input.shown = default.render(self.locale);

@@ -2,7 +2,7 @@
 
 use dalembert_core::{
     Answer, AnswerValue, Cell, Draft, Entry, Exhibit, Locale, Plot, Record, ShownUnits, Solution,
-    TableExhibit, Text, ascii, printer, problem_heading,
+    TableExhibit, Text, ascii, printer, problem_heading, title_of,
 };
 use dalembert_units as units;
 
@@ -192,6 +192,16 @@ fn common(inputs: &[ReportedInput<'_>], worked: &WorkedProblem<'_>, locale: &Loc
             Some(value) if value != text => format!("{text} = {value}"),
             _ => text.to_owned(),
         };
+        // An input is named by its path, or by its symbol.
+        let changed = |input: &str| {
+            let path = outside(input);
+            let is_it = |known: &&ReportedInput<'_>| !known.is_common && ascii(&known.symbol) == ascii(input);
+            let mut named = inputs.iter().filter(is_it);
+            match (inputs.iter().any(|known| known.path == path), named.next(), named.next()) {
+                (false, Some(only), None) => only.path.clone(),
+                _ => path,
+            }
+        };
         let of = |text: Text| match problem {
             "" => say(text),
             problem => format!("{problem}: {}", say(text)),
@@ -213,15 +223,23 @@ fn common(inputs: &[ReportedInput<'_>], worked: &WorkedProblem<'_>, locale: &Loc
                     ..NamedValue::default()
                 });
             }
-            Some("configuration") => lines.push(NamedValue {
-                label: of(Text::new("Configuration {name}").with("name", part("name"))),
-                symbol: part("input").to_owned(),
-                value: with_value(
-                    part("formula"),
-                    computed(&outside(&format!("{}.{}", part("name"), part("input")))),
-                ),
-                ..NamedValue::default()
-            }),
+            Some("configuration") => {
+                let path = changed(part("input"));
+                let inner = path.strip_prefix(problem).unwrap_or(&path).trim_start_matches('.');
+                let title = title_of(&worked.entry.shape(), &path).unwrap_or_else(|| Text::verbatim(&path));
+                let known = inputs.iter().find(|input| input.path == path);
+                lines.push(NamedValue {
+                    label: of(Text::new("Configuration {name}: {input}")
+                        .with("name", part("name"))
+                        .with_text("input", title)),
+                    symbol: known.map_or_else(String::new, |input| input.symbol.clone()),
+                    value: with_value(
+                        part("formula"),
+                        computed(&outside(&format!("{}.{inner}", part("name")))),
+                    ),
+                    ..NamedValue::default()
+                });
+            }
             _ => {}
         }
     }

@@ -489,4 +489,4 @@ blank-problem-every-input-empty = problema em branco: todos os dados vazios
 blank = em branco
 select-an-analysis-to-begin-a-blank-problem = selecione uma análise para começar um problema em branco
 change-this-input-in-a-configuration = alterar este dado em uma configuração
-a-configuration-changes-a-quantity-select-one = uma configuração altera uma grandeza: selecione uma
+a-configuration-changes-an-input-select-one = uma configuração altera um dado: selecione um

@@ -160,17 +160,17 @@ impl Form {
         self.change(Change::Other, |draft, shape| draft.write(shape, path, text).ok())
     }
 
-    /// Makes the quantity of the cursor unknown: it is found from given answers.
+    /// Makes the quantity of the cursor unknown, of a vector its first component: it is found from given answers.
     pub fn make_unknown(&mut self) -> bool {
-        let quantity = |line: &FormLine| match &line.role {
-            Role::Leaf { shape, .. } => matches!(shape.present(), Shape::Quantity(_)),
-            _ => false,
-        };
-        match self.line().filter(quantity) {
-            Some(line) => {
-                self.change(Change::Other, |draft, shape| draft.write(shape, &line.path, "?".into()).ok())
+        let Some(FormLine { role: Role::Leaf { shape, .. }, path, .. }) = self.line() else { return false };
+        match shape.present() {
+            Shape::Quantity(_) => {
+                self.change(Change::Other, |draft, shape| draft.write(shape, &path, "?".into()).ok())
             }
-            None => false,
+            Shape::Vector(..) => {
+                self.change(Change::Other, |draft, shape| draft.set(shape, &format!("{path}.x"), "?").ok())
+            }
+            _ => false,
         }
     }
 
@@ -317,11 +317,10 @@ impl Form {
 
     /// A configuration more, in which the input of the cursor is changed; the cursor goes to its name.
     pub fn configure(&mut self) -> bool {
-        let quantity = |line: &FormLine| match &line.role {
-            Role::Leaf { shape, .. } => matches!(shape.present(), Shape::Quantity(_)),
-            _ => false,
+        let is_input = |line: &FormLine| {
+            matches!(line.role, Role::Leaf { .. } | Role::Choice { .. } | Role::Table { .. })
         };
-        if !self.line().is_some_and(|line| quantity(&line)) {
+        if !self.line().is_some_and(|line| is_input(&line)) {
             return false;
         }
         let (list, input) = self.within_problem("configuration");

@@ -37,8 +37,8 @@ pub use crate::{
     dim::Dim,
     kind::Kind,
     read::{
-        Hint, ReadError, WrongKind, is_invisible, meant_unit, read_any, read_count, read_quantity,
-        read_vector, thousands, unit, with_point,
+        Hint, ReadError, WrongKind, group_mark, is_invisible, meant_unit, read_any, read_count,
+        read_quantity, read_vector, thousands, unit, vulgar_fraction, with_point,
     },
     system::UnitSystem,
     table::{Spelling, spellings, unit_of_two_words},

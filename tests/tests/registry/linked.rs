@@ -40,6 +40,9 @@ mass = "m + 2 kg"
 [problem.fan.ask]
 "force amplitude" = "m0e*omega^2"
 
+[problem.fan.show]
+amplitude = "um" # small
+
 [ask]
 "share" = "fan.force_amplitude/(bracket.stiffness*fan.X)"
 "drop" = "fan.weighted.natural_frequency/fan.natural_frequency"
@@ -245,6 +248,29 @@ fn a_file_is_written_as_it_was_read() {
     assert_eq!(file::write(&problem, FAN), wanted);
 }
 
+#[test]
+fn the_display_of_an_answer_is_written_where_its_problem_is() {
+    let mut problem = parse(FAN, &[]).expect("it is read");
+    assert_eq!(problem.show, [("fan.amplitude".to_owned(), "um".to_owned())]);
+    problem.show[0].1 = "mm; 3 digits".into();
+    problem.show.push(("bracket.stiffness".into(), "kN/m".into()));
+    problem.show.push(("drop".into(), "%".into()));
+    let written = file::write(&problem, FAN);
+    for lines in [
+        "[problem.fan.show]\namplitude = \"mm; 3 digits\" # small\n",
+        "[problem.bracket.show]\nstiffness = \"kN/m\"\n",
+        "[show]\ndrop = \"%\"\n",
+    ] {
+        assert!(written.contains(lines), "{lines:?} is missing in\n{written}");
+    }
+    let mut again = parse(&written, &[]).expect("what is written is read");
+    assert_eq!(again.show.len(), 3);
+    // Without a display there is no line of it.
+    again.show.iter_mut().for_each(|(_, unit)| unit.clear());
+    let written = file::write(&again, &written);
+    assert!(!written.contains("amplitude =") && !written.contains("\ndrop = \"%"), "{written}");
+}
+
 const BEAM: &str = r#"format = 2
 analysis = "vibration/equivalent-stiffness"
 [inputs]
@@ -314,6 +340,8 @@ fn what_is_wrong_is_named() {
         (fan("\"m + 2 kg\"", "\"m - 50 kg\""), &[], "must be above zero"),
         (fan("\"m + 2 kg\"", "\"-2 kg\""), &[], "must be above zero"),
         (fan("\"bracket.stiffness\"", "\"bracket.period\""), &[], "a time"),
+        (fan("\"bracket.stiffness\"", "\"braket.stiffness*2\""), &[], "did you mean `bracket.stiffness`"),
+        (fan("\"fan.mass\"", "\"fam.mass\""), &[], "did you mean `fan.mass`"),
         (fan("\"bracket.stiffness\"", "\"-bracket.stiffness\""), &[], "must be above zero"),
         (
             weighed("\"weighted.natural_frequency\"", "\"wheighted.natural_frequency\""),
@@ -323,7 +351,7 @@ fn what_is_wrong_is_named() {
         (
             weighed("[configuration.weighted]\nmass", "[configuration.weighted]\nsupport"),
             &[],
-            "changes quantities",
+            "write one of stiffness",
         ),
         (
             format!("{LINKED}[problem.mass]\nanalysis = \"vibration/rotating-unbalance\"\n"),

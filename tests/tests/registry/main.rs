@@ -2,6 +2,7 @@
 
 mod alternatives;
 mod catalogue;
+mod configurations;
 mod coverage;
 mod engines;
 mod examples;
@@ -20,6 +21,7 @@ mod path_independence;
 mod perturbation;
 mod reports;
 mod suggestions;
+mod symbols;
 mod tidy;
 mod unit_systems;
 mod unknowns;

@@ -9,7 +9,7 @@ use std::{
 };
 
 use dalembert_core::{
-    Draft, Entry, Locale, Number, Solution, Stop, cases, find, registry,
+    Draft, Entry, Locale, Number, Solution, Stop, cases, file, find, registry,
     suggestions::{Suggestion, labels, suggestions},
     trace::Op,
 };
@@ -387,4 +387,81 @@ fn questions_are_in_portuguese() {
     let screen = person.sees();
     assert!(screen.contains("perguntado: Amplitude da velocidade"), "{screen}");
     assert!(screen.contains("2037,5"), "{screen}");
+}
+
+/// A bracket and the fan on it, in US customary units.
+const LINKED: &str = r#"format = 2
+[problem.bracket]
+analysis = "vibration/equivalent-stiffness"
+[problem.bracket.inputs]
+motion.translation.springs.cantilever = { length = "20 in", young = "30e6 psi", section.rectangle = { breadth = "2.5 in", height = "0.5 in" } }
+motion.translation.load.mass.mass = "fan.mass"
+motion.translation.spring_masses = []
+[problem.fan]
+analysis = "vibration/rotating-unbalance"
+[problem.fan.inputs]
+mass = "0.25 lbf*s^2/in"
+unbalance = "0.01 lbf*s^2"
+support.stiffness.stiffness = "bracket.stiffness"
+damping.ratio.ratio = "0.05"
+speed = "1500 rpm"
+"#;
+
+#[test]
+fn each_of_linked_problems_has_its_questions_in_its_units() {
+    let problem = file::parse(LINKED).unwrap();
+    let (entry, shape) = (problem.entry, problem.entry.shape());
+    let solved = |draft: &Draft| entry.solve(&draft.read(&shape).unwrap(), &Stop::new()).unwrap();
+    let solution = solved(&problem.draft).in_units_of(problem.units, &problem.draft, &shape);
+    let offered = suggestions(entry, &solution);
+    let of = |problem: &str| offered.iter().filter(|question| question.problem == problem).count();
+    assert!(of("bracket") >= 2 && of("fan") >= 10, "{} {}", of("bracket"), of("fan"));
+    for question in &offered {
+        let mut draft = problem.draft.clone();
+        let row = question.ask(&mut draft, &shape, &Locale::english()).unwrap();
+        assert!(row.starts_with(&format!("{}.ask[1]", question.problem)), "{row}");
+        let asked = solved(&draft);
+        let answer = asked.answer(&question.name()).unwrap_or_else(|| panic!("{}", question.name()));
+        assert_eq!(answer.si().unwrap().to_bits(), question.si.to_bits(), "{}", question.name());
+        assert_eq!((answer.problem, asked.warnings.len()), (question.problem, 0));
+        let again = suggestions(entry, &asked);
+        assert!(again.iter().all(|again| again.name() != question.name()));
+    }
+    // 2 X of the fan, and m r² X/m₀e; a stress and a displacement in inches and pounds.
+    let question =
+        |name: &str| offered.iter().find(|question| question.is(name, &Locale::english())).unwrap();
+    let peak = question("fan.peak_to_peak");
+    assert_eq!((peak.unit, peak.formula.as_str()), ("in", "2*amplitude"));
+    assert_eq!(peak.title(&Locale::english()), "fan: Peak-to-peak displacement");
+    assert_eq!(question("fan: Weight").unit, "lbf");
+    // The weight with the gravity of those units.
+    let weight = 0.25 * 32.2 * 12.0 * unit("lbf").unwrap().factor;
+    assert!((question("fan: Weight").si / weight - 1.0).abs() < 1e-12);
+    assert!((peak.si - 2.0 * solution.answer("fan.amplitude").unwrap().si().unwrap()).abs() < 1e-15);
+}
+
+#[test]
+fn a_usual_question_of_a_linked_problem_is_asked_by_one_key() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("fan.toml");
+    std::fs::write(&path, LINKED).unwrap();
+    let mut person = Person::at(120, 40);
+    person.types("o<c-u>").types(path.to_str().unwrap()).types("<enter>");
+    person.types("<tab>a");
+    for _ in 0..60 {
+        if person.sees().contains("2*amplitude") {
+            break;
+        }
+        person.types("<down>");
+    }
+    person.types("<enter>");
+    let screen = person.sees();
+    assert!(screen.contains("asked: fan: Peak-to-peak displacement"), "{screen}");
+    let kept = person.kept.values().next().cloned().unwrap();
+    let (before, row) = kept.split_once("[problem.fan.ask]").unwrap_or_else(|| panic!("{kept}"));
+    assert!(
+        row.contains("\"Peak-to-peak displacement\" = { value = \"2*amplitude\", unit = \"in\""),
+        "{kept}"
+    );
+    assert!(!before.contains("Peak-to-peak"), "{kept}");
 }

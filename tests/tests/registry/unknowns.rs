@@ -1,7 +1,7 @@
 //! Unknown inputs and given answers: a round trip over the registry, and questions in which known and unknown change
 //! places.
 
-use dalembert_core::{Determined, Draft, Entry, Solution, Stop, cases, find, registry};
+use dalembert_core::{Determined, Draft, Entry, Solution, Stop, cases, file, find, printer, registry};
 use dalembert_plugins as _;
 use dalembert_testkit::{on_all_cores, unknowns};
 use itertools::Itertools as _;
@@ -236,6 +236,124 @@ fn known_and_unknown_change_places() {
             assert_eq!(determined.solutions.len(), 1, "{name}: {:?}", determined.solutions);
         }
     });
+}
+
+/// A plate of 12 kg that a blow strikes: v = J/m, and about its diameters ω = (r × J)/I.
+const STRUCK: &str = r#"format = 2
+analysis = "rigid-body/impulse"
+
+[inputs]
+body.parts.parts = [{ name = "plate", shape.rectangular-plate = { a = "0.5 m", b = "0.3 m" }, amount.mass.mass = "12 kg" }]
+
+[[inputs.blows]]
+name = "blow"
+point = ["0.25 m", "0.15 m", "0 m"]
+strength.impulse.impulse = ["0 N*s", "0 N*s", "?"]
+
+[ask]
+v = "centre_velocity.z"
+
+[given]
+v = "-0.5 m/s"
+"#;
+
+/// The solution of a file with another text for the impulse, and other tables behind it.
+fn struck(impulse: &str, tables: &str) -> Result<Solution, String> {
+    let text = STRUCK.replace("[\"0 N*s\", \"0 N*s\", \"?\"]", impulse);
+    let text =
+        if tables.is_empty() { text } else { format!("{}{tables}", &text[..text.find("[ask]").unwrap()]) };
+    let problem =
+        file::parse(&text).map_err(|errors| errors.iter().map(|error| error.why.english()).join("; "))?;
+    let written = file::write(&problem, &text);
+    let line = text.lines().find(|line| line.starts_with("strength")).expect("the impulse");
+    assert!(written.contains(line), "{written}");
+    let record = problem.draft.read(&problem.entry.shape()).map_err(|errors| errors.iter().join("; "))?;
+    problem.entry.solve(&record, &Stop::new()).map_err(|error| error.to_string())
+}
+
+#[test]
+fn a_component_of_a_vector_is_found() {
+    for impulse in [
+        r#"["0 N*s", "0 N*s", "?"]"#,
+        r#""(0; 0; ?) N*s""#,
+        r#""(0, 0, ?) N*s""#,
+        r#""0 i + ? k""#,
+        r#""? k N*s""#,
+        r#""(0; 0; ? -3 N*s) ""#,
+        r#""(0; 0; ? -100 .. 100) N*s""#,
+        r#""(0 N*s; 0 N*s; ? -100 .. 100 N*s)""#,
+        r#""0 i + ? -100 .. 100 k N*s""#,
+    ] {
+        let solution = struck(impulse, "").unwrap_or_else(|why| panic!("{impulse}: {why}"));
+        let determined = solution.determined.as_deref().expect("a component was unknown");
+        let [found] = determined.solutions.iter().flatten().copied().collect_vec()[..] else {
+            panic!("{impulse}: {:?}", determined.solutions)
+        };
+        assert!((found + 6.0).abs() < 1e-9, "{impulse}: {found}");
+        assert_eq!(determined.unknowns[0].name, "blows[1].strength.impulse.impulse.z");
+        assert_eq!(determined.unknowns[0].label.english(), "Impulse 1 z");
+        let answer = solution.answer("blows[1].strength.impulse.impulse.z").and_then(|answer| answer.si());
+        assert_eq!(answer, Some(found), "{impulse}");
+        assert!(solution.checks.iter().all(|check| check.passed), "{impulse}");
+        assert_eq!(solution.defects, [] as [String; 0], "{impulse}");
+        let steps = solution.steps.iter().take(2).map(|step| printer::symbol(&step.symbol)).collect_vec();
+        assert_eq!(steps, ["J_z₁", "J₁"], "{impulse}");
+    }
+    // Two components from two answers.
+    let two = "[ask]\nv_x = \"centre_velocity.x\"\nv_z = \"centre_velocity.z\"\n[given]\nv_x = \"2 m/s\"\nv_z = \"-0.5 m/s\"\n";
+    let solution = struck(r#""(?; 0; ?) N*s""#, two).expect("it has a solution");
+    let found = &solution.determined.as_deref().expect("two were unknown").solutions;
+    assert_eq!(found.len(), 1);
+    for (found, wanted) in found[0].iter().zip_eq([24.0, -6.0]) {
+        assert!((found - wanted).abs() < 1e-8, "{found} {wanted}");
+    }
+}
+
+#[test]
+fn what_is_wrong_with_an_unknown_component_is_named() {
+    for (impulse, words) in [
+        (r#""?""#, "name the unknown components of a vector, as in (?; 0; 3) m/s"),
+        (r#""? N*s""#, "name the unknown components"),
+        (r#""(0; 0; 0; ?) N*s""#, "name the unknown components"),
+        (r#""? @ 30 deg""#, "an unknown is a component of a vector"),
+        (r#""3 i - ? k""#, "an unknown component stands alone"),
+        (r#""(0; 0; 2*?) N*s""#, "an unknown component stands alone"),
+        (r#""(0; 0; ? 3 kg) N*s""#, "a unit with some components only"),
+        (r#""(0; 0; ? 3 .. 1) N*s""#, "the range of an unknown ascends"),
+        (r#""(0; ?; ?) N*s""#, "more unknowns (2) than given answers (1)"),
+        (r#""(0; 0; ? 0 .. 1) N*s""#, "no Impulse 1 z from 0 N·s to 1 N·s"),
+    ] {
+        let why = struck(impulse, "").expect_err(impulse);
+        assert!(why.contains(words), "{impulse}: {why}");
+    }
+    let entry = find("balancing/splitting").expect("it is there");
+    let mut draft = cases::cases(entry).expect("cases")[1].draft.clone();
+    let why = draft.set(&entry.shape(), "task", "?").expect_err("a choice").to_string();
+    assert!(why.contains("a choice cannot be unknown: write one of split, combine"), "{why}");
+    draft.set(&entry.shape(), "task.split.places.around.count", "?").expect("a text");
+    let why = draft.read(&entry.shape()).expect_err("a count").iter().join("; ");
+    assert!(why.contains("only a quantity can be unknown"), "{why}");
+    let file = "analysis = \"balancing/splitting\"\n[inputs]\ntask = \"?\"\n";
+    let why = file::parse(file).expect_err("a choice").iter().map(|error| error.why.english()).join("; ");
+    assert!(why.contains("a choice cannot be unknown"), "{why}");
+}
+
+#[test]
+fn a_component_is_set_by_its_path() {
+    let problem = file::parse(STRUCK).expect("it is read");
+    let (shape, mut draft) = (problem.entry.shape(), problem.draft);
+    let path = "blows[1].strength.impulse.impulse";
+    for (component, text, whole) in [
+        ("", "(0; 0; -4) N*s", "(0; 0; -4) N*s"),
+        (".y", "3", "(0 N*s; 3 N*s; -4 N*s)"),
+        (".x", "2 kN*s", "(2 kN*s; 3 N*s; -4 N*s)"),
+        (".z", "?", "(2 kN*s; 0.003 kN*s; ?)"),
+    ] {
+        draft.set(&shape, &format!("{path}{component}"), text).expect("a component");
+        assert_eq!(draft.at(&shape, path).expect("a vector").0, &Draft::Leaf(whole.into()));
+    }
+    draft.set(&shape, &format!("{path}.y"), "?").expect_err("what is unknown already cannot be read");
+    assert!(draft.set(&shape, &format!("{path}.w"), "3").is_err());
 }
 
 fn solve(entry: &Entry, question: &Question) -> Result<Solution, String> {

@@ -411,8 +411,16 @@ fn a_definition_and_a_question_are_typed_into_the_form() {
 #[test]
 fn a_configuration_is_typed_in_the_form() {
     let mut person = Person::at(120, 40).opens("vibration/rotating-unbalance");
-    person.types("<home><down><down>C");
-    assert!(person.sees().contains("a configuration changes a quantity"), "{}", person.sees());
+    // C on the support: another one, of 100 kN/m on 40 kg.
+    person.types("<home><down><down>C<enter>soft<enter>");
+    move_to(&mut person, "configuration[1].input");
+    person.types("<enter><end>.stiffness.stiffness<enter>");
+    move_to(&mut person, "configuration[1].formula");
+    person.types("<enter>100 kN/m<enter>");
+    let screen = person.sees();
+    assert!(screen.contains("soft") && screen.contains("2.0944"), "{screen}");
+    person.types("zzzz");
+    assert!(!person.sees().contains("soft"), "{}", person.sees());
     // C on the mass: its name, then what it is there.
     person.types("<home>C<enter>weighted<enter>");
     move_to(&mut person, "configuration[1].formula");

@@ -87,10 +87,14 @@ static GIVEN: [Field; 2] = [
 
 static CHANGE: [Field; 3] = [
     Field { label: "Configuration", help: "A name of your own: weighted.", ..text("name") },
-    Field { label: "Input", help: "The path of the input that differs: mass.", ..text("input") },
+    Field {
+        label: "Input",
+        help: "The path of the input that differs: mass, masses[3].radius, a choice.",
+        ..text("input")
+    },
     Field {
         label: "Value or formula",
-        help: "12 kg, or m + 2 kg over the inputs and definitions of the problem.",
+        help: "12 kg, or m + 2 kg over the inputs and definitions of the problem; an alternative by its name.",
         ..text("formula")
     },
 ];

@@ -10,7 +10,10 @@ use super::{
     scope::{self, Scope, TOP},
 };
 use crate::{
-    Field, Measure, Number, Record, Shape, Value, formula::normalised, path::segments, printer,
+    Field, Measure, Number, Record, Shape, Value,
+    formula::normalised,
+    path::{Segment, is_within, segments},
+    printer,
     worksheet::FieldPath,
 };
 
@@ -51,6 +54,8 @@ pub(super) struct Names {
     definitions: Vec<(usize, String)>,
     /// Scope, key and label of each question.
     questions: Vec<(usize, [String; 2])>,
+    /// Configuration and path of each part of the inputs that it replaces.
+    pub(super) replaced: Vec<(usize, String)>,
 }
 
 impl Names {
@@ -82,7 +87,7 @@ impl Names {
             questions.extend(asked.map(|row| (at, [question_key(row), text_of(row, "name").to_owned()])));
         }
         let symbols = inputs.iter().map(symbol_of).collect();
-        Self { scopes, inputs, symbols, definitions, questions }
+        Self { scopes, inputs, symbols, definitions, questions, replaced: Vec::new() }
     }
 
     /// Adds an input that a configuration changes.
@@ -106,7 +111,7 @@ impl Names {
         let problem = self.scopes[scope].problem;
         let of =
             |scope: usize| self.inputs.iter().find(move |input| input.scope == scope && input.inner == name);
-        if let Some(input) = of(scope).or_else(|| of(problem)) {
+        if let Some(input) = of(scope).or_else(|| of(problem).filter(|_| !self.is_replaced(scope, name))) {
             return Some(Named::Input(input.path.clone()));
         }
         let wanted = normalised(name);
@@ -121,6 +126,11 @@ impl Names {
             [only] => Some(Named::Input(only.path.clone())),
             _ => None,
         }
+    }
+
+    /// Returns true if a configuration replaces the input at a path within its problem.
+    pub(super) fn is_replaced(&self, scope: usize, inner: &str) -> bool {
+        self.replaced.iter().any(|(of, root)| *of == scope && is_within(inner, root))
     }
 
     /// Meaning of a name behind that of another problem or configuration.
@@ -171,9 +181,27 @@ impl Names {
         own.take(n).any(|(_, definition)| normalised(definition) == wanted)
     }
 
-    /// The paths of the inputs of a scope within it.
-    pub(super) fn inner_paths(&self, scope: usize) -> Vec<&str> {
-        self.inputs.iter().filter(|input| input.scope == scope).map(|input| input.inner.as_str()).collect()
+    /// The names that a formula of a scope can use in place of a wrong one: paths and symbols of inputs, definitions, and
+    /// those of other problems behind their names.
+    pub(super) fn known(&self, scope: usize, name: &str) -> Vec<String> {
+        let problem = self.scopes[scope].problem;
+        let is_own = |of: usize| [scope, problem].contains(&of);
+        let mut known = Vec::new();
+        if let Some((_, rest)) = name.split_once('.') {
+            let others = self.scopes.iter().filter(|other| !other.name.is_empty());
+            known.extend(others.map(|other| other.outside(rest)));
+        }
+        for input in &self.inputs {
+            let symbol = printer::symbol(&input.symbol);
+            if !is_own(input.scope) {
+                known.push(input.path.clone());
+            } else {
+                known.extend([input.inner.clone()].into_iter().chain((!symbol.is_empty()).then_some(symbol)));
+            }
+        }
+        let definitions = self.definitions.iter().filter(|(of, _)| is_own(*of) || *of == TOP);
+        known.extend(definitions.map(|(_, name)| name.clone()));
+        known
     }
 
     /// Returns true if a word is the name of a problem or a configuration.
@@ -193,8 +221,12 @@ impl Names {
             let own = all.filter(|(input, symbol)| input.scope == scope && **symbol == wanted);
             own.map(|(input, _)| input).collect::<Vec<_>>()
         };
-        let own = of(scope);
-        if own.is_empty() { of(self.scopes[scope].problem) } else { own }
+        let mut own = of(scope);
+        if own.is_empty() {
+            own = of(self.scopes[scope].problem);
+            own.retain(|input| !self.is_replaced(scope, &input.inner));
+        }
+        own
     }
 
     /// The input at a path.
@@ -209,7 +241,7 @@ fn symbol_of(input: &PlannedInput) -> String {
 }
 
 /// Calls `visit` with every number and vector of a record.
-fn collect(
+pub(super) fn collect(
     record: &Record,
     field_path: &FieldPath<'_>,
     visit: &mut dyn FnMut(&'static Field, &FieldPath<'_>, Measure, &Unit, Number),
@@ -274,6 +306,42 @@ pub(super) fn measure_at(record: &mut Record, path: &str) -> Option<Measure> {
     match at(record, path)? {
         (Value::Quantity(_) | Value::Absent, Shape::Quantity(measure)) => Some(measure),
         _ => None,
+    }
+}
+
+/// The measure and the number of components of the vector at a path.
+pub(super) fn vector_at(record: &mut Record, path: &str) -> Option<(Measure, usize)> {
+    match at(record, path)?.1 {
+        Shape::Vector(measure, len) => Some((measure, len)),
+        _ => None,
+    }
+}
+
+/// The value at a path.
+pub(super) fn value(record: &mut Record, path: &str) -> Option<Value> {
+    at(record, path).map(|(value, _)| value.clone())
+}
+
+/// Puts another value at a path, a row more behind the last one, or a number into a cell of a table.
+pub(super) fn replace(record: &mut Record, path: &str, new: Value) {
+    let Ok(segments) = segments(path) else { return };
+    if let Some(Segment::Row(row)) = segments.last()
+        && let Some((Value::Rows(rows), ..)) = record.place_mut(&segments[..segments.len() - 1])
+        && rows.len() == *row
+    {
+        rows.push(new);
+        return;
+    }
+    match record.place_mut(&segments) {
+        Some((place, _, [])) => *place = new,
+        Some((Value::Table(table), Shape::Table(columns), [Segment::Row(row), Segment::Name(name)])) => {
+            let column = columns().iter().position(|column| column.name == *name);
+            let cell = column.and_then(|column| table.rows.get_mut(*row)?.get_mut(column));
+            if let (Some(cell), Value::Quantity(quantity)) = (cell, new) {
+                *cell = quantity.si;
+            }
+        }
+        _ => {}
     }
 }
 

@@ -133,10 +133,22 @@ impl Plan {
         Ok(())
     }
 
+    /// The scope whose names the formula of a place can use: one of a configuration sees the problem that it changes.
+    pub(super) fn scope_of_formula(&self, place: Place) -> usize {
+        match place {
+            Place::Input(at) => self.names.scopes[self.inputs[at].scope].problem,
+            place => self.scope_of(place),
+        }
+    }
+
     /// Meaning of a name in the formula of a place.
     pub(super) fn find(&self, place: Place, name: &str) -> Option<Named> {
         let known = self.meanings.get(&place).into_iter().flatten().find(|(known, _)| known == name);
         known.map_or_else(|| self.looked_up(place, name), |(_, named)| named.clone())
+    }
+
+    fn looked_up(&self, place: Place, name: &str) -> Option<Named> {
+        self.names.find(self.scope_of_formula(place), name)
     }
 
     /// Meanings of the names in each formula, so that a formula that is evaluated again does not look them up.
@@ -150,15 +162,6 @@ impl Plan {
             Some((place, names.into_iter().map(meaning).collect()))
         });
         meanings.collect()
-    }
-
-    fn looked_up(&self, place: Place, name: &str) -> Option<Named> {
-        let scope = match place {
-            // A formula of a configuration sees the problem that it changes.
-            Place::Input(at) => self.names.scopes[self.inputs[at].scope].problem,
-            place => self.scope_of(place),
-        };
-        self.names.find(scope, name)
     }
 
     /// The place that a name leads to: of an answer, the solution that it is of.

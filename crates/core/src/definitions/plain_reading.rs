@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::Arc};
 use dalembert_units::Dim;
 
 use super::{
-    Plan,
+    Plan, PlannedInput,
     names::{self, Named, Place},
     working::entry_of,
 };
@@ -146,10 +146,14 @@ impl Readings {
         for (at, solution) in solutions.iter_mut().enumerate() {
             let problem = scopes[at].problem;
             let own = varied.iter().filter(|path| plan.problem_of(path) == problem);
-            let mut inputs: Vec<String> =
-                own.filter_map(|path| scopes[problem].inside(path)).map(str::to_owned).collect();
-            let computed = with_formula.clone().filter(|input| [at, problem].contains(&input.scope));
-            for input in computed {
+            // What a configuration replaces does not change with the inputs that it replaces.
+            let is_there = |inner: &&str| at == problem || !plan.names.is_replaced(at, inner);
+            let own = own.filter_map(|path| scopes[problem].inside(path)).filter(is_there);
+            let mut inputs: Vec<String> = own.map(str::to_owned).collect();
+            let is_own = |input: &&PlannedInput| {
+                input.scope == at || input.scope == problem && is_there(&input.inner.as_str())
+            };
+            for input in with_formula.clone().filter(is_own) {
                 if !inputs.contains(&input.inner) {
                     inputs.push(input.inner.clone());
                 }
@@ -462,7 +466,12 @@ impl Readings {
             };
             Ok(self.number(&named).map(|(si, dim)| Operand::Number(si, dim)))
         };
-        match evaluate::<&Plain<'_>>(&question.formula, &values, plain) {
+        match evaluate::<&Plain<'_>>(
+            &question.formula,
+            &values,
+            &|name| plan.names.known(question.scope, name),
+            plain,
+        ) {
             Ok(Operand::Number(si, dim)) => Ok((si, dim)),
             Ok(_) => Err(unknown(&question.key, "is not a number among the answers")),
             Err(error) => Err(Refusal::because(error.why).into()),

@@ -38,7 +38,9 @@ fn answer<'s>(working: &Working<'_, 's>, at: usize) -> Result<(), Text> {
     let question = &plan.questions[at];
     let scope_of = &plan.names.scopes[question.scope];
     let scope = |name: &str| found(working, question.scope, name);
-    let value = evaluate::<&crate::Sheet<'s>>(&question.formula, &scope, sheet).map_err(|error| error.why)?;
+    let known = |name: &str| known(working, question.scope, name);
+    let value = evaluate::<&crate::Sheet<'s>>(&question.formula, &scope, &known, sheet);
+    let value = value.map_err(|error| error.why)?;
     let dim = value.dim();
     let unit = match &question.unit {
         Some(unit) if unit.dim.agrees(dim) => unit.clone(),
@@ -77,6 +79,22 @@ fn answer<'s>(working: &Working<'_, 's>, at: usize) -> Result<(), Text> {
     }
     sheet.mark_asked(name, scope_of.name, question.unit.is_some());
     Ok(())
+}
+
+/// The names that a question of a scope can use: those of a formula, its answers and those of other problems, and the symbols
+/// of its steps.
+fn known(working: &Working<'_, '_>, scope: usize, name: &str) -> Vec<String> {
+    let (names, solution) = (&working.plan.names, working.sheet.solution());
+    let of = &names.scopes[scope];
+    let inside = |name: String| of.inside(&name).map(str::to_owned).unwrap_or(name);
+    let answers = solution.answers.iter().map(|answer| inside(answer.name.to_string()));
+    let symbols = solution.steps.iter().map(|step| printer::symbol(&step.symbol));
+    names
+        .known(scope, name)
+        .into_iter()
+        .chain(answers)
+        .chain(symbols.filter(|symbol| !symbol.is_empty()))
+        .collect()
 }
 
 /// Value of a name in a question of a scope.

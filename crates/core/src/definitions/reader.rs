@@ -1,19 +1,18 @@
 //! Definitions, questions, given answers and configurations as they are typed, row by row.
 
-use dalembert_units::{self as units, Unit};
+use dalembert_units::Unit;
 
 use super::{
-    COMMON_LISTS, Definition, Plan, PlannedInput, Question, field_error,
-    names::{self, Names},
+    COMMON_LISTS, Definition, Plan, Question, field_error,
+    names::Names,
     rows::{question_key, rows, text_of},
     scope,
     unknowns::{self, Unknown, is_unknown},
 };
 use crate::{
-    Field, FieldError, Number, Record, Symbol, Text, Value,
+    Field, FieldError, Record, Symbol, Text, Value,
     ascii::index,
     formula::{Expression, Formula, Function},
-    intern::intern,
 };
 
 /// Reader of definitions and questions; what is wrong with them is kept.
@@ -47,19 +46,7 @@ impl Reader {
                 Err(error) => self.errors.push(error),
             }
         }
-        for (n, row) in changes.iter().enumerate() {
-            match self.change([scope, n], row, record) {
-                Ok(input) if plan.inputs.iter().any(|other| other.path == input.path) => {
-                    let why = Text::new("`{name}` is changed twice: keep one of the two");
-                    self.errors.push(FieldError::new(&input.error_path, why.with("name", &input.path)));
-                }
-                Ok(input) => {
-                    self.names.add(input.clone());
-                    plan.inputs.push(input);
-                }
-                Err(error) => self.errors.push(error),
-            }
-        }
+        self.configurations(scope, &changes, record, plan);
     }
 
     /// The definition in a row, counted from 0.
@@ -157,85 +144,6 @@ impl Reader {
         Some(Question { scope, label: label.to_owned(), key, symbol, unit, formula })
     }
 
-    /// The input that a row of a configuration changes, with its formula.
-    fn change(
-        &self,
-        [scope, n]: [usize; 2],
-        row: &Value,
-        record: &mut Record,
-    ) -> Result<PlannedInput, FieldError> {
-        let of = &self.names.scopes[scope];
-        let path = |part: &str| of.outside(&format!("configuration[{}].{part}", n + 1));
-        let [name, inner, text] = ["name", "input", "formula"].map(|field| text_of(row, field));
-        let fail = |part: &str, why: Text| Err(FieldError::new(path(part), why));
-        if !is_name(name) {
-            let why = "a name of letters and digits is needed, for example weighted";
-            return fail("name", why.into());
-        }
-        if self.names.is_input_name(scope, name) {
-            let why = Text::new("`{name}` is the name of an input: choose another");
-            return fail("name", why.with("name", name));
-        }
-        let named = self.names.with_symbol(scope, inner);
-        let inner = match &named[..] {
-            [only] => only.inner.clone(),
-            _ => inner.to_owned(),
-        };
-        let base = of.outside(&inner);
-        let Some(measure) = names::measure_at(record, &base) else {
-            let known: Vec<&str> = self.names.inner_paths(scope);
-            let why = match crate::nearest(&inner, known.iter().copied()) {
-                Some(near) => Text::new("`{name}` is no quantity of this problem; did you mean `{near}`?")
-                    .with("near", near),
-                None => {
-                    Text::new("`{name}` is no quantity of this problem: a configuration changes quantities")
-                }
-            };
-            return fail("input", why.with("name", &inner));
-        };
-        let configuration = of.outside(name);
-        let at = self.names.scopes.iter().position(|scope| scope.name == configuration);
-        let Some(at) = at.filter(|at| *at != scope) else {
-            return fail(
-                "name",
-                Text::new("`{name}` is the name of a problem: choose another").with("name", name),
-            );
-        };
-        let one = measure.meant(text);
-        let (formula, unit, si) = match units::read_quantity(text, &one.own_unit(), one.kind()) {
-            Ok(quantity) => {
-                if let Some(why) = one.outside(quantity.si, text) {
-                    return fail("formula", why);
-                }
-                let (unit, si) = (quantity.unit.clone(), quantity.si);
-                (Formula { root: Expression::Quantity(quantity), text: text.to_owned() }, unit, si)
-            }
-            Err(error) => match Formula::parse(text, &|name| self.names.contains(scope, name)) {
-                Ok(formula) if !formula.names().is_empty() => (formula, measure.own_unit(), f64::NAN),
-                _ => {
-                    let why = crate::reading::text(&error);
-                    return Err(FieldError { path: path("formula"), why, span: error.span() });
-                }
-            },
-        };
-        let input = self.names.input(&base);
-        let field =
-            input.as_ref().map_or_else(|| field_at(record, &base), |input| Some((input.label, input.symbol)));
-        let (label, symbol) = field.unwrap_or((intern(&inner), Symbol::from("")));
-        Ok(PlannedInput {
-            scope: at,
-            path: self.names.scopes[at].outside(&inner),
-            inner,
-            error_path: path("formula"),
-            label,
-            symbol: Symbol { of: intern(name), ..symbol },
-            measure,
-            unit,
-            value: Number::Scalar(si),
-            formula: Some(formula),
-        })
-    }
-
     fn formula(&mut self, scope: usize, path: &str, text: &str) -> Option<Formula> {
         match Formula::parse(text, &|name| self.names.contains(scope, name)) {
             Ok(formula) => Some(formula),
@@ -248,7 +156,7 @@ impl Reader {
 }
 
 /// Returns true if a word may name a definition or a configuration.
-fn is_name(name: &str) -> bool {
+pub(super) fn is_name(name: &str) -> bool {
     let continues = |c: char| {
         c.is_alphanumeric()
             || matches!(c, '_' | '′')
@@ -258,7 +166,7 @@ fn is_name(name: &str) -> bool {
 }
 
 /// Label and symbol of the optional input at a path that is left out.
-fn field_at(record: &Record, path: &str) -> Option<(&'static str, Symbol)> {
+pub(super) fn field_at(record: &Record, path: &str) -> Option<(&'static str, Symbol)> {
     let mut found: Option<&'static Field> = None;
     record.leaves(&mut |known, field, _| {
         if known == path {

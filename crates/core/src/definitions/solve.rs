@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use dalembert_numerics::Vector as _;
 use dalembert_units::Unit;
 
 use super::{
@@ -9,11 +10,12 @@ use super::{
     names::{Named, Place},
     questions,
     scope::TOP,
+    unknowns::AXES,
     working::{Working, entry_of, operand_at},
 };
 use crate::{
     Entry, FieldError, FieldPath, Number, ProblemSteps, Record, Refusal, Sheet, SolveError, Symbol, Text,
-    Value, Worksheet,
+    Value, VectorTerm, Worksheet,
     formula::{Operand, evaluate, unit_of},
     intern::{intern, unit_text},
     trace::Id,
@@ -71,7 +73,7 @@ impl<'s> Working<'_, 's> {
                 let PlannedInput { path, symbol, unit, value, .. } = &self.plan.inputs[at];
                 let unknown = match value {
                     Number::Scalar(si) => self.unknown(path, *symbol, unit, *si),
-                    Number::Vector(_) => None,
+                    Number::Vector(si) => self.unknown_components(&self.plan.inputs[at], *si),
                 };
                 let lifted = unknown.or_else(|| sheet.lifted(path));
                 Ok(Some(lifted.unwrap_or_else(|| sheet.lift(path, *symbol, unit, *value))))
@@ -91,7 +93,8 @@ impl<'s> Working<'_, 's> {
             None => Ok(None),
         };
         let fail = |error| SolveError::Fields(vec![super::field_error(&self.plan.path_of(place), error)]);
-        let found = evaluate::<&Sheet<'_>>(formula, &scope, sheet).map_err(fail)?;
+        let known = |name: &str| self.plan.names.known(self.plan.scope_of_formula(place), name);
+        let found = evaluate::<&Sheet<'_>>(formula, &scope, &known, sheet).map_err(fail)?;
         let Operand::Number(value, dim) = found else {
             let why = Text::new("`{text}` is no single number").with("text", &formula.text);
             return Err(SolveError::Fields(vec![FieldError::new(self.plan.path_of(place), why)]));
@@ -144,6 +147,27 @@ impl<'s> Working<'_, 's> {
         Some(id)
     }
 
+    /// Writes the components of a vector that were found down as steps, and the vector of them; `None` where none was.
+    fn unknown_components(&self, input: &PlannedInput, si: [f64; 3]) -> Option<Id> {
+        let PlannedInput { path, symbol, unit, label, .. } = input;
+        let mut is_found = false;
+        let components = [0, 1, 2].map(|axis| {
+            let symbol = Symbol { of: intern(&joined(symbol.of, AXES[axis])), ..*symbol };
+            let found = self.unknown(&format!("{path}.{}", AXES[axis]), symbol, unit, si[axis]);
+            is_found |= found.is_some();
+            found.map_or_else(|| self.sheet.constant(si[axis], unit), |id| self.sheet.term(id))
+        });
+        if !is_found {
+            return None;
+        }
+        let [x, y, z] = components;
+        let why = Text::new("{input}, with the components found").with_text("input", *label);
+        let vector = VectorTerm::from_components(x, y, z);
+        let id = self.sheet.step_vector(*symbol, unit_text(unit), vector, why).node()?;
+        self.sheet.lift_formula(path, id);
+        Some(id)
+    }
+
     /// Solves the problem or the configuration of a scope.
     fn solution(&mut self, scope: usize) -> Result<(), SolveError> {
         let (own, problem) = (&self.plan.names.scopes[scope], self.plan.names.scopes[scope].problem);
@@ -156,6 +180,9 @@ impl<'s> Working<'_, 's> {
         let mut before = Vec::new();
         if scope != problem {
             self.sheet.keep_given_inputs();
+            for (_, root) in self.plan.names.replaced.iter().filter(|(of, _)| *of == scope) {
+                before.extend(self.sheet.take_lifted(&of.outside(root)));
+            }
             for input in self.plan.inputs.iter().filter(|input| input.scope == scope) {
                 let path = of.outside(&input.inner);
                 let node = self.sheet.lifted(&input.path);
@@ -163,7 +190,7 @@ impl<'s> Working<'_, 's> {
             }
         }
         let solved = entry.write(&Value::Group(inputs), &here, self.sheet);
-        for (path, node) in before {
+        for (path, node) in before.into_iter().rev() {
             self.sheet.put_lifted(&path, node);
         }
         solved.map_err(|error| of_problem(name, error))?;
@@ -196,6 +223,11 @@ impl<'s> Working<'_, 's> {
             named => self.plan.place(&named).and_then(|place| self.plan.unit(place)),
         }
     }
+}
+
+/// Two indices of a symbol, one behind the other.
+fn joined(of: &str, more: &str) -> String {
+    if of.is_empty() { more.to_owned() } else { format!("{of},{more}") }
 }
 
 /// An error of a problem or a configuration, with its name.

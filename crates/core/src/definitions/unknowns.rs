@@ -1,6 +1,8 @@
 //! Unknown inputs and given answers as they are typed: `? 1 kg .. 100 kg`, `8.2 Hz ± 0.05`.
 
-use dalembert_units::{self as units, Quantity, Unit};
+use std::ops::Range;
+
+use dalembert_units::{self as units, Quantity, Unit, VectorQuantity};
 
 use crate::{
     FieldError, FieldLimit, Measure, Plain, Stop, Text,
@@ -17,6 +19,8 @@ pub(crate) struct Unknown {
     pub(crate) start: Option<f64>,
     /// The range to search, in SI, where one is typed: `? 1 kg .. 100 kg`.
     pub(crate) range: Option<[f64; 2]>,
+    /// True for a component of a vector, which may have either sign.
+    pub(crate) is_component: bool,
 }
 
 /// An answer whose value is known.
@@ -37,6 +41,126 @@ pub(crate) struct GivenAnswer {
 /// Returns true if a text asks for its value to be found.
 pub(crate) fn is_unknown(text: &str) -> bool {
     text.trim_start().starts_with('?')
+}
+
+/// Returns true if a text asks for its value, or for a component of it, to be found.
+pub(crate) fn has_unknown(text: &str) -> bool {
+    text.contains('?')
+}
+
+/// An unknown component in the text of a vector: `? 0 .. 10` of `(? 0 .. 10; 0; 3) m/s`.
+struct UnknownComponent<'t> {
+    place: Range<usize>,
+    axis: usize,
+    /// The ends of its range, or one value to begin with, as typed.
+    typed: Vec<&'t str>,
+}
+
+/// The unknown components of a vector at a path, and the vector that stands in their place until they are found.
+pub(crate) fn read_vector(
+    text: &str,
+    path: &str,
+    measure: Measure,
+    len: usize,
+) -> Result<(Vec<Unknown>, VectorQuantity), Text> {
+    let parts = unknown_components(text)?;
+    let own = measure.own_unit();
+    // The vector with the first or the last of what was typed for each component in its place.
+    let read = |end: fn(&UnknownComponent<'_>) -> String| {
+        let with = |unit: &str| {
+            let (mut whole, mut at) = (String::new(), 0);
+            for part in &parts {
+                let value = end(part);
+                whole += &text[at..part.place.start];
+                match &*value {
+                    "" => whole.extend(["1", unit]),
+                    // Behind the sign of a term along an axis no other one may stand.
+                    value if value.starts_with(['-', '−']) => whole.extend(["(", value, ")"]),
+                    value => whole += value,
+                }
+                at = part.place.end;
+            }
+            whole += &text[at..];
+            units::read_vector(&whole, &own, measure.kind(), len)
+        };
+        let read = match with("") {
+            // Every other component has its unit.
+            Err(units::ReadError::MixedComponents { .. }) => with(&format!(" {}", own.ascii())),
+            read => read,
+        };
+        read.map_err(|error| reading::text(&error))
+    };
+    let low = read(|part| {
+        let (first, last) =
+            (part.typed.first().copied().unwrap_or(""), part.typed.last().copied().unwrap_or(""));
+        // `? 0 .. 10 m/s`
+        let unit = if first.contains(char::is_alphabetic) { "" } else { trailing_unit(last) };
+        if first == last { first.to_owned() } else { format!("{first} {unit}").trim_end().to_owned() }
+    })?;
+    let mut vector = read(|part| part.typed.last().copied().unwrap_or("").to_owned())?;
+    let mut unknowns = Vec::new();
+    for part in &parts {
+        let [from, to] = [low.si[part.axis], vector.si[part.axis]];
+        let (start, range) = match part.typed.len() {
+            0 => (None, None),
+            1 => (Some(to), None),
+            _ if from < to => (None, Some([from, to])),
+            _ => return Err(Text::new("the range of an unknown ascends, as in ? 1 kg .. 100 kg")),
+        };
+        if range.is_some() {
+            vector.si[part.axis] = f64::midpoint(from, to);
+        }
+        let name = format!("{path}.{}", AXES[part.axis]);
+        unknowns.push(Unknown { name, start, range, is_component: true });
+    }
+    Ok((unknowns, vector))
+}
+
+/// The unit that a quantity ends in, as it is written.
+fn trailing_unit(text: &str) -> &str {
+    let starts = text.char_indices().filter(|(_, c)| c.is_alphabetic() || matches!(c, '°' | '%'));
+    let mut units = starts.map(|(at, _)| &text[at..]);
+    units.find(|rest| units::unit(rest).is_ok()).unwrap_or("")
+}
+
+/// The names of the components of a vector.
+pub(crate) const AXES: [&str; 3] = ["x", "y", "z"];
+
+fn unknown_components(text: &str) -> Result<Vec<UnknownComponent<'_>>, Text> {
+    if text.contains(['@', '∠']) {
+        return Err(Text::new("an unknown is a component of a vector, as in (?; 0; 3) m/s"));
+    }
+    let mark = if text.contains(';') { ';' } else { ',' };
+    let mut parts = Vec::new();
+    let mut at = 0;
+    while let Some(start) = text[at..].find('?').map(|found| at + found) {
+        let before = text[..start].trim_end();
+        if !(before.is_empty() || before.ends_with([mark, '(', '[', '{', '+'])) {
+            return Err(Text::new(
+                "an unknown component stands alone: write `+ ?` and the sign will be found",
+            ));
+        }
+        let rest = &text[start + 1..];
+        let is_lone = |at: usize| {
+            let alone = |c: Option<char>| !c.is_some_and(char::is_alphanumeric);
+            alone(rest[..at].chars().next_back()) && alone(rest[at + 1..].chars().next())
+        };
+        let ends =
+            |(at, c): &(usize, char)| *c == mark || ")]}".contains(*c) || "ijk".contains(*c) && is_lone(*at);
+        let Some((length, end)) = rest.char_indices().find(ends) else {
+            return Err(Text::new("name the unknown components of a vector, as in (?; 0; 3) m/s"));
+        };
+        let axis = "ijk".find(end).unwrap_or_else(|| text[..start].matches(mark).count());
+        let is_alone = !"ijk".contains(end) && !text.contains(mark);
+        if is_alone || axis >= AXES.len() {
+            return Err(Text::new("name the unknown components of a vector, as in (?; 0; 3) m/s"));
+        }
+        let typed = rest[..length].split("..").map(str::trim).filter(|typed| !typed.is_empty()).collect();
+        at = start + 1 + length;
+        let kept = rest[..length].trim_end().len();
+        parts.push(UnknownComponent { place: start..start + 1 + kept, axis, typed });
+    }
+    Ok(parts)
 }
 
 /// An unknown at a name, and the quantity that stands in its place until it is found.
@@ -62,7 +186,7 @@ pub(super) fn read(text: &str, name: &str, measure: Option<Measure>) -> Result<(
             None => Ok(quantity),
         }
     };
-    let unknown = |start, range| Unknown { name: name.to_owned(), start, range };
+    let unknown = |start, range| Unknown { name: name.to_owned(), start, range, is_component: false };
     match (from, to) {
         (None, "") => {
             let measure = measure.ok_or("write a range, as in ? 1 kg .. 100 kg: it gives the unit")?;
@@ -132,7 +256,9 @@ fn constant(text: &str) -> Result<(f64, Unit), Text> {
     let formula = Formula::parse(text, &|_| false).map_err(|error| error.why)?;
     let stop = Stop::new();
     let plain = Plain::new(&stop);
-    match evaluate::<&Plain<'_>>(&formula, &|_| Ok(None), &plain).map_err(|error| error.why)? {
+    match evaluate::<&Plain<'_>>(&formula, &|_| Ok(None), &|_| Vec::new(), &plain)
+        .map_err(|error| error.why)?
+    {
         Operand::Number(si, dim) => Ok((si, unit_of(&formula, dim, &|_| None))),
         _ => Err(Text::new("`{text}` is no single number").with("text", text)),
     }

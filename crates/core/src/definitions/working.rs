@@ -31,6 +31,9 @@ impl Plan {
         let problem = self.names.scopes[scope].problem;
         let mut inputs = scope::record_of(record, &self.names.scopes[problem]).clone();
         if scope != problem {
+            for part in self.replacements.iter().filter(|part| part.scope == scope) {
+                names::replace(&mut inputs, &part.inner, part.value.clone());
+            }
             for input in self.inputs.iter().filter(|input| input.scope == scope) {
                 if let Some(quantity) = quantity_of(input) {
                     names::write_quantity(&mut inputs, &input.inner, quantity);

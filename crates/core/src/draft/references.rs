@@ -46,7 +46,7 @@ fn lists(record: &Record) -> Vec<List> {
 
 /// Finds the rows that references name, and compares what is common to the inputs of a problem; of each of several by
 /// itself.
-pub(super) fn read_references(record: &mut Record, path: &str, errors: &mut Vec<FieldError>) {
+pub(crate) fn read_references(record: &mut Record, path: &str, errors: &mut Vec<FieldError>) {
     let lists = lists(record);
     let own = definitions::without_linked(record);
     errors.extend(ambiguous(&lists, &own).into_iter().map(|error| within(path, error)));

@@ -2,7 +2,7 @@
 
 use toml_edit::{Item, Table, TableLike, Value as Toml};
 
-use super::{FileError, FileNotes, plain, write::set_text};
+use super::{FileError, FileNotes, plain, rows::in_brackets, write::set_text};
 use crate::{Draft, Shape, Text, path};
 
 /// The keys of a question that is a table.
@@ -128,9 +128,14 @@ fn configurations(root: &dyn TableLike, reading: &mut FileNotes) -> Vec<Draft> {
 fn changes(name: &str, within: &str, inputs: &dyn TableLike, rows: &mut Vec<Draft>, reading: &mut FileNotes) {
     for (input, item) in inputs.iter() {
         let path = if within.is_empty() { input.to_owned() } else { format!("{within}.{input}") };
-        if let Some(inner) = item.as_table_like() {
+        if let (Some(inner), Some((parent, chosen))) = (item.as_table_like(), path.rsplit_once('.'))
+            && inner.is_empty()
+        {
+            // An alternative without inputs.
+            rows.push(Draft::Group([name, parent, chosen].map(|text| Draft::Leaf(text.to_owned())).to_vec()));
+        } else if let Some(inner) = item.as_table_like() {
             changes(name, &path, inner, rows, reading);
-        } else if let Some(text) = formula(item) {
+        } else if let Some(text) = change(item) {
             rows.push(Draft::Group([name.to_owned(), path, text].map(Draft::Leaf).to_vec()));
         } else {
             let why = Text::new("{path}: {why}")
@@ -138,6 +143,17 @@ fn changes(name: &str, within: &str, inputs: &dyn TableLike, rows: &mut Vec<Draf
                 .with_text("why", "a quantity or a formula in quotes is needed here");
             reading.errors.push(FileError { why, span: item.span() });
         }
+    }
+}
+
+/// The text of a changed input: a value, or the components of a vector in a list.
+fn change(item: &Item) -> Option<String> {
+    match item.as_value()? {
+        value @ Toml::Boolean(_) => Some(plain(value)),
+        Toml::Array(all) if all.iter().all(|one| !matches!(one, Toml::Array(_) | Toml::InlineTable(_))) => {
+            Some(in_brackets(all))
+        }
+        _ => formula(item),
     }
 }
 
@@ -184,8 +200,15 @@ fn write_change(table: &mut dyn TableLike, path: &str, text: &str) {
                 write_change(inner, rest, text);
             }
         }
+        // Components in a list, or an alternative without inputs, stay as they are written.
+        None if table.get(path).is_some_and(|item| is_written(item, text)) => {}
         None => set_text(table, path, text),
     }
+}
+
+fn is_written(item: &Item, text: &str) -> bool {
+    let alone = |table: &dyn TableLike| table.len() == 1 && table.contains_key(text);
+    item.as_array().is_some_and(|all| in_brackets(all) == text) || item.as_table_like().is_some_and(alone)
 }
 
 fn keep_only(table: &mut dyn TableLike, is_kept: &dyn Fn(&str) -> bool) {

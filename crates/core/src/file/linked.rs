@@ -271,6 +271,19 @@ pub(super) fn write(root: &mut Table, entry: &Entry, draft: &Draft) {
     }
 }
 
+/// The table of the linked problem that an answer is of, and the name of the answer within it; `None` where it is of the
+/// problem of the file itself or of another file.
+pub(super) fn place_of_answer<'d, 'a>(
+    root: &'d mut Table,
+    entry: &Entry,
+    answer: &'a str,
+) -> Option<(&'d mut dyn TableLike, &'a str)> {
+    let (name, rest) = answer.split_once('.')?;
+    entry.linked().iter().find(|problem| problem.name == name && problem.file.is_none())?;
+    let problem = root.get_mut("problem")?.as_table_like_mut()?.get_mut(name)?;
+    Some((problem.as_table_like_mut()?, rest))
+}
+
 /// The item of the inputs of a problem that a path leads to, and the rest of the path.
 pub(super) fn place<'d, 'p>(root: &'d Table, path: &'p str) -> Option<(&'d dyn TableLike, &'p str)> {
     let (name, rest) = path.split_once('.')?;

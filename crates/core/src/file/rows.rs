@@ -47,6 +47,11 @@ pub(super) fn table_text(
     Ok(rows?.join("\n"))
 }
 
+/// The components of a vector in a list, as they are typed: `(1; 0; 3 m/s)`.
+pub(super) fn in_brackets(array: &toml_edit::Array) -> String {
+    format!("({})", cells(array))
+}
+
 /// The cells of a list, beside each other.
 pub(super) fn cells(array: &toml_edit::Array) -> String {
     array.iter().map(plain).collect::<Vec<_>>().join("; ")

@@ -2,7 +2,7 @@
 
 use toml_edit::{ArrayOfTables, DocumentMut, InlineTable, Item, Table, TableLike, Value as Toml};
 
-use super::{former, plain};
+use super::{former, plain, rows};
 use crate::{Draft, Shape, table};
 
 pub(super) fn set_text(table: &mut dyn TableLike, key: &str, text: &str) {
@@ -82,6 +82,9 @@ pub(super) fn write_item(item: &mut Item, draft: &Draft, shape: &Shape) {
         (Shape::Table(columns), Draft::Leaf(text)) => {
             write_text(item, &table::with_units(text, columns()).unwrap_or_else(|| text.clone()));
         }
+        // The components of a vector may stand in a list.
+        (Shape::Vector(..), Draft::Leaf(text))
+            if item.as_array().is_some_and(|all| rows::in_brackets(all) == *text) => {}
         (_, Draft::Leaf(text)) => write_text(item, text),
         _ => {}
     }

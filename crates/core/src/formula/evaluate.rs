@@ -3,10 +3,10 @@
 use std::ops::Range;
 
 use dalembert_numerics::{Real, Vector};
-use dalembert_units::{Dim, Unit};
+use dalembert_units::{Dim, ReadError, Unit};
 
-use super::{Expression, Formula, FormulaError, Function, Operator};
-use crate::{Text, Worksheet, reading::of_dim};
+use super::{Expression, Formula, FormulaError, Function, Operator, names::missing};
+use crate::{Text, Worksheet, reading, reading::of_dim};
 
 /// A value in a formula.
 pub(crate) enum Operand<W: Worksheet> {
@@ -31,21 +31,23 @@ impl<W: Worksheet> Clone for Operand<W> {
 /// The value of a name; `None` where nothing has it.
 pub(crate) type NameLookup<'s, W> = dyn Fn(&str) -> Result<Option<Operand<W>>, Text> + 's;
 
-/// The value of a formula.
+/// The value of a formula; `known` gives the names that another one, which nothing has, may have been meant as.
 ///
 /// # Errors
 /// A name that nothing has, dimensions that do not fit, a result that is not finite: with the part of the formula.
 pub(crate) fn evaluate<W: Worksheet>(
     formula: &Formula,
     scope: &NameLookup<'_, W>,
+    known: &dyn Fn(&str) -> Vec<String>,
     sheet: W,
 ) -> Result<Operand<W>, FormulaError> {
-    let evaluator = Evaluator { scope, sheet, text: &formula.text };
+    let evaluator = Evaluator { scope, known, sheet, text: &formula.text };
     evaluator.value(&formula.root)
 }
 
 struct Evaluator<'s, W: Worksheet> {
     scope: &'s NameLookup<'s, W>,
+    known: &'s dyn Fn(&str) -> Vec<String>,
     sheet: W,
     text: &'s str,
 }
@@ -95,12 +97,7 @@ impl<W: Worksheet> Evaluator<'_, W> {
                 let si = unit.si(1.0);
                 Ok(Operand::Number(self.sheet.constant(si, &unit), unit.dim))
             }
-            Err(_) => Err(fail(
-                Text::new(
-                    "there is no `{name}` here: no input, definition, answer or step has that name or symbol",
-                )
-                .with("name", name),
-            )),
+            Err(_) => Err(fail(missing(name, &(self.known)(name)))),
         }
     }
 
@@ -376,6 +373,13 @@ impl<W: Worksheet> Evaluator<'_, W> {
         let (left, right) = (a.dim(), b.dim());
         if left.agrees(right) {
             return Ok(left);
+        }
+        // `5 lb + 3 lbf`
+        if let Err(error @ ReadError::Sum { .. }) = dalembert_units::read_any(self.part(span))
+            && let ReadError::Sum { repairs, .. } = &error
+            && !repairs.is_empty()
+        {
+            return Err(FormulaError::at(span.clone(), reading::text(&error)));
         }
         let why =
             Text::new("`{text}` compares or adds {left} and {right}: both must be the same kind of quantity");

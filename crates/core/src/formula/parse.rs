@@ -181,7 +181,7 @@ impl<'t> Parser<'t> {
                 let inner = self.nested(Self::atom)?;
                 Ok(Expression::Call(Function::Sqrt, vec![inner], start..self.at))
             }
-            Some('0'..='9' | '.') => self.quantity(),
+            Some(c) if matches!(c, '0'..='9' | '.') || units::vulgar_fraction(c).is_some() => self.quantity(),
             Some(c) if begins_word(c) => self.word(),
             Some('@') => self.link(),
             _ => Err(self.unexpected("a number, a name or a bracket")),
@@ -206,10 +206,20 @@ impl<'t> Parser<'t> {
         Ok(Expression::Quantity(quantity))
     }
 
-    /// Goes past digits, the point, and a power of ten.
+    /// Goes past digits and groups of them, the point, and a power of ten, or a fraction such as ½.
     fn number(&mut self) {
+        let start = self.at;
         let digits = |rest: &str| rest.bytes().take_while(u8::is_ascii_digit).count();
         self.at += digits(self.rest());
+        while let Some(mark) = units::group_mark(&self.text[start..self.at], self.rest()) {
+            self.at += mark;
+            self.at += digits(self.rest());
+        }
+        let behind = self.rest().trim_start();
+        if let Some(fraction) = behind.chars().next().filter(|c| units::vulgar_fraction(*c).is_some()) {
+            self.at = self.text.len() - behind.len() + fraction.len_utf8();
+            return;
+        }
         if self.rest().starts_with('.') {
             self.at += 1;
             self.at += digits(self.rest());

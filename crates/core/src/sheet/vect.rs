@@ -27,7 +27,7 @@ impl<'s> VectorTerm<'s> {
     }
 
     /// The node of this vector; a literal has none.
-    pub(super) fn node(self) -> Option<Id> {
+    pub(crate) fn node(self) -> Option<Id> {
         if let VectorTerm::Node(_, id) = self { Some(id) } else { None }
     }
 

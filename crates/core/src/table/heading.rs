@@ -11,8 +11,8 @@ use dalembert_units::{self as units, Unit};
 use super::{Separator, measure, own_unit, takes};
 use crate::{Field, Text, reading};
 
-/// Units that are words or common subscripts too: `x_min`, `centre of the bar`, the angle psi, `x_cg`.
-const ALSO_WORDS: [&str; 44] = [
+/// Units that are words or common subscripts too: `x_min`, `centre of the bar`, the angle psi, `x_cg`, `second mass`.
+const ALSO_WORDS: [&str; 49] = [
     "in",
     "min",
     "bar",
@@ -57,6 +57,11 @@ const ALSO_WORDS: [&str; 44] = [
     "revolutions",
     "pound",
     "nós",
+    "second",
+    "segundo",
+    "minute",
+    "minuto",
+    "dia",
 ];
 /// Words between a quantity and its unit, in English, Portuguese and Spanish.
 const IN: [&str; 3] = ["in", "em", "en"];

@@ -36,6 +36,7 @@ pub(crate) fn run(find: &Find, console: &Console) -> Result<ExitCode, Failure> {
             given_form: "write an answer and its value, as in --answer 'natural_frequency=8.2 Hz'",
         },
         strict: false,
+        units: None,
     };
     let problem = problem::read(&asked, console)?;
     let outcome = solving::solve(problem.entry, &problem.record)?;

@@ -114,8 +114,7 @@ fn any_problem() -> Json {
 fn lists() -> Map<String, Json> {
     let value = json!({ "type": ["string", "number"] });
     let values = json!({ "type": "object", "additionalProperties": value });
-    let changes =
-        json!({ "type": "object", "additionalProperties": { "type": ["string", "number", "object"] } });
+    let changes = json!({ "type": "object", "additionalProperties": { "type": ["string", "number", "boolean", "array", "object"] } });
     let question = json!({ "oneOf": [
         value,
         {

@@ -33,11 +33,9 @@ pub(crate) fn run(solve: &Solve, console: &Console) -> Result<ExitCode, Failure>
         configuration: &solve.configuration,
         options: ProblemOptions::OF_SOLVE,
         strict: solve.strict,
+        units: solve.units.as_deref().map(UnitSetting::read).transpose().map_err(Failure::input)?,
     };
-    let mut problem = problem::read(&asked, console)?;
-    if let Some(asked) = &solve.units {
-        problem.units = UnitSetting::read(asked).map_err(Failure::input)?;
-    }
+    let problem = problem::read(&asked, console)?;
     let mut asked_for = Vec::new();
     for asked in &solve.unit {
         let (answer, unit) = asked.split_once('=').ok_or_else(|| {

@@ -34,6 +34,7 @@ pub(crate) fn run(arguments: &Arguments, set: Set, console: &Console) -> Result<
             configuration: &[],
             options: problem::ProblemOptions::OF_SOLVE,
             strict: false,
+            units: None,
         };
         return print_worked(&problem::read(&asked, console)?, console);
     }

@@ -59,7 +59,7 @@ pub(super) fn act(model: &mut Model, action: Action) -> Vec<Intent> {
         Action::Define => return after(model, |form| form.add_to("let"), ""),
         Action::Ask => return after(model, |form| form.add_to("ask"), ""),
         Action::Configure => {
-            return after(model, Form::configure, "a configuration changes a quantity: select one");
+            return after(model, Form::configure, "a configuration changes an input: select one");
         }
         Action::Unknown => {
             return after(model, Form::make_unknown, "only a quantity can be unknown");

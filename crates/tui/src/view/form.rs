@@ -5,8 +5,8 @@ use std::{
     ops::Range,
 };
 
-use dalembert_core::{Draft, FieldError, Shape, Text, Value, describe, draft};
-use dalembert_units::write_quantity;
+use dalembert_core::{Draft, FieldError, Number, Shape, Text, Value, describe, draft};
+use dalembert_units::{write_components, write_quantity};
 use ratatui::{
     buffer::Buffer,
     layout::{Position, Rect},
@@ -444,8 +444,16 @@ fn computed(model: &Model, line: &FormLine) -> Option<String> {
             _ => None,
         }
     });
-    let (si, unit) = solution.computed_input(name.as_deref().unwrap_or(&line.path))?;
-    Some(write_quantity(si, unit, model.locale.style))
+    let (value, unit) = solution.computed_value(name.as_deref().unwrap_or(&line.path))?;
+    let style = model.locale.style;
+    match (value, &line.role) {
+        (Number::Scalar(si), _) => Some(write_quantity(si, unit, style)),
+        (Number::Vector(si), Role::Leaf { shape, .. }) => match shape.present() {
+            Shape::Vector(_, len) => Some(write_components(&si[..len], unit, style)),
+            _ => None,
+        },
+        (Number::Vector(_), _) => None,
+    }
 }
 
 /// Underlines the digit of a value that keys change, where it is seen.

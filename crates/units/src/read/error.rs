@@ -162,16 +162,14 @@ pub enum ReadError {
         span: Range<usize>,
     },
     /// A sum of different things.
-    #[error(
-        "{} and {} cannot be added: give both the same kind of unit, or write brackets as in `(2 + 3) mm`",
-        in_words(*left),
-        in_words(*right)
-    )]
+    #[error("{} and {} cannot be added: {}", in_words(*left), in_words(*right), of_one_kind(repairs))]
     Sum {
         /// The dimension of the left side.
         left: Dim,
         /// The dimension of the right side.
         right: Dim,
+        /// Sums of one kind that may have been meant, one or two: a unit of mass in place of one of force.
+        repairs: Vec<String>,
         /// Position in the text.
         span: Range<usize>,
     },
@@ -308,6 +306,11 @@ impl ReadError {
         {
             *nearest = table::nearest(symbol, wanted);
         }
+        if let Self::Sum { repairs, span, .. } = &mut self
+            && repairs.iter().any(|sum| fits(span, sum))
+        {
+            repairs.retain(|sum| fits(span, sum));
+        }
         if let Self::SeveralUnits { meant, span, .. } | Self::UnknownUnit { nearest: meant, span, .. } =
             &mut self
         {
@@ -355,6 +358,14 @@ fn did_you_mean(nearest: &[&str]) -> String {
             let first: Vec<_> = first.iter().map(|symbol| format!("`{symbol}`")).collect();
             format!(": did you mean {} or `{last}`?", first.join(", "))
         }
+    }
+}
+
+fn of_one_kind(sums: &[String]) -> String {
+    match sums {
+        [] => "give both the same kind of unit, or write brackets as in `(2 + 3) mm`".into(),
+        [one] => format!("did you mean `{one}`?"),
+        [first, second, ..] => format!("write `{first}` or `{second}`"),
     }
 }
 

@@ -6,8 +6,11 @@
 use std::ops::Range;
 
 use super::{
-    Amount, QuantityReader, ReadError,
-    scan::{Cursor, DEPTH, is_product, is_quotient, starts_symbol, superscript_digit, takes_digit},
+    Amount, QuantityReader, ReadError, kinds,
+    scan::{
+        Cursor, DEPTH, is_product, is_quotient, starts_symbol, superscript_digit, takes_digit,
+        vulgar_fraction,
+    },
     units::{POWER, power, symbol, two_readings},
     value::{Quantities, Value, compose},
 };
@@ -61,6 +64,7 @@ impl<'t> Reader<'t> {
                 Some('-' | '−') => -1.0,
                 _ => return Ok(value),
             };
+            let operator = self.cursor.at;
             self.cursor.advance();
             self.cursor.skip_space();
             let from = self.cursor.at;
@@ -74,7 +78,10 @@ impl<'t> Reader<'t> {
                 }
             }
             if value.scale.dim != other.scale.dim {
-                return Err(ReadError::Sum { left: value.scale.dim, right: other.scale.dim, span });
+                let parts = [&self.cursor.text[start..operator], &self.cursor.text[from..self.cursor.at]];
+                let sign = &self.cursor.text[operator..from];
+                let repairs = kinds::sums(parts, sign.trim(), [value.scale.dim, other.scale.dim]);
+                return Err(ReadError::Sum { left: value.scale.dim, right: other.scale.dim, repairs, span });
             }
             if value.scale.sense == UnitMeaning::Level || other.scale.sense == UnitMeaning::Level {
                 return Err(ReadError::Alone {
@@ -234,6 +241,10 @@ impl<'t> Reader<'t> {
                 Ok(Value::number(std::f64::consts::PI))
             }
             Some('0'..='9' | '.' | ',') => self.number(),
+            Some(c) if let Some(fraction) = vulgar_fraction(c) => {
+                self.cursor.advance();
+                Ok(Value::number(fraction))
+            }
             Some(c) if starts_symbol(c) => {
                 let mut ahead = self.cursor;
                 match ahead.symbol() {
@@ -261,7 +272,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// A number, or a whole number and a fraction: `5 1/2`.
+    /// A number, or a whole number and a fraction: `5 1/2`, `5½`.
     fn number(&mut self) -> Result<Value<'t>, ReadError> {
         let start = self.cursor.at;
         let literal = self.cursor.literal()?;
@@ -270,10 +281,15 @@ impl<'t> Reader<'t> {
         let value = Value { literal: Some(literal), ..Value::number(number) };
         let mut ahead = self.cursor;
         ahead.skip_space();
-        let Some(fraction) = (ahead.at > self.cursor.at).then(|| proper_fraction(&mut ahead)).flatten()
-        else {
-            return Ok(value);
+        let fraction = match ahead.peek().and_then(vulgar_fraction) {
+            Some(fraction) => {
+                ahead.advance();
+                Some(fraction)
+            }
+            None if ahead.at > self.cursor.at => proper_fraction(&mut ahead),
+            None => None,
         };
+        let Some(fraction) = fraction else { return Ok(value) };
         if !self.cursor.since(start).bytes().all(|byte| byte.is_ascii_digit()) {
             return Ok(value);
         }
@@ -342,7 +358,7 @@ impl<'t> Reader<'t> {
     }
 
     fn starts_with_digit(&self) -> bool {
-        matches!(self.cursor.peek(), Some('0'..='9' | '.' | ','))
+        self.cursor.peek().is_some_and(|c| matches!(c, '0'..='9' | '.' | ',') || vulgar_fraction(c).is_some())
     }
 
     /// The `x` of `1.3 x10^-6`.
@@ -410,9 +426,12 @@ impl<'t> Reader<'t> {
         !value.has_unit && rest.trim_start().starts_with(|c| starts_symbol(c) || c == '(')
     }
 
-    /// `1 000 mm` and `5 ft 3 in`.
+    /// `12 34 mm` and `5 ft 3 in`.
     fn refuse_gap(&self, value: &Value, start: usize, gap: usize) -> Result<(), ReadError> {
         let mut ahead = self.cursor;
+        if ahead.peek().and_then(vulgar_fraction).is_some() {
+            return Err(self.cursor.unexpected("an operator"));
+        }
         ahead.literal()?;
         let (left, right) =
             (self.cursor.text[start..gap].trim(), &self.cursor.text[self.cursor.at..ahead.at]);
@@ -423,7 +442,7 @@ impl<'t> Reader<'t> {
             }
             [format!("{left} + {right}{rest}"), format!("{left}*{right}{rest}")]
         } else {
-            [format!("{left}{right}"), format!("{left}*{right}")]
+            [format!("{left}{right}").replace(' ', ""), format!("{left}*{right}")]
         };
         Err(ReadError::Gap {
             text: self.cursor.text[start..ahead.at].into(),

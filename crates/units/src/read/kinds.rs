@@ -215,6 +215,24 @@ fn namesake(unit: &str, fits: impl Fn(&Unit) -> bool) -> Option<(&'static str, &
     })
 }
 
+/// Sums of two parts of different dimensions with a unit of mass, force or acceleration replaced by the one that shares
+/// its name, so that both parts have one dimension: `5 lbf + 3 lbf` and `5 lb + 3 lb` for `5 lb + 3 lbf`.
+pub(super) fn sums([left, right]: [&str; 2], sign: &str, [of_left, of_right]: [Dim; 2]) -> Vec<String> {
+    let as_other = |part: &str, wanted: Dim| {
+        NAMESAKES.into_iter().find_map(|(written, meant)| {
+            let other = replaced(part.trim(), written, meant);
+            let read = super::read_any(&other).ok().filter(|_| other != part.trim())?;
+            (read.unit.dim == wanted).then_some(other)
+        })
+    };
+    if [left, right].iter().any(|part| part.contains('(')) {
+        return Vec::new();
+    }
+    let with_left = as_other(left, of_right).map(|other| format!("{other} {sign} {}", right.trim()));
+    let with_right = as_other(right, of_left).map(|other| format!("{} {sign} {other}", left.trim()));
+    with_left.into_iter().chain(with_right).collect()
+}
+
 /// A text with a unit, or a name of it, replaced by another unit.
 fn replaced(text: &str, written: &str, meant: &str) -> String {
     let (mut out, mut cursor) = (String::with_capacity(text.len()), Cursor::new(text, 0..text.len()));

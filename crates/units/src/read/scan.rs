@@ -68,7 +68,13 @@ impl<'t> Cursor<'t> {
     /// Returns true if nothing but a number stands before this place, or nothing at all.
     pub(crate) fn is_behind_number(&self) -> bool {
         let before = self.text[..self.at].trim_end().chars().next_back();
-        before.is_none_or(|c| c.is_ascii_digit() || matches!(c, '.' | ',') || superscript_digit(c).is_some())
+        let is_of_a_number = |c: char| {
+            c.is_ascii_digit()
+                || matches!(c, '.' | ',')
+                || superscript_digit(c).is_some()
+                || vulgar_fraction(c).is_some()
+        };
+        before.is_none_or(is_of_a_number)
     }
 
     /// Goes past a hyphen between two units, `N-m`: no blank stands beside it, and a unit follows.
@@ -118,7 +124,7 @@ impl<'t> Cursor<'t> {
                     exponent -= i32::from(marks > 0);
                 }
                 b'.' | b',' => marks += 1,
-                _ => match self.group_mark(start).filter(|_| marks == 0) {
+                _ => match group_mark(&self.text[start..self.at], self.rest()).filter(|_| marks == 0) {
                     Some(mark) => self.at += mark - 1,
                     None => break,
                 },
@@ -145,22 +151,6 @@ impl<'t> Cursor<'t> {
             }
         }
         Ok(Literal { negative: false, digits, exponent, long: long.then_some(text) })
-    }
-
-    /// Length of the thin or no-break space here, if it sets three digits apart from the one to three before it.
-    fn group_mark(&self, start: usize) -> Option<usize> {
-        let mark = self.peek().filter(|c| is_group_mark(*c))?.len_utf8();
-        let before = self.text[start..self.at].rsplit(is_group_mark);
-        let mut groups = before.map(str::len).peekable();
-        let mut first = 0;
-        while let Some(length) = groups.next() {
-            if groups.peek().is_some() && length != 3 {
-                return None;
-            }
-            first = length;
-        }
-        let digits = self.rest()[mark..].bytes().take_while(u8::is_ascii_digit).count();
-        ((1..=3).contains(&first) && digits == 3).then_some(mark)
     }
 
     /// Digits after an optional sign, held within ±99 999.
@@ -270,6 +260,49 @@ pub(crate) fn superscript_digit(c: char) -> Option<i32> {
     "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().zip(0..).find_map(|(digit, n)| (digit == c).then_some(n))
 }
 
+/// Length of the space that `rest` begins with, if it sets three digits apart from the number of one to three digits, or of
+/// such groups, before it. An ordinary space does not behind a zero, nor before a fraction: `5 125/1000` is a mixed number.
+pub fn group_mark(before: &str, rest: &str) -> Option<usize> {
+    let mark = rest.chars().next().filter(|c| is_group_mark(*c))?.len_utf8();
+    if rest.starts_with(' ') && (before.starts_with('0') || is_numerator(rest)) {
+        return None;
+    }
+    let mut groups = before.rsplit(is_group_mark).map(str::len).peekable();
+    let mut first = 0;
+    while let Some(length) = groups.next() {
+        if groups.peek().is_some() && length != 3 {
+            return None;
+        }
+        first = length;
+    }
+    let digits = rest[mark..].bytes().take_while(u8::is_ascii_digit).count();
+    ((1..=3).contains(&first) && digits == 3).then_some(mark)
+}
+
+/// Returns true if the digits that a text begins with are the numerator of a fraction.
+fn is_numerator(text: &str) -> bool {
+    let behind = text.trim_start_matches(|c: char| c == ' ' || c.is_ascii_digit());
+    let divisor = behind.strip_prefix(is_quotient).map(str::trim_start);
+    divisor.is_some_and(|divisor| divisor.starts_with(|c: char| c.is_ascii_digit()))
+}
+
+/// The value of a fraction that is one character: 0.5 of `½`.
+pub fn vulgar_fraction(c: char) -> Option<f64> {
+    let [above, below] = match c {
+        '½' => [1.0, 2.0],
+        '⅓' => [1.0, 3.0],
+        '⅔' => [2.0, 3.0],
+        '¼' => [1.0, 4.0],
+        '¾' => [3.0, 4.0],
+        '⅛' => [1.0, 8.0],
+        '⅜' => [3.0, 8.0],
+        '⅝' => [5.0, 8.0],
+        '⅞' => [7.0, 8.0],
+        _ => return None,
+    };
+    Some(above / below)
+}
+
 /// Control characters, those without width, and those that turn the direction of the text.
 pub fn is_invisible(c: char) -> bool {
     c.is_control()
@@ -313,9 +346,10 @@ pub fn with_point(text: &str) -> Cow<'_, str> {
     pointed.into()
 }
 
-/// Returns true for the spaces with which printed numbers set groups of three digits apart (ISO 80000-1).
+/// Returns true for the spaces with which printed numbers set groups of three digits apart (ISO 80000-1), and the ordinary
+/// one that is typed in their place.
 fn is_group_mark(c: char) -> bool {
-    matches!(c, '\u{a0}' | '\u{2009}' | '\u{202f}')
+    matches!(c, ' ' | '\u{a0}' | '\u{2009}' | '\u{202f}')
 }
 
 fn is_of_a_number(c: char) -> bool {

@@ -41,7 +41,7 @@ const PREFIX_NAMES: [(&str, &str); 16] = [
     ("giga", "G"),
 ];
 
-/// `second` and `minute` are not among them: they are ordinals and adjectives of headings and inputs too.
+/// Names of the rows.
 static NAMES: &[Entry] = &[
     prefixable("m", &["metre", "metres", "meter", "meters", "metro", "metros"]),
     plain("ft", &["pés"]),
@@ -54,11 +54,11 @@ static NAMES: &[Entry] = &[
     plain("oz", &["ounce", "ounces", "onça", "onças"]),
     plain("short ton", &["short tons", "US ton", "US tons"]),
     plain("long ton", &["long tons", "UK ton", "UK tons", "imperial ton", "imperial tons"]),
-    prefixable("s", &["seconds", "segundos"]),
+    prefixable("s", &["second", "seconds", "segundo", "segundos"]),
     plain("sec", &["secs", "seg"]),
-    plain("min", &["mins", "minutes", "minutos"]),
+    plain("min", &["mins", "minute", "minutes", "minuto", "minutos"]),
     plain("h", &["hrs", "hour", "hours", "hora", "horas"]),
-    plain("day", &["dias"]),
+    plain("day", &["dia", "dias"]),
     prefixable("rad", &["radian", "radians", "radiano", "radianos"]),
     plain("rev", &["revolution", "revolutions", "volta", "voltas", "rotações", "ciclo", "ciclos"]),
     plain("rps", &["c/s", "c/sec"]),
@@ -99,8 +99,11 @@ pub(super) fn written_out(row: &'static Row) -> Vec<Symbol> {
         for (letter, ten) in prefixes_of(row).filter(|_| entry.with_prefixes) {
             for (prefix, _) in PREFIX_NAMES.iter().filter(|(_, short)| *short == letter) {
                 // In Portuguese the sound stays: milissegundos, milirradianos.
-                let doubled =
-                    if matches!(name, "segundos" | "radiano" | "radianos") { &name[..1] } else { "" };
+                let doubled = if matches!(name, "segundo" | "segundos" | "radiano" | "radianos") {
+                    &name[..1]
+                } else {
+                    ""
+                };
                 found.push(Symbol {
                     text: format!("{prefix}{doubled}{name}").into(),
                     stands_for: format!("{letter}{}", entry.symbol).into(),

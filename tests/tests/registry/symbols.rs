@@ -1,0 +1,67 @@
+//! Symbols of a sheet: no two of them are one name in formulas.
+
+use std::{collections::BTreeMap, sync::Mutex};
+
+use dalembert_core::{Entry, Number, Solution, Stop, cases, normalised, printer, registry, trace::Op};
+use dalembert_plugins as _;
+use dalembert_testkit::on_all_cores;
+
+/// A quantity of a sheet: its symbol, its number, and where it is.
+type Quantity = (String, Number, String);
+
+/// The symbols of a sheet that are one name in formulas, and stand for different numbers or are written differently.
+fn coincident(solution: &Solution) -> Vec<String> {
+    let mut all: BTreeMap<String, Vec<Quantity>> = BTreeMap::new();
+    let mut put = |symbol: String, number: Number, what: String| {
+        let of = all.entry(normalised(&symbol)).or_default();
+        if !symbol.is_empty() && of.iter().all(|(known, si, _)| *known != symbol || !is_same(*si, number)) {
+            of.push((symbol, number, what));
+        }
+    };
+    for node in &solution.trace.nodes {
+        if let Op::Given { symbol, path, .. } = &node.op {
+            put(printer::symbol(symbol), node.number, path.clone());
+        }
+    }
+    for (n, step) in solution.steps.iter().enumerate() {
+        let number = solution.trace.node(step.result).number;
+        put(printer::symbol(&step.symbol), number, format!("step {} {}", n + 1, step.why.english()));
+    }
+    all.into_values().filter(|of| of.len() > 1).map(|of| format!("{of:?}")).collect()
+}
+
+/// Returns true for numbers that differ by rounding alone.
+fn is_same(a: Number, b: Number) -> bool {
+    match (a, b) {
+        (Number::Scalar(a), Number::Scalar(b)) => (a - b).abs() <= 1e-9 * a.abs().max(b.abs()),
+        (Number::Vector(a), Number::Vector(b)) => {
+            let size = a.iter().chain(&b).fold(0.0_f64, |size, x| size.max(x.abs()));
+            a.iter().zip(&b).all(|(a, b)| (a - b).abs() <= 1e-9 * size)
+        }
+        _ => false,
+    }
+}
+
+#[test]
+fn no_two_symbols_of_a_sheet_are_one_name() {
+    let found: Mutex<BTreeMap<&str, Vec<String>>> = Mutex::default();
+    on_all_cores(registry(), |_, entry: &&Entry| {
+        for case in cases::cases(entry).unwrap_or_default() {
+            let Ok(record) = case.record(entry) else { continue };
+            let Ok(solution) = entry.solve(&record, &Stop::new()) else { continue };
+            let two = coincident(&solution);
+            if !two.is_empty() {
+                let mut found = found.lock().expect("no worker panics");
+                found.entry(entry.about.id).or_default().extend(two);
+            }
+        }
+    });
+    let found = found.into_inner().expect("no worker panics");
+    for (id, all) in &found {
+        println!("{id}: {}", all.len());
+        for one in all {
+            println!("    {one}");
+        }
+    }
+    assert!(found.is_empty(), "{} analyses", found.len());
+}
